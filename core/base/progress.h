@@ -1,0 +1,26 @@
+// Progress and cancellation of long work: one object, handed down, read by any thread.
+#pragma once
+
+#include <atomic>
+#include <string_view>
+
+namespace proveout {
+
+/// The default does nothing and never cancels. Implementations of `report` must be thread-safe.
+class Progress {
+ public:
+  virtual ~Progress() = default;
+  /// `phase` is a short static text ("removing"); `done` in 0..1. May be called from any thread.
+  virtual void report(std::string_view phase, double done) {
+    (void)phase;
+    (void)done;
+  }
+  /// Asks the work to stop; async-signal-safe.
+  void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+  bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+ private:
+  std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace proveout

@@ -1,0 +1,24 @@
+# Debian 12 packages. OpenVDB's own find module asks for Boost.Iostreams headers that
+# libopenvdb-dev does not pull in, so the library is looked up here by hand.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt 9 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(Imath 3 REQUIRED)
+find_package(embree 3.13 REQUIRED)
+find_package(assimp REQUIRED)
+find_package(PNG REQUIRED)
+find_package(nlohmann_json 3 REQUIRED)
+find_package(CLI11 2 REQUIRED)
+find_path(PROVEOUT_TOMLPP_INCLUDE toml++/toml.h REQUIRED)
+
+find_path(PROVEOUT_OPENVDB_INCLUDE openvdb/openvdb.h REQUIRED)
+find_library(PROVEOUT_OPENVDB_LIBRARY openvdb REQUIRED)
+if(NOT TARGET proveout_openvdb)
+  add_library(proveout_openvdb INTERFACE)
+  target_include_directories(proveout_openvdb SYSTEM INTERFACE ${PROVEOUT_OPENVDB_INCLUDE})
+  target_link_libraries(proveout_openvdb INTERFACE ${PROVEOUT_OPENVDB_LIBRARY} TBB::tbb Imath::Imath)
+endif()
+
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
+find_package(CGAL 5.5 REQUIRED QUIET)

@@ -1,0 +1,126 @@
+// The tool path: the narrow waist of the program. What a virtual control made of an NC program, in the
+// workpiece frame; nothing behind it knows which dialect made a motion.
+//
+// Workpiece frame: the machine frame moved to the work offset that the job gives for the first work
+// coordinate system (G54; zero by default), as it was when the program started. Stock and nominal
+// are given in the same frame. A program that changes G54 later really moves the tool elsewhere.
+//
+// Control point: the tool tip on the tool axis (mills, drills). With `gauge_length` of the tool at 0 (the
+// default) it is the programmed point plus active length offset; with a gauge length, that is subtracted.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/geometry/types.h"
+
+namespace proveout {
+
+enum class MotionKind : std::uint8_t { kRapid, kFeed, kThread };
+enum class MotionShape : std::uint8_t { kLine, kArc };
+std::string_view motionKindName(MotionKind kind);  ///< "rapid", "feed", "thread"
+
+/// Index of a motion in the tool path (`Toolpath::motions`). Also the "id" of the path stream.
+using MotionId = std::uint32_t;
+inline constexpr MotionId kNoMotion = 0xFFFFFFFFu;
+
+/// Where a motion comes from in the program.
+struct SourceRef {
+  std::uint32_t file = 0;    ///< index into Toolpath::files
+  std::uint32_t line = 0;    ///< from 1
+  std::int64_t block = -1;   ///< N number of the block, or -1
+  std::uint16_t depth = 0;   ///< 0 in the main program, +1 per subprogram level
+};
+
+/// Arc, helix, spiral or conical helix about an axis with constant direction.
+/// Position at parameter u in 0..1: angle a = u * sweep about `normal` (right-hand rule) from the start;
+/// the radius (distance to the axis) and the height along the axis go linearly from start to end.
+struct ArcGeometry {
+  Vec3 center = Vec3::Zero();   ///< a point on the axis, mm, at the height of the start point
+  Vec3 normal = Vec3::UnitZ();  ///< unit
+  double sweep_rad = 0.0;       ///< signed, right-hand rule about `normal`; more than a turn is allowed
+};
+
+struct Motion {
+  Vec3 from = Vec3::Zero();  ///< mm, workpiece frame
+  Vec3 to = Vec3::Zero();    ///< mm, workpiece frame
+  double feed = 0.0;         ///< mm/min along the path; 0 for rapids
+  double time_s = 0.0;       ///< duration of this motion
+  double spindle = 0.0;      ///< rpm, negative: M4, 0: stopped
+  std::int32_t tool = 0;     ///< number of the tool in the spindle; 0: none named by the program
+  std::int32_t arc = -1;     ///< index into Toolpath::arcs, or -1 for a line
+  SourceRef source;
+  MotionKind kind = MotionKind::kRapid;
+
+  MotionShape shape() const { return arc < 0 ? MotionShape::kLine : MotionShape::kArc; }
+};
+
+/// Something that happens between motions.
+struct PathEvent {
+  std::string event;  ///< "tool", "spindle", "coolant", "stop", "optional_stop", "dwell", "end", "message", "overtravel"
+  /// Key and JSON value text (already valid JSON: `12`, `"M8"`, `true`).
+  std::vector<std::pair<std::string, std::string>> data;
+  double time_s = 0.0;  ///< time that it takes (dwell, tool change)
+  SourceRef source;
+};
+
+/// Receives what a virtual control does, in program order. Called from one thread.
+/// `arc` is null for lines; both are copied by the receiver if it keeps them.
+class MotionSink {
+ public:
+  virtual ~MotionSink() = default;
+  /// Called before the first motion of a file is sent; returns nothing. `index` counts from 0.
+  virtual void file(std::uint32_t index, const std::string& name) = 0;
+  virtual void motion(const Motion& motion, const ArcGeometry* arc) = 0;
+  virtual void event(const PathEvent& event) = 0;
+  virtual void diagnostic(const Diagnostic& diagnostic) = 0;
+};
+
+/// The whole path in memory.
+struct Toolpath {
+  std::vector<std::string> files;
+  std::vector<Motion> motions;
+  std::vector<ArcGeometry> arcs;
+  struct EventAt {
+    MotionId before;  ///< index of the motion that follows the event
+    PathEvent event;
+  };
+  std::vector<EventAt> events;
+  Diagnostics diagnostics;
+  std::uint64_t blocks = 0;  ///< executed blocks (set by the interpreter's caller)
+
+  /// Point of motion `m` at parameter u in 0..1 (see ArcGeometry).
+  Vec3 pointAt(const Motion& m, double u) const;
+  /// Bounds of the control point's path, exact for arcs.
+  Box3 bounds(const Motion& m) const;
+  /// Length of the control point's path, mm (spirals: to 1e-9 relative by Simpson's rule).
+  double length(const Motion& m) const;
+};
+
+/// Sink that builds a Toolpath.
+class ToolpathBuilder : public MotionSink {
+ public:
+  explicit ToolpathBuilder(Toolpath& path) : path_(path) {}
+  void file(std::uint32_t index, const std::string& name) override;
+  void motion(const Motion& motion, const ArcGeometry* arc) override;
+  void event(const PathEvent& event) override;
+  void diagnostic(const Diagnostic& diagnostic) override;
+
+ private:
+  Toolpath& path_;
+};
+
+/// An orthonormal frame of an arc: `u` points from the axis to the start, `v` = normal x u.
+struct ArcFrame {
+  Vec3 u, v, n;
+  double radius_start, radius_end;  ///< mm
+  double rise;                      ///< mm along n from start to end
+};
+ArcFrame arcFrame(const Vec3& from, const Vec3& to, const ArcGeometry& arc);
+/// Point of an arc at parameter t in 0..1.
+Vec3 arcPoint(const ArcFrame& frame, const ArcGeometry& arc, double t);
+
+}  // namespace proveout

@@ -1,0 +1,33 @@
+// What the blank is, before it becomes a grid. Workpiece frame, mm.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "core/geometry/types.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace proveout {
+
+struct BoxShape {
+  Vec3 min = Vec3::Zero(), max = Vec3::Zero();  ///< min < max in every coordinate
+};
+/// Cylinder or, with inner_radius > 0, tube along a coordinate axis.
+struct CylinderShape {
+  int axis = 2;                ///< 0 X, 1 Y, 2 Z
+  Vec3 base = Vec3::Zero();    ///< centre of the lower end
+  double radius = 0.0;         ///< > 0
+  double inner_radius = 0.0;   ///< 0: solid; < radius
+  double length = 0.0;         ///< > 0, along +axis
+};
+struct MeshShape {
+  TriMesh mesh;  ///< closed, outward, checked by the maker of the stock
+  std::string name;
+};
+/// A stock saved by an earlier run; its own grid spacing is used.
+struct SavedStock {
+  std::string path;
+};
+using StockShape = std::variant<BoxShape, CylinderShape, MeshShape, SavedStock>;
+
+}  // namespace proveout
