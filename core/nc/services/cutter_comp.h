@@ -1,0 +1,186 @@
+// Cutter radius compensation in the working plane with bounded look-ahead.
+//
+// Input: the programmed blocks in order, in plane coordinates (plane_frame.h), after every transformation.
+// Output: the path of the tool centre as pieces in order; consecutive pieces join without gaps. Rules: NCT
+// milling manual 15.5 (digest nct-3, section 3); what differs between controls is in CutterCompPolicy.
+//
+// Use: reset(position); push() every block from the one that switches compensation on up to and with the one
+// that switches it off (blocks pushed while it is off go straight through); flush() before anything that
+// stops look-ahead, and at the end of the program. Pieces of a block may come out several pushes later: what
+// else the block does has to wait for its pieces, so push functions, dwells and moves outside the plane as
+// kNone blocks.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/types.h"
+
+namespace proveout {
+
+enum class CompError {
+  kNone,
+  kStartInArc,       ///< compensation switched on in a circular block
+  kCancelInArc,      ///< compensation switched off in a circular block
+  kNoIntersection,   ///< inner corner whose offset curves do not meet
+  kInterference,     ///< compensated path runs against the programmed one
+  kBufferFull,       ///< too many blocks without plane motion in a row
+  kSideChange,       ///< change of side that has no solution
+  kCornerArcInside,  ///< corner arc block on an inner corner, or without a block before or after it
+  kNotActive,        ///< keep-vector or corner-arc block while compensation is off
+  kNotFinite,        ///< an input is NaN or infinite
+};
+
+enum class CompWarning {
+  kRepaired,         ///< interference repaired by leaving out blocks; tag: the first block left out
+  kNearTangent,      ///< nearly tangent inner corner without intersection, joined by a short line
+  kManyPassThrough,  ///< more blocks without plane motion than the control promises to look over
+};
+
+enum class CompRamp { kA, kB };  ///< how compensation starts and ends at outer corners (A direct, B around)
+enum class CompOuterCorner {
+  kLines,  ///< offset tangents, met or prolonged by the radius
+  kArc,    ///< arc about the corner
+};
+
+struct CutterCompPolicy {
+  CompRamp start_ramp = CompRamp::kB;
+  CompRamp cancel_ramp = CompRamp::kB;
+  CompOuterCorner outer_corner = CompOuterCorner::kLines;
+  bool interference_check = true;
+  bool interference_alarm = false;  ///< true: always alarm; false: leave out blocks where that mends it
+  int extra_look_ahead = 0;         ///< 0..8 further elements seen by the interference check
+  double min_step = 0.001;          ///< mm, neighbouring corner points closer than this in u and v are merged
+  int max_pass_through = 100;       ///< blocks without plane motion in a row
+};
+
+/// One programmed block.
+struct CompBlock {
+  enum class Shape {
+    kNone,  ///< no plane axis word: function, dwell, move outside the plane
+    kLine,  ///< plane axis words; may have no displacement
+    kArc,
+    kCornerArc,  ///< no motion words; arc about the corner (G39)
+  };
+  Shape shape = Shape::kNone;
+  Vec3 to = Vec3::Zero();      ///< programmed end (u, v, w), mm; of kNone and kCornerArc only w counts
+  Vec2 center = Vec2::Zero();  ///< kArc, mm
+  double sweep_rad = 0.0;      ///< kArc, signed, > 0 counter-clockwise, more than a turn is allowed
+  bool active = false;         ///< compensation on in this block
+  double offset = 0.0;         ///< mm, > 0: tool left of the path, < 0: right; 0 allowed while active
+  /// In-plane centre words of a line or kNone block that switches on or off (direction of the auxiliary
+  /// line), or of a kCornerArc block (direction of the path after the corner).
+  std::optional<Vec2> direction;
+  bool keep_vector = false;  ///< the block ends with the vector that it began with (G38)
+  std::uint64_t tag = 0;     ///< the caller's; comes back with each piece
+};
+
+/// A piece of the tool centre's path, or the place where a block without plane motion is to be carried out.
+struct CompPiece {
+  enum class Role {
+    kOwn,          ///< the block's own compensated motion
+    kCorner,       ///< inserted: start-up move, corner, corner arc; belongs to block `tag`
+    kPassThrough,  ///< carry out the kNone block `tag` here; from and to differ in w at most
+  };
+  Role role = Role::kOwn;
+  bool is_arc = false;
+  Vec3 from = Vec3::Zero();    ///< (u, v, w), mm
+  Vec3 to = Vec3::Zero();      ///< (u, v, w), mm
+  Vec2 center = Vec2::Zero();  ///< arcs, mm; radius, angle and w go linearly together, as in PlaneArc
+  double sweep_rad = 0.0;      ///< arcs, signed
+  std::uint64_t tag = 0;
+};
+
+struct CompNote {
+  CompWarning warning = CompWarning::kRepaired;
+  std::uint64_t tag = 0;
+};
+
+/// Receives what push() and flush() make; they append. The caller clears it.
+struct CompOutput {
+  std::vector<CompPiece> pieces;
+  std::vector<CompNote> notes;
+  void clear() {
+    pieces.clear();
+    notes.clear();
+  }
+};
+
+struct [[nodiscard]] CompStatus {
+  CompError error = CompError::kNone;
+  std::uint64_t tag = 0;       ///< the offending block
+  std::uint64_t stop_tag = 0;  ///< the block before which (kNoIntersection: in which) the control stops
+  bool ok() const { return error == CompError::kNone; }
+};
+
+/// Not thread-safe; one owner. After an error only reset() makes sense. Copyable.
+class CutterComp {
+ public:
+  explicit CutterComp(const CutterCompPolicy& policy = {}) : policy_(policy) {}
+
+  /// Forgets everything; compensation off; tool centre and programmed point at `position` (u, v, w).
+  void reset(const Vec3& position);
+
+  /// Takes the next block; appends the pieces that are certain by now.
+  CompStatus push(const CompBlock& block, CompOutput& out);
+
+  /// Ends look-ahead: the last element runs to its programmed end, its vector becomes 0, everything comes
+  /// out. Compensation stays on; the next element starts at the programmed point and ends on its normal
+  /// corner.
+  CompStatus flush(CompOutput& out);
+
+  /// After flush(), or while inactive: the machine has moved by other means (reference point, new origin).
+  void rebase(const Vec3& position);
+
+  bool active() const { return active_; }  ///< on, as of the last block pushed
+  bool pending() const { return !elements_.empty() || !waiting_.empty(); }  ///< blocks still wait
+  const Vec3& programmed() const { return programmed_; }                    ///< end of the last block pushed
+  const Vec3& center() const { return center_; }  ///< end of the last piece that came out
+
+ private:
+  struct PassThrough {
+    double w = 0.0;
+    std::uint64_t tag = 0;
+  };
+  enum class Kind { kLine, kArc, kZero, kCornerArc };
+  enum class Phase { kStartUp, kInside, kCancel };
+  /// A block that takes part in the look-ahead.
+  struct Element {
+    Kind kind = Kind::kLine;
+    Phase phase = Phase::kInside;
+    bool keep_vector = false;
+    bool perpendicular_start = false;  ///< first element after a start without plane words
+    bool cancel_in_place = false;      ///< the cancel that follows has no plane motion
+    Vec3 p0 = Vec3::Zero(), p1 = Vec3::Zero();
+    Vec2 center = Vec2::Zero();
+    double sweep = 0.0;
+    double rho_start = 0.0, rho_end = 0.0;  ///< signed offset that rules the start and end corner
+    std::optional<Vec2> direction;
+    std::uint64_t tag = 0;
+    std::vector<PassThrough> after;
+  };
+  /// Corner list between two elements.
+  struct Corner {
+    std::vector<Vec2> points;
+    bool arc_join = false;   ///< points.front() to back() by an arc about the corner
+    bool chord_arc = false;  ///< side change: the arc before keeps its programmed radius
+    bool near_tangent = false;
+    CompError error = CompError::kNone;
+  };
+
+  friend struct CompGeometry;  // corner construction, cutter_comp_corner.cpp
+
+  CutterCompPolicy policy_;
+  bool active_ = false;
+  bool start_pending_ = false;  ///< switched on without plane words; the next element starts perpendicular
+  double offset_ = 0.0;
+  int pass_through_run_ = 0;
+  Vec3 programmed_ = Vec3::Zero();
+  Vec3 center_ = Vec3::Zero();
+  std::deque<Element> elements_;
+  std::vector<PassThrough> waiting_;
+};
+
+}  // namespace proveout
