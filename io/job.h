@@ -1,0 +1,132 @@
+// The job file: one TOML document that names the program, the blank, the tools and what to check.
+// The format is described in docs/reference/job.md. Lengths mm, feeds mm/min, times s, angles degrees.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/base/result.h"
+#include "core/geometry/types.h"
+#include "core/tool/tool.h"
+#include "io/mesh_io.h"
+#include "removal/stock_shape.h"
+
+namespace proveout {
+
+/// A blank or nominal that is still a file: `path` is absolute or relative to the working folder.
+struct MeshFile {
+  std::string path;
+  MeshUnit unit = MeshUnit::kMillimetre;
+};
+
+/// What the blank is, before its files are read. Workpiece frame.
+using StockSpec = std::variant<BoxShape, CylinderShape, MeshFile, SavedStock>;
+
+struct NominalSpec {
+  MeshFile mesh;
+  double gouge_mm = 0.02;   ///< allowed below nominal, > 0
+  double excess_mm = 0.05;  ///< allowed above nominal, > 0
+  double tessellation_mm =
+      0.0;  ///< how far the facets may lie off the CAD surface, as exported; 0: not given
+};
+
+/// The machine, where the control's defaults do not fit.
+struct MachineSpec {
+  double rapid_mm_min = 15000.0;  ///< > 0
+  std::optional<Vec3>
+      start;                 ///< control point before the first block, workpiece frame; none: above the stock
+  std::optional<Vec3> home;  ///< first reference point (G28), machine frame; none: the control's default
+  double tool_change_s = 0.0;  ///< time of a tool change, >= 0
+  /// Travel of an axis ('X', 'Y', 'Z'), machine frame, low < high. An axis without an entry is not limited.
+  std::map<char, std::pair<double, double>> limits;
+};
+
+/// Values that the operator keeps in the control. Machine frame for work offsets.
+struct OffsetSpec {
+  std::map<std::string, Vec3> work;  ///< "G54".."G59"
+  std::map<int, double> length;      ///< H number -> mm
+  std::map<int, double> radius;      ///< D number -> mm
+};
+
+struct SimulationSpec {
+  std::optional<double> resolution_mm;      ///< grid spacing; none: chosen from the stock
+  int threads = 0;                          ///< 0: all cores
+  double max_memory_gb = 0.0;               ///< 0: what the machine has free
+  std::optional<std::uint64_t> max_blocks;  ///< executed blocks before the run is stopped; none: the default
+};
+
+enum class OutputFormat : std::uint8_t { kStl, kStlAscii, kObj, kPly, kVdb };
+std::string_view outputFormatName(OutputFormat format);       ///< "stl", "stl-ascii", "obj", "ply", "vdb"
+std::string_view outputFormatExtension(OutputFormat format);  ///< "stl", "stl", "obj", "ply", "vdb"
+/// Parses one name; the error lists the names there are.
+Result<OutputFormat> parseOutputFormat(std::string_view name);
+/// Parses "stl,obj"; empty entries and doubles are errors.
+Result<std::vector<OutputFormat>> parseOutputFormats(std::string_view list);
+
+/// Names of the views that pictures can be taken from: "iso", "top", ...
+const std::vector<std::string>& viewNames();
+
+struct OutputSpec {
+  std::vector<OutputFormat> formats = {OutputFormat::kStl};
+  std::vector<std::string> views = {"iso"};  ///< of viewNames()
+  int width = 1280, height = 960;            ///< pixels, 16..8192
+};
+
+/// A setting of `[control.NAME]`. The control checks name, type and range; `where` and `source_line`
+/// are for its diagnostics.
+struct ControlSetting {
+  std::variant<bool, double, std::string, std::vector<double>> value;
+  SourceLocation where;
+  std::string source_line;
+};
+
+struct Job {
+  std::string path;                      ///< of the job file; empty for a job made on the command line
+  std::string name;                      ///< defaults to the job file's name without extension
+  std::string control;                   ///< of controlNames()
+  std::string program;                   ///< path of the main program
+  std::string encoding = "auto";         ///< "auto", "utf-8", "koi8-r", "cp1251", "gb18030"
+  std::vector<std::string> subprograms;  ///< paths of files and folders
+  bool inch = false;                     ///< power-on unit of the control
+  MachineSpec machine;
+  std::optional<StockSpec> stock;  ///< always there in a job that was loaded from a file
+  std::optional<NominalSpec> nominal;
+  std::vector<Tool> tools;  ///< validated, numbers differ; in the order of the file
+  OffsetSpec offsets;
+  SimulationSpec simulation;
+  OutputSpec output;
+  std::map<std::string, ControlSetting> control_settings;  ///< of the chosen control
+};
+
+/// Names of controls that a job may ask for.
+const std::vector<std::string>& controlNames();
+
+/// Reads a job file. Relative paths in it are resolved against its folder; every named file must exist.
+/// Unknown keys, wrong types, values out of range and features that cannot be simulated are errors in
+/// `diagnostics`, each with its place. Returns a job only if there was no error.
+std::optional<Job> loadJob(const std::string& path, Diagnostics& diagnostics);
+
+/// The same for a text: `name` stands in diagnostics, `folder` is what relative paths are resolved against.
+std::optional<Job> parseJob(std::string_view text, const std::string& name, const std::string& folder,
+                            Diagnostics& diagnostics);
+
+/// Parses the command line's blank: `box:x0,y0,z0:x1,y1,z1`, `cylinder:x,y,z:DIAMETER:LENGTH[:AXIS]` (centre
+/// of the lower end, axis x, y or z; default z), `tube:x,y,z:DIAMETER:INNER:LENGTH[:AXIS]`, `mesh:FILE`,
+/// `vdb:FILE`.
+Result<StockSpec> parseStockOption(const std::string& text);
+
+/// Reads the blank's mesh, if it is one; other shapes pass through.
+Result<StockShape> loadStockShape(const StockSpec& spec);
+
+/// The candidate nearest to `word` in edit distance, or "" where none is near enough to be meant.
+std::string nearestName(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace proveout

@@ -1,0 +1,183 @@
+// The report of a run: what `report.json`, `junit.xml` and `report.html` say. Plain data, filled by the
+// pipeline; described for readers in docs/reference/report.md. Lengths mm, volumes mm3, times s, workpiece
+// frame.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/geometry/types.h"
+
+namespace proveout {
+
+enum class Verdict : std::uint8_t { kPass, kFail, kError };
+std::string_view verdictName(Verdict verdict);  ///< "pass", "fail", "error"
+
+/// The block of the program that is to blame.
+struct BlockRef {
+  std::string file;         ///< as the program is named in messages
+  std::uint32_t line = 0;   ///< from 1
+  std::int64_t block = -1;  ///< N number, or -1
+  std::uint16_t depth = 0;  ///< subprogram level
+  std::string text;         ///< the line's text, where it is at hand
+};
+
+/// Kinds of findings: "gouge", "excess", "undecided", "rapid_contact", "holder_contact", "shank_contact",
+/// "fixture_contact", "spindle_off", "overtravel", "alarm", "mesh". Others are allowed and shown as they are.
+struct Finding {
+  std::string kind;
+  Severity severity = Severity::kError;
+  std::optional<Vec3> where;
+  std::optional<double> depth_mm, area_mm2, volume_mm3;
+  std::optional<BlockRef> source;
+  std::optional<std::uint32_t> motion;  ///< id in the path stream
+  std::optional<int> tool;
+  std::string message;
+};
+
+struct ReportProgram {
+  std::string control;
+  std::vector<std::string> files;
+  std::uint64_t blocks = 0;  ///< executed
+  std::uint64_t motions = 0;
+};
+
+struct ToolUse {
+  int number = 0;
+  std::string name;         ///< may be empty
+  std::string description;  ///< "ball 3.175", may be empty
+  double cutting_s = 0.0, rapid_s = 0.0;
+  double removed_mm3 = 0.0;
+  std::uint64_t motions = 0;
+};
+
+struct ReportTime {
+  double cycle_s = 0.0, cutting_s = 0.0, rapid_s = 0.0;
+  std::vector<ToolUse> per_tool;
+};
+
+struct StockBody {
+  double volume_mm3 = 0.0;
+  Box3 bounds;
+  std::string role;  ///< "part", "slug", "loose"
+};
+
+struct ReportStock {
+  double initial_mm3 = 0.0, removed_mm3 = 0.0, final_mm3 = 0.0;  ///< integrated from exact surface crossings
+  double mesh_mm3 = 0.0;                                         ///< enclosed by the exported facets
+  std::vector<StockBody> bodies;
+  std::uint64_t triangles = 0, vertices = 0;
+  bool closed = false;  ///< the exported mesh is a closed, oriented 2-manifold
+};
+
+/// Deviations of the part from nominal, positive outside (excess), negative inside (gouge).
+struct ReportComparison {
+  std::string nominal;  ///< file
+  double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0;
+  double max_gouge_mm = 0.0, max_excess_mm = 0.0;  ///< >= 0
+  double rms_mm = 0.0, p95_mm = 0.0;               ///< of the absolute deviation, by area
+  /// Histogram by area: bin i holds deviations from edges_mm[i] to edges_mm[i + 1].
+  std::vector<double> histogram_edges_mm;  ///< ascending, one more than areas
+  std::vector<double> histogram_area_mm2;
+  bool decided = true;                           ///< false: the grid is too coarse for these tolerances
+  std::optional<double> deciding_resolution_mm;  ///< grid that would decide it
+};
+
+/// One contribution to the error of the figures.
+struct ErrorTerm {
+  std::string source;              ///< "grid", "tool", "arcs", "nominal", ...
+  std::optional<double> bound_mm;  ///< none: not known
+  std::string statement;           ///< one sentence: what it is and where the bound is from
+};
+
+struct FileHash {
+  std::string role;  ///< "job", "program", "subprogram", "stock", "nominal"
+  std::string path;
+  std::uint64_t bytes = 0;
+  std::string sha256;
+};
+
+struct ReportMesh {
+  std::string path;    ///< relative to the report
+  std::string format;  ///< "stl", "obj", "ply", "vdb"
+  std::string sha256;  ///< of the file; may be empty
+};
+
+struct ReportImage {
+  std::string path;   ///< relative to the report
+  std::string title;  ///< "iso", "top", "deviation iso", ...
+};
+
+struct ReportOutputs {
+  std::vector<ReportMesh> meshes;
+  std::vector<ReportImage> images;
+  std::string html;  ///< file name; empty: none
+};
+
+/// Differs from run to run; everything else in the report depends on the inputs alone.
+struct ReportPerformance {
+  double wall_s = 0.0, interpret_s = 0.0, remove_s = 0.0, mesh_s = 0.0, compare_s = 0.0, render_s = 0.0;
+  double peak_memory_mb = 0.0;
+  int threads = 0;
+};
+
+/// What was looked at. A check that was not made is "skipped" in junit.xml, never passed.
+struct ReportChecks {
+  bool interpreted = true;     ///< the program was run
+  bool removal = false;        ///< stock was cut: contacts are known
+  bool comparison = false;     ///< gouge and excess are known
+  bool travel_limits = false;  ///< the job gives limits
+  bool mesh = false;           ///< a mesh was made and its topology checked
+};
+
+struct Report {
+  std::string name;
+  std::string version;  ///< of proveout
+  Verdict verdict = Verdict::kError;
+  ReportChecks checks;
+  ReportProgram program;
+  ReportTime time;
+  std::optional<ReportStock> stock;
+  double resolution_mm = 0.0;
+  std::vector<Finding> findings;
+  std::optional<ReportComparison> comparison;
+  std::vector<ErrorTerm> error_budget;
+  std::vector<Diagnostic> diagnostics;  ///< what the control said of the program, in order
+  std::vector<FileHash> inputs;
+  std::string part_sha256;  ///< sha256OfMesh of the part; empty: none
+  ReportOutputs outputs;
+  ReportPerformance performance;
+};
+
+/// "error" if the program raised an alarm (a finding of kind "alarm" or an error among the diagnostics),
+/// "fail" if a finding has severity error or the comparison is undecided, else "pass".
+Verdict verdictOf(const Report& report);
+
+struct ReportOptions {
+  /// false leaves out `performance` (and times in junit.xml), so that equal inputs give equal bytes.
+  bool with_performance = true;
+};
+
+/// report.json, schema proveout.report/1: UTF-8, two spaces of indent, keys in a fixed order, ends with a
+/// newline.
+std::string reportJson(const Report& report, const ReportOptions& options = {});
+
+/// junit.xml: one suite, one test case a check; a failure carries the findings' text.
+std::string reportJunit(const Report& report, const ReportOptions& options = {});
+
+/// A picture for report.html.
+struct ReportPicture {
+  std::string title;
+  std::string png;  ///< bytes of a PNG file
+};
+
+/// report.html: one self-contained page, no script, no network. Everything from outside is escaped.
+std::string reportHtml(const Report& report, const std::vector<ReportPicture>& pictures,
+                       const ReportOptions& options = {});
+
+}  // namespace proveout
