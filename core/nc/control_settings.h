@@ -1,0 +1,75 @@
+// What a virtual control needs to know besides the program: plain data, filled from the job.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry/types.h"
+
+namespace proveout {
+
+enum class LengthUnit { kMillimetre, kInch };
+
+/// Text encoding of program files. kAuto: UTF-8 where the bytes are valid UTF-8, else the Cyrillic code
+/// page that fits the text better.
+enum class TextEncoding { kAuto, kUtf8, kKoi8R, kCp1251, kGb18030 };
+
+/// Travel limits of one axis, machine frame, mm.
+struct AxisLimit {
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// A row of the offset tables, mm. Effective value: geometry + wear.
+struct OffsetValue {
+  double geometry = 0.0;
+  double wear = 0.0;
+};
+
+/// Stops the interpretation after a block of the main program: by line (from 1) or by N number.
+struct UntilBlock {
+  std::optional<int> line;
+  std::optional<std::int64_t> block;
+};
+
+struct ControlSettings {
+  LengthUnit units = LengthUnit::kMillimetre;   ///< power-on unit, where the program does not say (G20/G21)
+  TextEncoding encoding = TextEncoding::kAuto;  ///< of the program files
+  Vec3 rapid_mm_min = Vec3::Constant(15000.0);  ///< rapid rate of X, Y, Z; > 0
+  std::array<std::optional<AxisLimit>, 3> limits;  ///< X, Y, Z, machine frame, mm
+  Vec3 start = Vec3(0, 0, 100);                    ///< where the tool is at power-on, workpiece frame, mm
+
+  /// Work offsets G54..G59 in the machine frame, mm, and their basic rotation angles about X, Y, Z (deg).
+  std::array<Vec3, 6> work_offsets{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                                   Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  std::array<Vec3, 6> work_rotations_deg{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                                         Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  std::map<int, Vec3> extended_offsets;  ///< G54.1 P1..P99, machine frame, mm
+  Vec3 common_offset = Vec3::Zero();     ///< added to every work offset, mm
+
+  /// Reference points 1..4 in the machine frame, mm (G28, G30). Where one is not given, the start
+  /// position stands for it and a warning says so.
+  std::array<std::optional<Vec3>, 4> reference_points;
+
+  std::map<int, OffsetValue> length_offsets;  ///< H rows, mm
+  std::map<int, OffsetValue> radius_offsets;  ///< D rows, mm (radius)
+  std::map<int, double> gauge_lengths;        ///< by tool number, mm; 0 for tools not listed
+
+  std::uint64_t block_limit = 100'000'000;  ///< executed blocks; more is an alarm (endless loop)
+  std::array<bool, 9> skip_switches{};      ///< [0] is the switch of `/` and `/1`, [8] of `/9`
+  bool optional_stop = false;               ///< M1 stops
+  bool lenient = false;                     ///< unsupported codes that are safe to skip become warnings
+  double tool_change_s = 5.0;               ///< duration of a tool change, s
+  double default_spindle_rpm = 1000.0;  ///< timing of G95 motions and dwells while the spindle stands still
+  int max_errors = 1;                   ///< interpretation goes on behind bad blocks until so many errors
+  std::optional<UntilBlock> until;
+
+  /// Parameters of the control by name ("N1339" = 0.01, "N1337.SEC" = 1). Unknown names are errors.
+  std::map<std::string, double> parameters;
+};
+
+}  // namespace proveout
