@@ -43,6 +43,9 @@ class AtomicFile {
 /// Writes `bytes` to `path`, whole or not at all.
 Status writeFileAtomically(const std::string& path, std::string_view bytes);
 
+/// Done if `path` is a regular file that can be read; else names what it is.
+Status checkRegularFile(const std::string& path);
+
 /// Reads a whole regular file. Errors: missing, a folder or device, unreadable, larger than `max_bytes`.
 Result<std::string> readWholeFile(const std::string& path, std::size_t max_bytes);
 

@@ -71,12 +71,9 @@ Result<OutputFormat> parseOutputFormat(std::string_view name);
 /// Parses "stl,obj"; empty entries and doubles are errors.
 Result<std::vector<OutputFormat>> parseOutputFormats(std::string_view list);
 
-/// Names of the views that pictures can be taken from: "iso", "top", ...
-const std::vector<std::string>& viewNames();
-
 struct OutputSpec {
   std::vector<OutputFormat> formats = {OutputFormat::kStl};
-  std::vector<std::string> views = {"iso"};  ///< of viewNames()
+  std::vector<std::string> views = {"iso"};  ///< names; see JobNames
   int width = 1280, height = 960;            ///< pixels, 16..8192
 };
 
@@ -91,7 +88,7 @@ struct ControlSetting {
 struct Job {
   std::string path;                      ///< of the job file; empty for a job made on the command line
   std::string name;                      ///< defaults to the job file's name without extension
-  std::string control;                   ///< of controlNames()
+  std::string control;                   ///< name; see JobNames
   std::string program;                   ///< path of the main program
   std::string encoding = "auto";         ///< "auto", "utf-8", "koi8-r", "cp1251", "gb18030"
   std::vector<std::string> subprograms;  ///< paths of files and folders
@@ -106,17 +103,21 @@ struct Job {
   std::map<std::string, ControlSetting> control_settings;  ///< of the chosen control
 };
 
-/// Names of controls that a job may ask for.
-const std::vector<std::string>& controlNames();
+/// Names that a job may use and that io does not know itself; an empty list is not checked against.
+struct JobNames {
+  std::vector<std::string> controls;  ///< of the virtual controls
+  std::vector<std::string> views;     ///< of the renderer
+};
 
 /// Reads a job file. Relative paths in it are resolved against its folder; every named file must exist.
 /// Unknown keys, wrong types, values out of range and features that cannot be simulated are errors in
 /// `diagnostics`, each with its place. Returns a job only if there was no error.
-std::optional<Job> loadJob(const std::string& path, Diagnostics& diagnostics);
+std::optional<Job> loadJob(const std::string& path, const JobNames& names, Diagnostics& diagnostics);
 
-/// The same for a text: `name` stands in diagnostics, `folder` is what relative paths are resolved against.
-std::optional<Job> parseJob(std::string_view text, const std::string& name, const std::string& folder,
-                            Diagnostics& diagnostics);
+/// The same for a text: `text_name` stands in diagnostics, `folder` is what relative paths are resolved
+/// against.
+std::optional<Job> parseJob(std::string_view text, const std::string& text_name, const std::string& folder,
+                            const JobNames& names, Diagnostics& diagnostics);
 
 /// Parses the command line's blank: `box:x0,y0,z0:x1,y1,z1`, `cylinder:x,y,z:DIAMETER:LENGTH[:AXIS]` (centre
 /// of the lower end, axis x, y or z; default z), `tube:x,y,z:DIAMETER:INNER:LENGTH[:AXIS]`, `mesh:FILE`,
