@@ -2,19 +2,18 @@
 // The format is described in docs/reference/job.md. Lengths mm, feeds mm/min, times s, angles degrees.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/base/diagnostics.h"
 #include "core/base/result.h"
 #include "core/geometry/types.h"
+#include "core/nc/control_settings.h"
 #include "core/tool/tool.h"
 #include "io/mesh_io.h"
 #include "removal/stock_shape.h"
@@ -38,29 +37,10 @@ struct NominalSpec {
       0.0;  ///< how far the facets may lie off the CAD surface, as exported; 0: not given
 };
 
-/// The machine, where the control's defaults do not fit.
-struct MachineSpec {
-  double rapid_mm_min = 15000.0;  ///< > 0
-  std::optional<Vec3>
-      start;                 ///< control point before the first block, workpiece frame; none: above the stock
-  std::optional<Vec3> home;  ///< first reference point (G28), machine frame; none: the control's default
-  double tool_change_s = 0.0;  ///< time of a tool change, >= 0
-  /// Travel of an axis ('X', 'Y', 'Z'), machine frame, low < high. An axis without an entry is not limited.
-  std::map<char, std::pair<double, double>> limits;
-};
-
-/// Values that the operator keeps in the control. Machine frame for work offsets.
-struct OffsetSpec {
-  std::map<std::string, Vec3> work;  ///< "G54".."G59"
-  std::map<int, double> length;      ///< H number -> mm
-  std::map<int, double> radius;      ///< D number -> mm
-};
-
 struct SimulationSpec {
-  std::optional<double> resolution_mm;      ///< grid spacing; none: chosen from the stock
-  int threads = 0;                          ///< 0: all cores
-  double max_memory_gb = 0.0;               ///< 0: what the machine has free
-  std::optional<std::uint64_t> max_blocks;  ///< executed blocks before the run is stopped; none: the default
+  std::optional<double> resolution_mm;  ///< grid spacing; none: chosen from the stock
+  int threads = 0;                      ///< 0: all cores
+  double max_memory_gb = 0.0;           ///< 0: what the machine has free
 };
 
 enum class OutputFormat : std::uint8_t { kStl, kStlAscii, kObj, kPly, kVdb };
@@ -77,36 +57,37 @@ struct OutputSpec {
   int width = 1280, height = 960;            ///< pixels, 16..8192
 };
 
-/// A setting of `[control.NAME]`. The control checks name, type and range; `where` and `source_line`
-/// are for its diagnostics.
-struct ControlSetting {
-  std::variant<bool, double, std::string, std::vector<double>> value;
-  SourceLocation where;
-  std::string source_line;
-};
-
 struct Job {
   std::string path;                      ///< of the job file; empty for a job made on the command line
   std::string name;                      ///< defaults to the job file's name without extension
   std::string control;                   ///< name; see JobNames
   std::string program;                   ///< path of the main program
-  std::string encoding = "auto";         ///< "auto", "utf-8", "koi8-r", "cp1251", "gb18030"
   std::vector<std::string> subprograms;  ///< paths of files and folders
-  bool inch = false;                     ///< power-on unit of the control
-  MachineSpec machine;
+  /// Machine, offsets, switches and parameters. `start` is the control's default and `gauge_lengths` are
+  /// filled from the tools; `until` is not set by job files.
+  ControlSettings settings;
+  std::optional<Vec3>
+      start;                ///< control point before the first block, workpiece frame; none: above the stock
+  bool has_limits = false;  ///< the job gives a travel limit
   std::optional<StockSpec> stock;  ///< always there in a job that was loaded from a file
   std::optional<NominalSpec> nominal;
   std::vector<Tool> tools;  ///< validated, numbers differ; in the order of the file
-  OffsetSpec offsets;
   SimulationSpec simulation;
   OutputSpec output;
-  std::map<std::string, ControlSetting> control_settings;  ///< of the chosen control
+};
+
+/// A parameter of a control that `[control.NAME]` may set.
+struct ParameterRange {
+  std::string name;
+  double min = 0.0, max = 0.0;
 };
 
 /// Names that a job may use and that io does not know itself; an empty list is not checked against.
 struct JobNames {
   std::vector<std::string> controls;  ///< of the virtual controls
   std::vector<std::string> views;     ///< of the renderer
+  /// By control. A control without an entry has its parameters checked by the interpreter alone.
+  std::map<std::string, std::vector<ParameterRange>> parameters;
 };
 
 /// Reads a job file. Relative paths in it are resolved against its folder; every named file must exist.
