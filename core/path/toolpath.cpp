@@ -30,8 +30,9 @@ ArcFrame arcFrame(const Vec3& from, const Vec3& to, const ArcGeometry& arc) {
   f.radius_start = start.norm();
   f.radius_end = end.norm();
   f.rise = f.n.dot(to - from);
-  // A spiral may start on its axis: its end then gives the direction.
-  if (f.radius_start > 0.0) {
+  // A spiral may start on its axis, where rounding leaves no direction: its end then gives it.
+  constexpr double kDirectionLost = 1e-6;
+  if (f.radius_start > kDirectionLost * f.radius_end) {
     f.u = start / f.radius_start;
   } else if (f.radius_end > 0.0) {
     f.u = Eigen::AngleAxisd(-arc.sweep_rad, f.n) * (end / f.radius_end);
@@ -45,7 +46,8 @@ ArcFrame arcFrame(const Vec3& from, const Vec3& to, const ArcGeometry& arc) {
 Vec3 arcPoint(const ArcFrame& f, const ArcGeometry& arc, double t) {
   const double angle = t * arc.sweep_rad;
   const double radius = f.radius_start + t * (f.radius_end - f.radius_start);
-  return arc.center + f.u * (radius * std::cos(angle)) + f.v * (radius * std::sin(angle)) + f.n * (t * f.rise);
+  return arc.center + f.u * (radius * std::cos(angle)) + f.v * (radius * std::sin(angle)) +
+         f.n * (t * f.rise);
 }
 
 Vec3 Toolpath::pointAt(const Motion& m, double u) const {
@@ -54,6 +56,66 @@ Vec3 Toolpath::pointAt(const Motion& m, double u) const {
   return arcPoint(arcFrame(m.from, m.to, arc), arc, u);
 }
 
+namespace toolpath_detail {
+
+/// Widens `box` by the extremes of one coordinate of an arc with constant radius and no rise in that
+/// coordinate: they lie where the angle is that of the coordinate's direction in the arc's plane. One turn
+/// holds them all.
+void extendByCircle(Box3& box, const ArcFrame& f, const ArcGeometry& arc, int axis) {
+  if (arc.sweep_rad == 0.0) return;
+  const double phi = std::atan2(f.v[axis], f.u[axis]);
+  const double turn = std::clamp(arc.sweep_rad, -2 * kPi, 2 * kPi);
+  const double lo = std::min(0.0, turn), hi = std::max(0.0, turn);
+  for (int k = static_cast<int>(std::ceil((lo - phi) / kPi)); phi + k * kPi <= hi; ++k) {
+    const Vec3 p = arcPoint(f, arc, std::clamp((phi + k * kPi) / arc.sweep_rad, 0.0, 1.0));
+    box.min[axis] = std::min(box.min[axis], p[axis]);
+    box.max[axis] = std::max(box.max[axis], p[axis]);
+  }
+}
+
+/// Largest value of `value` in [a, b], where it has one maximum, by golden sections.
+template <typename Value>
+double largestIn(double a, double b, Value value) {
+  constexpr double kGolden = 0.6180339887498949;
+  for (int i = 0; i < 45; ++i) {  // 0.618^45 = 4e-10 of the interval; the value is exact to its square
+    const double c = b - kGolden * (b - a), d = a + kGolden * (b - a);
+    if (value(c) > value(d)) {
+      b = d;
+    } else {
+      a = c;
+    }
+  }
+  return value(0.5 * (a + b));
+}
+
+/// Largest value of sign * coordinate over the arc's piece [a, b], a turn at most, from samples that are
+/// refined.
+double largestInTurn(const ArcFrame& f, const ArcGeometry& arc, int axis, double sign, double a, double b) {
+  constexpr int kSamples = 64;
+  const auto value = [&](double t) { return sign * arcPoint(f, arc, t)[axis]; };
+  int best = 0;
+  for (int i = 1; i <= kSamples; ++i) {
+    if (value(a + (b - a) * i / kSamples) > value(a + (b - a) * best / kSamples)) best = i;
+  }
+  const double step = (b - a) / kSamples;
+  const double refined =
+      largestIn(a + step * std::max(best - 1, 0), a + step * std::min(best + 1, kSamples), value);
+  return std::max(refined, value(a + step * best));
+}
+
+/// Spirals and helices that rise in the coordinate. At a given phase the coordinate is linear in the number
+/// of the turn, so that every extreme lies in the first turn or in the last.
+void extendBySpiral(Box3& box, const ArcFrame& f, const ArcGeometry& arc, int axis) {
+  const double turn = std::min(1.0, 2 * kPi / std::max(std::abs(arc.sweep_rad), 1e-12));
+  for (const double start : {0.0, 1.0 - turn}) {
+    const double end = std::min(1.0, start + turn);
+    box.max[axis] = std::max(box.max[axis], largestInTurn(f, arc, axis, 1.0, start, end));
+    box.min[axis] = std::min(box.min[axis], -largestInTurn(f, arc, axis, -1.0, start, end));
+  }
+}
+
+}  // namespace toolpath_detail
+
 Box3 Toolpath::bounds(const Motion& m) const {
   Box3 box;
   box.extend(m.from);
@@ -61,23 +123,13 @@ Box3 Toolpath::bounds(const Motion& m) const {
   if (m.arc < 0) return box;
   const ArcGeometry& arc = arcs[m.arc];
   const ArcFrame f = arcFrame(m.from, m.to, arc);
-  // Per coordinate the path is center + rho(t) * A cos(a - phi) + rise * t. The circle of the larger radius at every
-  // angle where the cosine has its extreme bounds it; exact for plane circles and axis-aligned helices.
+  const bool spiral = f.radius_end != f.radius_start;
   for (int axis = 0; axis < 3; ++axis) {
-    const double phi = std::atan2(f.v[axis], f.u[axis]);
-    const double lo = std::min(0.0, arc.sweep_rad), hi = std::max(0.0, arc.sweep_rad);
-    for (int k = static_cast<int>(std::ceil((lo - phi) / kPi)); phi + k * kPi <= hi; ++k) {
-      const double t = arc.sweep_rad != 0.0 ? (phi + k * kPi) / arc.sweep_rad : 0.0;
-      box.extend(arcPoint(f, arc, std::clamp(t, 0.0, 1.0)));
+    if (spiral || f.n[axis] * f.rise != 0.0) {
+      toolpath_detail::extendBySpiral(box, f, arc, axis);
+    } else {
+      toolpath_detail::extendByCircle(box, f, arc, axis);
     }
-  }
-  const bool spiral = std::abs(f.radius_end - f.radius_start) > 1e-12;
-  const bool tilted = std::abs(f.rise) > 0.0 && f.n.cwiseAbs().maxCoeff() < 1.0 - 1e-12;
-  if (spiral || tilted) {  // extremes move away from the cosine's: grow by the bound of one turn's change
-    const double turns = std::max(std::abs(arc.sweep_rad) / (2 * kPi), 1e-9);
-    const double slack = std::abs(f.radius_end - f.radius_start) / std::max(turns, 0.25) +
-                         (tilted ? std::abs(f.rise) / std::max(turns, 0.25) : 0.0);
-    return box.inflated(std::min(slack, std::max(f.radius_start, f.radius_end) + std::abs(f.rise)));
   }
   return box;
 }
@@ -87,15 +139,18 @@ double Toolpath::length(const Motion& m) const {
   const ArcGeometry& arc = arcs[m.arc];
   const ArcFrame f = arcFrame(m.from, m.to, arc);
   const double dr = f.radius_end - f.radius_start;
-  const auto speed = [&](double t) {
-    const double r = f.radius_start + t * dr;
-    return std::sqrt(r * r * arc.sweep_rad * arc.sweep_rad + dr * dr + f.rise * f.rise);
+  const double s = std::abs(arc.sweep_rad);
+  const double k2 = dr * dr + f.rise * f.rise;
+  const auto speedAt = [&](double r) { return std::sqrt(r * r * s * s + k2); };
+  // The radius hardly changes: Simpson's rule is exact to far below 1e-9, the closed form would cancel.
+  if (std::abs(dr) <= 0.01 * std::max(f.radius_start, f.radius_end) || s == 0.0) {
+    const double middle = 0.5 * (f.radius_start + f.radius_end);
+    return (speedAt(f.radius_start) + 4.0 * speedAt(middle) + speedAt(f.radius_end)) / 6.0;
+  }
+  const auto integral = [&](double r) {
+    return 0.5 * r * speedAt(r) + 0.5 * k2 / s * std::asinh(r * s / std::sqrt(k2));
   };
-  if (dr == 0.0) return speed(0.0);
-  const int n = 64;  // even; the integrand is smooth, so Simpson's error is far below 1e-9
-  double sum = speed(0.0) + speed(1.0);
-  for (int i = 1; i < n; ++i) sum += speed(static_cast<double>(i) / n) * (i % 2 ? 4.0 : 2.0);
-  return sum / (3.0 * n);
+  return (integral(f.radius_end) - integral(f.radius_start)) / dr;
 }
 
 void ToolpathBuilder::file(std::uint32_t index, const std::string& name) {

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/mesh/edge_table.h"
+
+namespace proveout {
+
+bool triangleIsProper(const TriMesh& mesh, std::size_t triangle) {
+  const auto& t = mesh.triangles[triangle];
+  const std::size_t n = mesh.positions.size();
+  return t[0] < n && t[1] < n && t[2] < n && t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+DisjointSets::DisjointSets(std::size_t size) : parent_(size) {
+  std::iota(parent_.begin(), parent_.end(), 0u);
+}
+
+EdgeTable::EdgeTable(const TriMesh& mesh) : start_(mesh.positions.size() + 1, 0) {
+  const auto eachHalfEdge = [&](auto&& visit) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (!triangleIsProper(mesh, t)) continue;
+      const auto& v = mesh.triangles[t];
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        const std::uint32_t a = v[c], b = v[(c + 1) % 3];
+        visit(std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(3 * t + c));
+      }
+    }
+  };
+  eachHalfEdge([&](std::uint32_t low, std::uint32_t, std::uint32_t) { ++start_[low + 1]; });
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  entries_.resize(start_.back());
+  std::vector<std::uint32_t> fill(start_.begin(), start_.end() - 1);
+  eachHalfEdge([&](std::uint32_t low, std::uint32_t high, std::uint32_t half_edge) {
+    entries_[fill[low]++] = {high, half_edge};
+  });
+  for (std::size_t v = 0; v + 1 < start_.size(); ++v) {
+    std::sort(entries_.begin() + start_[v], entries_.begin() + start_[v + 1],
+              [](const HalfEdge& a, const HalfEdge& b) {
+                return a.other != b.other ? a.other < b.other : a.half_edge < b.half_edge;
+              });
+  }
+}
+
+namespace topology_detail {
+
+/// Counts defects and remembers where the first one is.
+struct DefectLog {
+  MeshTopology result;
+  bool located = false;
+
+  void place(const Vec3& where) {
+    if (located) return;
+    located = true;
+    for (int axis = 0; axis < 3; ++axis)
+      result.first_defect[axis] = std::isfinite(where[axis]) ? where[axis] : 0.0;
+  }
+  void add(std::size_t& counter, const Vec3& where) {
+    ++counter;
+    place(where);
+  }
+};
+
+Vec3 cornerOf(const TriMesh& mesh, std::uint32_t vertex) { return mesh.positions[vertex].cast<double>(); }
+
+/// Corner of `half_edge`'s triangle that lies at `vertex`, which is an end of the half-edge.
+std::uint32_t cornerAt(const TriMesh& mesh, std::uint32_t half_edge, std::uint32_t vertex) {
+  const std::uint32_t t = half_edge / 3, c = half_edge % 3;
+  return mesh.triangles[t][c] == vertex ? half_edge : 3 * t + (c + 1) % 3;
+}
+
+void logPositionsAndTriangles(const TriMesh& mesh, DefectLog& log) {
+  for (const auto& p : mesh.positions) {
+    if (!p.allFinite()) log.add(log.result.non_finite_positions, p.cast<double>());
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (triangleIsProper(mesh, t)) continue;
+    Vec3 where = Vec3::Zero();
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      if (v < mesh.positions.size()) where = cornerOf(mesh, v);
+    }
+    log.add(log.result.degenerate_triangles, where);
+  }
+}
+
+void logEdge(const TriMesh& mesh, std::uint32_t low, const HalfEdge* first, const HalfEdge* last,
+             DefectLog& log) {
+  const auto count = last - first;
+  if (count == 2) {
+    const auto startsAtLow = [&](const HalfEdge& h) {
+      return mesh.triangles[h.half_edge / 3][h.half_edge % 3] == low;
+    };
+    if (startsAtLow(first[0]) != startsAtLow(first[1])) return;
+  }
+  const Vec3 where = 0.5 * (cornerOf(mesh, low) + cornerOf(mesh, first->other));
+  MeshTopology& r = log.result;
+  log.add(count == 1 ? r.boundary_edges : count == 2 ? r.misoriented_edges : r.non_manifold_edges, where);
+}
+
+/// A vertex is manifold when its corners, joined across shared edges, form one set.
+void logVertices(const TriMesh& mesh, DisjointSets& corners, DefectLog& log) {
+  std::vector<std::uint32_t> fans(mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!triangleIsProper(mesh, t)) continue;
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const auto corner = static_cast<std::uint32_t>(3 * t + c);
+      if (corners.find(corner) == corner) ++fans[mesh.triangles[t][c]];
+    }
+  }
+  for (std::uint32_t v = 0; v < fans.size(); ++v) {
+    if (fans[v] > 1) log.add(log.result.non_manifold_vertices, cornerOf(mesh, v));
+  }
+}
+
+std::vector<std::uint32_t> numberComponents(DisjointSets& sets, std::size_t triangles, std::uint32_t& count) {
+  std::vector<std::uint32_t> number(triangles);
+  count = 0;
+  for (std::uint32_t t = 0; t < triangles;
+       ++t) {  // the representative is the smallest, so it is numbered first
+    const std::uint32_t root = sets.find(t);
+    number[t] = root == t ? count++ : number[root];
+  }
+  return number;
+}
+
+}  // namespace topology_detail
+
+MeshTopology analyseTopology(const TriMesh& mesh) {
+  using namespace topology_detail;
+  DefectLog log;
+  logPositionsAndTriangles(mesh, log);
+  DisjointSets corners(3 * mesh.triangles.size());
+  DisjointSets sheets(mesh.triangles.size());
+  const EdgeTable edges(mesh);
+  edges.forEachEdge([&](std::uint32_t low, const HalfEdge* first, const HalfEdge* last) {
+    logEdge(mesh, low, first, last, log);
+    for (const HalfEdge* h = first + 1; h < last; ++h) {
+      sheets.join(first->half_edge / 3, h->half_edge / 3);
+      for (const std::uint32_t v : {low, h->other}) {
+        corners.join(cornerAt(mesh, first->half_edge, v), cornerAt(mesh, h->half_edge, v));
+      }
+    }
+  });
+  logVertices(mesh, corners, log);
+  std::uint32_t count = 0;
+  numberComponents(sheets, mesh.triangles.size(), count);
+  log.result.components = count;
+  return log.result;
+}
+
+std::vector<std::uint32_t> meshComponents(const TriMesh& mesh, std::uint32_t& count) {
+  DisjointSets sheets(mesh.triangles.size());
+  const EdgeTable edges(mesh);
+  edges.forEachEdge([&](std::uint32_t, const HalfEdge* first, const HalfEdge* last) {
+    for (const HalfEdge* h = first + 1; h < last; ++h) sheets.join(first->half_edge / 3, h->half_edge / 3);
+  });
+  return topology_detail::numberComponents(sheets, mesh.triangles.size(), count);
+}
+
+}  // namespace proveout
