@@ -67,8 +67,7 @@ struct Job {
   /// filled from the tools; `until` is not set by job files.
   ControlSettings settings;
   std::optional<Vec3>
-      start;                ///< control point before the first block, workpiece frame; none: above the stock
-  bool has_limits = false;  ///< the job gives a travel limit
+      start;  ///< control point before the first block, workpiece frame; none: above the stock
   std::optional<StockSpec> stock;  ///< always there in a job that was loaded from a file
   std::optional<NominalSpec> nominal;
   std::vector<Tool> tools;  ///< validated, numbers differ; in the order of the file
