@@ -25,27 +25,32 @@ struct RemovalOptions {
 };
 
 enum class ContactKind { kRapid, kShank, kHolder, kSpindleOff };
-std::string_view contactKindName(ContactKind kind);  ///< "rapid_contact", "shank_contact", "holder_contact", "spindle_off"
+std::string_view contactKindName(
+    ContactKind kind);  ///< "rapid_contact", "shank_contact", "holder_contact", "spindle_off"
 
-/// The tool touched stock where it must not. One per unbroken run of motions with the same kind, tool and program block.
+/// The tool touched stock where it must not. One per unbroken run of motions with the same kind, tool and
+/// program block.
 struct Contact {
   ContactKind kind = ContactKind::kRapid;
-  MotionId motion = kNoMotion;    ///< first motion of the contact
-  Vec3 where = Vec3::Zero();      ///< deepest sampled point, mm
-  double depth_mm = 0.0;          ///< deepest penetration of stock by the part in question at a grid point
-  double volume_mm3 = 0.0;        ///< stock that was in the way, counted in grid cells
+  MotionId motion = kNoMotion;  ///< first motion of the contact
+  Vec3 where = Vec3::Zero();    ///< deepest sampled point, mm
+  double depth_mm = 0.0;        ///< deepest penetration of stock by the part in question at a grid point
+  double volume_mm3 = 0.0;      ///< stock that was in the way, counted in grid cells
 };
 
 struct RemovalSummary {
-  std::vector<float> removed_mm3;    ///< per motion; scaled so that the sum is the exact removed volume
-  std::vector<Contact> contacts;     ///< in program order
+  std::vector<float> removed_mm3;  ///< per motion, counted in parts of grid cells; see fitRemovedVolume
+  std::vector<Contact> contacts;   ///< in program order
   std::uint64_t voxel_evaluations = 0;
 };
 
+/// Scales the volumes of the motions so that their sum is the exact removed volume (initial less final, mm3).
+void fitRemovedVolume(RemovalSummary& summary, double exact_total_mm3);
+
 /// Surface of the stock as a closed 2-manifold, and the volume from the exact edge crossings.
 struct StockSurface {
-  TriMesh mesh;               ///< with `motion` per triangle
-  double volume_mm3 = 0.0;    ///< integrated from the exact crossings
+  TriMesh mesh;             ///< with `motion` per triangle
+  double volume_mm3 = 0.0;  ///< integrated from the exact crossings
 };
 
 class Stock {
@@ -61,8 +66,8 @@ class Stock {
 
   /// Cuts the path into the stock. `tools` must hold every tool number that the path uses.
   /// The result does not depend on `threads`. A cancelled run leaves the stock unspecified.
-  Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools, const RemovalOptions& options,
-                                Progress& progress);
+  Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools,
+                                const RemovalOptions& options, Progress& progress);
 
   Result<StockSurface> surface(int threads, Progress& progress) const;
 
@@ -73,8 +78,9 @@ class Stock {
   double resolution() const;     ///< mm
   Box3 bounds() const;           ///< of the blank, mm
 
+  struct Impl;  ///< removal/stock_impl.h
+
  private:
-  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -14,11 +14,11 @@ struct BoxShape {
 };
 /// Cylinder or, with inner_radius > 0, tube along a coordinate axis.
 struct CylinderShape {
-  int axis = 2;                ///< 0 X, 1 Y, 2 Z
-  Vec3 base = Vec3::Zero();    ///< centre of the lower end
-  double radius = 0.0;         ///< > 0
-  double inner_radius = 0.0;   ///< 0: solid; < radius
-  double length = 0.0;         ///< > 0, along +axis
+  int axis = 2;               ///< 0 X, 1 Y, 2 Z
+  Vec3 base = Vec3::Zero();   ///< centre of the lower end
+  double radius = 0.0;        ///< > 0
+  double inner_radius = 0.0;  ///< 0: solid; < radius
+  double length = 0.0;        ///< > 0, along +axis
 };
 struct MeshShape {
   TriMesh mesh;  ///< closed, outward, checked by the maker of the stock

@@ -1,0 +1,1 @@
+target_sources(proveout_core PRIVATE tool/tool.cpp tool/profile.cpp)

@@ -1,0 +1,29 @@
+// Blanks with a closed form: signed distance, normal and face number at a point.
+#pragma once
+
+#include <memory>
+
+#include "core/base/result.h"
+#include "removal/stock_shape.h"
+
+namespace proveout {
+
+struct BlankSample {
+  double value;  ///< mm, negative inside; exact near the surface, never larger in magnitude than the distance
+  Vec3 normal;   ///< unit, outwards
+  int face;
+};
+
+class BlankField {
+ public:
+  virtual ~BlankField() = default;
+  virtual BlankSample sample(const Vec3& p) const = 0;
+  virtual Box3 bounds() const = 0;
+  virtual double volume() const = 0;  ///< mm3
+};
+
+/// Errors: non-finite or empty shapes.
+Result<std::unique_ptr<BlankField>> makeBlankField(const BoxShape& shape);
+Result<std::unique_ptr<BlankField>> makeBlankField(const CylinderShape& shape);
+
+}  // namespace proveout

@@ -1,0 +1,29 @@
+// How the surface runs through a grid cell: the crossed edges of a cell, joined to closed cycles, one per
+// sheet of surface. Each cycle becomes one vertex of the dual mesh, so that sheets that meet in a cell stay
+// apart (2-manifold always).
+//
+// Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge e = axis * 4 + k runs along `axis` from the
+// k-th of the four corners that have 0 on that axis, in order of their number. Face f = axis * 2 + side. On a
+// face whose four edges are all crossed the material corners are cut off singly; both cells of the face see
+// the same.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace proveout {
+
+struct CellCycles {
+  std::uint8_t count = 0;                       ///< 0..4
+  std::array<std::int8_t, 12> cycle_of_edge{};  ///< -1: not crossed
+};
+
+/// Cycles for each of the 256 patterns of material corners (bit c: corner c in material).
+const std::array<CellCycles, 256>& cellCycles();
+
+/// Corner at the start of edge e.
+int edgeStartCorner(int edge);
+/// The edge along `axis` that starts at `corner` (which has 0 on that axis).
+int edgeAt(int axis, int corner);
+
+}  // namespace proveout

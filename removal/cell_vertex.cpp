@@ -1,0 +1,149 @@
+#include "removal/cell_vertex.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace proveout {
+
+namespace {
+
+/// Faces whose normals differ by less than this are one smooth surface in a cell (2 degrees): a ridge so flat
+/// is under a hundredth of a cell high.
+const double kSmoothCos = std::cos(degToRad(2.0));
+/// Directions in which the tangent planes fix the vertex worse than this (relative) are left to the mean.
+constexpr double kRankTolerance = 1e-3;
+/// How far outside its cell (in cells) a meeting point may lie to be moved to the cell's wall.
+constexpr double kOutsideSlack = 0.05;
+
+/// Vertices stay this far (in cells) inside their cell, so that those of neighbours never coincide, also as
+/// floats.
+constexpr double kWallGap = 1e-3;
+/// Crossings of one sweep whose normals differ by more than 60 degrees belong to different faces of it.
+constexpr double kSameFaceCos = 0.5;
+
+struct Face {
+  std::uint64_t id = 0;
+  Vec3 first = Vec3::Zero();  ///< normal of its first crossing
+  Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
+  int count = 0;
+};
+
+/// Height of `m` along `n` above the surface through the points (of one face, or of all).
+template <typename Points>
+double heightAbove(const Points& points, const Vec3& m, const Vec3& n, const Face* face) {
+  double sum = 0.0;
+  int count = 0;
+  for (const SheetPoint& s : points) {
+    if (face != nullptr && (s.face != face->id || face->first.dot(s.n) < kSameFaceCos)) continue;
+    const Vec3 middle = (s.n + n).normalized();
+    sum += middle.dot(m - s.p) / std::max(0.2, middle.dot(n));
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+int collectFaces(std::span<const SheetPoint> points, std::array<Face, 12>& faces) {
+  int count = 0;
+  for (const SheetPoint& s : points) {
+    int i = 0;
+    while (i < count && (faces[i].id != s.face || faces[i].first.dot(s.n) < kSameFaceCos)) ++i;
+    if (i == count) {
+      if (count == static_cast<int>(faces.size())) continue;
+      faces[count++] = Face{s.face, s.n, Vec3::Zero(), Vec3::Zero(), 0};
+    }
+    faces[i].point += s.p;
+    faces[i].normal += s.n;
+    ++faces[i].count;
+  }
+  for (int i = 0; i < count; ++i) {
+    faces[i].point /= faces[i].count;
+    const double length = faces[i].normal.norm();
+    faces[i].normal = length > 1e-6 ? Vec3(faces[i].normal / length) : points[0].n;
+  }
+  return count;
+}
+
+bool smoothTogether(const std::array<Face, 12>& faces, int count) {
+  for (int i = 1; i < count; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (faces[i].normal.dot(faces[j].normal) < kSmoothCos) return false;
+    }
+  }
+  return true;
+}
+
+/// Point nearest to `from` that minimises the distances to the faces' planes, using directions above
+/// `tolerance`.
+Vec3 meetPlanes(const std::array<Face, 12>& faces, int count, const Vec3& from, double tolerance) {
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Vec3 b = Vec3::Zero();
+  for (int i = 0; i < count; ++i) {
+    const Vec3& n = faces[i].normal;
+    a += n * n.transpose();
+    b += n * n.dot(faces[i].point - from);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(a);
+  const double largest = solver.eigenvalues()[2];
+  Vec3 x = from;
+  for (int i = 0; i < 3; ++i) {
+    const double value = solver.eigenvalues()[i];
+    if (value <= tolerance * largest) continue;
+    const Vec3 v = solver.eigenvectors().col(i);
+    x += v * (v.dot(b) / value);
+  }
+  return x;
+}
+
+double outsideBy(const Vec3& p) { return std::max({0.0, -p.minCoeff(), p.maxCoeff() - 1.0}); }
+
+Vec3 clampToCell(const Vec3& p) {
+  return p.cwiseMax(Vec3::Constant(kWallGap)).cwiseMin(Vec3::Constant(1.0 - kWallGap));
+}
+
+}  // namespace
+
+const Vec3& CellVertex::normalOf(std::uint64_t id, const Vec3& fallback) const {
+  for (int i = 0; i < faces; ++i) {
+    if (face[i] == id) return normal[i];
+  }
+  return fallback;
+}
+
+CellVertex placeVertex(std::span<const SheetPoint> points) {
+  CellVertex out;
+  Vec3 mean = Vec3::Zero(), mean_normal = Vec3::Zero();
+  for (const SheetPoint& s : points) {
+    mean += s.p;
+    mean_normal += s.n;
+  }
+  mean /= static_cast<double>(points.size());
+  std::array<Face, 12> faces;
+  const int count = collectFaces(points, faces);
+  out.faces = std::min(count, CellVertex::kMaxFaces);
+  for (int i = 0; i < out.faces; ++i) {
+    out.face[i] = faces[i].id;
+    out.normal[i] = faces[i].normal;
+  }
+  const double length = mean_normal.norm();
+  const auto smooth = [&] {
+    if (length < 1e-6 * static_cast<double>(points.size())) return mean;
+    const Vec3 n = mean_normal / length;
+    return Vec3(mean - n * heightAbove(points, mean, n, nullptr));
+  };
+  if (count == 1 || smoothTogether(faces, count)) {
+    out.p = clampToCell(smooth());
+    return out;
+  }
+  for (int i = 0; i < count; ++i) {  // tangent planes touch the surface, not the chord
+    Face& f = faces[i];
+    f.point -= f.normal * heightAbove(points, f.point, f.normal, &f);
+  }
+  Vec3 x = meetPlanes(faces, count, mean, kRankTolerance);
+  if (outsideBy(x) > kOutsideSlack) x = meetPlanes(faces, count, mean, 0.1);
+  if (outsideBy(x) > kOutsideSlack) x = mean;
+  out.p = clampToCell(x);
+  return out;
+}
+
+}  // namespace proveout

@@ -1,0 +1,11 @@
+proveout_add_library(removal
+  sweep.cpp
+  blank_field.cpp
+  blank.cpp
+  stock.cpp
+  stock_file.cpp
+  remove.cpp
+  cell_cycles.cpp
+  cell_vertex.cpp
+  surface.cpp)
+target_link_libraries(proveout_removal PUBLIC proveout::core PRIVATE proveout_openvdb TBB::tbb fmt::fmt)

@@ -1,0 +1,174 @@
+// The stock as a .vdb file: distance and owner grids, and per axis the crossings as grids of fraction,
+// normal, motion and element.
+#include <fmt/format.h>
+#include <openvdb/io/File.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include "removal/stock_impl.h"
+
+namespace proveout {
+
+namespace {
+
+using openvdb::Coord;
+constexpr char kSchema[] = "proveout.stock/1";
+constexpr const char* kAxisName[3] = {"x", "y", "z"};
+
+struct CrossingGrids {
+  openvdb::FloatGrid::Ptr t;
+  openvdb::Vec3SGrid::Ptr normal;
+  openvdb::Int32Grid::Ptr motion, element;
+};
+
+CrossingGrids packAxis(const CrossingMap& map, int axis) {
+  CrossingGrids g{openvdb::FloatGrid::create(-1.0f), openvdb::Vec3SGrid::create(),
+                  openvdb::Int32Grid::create(-1), openvdb::Int32Grid::create(0)};
+  auto t = g.t->getAccessor();
+  auto normal = g.normal->getAccessor();
+  auto motion = g.motion->getAccessor();
+  auto element = g.element->getAccessor();
+  for (const auto& [origin, list] : map) {
+    for (const Crossing& c : list) {
+      if (c.key % 3 != axis) continue;
+      const int v = c.key / 3;
+      const Coord at = origin.offsetBy(v >> 6, (v >> 3) & 7, v & 7);
+      t.setValue(at, c.t);
+      normal.setValue(at, openvdb::Vec3s(c.normal[0], c.normal[1], c.normal[2]));
+      motion.setValue(at, static_cast<std::int32_t>(c.motion));
+      element.setValue(at, c.element);
+    }
+  }
+  g.t->setName(fmt::format("crossing_{}_t", kAxisName[axis]));
+  g.normal->setName(fmt::format("crossing_{}_normal", kAxisName[axis]));
+  g.motion->setName(fmt::format("crossing_{}_motion", kAxisName[axis]));
+  g.element->setName(fmt::format("crossing_{}_element", kAxisName[axis]));
+  return g;
+}
+
+template <typename Grid>
+typename Grid::Ptr readGrid(openvdb::io::File& file, const std::string& name) {
+  auto grid = openvdb::gridPtrCast<Grid>(file.readGrid(name));
+  if (!grid) throw std::runtime_error("grid '" + name + "' has the wrong type");
+  return grid;
+}
+
+void unpackAxis(openvdb::io::File& file, int axis, CrossingMap& map) {
+  const std::string base = fmt::format("crossing_{}_", kAxisName[axis]);
+  const auto t = readGrid<openvdb::FloatGrid>(file, base + "t");
+  const auto normal = readGrid<openvdb::Vec3SGrid>(file, base + "normal");
+  const auto element = readGrid<openvdb::Int32Grid>(file, base + "element");
+  auto n = normal->getConstAccessor();
+  auto e = element->getConstAccessor();
+  for (auto it = t->cbeginValueOn(); it; ++it) {
+    const Coord at = it.getCoord();
+    Crossing c;
+    c.key =
+        static_cast<std::uint16_t>(((((at.x() & 7) << 6) | ((at.y() & 7) << 3) | (at.z() & 7))) * 3 + axis);
+    c.t = it.getValue();
+    const auto v = n.getValue(at);
+    for (int i = 0; i < 3; ++i) c.normal[i] = v[i];
+    c.element = static_cast<std::uint16_t>(e.getValue(at));
+    if (!(c.t >= 0.0f && c.t <= 1.0f) || !std::isfinite(v.lengthSqr()))
+      throw std::runtime_error("a crossing is out of range");
+    map[at & ~7].push_back(c);
+  }
+}
+
+openvdb::MetaMap metadata(const Stock::Impl& impl) {
+  openvdb::MetaMap meta;
+  meta.insertMeta("schema", openvdb::StringMetadata(kSchema));
+  meta.insertMeta("unit", openvdb::StringMetadata("mm"));
+  meta.insertMeta("resolution", openvdb::DoubleMetadata(impl.h));
+  meta.insertMeta("initial_volume", openvdb::DoubleMetadata(impl.initial_volume));
+  const auto vector = [](const Vec3& v) {
+    return openvdb::Vec3DMetadata(openvdb::Vec3d(v.x(), v.y(), v.z()));
+  };
+  meta.insertMeta("origin", vector(impl.origin));
+  meta.insertMeta("blank_min", vector(impl.blank.min));
+  meta.insertMeta("blank_max", vector(impl.blank.max));
+  return meta;
+}
+
+Vec3 readVector(const openvdb::MetaMap& meta, const char* name) {
+  const auto v = meta.metaValue<openvdb::Vec3d>(name);
+  return {v.x(), v.y(), v.z()};
+}
+
+void setTransform(openvdb::GridBase& grid, const Stock::Impl& impl) {
+  auto transform = openvdb::math::Transform::createLinearTransform(impl.h);
+  transform->postTranslate(openvdb::Vec3d(impl.origin.x(), impl.origin.y(), impl.origin.z()));
+  grid.setTransform(transform);
+}
+
+void checkRead(const Stock::Impl& impl) {
+  if (!(impl.h > 0.0) || !impl.origin.allFinite() || impl.blank.empty())
+    throw std::runtime_error("its metadata are out of range");
+  for (auto it = impl.distance->cbeginValueAll(); it; ++it) {
+    if (!std::isfinite(it.getValue())) throw std::runtime_error("a distance is not a finite number");
+  }
+}
+
+}  // namespace
+
+Status Stock::save(const std::string& path) const {
+  const std::string aside = path + ".part";
+  std::error_code ignored;
+  try {
+    openvdb::GridPtrVec grids;
+    impl_->distance->setName("distance");
+    impl_->distance->setGridClass(openvdb::GRID_LEVEL_SET);
+    impl_->owner->setName("owner");
+    grids.push_back(impl_->distance);
+    grids.push_back(impl_->owner);
+    for (int axis = 0; axis < 3; ++axis) {
+      const CrossingGrids g = packAxis(impl_->crossings, axis);
+      for (const openvdb::GridBase::Ptr& grid :
+           {openvdb::GridBase::Ptr(g.t), openvdb::GridBase::Ptr(g.normal), openvdb::GridBase::Ptr(g.motion),
+            openvdb::GridBase::Ptr(g.element)}) {
+        grids.push_back(grid);
+      }
+    }
+    for (const auto& grid : grids) setTransform(*grid, *impl_);
+    openvdb::io::File file(aside);
+    file.write(grids, metadata(*impl_));
+    file.close();
+    std::filesystem::rename(aside, path);
+  } catch (const std::exception& e) {
+    std::filesystem::remove(aside, ignored);
+    return inputError(fmt::format("{}: cannot write the stock: {}", path, e.what()));
+  }
+  return Done{};
+}
+
+Status loadStock(Stock::Impl& impl, const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) return inputError(path + ": no such stock file");
+  try {
+    openvdb::io::File file(path);
+    file.open();
+    const auto meta = file.getMetadata();
+    const auto schema = (*meta)["schema"];
+    if (!schema || schema->str() != kSchema) throw std::runtime_error("it was not saved by proveout");
+    impl.h = meta->metaValue<double>("resolution");
+    impl.initial_volume = meta->metaValue<double>("initial_volume");
+    impl.origin = readVector(*meta, "origin");
+    impl.blank = {readVector(*meta, "blank_min"), readVector(*meta, "blank_max")};
+    impl.distance = readGrid<openvdb::FloatGrid>(file, "distance");
+    impl.owner = openvdb::Int32Grid::create(-1);  // this run's motions have their own numbers
+    for (auto leaf = impl.distance->tree().cbeginLeaf(); leaf; ++leaf)
+      impl.owner->tree().touchLeaf(leaf->origin());
+    for (int axis = 0; axis < 3; ++axis) unpackAxis(file, axis, impl.crossings);
+    for (auto& [origin, list] : impl.crossings) {
+      std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.key < b.key; });
+    }
+    file.close();
+    checkRead(impl);
+  } catch (const std::exception& e) {
+    return inputError(fmt::format("{}: not a readable stock: {}", path, e.what()));
+  }
+  return Done{};
+}
+
+}  // namespace proveout

@@ -1,0 +1,286 @@
+#include "removal/sweep.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace proveout {
+
+namespace {
+
+/// Moves shorter than this are a point: no direction can be taken from them.
+constexpr double kPointMoveMm = 1e-9;
+/// Rounds after which a search gives its best value; a bracketed search on doubles needs fewer.
+constexpr int kMaxLineRounds = 80;
+constexpr int kMaxCurveSpans = 4000;
+
+}  // namespace
+
+Sweep::Sweep(const ConvexProfile& profile, const Vec3& from, const Vec3& to, const ArcGeometry* arc)
+    : profile_(&profile), from_(from), delta_(to - from) {
+  Box3 path;
+  path.extend(from);
+  path.extend(to);
+  level_length2_ = delta_.head<2>().squaredNorm();
+  length2_ = delta_.squaredNorm();
+  if (arc == nullptr) {
+    if (length2_ < kPointMoveMm * kPointMoveMm) {
+      kind_ = Kind::kPoint;
+    } else {
+      kind_ = delta_.z() == 0.0 ? Kind::kLevelLine : Kind::kLine;
+    }
+  } else {
+    arc_ = *arc;
+    frame_ = arcFrame(from, to, arc_);
+    const double sweep = std::abs(arc_.sweep_rad);
+    const double dr = frame_.radius_end - frame_.radius_start;
+    curvature_bound_ =
+        std::max(frame_.radius_start, frame_.radius_end) * sweep * sweep + 2.0 * std::abs(dr) * sweep;
+    const bool vertical = arc_.normal.head<2>().squaredNorm() < 1e-24;
+    const bool level = std::abs(frame_.rise) < kPointMoveMm && std::abs(dr) < kPointMoveMm;
+    kind_ = vertical && level ? Kind::kLevelArc : Kind::kCurve;
+    Toolpath one;
+    one.arcs.push_back(arc_);
+    Motion motion;
+    motion.from = from;
+    motion.to = to;
+    motion.arc = 0;
+    path = one.bounds(motion);
+  }
+  const double radius = profile.maxRadius();
+  bounds_.min = path.min + Vec3(-radius, -radius, profile.zMin());
+  bounds_.max = path.max + Vec3(radius, radius, profile.zMax());
+}
+
+Vec3 Sweep::position(double t) const {
+  return kind_ == Kind::kCurve || kind_ == Kind::kLevelArc ? arcPoint(frame_, arc_, t)
+                                                           : Vec3(from_ + t * delta_);
+}
+
+namespace {
+
+/// Gradient in space of the profile's distance at offset q from the tool tip.
+Vec3 spaceGradient(const ProfileSample& s, const Vec3& q, double r) {
+  if (r > 0.0) return {s.gr * q.x() / r, s.gr * q.y() / r, s.gz};
+  return {0.0, 0.0, s.gz};
+}
+
+}  // namespace
+
+Sweep::At Sweep::evaluate(const Vec3& p, double t) const {
+  Vec3 velocity = delta_;
+  Vec3 at;
+  if (kind_ == Kind::kCurve || kind_ == Kind::kLevelArc) {
+    const double angle = t * arc_.sweep_rad;
+    const double dr = frame_.radius_end - frame_.radius_start;
+    const double radius = frame_.radius_start + t * dr;
+    const double c = std::cos(angle), s = std::sin(angle);
+    at = arc_.center + frame_.u * (radius * c) + frame_.v * (radius * s) + frame_.n * (t * frame_.rise);
+    velocity = frame_.u * (dr * c - radius * arc_.sweep_rad * s) +
+               frame_.v * (dr * s + radius * arc_.sweep_rad * c) + frame_.n * frame_.rise;
+  } else {
+    at = from_ + t * delta_;
+  }
+  const Vec3 q = p - at;
+  const double r = std::sqrt(q.x() * q.x() + q.y() * q.y());
+  const ProfileSample s = profile_->sample(r, q.z());
+  const Vec3 gradient = spaceGradient(s, q, r);
+  return {s.value, -gradient.dot(velocity), s.element, gradient};
+}
+
+double Sweep::levelParameter(double x, double y) const {
+  if (kind_ == Kind::kLevelLine) {
+    const double t = ((x - from_.x()) * delta_.x() + (y - from_.y()) * delta_.y()) / level_length2_;
+    return std::clamp(t, 0.0, 1.0);
+  }
+  // Level arc: the distance to the tool axis grows with the angle to the point, so the nearest angle is best.
+  const double px = x - arc_.center.x(), py = y - arc_.center.y();
+  double angle = std::atan2(px * frame_.v.x() + py * frame_.v.y(), px * frame_.u.x() + py * frame_.u.y());
+  const double sweep = arc_.sweep_rad;
+  if (sweep < 0.0) angle = -angle;
+  const double span = std::abs(sweep);
+  if (angle < 0.0) angle += 2.0 * kPi;
+  if (angle <= span) return span > 0.0 ? angle / span : 0.0;
+  return angle - span < 2.0 * kPi - angle ? 1.0 : 0.0;
+}
+
+double Sweep::minimiseLine(const Vec3& p, double cutoff, double& bound) const {
+  // Guess: the ball end's closed form; otherwise the middle of the flank or tip by projection.
+  const double lift = std::max(0.0, profile_->ballCenter());
+  double a = std::clamp((p - from_ - Vec3(0, 0, lift)).dot(delta_) / length2_, 0.0, 1.0);
+  At fa = evaluate(p, a);
+  bound = fa.value;
+  if (fa.slope == 0.0 || (a == 0.0 && fa.slope > 0.0) || (a == 1.0 && fa.slope < 0.0)) return a;
+  if (std::abs(fa.slope) < 1e-13 * std::sqrt(length2_)) return a;
+  double b = fa.slope > 0.0 ? 0.0 : 1.0;
+  At fb = evaluate(p, b);
+  if ((fb.slope > 0.0) == (fa.slope > 0.0) || fb.slope == 0.0) {
+    bound = fb.value;
+    return b;
+  }
+  if (a > b) {
+    std::swap(a, b);
+    std::swap(fa, fb);
+  }
+  // Now slope(a) < 0 < slope(b). Support lines at both ends bound the value from below (convexity).
+  for (int round = 0; round < kMaxLineRounds; ++round) {
+    const double meet = a + (fa.value - fb.value + fb.slope * (b - a)) / (fb.slope - fa.slope);
+    bound = fa.value + fa.slope * (meet - a);
+    const double best = std::min(fa.value, fb.value);
+    if (best - bound < 0.01 * kSweepToleranceMm || bound > cutoff) break;
+    double t = round % 2 == 0 ? meet : a - fa.slope * (b - a) / (fb.slope - fa.slope);
+    const double margin = 1e-3 * (b - a);
+    t = std::clamp(t, a + margin, b - margin);
+    if (!(t > a && t < b)) break;
+    const At ft = evaluate(p, t);
+    if (ft.slope == 0.0) {
+      bound = ft.value;
+      return t;
+    }
+    if (ft.slope < 0.0) {
+      a = t;
+      fa = ft;
+    } else {
+      b = t;
+      fb = ft;
+    }
+  }
+  return fa.value < fb.value ? a : b;
+}
+
+double Sweep::minimiseCurve(const Vec3& p, double cutoff, double& bound) const {
+  struct End {
+    double value;
+    Vec3 gradient, at;
+  };
+  const auto end = [&](double t) {
+    const At e = evaluate(p, t);
+    return End{e.value, e.gradient, position(t)};
+  };
+  // Lower bound on a span: convexity along the chord less the arc's distance from the chord.
+  const auto lowerBound = [&](double a, const End& ea, double b, const End& eb) {
+    const Vec3 chord = eb.at - ea.at;
+    const double sa = -ea.gradient.dot(chord), sb = -eb.gradient.dot(chord);
+    double low;
+    if (sa >= 0.0) {
+      low = ea.value;
+    } else if (sb <= 0.0) {
+      low = eb.value;
+    } else {
+      low = ea.value + sa * (eb.value - sb - ea.value) / (sa - sb);  // where the two support lines meet
+    }
+    return low - curvature_bound_ * (b - a) * (b - a) / 8.0;
+  };
+  struct Piece {
+    double a, b;
+    End ea, eb;
+    double low;
+  };
+  std::array<Piece, 128> stack;
+  int size = 0;
+  double best = std::numeric_limits<double>::infinity(), best_t = 0.0;
+  bound = best;
+  const auto consider = [&](double t, const End& e) {
+    if (e.value < best) {
+      best = e.value;
+      best_t = t;
+    }
+  };
+  // Start with spans of at most 30 degrees, from the end back so that the first is on top.
+  const int spans = std::clamp(static_cast<int>(std::ceil(std::abs(arc_.sweep_rad) / degToRad(30.0))), 1, 96);
+  End right = end(1.0);
+  consider(1.0, right);
+  for (int i = spans - 1; i >= 0; --i) {
+    const double a = static_cast<double>(i) / spans, b = static_cast<double>(i + 1) / spans;
+    const End left = end(a);
+    consider(a, left);
+    stack[size++] = {a, b, left, right, lowerBound(a, left, b, right)};
+    right = left;
+  }
+  for (int count = 0; size > 0 && count < kMaxCurveSpans; ++count) {
+    const Piece piece = stack[--size];
+    const double goal = std::min(best - 0.5 * kSweepToleranceMm, cutoff);
+    if (piece.low >= goal || size + 2 > static_cast<int>(stack.size())) {
+      bound = std::min(bound, piece.low);
+      continue;
+    }
+    const double middle = 0.5 * (piece.a + piece.b);
+    const End em = end(middle);
+    consider(middle, em);
+    const Piece first{piece.a, middle, piece.ea, em, lowerBound(piece.a, piece.ea, middle, em)};
+    const Piece second{middle, piece.b, em, piece.eb, lowerBound(middle, em, piece.b, piece.eb)};
+    const bool first_better = first.low < second.low;  // the better one is looked at first
+    stack[size++] = first_better ? second : first;
+    stack[size++] = first_better ? first : second;
+  }
+  bound = std::min(bound, best);
+  return best_t;
+}
+
+double Sweep::minimise(const Vec3& p, double cutoff, double& bound) const {
+  switch (kind_) {
+    case Kind::kPoint:
+      bound = evaluate(p, 0.0).value;
+      return 0.0;
+    case Kind::kLevelLine:
+    case Kind::kLevelArc: {
+      const double t = levelParameter(p.x(), p.y());
+      bound = evaluate(p, t).value;
+      return t;
+    }
+    case Kind::kLine:
+      return minimiseLine(p, cutoff, bound);
+    case Kind::kCurve:
+      return minimiseCurve(p, cutoff, bound);
+  }
+  return 0.0;
+}
+
+double Sweep::distance(const Vec3& p, double cutoff) const {
+  double bound = 0.0;
+  const double t = minimise(p, cutoff, bound);
+  return bound > cutoff ? bound : evaluate(p, t).value;
+}
+
+SweepSample Sweep::sample(const Vec3& p) const {
+  double bound = 0.0;
+  const At at = evaluate(p, minimise(p, std::numeric_limits<double>::infinity(), bound));
+  return {at.value, at.gradient, at.element};
+}
+
+double Sweep::horizontalGap(double x, double y) const {
+  double t = 0.0;
+  if (kind_ == Kind::kLine && level_length2_ > 0.0) {
+    t = std::clamp(((x - from_.x()) * delta_.x() + (y - from_.y()) * delta_.y()) / level_length2_, 0.0, 1.0);
+  }
+  return std::hypot(x - from_.x() - t * delta_.x(), y - from_.y() - t * delta_.y()) - profile_->maxRadius();
+}
+
+void Sweep::column(double x, double y, double z0, double dz, int count, double cutoff, double* out) const {
+  if (kind_ == Kind::kCurve) {
+    for (int k = 0; k < count; ++k) out[k] = distance({x, y, z0 + k * dz}, cutoff);
+    return;
+  }
+  if (kind_ == Kind::kLine) {
+    if (const double gap = horizontalGap(x, y); gap > cutoff) {
+      std::fill_n(out, count, gap);
+      return;
+    }
+    for (int k = 0; k < count; ++k) {
+      const double z = z0 + k * dz;
+      const double above = std::max(bounds_.min.z() - z, z - bounds_.max.z());
+      out[k] = above > cutoff ? above : distance({x, y, z}, cutoff);
+    }
+    return;
+  }
+  const Vec3 at = position(kind_ == Kind::kPoint ? 0.0 : levelParameter(x, y));
+  const double r = std::hypot(x - at.x(), y - at.y());
+  if (r - profile_->maxRadius() > cutoff) {
+    std::fill_n(out, count, r - profile_->maxRadius());
+    return;
+  }
+  for (int k = 0; k < count; ++k) out[k] = profile_->sample(r, z0 + k * dz - at.z()).value;
+}
+
+}  // namespace proveout
