@@ -14,8 +14,8 @@ const BoxShape kBlank{{-40, -30, -20}, {60, 30, 0}};
 void expectRemoved(const Cut& c, double expected, double curved_area, double radius, double exact = 1e-4) {
   const double facets = c.initial - c.mesh_volume, integrated = c.initial - c.volume;
   const double faceting = radius > 0 ? curved_area * kGrid * kGrid / (8 * radius) : 0.0;
-  RecordProperty("facets_relative_error", std::to_string(facets / expected - 1));
-  RecordProperty("integrated_relative_error", std::to_string(integrated / expected - 1));
+  ::testing::Test::RecordProperty("facets_relative_error", std::to_string(facets / expected - 1));
+  ::testing::Test::RecordProperty("integrated_relative_error", std::to_string(integrated / expected - 1));
   EXPECT_NEAR(facets, expected, 5e-4 * expected + faceting);
   EXPECT_NEAR(integrated, expected, exact * expected);
 }
