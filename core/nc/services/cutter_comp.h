@@ -115,6 +115,49 @@ struct [[nodiscard]] CompStatus {
   bool ok() const { return error == CompError::kNone; }
 };
 
+namespace comp_detail {
+
+/// A block without plane motion that waits for the element before it.
+struct PassThrough {
+  double w = 0.0;  ///< mm, after the block
+  std::uint64_t tag = 0;
+};
+
+/// The points that the tool centre visits between two elements.
+struct Corner {
+  std::vector<Vec2> points;  ///< at least one unless `error` is set
+  bool arc_join = false;     ///< from the first to the last point by an arc about the corner
+  bool chord_arc = false;    ///< change of side: the arc before runs with its programmed radius
+  bool near_tangent = false;
+  CompError error = CompError::kNone;
+};
+
+enum class ElementKind { kLine, kArc, kZero, kCornerArc };
+enum class ElementPhase { kStartUp, kInside, kCancel };
+
+/// A block that takes part in the look-ahead.
+struct Element {
+  ElementKind kind = ElementKind::kLine;
+  ElementPhase phase = ElementPhase::kInside;
+  bool keep_vector = false;
+  bool perpendicular_start = false;  ///< first element after a start without plane words
+  Vec3 p0 = Vec3::Zero(), p1 = Vec3::Zero();
+  Vec2 center = Vec2::Zero();
+  double sweep = 0.0;
+  double rho_start = 0.0, rho_end = 0.0;  ///< signed offset that rules the start and the end corner
+  std::optional<Vec2> direction;
+  std::uint64_t tag = 0;
+  std::vector<PassThrough> after;
+  std::optional<Corner> corner;  ///< between this element and the next, once known
+
+  bool plain() const {
+    return phase == ElementPhase::kInside && !keep_vector &&
+           (kind == ElementKind::kLine || kind == ElementKind::kArc);
+  }
+};
+
+}  // namespace comp_detail
+
 /// Not thread-safe; one owner. After an error only reset() makes sense. Copyable.
 class CutterComp {
  public:
@@ -134,53 +177,46 @@ class CutterComp {
   /// After flush(), or while inactive: the machine has moved by other means (reference point, new origin).
   void rebase(const Vec3& position);
 
-  bool active() const { return active_; }  ///< on, as of the last block pushed
-  bool pending() const { return !elements_.empty() || !waiting_.empty(); }  ///< blocks still wait
-  const Vec3& programmed() const { return programmed_; }                    ///< end of the last block pushed
-  const Vec3& center() const { return center_; }  ///< end of the last piece that came out
+  bool active() const { return active_; }                 ///< on, as of the last block pushed
+  bool pending() const { return !elements_.empty(); }     ///< blocks still wait
+  const Vec3& programmed() const { return programmed_; }  ///< end of the last block pushed
+  const Vec3& center() const { return center_; }          ///< end of the last piece that came out
 
  private:
-  struct PassThrough {
-    double w = 0.0;
-    std::uint64_t tag = 0;
-  };
-  enum class Kind { kLine, kArc, kZero, kCornerArc };
-  enum class Phase { kStartUp, kInside, kCancel };
-  /// A block that takes part in the look-ahead.
-  struct Element {
-    Kind kind = Kind::kLine;
-    Phase phase = Phase::kInside;
-    bool keep_vector = false;
-    bool perpendicular_start = false;  ///< first element after a start without plane words
-    bool cancel_in_place = false;      ///< the cancel that follows has no plane motion
-    Vec3 p0 = Vec3::Zero(), p1 = Vec3::Zero();
-    Vec2 center = Vec2::Zero();
-    double sweep = 0.0;
-    double rho_start = 0.0, rho_end = 0.0;  ///< signed offset that rules the start and end corner
-    std::optional<Vec2> direction;
-    std::uint64_t tag = 0;
-    std::vector<PassThrough> after;
-  };
-  /// Corner list between two elements.
-  struct Corner {
-    std::vector<Vec2> points;
-    bool arc_join = false;   ///< points.front() to back() by an arc about the corner
-    bool chord_arc = false;  ///< side change: the arc before keeps its programmed radius
-    bool near_tangent = false;
-    CompError error = CompError::kNone;
-  };
+  using Element = comp_detail::Element;
+  using Corner = comp_detail::Corner;
 
-  friend struct CompGeometry;  // corner construction, cutter_comp_corner.cpp
+  CompStatus passThrough(const CompBlock& block, CompOutput& out);
+  CompStatus uncompensated(const CompBlock& block, CompOutput& out);
+  Element makeElement(const CompBlock& block) const;
+  CompStatus checkBlock(const CompBlock& block) const;
+  CompStatus process(bool drain, CompOutput& out);
+  CompStatus finishFront(CompOutput& out);
+  const Corner& cornerAfter(std::size_t index);
+  Vec2 frontStart() const;
+
+  CompStatus checkInterference(CompOutput& out);
+  std::size_t firstInterference();
+  bool repair(std::size_t k, CompOutput& out);
+  void dropBehindFront(std::size_t count, Corner corner);
+
+  void emitFront(CompOutput& out);
+  void emitOwn(const Element& element, const Corner& corner, CompOutput& out);
+  void emitCorner(const Element& element, const Corner& corner, CompOutput& out);
+  void emitLine(const Vec3& to, CompPiece::Role role, std::uint64_t tag, CompOutput& out);
+  void emitArc(const Vec3& to, const Vec2& center, double sweep, CompPiece::Role role, std::uint64_t tag,
+               CompOutput& out);
+  void emitPassThrough(const comp_detail::PassThrough& pass, CompOutput& out);
 
   CutterCompPolicy policy_;
   bool active_ = false;
   bool start_pending_ = false;  ///< switched on without plane words; the next element starts perpendicular
-  double offset_ = 0.0;
+  double last_offset_ = 0.0;    ///< of the last element
   int pass_through_run_ = 0;
+  std::uint64_t last_motion_tag_ = 0;
   Vec3 programmed_ = Vec3::Zero();
   Vec3 center_ = Vec3::Zero();
   std::deque<Element> elements_;
-  std::vector<PassThrough> waiting_;
 };
 
 }  // namespace proveout

@@ -1,0 +1,280 @@
+#include "core/nc/services/cutter_comp.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/services/cutter_comp_corner.h"
+
+namespace proveout {
+
+using namespace comp_detail;
+using Shape = CompBlock::Shape;
+using Role = CompPiece::Role;
+
+void CutterComp::reset(const Vec3& position) {
+  const CutterCompPolicy policy = policy_;
+  *this = CutterComp(policy);
+  programmed_ = center_ = position;
+}
+
+void CutterComp::rebase(const Vec3& position) { programmed_ = center_ = position; }
+
+CompStatus CutterComp::checkBlock(const CompBlock& block) const {
+  const auto fail = [&](CompError error) { return CompStatus{error, block.tag, block.tag}; };
+  const bool finite = block.to.allFinite() && block.center.allFinite() && std::isfinite(block.sweep_rad) &&
+                      std::isfinite(block.offset) && (!block.direction || block.direction->allFinite());
+  if (!finite) return fail(CompError::kNotFinite);
+  if (block.shape == Shape::kArc) {
+    if (!active_ && block.active) return fail(CompError::kStartInArc);
+    if (active_ && !block.active) return fail(CompError::kCancelInArc);
+    const double smallest =
+        std::min((planar(programmed_) - block.center).norm(), (planar(block.to) - block.center).norm());
+    if (block.sweep_rad == 0.0 || smallest < kTinyLength) return fail(CompError::kNotFinite);
+  }
+  const bool needs_mode = block.shape == Shape::kCornerArc || block.keep_vector;
+  if (needs_mode && !(active_ && block.active)) return fail(CompError::kNotActive);
+  if (block.shape == Shape::kCornerArc && elements_.empty()) return fail(CompError::kCornerArcInside);
+  return {};
+}
+
+CompStatus CutterComp::push(const CompBlock& block, CompOutput& out) {
+  if (const CompStatus status = checkBlock(block); !status.ok()) return status;
+  if (!active_ && !block.active) return uncompensated(block, out);
+  if (block.shape == Shape::kNone && block.active) return passThrough(block, out);
+  elements_.push_back(makeElement(block));
+  if (block.shape == Shape::kNone) elements_.back().after.push_back({block.to.z(), block.tag});
+  const bool cancel = !block.active;
+  active_ = block.active;
+  start_pending_ = false;
+  last_offset_ = block.offset;
+  last_motion_tag_ = block.tag;
+  pass_through_run_ = 0;
+  programmed_ = elements_.back().p1;
+  if (block.shape == Shape::kNone) programmed_.z() = block.to.z();
+  return process(cancel, out);
+}
+
+CompStatus CutterComp::uncompensated(const CompBlock& block, CompOutput& out) {
+  if (block.shape == Shape::kNone) {
+    emitPassThrough({block.to.z(), block.tag}, out);
+    programmed_.z() = block.to.z();
+    return {};
+  }
+  if (block.shape == Shape::kArc) {
+    emitArc(block.to, block.center, block.sweep_rad, Role::kOwn, block.tag, out);
+  } else {
+    emitLine(block.to, Role::kOwn, block.tag, out);
+  }
+  programmed_ = block.to;
+  return {};
+}
+
+CompStatus CutterComp::passThrough(const CompBlock& block, CompOutput& out) {
+  if (!active_) {
+    active_ = true;
+    start_pending_ = true;
+  }
+  programmed_.z() = block.to.z();
+  if (elements_.empty()) {
+    emitPassThrough({block.to.z(), block.tag}, out);
+    return {};
+  }
+  ++pass_through_run_;
+  if (pass_through_run_ > policy_.max_pass_through) {
+    return {CompError::kBufferFull, last_motion_tag_, last_motion_tag_};
+  }
+  if (pass_through_run_ == policy_.extra_look_ahead + 3) {
+    out.notes.push_back({CompWarning::kManyPassThrough, last_motion_tag_});
+  }
+  elements_.back().after.push_back({block.to.z(), block.tag});
+  return {};
+}
+
+CutterComp::Element CutterComp::makeElement(const CompBlock& block) const {
+  Element e;
+  e.p0 = programmed_;
+  e.p1 = block.shape == Shape::kLine || block.shape == Shape::kArc ? block.to : programmed_;
+  e.center = block.center;
+  e.sweep = block.sweep_rad;
+  e.direction = block.direction;
+  e.keep_vector = block.keep_vector;
+  e.tag = block.tag;
+  const bool moves = (planar(e.p1) - planar(e.p0)).norm() > kTinyLength;
+  if (block.shape == Shape::kArc) {
+    e.kind = ElementKind::kArc;
+  } else if (block.shape == Shape::kCornerArc) {
+    e.kind = ElementKind::kCornerArc;
+  } else {
+    e.kind = block.shape == Shape::kLine && moves ? ElementKind::kLine : ElementKind::kZero;
+  }
+  // A start without displacement leaves the start to the next block (3.5, cases 1 and 2).
+  const bool start_left_over = !elements_.empty() && elements_.back().phase == ElementPhase::kStartUp &&
+                               elements_.back().kind == ElementKind::kZero;
+  const bool zero = e.kind == ElementKind::kZero;
+  e.rho_end = block.offset;
+  if (!block.active) {
+    e.phase = ElementPhase::kCancel;
+  } else if (!active_ || (zero && (start_pending_ || start_left_over))) {
+    e.phase = ElementPhase::kStartUp;
+  }
+  e.perpendicular_start = start_pending_ && block.active && !zero;
+  const bool fresh = e.phase == ElementPhase::kStartUp || start_pending_;
+  e.rho_start = fresh || last_offset_ * block.offset < 0.0 ? block.offset : last_offset_;
+  return e;
+}
+
+CompStatus CutterComp::flush(CompOutput& out) {
+  pass_through_run_ = 0;
+  return process(true, out);
+}
+
+CompStatus CutterComp::process(bool drain, CompOutput& out) {
+  const std::size_t window = policy_.interference_check
+                                 ? 3 + static_cast<std::size_t>(std::clamp(policy_.extra_look_ahead, 0, 8))
+                                 : 2;
+  while (!elements_.empty() && (drain || elements_.size() >= window)) {
+    if (const CompStatus status = finishFront(out); !status.ok()) return status;
+  }
+  return {};
+}
+
+Vec2 CutterComp::frontStart() const {
+  const Element& front = elements_.front();
+  if (!front.perpendicular_start) return planar(center_);
+  return planar(front.p0) + front.rho_start * leftOf(startTangent(front));
+}
+
+const CutterComp::Corner& CutterComp::cornerAfter(std::size_t index) {
+  Element& e = elements_[index];
+  if (!e.corner) {
+    Vec2 from = frontStart();
+    if (index > 0) {
+      const Corner& before = cornerAfter(index - 1);
+      from = before.points.empty() ? planar(e.p0) : before.points.back();
+    }
+    const Element* next = index + 1 < elements_.size() ? &elements_[index + 1] : nullptr;
+    e.corner = makeCorner(e, next, from, policy_);
+  }
+  return *e.corner;
+}
+
+/// Carries out the first element and takes it out of the buffer.
+CompStatus CutterComp::finishFront(CompOutput& out) {
+  if (elements_.front().phase != ElementPhase::kCancel) {
+    const Corner& corner = cornerAfter(0);
+    const std::uint64_t tag = elements_.front().tag;
+    if (corner.error != CompError::kNone) {
+      const bool in_next = corner.error == CompError::kNoIntersection && elements_.size() > 1;
+      return {corner.error, in_next ? elements_[1].tag : tag, tag};
+    }
+    if (corner.near_tangent) out.notes.push_back({CompWarning::kNearTangent, tag});
+    if (policy_.interference_check) {
+      if (const CompStatus status = checkInterference(out); !status.ok()) return status;
+    }
+    const Element& front = elements_.front();
+    if (front.kind == ElementKind::kCornerArc) {
+      const Vec2 p = planar(front.p0), from = planar(center_) - p, to = front.corner->points.front() - p;
+      const double turn = std::atan2(cross2(from, to), from.dot(to));
+      // From outside the corner the arc turns against the side: clockwise with the tool on the left.
+      if (turn * front.rho_end > kTinyLength) return {CompError::kCornerArcInside, tag, tag};
+    }
+  }
+  emitFront(out);
+  elements_.pop_front();
+  return {};
+}
+
+void CutterComp::emitFront(CompOutput& out) {
+  const Element& front = elements_.front();
+  if (front.phase == ElementPhase::kCancel) {
+    emitLine(front.p1, Role::kOwn, front.tag, out);
+  } else {
+    const Corner& corner = *front.corner;
+    if (front.perpendicular_start) {
+      const Vec2 start = frontStart();
+      emitLine({start.x(), start.y(), center_.z()}, Role::kCorner, front.tag, out);
+    }
+    emitOwn(front, corner, out);
+    emitCorner(front, corner, out);
+  }
+  for (const PassThrough& pass : front.after) emitPassThrough(pass, out);
+}
+
+void CutterComp::emitOwn(const Element& e, const Corner& corner, CompOutput& out) {
+  const Vec2 end = corner.points.front();
+  const Vec3 to(end.x(), end.y(), e.p1.z());
+  if (e.kind == ElementKind::kLine || e.kind == ElementKind::kZero) {
+    const bool inserted = e.kind == ElementKind::kZero && to.z() == center_.z();
+    emitLine(to, inserted ? Role::kCorner : Role::kOwn, e.tag, out);
+    return;
+  }
+  const Vec2 from = planar(center_);
+  if (e.kind == ElementKind::kCornerArc) {
+    const Vec2 p = planar(e.p0), a = from - p, b = end - p;
+    const double turn = std::abs(std::atan2(cross2(a, b), a.dot(b)));
+    if (turn > kTinyLength) emitArc(to, p, e.rho_end > 0.0 ? -turn : turn, Role::kCorner, e.tag, out);
+    return;
+  }
+  Vec2 center = e.center;
+  double sweep = offsetSweep(e, from, end) * (e.sweep >= 0.0 ? 1.0 : -1.0);
+  if (corner.chord_arc) chordArc(e, from, end, center, sweep);
+  // An arc of which nothing is left (cutter as large as the fillet) is at most a short line.
+  const double radius = std::max((from - center).norm(), (end - center).norm());
+  if (std::abs(sweep) * radius < kReverseTolerance) {
+    emitLine(to, Role::kOwn, e.tag, out);
+  } else {
+    emitArc(to, center, sweep, Role::kOwn, e.tag, out);
+  }
+}
+
+void CutterComp::emitCorner(const Element& e, const Corner& corner, CompOutput& out) {
+  const double w = center_.z();
+  if (corner.arc_join) {
+    const Vec2 p = planar(e.p1), a = planar(center_) - p, b = corner.points.back() - p;
+    double turn = std::atan2(cross2(a, b), a.dot(b));
+    if (turn * e.rho_end > 0.0) turn += e.rho_end > 0.0 ? -2.0 * kPi : 2.0 * kPi;  // exact reversal
+    emitArc({corner.points.back().x(), corner.points.back().y(), w}, p, turn, Role::kCorner, e.tag, out);
+    return;
+  }
+  for (std::size_t i = 1; i < corner.points.size(); ++i) {
+    emitLine({corner.points[i].x(), corner.points[i].y(), w}, Role::kCorner, e.tag, out);
+  }
+}
+
+void CutterComp::emitLine(const Vec3& to, Role role, std::uint64_t tag, CompOutput& out) {
+  if ((to - center_).norm() > kTinyLength) {
+    CompPiece piece;
+    piece.role = role;
+    piece.from = center_;
+    piece.to = to;
+    piece.tag = tag;
+    out.pieces.push_back(piece);
+    center_ = to;
+  }
+}
+
+void CutterComp::emitArc(const Vec3& to, const Vec2& center, double sweep, Role role, std::uint64_t tag,
+                         CompOutput& out) {
+  CompPiece piece;
+  piece.role = role;
+  piece.is_arc = true;
+  piece.from = center_;
+  piece.to = to;
+  piece.center = center;
+  piece.sweep_rad = sweep;
+  piece.tag = tag;
+  out.pieces.push_back(piece);
+  center_ = to;
+}
+
+void CutterComp::emitPassThrough(const PassThrough& pass, CompOutput& out) {
+  CompPiece piece;
+  piece.role = Role::kPassThrough;
+  piece.from = center_;
+  center_.z() = pass.w;
+  piece.to = center_;
+  piece.tag = pass.tag;
+  out.pieces.push_back(piece);
+}
+
+}  // namespace proveout

@@ -1,0 +1,10 @@
+target_sources(proveout_core PRIVATE
+  nc/services/arcs.cpp
+  nc/services/cutter_comp.cpp
+  nc/services/cutter_comp_check.cpp
+  nc/services/cutter_comp_corner.cpp
+  nc/services/drilling.cpp)
+# These use a detail namespace as a whole, which must not leak into their neighbours of a unity batch.
+set_source_files_properties(
+  nc/services/cutter_comp.cpp nc/services/cutter_comp_check.cpp
+  PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
