@@ -1,0 +1,102 @@
+#include "render/camera.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace proveout {
+namespace {
+
+struct NamedView {
+  const char* name;
+  double x, y, z;  ///< from the part to the camera, not normalised
+};
+// The iso views look down (or up) at about 33 degrees, a little flatter than the true isometric 35.3, so that
+// walls show as well as floors.
+constexpr NamedView kViews[] = {
+    {"iso", 1, -1.15, 1.0},
+    {"iso-left", -1, -1.15, 1.0},
+    {"iso-back", -1, 1.15, 1.0},
+    {"iso-below", 1, -1.15, -1.0},
+    {"top", 0, 0, 1},
+    {"bottom", 0, 0, -1},
+    {"front", 0, -1, 0},
+    {"back", 0, 1, 0},
+    {"left", -1, 0, 0},
+    {"right", 1, 0, 0},
+};
+
+View makeView(const NamedView& named) {
+  View view;
+  view.name = named.name;
+  view.back = Vec3(named.x, named.y, named.z).normalized();
+  const bool vertical = named.x == 0 && named.y == 0;
+  const Vec3 hint = vertical ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  view.up = (hint - view.back * hint.dot(view.back)).normalized();
+  return view;
+}
+
+bool parseSide(const char* first, const char* last, int& value) {
+  const auto [end, error] = std::from_chars(first, last, value);
+  return error == std::errc() && end == last;
+}
+
+}  // namespace
+
+Status validateImageSize(ImageSize size) {
+  const auto inRange = [](int side) { return side >= kMinImageSide && side <= kMaxImageSide; };
+  if (inRange(size.width) && inRange(size.height)) return Done{};
+  return inputError(fmt::format("image size {}x{} is out of range: each side must be {} to {} pixels",
+                                size.width, size.height, kMinImageSide, kMaxImageSide));
+}
+
+Result<ImageSize> parseImageSize(const std::string& text) {
+  ImageSize size;
+  const std::size_t cross = text.find('x');
+  const char* begin = text.data();
+  if (cross == std::string::npos || !parseSide(begin, begin + cross, size.width) ||
+      !parseSide(begin + cross + 1, begin + text.size(), size.height)) {
+    return inputError(
+        fmt::format("image size '{}' is not WIDTHxHEIGHT in pixels, for example 1200x900", text));
+  }
+  if (const Status ok = validateImageSize(size); !ok) return ok.error();
+  return size;
+}
+
+std::vector<std::string> viewNames() {
+  std::vector<std::string> names;
+  for (const NamedView& view : kViews) names.emplace_back(view.name);
+  return names;
+}
+
+Result<View> findView(const std::string& name) {
+  for (const NamedView& view : kViews) {
+    if (name == view.name) return makeView(view);
+  }
+  return inputError(fmt::format("unknown view '{}': the views are {}", name, fmt::join(viewNames(), ", ")));
+}
+
+Camera fitCamera(const TriMesh& mesh, const View& view, const PixelRect& rect) {
+  Camera camera;
+  camera.back = view.back;
+  camera.up = view.up;
+  camera.right = view.up.cross(view.back);
+  Box3 seen;  // in camera axes
+  for (const Eigen::Vector3f& position : mesh.positions) {
+    const Vec3 p = position.cast<double>();
+    seen.extend(Vec3(p.dot(camera.right), p.dot(camera.up), p.dot(camera.back)));
+  }
+  const Vec3 center = seen.center();
+  camera.target = camera.right * center.x() + camera.up * center.y() + camera.back * center.z();
+  camera.target_pixel = Vec2(0.5 * (rect.x0 + rect.x1), 0.5 * (rect.y0 + rect.y1));
+  camera.mm_per_pixel =
+      std::max(seen.size().x() / std::max(rect.width(), 1.0), seen.size().y() / std::max(rect.height(), 1.0));
+  // A mesh that is a point or is seen edge on still needs a scale.
+  if (!(camera.mm_per_pixel > 0)) camera.mm_per_pixel = std::max(seen.size().norm(), 1.0) / 100.0;
+  return camera;
+}
+
+}  // namespace proveout

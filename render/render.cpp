@@ -1,0 +1,118 @@
+#include "render/render.h"
+
+#include <fmt/format.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/annotations.h"
+#include "render/ray_scene.h"
+#include "render/shading_normals.h"
+#include "render/tracer.h"
+
+namespace proveout {
+namespace {
+
+using render_detail::PageLayout;
+using render_detail::RayScene;
+
+constexpr int kMaxSamples = 64;
+constexpr ImageSize kLeastAnnotated{160, 120};
+
+Status checkMesh(const TriMesh& mesh) {
+  if (mesh.triangles.empty()) return inputError("the mesh has no triangles: there is nothing to draw");
+  for (const Eigen::Vector3f& p : mesh.positions) {
+    if (!p.allFinite()) return inputError("the mesh has a position that is not a finite number");
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t v : triangle) {
+      if (v >= mesh.positions.size()) return inputError("the mesh has a triangle with an index out of range");
+    }
+  }
+  return Done{};
+}
+
+Status checkScene(const RenderScene& scene, ImageSize size, const RenderOptions& options) {
+  if (Status ok = validateImageSize(size); !ok) return ok;
+  if (options.samples < 1 || options.samples > kMaxSamples) {
+    return inputError(
+        fmt::format("{} samples a pixel are out of range: 1 to {}", options.samples, kMaxSamples));
+  }
+  if (Status ok = checkMesh(scene.mesh); !ok) return ok;
+  const ScalarField& field = scene.field;
+  const bool per_vertex = field.per == ScalarField::Per::kVertex;
+  const std::size_t expected = per_vertex ? scene.mesh.positions.size() : scene.mesh.triangles.size();
+  if (!field.values.empty() && field.values.size() != expected) {
+    return inputError(fmt::format("the heat map has {} values for {} {}", field.values.size(), expected,
+                                  per_vertex ? "vertices" : "triangles"));
+  }
+  const DeviationScale& scale = field.scale;
+  if (!field.values.empty() && !(scale.gouge > 0 && scale.excess > 0 && std::isfinite(scale.limit) &&
+                                 scale.limit > std::max(scale.gouge, scale.excess))) {
+    return inputError("the heat map's scale needs tolerances above 0 and a limit above them");
+  }
+  if (scene.show_legend && field.values.empty()) return inputError("a legend needs a heat map");
+  if (!scene.triangle_colors.empty() && scene.triangle_colors.size() != scene.mesh.triangles.size()) {
+    return inputError(fmt::format("there are {} colours for {} triangles", scene.triangle_colors.size(),
+                                  scene.mesh.triangles.size()));
+  }
+  const bool annotated = scene.show_legend || !scene.markers.empty() || !scene.caption.empty();
+  if (annotated && (size.width < kLeastAnnotated.width || size.height < kLeastAnnotated.height)) {
+    return inputError(fmt::format("a picture with legend, findings or caption needs at least {}x{} pixels",
+                                  kLeastAnnotated.width, kLeastAnnotated.height));
+  }
+  for (const Marker& marker : scene.markers) {
+    if (!marker.at.allFinite())
+      return inputError("a finding to draw has a place that is not a finite number");
+  }
+  return Done{};
+}
+
+Result<Image> draw(const RenderScene& scene, const View& view, ImageSize size, const RenderOptions& options,
+                   Progress& progress) {
+  Result<RayScene> rays = RayScene::build(scene.mesh);
+  if (!rays) return rays.error();
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted while drawing"};
+  const auto faces = render_detail::faceNormals(scene.mesh);
+  const auto corners = render_detail::cornerNormals(scene.mesh, faces);
+  const Camera camera = sceneCamera(scene, view, size);
+  Result<Image> image = render_detail::trace({scene, *rays, faces, corners, camera, size, options}, progress);
+  if (!image) return image;
+  const Eigen::Vector3f back = camera.back.cast<float>();
+  const auto visible = [&](const Vec3& p) {
+    constexpr float kSlack =
+        0.01F;  // a finding lies on the nominal or in the middle of a patch, not on this mesh
+    return !rays->occluded(rays->toUnit(p) + back * kSlack, back, 4.0F);
+  };
+  render_detail::drawAnnotations(scene, render_detail::layoutPage(scene, size), camera, visible, *image);
+  return image;
+}
+
+}  // namespace
+
+Camera sceneCamera(const RenderScene& scene, const View& view, ImageSize size) {
+  return fitCamera(scene.mesh, view, render_detail::layoutPage(scene, size).part);
+}
+
+Result<Image> renderMesh(const RenderScene& scene, const View& view, ImageSize size,
+                         const RenderOptions& options, Progress& progress) {
+  if (const Status ok = checkScene(scene, size, options); !ok) return ok.error();
+  // Embree limits TBB to the cores there are and would complain of a larger arena.
+  const int cores = tbb::info::default_concurrency();
+  const int threads = options.threads > 0 ? std::min(options.threads, cores) : cores;
+  return tbb::task_arena(threads).execute([&] { return draw(scene, view, size, options, progress); });
+}
+
+Rgb toolTint(int tool) {
+  // Steps of the golden angle around the hue circle keep neighbouring numbers apart.
+  const double hue = std::fmod(0.58 + 0.618033988749895 * std::abs(static_cast<double>(tool)), 1.0);
+  const auto channel = [&](double shift) {
+    const double wave = 0.5 + 0.5 * std::cos(2 * kPi * (hue + shift));
+    return static_cast<float>(0.48 + 0.40 * wave);
+  };
+  return {channel(0.0), channel(1.0 / 3.0), channel(2.0 / 3.0)};
+}
+
+}  // namespace proveout

@@ -1,0 +1,75 @@
+// Headless pictures of a part: ray traced with a soft key light, ambient occlusion and a ground shadow;
+// optionally coloured by deviation, with a legend, numbered findings and a caption.
+//
+// The same scene, view, size and options give the same bytes for any number of threads.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/image.h"
+#include "core/mesh/tri_mesh.h"
+#include "render/camera.h"
+#include "render/color_map.h"
+
+namespace proveout {
+
+/// A number per vertex or per triangle that colours the mesh by `scale`. Empty: not coloured.
+/// Values that are not finite mean "not measured" and are drawn in a neutral dark grey.
+struct ScalarField {
+  enum class Per { kVertex, kTriangle };
+  Per per = Per::kVertex;
+  std::vector<float> values;  ///< mm
+  DeviationScale scale;
+};
+
+/// A finding to point at.
+struct Marker {
+  Vec3 at = Vec3::Zero();  ///< mm, workpiece frame
+  std::string label;       ///< a number or a few ASCII characters, at most 8
+  Severity severity = Severity::kError;
+};
+
+/// Colour bar at the right edge, from the scale of the scalar field.
+struct Legend {
+  std::string title;          ///< ASCII, "deviation"; the unit is added
+  std::string unit = "mm";    ///< ASCII
+  std::vector<double> ticks;  ///< in `unit`; empty: chosen from the scale
+};
+
+struct RenderScene {
+  explicit RenderScene(const TriMesh& m) : mesh(m) {}
+  const TriMesh& mesh;               ///< must outlive the scene
+  ScalarField field;                 ///< deviation heat map; goes before `triangle_colors`
+  std::vector<Rgb> triangle_colors;  ///< empty or one per triangle (tint by tool or motion)
+  std::vector<Marker> markers;
+  bool show_legend = false;  ///< needs a scalar field
+  Legend legend;
+  std::string caption;  ///< one ASCII line at the bottom; empty: none
+};
+
+struct RenderOptions {
+  int threads = 0;     ///< 0: all cores
+  int samples = 4;     ///< rays through each pixel, 1..64; light and occlusion take as many each
+  bool ground = true;  ///< draw the shadow on a plane under the part, where the view looks down on it
+  Rgb background{0.955F, 0.960F, 0.968F};  ///< sRGB, 0..1
+};
+
+/// Draws the scene. Errors (kInput): empty mesh, positions that are not finite, indices out of range, fields
+/// of the wrong length, samples or size out of range, annotations on a picture below 160 x 120. kInterrupted
+/// when cancelled.
+Result<Image> renderMesh(const RenderScene& scene, const View& view, ImageSize size,
+                         const RenderOptions& options, Progress& progress);
+
+/// The camera that renderMesh uses for this scene, to find where a point of the part lies in the picture.
+Camera sceneCamera(const RenderScene& scene, const View& view, ImageSize size);
+
+/// A stable, well separated tint for a tool number (any integer).
+Rgb toolTint(int tool);
+
+}  // namespace proveout
