@@ -33,8 +33,6 @@ struct NominalSpec {
   MeshFile mesh;
   double gouge_mm = 0.02;   ///< allowed below nominal, > 0
   double excess_mm = 0.05;  ///< allowed above nominal, > 0
-  double tessellation_mm =
-      0.0;  ///< how far the facets may lie off the CAD surface, as exported; 0: not given
 };
 
 struct SimulationSpec {

@@ -1,5 +1,6 @@
 #include "io/sha256.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <fstream>

@@ -1,0 +1,86 @@
+#include "io/job.h"
+
+#include <filesystem>
+
+#include "io/atomic_file.h"
+#include "io/config_table.h"
+#include "io/job_sections.h"
+
+namespace proveout {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMaxJobBytes = 16u << 20;
+
+void readHead(ConfigTable& root, Job& job) {
+  root.must("schema").choice("schema", {"proveout.job/1"});
+  if (const auto name = root.text("name")) job.name = *name;
+  if (const auto program = root.must("program").path("program")) job.program = *program;
+  const std::vector<std::string> encodings = {"auto", "utf-8", "koi8-r", "cp1251", "gb18030"};
+  if (const auto encoding = root.choice("encoding", encodings)) {
+    if (*encoding == "utf-8") job.settings.encoding = TextEncoding::kUtf8;
+    if (*encoding == "koi8-r") job.settings.encoding = TextEncoding::kKoi8R;
+    if (*encoding == "cp1251") job.settings.encoding = TextEncoding::kCp1251;
+    if (*encoding == "gb18030") job.settings.encoding = TextEncoding::kGb18030;
+  }
+  if (const auto units = root.choice("units", {"mm", "inch"})) {
+    job.settings.units = *units == "inch" ? LengthUnit::kInch : LengthUnit::kMillimetre;
+  }
+  const ConfigValue* subprograms = root.find("subprograms");
+  if (subprograms == nullptr || !isList(root.document(), *subprograms, "subprograms")) return;
+  for (const ConfigValue& item : subprograms->items) {
+    const auto path = readPath(root.document(), item, "an entry of subprograms", PathKind::kFileOrFolder);
+    if (path) job.subprograms.push_back(*path);
+  }
+}
+
+}  // namespace
+
+std::optional<Job> parseJob(std::string_view text, const std::string& text_name, const std::string& folder,
+                            const JobNames& names, Diagnostics& diagnostics) {
+  const int errors_before = diagnostics.errorCount();
+  const ConfigDocument document{splitConfigText(text_name, text), folder, &diagnostics};
+  const std::optional<ConfigValue> tree = parseToml(text, document.text, diagnostics);
+  if (!tree) return std::nullopt;
+
+  Job job;
+  ConfigTable root(document, *tree, "the job file");
+  readHead(root, job);
+  readControl(root, names, job);
+  readMachine(root, job);
+  readStock(root, job);
+  readNominal(root, job);
+  readTools(root, job);
+  readOffsets(root, job);
+  readPanel(root, job);
+  readSimulation(root, job);
+  readOutput(root, names, job);
+  if (const ConfigValue* fixture = root.find("fixture")) {
+    document.error(fixture->place, "job-unsupported",
+                   "fixtures cannot be simulated by this version; take [[fixture]] out of the job");
+  }
+  root.refuseOthers();
+  if (diagnostics.errorCount() != errors_before) return std::nullopt;
+  return job;
+}
+
+std::optional<Job> loadJob(const std::string& path, const JobNames& names, Diagnostics& diagnostics) {
+  const Result<std::string> text = readWholeFile(path, kMaxJobBytes);
+  if (!text) {
+    Diagnostic d;
+    d.code = "job-file";
+    d.message = text.error().message;
+    diagnostics.add(std::move(d));
+    return std::nullopt;
+  }
+  const fs::path file(path);
+  std::optional<Job> job = parseJob(*text, path, file.parent_path().string(), names, diagnostics);
+  if (!job) return std::nullopt;
+  job->path = path;
+  if (job->name.empty()) job->name = file.stem().string();
+  return job;
+}
+
+}  // namespace proveout

@@ -1,0 +1,340 @@
+// Control, machine, stock, nominal, simulation and output of a job file.
+#include "io/job_sections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/atomic_file.h"
+
+namespace proveout {
+
+using Type = ConfigValue::Type;
+
+namespace {
+
+constexpr std::size_t kMaxMachineBytes = 1u << 20;
+constexpr NumberRange kRate{0.0, 1e7, true};       // mm/min; 10 km/min is far above any machine
+constexpr NumberRange kDuration{0.0, 1e6, false};  // s
+
+std::vector<ParameterRange> parameterRanges(const JobNames& names, const std::string& control) {
+  const auto found = names.parameters.find(control);
+  return found == names.parameters.end() ? std::vector<ParameterRange>() : found->second;
+}
+
+/// Reads `N1339 = 0.01` and `N1337.SEC = 1`, which TOML turns into a table.
+class ParameterReader {
+ public:
+  ParameterReader(const ConfigDocument& document, const JobNames& names, Job& job)
+      : document_(document), job_(job), ranges_(parameterRanges(names, job.control)) {
+    for (const ParameterRange& range : ranges_) known_.push_back(range.name);
+  }
+
+  void read(const std::vector<ConfigEntry>& entries, const std::string& prefix) {
+    for (const ConfigEntry& entry : entries) {
+      const std::string name = prefix + entry.key;
+      if (entry.value.type == Type::kTable) {
+        read(entry.value.entries, name + ".");
+      } else {
+        readOne(entry, name);
+      }
+    }
+  }
+
+ private:
+  void readOne(const ConfigEntry& entry, const std::string& name) {
+    NumberRange range{-1e12, 1e12, false};
+    const auto found = std::find_if(ranges_.begin(), ranges_.end(),
+                                    [&](const ParameterRange& known) { return known.name == name; });
+    if (found != ranges_.end()) {
+      range = {found->min, found->max, false};
+    } else if (!ranges_.empty()) {
+      const std::string nearest = nearestName(name, known_);
+      document_.error(entry.place, "job-unknown-key",
+                      fmt::format("control '{}' has no parameter '{}'{}", job_.control, name,
+                                  nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+      return;
+    }
+    const auto number = readNumber(document_, entry.value, name, range);
+    if (number && !job_.settings.parameters.emplace(name, *number).second) {
+      document_.error(entry.place, "job-value", fmt::format("parameter '{}' is set twice", name));
+    }
+  }
+
+  const ConfigDocument& document_;
+  Job& job_;
+  std::vector<ParameterRange> ranges_;
+  std::vector<std::string> known_;
+};
+
+void readControlName(ConfigTable& table, const std::string& key, const JobNames& names, Job& job) {
+  table.require(key);
+  const auto name = names.controls.empty() ? table.text(key) : table.choice(key, names.controls);
+  if (name) job.control = *name;
+}
+
+void readLimits(ConfigTable& machine, Job& job) {
+  auto limits = machine.table("limits");
+  if (!limits) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string name(1, "XYZ"[axis]);
+    const ConfigValue* value = limits->find(name);
+    if (value == nullptr) continue;
+    if (value->type != Type::kArray || value->items.size() != 2) {
+      limits->error(name, "job-type", name + " must be a list of two numbers, [low, high]");
+      continue;
+    }
+    const auto low = readNumber(machine.document(), value->items[0], name + " low", kAnyLength);
+    const auto high = readNumber(machine.document(), value->items[1], name + " high", kAnyLength);
+    if (!low || !high) continue;
+    if (*low >= *high) {
+      limits->error(name, "job-range", name + ": the low limit must be below the high one");
+      continue;
+    }
+    job.settings.limits[axis] = AxisLimit{*low, *high};
+  }
+  limits->refuseOthers();
+}
+
+void readRapid(ConfigTable& machine, Job& job) {
+  const ConfigValue* rapid = machine.find("rapid");
+  if (rapid == nullptr) return;
+  if (rapid->type == Type::kArray) {
+    if (const auto rates = machine.point("rapid", kRate)) job.settings.rapid_mm_min = *rates;
+  } else if (const auto rate = machine.number("rapid", kRate)) {
+    job.settings.rapid_mm_min = Vec3::Constant(*rate);
+  }
+}
+
+void readReferencePoints(ConfigTable& machine, Job& job) {
+  const ConfigValue* points = machine.find("reference_points");
+  if (points == nullptr || !isList(machine.document(), *points, "reference_points")) return;
+  if (points->items.size() > job.settings.reference_points.size()) {
+    machine.error("reference_points", "job-range", "there are at most four reference points");
+    return;
+  }
+  for (std::size_t i = 0; i < points->items.size(); ++i) {
+    job.settings.reference_points[i] =
+        readPoint(machine.document(), points->items[i], fmt::format("reference point {}", i + 1), kAnyLength);
+  }
+}
+
+/// The keys that the job's table and the machine's own file share.
+void readMachineKeys(ConfigTable& machine, Job& job) {
+  readRapid(machine, job);
+  if (const auto start = machine.point("start")) job.start = *start;
+  readReferencePoints(machine, job);
+  if (const auto time = machine.number("tool_change_s", kDuration)) job.settings.tool_change_s = *time;
+  if (const auto rpm = machine.number("default_spindle", {0.0, 1e6, true})) {
+    job.settings.default_spindle_rpm = *rpm;
+  }
+  readLimits(machine, job);
+  machine.refuseOthers();
+}
+
+void readMachineFile(const std::string& path, const ConfigDocument& job_document, Job& job) {
+  const Result<std::string> text = readWholeFile(path, kMaxMachineBytes);
+  if (!text) {
+    job_document.error({}, "job-file", text.error().message);
+    return;
+  }
+  const ConfigDocument document{splitConfigText(path, *text), "", job_document.diagnostics};
+  const auto tree = parseToml(*text, document.text, *document.diagnostics);
+  if (!tree) return;
+  ConfigTable machine(document, *tree, "the machine file");
+  readMachineKeys(machine, job);
+}
+
+MeshUnit readUnit(ConfigTable& table) {
+  const auto name = table.choice("unit", {"mm", "inch", "m"});
+  if (!name) return MeshUnit::kMillimetre;
+  const Result<MeshUnit> unit = parseMeshUnit(*name);
+  return unit ? *unit : MeshUnit::kMillimetre;
+}
+
+std::optional<StockSpec> readBox(ConfigTable& stock) {
+  const auto min = stock.must("min").point("min");
+  const auto max = stock.must("max").point("max");
+  if (!min || !max) return std::nullopt;
+  if ((min->array() >= max->array()).any()) {
+    stock.error("max", "job-range", "max must be above min in x, y and z");
+    return std::nullopt;
+  }
+  return BoxShape{*min, *max};
+}
+
+/// `radius` or `diameter` (with `prefix` before it), as a radius.
+std::optional<double> readRadius(ConfigTable& stock, const std::string& prefix) {
+  const std::string radius_key = prefix + "radius", diameter_key = prefix + "diameter";
+  const bool both = stock.find(radius_key) != nullptr && stock.find(diameter_key) != nullptr;
+  const auto radius = stock.number(radius_key, kPositiveLength);
+  const auto diameter = stock.number(diameter_key, kPositiveLength);
+  if (both) {
+    stock.error(radius_key, "job-value", fmt::format("give {} or {}, not both", radius_key, diameter_key));
+  } else if (stock.find(radius_key) == nullptr) {
+    stock.require(diameter_key);
+  }
+  if (radius) return radius;
+  if (diameter) return 0.5 * *diameter;
+  return std::nullopt;
+}
+
+std::optional<StockSpec> readCylinder(ConfigTable& stock, bool tube) {
+  CylinderShape shape;
+  if (const auto axis = stock.choice("axis", {"x", "y", "z"})) shape.axis = (*axis)[0] - 'x';
+  if (const auto base = stock.must("base").point("base")) shape.base = *base;
+  if (const auto length = stock.must("length").number("length", kPositiveLength)) shape.length = *length;
+  if (const auto radius = readRadius(stock, "")) shape.radius = *radius;
+  if (tube) {
+    if (const auto inner = readRadius(stock, "inner_")) shape.inner_radius = *inner;
+    if (shape.radius > 0.0 && shape.inner_radius >= shape.radius) {
+      stock.error("shape", "job-range", "the tube's inner radius must be below its radius");
+    }
+  }
+  return shape;
+}
+
+}  // namespace
+
+// TOML cannot hold `control = "nct"` and `[control.nct]` in one file, so a control with settings is named by
+// `[control] name = "nct"`.
+void readControl(ConfigTable& root, const JobNames& names, Job& job) {
+  const ConfigValue* value = root.require("control");
+  if (value == nullptr) return;
+  if (value->type != Type::kTable) {
+    readControlName(root, "control", names, job);
+    return;
+  }
+  auto control = root.table("control");
+  readControlName(*control, "name", names, job);
+  if (job.control.empty()) return;
+  if (auto parameters = control->table(job.control)) {
+    ParameterReader(root.document(), names, job).read(parameters->entries(), "");
+  }
+  control->refuseOthers();
+}
+
+void readMachine(ConfigTable& root, Job& job) {
+  auto machine = root.table("machine");
+  if (!machine) return;
+  // Keys of the job come after those of the file, so that a job can change one of them.
+  if (const auto file = machine->path("file")) readMachineFile(*file, root.document(), job);
+  readMachineKeys(*machine, job);
+}
+
+void readStock(ConfigTable& root, Job& job) {
+  root.require("stock");
+  auto stock = root.table("stock");
+  if (!stock) return;
+  const auto shape = stock->must("shape").choice("shape", {"box", "cylinder", "tube", "mesh", "vdb"});
+  if (!shape) return;
+  if (*shape == "box") job.stock = readBox(*stock);
+  if (*shape == "cylinder" || *shape == "tube") job.stock = readCylinder(*stock, *shape == "tube");
+  if (*shape == "mesh") {
+    const auto file = stock->must("file").path("file");
+    const MeshUnit unit = readUnit(*stock);
+    if (file) job.stock = MeshFile{*file, unit};
+  }
+  if (*shape == "vdb") {
+    if (const auto file = stock->must("file").path("file")) job.stock = SavedStock{*file};
+  }
+  stock->refuseOthers();
+}
+
+void readNominal(ConfigTable& root, Job& job) {
+  auto table = root.table("nominal");
+  if (!table) return;
+  NominalSpec nominal;
+  if (const auto mesh = table->must("mesh").path("mesh")) nominal.mesh.path = *mesh;
+  nominal.mesh.unit = readUnit(*table);
+  if (const auto gouge = table->number("gouge", kPositiveLength)) nominal.gouge_mm = *gouge;
+  if (const auto excess = table->number("excess", kPositiveLength)) nominal.excess_mm = *excess;
+  table->refuseOthers();
+  job.nominal = nominal;
+}
+
+void readPanel(ConfigTable& root, Job& job) {
+  auto panel = root.table("panel");
+  if (!panel) return;
+  if (const auto stop = panel->flag("optional_stop")) job.settings.optional_stop = *stop;
+  const ConfigValue* skip = panel->find("block_skip");
+  if (skip != nullptr && isList(root.document(), *skip, "block_skip")) {
+    for (const ConfigValue& item : skip->items) {
+      if (item.type == Type::kInteger && item.integer >= 1 && item.integer <= 9) {
+        job.settings.skip_switches[static_cast<std::size_t>(item.integer) - 1] = true;
+      } else {
+        root.document().error(item.place, "job-range",
+                              "block_skip lists switches, whole numbers from 1 to 9");
+      }
+    }
+  }
+  panel->refuseOthers();
+}
+
+void readSimulation(ConfigTable& root, Job& job) {
+  auto table = root.table("simulation");
+  if (!table) return;
+  // Below a micron the grid's single-precision distances carry no information.
+  if (const auto mm = table->number("resolution", {1e-3, 1e3, false})) job.simulation.resolution_mm = *mm;
+  if (const auto threads = table->integer("threads", 0, 4096)) {
+    job.simulation.threads = static_cast<int>(*threads);
+  }
+  if (const auto memory = table->number("max_memory_gb", {0.0, 1e6, true})) {
+    job.simulation.max_memory_gb = *memory;
+  }
+  if (const auto blocks = table->integer("max_blocks", 1, std::numeric_limits<std::int64_t>::max())) {
+    job.settings.block_limit = static_cast<std::uint64_t>(*blocks);
+  }
+  if (const auto lenient = table->flag("lenient")) job.settings.lenient = *lenient;
+  table->refuseOthers();
+}
+
+void readOutput(ConfigTable& root, const JobNames& names, Job& job) {
+  auto output = root.table("output");
+  if (!output) return;
+  const auto reportTwice = [&](const char* key, const std::string& name) {
+    output->error(key, "job-value", fmt::format("'{}' is listed twice", name));
+  };
+  if (const auto formats = output->texts("formats")) {
+    job.output.formats.clear();
+    for (const std::string& name : *formats) {
+      const Result<OutputFormat> format = parseOutputFormat(name);
+      if (!format) {
+        output->error("formats", "job-value", format.error().message);
+      } else if (std::count(job.output.formats.begin(), job.output.formats.end(), *format) > 0) {
+        reportTwice("formats", name);
+      } else {
+        job.output.formats.push_back(*format);
+      }
+    }
+  }
+  if (const auto views = output->texts("views")) {
+    job.output.views.clear();
+    for (const std::string& name : *views) {
+      const bool known = names.views.empty() || std::count(names.views.begin(), names.views.end(), name) > 0;
+      if (!known) {
+        output->error("views", "job-value",
+                      fmt::format("there is no view '{}'; there are {}", name, fmt::join(names.views, ", ")));
+      } else if (std::count(job.output.views.begin(), job.output.views.end(), name) > 0) {
+        reportTwice("views", name);
+      } else {
+        job.output.views.push_back(name);
+      }
+    }
+  }
+  const ConfigValue* size = output->find("size");
+  if (size != nullptr && isList(root.document(), *size, "size")) {
+    const auto side = [](const ConfigValue& v) {
+      return v.type == Type::kInteger && v.integer >= 16 && v.integer <= 8192;
+    };
+    if (size->items.size() == 2 && side(size->items[0]) && side(size->items[1])) {
+      job.output.width = static_cast<int>(size->items[0].integer);
+      job.output.height = static_cast<int>(size->items[1].integer);
+    } else {
+      output->error("size", "job-range", "size must be [width, height] in pixels, each from 16 to 8192");
+    }
+  }
+  output->refuseOthers();
+}
+
+}  // namespace proveout

@@ -1,0 +1,21 @@
+// The sections of a job file, each read by one function. Errors go to the document's diagnostics; what could
+// not be read keeps its default, and the job is thrown away in the end.
+#pragma once
+
+#include "io/config_table.h"
+#include "io/job.h"
+
+namespace proveout {
+
+void readControl(ConfigTable& root, const JobNames& names, Job& job);
+/// `[machine]`, and the file that it may name.
+void readMachine(ConfigTable& root, Job& job);
+void readStock(ConfigTable& root, Job& job);
+void readNominal(ConfigTable& root, Job& job);
+void readTools(ConfigTable& root, Job& job);
+void readOffsets(ConfigTable& root, Job& job);
+void readPanel(ConfigTable& root, Job& job);
+void readSimulation(ConfigTable& root, Job& job);
+void readOutput(ConfigTable& root, const JobNames& names, Job& job);
+
+}  // namespace proveout

@@ -1,0 +1,188 @@
+// report.json: the report as data. Keys keep the order in which they are set.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/report.h"
+
+namespace proveout {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no infinities, and a figure that is not known is null. -0 is written as 0.
+Json number(double x) {
+  if (!std::isfinite(x)) return nullptr;
+  return x + 0.0;
+}
+Json number(const std::optional<double>& x) { return x ? number(*x) : Json(nullptr); }
+
+Json pointJson(const Vec3& p) { return {{"x", number(p.x())}, {"y", number(p.y())}, {"z", number(p.z())}}; }
+
+Json sourceJson(const BlockRef& source) {
+  Json out = {{"file", source.file}, {"line", source.line}};
+  if (source.block >= 0) out["block"] = "N" + std::to_string(source.block);
+  out["depth"] = source.depth;
+  if (!source.text.empty()) out["text"] = source.text;
+  return out;
+}
+
+Json findingJson(const Finding& f) {
+  Json out = {{"kind", f.kind}, {"severity", severityName(f.severity)}};
+  if (f.where) out["where"] = pointJson(*f.where);
+  if (f.depth_mm) out["depth_mm"] = number(*f.depth_mm);
+  if (f.area_mm2) out["area_mm2"] = number(*f.area_mm2);
+  if (f.volume_mm3) out["volume_mm3"] = number(*f.volume_mm3);
+  if (f.source) out["source"] = sourceJson(*f.source);
+  if (f.motion) out["motion"] = *f.motion;
+  if (f.tool) out["tool"] = *f.tool;
+  out["message"] = f.message;
+  return out;
+}
+
+Json timeJson(const ReportTime& time) {
+  Json tools = Json::array();
+  for (const ToolUse& use : time.per_tool) {
+    tools.push_back({{"tool", use.number},
+                     {"name", use.name},
+                     {"description", use.description},
+                     {"cutting_s", number(use.cutting_s)},
+                     {"rapid_s", number(use.rapid_s)},
+                     {"removed_mm3", number(use.removed_mm3)},
+                     {"motions", use.motions}});
+  }
+  return {{"cycle_s", number(time.cycle_s)},
+          {"cutting_s", number(time.cutting_s)},
+          {"rapid_s", number(time.rapid_s)},
+          {"per_tool", std::move(tools)}};
+}
+
+Json stockJson(const ReportStock& stock) {
+  Json bodies = Json::array();
+  for (const StockBody& body : stock.bodies) {
+    const Json bounds = {{"min", pointJson(body.bounds.min)}, {"max", pointJson(body.bounds.max)}};
+    bodies.push_back({{"volume_mm3", number(body.volume_mm3)}, {"bounds", bounds}, {"role", body.role}});
+  }
+  return {{"initial_mm3", number(stock.initial_mm3)},
+          {"removed_mm3", number(stock.removed_mm3)},
+          {"final_mm3", number(stock.final_mm3)},
+          {"mesh_mm3", number(stock.mesh_mm3)},
+          {"triangles", stock.triangles},
+          {"vertices", stock.vertices},
+          {"closed", stock.closed},
+          {"bodies", std::move(bodies)}};
+}
+
+Json numbersJson(const std::vector<double>& values) {
+  Json out = Json::array();
+  for (const double x : values) out.push_back(number(x));
+  return out;
+}
+
+Json comparisonJson(const ReportComparison& c) {
+  Json out = {{"nominal", c.nominal},
+              {"gouge_tolerance_mm", number(c.gouge_tolerance_mm)},
+              {"excess_tolerance_mm", number(c.excess_tolerance_mm)},
+              {"max_gouge_mm", number(c.max_gouge_mm)},
+              {"max_excess_mm", number(c.max_excess_mm)},
+              {"rms_mm", number(c.rms_mm)},
+              {"p95_mm", number(c.p95_mm)},
+              {"decided", c.decided},
+              {"deciding_resolution_mm", number(c.deciding_resolution_mm)}};
+  out["histogram"] = {{"edges_mm", numbersJson(c.histogram_edges_mm)},
+                      {"area_mm2", numbersJson(c.histogram_area_mm2)}};
+  return out;
+}
+
+Json errorBudgetJson(const std::vector<ErrorTerm>& terms) {
+  Json out = Json::array();
+  for (const ErrorTerm& term : terms) {
+    out.push_back(
+        {{"source", term.source}, {"bound_mm", number(term.bound_mm)}, {"statement", term.statement}});
+  }
+  return out;
+}
+
+Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics) {
+  Json out = Json::array();
+  for (const Diagnostic& d : diagnostics) {
+    Json entry = {{"severity", severityName(d.severity)}, {"code", d.code}, {"message", d.message}};
+    if (!d.where.file.empty() || d.where.line > 0) {
+      entry["source"] = {{"file", d.where.file}, {"line", d.where.line}, {"column", d.where.column}};
+      if (!d.source_line.empty()) entry["source"]["text"] = d.source_line;
+    }
+    if (!d.notes.empty()) entry["notes"] = d.notes;
+    out.push_back(std::move(entry));
+  }
+  return out;
+}
+
+Json hashesJson(const Report& report) {
+  Json inputs = Json::array();
+  for (const FileHash& file : report.inputs) {
+    inputs.push_back(
+        {{"role", file.role}, {"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+  }
+  Json part = report.part_sha256.empty() ? Json(nullptr) : Json(report.part_sha256);
+  return {{"inputs", std::move(inputs)}, {"part_sha256", std::move(part)}};
+}
+
+Json outputsJson(const ReportOutputs& outputs) {
+  Json meshes = Json::array(), images = Json::array();
+  for (const ReportMesh& mesh : outputs.meshes) {
+    meshes.push_back({{"path", mesh.path}, {"format", mesh.format}, {"sha256", mesh.sha256}});
+  }
+  for (const ReportImage& image : outputs.images) {
+    images.push_back({{"path", image.path}, {"title", image.title}});
+  }
+  return {{"meshes", std::move(meshes)}, {"images", std::move(images)}, {"html", outputs.html}};
+}
+
+Json performanceJson(const ReportPerformance& p) {
+  return {{"wall_s", number(p.wall_s)},
+          {"interpret_s", number(p.interpret_s)},
+          {"remove_s", number(p.remove_s)},
+          {"mesh_s", number(p.mesh_s)},
+          {"compare_s", number(p.compare_s)},
+          {"render_s", number(p.render_s)},
+          {"peak_memory_mb", number(p.peak_memory_mb)},
+          {"threads", p.threads}};
+}
+
+Json checksJson(const ReportChecks& checks) {
+  return {{"interpreted", checks.interpreted},
+          {"removal", checks.removal},
+          {"comparison", checks.comparison},
+          {"travel_limits", checks.travel_limits},
+          {"mesh", checks.mesh}};
+}
+
+}  // namespace
+
+std::string reportJson(const Report& report, const ReportOptions& options) {
+  Json out;
+  out["schema"] = "proveout.report/1";
+  out["version"] = report.version;
+  out["name"] = report.name;
+  out["verdict"] = verdictName(report.verdict);
+  out["checks"] = checksJson(report.checks);
+  out["program"] = {{"control", report.program.control},
+                    {"files", report.program.files},
+                    {"blocks", report.program.blocks},
+                    {"motions", report.program.motions}};
+  out["time"] = timeJson(report.time);
+  out["stock"] = report.stock ? stockJson(*report.stock) : Json(nullptr);
+  out["resolution_mm"] = report.resolution_mm > 0.0 ? number(report.resolution_mm) : Json(nullptr);
+  out["findings"] = Json::array();
+  for (const Finding& finding : report.findings) out["findings"].push_back(findingJson(finding));
+  out["comparison"] = report.comparison ? comparisonJson(*report.comparison) : Json(nullptr);
+  out["error_budget"] = errorBudgetJson(report.error_budget);
+  out["diagnostics"] = diagnosticsJson(report.diagnostics);
+  out["hashes"] = hashesJson(report);
+  out["outputs"] = outputsJson(report.outputs);
+  if (options.with_performance) out["performance"] = performanceJson(report.performance);
+  // A program's text may be in any encoding; bytes that are not UTF-8 become U+FFFD instead of an exception.
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace proveout

@@ -1,0 +1,172 @@
+#include "io/report_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace proveout {
+
+std::string_view verdictName(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kPass:
+      return "pass";
+    case Verdict::kFail:
+      return "fail";
+    case Verdict::kError:
+      return "error";
+  }
+  return "error";
+}
+
+Verdict verdictOf(const Report& report) {
+  const auto isError = [](const Diagnostic& d) { return d.severity == Severity::kError; };
+  if (std::any_of(report.diagnostics.begin(), report.diagnostics.end(), isError)) return Verdict::kError;
+  bool failed = report.comparison && !report.comparison->decided;
+  for (const Finding& finding : report.findings) {
+    if (finding.severity != Severity::kError) continue;
+    if (finding.kind == "alarm") return Verdict::kError;
+    failed = true;
+  }
+  return failed ? Verdict::kFail : Verdict::kPass;
+}
+
+}  // namespace proveout
+
+namespace proveout::report_text {
+
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
+/// Length of the UTF-8 sequence at the start of `text`, or 0 if it is not well formed (RFC 3629, section 4).
+std::size_t sequenceLength(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const auto tail = [&](std::size_t i) { return (byte(i) & 0xC0) == 0x80; };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first <= 0xDF) return tail(1) ? 2 : 0;
+  if (first >= 0xE0 && first <= 0xEF) {
+    const bool overlong = first == 0xE0 && byte(1) < 0xA0, surrogate = first == 0xED && byte(1) > 0x9F;
+    return tail(1) && tail(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (first >= 0xF0 && first <= 0xF4) {
+    const bool overlong = first == 0xF0 && byte(1) < 0x90, too_high = first == 0xF4 && byte(1) > 0x8F;
+    return tail(1) && tail(2) && tail(3) && !overlong && !too_high ? 4 : 0;
+  }
+  return 0;
+}
+
+/// Characters outside the Char production of XML 1.0.
+bool forbidden(std::string_view sequence) {
+  const auto c = static_cast<unsigned char>(sequence[0]);
+  if (c < 0x20) return c != '\t' && c != '\n' && c != '\r';
+  return sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF";
+}
+
+std::string_view entity(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+std::string escape(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t length = sequenceLength(text);
+    const std::string_view sequence = text.substr(0, std::max<std::size_t>(1, length));
+    if (length == 0 || forbidden(sequence)) {
+      out += kReplacement;
+    } else if (const std::string_view name = entity(sequence[0]); !name.empty()) {
+      out += name;
+    } else {
+      out += sequence;
+    }
+    text.remove_prefix(sequence.size());
+  }
+  return out;
+}
+
+std::string fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return "-";
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  if (zero && text.front() == '-') text.erase(0, 1);
+  return text;
+}
+
+std::string grouped(double value, int decimals) {
+  std::string text = fixed(value, decimals);
+  const std::size_t first = text.front() == '-' ? 1 : 0;
+  std::size_t at = std::min(text.find('.'), text.size());
+  while (at > first + 3) {
+    at -= 3;
+    text.insert(at, "\u202F");  // narrow space that does not break
+  }
+  return text;
+}
+
+std::string duration(double seconds) {
+  if (!std::isfinite(seconds) || seconds < 0.0) return "-";
+  if (seconds < 60.0) return fixed(seconds, 1) + " s";
+  const auto whole = static_cast<long long>(std::min(seconds + 0.5, 1e15));
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min {:02} s", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+std::string spoken(std::string_view kind) {
+  std::string out(kind);
+  std::replace(out.begin(), out.end(), '_', ' ');
+  return out;
+}
+
+std::string place(const Finding& finding) {
+  if (!finding.source) return {};
+  std::string out = fmt::format("{}:{}", finding.source->file, finding.source->line);
+  if (finding.source->block >= 0) out += fmt::format(" (N{})", finding.source->block);
+  return out;
+}
+
+std::string summaryLine(const Finding& finding) {
+  std::string out = place(finding);
+  if (!out.empty()) out += ": ";
+  out += fmt::format("{}: {}: {}", severityName(finding.severity), spoken(finding.kind), finding.message);
+  std::string figures;
+  const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
+    if (value) figures += fmt::format("{}{} {:.4g} {}", figures.empty() ? "" : ", ", name, *value, unit);
+  };
+  add("depth", finding.depth_mm, "mm");
+  add("area", finding.area_mm2, "mm2");
+  add("volume", finding.volume_mm3, "mm3");
+  if (finding.where) {
+    figures += fmt::format("{}at x {} y {} z {}", figures.empty() ? "" : ", ", fixed(finding.where->x(), 3),
+                           fixed(finding.where->y(), 3), fixed(finding.where->z(), 3));
+  }
+  return figures.empty() ? out : out + " [" + figures + "]";
+}
+
+std::string diagnosticLine(const Diagnostic& diagnostic) {
+  std::string out;
+  if (!diagnostic.where.file.empty()) out += diagnostic.where.file + ":";
+  if (diagnostic.where.line > 0) out += fmt::format("{}:", diagnostic.where.line);
+  if (!out.empty()) out += " ";
+  out += severityName(diagnostic.severity);
+  if (!diagnostic.code.empty()) out += "[" + diagnostic.code + "]";
+  return out + ": " + diagnostic.message;
+}
+
+}  // namespace proveout::report_text

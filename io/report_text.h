@@ -1,0 +1,31 @@
+// What the written forms of a report share: numbers, findings and markup as text.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/report.h"
+
+namespace proveout::report_text {
+
+/// Escapes for XML and HTML, in text and in attributes with double quotes. Characters that XML 1.0 does not
+/// have and bytes that are not UTF-8 become U+FFFD.
+std::string escape(std::string_view text);
+
+/// Fixed number of decimals, "-" for values that are not finite; no "-0.00".
+std::string fixed(double value, int decimals);
+/// With blanks between thousands: "39 730.12".
+std::string grouped(double value, int decimals);
+/// "1 h 02 min 03 s", "2 min 03 s", "3.2 s".
+std::string duration(double seconds);
+/// "rapid_contact" -> "rapid contact".
+std::string spoken(std::string_view kind);
+/// "O0100:12 (N70)"; "" without a source.
+std::string place(const Finding& finding);
+/// One line: place, severity, kind, message and figures.
+std::string summaryLine(const Finding& finding);
+
+/// A line, of a finding or of a diagnostic, that says why a program was refused.
+std::string diagnosticLine(const Diagnostic& diagnostic);
+
+}  // namespace proveout::report_text
