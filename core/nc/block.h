@@ -1,0 +1,103 @@
+// A block: the words of one program line with their places in it.
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace proveout::nc {
+
+/// Address of a word: 'A'..'Z', or one of these for the comma addresses.
+using Address = char;
+inline constexpr Address kCommaChamfer = 'c';    ///< ,C
+inline constexpr Address kCommaRounding = 'r';   ///< ,R
+inline constexpr Address kCommaDirection = 'a';  ///< ,A
+
+/// A set of addresses.
+class AddressSet {
+ public:
+  constexpr AddressSet() = default;
+  constexpr AddressSet(const char* letters) {  // NOLINT: implicit on purpose, tables read better
+    for (; *letters; ++letters) bits_ |= bit(*letters);
+  }
+  constexpr bool has(Address a) const { return (bits_ & bit(a)) != 0; }
+  constexpr void add(Address a) { bits_ |= bit(a); }
+  constexpr AddressSet operator|(AddressSet other) const { return AddressSet(bits_ | other.bits_); }
+  constexpr AddressSet operator&(AddressSet other) const { return AddressSet(bits_ & other.bits_); }
+  constexpr AddressSet without(AddressSet other) const { return AddressSet(bits_ & ~other.bits_); }
+  constexpr bool empty() const { return bits_ == 0; }
+
+ private:
+  constexpr explicit AddressSet(std::uint64_t bits) : bits_(bits) {}
+  /// '@'..'Z' take bits 0..31, '`'..'z' bits 32..63.
+  static constexpr std::uint64_t bit(Address a) {
+    const unsigned low = static_cast<unsigned>(a) & 31u;
+    return std::uint64_t{1} << ((static_cast<unsigned>(a) & 32u) ? low + 32u : low);
+  }
+  std::uint64_t bits_ = 0;
+};
+
+/// "X" or ",C": the address as the program writes it.
+inline std::string_view addressText(Address a) {
+  static constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  switch (a) {
+    case kCommaChamfer:
+      return ",C";
+    case kCommaRounding:
+      return ",R";
+    case kCommaDirection:
+      return ",A";
+    default:
+      return a >= 'A' && a <= 'Z' ? kLetters.substr(static_cast<std::size_t>(a - 'A'), 1) : "?";
+  }
+}
+
+/// Columns of the line, from 1; `end` is one past the last.
+struct Columns {
+  int begin = 0;
+  int end = 0;
+};
+
+struct Word {
+  Address address = '?';
+  bool incremental = false;  ///< operator I behind the address (XI40)
+  bool is_integer = false;   ///< the value has no fractional part
+  double value = 0.0;        ///< as programmed, no unit conversion
+  Columns columns;
+};
+
+/// Reused from line to line; the views point into the program text.
+struct Block {
+  std::vector<Word> words;    ///< in order, without N and O
+  AddressSet present;         ///< addresses in `words`
+  std::string_view text;      ///< the line
+  std::string_view file_arg;  ///< what stands between < and > (M98 <file>)
+  Columns file_columns;
+  std::int64_t number = -1;   ///< N, or -1
+  std::int64_t program = -1;  ///< O, or -1
+  Columns number_columns, program_columns;
+  int skip = 0;           ///< 1..9: optional skip `/n`; 0: none
+  bool percent = false;   ///< the line is a % line
+  bool has_file = false;  ///< `<...>` present
+
+  void clear() {
+    words.clear();
+    present = {};
+    text = file_arg = {};
+    number = program = -1;
+    skip = 0;
+    percent = has_file = false;
+  }
+  bool empty() const { return words.empty() && !has_file; }
+  /// The word at that address, or null. Addresses that may repeat (G, M): the first.
+  const Word* find(Address a) const {
+    if (!present.has(a)) return nullptr;
+    for (const Word& w : words) {
+      if (w.address == a) return &w;
+    }
+    return nullptr;
+  }
+};
+
+}  // namespace proveout::nc

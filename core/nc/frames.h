@@ -1,0 +1,75 @@
+// Coordinate systems of a channel: the chain from programmed to machine coordinates, and the registers that
+// it is made of. Lengths mm, angles degrees in registers.
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "core/geometry/types.h"
+
+namespace proveout::nc {
+
+using Mat3 = Eigen::Matrix3d;
+
+/// y = linear * x + offset. A chain is a list of these, applied first to last.
+struct FrameStep {
+  Mat3 linear = Mat3::Identity();
+  Vec3 offset = Vec3::Zero();
+};
+
+/// programmed point --(transforms of the program: mirror, scale, rotation)--(local shift)--> work point
+///   --(basic rotation, work offset, length offset)--> machine point.
+/// Cutter compensation works on work points: there the path has its programmed shape and nothing that
+/// flushes look-ahead is in force yet.
+class CoordinateChain {
+ public:
+  CoordinateChain() = default;
+  CoordinateChain(const std::vector<FrameStep>& program_to_work,
+                  const std::vector<FrameStep>& work_to_machine);
+
+  Vec3 toWork(const Vec3& p) const { return apply(work_, work_moves_only_, p); }
+  Vec3 workToMachine(const Vec3& q) const { return apply(machine_, machine_moves_only_, q); }
+  Vec3 toMachine(const Vec3& p) const { return workToMachine(toWork(p)); }
+  /// Inverse of toMachine().
+  Vec3 toProgram(const Vec3& machine) const;
+  /// Turns a direction of work space into machine space.
+  Vec3 directionToMachine(const Vec3& d) const { return machine_moves_only_ ? d : Vec3(machine_.linear * d); }
+
+ private:
+  static Vec3 apply(const FrameStep& step, bool moves_only, const Vec3& p) {
+    if (moves_only) return p + step.offset;
+    return step.linear * p + step.offset;
+  }
+  FrameStep work_, machine_;
+  bool work_moves_only_ = true, machine_moves_only_ = true;
+};
+
+/// Mz(gamma) * My(beta) * Mx(alpha), right-handed, angles (alpha, beta, gamma) in degrees.
+Mat3 basicRotation(const Vec3& angles_deg);
+
+/// A work coordinate system: offset in the machine frame, and basic rotation about its own origin.
+struct WorkSystem {
+  Vec3 offset = Vec3::Zero();
+  Vec3 angles_deg = Vec3::Zero();
+};
+
+/// Number of a work system: 1..6 are G54..G59, 101..199 are G54.1 P1..P99, 0 is the common offset.
+using WorkSystemId = int;
+inline constexpr WorkSystemId kFirstExtended = 101;
+
+/// Registers. Plain values; whoever changes one builds a new chain.
+struct WorkFrames {
+  WorkSystem common;  ///< its angles stay 0
+  std::array<WorkSystem, 6> basic;
+  std::map<int, WorkSystem> extended;  ///< by P
+  Vec3 shift92 = Vec3::Zero();         ///< G92, work coordinates
+  Vec3 shift52 = Vec3::Zero();         ///< G52, work coordinates
+
+  WorkSystem& system(WorkSystemId id);
+  WorkSystem system(WorkSystemId id) const;
+  /// The chain with work system `active` and length offset `length` (machine axes).
+  CoordinateChain chain(WorkSystemId active, const Vec3& length) const;
+};
+
+}  // namespace proveout::nc

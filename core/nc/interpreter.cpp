@@ -1,0 +1,102 @@
+#include "core/nc/interpreter.h"
+
+#include <fmt/core.h>
+
+#include "core/nc/nct/nct_codes.h"
+#include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_parameters.h"
+
+namespace proveout {
+namespace {
+
+std::string_view statusOf(nc::CodeClass cls, bool built) {
+  if (!built) return "refused";
+  switch (cls) {
+    case nc::CodeClass::kSim:
+      return "simulated";
+    case nc::CodeClass::kTime:
+      return "timed";
+    case nc::CodeClass::kState:
+      return "tracked";
+    case nc::CodeClass::kHost:
+      return "noted";
+    case nc::CodeClass::kReject:
+      return "checked";
+  }
+  return "refused";
+}
+
+std::vector<CoverageRow> nctCoverage() {
+  std::vector<CoverageRow> rows;
+  for (const nc::GCode& g : nc::nctGCodes()) {
+    std::string name = fmt::format("G{}", g.code10 / 10);
+    if (g.code10 % 10 != 0) name += fmt::format(".{}", g.code10 % 10);
+    rows.push_back({std::move(name), g.group, std::string(codeClassName(g.cls)),
+                    std::string(statusOf(g.cls, g.built)), std::string(g.ids), std::string(g.meaning)});
+  }
+  for (const nc::MCode& m : nc::nctMCodes()) {
+    rows.push_back({fmt::format("M{}", m.code), -1, std::string(codeClassName(m.cls)),
+                    std::string(statusOf(m.cls, true)), std::string(m.ids), std::string(m.meaning)});
+  }
+  for (const nc::FeatureRow& f : nc::nctFeatures()) {
+    rows.push_back({std::string(f.code), -1, std::string(codeClassName(f.cls)),
+                    std::string(statusOf(f.cls, true)), std::string(f.ids), std::string(f.meaning)});
+  }
+  return rows;
+}
+
+}  // namespace
+
+const std::vector<ControlInfo>& controls() {
+  static const std::vector<ControlInfo> kControls{
+      {ControlId::kNct, "nct", "NCT 2xx/3xx, milling channel", true},
+      {ControlId::kWl4Mill, "wl4-mill", "WL4, milling", false},
+      {ControlId::kWl4Lathe, "wl4-lathe", "WL4, turning", false},
+      {ControlId::kFlexNc, "flexnc", "FlexNC, milling", false},
+      {ControlId::kWedm, "wedm", "wire EDM", false},
+      {ControlId::kRs274Ngc, "rs274ngc", "RS274/NGC, milling", false},
+  };
+  return kControls;
+}
+
+Result<ControlId> findControl(std::string_view name) {
+  std::string known;
+  for (const ControlInfo& control : controls()) {
+    if (control.name == name) {
+      if (control.built) return control.id;
+      return inputError(fmt::format("control {} is known but this version cannot run it yet", name));
+    }
+    known += (known.empty() ? "" : ", ") + std::string(control.name);
+  }
+  return inputError(fmt::format("unknown control {} (known: {})", name, known));
+}
+
+InterpretSummary interpret(ControlId control, const ProgramSource& source, const ControlSettings& settings,
+                           MotionSink& sink, Progress* progress) {
+  if (control != ControlId::kNct) {
+    InterpretSummary summary;
+    summary.end = ProgramEnd::kAlarm;
+    summary.errors = 1;
+    sink.diagnostic({Severity::kError,
+                     "control",
+                     "this control is known but this version cannot run it yet",
+                     {},
+                     {},
+                     {}});
+    return summary;
+  }
+  return nc::NctControl(source, settings, sink, progress).run();
+}
+
+Result<std::vector<CoverageRow>> coverageTable(ControlId control) {
+  if (control == ControlId::kNct) return nctCoverage();
+  return inputError("this control is known but this version cannot run it yet");
+}
+
+std::vector<ParameterInfo> parameterTable(ControlId control) {
+  if (control != ControlId::kNct) return {};
+  const auto& table = nc::nctParameterTable();
+  return {table.begin(), table.end()};
+}
+
+}  // namespace proveout

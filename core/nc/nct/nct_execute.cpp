@@ -1,0 +1,268 @@
+// Execution of a planned block: functions, motions, register changes, commit.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "core/nc/nct/nct_control.h"
+
+namespace proveout::nc {
+
+bool NctControl::perform(BlockPlan& plan) {
+  if (plan.flush && comp_engaged_ && !flushComp()) return false;
+  const bool cycle = plan.deed == BlockPlan::Deed::kCycle;  // its functions follow the first positioning
+  if (!cycle && !performFunctions(plan, MPhase::kBefore)) return false;
+  const bool reshaped = plan.frames_changed || plan.deed == BlockPlan::Deed::kFrames;
+  if (plan.frames_changed) {
+    chain_ = plan.chain;
+    position_ = plan.start;
+  }
+  if (!performDeed(plan)) return false;
+  const double spindle = state_.spindle_rpm;
+  const int direction = state_.spindle_direction;
+  const int tool = state_.tool;
+  (void)spindle;
+  plan.next.spindle_direction = direction;
+  plan.next.tool = tool;
+  state_ = plan.next;
+  if ((reshaped || plan.flush) && comp_engaged_) rebaseComp();
+  return performFunctions(plan, MPhase::kAfter) && performFunctions(plan, MPhase::kStop);
+}
+
+bool NctControl::function(const BlockPlan& plan, const MCode* code, int value) {
+  Action action;
+  action.source = here();
+  if (code == nullptr) {
+    action.kind = Action::Kind::kEvent;
+    action.name = "function";
+    action.data = {{"code", jsonString(fmt::format("M{}", value))}};
+    return act(std::move(action), state_);
+  }
+  switch (value) {
+    case 3:
+    case 4:
+    case 5:
+      state_.spindle_direction = value == 3 ? 1 : value == 4 ? -1 : 0;
+      action.kind = Action::Kind::kSpindle;
+      action.value = plan.next.spindle_rpm * state_.spindle_direction;
+      return act(std::move(action), state_);
+    case 6: {
+      const bool named = plan.next.next_tool >= 0;
+      if (!named) warn("nct-no-t", "M6 without T: the tool stays");
+      state_.tool = named ? plan.next.next_tool : state_.tool;
+      action.kind = Action::Kind::kToolChange;
+      action.value = state_.tool;
+      return act(std::move(action), state_);
+    }
+    default:
+      break;
+  }
+  action.kind = Action::Kind::kEvent;
+  const std::string quoted = jsonString(fmt::format("M{}", value));
+  if (value == 0 || value == 1) {
+    if (value == 1 && !settings_.optional_stop) {
+      action.name = "optional_stop";
+      action.data = {{"code", quoted}, {"active", "false"}};
+    } else {
+      action.name = value == 0 ? "stop" : "optional_stop";
+      action.data = {{"code", quoted}};
+      if (value == 1) action.data.push_back({"active", "true"});
+    }
+  } else if (value == 8 || value == 9) {
+    action.name = "coolant";
+    action.data = {{"code", quoted}, {"on", value == 8 ? "true" : "false"}};
+  } else if (value == 19) {
+    action.name = "spindle";
+    state_.spindle_direction = 0;
+    action.data = {{"rpm", "0"}, {"direction", jsonString("oriented")}};
+  } else {
+    action.name = "function";
+    action.data = {{"code", quoted}};
+  }
+  return act(std::move(action), state_);
+}
+
+bool NctControl::performFunctions(BlockPlan& plan, MPhase phase) {
+  bool spindle_done = false;
+  for (int i = 0; i < plan.m_count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const MPhase at = plan.m[k] ? plan.m[k]->phase : MPhase::kAfter;
+    if (at != phase) continue;
+    // In a drilling block M functions run at the first hole, behind the positioning (manual 18.2).
+    if (!function(plan, plan.m[k], plan.m_value[k])) return false;
+    spindle_done = spindle_done || plan.m_value[k] == 3 || plan.m_value[k] == 4;
+  }
+  if (phase == MPhase::kBefore && plan.spindle_changed && !spindle_done && state_.spindle_direction != 0) {
+    Action action;
+    action.kind = Action::Kind::kSpindle;
+    action.source = here();
+    action.value = plan.next.spindle_rpm * state_.spindle_direction;
+    return act(std::move(action), state_);
+  }
+  if (phase == MPhase::kAfter && plan.tool_change && !parameters_.flag(NctParam::kToolChangeOnM6)) {
+    state_.tool = plan.next.next_tool;
+    Action action;
+    action.kind = Action::Kind::kToolChange;
+    action.source = here();
+    action.value = state_.tool;
+    return act(std::move(action), state_);
+  }
+  return true;
+}
+
+bool NctControl::act(Action action, const NctState& state) {
+  if (!comp_engaged_) {
+    run(action);
+    return true;
+  }
+  CompBlock block;
+  block.shape = CompBlock::Shape::kNone;
+  block.to = workPlanePosition();
+  block.active = state.compOn();
+  block.offset = state.compOffset();
+  return pushComp(block, std::move(action));
+}
+
+void NctControl::run(Action& action) {
+  switch (action.kind) {
+    case Action::Kind::kMove:
+      break;
+    case Action::Kind::kSpindle: {
+      emitter_.setSpindle(action.value);
+      const char* direction = action.value > 0 ? "cw" : action.value < 0 ? "ccw" : "stop";
+      emitter_.event("spindle",
+                     {{"rpm", jsonNumber(std::abs(action.value))}, {"direction", jsonString(direction)}}, 0.0,
+                     action.source);
+      break;
+    }
+    case Action::Kind::kToolChange: {
+      const int tool = static_cast<int>(action.value);
+      emitter_.setTool(tool);
+      emitter_.event("tool", {{"tool", fmt::format("{}", tool)}}, settings_.tool_change_s, action.source);
+      break;
+    }
+    case Action::Kind::kDwell:
+      emitter_.event("dwell", {{"seconds", jsonNumber(action.value)}}, action.value, action.source);
+      break;
+    case Action::Kind::kEvent:
+      if (action.name == "spindle") emitter_.setSpindle(0.0);
+      emitter_.event(action.name, action.data, 0.0, action.source);
+      break;
+  }
+}
+
+bool NctControl::performDeed(BlockPlan& plan) {
+  switch (plan.deed) {
+    case BlockPlan::Deed::kNone:
+      if (comp_engaged_ && plan.by_group[kGroupRadiusComp]) {
+        CompBlock block;
+        block.to = workPlanePosition();
+        block.active = plan.next.compOn();
+        block.offset = plan.next.compOffset();
+        block.direction = plan.direction;
+        Action nothing;
+        nothing.kind = Action::Kind::kMove;
+        nothing.source = here();
+        return pushComp(block, std::move(nothing));
+      }
+      if (plan.next.compOn() && !comp_engaged_) return engageComp(plan) && performDeed(plan);
+      return true;
+    case BlockPlan::Deed::kMove:
+      return moveTo(plan);
+    case BlockPlan::Deed::kDwell: {
+      Action action;
+      action.kind = Action::Kind::kDwell;
+      action.value = plan.dwell_s;
+      action.source = here();
+      return act(std::move(action), plan.next);
+    }
+    case BlockPlan::Deed::kMachineMove:
+      emitter_.rapidTo(plan.target, here());
+      settle(plan.target);
+      return true;
+    case BlockPlan::Deed::kReference:
+      return performReference(plan);
+    case BlockPlan::Deed::kCycle:
+      return performCycle(plan);
+    case BlockPlan::Deed::kFrames:
+      setFrames(plan);
+      return true;
+    case BlockPlan::Deed::kOffsets: {
+      auto& table = plan.offset_table < 12 ? length_table_ : radius_table_;
+      OffsetValue& row = table[plan.offset_row];
+      (plan.offset_table % 2 == 0 ? row.geometry : row.wear) = plan.offset_value;
+      return true;
+    }
+  }
+  return true;
+}
+
+bool NctControl::moveTo(BlockPlan& plan) {
+  Action action;
+  action.rapid = plan.rapid;
+  action.feed = plan.feed;
+  action.source = here();
+  if (!comp_engaged_ && plan.next.compOn() && !engageComp(plan)) return false;
+  const PlaneFrame frame(plan.next.plane());
+  position_ = plan.target;
+  machine_ = chain_.toMachine(plan.target);
+  if (!comp_engaged_) {
+    emitMove(action, machine_, plan.is_arc ? &plan.arc : nullptr, chain_);
+    return true;
+  }
+  CompBlock block;
+  block.to = frame.toPlane(chain_.toWork(plan.target));
+  block.active = plan.next.compOn();
+  block.offset = plan.next.compOffset();
+  block.direction = plan.direction;
+  const bool in_plane =
+      plan.named[static_cast<std::size_t>(frame.u())] || plan.named[static_cast<std::size_t>(frame.v())];
+  if (plan.is_arc) {
+    const Vec3 center =
+        chain_.toWork(frame.fromPlane({plan.arc.center.x(), plan.arc.center.y(), plan.arc.start.z()}));
+    block.shape = CompBlock::Shape::kArc;
+    block.center = frame.toPlane(center).head<2>();
+    block.sweep_rad = plan.arc.sweep_rad;
+  } else if (in_plane) {
+    block.shape = CompBlock::Shape::kLine;
+  }
+  return pushComp(block, std::move(action));
+}
+
+void NctControl::emitMove(const Action& action, const Vec3& to_machine, const PlaneArc* arc,
+                          const CoordinateChain& chain) {
+  if (action.rapid && arc == nullptr) {
+    emitter_.rapidTo(to_machine, action.source);
+    return;
+  }
+  if (arc == nullptr) {
+    emitter_.lineTo(to_machine, action.feed, action.source);
+    return;
+  }
+  const PlaneFrame frame(state_.plane());
+  MachineArc out;
+  const Vec3 center = frame.fromPlane({arc->center.x(), arc->center.y(), arc->start.z()});
+  out.center = chain.toMachine(center);
+  out.normal = chain.directionToMachine(frame.normal());
+  out.sweep_rad = arc->sweep_rad;
+  emitter_.arcTo(to_machine, out, action.feed, action.source);
+}
+
+bool NctControl::performReference(BlockPlan& plan) {
+  emitter_.rapidTo(chain_.toMachine(plan.via), here());
+  emitter_.rapidTo(plan.target, here());
+  settle(plan.target);
+  return true;
+}
+
+void NctControl::setFrames(const BlockPlan& plan) {
+  frames_ = *plan.frames;
+  chain_ = frames_.chain(plan.next.work_system, plan.next.length);
+  position_ = chain_.toProgram(machine_);
+}
+
+void NctControl::settle(const Vec3& machine) {
+  machine_ = machine;
+  position_ = chain_.toProgram(machine);
+}
+
+}  // namespace proveout::nc

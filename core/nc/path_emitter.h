@@ -1,0 +1,75 @@
+// Turns machine-frame moves into motions of the tool path: workpiece frame, tool, spindle, time.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/nc/control_settings.h"
+#include "core/nc/interpreter.h"
+#include "core/path/toolpath.h"
+
+namespace proveout::nc {
+
+/// How a feed motion goes.
+struct FeedStyle {
+  MotionKind kind = MotionKind::kFeed;
+  double feed = 0.0;  ///< mm/min
+  /// What of an arc the feed is the speed of: the circle in the plane, the whole path in space, or the
+  /// start radius (constant angular speed).
+  enum class Along { kPlane, kSpace, kStartRadius } along = Along::kSpace;
+};
+
+/// An arc in the machine frame; `center` at the height of the start.
+struct MachineArc {
+  Vec3 center = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+  double sweep_rad = 0.0;
+};
+
+/// Holds what the machine is doing; one owner. Positions are machine coordinates of the controlled point, mm.
+class PathEmitter {
+ public:
+  PathEmitter(const ControlSettings& settings, MotionSink& sink, InterpretSummary& summary);
+
+  const Vec3& machine() const { return machine_; }
+  /// Origin of the workpiece frame in the machine frame, mm.
+  const Vec3& workpieceOrigin() const { return origin_; }
+
+  void rapidTo(const Vec3& to, const SourceRef& source);
+  void lineTo(const Vec3& to, const FeedStyle& style, const SourceRef& source);
+  void arcTo(const Vec3& to, const MachineArc& arc, const FeedStyle& style, const SourceRef& source);
+
+  using EventData = std::vector<std::pair<std::string, std::string>>;
+  void event(std::string name, EventData data, double time_s, const SourceRef& source);
+  void diagnostic(const Diagnostic& diagnostic);
+
+  int tool() const { return tool_; }
+  void setTool(int tool);
+  double spindle() const { return spindle_; }
+  void setSpindle(double rpm) { spindle_ = rpm; }  ///< negative: counter-clockwise, 0: stopped
+
+ private:
+  void send(Motion& motion, const Vec3& to, const ArcGeometry* arc);
+  void checkTravel(const Motion& motion, const ArcGeometry* arc, const SourceRef& source);
+
+  const ControlSettings& settings_;
+  MotionSink& sink_;
+  InterpretSummary& summary_;
+  Vec3 origin_;
+  Vec3 machine_;
+  Vec3 to_workpiece_;  ///< added to a machine point: minus origin, minus gauge length of the tool
+  int tool_ = 0;
+  double spindle_ = 0.0;
+  bool any_limit_ = false;
+};
+
+/// Length of an arc, helix, spiral or cone, mm; closed form (Simpson where the radii nearly agree).
+double arcLength(double radius_start, double radius_end, double sweep_rad, double rise);
+
+/// JSON text of a number: shortest form that reads back equal; -0 is 0.
+std::string jsonNumber(double value);
+/// JSON text of a string with quotes and escapes.
+std::string jsonString(std::string_view text);
+
+}  // namespace proveout::nc

@@ -1,0 +1,52 @@
+// Program text: bytes decoded to UTF-8 and cut into lines.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/nc/control_settings.h"
+#include "core/nc/program_source.h"
+
+namespace proveout::nc {
+
+/// Decodes `bytes` to UTF-8 (a byte-order mark is dropped). `chosen` (may be null) gets the name of the
+/// encoding. Error: bytes that are no text in that encoding, NUL bytes (binary file, UTF-16), or an
+/// encoding that the system cannot convert.
+Result<std::string> decodeText(const std::string& bytes, TextEncoding encoding,
+                               std::string* chosen = nullptr);
+
+/// A decoded program with its lines and, on demand, its block numbers. Not copyable: lines point into it.
+class SourceText {
+ public:
+  SourceText(std::string name, std::string path, std::string utf8);
+  SourceText(const SourceText&) = delete;
+  SourceText& operator=(const SourceText&) = delete;
+
+  const std::string& name() const { return name_; }
+  const std::string& path() const { return path_; }
+  const std::string& encoding() const { return encoding_; }
+  /// Lines without their ends (LF, CR LF or CR); index 0 is line 1.
+  const std::vector<std::string_view>& lines() const { return lines_; }
+
+  static constexpr int kNoLabel = -1;
+  struct Label {
+    int line_index = kNoLabel;  ///< first line that starts with this N number
+    bool repeated = false;      ///< the number occurs again later
+  };
+  /// Line of block N`number`, comments taken into account. The index is made at the first call.
+  Label label(long long number);
+
+  void setEncoding(std::string name) { encoding_ = std::move(name); }
+
+ private:
+  void indexLabels();
+  std::string name_, path_, text_, encoding_;
+  std::vector<std::string_view> lines_;
+  std::unordered_map<long long, Label> labels_;
+  bool labels_known_ = false;
+};
+
+}  // namespace proveout::nc
