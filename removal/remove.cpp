@@ -28,6 +28,9 @@ using openvdb::Coord;
 /// Penetration that counts as contact, mm: above the rounding of float samples, below any gauge on a shop
 /// floor.
 constexpr double kContactToleranceMm = 1e-3;
+/// A later motion takes a voxel over only if it reaches this much deeper, mm: what an equal surface differs
+/// by in floats stays below.
+constexpr double kDeeperMm = 1e-5;
 /// Volumes per motion are summed as whole numbers of this part of a voxel, so that the sum does not depend on
 /// threads.
 constexpr double kVolumeUnit = 1.0 / 65536.0;
@@ -252,14 +255,15 @@ void Remover::applyPass(const Coord& origin, std::uint32_t index, float* distanc
     float least = band;
     for (int z = 0; z < kBlock; ++z) {
       const double overlap = -values[z] - d[z];
-      if (overlap > 0.0) {
+      const bool deeper = overlap > kDeeperMm || (d[z] < 0.0f && values[z] <= 0.0);
+      if (deeper) {
         const bool own = x < 8 && y < 8 && z < 8;
         const double change = own ? fraction(d[z]) - fraction(-values[z]) : 0.0;
         // A material voxel is the centre of a ball of material of radius -d: the solid reaches into it by the
         // overlap.
-        if (pass.watched && d[z] < 0.0f && own) {
+        if (pass.watched && own) {
           contact_volume += change;
-          if (overlap > contact.depth) {
+          if (d[z] < 0.0f && overlap > contact.depth) {
             contact.depth = overlap;
             contact.where = at + Vec3(0, 0, z * impl_.h);
           }

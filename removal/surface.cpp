@@ -31,7 +31,7 @@ struct Cell {
 struct LeafSurface {
   Coord origin;
   const std::vector<Crossing>* crossings = nullptr;
-  std::array<std::uint16_t, 512> cell_of;  ///< index into cells, or kNoCell
+  std::array<std::uint16_t, 512> cell_of{};  ///< index into cells, or kNoCell
   std::vector<Cell> cells;
   std::vector<CellVertex> vertices;  ///< p in mm
   std::uint32_t base = 0;            ///< number of the leaf's first vertex in the mesh

@@ -1,5 +1,5 @@
-// The swept distance fields against a slow reference: the least distance over many positions of the tool, with the tool's
-// distance from a dense polygon of its profile.
+// The swept distance fields against a slow reference: the least distance over many positions of the tool,
+// with the tool's distance from a dense polygon of its profile.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -18,7 +18,8 @@ constexpr double kFlute = 15.0;
 
 std::vector<Tool> sampleTools() {
   std::vector<Tool> tools;
-  for (const char* text : {"1=flat:6", "2=ball:6", "3=bull:8:1.5", "4=cone:6:0.4:60", "5=drill:5:118", "6=cone:8:0:120", "7=bull:6:3"}) {
+  for (const char* text : {"1=flat:6", "2=ball:6", "3=bull:8:1.5", "4=cone:6:0.4:60", "5=drill:5:118",
+                           "6=cone:8:0:120", "7=bull:6:3"}) {
     Tool tool = parseToolOption(text).value();
     tool.flute_length = kFlute;
     tools.push_back(tool);
@@ -87,7 +88,9 @@ TEST(Profile, DistanceMatchesDensePolygon) {
       ASSERT_NEAR(std::hypot(s.gr, s.gz), 1.0, 1e-12);
       const double step = 1e-6;  // the gradient is the slope of the value
       const double along = profile.sample(std::max(0.0, r + step * s.gr), z + step * s.gz).value;
-      if (r > 0.01) ASSERT_NEAR(along - s.value, step, 1e-9);
+      if (r > 0.01) {
+        ASSERT_NEAR(along - s.value, step, 1e-9);
+      }
     }
   }
 }
@@ -136,7 +139,8 @@ class Cases {
 };
 
 Vec3 positionAt(const Case& c, double t) {
-  return c.arc ? arcPoint(arcFrame(c.from, c.to, c.geometry), c.geometry, t) : Vec3(c.from + t * (c.to - c.from));
+  return c.arc ? arcPoint(arcFrame(c.from, c.to, c.geometry), c.geometry, t)
+               : Vec3(c.from + t * (c.to - c.from));
 }
 
 /// The exact value lies between the least sample less half a step's travel and the least sample.
@@ -159,14 +163,16 @@ void expectField(const Case& c, const Tool& tool, Cases& points, unsigned seed) 
     }
     const SweepSample s = sweep.sample(p);
     ASSERT_LE(s.value, least + kSweepToleranceMm) << "seed " << seed << " tool " << tool.number;
-    ASSERT_GE(s.value, least - 0.51 * travel - kSweepToleranceMm) << "seed " << seed << " tool " << tool.number;
+    ASSERT_GE(s.value, least - 0.51 * travel - kSweepToleranceMm)
+        << "seed " << seed << " tool " << tool.number;
     ASSERT_NEAR(sweep.distance(p, 1e9), s.value, kSweepToleranceMm);
     double column[3];
     sweep.column(p.x(), p.y(), p.z(), 0.5, 3, 1e9, column);
     ASSERT_NEAR(column[0], s.value, kSweepToleranceMm);
     ASSERT_NEAR(column[2], sweep.distance(p + Vec3(0, 0, 1), 1e9), kSweepToleranceMm);
     if (s.value <= 0.0) {
-      ASSERT_TRUE((p.array() >= sweep.bounds().min.array() - 1e-9).all() && (p.array() <= sweep.bounds().max.array() + 1e-9).all())
+      ASSERT_TRUE((p.array() >= sweep.bounds().min.array() - 1e-9).all() &&
+                  (p.array() <= sweep.bounds().max.array() + 1e-9).all())
           << "seed " << seed;
     }
     // A cutoff may only replace values above it, by something above it.
@@ -183,14 +189,16 @@ void expectField(const Case& c, const Tool& tool, Cases& points, unsigned seed) 
 TEST(SweepField, LinesMatchSampledMinimum) {
   for (unsigned seed = 0; seed < 24; ++seed) {
     Cases cases(seed);
-    for (const Tool& tool : sampleTools()) expectField(cases.line(static_cast<int>(seed % 4)), tool, cases, seed);
+    for (const Tool& tool : sampleTools())
+      expectField(cases.line(static_cast<int>(seed % 4)), tool, cases, seed);
   }
 }
 
 TEST(SweepField, ArcsHelicesAndSpiralsMatchSampledMinimum) {
   for (unsigned seed = 0; seed < 36; ++seed) {
     Cases cases(seed + 1000);
-    for (const Tool& tool : sampleTools()) expectField(cases.arc(static_cast<int>(seed % 12)), tool, cases, seed);
+    for (const Tool& tool : sampleTools())
+      expectField(cases.arc(static_cast<int>(seed % 12)), tool, cases, seed);
   }
 }
 
@@ -201,9 +209,12 @@ TEST(SweepField, SplittingAMoveChangesNothing) {
     for (const Tool& tool : sampleTools()) {
       const ConvexProfile profile = makeToolSolid(tool).cutter;
       const Vec3 middle = c.from + 0.37 * (c.to - c.from);
-      const Sweep whole(profile, c.from, c.to, nullptr), first(profile, c.from, middle, nullptr), second(profile, middle, c.to, nullptr);
+      const Sweep whole(profile, c.from, c.to, nullptr), first(profile, c.from, middle, nullptr),
+          second(profile, middle, c.to, nullptr);
       const Vec3 p = cases.point();
-      ASSERT_NEAR(whole.sample(p).value, std::min(first.sample(p).value, second.sample(p).value), 3 * kSweepToleranceMm) << seed;
+      ASSERT_NEAR(whole.sample(p).value, std::min(first.sample(p).value, second.sample(p).value),
+                  3 * kSweepToleranceMm)
+          << seed;
     }
   }
 }

@@ -1,0 +1,100 @@
+// The tables and the vertex placement behind the surface.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <bit>
+#include <map>
+
+#include "core/tool/profile.h"
+#include "removal/cell_cycles.h"
+#include "removal/cell_vertex.h"
+
+namespace proveout {
+namespace {
+
+TEST(CellCycles, EveryCrossedEdgeIsInOneCycleOfAtLeastThree) {
+  for (int pattern = 0; pattern < 256; ++pattern) {
+    const CellCycles& c = cellCycles()[pattern];
+    std::map<int, int> size;
+    for (int e = 0; e < 12; ++e) {
+      const int a = edgeStartCorner(e), b = a | 1 << e / 4;
+      const bool crossed = (pattern >> a & 1) != (pattern >> b & 1);
+      ASSERT_EQ(crossed, c.cycle_of_edge[e] >= 0) << pattern;
+      if (crossed) ++size[c.cycle_of_edge[e]];
+      ASSERT_EQ(edgeAt(e / 4, a), e);
+    }
+    ASSERT_EQ(static_cast<int>(size.size()), c.count);
+    for (const auto& [cycle, n] : size) ASSERT_GE(n, 3) << pattern;
+  }
+  EXPECT_EQ(cellCycles()[0b10000001].count, 2);  // opposite corners of material stay apart
+  EXPECT_EQ(cellCycles()[0b01101001].count, 4);
+}
+
+TEST(CellVertex, LiesOnASphere) {
+  const Vec3 center(-4, -5, -6);
+  for (const double radius : {9.0, 9.3, 10.1}) {
+    std::vector<SheetPoint> points;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int k = 0; k < 4; ++k) {
+        Vec3 p = Vec3::Zero();
+        p[(axis + 1) % 3] = k & 1;
+        p[(axis + 2) % 3] = k >> 1;
+        const double u = p[(axis + 1) % 3] - center[(axis + 1) % 3],
+                     v = p[(axis + 2) % 3] - center[(axis + 2) % 3];
+        if (radius * radius < u * u + v * v) continue;
+        p[axis] = center[axis] + std::sqrt(radius * radius - u * u - v * v);
+        if (p[axis] < 0 || p[axis] > 1) continue;
+        points.push_back({p, (p - center).normalized(), 7});
+      }
+    }
+    ASSERT_GE(points.size(), 3u);
+    EXPECT_NEAR((placeVertex(points).p - center).norm(), radius, 2e-3);  // the chord is 0.015 to 0.03 off
+  }
+}
+
+TEST(CellVertex, FindsEdgeAndCorner) {
+  const std::vector<SheetPoint> edge{{{0.3, 0, 0}, {1, 0, 0}, 1},
+                                     {{0.3, 0, 1}, {1, 0, 0}, 1},
+                                     {{1, 0.6, 0}, {0, 1, 0}, 2},
+                                     {{1, 0.6, 1}, {0, 1, 0}, 2}};
+  const Vec3 e = placeVertex(edge).p;
+  EXPECT_NEAR(e.x(), 0.3, 1e-12);
+  EXPECT_NEAR(e.y(), 0.6, 1e-12);
+  EXPECT_NEAR(e.z(), 0.5, 1e-12);
+  const std::vector<SheetPoint> corner{
+      {{0.3, 0, 0}, {1, 0, 0}, 1}, {{0, 0.6, 0}, {0, 1, 0}, 2}, {{0, 0, 0.2}, {0, 0, 1}, 3}};
+  EXPECT_NEAR((placeVertex(corner).p - Vec3(0.3, 0.6, 0.2)).norm(), 0, 1e-12);
+}
+
+TEST(ToolOptions, ParsesEveryShapeAndRefusesTheRest) {
+  EXPECT_EQ(parseToolOption("1=ball:3.175")->type, ToolType::kBall);
+  EXPECT_DOUBLE_EQ(parseToolOption("2=bull:10:2")->corner_radius, 2);
+  EXPECT_DOUBLE_EQ(parseToolOption("3=cone:6:0.2:60")->cone_angle_deg, 60);
+  EXPECT_DOUBLE_EQ(parseToolOption("4=drill:5")->point_angle_deg, 118);
+  for (const char* bad : {"",
+                          "1",
+                          "1=",
+                          "=flat:3",
+                          "x=flat:3",
+                          "1=flat",
+                          "1=flat:",
+                          "1=flat:0",
+                          "1=flat:-3",
+                          "1=flat:nan",
+                          "1=flat:inf",
+                          "1=flat:3:4",
+                          "1=flat:3mm",
+                          "1=ball:1e9",
+                          "1=bull:10",
+                          "1=bull:10:6",
+                          "1=cone:6:6:60",
+                          "1=cone:6:0:180",
+                          "1=drill:5:0",
+                          "1=star:3",
+                          "-1=flat:3"}) {
+    EXPECT_FALSE(parseToolOption(bad).ok()) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace proveout
