@@ -1,0 +1,1 @@
+target_sources(proveout_io PRIVATE path_writer.cpp)

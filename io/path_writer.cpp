@@ -1,0 +1,262 @@
+#include "io/path_writer.h"
+
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+namespace proveout {
+namespace {
+
+using Buffer = fmt::memory_buffer;
+
+/// Text goes to the stream in pieces of this size.
+constexpr std::size_t kFlushBytes = 1 << 16;
+constexpr double kTick = 1e9;       ///< numbers are rounded to 1e-9
+constexpr double kMaxTicked = 9e9;  ///< larger numbers do not fit the 64-bit tick count
+
+void put(Buffer& b, std::string_view text) { b.append(text.data(), text.data() + text.size()); }
+
+void putInteger(Buffer& b, std::int64_t value) {
+  const fmt::format_int digits(value);
+  b.append(digits.data(), digits.data() + digits.size());
+}
+
+/// Rounded to 1e-9, no trailing zeros, no -0.
+void putNumber(Buffer& b, double value) {
+  if (!(std::abs(value) < kMaxTicked)) {
+    fmt::format_to(std::back_inserter(b), "{}", value);
+    return;
+  }
+  std::int64_t ticks = std::llround(value * kTick);
+  if (ticks < 0) {
+    b.push_back('-');
+    ticks = -ticks;
+  }
+  constexpr std::int64_t kPerUnit = 1000000000;
+  putInteger(b, ticks / kPerUnit);
+  std::int64_t fraction = ticks % kPerUnit;
+  if (fraction == 0) return;
+  char digits[10] = {'.'};
+  for (int i = 9; i >= 1; --i) {
+    digits[i] = static_cast<char>('0' + fraction % 10);
+    fraction /= 10;
+  }
+  int end = 9;
+  while (digits[end] == '0') --end;
+  b.append(digits, digits + end + 1);
+}
+
+void putVector(Buffer& b, const Vec3& v) {
+  b.push_back('[');
+  putNumber(b, v.x());
+  b.push_back(',');
+  putNumber(b, v.y());
+  b.push_back(',');
+  putNumber(b, v.z());
+  b.push_back(']');
+}
+
+void putString(Buffer& b, std::string_view text) {
+  b.push_back('"');
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      b.push_back('\\');
+      b.push_back(c);
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      fmt::format_to(std::back_inserter(b), "\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      b.push_back(c);
+    }
+  }
+  b.push_back('"');
+}
+
+void send(Buffer& b, std::ostream& out) {
+  out.write(b.data(), static_cast<std::streamsize>(b.size()));
+  b.clear();
+}
+
+}  // namespace
+
+JsonLinesPathWriter::JsonLinesPathWriter(std::ostream& out, std::string_view control) : out_(out) {
+  put(buffer_, R"({"type":"header","schema":"proveout.path/1","control":)");
+  putString(buffer_, control);
+  put(buffer_, R"(,"frame":"workpiece"})");
+  endLine();
+}
+
+JsonLinesPathWriter::~JsonLinesPathWriter() { flush(); }
+
+void JsonLinesPathWriter::flush() {
+  send(buffer_, out_);
+  out_.flush();
+}
+
+void JsonLinesPathWriter::endLine() {
+  buffer_.push_back('\n');
+  if (buffer_.size() >= kFlushBytes) send(buffer_, out_);
+}
+
+void JsonLinesPathWriter::file(std::uint32_t index, const std::string& name) {
+  if (files_.size() <= index) files_.resize(index + 1, "\"\"");
+  Buffer quoted;
+  putString(quoted, name);
+  files_[index].assign(quoted.data(), quoted.size());
+}
+
+void JsonLinesPathWriter::source(const SourceRef& source) {
+  put(buffer_, R"(,"source":{"file":)");
+  put(buffer_, source.file < files_.size() ? std::string_view(files_[source.file]) : "\"\"");
+  put(buffer_, R"(,"line":)");
+  putInteger(buffer_, source.line);
+  put(buffer_, source.block >= 0 ? R"(,"block":"N)" : R"(,"block":")");
+  if (source.block >= 0) putInteger(buffer_, source.block);
+  put(buffer_, R"(","depth":)");
+  putInteger(buffer_, source.depth);
+  put(buffer_, "}}");
+  endLine();
+}
+
+void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc) {
+  Buffer& b = buffer_;
+  put(b, R"({"type":"motion","id":)");
+  putInteger(b, next_id_++);
+  put(b, R"(,"kind":")");
+  put(b, motionKindName(motion.kind));
+  put(b, arc ? R"(","shape":"arc","from":)" : R"(","shape":"line","from":)");
+  putVector(b, motion.from);
+  put(b, R"(,"to":)");
+  putVector(b, motion.to);
+  if (arc) {
+    put(b, R"(,"center":)");
+    putVector(b, arc->center);
+    put(b, R"(,"normal":)");
+    putVector(b, arc->normal);
+    put(b, R"(,"sweep_deg":)");
+    putNumber(b, radToDeg(arc->sweep_rad));
+  }
+  put(b, R"(,"feed":)");
+  putNumber(b, motion.feed);
+  put(b, R"(,"tool":)");
+  putInteger(b, motion.tool);
+  put(b, R"(,"spindle":)");
+  putNumber(b, motion.spindle);
+  put(b, R"(,"time_s":)");
+  putNumber(b, motion.time_s);
+  source(motion.source);
+}
+
+void JsonLinesPathWriter::event(const PathEvent& event) {
+  put(buffer_, R"({"type":"event","event":)");
+  putString(buffer_, event.event);
+  put(buffer_, R"(,"data":{)");
+  bool first = true;
+  for (const auto& [key, value] : event.data) {
+    if (!first) buffer_.push_back(',');
+    first = false;
+    putString(buffer_, key);
+    buffer_.push_back(':');
+    put(buffer_, value);
+  }
+  buffer_.push_back('}');
+  if (event.time_s > 0.0) {
+    put(buffer_, R"(,"time_s":)");
+    putNumber(buffer_, event.time_s);
+  }
+  source(event.source);
+}
+
+void JsonLinesPathWriter::diagnostic(const Diagnostic& diagnostic) {
+  Buffer& b = buffer_;
+  put(b, R"({"type":"diagnostic","severity":")");
+  put(b, severityName(diagnostic.severity));
+  put(b, R"(","code":)");
+  putString(b, diagnostic.code);
+  put(b, R"(,"message":)");
+  putString(b, diagnostic.message);
+  put(b, R"(,"source":{"file":)");
+  putString(b, diagnostic.where.file);
+  put(b, R"(,"line":)");
+  putInteger(b, diagnostic.where.line);
+  put(b, R"(,"column":)");
+  putInteger(b, diagnostic.where.column);
+  put(b, "}}");
+  endLine();
+}
+
+CsvPathWriter::CsvPathWriter(std::ostream& out) : out_(out) {
+  put(buffer_,
+      "id,kind,shape,from_x,from_y,from_z,to_x,to_y,to_z,feed,tool,spindle,time_s,"
+      "center_x,center_y,center_z,normal_x,normal_y,normal_z,sweep_deg,file,line,block,depth\n");
+}
+
+CsvPathWriter::~CsvPathWriter() { flush(); }
+
+void CsvPathWriter::flush() {
+  send(buffer_, out_);
+  out_.flush();
+}
+
+void CsvPathWriter::file(std::uint32_t index, const std::string& name) {
+  if (files_.size() <= index) files_.resize(index + 1);
+  if (name.find_first_of(",\"\r\n") == std::string::npos) {
+    files_[index] = name;
+    return;
+  }
+  std::string quoted = "\"";
+  for (const char c : name) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  files_[index] = quoted + '"';
+}
+
+void CsvPathWriter::motion(const Motion& motion, const ArcGeometry* arc) {
+  Buffer& b = buffer_;
+  const auto number = [&](double value) {
+    putNumber(b, value);
+    b.push_back(',');
+  };
+  const auto vector = [&](const Vec3& v) {
+    for (int axis = 0; axis < 3; ++axis) number(v[axis]);
+  };
+  putInteger(b, next_id_++);
+  b.push_back(',');
+  put(b, motionKindName(motion.kind));
+  put(b, arc ? ",arc," : ",line,");
+  vector(motion.from);
+  vector(motion.to);
+  number(motion.feed);
+  putInteger(b, motion.tool);
+  b.push_back(',');
+  number(motion.spindle);
+  number(motion.time_s);
+  if (arc) {
+    vector(arc->center);
+    vector(arc->normal);
+    number(radToDeg(arc->sweep_rad));
+  } else {
+    put(b, ",,,,,,,");
+  }
+  const SourceRef& s = motion.source;
+  if (s.file < files_.size()) put(b, files_[s.file]);
+  b.push_back(',');
+  putInteger(b, s.line);
+  put(b, s.block >= 0 ? ",N" : ",");
+  if (s.block >= 0) putInteger(b, s.block);
+  b.push_back(',');
+  putInteger(b, s.depth);
+  b.push_back('\n');
+  if (b.size() >= kFlushBytes) send(b, out_);
+}
+
+void CsvPathWriter::event(const PathEvent& event) { (void)event; }
+
+void CsvPathWriter::diagnostic(const Diagnostic& diagnostic) { (void)diagnostic; }
+
+Result<std::unique_ptr<MotionSink>> makePathWriter(std::string_view format, std::ostream& out,
+                                                   std::string_view control) {
+  if (format == "jsonl")
+    return std::unique_ptr<MotionSink>(std::make_unique<JsonLinesPathWriter>(out, control));
+  if (format == "csv") return std::unique_ptr<MotionSink>(std::make_unique<CsvPathWriter>(out));
+  return inputError(fmt::format("unknown path format {} (known: jsonl, csv)", format));
+}
+
+}  // namespace proveout

@@ -1,0 +1,63 @@
+// Writes what a virtual control does as text while it runs: JSON Lines (schema proveout.path/1) or CSV.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/path/toolpath.h"
+
+namespace proveout {
+
+/// One JSON object a line: a header, then motions, events and diagnostics in program order. Lengths mm, feed
+/// mm/min, angles degrees; numbers rounded to 1e-9 with no trailing zeros, -0 as 0. `block` is "" where the
+/// block has no N.
+class JsonLinesPathWriter : public MotionSink {
+ public:
+  /// Writes the header at once. `out` must outlive the writer; its state tells of write errors.
+  JsonLinesPathWriter(std::ostream& out, std::string_view control);
+  ~JsonLinesPathWriter() override;
+  void file(std::uint32_t index, const std::string& name) override;
+  void motion(const Motion& motion, const ArcGeometry* arc) override;
+  void event(const PathEvent& event) override;
+  void diagnostic(const Diagnostic& diagnostic) override;
+  void flush();
+
+ private:
+  void endLine();
+  void source(const SourceRef& source);
+
+  std::ostream& out_;
+  fmt::memory_buffer buffer_;
+  std::vector<std::string> files_;  ///< as JSON text
+  MotionId next_id_ = 0;
+};
+
+/// A table of the motions, with a header line. Events and diagnostics have no row.
+class CsvPathWriter : public MotionSink {
+ public:
+  explicit CsvPathWriter(std::ostream& out);
+  ~CsvPathWriter() override;
+  void file(std::uint32_t index, const std::string& name) override;
+  void motion(const Motion& motion, const ArcGeometry* arc) override;
+  void event(const PathEvent& event) override;
+  void diagnostic(const Diagnostic& diagnostic) override;
+  void flush();
+
+ private:
+  std::ostream& out_;
+  fmt::memory_buffer buffer_;
+  std::vector<std::string> files_;  ///< quoted where CSV needs it
+  MotionId next_id_ = 0;
+};
+
+/// `format` is "jsonl" or "csv". Error: another name.
+Result<std::unique_ptr<MotionSink>> makePathWriter(std::string_view format, std::ostream& out,
+                                                   std::string_view control);
+
+}  // namespace proveout
