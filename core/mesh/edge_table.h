@@ -9,8 +9,13 @@
 
 namespace proveout {
 
-/// True where all three indices are in range and differ.
-bool triangleIsProper(const TriMesh& mesh, std::size_t triangle);
+using TriangleIndices = std::array<std::uint32_t, 3>;
+
+/// True where all three indices are below `vertices` and differ.
+inline bool triangleIsProper(const TriangleIndices& t, std::size_t vertices) {
+  return t[0] < vertices && t[1] < vertices && t[2] < vertices && t[0] != t[1] && t[1] != t[2] &&
+         t[2] != t[0];
+}
 
 /// One directed edge of a triangle: corner `half_edge % 3` of triangle `half_edge / 3` and the corner after
 /// it.
@@ -22,7 +27,7 @@ struct HalfEdge {
 /// Half-edges of the proper triangles. Improper ones (see triangleIsProper) have no edges.
 class EdgeTable {
  public:
-  explicit EdgeTable(const TriMesh& mesh);
+  EdgeTable(std::size_t vertices, const std::vector<TriangleIndices>& triangles);
 
   /// Calls `visit(low, first, last)` for every undirected edge: `low` is its smaller vertex, [first, last)
   /// its half-edges in order of triangle.

@@ -6,21 +6,16 @@
 
 namespace proveout {
 
-bool triangleIsProper(const TriMesh& mesh, std::size_t triangle) {
-  const auto& t = mesh.triangles[triangle];
-  const std::size_t n = mesh.positions.size();
-  return t[0] < n && t[1] < n && t[2] < n && t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-}
-
 DisjointSets::DisjointSets(std::size_t size) : parent_(size) {
   std::iota(parent_.begin(), parent_.end(), 0u);
 }
 
-EdgeTable::EdgeTable(const TriMesh& mesh) : start_(mesh.positions.size() + 1, 0) {
+EdgeTable::EdgeTable(std::size_t vertices, const std::vector<TriangleIndices>& triangles)
+    : start_(vertices + 1, 0) {
   const auto eachHalfEdge = [&](auto&& visit) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (!triangleIsProper(mesh, t)) continue;
-      const auto& v = mesh.triangles[t];
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      if (!triangleIsProper(triangles[t], vertices)) continue;
+      const auto& v = triangles[t];
       for (std::uint32_t c = 0; c < 3; ++c) {
         const std::uint32_t a = v[c], b = v[(c + 1) % 3];
         visit(std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(3 * t + c));
@@ -74,7 +69,7 @@ void logPositionsAndTriangles(const TriMesh& mesh, DefectLog& log) {
     if (!p.allFinite()) log.add(log.result.non_finite_positions, p.cast<double>());
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (triangleIsProper(mesh, t)) continue;
+    if (triangleIsProper(mesh.triangles[t], mesh.positions.size())) continue;
     Vec3 where = Vec3::Zero();
     for (const std::uint32_t v : mesh.triangles[t]) {
       if (v < mesh.positions.size()) where = cornerOf(mesh, v);
@@ -101,7 +96,7 @@ void logEdge(const TriMesh& mesh, std::uint32_t low, const HalfEdge* first, cons
 void logVertices(const TriMesh& mesh, DisjointSets& corners, DefectLog& log) {
   std::vector<std::uint32_t> fans(mesh.positions.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!triangleIsProper(mesh, t)) continue;
+    if (!triangleIsProper(mesh.triangles[t], mesh.positions.size())) continue;
     for (std::uint32_t c = 0; c < 3; ++c) {
       const auto corner = static_cast<std::uint32_t>(3 * t + c);
       if (corners.find(corner) == corner) ++fans[mesh.triangles[t][c]];
@@ -131,7 +126,7 @@ MeshTopology analyseTopology(const TriMesh& mesh) {
   logPositionsAndTriangles(mesh, log);
   DisjointSets corners(3 * mesh.triangles.size());
   DisjointSets sheets(mesh.triangles.size());
-  const EdgeTable edges(mesh);
+  const EdgeTable edges(mesh.positions.size(), mesh.triangles);
   edges.forEachEdge([&](std::uint32_t low, const HalfEdge* first, const HalfEdge* last) {
     logEdge(mesh, low, first, last, log);
     for (const HalfEdge* h = first + 1; h < last; ++h) {
@@ -150,7 +145,7 @@ MeshTopology analyseTopology(const TriMesh& mesh) {
 
 std::vector<std::uint32_t> meshComponents(const TriMesh& mesh, std::uint32_t& count) {
   DisjointSets sheets(mesh.triangles.size());
-  const EdgeTable edges(mesh);
+  const EdgeTable edges(mesh.positions.size(), mesh.triangles);
   edges.forEachEdge([&](std::uint32_t, const HalfEdge* first, const HalfEdge* last) {
     for (const HalfEdge* h = first + 1; h < last; ++h) sheets.join(first->half_edge / 3, h->half_edge / 3);
   });

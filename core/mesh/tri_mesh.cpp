@@ -24,7 +24,7 @@ double meshVolume(const TriMesh& mesh) {
   const Vec3 origin = box.center();
   double six_volumes = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!triangleIsProper(mesh, t)) continue;
+    if (!triangleIsProper(mesh.triangles[t], mesh.positions.size())) continue;
     const auto& v = mesh.triangles[t];
     const Vec3 a = mesh.positions[v[0]].cast<double>() - origin;
     const Vec3 b = mesh.positions[v[1]].cast<double>() - origin;
@@ -37,7 +37,7 @@ double meshVolume(const TriMesh& mesh) {
 double meshArea(const TriMesh& mesh) {
   double two_areas = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!triangleIsProper(mesh, t)) continue;
+    if (!triangleIsProper(mesh.triangles[t], mesh.positions.size())) continue;
     const auto& v = mesh.triangles[t];
     const Vec3 a = mesh.positions[v[0]].cast<double>();
     const Vec3 b = mesh.positions[v[1]].cast<double>();

@@ -1,0 +1,150 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "removal/compare.h"
+#include "tests/unit/compare/shapes.h"
+
+namespace proveout {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const TriMesh kBox = shapes::box({0, 0, 0}, {10, 10, 10});
+
+std::string refusal(const TriMesh& mesh) {
+  const auto r = prepareNominal(mesh, "part.stl");
+  return r.ok() ? "accepted" : r.error().message;
+}
+
+PreparedMesh prepared(const TriMesh& mesh) {
+  auto r = prepareNominal(mesh, "part.stl");
+  EXPECT_TRUE(r.ok()) << r.error().message;
+  EXPECT_EQ(analyseTopology(r->mesh).boundary_edges, 0u);
+  EXPECT_EQ(analyseTopology(r->mesh).misoriented_edges, 0u);
+  return std::move(r).value();
+}
+
+TriMesh soup(const TriMesh& m, float noise) {
+  TriMesh s;
+  for (const auto& t : m.triangles) {
+    const auto n = static_cast<std::uint32_t>(s.positions.size());
+    for (const auto v : t) s.positions.push_back(m.positions[v] + Eigen::Vector3f::Constant(noise * (n % 5)));
+    s.triangles.push_back({n, n + 1, n + 2});
+  }
+  return s;
+}
+
+TEST(Prepare, GoodMeshPassesWithoutNotes) {
+  EXPECT_THAT(prepared(kBox).notes, ElementsAre());
+  EXPECT_DOUBLE_EQ(meshVolume(prepared(kBox).mesh), 1000.0);
+}
+
+TEST(Prepare, FacetsOfAnStlAreWelded) {
+  EXPECT_THAT(prepared(soup(kBox, 0.0f)).notes, ElementsAre());
+  EXPECT_EQ(prepared(soup(kBox, 0.0f)).mesh.positions.size(), 8u);
+}
+
+TEST(Prepare, TinyGapsAreClosedWithANote) {
+  const PreparedMesh p = prepared(soup(kBox, 1e-5f));
+  EXPECT_THAT(p.notes, ElementsAre(HasSubstr("closed gaps")));
+  EXPECT_NEAR(meshVolume(p.mesh), 1000.0, 0.1);
+}
+
+TEST(Prepare, AHoleIsRefusedWithItsPlace) {
+  TriMesh m = kBox;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t) {  // a triangle of the face x = 10
+    const auto& v = m.triangles[t];
+    if (m.positions[v[0]].x() + m.positions[v[1]].x() + m.positions[v[2]].x() < 29) continue;
+    m.triangles.erase(m.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+    break;
+  }
+  const std::string text = refusal(m);
+  EXPECT_THAT(text, StartsWith("part.stl: the mesh is not closed"));
+  EXPECT_THAT(text, HasSubstr("X10.000"));
+  EXPECT_THAT(text, HasSubstr("3 open edges"));
+  EXPECT_THAT(text, HasSubstr("export it again"));
+}
+
+TEST(Prepare, InsideOutIsTurnedWithANote) {
+  const PreparedMesh p = prepared(shapes::insideOut(kBox));
+  EXPECT_THAT(p.notes, ElementsAre(HasSubstr("inside out")));
+  EXPECT_DOUBLE_EQ(meshVolume(p.mesh), 1000.0);
+}
+
+TEST(Prepare, MixedFacetsAreMadeConsistent) {
+  TriMesh m = kBox;
+  std::swap(m.triangles[2][0], m.triangles[2][1]);
+  std::swap(m.triangles[9][0], m.triangles[9][1]);
+  const PreparedMesh p = prepared(m);
+  EXPECT_THAT(p.notes, ElementsAre(HasSubstr("mixed orientation")));
+  EXPECT_DOUBLE_EQ(meshVolume(p.mesh), 1000.0);
+}
+
+TEST(Prepare, ShellsAreOrientedByTheirDepth) {
+  const TriMesh hollow_ball = shapes::insideOut(shapes::sphere({5, 5, 5}, 2, 3));
+  const double expected = 1000.0 + meshVolume(hollow_ball);
+  EXPECT_THAT(prepared(shapes::together(kBox, hollow_ball)).notes, ElementsAre());
+  const PreparedMesh p = prepared(shapes::together(kBox, shapes::insideOut(hollow_ball)));
+  EXPECT_THAT(p.notes, ElementsAre(HasSubstr("a shell was inside out")));
+  EXPECT_NEAR(meshVolume(p.mesh), expected, 1e-3);
+  const PreparedMesh two =
+      prepared(shapes::together(kBox, shapes::insideOut(shapes::box({20, 0, 0}, {21, 1, 1}))));
+  EXPECT_NEAR(meshVolume(two.mesh), 1001.0, 1e-3);
+}
+
+TEST(Prepare, DoubledTrianglesAreDropped) {
+  TriMesh m = kBox;
+  m.triangles.push_back(m.triangles[4]);
+  const auto last = static_cast<std::uint32_t>(m.positions.size());
+  m.positions.push_back({3, 3, 12});
+  m.triangles.push_back({0, 1, last});  // a fin: two facets back to back
+  m.triangles.push_back({1, 0, last});
+  const PreparedMesh p = prepared(m);
+  EXPECT_THAT(p.notes, ElementsAre(HasSubstr("dropped 3 doubled")));
+  EXPECT_EQ(p.mesh.triangles.size(), 12u);
+}
+
+TEST(Prepare, BodiesThatShareAnEdgeAreAccepted) {
+  const TriMesh m = shapes::together(kBox, shapes::box({10, 10, 0}, {20, 20, 10}));
+  EXPECT_TRUE(prepareNominal(m, "part.stl").ok());
+  Progress progress;
+  const TriMesh nominal = prepareNominal(m, "part.stl")->mesh;
+  const auto c = compareToNominal(m, nominal, {.resolution_mm = 1.0}, progress);
+  ASSERT_TRUE(c.ok()) << c.error().message;
+  EXPECT_TRUE(c->pass());
+}
+
+TEST(Prepare, BadInputIsRefused) {
+  EXPECT_THAT(refusal({}), HasSubstr("no triangles"));
+  TriMesh m = kBox;
+  m.positions[3].y() = std::numeric_limits<float>::infinity();
+  EXPECT_THAT(refusal(m), HasSubstr("not a finite number"));
+  m = kBox;
+  m.triangles[5] = {1, 2, 77};
+  EXPECT_THAT(refusal(m), HasSubstr("triangle 6"));
+  m = kBox;
+  for (auto& p : m.positions) p.z() = 0.0f;  // flat: nothing left, or no volume
+  EXPECT_NE(refusal(m), "accepted");
+  // A surface with one side: five quads in a ring with a twist are open at their border as well.
+  TriMesh strip;
+  for (int i = 0; i < 5; ++i) {
+    const double a = 2 * kPi * i / 5, h = a / 2;
+    for (const double s : {-1.0, 1.0}) {
+      const double r = 10 + s * std::cos(h);
+      strip.positions.push_back(Vec3(r * std::cos(a), r * std::sin(a), s * std::sin(h)).cast<float>());
+    }
+  }
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    const std::uint32_t a = 2 * i, b = a + 1, c = i < 4 ? a + 2 : 1, d = i < 4 ? a + 3 : 0;
+    strip.triangles.push_back({a, c, b});
+    strip.triangles.push_back({b, c, d});
+  }
+  EXPECT_THAT(refusal(strip), HasSubstr("not closed"));
+}
+
+}  // namespace
+}  // namespace proveout
