@@ -1,5 +1,4 @@
-# Debian 12 packages. OpenVDB's own find module asks for Boost.Iostreams headers that
-# libopenvdb-dev does not pull in, so the library is looked up here by hand.
+# What the libraries and the program use: Debian 12 packages. Also installed, for the package config.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt 9 REQUIRED)
@@ -9,16 +8,21 @@ find_package(embree 3.13 REQUIRED)
 find_package(assimp REQUIRED)
 find_package(PNG REQUIRED)
 find_package(nlohmann_json 3 REQUIRED)
-find_package(CLI11 2 REQUIRED)
-find_path(PROVEOUT_TOMLPP_INCLUDE toml++/toml.h REQUIRED)
 
+# OpenVDB's own find module asks for Boost.Iostreams headers that libopenvdb-dev does not pull in, so the
+# library is looked up here by hand. An imported target, so that an export names it instead of its paths.
 find_path(PROVEOUT_OPENVDB_INCLUDE openvdb/openvdb.h REQUIRED)
 find_library(PROVEOUT_OPENVDB_LIBRARY openvdb REQUIRED)
 if(NOT TARGET proveout_openvdb)
-  add_library(proveout_openvdb INTERFACE)
+  add_library(proveout_openvdb INTERFACE IMPORTED GLOBAL)
   target_include_directories(proveout_openvdb SYSTEM INTERFACE ${PROVEOUT_OPENVDB_INCLUDE})
   target_link_libraries(proveout_openvdb INTERFACE ${PROVEOUT_OPENVDB_LIBRARY} TBB::tbb Imath::Imath)
 endif()
 
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
 find_package(CGAL 5.5 REQUIRED QUIET)
+
+if(NOT PROVEOUT_LIBRARIES_ONLY)
+  find_package(CLI11 2 REQUIRED)
+  find_path(PROVEOUT_TOMLPP_INCLUDE toml++/toml.h REQUIRED)
+endif()

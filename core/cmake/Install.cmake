@@ -1,0 +1,46 @@
+# Install tree and package config: find_package(proveout), then link proveout::core, ::removal, ::compare, ::io or ::render.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(PROVEOUT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/proveout)
+set(PROVEOUT_EXPORTED proveout_options)
+set_target_properties(proveout_options PROPERTIES EXPORT_NAME options)
+foreach(library core removal compare io render)
+  if(TARGET proveout_${library})
+    list(APPEND PROVEOUT_EXPORTED proveout_${library})
+  endif()
+endforeach()
+
+install(TARGETS ${PROVEOUT_EXPORTED} EXPORT proveoutTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(TARGET proveout)
+  install(TARGETS proveout RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+# Headers that a user of the libraries includes; the others are nobody's business outside.
+foreach(folder core/base core/geometry core/path core/tool core/nc)
+  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
+endforeach()
+install(FILES core/mesh/tri_mesh.h core/mesh/image.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/core/mesh)
+install(FILES removal/stock.h removal/stock_shape.h removal/compare.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal)
+foreach(folder io render)
+  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
+endforeach()
+
+install(EXPORT proveoutTargets NAMESPACE proveout:: DESTINATION ${PROVEOUT_PACKAGE_DIR})
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/proveoutConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/proveoutConfig.cmake INSTALL_DESTINATION ${PROVEOUT_PACKAGE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/proveoutConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/proveoutConfig.cmake ${PROJECT_BINARY_DIR}/proveoutConfigVersion.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/Dependencies.cmake
+        DESTINATION ${PROVEOUT_PACKAGE_DIR})
+
+# The consumer installs this build into a folder of the build tree and uses it from outside.
+if(PROVEOUT_BUILD_TESTS)
+  add_test(NAME Consumer.FindsTheInstalledPackage
+    COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DSOURCE=${PROJECT_SOURCE_DIR}/tests/consumer
+            -DWORK=${PROJECT_BINARY_DIR}/consumer -DCOMPILER=${CMAKE_CXX_COMPILER}
+            -DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER} -P ${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake)
+  set_tests_properties(Consumer.FindsTheInstalledPackage PROPERTIES TIMEOUT 300)
+endif()

@@ -1,0 +1,47 @@
+# Front door. The build itself is CMake: see CMakePresets.json.
+JOBS ?= $(shell nproc)
+DEMO ?= parts/bracket
+DEMO_OUT ?= out/$(notdir $(DEMO))
+PROVEOUT := build/release/bin/proveout
+
+.PHONY: help deps build demo test bench asan tsan clean
+
+help:
+	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
+	@echo 'make test   the same build, then the whole test suite'
+	@echo 'make build  build alone: $(PROVEOUT)'
+	@echo 'make bench  build and run the benchmarks'
+	@echo 'make asan   the test suite under the address and undefined-behaviour sanitizers'
+	@echo 'make tsan   the test suite under the thread sanitizer'
+	@echo 'make clean  remove build/ and out/'
+
+deps:
+	@.ci/install-deps
+
+build: deps
+	cmake --preset release
+	cmake --build --preset release -j $(JOBS)
+
+demo: build
+	@test -f $(DEMO)/job.toml || { echo 'no job file $(DEMO)/job.toml' >&2; exit 2; }
+	@mkdir -p $(DEMO_OUT)
+	@status=0; $(PROVEOUT) run $(DEMO)/job.toml --out $(DEMO_OUT) || status=$$?; \
+	if [ $$status -gt 1 ]; then exit $$status; fi; \
+	echo; echo 'Results in $(DEMO_OUT):'; ls -1 $(DEMO_OUT) | sed 's/^/  /'; \
+	echo 'Start with $(DEMO_OUT)/report.html'
+
+test: build
+	ctest --preset release -j $(JOBS) --output-on-failure
+
+bench: build
+	@found=0; for program in build/release/bin/bench_*; do \
+	  [ -x $$program ] || continue; found=1; echo "== $$program"; $$program || exit 1; \
+	done; [ $$found -eq 1 ] || { echo 'no benchmark was built' >&2; exit 1; }
+
+asan tsan: deps
+	cmake --preset $@
+	cmake --build --preset $@ -j $(JOBS)
+	ctest --preset $@ -j $(JOBS) --output-on-failure
+
+clean:
+	rm -rf build out
