@@ -196,8 +196,9 @@ class CutterComp {
   Vec2 frontStart() const;
 
   CompStatus checkInterference(CompOutput& out);
-  std::size_t firstInterference();
-  bool repair(std::size_t k, CompOutput& out);
+  std::size_t firstInterference(bool& by_chord);
+  bool repairableLater(std::size_t k);
+  bool repair(std::size_t k, bool extend, CompOutput& out);
   void dropBehindFront(std::size_t count, Corner corner);
 
   void emitFront(CompOutput& out);

@@ -30,10 +30,18 @@ std::optional<Corner> peelCorners(const Corner& first, const Corner& second, con
   return std::nullopt;
 }
 
+/// Meeting point of the offset curves of two elements of the same side.
+std::optional<Vec2> mends(const Element& a, const Element& b) {
+  if (!a.plain() || !b.plain() || a.rho_end * b.rho_start <= 0.0) return std::nullopt;
+  return meetOffsets(a, b);
+}
+
 }  // namespace comp_detail
 
-/// Index of the first element behind the front that interferes, within the look-ahead; 0 if none does.
-std::size_t CutterComp::firstInterference() {
+/// Index of the first element behind the front that interferes, within the look-ahead; 0 if none does. Sets
+/// `by_chord` if no single element runs backwards, only the way from the front to the found one.
+std::size_t CutterComp::firstInterference(bool& by_chord) {
+  by_chord = false;
   const Element& front = elements_.front();
   const std::size_t limit = 1 + static_cast<std::size_t>(std::clamp(policy_.extra_look_ahead, 0, 8));
   for (std::size_t i = 1; i + 1 < elements_.size() && i <= limit; ++i) {
@@ -45,7 +53,8 @@ std::size_t CutterComp::firstInterference() {
     if (e.rho_start * front.rho_end < 0.0) break;  // behind a change of side chords mean nothing
     const Vec2 programmed = planar(e.p1) - planar(front.p1);
     const Vec2 compensated = end - cornerAfter(0).points.front();
-    if (i >= 2 && programmed.dot(compensated) < -kReverseTolerance * programmed.norm()) return i;
+    by_chord = i >= 2 && programmed.dot(compensated) < -kReverseTolerance * programmed.norm();
+    if (by_chord) return i;
   }
   return 0;
 }
@@ -60,27 +69,43 @@ void CutterComp::dropBehindFront(std::size_t count, Corner corner) {
   elements_.front().corner = std::move(corner);
 }
 
-/// Leaves out elements 1..k; false if no new corner can be found.
-bool CutterComp::repair(std::size_t k, CompOutput& out) {
-  if (policy_.interference_alarm) return false;
-  std::optional<Corner> corner;
-  if (k == 1) corner = peelCorners(cornerAfter(0), cornerAfter(1), elements_[1]);
-  if (!corner) {
-    const Element &front = elements_.front(), &next = elements_[k + 1];
-    if (!front.plain() || !next.plain() || front.rho_end * next.rho_start <= 0.0) return false;
-    const auto x = meetOffsets(front, next);
-    if (!x) return false;
-    corner.emplace().points = {*x};
+/// True if an element between the front and element `k`, which runs backwards, can leave `k` out when its own
+/// turn comes. Mending there loses less of the contour than mending at the front.
+bool CutterComp::repairableLater(std::size_t k) {
+  const Element& next = elements_[k + 1];
+  for (std::size_t m = k - 1; m >= 1; --m) {
+    if (m == k - 1 && peelCorners(cornerAfter(m), cornerAfter(k), elements_[k])) return true;
+    if (mends(elements_[m], next)) return true;
   }
+  return false;
+}
+
+/// Leaves out elements 1..k so that the front meets what follows. Where that has no solution and element k
+/// itself runs backwards (`extend`), leaves out more, as far as the look-ahead shows.
+bool CutterComp::repair(std::size_t k, bool extend, CompOutput& out) {
+  std::optional<Corner> corner;
+  std::size_t dropped = k;
+  if (k == 1) corner = peelCorners(cornerAfter(0), cornerAfter(1), elements_[1]);
+  for (; !corner && dropped + 1 < elements_.size(); ++dropped) {
+    if (const auto x = mends(elements_.front(), elements_[dropped + 1])) {
+      corner.emplace().points = {*x};
+      break;
+    }
+    if (!extend || !elements_[dropped + 1].plain()) break;
+  }
+  if (!corner) return false;
   out.notes.push_back({CompWarning::kRepaired, elements_[1].tag});
-  dropBehindFront(k, std::move(*corner));
+  dropBehindFront(dropped, std::move(*corner));
   return true;
 }
 
 CompStatus CutterComp::checkInterference(CompOutput& out) {
-  while (const std::size_t k = firstInterference()) {
-    const std::uint64_t offending = elements_[k].tag;
-    if (!repair(k, out)) return {CompError::kInterference, offending, elements_.front().tag};
+  bool by_chord = false;
+  while (const std::size_t k = firstInterference(by_chord)) {
+    const CompStatus alarm{CompError::kInterference, elements_[k].tag, elements_.front().tag};
+    if (policy_.interference_alarm) return alarm;
+    if (k >= 2 && !by_chord && repairableLater(k)) break;
+    if (!repair(k, !by_chord, out)) return alarm;
   }
   // What the look-ahead of earlier blocks could not see: the front itself, between fixed corners.
   const Element& front = elements_.front();
