@@ -62,6 +62,26 @@ bool strictlyConvex(const FlatPolygon& flat) {
   return true;
 }
 
+/// Sign of the area of a triangle.
+int side(const Vec2& a, const Vec2& b, const Vec2& p) {
+  const double area = cross2(b - a, p - a);
+  return (area > 0.0) - (area < 0.0);
+}
+
+/// Two edges that do not share a corner cross at a point inside both.
+bool crossesItself(const FlatPolygon& flat) {
+  const std::size_t n = flat.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 &a = flat.points[i], &b = flat.points[(i + 1) % n];
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j == n - 1) continue;
+      const Vec2 &c = flat.points[j], &d = flat.points[(j + 1) % n];
+      if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;
+    }
+  }
+  return false;
+}
+
 /// No other corner lies in or on the triangle at corner i.
 bool isEar(const FlatPolygon& flat, std::size_t i) {
   if (flat.turn(i) <= 0.0) return false;
@@ -84,7 +104,7 @@ void addFan(TriMesh& mesh, std::span<const std::uint32_t> corners) {
   }
 }
 
-/// Cuts ears until a triangle is left. False if there is none to cut: the polygon crosses itself.
+/// Cuts ears until a triangle is left. False if there is none to cut: the outline touches or crosses itself.
 bool cutEars(TriMesh& mesh, FlatPolygon& flat) {
   while (flat.size() > 3) {
     std::size_t ear = 0;
@@ -138,8 +158,10 @@ std::string MeshBuilder::addPolygon(std::span<const std::uint32_t> corners) {
            std::to_string(kMaxConcaveCorners) + " can be cut into triangles";
   }
   const double whole = flat.area2;
+  const char* const kCrossing = "a face whose outline crosses itself";
+  if (crossesItself(flat)) return kCrossing;
   if (cutEars(mesh, flat)) return {};
-  if (!isSliver(flat, whole)) return "a face whose outline crosses itself";
+  if (!isSliver(flat, whole)) return kCrossing;
   addFan(mesh, flat.corners);
   return {};
 }

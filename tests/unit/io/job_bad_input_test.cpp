@@ -1,0 +1,236 @@
+// Every class of bad job file is refused, with the place and what to do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "job_fixture.h"
+
+namespace proveout {
+namespace {
+
+using namespace io_test;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string refused(const std::string& text) {
+  JobFolder folder;
+  return folder.refusal(text);
+}
+std::string refusedTool(const std::string& lines) {
+  return refused(kSmallJob + "[[tool]]\nnumber = 2\n" + lines + "\n");
+}
+std::string refusedEnd(const std::string& lines) { return refused(kSmallJob + lines + "\n"); }
+
+TEST(BadJob, UnknownKeyNamesTheNearestAndShowsTheLine) {
+  JobFolder folder;
+  EXPECT_EQ(
+      folder.refusal(replacedOnce(kSmallJob, "diameter = 10", "diamter = 10")),
+      folder.path("job.toml") +
+          ":8:1: error[job-missing]: [[tool]] 1 needs the key 'diameter'\n    [[tool]]\n    ^~~~~~~~\n" +
+          folder.path("job.toml") +
+          ":11:1: error[job-unknown-key]: [[tool]] 1 has no key 'diamter'; did you mean 'diameter'?\n"
+          "    diamter = 10\n    ^~~~~~~\n");
+}
+
+TEST(BadJob, UnknownKeysAtEveryLevel) {
+  EXPECT_THAT(
+      refused("nmae = 'x'\n" + kSmallJob),
+      HasSubstr(
+          "job.toml:1:1: error[job-unknown-key]: the job file has no key 'nmae'; did you mean 'name'?"));
+  EXPECT_THAT(refusedEnd("[simulation]\nresolutoin = 1"),
+              HasSubstr("[simulation] has no key 'resolutoin'; did you mean 'resolution'?"));
+  EXPECT_THAT(refusedEnd("[machine.limits]\nA = [0, 1]"),
+              HasSubstr("[machine.limits] has no key 'A'; the keys are X, Y, Z"));
+  EXPECT_THAT(refusedEnd("[offsets.work]\nG60 = [0, 0, 0]"), HasSubstr("'G60' is no work offset"));
+  EXPECT_THAT(refusedEnd("[offsets.work]\n\"G54.1 P100\" = [0, 0, 0]"), HasSubstr("is no work offset"));
+  EXPECT_THAT(refusedEnd("[offsets.length]\nH1 = 1"), HasSubstr("'H1' is no row"));
+  EXPECT_THAT(refusedEnd("[offsets.length]\n0 = 1"), HasSubstr("'0' is no row"));
+  EXPECT_THAT(refusedEnd("[offsets.length]\n1 = { geom = 1 }"), HasSubstr("has no key 'geom'"));
+  EXPECT_THAT(refusedEnd("[offsets.tool]\n1 = 1"), HasSubstr("[offsets] has no key 'tool'"));
+  EXPECT_THAT(refusedEnd("[spindle]\nx = 1"), HasSubstr("has no key 'spindle'"));
+  EXPECT_THAT(refusedEnd("[output]\nformat = ['stl']"), HasSubstr("did you mean 'formats'?"));
+  EXPECT_THAT(refusedEnd("[panel]\nskip = [1]"), HasSubstr("[panel] has no key 'skip'"));
+  // Keys of one shape are not keys of another.
+  EXPECT_THAT(refused(withStock(kSmallStock + "radius = 3")), HasSubstr("[stock] has no key 'radius'"));
+  EXPECT_THAT(refusedTool("type = 'flat'\ndiameter = 3\ncorner_radius = 1"),
+              HasSubstr("[[tool]] 2 has no key 'corner_radius'"));
+}
+
+TEST(BadJob, MissingKeys) {
+  for (const char* line :
+       {"schema = \"proveout.job/1\"\n", "control = \"nct\"\n", "program = \"bracket.nc\"\n", "number = 1\n",
+        "type = \"flat\"\n", "min = [0, 0, -20]\n", "shape = \"box\"\n"}) {
+    const std::string key = std::string(line).substr(0, std::string(line).find(' '));
+    EXPECT_THAT(refused(replacedOnce(kSmallJob, line, "")), HasSubstr("needs the key '" + key + "'"));
+  }
+  EXPECT_THAT(refused(""), AllOf(HasSubstr("needs the key 'program'"), HasSubstr("needs the key 'stock'"),
+                                 HasSubstr("needs the key 'tool'")));
+  EXPECT_THAT(refusedTool("type = 'bull'\ndiameter = 3"), HasSubstr("needs the key 'corner_radius'"));
+  EXPECT_THAT(refusedTool("type = 'cone'\ndiameter = 3"), HasSubstr("needs the key 'cone_angle'"));
+  EXPECT_THAT(refusedTool("type = 'taper'\ntip_diameter = 3\ntaper_angle = 3"),
+              HasSubstr("a taper needs diameter or flute_length"));
+  EXPECT_THAT(refusedEnd("[nominal]\ngouge = 1"), HasSubstr("[nominal] needs the key 'mesh'"));
+  EXPECT_THAT(refused(withStock("shape = 'cylinder'\nbase = [0, 0, 0]\nlength = 1")),
+              HasSubstr("needs the key 'diameter'"));
+}
+
+TEST(BadJob, WrongTypes) {
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "diameter = 10", "diameter = \"10\"")),
+              HasSubstr("11:12: error[job-type]: diameter must be a number, not a text"));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "number = 1", "number = 1.0")),
+              HasSubstr("number must be a whole number"));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "\"flat\"", "3")),
+              HasSubstr("type must be a text in quotes, not a whole number"));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "[0, 0, -20]", "[0, 0]")),
+              HasSubstr("min must be a list of three numbers"));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "[0, 0, -20]", "[0, true, 1]")),
+              HasSubstr("min: y must be a number, not true or false"));
+  EXPECT_THAT(refused("stock = 5\n" + replacedOnce(kSmallJob, "[stock]\n" + kSmallStock, "")),
+              HasSubstr("stock must be a table, not a whole number"));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "[[tool]]", "[tool]")),
+              HasSubstr("tool must be a list, not a table"));
+  EXPECT_THAT(refused("tool = [1]\n" + replacedOnce(kSmallJob, "[[tool]]", "[[x]]")),
+              HasSubstr("an entry of [[tool]] must be a table"));
+  EXPECT_THAT(refused("name = 1979-05-27\n" + kSmallJob),
+              HasSubstr("name must be a text in quotes, not a date or time"));
+  EXPECT_THAT(refusedEnd("[panel]\noptional_stop = 1"), HasSubstr("optional_stop must be true or false"));
+  EXPECT_THAT(refusedEnd("[machine]\nlimits = []"), HasSubstr("limits must be a table, not a list"));
+  EXPECT_THAT(refusedEnd("[machine.limits]\nX = 5"), HasSubstr("X must be a list of two numbers"));
+  EXPECT_THAT(refusedEnd("[output]\nformats = 'stl'"), HasSubstr("formats must be a list, not a text"));
+  EXPECT_THAT(refusedTool("type = 'flat'\ndiameter = 3\nholder = [[0, 1, 2]]"),
+              HasSubstr("[height above gauge line, radius]"));
+}
+
+TEST(BadJob, ValuesOutOfRange) {
+  for (const char* bad : {"0", "-3", "nan", "inf", "-inf", "1e300"}) {
+    EXPECT_THAT(refused(replacedOnce(kSmallJob, "diameter = 10", std::string("diameter = ") + bad)),
+                HasSubstr("diameter must be above 0 and at most 100000"))
+        << bad;
+  }
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "[0, 0, -20]", "[nan, 0, 0]")), HasSubstr("min: x must be"));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "[0, 0, -20]", "[0, 0, 0]")),
+              HasSubstr("max must be above min"));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "number = 1", "number = 0")),
+              HasSubstr("number must be from 1"));
+  EXPECT_THAT(refusedEnd("[simulation]\nresolution = 0"), HasSubstr("resolution must be at least 0.001"));
+  EXPECT_THAT(refusedEnd("[simulation]\nthreads = -1"), HasSubstr("threads must be from 0"));
+  EXPECT_THAT(refusedEnd("[simulation]\nmax_blocks = 0"), HasSubstr("max_blocks must be from 1"));
+  EXPECT_THAT(refusedEnd("[machine]\nrapid = 0"), HasSubstr("rapid must be above 0"));
+  EXPECT_THAT(refusedEnd("[machine]\nrapid = [1, 0, 1]"), HasSubstr("rapid: y must be above 0"));
+  EXPECT_THAT(refusedEnd("[machine]\nreference_points = [[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]]"),
+              HasSubstr("at most four"));
+  EXPECT_THAT(refusedEnd("[machine.limits]\nX = [5, 5]"), HasSubstr("the low limit must be below"));
+  EXPECT_THAT(refusedEnd("[panel]\nblock_skip = [10]"), HasSubstr("from 1 to 9"));
+  EXPECT_THAT(refusedEnd("[output]\nsize = [8, 600]"), HasSubstr("each from 16 to 8192"));
+  EXPECT_THAT(refusedEnd("[output]\nviews = ['iso', 'iso']"), HasSubstr("listed twice"));
+  EXPECT_THAT(refusedEnd("[output]\nviews = ['inside']"),
+              HasSubstr("there is no view 'inside'; there are iso, top"));
+  EXPECT_THAT(refusedEnd("[output]\nformats = ['stp']"),
+              HasSubstr("there is no output format 'stp', did you mean 'stl'?"));
+  EXPECT_THAT(refused(withStock("shape = 'tube'\nbase = [0,0,0]\nradius = 3\ninner_radius = 3\nlength = 1")),
+              HasSubstr("inner radius must be below"));
+  EXPECT_THAT(refused(withStock("shape = 'cylinder'\nbase = [0,0,0]\nradius = 3\ndiameter = 6\nlength = 1")),
+              HasSubstr("not both"));
+  EXPECT_THAT(refusedTool("type = 'cone'\ndiameter = 3\ncone_angle = 180"), HasSubstr("cone_angle must be"));
+  EXPECT_THAT(refusedEnd("[nominal]\nmesh = 'bracket.stl'\ngouge = -1"), HasSubstr("gouge must be above 0"));
+}
+
+TEST(BadJob, ToolsThatCannotBe) {
+  EXPECT_THAT(refusedTool("type = 'bull'\ndiameter = 4\ncorner_radius = 3"),
+              HasSubstr("error[job-tool]: tool 2: corner_radius is larger than the tool's radius"));
+  EXPECT_THAT(refused(kSmallJob + "[[tool]]\nnumber = 1\ntype = 'flat'\ndiameter = 3\n"),
+              HasSubstr("there are two tools with number 1"));
+}
+
+TEST(BadJob, WhatThisVersionCannotSimulate) {
+  for (const char* type : {"insert", "wire", "form", "dovetail", "tslot", "thread-mill"}) {
+    // Keys of such tools are not called unknown: the type is what is wrong.
+    const std::string text = refusedTool(std::string("type = '") + type + "'\nnose_radius = 0.4");
+    EXPECT_THAT(text,
+                HasSubstr(std::string("tools of type '") + type + "' cannot be simulated by this version"));
+    EXPECT_THAT(text, Not(HasSubstr("unknown-key")));
+  }
+  EXPECT_THAT(refusedTool("type = 'bal'\ndiameter = 3"),
+              HasSubstr("type 'bal' is not known, did you mean 'ball'?"));
+  EXPECT_THAT(refusedEnd("[[fixture]]\nmesh = 'bracket.stl'"),
+              HasSubstr("fixtures cannot be simulated by this version"));
+}
+
+TEST(BadJob, NamesThatAreNotKnown) {
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "\"nct\"", "\"fanuc\"")),
+              HasSubstr("control 'fanuc' is not known; there are nct, flexnc"));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "job/1", "job/2")),
+              HasSubstr("schema 'proveout.job/2' is not known"));
+  EXPECT_THAT(refused("units = 'cm'\n" + kSmallJob), HasSubstr("units 'cm' is not known"));
+  EXPECT_THAT(refused("encoding = 'latin1'\n" + kSmallJob), HasSubstr("encoding 'latin1' is not known"));
+}
+
+TEST(BadJob, ControlTables) {
+  const std::string head = replacedOnce(kSmallJob, "control = \"nct\"\n", "");
+  JobFolder folder;
+  folder.names.parameters["nct"] = {{"N1339", 0, 10}};
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'nct'\n[control.nct]\nN1338 = 1\n"),
+              HasSubstr("control 'nct' has no parameter 'N1338'; did you mean 'N1339'?"));
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'nct'\n[control.nct]\nN1339 = 11\n"),
+              HasSubstr("N1339 must be at least 0 and at most 10"));
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'nct'\n[control.nct]\nN1339 = 'x'\n"),
+              HasSubstr("N1339 must be a number"));
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'nct'\n[control.flexnc]\nx = 1\n"),
+              HasSubstr("[control] has no key 'flexnc'"));
+  EXPECT_THAT(folder.refusal(head + "[control.nct]\nN1339 = 1\n"),
+              HasSubstr("[control] needs the key 'name'"));
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'nct'\n[control.nct]\nN1.SEC = 1\n\"N1.SEC\" = 2\n"),
+              HasSubstr("has no parameter"));
+  folder.names.parameters.clear();
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'nct'\n[control.nct]\nN1.SEC = 1\n\"N1.SEC\" = 2\n"),
+              HasSubstr("set twice"));
+}
+
+TEST(BadJob, FilesThatAreNotThere) {
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "bracket.nc", "braket.nc")),
+              AllOf(HasSubstr("3:11: error[job-file]: program:"), HasSubstr("there is no such file")));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "\"bracket.nc\"", "\"\"")),
+              HasSubstr("program must not be empty"));
+  EXPECT_THAT(refused(replacedOnce(kSmallJob, "\"bracket.nc\"", "\".\"")), HasSubstr("is a folder"));
+  EXPECT_THAT(refused("subprograms = ['bracket.nc', 'nowhere']\n" + kSmallJob),
+              HasSubstr("an entry of subprograms:"));
+  EXPECT_THAT(refusedEnd("[nominal]\nmesh = 'none.stl'"), HasSubstr("none.stl: there is no such file"));
+  EXPECT_THAT(refusedEnd("[machine]\nfile = 'none.toml'"), HasSubstr("none.toml: there is no such file"));
+  EXPECT_THAT(refused(withStock("shape = 'vdb'\nfile = 'none.vdb'")),
+              HasSubstr("none.vdb: there is no such file"));
+  Diagnostics diagnostics;
+  EXPECT_FALSE(loadJob("/nowhere/job.toml", {}, diagnostics));
+  EXPECT_THAT(formatDiagnostic(diagnostics.all().at(0)),
+              HasSubstr("error[job-file]: /nowhere/job.toml: there is no such file"));
+  EXPECT_FALSE(loadJob("/", {}, diagnostics));
+}
+
+TEST(BadJob, MachineFilesAreCheckedToo) {
+  JobFolder folder;
+  folder.write("m.toml", "rapid = 1\nfile = 'm.toml'\n");
+  const std::string text = folder.refusal(kSmallJob + "[machine]\nfile = 'm.toml'\n");
+  EXPECT_THAT(text, HasSubstr("m.toml:2:1: error[job-unknown-key]: the machine file has no key 'file'"));
+}
+
+TEST(BadJob, Syntax) {
+  EXPECT_THAT(refused(kSmallJob + "x = = 1\n"),
+              AllOf(HasSubstr("job.toml:12:5: error[job-syntax]:"), HasSubstr("    x = = 1\n        ^")));
+  EXPECT_THAT(refused(kSmallJob + "diameter = 10\n"), HasSubstr("error[job-syntax]"));
+  EXPECT_THAT(refused("name = \"\xff\"\n" + kSmallJob), HasSubstr("error[job-syntax]"));
+  EXPECT_THAT(refused("name = \"open\n"), HasSubstr("error[job-syntax]"));
+  EXPECT_THAT(refused("x = " + std::string(100000, '[')), HasSubstr("error[job-syntax]"));
+  EXPECT_THAT(refused(std::string("\0\0\0", 3)), HasSubstr("error[job-syntax]"));
+  // Columns count bytes, so that the caret stands under the place whatever stands before it.
+  EXPECT_THAT(refused("name = \"\xc3\xa9\xc3\xa9\" @\n"), HasSubstr("job.toml:1:15: error[job-syntax]"));
+}
+
+TEST(BadJob, AllErrorsAreReportedAtOnce) {
+  JobFolder folder;
+  folder.refusal(
+      replacedOnce(replacedOnce(kSmallJob, "diameter = 10", "diameter = -1"), "bracket.nc", "none.nc") +
+      "[simulation]\nresolution = -1\nthreads = 'all'\n");
+  EXPECT_EQ(folder.diagnostics.errorCount(), 4) << folder.text();
+}
+
+}  // namespace
+}  // namespace proveout

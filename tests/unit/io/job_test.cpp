@@ -1,0 +1,253 @@
+#include "io/job.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "job_fixture.h"
+
+namespace proveout {
+namespace {
+
+using namespace io_test;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(Job, ReadsTheExampleOfTheReference) {
+  JobFolder folder;
+  folder.write("subs/O0001.nc", "");
+  const auto job = folder.load(R"(
+schema = "proveout.job/1"
+name = "bracket"
+control = "nct"
+program = "bracket.nc"
+encoding = "koi8-r"
+subprograms = ["subs"]
+units = "inch"
+[machine]
+rapid = 12000
+start = [0, 0, 50]
+reference_points = [[0, 0, 100], [10, 0, 100.5]]
+tool_change_s = 3.5
+default_spindle = 800
+[machine.limits]
+X = [-400, 400]
+Z = [-100.5, 200]
+[stock]
+shape = "box"
+min = [0, 0, -20]
+max = [80, 80, 0]
+[nominal]
+mesh = "bracket.stl"
+unit = "inch"
+gouge = 0.03
+excess = 0.06
+[[tool]]
+number = 1
+name = "ball nose"
+type = "ball"
+diameter = 3.175
+flute_length = 12
+overall_length = 40
+gauge_length = 5
+holder = [[0, 10], [20, 10], [20, 16]]
+[[tool]]
+number = 12
+type = "flat"
+diameter = 10
+shank_diameter = 12
+[offsets.work]
+G54 = [100, 50, -20]
+G59 = [1, 2, 3]
+"G54.1 P7" = [4, 5, 6]
+common = [0.5, 0, 0]
+[offsets.rotation]
+G55 = [0, 0, 30]
+[offsets.length]
+1 = 100.5
+2 = { geometry = 90, wear = -0.02 }
+[offsets.radius]
+1 = 1.5875
+[panel]
+block_skip = [1, 3]
+optional_stop = true
+[simulation]
+resolution = 0.1
+threads = 2
+max_memory_gb = 1.5
+max_blocks = 5000
+lenient = true
+[output]
+formats = ["stl", "obj", "vdb"]
+views = ["top"]
+size = [800, 600]
+)");
+  ASSERT_TRUE(job) << folder.text();
+  EXPECT_EQ(job->name, "bracket");
+  EXPECT_EQ(job->control, "nct");
+  EXPECT_EQ(job->program, folder.path("bracket.nc"));
+  EXPECT_THAT(job->subprograms, ElementsAre(folder.path("subs")));
+  const ControlSettings& s = job->settings;
+  EXPECT_EQ(s.encoding, TextEncoding::kKoi8R);
+  EXPECT_EQ(s.units, LengthUnit::kInch);
+  EXPECT_EQ(s.rapid_mm_min, Vec3::Constant(12000));
+  EXPECT_EQ(job->start, Vec3(0, 0, 50));
+  EXPECT_EQ(s.reference_points[1], Vec3(10, 0, 100.5));
+  EXPECT_FALSE(s.reference_points[2].has_value());
+  EXPECT_EQ(s.tool_change_s, 3.5);
+  EXPECT_EQ(s.default_spindle_rpm, 800);
+  EXPECT_EQ(s.limits[0]->min, -400);
+  EXPECT_FALSE(s.limits[1].has_value());
+  EXPECT_EQ(s.limits[2]->max, 200);
+  EXPECT_EQ(std::get<BoxShape>(*job->stock).max, Vec3(80, 80, 0));
+  EXPECT_EQ(job->nominal->mesh.path, folder.path("bracket.stl"));
+  EXPECT_EQ(job->nominal->mesh.unit, MeshUnit::kInch);
+  EXPECT_EQ(job->nominal->gouge_mm, 0.03);
+  EXPECT_EQ(job->nominal->excess_mm, 0.06);
+  ASSERT_EQ(job->tools.size(), 2u);
+  EXPECT_EQ(job->tools[0].type, ToolType::kBall);
+  EXPECT_EQ(job->tools[0].name, "ball nose");
+  EXPECT_THAT(job->tools[0].holder, ElementsAre(Vec2(0, 10), Vec2(20, 10), Vec2(20, 16)));
+  EXPECT_EQ(job->tools[1].number, 12);
+  EXPECT_EQ(job->tools[1].shank_diameter, 12);
+  EXPECT_EQ(s.gauge_lengths.at(1), 5);
+  EXPECT_EQ(s.work_offsets[0], Vec3(100, 50, -20));
+  EXPECT_EQ(s.work_offsets[5], Vec3(1, 2, 3));
+  EXPECT_EQ(s.extended_offsets.at(7), Vec3(4, 5, 6));
+  EXPECT_EQ(s.common_offset, Vec3(0.5, 0, 0));
+  EXPECT_EQ(s.work_rotations_deg[1], Vec3(0, 0, 30));
+  EXPECT_EQ(s.length_offsets.at(1).geometry, 100.5);
+  EXPECT_EQ(s.length_offsets.at(2).wear, -0.02);
+  EXPECT_EQ(s.radius_offsets.at(1).geometry, 1.5875);
+  EXPECT_TRUE(s.skip_switches[0] && !s.skip_switches[1] && s.skip_switches[2]);
+  EXPECT_TRUE(s.optional_stop && s.lenient);
+  EXPECT_EQ(s.block_limit, 5000u);
+  EXPECT_EQ(job->simulation.resolution_mm, 0.1);
+  EXPECT_EQ(job->simulation.threads, 2);
+  EXPECT_EQ(job->simulation.max_memory_gb, 1.5);
+  EXPECT_THAT(job->output.formats, ElementsAre(OutputFormat::kStl, OutputFormat::kObj, OutputFormat::kVdb));
+  EXPECT_THAT(job->output.views, ElementsAre("top"));
+  EXPECT_EQ(job->output.width, 800);
+}
+
+TEST(Job, NeedsLittle) {
+  JobFolder folder;
+  const auto job = folder.load(kSmallJob);
+  ASSERT_TRUE(job) << folder.text();
+  EXPECT_EQ(job->name, "job");
+  EXPECT_FALSE(job->nominal.has_value());
+  EXPECT_FALSE(job->start.has_value());
+  EXPECT_FALSE(job->simulation.resolution_mm.has_value());
+  EXPECT_THAT(job->output.formats, ElementsAre(OutputFormat::kStl));
+  EXPECT_EQ(job->settings.encoding, TextEncoding::kAuto);
+}
+
+TEST(Job, ReadsEveryToolType) {
+  JobFolder folder;
+  const auto job = folder.load(std::string(kSmallJob) + R"(
+[[tool]]
+number = 2
+type = "bull"
+diameter = 10
+corner_radius = 2
+[[tool]]
+number = 3
+type = "cone"
+diameter = 6
+tip_diameter = 0.2
+cone_angle = 60
+[[tool]]
+number = 4
+type = "drill"
+diameter = 5
+[[tool]]
+number = 5
+type = "taper"
+tip_diameter = 2
+taper_angle = 3
+flute_length = 20
+[[tool]]
+number = 6
+type = "taper"
+tip_diameter = 1
+taper_angle = 45
+diameter = 5
+)");
+  ASSERT_TRUE(job) << folder.text();
+  ASSERT_EQ(job->tools.size(), 6u);
+  EXPECT_EQ(job->tools[1].corner_radius, 2);
+  EXPECT_EQ(job->tools[2].cone_angle_deg, 60);
+  EXPECT_EQ(job->tools[3].point_angle_deg, 118);
+  // A taper of 3 degrees a side widens by 2 x 20 x tan 3 deg over 20 mm.
+  EXPECT_EQ(job->tools[4].type, ToolType::kCone);
+  EXPECT_EQ(job->tools[4].cone_angle_deg, 6);
+  EXPECT_NEAR(job->tools[4].diameter, 2 + 40 * 0.052407779283, 1e-9);
+  EXPECT_EQ(job->tools[5].cone_angle_deg, 90);
+  EXPECT_EQ(job->tools[5].diameter, 5);
+}
+
+TEST(Job, ReadsEveryStock) {
+  JobFolder folder;
+  folder.write("blank.stl", "x");
+  folder.write("blank.vdb", "x");
+  const auto stock = [&](const std::string& text) {
+    const auto job = folder.load(withStock(text));
+    EXPECT_TRUE(job) << folder.text();
+    return job ? *job->stock : StockSpec();
+  };
+  const auto cylinder = std::get<CylinderShape>(
+      stock("shape = 'cylinder'\naxis = 'x'\nbase = [1, 2, 3]\ndiameter = 10\nlength = 30"));
+  EXPECT_EQ(cylinder.axis, 0);
+  EXPECT_EQ(cylinder.base, Vec3(1, 2, 3));
+  EXPECT_EQ(cylinder.radius, 5);
+  EXPECT_EQ(cylinder.inner_radius, 0);
+  EXPECT_EQ(cylinder.length, 30);
+  const auto tube = std::get<CylinderShape>(
+      stock("shape = 'tube'\nbase = [0, 0, 0]\nradius = 10\ninner_diameter = 8\nlength = 30"));
+  EXPECT_EQ(tube.axis, 2);
+  EXPECT_EQ(tube.inner_radius, 4);
+  const auto mesh = std::get<MeshFile>(stock("shape = 'mesh'\nfile = 'blank.stl'\nunit = 'm'"));
+  EXPECT_EQ(mesh.path, folder.path("blank.stl"));
+  EXPECT_EQ(mesh.unit, MeshUnit::kMetre);
+  EXPECT_EQ(std::get<SavedStock>(stock("shape = 'vdb'\nfile = 'blank.vdb'")).path, folder.path("blank.vdb"));
+}
+
+TEST(Job, ReadsControlParameters) {
+  JobFolder folder;
+  folder.names.parameters["nct"] = {{"N1339", 0, 10}, {"N1337.SEC", 0, 1}};
+  const auto good = folder.load(replacedOnce(kSmallJob, "control = \"nct\"\n", "") +
+                                "[control]\nname = \"nct\"\n[control.nct]\nN1339 = 0.01\nN1337.SEC = 1\n");
+  ASSERT_TRUE(good) << folder.text();
+  EXPECT_THAT(good->settings.parameters, ElementsAre(std::pair<const std::string, double>("N1337.SEC", 1),
+                                                     std::pair<const std::string, double>("N1339", 0.01)));
+}
+
+TEST(Job, ReadsAMachineFileAndChangesIt) {
+  JobFolder folder;
+  folder.write("machines/vmc.toml",
+               "rapid = [30000, 30000, 20000]\ntool_change_s = 4\n[limits]\nX = [0, 500]\nY = [0, 400]\n");
+  const auto job = folder.load(
+      std::string(kSmallJob) +
+      "[machine]\nfile = 'machines/vmc.toml'\ntool_change_s = 2\n[machine.limits]\nX = [0, 450]\n");
+  ASSERT_TRUE(job) << folder.text();
+  EXPECT_EQ(job->settings.rapid_mm_min, Vec3(30000, 30000, 20000));
+  EXPECT_EQ(job->settings.tool_change_s, 2);
+  EXPECT_EQ(job->settings.limits[0]->max, 450);
+  EXPECT_EQ(job->settings.limits[1]->max, 400);
+}
+
+TEST(NearestName, FindsSlipsOnly) {
+  const std::vector<std::string> names = {"diameter", "flute_length", "number", "type"};
+  EXPECT_EQ(nearestName("diamter", names), "diameter");
+  EXPECT_EQ(nearestName("daimeter", names), "diameter");
+  EXPECT_EQ(nearestName("flutelength", names), "flute_length");
+  EXPECT_EQ(nearestName("typ", names), "type");
+  EXPECT_EQ(nearestName("feed", names), "");
+  EXPECT_EQ(nearestName("", names), "");
+  EXPECT_EQ(nearestName("x", {"y"}), "");
+  EXPECT_EQ(nearestName(std::string(100000, 'd'), names), "");
+}
+
+}  // namespace
+}  // namespace proveout

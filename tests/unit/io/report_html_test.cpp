@@ -1,0 +1,130 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/report_html_parts.h"
+#include "io/report_text.h"
+#include "report_sample.h"
+
+namespace proveout {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+TEST(ReportHtml, ShowsTheReport) {
+  const std::string html = reportHtml(io_test::sampleReport(), {{"iso", "png bytes"}});
+  EXPECT_THAT(html, HasSubstr("<div class=\"verdict fail\">fail</div>"));
+  EXPECT_THAT(html, HasSubstr("1 × gouge, 1 × rapid contact; 1 warning"));
+  EXPECT_THAT(html, HasSubstr("7 min 11 s"));
+  EXPECT_THAT(html, HasSubstr("O0100.nc:12 (N70)"));
+  EXPECT_THAT(html, HasSubstr("<td class=\"num\" data-label=\"Depth mm\">0.250</td>"));
+  EXPECT_THAT(html, HasSubstr("20.12, 31.50, -5.25"));
+  EXPECT_THAT(html, HasSubstr("ball 3.175"));
+  EXPECT_THAT(html, HasSubstr("deepest gouge (allowed 0.02)"));
+  EXPECT_THAT(html, HasSubstr("<svg class=\"chart\""));
+  EXPECT_THAT(html, HasSubstr("Arcs are cut as arcs."));
+  EXPECT_THAT(html, HasSubstr(std::string(64, 'c')));
+  EXPECT_THAT(html, HasSubstr("data:image/png;base64,cG5nIGJ5dGVz"));
+  EXPECT_THAT(html, HasSubstr("412 MB"));
+}
+
+TEST(ReportHtml, NeedsNoNetworkAndNoScript) {
+  const std::string html = reportHtml(io_test::sampleReport(), {{"iso", "png"}});
+  for (const char* word : {"http:", "https:", "<script", "<link", "@import", "url(", "src=\"/"}) {
+    EXPECT_THAT(html, Not(HasSubstr(word)));
+  }
+}
+
+TEST(ReportHtml, EscapesEverything) {
+  Report r = io_test::sampleReport();
+  const std::string evil = "<script>alert(\"1\")</script>&";
+  r.name = r.version = r.program.control = evil;
+  r.findings[0].kind = r.findings[0].message = r.findings[0].source->file = r.findings[0].source->text = evil;
+  r.time.per_tool[0].name = r.time.per_tool[0].description = evil;
+  r.stock->bodies[0].role = r.comparison->nominal = evil;
+  r.error_budget[0].source = r.error_budget[0].statement = evil;
+  r.diagnostics[0].message = r.diagnostics[0].code = r.diagnostics[0].source_line = evil;
+  r.diagnostics[0].where.file = r.diagnostics[0].notes[0] = evil;
+  r.inputs[0] = {evil, evil, 1, evil};
+  r.outputs.meshes[0] = {evil, evil, evil};
+  r.part_sha256 = evil;
+  const std::string html = reportHtml(r, {{evil, "png"}});
+  EXPECT_THAT(html, Not(HasSubstr("<script")));
+  EXPECT_THAT(html, Not(HasSubstr("\"1\"")));
+  EXPECT_GE(count(html, "&lt;script&gt;"), 24u);
+}
+
+TEST(ReportHtml, TablesAreWellFormed) {
+  const std::string html = reportHtml(io_test::sampleReport(), {});
+  for (const char* tag : {"section", "table", "tr", "td", "dl", "div", "svg", "main", "body", "html"}) {
+    const std::string name(tag);
+    EXPECT_EQ(count(html, "<" + name + ">") + count(html, "<" + name + " "), count(html, "</" + name + ">"))
+        << tag;
+  }
+}
+
+TEST(ReportHtml, PassWithoutNominalSaysSo) {
+  Report r;
+  r.verdict = Verdict::kPass;
+  EXPECT_THAT(reportHtml(r, {}), HasSubstr("nothing found; no nominal was compared"));
+  r.checks.comparison = true;
+  r.comparison = ReportComparison();
+  const std::string html = reportHtml(r, {}, {false});
+  EXPECT_THAT(html, HasSubstr("nothing over tolerance"));
+  EXPECT_THAT(html, Not(HasSubstr("Peak memory")));
+  EXPECT_THAT(html, Not(HasSubstr("<svg")));
+}
+
+TEST(ReportHtml, CountsWhatItDoesNotShow) {
+  Report r = io_test::sampleReport();
+  r.findings.assign(1203, r.findings[0]);
+  const std::string html = reportHtml(r, {});
+  EXPECT_THAT(html, HasSubstr("703 more are in report.json"));
+  EXPECT_THAT(html, HasSubstr("Findings (1203)"));
+}
+
+// RFC 4648, section 10.
+TEST(PngDataUri, IsBase64) {
+  const std::string head = "data:image/png;base64,";
+  EXPECT_EQ(report_html::pngDataUri(""), head);
+  EXPECT_EQ(report_html::pngDataUri("f"), head + "Zg==");
+  EXPECT_EQ(report_html::pngDataUri("fo"), head + "Zm8=");
+  EXPECT_EQ(report_html::pngDataUri("foo"), head + "Zm9v");
+  EXPECT_EQ(report_html::pngDataUri("foobar"), head + "Zm9vYmFy");
+  EXPECT_EQ(report_html::pngDataUri("\xff\xfe\xfd"), head + "//79");
+}
+
+TEST(Histogram, DrawsABarForEveryBinWithArea) {
+  const ReportComparison c = *io_test::sampleReport().comparison;
+  std::size_t filled = 0;
+  for (const double area : c.histogram_area_mm2) filled += area > 0.0 ? 1 : 0;
+  const std::string svg = report_html::histogramSvg(c);
+  EXPECT_EQ(count(svg, "<title>"), filled);
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(svg, Not(HasSubstr("inf")));
+  EXPECT_THAT(svg, HasSubstr("class=\"gouge\""));
+}
+
+TEST(Histogram, RefusesDataThatCannotBeDrawn) {
+  ReportComparison c = *io_test::sampleReport().comparison;
+  c.histogram_edges_mm.pop_back();
+  EXPECT_EQ(report_html::histogramSvg(c), "");
+  c = *io_test::sampleReport().comparison;
+  c.histogram_area_mm2[3] = std::nan("");
+  EXPECT_EQ(report_html::histogramSvg(c), "");
+  c.histogram_area_mm2.assign(60, 0.0);
+  EXPECT_EQ(report_html::histogramSvg(c), "");
+  // One bin of one area is drawn, however small.
+  c.histogram_edges_mm = {-1e-9, 1e-9};
+  c.histogram_area_mm2 = {1e-7};
+  EXPECT_EQ(count(report_html::histogramSvg(c), "<title>"), 1u);
+}
+
+}  // namespace
+}  // namespace proveout

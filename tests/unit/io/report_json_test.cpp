@@ -1,0 +1,121 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "report_sample.h"
+
+namespace proveout {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(ReportJson, HoldsWhatTheReportHolds) {
+  const Json j = Json::parse(reportJson(io_test::sampleReport()));
+  EXPECT_EQ(j["schema"], "proveout.report/1");
+  EXPECT_EQ(j["verdict"], "fail");
+  EXPECT_EQ(j["program"]["files"], Json({"bracket.nc", "O0100.nc"}));
+  EXPECT_EQ(j["program"]["motions"], 15159);
+  EXPECT_EQ(j["time"]["cycle_s"], 431.24);
+  EXPECT_EQ(j["time"]["per_tool"][0]["removed_mm3"], 39730.12);
+  EXPECT_EQ(j["stock"]["mesh_mm3"], 82377.91);
+  EXPECT_EQ(j["stock"]["bodies"][0]["role"], "part");
+  EXPECT_EQ(j["stock"]["bodies"][0]["bounds"]["min"]["z"], -20);
+  EXPECT_EQ(j["resolution_mm"], 0.25);
+  const Json& gouge = j["findings"][0];
+  EXPECT_EQ(gouge["kind"], "gouge");
+  EXPECT_EQ(gouge["severity"], "error");
+  EXPECT_EQ(gouge["where"]["x"], 20.125);
+  EXPECT_EQ(gouge["depth_mm"], 0.25);
+  EXPECT_EQ(gouge["source"]["file"], "O0100.nc");
+  EXPECT_EQ(gouge["source"]["line"], 12);
+  EXPECT_EQ(gouge["source"]["block"], "N70");
+  EXPECT_EQ(gouge["tool"], 1);
+  EXPECT_FALSE(j["findings"][1].contains("area_mm2"));
+  EXPECT_FALSE(j["findings"][1]["source"].contains("block"));
+  EXPECT_FALSE(j["findings"][2].contains("where"));
+  EXPECT_EQ(j["comparison"]["max_gouge_mm"], 0.25);
+  EXPECT_EQ(j["comparison"]["histogram"]["edges_mm"].size(), 61u);
+  EXPECT_EQ(j["comparison"]["histogram"]["area_mm2"].size(), 60u);
+  EXPECT_TRUE(j["comparison"]["deciding_resolution_mm"].is_null());
+  EXPECT_EQ(j["error_budget"][0]["bound_mm"], 0.0012);
+  EXPECT_TRUE(j["error_budget"][3]["bound_mm"].is_null());
+  EXPECT_EQ(j["diagnostics"][0]["source"]["line"], 3);
+  EXPECT_EQ(j["hashes"]["inputs"][1]["sha256"], std::string(64, 'b'));
+  EXPECT_EQ(j["hashes"]["part_sha256"], std::string(64, 'c'));
+  EXPECT_EQ(j["outputs"]["meshes"][0]["path"], "part.stl");
+  EXPECT_EQ(j["outputs"]["html"], "report.html");
+  EXPECT_EQ(j["performance"]["wall_s"], 3.25);
+  EXPECT_EQ(j["performance"]["peak_memory_mb"], 412.0);
+}
+
+TEST(ReportJson, KeepsTheOrderOfKeys) {
+  std::vector<std::string> keys;
+  const Json j = Json::parse(reportJson(io_test::sampleReport()));
+  for (const auto& [key, value] : j.items()) keys.push_back(key);
+  EXPECT_THAT(keys, ElementsAre("schema", "version", "name", "verdict", "checks", "program", "time", "stock",
+                                "resolution_mm", "findings", "comparison", "error_budget", "diagnostics",
+                                "hashes", "outputs", "performance"));
+}
+
+TEST(ReportJson, WithoutPerformanceDependsOnTheInputsAlone) {
+  Report a = io_test::sampleReport(), b = a;
+  b.performance.wall_s = 99;
+  b.performance.threads = 7;
+  EXPECT_EQ(reportJson(a, {false}), reportJson(b, {false}));
+  EXPECT_NE(reportJson(a), reportJson(b));
+  EXPECT_FALSE(Json::parse(reportJson(a, {false})).contains("performance"));
+}
+
+TEST(ReportJson, SaysWhatIsNotThere) {
+  const Json j = Json::parse(reportJson(Report()));
+  EXPECT_EQ(j["verdict"], "error");
+  EXPECT_TRUE(j["stock"].is_null());
+  EXPECT_TRUE(j["comparison"].is_null());
+  EXPECT_TRUE(j["resolution_mm"].is_null());
+  EXPECT_EQ(j["findings"].size(), 0u);
+}
+
+TEST(ReportJson, SurvivesOddValues) {
+  Report r = io_test::sampleReport();
+  r.findings[0].depth_mm = std::numeric_limits<double>::quiet_NaN();
+  r.findings[0].source->text = "N1 (\xcf\xf0\xee\xe3\x00)";
+  r.name = "\xff\xfe\"\n";
+  const std::string text = reportJson(r);
+  const Json j = Json::parse(text);
+  EXPECT_TRUE(j["findings"][0]["depth_mm"].is_null());
+  EXPECT_EQ(j["name"], "\xEF\xBF\xBD\xEF\xBF\xBD\"\n");
+  EXPECT_THAT(text, Not(HasSubstr("-0.0,")));
+  EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(Verdict, FollowsFindingsAndDiagnostics) {
+  Report r;
+  EXPECT_EQ(verdictOf(r), Verdict::kPass);
+  Finding f;
+  f.kind = "gouge";
+  f.severity = Severity::kWarning;
+  r.findings = {f};
+  EXPECT_EQ(verdictOf(r), Verdict::kPass);
+  r.findings[0].severity = Severity::kError;
+  EXPECT_EQ(verdictOf(r), Verdict::kFail);
+  r.findings.clear();
+  r.comparison = ReportComparison();
+  EXPECT_EQ(verdictOf(r), Verdict::kPass);
+  r.comparison->decided = false;
+  EXPECT_EQ(verdictOf(r), Verdict::kFail);
+  f.kind = "alarm";
+  f.severity = Severity::kError;
+  r.findings = {f};
+  EXPECT_EQ(verdictOf(r), Verdict::kError);
+  r.findings.clear();
+  r.diagnostics = {Diagnostic{}};
+  EXPECT_EQ(verdictOf(r), Verdict::kError);
+}
+
+}  // namespace
+}  // namespace proveout
