@@ -1,0 +1,8 @@
+G0 X1 ; comment
+M30
+=== expect
+file 0 main.nc
+main.nc:1:7: error[nct-2064]: syntax error: ';' does not start a word
+    G0 X1 ; comment
+          ^
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

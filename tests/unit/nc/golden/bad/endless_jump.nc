@@ -1,0 +1,679 @@
+=== settings
+block_limit = 1000
+=== main
+N1 G0 X1
+X2
+M99 P1
+=== expect
+file 0 main.nc
+1 N1: rapid from 0 0 0 to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+2: rapid to 2 0 0 t0.004
+1 N1: rapid to 1 0 0 t0.004
+main.nc:2:1: error[nct-block-limit]: 1000 blocks executed without an end: endless loop? (the limit is a setting)
+    X2
+    ^~
+block limit: 1000 blocks, 667 motions, 1 errors, 0 warnings

@@ -1,0 +1,8 @@
+G53 XI10
+M30
+=== expect
+file 0 main.nc
+main.nc:1:5: error[nct-2097]: illegal incremental movement on axis X: G53 is always absolute
+    G53 XI10
+        ^~~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

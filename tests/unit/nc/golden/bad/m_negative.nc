@@ -1,0 +1,8 @@
+M-3
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2002]: M takes no minus sign
+    M-3
+    ^~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

@@ -1,0 +1,16 @@
+=== about
+proves: nct-4.3.3-cone
+=== main
+G17 G90 G0 X-50 Y0
+Z0 F100
+G2 X-20 I50 Z-20 L4 F100
+M30
+=== truth
+-50 0 0
+-20 0 -20 center 0 0 0 sweep -1440
+=== expect
+file 0 main.nc
+1: rapid from 0 0 0 to -50 0 0 t0.2
+3: feed arc to -20 0 -20 center 0 0 0 normal 0 0 1 sweep -1440 F100.0276 t528.1156
+4: event end code="M30"
+end of program: 4 blocks, 2 motions, 0 errors, 0 warnings

@@ -1,0 +1,26 @@
+=== about
+proves: nct-14.4.3-M99L
+=== main
+M98 P11 L20
+M30
+=== sub O0011.nc
+G91 G0 X1
+M99 L5
+=== truth
+1 0 0
+2 0 0
+3 0 0
+4 0 0
+5 0 0
+6 0 0
+=== expect
+file 0 main.nc
+file 1 O0011.nc
+1/1 depth 1: rapid from 0 0 0 to 1 0 0 t0.004
+1/1 depth 1: rapid to 2 0 0 t0.004
+1/1 depth 1: rapid to 3 0 0 t0.004
+1/1 depth 1: rapid to 4 0 0 t0.004
+1/1 depth 1: rapid to 5 0 0 t0.004
+1/1 depth 1: rapid to 6 0 0 t0.004
+2: event end code="M30"
+end of program: 14 blocks, 6 motions, 0 errors, 0 warnings

@@ -1,0 +1,229 @@
+#include "golden_case.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace proveout::test {
+namespace {
+
+std::string number(double value) {
+  std::string text = fmt::format("{:.4f}", value);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+std::string point(const Vec3& p) { return number(p.x()) + " " + number(p.y()) + " " + number(p.z()); }
+
+/// The path as text, one line each; motions are kept as well.
+class TextSink : public MotionSink {
+ public:
+  explicit TextSink(std::vector<GoldenMotion>& motions) : motions_(motions) {}
+  void file(std::uint32_t index, const std::string& name) override {
+    text += fmt::format("file {} {}\n", index, name);
+  }
+  void motion(const Motion& m, const ArcGeometry* arc) override {
+    motions_.push_back({m, arc ? *arc : ArcGeometry{}, arc != nullptr});
+    text += place(m.source) + std::string(motionKindName(m.kind)) + (arc ? " arc " : " ");
+    if (!last_ || (*last_ - m.from).norm() > 1e-9) text += "from " + point(m.from) + " ";
+    last_ = m.to;
+    text += "to " + point(m.to);
+    if (arc) {
+      text += " center " + point(arc->center) + " normal " + point(arc->normal) + " sweep " +
+              number(radToDeg(arc->sweep_rad));
+    }
+    if (m.kind != MotionKind::kRapid) text += " F" + number(m.feed);
+    text += " t" + number(m.time_s) + "\n";
+  }
+  void event(const PathEvent& event) override {
+    text += place(event.source) + "event " + event.event;
+    for (const auto& [key, value] : event.data) text += " " + key + "=" + value;
+    text += "\n";
+  }
+  void diagnostic(const Diagnostic& diagnostic) override { text += formatDiagnostic(diagnostic); }
+
+  std::string text;
+
+ private:
+  static std::string place(const SourceRef& s) {
+    std::string out = s.file == 0 ? "" : fmt::format("{}/", s.file);
+    out += fmt::format("{}", s.line);
+    if (s.block >= 0) out += fmt::format(" N{}", s.block);
+    if (s.depth > 0) out += fmt::format(" depth {}", s.depth);
+    return out + ": ";
+  }
+  std::vector<GoldenMotion>& motions_;
+  std::optional<Vec3> last_;
+};
+
+Vec3 vectorOf(std::istringstream& in, const std::string& line) {
+  Vec3 v;
+  if (!(in >> v.x() >> v.y() >> v.z())) throw std::runtime_error("three numbers expected: " + line);
+  return v;
+}
+
+const char* endName(ProgramEnd end) {
+  switch (end) {
+    case ProgramEnd::kEndOfProgram:
+      return "end of program";
+    case ProgramEnd::kUntil:
+      return "until";
+    case ProgramEnd::kAlarm:
+      return "alarm";
+    case ProgramEnd::kBlockLimit:
+      return "block limit";
+    case ProgramEnd::kCancelled:
+      return "cancelled";
+  }
+  return "?";
+}
+
+void setLine(ControlSettings& s, const std::string& line) {
+  std::istringstream in(line);
+  std::string key, equals;
+  if (!(in >> key >> equals) || equals != "=") throw std::runtime_error("KEY = VALUE expected: " + line);
+  const auto value = [&] {
+    double v = 0;
+    if (!(in >> v)) throw std::runtime_error("number expected: " + line);
+    return v;
+  };
+  const int row =
+      key.size() > 1 && std::isdigit(static_cast<unsigned char>(key[1])) ? std::stoi(key.substr(1)) : 0;
+  if (key[0] == 'H' && row > 0) {
+    s.length_offsets[row] = {value(), 0.0};
+  } else if (key[0] == 'D' && row > 0) {
+    s.radius_offsets[row] = {value(), 0.0};
+  } else if (key[0] == 'G' && row >= 54 && row <= 59) {
+    s.work_offsets[static_cast<std::size_t>(row - 54)] = vectorOf(in, line);
+  } else if (key.starts_with("gauge")) {
+    s.gauge_lengths[std::stoi(key.substr(5))] = value();
+  } else if (key.starts_with("reference")) {
+    s.reference_points.at(static_cast<std::size_t>(std::stoi(key.substr(9)) - 1)) = vectorOf(in, line);
+  } else if (key[0] == 'N' && row > 0) {
+    s.parameters[key] = value();
+  } else if (key == "start") {
+    s.start = vectorOf(in, line);
+  } else if (key == "rapid") {
+    s.rapid_mm_min = vectorOf(in, line);
+  } else if (key == "skip") {
+    s.skip_switches.at(static_cast<std::size_t>(value() - 1)) = true;
+  } else if (key.starts_with("limit_")) {
+    const double low = value();
+    s.limits.at(static_cast<std::size_t>(key[6] - 'X')) = AxisLimit{low, value()};
+  } else if (key == "block_limit") {
+    s.block_limit = static_cast<std::uint64_t>(value());
+  } else if (key == "max_errors") {
+    s.max_errors = static_cast<int>(value());
+  } else if (key == "lenient") {
+    s.lenient = value() != 0;
+  } else if (key == "optional_stop") {
+    s.optional_stop = value() != 0;
+  } else if (key == "inch") {
+    s.units = value() != 0 ? LengthUnit::kInch : LengthUnit::kMillimetre;
+  } else if (key == "until_line") {
+    s.until = UntilBlock{static_cast<int>(value()), {}};
+  } else if (key == "until_block") {
+    s.until = UntilBlock{{}, static_cast<std::int64_t>(value())};
+  } else {
+    throw std::runtime_error("unknown setting: " + line);
+  }
+}
+
+}  // namespace
+
+GoldenCase readGolden(const std::string& path) {
+  GoldenCase golden;
+  golden.path = path;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error("cannot read " + path);
+  std::string line;
+  std::string* section = &golden.main_text;
+  while (std::getline(in, line)) {
+    if (line.starts_with("=== ")) {
+      const std::string name = line.substr(4);
+      if (name == "about") section = &golden.about;
+      if (name == "settings") section = &golden.settings_text;
+      if (name == "main") section = &golden.main_text;
+      if (name == "truth") section = &golden.truth;
+      if (name == "expect") section = &golden.expect;
+      if (name.starts_with("sub ")) {
+        golden.subprograms.reserve(64);
+        golden.subprograms.push_back({name.substr(4), ""});
+        section = &golden.subprograms.back().second;
+      }
+      if (section != &golden.expect) golden.head += line + "\n";
+      continue;
+    }
+    *section += line + "\n";
+    if (section != &golden.expect) golden.head += line + "\n";
+  }
+  return golden;
+}
+
+void writeGolden(const GoldenCase& golden, const std::string& expect) {
+  std::ofstream out(golden.path, std::ios::binary);
+  out << golden.head << "=== expect\n" << expect;
+}
+
+ControlSettings settingsOf(const std::string& text) {
+  ControlSettings settings;
+  settings.start = Vec3(0, 0, 0);
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty()) setLine(settings, line);
+  }
+  return settings;
+}
+
+std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions) {
+  MemoryProgramSource source("main.nc", golden.main_text);
+  for (const auto& [name, text] : golden.subprograms) source.add(name, text);
+  TextSink sink(motions);
+  const InterpretSummary s = interpret(ControlId::kNct, source, settingsOf(golden.settings_text), sink);
+  return sink.text + fmt::format("{}: {} blocks, {} motions, {} errors, {} warnings\n", endName(s.end),
+                                 s.blocks, s.motions, s.errors, s.warnings);
+}
+
+std::string compareWithTruth(const std::string& truth, const std::vector<GoldenMotion>& motions) {
+  constexpr double kTolerance = 1.01e-4;  // the manual's numbers have four decimals
+  std::istringstream in(truth);
+  std::string problems;
+  std::size_t index = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty()) continue;
+    if (index >= motions.size()) return problems + "truth has more motions: " + line + "\n";
+    const GoldenMotion& m = motions[index++];
+    std::istringstream words(line);
+    std::vector<double> actual{m.motion.to.x(), m.motion.to.y(), m.motion.to.z()};
+    std::size_t k = 0;
+    for (std::string word; words >> word;) {
+      if (word == "rapid" || word == "feed" || word == "thread") {
+        if (motionKindName(m.motion.kind) != word)
+          problems += fmt::format("motion {}: not {}\n", index, word);
+        continue;
+      }
+      if (word == "center" || word == "sweep") {
+        k = 0;
+        if (!m.is_arc) problems += fmt::format("motion {}: no arc\n", index);
+        actual = word == "center" ? std::vector<double>{m.arc.center.x(), m.arc.center.y(), m.arc.center.z()}
+                                  : std::vector<double>{radToDeg(m.arc.sweep_rad)};
+        continue;
+      }
+      const double got = actual.at(k++);
+      if (word != "*" && !(std::abs(got - std::stod(word)) <= kTolerance)) {
+        problems += fmt::format("motion {} (line {}): {} instead of {} in: {}\n", index, m.motion.source.line,
+                                got, word, line);
+      }
+    }
+  }
+  if (!truth.empty() && index < motions.size()) {
+    problems += fmt::format("{} motions instead of {}\n", motions.size(), index);
+  }
+  return problems;
+}
+
+}  // namespace proveout::test

@@ -1,0 +1,42 @@
+// A golden file: a program, its settings, facts known independently, and the text that the interpreter makes.
+//
+//   === about        free text; "proves: id id ..." names coverage ids
+//   === settings     one a line: H1 = 10, D1 = 5, G54 = 1 2 3, start = 0 0 50, N1339 = 0.01, skip = 1, ...
+//   === main         the main program (a file may start with it and leave the marker out)
+//   === sub NAME     a subprogram
+//   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg]; * is anything
+//   === expect       what the interpreter says; rewritten with PROVEOUT_UPDATE_GOLDEN=1
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/nc/interpreter.h"
+
+namespace proveout::test {
+
+struct GoldenCase {
+  std::string path;
+  std::string head;  ///< everything before the expected text
+  std::string about, settings_text, main_text, truth, expect;
+  std::vector<std::pair<std::string, std::string>> subprograms;
+};
+
+GoldenCase readGolden(const std::string& path);
+void writeGolden(const GoldenCase& golden, const std::string& expect);
+/// Throws std::runtime_error for a line that it does not know.
+ControlSettings settingsOf(const std::string& text);
+
+/// Runs the case; appends the motions to `motions`, returns the text.
+struct GoldenMotion {
+  Motion motion;
+  ArcGeometry arc;
+  bool is_arc = false;
+};
+std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions);
+
+/// Empty if the motions agree with the truth section, else what differs.
+std::string compareWithTruth(const std::string& truth, const std::vector<GoldenMotion>& motions);
+
+}  // namespace proveout::test

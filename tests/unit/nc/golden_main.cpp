@@ -1,0 +1,102 @@
+// One test a golden file, and what the set of files must cover.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "golden_case.h"
+
+namespace proveout::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> goldenFiles() {
+  std::vector<std::string> files;
+  const fs::path root = fs::path(PROVEOUT_SOURCE_DIR) / "tests/unit/nc/golden";
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    if (entry.path().extension() == ".nc") files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class GoldenTest : public testing::Test {
+ public:
+  explicit GoldenTest(std::string path) : path_(std::move(path)) {}
+  void TestBody() override {
+    const GoldenCase golden = readGolden(path_);
+    std::vector<GoldenMotion> motions;
+    const std::string text = runGolden(golden, motions);
+    EXPECT_EQ(compareWithTruth(golden.truth, motions), "") << text;
+    const bool bad = fs::path(path_).parent_path().filename() == "bad";
+    EXPECT_EQ(text.find("error[") != std::string::npos, bad) << text;
+    if (std::getenv("PROVEOUT_UPDATE_GOLDEN") != nullptr) {
+      writeGolden(golden, text);
+    } else {
+      EXPECT_EQ(text, golden.expect);
+    }
+  }
+
+ private:
+  std::string path_;
+};
+
+/// Ids after "proves:" in the about sections.
+std::set<std::string> provenIds() {
+  std::set<std::string> ids;
+  for (const std::string& path : goldenFiles()) {
+    std::istringstream about(readGolden(path).about);
+    bool listing = false;
+    for (std::string word; about >> word;) {
+      if (word == "proves:") {
+        listing = true;
+      } else if (listing) {
+        ids.insert(word);
+      }
+    }
+  }
+  return ids;
+}
+
+TEST(GoldenSet, NamesOnlyIdsThatTheControlServes) {
+  std::set<std::string> served;
+  const auto table = coverageTable(ControlId::kNct);
+  ASSERT_TRUE(table.ok());
+  for (const CoverageRow& row : *table) {
+    std::istringstream ids(row.ids);
+    for (std::string id; ids >> id;) served.insert(id);
+  }
+  for (const std::string& id : provenIds()) EXPECT_TRUE(served.count(id)) << id;
+}
+
+TEST(GoldenSet, EverySimulatedCodeHasAFile) {
+  const std::set<std::string> proven = provenIds();
+  const auto table = coverageTable(ControlId::kNct);
+  ASSERT_TRUE(table.ok());
+  for (const CoverageRow& row : *table) {
+    if (row.status != "simulated") continue;
+    std::istringstream ids(row.ids);
+    bool any = false;
+    for (std::string id; ids >> id;) any = any || proven.count(id) > 0;
+    EXPECT_TRUE(any) << row.code << ": " << row.ids;
+  }
+}
+
+}  // namespace
+}  // namespace proveout::test
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  for (const std::string& path : proveout::test::goldenFiles()) {
+    const std::filesystem::path file(path);
+    const std::string folder = file.parent_path().filename().string();
+    testing::RegisterTest(("Golden_" + folder).c_str(), file.stem().string().c_str(), nullptr, nullptr,
+                          __FILE__, __LINE__,
+                          [path]() -> testing::Test* { return new proveout::test::GoldenTest(path); });
+  }
+  return RUN_ALL_TESTS();
+}

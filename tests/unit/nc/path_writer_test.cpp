@@ -1,0 +1,68 @@
+#include "io/path_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/nc/interpreter.h"
+
+namespace proveout {
+namespace {
+
+std::string write(std::string_view format, const std::string& program) {
+  std::ostringstream out;
+  {
+    auto writer = makePathWriter(format, out, "nct");
+    EXPECT_TRUE(writer.ok());
+    ControlSettings settings;
+    settings.start = Vec3(0, 0, 5);
+    settings.tool_change_s = 2.5;
+    interpret(ControlId::kNct, MemoryProgramSource("a \"b\".nc", program), settings, **writer);
+  }
+  return out.str();
+}
+
+TEST(PathWriter, JsonLines) {
+  const std::string text =
+      write("jsonl", "N10 T3 M6\nG0 X-0 Y0 Z0.1\nS1500 M4\nG3 X0 Y20 I0 J10 F600\nM30\n");
+  const std::string place = R"("source":{"file":"a \"b\".nc","line":)";
+  EXPECT_EQ(
+      text,
+      std::string(R"({"type":"header","schema":"proveout.path/1","control":"nct","frame":"workpiece"})") +
+          "\n" + R"({"type":"event","event":"tool","data":{"tool":3},"time_s":2.5,)" + place +
+          R"(1,"block":"N10","depth":0}})" + "\n" +
+          R"({"type":"motion","id":0,"kind":"rapid","shape":"line","from":[0,0,5],"to":[0,0,0.1],"feed":0,"tool":3,"spindle":0,"time_s":0.0196,)" +
+          place + R"(2,"block":"","depth":0}})" + "\n" +
+          R"({"type":"event","event":"spindle","data":{"rpm":1500,"direction":"ccw"},)" + place +
+          R"(3,"block":"","depth":0}})" + "\n" +
+          R"({"type":"motion","id":1,"kind":"feed","shape":"arc","from":[0,0,0.1],"to":[0,20,0.1],"center":[0,10,0.1],"normal":[0,0,1],"sweep_deg":180,"feed":600,"tool":3,"spindle":-1500,"time_s":3.141592654,)" +
+          place + R"(4,"block":"","depth":0}})" + "\n" +
+          R"({"type":"event","event":"end","data":{"code":"M30"},)" + place + R"(5,"block":"","depth":0}})" +
+          "\n");
+}
+
+TEST(PathWriter, JsonLinesDiagnostic) {
+  const std::string text = write("jsonl", "G777\n");
+  EXPECT_NE(text.find(R"({"type":"diagnostic","severity":"error","code":"nct-2123","message":)"),
+            std::string::npos);
+  EXPECT_NE(text.find(R"("source":{"file":"a \"b\".nc","line":1,"column":1}})"), std::string::npos);
+}
+
+TEST(PathWriter, Csv) {
+  const std::string text = write("csv", "N10 G1 X1.5 F90\nM30\n");
+  EXPECT_NE(text.find("\n0,feed,line,0,0,5,1.5,0,5,90,0,0,1,,,,,,,,\"a \"\"b\"\".nc\",1,N10,0\n"),
+            std::string::npos)
+      << text;
+  const std::size_t header_fields = std::count(text.begin(), text.begin() + text.find('\n'), ',');
+  const std::string row = text.substr(text.find('\n') + 1);
+  EXPECT_EQ(std::count(row.begin(), row.end(), ','), static_cast<std::ptrdiff_t>(header_fields));
+}
+
+TEST(PathWriter, UnknownFormat) {
+  std::ostringstream out;
+  ASSERT_FALSE(makePathWriter("xml", out, "nct").ok());
+}
+
+}  // namespace
+}  // namespace proveout
