@@ -5,6 +5,7 @@ proveout_add_library(removal
   stock.cpp
   stock_file.cpp
   remove.cpp
+  leaf_cutter.cpp
   cell_cycles.cpp
   cell_vertex.cpp
   surface.cpp)

@@ -106,9 +106,14 @@ double Sweep::levelParameter(double x, double y) const {
 }
 
 double Sweep::minimiseLine(const Vec3& p, double cutoff, double& bound) const {
-  // Guess: the ball end's closed form; otherwise the middle of the flank or tip by projection.
-  const double lift = std::max(0.0, profile_->ballCenter());
-  double a = std::clamp((p - from_ - Vec3(0, 0, lift)).dot(delta_) / length2_, 0.0, 1.0);
+  // Guess: the ball end's closed form; otherwise where the tool's axis is nearest.
+  // There the flank's distance is stationary: where the flank is nearest the search ends at once.
+  double a = 0.0;
+  if (const double lift = profile_->ballCenter(); lift > 0.0) {
+    a = std::clamp((p - from_ - Vec3(0, 0, lift)).dot(delta_) / length2_, 0.0, 1.0);
+  } else if (level_length2_ > 0.0) {
+    a = std::clamp((p - from_).head<2>().dot(delta_.head<2>()) / level_length2_, 0.0, 1.0);
+  }
   At fa = evaluate(p, a);
   bound = fa.value;
   if (fa.slope == 0.0 || (a == 0.0 && fa.slope > 0.0) || (a == 1.0 && fa.slope < 0.0)) return a;
@@ -254,29 +259,66 @@ double Sweep::horizontalGap(double x, double y) const {
   if (kind_ == Kind::kLine && level_length2_ > 0.0) {
     t = std::clamp(((x - from_.x()) * delta_.x() + (y - from_.y()) * delta_.y()) / level_length2_, 0.0, 1.0);
   }
-  return std::hypot(x - from_.x() - t * delta_.x(), y - from_.y() - t * delta_.y()) - profile_->maxRadius();
+  const double gx = x - from_.x() - t * delta_.x(), gy = y - from_.y() - t * delta_.y();
+  return std::sqrt(gx * gx + gy * gy) - profile_->maxRadius();
 }
 
-void Sweep::column(double x, double y, double z0, double dz, int count, double cutoff, double* out) const {
-  if (kind_ == Kind::kCurve) {
-    for (int k = 0; k < count; ++k) out[k] = distance({x, y, z0 + k * dz}, cutoff);
+void Sweep::slantedColumn(double x, double y, double z0, double dz, int count, const double* cutoff,
+                          double* out) const {
+  const double largest = *std::max_element(cutoff, cutoff + count);
+  const double gap = horizontalGap(x, y);
+  if (gap > largest) {
+    std::fill_n(out, count, gap);
     return;
   }
-  if (kind_ == Kind::kLine) {
-    if (const double gap = horizontalGap(x, y); gap > cutoff) {
-      std::fill_n(out, count, gap);
-      return;
+  const double radius = profile_->ballCenter();
+  const double qx = x - from_.x(), qy = y - from_.y();
+  const double level = qx * delta_.x() + qy * delta_.y();
+  const double level_t = level_length2_ > 0.0 ? std::clamp(level / level_length2_, 0.0, 1.0) : 0.0;
+  for (int k = 0; k < count; ++k) {
+    const double z = z0 + k * dz;
+    const double outside = std::max({gap, bounds_.min.z() - z, z - bounds_.max.z()});
+    if (outside > cutoff[k]) {
+      out[k] = outside;
+      continue;
     }
+    if (radius > 0.0) {
+      // The sphere's nearest position is the tool's, as long as the point is level with or below the centre
+      // there.
+      const double qz = z - from_.z() - radius;
+      const double t = std::clamp((level + qz * delta_.z()) / length2_, 0.0, 1.0);
+      const double ez = qz - t * delta_.z();
+      if (ez <= 0.0) {
+        const double ex = qx - t * delta_.x(), ey = qy - t * delta_.y();
+        out[k] = std::sqrt(ex * ex + ey * ey + ez * ez) - radius;
+        continue;
+      }
+      // Above: the flank, where the axis is nearest, as long as it reaches down to the point there and up
+      // over it.
+      const double z_there = qz - level_t * delta_.z();
+      if (z_there >= 0.0 && z_there + radius - profile_->zMax() <= std::min(gap, 0.0)) {
+        out[k] = gap;
+        continue;
+      }
+    }
+    out[k] = distance({x, y, z}, cutoff[k]);
+  }
+}
+
+void Sweep::column(double x, double y, double z0, double dz, int count, const double* cutoff,
+                   double* out) const {
+  if (kind_ == Kind::kLine) return slantedColumn(x, y, z0, dz, count, cutoff, out);
+  if (kind_ == Kind::kCurve) {
     for (int k = 0; k < count; ++k) {
-      const double z = z0 + k * dz;
-      const double above = std::max(bounds_.min.z() - z, z - bounds_.max.z());
-      out[k] = above > cutoff ? above : distance({x, y, z}, cutoff);
+      const Vec3 p(x, y, z0 + k * dz);
+      const Vec3 beyond = (bounds_.min - p).cwiseMax(p - bounds_.max);
+      out[k] = beyond.maxCoeff() > cutoff[k] ? beyond.maxCoeff() : distance(p, cutoff[k]);
     }
     return;
   }
   const Vec3 at = position(kind_ == Kind::kPoint ? 0.0 : levelParameter(x, y));
-  const double r = std::hypot(x - at.x(), y - at.y());
-  if (r - profile_->maxRadius() > cutoff) {
+  const double r = std::sqrt((x - at.x()) * (x - at.x()) + (y - at.y()) * (y - at.y()));
+  if (r - profile_->maxRadius() > *std::max_element(cutoff, cutoff + count)) {
     std::fill_n(out, count, r - profile_->maxRadius());
     return;
   }

@@ -37,8 +37,8 @@ class Sweep {
   double distance(const Vec3& p, double cutoff) const;
   SweepSample sample(const Vec3& p) const;
 
-  /// Distances at the `count` points (x, y, z0 + k * dz).
-  void column(double x, double y, double z0, double dz, int count, double cutoff, double* out) const;
+  /// Distances at the `count` points (x, y, z0 + k * dz), each with its own cutoff as in distance().
+  void column(double x, double y, double z0, double dz, int count, const double* cutoff, double* out) const;
 
   /// Bounds of the swept volume, mm.
   const Box3& bounds() const { return bounds_; }
@@ -59,6 +59,8 @@ class Sweep {
   double minimiseLine(const Vec3& p, double cutoff, double& bound) const;
   double minimiseCurve(const Vec3& p, double cutoff, double& bound) const;
   double minimise(const Vec3& p, double cutoff, double& bound) const;
+  void slantedColumn(double x, double y, double z0, double dz, int count, const double* cutoff,
+                     double* out) const;
   double horizontalGap(double x, double y) const;
 
   const ConvexProfile* profile_;

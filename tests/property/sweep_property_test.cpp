@@ -167,13 +167,22 @@ void expectField(const Case& c, const Tool& tool, Cases& points, unsigned seed) 
         << "seed " << seed << " tool " << tool.number;
     ASSERT_NEAR(sweep.distance(p, 1e9), s.value, kSweepToleranceMm);
     double column[3];
-    sweep.column(p.x(), p.y(), p.z(), 0.5, 3, 1e9, column);
+    const double far[3] = {1e9, 1e9, 1e9};
+    sweep.column(p.x(), p.y(), p.z(), 0.5, 3, far, column);
     ASSERT_NEAR(column[0], s.value, kSweepToleranceMm);
     ASSERT_NEAR(column[2], sweep.distance(p + Vec3(0, 0, 1), 1e9), kSweepToleranceMm);
     if (s.value <= 0.0) {
       ASSERT_TRUE((p.array() >= sweep.bounds().min.array() - 1e-9).all() &&
                   (p.array() <= sweep.bounds().max.array() + 1e-9).all())
           << "seed " << seed;
+    }
+    const double near[3] = {0.0, 1e9, 0.5};
+    sweep.column(p.x(), p.y(), p.z(), 0.5, 3, near, column);
+    if (s.value <= 0.0) {
+      ASSERT_NEAR(column[0], s.value, kSweepToleranceMm);
+    } else {
+      ASSERT_GT(column[0], 0.0);
+      ASSERT_LE(column[0], s.value + kSweepToleranceMm);
     }
     // A cutoff may only replace values above it, by something above it.
     const double cut = sweep.distance(p, 1.0);
