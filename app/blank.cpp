@@ -1,0 +1,80 @@
+#include "app/blank.h"
+
+#include <fmt/format.h>
+
+#include "app/job_setup.h"
+
+namespace proveout {
+namespace {
+
+Box3 cylinderBounds(const CylinderShape& shape) {
+  Vec3 reach = Vec3::Constant(shape.radius);
+  reach[shape.axis] = 0;
+  Vec3 top = shape.base;
+  top[shape.axis] += shape.length;
+  return {shape.base - reach, top + reach};
+}
+
+bool strictlyInside(const Box3& box, const Vec3& p) {
+  return (p.array() > box.min.array()).all() && (p.array() < box.max.array()).all();
+}
+
+bool inside(const StockShape& shape, const Vec3& p) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return strictlyInside({box->min, box->max}, p);
+  if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) {
+    Vec3 radial = p - cylinder->base;
+    const double height = radial[cylinder->axis];
+    radial[cylinder->axis] = 0;
+    const double r = radial.norm();
+    return height > 0 && height < cylinder->length && r < cylinder->radius && r >= cylinder->inner_radius;
+  }
+  return false;
+}
+
+}  // namespace
+
+RemovalOptions removalOptions(const Job& job, double resolution_mm) {
+  RemovalOptions options;
+  options.resolution_mm = resolution_mm;
+  options.threads = job.simulation.threads;
+  options.max_memory_gb = job.simulation.max_memory_gb;
+  return options;
+}
+
+Result<Blank> openBlank(const Job& job, Progress& progress) {
+  Result<StockShape> shape = loadStockShape(*job.stock);
+  if (!shape) return shape.error();
+  Blank blank;
+  blank.shape = std::move(*shape);
+  if (const auto* box = std::get_if<BoxShape>(&blank.shape)) blank.bounds = {box->min, box->max};
+  if (const auto* cylinder = std::get_if<CylinderShape>(&blank.shape))
+    blank.bounds = cylinderBounds(*cylinder);
+  if (const auto* mesh = std::get_if<MeshShape>(&blank.shape)) blank.bounds = meshBounds(mesh->mesh);
+  if (std::holds_alternative<SavedStock>(blank.shape)) {
+    if (job.simulation.resolution_mm) {
+      return inputError("a saved stock has its own grid: leave the resolution away");
+    }
+    Result<Stock> stock =
+        Stock::create(blank.shape, removalOptions(job, RemovalOptions{}.resolution_mm), progress);
+    if (!stock) return stock.error();
+    blank.bounds = stock->bounds();
+    blank.resolution_mm = stock->resolution();
+    blank.stock = std::move(*stock);
+    return blank;
+  }
+  blank.resolution_mm = job.simulation.resolution_mm.value_or(defaultResolution(blank.bounds));
+  return blank;
+}
+
+Result<Stock> takeStock(Blank& blank, const Job& job, Progress& progress) {
+  if (blank.stock) return std::move(*blank.stock);
+  return Stock::create(blank.shape, removalOptions(job, blank.resolution_mm), progress);
+}
+
+Status checkStart(const Job& job, const Blank& blank) {
+  if (!job.start || !inside(blank.shape, *job.start)) return Done{};
+  return inputError(fmt::format("the start point X{:g} Y{:g} Z{:g} lies inside the blank", job.start->x(),
+                                job.start->y(), job.start->z()));
+}
+
+}  // namespace proveout

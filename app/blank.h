@@ -1,0 +1,32 @@
+// The blank as the pipeline first needs it: its shape and where it is.
+#pragma once
+
+#include <optional>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "io/job.h"
+#include "removal/stock.h"
+
+namespace proveout {
+
+struct Blank {
+  StockShape shape;
+  Box3 bounds;                 ///< mm, workpiece frame
+  double resolution_mm = 0.0;  ///< grid spacing that the run uses
+  std::optional<Stock> stock;  ///< already made, where only the grid knows the bounds (a saved stock)
+};
+
+/// Reads the blank's files and settles the grid. The job must have a stock.
+Result<Blank> openBlank(const Job& job, Progress& progress);
+
+/// Makes the grid, once.
+Result<Stock> takeStock(Blank& blank, const Job& job, Progress& progress);
+
+RemovalOptions removalOptions(const Job& job, double resolution_mm);
+
+/// Checks that a start point given by the job is not inside the blank. Blanks from meshes are not judged
+/// here: the removal reports the contact.
+Status checkStart(const Job& job, const Blank& blank);
+
+}  // namespace proveout

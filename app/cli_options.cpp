@@ -1,0 +1,219 @@
+#include "app/cli_options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <sstream>
+
+#include "app/exit_codes.h"
+
+namespace proveout {
+namespace {
+
+constexpr const char* kFooter =
+    "Exit codes: 0 done, nothing over tolerance; 1 done, with findings of severity error;\n"
+    "2 input error (bad file, program alarm, bad usage); 3 resource limit; 130 interrupted.";
+
+/// CLI11 keeps pointers to what it fills: the options live here while it parses.
+struct Parsed {
+  RunOptions run;
+  PathOptions path;
+  CheckOptions check;
+  CompareCommandOptions compare;
+  RenderCommandOptions render;
+  CoverageOptions coverage;
+};
+
+/// Strict: the whole text is a finite decimal number in (low, high].
+CLI::Validator numberIn(double low, double high, const std::string& what) {
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = error == std::errc() && end == text.data() + text.size();
+        if (whole && value > low && value <= high) return {};
+        return "'" + text + "' is not " + what;
+      },
+      "");
+}
+
+CLI::Validator positiveMm() { return numberIn(0, 1e6, "a length in mm above 0"); }
+
+CLI::Validator threadCount() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        int value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = error == std::errc() && end == text.data() + text.size();
+        return whole && value >= 1 && value <= 1024 ? std::string()
+                                                    : "'" + text + "' is not a number of threads, 1 to 1024";
+      },
+      "");
+}
+
+CLI::Validator notEmpty() {
+  return CLI::Validator(
+      [](std::string& text) { return text.empty() ? std::string("an empty text") : std::string(); }, "");
+}
+
+void addProgramOptions(CLI::App& app, ProgramOptions& options) {
+  app.add_option("INPUT", options.input, "Job file (*.toml) or NC program")->required()->check(notEmpty());
+  app.add_option("--control", options.control,
+                 "Virtual control, with a program: nct, ...; `proveout coverage` lists them")
+      ->type_name("NAME");
+  app.add_option("--subprograms", options.subprograms,
+                 "File or folder with subprograms, with a program; repeatable")
+      ->type_name("PATH")
+      ->allow_extra_args(false);
+  app.add_option("--until", options.until, "Stop after this line (120) or block (N70) of the main program")
+      ->type_name("LINE|Nn");
+  app.add_flag("--lenient", options.lenient, "Unsupported codes that are safe to skip become warnings");
+}
+
+void addRun(CLI::App& root, RunOptions& o) {
+  CLI::App* app = root.add_subcommand("run", "Machine the part, check it, write mesh, report and pictures");
+  addProgramOptions(*app, o.program);
+  app->add_option("--stock", o.stock,
+                  "Blank, mm, with a program: box:x0,y0,z0:x1,y1,z1, cylinder:x,y,z:DIAMETER:LENGTH[:AXIS], "
+                  "tube:x,y,z:DIAMETER:INNER:LENGTH[:AXIS], mesh:FILE, vdb:FILE")
+      ->type_name("SHAPE");
+  app->add_option("--tool", o.tools,
+                  "Tool, mm and degrees, with a program; repeatable: N=flat:D, N=ball:D, N=bull:D:R, "
+                  "N=cone:D:TIPD:ANGLE, N=drill:D:POINTANGLE. Motions without a T word use the lowest number")
+      ->type_name("N=SHAPE")
+      ->allow_extra_args(false);
+  app->add_option("--nominal", o.nominal,
+                  "Closed CAD mesh to compare with, mm, with a program: STL, OBJ, PLY")
+      ->type_name("FILE");
+  app->add_option("--tolerance", o.tolerance_mm,
+                  "Allowed gouge and excess against nominal; overrides the job")
+      ->type_name("MM")
+      ->check(positiveMm());
+  app->add_option("--resolution", o.resolution_mm,
+                  "Grid spacing; default: longest side of the blank / 400, rounded up")
+      ->type_name("MM")
+      ->check(positiveMm());
+  app->add_option("--threads", o.threads,
+                  "Worker threads; the result does not depend on them; default: all cores")
+      ->type_name("N")
+      ->check(threadCount());
+  app->add_option("--max-memory", o.max_memory_gb,
+                  "Refuse a run that needs more (exit 3); default: what is free")
+      ->type_name("GB")
+      ->check(numberIn(0, 1e6, "a size in GB above 0"));
+  app->add_option("--out", o.out,
+                  "Folder for the results; default: NAME-out beside the job, or in the current folder")
+      ->type_name("DIR")
+      ->check(notEmpty());
+  app->add_option("--format", o.formats,
+                  "Mesh files: stl, stl-ascii, obj, ply, vdb, separated by commas; default: stl")
+      ->type_name("LIST");
+  app->add_option("--view", o.views, "Picture from here; repeatable: iso, top, front, ...; default: iso")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  app->add_option("--size", o.size, "Size of the pictures; default: 1280x960")->type_name("WxH");
+  app->add_flag("--no-render", o.no_render, "No pictures");
+  app->add_flag("--json", o.json, "Print report.json on stdout instead of the summary");
+  app->add_flag("--quiet", o.quiet, "Print errors only");
+  app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");
+  app->footer(kFooter);
+}
+
+void addPathAndCheck(CLI::App& root, PathOptions& path, CheckOptions& check) {
+  CLI::App* app = root.add_subcommand("path", "Interpret only: the motions, one a line, on stdout");
+  addProgramOptions(*app, path.program);
+  app->add_option("--format", path.format, "jsonl or csv; default: jsonl")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"jsonl", "csv"}))
+      ->option_text("NAME");
+  app->footer(kFooter);
+  app = root.add_subcommand("check", "Interpret only: what the control would say of the program");
+  addProgramOptions(*app, check.program);
+  app->add_flag("--json", check.json, "Print the diagnostics as JSON on stdout");
+  app->footer(kFooter);
+}
+
+void addCompare(CLI::App& root, CompareCommandOptions& o) {
+  CLI::App* app =
+      root.add_subcommand("compare", "Compare two meshes: where material is missing or left over");
+  app->add_option("MACHINED", o.machined, "Closed mesh of the part, mm: STL, OBJ, PLY")
+      ->required()
+      ->check(notEmpty());
+  app->add_option("NOMINAL", o.nominal, "Closed CAD mesh, mm")->required()->check(notEmpty());
+  app->add_option("--gouge", o.gouge_mm, "Allowed below nominal; default: 0.02")
+      ->option_text("MM")
+      ->check(positiveMm());
+  app->add_option("--excess", o.excess_mm, "Allowed above nominal; default: 0.05")
+      ->option_text("MM")
+      ->check(positiveMm());
+  app->add_option("--resolution", o.resolution_mm, "Spacing of the samples; default: 0.2")
+      ->option_text("MM")
+      ->check(positiveMm());
+  app->add_option("--threads", o.threads, "Worker threads; default: all cores")
+      ->type_name("N")
+      ->check(threadCount());
+  app->add_option("--out", o.out,
+                  "Write report.json, junit.xml, report.html and deviation.png into this folder")
+      ->type_name("DIR")
+      ->check(notEmpty());
+  app->add_flag("--json", o.json, "Print report.json on stdout instead of the summary");
+  app->add_flag("--quiet", o.quiet, "Print errors only");
+  app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");
+  app->footer(kFooter);
+}
+
+void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptions& coverage) {
+  CLI::App* app = root.add_subcommand("render", "Draw a mesh");
+  app->add_option("MESH", o.mesh, "STL, OBJ or PLY, mm")->required()->check(notEmpty());
+  app->add_option("-o,--output", o.output, "Picture; default: NAME.png in the current folder")
+      ->type_name("PNG")
+      ->check(notEmpty());
+  app->add_option("--view", o.view, "iso, top, front, ...; default: iso")->option_text("NAME");
+  app->add_option("--size", o.size, "16x16 to 8192x8192; default: 1200x900")->option_text("WxH");
+  app->add_option("--heatmap", o.heatmap, "Colour by deviation from the nominal that this report.json names")
+      ->type_name("REPORT");
+  app->add_option("--threads", o.threads, "Worker threads; default: all cores")
+      ->type_name("N")
+      ->check(threadCount());
+  app->footer(kFooter);
+  app = root.add_subcommand("coverage", "What each control supports, from the tables that execute");
+  app->add_option("--control", coverage.control, "This control only; default: all that are built")
+      ->type_name("NAME");
+  app->add_flag("--json", coverage.json, "As JSON");
+  app->footer(kFooter);
+}
+
+}  // namespace
+
+CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
+  CommandLine line;
+  Parsed parsed;
+  CLI::App app("Runs an NC program against a stock blank: machined part, findings, report, pictures.",
+               "proveout");
+  app.set_version_flag("--version", std::string("proveout ") + PROVEOUT_VERSION,
+                       "Print the version and leave");
+  app.require_subcommand(1);
+  app.footer("`proveout COMMAND --help` tells the options of a command.\n" + std::string(kFooter));
+  addRun(app, parsed.run);
+  addPathAndCheck(app, parsed.path, parsed.check);
+  addCompare(app, parsed.compare);
+  addRenderAndCoverage(app, parsed.render, parsed.coverage);
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out, err;
+    const int code = app.exit(error, out, err);
+    line.output = out.str();
+    line.errors = err.str();
+    line.exit_code = code == 0 ? kExitOk : kExitInput;
+    return line;
+  }
+  if (app.got_subcommand("run")) line.command = std::move(parsed.run);
+  if (app.got_subcommand("path")) line.command = std::move(parsed.path);
+  if (app.got_subcommand("check")) line.command = std::move(parsed.check);
+  if (app.got_subcommand("compare")) line.command = std::move(parsed.compare);
+  if (app.got_subcommand("render")) line.command = std::move(parsed.render);
+  if (app.got_subcommand("coverage")) line.command = std::move(parsed.coverage);
+  return line;
+}
+
+}  // namespace proveout

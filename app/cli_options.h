@@ -1,0 +1,89 @@
+// The command line as plain data. Nothing here touches files: names and numbers are checked where they are
+// used.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace proveout {
+
+/// A program or a job, for the commands that interpret.
+struct ProgramOptions {
+  std::string input;                   ///< job file (*.toml) or program
+  std::optional<std::string> control;  ///< needed with a program
+  std::vector<std::string> subprograms;
+  std::optional<std::string> until;  ///< "120" (line) or "N70" (block number)
+  bool lenient = false;
+};
+
+struct RunOptions {
+  ProgramOptions program;
+  std::optional<std::string> stock;
+  std::vector<std::string> tools;
+  std::optional<std::string> nominal;
+  std::optional<double> tolerance_mm;
+  std::optional<double> resolution_mm;
+  std::optional<double> max_memory_gb;
+  std::optional<int> threads;
+  std::optional<std::string> out;
+  std::optional<std::string> formats;
+  std::vector<std::string> views;
+  std::optional<std::string> size;
+  bool no_render = false;
+  bool json = false;
+  bool quiet = false;
+  bool progress = false;
+};
+
+struct PathOptions {
+  ProgramOptions program;
+  std::string format = "jsonl";
+};
+
+struct CheckOptions {
+  ProgramOptions program;
+  bool json = false;
+};
+
+struct CompareCommandOptions {
+  std::string machined, nominal;
+  double gouge_mm = 0.02, excess_mm = 0.05;
+  double resolution_mm = 0.2;
+  std::optional<int> threads;
+  std::optional<std::string> out;
+  bool json = false;
+  bool quiet = false;
+  bool progress = false;
+};
+
+struct RenderCommandOptions {
+  std::string mesh;
+  std::string output;  ///< empty: the mesh's name with .png
+  std::string view = "iso";
+  std::string size = "1200x900";
+  std::optional<std::string> heatmap;
+  std::optional<int> threads;
+};
+
+struct CoverageOptions {
+  std::optional<std::string> control;
+  bool json = false;
+};
+
+using CommandOptions = std::variant<RunOptions, PathOptions, CheckOptions, CompareCommandOptions,
+                                    RenderCommandOptions, CoverageOptions>;
+
+/// What to do: a command, or a text to print and an exit code (--help, --version, bad usage).
+struct CommandLine {
+  std::optional<CommandOptions> command;
+  std::string output;  ///< for stdout
+  std::string errors;  ///< for stderr
+  int exit_code = 0;
+};
+
+/// `arguments` without the program's name.
+CommandLine parseCommandLine(const std::vector<std::string>& arguments);
+
+}  // namespace proveout

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/exit_codes.h"
+#include "app/findings.h"
+#include "app/outputs.h"
+#include "app/pipeline.h"
+#include "app/run_report.h"
+#include "app/stopwatch.h"
+#include "app/summary.h"
+#include "io/program_files.h"
+#include "io/sha256.h"
+
+namespace proveout {
+namespace {
+
+void addNotes(const PreparedMesh& prepared, Diagnostics& diagnostics) {
+  for (const std::string& note : prepared.notes) {
+    Diagnostic diagnostic;
+    diagnostic.severity = Severity::kWarning;
+    diagnostic.code = "mesh";
+    diagnostic.message = note;
+    diagnostics.add(std::move(diagnostic));
+  }
+}
+
+struct Pair {
+  PreparedMesh machined, nominal;
+};
+
+Result<Pair> loadPair(const CompareCommandOptions& options) {
+  NominalSpec machined, nominal;
+  machined.mesh.path = options.machined;
+  nominal.mesh.path = options.nominal;
+  Result<PreparedMesh> part = loadNominal(machined);
+  if (!part) return part.error();
+  Result<PreparedMesh> model = loadNominal(nominal);
+  if (!model) return model.error();
+  return Pair{std::move(*part), std::move(*model)};
+}
+
+Result<Comparison> comparePair(const CompareCommandOptions& options, const Pair& pair, Progress& progress) {
+  CompareOptions settings;
+  settings.gouge_mm = options.gouge_mm;
+  settings.excess_mm = options.excess_mm;
+  settings.resolution_mm = options.resolution_mm;
+  settings.threads = options.threads.value_or(0);
+  return compareToNominal(pair.machined.mesh, pair.nominal.mesh, settings, progress);
+}
+
+Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pair& pair,
+                                 const Comparison& comparison) {
+  Report report;
+  report.name = std::filesystem::path(options.machined).stem().string();
+  report.version = versionText();
+  report.checks.interpreted = false;
+  report.checks.comparison = true;
+  report.resolution_mm = options.resolution_mm;
+  report.comparison = reportComparison(comparison, options.nominal);
+  Diagnostics notes;
+  addNotes(pair.machined, notes);
+  addNotes(pair.nominal, notes);
+  report.diagnostics = notes.all();
+  // No program is involved: nothing is blamed.
+  const MemoryProgramSource none("", "");
+  addDeviations(comparison, Toolpath{}, RecordingSource(none, TextEncoding::kAuto), report.findings);
+  report.error_budget.push_back({"nominal", comparison.nominal_tessellation_mm,
+                                 "chord height of the nominal's facets, estimated from neighbouring facets"});
+  const std::pair<const char*, std::string> files[] = {{"machined", options.machined},
+                                                       {"nominal", options.nominal}};
+  for (const auto& [role, path] : files) {
+    const Result<std::string> hash = sha256OfFile(path);
+    if (!hash) return hash.error();
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(path, error);
+    report.inputs.push_back({role, path, error ? 0 : static_cast<std::uint64_t>(bytes), *hash});
+  }
+  report.part_sha256 = sha256OfMesh(pair.machined.mesh);
+  report.performance.peak_memory_mb = peakMemoryMb();
+  report.verdict = verdictOf(report);
+  return report;
+}
+
+Status writeResults(const CompareCommandOptions& options, const Pair& pair, const Comparison& comparison,
+                    Report& report, Progress& progress) {
+  PictureRequest request;
+  request.name = report.name;
+  request.threads = options.threads.value_or(0);
+  request.comparison = &comparison;
+  request.findings = &report.findings;
+  Result<std::vector<Picture>> pictures = drawPictures(pair.machined.mesh, request, progress);
+  if (!pictures) return pictures.error();
+  Result<StagingFolder> staging = StagingFolder::create(*options.out);
+  if (!staging) return staging.error();
+  if (Status done = writeReport(*pictures, *staging, report); !done) return done;
+  return staging->commit();
+}
+
+Result<Report> compareFiles(const CompareCommandOptions& options, Progress& progress) {
+  Stopwatch wall, watch;
+  const Result<Pair> pair = loadPair(options);
+  if (!pair) return pair.error();
+  const Result<Comparison> comparison = comparePair(options, *pair, progress);
+  if (!comparison) return comparison.error();
+  Result<Report> report = makeCompareReport(options, *pair, *comparison);
+  if (!report) return report;
+  report->performance.compare_s = watch.lap();
+  report->performance.wall_s = wall.lap();
+  if (options.out) {
+    if (const Status done = writeResults(options, *pair, *comparison, *report, progress); !done)
+      return done.error();
+  }
+  return report;
+}
+
+}  // namespace
+
+int compareCommand(const CompareCommandOptions& options, Console& console, ConsoleProgress& progress) {
+  progress.show(options.progress || (console.err_is_terminal && !options.quiet));
+  const Result<Report> report = compareFiles(options, progress);
+  progress.clear();
+  if (!report) return printError(console, report.error());
+  printFindings(console, *report, options.quiet ? Severity::kError : Severity::kNote);
+  if (options.json) {
+    console.out << reportJson(*report);
+  } else if (!options.quiet) {
+    console.out << summaryText(*report, options.out.value_or(""));
+  }
+  return exitCodeOf(report->verdict);
+}
+
+}  // namespace proveout

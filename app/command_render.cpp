@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/exit_codes.h"
+#include "app/pictures.h"
+#include "app/pipeline.h"
+#include "io/atomic_file.h"
+#include "io/mesh_io.h"
+#include "io/png.h"
+#include "render/render.h"
+
+namespace proveout {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMaxReportBytes = std::size_t{256} << 20;
+
+/// What a report says of its comparison.
+struct HeatMapSource {
+  NominalSpec nominal;
+  double resolution_mm = 0.2;
+};
+
+Result<HeatMapSource> readHeatMapSource(const std::string& path) {
+  const Result<std::string> text = readWholeFile(path, kMaxReportBytes);
+  if (!text) return text.error();
+  const nlohmann::json root = nlohmann::json::parse(*text, nullptr, false);
+  const auto wrong = [&](const char* what) { return inputError(fmt::format("{}: {}", path, what)); };
+  if (root.is_discarded() || !root.is_object()) return wrong("not a report: it is no JSON document");
+  if (!root.contains("comparison") || !root["comparison"].is_object()) {
+    return wrong("the report has no comparison with a nominal mesh to colour by");
+  }
+  const nlohmann::json& comparison = root["comparison"];
+  HeatMapSource source;
+  const auto number = [](const nlohmann::json& object, const char* key, double& value) {
+    if (!object.contains(key) || !object[key].is_number()) return false;
+    value = object[key].get<double>();
+    return value > 0 && value < 1e6;
+  };
+  const bool complete = comparison.contains("nominal") && comparison["nominal"].is_string() &&
+                        number(comparison, "gouge_tolerance_mm", source.nominal.gouge_mm) &&
+                        number(comparison, "excess_tolerance_mm", source.nominal.excess_mm) &&
+                        number(root, "resolution_mm", source.resolution_mm);
+  if (!complete) return wrong("the comparison in the report lacks its nominal, tolerances or resolution");
+  source.nominal.mesh.path = comparison["nominal"].get<std::string>();
+  std::error_code error;
+  const fs::path beside = fs::path(path).parent_path() / source.nominal.mesh.path;
+  if (!fs::exists(source.nominal.mesh.path, error) && fs::exists(beside, error)) {
+    source.nominal.mesh.path = beside.string();
+  }
+  return source;
+}
+
+Result<Comparison> compareForHeatMap(const TriMesh& mesh, const HeatMapSource& source, int threads,
+                                     Progress& progress) {
+  const Result<PreparedMesh> nominal = loadNominal(source.nominal);
+  if (!nominal) return nominal.error();
+  CompareOptions options;
+  options.gouge_mm = source.nominal.gouge_mm;
+  options.excess_mm = source.nominal.excess_mm;
+  options.resolution_mm = source.resolution_mm;
+  options.threads = threads;
+  return compareToNominal(mesh, nominal->mesh, options, progress);
+}
+
+Status renderToFile(const RenderCommandOptions& options, const std::string& output, Progress& progress) {
+  const Result<View> view = findView(options.view);
+  if (!view) return view.error();
+  const Result<ImageSize> size = parseImageSize(options.size);
+  if (!size) return size.error();
+  Result<TriMesh> mesh = loadMesh(options.mesh);
+  if (!mesh) return mesh.error();
+  std::optional<Comparison> comparison;
+  if (options.heatmap) {
+    const Result<HeatMapSource> source = readHeatMapSource(*options.heatmap);
+    if (!source) return source.error();
+    Result<PreparedMesh> solid = prepareNominal(*mesh, options.mesh);
+    if (!solid) return solid.error();
+    *mesh = std::move(solid->mesh);
+    Result<Comparison> done = compareForHeatMap(*mesh, *source, options.threads.value_or(0), progress);
+    if (!done) return done.error();
+    comparison = std::move(*done);
+  }
+  RenderScene scene(*mesh);
+  if (comparison) addHeatMap(*comparison, scene);
+  RenderOptions settings;
+  settings.threads = options.threads.value_or(0);
+  const Result<Image> image = renderMesh(scene, *view, *size, settings, progress);
+  if (!image) return image.error();
+  return writePng(*image, output);
+}
+
+}  // namespace
+
+int renderCommand(const RenderCommandOptions& options, Console& console, ConsoleProgress& progress) {
+  const std::string output =
+      options.output.empty() ? fs::path(options.mesh).stem().string() + ".png" : options.output;
+  progress.show(console.err_is_terminal);
+  const Status done = renderToFile(options, output, progress);
+  progress.clear();
+  if (!done) return printError(console, done.error());
+  return kExitOk;
+}
+
+}  // namespace proveout

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/exit_codes.h"
+#include "app/job_setup.h"
+#include "app/outputs.h"
+#include "app/pictures.h"
+#include "app/pipeline.h"
+#include "app/run_report.h"
+#include "app/stopwatch.h"
+#include "app/summary.h"
+#include "io/program_files.h"
+
+namespace proveout {
+namespace {
+
+Result<std::vector<Picture>> drawRun(const RunOptions& options, const Job& job, const RunResult& run,
+                                     Progress& progress) {
+  if (options.no_render || run.alarm) return std::vector<Picture>{};
+  PictureRequest request;
+  request.name = job.name;
+  request.views = job.output.views;
+  request.size = {job.output.width, job.output.height};
+  request.threads = job.simulation.threads;
+  request.comparison = run.comparison ? &*run.comparison : nullptr;
+  request.findings = &run.findings;
+  return drawPictures(run.surface.mesh, request, progress);
+}
+
+Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>& pictures,
+                const std::string& folder, Report& report) {
+  Result<StagingFolder> staging = StagingFolder::create(folder);
+  if (!staging) return staging.error();
+  if (!run.alarm) {
+    if (Status done = writeMeshes(run.surface.mesh, *run.stock, job, *staging, report); !done) return done;
+  }
+  if (Status done = writeReport(pictures, *staging, report); !done) return done;
+  return staging->commit();
+}
+
+Result<Report> runJob(const RunOptions& options, const Job& job, const std::string& folder,
+                      Progress& progress) {
+  Stopwatch wall, watch;
+  const FileProgramSource files(job.program, job.subprograms);
+  const RecordingSource source(files, job.settings.encoding);
+  Result<RunResult> run = runPipeline(job, source, progress);
+  if (!run) return run.error();
+  watch.lap();
+  Result<std::vector<Picture>> pictures = drawRun(options, job, *run, progress);
+  if (!pictures) return pictures.error();
+  run->performance.render_s = watch.lap();
+  Result<Report> report = makeReport(job, *run, source);
+  if (!report) return report;
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  report->performance.wall_s = wall.lap();
+  if (const Status written = writeAll(job, *run, *pictures, folder, *report); !written)
+    return written.error();
+  return report;
+}
+
+}  // namespace
+
+int runCommand(const RunOptions& options, Console& console, ConsoleProgress& progress) {
+  Diagnostics diagnostics;
+  std::optional<Job> job = setUpJob(options.program, diagnostics);
+  const bool good = job && applyRunOptions(options, *job, diagnostics);
+  printDiagnostics(console, diagnostics.all(), options.quiet ? Severity::kError : Severity::kNote);
+  if (!good) return kExitInput;
+  const std::string folder = outputFolder(options, *job);
+  progress.show(options.progress || (console.err_is_terminal && !options.quiet));
+  const Result<Report> report = runJob(options, *job, folder, progress);
+  progress.clear();
+  if (!report) return printError(console, report.error());
+  printFindings(console, *report, options.quiet ? Severity::kError : Severity::kNote);
+  if (options.json) {
+    console.out << reportJson(*report);
+  } else if (!options.quiet) {
+    console.out << summaryText(*report, folder);
+  }
+  return exitCodeOf(report->verdict);
+}
+
+}  // namespace proveout

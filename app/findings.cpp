@@ -1,0 +1,166 @@
+#include "app/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proveout {
+namespace {
+
+std::string_view contactText(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::kRapid:
+      return "rapid motion cuts into the stock";
+    case ContactKind::kShank:
+      return "the tool's shank runs into the stock";
+    case ContactKind::kHolder:
+      return "the tool holder runs into the stock";
+    case ContactKind::kSpindleOff:
+      return "the tool cuts while the spindle stands still";
+  }
+  return "contact with the stock";
+}
+
+Finding deviationFinding(const DeviationPatch& patch, const Comparison& comparison, bool decided) {
+  const bool gouge = patch.kind == DeviationKind::kGouge;
+  const double tolerance = gouge ? comparison.gouge_tolerance_mm : comparison.excess_tolerance_mm;
+  Finding finding;
+  finding.kind = !decided ? "undecided" : gouge ? "gouge" : "excess";
+  finding.severity = decided ? Severity::kError : Severity::kWarning;
+  finding.where = patch.where;
+  finding.depth_mm = patch.depth_mm;
+  finding.area_mm2 = patch.area_mm2;
+  finding.volume_mm3 = patch.volume_mm3;
+  finding.message = fmt::format("{:.4g} mm {} nominal over {:.4g} mm2 (allowed {:.4g} mm)", patch.depth_mm,
+                                gouge ? "below" : "above", patch.area_mm2, tolerance);
+  if (decided) return finding;
+  finding.message +=
+      fmt::format("; the grid is good to {:.2g} mm and cannot decide this", comparison.uncertainty_mm);
+  if (patch.deciding_resolution_mm > 0) {
+    finding.message += fmt::format(", --resolution {:.2g} could", patch.deciding_resolution_mm);
+  }
+  return finding;
+}
+
+std::string dataText(const PathEvent& event, const std::string& key) {
+  for (const auto& [name, json] : event.data) {
+    if (name != key) continue;
+    const bool quoted = json.size() >= 2 && json.front() == '"';
+    return quoted ? json.substr(1, json.size() - 2) : json;
+  }
+  return "?";
+}
+
+}  // namespace
+
+void blame(Finding& finding, MotionId motion, const Toolpath& path, const RecordingSource& texts) {
+  if (motion >= path.motions.size()) return;
+  finding.motion = motion;
+  finding.source = blockRef(path, path.motions[motion].source, texts);
+  finding.tool = path.motions[motion].tool;
+}
+
+void addAlarms(const Toolpath& path, std::vector<Finding>& findings) {
+  for (const Diagnostic& diagnostic : path.diagnostics.all()) {
+    if (diagnostic.severity != Severity::kError) continue;
+    Finding finding;
+    finding.kind = "alarm";
+    finding.message = diagnostic.message;
+    if (diagnostic.where.line > 0) {
+      finding.source = BlockRef{diagnostic.where.file, static_cast<std::uint32_t>(diagnostic.where.line), -1,
+                                0, diagnostic.source_line};
+    }
+    findings.push_back(std::move(finding));
+  }
+}
+
+void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
+  for (const Toolpath::EventAt& at : path.events) {
+    if (at.event.event != "overtravel") continue;
+    Finding finding;
+    finding.kind = "overtravel";
+    finding.source = blockRef(path, at.event.source, texts);
+    // The event precedes its motion.
+    if (at.before < path.motions.size()) {
+      finding.motion = at.before;
+      finding.tool = path.motions[at.before].tool;
+      finding.where = path.motions[at.before].to;
+    }
+    finding.message =
+        fmt::format("{} goes to {} mm, past its limit of {} mm (machine frame)", dataText(at.event, "axis"),
+                    dataText(at.event, "value"), dataText(at.event, "limit"));
+    findings.push_back(std::move(finding));
+  }
+}
+
+void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, const RecordingSource& texts,
+                 std::vector<Finding>& findings) {
+  const auto turns = [](const Motion& motion) { return motion.spindle != 0.0; };
+  const bool spindle_used = std::any_of(path.motions.begin(), path.motions.end(), turns);
+  bool manual_spindle_told = false;
+  for (const Contact& contact : contacts) {
+    const bool manual_spindle = contact.kind == ContactKind::kSpindleOff && !spindle_used;
+    if (manual_spindle && manual_spindle_told) continue;
+    manual_spindle_told = manual_spindle_told || manual_spindle;
+    Finding finding;
+    finding.kind = contactKindName(contact.kind);
+    finding.where = contact.where;
+    finding.depth_mm = contact.depth_mm;
+    finding.volume_mm3 = contact.volume_mm3;
+    if (manual_spindle) {
+      finding.severity = Severity::kWarning;
+      finding.message = "the program never starts the spindle and cuts from here on";
+    } else {
+      finding.message = fmt::format("{}: {:.3g} mm deep, {:.3g} mm3 in the way", contactText(contact.kind),
+                                    contact.depth_mm, contact.volume_mm3);
+    }
+    blame(finding, contact.motion, path, texts);
+    findings.push_back(std::move(finding));
+  }
+}
+
+void addDeviations(const Comparison& comparison, const Toolpath& path, const RecordingSource& texts,
+                   std::vector<Finding>& findings) {
+  const auto add = [&](const DeviationPatch& patch, bool decided) {
+    Finding finding = deviationFinding(patch, comparison, decided);
+    blame(finding, patch.motion, path, texts);
+    findings.push_back(std::move(finding));
+  };
+  for (const DeviationPatch& patch : comparison.patches) add(patch, true);
+  for (const DeviationPatch& patch : comparison.undecided) add(patch, false);
+}
+
+void addMeshDefects(const MeshTopology& topology, std::vector<Finding>& findings) {
+  if (topology.closedManifold()) return;
+  Finding finding;
+  finding.kind = "mesh";
+  finding.where = topology.first_defect;
+  finding.message = fmt::format(
+      "the mesh is not closed and 2-manifold: {} border edges, {} edges with more than two faces, {} "
+      "misoriented, {} "
+      "vertices with more than one fan, {} degenerate triangles",
+      topology.boundary_edges, topology.non_manifold_edges, topology.misoriented_edges,
+      topology.non_manifold_vertices, topology.degenerate_triangles);
+  findings.push_back(std::move(finding));
+}
+
+Diagnostic findingDiagnostic(const Finding& finding) {
+  Diagnostic diagnostic;
+  diagnostic.severity = finding.severity;
+  diagnostic.code = finding.kind;
+  diagnostic.message = finding.message;
+  if (finding.source) {
+    diagnostic.where = {finding.source->file, static_cast<int>(finding.source->line), 0, 0};
+    diagnostic.source_line = finding.source->text;
+  }
+  std::string place;
+  if (finding.where) {
+    place =
+        fmt::format("at X{:.3f} Y{:.3f} Z{:.3f}", finding.where->x(), finding.where->y(), finding.where->z());
+  }
+  if (finding.tool) place += fmt::format("{}tool {}", place.empty() ? "" : ", ", *finding.tool);
+  if (!place.empty()) diagnostic.notes.push_back(place);
+  return diagnostic;
+}
+
+}  // namespace proveout

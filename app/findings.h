@@ -1,0 +1,38 @@
+// What the stages found, in the report's terms: contacts, deviations, overtravel, alarms.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/interpretation.h"
+#include "io/report.h"
+#include "removal/compare.h"
+#include "removal/stock.h"
+
+namespace proveout {
+
+/// Names the block and the tool behind a motion; leaves both away for kNoMotion.
+void blame(Finding& finding, MotionId motion, const Toolpath& path, const RecordingSource& texts);
+
+/// Errors of the interpreter (and of tool assignment) as findings of kind "alarm".
+void addAlarms(const Toolpath& path, std::vector<Finding>& findings);
+
+/// Travel past the job's limits.
+void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings);
+
+/// Contacts with the stock. A spindle that the program never starts is the operator's: a warning, not an
+/// error.
+void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, const RecordingSource& texts,
+                 std::vector<Finding>& findings);
+
+/// Gouges and excess (errors), and what the grid cannot decide (warnings).
+void addDeviations(const Comparison& comparison, const Toolpath& path, const RecordingSource& texts,
+                   std::vector<Finding>& findings);
+
+/// A mesh that is not a closed, oriented 2-manifold.
+void addMeshDefects(const MeshTopology& topology, std::vector<Finding>& findings);
+
+/// The finding as a compiler's message, with the source line and the place.
+Diagnostic findingDiagnostic(const Finding& finding);
+
+}  // namespace proveout

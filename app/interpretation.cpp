@@ -1,0 +1,119 @@
+#include "app/interpretation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/job_setup.h"
+#include "core/nc/source_text.h"
+
+namespace proveout {
+
+Result<ProgramText> RecordingSource::keep(Result<ProgramText> text) const {
+  if (!text) return text;
+  const auto same = [&](const ProgramText& known) { return known.path == text->path; };
+  if (std::none_of(texts_.begin(), texts_.end(), same)) texts_.push_back(*text);
+  return text;
+}
+
+Result<ProgramText> RecordingSource::mainProgram() const { return keep(inner_.mainProgram()); }
+
+Result<ProgramText> RecordingSource::subprogram(const SubprogramQuery& query) const {
+  return keep(inner_.subprogram(query));
+}
+
+std::string RecordingSource::line(const std::string& file, std::uint32_t number) const {
+  auto found = lines_.find(file);
+  if (found == lines_.end()) {
+    found = lines_.emplace(file, std::vector<std::string>()).first;
+    const auto named = [&](const ProgramText& text) { return text.name == file; };
+    const auto text = std::find_if(texts_.begin(), texts_.end(), named);
+    if (text != texts_.end()) {
+      if (const Result<std::string> utf8 = nc::decodeText(text->bytes, encoding_); utf8) {
+        const nc::SourceText source(text->name, text->path, *utf8);
+        found->second.assign(source.lines().begin(), source.lines().end());
+      }
+    }
+  }
+  return number >= 1 && number <= found->second.size() ? found->second[number - 1] : std::string();
+}
+
+ControlSettings controlSettings(const Job& job, const Box3& blank) {
+  ControlSettings settings = job.settings;
+  settings.start = job.start.value_or(defaultStart(blank));
+  for (const Tool& tool : job.tools) {
+    if (tool.gauge_length > 0) settings.gauge_lengths[tool.number] = tool.gauge_length;
+  }
+  return settings;
+}
+
+Interpreted interpretProgram(const Job& job, const ProgramSource& source, const ControlSettings& settings,
+                             Progress& progress) {
+  Interpreted result;
+  ToolpathBuilder builder(result.path);
+  const Result<ControlId> control = findControl(job.control);
+  if (!control) {
+    Diagnostic diagnostic;
+    diagnostic.code = "control";
+    diagnostic.message = control.error().message;
+    result.path.diagnostics.add(diagnostic);
+    result.summary.end = ProgramEnd::kAlarm;
+    result.summary.errors = 1;
+    return result;
+  }
+  progress.report("interpreting", 0.0);
+  result.summary = interpret(*control, source, settings, builder, &progress);
+  result.path.blocks = result.summary.blocks;
+  return result;
+}
+
+BlockRef blockRef(const Toolpath& path, const SourceRef& source, const RecordingSource& texts) {
+  BlockRef ref;
+  if (source.file < path.files.size()) ref.file = path.files[source.file];
+  ref.line = source.line;
+  ref.block = source.block;
+  ref.depth = source.depth;
+  ref.text = texts.line(ref.file, ref.line);
+  return ref;
+}
+
+bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const RecordingSource& source) {
+  if (path.motions.empty()) return true;
+  std::set<int> defined, missing;
+  for (const Tool& tool : tools) defined.insert(tool.number);
+  const auto diagnose = [&](Severity severity, const Motion& motion, std::string code, std::string message) {
+    const BlockRef block = blockRef(path, motion.source, source);
+    Diagnostic diagnostic;
+    diagnostic.severity = severity;
+    diagnostic.code = std::move(code);
+    diagnostic.message = std::move(message);
+    diagnostic.where = {block.file, static_cast<int>(block.line), 0, 0};
+    diagnostic.source_line = block.text;
+    path.diagnostics.add(std::move(diagnostic));
+  };
+  if (defined.empty()) {
+    diagnose(Severity::kError, path.motions.front(), "tool", "the job defines no tool");
+    return false;
+  }
+  const int lowest = *defined.begin();
+  bool told = false, good = true;
+  for (Motion& motion : path.motions) {
+    if (motion.tool == 0 && !defined.contains(0)) {
+      if (!told) {
+        diagnose(Severity::kNote, motion, "tool",
+                 fmt::format("no tool is named up to here; tool {} is taken to be in the spindle", lowest));
+      }
+      told = true;
+      motion.tool = lowest;
+    }
+    if (defined.contains(motion.tool) || !missing.insert(motion.tool).second) continue;
+    good = false;
+    diagnose(Severity::kError, motion, "tool",
+             fmt::format("tool {} is not defined; give it as [[tool]] in the job or as --tool {}=SHAPE",
+                         motion.tool, motion.tool));
+  }
+  return good;
+}
+
+}  // namespace proveout

@@ -1,0 +1,54 @@
+// Running the program on its virtual control, and the texts that it was made of.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/blank.h"
+#include "core/nc/interpreter.h"
+#include "core/path/toolpath.h"
+#include "io/job.h"
+#include "io/report.h"
+
+namespace proveout {
+
+/// Passes programs on and keeps what it has passed, for source lines and hashes. One thread.
+class RecordingSource : public ProgramSource {
+ public:
+  RecordingSource(const ProgramSource& inner, TextEncoding encoding) : inner_(inner), encoding_(encoding) {}
+  Result<ProgramText> mainProgram() const override;
+  Result<ProgramText> subprogram(const SubprogramQuery& query) const override;
+
+  /// Text of a line of the file with that name, UTF-8; empty where there is none.
+  std::string line(const std::string& file, std::uint32_t number) const;
+  /// Every text once, the main program first.
+  const std::vector<ProgramText>& texts() const { return texts_; }
+
+ private:
+  Result<ProgramText> keep(Result<ProgramText> text) const;
+
+  const ProgramSource& inner_;
+  TextEncoding encoding_;
+  mutable std::vector<ProgramText> texts_;
+  mutable std::map<std::string, std::vector<std::string>> lines_;  ///< by name, decoded on demand
+};
+
+struct Interpreted {
+  Toolpath path;
+  InterpretSummary summary;
+};
+
+/// Settings of the job with the start point above a blank that has these bounds (the job's own goes before).
+ControlSettings controlSettings(const Job& job, const Box3& blank);
+
+Interpreted interpretProgram(const Job& job, const ProgramSource& source, const ControlSettings& settings,
+                             Progress& progress);
+
+/// Gives motions that name no tool the lowest tool of the job and checks that every tool used is defined.
+/// What it finds goes to `path.diagnostics`; false after an error.
+bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const RecordingSource& source);
+
+BlockRef blockRef(const Toolpath& path, const SourceRef& source, const RecordingSource& texts);
+
+}  // namespace proveout

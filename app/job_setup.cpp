@@ -1,0 +1,217 @@
+#include "app/job_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "app/console.h"
+#include "core/nc/interpreter.h"
+#include "io/atomic_file.h"
+#include "render/camera.h"
+
+namespace proveout {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Height of the default start above the blank, mm: above any clamp and any clearance plane that programs
+/// use.
+constexpr double kStartClearance = 100.0;
+
+std::optional<UntilBlock> parseUntil(const std::string& text) {
+  const bool by_number = !text.empty() && (text[0] == 'N' || text[0] == 'n');
+  const char* first = text.data() + (by_number ? 1 : 0);
+  const char* last = text.data() + text.size();
+  UntilBlock until;
+  if (by_number) {
+    std::int64_t block = 0;
+    const auto [end, error] = std::from_chars(first, last, block);
+    if (error != std::errc() || end != last || first == last || block < 0) return std::nullopt;
+    until.block = block;
+  } else {
+    int line = 0;
+    const auto [end, error] = std::from_chars(first, last, line);
+    if (error != std::errc() || end != last || line < 1) return std::nullopt;
+    until.line = line;
+  }
+  return until;
+}
+
+std::optional<Job> jobFromProgram(const ProgramOptions& options, Diagnostics& diagnostics) {
+  if (!options.control) {
+    diagnostics.add(usageError("a program needs --control NAME; `proveout coverage` lists the controls"));
+    return std::nullopt;
+  }
+  Job job;
+  job.control = *options.control;
+  job.program = options.input;
+  job.name = fs::path(options.input).stem().string();
+  job.subprograms = options.subprograms;
+  if (const Status readable = checkRegularFile(job.program); !readable) {
+    diagnostics.add(usageError(readable.error().message));
+  }
+  for (const std::string& path : job.subprograms) {
+    std::error_code error;
+    if (!fs::exists(path, error))
+      diagnostics.add(usageError(fmt::format("{}: no such file or folder", path)));
+  }
+  if (diagnostics.hasErrors()) return std::nullopt;
+  return job;
+}
+
+void refuseWithJob(bool given, const char* option, Diagnostics& diagnostics) {
+  if (given) {
+    diagnostics.add(usageError(fmt::format("{} goes with a program; a job file says this itself", option)));
+  }
+}
+
+void applyWorkpiece(const RunOptions& options, Job& job, Diagnostics& diagnostics) {
+  if (!options.stock) {
+    diagnostics.add(usageError("a program needs --stock SHAPE, for example --stock box:0,0,-20:80,80,0"));
+  } else if (Result<StockSpec> stock = parseStockOption(*options.stock); stock) {
+    job.stock = std::move(*stock);
+  } else {
+    diagnostics.add(usageError("--stock: " + stock.error().message));
+  }
+  if (options.tools.empty())
+    diagnostics.add(usageError("a program needs a tool, for example --tool 1=ball:6"));
+  for (const std::string& text : options.tools) {
+    const Result<Tool> tool = parseToolOption(text);
+    if (!tool) {
+      diagnostics.add(usageError("--tool: " + tool.error().message));
+      continue;
+    }
+    const auto same = [&](const Tool& other) { return other.number == tool->number; };
+    if (std::any_of(job.tools.begin(), job.tools.end(), same)) {
+      diagnostics.add(usageError(fmt::format("--tool: tool {} is given twice", tool->number)));
+    }
+    job.tools.push_back(*tool);
+  }
+  if (options.nominal) {
+    job.nominal.emplace();
+    job.nominal->mesh.path = *options.nominal;
+    if (const Status readable = checkRegularFile(*options.nominal); !readable) {
+      diagnostics.add(usageError("--nominal: " + readable.error().message));
+    }
+  }
+}
+
+void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) {
+  if (options.formats) {
+    Result<std::vector<OutputFormat>> formats = parseOutputFormats(*options.formats);
+    if (formats) job.output.formats = std::move(*formats);
+    if (!formats) diagnostics.add(usageError("--format: " + formats.error().message));
+  }
+  const bool pictures = !options.views.empty() || options.size;
+  if (options.no_render && pictures) diagnostics.add(usageError("--no-render contradicts --view and --size"));
+  if (!options.views.empty()) job.output.views.clear();
+  for (const std::string& name : options.views) {
+    const Result<View> view = findView(name);
+    if (!view) diagnostics.add(usageError("--view: " + view.error().message));
+    if (std::find(job.output.views.begin(), job.output.views.end(), name) == job.output.views.end()) {
+      job.output.views.push_back(name);
+    }
+  }
+  if (options.size) {
+    const Result<ImageSize> size = parseImageSize(*options.size);
+    if (!size) {
+      diagnostics.add(usageError("--size: " + size.error().message));
+      return;
+    }
+    job.output.width = size->width;
+    job.output.height = size->height;
+  }
+}
+
+}  // namespace
+
+JobNames knownJobNames() {
+  JobNames names;
+  for (const ControlInfo& control : controls()) {
+    names.controls.emplace_back(control.name);
+    if (!control.built) continue;
+    auto& ranges = names.parameters[std::string(control.name)];
+    for (const ParameterInfo& p : parameterTable(control.id))
+      ranges.push_back({std::string(p.name), p.min, p.max});
+  }
+  names.views = viewNames();
+  return names;
+}
+
+bool isJobFile(const std::string& path) { return fs::path(path).extension() == ".toml"; }
+
+std::optional<Job> setUpJob(const ProgramOptions& options, Diagnostics& diagnostics) {
+  std::optional<Job> job;
+  if (isJobFile(options.input)) {
+    refuseWithJob(options.control.has_value(), "--control", diagnostics);
+    refuseWithJob(!options.subprograms.empty(), "--subprograms", diagnostics);
+    if (diagnostics.hasErrors()) return std::nullopt;
+    job = loadJob(options.input, knownJobNames(), diagnostics);
+  } else {
+    job = jobFromProgram(options, diagnostics);
+  }
+  if (!job) return std::nullopt;
+  if (const Result<ControlId> control = findControl(job->control); !control) {
+    diagnostics.add(usageError(control.error().message));
+    return std::nullopt;
+  }
+  if (options.lenient) job->settings.lenient = true;
+  if (options.until) {
+    job->settings.until = parseUntil(*options.until);
+    if (!job->settings.until) {
+      diagnostics.add(usageError(fmt::format(
+          "--until: '{}' is neither a line number (120) nor a block number (N70)", *options.until)));
+      return std::nullopt;
+    }
+  }
+  return job;
+}
+
+bool applyRunOptions(const RunOptions& options, Job& job, Diagnostics& diagnostics) {
+  const int before = diagnostics.errorCount();
+  if (!job.path.empty()) {
+    refuseWithJob(options.stock.has_value(), "--stock", diagnostics);
+    refuseWithJob(!options.tools.empty(), "--tool", diagnostics);
+    refuseWithJob(options.nominal.has_value(), "--nominal", diagnostics);
+  } else {
+    applyWorkpiece(options, job, diagnostics);
+  }
+  if (options.tolerance_mm) {
+    if (job.nominal) {
+      job.nominal->gouge_mm = job.nominal->excess_mm = *options.tolerance_mm;
+    } else if (!diagnostics.hasErrors()) {
+      diagnostics.add(usageError("--tolerance needs a nominal mesh to compare with"));
+    }
+  }
+  if (options.resolution_mm) job.simulation.resolution_mm = *options.resolution_mm;
+  if (options.threads) job.simulation.threads = *options.threads;
+  if (options.max_memory_gb) job.simulation.max_memory_gb = *options.max_memory_gb;
+  applyOutput(options, job, diagnostics);
+  return diagnostics.errorCount() == before;
+}
+
+std::string outputFolder(const RunOptions& options, const Job& job) {
+  if (options.out) return *options.out;
+  const fs::path beside = job.path.empty() ? fs::path() : fs::path(job.path).parent_path();
+  return (beside / (job.name + "-out")).string();
+}
+
+double defaultResolution(const Box3& blank) {
+  const double wanted = blank.size().maxCoeff() / 400.0;
+  if (!(wanted > 0) || !std::isfinite(wanted)) return 0.2;
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (wanted <= step * decade * (1 + 1e-9)) return step * decade;
+  }
+  return 10.0 * decade;
+}
+
+Vec3 defaultStart(const Box3& blank) {
+  return {blank.min.x(), blank.min.y(), blank.max.z() + kStartClearance};
+}
+
+}  // namespace proveout

@@ -1,0 +1,36 @@
+// From the command line to a job: a job file, or a program with options in place of one.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/cli_options.h"
+#include "core/base/diagnostics.h"
+#include "io/job.h"
+
+namespace proveout {
+
+/// Names and parameter ranges that job files are checked against.
+JobNames knownJobNames();
+
+/// True for the names of job files: *.toml.
+bool isJobFile(const std::string& path);
+
+/// The job that the options mean. With a program it has no stock yet (see applyRunOptions). Errors go to
+/// `diagnostics`; then there is no job.
+std::optional<Job> setUpJob(const ProgramOptions& options, Diagnostics& diagnostics);
+
+/// Lets the options of `run` fill or override the job. Returns false after an error.
+bool applyRunOptions(const RunOptions& options, Job& job, Diagnostics& diagnostics);
+
+/// The folder for the results: `--out`, or NAME-out beside the job file, or in the current folder.
+std::string outputFolder(const RunOptions& options, const Job& job);
+
+/// Grid spacing where nobody gives one: the longest side / 400, rounded up to 1, 2 or 5 times a power of ten,
+/// mm.
+double defaultResolution(const Box3& blank);
+
+/// Where the tool starts if the job does not say: above the lower left corner of the blank, clear of its top.
+Vec3 defaultStart(const Box3& blank);
+
+}  // namespace proveout

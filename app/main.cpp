@@ -1,0 +1,36 @@
+// The `proveout` program: streams and signals; everything else is in runCommandLine.
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/exit_codes.h"
+
+namespace {
+
+std::atomic<proveout::Progress*> running{nullptr};
+
+/// The first signal asks the work to stop, a second one ends the process at once.
+extern "C" void onSignal(int signal) {
+  if (proveout::Progress* progress = running.exchange(nullptr)) {
+    progress->cancel();
+  } else {
+    _exit(signal == SIGINT ? proveout::kExitInterrupted : 128 + signal);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  proveout::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) == 1};
+  proveout::ConsoleProgress progress(std::cerr);
+  running = &progress;
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+  const int code = proveout::runCommandLine({argv + 1, argv + argc}, console, progress);
+  running = nullptr;
+  return code;
+}

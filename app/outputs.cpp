@@ -1,0 +1,108 @@
+#include "app/outputs.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "io/atomic_file.h"
+#include "io/mesh_io.h"
+#include "io/sha256.h"
+
+namespace proveout {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+MeshFormat meshFormat(OutputFormat format) {
+  switch (format) {
+    case OutputFormat::kStlAscii:
+      return MeshFormat::kStlAscii;
+    case OutputFormat::kObj:
+      return MeshFormat::kObj;
+    case OutputFormat::kPly:
+      return MeshFormat::kPly;
+    case OutputFormat::kStl:
+    case OutputFormat::kVdb:
+      break;
+  }
+  return MeshFormat::kStlBinary;
+}
+
+}  // namespace
+
+Result<StagingFolder> StagingFolder::create(const std::string& target) {
+  if (const Status made = makeFolders(target); !made) return made.error();
+  std::string pattern = (fs::path(target) / ".proveout-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) {
+    return inputError(fmt::format("{}: cannot write into this folder: {}", target,
+                                  std::error_code(errno, std::generic_category()).message()));
+  }
+  StagingFolder staging;
+  staging.target_ = target;
+  staging.aside_ = pattern;
+  return staging;
+}
+
+StagingFolder::StagingFolder(StagingFolder&& other) noexcept
+    : target_(std::move(other.target_)),
+      aside_(std::exchange(other.aside_, {})),
+      names_(std::move(other.names_)) {}
+
+StagingFolder::~StagingFolder() {
+  std::error_code ignored;
+  if (!aside_.empty()) fs::remove_all(aside_, ignored);
+}
+
+std::string StagingFolder::path(const std::string& name) {
+  names_.push_back(name);
+  return (fs::path(aside_) / name).string();
+}
+
+Status StagingFolder::commit() {
+  for (const std::string& name : names_) {
+    const fs::path target = fs::path(target_) / name;
+    std::error_code error;
+    fs::rename(fs::path(aside_) / name, target, error);
+    if (error) return inputError(fmt::format("{}: cannot be written: {}", target.string(), error.message()));
+  }
+  return Done{};
+}
+
+Status writeMeshes(const TriMesh& mesh, const Stock& stock, const Job& job, StagingFolder& staging,
+                   Report& report) {
+  for (const OutputFormat format : job.output.formats) {
+    const bool second_stl = format == OutputFormat::kStlAscii && job.output.formats.size() > 1;
+    const std::string file =
+        fmt::format("{}{}.{}", job.name, second_stl ? "-ascii" : "", outputFormatExtension(format));
+    const std::string path = staging.path(file);
+    const Status written =
+        format == OutputFormat::kVdb ? stock.save(path) : writeMesh(mesh, path, meshFormat(format));
+    if (!written) return written;
+    Result<std::string> hash = sha256OfFile(path);
+    if (!hash) return hash.error();
+    report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), std::move(*hash)});
+  }
+  return Done{};
+}
+
+Status writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report) {
+  std::vector<ReportPicture> embedded;
+  for (const Picture& picture : pictures) {
+    report.outputs.images.push_back({picture.file, picture.title});
+    embedded.push_back({picture.title, picture.png});
+    if (Status done = writeFileAtomically(staging.path(picture.file), picture.png); !done) return done;
+  }
+  report.outputs.html = "report.html";
+  const std::pair<const char*, std::string> texts[] = {{"report.html", reportHtml(report, embedded)},
+                                                       {"junit.xml", reportJunit(report)},
+                                                       {"report.json", reportJson(report)}};
+  for (const auto& [name, text] : texts) {
+    if (Status done = writeFileAtomically(staging.path(name), text); !done) return done;
+  }
+  return Done{};
+}
+
+}  // namespace proveout

@@ -1,0 +1,136 @@
+#include "app/pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/png.h"
+
+namespace proveout {
+namespace {
+
+/// More numbers than this hide the part; the report lists all of them.
+constexpr std::size_t kMaxMarkers = 24;
+
+bool isDeviation(const Finding& finding) {
+  return finding.kind == "gouge" || finding.kind == "excess" || finding.kind == "undecided";
+}
+
+/// Captions are ASCII: other bytes become question marks.
+std::string ascii(const std::string& text) {
+  std::string result = text.substr(0, 60);
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return result;
+}
+
+class PictureMaker {
+ public:
+  PictureMaker(const TriMesh& mesh, const PictureRequest& request, Progress& progress)
+      : mesh_(mesh), request_(request), progress_(progress) {}
+
+  Status add(const RenderScene& scene, const std::string& view_name, const std::string& file,
+             const std::string& title) {
+    const Result<View> view = findView(view_name);
+    if (!view) return view.error();
+    RenderOptions options;
+    options.threads = request_.threads;
+    const Result<Image> image = renderMesh(scene, *view, request_.size, options, progress_);
+    if (!image) return image.error();
+    Result<std::string> png = encodePng(*image);
+    if (!png) return png.error();
+    pictures.push_back({file, title, std::move(*png)});
+    return Done{};
+  }
+
+  /// Annotations need a picture of some size; a thumbnail goes without.
+  bool annotated() const { return request_.size.width >= 160 && request_.size.height >= 120; }
+
+  Status addViews() {
+    for (const std::string& view : request_.views) {
+      if (Status done = add(RenderScene(mesh_), view, view + ".png", view); !done) return done;
+    }
+    return Done{};
+  }
+
+  Status addDeviation(const std::vector<Marker>& markers) {
+    const Comparison& comparison = *request_.comparison;
+    RenderScene scene(mesh_);
+    addHeatMap(comparison, scene);
+    scene.show_legend = annotated();
+    if (annotated()) {
+      scene.markers = markers;
+      scene.caption =
+          fmt::format("{}: gouge {:.3g} mm (allowed {:g}), excess {:.3g} mm (allowed {:g})",
+                      ascii(request_.name), comparison.max_gouge_mm, comparison.gouge_tolerance_mm,
+                      comparison.max_excess_mm, comparison.excess_tolerance_mm);
+    }
+    return add(scene, request_.views.front(), "deviation.png", "deviation");
+  }
+
+  Status addFindings(const std::vector<Marker>& markers) {
+    RenderScene scene(mesh_);
+    scene.markers = markers;
+    const std::size_t located = static_cast<std::size_t>(std::count_if(
+        request_.findings->begin(), request_.findings->end(),
+        [](const Finding& finding) { return finding.where.has_value() && !isDeviation(finding); }));
+    scene.caption =
+        fmt::format("{}: {} findings{}", ascii(request_.name), located,
+                    located > markers.size() ? fmt::format(", the first {} shown", markers.size()) : "");
+    return add(scene, request_.views.front(), "findings.png", "findings");
+  }
+
+  std::vector<Picture> pictures;
+
+ private:
+  const TriMesh& mesh_;
+  const PictureRequest& request_;
+  Progress& progress_;
+};
+
+std::vector<Marker> markersOf(const std::vector<Finding>& findings, bool deviations) {
+  std::vector<Marker> markers;
+  for (std::size_t i = 0; i < findings.size() && markers.size() < kMaxMarkers; ++i) {
+    if (!findings[i].where || isDeviation(findings[i]) != deviations) continue;
+    markers.push_back({*findings[i].where, fmt::format("{}", i + 1), findings[i].severity});
+  }
+  return markers;
+}
+
+}  // namespace
+
+std::vector<Marker> findingMarkers(const std::vector<Finding>& findings) {
+  std::vector<Marker> markers = markersOf(findings, true);
+  for (Marker& marker : markersOf(findings, false)) {
+    if (markers.size() < kMaxMarkers) markers.push_back(std::move(marker));
+  }
+  return markers;
+}
+
+void addHeatMap(const Comparison& comparison, RenderScene& scene) {
+  scene.field.per = ScalarField::Per::kVertex;
+  scene.field.values = comparison.vertex_deviation;
+  scene.field.scale = deviationScaleFor(comparison.gouge_tolerance_mm, comparison.excess_tolerance_mm,
+                                        std::max(comparison.max_gouge_mm, comparison.max_excess_mm));
+  scene.show_legend = true;
+  scene.legend.title = "deviation";
+}
+
+Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequest& request,
+                                          Progress& progress) {
+  PictureMaker maker(mesh, request, progress);
+  if (mesh.triangles.empty() || request.views.empty()) return std::move(maker.pictures);
+  if (const Status done = maker.addViews(); !done) return done.error();
+  static const std::vector<Finding> kNone;
+  const std::vector<Finding>& findings = request.findings ? *request.findings : kNone;
+  if (request.comparison) {
+    if (const Status done = maker.addDeviation(markersOf(findings, true)); !done) return done.error();
+  }
+  const std::vector<Marker> others = markersOf(findings, false);
+  if (!others.empty() && maker.annotated()) {
+    if (const Status done = maker.addFindings(others); !done) return done.error();
+  }
+  return std::move(maker.pictures);
+}
+
+}  // namespace proveout

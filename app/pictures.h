@@ -1,0 +1,42 @@
+// The pictures of a run: named views, the deviation map, the findings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/tri_mesh.h"
+#include "io/report.h"
+#include "removal/compare.h"
+#include "render/render.h"
+
+namespace proveout {
+
+struct Picture {
+  std::string file;   ///< "iso.png"
+  std::string title;  ///< "iso", "deviation", "findings"
+  std::string png;    ///< bytes of the file
+};
+
+struct PictureRequest {
+  std::string name;  ///< of the part, for captions
+  std::vector<std::string> views = {"iso"};
+  ImageSize size;
+  int threads = 0;
+  const Comparison* comparison = nullptr;          ///< null: no deviation map
+  const std::vector<Finding>* findings = nullptr;  ///< numbered from 1 as in the report; null: none
+};
+
+/// One picture a view; deviation.png where there is a comparison; findings.png where findings have a place. A
+/// mesh without triangles (everything was cut away) gives no picture.
+Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequest& request,
+                                          Progress& progress);
+
+/// The markers of the first findings that have a place; numbers are positions in `findings`, from 1.
+std::vector<Marker> findingMarkers(const std::vector<Finding>& findings);
+
+/// Puts the deviations and their legend into the scene.
+void addHeatMap(const Comparison& comparison, RenderScene& scene);
+
+}  // namespace proveout

@@ -1,0 +1,217 @@
+#include "app/run_report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <thread>
+
+#include "io/sha256.h"
+
+namespace proveout {
+namespace {
+
+std::string describe(const Tool& tool) {
+  std::string text = fmt::format("{} {:g}", toolTypeName(tool.type), tool.diameter);
+  if (tool.type == ToolType::kBull) text += fmt::format(" r{:g}", tool.corner_radius);
+  if (tool.type == ToolType::kCone)
+    text += fmt::format(" tip {:g} {:g} deg", tool.tip_diameter, tool.cone_angle_deg);
+  if (tool.type == ToolType::kDrill) text += fmt::format(" {:g} deg", tool.point_angle_deg);
+  return text;
+}
+
+ReportTime reportTime(const Job& job, const RunResult& run) {
+  const InterpretSummary& summary = run.interpreted.summary;
+  ReportTime time{summary.cycle_s, summary.cutting_s, summary.rapid_s, {}};
+  std::map<int, ToolUse> uses;
+  const auto& motions = run.interpreted.path.motions;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    ToolUse& use = uses[motions[i].tool];
+    (motions[i].kind == MotionKind::kRapid ? use.rapid_s : use.cutting_s) += motions[i].time_s;
+    if (i < run.removal.removed_mm3.size())
+      use.removed_mm3 += static_cast<double>(run.removal.removed_mm3[i]);
+    ++use.motions;
+  }
+  for (auto& [number, use] : uses) {
+    use.number = number;
+    for (const Tool& tool : job.tools) {
+      if (tool.number != number) continue;
+      use.name = tool.name;
+      use.description = describe(tool);
+    }
+    time.per_tool.push_back(use);
+  }
+  return time;
+}
+
+ReportStock reportStock(const RunResult& run) {
+  ReportStock stock;
+  stock.initial_mm3 = run.stock->initialVolume();
+  stock.final_mm3 = run.surface.volume_mm3;
+  stock.removed_mm3 = stock.initial_mm3 - stock.final_mm3;
+  stock.mesh_mm3 = meshVolume(run.surface.mesh);
+  stock.bodies = stockBodies(run.surface.mesh);
+  stock.triangles = run.surface.mesh.triangles.size();
+  stock.vertices = run.surface.mesh.positions.size();
+  stock.closed = run.topology.closedManifold();
+  return stock;
+}
+
+std::vector<ErrorTerm> errorBudget(const Job& job, const RunResult& run) {
+  const double grid = surfaceUncertainty(run.interpreted.path, job.tools, run.resolution_mm);
+  std::vector<ErrorTerm> terms;
+  terms.push_back(
+      {"grid", grid,
+       fmt::format("facets between exact crossings of a {:g} mm grid: flat faces are exact, walls as curved "
+                   "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be "
+                   "lost",
+                   run.resolution_mm)});
+  terms.push_back(
+      {"tool", 0.0, "tools are exact solids of revolution; runout, wear and deflection are not simulated"});
+  terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
+  if (run.comparison) {
+    terms.push_back({"nominal", run.comparison->nominal_tessellation_mm,
+                     "chord height of the nominal's facets, estimated from neighbouring facets"});
+  }
+  return terms;
+}
+
+/// A closed shell of the surface.
+struct Shell {
+  double volume_mm3 = 0.0;  ///< negative: a hollow
+  Box3 bounds;
+};
+
+std::vector<Shell> shellsOf(const TriMesh& mesh) {
+  std::uint32_t count = 0;
+  const std::vector<std::uint32_t> component = meshComponents(mesh, count);
+  std::vector<Shell> shells(count);
+  if (mesh.positions.empty()) return shells;
+  const Vec3 origin = mesh.positions.front().cast<double>();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Shell& shell = shells[component[t]];
+    Vec3 p[3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      p[c] = mesh.positions[mesh.triangles[t][c]].cast<double>();
+      shell.bounds.extend(p[c]);
+    }
+    shell.volume_mm3 += (p[0] - origin).dot((p[1] - origin).cross(p[2] - origin)) / 6.0;
+  }
+  return shells;
+}
+
+bool contains(const Box3& outer, const Box3& inner) {
+  return (outer.min.array() <= inner.min.array()).all() && (outer.max.array() >= inner.max.array()).all();
+}
+
+Result<std::vector<FileHash>> hashInputs(const Job& job, const RecordingSource& source) {
+  std::vector<FileHash> hashes;
+  std::string failure;
+  const auto add = [&](const std::string& role, const std::string& path) {
+    const Result<std::string> sha = sha256OfFile(path);
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (!sha) failure = sha.error().message;
+    if (sha) hashes.push_back({role, path, error ? 0 : static_cast<std::uint64_t>(bytes), *sha});
+  };
+  if (!job.path.empty()) add("job", job.path);
+  for (const ProgramText& text : source.texts()) {
+    const bool main = &text == &source.texts().front();
+    hashes.push_back({main ? "program" : "subprogram", text.path, text.bytes.size(), sha256Hex(text.bytes)});
+  }
+  if (job.stock) {
+    if (const auto* mesh = std::get_if<MeshFile>(&*job.stock)) add("stock", mesh->path);
+    if (const auto* saved = std::get_if<SavedStock>(&*job.stock)) add("stock", saved->path);
+  }
+  if (job.nominal) add("nominal", job.nominal->mesh.path);
+  if (!failure.empty()) return inputError(failure);
+  return hashes;
+}
+
+}  // namespace
+
+std::vector<StockBody> stockBodies(const TriMesh& mesh) {
+  std::vector<Shell> shells = shellsOf(mesh);
+  std::vector<StockBody> bodies;
+  for (const Shell& shell : shells) {
+    if (shell.volume_mm3 > 0) bodies.push_back({shell.volume_mm3, shell.bounds, "loose"});
+  }
+  for (const Shell& hollow : shells) {
+    if (hollow.volume_mm3 > 0) continue;
+    StockBody* around = nullptr;  // the smallest body that can hold it
+    for (StockBody& body : bodies) {
+      const bool smaller = !around || body.bounds.size().prod() < around->bounds.size().prod();
+      if (smaller && contains(body.bounds, hollow.bounds)) around = &body;
+    }
+    if (around) around->volume_mm3 += hollow.volume_mm3;
+  }
+  const auto larger = [](const StockBody& a, const StockBody& b) { return a.volume_mm3 > b.volume_mm3; };
+  std::stable_sort(bodies.begin(), bodies.end(), larger);
+  if (!bodies.empty()) bodies.front().role = "part";
+  return bodies;
+}
+
+ReportComparison reportComparison(const Comparison& comparison, const std::string& nominal) {
+  ReportComparison report;
+  report.nominal = nominal;
+  report.gouge_tolerance_mm = comparison.gouge_tolerance_mm;
+  report.excess_tolerance_mm = comparison.excess_tolerance_mm;
+  report.max_gouge_mm = comparison.max_gouge_mm;
+  report.max_excess_mm = comparison.max_excess_mm;
+  report.rms_mm = comparison.rms_mm;
+  report.p95_mm = comparison.p95_mm;
+  report.histogram_edges_mm = comparison.histogram.edges_mm;
+  report.histogram_area_mm2 = comparison.histogram.area_mm2;
+  report.decided = comparison.undecided.empty();
+  double deciding = std::numeric_limits<double>::infinity();
+  for (const DeviationPatch& patch : comparison.undecided) {
+    if (!(patch.deciding_resolution_mm > 0)) return report;  // no grid decides all of them
+    deciding = std::min(deciding, patch.deciding_resolution_mm);
+  }
+  if (!report.decided) report.deciding_resolution_mm = deciding;
+  return report;
+}
+
+Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingSource& source) {
+  const Toolpath& path = run.interpreted.path;
+  Report report;
+  report.name = job.name;
+  report.version = versionText();
+  report.program = {job.control, path.files, path.blocks, path.motions.size()};
+  report.time = reportTime(job, run);
+  report.resolution_mm = run.resolution_mm;
+  report.findings = run.findings;
+  report.diagnostics = path.diagnostics.all();
+  report.checks.removal = report.checks.mesh = !run.alarm;
+  report.checks.comparison = run.comparison.has_value();
+  for (const auto& limit : job.settings.limits) report.checks.travel_limits |= limit.has_value();
+  if (!run.alarm) {
+    report.stock = reportStock(run);
+    report.error_budget = errorBudget(job, run);
+    report.part_sha256 = sha256OfMesh(run.surface.mesh);
+  }
+  if (run.comparison) report.comparison = reportComparison(*run.comparison, job.nominal->mesh.path);
+  Result<std::vector<FileHash>> hashes = hashInputs(job, source);
+  if (!hashes) return hashes.error();
+  report.inputs = std::move(*hashes);
+  report.performance = run.performance;
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  report.performance.threads = job.simulation.threads > 0 ? job.simulation.threads : cores;
+  report.performance.peak_memory_mb = peakMemoryMb();
+  report.verdict = verdictOf(report);
+  return report;
+}
+
+double peakMemoryMb() {
+  struct rusage usage {};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0.0;
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;  // Linux counts in KiB
+}
+
+std::string versionText() { return PROVEOUT_VERSION; }
+
+}  // namespace proveout

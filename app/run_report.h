@@ -1,0 +1,24 @@
+// The report of a run, from what the pipeline made.
+#pragma once
+
+#include "app/pipeline.h"
+#include "io/report.h"
+
+namespace proveout {
+
+/// Everything but `outputs` and wall time. Error: an input that could be read before cannot be hashed now.
+Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingSource& source);
+
+/// Connected pieces of the stock: the largest is the part, others fell off. A closed hollow counts against
+/// the piece around it.
+std::vector<StockBody> stockBodies(const TriMesh& mesh);
+
+ReportComparison reportComparison(const Comparison& comparison, const std::string& nominal);
+
+/// Largest resident size of this process so far, MB.
+double peakMemoryMb();
+
+/// The program's version.
+std::string versionText();
+
+}  // namespace proveout

@@ -1,0 +1,83 @@
+#include "app/summary.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "app/findings.h"
+
+namespace proveout {
+namespace {
+
+constexpr int kMaxPrinted = 20;
+
+/// "1:02:03" or "2:03".
+std::string clock(double seconds) {
+  const auto total = static_cast<long long>(std::llround(seconds));
+  const long long h = total / 3600, m = total / 60 % 60, s = total % 60;
+  return h > 0 ? fmt::format("{}:{:02}:{:02} h", h, m, s) : fmt::format("{}:{:02} min", m, s);
+}
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+std::string findingCounts(const Report& report) {
+  std::size_t errors = 0, others = 0;
+  for (const Finding& finding : report.findings) ++(finding.severity == Severity::kError ? errors : others);
+  if (errors + others == 0) return "none";
+  return fmt::format("{}, {}", counted(errors, "error", "errors"),
+                     counted(others, "warning or note", "warnings or notes"));
+}
+
+}  // namespace
+
+std::string summaryText(const Report& report, const std::string& folder) {
+  std::string text = fmt::format("{}: {}\n", report.name, verdictName(report.verdict));
+  const auto row = [&](const char* what, const std::string& value) {
+    text += fmt::format("  {:<10} {}\n", what, value);
+  };
+  if (!report.program.files.empty()) {
+    row("program", fmt::format("{} ({}), {}, {}", report.program.files.front(), report.program.control,
+                               counted(report.program.blocks, "block", "blocks"),
+                               counted(report.program.motions, "motion", "motions")));
+    row("time", fmt::format("{} in the machine: cutting {}, rapid {}", clock(report.time.cycle_s),
+                            clock(report.time.cutting_s), clock(report.time.rapid_s)));
+  }
+  if (const auto& stock = report.stock) {
+    row("blank", fmt::format("{:.2f} mm3, removed {:.2f} mm3", stock->initial_mm3, stock->removed_mm3));
+    row("part", fmt::format("{:.2f} mm3 in {}; mesh {} triangles, {}, grid {:g} mm", stock->final_mm3,
+                            counted(stock->bodies.size(), "piece", "pieces"), stock->triangles,
+                            stock->closed ? "closed" : "NOT closed", report.resolution_mm));
+  }
+  if (const auto& c = report.comparison) {
+    row("nominal",
+        fmt::format("gouge {:.4g} mm (allowed {:g}), excess {:.4g} mm (allowed {:g}), rms {:.3g} mm{}",
+                    c->max_gouge_mm, c->gouge_tolerance_mm, c->max_excess_mm, c->excess_tolerance_mm,
+                    c->rms_mm, c->decided ? "" : ", undecided on this grid"));
+  }
+  row("findings", findingCounts(report));
+  if (!folder.empty()) row("results", (std::filesystem::path(folder) / "report.html").string());
+  return text;
+}
+
+void printFindings(Console& console, const Report& report, Severity least) {
+  int printed = 0, left = 0;
+  const auto print = [&](const Diagnostic& diagnostic) {
+    if (diagnostic.severity < least) return;
+    if (printed == kMaxPrinted) {
+      ++left;
+      return;
+    }
+    ++printed;
+    console.err << formatDiagnostic(diagnostic);
+  };
+  for (const Diagnostic& diagnostic : report.diagnostics) print(diagnostic);
+  for (const Finding& finding : report.findings) {
+    if (finding.kind != "alarm") print(findingDiagnostic(finding));  // alarms are diagnostics already
+  }
+  if (left > 0) console.err << fmt::format("proveout: {} more, see the report\n", left);
+}
+
+}  // namespace proveout
