@@ -19,6 +19,9 @@ int code10Of(double value) {
   return static_cast<int>(tenfold);
 }
 
+/// Smallest F: slower than this no machine moves, and times stay finite.
+constexpr double kMinFeed = 1e-6;
+
 /// Words that every block may carry.
 constexpr AddressSet kCommonWords = "GMFSTHD";
 
@@ -134,13 +137,7 @@ bool NctControl::planModal(BlockPlan& plan) {
     const GCode* code = plan.by_group[g];
     if (code == nullptr) continue;
     next.active[g] = code->code10;
-    const AddressSet shared = plan.claimed & code->words & block_.present;
-    if (g != kGroupMotion && g != kGroupCycle) {
-      if (!shared.empty())
-        return fail("nct-2017", fmt::format("a word of the block would belong to {} and to another code",
-                                            gName(code->code10)));
-      plan.claimed = plan.claimed | code->words;
-    }
+    if (g != kGroupMotion && g != kGroupCycle && !claim(plan, *code)) return false;
   }
   if (plan.by_group[kGroupUnits] && next.active[kGroupUnits] != state_.active[kGroupUnits] &&
       state_.feed > 0.0 && !block_.present.has('F')) {
@@ -152,6 +149,19 @@ bool NctControl::planModal(BlockPlan& plan) {
     if (state_.inCycle() && plan.by_group[kGroupReturn] == nullptr) next.active[kGroupReturn] = 980;
     next.cycle = CycleWords{};
   }
+  return true;
+}
+
+bool NctControl::claim(BlockPlan& plan, const GCode& code) {
+  const int motion = plan.next.active[kGroupMotion];
+  // In a circular block I, J, K are the centre, not the vector of a change of side.
+  const bool arc = motion == 20 || motion == 30;
+  if (code.group == kGroupRadiusComp && (arc || plan.next.inCycle())) return true;
+  if (!(plan.claimed & code.words & block_.present).empty()) {
+    return fail("nct-2017", fmt::format("a word of the block would belong to {} and to another code",
+                                        gName(code.code10)));
+  }
+  plan.claimed = plan.claimed | code.words;
   return true;
 }
 
@@ -170,6 +180,7 @@ bool NctControl::planNumbers(BlockPlan& plan) {
   std::int64_t number = 0;
   if (const Word* f = word('F')) {
     if (f->value <= 0.0) return failWord("nct-feed", "F must be greater than 0", *f);
+    if (f->value < kMinFeed) return failWord("nct-2002", "F data out of range: at least 0.000001", *f);
     plan.next.feed = f->value;
   }
   const GCode* one_shot = plan.by_group[kOneShot];
@@ -305,14 +316,11 @@ bool NctControl::govern(BlockPlan& plan) {
                                : findGCode(plan.next.active[kGroupMotion]);
   }
   plan.governor = code;
-  const AddressSet shared = plan.claimed & code->words & block_.present;
-  const bool comp_vector = plan.by_group[kGroupRadiusComp] != nullptr;
-  if (!shared.without(comp_vector ? AddressSet("IJK") : AddressSet()).empty()) {
-    // For a plain modal motion a claimed word simply belongs to the other code.
-    if (plan.by_group[static_cast<std::size_t>(code->group)] == code) {
-      return fail("nct-2017", fmt::format("a word of the block would belong to {} and to another code",
-                                          gName(code->code10)));
-    }
+  // To a modal motion a word that another code owns is no word; a code of this block cannot share one.
+  const bool own_code = plan.by_group[static_cast<std::size_t>(code->group)] == code;
+  if (own_code && !(plan.claimed & code->words & block_.present).empty()) {
+    return fail("nct-2017", fmt::format("a word of the block would belong to {} and to another code",
+                                        gName(code->code10)));
   }
   return (this->*code->plan)(plan);
 }

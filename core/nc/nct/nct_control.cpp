@@ -115,7 +115,7 @@ bool NctControl::loadMain() {
 constexpr std::uint64_t kBlocksPerCheck = 1024;
 
 bool NctControl::overLimit() {
-  if (++summary_.blocks % kBlocksPerCheck == 0 && progress_ != nullptr) {
+  if (work_++ % kBlocksPerCheck == 0 && progress_ != nullptr) {
     const CallFrame& main = stack_.front();
     progress_->report("interpreting",
                       static_cast<double>(main.line) / static_cast<double>(main.text->lines().size()));
@@ -124,8 +124,7 @@ bool NctControl::overLimit() {
       return true;
     }
   }
-  if (summary_.blocks <= settings_.block_limit) return false;
-  --summary_.blocks;
+  if (work_ <= settings_.block_limit) return false;
   fail("nct-block-limit",
        fmt::format("{} blocks executed without an end: endless loop? (the limit is a setting)",
                    settings_.block_limit));
@@ -134,6 +133,7 @@ bool NctControl::overLimit() {
 }
 
 NctControl::Go NctControl::step() {
+  if (until_hit_ && stack_.size() == 1) return finish("until", ProgramEnd::kUntil);
   CallFrame& frame = stack_.back();
   if (frame.line >= frame.text->lines().size()) return endOfText();
   line_index_ = frame.line++;
@@ -141,36 +141,38 @@ NctControl::Go NctControl::step() {
   if (block_.skip > 0 && settings_.skip_switches[static_cast<std::size_t>(block_.skip - 1)]) return Go::kOn;
   bool good = lexed || fail(lexer_.error().code, lexer_.error().message, lexer_.error().columns);
   if (good && block_.percent) {
-    if (!header_seen_ && line_index_ == 0) {
-      if (block_.empty()) return Go::kOn;
-    } else {
-      return endOfText();
-    }
+    if (!onlyHeaderAbove()) return endOfText();
+    if (block_.empty()) return Go::kOn;
   }
   good = good && checkHeader();
-  if (good && block_.empty()) return reachedUntil() ? finish("until", ProgramEnd::kUntil) : Go::kOn;
+  if (good && block_.empty()) {
+    until_hit_ = until_hit_ || reachedUntil();
+    return Go::kOn;
+  }
   if (overLimit()) return Go::kStop;
+  ++summary_.blocks;
   if (good) return execute();
   if (summary_.errors < settings_.max_errors) return Go::kOn;
   summary_.end = ProgramEnd::kAlarm;
   return Go::kStop;
 }
 
-bool NctControl::checkHeader() {
-  if (block_.program >= 0) {
-    // Only in front of everything else: a second O word would start another program in the same text.
-    for (std::size_t k = 0; k < line_index_; ++k) {
-      const auto line = stack_.back().text->lines()[k];
-      const auto first = line.find_first_not_of(" \t");
-      if (first != std::string_view::npos && line[first] != '%' && line[first] != '(') {
-        return fail("nct-2017",
-                    "illegal address O: a program number stands at the head of the text; subprograms are "
-                    "files of their own",
-                    block_.program_columns);
-      }
-    }
+bool NctControl::onlyHeaderAbove() const {
+  for (std::size_t k = 0; k < line_index_; ++k) {
+    const auto line = stack_.back().text->lines()[k];
+    const auto first = line.find_first_not_of(" \t");
+    if (first != std::string_view::npos && line[first] != '%' && line[first] != '(') return false;
   }
   return true;
+}
+
+bool NctControl::checkHeader() {
+  // Only in front of everything else: a second O word would start another program in the same text.
+  if (block_.program < 0 || onlyHeaderAbove()) return true;
+  return fail("nct-2017",
+              "illegal address O: a program number stands at the head of the text; subprograms are files of "
+              "their own",
+              block_.program_columns);
 }
 
 NctControl::Go NctControl::endOfText() {
@@ -187,9 +189,8 @@ NctControl::Go NctControl::endOfText() {
     return finish("end of text", ProgramEnd::kEndOfProgram);
   }
   warn("nct-no-m99", "the subprogram ends without M99: taken as M99");
-  BlockPlan plan;
   block_.clear();
-  return returnFrom(plan);
+  return returnFrom();
 }
 
 NctControl::Go NctControl::execute() {
@@ -201,8 +202,7 @@ NctControl::Go NctControl::execute() {
     summary_.end = ProgramEnd::kAlarm;
     return Go::kStop;
   }
-  const bool until = reachedUntil();
-  if (until) return finish("until", ProgramEnd::kUntil);
+  until_hit_ = until_hit_ || reachedUntil();  // a called subprogram still runs
   return plan.flow ? flow(plan) : Go::kOn;
 }
 

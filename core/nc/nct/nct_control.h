@@ -77,7 +77,7 @@ struct Action {
   bool rapid = false;
   FeedStyle feed;
   double value = 0.0;  ///< kSpindle: rpm, signed; kDwell: s; kToolChange: number
-  std::string name;    ///< kEvent
+  std::string name;    ///< kEvent: its name; kSpindle: "cw", "ccw", "stop"
   PathEmitter::EventData data;
   SourceRef source;
   std::uint64_t tag = 0;
@@ -155,10 +155,13 @@ class NctControl {
   Go endOfText();
   Go execute();
   Go flow(const BlockPlan& plan);
-  Go call(const BlockPlan& plan);
-  Go returnFrom(const BlockPlan& plan);
+  Go call();
+  bool calledProgram(SubprogramQuery& query);
+  Go returnFrom();
+  Go alarm();
   Go finish(const std::string& code, ProgramEnd end);
   bool checkHeader();
+  bool onlyHeaderAbove() const;
   bool jump(CallFrame& frame, std::int64_t block);
   bool reachedUntil() const;
   void resetState();
@@ -170,9 +173,12 @@ class NctControl {
   bool acceptG(BlockPlan& plan, const Word& word);
   bool refuseG(const Word& word, const GCode* code);
   bool planModal(BlockPlan& plan);
+  bool claim(BlockPlan& plan, const GCode& code);
   bool planNumbers(BlockPlan& plan);
   bool planOffsetsHD(BlockPlan& plan);
   bool planLength(BlockPlan& plan);
+  bool planToolOffset(BlockPlan& plan, int kind, const Word& p);
+  bool planWorkOffset(BlockPlan& plan, int kind, const Word& p);
   bool planWorkSystem(BlockPlan& plan);
   bool planComp(BlockPlan& plan);
   bool govern(BlockPlan& plan);
@@ -181,11 +187,17 @@ class NctControl {
 
   // Words: nct_block.cpp
   const Word* word(Address a) const { return block_.find(a); }
+  /// The word if it does not belong to another code of the block.
+  const Word* ownWord(const BlockPlan& plan, Address a) const {
+    return plan.claimed.has(a) ? nullptr : block_.find(a);
+  }
   double lengthOf(const BlockPlan& plan, const Word& w) const { return w.value * plan.next.unitScale(); }
   bool axisTarget(BlockPlan& plan, Vec3& target);
   bool anyAxisWord() const { return !(block_.present & AddressSet("XYZUVW")).empty(); }
   bool feedStyle(BlockPlan& plan, FeedStyle& style);
   double radiusTolerance() const;
+  bool arcRequest(const BlockPlan& plan, ArcRequest& request);
+  bool failArc(const ArcResolution& resolved);
   double turnsPerMinute(const BlockPlan& plan);
 
   // Execution: nct_execute.cpp
@@ -193,6 +205,7 @@ class NctControl {
   bool performDeed(BlockPlan& plan);
   bool performFunctions(BlockPlan& plan, MPhase phase);
   bool function(const BlockPlan& plan, const MCode* code, int value);
+  void setSpindleAction(Action& action, double rpm) const;
   bool act(Action action, const NctState& state);
   void run(Action& action);
   bool moveTo(BlockPlan& plan);
@@ -242,9 +255,11 @@ class NctControl {
 
   std::vector<std::unique_ptr<SourceText>> texts_;  ///< by file index
   std::unordered_map<std::string, std::uint32_t> text_by_path_;
+  std::unordered_map<std::string, std::uint32_t> text_by_call_;  ///< caller and name -> file
   std::vector<CallFrame> stack_;
   std::size_t line_index_ = 0;  ///< of the block in hand
-  bool header_seen_ = false;
+  bool until_hit_ = false;
+  std::uint64_t work_ = 0;  ///< blocks and repeated holes, against the block limit
 
   NctState state_;
   WorkFrames frames_;

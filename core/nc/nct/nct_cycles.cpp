@@ -73,7 +73,7 @@ bool NctControl::planCycle(BlockPlan& plan) {
       }
     }
   }
-  if (const Word* r = word('R')) {
+  if (const Word* r = ownWord(plan, 'R')) {
     words.r = lengthOf(plan, *r);
     words.r_incremental = r->incremental || plan.next.incremental();
   }
@@ -92,17 +92,17 @@ bool NctControl::planCycleWords(BlockPlan& plan) {
     out = w.value * scale;
     return true;
   };
-  if (const Word* q = word('Q'); q && !positive(*q, words.peck, plan.next.unitScale())) return false;
-  if (const Word* e = word('E')) {
+  if (const Word* q = ownWord(plan, 'Q'); q && !positive(*q, words.peck, plan.next.unitScale())) return false;
+  if (const Word* e = ownWord(plan, 'E')) {
     double value = 0.0;
     if (!positive(*e, value, plan.next.unitScale())) return false;
     words.clearance = value;
   }
-  if (const Word* p = word('P'); p && !positive(*p, words.dwell, 1.0)) return false;
+  if (const Word* p = ownWord(plan, 'P'); p && !positive(*p, words.dwell, 1.0)) return false;
   const bool percent =
       code == DrillCode::kBoreFeedOut || code == DrillCode::kBoreDwellFeedOut || isRigid(code);
   for (int axis = 0; axis < 3; ++axis) {
-    const Word* w = word("IJK"[axis]);
+    const Word* w = ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
     if (percent && axis == 0) {
       if (w->value <= 0.0) return failWord("nct-2002", "I data out of range: a percentage above 0", *w);
@@ -111,7 +111,7 @@ bool NctControl::planCycleWords(BlockPlan& plan) {
       words.shift[static_cast<std::size_t>(axis)] = lengthOf(plan, *w);
     }
   }
-  if (const Word* l = word('L')) {
+  if (const Word* l = ownWord(plan, 'L')) {
     if (!integerWord(*l, 0, 99999999, plan.repeat)) return false;
   }
   if (code == DrillCode::kFineBore && !parameters_.flag(NctParam::kSpindleOrients)) {
@@ -207,9 +207,8 @@ bool NctControl::cycleStep(BlockPlan& plan, const DrillStep& step, Vec3& at) {
   const auto spindle = [&](int direction) {
     state_.spindle_direction = direction;
     Action action;
-    action.kind = Action::Kind::kSpindle;
     action.source = here();
-    action.value = plan.next.spindle_rpm * direction;
+    setSpindleAction(action, plan.next.spindle_rpm);
     run(action);
   };
   const auto event = [&](const char* name, PathEmitter::EventData data) {

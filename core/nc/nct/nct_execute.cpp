@@ -11,21 +11,27 @@ bool NctControl::perform(BlockPlan& plan) {
   if (plan.flush && comp_engaged_ && !flushComp()) return false;
   const bool cycle = plan.deed == BlockPlan::Deed::kCycle;  // its functions follow the first positioning
   if (!cycle && !performFunctions(plan, MPhase::kBefore)) return false;
-  const bool reshaped = plan.frames_changed || plan.deed == BlockPlan::Deed::kFrames;
   if (plan.frames_changed) {
     chain_ = plan.chain;
     position_ = plan.start;
+    if (comp_engaged_) rebaseComp();
   }
+  state_.active[kGroupPlane] = plan.next.active[kGroupPlane];  // arcs and pieces are turned by it
   if (!performDeed(plan)) return false;
-  const double spindle = state_.spindle_rpm;
-  const int direction = state_.spindle_direction;
-  const int tool = state_.tool;
-  (void)spindle;
-  plan.next.spindle_direction = direction;
-  plan.next.tool = tool;
+  const bool elsewhere = plan.deed == BlockPlan::Deed::kMachineMove ||
+                         plan.deed == BlockPlan::Deed::kReference || plan.deed == BlockPlan::Deed::kFrames;
+  if (elsewhere && comp_engaged_) rebaseComp();
+  // Functions changed these while the block ran.
+  plan.next.spindle_direction = state_.spindle_direction;
+  plan.next.tool = state_.tool;
   state_ = plan.next;
-  if ((reshaped || plan.flush) && comp_engaged_) rebaseComp();
   return performFunctions(plan, MPhase::kAfter) && performFunctions(plan, MPhase::kStop);
+}
+
+void NctControl::setSpindleAction(Action& action, double rpm) const {
+  action.kind = Action::Kind::kSpindle;
+  action.value = rpm * state_.spindle_direction;
+  action.name = state_.spindle_direction > 0 ? "cw" : state_.spindle_direction < 0 ? "ccw" : "stop";
 }
 
 bool NctControl::function(const BlockPlan& plan, const MCode* code, int value) {
@@ -42,8 +48,7 @@ bool NctControl::function(const BlockPlan& plan, const MCode* code, int value) {
     case 4:
     case 5:
       state_.spindle_direction = value == 3 ? 1 : value == 4 ? -1 : 0;
-      action.kind = Action::Kind::kSpindle;
-      action.value = plan.next.spindle_rpm * state_.spindle_direction;
+      setSpindleAction(action, plan.next.spindle_rpm);
       return act(std::move(action), state_);
     case 6: {
       const bool named = plan.next.next_tool >= 0;
@@ -93,9 +98,8 @@ bool NctControl::performFunctions(BlockPlan& plan, MPhase phase) {
   }
   if (phase == MPhase::kBefore && plan.spindle_changed && !spindle_done && state_.spindle_direction != 0) {
     Action action;
-    action.kind = Action::Kind::kSpindle;
     action.source = here();
-    action.value = plan.next.spindle_rpm * state_.spindle_direction;
+    setSpindleAction(action, plan.next.spindle_rpm);
     return act(std::move(action), state_);
   }
   if (phase == MPhase::kAfter && plan.tool_change && !parameters_.flag(NctParam::kToolChangeOnM6)) {
@@ -128,10 +132,9 @@ void NctControl::run(Action& action) {
       break;
     case Action::Kind::kSpindle: {
       emitter_.setSpindle(action.value);
-      const char* direction = action.value > 0 ? "cw" : action.value < 0 ? "ccw" : "stop";
       emitter_.event("spindle",
-                     {{"rpm", jsonNumber(std::abs(action.value))}, {"direction", jsonString(direction)}}, 0.0,
-                     action.source);
+                     {{"rpm", jsonNumber(std::abs(action.value))}, {"direction", jsonString(action.name)}},
+                     0.0, action.source);
       break;
     }
     case Action::Kind::kToolChange: {

@@ -27,9 +27,9 @@ constexpr std::size_t kMaxFileArgument = 60;
 NctControl::Go NctControl::flow(const BlockPlan& plan) {
   switch (plan.flow->code) {
     case 98:
-      return call(plan);
+      return call();
     case 99:
-      return returnFrom(plan);
+      return returnFrom();
     default:
       return finish(fmt::format("M{}", plan.flow->code), ProgramEnd::kEndOfProgram);
   }
@@ -41,45 +41,62 @@ NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
     summary_.end = ProgramEnd::kAlarm;
     return Go::kStop;
   }
+  if (settings_.until && !until_hit_) {
+    warn("nct-until", "the block to stop after was not reached");
+  }
   emitter_.event("end", {{"code", jsonString(code)}}, 0.0, here());
   return Go::kStop;
 }
 
-NctControl::Go NctControl::call(const BlockPlan&) {
-  const auto failed = [&](bool) {
-    if (summary_.errors < settings_.max_errors) return Go::kOn;
-    summary_.end = ProgramEnd::kAlarm;
-    return Go::kStop;
-  };
+NctControl::Go NctControl::alarm() {
+  if (summary_.errors < settings_.max_errors) return Go::kOn;
+  summary_.end = ProgramEnd::kAlarm;
+  return Go::kStop;
+}
+
+bool NctControl::calledProgram(SubprogramQuery& query) {
   const Word* p = word('P');
-  const Word* l = word('L');
-  CallFrame frame;
-  if (l && !integerWord(*l, 1, 99999999, frame.total)) return failed(false);
-  SubprogramQuery query;
   query.caller = stack_.back().text->path();
   if (block_.has_file) {
-    if (p) return failed(failWord("nct-2017", "illegal address P: M98 takes P or a file name", *p));
+    if (p) return failWord("nct-2017", "illegal address P: M98 takes P or a file name", *p);
     query.path = callPath(block_.file_arg);
-    if (query.path.empty() || block_.file_arg.size() > kMaxFileArgument) {
-      return failed(fail("nct-2002", "file name of M98: 1 to 60 characters", block_.file_columns));
-    }
-  } else {
-    std::int64_t number = 0;
-    if (p == nullptr)
-      return failed(fail("nct-2004", "missing data P: M98 needs a program number or a file name"));
-    if (!integerWord(*p, 1, 99999999, number)) return failed(false);
-    if (number <= 9999) query.stems.push_back(fmt::format("O{:04}", number));
-    query.stems.push_back(fmt::format("O{:08}", number));
+    if (!query.path.empty() && block_.file_arg.size() <= kMaxFileArgument) return true;
+    return fail("nct-2002", "file name of M98: 1 to 60 characters", block_.file_columns);
   }
+  std::int64_t number = 0;
+  if (p == nullptr) return fail("nct-2004", "missing data P: M98 needs a program number or a file name");
+  if (!integerWord(*p, 1, 99999999, number)) return false;
+  if (number <= 9999) query.stems.push_back(fmt::format("O{:04}", number));
+  query.stems.push_back(fmt::format("O{:08}", number));
+  return true;
+}
+
+NctControl::Go NctControl::call() {
+  CallFrame frame;
+  SubprogramQuery query;
+  const Word* l = word('L');
+  if (l && !integerWord(*l, 1, 99999999, frame.total)) return alarm();
+  if (!calledProgram(query)) return alarm();
   // The main program is level 0; kMaxNesting calls may be open below it.
   if (stack_.size() > kMaxNesting) {
-    return failed(
-        fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting)));
+    fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
+    return alarm();
   }
-  const Result<ProgramText> text = source_.subprogram(query);
-  if (!text.ok()) return failed(fail("nct-2147", "file not found: " + text.error().message));
-  frame.text = load(*text, frame.file);
-  if (frame.text == nullptr) return failed(false);
+  const std::string key = query.caller + '\n' + (query.stems.empty() ? query.path : query.stems.front());
+  const auto known = text_by_call_.find(key);
+  if (known != text_by_call_.end()) {
+    frame.file = known->second;
+    frame.text = texts_[frame.file].get();
+  } else {
+    const Result<ProgramText> text = source_.subprogram(query);
+    if (!text.ok()) {
+      fail("nct-2147", "file not found: " + text.error().message);
+      return alarm();
+    }
+    frame.text = load(*text, frame.file);
+    if (frame.text == nullptr) return alarm();
+    text_by_call_[key] = frame.file;
+  }
   stack_.push_back(frame);
   return Go::kOn;
 }
@@ -98,23 +115,24 @@ bool NctControl::jump(CallFrame& frame, std::int64_t block) {
   return true;
 }
 
-NctControl::Go NctControl::returnFrom(const BlockPlan&) {
-  const auto alarm = [&] {
+NctControl::Go NctControl::returnFrom() {
+  // A jump that fails leaves nowhere to go on: it always stops the run.
+  const auto stop = [&] {
     summary_.end = ProgramEnd::kAlarm;
     return Go::kStop;
   };
   const Word* p = word('P');
   const Word* l = word('L');
   std::int64_t target = -1, repeats = 0;
-  if (p && !integerWord(*p, 1, 99999999, target)) return alarm();
-  if (l && !integerWord(*l, 0, 99999999, repeats)) return alarm();
+  if (p && !integerWord(*p, 1, 99999999, target)) return stop();
+  if (l && !integerWord(*l, 0, 99999999, repeats)) return stop();
   CallFrame& frame = stack_.back();
   if (stack_.size() == 1) {
     if (l) {
       failWord("nct-2017", "illegal address L: M99 of a main program takes P only", *l);
-      return alarm();
+      return stop();
     }
-    if (target >= 0) return jump(frame, target) ? Go::kOn : alarm();
+    if (target >= 0) return jump(frame, target) ? Go::kOn : stop();
     warn("nct-main-m99", "M99 in the main program starts it again: one pass is simulated", {},
          Severity::kNote);
     return finish("M99", ProgramEnd::kEndOfProgram);
@@ -131,7 +149,7 @@ NctControl::Go NctControl::returnFrom(const BlockPlan&) {
     return Go::kOn;
   }
   const std::size_t caller = stack_.size() - 2;
-  if (!jump(stack_[caller], back)) return alarm();
+  if (!jump(stack_[caller], back)) return stop();
   stack_.pop_back();
   return Go::kOn;
 }

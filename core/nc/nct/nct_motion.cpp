@@ -61,21 +61,16 @@ double NctControl::radiusTolerance() const {
   return kUnknownMachineMm;
 }
 
-bool NctControl::planArc(BlockPlan& plan) {
-  const bool any_arc_word = !(block_.present & AddressSet("IJKR")).empty();
-  if (!anyAxisWord() && !any_arc_word) {
-    return axisTarget(plan, plan.target);  // F, M or nothing: no motion
-  }
-  if (!axisTarget(plan, plan.target)) return false;
+bool NctControl::arcRequest(const BlockPlan& plan, ArcRequest& request) {
   const PlaneFrame frame(plan.next.plane());
-  ArcRequest request;
   request.start = frame.toPlane(plan.start);
   request.end = frame.toPlane(plan.target);
-  request.has_plane_end = plan.named[frame.u()] || plan.named[frame.v()];
-  request.has_other_axis = plan.named[frame.w()];
+  request.has_plane_end =
+      plan.named[static_cast<std::size_t>(frame.u())] || plan.named[static_cast<std::size_t>(frame.v())];
+  request.has_other_axis = plan.named[static_cast<std::size_t>(frame.w())];
   request.counter_clockwise = plan.next.active[kGroupMotion] == 30;
   for (int axis = 0; axis < 3; ++axis) {
-    const Word* w = word("IJK"[axis]);
+    const Word* w = ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
     double value = lengthOf(plan, *w);
     if (parameters_.flag(NctParam::kAbsoluteCentre)) value -= plan.start[axis];
@@ -83,31 +78,41 @@ bool NctControl::planArc(BlockPlan& plan) {
     if (axis == frame.u()) request.center_u = value;
     if (axis == frame.v()) request.center_v = value;
   }
-  if (const Word* r = word('R')) request.radius = lengthOf(plan, *r);
-  if (const Word* l = word('L')) {
+  if (const Word* r = ownWord(plan, 'R')) request.radius = lengthOf(plan, *r);
+  if (const Word* l = ownWord(plan, 'L')) {
     std::int64_t turns = 0;
     if (!integerWord(*l, 1, 99999999, turns)) return false;
     request.turns = turns;
   }
+  return true;
+}
+
+bool NctControl::failArc(const ArcResolution& resolved) {
+  const ArcFailure failure = describe(resolved.error);
+  std::string message = failure.message;
+  if (resolved.error == ArcError::kRadiusDifference) {
+    message += fmt::format(": {:.6g} mm between start and end radius, {:.6g} allowed",
+                           resolved.radius_difference, radiusTolerance());
+  }
+  return fail(failure.code, std::move(message));
+}
+
+bool NctControl::planArc(BlockPlan& plan) {
+  if (!axisTarget(plan, plan.target)) return false;
+  const bool arc_word = !(block_.present & AddressSet("IJKR")).without(plan.claimed).empty();
+  if (!anyAxisWord() && !arc_word) return true;  // F, M or nothing: no motion
+  ArcRequest request;
+  if (!arcRequest(plan, request)) return false;
   ArcPolicy policy;
   policy.radius_tolerance = radiusTolerance();
   const ArcResolution resolved = resolveArc(request, policy);
-  if (!resolved.ok()) {
-    const ArcFailure failure = describe(resolved.error);
-    std::string message = failure.message;
-    if (resolved.error == ArcError::kRadiusDifference) {
-      message += fmt::format(": {:.6g} mm between start and end radius, {:.6g} allowed",
-                             resolved.radius_difference, policy.radius_tolerance);
-    }
-    return fail(failure.code, std::move(message));
-  }
+  if (!resolved.ok()) return failArc(resolved);
   if (!request.turns && resolved.radius_difference > parameters_[NctParam::kRadiusDifference]) {
-    warn(
-        "nct-2012",
-        fmt::format(
-            "start and end radius differ by {:.6g} mm: run as a spiral, because the job does not give N1339; "
-            "a control with a smaller N1339 stops here with alarm 2012",
-            resolved.radius_difference));
+    warn("nct-2012",
+         fmt::format(
+             "start and end radius differ by {:.6g} mm: run as a spiral, because the job does not give "
+             "N1339; a control with a smaller N1339 stops here with alarm 2012",
+             resolved.radius_difference));
   }
   if (resolved.center_ignored) warn("nct-arc-both", "R and I, J, K in one block: R counts");
   if (resolved.no_motion) {
@@ -118,18 +123,17 @@ bool NctControl::planArc(BlockPlan& plan) {
   plan.is_arc = true;
   plan.arc = resolved.arc;
   if (!feedStyle(plan, plan.feed)) return false;
-  const bool space = parameters_.flag(NctParam::kHelixFeedSpace);
   const bool spiral = resolved.radius_difference > 1e-9;
-  plan.feed.along = space                      ? FeedStyle::Along::kSpace
-                    : spiral && !request.turns ? FeedStyle::Along::kStartRadius
-                                               : FeedStyle::Along::kPlane;
+  plan.feed.along = parameters_.flag(NctParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace
+                    : spiral && !request.turns                  ? FeedStyle::Along::kStartRadius
+                                                                : FeedStyle::Along::kPlane;
   return true;
 }
 
 bool NctControl::planDwell(BlockPlan& plan) {
   plan.deed = BlockPlan::Deed::kDwell;
   plan.target = plan.start;
-  const Word* p = word('P');
+  const Word* p = ownWord(plan, 'P');
   if (p == nullptr) {
     warn("nct-2004", "G4 without P: no dwell");
     return true;
@@ -165,7 +169,7 @@ bool NctControl::planMachineMove(BlockPlan& plan) {
 bool NctControl::planReference(BlockPlan& plan) {
   std::int64_t point = 1;
   if (plan.by_group[kOneShot]->code10 == 300) {
-    const Word* p = word('P');
+    const Word* p = ownWord(plan, 'P');
     if (p == nullptr) return fail("nct-2004", "missing data P: G30 needs the number of the reference point");
     if (!integerWord(*p, 1, 4, point)) return false;
   }

@@ -75,6 +75,12 @@ Status NctParameters::set(const std::map<std::string, double>& values) {
   for (const auto& [name, value] : values) {
     const auto row = std::find_if(table.begin(), table.end(), [&](const auto& p) { return p.name == name; });
     if (row == table.end()) {
+      const auto bit = std::find_if(table.begin(), table.end(),
+                                    [&](const auto& q) { return q.name.starts_with(name + "."); });
+      if (bit != table.end()) {
+        return inputError(
+            fmt::format("parameter {} of control nct is set by its bits (for example {})", name, bit->name));
+      }
       const auto nearest = std::min_element(table.begin(), table.end(), [&](const auto& a, const auto& b) {
         return editDistance(a.name, name) < editDistance(b.name, name);
       });

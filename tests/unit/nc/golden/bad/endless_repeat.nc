@@ -208,4 +208,4 @@ file 0 main.nc
 main.nc:1:1: error[nct-block-limit]: 50 blocks executed without an end: endless loop? (the limit is a setting)
     G91 G81 X1 Z-1 R-1 F100 L99999999
     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-block limit: 50 blocks, 200 motions, 1 errors, 0 warnings
+block limit: 1 blocks, 200 motions, 1 errors, 0 warnings

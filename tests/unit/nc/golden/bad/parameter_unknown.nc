@@ -3,5 +3,5 @@ N1338 = 1
 === main
 M30
 === expect
-error[nct-parameter]: unknown parameter N1338 of control nct (nearest known: N1339)
+error[nct-parameter]: parameter N1338 of control nct is set by its bits (for example N1338.M06)
 alarm: 0 blocks, 0 motions, 1 errors, 0 warnings

@@ -27,7 +27,7 @@ feed 0 0 -30
 rapid 0 0 2
 === expect
 file 0 main.nc
-1: event spindle rpm=0 direction="stop"
+1: event spindle rpm=0 direction="cw"
 1: rapid from 0 0 0 to 0 0 20 t0.08
 2: rapid to 0 0 2 t0.072
 2: feed to 0 0 -4 F100 t3.6

@@ -28,7 +28,7 @@ M30
 500 0 100
 === expect
 file 0 main.nc
-1 N1: event spindle rpm=0 direction="stop"
+1 N1: event spindle rpm=0 direction="cw"
 1 N1: rapid from 0 0 0 to 0 0 100 t0.4
 2 N2: rapid to 100 0 100 t0.4
 2 N2: rapid to 100 0 3 t0.388
@@ -51,4 +51,4 @@ file 0 main.nc
 2 N2: feed to 500 0 -37 F50 t48
 2 N2: rapid to 500 0 100 t0.548
 3: event end code="M30"
-end of program: 7 blocks, 21 motions, 0 errors, 0 warnings
+end of program: 3 blocks, 21 motions, 0 errors, 0 warnings

@@ -1,0 +1,8 @@
+G4 P2 M98
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2017]: a word of the block would belong to G4 and to another code
+    G4 P2 M98
+    ^~~~~~~~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings
