@@ -237,7 +237,7 @@ class Page {
           "<td class=\"num\" data-label=\"Motions\">{}</td><td class=\"num\" data-label=\"Removed "
           "mm³\">{}</td>",
           duration(use.cutting_s), duration(use.rapid_s), use.motions, grouped(use.removed_mm3, 1));
-      add("<td class=\"text\"><span class=\"bar\" style=\"width:{:.1f}%\"></span></td></tr>\n",
+      add("<td class=\"text share\"><span class=\"bar\" style=\"width:{:.1f}%\"></span></td></tr>\n",
           100.0 * share);
     }
     add("</tbody></table></div>\n<p class=\"quiet\">Cycle {}: cutting {}, rapid {}, the rest is tool changes "

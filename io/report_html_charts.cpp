@@ -13,8 +13,8 @@ namespace proveout::report_html {
 namespace {
 
 // Chart in user units; the page scales it to its width.
-constexpr double kWidth = 720, kHeight = 260;
-constexpr double kLeft = 54, kRight = 12, kTop = 14, kBottom = 44;
+constexpr double kWidth = 720, kHeight = 280;
+constexpr double kLeft = 54, kRight = 12, kTop = 26, kBottom = 44;
 constexpr double kPlotWidth = kWidth - kLeft - kRight, kPlotHeight = kHeight - kTop - kBottom;
 /// The smallest share of the largest bin that is still drawn: five decades.
 constexpr double kSmallestShare = 1e-5;
@@ -65,7 +65,7 @@ class HistogramChart {
       out += fmt::format("<text x=\"{}\" y=\"{:.2f}\" text-anchor=\"end\">{:g}</text>", kLeft - 6, at + 4,
                          std::pow(10.0, decade));
     }
-    return out + fmt::format("<text x=\"4\" y=\"{}\">mm²</text>", kTop - 3);
+    return out + fmt::format("<text x=\"4\" y=\"{}\">area, mm² (logarithmic)</text>", kTop - 13);
   }
 
   std::string bars() const {
@@ -172,9 +172,9 @@ header p{margin:2px 0 0;color:var(--soft);overflow-wrap:anywhere}
 border-radius:8px}
 .verdict.pass{background:var(--pass)}.verdict.fail{background:var(--fail)}.verdict.error{background:var(--error)}
 section{background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:16px 18px;margin:0 0 16px}
-.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(150px,1fr));gap:1px;background:var(--line);
-padding:0;overflow:hidden}
-.card{background:var(--paper);padding:12px 16px}
+.cards{display:flex;flex-wrap:wrap;padding:0;overflow:hidden}
+.card{flex:1 1 158px;padding:12px 16px;border-right:1px solid var(--line);border-bottom:1px solid var(--line);
+margin:0 -1px -1px 0}
 .card b{display:block;font-size:21px;font-weight:650;font-variant-numeric:tabular-nums;white-space:nowrap}
 .card b small{font-size:13px;font-weight:400;color:var(--soft)}
 .card span{color:var(--soft);font-size:13px}
@@ -186,7 +186,7 @@ figcaption{color:var(--soft);font-size:13px;padding-top:4px}
 .wide{overflow-x:auto}
 table{border-collapse:collapse;width:100%;font-size:14px}
 th{text-align:left;color:var(--soft);font-weight:600;font-size:13px;white-space:nowrap}
-th,td{padding:6px 10px 6px 0;border-bottom:1px solid var(--line);vertical-align:top}
+th,td{padding:6px 16px 6px 0;border-bottom:1px solid var(--line);vertical-align:top}
 tr:last-child td{border-bottom:0}
 .num{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 td.num:last-child,th.num:last-child{padding-right:0}
@@ -195,9 +195,10 @@ code{font:13px/1.4 ui-monospace,SFMono-Regular,Menlo,Consolas,"DejaVu Sans Mono"
 .tag{display:inline-block;font-size:12px;font-weight:650;border-radius:4px;padding:1px 7px;white-space:nowrap;
 border:1px solid currentColor}
 .tag.error{color:var(--fail)}.tag.warning{color:var(--warn)}.tag.note{color:var(--soft)}
-.bar{display:block;height:6px;border-radius:3px;background:var(--gouge);min-width:1px}
+.share{width:22%;min-width:110px}
+.bar{display:block;height:6px;margin-top:7px;border-radius:3px;background:var(--gouge);min-width:1px}
 .quiet{color:var(--soft);margin:8px 0 0}
-.figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(170px,1fr));gap:4px 22px;margin:0 0 12px}
+.figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(235px,1fr));gap:4px 26px;margin:0 0 12px}
 .figures div{display:flex;justify-content:space-between;gap:10px;border-bottom:1px solid var(--line);padding:4px 0}
 .figures dt{color:var(--soft)}.figures dd{margin:0;font-variant-numeric:tabular-nums;white-space:nowrap}
 .chart{display:block;width:100%;height:auto;max-width:860px;margin:0 auto}
@@ -210,7 +211,7 @@ border:1px solid currentColor}
 .hash{color:var(--soft);font-size:12px}
 footer{color:var(--soft);font-size:13px;text-align:center}
 @media (max-width:720px){
-main{padding:12px 10px 32px}h1{font-size:22px}section{padding:12px}.cards{padding:0}.card{padding:10px 12px}
+main{padding:12px 10px 32px}h1{font-size:22px}section{padding:12px}.cards{padding:0}.card{flex-basis:128px;padding:10px 12px}.card b{font-size:18px}
 .stack thead{display:none}.stack tr{display:block;border-bottom:1px solid var(--line);padding:8px 0}
 .stack tr:last-child{border-bottom:0}
 .stack td{display:flex;justify-content:space-between;gap:14px;border:0;padding:2px 0;text-align:right}
