@@ -1,0 +1,331 @@
+#!/usr/bin/env python3
+"""Builds the nominal meshes of the sample parts, and the program of the free-form patch.
+
+The solids are made from their drawings: horizontal faces with holes, vertical walls, cones of drill points. No
+simulation is involved, so that the samples check the simulator against an independent truth. Every solid is
+checked here: closed (each edge once in each direction) and, against the closed form, its volume.
+
+Run without arguments; writes next to itself. Needs nothing but Python 3.
+"""
+
+import math
+import os
+import struct
+from collections import Counter
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CHORD_ERROR = 0.0008  # mm, of the facets of curved walls
+
+
+# ---- plane loops, counter-clockwise ---------------------------------------------------------------------------------
+
+
+def segments(radius, sweep):
+    """Number of chords so that the chord error stays below CHORD_ERROR."""
+    return max(2, math.ceil(sweep / (2 * math.acos(1 - CHORD_ERROR / radius))))
+
+
+def arc(cx, cy, radius, start, sweep, last=True):
+    n = segments(radius, abs(sweep))
+    return [
+        (cx + radius * math.cos(start + sweep * i / n), cy + radius * math.sin(start + sweep * i / n))
+        for i in range(n + 1 if last else n)
+    ]
+
+
+def circle(cx, cy, radius):
+    return arc(cx, cy, radius, 0.0, 2 * math.pi, last=False)
+
+
+def rectangle(x0, y0, x1, y1):
+    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+def rounded_rectangle(x0, y0, x1, y1, radius):
+    q = math.pi / 2
+    return (
+        arc(x1 - radius, y0 + radius, radius, -q, q)
+        + arc(x1 - radius, y1 - radius, radius, 0.0, q)
+        + arc(x0 + radius, y1 - radius, radius, q, q)
+        + arc(x0 + radius, y0 + radius, radius, 2 * q, q)
+    )
+
+
+def stadium(x0, x1, y, radius):
+    """Slot along x between the centres (x0, y) and (x1, y)."""
+    return arc(x1, y, radius, -math.pi / 2, math.pi) + arc(x0, y, radius, math.pi / 2, math.pi)
+
+
+# ---- triangulation of a loop with holes by ear clipping -------------------------------------------------------------
+
+
+def cross(o, a, b):
+    return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])
+
+
+def inside(p, a, b, c):
+    return cross(a, b, p) >= 0 and cross(b, c, p) >= 0 and cross(c, a, p) >= 0
+
+
+def sees(prev, v, after, target):
+    """True if the direction from vertex v of a counter-clockwise loop to target points into the loop."""
+    if cross(prev, v, after) > 0:
+        return cross(v, after, target) >= 0 and cross(v, target, prev) >= 0
+    return not (cross(v, prev, target) > 0 and cross(v, target, after) > 0)
+
+
+def bridge(outer, hole):
+    """Joins a hole (counter-clockwise as given) to the outer loop by a double edge."""
+    h = max(range(len(hole)), key=lambda i: (hole[i][0], hole[i][1]))
+    hx, hy = hole[h]
+    best = None
+    n = len(outer)
+    for i in range(n):  # the edge that a ray to the right meets first
+        a, b = outer[i], outer[(i + 1) % n]
+        if not a[1] <= hy < b[1]:  # the ray leaves the loop through upward edges only
+            continue
+        x = a[0] + (hy - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+        if x >= hx and (best is None or x < best[0]):
+            best = (x, i if a[0] > b[0] else (i + 1) % n)
+    x, target = best
+    m, p = (x, hy), outer[target]
+    # A reflex vertex in the triangle may hide the target; take the one at the smallest angle.
+    tri = (m, p, (hx, hy)) if cross((hx, hy), m, p) < 0 else ((hx, hy), m, p)
+    choice = None
+    for i, v in enumerate(outer):
+        if v == p or cross(outer[i - 1], v, outer[(i + 1) % n]) > 0:
+            continue
+        if v[0] > hx and inside(v, *tri) and sees(outer[i - 1], v, outer[(i + 1) % n], (hx, hy)):
+            key = (abs(v[1] - hy) / (v[0] - hx), v[0] - hx)
+            if choice is None or key < choice[0]:
+                choice = (key, i)
+    if choice is not None:
+        target = choice[1]
+    clockwise = [hole[(h - k) % len(hole)] for k in range(len(hole) + 1)]
+    return outer[: target + 1] + clockwise + outer[target:]
+
+
+def triangulate(outer, holes):
+    loop = list(outer)
+    for hole in sorted(holes, key=lambda h: -max(p[0] for p in h)):
+        loop = bridge(loop, hole)
+    index = list(range(len(loop)))
+    reflex = {i for i in index if cross(loop[i - 1], loop[i], loop[(i + 1) % len(loop)]) <= 0}
+    triangles = []
+    at, misses = 0, 0
+    while len(index) > 3:
+        n = len(index)
+        ia, ib, ic = index[at % n - 1], index[at % n], index[(at + 1) % n]
+        a, b, c = loop[ia], loop[ib], loop[ic]
+        ear = cross(a, b, c) > 1e-12 and not any(
+            loop[r] not in (a, b, c) and inside(loop[r], a, b, c) for r in reflex if r not in (ia, ib, ic)
+        )
+        if not ear:
+            at, misses = at + 1, misses + 1
+            if misses > 2 * n:
+                raise RuntimeError("no ear left: the loops cross")
+            continue
+        misses = 0
+        triangles.append((a, b, c))
+        index.pop(at % n)
+        n -= 1
+        at = (at % (n + 1)) % n + 1  # go on behind the ear, so that fans stay short
+        for k in (index.index(ia), index.index(ic)):
+            v = index[k]
+            if v in reflex and cross(loop[index[k - 1]], loop[v], loop[index[(k + 1) % n]]) > 0:
+                reflex.discard(v)
+    triangles.append(tuple(loop[i] for i in index))
+    return triangles
+
+
+# ---- solids ---------------------------------------------------------------------------------------------------------
+
+
+class Solid:
+    def __init__(self):
+        self.triangles = []
+
+    def face(self, outer, holes, z, up):
+        for a, b, c in triangulate(outer, holes):
+            t = tuple((p[0], p[1], z) for p in (a, b, c))
+            self.triangles.append(t if up else t[::-1])
+
+    def wall(self, loop, low, high, material_inside):
+        for i, a in enumerate(loop):
+            b = loop[(i + 1) % len(loop)]
+            if a == b:
+                continue
+            quad = [(a[0], a[1], low), (b[0], b[1], low), (b[0], b[1], high), (a[0], a[1], high)]
+            if not material_inside:
+                quad = [quad[1], quad[0], quad[3], quad[2]]
+            self.triangles += [(quad[0], quad[1], quad[2]), (quad[0], quad[2], quad[3])]
+
+    def drill_point(self, loop, z, tip):
+        for i, a in enumerate(loop):
+            b = loop[(i + 1) % len(loop)]
+            self.triangles.append(((a[0], a[1], z), (b[0], b[1], z), tip))
+
+    def finish(self, path, volume, tolerance):
+        """Checks the solid and writes it as binary STL."""
+        rounded = [tuple(tuple(struct.unpack("<f", struct.pack("<f", x))[0] + 0.0 for x in p) for p in t)
+                   for t in self.triangles]
+        rounded = [t for t in rounded if len(set(t)) == 3]
+        edges = Counter((t[i], t[(i + 1) % 3]) for t in rounded for i in range(3))
+        open_edges = [e for e, n in edges.items() if n != 1 or edges[(e[1], e[0])] != 1]
+        if open_edges:
+            raise RuntimeError(f"{path}: {len(open_edges)} bad edges, first {open_edges[0]}")
+        enclosed = sum(
+            a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+            for a, b, c in rounded
+        ) / 6.0
+        if abs(enclosed - volume) > tolerance:
+            raise RuntimeError(f"{path}: volume {enclosed:.4f}, closed form {volume:.4f}")
+        with open(os.path.join(HERE, path), "wb") as out:
+            out.write(os.path.basename(path).encode().ljust(80, b"\0"))
+            out.write(struct.pack("<I", len(rounded)))
+            for t in rounded:
+                out.write(struct.pack("<12fH", 0, 0, 0, *t[0], *t[1], *t[2], 0))
+        print(f"{path}: {len(rounded)} triangles, {enclosed:.3f} mm3 (closed form {volume:.3f})")
+
+
+def rounded_area(width, height, radius):
+    return width * height - (4 - math.pi) * radius * radius
+
+
+def tip_length(diameter, point_angle=118.0):
+    return 0.5 * diameter / math.tan(math.radians(0.5 * point_angle))
+
+
+def bracket():
+    s = Solid()
+    stock, outline = rectangle(0, 0, 80, 60), rounded_rectangle(4, 4, 76, 56, 8)
+    pocket = rounded_rectangle(14, 14, 46, 46, 6)
+    counterbore, bore = circle(61, 30, 10), circle(61, 30, 5)
+    slot = stadium(54, 68, 11, 3)
+    blind = [circle(x, 51, 2) for x in (10, 30, 50, 70)]
+    through = [circle(52, 42, 3), circle(70, 42, 3)]
+    s.face(outline, [pocket, counterbore, slot] + blind + through, 0, True)
+    s.wall(outline, -12, 0, True)
+    s.face(stock, [outline], -12, True)
+    s.wall(stock, -20, -12, True)
+    s.face(stock, [bore] + through, -20, False)
+    s.wall(pocket, -8, 0, False)
+    s.face(pocket, [], -8, True)
+    s.wall(counterbore, -6, 0, False)
+    s.face(counterbore, [bore], -6, True)
+    s.wall(bore, -20, -6, False)
+    s.wall(slot, -5, 0, False)
+    s.face(slot, [], -5, True)
+    shoulder = -15 + tip_length(4)
+    for x, loop in zip((10, 30, 50, 70), blind):
+        s.wall(loop, shoulder, 0, False)
+        s.drill_point(loop, shoulder, (x, 51, -15.0))
+    for loop in through:
+        s.wall(loop, -20, 0, False)
+    volume = 80 * 60 * 8 + 12 * rounded_area(72, 52, 8) - 8 * rounded_area(32, 32, 6)
+    volume -= math.pi * (100 * 6 + 25 * 14) + 5 * (14 * 6 + math.pi * 9)
+    volume -= 4 * math.pi * 4 * (15 - tip_length(4) * 2 / 3) + 2 * math.pi * 9 * 20
+    s.finish("bracket/bracket.stl", volume, 3.0)
+
+
+def gouged_plate():
+    s = Solid()
+    stock, pocket = rectangle(0, 0, 60, 40), rounded_rectangle(10, 10, 50, 30, 5)
+    holes = [circle(5, 20, 2), circle(55, 20, 2)]
+    s.face(stock, [pocket] + holes, 0, True)
+    s.wall(stock, -12, 0, True)
+    s.face(stock, holes, -12, False)
+    s.wall(pocket, -6, 0, False)
+    s.face(pocket, [], -6, True)
+    for loop in holes:
+        s.wall(loop, -12, 0, False)
+    volume = 60 * 40 * 12 - 6 * rounded_area(40, 20, 5) - 2 * math.pi * 4 * 12
+    s.finish("gouged_plate/plate.stl", volume, 1.0)
+
+
+def circle_diamond_square():
+    s = Solid()
+    stock, square = rectangle(-40, -40, 40, 40), rectangle(-38, -38, 38, 38)
+    diamond = [(37, 0), (0, 37), (-37, 0), (0, -37)]
+    disc, bore = circle(0, 0, 25), circle(0, 0, 10)
+    s.face(disc, [bore], 0, True)
+    s.wall(disc, -6, 0, True)
+    s.face(diamond, [disc], -6, True)
+    s.wall(diamond, -12, -6, True)
+    s.face(square, [diamond], -12, True)
+    s.wall(square, -18, -12, True)
+    s.face(stock, [square], -18, True)
+    s.wall(stock, -25, -18, True)
+    s.face(stock, [bore], -25, False)
+    s.wall(bore, -25, 0, False)
+    volume = 6 * math.pi * 625 + 6 * 2 * 37 * 37 + 6 * 76 * 76 + 7 * 80 * 80 - 25 * math.pi * 100
+    s.finish("circle_diamond_square/circle_diamond_square.stl", volume, 2.0)
+
+
+# ---- free-form patch: z = -4 + 1.5 sin(pi x / 20) cos(pi y / 15) over 40 x 30 mm ------------------------------------
+
+
+def height(x, y):
+    return -4 + 1.5 * math.sin(math.pi * x / 20) * math.cos(math.pi * y / 15)
+
+
+def unit_normal(x, y):
+    dx = 1.5 * math.pi / 20 * math.cos(math.pi * x / 20) * math.cos(math.pi * y / 15)
+    dy = -1.5 * math.pi / 15 * math.sin(math.pi * x / 20) * math.sin(math.pi * y / 15)
+    length = math.sqrt(dx * dx + dy * dy + 1)
+    return -dx / length, -dy / length, 1 / length
+
+
+def patch_mesh():
+    s = Solid()
+    nx, ny = 64, 48
+    xs, ys = [40 * i / nx for i in range(nx + 1)], [30 * j / ny for j in range(ny + 1)]
+    point = lambda i, j: (xs[i], ys[j], height(xs[i], ys[j]))
+    for i in range(nx):
+        for j in range(ny):
+            a, b, c, d = point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)
+            s.triangles += [(a, b, c), (a, c, d)]
+    rim = [(i, 0) for i in range(nx)] + [(nx, j) for j in range(ny)]
+    rim += [(i, ny) for i in range(nx, 0, -1)] + [(0, j) for j in range(ny, 0, -1)]
+    for k, (i, j) in enumerate(rim):
+        a, b = point(i, j), point(*rim[(k + 1) % len(rim)])
+        c, d = (b[0], b[1], -12), (a[0], a[1], -12)
+        s.triangles += [(a, d, c), (a, c, b), (d, (20, 15, -12), c)]
+    # The sine and cosine integrate to zero over whole waves.
+    s.finish("freeform_patch/patch.stl", 40 * 30 * 8.0, 3.0)
+
+
+def patch_program():
+    """Raster with a ball 6: the centre runs on the offset surface, the tip 3 mm below it."""
+    lines = ["%", "O0400 (FREE-FORM PATCH, BALL 6, MADE BY MAKE_NOMINALS.PY)", "N10 G17 G21 G40 G49 G80 G90 G94",
+             "N20 T1 M6", "N30 S12000 M3", "N40 G0 X-4 Y-1 Z5", "N50 G43 Z3 H1"]
+    radius, number = 3.0, 60
+    rows = 57
+    for row in range(rows):
+        y0 = -1 + 32 * row / (rows - 1)
+        xs = [-1 + 0.5 * i for i in range(85)]
+        for k, x0 in enumerate(xs if row % 2 == 0 else xs[::-1]):
+            n = unit_normal(x0, y0)
+            x, y = x0 + radius * n[0], y0 + radius * n[1]
+            z = height(x0, y0) + radius * n[2] - radius
+            words = f"X{x:.4f} Y{y:.4f} Z{z:.4f}"
+            if row == 0 and k == 0:
+                lines.append(f"N{number} G0 X{x:.4f} Y{y:.4f}")
+                lines.append(f"N{number + 10} G1 Z{z:.4f} F800")
+                number += 20
+            elif k == 0:
+                lines.append(f"N{number} {words} F1200")
+                number += 10
+            else:
+                lines.append(words)
+    lines += [f"N{number} G0 Z20", f"N{number + 10} M5", f"N{number + 20} M30", "%"]
+    with open(os.path.join(HERE, "freeform_patch/patch.nc"), "w", newline="\n") as out:
+        out.write("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    bracket()
+    gouged_plate()
+    circle_diamond_square()
+    patch_mesh()
+    patch_program()
