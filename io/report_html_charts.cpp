@@ -221,7 +221,9 @@ main{padding:12px 10px 32px}h1{font-size:22px}section{padding:12px}.cards{paddin
 @media print{
 body{background:#fff;font-size:11px}main{max-width:none;padding:0}section{border-radius:0;break-inside:auto;padding:8px 10px}
 h2,figure,tr,.figures,.chart{break-inside:avoid}h2{break-after:avoid}
-.pictures{grid-template-columns:1fr 1fr}table{font-size:10px}code{font-size:10px}
+.pictures{grid-template-columns:1fr 1fr}.wide{overflow:visible}
+table{font-size:9px}code,.hash{font-size:8.5px}.tag{font-size:8.5px;padding:0 4px}
+th{font-size:8.5px;white-space:normal}th,td{padding:3px 8px 3px 0}.share{min-width:60px}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
 )css";
 }

@@ -14,7 +14,7 @@ using namespace io_test;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-TEST(Job, ReadsTheExampleOfTheReference) {
+TEST(Job, ReadsEveryKey) {
   JobFolder folder;
   folder.write("subs/O0001.nc", "");
   const auto job = folder.load(R"(
@@ -129,6 +129,21 @@ size = [800, 600]
   EXPECT_THAT(job->output.formats, ElementsAre(OutputFormat::kStl, OutputFormat::kObj, OutputFormat::kVdb));
   EXPECT_THAT(job->output.views, ElementsAre("top"));
   EXPECT_EQ(job->output.width, 800);
+}
+
+/// The first example of the reference that is a whole job.
+std::string smallestJobOfTheReference() {
+  const std::string text = readBytes(std::string(PROVEOUT_SOURCE_DIR) + "/docs/reference/job.md");
+  const std::size_t begin = text.find("```toml\n");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin + 8, text.find("```", begin + 8) - begin - 8);
+}
+
+TEST(Job, ReadsTheSmallestJobOfTheReference) {
+  JobFolder folder;
+  const auto job = folder.load(smallestJobOfTheReference());
+  ASSERT_TRUE(job) << folder.text();
+  EXPECT_EQ(job->tools.at(0).type, ToolType::kBall);
 }
 
 TEST(Job, NeedsLittle) {
