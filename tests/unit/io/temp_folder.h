@@ -16,7 +16,8 @@ namespace proveout::io_test {
 class TempFolder {
  public:
   TempFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "proveout-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "proveout-").string();
+    name.append(6, 'X');  // mkdtemp puts letters of its choice here
     folder_ = ::mkdtemp(name.data());
   }
   ~TempFolder() {
