@@ -156,15 +156,14 @@ SourceText::SourceText(std::string name, std::string path, std::string utf8)
   const std::string_view all = text_;
   lines_.reserve(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')) + 1);
   std::size_t start = 0;
-  while (start < all.size()) {
-    const std::size_t end = all.find_first_of("\r\n", start);
-    if (end == std::string_view::npos) {
-      lines_.push_back(all.substr(start));
-      return;
-    }
-    lines_.push_back(all.substr(start, end - start));
-    start = end + (all[end] == '\r' && end + 1 < all.size() && all[end + 1] == '\n' ? 2 : 1);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const char c = all[i];
+    if (c != '\n' && c != '\r') continue;
+    lines_.push_back(all.substr(start, i - start));
+    if (c == '\r' && i + 1 < all.size() && all[i + 1] == '\n') ++i;
+    start = i + 1;
   }
+  if (start < all.size()) lines_.push_back(all.substr(start));
 }
 
 SourceText::Label SourceText::label(long long number) {

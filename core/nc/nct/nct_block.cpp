@@ -306,7 +306,10 @@ bool NctControl::planComp(BlockPlan& plan) {
   }
   const Vec3 in_plane = frame.toPlane(vector);
   if (given) plan.direction = in_plane.head<2>();
-  return true;
+  plan.rapid = motion == 0;
+  // Without axis words the block may still move the tool onto or off its offset path.
+  const bool in_place = !anyAxisWord() && (was_on || plan.next.compOn());
+  return !in_place || plan.rapid || feedStyle(plan, plan.feed);
 }
 
 bool NctControl::govern(BlockPlan& plan) {
@@ -333,6 +336,11 @@ bool NctControl::checkWords(const BlockPlan& plan) {
       if (AddressSet("ABC").has(w.address)) {
         return failWord("nct-2035",
                         fmt::format("wrong axis data: axis {} is not configured", addressText(w.address)), w);
+      }
+      if (AddressSet("cra").has(w.address)) {
+        return failWord("nct-2123",
+                        fmt::format("function not implemented: {} is not supported", addressText(w.address)),
+                        w);
       }
       return failWord("nct-2017", fmt::format("illegal address {} in this block", addressText(w.address)), w);
     }

@@ -122,6 +122,7 @@ bool NctControl::drainComp(const CompStatus& status) {
                                    source_of(status.tag), {}));
   comp_engaged_ = false;
   waiting_.clear();
+  settle(emitter_.machine());  // a run that goes on behind errors goes on from where the tool is
   return false;
 }
 

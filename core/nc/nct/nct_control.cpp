@@ -138,6 +138,7 @@ NctControl::Go NctControl::step() {
   if (frame.line >= frame.text->lines().size()) return endOfText();
   line_index_ = frame.line++;
   const bool lexed = lexer_.lex(frame.text->lines()[line_index_], block_);
+  if (block_.skip > 0 && !skipKeepsLookAhead()) return alarm();
   if (block_.skip > 0 && settings_.skip_switches[static_cast<std::size_t>(block_.skip - 1)]) return Go::kOn;
   bool good = lexed || fail(lexer_.error().code, lexer_.error().message, lexer_.error().columns);
   if (good && block_.percent) {
@@ -155,6 +156,13 @@ NctControl::Go NctControl::step() {
   if (summary_.errors < settings_.max_errors) return Go::kOn;
   summary_.end = ProgramEnd::kAlarm;
   return Go::kStop;
+}
+
+bool NctControl::skipKeepsLookAhead() {
+  if (!comp_engaged_ || parameters_.flag(NctParam::kSkipKeepsLookAhead)) return true;
+  if (!flushComp()) return false;  // CBB = 0: the switch is read when the block before is done
+  rebaseComp();
+  return true;
 }
 
 bool NctControl::onlyHeaderAbove() const {

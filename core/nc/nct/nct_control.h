@@ -162,6 +162,7 @@ class NctControl {
   Go finish(const std::string& code, ProgramEnd end);
   bool checkHeader();
   bool onlyHeaderAbove() const;
+  bool skipKeepsLookAhead();
   bool jump(CallFrame& frame, std::int64_t block);
   bool reachedUntil() const;
   void resetState();

@@ -162,10 +162,11 @@ bool NctControl::performDeed(BlockPlan& plan) {
         block.active = plan.next.compOn();
         block.offset = plan.next.compOffset();
         block.direction = plan.direction;
-        Action nothing;
-        nothing.kind = Action::Kind::kMove;
-        nothing.source = here();
-        return pushComp(block, std::move(nothing));
+        Action action;  // starting and ending in place may move the tool
+        action.rapid = plan.rapid;
+        action.feed = plan.feed;
+        action.source = here();
+        return pushComp(block, std::move(action));
       }
       if (plan.next.compOn() && !comp_engaged_) return engageComp(plan) && performDeed(plan);
       return true;

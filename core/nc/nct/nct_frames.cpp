@@ -88,6 +88,7 @@ bool NctControl::planWorkOffset(BlockPlan& plan, int kind, const Word& p) {
   std::int64_t row = 0;
   if (const Word* r = word('R')) return failWord("nct-2017", "illegal address R in G10 L2, L20", *r);
   if (!integerWord(p, kind == 2 ? 0 : 1, kind == 2 ? 6 : 99, row)) return false;
+  plan.flush = true;  // the frame of the compensated path changes
   plan.frames = frames_;
   const WorkSystemId id = kind == 2 ? static_cast<int>(row) : kFirstExtended + static_cast<int>(row) - 1;
   WorkSystem& system = plan.frames->system(id);

@@ -19,6 +19,7 @@ bool NctControl::planLine(BlockPlan& plan) {
   if (!axisTarget(plan, plan.target)) return false;
   if (!anyAxisWord()) return true;
   plan.deed = BlockPlan::Deed::kMove;
+  plan.rapid = false;
   return feedStyle(plan, plan.feed);
 }
 

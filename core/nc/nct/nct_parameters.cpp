@@ -72,7 +72,9 @@ NctParameters::NctParameters() {
 
 Status NctParameters::set(const std::map<std::string, double>& values) {
   const auto& table = nctParameterTable();
-  for (const auto& [name, value] : values) {
+  for (const auto& entry : values) {
+    const std::string& name = entry.first;
+    const double value = entry.second;
     const auto row = std::find_if(table.begin(), table.end(), [&](const auto& p) { return p.name == name; });
     if (row == table.end()) {
       const auto bit = std::find_if(table.begin(), table.end(),
