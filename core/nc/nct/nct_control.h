@@ -205,7 +205,8 @@ class NctControl {
   bool perform(BlockPlan& plan);
   bool performDeed(BlockPlan& plan);
   bool performFunctions(BlockPlan& plan, MPhase phase);
-  bool function(const BlockPlan& plan, const MCode* code, int value);
+  bool function(const BlockPlan& plan, int m);
+  bool switchCompInPlace(BlockPlan& plan);
   void setSpindleAction(Action& action, double rpm) const;
   bool act(Action action, const NctState& state);
   void run(Action& action);
@@ -215,6 +216,9 @@ class NctControl {
   bool performReference(BlockPlan& plan);
   bool performCycle(BlockPlan& plan);
   bool planCycleWords(BlockPlan& plan);
+  bool planCycleVectors(BlockPlan& plan, DrillCode code);
+  bool checkCycle(const BlockPlan& plan, DrillCode code);
+  void cycleEvent(BlockPlan& plan, const DrillStep& step);
   bool expandCycle(BlockPlan& plan);
   bool cycleHole(BlockPlan& plan, Vec3 hole, bool first);
   bool cycleStep(BlockPlan& plan, const DrillStep& step, Vec3& at);

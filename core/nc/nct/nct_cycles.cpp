@@ -13,7 +13,7 @@ struct CycleKind {
   int code10;
   DrillCode drill;
 };
-constexpr std::array<CycleKind, 15> kCycles{{{730, DrillCode::kChipBreak},
+constexpr std::array<CycleKind, 14> kCycles{{{730, DrillCode::kChipBreak},
                                              {740, DrillCode::kTapLeft},
                                              {760, DrillCode::kFineBore},
                                              {810, DrillCode::kDrill},
@@ -26,8 +26,7 @@ constexpr std::array<CycleKind, 15> kCycles{{{730, DrillCode::kChipBreak},
                                              {860, DrillCode::kBoreStop},
                                              {870, DrillCode::kBackBore},
                                              {880, DrillCode::kBoreManual},
-                                             {890, DrillCode::kBoreDwellFeedOut},
-                                             {0, DrillCode::kDrill}}};
+                                             {890, DrillCode::kBoreDwellFeedOut}}};
 
 DrillCode drillCode(int code10) {
   for (const CycleKind& kind : kCycles) {
@@ -99,6 +98,15 @@ bool NctControl::planCycleWords(BlockPlan& plan) {
     words.clearance = value;
   }
   if (const Word* p = ownWord(plan, 'P'); p && !positive(*p, words.dwell, 1.0)) return false;
+  if (const Word* l = ownWord(plan, 'L'); l && !integerWord(*l, 0, 99999999, plan.repeat)) return false;
+  if (!planCycleVectors(plan, code) || !checkCycle(plan, code)) return false;
+  if (plan.repeat == 0) return true;
+  plan.deed = BlockPlan::Deed::kCycle;
+  return feedStyle(plan, plan.feed) && expandCycle(plan);
+}
+
+bool NctControl::planCycleVectors(BlockPlan& plan, DrillCode code) {
+  CycleWords& words = plan.next.cycle;
   const bool percent =
       code == DrillCode::kBoreFeedOut || code == DrillCode::kBoreDwellFeedOut || isRigid(code);
   for (int axis = 0; axis < 3; ++axis) {
@@ -111,22 +119,20 @@ bool NctControl::planCycleWords(BlockPlan& plan) {
       words.shift[static_cast<std::size_t>(axis)] = lengthOf(plan, *w);
     }
   }
-  if (const Word* l = ownWord(plan, 'L')) {
-    if (!integerWord(*l, 0, 99999999, plan.repeat)) return false;
-  }
+  return true;
+}
+
+bool NctControl::checkCycle(const BlockPlan& plan, DrillCode code) {
   if (code == DrillCode::kFineBore && !parameters_.flag(NctParam::kSpindleOrients)) {
     return fail("nct-2137", "G76, G87: the spindle cannot be oriented (N0607.ORI = 0)");
   }
   if (isRigid(code) && !parameters_.flag(NctParam::kSpindleIndexes)) {
     return fail("nct-2138", "the spindle cannot be indexed (N0607.INX = 0)");
   }
-  if ((code == DrillCode::kPeck || code == DrillCode::kChipBreak) && words.peck <= 0.0) {
+  if ((code == DrillCode::kPeck || code == DrillCode::kChipBreak) && plan.next.cycle.peck <= 0.0) {
     return fail("nct-2004", "missing data Q: G73 and G83 need the peck depth");
   }
-  if (plan.repeat == 0) return true;
-  plan.deed = BlockPlan::Deed::kCycle;
-  if (!feedStyle(plan, plan.feed)) return false;
-  return expandCycle(plan);
+  return true;
 }
 
 bool NctControl::expandCycle(BlockPlan& plan) {
@@ -204,6 +210,26 @@ bool NctControl::cycleHole(BlockPlan& plan, Vec3 hole, bool first) {
 
 bool NctControl::cycleStep(BlockPlan& plan, const DrillStep& step, Vec3& at) {
   const PlaneFrame frame(plan.next.plane());
+  if (step.kind == DrillStepKind::kShift) {
+    at[frame.u()] += step.shift.x();
+    at[frame.v()] += step.shift.y();
+    emitter_.rapidTo(chain_.toMachine(at), here());
+  } else if (step.kind == DrillStepKind::kRapid) {
+    at[frame.w()] = step.position;
+    emitter_.rapidTo(chain_.toMachine(at), here());
+  } else if (step.kind == DrillStepKind::kFeed) {
+    at[frame.w()] = step.position;
+    FeedStyle style = plan.feed;
+    style.feed *= step.feed_factor;
+    style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;
+    emitter_.lineTo(chain_.toMachine(at), style, here());
+  } else {
+    cycleEvent(plan, step);
+  }
+  return true;
+}
+
+void NctControl::cycleEvent(BlockPlan& plan, const DrillStep& step) {
   const auto spindle = [&](int direction) {
     state_.spindle_direction = direction;
     Action action;
@@ -211,29 +237,16 @@ bool NctControl::cycleStep(BlockPlan& plan, const DrillStep& step, Vec3& at) {
     setSpindleAction(action, plan.next.spindle_rpm);
     run(action);
   };
-  const auto event = [&](const char* name, PathEmitter::EventData data) {
-    emitter_.event(name, std::move(data), 0.0, here());
+  const auto event = [&](const char* name, PathEmitter::EventData data, double time_s = 0.0) {
+    emitter_.event(name, std::move(data), time_s, here());
   };
   switch (step.kind) {
     case DrillStepKind::kRapid:
-      at[frame.w()] = step.position;
-      emitter_.rapidTo(chain_.toMachine(at), here());
-      break;
-    case DrillStepKind::kFeed: {
-      at[frame.w()] = step.position;
-      FeedStyle style = plan.feed;
-      style.feed *= step.feed_factor;
-      style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;
-      emitter_.lineTo(chain_.toMachine(at), style, here());
-      break;
-    }
+    case DrillStepKind::kFeed:
     case DrillStepKind::kShift:
-      at[frame.u()] += step.shift.x();
-      at[frame.v()] += step.shift.y();
-      emitter_.rapidTo(chain_.toMachine(at), here());
       break;
     case DrillStepKind::kDwell:
-      emitter_.event("dwell", {{"seconds", jsonNumber(step.dwell)}}, step.dwell, here());
+      event("dwell", {{"seconds", jsonNumber(step.dwell)}}, step.dwell);
       break;
     case DrillStepKind::kSpindleForward:
       spindle(1);
@@ -257,7 +270,6 @@ bool NctControl::cycleStep(BlockPlan& plan, const DrillStep& step, Vec3& at) {
       event("stop", {{"code", jsonString("M0")}, {"reason", jsonString("manual intervention in the cycle")}});
       break;
   }
-  return true;
 }
 
 }  // namespace proveout::nc

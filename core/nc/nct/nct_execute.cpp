@@ -34,55 +34,57 @@ void NctControl::setSpindleAction(Action& action, double rpm) const {
   action.name = state_.spindle_direction > 0 ? "cw" : state_.spindle_direction < 0 ? "ccw" : "stop";
 }
 
-bool NctControl::function(const BlockPlan& plan, const MCode* code, int value) {
+namespace {
+
+/// Functions that only tell something: stops, coolant, gears, the machine builder's.
+Action eventAction(int m, bool optional_stop) {
   Action action;
-  action.source = here();
-  if (code == nullptr) {
-    action.kind = Action::Kind::kEvent;
-    action.name = "function";
-    action.data = {{"code", jsonString(fmt::format("M{}", value))}};
-    return act(std::move(action), state_);
-  }
-  switch (value) {
-    case 3:
-    case 4:
-    case 5:
-      state_.spindle_direction = value == 3 ? 1 : value == 4 ? -1 : 0;
-      setSpindleAction(action, plan.next.spindle_rpm);
-      return act(std::move(action), state_);
-    case 6: {
-      const bool named = plan.next.next_tool >= 0;
-      if (!named) warn("nct-no-t", "M6 without T: the tool stays");
-      state_.tool = named ? plan.next.next_tool : state_.tool;
-      action.kind = Action::Kind::kToolChange;
-      action.value = state_.tool;
-      return act(std::move(action), state_);
-    }
+  action.kind = Action::Kind::kEvent;
+  const std::string code = jsonString(fmt::format("M{}", m));
+  switch (m) {
+    case 0:
+      action.name = "stop";
+      action.data = {{"code", code}};
+      break;
+    case 1:
+      action.name = "optional_stop";
+      action.data = {{"code", code}, {"active", optional_stop ? "true" : "false"}};
+      break;
+    case 8:
+    case 9:
+      action.name = "coolant";
+      action.data = {{"code", code}, {"on", m == 8 ? "true" : "false"}};
+      break;
+    case 19:
+      action.name = "spindle";
+      action.data = {{"rpm", "0"}, {"direction", jsonString("oriented")}};
+      break;
     default:
+      action.name = "function";
+      action.data = {{"code", code}};
       break;
   }
-  action.kind = Action::Kind::kEvent;
-  const std::string quoted = jsonString(fmt::format("M{}", value));
-  if (value == 0 || value == 1) {
-    if (value == 1 && !settings_.optional_stop) {
-      action.name = "optional_stop";
-      action.data = {{"code", quoted}, {"active", "false"}};
-    } else {
-      action.name = value == 0 ? "stop" : "optional_stop";
-      action.data = {{"code", quoted}};
-      if (value == 1) action.data.push_back({"active", "true"});
-    }
-  } else if (value == 8 || value == 9) {
-    action.name = "coolant";
-    action.data = {{"code", quoted}, {"on", value == 8 ? "true" : "false"}};
-  } else if (value == 19) {
-    action.name = "spindle";
-    state_.spindle_direction = 0;
-    action.data = {{"rpm", "0"}, {"direction", jsonString("oriented")}};
+  return action;
+}
+
+}  // namespace
+
+bool NctControl::function(const BlockPlan& plan, int m) {
+  Action action;
+  if (m == 3 || m == 4 || m == 5) {
+    state_.spindle_direction = m == 3 ? 1 : m == 4 ? -1 : 0;
+    setSpindleAction(action, plan.next.spindle_rpm);
+  } else if (m == 6) {
+    const bool named = plan.next.next_tool >= 0;
+    if (!named) warn("nct-no-t", "M6 without T: the tool stays");
+    if (named) state_.tool = plan.next.next_tool;
+    action.kind = Action::Kind::kToolChange;
+    action.value = state_.tool;
   } else {
-    action.name = "function";
-    action.data = {{"code", quoted}};
+    action = eventAction(m, settings_.optional_stop);
+    if (m == 19) state_.spindle_direction = 0;
   }
+  action.source = here();
   return act(std::move(action), state_);
 }
 
@@ -93,7 +95,7 @@ bool NctControl::performFunctions(BlockPlan& plan, MPhase phase) {
     const MPhase at = plan.m[k] ? plan.m[k]->phase : MPhase::kAfter;
     if (at != phase) continue;
     // In a drilling block M functions run at the first hole, behind the positioning (manual 18.2).
-    if (!function(plan, plan.m[k], plan.m_value[k])) return false;
+    if (!function(plan, plan.m_value[k])) return false;
     spindle_done = spindle_done || plan.m_value[k] == 3 || plan.m_value[k] == 4;
   }
   if (phase == MPhase::kBefore && plan.spindle_changed && !spindle_done && state_.spindle_direction != 0) {
@@ -153,23 +155,25 @@ void NctControl::run(Action& action) {
   }
 }
 
+bool NctControl::switchCompInPlace(BlockPlan& plan) {
+  if (plan.next.compOn() && !comp_engaged_ && !engageComp(plan)) return false;
+  if (!comp_engaged_ || plan.by_group[kGroupRadiusComp] == nullptr) return true;
+  CompBlock block;
+  block.to = workPlanePosition();
+  block.active = plan.next.compOn();
+  block.offset = plan.next.compOffset();
+  block.direction = plan.direction;
+  Action action;  // starting and ending in place may move the tool
+  action.rapid = plan.rapid;
+  action.feed = plan.feed;
+  action.source = here();
+  return pushComp(block, std::move(action));
+}
+
 bool NctControl::performDeed(BlockPlan& plan) {
   switch (plan.deed) {
     case BlockPlan::Deed::kNone:
-      if (comp_engaged_ && plan.by_group[kGroupRadiusComp]) {
-        CompBlock block;
-        block.to = workPlanePosition();
-        block.active = plan.next.compOn();
-        block.offset = plan.next.compOffset();
-        block.direction = plan.direction;
-        Action action;  // starting and ending in place may move the tool
-        action.rapid = plan.rapid;
-        action.feed = plan.feed;
-        action.source = here();
-        return pushComp(block, std::move(action));
-      }
-      if (plan.next.compOn() && !comp_engaged_) return engageComp(plan) && performDeed(plan);
-      return true;
+      return switchCompInPlace(plan);
     case BlockPlan::Deed::kMove:
       return moveTo(plan);
     case BlockPlan::Deed::kDwell: {
