@@ -14,6 +14,11 @@ constexpr double kPointMoveMm = 1e-9;
 /// Rounds after which a search gives its best value; a bracketed search on doubles needs fewer.
 constexpr int kMaxLineRounds = 80;
 constexpr int kMaxCurveSpans = 4000;
+/// Growth of the radius a radian, by the radius, up to which a level spiral has one nearest point a turn
+/// close to the circle's.
+constexpr double kNearCircle = 0.05;
+/// Away from the surface the search along curves may stop this much (relative) above the least value.
+constexpr double kFarTolerance = 1e-4;
 
 }  // namespace
 
@@ -38,7 +43,8 @@ Sweep::Sweep(const ConvexProfile& profile, const Vec3& from, const Vec3& to, con
     curvature_bound_ =
         std::max(frame_.radius_start, frame_.radius_end) * sweep * sweep + 2.0 * std::abs(dr) * sweep;
     const bool vertical = arc_.normal.head<2>().squaredNorm() < 1e-24;
-    const bool level = std::abs(frame_.rise) < kPointMoveMm && std::abs(dr) < kPointMoveMm;
+    const bool level = std::abs(frame_.rise) < kPointMoveMm &&
+                       std::abs(dr) <= kNearCircle * sweep * std::min(frame_.radius_start, frame_.radius_end);
     kind_ = vertical && level ? Kind::kLevelArc : Kind::kCurve;
     Toolpath one;
     one.arcs.push_back(arc_);
@@ -94,15 +100,47 @@ double Sweep::levelParameter(double x, double y) const {
     const double t = ((x - from_.x()) * delta_.x() + (y - from_.y()) * delta_.y()) / level_length2_;
     return std::clamp(t, 0.0, 1.0);
   }
-  // Level arc: the distance to the tool axis grows with the angle to the point, so the nearest angle is best.
+  // Level arc: the distance to the tool axis grows with the angle to the point, so the nearest angle is best;
+  // a spiral (also a circle whose ends are rounded to the program's digits) has one such place a turn.
   const double px = x - arc_.center.x(), py = y - arc_.center.y();
   double angle = std::atan2(px * frame_.v.x() + py * frame_.v.y(), px * frame_.u.x() + py * frame_.u.y());
-  const double sweep = arc_.sweep_rad;
-  if (sweep < 0.0) angle = -angle;
-  const double span = std::abs(sweep);
+  if (arc_.sweep_rad < 0.0) angle = -angle;
   if (angle < 0.0) angle += 2.0 * kPi;
-  if (angle <= span) return span > 0.0 ? angle / span : 0.0;
-  return angle - span < 2.0 * kPi - angle ? 1.0 : 0.0;
+  const double span = std::abs(arc_.sweep_rad);
+  if (frame_.radius_end == frame_.radius_start) {
+    if (angle <= span) return span > 0.0 ? angle / span : 0.0;
+    return angle - span < 2.0 * kPi - angle ? 1.0 : 0.0;
+  }
+  const auto gap2 = [&](double t) {
+    const Vec3 c = arcPoint(frame_, arc_, t);
+    return (c.x() - x) * (c.x() - x) + (c.y() - y) * (c.y() - y);
+  };
+  double best = gap2(0.0) <= gap2(1.0) ? 0.0 : 1.0, least = gap2(best);
+  for (; angle <= span + kNearCircle; angle += 2.0 * kPi) {
+    const double t = refineLevel(x, y, std::min(1.0, angle / span));
+    if (const double g = gap2(t); g < least) least = g, best = t;
+  }
+  return best;
+}
+
+/// Newton's method on the squared distance to a level spiral, from a start near its minimum.
+double Sweep::refineLevel(double x, double y, double t) const {
+  const double dr = frame_.radius_end - frame_.radius_start, w = arc_.sweep_rad;
+  for (int i = 0; i < 8; ++i) {
+    const double c = std::cos(t * w), s = std::sin(t * w), radius = frame_.radius_start + t * dr;
+    const Vec3 to = Vec3(x, y, 0.0) - arc_.center;
+    const double pu = to.x() * frame_.u.x() + to.y() * frame_.u.y(),
+                 pv = to.x() * frame_.v.x() + to.y() * frame_.v.y();
+    const double along = pu * c + pv * s,
+                 across = pv * c - pu * s;  // of the point, on the radius at t and square to it
+    const double slope = dr * (radius - along) - radius * w * across;
+    const double bend = dr * dr - 2.0 * dr * w * across + radius * w * w * along;
+    if (bend <= 0.0) break;
+    const double next = std::clamp(t - slope / bend, 0.0, 1.0);
+    if (std::abs(next - t) < 1e-14) return next;
+    t = next;
+  }
+  return t;
 }
 
 double Sweep::minimiseLine(const Vec3& p, double cutoff, double& bound) const {
@@ -205,7 +243,7 @@ double Sweep::minimiseCurve(const Vec3& p, double cutoff, double& bound) const {
   }
   for (int count = 0; size > 0 && count < kMaxCurveSpans; ++count) {
     const Piece piece = stack[--size];
-    const double goal = std::min(best - 0.5 * kSweepToleranceMm, cutoff);
+    const double goal = std::min(best - 0.5 * kSweepToleranceMm - kFarTolerance * std::abs(best), cutoff);
     if (piece.low >= goal || size + 2 > static_cast<int>(stack.size())) {
       bound = std::min(bound, piece.low);
       continue;

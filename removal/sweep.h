@@ -55,6 +55,7 @@ class Sweep {
   At evaluateLine(const Vec3& p, double t) const;
   Vec3 position(double t) const;
   double levelParameter(double x, double y) const;
+  double refineLevel(double x, double y, double t) const;
   /// Parameter of the least value on a line; `bound` receives a proven lower bound of the value.
   double minimiseLine(const Vec3& p, double cutoff, double& bound) const;
   double minimiseCurve(const Vec3& p, double cutoff, double& bound) const;

@@ -120,13 +120,16 @@ class Cases {
     c.arc = true;
     c.from = point();
     Vec3 axis = kind % 4 == 3 ? point().normalized() : Vec3(Vec3::Unit(kind % 4));
+    if (kind >= 12) axis = Vec3(0, 0, kind % 2 ? 1 : -1);
     c.geometry.normal = axis;
     Vec3 radial = point();
     radial -= axis * axis.dot(radial);
     c.geometry.center = c.from + radial;
     c.geometry.sweep_rad = (unit_(random_) * 2 - 1) * 3 * kPi;
-    const double rise = kind >= 4 ? 10 * unit_(random_) - 5 : 0.0;
-    const double grow = kind >= 8 ? 0.7 + 0.6 * unit_(random_) : 1.0;
+    const double rise = kind >= 4 && kind < 12 ? 10 * unit_(random_) - 5 : 0.0;
+    // From 8 on spirals (from 12 on level), every other only as far off a circle as rounded ends leave it.
+    const double grow =
+        kind >= 8 ? (kind % 4 < 2 ? 0.7 + 0.6 * unit_(random_) : 1.0 + 1e-4 * unit_(random_)) : 1.0;
     c.to = c.geometry.center + Eigen::AngleAxisd(c.geometry.sweep_rad, axis) * (-radial * grow) + axis * rise;
     return c;
   }
@@ -162,15 +165,15 @@ void expectField(const Case& c, const Tool& tool, Cases& points, unsigned seed) 
       least = std::min(least, profile.sample(q.head<2>().norm(), q.z()).value);
     }
     const SweepSample s = sweep.sample(p);
-    ASSERT_LE(s.value, least + kSweepToleranceMm) << "seed " << seed << " tool " << tool.number;
-    ASSERT_GE(s.value, least - 0.51 * travel - kSweepToleranceMm)
-        << "seed " << seed << " tool " << tool.number;
-    ASSERT_NEAR(sweep.distance(p, 1e9), s.value, kSweepToleranceMm);
+    const double tolerance = kSweepToleranceMm + (c.arc ? 1e-4 * std::abs(s.value) : 0.0);
+    ASSERT_LE(s.value, least + tolerance) << "seed " << seed << " tool " << tool.number;
+    ASSERT_GE(s.value, least - 0.51 * travel - tolerance) << "seed " << seed << " tool " << tool.number;
+    ASSERT_NEAR(sweep.distance(p, 1e9), s.value, tolerance);
     double column[3];
     const double far[3] = {1e9, 1e9, 1e9};
     sweep.column(p.x(), p.y(), p.z(), 0.5, 3, far, column);
-    ASSERT_NEAR(column[0], s.value, kSweepToleranceMm);
-    ASSERT_NEAR(column[2], sweep.distance(p + Vec3(0, 0, 1), 1e9), kSweepToleranceMm);
+    ASSERT_NEAR(column[0], s.value, tolerance);
+    ASSERT_NEAR(column[2], sweep.distance(p + Vec3(0, 0, 1), 1e9), tolerance);
     if (s.value <= 0.0) {
       ASSERT_TRUE((p.array() >= sweep.bounds().min.array() - 1e-9).all() &&
                   (p.array() <= sweep.bounds().max.array() + 1e-9).all())
@@ -179,18 +182,18 @@ void expectField(const Case& c, const Tool& tool, Cases& points, unsigned seed) 
     const double near[3] = {0.0, 1e9, 0.5};
     sweep.column(p.x(), p.y(), p.z(), 0.5, 3, near, column);
     if (s.value <= 0.0) {
-      ASSERT_NEAR(column[0], s.value, kSweepToleranceMm);
+      ASSERT_NEAR(column[0], s.value, tolerance);
     } else {
       ASSERT_GT(column[0], 0.0);
-      ASSERT_LE(column[0], s.value + kSweepToleranceMm);
+      ASSERT_LE(column[0], s.value + tolerance);
     }
     // A cutoff may only replace values above it, by something above it.
     const double cut = sweep.distance(p, 1.0);
     if (s.value <= 1.0) {
-      ASSERT_NEAR(cut, s.value, kSweepToleranceMm);
+      ASSERT_NEAR(cut, s.value, tolerance);
     } else {
       ASSERT_GT(cut, 1.0);
-      ASSERT_LE(cut, s.value + kSweepToleranceMm);
+      ASSERT_LE(cut, s.value + tolerance);
     }
   }
 }
@@ -204,10 +207,10 @@ TEST(SweepField, LinesMatchSampledMinimum) {
 }
 
 TEST(SweepField, ArcsHelicesAndSpiralsMatchSampledMinimum) {
-  for (unsigned seed = 0; seed < 36; ++seed) {
+  for (unsigned seed = 0; seed < 64; ++seed) {
     Cases cases(seed + 1000);
     for (const Tool& tool : sampleTools())
-      expectField(cases.arc(static_cast<int>(seed % 12)), tool, cases, seed);
+      expectField(cases.arc(static_cast<int>(seed % 16)), tool, cases, seed);
   }
 }
 
