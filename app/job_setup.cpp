@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -197,7 +198,7 @@ bool applyRunOptions(const RunOptions& options, Job& job, Diagnostics& diagnosti
 std::string outputFolder(const RunOptions& options, const Job& job) {
   if (options.out) return *options.out;
   const fs::path beside = job.path.empty() ? fs::path() : fs::path(job.path).parent_path();
-  return (beside / (job.name + "-out")).string();
+  return (beside / (fileName(job.name) + "-out")).string();
 }
 
 double defaultResolution(const Box3& blank) {
@@ -211,7 +212,21 @@ double defaultResolution(const Box3& blank) {
 }
 
 Vec3 defaultStart(const Box3& blank) {
-  return {blank.min.x(), blank.min.y(), blank.max.z() + kStartClearance};
+  const bool zero_above =
+      blank.min.x() <= 0 && blank.max.x() >= 0 && blank.min.y() <= 0 && blank.max.y() >= 0;
+  const Vec3 center = blank.center();
+  return {zero_above ? 0.0 : center.x(), zero_above ? 0.0 : center.y(), blank.max.z() + kStartClearance};
+}
+
+std::string fileName(const std::string& name) {
+  std::string file = name;
+  for (char& c : file) {
+    const bool plain =
+        std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-' || (c & 0x80);
+    if (!plain) c = '_';
+  }
+  if (file.empty() || file.front() == '.') file.insert(0, "_");
+  return file;
 }
 
 }  // namespace proveout

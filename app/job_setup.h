@@ -26,11 +26,15 @@ bool applyRunOptions(const RunOptions& options, Job& job, Diagnostics& diagnosti
 /// The folder for the results: `--out`, or NAME-out beside the job file, or in the current folder.
 std::string outputFolder(const RunOptions& options, const Job& job);
 
+/// `name` as a file name: letters, digits, dots, dashes and bytes beyond ASCII stay, all else becomes '_'.
+std::string fileName(const std::string& name);
+
 /// Grid spacing where nobody gives one: the longest side / 400, rounded up to 1, 2 or 5 times a power of ten,
 /// mm.
 double defaultResolution(const Box3& blank);
 
-/// Where the tool starts if the job does not say: above the lower left corner of the blank, clear of its top.
+/// Where the tool starts if the job does not say: above X0 Y0 where that lies over the blank, else above its
+/// centre; clear of its top.
 Vec3 defaultStart(const Box3& blank);
 
 }  // namespace proveout

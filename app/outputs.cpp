@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/job_setup.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
@@ -76,7 +77,7 @@ Status writeMeshes(const TriMesh& mesh, const Stock& stock, const Job& job, Stag
   for (const OutputFormat format : job.output.formats) {
     const bool second_stl = format == OutputFormat::kStlAscii && job.output.formats.size() > 1;
     const std::string file =
-        fmt::format("{}{}.{}", job.name, second_stl ? "-ascii" : "", outputFormatExtension(format));
+        fmt::format("{}{}.{}", fileName(job.name), second_stl ? "-ascii" : "", outputFormatExtension(format));
     const std::string path = staging.path(file);
     const Status written =
         format == OutputFormat::kVdb ? stock.save(path) : writeMesh(mesh, path, meshFormat(format));

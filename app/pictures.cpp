@@ -75,7 +75,7 @@ class PictureMaker {
         request_.findings->begin(), request_.findings->end(),
         [](const Finding& finding) { return finding.where.has_value() && !isDeviation(finding); }));
     scene.caption =
-        fmt::format("{}: {} findings{}", ascii(request_.name), located,
+        fmt::format("{}: {} {}{}", ascii(request_.name), located, located == 1 ? "finding" : "findings",
                     located > markers.size() ? fmt::format(", the first {} shown", markers.size()) : "");
     return add(scene, request_.views.front(), "findings.png", "findings");
   }

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "app/cli_options.h"
+#include "app/exit_codes.h"
+
+namespace proveout {
+namespace {
+
+template <typename Options>
+Options parsed(const std::vector<std::string>& arguments) {
+  const CommandLine line = parseCommandLine(arguments);
+  EXPECT_TRUE(line.command.has_value()) << line.errors;
+  if (!line.command || !std::holds_alternative<Options>(*line.command)) {
+    ADD_FAILURE() << "another command was meant";
+    return {};
+  }
+  return std::get<Options>(*line.command);
+}
+
+TEST(CommandLine, RunTakesEveryOption) {
+  const auto o = parsed<RunOptions>(
+      {"run",           "a.nc",     "--control",    "nct",      "--stock",     "box:0,0,-1:2,3,0",
+       "--tool",        "1=flat:3", "--tool",       "2=ball:4", "--nominal",   "n.stl",
+       "--out",         "o",        "--resolution", "0.25",     "--tolerance", "0.01",
+       "--threads",     "2",        "--max-memory", "1.5",      "--until",     "N70",
+       "--format",      "stl,obj",  "--view",       "iso",      "--view",      "top",
+       "--size",        "64x48",    "--json",       "--quiet",  "--lenient",   "--progress",
+       "--subprograms", "subs"});
+  EXPECT_EQ(o.program.input, "a.nc");
+  EXPECT_EQ(o.program.control, "nct");
+  EXPECT_EQ(o.program.until, "N70");
+  EXPECT_EQ(o.program.subprograms, std::vector<std::string>{"subs"});
+  EXPECT_TRUE(o.program.lenient);
+  EXPECT_EQ(o.tools, (std::vector<std::string>{"1=flat:3", "2=ball:4"}));
+  EXPECT_EQ(o.stock, "box:0,0,-1:2,3,0");
+  EXPECT_DOUBLE_EQ(*o.resolution_mm, 0.25);
+  EXPECT_DOUBLE_EQ(*o.tolerance_mm, 0.01);
+  EXPECT_DOUBLE_EQ(*o.max_memory_gb, 1.5);
+  EXPECT_EQ(o.threads, 2);
+  EXPECT_EQ(o.views, (std::vector<std::string>{"iso", "top"}));
+  EXPECT_TRUE(o.json && o.quiet && o.progress);
+  EXPECT_FALSE(o.no_render);
+}
+
+TEST(CommandLine, ToolDoesNotSwallowThePositional) {
+  const auto o = parsed<RunOptions>({"run", "--tool", "1=flat:3", "a.nc"});
+  EXPECT_EQ(o.program.input, "a.nc");
+  EXPECT_EQ(o.tools.size(), 1u);
+}
+
+TEST(CommandLine, OtherCommands) {
+  EXPECT_EQ(parsed<PathOptions>({"path", "a.nc", "--control", "nct", "--format", "csv"}).format, "csv");
+  EXPECT_TRUE(parsed<CheckOptions>({"check", "job.toml", "--json"}).json);
+  const auto compare = parsed<CompareCommandOptions>({"compare", "a.stl", "b.stl", "--gouge", "0.1"});
+  EXPECT_EQ(compare.nominal, "b.stl");
+  EXPECT_DOUBLE_EQ(compare.gouge_mm, 0.1);
+  EXPECT_DOUBLE_EQ(compare.excess_mm, 0.05);
+  const auto render = parsed<RenderCommandOptions>({"render", "a.stl", "-o", "a.png", "--view", "top"});
+  EXPECT_EQ(render.output, "a.png");
+  EXPECT_EQ(render.view, "top");
+  EXPECT_EQ(parsed<CoverageOptions>({"coverage", "--control", "nct"}).control, "nct");
+}
+
+TEST(CommandLine, BadUsageIsExitTwoWithAMessage) {
+  const std::vector<std::vector<std::string>> bad = {
+      {},
+      {"mill"},
+      {"run"},
+      {"run", ""},
+      {"run", "a", "b"},
+      {"run", "a", "--resolution", "0"},
+      {"run", "a", "--resolution", "-0.1"},
+      {"run", "a", "--resolution", "nan"},
+      {"run", "a", "--resolution", "inf"},
+      {"run", "a", "--resolution", "0.1mm"},
+      {"run", "a", "--resolution", "1e300"},
+      {"run", "a", "--threads", "0"},
+      {"run", "a", "--threads", "99999999999"},
+      {"run", "a", "--threads", "two"},
+      {"run", "a", "--max-memory", "-1"},
+      {"run", "a", "--no-such"},
+      {"run", "a", "--out"},
+      {"run", "a", "--out", ""},
+      {"path", "a", "--format", "xml"},
+      {"compare", "a.stl"},
+      {"compare", "a.stl", "b.stl", "--gouge", "0"},
+      {"render"},
+      {"coverage", "extra"},
+  };
+  for (const auto& arguments : bad) {
+    const CommandLine line = parseCommandLine(arguments);
+    const std::string shown = arguments.empty() ? "" : arguments.front() + " ... " + arguments.back();
+    EXPECT_FALSE(line.command.has_value()) << shown;
+    EXPECT_EQ(line.exit_code, kExitInput) << shown;
+    EXPECT_FALSE(line.errors.empty()) << shown;
+    EXPECT_TRUE(line.output.empty()) << shown;
+  }
+}
+
+TEST(CommandLine, VersionAndHelpGoToStdout) {
+  const CommandLine version = parseCommandLine({"--version"});
+  EXPECT_EQ(version.exit_code, kExitOk);
+  EXPECT_EQ(version.output.rfind("proveout ", 0), 0u);
+  EXPECT_EQ(parseCommandLine({"--help"}).exit_code, kExitOk);
+}
+
+// The help texts as files: a change shows in review. PROVEOUT_UPDATE_GOLDEN=1 writes them anew.
+TEST(CommandLine, HelpIsAsRecorded) {
+  for (const std::string command : {"", "run", "path", "check", "compare", "render", "coverage"}) {
+    std::vector<std::string> arguments{"--help"};
+    if (!command.empty()) arguments.insert(arguments.begin(), command);
+    const std::string help = parseCommandLine(arguments).output;
+    const std::string file = std::string(PROVEOUT_SOURCE_DIR) + "/tests/unit/app/golden/help" +
+                             (command.empty() ? "" : "_" + command) + ".txt";
+    if (std::getenv("PROVEOUT_UPDATE_GOLDEN") != nullptr) std::ofstream(file) << help;
+    std::stringstream recorded;
+    recorded << std::ifstream(file).rdbuf();
+    EXPECT_EQ(help, recorded.str()) << file;
+  }
+}
+
+TEST(ExitCodes, FollowTheContract) {
+  EXPECT_EQ(exitCodeOf(ErrorKind::kInput), 2);
+  EXPECT_EQ(exitCodeOf(ErrorKind::kInternal), 2);
+  EXPECT_EQ(exitCodeOf(ErrorKind::kResourceLimit), 3);
+  EXPECT_EQ(exitCodeOf(ErrorKind::kInterrupted), 130);
+  EXPECT_EQ(exitCodeOf(Verdict::kPass), 0);
+  EXPECT_EQ(exitCodeOf(Verdict::kFail), 1);
+  EXPECT_EQ(exitCodeOf(Verdict::kError), 2);
+}
+
+}  // namespace
+}  // namespace proveout

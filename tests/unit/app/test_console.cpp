@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "app/console.h"
+#include "app/summary.h"
+
+namespace proveout {
+namespace {
+
+TEST(ConsoleProgress, SilentUnlessShown) {
+  std::ostringstream err;
+  ConsoleProgress progress(err);
+  progress.report("cutting", 0.5);
+  progress.clear();
+  EXPECT_EQ(err.str(), "");
+}
+
+TEST(ConsoleProgress, OverwritesItsLineAndTakesItAway) {
+  std::ostringstream err;
+  ConsoleProgress progress(err);
+  progress.show(true);
+  progress.report("interpreting", 0.5);
+  progress.report("interpreting", 0.501);  // no news
+  progress.report("cut", 0.01);
+  progress.clear();
+  EXPECT_EQ(err.str(), "\rinterpreting 50 %\rcut 1 %          \r                 \r");
+}
+
+TEST(Summary, CountsWhatItDoesNotPrint) {
+  std::ostringstream out, err;
+  Console console{out, err};
+  Report report;
+  for (int i = 0; i < 25; ++i) {
+    Finding finding;
+    finding.kind = "gouge";
+    finding.message = "deep";
+    report.findings.push_back(finding);
+  }
+  printFindings(console, report, Severity::kNote);
+  EXPECT_NE(err.str().find("5 more, see the report"), std::string::npos);
+  EXPECT_EQ(out.str(), "");
+}
+
+TEST(Summary, QuietPrintsErrorsOnly) {
+  std::ostringstream out, err;
+  Console console{out, err};
+  Report report;
+  Finding warning;
+  warning.severity = Severity::kWarning;
+  warning.message = "not so bad";
+  Finding error;
+  error.message = "really bad";
+  report.findings = {warning, error};
+  printFindings(console, report, Severity::kError);
+  EXPECT_EQ(err.str().find("not so bad"), std::string::npos);
+  EXPECT_NE(err.str().find("really bad"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace proveout

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include "app/findings.h"
+#include "app/run_report.h"
+
+namespace proveout {
+namespace {
+
+struct Fixture : testing::Test {
+  Fixture() : memory("plate.nc", "N10 G0 Z5\nN20 G1 X5\n"), source(memory, TextEncoding::kAuto) {
+    EXPECT_TRUE(source.mainProgram().ok());
+    path.files = {"plate.nc"};
+    path.motions.resize(2);
+    path.motions[0].source = {0, 1, 10, 0};
+    path.motions[1].source = {0, 2, 20, 0};
+    path.motions[1].tool = 4;
+  }
+  MemoryProgramSource memory;
+  RecordingSource source;
+  Toolpath path;
+  std::vector<Finding> findings;
+};
+
+TEST_F(Fixture, ContactNamesBlockToolAndPlace) {
+  path.motions[1].spindle = 1000;
+  addContacts({{ContactKind::kHolder, 1, {1, 2, 3}, 0.25, 7.0}}, path, source, findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].kind, "holder_contact");
+  EXPECT_EQ(findings[0].severity, Severity::kError);
+  EXPECT_EQ(findings[0].source->block, 20);
+  EXPECT_EQ(findings[0].tool, 4);
+  const std::string text = formatDiagnostic(findingDiagnostic(findings[0]));
+  EXPECT_EQ(text.rfind("plate.nc:2: error[holder_contact]: ", 0), 0u) << text;
+  EXPECT_NE(text.find("N20 G1 X5"), std::string::npos);
+  EXPECT_NE(text.find("X1.000 Y2.000 Z3.000, tool 4"), std::string::npos);
+}
+
+TEST_F(Fixture, SpindleThatIsNeverStartedIsOneWarning) {
+  const std::vector<Contact> contacts = {{ContactKind::kSpindleOff, 0, {}, 1, 1},
+                                         {ContactKind::kSpindleOff, 1, {}, 1, 1}};
+  addContacts(contacts, path, source, findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].severity, Severity::kWarning);
+  findings.clear();
+  path.motions[0].spindle = -500;
+  addContacts(contacts, path, source, findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].severity, Severity::kError);
+}
+
+TEST_F(Fixture, DeviationsAndUndecided) {
+  Comparison comparison;
+  comparison.gouge_tolerance_mm = 0.02;
+  comparison.excess_tolerance_mm = 0.05;
+  comparison.uncertainty_mm = 0.01;
+  DeviationPatch gouge;
+  gouge.depth_mm = 0.5;
+  gouge.motion = 1;
+  DeviationPatch unsure;
+  unsure.kind = DeviationKind::kExcess;
+  unsure.depth_mm = 0.055;
+  unsure.deciding_resolution_mm = 0.1;
+  comparison.patches = {gouge};
+  comparison.undecided = {unsure};
+  addDeviations(comparison, path, source, findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].kind, "gouge");
+  EXPECT_EQ(findings[0].source->line, 2u);
+  EXPECT_EQ(findings[1].kind, "undecided");
+  EXPECT_EQ(findings[1].severity, Severity::kWarning);
+  EXPECT_FALSE(findings[1].source.has_value());
+  EXPECT_NE(findings[1].message.find("--resolution 0.1"), std::string::npos);
+  const ReportComparison report = reportComparison(comparison, "n.stl");
+  EXPECT_FALSE(report.decided);
+  EXPECT_DOUBLE_EQ(*report.deciding_resolution_mm, 0.1);
+}
+
+TEST_F(Fixture, OvertravelAndAlarms) {
+  PathEvent event;
+  event.event = "overtravel";
+  event.data = {{"axis", "\"X\""}, {"value", "412.5"}, {"limit", "400"}};
+  event.source = {0, 2, 20, 0};
+  path.events.push_back({1, event});
+  Diagnostic alarm;
+  alarm.message = "wrong";
+  alarm.where = {"plate.nc", 2, 1, 2};
+  path.diagnostics.add(alarm);
+  addAlarms(path, findings);
+  addOvertravel(path, source, findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].kind, "alarm");
+  EXPECT_EQ(findings[1].message, "X goes to 412.5 mm, past its limit of 400 mm (machine frame)");
+  EXPECT_EQ(findings[1].motion, 1u);
+}
+
+void addBox(TriMesh& mesh, const Vec3& lo, const Vec3& hi, bool inward) {
+  const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 p((i & 1) ? hi.x() : lo.x(), (i & 2) ? hi.y() : lo.y(), (i & 4) ? hi.z() : lo.z());
+    mesh.positions.push_back(p.cast<float>());
+  }
+  constexpr std::uint32_t kFaces[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                                           {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  for (const auto& f : kFaces) {
+    const std::uint32_t b = inward ? f[2] : f[1], c = inward ? f[1] : f[2];
+    mesh.triangles.push_back({base + f[0], base + b, base + c});
+  }
+}
+
+TEST(StockBodies, LargestIsThePartAndHollowsCountAgainstTheirBody) {
+  TriMesh mesh;
+  addBox(mesh, {20, 0, 0}, {22, 2, 2}, false);
+  addBox(mesh, {0, 0, 0}, {10, 10, 10}, false);
+  addBox(mesh, {4, 4, 4}, {6, 6, 6}, true);
+  const std::vector<StockBody> bodies = stockBodies(mesh);
+  ASSERT_EQ(bodies.size(), 2u);
+  EXPECT_EQ(bodies[0].role, "part");
+  EXPECT_NEAR(bodies[0].volume_mm3, 992.0, 1e-3);
+  EXPECT_EQ(bodies[1].role, "loose");
+  EXPECT_NEAR(bodies[1].volume_mm3, 8.0, 1e-3);
+  EXPECT_TRUE(stockBodies(TriMesh{}).empty());
+}
+
+}  // namespace
+}  // namespace proveout

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include "app/pipeline.h"
+#include "app/run_report.h"
+
+namespace proveout {
+namespace {
+
+constexpr const char* kRing =
+    "G21 G90 G17 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\nG1 Z-2 F200\nX15\nY15\nX5\nY5\nG0 Z5\nM30\n";
+// A square of 10 mm with a flat 4, 2 deep: outside 14 x 14 with corners of 2, inside 6 x 6.
+constexpr double kRingVolume = 2.0 * (14 * 14 - (4 - kPi) * 2 * 2 - 6 * 6);
+
+Job ringJob() {
+  Job job;
+  job.name = "ring";
+  job.control = "nct";
+  job.stock = BoxShape{{0, 0, -10}, {20, 20, 0}};
+  Tool tool;
+  tool.number = 1;
+  tool.diameter = 4;
+  job.tools = {tool};
+  job.simulation.resolution_mm = 0.5;
+  return job;
+}
+
+Result<RunResult> run(const Job& job, const std::string& program, Progress& progress) {
+  const MemoryProgramSource memory("ring.nc", program);
+  const RecordingSource source(memory, TextEncoding::kAuto);
+  return runPipeline(job, source, progress);
+}
+
+TEST(Pipeline, RingHasItsVolumeAndNoFindings) {
+  Progress progress;
+  const Result<RunResult> result = run(ringJob(), kRing, progress);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  EXPECT_FALSE(result->alarm);
+  EXPECT_TRUE(result->findings.empty());
+  EXPECT_TRUE(result->topology.closedManifold());
+  EXPECT_NEAR(4000.0 - result->surface.volume_mm3, kRingVolume, 0.01 * kRingVolume);
+  double removed = 0;
+  for (const float v : result->removal.removed_mm3) removed += static_cast<double>(v);
+  EXPECT_NEAR(removed, 4000.0 - result->surface.volume_mm3, 1e-3);
+}
+
+TEST(Pipeline, RapidIntoTheStockIsBlamedOnItsBlock) {
+  Progress progress;
+  const Result<RunResult> result =
+      run(ringJob(), "G21 G90 T1 M6\nS1000 M3\nG0 X10 Y10 Z5\nN40 G0 Z-3\nG0 Z5\nM30\n", progress);
+  ASSERT_TRUE(result.ok());
+  ASSERT_FALSE(result->findings.empty());
+  const Finding& finding = result->findings.front();
+  EXPECT_EQ(finding.kind, "rapid_contact");
+  EXPECT_EQ(finding.source->block, 40);
+  EXPECT_EQ(finding.source->text, "N40 G0 Z-3");
+  EXPECT_EQ(finding.tool, 1);
+}
+
+TEST(Pipeline, ProgramAlarmLeavesTheStockAlone) {
+  Progress progress;
+  const Result<RunResult> result = run(ringJob(), "G21 G90\nG1 X1\nG777\nM30\n", progress);
+  ASSERT_TRUE(result.ok());
+  EXPECT_TRUE(result->alarm);
+  EXPECT_FALSE(result->stock.has_value());
+  ASSERT_FALSE(result->findings.empty());
+  EXPECT_EQ(result->findings.front().kind, "alarm");
+}
+
+TEST(Pipeline, CancelIsReported) {
+  Progress progress;
+  progress.cancel();
+  const Result<RunResult> result = run(ringJob(), kRing, progress);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().kind, ErrorKind::kInterrupted);
+}
+
+TEST(Pipeline, UncertaintyFollowsTheSmallestToolUsed) {
+  Toolpath path;
+  path.motions.resize(1);
+  path.motions[0].tool = 1;
+  std::vector<Tool> tools(2);
+  tools[0].number = 1;
+  tools[0].diameter = 10;
+  tools[1].number = 2;
+  tools[1].diameter = 1;
+  EXPECT_DOUBLE_EQ(surfaceUncertainty(path, tools, 0.2), 0.2 * 0.2 / 40);
+  path.motions[0].tool = 2;
+  EXPECT_DOUBLE_EQ(surfaceUncertainty(path, tools, 0.2), 0.2 * 0.2 / 4);
+  EXPECT_DOUBLE_EQ(surfaceUncertainty(path, tools, 20), 10.0);
+  EXPECT_DOUBLE_EQ(surfaceUncertainty(Toolpath{}, tools, 0.2), 0.0);
+}
+
+}  // namespace
+}  // namespace proveout
