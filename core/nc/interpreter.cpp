@@ -40,7 +40,7 @@ std::vector<CoverageRow> nctCoverage() {
   }
   for (const nc::FeatureRow& f : nc::nctFeatures()) {
     rows.push_back({std::string(f.code), -1, std::string(codeClassName(f.cls)),
-                    std::string(statusOf(f.cls, true)), std::string(f.ids), std::string(f.meaning)});
+                    std::string(statusOf(f.cls, f.built)), std::string(f.ids), std::string(f.meaning)});
   }
   return rows;
 }

@@ -77,6 +77,7 @@ struct FeatureRow {
   CodeClass cls;
   std::string_view ids;
   std::string_view meaning;
+  bool built = true;  ///< false: refused as not supported
 };
 
 std::span<const GCode> nctGCodes();

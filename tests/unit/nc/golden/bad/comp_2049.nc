@@ -1,5 +1,5 @@
 === about
-proves: nct-15.5.7-2049
+proves: nct-15.5.7-AAL nct-15.5.7-2049
 === settings
 D1 = 10
 N1403.AAL = 1

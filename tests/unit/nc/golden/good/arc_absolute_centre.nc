@@ -1,5 +1,5 @@
 === about
-proves: nct-4.3-IJK
+proves: nct-4.3-CCA nct-4.3-IJK
 === settings
 N1337.CCA = 1
 === main

@@ -1,6 +1,6 @@
 === about
 158.3478 mm at F150: 63.339 s.
-proves: nct-4.3.2-helix
+proves: nct-4.3.2-HEF nct-4.3.2-helix
 === settings
 N1337.HEF = 1
 === main

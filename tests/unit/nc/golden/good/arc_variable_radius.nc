@@ -1,5 +1,5 @@
 === about
-proves: nct-4.3-vararc
+proves: nct-4.3-N1339 nct-4.3-vararc
 === settings
 N1339 = 30
 === main

@@ -1,6 +1,6 @@
 === about
 Corner of heading change -135: (10,10), (14.1421,0).
-proves: nct-15.5.2-acute nct-15.5.2-obtuse nct-15.5-G41
+proves: nct-15.5-alpha nct-15.5.2-acute nct-15.5.2-obtuse nct-15.5-G41
 === settings
 D1 = 10
 H1 = 0

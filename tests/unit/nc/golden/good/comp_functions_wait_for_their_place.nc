@@ -1,6 +1,6 @@
 === about
 M8, the dwell and the Z move happen at the corner, in order.
-proves: nct-15.5-G42
+proves: nct-15.5.2-passthrough nct-15.5-G42
 === settings
 D1 = 5
 H1 = 0

@@ -1,5 +1,5 @@
 === about
-proves: nct-15.3-G43
+proves: nct-15.5.2-flush nct-15.3-G43
 === settings
 D1 = 10
 H1 = 0

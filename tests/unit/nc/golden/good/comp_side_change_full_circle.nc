@@ -1,5 +1,5 @@
 === about
-proves: nct-15.5.4-change
+proves: nct-15.5.4-full nct-15.5.4-change
 === settings
 D1 = 10
 H1 = 0

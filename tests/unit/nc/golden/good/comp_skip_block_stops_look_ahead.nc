@@ -1,5 +1,5 @@
 === about
-proves: nct-14.2-skip
+proves: nct-15.5.2-skip nct-14.2-skip
 === settings
 D1 = 10
 H1 = 0

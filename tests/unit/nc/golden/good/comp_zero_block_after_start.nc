@@ -1,5 +1,5 @@
 === about
-proves: nct-15.5-G42
+proves: nct-15.5.1-nextzero nct-15.5-G42
 === settings
 D1 = 5
 H1 = 0

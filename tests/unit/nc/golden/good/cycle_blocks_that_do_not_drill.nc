@@ -1,5 +1,5 @@
 === about
-proves: nct-18.1.5-G81
+proves: nct-18.2-trigger nct-18.2-G04 nct-18.1.5-G81
 === main
 G0 Z10 M3 S1000
 G81 X10 Z-5 R2 F100

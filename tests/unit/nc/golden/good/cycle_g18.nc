@@ -1,5 +1,5 @@
 === about
-proves: nct-18.1.5-G81 nct-3-G18
+proves: nct-18-axis nct-18.1.5-G81 nct-3-G18
 === main
 G18 G0 X0 Y20 Z0
 G99 G81 X5 Z7 Y-10 R2 F100

@@ -1,5 +1,5 @@
 === about
-proves: nct-18.1.5-G81
+proves: nct-18-L nct-18.1.5-G81
 === main
 N1 G90 G17 G0 X0 Y0 Z100 M3
 N2 G91 G81 X100 Z-40 R-97 F50 L5

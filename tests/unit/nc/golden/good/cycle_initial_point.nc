@@ -1,5 +1,5 @@
 === about
-proves: nct-18.1.5-G81
+proves: nct-18-init nct-18.1.5-G81
 === main
 N1 G17 G90 G0 Z200
 N2 G81 X0 Y0 Z50 R150 F100

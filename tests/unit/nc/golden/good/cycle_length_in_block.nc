@@ -1,6 +1,6 @@
 === about
 H acts from the approach on.
-proves: nct-18.1.5-G81
+proves: nct-18.2-G43 nct-18.1.5-G81
 === settings
 H1 = 10
 === main

@@ -1,5 +1,5 @@
 === about
-proves: nct-3-G10 nct-10.2.4-G10L2
+proves: nct-10.2.1-common nct-3-G10 nct-10.2.4-G10L2
 === main
 G90 G10 L2 P1 X300 Y800
 G90 G10 L2 P2 X1300 Y400

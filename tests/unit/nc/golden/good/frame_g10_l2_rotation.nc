@@ -1,6 +1,6 @@
 === about
 Basic rotation: I about Z, J about Y, K about X.
-proves: nct-10.2.4-G10L2
+proves: nct-10.2.3-rotation nct-10.2.4-G10L2
 === main
 G90 G10 L2 P1 X0 Y0 I30
 G54 G0 X100 Y0

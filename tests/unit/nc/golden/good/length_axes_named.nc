@@ -1,6 +1,6 @@
 === about
 ZAX = PLN = 0: H without an axis word changes only the modal H.
-proves: nct-15.3-G43 nct-15.1-H nct-15.3-H-modal
+proves: nct-15.3-AXES nct-15.3-G43 nct-15.1-H nct-15.3-H-modal
 === settings
 H1 = 10
 H2 = 20

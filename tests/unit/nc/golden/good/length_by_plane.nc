@@ -1,5 +1,5 @@
 === about
-proves: nct-15.3-G43
+proves: nct-15.3-PLN nct-15.3-G43
 === settings
 H2 = 20
 H3 = 30

@@ -1,6 +1,6 @@
 === about
 A changed row acts when H is programmed again.
-proves: nct-15.2-G10-L10 nct-15.2-G10-L11 nct-15.2-G90-G91-I
+proves: nct-15.1-table-mill nct-15.2-G10-L10 nct-15.2-G10-L11 nct-15.2-G90-G91-I
 === main
 G90 G10 L10 P5 R100
 G91 G10 L11 P5 R-0.2

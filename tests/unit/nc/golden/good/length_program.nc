@@ -1,5 +1,5 @@
 === about
-proves: nct-15.3-G43 nct-15.1-row0
+proves: nct-15.3-ZAX nct-15.3-G43 nct-15.1-row0
 === settings
 H1 = 400
 === main
