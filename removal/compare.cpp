@@ -124,7 +124,8 @@ void sortByDepth(std::vector<DeviationPatch>& patches) {
 Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, const CompareOptions& o,
                            Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "comparison interrupted"};
-  const SampleMesh part = makeSampleMesh(machined, o.resolution_mm, kMaxSampleTriangles);
+  // Meshes of a grid have edges up to about 1.5 spacings long: those are sampled by their corners.
+  const SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, kMaxSampleTriangles);
   const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, kMaxSampleTriangles);
   BothSides sides;
   sides.motion = &machined.motion;

@@ -82,7 +82,7 @@ struct Comparison {
   double nominal_tessellation_mm = 0.0;
   double machined_spacing_mm =
       0.0;  ///< of samples on the machined surface: resolution, or more on very large meshes
-  double nominal_spacing_mm = 0.0;
+  double nominal_spacing_mm = 0.0;  ///< the resolution, or more on very large meshes
   std::size_t machined_samples = 0, nominal_samples = 0;
 
   /// True where the surface is within tolerance and the grid could tell.

@@ -215,8 +215,8 @@ std::vector<std::uint32_t> SignedDistance::crossings(const Vec3& origin, const V
 std::vector<SurfaceDistance> SignedDistance::at(const std::vector<Vec3>& points, Progress& progress,
                                                 double from, double to) const {
   std::vector<SurfaceDistance> out(points.size());
-  // Each nearest point is the first guess for the next. Blocks are of fixed size, so that the guesses, and
-  // with them the choice among equally near triangles, do not depend on the threads.
+  // The triangle nearest to one point gives the first guess for the next. Blocks are of fixed size, so that
+  // the guesses, and with them the choice among equally near triangles, do not depend on the threads.
   constexpr std::size_t kBlock = 512;
   const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
   std::atomic<std::size_t> done{0};
@@ -225,6 +225,10 @@ std::vector<SurfaceDistance> SignedDistance::at(const std::vector<Vec3>& points,
     const std::size_t first = block * kBlock, last = std::min(points.size(), first + kBlock);
     auto nearest = impl_->tree.closest_point_and_primitive(distance_detail::toCgal(points[first]));
     for (std::size_t i = first; i < last; ++i) {
+      const auto& v = impl_->mesh.triangles[impl_->indexOf(nearest.second)];
+      const auto& p = impl_->mesh.points;
+      nearest.first = distance_detail::toCgal(
+          distance_detail::nearestOfTriangle(points[i], p[v[0]], p[v[1]], p[v[2]]).point);
       nearest = impl_->tree.closest_point_and_primitive(distance_detail::toCgal(points[i]), nearest);
       out[i] = impl_->judge(points[i], nearest);
     }

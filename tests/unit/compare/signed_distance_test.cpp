@@ -121,23 +121,58 @@ TEST(SignedDistance, GradientPointsOutwards) {
   EXPECT_NEAR(d[3].gradient.z(), -1.0f, 1e-6f);
 }
 
-TEST(SampleMesh, StaysClosedAndKeepsAreaAndVertices) {
-  const TriMesh mesh =
-      blocks({0, 80, 80.3}, {0, 0.2, 20}, {0, 5}, [](int i, int j, int) { return i == 0 || j == 0; });
-  const SampleMesh fine = makeSampleMesh(mesh, 0.7, 1000000);
-  TriMesh check;
-  for (const auto& p : fine.surface.points) check.positions.push_back(p.cast<float>());
-  check.triangles = fine.surface.triangles;
-  EXPECT_TRUE(analyseTopology(check).closedManifold());
-  EXPECT_NEAR(meshArea(check) / meshArea(mesh), 1.0, 1e-6);
-  EXPECT_NEAR(meshVolume(check) / meshVolume(mesh), 1.0, 1e-6);
-  for (const auto& t : check.triangles) {
-    for (int c = 0; c < 3; ++c) {
-      EXPECT_LE((fine.surface.points[t[c]] - fine.surface.points[t[(c + 1) % 3]]).norm(), 0.7 + 1e-12);
-    }
+/// Largest distance from random places of the mesh to the nearest sample.
+double coarsestPlace(const TriMesh& mesh, const SampleMesh& fine, int count) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double worst = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const auto& t = mesh.triangles[random() % mesh.triangles.size()];
+    double u = unit(random), v = unit(random);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Vec3 a = mesh.positions[t[0]].cast<double>(), b = mesh.positions[t[1]].cast<double>();
+    const Vec3 p = a + u * (b - a) + v * (mesh.positions[t[2]].cast<double>() - a);
+    double best = 1e9;
+    for (const Vec3& q : fine.surface.points) best = std::min(best, (p - q).squaredNorm());
+    worst = std::max(worst, std::sqrt(best));
   }
-  ASSERT_EQ(fine.parent.size(), check.triangles.size());
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) EXPECT_EQ(check.positions[i], mesh.positions[i]);
+  return worst;
+}
+
+TEST(SampleMesh, StaysClosedAndCoversTheSurface) {
+  TriMesh needle = shapes::box({0, 0, 0}, {30, 0.004, 12});
+  for (const TriMesh& mesh :
+       {blocks({0, 60, 60.3}, {0, 0.2, 20}, {0, 5}, [](int i, int j, int) { return i == 0 || j == 0; }),
+        shapes::sphere({1, 2, 3}, 10, 1), needle}) {
+    const SampleMesh fine = makeSampleMesh(mesh, 0.7, 1000000);
+    TriMesh check;
+    for (const auto& p : fine.surface.points) check.positions.push_back(p.cast<float>());
+    check.triangles = fine.surface.triangles;
+    EXPECT_TRUE(analyseTopology(check).closedManifold());
+    EXPECT_EQ(weldVertices(check).positions.size(), check.positions.size());
+    EXPECT_NEAR(meshArea(check) / meshArea(mesh), 1.0, 1e-6);
+    EXPECT_NEAR(meshVolume(check) / meshVolume(mesh), 1.0, 1e-4);
+    EXPECT_LE(coarsestPlace(mesh, fine, 2000), 0.7);
+    EXPECT_LT(fine.surface.points.size(), 1.6 * meshArea(mesh) / 0.49 + 4000);
+    ASSERT_EQ(fine.parent.size(), check.triangles.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) EXPECT_EQ(check.positions[i], mesh.positions[i]);
+  }
+}
+
+TEST(SampleMesh, SliversCostTheirLengthOnly) {
+  TriMesh fan;  // a disc of slivers 50 long and 0.03 wide, closed by a tip above
+  for (int i = 0; i < 10000; ++i) {
+    const double a = 2 * kPi * i / 10000;
+    fan.positions.push_back(Vec3(50 * std::cos(a), 50 * std::sin(a), 0).cast<float>());
+  }
+  fan.positions.push_back({0, 0, 0});
+  fan.positions.push_back({0, 0, 20});
+  for (std::uint32_t i = 0; i < 10000; ++i) {
+    fan.triangles.push_back({(i + 1) % 10000, i, 10000});
+    fan.triangles.push_back({i, (i + 1) % 10000, 10001});
+  }
+  const SampleMesh fine = makeSampleMesh(fan, 1.0, 100000000);
+  EXPECT_LT(fine.surface.triangles.size(), 20000 * 2 * 56u);
 }
 
 TEST(SampleMesh, WidensTheSpacingOfAHugeMesh) {
