@@ -80,9 +80,9 @@ struct Comparison {
   /// Estimated distance of the nominal's facets from the curved surface that they stand for: the largest
   /// chord height between neighbouring facets that meet at less than 20 degrees. 0 for flat-faced parts.
   double nominal_tessellation_mm = 0.0;
-  double machined_spacing_mm =
-      0.0;  ///< of samples on the machined surface: resolution, or more on very large meshes
-  double nominal_spacing_mm = 0.0;  ///< the resolution, or more on very large meshes
+  /// Of samples between the vertices of the machined mesh: 1.5 times the resolution, or more on huge meshes.
+  double machined_spacing_mm = 0.0;
+  double nominal_spacing_mm = 0.0;  ///< of samples on the nominal: the resolution, or more on huge meshes
   std::size_t machined_samples = 0, nominal_samples = 0;
 
   /// True where the surface is within tolerance and the grid could tell.
