@@ -1,6 +1,7 @@
-// Mesh writers. They are our own because the bytes must depend on the mesh alone and every coordinate must
-// come back bit for bit: the Open Asset Import Library's writers print too few digits in text formats and put
-// their own name and version into the files.
+// Mesh writers. They are our own because the bytes must depend on the mesh alone, carry the unit and the motion of each
+// triangle, and be one file that appears whole: the Open Asset Import Library puts its name and version into the
+// files, adds vertex normals, leaves a material file beside an OBJ and has no place for unit or motion
+// (docs/decisions/003-own-mesh-files.md).
 #include <fmt/format.h>
 
 #include <bit>
