@@ -72,13 +72,15 @@ void addProgramOptions(CLI::App& app, ProgramOptions& options) {
 void addRun(CLI::App& root, RunOptions& o) {
   CLI::App* app = root.add_subcommand("run", "Machine the part, check it, write mesh, report and pictures");
   addProgramOptions(*app, o.program);
-  app->add_option("--stock", o.stock,
-                  "Blank, mm, with a program: box:x0,y0,z0:x1,y1,z1, cylinder:x,y,z:DIAMETER:LENGTH[:AXIS], "
-                  "tube:x,y,z:DIAMETER:INNER:LENGTH[:AXIS], mesh:FILE, vdb:FILE")
+  app->add_option(
+         "--stock", o.stock,
+         "Blank, mm, with a program: box:x0,y0,z0:x1,y1,z1,\ncylinder:x,y,z:DIAMETER:LENGTH[:AXIS],\n"
+         "tube:x,y,z:DIAMETER:INNER:LENGTH[:AXIS],\nmesh:FILE, vdb:FILE")
       ->type_name("SHAPE");
-  app->add_option("--tool", o.tools,
-                  "Tool, mm and degrees, with a program; repeatable: N=flat:D, N=ball:D, N=bull:D:R, "
-                  "N=cone:D:TIPD:ANGLE, N=drill:D:POINTANGLE. Motions without a T word use the lowest number")
+  app->add_option(
+         "--tool", o.tools,
+         "Tool, mm and degrees, with a program; repeatable:\nN=flat:D, N=ball:D, N=bull:D:R, "
+         "N=cone:D:TIPD:ANGLE, N=drill:D:POINTANGLE.\nMotions without a T word use the lowest number")
       ->type_name("N=SHAPE")
       ->allow_extra_args(false);
   app->add_option("--nominal", o.nominal,
@@ -155,6 +157,7 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
                   "Write report.json, junit.xml, report.html and deviation.png into this folder")
       ->type_name("DIR")
       ->check(notEmpty());
+  app->add_option("--size", o.size, "Size of the pictures; default: 1200x900")->option_text("WxH");
   app->add_flag("--json", o.json, "Print report.json on stdout instead of the summary");
   app->add_flag("--quiet", o.quiet, "Print errors only");
   app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");

@@ -53,6 +53,7 @@ struct CompareCommandOptions {
   double resolution_mm = 0.2;
   std::optional<int> threads;
   std::optional<std::string> out;
+  std::string size = "1200x900";
   bool json = false;
   bool quiet = false;
   bool progress = false;

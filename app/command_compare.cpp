@@ -84,8 +84,9 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
 }
 
 Status writeResults(const CompareCommandOptions& options, const Pair& pair, const Comparison& comparison,
-                    Report& report, Progress& progress) {
+                    ImageSize size, Report& report, Progress& progress) {
   PictureRequest request;
+  request.size = size;
   request.name = report.name;
   request.threads = options.threads.value_or(0);
   request.comparison = &comparison;
@@ -100,6 +101,8 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
 
 Result<Report> compareFiles(const CompareCommandOptions& options, Progress& progress) {
   Stopwatch wall, watch;
+  const Result<ImageSize> size = parseImageSize(options.size);
+  if (!size) return size.error();
   const Result<Pair> pair = loadPair(options);
   if (!pair) return pair.error();
   const Result<Comparison> comparison = comparePair(options, *pair, progress);
@@ -109,7 +112,7 @@ Result<Report> compareFiles(const CompareCommandOptions& options, Progress& prog
   report->performance.compare_s = watch.lap();
   report->performance.wall_s = wall.lap();
   if (options.out) {
-    if (const Status done = writeResults(options, *pair, *comparison, *report, progress); !done)
+    if (const Status done = writeResults(options, *pair, *comparison, *size, *report, progress); !done)
       return done.error();
   }
   return report;

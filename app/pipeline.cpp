@@ -67,14 +67,20 @@ Result<Machined> machineStock(Blank& blank, const Toolpath& path, const Job& job
   Result<Stock> stock = takeStock(blank, job, progress);
   if (!stock) return stock.error();
   const RemovalOptions options = removalOptions(job, blank.resolution_mm);
+  double initial_mm3 = stock->initialVolume();
+  if (std::holds_alternative<SavedStock>(blank.shape)) {  // the stock's own figure is that of its first blank
+    const Result<StockSurface> before = stock->surface(job.simulation.threads, progress);
+    if (!before) return before.error();
+    initial_mm3 = before->volume_mm3;
+  }
   Result<RemovalSummary> removal = stock->remove(path, job.tools, options, progress);
   if (!removal) return removal.error();
   performance.remove_s = watch.lap();
   Result<StockSurface> surface = stock->surface(job.simulation.threads, progress);
   if (!surface) return surface.error();
   performance.mesh_s = watch.lap();
-  fitRemovedVolume(*removal, stock->initialVolume() - surface->volume_mm3);
-  return Machined{std::move(*stock), std::move(*removal), std::move(*surface)};
+  fitRemovedVolume(*removal, initial_mm3 - surface->volume_mm3);
+  return Machined{std::move(*stock), std::move(*removal), std::move(*surface), initial_mm3};
 }
 
 Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Progress& progress) {
@@ -107,6 +113,7 @@ Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Pro
   run.stock = std::move(machined->stock);
   run.removal = std::move(machined->removal);
   run.surface = std::move(machined->surface);
+  run.initial_mm3 = machined->initial_mm3;
   run.topology = analyseTopology(run.surface.mesh);
   addContacts(run.removal.contacts, path, source, run.findings);
   addMeshDefects(run.topology, run.findings);

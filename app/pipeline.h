@@ -23,6 +23,7 @@ struct RunResult {
   std::optional<Stock> stock;
   RemovalSummary removal;
   StockSurface surface;
+  double initial_mm3 = 0.0;
   MeshTopology topology;
   std::optional<Comparison> comparison;
   std::vector<Finding> findings;
@@ -34,6 +35,7 @@ struct Machined {
   Stock stock;
   RemovalSummary removal;
   StockSurface surface;
+  double initial_mm3 = 0.0;  ///< before this run: of the blank, or of the stock that an earlier run saved
 };
 Result<Machined> machineStock(Blank& blank, const Toolpath& path, const Job& job,
                               ReportPerformance& performance, Progress& progress);

@@ -50,7 +50,7 @@ ReportTime reportTime(const Job& job, const RunResult& run) {
 
 ReportStock reportStock(const RunResult& run) {
   ReportStock stock;
-  stock.initial_mm3 = run.stock->initialVolume();
+  stock.initial_mm3 = run.initial_mm3;
   stock.final_mm3 = run.surface.volume_mm3;
   stock.removed_mm3 = stock.initial_mm3 - stock.final_mm3;
   stock.mesh_mm3 = meshVolume(run.surface.mesh);

@@ -1,0 +1,103 @@
+// The other commands, as a user calls them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program_runner.h"
+
+namespace proveout::test {
+namespace {
+
+using nlohmann::json;
+
+TEST(Commands, PathGivesOneJsonObjectALine) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  const Outcome outcome = bench.run("path ring.nc --control nct");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(json::parse(line)["schema"], "proveout.path/1");
+  int cuts = 0;
+  while (std::getline(lines, line)) {
+    const json entry = json::parse(line);
+    cuts += entry["type"] == "motion" && entry["kind"] == "feed";
+  }
+  EXPECT_EQ(cuts, 5);
+  const Outcome csv = bench.run("path ring.nc --control nct --format csv --until N40");
+  EXPECT_EQ(csv.exit_code, 0);
+  EXPECT_FALSE(has(csv.out, "{"));
+  EXPECT_EQ(bench.run("path ring.nc").exit_code, 2);
+}
+
+TEST(Commands, CheckTellsAllErrors) {
+  const Workbench bench;
+  bench.write("bad.nc", "G21\nG777\nG0 X1\nG778\nM30\n");
+  const Outcome outcome = bench.run("check bad.nc --control nct");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(has(outcome.err, "bad.nc:2:") && has(outcome.err, "bad.nc:4:")) << outcome.err;
+  const Outcome as_json = bench.run("check bad.nc --control nct --json");
+  EXPECT_EQ(as_json.exit_code, 2);
+  EXPECT_EQ(json::parse(as_json.out)["errors"], 2);
+  bench.write("good.nc", kRing);
+  EXPECT_EQ(bench.run("check good.nc --control nct").exit_code, 0);
+}
+
+TEST(Commands, CoverageListsTheControls) {
+  const Workbench bench;
+  const Outcome outcome = bench.run("coverage --json");
+  ASSERT_EQ(outcome.exit_code, 0);
+  const json root = json::parse(outcome.out);
+  ASSERT_FALSE(root["controls"].empty());
+  EXPECT_EQ(root["controls"][0]["control"], "nct");
+  EXPECT_GT(root["controls"][0]["codes"].size(), 50u);
+  EXPECT_EQ(bench.run("coverage --control siemens").exit_code, 2);
+}
+
+TEST(Commands, CompareMeasuresABox) {
+  const Workbench bench;
+  bench.write("part.obj", boxObj(0, 0, 0, 10, 10, 4.9));
+  bench.write("cad.obj", boxObj(0, 0, 0, 10, 10, 5));
+  const Outcome bad = bench.run("compare part.obj cad.obj --json");
+  EXPECT_EQ(bad.exit_code, 1) << bad.err;
+  EXPECT_NEAR(json::parse(bad.out)["comparison"]["max_gouge_mm"].get<double>(), 0.1, 1e-5);
+  EXPECT_TRUE(has(bad.err, "error[gouge]"));
+  const Outcome good = bench.run("compare part.obj cad.obj --gouge 0.2 --out result --size 200x150");
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_TRUE(bench.exists("result/report.json") && bench.exists("result/deviation.png"));
+  EXPECT_EQ(bench.run("compare part.obj none.obj").exit_code, 2);
+  bench.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(bench.run("compare open.obj cad.obj").exit_code, 2);
+}
+
+TEST(Commands, RenderDrawsAMeshAndAHeatMap) {
+  const Workbench bench;
+  bench.write("part.obj", boxObj(0, 0, 0, 10, 10, 4.9));
+  bench.write("cad.obj", boxObj(0, 0, 0, 10, 10, 5));
+  ASSERT_EQ(bench.run("render part.obj --size 200x150").exit_code, 0);
+  const std::string plain = readFile(bench.path("part.png"));
+  EXPECT_EQ(plain.substr(1, 3), "PNG");
+  ASSERT_EQ(bench.run("compare part.obj cad.obj --out result --size 200x150").exit_code, 1);
+  const Outcome heat =
+      bench.run("render part.obj -o heat.png --view top --size 200x150 --heatmap result/report.json");
+  EXPECT_EQ(heat.exit_code, 0) << heat.err;
+  EXPECT_NE(readFile(bench.path("heat.png")), plain);
+  EXPECT_EQ(bench.run("render part.obj --view sideways").exit_code, 2);
+  EXPECT_EQ(bench.run("render part.obj --size 9x9").exit_code, 2);
+  EXPECT_EQ(bench.run("render none.obj").exit_code, 2);
+  EXPECT_EQ(bench.run("render part.obj --heatmap part.obj").exit_code, 2);
+  EXPECT_EQ(bench.run("render part.obj -o none/x.png").exit_code, 2);
+}
+
+TEST(Commands, HelpAndVersion) {
+  const Workbench bench;
+  EXPECT_EQ(bench.run("--help").exit_code, 0);
+  EXPECT_TRUE(has(bench.run("--version").out, "proveout "));
+  const Outcome none = bench.run("");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_EQ(none.out, "");
+}
+
+}  // namespace
+}  // namespace proveout::test

@@ -1,0 +1,165 @@
+// `proveout run` on small parts: files, figures, blame, determinism, interruption.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/mesh/tri_mesh.h"
+#include "io/mesh_io.h"
+#include "program_runner.h"
+
+namespace proveout::test {
+namespace {
+
+using nlohmann::json;
+
+json reportIn(const Workbench& bench, const std::string& folder) {
+  return json::parse(readFile(bench.path(folder + "/report.json")));
+}
+
+TEST(Run, MakesEveryFileAndTrueFigures) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  const Outcome outcome =
+      bench.run(std::string("run ring.nc") + kRingOptions +
+                "--format stl,stl-ascii,obj,ply,vdb --view iso --view top --size 200x150");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(bench.files("ring-out"),
+            (std::set<std::string>{"iso.png", "top.png", "junit.xml", "report.html", "report.json",
+                                   "ring.obj", "ring.ply", "ring.stl", "ring-ascii.stl", "ring.vdb"}));
+  EXPECT_TRUE(has(outcome.out, "ring: pass"));
+  EXPECT_FALSE(has(outcome.err, "\r"));  // no progress into a file
+  const json report = reportIn(bench, "ring-out");
+  EXPECT_EQ(report["schema"], "proveout.report/1");
+  EXPECT_EQ(report["verdict"], "pass");
+  const double exact = 2.0 * (14 * 14 - (4 - kPi) * 4 - 36);
+  EXPECT_NEAR(report["stock"]["removed_mm3"].get<double>(), exact, 0.01 * exact);
+  EXPECT_NEAR(report["stock"]["initial_mm3"].get<double>(), 4000.0, 1e-6);
+  double per_tool = 0;
+  for (const json& tool : report["time"]["per_tool"]) per_tool += tool["removed_mm3"].get<double>();
+  EXPECT_NEAR(per_tool, report["stock"]["removed_mm3"].get<double>(), 1e-2);
+  for (const char* file : {"ring.stl", "ring-ascii.stl", "ring.obj", "ring.ply"}) {
+    const Result<TriMesh> mesh = loadMesh(bench.path(std::string("ring-out/") + file));
+    ASSERT_TRUE(mesh.ok()) << file;
+    EXPECT_TRUE(analyseTopology(*mesh).closedManifold()) << file;
+    EXPECT_NEAR(meshVolume(*mesh), report["stock"]["mesh_mm3"].get<double>(), 0.01) << file;
+  }
+}
+
+TEST(Run, SameBytesForAnyThreadCount) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  json first;
+  std::string mesh, picture;
+  for (const std::string threads : {"1", "2", "4"}) {
+    const Outcome outcome = bench.run(std::string("run ring.nc") + kRingOptions + "--size 200x150 --out t" +
+                                      threads + " --threads " + threads);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    json report = reportIn(bench, "t" + threads);
+    report.erase("performance");
+    if (first.is_null()) {
+      first = report;
+      mesh = readFile(bench.path("t1/ring.stl"));
+      picture = readFile(bench.path("t1/iso.png"));
+      ASSERT_FALSE(mesh.empty() || picture.empty());
+      continue;
+    }
+    EXPECT_EQ(report, first);
+    EXPECT_EQ(readFile(bench.path("t" + threads + "/ring.stl")), mesh);
+    EXPECT_EQ(readFile(bench.path("t" + threads + "/iso.png")), picture);
+  }
+}
+
+TEST(Run, GougeIsFoundAndBlamedOnItsBlock) {
+  const Workbench bench;
+  bench.write("slot.nc",
+              "G21 G90 G17 T1 M6\nS1000 M3\nG0 X-5 Y10 Z5\nZ0\nN40 G1 X25 F500\nN50 G0 Z5\n"
+              "G0 X10 Y10\nN70 G1 Z-0.5 F100\nG0 Z5\nM30\n");
+  bench.write("nominal.obj", boxObj(0, 0, -10, 20, 20, 0));
+  const Outcome outcome =
+      bench.run(std::string("run slot.nc") + kRingOptions + "--nominal nominal.obj --size 200x150");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "slot.nc:8: error[gouge]")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "N70 G1 Z-0.5 F100"));
+  const json report = reportIn(bench, "slot-out");
+  EXPECT_EQ(report["verdict"], "fail");
+  ASSERT_FALSE(report["findings"].empty());
+  EXPECT_EQ(report["findings"][0]["kind"], "gouge");
+  EXPECT_EQ(report["findings"][0]["source"]["line"], 8);
+  EXPECT_NEAR(report["findings"][0]["depth_mm"].get<double>(), 0.5, 0.01);
+  EXPECT_TRUE(bench.exists("slot-out/deviation.png"));
+}
+
+TEST(Run, CollisionIsExitOne) {
+  const Workbench bench;
+  bench.write("crash.nc", "G21 G90 G17 T1 M6\nS1000 M3\nG0 X10 Y10 Z5\nN40 G0 Z-3\nG0 Z5\nM30\n");
+  const Outcome outcome = bench.run(std::string("run crash.nc") + kRingOptions + "--size 200x150");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(has(outcome.err, "crash.nc:4: error[rapid_contact]")) << outcome.err;
+  EXPECT_TRUE(bench.exists("crash-out/findings.png"));
+  EXPECT_TRUE(has(readFile(bench.path("crash-out/junit.xml")), "<failure"));
+}
+
+TEST(Run, AlarmIsExitTwoWithAReportAndNoMesh) {
+  const Workbench bench;
+  bench.write("bad.nc", "G21 G90 T1 M6\nG1 X1 F100\nN30 G1 X(2\nM30\n");
+  const Outcome outcome = bench.run(std::string("run bad.nc") + kRingOptions);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(has(outcome.err, "bad.nc:3:")) << outcome.err;
+  EXPECT_EQ(bench.files("bad-out"), (std::set<std::string>{"junit.xml", "report.html", "report.json"}));
+  const json report = reportIn(bench, "bad-out");
+  EXPECT_EQ(report["verdict"], "error");
+  EXPECT_EQ(report["findings"][0]["kind"], "alarm");
+}
+
+TEST(Run, UntilStopsEarly) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  const Outcome outcome =
+      bench.run(std::string("run ring.nc") + kRingOptions + "--until N40 --no-render --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_NEAR(report["stock"]["removed_mm3"].get<double>(), 2 * kPi * 4, 0.6);
+  EXPECT_FALSE(bench.exists("ring-out/iso.png"));
+}
+
+TEST(Run, QuietSaysNothingWhenAllIsWell) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  const Outcome outcome = bench.run(std::string("run ring.nc") + kRingOptions + "--no-render --quiet");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+TEST(Run, SavedStockGoesOnWhereItStopped) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  ASSERT_EQ(bench.run(std::string("run ring.nc") + kRingOptions + "--no-render --format vdb").exit_code, 0);
+  const Outcome again = bench.run(
+      "run ring.nc --control nct --stock vdb:ring-out/ring.vdb --tool 1=flat:4 --no-render --out again "
+      "--json");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const json report = json::parse(again.out);
+  EXPECT_NEAR(report["stock"]["removed_mm3"].get<double>(), 0.0, 1e-6);
+}
+
+TEST(Run, InterruptLeavesEarlierResultsAlone) {
+  const Workbench bench;
+  std::string program = "G21 G90 T1 M6\nS1000 M3 F1000\nG0 X0 Y0 Z5\n";
+  for (int i = 0; i < 20000; ++i) {
+    program += "G1 X" + std::to_string(i * 37 % 200) + " Y" + std::to_string(i * 91 % 200) + " Z-" +
+               std::to_string(1 + i % 15) + "\n";
+  }
+  bench.write("long.nc", program + "M30\n");
+  bench.write("long-out/report.json", "earlier");
+  const Outcome outcome = bench.run(
+      "run long.nc --control nct --stock box:0,0,-20:200,200,0 --tool 1=ball:6 --resolution 0.1 --threads 1 "
+      "--no-render",
+      "timeout --preserve-status --kill-after=60 --signal=INT 1 ");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_EQ(bench.files("long-out"), std::set<std::string>{"report.json"});
+  EXPECT_EQ(readFile(bench.path("long-out/report.json")), "earlier");
+}
+
+}  // namespace
+}  // namespace proveout::test

@@ -1,0 +1,83 @@
+// The sample jobs and real programs, on grids coarse enough for a quick suite.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/mesh/tri_mesh.h"
+#include "io/mesh_io.h"
+#include "program_runner.h"
+
+namespace proveout::test {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+struct SharedProgram {
+  const char* file;
+  const char* options;
+  double part_mm3, tolerance_mm3;  ///< a second simulator's volume, where one is known; else 0
+};
+
+class Shared : public testing::TestWithParam<SharedProgram> {};
+
+TEST_P(Shared, MachinesToAClosedPart) {
+  const SharedProgram& sample = GetParam();
+  const fs::path program = fs::path(PROVEOUT_SHARED_PROGRAMS) / sample.file;
+  if (!fs::exists(program)) GTEST_SKIP() << program << " is not here";
+  const Workbench bench;
+  const Outcome outcome = bench.run("run '" + program.string() + "' --control nct " + sample.options +
+                                    " --size 320x240 --out out");
+  ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err;
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  const std::string stl = "out/" + fs::path(sample.file).stem().string() + ".stl";
+  const Result<TriMesh> mesh = loadMesh(bench.path(stl));
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  EXPECT_TRUE(analyseTopology(*mesh).closedManifold());
+  EXPECT_NEAR(meshVolume(*mesh), report["stock"]["final_mm3"].get<double>(),
+              1e-3 * report["stock"]["final_mm3"].get<double>());
+  EXPECT_TRUE(bench.exists("out/iso.png"));
+  if (sample.part_mm3 > 0) {
+    EXPECT_NEAR(report["stock"]["final_mm3"].get<double>(), sample.part_mm3, sample.tolerance_mm3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Programs, Shared,
+    testing::Values(SharedProgram{"bear.nc",
+                                  "--stock box:0,0,-20:80,80,0 --tool 1=ball:3.175 --resolution 0.5", 39730,
+                                  200},
+                    SharedProgram{"flower_mold.nc",
+                                  "--stock box:-3.92956,-3.92829,-9.95121:61.0796,61.0529,0 --tool 1=flat:1 "
+                                  "--resolution 0.5",
+                                  27980, 280},
+                    SharedProgram{"circle_diamond_square.gcode",
+                                  "--stock box:-60,-60,-10:60,60,0 --tool 1=flat:3 --resolution 0.5", 0, 0}),
+    [](const auto& test) { return fs::path(test.param.file).stem().string(); });
+
+/// The jobs under parts/, found when the test runs.
+TEST(Parts, EveryJobRunsAndTheGougeIsFound) {
+  int jobs = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(PROVEOUT_SOURCE_DIR) / "parts")) {
+    const fs::path job = entry.path() / "job.toml";
+    if (!fs::exists(job)) continue;
+    ++jobs;
+    const Workbench bench;
+    const Outcome outcome =
+        bench.run("run '" + job.string() + "' --resolution 0.6 --size 320x240 --quiet --out out");
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << job << "\n" << outcome.err;
+    ASSERT_TRUE(bench.exists("out/report.json")) << job;
+    const json report = json::parse(readFile(bench.path("out/report.json")));
+    EXPECT_TRUE(report["stock"]["closed"].get<bool>()) << job;
+    if (entry.path().filename() != "gouged_plate") continue;
+    EXPECT_EQ(outcome.exit_code, 1);
+    ASSERT_FALSE(report["findings"].empty());
+    EXPECT_EQ(report["findings"][0]["kind"], "gouge");
+    EXPECT_GT(report["findings"][0]["depth_mm"].get<double>(), 0.3);
+    EXPECT_EQ(report["findings"][0]["source"]["block"], "N340");
+  }
+  EXPECT_GE(jobs, 3);
+}
+
+}  // namespace
+}  // namespace proveout::test
