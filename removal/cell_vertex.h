@@ -19,7 +19,8 @@ struct SheetPoint {
 /// A vertex and the normals that the smooth faces meeting in its cell have there.
 struct CellVertex {
   static constexpr int kMaxFaces = 4;
-  Vec3 p = Vec3::Zero();  ///< units of the cell, inside the cell
+  Vec3 p = Vec3::Zero();  ///< units of the cell, inside the room that it was given
+  bool cramped = false;   ///< the meeting point of the faces lies outside that room
   int faces = 0;
   std::array<std::uint64_t, kMaxFaces> face{};
   std::array<Vec3, kMaxFaces> normal{};
@@ -32,6 +33,8 @@ struct CellVertex {
 /// points of a sphere or cylinder is at right angles to the sum of their normals (third order on other
 /// surfaces). Where faces meet: the point of their tangent planes nearest to the mean (edges and corners stay
 /// sharp).
-CellVertex placeVertex(std::span<const SheetPoint> points);
+/// `room`, which holds the cell (0..1), bounds the vertex: it may reach into neighbours without surface, so
+/// that a tip that pokes through a wall of the cell is not cut off.
+CellVertex placeVertex(std::span<const SheetPoint> points, const Box3& room);
 
 }  // namespace proveout

@@ -64,6 +64,21 @@ struct LeafQuads {
   int missing = 0;  ///< crossings without their four cells: a bug if it is ever above 0
 };
 
+/// The cell and half of each neighbour behind a wall of the cell that the surface does not cross: a tip may
+/// poke through such a wall without meeting a grid line. Half, because the neighbour's other side may do the
+/// same.
+Box3 roomOf(int pattern) {
+  Box3 room{Vec3::Zero(), Vec3::Ones()};
+  for (int axis = 0; axis < 3; ++axis) {
+    int high = 0;  // corners of the high side
+    for (int c = 0; c < 8; ++c) high |= (c >> axis & 1) << c;
+    const int low = 255 & ~high;
+    if ((pattern & low) == 0 || (pattern & low) == low) room.min[axis] -= 0.5;
+    if ((pattern & high) == 0 || (pattern & high) == high) room.max[axis] += 0.5;
+  }
+  return room;
+}
+
 class Extractor {
  public:
   explicit Extractor(const Stock::Impl& impl) : impl_(impl) {}
@@ -139,7 +154,9 @@ void Extractor::placeCell(LeafSurface& leaf, int v, int pattern, const float* d)
   leaf.cells.push_back(
       {static_cast<std::uint8_t>(pattern), static_cast<std::uint32_t>(leaf.vertices.size())});
   for (int i = 0; i < cycles.count; ++i) {
-    CellVertex vertex = placeVertex({points[i].data(), static_cast<std::size_t>(count[i])});
+    const std::span<const SheetPoint> sheet(points[i].data(), static_cast<std::size_t>(count[i]));
+    CellVertex vertex = placeVertex(sheet, Box3{Vec3::Zero(), Vec3::Ones()});
+    if (vertex.cramped && cycles.count == 1) vertex = placeVertex(sheet, roomOf(pattern));
     vertex.p = impl_.position(cell) + vertex.p * impl_.h;
     leaf.vertices.push_back(vertex);
   }

@@ -11,6 +11,11 @@ namespace {
 
 /// Moves shorter than this are a point: no direction can be taken from them.
 constexpr double kPointMoveMm = 1e-9;
+/// How far along the path a kink in the distance is looked for: above the error of the nearest time, far
+/// below the smallest radius.
+constexpr double kKinkStepMm = 1e-3;
+/// Elements of the profile that meet at more than 10 degrees have a sharp rim between them.
+const double kRimCos = std::cos(degToRad(10.0));
 /// Rounds after which a search gives its best value; a bracketed search on doubles needs fewer.
 constexpr int kMaxLineRounds = 80;
 constexpr int kMaxCurveSpans = 4000;
@@ -288,7 +293,27 @@ double Sweep::distance(const Vec3& p, double cutoff) const {
 
 SweepSample Sweep::sample(const Vec3& p) const {
   double bound = 0.0;
-  const At at = evaluate(p, minimise(p, std::numeric_limits<double>::infinity(), bound));
+  const double t = minimise(p, std::numeric_limits<double>::infinity(), bound);
+  const At at = evaluate(p, t);
+  // Where a sharp rim of the tool leaves the surface, the distance has a kink in time: just before and just
+  // after, different elements are nearest. The surface's normal is the mix of both that is at right angles to
+  // the motion.
+  const double length = kind_ == Kind::kLine ? std::sqrt(length2_)
+                        : kind_ == Kind::kCurve
+                            ? std::max(frame_.radius_start, frame_.radius_end) * std::abs(arc_.sweep_rad) +
+                                  std::abs(frame_.rise)
+                            : 0.0;
+  const double step = length > 0.0 ? kKinkStepMm / length : 1.0;
+  if (t > step && t < 1.0 - step) {
+    const At before = evaluate(p, t - step), after = evaluate(p, t + step);
+    if (before.slope < 0.0 && after.slope > 0.0) {
+      const Vec3 mix = before.gradient * after.slope - after.gradient * before.slope;
+      const bool rim = before.element != after.element && before.gradient.dot(after.gradient) < kRimCos;
+      const int element =
+          rim ? ConvexProfile::kMaxElements + std::min(before.element, after.element) : at.element;
+      if (const double norm = mix.norm(); norm > 0.0) return {at.value, mix / norm, element};
+    }
+  }
   return {at.value, at.gradient, at.element};
 }
 

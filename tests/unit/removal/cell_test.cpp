@@ -12,6 +12,8 @@
 namespace proveout {
 namespace {
 
+const Box3 kCell{Vec3::Zero(), Vec3::Ones()};
+
 TEST(CellCycles, EveryCrossedEdgeIsInOneCycleOfAtLeastThree) {
   for (int pattern = 0; pattern < 256; ++pattern) {
     const CellCycles& c = cellCycles()[pattern];
@@ -48,7 +50,8 @@ TEST(CellVertex, LiesOnASphere) {
       }
     }
     ASSERT_GE(points.size(), 3u);
-    EXPECT_NEAR((placeVertex(points).p - center).norm(), radius, 2e-3);  // the chord is 0.015 to 0.03 off
+    EXPECT_NEAR((placeVertex(points, kCell).p - center).norm(), radius,
+                2e-3);  // the chord is 0.015 to 0.03 off
   }
 }
 
@@ -57,13 +60,30 @@ TEST(CellVertex, FindsEdgeAndCorner) {
                                      {{0.3, 0, 1}, {1, 0, 0}, 1},
                                      {{1, 0.6, 0}, {0, 1, 0}, 2},
                                      {{1, 0.6, 1}, {0, 1, 0}, 2}};
-  const Vec3 e = placeVertex(edge).p;
+  const Vec3 e = placeVertex(edge, kCell).p;
   EXPECT_NEAR(e.x(), 0.3, 1e-12);
   EXPECT_NEAR(e.y(), 0.6, 1e-12);
   EXPECT_NEAR(e.z(), 0.5, 1e-12);
   const std::vector<SheetPoint> corner{
       {{0.3, 0, 0}, {1, 0, 0}, 1}, {{0, 0.6, 0}, {0, 1, 0}, 2}, {{0, 0, 0.2}, {0, 0, 1}, 3}};
-  EXPECT_NEAR((placeVertex(corner).p - Vec3(0.3, 0.6, 0.2)).norm(), 0, 1e-12);
+  EXPECT_NEAR((placeVertex(corner, kCell).p - Vec3(0.3, 0.6, 0.2)).norm(), 0, 1e-12);
+}
+
+TEST(CellVertex, MeetsACreaseThatOnlyClipsTheCell) {
+  // The planes x = 0.05 - 0.4 z and y = 0.3 meet in a line that leaves the cell at z = 0.125; the mean of the
+  // crossings is higher.
+  const Vec3 n1 = Vec3(1, 0, 0.4).normalized(), n2(0, 1, 0);
+  const std::vector<SheetPoint> points{{{0.05, 0, 0}, n1, 1},
+                                       {{0, 0, 0.125}, n1, 1},
+                                       {{1, 0.3, 0}, n2, 2},
+                                       {{1, 0.3, 1}, n2, 2},
+                                       {{0, 0.3, 1}, n2, 2}};
+  const CellVertex v = placeVertex(points, kCell);
+  EXPECT_TRUE(v.cramped);
+  EXPECT_NEAR(n1.dot(v.p - Vec3(0.05, 0, 0)), 0, 2e-3);
+  EXPECT_NEAR(v.p.y(), 0.3, 2e-3);
+  EXPECT_GE(v.p.minCoeff(), 0);
+  EXPECT_LE(v.p.maxCoeff(), 1);
 }
 
 TEST(ToolOptions, ParsesEveryShapeAndRefusesTheRest) {
