@@ -36,7 +36,7 @@ MeshFormat meshFormat(OutputFormat format) {
 
 Result<StagingFolder> StagingFolder::create(const std::string& target) {
   if (const Status made = makeFolders(target); !made) return made.error();
-  std::string pattern = (fs::path(target) / ".proveout-XXXXXX").string();
+  std::string pattern = (fs::path(target) / (".proveout-" + std::string(6, 'X'))).string();
   if (mkdtemp(pattern.data()) == nullptr) {
     return inputError(fmt::format("{}: cannot write into this folder: {}", target,
                                   std::error_code(errno, std::generic_category()).message()));

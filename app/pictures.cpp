@@ -10,7 +10,7 @@ namespace proveout {
 namespace {
 
 /// More numbers than this hide the part; the report lists all of them.
-constexpr std::size_t kMaxMarkers = 24;
+constexpr std::size_t kMaxMarkers = 12;
 
 bool isDeviation(const Finding& finding) {
   return finding.kind == "gouge" || finding.kind == "excess" || finding.kind == "undecided";

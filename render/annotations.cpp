@@ -136,10 +136,11 @@ PageLayout layoutPage(const RenderScene& scene, ImageSize size) {
   if (scene.show_legend) {
     const double room = 9 * page.cell + 5 * page.cell + Canvas::textWidth("+0.0000", page.cell);
     page.part.x1 -= room;
-    page.bar.x0 = page.part.x1 + 0.6 * margin;
-    page.bar.x1 = page.bar.x0 + 9 * page.cell;
-    page.bar.y0 = 0.22 * height;
-    page.bar.y1 = 0.78 * height;
+    // On whole pixels: the rows of the bar then cover each other's edges fully.
+    page.bar.x0 = std::round(page.part.x1 + 0.6 * margin);
+    page.bar.x1 = page.bar.x0 + std::round(9 * page.cell);
+    page.bar.y0 = std::round(0.22 * height);
+    page.bar.y1 = std::round(0.78 * height);
   }
   if (!scene.caption.empty()) {
     page.part.y1 -= 1.4 * Canvas::textHeight(page.cell);

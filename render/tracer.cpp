@@ -80,7 +80,7 @@ class Tracer {
         heat_(!in.scene.field.values.empty()),
         ground_(in.options.ground && back_.z() > 0.05F) {
     // From the upper left, over the viewer's shoulder; it follows the view, so that every view reads alike.
-    light_ = (right_ * -0.55F + up_ * 0.62F + back_ * 0.52F).normalized();
+    light_ = (right_ * -0.48F + up_ * 0.54F + back_ * 0.69F).normalized();
     light_basis_ = basisAround(light_);
     half_ = (light_ + back_).normalized();
     sky_up_ = (up_ * 0.6F + Vec3f(0, 0, back_.z() < -0.5F ? -0.4F : 0.4F)).normalized();

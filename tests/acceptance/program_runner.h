@@ -26,7 +26,8 @@ inline std::string readFile(const std::string& path) {
 class Workbench {
  public:
   Workbench() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "proveout-acceptance-XXXXXX").string();
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / ("proveout-acceptance-" + std::string(6, 'X'))).string();
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
     folder_ = pattern;
   }
@@ -63,8 +64,8 @@ class Workbench {
   /// The same with stdout going to a file or device.
   Outcome runInto(const std::string& output, const std::string& arguments,
                   const std::string& before = "timeout 100") const {
-    const std::string command =
-        "cd '" + folder_ + "' && " + before + " '" PROVEOUT_BINARY "' " + arguments + " >" + output + " 2>.err";
+    const std::string command = "cd '" + folder_ + "' && " + before + " '" PROVEOUT_BINARY "' " + arguments +
+                                " >" + output + " 2>.err";
     const int status = std::system(command.c_str());
     Outcome outcome;
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

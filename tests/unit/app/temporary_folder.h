@@ -12,7 +12,8 @@ namespace proveout::test {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "proveout-test-XXXXXX").string();
+    std::string pattern =
+        (std::filesystem::temp_directory_path() / ("proveout-test-" + std::string(6, 'X'))).string();
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = pattern;
   }

@@ -170,6 +170,24 @@ TEST(Render, HeatMapShowsTheScale) {
   EXPECT_LT(middle()[0], good[0] - 60);
 }
 
+TEST(Render, LegendShowsTheFullColours) {
+  const TriMesh box = boxMesh({0, 0, 0}, {20, 20, 5});
+  RenderScene scene(box);
+  scene.field.scale = {0.02, 0.05, 0.2};
+  scene.field.values.assign(box.positions.size(), 0.0F);
+  scene.show_legend = true;
+  const Image image = render(scene, "top", {480, 360});
+  const Rgb deepest = deviationColor(scene.field.scale, -0.199);
+  const std::array<int, 3> wanted = {static_cast<int>(255 * deepest[0]), static_cast<int>(255 * deepest[1]),
+                                     static_cast<int>(255 * deepest[2])};
+  int found = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = image.width / 2; x < image.width; ++x)
+      found += colorDistance(pixel(image, x, y), wanted) <= 4;
+  }
+  EXPECT_GE(found, 5);
+}
+
 TEST(Render, MarkerAppearsWhereItsPointProjects) {
   const TriMesh box = boxMesh({0, 0, 0}, {40, 30, 5});
   RenderScene scene(box);
