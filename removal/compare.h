@@ -55,7 +55,8 @@ struct DeviationPatch {
   double volume_mm3 =
       0.0;      ///< between machined and nominal under that area: depth times projected area, summed
   Box3 bounds;  ///< of the region, mm
-  MotionId motion = kNoMotion;       ///< made the deepest point; kNoMotion: the blank's own surface
+  /// Made the deepest point; kNoMotion: the blank's own surface (excess only, unless no motion is near).
+  MotionId motion = kNoMotion;
   MotionId main_motion = kNoMotion;  ///< made the largest part of the region's area
   double main_motion_share = 0.0;    ///< of the area, 0..1
   bool from_nominal_only = false;    ///< seen only by the samples of the nominal surface

@@ -197,6 +197,19 @@ class PatchFinder {
     into.deepest_motion = from.deepest_motion;
   }
 
+  void chooseMotions(const Region& r, int s, DeviationPatch& p) const {
+    const bool gouge = kind_ == DeviationKind::kGouge;
+    double largest = -1.0;
+    for (const auto& [motion, area] : r.area_by_motion[s]) {
+      // Only a cutter makes a gouge: at its rim the blank's own surface is no cause.
+      if (area <= largest || (gouge && motion == kNoMotion && largest >= 0.0)) continue;
+      largest = area;
+      p.main_motion = motion;
+    }
+    p.main_motion_share = p.area_mm2 > 0.0 ? largest / p.area_mm2 : 1.0;
+    p.motion = gouge && r.deepest_motion == kNoMotion ? p.main_motion : r.deepest_motion;
+  }
+
   std::vector<DeviationPatch> finish() const {
     std::vector<DeviationPatch> out;
     for (const Region& r : regions_) {
@@ -213,14 +226,7 @@ class PatchFinder {
       // nominal's.
       p.volume_mm3 = std::max({r.volume[0], r.volume[1], 0.0});
       p.bounds = r.bounds;
-      p.motion = r.deepest_motion;
-      double largest = -1.0;
-      for (const auto& [motion, area] : r.area_by_motion[s]) {
-        if (area <= largest) continue;
-        largest = area;
-        p.main_motion = motion;
-      }
-      p.main_motion_share = p.area_mm2 > 0.0 ? largest / p.area_mm2 : 1.0;
+      chooseMotions(r, s, p);
       out.push_back(p);
     }
     return out;

@@ -53,6 +53,22 @@ TEST(Patches, PlantedPitIsFoundWithItsDepthAreaVolumeAndMotion) {
   EXPECT_FALSE(c.pass());
 }
 
+TEST(Patches, AGougeIsBlamedOnAMotionEvenWhereTheBlankSharesIt) {
+  // The floor of the pit is the blank's, its walls are cut: the deepest point lies on triangles of both.
+  TriMesh machined = plate(-0.5, 1, true, false);
+  for (const auto& t : machined.triangles) {
+    const Vec3 c =
+        (machined.positions[t[0]] + machined.positions[t[1]] + machined.positions[t[2]]).cast<double>() / 3;
+    const bool wall =
+        c.z() < -0.1 && c.z() > -0.4 && c.x() > 7.9 && c.x() < 12.1 && c.y() > 5.9 && c.y() < 9.1;
+    machined.motion.push_back(wall ? 8 : kNoMotion);
+  }
+  const Comparison c = compared(machined, plate(-0.5, 1, false, false), {.resolution_mm = 0.25});
+  ASSERT_EQ(c.patches.size(), 1u);
+  EXPECT_EQ(c.patches[0].motion, 8u);
+  EXPECT_EQ(c.patches[0].main_motion, 8u);
+}
+
 TEST(Patches, MissingBossIsAGougeAsHighAsTheBoss) {
   const Comparison c =
       compared(plate(-5, 3, false, false), plate(-5, 3, false, true), {.resolution_mm = 0.25});
