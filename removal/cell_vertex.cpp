@@ -15,9 +15,6 @@ namespace {
 const double kSmoothCos = std::cos(degToRad(2.0));
 /// Directions in which the tangent planes fix the vertex worse than this (relative) are left to the mean.
 constexpr double kRankTolerance = 1e-3;
-/// How far outside its cell (in cells) a meeting point may lie to be moved to the cell's wall.
-constexpr double kOutsideSlack = 0.05;
-
 /// Pull towards the mean where the planes leave a direction free; biases the vertex by less than 1e-4 cells
 /// at creases of more than 10 degrees.
 constexpr double kNearness = 1e-6;
@@ -172,6 +169,7 @@ CellVertex placeVertex(std::span<const SheetPoint> points, const Box3& room) {
     return Vec3(mean - n * heightAbove(points, mean, n, nullptr));
   };
   if (count == 1 || smoothTogether(faces, count)) {
+    out.smooth = true;
     out.p = clampTo(smooth(), room);
     return out;
   }
@@ -180,7 +178,7 @@ CellVertex placeVertex(std::span<const SheetPoint> points, const Box3& room) {
     f.point -= f.normal * heightAbove(points, f.point, f.normal, &f);
   }
   Vec3 x = meetPlanes(faces, count, mean, kRankTolerance);
-  out.cramped = outsideBy(x, room) > kOutsideSlack;
+  out.cramped = outsideBy(x, room) > kWallGap;
   if (out.cramped) x = meetPlanesInside(faces, count, mean, room);
   out.p = clampTo(x, room);
   return out;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 #include <tuple>
 
 #include "removal/cell_cycles.h"
@@ -33,8 +34,9 @@ struct LeafSurface {
   const std::vector<Crossing>* crossings = nullptr;
   std::array<std::uint16_t, 512> cell_of{};  ///< index into cells, or kNoCell
   std::vector<Cell> cells;
-  std::vector<CellVertex> vertices;  ///< p in mm
-  std::uint32_t base = 0;            ///< number of the leaf's first vertex in the mesh
+  std::vector<CellVertex> vertices;    ///< p in mm
+  std::vector<std::uint16_t> cramped;  ///< voxels of single-sheet cells whose faces meet outside the cell
+  std::uint32_t base = 0;              ///< number of the leaf's first vertex in the mesh
 };
 
 /// A quad with the crossing in its middle. Corners are vertex numbers of the mesh, CCW from outside.
@@ -64,20 +66,11 @@ struct LeafQuads {
   int missing = 0;  ///< crossings without their four cells: a bug if it is ever above 0
 };
 
-/// The cell and half of each neighbour behind a wall of the cell that the surface does not cross: a tip may
-/// poke through such a wall without meeting a grid line. Half, because the neighbour's other side may do the
-/// same.
-Box3 roomOf(int pattern) {
-  Box3 room{Vec3::Zero(), Vec3::Ones()};
-  for (int axis = 0; axis < 3; ++axis) {
-    int high = 0;  // corners of the high side
-    for (int c = 0; c < 8; ++c) high |= (c >> axis & 1) << c;
-    const int low = 255 & ~high;
-    if ((pattern & low) == 0 || (pattern & low) == low) room.min[axis] -= 0.5;
-    if ((pattern & high) == 0 || (pattern & high) == high) room.max[axis] += 0.5;
-  }
-  return room;
-}
+/// How far a vertex may reach into a neighbouring cell (in cells): half, because the neighbour's other side
+/// may do the same.
+constexpr double kReach = 0.5;
+/// Distance that it keeps from the neighbour's own vertex.
+constexpr double kKeepOff = 0.1;
 
 class Extractor {
  public:
@@ -88,7 +81,18 @@ class Extractor {
  private:
   void collectLeaves();
   void placeLeaf(LeafSurface& leaf) const;
+  /// Crossings of a cell by sheet.
+  struct Sheets {
+    std::array<std::array<SheetPoint, 12>, 4> points;
+    std::array<int, 4> count{};
+    std::span<const SheetPoint> of(int i) const {
+      return {points[i].data(), static_cast<std::size_t>(count[i])};
+    }
+  };
+  void collectSheets(const Coord& cell, int pattern, const float* d, Sheets& sheets) const;
   void placeCell(LeafSurface& leaf, int v, int pattern, const float* d) const;
+  Box3 roomOf(const Coord& cell) const;
+  void relaxLeaf(LeafSurface& leaf) const;
   SheetPoint sheetPoint(const Coord& at, int axis, const Coord& cell, float d0, float d1) const;
   void leafQuads(const LeafSurface& leaf, LeafQuads& out) const;
   const LeafSurface* cellOf(const Coord& at, const Cell*& cell) const;
@@ -138,27 +142,71 @@ SheetPoint Extractor::sheetPoint(const Coord& at, int axis, const Coord& cell, f
   return s;
 }
 
-void Extractor::placeCell(LeafSurface& leaf, int v, int pattern, const float* d) const {
-  const Coord cell = leaf.origin.offsetBy(v >> 6, (v >> 3) & 7, v & 7);
+/// Sorts the crossings of a cell by sheet. `d`: samples at the corners.
+void Extractor::collectSheets(const Coord& cell, int pattern, const float* d, Sheets& sheets) const {
   const CellCycles& cycles = cellCycles()[pattern];
-  std::array<std::array<SheetPoint, 12>, 4> points;
-  std::array<int, 4> count{};
   for (int e = 0; e < 12; ++e) {
     const int cycle = cycles.cycle_of_edge[e];
     if (cycle < 0) continue;
     const int corner = edgeStartCorner(e), axis = e / 4;
     const Coord at = cell.offsetBy(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
-    points[cycle][count[cycle]++] = sheetPoint(at, axis, cell, d[corner], d[corner | 1 << axis]);
+    sheets.points[cycle][sheets.count[cycle]++] =
+        sheetPoint(at, axis, cell, d[corner], d[corner | 1 << axis]);
   }
+}
+
+void Extractor::placeCell(LeafSurface& leaf, int v, int pattern, const float* d) const {
+  const Coord cell = leaf.origin.offsetBy(v >> 6, (v >> 3) & 7, v & 7);
+  Sheets sheets;
+  collectSheets(cell, pattern, d, sheets);
   leaf.cell_of[v] = static_cast<std::uint16_t>(leaf.cells.size());
   leaf.cells.push_back(
       {static_cast<std::uint8_t>(pattern), static_cast<std::uint32_t>(leaf.vertices.size())});
-  for (int i = 0; i < cycles.count; ++i) {
-    const std::span<const SheetPoint> sheet(points[i].data(), static_cast<std::size_t>(count[i]));
-    CellVertex vertex = placeVertex(sheet, Box3{Vec3::Zero(), Vec3::Ones()});
-    if (vertex.cramped && cycles.count == 1) vertex = placeVertex(sheet, roomOf(pattern));
+  const int count = cellCycles()[pattern].count;
+  for (int i = 0; i < count; ++i) {
+    CellVertex vertex = placeVertex(sheets.of(i), Box3{Vec3::Zero(), Vec3::Ones()});
+    if (vertex.cramped && count == 1) leaf.cramped.push_back(static_cast<std::uint16_t>(v));
     vertex.p = impl_.position(cell) + vertex.p * impl_.h;
     leaf.vertices.push_back(vertex);
+  }
+}
+
+/// The cell and the parts of its neighbours that its vertex may use: a tip may poke through a wall without
+/// meeting a grid line. Free are neighbours without surface, and those with one smooth face, up to their own
+/// vertex.
+Box3 Extractor::roomOf(const Coord& cell) const {
+  Box3 room{Vec3::Zero(), Vec3::Ones()};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {-1, 1}) {
+      Coord at = cell;
+      at[axis] += side;
+      double reach = kReach;
+      const Cell* neighbour = nullptr;
+      if (const LeafSurface* leaf = cellOf(at, neighbour)) {
+        const CellVertex& vertex = leaf->vertices[neighbour->first];
+        if (cellCycles()[neighbour->pattern].count != 1 || !vertex.smooth) continue;
+        const double p = (vertex.p[axis] - impl_.position(cell)[axis]) / impl_.h;
+        reach = std::clamp((side > 0 ? p - 1.0 : -p) - kKeepOff, 0.0, kReach);
+      }
+      (side > 0 ? room.max : room.min)[axis] += side * reach;
+    }
+  }
+  return room;
+}
+
+/// Gives vertices whose faces meet outside their cell the room that neighbours leave. Neighbours that are
+/// asked never move here.
+void Extractor::relaxLeaf(LeafSurface& leaf) const {
+  auto read = impl_.distance->getConstUnsafeAccessor();
+  for (const std::uint16_t v : leaf.cramped) {
+    const Coord cell = leaf.origin.offsetBy(v >> 6, (v >> 3) & 7, v & 7);
+    float d[8];
+    for (int c = 0; c < 8; ++c) d[c] = read.getValue(cell.offsetBy(c & 1, c >> 1 & 1, c >> 2 & 1));
+    const Cell& record = leaf.cells[leaf.cell_of[v]];
+    Sheets sheets;
+    collectSheets(cell, record.pattern, d, sheets);
+    CellVertex& vertex = leaf.vertices[record.first];
+    vertex.p = impl_.position(cell) + placeVertex(sheets.of(0), roomOf(cell)).p * impl_.h;
   }
 }
 
@@ -355,6 +403,9 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   collectLeaves();
   tbb::parallel_for(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
     if (!progress.cancelled()) placeLeaf(leaves_[i]);
+  });
+  tbb::parallel_for(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
+    if (!progress.cancelled()) relaxLeaf(leaves_[i]);
   });
   std::uint64_t total = 0;
   for (std::size_t i = 0; i < leaves_.size(); ++i) {
