@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "core/mesh/tri_mesh.h"
 #include "io/mesh_io.h"
@@ -18,6 +19,9 @@ struct SharedProgram {
   const char* options;
   double part_mm3, tolerance_mm3;  ///< a second simulator's volume, where one is known; else 0
 };
+
+/// Names of tests must not hold addresses.
+void PrintTo(const SharedProgram& sample, std::ostream* out) { *out << sample.file; }
 
 class Shared : public testing::TestWithParam<SharedProgram> {};
 
