@@ -2,6 +2,7 @@ proveout_add_library(removal
   sweep.cpp
   blank_field.cpp
   blank.cpp
+  blank_mesh.cpp
   stock.cpp
   stock_file.cpp
   remove.cpp

@@ -11,8 +11,9 @@
 
 namespace proveout {
 
-/// Half width of the narrow band in voxels. A cell that the surface crosses has all its corners within sqrt(3)
-/// voxels of it, so that every voxel that the surface extraction asks for lies in a leaf; a wider band costs time only.
+/// Half width of the narrow band in voxels. A cell that the surface crosses has all its corners within
+/// sqrt(3) voxels of it, so that every voxel that the surface extraction asks for lies in a leaf; a wider
+/// band costs time only.
 inline constexpr double kBandVoxels = 2.0;
 
 /// Crossing positions stay this far (as a fraction of the edge) from its ends, so that dual cells never
@@ -73,6 +74,9 @@ void commitLeaves(Stock::Impl& impl, std::vector<LeafResult>& results);
 /// Fills an empty Impl with the blank. `impl` has h, origin and blank set.
 Status buildBlank(Stock::Impl& impl, const StockShape& shape, const RemovalOptions& options,
                   Progress& progress);
+
+/// The same for a closed mesh. Errors: open, inside out or empty (names the place), too large.
+Status buildMeshBlank(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options);
 
 /// Reads what Stock::save wrote.
 Status loadStock(Stock::Impl& impl, const std::string& path);
