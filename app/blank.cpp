@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "app/job_setup.h"
 
 namespace proveout {
 namespace {
+
+/// So many cells a blank must be thick: a thinner one falls between the grid's points and is lost.
+constexpr double kLeastCells = 2.0;
 
 Box3 cylinderBounds(const CylinderShape& shape) {
   Vec3 reach = Vec3::Constant(shape.radius);
@@ -13,6 +19,15 @@ Box3 cylinderBounds(const CylinderShape& shape) {
   Vec3 top = shape.base;
   top[shape.axis] += shape.length;
   return {shape.base - reach, top + reach};
+}
+
+/// The thinnest extent of a blank, mm: a side of its bounds, or a tube's wall.
+double thinnest(const StockShape& shape, const Box3& bounds) {
+  double extent = bounds.size().minCoeff();
+  if (const auto* cylinder = std::get_if<CylinderShape>(&shape))
+    extent =
+        std::min(extent, cylinder->inner_radius > 0 ? cylinder->radius - cylinder->inner_radius : extent);
+  return extent;
 }
 
 bool strictlyInside(const Box3& box, const Vec3& p) {
@@ -62,7 +77,17 @@ Result<Blank> openBlank(const Job& job, Progress& progress) {
     blank.stock = std::move(*stock);
     return blank;
   }
-  blank.resolution_mm = job.simulation.resolution_mm.value_or(defaultResolution(blank.bounds));
+  const double thin = thinnest(blank.shape, blank.bounds);
+  // A flat mesh is no solid and is refused as such by the stock.
+  const double most = thin > 0 ? thin / kLeastCells : std::numeric_limits<double>::infinity();
+  blank.resolution_mm =
+      job.simulation.resolution_mm.value_or(std::min(defaultResolution(blank.bounds), most));
+  if (blank.resolution_mm > most) {
+    return inputError(
+        fmt::format("a grid of {:g} mm is too coarse for a blank that is {:g} mm thin; take a "
+                    "resolution of {:.3g} mm or less",
+                    blank.resolution_mm, thin, most * 0.99));
+  }
   return blank;
 }
 

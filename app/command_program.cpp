@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
+#include "app/findings.h"
 #include "app/interpretation.h"
 #include "app/job_setup.h"
 #include "io/path_writer.h"
@@ -21,12 +22,15 @@ class DiagnosticsTap : public MotionSink {
  public:
   explicit DiagnosticsTap(MotionSink* next) : next_(next) {}
   void file(std::uint32_t index, const std::string& name) override {
+    if (overtravels.files.size() <= index) overtravels.files.resize(index + 1);
+    overtravels.files[index] = name;
     if (next_) next_->file(index, name);
   }
   void motion(const Motion& motion, const ArcGeometry* arc) override {
     if (next_) next_->motion(motion, arc);
   }
   void event(const PathEvent& event) override {
+    if (event.event == "overtravel") overtravels.events.push_back({kNoMotion, event});
     if (next_) next_->event(event);
   }
   void diagnostic(const Diagnostic& diagnostic) override {
@@ -34,6 +38,7 @@ class DiagnosticsTap : public MotionSink {
     if (next_) next_->diagnostic(diagnostic);
   }
   Diagnostics diagnostics;
+  Toolpath overtravels;  ///< events of that kind and the names of the files, no motions
 
  private:
   MotionSink* next_;
@@ -53,7 +58,8 @@ Result<ControlSettings> settingsOf(const Job& job, Progress& progress) {
 
 struct Interpretation {
   InterpretSummary summary;
-  Diagnostics diagnostics;
+  Diagnostics diagnostics;        ///< the control's
+  std::vector<Finding> findings;  ///< overtravel
 };
 
 Result<Interpretation> interpretInto(const Job& job, int max_errors, MotionSink* sink, Progress& progress) {
@@ -63,12 +69,19 @@ Result<Interpretation> interpretInto(const Job& job, int max_errors, MotionSink*
   if (!settings) return settings.error();
   settings->max_errors = std::max(settings->max_errors, max_errors);
   const FileProgramSource files(job.program, job.subprograms);
+  const RecordingSource source(files, job.settings.encoding);
   DiagnosticsTap tap(sink);
   Interpretation result;
-  result.summary = interpret(*control, files, *settings, tap, &progress);
+  result.summary = interpret(*control, source, *settings, tap, &progress);
+  addOvertravel(tap.overtravels, source, result.findings);
   result.diagnostics = std::move(tap.diagnostics);
   if (result.summary.end == ProgramEnd::kCancelled) return Error{ErrorKind::kInterrupted, "interrupted"};
   return result;
+}
+
+int exitCodeOf(const Interpretation& done) {
+  if (!done.summary.ok()) return kExitInput;
+  return done.findings.empty() ? kExitOk : kExitFindings;
 }
 
 std::optional<Job> jobOrPrint(const ProgramOptions& options, Console& console) {
@@ -95,7 +108,7 @@ int pathCommand(const PathOptions& options, Console& console, ConsoleProgress& p
   const Result<Interpretation> done = interpretInto(*job, 1, writer->get(), progress);
   if (!done) return printError(console, done.error());
   printDiagnostics(console, done->diagnostics.all());
-  return done->summary.ok() ? kExitOk : kExitInput;
+  return exitCodeOf(*done);
 }
 
 int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress& progress) {
@@ -104,21 +117,29 @@ int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress&
   const Result<Interpretation> done = interpretInto(*job, kCheckErrors, nullptr, progress);
   if (!done) return printError(console, done.error());
   const InterpretSummary& summary = done->summary;
+  Diagnostics all = done->diagnostics;
+  for (const Finding& finding : done->findings) all.add(findingDiagnostic(finding));
+  const auto errors = static_cast<std::size_t>(summary.errors) + done->findings.size();
   if (options.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Diagnostic& diagnostic : done->diagnostics.all()) list.push_back(toJson(diagnostic));
-    const nlohmann::ordered_json root = {
-        {"schema", "proveout.check/1"}, {"control", job->control},      {"program", job->program},
-        {"blocks", summary.blocks},     {"motions", summary.motions},   {"cycle_s", summary.cycle_s},
-        {"errors", summary.errors},     {"warnings", summary.warnings}, {"diagnostics", list}};
+    for (const Diagnostic& diagnostic : all.all()) list.push_back(toJson(diagnostic));
+    const nlohmann::ordered_json root = {{"schema", "proveout.check/1"},
+                                         {"control", job->control},
+                                         {"program", job->program},
+                                         {"blocks", summary.blocks},
+                                         {"motions", summary.motions},
+                                         {"cycle_s", summary.cycle_s},
+                                         {"errors", errors},
+                                         {"warnings", summary.warnings},
+                                         {"diagnostics", list}};
     console.out << root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
   } else {
-    printDiagnostics(console, done->diagnostics.all());
+    printDiagnostics(console, all.all());
     console.out << fmt::format("{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}\n",
-                               job->program, summary.blocks, summary.motions, summary.cycle_s, summary.errors,
+                               job->program, summary.blocks, summary.motions, summary.cycle_s, errors,
                                summary.warnings);
   }
-  return summary.ok() ? kExitOk : kExitInput;
+  return exitCodeOf(*done);
 }
 
 }  // namespace proveout

@@ -7,6 +7,9 @@
 namespace proveout {
 namespace {
 
+/// Share of the blank below which nothing was cut: rounding of the volume sums stays far under it.
+constexpr double kNothingCut = 1e-9;
+
 std::string_view contactText(ContactKind kind) {
   switch (kind) {
     case ContactKind::kRapid:
@@ -128,6 +131,42 @@ void addDeviations(const Comparison& comparison, const Toolpath& path, const Rec
   };
   for (const DeviationPatch& patch : comparison.patches) add(patch, true);
   for (const DeviationPatch& patch : comparison.undecided) add(patch, false);
+}
+
+void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBody>& bodies,
+                std::vector<Finding>& findings) {
+  Finding finding;
+  if (bodies.empty()) {
+    finding.kind = "no_part";
+    finding.message = "nothing of the blank is left; check its place, the offsets and the tools";
+    findings.push_back(std::move(finding));
+    return;
+  }
+  if (initial_mm3 - final_mm3 <= kNothingCut * initial_mm3) {
+    finding.kind = "nothing_cut";
+    finding.severity = Severity::kWarning;
+    finding.message = "the program cuts nothing; check the place of the blank and the offsets";
+    findings.push_back(finding);
+  }
+  if (bodies.size() < 2) return;
+  double loose_mm3 = 0;
+  for (std::size_t i = 1; i < bodies.size(); ++i) loose_mm3 += bodies[i].volume_mm3;
+  finding.kind = "loose_piece";
+  finding.severity = Severity::kWarning;
+  finding.where = bodies[1].bounds.center();
+  finding.volume_mm3 = loose_mm3;
+  finding.message = fmt::format("the stock is in {} pieces: {:.4g} mm3 are not held by the largest",
+                                bodies.size(), loose_mm3);
+  findings.push_back(std::move(finding));
+}
+
+void addPartial(ProgramEnd end, std::vector<Finding>& findings) {
+  if (end != ProgramEnd::kUntil) return;
+  Finding finding;
+  finding.kind = "partial";
+  finding.severity = Severity::kWarning;
+  finding.message = "only the program up to --until was run: what follows it was not checked";
+  findings.push_back(std::move(finding));
 }
 
 void addMeshDefects(const MeshTopology& topology, std::vector<Finding>& findings) {

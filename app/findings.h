@@ -29,6 +29,14 @@ void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, con
 void addDeviations(const Comparison& comparison, const Toolpath& path, const RecordingSource& texts,
                    std::vector<Finding>& findings);
 
+/// What the outcome as a whole tells: nothing of the blank is left (an error: there is no part that could
+/// pass), nothing was cut, or pieces came loose (warnings).
+void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBody>& bodies,
+                std::vector<Finding>& findings);
+
+/// A run that was told to stop early: what follows was not looked at (a warning).
+void addPartial(ProgramEnd end, std::vector<Finding>& findings);
+
 /// A mesh that is not a closed, oriented 2-manifold.
 void addMeshDefects(const MeshTopology& topology, std::vector<Finding>& findings);
 

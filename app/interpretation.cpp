@@ -1,14 +1,59 @@
 #include "app/interpretation.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "app/job_setup.h"
 #include "core/nc/source_text.h"
 
 namespace proveout {
+namespace {
+
+/// What a kept event takes with its texts, bytes: a generous estimate.
+constexpr std::size_t kEventBytes = 512;
+
+/// Bytes that the tool path may take: the job's limit, else half of the machine's memory.
+double pathMemory(const Job& job) {
+  if (job.simulation.max_memory_gb > 0) return job.simulation.max_memory_gb * 1e9;
+  return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// Builds the path and stops the interpretation before the path outgrows the memory: an endless loop would
+/// reach that long before the limit of blocks.
+class GuardedBuilder : public ToolpathBuilder {
+ public:
+  GuardedBuilder(Toolpath& path, double most_bytes, Progress& progress)
+      : ToolpathBuilder(path), most_bytes_(most_bytes), progress_(progress) {}
+  void motion(const Motion& motion, const ArcGeometry* arc) override {
+    ToolpathBuilder::motion(motion, arc);
+    // Twice: a growing vector holds its old half as long as it copies.
+    add(2 * (sizeof(Motion) + (arc ? sizeof(ArcGeometry) : 0)), motion.source);
+  }
+  void event(const PathEvent& event) override {
+    ToolpathBuilder::event(event);
+    add(kEventBytes, event.source);
+  }
+  /// The block that went over the limit.
+  const std::optional<SourceRef>& outgrownAt() const { return outgrown_at_; }
+
+ private:
+  void add(std::size_t bytes, const SourceRef& source) {
+    bytes_ += static_cast<double>(bytes);
+    if (bytes_ <= most_bytes_ || outgrown_at_) return;
+    outgrown_at_ = source;
+    progress_.cancel();
+  }
+
+  double bytes_ = 0.0, most_bytes_;
+  Progress& progress_;
+  std::optional<SourceRef> outgrown_at_;
+};
+
+}  // namespace
 
 Result<ProgramText> RecordingSource::keep(Result<ProgramText> text) const {
   if (!text) return text;
@@ -51,7 +96,7 @@ ControlSettings controlSettings(const Job& job, const Box3& blank) {
 Interpreted interpretProgram(const Job& job, const ProgramSource& source, const ControlSettings& settings,
                              Progress& progress) {
   Interpreted result;
-  ToolpathBuilder builder(result.path);
+  GuardedBuilder builder(result.path, pathMemory(job), progress);
   const Result<ControlId> control = findControl(job.control);
   if (!control) {
     Diagnostic diagnostic;
@@ -65,6 +110,7 @@ Interpreted interpretProgram(const Job& job, const ProgramSource& source, const 
   progress.report("interpreting", 0.0);
   result.summary = interpret(*control, source, settings, builder, &progress);
   result.path.blocks = result.summary.blocks;
+  result.outgrown_at = builder.outgrownAt();
   return result;
 }
 

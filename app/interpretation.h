@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ class RecordingSource : public ProgramSource {
 struct Interpreted {
   Toolpath path;
   InterpretSummary summary;
+  std::optional<SourceRef> outgrown_at;  ///< block at which the path outgrew its memory; cancelled there
 };
 
 /// Settings of the job with the start point above a blank that has these bounds (the job's own goes before).

@@ -1,9 +1,12 @@
 #include "app/pipeline.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "app/run_report.h"
 #include "app/stopwatch.h"
 #include "io/mesh_io.h"
 
@@ -28,6 +31,26 @@ Result<Comparison> comparePart(const Job& job, const PreparedMesh& nominal, cons
   options.threads = job.simulation.threads;
   progress.report("comparing", 0.0);
   return compareToNominal(run.surface.mesh, nominal.mesh, options, progress);
+}
+
+/// A nominal that the blank cannot hold: the usual reasons are a wrong unit and a wrong place.
+std::optional<std::string> misplaced(const Box3& nominal, const Box3& blank, double gouge_mm) {
+  const double out = std::max((blank.min - nominal.min).maxCoeff(), (nominal.max - blank.max).maxCoeff());
+  if (out <= gouge_mm) return std::nullopt;
+  return fmt::format(
+      "the nominal reaches {:.4g} mm out of the blank (X{:g} Y{:g} Z{:g} to X{:g} Y{:g} Z{:g}); check its "
+      "unit and its place",
+      out, nominal.min.x(), nominal.min.y(), nominal.min.z(), nominal.max.x(), nominal.max.y(),
+      nominal.max.z());
+}
+
+Error outgrown(const Interpreted& interpreted) {
+  const SourceRef& at = *interpreted.outgrown_at;
+  return Error{ErrorKind::kResourceLimit,
+               fmt::format("{}:{}: the tool path outgrows the memory after {} motions: an endless loop? else "
+                           "allow more (--max-memory)",
+                           at.file < interpreted.path.files.size() ? interpreted.path.files[at.file] : "",
+                           at.line, interpreted.path.motions.size())};
 }
 
 void noteRepairs(const PreparedMesh& nominal, Diagnostics& diagnostics) {
@@ -93,12 +116,15 @@ Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Pro
     Result<PreparedMesh> prepared = loadNominal(*job.nominal);
     if (!prepared) return prepared.error();
     nominal = std::move(*prepared);
+    if (auto note = misplaced(meshBounds(nominal->mesh), blank->bounds, job.nominal->gouge_mm))
+      nominal->notes.push_back(std::move(*note));
   }
   run.resolution_mm = blank->resolution_mm;
 
   Stopwatch watch;
   run.interpreted = interpretProgram(job, source, controlSettings(job, blank->bounds), progress);
   run.performance.interpret_s = watch.lap();
+  if (run.interpreted.outgrown_at) return outgrown(run.interpreted);
   if (run.interpreted.summary.end == ProgramEnd::kCancelled)
     return Error{ErrorKind::kInterrupted, "interrupted"};
   Toolpath& path = run.interpreted.path;
@@ -117,6 +143,8 @@ Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Pro
   run.topology = analyseTopology(run.surface.mesh);
   addContacts(run.removal.contacts, path, source, run.findings);
   addMeshDefects(run.topology, run.findings);
+  addOutcome(run.initial_mm3, run.surface.volume_mm3, stockBodies(run.surface.mesh), run.findings);
+  addPartial(run.interpreted.summary.end, run.findings);
   if (!nominal || run.surface.mesh.triangles.empty()) return run;
 
   watch.lap();

@@ -44,6 +44,21 @@ TEST(Commands, CheckTellsAllErrors) {
   EXPECT_EQ(bench.run("check good.nc --control nct").exit_code, 0);
 }
 
+TEST(Commands, CheckTellsOvertravel) {
+  const Workbench bench;
+  bench.write("far.nc", "G21 G90\nG0 X5\nX900\nM30\n");
+  bench.write("far.toml",
+              "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"far.nc\"\n"
+              "[machine.limits]\nX = [-400, 400]\n"
+              "[stock]\nshape = \"box\"\nmin = [0, 0, -5]\nmax = [9, 9, 0]\n"
+              "[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 3\n");
+  const Outcome outcome = bench.run("check far.toml");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(has(outcome.err, "far.nc:3: error[overtravel]: X goes to 900")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "X900")) << outcome.err;
+  EXPECT_EQ(json::parse(bench.run("check far.toml --json").out)["errors"], 1);
+}
+
 TEST(Commands, CoverageListsTheControls) {
   const Workbench bench;
   const Outcome outcome = bench.run("coverage --json");

@@ -123,6 +123,18 @@ TEST(Run, UntilStopsEarly) {
   EXPECT_FALSE(bench.exists("ring-out/iso.png"));
 }
 
+TEST(Run, ThePartThatIsGoneFailsItsNominal) {
+  const Workbench bench;
+  bench.write("gone.nc", "G21 G90 T1 M6\nS1000 M3\nG0 X-50 Y10 Z5\nZ-11\nG1 X70 F500\nM30\n");
+  bench.write("nominal.obj", boxObj(0, 0, -10, 20, 20, 0));
+  const Outcome outcome = bench.run(
+      "run gone.nc --control nct --stock box:0,0,-10:20,20,0 --tool 1=flat:60 --resolution 0.5 --nominal "
+      "nominal.obj");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(has(outcome.err, "error[no_part]")) << outcome.err;
+  EXPECT_EQ(reportIn(bench, "gone-out")["verdict"], "fail");
+}
+
 TEST(Run, QuietSaysNothingWhenAllIsWell) {
   const Workbench bench;
   bench.write("ring.nc", kRing);

@@ -193,7 +193,7 @@ NctControl::Go NctControl::endOfText() {
     return Go::kStop;
   }
   if (stack_.size() == 1) {
-    warn("nct-no-end", "the program ends without M2 or M30", {}, Severity::kNote);
+    warn("nct-no-end", "the program ends without M2 or M30: is the file cut short?");
     return finish("end of text", ProgramEnd::kEndOfProgram);
   }
   warn("nct-no-m99", "the subprogram ends without M99: taken as M99");

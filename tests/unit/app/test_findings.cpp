@@ -48,6 +48,37 @@ TEST_F(Fixture, SpindleThatIsNeverStartedIsOneWarning) {
   EXPECT_EQ(findings[0].severity, Severity::kError);
 }
 
+TEST_F(Fixture, AnEmptyPartIsAnError) {
+  addOutcome(4000, 0, {}, findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].kind, "no_part");
+  EXPECT_EQ(findings[0].severity, Severity::kError);
+}
+
+TEST_F(Fixture, NothingCutAndLoosePiecesAreWarnings) {
+  const StockBody part{3000, {{0, 0, 0}, {20, 15, 10}}, "part"};
+  const StockBody chip{200, {{0, 18, 0}, {20, 19, 10}}, "loose"};
+  addOutcome(4000, 3000, {part}, findings);
+  EXPECT_TRUE(findings.empty());
+  addOutcome(3000, 3000, {part}, findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].kind, "nothing_cut");
+  EXPECT_EQ(findings[0].severity, Severity::kWarning);
+  addOutcome(4000, 3200, {part, chip}, findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[1].kind, "loose_piece");
+  EXPECT_EQ(findings[1].severity, Severity::kWarning);
+  EXPECT_DOUBLE_EQ(*findings[1].volume_mm3, 200);
+}
+
+TEST_F(Fixture, AnEarlyStopIsSaid) {
+  addPartial(ProgramEnd::kEndOfProgram, findings);
+  EXPECT_TRUE(findings.empty());
+  addPartial(ProgramEnd::kUntil, findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].kind, "partial");
+}
+
 TEST_F(Fixture, DeviationsAndUndecided) {
   Comparison comparison;
   comparison.gouge_tolerance_mm = 0.02;

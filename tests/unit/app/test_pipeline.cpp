@@ -66,6 +66,43 @@ TEST(Pipeline, ProgramAlarmLeavesTheStockAlone) {
   EXPECT_EQ(result->findings.front().kind, "alarm");
 }
 
+TEST(Pipeline, APartCutAwayNeverPassesItsNominal) {
+  Progress progress;
+  Job job = ringJob();
+  job.tools[0].diameter = 60;
+  const Result<RunResult> result =
+      run(job, "G21 G90 T1 M6\nS1000 M3\nG0 X-50 Y10 Z5\nZ-11\nG1 X70 F500\nM30\n", progress);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_EQ(result->findings.size(), 1u);
+  EXPECT_EQ(result->findings[0].kind, "no_part");
+}
+
+TEST(Pipeline, AGridTooCoarseForTheBlankIsRefused) {
+  Progress progress;
+  Job job = ringJob();
+  job.simulation.resolution_mm = 5.1;  // the blank is 10 mm thin
+  const Result<RunResult> coarse = run(job, kRing, progress);
+  ASSERT_FALSE(coarse.ok());
+  EXPECT_EQ(coarse.error().kind, ErrorKind::kInput);
+  job.stock = BoxShape{{0, 0, -0.5}, {400, 20, 0}};
+  job.simulation.resolution_mm.reset();
+  const Result<RunResult> thin = run(job, kRing, progress);
+  ASSERT_TRUE(thin.ok()) << thin.error().message;
+  EXPECT_LE(thin->resolution_mm, 0.25);
+  EXPECT_GT(thin->surface.volume_mm3, 3000.0);
+}
+
+TEST(Pipeline, AnEndlessLoopWithMotionsStopsBeforeItFillsTheMemory) {
+  Progress progress;
+  Job job = ringJob();
+  job.simulation.max_memory_gb = 0.05;
+  const Result<RunResult> result =
+      run(job, "N10 G21 G90 T1 M6\nS1000 M3\nG1 X1 F100\nX2\nM99 P10\n", progress);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().kind, ErrorKind::kResourceLimit);
+  EXPECT_EQ(result.error().message.rfind("ring.nc:", 0), 0u) << result.error().message;
+}
+
 TEST(Pipeline, CancelIsReported) {
   Progress progress;
   progress.cancel();
