@@ -47,6 +47,10 @@ Result<HeatMapSource> readHeatMapSource(const std::string& path) {
                         number(comparison, "excess_tolerance_mm", source.nominal.excess_mm) &&
                         number(root, "resolution_mm", source.resolution_mm);
   if (!complete) return wrong("the comparison in the report lacks its nominal, tolerances or resolution");
+  const nlohmann::json unit = comparison.value("nominal_unit", nlohmann::json("mm"));
+  const Result<MeshUnit> known = parseMeshUnit(unit.is_string() ? unit.get<std::string>() : "");
+  if (!known) return wrong("the comparison's nominal_unit is none of mm, inch, m");
+  source.nominal.mesh.unit = *known;
   source.nominal.mesh.path = comparison["nominal"].get<std::string>();
   std::error_code error;
   const fs::path beside = fs::path(path).parent_path() / source.nominal.mesh.path;

@@ -147,8 +147,9 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
   for (Motion& motion : path.motions) {
     if (motion.tool == 0 && !defined.contains(0)) {
       if (!told) {
-        diagnose(Severity::kNote, motion, "tool",
-                 fmt::format("no tool is named up to here; tool {} is taken to be in the spindle", lowest));
+        diagnose(
+            Severity::kNote, motion, "tool",
+            fmt::format("no tool is changed in up to here; tool {} is taken to be in the spindle", lowest));
       }
       told = true;
       motion.tool = lowest;

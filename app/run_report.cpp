@@ -10,6 +10,7 @@
 #include <map>
 #include <thread>
 
+#include "io/mesh_io.h"
 #include "io/sha256.h"
 
 namespace proveout {
@@ -194,7 +195,10 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingS
     report.error_budget = errorBudget(job, run);
     report.part_sha256 = sha256OfMesh(run.surface.mesh);
   }
-  if (run.comparison) report.comparison = reportComparison(*run.comparison, job.nominal->mesh.path);
+  if (run.comparison) {
+    report.comparison = reportComparison(*run.comparison, job.nominal->mesh.path);
+    report.comparison->nominal_unit = meshUnitName(job.nominal->mesh.unit);
+  }
   Result<std::vector<FileHash>> hashes = hashInputs(job, source);
   if (!hashes) return hashes.error();
   report.inputs = std::move(*hashes);

@@ -77,7 +77,8 @@ struct ReportStock {
 
 /// Deviations of the part from nominal, positive outside (excess), negative inside (gouge).
 struct ReportComparison {
-  std::string nominal;  ///< file
+  std::string nominal;              ///< file
+  std::string nominal_unit = "mm";  ///< of the file's coordinates: "mm", "inch", "m"
   double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0;
   double max_gouge_mm = 0.0, max_excess_mm = 0.0;  ///< >= 0
   double rms_mm = 0.0, p95_mm = 0.0;               ///< of the absolute deviation, by area

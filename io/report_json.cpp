@@ -81,6 +81,7 @@ Json numbersJson(const std::vector<double>& values) {
 
 Json comparisonJson(const ReportComparison& c) {
   Json out = {{"nominal", c.nominal},
+              {"nominal_unit", c.nominal_unit},
               {"gouge_tolerance_mm", number(c.gouge_tolerance_mm)},
               {"excess_tolerance_mm", number(c.excess_tolerance_mm)},
               {"max_gouge_mm", number(c.max_gouge_mm)},

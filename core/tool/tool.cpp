@@ -12,6 +12,7 @@ namespace proveout {
 namespace {
 
 /// Largest tool dimension that makes sense; also keeps squares far from overflow.
+constexpr double kMinDiameterMm = 1e-3;  // a tenth of the thinnest end mill that is made
 constexpr double kMaxDimensionMm = 1e5;
 
 struct TypeName {
@@ -99,6 +100,8 @@ Status validateTool(const Tool& tool) {
   check.require(tool.number >= 0, "the number must not be negative");
   check.length(tool.diameter, "diameter");
   check.require(tool.diameter > 0.0, "diameter must be above 0");
+  check.require(tool.diameter <= 0.0 || tool.diameter >= kMinDiameterMm,
+                fmt::format("diameter must be at least {} mm, not {}", kMinDiameterMm, tool.diameter));
   check.length(tool.corner_radius, "corner_radius");
   check.length(tool.tip_diameter, "tip diameter");
   check.length(tool.flute_length, "flute_length");

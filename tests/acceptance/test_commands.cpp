@@ -98,6 +98,19 @@ TEST(Commands, RenderDrawsAMeshAndAHeatMap) {
       bench.run("render part.obj -o heat.png --view top --size 200x150 --heatmap result/report.json");
   EXPECT_EQ(heat.exit_code, 0) << heat.err;
   EXPECT_NE(readFile(bench.path("heat.png")), plain);
+  // The nominal's unit is the report's: the same model in inch gives the same colours.
+  bench.write("cad_inch.obj", boxObj(0, 0, 0, 10 / 25.4, 10 / 25.4, 5 / 25.4));
+  std::string report = readFile(bench.path("result/report.json"));
+  report.replace(report.find("cad.obj"), 7, "cad_inch.obj");
+  bench.write("result/inch.json", report);
+  const std::string render =
+      "render part.obj -o inch.png --view top --size 200x150 --heatmap result/inch.json";
+  ASSERT_EQ(bench.run(render).exit_code, 0);
+  EXPECT_NE(readFile(bench.path("inch.png")), readFile(bench.path("heat.png")));
+  report.replace(report.find("\"nominal_unit\": \"mm\""), 20, "\"nominal_unit\": \"inch\"");
+  bench.write("result/inch.json", report);
+  ASSERT_EQ(bench.run(render).exit_code, 0);
+  EXPECT_EQ(readFile(bench.path("inch.png")), readFile(bench.path("heat.png")));
   EXPECT_EQ(bench.run("render part.obj --view sideways").exit_code, 2);
   EXPECT_EQ(bench.run("render part.obj --size 9x9").exit_code, 2);
   EXPECT_EQ(bench.run("render none.obj").exit_code, 2);
