@@ -1,12 +1,12 @@
 // The blank as a grid, from a closed form.
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <mutex>
 
+#include "core/base/parallel_for.h"
 #include "removal/blank_field.h"
 #include "removal/edge_root.h"
 #include "removal/stock_impl.h"
@@ -71,7 +71,7 @@ class FieldBlank {
             half_size);
     };
     if (size >= 32) {
-      tbb::parallel_for(0, 8, child);
+      parallelFor(0, 8, child);
     } else {
       for (int i = 0; i < 8; ++i) child(i);
     }

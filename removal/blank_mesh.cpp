@@ -1,12 +1,12 @@
 // The blank as a grid, from a closed mesh.
 #include <fmt/format.h>
 #include <openvdb/tools/MeshToVolume.h>
-#include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel_for.h"
 #include "removal/stock_impl.h"
 
 namespace proveout {
@@ -80,7 +80,7 @@ class MeshBlank {
     std::vector<Coord> leaves;
     for (auto it = grid_->tree().cbeginLeaf(); it; ++it) leaves.push_back(it->origin());
     std::vector<LeafResult> results(leaves.size());
-    tbb::parallel_for(std::size_t{0}, leaves.size(), [&](std::size_t i) { leaf(leaves[i], results[i]); });
+    parallelFor(std::size_t{0}, leaves.size(), [&](std::size_t i) { leaf(leaves[i], results[i]); });
     commitLeaves(impl_, results);
     return Done{};
   }

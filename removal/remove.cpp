@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <tbb/concurrent_vector.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include <mutex>
 #include <unordered_map>
 
+#include "core/base/parallel_for.h"
 #include "removal/leaf_cutter.h"
 #include "removal/threads.h"
 
@@ -149,7 +149,7 @@ void Remover::visit(const Coord& origin, int size, const List& candidates) {
     visit(origin.offsetBy(i & 1 ? half : 0, i & 2 ? half : 0, i & 4 ? half : 0), half, passes);
   };
   if (size >= 16) {
-    tbb::parallel_for(0, 8, child);
+    parallelFor(0, 8, child);
   } else {
     for (int i = 0; i < 8; ++i) child(i);
   }

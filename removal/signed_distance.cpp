@@ -5,7 +5,6 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/base/parallel_for.h"
 #include "core/mesh/edge_table.h"
 
 namespace proveout {
@@ -220,7 +220,7 @@ std::vector<SurfaceDistance> SignedDistance::at(const std::vector<Vec3>& points,
   constexpr std::size_t kBlock = 512;
   const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
   std::atomic<std::size_t> done{0};
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+  parallelFor(std::size_t{0}, blocks, [&](std::size_t block) {
     if (progress.cancelled()) return;
     const std::size_t first = block * kBlock, last = std::min(points.size(), first + kBlock);
     auto nearest = impl_->tree.closest_point_and_primitive(distance_detail::toCgal(points[first]));

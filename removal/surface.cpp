@@ -1,6 +1,5 @@
 // Dual contouring: one vertex per sheet and cell, one polygon per crossed grid edge.
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <span>
 #include <tuple>
 
+#include "core/base/parallel_for.h"
 #include "removal/cell_cycles.h"
 #include "removal/cell_vertex.h"
 #include "removal/stock_impl.h"
@@ -401,10 +401,10 @@ void Extractor::emitSplit(const SplitQuad& split, StockSurface& out) {
 Result<StockSurface> Extractor::run(Progress& progress) {
   progress.report("meshing", 0.0);
   collectLeaves();
-  tbb::parallel_for(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
+  parallelFor(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
     if (!progress.cancelled()) placeLeaf(leaves_[i]);
   });
-  tbb::parallel_for(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
+  parallelFor(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
     if (!progress.cancelled()) relaxLeaf(leaves_[i]);
   });
   std::uint64_t total = 0;
@@ -420,7 +420,7 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   leaf_vertices_ = static_cast<std::uint32_t>(total);
   progress.report("meshing", 0.5);
   std::vector<LeafQuads> quads(leaves_.size());
-  tbb::parallel_for(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
+  parallelFor(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
     if (!progress.cancelled()) leafQuads(leaves_[i], quads[i]);
   });
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};

@@ -1,9 +1,9 @@
 #include "render/shading_normals.h"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
+
+#include "core/base/parallel_for.h"
 
 namespace proveout::render_detail {
 namespace {
@@ -42,7 +42,7 @@ float cornerAngle(const TriMesh& mesh, std::uint32_t corner) {
 
 std::vector<Eigen::Vector3f> faceNormals(const TriMesh& mesh) {
   std::vector<Eigen::Vector3f> normals(mesh.triangles.size());
-  tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t t) {
+  parallelFor(std::size_t{0}, mesh.triangles.size(), [&](std::size_t t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const Vec3 p = mesh.positions[a].cast<double>();
     const Vec3 n = (mesh.positions[b].cast<double>() - p).cross(mesh.positions[c].cast<double>() - p);
@@ -57,10 +57,10 @@ std::vector<std::array<Eigen::Vector3f, 3>> cornerNormals(const TriMesh& mesh,
   const Fans fans = buildFans(mesh);
   const float limit = static_cast<float>(std::cos(degToRad(kCreaseAngleDeg)));
   std::vector<float> angles(fans.corners.size());
-  tbb::parallel_for(std::size_t{0}, angles.size(),
-                    [&](std::size_t c) { angles[c] = cornerAngle(mesh, static_cast<std::uint32_t>(c)); });
+  parallelFor(std::size_t{0}, angles.size(),
+              [&](std::size_t c) { angles[c] = cornerAngle(mesh, static_cast<std::uint32_t>(c)); });
   std::vector<std::array<Eigen::Vector3f, 3>> normals(mesh.triangles.size());
-  tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t t) {
+  parallelFor(std::size_t{0}, mesh.triangles.size(), [&](std::size_t t) {
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t vertex = mesh.triangles[t][c];
       Eigen::Vector3f sum = Eigen::Vector3f::Zero();

@@ -1,12 +1,11 @@
 #include "render/tracer.h"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
+#include "core/base/parallel_for.h"
 #include "render/srgb.h"
 
 namespace proveout::render_detail {
@@ -247,14 +246,14 @@ Result<Image> trace(const TraceInput& input, Progress& progress) {
     Band band{std::max(0, y0 - kFilterRadius), 0, width, {}};
     band.rows = std::min(height, y1 + kFilterRadius) - band.first;
     band.sums.resize(static_cast<std::size_t>(band.rows) * width);
-    tbb::parallel_for(0, band.rows, [&](int row) {
+    parallelFor(0, band.rows, [&](int row) {
       if (progress.cancelled()) return;
       for (int x = 0; x < width; ++x) {
         band.sums[static_cast<std::size_t>(row) * width + x] = tracer.pixel(x, band.first + row);
       }
     });
     if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted while drawing"};
-    tbb::parallel_for(y0, y1, [&](int y) {
+    parallelFor(y0, y1, [&](int y) {
       for (int x = 0; x < width; ++x) {
         const Vec3f color = tracer.resolve(band.at(x, y), gatherAround(band, x, y, slope_limit), background);
         std::uint8_t* out = &image.rgb[(static_cast<std::size_t>(y) * width + x) * 3];
