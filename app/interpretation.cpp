@@ -143,9 +143,17 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
     return false;
   }
   const int lowest = *defined.begin();
+  const auto changed = std::find_if(path.events.begin(), path.events.end(),
+                                    [](const Toolpath::EventAt& e) { return e.event.event == "tool"; });
+  const MotionId first_change = changed != path.events.end() ? changed->before : kNoMotion;
   bool told = false, good = true;
   for (Motion& motion : path.motions) {
     if (motion.tool == 0 && !defined.contains(0)) {
+      const bool emptied = static_cast<MotionId>(&motion - path.motions.data()) >= first_change;
+      if (emptied && motion.kind != MotionKind::kRapid) {
+        diagnose(Severity::kError, motion, "tool", "a feed motion with the spindle emptied by T0 M6");
+        return false;
+      }
       if (!told) {
         diagnose(
             Severity::kNote, motion, "tool",

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
 
-#include <array>
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "removal/stock_impl.h"
 
@@ -59,8 +64,10 @@ void unpackAxis(openvdb::io::File& file, int axis, CrossingMap& map) {
   const std::string base = fmt::format("crossing_{}_", kAxisName[axis]);
   const auto t = readGrid<openvdb::FloatGrid>(file, base + "t");
   const auto normal = readGrid<openvdb::Vec3SGrid>(file, base + "normal");
+  const auto motion = readGrid<openvdb::Int32Grid>(file, base + "motion");
   const auto element = readGrid<openvdb::Int32Grid>(file, base + "element");
   auto n = normal->getConstAccessor();
+  auto m = motion->getConstAccessor();
   auto e = element->getConstAccessor();
   for (auto it = t->cbeginValueOn(); it; ++it) {
     const Coord at = it.getCoord();
@@ -70,10 +77,70 @@ void unpackAxis(openvdb::io::File& file, int axis, CrossingMap& map) {
     c.t = it.getValue();
     const auto v = n.getValue(at);
     for (int i = 0; i < 3; ++i) c.normal[i] = v[i];
+    c.motion = static_cast<std::uint32_t>(m.getValue(at));
     c.element = static_cast<std::uint16_t>(e.getValue(at));
     if (!(c.t >= 0.0f && c.t <= 1.0f) || !std::isfinite(v.lengthSqr()))
       throw std::runtime_error("a crossing is out of range");
     map[at & ~7].push_back(c);
+  }
+}
+
+/// Behind the grids stand this mark and the checksum (FNV-1a, 64 bits) of everything before. OpenVDB does not
+/// look there, and is not given a damaged file: it would read one without a complaint, or crash.
+constexpr std::string_view kTrailerMark = "proveout";
+constexpr std::size_t kTrailerSize = kTrailerMark.size() + 16;
+
+/// Checksum of the first `size` bytes of a file, as 16 digits.
+std::string checksum(const std::string& path, std::uintmax_t size) {
+  std::ifstream in(path, std::ios::binary);
+  std::vector<char> buffer(1 << 20);
+  std::uint64_t sum = 14695981039346656037ull;
+  while (size > 0) {
+    const auto part = static_cast<std::streamsize>(std::min<std::uintmax_t>(size, buffer.size()));
+    if (!in.read(buffer.data(), part)) throw std::runtime_error("it cannot be read");
+    for (std::streamsize i = 0; i < part; ++i)
+      sum = (sum ^ static_cast<unsigned char>(buffer[i])) * 1099511628211ull;
+    size -= static_cast<std::uintmax_t>(part);
+  }
+  return fmt::format("{:016x}", sum);
+}
+
+void appendTrailer(const std::string& path) {
+  const std::string sum = checksum(path, std::filesystem::file_size(path));
+  std::ofstream out(path, std::ios::binary | std::ios::app);
+  out << kTrailerMark << sum;
+  out.close();
+  if (!out) throw std::runtime_error("the disk is full or the file cannot be written");
+}
+
+void checkTrailer(const std::string& path) {
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  if (size < kTrailerSize) throw std::runtime_error("it was not saved by proveout, or is cut short");
+  std::ifstream in(path, std::ios::binary);
+  std::string trailer(kTrailerSize, ' ');
+  in.seekg(static_cast<std::streamoff>(size - kTrailerSize));
+  in.read(trailer.data(), static_cast<std::streamsize>(kTrailerSize));
+  if (!in || trailer.compare(0, kTrailerMark.size(), kTrailerMark) != 0) {
+    throw std::runtime_error("it was not saved by proveout, or is cut short");
+  }
+  if (trailer.substr(kTrailerMark.size()) != checksum(path, size - kTrailerSize)) {
+    throw std::runtime_error("its contents are damaged");
+  }
+}
+
+/// The motions of the run that saved the stock mean nothing to this one, but its faces stay apart: every pair
+/// of motion and element becomes an element of the blank.
+void numberFaces(Stock::Impl& impl) {
+  std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint16_t> number;
+  for (auto leaf = impl.distance->tree().cbeginLeaf(); leaf; ++leaf) {
+    const auto list = impl.crossings.find(leaf->origin());
+    if (list == impl.crossings.end()) continue;
+    for (Crossing& c : list->second) {
+      const auto next =
+          static_cast<std::uint16_t>(number.size());  // beyond 65,535 faces numbers come again, far away
+      c.element = number.try_emplace({c.motion, c.element}, next).first->second;
+      c.motion = kNoMotion;
+    }
   }
 }
 
@@ -135,6 +202,7 @@ Status Stock::save(const std::string& path) const {
     openvdb::io::File file(aside);
     file.write(grids, metadata(*impl_));
     file.close();
+    appendTrailer(aside);
     std::filesystem::rename(aside, path);
   } catch (const std::exception& e) {
     std::filesystem::remove(aside, ignored);
@@ -146,6 +214,7 @@ Status Stock::save(const std::string& path) const {
 Status loadStock(Stock::Impl& impl, const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) return inputError(path + ": no such stock file");
   try {
+    checkTrailer(path);
     openvdb::io::File file(path);
     file.open();
     const auto meta = file.getMetadata();
@@ -165,6 +234,7 @@ Status loadStock(Stock::Impl& impl, const std::string& path) {
     }
     file.close();
     checkRead(impl);
+    numberFaces(impl);
   } catch (const std::exception& e) {
     return inputError(fmt::format("{}: not a readable stock: {}", path, e.what()));
   }

@@ -52,6 +52,8 @@ TEST_P(BadInput, IsRefusedClearly) {
 }
 
 const BadRun kBadRuns[] = {
+    {"emptied_spindle", "G90 G21\nT1 M6\nM3 S1000\nG0 Z5\nG0 X5 Y5\nT0 M6\nG1 Z-1 F100\nM30\n", with(""), 2,
+     "emptied by T0 M6"},
     {"missing_program", kOk, std::string("none.nc") + kRingOptions, 2, "none.nc"},
     {"folder_as_program", kOk, std::string("/tmp") + kRingOptions, 2, "/tmp"},
     {"device_as_program", kOk, std::string("/dev/zero") + kRingOptions, 2, "/dev/zero"},

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "tests/unit/removal/cut_fixture.h"
 
@@ -184,6 +185,42 @@ TEST_F(SavedStockTest, GoesOnWithoutLoss) {
   const Cut once = cut(kBlank, both.path(), tools, 0.3);
   EXPECT_EQ(surface->mesh.positions, once.mesh.positions);
   EXPECT_EQ(surface->mesh.triangles, once.mesh.triangles);
+}
+
+TEST_F(SavedStockTest, KeepsTheSurfaceBitForBit) {
+  RemovalOptions options;
+  options.resolution_mm = 0.3;
+  Progress progress;
+  const std::vector<Tool> tools{tool("1=flat:6")};
+  PathMaker p;  // faces of equal elements by several motions meet in creases
+  p.line({5, 15, -4}, {35, 15, -4}).line({20, 2, -6}, {22, 28, -3}).line({10, 5, -5}, {30, 25, -5});
+  auto stock = Stock::create(kBlank, options, progress);
+  ASSERT_TRUE(stock->remove(p.path(), tools, options, progress).ok());
+  ASSERT_TRUE(stock->save(path_).ok());
+  auto loaded = Stock::create(SavedStock{path_}, options, progress);
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  const auto before = stock->surface(2, progress), after = loaded->surface(2, progress);
+  EXPECT_EQ(before->mesh.positions, after->mesh.positions);
+  EXPECT_EQ(before->mesh.triangles, after->mesh.triangles);
+  EXPECT_EQ(before->volume_mm3, after->volume_mm3);
+}
+
+TEST_F(SavedStockTest, NoticesDamageAnywhere) {
+  RemovalOptions options;
+  options.resolution_mm = 1;
+  Progress progress;
+  auto stock = Stock::create(kBlank, options, progress);
+  ASSERT_TRUE(stock->save(path_).ok());
+  std::ifstream in(path_, std::ios::binary);
+  const std::string good((std::istreambuf_iterator<char>(in)), {});
+  for (std::size_t at = 0; at < good.size(); at += 1 + good.size() / 40) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ 16);
+    std::ofstream(path_, std::ios::binary) << bad;
+    EXPECT_FALSE(Stock::create(SavedStock{path_}, options, progress).ok()) << at;
+  }
+  std::ofstream(path_, std::ios::binary) << good;
+  EXPECT_TRUE(Stock::create(SavedStock{path_}, options, progress).ok());
 }
 
 TEST_F(SavedStockTest, RefusesWhatIsNotAStock) {
