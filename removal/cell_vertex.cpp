@@ -19,6 +19,20 @@ constexpr double kRankTolerance = 1e-3;
 /// at creases of more than 10 degrees.
 constexpr double kNearness = 1e-6;
 
+/// Faces that meet at less than 40 degrees, as scallops do, are mostly curved: their tangent planes say
+/// little outside the cell. Where they meet farther outside than the slack (in cells), only what they agree
+/// on counts. Measured on bear.nc at 0.25 mm: followed out of the cell they leave the part 0.02 % below the
+/// volume that finer grids tend to.
+const double kSoftCos = std::cos(degToRad(40.0));
+constexpr double kOutsideSlack = 0.05;
+/// The rank tolerance then: only what the planes agree on moves the vertex off the mean.
+constexpr double kSoftRankTolerance = 0.1;
+
+/// How far (in cells) the best point inside may be off a face before more room is asked for. Less is left
+/// alone: tangent planes of curved faces are that far off their surfaces when they are followed out of the
+/// cell.
+constexpr double kCramped = 0.05;
+
 /// Vertices stay this far (in cells) inside their cell, so that those of neighbours never coincide, also as
 /// floats.
 constexpr double kWallGap = 1e-3;
@@ -67,10 +81,11 @@ int collectFaces(std::span<const SheetPoint> points, std::array<Face, 12>& faces
   return count;
 }
 
-bool smoothTogether(const std::array<Face, 12>& faces, int count) {
+/// Whether no two faces meet at more than the angle of this cosine.
+bool alike(const std::array<Face, 12>& faces, int count, double cosine) {
   for (int i = 1; i < count; ++i) {
     for (int j = 0; j < i; ++j) {
-      if (faces[i].normal.dot(faces[j].normal) < kSmoothCos) return false;
+      if (faces[i].normal.dot(faces[j].normal) < cosine) return false;
     }
   }
   return true;
@@ -138,6 +153,13 @@ Vec3 meetPlanesInside(const std::array<Face, 12>& faces, int count, const Vec3& 
   return best;
 }
 
+double farthestPlane(const std::array<Face, 12>& faces, int count, const Vec3& p) {
+  double farthest = 0.0;
+  for (int i = 0; i < count; ++i)
+    farthest = std::max(farthest, std::abs(faces[i].normal.dot(p - faces[i].point)));
+  return farthest;
+}
+
 }  // namespace
 
 const Vec3& CellVertex::normalOf(std::uint64_t id, const Vec3& fallback) const {
@@ -168,7 +190,7 @@ CellVertex placeVertex(std::span<const SheetPoint> points, const Box3& room) {
     const Vec3 n = mean_normal / length;
     return Vec3(mean - n * heightAbove(points, mean, n, nullptr));
   };
-  if (count == 1 || smoothTogether(faces, count)) {
+  if (count == 1 || alike(faces, count, kSmoothCos)) {
     out.smooth = true;
     out.p = clampTo(smooth(), room);
     return out;
@@ -178,8 +200,13 @@ CellVertex placeVertex(std::span<const SheetPoint> points, const Box3& room) {
     f.point -= f.normal * heightAbove(points, f.point, f.normal, &f);
   }
   Vec3 x = meetPlanes(faces, count, mean, kRankTolerance);
-  out.cramped = outsideBy(x, room) > kWallGap;
-  if (out.cramped) x = meetPlanesInside(faces, count, mean, room);
+  if (outsideBy(x, room) > kOutsideSlack && alike(faces, count, kSoftCos)) {
+    x = meetPlanes(faces, count, mean, kSoftRankTolerance);
+    if (outsideBy(x, room) > kOutsideSlack) x = mean;
+  } else if (outsideBy(x, room) > kWallGap) {
+    x = meetPlanesInside(faces, count, mean, room);
+    out.cramped = farthestPlane(faces, count, x) > kCramped;
+  }
   out.p = clampTo(x, room);
   return out;
 }

@@ -21,7 +21,7 @@ struct CellVertex {
   static constexpr int kMaxFaces = 4;
   Vec3 p = Vec3::Zero();  ///< units of the cell, inside the room that it was given
   bool smooth = false;    ///< one smooth surface runs through the cell
-  bool cramped = false;   ///< the meeting point of the faces lies outside that room
+  bool cramped = false;   ///< no point of the room comes near all faces
   int faces = 0;
   std::array<std::uint64_t, kMaxFaces> face{};
   std::array<Vec3, kMaxFaces> normal{};

@@ -79,7 +79,7 @@ TEST(CellVertex, MeetsACreaseThatOnlyClipsTheCell) {
                                        {{1, 0.3, 1}, n2, 2},
                                        {{0, 0.3, 1}, n2, 2}};
   const CellVertex v = placeVertex(points, kCell);
-  EXPECT_TRUE(v.cramped);
+  EXPECT_FALSE(v.cramped);
   EXPECT_NEAR(n1.dot(v.p - Vec3(0.05, 0, 0)), 0, 2e-3);
   EXPECT_NEAR(v.p.y(), 0.3, 2e-3);
   EXPECT_GE(v.p.minCoeff(), 0);
