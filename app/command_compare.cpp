@@ -16,16 +16,6 @@
 namespace proveout {
 namespace {
 
-void addNotes(const PreparedMesh& prepared, Diagnostics& diagnostics) {
-  for (const std::string& note : prepared.notes) {
-    Diagnostic diagnostic;
-    diagnostic.severity = Severity::kWarning;
-    diagnostic.code = "mesh";
-    diagnostic.message = note;
-    diagnostics.add(std::move(diagnostic));
-  }
-}
-
 struct Pair {
   PreparedMesh machined, nominal;
 };
@@ -60,8 +50,8 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
   report.resolution_mm = options.resolution_mm;
   report.comparison = reportComparison(comparison, options.nominal);
   Diagnostics notes;
-  addNotes(pair.machined, notes);
-  addNotes(pair.nominal, notes);
+  noteRepairs(pair.machined, "mesh", notes);
+  noteRepairs(pair.nominal, "mesh", notes);
   report.diagnostics = notes.all();
   // No program is involved: nothing is blamed.
   const MemoryProgramSource none("", "");
@@ -125,12 +115,7 @@ int compareCommand(const CompareCommandOptions& options, Console& console, Conso
   const Result<Report> report = compareFiles(options, progress);
   progress.clear();
   if (!report) return printError(console, report.error());
-  printFindings(console, *report, options.quiet ? Severity::kError : Severity::kNote);
-  if (options.json) {
-    console.out << reportJson(*report);
-  } else if (!options.quiet) {
-    console.out << summaryText(*report, options.out.value_or(""));
-  }
+  printResult(console, *report, options.quiet, options.json, options.out.value_or(""));
   return exitCodeOf(report->verdict);
 }
 

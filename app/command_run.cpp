@@ -71,12 +71,7 @@ int runCommand(const RunOptions& options, Console& console, ConsoleProgress& pro
   const Result<Report> report = runJob(options, *job, folder, progress);
   progress.clear();
   if (!report) return printError(console, report.error());
-  printFindings(console, *report, options.quiet ? Severity::kError : Severity::kNote);
-  if (options.json) {
-    console.out << reportJson(*report);
-  } else if (!options.quiet) {
-    console.out << summaryText(*report, folder);
-  }
+  printResult(console, *report, options.quiet, options.json, folder);
   return exitCodeOf(report->verdict);
 }
 

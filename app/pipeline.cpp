@@ -53,17 +53,17 @@ Error outgrown(const Interpreted& interpreted) {
                            at.line, interpreted.path.motions.size())};
 }
 
-void noteRepairs(const PreparedMesh& nominal, Diagnostics& diagnostics) {
-  for (const std::string& note : nominal.notes) {
+}  // namespace
+
+void noteRepairs(const PreparedMesh& mesh, const std::string& code, Diagnostics& diagnostics) {
+  for (const std::string& note : mesh.notes) {
     Diagnostic diagnostic;
     diagnostic.severity = Severity::kWarning;
-    diagnostic.code = "nominal";
+    diagnostic.code = code;
     diagnostic.message = note;
     diagnostics.add(std::move(diagnostic));
   }
 }
-
-}  // namespace
 
 Result<PreparedMesh> loadNominal(const NominalSpec& nominal) {
   MeshLoadOptions options;
@@ -128,7 +128,7 @@ Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Pro
   if (run.interpreted.summary.end == ProgramEnd::kCancelled)
     return Error{ErrorKind::kInterrupted, "interrupted"};
   Toolpath& path = run.interpreted.path;
-  if (nominal) noteRepairs(*nominal, path.diagnostics);
+  if (nominal) noteRepairs(*nominal, "nominal", path.diagnostics);
   run.alarm = !run.interpreted.summary.ok() || !assignTools(path, job.tools, source);
   addAlarms(path, run.findings);
   addOvertravel(path, source, run.findings);

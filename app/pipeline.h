@@ -40,6 +40,9 @@ struct Machined {
 Result<Machined> machineStock(Blank& blank, const Toolpath& path, const Job& job,
                               ReportPerformance& performance, Progress& progress);
 
+/// Adds what was repaired in a mesh as warnings with the given code.
+void noteRepairs(const PreparedMesh& mesh, const std::string& code, Diagnostics& diagnostics);
+
 /// Reads the nominal mesh and makes a solid of it; what was repaired becomes warnings.
 Result<PreparedMesh> loadNominal(const NominalSpec& nominal);
 

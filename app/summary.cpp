@@ -80,4 +80,13 @@ void printFindings(Console& console, const Report& report, Severity least) {
   if (left > 0) console.err << fmt::format("proveout: {} more, see the report\n", left);
 }
 
+void printResult(Console& console, const Report& report, bool quiet, bool json, const std::string& folder) {
+  printFindings(console, report, quiet ? Severity::kError : Severity::kNote);
+  if (json) {
+    console.out << reportJson(report);
+  } else if (!quiet) {
+    console.out << summaryText(report, folder);
+  }
+}
+
 }  // namespace proveout

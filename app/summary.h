@@ -15,4 +15,8 @@ std::string summaryText(const Report& report, const std::string& folder);
 /// the rest is only counted.
 void printFindings(Console& console, const Report& report, Severity least);
 
+/// What a command ends with: findings on stderr (errors only where `quiet`), then on stdout the report as
+/// JSON or, unless `quiet`, the summary. `folder`: where the results are, empty for none.
+void printResult(Console& console, const Report& report, bool quiet, bool json, const std::string& folder);
+
 }  // namespace proveout

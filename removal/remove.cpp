@@ -5,14 +5,11 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <deque>
 #include <map>
-#include <memory>
 #include <mutex>
-#include <unordered_map>
 
 #include "core/base/parallel_for.h"
 #include "removal/leaf_cutter.h"
