@@ -4,11 +4,11 @@
 
 #include <openvdb/openvdb.h>
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "removal/leaf_bits.h"
 #include "removal/stock.h"
 
 namespace proveout {
@@ -36,13 +36,6 @@ struct Crossing {
 };
 static_assert(sizeof(Crossing) == 16);
 
-/// The 8x8x8 samples of a leaf, true in material: one word a layer of z, bit x * 8 + y.
-using LeafBits = std::array<std::uint64_t, 8>;
-inline constexpr LeafBits kAllOutside{};
-inline constexpr LeafBits kAllInside{~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
-inline constexpr int leafBit(int x, int y) { return x * 8 + y; }
-inline bool leafSample(const LeafBits& bits, int x, int y, int z) { return bits[z] >> leafBit(x, y) & 1; }
-
 /// A leaf whose block of 9x9x9 samples (its own and the first layer of its upper neighbours) is not all one
 /// side. Edge (axis, x, y, z) runs from that sample of the leaf to the next along the axis.
 struct StockLeaf {
@@ -53,8 +46,8 @@ struct StockLeaf {
 
 /// Which edges of a leaf are crossed, and where their crossings stand in the list.
 struct LeafEdges {
-  std::array<LeafBits, 3> crossed;                    ///< [axis][z], bit leafBit(x, y)
-  std::array<std::array<std::uint16_t, 8>, 3> first;  ///< [axis][z]: index of the layer's first crossing
+  std::array<LeafBits, 3> crossed{};                  ///< [axis][z], bit leafBit(x, y)
+  std::array<std::array<std::uint16_t, 8>, 3> first{};///< [axis][z]: index of the layer's first crossing
   std::uint16_t count = 0;
 
   bool isCrossed(int axis, int x, int y, int z) const { return leafSample(crossed[axis], x, y, z); }
@@ -64,6 +57,19 @@ struct LeafEdges {
     return first[axis][z] + std::popcount(crossed[axis][z] & below);
   }
 };
+
+/// Calls body(axis, x, y, z) for each crossed edge, in the order of StockLeaf::crossings.
+template <typename Body>
+void forEachEdge(const LeafEdges& edges, Body&& body) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int z = 0; z < 8; ++z) {
+      for (std::uint64_t left = edges.crossed[axis][z]; left != 0; left &= left - 1) {
+        const int bit = std::countr_zero(left);
+        body(axis, bit >> 3, bit & 7, z);
+      }
+    }
+  }
+}
 
 /// `next`: samples of the neighbours along +x, +y, +z.
 LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& next);
@@ -84,13 +90,18 @@ struct Stock::Impl {
   }
 };
 
+/// Voxel of the index that stands for the leaf at `origin`.
+inline openvdb::Coord leafCoord(const openvdb::Coord& origin) {
+  return {origin.x() >> 3, origin.y() >> 3, origin.z() >> 3};
+}
+
 /// Reads leaves by their place; one object a thread (it caches a path into the index).
 class LeafReader {
  public:
   explicit LeafReader(const Stock::Impl& impl) : impl_(impl), index_(impl.index->getConstUnsafeAccessor()) {}
   /// `origin`: voxel of the leaf's first sample.
   std::int32_t state(const openvdb::Coord& origin) const {
-    return index_.getValue(openvdb::Coord(origin.x() >> 3, origin.y() >> 3, origin.z() >> 3));
+    return index_.getValue(leafCoord(origin));
   }
   const StockLeaf* leaf(const openvdb::Coord& origin) const {
     const std::int32_t s = state(origin);
@@ -111,8 +122,10 @@ class LeafReader {
   openvdb::Int32Grid::ConstUnsafeAccessor index_;
 };
 
-/// Sorts `leaves` by origin and writes their numbers into the index; leaves that are no longer mixed become
-/// tiles. Call after changing leaves.
+/// Whether the 9x9x9 block of the leaf at `origin` holds both sides.
+bool isMixed(const LeafReader& reader, const openvdb::Coord& origin);
+
+/// Sorts `leaves` by origin and writes their numbers into the index.
 void renumberLeaves(Stock::Impl& impl);
 
 /// Fills an empty Impl with the blank. `impl` has h, origin and blank set.

@@ -23,6 +23,14 @@ class ConvexProfile {
  public:
   static constexpr int kMaxElements = 6;
 
+  /// A straight or round piece of the boundary, from a to b.
+  struct Element {
+    bool arc = false;
+    double ar, az, br, bz;  // end points
+    double dr, dz, length;  // unit direction (lines)
+    double cr, cz, radius;  // arcs
+  };
+
   /// Adds a straight element to (r, z). The first call of any add sets out from the start point.
   void start(double r, double z);
   void lineTo(double r, double z);
@@ -38,14 +46,9 @@ class ConvexProfile {
   /// Height of the centre of a lower spherical end, or a negative number where there is none.
   double ballCenter() const { return ball_center_; }
   int elementCount() const { return count_; }
+  const Element& element(int i) const { return elements_[i]; }
 
  private:
-  struct Element {
-    bool arc = false;
-    double ar, az, br, bz;  // end points
-    double dr, dz, length;  // unit direction (lines)
-    double cr, cz, radius;  // arcs
-  };
   std::array<Element, kMaxElements> elements_;
   int count_ = 0;
   double r_ = 0.0, z_ = 0.0;
