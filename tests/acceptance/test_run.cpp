@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/mesh/tri_mesh.h"
 #include "io/mesh_io.h"
@@ -133,6 +134,35 @@ TEST(Run, ThePartThatIsGoneFailsItsNominal) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(has(outcome.err, "error[no_part]")) << outcome.err;
   EXPECT_EQ(reportIn(bench, "gone-out")["verdict"], "fail");
+}
+
+TEST(Run, TablesOfBlocksAddUp) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  ASSERT_EQ(bench.run(std::string("run ring.nc") + kRingOptions + "--csv --no-render").exit_code, 0);
+  const json report = reportIn(bench, "ring-out");
+  EXPECT_EQ(report["outputs"]["tables"], json({"blocks.csv", "mrr.svg"}));
+  EXPECT_TRUE(has(readFile(bench.path("ring-out/mrr.svg")), "</svg>"));
+  std::istringstream csv(readFile(bench.path("ring-out/blocks.csv")));
+  std::string line;
+  ASSERT_TRUE(std::getline(csv, line));
+  ASSERT_EQ(line.rfind("file,line,block,depth,tool,kind,start_s,time_s,length_mm,removed_mm3,", 0), 0u);
+  double time_s = 0, removed_mm3 = 0;
+  int rows = 0;
+  while (std::getline(csv, line)) {
+    ++rows;
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    ASSERT_EQ(cells.size(), 13u) << line;
+    time_s += std::stod(cells[7]);
+    removed_mm3 += std::stod(cells[9]);
+  }
+  EXPECT_EQ(rows, 8);  // the tool change and seven blocks with motions
+  EXPECT_NEAR(time_s, report["time"]["cycle_s"].get<double>(), 1e-5);
+  EXPECT_NEAR(removed_mm3, report["stock"]["removed_mm3"].get<double>(), 1e-3);
+  EXPECT_NEAR(report["accounting"]["total"]["removed_mm3"].get<double>(),
+              report["stock"]["removed_mm3"].get<double>(), 1e-3);
 }
 
 TEST(Run, QuietSaysNothingWhenAllIsWell) {
