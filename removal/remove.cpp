@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "core/base/parallel_for.h"
+#include "core/tool/tool_solid.h"
 #include "removal/leaf_cutter.h"
 #include "removal/threads.h"
 
@@ -41,7 +42,8 @@ class Remover {
  private:
   using List = std::vector<std::uint32_t>;
 
-  void addParts(const std::vector<ConvexProfile>& parts, ToolPart part, MotionId id, const ArcGeometry* arc);
+  void addParts(const std::vector<ConvexProfile>& parts, ToolPart part, MotionId id, const ArcGeometry* arc,
+                bool watched);
   void visit(const Coord& origin, int size, const List& candidates);
   List cull(const Coord& origin, int size, const List& candidates) const;
   void leaf(const Coord& origin, const List& passes);
@@ -64,10 +66,10 @@ class Remover {
 };
 
 void Remover::addParts(const std::vector<ConvexProfile>& parts, ToolPart part, MotionId id,
-                       const ArcGeometry* arc) {
+                       const ArcGeometry* arc, bool watched) {
   const Motion& m = path_.motions[id];
   for (const ConvexProfile& profile : parts)
-    passes_.push_back({Sweep(profile, m.from, m.to, arc), id, part, true});
+    passes_.push_back({Sweep(profile, m.from, m.to, arc), id, part, watched});
 }
 
 Status Remover::preparePasses() {
@@ -86,9 +88,9 @@ Status Remover::preparePasses() {
     }
     const ArcGeometry* arc = m.arc >= 0 ? &path_.arcs[m.arc] : nullptr;
     const bool watched = m.kind == MotionKind::kRapid || m.spindle == 0.0;
-    passes_.push_back({Sweep(solid->second.cutter, m.from, m.to, arc), id, ToolPart::kCutter, watched});
-    addParts(solid->second.shank, ToolPart::kShank, id, arc);
-    addParts(solid->second.holder, ToolPart::kHolder, id, arc);
+    addParts(solid->second.cutter, ToolPart::kCutter, id, arc, watched);
+    addParts(solid->second.shank, ToolPart::kShank, id, arc, true);
+    addParts(solid->second.holder, ToolPart::kHolder, id, arc, true);
   }
   return Done{};
 }
