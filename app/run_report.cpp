@@ -183,7 +183,8 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingS
   Report report;
   report.name = job.name;
   report.version = versionText();
-  report.program = {job.control, path.files, path.blocks, path.motions.size()};
+  report.program = {job.control, path.files, path.blocks, path.motions.size(), {}};
+  if (run.interpreted.summary.end == ProgramEnd::kUntil) report.program.until = untilText(job.settings);
   report.time = reportTime(job, run);
   report.resolution_mm = run.resolution_mm;
   report.findings = run.findings;

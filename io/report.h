@@ -45,6 +45,7 @@ struct ReportProgram {
   std::vector<std::string> files;
   std::uint64_t blocks = 0;  ///< executed
   std::uint64_t motions = 0;
+  std::string until;  ///< "N120" or "line 12": only the program up to there was run; empty: all of it
 };
 
 struct ToolUse {

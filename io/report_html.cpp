@@ -75,6 +75,7 @@ class Page {
     for (const auto& [kind, count] : kinds)
       text += fmt::format("{}{} × {}", text.empty() ? "" : ", ", count, kind);
     if (text.empty()) text = verdictSentence();
+    if (!r_.program.until.empty()) text += fmt::format("; partial: only up to {} was run", r_.program.until);
     if (warnings > 0) text += fmt::format("; {} warning{}", warnings, warnings == 1 ? "" : "s");
     return text;
   }

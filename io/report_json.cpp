@@ -197,7 +197,8 @@ std::string reportJson(const Report& report, const ReportOptions& options) {
   out["program"] = {{"control", report.program.control},
                     {"files", report.program.files},
                     {"blocks", report.program.blocks},
-                    {"motions", report.program.motions}};
+                    {"motions", report.program.motions},
+                    {"until", report.program.until.empty() ? Json(nullptr) : Json(report.program.until)}};
   out["time"] = timeJson(report.time);
   out["accounting"] = report.accounting ? accountingJson(*report.accounting) : Json(nullptr);
   out["stock"] = report.stock ? stockJson(*report.stock) : Json(nullptr);
