@@ -114,6 +114,8 @@ void addRun(CLI::App& root, RunOptions& o) {
       ->allow_extra_args(false);
   app->add_option("--size", o.size, "Size of the pictures; default: 1280x960")->type_name("WxH");
   app->add_flag("--no-render", o.no_render, "No pictures");
+  app->add_flag("--csv", o.csv,
+                "Write blocks.csv (what each block removed) and mrr.svg (its rate over time)");
   app->add_flag("--json", o.json, "Print report.json on stdout instead of the summary");
   app->add_flag("--quiet", o.quiet, "Print errors only");
   app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");

@@ -32,6 +32,7 @@ struct RunOptions {
   std::vector<std::string> views;
   std::optional<std::string> size;
   bool no_render = false;
+  bool csv = false;
   bool json = false;
   bool quiet = false;
   bool progress = false;

@@ -129,15 +129,18 @@ int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress&
                                          {"blocks", summary.blocks},
                                          {"motions", summary.motions},
                                          {"cycle_s", summary.cycle_s},
+                                         {"partial", summary.end == ProgramEnd::kUntil},
                                          {"errors", errors},
                                          {"warnings", summary.warnings},
                                          {"diagnostics", list}};
     console.out << root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
   } else {
     printDiagnostics(console, all.all());
-    console.out << fmt::format("{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}\n",
+    const bool partial = summary.end == ProgramEnd::kUntil;
+    console.out << fmt::format("{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}{}\n",
                                job->program, summary.blocks, summary.motions, summary.cycle_s, errors,
-                               summary.warnings);
+                               summary.warnings,
+                               partial ? ", partial: only up to " + untilText(job->settings) : "");
   }
   return exitCodeOf(*done);
 }

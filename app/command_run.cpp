@@ -33,6 +33,10 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
   if (!staging) return staging.error();
   if (!run.alarm) {
     if (Status done = writeMeshes(run.surface.mesh, *run.stock, job, *staging, report); !done) return done;
+    if (job.output.csv) {
+      const CutPath cut{&run.interpreted.path, &run.removal.removed_mm3};
+      if (Status done = writeTables({cut}, *staging, report); !done) return done;
+    }
   }
   if (Status done = writeReport(pictures, *staging, report); !done) return done;
   return staging->commit();

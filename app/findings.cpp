@@ -160,13 +160,20 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
   findings.push_back(std::move(finding));
 }
 
-void addPartial(ProgramEnd end, std::vector<Finding>& findings) {
+void addPartial(ProgramEnd end, const ControlSettings& settings, std::vector<Finding>& findings) {
   if (end != ProgramEnd::kUntil) return;
   Finding finding;
   finding.kind = "partial";
   finding.severity = Severity::kWarning;
-  finding.message = "only the program up to --until was run: what follows it was not checked";
+  finding.message =
+      fmt::format("only the program up to {} was run: what follows was not checked", untilText(settings));
   findings.push_back(std::move(finding));
+}
+
+std::string untilText(const ControlSettings& settings) {
+  if (!settings.until) return {};
+  if (settings.until->block) return fmt::format("N{}", *settings.until->block);
+  return fmt::format("line {}", settings.until->line.value_or(0));
 }
 
 void addMeshDefects(const MeshTopology& topology, std::vector<Finding>& findings) {

@@ -35,7 +35,10 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
                 std::vector<Finding>& findings);
 
 /// A run that was told to stop early: what follows was not looked at (a warning).
-void addPartial(ProgramEnd end, std::vector<Finding>& findings);
+void addPartial(ProgramEnd end, const ControlSettings& settings, std::vector<Finding>& findings);
+
+/// "N120" or "line 12"; empty where the program runs to its end.
+std::string untilText(const ControlSettings& settings);
 
 /// A mesh that is not a closed, oriented 2-manifold.
 void addMeshDefects(const MeshTopology& topology, std::vector<Finding>& findings);

@@ -107,6 +107,7 @@ void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) 
     if (formats) job.output.formats = std::move(*formats);
     if (!formats) diagnostics.add(usageError("--format: " + formats.error().message));
   }
+  if (options.csv) job.output.csv = true;
   const bool pictures = !options.views.empty() || options.size;
   if (options.no_render && pictures) diagnostics.add(usageError("--no-render contradicts --view and --size"));
   if (!options.views.empty()) job.output.views.clear();

@@ -17,6 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// So much of a table is gathered before it is written.
+constexpr std::size_t kFlushBytes = std::size_t{1} << 20;
+
 MeshFormat meshFormat(OutputFormat format) {
   switch (format) {
     case OutputFormat::kStlAscii:
@@ -87,6 +90,31 @@ Status writeMeshes(const TriMesh& mesh, const Stock& stock, const Job& job, Stag
     report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), std::move(*hash)});
   }
   return Done{};
+}
+
+Status writeTables(const std::vector<CutPath>& paths, StagingFolder& staging, Report& report) {
+  Result<AtomicFile> file = AtomicFile::create(staging.path("blocks.csv"));
+  if (!file) return file.error();
+  std::string buffer = blockCsvHeader();
+  double start_s = 0.0;
+  for (const CutPath& cut : paths) {
+    double end_s = start_s;
+    forEachBlock(cut, start_s, [&](const BlockFigures& row) {
+      appendBlockCsv(row, buffer);
+      end_s = row.start_s + row.figures.time_s();
+      if (buffer.size() < kFlushBytes) return;
+      file->write(buffer);
+      buffer.clear();
+    });
+    start_s = end_s;
+  }
+  file->write(buffer);
+  if (Status done = file->commit(); !done) return done;
+  report.outputs.tables.push_back("blocks.csv");
+  const std::string svg = report.accounting ? rateSvgFile(report.accounting->rate) : std::string();
+  if (svg.empty()) return Done{};
+  report.outputs.tables.push_back("mrr.svg");
+  return writeFileAtomically(staging.path("mrr.svg"), svg);
 }
 
 Status writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report) {

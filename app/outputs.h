@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/accounting.h"
 #include "app/pictures.h"
 #include "core/base/result.h"
 #include "io/job.h"
@@ -36,6 +37,9 @@ class StagingFolder {
 /// Writes mesh files and records them in the report with their hashes.
 Status writeMeshes(const TriMesh& mesh, const Stock& stock, const Job& job, StagingFolder& staging,
                    Report& report);
+
+/// Writes blocks.csv and, where something was cut, mrr.svg; records them in the report.
+Status writeTables(const std::vector<CutPath>& paths, StagingFolder& staging, Report& report);
 
 /// Writes pictures, report.json, junit.xml and report.html; records the pictures.
 Status writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report);

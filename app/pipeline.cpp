@@ -144,7 +144,7 @@ Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Pro
   addContacts(run.removal.contacts, path, source, run.findings);
   addMeshDefects(run.topology, run.findings);
   addOutcome(run.initial_mm3, run.surface.volume_mm3, stockBodies(run.surface.mesh), run.findings);
-  addPartial(run.interpreted.summary.end, run.findings);
+  addPartial(run.interpreted.summary.end, job.settings, run.findings);
   if (!nominal || run.surface.mesh.triangles.empty()) return run;
 
   watch.lap();

@@ -10,6 +10,7 @@
 #include <map>
 #include <thread>
 
+#include "app/accounting.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
 
@@ -182,7 +183,8 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingS
   Report report;
   report.name = job.name;
   report.version = versionText();
-  report.program = {job.control, path.files, path.blocks, path.motions.size()};
+  report.program = {job.control, path.files, path.blocks, path.motions.size(), {}};
+  if (run.interpreted.summary.end == ProgramEnd::kUntil) report.program.until = untilText(job.settings);
   report.time = reportTime(job, run);
   report.resolution_mm = run.resolution_mm;
   report.findings = run.findings;
@@ -192,6 +194,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingS
   for (const auto& limit : job.settings.limits) report.checks.travel_limits |= limit.has_value();
   if (!run.alarm) {
     report.stock = reportStock(run);
+    report.accounting = accountFor({{&path, &run.removal.removed_mm3}});
     report.error_budget = errorBudget(job, run);
     report.part_sha256 = sha256OfMesh(run.surface.mesh);
   }

@@ -34,7 +34,9 @@ std::string findingCounts(const Report& report) {
 }  // namespace
 
 std::string summaryText(const Report& report, const std::string& folder) {
-  std::string text = fmt::format("{}: {}\n", report.name, verdictName(report.verdict));
+  const std::string& until = report.program.until;
+  std::string text = fmt::format("{}: {}{}\n", report.name, verdictName(report.verdict),
+                                 until.empty() ? "" : ", partial: only up to " + until);
   const auto row = [&](const char* what, const std::string& value) {
     text += fmt::format("  {:<10} {}\n", what, value);
   };

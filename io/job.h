@@ -53,6 +53,7 @@ struct OutputSpec {
   std::vector<OutputFormat> formats = {OutputFormat::kStl};
   std::vector<std::string> views = {"iso"};  ///< names; see JobNames
   int width = 1280, height = 960;            ///< pixels, 16..8192
+  bool csv = false;                          ///< blocks.csv and mrr.svg
 };
 
 struct Job {

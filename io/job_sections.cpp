@@ -322,6 +322,7 @@ void readOutput(ConfigTable& root, const JobNames& names, Job& job) {
       }
     }
   }
+  if (const auto csv = output->flag("csv")) job.output.csv = *csv;
   const ConfigValue* size = output->find("size");
   if (size != nullptr && isList(root.document(), *size, "size")) {
     const auto side = [](const ConfigValue& v) {

@@ -45,6 +45,7 @@ struct ReportProgram {
   std::vector<std::string> files;
   std::uint64_t blocks = 0;  ///< executed
   std::uint64_t motions = 0;
+  std::string until;  ///< "N120" or "line 12": only the program up to there was run; empty: all of it
 };
 
 struct ToolUse {
@@ -59,6 +60,58 @@ struct ToolUse {
 struct ReportTime {
   double cycle_s = 0.0, cutting_s = 0.0, rapid_s = 0.0;
   std::vector<ToolUse> per_tool;
+};
+
+/// What a part of the machining did: all of it, one tool's, or one block's. Times s, lengths mm along the
+/// path of the control point.
+struct CutFigures {
+  double feed_s = 0.0, rapid_s = 0.0;        ///< of motions
+  double other_s = 0.0;                      ///< dwells and tool changes
+  double air_s = 0.0;                        ///< of feed_s: feed motions that removed nothing
+  double length_mm = 0.0;                    ///< of all motions
+  double engaged_s = 0.0, engaged_mm = 0.0;  ///< of the motions that removed material
+  double removed_mm3 = 0.0;
+
+  double time_s() const { return feed_s + rapid_s + other_s; }
+  /// Mean section of the chip, mm2: removed volume over the path on which it was removed. None: nothing was.
+  std::optional<double> engagement_mm2() const;
+  /// Material removal rate over the time in which material was removed. None: nothing was.
+  std::optional<double> rate_mm3_min() const;
+};
+
+struct ToolFigures {
+  int tool = 0;
+  CutFigures figures;
+};
+
+/// Material removal rate along the machining time, in equal steps from 0 to the cycle time, mm3/min.
+struct RateSeries {
+  double step_s = 0.0;
+  std::vector<double> mean, max;  ///< of each step: mean over its time, largest of its motions
+  struct Span {
+    double from_s = 0.0, to_s = 0.0;
+    std::string label;  ///< of the tool that is at work: "T1"
+  };
+  std::vector<Span> spans;
+};
+
+/// Where time and material went. Sums: removed_mm3 is the removed volume, time_s the cycle time.
+struct ReportAccounting {
+  CutFigures total;
+  std::vector<ToolFigures> per_tool;
+  RateSeries rate;  ///< for the plot; not in report.json
+};
+
+/// A row of blocks.csv: one execution of a program block.
+struct BlockFigures {
+  std::string_view file;
+  std::uint32_t line = 0;
+  std::int64_t block = -1;  ///< N number, or -1
+  std::uint16_t depth = 0;
+  int tool = 0;
+  std::string_view kind;  ///< "rapid", "feed", "thread", "mixed", "event"
+  double start_s = 0.0;   ///< since the program's start
+  CutFigures figures;
 };
 
 struct StockBody {
@@ -117,7 +170,8 @@ struct ReportImage {
 struct ReportOutputs {
   std::vector<ReportMesh> meshes;
   std::vector<ReportImage> images;
-  std::string html;  ///< file name; empty: none
+  std::vector<std::string> tables;  ///< blocks.csv and mrr.svg, relative to the report
+  std::string html;                 ///< file name; empty: none
 };
 
 /// Differs from run to run; everything else in the report depends on the inputs alone.
@@ -143,6 +197,7 @@ struct Report {
   ReportChecks checks;
   ReportProgram program;
   ReportTime time;
+  std::optional<ReportAccounting> accounting;  ///< none: nothing was cut
   std::optional<ReportStock> stock;
   double resolution_mm = 0.0;
   std::vector<Finding> findings;
@@ -180,5 +235,12 @@ struct ReportPicture {
 /// report.html: one self-contained page, no script, no network. Everything from outside is escaped.
 std::string reportHtml(const Report& report, const std::vector<ReportPicture>& pictures,
                        const ReportOptions& options = {});
+
+/// The rate over time as an SVG file of its own; "" if there is nothing to draw.
+std::string rateSvgFile(const RateSeries& rate);
+
+/// blocks.csv: the line of column names, and a row; each ends with a newline.
+std::string blockCsvHeader();
+void appendBlockCsv(const BlockFigures& row, std::string& out);
 
 }  // namespace proveout

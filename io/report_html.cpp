@@ -34,6 +34,7 @@ class Page {
     messages();
     comparison();
     tools();
+    rate();
     stock();
     errorBudget();
     files();
@@ -74,6 +75,7 @@ class Page {
     for (const auto& [kind, count] : kinds)
       text += fmt::format("{}{} × {}", text.empty() ? "" : ", ", count, kind);
     if (text.empty()) text = verdictSentence();
+    if (!r_.program.until.empty()) text += fmt::format("; partial: only up to {} was run", r_.program.until);
     if (warnings > 0) text += fmt::format("; {} warning{}", warnings, warnings == 1 ? "" : "s");
     return text;
   }
@@ -228,22 +230,48 @@ class Page {
         "<section>\n<h2>Tools</h2>\n<div class=\"wide\"><table "
         "class=\"stack\"><thead><tr><th>Tool</th><th>Shape</th>"
         "<th class=\"num\">Cutting</th><th class=\"num\">Rapid</th><th class=\"num\">Motions</th>"
-        "<th class=\"num\">Removed mm³</th><th></th></tr></thead><tbody>\n";
+        "<th class=\"num\">In air</th><th class=\"num\">Removed mm³</th><th class=\"num\">Engagement mm²</th>"
+        "<th class=\"num\">Rate mm³/min</th><th></th></tr></thead><tbody>\n";
     for (const ToolUse& use : r_.time.per_tool) {
       const double share = largest > 0.0 ? std::max(0.0, use.removed_mm3) / largest : 0.0;
       add("<tr><td data-label=\"Tool\">T{}{}</td><td data-label=\"Shape\">{}</td>", use.number,
           use.name.empty() ? "" : " " + escape(use.name), escape(use.description));
       add("<td class=\"num\" data-label=\"Cutting\">{}</td><td class=\"num\" data-label=\"Rapid\">{}</td>"
-          "<td class=\"num\" data-label=\"Motions\">{}</td><td class=\"num\" data-label=\"Removed "
-          "mm³\">{}</td>",
-          duration(use.cutting_s), duration(use.rapid_s), use.motions, grouped(use.removed_mm3, 1));
+          "<td class=\"num\" data-label=\"Motions\">{}</td>",
+          duration(use.cutting_s), duration(use.rapid_s), use.motions);
+      const CutFigures figures = figuresOf(use.number);
+      const auto engagement = figures.engagement_mm2(), rate = figures.rate_mm3_min();
+      add("<td class=\"num\" data-label=\"In air\">{}</td><td class=\"num\" data-label=\"Removed "
+          "mm³\">{}</td><td class=\"num\" data-label=\"Engagement mm²\">{}</td><td class=\"num\" "
+          "data-label=\"Rate mm³/min\">{}</td>",
+          r_.accounting ? duration(figures.air_s) : "", grouped(use.removed_mm3, 1),
+          engagement ? fixed(*engagement, 3) : "", rate ? grouped(*rate, 0) : "");
       add("<td class=\"text share\"><span class=\"bar\" style=\"width:{:.1f}%\"></span></td></tr>\n",
           100.0 * share);
     }
     add("</tbody></table></div>\n<p class=\"quiet\">Cycle {}: cutting {}, rapid {}, the rest is tool changes "
-        "and "
-        "dwells.</p>\n</section>\n",
+        "and dwells. In air: feed motions that removed nothing. Engagement: removed volume over the path on "
+        "which it was removed, the mean section of the chip. Rate: removed volume over the time in which it "
+        "was "
+        "removed.</p>\n</section>\n",
         duration(r_.time.cycle_s), duration(r_.time.cutting_s), duration(r_.time.rapid_s));
+  }
+
+  CutFigures figuresOf(int tool) const {
+    if (!r_.accounting) return {};
+    for (const ToolFigures& entry : r_.accounting->per_tool) {
+      if (entry.tool == tool) return entry.figures;
+    }
+    return {};
+  }
+
+  void rate() {
+    const std::string chart = r_.accounting ? report_html::rateSvg(r_.accounting->rate) : std::string();
+    if (chart.empty()) return;
+    out_ += "<section>\n<h2>Material removal rate</h2>\n" + chart;
+    out_ +=
+        "\n<p class=\"key\"><span><i style=\"background:var(--gouge)\"></i>mean</span><span><i "
+        "style=\"background:#e39b2d\"></i>largest of the motions at that time</span></p>\n</section>\n";
   }
 
   void stock() {

@@ -206,6 +206,8 @@ border:1px solid currentColor}
 .chart .grid{stroke:var(--line)}.chart .axis,.chart .tick{stroke:var(--soft)}
 .chart .band{fill:var(--band)}.chart .gouge{fill:var(--gouge)}.chart .excess{fill:var(--excess)}
 .chart .within{fill:var(--within)}
+.wide-chart{max-width:none}.chart .span{fill:var(--wash)}.chart .mean{fill:var(--gouge);fill-opacity:.75}
+.chart .peak{fill:none;stroke:#e39b2d;stroke-width:1}
 .key{display:flex;flex-wrap:wrap;gap:4px 18px;justify-content:center;color:var(--soft);font-size:13px;margin:4px 0 0}
 .key i{display:inline-block;width:11px;height:11px;border-radius:2px;margin-right:6px}
 .hash{color:var(--soft);font-size:12px}

@@ -57,6 +57,30 @@ Json timeJson(const ReportTime& time) {
           {"per_tool", std::move(tools)}};
 }
 
+Json figuresJson(const CutFigures& f) {
+  return {{"time_s", number(f.time_s())},
+          {"feed_s", number(f.feed_s)},
+          {"rapid_s", number(f.rapid_s)},
+          {"other_s", number(f.other_s)},
+          {"air_s", number(f.air_s)},
+          {"length_mm", number(f.length_mm)},
+          {"engaged_s", number(f.engaged_s)},
+          {"engaged_mm", number(f.engaged_mm)},
+          {"removed_mm3", number(f.removed_mm3)},
+          {"engagement_mm2", number(f.engagement_mm2())},
+          {"rate_mm3_min", number(f.rate_mm3_min())}};
+}
+
+Json accountingJson(const ReportAccounting& accounting) {
+  Json tools = Json::array();
+  for (const ToolFigures& tool : accounting.per_tool) {
+    Json entry = {{"tool", tool.tool}};
+    entry.update(figuresJson(tool.figures));
+    tools.push_back(std::move(entry));
+  }
+  return {{"total", figuresJson(accounting.total)}, {"per_tool", std::move(tools)}};
+}
+
 Json stockJson(const ReportStock& stock) {
   Json bodies = Json::array();
   for (const StockBody& body : stock.bodies) {
@@ -136,7 +160,10 @@ Json outputsJson(const ReportOutputs& outputs) {
   for (const ReportImage& image : outputs.images) {
     images.push_back({{"path", image.path}, {"title", image.title}});
   }
-  return {{"meshes", std::move(meshes)}, {"images", std::move(images)}, {"html", outputs.html}};
+  return {{"meshes", std::move(meshes)},
+          {"images", std::move(images)},
+          {"tables", outputs.tables},
+          {"html", outputs.html}};
 }
 
 Json performanceJson(const ReportPerformance& p) {
@@ -170,8 +197,10 @@ std::string reportJson(const Report& report, const ReportOptions& options) {
   out["program"] = {{"control", report.program.control},
                     {"files", report.program.files},
                     {"blocks", report.program.blocks},
-                    {"motions", report.program.motions}};
+                    {"motions", report.program.motions},
+                    {"until", report.program.until.empty() ? Json(nullptr) : Json(report.program.until)}};
   out["time"] = timeJson(report.time);
+  out["accounting"] = report.accounting ? accountingJson(*report.accounting) : Json(nullptr);
   out["stock"] = report.stock ? stockJson(*report.stock) : Json(nullptr);
   out["resolution_mm"] = report.resolution_mm > 0.0 ? number(report.resolution_mm) : Json(nullptr);
   out["findings"] = Json::array();

@@ -212,7 +212,7 @@ void coverage(proveout::LeafColumns& leaf) {
 }
 
 double lowerTops(proveout::LeafColumns& leaf) {
-  const double bottom = leaf.z[0] - 0.5 * leaf.h;
+  const double bottom = leaf.z[0];
   double sunk[64], sum[8] = {0, 0, 0, 0, 0, 0, 0, 0};
   for (int c = 0; c < 64; ++c) {
     const double top = leaf.top[c];

@@ -56,7 +56,7 @@ using ColumnKernel = void (*)(const ColumnSweep& sweep, const double* x, const d
 /// The 64 columns of a leaf while it is cut.
 struct LeafColumns {
   double x[64], y[64];
-  double top[64];              ///< height of the material, mm
+  double top[64];              ///< height of the material, from the lowest sample to one step above the highest, mm
   double z[8];                 ///< heights of the samples
   double h;                    ///< mm
   unsigned char material[64];  ///< bit z

@@ -144,6 +144,7 @@ Crossing CrossingFinder::crossing(const Edge& e, const std::vector<Crossing>& be
   c.motion = pass.motion;
   if (pass.curve < 0 && pass.columns.kind != ColumnSweep::Kind::kArc && pass.columns.solid->ball && ballNormal(pass, p, normal)) {
     c.setNormal(-normal);
+    c.element = static_cast<std::uint16_t>(pass.profile->firstElementId());
     return c;
   }
   const SweepSample sample =

@@ -54,36 +54,36 @@ void LeafCutter::start(const LeafChange& change) {
   startTops(change);
 }
 
-/// Heights that the removed volume is counted from: half a voxel above the highest sample, or the crossing.
+/// Heights that the removed volume is counted from: the crossing above the highest sample, or the next leaf.
 void LeafCutter::startTops(const LeafChange& change) {
   const StockLeaf* leaf = reader_.leaf(origin_);
   LeafColumns& l = columns_;
   for (int c = 0; c < 64; ++c) {
     const int highest = std::bit_width(static_cast<unsigned>(l.material[c])) - 1;
-    l.top[c] = highest < 0 ? l.z[0] - 0.5 * l.h : l.z[highest] + 0.5 * l.h;
+    l.top[c] = highest < 0 ? l.z[0] : l.z[highest] + l.h;
     if (highest < 0 || leaf == nullptr || !change.before.isCrossed(2, c >> 3, c & 7, highest)) continue;
     const float t = leaf->crossings[change.before.indexOf(2, c >> 3, c & 7, highest)].t;
-    l.top[c] = std::min(l.z[highest] + t * l.h, l.z[7] + 0.5 * l.h);
+    l.top[c] = l.z[highest] + t * l.h;
   }
 }
 
 void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
-  // Up to half a voxel above the highest samples a pass removes volume, though no sample.
-  box_.z_high = columns_.z[columns_.layers - 1] + 0.5 * impl_.h;
-  if (reachIn(pass, box_) >= box_.z_high) return;
   LeafColumns& l = columns_;
-  const bool cutter = pass.part == ToolPart::kCutter;
+  // Up to one step above the highest samples a pass removes volume, though no sample.
+  box_.z_high = l.z[l.layers - 1] + l.h;
+  if (reachIn(pass, box_) >= box_.z_high) return;
+  const bool cutter = pass.part == ToolPart::kCutter, watched = pass.watched || !cutter;
   double top[64];
-  if (!cutter) std::copy_n(l.top, 64, top);
+  if (watched) std::copy_n(l.top, 64, top);
   const double sunk = kernel_(pass.columns, l);
   evaluations_ += 64;
-  if (pass.watched || !cutter) contact(number);
+  if (watched) contact(number, top);
   if (!cutter) {
     std::copy_n(top, 64, l.top);
     return;
   }
-  if (sunk > 0.0) removed_.emplace_back(pass.motion, volumeUnits(sunk / impl_.h));
+  if (sunk > 0.0) removed_.emplace_back(pass.motion, volumeUnits(sunk / l.h));
   unsigned any = 0;
   for (int c = 0; c < 64; ++c) {
     l.material[c] &= static_cast<unsigned char>(~l.covered[c]);
@@ -92,26 +92,29 @@ void LeafCutter::apply(std::uint32_t number) {
   l.layers = std::bit_width(any);
 }
 
-void LeafCutter::contact(std::uint32_t number) {
+/// How deep the solid reaches below the tops (`top`: before the pass) and below samples.
+void LeafCutter::contact(std::uint32_t number, const double* top) {
   const Pass& pass = table_.passes[number];
   const LeafColumns& l = columns_;
   ContactSample found{number, 0.0, Vec3::Zero(), 0};
-  int count = 0;
+  double height = 0.0;
+  const Sweep* arc = table_.levelArc(pass);
+  const Sweep sweep = arc != nullptr ? *arc : pass.lineSweep();
+  const auto look = [&](int c, double z) {
+    const Vec3 at(l.x[c], l.y[c], z);
+    const double depth = -sweep.distance(at, 0.0);
+    if (depth > found.depth) found.depth = depth, found.where = at;
+  };
   for (int c = 0; c < 64; ++c) {
     const unsigned touched = l.covered[c] & l.material[c];
-    if (touched == 0) continue;
-    const Sweep* arc = table_.levelArc(pass);
-    const Sweep sweep = arc != nullptr ? *arc : pass.lineSweep();
+    if (l.top[c] < top[c]) look(c, top[c]);
     for (int z = 0; z < 8; ++z) {
-      if (!(touched >> z & 1)) continue;
-      ++count;
-      const Vec3 at(l.x[c], l.y[c], l.z[z]);
-      const double depth = -sweep.distance(at, 0.0);
-      if (depth > found.depth) found.depth = depth, found.where = at;
+      if (touched >> z & 1) look(c, l.z[z]);
     }
+    height += l.top[c] < top[c] ? top[c] - l.top[c] : l.h * std::popcount(touched);
   }
   if (found.depth <= kContactToleranceMm) return;
-  found.volume = volumeUnits(count);
+  found.volume = volumeUnits(height / l.h);
   contacts_.push_back(found);
 }
 

@@ -53,7 +53,7 @@ class LeafCutter {
   void start(const LeafChange& change);
   void startTops(const LeafChange& change);
   void apply(std::uint32_t number);
-  void contact(std::uint32_t number);
+  void contact(std::uint32_t number, const double* top);
 
   const Stock::Impl& impl_;
   const PassTable& table_;

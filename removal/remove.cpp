@@ -33,7 +33,7 @@ constexpr double kSameRadiusMm = 1e-7;
 
 struct Solids {
   explicit Solids(const Tool& tool) : solid(makeToolSolid(tool)) {
-    add(solid.cutter, ToolPart::kCutter);
+    for (const ConvexProfile& p : solid.cutter) add(p, ToolPart::kCutter);
     for (const ConvexProfile& p : solid.shank) add(p, ToolPart::kShank);
     for (const ConvexProfile& p : solid.holder) add(p, ToolPart::kHolder);
   }

@@ -310,7 +310,7 @@ SweepSample Sweep::sample(const Vec3& p) const {
       const Vec3 mix = before.gradient * after.slope - after.gradient * before.slope;
       const bool rim = before.element != after.element && before.gradient.dot(after.gradient) < kRimCos;
       const int element =
-          rim ? ConvexProfile::kMaxElements + std::min(before.element, after.element) : at.element;
+          rim ? ConvexProfile::kEdgeIds + std::min(before.element, after.element) : at.element;
       if (const double norm = mix.norm(); norm > 0.0) return {at.value, mix / norm, element};
     }
   }

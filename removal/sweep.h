@@ -25,7 +25,7 @@ inline constexpr double kSweepToleranceMm = 1e-7;
 struct SweepSample {
   double value;   ///< mm
   Vec3 gradient;  ///< unit, away from the swept volume
-  int element;    ///< element of the profile that is nearest; from kMaxElements on: the sharp rim behind an
+  int element;    ///< element of the profile that is nearest; from kEdgeIds on: the sharp rim behind an
                   ///< element
 };
 

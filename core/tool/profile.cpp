@@ -8,6 +8,13 @@
 
 namespace proveout {
 
+namespace {
+
+/// Share of the products that rounding may shift a point across the border of an arc's sector.
+constexpr double kSectorSlack = 1e-14;
+
+}  // namespace
+
 void ConvexProfile::extend(double r, double z) {
   max_radius_ = std::max(max_radius_, r);
   z_min_ = std::min(z_min_, z);
@@ -32,13 +39,17 @@ void ConvexProfile::lineTo(double r, double z) {
     e.length = length;
     e.dr = (r - r_) / length;
     e.dz = (z - z_) / length;
+    const Element& end = elements_[0];
+    const bool half_sphere =
+        end.arc && end.cr == 0.0 && end.az == 0.0 && end.br == end.radius && end.bz == end.cz;
+    if (count_ == 2 && half_sphere && e.dr == 0.0) ball_center_ = end.cz;
   }
   r_ = r;
   z_ = z;
   extend(r, z);
 }
 
-void ConvexProfile::arcTo(double center_r, double center_z, double r, double z) {
+void ConvexProfile::addArc(double center_r, double center_z, double r, double z) {
   PROVEOUT_ASSERT(count_ < kMaxElements);
   Element& e = elements_[count_++];
   e = Element{};
@@ -46,10 +57,41 @@ void ConvexProfile::arcTo(double center_r, double center_z, double r, double z) 
   e.ar = r_, e.az = z_, e.br = r, e.bz = z;
   e.cr = center_r, e.cz = center_z;
   e.radius = std::hypot(r_ - center_r, z_ - center_z);
-  if (center_r == 0.0 && count_ == 1) ball_center_ = center_z;
   extend(r, z);
   r_ = r;
   z_ = z;
+}
+
+void ConvexProfile::arcTo(double center_r, double center_z, double r, double z) {
+  if (z_ < center_z && z > center_z) {
+    addArc(center_r, center_z, center_r + std::hypot(r_ - center_r, z_ - center_z), center_z);
+  }
+  addArc(center_r, center_z, r, z);
+}
+
+double ConvexProfile::lowerHeight(double r) const {
+  double height = z_min_;
+  for (int i = 0; i < count_; ++i) {
+    const Element& e = elements_[i];
+    if (e.ar > r || e.br <= e.ar) break;  // beyond r, or on the flank or above
+    if (e.arc && e.az >= e.cz) break;
+    const double at = std::min(r, e.br);
+    height = e.arc ? e.cz - std::sqrt(std::max(0.0, (e.radius - (at - e.cr)) * (e.radius + (at - e.cr))))
+                   : e.az + (at - e.ar) * (e.dz / e.dr);
+  }
+  return height;
+}
+
+double ConvexProfile::upperHeight(double r) const {
+  double height = z_max_;
+  for (int i = count_ - 1; i >= 0; --i) {
+    const Element& e = elements_[i];
+    if (e.br > r || e.ar <= e.br) break;
+    const double at = std::min(r, e.ar);
+    height = e.arc ? e.cz + std::sqrt(std::max(0.0, (e.radius - (at - e.cr)) * (e.radius + (at - e.cr))))
+                   : e.bz + (at - e.br) * (e.dz / e.dr);
+  }
+  return height;
 }
 
 ProfileSample ConvexProfile::sample(double r, double z) const {
@@ -58,22 +100,28 @@ ProfileSample ConvexProfile::sample(double r, double z) const {
   ProfileSample in{-std::numeric_limits<double>::infinity(), 0, 1, 0};
   ProfileSample out{std::numeric_limits<double>::infinity(), 0, 1, 0};
   bool outside = false;
-  const auto corner = [&](double cr, double cz, int i) {
+  const auto corner = [&](double cr, double cz, int id) {
     const double er = r - cr, ez = z - cz;
     const double distance = std::sqrt(er * er + ez * ez);
-    if (distance < out.value && distance > 0.0) out = {distance, er / distance, ez / distance, i};
-    if (distance == 0.0) out = {0.0, out.gr, out.gz, i};
+    if (distance < out.value && distance > 0.0) out = {distance, er / distance, ez / distance, id};
+    if (distance == 0.0) out = {0.0, out.gr, out.gz, id};
   };
   for (int i = 0; i < count_; ++i) {
     const Element& e = elements_[i];
+    const int id = first_id_ + i;
     if (e.arc) {
       const double er = r - e.cr, ez = z - e.cz;
-      // Counter-clockwise sector of less than half a turn between the end directions.
-      const bool in_sector =
-          (e.ar - e.cr) * ez - (e.az - e.cz) * er >= 0.0 && er * (e.bz - e.cz) - ez * (e.br - e.cr) >= 0.0;
+      // Counter-clockwise sector of less than half a turn between the end directions. Its slack lets the
+      // sectors of two arcs that follow one another overlap.
+      const double slack = kSectorSlack * e.radius * (std::abs(er) + std::abs(ez) + e.radius);
+      const double nar = e.ar - e.cr, naz = e.az - e.cz, nbr = e.br - e.cr, nbz = e.bz - e.cz;
+      const bool in_sector = nar * ez - naz * er >= -slack && er * nbz - ez * nbr >= -slack;
       if (!in_sector) {
-        corner(e.ar, e.az, i);
-        corner(e.br, e.bz, i);
+        // Beyond the tangent at an end, the point is in front of a corner.
+        const double limit = e.radius * e.radius + slack;
+        if (er * nar + ez * naz > limit || er * nbr + ez * nbz > limit) outside = true;
+        corner(e.ar, e.az, id);
+        corner(e.br, e.bz, id);
         continue;
       }
       const double distance = std::sqrt(er * er + ez * ez);
@@ -82,105 +130,25 @@ ProfileSample ConvexProfile::sample(double r, double z) const {
       const double gz = distance > 0.0 ? ez / distance : -1.0;
       if (s > 0.0) {
         outside = true;
-        if (s < out.value) out = {s, gr, gz, i};
+        if (s < out.value) out = {s, gr, gz, id};
       }
-      if (s > in.value) in = {s, gr, gz, i};
+      if (s > in.value) in = {s, gr, gz, id};
       continue;
     }
     const double er = r - e.ar, ez = z - e.az;
     const double s = er * e.dz - ez * e.dr;  // outward normal (dz, -dr)
-    if (s > in.value) in = {s, e.dz, -e.dr, i};
+    if (s > in.value) in = {s, e.dz, -e.dr, id};
     const double along = er * e.dr + ez * e.dz;
     if (s > 0.0) outside = true;
     if (along < 0.0) {
-      corner(e.ar, e.az, i);
+      corner(e.ar, e.az, id);
     } else if (along > e.length) {
-      corner(e.br, e.bz, i);
+      corner(e.br, e.bz, id);
     } else if (s > 0.0 && s < out.value) {
-      out = {s, e.dz, -e.dr, i};
+      out = {s, e.dz, -e.dr, id};
     }
   }
   return outside ? out : in;
-}
-
-namespace {
-
-ConvexProfile frustum(double z0, double r0, double z1, double r1) {
-  ConvexProfile p;
-  p.start(0.0, z0);
-  p.lineTo(r0, z0);
-  p.lineTo(r1, z1);
-  p.lineTo(0.0, z1);
-  return p;
-}
-
-/// Ends a profile that has reached (radius, z): up the flank to the end of the flutes and back to the axis.
-void closeProfile(ConvexProfile& p, double radius, double flute_end) {
-  p.lineTo(radius, flute_end);
-  p.lineTo(0.0, flute_end);
-}
-
-/// Height at which a point of the given included angle reaches `radius` from `tip_radius`.
-double coneHeight(double tip_radius, double radius, double included_deg) {
-  return (radius - tip_radius) / std::tan(degToRad(0.5 * included_deg));
-}
-
-ConvexProfile cutterProfile(const Tool& tool, double flute_end) {
-  const double radius = 0.5 * tool.diameter;
-  ConvexProfile p;
-  p.start(0.0, 0.0);
-  switch (tool.type) {
-    case ToolType::kFlat:
-      p.lineTo(radius, 0.0);
-      break;
-    case ToolType::kBall:
-      p.arcTo(0.0, radius, radius, radius);
-      break;
-    case ToolType::kBull:
-      p.lineTo(radius - tool.corner_radius, 0.0);
-      if (tool.corner_radius > 0.0) {
-        p.arcTo(radius - tool.corner_radius, tool.corner_radius, radius, tool.corner_radius);
-      }
-      break;
-    case ToolType::kCone: {
-      const double tip = 0.5 * tool.tip_diameter;
-      p.lineTo(tip, 0.0);
-      const double height = coneHeight(tip, radius, tool.cone_angle_deg);
-      if (height >= flute_end) {  // the flutes end on the cone
-        const double reached = tip + (radius - tip) * flute_end / height;
-        closeProfile(p, reached, flute_end);
-        return p;
-      }
-      p.lineTo(radius, height);
-      break;
-    }
-    case ToolType::kDrill:
-      p.lineTo(radius, coneHeight(0.0, radius, tool.point_angle_deg));
-      break;
-  }
-  closeProfile(p, radius, flute_end);
-  return p;
-}
-
-}  // namespace
-
-ToolSolid makeToolSolid(const Tool& tool) {
-  ToolSolid solid;
-  double flute_end = tool.flute_length;
-  if (flute_end <= 0.0) flute_end = tool.overall_length > 0.0 ? tool.overall_length : kUnlimitedFluteMm;
-  solid.cutter = cutterProfile(tool, flute_end);
-  if (tool.overall_length > flute_end) {
-    const double radius = 0.5 * (tool.shank_diameter > 0.0 ? tool.shank_diameter : tool.diameter);
-    solid.shank.push_back(frustum(flute_end, radius, tool.overall_length, radius));
-  }
-  for (std::size_t i = 1; i < tool.holder.size(); ++i) {
-    const Vec2& a = tool.holder[i - 1];
-    const Vec2& b = tool.holder[i];
-    if (b.x() > a.x()) {  // a step outwards at one height has no volume of its own
-      solid.holder.push_back(frustum(tool.overall_length + a.x(), a.y(), tool.overall_length + b.x(), b.y()));
-    }
-  }
-  return solid;
 }
 
 }  // namespace proveout

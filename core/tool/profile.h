@@ -2,10 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <vector>
-
-#include "core/tool/tool.h"
 
 namespace proveout {
 
@@ -13,7 +9,7 @@ namespace proveout {
 struct ProfileSample {
   double value;   ///< mm
   double gr, gz;  ///< unit gradient; at corners the direction away from the corner
-  int element;    ///< index of the nearest element
+  int element;    ///< id of the nearest element: its index + ConvexProfile::firstElementId()
 };
 
 /// A convex region of the half-plane r >= 0 whose mirror image joins it to a convex region: a convex solid of
@@ -21,9 +17,12 @@ struct ProfileSample {
 /// the left).
 class ConvexProfile {
  public:
-  static constexpr int kMaxElements = 6;
+  static constexpr int kMaxElements = 8;
+  /// Above every element id; free for ids of the edges between elements.
+  static constexpr int kEdgeIds = 1 << 14;
 
-  /// A straight or round piece of the boundary, from a to b.
+  /// A straight or round piece of the boundary, from a to b. dr > 0 or az < cz: it looks down; dr < 0 or
+  /// bz > cz: it looks up (arcTo splits arcs at the height of their centre, so that no arc does both).
   struct Element {
     bool arc = false;
     double ar, az, br, bz;  // end points
@@ -34,7 +33,8 @@ class ConvexProfile {
   /// Adds a straight element to (r, z). The first call of any add sets out from the start point.
   void start(double r, double z);
   void lineTo(double r, double z);
-  /// Adds a convex arc about (center_r, center_z), counter-clockwise, to (r, z).
+  /// Adds a convex arc about (center_r, center_z), counter-clockwise, to (r, z): two elements where it passes
+  /// the height of its centre.
   void arcTo(double center_r, double center_z, double r, double z);
 
   /// Exact signed distance. Requires r >= 0.
@@ -43,30 +43,29 @@ class ConvexProfile {
   double maxRadius() const { return max_radius_; }
   double zMin() const { return z_min_; }
   double zMax() const { return z_max_; }
-  /// Height of the centre of a lower spherical end, or a negative number where there is none.
+  /// Radius of a ball end: a half sphere from the tip at z = 0 with a cylinder of its radius on it. A
+  /// negative number where there is none, also for a ball with another flank.
   double ballCenter() const { return ball_center_; }
   int elementCount() const { return count_; }
+  /// 0 <= i < elementCount(), from the lower end on the axis to the upper.
   const Element& element(int i) const { return elements_[i]; }
+
+  /// Heights between which the solid lies at radius r, mm. Requires 0 <= r <= maxRadius(). The lower boundary
+  /// is convex and does not fall with r, the upper is concave and does not rise.
+  double lowerHeight(double r) const;
+  double upperHeight(double r) const;
+
+  /// Sets ids of several profiles of one tool apart, so that faces of different parts are not taken for one.
+  void setFirstElementId(int id) { first_id_ = id; }
+  int firstElementId() const { return first_id_; }
 
  private:
   std::array<Element, kMaxElements> elements_;
-  int count_ = 0;
+  int count_ = 0, first_id_ = 0;
   double r_ = 0.0, z_ = 0.0;
   double max_radius_ = 0.0, z_min_ = 0.0, z_max_ = 0.0, ball_center_ = -1.0;
   void extend(double r, double z);
+  void addArc(double center_r, double center_z, double r, double z);
 };
-
-/// The parts of a tool, tip at z = 0, each a convex solid of revolution.
-struct ToolSolid {
-  ConvexProfile cutter;
-  std::vector<ConvexProfile> shank;   ///< none or one
-  std::vector<ConvexProfile> holder;  ///< one per section of the polyline
-};
-
-/// Length of flutes that stands for "without limit", mm.
-inline constexpr double kUnlimitedFluteMm = 2000.0;
-
-/// Requires validateTool(tool).
-ToolSolid makeToolSolid(const Tool& tool);
 
 }  // namespace proveout

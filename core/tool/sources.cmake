@@ -1,1 +1,1 @@
-target_sources(proveout_core PRIVATE tool/tool.cpp tool/profile.cpp)
+target_sources(proveout_core PRIVATE tool/tool.cpp tool/tool_solid.cpp tool/profile.cpp)

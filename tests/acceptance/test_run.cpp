@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/mesh/tri_mesh.h"
 #include "io/mesh_io.h"
@@ -123,6 +124,53 @@ TEST(Run, UntilStopsEarly) {
   EXPECT_FALSE(bench.exists("ring-out/iso.png"));
 }
 
+TEST(Run, UntilGivesTheStockAtThatBlockAndSaysSo) {
+  const Workbench bench;
+  bench.write("two.nc",
+              "G21 G90 G17 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\nN40 G1 Z-2 F200\nN50 G0 Z5\nX14 Y14\nN70 G1 Z-3\n"
+              "G0 Z5\nM30\n");
+  const std::string options = kRingOptions;
+  const Outcome part = bench.run("run two.nc" + options + "--until N50 --format stl,vdb --no-render --out a");
+  ASSERT_EQ(part.exit_code, 0) << part.err;
+  EXPECT_TRUE(has(part.out, "two: pass, partial: only up to N50")) << part.out;
+  EXPECT_TRUE(has(part.err, "warning[partial]")) << part.err;
+  const json at_block = reportIn(bench, "a");
+  EXPECT_EQ(at_block["program"]["until"], "N50");
+  EXPECT_NEAR(at_block["stock"]["removed_mm3"].get<double>(), 2 * kPi * 4, 0.6);
+  EXPECT_TRUE(has(readFile(bench.path("a/report.html")), "partial: only up to N50 was run"));
+  // The rest of the program on the saved stock removes what the whole program removes after that block.
+  ASSERT_EQ(bench.run("run two.nc" + options + "--no-render --out b").exit_code, 0);
+  const json whole = reportIn(bench, "b");
+  EXPECT_TRUE(whole["program"]["until"].is_null());
+  ASSERT_EQ(bench.run("run two.nc --control nct --tool 1=flat:4 --stock vdb:a/two.vdb --no-render --out c")
+                .exit_code,
+            0);
+  EXPECT_NEAR(reportIn(bench, "c")["stock"]["final_mm3"].get<double>(),
+              whole["stock"]["final_mm3"].get<double>(), 1e-3);
+  EXPECT_EQ(readFile(bench.path("a/two.stl")).size() % 50, 84u % 50);
+}
+
+TEST(Run, UntilWorksForEveryCommandAndRefusesBlocksThatAreNotThere) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  const Outcome check = bench.run("check ring.nc --control nct --until N40");
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_TRUE(has(check.out, "partial: only up to N40")) << check.out;
+  const Outcome path = bench.run("path ring.nc --control nct --until 4 --format csv");
+  EXPECT_EQ(path.exit_code, 0);
+  EXPECT_EQ(std::count(path.out.begin(), path.out.end(), '\n'), 3);  // header, rapid, feed
+  for (const std::string until : {"N41", "4711"}) {
+    const Outcome run = bench.run(std::string("run ring.nc") + kRingOptions + "--no-render --until " + until);
+    EXPECT_EQ(run.exit_code, 2) << until;
+    EXPECT_TRUE(has(run.err, "ring.nc:10:1: error[nct-until]")) << run.err;
+    EXPECT_FALSE(bench.exists("ring-out/ring.stl"));
+    EXPECT_EQ(bench.run("check ring.nc --control nct --until " + until).exit_code, 2);
+    EXPECT_EQ(bench.run("path ring.nc --control nct --until " + until).exit_code, 2);
+  }
+  EXPECT_EQ(bench.run("check ring.nc --control nct --until N").exit_code, 2);
+  EXPECT_EQ(bench.run("check ring.nc --control nct --until -3").exit_code, 2);
+}
+
 TEST(Run, ThePartThatIsGoneFailsItsNominal) {
   const Workbench bench;
   bench.write("gone.nc", "G21 G90 T1 M6\nS1000 M3\nG0 X-50 Y10 Z5\nZ-11\nG1 X70 F500\nM30\n");
@@ -133,6 +181,35 @@ TEST(Run, ThePartThatIsGoneFailsItsNominal) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(has(outcome.err, "error[no_part]")) << outcome.err;
   EXPECT_EQ(reportIn(bench, "gone-out")["verdict"], "fail");
+}
+
+TEST(Run, TablesOfBlocksAddUp) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  ASSERT_EQ(bench.run(std::string("run ring.nc") + kRingOptions + "--csv --no-render").exit_code, 0);
+  const json report = reportIn(bench, "ring-out");
+  EXPECT_EQ(report["outputs"]["tables"], json({"blocks.csv", "mrr.svg"}));
+  EXPECT_TRUE(has(readFile(bench.path("ring-out/mrr.svg")), "</svg>"));
+  std::istringstream csv(readFile(bench.path("ring-out/blocks.csv")));
+  std::string line;
+  ASSERT_TRUE(std::getline(csv, line));
+  ASSERT_EQ(line.rfind("file,line,block,depth,tool,kind,start_s,time_s,length_mm,removed_mm3,", 0), 0u);
+  double time_s = 0, removed_mm3 = 0;
+  int rows = 0;
+  while (std::getline(csv, line)) {
+    ++rows;
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    ASSERT_EQ(cells.size(), 13u) << line;
+    time_s += std::stod(cells[7]);
+    removed_mm3 += std::stod(cells[9]);
+  }
+  EXPECT_EQ(rows, 8);  // the tool change and seven blocks with motions
+  EXPECT_NEAR(time_s, report["time"]["cycle_s"].get<double>(), 1e-5);
+  EXPECT_NEAR(removed_mm3, report["stock"]["removed_mm3"].get<double>(), 1e-3);
+  EXPECT_NEAR(report["accounting"]["total"]["removed_mm3"].get<double>(),
+              report["stock"]["removed_mm3"].get<double>(), 1e-3);
 }
 
 TEST(Run, QuietSaysNothingWhenAllIsWell) {

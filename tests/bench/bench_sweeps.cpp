@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/tool/profile.h"
+#include "core/tool/tool_solid.h"
 #include "removal/sweep.h"
 
 namespace proveout {
@@ -12,7 +12,7 @@ namespace {
 
 void run(benchmark::State& state, const char* tool, const Vec3& to, const ArcGeometry* arc) {
   const ToolSolid solid = makeToolSolid(parseToolOption(tool).value());
-  const Sweep sweep(solid.cutter, {0, 0, -2}, to, arc);
+  const Sweep sweep(solid.cutter.front(), {0, 0, -2}, to, arc);
   std::array<double, 9> cutoff, out;
   cutoff.fill(0.5);
   std::int64_t samples = 0;

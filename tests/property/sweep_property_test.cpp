@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "core/tool/profile.h"
+#include "core/tool/tool_solid.h"
 #include "removal/sweep.h"
 
 namespace proveout {
@@ -79,7 +79,7 @@ TEST(Profile, DistanceMatchesDensePolygon) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> radius(0, 9), height(-5, 20);
   for (const Tool& tool : sampleTools()) {
-    const ConvexProfile profile = makeToolSolid(tool).cutter;
+    const ConvexProfile profile = makeToolSolid(tool).cutter.front();
     const ReferenceTool ref = reference(tool, 3000);
     for (int i = 0; i < 300; ++i) {
       const double r = radius(random), z = height(random);
@@ -148,7 +148,7 @@ Vec3 positionAt(const Case& c, double t) {
 
 /// The exact value lies between the least sample less half a step's travel and the least sample.
 void expectField(const Case& c, const Tool& tool, Cases& points, unsigned seed) {
-  const ConvexProfile profile = makeToolSolid(tool).cutter;
+  const ConvexProfile profile = makeToolSolid(tool).cutter.front();
   const Sweep sweep(profile, c.from, c.to, c.arc ? &c.geometry : nullptr);
   const int n = 4000;
   std::vector<Vec3> positions;
@@ -219,7 +219,7 @@ TEST(SweepField, SplittingAMoveChangesNothing) {
     Cases cases(seed + 5000);
     const Case c = cases.line(0);
     for (const Tool& tool : sampleTools()) {
-      const ConvexProfile profile = makeToolSolid(tool).cutter;
+      const ConvexProfile profile = makeToolSolid(tool).cutter.front();
       const Vec3 middle = c.from + 0.37 * (c.to - c.from);
       const Sweep whole(profile, c.from, c.to, nullptr), first(profile, c.from, middle, nullptr),
           second(profile, middle, c.to, nullptr);

@@ -42,7 +42,9 @@ NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
     return Go::kStop;
   }
   if (settings_.until && !until_hit_) {
-    warn("nct-until", "the block to stop after was not reached");
+    fail("nct-until", "the program ends here; the block to stop after was not reached");
+    summary_.end = ProgramEnd::kAlarm;
+    return Go::kStop;
   }
   emitter_.event("end", {{"code", jsonString(code)}}, 0.0, here());
   return Go::kStop;

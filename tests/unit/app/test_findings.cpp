@@ -72,11 +72,14 @@ TEST_F(Fixture, NothingCutAndLoosePiecesAreWarnings) {
 }
 
 TEST_F(Fixture, AnEarlyStopIsSaid) {
-  addPartial(ProgramEnd::kEndOfProgram, findings);
+  ControlSettings settings;
+  settings.until = UntilBlock{{}, 120};
+  addPartial(ProgramEnd::kEndOfProgram, settings, findings);
   EXPECT_TRUE(findings.empty());
-  addPartial(ProgramEnd::kUntil, findings);
+  addPartial(ProgramEnd::kUntil, settings, findings);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].kind, "partial");
+  EXPECT_NE(findings[0].message.find("up to N120"), std::string::npos);
 }
 
 TEST_F(Fixture, DeviationsAndUndecided) {

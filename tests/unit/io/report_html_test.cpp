@@ -34,6 +34,25 @@ TEST(ReportHtml, ShowsTheReport) {
   EXPECT_THAT(html, HasSubstr("412 MB"));
 }
 
+TEST(ReportHtml, ShowsTheRemovalRate) {
+  const std::string html = reportHtml(io_test::sampleReport(), {});
+  EXPECT_THAT(html, HasSubstr("<h2>Material removal rate</h2>"));
+  EXPECT_THAT(html, HasSubstr("&lt;T2&gt;"));
+  EXPECT_THAT(html, HasSubstr("data-label=\"Engagement mm²\">9.933</td>"));
+  Report nothing_cut = io_test::sampleReport();
+  nothing_cut.accounting->rate.max = nothing_cut.accounting->rate.mean = {0, 0, 0};
+  EXPECT_THAT(reportHtml(nothing_cut, {}), Not(HasSubstr("Material removal rate")));
+}
+
+TEST(RateSvg, IsAFileOfItsOwn) {
+  const std::string svg = rateSvgFile(io_test::sampleReport().accounting->rate);
+  EXPECT_EQ(svg.rfind("<?xml", 0), 0u);
+  EXPECT_THAT(svg, HasSubstr("xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_EQ(count(svg, "<svg"), count(svg, "</svg>"));
+  // Base at 256, top (200) at 44, three steps of 274 user units from 66.
+  EXPECT_THAT(svg, HasSubstr("class=\"peak\" d=\"M66 256H66.00V256.00H340.00V44.00H614.00V171.20H888.00\""));
+}
+
 TEST(ReportHtml, NeedsNoNetworkAndNoScript) {
   const std::string html = reportHtml(io_test::sampleReport(), {{"iso", "png"}});
   for (const char* word : {"http:", "https:", "<script", "<link", "@import", "url(", "src=\"/"}) {

@@ -22,6 +22,11 @@ TEST(ReportJson, HoldsWhatTheReportHolds) {
   EXPECT_EQ(j["program"]["motions"], 15159);
   EXPECT_EQ(j["time"]["cycle_s"], 431.24);
   EXPECT_EQ(j["time"]["per_tool"][0]["removed_mm3"], 39730.12);
+  EXPECT_EQ(j["accounting"]["total"]["removed_mm3"], 45622.82);
+  EXPECT_EQ(j["accounting"]["total"]["time_s"], 431.24);
+  EXPECT_EQ(j["accounting"]["per_tool"][0]["tool"], 1);
+  EXPECT_EQ(j["accounting"]["per_tool"][0]["engagement_mm2"], 39730.12 / 4000);
+  EXPECT_TRUE(j["accounting"]["per_tool"][1]["rate_mm3_min"].is_null());
   EXPECT_EQ(j["stock"]["mesh_mm3"], 82377.91);
   EXPECT_EQ(j["stock"]["bodies"][0]["role"], "part");
   EXPECT_EQ(j["stock"]["bodies"][0]["bounds"]["min"]["z"], -20);
@@ -57,9 +62,9 @@ TEST(ReportJson, KeepsTheOrderOfKeys) {
   std::vector<std::string> keys;
   const Json j = Json::parse(reportJson(io_test::sampleReport()));
   for (const auto& [key, value] : j.items()) keys.push_back(key);
-  EXPECT_THAT(keys, ElementsAre("schema", "version", "name", "verdict", "checks", "program", "time", "stock",
-                                "resolution_mm", "findings", "comparison", "error_budget", "diagnostics",
-                                "hashes", "outputs", "performance"));
+  EXPECT_THAT(keys, ElementsAre("schema", "version", "name", "verdict", "checks", "program", "time",
+                                "accounting", "stock", "resolution_mm", "findings", "comparison",
+                                "error_budget", "diagnostics", "hashes", "outputs", "performance"));
 }
 
 TEST(ReportJson, WithoutPerformanceDependsOnTheInputsAlone) {
@@ -75,6 +80,7 @@ TEST(ReportJson, SaysWhatIsNotThere) {
   const Json j = Json::parse(reportJson(Report()));
   EXPECT_EQ(j["verdict"], "error");
   EXPECT_TRUE(j["stock"].is_null());
+  EXPECT_TRUE(j["accounting"].is_null());
   EXPECT_TRUE(j["comparison"].is_null());
   EXPECT_TRUE(j["resolution_mm"].is_null());
   EXPECT_EQ(j["findings"].size(), 0u);

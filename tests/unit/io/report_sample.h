@@ -18,6 +18,11 @@ inline Report sampleReport() {
             40.74,
             {{1, "ball nose", "ball 3.175", 300.5, 30.74, 39730.12, 14000},
              {2, "", "flat 10", 80, 10, 5892.7, 1159}}};
+  ReportAccounting accounting;
+  accounting.total = {380.5, 40.74, 10, 22.5, 9000, 358, 4000, 45622.82};
+  accounting.per_tool = {{1, {300.5, 30.74, 5, 20, 7000, 280.5, 4000, 39730.12}}, {2, {80, 10, 5, 80, 2000}}};
+  accounting.rate = {0.5, {0, 120, 40}, {0, 200, 80}, {{0, 0.9, "T1"}, {0.9, 1.5, "<T2>"}}};
+  r.accounting = accounting;
   ReportStock stock;
   stock.initial_mm3 = 128000;
   stock.removed_mm3 = 45622.82;
@@ -81,7 +86,7 @@ inline Report sampleReport() {
   r.inputs = {{"program", "bracket.nc", 33012, std::string(64, 'a')},
               {"nominal", "bracket.stl", 125084, std::string(64, 'b')}};
   r.part_sha256 = std::string(64, 'c');
-  r.outputs = {{{"part.stl", "stl", std::string(64, 'd')}}, {{"iso.png", "iso"}}, "report.html"};
+  r.outputs = {{{"part.stl", "stl", std::string(64, 'd')}}, {{"iso.png", "iso"}}, {}, "report.html"};
   r.performance = {3.25, 0.1, 1.2, 0.8, 0.9, 0.25, 412.0, 2};
   r.verdict = verdictOf(r);
   return r;

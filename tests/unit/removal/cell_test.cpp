@@ -5,7 +5,7 @@
 #include <bit>
 #include <map>
 
-#include "core/tool/profile.h"
+#include "core/tool/tool.h"
 #include "removal/cell_cycles.h"
 #include "removal/cell_vertex.h"
 

@@ -1,0 +1,26 @@
+// Where time and material went: per tool, per block, and as a rate along the machining time.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/path/toolpath.h"
+#include "io/report.h"
+
+namespace proveout {
+
+/// A tool path and what each of its motions removed.
+struct CutPath {
+  const Toolpath* path = nullptr;
+  const std::vector<float>* removed_mm3 = nullptr;  ///< per motion; missing entries count as 0
+};
+
+/// Totals, the table of tools and the rate series. A dwell or tool change counts for the tool of the motion
+/// that follows it. Paths follow each other in time.
+ReportAccounting accountFor(const std::vector<CutPath>& paths);
+
+/// Calls `row` for every execution of a block, in order: unbroken runs of motions and events that one block
+/// made. `start_s` is the time of the path's start.
+void forEachBlock(const CutPath& cut, double start_s, const std::function<void(const BlockFigures&)>& row);
+
+}  // namespace proveout

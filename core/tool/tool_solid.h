@@ -1,0 +1,26 @@
+// Tools as unions of convex solids of revolution: what is moved through the stock.
+#pragma once
+
+#include <vector>
+
+#include "core/tool/profile.h"
+#include "core/tool/tool.h"
+
+namespace proveout {
+
+/// The parts of a tool, tip at z = 0, each a convex solid of revolution about +z.
+struct ToolSolid {
+  /// What cuts: the union of these. One for every type whose outline is convex. Parts that meet overlap, so
+  /// that no gap opens between them by rounding; their element ids differ.
+  std::vector<ConvexProfile> cutter;
+  std::vector<ConvexProfile> shank;   ///< neck and shank: none, one or two
+  std::vector<ConvexProfile> holder;  ///< one per section of the polyline
+};
+
+/// Length of flutes that stands for "without limit", mm.
+inline constexpr double kUnlimitedFluteMm = 2000.0;
+
+/// Requires validateTool(tool).
+ToolSolid makeToolSolid(const Tool& tool);
+
+}  // namespace proveout
