@@ -97,12 +97,11 @@ class FieldBlank {
     out.reserve(edges.count);
     forEachEdge(edges, [&](int axis, int x, int y, int z) {
       const Vec3 start = impl_.position(leaf.origin.offsetBy(x, y, z));
-      const double t = field_.edgeCrossing(start, axis, impl_.h, leafSample(leaf.material, x, y, z));
-      const BlankSample s = field_.sample(start + Vec3::Unit(axis) * (t * impl_.h));
+      const auto hit = field_.edgeHit(start, axis, impl_.h, leafSample(leaf.material, x, y, z));
       Crossing c;
-      c.setPosition(t);
-      c.setNormal(s.normal);
-      c.element = static_cast<std::uint16_t>(s.face);
+      c.setPosition(hit.t);
+      c.setNormal(hit.normal);
+      c.element = static_cast<std::uint16_t>(hit.face);
       out.push_back(c);
     });
     return out;

@@ -40,10 +40,11 @@ class BoxField : public BlankField {
     for (int z = 0; z < 8; ++z) bits[z] = within(2, rowCoordinate(first.z(), z, h)) ? layer : 0;
     return bits;
   }
-  double edgeCrossing(const Vec3& start, int axis, double length, bool inside) const override {
+  EdgeHit edgeHit(const Vec3& start, int axis, double length, bool inside) const override {
     // Into the box through its lower face, out of it through the upper one.
     const double wall = inside ? box_.max[axis] : box_.min[axis];
-    return std::clamp((wall - start[axis]) / length, 0.0, 1.0);
+    return {std::clamp((wall - start[axis]) / length, 0.0, 1.0), Vec3::Unit(axis) * (inside ? 1.0 : -1.0),
+            2 * axis + (inside ? 1 : 0)};
   }
 
  private:
@@ -96,15 +97,18 @@ LeafBits BlankField::material(const Vec3& first, double h) const {
   return bits;
 }
 
-double BlankField::edgeCrossing(const Vec3& start, int axis, double length, bool inside) const {
-  const auto f = [&](double t) {
-    return (inside ? -1.0 : 1.0) * sample(start + Vec3::Unit(axis) * (t * length)).value;
-  };
+BlankField::EdgeHit BlankField::edgeHit(const Vec3& start, int axis, double length, bool inside) const {
+  const auto point = [&](double t) { return Vec3(start + Vec3::Unit(axis) * (t * length)); };
+  const auto f = [&](double t) { return (inside ? -1.0 : 1.0) * sample(point(t)).value; };
   const double at_start = f(0.0), at_end = f(1.0);
-  // Rounding may put an end on the other side by a hair.
-  if (at_start <= 0.0) return 0.0;
-  if (at_end >= 0.0) return 1.0;
-  return edgeRoot(f, 0.0, at_start, 1.0, at_end, 1e-9);
+  double t;
+  if (at_start <= 0.0) {  // rounding may put an end on the other side by a hair
+    t = 0.0;
+  } else {
+    t = at_end >= 0.0 ? 1.0 : edgeRoot(f, 0.0, at_start, 1.0, at_end, 1e-9);
+  }
+  const BlankSample s = sample(point(t));
+  return {t, s.normal, s.face};
 }
 
 Result<std::unique_ptr<BlankField>> makeBlankField(const BoxShape& s) {

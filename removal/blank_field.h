@@ -24,9 +24,14 @@ class BlankField {
 
   /// Sign of the samples first + (x, y, z) * h of a leaf: true where sample() is negative.
   virtual LeafBits material(const Vec3& first, double h) const;
-  /// Fraction of the edge from `start` over `length` along `axis` at which the surface crosses it. Requires
-  /// ends on different sides; `inside`: that of the start.
-  virtual double edgeCrossing(const Vec3& start, int axis, double length, bool inside) const;
+  /// Where the edge from `start` over `length` along `axis` meets the surface. Requires ends on different sides;
+  /// `inside`: that of the start.
+  struct EdgeHit {
+    double t;  ///< fraction of the edge
+    Vec3 normal;
+    int face;
+  };
+  virtual EdgeHit edgeHit(const Vec3& start, int axis, double length, bool inside) const;
 };
 
 /// Errors: non-finite or empty shapes.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace proveout {
 
@@ -10,6 +11,37 @@ namespace {
 
 /// Penetration that counts as contact, mm: below any gauge on a shop floor.
 constexpr double kContactToleranceMm = 1e-3;
+
+/// Transposes an 8x8 matrix of bits: bit y of byte z becomes bit z of byte y.
+std::uint64_t transposeBits(std::uint64_t x) {
+  std::uint64_t t = (x ^ x >> 7) & 0x00AA00AA00AA00AAull;
+  x ^= t ^ t << 7;
+  t = (x ^ x >> 14) & 0x0000CCCC0000CCCCull;
+  x ^= t ^ t << 14;
+  t = (x ^ x >> 28) & 0x00000000F0F0F0F0ull;
+  return x ^ t ^ t << 28;
+}
+
+void layersToColumns(const LeafBits& layers, unsigned char* columns) {
+  for (int x = 0; x < 8; ++x) {
+    std::uint64_t rows = 0;
+    for (int z = 0; z < 8; ++z) rows |= (layers[z] >> 8 * x & 0xFF) << 8 * z;
+    const std::uint64_t bytes = transposeBits(rows);
+    std::memcpy(columns + 8 * x, &bytes, 8);
+  }
+}
+
+void columnsToLayers(const unsigned char* columns, LeafBits& layers) {
+  layers = {};
+  for (int x = 0; x < 8; ++x) {
+    std::uint64_t bytes;
+    std::memcpy(&bytes, columns + 8 * x, 8);
+    const std::uint64_t rows = transposeBits(bytes);
+    for (int z = 0; z < 8; ++z) layers[z] |= (rows >> 8 * z & 0xFF) << 8 * x;
+  }
+}
+
+static_assert(std::endian::native == std::endian::little, "bytes of a word stand for columns in order");
 
 std::int64_t volumeUnits(double voxels) { return std::llround(voxels / kVolumeUnit); }
 
@@ -22,11 +54,7 @@ void LeafCutter::cut(LeafChange& change, std::span<const std::uint32_t> list) {
     apply(number);
     if (columns_.layers == 0) break;
   }
-  for (int z = 0; z < 8; ++z) {
-    std::uint64_t layer = 0;
-    for (int c = 0; c < 64; ++c) layer |= static_cast<std::uint64_t>(columns_.material[c] >> z & 1) << c;
-    change.material[z] = layer;
-  }
+  columnsToLayers(columns_.material, change.material);
 }
 
 void LeafCutter::start(const LeafChange& change) {
@@ -42,12 +70,13 @@ void LeafCutter::start(const LeafChange& change) {
     if (change.material[z] != 0) l.layers = z + 1;
   }
   if (l.layers == 0) return;
-  for (int c = 0; c < 64; ++c) {
-    const Vec3 at = impl_.position(origin_.offsetBy(c >> 3, c & 7, 0));
-    l.x[c] = at.x();
-    l.y[c] = at.y();
-    l.material[c] = 0;
-    for (int z = 0; z < 8; ++z) l.material[c] |= static_cast<unsigned char>((change.material[z] >> c & 1) << z);
+  layersToColumns(change.material, l.material);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 at = impl_.position(origin_.offsetBy(i, i, 0));
+    for (int k = 0; k < 8; ++k) {
+      l.x[8 * i + k] = at.x();
+      l.y[8 * k + i] = at.y();
+    }
   }
   const Vec3 middle = impl_.position(origin_) + Vec3::Constant(3.5 * impl_.h);
   box_ = {middle.x(), middle.y(), 3.5 * impl_.h, l.z[0], l.z[7]};

@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "core/base/parallel_for.h"
+#include "core/tool/tool_solid.h"
 #include "removal/leaf_crossings.h"
 #include "removal/leaf_cutter.h"
 #include "removal/threads.h"
