@@ -1,0 +1,168 @@
+// The column kernels against the exact swept distance: just above the lower end of an interval a point is inside,
+// just below it is outside, and where no interval is found nothing is inside. Every SIMD level gives the same bits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "core/tool/tool_solid.h"
+#include "removal/column_sweep.h"
+#include "removal/sweep.h"
+
+namespace proveout {
+namespace {
+
+/// Stated bound of the kernels with room for the reference's own (kSweepToleranceMm), mm.
+constexpr double kStep = 1e-5;
+
+/// Flat, ball, bull, cone and drill, and convex profiles that only unions are made of: undercut, round on top.
+std::vector<ConvexProfile> profiles() {
+  std::vector<ConvexProfile> out;
+  for (const char* text : {"1=flat:6", "2=ball:6", "3=bull:8:1.5", "4=cone:6:0.4:60", "5=drill:5:118",
+                           "6=cone:8:0:120", "7=bull:6:3"}) {
+    Tool tool = parseToolOption(text).value();
+    tool.flute_length = 15.0;
+    for (const ConvexProfile& p : makeToolSolid(tool).cutter) out.push_back(p);
+  }
+  ConvexProfile dovetail;
+  dovetail.start(0.0, 0.0);
+  dovetail.lineTo(5.0, 0.0);
+  dovetail.lineTo(3.0, 4.0);
+  dovetail.lineTo(0.0, 4.0);
+  out.push_back(dovetail);
+  ConvexProfile tooth;
+  tooth.start(0.0, 1.0);
+  tooth.lineTo(2.0, 1.0);
+  tooth.lineTo(3.0, 2.0);
+  tooth.lineTo(2.0, 3.0);
+  tooth.lineTo(0.0, 3.0);
+  out.push_back(tooth);
+  ConvexProfile lentil;  // round below and above
+  lentil.start(0.0, 0.0);
+  lentil.lineTo(3.0, 0.0);
+  lentil.arcTo(3.0, 1.0, 4.0, 1.0);
+  lentil.arcTo(3.0, 1.0, 3.0, 2.0);
+  lentil.lineTo(0.0, 2.0);
+  out.push_back(lentil);
+  return out;
+}
+
+struct Case {
+  ColumnSweep columns;
+  Sweep exact;
+};
+
+class Columns : public ::testing::Test {
+ protected:
+  double random(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  Vec3 point() { return {random(-8, 8), random(-8, 8), random(-4, 4)}; }
+
+  Case lineCase(const ConvexProfile& profile, const ColumnSolid& solid, int style) {
+    const Vec3 from = point();
+    Vec3 to = point();
+    if (style == 0) to.z() = from.z();
+    if (style == 1) to.head<2>() = from.head<2>();
+    if (style == 2) to = from + 1e-3 * (to - from);
+    if (style == 3) to.x() = from.x();
+    return {columnLine(solid, from, to), Sweep(profile, from, to, nullptr)};
+  }
+
+  Case arcCase(const ConvexProfile& profile, const ColumnSolid& solid) {
+    ArcGeometry arc;
+    arc.center = point();
+    arc.normal = random(0, 1) < 0.5 ? Vec3::UnitZ() : Vec3(-Vec3::UnitZ());
+    arc.sweep_rad = random(-6.5, 6.5);
+    const double radius = random(0.5, 9.0), start = random(0, 6.28);
+    const double end = start + arc.sweep_rad * arc.normal.z();
+    const Vec3 from = arc.center + Vec3(std::cos(start), std::sin(start), 0) * radius;
+    const Vec3 to = arc.center + Vec3(std::cos(end), std::sin(end), 0) * radius;
+    return {columnArc(solid, from, to, arc), Sweep(profile, from, to, &arc)};
+  }
+
+  void check(const Case& c) {
+    for (int i = 0; i < 64; ++i) x_[i] = random(-14, 14), y_[i] = random(-14, 14);
+    columnKernels().columns(c.columns, x_, y_, 64, lo_, hi_);
+    for (int i = 0; i < 64; ++i) {
+      const auto at = [&](double z) { return c.exact.distance({x_[i], y_[i], z}, 1e300); };
+      if (lo_[i] >= hi_[i]) {
+        for (double z = -8; z < 22; z += 1.3) ASSERT_GT(at(z), -kStep) << x_[i] << ' ' << y_[i] << ' ' << z;
+        continue;
+      }
+      ++intervals_;
+      ASSERT_GT(at(lo_[i] - kStep), -2 * kSweepToleranceMm) << i;
+      ASSERT_GT(at(hi_[i] + kStep), -2 * kSweepToleranceMm) << i;
+      const double inner = std::min(kStep, 0.5 * (hi_[i] - lo_[i]));
+      ASSERT_LT(at(lo_[i] + inner), 2 * kSweepToleranceMm) << i;
+      ASSERT_LT(at(hi_[i] - inner), 2 * kSweepToleranceMm) << i;
+      ASSERT_LT(at(0.5 * (lo_[i] + hi_[i])), 2 * kSweepToleranceMm) << i;
+    }
+  }
+
+  std::mt19937 engine_{7};
+  double x_[64], y_[64], lo_[64], hi_[64];
+  int intervals_ = 0;
+};
+
+TEST_F(Columns, LinesMatchTheExactDistance) {
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 60; ++i) {
+      ASSERT_NO_FATAL_FAILURE(check(lineCase(profile, solid, i % 8)));
+    }
+  }
+  EXPECT_GT(intervals_, 3000);
+}
+
+TEST_F(Columns, LevelArcsMatchTheExactDistance) {
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 60; ++i) ASSERT_NO_FATAL_FAILURE(check(arcCase(profile, solid)));
+  }
+  EXPECT_GT(intervals_, 3000);
+}
+
+std::vector<ColumnKernels> levels() {
+  std::vector<ColumnKernels> out = {baselineKernels()};
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) out.push_back(avx2Kernels());
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    out.push_back(avx512Kernels());
+#endif
+  return out;
+}
+
+TEST_F(Columns, EveryLevelGivesTheSameBits) {
+  if (levels().size() == 1) GTEST_SKIP() << "this machine has the baseline level only";
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int round = 0; round < 40; ++round) {
+      const Case c = round % 4 == 3 ? arcCase(profile, solid) : lineCase(profile, solid, round % 8);
+      LeafColumns start{};
+      for (int i = 0; i < 64; ++i) {
+        start.x[i] = random(-6, 6), start.y[i] = random(-6, 6);
+        start.material[i] = 255, start.top[i] = 8.0;
+      }
+      for (int z = 0; z < 8; ++z) start.z[z] = z;
+      start.h = 1.0;
+      start.layers = 8;
+      LeafColumns first = start;
+      const double sunk = levels()[0].leaf(c.columns, first);
+      for (const ColumnKernels& level : levels()) {
+        LeafColumns other = start;
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(level.leaf(c.columns, other)), std::bit_cast<std::uint64_t>(sunk));
+        for (int i = 0; i < 64; ++i) {
+          ASSERT_EQ(std::bit_cast<std::uint64_t>(other.lo[i]), std::bit_cast<std::uint64_t>(first.lo[i])) << level.name;
+          ASSERT_EQ(std::bit_cast<std::uint64_t>(other.hi[i]), std::bit_cast<std::uint64_t>(first.hi[i])) << level.name;
+          ASSERT_EQ(other.covered[i], first.covered[i]) << level.name;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace proveout
