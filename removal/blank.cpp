@@ -13,8 +13,6 @@ namespace proveout {
 
 namespace {
 
-using openvdb::Coord;
-
 /// Blocks of the blank are found by halving a cube of this many voxels (a power of two times 8).
 int rootSize(const Coord& low, const Coord& high) {
   int size = 8;
@@ -89,7 +87,7 @@ class FieldBlank {
   void fillInside(const Coord& origin, int size) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const Coord first = leafCoord(origin);
-    impl_.index->fill(openvdb::CoordBBox(first, first.offsetBy(size / 8 - 1)), Stock::Impl::kInside, false);
+    impl_.index.fill(first, first.offsetBy(size / 8 - 1), LeafIndex::kInside);
   }
 
   std::vector<Crossing> crossings(const LeafChange& leaf, const LeafEdges& edges) const {

@@ -1,5 +1,6 @@
 // The blank as a grid, from a closed mesh.
 #include <fmt/format.h>
+#include <openvdb/openvdb.h>
 #include <openvdb/tools/MeshToVolume.h>
 
 #include <Eigen/Geometry>
@@ -13,7 +14,8 @@ namespace proveout {
 
 namespace {
 
-using openvdb::Coord;
+Coord fromVdb(const openvdb::Coord& c) { return {c.x(), c.y(), c.z()}; }
+openvdb::Coord toVdb(const Coord& c) { return {c.x(), c.y(), c.z()}; }
 
 /// Voxels on either side of the surface that the rasteriser fills: a cell that the surface crosses has its
 /// corners within sqrt(3) of it, and the search for the nearest triangle looks one further.
@@ -74,6 +76,7 @@ class MeshBlank {
   MeshBlank(Stock::Impl& impl, const TriMesh& mesh) : impl_(impl), mesh_(mesh) {}
 
   Status build() {
+    openvdb::initialize();
     nearest_ = openvdb::Int32Grid::create(-1);
     const auto unit = openvdb::math::Transform::createLinearTransform(1.0);
     // Distances come in voxels: the adapter works in index space and the transform is the identity.
@@ -83,7 +86,7 @@ class MeshBlank {
     std::vector<LeafChange> changes;
     for (auto it = grid_->tree().cbeginLeaf(); it; ++it) {
       LeafChange change;
-      change.origin = it->origin();
+      change.origin = fromVdb(it->origin());
       for (int v = 0; v < 512; ++v) {
         if (it->getValue(v) < 0.0f) change.material[v & 7] |= 1ull << (v >> 3);
       }
@@ -101,8 +104,7 @@ class MeshBlank {
       if (it.getLevel() == 0 || it.getValue() >= 0.0f) continue;
       openvdb::CoordBBox box;
       it.getBoundingBox(box);
-      impl_.index->fill(openvdb::CoordBBox(leafCoord(box.min()), leafCoord(box.max())), Stock::Impl::kInside,
-                        false);
+      impl_.index.fill(leafCoord(fromVdb(box.min())), leafCoord(fromVdb(box.max())), LeafIndex::kInside);
     }
   }
 
@@ -113,8 +115,8 @@ class MeshBlank {
     out.reserve(edges.count);
     forEachEdge(edges, [&](int axis, int x, int y, int z) {
       const Coord at = leaf.origin.offsetBy(x, y, z);
-      out.push_back(crossing(nearest, at, axis, distance.getValue(at),
-                             distance.getValue(at.offsetBy(axis == 0, axis == 1, axis == 2))));
+      out.push_back(crossing(nearest, at, axis, distance.getValue(toVdb(at)),
+                             distance.getValue(toVdb(at.offsetBy(axis == 0, axis == 1, axis == 2)))));
     });
     return out;
   }
@@ -133,7 +135,7 @@ class MeshBlank {
         near = at;
         near[axis] += 2;
       }
-      const int candidate = nearest.getValue(near);
+      const int candidate = nearest.getValue(toVdb(near));
       if (candidate < 0) continue;
       const double t = hitTriangle(mesh_, candidate, start, step);
       if (t < 0.0) continue;
@@ -145,7 +147,7 @@ class MeshBlank {
     }
     if (triangle < 0) {
       best = d0 / (d0 - d1);
-      triangle = nearest.getValue(d0 < 0.0f ? at : at.offsetBy(axis == 0, axis == 1, axis == 2));
+      triangle = nearest.getValue(toVdb(d0 < 0.0f ? at : at.offsetBy(axis == 0, axis == 1, axis == 2)));
     }
     const Vec3 n =
         triangle >= 0 ? triangleNormal(mesh_, triangle) : Vec3(Vec3::Unit(axis) * (d0 < d1 ? 1.0 : -1.0));

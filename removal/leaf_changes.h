@@ -11,17 +11,17 @@
 namespace proveout {
 
 struct LeafChange {
-  openvdb::Coord origin;
+  Coord origin;
   LeafBits material{};              ///< new samples
   LeafEdges before;                 ///< crossed edges until now
 };
 
 /// Reads what a leaf is now: a change with equal samples.
-LeafChange readLeaf(const LeafReader& reader, const openvdb::Coord& origin);
+LeafChange readLeaf(const LeafReader& reader, const Coord& origin);
 
 /// Writes the changes into the stock. `changes` must hold, once, every leaf of whose 9x9x9 block a sample changes.
-/// `find(i, edges, before)` is called in parallel for every changed leaf that is mixed and returns the crossings
-/// of `edges` in order; `before` are the crossings of changes[i].before. The result does not depend on the order
+/// `find(i, edges, before)` is called in parallel for every changed leaf and returns the crossings of `edges` in
+/// order (none for a leaf that is not mixed any more); `before` are the crossings of changes[i].before. The result does not depend on the order
 /// of `changes`.
 using FindCrossings = std::function<std::vector<Crossing>(std::size_t i, const LeafEdges& edges,
                                                           const std::vector<Crossing>& before)>;

@@ -13,6 +13,9 @@ namespace {
 /// first pass that made them.
 constexpr double kShorter = 1e-7;
 
+/// How far behind an old crossing material is looked for, as a fraction of the edge: thinner films are not spoken of.
+constexpr double kFilm = 0.02;
+
 /// Normal of the ball's sphere at `p`, where that is the surface; false on the flank.
 bool ballNormal(const Pass& pass, const Vec3& p, Vec3& normal) {
   const ColumnSweep& c = pass.columns;
@@ -52,6 +55,54 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   return out;
 }
 
+CrossingFinder::LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edges,
+                                                  const std::vector<Crossing>& before,
+                                                  std::span<const std::uint32_t> list) {
+  x_.clear();
+  y_.clear();
+  z_.clear();
+  std::size_t next = 0;
+  forEachEdge(change.before, [&](int axis, int x, int y, int z) {
+    const Crossing& old = before[next++];
+    if (edges.isCrossed(axis, x, y, z) || leafSample(change.material, x, y, z)) return;
+    Vec3 p = impl_.position(change.origin.offsetBy(x, y, z));
+    p[axis] += (old.normal[axis] > 0 ? std::max(0.0, old.t - kFilm) : std::min(1.0, old.t + kFilm)) * impl_.h;
+    x_.push_back(p.x());
+    y_.push_back(p.y());
+    z_.push_back(p.z());
+  });
+  const Vec3 middle = impl_.position(change.origin) + Vec3::Constant(4.0 * impl_.h);
+  const BlockBox box{middle.x(), middle.y(), 4.0 * impl_.h, middle.z() - 4.0 * impl_.h, middle.z() + 4.0 * impl_.h};
+  for (const std::uint32_t number : list) {
+    if (x_.empty()) break;
+    const Pass& pass = table_.passes[number];
+    if (pass.part == ToolPart::kCutter && reachIn(pass, box) < box.z_high) dropCovered(pass);
+  }
+  LostFilm lost;
+  lost.edges = static_cast<int>(x_.size());
+  if (!x_.empty()) lost.where = Vec3(x_[0], y_[0], z_[0]);
+  return lost;
+}
+
+/// Takes the points that the pass covers out of the lists.
+void CrossingFinder::dropCovered(const Pass& pass) {
+  std::size_t kept = 0;
+  const std::size_t size = x_.size();
+  for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize((size + 7) & ~std::size_t{7});
+  for (std::size_t first = 0; first < size; first += kMaxColumns) {
+    const std::size_t count = std::min<std::size_t>(kMaxColumns, size - first);
+    kernel_(pass.columns, &x_[first], &y_[first], static_cast<int>(count), lo_.data(), hi_.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      const double z = z_[first + i];
+      if (lo_[i] < z && z < hi_[i]) continue;
+      x_[kept] = x_[first + i];
+      y_[kept] = y_[first + i];
+      z_[kept++] = z;
+    }
+  }
+  for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize(kept);
+}
+
 void CrossingFinder::collect(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before) {
   edges_.clear();
   forEachEdge(edges, [&](int axis, int x, int y, int z) {
@@ -59,7 +110,7 @@ void CrossingFinder::collect(const LeafChange& change, const LeafEdges& edges, c
     e.axis = static_cast<std::int8_t>(axis);
     const bool start_in = leafSample(change.material, x, y, z);
     e.forward = start_in ? 1 : -1;
-    openvdb::Coord at = change.origin.offsetBy(x, y, z);
+    Coord at = change.origin.offsetBy(x, y, z);
     if (!start_in) ++at[axis];
     e.a = impl_.position(at);
     if (change.before.isCrossed(axis, x, y, z)) {

@@ -21,6 +21,15 @@ class CrossingFinder {
   std::vector<Crossing> find(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before,
                              std::span<const std::uint32_t> list);
 
+  /// Material that the grid loses: edges whose old crossing is gone although no pass in `list` took the material next
+  /// to it. What is left there is thinner than a cell.
+  struct LostFilm {
+    int edges = 0;
+    Vec3 where = Vec3::Zero();  ///< on the first of them, mm
+  };
+  LostFilm findLost(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before,
+                    std::span<const std::uint32_t> list);
+
  private:
   static constexpr std::uint32_t kOld = 0xFFFFFFFFu;
   struct Edge {
@@ -38,6 +47,7 @@ class CrossingFinder {
   void placeProbe(std::size_t i);
   void tryPass(std::uint32_t number, std::size_t first, std::size_t count);
   void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
+  void dropCovered(const Pass& pass);
   Crossing crossing(const Edge& edge, const std::vector<Crossing>& before) const;
 
   const Stock::Impl& impl_;

@@ -59,7 +59,7 @@ class LeafCutter {
   const PassTable& table_;
   LeafReader reader_;
   LeafKernel kernel_;
-  openvdb::Coord origin_;
+  Coord origin_;
   BlockBox box_{};
   LeafColumns columns_{};
   std::vector<std::pair<MotionId, std::int64_t>> removed_;

@@ -21,8 +21,6 @@ namespace proveout {
 
 namespace {
 
-using openvdb::Coord;
-
 /// Curved motions are cut as chords that lie this close to them, mm: far below the smallest error that the surface
 /// has elsewhere. Level arcs of one radius have a closed form and need none.
 constexpr double kChordMm = 5e-5;
@@ -78,6 +76,7 @@ class Remover {
   void visit(const Coord& origin, int size, const List& candidates);
   List cull(const Coord& origin, int size, const List& candidates) const;
   void leaf(const Coord& origin, List passes);
+  void addLost(RemovalSummary& out) const;
 
   Stock::Impl& impl_;
   const Toolpath& path_;
@@ -89,6 +88,7 @@ class Remover {
   tbb::enumerable_thread_specific<LeafCutter> cutters_;
   tbb::enumerable_thread_specific<CrossingFinder> finders_;
   tbb::concurrent_vector<ContactSample> contacts_;
+  tbb::concurrent_vector<CrossingFinder::LostFilm> lost_;
   std::mutex mutex_;
   std::vector<LeafChange> changes_;
   std::vector<List> lists_;  ///< passes of each change
@@ -180,7 +180,7 @@ Status Remover::run() {
     high[axis] = static_cast<int>(std::ceil((impl_.blank.max[axis] - impl_.origin[axis]) / impl_.h)) + 1;
   }
   int size = 8;
-  while (size <= (high - low)[openvdb::math::MaxIndex(high - low)]) size *= 2;
+  while (size <= std::max({high.x() - low.x(), high.y() - low.y(), high.z() - low.z()})) size *= 2;
   List all(table_.passes.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   total_blocks_ = std::pow(size / 8.0, 3);
@@ -189,7 +189,12 @@ Status Remover::run() {
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   commitChanges(impl_, changes_, [this](std::size_t i, const LeafEdges& edges, const auto& before) {
     std::vector<Crossing> found;
-    if (!progress_.cancelled()) found = finders_.local().find(changes_[i], edges, before, lists_[i]);
+    if (!progress_.cancelled()) {
+      CrossingFinder& finder = finders_.local();
+      const CrossingFinder::LostFilm lost = finder.findLost(changes_[i], edges, before, lists_[i]);
+      if (lost.edges > 0) lost_.push_back(lost);
+      found = finder.find(changes_[i], edges, before, lists_[i]);
+    }
     List().swap(lists_[i]);
     return found;
   });
@@ -252,8 +257,21 @@ void Remover::leaf(const Coord& origin, List passes) {
   lists_.push_back(std::move(passes));
 }
 
+void Remover::addLost(RemovalSummary& out) const {
+  const auto before = [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  std::uint64_t edges = 0;
+  for (const CrossingFinder::LostFilm& lost : lost_) {
+    if (edges == 0 || before(lost.where, out.lost_film_at)) out.lost_film_at = lost.where;
+    edges += static_cast<std::uint64_t>(lost.edges);
+  }
+  out.lost_film_mm2 = static_cast<double>(edges) * impl_.h * impl_.h;
+}
+
 RemovalSummary Remover::summary() const {
   RemovalSummary out;
+  addLost(out);
   out.voxel_evaluations = evaluations_;
   const double unit = kVolumeUnit * impl_.h * impl_.h * impl_.h;
   out.removed_mm3.reserve(removed_.size());

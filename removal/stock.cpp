@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <mutex>
 #include <string>
+#include <utility>
 
 #include "removal/stock_impl.h"
 #include "removal/threads.h"
 
 namespace proveout {
-
-using openvdb::Coord;
 
 std::string_view contactKindName(ContactKind kind) {
   switch (kind) {
@@ -142,14 +140,35 @@ bool isMixed(const LeafReader& reader, const Coord& origin) {
   return false;
 }
 
-void makeIndex(Stock::Impl& impl) { impl.index = openvdb::Int32Grid::create(Stock::Impl::kOutside); }
+namespace {
+
+/// Leaves that hold the blank, with room for the layers around it that the block of a leaf reaches into.
+std::pair<Coord, Coord> indexRoom(const Stock::Impl& impl) {
+  Coord low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = static_cast<int>(std::floor((impl.blank.min[axis] - impl.origin[axis]) / impl.h)) / 8 - 3;
+    high[axis] = static_cast<int>(std::ceil((impl.blank.max[axis] - impl.origin[axis]) / impl.h)) / 8 + 3;
+  }
+  return {low, high};
+}
+
+}  // namespace
+
+void makeIndex(Stock::Impl& impl) {
+  const auto [low, high] = indexRoom(impl);
+  impl.index.reset(low, high);
+}
+
+double indexBytes(const Stock::Impl& impl) {
+  const auto [low, high] = indexRoom(impl);
+  return LeafIndex::bytesFor(low, high);
+}
 
 void renumberLeaves(Stock::Impl& impl) {
   std::sort(impl.leaves.begin(), impl.leaves.end(),
             [](const StockLeaf& a, const StockLeaf& b) { return a.origin < b.origin; });
-  auto write = impl.index->getAccessor();
   for (std::size_t i = 0; i < impl.leaves.size(); ++i) {
-    write.setValue(leafCoord(impl.leaves[i].origin), static_cast<std::int32_t>(i));
+    impl.index.set(leafCoord(impl.leaves[i].origin), static_cast<std::int32_t>(i));
   }
 }
 
@@ -159,8 +178,6 @@ Stock::Stock(Stock&&) noexcept = default;
 Stock& Stock::operator=(Stock&&) noexcept = default;
 
 Result<Stock> Stock::create(const StockShape& shape, const RemovalOptions& options, Progress& progress) {
-  static std::once_flag once;
-  std::call_once(once, [] { openvdb::initialize(); });
   const ThreadLimit limit(options.threads);
   Stock stock;
   stock.impl_ = std::make_unique<Impl>();
@@ -174,6 +191,8 @@ Result<Stock> Stock::create(const StockShape& shape, const RemovalOptions& optio
     stock.impl_->h = options.resolution_mm;
     stock.impl_->origin = kGridShift * options.resolution_mm;
     stock.impl_->blank = bounds;
+    if (const double bytes = indexBytes(*stock.impl_), limit = memoryLimit(options); bytes > limit)
+      return memoryError(bytes, limit, options.resolution_mm);
     makeIndex(*stock.impl_);
     if (Status status = buildBlank(*stock.impl_, shape, options, progress); !status) return status.error();
   } catch (const std::bad_alloc&) {

@@ -2,6 +2,7 @@
 // crossings as grids of fraction, normal, motion and element, from which it is loaded again without loss.
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,10 @@ namespace proveout {
 
 namespace {
 
-using openvdb::Coord;
+
+Coord fromVdb(const openvdb::Coord& c) { return {c.x(), c.y(), c.z()}; }
+openvdb::Coord toVdb(const Coord& c) { return {c.x(), c.y(), c.z()}; }
+
 constexpr char kSchema[] = "proveout.stock/2";
 constexpr const char* kAxisName[3] = {"x", "y", "z"};
 
@@ -43,7 +47,7 @@ CrossingGrids packAxis(const Stock::Impl& impl, int axis) {
     forEachEdge(reader.edges(leaf), [&](int edge_axis, int x, int y, int z) {
       const Crossing& c = leaf.crossings[next++];
       if (edge_axis != axis) return;
-      const Coord at = leaf.origin.offsetBy(x, y, z);
+      const openvdb::Coord at = toVdb(leaf.origin.offsetBy(x, y, z));
       t.setValue(at, c.t);
       normal.setValue(at, openvdb::Vec3s(c.normal[0], c.normal[1], c.normal[2]) / float{Crossing::kNormalScale});
       motion.setValue(at, static_cast<std::int32_t>(c.motion));
@@ -61,21 +65,19 @@ CrossingGrids packAxis(const Stock::Impl& impl, int axis) {
 openvdb::FloatGrid::Ptr packDistance(const Stock::Impl& impl) {
   const auto band = static_cast<float>(impl.h);
   auto grid = openvdb::FloatGrid::create(band);
-  for (auto it = impl.index->cbeginValueAll(); it; ++it) {
-    if (it.getValue() != Stock::Impl::kInside) continue;
-    openvdb::CoordBBox box;
-    it.getBoundingBox(box);
-    const Coord low(box.min().x() * 8, box.min().y() * 8, box.min().z() * 8);
-    const Coord high(box.max().x() * 8 + 7, box.max().y() * 8 + 7, box.max().z() * 8 + 7);
-    grid->fill(openvdb::CoordBBox(low, high), -band, false);
-  }
+  impl.index.forEachBox(LeafIndex::kInside, [&](const Coord& low, const Coord& high) {
+    grid->fill(openvdb::CoordBBox(openvdb::Coord(low.x() * 8, low.y() * 8, low.z() * 8),
+                                  openvdb::Coord(high.x() * 8 + 7, high.y() * 8 + 7, high.z() * 8 + 7)),
+               -band, false);
+  });
   auto write = grid->getAccessor();
   for (const StockLeaf& leaf : impl.leaves) {
-    auto* node = grid->tree().touchLeaf(leaf.origin);
+    auto* node = grid->tree().touchLeaf(toVdb(leaf.origin));
     for (int v = 0; v < 512; ++v) node->setValueOff(v, leafSample(leaf.material, v >> 6, v >> 3 & 7, v & 7) ? -band : band);
   }
   const LeafReader reader(impl);
-  const auto bring = [&](const Coord& at, float distance) {
+  const auto bring = [&](const Coord& voxel, float distance) {
+    const openvdb::Coord at = toVdb(voxel);
     const float old = write.getValue(at);
     if (distance < std::abs(old) || !write.isValueOn(at)) write.setValue(at, old < 0.0f ? -distance : distance);
   };
@@ -108,11 +110,12 @@ void unpackDistance(const openvdb::FloatGrid& grid, Stock::Impl& impl) {
     if (it.getLevel() == 0 || it.getValue() >= 0.0f) continue;
     openvdb::CoordBBox box;
     it.getBoundingBox(box);
-    impl.index->fill(openvdb::CoordBBox(leafCoord(box.min()), leafCoord(box.max())), Stock::Impl::kInside, false);
+    impl.index.fill(leafCoord(fromVdb(box.min())), leafCoord(fromVdb(box.max())), LeafIndex::kInside);
   }
   for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
     StockLeaf& out = impl.leaves.emplace_back();
-    out.origin = leaf->origin();
+    out.origin = fromVdb(leaf->origin());
+    if (!impl.index.holds(leafCoord(out.origin))) throw std::runtime_error("it reaches out of its blank");
     for (int v = 0; v < 512; ++v) {
       if (leaf->getValue(v) < 0.0f) out.material[v & 7] |= 1ull << (v >> 3);
     }
@@ -127,7 +130,8 @@ struct CrossingReader {
         motion(readGrid<openvdb::Int32Grid>(file, fmt::format("crossing_{}_motion", kAxisName[axis]))),
         element(readGrid<openvdb::Int32Grid>(file, fmt::format("crossing_{}_element", kAxisName[axis]))) {}
 
-  Crossing read(const Coord& at) const {
+  Crossing read(const Coord& voxel) const {
+    const openvdb::Coord at = toVdb(voxel);
     Crossing c;
     c.t = t->getConstUnsafeAccessor().getValue(at);
     const auto v = normal->getConstUnsafeAccessor().getValue(at);
@@ -243,6 +247,7 @@ Status Stock::save(const std::string& path) const {
   const std::string aside = path + ".part";
   std::error_code ignored;
   try {
+    openvdb::initialize();
     openvdb::GridPtrVec grids;
     grids.push_back(packDistance(*impl_));
     for (int axis = 0; axis < 3; ++axis) {
@@ -269,6 +274,7 @@ Status Stock::save(const std::string& path) const {
 Status loadStock(Stock::Impl& impl, const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) return inputError(path + ": no such stock file");
   try {
+    openvdb::initialize();
     checkTrailer(path);
     openvdb::io::File file(path);
     file.open();

@@ -1,14 +1,14 @@
 // Inside of Stock: which leaves the surface crosses, the samples there as bits, and the exact crossings.
-// Only for the .cpp files of the stock; pulls in OpenVDB.
+// Only for the .cpp files of the stock.
 #pragma once
-
-#include <openvdb/openvdb.h>
 
 #include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "removal/coord.h"
 #include "removal/leaf_bits.h"
+#include "removal/leaf_index.h"
 #include "removal/stock.h"
 
 namespace proveout {
@@ -39,7 +39,7 @@ static_assert(sizeof(Crossing) == 16);
 /// A leaf whose block of 9x9x9 samples (its own and the first layer of its upper neighbours) is not all one
 /// side. Edge (axis, x, y, z) runs from that sample of the leaf to the next along the axis.
 struct StockLeaf {
-  openvdb::Coord origin;             ///< voxel of its first sample, a multiple of 8
+  Coord origin;             ///< voxel of its first sample, a multiple of 8
   LeafBits material{};
   std::vector<Crossing> crossings;   ///< one an edge that is crossed, sorted by axis, then z, then leafBit
 };
@@ -75,42 +75,39 @@ void forEachEdge(const LeafEdges& edges, Body&& body) {
 LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& next);
 
 struct Stock::Impl {
-  static constexpr std::int32_t kOutside = -1, kInside = -2;
-
   double h = 0.0;               ///< grid spacing, mm
   Vec3 origin = Vec3::Zero();   ///< position of voxel (0, 0, 0), mm
-  /// One voxel a leaf (its coordinate: voxel / 8): number in `leaves`, or kOutside (background), or kInside.
-  openvdb::Int32Grid::Ptr index;
+  LeafIndex index;              ///< numbers in `leaves`
   std::vector<StockLeaf> leaves;  ///< sorted by origin
   double initial_volume = 0.0;    ///< mm3
   Box3 blank;
 
-  Vec3 position(const openvdb::Coord& c) const {
+  Vec3 position(const Coord& c) const {
     return {origin.x() + c.x() * h, origin.y() + c.y() * h, origin.z() + c.z() * h};
   }
 };
 
 /// Voxel of the index that stands for the leaf at `origin`.
-inline openvdb::Coord leafCoord(const openvdb::Coord& origin) {
+inline Coord leafCoord(const Coord& origin) {
   return {origin.x() >> 3, origin.y() >> 3, origin.z() >> 3};
 }
 
-/// Reads leaves by their place; one object a thread (it caches a path into the index).
+/// Reads leaves by their place.
 class LeafReader {
  public:
-  explicit LeafReader(const Stock::Impl& impl) : impl_(impl), index_(impl.index->getConstUnsafeAccessor()) {}
+  explicit LeafReader(const Stock::Impl& impl) : impl_(impl) {}
   /// `origin`: voxel of the leaf's first sample.
-  std::int32_t state(const openvdb::Coord& origin) const {
-    return index_.getValue(leafCoord(origin));
+  std::int32_t state(const Coord& origin) const {
+    return impl_.index.get(leafCoord(origin));
   }
-  const StockLeaf* leaf(const openvdb::Coord& origin) const {
+  const StockLeaf* leaf(const Coord& origin) const {
     const std::int32_t s = state(origin);
     return s >= 0 ? &impl_.leaves[static_cast<std::size_t>(s)] : nullptr;
   }
-  const LeafBits& bits(const openvdb::Coord& origin) const {
+  const LeafBits& bits(const Coord& origin) const {
     const std::int32_t s = state(origin);
     if (s >= 0) return impl_.leaves[static_cast<std::size_t>(s)].material;
-    return s == Stock::Impl::kInside ? kAllInside : kAllOutside;
+    return s == LeafIndex::kInside ? kAllInside : kAllOutside;
   }
   LeafEdges edges(const StockLeaf& leaf) const {
     return leafEdges(leaf.material, {&bits(leaf.origin.offsetBy(8, 0, 0)), &bits(leaf.origin.offsetBy(0, 8, 0)),
@@ -119,11 +116,10 @@ class LeafReader {
 
  private:
   const Stock::Impl& impl_;
-  openvdb::Int32Grid::ConstUnsafeAccessor index_;
 };
 
 /// Whether the 9x9x9 block of the leaf at `origin` holds both sides.
-bool isMixed(const LeafReader& reader, const openvdb::Coord& origin);
+bool isMixed(const LeafReader& reader, const Coord& origin);
 
 /// Sorts `leaves` by origin and writes their numbers into the index.
 void renumberLeaves(Stock::Impl& impl);
@@ -138,8 +134,10 @@ Status buildMeshBlank(Stock::Impl& impl, const MeshShape& shape, const RemovalOp
 /// Reads what Stock::save wrote.
 Status loadStock(Stock::Impl& impl, const std::string& path);
 
-/// An empty index.
+/// An empty index with room for the blank; h, origin and blank must be set.
 void makeIndex(Stock::Impl& impl);
+/// Bytes that this index takes at the least.
+double indexBytes(const Stock::Impl& impl);
 
 /// Bytes that `leaves` leaves take in memory, with crossings and bookkeeping (measured: see
 /// docs/architecture.md).

@@ -87,6 +87,23 @@ TEST(Contacts, ShankAndHolderInADeepSlot) {
   EXPECT_TRUE(found);  // at z = -14 the holder's face is at -2, 10 mm around the axis
 }
 
+TEST(LostFilm, FloorThinnerThanACellIsReported) {
+  PathMaker p;
+  p.line({-10, 15, -19.7}, {50, 15, -19.7});
+  const Cut c = cut(kBlank, p.path(), {tool("1=flat:6")}, 1.0);  // 0.3 mm are left on a grid of 1 mm
+  EXPECT_NEAR(c.summary.lost_film_mm2, 40 * 6, 0.2 * 40 * 6);
+  EXPECT_NEAR(c.summary.lost_film_at.z(), -20.0, 0.05);
+}
+
+TEST(LostFilm, NothingIsLostWhereTheGridHoldsEverything) {
+  PathMaker p;
+  p.line({-10, 15, -19.7}, {50, 15, -19.7}).line({50, 15, -19.7}, {50, 15, -21}).line({50, 15, -21}, {-10, 15, -21});
+  EXPECT_EQ(cut(kBlank, p.path(), {tool("1=flat:6")}, 1.0).summary.lost_film_mm2, 0.0);
+  PathMaker shallow;
+  shallow.line({-10, 15, -5}, {50, 15, -5});
+  EXPECT_EQ(cut(kBlank, shallow.path(), {tool("1=ball:6")}, 0.5).summary.lost_film_mm2, 0.0);
+}
+
 TEST(Provenance, EveryTriangleKnowsItsMotion) {
   const Cut c = cut(kBlank, slotWithRapids(), {tool("1=flat:6")}, 0.25);
   for (std::size_t i = 0; i < c.mesh.triangles.size(); ++i) {
