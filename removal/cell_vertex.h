@@ -1,7 +1,6 @@
 // Where the surface's vertex lies in a cell, from the exact crossings and normals of one sheet.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 
@@ -16,26 +15,23 @@ struct SheetPoint {
   std::uint64_t face;  ///< equal for crossings of one smooth surface (motion and element)
 };
 
-/// A vertex and the normals that the smooth faces meeting in its cell have there.
+/// A vertex in units of the cell.
 struct CellVertex {
-  static constexpr int kMaxFaces = 4;
-  Vec3 p = Vec3::Zero();  ///< units of the cell, inside the room that it was given
-  bool smooth = false;    ///< one smooth surface runs through the cell
-  bool cramped = false;   ///< no point of the room comes near all faces
-  int faces = 0;
-  std::array<std::uint64_t, kMaxFaces> face{};
-  std::array<Vec3, kMaxFaces> normal{};
-
-  /// Normal of the given face at the vertex; `fallback` where the cell did not see that face.
-  const Vec3& normalOf(std::uint64_t id, const Vec3& fallback) const;
+  Vec3 p = Vec3::Zero();       ///< on the surface; up to kVertexReach outside the cell
+  Vec3 inside = Vec3::Zero();  ///< inside the cell, as near to the surface as can be; p where p is inside
+  bool smooth = false;         ///< one smooth surface runs through the cell
+  bool outside = false;        ///< p is outside the cell
 };
+
+/// How far creases and corners are followed out of the cell (in cells), where no fold comes of it.
+inline constexpr double kVertexReach = 1.5;
 
 /// On one smooth face: the mean of the crossings, put onto the surface by the rule that the chord between two
 /// points of a sphere or cylinder is at right angles to the sum of their normals (third order on other
-/// surfaces). Where faces meet: the point of their tangent planes nearest to the mean (edges and corners stay
-/// sharp).
-/// `room`, which holds the cell (0..1), bounds the vertex: it may reach into neighbours without surface, so
-/// that a tip that pokes through a wall of the cell is not cut off.
-CellVertex placeVertex(std::span<const SheetPoint> points, const Box3& room);
+/// surfaces). Where faces meet: the point nearest to the mean where the faces, taken as quadratic surfaces
+/// with the curvature that their normals show, meet (edges and corners stay sharp). A crease or corner may
+/// clip the cell's edges and yet lie outside it.
+/// Where the tangent planes of one face lean widely and meet in a point, that is its apex.
+CellVertex placeVertex(std::span<const SheetPoint> points);
 
 }  // namespace proveout

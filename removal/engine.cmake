@@ -12,6 +12,7 @@ proveout_add_library(removal
   column_avx2.cpp
   column_avx512.cpp
   leaf_changes.cpp
+  leaf_index.cpp
   leaf_cutter.cpp
   leaf_crossings.cpp
   level_cut.cpp
@@ -19,7 +20,12 @@ proveout_add_library(removal
   cell_vertex.cpp
   quad_volume.cpp
   surface.cpp
-  surface_grid.cpp)
+  surface_clusters.cpp
+  surface_faults.cpp
+  surface_grid.cpp
+  surface_merge.cpp
+  surface_quads.cpp
+  surface_splits.cpp)
 target_link_libraries(proveout_removal PUBLIC proveout::core PRIVATE proveout_openvdb TBB::tbb fmt::fmt)
 
 # One source for every SIMD level, chosen at run time. No option here may change a result: no contraction, no

@@ -30,4 +30,18 @@ std::uint64_t mixedBits(Words... words) {
   return (words | ...) & ~(words & ...);
 }
 
+/// Faces of cells, towards the next along x, y and z, that the surface crosses.
+inline std::array<LeafBits, 3> crossedFaces(const BlockBits& bits) {
+  std::array<LeafBits, 3> faces;
+  std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
+  for (int z = 0; z < 8; ++z) {
+    const std::array<std::uint64_t, 4> high = cornerLayer(bits, z + 1);
+    faces[0][z] = mixedBits(low[1], low[3], high[1], high[3]);
+    faces[1][z] = mixedBits(low[2], low[3], high[2], high[3]);
+    faces[2][z] = mixedBits(high[0], high[1], high[2], high[3]);
+    low = high;
+  }
+  return faces;
+}
+
 }  // namespace proveout

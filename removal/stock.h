@@ -43,16 +43,30 @@ struct Contact {
 struct RemovalSummary {
   std::vector<float> removed_mm3;  ///< per motion, counted in parts of grid cells; see fitRemovedVolume
   std::vector<Contact> contacts;   ///< in program order
+  /// Stock left thinner than a grid cell, which the grid cannot hold: about its area (0: none) and one place.
+  double lost_film_mm2 = 0.0;
+  Vec3 lost_film_at = Vec3::Zero();
   std::uint64_t voxel_evaluations = 0;
 };
 
 /// Scales the volumes of the motions so that their sum is the exact removed volume (initial less final, mm3).
 void fitRemovedVolume(RemovalSummary& summary, double exact_total_mm3);
 
+struct SurfaceOptions {
+  /// How far the mesh may leave the surface so that triangles are saved, mm; 0: one vertex for each grid cell
+  /// with surface, flat or not; below 0: a tenth of the grid spacing.
+  double simplify_mm = -1.0;
+  int threads = 0;  ///< 0: all cores
+};
+
 /// Surface of the stock as a closed 2-manifold, and the volume from the exact edge crossings.
 struct StockSurface {
   TriMesh mesh;             ///< with `motion` per triangle
-  double volume_mm3 = 0.0;  ///< integrated from the exact crossings
+  double volume_mm3 = 0.0;  ///< integrated from the exact crossings; the same however the mesh is simplified
+  /// Grid cells in which more than one sheet of surface runs: walls or gaps there are thinner than the grid
+  /// resolves, and the mesh is less exact. `first_thin_cell`: middle of the first, mm.
+  std::size_t thin_cells = 0;
+  Vec3 first_thin_cell = Vec3::Zero();
 };
 
 class Stock {
@@ -71,6 +85,9 @@ class Stock {
   Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools,
                                 const RemovalOptions& options, Progress& progress);
 
+  /// The order of vertices and triangles does not depend on `threads`. Errors: cancelled, out of memory.
+  Result<StockSurface> surface(const SurfaceOptions& options, Progress& progress) const;
+  /// With the default tolerance.
   Result<StockSurface> surface(int threads, Progress& progress) const;
 
   /// Writes grid, crossings and provenance; whole file or none.

@@ -7,8 +7,9 @@
 
 namespace proveout {
 
-/// Closed 2-manifold mesh of the stock. The order of vertices and triangles does not depend on the number of
-/// threads. Errors: cancelled; more vertices than a mesh can number; a grid with a hole (a bug).
-Result<StockSurface> extractSurface(const Stock::Impl& impl, Progress& progress);
+/// Stock::surface without the limit of threads. Errors: cancelled; more vertices than a mesh can number; a
+/// grid with a hole (a bug).
+Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOptions& options,
+                                    Progress& progress);
 
 }  // namespace proveout

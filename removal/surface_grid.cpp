@@ -4,214 +4,316 @@
 
 #include "core/base/parallel_for.h"
 #include "removal/cell_cycles.h"
+#include "removal/leaf_layers.h"
 
 namespace proveout {
 
 namespace {
 
-using openvdb::Coord;
+/// A cell's surface bends little if its normals are within 12 degrees of their mean.
+constexpr float kGentleCos = 0.978f;
+/// How far vertices of cells with several sheets may leave them, in cells.
+constexpr double kThinReach = 0.1;
+constexpr float kNormalUnit = 1.0f / Crossing::kNormalScale;
 
-/// How far a vertex may reach into a neighbouring cell (in cells): half, because the neighbour's other side
-/// may do the same.
-constexpr double kReach = 0.5;
-/// Distance that it keeps from the neighbour's own vertex.
-constexpr double kKeepOff = 0.1;
+constexpr std::uint64_t kColumnX0 = 0xFF, kColumnY0 = 0x0101010101010101ull;
 
-std::uint64_t stepX(std::uint64_t own, std::uint64_t next) { return own >> 8 | next << 56; }
-std::uint64_t stepY(std::uint64_t own, std::uint64_t next) {
-  return (own >> 1 & 0x7F7F7F7F7F7F7F7Full) | (next & 0x0101010101010101ull) << 7;
+/// The crossings that the cells of a leaf touch, by the start of their edge (0..8 in each coordinate). Only
+/// entries of crossed edges are valid.
+class CrossingTable {
+ public:
+  void fill(const std::vector<SurfaceLeaf>& leaves, const SurfaceLeaf& leaf) {
+    const Crossing* c = leaf.stock->crossings.data();
+    forEachEdge(leaf.edges, [&](int axis, int x, int y, int z) { at_[index(axis, x, y, z)] = c++; });
+    for (int i = 1; i < 7; ++i) {
+      if (leaf.upper[i] >= 0) fillFrom(leaves[static_cast<std::size_t>(leaf.upper[i])], i);
+    }
+  }
+  static int index(int axis, int x, int y, int z) { return ((axis * 9 + x) * 9 + y) * 9 + z; }
+  const Crossing* operator[](int i) const { return at_[i]; }
+
+ private:
+  /// `place`: the leaf's, from the one whose cells are looked at.
+  void fillFrom(const SurfaceLeaf& leaf, int place) {
+    const int dx = (place & 1) * 8, dy = (place >> 1 & 1) * 8, dz = (place >> 2) * 8;
+    const std::uint64_t columns = (dx != 0 ? kColumnX0 : ~0ull) & (dy != 0 ? kColumnY0 : ~0ull);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (place >> axis & 1) continue;
+      for (int z = 0; z < (dz != 0 ? 1 : 8); ++z) {
+        const std::uint64_t crossed = leaf.edges.crossed[axis][z];
+        for (std::uint64_t rest = crossed & columns; rest != 0; rest &= rest - 1) {
+          const int bit = std::countr_zero(rest);
+          const int n = leaf.edges.first[axis][z] + std::popcount(crossed & ((1ull << bit) - 1));
+          at_[index(axis, (bit >> 3) + dx, (bit & 7) + dy, z + dz)] =
+              &leaf.stock->crossings[static_cast<std::size_t>(n)];
+        }
+      }
+    }
+  }
+  std::array<const Crossing*, 3 * 729> at_;
+};
+
+/// A crossed edge of a cell: what to add to the cell's index in a CrossingTable, its start and its axis.
+struct CellEdge {
+  std::int16_t offset;
+  std::int8_t axis, cycle;
+  std::array<float, 3> start;
+};
+struct CellPattern {
+  int count = 0;
+  std::array<CellEdge, 12> edges{};
+};
+
+std::array<CellPattern, 256> makePatterns() {
+  std::array<CellPattern, 256> table;
+  for (int pattern = 0; pattern < 256; ++pattern) {
+    for (int e = 0; e < 12; ++e) {
+      const int cycle = cellCycles()[pattern].cycle_of_edge[e];
+      if (cycle < 0) continue;
+      const int corner = edgeStartCorner(e), axis = e / 4;
+      const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
+      table[pattern].edges[table[pattern].count++] = {
+          static_cast<std::int16_t>(CrossingTable::index(axis, x, y, z)),
+          static_cast<std::int8_t>(axis),
+          static_cast<std::int8_t>(cycle),
+          {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}};
+    }
+  }
+  return table;
 }
 
-/// Samples of layer z (0..8) at the four places (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1).
-std::array<std::uint64_t, 4> cornerLayer(const std::array<const LeafBits*, 8>& bits, int z) {
-  const int up = z == 8 ? 4 : 0, layer = z & 7;
-  const std::uint64_t own = (*bits[up])[layer], x = (*bits[up | 1])[layer], y = (*bits[up | 2])[layer],
-                      xy = (*bits[up | 3])[layer];
-  const std::uint64_t over = stepX(own, x);
-  return {own, over, stepY(own, y), stepY(over, stepX(y, xy))};
+const std::array<CellPattern, 256>& cellPatterns() {
+  static const std::array<CellPattern, 256> kPatterns = makePatterns();
+  return kPatterns;
 }
+
+std::array<std::uint8_t, 256> makeOneSheetFaces() {
+  std::array<std::uint8_t, 256> table{};
+  for (int pattern = 0; pattern < 256; ++pattern) {
+    const auto& cycle = cellCycles()[pattern].cycle_of_edge;
+    for (int face = 0; face < 6; ++face) {
+      const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, base = (face & 1) << axis;
+      const int first = cycle[edgeAt(u, base)];
+      if (first >= 0 && cycle[edgeAt(u, base | 1 << v)] == first && cycle[edgeAt(v, base)] == first &&
+          cycle[edgeAt(v, base | 1 << u)] == first) {
+        table[pattern] |= static_cast<std::uint8_t>(1 << face);
+      }
+    }
+  }
+  return table;
+}
+
+/// Places the vertices of one leaf's cells.
+class LeafPlacer {
+ public:
+  LeafPlacer(SurfaceLeaf& leaf, const CrossingTable& crossings, LeafPatch* patch)
+      : leaf_(leaf), crossings_(crossings), patch_(patch) {}
+
+  struct Placed {
+    Eigen::Vector3f p;
+    std::uint16_t traits = 0;
+  };
+
+  Placed place(int bit, int z, int rank, int pattern) {
+    const CellPattern& cell = cellPatterns()[pattern];
+    const int x = bit >> 3, y = bit & 7, at = CrossingTable::index(0, x, y, z);
+    const std::uint8_t faces = oneSheetFaces()[pattern];
+    const int sheets = cellCycles()[pattern].count;
+    Placed out;
+    Eigen::Vector3f n;
+    if (sheets == 1 && placeOneFace(cell, at, out.p, n)) {
+      out.traits = faces | CellTraits::kSmooth;
+      out.p += Eigen::Vector3f(x, y, z);
+      keepGentle(bit, z, rank, faces, out.p, n);
+      return out;
+    }
+    for (int sheet = 0; sheet < sheets; ++sheet) {
+      const int count = gather(cell, at, sheet);
+      const CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)});
+      const Vec3 origin(x, y, z);
+      // Beside another sheet a vertex only leaves its cell by little.
+      const bool near = (v.p - v.inside).squaredNorm() < 1.0 && v.p.minCoeff() > -kThinReach &&
+                        v.p.maxCoeff() < 1.0 + kThinReach;
+      const Vec3& thin = near ? v.p : v.inside;
+      if (sheet > 0) {
+        leaf_.extra.push_back({static_cast<std::uint16_t>(rank), static_cast<std::uint8_t>(sheet),
+                               (origin + thin).cast<float>()});
+        continue;
+      }
+      out.p = (origin + (sheets == 1 ? v.p : thin)).cast<float>();
+      out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
+      if (sheets > 1) continue;
+      if (v.outside) {
+        leaf_.outside.push_back(
+            {static_cast<std::uint16_t>(z << 6 | bit), (origin + v.inside).cast<float>()});
+        out.traits |= CellTraits::kOutside;
+      } else if (patch_ != nullptr && bendsLittle(count, n)) {
+        keepGentle(bit, z, rank, faces, out.p, n);
+      }
+    }
+    if (sheets > 1) out.traits |= CellTraits::kManySheets;
+    return out;
+  }
+
+ private:
+  /// The usual case: all crossings are of one face with no wide spread. The rule is the one of placeVertex.
+  bool placeOneFace(const CellPattern& cell, int at, Eigen::Vector3f& p, Eigen::Vector3f& normal) const {
+    std::array<Eigen::Vector3f, 12> points, normals;
+    Eigen::Vector3f mean = Eigen::Vector3f::Zero(), sum = mean;
+    const Crossing* first = crossings_[at + cell.edges[0].offset];
+    bool flat = true;
+    for (int i = 0; i < cell.count; ++i) {
+      const CellEdge& e = cell.edges[i];
+      const Crossing* c = crossings_[at + e.offset];
+      if (c->face() != first->face()) return false;
+      flat = flat && c->normal[0] == first->normal[0] && c->normal[1] == first->normal[1] &&
+             c->normal[2] == first->normal[2];
+      points[i] = Eigen::Vector3f(e.start[0], e.start[1], e.start[2]);
+      points[i][e.axis] += c->t;
+      normals[i] = Eigen::Vector3f(c->normal[0], c->normal[1], c->normal[2]) * kNormalUnit;
+      mean += points[i];
+      sum += normals[i];
+    }
+    const float share = 1.0f / static_cast<float>(cell.count);
+    p = mean * share;
+    normal = sum.normalized();
+    if (flat) return true;
+    float height = 0.0f;
+    for (int i = 0; i < cell.count; ++i) {
+      const Eigen::Vector3f middle = normals[i] + normal;
+      const float along = middle.dot(normal);
+      if (along < 1.97f) return false;  // 14 degrees: the full rules
+      height += middle.dot(p - points[i]) / along;
+    }
+    p -= normal * (height * share);
+    return p.minCoeff() > 1e-3f && p.maxCoeff() < 1.0f - 1e-3f;
+  }
+
+  int gather(const CellPattern& cell, int at, int sheet) {
+    int count = 0;
+    for (int i = 0; i < cell.count; ++i) {
+      const CellEdge& e = cell.edges[i];
+      if (e.cycle != sheet) continue;
+      const Crossing* c = crossings_[at + e.offset];
+      SheetPoint& s = points_[count++];
+      s.p = Vec3(e.start[0], e.start[1], e.start[2]);
+      s.p[e.axis] += c->t;
+      s.n = c->unitNormal();
+      s.face = c->face();
+    }
+    return count;
+  }
+
+  bool bendsLittle(int count, Eigen::Vector3f& n) const {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < count; ++i) sum += points_[i].n;
+    n = sum.normalized().cast<float>();
+    for (int i = 0; i < count; ++i) {
+      if (n.dot(points_[i].n.cast<float>()) < kGentleCos) return false;
+    }
+    return true;
+  }
+
+  void keepGentle(int bit, int z, int rank, std::uint8_t faces, const Eigen::Vector3f& p,
+                  const Eigen::Vector3f& n) {
+    if (patch_ == nullptr || faces != 0) return;
+    patch_->gentle[z] |= 1ull << bit;
+    patch_->p[rank] = p;
+    patch_->n[rank] = n;
+  }
+
+  SurfaceLeaf& leaf_;
+  const CrossingTable& crossings_;
+  LeafPatch* patch_;
+  std::array<SheetPoint, 12> points_;
+};
 
 }  // namespace
 
-/// Crossings of a cell by sheet.
-struct SurfaceGrid::Sheets {
-  std::array<std::array<SheetPoint, 12>, 4> points;
-  std::array<int, 4> count{};
-  std::span<const SheetPoint> of(int i) const {
-    return {points[i].data(), static_cast<std::size_t>(count[i])};
-  }
-};
+const std::array<std::uint8_t, 256>& oneSheetFaces() {
+  static const std::array<std::uint8_t, 256> kFaces = makeOneSheetFaces();
+  return kFaces;
+}
 
 void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
   const LeafReader read(impl_);
   leaf.stock = &impl_.leaves[number];
   const Coord& at = leaf.stock->origin;
   leaf.upper[0] = leaf.lower[0] = static_cast<std::int32_t>(number);
-  std::array<const LeafBits*, 8> bits;
-  bits[0] = &leaf.stock->material;
   for (int i = 1; i < 8; ++i) {
     const int dx = (i & 1) * 8, dy = (i >> 1 & 1) * 8, dz = (i >> 2) * 8;
-    const std::int32_t up = read.state(at.offsetBy(dx, dy, dz));
-    bits[i] = up >= 0 ? &impl_.leaves[static_cast<std::size_t>(up)].material
-                      : (up == Stock::Impl::kInside ? &kAllInside : &kAllOutside);
-    leaf.upper[i] = std::max(up, -1);
-    leaf.lower[i] = i == 7 ? -1 : std::max(read.state(at.offsetBy(-dx, -dy, -dz)), -1);
+    leaf.upper[i] = read.state(at.offsetBy(dx, dy, dz));
+    leaf.lower[i] = i == 7 ? -1 : read.state(at.offsetBy(-dx, -dy, -dz));
   }
+  const BlockBits bits = blockBits(leaf);
   leaf.edges = leafEdges(leaf.stock->material, {bits[1], bits[2], bits[4]});
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
-  int cells = 0;
   for (int z = 0; z < 8; ++z) {
     const std::array<std::uint64_t, 4> high = cornerLayer(bits, z + 1);
-    const std::uint64_t any = low[0] | low[1] | low[2] | low[3] | high[0] | high[1] | high[2] | high[3];
-    const std::uint64_t all = low[0] & low[1] & low[2] & low[3] & high[0] & high[1] & high[2] & high[3];
-    leaf.mixed[z] = any & ~all;
-    leaf.first_cell[z] = static_cast<std::uint16_t>(cells);
-    cells += std::popcount(leaf.mixed[z]);
+    leaf.mixed[z] = mixedBits(low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]);
+    leaf.first_cell[z] = leaf.cells;
+    leaf.cells = static_cast<std::uint16_t>(leaf.cells + std::popcount(leaf.mixed[z]));
     low = high;
   }
 }
 
-CellAt SurfaceGrid::cellAt(const SurfaceLeaf& leaf, int x, int y, int z) const {
-  CellAt cell;
-  const int below = (x < 0) | (y < 0) << 1 | (z < 0) << 2, above = (x > 7) | (y > 7) << 1 | (z > 7) << 2;
-  const std::int32_t number = below != 0 ? leaf.lower[below] : leaf.upper[above];
-  if (number < 0) return cell;
-  const SurfaceLeaf& there = leaves_[static_cast<std::size_t>(number)];
-  const int lx = x & 7, ly = y & 7, lz = z & 7;
-  if (!leafSample(there.mixed, lx, ly, lz)) return cell;
-  cell.leaf = &there;
-  cell.rank = there.rank(lx, ly, lz);
-  cell.shift = {x - lx, y - ly, z - lz};
-  return cell;
-}
-
-std::uint32_t SurfaceGrid::vertexNumber(const CellAt& cell, int sheet) const {
-  if (sheet == 0) return cell.leaf->base + static_cast<std::uint32_t>(cell.rank);
-  const auto& extra = cell.leaf->extra;
-  const auto it = std::find_if(extra.begin(), extra.end(),
-                               [&](const ExtraVertex& e) { return e.cell == cell.rank && e.sheet == sheet; });
-  return cell.leaf->extra_base + static_cast<std::uint32_t>(it - extra.begin());
-}
-
-const Crossing* SurfaceGrid::crossingAt(const SurfaceLeaf& leaf, int axis, int x, int y, int z) const {
-  const int above = x >> 3 | (y >> 3) << 1 | (z >> 3) << 2;
-  const std::int32_t number = leaf.upper[above];
-  if (number < 0) return nullptr;
-  const SurfaceLeaf& there = leaves_[static_cast<std::size_t>(number)];
-  const int lx = x & 7, ly = y & 7, lz = z & 7;
-  if (!there.edges.isCrossed(axis, lx, ly, lz)) return nullptr;
-  return &there.stock->crossings[static_cast<std::size_t>(there.edges.indexOf(axis, lx, ly, lz))];
-}
-
-/// Sorts the crossings of a cell by sheet.
-void SurfaceGrid::collectSheets(const SurfaceLeaf& leaf, int place, int pattern, Sheets& sheets) const {
-  const CellCycles& cycles = cellCycles()[pattern];
-  const int x = place >> 3 & 7, y = place & 7, z = place >> 6;
-  for (int e = 0; e < 12; ++e) {
-    const int cycle = cycles.cycle_of_edge[e];
-    if (cycle < 0) continue;
-    const int corner = edgeStartCorner(e), axis = e / 4;
-    const Crossing* c = crossingAt(leaf, axis, x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
-    if (c == nullptr) continue;
-    SheetPoint& s = sheets.points[cycle][sheets.count[cycle]++];
-    s.p = Vec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    s.p[axis] += c->t;
-    s.n = c->unitNormal();
-    s.face = c->face();
+BlockBits SurfaceGrid::blockBits(const SurfaceLeaf& leaf) const {
+  BlockBits bits;
+  for (int i = 0; i < 8; ++i) {
+    const std::int32_t n = leaf.upper[i];
+    bits[i] = n >= 0 ? &impl_.leaves[static_cast<std::size_t>(n)].material
+                     : (n == LeafIndex::kInside ? &kAllInside : &kAllOutside);
   }
-}
-
-void SurfaceGrid::placeCell(SurfaceLeaf& leaf, int place, int pattern) {
-  const int x = place >> 3 & 7, y = place & 7, z = place >> 6;
-  const int rank = leaf.rank(x, y, z);
-  const std::size_t number = leaf.base + static_cast<std::size_t>(rank);
-  Sheets sheets;
-  collectSheets(leaf, place, pattern, sheets);
-  patterns_[number] = static_cast<std::uint8_t>(pattern);
-  const int count = cellCycles()[pattern].count;
-  for (int i = 0; i < count; ++i) {
-    const CellVertex vertex = placeVertex(sheets.of(i), Box3{Vec3::Zero(), Vec3::Ones()});
-    const Eigen::Vector3f p = (Vec3(x, y, z) + vertex.p).cast<float>();
-    if (i == 0) {
-      vertices_[number] = p;
-      smooth_[number] = vertex.smooth && count == 1;
-      if (vertex.cramped && count == 1) leaf.cramped.push_back(static_cast<std::uint16_t>(place));
-    } else {
-      leaf.extra.push_back({static_cast<std::uint16_t>(rank), static_cast<std::uint8_t>(i), p});
-    }
-  }
+  return bits;
 }
 
 void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
-  const LeafReader read(impl_);
-  std::array<const LeafBits*, 8> bits;
-  for (int i = 0; i < 8; ++i) {
-    bits[i] = &read.bits(leaf.stock->origin.offsetBy((i & 1) * 8, (i >> 1 & 1) * 8, (i >> 2) * 8));
-  }
+  const BlockBits bits = blockBits(leaf);
+  CrossingTable crossings;
+  crossings.fill(leaves_, leaf);
+  LeafPatch patch;
+  LeafPlacer placer(leaf, crossings, flatness_ > 0.0 ? &patch : nullptr);
+  int rank = 0;
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
   for (int z = 0; z < 8; ++z) {
     const std::array<std::uint64_t, 4> high = cornerLayer(bits, z + 1);
-    for (std::uint64_t rest = leaf.mixed[z]; rest != 0; rest &= rest - 1) {
+    for (std::uint64_t rest = leaf.mixed[z]; rest != 0; rest &= rest - 1, ++rank) {
       const int bit = std::countr_zero(rest);
       int pattern = 0;
       for (int c = 0; c < 4; ++c) {
         pattern |= static_cast<int>(low[c] >> bit & 1) << c | static_cast<int>(high[c] >> bit & 1) << (c + 4);
       }
-      placeCell(leaf, z << 6 | bit, pattern);
+      const LeafPlacer::Placed placed = placer.place(bit, z, rank, pattern);
+      const std::size_t number = leaf.base + static_cast<std::size_t>(rank);
+      vertices_[number] = placed.p;
+      patterns_[number] = static_cast<std::uint8_t>(pattern);
+      traits_[number] = placed.traits;
     }
     low = high;
   }
-}
-
-/// The cell and the parts of its neighbours that its vertex may use: a tip may poke through a wall without
-/// meeting a grid line. Free are neighbours without surface, and those with one smooth face, up to their own
-/// vertex.
-Box3 SurfaceGrid::roomOf(const SurfaceLeaf& leaf, int x, int y, int z) const {
-  Box3 room{Vec3::Zero(), Vec3::Ones()};
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const int side : {-1, 1}) {
-      Eigen::Vector3i at(x, y, z);
-      at[axis] += side;
-      double reach = kReach;
-      if (const CellAt there = cellAt(leaf, at.x(), at.y(), at.z()); there.leaf != nullptr) {
-        const std::size_t number = there.leaf->base + static_cast<std::size_t>(there.rank);
-        if (!smooth_[number]) continue;
-        const double p =
-            vertices_[number][axis] + there.shift[axis] - (side > 0 ? at[axis] - 1 : at[axis] + 1);
-        reach = std::clamp((side > 0 ? p - 1.0 : -p) - kKeepOff, 0.0, kReach);
-      }
-      (side > 0 ? room.max : room.min)[axis] += side * reach;
-    }
-  }
-  return room;
-}
-
-/// Gives vertices whose faces meet outside their cell the room that neighbours leave. Neighbours that are
-/// asked never move here.
-void SurfaceGrid::relaxLeaf(SurfaceLeaf& leaf) {
-  for (const std::uint16_t place : leaf.cramped) {
-    const int x = place >> 3 & 7, y = place & 7, z = place >> 6;
-    const std::size_t number = leaf.base + static_cast<std::size_t>(leaf.rank(x, y, z));
-    Sheets sheets;
-    collectSheets(leaf, place, patterns_[number], sheets);
-    const Vec3 p = Vec3(x, y, z) + placeVertex(sheets.of(0), roomOf(leaf, x, y, z)).p;
-    vertices_[number] = p.cast<float>();
+  if (flatness_ > 0.0) {
+    patch.faces = crossedFaces(bits);
+    leaf.clusters = findClusters(leaf, patch, static_cast<float>(flatness_));
   }
 }
 
 void SurfaceGrid::numberExtras() {
-  std::size_t total = vertices_.size();
   for (SurfaceLeaf& leaf : leaves_) {
-    leaf.extra_base = static_cast<std::uint32_t>(total);
-    total += leaf.extra.size();
-  }
-  vertices_.reserve(total);
-  for (const SurfaceLeaf& leaf : leaves_) {
-    for (const ExtraVertex& e : leaf.extra) vertices_.push_back(e.p);
+    leaf.extra_base = static_cast<std::uint32_t>(cell_count_ + extra_count_);
+    extra_count_ += leaf.extra.size();
+    std::uint16_t last = 0xFFFF;
+    for (const ExtraVertex& e : leaf.extra) {
+      if (e.cell != last && thin_cells_++ == 0) {
+        const int place = leaf.placeOf(e.cell);
+        first_thin_cell_ = impl_.position(leaf.stock->origin) +
+                           impl_.h * Vec3((place >> 3 & 7) + 0.5, (place & 7) + 0.5, (place >> 6) + 0.5);
+      }
+      last = e.cell;
+    }
   }
 }
 
-void SurfaceGrid::build(Progress& progress) {
+bool SurfaceGrid::build(Progress& progress) {
   leaves_.resize(impl_.leaves.size());
   const auto eachLeaf = [&](auto&& body) {
     parallelFor(std::size_t{0}, leaves_.size(), [&](std::size_t i) {
@@ -219,17 +321,25 @@ void SurfaceGrid::build(Progress& progress) {
     });
   };
   eachLeaf([&](std::size_t i) { linkLeaf(leaves_[i], i); });
-  std::size_t cells = 0;
+  if (progress.cancelled()) return true;
   for (SurfaceLeaf& leaf : leaves_) {
-    leaf.base = static_cast<std::uint32_t>(cells);
-    cells += static_cast<std::size_t>(leaf.first_cell[7] + std::popcount(leaf.mixed[7]));
+    if (leaf.stock->crossings.size() != leaf.edges.count) return false;
+    leaf.base = static_cast<std::uint32_t>(cell_count_);
+    cell_count_ += leaf.cells;
   }
-  vertices_.resize(cells);
-  patterns_.resize(cells);
-  smooth_.resize(cells);
+  vertices_ = std::make_unique_for_overwrite<Eigen::Vector3f[]>(cell_count_);
+  patterns_ = std::make_unique_for_overwrite<std::uint8_t[]>(cell_count_);
+  traits_ = std::make_unique_for_overwrite<std::uint16_t[]>(cell_count_);
   eachLeaf([&](std::size_t i) { placeLeaf(leaves_[i]); });
-  eachLeaf([&](std::size_t i) { relaxLeaf(leaves_[i]); });
   if (!progress.cancelled()) numberExtras();
+  return true;
+}
+
+bool SurfaceGrid::putInside(std::uint32_t cell, const Eigen::Vector3f& p) {
+  if (!(traits_[cell] & CellTraits::kFolds)) return false;
+  traits_[cell] &= static_cast<std::uint16_t>(~(CellTraits::kFolds | CellTraits::kOutside));
+  vertices_[cell] = p;
+  return true;
 }
 
 }  // namespace proveout

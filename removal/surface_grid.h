@@ -7,12 +7,13 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "removal/cell_vertex.h"
 #include "removal/stock_impl.h"
+#include "removal/surface_clusters.h"
 
 namespace proveout {
 
@@ -23,70 +24,98 @@ struct ExtraVertex {
   Eigen::Vector3f p;  ///< leaf units
 };
 
+/// A vertex that left its cell.
+struct OutsideVertex {
+  std::uint16_t place = 0;  ///< of the cell: z * 64 + leafBit(x, y)
+  Eigen::Vector3f inside;   ///< where it goes if it folds the surface; leaf units
+};
+
 struct SurfaceLeaf {
   const StockLeaf* stock = nullptr;
   LeafEdges edges;
   LeafBits mixed{};                           ///< cells with surface
   std::array<std::uint16_t, 8> first_cell{};  ///< rank of the layer's first such cell
+  std::uint16_t cells = 0;
   /// Numbers of the leaves around, -1 where none: bit 0 of the place: one step along x, 1: y, 2: z.
   std::array<std::int32_t, 8> upper{}, lower{};
   std::uint32_t base = 0;        ///< vertex number of its first cell
   std::uint32_t extra_base = 0;  ///< vertex number of its first extra vertex
   std::vector<ExtraVertex> extra;
-  std::vector<std::uint16_t> cramped;  ///< places of one-sheet cells whose faces meet outside the cell
+  std::vector<OutsideVertex> outside;
+  LeafClusters clusters;
 
+  /// Number of the cell among those of the leaf.
   int rank(int x, int y, int z) const {
     return first_cell[z] + std::popcount(mixed[z] & ((1ull << leafBit(x, y)) - 1));
   }
+  /// The place (z * 64 + leafBit(x, y)) of a cell.
+  int placeOf(int cell_rank) const {
+    int z = 7;
+    while (first_cell[z] > cell_rank) --z;
+    std::uint64_t rest = mixed[z];
+    for (int k = first_cell[z]; k < cell_rank; ++k) rest &= rest - 1;
+    return z << 6 | std::countr_zero(rest);
+  }
 };
 
-/// Place in a leaf as one number.
-inline constexpr int packPlace(int x, int y, int z) { return z << 6 | leafBit(x, y); }
-
-/// A cell with surface, wherever it is.
-struct CellAt {
-  const SurfaceLeaf* leaf = nullptr;  ///< null: no surface there
-  int rank = 0;
-  Eigen::Vector3i shift = Eigen::Vector3i::Zero();  ///< origin of its leaf in the units of the asking leaf
+/// What is known of a cell besides its vertex.
+struct CellTraits {
+  static constexpr std::uint16_t kOneSheetFaces = 0x3F;  ///< see oneSheetFaces
+  static constexpr std::uint16_t kManySheets = 0x40;
+  static constexpr std::uint16_t kSmooth = 0x80;
+  static constexpr std::uint16_t kOutside = 0x100;  ///< its vertex is outside the cell
+  static constexpr std::uint16_t kFolds = 0x200;    ///< and folds the surface
 };
+
+/// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each
+/// pattern of material corners.
+const std::array<std::uint8_t, 256>& oneSheetFaces();
 
 class SurfaceGrid {
  public:
-  explicit SurfaceGrid(const Stock::Impl& impl) : impl_(impl) {}
+  /// `flatness`: range of heights over a plane (grid steps) up to which cells may be merged; 0: none.
+  SurfaceGrid(const Stock::Impl& impl, double flatness) : impl_(impl), flatness_(flatness) {}
 
-  /// Finds the cells and places their vertices. Stops early when cancelled.
-  void build(Progress& progress);
+  /// Finds the cells, places their vertices and finds which may be merged. Stops early when cancelled. False
+  /// if crossings are missing, which no sound stock has.
+  bool build(Progress& progress);
 
   const Stock::Impl& impl() const { return impl_; }
   const std::vector<SurfaceLeaf>& leaves() const { return leaves_; }
+  std::vector<SurfaceLeaf>& leaves() { return leaves_; }
   /// Vertices of leaves, first those of the cells, then the extra ones.
-  std::size_t vertexCount() const { return vertices_.size(); }
-  const Eigen::Vector3f& vertex(std::uint32_t number) const { return vertices_[number]; }
+  std::size_t vertexCount() const { return cell_count_ + extra_count_; }
+  std::size_t cellCount() const { return cell_count_; }
+  /// Of a cell's first sheet; leaf units.
+  const Eigen::Vector3f& vertex(std::uint32_t cell) const { return vertices_[cell]; }
+  void markFolding(std::uint32_t cell) { traits_[cell] |= CellTraits::kFolds; }
+  /// Moves a vertex that was marked; false if it was not.
+  bool putInside(std::uint32_t cell, const Eigen::Vector3f& p);
   /// Material corners of a cell as bits; see cell_cycles.h.
-  std::uint8_t pattern(const CellAt& cell) const {
-    return patterns_[cell.leaf->base + static_cast<std::uint32_t>(cell.rank)];
-  }
-  /// Cell at a place -1..8 of a leaf, with either no coordinate below 0 or none above 7.
-  CellAt cellAt(const SurfaceLeaf& leaf, int x, int y, int z) const;
-  std::uint32_t vertexNumber(const CellAt& cell, int sheet) const;
-  /// The crossing of an edge that starts at a place 0..8 of a leaf, or null.
-  const Crossing* crossingAt(const SurfaceLeaf& leaf, int axis, int x, int y, int z) const;
+  std::uint8_t pattern(std::uint32_t cell) const { return patterns_[cell]; }
+  std::uint16_t traits(std::uint32_t cell) const { return traits_[cell]; }
+  /// Cells with more than one sheet, in all leaves.
+  std::size_t thinCells() const { return thin_cells_; }
+  /// Middle of the first, mm.
+  const Vec3& firstThinCell() const { return first_thin_cell_; }
+
+  /// Samples of a leaf and its upper neighbours.
+  std::array<const LeafBits*, 8> blockBits(const SurfaceLeaf& leaf) const;
 
  private:
-  struct Sheets;
   void linkLeaf(SurfaceLeaf& leaf, std::size_t number);
   void placeLeaf(SurfaceLeaf& leaf);
-  void placeCell(SurfaceLeaf& leaf, int place, int pattern);
-  void collectSheets(const SurfaceLeaf& leaf, int place, int pattern, Sheets& sheets) const;
-  Box3 roomOf(const SurfaceLeaf& leaf, int x, int y, int z) const;
-  void relaxLeaf(SurfaceLeaf& leaf);
   void numberExtras();
 
   const Stock::Impl& impl_;
+  double flatness_;
   std::vector<SurfaceLeaf> leaves_;
-  std::vector<Eigen::Vector3f> vertices_;
-  std::vector<std::uint8_t> patterns_;  ///< a cell
-  std::vector<std::uint8_t> smooth_;    ///< a cell: one smooth surface runs through it
+  std::size_t cell_count_ = 0, extra_count_ = 0, thin_cells_ = 0;
+  Vec3 first_thin_cell_ = Vec3::Zero();
+  // A cell each; not cleared, so that the threads that write them also touch their pages first.
+  std::unique_ptr<Eigen::Vector3f[]> vertices_;
+  std::unique_ptr<std::uint8_t[]> patterns_;
+  std::unique_ptr<std::uint16_t[]> traits_;
 };
 
 }  // namespace proveout

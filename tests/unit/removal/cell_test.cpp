@@ -12,8 +12,6 @@
 namespace proveout {
 namespace {
 
-const Box3 kCell{Vec3::Zero(), Vec3::Ones()};
-
 TEST(CellCycles, EveryCrossedEdgeIsInOneCycleOfAtLeastThree) {
   for (int pattern = 0; pattern < 256; ++pattern) {
     const CellCycles& c = cellCycles()[pattern];
@@ -50,7 +48,7 @@ TEST(CellVertex, LiesOnASphere) {
       }
     }
     ASSERT_GE(points.size(), 3u);
-    EXPECT_NEAR((placeVertex(points, kCell).p - center).norm(), radius,
+    EXPECT_NEAR((placeVertex(points).p - center).norm(), radius,
                 2e-3);  // the chord is 0.015 to 0.03 off
   }
 }
@@ -60,16 +58,16 @@ TEST(CellVertex, FindsEdgeAndCorner) {
                                      {{0.3, 0, 1}, {1, 0, 0}, 1},
                                      {{1, 0.6, 0}, {0, 1, 0}, 2},
                                      {{1, 0.6, 1}, {0, 1, 0}, 2}};
-  const Vec3 e = placeVertex(edge, kCell).p;
+  const Vec3 e = placeVertex(edge).p;
   EXPECT_NEAR(e.x(), 0.3, 1e-12);
   EXPECT_NEAR(e.y(), 0.6, 1e-12);
   EXPECT_NEAR(e.z(), 0.5, 1e-12);
   const std::vector<SheetPoint> corner{
       {{0.3, 0, 0}, {1, 0, 0}, 1}, {{0, 0.6, 0}, {0, 1, 0}, 2}, {{0, 0, 0.2}, {0, 0, 1}, 3}};
-  EXPECT_NEAR((placeVertex(corner, kCell).p - Vec3(0.3, 0.6, 0.2)).norm(), 0, 1e-12);
+  EXPECT_NEAR((placeVertex(corner).p - Vec3(0.3, 0.6, 0.2)).norm(), 0, 1e-12);
 }
 
-TEST(CellVertex, MeetsACreaseThatOnlyClipsTheCell) {
+TEST(CellVertex, FollowsACreaseOutOfTheCell) {
   // The planes x = 0.05 - 0.4 z and y = 0.3 meet in a line that leaves the cell at z = 0.125; the mean of the
   // crossings is higher.
   const Vec3 n1 = Vec3(1, 0, 0.4).normalized(), n2(0, 1, 0);
@@ -78,12 +76,45 @@ TEST(CellVertex, MeetsACreaseThatOnlyClipsTheCell) {
                                        {{1, 0.3, 0}, n2, 2},
                                        {{1, 0.3, 1}, n2, 2},
                                        {{0, 0.3, 1}, n2, 2}};
-  const CellVertex v = placeVertex(points, kCell);
-  EXPECT_FALSE(v.cramped);
-  EXPECT_NEAR(n1.dot(v.p - Vec3(0.05, 0, 0)), 0, 2e-3);
-  EXPECT_NEAR(v.p.y(), 0.3, 2e-3);
-  EXPECT_GE(v.p.minCoeff(), 0);
-  EXPECT_LE(v.p.maxCoeff(), 1);
+  const CellVertex v = placeVertex(points);
+  EXPECT_TRUE(v.outside);
+  EXPECT_NEAR(n1.dot(v.p - Vec3(0.05, 0, 0)), 0, 1e-12);
+  EXPECT_NEAR(v.p.y(), 0.3, 1e-12);
+  EXPECT_NEAR((v.p - v.inside).cwiseAbs().maxCoeff(), 0, 0.6);
+  // The alternative stays in the cell and on one of the planes.
+  EXPECT_GE(v.inside.minCoeff(), 0);
+  EXPECT_LE(v.inside.maxCoeff(), 1);
+  EXPECT_NEAR(std::min(std::abs(n1.dot(v.inside - Vec3(0.05, 0, 0))), std::abs(v.inside.y() - 0.3)), 0, 1e-9);
+}
+
+TEST(CellVertex, FindsTheTipOfACone) {
+  const Vec3 tip(0.4, 0.45, 0.8);
+  const double c = std::cos(degToRad(30)), s = std::sin(degToRad(30));  // normals of a cone of 60 degrees
+  std::vector<SheetPoint> points;
+  for (const Vec2& d : {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)}) {
+    const Vec2 off = d - tip.head<2>();
+    const Vec2 out = off.normalized();
+    points.push_back({{d.x(), d.y(), tip.z() - off.norm() * c / s}, {out.x() * c, out.y() * c, s}, 3});
+  }
+  EXPECT_NEAR((placeVertex(points).p - tip).norm(), 0, 1e-9);
+}
+
+TEST(CellVertex, FollowsTheCurvatureOfFacesThatMeet) {
+  // A cylinder of radius 5 along z and the plane y = 0.4; the crease is far from the cylinder's crossings.
+  const Vec3 axis(-4.5, 0.4, 0);
+  const auto on = [&](double y, double z) {
+    const Vec3 p(axis.x() + std::sqrt(25 - (y - 0.4) * (y - 0.4)), y, z);
+    return SheetPoint{p, (p - Vec3(axis.x(), axis.y(), z)).normalized(), 1};
+  };
+  const std::vector<SheetPoint> points{on(-0.9, 0),
+                                       on(-0.9, 1),
+                                       on(-0.2, 0),
+                                       on(-0.2, 1),
+                                       {{0, 0.4, 0}, {0, 1, 0}, 2},
+                                       {{0, 0.4, 1}, {0, 1, 0}, 2}};
+  const Vec3 p = placeVertex(points).p;
+  EXPECT_NEAR(p.y(), 0.4, 1e-4);
+  EXPECT_NEAR(p.x(), 0.5, 2e-3);  // the tangent plane at the crossings' middle is 0.09 off
 }
 
 TEST(ToolOptions, ParsesEveryShapeAndRefusesTheRest) {

@@ -117,8 +117,8 @@ inline void addCrossings(const Stock::Impl& impl, const Field& field, StockLeaf&
     for (int z = 0; z < 8; ++z) {
       for (std::uint64_t rest = edges.crossed[axis][z]; rest != 0; rest &= rest - 1) {
         const int bit = std::countr_zero(rest);
-        const openvdb::Coord at = leaf.origin.offsetBy(bit >> 3, bit & 7, z);
-        openvdb::Coord next = at;
+        const Coord at = leaf.origin.offsetBy(bit >> 3, bit & 7, z);
+        Coord next = at;
         ++next[axis];
         leaf.crossings.push_back(crossingOn(field, impl.position(at), impl.position(next),
                                             leafSample(leaf.material, bit >> 3, bit & 7, z)));
@@ -133,13 +133,10 @@ inline void addCrossings(const Stock::Impl& impl, const Field& field, StockLeaf&
 /// at `origin`.
 inline void fillStock(Stock::Impl& impl, const Field& field, const Box3& bounds, double h,
                       const Vec3& origin) {
-  using openvdb::Coord;
-  openvdb::initialize();
   impl.h = h;
   impl.origin = origin;
   impl.blank = bounds;
   makeIndex(impl);
-  auto index = impl.index->getAccessor();
   Coord low, high;
   for (int i = 0; i < 3; ++i) {
     low[i] = static_cast<int>(std::floor((bounds.min[i] - origin[i]) / h / 8.0)) - 1;
@@ -148,11 +145,12 @@ inline void fillStock(Stock::Impl& impl, const Field& field, const Box3& bounds,
   for (int x = low.x(); x <= high.x(); ++x) {
     for (int y = low.y(); y <= high.y(); ++y) {
       for (int z = low.z(); z <= high.z(); ++z) {
+        if (!impl.index.holds(Coord(x, y, z))) continue;
         StockLeaf leaf;
         leaf.origin = Coord(x * 8, y * 8, z * 8);
         const FieldSample middle = field(impl.position(leaf.origin) + Vec3::Constant(4.0 * h));
         if (std::abs(middle.value) > 4.5 * 1.7321 * h) {
-          if (middle.value < 0.0) index.setValue(Coord(x, y, z), Stock::Impl::kInside);
+          if (middle.value < 0.0) impl.index.set(Coord(x, y, z), LeafIndex::kInside);
           continue;
         }
         int inside = 0;
@@ -163,7 +161,7 @@ inline void fillStock(Stock::Impl& impl, const Field& field, const Box3& bounds,
           if (sx < 8 && sy < 8 && sz < 8) leaf.material[sz] |= 1ull << leafBit(sx, sy);
         }
         if (inside > 0 && inside < 729) impl.leaves.push_back(leaf);
-        if (inside == 729) index.setValue(Coord(x, y, z), Stock::Impl::kInside);
+        if (inside == 729) impl.index.set(Coord(x, y, z), LeafIndex::kInside);
       }
     }
   }

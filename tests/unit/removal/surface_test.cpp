@@ -15,11 +15,12 @@ using test::Field;
 
 const Vec3 kShift(0.0764, 0.0828, 0.0894);
 
-StockSurface extract(const Field& field, const Box3& bounds, double h = 0.2, const Vec3& origin = kShift) {
+StockSurface extract(const Field& field, const Box3& bounds, double h = 0.2, const Vec3& origin = kShift,
+                     double simplify = 0.0) {
   Stock::Impl impl;
   test::fillStock(impl, field, bounds, h, origin);
   Progress progress;
-  auto surface = extractSurface(impl, progress);
+  auto surface = extractSurface(impl, SurfaceOptions{simplify, 0}, progress);
   EXPECT_TRUE(surface.ok()) << surface.error().message;
   const MeshTopology topology = analyseTopology(surface->mesh);
   EXPECT_TRUE(topology.closedManifold())
@@ -35,41 +36,109 @@ double worstVertex(const TriMesh& mesh, const Field& field) {
   return worst;
 }
 
+/// Farthest of points inside the triangles from the closed form.
+double worstInside(const TriMesh& mesh, const Field& field) {
+  double worst = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = mesh.positions[t[0]].cast<double>(), b = mesh.positions[t[1]].cast<double>(),
+               c = mesh.positions[t[2]].cast<double>();
+    for (const Vec3& p :
+         {Vec3((a + b + c) / 3.0), Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3(0.5 * (c + a))}) {
+      worst = std::max(worst, std::abs(field(p).value));
+    }
+  }
+  return worst;
+}
+
 const Box3 kBounds{Vec3::Constant(-6), Vec3::Constant(6)};
+const Vec3 kAxis = Vec3(1, 2, 3).normalized();
+const Vec3 kMiddle(0.03, 0.05, -0.07);
 
-TEST(Surface, SphereVolumeAndVertices) {
-  const Field field = test::sphere({0.03, 0.05, -0.07}, 4.0, 1);
-  const StockSurface s = extract(field, kBounds);
-  EXPECT_LT(worstVertex(s.mesh, field), 0.002);
-  const double volume = 4.0 / 3.0 * kPi * 64.0;
-  EXPECT_NEAR(s.volume_mm3 / volume, 1.0, 1e-5);
+struct Case {
+  std::string name;
+  Field field;
+  double volume = 0.0;    ///< mm3
+  double radius = 0.0;    ///< least radius of curvature, mm; 0: all flat
+  double vertex = 0.002;  ///< largest distance of a vertex from the closed form, mm; 0.01 on curved edges
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+Field tube() { return test::cylinder(kMiddle, kAxis, 3.0, 1); }
+Field between(const Field& body, double low, double high) {
+  return test::both(test::both(body, test::halfSpace(kAxis * high, kAxis, 90)),
+                    test::halfSpace(kAxis * low, -kAxis, 91));
 }
 
-TEST(Surface, RotatedBoxIsExact) {
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, Vec3(1, 2, 3).normalized()).toRotationMatrix();
-  const Field field = test::box(Vec3(-2, -3, -1), Vec3(2, 3, 1.5), 1, turn);
-  const StockSurface s = extract(field, kBounds);
-  EXPECT_LT(worstVertex(s.mesh, field), 0.03);
-  EXPECT_NEAR(s.volume_mm3 / 60.0, 1.0, 1e-4);
-  EXPECT_NEAR(meshVolume(s.mesh) / 60.0, 1.0, 5e-4);
+std::vector<Case> cases() {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, kAxis).toRotationMatrix();
+  return {
+      {"sphere", test::sphere(kMiddle, 4.0, 1), 4.0 / 3.0 * kPi * 64.0, 4.0},
+      {"torus", test::torus(kMiddle, kAxis, 3.5, 1.5, 1), 2 * kPi * kPi * 3.5 * 2.25, 1.5},
+      {"box", test::box(Vec3(-2, -3, -1), Vec3(2, 3, 1.5), 1), 60.0},
+      {"turned_box", test::box(Vec3(-2, -3, -1), Vec3(2, 3, 1.5), 1, turn), 60.0},
+      {"cylinder", between(tube(), -2.0, 2.5), kPi * 9 * 4.5, 3.0, 0.01},
+      {"countersink",
+       test::without(test::box(Vec3(-4, -4, -2), Vec3(4, 4, 2), 1),
+                     test::cone({0.03, 0.05, -0.9}, -Vec3::UnitZ(), degToRad(45.0), 10)),
+       8 * 8 * 4 - kPi / 3.0 * std::pow(2.9, 3), 0.2, 0.01},
+      {"pocket",
+       test::without(test::box(Vec3(-4, -4, -2), Vec3(4, 4, 2), 1),
+                     test::both(test::cylinder(kMiddle, Vec3::UnitZ(), 2.5, 10),
+                                test::halfSpace(Vec3(0, 0, -0.9), -Vec3::UnitZ(), 11))),
+       8 * 8 * 4 - kPi * 6.25 * 2.9, 2.5},
+      {"ball_slot",
+       test::without(test::box(Vec3(-4, -4, -2), Vec3(4, 4, 2), 1),
+                     test::cylinder({0, 0.1, 1.7}, Vec3::UnitX(), 2.0, 10)),
+       8 * 8 * 4 - 8 * (kPi * 2.0 + 2 * (0.5 * 0.3 * std::sqrt(4 - 0.09) + 2.0 * std::asin(0.15))), 2.0},
+      {"thin_wall",
+       test::without(test::box(Vec3(-4, -4, -2), Vec3(4, 4, 2), 1),
+                     test::without(test::box(Vec3(-3, -3, -1), Vec3(3, 3, 5), 10),
+                                   test::box(Vec3(-3, 0.02, -1), Vec3(3, 0.13, 5), 20))),
+       8 * 8 * 4 - 6 * (6 - 0.11) * 3},
+  };
 }
 
-TEST(Surface, Torus) {
-  const Field field = test::torus({0.03, 0.05, -0.07}, {1, 2, 3}, 3.5, 1.5, 1);
-  const StockSurface s = extract(field, kBounds);
-  EXPECT_LT(worstVertex(s.mesh, field), 0.002);
-  EXPECT_NEAR(s.volume_mm3 / (2 * kPi * kPi * 3.5 * 2.25), 1.0, 1e-5);
+class SurfaceOf : public testing::TestWithParam<Case> {};
+
+TEST_P(SurfaceOf, IsOnTheClosedForm) {
+  const Case& c = GetParam();
+  const StockSurface s = extract(c.field, kBounds);
+  const double bow = c.radius > 0.0 ? 0.04 / (8.0 * c.radius) : 0.0;
+  EXPECT_LT(worstVertex(s.mesh, c.field), c.vertex);
+  // Surfaces that bend both ways are off twice as much along the diagonals of their quads.
+  EXPECT_LT(worstInside(s.mesh, c.field), 0.002 + 2.0 * bow);
+  EXPECT_NEAR(s.volume_mm3 / c.volume, 1.0, 1e-5);
 }
 
-TEST(Surface, CylinderWithFlatEnds) {
-  const Vec3 axis = Vec3(1, 2, 3).normalized();
-  const Field field = test::both(
-      test::both(test::cylinder({0.03, 0.05, -0.07}, axis, 3.0, 1), test::halfSpace(axis * 2.5, axis, 2)),
-      test::halfSpace(axis * -2.0, -axis, 3));
-  const StockSurface s = extract(field, kBounds);
-  EXPECT_LT(worstVertex(s.mesh, field), 0.05);
-  EXPECT_NEAR(s.volume_mm3 / (kPi * 9 * 4.5), 1.0, 1e-4);
+TEST_P(SurfaceOf, StaysWithinTheToleranceWhenSimplified) {
+  const Case& c = GetParam();
+  const StockSurface fine = extract(c.field, kBounds);
+  for (const double tolerance : {0.002, 0.02, 0.1}) {
+    const StockSurface s = extract(c.field, kBounds, 0.2, kShift, tolerance);
+    EXPECT_LE(worstVertex(s.mesh, c.field), worstVertex(fine.mesh, c.field));
+    EXPECT_LE(worstInside(s.mesh, c.field), worstInside(fine.mesh, c.field) + tolerance);
+    EXPECT_EQ(s.volume_mm3, fine.volume_mm3);
+    EXPECT_LT(s.mesh.triangles.size(), fine.mesh.triangles.size());
+  }
 }
+
+TEST(Surface, SharpRimOfAConeStaysClosed) {
+  // The rim is a wedge of 60 degrees, thinner than a cell at its edge: cells hold two sheets, and their
+  // vertices do not all reach the edge.
+  const double half = degToRad(30.0);
+  const Field field =
+      test::both(test::cone(kAxis * 3.0, kAxis, half, 1), test::halfSpace(kAxis * -2.0, -kAxis, 2));
+  const StockSurface s = extract(field, kBounds);
+  EXPECT_GT(s.thin_cells, 0u);
+  EXPECT_LT(worstVertex(s.mesh, field), 0.1);
+  EXPECT_NEAR(s.volume_mm3 / (kPi / 3.0 * std::pow(5.0 * std::tan(half), 2) * 5.0), 1.0, 5e-4);
+  double tip = 1.0;
+  for (const auto& p : s.mesh.positions) tip = std::min(tip, (p.cast<double>() - kAxis * 3.0).norm());
+  EXPECT_LT(tip, 0.002);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, SurfaceOf, testing::ValuesIn(cases()),
+                         [](const auto& shape) { return shape.param.name; });
 
 }  // namespace
 }  // namespace proveout

@@ -1,0 +1,193 @@
+#include "removal/surface_quads.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel_for.h"
+#include "removal/cell_cycles.h"
+
+namespace proveout {
+
+namespace {
+
+/// Triangles that lean more than this (84 degrees) from the exact surface count as folded; where a corner is
+/// off the tangent plane by more than a part of the size, a crease may turn the surface there, up to 143
+/// degrees.
+constexpr double kFolded = 0.1;
+constexpr double kFoldedAtCrease = -0.8;
+constexpr double kOffPlane = 0.15;
+/// Diagonals whose middles are off the tangent plane alike, by this part of their length.
+constexpr double kAlikeOff = 1e-3;
+constexpr int kUnfoldRounds = 8;
+
+constexpr std::uint64_t kColumnX7 = 0xFFull << 56, kColumnY7 = 0x8080808080808080ull;
+
+}  // namespace
+
+QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal, bool smooth) {
+  std::array<double, 4> up;
+  for (int i = 0; i < 4; ++i) up[i] = normal.dot(p[i] - middle);
+  const double off02 = std::abs(up[0] + up[2]), off13 = std::abs(up[1] + up[3]);
+  const double length02 = (p[2] - p[0]).squaredNorm(), length13 = (p[3] - p[1]).squaredNorm();
+  const double alike = kAlikeOff * std::sqrt(std::max(length02, length13));
+  const bool prefer02 = std::abs(off02 - off13) > alike ? off02 < off13 : length02 <= length13;
+  // How far each triangle is from being folded: its facing over what its slope allows.
+  const auto margin = [&](int a, int b, int c) {
+    const Vec3 area = (p[b] - p[a]).cross(p[c] - p[a]);
+    const double facing = normal.dot(area);
+    if (smooth) return facing > 0.0 ? 1.0 : -1.0;
+    const double length = area.norm();
+    if (length <= 0.0) return -1.0;
+    const double size2 = std::max((p[b] - p[a]).squaredNorm(), (p[c] - p[b]).squaredNorm());
+    const double high = std::max({std::abs(up[a]), std::abs(up[b]), std::abs(up[c])});
+    return facing / length - (high * high > kOffPlane * kOffPlane * size2 ? kFoldedAtCrease : kFolded);
+  };
+  const double cut02 = std::min(margin(0, 1, 2), margin(0, 2, 3));
+  const double cut13 = std::min(margin(0, 1, 3), margin(1, 2, 3));
+  const double preferred = prefer02 ? cut02 : cut13, other = prefer02 ? cut13 : cut02;
+  return preferred > 0.0 || preferred >= other ? QuadCut{prefer02, preferred} : QuadCut{!prefer02, other};
+}
+
+void QuadReader::add(const SurfaceLeaf& leaf, int place) {
+  const int dx = (place & 1) * 8, dy = (place >> 1 & 1) * 8, dz = (place >> 2) * 8;
+  const std::uint64_t columns = (dx != 0 ? kColumnX7 : ~0ull) & (dy != 0 ? kColumnY7 : ~0ull);
+  const Eigen::Vector3f shift(static_cast<float>(-dx), static_cast<float>(-dy), static_cast<float>(-dz));
+  for (int z = dz != 0 ? 7 : 0; z < 8; ++z) {
+    const std::uint64_t mixed = leaf.mixed[z];
+    for (std::uint64_t rest = mixed & columns; rest != 0; rest &= rest - 1) {
+      const int bit = std::countr_zero(rest);
+      const int rank = leaf.first_cell[z] + std::popcount(mixed & ((1ull << bit) - 1));
+      const std::uint32_t cell = leaf.base + static_cast<std::uint32_t>(rank);
+      const int i = index((bit >> 3) - dx, (bit & 7) - dy, z - dz);
+      number_[i] = cell;
+      traits_[i] = grid_.traits(cell);
+      p_[i] = grid_.vertex(cell) + shift;
+    }
+  }
+}
+
+void QuadReader::load(const SurfaceLeaf& leaf) {
+  leaf_ = &leaf;
+  number_.fill(kNoCell);
+  add(leaf, 0);
+  for (int i = 1; i < 7; ++i) {
+    if (leaf.lower[i] >= 0) add(grid_.leaves()[static_cast<std::size_t>(leaf.lower[i])], i);
+  }
+}
+
+bool QuadReader::corners(int axis, int x, int y, int z, Quad& quad) const {
+  constexpr int kStep[3] = {81, 9, 1};
+  const int u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3], at = index(x, y, z);
+  const std::array<int, 4> cell = {at - u - v, at - v, at, at - u};
+  quad.traits = 0;
+  quad.all_traits = 0xFFFF;
+  for (int i = 0; i < 4; ++i) {
+    quad.v[i] = number_[cell[i]];
+    if (quad.v[i] == kNoCell) return false;
+    quad.traits |= traits_[cell[i]];
+    quad.all_traits &= traits_[cell[i]];
+  }
+  return true;
+}
+
+bool QuadReader::read(int axis, int x, int y, int z, const Crossing& c, Quad& quad) const {
+  if (!corners(axis, x, y, z, quad)) return false;
+  constexpr int kStep[3] = {81, 9, 1};
+  const int u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3], at = index(x, y, z);
+  const std::array<int, 4> cell = {at - u - v, at - v, at, at - u};
+  for (int i = 0; i < 4; ++i) quad.p[i] = p_[cell[i]].cast<double>();
+  quad.split = 0;
+  const bool start_in = leafSample(leaf_->stock->material, x, y, z);
+  if ((quad.traits & (CellTraits::kManySheets | CellTraits::kOneSheetFaces)) != 0) {
+    pickSheets(axis, x, y, z, start_in, quad);
+  }
+  if (!start_in) {
+    std::swap(quad.v[0], quad.v[3]);
+    std::swap(quad.v[1], quad.v[2]);
+    std::swap(quad.p[0], quad.p[3]);
+    std::swap(quad.p[1], quad.p[2]);
+  }
+  quad.middle = Vec3(x, y, z);
+  quad.middle[axis] += c.t;
+  constexpr double kUnit = 1.0 / Crossing::kNormalScale;
+  quad.normal = Vec3(c.normal[0], c.normal[1], c.normal[2]) * kUnit;
+  return true;
+}
+
+/// Further sheets of the cells, and faces whose two dual edges would coincide. Corners are still in the order
+/// of kRing; the bits of `split` are in the quad's order.
+void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& quad) const {
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  std::array<int, 4> corner;
+  std::array<std::uint8_t, 4> faces;
+  for (int i = 0; i < 4; ++i) {
+    corner[i] = kRing[i][0] << u | kRing[i][1] << v;
+    const std::uint32_t cell = quad.v[i];
+    faces[i] = oneSheetFaces()[grid_.pattern(cell)];
+    if (!(grid_.traits(cell) & CellTraits::kManySheets)) continue;
+    const int sheet = cellCycles()[grid_.pattern(cell)].cycle_of_edge[edgeAt(axis, corner[i])];
+    if (sheet <= 0) continue;
+    Eigen::Vector3i at(x, y, z);
+    at[u] -= kRing[i][0];
+    at[v] -= kRing[i][1];
+    const int below = (at.x() < 0) | (at.y() < 0) << 1 | (at.z() < 0) << 2;
+    const SurfaceLeaf& leaf = grid_.leaves()[static_cast<std::size_t>(leaf_->lower[below])];
+    const auto it = std::find_if(leaf.extra.begin(), leaf.extra.end(), [&](const ExtraVertex& e) {
+      return e.cell == cell - leaf.base && e.sheet == sheet;
+    });
+    quad.v[i] = leaf.extra_base + static_cast<std::uint32_t>(it - leaf.extra.begin());
+    const Eigen::Vector3f shift(at.x() < 0 ? -8.0f : 0.0f, at.y() < 0 ? -8.0f : 0.0f,
+                                at.z() < 0 ? -8.0f : 0.0f);
+    quad.p[i] = (it->p + shift).cast<double>();
+  }
+  for (int i = 0; i < 4; ++i) {
+    // Cells i and i + 1 share the face across `cross`.
+    const int j = (i + 1) % 4, cross = kRing[i][0] != kRing[j][0] ? u : v;
+    const int side = corner[i] >> cross & 1;
+    if (faces[i] >> (cross * 2 + side) & faces[j] >> (cross * 2 + 1 - side) & 1) {
+      quad.split |= static_cast<std::uint8_t>(1 << (start_in ? i : (6 - i) % 4));
+    }
+  }
+}
+
+void unfoldVertices(SurfaceGrid& grid) {
+  auto& leaves = grid.leaves();
+  const auto hasOutside = [&](std::int32_t n) {
+    return n >= 0 && !leaves[static_cast<std::size_t>(n)].outside.empty();
+  };
+  for (int round = 0; round < kUnfoldRounds; ++round) {
+    std::vector<std::vector<std::uint32_t>> folding(leaves.size());
+    parallelFor(std::size_t{0}, leaves.size(), [&](std::size_t i) {
+      const SurfaceLeaf& leaf = leaves[i];
+      if (std::none_of(leaf.lower.begin(), leaf.lower.end(), hasOutside)) return;
+      QuadReader reader(grid);
+      reader.load(leaf);
+      forEachCrossing(leaf, [&](int axis, int x, int y, int z, const Crossing& c) {
+        Quad quad;
+        if (!reader.corners(axis, x, y, z, quad) || !(quad.traits & CellTraits::kOutside)) return;
+        reader.read(axis, x, y, z, c, quad);
+        if (cutQuad(quad.p, quad.middle, quad.normal, false).margin > 0.0) return;
+        for (const std::uint32_t v : quad.v) {
+          if (v < grid.cellCount() && (grid.traits(v) & CellTraits::kOutside) != 0) folding[i].push_back(v);
+        }
+      });
+    });
+    bool any = false;
+    for (const auto& list : folding) {
+      for (const std::uint32_t v : list) grid.markFolding(v);
+      any = any || !list.empty();
+    }
+    if (!any) return;
+    parallelFor(std::size_t{0}, leaves.size(), [&](std::size_t i) {
+      SurfaceLeaf& leaf = leaves[i];
+      std::erase_if(leaf.outside, [&](const OutsideVertex& o) {
+        const std::uint32_t cell =
+            leaf.base + static_cast<std::uint32_t>(leaf.rank(o.place >> 3 & 7, o.place & 7, o.place >> 6));
+        return grid.putInside(cell, o.inside);
+      });
+    });
+  }
+}
+
+}  // namespace proveout
