@@ -9,6 +9,7 @@ namespace {
 
 using proveout::ColumnBoundary;
 using proveout::ColumnSweep;
+using proveout::kQuarter;
 
 constexpr int kArray = proveout::kMaxColumns;
 constexpr double kNothing = __builtin_inf();
@@ -108,21 +109,21 @@ inline void lineColumns(const ColumnSweep& sweep, const double* __restrict x, co
   const double ux = sweep.ux, uy = sweep.uy, length = sweep.length, slope = sweep.slope;
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double radius2 = tool.radius * tool.radius;
-  double along[kArray], p2[kArray], w2[kArray], a0[kArray], a1[kArray];
+  double along[kArray], p2[kArray], w2[kArray], w[kArray], a0[kArray], a1[kArray];
   for (int i = 0; i < n; ++i) {
     const double qx = x[i] - fx, qy = y[i] - fy;
     along[i] = qx * ux + qy * uy;
     const double across = qx * uy - qy * ux;
     p2[i] = across * across;
     w2[i] = radius2 - p2[i];
-    const double w = root(w2[i]);
-    a0[i] = most(-along[i], -w);
-    a1[i] = least(length - along[i], w);
+    w[i] = root(w2[i]);
+    a0[i] = most(-along[i], -w[i]);
+    a1[i] = least(length - along[i], w[i]);
   }
   if (tool.ball) {
     const double lean = -slope / __builtin_sqrt(1.0 + slope * slope), lift = fz + tool.radius;
     for (int i = 0; i < n; ++i) {
-      const double s = least(most(lean * root(w2[i]), a0[i]), a1[i]);
+      const double s = least(most(lean * w[i], a0[i]), a1[i]);
       lo[i] = lift + slope * (s + along[i]) - root(w2[i] - s * s);
     }
   } else if (tool.flat) {
@@ -199,47 +200,63 @@ void columns(const ColumnSweep& sweep, const double* x, const double* y, int cou
   }
 }
 
-/// covered: the samples between lo and hi.
-void coverage(proveout::LeafColumns& leaf) {
-  long long bits[64];
-  for (int c = 0; c < 64; ++c) bits[c] = 0;
-  for (int z = 0; z < leaf.layers; ++z) {
+/// covered: the samples between lo and hi. (Loops of fixed length are kept whole for the vectoriser.)
+inline void coverage(proveout::LeafColumns& leaf, int first) {
+  const double* __restrict lo = leaf.lo + first;
+  const double* __restrict hi = leaf.hi + first;
+  double bits[kQuarter];
+#pragma GCC unroll 1
+  for (int c = 0; c < kQuarter; ++c) bits[c] = 0.0;
+  double bit = 1.0;
+  for (int z = 0; z < leaf.layers; ++z, bit *= 2.0) {
     const double at = leaf.z[z];
-    const long long bit = 1ll << z;
-    for (int c = 0; c < 64; ++c) bits[c] |= leaf.lo[c] < at && at < leaf.hi[c] ? bit : 0;
+#pragma GCC unroll 1
+    for (int c = 0; c < kQuarter; ++c) {
+      const double above = lo[c] < at ? bit : 0.0;
+      bits[c] += at < hi[c] ? above : 0.0;
+    }
   }
-  for (int c = 0; c < 64; ++c) leaf.covered[c] = static_cast<unsigned char>(bits[c]);
+  int whole[kQuarter];
+#pragma GCC unroll 1
+  for (int c = 0; c < kQuarter; ++c) whole[c] = static_cast<int>(bits[c]);
+  for (int c = 0; c < kQuarter; ++c) leaf.covered[first + c] = static_cast<unsigned char>(whole[c]);
 }
 
-double lowerTops(proveout::LeafColumns& leaf) {
+inline double lowerTops(proveout::LeafColumns& leaf, int first) {
   const double bottom = leaf.z[0];
-  double sunk[64], sum[8] = {0, 0, 0, 0, 0, 0, 0, 0};
-  for (int c = 0; c < 64; ++c) {
-    const double top = leaf.top[c];
-    const double low = most(leaf.lo[c], bottom);
-    const double next = leaf.hi[c] >= top && low < top ? low : top;
-    sunk[c] = top - next;
-    leaf.top[c] = next;
+  double* __restrict top = leaf.top + first;
+  const double* __restrict lo = leaf.lo + first;
+  const double* __restrict hi = leaf.hi + first;
+  double sunk[kQuarter], below[kQuarter];
+#pragma GCC unroll 1
+  for (int c = 0; c < kQuarter; ++c) {
+    const double low = most(lo[c], bottom), old = top[c];
+    const double next = hi[c] >= old ? least(low, old) : old;
+    const double buried = hi[c] < old ? 1.0 : 0.0;
+    below[c] = lo[c] < hi[c] ? buried : 0.0;
+    sunk[c] = old - next;
+    top[c] = next;
   }
-  for (int c = 0; c < 64; c += 8) {
+  double sum[8] = {0, 0, 0, 0, 0, 0, 0, 0}, deep = 0.0;
+  for (int c = 0; c < kQuarter; c += 8) {
     for (int i = 0; i < 8; ++i) sum[i] += sunk[c + i];
   }
+  for (int c = 0; c < kQuarter; ++c) deep += below[c];
   double total = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-  int deep = 0;
-  for (int c = 0; c < 64; ++c) deep |= leaf.hi[c] < leaf.top[c] && (leaf.covered[c] & leaf.material[c]) != 0 ? 1 : 0;
-  if (deep != 0) {  // cut out below the top: whole voxels
-    for (int c = 0; c < 64; ++c) {
-      const unsigned cut = leaf.covered[c] & leaf.material[c];
-      if (leaf.hi[c] < leaf.top[c]) total += leaf.h * __builtin_popcount(cut);
+  if (deep > 0.0) {  // cut out below the top: whole voxels
+    for (int c = 0; c < kQuarter; ++c) {
+      const unsigned cut = leaf.covered[first + c] & leaf.material[first + c];
+      if (below[c] > 0.0) total += leaf.h * __builtin_popcount(cut);
     }
   }
   return total;
 }
 
-double leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf) {
-  columns(sweep, leaf.x, leaf.y, 64, leaf.lo, leaf.hi);
-  coverage(leaf);
-  return lowerTops(leaf);
+double leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, int quarter) {
+  const int first = quarter * kQuarter;
+  columns(sweep, leaf.x + first, leaf.y + first, kQuarter, leaf.lo + first, leaf.hi + first);
+  coverage(leaf, first);
+  return lowerTops(leaf, first);
 }
 
 }  // namespace

@@ -53,7 +53,10 @@ inline constexpr int kMaxColumns = 128;
 using ColumnKernel = void (*)(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo,
                               double* hi);
 
-/// The 64 columns of a leaf while it is cut.
+/// The 64 columns of a leaf while it is cut, in quarters of 4x4: column x, y stands at leafColumn(x, y).
+inline constexpr int leafColumn(int x, int y) { return (x >> 2) << 5 | (y >> 2) << 4 | (x & 3) << 2 | (y & 3); }
+inline constexpr int kQuarter = 16;
+
 struct LeafColumns {
   double x[64], y[64];
   double top[64];              ///< height of the material, from the lowest sample to one step above the highest, mm
@@ -65,9 +68,9 @@ struct LeafColumns {
   int layers;                  ///< layers up to the highest with material
 };
 
-/// Finds lo, hi and covered; lowers the tops to lo where the pass covers them; returns the sum of what the tops
-/// sink by and of the covered material below tops that stay, in mm of column height.
-using LeafKernel = double (*)(const ColumnSweep& sweep, LeafColumns& leaf);
+/// For one quarter: finds lo, hi and covered; lowers the tops to lo where the pass covers them; returns the sum of
+/// what the tops sink by and of the covered material below tops that stay, in mm of column height.
+using LeafKernel = double (*)(const ColumnSweep& sweep, LeafColumns& leaf, int quarter);
 
 struct ColumnKernels {
   ColumnKernel columns;

@@ -35,18 +35,21 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
                                            const std::vector<Crossing>& before,
                                            std::span<const std::uint32_t> list) {
   collect(change, edges, before);
-  addProbes();
-  const Vec3 middle = impl_.position(change.origin) + Vec3::Constant(4.0 * impl_.h);
-  BlockBox box{middle.x(), middle.y(), 4.0 * impl_.h, 0.0, 0.0};
-  for (std::size_t first = 0; first < probes_.size(); first += kMaxColumns) {
-    const std::size_t count = std::min<std::size_t>(kMaxColumns, probes_.size() - first);
-    const auto [low, high] = std::minmax_element(z_.begin() + first, z_.begin() + first + count);
-    // Probes move along their edges only.
-    box.z_low = *low - impl_.h;
-    box.z_high = *high + impl_.h;
-    for (const std::uint32_t number : list) {
-      const Pass& pass = table_.passes[number];
-      if (pass.part == ToolPart::kCutter && reachIn(pass, box) < box.z_high) tryPass(number, first, count);
+  probes_.clear();
+  probes_of_edge_.assign(edges_.size(), {-1, -1});
+  std::array<Group, 4> groups;
+  for (int q = 0; q < 4; ++q) groups[q] = addGroup(change, q);
+  const Vec3 low = impl_.position(change.origin);
+  const BlockBox leaf{low.x() + 4.0 * impl_.h, low.y() + 4.0 * impl_.h, 4.0 * impl_.h, low.z(),
+                      low.z() + 8.0 * impl_.h};
+  for (const std::uint32_t number : list) {
+    const Pass& pass = table_.passes[number];
+    if (pass.part != ToolPart::kCutter || reachIn(pass, leaf) >= leaf.z_high) continue;
+    for (const Group& group : groups) {
+      if (group.first == group.last || reachIn(pass, group.box) >= group.box.z_high) continue;
+      for (std::size_t first = group.first; first < group.last; first += kMaxColumns) {
+        tryPass(number, first, std::min<std::size_t>(kMaxColumns, group.last - first));
+      }
     }
   }
   std::vector<Crossing> out;
@@ -108,6 +111,7 @@ void CrossingFinder::collect(const LeafChange& change, const LeafEdges& edges, c
   forEachEdge(edges, [&](int axis, int x, int y, int z) {
     Edge e;
     e.axis = static_cast<std::int8_t>(axis);
+    e.quarter = static_cast<std::uint8_t>((x >> 2) << 1 | y >> 2);
     const bool start_in = leafSample(change.material, x, y, z);
     e.forward = start_in ? 1 : -1;
     Coord at = change.origin.offsetBy(x, y, z);
@@ -122,24 +126,44 @@ void CrossingFinder::collect(const LeafChange& change, const LeafEdges& edges, c
   });
 }
 
+CrossingFinder::Group CrossingFinder::addGroup(const LeafChange& change, int quarter) {
+  Group group;
+  group.first = probes_.size();
+  addProbes(quarter);
+  group.last = probes_.size();
+  if (group.first == group.last) return group;
+  // An edge may end one step beyond the quarter.
+  const Vec3 low = impl_.position(change.origin);
+  const double half = 2.0 * impl_.h;
+  group.box = {low.x() + half + (quarter >> 1) * 2.0 * half, low.y() + half + (quarter & 1) * 2.0 * half, half, 0, 0};
+  const auto [least, most] = std::minmax_element(z_.begin() + static_cast<std::ptrdiff_t>(group.first),
+                                                 z_.begin() + static_cast<std::ptrdiff_t>(group.last));
+  group.box.z_low = *least - impl_.h;
+  group.box.z_high = *most + kShorter * impl_.h;
+  for (std::size_t i = group.first; i < group.last; ++i) {
+    // Material above the cut: the probe may rise to the end in the material.
+    const Edge& e = edges_[probes_[i].edge];
+    if (e.axis == 2 && e.forward < 0) group.box.z_high = std::max(group.box.z_high, e.a.z());
+  }
+  return group;
+}
+
 /// The probe at the crossing found so far meets every pass that cuts the edge shorter, as long as the pass covers
 /// the rest of the edge; the one in the middle meets most of those that cut a piece out of the edge.
-void CrossingFinder::addProbes() {
-  probes_.clear();
-  probes_of_edge_.assign(edges_.size(), {-1, -1});
+void CrossingFinder::addProbes(int quarter) {
+  const std::size_t first = probes_.size();
   const auto add = [&](std::size_t edge, Probe kind) {
     probes_of_edge_[edge][kind == Probe::kEnd ? 0 : 1] = static_cast<std::int32_t>(probes_.size());
     probes_.push_back({static_cast<std::uint32_t>(edge), kind});
   };
-  for (std::size_t i = 0; i < edges_.size(); ++i) add(i, Probe::kEnd);
   for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (edges_[i].quarter != quarter) continue;
+    add(i, Probe::kEnd);
     if (edges_[i].axis != 2) add(i, Probe::kMiddle);
   }
   const std::size_t padded = (probes_.size() + 7) & ~std::size_t{7};
-  x_.assign(padded, 0.0);
-  y_.assign(padded, 0.0);
-  z_.assign(padded, 0.0);
-  for (std::size_t i = 0; i < probes_.size(); ++i) placeProbe(i);
+  for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize(padded, 0.0);
+  for (std::size_t i = first; i < probes_.size(); ++i) placeProbe(i);
 }
 
 void CrossingFinder::placeProbe(std::size_t i) {

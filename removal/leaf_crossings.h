@@ -34,6 +34,7 @@ class CrossingFinder {
   static constexpr std::uint32_t kOld = 0xFFFFFFFFu;
   struct Edge {
     Vec3 a;                     ///< material end
+    std::uint8_t quarter;       ///< of the leaf, in which the edge starts
     std::int8_t axis, forward;  ///< forward: +1 where the material end is the start
     double s = 1.0;             ///< fraction of the edge from its material end
     std::uint32_t pass = kOld;
@@ -43,8 +44,14 @@ class CrossingFinder {
   enum class Probe : std::uint8_t { kEnd, kMiddle };
 
   void collect(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before);
-  void addProbes();
+  void addProbes(int quarter);
   void placeProbe(std::size_t i);
+  /// Probes of the edges that start in one quarter of the leaf.
+  struct Group {
+    std::size_t first = 0, last = 0;
+    BlockBox box{};  ///< of the probes; they move along their edges only
+  };
+  Group addGroup(const LeafChange& change, int quarter);
   void tryPass(std::uint32_t number, std::size_t first, std::size_t count);
   void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
   void dropCovered(const Pass& pass);

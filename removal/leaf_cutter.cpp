@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace proveout {
 
@@ -27,21 +26,19 @@ void layersToColumns(const LeafBits& layers, unsigned char* columns) {
     std::uint64_t rows = 0;
     for (int z = 0; z < 8; ++z) rows |= (layers[z] >> 8 * x & 0xFF) << 8 * z;
     const std::uint64_t bytes = transposeBits(rows);
-    std::memcpy(columns + 8 * x, &bytes, 8);
+    for (int y = 0; y < 8; ++y) columns[leafColumn(x, y)] = static_cast<unsigned char>(bytes >> 8 * y);
   }
 }
 
 void columnsToLayers(const unsigned char* columns, LeafBits& layers) {
   layers = {};
   for (int x = 0; x < 8; ++x) {
-    std::uint64_t bytes;
-    std::memcpy(&bytes, columns + 8 * x, 8);
+    std::uint64_t bytes = 0;
+    for (int y = 0; y < 8; ++y) bytes |= static_cast<std::uint64_t>(columns[leafColumn(x, y)]) << 8 * y;
     const std::uint64_t rows = transposeBits(bytes);
     for (int z = 0; z < 8; ++z) layers[z] |= (rows >> 8 * z & 0xFF) << 8 * x;
   }
 }
-
-static_assert(std::endian::native == std::endian::little, "bytes of a word stand for columns in order");
 
 std::int64_t volumeUnits(double voxels) { return std::llround(voxels / kVolumeUnit); }
 
@@ -74,55 +71,78 @@ void LeafCutter::start(const LeafChange& change) {
   for (int i = 0; i < 8; ++i) {
     const Vec3 at = impl_.position(origin_.offsetBy(i, i, 0));
     for (int k = 0; k < 8; ++k) {
-      l.x[8 * i + k] = at.x();
-      l.y[8 * k + i] = at.y();
+      l.x[leafColumn(i, k)] = at.x();
+      l.y[leafColumn(k, i)] = at.y();
     }
   }
-  const Vec3 middle = impl_.position(origin_) + Vec3::Constant(3.5 * impl_.h);
-  box_ = {middle.x(), middle.y(), 3.5 * impl_.h, l.z[0], l.z[7]};
   startTops(change);
+  const Vec3 low = impl_.position(origin_);
+  const double half = 1.5 * l.h;
+  box_ = {low.x() + 3.5 * l.h, low.y() + 3.5 * l.h, 3.5 * l.h, l.z[0], 0.0};
+  for (int q = 0; q < 4; ++q) {
+    quarter_[q] = {low.x() + half + (q >> 1) * 4 * l.h, low.y() + half + (q & 1) * 4 * l.h, half, l.z[0], 0.0};
+    setQuarterTop(q);
+  }
+}
+
+void LeafCutter::setQuarterTop(int quarter) {
+  const double* top = columns_.top + quarter * kQuarter;
+  quarter_[quarter].z_high = *std::max_element(top, top + kQuarter);
+  box_.z_high = std::max({quarter_[0].z_high, quarter_[1].z_high, quarter_[2].z_high, quarter_[3].z_high});
 }
 
 /// Heights that the removed volume is counted from: the crossing above the highest sample, or the next leaf.
 void LeafCutter::startTops(const LeafChange& change) {
   const StockLeaf* leaf = reader_.leaf(origin_);
   LeafColumns& l = columns_;
-  for (int c = 0; c < 64; ++c) {
-    const int highest = std::bit_width(static_cast<unsigned>(l.material[c])) - 1;
-    l.top[c] = highest < 0 ? l.z[0] : l.z[highest] + l.h;
-    if (highest < 0 || leaf == nullptr || !change.before.isCrossed(2, c >> 3, c & 7, highest)) continue;
-    const float t = leaf->crossings[change.before.indexOf(2, c >> 3, c & 7, highest)].t;
-    l.top[c] = l.z[highest] + t * l.h;
+  for (int x = 0; x < 8; ++x) {
+    for (int y = 0; y < 8; ++y) {
+      const int c = leafColumn(x, y);
+      const int highest = std::bit_width(static_cast<unsigned>(l.material[c])) - 1;
+      l.top[c] = highest < 0 ? l.z[0] : l.z[highest] + l.h;
+      if (highest < 0 || leaf == nullptr || !change.before.isCrossed(2, x, y, highest)) continue;
+      l.top[c] = l.z[highest] + leaf->crossings[change.before.indexOf(2, x, y, highest)].t * l.h;
+    }
   }
 }
 
 void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
-  LeafColumns& l = columns_;
-  // Up to one step above the highest samples a pass removes volume, though no sample.
-  box_.z_high = l.z[l.layers - 1] + l.h;
   if (reachIn(pass, box_) >= box_.z_high) return;
-  const bool cutter = pass.part == ToolPart::kCutter, watched = pass.watched || !cutter;
-  double top[64];
-  if (watched) std::copy_n(l.top, 64, top);
-  const double sunk = kernel_(pass.columns, l);
-  evaluations_ += 64;
-  if (watched) contact(number, top);
-  if (!cutter) {
-    std::copy_n(top, 64, l.top);
-    return;
+  double sunk = 0.0;
+  for (int q = 0; q < 4; ++q) {
+    if (reachIn(pass, quarter_[q]) < quarter_[q].z_high) sunk += applyQuarter(number, q);
   }
-  if (sunk > 0.0) removed_.emplace_back(pass.motion, volumeUnits(sunk / l.h));
+  if (sunk <= 0.0) return;
+  removed_.emplace_back(pass.motion, volumeUnits(sunk / columns_.h));
   unsigned any = 0;
-  for (int c = 0; c < 64; ++c) {
-    l.material[c] &= static_cast<unsigned char>(~l.covered[c]);
-    any |= l.material[c];
-  }
-  l.layers = std::bit_width(any);
+  for (int c = 0; c < 64; ++c) any |= columns_.material[c];
+  columns_.layers = std::bit_width(any);
 }
 
-/// How deep the solid reaches below the tops (`top`: before the pass) and below samples.
-void LeafCutter::contact(std::uint32_t number, const double* top) {
+/// Height of columns that the pass takes away, mm; 0 for parts that do not cut.
+double LeafCutter::applyQuarter(std::uint32_t number, int quarter) {
+  const Pass& pass = table_.passes[number];
+  LeafColumns& l = columns_;
+  const int first = quarter * kQuarter;
+  const bool cutter = pass.part == ToolPart::kCutter, watched = pass.watched || !cutter;
+  double top[kQuarter];
+  if (watched) std::copy_n(l.top + first, kQuarter, top);
+  const double sunk = kernel_(pass.columns, l, quarter);
+  evaluations_ += kQuarter;
+  if (watched) contact(number, quarter, top);
+  if (!cutter) {
+    std::copy_n(top, kQuarter, l.top + first);
+    return 0.0;
+  }
+  if (sunk <= 0.0) return 0.0;
+  for (int c = first; c < first + kQuarter; ++c) l.material[c] &= static_cast<unsigned char>(~l.covered[c]);
+  setQuarterTop(quarter);
+  return sunk;
+}
+
+/// How deep the solid reaches below the tops (`top`: before the pass) and below samples of a quarter.
+void LeafCutter::contact(std::uint32_t number, int quarter, const double* top) {
   const Pass& pass = table_.passes[number];
   const LeafColumns& l = columns_;
   ContactSample found{number, 0.0, Vec3::Zero(), 0};
@@ -134,13 +154,14 @@ void LeafCutter::contact(std::uint32_t number, const double* top) {
     const double depth = -sweep.distance(at, 0.0);
     if (depth > found.depth) found.depth = depth, found.where = at;
   };
-  for (int c = 0; c < 64; ++c) {
+  for (int i = 0; i < kQuarter; ++i) {
+    const int c = quarter * kQuarter + i;
     const unsigned touched = l.covered[c] & l.material[c];
-    if (l.top[c] < top[c]) look(c, top[c]);
+    if (l.top[c] < top[i]) look(c, top[i]);
     for (int z = 0; z < 8; ++z) {
       if (touched >> z & 1) look(c, l.z[z]);
     }
-    height += l.top[c] < top[c] ? top[c] - l.top[c] : l.h * std::popcount(touched);
+    height += l.top[c] < top[i] ? top[i] - l.top[c] : l.h * std::popcount(touched);
   }
   if (found.depth <= kContactToleranceMm) return;
   found.volume = volumeUnits(height / l.h);

@@ -1,6 +1,7 @@
 // Samples of one leaf while its passes go through it, in program order.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <span>
@@ -53,14 +54,17 @@ class LeafCutter {
   void start(const LeafChange& change);
   void startTops(const LeafChange& change);
   void apply(std::uint32_t number);
-  void contact(std::uint32_t number, const double* top);
+  double applyQuarter(std::uint32_t number, int quarter);
+  void setQuarterTop(int quarter);
+  void contact(std::uint32_t number, int quarter, const double* top);
 
   const Stock::Impl& impl_;
   const PassTable& table_;
   LeafReader reader_;
   LeafKernel kernel_;
   Coord origin_;
-  BlockBox box_{};
+  BlockBox box_{};                  ///< of the whole leaf
+  std::array<BlockBox, 4> quarter_;  ///< up to the highest top of each quarter
   LeafColumns columns_{};
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
   std::vector<ContactSample> contacts_;

@@ -12,6 +12,12 @@ const double kDiagonal = std::sqrt(2.0);
 /// Culling never decides within rounding, mm.
 constexpr double kSlackMm = 1e-6;
 
+/// Lower boundary at `radial`, which is its least height from there outwards.
+double lowestBeyond(const ColumnSolid& solid, double radial) {
+  if (solid.ball) return solid.radius - std::sqrt(solid.radius * solid.radius - radial * radial);
+  return solid.flat ? solid.z_min : solid.lower.height(radial);
+}
+
 }  // namespace
 
 Sweep Pass::lineSweep() const {
@@ -44,7 +50,7 @@ double reachIn(const Pass& pass, const BlockBox& box) {
   const double lowest = c.z + rise_low + solid.z_min - kSlackMm, highest = c.z + rise_high + solid.z_max + kSlackMm;
   if (lowest >= box.z_high || highest <= box.z_low) return kMisses;
   const double radial = std::clamp(std::sqrt(gap2) - corner, 0.0, solid.radius);
-  const double low = c.z + rise_low + solid.lower.height(radial) - kSlackMm;
+  const double low = c.z + rise_low + lowestBeyond(solid, radial) - kSlackMm;
   return low < box.z_high ? low : kMisses;
 }
 
