@@ -143,7 +143,8 @@ Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Pro
   run.topology = analyseTopology(run.surface.mesh);
   addContacts(run.removal.contacts, path, source, run.findings);
   addMeshDefects(run.topology, run.findings);
-  addOutcome(run.initial_mm3, run.surface.volume_mm3, stockBodies(run.surface.mesh), run.findings);
+  run.bodies = stockBodies(run.surface.mesh);
+  addOutcome(run.initial_mm3, run.surface.volume_mm3, run.bodies, run.findings);
   addPartial(run.interpreted.summary.end, job.settings, run.findings);
   if (!nominal || run.surface.mesh.triangles.empty()) return run;
 

@@ -56,7 +56,7 @@ ReportStock reportStock(const RunResult& run) {
   stock.final_mm3 = run.surface.volume_mm3;
   stock.removed_mm3 = stock.initial_mm3 - stock.final_mm3;
   stock.mesh_mm3 = meshVolume(run.surface.mesh);
-  stock.bodies = stockBodies(run.surface.mesh);
+  stock.bodies = run.bodies;
   stock.triangles = run.surface.mesh.triangles.size();
   stock.vertices = run.surface.mesh.positions.size();
   stock.closed = run.topology.closedManifold();
