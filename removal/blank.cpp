@@ -1,6 +1,4 @@
-// The blank as a grid, from a closed form.
-#include <fmt/format.h>
-
+// The blank as leaves, from a closed form.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -8,7 +6,7 @@
 
 #include "core/base/parallel_for.h"
 #include "removal/blank_field.h"
-#include "removal/edge_root.h"
+#include "removal/leaf_changes.h"
 #include "removal/stock_impl.h"
 
 namespace proveout {
@@ -44,7 +42,12 @@ class FieldBlank {
     visit(low, high, size);
     if (over_limit_) return memoryError(leafBytes(static_cast<double>(leaves_)), limit_bytes_, impl_.h);
     if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-    commitLeaves(impl_, results_);
+    // Bring the leaves into an order that does not depend on threads.
+    std::sort(changes_.begin(), changes_.end(),
+              [](const LeafChange& a, const LeafChange& b) { return a.origin < b.origin; });
+    commitChanges(impl_, changes_, [this](std::size_t i, const LeafEdges& edges, const auto&) {
+      return crossings(changes_[i], edges);
+    });
     return Done{};
   }
 
@@ -52,9 +55,10 @@ class FieldBlank {
   void visit(const Coord& origin, const Coord& high, int size) {
     if (over_limit_ || progress_.cancelled()) return;
     if (origin.x() > high.x() || origin.y() > high.y() || origin.z() > high.z()) return;
+    // The block of a leaf reaches one layer beyond its own samples.
     const double half = 0.5 * size * impl_.h;
-    const Vec3 center = impl_.position(origin) + Vec3::Constant(half - 0.5 * impl_.h);
-    const double reach = std::sqrt(3.0) * (half + 0.5 * impl_.h) + impl_.band();
+    const Vec3 center = impl_.position(origin) + Vec3::Constant(half);
+    const double reach = std::sqrt(3.0) * half + 0.01 * impl_.h;
     const double value = field_.sample(center).value;
     if (value > reach) return;  // background
     if (value < -reach) {
@@ -62,7 +66,12 @@ class FieldBlank {
       return;
     }
     if (size == 8) {
-      leaf(origin);
+      LeafChange change;
+      change.origin = origin;
+      change.material = field_.material(impl_.position(origin), impl_.h);
+      const std::lock_guard<std::mutex> lock(mutex_);
+      changes_.push_back(change);
+      if (leafBytes(static_cast<double>(++leaves_)) > limit_bytes_) over_limit_ = true;
       return;
     }
     const int half_size = size / 2;
@@ -70,7 +79,7 @@ class FieldBlank {
       visit(origin.offsetBy(i & 1 ? half_size : 0, i & 2 ? half_size : 0, i & 4 ? half_size : 0), high,
             half_size);
     };
-    if (size >= 32) {
+    if (size >= 64) {
       parallelFor(0, 8, child);
     } else {
       for (int i = 0; i < 8; ++i) child(i);
@@ -79,50 +88,23 @@ class FieldBlank {
 
   void fillInside(const Coord& origin, int size) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const Coord last = origin.offsetBy(size - 1);
-    impl_.distance->fill(openvdb::CoordBBox(origin, last), -impl_.band(), false);
+    const Coord first = leafCoord(origin);
+    impl_.index->fill(openvdb::CoordBBox(first, first.offsetBy(size / 8 - 1)), Stock::Impl::kInside, false);
   }
 
-  void leaf(const Coord& origin) {
-    std::vector<float> distance(kBlockSize);
-    std::vector<std::uint32_t> owner(kBlockSize, kNoMotion);
-    for (int x = 0; x < kBlock; ++x) {
-      for (int y = 0; y < kBlock; ++y) {
-        for (int z = 0; z < kBlock; ++z) {
-          const double d = field_.sample(impl_.position(origin.offsetBy(x, y, z))).value;
-          distance[blockIndex(x, y, z)] = std::clamp(static_cast<float>(d), -impl_.band(), impl_.band());
-        }
-      }
-    }
-    LeafResult result;
-    result.origin = origin;
-    packLeaf(distance.data(), owner.data(), impl_.band(), result);
-    if (result.state == LeafResult::State::kSurface) addCrossings(distance, result);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    results_.push_back(std::move(result));
-    if (leafBytes(static_cast<double>(++leaves_)) > limit_bytes_) over_limit_ = true;
-  }
-
-  void addCrossings(const std::vector<float>& distance, LeafResult& result) {
-    for (int v = 0; v < 512; ++v) {
-      const int x = v >> 6, y = (v >> 3) & 7, z = v & 7;
-      const int at = blockIndex(x, y, z);
-      for (int axis = 0; axis < 3; ++axis) {
-        const bool in = distance[at] < 0.0f;
-        if (in == (distance[at + kBlockStride[axis]] < 0.0f)) continue;
-        const Vec3 start = impl_.position(result.origin.offsetBy(x, y, z));
-        const Vec3 step = Vec3::Unit(axis) * impl_.h;
-        const auto f = [&](double t) { return (in ? -1.0 : 1.0) * field_.sample(start + t * step).value; };
-        const double t = edgeRoot(f, 0.0, f(0.0), 1.0, f(1.0), 1e-9);
-        const BlankSample s = field_.sample(start + t * step);
-        Crossing c;
-        c.key = static_cast<std::uint16_t>(v * 3 + axis);
-        c.element = static_cast<std::uint16_t>(s.face);
-        c.t = static_cast<float>(std::clamp(t, kEdgeMargin, 1.0 - kEdgeMargin));
-        for (int i = 0; i < 3; ++i) c.normal[i] = static_cast<float>(s.normal[i]);
-        result.crossings.push_back(c);
-      }
-    }
+  std::vector<Crossing> crossings(const LeafChange& leaf, const LeafEdges& edges) const {
+    std::vector<Crossing> out;
+    out.reserve(edges.count);
+    forEachEdge(edges, [&](int axis, int x, int y, int z) {
+      const Vec3 start = impl_.position(leaf.origin.offsetBy(x, y, z));
+      const auto hit = field_.edgeHit(start, axis, impl_.h, leafSample(leaf.material, x, y, z));
+      Crossing c;
+      c.setPosition(hit.t);
+      c.setNormal(hit.normal);
+      c.element = static_cast<std::uint16_t>(hit.face);
+      out.push_back(c);
+    });
+    return out;
   }
 
   Stock::Impl& impl_;
@@ -130,7 +112,7 @@ class FieldBlank {
   Progress& progress_;
   double limit_bytes_;
   std::mutex mutex_;
-  std::vector<LeafResult> results_;
+  std::vector<LeafChange> changes_;
   std::size_t leaves_ = 0;
   std::atomic<bool> over_limit_{false};
 };

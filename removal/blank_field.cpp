@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "removal/edge_root.h"
 
 namespace proveout {
 
 namespace {
+
+double rowCoordinate(double first, int i, double h) { return first + i * h; }
 
 class BoxField : public BlankField {
  public:
@@ -25,7 +30,26 @@ class BoxField : public BlankField {
   Box3 bounds() const override { return box_; }
   double volume() const override { return box_.size().prod(); }
 
+  LeafBits material(const Vec3& first, double h) const override {
+    std::uint64_t layer = ~0ull;
+    LeafBits bits{};
+    for (int i = 0; i < 8; ++i) {
+      if (!within(0, rowCoordinate(first.x(), i, h))) layer &= ~(0xFFull << leafBit(i, 0));
+      if (!within(1, rowCoordinate(first.y(), i, h))) layer &= ~(0x0101010101010101ull << i);
+    }
+    for (int z = 0; z < 8; ++z) bits[z] = within(2, rowCoordinate(first.z(), z, h)) ? layer : 0;
+    return bits;
+  }
+  EdgeHit edgeHit(const Vec3& start, int axis, double length, bool inside) const override {
+    // Into the box through its lower face, out of it through the upper one.
+    const double wall = inside ? box_.max[axis] : box_.min[axis];
+    return {std::clamp((wall - start[axis]) / length, 0.0, 1.0), Vec3::Unit(axis) * (inside ? 1.0 : -1.0),
+            2 * axis + (inside ? 1 : 0)};
+  }
+
  private:
+  bool within(int axis, double p) const { return p > box_.min[axis] && p < box_.max[axis]; }
+
   Box3 box_;
 };
 
@@ -60,6 +84,32 @@ class CylinderField : public BlankField {
 };
 
 }  // namespace
+
+LeafBits BlankField::material(const Vec3& first, double h) const {
+  LeafBits bits{};
+  for (int z = 0; z < 8; ++z) {
+    for (int bit = 0; bit < 64; ++bit) {
+      const Vec3 p(rowCoordinate(first.x(), bit >> 3, h), rowCoordinate(first.y(), bit & 7, h),
+                   rowCoordinate(first.z(), z, h));
+      if (sample(p).value < 0.0) bits[z] |= 1ull << bit;
+    }
+  }
+  return bits;
+}
+
+BlankField::EdgeHit BlankField::edgeHit(const Vec3& start, int axis, double length, bool inside) const {
+  const auto point = [&](double t) { return Vec3(start + Vec3::Unit(axis) * (t * length)); };
+  const auto f = [&](double t) { return (inside ? -1.0 : 1.0) * sample(point(t)).value; };
+  const double at_start = f(0.0), at_end = f(1.0);
+  double t;
+  if (at_start <= 0.0) {  // rounding may put an end on the other side by a hair
+    t = 0.0;
+  } else {
+    t = at_end >= 0.0 ? 1.0 : edgeRoot(f, 0.0, at_start, 1.0, at_end, 1e-9);
+  }
+  const BlankSample s = sample(point(t));
+  return {t, s.normal, s.face};
+}
 
 Result<std::unique_ptr<BlankField>> makeBlankField(const BoxShape& s) {
   if (!s.min.allFinite() || !s.max.allFinite() || (s.max - s.min).minCoeff() <= 0.0) {

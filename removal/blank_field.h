@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/result.h"
+#include "removal/leaf_bits.h"
 #include "removal/stock_shape.h"
 
 namespace proveout {
@@ -20,6 +21,17 @@ class BlankField {
   virtual BlankSample sample(const Vec3& p) const = 0;
   virtual Box3 bounds() const = 0;
   virtual double volume() const = 0;  ///< mm3
+
+  /// Sign of the samples first + (x, y, z) * h of a leaf: true where sample() is negative.
+  virtual LeafBits material(const Vec3& first, double h) const;
+  /// Where the edge from `start` over `length` along `axis` meets the surface. Requires ends on different sides;
+  /// `inside`: that of the start.
+  struct EdgeHit {
+    double t;  ///< fraction of the edge
+    Vec3 normal;
+    int face;
+  };
+  virtual EdgeHit edgeHit(const Vec3& start, int axis, double length, bool inside) const;
 };
 
 /// Errors: non-finite or empty shapes.

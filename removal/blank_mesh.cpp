@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel_for.h"
+#include "removal/leaf_changes.h"
 #include "removal/stock_impl.h"
 
 namespace proveout {
@@ -14,6 +14,10 @@ namespace proveout {
 namespace {
 
 using openvdb::Coord;
+
+/// Voxels on either side of the surface that the rasteriser fills: a cell that the surface crosses has its
+/// corners within sqrt(3) of it, and the search for the nearest triangle looks one further.
+constexpr float kBand = 3.0f;
 
 /// Adapter that OpenVDB's rasteriser reads a mesh through, in index space of the stock's grid.
 class MeshAdapter {
@@ -73,66 +77,53 @@ class MeshBlank {
     nearest_ = openvdb::Int32Grid::create(-1);
     const auto unit = openvdb::math::Transform::createLinearTransform(1.0);
     // Distances come in voxels: the adapter works in index space and the transform is the identity.
-    grid_ = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-        MeshAdapter(mesh_, impl_), *unit, static_cast<float>(kBandVoxels + 1),
-        static_cast<float>(kBandVoxels + 1), 0, nearest_.get());
+    grid_ = openvdb::tools::meshToVolume<openvdb::FloatGrid>(MeshAdapter(mesh_, impl_), *unit, kBand, kBand, 0,
+                                                             nearest_.get());
     copyTiles();
-    std::vector<Coord> leaves;
-    for (auto it = grid_->tree().cbeginLeaf(); it; ++it) leaves.push_back(it->origin());
-    std::vector<LeafResult> results(leaves.size());
-    parallelFor(std::size_t{0}, leaves.size(), [&](std::size_t i) { leaf(leaves[i], results[i]); });
-    commitLeaves(impl_, results);
+    std::vector<LeafChange> changes;
+    for (auto it = grid_->tree().cbeginLeaf(); it; ++it) {
+      LeafChange change;
+      change.origin = it->origin();
+      for (int v = 0; v < 512; ++v) {
+        if (it->getValue(v) < 0.0f) change.material[v & 7] |= 1ull << (v >> 3);
+      }
+      changes.push_back(change);
+    }
+    commitChanges(impl_, changes, [&](std::size_t i, const LeafEdges& edges, const auto&) {
+      return crossings(changes[i], edges);
+    });
     return Done{};
   }
 
  private:
   void copyTiles() {
     for (auto it = grid_->tree().cbeginValueAll(); it; ++it) {
-      if (it.getLevel() > 0 && it.getValue() < 0.0f) {
-        openvdb::CoordBBox box;
-        it.getBoundingBox(box);
-        impl_.distance->fill(box, -impl_.band(), false);
-      }
+      if (it.getLevel() == 0 || it.getValue() >= 0.0f) continue;
+      openvdb::CoordBBox box;
+      it.getBoundingBox(box);
+      impl_.index->fill(openvdb::CoordBBox(leafCoord(box.min()), leafCoord(box.max())), Stock::Impl::kInside,
+                        false);
     }
   }
 
-  void leaf(const Coord& origin, LeafResult& result) const {
-    std::vector<float> distance(kBlockSize);
-    const std::vector<std::uint32_t> owner(kBlockSize, kNoMotion);
-    auto read = grid_->getConstUnsafeAccessor();
-    const float h = static_cast<float>(impl_.h);
-    for (int x = 0; x < kBlock; ++x) {
-      for (int y = 0; y < kBlock; ++y) {
-        for (int z = 0; z < kBlock; ++z) {
-          const float d = read.getValue(origin.offsetBy(x, y, z)) * h;
-          distance[blockIndex(x, y, z)] = std::clamp(d, -impl_.band(), impl_.band());
-        }
-      }
-    }
-    result.origin = origin;
-    packLeaf(distance.data(), owner.data(), impl_.band(), result);
-    if (result.state == LeafResult::State::kSurface) addCrossings(distance, result);
-  }
-
-  void addCrossings(const std::vector<float>& distance, LeafResult& result) const {
+  std::vector<Crossing> crossings(const LeafChange& leaf, const LeafEdges& edges) const {
+    auto distance = grid_->getConstUnsafeAccessor();
     auto nearest = nearest_->getConstUnsafeAccessor();
-    for (int v = 0; v < 512; ++v) {
-      const int x = v >> 6, y = (v >> 3) & 7, z = v & 7;
-      const int at = blockIndex(x, y, z);
-      for (int axis = 0; axis < 3; ++axis) {
-        const float d0 = distance[at], d1 = distance[at + kBlockStride[axis]];
-        if ((d0 < 0.0f) == (d1 < 0.0f)) continue;
-        result.crossings.push_back(crossing(nearest, result.origin.offsetBy(x, y, z), v, axis, d0, d1));
-      }
-    }
+    std::vector<Crossing> out;
+    out.reserve(edges.count);
+    forEachEdge(edges, [&](int axis, int x, int y, int z) {
+      const Coord at = leaf.origin.offsetBy(x, y, z);
+      out.push_back(crossing(nearest, at, axis, distance.getValue(at),
+                             distance.getValue(at.offsetBy(axis == 0, axis == 1, axis == 2))));
+    });
+    return out;
   }
 
   /// The exact hit of the edge with one of the triangles nearest to the voxels around it; where none is hit
   /// (rounding at a triangle's rim) the distances' own zero.
   template <typename Accessor>
-  Crossing crossing(Accessor& nearest, const Coord& at, int v, int axis, float d0, float d1) const {
+  Crossing crossing(Accessor& nearest, const Coord& at, int axis, float d0, float d1) const {
     Crossing c;
-    c.key = static_cast<std::uint16_t>(v * 3 + axis);
     const Vec3 start = impl_.position(at), step = Vec3::Unit(axis) * impl_.h;
     double best = -1.0;
     int triangle = -1;
@@ -159,8 +150,8 @@ class MeshBlank {
     const Vec3 n =
         triangle >= 0 ? triangleNormal(mesh_, triangle) : Vec3(Vec3::Unit(axis) * (d0 < d1 ? 1.0 : -1.0));
     c.element = faceOf(n);
-    c.t = static_cast<float>(std::clamp(best, kEdgeMargin, 1.0 - kEdgeMargin));
-    for (int i = 0; i < 3; ++i) c.normal[i] = static_cast<float>(n[i]);
+    c.setPosition(best);
+    c.setNormal(n);
     return c;
   }
 

@@ -1,25 +1,27 @@
-// One leaf of the stock while its motions pass through it, in program order.
+// Samples of one leaf while its passes go through it, in program order.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "removal/leaf_changes.h"
+#include "removal/pass.h"
 #include "removal/stock_impl.h"
-#include "removal/sweep.h"
 
 namespace proveout {
 
-enum class ToolPart : std::uint8_t { kCutter, kShank, kHolder };
+/// The passes of a run and the exact sweeps of its curved motions.
+struct PassTable {
+  std::vector<Pass> passes;
+  std::deque<Sweep> curves;
 
-/// One solid of one motion.
-struct Pass {
-  Sweep sweep;
-  MotionId motion;
-  ToolPart part;
-  bool watched;  ///< contact with stock is a finding
+  /// Exact sweep of a pass at level arcs; null where Pass::lineSweep serves.
+  const Sweep* levelArc(const Pass& pass) const {
+    return pass.columns.kind == ColumnSweep::Kind::kArc ? &curves[static_cast<std::size_t>(pass.curve)] : nullptr;
+  }
 };
 
 /// Volumes per motion are summed as whole numbers of this part of a voxel, so that the sum does not depend on
@@ -28,7 +30,7 @@ inline constexpr double kVolumeUnit = 1.0 / 65536.0;
 
 struct ContactSample {
   std::uint32_t pass;
-  double depth;  ///< mm
+  double depth;  ///< mm, of a sample of the stock below the surface of the solid
   Vec3 where;
   std::int64_t volume;  ///< kVolumeUnit
 };
@@ -36,11 +38,11 @@ struct ContactSample {
 /// Cuts leaves; one object a thread, used again and again.
 class LeafCutter {
  public:
-  LeafCutter(const Stock::Impl& impl, const std::deque<Pass>& passes) : impl_(impl), passes_(passes) {}
+  LeafCutter(const Stock::Impl& impl, const PassTable& table)
+      : impl_(impl), table_(table), reader_(impl), kernel_(columnKernels().leaf) {}
 
-  /// Runs `list` (indices of passes, ascending) over the leaf at `origin`. False: there is no material to
-  /// cut, nothing changes.
-  bool cut(const openvdb::Coord& origin, const std::vector<std::uint32_t>& list, LeafResult& result);
+  /// Takes `list` (numbers of passes, ascending) through the samples of change.material.
+  void cut(LeafChange& change, std::span<const std::uint32_t> list);
 
   // What the last cut found.
   const std::vector<std::pair<MotionId, std::int64_t>>& removed() const { return removed_; }  ///< kVolumeUnit
@@ -48,34 +50,18 @@ class LeafCutter {
   std::uint64_t evaluations() const { return evaluations_; }
 
  private:
-  struct EdgeHit {
-    double s = 1.0;              ///< fraction of the edge from its material end
-    const Pass* pass = nullptr;  ///< null: the surface that was there before
-  };
-  struct PassTotals {
-    double removed = 0.0, contact_volume = 0.0;
-    ContactSample contact{};
-    bool near = false;
-  };
-
-  bool readBlock();
-  void applyPass(std::uint32_t index);
-  void applyColumn(const Pass& pass, int column, const double* values, PassTotals& totals);
-  void addCrossings(LeafResult& result) const;
-  Crossing crossing(const openvdb::Coord& at, int axis, int start, int end) const;
-  EdgeHit findHit(const Vec3& a, const Vec3& step, int material, int empty, double first) const;
-  void tryPass(const Pass& pass, double at_a, const Vec3& a, const Vec3& step, EdgeHit& hit) const;
+  void start(const LeafChange& change);
+  void startTops(const LeafChange& change);
+  void apply(std::uint32_t number);
+  void contact(std::uint32_t number, const double* top);
 
   const Stock::Impl& impl_;
-  const std::deque<Pass>& passes_;
+  const PassTable& table_;
+  LeafReader reader_;
+  LeafKernel kernel_;
   openvdb::Coord origin_;
-  std::array<float, kBlockSize> distance_;
-  std::array<std::uint32_t, kBlockSize> owner_;
-  std::array<float, kBlock * kBlock> column_min_;
-  int open_columns_ = 0;  ///< columns with a sample below the band
-  /// The cutters that come near material, each with its distance (or a lower bound of it) at every sample.
-  std::vector<const Pass*> near_;
-  std::vector<float> near_distance_;
+  BlockBox box_{};
+  LeafColumns columns_{};
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
   std::vector<ContactSample> contacts_;
   std::uint64_t evaluations_ = 0;

@@ -1,5 +1,5 @@
-// Cutting a tool path into the stock: blocks of the grid are halved down to leaves, each with the motions
-// that can touch it; a leaf sees its motions in program order.
+// Cutting a tool path into the stock: blocks of the grid are halved down to leaves, each with the passes that can
+// touch it; a leaf's samples see its passes in program order; then the crossings of all changed leaves are found.
 #include <fmt/format.h>
 #include <tbb/concurrent_vector.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <deque>
+#include <limits>
 #include <map>
 #include <mutex>
 
 #include "core/base/parallel_for.h"
 #include "core/tool/tool_solid.h"
+#include "removal/leaf_crossings.h"
 #include "removal/leaf_cutter.h"
 #include "removal/threads.h"
 
@@ -21,6 +22,35 @@ namespace proveout {
 namespace {
 
 using openvdb::Coord;
+
+/// Curved motions are cut as chords that lie this close to them, mm: far below the smallest error that the surface
+/// has elsewhere. Level arcs of one radius have a closed form and need none.
+constexpr double kChordMm = 5e-5;
+/// The same for parts of the tool that do not cut: below what counts as contact.
+constexpr double kContactChordMm = 5e-4;
+constexpr double kMostChords = 1e6;
+/// Level arcs whose radius and height change by less than this are circles, mm.
+constexpr double kSameRadiusMm = 1e-7;
+
+struct Solids {
+  explicit Solids(const Tool& tool) : solid(makeToolSolid(tool)) {
+    for (const ConvexProfile& p : solid.cutter) add(p, ToolPart::kCutter);
+    for (const ConvexProfile& p : solid.shank) add(p, ToolPart::kShank);
+    for (const ConvexProfile& p : solid.holder) add(p, ToolPart::kHolder);
+  }
+  Solids(const Solids&) = delete;
+
+  struct Part {
+    const ConvexProfile* profile;
+    ColumnSolid columns;
+    ToolPart part;
+  };
+  ToolSolid solid;
+  std::vector<Part> parts;
+
+ private:
+  void add(const ConvexProfile& profile, ToolPart part) { parts.push_back({&profile, columnSolid(profile), part}); }
+};
 
 class Remover {
  public:
@@ -31,8 +61,9 @@ class Remover {
         progress_(progress),
         limit_bytes_(limit_bytes),
         removed_(path.motions.size()),
-        cutters_([this] { return LeafCutter(impl_, passes_); }) {
-    for (const Tool& tool : tools) solids_.emplace(tool.number, makeToolSolid(tool));
+        cutters_([this] { return LeafCutter(impl_, table_); }),
+        finders_([this] { return CrossingFinder(impl_, table_); }) {
+    for (const Tool& tool : tools) solids_.try_emplace(tool.number, tool);
   }
 
   Status preparePasses();
@@ -42,34 +73,73 @@ class Remover {
  private:
   using List = std::vector<std::uint32_t>;
 
-  void addParts(const std::vector<ConvexProfile>& parts, ToolPart part, MotionId id, const ArcGeometry* arc,
-                bool watched);
+  void addPasses(MotionId id, const Solids::Part& part, bool watched, std::int32_t curve);
+  bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
   void visit(const Coord& origin, int size, const List& candidates);
   List cull(const Coord& origin, int size, const List& candidates) const;
-  void leaf(const Coord& origin, const List& passes);
+  void leaf(const Coord& origin, List passes);
 
   Stock::Impl& impl_;
   const Toolpath& path_;
   Progress& progress_;
   double limit_bytes_;
-  std::map<int, ToolSolid> solids_;
-  std::deque<Pass> passes_;
+  std::map<int, Solids> solids_;
+  PassTable table_;
   std::vector<std::atomic<std::int64_t>> removed_;
   tbb::enumerable_thread_specific<LeafCutter> cutters_;
+  tbb::enumerable_thread_specific<CrossingFinder> finders_;
   tbb::concurrent_vector<ContactSample> contacts_;
   std::mutex mutex_;
-  std::vector<LeafResult> results_;
-  std::atomic<std::uint64_t> evaluations_{0}, leaves_{0};
-  std::atomic<double> done_{0.0};
+  std::vector<LeafChange> changes_;
+  std::vector<List> lists_;  ///< passes of each change
+  std::atomic<std::uint64_t> evaluations_{0};
+  std::atomic<double> bytes_{0.0}, done_{0.0};
   double total_blocks_ = 1.0;
   std::atomic<bool> over_limit_{false};
 };
 
-void Remover::addParts(const std::vector<ConvexProfile>& parts, ToolPart part, MotionId id,
-                       const ArcGeometry* arc, bool watched) {
+void addTo(std::atomic<double>& sum, double value) {
+  for (double old = sum.load(); !sum.compare_exchange_weak(old, old + value);) {
+  }
+}
+
+bool Remover::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
+  const ArcFrame frame = arcFrame(motion.from, motion.to, arc);
+  return arc.normal.head<2>().squaredNorm() < 1e-24 && std::abs(frame.rise) < kSameRadiusMm &&
+         std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm && frame.radius_start > kSameRadiusMm;
+}
+
+void Remover::addPasses(MotionId id, const Solids::Part& part, bool watched, std::int32_t curve) {
   const Motion& m = path_.motions[id];
-  for (const ConvexProfile& profile : parts)
-    passes_.push_back({Sweep(profile, m.from, m.to, arc), id, part, watched});
+  Pass pass;
+  pass.profile = part.profile;
+  pass.motion = id;
+  pass.curve = curve;
+  pass.part = part.part;
+  pass.watched = watched;
+  if (m.arc < 0) {
+    pass.columns = columnLine(part.columns, m.from, m.to);
+    table_.passes.push_back(pass);
+    return;
+  }
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  if (isLevelArc(m, arc)) {
+    pass.columns = columnArc(part.columns, m.from, m.to, arc);
+    table_.passes.push_back(pass);
+    return;
+  }
+  const ArcFrame frame = arcFrame(m.from, m.to, arc);
+  const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6});
+  const double within = part.part == ToolPart::kCutter ? kChordMm : kContactChordMm;
+  const double step = std::sqrt(8.0 * std::min(within, radius) / radius);
+  const int chords = static_cast<int>(std::clamp(std::ceil(std::abs(arc.sweep_rad) / step), 1.0, kMostChords));
+  Vec3 from = m.from;
+  for (int i = 1; i <= chords; ++i) {
+    const Vec3 to = i == chords ? m.to : arcPoint(frame, arc, static_cast<double>(i) / chords);
+    pass.columns = columnLine(part.columns, from, to);
+    table_.passes.push_back(pass);
+    from = to;
+  }
 }
 
 Status Remover::preparePasses() {
@@ -79,18 +149,25 @@ Status Remover::preparePasses() {
       return Error{ErrorKind::kInternal,
                    fmt::format("motion {} has a coordinate that is not a finite number", id)};
     }
-    const auto solid = solids_.find(m.tool);
-    if (solid == solids_.end()) {
+    const auto found = solids_.find(m.tool);
+    if (found == solids_.end()) {
       const std::string file = m.source.file < path_.files.size() ? path_.files[m.source.file] : "";
       return inputError(fmt::format(
           "{}:{}: tool {} is not described; give it in the job ([[tool]]) or with --tool {}=SHAPE:...", file,
           m.source.line, m.tool, m.tool));
     }
-    const ArcGeometry* arc = m.arc >= 0 ? &path_.arcs[m.arc] : nullptr;
     const bool watched = m.kind == MotionKind::kRapid || m.spindle == 0.0;
-    addParts(solid->second.cutter, ToolPart::kCutter, id, arc, watched);
-    addParts(solid->second.shank, ToolPart::kShank, id, arc, true);
-    addParts(solid->second.holder, ToolPart::kHolder, id, arc, true);
+    for (const Solids::Part& part : found->second.parts) {
+      std::int32_t curve = -1;
+      if (m.arc >= 0) {
+        curve = static_cast<std::int32_t>(table_.curves.size());
+        table_.curves.emplace_back(*part.profile, m.from, m.to, &path_.arcs[static_cast<std::size_t>(m.arc)]);
+      }
+      addPasses(id, part, watched || part.part != ToolPart::kCutter, curve);
+    }
+    if (static_cast<double>(table_.passes.size() * sizeof(Pass)) > limit_bytes_) {
+      return memoryError(2.0 * limit_bytes_, limit_bytes_, impl_.h);
+    }
   }
   return Done{};
 }
@@ -104,27 +181,30 @@ Status Remover::run() {
   }
   int size = 8;
   while (size <= (high - low)[openvdb::math::MaxIndex(high - low)]) size *= 2;
-  List all(passes_.size());
+  List all(table_.passes.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   total_blocks_ = std::pow(size / 8.0, 3);
   visit(low, size, all);
-  if (over_limit_)
-    return memoryError(leafBytes(static_cast<double>(leaves_.load())) * 1.5, limit_bytes_, impl_.h);
+  if (over_limit_) return memoryError(bytes_ * 1.5, limit_bytes_, impl_.h);
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  commitLeaves(impl_, results_);
+  commitChanges(impl_, changes_, [this](std::size_t i, const LeafEdges& edges, const auto& before) {
+    std::vector<Crossing> found;
+    if (!progress_.cancelled()) found = finders_.local().find(changes_[i], edges, before, lists_[i]);
+    List().swap(lists_[i]);
+    return found;
+  });
+  if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   return Done{};
 }
 
 Remover::List Remover::cull(const Coord& origin, int size, const List& candidates) const {
   // The block reaches from voxel 0 to voxel `size`: one layer more than its own.
   const double half = 0.5 * size * impl_.h;
-  const Vec3 center = impl_.position(origin) + Vec3::Constant(half);
-  const double reach = std::sqrt(3.0) * half + impl_.band();
-  const Box3 box = Box3{center, center}.inflated(half + impl_.band());
+  const Vec3 low = impl_.position(origin);
+  const BlockBox box{low.x() + half, low.y() + half, half, low.z(), low.z() + 2.0 * half};
   List kept;
   for (const std::uint32_t i : candidates) {
-    const Sweep& sweep = passes_[i].sweep;
-    if (box.overlaps(sweep.bounds()) && sweep.distance(center, reach) <= reach) kept.push_back(i);
+    if (reachIn(table_.passes[i], box) < std::numeric_limits<double>::infinity()) kept.push_back(i);
   }
   return kept;
 }
@@ -135,37 +215,41 @@ void Remover::visit(const Coord& origin, int size, const List& candidates) {
   const Vec3 low = impl_.position(origin);
   const Box3 box{low, low + Vec3::Constant(size * impl_.h)};
   const bool in_blank = box.overlaps(impl_.blank.inflated(impl_.h));
-  const List passes = in_blank ? cull(origin, size, candidates) : List{};
+  List passes = in_blank ? cull(origin, size, candidates) : List{};
   if (passes.empty() || size == 8) {
-    if (!passes.empty()) leaf(origin, passes);
-    for (double old = done_.load(); !done_.compare_exchange_weak(old, old + blocks);) {
-    }
-    if (size >= 64) progress_.report("removing", done_.load() / total_blocks_);
+    if (!passes.empty()) leaf(origin, std::move(passes));
+    if (size >= 64) addTo(done_, blocks);
     return;
   }
   const int half = size / 2;
   const auto child = [&](int i) {
     visit(origin.offsetBy(i & 1 ? half : 0, i & 2 ? half : 0, i & 4 ? half : 0), half, passes);
   };
-  if (size >= 16) {
+  if (size >= 32) {
     parallelFor(0, 8, child);
   } else {
     for (int i = 0; i < 8; ++i) child(i);
   }
+  if (size == 64) addTo(done_, blocks);
   if (size >= 64) progress_.report("removing", done_.load() / total_blocks_);
 }
 
-void Remover::leaf(const Coord& origin, const List& passes) {
+void Remover::leaf(const Coord& origin, List passes) {
+  const LeafReader reader(impl_);
+  LeafChange change = readLeaf(reader, origin);
+  if (!isMixed(reader, origin) && change.material[0] == 0) return;  // empty already
   LeafCutter& cutter = cutters_.local();
-  LeafResult result;
-  if (!cutter.cut(origin, passes, result)) return;
+  cutter.cut(change, passes);
   for (const auto& [motion, volume] : cutter.removed())
     removed_[motion].fetch_add(volume, std::memory_order_relaxed);
   for (const ContactSample& c : cutter.contacts()) contacts_.push_back(c);
   evaluations_.fetch_add(cutter.evaluations(), std::memory_order_relaxed);
+  passes.shrink_to_fit();
+  addTo(bytes_, leafBytes(1.0) + static_cast<double>(sizeof(LeafChange) + passes.size() * sizeof(std::uint32_t)));
+  if (bytes_ > limit_bytes_) over_limit_ = true;
   const std::lock_guard<std::mutex> lock(mutex_);
-  results_.push_back(std::move(result));
-  if (leafBytes(static_cast<double>(++leaves_)) > limit_bytes_) over_limit_ = true;
+  changes_.push_back(change);
+  lists_.push_back(std::move(passes));
 }
 
 RemovalSummary Remover::summary() const {
@@ -184,7 +268,7 @@ RemovalSummary Remover::summary() const {
                                         b.where.data() + 3);
   });
   for (const ContactSample& s : samples) {
-    const Pass& pass = passes_[s.pass];
+    const Pass& pass = table_.passes[s.pass];
     const Motion& m = path_.motions[pass.motion];
     ContactKind kind = m.kind == MotionKind::kRapid ? ContactKind::kRapid : ContactKind::kSpindleOff;
     if (pass.part == ToolPart::kShank) kind = ContactKind::kShank;

@@ -32,9 +32,8 @@ std::string_view contactKindName(ContactKind kind) {
 
 namespace {
 
-/// Measured on the sample programs: samples, owners, masks, tree nodes, crossings and the leaf's entry in the
-/// map.
-constexpr double kBytesPerLeaf = 512 * (4 + 4) + 2 * 160 + 130 * sizeof(Crossing) + 200;
+/// Measured on the sample programs: bits, crossings, the list of motions while cutting.
+constexpr double kBytesPerLeaf = sizeof(StockLeaf) + 64 * sizeof(Crossing) + 200;
 
 /// Voxel indices stay far inside 32 bits.
 constexpr double kMaxVoxelsPerSide = 1 << 24;
@@ -103,75 +102,54 @@ Error memoryError(double needed_bytes, double limit_bytes, double resolution_mm)
                       limit_bytes / 1e9, resolution_mm, std::max(fits, resolution_mm * 1.1))};
 }
 
-const Crossing* findCrossing(const CrossingMap& map, const Coord& at, int axis) {
-  const auto leaf = map.find(at & ~7);
-  if (leaf == map.end()) return nullptr;
-  const int offset = ((at.x() & 7) << 6) | ((at.y() & 7) << 3) | (at.z() & 7);
-  const auto key = static_cast<std::uint16_t>(offset * 3 + axis);
-  const auto it = std::lower_bound(leaf->second.begin(), leaf->second.end(), key,
-                                   [](const Crossing& c, std::uint16_t k) { return c.key < k; });
-  return it != leaf->second.end() && it->key == key ? &*it : nullptr;
+void Crossing::setNormal(const Vec3& n) {
+  for (int i = 0; i < 3; ++i) normal[i] = static_cast<std::int16_t>(std::lround(n[i] * kNormalScale));
 }
 
-void packLeaf(const float* distance, const std::uint32_t* owner, float band, LeafResult& result) {
-  bool any_in = false, any_out = false, near = false;
-  result.distance.resize(512);
-  result.owner.resize(512);
-  for (int v = 0; v < 512; ++v) {
-    const int at = blockIndex(v >> 6, (v >> 3) & 7, v & 7);
-    result.distance[v] = distance[at];
-    result.owner[v] = static_cast<std::int32_t>(owner[at]);
-    (distance[at] < 0.0f ? any_in : any_out) = true;
-    near = near || std::abs(distance[at]) < band;
+void Crossing::setPosition(double from_start) {
+  t = std::clamp(static_cast<float>(from_start), kEdgeMargin, 1.0f - kEdgeMargin);
+}
+
+LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& next) {
+  constexpr std::uint64_t kFirstX = 0xFF, kFirstY = 0x0101010101010101;
+  LeafEdges e;
+  for (int z = 0; z < 8; ++z) {
+    const std::uint64_t m = own[z];
+    e.crossed[0][z] = m ^ (m >> 8 | ((*next[0])[z] & kFirstX) << 56);
+    e.crossed[1][z] = m ^ ((m >> 1 & ~(kFirstY << 7)) | ((*next[1])[z] & kFirstY) << 7);
+    e.crossed[2][z] = m ^ (z < 7 ? own[z + 1] : (*next[2])[0]);
   }
-  using State = LeafResult::State;
-  result.state = near || (any_in && any_out) ? State::kSurface : (any_in ? State::kInside : State::kOutside);
-  if (result.state != State::kSurface) {
-    result.distance.clear();
-    result.owner.clear();
-  }
-}
-
-void makeGrids(Stock::Impl& impl) {
-  impl.distance = openvdb::FloatGrid::create(impl.band());
-  impl.owner = openvdb::Int32Grid::create(-1);
-}
-
-namespace {
-
-void commitSurfaceLeaf(Stock::Impl& impl, LeafResult& r) {
-  auto* distance = new openvdb::FloatTree::LeafNodeType(r.origin, impl.band(), false);
-  auto* owner = new openvdb::Int32Tree::LeafNodeType(r.origin, -1, false);
-  for (int v = 0; v < 512; ++v) {
-    if (std::abs(r.distance[v]) < impl.band()) {
-      distance->setValueOn(v, r.distance[v]);
-      owner->setValueOn(v, r.owner[v]);
-    } else {
-      distance->setValueOff(v, r.distance[v]);
-      owner->setValueOff(v, r.owner[v]);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int z = 0; z < 8; ++z) {
+      e.first[axis][z] = e.count;
+      e.count = static_cast<std::uint16_t>(e.count + std::popcount(e.crossed[axis][z]));
     }
   }
-  impl.distance->tree().addLeaf(distance);
-  impl.owner->tree().addLeaf(owner);
+  return e;
 }
 
-}  // namespace
+bool isMixed(const LeafReader& reader, const Coord& origin) {
+  // Own samples, and of each upper neighbour the layer, row or corner that belongs to the block.
+  constexpr std::uint64_t kRowX = 0xFF, kRowY = 0x0101010101010101;
+  const std::uint64_t side = reader.bits(origin)[0] & 1 ? ~0ull : 0;
+  for (int n = 0; n < 8; ++n) {
+    const LeafBits& bits = reader.bits(origin.offsetBy(n & 1 ? 8 : 0, n & 2 ? 8 : 0, n & 4 ? 8 : 0));
+    const std::uint64_t mask = (n & 1 ? kRowX : ~0ull) & (n & 2 ? kRowY : ~0ull);
+    for (int z = 0; z < (n & 4 ? 1 : 8); ++z) {
+      if ((bits[z] ^ side) & mask) return true;
+    }
+  }
+  return false;
+}
 
-void commitLeaves(Stock::Impl& impl, std::vector<LeafResult>& results) {
-  for (LeafResult& r : results) {
-    if (r.state == LeafResult::State::kSurface) {
-      commitSurfaceLeaf(impl, r);
-    } else {
-      const float value = r.state == LeafResult::State::kInside ? -impl.band() : impl.band();
-      impl.distance->tree().addTile(1, r.origin, value, false);
-      impl.owner->tree().addTile(1, r.origin, -1, false);
-    }
-    if (r.crossings.empty()) {
-      impl.crossings.erase(r.origin);
-    } else {
-      impl.crossings[r.origin] = std::move(r.crossings);
-    }
-    r = LeafResult{};
+void makeIndex(Stock::Impl& impl) { impl.index = openvdb::Int32Grid::create(Stock::Impl::kOutside); }
+
+void renumberLeaves(Stock::Impl& impl) {
+  std::sort(impl.leaves.begin(), impl.leaves.end(),
+            [](const StockLeaf& a, const StockLeaf& b) { return a.origin < b.origin; });
+  auto write = impl.index->getAccessor();
+  for (std::size_t i = 0; i < impl.leaves.size(); ++i) {
+    write.setValue(leafCoord(impl.leaves[i].origin), static_cast<std::int32_t>(i));
   }
 }
 
@@ -196,7 +174,7 @@ Result<Stock> Stock::create(const StockShape& shape, const RemovalOptions& optio
     stock.impl_->h = options.resolution_mm;
     stock.impl_->origin = kGridShift * options.resolution_mm;
     stock.impl_->blank = bounds;
-    makeGrids(*stock.impl_);
+    makeIndex(*stock.impl_);
     if (Status status = buildBlank(*stock.impl_, shape, options, progress); !status) return status.error();
   } catch (const std::bad_alloc&) {
     return memoryError(2.0 * memoryLimit(options), memoryLimit(options), options.resolution_mm);

@@ -34,7 +34,9 @@ struct Contact {
   ContactKind kind = ContactKind::kRapid;
   MotionId motion = kNoMotion;  ///< first motion of the contact
   Vec3 where = Vec3::Zero();    ///< deepest sampled point, mm
-  double depth_mm = 0.0;        ///< deepest penetration of stock by the part in question at a grid point
+  /// Deepest penetration of stock by the part in question: exact at faces that the grid's vertical lines meet, at walls
+  /// up to one grid step too small.
+  double depth_mm = 0.0;
   double volume_mm3 = 0.0;      ///< stock that was in the way, counted in grid cells
 };
 

@@ -1,5 +1,5 @@
-// The stock as a .vdb file: distance and owner grids, and per axis the crossings as grids of fraction,
-// normal, motion and element.
+// The stock as a .vdb file: a level set one voxel wide on either side, for everyone; and, per axis, the exact
+// crossings as grids of fraction, normal, motion and element, from which it is loaded again without loss.
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
 
@@ -19,7 +19,7 @@ namespace proveout {
 namespace {
 
 using openvdb::Coord;
-constexpr char kSchema[] = "proveout.stock/1";
+constexpr char kSchema[] = "proveout.stock/2";
 constexpr const char* kAxisName[3] = {"x", "y", "z"};
 
 struct CrossingGrids {
@@ -28,29 +28,70 @@ struct CrossingGrids {
   openvdb::Int32Grid::Ptr motion, element;
 };
 
-CrossingGrids packAxis(const CrossingMap& map, int axis) {
+Coord edgeEnd(const Coord& at, int axis) { return at.offsetBy(axis == 0, axis == 1, axis == 2); }
+
+CrossingGrids packAxis(const Stock::Impl& impl, int axis) {
   CrossingGrids g{openvdb::FloatGrid::create(-1.0f), openvdb::Vec3SGrid::create(),
                   openvdb::Int32Grid::create(-1), openvdb::Int32Grid::create(0)};
   auto t = g.t->getAccessor();
   auto normal = g.normal->getAccessor();
   auto motion = g.motion->getAccessor();
   auto element = g.element->getAccessor();
-  for (const auto& [origin, list] : map) {
-    for (const Crossing& c : list) {
-      if (c.key % 3 != axis) continue;
-      const int v = c.key / 3;
-      const Coord at = origin.offsetBy(v >> 6, (v >> 3) & 7, v & 7);
+  const LeafReader reader(impl);
+  for (const StockLeaf& leaf : impl.leaves) {
+    std::size_t next = 0;
+    forEachEdge(reader.edges(leaf), [&](int edge_axis, int x, int y, int z) {
+      const Crossing& c = leaf.crossings[next++];
+      if (edge_axis != axis) return;
+      const Coord at = leaf.origin.offsetBy(x, y, z);
       t.setValue(at, c.t);
-      normal.setValue(at, openvdb::Vec3s(c.normal[0], c.normal[1], c.normal[2]));
+      normal.setValue(at, openvdb::Vec3s(c.normal[0], c.normal[1], c.normal[2]) / float{Crossing::kNormalScale});
       motion.setValue(at, static_cast<std::int32_t>(c.motion));
       element.setValue(at, c.element);
-    }
+    });
   }
   g.t->setName(fmt::format("crossing_{}_t", kAxisName[axis]));
   g.normal->setName(fmt::format("crossing_{}_normal", kAxisName[axis]));
   g.motion->setName(fmt::format("crossing_{}_motion", kAxisName[axis]));
   g.element->setName(fmt::format("crossing_{}_element", kAxisName[axis]));
   return g;
+}
+
+/// Distances near the surface are those to the tangent planes of the crossings next to a sample.
+openvdb::FloatGrid::Ptr packDistance(const Stock::Impl& impl) {
+  const auto band = static_cast<float>(impl.h);
+  auto grid = openvdb::FloatGrid::create(band);
+  for (auto it = impl.index->cbeginValueAll(); it; ++it) {
+    if (it.getValue() != Stock::Impl::kInside) continue;
+    openvdb::CoordBBox box;
+    it.getBoundingBox(box);
+    const Coord low(box.min().x() * 8, box.min().y() * 8, box.min().z() * 8);
+    const Coord high(box.max().x() * 8 + 7, box.max().y() * 8 + 7, box.max().z() * 8 + 7);
+    grid->fill(openvdb::CoordBBox(low, high), -band, false);
+  }
+  auto write = grid->getAccessor();
+  for (const StockLeaf& leaf : impl.leaves) {
+    auto* node = grid->tree().touchLeaf(leaf.origin);
+    for (int v = 0; v < 512; ++v) node->setValueOff(v, leafSample(leaf.material, v >> 6, v >> 3 & 7, v & 7) ? -band : band);
+  }
+  const LeafReader reader(impl);
+  const auto bring = [&](const Coord& at, float distance) {
+    const float old = write.getValue(at);
+    if (distance < std::abs(old) || !write.isValueOn(at)) write.setValue(at, old < 0.0f ? -distance : distance);
+  };
+  for (const StockLeaf& leaf : impl.leaves) {
+    std::size_t next = 0;
+    forEachEdge(reader.edges(leaf), [&](int axis, int x, int y, int z) {
+      const Crossing& c = leaf.crossings[next++];
+      const Coord at = leaf.origin.offsetBy(x, y, z);
+      const float across = static_cast<float>(std::abs(c.unitNormal()[axis])) * band;
+      bring(at, c.t * across);
+      bring(edgeEnd(at, axis), (1.0f - c.t) * across);
+    });
+  }
+  grid->setName("distance");
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  return grid;
 }
 
 template <typename Grid>
@@ -60,28 +101,56 @@ typename Grid::Ptr readGrid(openvdb::io::File& file, const std::string& name) {
   return grid;
 }
 
-void unpackAxis(openvdb::io::File& file, int axis, CrossingMap& map) {
-  const std::string base = fmt::format("crossing_{}_", kAxisName[axis]);
-  const auto t = readGrid<openvdb::FloatGrid>(file, base + "t");
-  const auto normal = readGrid<openvdb::Vec3SGrid>(file, base + "normal");
-  const auto motion = readGrid<openvdb::Int32Grid>(file, base + "motion");
-  const auto element = readGrid<openvdb::Int32Grid>(file, base + "element");
-  auto n = normal->getConstAccessor();
-  auto m = motion->getConstAccessor();
-  auto e = element->getConstAccessor();
-  for (auto it = t->cbeginValueOn(); it; ++it) {
-    const Coord at = it.getCoord();
+void unpackDistance(const openvdb::FloatGrid& grid, Stock::Impl& impl) {
+  makeIndex(impl);
+  for (auto it = grid.cbeginValueAll(); it; ++it) {
+    if (!std::isfinite(it.getValue())) throw std::runtime_error("a distance is not a finite number");
+    if (it.getLevel() == 0 || it.getValue() >= 0.0f) continue;
+    openvdb::CoordBBox box;
+    it.getBoundingBox(box);
+    impl.index->fill(openvdb::CoordBBox(leafCoord(box.min()), leafCoord(box.max())), Stock::Impl::kInside, false);
+  }
+  for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
+    StockLeaf& out = impl.leaves.emplace_back();
+    out.origin = leaf->origin();
+    for (int v = 0; v < 512; ++v) {
+      if (leaf->getValue(v) < 0.0f) out.material[v & 7] |= 1ull << (v >> 3);
+    }
+  }
+  renumberLeaves(impl);
+}
+
+struct CrossingReader {
+  CrossingReader(openvdb::io::File& file, int axis)
+      : t(readGrid<openvdb::FloatGrid>(file, fmt::format("crossing_{}_t", kAxisName[axis]))),
+        normal(readGrid<openvdb::Vec3SGrid>(file, fmt::format("crossing_{}_normal", kAxisName[axis]))),
+        motion(readGrid<openvdb::Int32Grid>(file, fmt::format("crossing_{}_motion", kAxisName[axis]))),
+        element(readGrid<openvdb::Int32Grid>(file, fmt::format("crossing_{}_element", kAxisName[axis]))) {}
+
+  Crossing read(const Coord& at) const {
     Crossing c;
-    c.key =
-        static_cast<std::uint16_t>(((((at.x() & 7) << 6) | ((at.y() & 7) << 3) | (at.z() & 7))) * 3 + axis);
-    c.t = it.getValue();
-    const auto v = n.getValue(at);
-    for (int i = 0; i < 3; ++i) c.normal[i] = v[i];
-    c.motion = static_cast<std::uint32_t>(m.getValue(at));
-    c.element = static_cast<std::uint16_t>(e.getValue(at));
-    if (!(c.t >= 0.0f && c.t <= 1.0f) || !std::isfinite(v.lengthSqr()))
-      throw std::runtime_error("a crossing is out of range");
-    map[at & ~7].push_back(c);
+    c.t = t->getConstUnsafeAccessor().getValue(at);
+    const auto v = normal->getConstUnsafeAccessor().getValue(at);
+    if (!(c.t >= 0.0f && c.t <= 1.0f) || !(v.lengthSqr() < 2.0f))
+      throw std::runtime_error("a crossing is missing or out of range");
+    c.setNormal(Vec3(v[0], v[1], v[2]));
+    c.motion = static_cast<std::uint32_t>(motion->getConstUnsafeAccessor().getValue(at));
+    c.element = static_cast<std::uint16_t>(element->getConstUnsafeAccessor().getValue(at));
+    return c;
+  }
+
+  openvdb::FloatGrid::Ptr t;
+  openvdb::Vec3SGrid::Ptr normal;
+  openvdb::Int32Grid::Ptr motion, element;
+};
+
+void unpackCrossings(openvdb::io::File& file, Stock::Impl& impl) {
+  const CrossingReader axes[3] = {CrossingReader(file, 0), CrossingReader(file, 1), CrossingReader(file, 2)};
+  const LeafReader reader(impl);
+  for (StockLeaf& leaf : impl.leaves) {
+    forEachEdge(reader.edges(leaf), [&](int axis, int x, int y, int z) {
+      leaf.crossings.push_back(axes[axis].read(leaf.origin.offsetBy(x, y, z)));
+    });
   }
 }
 
@@ -132,10 +201,8 @@ void checkTrailer(const std::string& path) {
 /// of motion and element becomes an element of the blank.
 void numberFaces(Stock::Impl& impl) {
   std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint16_t> number;
-  for (auto leaf = impl.distance->tree().cbeginLeaf(); leaf; ++leaf) {
-    const auto list = impl.crossings.find(leaf->origin());
-    if (list == impl.crossings.end()) continue;
-    for (Crossing& c : list->second) {
+  for (StockLeaf& leaf : impl.leaves) {
+    for (Crossing& c : leaf.crossings) {
       const auto next =
           static_cast<std::uint16_t>(number.size());  // beyond 65,535 faces numbers come again, far away
       c.element = number.try_emplace({c.motion, c.element}, next).first->second;
@@ -170,14 +237,6 @@ void setTransform(openvdb::GridBase& grid, const Stock::Impl& impl) {
   grid.setTransform(transform);
 }
 
-void checkRead(const Stock::Impl& impl) {
-  if (!(impl.h > 0.0) || !impl.origin.allFinite() || impl.blank.empty())
-    throw std::runtime_error("its metadata are out of range");
-  for (auto it = impl.distance->cbeginValueAll(); it; ++it) {
-    if (!std::isfinite(it.getValue())) throw std::runtime_error("a distance is not a finite number");
-  }
-}
-
 }  // namespace
 
 Status Stock::save(const std::string& path) const {
@@ -185,13 +244,9 @@ Status Stock::save(const std::string& path) const {
   std::error_code ignored;
   try {
     openvdb::GridPtrVec grids;
-    impl_->distance->setName("distance");
-    impl_->distance->setGridClass(openvdb::GRID_LEVEL_SET);
-    impl_->owner->setName("owner");
-    grids.push_back(impl_->distance);
-    grids.push_back(impl_->owner);
+    grids.push_back(packDistance(*impl_));
     for (int axis = 0; axis < 3; ++axis) {
-      const CrossingGrids g = packAxis(impl_->crossings, axis);
+      const CrossingGrids g = packAxis(*impl_, axis);
       for (const openvdb::GridBase::Ptr& grid :
            {openvdb::GridBase::Ptr(g.t), openvdb::GridBase::Ptr(g.normal), openvdb::GridBase::Ptr(g.motion),
             openvdb::GridBase::Ptr(g.element)}) {
@@ -224,16 +279,11 @@ Status loadStock(Stock::Impl& impl, const std::string& path) {
     impl.initial_volume = meta->metaValue<double>("initial_volume");
     impl.origin = readVector(*meta, "origin");
     impl.blank = {readVector(*meta, "blank_min"), readVector(*meta, "blank_max")};
-    impl.distance = readGrid<openvdb::FloatGrid>(file, "distance");
-    impl.owner = openvdb::Int32Grid::create(-1);  // this run's motions have their own numbers
-    for (auto leaf = impl.distance->tree().cbeginLeaf(); leaf; ++leaf)
-      impl.owner->tree().touchLeaf(leaf->origin());
-    for (int axis = 0; axis < 3; ++axis) unpackAxis(file, axis, impl.crossings);
-    for (auto& [origin, list] : impl.crossings) {
-      std::sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b) { return a.key < b.key; });
-    }
+    if (!(impl.h > 0.0) || !impl.origin.allFinite() || impl.blank.empty())
+      throw std::runtime_error("its metadata are out of range");
+    unpackDistance(*readGrid<openvdb::FloatGrid>(file, "distance"), impl);
+    unpackCrossings(file, impl);
     file.close();
-    checkRead(impl);
     numberFaces(impl);
   } catch (const std::exception& e) {
     return inputError(fmt::format("{}: not a readable stock: {}", path, e.what()));

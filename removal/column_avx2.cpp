@@ -1,0 +1,7 @@
+#include "removal/column_kernel_body.h"
+
+namespace proveout {
+
+ColumnKernels avx2Kernels() { return {columns, leafColumns, "avx2"}; }
+
+}  // namespace proveout

@@ -1,0 +1,7 @@
+#include "removal/column_kernel_body.h"
+
+namespace proveout {
+
+ColumnKernels avx512Kernels() { return {columns, leafColumns, "avx512"}; }
+
+}  // namespace proveout

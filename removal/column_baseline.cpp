@@ -1,0 +1,7 @@
+#include "removal/column_kernel_body.h"
+
+namespace proveout {
+
+ColumnKernels baselineKernels() { return {columns, leafColumns, "baseline"}; }
+
+}  // namespace proveout

@@ -1,0 +1,245 @@
+// Body of the column kernels; compiled once for each SIMD level inside a namespace of its own.
+// Plain loops over arrays that the compiler vectorises. No function with external linkage is used, so that
+// code for one level can never be taken for another; no operation may be contracted or reassociated.
+#pragma once
+
+#include "removal/column_types.h"
+
+namespace {
+
+using proveout::ColumnBoundary;
+using proveout::ColumnSweep;
+
+constexpr int kArray = proveout::kMaxColumns;
+constexpr double kNothing = __builtin_inf();
+/// Halvings of the bracket of a stationary point: its error is squared in the value.
+constexpr int kHalvings = 26;
+
+inline double least(double a, double b) { return a < b ? a : b; }
+inline double most(double a, double b) { return a > b ? a : b; }
+inline double root(double a) { return __builtin_sqrt(a > 0.0 ? a : 0.0); }
+
+/// out = L(r), for r in range.
+inline void boundaryHeight(const ColumnBoundary& boundary, const double* __restrict r, int n,
+                           double* __restrict out) {
+  for (int p = 0; p < boundary.count; ++p) {
+    const ColumnBoundary::Piece& piece = boundary.piece[p];
+    const double ra = piece.ra, za = piece.za, slope = piece.slope;
+    const double rc = piece.rc, zc = piece.zc, radius2 = piece.radius * piece.radius;
+    const bool first = p == 0;
+    if (piece.kind == ColumnBoundary::Kind::kArc) {
+      for (int i = 0; i < n; ++i) {
+        const double d = r[i] - rc;
+        const double z = zc - root(radius2 - d * d);
+        out[i] = first || r[i] >= ra ? z : out[i];
+      }
+    } else {
+      for (int i = 0; i < n; ++i) {
+        const double z = za + slope * (r[i] - ra);
+        out[i] = first || r[i] >= ra ? z : out[i];
+      }
+    }
+  }
+}
+
+/// The |s| in [sa, sb] at which L(sqrt(p2 + s^2)) - steep * |s| is least on an arc piece.
+inline void arcStationary(const ColumnBoundary::Piece& piece, double steep, const double* __restrict p2, int n,
+                          const double* __restrict sa, const double* __restrict sb, double* __restrict s) {
+  const double rc = piece.rc, radius2 = piece.radius * piece.radius;
+  double low[kArray], high[kArray];
+  for (int i = 0; i < n; ++i) low[i] = sa[i], high[i] = sb[i];
+  for (int round = 0; round < kHalvings; ++round) {
+    for (int i = 0; i < n; ++i) {
+      const double t = 0.5 * (low[i] + high[i]);
+      const double r = root(p2[i] + t * t);
+      const double d = r - rc;
+      // L' t / r < steep, without division
+      const bool falling = d * t < steep * r * root(radius2 - d * d);
+      low[i] = falling ? t : low[i];
+      high[i] = falling ? high[i] : t;
+    }
+  }
+  for (int i = 0; i < n; ++i) s[i] = 0.5 * (low[i] + high[i]);
+}
+
+/// out = least of slope * (s + along) + L(sqrt(p2 + s^2)) for s in [a0, a1]; along shifts the value only.
+inline void leastOnLine(const ColumnBoundary& boundary, double slope, const double* __restrict along,
+                        const double* __restrict p2, const double* __restrict a0, const double* __restrict a1,
+                        int n, double* __restrict out) {
+  const double steep = slope < 0.0 ? -slope : slope, side = slope > 0.0 ? -1.0 : 1.0;
+  double best[kArray], at[kArray], sa[kArray], sb[kArray], s[kArray], r[kArray], z[kArray];
+  for (int i = 0; i < n; ++i) best[i] = kNothing, at[i] = 0.0;
+  for (int p = 0; p < boundary.count; ++p) {
+    const ColumnBoundary::Piece& piece = boundary.piece[p];
+    const double ra2 = piece.ra * piece.ra, rb2 = piece.rb * piece.rb;
+    for (int i = 0; i < n; ++i) sa[i] = root(ra2 - p2[i]), sb[i] = root(rb2 - p2[i]);
+    if (piece.kind == ColumnBoundary::Kind::kArc) {
+      arcStationary(piece, steep, p2, n, sa, sb, s);
+    } else if (steep >= piece.slope && steep > 0.0) {
+      for (int i = 0; i < n; ++i) s[i] = sb[i];
+    } else {
+      const double k = piece.slope > 0.0 ? steep / root(piece.slope * piece.slope - steep * steep) : 0.0;
+      for (int i = 0; i < n; ++i) s[i] = least(most(k * root(p2[i]), sa[i]), sb[i]);
+    }
+    const double ra = piece.ra, za = piece.za, rise = piece.slope;
+    const double rc = piece.rc, zc = piece.zc, radius2 = piece.radius * piece.radius;
+    const bool arc = piece.kind == ColumnBoundary::Kind::kArc;
+    for (int i = 0; i < n; ++i) {
+      const double radial = root(p2[i] + s[i] * s[i]), d = radial - rc;
+      const double height = arc ? zc - root(radius2 - d * d) : za + rise * (radial - ra);
+      const double value = height - steep * s[i];
+      const bool better = p2[i] <= rb2 && value < best[i];
+      best[i] = better ? value : best[i];
+      at[i] = better ? side * s[i] : at[i];
+    }
+  }
+  const double radius = boundary.piece[boundary.count - 1].rb;
+  for (int i = 0; i < n; ++i) {
+    s[i] = least(most(at[i], a0[i]), a1[i]);
+    r[i] = least(root(p2[i] + s[i] * s[i]), radius);
+  }
+  boundaryHeight(boundary, r, n, z);
+  for (int i = 0; i < n; ++i) out[i] = slope * (s[i] + along[i]) + z[i];
+}
+
+inline void lineColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y, int n,
+                        double* __restrict lo, double* __restrict hi) {
+  const double fx = sweep.x, fy = sweep.y, fz = sweep.z;
+  const double ux = sweep.ux, uy = sweep.uy, length = sweep.length, slope = sweep.slope;
+  const proveout::ColumnSolid& tool = *sweep.solid;
+  const double radius2 = tool.radius * tool.radius;
+  double along[kArray], p2[kArray], w2[kArray], a0[kArray], a1[kArray];
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - fx, qy = y[i] - fy;
+    along[i] = qx * ux + qy * uy;
+    const double across = qx * uy - qy * ux;
+    p2[i] = across * across;
+    w2[i] = radius2 - p2[i];
+    const double w = root(w2[i]);
+    a0[i] = most(-along[i], -w);
+    a1[i] = least(length - along[i], w);
+  }
+  if (tool.ball) {
+    const double lean = -slope / __builtin_sqrt(1.0 + slope * slope), lift = fz + tool.radius;
+    for (int i = 0; i < n; ++i) {
+      const double s = least(most(lean * root(w2[i]), a0[i]), a1[i]);
+      lo[i] = lift + slope * (s + along[i]) - root(w2[i] - s * s);
+    }
+  } else if (tool.flat) {
+    for (int i = 0; i < n; ++i) lo[i] = fz + slope * ((slope > 0.0 ? a0[i] : a1[i]) + along[i]) + tool.z_min;
+  } else {
+    leastOnLine(tool.lower, slope, along, p2, a0, a1, n, lo);
+    for (int i = 0; i < n; ++i) lo[i] += fz;
+  }
+  if (tool.round_top) {
+    leastOnLine(tool.upper, -slope, along, p2, a0, a1, n, hi);
+    for (int i = 0; i < n; ++i) hi[i] = fz - hi[i];
+  } else {
+    for (int i = 0; i < n; ++i) hi[i] = fz + slope * ((slope > 0.0 ? a1[i] : a0[i]) + along[i]) + tool.z_max;
+  }
+  for (int i = 0; i < n; ++i) {
+    const bool over = w2[i] > 0.0 && a0[i] <= a1[i];
+    lo[i] = over ? lo[i] : kNothing;
+    hi[i] = over ? hi[i] : -kNothing;
+  }
+}
+
+/// Level distance from the tool axis at its nearest position on a level arc.
+inline void arcDistance(const ColumnSweep& s, const double* __restrict x, const double* __restrict y, int n,
+                        double* __restrict r) {
+  const double cx = s.x, cy = s.y, inverse = 1.0 / s.arc_radius;
+  const double ux = (s.start_x - cx) * inverse, uy = (s.start_y - cy) * inverse;
+  const double vx = -uy * s.turn, vy = ux * s.turn;
+  const double c = s.cos_sweep, sn = s.sin_sweep, arc = s.arc_radius;
+  const bool wide = s.wide, full = s.full;
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - cx, qy = y[i] - cy;
+    const double pu = qx * ux + qy * uy, pv = qx * vx + qy * vy;
+    const double past = pv * c - pu * sn;  // above 0: behind the end
+    const bool narrow_in = pv >= 0.0 && past <= 0.0, wide_in = !(pv < 0.0 && past > 0.0);
+    const bool in = full || (wide ? wide_in : narrow_in);
+    const double d = root(qx * qx + qy * qy) - arc;
+    const double ax = x[i] - s.start_x, ay = y[i] - s.start_y, bx = x[i] - s.end_x, by = y[i] - s.end_y;
+    const double ends = root(least(ax * ax + ay * ay, bx * bx + by * by));
+    r[i] = in ? (d < 0.0 ? -d : d) : ends;
+  }
+}
+
+inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y, int n,
+                          double* __restrict lo, double* __restrict hi) {
+  const proveout::ColumnSolid& tool = *sweep.solid;
+  double r[kArray], inside[kArray];
+  if (sweep.kind == ColumnSweep::Kind::kArc) {
+    arcDistance(sweep, x, y, n, r);
+  } else {
+    const double fx = sweep.x, fy = sweep.y;
+    for (int i = 0; i < n; ++i) {
+      const double qx = x[i] - fx, qy = y[i] - fy;
+      r[i] = root(qx * qx + qy * qy);
+    }
+  }
+  const double radius = tool.radius;
+  for (int i = 0; i < n; ++i) inside[i] = least(r[i], radius);
+  boundaryHeight(tool.lower, inside, n, lo);
+  boundaryHeight(tool.upper, inside, n, hi);
+  const double low = sweep.z + least(sweep.rise, 0.0), high = sweep.z + most(sweep.rise, 0.0);
+  for (int i = 0; i < n; ++i) {
+    const bool over = r[i] < radius;
+    lo[i] = over ? low + lo[i] : kNothing;
+    hi[i] = over ? high - hi[i] : -kNothing;
+  }
+}
+
+void columns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
+  const int n = (count + 7) & ~7;
+  if (sweep.kind == ColumnSweep::Kind::kLine) {
+    lineColumns(sweep, x, y, n, lo, hi);
+  } else {
+    radialColumns(sweep, x, y, n, lo, hi);
+  }
+}
+
+/// covered: the samples between lo and hi.
+void coverage(proveout::LeafColumns& leaf) {
+  long long bits[64];
+  for (int c = 0; c < 64; ++c) bits[c] = 0;
+  for (int z = 0; z < leaf.layers; ++z) {
+    const double at = leaf.z[z];
+    const long long bit = 1ll << z;
+    for (int c = 0; c < 64; ++c) bits[c] |= leaf.lo[c] < at && at < leaf.hi[c] ? bit : 0;
+  }
+  for (int c = 0; c < 64; ++c) leaf.covered[c] = static_cast<unsigned char>(bits[c]);
+}
+
+double lowerTops(proveout::LeafColumns& leaf) {
+  const double bottom = leaf.z[0];
+  double sunk[64], sum[8] = {0, 0, 0, 0, 0, 0, 0, 0};
+  for (int c = 0; c < 64; ++c) {
+    const double top = leaf.top[c];
+    const double low = most(leaf.lo[c], bottom);
+    const double next = leaf.hi[c] >= top && low < top ? low : top;
+    sunk[c] = top - next;
+    leaf.top[c] = next;
+  }
+  for (int c = 0; c < 64; c += 8) {
+    for (int i = 0; i < 8; ++i) sum[i] += sunk[c + i];
+  }
+  double total = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+  int deep = 0;
+  for (int c = 0; c < 64; ++c) deep |= leaf.hi[c] < leaf.top[c] && (leaf.covered[c] & leaf.material[c]) != 0 ? 1 : 0;
+  if (deep != 0) {  // cut out below the top: whole voxels
+    for (int c = 0; c < 64; ++c) {
+      const unsigned cut = leaf.covered[c] & leaf.material[c];
+      if (leaf.hi[c] < leaf.top[c]) total += leaf.h * __builtin_popcount(cut);
+    }
+  }
+  return total;
+}
+
+double leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf) {
+  columns(sweep, leaf.x, leaf.y, 64, leaf.lo, leaf.hi);
+  coverage(leaf);
+  return lowerTops(leaf);
+}
+
+}  // namespace

@@ -1,0 +1,57 @@
+// The exact crossings of one leaf's edges after its passes went through.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "removal/leaf_cutter.h"
+
+namespace proveout {
+
+/// Finds crossings; one object a thread, used again and again.
+class CrossingFinder {
+ public:
+  CrossingFinder(const Stock::Impl& impl, const PassTable& table)
+      : impl_(impl), table_(table), kernel_(columnKernels().columns) {}
+
+  /// Crossings of the crossed `edges` of the changed leaf, in order. On each edge the one nearest to the material
+  /// counts: of the surface that was there (`before`, the crossings of change.before), or of a pass in `list`.
+  std::vector<Crossing> find(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before,
+                             std::span<const std::uint32_t> list);
+
+ private:
+  static constexpr std::uint32_t kOld = 0xFFFFFFFFu;
+  struct Edge {
+    Vec3 a;                     ///< material end
+    std::int8_t axis, forward;  ///< forward: +1 where the material end is the start
+    double s = 1.0;             ///< fraction of the edge from its material end
+    std::uint32_t pass = kOld;
+    std::int32_t old = -1;      ///< number in `before`
+  };
+  /// A point that is asked: is it in the sweep?
+  enum class Probe : std::uint8_t { kEnd, kMiddle };
+
+  void collect(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before);
+  void addProbes();
+  void placeProbe(std::size_t i);
+  void tryPass(std::uint32_t number, std::size_t first, std::size_t count);
+  void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
+  Crossing crossing(const Edge& edge, const std::vector<Crossing>& before) const;
+
+  const Stock::Impl& impl_;
+  const PassTable& table_;
+  ColumnKernel kernel_;
+  std::vector<Edge> edges_;
+  struct ProbeOf {
+    std::uint32_t edge;
+    Probe kind;
+  };
+  std::vector<ProbeOf> probes_;
+  std::vector<std::array<std::int32_t, 2>> probes_of_edge_;
+  std::vector<double> x_, y_, z_;
+  std::array<double, kMaxColumns> lo_, hi_;
+};
+
+}  // namespace proveout

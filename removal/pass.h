@@ -1,0 +1,37 @@
+// One convex solid of a tool on its way along one motion, or along one chord of a curved motion.
+#pragma once
+
+#include <cstdint>
+
+#include "core/path/toolpath.h"
+#include "removal/column_sweep.h"
+#include "removal/sweep.h"
+
+namespace proveout {
+
+enum class ToolPart : std::uint8_t { kCutter, kShank, kHolder };
+
+struct Pass {
+  ColumnSweep columns;
+  const ConvexProfile* profile = nullptr;
+  MotionId motion = kNoMotion;
+  std::int32_t curve = -1;  ///< number of the exact sweep of a curved motion, or -1 for lines
+  ToolPart part = ToolPart::kCutter;
+  bool watched = false;  ///< contact with stock is a finding
+
+  /// The solid along this line or chord. Not for level arcs.
+  Sweep lineSweep() const;
+};
+
+/// A block of the grid as culling sees it: square in x and y.
+struct BlockBox {
+  double x, y;         ///< of its middle, mm
+  double half_width;   ///< mm
+  double z_low, z_high;
+};
+
+/// Height below which the pass does not reach inside the block's square, mm (a lower bound); +infinity where
+/// the pass misses the block.
+double reachIn(const Pass& pass, const BlockBox& box);
+
+}  // namespace proveout
