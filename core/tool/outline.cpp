@@ -66,37 +66,49 @@ Direction direction(const OutlineEdge& e, bool upper) {
   return {r / length, std::max(0.0, z / length)};
 }
 
-/// Edges that one convex profile takes.
+/// Edges that one convex profile takes: those from first to last.
 struct Run {
-  std::vector<OutlineEdge> edges;
+  std::size_t first, last;
   int elements = 0;
-  double lowRadius() const { return edges.front().ar; }
-  double highRadius() const { return edges.back().br; }
-  double height() const { return edges.back().bz - edges.front().az; }
 };
 
 int elementsOf(const OutlineEdge& e) { return e.arc && e.az < e.cz && e.bz > e.cz ? 2 : 1; }
 
 std::vector<Run> splitRuns(const std::vector<OutlineEdge>& edges) {
-  constexpr int kMost = ConvexProfile::kMaxElements - 2;  // the rest closes the profile below and above
+  constexpr int kMost = ConvexProfile::kMaxElements - 4;  // the rest lengthens and closes the profile
   std::vector<Run> runs;
   bool stepped = true;
-  for (const OutlineEdge& e : edges) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const OutlineEdge& e = edges[i];
     if (e.az == e.bz) {  // a step has no volume of its own
       stepped = true;
       continue;
     }
     bool fresh = stepped || runs.back().elements + elementsOf(e) > kMost;
     if (!fresh) {
-      const Direction in = direction(runs.back().edges.back(), true), out = direction(e, false);
+      const Direction in = direction(edges[i - 1], true), out = direction(e, false);
       fresh = in.r * out.z - in.z * out.r < -kStraight;
     }
-    if (fresh) runs.emplace_back();
-    runs.back().edges.push_back(e);
+    if (fresh) runs.push_back({i, i, 0});
+    runs.back().last = i;
     runs.back().elements += elementsOf(e);
     stepped = false;
   }
   return runs;
+}
+
+/// Height up to which (down to which) the outline is nowhere narrower than at the run's upper (lower) end.
+double wideAbove(const std::vector<OutlineEdge>& edges, const Run& run) {
+  const double r = edges[run.last].br;
+  std::size_t i = run.last + 1;
+  while (i < edges.size() && edges[i].ar >= r && edges[i].br >= r) ++i;
+  return edges[i - 1].bz;
+}
+double wideBelow(const std::vector<OutlineEdge>& edges, const Run& run) {
+  const double r = edges[run.first].ar;
+  std::size_t i = run.first;
+  while (i > 0 && edges[i - 1].ar >= r && edges[i - 1].br >= r) --i;
+  return edges[i].az;
 }
 
 /// How far the cone that closes a part may reach into its neighbour: convex with the part's own edge, which
@@ -115,13 +127,46 @@ struct Overlap {
   double up = 0.0;    ///< of the lower run above its upper end
 };
 
-Overlap overlap(const Run& lower, const Run& upper) {
-  const Direction in = direction(lower.edges.back(), true), out = direction(upper.edges.front(), false);
-  const double down = capReach(upper.lowRadius(), out.r, out.z, lower.height());
-  const double up = capReach(lower.highRadius(), -in.r, in.z, upper.height());
-  if (lower.highRadius() > upper.lowRadius()) return {down, 0.0};
-  if (lower.highRadius() < upper.lowRadius()) return {0.0, up};
+Overlap overlap(const std::vector<OutlineEdge>& edges, const Run& lower, const Run& upper) {
+  const OutlineEdge &below = edges[lower.last], &above = edges[upper.first];
+  const Direction in = direction(below, true), out = direction(above, false);
+  const double down = capReach(above.ar, out.r, out.z, below.bz - edges[lower.first].az);
+  const double up = capReach(below.br, -in.r, in.z, edges[upper.last].bz - above.az);
+  if (below.br > above.ar) return {down, 0.0};
+  if (below.br < above.ar) return {0.0, up};
   return down >= up ? Overlap{down, 0.0} : Overlap{0.0, up};
+}
+
+/// The convex solid of a run. Where the run widens upwards it goes on as a cylinder as far as the outline
+/// lets it, downwards the same: a column of the grid then meets few tall parts instead of a pile of thin
+/// ones.
+ConvexProfile runProfile(const std::vector<OutlineEdge>& edges, const Run& run, const Overlap& caps) {
+  const OutlineEdge &first = edges[run.first], &last = edges[run.last];
+  const double low = direction(first, false).r <= 0.0 ? wideBelow(edges, run) : first.az;
+  const double high = direction(last, true).r >= 0.0 ? wideAbove(edges, run) : last.bz;
+  ConvexProfile p;
+  p.start(0.0, low < first.az ? low : first.az - caps.down);
+  p.lineTo(first.ar, low);
+  const auto vertical = [](const OutlineEdge& e) { return !e.arc && e.ar == e.br; };
+  if (!vertical(first)) p.lineTo(first.ar, first.az);
+  for (std::size_t i = run.first; i <= run.last; ++i) {
+    const OutlineEdge& e = edges[i];
+    if (i == run.last && vertical(e)) break;
+    e.arc ? p.arcTo(e.cr, e.cz, e.br, e.bz) : p.lineTo(e.br, e.bz);
+  }
+  p.lineTo(last.br, high);
+  p.lineTo(0.0, high > last.bz ? high : last.bz + caps.up);
+  return p;
+}
+
+/// True for two equal cylinders: cores between the teeth of one comb.
+bool sameCylinder(const ConvexProfile& a, const ConvexProfile& b) {
+  const auto cylinder = [](const ConvexProfile& p) {
+    return p.elementCount() == 3 && p.element(0).dz == 0.0 && p.element(1).dr == 0.0 &&
+           p.element(2).dz == 0.0;
+  };
+  return cylinder(a) && cylinder(b) && a.maxRadius() == b.maxRadius() && a.zMin() == b.zMin() &&
+         a.zMax() == b.zMax();
 }
 
 }  // namespace
@@ -174,14 +219,12 @@ std::vector<ConvexProfile> convexParts(const std::vector<OutlineEdge>& edges) {
   const std::vector<Run> runs = splitRuns(edges);
   std::vector<ConvexProfile> parts;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const Run& run = runs[i];
-    const double down = i > 0 ? overlap(runs[i - 1], run).down : 0.0;
-    const double up = i + 1 < runs.size() ? overlap(run, runs[i + 1]).up : 0.0;
-    ConvexProfile p;
-    p.start(0.0, run.edges.front().az - down);
-    p.lineTo(run.lowRadius(), run.edges.front().az);
-    for (const OutlineEdge& e : run.edges) e.arc ? p.arcTo(e.cr, e.cz, e.br, e.bz) : p.lineTo(e.br, e.bz);
-    p.lineTo(0.0, run.edges.back().bz + up);
+    Overlap caps;
+    if (i > 0) caps.down = overlap(edges, runs[i - 1], runs[i]).down;
+    if (i + 1 < runs.size()) caps.up = overlap(edges, runs[i], runs[i + 1]).up;
+    ConvexProfile p = runProfile(edges, runs[i], caps);
+    const auto same = [&](const ConvexProfile& other) { return sameCylinder(p, other); };
+    if (std::any_of(parts.begin(), parts.end(), same)) continue;
     p.setFirstElementId(static_cast<int>(i) * ConvexProfile::kMaxElements);
     parts.push_back(p);
   }
