@@ -35,6 +35,11 @@ MeshFormat meshFormat(OutputFormat format) {
   return MeshFormat::kStlBinary;
 }
 
+Result<std::string> saveHashed(const Stock& stock, const std::string& path) {
+  if (const Status saved = stock.save(path); !saved) return saved.error();
+  return sha256OfFile(path);
+}
+
 }  // namespace
 
 Result<StagingFolder> StagingFolder::create(const std::string& target) {
@@ -82,10 +87,8 @@ Status writeMeshes(const TriMesh& mesh, const Stock& stock, const Job& job, Stag
     const std::string file =
         fmt::format("{}{}.{}", fileName(job.name), second_stl ? "-ascii" : "", outputFormatExtension(format));
     const std::string path = staging.path(file);
-    const Status written =
-        format == OutputFormat::kVdb ? stock.save(path) : writeMesh(mesh, path, meshFormat(format));
-    if (!written) return written;
-    Result<std::string> hash = sha256OfFile(path);
+    Result<std::string> hash = format == OutputFormat::kVdb ? saveHashed(stock, path)
+                                                            : writeMeshHashed(mesh, path, meshFormat(format));
     if (!hash) return hash.error();
     report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), std::move(*hash)});
   }

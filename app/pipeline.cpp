@@ -15,8 +15,17 @@ namespace {
 
 /// Smallest radius that a tool's cutting surface has, mm: of its corner, or of the wall that it leaves.
 double smallestRadius(const Tool& tool) {
-  if (tool.type == ToolType::kBull && tool.corner_radius > 0)
-    return std::min(tool.corner_radius, tool.diameter / 2);
+  // Corners of bull noses, dovetails and T-slot cutters; the arcs of a profile; the ball of a taper.
+  if (tool.corner_radius > 0) return std::min(tool.corner_radius, tool.diameter / 2);
+  if (tool.type == ToolType::kTaperBall) return tool.tip_diameter / 2;
+  if (tool.type == ToolType::kForm) {
+    double radius = tool.diameter / 2;
+    for (const OutlinePoint& p : tool.outline) {
+      if (p.arc_radius != 0) radius = std::min(radius, std::abs(p.arc_radius));
+      if (p.r > 0) radius = std::min(radius, p.r);
+    }
+    return radius;
+  }
   if (tool.type == ToolType::kCone) return std::max(tool.tip_diameter, 0.1 * tool.diameter) / 2;
   return tool.diameter / 2;
 }
@@ -143,7 +152,8 @@ Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Pro
   run.topology = analyseTopology(run.surface.mesh);
   addContacts(run.removal.contacts, path, source, run.findings);
   addMeshDefects(run.topology, run.findings);
-  addOutcome(run.initial_mm3, run.surface.volume_mm3, stockBodies(run.surface.mesh), run.findings);
+  run.bodies = stockBodies(run.surface.mesh);
+  addOutcome(run.initial_mm3, run.surface.volume_mm3, run.bodies, run.findings);
   addPartial(run.interpreted.summary.end, job.settings, run.findings);
   if (!nominal || run.surface.mesh.triangles.empty()) return run;
 

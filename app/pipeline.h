@@ -25,6 +25,7 @@ struct RunResult {
   StockSurface surface;
   double initial_mm3 = 0.0;
   MeshTopology topology;
+  std::vector<StockBody> bodies;
   std::optional<Comparison> comparison;
   std::vector<Finding> findings;
   ReportPerformance performance;

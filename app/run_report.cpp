@@ -19,9 +19,14 @@ namespace {
 
 std::string describe(const Tool& tool) {
   std::string text = fmt::format("{} {:g}", toolTypeName(tool.type), tool.diameter);
-  if (tool.type == ToolType::kBull) text += fmt::format(" r{:g}", tool.corner_radius);
+  if (tool.corner_radius > 0 || tool.type == ToolType::kBull)
+    text += fmt::format(" r{:g}", tool.corner_radius);
   if (tool.type == ToolType::kCone)
     text += fmt::format(" tip {:g} {:g} deg", tool.tip_diameter, tool.cone_angle_deg);
+  if (tool.type == ToolType::kTaperBall)
+    text += fmt::format(" ball {:g} {:g} deg", tool.tip_diameter, tool.cone_angle_deg);
+  if (tool.type == ToolType::kDovetail) text += fmt::format(" {:g} deg", tool.dovetail_angle_deg);
+  if (tool.type == ToolType::kThreadMill) text += fmt::format(" pitch {:g} x{}", tool.pitch, tool.teeth);
   if (tool.type == ToolType::kDrill) text += fmt::format(" {:g} deg", tool.point_angle_deg);
   return text;
 }
@@ -56,7 +61,7 @@ ReportStock reportStock(const RunResult& run) {
   stock.final_mm3 = run.surface.volume_mm3;
   stock.removed_mm3 = stock.initial_mm3 - stock.final_mm3;
   stock.mesh_mm3 = meshVolume(run.surface.mesh);
-  stock.bodies = stockBodies(run.surface.mesh);
+  stock.bodies = run.bodies;
   stock.triangles = run.surface.mesh.triangles.size();
   stock.vertices = run.surface.mesh.positions.size();
   stock.closed = run.topology.closedManifold();

@@ -20,23 +20,33 @@ constexpr NumberRange kToolLengthOrZero{0.0, 1e5, false};
 constexpr NumberRange kIncludedAngle{0.0, 179.9, true};
 constexpr NumberRange kAngle{-360.0, 360.0, false};
 
-/// Types that job files name and that this version does not simulate.
-const std::vector<std::string>& unsupportedTypes() {
-  static const std::vector<std::string> kTypes = {"dovetail", "tslot",  "thread-mill",
-                                                  "form",     "insert", "wire"};
-  return kTypes;
-}
-
 void assign(double& target, const std::optional<double>& value) {
   if (value) target = *value;
 }
 
-/// A taper is a cone that its maker gives by the tip and the angle of one side. Where no diameter is given,
-/// the cone goes on to the end of the flutes.
+/// A key that may be missing.
+void optional(ConfigTable& table, const char* key, const NumberRange& range, double& target) {
+  assign(target, table.number(key, range));
+}
+
+void needed(ConfigTable& table, const char* key, const NumberRange& range, double& target) {
+  assign(target, table.must(key).number(key, range));
+}
+
+/// A taper is given by its tip, flat or round, and the angle of one side, as makers of tapered end mills do.
+/// Where no diameter is given, the cone goes on to the end of the flutes.
 void readTaper(ConfigTable& table, Tool& tool) {
-  tool.type = ToolType::kCone;
-  assign(tool.tip_diameter, table.must("tip_diameter").number("tip_diameter", kToolLengthOrZero));
+  const bool ball = table.find("ball_diameter") != nullptr, flat = table.find("tip_diameter") != nullptr;
+  if (ball == flat) {
+    table.error("type", "job-missing",
+                "a taper needs tip_diameter (a flat tip) or ball_diameter (a ball end), not both");
+  }
+  tool.type = ball ? ToolType::kTaperBall : ToolType::kCone;
+  optional(table, "tip_diameter", kToolLengthOrZero, tool.tip_diameter);
+  optional(table, "ball_diameter", kToolLength, tool.tip_diameter);
   const auto side = table.must("taper_angle").number("taper_angle", {0.0, 89.9, true});
+  optional(table, "diameter", kToolLength, tool.diameter);
+  optional(table, "flute_length", kToolLength, tool.flute_length);
   if (!side) return;
   tool.cone_angle_deg = 2.0 * *side;
   if (table.find("diameter") != nullptr) return;
@@ -44,29 +54,120 @@ void readTaper(ConfigTable& table, Tool& tool) {
     table.error("type", "job-missing", "a taper needs diameter or flute_length");
     return;
   }
-  tool.diameter = tool.tip_diameter + 2.0 * tool.flute_length * std::tan(degToRad(*side));
+  const double angle = degToRad(*side), tip = tool.tip_diameter;
+  tool.diameter = ball ? tip * std::cos(angle) +
+                             2.0 * (tool.flute_length - 0.5 * tip * (1.0 - std::sin(angle))) * std::tan(angle)
+                       : tip + 2.0 * tool.flute_length * std::tan(angle);
 }
 
-void readShape(ConfigTable& table, const std::string& type, Tool& tool) {
-  assign(tool.flute_length, table.number("flute_length", kToolLength));
-  assign(tool.diameter, table.number("diameter", kToolLength));
-  if (type != "taper") table.require("diameter");
-  if (type == "flat") tool.type = ToolType::kFlat;
-  if (type == "ball") tool.type = ToolType::kBall;
-  if (type == "bull") {
-    tool.type = ToolType::kBull;
-    assign(tool.corner_radius, table.must("corner_radius").number("corner_radius", kToolLengthOrZero));
+void readBull(ConfigTable& table, Tool& tool) {
+  needed(table, "corner_radius", kToolLengthOrZero, tool.corner_radius);
+}
+
+void readCone(ConfigTable& table, Tool& tool) {
+  optional(table, "tip_diameter", kToolLengthOrZero, tool.tip_diameter);
+  needed(table, "cone_angle", kIncludedAngle, tool.cone_angle_deg);
+}
+
+void readDrill(ConfigTable& table, Tool& tool) {
+  optional(table, "point_angle", kIncludedAngle, tool.point_angle_deg);
+}
+
+void readDovetail(ConfigTable& table, Tool& tool) {
+  needed(table, "dovetail_angle", {0.0, 89.9, true}, tool.dovetail_angle_deg);
+  needed(table, "height", kToolLength, tool.cutter_height);
+  optional(table, "corner_radius", kToolLengthOrZero, tool.corner_radius);
+  table.require("neck_diameter");
+}
+
+void readTSlot(ConfigTable& table, Tool& tool) {
+  needed(table, "thickness", kToolLength, tool.cutter_height);
+  optional(table, "corner_radius", kToolLengthOrZero, tool.corner_radius);
+  table.require("neck_diameter");
+}
+
+void readLollipop(ConfigTable& table, Tool&) { table.require("neck_diameter"); }
+
+void readThreadMill(ConfigTable& table, Tool& tool) {
+  needed(table, "pitch", kToolLength, tool.pitch);
+  if (const auto teeth = table.integer("teeth", 1, 200)) tool.teeth = static_cast<int>(*teeth);
+  optional(table, "thread_angle", kIncludedAngle, tool.thread_angle_deg);
+  optional(table, "crest_flat", kToolLengthOrZero, tool.crest_flat);
+  optional(table, "root_diameter", kToolLength, tool.root_diameter);
+}
+
+/// One point: [radius, height], or [radius, height, radius of the arc that leads to it].
+std::optional<OutlinePoint> readOutlinePoint(const ConfigDocument& document, const ConfigValue& item) {
+  const bool line = item.items.size() == 2, arc = item.items.size() == 3;
+  if (item.type != Type::kArray || (!line && !arc)) {
+    document.error(item.place, "job-type",
+                   "a point of a profile is [radius, height] or, at the end of an arc, [radius, height, arc "
+                   "radius]");
+    return std::nullopt;
   }
-  if (type == "cone") {
-    tool.type = ToolType::kCone;
-    assign(tool.tip_diameter, table.number("tip_diameter", kToolLengthOrZero));
-    assign(tool.cone_angle_deg, table.must("cone_angle").number("cone_angle", kIncludedAngle));
+  const auto r = readNumber(document, item.items[0], "a radius of the profile", kToolLengthOrZero);
+  const auto z = readNumber(document, item.items[1], "a height of the profile", kToolLengthOrZero);
+  if (!r || !z) return std::nullopt;
+  OutlinePoint point{*r, *z, 0.0};
+  if (arc) {
+    const auto radius = readNumber(document, item.items[2], "an arc's radius", {-1e5, 1e5, false});
+    if (!radius) return std::nullopt;
+    if (*radius == 0.0) {
+      document.error(item.items[2].place, "job-value",
+                     "an arc's radius must not be 0; leave it out for a line");
+      return std::nullopt;
+    }
+    point.arc_radius = *radius;
   }
-  if (type == "drill") {
-    tool.type = ToolType::kDrill;
-    assign(tool.point_angle_deg, table.number("point_angle", kIncludedAngle));
+  return point;
+}
+
+void readForm(ConfigTable& table, Tool& tool) {
+  const ConfigValue* profile = table.require("profile");
+  if (profile == nullptr || !isList(table.document(), *profile, "profile")) return;
+  for (const ConfigValue& item : profile->items) {
+    const auto point = readOutlinePoint(table.document(), item);
+    if (!point) return;
+    tool.outline.push_back(*point);
   }
-  if (type == "taper") readTaper(table, tool);
+  const auto edges = outlineEdges(tool.outline);
+  if (!edges) return table.error("profile", "job-tool", edges.error().message);
+  tool.diameter = outlineDiameter(*edges);
+}
+
+struct TypeReader {
+  const char* name;
+  ToolType type;
+  void (*read)(ConfigTable&, Tool&);  ///< keys of this type alone; null: none
+  bool own_diameter;                  ///< asks for the diameter itself, or has none
+};
+
+constexpr TypeReader kTypes[] = {
+    {"flat", ToolType::kFlat, nullptr, false},
+    {"ball", ToolType::kBall, nullptr, false},
+    {"bull", ToolType::kBull, readBull, false},
+    {"cone", ToolType::kCone, readCone, false},
+    {"drill", ToolType::kDrill, readDrill, false},
+    {"taper", ToolType::kCone, readTaper, true},
+    {"dovetail", ToolType::kDovetail, readDovetail, false},
+    {"tslot", ToolType::kTSlot, readTSlot, false},
+    {"lollipop", ToolType::kLollipop, readLollipop, false},
+    {"thread-mill", ToolType::kThreadMill, readThreadMill, false},
+    {"form", ToolType::kForm, readForm, true},
+};
+/// Types that job files name and that this version does not simulate.
+const char* const kRefusedTypes[] = {"insert", "wire"};
+
+void readShape(ConfigTable& table, const TypeReader& type, Tool& tool) {
+  tool.type = type.type;
+  if (!type.own_diameter) needed(table, "diameter", kToolLength, tool.diameter);
+  if (type.read != nullptr) type.read(table, tool);
+  if (hasNeck(tool.type)) {
+    optional(table, "neck_diameter", kToolLength, tool.neck_diameter);
+    optional(table, "neck_length", kToolLength, tool.neck_length);
+  } else if (!type.own_diameter) {
+    optional(table, "flute_length", kToolLength, tool.flute_length);
+  }
 }
 
 void readHolder(ConfigTable& table, Tool& tool) {
@@ -85,25 +186,29 @@ void readHolder(ConfigTable& table, Tool& tool) {
   }
 }
 
-std::optional<std::string> readType(ConfigTable& table) {
-  const std::vector<std::string> types = {"flat", "ball", "bull", "cone", "drill", "taper"};
+const TypeReader* readType(ConfigTable& table) {
+  std::vector<std::string> types;
+  for (const TypeReader& type : kTypes) types.emplace_back(type.name);
   const auto text = table.must("type").text("type");
-  if (!text) return std::nullopt;
-  const auto& refused = unsupportedTypes();
-  if (std::find(refused.begin(), refused.end(), *text) != refused.end()) {
+  if (!text) return nullptr;
+  for (const char* refused : kRefusedTypes) {
+    if (*text != refused) continue;
     table.error("type", "job-unsupported",
                 fmt::format("tools of type '{}' cannot be simulated by this version; there are {}", *text,
                             fmt::join(types, ", ")));
-    return std::nullopt;
+    return nullptr;
   }
-  return table.choice("type", types);
+  const auto name = table.choice("type", types);
+  if (!name) return nullptr;
+  const auto at = std::find(types.begin(), types.end(), *name);
+  return &kTypes[at - types.begin()];
 }
 
 void readTool(ConfigTable& table, Job& job) {
   Tool tool;
   const auto number = table.must("number").integer("number", 1, kMaxToolNumber);
-  const auto type = readType(table);
-  if (!type) return;
+  const TypeReader* const type = readType(table);
+  if (type == nullptr) return;
   const int errors_before = table.document().diagnostics->errorCount();
   readShape(table, *type, tool);
   if (const auto name = table.text("name")) tool.name = *name;

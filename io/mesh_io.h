@@ -39,5 +39,7 @@ enum class MeshFormat : std::uint8_t { kStlBinary, kStlAscii, kObj, kPly };
 /// the motion of every triangle where the mesh has one, as face property `motion` (uint). Errors: an index
 /// out of range, a non-finite position, more triangles than the format can count, and those of AtomicFile.
 Status writeMesh(const TriMesh& mesh, const std::string& path, MeshFormat format);
+/// The same; returns the SHA-256 of the bytes (64 hex digits), taken while they are written.
+Result<std::string> writeMeshHashed(const TriMesh& mesh, const std::string& path, MeshFormat format);
 
 }  // namespace proveout

@@ -1,67 +1,49 @@
-// Mesh writers. They are our own because the bytes must depend on the mesh alone, carry the unit and the motion of each
-// triangle, and be one file that appears whole: the Open Asset Import Library puts its name and version into the
-// files, adds vertex normals, leaves a material file beside an OBJ and has no place for unit or motion
-// (docs/decisions/003-own-mesh-files.md).
+// Mesh writers. They are our own because the bytes must depend on the mesh alone, carry the unit and the
+// motion of each triangle, and be one file that appears whole: the Open Asset Import Library puts its name
+// and version into the files, adds vertex normals, leaves a material file beside an OBJ and has no place for
+// unit or motion (docs/decisions/003-own-mesh-files.md).
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
+#include "core/base/parallel_for.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
+#include "io/sha256.h"
 
 namespace proveout {
 
 namespace {
 
-/// Collects bytes and hands them on in large pieces.
-class Output {
- public:
-  explicit Output(AtomicFile& file) : file_(file) { buffer_.reserve(kPiece + 256); }
+using Bytes = std::string;
 
-  void text(std::string_view text) {
-    buffer_ += text;
-    flushIfFull();
-  }
-  void word16(std::uint16_t word) { bytes(word, 2); }
-  void word32(std::uint32_t word) { bytes(word, 4); }
-  void real32(float x) { word32(std::bit_cast<std::uint32_t>(x)); }
-  void byte(std::uint8_t x) { bytes(x, 1); }
-  /// Shortest decimal that reads back as the same float.
-  void number(float x) {
+/// Little endian on any machine.
+char* putWord32(char* at, std::uint32_t word) {
+  for (int i = 0; i < 4; ++i) *at++ = static_cast<char>(word >> (8 * i) & 0xFF);
+  return at;
+}
+
+char* putPoint(char* at, const Eigen::Vector3f& p) {
+  for (int axis = 0; axis < 3; ++axis) at = putWord32(at, std::bit_cast<std::uint32_t>(p[axis]));
+  return at;
+}
+
+/// `before`, then the coordinates as the shortest decimals that read back as the same floats.
+void addPoint(Bytes& out, std::string_view before, const Eigen::Vector3f& p) {
+  out += before;
+  for (int i = 0; i < 3; ++i) {
     char digits[32];
-    const auto result = std::to_chars(digits, digits + sizeof digits, x);
-    text(std::string_view(digits, static_cast<std::size_t>(result.ptr - digits)));
+    const auto result = std::to_chars(digits, digits + sizeof digits, p[i]);
+    out += ' ';
+    out.append(digits, static_cast<std::size_t>(result.ptr - digits));
   }
-  void point(std::string_view before, const Eigen::Vector3f& p) {
-    text(before);
-    for (int i = 0; i < 3; ++i) {
-      text(" ");
-      number(p[i]);
-    }
-    text("\n");
-  }
-  void flush() {
-    file_.write(buffer_);
-    buffer_.clear();
-  }
-
- private:
-  static constexpr std::size_t kPiece = 1u << 20;
-
-  /// Little endian on any machine.
-  void bytes(std::uint32_t word, int count) {
-    for (int i = 0; i < count; ++i) buffer_ += static_cast<char>(word >> (8 * i) & 0xFF);
-    flushIfFull();
-  }
-  void flushIfFull() {
-    if (buffer_.size() >= kPiece) flush();
-  }
-
-  AtomicFile& file_;
-  std::string buffer_;
-};
+  out += '\n';
+}
 
 /// Unit normal of a triangle; zero where it has no area, as STL readers expect.
 Eigen::Vector3f facetNormal(const TriMesh& mesh, const std::array<std::uint32_t, 3>& t) {
@@ -73,53 +55,102 @@ Eigen::Vector3f facetNormal(const TriMesh& mesh, const std::array<std::uint32_t,
   return (n / length).cast<float>();
 }
 
+/// A file as a row of items: what stands before them, how many there are, and how item i is written.
+template <typename AddItem>
+struct Layout {
+  Bytes head;
+  std::size_t items;
+  AddItem add;  ///< (Bytes&, i)
+  Bytes tail = {};
+};
+template <typename AddItem>
+Layout(Bytes, std::size_t, AddItem) -> Layout<AddItem>;
+template <typename AddItem>
+Layout(Bytes, std::size_t, AddItem, Bytes) -> Layout<AddItem>;
+
 // The text must not begin with "solid": readers take that for the ASCII variant.
-void writeStlBinary(const TriMesh& mesh, Output& out) {
-  std::string header = "proveout binary STL, unit mm";
-  header.resize(80, ' ');
-  out.text(header);
-  out.word32(static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3f normal = facetNormal(mesh, t);
-    for (int i = 0; i < 3; ++i) out.real32(normal[i]);
-    for (const std::uint32_t corner : t) {
-      for (int i = 0; i < 3; ++i) out.real32(mesh.positions[corner][i]);
-    }
-    out.word16(0);
-  }
+auto stlBinary(const TriMesh& mesh) {
+  Bytes head = "proveout binary STL, unit mm";
+  head.resize(84, ' ');
+  putWord32(&head[80], static_cast<std::uint32_t>(mesh.triangles.size()));
+  return Layout{std::move(head), mesh.triangles.size(), [&mesh](Bytes& out, std::size_t i) {
+                  const auto& t = mesh.triangles[i];
+                  char record[50] = {};
+                  char* at = putPoint(record, facetNormal(mesh, t));
+                  for (const std::uint32_t corner : t) at = putPoint(at, mesh.positions[corner]);
+                  out.append(record, sizeof record);
+                }};
 }
 
-void writeStlAscii(const TriMesh& mesh, Output& out) {
-  out.text("solid proveout unit mm\n");
-  for (const auto& t : mesh.triangles) {
-    out.point("facet normal", facetNormal(mesh, t));
-    out.text("  outer loop\n");
-    for (const std::uint32_t corner : t) out.point("    vertex", mesh.positions[corner]);
-    out.text("  endloop\nendfacet\n");
-  }
-  out.text("endsolid proveout unit mm\n");
+auto stlAscii(const TriMesh& mesh) {
+  return Layout{Bytes("solid proveout unit mm\n"), mesh.triangles.size(),
+                [&mesh](Bytes& out, std::size_t i) {
+                  const auto& t = mesh.triangles[i];
+                  addPoint(out, "facet normal", facetNormal(mesh, t));
+                  out += "  outer loop\n";
+                  for (const std::uint32_t corner : t) addPoint(out, "    vertex", mesh.positions[corner]);
+                  out += "  endloop\nendfacet\n";
+                },
+                Bytes("endsolid proveout unit mm\n")};
 }
 
-void writeObj(const TriMesh& mesh, Output& out) {
-  out.text("# proveout, unit mm\n");
-  for (const Eigen::Vector3f& p : mesh.positions) out.point("v", p);
-  for (const auto& t : mesh.triangles) out.text(fmt::format("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1));
+auto obj(const TriMesh& mesh) {
+  return Layout{Bytes("# proveout, unit mm\n"), mesh.positions.size() + mesh.triangles.size(),
+                [&mesh](Bytes& out, std::size_t i) {
+                  if (i < mesh.positions.size()) return addPoint(out, "v", mesh.positions[i]);
+                  const auto& t = mesh.triangles[i - mesh.positions.size()];
+                  fmt::format_to(std::back_inserter(out), "f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+                }};
 }
 
-void writePly(const TriMesh& mesh, Output& out) {
+auto ply(const TriMesh& mesh) {
   const bool motion = !mesh.motion.empty();
-  out.text(
-      fmt::format("ply\nformat binary_little_endian 1.0\ncomment proveout, unit mm\n"
-                  "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
-                  "element face {}\nproperty list uchar int vertex_indices\n{}end_header\n",
-                  mesh.positions.size(), mesh.triangles.size(), motion ? "property uint motion\n" : ""));
-  for (const Eigen::Vector3f& p : mesh.positions) {
-    for (int i = 0; i < 3; ++i) out.real32(p[i]);
-  }
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    out.byte(3);
-    for (const std::uint32_t corner : mesh.triangles[i]) out.word32(corner);
-    if (motion) out.word32(mesh.motion[i]);
+  Bytes head = fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment proveout, unit mm\n"
+      "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face {}\nproperty list uchar int vertex_indices\n{}end_header\n",
+      mesh.positions.size(), mesh.triangles.size(), motion ? "property uint motion\n" : "");
+  return Layout{std::move(head), mesh.positions.size() + mesh.triangles.size(),
+                [&mesh, motion](Bytes& out, std::size_t i) {
+                  char record[17] = {3};
+                  char* at = record;
+                  if (i < mesh.positions.size()) {
+                    at = putPoint(record, mesh.positions[i]);
+                  } else {
+                    i -= mesh.positions.size();
+                    ++at;
+                    for (const std::uint32_t corner : mesh.triangles[i]) at = putWord32(at, corner);
+                    if (motion) at = putWord32(at, mesh.motion[i]);
+                  }
+                  out.append(record, static_cast<std::size_t>(at - record));
+                }};
+}
+
+/// Writes the layout piece by piece. While one piece is hashed and written, the next one is made.
+template <typename AddItem>
+void writeLayout(const Layout<AddItem>& layout, AtomicFile& file, Sha256* hash) {
+  constexpr std::size_t kPiece = 1u << 20;
+  Bytes piece, next;
+  piece.reserve(kPiece + 512);
+  next.reserve(kPiece + 512);
+  std::size_t item = 0;
+  bool ended = false;
+  const auto fill = [&](Bytes& out) {
+    out.clear();
+    while (out.size() < kPiece && item < layout.items) layout.add(out, item++);
+    if (item == layout.items && !std::exchange(ended, true)) out += layout.tail;
+  };
+  piece = layout.head;
+  while (!piece.empty()) {
+    parallelFor(0, 2, [&](int job) {
+      if (job == 0) {
+        if (hash != nullptr) hash->update(piece.data(), piece.size());
+      } else {
+        file.write(piece);
+        fill(next);
+      }
+    });
+    std::swap(piece, next);
   }
 }
 
@@ -144,30 +175,38 @@ std::string defect(const TriMesh& mesh) {
   return {};
 }
 
-}  // namespace
-
-Status writeMesh(const TriMesh& mesh, const std::string& path, MeshFormat format) {
+Status writeFile(const TriMesh& mesh, const std::string& path, MeshFormat format, Sha256* hash) {
   const std::string wrong = defect(mesh);
   if (!wrong.empty()) return Error{ErrorKind::kInternal, path + ": the mesh " + wrong};
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return file.error();
-  Output out(*file);
   switch (format) {
     case MeshFormat::kStlBinary:
-      writeStlBinary(mesh, out);
+      writeLayout(stlBinary(mesh), *file, hash);
       break;
     case MeshFormat::kStlAscii:
-      writeStlAscii(mesh, out);
+      writeLayout(stlAscii(mesh), *file, hash);
       break;
     case MeshFormat::kObj:
-      writeObj(mesh, out);
+      writeLayout(obj(mesh), *file, hash);
       break;
     case MeshFormat::kPly:
-      writePly(mesh, out);
+      writeLayout(ply(mesh), *file, hash);
       break;
   }
-  out.flush();
   return file->commit();
+}
+
+}  // namespace
+
+Status writeMesh(const TriMesh& mesh, const std::string& path, MeshFormat format) {
+  return writeFile(mesh, path, format, nullptr);
+}
+
+Result<std::string> writeMeshHashed(const TriMesh& mesh, const std::string& path, MeshFormat format) {
+  Sha256 hash;
+  if (const Status done = writeFile(mesh, path, format, &hash); !done) return done.error();
+  return hash.finish();
 }
 
 }  // namespace proveout

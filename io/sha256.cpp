@@ -1,9 +1,14 @@
+// The rounds are those of GNU Nettle, which uses the processor's SHA instructions where it has them; it needs
+// no start-up work, and is small to load.
 #include "io/sha256.h"
 
-#include <algorithm>
+#include <nettle/sha2.h>
+
+#include <array>
 #include <bit>
-#include <cstring>
+#include <cstdint>
 #include <fstream>
+#include <vector>
 
 #include "io/atomic_file.h"
 
@@ -11,93 +16,40 @@ namespace proveout {
 
 namespace {
 
-// FIPS 180-4, 4.2.2: the first 32 bits of the fractional parts of the cube roots of the first 64 primes.
-constexpr std::array<std::uint32_t, 64> kRound = {
-    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
-    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
-    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
-    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
-    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
-    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
-    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
-    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
-
-std::uint32_t loadBigEndian(const std::uint8_t* p) {
-  return std::uint32_t{p[0]} << 24 | std::uint32_t{p[1]} << 16 | std::uint32_t{p[2]} << 8 | p[3];
-}
-
-/// Feeds 32-bit words in little-endian order through a buffer, so that the hash is the same on any machine.
-class WordFeeder {
- public:
-  explicit WordFeeder(Sha256& hash) : hash_(hash) {}
-  void add(std::uint32_t word) {
-    for (int shift = 0; shift < 32; shift += 8) buffer_[used_++] = static_cast<std::uint8_t>(word >> shift);
-    if (used_ == buffer_.size()) flush();
-  }
-  void flush() {
-    hash_.update(buffer_.data(), used_);
-    used_ = 0;
-  }
-
- private:
-  Sha256& hash_;
-  std::array<std::uint8_t, 4096> buffer_;
-  std::size_t used_ = 0;
-};
-
-}  // namespace
-
-// FIPS 180-4, 5.3.3.
-Sha256::Sha256()
-    : state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19} {
-}
-
-// FIPS 180-4, 6.2.2, with its names.
-void Sha256::compress(const std::uint8_t* block) {
-  std::array<std::uint32_t, 64> w;
-  for (int t = 0; t < 16; ++t) w[t] = loadBigEndian(block + 4 * t);
-  for (int t = 16; t < 64; ++t) {
-    const std::uint32_t s0 = std::rotr(w[t - 15], 7) ^ std::rotr(w[t - 15], 18) ^ (w[t - 15] >> 3);
-    const std::uint32_t s1 = std::rotr(w[t - 2], 17) ^ std::rotr(w[t - 2], 19) ^ (w[t - 2] >> 10);
-    w[t] = s1 + w[t - 7] + s0 + w[t - 16];
-  }
-  auto [a, b, c, d, e, f, g, h] = state_;
-  for (int t = 0; t < 64; ++t) {
-    const std::uint32_t s1 = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
-    const std::uint32_t t1 = h + s1 + ((e & f) ^ (~e & g)) + kRound[t] + w[t];
-    const std::uint32_t s0 = std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22);
-    const std::uint32_t t2 = s0 + ((a & b) ^ (a & c) ^ (b & c));
-    h = g, g = f, f = e, e = d + t1, d = c, c = b, b = a, a = t1 + t2;
-  }
-  const std::array<std::uint32_t, 8> change = {a, b, c, d, e, f, g, h};
-  for (int i = 0; i < 8; ++i) state_[i] += change[i];
-}
-
-void Sha256::update(const void* data, std::size_t size) {
-  const auto* p = static_cast<const std::uint8_t*>(data);
-  bytes_ += size;
-  while (size > 0) {
-    const std::size_t n = std::min(size, buffer_.size() - buffered_);
-    std::memcpy(buffer_.data() + buffered_, p, n);
-    buffered_ += n, p += n, size -= n;
-    if (buffered_ == buffer_.size()) {
-      compress(buffer_.data());
-      buffered_ = 0;
+/// Adds `count` 32-bit words in little-endian order, so that the hash is the same on any machine.
+void addWords(Sha256& hash, const void* words, std::size_t count) {
+  if constexpr (std::endian::native == std::endian::little) {
+    hash.update(words, 4 * count);
+  } else {
+    const auto* p = static_cast<const std::uint8_t*>(words);
+    for (std::size_t i = 0; i < count; ++i, p += 4) {
+      const std::uint8_t turned[4] = {p[3], p[2], p[1], p[0]};
+      hash.update(turned, sizeof turned);
     }
   }
 }
 
+}  // namespace
+
+struct Sha256::State {
+  sha256_ctx context;
+};
+
+Sha256::Sha256() : state_(std::make_unique<State>()) { sha256_init(&state_->context); }
+Sha256::Sha256(Sha256&&) noexcept = default;
+Sha256::~Sha256() = default;
+
+void Sha256::update(const void* data, std::size_t size) {
+  sha256_update(&state_->context, size, static_cast<const std::uint8_t*>(data));
+}
+
 std::string Sha256::finish() {
-  const std::uint64_t bits = bytes_ * 8;
-  const std::uint8_t end = 0x80, zero = 0;
-  update(&end, 1);
-  while (buffered_ != 56) update(&zero, 1);
-  std::array<std::uint8_t, 8> length;
-  for (int i = 0; i < 8; ++i) length[i] = static_cast<std::uint8_t>(bits >> (56 - 8 * i));
-  update(length.data(), length.size());
+  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest;
+  sha256_digest(&state_->context, digest.size(), digest.data());
   std::string hex;
-  for (const std::uint32_t word : state_) {
-    for (int shift = 28; shift >= 0; shift -= 4) hex += "0123456789abcdef"[(word >> shift) & 15];
+  for (const std::uint8_t byte : digest) {
+    hex += "0123456789abcdef"[byte >> 4];
+    hex += "0123456789abcdef"[byte & 15];
   }
   return hex;
 }
@@ -114,8 +66,8 @@ Result<std::string> sha256OfFile(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return inputError(path + ": cannot be opened for reading");
   Sha256 hash;
-  std::array<char, 65536> buffer;
-  while (in.read(buffer.data(), buffer.size()), in.gcount() > 0) {
+  std::vector<char> buffer(1u << 18);
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0) {
     hash.update(buffer.data(), static_cast<std::size_t>(in.gcount()));
   }
   if (in.bad()) return inputError(path + ": reading failed");
@@ -123,19 +75,15 @@ Result<std::string> sha256OfFile(const std::string& path) {
 }
 
 std::string sha256OfMesh(const TriMesh& mesh) {
+  static_assert(sizeof(mesh.positions[0]) == 12 && sizeof(mesh.triangles[0]) == 12);
   Sha256 hash;
-  WordFeeder feeder(hash);
   for (const std::uint64_t count : {mesh.positions.size(), mesh.triangles.size()}) {
-    feeder.add(static_cast<std::uint32_t>(count));
-    feeder.add(static_cast<std::uint32_t>(count >> 32));
+    const std::uint32_t halves[2] = {static_cast<std::uint32_t>(count),
+                                     static_cast<std::uint32_t>(count >> 32)};
+    addWords(hash, halves, 2);
   }
-  for (const Eigen::Vector3f& p : mesh.positions) {
-    for (int i = 0; i < 3; ++i) feeder.add(std::bit_cast<std::uint32_t>(p[i]));
-  }
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t index : triangle) feeder.add(index);
-  }
-  feeder.flush();
+  addWords(hash, mesh.positions.data(), 3 * mesh.positions.size());
+  addWords(hash, mesh.triangles.data(), 3 * mesh.triangles.size());
   return hash.finish();
 }
 

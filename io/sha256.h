@@ -1,9 +1,8 @@
 // SHA-256 (FIPS 180-4), for the hashes of inputs and part in the report.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -15,17 +14,15 @@ namespace proveout {
 class Sha256 {
  public:
   Sha256();
+  Sha256(Sha256&&) noexcept;
+  ~Sha256();
   void update(const void* data, std::size_t size);
   /// 64 lower-case hex digits. Ends the computation: call once.
   std::string finish();
 
  private:
-  void compress(const std::uint8_t* block);
-
-  std::array<std::uint32_t, 8> state_;
-  std::array<std::uint8_t, 64> buffer_{};
-  std::size_t buffered_ = 0;
-  std::uint64_t bytes_ = 0;
+  struct State;  ///< the library's
+  std::unique_ptr<State> state_;
 };
 
 std::string sha256Hex(std::string_view bytes);

@@ -121,10 +121,14 @@ double Sweep::levelParameter(double x, double y) const {
     return (c.x() - x) * (c.x() - x) + (c.y() - y) * (c.y() - y);
   };
   double best = gap2(0.0) <= gap2(1.0) ? 0.0 : 1.0, least = gap2(best);
-  for (; angle <= span + kNearCircle; angle += 2.0 * kPi) {
-    const double t = refineLevel(x, y, std::min(1.0, angle / span));
+  const auto consider = [&](double start) {
+    const double t = refineLevel(x, y, start);
     if (const double g = gap2(t); g < least) least = g, best = t;
-  }
+  };
+  // The nearest place may lie just inside an end while the point's own angle lies outside.
+  consider(0.0);
+  consider(1.0);
+  for (; angle <= span; angle += 2.0 * kPi) consider(angle / span);
   return best;
 }
 

@@ -19,6 +19,15 @@ if(NOT TARGET proveout_openvdb)
   target_link_libraries(proveout_openvdb INTERFACE ${PROVEOUT_OPENVDB_LIBRARY} TBB::tbb Imath::Imath)
 endif()
 
+# Nettle comes without a package config.
+find_path(PROVEOUT_NETTLE_INCLUDE nettle/sha2.h REQUIRED)
+find_library(PROVEOUT_NETTLE_LIBRARY nettle REQUIRED)
+if(NOT TARGET proveout_nettle)
+  add_library(proveout_nettle INTERFACE IMPORTED GLOBAL)
+  target_include_directories(proveout_nettle SYSTEM INTERFACE ${PROVEOUT_NETTLE_INCLUDE})
+  target_link_libraries(proveout_nettle INTERFACE ${PROVEOUT_NETTLE_LIBRARY})
+endif()
+
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
 find_package(CGAL 5.5 REQUIRED QUIET)
 

@@ -54,6 +54,8 @@ class EdgeTable {
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size);
+  /// How many sets have more than one member.
+  std::size_t setsOfSeveral() const;
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) {
       parent_[i] = parent_[parent_[i]];

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include "core/mesh/edge_table.h"
 
@@ -8,6 +10,15 @@ namespace proveout {
 
 DisjointSets::DisjointSets(std::size_t size) : parent_(size) {
   std::iota(parent_.begin(), parent_.end(), 0u);
+}
+
+std::size_t DisjointSets::setsOfSeveral() const {
+  std::vector<bool> several(parent_.size());
+  for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+    // Parents come before their children: a set of several is known by a child of its representative.
+    if (parent_[i] != i && parent_[parent_[i]] == parent_[i]) several[parent_[i]] = true;
+  }
+  return static_cast<std::size_t>(std::ranges::count(several, true));
 }
 
 EdgeTable::EdgeTable(std::size_t vertices, const std::vector<TriangleIndices>& triangles)
@@ -118,10 +129,102 @@ std::vector<std::uint32_t> numberComponents(DisjointSets& sets, std::size_t tria
   return number;
 }
 
-}  // namespace topology_detail
+/// The corners of every vertex, in order of triangle. Requires proper triangles.
+class VertexCorners {
+ public:
+  VertexCorners(std::size_t vertices, const std::vector<TriangleIndices>& triangles)
+      : start_(vertices + 2, 0), corners_(3 * triangles.size()) {
+    // Counted two places ahead, so that filling moves each start to where it belongs.
+    for (const auto& t : triangles) {
+      for (const std::uint32_t v : t) ++start_[v + 2];
+    }
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    std::uint32_t corner = 0;
+    for (const auto& t : triangles) {
+      for (const std::uint32_t v : t) corners_[start_[v + 1]++] = corner++;
+    }
+  }
+  std::span<const std::uint32_t> of(std::uint32_t vertex) const {
+    return {corners_.data() + start_[vertex], corners_.data() + start_[vertex + 1]};
+  }
 
-MeshTopology analyseTopology(const TriMesh& mesh) {
-  using namespace topology_detail;
+ private:
+  std::vector<std::uint32_t> start_, corners_;
+};
+
+/// Opposite edge of a triangle seen from one of its vertices.
+using LinkEdge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Whether the edges, joined end to start, form one closed walk over all of them. Changes their order.
+bool isOneCycle(std::span<LinkEdge> link) {
+  constexpr std::size_t kSearchedInOrder = 16;  // beyond, sorting pays
+  const bool sorted = link.size() > kSearchedInOrder;
+  if (sorted) std::sort(link.begin(), link.end());
+  const auto startingAt = [&](std::uint32_t vertex) {
+    if (!sorted) return std::ranges::find(link, vertex, &LinkEdge::first);
+    const auto at = std::ranges::lower_bound(link, vertex, {}, &LinkEdge::first);
+    return at != link.end() && at->first == vertex ? at : link.end();
+  };
+  // The walk goes on from each vertex in one way: back at the start after that many steps, it has passed
+  // that many vertices, and so every edge once.
+  const std::uint32_t start = link.front().first;
+  std::uint32_t at = link.front().second;
+  for (std::size_t step = 1; step < link.size(); ++step) {
+    const auto next = startingAt(at);
+    if (at == start || next == link.end()) return false;
+    at = next->second;
+  }
+  return at == start;
+}
+
+/// Whether the mesh is closed, 2-manifold and oriented: around each vertex the triangles form one closed fan.
+/// Half the work of naming defects, which the rare mesh that has any gets on top.
+bool isClosedManifold(const TriMesh& mesh) {
+  for (const auto& t : mesh.triangles) {
+    if (!triangleIsProper(t, mesh.positions.size())) return false;
+  }
+  const VertexCorners corners(mesh.positions.size(), mesh.triangles);
+  std::vector<LinkEdge> link;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    const auto own = corners.of(v);
+    if (own.empty()) continue;
+    link.clear();
+    for (const std::uint32_t corner : own) {
+      const auto& t = mesh.triangles[corner / 3];
+      const std::uint32_t c = corner % 3;
+      link.emplace_back(t[c == 2 ? 0 : c + 1], t[c == 0 ? 2 : c - 1]);
+    }
+    if (!isOneCycle(link)) return false;
+  }
+  return true;
+}
+
+/// Sets of vertices that triangles connect. Where each vertex has one fan these are the components.
+DisjointSets connectedVertices(const TriMesh& mesh) {
+  DisjointSets sets(mesh.positions.size());
+  for (const auto& t : mesh.triangles) {
+    sets.join(t[0], t[1]);
+    sets.join(t[1], t[2]);
+  }
+  return sets;
+}
+
+std::vector<std::uint32_t> numberManifoldComponents(const TriMesh& mesh, std::uint32_t& count) {
+  constexpr std::uint32_t kUnnumbered = 0xFFFFFFFF;
+  DisjointSets sets = connectedVertices(mesh);
+  std::vector<std::uint32_t> of_root(mesh.positions.size(), kUnnumbered);
+  std::vector<std::uint32_t> number;
+  number.reserve(mesh.triangles.size());
+  count = 0;
+  for (const auto& t : mesh.triangles) {
+    std::uint32_t& n = of_root[sets.find(t[0])];
+    if (n == kUnnumbered) n = count++;
+    number.push_back(n);
+  }
+  return number;
+}
+
+MeshTopology nameDefects(const TriMesh& mesh) {
   DefectLog log;
   logPositionsAndTriangles(mesh, log);
   DisjointSets corners(3 * mesh.triangles.size());
@@ -143,13 +246,26 @@ MeshTopology analyseTopology(const TriMesh& mesh) {
   return log.result;
 }
 
+}  // namespace topology_detail
+
+MeshTopology analyseTopology(const TriMesh& mesh) {
+  using namespace topology_detail;
+  const bool finite = std::ranges::all_of(mesh.positions, [](const auto& p) { return p.allFinite(); });
+  if (!finite || !isClosedManifold(mesh)) return nameDefects(mesh);
+  MeshTopology topology;
+  topology.components = connectedVertices(mesh).setsOfSeveral();
+  return topology;
+}
+
 std::vector<std::uint32_t> meshComponents(const TriMesh& mesh, std::uint32_t& count) {
+  using namespace topology_detail;
+  if (isClosedManifold(mesh)) return numberManifoldComponents(mesh, count);
   DisjointSets sheets(mesh.triangles.size());
   const EdgeTable edges(mesh.positions.size(), mesh.triangles);
   edges.forEachEdge([&](std::uint32_t, const HalfEdge* first, const HalfEdge* last) {
     for (const HalfEdge* h = first + 1; h < last; ++h) sheets.join(first->half_edge / 3, h->half_edge / 3);
   });
-  return topology_detail::numberComponents(sheets, mesh.triangles.size(), count);
+  return numberComponents(sheets, mesh.triangles.size(), count);
 }
 
 }  // namespace proveout

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string_view>
 
 namespace proveout {
@@ -14,16 +13,18 @@ namespace {
 /// Largest tool dimension that makes sense; also keeps squares far from overflow.
 constexpr double kMinDiameterMm = 1e-3;  // a tenth of the thinnest end mill that is made
 constexpr double kMaxDimensionMm = 1e5;
+constexpr int kMaxTeeth = 200;  // twice the longest thread mills that are made
 
 struct TypeName {
   ToolType type;
   std::string_view name;
 };
-constexpr TypeName kTypeNames[] = {{ToolType::kFlat, "flat"},
-                                   {ToolType::kBall, "ball"},
-                                   {ToolType::kBull, "bull"},
-                                   {ToolType::kCone, "cone"},
-                                   {ToolType::kDrill, "drill"}};
+constexpr TypeName kTypeNames[] = {{ToolType::kFlat, "flat"},         {ToolType::kBall, "ball"},
+                                   {ToolType::kBull, "bull"},         {ToolType::kCone, "cone"},
+                                   {ToolType::kDrill, "drill"},       {ToolType::kTaperBall, "taper"},
+                                   {ToolType::kDovetail, "dovetail"}, {ToolType::kTSlot, "tslot"},
+                                   {ToolType::kLollipop, "lollipop"}, {ToolType::kThreadMill, "thread-mill"},
+                                   {ToolType::kForm, "form"}};
 
 class Checker {
  public:
@@ -35,10 +36,17 @@ class Checker {
     require(std::isfinite(value) && value >= 0.0 && value <= kMaxDimensionMm,
             fmt::format("{} must be between 0 and {} mm, not {}", field, kMaxDimensionMm, value));
   }
-  void angle(double value, std::string_view field) {
-    require(std::isfinite(value) && value > 0.0 && value < 180.0,
-            fmt::format("{} must be above 0 and below 180 degrees, not {}", field, value));
+  void angle(double value, std::string_view field, double limit = 180.0) {
+    require(std::isfinite(value) && value > 0.0 && value < limit,
+            fmt::format("{} must be above 0 and below {} degrees, not {}", field, limit, value));
   }
+  /// A length that the type cannot do without.
+  void positive(double value, std::string_view field) {
+    length(value, field);
+    require(value >= kMinDiameterMm,
+            fmt::format("{} must be at least {} mm, not {}", field, kMinDiameterMm, value));
+  }
+  bool good() const { return message_.empty(); }
   const std::string& message() const { return message_; }
 
  private:
@@ -46,32 +54,132 @@ class Checker {
   std::string message_;
 };
 
+void checkFluteCovers(const Tool& tool, double height, std::string_view what, Checker& check) {
+  check.require(tool.flute_length == 0.0 || tool.flute_length >= height,
+                fmt::format("flute_length is shorter than {}", what));
+}
+
+void checkTaperBall(const Tool& tool, Checker& check) {
+  check.angle(tool.cone_angle_deg, "the taper's included angle");
+  check.positive(tool.tip_diameter, "ball_diameter");
+  if (!check.good()) return;
+  const double side = degToRad(0.5 * tool.cone_angle_deg);
+  check.require(tool.tip_diameter * std::cos(side) <= tool.diameter,
+                "diameter is smaller than where the ball meets the taper");
+  checkFluteCovers(tool, 0.5 * tool.tip_diameter * (1.0 - std::sin(side)), "the ball end", check);
+}
+
+void checkDovetail(const Tool& tool, Checker& check) {
+  check.angle(tool.dovetail_angle_deg, "dovetail_angle", 90.0);
+  check.positive(tool.cutter_height, "height");
+  if (!check.good()) return;
+  const double angle = degToRad(tool.dovetail_angle_deg), c = tool.corner_radius;
+  check.require(c * (1.0 + std::cos(angle)) <= tool.cutter_height,
+                "corner_radius does not fit into the height");
+  const double top = 0.5 * tool.diameter - c * (1.0 - std::sin(angle)) -
+                     (tool.cutter_height - c * (1.0 + std::cos(angle))) / std::tan(angle);
+  check.require(
+      tool.neck_diameter <= 2.0 * top,
+      fmt::format("neck_diameter must be at most {:.6g} mm: what the flank leaves at the top of the cutter",
+                  std::max(0.0, 2.0 * top)));
+}
+
+void checkTSlot(const Tool& tool, Checker& check) {
+  check.positive(tool.cutter_height, "thickness");
+  check.require(2.0 * tool.corner_radius <= tool.cutter_height,
+                "corner_radius is larger than half the thickness");
+}
+
+void checkThreadMill(const Tool& tool, Checker& check) {
+  check.positive(tool.pitch, "pitch");
+  check.angle(tool.thread_angle_deg, "thread_angle");
+  check.length(tool.crest_flat, "crest_flat");
+  check.length(tool.root_diameter, "root_diameter");
+  check.require(tool.teeth >= 1 && tool.teeth <= kMaxTeeth,
+                fmt::format("teeth must be between 1 and {}, not {}", kMaxTeeth, tool.teeth));
+  if (!check.good()) return;
+  check.require(tool.crest_flat < tool.pitch, "crest_flat must be below the pitch");
+  const double root = rootDiameter(tool);
+  check.require(
+      root >= kMinDiameterMm,
+      "the teeth are deeper than the tool: the pitch is too large for the diameter, or root_diameter is "
+      "missing");
+  check.require(root < tool.diameter, "root_diameter must be below the diameter");
+  const double base =
+      tool.crest_flat + (tool.diameter - root) * std::tan(degToRad(0.5 * tool.thread_angle_deg));
+  check.require(base <= tool.pitch * (1.0 + 1e-9),
+                "root_diameter is below where the flanks of teeth a pitch apart meet");
+  check.require(tool.neck_diameter <= root, "neck_diameter must be at most the diameter between the teeth");
+}
+
+void checkForm(const Tool& tool, Checker& check) {
+  for (const OutlinePoint& p : tool.outline) {
+    check.length(p.r, "a radius of the profile");
+    check.length(p.z, "a height of the profile");
+    check.length(std::abs(p.arc_radius), "an arc's radius in the profile");
+  }
+  if (!check.good()) return;
+  const auto edges = outlineEdges(tool.outline);
+  if (!edges) return check.require(false, edges.error().message);
+  check.require(std::abs(outlineDiameter(*edges) - tool.diameter) <= 1e-9 * tool.diameter,
+                "diameter is not twice the largest radius of the profile");
+}
+
 void checkShape(const Tool& tool, Checker& check) {
   switch (tool.type) {
     case ToolType::kBall:
-      check.require(tool.flute_length == 0.0 || tool.flute_length >= 0.5 * tool.diameter,
-                    "flute_length is shorter than the ball end");
-      break;
+      return checkFluteCovers(tool, 0.5 * tool.diameter, "the ball end", check);
     case ToolType::kBull:
-      check.require(tool.corner_radius <= 0.5 * tool.diameter,
-                    "corner_radius is larger than the tool's radius");
-      check.require(tool.flute_length == 0.0 || tool.flute_length >= tool.corner_radius,
-                    "flute_length is shorter than the corner radius");
-      break;
+      return checkFluteCovers(tool, tool.corner_radius, "the corner radius", check);
     case ToolType::kCone:
       check.angle(tool.cone_angle_deg, "the cone's included angle");
-      check.require(tool.tip_diameter < tool.diameter, "the tip diameter must be smaller than the diameter");
-      break;
+      return check.require(tool.tip_diameter < tool.diameter,
+                           "the tip diameter must be smaller than the diameter");
     case ToolType::kDrill:
       check.angle(tool.point_angle_deg, "the point angle");
-      if (tool.point_angle_deg > 0.0 && tool.point_angle_deg < 180.0 && tool.flute_length > 0.0) {
-        check.require(
-            tool.flute_length >= 0.5 * tool.diameter / std::tan(degToRad(0.5 * tool.point_angle_deg)),
-            "flute_length is shorter than the drill's point");
-      }
-      break;
+      if (!check.good()) return;
+      return checkFluteCovers(tool, 0.5 * tool.diameter / std::tan(degToRad(0.5 * tool.point_angle_deg)),
+                              "the drill's point", check);
+    case ToolType::kTaperBall:
+      return checkTaperBall(tool, check);
+    case ToolType::kDovetail:
+      return checkDovetail(tool, check);
+    case ToolType::kTSlot:
+      return checkTSlot(tool, check);
+    case ToolType::kThreadMill:
+      return checkThreadMill(tool, check);
+    case ToolType::kForm:
+      return checkForm(tool, check);
     case ToolType::kFlat:
-      break;
+    case ToolType::kLollipop:
+      return;
+  }
+}
+
+/// Neck and shank above the cutting part. The shape must be good: its height counts.
+void checkNeck(const Tool& tool, Checker& check) {
+  if (!hasNeck(tool.type)) {
+    return check.require(tool.neck_diameter == 0.0 && tool.neck_length == 0.0,
+                         "this type has no neck_diameter and no neck_length");
+  }
+  check.require(tool.flute_length == 0.0, "this type cuts over its own height and has no flute_length");
+  const bool optional = tool.type == ToolType::kThreadMill || tool.type == ToolType::kForm;
+  if (!optional) check.positive(tool.neck_diameter, "neck_diameter");
+  check.require(optional || tool.neck_diameter < tool.diameter, "neck_diameter must be below the diameter");
+  if (!check.good()) return;
+  const double top = cutterTop(tool);
+  check.require(tool.overall_length == 0.0 || tool.overall_length >= top,
+                fmt::format("overall_length is shorter than the cutting part, {:.6g} mm", top));
+  if (tool.neck_length > 0.0) {
+    check.require(tool.shank_diameter > 0.0 && tool.overall_length > 0.0,
+                  "neck_length needs shank_diameter and overall_length: the shank that begins there");
+    check.require(tool.neck_length >= top, "neck_length ends inside the cutting part");
+    check.require(tool.neck_length <= tool.overall_length, "neck_length is longer than overall_length");
+    check.require(tool.type != ToolType::kForm || tool.neck_diameter > 0.0,
+                  "neck_length needs neck_diameter");
+  } else {
+    check.require(tool.shank_diameter == 0.0 || (tool.type == ToolType::kForm && tool.neck_diameter == 0.0),
+                  "shank_diameter needs neck_length: where the shank begins");
   }
 }
 
@@ -95,6 +203,13 @@ std::string_view toolTypeName(ToolType type) {
   return "flat";
 }
 
+std::optional<ToolType> toolTypeOf(std::string_view name) {
+  for (const TypeName& entry : kTypeNames) {
+    if (entry.name == name) return entry.type;
+  }
+  return std::nullopt;
+}
+
 Status validateTool(const Tool& tool) {
   Checker check(tool);
   check.require(tool.number >= 0, "the number must not be negative");
@@ -103,98 +218,79 @@ Status validateTool(const Tool& tool) {
   check.require(tool.diameter <= 0.0 || tool.diameter >= kMinDiameterMm,
                 fmt::format("diameter must be at least {} mm, not {}", kMinDiameterMm, tool.diameter));
   check.length(tool.corner_radius, "corner_radius");
+  check.require(tool.corner_radius <= 0.5 * tool.diameter, "corner_radius is larger than the tool's radius");
   check.length(tool.tip_diameter, "tip diameter");
   check.length(tool.flute_length, "flute_length");
   check.length(tool.overall_length, "overall_length");
   check.length(tool.shank_diameter, "shank_diameter");
+  check.length(tool.neck_diameter, "neck_diameter");
+  check.length(tool.neck_length, "neck_length");
   check.require(std::isfinite(tool.gauge_length) && std::abs(tool.gauge_length) <= kMaxDimensionMm,
                 "gauge_length is out of range");
   check.require(tool.overall_length == 0.0 || tool.flute_length <= tool.overall_length,
                 "flute_length is longer than overall_length");
-  checkShape(tool, check);
+  if (check.good()) checkShape(tool, check);
+  if (check.good()) checkNeck(tool, check);
   checkHolder(tool, check);
   if (!check.message().empty()) return inputError(check.message());
   return Done{};
 }
 
-namespace {
-
-std::optional<double> parseNumber(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t at = text.find(separator);
-    parts.push_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
+bool hasNeck(ToolType type) {
+  switch (type) {
+    case ToolType::kDovetail:
+    case ToolType::kTSlot:
+    case ToolType::kLollipop:
+    case ToolType::kThreadMill:
+    case ToolType::kForm:
+      return true;
+    default:
+      return false;
   }
 }
 
-/// Sets the shape's numbers; false if their count is wrong for the type.
-bool setShape(Tool& tool, const std::vector<double>& n) {
-  if (n.empty()) return false;
-  tool.diameter = n[0];
+double rootDiameter(const Tool& tool) {
+  if (tool.root_diameter > 0.0) return tool.root_diameter;
+  return tool.diameter - (tool.pitch - tool.crest_flat) / std::tan(degToRad(0.5 * tool.thread_angle_deg));
+}
+
+double cutterTop(const Tool& tool) {
   switch (tool.type) {
-    case ToolType::kFlat:
-    case ToolType::kBall:
-      return n.size() == 1;
-    case ToolType::kBull:
-      if (n.size() != 2) return false;
-      tool.corner_radius = n[1];
-      return true;
-    case ToolType::kCone:
-      if (n.size() != 3) return false;
-      tool.tip_diameter = n[1];
-      tool.cone_angle_deg = n[2];
-      return true;
-    case ToolType::kDrill:
-      if (n.size() > 2) return false;
-      if (n.size() == 2) tool.point_angle_deg = n[1];
-      return true;
+    case ToolType::kDovetail:
+    case ToolType::kTSlot:
+      return tool.cutter_height;
+    case ToolType::kLollipop:  // where the neck comes out of the ball
+      return 0.5 * (tool.diameter +
+                    std::sqrt((tool.diameter - tool.neck_diameter) * (tool.diameter + tool.neck_diameter)));
+    case ToolType::kThreadMill:
+      return threadOutline(tool).back().z;
+    case ToolType::kForm:
+      return tool.outline.back().z;
+    default:
+      break;
   }
-  return false;
+  if (tool.flute_length > 0.0) return tool.flute_length;
+  return tool.overall_length > 0.0 ? tool.overall_length : kUnlimitedFluteMm;
 }
 
-}  // namespace
-
-Result<Tool> parseToolOption(const std::string& text) {
-  const auto wrong = [&](std::string_view why) {
-    return inputError(
-        fmt::format("--tool {}: {}; write N=flat:D, N=ball:D, N=bull:D:R, N=cone:D:TIPD:ANGLE or "
-                    "N=drill:D:POINTANGLE, in mm and degrees",
-                    text, why));
+std::vector<OutlinePoint> threadOutline(const Tool& tool) {
+  const double crest = 0.5 * tool.diameter, root = 0.5 * rootDiameter(tool);
+  const double flank = (crest - root) * std::tan(degToRad(0.5 * tool.thread_angle_deg));
+  std::vector<OutlinePoint> points;
+  const auto add = [&](double r, double z) {
+    // Teeth whose feet meet, and crests without a flat, have one point there.
+    constexpr double kSameMm = 1e-9;
+    if (!points.empty() && points.back().r == r && z - points.back().z < kSameMm) return;
+    points.push_back({r, z, 0.0});
   };
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) return wrong("no '='");
-  Tool tool;
-  const char* end_of_number = text.data() + equals;
-  const auto [end, error] = std::from_chars(text.data(), end_of_number, tool.number);
-  if (error != std::errc{} || end != end_of_number || tool.number < 0)
-    return wrong("the tool number is not a whole number");
-  const auto parts = split(std::string_view(text).substr(equals + 1), ':');
-  bool known = false;
-  for (const TypeName& entry : kTypeNames) {
-    if (entry.name == parts[0]) {
-      tool.type = entry.type;
-      known = true;
-    }
+  for (int i = 0; i < tool.teeth; ++i) {
+    const double z = i * tool.pitch;
+    add(root, z);
+    add(crest, z + flank);
+    add(crest, z + flank + tool.crest_flat);
+    add(root, z + 2.0 * flank + tool.crest_flat);
   }
-  if (!known) return wrong(fmt::format("unknown shape '{}'", parts[0]));
-  std::vector<double> numbers;
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    const auto number = parseNumber(parts[i]);
-    if (!number) return wrong(fmt::format("'{}' is not a number", parts[i]));
-    numbers.push_back(*number);
-  }
-  if (!setShape(tool, numbers)) return wrong(fmt::format("wrong count of numbers for '{}'", parts[0]));
-  if (Status status = validateTool(tool); !status) return status.error();
-  return tool;
+  return points;
 }
 
 }  // namespace proveout

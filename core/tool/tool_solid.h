@@ -17,9 +17,6 @@ struct ToolSolid {
   std::vector<ConvexProfile> holder;  ///< one per section of the polyline
 };
 
-/// Length of flutes that stands for "without limit", mm.
-inline constexpr double kUnlimitedFluteMm = 2000.0;
-
 /// Requires validateTool(tool).
 ToolSolid makeToolSolid(const Tool& tool);
 

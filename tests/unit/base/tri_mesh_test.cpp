@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace proveout {
 namespace {
@@ -169,6 +171,124 @@ TEST(TriMesh, HalfAMillionTrianglesTakeAMoment) {
   RecordProperty("seconds", std::to_string(seconds));
   EXPECT_LT(seconds,
             5.0);  // 0.1 s when optimised and alone; the bound is for a loaded machine under sanitizers
+}
+
+/// What analyseTopology says, by definition and by brute force.
+struct Reference {
+  bool closed = true;
+  std::vector<std::uint32_t> component;
+};
+
+/// Joins numbers that `linked` links, by relaxing until nothing changes; returns the smallest of each set.
+template <typename Linked>
+std::vector<std::uint32_t> smallestReachable(std::size_t n, const Linked& linked) {
+  std::vector<std::uint32_t> least(n);
+  for (std::uint32_t i = 0; i < n; ++i) least[i] = i;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      for (std::uint32_t j = 0; j < n; ++j) {
+        if (least[j] < least[i] && linked(i, j)) least[i] = least[j], changed = true;
+      }
+    }
+  }
+  return least;
+}
+
+bool hasVertex(const Tri& t, std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+int sharedVertices(const Tri& a, const Tri& b) {
+  return hasVertex(b, a[0]) + hasVertex(b, a[1]) + hasVertex(b, a[2]);
+}
+
+Reference reference(const TriMesh& m) {
+  Reference r;
+  const auto n = static_cast<std::uint32_t>(m.positions.size());
+  std::vector<int> directed(n * n, 0);
+  for (const Tri& t : m.triangles) {
+    for (int c = 0; c < 3; ++c) ++directed[t[c] * n + t[(c + 1) % 3]];
+  }
+  for (std::uint32_t a = 0; a < n; ++a) {
+    for (std::uint32_t b = 0; b < n; ++b) {
+      if (directed[a * n + b] > 1 || directed[a * n + b] != directed[b * n + a]) r.closed = false;
+    }
+  }
+  const auto sharesEdge = [&](std::uint32_t i, std::uint32_t j) {
+    return sharedVertices(m.triangles[i], m.triangles[j]) >= 2;
+  };
+  for (std::uint32_t v = 0; v < n && r.closed; ++v) {
+    std::vector<Tri> fan;
+    for (const Tri& t : m.triangles) {
+      if (hasVertex(t, v)) fan.push_back(t);
+    }
+    const auto one = smallestReachable(fan.size(), [&](std::uint32_t i, std::uint32_t j) {
+      for (std::uint32_t w = 0; w < n; ++w) {
+        if (w != v && hasVertex(fan[i], w) && hasVertex(fan[j], w)) return true;
+      }
+      return false;
+    });
+    for (const std::uint32_t least : one) r.closed = r.closed && least == 0;
+  }
+  std::vector<std::uint32_t> number(m.triangles.size());
+  std::uint32_t count = 0;
+  const auto least = smallestReachable(m.triangles.size(), sharesEdge);
+  for (std::uint32_t t = 0; t < least.size(); ++t) {
+    number[t] = least[t] == t ? count++ : number[least[t]];
+  }
+  r.component = number;
+  return r;
+}
+
+/// Two closed pieces with a random defect, or none: vertices merged, a triangle turned, dropped or doubled.
+TriMesh damaged(std::mt19937& random) {
+  TriMesh m = together(box({0, 0, 0}, {1, 1, 1}), torus(3, 3));
+  std::shuffle(m.triangles.begin(), m.triangles.end(), random);
+  const auto below = [&](std::size_t n) { return static_cast<std::uint32_t>(random() % n); };
+  const std::uint32_t kind = below(6), t = below(m.triangles.size());
+  if (kind == 0) std::swap(m.triangles[t][0], m.triangles[t][1]);
+  if (kind == 1) m.triangles.erase(m.triangles.begin() + t);
+  if (kind == 2) m.triangles.push_back(m.triangles[t]);
+  if (kind == 3) m.triangles.push_back({m.triangles[t][0], m.triangles[t][2], m.triangles[t][1]});
+  if (kind == 4) {
+    const std::uint32_t a = below(8), b = 8 + below(9);  // a box corner becomes a corner of the torus
+    for (Tri& triangle : m.triangles) std::ranges::replace(triangle, a, b);
+  }
+  return m;
+}
+
+TEST(TriMesh, TopologyMatchesTheDefinitionOnDamagedMeshes) {
+  std::mt19937 random(11);
+  int closed = 0;
+  for (int i = 0; i < 300; ++i) {
+    const TriMesh m = damaged(random);
+    const Reference expected = reference(m);
+    closed += expected.closed;
+    const MeshTopology topology = analyseTopology(m);
+    ASSERT_EQ(topology.closedManifold(), expected.closed) << "round " << i;
+    std::uint32_t count = 0;
+    ASSERT_EQ(meshComponents(m, count), expected.component) << "round " << i;
+    ASSERT_EQ(topology.components, count) << "round " << i;
+  }
+  EXPECT_GT(closed, 20);
+  EXPECT_LT(closed, 150);
+}
+
+TEST(TriMesh, WideFansAreClosed) {
+  for (const std::uint32_t n : {3u, 16u, 17u, 500u}) {  // two cones, base to base
+    TriMesh m;
+    m.positions = {{0, 0, 1}, {0, 0, -1}};
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double a = 2 * kPi * i / n;
+      m.positions.push_back(Vec3(std::cos(a), std::sin(a), 0).cast<float>());
+      const std::uint32_t p = 2 + i, q = 2 + (i + 1) % n;
+      m.triangles.push_back({0, p, q});
+      m.triangles.push_back({1, q, p});
+    }
+    EXPECT_TRUE(analyseTopology(m).closedManifold()) << n;
+    EXPECT_EQ(analyseTopology(m).components, 1u) << n;
+    std::swap(m.triangles[n][1], m.triangles[n][2]);
+    EXPECT_EQ(analyseTopology(m).misoriented_edges, 3u) << n;
+  }
 }
 
 }  // namespace

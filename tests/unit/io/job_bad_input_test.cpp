@@ -140,10 +140,55 @@ TEST(BadJob, ToolsThatCannotBe) {
               HasSubstr("error[job-tool]: tool 2: corner_radius is larger than the tool's radius"));
   EXPECT_THAT(refused(kSmallJob + "[[tool]]\nnumber = 1\ntype = 'flat'\ndiameter = 3\n"),
               HasSubstr("there are two tools with number 1"));
+  EXPECT_THAT(
+      refusedTool("type = 'dovetail'\ndiameter = 20\ndovetail_angle = 60\nheight = 8\nneck_diameter = 12"),
+      HasSubstr("error[job-tool]: tool 2: neck_diameter must be at most 10.7624 mm"));
+  EXPECT_THAT(
+      refusedTool("type = 'taper'\nball_diameter = 1\ntip_diameter = 1\ntaper_angle = 3\ndiameter = 6"),
+      HasSubstr("tip_diameter (a flat tip) or ball_diameter (a ball end), not both"));
+}
+
+TEST(BadJob, KeysOfOtherToolTypes) {
+  EXPECT_THAT(
+      refusedTool("type = 'tslot'\ndiameter = 20\nthickness = 5\nneck_diameter = 8\nflute_length = 5"),
+      HasSubstr("18:1: error[job-unknown-key]: [[tool]] 2 has no key 'flute_length'"));
+  EXPECT_THAT(refusedTool("type = 'flat'\ndiameter = 20\nneck_diameter = 8"),
+              HasSubstr("[[tool]] 2 has no key 'neck_diameter'; did you mean 'shank_diameter'?"));
+  EXPECT_THAT(refusedTool("type = 'form'\ndiameter = 8\nprofile = [[4, 0], [4, 8]]"),
+              HasSubstr("[[tool]] 2 has no key 'diameter'"));
+  EXPECT_THAT(refusedTool("type = 'thread-mill'\ndiameter = 8\npitch = 1\ncrest_falt = 0.1"),
+              HasSubstr("has no key 'crest_falt'; did you mean 'crest_flat'?"));
+  for (const char* key : {"dovetail_angle", "height", "neck_diameter"})
+    EXPECT_THAT(refusedTool("type = 'dovetail'\ndiameter = 20"),
+                HasSubstr("needs the key '" + std::string(key) + "'"));
+  for (const char* key : {"thickness", "neck_diameter"})
+    EXPECT_THAT(refusedTool("type = 'tslot'\ndiameter = 20"),
+                HasSubstr("needs the key '" + std::string(key) + "'"));
+  EXPECT_THAT(refusedTool("type = 'lollipop'\ndiameter = 20"), HasSubstr("needs the key 'neck_diameter'"));
+  EXPECT_THAT(refusedTool("type = 'thread-mill'\ndiameter = 20"), HasSubstr("needs the key 'pitch'"));
+  EXPECT_THAT(refusedTool("type = 'form'"), HasSubstr("needs the key 'profile'"));
+}
+
+TEST(BadJob, ProfilesOfForms) {
+  const auto form = [](const std::string& profile) {
+    return refusedTool("type = 'form'\nprofile = " + profile);
+  };
+  EXPECT_THAT(form("3"), HasSubstr("profile must be a list"));
+  EXPECT_THAT(form("[]"), HasSubstr("the profile needs at least two points"));
+  EXPECT_THAT(form("[[4, 0], 3]"),
+              HasSubstr("15:20: error[job-type]: a point of a profile is [radius, height]"));
+  EXPECT_THAT(form("[[4, 0], [3]]"), HasSubstr("a point of a profile is [radius, height]"));
+  EXPECT_THAT(form("[[4, 0], [3, 1, 2, 3]]"), HasSubstr("a point of a profile is [radius, height]"));
+  EXPECT_THAT(form("[[4, 0], [3, 'x']]"), HasSubstr("a height of the profile must be a number"));
+  EXPECT_THAT(form("[[-4, 0], [3, 1]]"), HasSubstr("a radius of the profile must be at least 0"));
+  EXPECT_THAT(form("[[4, 0], [3, nan]]"), HasSubstr("a height of the profile must be"));
+  EXPECT_THAT(form("[[4, 0], [4, 8, 0]]"), HasSubstr("an arc's radius must not be 0"));
+  EXPECT_THAT(form("[[4, 0], [4, 8], [3, 7]]"),
+              HasSubstr("15:11: error[job-tool]: point 3 of the profile is lower than the one before"));
 }
 
 TEST(BadJob, WhatThisVersionCannotSimulate) {
-  for (const char* type : {"insert", "wire", "form", "dovetail", "tslot", "thread-mill"}) {
+  for (const char* type : {"insert", "wire"}) {
     // Keys of such tools are not called unknown: the type is what is wrong.
     const std::string text = refusedTool(std::string("type = '") + type + "'\nnose_radius = 0.4");
     EXPECT_THAT(text,

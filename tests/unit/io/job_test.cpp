@@ -202,6 +202,77 @@ diameter = 5
   EXPECT_EQ(job->tools[5].diameter, 5);
 }
 
+TEST(Job, ReadsToolsWithNecksAndForms) {
+  JobFolder folder;
+  const auto job = folder.load(kSmallJob + R"(
+[[tool]]
+number = 2
+type = "taper"
+ball_diameter = 1
+taper_angle = 5
+flute_length = 20
+[[tool]]
+number = 3
+type = "dovetail"
+diameter = 20
+dovetail_angle = 60
+height = 8
+neck_diameter = 9
+corner_radius = 0.4
+[[tool]]
+number = 4
+type = "tslot"
+diameter = 21
+thickness = 9
+neck_diameter = 10
+neck_length = 25
+shank_diameter = 12
+overall_length = 70
+[[tool]]
+number = 5
+type = "lollipop"
+diameter = 6
+neck_diameter = 3
+[[tool]]
+number = 6
+type = "thread-mill"
+diameter = 10
+pitch = 1.5
+teeth = 8
+crest_flat = 0.1875
+[[tool]]
+number = 7
+type = "form"
+profile = [[2, 0], [5, 3, -3], [5, 4], [6, 4], [6, 6], [4, 8, 2]]
+shank_diameter = 8
+overall_length = 40
+)");
+  ASSERT_TRUE(job) << folder.text();
+  ASSERT_EQ(job->tools.size(), 7u);
+  EXPECT_EQ(job->tools[1].type, ToolType::kTaperBall);
+  EXPECT_EQ(job->tools[1].cone_angle_deg, 10);
+  // The flank touches the ball of 0.5 at a height of 0.5 (1 - sin 5 deg) and widens by tan 5 deg a side.
+  EXPECT_NEAR(job->tools[1].diameter, 0.996194698 + 2 * (20 - 0.456422129) * 0.0874886635, 1e-8);
+  EXPECT_EQ(job->tools[2].type, ToolType::kDovetail);
+  EXPECT_EQ(job->tools[2].dovetail_angle_deg, 60);
+  EXPECT_EQ(job->tools[2].cutter_height, 8);
+  EXPECT_EQ(job->tools[2].corner_radius, 0.4);
+  EXPECT_EQ(job->tools[3].type, ToolType::kTSlot);
+  EXPECT_EQ(job->tools[3].cutter_height, 9);
+  EXPECT_EQ(job->tools[3].neck_length, 25);
+  EXPECT_EQ(job->tools[4].type, ToolType::kLollipop);
+  EXPECT_EQ(job->tools[4].neck_diameter, 3);
+  EXPECT_EQ(job->tools[5].type, ToolType::kThreadMill);
+  EXPECT_EQ(job->tools[5].teeth, 8);
+  EXPECT_EQ(job->tools[5].thread_angle_deg, 60);
+  EXPECT_EQ(job->tools[5].crest_flat, 0.1875);
+  EXPECT_EQ(job->tools[6].type, ToolType::kForm);
+  EXPECT_EQ(job->tools[6].diameter, 12);
+  ASSERT_EQ(job->tools[6].outline.size(), 6u);
+  EXPECT_EQ(job->tools[6].outline[1].arc_radius, -3);
+  EXPECT_EQ(job->tools[6].outline[5].z, 8);
+}
+
 TEST(Job, ReadsEveryStock) {
   JobFolder folder;
   folder.write("blank.stl", "x");

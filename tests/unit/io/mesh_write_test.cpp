@@ -8,6 +8,7 @@
 #include <random>
 
 #include "io/mesh_io.h"
+#include "io/sha256.h"
 #include "mesh_text.h"
 #include "temp_folder.h"
 
@@ -55,6 +56,26 @@ TriMesh randomMesh(unsigned seed) {
   }
   mesh.positions[0] = {std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max(), -1e-38f};
   return mesh;
+}
+
+TEST(WriteMesh, HashesTheBytesThatItWrites) {
+  TempFolder folder;
+  TriMesh mesh;
+  for (unsigned seed = 0; seed < 40; ++seed) {  // several pieces of the largest format
+    const TriMesh more = randomMesh(seed);
+    const auto base = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
+    for (const auto& t : more.triangles) mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  }
+  mesh.motion.assign(mesh.triangles.size(), 7);
+  for (const TriMesh& written : {mesh, TriMesh{}}) {
+    for (const auto& [format, name] : kAll) {
+      const Result<std::string> hash = writeMeshHashed(written, folder.path(name), format);
+      ASSERT_TRUE(hash.ok()) << name;
+      EXPECT_EQ(*hash, *sha256OfFile(folder.path(name))) << name;
+    }
+  }
+  EXPECT_FALSE(writeMeshHashed(mesh, folder.path("no/such/folder.stl"), MeshFormat::kStlBinary).ok());
 }
 
 TEST(WriteMesh, ComesBackBitForBit) {
