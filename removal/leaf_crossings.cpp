@@ -13,6 +13,8 @@ namespace {
 /// first pass that made them.
 constexpr double kShorter = 1e-7;
 
+/// Chains of passes on one edge that are followed; more than any tool's parts within a cell.
+constexpr int kMostRounds = 64;
 /// How far behind an old crossing material is looked for, as a fraction of the edge: thinner films are not spoken of.
 constexpr double kFilm = 0.02;
 
@@ -42,13 +44,18 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   const Vec3 low = impl_.position(change.origin);
   const BlockBox leaf{low.x() + 4.0 * impl_.h, low.y() + 4.0 * impl_.h, 4.0 * impl_.h, low.z(),
                       low.z() + 8.0 * impl_.h};
-  for (const std::uint32_t number : list) {
-    const Pass& pass = table_.passes[number];
-    if (pass.part != ToolPart::kCutter || reachIn(pass, leaf) >= leaf.z_high) continue;
-    for (const Group& group : groups) {
-      if (group.first == group.last || reachIn(pass, group.box) >= group.box.z_high) continue;
-      for (std::size_t first = group.first; first < group.last; first += kMaxColumns) {
-        tryPass(number, first, std::min<std::size_t>(kMaxColumns, group.last - first));
+  // A pass may cover the rest of an edge only after a later one moved the crossing to it: ask again until none does.
+  moved_ = true;
+  for (int round = 0; moved_ && round < kMostRounds; ++round) {
+    moved_ = false;
+    for (const std::uint32_t number : list) {
+      const Pass& pass = table_.passes[number];
+      if (pass.part != ToolPart::kCutter || reachIn(pass, leaf) >= leaf.z_high) continue;
+      for (const Group& group : groups) {
+        if (group.first == group.last || reachIn(pass, group.box) >= group.box.z_high) continue;
+        for (std::size_t first = group.first; first < group.last; first += kMaxColumns) {
+          tryPass(number, first, std::min<std::size_t>(kMaxColumns, group.last - first));
+        }
       }
     }
   }
@@ -200,6 +207,7 @@ void CrossingFinder::tryEdge(std::uint32_t number, std::size_t probe, double lo,
   if (s >= e.s - kShorter && !(e.pass == kOld && e.old < 0)) return;
   e.s = s;
   e.pass = number;
+  moved_ = true;
   for (const std::int32_t moved : probes_of_edge_[index]) {
     if (moved >= 0) placeProbe(static_cast<std::size_t>(moved));
   }

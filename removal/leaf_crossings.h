@@ -69,6 +69,7 @@ class CrossingFinder {
   std::vector<std::array<std::int32_t, 2>> probes_of_edge_;
   std::vector<double> x_, y_, z_;
   std::array<double, kMaxColumns> lo_, hi_;
+  bool moved_ = false;  ///< a crossing was taken over
 };
 
 }  // namespace proveout

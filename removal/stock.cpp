@@ -191,8 +191,8 @@ Result<Stock> Stock::create(const StockShape& shape, const RemovalOptions& optio
     stock.impl_->h = options.resolution_mm;
     stock.impl_->origin = kGridShift * options.resolution_mm;
     stock.impl_->blank = bounds;
-    if (const double bytes = indexBytes(*stock.impl_), limit = memoryLimit(options); bytes > limit)
-      return memoryError(bytes, limit, options.resolution_mm);
+    if (const double bytes = indexBytes(*stock.impl_), most = memoryLimit(options); bytes > most)
+      return memoryError(bytes, most, options.resolution_mm);
     makeIndex(*stock.impl_);
     if (Status status = buildBlank(*stock.impl_, shape, options, progress); !status) return status.error();
   } catch (const std::bad_alloc&) {

@@ -87,6 +87,21 @@ TEST(Contacts, ShankAndHolderInADeepSlot) {
   EXPECT_TRUE(found);  // at z = -14 the holder's face is at -2, 10 mm around the axis
 }
 
+TEST(ThinPasses, AreFollowedAlongTheEdge) {
+  // Slots 0.3 mm high, one above the other, from below to above and back: on a grid of 1 mm several share an edge.
+  Tool disc = tool("1=flat:6");
+  disc.flute_length = 0.3;
+  for (const bool upwards : {false, true}) {
+    PathMaker p;
+    for (int i = 0; i < 30; ++i) {
+      const double z = -(upwards ? 30 - i : i + 1) * 0.2;
+      p.line({-10, 15, z}, {50, 15, z}).line({50, 15, z}, {50, 60, z}, MotionKind::kRapid);
+    }
+    const Cut c = cut(kBlank, p.path(), {disc}, 1.0);
+    EXPECT_NEAR(c.initial - c.volume, 40 * 6 * 6, 0.05) << upwards;
+  }
+}
+
 TEST(LostFilm, FloorThinnerThanACellIsReported) {
   PathMaker p;
   p.line({-10, 15, -19.7}, {50, 15, -19.7});
