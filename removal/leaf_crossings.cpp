@@ -35,27 +35,29 @@ bool ballNormal(const Pass& pass, const Vec3& p, Vec3& normal) {
 
 std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafEdges& edges,
                                            const std::vector<Crossing>& before,
-                                           std::span<const std::uint32_t> list) {
+                                           std::span<const Reach> list) {
   collect(change, edges, before);
   probes_.clear();
   probes_of_edge_.assign(edges_.size(), {-1, -1});
   std::array<Group, 4> groups;
   for (int q = 0; q < 4; ++q) groups[q] = addGroup(change, q);
-  const Vec3 low = impl_.position(change.origin);
-  const BlockBox leaf{low.x() + 4.0 * impl_.h, low.y() + 4.0 * impl_.h, 4.0 * impl_.h, low.z(),
-                      low.z() + 8.0 * impl_.h};
+  pairs_.clear();
+  for (const Reach& reach : list) {
+    const Pass& pass = table_.passes[reach.pass];
+    if (pass.part != ToolPart::kCutter) continue;
+    for (std::uint8_t q = 0; q < 4; ++q) {
+      const Group& group = groups[q];
+      if (group.first == group.last || reach.low >= group.box.z_high) continue;
+      if (reachIn(pass, group.box) < group.box.z_high) pairs_.push_back({reach.pass, q});
+    }
+  }
   // A pass may cover the rest of an edge only after a later one moved the crossing to it: ask again until none does.
   moved_ = true;
   for (int round = 0; moved_ && round < kMostRounds; ++round) {
     moved_ = false;
-    for (const std::uint32_t number : list) {
-      const Pass& pass = table_.passes[number];
-      if (pass.part != ToolPart::kCutter || reachIn(pass, leaf) >= leaf.z_high) continue;
-      for (const Group& group : groups) {
-        if (group.first == group.last || reachIn(pass, group.box) >= group.box.z_high) continue;
-        for (std::size_t first = group.first; first < group.last; first += kMaxColumns) {
-          tryPass(number, first, std::min<std::size_t>(kMaxColumns, group.last - first));
-        }
+    for (const auto& [pass, q] : pairs_) {
+      for (std::size_t first = groups[q].first; first < groups[q].last; first += kMaxColumns) {
+        tryPass(pass, first, std::min<std::size_t>(kMaxColumns, groups[q].last - first));
       }
     }
   }
@@ -67,7 +69,7 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
 
 CrossingFinder::LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edges,
                                                   const std::vector<Crossing>& before,
-                                                  std::span<const std::uint32_t> list) {
+                                                  std::span<const Reach> list) {
   x_.clear();
   y_.clear();
   z_.clear();
@@ -81,12 +83,10 @@ CrossingFinder::LostFilm CrossingFinder::findLost(const LeafChange& change, cons
     y_.push_back(p.y());
     z_.push_back(p.z());
   });
-  const Vec3 middle = impl_.position(change.origin) + Vec3::Constant(4.0 * impl_.h);
-  const BlockBox box{middle.x(), middle.y(), 4.0 * impl_.h, middle.z() - 4.0 * impl_.h, middle.z() + 4.0 * impl_.h};
-  for (const std::uint32_t number : list) {
+  for (const Reach& reach : list) {
     if (x_.empty()) break;
-    const Pass& pass = table_.passes[number];
-    if (pass.part == ToolPart::kCutter && reachIn(pass, box) < box.z_high) dropCovered(pass);
+    const Pass& pass = table_.passes[reach.pass];
+    if (pass.part == ToolPart::kCutter) dropCovered(pass);
   }
   LostFilm lost;
   lost.edges = static_cast<int>(x_.size());

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "removal/leaf_cutter.h"
@@ -19,7 +20,7 @@ class CrossingFinder {
   /// Crossings of the crossed `edges` of the changed leaf, in order. On each edge the one nearest to the material
   /// counts: of the surface that was there (`before`, the crossings of change.before), or of a pass in `list`.
   std::vector<Crossing> find(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before,
-                             std::span<const std::uint32_t> list);
+                             std::span<const Reach> list);
 
   /// Material that the grid loses: edges whose old crossing is gone although no pass in `list` took the material next
   /// to it. What is left there is thinner than a cell.
@@ -28,7 +29,7 @@ class CrossingFinder {
     Vec3 where = Vec3::Zero();  ///< on the first of them, mm
   };
   LostFilm findLost(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before,
-                    std::span<const std::uint32_t> list);
+                    std::span<const Reach> list);
 
  private:
   static constexpr std::uint32_t kOld = 0xFFFFFFFFu;
@@ -69,6 +70,7 @@ class CrossingFinder {
   std::vector<std::array<std::int32_t, 2>> probes_of_edge_;
   std::vector<double> x_, y_, z_;
   std::array<double, kMaxColumns> lo_, hi_;
+  std::vector<std::pair<std::uint32_t, std::uint8_t>> pairs_;  ///< pass and the group that it may touch
   bool moved_ = false;  ///< a crossing was taken over
 };
 

@@ -44,11 +44,11 @@ std::int64_t volumeUnits(double voxels) { return std::llround(voxels / kVolumeUn
 
 }  // namespace
 
-void LeafCutter::cut(LeafChange& change, std::span<const std::uint32_t> list) {
+void LeafCutter::cut(LeafChange& change, std::span<const Reach> list) {
   start(change);
   if (columns_.layers == 0) return;
-  for (const std::uint32_t number : list) {
-    apply(number);
+  for (const Reach& reach : list) {
+    if (reach.low < highest_) apply(reach.pass);
     if (columns_.layers == 0) break;
   }
   columnsToLayers(columns_.material, change.material);
@@ -78,7 +78,6 @@ void LeafCutter::start(const LeafChange& change) {
   startTops(change);
   const Vec3 low = impl_.position(origin_);
   const double half = 1.5 * l.h;
-  box_ = {low.x() + 3.5 * l.h, low.y() + 3.5 * l.h, 3.5 * l.h, l.z[0], 0.0};
   for (int q = 0; q < 4; ++q) {
     quarter_[q] = {low.x() + half + (q >> 1) * 4 * l.h, low.y() + half + (q & 1) * 4 * l.h, half, l.z[0], 0.0};
     setQuarterTop(q);
@@ -88,7 +87,7 @@ void LeafCutter::start(const LeafChange& change) {
 void LeafCutter::setQuarterTop(int quarter) {
   const double* top = columns_.top + quarter * kQuarter;
   quarter_[quarter].z_high = *std::max_element(top, top + kQuarter);
-  box_.z_high = std::max({quarter_[0].z_high, quarter_[1].z_high, quarter_[2].z_high, quarter_[3].z_high});
+  highest_ = std::max({quarter_[0].z_high, quarter_[1].z_high, quarter_[2].z_high, quarter_[3].z_high});
 }
 
 /// Heights that the removed volume is counted from: the crossing above the highest sample, or the next leaf.
@@ -108,7 +107,6 @@ void LeafCutter::startTops(const LeafChange& change) {
 
 void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
-  if (reachIn(pass, box_) >= box_.z_high) return;
   double sunk = 0.0;
   for (int q = 0; q < 4; ++q) {
     if (reachIn(pass, quarter_[q]) < quarter_[q].z_high) sunk += applyQuarter(number, q);

@@ -42,8 +42,8 @@ class LeafCutter {
   LeafCutter(const Stock::Impl& impl, const PassTable& table)
       : impl_(impl), table_(table), reader_(impl), kernel_(columnKernels().leaf) {}
 
-  /// Takes `list` (numbers of passes, ascending) through the samples of change.material.
-  void cut(LeafChange& change, std::span<const std::uint32_t> list);
+  /// Takes `list` (what reaches into the leaf's block of 9x9x9 samples, in program order) through the samples of change.material.
+  void cut(LeafChange& change, std::span<const Reach> list);
 
   // What the last cut found.
   const std::vector<std::pair<MotionId, std::int64_t>>& removed() const { return removed_; }  ///< kVolumeUnit
@@ -63,7 +63,7 @@ class LeafCutter {
   LeafReader reader_;
   LeafKernel kernel_;
   Coord origin_;
-  BlockBox box_{};                  ///< of the whole leaf
+  double highest_ = 0.0;             ///< highest top, mm
   std::array<BlockBox, 4> quarter_;  ///< up to the highest top of each quarter
   LeafColumns columns_{};
   std::vector<std::pair<MotionId, std::int64_t>> removed_;

@@ -25,6 +25,10 @@ Sweep Pass::lineSweep() const {
   return Sweep(*profile, from, from + sweepWay(columns), nullptr);
 }
 
+double highestReach(const Pass& pass) {
+  return pass.columns.z + std::max(pass.columns.rise, 0.0) + pass.columns.solid->z_max + kSlackMm;
+}
+
 double reachIn(const Pass& pass, const BlockBox& box) {
   constexpr double kMisses = std::numeric_limits<double>::infinity();
   const ColumnSweep& c = pass.columns;

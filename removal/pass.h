@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/path/toolpath.h"
 #include "removal/column_sweep.h"
@@ -30,8 +31,17 @@ struct BlockBox {
   double z_low, z_high;
 };
 
+/// A pass that reaches into a block, and the height below which it does not (a lower bound), mm.
+struct Reach {
+  std::uint32_t pass;
+  float low;
+};
+using ReachList = std::vector<Reach>;
+
 /// Height below which the pass does not reach inside the block's square, mm (a lower bound); +infinity where
 /// the pass misses the block.
 double reachIn(const Pass& pass, const BlockBox& box);
+/// Height that the solid nowhere reaches above on its way, mm.
+double highestReach(const Pass& pass);
 
 }  // namespace proveout

@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
-#include <mutex>
+#include <utility>
 
 #include "core/base/parallel_for.h"
 #include "core/tool/tool_solid.h"
@@ -69,13 +70,14 @@ class Remover {
   RemovalSummary summary() const;
 
  private:
-  using List = std::vector<std::uint32_t>;
-
   void addPasses(MotionId id, const Solids::Part& part, bool watched, std::int32_t curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
-  void visit(const Coord& origin, int size, const List& candidates);
-  List cull(const Coord& origin, int size, const List& candidates) const;
-  void leaf(const Coord& origin, List passes);
+  BlockBox blockBox(const Coord& origin, int size) const;
+  bool inBlank(const Coord& origin, int size) const;
+  void visit(const Coord& origin, int size, const ReachList& passes);
+  void visitColumn(const Coord& origin, int size, const ReachList& passes);
+  void leaf(const Coord& origin, const ReachList& passes);
+  void gatherChanges();
   void addLost(RemovalSummary& out) const;
 
   Stock::Impl& impl_;
@@ -89,9 +91,13 @@ class Remover {
   tbb::enumerable_thread_specific<CrossingFinder> finders_;
   tbb::concurrent_vector<ContactSample> contacts_;
   tbb::concurrent_vector<CrossingFinder::LostFilm> lost_;
-  std::mutex mutex_;
+  struct CutLeaves {
+    std::vector<LeafChange> changes;
+    std::vector<ReachList> lists;
+  };
+  tbb::enumerable_thread_specific<CutLeaves> cut_;
   std::vector<LeafChange> changes_;
-  std::vector<List> lists_;  ///< passes of each change
+  std::vector<ReachList> lists_;  ///< passes of each change
   std::atomic<std::uint64_t> evaluations_{0};
   std::atomic<double> bytes_{0.0}, done_{0.0};
   double total_blocks_ = 1.0;
@@ -101,6 +107,10 @@ class Remover {
 void addTo(std::atomic<double>& sum, double value) {
   for (double old = sum.load(); !sum.compare_exchange_weak(old, old + value);) {
   }
+}
+
+float roundedDown(double value) {
+  return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
 }
 
 bool Remover::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
@@ -181,12 +191,17 @@ Status Remover::run() {
   }
   int size = 8;
   while (size <= std::max({high.x() - low.x(), high.y() - low.y(), high.z() - low.z()})) size *= 2;
-  List all(table_.passes.size());
-  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  ReachList all;
+  const BlockBox box = blockBox(low, size);
+  for (std::uint32_t i = 0; i < table_.passes.size(); ++i) {
+    const double reach = reachIn(table_.passes[i], box);
+    if (reach < box.z_high) all.push_back({i, roundedDown(reach)});
+  }
   total_blocks_ = std::pow(size / 8.0, 3);
-  visit(low, size, all);
+  if (!all.empty()) visit(low, size, all);
   if (over_limit_) return memoryError(bytes_ * 1.5, limit_bytes_, impl_.h);
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  gatherChanges();
   commitChanges(impl_, changes_, [this](std::size_t i, const LeafEdges& edges, const auto& before) {
     std::vector<Crossing> found;
     if (!progress_.cancelled()) {
@@ -195,66 +210,94 @@ Status Remover::run() {
       if (lost.edges > 0) lost_.push_back(lost);
       found = finder.find(changes_[i], edges, before, lists_[i]);
     }
-    List().swap(lists_[i]);
+    ReachList().swap(lists_[i]);
     return found;
   });
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   return Done{};
 }
 
-Remover::List Remover::cull(const Coord& origin, int size, const List& candidates) const {
-  // The block reaches from voxel 0 to voxel `size`: one layer more than its own.
+/// The block reaches from voxel 0 to voxel `size`: one layer more than its own.
+BlockBox Remover::blockBox(const Coord& origin, int size) const {
   const double half = 0.5 * size * impl_.h;
   const Vec3 low = impl_.position(origin);
-  const BlockBox box{low.x() + half, low.y() + half, half, low.z(), low.z() + 2.0 * half};
-  List kept;
-  for (const std::uint32_t i : candidates) {
-    if (reachIn(table_.passes[i], box) < std::numeric_limits<double>::infinity()) kept.push_back(i);
-  }
-  return kept;
+  return {low.x() + half, low.y() + half, half, low.z(), low.z() + 2.0 * half};
 }
 
-void Remover::visit(const Coord& origin, int size, const List& candidates) {
-  if (over_limit_ || progress_.cancelled()) return;
-  const double blocks = std::pow(size / 8.0, 3);
+bool Remover::inBlank(const Coord& origin, int size) const {
   const Vec3 low = impl_.position(origin);
-  const Box3 box{low, low + Vec3::Constant(size * impl_.h)};
-  const bool in_blank = box.overlaps(impl_.blank.inflated(impl_.h));
-  List passes = in_blank ? cull(origin, size, candidates) : List{};
-  if (passes.empty() || size == 8) {
-    if (!passes.empty()) leaf(origin, std::move(passes));
-    if (size >= 64) addTo(done_, blocks);
+  return Box3{low, low + Vec3::Constant(size * impl_.h)}.overlaps(impl_.blank.inflated(impl_.h));
+}
+
+/// `passes`: what reaches into the block.
+void Remover::visit(const Coord& origin, int size, const ReachList& passes) {
+  if (over_limit_ || progress_.cancelled()) return;
+  if (size == 8) {
+    leaf(origin, passes);
     return;
   }
   const int half = size / 2;
-  const auto child = [&](int i) {
-    visit(origin.offsetBy(i & 1 ? half : 0, i & 2 ? half : 0, i & 4 ? half : 0), half, passes);
-  };
+  const auto child = [&](int i) { visitColumn(origin.offsetBy(i & 1 ? half : 0, i & 2 ? half : 0, 0), half, passes); };
   if (size >= 32) {
-    parallelFor(0, 8, child);
+    parallelFor(0, 4, child);
   } else {
-    for (int i = 0; i < 8; ++i) child(i);
+    for (int i = 0; i < 4; ++i) child(i);
   }
-  if (size == 64) addTo(done_, blocks);
+  if (size == 64) addTo(done_, std::pow(size / 8.0, 3));
   if (size >= 64) progress_.report("removing", done_.load() / total_blocks_);
 }
 
-void Remover::leaf(const Coord& origin, List passes) {
+/// Two blocks, one above the other: where a pass reaches is asked once for both.
+void Remover::visitColumn(const Coord& origin, int size, const ReachList& passes) {
+  const Coord above = origin.offsetBy(0, 0, size);
+  const bool in_lower = inBlank(origin, size), in_upper = inBlank(above, size);
+  BlockBox box = blockBox(origin, size);
+  const double middle = box.z_high;
+  box.z_high += size * impl_.h;
+  ReachList lower, upper;
+  if (in_lower || in_upper) {
+    for (const Reach& candidate : passes) {
+      const Pass& pass = table_.passes[candidate.pass];
+      const double low = reachIn(pass, box);
+      if (low >= box.z_high) continue;
+      const Reach reach{candidate.pass, roundedDown(low)};
+      if (in_lower && low < middle) lower.push_back(reach);
+      if (in_upper && highestReach(pass) > middle) upper.push_back(reach);
+    }
+  }
+  for (const auto& [at, list] : {std::pair{&origin, &lower}, std::pair{&above, &upper}}) {
+    if (!list->empty()) {
+      visit(*at, size, *list);
+    } else if (size >= 64) {
+      addTo(done_, std::pow(size / 8.0, 3));
+    }
+  }
+}
+
+void Remover::leaf(const Coord& origin, const ReachList& passes) {
   const LeafReader reader(impl_);
   LeafChange change = readLeaf(reader, origin);
-  if (!isMixed(reader, origin) && change.material[0] == 0) return;  // empty already
+  if (change.material[0] == 0 && !isMixed(reader, origin)) return;  // empty already
   LeafCutter& cutter = cutters_.local();
   cutter.cut(change, passes);
   for (const auto& [motion, volume] : cutter.removed())
     removed_[motion].fetch_add(volume, std::memory_order_relaxed);
   for (const ContactSample& c : cutter.contacts()) contacts_.push_back(c);
   evaluations_.fetch_add(cutter.evaluations(), std::memory_order_relaxed);
-  passes.shrink_to_fit();
-  addTo(bytes_, leafBytes(1.0) + static_cast<double>(sizeof(LeafChange) + passes.size() * sizeof(std::uint32_t)));
+  addTo(bytes_, leafBytes(1.0) + static_cast<double>(sizeof(LeafChange) + passes.size() * sizeof(Reach)));
   if (bytes_ > limit_bytes_) over_limit_ = true;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  changes_.push_back(change);
-  lists_.push_back(std::move(passes));
+  CutLeaves& mine = cut_.local();
+  mine.changes.push_back(change);
+  mine.lists.push_back(passes);
+}
+
+/// Leaves of all threads in one list; the order does not matter.
+void Remover::gatherChanges() {
+  for (CutLeaves& part : cut_) {
+    changes_.insert(changes_.end(), part.changes.begin(), part.changes.end());
+    std::move(part.lists.begin(), part.lists.end(), std::back_inserter(lists_));
+    part = CutLeaves{};
+  }
 }
 
 void Remover::addLost(RemovalSummary& out) const {

@@ -32,7 +32,10 @@ Cut cut(const StockShape& shape, const Toolpath& path, const std::vector<Tool>& 
   auto summary = stock->remove(path, tools, options, progress);
   EXPECT_TRUE(summary.ok()) << summary.error().message;
   if (!summary) return out;
-  auto surface = stock->surface(threads, progress);
+  SurfaceOptions fine;
+  fine.simplify_mm = 0.0;
+  fine.threads = threads;
+  auto surface = stock->surface(fine, progress);
   EXPECT_TRUE(surface.ok()) << surface.error().message;
   if (!surface) return out;
   out.initial = stock->initialVolume();
