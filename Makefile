@@ -2,6 +2,7 @@
 JOBS ?= $(shell nproc)
 DEMO ?= parts/bracket
 DEMO_OUT ?= out/$(notdir $(DEMO))
+BENCH ?=
 PROVEOUT := build/release/bin/proveout
 
 .PHONY: help deps build demo test bench asan tsan clean
@@ -10,7 +11,7 @@ help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
 	@echo 'make test   the same build, then the whole test suite'
 	@echo 'make build  build alone: $(PROVEOUT)'
-	@echo 'make bench  build and run the benchmarks'
+	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well'
 	@echo 'make asan   the test suite under the address and undefined-behaviour sanitizers'
 	@echo 'make tsan   the test suite under the thread sanitizer'
 	@echo 'make clean  remove build/ and out/'
@@ -34,9 +35,8 @@ test: build
 	ctest --preset release -j $(JOBS) --output-on-failure
 
 bench: build
-	@found=0; for program in build/release/bin/bench_*; do \
-	  [ -x $$program ] || continue; found=1; echo "== $$program"; $$program || exit 1; \
-	done; [ $$found -eq 1 ] || { echo 'no benchmark was built' >&2; exit 1; }
+	build/release/bin/bench_programs $(BENCH)
+	build/release/bin/bench_sweeps
 
 asan tsan: deps
 	cmake --preset $@

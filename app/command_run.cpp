@@ -10,6 +10,7 @@
 #include "app/stopwatch.h"
 #include "app/summary.h"
 #include "io/program_files.h"
+#include "removal/threads.h"
 
 namespace proveout {
 namespace {
@@ -45,6 +46,7 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
 Result<Report> runJob(const RunOptions& options, const Job& job, const std::string& folder,
                       Progress& progress) {
   Stopwatch wall, watch;
+  const ThreadLimit limit(job.simulation.threads);
   const FileProgramSource files(job.program, job.subprograms);
   const RecordingSource source(files, job.settings.encoding);
   Result<RunResult> run = runPipeline(job, source, progress);

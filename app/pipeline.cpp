@@ -8,7 +8,9 @@
 
 #include "app/run_report.h"
 #include "app/stopwatch.h"
+#include "core/base/parallel_for.h"
 #include "io/mesh_io.h"
+#include "io/sha256.h"
 
 namespace proveout {
 namespace {
@@ -149,10 +151,13 @@ Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Pro
   run.removal = std::move(machined->removal);
   run.surface = std::move(machined->surface);
   run.initial_mm3 = machined->initial_mm3;
-  run.topology = analyseTopology(run.surface.mesh);
+  parallelFor(0, 2, [&run](int job) {
+    if (job == 0) run.topology = analyseTopology(run.surface.mesh);
+    if (job == 1) run.part_sha256 = sha256OfMesh(run.surface.mesh);
+  });
   addContacts(run.removal.contacts, path, source, run.findings);
   addMeshDefects(run.topology, run.findings);
-  run.bodies = stockBodies(run.surface.mesh);
+  run.bodies = stockBodies(run.surface.mesh, run.topology);
   addOutcome(run.initial_mm3, run.surface.volume_mm3, run.bodies, run.findings);
   addPartial(run.interpreted.summary.end, job.settings, run.findings);
   if (!nominal || run.surface.mesh.triangles.empty()) return run;

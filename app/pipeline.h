@@ -26,6 +26,7 @@ struct RunResult {
   double initial_mm3 = 0.0;
   MeshTopology topology;
   std::vector<StockBody> bodies;
+  std::string part_sha256;  ///< of the surface's mesh
   std::optional<Comparison> comparison;
   std::vector<Finding> findings;
   ReportPerformance performance;

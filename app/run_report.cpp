@@ -141,7 +141,12 @@ Result<std::vector<FileHash>> hashInputs(const Job& job, const RecordingSource& 
 
 }  // namespace
 
-std::vector<StockBody> stockBodies(const TriMesh& mesh) {
+std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology) {
+  if (topology.closedManifold() &&
+      topology.components == 1) {  // the usual part; no need to tell shells apart
+    const double volume = meshVolume(mesh);
+    if (volume > 0) return {{volume, meshBounds(mesh), "part"}};
+  }
   std::vector<Shell> shells = shellsOf(mesh);
   std::vector<StockBody> bodies;
   for (const Shell& shell : shells) {
@@ -201,7 +206,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingS
     report.stock = reportStock(run);
     report.accounting = accountFor({{&path, &run.removal.removed_mm3}});
     report.error_budget = errorBudget(job, run);
-    report.part_sha256 = sha256OfMesh(run.surface.mesh);
+    report.part_sha256 = run.part_sha256;
   }
   if (run.comparison) {
     report.comparison = reportComparison(*run.comparison, job.nominal->mesh.path);

@@ -11,7 +11,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingS
 
 /// Connected pieces of the stock: the largest is the part, others fell off. A closed hollow counts against
 /// the piece around it.
-std::vector<StockBody> stockBodies(const TriMesh& mesh);
+std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology);
 
 ReportComparison reportComparison(const Comparison& comparison, const std::string& nominal);
 

@@ -1,123 +1,271 @@
-// From program to surface: wall time, peak memory, triangles and volume error, one line a case. Each case
-// runs in a process of its own, so that its peak memory is its own.
-#include <sys/resource.h>
-#include <sys/wait.h>
+// From program to part on disk: one table of time, memory, triangles and error. Every case is a run of the
+// real program as a child process, so that start-up and writing count and each has its own peak memory.
+#include <fmt/format.h>
+#include <stdlib.h>
 #include <unistd.h>
 
-#include <chrono>
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/nc/interpreter.h"
-#include "io/program_files.h"
-#include "removal/stock.h"
+#include "tests/bench/child_process.h"
+#include "tests/bench/generated_programs.h"
 
-namespace proveout {
+namespace proveout::bench {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Case {
-  std::string name;
-  std::function<Toolpath()> path;
-  BoxShape stock;
-  std::string tool;
-  double grid;
-  std::optional<double> exact_mm3;  ///< of the part
+  std::string name, file;                  ///< of the table's line, and of the program
+  std::function<std::string()> text = {};  ///< makes the program; empty: it is one of the shared programs
+  std::string stock, tool;                 ///< options of `proveout run`
+  double grid_mm = 0.0;
+  std::optional<double> exact_mm3 = {};  ///< of the part
+  bool heavy = false;                    ///< run on request only
 };
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+struct Options {
+  bool all = false;
+  std::string filter;    ///< part of the names of the cases to run
+  double limit_s = 300;  ///< per case
+};
+
+constexpr const char* kShared = PROVEOUT_SHARED_PROGRAMS;
+
+std::vector<Case> samplePrograms() {
+  const Case bear{.name = "bear", .file = "bear.nc", .stock = "box:0,0,-20:80,80,0", .tool = "1=ball:3.175"};
+  const Case flower{.name = "flower_mold",
+                    .file = "flower_mold.nc",
+                    .stock = "box:-3.92956,-3.92829,-9.95121:61.0796,61.0529,0",
+                    .tool = "1=flat:1"};
+  const Case diamond{.name = "circle_diamond",
+                     .file = "circle_diamond_square.gcode",
+                     .stock = "box:-60,-60,-10:60,60,0",
+                     .tool = "1=flat:3"};
+  std::vector<Case> cases;
+  const auto add = [&](Case c, double grid, bool heavy) {
+    c.grid_mm = grid;
+    c.heavy = heavy;
+    cases.push_back(std::move(c));
+  };
+  add(bear, 0.25, false);
+  add(bear, 0.1, false);
+  add(bear, 0.05, true);
+  add(flower, 0.25, false);
+  add(flower, 0.05, true);
+  add(diamond, 0.25, false);
+  return cases;
 }
 
-Toolpath readProgram(const std::string& file) {
-  Toolpath path;
-  ToolpathBuilder builder(path);
-  const FileProgramSource source(PROVEOUT_SHARED_PROGRAMS "/" + file);
-  interpret(ControlId::kNct, source, ControlSettings{}, builder);
-  return path;
-}
-
-Toolpath slot() {
-  Toolpath path;
-  path.files = {"slot"};
-  Motion m;
-  m.from = {0, 25, -5};
-  m.to = {100, 25, -5};
-  m.kind = MotionKind::kFeed;
-  m.spindle = 1000;
-  path.motions.push_back(m);
-  return path;
-}
-
-void print(const Case& c) {
-  const double start = now();
-  Toolpath path = c.path();
-  for (Motion& m : path.motions) m.tool = 1;
-  const double interpreted = now();
-  RemovalOptions options;
-  options.resolution_mm = c.grid;
-  Progress progress;
-  auto stock = Stock::create(c.stock, options, progress);
-  if (!stock) return void(std::printf("%-28s %s\n", c.name.c_str(), stock.error().message.c_str()));
-  const auto summary = stock->remove(path, {parseToolOption(c.tool).value()}, options, progress);
-  const double removed = now();
-  if (!summary) return void(std::printf("%-28s %s\n", c.name.c_str(), summary.error().message.c_str()));
-  const auto surface = stock->surface(0, progress);
-  const double end = now();
-  if (!surface) return void(std::printf("%-28s %s\n", c.name.c_str(), surface.error().message.c_str()));
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  std::printf("%-28s %5.2f %8zu %8.2f %8.2f %8.2f %8.2f %8.0f %9zu %12.3f", c.name.c_str(), c.grid,
-              path.motions.size(), interpreted - start, removed - interpreted, end - removed, end - start,
-              usage.ru_maxrss / 1024.0, surface->mesh.triangles.size(), surface->volume_mm3);
-  if (c.exact_mm3) std::printf(" %9.1e", surface->volume_mm3 / *c.exact_mm3 - 1);
-  std::printf("\n");
-}
-
-void runApart(const Case& c) {
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child == 0) {
-    print(c);
-    std::fflush(stdout);
-    _exit(0);
+std::vector<Case> generatedCases() {
+  std::vector<Case> cases;
+  cases.push_back({.name = "slot 100x50x20",
+                   .file = "slot.nc",
+                   .text = slotProgram,
+                   .stock = "box:0,0,-20:100,50,0",
+                   .tool = "1=flat:10",
+                   .grid_mm = 0.1,
+                   .exact_mm3 = 95000.0});
+  cases.push_back({.name = "pocket 50x40x10",
+                   .file = "pocket.nc",
+                   .text = pocketProgram,
+                   .stock = "box:0,0,-10:50,40,0",
+                   .tool = "1=flat:10",
+                   .grid_mm = 0.25,
+                   .exact_mm3 = 20000.0 - 5.0 * (1200.0 - (4.0 - std::numbers::pi) * 25.0)});
+  for (const int lines : {250, 500, 1000}) {
+    constexpr int kMovesALine = 2000;
+    cases.push_back({.name = fmt::format("finishing {}k moves", lines * kMovesALine / 1000),
+                     .file = fmt::format("finishing{}.nc", lines),
+                     .text = [lines] { return finishingProgram(lines, kMovesALine); },
+                     .stock = "box:0,0,-20:200,200,0",
+                     .tool = "1=ball:6",
+                     .grid_mm = 0.1,
+                     .heavy = lines == 1000});
   }
-  int status = 0;
-  waitpid(child, &status, 0);
-  if (!WIFEXITED(status)) std::printf("%-28s ended by signal %d\n", c.name.c_str(), WTERMSIG(status));
+  return cases;
+}
+
+/// The folder in which everything happens; it goes with the object.
+class Workplace {
+ public:
+  Workplace() {
+    std::string pattern = (fs::temp_directory_path() / ("proveout-bench-" + std::string(6, 'X'))).string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    folder_ = pattern;
+  }
+  Workplace(const Workplace&) = delete;
+  ~Workplace() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+
+ private:
+  fs::path folder_;
+};
+
+std::string readFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string programPath() {
+  std::error_code error;
+  return (fs::read_symlink("/proc/self/exe", error).parent_path() / "proveout").string();
+}
+
+/// Removal time of each case that ran, for the lines below the table.
+using RemovalTimes = std::map<std::string, double>;
+
+void printReport(const Case& c, const nlohmann::json& report, const ChildOutcome& child,
+                 RemovalTimes& removal) {
+  const nlohmann::json &time = report.at("performance"), &stock = report.at("stock");
+  const double volume = stock.at("final_mm3");
+  removal[c.name] = time.at("remove_s");
+  fmt::print("{:<22} {:>5.2f} {:>8} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.0f} {:>9} {:>12.3f}", c.name,
+             c.grid_mm, report.at("program").at("motions").get<std::size_t>(), removal[c.name],
+             time.at("mesh_s").get<double>(), child.wall_s, child.cpu_s, child.peak_mb,
+             stock.at("triangles").get<std::size_t>(), volume);
+  if (c.exact_mm3) fmt::print(" {:>9.1e}", volume / *c.exact_mm3 - 1.0);
+  fmt::print("\n");
+}
+
+void runCase(const Case& c, const Options& options, const Workplace& work, RemovalTimes& removal) {
+  const std::string program = c.text ? work.path(c.file) : std::string(kShared) + "/" + c.file;
+  if (c.text && !fs::exists(program)) work.write(c.file, c.text());
+  const std::string out = work.path("out");
+  const ChildOutcome child =
+      runChild({programPath(), "run", program, "--control", "nct", "--stock", c.stock, "--tool", c.tool,
+                "--resolution", fmt::format("{}", c.grid_mm), "--no-render", "--format", "stl", "--out", out},
+               work.path("errors"), options.limit_s);
+  const std::string report = readFile(out + "/report.json");
+  if (child.ended && child.exit_code <= 1 && !report.empty()) {
+    printReport(c, nlohmann::json::parse(report), child, removal);
+  } else if (!child.ended) {
+    fmt::print("{:<22} {:>5.2f} stopped after {:.0f} s, at {:.0f} MB\n", c.name, c.grid_mm, child.wall_s,
+               child.peak_mb);
+  } else {
+    const std::string said = readFile(work.path("errors"));
+    fmt::print("{:<22} {:>5.2f} ended with code {}: {}\n", c.name, c.grid_mm, child.exit_code,
+               said.substr(0, said.find('\n')));
+  }
+  std::error_code ignored;
+  fs::remove_all(out, ignored);
+  std::fflush(stdout);
+}
+
+void printDoubling(const RemovalTimes& removal) {
+  for (const auto& [fewer, more] : {std::pair{"finishing 500k moves", "finishing 1000k moves"},
+                                    std::pair{"finishing 1000k moves", "finishing 2000k moves"}}) {
+    const auto a = removal.find(fewer), b = removal.find(more);
+    if (a == removal.end() || b == removal.end()) continue;
+    fmt::print("{} -> {}: removal time x {:.2f}\n", fewer, more, b->second / a->second);
+  }
+}
+
+/// Blocks a second of the commands that interpret alone, less the time that they take for an empty program.
+void printInterpreterRate(const Workplace& work, const Options& options) {
+  constexpr int kBlocks = 1'000'000;
+  const std::string text = repeatedProgram(readFile(std::string(kShared) + "/bear.nc"), kBlocks);
+  const auto blocks = static_cast<double>(std::count(text.begin(), text.end(), '\n'));
+  const std::string program = work.write("long.nc", text), empty = work.write("empty.nc", "M30\n");
+  for (const char* command : {"check", "path"}) {
+    const auto run = [&](const std::string& file) {
+      return runChild({programPath(), command, file, "--control", "nct"}, work.path("errors"),
+                      options.limit_s);
+    };
+    const ChildOutcome idle = run(empty), child = run(program);
+    if (!child.ended || child.exit_code > 1) {
+      fmt::print("interpreter, {}: did not end well (code {})\n", command, child.exit_code);
+      continue;
+    }
+    const double net = child.wall_s - idle.wall_s;
+    fmt::print("{:<22}       {:>8.0f} blocks {:.3f} s, cpu {:.3f} s, {:.0f} MB: {:.2f} million blocks/s\n",
+               fmt::format("interpreter, {}", command), blocks, child.wall_s, child.cpu_s, child.peak_mb,
+               blocks / net * 1e-6);
+  }
+}
+
+void printStart(const Workplace& work) {
+  ChildOutcome best;
+  for (int i = 0; i < 5; ++i) {
+    const ChildOutcome child = runChild({programPath(), "--version"}, work.path("errors"), 10);
+    if (i == 0 || child.wall_s < best.wall_s) best = child;
+  }
+  double load[1] = {0.0};
+  getloadavg(load, 1);
+  fmt::print("{} cores, load {:.1f}; the program starts in {:.0f} ms and {:.0f} MB\n",
+             sysconf(_SC_NPROCESSORS_ONLN), load[0], best.wall_s * 1e3, best.peak_mb);
+}
+
+int run(const Options& options) {
+  const Workplace work;
+  if (!fs::exists(programPath())) {
+    fmt::print(stderr, "{}: build the program first\n", programPath());
+    return 1;
+  }
+  printStart(work);
+  const bool shared = fs::exists(std::string(kShared) + "/bear.nc");
+  if (!shared) fmt::print("the sample programs are not beside this checkout: their cases are left out\n");
+  std::vector<Case> cases = shared ? samplePrograms() : std::vector<Case>{};
+  for (Case& c : generatedCases()) cases.push_back(std::move(c));
+  fmt::print("{:<22} {:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>12} {:>9}\n", "case", "grid",
+             "motions", "remove s", "mesh s", "whole s", "cpu s", "peak MB", "triangles", "part mm3",
+             "error");
+  std::fflush(stdout);
+  RemovalTimes removal;
+  int left_out = 0;
+  for (const Case& c : cases) {
+    const bool asked = c.name.find(options.filter) != std::string::npos;
+    if (asked && c.heavy && !options.all) ++left_out;
+    if (asked && (!c.heavy || options.all)) runCase(c, options, work, removal);
+  }
+  printDoubling(removal);
+  if (shared && std::string_view("interpreter").find(options.filter) != std::string_view::npos)
+    printInterpreterRate(work, options);
+  if (left_out > 0) fmt::print("{} heavy cases left out: --all runs them\n", left_out);
+  return 0;
 }
 
 }  // namespace
-}  // namespace proveout
+}  // namespace proveout::bench
 
-int main() {
-  using namespace proveout;
-  const BoxShape bear{{0, 0, -20}, {80, 80, 0}},
-      flower{{-3.92956, -3.92829, -9.95121}, {61.0796, 61.0529, 0}}, diamond{{-60, -60, -10}, {60, 60, 0}},
-      block{{0, 0, -20}, {100, 50, 0}};
-  std::vector<Case> cases;
-  for (const double grid : {0.25, 0.1})
-    cases.push_back({"slot 10x5 in 100x50x20", slot, block, "1=flat:10", grid, 95000.0});
-  if (access(PROVEOUT_SHARED_PROGRAMS "/bear.nc", R_OK) == 0) {
-    for (const double grid : {0.5, 0.25, 0.1}) {
-      cases.push_back({"bear.nc", [] { return readProgram("bear.nc"); }, bear, "1=ball:3.175", grid, {}});
+int main(int argc, char** argv) {
+  proveout::bench::Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--all") {
+      options.all = true;
+    } else if (word == "--limit" && i + 1 < argc) {
+      options.limit_s = std::atof(argv[++i]);
+    } else if (word == "--only" && i + 1 < argc) {
+      options.filter = argv[++i];
+    } else {
+      fmt::print(stderr, "usage: {} [--all] [--only PART-OF-NAME] [--limit SECONDS-A-CASE]\n", argv[0]);
+      return 2;
     }
-    cases.push_back(
-        {"flower_mold.nc", [] { return readProgram("flower_mold.nc"); }, flower, "1=flat:1", 0.25, {}});
-    cases.push_back({"circle_diamond_square",
-                     [] { return readProgram("circle_diamond_square.gcode"); },
-                     diamond,
-                     "1=flat:3",
-                     0.25,
-                     {}});
-  } else {
-    std::printf("real programs are not beside this checkout: their cases are left out\n");
   }
-  std::printf("%-28s %5s %8s %8s %8s %8s %8s %8s %9s %12s %9s\n", "case", "grid", "motions", "read s",
-              "cut s", "mesh s", "all s", "peak MB", "triangles", "part mm3", "error");
-  for (const Case& c : cases) runApart(c);
-  return 0;
+  if (!(options.limit_s > 0)) {
+    fmt::print(stderr, "--limit needs a number of seconds above 0\n");
+    return 2;
+  }
+  return proveout::bench::run(options);
 }

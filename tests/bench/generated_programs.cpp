@@ -1,0 +1,58 @@
+#include "tests/bench/generated_programs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace proveout::bench {
+
+namespace {
+
+constexpr double kSide = 200.0;
+
+double surfaceHeight(double x, double y) {
+  return -8.0 + 3.0 * std::sin(x / 23.0) * std::cos(y / 31.0) + 1.5 * std::sin((x + 2.0 * y) / 17.0);
+}
+
+}  // namespace
+
+std::string slotProgram() {
+  return "T1M6\nG21G90G17G94\nS8000M3\nG0X-10Y25Z5\nG0Z-5\nG1X110F800\nG0Z5\nM30\n";
+}
+
+std::string pocketProgram() {
+  std::string text = "T1M6\nG21G90G17G94\nS8000M3\nG0X10Y10Z5\nG1Z-5F200\n";
+  for (int i = 0; i <= 5; ++i) {  // tool centres fill 10..40 x 10..30
+    text += fmt::format("G1Y{}F800\nX{}\n", 10 + 4 * i, i % 2 == 0 ? 40 : 10);
+  }
+  return text + "Y10\nX40\nY30\nX10\nY10\nG0Z5\nM30\n";
+}
+
+std::string finishingProgram(int lines, int moves_a_line) {
+  std::string text = "T1M6\nG21G90G17G94\nS18000M3\n";
+  text.reserve(static_cast<std::size_t>(lines) * static_cast<std::size_t>(moves_a_line) * 22);
+  text += fmt::format("G0X0Y0Z20\nG1Z{:.4f}F3000\n", surfaceHeight(0, 0));
+  for (int line = 0; line < lines; ++line) {
+    const double y = kSide * line / (lines - 1);
+    const bool back = line % 2 == 1;
+    const double start = back ? kSide : 0.0;
+    if (line > 0) text += fmt::format("Y{:.4f}Z{:.4f}\n", y, surfaceHeight(start, y));
+    for (int i = 1; i <= moves_a_line; ++i) {
+      const double along = kSide * i / moves_a_line, x = back ? kSide - along : along;
+      fmt::format_to(std::back_inserter(text), "X{:.4f}Z{:.4f}\n", x, surfaceHeight(x, y));
+    }
+  }
+  return text + "G0Z20\nM30\n";
+}
+
+std::string repeatedProgram(const std::string& program, int blocks) {
+  const std::string body = program.substr(0, program.rfind("M30"));
+  const auto lines = std::max<std::ptrdiff_t>(1, std::count(body.begin(), body.end(), '\n'));
+  std::string text;
+  for (std::ptrdiff_t i = 0; i < blocks; i += lines) text += body;
+  return text + "M30\n";
+}
+
+}  // namespace proveout::bench

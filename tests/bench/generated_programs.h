@@ -1,0 +1,22 @@
+// NC programs made for measuring. The same arguments give the same text everywhere.
+#pragma once
+
+#include <string>
+
+namespace proveout::bench {
+
+/// One slot, 10 wide and 5 deep, through a block of 100 x 50 x 20 (mm, top at Z0): leaves 95000 mm3.
+std::string slotProgram();
+
+/// A pocket 40 x 30 x 5 in a block of 50 x 40 x 10 (mm, top at Z0), flat end mill of 10 mm: it leaves
+/// 20000 - 5 (1200 - (4 - pi) 25) mm3.
+std::string pocketProgram();
+
+/// Ball-end finishing of a wavy surface, 200 x 200 mm, between Z-12.5 and Z-3.5: `lines` lines along X in
+/// zig-zag, each of `moves_a_line` straight moves. Requires lines >= 2 and moves_a_line >= 1.
+std::string finishingProgram(int lines, int moves_a_line);
+
+/// A program of at least `blocks` blocks that repeats the body of another, which ends in a line "M30".
+std::string repeatedProgram(const std::string& program, int blocks);
+
+}  // namespace proveout::bench

@@ -1,0 +1,201 @@
+// The machined surface and its volume against closed forms, on a grid that no feature is aligned with.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "removal/stock.h"
+#include "tests/property/accuracy_cases.h"
+
+namespace proveout::accuracy {
+namespace {
+
+constexpr double kGrid = 0.2;
+// What the engine keeps, mm: of vertices and facets on faces, and of sharp edges. The tracks of slanted rims
+// are the worst; most surfaces are ten times closer.
+constexpr double kFaceMm = 2e-2, kEdgeMm = 6e-2;
+constexpr double kVolume = 1.5e-4;  ///< of the removed volume, relative
+
+double boxDistance(const BoxShape& box, const Vec3& p) {
+  return std::max((box.min - p).maxCoeff(), (p - box.max).maxCoeff());
+}
+
+/// How far a point is from the surface of the true part, to first order.
+double deviation(const Case& c, const Vec3& p) {
+  return std::abs(std::max(boxDistance(c.blank, p), -c.removed(p)));
+}
+
+double pointTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 n = (b - a).cross(c - a);
+  double least = 1e300;
+  const std::array<Vec3, 3> corners = {a, b, c};
+  bool inside = n.squaredNorm() > 0;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 &from = corners[i], edge = corners[(i + 1) % 3] - from;
+    const double length2 = edge.squaredNorm();
+    const double s = length2 > 0 ? std::clamp((p - from).dot(edge) / length2, 0.0, 1.0) : 0.0;
+    least = std::min(least, (p - from - s * edge).norm());
+    inside = inside && n.cross(edge).dot(p - from) >= 0;
+  }
+  return inside ? std::abs(n.normalized().dot(p - a)) : least;
+}
+
+struct Measured {
+  double face_vertex = 0.0, edge_vertex = 0.0;  ///< largest deviation of vertices: far from edges, near them
+  double face_interior = 0.0, edge_interior = 0.0;  ///< of points in triangles, less the chord height
+  double edge_missed = 0.0;                         ///< largest distance from a true edge to the mesh
+  double volume = 0.0;                              ///< relative error of the removed volume
+  double mesh_volume = 0.0;                         ///< error of the mesh's, mm3
+  double mesh_volume_bound = 0.0;                   ///< what facets may cost, mm3
+};
+
+struct CutPart {
+  StockSurface surface;
+  double initial_mm3 = 0.0;
+};
+
+CutPart cutCase(const Case& c) {
+  RemovalOptions options;
+  options.resolution_mm = kGrid;
+  Progress progress;
+  CutPart part;
+  auto stock = Stock::create(c.blank, options, progress);
+  EXPECT_TRUE(stock.ok()) << stock.error().message;
+  if (!stock) return part;
+  const auto removed = stock->remove(c.path, {parseToolOption(c.tool).value()}, options, progress);
+  EXPECT_TRUE(removed.ok()) << removed.error().message;
+  auto surface = stock->surface(0, progress);
+  EXPECT_TRUE(surface.ok()) << surface.error().message;
+  if (surface) part.surface = std::move(*surface);
+  part.initial_mm3 = stock->initialVolume();
+  return part;
+}
+
+/// Points inside a triangle, as weights of its corners.
+constexpr double kInside[][3] = {{1. / 3, 1. / 3, 1. / 3},
+                                 {.5, .5, 0},
+                                 {0, .5, .5},
+                                 {.5, 0, .5},
+                                 {.6, .2, .2},
+                                 {.2, .6, .2},
+                                 {.2, .2, .6}};
+
+void measureTriangle(const Case& c, const Vec3& p0, const Vec3& p1, const Vec3& p2, Measured& m) {
+  for (const Vec3& p : {p0, p1, p2}) {
+    double& worst = c.edge_distance(p) > kGrid ? m.face_vertex : m.edge_vertex;
+    worst = std::max(worst, deviation(c, p));
+  }
+  double chord = 0.0;
+  for (const auto& w : kInside) {
+    const Vec3 p = w[0] * p0 + w[1] * p1 + w[2] * p2;
+    const double height = kGrid * kGrid / (8 * c.curvature_radius(p));
+    chord = std::max(chord, height);
+    // A triangle on an edge has its interior judged with the edge.
+    const double from_edge =
+        std::min({c.edge_distance(p), c.edge_distance(p0), c.edge_distance(p1), c.edge_distance(p2)});
+    double& worst = from_edge > kGrid ? m.face_interior : m.edge_interior;
+    worst = std::max(worst, deviation(c, p) - height);
+  }
+  m.mesh_volume_bound += 0.5 * (p1 - p0).cross(p2 - p0).norm() * chord;
+}
+
+/// Largest distance of the case's edge points from the mesh.
+double edgeMissed(const Case& c, const TriMesh& mesh) {
+  const double reach = kGrid;  // farther than this counts as this
+  double worst = 0.0;
+  for (const Vec3& point : c.edge_points) {
+    double least = reach;
+    for (const auto& t : mesh.triangles) {
+      const Vec3 a = mesh.positions[t[0]].cast<double>();
+      if ((a - point).cwiseAbs().maxCoeff() > 8 * reach) continue;
+      least = std::min(least, pointTriangle(point, a, mesh.positions[t[1]].cast<double>(),
+                                            mesh.positions[t[2]].cast<double>()));
+    }
+    worst = std::max(worst, least);
+  }
+  return worst;
+}
+
+Measured measure(const Case& c) {
+  Measured m;
+  const CutPart part = cutCase(c);
+  const TriMesh& mesh = part.surface.mesh;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.motion[t] == kNoMotion) continue;
+    const auto& v = mesh.triangles[t];
+    measureTriangle(c, mesh.positions[v[0]].cast<double>(), mesh.positions[v[1]].cast<double>(),
+                    mesh.positions[v[2]].cast<double>(), m);
+  }
+  m.edge_missed = edgeMissed(c, mesh);
+  m.volume = (part.initial_mm3 - part.surface.volume_mm3) / c.removed_mm3 - 1.0;
+  m.mesh_volume = meshVolume(mesh) - (part.initial_mm3 - c.removed_mm3);
+  m.mesh_volume_bound += kVolume * c.removed_mm3;
+  return m;
+}
+
+class StockAccuracy : public testing::TestWithParam<Case> {};
+
+TEST_P(StockAccuracy, StaysWithinItsBounds) {
+  const Case& c = GetParam();
+  const Measured m = measure(c);
+  std::printf(
+      "%-16s vertex %6.2f / %6.2f um, interior over chord %6.2f / %6.2f um, edge %6.2f um, "
+      "volume %9.1e, mesh %8.4f of %.4f mm3\n",
+      c.name.c_str(), 1e3 * m.face_vertex, 1e3 * m.edge_vertex, 1e3 * m.face_interior, 1e3 * m.edge_interior,
+      1e3 * m.edge_missed, m.volume, m.mesh_volume, m.mesh_volume_bound);
+  EXPECT_GT(c.removed_mm3, 1.0);
+  EXPECT_LE(m.face_vertex, kFaceMm);
+  EXPECT_LE(m.edge_vertex, kEdgeMm);
+  EXPECT_LE(m.face_interior, kFaceMm);
+  EXPECT_LE(m.edge_interior, kEdgeMm);
+  EXPECT_LE(m.edge_missed, kEdgeMm);
+  EXPECT_LE(std::abs(m.volume), kVolume);
+  EXPECT_LE(std::abs(m.mesh_volume), m.mesh_volume_bound);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cuts, StockAccuracy, testing::ValuesIn(allCases()),
+                         [](const auto& test) { return test.param.name; });
+
+/// The reference volumes themselves, where a simple formula exists beside the integral.
+TEST(AccuracyCases, IntegralsMatchFormulas) {
+  const auto volume = [](const std::string& name) {
+    for (const Case& c : allCases()) {
+      if (c.name == name) return c.removed_mm3;
+    }
+    return 0.0;
+  };
+  const double d = 4.117, length = 15.2;
+  EXPECT_NEAR(volume("PlungeFlat"), kPi * 9 * d, 1e-7);
+  EXPECT_NEAR(volume("PlungeBall"), kPi * 9 * (d - 3) + 18 * kPi, 1e-7);
+  EXPECT_NEAR(volume("SlotFlat"), (kPi * 9 + 6 * length) * d, 1e-7);
+  EXPECT_NEAR(volume("RingBall"), 2 * kPi * 7.177 * (6 * (d - 3) + 4.5 * kPi), 1e-6);
+  const double tip = 1.0, wide = tip + d * std::tan(kPi / 6);  // frustum
+  EXPECT_NEAR(volume("PlungeCone"), kPi * d / 3 * (tip * tip + tip * wide + wide * wide), 1e-6);
+}
+
+/// The integral of a slanted slot against the engine-free truth in another way: columns counted on a fine
+/// net.
+TEST(AccuracyCases, SlantedVolumesMatchCountedColumns) {
+  for (const Case& c : allCases()) {
+    if (c.name.rfind("Slanted", 0) != 0) continue;
+    const double step = 0.17;
+    double sum = 0.0;
+    for (double x = c.blank.min.x() + step / 2; x < c.blank.max.x(); x += step) {
+      for (double y = c.blank.min.y() + step / 2; y < c.blank.max.y(); y += step) {
+        if (c.removed({x, y, 0.0}) > 0) continue;
+        double in = 0.0, out = c.blank.min.z();
+        for (int i = 0; i < 16; ++i) {
+          const double z = 0.5 * (in + out);
+          (c.removed({x, y, z}) <= 0 ? in : out) = z;
+        }
+        sum -= in * step * step;
+      }
+    }
+    EXPECT_NEAR(sum / c.removed_mm3, 1.0, 3e-3) << c.name;
+  }
+}
+
+}  // namespace
+}  // namespace proveout::accuracy
