@@ -24,7 +24,7 @@ struct CellVertex {
 };
 
 /// How far creases and corners are followed out of the cell (in cells), where no fold comes of it.
-inline constexpr double kVertexReach = 1.5;
+inline constexpr double kVertexReach = 0.75;
 
 /// On one smooth face: the mean of the crossings, put onto the surface by the rule that the chord between two
 /// points of a sphere or cylinder is at right angles to the sum of their normals (third order on other

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "removal/surface_grid.h"
 
@@ -11,6 +12,8 @@ namespace {
 
 /// Normals of a merged patch are within 12 degrees of their mean.
 constexpr float kConeCos = 0.978f;
+/// Cells of one plane: heights (grid steps) and normals agree to this. Normals are stored to 3e-5.
+constexpr float kSamePlane = 2e-4f;
 constexpr std::uint64_t kColumnY0 = 0x0101010101010101ull;
 
 bool occupied(const LeafBits& cells, const CellCube& cube) {
@@ -101,10 +104,31 @@ bool isFlatDisk(const SurfaceLeaf& leaf, const LeafPatch& patch, const CellCube&
          eulerNumber(leaf, patch, cube) == 1 && connected(leaf, patch, cube);
 }
 
+/// Whether all cells of the leaf lie on one plane, to what the normals are stored. Then every cube of it
+/// holds a convex piece of the plane: a disk.
+bool isPlane(const SurfaceLeaf& leaf, const LeafPatch& patch) {
+  if (leaf.cells == 0 || leaf.mixed != patch.gentle) return false;
+  const Eigen::Vector3f &p = patch.p[0], &n = patch.n[0];
+  for (int i = 1; i < leaf.cells; ++i) {
+    if ((patch.n[i] - n).squaredNorm() > kSamePlane * kSamePlane ||
+        std::abs(n.dot(patch.p[i] - p)) > kSamePlane) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 LeafClusters findClusters(const SurfaceLeaf& leaf, const LeafPatch& patch, float flatness) {
   LeafClusters out;
+  if (flatness >= kSamePlane && isPlane(leaf, patch)) {
+    out.two = ~0ull;
+    out.four = 0xFF;
+    out.eight = true;
+    out.normal = patch.n[0];
+    return out;
+  }
   bool all = true;
   for (int four = 0; four < 8; ++four) {
     const int z4 = (four >> 2) * 4, x4 = (four >> 1 & 1) * 4, y4 = (four & 1) * 4;

@@ -14,8 +14,8 @@ namespace {
 /// Triangles that lean more than this (84 degrees) from the exact surface count as folded; where a corner is
 /// off the tangent plane by more than a part of the size, a crease may turn the surface there, up to 143
 /// degrees.
-constexpr double kFolded = 0.1;
-constexpr double kFoldedAtCrease = -0.8;
+constexpr double kFolded = 0.3;
+constexpr double kFoldedAtCrease = -0.3;
 constexpr double kOffPlane = 0.15;
 /// Diagonals whose middles are off the tangent plane alike, by this part of their length.
 constexpr double kAlikeOff = 1e-3;
