@@ -77,6 +77,7 @@ openvdb::FloatGrid::Ptr packDistance(const Stock::Impl& impl) {
   }
   const LeafReader reader(impl);
   const auto bring = [&](const Coord& voxel, float distance) {
+    if (reader.leaf(voxel & ~7) == nullptr) return;  // a leaf in the file is a leaf of the stock
     const openvdb::Coord at = toVdb(voxel);
     const float old = write.getValue(at);
     if (distance < std::abs(old) || !write.isValueOn(at)) write.setValue(at, old < 0.0f ? -distance : distance);

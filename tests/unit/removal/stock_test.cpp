@@ -215,7 +215,9 @@ TEST_F(SavedStockTest, GoesOnWithoutLoss) {
   ASSERT_TRUE(loaded.ok()) << loaded.error().message;
   EXPECT_EQ(loaded->initialVolume(), stock->initialVolume());
   ASSERT_TRUE(loaded->remove(second.path(), tools, options, progress).ok());
-  const auto surface = loaded->surface(2, progress);
+  SurfaceOptions fine;
+  fine.simplify_mm = 0.0;
+  const auto surface = loaded->surface(fine, progress);
   const Cut once = cut(kBlank, both.path(), tools, 0.3);
   EXPECT_EQ(surface->mesh.positions, once.mesh.positions);
   EXPECT_EQ(surface->mesh.triangles, once.mesh.triangles);
