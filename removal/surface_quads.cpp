@@ -43,10 +43,13 @@ QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& no
     const double high = std::max({std::abs(up[a]), std::abs(up[b]), std::abs(up[c])});
     return facing / length - (high * high > kOffPlane * kOffPlane * size2 ? kFoldedAtCrease : kFolded);
   };
-  const double cut02 = std::min(margin(0, 1, 2), margin(0, 2, 3));
-  const double cut13 = std::min(margin(0, 1, 3), margin(1, 2, 3));
-  const double preferred = prefer02 ? cut02 : cut13, other = prefer02 ? cut13 : cut02;
-  return preferred > 0.0 || preferred >= other ? QuadCut{prefer02, preferred} : QuadCut{!prefer02, other};
+  const auto cut = [&](bool at02) {
+    return at02 ? std::min(margin(0, 1, 2), margin(0, 2, 3)) : std::min(margin(0, 1, 3), margin(1, 2, 3));
+  };
+  const double preferred = cut(prefer02);
+  if (preferred > 0.0) return {prefer02, preferred};
+  const double other = cut(!prefer02);
+  return other > preferred ? QuadCut{!prefer02, other} : QuadCut{prefer02, preferred};
 }
 
 void QuadReader::add(const SurfaceLeaf& leaf, int place) {

@@ -7,6 +7,7 @@
 
 #include "core/mesh/tri_mesh.h"
 #include "field_stock.h"
+#include "removal/threads.h"
 
 namespace proveout {
 namespace {
@@ -119,6 +120,23 @@ TEST_P(SurfaceOf, StaysWithinTheToleranceWhenSimplified) {
     EXPECT_LE(worstInside(s.mesh, c.field), worstInside(fine.mesh, c.field) + tolerance);
     EXPECT_EQ(s.volume_mm3, fine.volume_mm3);
     EXPECT_LT(s.mesh.triangles.size(), fine.mesh.triangles.size());
+  }
+}
+
+TEST(Surface, DoesNotDependOnTheNumberOfThreads) {
+  Stock::Impl impl;
+  test::fillStock(impl, cases().back().field, kBounds, 0.2, kShift);
+  StockSurface first;
+  for (const int threads : {1, 2, 3, 8}) {
+    const ThreadLimit limit(threads);
+    Progress progress;
+    const auto s = extractSurface(impl, SurfaceOptions{0.02, 0}, progress);
+    ASSERT_TRUE(s.ok());
+    if (threads == 1) first = *s;
+    EXPECT_EQ(s->mesh.positions, first.mesh.positions);
+    EXPECT_EQ(s->mesh.triangles, first.mesh.triangles);
+    EXPECT_EQ(s->mesh.motion, first.mesh.motion);
+    EXPECT_EQ(s->volume_mm3, first.volume_mm3);
   }
 }
 
