@@ -9,6 +9,7 @@
 
 #include "removal/leaf_changes.h"
 #include "removal/stock_impl.h"
+#include "removal/vdb_module.h"
 
 namespace proveout {
 
@@ -165,7 +166,7 @@ class MeshBlank {
 
 }  // namespace
 
-Status buildMeshBlank(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options) {
+Status rasteriseMesh(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options) {
   const MeshTopology topology = analyseTopology(shape.mesh);
   const std::string name = shape.name.empty() ? "stock mesh" : "stock mesh " + shape.name;
   if (shape.mesh.triangles.empty()) return inputError(name + ": no triangles");

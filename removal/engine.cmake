@@ -2,9 +2,8 @@ proveout_add_library(removal
   sweep.cpp
   blank_field.cpp
   blank.cpp
-  blank_mesh.cpp
   stock.cpp
-  stock_file.cpp
+  vdb_loader.cpp
   remove.cpp
   pass.cpp
   column_sweep.cpp
@@ -26,7 +25,7 @@ proveout_add_library(removal
   surface_merge.cpp
   surface_quads.cpp
   surface_splits.cpp)
-target_link_libraries(proveout_removal PUBLIC proveout::core PRIVATE proveout_openvdb TBB::tbb fmt::fmt)
+target_link_libraries(proveout_removal PUBLIC proveout::core PRIVATE TBB::tbb fmt::fmt ${CMAKE_DL_LIBS})
 
 # One source for every SIMD level, chosen at run time. No option here may change a result: no contraction, no
 # reassociation; the two below only free the compiler from errno and floating-point traps, which nobody reads.
@@ -38,3 +37,15 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   set_source_files_properties(column_avx512.cpp PROPERTIES
     COMPILE_OPTIONS "${kernel_options};-mavx512f;-mavx512dq;-mavx512vl;-mprefer-vector-width=512")
 endif()
+
+# Everything that needs OpenVDB is a module, loaded when it is asked for (see vdb_support.h); it has its own copy of core
+# and removal, which must be position independent for that.
+set_target_properties(proveout_core proveout_removal PROPERTIES POSITION_INDEPENDENT_CODE ON)
+add_library(proveout_vdb MODULE vdb_module.cpp stock_file.cpp blank_mesh.cpp)
+target_link_libraries(proveout_vdb PRIVATE proveout_warnings proveout::removal proveout_openvdb TBB::tbb fmt::fmt)
+set_target_properties(proveout_vdb PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib/proveout
+  CXX_VISIBILITY_PRESET default)
+target_link_options(proveout_vdb PRIVATE -Wl,--exclude-libs,ALL)
+include(GNUInstallDirs)
+set_source_files_properties(vdb_loader.cpp PROPERTIES COMPILE_DEFINITIONS
+  "PROVEOUT_LIBDIR=\"${CMAKE_INSTALL_LIBDIR}\";PROVEOUT_FULL_LIBDIR=\"${CMAKE_INSTALL_FULL_LIBDIR}\"")

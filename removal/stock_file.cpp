@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "removal/stock_impl.h"
+#include "removal/vdb_module.h"
 
 namespace proveout {
 
@@ -244,24 +245,24 @@ void setTransform(openvdb::GridBase& grid, const Stock::Impl& impl) {
 
 }  // namespace
 
-Status Stock::save(const std::string& path) const {
+Status writeStockFile(const Stock::Impl& impl, const std::string& path) {
   const std::string aside = path + ".part";
   std::error_code ignored;
   try {
     openvdb::initialize();
     openvdb::GridPtrVec grids;
-    grids.push_back(packDistance(*impl_));
+    grids.push_back(packDistance(impl));
     for (int axis = 0; axis < 3; ++axis) {
-      const CrossingGrids g = packAxis(*impl_, axis);
+      const CrossingGrids g = packAxis(impl, axis);
       for (const openvdb::GridBase::Ptr& grid :
            {openvdb::GridBase::Ptr(g.t), openvdb::GridBase::Ptr(g.normal), openvdb::GridBase::Ptr(g.motion),
             openvdb::GridBase::Ptr(g.element)}) {
         grids.push_back(grid);
       }
     }
-    for (const auto& grid : grids) setTransform(*grid, *impl_);
+    for (const auto& grid : grids) setTransform(*grid, impl);
     openvdb::io::File file(aside);
-    file.write(grids, metadata(*impl_));
+    file.write(grids, metadata(impl));
     file.close();
     appendTrailer(aside);
     std::filesystem::rename(aside, path);
@@ -272,7 +273,7 @@ Status Stock::save(const std::string& path) const {
   return Done{};
 }
 
-Status loadStock(Stock::Impl& impl, const std::string& path) {
+Status readStockFile(Stock::Impl& impl, const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) return inputError(path + ": no such stock file");
   try {
     openvdb::initialize();

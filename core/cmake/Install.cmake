@@ -13,6 +13,7 @@ endforeach()
 
 install(TARGETS ${PROVEOUT_EXPORTED} EXPORT proveoutTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS proveout_vdb LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/proveout)
 if(TARGET proveout)
   install(TARGETS proveout RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
