@@ -81,6 +81,11 @@ class RateCollector {
     rate_.max.assign(kRateSteps, 0.0);
   }
 
+  void startPath(const std::string& setup) {
+    new_span_ = true;
+    setup_ = setup;
+  }
+
   void add(const Step& step) {
     if (rate_.mean.empty() || !(step.time_s > 0.0)) return;
     addSpan(step);
@@ -103,14 +108,18 @@ class RateCollector {
     return std::min(kRateSteps - 1, static_cast<std::size_t>(std::max(0.0, s / rate_.step_s)));
   }
   void addSpan(const Step& step) {
-    if (rate_.spans.empty() || step.tool != span_tool_) {
-      rate_.spans.push_back({step.start_s, step.start_s, fmt::format("T{}", step.tool)});
+    if (new_span_ || step.tool != span_tool_) {
+      const std::string before = setup_.empty() ? "" : setup_ + " ";
+      rate_.spans.push_back({step.start_s, step.start_s, fmt::format("{}T{}", before, step.tool)});
       span_tool_ = step.tool;
+      new_span_ = false;
     }
     rate_.spans.back().to_s = step.start_s + step.time_s;
   }
 
   RateSeries rate_;
+  std::string setup_;
+  bool new_span_ = true;
   int span_tool_ = 0;
 };
 
@@ -129,7 +138,7 @@ ReportAccounting accountFor(const std::vector<CutPath>& paths) {
   std::map<int, CutFigures> tools;
   double end_s = 0.0;
   for (const CutPath& cut : paths) {
-    double now = end_s;
+    const double now = end_s;
     walk(cut, now, [&](const Step& step) {
       add(step, result.total);
       add(step, tools[step.tool]);
@@ -140,7 +149,8 @@ ReportAccounting accountFor(const std::vector<CutPath>& paths) {
   RateCollector rate(end_s);
   double start_s = 0.0;
   for (const CutPath& cut : paths) {
-    double now = start_s;
+    const double now = start_s;
+    rate.startPath(cut.setup);
     walk(cut, now, [&](const Step& step) {
       rate.add(step);
       start_s = step.start_s + step.time_s;
@@ -158,6 +168,7 @@ void forEachBlock(const CutPath& cut, double start_s, const std::function<void(c
       if (last != nullptr) row(block);
       const SourceRef& source = *step.source;
       block = BlockFigures();
+      block.setup = cut.setup;
       if (source.file < cut.path->files.size()) block.file = cut.path->files[source.file];
       block.line = source.line;
       block.block = source.block;

@@ -11,6 +11,7 @@ namespace proveout {
 
 /// A tool path and what each of its motions removed.
 struct CutPath {
+  std::string setup;  ///< name of the clamping; empty in a job without setups
   const Toolpath* path = nullptr;
   const std::vector<float>* removed_mm3 = nullptr;  ///< per motion; missing entries count as 0
 };

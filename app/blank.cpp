@@ -21,6 +21,14 @@ Box3 cylinderBounds(const CylinderShape& shape) {
   return {shape.base - reach, top + reach};
 }
 
+/// Empty for a saved stock.
+Box3 boundsOf(const StockShape& shape) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return {box->min, box->max};
+  if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) return cylinderBounds(*cylinder);
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshBounds(mesh->mesh);
+  return {};
+}
+
 /// The thinnest extent of a blank, mm: a side of its bounds, or a tube's wall.
 double thinnest(const StockShape& shape, const Box3& bounds) {
   double extent = bounds.size().minCoeff();
@@ -61,10 +69,7 @@ Result<Blank> openBlank(const Job& job, Progress& progress) {
   if (!shape) return shape.error();
   Blank blank;
   blank.shape = std::move(*shape);
-  if (const auto* box = std::get_if<BoxShape>(&blank.shape)) blank.bounds = {box->min, box->max};
-  if (const auto* cylinder = std::get_if<CylinderShape>(&blank.shape))
-    blank.bounds = cylinderBounds(*cylinder);
-  if (const auto* mesh = std::get_if<MeshShape>(&blank.shape)) blank.bounds = meshBounds(mesh->mesh);
+  blank.bounds = boundsOf(blank.shape);
   if (std::holds_alternative<SavedStock>(blank.shape)) {
     if (job.simulation.resolution_mm) {
       return inputError("a saved stock has its own grid: leave the resolution away");
@@ -94,6 +99,20 @@ Result<Blank> openBlank(const Job& job, Progress& progress) {
 Result<Stock> takeStock(Blank& blank, const Job& job, Progress& progress) {
   if (blank.stock) return std::move(*blank.stock);
   return Stock::create(blank.shape, removalOptions(job, blank.resolution_mm), progress);
+}
+
+Box3 movedBounds(const Job& job, Box3 bounds, std::size_t moves) {
+  for (std::size_t k = 1; k <= moves; ++k) bounds = job.setups[k].from_previous(bounds);
+  return bounds;
+}
+
+Status checkThickness(const StockShape& shape, double resolution_mm) {
+  const double thin = thinnest(shape, boundsOf(shape));
+  if (!(thin > 0) || resolution_mm <= thin / kLeastCells) return Done{};
+  return inputError(
+      fmt::format("a grid of {:g} mm is too coarse for what is {:g} mm thin; take a resolution of {:.3g} mm "
+                  "or less",
+                  resolution_mm, thin, thin / kLeastCells * 0.99));
 }
 
 Status checkStart(const Job& job, const Blank& blank) {

@@ -25,6 +25,12 @@ Result<Stock> takeStock(Blank& blank, const Job& job, Progress& progress);
 
 RemovalOptions removalOptions(const Job& job, double resolution_mm);
 
+/// The blank's bounds as they are after the moves into the first setups of the job, mm.
+Box3 movedBounds(const Job& job, Box3 bounds, std::size_t moves);
+
+/// Refuses a shape that is thinner than two cells of the grid: it would fall between the grid's points.
+Status checkThickness(const StockShape& shape, double resolution_mm);
+
 /// Checks that a start point given by the job is not inside the blank. Blanks from meshes are not judged
 /// here: the removal reports the contact.
 Status checkStart(const Job& job, const Blank& blank);

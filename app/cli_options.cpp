@@ -64,6 +64,9 @@ void addProgramOptions(CLI::App& app, ProgramOptions& options) {
                  "File or folder with subprograms, with a program; repeatable")
       ->type_name("PATH")
       ->allow_extra_args(false);
+  app.add_option("--setup", options.setup,
+                 "With a job of several setups: only up to this one (check and path: this one alone)")
+      ->type_name("NAME");
   app.add_option("--until", options.until, "Stop after this line (120) or block (N70) of the main program")
       ->type_name("LINE|Nn");
   app.add_flag("--lenient", options.lenient, "Unsupported codes that are safe to skip become warnings");
@@ -208,7 +211,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
     std::ostringstream out, err;
     const int code = app.exit(error, out, err);
     line.output = out.str();
-    line.errors = err.str();
+    line.errors = err.str().empty() ? "" : "proveout: error: " + err.str();
     line.exit_code = code == 0 ? kExitOk : kExitInput;
     return line;
   }

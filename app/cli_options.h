@@ -14,6 +14,7 @@ struct ProgramOptions {
   std::string input;                   ///< job file (*.toml) or program
   std::optional<std::string> control;  ///< needed with a program
   std::vector<std::string> subprograms;
+  std::optional<std::string> setup;  ///< name of a clamping of the job
   std::optional<std::string> until;  ///< "120" (line) or "N70" (block number)
   bool lenient = false;
 };

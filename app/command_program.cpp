@@ -1,6 +1,7 @@
 // `path` and `check`: the interpreter alone.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -9,7 +10,6 @@
 #include "app/interpretation.h"
 #include "app/job_setup.h"
 #include "io/path_writer.h"
-#include "io/program_files.h"
 
 namespace proveout {
 namespace {
@@ -44,15 +44,16 @@ class DiagnosticsTap : public MotionSink {
   MotionSink* next_;
 };
 
-/// Settings for a job whose blank may be unknown: the default start then is that of the control.
-Result<ControlSettings> settingsOf(const Job& job, Progress& progress) {
-  if (job.stock) {
-    const Result<Blank> blank = openBlank(job, progress);
+/// Settings of a setup. Where the blank is unknown, the default start is that of the control.
+Result<ControlSettings> settingsOf(const Job& job, std::size_t setup, Progress& progress) {
+  const Job part = jobOfSetup(job, setup);
+  if (part.stock) {
+    const Result<Blank> blank = openBlank(part, progress);
     if (!blank) return blank.error();
-    return controlSettings(job, blank->bounds);
+    return controlSettings(part, movedBounds(job, blank->bounds, job.setups.empty() ? 0 : setup));
   }
-  ControlSettings settings = job.settings;
-  if (job.start) settings.start = *job.start;
+  ControlSettings settings = part.settings;
+  if (part.start) settings.start = *part.start;
   return settings;
 }
 
@@ -62,14 +63,15 @@ struct Interpretation {
   std::vector<Finding> findings;  ///< overtravel
 };
 
-Result<Interpretation> interpretInto(const Job& job, int max_errors, MotionSink* sink, Progress& progress) {
+Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_errors, MotionSink* sink,
+                                     Progress& progress) {
   const Result<ControlId> control = findControl(job.control);
   if (!control) return control.error();
-  Result<ControlSettings> settings = settingsOf(job, progress);
+  Result<ControlSettings> settings = settingsOf(job, setup, progress);
   if (!settings) return settings.error();
   settings->max_errors = std::max(settings->max_errors, max_errors);
-  const FileProgramSource files(job.program, job.subprograms);
-  const RecordingSource source(files, job.settings.encoding);
+  const JobSources sources(job);
+  const RecordingSource& source = *sources.all()[setup];
   DiagnosticsTap tap(sink);
   Interpretation result;
   result.summary = interpret(*control, source, *settings, tap, &progress);
@@ -103,46 +105,107 @@ nlohmann::ordered_json toJson(const Diagnostic& d) {
 int pathCommand(const PathOptions& options, Console& console, ConsoleProgress& progress) {
   const std::optional<Job> job = jobOrPrint(options.program, console);
   if (!job) return kExitInput;
+  if (job->setups.size() > 1 && !options.program.setup) {
+    return printError(console, inputError("the job has several setups: --setup NAME says whose path it is"));
+  }
   Result<std::unique_ptr<MotionSink>> writer = makePathWriter(options.format, console.out, job->control);
   if (!writer) return printError(console, writer.error());
-  const Result<Interpretation> done = interpretInto(*job, 1, writer->get(), progress);
+  const Result<Interpretation> done = interpretInto(*job, setupCount(*job) - 1, 1, writer->get(), progress);
   if (!done) return printError(console, done.error());
   printDiagnostics(console, done->diagnostics.all());
   return exitCodeOf(*done);
 }
 
+namespace {
+
+/// What `check` tells of one program.
+struct Checked {
+  std::string setup;  ///< empty in a job without setups
+  std::string program;
+  std::string until;  ///< where it stopped early
+  Interpretation done;
+  Diagnostics all;
+  std::size_t errors = 0;
+};
+
+Result<Checked> checkSetup(const Job& job, std::size_t setup, Progress& progress) {
+  Result<Interpretation> done = interpretInto(job, setup, kCheckErrors, nullptr, progress);
+  if (!done) return done.error();
+  Checked checked;
+  if (!job.setups.empty()) checked.setup = job.setups[setup].name;
+  const Job part = jobOfSetup(job, setup);
+  checked.program = part.program;
+  if (done->summary.end == ProgramEnd::kUntil) checked.until = untilText(part.settings);
+  checked.all = done->diagnostics;
+  for (Finding& finding : done->findings) {
+    finding.setup = checked.setup;
+    checked.all.add(findingDiagnostic(finding));
+  }
+  checked.errors = static_cast<std::size_t>(done->summary.errors) + done->findings.size();
+  checked.done = std::move(*done);
+  return checked;
+}
+
+std::string checkText(const Checked& checked) {
+  const InterpretSummary& summary = checked.done.summary;
+  return fmt::format("{}{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}{}\n",
+                     checked.setup.empty() ? "" : "setup " + checked.setup + ": ", checked.program,
+                     summary.blocks, summary.motions, summary.cycle_s, checked.errors, summary.warnings,
+                     checked.until.empty() ? "" : ", partial: only up to " + checked.until);
+}
+
+nlohmann::ordered_json checkJson(const Checked& checked) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Diagnostic& diagnostic : checked.all.all()) list.push_back(toJson(diagnostic));
+  const InterpretSummary& summary = checked.done.summary;
+  nlohmann::ordered_json out;
+  if (!checked.setup.empty()) out["setup"] = checked.setup;
+  out.update({{"program", checked.program},
+              {"blocks", summary.blocks},
+              {"motions", summary.motions},
+              {"cycle_s", summary.cycle_s},
+              {"partial", !checked.until.empty()},
+              {"errors", checked.errors},
+              {"warnings", summary.warnings},
+              {"diagnostics", list}});
+  return out;
+}
+
+/// One program stands in the document itself, those of several setups in a list.
+nlohmann::ordered_json checkDocument(const Job& job, const std::vector<Checked>& programs) {
+  nlohmann::ordered_json root = {{"schema", "proveout.check/1"}, {"control", job.control}};
+  if (programs.size() == 1) {
+    root.update(checkJson(programs.front()));
+    return root;
+  }
+  root["setups"] = nlohmann::ordered_json::array();
+  for (const Checked& checked : programs) root["setups"].push_back(checkJson(checked));
+  return root;
+}
+
+}  // namespace
+
 int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress& progress) {
   const std::optional<Job> job = jobOrPrint(options.program, console);
   if (!job) return kExitInput;
-  const Result<Interpretation> done = interpretInto(*job, kCheckErrors, nullptr, progress);
-  if (!done) return printError(console, done.error());
-  const InterpretSummary& summary = done->summary;
-  Diagnostics all = done->diagnostics;
-  for (const Finding& finding : done->findings) all.add(findingDiagnostic(finding));
-  const auto errors = static_cast<std::size_t>(summary.errors) + done->findings.size();
-  if (options.json) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Diagnostic& diagnostic : all.all()) list.push_back(toJson(diagnostic));
-    const nlohmann::ordered_json root = {{"schema", "proveout.check/1"},
-                                         {"control", job->control},
-                                         {"program", job->program},
-                                         {"blocks", summary.blocks},
-                                         {"motions", summary.motions},
-                                         {"cycle_s", summary.cycle_s},
-                                         {"partial", summary.end == ProgramEnd::kUntil},
-                                         {"errors", errors},
-                                         {"warnings", summary.warnings},
-                                         {"diagnostics", list}};
-    console.out << root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
-  } else {
-    printDiagnostics(console, all.all());
-    const bool partial = summary.end == ProgramEnd::kUntil;
-    console.out << fmt::format("{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}{}\n",
-                               job->program, summary.blocks, summary.motions, summary.cycle_s, errors,
-                               summary.warnings,
-                               partial ? ", partial: only up to " + untilText(job->settings) : "");
+  std::vector<Checked> programs;
+  for (std::size_t k = options.program.setup ? setupCount(*job) - 1 : 0; k < setupCount(*job); ++k) {
+    Result<Checked> checked = checkSetup(*job, k, progress);
+    if (!checked) return printError(console, checked.error());
+    programs.push_back(std::move(*checked));
   }
-  return exitCodeOf(*done);
+  int code = kExitOk;
+  for (const Checked& checked : programs) {
+    code = std::max(code, exitCodeOf(checked.done));
+    if (options.json) continue;
+    printDiagnostics(console, checked.all.all());
+    console.out << checkText(checked);
+  }
+  if (options.json) {
+    console.out << checkDocument(*job, programs).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+                << "\n";
+  }
+  return code;
 }
 
 }  // namespace proveout

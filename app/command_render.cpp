@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -99,9 +100,18 @@ Status renderToFile(const RenderCommandOptions& options, const std::string& outp
   return writePng(*image, output);
 }
 
+bool isPngName(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".png";
+}
+
 }  // namespace
 
 int renderCommand(const RenderCommandOptions& options, Console& console, ConsoleProgress& progress) {
+  if (!options.output.empty() && !isPngName(options.output)) {
+    return printError(console, inputError(options.output + ": pictures are PNG; the name must end in .png"));
+  }
   const std::string output =
       options.output.empty() ? fs::path(options.mesh).stem().string() + ".png" : options.output;
   progress.show(console.err_is_terminal);

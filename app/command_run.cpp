@@ -6,26 +6,38 @@
 #include "app/outputs.h"
 #include "app/pictures.h"
 #include "app/pipeline.h"
+#include "app/provenance.h"
 #include "app/run_report.h"
 #include "app/stopwatch.h"
 #include "app/summary.h"
-#include "io/program_files.h"
 #include "removal/threads.h"
 
 namespace proveout {
 namespace {
 
-Result<std::vector<Picture>> drawRun(const RunOptions& options, const Job& job, const RunResult& run,
-                                     Progress& progress) {
-  if (options.no_render || run.alarm) return std::vector<Picture>{};
+/// The findings with their places where they are on the finished part. Deviations are measured there.
+std::vector<Finding> findingsInLastFrame(const RunResult& run) {
+  std::vector<Finding> findings = run.findings;
+  for (Finding& finding : findings) {
+    if (!finding.where || isDeviation(finding)) continue;
+    for (std::size_t k = 0; k < run.setups.size(); ++k) {
+      if (run.setups[k].name == finding.setup) finding.where = inLastFrame(run, k, *finding.where);
+    }
+  }
+  return findings;
+}
+
+Result<std::vector<Picture>> drawRun(const Job& job, const RunResult& run, Progress& progress) {
+  if (run.alarm) return std::vector<Picture>{};
   PictureRequest request;
   request.name = job.name;
   request.views = job.output.views;
   request.size = {job.output.width, job.output.height};
   request.threads = job.simulation.threads;
   request.comparison = run.comparison ? &*run.comparison : nullptr;
-  request.findings = &run.findings;
-  return drawPictures(run.surface.mesh, request, progress);
+  const std::vector<Finding> findings = findingsInLastFrame(run);
+  request.findings = &findings;
+  return drawPictures(run.surface().mesh, request, progress);
 }
 
 Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>& pictures,
@@ -33,29 +45,29 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
   Result<StagingFolder> staging = StagingFolder::create(folder);
   if (!staging) return staging.error();
   if (!run.alarm) {
-    if (Status done = writeMeshes(run.surface.mesh, *run.stock, job, *staging, report); !done) return done;
+    if (Status done = writeMeshes(run.surface().mesh, *run.stock, job, *staging, report); !done) return done;
     if (job.output.csv) {
-      const CutPath cut{&run.interpreted.path, &run.removal.removed_mm3};
-      if (Status done = writeTables({cut}, *staging, report); !done) return done;
+      if (Status done = writeTables(cutPaths(run), *staging, report); !done) return done;
     }
   }
   if (Status done = writeReport(pictures, *staging, report); !done) return done;
   return staging->commit();
 }
 
-Result<Report> runJob(const RunOptions& options, const Job& job, const std::string& folder,
-                      Progress& progress) {
+Result<Report> runJob(const Job& job, const std::string& folder, ConsoleProgress& progress) {
   Stopwatch wall, watch;
   const ThreadLimit limit(job.simulation.threads);
-  const FileProgramSource files(job.program, job.subprograms);
-  const RecordingSource source(files, job.settings.encoding);
-  Result<RunResult> run = runPipeline(job, source, progress);
+  const JobSources sources(job);
+  Result<PreparedRun> prepared = prepareRun(job, sources.all(), progress);
+  if (!prepared) return prepared.error();
+  if (!prepared->run.alarm) progress.expect(prepared->run.prediction);
+  Result<RunResult> run = finishRun(job, sources.all(), std::move(*prepared), progress);
   if (!run) return run.error();
   watch.lap();
-  Result<std::vector<Picture>> pictures = drawRun(options, job, *run, progress);
+  Result<std::vector<Picture>> pictures = drawRun(job, *run, progress);
   if (!pictures) return pictures.error();
   run->performance.render_s = watch.lap();
-  Result<Report> report = makeReport(job, *run, source);
+  Result<Report> report = makeReport(job, *run, sources.all());
   if (!report) return report;
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   report->performance.wall_s = wall.lap();
@@ -74,7 +86,7 @@ int runCommand(const RunOptions& options, Console& console, ConsoleProgress& pro
   if (!good) return kExitInput;
   const std::string folder = outputFolder(options, *job);
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
-  const Result<Report> report = runJob(options, *job, folder, progress);
+  const Result<Report> report = runJob(*job, folder, progress);
   progress.clear();
   if (!report) return printError(console, report.error());
   printResult(console, *report, options.quiet, options.json, folder);

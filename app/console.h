@@ -2,10 +2,12 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <mutex>
 #include <ostream>
 #include <string>
 
+#include "app/prediction.h"
 #include "core/base/diagnostics.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -21,9 +23,12 @@ struct Console {
 /// Progress that writes one line over and over while it is shown. report() may come from any thread.
 class ConsoleProgress : public Progress {
  public:
-  explicit ConsoleProgress(std::ostream& err) : err_(err) {}
+  using Clock = std::function<double()>;  ///< seconds from any fixed time on
+  explicit ConsoleProgress(std::ostream& err, Clock clock = {});
   void show(bool on) { shown_.store(on); }
   void report(std::string_view phase, double done) override;
+  /// Tells what the run will take, where progress is shown; the time left counts from here.
+  void expect(const Prediction& prediction);
   /// Takes the line away; call before anything else is printed.
   void clear();
 
@@ -31,6 +36,10 @@ class ConsoleProgress : public Progress {
   std::ostream& err_;
   std::mutex mutex_;
   std::atomic<bool> shown_{false};
+  std::string timeLeft(double now_s, double done) const;
+
+  Clock clock_;
+  double start_s_ = 0.0, expected_s_ = 0.0, phase_start_s_ = 0.0;
   std::string phase_;
   int percent_ = -1;
   std::size_t width_ = 0;

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 
+#include "io/report_text.h"
+
 namespace proveout {
 namespace {
+
+using report_text::figure;
 
 /// Share of the blank below which nothing was cut: rounding of the volume sums stays far under it.
 constexpr double kNothingCut = 1e-9;
@@ -20,6 +24,8 @@ std::string_view contactText(ContactKind kind) {
       return "the tool holder runs into the stock";
     case ContactKind::kSpindleOff:
       return "the tool cuts while the spindle stands still";
+    case ContactKind::kFixture:
+      return "the tool runs into a fixture";
   }
   return "contact with the stock";
 }
@@ -34,8 +40,8 @@ Finding deviationFinding(const DeviationPatch& patch, const Comparison& comparis
   finding.depth_mm = patch.depth_mm;
   finding.area_mm2 = patch.area_mm2;
   finding.volume_mm3 = patch.volume_mm3;
-  finding.message = fmt::format("{:.4g} mm {} nominal over {:.4g} mm2 (allowed {:.4g} mm)", patch.depth_mm,
-                                gouge ? "below" : "above", patch.area_mm2, tolerance);
+  finding.message = fmt::format("{} mm {} nominal over {} mm2 (allowed {:g} mm)", figure(patch.depth_mm),
+                                gouge ? "below" : "above", figure(patch.area_mm2), tolerance);
   if (decided) return finding;
   finding.message +=
       fmt::format("; the grid is good to {:.2g} mm and cannot decide this", comparison.uncertainty_mm);
@@ -114,8 +120,8 @@ void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, con
       finding.severity = Severity::kWarning;
       finding.message = "the program never starts the spindle and cuts from here on";
     } else {
-      finding.message = fmt::format("{}: {:.3g} mm deep, {:.3g} mm3 in the way", contactText(contact.kind),
-                                    contact.depth_mm, contact.volume_mm3);
+      finding.message = fmt::format("{}: {} mm deep, {} mm3 in the way", contactText(contact.kind),
+                                    figure(contact.depth_mm), figure(contact.volume_mm3));
     }
     blame(finding, contact.motion, path, texts);
     findings.push_back(std::move(finding));
@@ -170,6 +176,17 @@ void addPartial(ProgramEnd end, const ControlSettings& settings, std::vector<Fin
   findings.push_back(std::move(finding));
 }
 
+void addUnrunSetups(const std::string& last_name, std::vector<Finding>& findings) {
+  Finding finding;
+  finding.kind = "partial";
+  finding.severity = Severity::kWarning;
+  finding.setup = last_name;
+  finding.message = fmt::format(
+      "only the setups up to '{}' were run: what follows was not checked, nor the part against its nominal",
+      last_name);
+  findings.push_back(std::move(finding));
+}
+
 std::string untilText(const ControlSettings& settings) {
   if (!settings.until) return {};
   if (settings.until->block) return fmt::format("N{}", *settings.until->block);
@@ -205,6 +222,7 @@ Diagnostic findingDiagnostic(const Finding& finding) {
         fmt::format("at X{:.3f} Y{:.3f} Z{:.3f}", finding.where->x(), finding.where->y(), finding.where->z());
   }
   if (finding.tool) place += fmt::format("{}tool {}", place.empty() ? "" : ", ", *finding.tool);
+  if (!finding.setup.empty()) place += fmt::format("{}setup {}", place.empty() ? "" : ", ", finding.setup);
   if (!place.empty()) diagnostic.notes.push_back(place);
   return diagnostic;
 }

@@ -37,6 +37,9 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
 /// A run that was told to stop early: what follows was not looked at (a warning).
 void addPartial(ProgramEnd end, const ControlSettings& settings, std::vector<Finding>& findings);
 
+/// A run that was told to stop after a clamping though others follow (a warning).
+void addUnrunSetups(const std::string& last_name, std::vector<Finding>& findings);
+
 /// "N120" or "line 12"; empty where the program runs to its end.
 std::string untilText(const ControlSettings& settings);
 

@@ -9,6 +9,7 @@
 
 #include "app/job_setup.h"
 #include "core/nc/source_text.h"
+#include "io/program_files.h"
 
 namespace proveout {
 namespace {
@@ -82,6 +83,15 @@ std::string RecordingSource::line(const std::string& file, std::uint32_t number)
     }
   }
   return number >= 1 && number <= found->second.size() ? found->second[number - 1] : std::string();
+}
+
+JobSources::JobSources(const Job& job) {
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    const Job part = jobOfSetup(job, k);
+    files_.push_back(std::make_unique<FileProgramSource>(part.program, part.subprograms));
+    sources_.push_back(std::make_unique<RecordingSource>(*files_.back(), part.settings.encoding));
+    all_.push_back(sources_.back().get());
+  }
 }
 
 ControlSettings controlSettings(const Job& job, const Box3& blank) {

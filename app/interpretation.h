@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,20 @@ class RecordingSource : public ProgramSource {
   TextEncoding encoding_;
   mutable std::vector<ProgramText> texts_;
   mutable std::map<std::string, std::vector<std::string>> lines_;  ///< by name, decoded on demand
+};
+
+/// The program files of a job, one recording source a clamping.
+class JobSources {
+ public:
+  explicit JobSources(const Job& job);
+  JobSources(const JobSources&) = delete;
+  /// In the order of the clampings; valid as long as this object.
+  const std::vector<const RecordingSource*>& all() const { return all_; }
+
+ private:
+  std::vector<std::unique_ptr<ProgramSource>> files_;
+  std::vector<std::unique_ptr<RecordingSource>> sources_;
+  std::vector<const RecordingSource*> all_;
 };
 
 struct Interpreted {

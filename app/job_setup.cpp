@@ -64,6 +64,40 @@ std::optional<Job> jobFromProgram(const ProgramOptions& options, Diagnostics& di
   return job;
 }
 
+/// Takes away the setups behind the named one.
+bool keepSetups(const std::string& name, Job& job, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const SetupSpec& setup : job.setups) names.push_back(setup.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    diagnostics.add(usageError(names.empty() ? "--setup: the job has no setups"
+                                             : fmt::format("--setup: there is no setup '{}'; there are {}",
+                                                           name, fmt::join(names, ", "))));
+    return false;
+  }
+  const auto kept = static_cast<std::size_t>(found - names.begin()) + 1;
+  job.stops_early = kept < job.setups.size();
+  job.setups.erase(job.setups.begin() + static_cast<std::ptrdiff_t>(kept), job.setups.end());
+  if (job.stops_early) job.nominal.reset();  // it is the part after the last setup, in that setup's frame
+  return true;
+}
+
+/// Sets the block at which the (last) program stops.
+bool stopAt(const ProgramOptions& options, Job& job, Diagnostics& diagnostics) {
+  const auto until = parseUntil(*options.until);
+  if (!until) {
+    diagnostics.add(usageError(fmt::format(
+        "--until: '{}' is neither a line number (120) nor a block number (N70)", *options.until)));
+    return false;
+  }
+  if (job.setups.size() > 1 && !options.setup) {
+    diagnostics.add(usageError("--until with a job of several setups needs --setup NAME"));
+    return false;
+  }
+  (job.setups.empty() ? job.settings : job.setups.back().settings).until = until;
+  return true;
+}
+
 void refuseWithJob(bool given, const char* option, Diagnostics& diagnostics) {
   if (given) {
     diagnostics.add(usageError(fmt::format("{} goes with a program; a job file says this itself", option)));
@@ -84,6 +118,12 @@ void applyWorkpiece(const RunOptions& options, Job& job, Diagnostics& diagnostic
     const Result<Tool> tool = parseToolOption(text);
     if (!tool) {
       diagnostics.add(usageError("--tool: " + tool.error().message));
+      continue;
+    }
+    if (tool->number < 1) {
+      diagnostics.add(
+          usageError("--tool: numbers start at 1, T0 empties the spindle; motions without a T word use the "
+                     "lowest number"));
       continue;
     }
     const auto same = [&](const Tool& other) { return other.number == tool->number; };
@@ -110,7 +150,7 @@ void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) 
   if (options.csv) job.output.csv = true;
   const bool pictures = !options.views.empty() || options.size;
   if (options.no_render && pictures) diagnostics.add(usageError("--no-render contradicts --view and --size"));
-  if (!options.views.empty()) job.output.views.clear();
+  if (!options.views.empty() || options.no_render) job.output.views.clear();  // no view, no picture
   for (const std::string& name : options.views) {
     const Result<View> view = findView(name);
     if (!view) diagnostics.add(usageError("--view: " + view.error().message));
@@ -161,15 +201,12 @@ std::optional<Job> setUpJob(const ProgramOptions& options, Diagnostics& diagnost
     diagnostics.add(usageError(control.error().message));
     return std::nullopt;
   }
-  if (options.lenient) job->settings.lenient = true;
-  if (options.until) {
-    job->settings.until = parseUntil(*options.until);
-    if (!job->settings.until) {
-      diagnostics.add(usageError(fmt::format(
-          "--until: '{}' is neither a line number (120) nor a block number (N70)", *options.until)));
-      return std::nullopt;
-    }
+  if (options.lenient) {
+    job->settings.lenient = true;
+    for (SetupSpec& setup : job->setups) setup.settings.lenient = true;
   }
+  if (options.setup && !keepSetups(*options.setup, *job, diagnostics)) return std::nullopt;
+  if (options.until && !stopAt(options, *job, diagnostics)) return std::nullopt;
   return job;
 }
 

@@ -12,10 +12,6 @@ namespace {
 /// More numbers than this hide the part; the report lists all of them.
 constexpr std::size_t kMaxMarkers = 12;
 
-bool isDeviation(const Finding& finding) {
-  return finding.kind == "gouge" || finding.kind == "excess" || finding.kind == "undecided";
-}
-
 /// Captions are ASCII: other bytes become question marks.
 std::string ascii(const std::string& text) {
   std::string result = text.substr(0, 60);
@@ -98,6 +94,10 @@ std::vector<Marker> markersOf(const std::vector<Finding>& findings, bool deviati
 }
 
 }  // namespace
+
+bool isDeviation(const Finding& finding) {
+  return finding.kind == "gouge" || finding.kind == "excess" || finding.kind == "undecided";
+}
 
 std::vector<Marker> findingMarkers(const std::vector<Finding>& findings) {
   std::vector<Marker> markers = markersOf(findings, true);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "app/fixtures.h"
+#include "app/provenance.h"
 #include "app/run_report.h"
 #include "app/stopwatch.h"
 #include "core/base/parallel_for.h"
@@ -38,10 +40,10 @@ Result<Comparison> comparePart(const Job& job, const PreparedMesh& nominal, cons
   options.gouge_mm = job.nominal->gouge_mm;
   options.excess_mm = job.nominal->excess_mm;
   options.resolution_mm = run.resolution_mm;
-  options.uncertainty_mm = surfaceUncertainty(run.interpreted.path, job.tools, run.resolution_mm);
+  options.uncertainty_mm = partUncertainty(run);
   options.threads = job.simulation.threads;
   progress.report("comparing", 0.0);
-  return compareToNominal(run.surface.mesh, nominal.mesh, options, progress);
+  return compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
 }
 
 /// A nominal that the blank cannot hold: the usual reasons are a wrong unit and a wrong place.
@@ -95,80 +97,218 @@ double surfaceUncertainty(const Toolpath& path, const std::vector<Tool>& tools, 
   return std::min(resolution_mm * resolution_mm / (8 * radius), resolution_mm / 2);
 }
 
-Result<Machined> machineStock(Blank& blank, const Toolpath& path, const Job& job,
-                              ReportPerformance& performance, Progress& progress) {
+namespace {
+
+/// Rounded up to two digits, so that it fits as it is printed.
+std::string resolutionText(double mm) {
+  const double digit = std::pow(10.0, std::floor(std::log10(mm)) - 1.0);
+  return fmt::format("{:.2g}", std::ceil(mm / digit - 1e-9) * digit);
+}
+
+/// Calls `add`, which adds findings to `run`, and puts the name of the clamping into them.
+template <typename Add>
+void inSetup(RunResult& run, const SetupRun& setup, const Add& add) {
+  const std::size_t before = run.findings.size();
+  add(run.findings);
+  for (std::size_t i = before; i < run.findings.size(); ++i) run.findings[i].setup = setup.name;
+}
+
+/// Runs the programs of all clampings on their controls. Sets `alarm` where one is wrong.
+Status interpretAll(const Job& job, const RunSources& sources, const Box3& blank, RunResult& run,
+                    Progress& progress) {
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    SetupRun& setup = run.setups.emplace_back();
+    if (!job.setups.empty()) {
+      setup.name = job.setups[k].name;
+      setup.from_previous = job.setups[k].from_previous;
+    }
+    setup.job = jobOfSetup(job, k);
+    const ControlSettings settings = controlSettings(setup.job, movedBounds(job, blank, k));
+    setup.interpreted = interpretProgram(setup.job, *sources[k], settings, progress);
+    if (setup.interpreted.outgrown_at) return outgrown(setup.interpreted);
+    if (setup.interpreted.summary.end == ProgramEnd::kCancelled)
+      return Error{ErrorKind::kInterrupted, "interrupted"};
+    Toolpath& path = setup.interpreted.path;
+    if (!setup.interpreted.summary.ok() || !assignTools(path, setup.job.tools, *sources[k])) run.alarm = true;
+    inSetup(run, setup, [&](std::vector<Finding>& findings) {
+      addAlarms(path, findings);
+      addOvertravel(path, *sources[k], findings);
+    });
+  }
+  return Done{};
+}
+
+Workload workOf(const Job& job, const PreparedRun& prepared) {
+  const double area = blankArea(prepared.blank.shape, prepared.blank.bounds);
+  Workload work;
+  for (std::size_t k = 0; k < prepared.run.setups.size(); ++k) {
+    const SetupRun& setup = prepared.run.setups[k];
+    work = together(work, workloadOf(setup.interpreted.path, setup.job.tools,
+                                     movedBounds(job, prepared.blank.bounds, k), area));
+  }
+  if (prepared.nominal) work.nominal_mm2 = meshArea(prepared.nominal->mesh);
+  if (!job.output.views.empty()) {
+    work.pixels = static_cast<double>(job.output.width) * job.output.height;
+    work.pictures = static_cast<int>(job.output.views.size()) + (prepared.nominal ? 1 : 0);
+  }
+  return work;
+}
+
+Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
+  const double limit_mb =
+      job.simulation.max_memory_gb > 0 ? 1000.0 * job.simulation.max_memory_gb : availableMemoryMb();
+  const double needed_mb = predict(work, resolution_mm).memory_mb;
+  if (needed_mb <= limit_mb) return Done{};
+  const double fits = resolutionThatFits(work, resolution_mm, limit_mb);
+  const std::string way = std::isfinite(fits)
+                              ? fmt::format("a grid of {} mm would fit (--resolution)", resolutionText(fits))
+                              : std::string("no grid would fit");
+  return Error{
+      ErrorKind::kResourceLimit,
+      fmt::format("a grid of {:g} mm would need about {:.0f} MB, {:.0f} MB are allowed; {}, or allow more "
+                  "(--max-memory)",
+                  resolution_mm, needed_mb, limit_mb, way)};
+}
+
+/// Volume of the blank: of a saved stock, what is left in it; its own figure is that of its first blank.
+Result<double> volumeOf(const Stock& stock, const Blank& blank, const Job& job, Progress& progress) {
+  if (!std::holds_alternative<SavedStock>(blank.shape)) return stock.initialVolume();
+  const Result<StockSurface> surface = stock.surface(job.simulation.threads, progress);
+  if (!surface) return surface.error();
+  return surface->volume_mm3;
+}
+
+/// Cuts all clampings, one after the other.
+Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunResult& run,
+                  Progress& progress) {
   Stopwatch watch;
   Result<Stock> stock = takeStock(blank, job, progress);
   if (!stock) return stock.error();
-  const RemovalOptions options = removalOptions(job, blank.resolution_mm);
-  double initial_mm3 = stock->initialVolume();
-  if (std::holds_alternative<SavedStock>(blank.shape)) {  // the stock's own figure is that of its first blank
-    const Result<StockSurface> before = stock->surface(job.simulation.threads, progress);
-    if (!before) return before.error();
-    initial_mm3 = before->volume_mm3;
+  Result<double> volume = volumeOf(*stock, blank, job, progress);
+  if (!volume) return volume.error();
+  run.performance.remove_s += watch.lap();
+  for (std::size_t k = 0; k < run.setups.size(); ++k) {
+    SetupRun& setup = run.setups[k];
+    Result<std::vector<FixtureStock>> fixtures = makeFixtures(setup.job, run.resolution_mm, progress);
+    if (!fixtures) return fixtures.error();
+    if (k > 0) {
+      watch.lap();
+      stock = stock->moved(setup.from_previous, removalOptions(job, blank.resolution_mm), progress);
+      if (!stock) return stock.error();
+      run.performance.remove_s += watch.lap();
+    }
+    if (Status done = machineSetup(*stock, *volume, setup, run.performance, progress); !done) return done;
+    volume = setup.surface.volume_mm3;
+    std::vector<Finding> touched;
+    if (Status done = addFixtureContacts(*fixtures, setup, *sources[k], touched, progress); !done)
+      return done;
+    parallelFor(0, 2, [&setup](int part) {
+      if (part == 0) setup.topology = analyseTopology(setup.surface.mesh);
+      if (part == 1) setup.mesh_sha256 = sha256OfMesh(setup.surface.mesh);
+    });
+    setup.bodies = stockBodies(setup.surface.mesh, setup.topology);
+    inSetup(run, setup, [&](std::vector<Finding>& findings) {
+      addContacts(setup.removal.contacts, setup.interpreted.path, *sources[k], findings);
+      findings.insert(findings.end(), touched.begin(), touched.end());
+      addOutcome(setup.initial_mm3, setup.surface.volume_mm3, setup.bodies, findings);
+      addPartial(setup.interpreted.summary.end, setup.job.settings, findings);
+    });
+    if (setup.surface.mesh.triangles.empty()) {
+      run.setups.resize(k + 1);  // there is nothing to clamp again
+    }
   }
-  Result<RemovalSummary> removal = stock->remove(path, job.tools, options, progress);
-  if (!removal) return removal.error();
-  performance.remove_s = watch.lap();
-  Result<StockSurface> surface = stock->surface(job.simulation.threads, progress);
-  if (!surface) return surface.error();
-  performance.mesh_s = watch.lap();
-  fitRemovedVolume(*removal, initial_mm3 - surface->volume_mm3);
-  return Machined{std::move(*stock), std::move(*removal), std::move(*surface), initial_mm3};
+  run.stock = std::move(*stock);
+  return Done{};
 }
 
-Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Progress& progress) {
-  RunResult run;
+/// Deviations that no motion of the last clamping made are given to the clamping that did.
+void blameDeviations(const RunSources& sources, RunResult& run) {
+  const SetupRun& last = run.setups.back();
+  const std::size_t before = run.findings.size();
+  inSetup(run, last, [&](std::vector<Finding>& findings) {
+    addDeviations(*run.comparison, last.interpreted.path, *sources[run.setups.size() - 1], findings);
+  });
+  for (std::size_t i = before; i < run.findings.size(); ++i) {
+    Finding& finding = run.findings[i];
+    if (finding.motion || !finding.where) continue;
+    const double within = finding.depth_mm.value_or(0.0) + 2.0 * run.resolution_mm;
+    const auto made = madeEarlier(run, *finding.where, within);
+    if (!made) continue;
+    blame(finding, made->motion, run.setups[made->setup].interpreted.path, *sources[made->setup]);
+    finding.setup = run.setups[made->setup].name;
+  }
+}
+
+}  // namespace
+
+Status machineSetup(Stock& stock, double initial_mm3, SetupRun& setup, ReportPerformance& performance,
+                    Progress& progress) {
+  Stopwatch watch;
+  const RemovalOptions options = removalOptions(setup.job, stock.resolution());
+  Result<RemovalSummary> removal = stock.remove(setup.interpreted.path, setup.job.tools, options, progress);
+  if (!removal) return removal.error();
+  performance.remove_s += watch.lap();
+  Result<StockSurface> surface = stock.surface(setup.job.simulation.threads, progress);
+  if (!surface) return surface.error();
+  performance.mesh_s += watch.lap();
+  fitRemovedVolume(*removal, initial_mm3 - surface->volume_mm3);
+  setup.removal = std::move(*removal);
+  setup.surface = std::move(*surface);
+  setup.initial_mm3 = initial_mm3;
+  return Done{};
+}
+
+Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progress& progress) {
+  PreparedRun prepared;
+  RunResult& run = prepared.run;
   Result<Blank> blank = openBlank(job, progress);
   if (!blank) return blank.error();
-  if (const Status start = checkStart(job, *blank); !start) return start.error();
-  std::optional<PreparedMesh> nominal;
+  if (const Status start = checkStart(jobOfSetup(job, 0), *blank); !start) return start.error();
+  prepared.blank = std::move(*blank);
+  const Box3& bounds = prepared.blank.bounds;
   if (job.nominal) {
-    Result<PreparedMesh> prepared = loadNominal(*job.nominal);
-    if (!prepared) return prepared.error();
-    nominal = std::move(*prepared);
-    if (auto note = misplaced(meshBounds(nominal->mesh), blank->bounds, job.nominal->gouge_mm))
+    Result<PreparedMesh> nominal = loadNominal(*job.nominal);
+    if (!nominal) return nominal.error();
+    if (auto note = misplaced(meshBounds(nominal->mesh), movedBounds(job, bounds, sources.size() - 1),
+                              job.nominal->gouge_mm))
       nominal->notes.push_back(std::move(*note));
+    prepared.nominal = std::move(*nominal);
   }
-  run.resolution_mm = blank->resolution_mm;
+  run.resolution_mm = prepared.blank.resolution_mm;
+  Stopwatch watch;
+  if (const Status done = interpretAll(job, sources, bounds, run, progress); !done) return done.error();
+  run.performance.interpret_s = watch.lap();
+  if (prepared.nominal)
+    noteRepairs(*prepared.nominal, "nominal", run.setups.back().interpreted.path.diagnostics);
+  if (run.alarm) return prepared;
+  const Workload work = workOf(job, prepared);
+  run.prediction = predict(work, run.resolution_mm);
+  if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits.error();
+  return prepared;
+}
+
+Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedRun prepared,
+                            Progress& progress) {
+  RunResult& run = prepared.run;
+  if (run.alarm) return std::move(run);
+  if (const Status done = machineAll(prepared.blank, job, sources, run, progress); !done) return done.error();
+  addMeshDefects(run.topology(), run.findings);
+  if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
+  if (!prepared.nominal || run.surface().mesh.triangles.empty()) return std::move(run);
 
   Stopwatch watch;
-  run.interpreted = interpretProgram(job, source, controlSettings(job, blank->bounds), progress);
-  run.performance.interpret_s = watch.lap();
-  if (run.interpreted.outgrown_at) return outgrown(run.interpreted);
-  if (run.interpreted.summary.end == ProgramEnd::kCancelled)
-    return Error{ErrorKind::kInterrupted, "interrupted"};
-  Toolpath& path = run.interpreted.path;
-  if (nominal) noteRepairs(*nominal, "nominal", path.diagnostics);
-  run.alarm = !run.interpreted.summary.ok() || !assignTools(path, job.tools, source);
-  addAlarms(path, run.findings);
-  addOvertravel(path, source, run.findings);
-  if (run.alarm) return run;
-
-  Result<Machined> machined = machineStock(*blank, path, job, run.performance, progress);
-  if (!machined) return machined.error();
-  run.stock = std::move(machined->stock);
-  run.removal = std::move(machined->removal);
-  run.surface = std::move(machined->surface);
-  run.initial_mm3 = machined->initial_mm3;
-  parallelFor(0, 2, [&run](int job) {
-    if (job == 0) run.topology = analyseTopology(run.surface.mesh);
-    if (job == 1) run.part_sha256 = sha256OfMesh(run.surface.mesh);
-  });
-  addContacts(run.removal.contacts, path, source, run.findings);
-  addMeshDefects(run.topology, run.findings);
-  run.bodies = stockBodies(run.surface.mesh, run.topology);
-  addOutcome(run.initial_mm3, run.surface.volume_mm3, run.bodies, run.findings);
-  addPartial(run.interpreted.summary.end, job.settings, run.findings);
-  if (!nominal || run.surface.mesh.triangles.empty()) return run;
-
-  watch.lap();
-  Result<Comparison> comparison = comparePart(job, *nominal, run, progress);
+  Result<Comparison> comparison = comparePart(job, *prepared.nominal, run, progress);
   if (!comparison) return comparison.error();
   run.comparison = std::move(*comparison);
-  addDeviations(*run.comparison, path, source, run.findings);
+  blameDeviations(sources, run);
   run.performance.compare_s = watch.lap();
-  return run;
+  return std::move(run);
+}
+
+Result<RunResult> runPipeline(const Job& job, const RunSources& sources, Progress& progress) {
+  Result<PreparedRun> prepared = prepareRun(job, sources, progress);
+  if (!prepared) return prepared.error();
+  return finishRun(job, sources, std::move(*prepared), progress);
 }
 
 }  // namespace proveout

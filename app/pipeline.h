@@ -3,11 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/blank.h"
 #include "app/findings.h"
 #include "app/interpretation.h"
+#include "app/prediction.h"
 #include "io/job.h"
 #include "io/report.h"
 #include "removal/compare.h"
@@ -15,32 +17,43 @@
 
 namespace proveout {
 
-/// What a run makes. Stages that were not reached leave their part empty.
-struct RunResult {
+/// One clamping of a run. Stages that were not reached leave their part empty.
+struct SetupRun {
+  std::string name;  ///< empty in a job without setups
+  Job job;           ///< as it is in this clamping, see jobOfSetup
+  RigidTransform from_previous;
   Interpreted interpreted;
-  bool alarm = false;  ///< the program or its tools are wrong: nothing was cut
-  double resolution_mm = 0.0;
-  std::optional<Stock> stock;
-  RemovalSummary removal;
-  StockSurface surface;
-  double initial_mm3 = 0.0;
-  MeshTopology topology;
+  RemovalSummary removal;  ///< volumes fitted: their sum is initial less final
+  StockSurface surface;    ///< after it, in its frame
   std::vector<StockBody> bodies;
-  std::string part_sha256;  ///< of the surface's mesh
-  std::optional<Comparison> comparison;
-  std::vector<Finding> findings;
-  ReportPerformance performance;
+  MeshTopology topology;     ///< of the surface's mesh
+  std::string mesh_sha256;   ///< of the surface's mesh
+  double initial_mm3 = 0.0;  ///< before it: of the blank, or of the stock that came before
 };
 
-/// The surface of the machined stock and its fitted removal figures.
-struct Machined {
-  Stock stock;
-  RemovalSummary removal;
-  StockSurface surface;
-  double initial_mm3 = 0.0;  ///< before this run: of the blank, or of the stock that an earlier run saved
+/// What a run makes. Stages that were not reached leave their part empty.
+struct RunResult {
+  std::vector<SetupRun> setups;  ///< at least one
+  bool alarm = false;            ///< a program or its tools are wrong: nothing was cut
+  double resolution_mm = 0.0;
+  std::optional<Stock> stock;  ///< after the last clamping
+  std::optional<Comparison> comparison;
+  std::vector<Finding> findings;
+  Prediction prediction;
+  ReportPerformance performance;
+
+  /// Of the part: after the last clamping, in its frame.
+  const StockSurface& surface() const { return setups.back().surface; }
+  const MeshTopology& topology() const { return setups.back().topology; }
 };
-Result<Machined> machineStock(Blank& blank, const Toolpath& path, const Job& job,
-                              ReportPerformance& performance, Progress& progress);
+
+/// The programs of a run, one source a clamping; they outlive the run.
+using RunSources = std::vector<const RecordingSource*>;
+
+/// Cuts the path of a clamping into the stock and fills removal, surface and volume. The stock comes from the
+/// blank, or from the clamping before.
+Status machineSetup(Stock& stock, double initial_mm3, SetupRun& setup, ReportPerformance& performance,
+                    Progress& progress);
 
 /// Adds what was repaired in a mesh as warnings with the given code.
 void noteRepairs(const PreparedMesh& mesh, const std::string& code, Diagnostics& diagnostics);
@@ -52,7 +65,28 @@ Result<PreparedMesh> loadNominal(const NominalSpec& nominal);
 /// smallest radius of the tools used, h^2 / (8 r), at most half a cell. Flat surfaces are exact. mm.
 double surfaceUncertainty(const Toolpath& path, const std::vector<Tool>& tools, double resolution_mm);
 
-/// Runs everything. An error of the program is not an Error: it is in the result, with `alarm` set.
-Result<RunResult> runPipeline(const Job& job, const RecordingSource& source, Progress& progress);
+/// /// Largest error of the part's surface over all clampings, mm: a move into another clamping that is not
+/// exact adds the chords of the mesh that it is made from (Stock::moved).
+double partUncertainty(const RunResult& run);
+/// The share of it that moves add, mm; 0 with one clamping.
+double movesUncertainty(const RunResult& run);
+
+/// A run before anything is cut: programs interpreted, files read, memory and time predicted.
+struct PreparedRun {
+  RunResult run;
+  Blank blank;
+  std::optional<PreparedMesh> nominal;
+};
+
+/// The first part of a run. An error of a program is not an Error: it is in the result, with `alarm` set.
+/// Errors: files that cannot be read, a start inside the blank, more memory needed than allowed.
+Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progress& progress);
+/// The second part. Does nothing after an alarm.
+Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedRun prepared,
+                            Progress& progress);
+
+/// Runs everything, one clamping for each of `sources`. An error of a program is not an Error: it is in the
+/// result, with `alarm` set.
+Result<RunResult> runPipeline(const Job& job, const RunSources& sources, Progress& progress);
 
 }  // namespace proveout

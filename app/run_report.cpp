@@ -10,7 +10,6 @@
 #include <map>
 #include <thread>
 
-#include "app/accounting.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
 
@@ -31,10 +30,8 @@ std::string describe(const Tool& tool) {
   return text;
 }
 
-ReportTime reportTime(const Job& job, const RunResult& run) {
-  const InterpretSummary& summary = run.interpreted.summary;
-  ReportTime time{summary.cycle_s, summary.cutting_s, summary.rapid_s, {}};
-  std::map<int, ToolUse> uses;
+/// Adds what the motions of one clamping did.
+void addUses(const SetupRun& run, std::map<int, ToolUse>& uses) {
   const auto& motions = run.interpreted.path.motions;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     ToolUse& use = uses[motions[i].tool];
@@ -42,6 +39,18 @@ ReportTime reportTime(const Job& job, const RunResult& run) {
     if (i < run.removal.removed_mm3.size())
       use.removed_mm3 += static_cast<double>(run.removal.removed_mm3[i]);
     ++use.motions;
+  }
+}
+
+ReportTime reportTime(const Job& job, const RunResult& run) {
+  ReportTime time;
+  std::map<int, ToolUse> uses;
+  for (const SetupRun& setup : run.setups) {
+    const InterpretSummary& summary = setup.interpreted.summary;
+    time.cycle_s += summary.cycle_s;
+    time.cutting_s += summary.cutting_s;
+    time.rapid_s += summary.rapid_s;
+    addUses(setup, uses);
   }
   for (auto& [number, use] : uses) {
     use.number = number;
@@ -55,21 +64,49 @@ ReportTime reportTime(const Job& job, const RunResult& run) {
   return time;
 }
 
+ReportProgram reportProgram(const Job& job, const RunResult& run) {
+  ReportProgram program;
+  program.control = job.control;
+  for (const SetupRun& setup : run.setups) {
+    const Toolpath& path = setup.interpreted.path;
+    for (const std::string& file : path.files) {
+      if (std::find(program.files.begin(), program.files.end(), file) == program.files.end())
+        program.files.push_back(file);
+    }
+    program.blocks += path.blocks;
+    program.motions += path.motions.size();
+    if (setup.interpreted.summary.end == ProgramEnd::kUntil) program.until = untilText(setup.job.settings);
+  }
+  return program;
+}
+
+std::vector<ReportSetup> reportSetups(const Job& job, const RunResult& run) {
+  std::vector<ReportSetup> setups;
+  if (job.setups.empty()) return setups;
+  for (const SetupRun& setup : run.setups) {
+    const Toolpath& path = setup.interpreted.path;
+    setups.push_back({setup.name, path.files.empty() ? "" : path.files.front(), path.blocks,
+                      path.motions.size(), setup.interpreted.summary.cycle_s,
+                      setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_mm3});
+  }
+  return setups;
+}
+
 ReportStock reportStock(const RunResult& run) {
   ReportStock stock;
-  stock.initial_mm3 = run.initial_mm3;
-  stock.final_mm3 = run.surface.volume_mm3;
+  stock.initial_mm3 = run.setups.front().initial_mm3;
+  stock.final_mm3 = run.surface().volume_mm3;
   stock.removed_mm3 = stock.initial_mm3 - stock.final_mm3;
-  stock.mesh_mm3 = meshVolume(run.surface.mesh);
-  stock.bodies = run.bodies;
-  stock.triangles = run.surface.mesh.triangles.size();
-  stock.vertices = run.surface.mesh.positions.size();
-  stock.closed = run.topology.closedManifold();
+  stock.mesh_mm3 = meshVolume(run.surface().mesh);
+  stock.bodies = run.setups.back().bodies;
+  stock.triangles = run.surface().mesh.triangles.size();
+  stock.vertices = run.surface().mesh.positions.size();
+  stock.closed = run.topology().closedManifold();
   return stock;
 }
 
-std::vector<ErrorTerm> errorBudget(const Job& job, const RunResult& run) {
-  const double grid = surfaceUncertainty(run.interpreted.path, job.tools, run.resolution_mm);
+std::vector<ErrorTerm> errorBudget(const RunResult& run) {
+  const double moves = movesUncertainty(run), grid = std::max(0.0, partUncertainty(run) - moves);
   std::vector<ErrorTerm> terms;
   terms.push_back(
       {"grid", grid,
@@ -77,6 +114,12 @@ std::vector<ErrorTerm> errorBudget(const Job& job, const RunResult& run) {
                    "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be "
                    "lost",
                    run.resolution_mm)});
+  if (run.setups.size() > 1) {
+    terms.push_back({"re-clamping", moves,
+                     "turns by multiples of 90 degrees move the stock exactly; others move it as its surface "
+                     "mesh and add the chord height h^2/(8r) of walls that were cut before; edges then may "
+                     "be off by a third of a cell"});
+  }
   terms.push_back(
       {"tool", 0.0, "tools are exact solids of revolution; runout, wear and deflection are not simulated"});
   terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
@@ -115,7 +158,7 @@ bool contains(const Box3& outer, const Box3& inner) {
   return (outer.min.array() <= inner.min.array()).all() && (outer.max.array() >= inner.max.array()).all();
 }
 
-Result<std::vector<FileHash>> hashInputs(const Job& job, const RecordingSource& source) {
+Result<std::vector<FileHash>> hashInputs(const Job& job, const RunSources& sources) {
   std::vector<FileHash> hashes;
   std::string failure;
   const auto add = [&](const std::string& role, const std::string& path) {
@@ -126,13 +169,24 @@ Result<std::vector<FileHash>> hashInputs(const Job& job, const RecordingSource& 
     if (sha) hashes.push_back({role, path, error ? 0 : static_cast<std::uint64_t>(bytes), *sha});
   };
   if (!job.path.empty()) add("job", job.path);
-  for (const ProgramText& text : source.texts()) {
-    const bool main = &text == &source.texts().front();
-    hashes.push_back({main ? "program" : "subprogram", text.path, text.bytes.size(), sha256Hex(text.bytes)});
+  for (const RecordingSource* source : sources) {
+    for (const ProgramText& text : source->texts()) {
+      const bool main = &text == &source->texts().front();
+      FileHash hash{main ? "program" : "subprogram", text.path, text.bytes.size(), sha256Hex(text.bytes)};
+      const auto same = [&](const FileHash& other) {
+        return other.path == hash.path && other.role == hash.role;
+      };
+      if (std::none_of(hashes.begin(), hashes.end(), same)) hashes.push_back(std::move(hash));
+    }
   }
   if (job.stock) {
     if (const auto* mesh = std::get_if<MeshFile>(&*job.stock)) add("stock", mesh->path);
     if (const auto* saved = std::get_if<SavedStock>(&*job.stock)) add("stock", saved->path);
+  }
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    for (const FixtureSpec& fixture : jobOfSetup(job, k).fixtures) {
+      if (const auto* mesh = std::get_if<MeshFile>(&fixture.shape)) add("fixture", mesh->path);
+    }
   }
   if (job.nominal) add("nominal", job.nominal->mesh.path);
   if (!failure.empty()) return inputError(failure);
@@ -188,34 +242,47 @@ ReportComparison reportComparison(const Comparison& comparison, const std::strin
   return report;
 }
 
-Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingSource& source) {
-  const Toolpath& path = run.interpreted.path;
+std::vector<CutPath> cutPaths(const RunResult& run) {
+  std::vector<CutPath> paths;
+  for (const SetupRun& setup : run.setups)
+    paths.push_back({setup.name, &setup.interpreted.path, &setup.removal.removed_mm3});
+  return paths;
+}
+
+Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources& sources) {
   Report report;
   report.name = job.name;
   report.version = versionText();
-  report.program = {job.control, path.files, path.blocks, path.motions.size(), {}};
-  if (run.interpreted.summary.end == ProgramEnd::kUntil) report.program.until = untilText(job.settings);
+  report.program = reportProgram(job, run);
+  report.setups = reportSetups(job, run);
   report.time = reportTime(job, run);
   report.resolution_mm = run.resolution_mm;
   report.findings = run.findings;
-  report.diagnostics = path.diagnostics.all();
+  for (const SetupRun& setup : run.setups) {
+    const auto& all = setup.interpreted.path.diagnostics.all();
+    report.diagnostics.insert(report.diagnostics.end(), all.begin(), all.end());
+  }
   report.checks.removal = report.checks.mesh = !run.alarm;
+  for (const SetupRun& setup : run.setups)
+    report.checks.fixtures |= !run.alarm && !setup.job.fixtures.empty();
   report.checks.comparison = run.comparison.has_value();
   for (const auto& limit : job.settings.limits) report.checks.travel_limits |= limit.has_value();
   if (!run.alarm) {
     report.stock = reportStock(run);
-    report.accounting = accountFor({{&path, &run.removal.removed_mm3}});
-    report.error_budget = errorBudget(job, run);
-    report.part_sha256 = run.part_sha256;
+    report.accounting = accountFor(cutPaths(run));
+    report.error_budget = errorBudget(run);
+    report.part_sha256 = run.setups.back().mesh_sha256;
   }
   if (run.comparison) {
     report.comparison = reportComparison(*run.comparison, job.nominal->mesh.path);
     report.comparison->nominal_unit = meshUnitName(job.nominal->mesh.unit);
   }
-  Result<std::vector<FileHash>> hashes = hashInputs(job, source);
+  Result<std::vector<FileHash>> hashes = hashInputs(job, sources);
   if (!hashes) return hashes.error();
   report.inputs = std::move(*hashes);
   report.performance = run.performance;
+  report.performance.predicted_memory_mb = run.prediction.memory_mb;
+  report.performance.predicted_s = run.prediction.time_s;
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   report.performance.threads = job.simulation.threads > 0 ? job.simulation.threads : cores;
   report.performance.peak_memory_mb = peakMemoryMb();

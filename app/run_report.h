@@ -1,13 +1,17 @@
 // The report of a run, from what the pipeline made.
 #pragma once
 
+#include "app/accounting.h"
 #include "app/pipeline.h"
 #include "io/report.h"
 
 namespace proveout {
 
 /// Everything but `outputs` and wall time. Error: an input that could be read before cannot be hashed now.
-Result<Report> makeReport(const Job& job, const RunResult& run, const RecordingSource& source);
+Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources& sources);
+
+/// Paths and removed volumes of all clampings, in their order. Point into `run`.
+std::vector<CutPath> cutPaths(const RunResult& run);
 
 /// Connected pieces of the stock: the largest is the part, others fell off. A closed hollow counts against
 /// the piece around it.

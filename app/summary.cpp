@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/findings.h"
+#include "io/report_text.h"
 
 namespace proveout {
 namespace {
@@ -48,16 +49,17 @@ std::string summaryText(const Report& report, const std::string& folder) {
                             clock(report.time.cutting_s), clock(report.time.rapid_s)));
   }
   if (const auto& stock = report.stock) {
-    row("blank", fmt::format("{:.2f} mm3, removed {:.2f} mm3", stock->initial_mm3, stock->removed_mm3));
+    row("blank", fmt::format("{:.2f} mm3, removed {} mm3", stock->initial_mm3,
+                             report_text::fixed(stock->removed_mm3, 2)));
     row("part", fmt::format("{:.2f} mm3 in {}; mesh {} triangles, {}, grid {:g} mm", stock->final_mm3,
                             counted(stock->bodies.size(), "piece", "pieces"), stock->triangles,
                             stock->closed ? "closed" : "NOT closed", report.resolution_mm));
   }
   if (const auto& c = report.comparison) {
-    row("nominal",
-        fmt::format("gouge {:.4g} mm (allowed {:g}), excess {:.4g} mm (allowed {:g}), rms {:.3g} mm{}",
-                    c->max_gouge_mm, c->gouge_tolerance_mm, c->max_excess_mm, c->excess_tolerance_mm,
-                    c->rms_mm, c->decided ? "" : ", undecided on this grid"));
+    row("nominal", fmt::format("gouge {} mm (allowed {:g}), excess {} mm (allowed {:g}), rms {} mm{}",
+                               report_text::figure(c->max_gouge_mm), c->gouge_tolerance_mm,
+                               report_text::figure(c->max_excess_mm), c->excess_tolerance_mm,
+                               report_text::figure(c->rms_mm), c->decided ? "" : ", undecided on this grid"));
   }
   row("findings", findingCounts(report));
   if (!folder.empty()) row("results", (std::filesystem::path(folder) / "report.html").string());

@@ -39,11 +39,14 @@ std::optional<double> CutFigures::rate_mm3_min() const {
 }
 
 std::string blockCsvHeader() {
-  return "file,line,block,depth,tool,kind,start_s,time_s,length_mm,removed_mm3,engagement_mm2,rate_mm3_min,"
+  return "setup,file,line,block,depth,tool,kind,start_s,time_s,length_mm,removed_mm3,engagement_mm2,rate_mm3_"
+         "min,"
          "air_s\n";
 }
 
 void appendBlockCsv(const BlockFigures& row, std::string& out) {
+  appendQuoted(row.setup, out);
+  out += ',';
   appendQuoted(row.file, out);
   fmt::format_to(std::back_inserter(out), ",{},", row.line);
   if (row.block >= 0) fmt::format_to(std::back_inserter(out), "N{}", row.block);

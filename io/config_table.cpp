@@ -232,6 +232,7 @@ std::optional<ConfigTable> ConfigTable::table(const std::string& key) {
     wrongType(document_, *value, key, "a table");
     return std::nullopt;
   }
+  if (title_.starts_with("[[")) return ConfigTable(document_, *value, fmt::format("{}, [{}]", title_, key));
   const std::string outer =
       title_.size() > 2 && title_.front() == '[' ? title_.substr(1, title_.size() - 2) : std::string();
   return ConfigTable(document_, *value, fmt::format("[{}{}{}]", outer, outer.empty() ? "" : ".", key));

@@ -17,7 +17,6 @@ constexpr std::size_t kMaxJobBytes = 16u << 20;
 void readHead(ConfigTable& root, Job& job) {
   root.must("schema").choice("schema", {"proveout.job/1"});
   if (const auto name = root.text("name")) job.name = *name;
-  if (const auto program = root.must("program").path("program")) job.program = *program;
   const std::vector<std::string> encodings = {"auto", "utf-8", "koi8-r", "cp1251", "gb18030"};
   if (const auto encoding = root.choice("encoding", encodings)) {
     if (*encoding == "utf-8") job.settings.encoding = TextEncoding::kUtf8;
@@ -28,15 +27,34 @@ void readHead(ConfigTable& root, Job& job) {
   if (const auto units = root.choice("units", {"mm", "inch"})) {
     job.settings.units = *units == "inch" ? LengthUnit::kInch : LengthUnit::kMillimetre;
   }
-  const ConfigValue* subprograms = root.find("subprograms");
-  if (subprograms == nullptr || !isList(root.document(), *subprograms, "subprograms")) return;
+}
+
+}  // namespace
+
+void readProgram(ConfigTable& table, Job& job) {
+  if (const auto program = table.must("program").path("program")) job.program = *program;
+  const ConfigValue* subprograms = table.find("subprograms");
+  if (subprograms == nullptr || !isList(table.document(), *subprograms, "subprograms")) return;
   for (const ConfigValue& item : subprograms->items) {
-    const auto path = readPath(root.document(), item, "an entry of subprograms", PathKind::kFileOrFolder);
+    const auto path = readPath(table.document(), item, "an entry of subprograms", PathKind::kFileOrFolder);
     if (path) job.subprograms.push_back(*path);
   }
 }
 
-}  // namespace
+std::size_t setupCount(const Job& job) { return job.setups.empty() ? 1 : job.setups.size(); }
+
+Job jobOfSetup(const Job& job, std::size_t index) {
+  Job part = job;
+  part.setups.clear();
+  if (job.setups.empty()) return part;
+  const SetupSpec& setup = job.setups[index];
+  part.program = setup.program;
+  part.subprograms = setup.subprograms;
+  part.settings = setup.settings;
+  part.start = setup.start;
+  part.fixtures = setup.fixtures;
+  return part;
+}
 
 std::optional<Job> parseJob(std::string_view text, const std::string& text_name, const std::string& folder,
                             const JobNames& names, Diagnostics& diagnostics) {
@@ -48,6 +66,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   Job job;
   ConfigTable root(document, *tree, "the job file");
   readHead(root, job);
+  if (root.find("setup") == nullptr) readProgram(root, job);
   readControl(root, names, job);
   readMachine(root, job);
   readStock(root, job);
@@ -57,10 +76,8 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   readPanel(root, job);
   readSimulation(root, job);
   readOutput(root, names, job);
-  if (const ConfigValue* fixture = root.find("fixture")) {
-    document.error(fixture->place, "job-unsupported",
-                   "fixtures cannot be simulated by this version; take [[fixture]] out of the job");
-  }
+  readFixtures(root, job);
+  readSetups(root, job);
   root.refuseOthers();
   if (diagnostics.errorCount() != errors_before) return std::nullopt;
   return job;

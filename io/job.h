@@ -12,6 +12,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/base/result.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/geometry/types.h"
 #include "core/nc/control_settings.h"
 #include "core/tool/tool.h"
@@ -56,12 +57,36 @@ struct OutputSpec {
   bool csv = false;                          ///< blocks.csv and mrr.svg
 };
 
+/// Something beside the workpiece that no part of a tool may touch. Workpiece frame.
+struct FixtureSpec {
+  std::string name;  ///< not empty; names differ
+  StockSpec shape;   ///< not a saved stock
+};
+
+/// One clamping of the workpiece, with the program that is run in it.
+struct SetupSpec {
+  std::string name;                      ///< not empty; names differ
+  std::string program;                   ///< path
+  std::vector<std::string> subprograms;  ///< paths
+  ControlSettings settings;              ///< the job's, with what the setup changes
+  std::optional<Vec3> start;             ///< in the setup's workpiece frame
+  /// Takes the workpiece from its place in the setup before into this one's workpiece frame.
+  RigidTransform from_previous;
+  std::vector<FixtureSpec> fixtures;
+};
+
 struct Job {
   std::string path;                      ///< of the job file; empty for a job made on the command line
   std::string name;                      ///< defaults to the job file's name without extension
   std::string control;                   ///< name; see JobNames
   std::string program;                   ///< path of the main program
   std::vector<std::string> subprograms;  ///< paths of files and folders
+  /// Clampings in their order. Empty: one, which is what the fields of the job itself say. Else `program` and
+  /// `subprograms` of the job are empty; see jobOfSetup.
+  std::vector<SetupSpec> setups;
+  /// Setups of the file that came behind `setups` were taken away: only a part of the job is to be run. Not
+  /// set by job files.
+  bool stops_early = false;
   /// Machine, offsets, switches and parameters. `start` is the control's default and `gauge_lengths` are
   /// filled from the tools; `until` is not set by job files.
   ControlSettings settings;
@@ -69,10 +94,17 @@ struct Job {
       start;  ///< control point before the first block, workpiece frame; none: above the stock
   std::optional<StockSpec> stock;  ///< always there in a job that was loaded from a file
   std::optional<NominalSpec> nominal;
-  std::vector<Tool> tools;  ///< validated, numbers differ; in the order of the file
+  std::vector<FixtureSpec> fixtures;  ///< of a job without setups
+  std::vector<Tool> tools;            ///< validated, numbers differ; in the order of the file
   SimulationSpec simulation;
   OutputSpec output;
 };
+
+/// Number of clampings, at least 1.
+std::size_t setupCount(const Job& job);
+/// The job as it is in one clamping: program, subprograms, settings, start and fixtures are the setup's and
+/// there are no further setups. `index` below setupCount.
+Job jobOfSetup(const Job& job, std::size_t index);
 
 /// A parameter of a control that `[control.NAME]` may set.
 struct ParameterRange {
@@ -103,7 +135,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
 /// `vdb:FILE`.
 Result<StockSpec> parseStockOption(const std::string& text);
 
-/// Reads the blank's mesh, if it is one; other shapes pass through.
+/// Reads a blank's or fixture's mesh, if it is one; other shapes pass through.
 Result<StockShape> loadStockShape(const StockSpec& spec);
 
 /// The candidate nearest to `word` in edit distance, or "" where none is near enough to be meant.

@@ -222,22 +222,29 @@ void readMachine(ConfigTable& root, Job& job) {
   readMachineKeys(*machine, job);
 }
 
+std::optional<StockSpec> readMeshFile(ConfigTable& table, const std::string& key) {
+  const auto file = table.must(key).path(key);
+  const MeshUnit unit = readUnit(table);
+  if (!file) return std::nullopt;
+  return MeshFile{*file, unit};
+}
+
+std::optional<StockSpec> readShape(ConfigTable& table, const std::vector<std::string>& shapes) {
+  const auto shape = table.must("shape").choice("shape", shapes);
+  if (!shape) return std::nullopt;
+  if (*shape == "box") return readBox(table);
+  if (*shape == "cylinder" || *shape == "tube") return readCylinder(table, *shape == "tube");
+  if (*shape == "mesh") return readMeshFile(table, "file");
+  const auto file = table.must("file").path("file");
+  if (!file) return std::nullopt;
+  return SavedStock{*file};
+}
+
 void readStock(ConfigTable& root, Job& job) {
   root.require("stock");
   auto stock = root.table("stock");
   if (!stock) return;
-  const auto shape = stock->must("shape").choice("shape", {"box", "cylinder", "tube", "mesh", "vdb"});
-  if (!shape) return;
-  if (*shape == "box") job.stock = readBox(*stock);
-  if (*shape == "cylinder" || *shape == "tube") job.stock = readCylinder(*stock, *shape == "tube");
-  if (*shape == "mesh") {
-    const auto file = stock->must("file").path("file");
-    const MeshUnit unit = readUnit(*stock);
-    if (file) job.stock = MeshFile{*file, unit};
-  }
-  if (*shape == "vdb") {
-    if (const auto file = stock->must("file").path("file")) job.stock = SavedStock{*file};
-  }
+  job.stock = readShape(*stock, {"box", "cylinder", "tube", "mesh", "vdb"});
   stock->refuseOthers();
 }
 
@@ -259,6 +266,7 @@ void readPanel(ConfigTable& root, Job& job) {
   if (const auto stop = panel->flag("optional_stop")) job.settings.optional_stop = *stop;
   const ConfigValue* skip = panel->find("block_skip");
   if (skip != nullptr && isList(root.document(), *skip, "block_skip")) {
+    job.settings.skip_switches = {};
     for (const ConfigValue& item : skip->items) {
       if (item.type == Type::kInteger && item.integer >= 1 && item.integer <= 9) {
         job.settings.skip_switches[static_cast<std::size_t>(item.integer) - 1] = true;

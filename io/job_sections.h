@@ -10,12 +10,22 @@ namespace proveout {
 void readControl(ConfigTable& root, const JobNames& names, Job& job);
 /// `[machine]`, and the file that it may name.
 void readMachine(ConfigTable& root, Job& job);
+/// `program` and `subprograms`.
+void readProgram(ConfigTable& table, Job& job);
 void readStock(ConfigTable& root, Job& job);
 void readNominal(ConfigTable& root, Job& job);
 void readTools(ConfigTable& root, Job& job);
 void readOffsets(ConfigTable& root, Job& job);
 void readPanel(ConfigTable& root, Job& job);
 void readSimulation(ConfigTable& root, Job& job);
+/// [[fixture]]
+void readFixtures(ConfigTable& root, Job& job);
+/// A shape with the keys of [stock], by its `shape` key: one of `shapes`.
+std::optional<StockSpec> readShape(ConfigTable& table, const std::vector<std::string>& shapes);
+/// The file that `key` names, with `unit`.
+std::optional<StockSpec> readMeshFile(ConfigTable& table, const std::string& key);
+/// [[setup]]; call after everything that setups may change.
+void readSetups(ConfigTable& root, Job& job);
 void readOutput(ConfigTable& root, const JobNames& names, Job& job);
 
 }  // namespace proveout

@@ -15,8 +15,8 @@ namespace {
 constexpr double kWidth = 900, kHeight = 300;
 constexpr double kLeft = 66, kRight = 12, kTop = 44, kBottom = 44;
 constexpr double kPlotWidth = kWidth - kLeft - kRight, kPlotHeight = kHeight - kTop - kBottom;
-/// A label needs this much room, user units.
-constexpr double kLabelRoom = 22;
+/// Room that a letter of a label needs, user units.
+constexpr double kLetter = 7;
 
 /// What the page's style sheet says of charts, for a file that stands alone.
 constexpr const char* kOwnStyle =
@@ -64,7 +64,7 @@ class RateChart {
         out += fmt::format("<rect class=\"span\" x=\"{:.2f}\" y=\"{}\" width=\"{:.2f}\" height=\"{}\"/>",
                            from, kTop, to - from, kPlotHeight);
       }
-      if (to - from < kLabelRoom) continue;
+      if (to - from < kLetter * static_cast<double>(span.label.size() + 1)) continue;
       out += fmt::format("<text x=\"{:.2f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", 0.5 * (from + to),
                          kTop - 6, report_text::escape(span.label));
     }

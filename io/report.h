@@ -37,7 +37,17 @@ struct Finding {
   std::optional<BlockRef> source;
   std::optional<std::uint32_t> motion;  ///< id in the path stream
   std::optional<int> tool;
+  std::string setup;  ///< name of the clamping; empty in a job without setups
   std::string message;
+};
+
+/// One clamping of a job with setups.
+struct ReportSetup {
+  std::string name;
+  std::string program;  ///< name of its main program
+  std::uint64_t blocks = 0, motions = 0;
+  double cycle_s = 0.0;
+  double removed_mm3 = 0.0, final_mm3 = 0.0;
 };
 
 struct ReportProgram {
@@ -104,6 +114,7 @@ struct ReportAccounting {
 
 /// A row of blocks.csv: one execution of a program block.
 struct BlockFigures {
+  std::string_view setup;  ///< empty in a job without setups
   std::string_view file;
   std::uint32_t line = 0;
   std::int64_t block = -1;  ///< N number, or -1
@@ -150,7 +161,7 @@ struct ErrorTerm {
 };
 
 struct FileHash {
-  std::string role;  ///< "job", "program", "subprogram", "stock", "nominal"
+  std::string role;  ///< "job", "program", "subprogram", "stock", "fixture", "nominal"
   std::string path;
   std::uint64_t bytes = 0;
   std::string sha256;
@@ -178,6 +189,7 @@ struct ReportOutputs {
 struct ReportPerformance {
   double wall_s = 0.0, interpret_s = 0.0, remove_s = 0.0, mesh_s = 0.0, compare_s = 0.0, render_s = 0.0;
   double peak_memory_mb = 0.0;
+  double predicted_memory_mb = 0.0, predicted_s = 0.0;  ///< before the run; 0: nothing was predicted
   int threads = 0;
 };
 
@@ -187,6 +199,7 @@ struct ReportChecks {
   bool removal = false;        ///< stock was cut: contacts are known
   bool comparison = false;     ///< gouge and excess are known
   bool travel_limits = false;  ///< the job gives limits
+  bool fixtures = false;       ///< the job has fixtures: contacts with them are known
   bool mesh = false;           ///< a mesh was made and its topology checked
 };
 
@@ -196,6 +209,7 @@ struct Report {
   Verdict verdict = Verdict::kError;
   ReportChecks checks;
   ReportProgram program;
+  std::vector<ReportSetup> setups;  ///< in their order; empty in a job without setups
   ReportTime time;
   std::optional<ReportAccounting> accounting;  ///< none: nothing was cut
   std::optional<ReportStock> stock;

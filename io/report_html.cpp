@@ -33,6 +33,7 @@ class Page {
     findings();
     messages();
     comparison();
+    setups();
     tools();
     rate();
     stock();
@@ -222,6 +223,23 @@ class Page {
     add("<p class=\"quiet\">Nominal: <code>{}</code></p>\n</section>\n", escape(c.nominal));
   }
 
+  void setups() {
+    if (r_.setups.empty()) return;
+    out_ +=
+        "<section>\n<h2>Setups</h2>\n<div class=\"wide\"><table "
+        "class=\"stack\"><thead><tr><th>Setup</th><th>Program</th><th class=\"num\">Time</th><th "
+        "class=\"num\">Motions</th><th class=\"num\">Removed mm³</th><th class=\"num\">Left "
+        "mm³</th></tr></thead><tbody>\n";
+    for (const ReportSetup& s : r_.setups) {
+      add("<tr><td data-label=\"Setup\">{}</td><td data-label=\"Program\">{}</td><td class=\"num\" "
+          "data-label=\"Time\">{}</td><td class=\"num\" data-label=\"Motions\">{}</td><td class=\"num\" "
+          "data-label=\"Removed mm³\">{}</td><td class=\"num\" data-label=\"Left mm³\">{}</td></tr>\n",
+          escape(s.name), escape(s.program), duration(s.cycle_s), s.motions, grouped(s.removed_mm3, 1),
+          grouped(s.final_mm3, 1));
+    }
+    out_ += "</tbody></table></div>\n</section>\n";
+  }
+
   void tools() {
     if (r_.time.per_tool.empty()) return;
     double largest = 0.0;
@@ -347,6 +365,9 @@ class Page {
     figure("Compare", fixed(p.compare_s, 2) + " s");
     figure("Render", fixed(p.render_s, 2) + " s");
     figure("Peak memory", fixed(p.peak_memory_mb, 0) + " MB");
+    if (p.predicted_memory_mb > 0.0) {
+      figure("Predicted", fixed(p.predicted_s, 2) + " s, " + fixed(p.predicted_memory_mb, 0) + " MB");
+    }
     figure("Threads", std::to_string(p.threads));
     out_ += "</dl>\n</section>\n";
   }

@@ -36,7 +36,22 @@ Json findingJson(const Finding& f) {
   if (f.source) out["source"] = sourceJson(*f.source);
   if (f.motion) out["motion"] = *f.motion;
   if (f.tool) out["tool"] = *f.tool;
+  if (!f.setup.empty()) out["setup"] = f.setup;
   out["message"] = f.message;
+  return out;
+}
+
+Json setupsJson(const std::vector<ReportSetup>& setups) {
+  Json out = Json::array();
+  for (const ReportSetup& setup : setups) {
+    out.push_back({{"name", setup.name},
+                   {"program", setup.program},
+                   {"blocks", setup.blocks},
+                   {"motions", setup.motions},
+                   {"cycle_s", number(setup.cycle_s)},
+                   {"removed_mm3", number(setup.removed_mm3)},
+                   {"final_mm3", number(setup.final_mm3)}});
+  }
   return out;
 }
 
@@ -174,15 +189,15 @@ Json performanceJson(const ReportPerformance& p) {
           {"compare_s", number(p.compare_s)},
           {"render_s", number(p.render_s)},
           {"peak_memory_mb", number(p.peak_memory_mb)},
+          {"predicted_memory_mb", p.predicted_memory_mb > 0 ? number(p.predicted_memory_mb) : Json(nullptr)},
+          {"predicted_s", p.predicted_s > 0 ? number(p.predicted_s) : Json(nullptr)},
           {"threads", p.threads}};
 }
 
 Json checksJson(const ReportChecks& checks) {
-  return {{"interpreted", checks.interpreted},
-          {"removal", checks.removal},
-          {"comparison", checks.comparison},
-          {"travel_limits", checks.travel_limits},
-          {"mesh", checks.mesh}};
+  return {{"interpreted", checks.interpreted}, {"removal", checks.removal},
+          {"comparison", checks.comparison},   {"travel_limits", checks.travel_limits},
+          {"fixtures", checks.fixtures},       {"mesh", checks.mesh}};
 }
 
 }  // namespace
@@ -199,6 +214,7 @@ std::string reportJson(const Report& report, const ReportOptions& options) {
                     {"blocks", report.program.blocks},
                     {"motions", report.program.motions},
                     {"until", report.program.until.empty() ? Json(nullptr) : Json(report.program.until)}};
+  out["setups"] = setupsJson(report.setups);
   out["time"] = timeJson(report.time);
   out["accounting"] = report.accounting ? accountingJson(*report.accounting) : Json(nullptr);
   out["stock"] = report.stock ? stockJson(*report.stock) : Json(nullptr);

@@ -30,6 +30,7 @@ std::vector<Check> checksOf(const Report& report) {
           {"rapid contact", {"rapid_contact"}, made.removal, kNoRemoval},
           {"shank contact", {"shank_contact"}, made.removal, kNoRemoval},
           {"holder contact", {"holder_contact"}, made.removal, kNoRemoval},
+          {"fixture contact", {"fixture_contact"}, made.fixtures, "the job has no fixtures"},
           {"spindle", {"spindle_off"}, made.removal, kNoRemoval},
           {"gouge", {"gouge"}, made.comparison, kNoNominal},
           {"excess", {"excess"}, made.comparison, kNoNominal},

@@ -109,6 +109,18 @@ std::string fixed(double value, int decimals) {
   return text;
 }
 
+std::string figure(double value) {
+  if (!std::isfinite(value)) return fixed(value, 4);
+  const double size = std::abs(value);
+  const int decimals =
+      size >= 1e-4 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 4) : 4;
+  std::string text = fixed(value, decimals);
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 std::string grouped(double value, int decimals) {
   std::string text = fixed(value, decimals);
   const std::size_t first = text.front() == '-' ? 1 : 0;
@@ -136,7 +148,8 @@ std::string spoken(std::string_view kind) {
 
 std::string place(const Finding& finding) {
   if (!finding.source) return {};
-  std::string out = fmt::format("{}:{}", finding.source->file, finding.source->line);
+  std::string out = finding.setup.empty() ? "" : finding.setup + ": ";
+  out += fmt::format("{}:{}", finding.source->file, finding.source->line);
   if (finding.source->block >= 0) out += fmt::format(" (N{})", finding.source->block);
   return out;
 }

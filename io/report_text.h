@@ -14,6 +14,8 @@ std::string escape(std::string_view text);
 
 /// Fixed number of decimals, "-" for values that are not finite; no "-0.00".
 std::string fixed(double value, int decimals);
+/// Four digits that count, at most four decimals, no exponent and no trailing zeros: "0.353", "17410", "0".
+std::string figure(double value);
 /// With blanks between thousands: "39 730.12".
 std::string grouped(double value, int decimals);
 /// "1 h 02 min 03 s", "2 min 03 s", "3.2 s".

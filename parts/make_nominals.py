@@ -262,6 +262,23 @@ def circle_diamond_square():
     s.finish("circle_diamond_square/circle_diamond_square.stl", volume, 2.0)
 
 
+def two_sides():
+    """In the second clamping: the round pocket is on top, the first pocket below."""
+    s = Solid()
+    stock, first = rectangle(0, 0, 60, 40), rounded_rectangle(8, 12, 48, 32, 5)
+    second, hole = circle(28, 22, 12), circle(28, 22, 3)
+    s.face(stock, [second], 0, True)
+    s.wall(second, -8, 0, False)
+    s.face(second, [hole], -8, True)
+    s.wall(hole, -14, -8, False)
+    s.face(first, [hole], -14, False)
+    s.wall(first, -20, -14, False)
+    s.face(stock, [first], -20, False)
+    s.wall(stock, -20, 0, True)
+    volume = 60 * 40 * 20 - 8 * math.pi * 144 - 6 * rounded_area(40, 20, 5) - 6 * math.pi * 9
+    s.finish("two_sides/two_sides.stl", volume, 1.0)
+
+
 # ---- free-form patch: z = -4 + 1.5 sin(pi x / 20) cos(pi y / 15) over 40 x 30 mm ------------------------------------
 
 
@@ -327,5 +344,6 @@ if __name__ == "__main__":
     bracket()
     gouged_plate()
     circle_diamond_square()
+    two_sides()
     patch_mesh()
     patch_program()

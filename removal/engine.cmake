@@ -15,6 +15,7 @@ proveout_add_library(removal
   leaf_cutter.cpp
   leaf_crossings.cpp
   level_cut.cpp
+  moved_stock.cpp
   cell_cycles.cpp
   cell_vertex.cpp
   quad_volume.cpp

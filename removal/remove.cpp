@@ -53,12 +53,13 @@ struct Solids {
 
 class Remover {
  public:
-  Remover(Stock::Impl& impl, const Toolpath& path, const std::vector<Tool>& tools, Progress& progress,
-          double limit_bytes)
+  Remover(Stock::Impl& impl, const Toolpath& path, const std::vector<Tool>& tools,
+          const RemovalOptions& options, Progress& progress)
       : impl_(impl),
         path_(path),
         progress_(progress),
-        limit_bytes_(limit_bytes),
+        limit_bytes_(memoryLimit(options)),
+        watch_all_(options.watch_all),
         removed_(path.motions.size()),
         cutters_([this] { return LeafCutter(impl_, table_); }),
         finders_([this] { return CrossingFinder(impl_, table_); }) {
@@ -84,6 +85,7 @@ class Remover {
   const Toolpath& path_;
   Progress& progress_;
   double limit_bytes_;
+  bool watch_all_;
   std::map<int, Solids> solids_;
   PassTable table_;
   std::vector<std::atomic<std::int64_t>> removed_;
@@ -166,7 +168,7 @@ Status Remover::preparePasses() {
           "{}:{}: tool {} is not described; give it in the job ([[tool]]) or with --tool {}=SHAPE:...", file,
           m.source.line, m.tool, m.tool));
     }
-    const bool watched = m.kind == MotionKind::kRapid || m.spindle == 0.0;
+    const bool watched = watch_all_ || m.kind == MotionKind::kRapid || m.spindle == 0.0;
     for (const Solids::Part& part : found->second.parts) {
       std::int32_t curve = -1;
       if (m.arc >= 0) {
@@ -332,6 +334,7 @@ RemovalSummary Remover::summary() const {
     const Pass& pass = table_.passes[s.pass];
     const Motion& m = path_.motions[pass.motion];
     ContactKind kind = m.kind == MotionKind::kRapid ? ContactKind::kRapid : ContactKind::kSpindleOff;
+    if (watch_all_) kind = ContactKind::kFixture;
     if (pass.part == ToolPart::kShank) kind = ContactKind::kShank;
     if (pass.part == ToolPart::kHolder) kind = ContactKind::kHolder;
     Contact* last = nullptr;
@@ -367,7 +370,7 @@ Result<RemovalSummary> Stock::remove(const Toolpath& path, const std::vector<Too
                                      const RemovalOptions& options, Progress& progress) {
   const ThreadLimit limit(options.threads);
   try {
-    Remover remover(*impl_, path, tools, progress, memoryLimit(options));
+    Remover remover(*impl_, path, tools, options, progress);
     if (Status status = remover.preparePasses(); !status) return status.error();
     if (Status status = remover.run(); !status) return status.error();
     return remover.summary();

@@ -24,6 +24,8 @@ std::string_view contactKindName(ContactKind kind) {
       return "holder_contact";
     case ContactKind::kSpindleOff:
       return "spindle_off";
+    case ContactKind::kFixture:
+      return "fixture_contact";
   }
   return "rapid_contact";
 }

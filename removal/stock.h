@@ -12,6 +12,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/path/toolpath.h"
 #include "core/tool/tool.h"
 #include "removal/stock_shape.h"
@@ -22,11 +23,12 @@ struct RemovalOptions {
   double resolution_mm = 0.2;  ///< grid spacing, > 0
   int threads = 0;             ///< 0: all cores
   double max_memory_gb = 0.0;  ///< refuse above it (exit 3); 0: what the machine has free
+  bool watch_all = false;      ///< every touch of the stock is a contact, in feed too (the stock is a fixture)
 };
 
-enum class ContactKind { kRapid, kShank, kHolder, kSpindleOff };
+enum class ContactKind { kRapid, kShank, kHolder, kSpindleOff, kFixture };
 std::string_view contactKindName(
-    ContactKind kind);  ///< "rapid_contact", "shank_contact", "holder_contact", "spindle_off"
+    ContactKind kind);  ///< "rapid_contact", "shank_contact", "holder_contact", "spindle_off", "fixture_contact"
 
 /// The tool touched stock where it must not. One per unbroken run of motions with the same kind, tool and
 /// program block.
@@ -69,6 +71,9 @@ struct StockSurface {
   Vec3 first_thin_cell = Vec3::Zero();
 };
 
+/// True for turns that take the axes to axes exactly (multiples of 90 degrees), with any shift.
+bool movesExactly(const RigidTransform& move);
+
 class Stock {
  public:
   Stock();
@@ -89,6 +94,12 @@ class Stock {
   Result<StockSurface> surface(const SurfaceOptions& options, Progress& progress) const;
   /// With the default tolerance.
   Result<StockSurface> surface(int threads, Progress& progress) const;
+
+  /// The stock at another place, as a blank on a grid of the same spacing; which motion made a surface is not
+  /// known any more. Exact where movesExactly; else it is built anew from the surface's mesh: a curved wall then
+  /// is off by the mesh's chord height, h^2 / (8 r), on top of that of the new mesh. Errors: nothing is left of
+  /// the stock, not enough memory.
+  Result<Stock> moved(const RigidTransform& move, const RemovalOptions& options, Progress& progress) const;
 
   /// Writes grid, crossings and provenance; whole file or none.
   Status save(const std::string& path) const;

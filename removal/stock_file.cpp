@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "removal/face_numbers.h"
 #include "removal/stock_impl.h"
 #include "removal/vdb_module.h"
 
@@ -200,20 +201,6 @@ void checkTrailer(const std::string& path) {
   }
   if (trailer.substr(kTrailerMark.size()) != checksum(path, size - kTrailerSize)) {
     throw std::runtime_error("its contents are damaged");
-  }
-}
-
-/// The motions of the run that saved the stock mean nothing to this one, but its faces stay apart: every pair
-/// of motion and element becomes an element of the blank.
-void numberFaces(Stock::Impl& impl) {
-  std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint16_t> number;
-  for (StockLeaf& leaf : impl.leaves) {
-    for (Crossing& c : leaf.crossings) {
-      const auto next =
-          static_cast<std::uint16_t>(number.size());  // beyond 65,535 faces numbers come again, far away
-      c.element = number.try_emplace({c.motion, c.element}, next).first->second;
-      c.motion = kNoMotion;
-    }
   }
 }
 

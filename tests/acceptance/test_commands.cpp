@@ -116,6 +116,11 @@ TEST(Commands, RenderDrawsAMeshAndAHeatMap) {
   EXPECT_EQ(bench.run("render none.obj").exit_code, 2);
   EXPECT_EQ(bench.run("render part.obj --heatmap part.obj").exit_code, 2);
   EXPECT_EQ(bench.run("render part.obj -o none/x.png").exit_code, 2);
+  const Outcome jpeg = bench.run("render part.obj -o x.jpg");
+  EXPECT_EQ(jpeg.exit_code, 2);
+  EXPECT_TRUE(has(jpeg.err, "must end in .png")) << jpeg.err;
+  EXPECT_FALSE(bench.exists("x.jpg"));
+  EXPECT_EQ(bench.run("render").err.rfind("proveout: error: MESH is required", 0), 0u);
 }
 
 TEST(Commands, HelpAndVersion) {

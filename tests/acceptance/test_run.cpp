@@ -171,6 +171,110 @@ TEST(Run, UntilWorksForEveryCommandAndRefusesBlocksThatAreNotThere) {
   EXPECT_EQ(bench.run("check ring.nc --control nct --until -3").exit_code, 2);
 }
 
+/// A pocket of 2 mm on each side of a block of 20 x 20 x 10, turned over about X.
+void writeTwoSides(const Workbench& bench, const char* second_z) {
+  bench.write("top.nc", "G21 G90 T1 M6\nS1000 M3\nG0 X6 Y5 Z5\nN40 G1 Z-4 F200\nN50 G0 Z5\nM30\n");
+  bench.write("bottom.nc", std::string("G21 G90 T1 M6\nS1000 M3\nG0 X14 Y12 Z5\nN40 G1 Z") + second_z +
+                               " F200\nG0 Z5\nM30\n");
+  bench.write("job.toml",
+              "schema = \"proveout.job/1\"\ncontrol = \"nct\"\n[stock]\nshape = \"box\"\nmin = [0, 0, -10]\n"
+              "max = [20, 20, 0]\n[[setup]]\nname = \"top\"\nprogram = \"top.nc\"\n[[setup]]\n"
+              "name = \"bottom\"\nprogram = \"bottom.nc\"\n[setup.transform]\nrotate = [180, 0, 0]\n"
+              "translate = [0, 20, -10]\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 6\n"
+              "[nominal]\nmesh = \"nominal.obj\"\n[simulation]\nresolution = 0.25\n");
+  bench.write("nominal.obj", boxObj(0, 0, -10, 20, 20, 0));
+}
+
+TEST(Setups, DeviationsAreBlamedOnTheSetupThatCutThem) {
+  const Workbench bench;
+  writeTwoSides(bench, "-3");
+  const Outcome outcome = bench.run("run job.toml --size 200x150 --csv --out out");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;  // the nominal is the whole block
+  EXPECT_TRUE(has(outcome.err, "top.nc:4: error[gouge]")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "bottom.nc:4: error[gouge]")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "setup top")) << outcome.err;
+  const json report = reportIn(bench, "out");
+  ASSERT_EQ(report["setups"].size(), 2u);
+  EXPECT_NEAR(report["setups"][0]["removed_mm3"].get<double>(), kPi * 9 * 4, 0.6);
+  EXPECT_NEAR(report["stock"]["removed_mm3"].get<double>(), kPi * 9 * 7, 1.0);
+  EXPECT_NEAR(report["accounting"]["total"]["removed_mm3"].get<double>(),
+              report["stock"]["removed_mm3"].get<double>(), 1e-3);
+  EXPECT_EQ(report["program"]["files"], json({"top.nc", "bottom.nc"}));
+  EXPECT_TRUE(has(readFile(bench.path("out/blocks.csv")), "\nbottom,bottom.nc,4,N40,"));
+  EXPECT_TRUE(has(readFile(bench.path("out/report.html")), "<h2>Setups</h2>"));
+  EXPECT_TRUE(has(report["error_budget"].dump(), "re-clamping"));
+}
+
+TEST(Setups, OptionPicksOne) {
+  const Workbench bench;
+  writeTwoSides(bench, "-3");
+  const Outcome first = bench.run("run job.toml --no-render --setup top --out first");
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_TRUE(has(first.err, "only the setups up to 'top'")) << first.err;
+  EXPECT_EQ(reportIn(bench, "first")["checks"]["comparison"], false);
+  const Outcome check = bench.run("check job.toml");
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_TRUE(has(check.out, "setup top: ") && has(check.out, "setup bottom: ")) << check.out;
+  EXPECT_EQ(json::parse(bench.run("check job.toml --json").out)["setups"].size(), 2u);
+  EXPECT_EQ(bench.run("path job.toml").exit_code, 2);
+  const Outcome path = bench.run("path job.toml --setup bottom --format csv");
+  EXPECT_EQ(path.exit_code, 0) << path.err;
+  EXPECT_TRUE(has(path.out, "bottom.nc") && !has(path.out, "top.nc")) << path.out;
+  const Outcome unknown = bench.run("check job.toml --setup side");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(has(unknown.err, "there are top, bottom")) << unknown.err;
+  EXPECT_EQ(bench.run("run job.toml --no-render --until N40").exit_code, 2);
+  const Outcome until = bench.run("run job.toml --no-render --setup bottom --until N40 --out until");
+  EXPECT_TRUE(has(until.err, "warning[partial]: only the program up to N40")) << until.err;
+  bench.write("plain.nc", kRing);
+  EXPECT_EQ(bench.run("check plain.nc --control nct --setup top").exit_code, 2);
+}
+
+TEST(Run, FixturesMustNotBeTouched) {
+  const Workbench bench;
+  bench.write("part.nc",
+              "G21 G90 T1 M6\nS1000 M3\nG0 X10 Y-10 Z5\nZ-3\nN50 G1 Y10 F200\nN60 X22\nG0 Z5\nM30\n");
+  bench.write("clamp.obj", boxObj(20, 0, -7, 24, 20, -1));
+  bench.write(
+      "job.toml",
+      "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"part.nc\"\n[stock]\nshape = \"box\"\n"
+      "min = [0, 0, -10]\nmax = [20, 20, 0]\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 4\n"
+      "[[fixture]]\nname = \"clamp\"\nmesh = \"clamp.obj\"\n[simulation]\nresolution = 0.25\n");
+  const Outcome outcome = bench.run("run job.toml --size 200x150 --out out");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(has(outcome.err, "part.nc:6: error[fixture_contact]: the tool runs into fixture 'clamp'"))
+      << outcome.err;
+  const json report = reportIn(bench, "out");
+  EXPECT_EQ(report["checks"]["fixtures"], true);
+  EXPECT_EQ(report["findings"].size(), 1u);
+  EXPECT_EQ(report["findings"][0]["source"]["block"], "N60");
+  EXPECT_TRUE(has(report["hashes"].dump(), "clamp.obj"));
+  EXPECT_TRUE(has(readFile(bench.path("out/junit.xml")), "type=\"fixture contact\""));
+  bench.write("clamp.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome open = bench.run("run job.toml --no-render --out open");
+  EXPECT_EQ(open.exit_code, 2);
+  EXPECT_TRUE(has(open.err, "fixture 'clamp'")) << open.err;
+}
+
+TEST(Run, TooMuchMemoryIsRefusedWithTheGridThatFits) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  const std::string job =
+      "run ring.nc --control nct --stock box:0,0,-10:20,20,0 --tool 1=flat:4 --no-render ";
+  const Outcome refused = bench.run(job + "--resolution 0.01 --max-memory 0.3");
+  EXPECT_EQ(refused.exit_code, 3) << refused.err;
+  const std::size_t at = refused.err.find("a grid of 0.01 mm would need about");
+  ASSERT_NE(at, std::string::npos) << refused.err;
+  const std::size_t fits = refused.err.find("allowed; a grid of ") + 19;
+  const std::string grid = refused.err.substr(fits, refused.err.find(' ', fits) - fits);
+  EXPECT_EQ(bench.run(job + "--max-memory 0.3 --resolution " + grid).exit_code, 0) << grid;
+  const json report = reportIn(bench, "ring-out");
+  EXPECT_LE(report["performance"]["predicted_memory_mb"].get<double>(), 300.0);
+  EXPECT_LE(report["performance"]["peak_memory_mb"].get<double>(), 1.5 * 300.0);
+  const Outcome none = bench.run(job + "--max-memory 0.001");
+  EXPECT_EQ(none.exit_code, 3);
+}
+
 TEST(Run, ThePartThatIsGoneFailsItsNominal) {
   const Workbench bench;
   bench.write("gone.nc", "G21 G90 T1 M6\nS1000 M3\nG0 X-50 Y10 Z5\nZ-11\nG1 X70 F500\nM30\n");
@@ -193,7 +297,7 @@ TEST(Run, TablesOfBlocksAddUp) {
   std::istringstream csv(readFile(bench.path("ring-out/blocks.csv")));
   std::string line;
   ASSERT_TRUE(std::getline(csv, line));
-  ASSERT_EQ(line.rfind("file,line,block,depth,tool,kind,start_s,time_s,length_mm,removed_mm3,", 0), 0u);
+  ASSERT_EQ(line.rfind("setup,file,line,block,depth,tool,kind,start_s,time_s,length_mm,removed_mm3,", 0), 0u);
   double time_s = 0, removed_mm3 = 0;
   int rows = 0;
   while (std::getline(csv, line)) {
@@ -201,9 +305,9 @@ TEST(Run, TablesOfBlocksAddUp) {
     std::vector<std::string> cells;
     std::istringstream row(line);
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    ASSERT_EQ(cells.size(), 13u) << line;
-    time_s += std::stod(cells[7]);
-    removed_mm3 += std::stod(cells[9]);
+    ASSERT_EQ(cells.size(), 14u) << line;
+    time_s += std::stod(cells[8]);
+    removed_mm3 += std::stod(cells[10]);
   }
   EXPECT_EQ(rows, 8);  // the tool change and seven blocks with motions
   EXPECT_NEAR(time_s, report["time"]["cycle_s"].get<double>(), 1e-5);

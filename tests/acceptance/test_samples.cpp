@@ -83,5 +83,17 @@ TEST(Parts, EveryJobRunsAndTheGougeIsFound) {
   EXPECT_GE(jobs, 3);
 }
 
+TEST(Parts, TwoSidesPassesAgainstItsNominal) {
+  const Workbench bench;
+  const Outcome outcome =
+      bench.run("run '" + (fs::path(PROVEOUT_SOURCE_DIR) / "parts/two_sides/job.toml").string() +
+                "' --resolution 0.4 --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  EXPECT_EQ(report["verdict"], "pass");
+  EXPECT_NEAR(report["stock"]["final_mm3"].get<double>(), 39540.0, 4.0);
+}
+
 }  // namespace
 }  // namespace proveout::test

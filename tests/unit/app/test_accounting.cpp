@@ -42,7 +42,7 @@ struct Accounting : testing::Test {
 };
 
 TEST_F(Accounting, TotalsAndTools) {
-  const ReportAccounting all = accountFor({{&path, &removed}});
+  const ReportAccounting all = accountFor({{"", &path, &removed}});
   EXPECT_DOUBLE_EQ(all.total.time_s(), 25.0);
   EXPECT_DOUBLE_EQ(all.total.feed_s, 16.0);
   EXPECT_DOUBLE_EQ(all.total.rapid_s, 1.0);
@@ -60,7 +60,7 @@ TEST_F(Accounting, TotalsAndTools) {
 }
 
 TEST_F(Accounting, RateSeriesKeepsTheVolumeAndTheLargestRate) {
-  const RateSeries rate = accountFor({{&path, &removed}}).rate;
+  const RateSeries rate = accountFor({{"", &path, &removed}}).rate;
   ASSERT_FALSE(rate.mean.empty());
   const double mean = std::accumulate(rate.mean.begin(), rate.mean.end(), 0.0);
   EXPECT_NEAR(mean * rate.step_s / 60.0, 220.0, 1e-9);
@@ -76,7 +76,7 @@ TEST_F(Accounting, RateSeriesKeepsTheVolumeAndTheLargestRate) {
 
 TEST_F(Accounting, BlocksAreRowsInTheOrderOfTime) {
   std::vector<BlockFigures> rows;
-  forEachBlock({&path, &removed}, 100.0, [&](const BlockFigures& row) { rows.push_back(row); });
+  forEachBlock({"", &path, &removed}, 100.0, [&](const BlockFigures& row) { rows.push_back(row); });
   ASSERT_EQ(rows.size(), 5u);
   EXPECT_EQ(rows[0].kind, "event");
   EXPECT_EQ(rows[0].tool, 1);
@@ -88,18 +88,19 @@ TEST_F(Accounting, BlocksAreRowsInTheOrderOfTime) {
   EXPECT_DOUBLE_EQ(rows[4].start_s, 121.0);
   std::string text;
   appendBlockCsv(rows[2], text);
-  EXPECT_EQ(text, "\"a,b.nc\",3,N30,0,1,feed,106,12,70,200,4,1200,2\n");
+  EXPECT_EQ(text, ",\"a,b.nc\",3,N30,0,1,feed,106,12,70,200,4,1200,2\n");
   text.clear();
   appendBlockCsv(rows[0], text);
-  EXPECT_EQ(text, "\"a,b.nc\",1,,0,1,event,100,5,0,0,,,0\n");
+  EXPECT_EQ(text, ",\"a,b.nc\",1,,0,1,event,100,5,0,0,,,0\n");
 }
 
 TEST_F(Accounting, PathsFollowEachOtherInTime) {
-  const ReportAccounting all = accountFor({{&path, &removed}, {&path, &removed}});
+  const ReportAccounting all = accountFor({{"top", &path, &removed}, {"bottom", &path, &removed}});
   EXPECT_DOUBLE_EQ(all.total.time_s(), 50.0);
   EXPECT_DOUBLE_EQ(all.total.removed_mm3, 440.0);
   ASSERT_EQ(all.rate.spans.size(), 4u);
   EXPECT_DOUBLE_EQ(all.rate.spans[2].from_s, 25.0);
+  EXPECT_EQ(all.rate.spans[2].label, "bottom T1");
 }
 
 TEST_F(Accounting, AnEmptyPathHasNoRate) {
@@ -127,9 +128,9 @@ TEST(AccountingOfASlot, HasTheRateOfItsClosedForm) {
                                    "N60 X60\nN70 X90\nN80 X10\nG0 Z5\nM30\n");
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
-  const Result<RunResult> run = runPipeline(job, source, progress);
+  const Result<RunResult> run = runPipeline(job, {&source}, progress);
   ASSERT_TRUE(run.ok()) << run.error().message;
-  const CutPath cut{&run->interpreted.path, &run->removal.removed_mm3};
+  const CutPath cut = cutPaths(*run).front();
   std::vector<BlockFigures> rows;
   double rows_s = 0, rows_mm3 = 0;
   forEachBlock(cut, 0.0, [&](const BlockFigures& row) {
@@ -143,7 +144,7 @@ TEST(AccountingOfASlot, HasTheRateOfItsClosedForm) {
   EXPECT_NEAR(*row(60).figures.engagement_mm2(), 20.0, 0.1);
   EXPECT_NEAR(*row(60).figures.rate_mm3_min(), 10000.0, 50.0);
   EXPECT_DOUBLE_EQ(row(80).figures.air_s, row(80).figures.feed_s);  // back through the slot
-  const Result<Report> report = makeReport(job, *run, source);
+  const Result<Report> report = makeReport(job, *run, {&source});
   ASSERT_TRUE(report.ok());
   ASSERT_TRUE(report->accounting.has_value());
   const CutFigures& total = report->accounting->total;

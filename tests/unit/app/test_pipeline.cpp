@@ -27,7 +27,7 @@ Job ringJob() {
 Result<RunResult> run(const Job& job, const std::string& program, Progress& progress) {
   const MemoryProgramSource memory("ring.nc", program);
   const RecordingSource source(memory, TextEncoding::kAuto);
-  return runPipeline(job, source, progress);
+  return runPipeline(job, {&source}, progress);
 }
 
 TEST(Pipeline, RingHasItsVolumeAndNoFindings) {
@@ -36,11 +36,11 @@ TEST(Pipeline, RingHasItsVolumeAndNoFindings) {
   ASSERT_TRUE(result.ok()) << result.error().message;
   EXPECT_FALSE(result->alarm);
   EXPECT_TRUE(result->findings.empty());
-  EXPECT_TRUE(result->topology.closedManifold());
-  EXPECT_NEAR(4000.0 - result->surface.volume_mm3, kRingVolume, 0.01 * kRingVolume);
+  EXPECT_TRUE(result->topology().closedManifold());
+  EXPECT_NEAR(4000.0 - result->surface().volume_mm3, kRingVolume, 0.01 * kRingVolume);
   double removed = 0;
-  for (const float v : result->removal.removed_mm3) removed += static_cast<double>(v);
-  EXPECT_NEAR(removed, 4000.0 - result->surface.volume_mm3, 1e-3);
+  for (const float v : result->setups[0].removal.removed_mm3) removed += static_cast<double>(v);
+  EXPECT_NEAR(removed, 4000.0 - result->surface().volume_mm3, 1e-3);
 }
 
 TEST(Pipeline, RapidIntoTheStockIsBlamedOnItsBlock) {
@@ -89,7 +89,7 @@ TEST(Pipeline, AGridTooCoarseForTheBlankIsRefused) {
   const Result<RunResult> thin = run(job, kRing, progress);
   ASSERT_TRUE(thin.ok()) << thin.error().message;
   EXPECT_LE(thin->resolution_mm, 0.25);
-  EXPECT_GT(thin->surface.volume_mm3, 3000.0);
+  EXPECT_GT(thin->surface().volume_mm3, 3000.0);
 }
 
 TEST(Pipeline, AnEndlessLoopWithMotionsStopsBeforeItFillsTheMemory) {

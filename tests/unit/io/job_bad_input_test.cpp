@@ -197,8 +197,6 @@ TEST(BadJob, WhatThisVersionCannotSimulate) {
   }
   EXPECT_THAT(refusedTool("type = 'bal'\ndiameter = 3"),
               HasSubstr("type 'bal' is not known, did you mean 'ball'?"));
-  EXPECT_THAT(refusedEnd("[[fixture]]\nmesh = 'bracket.stl'"),
-              HasSubstr("fixtures cannot be simulated by this version"));
 }
 
 TEST(BadJob, NamesThatAreNotKnown) {

@@ -32,6 +32,7 @@ TEST(ReportHtml, ShowsTheReport) {
   EXPECT_THAT(html, HasSubstr(std::string(64, 'c')));
   EXPECT_THAT(html, HasSubstr("data:image/png;base64,cG5nIGJ5dGVz"));
   EXPECT_THAT(html, HasSubstr("412 MB"));
+  EXPECT_THAT(html, HasSubstr("3.50 s, 380 MB"));
 }
 
 TEST(ReportHtml, ShowsTheRemovalRate) {
@@ -42,6 +43,16 @@ TEST(ReportHtml, ShowsTheRemovalRate) {
   Report nothing_cut = io_test::sampleReport();
   nothing_cut.accounting->rate.max = nothing_cut.accounting->rate.mean = {0, 0, 0};
   EXPECT_THAT(reportHtml(nothing_cut, {}), Not(HasSubstr("Material removal rate")));
+}
+
+TEST(ReportText, FiguresAreTidy) {
+  EXPECT_EQ(report_text::figure(0.35312), "0.3531");
+  EXPECT_EQ(report_text::figure(174.13), "174.1");
+  EXPECT_EQ(report_text::figure(123456.7), "123457");
+  EXPECT_EQ(report_text::figure(2.0), "2");
+  EXPECT_EQ(report_text::figure(1e-15), "0");
+  EXPECT_EQ(report_text::figure(-1e-15), "0");
+  EXPECT_EQ(report_text::figure(0.048631), "0.0486");
 }
 
 TEST(RateSvg, IsAFileOfItsOwn) {

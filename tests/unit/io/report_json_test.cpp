@@ -56,13 +56,16 @@ TEST(ReportJson, HoldsWhatTheReportHolds) {
   EXPECT_EQ(j["outputs"]["html"], "report.html");
   EXPECT_EQ(j["performance"]["wall_s"], 3.25);
   EXPECT_EQ(j["performance"]["peak_memory_mb"], 412.0);
+  EXPECT_EQ(j["performance"]["predicted_memory_mb"], 380.0);
+  EXPECT_EQ(j["performance"]["predicted_s"], 3.5);
+  EXPECT_EQ(j["checks"]["fixtures"], true);
 }
 
 TEST(ReportJson, KeepsTheOrderOfKeys) {
   std::vector<std::string> keys;
   const Json j = Json::parse(reportJson(io_test::sampleReport()));
   for (const auto& [key, value] : j.items()) keys.push_back(key);
-  EXPECT_THAT(keys, ElementsAre("schema", "version", "name", "verdict", "checks", "program", "time",
+  EXPECT_THAT(keys, ElementsAre("schema", "version", "name", "verdict", "checks", "program", "setups", "time",
                                 "accounting", "stock", "resolution_mm", "findings", "comparison",
                                 "error_budget", "diagnostics", "hashes", "outputs", "performance"));
 }

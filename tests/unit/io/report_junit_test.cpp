@@ -46,10 +46,10 @@ TEST(ReportJunit, HasOneCaseACheck) {
   const std::string xml = reportJunit(io_test::sampleReport());
   EXPECT_EQ(wellFormed(xml), "") << xml;
   for (const char* name : {"program", "overtravel", "rapid contact", "shank contact", "holder contact",
-                           "spindle", "gouge", "excess", "resolution", "mesh closed"}) {
+                           "fixture contact", "spindle", "gouge", "excess", "resolution", "mesh closed"}) {
     EXPECT_THAT(xml, HasSubstr(std::string("name=\"") + name + "\""));
   }
-  EXPECT_THAT(xml, HasSubstr("tests=\"10\" failures=\"2\" errors=\"0\" skipped=\"0\" time=\"3.250\""));
+  EXPECT_THAT(xml, HasSubstr("tests=\"11\" failures=\"2\" errors=\"0\" skipped=\"0\" time=\"3.250\""));
 }
 
 TEST(ReportJunit, FailuresCarryTheFindings) {
@@ -69,7 +69,7 @@ TEST(ReportJunit, ChecksThatWereNotMadeAreSkipped) {
   r.name = "x";
   const std::string xml = reportJunit(r, {false});
   EXPECT_EQ(wellFormed(xml), "");
-  EXPECT_THAT(xml, HasSubstr("tests=\"10\" failures=\"0\" errors=\"0\" skipped=\"9\">"));
+  EXPECT_THAT(xml, HasSubstr("tests=\"11\" failures=\"0\" errors=\"0\" skipped=\"10\">"));
   EXPECT_THAT(xml, HasSubstr("<skipped message=\"no nominal was compared\"/>"));
 }
 
@@ -94,10 +94,10 @@ TEST(ReportJunit, FailsOnAlarmsOpenMeshesAndUndecidedComparisons) {
 
 TEST(ReportJunit, NoFindingIsLost) {
   Report r = io_test::sampleReport();
-  r.findings[0].kind = "fixture_contact";
+  r.findings[0].kind = "no_part";
   const std::string xml = reportJunit(r);
-  EXPECT_THAT(xml, HasSubstr("tests=\"11\""));
-  EXPECT_THAT(xml, HasSubstr("name=\"fixture_contact\""));
+  EXPECT_THAT(xml, HasSubstr("tests=\"12\""));
+  EXPECT_THAT(xml, HasSubstr("name=\"no_part\""));
   // An error of a check that was not made is still a failure.
   r.checks.comparison = false;
   r.findings[0].kind = "excess";

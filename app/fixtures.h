@@ -1,0 +1,24 @@
+// Fixtures: clamps, vises, plates that no part of a tool may touch.
+#pragma once
+
+#include <vector>
+
+#include "app/pipeline.h"
+
+namespace proveout {
+
+/// The fixtures of a clamping, each as a stock of its own on the job's grid.
+struct FixtureStock {
+  std::string name;
+  Stock stock;
+};
+/// Errors: a mesh that cannot be read or is not closed, a fixture thinner than two cells of the grid.
+Result<std::vector<FixtureStock>> makeFixtures(const Job& setup, double resolution_mm, Progress& progress);
+
+/// Runs the path of a clamping through its fixtures; every touch, by cutter, shank or holder, in rapid or in
+/// feed, is a finding of kind "fixture_contact". What a cutter takes out of a fixture is not met again by the
+/// motions that follow.
+Status addFixtureContacts(std::vector<FixtureStock>& fixtures, const SetupRun& setup,
+                          const RecordingSource& texts, std::vector<Finding>& findings, Progress& progress);
+
+}  // namespace proveout

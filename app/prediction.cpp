@@ -1,0 +1,217 @@
+#include "app/prediction.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <map>
+
+#include "core/mesh/tri_mesh.h"
+
+namespace proveout {
+namespace {
+
+// Measured on the sample programs with two cores. A cell is a square of the grid on the surface.
+constexpr double kBaseMb = 33.0;                 ///< program, libraries, threads
+constexpr double kBytesPerCell = 125.0;          ///< leaves, crossings, mesh
+constexpr double kBytesPerMotion = 500.0;        ///< motion and its passes
+constexpr double kComparisonMb = 35.0;           ///< fixed part of a comparison
+constexpr double kBytesPerComparedCell = 300.0;  ///< samples and search trees, both meshes
+constexpr double kBytesPerPixel = 20.0;          ///< a picture while it is drawn
+constexpr double kBytesPerDrawnCell = 160.0;     ///< the renderer's search tree
+constexpr double kBaseS = 0.05;
+constexpr double kSecondsPerCell = 7.5e-7;          ///< blank, removal, crossings, mesh, files
+constexpr double kSecondsPerSweptCell = 2e-9;       ///< removal, each motion counted
+constexpr double kSecondsPerMotion = 4e-6;          ///< interpreter, culling
+constexpr double kSecondsPerComparedCell = 2.5e-6;  ///< comparison
+constexpr double kSecondsPerPixel = 1.1e-6;         ///< one picture
+
+/// The height map has at most this many cells along a side, and its making touches at most so many.
+constexpr int kMapSide = 384;
+constexpr double kMapWork = 3e7;
+
+/// Lowest point that the tools reach over each cell of a coarse grid in plan view.
+class HeightMap {
+ public:
+  HeightMap(const Box3& blank, double cell) : blank_(blank), cell_(cell) {
+    nx_ = std::max(1, static_cast<int>(std::ceil(blank.size().x() / cell)));
+    ny_ = std::max(1, static_cast<int>(std::ceil(blank.size().y() / cell)));
+    height_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), blank.max.z());
+  }
+
+  /// Lowers what lies within `radius` of the segment (plan view) to the height of its nearest point.
+  void lower(const Vec3& a, const Vec3& b, double radius) {
+    const int x0 = column(std::min(a.x(), b.x()) - radius), x1 = column(std::max(a.x(), b.x()) + radius);
+    const Vec2 along = (b - a).head<2>();
+    const double length2 = along.squaredNorm();
+    for (int x = x0; x <= x1; ++x) {
+      const double px = blank_.min.x() + (x + 0.5) * cell_;
+      const int y0 = row(std::min(a.y(), b.y()) - radius), y1 = row(std::max(a.y(), b.y()) + radius);
+      for (int y = y0; y <= y1; ++y) {
+        const Vec2 p(px - a.x(), blank_.min.y() + (y + 0.5) * cell_ - a.y());
+        const double t = length2 > 0 ? std::clamp(p.dot(along) / length2, 0.0, 1.0) : 0.0;
+        if ((p - t * along).squaredNorm() > radius * radius) continue;
+        const double z = length2 > 0 ? a.z() + t * (b.z() - a.z()) : std::min(a.z(), b.z());
+        double& height = height_[index(x, y)];
+        height = std::min(height, std::max(z, blank_.min.z()));
+      }
+    }
+  }
+
+  /// What cutting adds to the surface of the blank, mm2: slopes and walls more than the flat top that is
+  /// gone; where all is cut through, top and bottom are gone.
+  double addedArea() const {
+    double added = 0.0;
+    for (int x = 0; x < nx_; ++x) {
+      for (int y = 0; y < ny_; ++y) {
+        const double z = height_[index(x, y)];
+        const double dx = x + 1 < nx_ ? (height_[index(x + 1, y)] - z) / cell_ : 0.0;
+        const double dy = y + 1 < ny_ ? (height_[index(x, y + 1)] - z) / cell_ : 0.0;
+        const double area = cell_ * cell_, slope = std::sqrt(1.0 + dx * dx + dy * dy);
+        added += area * (z > blank_.min.z() ? slope - 1.0 : slope - 3.0);
+      }
+    }
+    return added;
+  }
+
+ private:
+  int column(double x) const {
+    return std::clamp(static_cast<int>(std::floor((x - blank_.min.x()) / cell_)), 0, nx_ - 1);
+  }
+  int row(double y) const {
+    return std::clamp(static_cast<int>(std::floor((y - blank_.min.y()) / cell_)), 0, ny_ - 1);
+  }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(x) * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(y);
+  }
+
+  Box3 blank_;
+  double cell_;
+  int nx_ = 1, ny_ = 1;
+  std::vector<double> height_;
+};
+
+/// Arcs as this many chords a turn: enough for a coarse map.
+constexpr double kChordsPerTurn = 24.0;
+
+template <typename Use>
+void forEachSegment(const Toolpath& path, const Motion& motion, const Use& use) {
+  int chords = 1;
+  if (motion.arc >= 0) {
+    const double turns = std::abs(path.arcs[static_cast<std::size_t>(motion.arc)].sweep_rad) / (2 * kPi);
+    chords = static_cast<int>(std::clamp(std::ceil(turns * kChordsPerTurn), 1.0, 10000.0));
+  }
+  Vec3 from = motion.from;
+  for (int i = 1; i <= chords; ++i) {
+    const Vec3 to = i == chords ? motion.to : path.pointAt(motion, static_cast<double>(i) / chords);
+    use(from, to);
+    from = to;
+  }
+}
+
+bool reaches(const Box3& blank, const Vec3& a, const Vec3& b, double radius) {
+  Box3 box;
+  box.extend(a);
+  box.extend(b);
+  box = box.inflated(radius);
+  box.max.z() = std::numeric_limits<double>::infinity();
+  box.min.z() += radius;  // the tip is the lowest point
+  return box.overlaps(blank);
+}
+
+std::map<int, double> radii(const std::vector<Tool>& tools) {
+  std::map<int, double> out;
+  for (const Tool& tool : tools) out[tool.number] = 0.5 * tool.diameter;
+  return out;
+}
+
+}  // namespace
+
+double blankArea(const StockShape& shape, const Box3& bounds) {
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshArea(mesh->mesh);
+  if (const auto* round = std::get_if<CylinderShape>(&shape)) {
+    const double r = round->radius, inner = round->inner_radius;
+    return 2 * kPi * ((r + inner) * round->length + r * r - inner * inner);
+  }
+  const Vec3 s = bounds.size();
+  return 2 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
+}
+
+Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const Box3& blank,
+                    double blank_mm2) {
+  Workload work;
+  work.motions = path.motions.size();
+  const std::map<int, double> radius_of = radii(tools);
+  const auto forEach = [&](const auto& use) {
+    for (const Motion& motion : path.motions) {
+      const auto found = radius_of.find(motion.tool);
+      const double radius = found == radius_of.end() ? 0.0 : found->second;
+      forEachSegment(path, motion, [&](const Vec3& a, const Vec3& b) {
+        if (reaches(blank, a, b, radius)) use(a, b, radius);
+      });
+    }
+  };
+  const double most_x = blank.size().x(), most_y = blank.size().y();
+  forEach([&](const Vec3& a, const Vec3& b, double radius) {
+    const double length = std::min((b - a).norm(), most_x + most_y);
+    work.swept_mm2 += (length + 2 * radius) * std::min(2 * radius, std::max(most_x, most_y));
+  });
+  double cell = std::max(most_x, most_y) / kMapSide;
+  cell = std::max(cell, std::sqrt(work.swept_mm2 / kMapWork));
+  HeightMap map(blank, cell);
+  forEach([&](const Vec3& a, const Vec3& b, double radius) { map.lower(a, b, radius); });
+  work.surface_mm2 = std::max(blank_mm2 + map.addedArea(), 0.1 * blank_mm2);
+  return work;
+}
+
+Workload together(const Workload& a, const Workload& b) {
+  Workload both;
+  both.surface_mm2 = std::max(a.surface_mm2, b.surface_mm2);
+  both.swept_mm2 = a.swept_mm2 + b.swept_mm2;
+  both.nominal_mm2 = std::max(a.nominal_mm2, b.nominal_mm2);
+  both.pixels = std::max(a.pixels, b.pixels);
+  both.pictures = std::max(a.pictures, b.pictures);
+  both.motions = a.motions + b.motions;
+  return both;
+}
+
+double availableMemoryMb() {
+  std::ifstream info("/proc/meminfo");
+  std::string line;
+  while (std::getline(info, line)) {
+    double kilobytes = 0.0;
+    if (std::sscanf(line.c_str(), "MemAvailable: %lf kB", &kilobytes) == 1) return kilobytes * 1.024e-3;
+  }
+  return 1e-6 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+Prediction predict(const Workload& work, double resolution_mm) {
+  const double h2 = resolution_mm * resolution_mm;
+  const double cells = work.surface_mm2 / h2, motions = static_cast<double>(work.motions);
+  const double compared = work.nominal_mm2 > 0 ? cells + work.nominal_mm2 / h2 : 0.0;
+  const double drawn = work.pixels > 0 ? cells : 0.0;
+  Prediction p;
+  // Comparison and pictures follow each other and give their memory back.
+  const double comparing = compared > 0 ? 1e6 * kComparisonMb + compared * kBytesPerComparedCell : 0.0;
+  const double drawing = drawn * kBytesPerDrawnCell + work.pixels * kBytesPerPixel;
+  p.memory_mb =
+      kBaseMb + 1e-6 * (cells * kBytesPerCell + motions * kBytesPerMotion + std::max(comparing, drawing));
+  p.time_s = kBaseS + cells * kSecondsPerCell + work.swept_mm2 / h2 * kSecondsPerSweptCell +
+             motions * kSecondsPerMotion + compared * kSecondsPerComparedCell +
+             work.pixels * work.pictures * kSecondsPerPixel;
+  return p;
+}
+
+double resolutionThatFits(const Workload& work, double resolution_mm, double limit_mb) {
+  // Memory is a + b / h^2: two grids tell a and b.
+  const double at = predict(work, resolution_mm).memory_mb;
+  if (at <= limit_mb) return resolution_mm;
+  const double fixed = (4.0 * predict(work, 2.0 * resolution_mm).memory_mb - at) / 3.0;
+  if (fixed >= limit_mb) return std::numeric_limits<double>::infinity();
+  return resolution_mm * std::sqrt((at - fixed) / (limit_mb - fixed));
+}
+
+}  // namespace proveout

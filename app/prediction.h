@@ -1,0 +1,48 @@
+// What a run will take, before it is started: memory and time from the size of the surface on the grid and of
+// what the tools sweep. Good to a factor of about 1.5 on the sample programs; the coefficients are measured.
+#pragma once
+
+#include <vector>
+
+#include "core/path/toolpath.h"
+#include "core/tool/tool.h"
+#include "removal/stock_shape.h"
+
+namespace proveout {
+
+/// What the figures are made of. Does not depend on the grid.
+struct Workload {
+  double surface_mm2 = 0.0;  ///< of the part: what is left of the blank's surface and what is cut
+  double swept_mm2 = 0.0;    ///< plan area that the tools pass over, each motion counted
+  double nominal_mm2 = 0.0;  ///< of the model that the part is compared with; 0: no comparison
+  double pixels = 0.0;       ///< of one picture; 0: none is drawn
+  int pictures = 0;
+  std::uint64_t motions = 0;
+};
+
+struct Prediction {
+  double memory_mb = 0.0;  ///< largest resident size
+  double time_s = 0.0;     ///< wall time with two cores
+};
+
+/// Surface of the blank, mm2. Of a saved stock: of its bounds.
+double blankArea(const StockShape& shape, const Box3& bounds);
+
+/// Surface of the part after the path, and area swept. The cut surface is that of a coarse height map of the
+/// tools' tips over the blank's bounds.
+Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const Box3& blank,
+                    double blank_mm2);
+
+/// Clampings follow each other: time adds up, of all else the largest counts.
+Workload together(const Workload& a, const Workload& b);
+
+/// What the machine has free, MB.
+double availableMemoryMb();
+
+Prediction predict(const Workload& work, double resolution_mm);
+
+/// The finest grid, mm, whose predicted memory fits into `limit_mb`; not finer than `resolution_mm`. Infinity
+/// where the path alone does not fit.
+double resolutionThatFits(const Workload& work, double resolution_mm, double limit_mb);
+
+}  // namespace proveout

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "app/console.h"
+#include "app/prediction.h"
+
+namespace proveout {
+namespace {
+
+Motion feed(const Vec3& from, const Vec3& to) {
+  Motion motion;
+  motion.from = from;
+  motion.to = to;
+  motion.tool = 1;
+  motion.kind = MotionKind::kFeed;
+  return motion;
+}
+
+std::vector<Tool> flat(double diameter) {
+  Tool tool;
+  tool.number = 1;
+  tool.diameter = diameter;
+  return {tool};
+}
+
+const Box3 kBlock{{0, 0, -20}, {100, 50, 0}};
+constexpr double kBlockArea = 2 * (100 * 50 + 50 * 20 + 20 * 100);
+
+TEST(Workload, BlankAreas) {
+  EXPECT_DOUBLE_EQ(blankArea(BoxShape{kBlock.min, kBlock.max}, kBlock), kBlockArea);
+  EXPECT_DOUBLE_EQ(blankArea(CylinderShape{2, {0, 0, 0}, 5, 0, 10}, {}), 2 * kPi * (50 + 25));
+  EXPECT_DOUBLE_EQ(blankArea(CylinderShape{2, {0, 0, 0}, 5, 3, 10}, {}), 2 * kPi * (8 * 10 + 16));
+}
+
+TEST(Workload, ASlotAddsItsWalls) {
+  Toolpath path;
+  path.motions = {feed({-10, 25, -5}, {110, 25, -5})};
+  const Workload work = workloadOf(path, flat(10), kBlock, kBlockArea);
+  EXPECT_NEAR(work.surface_mm2, kBlockArea + 2 * 5 * 100, 150);
+  EXPECT_DOUBLE_EQ(work.swept_mm2, 130 * 10);
+  EXPECT_EQ(work.motions, 1u);
+  // The same slot again sweeps as much, and cuts nothing.
+  path.motions.push_back(path.motions[0]);
+  const Workload twice = workloadOf(path, flat(10), kBlock, kBlockArea);
+  EXPECT_DOUBLE_EQ(twice.surface_mm2, work.surface_mm2);
+  EXPECT_DOUBLE_EQ(twice.swept_mm2, 2 * work.swept_mm2);
+}
+
+TEST(Workload, CuttingThroughTakesTopAndBottomAway) {
+  Toolpath path;
+  path.motions = {feed({-10, 25, -30}, {110, 25, -30})};
+  const double walls = 2 * 20 * 100, gone = 2 * 10 * 100;
+  EXPECT_NEAR(workloadOf(path, flat(10), kBlock, kBlockArea).surface_mm2, kBlockArea + walls - gone, 400);
+}
+
+TEST(Workload, MotionsAboveOrBesideTheBlankDoNotCount) {
+  Toolpath path;
+  path.motions = {feed({0, 25, 5}, {100, 25, 5}), feed({0, 80, -5}, {100, 80, -5})};
+  const Workload work = workloadOf(path, flat(10), kBlock, kBlockArea);
+  EXPECT_DOUBLE_EQ(work.surface_mm2, kBlockArea);
+  EXPECT_DOUBLE_EQ(work.swept_mm2, 0.0);
+  EXPECT_EQ(work.motions, 2u);
+}
+
+TEST(Workload, AnArcIsFollowed) {
+  Toolpath path;
+  Motion circle = feed({65, 25, -5}, {65, 25, -5});
+  circle.arc = 0;
+  path.arcs = {{{50, 25, -5}, Vec3::UnitZ(), 2 * kPi}};
+  path.motions = {circle};
+  const Workload work = workloadOf(path, flat(4), kBlock, kBlockArea);
+  EXPECT_NEAR(work.surface_mm2, kBlockArea + 2 * kPi * (17 + 13) * 5, 0.15 * 2 * kPi * 30 * 5);
+}
+
+TEST(Prediction, GrowsWithTheSquareOfTheGridAndWithTheWork) {
+  Workload work;
+  work.surface_mm2 = 1e5;
+  const Prediction coarse = predict(work, 0.4), fine = predict(work, 0.2), finer = predict(work, 0.1);
+  EXPECT_NEAR((finer.memory_mb - fine.memory_mb) / (fine.memory_mb - coarse.memory_mb), 4.0, 1e-6);
+  EXPECT_GT(finer.time_s, fine.time_s);
+  Workload more = work;
+  more.motions = 1000000;
+  more.nominal_mm2 = 1e5;
+  more.pixels = 1e6;
+  more.pictures = 2;
+  EXPECT_GT(predict(more, 0.2).memory_mb, fine.memory_mb);
+  EXPECT_GT(predict(more, 0.2).time_s, fine.time_s);
+  const Workload both = together(work, more);
+  EXPECT_DOUBLE_EQ(both.surface_mm2, 1e5);
+  EXPECT_EQ(both.motions, 1000000u);
+}
+
+TEST(Prediction, FindsTheGridThatFits) {
+  Workload work;
+  work.surface_mm2 = 1e6;
+  const double limit = 0.5 * predict(work, 0.1).memory_mb;
+  const double fits = resolutionThatFits(work, 0.1, limit);
+  EXPECT_GT(fits, 0.1);
+  EXPECT_NEAR(predict(work, fits).memory_mb, limit, 1e-6 * limit);
+  EXPECT_DOUBLE_EQ(resolutionThatFits(work, 0.1, 1e9), 0.1);
+  EXPECT_TRUE(std::isinf(resolutionThatFits(work, 0.1, 1.0)));
+  EXPECT_GT(availableMemoryMb(), 1.0);
+}
+
+TEST(Prediction, TimeLeftIsTold) {
+  std::ostringstream out;
+  double now = 0;
+  ConsoleProgress progress(out, [&] { return now; });
+  progress.expect({100, 20});
+  EXPECT_EQ(out.str(), "");  // nothing is shown yet
+  progress.show(true);
+  progress.expect({123, 20});
+  EXPECT_NE(out.str().find("about 20 s and 123 MB"), std::string::npos) << out.str();
+  now = 1;
+  progress.report("removing", 0.0);
+  EXPECT_EQ(out.str().find("left"), std::string::npos);
+  now = 8;
+  progress.report("removing", 0.7);  // 3 s more at this pace, but 12 s of what was predicted
+  EXPECT_NE(out.str().find("removing 70 %, 12 s left"), std::string::npos) << out.str();
+  progress.report("meshing", 0.0);
+  now = 28;
+  progress.report("meshing", 0.1);  // the prediction is used up; at this pace 180 s more
+  EXPECT_NE(out.str().find("meshing 10 %, 3 min left"), std::string::npos) << out.str();
+}
+
+}  // namespace
+}  // namespace proveout
