@@ -16,18 +16,19 @@ namespace {
 
 // Measured on the sample programs with two cores. A cell is a square of the grid on the surface.
 constexpr double kBaseMb = 33.0;                 ///< program, libraries, threads
-constexpr double kBytesPerCell = 125.0;          ///< leaves, crossings, mesh
+constexpr double kBytesPerCell = 88.0;           ///< leaves, crossings, mesh
 constexpr double kBytesPerMotion = 500.0;        ///< motion and its passes
 constexpr double kComparisonMb = 35.0;           ///< fixed part of a comparison
-constexpr double kBytesPerComparedCell = 300.0;  ///< samples and search trees, both meshes
+constexpr double kBytesPerComparedCell = 250.0;  ///< samples and search trees, both meshes
 constexpr double kBytesPerPixel = 20.0;          ///< a picture while it is drawn
-constexpr double kBytesPerDrawnCell = 160.0;     ///< the renderer's search tree
+constexpr double kBytesPerDrawnCell = 60.0;      ///< the renderer's search tree
+constexpr double kMostComparedCells = 1.8e6;     ///< the comparison widens its samples on huge meshes
 constexpr double kBaseS = 0.05;
-constexpr double kSecondsPerCell = 7.5e-7;          ///< blank, removal, crossings, mesh, files
+constexpr double kSecondsPerCell = 5.5e-7;          ///< blank, removal, crossings, mesh, files
 constexpr double kSecondsPerSweptCell = 2e-9;       ///< removal, each motion counted
 constexpr double kSecondsPerMotion = 4e-6;          ///< interpreter, culling
-constexpr double kSecondsPerComparedCell = 2.5e-6;  ///< comparison
-constexpr double kSecondsPerPixel = 1.1e-6;         ///< one picture
+constexpr double kSecondsPerComparedCell = 1.9e-6;  ///< comparison
+constexpr double kSecondsPerPixel = 8.5e-7;         ///< one picture
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
 constexpr int kMapSide = 384;
@@ -191,7 +192,8 @@ double availableMemoryMb() {
 Prediction predict(const Workload& work, double resolution_mm) {
   const double h2 = resolution_mm * resolution_mm;
   const double cells = work.surface_mm2 / h2, motions = static_cast<double>(work.motions);
-  const double compared = work.nominal_mm2 > 0 ? cells + work.nominal_mm2 / h2 : 0.0;
+  const double compared =
+      work.nominal_mm2 > 0 ? std::min(cells + work.nominal_mm2 / h2, kMostComparedCells) : 0.0;
   const double drawn = work.pixels > 0 ? cells : 0.0;
   Prediction p;
   // Comparison and pictures follow each other and give their memory back.
