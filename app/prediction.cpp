@@ -15,7 +15,7 @@ namespace proveout {
 namespace {
 
 // Measured on the sample programs with two cores. A cell is a square of the grid on the surface.
-constexpr double kBaseMb = 33.0;                 ///< program, libraries, threads
+constexpr double kBaseMb = 9.0;                  ///< program, libraries, threads
 constexpr double kBytesPerCell = 88.0;           ///< leaves, crossings, mesh
 constexpr double kBytesPerMotion = 500.0;        ///< motion and its passes
 constexpr double kComparisonMb = 35.0;           ///< fixed part of a comparison
