@@ -166,6 +166,31 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
   findings.push_back(std::move(finding));
 }
 
+void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,
+                     std::vector<Finding>& findings) {
+  Finding finding;
+  finding.kind = "thin_feature";
+  finding.severity = Severity::kWarning;
+  if (removal.lost_film_mm2 > 0) {
+    finding.where = removal.lost_film_at;
+    finding.area_mm2 = removal.lost_film_mm2;
+    finding.message = fmt::format(
+        "about {:.3g} mm2 of stock are left thinner than the grid of {:g} mm and are not in the mesh; take a finer "
+        "resolution",
+        removal.lost_film_mm2, resolution_mm);
+    findings.push_back(finding);
+  }
+  if (surface.thin_cells > 0) {
+    finding.where = surface.first_thin_cell;
+    finding.area_mm2 = static_cast<double>(surface.thin_cells) * resolution_mm * resolution_mm;
+    finding.message = fmt::format(
+        "a wall or gap thinner than the grid of {:g} mm runs through {} of its cells and is not exact there; take a "
+        "finer resolution",
+        resolution_mm, surface.thin_cells);
+    findings.push_back(finding);
+  }
+}
+
 void addPartial(ProgramEnd end, const ControlSettings& settings, std::vector<Finding>& findings) {
   if (end != ProgramEnd::kUntil) return;
   Finding finding;

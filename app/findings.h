@@ -34,6 +34,11 @@ void addDeviations(const Comparison& comparison, const Toolpath& path, const Rec
 void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBody>& bodies,
                 std::vector<Finding>& findings);
 
+/// Walls and films thinner than the grid can hold: what it lost, and where sheets of the surface share a cell
+/// (warnings).
+void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,
+                     std::vector<Finding>& findings);
+
 /// A run that was told to stop early: what follows was not looked at (a warning).
 void addPartial(ProgramEnd end, const ControlSettings& settings, std::vector<Finding>& findings);
 

@@ -34,13 +34,22 @@ double smallestRadius(const Tool& tool) {
   return tool.diameter / 2;
 }
 
+/// How far the mesh may leave the surface to save triangles, mm: a tenth of the grid, but where the part is compared
+/// no more than a tenth of what is tolerated.
+double simplification(const Job& job, double resolution_mm) {
+  constexpr double kShare = 0.1;
+  double within = resolution_mm;
+  if (job.nominal) within = std::min({within, job.nominal->gouge_mm, job.nominal->excess_mm});
+  return kShare * within;
+}
+
 Result<Comparison> comparePart(const Job& job, const PreparedMesh& nominal, const RunResult& run,
                                Progress& progress) {
   CompareOptions options;
   options.gouge_mm = job.nominal->gouge_mm;
   options.excess_mm = job.nominal->excess_mm;
   options.resolution_mm = run.resolution_mm;
-  options.uncertainty_mm = partUncertainty(run);
+  options.uncertainty_mm = partUncertainty(run) + simplification(job, run.resolution_mm);
   options.threads = job.simulation.threads;
   progress.report("comparing", 0.0);
   return compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
@@ -211,6 +220,7 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
       addContacts(setup.removal.contacts, setup.interpreted.path, *sources[k], findings);
       findings.insert(findings.end(), touched.begin(), touched.end());
       addOutcome(setup.initial_mm3, setup.surface.volume_mm3, setup.bodies, findings);
+      addThinFeatures(setup.removal, setup.surface, run.resolution_mm, findings);
       addPartial(setup.interpreted.summary.end, setup.job.settings, findings);
     });
     if (setup.surface.mesh.triangles.empty()) {
@@ -248,7 +258,10 @@ Status machineSetup(Stock& stock, double initial_mm3, SetupRun& setup, ReportPer
   Result<RemovalSummary> removal = stock.remove(setup.interpreted.path, setup.job.tools, options, progress);
   if (!removal) return removal.error();
   performance.remove_s += watch.lap();
-  Result<StockSurface> surface = stock.surface(setup.job.simulation.threads, progress);
+  SurfaceOptions surface_options;
+  surface_options.simplify_mm = simplification(setup.job, stock.resolution());
+  surface_options.threads = setup.job.simulation.threads;
+  Result<StockSurface> surface = stock.surface(surface_options, progress);
   if (!surface) return surface.error();
   performance.mesh_s += watch.lap();
   fitRemovedVolume(*removal, initial_mm3 - surface->volume_mm3);

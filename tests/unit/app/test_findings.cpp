@@ -71,6 +71,23 @@ TEST_F(Fixture, NothingCutAndLoosePiecesAreWarnings) {
   EXPECT_DOUBLE_EQ(*findings[1].volume_mm3, 200);
 }
 
+TEST_F(Fixture, WhatIsThinnerThanTheGridIsAWarning) {
+  RemovalSummary removal;
+  StockSurface surface;
+  addThinFeatures(removal, surface, 0.5, findings);
+  EXPECT_TRUE(findings.empty());
+  removal.lost_film_mm2 = 12;
+  removal.lost_film_at = {1, 2, 3};
+  surface.thin_cells = 4;
+  addThinFeatures(removal, surface, 0.5, findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].kind, "thin_feature");
+  EXPECT_EQ(findings[0].severity, Severity::kWarning);
+  EXPECT_EQ(*findings[0].where, Vec3(1, 2, 3));
+  EXPECT_DOUBLE_EQ(*findings[0].area_mm2, 12);
+  EXPECT_DOUBLE_EQ(*findings[1].area_mm2, 1);
+}
+
 TEST_F(Fixture, AnEarlyStopIsSaid) {
   ControlSettings settings;
   settings.until = UntilBlock{{}, 120};
