@@ -15,8 +15,8 @@ namespace {
 constexpr double kGrid = 0.2;
 // What the engine keeps, mm: of vertices and facets on faces, and of sharp edges. The tracks of slanted rims
 // are the worst; most surfaces are ten times closer.
-constexpr double kFaceMm = 2e-2, kEdgeMm = 6e-2;
-constexpr double kVolume = 1.5e-4;  ///< of the removed volume, relative
+constexpr double kFaceMm = 3.5e-2, kEdgeMm = 3e-2;
+constexpr double kVolume = 4e-5;  ///< of the removed volume, relative
 
 double boxDistance(const BoxShape& box, const Vec3& p) {
   return std::max((box.min - p).maxCoeff(), (p - box.max).maxCoeff());
@@ -66,7 +66,9 @@ CutPart cutCase(const Case& c) {
   if (!stock) return part;
   const auto removed = stock->remove(c.path, {parseToolOption(c.tool).value()}, options, progress);
   EXPECT_TRUE(removed.ok()) << removed.error().message;
-  auto surface = stock->surface(0, progress);
+  SurfaceOptions fine;
+  fine.simplify_mm = 0.0;
+  auto surface = stock->surface(fine, progress);
   EXPECT_TRUE(surface.ok()) << surface.error().message;
   if (surface) part.surface = std::move(*surface);
   part.initial_mm3 = stock->initialVolume();

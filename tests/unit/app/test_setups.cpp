@@ -198,9 +198,9 @@ TEST(Setups, SurfacesRememberTheSetupThatMadeThem) {
 TEST(Setups, FindingsNameTheirSetup) {
   const std::string crash = "G21 G90 T1 M6\nS1000 M3\nG0 X10 Y10 Z5\nN40 G0 Z-3\nG0 Z5\nM30\n";
   const Job job = twoSetups(0.5);
-  const Result<RunResult> result = run(job, {crash, hole(3, 3, -1)});
+  const Result<RunResult> result = run(job, {crash, hole(5, 5, -1)});
   ASSERT_TRUE(result.ok());
-  ASSERT_EQ(result->findings.size(), 1u);
+  ASSERT_EQ(result->findings.size(), 1u) << result->findings[1].message;
   EXPECT_EQ(result->findings[0].kind, "rapid_contact");
   EXPECT_EQ(result->findings[0].setup, "top");
   EXPECT_EQ(result->findings[0].source->block, 40);
