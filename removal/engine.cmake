@@ -23,6 +23,7 @@ proveout_add_library(removal
   surface_clusters.cpp
   surface_faults.cpp
   surface_grid.cpp
+  surface_intersections.cpp
   surface_merge.cpp
   surface_quads.cpp
   surface_splits.cpp)

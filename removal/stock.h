@@ -69,6 +69,8 @@ struct StockSurface {
   /// resolves, and the mesh is less exact. `first_thin_cell`: middle of the first, mm.
   std::size_t thin_cells = 0;
   Vec3 first_thin_cell = Vec3::Zero();
+  /// Pairs of triangles that run through each other and could not be parted.
+  std::size_t self_intersections = 0;
 };
 
 /// True for turns that take the axes to axes exactly (multiples of 90 degrees), with any shift.

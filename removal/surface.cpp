@@ -7,17 +7,19 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <numeric>
+#include <utility>
 
 #include "core/base/parallel_for.h"
 #include "removal/quad_volume.h"
 #include "removal/surface_faults.h"
+#include "removal/surface_intersections.h"
 #include "removal/surface_merge.h"
 #include "removal/surface_quads.h"
 #include "removal/surface_splits.h"
 #include "removal/threads.h"
 
 namespace proveout {
-
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -28,6 +30,10 @@ constexpr double kFlatnessShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
 /// Rounds of taking merged cells apart where they spoil the mesh, before all merging is given up.
 constexpr int kRepairRounds = 12;
+/// Rounds of changing the surface where it runs through itself; what is left then is counted.
+constexpr int kPartRounds = 16;
+/// Edge of the blocks in which intersections are looked for, in cells.
+constexpr double kBlockCells = 2.0;
 /// Triangles of merged vertices that lean more than this (73 degrees) from the exact surface are refused.
 constexpr double kLeastAgreement = 0.3;
 
@@ -36,7 +42,9 @@ struct LeafOutput {
   std::uint32_t triangles = 0, vertices = 0;
   std::size_t first_triangle = 0;
   std::uint32_t first_vertex = 0;
-  bool hole = false;  ///< a crossing without its four cells: a bug
+  bool changed = true;    ///< its triangles are to be made anew
+  bool unchecked = true;  ///< and not yet looked at for intersections
+  bool hole = false;      ///< a crossing without its four cells: a bug
   std::vector<SplitQuad> split;
   std::vector<std::uint32_t> faults;  ///< merged vertices of triangles that face the wrong way
 };
@@ -61,13 +69,26 @@ class Extractor {
   void eachLeaf(Progress& progress, Body&& body);
   Polygon polygon(const std::array<std::uint32_t, 4>& v) const;
   void measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const;
+  void countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, const std::array<int, 4>& at,
+                 LeafOutput& out) const;
   void countLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const;
   void numberVertices();
   void writeVertices(const SurfaceLeaf& leaf, const LeafOutput& out, TriMesh& mesh);
   void writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mesh) const;
-  void writeSplits(TriMesh& mesh) const;
-  bool writeMesh(TriMesh& mesh, Progress& progress);
+  void copyLeaf(const LeafOutput& out, std::size_t from, const TriMesh& old,
+                const std::vector<std::uint32_t>& old_cells, TriMesh& mesh) const;
+  void writeSplits(TriMesh& mesh);
+  void writeMesh(TriMesh& mesh, Progress& progress);
+  std::vector<std::uint8_t> verticesOf(const TriMesh& mesh, bool LeafOutput::*which) const;
+  std::vector<std::uint32_t> findFaults(const TriMesh& mesh, const std::vector<std::uint8_t>& touched) const;
+  std::vector<std::array<std::uint32_t, 2>> findMeetings(const TriMesh& mesh,
+                                                         std::vector<std::uint8_t> touched) const;
+  void addCells(const std::array<std::uint32_t, 3>& triangle, std::vector<std::uint32_t>& cells) const;
+  bool part(const TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs);
+  void update(Progress& progress);
+  bool repair(StockSurface& surface, Progress& progress);
   std::uint32_t finalNumber(std::uint32_t v) const;
+  std::uint32_t cellAt(std::uint32_t number) const { return cell_at_.empty() ? number : cell_at_[number]; }
 
   const Stock::Impl& impl_;
   SurfaceGrid grid_;
@@ -75,6 +96,9 @@ class Extractor {
   std::vector<LeafOutput> outputs_;
   std::unique_ptr<std::uint32_t[]> number_;  ///< a cell whose vertex stands for itself: its place in the mesh
   std::uint32_t cells_kept_ = 0;
+  std::vector<std::uint32_t> cell_at_;      ///< the cell of a vertex of the mesh; empty: each its own
+  std::vector<const SplitQuad*> split_at_;  ///< quads of the vertices after those of the cells and sheets
+  std::vector<std::int32_t> stale_;         ///< leaves whose cells changed, maybe repeatedly
 };
 
 template <typename Body>
@@ -104,7 +128,17 @@ Polygon Extractor::polygon(const std::array<std::uint32_t, 4>& v) const {
   return out;
 }
 
-/// Volume and split quads: they do not depend on what is merged.
+/// Counts the triangles of the quad at `at` (axis, x, y, z), or keeps it to be split.
+void Extractor::countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c,
+                          const std::array<int, 4>& at, LeafOutput& out) const {
+  if (quad.split != 0) {
+    out.split.push_back(splitQuad(grid_, leaf, at[0], at[1], at[2], at[3], quad, c));
+  } else if (const int corners = polygon(quad.v).count; corners > 0) {
+    out.triangles += static_cast<std::uint32_t>(corners - 2);
+  }
+}
+
+/// The volume does not depend on what is merged.
 void Extractor::measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
   const Vec3 center = (impl_.blank.center() - impl_.position(leaf.stock->origin)) / impl_.h;
   QuadReader reader(grid_);
@@ -116,13 +150,7 @@ void Extractor::measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
       return;
     }
     out.volume += quadVolume(quad.p, quad.middle, quad.normal, center);
-    if (quad.split != 0) {
-      out.split.push_back(splitQuad(grid_, leaf, axis, x, y, z, quad, c));
-      return;
-    }
-    if (const int corners = polygon(quad.v).count; corners > 0) {
-      out.triangles += static_cast<std::uint32_t>(corners - 2);
-    }
+    countQuad(leaf, quad, c, {axis, x, y, z}, out);
   });
 }
 
@@ -131,12 +159,10 @@ void Extractor::countLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
   reader.load(leaf);
   Quad quad;
   out.triangles = 0;
+  out.split.clear();
   forEachCrossing(leaf, [&](int axis, int x, int y, int z, const Crossing& c) {
     reader.read(axis, x, y, z, c, quad);
-    if (quad.split != 0) return;
-    if (const int corners = polygon(quad.v).count; corners > 0) {
-      out.triangles += static_cast<std::uint32_t>(corners - 2);
-    }
+    countQuad(leaf, quad, c, {axis, x, y, z}, out);
   });
 }
 
@@ -176,6 +202,7 @@ void Extractor::writeVertices(const SurfaceLeaf& leaf, const LeafOutput& out, Tr
     if (merger_.active()) {
       if (merger_.standIn(k) != k) continue;
       number_[k] = next;
+      cell_at_[next] = k;
     }
     write(next++, grid_.vertex(k));
   }
@@ -235,14 +262,32 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
   });
 }
 
-void Extractor::writeSplits(TriMesh& mesh) const {
+/// Triangles of a leaf that did not change, with the vertices' new numbers.
+void Extractor::copyLeaf(const LeafOutput& out, std::size_t from, const TriMesh& old,
+                         const std::vector<std::uint32_t>& old_cells, TriMesh& mesh) const {
+  const auto old_kept = static_cast<std::uint32_t>(old_cells.size());
+  for (std::size_t k = 0; k < out.triangles; ++k) {
+    Triangle t = old.triangles[from + k];
+    if (merger_.active()) {
+      for (std::uint32_t& v : t) v = v < old_kept ? number_[old_cells[v]] : v - old_kept + cells_kept_;
+    }
+    mesh.triangles[out.first_triangle + k] = t;
+    mesh.motion[out.first_triangle + k] = old.motion[from + k];
+  }
+}
+
+void Extractor::writeSplits(TriMesh& mesh) {
   std::map<std::array<int, 7>, std::uint32_t> at_face;
+  split_at_.clear();
+  const SplitQuad* quad = nullptr;
   const auto newVertex = [&](const Eigen::Vector3f& p) {
     mesh.positions.push_back(p);
+    split_at_.push_back(quad);
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
   };
   for (const LeafOutput& out : outputs_) {
     for (const SplitQuad& split : out.split) {
+      quad = &split;
       std::vector<std::uint32_t> ring;
       std::size_t next = 0;
       for (int i = 0; i < 4; ++i) {
@@ -264,35 +309,171 @@ void Extractor::writeSplits(TriMesh& mesh) const {
   }
 }
 
-/// Writes the mesh with what is merged now; false if that spoils it, after taking the places apart.
-bool Extractor::writeMesh(TriMesh& mesh, Progress& progress) {
+/// Writes the mesh with what is merged now; leaves that did not change are taken from what is in it.
+void Extractor::writeMesh(TriMesh& mesh, Progress& progress) {
+  const TriMesh old = std::exchange(mesh, {});
+  const std::vector<std::uint32_t> old_cells = std::exchange(cell_at_, {});
   numberVertices();
+  std::vector<std::size_t> from(outputs_.size());
   std::size_t triangles = 0;
-  for (LeafOutput& out : outputs_) {
-    out.first_triangle = triangles;
-    triangles += out.triangles;
+  for (std::size_t i = 0; i < outputs_.size(); ++i) {
+    from[i] = std::exchange(outputs_[i].first_triangle, triangles);
+    triangles += outputs_[i].triangles;
   }
+  if (merger_.active()) cell_at_.resize(cells_kept_);
   mesh.positions.resize(cells_kept_ + grid_.vertexCount() - grid_.cellCount());
   mesh.triangles.resize(triangles);
   mesh.motion.resize(triangles);
   eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) { writeVertices(leaf, out, mesh); });
-  eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) { writeLeaf(leaf, out, mesh); });
-  if (progress.cancelled()) return true;
-  writeSplits(mesh);
-  if (!merger_.active()) return true;
-  std::vector<std::uint32_t> faults;
-  for (const LeafOutput& out : outputs_) faults.insert(faults.end(), out.faults.begin(), out.faults.end());
-  std::vector<std::uint32_t> cell_of(mesh.positions.size(), kNoWatch);
-  parallelFor(std::size_t{0}, outputs_.size(), [&](std::size_t i) {
-    const SurfaceLeaf& leaf = grid_.leaves()[i];
-    for (std::uint32_t k = leaf.base; k < leaf.base + leaf.cells; ++k) {
-      if (merger_.standIn(k) == k && merger_.merged(k)) cell_of[number_[k]] = k;
+  eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) {
+    if (out.changed) {
+      writeLeaf(leaf, out, mesh);
+    } else {
+      copyLeaf(out, from[static_cast<std::size_t>(&out - outputs_.data())], old, old_cells, mesh);
     }
   });
-  findBrokenFans(mesh, cell_of, faults);
-  if (faults.empty()) return true;
-  merger_.takeApart(std::move(faults));
-  return false;
+  if (!progress.cancelled()) writeSplits(mesh);
+}
+
+/// Flags of the vertices of triangles in leaves with this property, and of all fans.
+std::vector<std::uint8_t> Extractor::verticesOf(const TriMesh& mesh, bool LeafOutput::*which) const {
+  std::vector<std::uint8_t> touched(mesh.positions.size(), 0);
+  const auto touch = [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      for (const std::uint32_t v : mesh.triangles[t]) touched[v] = 1;
+    }
+  };
+  std::size_t end = 0;
+  for (const LeafOutput& out : outputs_) {
+    end = out.first_triangle + out.triangles;
+    if (out.*which) touch(out.first_triangle, end);
+  }
+  touch(end, mesh.triangles.size());
+  return touched;
+}
+
+/// Merged cells that spoil the mesh.
+std::vector<std::uint32_t> Extractor::findFaults(const TriMesh& mesh,
+                                                 const std::vector<std::uint8_t>& touched) const {
+  std::vector<std::uint32_t> faults;
+  if (!merger_.active()) return faults;
+  for (const LeafOutput& out : outputs_) {
+    if (out.changed) faults.insert(faults.end(), out.faults.begin(), out.faults.end());
+  }
+  std::vector<std::uint32_t> watched(mesh.positions.size(), kNoWatch);
+  for (std::uint32_t v = 0; v < cells_kept_; ++v) {
+    if (touched[v] != 0 && merger_.merged(cell_at_[v])) watched[v] = cell_at_[v];
+  }
+  findBrokenFans(mesh, watched, faults);
+  return faults;
+}
+
+/// Triangles that run through each other. Where surface keeps to its own cells and does not fold, it
+/// cannot: the suspects are vertices that left their cell or were put back to its wall, and further sheets.
+std::vector<std::array<std::uint32_t, 2>> Extractor::findMeetings(const TriMesh& mesh,
+                                                                  std::vector<std::uint8_t> touched) const {
+  constexpr std::uint16_t kSuspect = CellTraits::kOutside | CellTraits::kWall | CellTraits::kManySheets |
+                                     CellTraits::kOneSheetFaces | CellTraits::kCone;
+  for (std::uint32_t v = 0; v < cells_kept_; ++v) {
+    if ((grid_.traits(cellAt(v)) & kSuspect) == 0) touched[v] = 0;
+  }
+  return findIntersections(mesh, touched, kBlockCells * impl_.h);
+}
+
+/// Cells that a triangle depends on.
+void Extractor::addCells(const Triangle& triangle, std::vector<std::uint32_t>& cells) const {
+  const std::size_t sheets = grid_.vertexCount() - grid_.cellCount();
+  for (const std::uint32_t v : triangle) {
+    if (v < cells_kept_) {
+      cells.push_back(cellAt(v));
+    } else if (v < cells_kept_ + sheets) {
+      cells.push_back(grid_.cellOf(v - cells_kept_ + static_cast<std::uint32_t>(grid_.cellCount())));
+    } else {
+      for (const std::uint32_t corner : split_at_[v - cells_kept_ - sheets]->v)
+        cells.push_back(merger_.standIn(grid_.cellOf(corner)));
+    }
+  }
+}
+
+/// Changes the surface around pairs of triangles that meet, in the mildest way that is left: merged cells
+/// are taken apart, then vertices outside put back, then cells made cones. False if nothing is left.
+bool Extractor::part(const TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  std::vector<std::uint32_t> merged;
+  bool any = false;
+  const auto done = [&](std::uint32_t cell) {
+    stale_.push_back(static_cast<std::int32_t>(grid_.leafOf(cell)));
+    any = true;
+  };
+  for (const auto& pair : pairs) {
+    std::vector<std::uint32_t> cells;
+    for (const std::uint32_t t : pair) addCells(mesh.triangles[t], cells);
+    bool changed = false;
+    for (const std::uint32_t cell : cells) {
+      if (!merger_.merged(cell)) continue;
+      merged.push_back(cell);
+      changed = any = true;
+    }
+    if (changed) continue;
+    for (const std::uint32_t cell : cells) {
+      if (!grid_.pullInside(cell)) continue;
+      done(cell);
+      changed = true;
+    }
+    if (changed) continue;
+    for (const std::uint32_t cell : cells) {
+      if (grid_.makeCone(cell)) done(cell);
+    }
+  }
+  if (!merged.empty()) merger_.takeApart(std::move(merged), stale_);
+  return any;
+}
+
+/// Makes the leaves anew that the stale ones and the surface between them and their neighbours belong to.
+void Extractor::update(Progress& progress) {
+  std::sort(stale_.begin(), stale_.end());
+  stale_.erase(std::unique(stale_.begin(), stale_.end()), stale_.end());
+  merger_.assign(stale_);
+  for (LeafOutput& out : outputs_) out.changed = false;
+  for (const std::int32_t n : stale_) {
+    for (int i = 0; i < 7; ++i) {
+      const std::int32_t reader = grid_.leaves()[static_cast<std::size_t>(n)].upper[i];
+      if (reader >= 0) {
+        LeafOutput& out = outputs_[static_cast<std::size_t>(reader)];
+        out.changed = out.unchecked = true;
+      }
+    }
+  }
+  stale_.clear();
+  eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) {
+    if (out.changed) countLeaf(leaf, out);
+  });
+}
+
+/// Writes the mesh, and again as long as what is merged or placed spoils it. False if cancelled.
+bool Extractor::repair(StockSurface& surface, Progress& progress) {
+  for (int fault_rounds = 0, part_rounds = 0;; update(progress)) {
+    if (progress.cancelled()) return false;
+    writeMesh(surface.mesh, progress);
+    if (progress.cancelled()) return false;
+    std::vector<std::uint32_t> faults =
+        findFaults(surface.mesh, verticesOf(surface.mesh, &LeafOutput::changed));
+    if (!faults.empty() && ++fault_rounds > kRepairRounds) {
+      merger_.giveUp();
+      stale_.resize(outputs_.size());
+      std::iota(stale_.begin(), stale_.end(), 0);
+      continue;
+    }
+    if (!faults.empty()) {
+      merger_.takeApart(std::move(faults), stale_);
+      continue;
+    }
+    const auto pairs = findMeetings(surface.mesh, verticesOf(surface.mesh, &LeafOutput::unchecked));
+    for (LeafOutput& out : outputs_) out.unchecked = false;
+    if (pairs.empty()) return true;
+    surface.self_intersections = pairs.size();
+    if (++part_rounds > kPartRounds || !part(surface.mesh, pairs)) return true;
+    surface.self_intersections = 0;
+  }
 }
 
 Result<StockSurface> Extractor::run(Progress& progress) {
@@ -317,13 +498,7 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   surface.thin_cells = grid_.thinCells();
   surface.first_thin_cell = grid_.firstThinCell();
   progress.report("meshing", 0.7);
-  for (int round = 0; !writeMesh(surface.mesh, progress); ++round) {
-    if (round == kRepairRounds) merger_.giveUp();
-    merger_.assign();
-    eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) { countLeaf(leaf, out); });
-    if (progress.cancelled()) return interrupted;
-  }
-  if (progress.cancelled()) return interrupted;
+  if (!repair(surface, progress)) return interrupted;
   progress.report("meshing", 1.0);
   return surface;
 }

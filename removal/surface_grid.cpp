@@ -14,6 +14,10 @@ namespace {
 constexpr float kGentleCos = 0.978f;
 /// How far vertices of cells with several sheets may leave them, in cells.
 constexpr double kThinReach = 0.1;
+/// Cones have their apex this far (in cells) inside the cell.
+constexpr float kConeGap = 0.01f;
+/// A vertex this near to a wall of its cell (in cells) was put back to it.
+constexpr double kAtWall = 2e-3;
 constexpr float kNormalUnit = 1.0f / Crossing::kNormalScale;
 
 constexpr std::uint64_t kColumnX0 = 0xFF, kColumnY0 = 0x0101010101010101ull;
@@ -143,6 +147,7 @@ class LeafPlacer {
       out.p = (origin + (sheets == 1 ? v.p : thin)).cast<float>();
       out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
       if (sheets > 1) continue;
+      if (v.p.minCoeff() < kAtWall || v.p.maxCoeff() > 1.0 - kAtWall) out.traits |= CellTraits::kWall;
       if (v.outside) {
         leaf_.outside.push_back(
             {static_cast<std::uint16_t>(z << 6 | bit), (origin + v.inside).cast<float>()});
@@ -335,9 +340,58 @@ bool SurfaceGrid::build(Progress& progress) {
   return true;
 }
 
+std::size_t SurfaceGrid::leafOf(std::uint32_t cell) const {
+  const auto above = std::upper_bound(leaves_.begin(), leaves_.end(), cell,
+                                      [](std::uint32_t c, const SurfaceLeaf& leaf) { return c < leaf.base; });
+  return static_cast<std::size_t>(above - leaves_.begin()) - 1;
+}
+
+std::uint32_t SurfaceGrid::cellOf(std::uint32_t vertex) const {
+  if (vertex < cell_count_) return vertex;
+  const auto above =
+      std::upper_bound(leaves_.begin(), leaves_.end(), vertex,
+                       [](std::uint32_t v, const SurfaceLeaf& leaf) { return v < leaf.extra_base; });
+  const SurfaceLeaf& leaf = *(above - 1);
+  return leaf.base + leaf.extra[vertex - leaf.extra_base].cell;
+}
+
+bool SurfaceGrid::pullInside(std::uint32_t cell) {
+  if (!(traits_[cell] & CellTraits::kOutside)) return false;
+  SurfaceLeaf& leaf = leaves_[leafOf(cell)];
+  const int place = leaf.placeOf(static_cast<int>(cell - leaf.base));
+  const auto it = std::find_if(leaf.outside.begin(), leaf.outside.end(),
+                               [&](const OutsideVertex& o) { return o.place == place; });
+  if (it == leaf.outside.end()) return false;
+  vertices_[cell] = it->inside;
+  leaf.outside.erase(it);
+  traits_[cell] &= static_cast<std::uint16_t>(~CellTraits::kOutside);
+  traits_[cell] |= CellTraits::kWall;
+  return true;
+}
+
+bool SurfaceGrid::makeCone(std::uint32_t cell) {
+  if (traits_[cell] & CellTraits::kCone) return false;
+  pullInside(cell);
+  traits_[cell] &= static_cast<std::uint16_t>(~CellTraits::kSmooth);
+  traits_[cell] |= CellTraits::kCone;
+  SurfaceLeaf& leaf = leaves_[leafOf(cell)];
+  const int place = leaf.placeOf(static_cast<int>(cell - leaf.base));
+  const Eigen::Array3f low(static_cast<float>(place >> 3 & 7), static_cast<float>(place & 7),
+                           static_cast<float>(place >> 6));
+  const auto enclose = [&](Eigen::Vector3f& p) {
+    p = p.array().max(low + kConeGap).min(low + (1.0f - kConeGap)).matrix();
+  };
+  enclose(vertices_[cell]);
+  for (ExtraVertex& e : leaf.extra) {
+    if (e.cell == cell - leaf.base) enclose(e.p);
+  }
+  return true;
+}
+
 bool SurfaceGrid::putInside(std::uint32_t cell, const Eigen::Vector3f& p) {
   if (!(traits_[cell] & CellTraits::kFolds)) return false;
   traits_[cell] &= static_cast<std::uint16_t>(~(CellTraits::kFolds | CellTraits::kOutside));
+  traits_[cell] |= CellTraits::kWall;
   vertices_[cell] = p;
   return true;
 }

@@ -205,16 +205,27 @@ std::uint32_t VertexMerger::middleOf(const std::vector<std::int32_t>& leaves) co
 
 void VertexMerger::assign() {
   if (!active()) return;
-  auto& leaves = grid_.leaves();
   if (count_ == 0) {
     count_ = static_cast<std::uint32_t>(grid_.cellCount());
     stand_in_ = std::make_unique_for_overwrite<std::uint32_t[]>(count_);
   }
-  parallelFor(std::size_t{0}, leaves.size(), [&](std::size_t i) { assignLeaf(leaves[i]); });
-  parallelFor(std::size_t{0}, leaves.size(), [&](std::size_t i) {
-    const int level = leaves[i].clusters.above;
+  std::vector<std::int32_t> all(grid_.leaves().size());
+  std::iota(all.begin(), all.end(), 0);
+  assign(all);
+}
+
+void VertexMerger::assign(const std::vector<std::int32_t>& changed) {
+  if (!active()) return;
+  auto& leaves = grid_.leaves();
+  const auto eachLeaf = [&](auto&& body) {
+    parallelFor(std::size_t{0}, changed.size(),
+                [&](std::size_t i) { body(leaves[static_cast<std::size_t>(changed[i])]); });
+  };
+  eachLeaf([&](const SurfaceLeaf& leaf) { assignLeaf(leaf); });
+  eachLeaf([&](const SurfaceLeaf& first) {
+    const int level = first.clusters.above;
     if (level == 0) return;
-    const std::vector<std::int32_t> cube = leavesOf(LeafReader(grid_.impl()), leaves[i], level, level);
+    const std::vector<std::int32_t> cube = leavesOf(LeafReader(grid_.impl()), first, level, level);
     if (cube.empty()) return;
     const std::uint32_t middle = middleOf(cube) | kMerged;
     for (const std::int32_t n : cube) {
@@ -228,16 +239,15 @@ void VertexMerger::giveUp() {
   for (SurfaceLeaf& leaf : grid_.leaves()) leaf.clusters = LeafClusters{};
 }
 
-void VertexMerger::takeApart(std::vector<std::uint32_t> cells) {
+void VertexMerger::takeApart(std::vector<std::uint32_t> cells, std::vector<std::int32_t>& changed) {
   auto& leaves = grid_.leaves();
   for (std::uint32_t& cell : cells) cell = standIn(cell);
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   for (const std::uint32_t cell : cells) {
-    const auto above =
-        std::upper_bound(leaves.begin(), leaves.end(), cell,
-                         [](std::uint32_t c, const SurfaceLeaf& leaf) { return c < leaf.base; });
-    SurfaceLeaf& leaf = *(above - 1);
+    const std::size_t number = grid_.leafOf(cell);
+    SurfaceLeaf& leaf = leaves[number];
+    changed.push_back(static_cast<std::int32_t>(number));
     if (const int level = leaf.clusters.above; level > 0) {
       const LeafReader read(grid_.impl());
       const Coord origin = cubeOrigin(leaf.stock->origin, level);
@@ -245,7 +255,9 @@ void VertexMerger::takeApart(std::vector<std::uint32_t> cells) {
       for (int i = 0; i < side * side * side; ++i) {
         const std::int32_t n =
             read.state(origin.offsetBy(i / (side * side) * 8, i / side % side * 8, i % side * 8));
-        if (n >= 0) leaves[static_cast<std::size_t>(n)].clusters.above = static_cast<std::uint8_t>(level - 1);
+        if (n < 0) continue;
+        leaves[static_cast<std::size_t>(n)].clusters.above = static_cast<std::uint8_t>(level - 1);
+        changed.push_back(n);
       }
       continue;
     }

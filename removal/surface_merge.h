@@ -21,12 +21,15 @@ class VertexMerger {
   void mergeLeaves();
   /// Chooses the vertex of each cube.
   void assign();
+  /// The same where cubes were taken apart.
+  void assign(const std::vector<std::int32_t>& leaves);
   /// The vertex that stands for a vertex. Requires assign.
   std::uint32_t standIn(std::uint32_t v) const { return v < count_ ? stand_in_[v] & ~kMerged : v; }
   /// Whether a vertex is one of several cells that are merged.
   bool merged(std::uint32_t v) const { return v < count_ && (stand_in_[v] & kMerged) != 0; }
-  /// Takes the cubes of these cells apart to the next smaller ones. Call assign afterwards.
-  void takeApart(std::vector<std::uint32_t> cells);
+  /// Takes the cubes of these cells apart to the next smaller ones. Adds the leaves that it changed, maybe
+  /// repeatedly; call assign with them afterwards.
+  void takeApart(std::vector<std::uint32_t> cells, std::vector<std::int32_t>& changed);
   /// Merges nothing any more. Call assign afterwards.
   void giveUp();
 

@@ -102,7 +102,7 @@ bool QuadReader::read(int axis, int x, int y, int z, const Crossing& c, Quad& qu
   for (int i = 0; i < 4; ++i) quad.p[i] = p_[cell[i]].cast<double>();
   quad.split = 0;
   const bool start_in = leafSample(leaf_->stock->material, x, y, z);
-  if ((quad.traits & (CellTraits::kManySheets | CellTraits::kOneSheetFaces)) != 0) {
+  if ((quad.traits & (CellTraits::kManySheets | CellTraits::kOneSheetFaces | CellTraits::kCone)) != 0) {
     pickSheets(axis, x, y, z, start_in, quad);
   }
   if (!start_in) {
@@ -124,10 +124,12 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::array<int, 4> corner;
   std::array<std::uint8_t, 4> faces;
+  std::array<bool, 4> cone;
   for (int i = 0; i < 4; ++i) {
     corner[i] = kRing[i][0] << u | kRing[i][1] << v;
     const std::uint32_t cell = quad.v[i];
     faces[i] = oneSheetFaces()[grid_.pattern(cell)];
+    cone[i] = (grid_.traits(cell) & CellTraits::kCone) != 0;
     if (!(grid_.traits(cell) & CellTraits::kManySheets)) continue;
     const int sheet = cellCycles()[grid_.pattern(cell)].cycle_of_edge[edgeAt(axis, corner[i])];
     if (sheet <= 0) continue;
@@ -148,7 +150,8 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
     // Cells i and i + 1 share the face across `cross`.
     const int j = (i + 1) % 4, cross = kRing[i][0] != kRing[j][0] ? u : v;
     const int side = corner[i] >> cross & 1;
-    if (faces[i] >> (cross * 2 + side) & faces[j] >> (cross * 2 + 1 - side) & 1) {
+    const bool doubled = (faces[i] >> (cross * 2 + side) & faces[j] >> (cross * 2 + 1 - side) & 1) != 0;
+    if (doubled || cone[i] || cone[j]) {
       quad.split |= static_cast<std::uint8_t>(1 << (start_in ? i : (6 - i) % 4));
     }
   }

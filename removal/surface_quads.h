@@ -16,7 +16,7 @@ struct Quad {
   Vec3 normal;               ///< there, unit to 1e-4
   std::uint16_t traits;      ///< of its cells, one or the other
   std::uint16_t all_traits;  ///< common to its cells
-  std::uint8_t split;        ///< bit i: the face between corners i and i + 1 needs a vertex of its own
+  std::uint8_t split;        ///< bit i: the face between corners i and i + 1 gets a vertex of its own
 };
 
 /// Cut of a quad along a diagonal.

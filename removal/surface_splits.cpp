@@ -6,16 +6,64 @@ namespace proveout {
 
 namespace {
 
-/// Fraction of a crossed edge, or its middle. The edge may start below the leaf.
-double crossingOn(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, const Eigen::Vector3i& at) {
-  const int below = (at.x() < 0) | (at.y() < 0) << 1 | (at.z() < 0) << 2;
-  const int above = (at.x() > 7) | (at.y() > 7) << 1 | (at.z() > 7) << 2;
-  const std::int32_t number = below != 0 ? leaf.lower[below] : leaf.upper[above];
-  if (number < 0 || (below != 0 && above != 0)) return 0.5;
-  const SurfaceLeaf& there = grid.leaves()[static_cast<std::size_t>(number)];
+/// Vertices on edges keep this far from the ends (in cells), so that those of several edges never coincide.
+constexpr double kEndGap = 1e-3;
+
+/// Fraction of the edge along `axis` from voxel `at` (of the whole grid) at which it is crossed; below 0:
+/// not.
+double crossingOn(const SurfaceGrid& grid, int axis, const Coord& at) {
+  const std::int32_t number = LeafReader(grid.impl()).state(at & ~7);
+  if (number < 0) return -1.0;
+  const SurfaceLeaf& leaf = grid.leaves()[static_cast<std::size_t>(number)];
   const int x = at.x() & 7, y = at.y() & 7, z = at.z() & 7;
-  if (!there.edges.isCrossed(axis, x, y, z)) return 0.5;
-  return there.stock->crossings[static_cast<std::size_t>(there.edges.indexOf(axis, x, y, z))].t;
+  if (!leaf.edges.isCrossed(axis, x, y, z)) return -1.0;
+  const auto i = static_cast<std::size_t>(leaf.edges.indexOf(axis, x, y, z));
+  return std::clamp<double>(leaf.stock->crossings[i].t, kEndGap, 1.0 - kEndGap);
+}
+
+/// A face of cells between two corners of a quad, and the quad's edge in it.
+struct Face {
+  Coord at;         ///< voxel of its lowest corner
+  int cross, axis;  ///< axis across it, and of the quad's edge
+  int back;         ///< 1 where that edge is the farther of two along `axis`
+  int material;     ///< 1 where the edge's far end is in material
+};
+
+/// Its place between the quad's crossing and the one that the surface leads to in the face: the other one of
+/// two, and of four the one at the same material corner.
+FaceSplit splitFace(const SurfaceGrid& grid, const Face& face) {
+  const int other = 3 - face.cross - face.axis;
+  struct Edge {
+    int axis;
+    Coord at;
+    double t;
+  };
+  const auto edge = [&](int axis, int along, int far) {
+    Coord at = face.at;
+    at[along] += far;
+    return Edge{axis, at, crossingOn(grid, axis, at)};
+  };
+  const Edge own = edge(face.axis, other, face.back);
+  const std::array<Edge, 3> rest = {edge(face.axis, other, 1 - face.back),
+                                    edge(other, face.axis, face.material),
+                                    edge(other, face.axis, 1 - face.material)};
+  const auto crossed = std::count_if(rest.begin(), rest.end(), [](const Edge& e) { return e.t >= 0.0; });
+  const Edge* end = &rest[1];
+  if (crossed == 1) end = std::find_if(rest.begin(), rest.end(), [](const Edge& e) { return e.t >= 0.0; });
+  const auto place = [&](const Edge& e) {
+    Vec3 p(e.at.x() - face.at.x(), e.at.y() - face.at.y(), e.at.z() - face.at.z());
+    p[e.axis] += e.t;
+    return p;
+  };
+  FaceSplit out;
+  Coord corner = face.at;  // with two crossings, one vertex a face
+  if (crossed == 3) {
+    corner[other] += face.back;
+    corner[face.axis] += face.material;
+  }
+  out.key = {face.at.x(), face.at.y(), face.at.z(), face.cross, corner.x(), corner.y(), corner.z()};
+  out.p = (grid.impl().position(face.at) + grid.impl().h * 0.5 * (place(own) + place(*end))).cast<float>();
+  return out;
 }
 
 }  // namespace
@@ -23,10 +71,9 @@ double crossingOn(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, co
 SplitQuad splitQuad(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, int x, int y, int z,
                     const Quad& quad, const Crossing& c) {
   const Stock::Impl& impl = grid.impl();
-  const auto position = [&](const Vec3& p) {
-    return Eigen::Vector3f((impl.position(leaf.stock->origin) + impl.h * p).cast<float>());
-  };
-  SplitQuad out{quad.v, c.motion, position(quad.middle), {}};
+  Vec3 middle(x, y, z);
+  middle[axis] += std::clamp<double>(c.t, kEndGap, 1.0 - kEndGap);
+  SplitQuad out{quad.v, c.motion, (impl.position(leaf.stock->origin) + impl.h * middle).cast<float>(), {}};
   const bool start_in = leafSample(leaf.stock->material, x, y, z);
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   for (int after = 0; after < 4; ++after) {
@@ -34,18 +81,11 @@ SplitQuad splitQuad(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, 
     const int i = start_in ? after : (6 - after) % 4, j = (i + 1) % 4;  // cells in the order of kRing
     const int cross = kRing[i][0] != kRing[j][0] ? u : v, other = cross == u ? v : u;
     const int back = other == u ? kRing[i][0] : kRing[i][1];
-    Eigen::Vector3i face(x, y, z), material = face;
-    face[other] -= back;
-    if (!start_in) ++material[axis];
-    Eigen::Vector3i edge = material;  // the crossed edge along `other` at the material corner, in this face
-    edge[other] -= back;
-    Vec3 end = edge.cast<double>();
-    end[other] += crossingOn(grid, leaf, other, edge);
-    const Coord& o = leaf.stock->origin;
-    out.faces.push_back({after,
-                         {face.x() + o.x(), face.y() + o.y(), face.z() + o.z(), cross, material.x() + o.x(),
-                          material.y() + o.y(), material.z() + o.z()},
-                         position(0.5 * (quad.middle + end))});
+    Face face{leaf.stock->origin.offsetBy(x, y, z), cross, axis, back, start_in ? 0 : 1};
+    face.at[other] -= back;
+    FaceSplit split = splitFace(grid, face);
+    split.after = after;
+    out.faces.push_back(split);
   }
   return out;
 }

@@ -7,6 +7,7 @@
 
 #include "core/mesh/tri_mesh.h"
 #include "field_stock.h"
+#include "removal/surface_intersections.h"
 #include "removal/threads.h"
 
 namespace proveout {
@@ -153,6 +154,54 @@ TEST(Surface, SharpRimOfAConeStaysClosed) {
   double tip = 1.0;
   for (const auto& p : s.mesh.positions) tip = std::min(tip, (p.cast<double>() - kAxis * 3.0).norm());
   EXPECT_LT(tip, 0.002);
+}
+
+std::vector<std::array<std::uint32_t, 2>> meetings(const TriMesh& mesh, double block_mm) {
+  return findIntersections(mesh, std::vector<std::uint8_t>(mesh.positions.size(), 1), block_mm);
+}
+
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+
+TEST(Intersections, TellTrianglesThatMeetFromThoseThatTouchOrPass) {
+  TriMesh mesh;
+  mesh.positions = {{0, 0, 0},       {4, 0, 0},   {0, 4, 0},        // 0
+                    {1, 1, -1},      {1, 1, 1},   {5, 5, 1},        // 1: an edge through 0
+                    {1, 1, 2},       {2, 1, 3},   {1, 2, 3},        // 2: above
+                    {3.5f, 3.5f, 0}, {9, 3, 0},   {3, 9, 0},        // 3: beside 0 in its plane
+                    {1, 2, 0},       {-3, 2, 0},  {-3, 3, 0},       // 4: over 0 in its plane
+                    {7, -2, -2},     {7, -1, -2}, {7, -1.5f, -2}};  // 5: no area
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}, {12, 13, 14}, {15, 16, 17}};
+  for (const double block : {0.5, 2.0, 50.0}) {
+    EXPECT_EQ(meetings(mesh, block), (Pairs{{0, 1}, {0, 4}, {5, 5}})) << block;
+  }
+}
+
+TEST(Intersections, NeighboursMeetOnlyWhereTheyFold) {
+  TriMesh mesh;
+  mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 1}, {0.5f, 0.5f, 0}, {1, 1, -1}, {1, 0.5f, 1}};
+  mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
+  EXPECT_TRUE(meetings(mesh, 1.0).empty());
+  mesh.triangles = {{0, 1, 2}, {2, 1, 4}};  // over an edge, onto the other
+  EXPECT_EQ(meetings(mesh, 1.0), (Pairs{{0, 1}}));
+  mesh.triangles = {{0, 1, 2}, {0, 5, 6}};  // through it from the common corner
+  EXPECT_EQ(meetings(mesh, 1.0), (Pairs{{0, 1}}));
+  mesh.triangles = {{0, 1, 2}, {0, 3, 6}};  // above it
+  EXPECT_TRUE(meetings(mesh, 1.0).empty());
+}
+
+TEST(Intersections, OnlyThoseOfSuspectsAreLookedFor) {
+  TriMesh mesh;
+  mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {5, 5, 1}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  EXPECT_TRUE(findIntersections(mesh, std::vector<std::uint8_t>(6, 0), 1.0).empty());
+  EXPECT_EQ(findIntersections(mesh, std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1}, 1.0), (Pairs{{0, 1}}));
+}
+
+TEST_P(SurfaceOf, NeverRunsThroughItself) {
+  for (const double tolerance : {0.0, 0.02, 0.1}) {
+    const StockSurface s = extract(GetParam().field, kBounds, 0.2, kShift, tolerance);
+    EXPECT_EQ(s.self_intersections, 0u) << tolerance;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, SurfaceOf, testing::ValuesIn(cases()),
