@@ -32,7 +32,7 @@ constexpr double kSecondsPerPixel = 8.5e-7;         ///< one picture
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
 constexpr int kMapSide = 384;
-constexpr double kMapWork = 3e7;
+constexpr double kMapWork = 6e6;
 
 /// Lowest point that the tools reach over each cell of a coarse grid in plan view.
 class HeightMap {

@@ -121,7 +121,7 @@ inline void lineColumns(const ColumnSweep& sweep, const double* __restrict x, co
     a1[i] = least(length - along[i], w[i]);
   }
   if (tool.ball) {
-    const double lean = -slope / __builtin_sqrt(1.0 + slope * slope), lift = fz + tool.radius;
+    const double lean = sweep.lean, lift = fz + tool.radius;
     for (int i = 0; i < n; ++i) {
       const double s = least(most(lean * w[i], a0[i]), a1[i]);
       lo[i] = lift + slope * (s + along[i]) - root(w2[i] - s * s);

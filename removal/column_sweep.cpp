@@ -83,6 +83,7 @@ ColumnSweep columnLine(const ColumnSolid& solid, const Vec3& from, const Vec3& t
   s.ux = (to.x() - from.x()) / s.length;
   s.uy = (to.y() - from.y()) / s.length;
   s.slope = s.rise / s.length;
+  s.lean = -s.slope / std::sqrt(1.0 + s.slope * s.slope);
   return s;
 }
 

@@ -39,6 +39,7 @@ struct ColumnSweep {
   double x = 0.0, y = 0.0, z = 0.0;  ///< tip at the start, mm; arcs: centre, at the height of the tip
   double rise = 0.0;                 ///< mm, from start to end
   double ux = 1.0, uy = 0.0, length = 0.0, slope = 0.0;  ///< line: level direction, level length, rise a mm
+  double lean = 0.0;                                     ///< -slope / sqrt(1 + slope^2)
   // Arc; its frame turns with the motion, so that the sweep is positive.
   double start_x = 0.0, start_y = 0.0, end_x = 0.0, end_y = 0.0, arc_radius = 0.0;
   double turn = 1.0;  ///< +1 counter-clockwise, -1 clockwise
