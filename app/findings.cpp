@@ -218,9 +218,17 @@ std::string untilText(const ControlSettings& settings) {
   return fmt::format("line {}", settings.until->line.value_or(0));
 }
 
-void addMeshDefects(const MeshTopology& topology, std::vector<Finding>& findings) {
-  if (topology.closedManifold()) return;
+void addMeshDefects(const MeshTopology& topology, const StockSurface& surface, std::vector<Finding>& findings) {
   Finding finding;
+  if (surface.self_intersections > 0) {
+    finding.kind = "mesh";
+    finding.severity = Severity::kWarning;
+    finding.message = fmt::format("{} pairs of the mesh's triangles run through each other; take another resolution",
+                                  surface.self_intersections);
+    findings.push_back(finding);
+  }
+  if (topology.closedManifold()) return;
+  finding.severity = Severity::kError;
   finding.kind = "mesh";
   finding.where = topology.first_defect;
   finding.message = fmt::format(

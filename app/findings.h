@@ -48,8 +48,8 @@ void addUnrunSetups(const std::string& last_name, std::vector<Finding>& findings
 /// "N120" or "line 12"; empty where the program runs to its end.
 std::string untilText(const ControlSettings& settings);
 
-/// A mesh that is not a closed, oriented 2-manifold.
-void addMeshDefects(const MeshTopology& topology, std::vector<Finding>& findings);
+/// A mesh that is not a closed, oriented 2-manifold (an error), or whose triangles run through each other (a warning).
+void addMeshDefects(const MeshTopology& topology, const StockSurface& surface, std::vector<Finding>& findings);
 
 /// The finding as a compiler's message, with the source line and the place.
 Diagnostic findingDiagnostic(const Finding& finding);

@@ -305,7 +305,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   RunResult& run = prepared.run;
   if (run.alarm) return std::move(run);
   if (const Status done = machineAll(prepared.blank, job, sources, run, progress); !done) return done.error();
-  addMeshDefects(run.topology(), run.findings);
+  addMeshDefects(run.topology(), run.surface(), run.findings);
   if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
   if (!prepared.nominal || run.surface().mesh.triangles.empty()) return std::move(run);
 
