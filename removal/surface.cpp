@@ -395,8 +395,12 @@ void Extractor::addCells(const Triangle& triangle, std::vector<std::uint32_t>& c
   }
 }
 
+/// How far a vertex may be moved to part triangles, in cells: what reaches farther out of its cell is an edge of the part, and
+/// worth more than triangles that keep clear of each other.
+constexpr float kPartReach = 0.05f;
+
 /// Changes the surface around pairs of triangles that meet, in the mildest way that is left: merged cells
-/// are taken apart, then vertices outside put back, then cells made cones. False if nothing is left.
+/// are taken apart, then vertices little outside put back, then smooth cells made cones. False if nothing is left.
 bool Extractor::part(const TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
   std::vector<std::uint32_t> merged;
   bool any = false;
@@ -415,7 +419,7 @@ bool Extractor::part(const TriMesh& mesh, const std::vector<std::array<std::uint
     }
     if (changed) continue;
     for (const std::uint32_t cell : cells) {
-      if (!grid_.pullInside(cell)) continue;
+      if (!grid_.pullInside(cell, kPartReach)) continue;
       done(cell);
       changed = true;
     }

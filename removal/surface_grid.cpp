@@ -355,13 +355,13 @@ std::uint32_t SurfaceGrid::cellOf(std::uint32_t vertex) const {
   return leaf.base + leaf.extra[vertex - leaf.extra_base].cell;
 }
 
-bool SurfaceGrid::pullInside(std::uint32_t cell) {
+bool SurfaceGrid::pullInside(std::uint32_t cell, float reach) {
   if (!(traits_[cell] & CellTraits::kOutside)) return false;
   SurfaceLeaf& leaf = leaves_[leafOf(cell)];
   const int place = leaf.placeOf(static_cast<int>(cell - leaf.base));
   const auto it = std::find_if(leaf.outside.begin(), leaf.outside.end(),
                                [&](const OutsideVertex& o) { return o.place == place; });
-  if (it == leaf.outside.end()) return false;
+  if (it == leaf.outside.end() || (vertices_[cell] - it->inside).norm() > reach) return false;
   vertices_[cell] = it->inside;
   leaf.outside.erase(it);
   traits_[cell] &= static_cast<std::uint16_t>(~CellTraits::kOutside);
@@ -370,8 +370,8 @@ bool SurfaceGrid::pullInside(std::uint32_t cell) {
 }
 
 bool SurfaceGrid::makeCone(std::uint32_t cell) {
-  if (traits_[cell] & CellTraits::kCone) return false;
-  pullInside(cell);
+  if (traits_[cell] & (CellTraits::kCone | CellTraits::kOutside)) return false;
+  if (!(traits_[cell] & CellTraits::kSmooth)) return false;  // a fan would cut the crease off
   traits_[cell] &= static_cast<std::uint16_t>(~CellTraits::kSmooth);
   traits_[cell] |= CellTraits::kCone;
   SurfaceLeaf& leaf = leaves_[leafOf(cell)];

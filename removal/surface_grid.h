@@ -94,10 +94,10 @@ class SurfaceGrid {
   void markFolding(std::uint32_t cell) { traits_[cell] |= CellTraits::kFolds; }
   /// Moves a vertex that was marked; false if it was not.
   bool putInside(std::uint32_t cell, const Eigen::Vector3f& p);
-  /// Puts a vertex that is outside back into its cell; false if it is not outside.
-  bool pullInside(std::uint32_t cell);
+  /// Puts a vertex that is outside back into its cell; false if it is not outside, or more than `reach` cells.
+  bool pullInside(std::uint32_t cell, float reach);
   /// Makes the cell's surface cones (CellTraits::kCone), which no other cell's surface can meet as long as it
-  /// keeps to its own cell. False if it was made so before.
+  /// keeps to its own cell. False if it was made so before, is not smooth, or has its vertex outside.
   bool makeCone(std::uint32_t cell);
   /// Number of the leaf of a cell.
   std::size_t leafOf(std::uint32_t cell) const;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kGrid = 0.2;
 // What the engine keeps, mm: of vertices and facets on faces, and of sharp edges. The tracks of slanted rims
 // are the worst; most surfaces are ten times closer.
-constexpr double kFaceMm = 3.5e-2, kEdgeMm = 4.5e-2;
+constexpr double kFaceMm = 3.5e-2, kEdgeMm = 3.5e-2;
 constexpr double kVolume = 4e-5;  ///< of the removed volume, relative
 
 double boxDistance(const BoxShape& box, const Vec3& p) {
