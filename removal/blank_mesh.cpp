@@ -9,14 +9,12 @@
 
 #include "removal/leaf_changes.h"
 #include "removal/stock_impl.h"
+#include "removal/vdb_coord.h"
 #include "removal/vdb_module.h"
 
 namespace proveout {
 
 namespace {
-
-Coord fromVdb(const openvdb::Coord& c) { return {c.x(), c.y(), c.z()}; }
-openvdb::Coord toVdb(const Coord& c) { return {c.x(), c.y(), c.z()}; }
 
 /// Voxels on either side of the surface that the rasteriser fills: a cell that the surface crosses has its
 /// corners within sqrt(3) of it, and the search for the nearest triangle looks one further.

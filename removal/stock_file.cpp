@@ -15,15 +15,13 @@
 
 #include "removal/face_numbers.h"
 #include "removal/stock_impl.h"
+#include "removal/vdb_coord.h"
 #include "removal/vdb_module.h"
 
 namespace proveout {
 
 namespace {
 
-
-Coord fromVdb(const openvdb::Coord& c) { return {c.x(), c.y(), c.z()}; }
-openvdb::Coord toVdb(const Coord& c) { return {c.x(), c.y(), c.z()}; }
 
 constexpr char kSchema[] = "proveout.stock/2";
 constexpr const char* kAxisName[3] = {"x", "y", "z"};

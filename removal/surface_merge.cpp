@@ -28,6 +28,19 @@ int find(std::vector<int>& parent, int i) {
   return i;
 }
 
+/// Calls body(number) for each leaf with surface in the cube of 8 << level cells that holds the leaf at `inside`, in
+/// the order of their places, until it returns false.
+template <typename Body>
+void forEachLeafOfCube(const LeafReader& read, const Coord& inside, int level, Body&& body) {
+  const Coord origin = cubeOrigin(inside, level);
+  const int side = 1 << level;
+  for (int i = 0; i < side * side * side; ++i) {
+    const std::int32_t n =
+        read.state(origin.offsetBy(i / (side * side) * 8, i / side % side * 8, i % side * 8));
+    if (n >= 0 && !body(n)) return;
+  }
+}
+
 }  // namespace
 
 /// The leaves of the cube of 8 << level cells, in their order, if `leaf` is the first of them and all are
@@ -35,18 +48,15 @@ int find(std::vector<int>& parent, int i) {
 std::vector<std::int32_t> VertexMerger::leavesOf(const LeafReader& read, const SurfaceLeaf& leaf, int level,
                                                  int above) const {
   std::vector<std::int32_t> found;
-  const Coord origin = cubeOrigin(leaf.stock->origin, level);
-  const int side = 1 << level;
-  for (int i = 0; i < side * side * side; ++i) {
-    const std::int32_t n =
-        read.state(origin.offsetBy(i / (side * side) * 8, i / side % side * 8, i % side * 8));
-    if (n < 0) continue;
+  bool all = true;
+  forEachLeafOfCube(read, leaf.stock->origin, level, [&](std::int32_t n) {
     const SurfaceLeaf& there = grid_.leaves()[static_cast<std::size_t>(n)];
-    if (found.empty() && &there != &leaf) return {};
-    if (!there.clusters.eight || there.clusters.above != above) return {};
+    if (found.empty() && &there != &leaf) return all = false;
+    if (!there.clusters.eight || there.clusters.above != above) return all = false;
     found.push_back(n);
-  }
-  return found;
+    return true;
+  });
+  return all ? found : std::vector<std::int32_t>{};
 }
 
 bool VertexMerger::isFlat(const std::vector<std::int32_t>& leaves, int level) const {
@@ -249,16 +259,11 @@ void VertexMerger::takeApart(std::vector<std::uint32_t> cells, std::vector<std::
     SurfaceLeaf& leaf = leaves[number];
     changed.push_back(static_cast<std::int32_t>(number));
     if (const int level = leaf.clusters.above; level > 0) {
-      const LeafReader read(grid_.impl());
-      const Coord origin = cubeOrigin(leaf.stock->origin, level);
-      const int side = 1 << level;
-      for (int i = 0; i < side * side * side; ++i) {
-        const std::int32_t n =
-            read.state(origin.offsetBy(i / (side * side) * 8, i / side % side * 8, i % side * 8));
-        if (n < 0) continue;
+      forEachLeafOfCube(LeafReader(grid_.impl()), leaf.stock->origin, level, [&](std::int32_t n) {
         leaves[static_cast<std::size_t>(n)].clusters.above = static_cast<std::uint8_t>(level - 1);
         changed.push_back(n);
-      }
+        return true;
+      });
       continue;
     }
     if (leaf.clusters.eight) {
