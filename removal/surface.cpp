@@ -32,8 +32,6 @@ constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
 constexpr int kRepairRounds = 12;
 /// Rounds of changing the surface where it runs through itself; what is left then is counted.
 constexpr int kPartRounds = 16;
-/// Edge of the blocks in which intersections are looked for, in cells.
-constexpr double kBlockCells = 2.0;
 /// Triangles of merged vertices that lean more than this (73 degrees) from the exact surface are refused.
 constexpr double kLeastAgreement = 0.3;
 
@@ -377,7 +375,7 @@ std::vector<std::array<std::uint32_t, 2>> Extractor::findMeetings(const TriMesh&
   for (std::uint32_t v = 0; v < cells_kept_; ++v) {
     if ((grid_.traits(cellAt(v)) & kSuspect) == 0) touched[v] = 0;
   }
-  return findIntersections(mesh, touched, kBlockCells * impl_.h);
+  return findIntersections(mesh, touched);
 }
 
 /// Cells that a triangle depends on.

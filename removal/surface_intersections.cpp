@@ -4,6 +4,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 #include "core/base/parallel_for.h"
 
@@ -12,10 +17,10 @@ namespace proveout {
 namespace {
 
 using Points = std::array<Vec3, 3>;
-using Vec3i = Eigen::Vector3i;
 
 /// A triangle whose height is less than this part of its length is none.
 constexpr double kFlat = 1e-7;
+constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// Six times the volume of the tetrahedron.
 double orient(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -55,107 +60,10 @@ bool segmentMeets(const Vec3& p, const Vec3& q, const Points& t) {
   return sameSide(orient(p, q, t[0], t[1]), orient(p, q, t[1], t[2]), orient(p, q, t[2], t[0]));
 }
 
-class Finder {
- public:
-  Finder(const TriMesh& mesh, double block_mm) : mesh_(mesh), scale_(1.0 / block_mm) {}
-
-  std::vector<std::array<std::uint32_t, 2>> find(std::span<const std::uint8_t> suspect);
-
- private:
-  struct Span {
-    Eigen::Vector3f low, high;
-  };
-  struct Held {
-    Span span;
-    std::uint32_t triangle;
-  };
-  Span spanOf(std::uint32_t t) const {
-    const auto& v = mesh_.triangles[t];
-    const auto &a = mesh_.positions[v[0]], &b = mesh_.positions[v[1]], &c = mesh_.positions[v[2]];
-    return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-  }
-  Vec3i blockOf(const Eigen::Vector3f& p) const {
-    return (p.cast<double>() * scale_).array().floor().cast<int>().matrix();
-  }
-  std::size_t bucketOf(const Vec3i& block) const {
-    const auto key = static_cast<std::uint64_t>(block.x()) * 0x9E3779B97F4A7C15ull ^
-                     static_cast<std::uint64_t>(block.y()) * 0xC2B2AE3D27D4EB4Full ^
-                     static_cast<std::uint64_t>(block.z()) * 0x165667B19E3779F9ull;
-    return (key ^ key >> 29) * 0xBF58476D1CE4E5B9ull >> shift_;
-  }
-  template <typename Body>
-  void eachBlock(std::uint32_t t, const Span& span, Body&& body) const;
-  Points points(std::uint32_t t) const {
-    const auto& v = mesh_.triangles[t];
-    return {mesh_.positions[v[0]].cast<double>(), mesh_.positions[v[1]].cast<double>(),
-            mesh_.positions[v[2]].cast<double>()};
-  }
-  bool meet(std::uint32_t s, std::uint32_t t) const;
-  bool isFlat(std::uint32_t t) const {
-    const Points p = points(t);
-    const Vec3 a = p[1] - p[0], b = p[2] - p[0];
-    const double size2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-    return a.cross(b).squaredNorm() <= kFlat * kFlat * size2 * size2;
-  }
-
-  const TriMesh& mesh_;
-  double scale_;
-  int shift_ = 44;
-  /// Bit of a region of blocks, kRegion each way.
-  std::size_t regionOf(const Vec3i& block) const {
-    return bucketOf(Vec3i(block.x() >> kRegionBits, block.y() >> kRegionBits, block.z() >> kRegionBits)) %
-           (kRegionWords * 64);
-  }
-  bool nearSuspects(const Span& span) const {
-    const Vec3i low = blockOf(span.low);
-    if ((span.high - span.low).maxCoeff() * scale_ >= kRegion) return true;
-    const std::size_t region = regionOf(low);
-    return (near_[region / 64] >> (region % 64) & 1) != 0;
-  }
-  void markRegions(const Span& span);
-
-  static constexpr int kRegionBits = 2, kRegion = 1 << kRegionBits;
-  static constexpr std::size_t kRegionWords = 4096;
-  std::array<std::uint64_t, kRegionWords>
-      near_{};  ///< regions in which triangles may start that reach suspects
-  std::vector<std::uint32_t> end_;
-  std::vector<Held> held_;  ///< triangles of suspects by bucket
-};
-
-void Finder::markRegions(const Span& span) {
-  const Vec3i low = blockOf(span.low) - Vec3i::Constant(kRegion), high = blockOf(span.high);
-  for (int x = low.x() >> kRegionBits; x <= high.x() >> kRegionBits; ++x) {
-    for (int y = low.y() >> kRegionBits; y <= high.y() >> kRegionBits; ++y) {
-      for (int z = low.z() >> kRegionBits; z <= high.z() >> kRegionBits; ++z) {
-        const std::size_t region = regionOf(Vec3i(x, y, z) * kRegion);
-        near_[region / 64] |= 1ull << (region % 64);
-      }
-    }
-  }
-}
-
-/// Blocks of the span that the triangle's plane comes to.
-template <typename Body>
-void Finder::eachBlock(std::uint32_t t, const Span& span, Body&& body) const {
-  const Vec3i low = blockOf(span.low), high = blockOf(span.high);
-  const Vec3i size = high - low;
-  const bool large = size.maxCoeff() > 2;
-  Vec3 n = Vec3::Zero();
-  double d = 0.0, reach = 0.0;
-  if (large) {
-    const Points p = points(t);
-    n = (p[1] - p[0]).cross(p[2] - p[0]);
-    d = n.dot(p[0]) * scale_;
-    reach = 0.51 * n.cwiseAbs().sum() + 1e-9;
-  }
-  for (int x = low.x(); x <= high.x(); ++x) {
-    for (int y = low.y(); y <= high.y(); ++y) {
-      for (int z = low.z(); z <= high.z(); ++z) {
-        if (large && std::abs(n.dot(Vec3(x + 0.5, y + 0.5, z + 0.5)) - d) > reach) continue;
-        body(Vec3i(x, y, z));
-      }
-    }
-  }
+Points pointsOf(const TriMesh& mesh, std::uint32_t t) {
+  const auto& v = mesh.triangles[t];
+  return {mesh.positions[v[0]].cast<double>(), mesh.positions[v[1]].cast<double>(),
+          mesh.positions[v[2]].cast<double>()};
 }
 
 /// Whether the corners of `q`, apart from number `but`, are all off the plane of `t` on one side.
@@ -172,8 +80,213 @@ bool apart(const Points& t, const Points& q, int but) {
   return above == all || below == all;
 }
 
-bool Finder::meet(std::uint32_t s, std::uint32_t t) const {
-  const auto &a = mesh_.triangles[s], &b = mesh_.triangles[t];
+/// Whether the direction from one triangle's middle to the other's keeps them apart but for a common corner
+/// (`but_p`, `but_q`; below 0: none). Tells most neighbours apart, and costs little.
+bool clear(const Points& p, int but_p, const Points& q, int but_q) {
+  const Vec3 way = (q[0] - p[0]) + (q[1] - p[1]) + (q[2] - p[2]);
+  double before = -kNever, behind = kNever;
+  for (int i = 0; i < 3; ++i) {
+    if (i != but_p) before = std::max(before, way.dot(p[i]));
+    if (i != but_q) behind = std::min(behind, way.dot(q[i]));
+  }
+  if (but_p < 0) return before < behind;
+  const double between = way.dot(p[but_p]);
+  return before < between && between < behind;
+}
+
+struct Span {
+  Eigen::Vector3f low = Eigen::Vector3f::Constant(kNever), high = Eigen::Vector3f::Constant(-kNever);
+
+  void add(const Span& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+  }
+};
+
+/// Eight spans side by side, so that one pass over plain arrays compares all of them.
+struct Spans {
+  static constexpr int kCount = 8;
+  std::array<std::array<float, kCount>, 3> low, high;
+
+  Spans() {
+    for (auto& l : low) l.fill(kNever);
+    for (auto& h : high) h.fill(-kNever);
+  }
+  void set(std::size_t i, const Span& span) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis][i] = span.low[axis];
+      high[axis][i] = span.high[axis];
+    }
+  }
+  Span all() const {
+    Span span;
+    for (int axis = 0; axis < 3; ++axis) {
+      span.low[axis] = *std::min_element(low[axis].begin(), low[axis].end());
+      span.high[axis] = *std::max_element(high[axis].begin(), high[axis].end());
+    }
+    return span;
+  }
+  /// Bit i: the i-th span touches `span`.
+  unsigned touching(const Span& span) const;
+};
+
+inline unsigned Spans::touching(const Span& span) const {
+#if defined(__SSE2__)
+  unsigned bits = 0;
+  for (int half = 0; half < kCount; half += 4) {
+    __m128 in = _mm_castsi128_ps(_mm_set1_epi32(-1));
+    for (int axis = 0; axis < 3; ++axis) {
+      in = _mm_and_ps(in, _mm_cmple_ps(_mm_loadu_ps(&low[axis][half]), _mm_set1_ps(span.high[axis])));
+      in = _mm_and_ps(in, _mm_cmpge_ps(_mm_loadu_ps(&high[axis][half]), _mm_set1_ps(span.low[axis])));
+    }
+    bits |= static_cast<unsigned>(_mm_movemask_ps(in)) << half;
+  }
+  return bits;
+#else
+  unsigned bits = 0;
+  for (unsigned i = 0; i < kCount; ++i) {
+    bool in = true;
+    for (int axis = 0; axis < 3; ++axis)
+      in = in && low[axis][i] <= span.high[axis] && high[axis][i] >= span.low[axis];
+    bits |= static_cast<unsigned>(in) << i;
+  }
+  return bits;
+#endif
+}
+
+/// Triangles stand leaf by leaf, so that those with following numbers are close together: a tree of boxes
+/// over groups of them, in their order, finds neighbours without sorting. Groups with suspects ask it for the
+/// groups that they touch.
+class Finder {
+ public:
+  Finder(const TriMesh& mesh, std::span<const std::uint8_t> suspect)
+      : mesh_(mesh),
+        suspect_(suspect),
+        count_(mesh.triangles.size()),
+        groups_((count_ + Spans::kCount - 1) / Spans::kCount) {}
+
+  std::vector<std::array<std::uint32_t, 2>> find();
+
+ private:
+  using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+  /// The suspects among the triangles of a group; empty spans at the others.
+  struct Group {
+    Spans spans;
+    unsigned suspects = 0;
+  };
+  [[gnu::always_inline]] Span spanOf(std::size_t t) const {
+    const auto& v = mesh_.triangles[t];
+    const auto &a = mesh_.positions[v[0]], &b = mesh_.positions[v[1]], &c = mesh_.positions[v[2]];
+    return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+  }
+  bool isSuspect(std::size_t t) const {
+    const auto& v = mesh_.triangles[t];
+    return (suspect_[v[0]] | suspect_[v[1]] | suspect_[v[2]]) != 0;
+  }
+  std::size_t endOf(std::size_t group) const { return std::min(count_, (group + 1) * Spans::kCount); }
+  Group suspectsOf(std::size_t group) const;
+  void buildTree();
+  template <typename Body>
+  void eachTouching(const Span& span, std::size_t level, std::size_t at, Body&& body) const;
+  void compare(std::size_t first, const Group& own, const Span& all, std::size_t other, Pairs& found) const;
+
+  const TriMesh& mesh_;
+  std::span<const std::uint8_t> suspect_;
+  std::size_t count_, groups_;
+  std::vector<std::vector<Spans>> levels_;  ///< spans of groups; of the spans below; ...; one at the top
+};
+
+Finder::Group Finder::suspectsOf(std::size_t group) const {
+  Group out;
+  const std::size_t first = group * Spans::kCount;
+  for (std::size_t t = first; t < endOf(group); ++t) {
+    if (!isSuspect(t)) continue;
+    out.suspects |= 1u << (t - first);
+    out.spans.set(t - first, spanOf(t));
+  }
+  return out;
+}
+
+void Finder::buildTree() {
+  levels_.emplace_back((groups_ + Spans::kCount - 1) / Spans::kCount);
+  parallelFor(std::size_t{0}, levels_[0].size(), [&](std::size_t i) {
+    for (std::size_t k = 0; k < Spans::kCount && i * Spans::kCount + k < groups_; ++k) {
+      const std::size_t group = i * Spans::kCount + k;
+      Span all;
+      for (std::size_t t = group * Spans::kCount; t < endOf(group); ++t) all.add(spanOf(t));
+      levels_[0][i].set(k, all);
+    }
+  });
+  while (levels_.back().size() > 1) {
+    const std::vector<Spans>& below = levels_.back();
+    std::vector<Spans> level((below.size() + Spans::kCount - 1) / Spans::kCount);
+    for (std::size_t i = 0; i < below.size(); ++i)
+      level[i / Spans::kCount].set(i % Spans::kCount, below[i].all());
+    levels_.push_back(std::move(level));
+  }
+}
+
+/// Calls body(group) for the groups that the span touches.
+template <typename Body>
+void Finder::eachTouching(const Span& span, std::size_t level, std::size_t at, Body&& body) const {
+  for (unsigned rest = levels_[level][at].touching(span); rest != 0; rest &= rest - 1) {
+    const std::size_t below = at * Spans::kCount + static_cast<std::size_t>(std::countr_zero(rest));
+    if (level == 0) {
+      body(below);
+    } else {
+      eachTouching(span, level - 1, below, body);
+    }
+  }
+}
+
+/// Pairs of a suspect of the group that starts with triangle `first` and a triangle of the group `other`. Of
+/// two suspects the lower one finds the other.
+void Finder::compare(std::size_t first, const Group& own, const Span& all, std::size_t other,
+                     Pairs& found) const {
+  for (std::size_t t = other * Spans::kCount; t < endOf(other); ++t) {
+    const Span span = spanOf(t);
+    if ((span.low.array() > all.high.array()).any() || (all.low.array() > span.high.array()).any()) continue;
+    const bool both = isSuspect(t);
+    for (unsigned rest = own.spans.touching(span); rest != 0; rest &= rest - 1) {
+      const std::size_t s = first + static_cast<std::size_t>(std::countr_zero(rest));
+      if (s == t || (both && s > t)) continue;
+      const auto low = static_cast<std::uint32_t>(std::min(s, t)),
+                 high = static_cast<std::uint32_t>(std::max(s, t));
+      if (trianglesMeet(mesh_, low, high)) found.push_back({low, high});
+    }
+  }
+}
+
+std::vector<std::array<std::uint32_t, 2>> Finder::find() {
+  if (std::none_of(suspect_.begin(), suspect_.end(), [](std::uint8_t s) { return s != 0; })) return {};
+  buildTree();
+  constexpr std::size_t kPart = 256;
+  std::vector<Pairs> found((groups_ + kPart - 1) / kPart);
+  parallelFor(std::size_t{0}, found.size(), [&](std::size_t part) {
+    for (std::size_t group = part * kPart; group < std::min(groups_, (part + 1) * kPart); ++group) {
+      const Group own = suspectsOf(group);
+      if (own.suspects == 0) continue;
+      const std::size_t first = group * Spans::kCount;
+      for (unsigned rest = own.suspects; rest != 0; rest &= rest - 1) {
+        const auto t = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(std::countr_zero(rest));
+        if (isNeedle(mesh_, t)) found[part].push_back({t, t});
+      }
+      const Span all = own.spans.all();
+      eachTouching(all, levels_.size() - 1, 0,
+                   [&](std::size_t other) { compare(first, own, all, other, found[part]); });
+    }
+  });
+  Pairs out;
+  for (const Pairs& list : found) out.insert(out.end(), list.begin(), list.end());
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+}  // namespace
+
+bool trianglesMeet(const TriMesh& mesh, std::uint32_t s, std::uint32_t t) {
+  const auto &a = mesh.triangles[s], &b = mesh.triangles[t];
   int common = 0, at_a = 0, at_b = 0, sum_b = 0;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -185,17 +298,19 @@ bool Finder::meet(std::uint32_t s, std::uint32_t t) const {
     }
   }
   if (common >= 3) return true;
-  const Points p = points(s), q = points(t);
+  const Points p = pointsOf(mesh, s), q = pointsOf(mesh, t);
   if (common == 2) {  // folded flat onto each other
     if (orient(p[0], p[1], p[2], q[3 - sum_b]) != 0.0) return false;
     const Vec3 n = (p[1] - p[0]).cross(p[2] - p[0]), m = (q[1] - q[0]).cross(q[2] - q[0]);
     return n.dot(m) < 0.0 && n.squaredNorm() > 0.0;
   }
   if (common == 1) {
+    if (clear(p, at_a, q, at_b)) return false;
     if (apart(p, q, at_b) || apart(q, p, at_a)) return false;
     return segmentMeets(p[(at_a + 1) % 3], p[(at_a + 2) % 3], q) ||
            segmentMeets(q[(at_b + 1) % 3], q[(at_b + 2) % 3], p);
   }
+  if (clear(p, -1, q, -1)) return false;
   if (apart(p, q, -1) || apart(q, p, -1)) return false;
   for (int i = 0; i < 3; ++i) {
     if (segmentMeets(p[i], p[(i + 1) % 3], q) || segmentMeets(q[i], q[(i + 1) % 3], p)) return true;
@@ -203,71 +318,16 @@ bool Finder::meet(std::uint32_t s, std::uint32_t t) const {
   return false;
 }
 
-std::vector<std::array<std::uint32_t, 2>> Finder::find(std::span<const std::uint8_t> suspect) {
-  std::vector<std::uint32_t> suspects;
-  const auto isSuspect = [&](std::uint32_t t) {
-    const auto& v = mesh_.triangles[t];
-    return (suspect[v[0]] | suspect[v[1]] | suspect[v[2]]) != 0;
-  };
-  const auto count = static_cast<std::uint32_t>(mesh_.triangles.size());
-  for (std::uint32_t t = 0; t < count; ++t) {
-    if (isSuspect(t)) suspects.push_back(t);
-  }
-  if (suspects.empty()) return {};
-  const int bits = std::clamp(static_cast<int>(std::bit_width(suspects.size())) + 3, 12, 28);
-  shift_ = 64 - bits;
-  end_.assign((std::size_t{1} << bits) + 1, 0);
-  for (const std::uint32_t t : suspects) {
-    markRegions(spanOf(t));
-    eachBlock(t, spanOf(t), [&](const Vec3i& block) { ++end_[bucketOf(block)]; });
-  }
-  std::uint32_t total = 0;
-  for (std::uint32_t& e : end_) {
-    const std::uint32_t n = e;
-    e = total;
-    total += n;
-  }
-  held_.resize(total);
-  for (const std::uint32_t t : suspects) {
-    const Span span = spanOf(t);
-    eachBlock(t, span, [&](const Vec3i& block) { held_[end_[bucketOf(block)]++] = {span, t}; });
-  }
-  constexpr std::uint32_t kPart = 4096;
-  std::vector<std::vector<std::array<std::uint32_t, 2>>> found((count + kPart - 1) / kPart);
-  parallelFor(std::size_t{0}, found.size(), [&](std::size_t part) {
-    const auto first = static_cast<std::uint32_t>(part) * kPart;
-    for (std::uint32_t t = first; t < std::min(count, first + kPart); ++t) {
-      const Span own = spanOf(t);
-      if (!nearSuspects(own)) continue;
-      const bool doubtful = isSuspect(t);
-      if (doubtful && isFlat(t)) found[part].push_back({t, t});
-      eachBlock(t, own, [&](const Vec3i& block) {
-        const std::size_t bucket = bucketOf(block);
-        for (std::uint32_t i = bucket == 0 ? 0 : end_[bucket - 1]; i < end_[bucket]; ++i) {
-          const auto& [other, s] = held_[i];
-          if (s == t || (doubtful && s > t)) continue;
-          if ((own.low.array() > other.high.array()).any() || (other.low.array() > own.high.array()).any()) {
-            continue;
-          }
-          if (blockOf(own.low.cwiseMax(other.low)) != block) continue;  // once a pair
-          if (meet(s, t)) found[part].push_back({std::min(s, t), std::max(s, t)});
-        }
-      });
-    }
-  });
-  std::vector<std::array<std::uint32_t, 2>> out;
-  for (const auto& list : found) out.insert(out.end(), list.begin(), list.end());
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
-  return out;
+bool isNeedle(const TriMesh& mesh, std::uint32_t t) {
+  const Points p = pointsOf(mesh, t);
+  const Vec3 a = p[1] - p[0], b = p[2] - p[0];
+  const double size2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+  return a.cross(b).squaredNorm() <= kFlat * kFlat * size2 * size2;
 }
 
-}  // namespace
-
 std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
-                                                            std::span<const std::uint8_t> suspect,
-                                                            double block_mm) {
-  return Finder(mesh, block_mm).find(suspect);
+                                                            std::span<const std::uint8_t> suspect) {
+  return Finder(mesh, suspect).find();
 }
 
 }  // namespace proveout

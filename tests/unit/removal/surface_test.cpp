@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <random>
 
 #include "core/mesh/tri_mesh.h"
 #include "field_stock.h"
@@ -156,8 +157,8 @@ TEST(Surface, SharpRimOfAConeStaysClosed) {
   EXPECT_LT(tip, 0.002);
 }
 
-std::vector<std::array<std::uint32_t, 2>> meetings(const TriMesh& mesh, double block_mm) {
-  return findIntersections(mesh, std::vector<std::uint8_t>(mesh.positions.size(), 1), block_mm);
+std::vector<std::array<std::uint32_t, 2>> meetings(const TriMesh& mesh) {
+  return findIntersections(mesh, std::vector<std::uint8_t>(mesh.positions.size(), 1));
 }
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
@@ -171,30 +172,57 @@ TEST(Intersections, TellTrianglesThatMeetFromThoseThatTouchOrPass) {
                     {1, 2, 0},       {-3, 2, 0},  {-3, 3, 0},       // 4: over 0 in its plane
                     {7, -2, -2},     {7, -1, -2}, {7, -1.5f, -2}};  // 5: no area
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}, {12, 13, 14}, {15, 16, 17}};
-  for (const double block : {0.5, 2.0, 50.0}) {
-    EXPECT_EQ(meetings(mesh, block), (Pairs{{0, 1}, {0, 4}, {5, 5}})) << block;
-  }
+  EXPECT_EQ(meetings(mesh), (Pairs{{0, 1}, {0, 4}, {5, 5}}));
 }
 
 TEST(Intersections, NeighboursMeetOnlyWhereTheyFold) {
   TriMesh mesh;
   mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 1}, {0.5f, 0.5f, 0}, {1, 1, -1}, {1, 0.5f, 1}};
   mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
-  EXPECT_TRUE(meetings(mesh, 1.0).empty());
+  EXPECT_TRUE(meetings(mesh).empty());
   mesh.triangles = {{0, 1, 2}, {2, 1, 4}};  // over an edge, onto the other
-  EXPECT_EQ(meetings(mesh, 1.0), (Pairs{{0, 1}}));
+  EXPECT_EQ(meetings(mesh), (Pairs{{0, 1}}));
   mesh.triangles = {{0, 1, 2}, {0, 5, 6}};  // through it from the common corner
-  EXPECT_EQ(meetings(mesh, 1.0), (Pairs{{0, 1}}));
+  EXPECT_EQ(meetings(mesh), (Pairs{{0, 1}}));
   mesh.triangles = {{0, 1, 2}, {0, 3, 6}};  // above it
-  EXPECT_TRUE(meetings(mesh, 1.0).empty());
+  EXPECT_TRUE(meetings(mesh).empty());
 }
 
 TEST(Intersections, OnlyThoseOfSuspectsAreLookedFor) {
   TriMesh mesh;
   mesh.positions = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {5, 5, 1}};
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
-  EXPECT_TRUE(findIntersections(mesh, std::vector<std::uint8_t>(6, 0), 1.0).empty());
-  EXPECT_EQ(findIntersections(mesh, std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1}, 1.0), (Pairs{{0, 1}}));
+  EXPECT_TRUE(findIntersections(mesh, std::vector<std::uint8_t>(6, 0)).empty());
+  EXPECT_EQ(findIntersections(mesh, std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1}), (Pairs{{0, 1}}));
+}
+
+TEST(Intersections, FindWhatComparingAllPairsFinds) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> at(0.0f, 10.0f), size(-1.0f, 1.0f);
+  TriMesh mesh;
+  std::vector<std::uint8_t> suspect;
+  for (std::uint32_t t = 0; t < 700; ++t) {
+    const float reach = t % 50 == 0 ? 8.0f : 0.7f;  // some go through many others
+    const Eigen::Vector3f middle(at(random), at(random), at(random));
+    for (int i = 0; i < 3; ++i) {
+      mesh.positions.push_back(middle + reach * Eigen::Vector3f(size(random), size(random), size(random)));
+      suspect.push_back(t % 3 == 0);
+    }
+    mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    if (t % 7 == 0 && t > 0) mesh.triangles.back()[0] = 3 * t - 1;  // shares a corner
+  }
+  Pairs expected;
+  for (std::uint32_t s = 0; s < 700; ++s) {
+    for (std::uint32_t t = s + 1; t < 700; ++t) {
+      const auto asked = [&](std::uint32_t n) {
+        const auto& v = mesh.triangles[n];
+        return suspect[v[0]] + suspect[v[1]] + suspect[v[2]] > 0;
+      };
+      if ((asked(s) || asked(t)) && trianglesMeet(mesh, s, t)) expected.push_back({s, t});
+    }
+  }
+  EXPECT_GT(expected.size(), 100u);
+  EXPECT_EQ(findIntersections(mesh, suspect), expected);
 }
 
 TEST_P(SurfaceOf, NeverRunsThroughItself) {
