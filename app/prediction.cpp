@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 
+#include "core/base/parallel_for.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace proveout {
@@ -37,26 +38,32 @@ constexpr double kMapWork = 6e6;
 /// Lowest point that the tools reach over each cell of a coarse grid in plan view.
 class HeightMap {
  public:
+  static constexpr int kBands = 4;  ///< that threads may fill at the same time
+
   HeightMap(const Box3& blank, double cell) : blank_(blank), cell_(cell) {
     nx_ = std::max(1, static_cast<int>(std::ceil(blank.size().x() / cell)));
     ny_ = std::max(1, static_cast<int>(std::ceil(blank.size().y() / cell)));
     height_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), blank.max.z());
   }
 
-  /// Lowers what lies within `radius` of the segment (plan view) to the height of its nearest point.
-  void lower(const Vec3& a, const Vec3& b, double radius) {
-    const int x0 = column(std::min(a.x(), b.x()) - radius), x1 = column(std::max(a.x(), b.x()) + radius);
+  /// Lowers what lies within `radius` of the segment (plan view) to the height of its nearest point, in this
+  /// band of columns.
+  void lower(const Vec3& a, const Vec3& b, double radius, int band) {
+    const int x0 = std::max(column(std::min(a.x(), b.x()) - radius), firstOf(band)),
+              x1 = std::min(column(std::max(a.x(), b.x()) + radius), firstOf(band + 1) - 1);
+    if (x0 > x1) return;
+    const int y0 = row(std::min(a.y(), b.y()) - radius), y1 = row(std::max(a.y(), b.y()) + radius);
     const Vec2 along = (b - a).head<2>();
-    const double length2 = along.squaredNorm();
+    const double length2 = along.squaredNorm(), lowest = std::max(std::min(a.z(), b.z()), blank_.min.z());
     for (int x = x0; x <= x1; ++x) {
       const double px = blank_.min.x() + (x + 0.5) * cell_;
-      const int y0 = row(std::min(a.y(), b.y()) - radius), y1 = row(std::max(a.y(), b.y()) + radius);
       for (int y = y0; y <= y1; ++y) {
+        double& height = height_[index(x, y)];
+        if (height <= lowest) continue;
         const Vec2 p(px - a.x(), blank_.min.y() + (y + 0.5) * cell_ - a.y());
         const double t = length2 > 0 ? std::clamp(p.dot(along) / length2, 0.0, 1.0) : 0.0;
         if ((p - t * along).squaredNorm() > radius * radius) continue;
         const double z = length2 > 0 ? a.z() + t * (b.z() - a.z()) : std::min(a.z(), b.z());
-        double& height = height_[index(x, y)];
         height = std::min(height, std::max(z, blank_.min.z()));
       }
     }
@@ -79,6 +86,7 @@ class HeightMap {
   }
 
  private:
+  int firstOf(int band) const { return nx_ * band / kBands; }
   int column(double x) const {
     return std::clamp(static_cast<int>(std::floor((x - blank_.min.x()) / cell_)), 0, nx_ - 1);
   }
@@ -163,7 +171,9 @@ Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const 
   double cell = std::max(most_x, most_y) / kMapSide;
   cell = std::max(cell, std::sqrt(work.swept_mm2 / kMapWork));
   HeightMap map(blank, cell);
-  forEach([&](const Vec3& a, const Vec3& b, double radius) { map.lower(a, b, radius); });
+  parallelFor(0, HeightMap::kBands, [&](int band) {
+    forEach([&](const Vec3& a, const Vec3& b, double radius) { map.lower(a, b, radius, band); });
+  });
   work.surface_mm2 = std::max(blank_mm2 + map.addedArea(), 0.1 * blank_mm2);
   return work;
 }
