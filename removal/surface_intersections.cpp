@@ -118,6 +118,9 @@ struct Spans {
       high[axis][i] = span.high[axis];
     }
   }
+  Span at(std::size_t i) const {
+    return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
+  }
   Span all() const {
     Span span;
     for (int axis = 0; axis < 3; ++axis) {
@@ -174,6 +177,15 @@ class Finder {
     Spans spans;
     unsigned suspects = 0;
   };
+  /// Spans of groups that were looked at last: each is near many others.
+  struct SpanCache {
+    static constexpr std::size_t kEntries = 256;
+    struct Entry {
+      std::size_t group = SIZE_MAX;
+      Spans spans;
+    };
+    std::vector<Entry> entries = std::vector<Entry>(kEntries);
+  };
   [[gnu::always_inline]] Span spanOf(std::size_t t) const {
     const auto& v = mesh_.triangles[t];
     const auto &a = mesh_.positions[v[0]], &b = mesh_.positions[v[1]], &c = mesh_.positions[v[2]];
@@ -185,10 +197,18 @@ class Finder {
   }
   std::size_t endOf(std::size_t group) const { return std::min(count_, (group + 1) * Spans::kCount); }
   Group suspectsOf(std::size_t group) const;
+  Spans spansOf(std::size_t group) const {
+    Spans spans;
+    const std::size_t first = group * Spans::kCount;
+    for (std::size_t t = first; t < endOf(group); ++t) spans.set(t - first, spanOf(t));
+    return spans;
+  }
   void buildTree();
   template <typename Body>
   void eachTouching(const Span& span, std::size_t level, std::size_t at, Body&& body) const;
-  void compare(std::size_t first, const Group& own, const Span& all, std::size_t other, Pairs& found) const;
+  void compare(std::size_t own, const Group& group, std::size_t other, const Spans& there,
+               Pairs& found) const;
+  Pairs findOf(std::size_t first, std::size_t last) const;
 
   const TriMesh& mesh_;
   std::span<const std::uint8_t> suspect_;
@@ -239,22 +259,42 @@ void Finder::eachTouching(const Span& span, std::size_t level, std::size_t at, B
   }
 }
 
-/// Pairs of a suspect of the group that starts with triangle `first` and a triangle of the group `other`. Of
-/// two suspects the lower one finds the other.
-void Finder::compare(std::size_t first, const Group& own, const Span& all, std::size_t other,
+/// Pairs of a suspect of the group `own` and a triangle of the group `other`, whose spans are given. Of two
+/// suspects the lower one finds the other.
+void Finder::compare(std::size_t own, const Group& group, std::size_t other, const Spans& there,
                      Pairs& found) const {
-  for (std::size_t t = other * Spans::kCount; t < endOf(other); ++t) {
-    const Span span = spanOf(t);
-    if ((span.low.array() > all.high.array()).any() || (all.low.array() > span.high.array()).any()) continue;
-    const bool both = isSuspect(t);
-    for (unsigned rest = own.spans.touching(span); rest != 0; rest &= rest - 1) {
-      const std::size_t s = first + static_cast<std::size_t>(std::countr_zero(rest));
-      if (s == t || (both && s > t)) continue;
+  for (unsigned left = group.suspects; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    const std::size_t s = own * Spans::kCount + k;
+    for (unsigned rest = there.touching(group.spans.at(k)); rest != 0; rest &= rest - 1) {
+      const std::size_t t = other * Spans::kCount + static_cast<std::size_t>(std::countr_zero(rest));
+      if (s == t || (s > t && isSuspect(t))) continue;
       const auto low = static_cast<std::uint32_t>(std::min(s, t)),
                  high = static_cast<std::uint32_t>(std::max(s, t));
       if (trianglesMeet(mesh_, low, high)) found.push_back({low, high});
     }
   }
+}
+
+/// Pairs of the suspects of groups first..last-1.
+Finder::Pairs Finder::findOf(std::size_t first, std::size_t last) const {
+  Pairs found;
+  SpanCache cache;
+  for (std::size_t own = first; own < last; ++own) {
+    const Group group = suspectsOf(own);
+    if (group.suspects == 0) continue;
+    for (unsigned rest = group.suspects; rest != 0; rest &= rest - 1) {
+      const auto t = static_cast<std::uint32_t>(own * Spans::kCount) +
+                     static_cast<std::uint32_t>(std::countr_zero(rest));
+      if (isNeedle(mesh_, t)) found.push_back({t, t});
+    }
+    eachTouching(group.spans.all(), levels_.size() - 1, 0, [&](std::size_t other) {
+      SpanCache::Entry& entry = cache.entries[other % SpanCache::kEntries];
+      if (entry.group != other) entry = {other, spansOf(other)};
+      compare(own, group, other, entry.spans, found);
+    });
+  }
+  return found;
 }
 
 std::vector<std::array<std::uint32_t, 2>> Finder::find() {
@@ -263,18 +303,7 @@ std::vector<std::array<std::uint32_t, 2>> Finder::find() {
   constexpr std::size_t kPart = 256;
   std::vector<Pairs> found((groups_ + kPart - 1) / kPart);
   parallelFor(std::size_t{0}, found.size(), [&](std::size_t part) {
-    for (std::size_t group = part * kPart; group < std::min(groups_, (part + 1) * kPart); ++group) {
-      const Group own = suspectsOf(group);
-      if (own.suspects == 0) continue;
-      const std::size_t first = group * Spans::kCount;
-      for (unsigned rest = own.suspects; rest != 0; rest &= rest - 1) {
-        const auto t = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(std::countr_zero(rest));
-        if (isNeedle(mesh_, t)) found[part].push_back({t, t});
-      }
-      const Span all = own.spans.all();
-      eachTouching(all, levels_.size() - 1, 0,
-                   [&](std::size_t other) { compare(first, own, all, other, found[part]); });
-    }
+    found[part] = findOf(part * kPart, std::min(groups_, (part + 1) * kPart));
   });
   Pairs out;
   for (const Pairs& list : found) out.insert(out.end(), list.begin(), list.end());

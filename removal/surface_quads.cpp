@@ -157,28 +157,63 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
   }
 }
 
+namespace {
+
+/// Edges of a leaf, on each axis, at cells with vertices outside.
+std::array<LeafBits, 3> edgesOfOutside(const SurfaceGrid& grid, const SurfaceLeaf& leaf) {
+  std::array<LeafBits, 3> edges{};
+  const auto mark = [&](int axis, int x, int y, int z) {
+    if ((x | y | z) >= 0 && x < 8 && y < 8 && z < 8) edges[axis][z] |= 1ull << leafBit(x, y);
+  };
+  for (int below = 0; below < 7; ++below) {
+    if (leaf.lower[below] < 0) continue;
+    const int dx = (below & 1) * 8, dy = (below >> 1 & 1) * 8, dz = (below >> 2) * 8;
+    for (const OutsideVertex& o : grid.leaves()[static_cast<std::size_t>(leaf.lower[below])].outside) {
+      const int x = (o.place >> 3 & 7) - dx, y = (o.place & 7) - dy, z = (o.place >> 6) - dz;
+      for (int i = 0; i < 4; ++i) {
+        const int u = i & 1, v = i >> 1;
+        mark(0, x, y + u, z + v);
+        mark(1, x + u, y, z + v);
+        mark(2, x + u, y + v, z);
+      }
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int z = 0; z < 8; ++z) edges[axis][z] &= leaf.edges.crossed[axis][z];
+  }
+  return edges;
+}
+
+/// Vertices outside their cells at whose quads the surface of a leaf folds, in the order of the leaf's
+/// crossings.
+std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const SurfaceLeaf& leaf) {
+  std::vector<std::uint32_t> folding;
+  LeafEdges asked;
+  asked.crossed = edgesOfOutside(grid, leaf);
+  if (asked.crossed == std::array<LeafBits, 3>{}) return folding;
+  QuadReader reader(grid);
+  reader.load(leaf);
+  forEachEdge(asked, [&](int axis, int x, int y, int z) {
+    Quad quad;
+    if (!reader.corners(axis, x, y, z, quad)) return;
+    const Crossing& c = leaf.stock->crossings[static_cast<std::size_t>(leaf.edges.indexOf(axis, x, y, z))];
+    reader.read(axis, x, y, z, c, quad);
+    if (cutQuad(quad.p, quad.middle, quad.normal, false).margin > 0.0) return;
+    for (const std::uint32_t v : quad.v) {
+      if (v < grid.cellCount() && (grid.traits(v) & CellTraits::kOutside) != 0) folding.push_back(v);
+    }
+  });
+  return folding;
+}
+
+}  // namespace
+
 void unfoldVertices(SurfaceGrid& grid) {
   auto& leaves = grid.leaves();
-  const auto hasOutside = [&](std::int32_t n) {
-    return n >= 0 && !leaves[static_cast<std::size_t>(n)].outside.empty();
-  };
   for (int round = 0; round < kUnfoldRounds; ++round) {
     std::vector<std::vector<std::uint32_t>> folding(leaves.size());
-    parallelFor(std::size_t{0}, leaves.size(), [&](std::size_t i) {
-      const SurfaceLeaf& leaf = leaves[i];
-      if (std::none_of(leaf.lower.begin(), leaf.lower.end(), hasOutside)) return;
-      QuadReader reader(grid);
-      reader.load(leaf);
-      forEachCrossing(leaf, [&](int axis, int x, int y, int z, const Crossing& c) {
-        Quad quad;
-        if (!reader.corners(axis, x, y, z, quad) || !(quad.traits & CellTraits::kOutside)) return;
-        reader.read(axis, x, y, z, c, quad);
-        if (cutQuad(quad.p, quad.middle, quad.normal, false).margin > 0.0) return;
-        for (const std::uint32_t v : quad.v) {
-          if (v < grid.cellCount() && (grid.traits(v) & CellTraits::kOutside) != 0) folding[i].push_back(v);
-        }
-      });
-    });
+    parallelFor(std::size_t{0}, leaves.size(),
+                [&](std::size_t i) { folding[i] = foldingVertices(grid, leaves[i]); });
     bool any = false;
     for (const auto& list : folding) {
       for (const std::uint32_t v : list) grid.markFolding(v);
