@@ -159,8 +159,11 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
 
 namespace {
 
-/// Edges of a leaf, on each axis, at cells with vertices outside.
-std::array<LeafBits, 3> edgesOfOutside(const SurfaceGrid& grid, const SurfaceLeaf& leaf) {
+/// Places of cells (see OutsideVertex), leaf by leaf.
+using Places = std::vector<std::vector<std::uint16_t>>;
+
+/// Crossed edges of a leaf, on each axis, at these cells.
+std::array<LeafBits, 3> edgesOf(const Places& cells, const SurfaceLeaf& leaf) {
   std::array<LeafBits, 3> edges{};
   const auto mark = [&](int axis, int x, int y, int z) {
     if ((x | y | z) >= 0 && x < 8 && y < 8 && z < 8) edges[axis][z] |= 1ull << leafBit(x, y);
@@ -168,8 +171,8 @@ std::array<LeafBits, 3> edgesOfOutside(const SurfaceGrid& grid, const SurfaceLea
   for (int below = 0; below < 7; ++below) {
     if (leaf.lower[below] < 0) continue;
     const int dx = (below & 1) * 8, dy = (below >> 1 & 1) * 8, dz = (below >> 2) * 8;
-    for (const OutsideVertex& o : grid.leaves()[static_cast<std::size_t>(leaf.lower[below])].outside) {
-      const int x = (o.place >> 3 & 7) - dx, y = (o.place & 7) - dy, z = (o.place >> 6) - dz;
+    for (const int place : cells[static_cast<std::size_t>(leaf.lower[below])]) {
+      const int x = (place >> 3 & 7) - dx, y = (place & 7) - dy, z = (place >> 6) - dz;
       for (int i = 0; i < 4; ++i) {
         const int u = i & 1, v = i >> 1;
         mark(0, x, y + u, z + v);
@@ -184,18 +187,18 @@ std::array<LeafBits, 3> edgesOfOutside(const SurfaceGrid& grid, const SurfaceLea
   return edges;
 }
 
-/// Vertices outside their cells at whose quads the surface of a leaf folds, in the order of the leaf's
-/// crossings.
-std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const SurfaceLeaf& leaf) {
+/// Vertices outside their cells at those quads of a leaf, around these cells, that fold.
+std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const SurfaceLeaf& leaf,
+                                           const Places& cells) {
   std::vector<std::uint32_t> folding;
   LeafEdges asked;
-  asked.crossed = edgesOfOutside(grid, leaf);
+  asked.crossed = edgesOf(cells, leaf);
   if (asked.crossed == std::array<LeafBits, 3>{}) return folding;
   QuadReader reader(grid);
   reader.load(leaf);
   forEachEdge(asked, [&](int axis, int x, int y, int z) {
     Quad quad;
-    if (!reader.corners(axis, x, y, z, quad)) return;
+    if (!reader.corners(axis, x, y, z, quad) || !(quad.traits & CellTraits::kOutside)) return;
     const Crossing& c = leaf.stock->crossings[static_cast<std::size_t>(leaf.edges.indexOf(axis, x, y, z))];
     reader.read(axis, x, y, z, c, quad);
     if (cutQuad(quad.p, quad.middle, quad.normal, false).margin > 0.0) return;
@@ -210,10 +213,15 @@ std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const Surfac
 
 void unfoldVertices(SurfaceGrid& grid) {
   auto& leaves = grid.leaves();
+  // First all that are outside, then those that were put back: other quads stay as they are.
+  Places moved(leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    for (const OutsideVertex& o : leaves[i].outside) moved[i].push_back(o.place);
+  }
   for (int round = 0; round < kUnfoldRounds; ++round) {
     std::vector<std::vector<std::uint32_t>> folding(leaves.size());
     parallelFor(std::size_t{0}, leaves.size(),
-                [&](std::size_t i) { folding[i] = foldingVertices(grid, leaves[i]); });
+                [&](std::size_t i) { folding[i] = foldingVertices(grid, leaves[i], moved); });
     bool any = false;
     for (const auto& list : folding) {
       for (const std::uint32_t v : list) grid.markFolding(v);
@@ -222,10 +230,13 @@ void unfoldVertices(SurfaceGrid& grid) {
     if (!any) return;
     parallelFor(std::size_t{0}, leaves.size(), [&](std::size_t i) {
       SurfaceLeaf& leaf = leaves[i];
+      moved[i].clear();
       std::erase_if(leaf.outside, [&](const OutsideVertex& o) {
         const std::uint32_t cell =
             leaf.base + static_cast<std::uint32_t>(leaf.rank(o.place >> 3 & 7, o.place & 7, o.place >> 6));
-        return grid.putInside(cell, o.inside);
+        const bool put = grid.putInside(cell, o.inside);
+        if (put) moved[i].push_back(o.place);
+        return put;
       });
     });
   }
