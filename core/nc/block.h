@@ -61,9 +61,10 @@ struct Columns {
 
 struct Word {
   Address address = '?';
-  bool incremental = false;  ///< operator I behind the address (XI40)
-  bool is_integer = false;   ///< the value has no fractional part
-  double value = 0.0;        ///< as programmed, no unit conversion
+  bool incremental = false;      ///< operator I behind the address (XI40)
+  bool is_integer = false;       ///< the value has no fractional part
+  bool from_expression = false;  ///< the value was computed: alarms tell it
+  double value = 0.0;            ///< as programmed, no unit conversion
   Columns columns;
 };
 

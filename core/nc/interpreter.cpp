@@ -28,19 +28,20 @@ std::string_view statusOf(nc::CodeClass cls, bool built) {
 
 std::vector<CoverageRow> nctCoverage() {
   std::vector<CoverageRow> rows;
-  for (const nc::GCode& g : nc::nctGCodes()) {
-    std::string name = fmt::format("G{}", g.code10 / 10);
-    if (g.code10 % 10 != 0) name += fmt::format(".{}", g.code10 % 10);
-    rows.push_back({std::move(name), g.group, std::string(codeClassName(g.cls)),
-                    std::string(statusOf(g.cls, g.built)), std::string(g.ids), std::string(g.meaning)});
+  const nc::CodeIndex& codes = nc::nctCodes();
+  for (const nc::GCode* g : codes.allG()) {
+    std::string name = fmt::format("G{}", g->code10 / 10);
+    if (g->code10 % 10 != 0) name += fmt::format(".{}", g->code10 % 10);
+    rows.push_back({std::move(name), g->group, std::string(codeClassName(g->cls)),
+                    std::string(statusOf(g->cls, g->built)), std::string(g->ids), std::string(g->meaning)});
   }
-  for (const nc::MCode& m : nc::nctMCodes()) {
-    rows.push_back({fmt::format("M{}", m.code), -1, std::string(codeClassName(m.cls)),
-                    std::string(statusOf(m.cls, true)), std::string(m.ids), std::string(m.meaning)});
+  for (const nc::MCode* m : codes.allM()) {
+    rows.push_back({fmt::format("M{}", m->code), -1, std::string(codeClassName(m->cls)),
+                    std::string(statusOf(m->cls, true)), std::string(m->ids), std::string(m->meaning)});
   }
-  for (const nc::FeatureRow& f : nc::nctFeatures()) {
-    rows.push_back({std::string(f.code), -1, std::string(codeClassName(f.cls)),
-                    std::string(statusOf(f.cls, f.built)), std::string(f.ids), std::string(f.meaning)});
+  for (const nc::FeatureRow* f : codes.allFeatures()) {
+    rows.push_back({std::string(f->code), -1, std::string(codeClassName(f->cls)),
+                    std::string(statusOf(f->cls, f->built)), std::string(f->ids), std::string(f->meaning)});
   }
   return rows;
 }

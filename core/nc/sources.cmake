@@ -5,14 +5,30 @@ target_sources(proveout_core PRIVATE
   nc/path_emitter.cpp
   nc/program_source.cpp
   nc/source_text.cpp
+  nc/nct/call_stack.cpp
+  nc/nct/nct_alarms.cpp
   nc/nct/nct_block.cpp
   nc/nct/nct_codes.cpp
   nc/nct/nct_comp.cpp
+  nc/nct/nct_context.cpp
   nc/nct/nct_control.cpp
   nc/nct/nct_cycles.cpp
-  nc/nct/nct_execute.cpp
   nc/nct/nct_flow.cpp
   nc/nct/nct_frames.cpp
   nc/nct/nct_motion.cpp
-  nc/nct/nct_parameters.cpp)
+  nc/nct/nct_parameters.cpp
+  nc/nct/nct_perform.cpp
+  nc/nct/nct_words.cpp
+  nc/nct/program_store.cpp
+  nc/nct/tables/comp.cpp
+  nc/nct/tables/cycles.cpp
+  nc/nct/tables/frames.cpp
+  nc/nct/tables/macro.cpp
+  nc/nct/tables/measuring.cpp
+  nc/nct/tables/motion.cpp
+  nc/nct/tables/rotary.cpp
+  nc/nct/tables/spindle.cpp
+  nc/nct/tables/tools.cpp
+  nc/nct/tables/transforms.cpp
+  nc/nct/tables/turning.cpp)
 include(nc/services/sources.cmake OPTIONAL)

@@ -1,15 +1,17 @@
 // The codes of the nct control as data: what executes is what `proveout coverage` prints.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/nc/block.h"
 
 namespace proveout::nc {
 
-class NctControl;
+struct NctContext;
 struct BlockPlan;
 
 /// What the simulation does with a code (the classes of the dialect digests).
@@ -22,6 +24,7 @@ enum NctGroup : std::int8_t {
   kGroupMotion = 1,
   kGroupPlane = 2,
   kGroupDistance = 3,
+  kGroupZones = 4,
   kGroupFeedMode = 5,
   kGroupUnits = 6,
   kGroupRadiusComp = 7,
@@ -43,10 +46,10 @@ enum NctGroup : std::int8_t {
 };
 
 /// Plans a block that the code governs: checks everything, fills the plan. False: an error was reported.
-using PlanFunction = bool (NctControl::*)(BlockPlan&);
+using PlanFunction = bool (*)(NctContext&, BlockPlan&);
 
 struct GCode {
-  std::int16_t code10;  ///< G number times ten: 842 is G84.2
+  std::int32_t code10;  ///< G number times ten: 842 is G84.2
   std::int8_t group;    ///< NctGroup
   CodeClass cls;
   bool built;            ///< false: refused as not supported
@@ -80,12 +83,39 @@ struct FeatureRow {
   bool built = true;  ///< false: refused as not supported
 };
 
-std::span<const GCode> nctGCodes();
-std::span<const MCode> nctMCodes();
-std::span<const FeatureRow> nctFeatures();
+/// The rows of one chapter.
+struct CodeTable {
+  std::span<const GCode> g;
+  std::span<const MCode> m;
+  std::span<const FeatureRow> features;
+};
 
-/// Null: no such code in this control.
-const GCode* findGCode(int code10);
-const MCode* findMCode(int code);
+/// All chapters, with look-up by number.
+class CodeIndex {
+ public:
+  CodeIndex();
+  /// Null: no such code in this control.
+  const GCode* g(int code10) const {
+    if (code10 >= 0 && code10 < kDense) return g_[static_cast<std::size_t>(code10)];
+    return gBeyond(code10);
+  }
+  const MCode* m(int code) const;
+
+  const std::vector<const GCode*>& allG() const { return g_sorted_; }  ///< by number
+  const std::vector<const MCode*>& allM() const { return m_sorted_; }  ///< by number
+  const std::vector<const FeatureRow*>& allFeatures() const { return features_; }
+
+ private:
+  static constexpr int kDense = 1000;  ///< up to G99.9 a code is found by its number alone
+  const GCode* gBeyond(int code10) const;
+
+  std::vector<CodeTable> tables_;
+  std::array<const GCode*, kDense> g_{};
+  std::vector<const GCode*> g_sorted_;
+  std::vector<const MCode*> m_sorted_;
+  std::vector<const FeatureRow*> features_;
+};
+/// The control's codes; made once.
+const CodeIndex& nctCodes();
 
 }  // namespace proveout::nc

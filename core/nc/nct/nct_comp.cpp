@@ -1,48 +1,55 @@
 // Cutter compensation: blocks go into the look-ahead, pieces come out and become motions.
 #include <fmt/core.h>
 
-#include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_perform.h"
 
 namespace proveout::nc {
 
-Vec3 NctControl::workPlanePosition() const {
-  return PlaneFrame(state_.plane()).toPlane(chain_.toWork(position_));
+Vec3 workPlanePosition(const NctContext& c) {
+  return PlaneFrame(c.state.plane()).toPlane(c.chain.toWork(c.position));
 }
 
-bool NctControl::engageComp(const BlockPlan& plan) {
+bool engageComp(NctContext& c, const BlockPlan& plan) {
   CutterCompPolicy policy;
-  policy.interference_check = parameters_.flag(NctParam::kInterferenceCheck);
-  policy.interference_alarm = parameters_.flag(NctParam::kInterferenceAlarm);
-  policy.extra_look_ahead = static_cast<int>(parameters_[NctParam::kExtraLookAhead]);
-  policy.min_step = parameters_[NctParam::kMinCompStep];
-  comp_ = CutterComp(policy);
-  comp_.reset(PlaneFrame(plan.next.plane()).toPlane(chain_.toWork(position_)));
-  comp_engaged_ = true;
-  waiting_.clear();
+  policy.interference_check = c.parameters.flag(NctParam::kInterferenceCheck);
+  policy.interference_alarm = c.parameters.flag(NctParam::kInterferenceAlarm);
+  policy.extra_look_ahead = static_cast<int>(c.parameters[NctParam::kExtraLookAhead]);
+  policy.min_step = c.parameters[NctParam::kMinCompStep];
+  c.comp.filter = CutterComp(policy);
+  c.comp.filter.reset(PlaneFrame(plan.next.plane()).toPlane(c.chain.toWork(c.position)));
+  c.comp.engaged = true;
+  c.comp.waiting.clear();
   return true;
 }
 
-bool NctControl::pushComp(const CompBlock& block, Action action) {
+namespace {
+
+bool drainComp(NctContext& c, const CompStatus& status);
+void runPiece(NctContext& c, const CompPiece& piece, Action& action);
+
+}  // namespace
+
+bool pushComp(NctContext& c, const CompBlock& block, Action action) {
   CompBlock tagged = block;
-  tagged.tag = action.tag = next_tag_++;
-  waiting_.push_back(std::move(action));
-  comp_out_.clear();
-  const CompStatus status = comp_.push(tagged, comp_out_);
-  if (!drainComp(status)) return false;
-  if (!comp_.active() && !comp_.pending()) {
-    comp_engaged_ = false;
-    waiting_.clear();
+  tagged.tag = action.tag = c.comp.next_tag++;
+  c.comp.waiting.push_back(std::move(action));
+  c.comp.out.clear();
+  const CompStatus status = c.comp.filter.push(tagged, c.comp.out);
+  if (!drainComp(c, status)) return false;
+  if (!c.comp.filter.active() && !c.comp.filter.pending()) {
+    c.comp.engaged = false;
+    c.comp.waiting.clear();
   }
   return true;
 }
 
-bool NctControl::flushComp() {
-  comp_out_.clear();
-  const CompStatus status = comp_.flush(comp_out_);
-  return drainComp(status);
+bool flushComp(NctContext& c) {
+  c.comp.out.clear();
+  const CompStatus status = c.comp.filter.flush(c.comp.out);
+  return drainComp(c, status);
 }
 
-void NctControl::rebaseComp() { comp_.rebase(workPlanePosition()); }
+void rebaseComp(NctContext& c) { c.comp.filter.rebase(workPlanePosition(c)); }
 
 namespace {
 
@@ -98,50 +105,50 @@ std::string describe(CompWarning warning) {
   return {};
 }
 
-}  // namespace
-
-bool NctControl::drainComp(const CompStatus& status) {
+bool drainComp(NctContext& c, const CompStatus& status) {
   const auto source_of = [&](std::uint64_t tag) {
-    for (const Action& a : waiting_) {
+    for (const Action& a : c.comp.waiting) {
       if (a.tag == tag) return a.source;
     }
-    return here();
+    return c.here();
   };
-  for (const CompNote& note : comp_out_.notes) {
-    emitter_.diagnostic(
-        diagnosticAt(Severity::kWarning, "nct-cutter-comp", describe(note.warning), source_of(note.tag), {}));
+  for (const CompNote& note : c.comp.out.notes) {
+    c.alarms.send(c.alarms.diagnosticAt(Severity::kWarning, "nct-cutter-comp", describe(note.warning),
+                                        source_of(note.tag), {}));
   }
-  for (const CompPiece& piece : comp_out_.pieces) {
+  for (const CompPiece& piece : c.comp.out.pieces) {
     // Pieces come in program order: what lies before is done with, except a block whose corner pieces follow.
-    while (!waiting_.empty() && waiting_.front().tag < piece.tag) waiting_.pop_front();
-    if (waiting_.empty() || waiting_.front().tag != piece.tag) continue;
-    runPiece(piece, waiting_.front());
+    while (!c.comp.waiting.empty() && c.comp.waiting.front().tag < piece.tag) c.comp.waiting.pop_front();
+    if (c.comp.waiting.empty() || c.comp.waiting.front().tag != piece.tag) continue;
+    runPiece(c, piece, c.comp.waiting.front());
   }
   if (status.ok()) return true;
-  emitter_.diagnostic(diagnosticAt(Severity::kError, codeOf(status.error), describe(status.error),
-                                   source_of(status.tag), {}));
-  comp_engaged_ = false;
-  waiting_.clear();
-  settle(emitter_.machine());  // a run that goes on behind errors goes on from where the tool is
+  c.alarms.send(c.alarms.diagnosticAt(Severity::kError, codeOf(status.error), describe(status.error),
+                                      source_of(status.tag), {}));
+  c.comp.engaged = false;
+  c.comp.waiting.clear();
+  settle(c, c.emitter.machine());  // a run that goes on behind errors goes on from where the tool is
   return false;
 }
 
-void NctControl::runPiece(const CompPiece& piece, Action& action) {
+void runPiece(NctContext& c, const CompPiece& piece, Action& action) {
   if (action.kind != Action::Kind::kMove) {
-    run(action);
+    runAction(c, action);
     return;
   }
-  const PlaneFrame frame(state_.plane());
-  const Vec3 to = chain_.workToMachine(frame.fromPlane(piece.to));
+  const PlaneFrame frame(c.state.plane());
+  const Vec3 to = c.chain.workToMachine(frame.fromPlane(piece.to));
   if (!piece.is_arc) {
-    emitMove(action, to, nullptr, chain_);
+    emitMove(c, action, to, nullptr, c.chain);
     return;
   }
   MachineArc arc;
-  arc.center = chain_.workToMachine(frame.fromPlane({piece.center.x(), piece.center.y(), piece.from.z()}));
-  arc.normal = chain_.directionToMachine(frame.normal());
+  arc.center = c.chain.workToMachine(frame.fromPlane({piece.center.x(), piece.center.y(), piece.from.z()}));
+  arc.normal = c.chain.directionToMachine(frame.normal());
   arc.sweep_rad = piece.sweep_rad;
-  emitter_.arcTo(to, arc, action.feed, action.source);
+  c.emitter.arcTo(to, arc, action.feed, action.source);
 }
+
+}  // namespace
 
 }  // namespace proveout::nc

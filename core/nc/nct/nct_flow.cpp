@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
 namespace {
@@ -36,81 +38,78 @@ NctControl::Go NctControl::flow(const BlockPlan& plan) {
 }
 
 NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
+  NctContext& c = context_;
   summary_.end = end;
-  if (comp_engaged_ && !flushComp()) {
-    summary_.end = ProgramEnd::kAlarm;
-    return Go::kStop;
+  if (c.comp.engaged && !flushComp(c)) return stopAtAlarm();
+  if (c.settings.until && !until_hit_) {
+    c.fail("nct-until", "the program ends here; the block to stop after was not reached");
+    return stopAtAlarm();
   }
-  if (settings_.until && !until_hit_) {
-    fail("nct-until", "the program ends here; the block to stop after was not reached");
-    summary_.end = ProgramEnd::kAlarm;
-    return Go::kStop;
-  }
-  emitter_.event("end", {{"code", jsonString(code)}}, 0.0, here());
+  c.emitter.event("end", {{"code", jsonString(code)}}, 0.0, c.here());
   return Go::kStop;
 }
 
-NctControl::Go NctControl::alarm() {
-  if (summary_.errors < settings_.max_errors) return Go::kOn;
+NctControl::Go NctControl::stopAtAlarm() {
   summary_.end = ProgramEnd::kAlarm;
   return Go::kStop;
 }
 
-bool NctControl::calledProgram(SubprogramQuery& query) {
-  const Word* p = word('P');
-  query.caller = stack_.back().text->path();
-  if (block_.has_file) {
-    if (p) return failWord("nct-2017", "illegal address P: M98 takes P or a file name", *p);
-    query.path = callPath(block_.file_arg);
-    if (!query.path.empty() && block_.file_arg.size() <= kMaxFileArgument) return true;
-    return fail("nct-2002", "file name of M98: 1 to 60 characters", block_.file_columns);
-  }
-  std::int64_t number = 0;
-  if (p == nullptr) return fail("nct-2004", "missing data P: M98 needs a program number or a file name");
-  if (!integerWord(*p, 1, 99999999, number)) return false;
-  if (number <= 9999) query.stems.push_back(fmt::format("O{:04}", number));
-  query.stems.push_back(fmt::format("O{:08}", number));
+NctControl::Go NctControl::alarm() {
+  return summary_.errors < context_.settings.max_errors ? Go::kOn : stopAtAlarm();
+}
+
+bool NctControl::take(const ProgramStore::Loaded& loaded, CallFrame& frame) {
+  if (loaded.failure == ProgramStore::Failure::kEncoding)
+    return context_.fail("nct-encoding", loaded.message);
+  if (loaded.text == nullptr) return context_.alarm(2147, "", loaded.message);
+  frame.text = loaded.text;
+  frame.file = loaded.file;
   return true;
 }
 
+bool NctControl::loadCalled(CallFrame& frame) {
+  NctContext& c = context_;
+  const std::uint32_t caller = c.calls.top().file;
+  const Word* p = c.word('P');
+  if (c.block.has_file) {
+    if (p) return c.alarm(2017, *p, "M98 takes P or a file name");
+    const std::string path = callPath(c.block.file_arg);
+    if (path.empty() || c.block.file_arg.size() > kMaxFileArgument) {
+      return c.fail("nct-2002", "file name of M98: 1 to 60 characters", c.block.file_columns);
+    }
+    return take(c.programs.byPath(caller, path), frame);
+  }
+  std::int64_t number = 0;
+  if (p == nullptr) return c.alarm(2004, "P", "M98 needs a program number or a file name");
+  if (!integerWord(c, *p, 1, 99999999, number)) return false;
+  return take(c.programs.byNumber(caller, number), frame);
+}
+
 NctControl::Go NctControl::call() {
+  NctContext& c = context_;
   CallFrame frame;
-  SubprogramQuery query;
-  const Word* l = word('L');
-  if (l && !integerWord(*l, 1, 99999999, frame.total)) return alarm();
-  if (!calledProgram(query)) return alarm();
-  // The main program is level 0; kMaxNesting calls may be open below it.
-  if (stack_.size() > kMaxNesting) {
-    fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
+  frame.kind = CallKind::kSubprogram;
+  frame.local_level = c.calls.top().local_level;
+  const Word* l = c.word('L');
+  if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return alarm();
+  if (c.calls.depth() > kMaxNesting) {
+    c.fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
     return alarm();
   }
-  const std::string key = query.caller + '\n' + (query.stems.empty() ? query.path : query.stems.front());
-  const auto known = text_by_call_.find(key);
-  if (known != text_by_call_.end()) {
-    frame.file = known->second;
-    frame.text = texts_[frame.file].get();
-  } else {
-    const Result<ProgramText> text = source_.subprogram(query);
-    if (!text.ok()) {
-      fail("nct-2147", "file not found: " + text.error().message);
-      return alarm();
-    }
-    frame.text = load(*text, frame.file);
-    if (frame.text == nullptr) return alarm();
-    text_by_call_[key] = frame.file;
-  }
-  stack_.push_back(frame);
+  if (!loadCalled(frame)) return alarm();
+  c.calls.push(frame);
   return Go::kOn;
 }
 
 bool NctControl::jump(CallFrame& frame, std::int64_t block) {
+  NctContext& c = context_;
   const SourceText::Label label = frame.text->label(block);
   if (label.line_index == SourceText::kNoLabel) {
-    return fail("nct-2125", fmt::format("block N{} not found in {}", block, frame.text->name()));
+    return c.fail("nct-2125", fmt::format("block N{} not found in {}", block, frame.text->name()));
   }
   if (label.repeated) {
-    warnOnce(fmt::format("{}:N{}", frame.file, block), "nct-repeated-n",
-             fmt::format("block number N{} occurs more than once: the first one is taken", block));
+    c.warnOnce(fmt::format("{}:N{}", frame.file, block), "nct-repeated-n",
+               fmt::format("block number N{} occurs more than once: the first one is taken", block));
   }
   frame.line = static_cast<std::size_t>(label.line_index);
   lexer_.setInComment(false);
@@ -119,24 +118,21 @@ bool NctControl::jump(CallFrame& frame, std::int64_t block) {
 
 NctControl::Go NctControl::returnFrom() {
   // A jump that fails leaves nowhere to go on: it always stops the run.
-  const auto stop = [&] {
-    summary_.end = ProgramEnd::kAlarm;
-    return Go::kStop;
-  };
-  const Word* p = word('P');
-  const Word* l = word('L');
+  NctContext& c = context_;
+  const Word* p = c.word('P');
+  const Word* l = c.word('L');
   std::int64_t target = -1, repeats = 0;
-  if (p && !integerWord(*p, 1, 99999999, target)) return stop();
-  if (l && !integerWord(*l, 0, 99999999, repeats)) return stop();
-  CallFrame& frame = stack_.back();
-  if (stack_.size() == 1) {
+  if (p && !integerWord(c, *p, 1, 99999999, target)) return stopAtAlarm();
+  if (l && !integerWord(c, *l, 0, 99999999, repeats)) return stopAtAlarm();
+  CallFrame& frame = c.calls.top();
+  if (c.calls.depth() == 1) {
     if (l) {
-      failWord("nct-2017", "illegal address L: M99 of a main program takes P only", *l);
-      return stop();
+      c.alarm(2017, *l, "M99 of a main program takes P only");
+      return stopAtAlarm();
     }
-    if (target >= 0) return jump(frame, target) ? Go::kOn : stop();
-    warn("nct-main-m99", "M99 in the main program starts it again: one pass is simulated", {},
-         Severity::kNote);
+    if (target >= 0) return jump(frame, target) ? Go::kOn : stopAtAlarm();
+    c.warn("nct-main-m99", "M99 in the main program starts it again: one pass is simulated", {},
+           Severity::kNote);
     return finish("M99", ProgramEnd::kEndOfProgram);
   }
   if (l) frame.total = repeats + 1;
@@ -146,13 +142,8 @@ NctControl::Go NctControl::returnFrom() {
     return Go::kOn;
   }
   const std::int64_t back = frame.return_block;
-  if (back < 0) {
-    stack_.pop_back();
-    return Go::kOn;
-  }
-  const std::size_t caller = stack_.size() - 2;
-  if (!jump(stack_[caller], back)) return stop();
-  stack_.pop_back();
+  if (back >= 0 && !jump(c.calls.at(c.calls.depth() - 2), back)) return stopAtAlarm();
+  c.calls.pop();
   return Go::kOn;
 }
 

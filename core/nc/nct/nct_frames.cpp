@@ -1,101 +1,151 @@
 // Plans of the codes that set registers: G10, G52, G92.
 #include <fmt/core.h>
 
-#include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
 
-bool NctControl::planLocalShift(BlockPlan& plan) {
-  plan.target = plan.start;
-  if (!anyAxisWord()) return fail("nct-2004", "missing data: G52 needs axis words");
-  plan.frames = frames_;
-  for (const Word& w : block_.words) {
+namespace {
+
+/// New values of the shifts and of one work system.
+struct FrameChange {
+  Vec3 shift52 = Vec3::Zero(), shift92 = Vec3::Zero();
+  WorkSystemId id = -1;  ///< -1: no work system changes
+  WorkSystem system;
+};
+
+bool performFrames(NctContext& c, BlockPlan& plan) {
+  const FrameChange& change = plan.payload.as<FrameChange>();
+  WorkFrames& frames = c.registers.frames;
+  frames.shift52 = change.shift52;
+  frames.shift92 = change.shift92;
+  if (change.id >= 0) frames.system(change.id) = change.system;
+  c.chain = frames.chain(plan.next.work_system, plan.next.length);
+  c.position = c.chain.toProgram(c.machine);
+  return true;
+}
+
+FrameChange& frameChange(const NctContext& c, BlockPlan& plan) {
+  plan.perform = performFrames;
+  plan.rebases = true;
+  FrameChange& change = plan.payload.emplace<FrameChange>();
+  change.shift52 = c.registers.frames.shift52;
+  change.shift92 = c.registers.frames.shift92;
+  return change;
+}
+
+/// A new value of one row of the tool offset tables.
+struct OffsetChange {
+  int row = 0;
+  int table = 0;  ///< L of G10: 10, 11, 12, 13
+  double value = 0.0;
+};
+
+bool performOffset(NctContext& c, BlockPlan& plan) {
+  const OffsetChange& change = plan.payload.as<OffsetChange>();
+  auto& table = change.table < 12 ? c.registers.length_offsets : c.registers.radius_offsets;
+  OffsetValue& row = table[change.row];
+  (change.table % 2 == 0 ? row.geometry : row.wear) = change.value;
+  return true;
+}
+
+bool planToolOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p);
+bool planWorkOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p);
+
+}  // namespace
+
+bool planLocalShift(NctContext& c, BlockPlan& plan) {
+  if (!c.anyAxisWord()) return c.fail("nct-2004", "missing data: G52 needs axis words");
+  FrameChange& change = frameChange(c, plan);
+  for (const Word& w : c.block.words) {
     const bool secondary = w.address >= 'U' && w.address <= 'W';
     if (!secondary && (w.address < 'X' || w.address > 'Z')) continue;
     const int axis = w.address - (secondary ? 'U' : 'X');
     const double value = lengthOf(plan, w);
     if (secondary || w.incremental || plan.next.incremental()) {
-      plan.frames->shift52[axis] += value;
+      change.shift52[axis] += value;
     } else {
-      plan.frames->shift52[axis] = value;
+      change.shift52[axis] = value;
     }
   }
-  plan.deed = BlockPlan::Deed::kFrames;
   return true;
 }
 
-bool NctControl::planSetPosition(BlockPlan& plan) {
-  plan.target = plan.start;
-  if (!anyAxisWord()) return fail("nct-2004", "missing data: G92 needs axis words");
-  plan.frames = frames_;
+bool planSetPosition(NctContext& c, BlockPlan& plan) {
+  if (!c.anyAxisWord()) return c.fail("nct-2004", "missing data: G92 needs axis words");
+  FrameChange& change = frameChange(c, plan);
   const Vec3 work = plan.chain.toWork(plan.start);
-  for (const Word& w : block_.words) {
+  for (const Word& w : c.block.words) {
     const bool secondary = w.address >= 'U' && w.address <= 'W';
     if (!secondary && (w.address < 'X' || w.address > 'Z')) continue;
     if (secondary || w.incremental) {
-      return failWord("nct-2097",
-                      fmt::format("illegal incremental movement on axis {}: G92 words are absolute",
-                                  addressText(w.address)),
-                      w);
+      return c.failWord("nct-2097",
+                        fmt::format("illegal incremental movement on axis {}: G92 words are absolute",
+                                    addressText(w.address)),
+                        w);
     }
     const int axis = w.address - 'X';
-    plan.frames->shift52[axis] = 0.0;
-    plan.frames->shift92[axis] = work[axis] - lengthOf(plan, w);
+    change.shift52[axis] = 0.0;
+    change.shift92[axis] = work[axis] - lengthOf(plan, w);
   }
-  plan.deed = BlockPlan::Deed::kFrames;
   return true;
 }
 
-bool NctControl::planOffsets(BlockPlan& plan) {
-  plan.target = plan.start;
-  const Word* l = ownWord(plan, 'L');
+bool planOffsets(NctContext& c, BlockPlan& plan) {
+  const Word* l = c.ownWord(plan, 'L');
   std::int64_t kind = 0;
-  if (l == nullptr) return fail("nct-2004", "missing data L: G10 needs L");
-  if (!integerWord(*l, 0, 9999, kind)) return false;
+  if (l == nullptr) return c.fail("nct-2004", "missing data L: G10 needs L");
+  if (!integerWord(c, *l, 0, 9999, kind)) return false;
   if (kind != 2 && kind != 20 && (kind < 10 || kind > 13)) {
-    return failWord(
+    return c.failWord(
         "nct-2123",
         fmt::format("function not implemented: G10 L{} is not supported (L2, L10 to L13, L20 are)", kind),
         *l);
   }
-  const Word* p = ownWord(plan, 'P');
-  if (p == nullptr) return fail("nct-2004", "missing data P: G10 needs P");
-  if (kind >= 10 && kind <= 13) return planToolOffset(plan, static_cast<int>(kind), *p);
-  return planWorkOffset(plan, static_cast<int>(kind), *p);
+  const Word* p = c.ownWord(plan, 'P');
+  if (p == nullptr) return c.fail("nct-2004", "missing data P: G10 needs P");
+  if (kind >= 10 && kind <= 13) return planToolOffset(c, plan, static_cast<int>(kind), *p);
+  return planWorkOffset(c, plan, static_cast<int>(kind), *p);
 }
 
-bool NctControl::planToolOffset(BlockPlan& plan, int kind, const Word& p) {
+namespace {
+
+bool planToolOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p) {
   std::int64_t row = 0;
-  if (!integerWord(p, 1, static_cast<std::int64_t>(parameters_[NctParam::kToolOffsets]), row)) return false;
-  const Word* r = word('R');
-  if (r == nullptr) return fail("nct-2004", "missing data R: the value of the offset");
-  if (anyAxisWord() || !(block_.present & AddressSet("IJK")).empty()) {
-    return fail("nct-2017", "illegal address: G10 L10 to L13 takes P and R");
+  if (!integerWord(c, p, 1, static_cast<std::int64_t>(c.parameters[NctParam::kToolOffsets]), row))
+    return false;
+  const Word* r = c.word('R');
+  if (r == nullptr) return c.fail("nct-2004", "missing data R: the value of the offset");
+  if (c.anyAxisWord() || !(c.block.present & AddressSet("IJK")).empty()) {
+    return c.fail("nct-2017", "illegal address: G10 L10 to L13 takes P and R");
   }
-  const auto& table = kind < 12 ? length_table_ : radius_table_;
+  const auto& table = kind < 12 ? c.registers.length_offsets : c.registers.radius_offsets;
   const auto found = table.find(static_cast<int>(row));
   const OffsetValue old = found == table.end() ? OffsetValue{} : found->second;
   const bool add = r->incremental || plan.next.incremental();
   const double base = kind % 2 == 0 ? old.geometry : old.wear;
-  plan.offset_row = static_cast<int>(row);
-  plan.offset_table = kind;
-  plan.offset_value = (add ? base : 0.0) + lengthOf(plan, *r);
-  plan.deed = BlockPlan::Deed::kOffsets;
+  plan.payload.emplace<OffsetChange>() = {static_cast<int>(row), kind,
+                                          (add ? base : 0.0) + lengthOf(plan, *r)};
+  plan.perform = performOffset;
   return true;
 }
 
-bool NctControl::planWorkOffset(BlockPlan& plan, int kind, const Word& p) {
+bool planWorkOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p) {
   std::int64_t row = 0;
-  if (const Word* r = word('R')) return failWord("nct-2017", "illegal address R in G10 L2, L20", *r);
-  if (!integerWord(p, kind == 2 ? 0 : 1, kind == 2 ? 6 : 99, row)) return false;
+  if (const Word* r = c.word('R')) return c.failWord("nct-2017", "illegal address R in G10 L2, L20", *r);
+  if (!integerWord(c, p, kind == 2 ? 0 : 1, kind == 2 ? 6 : 99, row)) return false;
   plan.flush = true;  // the frame of the compensated path changes
-  plan.frames = frames_;
+  FrameChange& change = frameChange(c, plan);
   const WorkSystemId id = kind == 2 ? static_cast<int>(row) : kFirstExtended + static_cast<int>(row) - 1;
-  WorkSystem& system = plan.frames->system(id);
-  for (const Word& w : block_.words) {
+  change.id = id;
+  change.system = c.registers.frames.system(id);
+  WorkSystem& system = change.system;
+  for (const Word& w : c.block.words) {
     const bool secondary = w.address >= 'U' && w.address <= 'W';
     if (w.address >= 'I' && w.address <= 'K') {
-      if (id == 0) return failWord("nct-2017", "illegal address: the common offset has no rotation", w);
+      if (id == 0) return c.failWord("nct-2017", "illegal address: the common offset has no rotation", w);
       const int about = 'K' - w.address;  // I turns about Z, J about Y, K about X
       system.angles_deg[about] = (plan.next.incremental() ? system.angles_deg[about] : 0.0) + w.value;
     } else if (secondary || (w.address >= 'X' && w.address <= 'Z')) {
@@ -104,8 +154,9 @@ bool NctControl::planWorkOffset(BlockPlan& plan, int kind, const Word& p) {
       system.offset[axis] = (add ? system.offset[axis] : 0.0) + lengthOf(plan, w);
     }
   }
-  plan.deed = BlockPlan::Deed::kFrames;
   return true;
 }
+
+}  // namespace
 
 }  // namespace proveout::nc

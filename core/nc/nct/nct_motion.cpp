@@ -3,24 +3,26 @@
 
 #include <cmath>
 
-#include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
 
-bool NctControl::planRapid(BlockPlan& plan) {
-  if (!axisTarget(plan, plan.target)) return false;
-  if (!anyAxisWord()) return true;
-  plan.deed = BlockPlan::Deed::kMove;
-  plan.rapid = true;
+bool planRapid(NctContext& c, BlockPlan& plan) {
+  if (!axisTarget(c, plan, plan.motion.target)) return false;
+  if (!c.anyAxisWord()) return true;
+  plan.perform = performMove;
+  plan.motion.rapid = true;
   return true;
 }
 
-bool NctControl::planLine(BlockPlan& plan) {
-  if (!axisTarget(plan, plan.target)) return false;
-  if (!anyAxisWord()) return true;
-  plan.deed = BlockPlan::Deed::kMove;
-  plan.rapid = false;
-  return feedStyle(plan, plan.feed);
+bool planLine(NctContext& c, BlockPlan& plan) {
+  if (!axisTarget(c, plan, plan.motion.target)) return false;
+  if (!c.anyAxisWord()) return true;
+  plan.perform = performMove;
+  plan.motion.rapid = false;
+  return feedStyle(c, plan, plan.motion.feed);
 }
 
 namespace {
@@ -53,145 +55,192 @@ ArcFailure describe(ArcError error) {
 
 }  // namespace
 
-double NctControl::radiusTolerance() const {
+namespace {
+
+double radiusTolerance(const NctContext& c) {
   // The machine builder sets N1339. A job that does not give it leaves open whether the real control would
   // alarm: up to this difference the arc then runs as a spiral with a warning. 2 mm lets sloppy but harmless
   // arcs of real programs through and still refuses a wrong centre.
   constexpr double kUnknownMachineMm = 2.0;
-  if (parameters_.given(NctParam::kRadiusDifference)) return parameters_[NctParam::kRadiusDifference];
+  if (c.parameters.given(NctParam::kRadiusDifference)) return c.parameters[NctParam::kRadiusDifference];
   return kUnknownMachineMm;
 }
 
-bool NctControl::arcRequest(const BlockPlan& plan, ArcRequest& request) {
+bool arcRequest(NctContext& c, const BlockPlan& plan, ArcRequest& request) {
   const PlaneFrame frame(plan.next.plane());
   request.start = frame.toPlane(plan.start);
-  request.end = frame.toPlane(plan.target);
-  request.has_plane_end =
-      plan.named[static_cast<std::size_t>(frame.u())] || plan.named[static_cast<std::size_t>(frame.v())];
-  request.has_other_axis = plan.named[static_cast<std::size_t>(frame.w())];
+  request.end = frame.toPlane(plan.motion.target);
+  request.has_plane_end = plan.motion.named[static_cast<std::size_t>(frame.u())] ||
+                          plan.motion.named[static_cast<std::size_t>(frame.v())];
+  request.has_other_axis = plan.motion.named[static_cast<std::size_t>(frame.w())];
   request.counter_clockwise = plan.next.active[kGroupMotion] == 30;
   for (int axis = 0; axis < 3; ++axis) {
-    const Word* w = ownWord(plan, "IJK"[axis]);
+    const Word* w = c.ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
     double value = lengthOf(plan, *w);
-    if (parameters_.flag(NctParam::kAbsoluteCentre)) value -= plan.start[axis];
+    if (c.parameters.flag(NctParam::kAbsoluteCentre)) value -= plan.start[axis];
     if (axis == frame.w()) request.center_word_outside_plane = true;
     if (axis == frame.u()) request.center_u = value;
     if (axis == frame.v()) request.center_v = value;
   }
-  if (const Word* r = ownWord(plan, 'R')) request.radius = lengthOf(plan, *r);
-  if (const Word* l = ownWord(plan, 'L')) {
+  if (const Word* r = c.ownWord(plan, 'R')) request.radius = lengthOf(plan, *r);
+  if (const Word* l = c.ownWord(plan, 'L')) {
     std::int64_t turns = 0;
-    if (!integerWord(*l, 1, 99999999, turns)) return false;
+    if (!integerWord(c, *l, 1, 99999999, turns)) return false;
     request.turns = turns;
   }
   return true;
 }
 
-bool NctControl::failArc(const ArcResolution& resolved) {
+bool failArc(NctContext& c, const ArcResolution& resolved) {
   const ArcFailure failure = describe(resolved.error);
   std::string message = failure.message;
   if (resolved.error == ArcError::kRadiusDifference) {
     message += fmt::format(": {:.6g} mm between start and end radius, {:.6g} allowed",
-                           resolved.radius_difference, radiusTolerance());
+                           resolved.radius_difference, radiusTolerance(c));
   }
-  return fail(failure.code, std::move(message));
+  return c.fail(failure.code, std::move(message));
 }
 
-bool NctControl::planArc(BlockPlan& plan) {
-  if (!axisTarget(plan, plan.target)) return false;
-  const bool arc_word = !(block_.present & AddressSet("IJKR")).without(plan.claimed).empty();
-  if (!anyAxisWord() && !arc_word) return true;  // F, M or nothing: no motion
+}  // namespace
+
+bool planArc(NctContext& c, BlockPlan& plan) {
+  if (!axisTarget(c, plan, plan.motion.target)) return false;
+  const bool arc_word = !(c.block.present & AddressSet("IJKR")).without(plan.claimed).empty();
+  if (!c.anyAxisWord() && !arc_word) return true;  // F, M or nothing: no motion
   ArcRequest request;
-  if (!arcRequest(plan, request)) return false;
+  if (!arcRequest(c, plan, request)) return false;
   ArcPolicy policy;
-  policy.radius_tolerance = radiusTolerance();
+  policy.radius_tolerance = radiusTolerance(c);
   const ArcResolution resolved = resolveArc(request, policy);
-  if (!resolved.ok()) return failArc(resolved);
-  if (!request.turns && resolved.radius_difference > parameters_[NctParam::kRadiusDifference]) {
-    warn("nct-2012",
-         fmt::format(
-             "start and end radius differ by {:.6g} mm: run as a spiral, because the job does not give "
-             "N1339; a control with a smaller N1339 stops here with alarm 2012",
-             resolved.radius_difference));
+  if (!resolved.ok()) return failArc(c, resolved);
+  if (!request.turns && resolved.radius_difference > c.parameters[NctParam::kRadiusDifference]) {
+    c.warn("nct-2012",
+           fmt::format(
+               "start and end radius differ by {:.6g} mm: run as a spiral, because the job does not give "
+               "N1339; a control with a smaller N1339 stops here with alarm 2012",
+               resolved.radius_difference));
   }
-  if (resolved.center_ignored) warn("nct-arc-both", "R and I, J, K in one block: R counts");
+  if (resolved.center_ignored) c.warn("nct-arc-both", "R and I, J, K in one block: R counts");
   if (resolved.no_motion) {
-    plan.target = plan.start;
+    plan.motion.target = plan.start;
     return true;
   }
-  plan.deed = BlockPlan::Deed::kMove;
-  plan.is_arc = true;
-  plan.arc = resolved.arc;
-  if (!feedStyle(plan, plan.feed)) return false;
+  plan.perform = performMove;
+  plan.motion.is_arc = true;
+  plan.motion.arc = resolved.arc;
+  if (!feedStyle(c, plan, plan.motion.feed)) return false;
   const bool spiral = resolved.radius_difference > 1e-9;
-  plan.feed.along = parameters_.flag(NctParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace
-                    : spiral && !request.turns                  ? FeedStyle::Along::kStartRadius
-                                                                : FeedStyle::Along::kPlane;
+  plan.motion.feed.along = c.parameters.flag(NctParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace
+                           : spiral && !request.turns                   ? FeedStyle::Along::kStartRadius
+                                                                        : FeedStyle::Along::kPlane;
   return true;
 }
 
-bool NctControl::planDwell(BlockPlan& plan) {
-  plan.deed = BlockPlan::Deed::kDwell;
-  plan.target = plan.start;
-  const Word* p = ownWord(plan, 'P');
+namespace {
+
+struct Dwell {
+  double seconds = 0.0;
+};
+
+bool performDwell(NctContext& c, BlockPlan& plan) {
+  Action action;
+  action.kind = Action::Kind::kDwell;
+  action.value = plan.payload.as<Dwell>().seconds;
+  action.source = c.here();
+  return act(c, std::move(action), plan.next);
+}
+
+}  // namespace
+
+bool planDwell(NctContext& c, BlockPlan& plan) {
+  plan.perform = performDwell;
+  Dwell& dwell = plan.payload.emplace<Dwell>();
+  plan.motion.target = plan.start;
+  const Word* p = c.ownWord(plan, 'P');
   if (p == nullptr) {
-    warn("nct-2004", "G4 without P: no dwell");
+    c.warn("nct-2004", "G4 without P: no dwell");
     return true;
   }
-  if (p->value < 0.0) return failWord("nct-2002", "P data out of range: a dwell is not negative", *p);
-  const bool turns = plan.next.perTurn() && !parameters_.flag(NctParam::kDwellSeconds);
-  plan.dwell_s = turns ? p->value * 60.0 / turnsPerMinute(plan) : p->value;
+  if (p->value < 0.0) return c.failWord("nct-2002", "P data out of range: a dwell is not negative", *p);
+  const bool turns = plan.next.perTurn() && !c.parameters.flag(NctParam::kDwellSeconds);
+  dwell.seconds = turns ? p->value * 60.0 / turnsPerMinute(c, plan) : p->value;
   return true;
 }
 
-bool NctControl::planMachineMove(BlockPlan& plan) {
-  plan.target = machine_;
-  if (!anyAxisWord()) return true;  // G53 alone only empties the buffer
-  for (const Word& w : block_.words) {
+namespace {
+
+/// Rapids to machine points: G53 has one, G28 and G30 have an intermediate point before it.
+struct MachineMove {
+  bool has_via = false;
+  Vec3 via = Vec3::Zero();  ///< machine, mm
+  Vec3 to = Vec3::Zero();   ///< machine, mm
+};
+
+bool performMachineMove(NctContext& c, BlockPlan& plan) {
+  const MachineMove& move = plan.payload.as<MachineMove>();
+  if (move.has_via) c.emitter.rapidTo(move.via, c.here());
+  c.emitter.rapidTo(move.to, c.here());
+  settle(c, move.to);
+  return true;
+}
+
+}  // namespace
+
+bool planMachineMove(NctContext& c, BlockPlan& plan) {
+  MachineMove& move = plan.payload.emplace<MachineMove>();
+  move.to = c.machine;
+  if (!c.anyAxisWord()) return true;  // G53 alone only empties the buffer
+  for (const Word& w : c.block.words) {
     const bool secondary = w.address >= 'U' && w.address <= 'W';
     const bool axis_word = w.address >= 'X' && w.address <= 'Z';
     if (secondary || (axis_word && w.incremental)) {
-      return failWord("nct-2097",
-                      fmt::format("illegal incremental movement on axis {}: G53 is always absolute",
-                                  addressText(w.address)),
-                      w);
+      return c.failWord("nct-2097",
+                        fmt::format("illegal incremental movement on axis {}: G53 is always absolute",
+                                    addressText(w.address)),
+                        w);
     }
-    if (axis_word) plan.target[w.address - 'X'] = lengthOf(plan, w);
+    if (axis_word) move.to[w.address - 'X'] = lengthOf(plan, w);
   }
-  if (!settings_.reference_points[0]) {
-    warnOnce("machine-zero", "nct-machine-zero",
-             "G53: the job gives no reference point, so machine zero is only as good as its work offsets");
+  if (!c.settings.reference_points[0]) {
+    c.warnOnce("machine-zero", "nct-machine-zero",
+               "G53: the job gives no reference point, so machine zero is only as good as its work offsets");
   }
-  plan.deed = BlockPlan::Deed::kMachineMove;
+  plan.perform = performMachineMove;
+  plan.rebases = true;
   return true;
 }
 
-bool NctControl::planReference(BlockPlan& plan) {
+bool planReference(NctContext& c, BlockPlan& plan) {
   std::int64_t point = 1;
   if (plan.by_group[kOneShot]->code10 == 300) {
-    const Word* p = ownWord(plan, 'P');
-    if (p == nullptr) return fail("nct-2004", "missing data P: G30 needs the number of the reference point");
-    if (!integerWord(*p, 1, 4, point)) return false;
+    const Word* p = c.ownWord(plan, 'P');
+    if (p == nullptr)
+      return c.fail("nct-2004", "missing data P: G30 needs the number of the reference point");
+    if (!integerWord(c, *p, 1, 4, point)) return false;
   }
-  if (!axisTarget(plan, plan.via)) return false;
-  plan.target = machine_;
-  if (!anyAxisWord()) {
-    warn("nct-2004", "no axis is named: no motion");
+  Vec3 via = plan.start;
+  if (!axisTarget(c, plan, via)) return false;
+  if (!c.anyAxisWord()) {
+    c.warn("nct-2004", "no axis is named: no motion");
     return true;
   }
-  const auto& given = settings_.reference_points[static_cast<std::size_t>(point - 1)];
-  const Vec3 reference = given.value_or(settings_.start + emitter_.workpieceOrigin());
+  const auto& given = c.settings.reference_points[static_cast<std::size_t>(point - 1)];
+  const Vec3 reference = given.value_or(c.settings.start + c.emitter.workpieceOrigin());
   if (!given) {
-    warnOnce(fmt::format("reference{}", point), "nct-reference",
-             fmt::format("the job does not give reference point {}: the start position is taken", point));
+    c.warnOnce(fmt::format("reference{}", point), "nct-reference",
+               fmt::format("the job does not give reference point {}: the start position is taken", point));
   }
   // Machine position after the intermediate point, then the named axes at the reference point.
-  plan.target = plan.chain.toMachine(plan.via);
+  MachineMove& move = plan.payload.emplace<MachineMove>();
+  move.has_via = true;
+  move.via = plan.chain.toMachine(via);
+  move.to = move.via;
   for (int axis = 0; axis < 3; ++axis) {
-    if (plan.named[static_cast<std::size_t>(axis)]) plan.target[axis] = reference[axis];
+    if (plan.motion.named[static_cast<std::size_t>(axis)]) move.to[axis] = reference[axis];
   }
-  plan.deed = BlockPlan::Deed::kReference;
+  plan.perform = performMachineMove;
+  plan.rebases = true;
   return true;
 }
 

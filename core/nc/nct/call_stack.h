@@ -1,0 +1,97 @@
+// The programs that are open: the main program and what it called, with what each call brought along.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/nc/macro/value.h"
+#include "core/nc/source_text.h"
+#include "core/path/toolpath.h"
+
+namespace proveout::nc {
+
+/// How a program came to run.
+enum class CallKind : std::uint8_t {
+  kMain,
+  kSubprogram,  ///< M98, and codes that stand for it: no local level of its own
+  kMacro,       ///< G65
+  kModalMacro,  ///< G66, after each motion
+  kBlockMacro,  ///< G66.1, from each block
+  kSystem,      ///< a G, M, T or other code that parameters turn into a call
+  kInterrupt    ///< M96
+};
+std::string_view callKindName(CallKind kind);  ///< "M98", "G65", "G66", "G66.1", "system call", "interrupt"
+
+/// Does the call open a level of local variables?
+constexpr bool opensLocals(CallKind kind) { return kind > CallKind::kSubprogram; }
+
+/// Arguments of a macro call: v[n] is what #n starts with. v[0] is not used.
+struct Arguments {
+  std::array<Value, kLocalCount + 1> v;
+  Arguments() { v.fill(Value::none()); }
+};
+
+struct CallFrame {
+  SourceText* text = nullptr;
+  std::uint32_t file = 0;
+  CallKind kind = CallKind::kMain;
+  std::int16_t modal_index = -1;   ///< G66: which of the open modal calls this one belongs to; -1: none
+  int local_level = 0;             ///< level of the local variables that its blocks see
+  std::size_t line = 0;            ///< index of the next line
+  std::int64_t total = 1;          ///< repetitions
+  std::int64_t done = 0;           ///< repetitions carried out
+  std::int64_t return_block = -1;  ///< N of the caller to go on from, or -1
+  std::int32_t system_code = -1;   ///< kSystem: the code that called, tenfold for G
+  Arguments args;
+};
+
+/// Nesting of subprogram calls (manual 14.4.2): so many calls may be open below the main program.
+inline constexpr std::size_t kMaxNesting = 16;
+
+/// The open programs. A call may also be put off to the end of the block in hand (PendingCalls): it opens
+/// when the next line of the same frame would be read, and its return goes on with the next call put off.
+class CallStack {
+ public:
+  bool empty() const { return frames_.empty(); }
+  std::size_t depth() const { return frames_.size(); }
+  CallFrame& top() { return frames_.back(); }
+  const CallFrame& top() const { return frames_.back(); }
+  CallFrame& main() { return frames_.front(); }
+  const CallFrame& main() const { return frames_.front(); }
+  CallFrame& at(std::size_t level) { return frames_[level]; }
+  const CallFrame& at(std::size_t level) const { return frames_[level]; }
+
+  void push(const CallFrame& frame) { frames_.push_back(frame); }
+  /// Closes the last frame; calls that it put off are dropped.
+  void pop();
+
+  /// Puts a call off until the block in hand is done; calls run in the order in which they were put off.
+  void defer(const CallFrame& frame) { pending_.push_back({frame, frames_.size()}); }
+  /// Opens the next call that the last frame put off. False: none.
+  bool openDeferred();
+  bool hasDeferred() const { return !pending_.empty() && pending_.back().depth == frames_.size(); }
+
+  /// The block in hand: index of its line and its N number.
+  void setBlock(std::size_t line_index, std::int64_t number) {
+    line_index_ = line_index;
+    number_ = number;
+  }
+  std::size_t lineIndex() const { return line_index_; }
+  /// Where the block in hand stands; line 0 without an open program.
+  SourceRef here() const;
+
+ private:
+  struct Pending {
+    CallFrame frame;
+    std::size_t depth = 0;  ///< frames that were open
+  };
+  std::vector<CallFrame> frames_;
+  std::vector<Pending> pending_;  ///< depth never falls from front to back
+  std::size_t line_index_ = 0;
+  std::int64_t number_ = -1;
+};
+
+}  // namespace proveout::nc

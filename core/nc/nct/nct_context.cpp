@@ -1,0 +1,82 @@
+#include "core/nc/nct/nct_context.h"
+
+#include <fmt/core.h>
+
+namespace proveout::nc {
+
+NctContext::NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
+                       Progress* progress, InterpretSummary& run_summary)
+    : settings(control_settings),
+      summary(run_summary),
+      codes(nctCodes()),
+      emitter(control_settings, sink, run_summary),
+      programs(source, control_settings.encoding, sink),
+      alarms(calls, programs, block, emitter),
+      work(control_settings, progress, calls, alarms, run_summary) {
+  registers.length_offsets = settings.length_offsets;
+  registers.radius_offsets = settings.radius_offsets;
+  WorkFrames& frames = registers.frames;
+  frames.common.offset = settings.common_offset;
+  for (std::size_t i = 0; i < frames.basic.size(); ++i) {
+    frames.basic[i] = {settings.work_offsets[i], settings.work_rotations_deg[i]};
+  }
+  for (const auto& [p, offset] : settings.extended_offsets) frames.extended[p].offset = offset;
+}
+
+void NctContext::reset() {
+  NctState s;
+  s.active.fill(0);
+  const auto flag = [&](NctParam p) { return parameters.flag(p); };
+  s.active[kGroupMotion] = flag(NctParam::kDefaultG1) ? 10 : 0;
+  s.active[kGroupPlane] = flag(NctParam::kDefaultG18) ? 180 : flag(NctParam::kDefaultG19) ? 190 : 170;
+  s.active[kGroupDistance] = flag(NctParam::kDefaultG91) ? 910 : 900;
+  s.active[kGroupZones] = 230;
+  s.active[kGroupFeedMode] = flag(NctParam::kDefaultG95) ? 950 : 940;
+  s.active[kGroupUnits] = settings.units == LengthUnit::kInch ? 200 : 210;
+  s.active[kGroupRadiusComp] = 400;
+  s.active[kGroupLengthComp] = flag(NctParam::kDefaultG43) ? 430 : flag(NctParam::kDefaultG44) ? 440 : 490;
+  s.active[kGroupCycle] = 800;
+  s.active[kGroupReturn] = 980;
+  s.active[kGroupScaling] = 500;
+  s.active[kGroupMacro] = 670;
+  s.active[kGroupSurfaceSpeed] = 970;
+  s.active[kGroupWorkSystem] = 540;
+  s.active[kGroupCutting] = 640;
+  s.active[kGroupRotation] = 690;
+  s.active[kGroupPolarData] = 150;
+  s.active[kGroupTilt] = 691;
+  s.active[kGroupPolarInterpolation] = 131;
+  s.active[kGroupMirror] = 501;
+  s.feed = parameters[s.perTurn() ? NctParam::kDefaultFeedPerTurn : NctParam::kDefaultFeedPerMinute];
+  state = s;
+  chain = registers.frames.chain(state.work_system, state.length);
+  machine = emitter.machine();
+  position = chain.toProgram(machine);
+}
+
+namespace {
+
+/// How often cancellation is looked at and progress told, in blocks.
+constexpr std::uint64_t kBlocksPerCheck = 1024;
+
+}  // namespace
+
+bool WorkGuard::over() {
+  if (work_++ % kBlocksPerCheck == 0 && progress_ != nullptr) {
+    const CallFrame& main = calls_.main();
+    progress_->report("interpreting",
+                      static_cast<double>(main.line) / static_cast<double>(main.text->lines().size()));
+    if (progress_->cancelled()) {
+      summary_.end = ProgramEnd::kCancelled;
+      return true;
+    }
+  }
+  if (work_ <= settings_.block_limit) return false;
+  alarms_.fail("nct-block-limit",
+               fmt::format("{} blocks executed without an end: endless loop? (the limit is a setting)",
+                           settings_.block_limit));
+  summary_.end = ProgramEnd::kBlockLimit;
+  return true;
+}
+
+}  // namespace proveout::nc

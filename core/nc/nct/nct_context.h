@@ -1,0 +1,133 @@
+// What a channel of the nct control is made of; every plan and perform function gets it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/nc/frames.h"
+#include "core/nc/interpreter.h"
+#include "core/nc/nct/call_stack.h"
+#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/nct/nct_codes.h"
+#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/nct_plan.h"
+#include "core/nc/nct/nct_state.h"
+#include "core/nc/nct/program_store.h"
+#include "core/nc/path_emitter.h"
+#include "core/nc/services/cutter_comp.h"
+#include "core/nc/services/drilling.h"
+
+namespace proveout::nc {
+
+/// Something to do that may have to wait for cutter compensation's look-ahead.
+struct Action {
+  enum class Kind { kMove, kSpindle, kToolChange, kDwell, kEvent };
+  Kind kind = Kind::kMove;
+  bool rapid = false;
+  FeedStyle feed;
+  double value = 0.0;  ///< kSpindle: rpm, signed; kDwell: s; kToolChange: number
+  std::string name;    ///< kEvent: its name; kSpindle: "cw", "ccw", "stop"
+  PathEmitter::EventData data;
+  SourceRef source;
+  std::uint64_t tag = 0;
+};
+
+/// Registers that survive the end of a program.
+struct NctRegisters {
+  WorkFrames frames;
+  std::map<int, OffsetValue> length_offsets, radius_offsets;  ///< by row, mm
+};
+
+/// Cutter compensation and what waits inside it.
+struct CompStage {
+  CutterComp filter;
+  bool engaged = false;
+  CompOutput out;
+  std::deque<Action> waiting;  ///< by tag
+  std::uint64_t next_tag = 1;
+};
+
+/// Counts blocks and whatever else a program can make many of, against the block limit; looks at the wish to
+/// stop and tells progress now and then.
+class WorkGuard {
+ public:
+  WorkGuard(const ControlSettings& settings, Progress* progress, const CallStack& calls,
+            AlarmReporter& alarms, InterpretSummary& summary)
+      : settings_(settings), progress_(progress), calls_(calls), alarms_(alarms), summary_(summary) {}
+  /// One more piece of work. True: stop; summary.end says why.
+  bool over();
+
+ private:
+  const ControlSettings& settings_;
+  Progress* progress_;
+  const CallStack& calls_;
+  AlarmReporter& alarms_;
+  InterpretSummary& summary_;
+  std::uint64_t work_ = 0;
+};
+
+struct NctContext {
+  NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
+             Progress* progress, InterpretSummary& run_summary);
+  NctContext(const NctContext&) = delete;
+  NctContext& operator=(const NctContext&) = delete;
+
+  const ControlSettings& settings;
+  InterpretSummary& summary;
+  const CodeIndex& codes;
+  PathEmitter emitter;
+  NctParameters parameters;
+  ProgramStore programs;
+  CallStack calls;
+  Block block;
+  AlarmReporter alarms;
+  WorkGuard work;
+
+  NctState state;
+  NctRegisters registers;
+  CoordinateChain chain;
+  Vec3 position = Vec3::Zero();  ///< programmed, in chain
+  Vec3 machine = Vec3::Zero();   ///< programmed point in machine coordinates, without cutter compensation
+  CompStage comp;
+  std::vector<DrillStep> drill_steps;
+
+  /// Power-on: modal codes, frames and position.
+  void reset();
+
+  SourceRef here() const { return calls.here(); }
+  const Word* word(Address a) const { return block.find(a); }
+  /// The word if it does not belong to another code of the block.
+  const Word* ownWord(const BlockPlan& plan, Address a) const {
+    return plan.claimed.has(a) ? nullptr : block.find(a);
+  }
+  bool anyAxisWord() const { return !(block.present & AddressSet("XYZUVW")).empty(); }
+
+  // Reports, see AlarmReporter.
+  bool alarm(int number, std::string_view subject, std::string_view detail = {}, Columns at = {}) {
+    return alarms.alarm(number, subject, detail, at);
+  }
+  bool alarm(int number, const Word& at, std::string_view detail = {}) {
+    return alarms.alarm(number, at, detail);
+  }
+  bool fail(std::string code, std::string message, Columns at = {}) {
+    return alarms.fail(std::move(code), std::move(message), at);
+  }
+  bool failWord(std::string code, std::string message, const Word& at) {
+    return alarms.fail(std::move(code), std::move(message), at.columns);
+  }
+  void warn(std::string code, std::string message, Columns at = {}, Severity severity = Severity::kWarning) {
+    alarms.warn(std::move(code), std::move(message), at, severity);
+  }
+  bool firstTime(std::string_view key) { return alarms.firstTime(key); }
+  /// A warning that is told once for each key. Where a loop may come by, ask firstTime() before formatting.
+  void warnOnce(std::string_view key, std::string code, std::string message, Columns at = {}) {
+    if (firstTime(key)) warn(std::move(code), std::move(message), at);
+  }
+};
+
+}  // namespace proveout::nc

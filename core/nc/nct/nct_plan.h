@@ -1,0 +1,100 @@
+// One block on its way from words to deeds.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <optional>
+#include <type_traits>
+
+#include "core/nc/block.h"
+#include "core/nc/nct/nct_codes.h"
+#include "core/nc/nct/nct_state.h"
+#include "core/nc/path_emitter.h"
+#include "core/nc/services/arcs.h"
+
+namespace proveout::nc {
+
+struct BlockPlan;
+struct NctContext;
+
+/// Carries a planned block out. False: an error was reported.
+using PerformFunction = bool (*)(NctContext&, BlockPlan&);
+
+/// What a plan function leaves for its perform function: one small value of any type without a destructor.
+class PlanPayload {
+ public:
+  static constexpr std::size_t kBytes = 640;
+  PlanPayload() = default;
+  PlanPayload(const PlanPayload&) = delete;
+  PlanPayload& operator=(const PlanPayload&) = delete;
+
+  template <class T>
+  T& emplace() {
+    static_assert(std::is_trivially_destructible_v<T>);
+    static_assert(sizeof(T) <= kBytes && alignof(T) <= alignof(std::max_align_t));
+    type_ = typeMark<T>();
+    return *new (bytes_) T();
+  }
+  /// The value; it must be the last one emplaced.
+  template <class T>
+  T& as() {
+    assert(type_ == typeMark<T>());
+    return *std::launder(reinterpret_cast<T*>(bytes_));
+  }
+  template <class T>
+  bool holds() const {
+    return type_ == typeMark<T>();
+  }
+
+ private:
+  template <class T>
+  static const void* typeMark() {
+    static constexpr char kMark = 0;
+    return &kMark;
+  }
+  const void* type_ = nullptr;
+  alignas(std::max_align_t) std::byte bytes_[kBytes];
+};
+
+/// What the motion codes share: axisTarget() fills target and named, the rest belongs to the motion.
+struct PlannedMotion {
+  Vec3 target = Vec3::Zero();   ///< programmed end, in the plan's chain, mm
+  std::array<bool, 3> named{};  ///< axes with a word
+  bool rapid = false;
+  bool is_arc = false;
+  PlaneArc arc;
+  FeedStyle feed;
+  std::optional<Vec2> direction;  ///< I, J of a G40/G41/G42 block, in the plane, mm
+};
+
+struct BlockPlan {
+  NctState next;
+  bool frames_changed = false;
+  bool flush = false;
+  CoordinateChain chain;                             ///< in force for the block's motion
+  Vec3 start = Vec3::Zero();                         ///< programmed position at the block's start, in `chain`
+  const GCode* governor = nullptr;                   ///< the code that owns the axis words
+  std::array<const GCode*, kGroupCount> by_group{};  ///< G codes of this block
+  AddressSet claimed;                                ///< words that some code of the block owns
+  std::array<const MCode*, 8> m{};
+  std::array<int, 8> m_value{};
+  int m_count = 0;
+  const MCode* flow = nullptr;  ///< M98, M99, M2, M30
+  bool spindle_changed = false;
+  bool tool_change = false;
+
+  /// Null: nothing moves (cutter compensation may still start or end on the spot).
+  PerformFunction perform = nullptr;
+  PlanPayload payload;
+  /// The deed leaves the machine or its frames elsewhere: cutter compensation starts anew from there.
+  bool rebases = false;
+  /// The deed itself carries out the functions that stand before it (drilling: at the first hole).
+  bool runs_functions = false;
+
+  PlannedMotion motion;
+};
+
+}  // namespace proveout::nc

@@ -1,0 +1,59 @@
+// What a block of the nct control may change and that stays: modal codes and words.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/nc/frames.h"
+#include "core/nc/nct/nct_codes.h"
+#include "core/nc/services/plane_frame.h"
+
+namespace proveout::nc {
+
+/// Words of a drilling cycle that stay in force until the cycle ends. Lengths mm, raw as programmed.
+struct CycleWords {
+  std::optional<double> r, bottom;
+  bool r_incremental = false, bottom_incremental = false;
+  double initial = 0.0;  ///< drill axis, program coordinates, at entry
+  int drill_axis = 2;
+  double peck = 0.0;
+  std::optional<double> clearance;
+  double dwell = 0.0;
+  std::array<double, 3> shift{};  ///< I, J, K, mm
+  std::optional<double> retract_percent;
+};
+
+/// Everything that a block may change and that stays. A value that owns no memory: blocks work on a copy. A
+/// chapter with modal words of its own adds one struct as a member.
+struct NctState {
+  std::array<std::int32_t, kGroupCount> active{};  ///< code10 of each group
+  WorkSystemId work_system = 1;
+  double feed = 0.0;          ///< F as programmed
+  double spindle_rpm = 0.0;   ///< S
+  int spindle_direction = 0;  ///< +1 M3, -1 M4, 0
+  int tool = 0, next_tool = -1;
+  int h = 0, d = 0;
+  double h_value = 0.0;        ///< mm, read when H was executed
+  double d_radius = 0.0;       ///< mm, read when D was executed
+  Vec3 length = Vec3::Zero();  ///< length offset in force, machine axes, mm
+  CycleWords cycle;
+
+  Plane plane() const {
+    const int g = active[kGroupPlane];
+    return g == 180 ? Plane::kZX : g == 190 ? Plane::kYZ : Plane::kXY;
+  }
+  bool incremental() const { return active[kGroupDistance] == 910; }
+  bool perTurn() const { return active[kGroupFeedMode] == 950; }
+  double unitScale() const { return active[kGroupUnits] == 200 ? 25.4 : 1.0; }
+  bool inCycle() const { return active[kGroupCycle] != 800; }
+  /// Signed offset of cutter compensation: > 0 left of the path.
+  double compOffset() const {
+    const int g = active[kGroupRadiusComp];
+    return g == 410 ? d_radius : g == 420 ? -d_radius : 0.0;
+  }
+  bool compOn() const { return active[kGroupRadiusComp] != 400; }
+  double signedSpindle() const { return spindle_rpm * spindle_direction; }
+};
+
+}  // namespace proveout::nc

@@ -1,0 +1,54 @@
+// The program texts of a run, loaded once each.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/nc/control_settings.h"
+#include "core/nc/program_source.h"
+#include "core/nc/source_text.h"
+#include "core/path/toolpath.h"
+
+namespace proveout::nc {
+
+/// Texts by index; the index is the file index of the path. The channels of a run share one store.
+class ProgramStore {
+ public:
+  ProgramStore(const ProgramSource& source, TextEncoding encoding, MotionSink& sink)
+      : source_(source), encoding_(encoding), sink_(sink) {}
+
+  enum class Failure { kNone, kNotFound, kEncoding };
+  struct Loaded {
+    SourceText* text = nullptr;
+    std::uint32_t file = 0;
+    Failure failure = Failure::kNone;
+    std::string message;  ///< why there is no text
+  };
+  Loaded main();
+  /// Program `number` (M98 P, G65 P, system calls: "O0011", "O00000011") as seen from file `caller`. The
+  /// answer is kept: a second call of the same number builds no string.
+  Loaded byNumber(std::uint32_t caller, std::int64_t number);
+  /// A file as the program names it, separators '/', relative to the caller.
+  Loaded byPath(std::uint32_t caller, const std::string& path);
+
+  const SourceText& text(std::uint32_t file) const { return *texts_[file]; }
+  std::size_t size() const { return texts_.size(); }
+
+ private:
+  Loaded load(const Result<ProgramText>& text);
+  Loaded known(std::uint32_t file) const { return {texts_[file].get(), file, Failure::kNone, {}}; }
+
+  const ProgramSource& source_;
+  TextEncoding encoding_;
+  MotionSink& sink_;
+  std::vector<std::unique_ptr<SourceText>> texts_;
+  std::unordered_map<std::string, std::uint32_t> by_path_;
+  std::unordered_map<std::uint64_t, std::uint32_t> by_number_;  ///< caller and number -> file
+  std::unordered_map<std::string, std::uint32_t> by_name_;      ///< caller and path -> file
+};
+
+}  // namespace proveout::nc

@@ -1,0 +1,71 @@
+// Interpolation, planes, units, feeds, dwell, reference points.
+#include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/tables/rows.h"
+#include "core/nc/nct/tables/tables.h"
+
+namespace proveout::nc {
+namespace {
+
+using namespace rows;
+
+constexpr AddressSet kArcWords = "XYZUVWIJKRL";
+
+constexpr auto kG = std::to_array<GCode>({
+    action(0, kGroupMotion, kSim, kAxes, planRapid, false, "nct-4.1-G0 nct-6.1-rapid", "rapid positioning"),
+    action(10, kGroupMotion, kSim, kAxes, planLine, false, "nct-4.2-G1", "linear interpolation"),
+    action(20, kGroupMotion, kSim, kArcWords, planArc, false,
+           "nct-4.3-G2 nct-4.3-R nct-4.3-IJK nct-4.3-full nct-4.3-vararc nct-4.3-Rsmall nct-4.3.1-spiral "
+           "nct-4.3.2-helix nct-4.3.3-cone",
+           "circle, helix, spiral, cone, clockwise"),
+    action(30, kGroupMotion, kSim, kArcWords, planArc, false, "nct-4.3-G3",
+           "circle, helix, spiral, cone, counter-clockwise"),
+    action(40, kOneShot, kTime, "P", planDwell, false, "nct-3-G4 nct-8-G4", "dwell"),
+    refused(51, kOneShot, kState, "nct-4.7-G5.1Q0 nct-4.7-G5.1Q1 nct-4.7-G5.1Q2 nct-4.7.1-G5.1Q3",
+            "smooth interpolation", true, "QXYZUVWABC"),
+    refused(71, kOneShot, kSim, "nct-4.6-G7.1", "cylindrical interpolation"),
+    modal(90, kOneShot, kTime, "nct-3-G9 nct-6.3.1-G9 nct-4.1.1-G9G61", "exact stop in this block"),
+    refused(109, kOneShot, kSim, "nct-5.3.1-G10.9", "radius or diameter programming"),
+    refused(121, kGroupPolarInterpolation, kSim, "nct-4.5-G12.1", "polar interpolation"),
+    modal(131, kGroupPolarInterpolation, kSim, "nct-4.5-G13.1", "polar interpolation off"),
+    modal(150, kGroupPolarData, kSim, "nct-5.4-G15", "polar data off"),
+    refused(160, kGroupPolarData, kSim, "nct-5.4-G16", "polar data"),
+    modal(170, kGroupPlane, kSim, "nct-3-G17 nct-10.4-G17", "plane XY"),
+    modal(180, kGroupPlane, kSim, "nct-3-G18 nct-10.4-G18", "plane ZX"),
+    modal(190, kGroupPlane, kSim, "nct-3-G19 nct-10.4-G19", "plane YZ"),
+    modal(200, kGroupUnits, kSim, "nct-5.2-G20", "inch data"),
+    modal(210, kGroupUnits, kSim, "nct-5.2-G21", "metric data"),
+    action(280, kOneShot, kSim, kAxes, planReference, true, "nct-3-G28 nct-9.1-G28",
+           "to the reference point by way of an intermediate point"),
+    action(300, kOneShot, kSim, "XYZUVWP", planReference, true, "nct-3-G30 nct-9.2-G30",
+           "to reference point 1 to 4 by way of an intermediate point"),
+    refused(330, kGroupMotion, kSim, "nct-4.4-G33", "thread of constant lead"),
+    modal(610, kGroupCutting, kTime, "nct-3-G61 nct-6.3.2-G61", "exact stop mode"),
+    modal(620, kGroupCutting, kTime, "nct-3-G62 nct-6.3.5-G62", "feed reduction at inside corners"),
+    modal(630, kGroupCutting, kTime, "nct-3-G63 nct-6.3.4-G63", "overrides off"),
+    modal(640, kGroupCutting, kTime, "nct-3-G64 nct-6.3.3-G64", "continuous cutting"),
+    modal(900, kGroupDistance, kSim, "nct-5.1-G90", "absolute data"),
+    modal(910, kGroupDistance, kSim, "nct-5.1-G91", "incremental data"),
+    modal(940, kGroupFeedMode, kTime, "nct-3-G94 nct-6.2.1-G94", "feed per minute"),
+    modal(950, kGroupFeedMode, kTime, "nct-3-G95 nct-6.2.1-G95", "feed per turn"),
+});
+
+constexpr auto kFeatures = std::to_array<FeatureRow>({
+    {"X Y Z", kSim, "nct-1.1-XYZUVW nct-2.1-names", "main axes"},
+    {"I operator", kSim, "nct-5.1-I", "one word incremental: XI10"},
+    {"U V W", kSim, "nct-5.1-UVW", "incremental X, Y, Z"},
+    {"F", kTime, "nct-1.1-F nct-4.2-F nct-6.2-F", "feed"},
+    {"groups", kState, "nct-3-group nct-3-poweron nct-3-N1300 nct-1.3-modal",
+     "modal groups and their power-on codes"},
+    {"arc settings", kSim, "nct-4.3-N1339 nct-4.3-CCA nct-4.3.2-HEF",
+     "radius tolerance, absolute centre, helix feed"},
+    {"2012", kReject, "nct-4.3-2012", "circle radius difference error"},
+    {"2015", kReject, "nct-4.3-2015", "circle definition error"},
+    {"A B C", kSim, "nct-1.1-ABC", "rotary axes", false},
+    {"name=", kSim, "nct-2.2-extname", "axis and spindle names of more than one character", false},
+});
+
+}  // namespace
+
+CodeTable motionTable() { return {kG, {}, kFeatures}; }
+
+}  // namespace proveout::nc

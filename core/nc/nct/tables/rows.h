@@ -1,0 +1,37 @@
+// Makers of table rows, for the files of this folder only.
+#pragma once
+
+#include <array>
+
+#include "core/nc/nct/nct_codes.h"
+
+namespace proveout::nc::rows {
+
+constexpr CodeClass kSim = CodeClass::kSim;
+constexpr CodeClass kTime = CodeClass::kTime;
+constexpr CodeClass kState = CodeClass::kState;
+constexpr CodeClass kHost = CodeClass::kHost;
+constexpr CodeClass kReject = CodeClass::kReject;
+
+constexpr AddressSet kAxes = "XYZUVW";
+
+/// Groups of M codes that exclude each other in a block.
+constexpr int kSpindleCodes = 1, kFlowCodes = 2, kCoolantCodes = 3, kGearCodes = 4;
+
+/// A modal code that only sets its group.
+constexpr GCode modal(int code10, std::int8_t group, CodeClass cls, std::string_view ids,
+                      std::string_view meaning, AddressSet words = {}, bool flushes = false) {
+  return {code10, group, cls, true, false, flushes, words, nullptr, ids, meaning};
+}
+/// A code that governs its block.
+constexpr GCode action(int code10, std::int8_t group, CodeClass cls, AddressSet words, PlanFunction plan,
+                       bool flushes, std::string_view ids, std::string_view meaning) {
+  return {code10, group, cls, true, false, flushes, words, plan, ids, meaning};
+}
+/// A code of the control that this version refuses.
+constexpr GCode refused(int code10, std::int8_t group, CodeClass cls, std::string_view ids,
+                        std::string_view meaning, bool skippable = false, AddressSet words = {}) {
+  return {code10, group, cls, false, skippable, false, words, nullptr, ids, meaning};
+}
+
+}  // namespace proveout::nc::rows

@@ -1,0 +1,40 @@
+// Spindle.
+#include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/tables/rows.h"
+#include "core/nc/nct/tables/tables.h"
+
+namespace proveout::nc {
+namespace {
+
+using namespace rows;
+
+constexpr auto kG = std::to_array<GCode>({
+    refused(960, kGroupSurfaceSpeed, kTime, "nct-3-G96 nct-11.5.1-G96 nct-11.5.3-G96P",
+            "constant surface speed"),
+    modal(970, kGroupSurfaceSpeed, kTime, "nct-3-G97 nct-11.5.1-G97", "constant surface speed off"),
+});
+
+constexpr auto kM = std::to_array<MCode>({
+    {3, MPhase::kBefore, kSpindleCodes, kState, {}, "nct-11.2-M3", "spindle clockwise"},
+    {4, MPhase::kBefore, kSpindleCodes, kState, {}, "nct-11.2-M4", "spindle counter-clockwise"},
+    {5, MPhase::kAfter, kSpindleCodes, kState, {}, "nct-11.2-M5", "spindle stop"},
+    {11, MPhase::kBefore, kGearCodes, kState, {}, "nct-11.3-M11-M18", "spindle range 1"},
+    {12, MPhase::kBefore, kGearCodes, kState, {}, "nct-11.3-M11-M18", "spindle range 2"},
+    {13, MPhase::kBefore, kGearCodes, kState, {}, "nct-11.3-M11-M18", "spindle range 3"},
+    {14, MPhase::kBefore, kGearCodes, kState, {}, "nct-11.3-M11-M18", "spindle range 4"},
+    {15, MPhase::kBefore, kGearCodes, kState, {}, "nct-11.3-M11-M18", "spindle range 5"},
+    {16, MPhase::kBefore, kGearCodes, kState, {}, "nct-11.3-M11-M18", "spindle range 6"},
+    {17, MPhase::kBefore, kGearCodes, kState, {}, "nct-11.3-M11-M18", "spindle range 7"},
+    {18, MPhase::kBefore, kGearCodes, kState, {}, "nct-11.3-M11-M18", "spindle range 8"},
+    {19, MPhase::kAfter, kSpindleCodes, kState, {}, "nct-11.7.1-M19", "spindle orientation"},
+});
+
+constexpr auto kFeatures = std::to_array<FeatureRow>({
+    {"S", kState, "nct-1.1-S nct-11.1-S", "spindle speed"},
+});
+
+}  // namespace
+
+CodeTable spindleTable() { return {kG, kM, kFeatures}; }
+
+}  // namespace proveout::nc

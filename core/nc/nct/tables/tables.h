@@ -1,0 +1,20 @@
+// The chapters of the code table. Each has a file of its own; nct_codes.cpp lists them.
+#pragma once
+
+#include "core/nc/nct/nct_codes.h"
+
+namespace proveout::nc {
+
+CodeTable motionTable();
+CodeTable framesTable();
+CodeTable compTable();
+CodeTable cyclesTable();
+CodeTable transformsTable();
+CodeTable spindleTable();
+CodeTable toolsTable();
+CodeTable measuringTable();
+CodeTable macroTable();
+CodeTable rotaryTable();
+CodeTable turningTable();
+
+}  // namespace proveout::nc
