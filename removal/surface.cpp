@@ -40,6 +40,8 @@ struct LeafOutput {
   std::uint32_t triangles = 0, vertices = 0;
   std::size_t first_triangle = 0;
   std::uint32_t first_vertex = 0;
+  std::size_t old_triangle = 0;  ///< first_triangle and first_vertex in the mesh before
+  std::uint32_t old_vertex = 0;
   bool changed = true;    ///< its triangles are to be made anew
   bool unchecked = true;  ///< and not yet looked at for intersections
   bool hole = false;      ///< a crossing without its four cells: a bug
@@ -73,8 +75,8 @@ class Extractor {
   void numberVertices();
   void writeVertices(const SurfaceLeaf& leaf, const LeafOutput& out, TriMesh& mesh);
   void writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mesh) const;
-  void copyLeaf(const LeafOutput& out, std::size_t from, const TriMesh& old,
-                const std::vector<std::uint32_t>& old_cells, TriMesh& mesh) const;
+  void copyVertices(const LeafOutput& out, TriMesh& mesh);
+  void copyLeaf(const LeafOutput& out, TriMesh& mesh) const;
   void writeSplits(TriMesh& mesh);
   void writeMesh(TriMesh& mesh, Progress& progress);
   std::vector<std::uint8_t> verticesOf(const TriMesh& mesh, bool LeafOutput::*which) const;
@@ -95,6 +97,8 @@ class Extractor {
   std::unique_ptr<std::uint32_t[]> number_;  ///< a cell whose vertex stands for itself: its place in the mesh
   std::uint32_t cells_kept_ = 0;
   std::vector<std::uint32_t> cell_at_;      ///< the cell of a vertex of the mesh; empty: each its own
+  TriMesh old_mesh_;                        ///< before the last round; its memory serves the next one
+  std::vector<std::uint32_t> old_cell_at_;  ///< of that mesh
   std::vector<const SplitQuad*> split_at_;  ///< quads of the vertices after those of the cells and sheets
   std::vector<std::int32_t> stale_;         ///< leaves whose cells changed, maybe repeatedly
 };
@@ -172,14 +176,15 @@ void Extractor::numberVertices() {
   }
   if (!number_) number_ = std::make_unique_for_overwrite<std::uint32_t[]>(grid_.cellCount());
   parallelFor(std::size_t{0}, outputs_.size(), [&](std::size_t i) {
+    if (!outputs_[i].changed) return;
     const SurfaceLeaf& leaf = grid_.leaves()[i];
-    outputs_[i].vertices = 0;
-    for (std::uint32_t k = leaf.base; k < leaf.base + leaf.cells; ++k)
-      outputs_[i].vertices += merger_.standIn(k) == k;
+    std::uint32_t kept = 0;
+    for (std::uint32_t k = leaf.base; k < leaf.base + leaf.cells; ++k) kept += merger_.standIn(k) == k;
+    outputs_[i].vertices = kept;
   });
   cells_kept_ = 0;
   for (LeafOutput& out : outputs_) {
-    out.first_vertex = cells_kept_;
+    out.old_vertex = std::exchange(out.first_vertex, cells_kept_);
     cells_kept_ += out.vertices;
   }
 }
@@ -195,6 +200,9 @@ void Extractor::writeVertices(const SurfaceLeaf& leaf, const LeafOutput& out, Tr
   const auto write = [&](std::uint32_t number, const Eigen::Vector3f& p) {
     mesh.positions[number] = (origin + impl_.h * p.cast<double>()).cast<float>();
   };
+  for (std::uint32_t k = 0; k < leaf.extra.size(); ++k)
+    write(finalNumber(leaf.extra_base + k), leaf.extra[k].p);
+  if (merger_.active() && !out.changed) return copyVertices(out, mesh);
   std::uint32_t next = merger_.active() ? out.first_vertex : leaf.base;
   for (std::uint32_t k = leaf.base; k < leaf.base + leaf.cells; ++k) {
     if (merger_.active()) {
@@ -204,8 +212,6 @@ void Extractor::writeVertices(const SurfaceLeaf& leaf, const LeafOutput& out, Tr
     }
     write(next++, grid_.vertex(k));
   }
-  for (std::uint32_t k = 0; k < leaf.extra.size(); ++k)
-    write(finalNumber(leaf.extra_base + k), leaf.extra[k].p);
 }
 
 void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mesh) const {
@@ -260,17 +266,26 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
   });
 }
 
-/// Triangles of a leaf that did not change, with the vertices' new numbers.
-void Extractor::copyLeaf(const LeafOutput& out, std::size_t from, const TriMesh& old,
-                         const std::vector<std::uint32_t>& old_cells, TriMesh& mesh) const {
-  const auto old_kept = static_cast<std::uint32_t>(old_cells.size());
+/// Vertices of the cells of a leaf that did not change, from the mesh before.
+void Extractor::copyVertices(const LeafOutput& out, TriMesh& mesh) {
+  for (std::uint32_t i = 0; i < out.vertices; ++i) {
+    const std::uint32_t cell = old_cell_at_[out.old_vertex + i], next = out.first_vertex + i;
+    number_[cell] = next;
+    cell_at_[next] = cell;
+    mesh.positions[next] = old_mesh_.positions[out.old_vertex + i];
+  }
+}
+
+/// Its triangles, with the vertices' new numbers.
+void Extractor::copyLeaf(const LeafOutput& out, TriMesh& mesh) const {
+  const auto old_kept = static_cast<std::uint32_t>(old_cell_at_.size());
   for (std::size_t k = 0; k < out.triangles; ++k) {
-    Triangle t = old.triangles[from + k];
+    Triangle t = old_mesh_.triangles[out.old_triangle + k];
     if (merger_.active()) {
-      for (std::uint32_t& v : t) v = v < old_kept ? number_[old_cells[v]] : v - old_kept + cells_kept_;
+      for (std::uint32_t& v : t) v = v < old_kept ? number_[old_cell_at_[v]] : v - old_kept + cells_kept_;
     }
     mesh.triangles[out.first_triangle + k] = t;
-    mesh.motion[out.first_triangle + k] = old.motion[from + k];
+    mesh.motion[out.first_triangle + k] = old_mesh_.motion[out.old_triangle + k];
   }
 }
 
@@ -309,14 +324,13 @@ void Extractor::writeSplits(TriMesh& mesh) {
 
 /// Writes the mesh with what is merged now; leaves that did not change are taken from what is in it.
 void Extractor::writeMesh(TriMesh& mesh, Progress& progress) {
-  const TriMesh old = std::exchange(mesh, {});
-  const std::vector<std::uint32_t> old_cells = std::exchange(cell_at_, {});
+  std::swap(mesh, old_mesh_);
+  std::swap(cell_at_, old_cell_at_);
   numberVertices();
-  std::vector<std::size_t> from(outputs_.size());
   std::size_t triangles = 0;
-  for (std::size_t i = 0; i < outputs_.size(); ++i) {
-    from[i] = std::exchange(outputs_[i].first_triangle, triangles);
-    triangles += outputs_[i].triangles;
+  for (LeafOutput& out : outputs_) {
+    out.old_triangle = std::exchange(out.first_triangle, triangles);
+    triangles += out.triangles;
   }
   if (merger_.active()) cell_at_.resize(cells_kept_);
   mesh.positions.resize(cells_kept_ + grid_.vertexCount() - grid_.cellCount());
@@ -327,7 +341,7 @@ void Extractor::writeMesh(TriMesh& mesh, Progress& progress) {
     if (out.changed) {
       writeLeaf(leaf, out, mesh);
     } else {
-      copyLeaf(out, from[static_cast<std::size_t>(&out - outputs_.data())], old, old_cells, mesh);
+      copyLeaf(out, mesh);
     }
   });
   if (!progress.cancelled()) writeSplits(mesh);
@@ -338,14 +352,15 @@ std::vector<std::uint8_t> Extractor::verticesOf(const TriMesh& mesh, bool LeafOu
   std::vector<std::uint8_t> touched(mesh.positions.size(), 0);
   const auto touch = [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
-      for (const std::uint32_t v : mesh.triangles[t]) touched[v] = 1;
+      for (const std::uint32_t v : mesh.triangles[t])
+        std::atomic_ref(touched[v]).store(1, std::memory_order_relaxed);
     }
   };
-  std::size_t end = 0;
-  for (const LeafOutput& out : outputs_) {
-    end = out.first_triangle + out.triangles;
-    if (out.*which) touch(out.first_triangle, end);
-  }
+  parallelFor(std::size_t{0}, outputs_.size(), [&](std::size_t i) {
+    const LeafOutput& out = outputs_[i];
+    if (out.*which) touch(out.first_triangle, out.first_triangle + out.triangles);
+  });
+  const std::size_t end = outputs_.empty() ? 0 : outputs_.back().first_triangle + outputs_.back().triangles;
   touch(end, mesh.triangles.size());
   return touched;
 }
@@ -359,9 +374,12 @@ std::vector<std::uint32_t> Extractor::findFaults(const TriMesh& mesh,
     if (out.changed) faults.insert(faults.end(), out.faults.begin(), out.faults.end());
   }
   std::vector<std::uint32_t> watched(mesh.positions.size(), kNoWatch);
-  for (std::uint32_t v = 0; v < cells_kept_; ++v) {
-    if (touched[v] != 0 && merger_.merged(cell_at_[v])) watched[v] = cell_at_[v];
-  }
+  parallelFor(std::size_t{0}, outputs_.size(), [&](std::size_t i) {
+    const LeafOutput& out = outputs_[i];
+    for (std::uint32_t v = out.first_vertex; v < out.first_vertex + out.vertices; ++v) {
+      if (touched[v] != 0 && merger_.merged(cell_at_[v])) watched[v] = cell_at_[v];
+    }
+  });
   findBrokenFans(mesh, watched, faults);
   return faults;
 }

@@ -36,14 +36,20 @@ void findBrokenFans(const TriMesh& mesh, const std::vector<std::uint32_t>& name,
   constexpr std::size_t kBlock = 4096;
   const std::size_t blocks = (mesh.triangles.size() + kBlock - 1) / kBlock, vertices = name.size();
   std::vector<std::uint32_t> end(vertices + 1, 0);
+  std::vector<std::uint8_t> watched(blocks, 1);  ///< blocks of triangles with corners that are watched
   const auto eachCorner = [&](auto&& body) {
     parallelFor(std::size_t{0}, blocks, [&](std::size_t block) {
+      if (watched[block] == 0) return;
+      bool any = false;
       for (std::size_t t = block * kBlock; t < std::min(mesh.triangles.size(), (block + 1) * kBlock); ++t) {
         const auto& v = mesh.triangles[t];
         for (int i = 0; i < 3; ++i) {
-          if (name[v[i]] != kNoWatch) body(v[i], FanEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
+          if (name[v[i]] == kNoWatch) continue;
+          body(v[i], FanEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
+          any = true;
         }
       }
+      watched[block] = any;
     });
   };
   const auto next = [&](std::uint32_t v) {
