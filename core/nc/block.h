@@ -13,6 +13,7 @@ using Address = char;
 inline constexpr Address kCommaChamfer = 'c';    ///< ,C
 inline constexpr Address kCommaRounding = 'r';   ///< ,R
 inline constexpr Address kCommaDirection = 'a';  ///< ,A
+inline constexpr Address kNamedWord = '@';       ///< an axis or spindle with a name of several characters
 
 /// A set of addresses.
 class AddressSet {
@@ -66,6 +67,20 @@ struct Word {
   bool from_expression = false;  ///< the value was computed: alarms tell it
   double value = 0.0;            ///< as programmed, no unit conversion
   Columns columns;
+  std::int8_t axis = -1;     ///< index of the axis of that name, or -1
+  std::int8_t spindle = -1;  ///< index of the spindle of that name, or -1
+};
+
+/// What a line is.
+enum class LineKind : std::uint8_t {
+  kBlock,       ///< words
+  kAssignment,  ///< #100=...
+  kIf,          ///< IF[...] GOTO / THEN / words
+  kWhile,       ///< WHILE[...] DO
+  kDo,
+  kEnd,
+  kGoto,
+  kOutput  ///< POPEN PCLOS FOPEN FCLOS BPRNT DPRNT
 };
 
 /// Reused from line to line; the views point into the program text.
@@ -81,6 +96,12 @@ struct Block {
   int skip = 0;           ///< 1..9: optional skip `/n`; 0: none
   bool percent = false;   ///< the line is a % line
   bool has_file = false;  ///< `<...>` present
+  /// A statement of the macro language starts at `statement` (index into `text`); words before it are N and
+  /// skip only.
+  LineKind kind = LineKind::kBlock;
+  std::size_t statement = 0;
+  AddressSet repeated;  ///< addresses that occur again although they may not (LexRules::keep_repeats)
+  Columns repeated_at;  ///< the first such word
 
   void clear() {
     words.clear();
@@ -89,13 +110,22 @@ struct Block {
     number = program = -1;
     skip = 0;
     percent = has_file = false;
+    kind = LineKind::kBlock;
+    repeated = {};
   }
-  bool empty() const { return words.empty() && !has_file; }
+  bool empty() const { return words.empty() && !has_file && kind == LineKind::kBlock; }
   /// The word at that address, or null. Addresses that may repeat (G, M): the first.
   const Word* find(Address a) const {
     if (!present.has(a)) return nullptr;
     for (const Word& w : words) {
       if (w.address == a) return &w;
+    }
+    return nullptr;
+  }
+  /// The word of an axis, or null.
+  const Word* findAxis(int axis) const {
+    for (const Word& w : words) {
+      if (w.axis == axis) return &w;
     }
     return nullptr;
   }

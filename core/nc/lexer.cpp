@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -32,10 +33,62 @@ bool Lexer::fail(const char* code, std::string message, std::size_t begin, std::
   return false;
 }
 
+namespace {
+
+bool keyword(std::string_view text, std::size_t pos, std::string_view word) {
+  if (pos + word.size() > text.size()) return false;
+  for (std::size_t k = 0; k < word.size(); ++k) {
+    if (upper(text[pos + k]) != word[k]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+LineKind classify(std::string_view text, std::size_t pos) {
+  if (pos >= text.size()) return LineKind::kBlock;
+  const auto is = [&](std::string_view word) { return keyword(text, pos, word); };
+  switch (upper(text[pos])) {
+    case '#':
+      return LineKind::kAssignment;
+    case 'I':
+      return is("IF") ? LineKind::kIf : LineKind::kBlock;
+    case 'W':
+      return is("WHILE") ? LineKind::kWhile : LineKind::kBlock;
+    case 'D':
+      return is("DO") ? LineKind::kDo : is("DPRNT") ? LineKind::kOutput : LineKind::kBlock;
+    case 'E':
+      return is("END") ? LineKind::kEnd : LineKind::kBlock;
+    case 'G':
+      return is("GOTO") ? LineKind::kGoto : LineKind::kBlock;
+    case 'B':
+      return is("BPRNT") ? LineKind::kOutput : LineKind::kBlock;
+    case 'P':
+      return is("POPEN") || is("PCLOS") ? LineKind::kOutput : LineKind::kBlock;
+    case 'F':
+      return is("FOPEN") || is("FCLOS") ? LineKind::kOutput : LineKind::kBlock;
+    default:
+      return LineKind::kBlock;
+  }
+}
+
 bool Lexer::lex(std::string_view line, Block& block) {
   block.clear();
   block.text = line;
-  std::size_t i = 0;
+  return lexItems(line, 0, block, rules_.expressions != nullptr && mode_ == LexMode::kBlock);
+}
+
+bool Lexer::lexRest(std::size_t pos, Block& block) {
+  block.kind = LineKind::kBlock;
+  in_comment_ = false;
+  return lexItems(block.text, pos, block, false);
+}
+
+void Lexer::leaveStatement(std::string_view rest) {
+  for (const char c : rest) in_comment_ = in_comment_ ? c != ')' : c == '(';
+}
+
+bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool head) {
   while (i < line.size()) {
     const char c = line[i];
     if (in_comment_) {
@@ -46,7 +99,16 @@ bool Lexer::lex(std::string_view line, Block& block) {
     } else if (c == '(') {
       in_comment_ = true;
       ++i;
-    } else if (isLetter(c) || c == ',') {
+    } else if (isLetter(c) || c == ',' || (c == '#' && head)) {
+      if (head && upper(c) != 'N' && upper(c) != 'O') {
+        head = false;
+        block.kind = classify(line, i);
+        if (block.kind != LineKind::kBlock) {
+          block.statement = i;
+          leaveStatement(line.substr(i));
+          return true;
+        }
+      }
       if (!lexWord(line, i, block)) return false;
     } else if (c == '/') {
       if (!lexSkip(line, i, block)) return false;
@@ -110,26 +172,116 @@ bool Lexer::lexAddress(std::string_view line, std::size_t& i, Word& word) {
   return true;
 }
 
+bool Lexer::lexAxisByNumber(std::string_view line, std::size_t& i, Word& word) {
+  const std::size_t begin = i;
+  i += 2;  // AX
+  Value value;
+  if (!rules_.expressions->evaluate(line, i, value, error_)) return false;
+  const bool whole =
+      !value.vacant && value.number == std::floor(value.number) && std::abs(value.number) < 1e6;
+  const int axis = whole ? rules_.names->axisByNumber(static_cast<int>(value.number)) : -1;
+  if (axis < 0) {
+    return fail("nct-2018", fmt::format("wrong physical axis number {}", value.number), begin, i);
+  }
+  word.axis = static_cast<std::int8_t>(axis);
+  word.address = rules_.names->addressOf(axis);
+  while (i < line.size() && isBlank(line[i])) ++i;
+  if (i >= line.size() || line[i] != '=') {
+    return fail("nct-2064", "syntax error: AX[number] is followed by '='", begin, i);
+  }
+  ++i;
+  return true;
+}
+
+/// Names of several characters. `named` tells whether one stands here.
+bool Lexer::lexNamed(std::string_view line, std::size_t& i, Word& word, bool& named) {
+  named = false;
+  if (rules_.expressions && keyword(line, i, "AX[")) {
+    named = true;
+    return lexAxisByNumber(line, i, word);
+  }
+  const LexNames::Name* name = rules_.names->match(line, i);
+  if (name == nullptr) return true;
+  const std::size_t begin = i;
+  named = true;
+  word.axis = name->axis;
+  word.spindle = name->spindle;
+  word.address = kNamedWord;
+  i += name->text.size();
+  std::size_t next = i;
+  while (next < line.size() && isBlank(line[next])) ++next;
+  const bool equals = next < line.size() && line[next] == '=';
+  if (equals) i = next + 1;
+  if (!equals && name->endsInDigit()) {
+    return fail("nct-2064",
+                fmt::format("syntax error: {} ends in a digit and is followed by '='", name->text), begin, i);
+  }
+  return true;
+}
+
 bool Lexer::lexWord(std::string_view line, std::size_t& i, Block& block) {
   const std::size_t begin = i;
   Word word;
-  if (!lexAddress(line, i, word)) return false;
+  bool named = false;
+  if (rules_.names != nullptr && line[i] != ',' && !lexNamed(line, i, word, named)) return false;
+  if (!named && !lexAddress(line, i, word)) return false;
+  if (!named && rules_.names != nullptr && word.address >= 'A' && word.address <= 'Z') {
+    word.axis = static_cast<std::int8_t>(rules_.names->axisOfLetter(word.address));
+  }
   if (rules_.incremental_operator && i < line.size() && upper(line[i]) == 'I' &&
-      rules_.incremental_addresses.has(word.address)) {
+      (word.axis >= 0 || rules_.incremental_addresses.has(word.address))) {
     word.incremental = true;
     ++i;
   }
   while (i < line.size() && isBlank(line[i])) ++i;
-  if (!lexValue(line, i, word)) {
+  bool vacant = false;
+  if (!lexValue(line, i, word, vacant)) {
     error_.columns.begin = static_cast<int>(begin) + 1;
     return false;
   }
+  if (vacant) return true;  // as if it were not there (manual 23.1.6)
   word.columns = {static_cast<int>(begin) + 1, static_cast<int>(i) + 1};
   word.is_integer = word.value == std::floor(word.value);
   return store(word, block);
 }
 
-bool Lexer::lexValue(std::string_view line, std::size_t& i, Word& word) {
+bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& vacant) {
+  const std::size_t begin = i;
+  if (word.address == 'N' && mode_ == LexMode::kBlock) {
+    return fail("nct-2064", "syntax error: a block number is a plain number", begin, i + 1);
+  }
+  Value value;
+  error_ = {};
+  if (!rules_.expressions->evaluate(line, i, value, error_)) {
+    if (error_.columns.end == 0) error_.columns.end = static_cast<int>(std::max(i, begin + 1)) + 1;
+    return false;
+  }
+  word.from_expression = true;
+  vacant = value.vacant;
+  word.value = value.number == 0.0 ? 0.0 : value.number;  // no -0
+  if (vacant) return true;
+  const auto name = addressText(word.address);
+  if (!(std::abs(word.value) <= kMaxValue)) {
+    return fail("nct-2002", fmt::format("{}: value out of range", name), begin, i);
+  }
+  if (word.value < 0.0 && rules_.unsigned_addresses.has(word.address)) {
+    return fail("nct-2002", fmt::format("{} takes no minus sign", name), begin, i);
+  }
+  return true;
+}
+
+namespace {
+
+/// Does an expression start at `i`: '#', '[', a function's letter, or a sign before one of them?
+bool startsExpression(std::string_view line, std::size_t i) {
+  if (i < line.size() && (line[i] == '-' || line[i] == '+')) ++i;
+  while (i < line.size() && isBlank(line[i])) ++i;
+  return i < line.size() && (line[i] == '#' || line[i] == '[' || isLetter(line[i]));
+}
+
+}  // namespace
+
+bool Lexer::lexValue(std::string_view line, std::size_t& i, Word& word, bool& vacant) {
   const std::size_t begin = i;
   const char c = i < line.size() ? line[i] : '\0';
   const auto name = addressText(word.address);
@@ -137,10 +289,9 @@ bool Lexer::lexValue(std::string_view line, std::size_t& i, Word& word) {
     if (rules_.expressions == nullptr) {
       return fail("nct-2123", "macro variables and expressions are not supported", begin, line.size());
     }
-    std::string message;
-    if (!rules_.expressions->evaluate(line, i, word.value, message))
-      return fail("nct-2064", message, begin, i);
-    return true;
+  }
+  if (rules_.expressions != nullptr && !isDigit(c) && startsExpression(line, i)) {
+    return evaluate(line, i, word, vacant);
   }
   if (c == '=') {
     return fail("nct-2064", fmt::format("'=' after {}: no axis or spindle of that name is configured", name),
@@ -194,13 +345,31 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
   return true;
 }
 
+namespace {
+
+/// Is there a word of the same axis or spindle already?
+bool twiceNamed(const Word& word, const Block& block) {
+  return std::any_of(block.words.begin(), block.words.end(), [&](const Word& other) {
+    return other.address == kNamedWord && other.axis == word.axis && other.spindle == word.spindle;
+  });
+}
+
+}  // namespace
+
 bool Lexer::store(const Word& word, Block& block) {
   const auto integer = [&](std::int64_t max) {
     return word.is_integer && word.value <= static_cast<double>(max);
   };
   const auto begin = static_cast<std::size_t>(word.columns.begin - 1);
   const auto end = static_cast<std::size_t>(word.columns.end - 1);
-  if (word.address == 'N') {
+  if (word.address == 'N' && mode_ == LexMode::kBlock) {
+    if (block.number >= 0 && rules_.keep_repeats) {
+      if (block.repeated.empty()) block.repeated_at = word.columns;
+      block.repeated.add('N');
+      block.words.push_back(word);
+      block.present.add('N');
+      return true;
+    }
     if (!integer(99999999))
       return fail("nct-2002", "N: block numbers are integers up to 99999999", begin, end);
     if (block.number >= 0) return fail("nct-2064", "two N words in one block", begin, end);
@@ -216,9 +385,16 @@ bool Lexer::store(const Word& word, Block& block) {
     block.program_columns = word.columns;
     return true;
   }
-  if (block.present.has(word.address) && !rules_.repeatable.has(word.address)) {
-    return fail("nct-duplicate-word", fmt::format("two {} in one block", addressText(word.address)), begin,
-                end);
+  const bool named = word.address == kNamedWord;
+  const bool there = block.present.has(word.address) && !rules_.repeatable.has(word.address);
+  if (there && (!named || twiceNamed(word, block))) {
+    if (rules_.keep_repeats && !named) {
+      if (block.repeated.empty()) block.repeated_at = word.columns;
+      block.repeated.add(word.address);
+    } else {
+      return fail("nct-duplicate-word", fmt::format("two {} in one block", addressText(word.address)), begin,
+                  end);
+    }
   }
   block.present.add(word.address);
   block.words.push_back(word);

@@ -1,10 +1,12 @@
 target_sources(proveout_core PRIVATE
   nc/frames.cpp
   nc/interpreter.cpp
+  nc/lex_names.cpp
   nc/lexer.cpp
   nc/path_emitter.cpp
   nc/program_source.cpp
   nc/source_text.cpp
+  nc/macro/variables.cpp
   nc/nct/call_stack.cpp
   nc/nct/nct_alarms.cpp
   nc/nct/nct_block.cpp

@@ -3,8 +3,8 @@
 
 namespace proveout::nc {
 
-/// What a variable or an expression holds. A vacant value counts as 0 in arithmetic, and a word whose value is
-/// vacant is not there at all (manual 23.1.6).
+/// What a variable or an expression holds. A vacant value counts as 0 in arithmetic, and a word whose value
+/// is vacant is not there at all (manual 23.1.6).
 struct Value {
   double number = 0.0;
   bool vacant = false;

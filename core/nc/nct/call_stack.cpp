@@ -29,13 +29,12 @@ void CallStack::pop() {
   frames_.pop_back();
 }
 
-bool CallStack::openDeferred() {
+bool CallStack::takeDeferred(CallFrame& out) {
   if (!hasDeferred()) return false;
   const auto first = std::find_if(pending_.begin(), pending_.end(),
                                   [&](const Pending& p) { return p.depth == frames_.size(); });
-  const CallFrame frame = first->frame;
+  out = first->frame;
   pending_.erase(first);
-  frames_.push_back(frame);
   return true;
 }
 

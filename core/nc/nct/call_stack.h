@@ -1,13 +1,12 @@
 // The programs that are open: the main program and what it called, with what each call brought along.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
-#include "core/nc/macro/value.h"
+#include "core/nc/macro/variables.h"
 #include "core/nc/source_text.h"
 #include "core/path/toolpath.h"
 
@@ -28,18 +27,11 @@ std::string_view callKindName(CallKind kind);  ///< "M98", "G65", "G66", "G66.1"
 /// Does the call open a level of local variables?
 constexpr bool opensLocals(CallKind kind) { return kind > CallKind::kSubprogram; }
 
-/// Arguments of a macro call: v[n] is what #n starts with. v[0] is not used.
-struct Arguments {
-  std::array<Value, kLocalCount + 1> v;
-  Arguments() { v.fill(Value::none()); }
-};
-
 struct CallFrame {
   SourceText* text = nullptr;
   std::uint32_t file = 0;
   CallKind kind = CallKind::kMain;
   std::int16_t modal_index = -1;   ///< G66: which of the open modal calls this one belongs to; -1: none
-  int local_level = 0;             ///< level of the local variables that its blocks see
   std::size_t line = 0;            ///< index of the next line
   std::int64_t total = 1;          ///< repetitions
   std::int64_t done = 0;           ///< repetitions carried out
@@ -51,8 +43,8 @@ struct CallFrame {
 /// Nesting of subprogram calls (manual 14.4.2): so many calls may be open below the main program.
 inline constexpr std::size_t kMaxNesting = 16;
 
-/// The open programs. A call may also be put off to the end of the block in hand (PendingCalls): it opens
-/// when the next line of the same frame would be read, and its return goes on with the next call put off.
+/// The open programs. A call may also be put off to the end of the block in hand: it opens before the next
+/// line of the same frame is read, and when it returns the next call put off opens.
 class CallStack {
  public:
   bool empty() const { return frames_.empty(); }
@@ -64,14 +56,15 @@ class CallStack {
   CallFrame& at(std::size_t level) { return frames_[level]; }
   const CallFrame& at(std::size_t level) const { return frames_[level]; }
 
+  /// Opens and closes frames alone; openCall() and closeCall() take care of nesting and locals too.
   void push(const CallFrame& frame) { frames_.push_back(frame); }
-  /// Closes the last frame; calls that it put off are dropped.
+  /// Calls that the frame put off are dropped.
   void pop();
 
   /// Puts a call off until the block in hand is done; calls run in the order in which they were put off.
   void defer(const CallFrame& frame) { pending_.push_back({frame, frames_.size()}); }
-  /// Opens the next call that the last frame put off. False: none.
-  bool openDeferred();
+  /// Takes out the next call that the last frame put off. False: none.
+  bool takeDeferred(CallFrame& out);
   bool hasDeferred() const { return !pending_.empty() && pending_.back().depth == frames_.size(); }
 
   /// The block in hand: index of its line and its N number.

@@ -54,6 +54,19 @@ void NctContext::reset() {
   position = chain.toProgram(machine);
 }
 
+bool NctContext::openCall(const CallFrame& frame) {
+  if (calls.depth() > kMaxNesting || (opensLocals(frame.kind) && !variables.enter(frame.args))) {
+    return fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
+  }
+  calls.push(frame);
+  return true;
+}
+
+void NctContext::closeCall() {
+  if (opensLocals(calls.top().kind)) variables.leave();
+  calls.pop();
+}
+
 namespace {
 
 /// How often cancellation is looked at and progress told, in blocks.

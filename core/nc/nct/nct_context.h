@@ -11,6 +11,7 @@
 
 #include "core/nc/frames.h"
 #include "core/nc/interpreter.h"
+#include "core/nc/macro/variables.h"
 #include "core/nc/nct/call_stack.h"
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
@@ -84,6 +85,7 @@ struct NctContext {
   NctParameters parameters;
   ProgramStore programs;
   CallStack calls;
+  VariableStore variables;
   Block block;
   AlarmReporter alarms;
   WorkGuard work;
@@ -95,6 +97,11 @@ struct NctContext {
   Vec3 machine = Vec3::Zero();   ///< programmed point in machine coordinates, without cutter compensation
   CompStage comp;
   std::vector<DrillStep> drill_steps;
+
+  /// Opens a program now, with a level of locals where its kind has one. False: nested too deep, reported.
+  bool openCall(const CallFrame& frame);
+  /// Closes the program in hand and its locals. Not for the main program.
+  void closeCall();
 
   /// Power-on: modal codes, frames and position.
   void reset();

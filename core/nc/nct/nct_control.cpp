@@ -1,13 +1,27 @@
 // The run loop: lines, header, end of text.
 #include "core/nc/nct/nct_control.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+
 #include "core/nc/nct/nct_perform.h"
 
 namespace proveout::nc {
 
+namespace {
+
+LexRules lexRules() {
+  LexRules rules;
+  rules.keep_repeats = true;
+  return rules;
+}
+
+}  // namespace
+
 NctControl::NctControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
                        Progress* progress)
-    : context_(source, settings, sink, progress, summary_), lexer_(LexRules{}) {}
+    : context_(source, settings, sink, progress, summary_), lexer_(lexRules()) {}
 
 InterpretSummary NctControl::run() {
   if (!start()) {
@@ -52,7 +66,7 @@ bool NctControl::loadMain() {
 NctControl::Go NctControl::step() {
   NctContext& c = context_;
   if (until_hit_ && c.calls.depth() == 1) return finish("until", ProgramEnd::kUntil);
-  if (c.calls.hasDeferred()) c.calls.openDeferred();
+  if (c.calls.hasDeferred() && !openDeferred()) return alarm();
   CallFrame& frame = c.calls.top();
   if (frame.line >= frame.text->lines().size()) return endOfText();
   const std::size_t line = frame.line++;
@@ -66,7 +80,7 @@ NctControl::Go NctControl::step() {
     if (!onlyHeaderAbove()) return endOfText();
     if (block.empty()) return Go::kOn;
   }
-  good = good && checkHeader();
+  good = good && checkRepeats() && checkHeader();
   if (good && block.empty()) {
     until_hit_ = until_hit_ || reachedUntil();
     return Go::kOn;
@@ -82,6 +96,21 @@ bool NctControl::skipKeepsLookAhead() {
   if (!flushComp(c)) return false;  // CBB = 0: the switch is read when the block before is done
   rebaseComp(c);
   return true;
+}
+
+bool NctControl::openDeferred() {
+  CallFrame frame;
+  return context_.calls.takeDeferred(frame) && context_.openCall(frame);
+}
+
+bool NctControl::checkRepeats() {
+  const Block& block = context_.block;
+  if (block.repeated.empty()) return true;
+  const auto at = std::find_if(block.words.begin(), block.words.end(),
+                               [&](const Word& w) { return w.columns.begin == block.repeated_at.begin; });
+  if (at->address == 'N') return context_.fail("nct-2064", "two N words in one block", block.repeated_at);
+  return context_.fail("nct-duplicate-word", fmt::format("two {} in one block", addressText(at->address)),
+                       block.repeated_at);
 }
 
 bool NctControl::onlyHeaderAbove() const {

@@ -28,6 +28,8 @@ class NctControl {
   Go step();
   Go endOfText();
   Go execute();
+  bool openDeferred();
+  bool checkRepeats();
   bool checkHeader();
   bool onlyHeaderAbove() const;
   bool skipKeepsLookAhead();

@@ -89,16 +89,9 @@ NctControl::Go NctControl::call() {
   NctContext& c = context_;
   CallFrame frame;
   frame.kind = CallKind::kSubprogram;
-  frame.local_level = c.calls.top().local_level;
   const Word* l = c.word('L');
   if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return alarm();
-  if (c.calls.depth() > kMaxNesting) {
-    c.fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
-    return alarm();
-  }
-  if (!loadCalled(frame)) return alarm();
-  c.calls.push(frame);
-  return Go::kOn;
+  return loadCalled(frame) && c.openCall(frame) ? Go::kOn : alarm();
 }
 
 bool NctControl::jump(CallFrame& frame, std::int64_t block) {
@@ -143,7 +136,7 @@ NctControl::Go NctControl::returnFrom() {
   }
   const std::int64_t back = frame.return_block;
   if (back >= 0 && !jump(c.calls.at(c.calls.depth() - 2), back)) return stopAtAlarm();
-  c.calls.pop();
+  c.closeCall();
   return Go::kOn;
 }
 

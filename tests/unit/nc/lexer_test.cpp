@@ -87,16 +87,22 @@ TEST(Lexer, ErrorsNameTheColumns) {
 
 class FixedExpression : public ExpressionHook {
  public:
-  bool evaluate(std::string_view text, std::size_t& pos, double& value, std::string& message) override {
+  bool evaluate(std::string_view text, std::size_t& pos, Value& out, LexError& error) override {
+    if (text[pos] == '[' && pos + 1 < text.size()) {
+      ++pos;
+      if (!evaluate(text, pos, out, error)) return false;
+      ++pos;  // ']'
+      return true;
+    }
     if (text[pos] != '#') {
-      message = "only variables";
+      error = {"nct-2064", "only variables", {}};
       return false;
     }
     ++pos;
-    value = 0;
+    double value = 0;
     while (pos < text.size() && text[pos] >= '0' && text[pos] <= '9')
       value = value * 10 + (text[pos++] - '0');
-    value *= 2;
+    out = {value * 2, value == 0};
     return true;
   }
 };
@@ -114,8 +120,125 @@ TEST(Lexer, ExpressionHookGivesValues) {
   EXPECT_EQ(lexer.error().message, "only variables");
 }
 
+TEST(Lexer, AVacantValueLeavesTheWordOut) {
+  FixedExpression hook;
+  LexRules rules;
+  rules.expressions = &hook;
+  Lexer lexer(rules);
+  Block block;
+  ASSERT_TRUE(lexer.lex("G90 X20 Y#0", block));
+  EXPECT_EQ(block.find('Y'), nullptr);
+  EXPECT_EQ(block.words.size(), 2u);
+  ASSERT_TRUE(lexer.lex("X#5", block));
+  EXPECT_TRUE(block.find('X')->from_expression);
+  EXPECT_FALSE(lexer.lex("M-1", block)) << "plain numbers keep their rules";
+  EXPECT_FALSE(lexer.lex("N#3 X1", block)) << "a block number is no formula";
+}
+
+TEST(Lexer, TellsStatementsFromBlocks) {
+  using enum LineKind;
+  for (const auto& [text, kind] :
+       std::initializer_list<std::pair<const char*, LineKind>>{{"#100=1", kAssignment},
+                                                               {"IF[#1EQ2] GOTO3", kIf},
+                                                               {"if[#1]", kIf},
+                                                               {"WHILE[#1LT2] DO1", kWhile},
+                                                               {"DO1", kDo},
+                                                               {"END1", kEnd},
+                                                               {"GOTO5", kGoto},
+                                                               {"DPRNT[X]", kOutput},
+                                                               {"BPRNT[]", kOutput},
+                                                               {"POPEN", kOutput},
+                                                               {"PCLOS", kOutput},
+                                                               {"FOPEN1", kOutput},
+                                                               {"FCLOS", kOutput},
+                                                               {"G0 X1", kBlock},
+                                                               {"I5", kBlock},
+                                                               {"D1", kBlock},
+                                                               {"F100", kBlock},
+                                                               {"", kBlock},
+                                                               {"W1", kBlock},
+                                                               {"P1", kBlock}}) {
+    EXPECT_EQ(classify(text, 0), kind) << text;
+  }
+  FixedExpression hook;
+  LexRules rules;
+  rules.expressions = &hook;
+  Lexer lexer(rules);
+  Block block;
+  ASSERT_TRUE(lexer.lex("/2 N30 (note) IF[#1EQ2] X5 (open", block));
+  EXPECT_EQ(block.kind, kIf);
+  EXPECT_EQ(block.number, 30);
+  EXPECT_EQ(block.skip, 2);
+  EXPECT_EQ(block.text.substr(block.statement, 3), "IF[");
+  EXPECT_FALSE(block.empty());
+  EXPECT_TRUE(lexer.inComment()) << "the comment goes on";
+  ASSERT_TRUE(lexer.lexRest(block.text.find("X5"), block));
+  EXPECT_EQ(block.kind, kBlock);
+  EXPECT_EQ(block.find('X')->value, 5);
+}
+
+TEST(Lexer, TheLongestConfiguredNameWins) {
+  FixedExpression hook;
+  LexNames names;
+  names.addAxis("X", 0, 1);
+  names.addAxis("Z1", 1, 4);
+  names.addAxis("XDE", 2, 7);
+  names.addAxis("C", 3, 6);
+  names.addSpindle("S1", 0);
+  LexRules rules;
+  rules.expressions = &hook;
+  rules.names = &names;
+  Lexer lexer(rules);
+  Block block;
+  ASSERT_TRUE(lexer.lex("XI40 xde127.81 Z1=87.257 S1=8700 S50 CI-3", block)) << lexer.error().message;
+  EXPECT_TRUE(block.find('X')->incremental);
+  EXPECT_EQ(block.find('X')->axis, 0);
+  EXPECT_EQ(block.findAxis(2)->value, 127.81);
+  EXPECT_EQ(block.findAxis(1)->value, 87.257);
+  EXPECT_EQ(block.findAxis(3)->value, -3);
+  EXPECT_EQ(block.find('S')->value, 50);
+  EXPECT_EQ(block.words[3].spindle, 0);
+  EXPECT_EQ(block.words[3].value, 8700);
+  ASSERT_TRUE(lexer.lex("Z1=I100", block));
+  EXPECT_TRUE(block.findAxis(1)->incremental);
+  ASSERT_TRUE(lexer.lex("AX[#2]=10 AX[#3]=5", block)) << lexer.error().message;  // axes 4 and 6
+  EXPECT_EQ(block.findAxis(1)->value, 10);
+  EXPECT_EQ(block.find('C')->value, 5);
+  EXPECT_FALSE(lexer.lex("Z1 5", block)) << "'=' is missing";
+  EXPECT_FALSE(lexer.lex("Z1=5 Z1=6", block));
+  EXPECT_EQ(lexer.error().code, "nct-duplicate-word");
+  EXPECT_FALSE(lexer.lex("AX[#4]=5", block));
+  EXPECT_EQ(lexer.error().code, "nct-2018");
+}
+
+TEST(Lexer, RepeatsAreKeptForCalls) {
+  LexRules rules;
+  rules.keep_repeats = true;
+  Lexer lexer(rules);
+  Block block;
+  ASSERT_TRUE(lexer.lex("N1 I1 J2 I3 N4", block));
+  EXPECT_EQ(block.number, 1);
+  EXPECT_EQ(block.words.size(), 4u);
+  EXPECT_TRUE(block.repeated.has('I'));
+  EXPECT_TRUE(block.repeated.has('N'));
+  EXPECT_FALSE(block.repeated.has('J'));
+  EXPECT_EQ(block.repeated_at.begin, 10);
+  lexer.setMode(LexMode::kData);
+  ASSERT_TRUE(lexer.lex("N1339 P2", block));
+  EXPECT_EQ(block.number, -1);
+  EXPECT_EQ(block.find('N')->value, 1339);
+}
+
 TEST(Lexer, NoLineCrashesIt) {
-  Lexer lexer{LexRules{}};
+  FixedExpression hook;
+  LexNames names;
+  names.addAxis("X", 0, 1);
+  names.addAxis("Z1", 1, 4);
+  LexRules full;
+  full.expressions = &hook;
+  full.names = &names;
+  full.keep_repeats = true;
+  Lexer plain{LexRules{}}, rich{full};
   Block block;
   unsigned seed = 12345;
   for (int round = 0; round < 20000; ++round) {
@@ -124,11 +247,13 @@ TEST(Lexer, NoLineCrashesIt) {
       seed = seed * 1664525u + 1013904223u;
       line += "XGNMO/(),.-+I0123456789 %<>=#[;\x80"[(seed >> 16) % 33];
     }
-    lexer.setInComment(false);
-    if (lexer.lex(line, block)) continue;
-    EXPECT_FALSE(lexer.error().message.empty()) << line;
-    EXPECT_GE(lexer.error().columns.begin, 1) << line;
-    EXPECT_LE(lexer.error().columns.end, static_cast<int>(line.size()) + 2) << line;
+    for (Lexer* lexer : {&plain, &rich}) {
+      lexer->setInComment(false);
+      if (lexer->lex(line, block)) continue;
+      EXPECT_FALSE(lexer->error().message.empty()) << line;
+      EXPECT_GE(lexer->error().columns.begin, 1) << line;
+      EXPECT_LE(lexer->error().columns.end, static_cast<int>(line.size()) + 2) << line;
+    }
   }
 }
 

@@ -1,0 +1,94 @@
+// The variables of a channel: locals by level, globals, and banks for the system variables.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/nc/macro/value.h"
+
+namespace proveout::nc {
+
+/// Arguments of a macro call: v[n] is what #n starts with. v[0] is not used.
+struct Arguments {
+  std::array<Value, kLocalCount + 1> v;
+  Arguments() { v.fill(Value::none()); }
+};
+
+/// How an access went: 0, the manual's alarm number, or kUnknownVariable.
+using VariableStatus = int;
+inline constexpr VariableStatus kVariableRead = 0;
+inline constexpr VariableStatus kUnknownVariable = -1;  ///< the control has no variable of that number
+inline constexpr VariableStatus kReadOnlyVariable = 2161;
+inline constexpr VariableStatus kVariableLimit = 2092;
+
+/// A range of system variables. Numbers handed in lie in the range that the bank was added with.
+class VariableBank {
+ public:
+  virtual ~VariableBank() = default;
+  virtual VariableStatus read(int number, Value& out) = 0;
+  virtual VariableStatus write(int number, const Value& value) = 0;
+};
+
+/// #0 is vacant for ever. #1-#33: locals of the level in force, 0 (main) to 16. #100-#499 and #500-#999:
+/// globals. Everything else is asked of the banks. Vacant until written.
+class VariableStore {
+ public:
+  static constexpr int kLevels = 17;  ///< level 0 and one for each nested macro call
+  static constexpr int kFirstGlobal = 100, kFirstKept = 500, kLastGlobal = 999;
+
+  VariableStore();
+
+  VariableStatus read(int number, Value& out) {
+    if (number >= 1 && number <= kLocalCount) {
+      out = locals_[local(number)];
+      return kVariableRead;
+    }
+    if (number >= kFirstGlobal && number <= kLastGlobal) {
+      out = globals_[static_cast<std::size_t>(number - kFirstGlobal)];
+      return kVariableRead;
+    }
+    return readOther(number, out);
+  }
+  VariableStatus write(int number, const Value& value) {
+    if (number >= 1 && number <= kLocalCount) {
+      locals_[local(number)] = value;
+      return kVariableRead;
+    }
+    return writeOther(number, value);
+  }
+
+  /// Opens a level of locals with the arguments. False: no level is left; nothing changes.
+  bool enter(const Arguments& arguments);
+  /// Closes the level; the caller's locals are in force again. Level 0 stays.
+  void leave();
+  int level() const { return level_; }
+  /// Level 0 is vacant again (end of the program).
+  void clearLocals();
+  /// #100-#499 vacant again (power-off).
+  void clearGlobals();
+
+  /// #first to #last, within 500-999, refuse to be written (N1702, N1703); first > last: none.
+  void protect(int first, int last);
+  /// Hands the numbers first..last to a bank, which must live as long as the store. Ranges do not overlap.
+  void addBank(int first, int last, VariableBank& bank);
+
+ private:
+  std::size_t local(int number) const {
+    return static_cast<std::size_t>(level_ * (kLocalCount + 1) + number);
+  }
+  VariableStatus readOther(int number, Value& out);
+  VariableStatus writeOther(int number, const Value& value);
+  VariableBank* bankOf(int number) const;
+
+  struct Range {
+    int first, last;
+    VariableBank* bank;
+  };
+  int level_ = 0;
+  int protect_first_ = 1, protect_last_ = 0;
+  std::array<Value, static_cast<std::size_t>(kLevels) * (kLocalCount + 1)> locals_;
+  std::array<Value, kLastGlobal - kFirstGlobal + 1> globals_;
+  std::vector<Range> banks_;  ///< by first number
+};
+
+}  // namespace proveout::nc

@@ -1,0 +1,124 @@
+// Variables, open programs and alarm texts of the nct control.
+#include <gtest/gtest.h>
+
+#include "core/nc/macro/variables.h"
+#include "core/nc/nct/call_stack.h"
+#include "core/nc/nct/nct_alarms.h"
+
+namespace proveout::nc {
+namespace {
+
+double number(VariableStore& store, int n) {
+  Value value;
+  EXPECT_EQ(store.read(n, value), kVariableRead);
+  return value.vacant ? -999 : value.number;
+}
+
+TEST(Variables, LocalsBelongToTheirLevel) {
+  VariableStore store;
+  EXPECT_EQ(number(store, 1), -999) << "vacant at first";
+  EXPECT_EQ(store.write(1, {5}), kVariableRead);
+  Arguments arguments;
+  arguments.v[24] = {7};
+  ASSERT_TRUE(store.enter(arguments));
+  EXPECT_EQ(number(store, 1), -999);
+  EXPECT_EQ(number(store, 24), 7);
+  store.write(1, {6});
+  store.write(100, {1});
+  store.leave();
+  EXPECT_EQ(number(store, 1), 5);
+  EXPECT_EQ(number(store, 24), -999);
+  EXPECT_EQ(number(store, 100), 1);
+  store.leave();
+  EXPECT_EQ(store.level(), 0) << "the main program's level stays";
+}
+
+TEST(Variables, SixteenLevelsMayBeOpen) {
+  VariableStore store;
+  for (int k = 0; k < 16; ++k) EXPECT_TRUE(store.enter({}));
+  EXPECT_FALSE(store.enter({}));
+  EXPECT_EQ(store.level(), 16);
+  store.write(33, {1});
+  EXPECT_EQ(number(store, 33), 1);
+}
+
+TEST(Variables, TheEmptyConstantAndProtectedOnesCannotBeWritten) {
+  VariableStore store;
+  for (const int n : {0, 3100}) {
+    EXPECT_EQ(number(store, n), -999);
+    EXPECT_EQ(store.write(n, {1}), kReadOnlyVariable);
+  }
+  store.protect(530, 540);
+  EXPECT_EQ(store.write(530, {1}), kReadOnlyVariable);
+  EXPECT_EQ(store.write(540, {1}), kReadOnlyVariable);
+  EXPECT_EQ(store.write(541, {1}), kVariableRead);
+  for (const int n : {34, 99, 1000, -1}) {
+    Value value;
+    EXPECT_EQ(store.read(n, value), kUnknownVariable) << n;
+    EXPECT_EQ(store.write(n, {1}), kUnknownVariable) << n;
+  }
+  store.write(499, {1});
+  store.clearGlobals();
+  EXPECT_EQ(number(store, 499), -999);
+  EXPECT_EQ(number(store, 541), 1);
+}
+
+class Doubling : public VariableBank {
+ public:
+  VariableStatus read(int n, Value& out) override {
+    out = {2.0 * n};
+    return kVariableRead;
+  }
+  VariableStatus write(int, const Value&) override { return kVariableLimit; }
+};
+
+TEST(Variables, BanksServeTheirRange) {
+  VariableStore store;
+  Doubling high, low;
+  store.addBank(5000, 5010, high);
+  store.addBank(2000, 2000, low);
+  EXPECT_EQ(number(store, 5010), 10020);
+  EXPECT_EQ(number(store, 2000), 4000);
+  EXPECT_EQ(store.write(5000, {1}), kVariableLimit);
+  Value value;
+  for (const int n : {1999, 2001, 4999, 5011}) EXPECT_EQ(store.read(n, value), kUnknownVariable) << n;
+}
+
+TEST(CallStack, CallsPutOffRunInOrderAtTheirOwnLevel) {
+  CallStack calls;
+  CallFrame frame, next;
+  calls.push(frame);
+  frame.system_code = 1;
+  calls.defer(frame);
+  frame.system_code = 2;
+  calls.defer(frame);
+  ASSERT_TRUE(calls.takeDeferred(next));
+  EXPECT_EQ(next.system_code, 1);
+  calls.push(next);
+  EXPECT_FALSE(calls.hasDeferred()) << "the second waits for the first to return";
+  frame.system_code = 3;
+  calls.defer(frame);
+  EXPECT_TRUE(calls.hasDeferred());
+  calls.pop();  // drops the third
+  ASSERT_TRUE(calls.takeDeferred(next));
+  EXPECT_EQ(next.system_code, 2);
+  EXPECT_FALSE(calls.takeDeferred(next));
+}
+
+TEST(Alarms, TextsTakeTheirSubject) {
+  EXPECT_EQ(alarmText(2017, "Q"), "illegal address Q");
+  EXPECT_EQ(alarmText(2004, ""), "missing data");
+  EXPECT_EQ(alarmText(2147, ""), "file not found");
+  EXPECT_EQ(alarmText(2002, "L"), "L data out of range");
+  EXPECT_EQ(alarmText(2002, ""), "data out of range");
+  EXPECT_EQ(alarmText(2123, "G777"), "function not implemented: G777");
+  EXPECT_EQ(alarmText(4711, "x"), "alarm of the program x");
+  int last = 0;
+  for (const Alarm& alarm : nctAlarms()) {
+    EXPECT_GT(alarm.number, last);
+    last = alarm.number;
+  }
+}
+
+}  // namespace
+}  // namespace proveout::nc
