@@ -2,6 +2,6 @@
 
 namespace proveout {
 
-ColumnKernels baselineKernels() { return {columns, leafColumns, "baseline"}; }
+ColumnKernels baselineKernels() { return {columns, leafColumns, reachFour, "baseline"}; }
 
 }  // namespace proveout

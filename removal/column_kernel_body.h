@@ -259,4 +259,56 @@ double leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, int qu
   return lowerTops(leaf, first);
 }
 
+/// Squared level distance of the tool's axis from the middles of the blocks, and the range of the tip's rise while it
+/// can be over them.
+inline void approach(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double reach,
+                     double* __restrict gap2, double* __restrict rise_low, double* __restrict rise_high) {
+  const double fx = sweep.x, fy = sweep.y;
+  if (sweep.kind == ColumnSweep::Kind::kLine) {
+    const double ux = sweep.ux, uy = sweep.uy, length = sweep.length, slope = sweep.slope;
+    for (int i = 0; i < 4; ++i) {
+      const double qx = blocks.x[i] - fx, qy = blocks.y[i] - fy;
+      const double along = qx * ux + qy * uy, across = qx * uy - qy * ux;
+      const double over = along - least(most(along, 0.0), length);
+      gap2[i] = over * over + across * across;
+      const double first = slope * least(most(along - reach, 0.0), length),
+                   last = slope * least(most(along + reach, 0.0), length);
+      rise_low[i] = least(first, last);
+      rise_high[i] = most(first, last);
+    }
+    return;
+  }
+  for (int i = 0; i < 4; ++i) {
+    const double qx = blocks.x[i] - fx, qy = blocks.y[i] - fy;
+    const double gap = root(qx * qx + qy * qy) - sweep.arc_radius;
+    gap2[i] = gap * gap;
+    rise_low[i] = least(sweep.rise, 0.0);
+    rise_high[i] = most(sweep.rise, 0.0);
+  }
+}
+
+void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double* __restrict low) {
+  constexpr double kDiagonal = 1.4142135623730951, kSlack = proveout::kCullSlackMm;
+  const proveout::ColumnSolid& tool = *sweep.solid;
+  const double corner = kDiagonal * blocks.half_width, radius = tool.radius, reach = corner + radius + kSlack;
+  double gap2[4], rise_low[4], rise_high[4], radial[4], edge[4];
+  approach(sweep, blocks, reach, gap2, rise_low, rise_high);
+  for (int i = 0; i < 4; ++i) low[i] = kNothing;
+  if (least(least(gap2[0], gap2[1]), least(gap2[2], gap2[3])) > reach * reach) return;
+  for (int i = 0; i < 4; ++i) radial[i] = least(most(root(gap2[i]) - corner, 0.0), radius);
+  if (tool.ball) {
+    for (int i = 0; i < 4; ++i) edge[i] = radius - root(radius * radius - radial[i] * radial[i]);
+  } else if (tool.flat) {
+    for (int i = 0; i < 4; ++i) edge[i] = tool.z_min;
+  } else {
+    boundaryHeight(tool.lower, radial, 4, edge);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const double at = sweep.z + rise_low[i], highest = sweep.z + rise_high[i] + tool.z_max + kSlack;
+    const double lowest = at + edge[i] - kSlack;
+    const bool in = gap2[i] <= reach * reach && lowest < blocks.z_high[i] && highest > blocks.z_low[i];
+    low[i] = in ? lowest : kNothing;
+  }
+}
+
 }  // namespace

@@ -73,9 +73,23 @@ struct LeafColumns {
 /// what the tops sink by and of the covered material below tops that stay, in mm of column height.
 using LeafKernel = double (*)(const ColumnSweep& sweep, LeafColumns& leaf, int quarter);
 
+/// Four blocks of the grid as culling sees them: squares of one size, with a range of z each.
+struct FourBlocks {
+  double x[4], y[4];  ///< of their middles, mm
+  double half_width;  ///< mm
+  double z_low[4], z_high[4];
+};
+/// Culling never decides within rounding, mm.
+inline constexpr double kCullSlackMm = 1e-6;
+
+/// For each block the height below which the sweep does not reach inside its square, mm (a lower bound); +infinity
+/// where it misses the block.
+using ReachKernel = void (*)(const ColumnSweep& sweep, const FourBlocks& blocks, double* low);
+
 struct ColumnKernels {
   ColumnKernel columns;
   LeafKernel leaf;
+  ReachKernel reach;
   const char* name;
 };
 

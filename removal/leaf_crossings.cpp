@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "removal/level_cut.h"
 
@@ -40,15 +41,18 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   probes_.clear();
   probes_of_edge_.assign(edges_.size(), {-1, -1});
   std::array<Group, 4> groups;
-  for (int q = 0; q < 4; ++q) groups[q] = addGroup(change, q);
+  FourBlocks boxes{};  // of the probes, which move along their edges only
+  for (int q = 0; q < 4; ++q) groups[q] = addGroup(change, q, boxes);
+  const double highest = *std::max_element(boxes.z_high, boxes.z_high + 4);
   pairs_.clear();
   for (const Reach& reach : list) {
     const Pass& pass = table_.passes[reach.pass];
     if (pass.part != ToolPart::kCutter) continue;
+    if (reach.low >= highest) continue;
+    double low[4];
+    reach_(pass.columns, boxes, low);
     for (std::uint8_t q = 0; q < 4; ++q) {
-      const Group& group = groups[q];
-      if (group.first == group.last || reach.low >= group.box.z_high) continue;
-      if (reachIn(pass, group.box) < group.box.z_high) pairs_.push_back({reach.pass, q});
+      if (low[q] < boxes.z_high[q]) pairs_.push_back({reach.pass, q});
     }
   }
   // A pass may cover the rest of an edge only after a later one moved the crossing to it: ask again until none does.
@@ -133,24 +137,27 @@ void CrossingFinder::collect(const LeafChange& change, const LeafEdges& edges, c
   });
 }
 
-CrossingFinder::Group CrossingFinder::addGroup(const LeafChange& change, int quarter) {
+CrossingFinder::Group CrossingFinder::addGroup(const LeafChange& change, int quarter, FourBlocks& boxes) {
   Group group;
   group.first = probes_.size();
   addProbes(quarter);
   group.last = probes_.size();
+  boxes.z_high[quarter] = -std::numeric_limits<double>::infinity();
   if (group.first == group.last) return group;
   // An edge may end one step beyond the quarter.
   const Vec3 low = impl_.position(change.origin);
   const double half = 2.0 * impl_.h;
-  group.box = {low.x() + half + (quarter >> 1) * 2.0 * half, low.y() + half + (quarter & 1) * 2.0 * half, half, 0, 0};
+  boxes.half_width = half;
+  boxes.x[quarter] = low.x() + half + (quarter >> 1) * 2.0 * half;
+  boxes.y[quarter] = low.y() + half + (quarter & 1) * 2.0 * half;
   const auto [least, most] = std::minmax_element(z_.begin() + static_cast<std::ptrdiff_t>(group.first),
                                                  z_.begin() + static_cast<std::ptrdiff_t>(group.last));
-  group.box.z_low = *least - impl_.h;
-  group.box.z_high = *most + kShorter * impl_.h;
+  boxes.z_low[quarter] = *least - impl_.h;
+  boxes.z_high[quarter] = *most + kShorter * impl_.h;
   for (std::size_t i = group.first; i < group.last; ++i) {
     // Material above the cut: the probe may rise to the end in the material.
     const Edge& e = edges_[probes_[i].edge];
-    if (e.axis == 2 && e.forward < 0) group.box.z_high = std::max(group.box.z_high, e.a.z());
+    if (e.axis == 2 && e.forward < 0) boxes.z_high[quarter] = std::max(boxes.z_high[quarter], e.a.z());
   }
   return group;
 }

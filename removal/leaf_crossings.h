@@ -15,7 +15,7 @@ namespace proveout {
 class CrossingFinder {
  public:
   CrossingFinder(const Stock::Impl& impl, const PassTable& table)
-      : impl_(impl), table_(table), kernel_(columnKernels().columns) {}
+      : impl_(impl), table_(table), kernel_(columnKernels().columns), reach_(columnKernels().reach) {}
 
   /// Crossings of the crossed `edges` of the changed leaf, in order. On each edge the one nearest to the material
   /// counts: of the surface that was there (`before`, the crossings of change.before), or of a pass in `list`.
@@ -50,9 +50,8 @@ class CrossingFinder {
   /// Probes of the edges that start in one quarter of the leaf.
   struct Group {
     std::size_t first = 0, last = 0;
-    BlockBox box{};  ///< of the probes; they move along their edges only
   };
-  Group addGroup(const LeafChange& change, int quarter);
+  Group addGroup(const LeafChange& change, int quarter, FourBlocks& boxes);
   void tryPass(std::uint32_t number, std::size_t first, std::size_t count);
   void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
   void dropCovered(const Pass& pass);
@@ -61,6 +60,7 @@ class CrossingFinder {
   const Stock::Impl& impl_;
   const PassTable& table_;
   ColumnKernel kernel_;
+  ReachKernel reach_;
   std::vector<Edge> edges_;
   struct ProbeOf {
     std::uint32_t edge;

@@ -77,17 +77,20 @@ void LeafCutter::start(const LeafChange& change) {
   }
   startTops(change);
   const Vec3 low = impl_.position(origin_);
-  const double half = 1.5 * l.h;
+  const double half = quarters_.half_width = 1.5 * l.h;
   for (int q = 0; q < 4; ++q) {
-    quarter_[q] = {low.x() + half + (q >> 1) * 4 * l.h, low.y() + half + (q & 1) * 4 * l.h, half, l.z[0], 0.0};
+    quarters_.x[q] = low.x() + half + (q >> 1) * 4 * l.h;
+    quarters_.y[q] = low.y() + half + (q & 1) * 4 * l.h;
+    quarters_.z_low[q] = l.z[0];
     setQuarterTop(q);
   }
 }
 
 void LeafCutter::setQuarterTop(int quarter) {
   const double* top = columns_.top + quarter * kQuarter;
-  quarter_[quarter].z_high = *std::max_element(top, top + kQuarter);
-  highest_ = std::max({quarter_[0].z_high, quarter_[1].z_high, quarter_[2].z_high, quarter_[3].z_high});
+  const double* all = quarters_.z_high;
+  quarters_.z_high[quarter] = *std::max_element(top, top + kQuarter);
+  highest_ = *std::max_element(all, all + 4);
 }
 
 /// Heights that the removed volume is counted from: the crossing above the highest sample, or the next leaf.
@@ -107,9 +110,10 @@ void LeafCutter::startTops(const LeafChange& change) {
 
 void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
-  double sunk = 0.0;
+  double sunk = 0.0, low[4];
+  reach_(pass.columns, quarters_, low);
   for (int q = 0; q < 4; ++q) {
-    if (reachIn(pass, quarter_[q]) < quarter_[q].z_high) sunk += applyQuarter(number, q);
+    if (low[q] < quarters_.z_high[q]) sunk += applyQuarter(number, q);
   }
   if (sunk <= 0.0) return;
   removed_.emplace_back(pass.motion, volumeUnits(sunk / columns_.h));

@@ -40,7 +40,7 @@ struct ContactSample {
 class LeafCutter {
  public:
   LeafCutter(const Stock::Impl& impl, const PassTable& table)
-      : impl_(impl), table_(table), reader_(impl), kernel_(columnKernels().leaf) {}
+      : impl_(impl), table_(table), reader_(impl), kernel_(columnKernels().leaf), reach_(columnKernels().reach) {}
 
   /// Takes `list` (what reaches into the leaf's block of 9x9x9 samples, in program order) through the samples of change.material.
   void cut(LeafChange& change, std::span<const Reach> list);
@@ -62,9 +62,10 @@ class LeafCutter {
   const PassTable& table_;
   LeafReader reader_;
   LeafKernel kernel_;
+  ReachKernel reach_;
   Coord origin_;
   double highest_ = 0.0;             ///< highest top, mm
-  std::array<BlockBox, 4> quarter_;  ///< up to the highest top of each quarter
+  FourBlocks quarters_{};  ///< up to the highest top of each quarter
   LeafColumns columns_{};
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
   std::vector<ContactSample> contacts_;

@@ -24,13 +24,6 @@ struct Pass {
   Sweep lineSweep() const;
 };
 
-/// A block of the grid as culling sees it: square in x and y.
-struct BlockBox {
-  double x, y;         ///< of its middle, mm
-  double half_width;   ///< mm
-  double z_low, z_high;
-};
-
 /// A pass that reaches into a block, and the height below which it does not (a lower bound), mm.
 struct Reach {
   std::uint32_t pass;
@@ -38,9 +31,6 @@ struct Reach {
 };
 using ReachList = std::vector<Reach>;
 
-/// Height below which the pass does not reach inside the block's square, mm (a lower bound); +infinity where
-/// the pass misses the block.
-double reachIn(const Pass& pass, const BlockBox& box);
 /// Height that the solid nowhere reaches above on its way, mm.
 double highestReach(const Pass& pass);
 

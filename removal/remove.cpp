@@ -5,6 +5,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <iterator>
@@ -30,6 +31,7 @@ constexpr double kContactChordMm = 5e-4;
 constexpr double kMostChords = 1e6;
 /// Level arcs whose radius and height change by less than this are circles, mm.
 constexpr double kSameRadiusMm = 1e-7;
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 struct Solids {
   explicit Solids(const Tool& tool) : solid(makeToolSolid(tool)) {
@@ -73,10 +75,15 @@ class Remover {
  private:
   void addPasses(MotionId id, const Solids::Part& part, bool watched, std::int32_t curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
-  BlockBox blockBox(const Coord& origin, int size) const;
   bool inBlank(const Coord& origin, int size) const;
   void visit(const Coord& origin, int size, const ReachList& passes);
-  void visitColumn(const Coord& origin, int size, const ReachList& passes);
+  /// Two blocks, one above the other, and what reaches into them.
+  struct Children {
+    Coord origin;
+    ReachList lower, upper;
+  };
+  void share(const ReachList& passes, int size, std::array<Children, 4>& columns) const;
+  void visitColumn(Children& column, int size);
   void leaf(const Coord& origin, const ReachList& passes);
   void gatherChanges();
   void addLost(RemovalSummary& out) const;
@@ -194,11 +201,7 @@ Status Remover::run() {
   int size = 8;
   while (size <= std::max({high.x() - low.x(), high.y() - low.y(), high.z() - low.z()})) size *= 2;
   ReachList all;
-  const BlockBox box = blockBox(low, size);
-  for (std::uint32_t i = 0; i < table_.passes.size(); ++i) {
-    const double reach = reachIn(table_.passes[i], box);
-    if (reach < box.z_high) all.push_back({i, roundedDown(reach)});
-  }
+  for (std::uint32_t i = 0; i < table_.passes.size(); ++i) all.push_back({i, -static_cast<float>(kNowhere)});
   total_blocks_ = std::pow(size / 8.0, 3);
   if (!all.empty()) visit(low, size, all);
   if (over_limit_) return memoryError(bytes_ * 1.5, limit_bytes_, impl_.h);
@@ -219,13 +222,6 @@ Status Remover::run() {
   return Done{};
 }
 
-/// The block reaches from voxel 0 to voxel `size`: one layer more than its own.
-BlockBox Remover::blockBox(const Coord& origin, int size) const {
-  const double half = 0.5 * size * impl_.h;
-  const Vec3 low = impl_.position(origin);
-  return {low.x() + half, low.y() + half, half, low.z(), low.z() + 2.0 * half};
-}
-
 bool Remover::inBlank(const Coord& origin, int size) const {
   const Vec3 low = impl_.position(origin);
   return Box3{low, low + Vec3::Constant(size * impl_.h)}.overlaps(impl_.blank.inflated(impl_.h));
@@ -239,7 +235,10 @@ void Remover::visit(const Coord& origin, int size, const ReachList& passes) {
     return;
   }
   const int half = size / 2;
-  const auto child = [&](int i) { visitColumn(origin.offsetBy(i & 1 ? half : 0, i & 2 ? half : 0, 0), half, passes); };
+  std::array<Children, 4> columns;
+  for (int i = 0; i < 4; ++i) columns[i].origin = origin.offsetBy(i & 1 ? half : 0, i & 2 ? half : 0, 0);
+  share(passes, half, columns);
+  const auto child = [&](int i) { visitColumn(columns[i], half); };
   if (size >= 32) {
     parallelFor(0, 4, child);
   } else {
@@ -249,27 +248,42 @@ void Remover::visit(const Coord& origin, int size, const ReachList& passes) {
   if (size >= 64) progress_.report("removing", done_.load() / total_blocks_);
 }
 
-/// Two blocks, one above the other: where a pass reaches is asked once for both.
-void Remover::visitColumn(const Coord& origin, int size, const ReachList& passes) {
-  const Coord above = origin.offsetBy(0, 0, size);
-  const bool in_lower = inBlank(origin, size), in_upper = inBlank(above, size);
-  BlockBox box = blockBox(origin, size);
-  const double middle = box.z_high;
-  box.z_high += size * impl_.h;
-  ReachList lower, upper;
-  if (in_lower || in_upper) {
-    for (const Reach& candidate : passes) {
-      const Pass& pass = table_.passes[candidate.pass];
-      const double low = reachIn(pass, box);
-      if (low >= box.z_high) continue;
-      const Reach reach{candidate.pass, roundedDown(low)};
-      if (in_lower && low < middle) lower.push_back(reach);
-      if (in_upper && highestReach(pass) > middle) upper.push_back(reach);
+/// Gives each pass to the blocks that it reaches into; where it reaches is asked once for two above each other.
+void Remover::share(const ReachList& passes, int size, std::array<Children, 4>& columns) const {
+  FourBlocks boxes;
+  boxes.half_width = 0.5 * size * impl_.h;
+  std::array<bool, 4> in_lower, in_upper;
+  for (int i = 0; i < 4; ++i) {
+    const Coord& at = columns[i].origin;
+    const Vec3 low = impl_.position(at);
+    in_lower[i] = inBlank(at, size);
+    in_upper[i] = inBlank(at.offsetBy(0, 0, size), size);
+    boxes.x[i] = low.x() + boxes.half_width;
+    boxes.y[i] = low.y() + boxes.half_width;
+    boxes.z_low[i] = low.z();
+    boxes.z_high[i] = in_lower[i] || in_upper[i] ? low.z() + 2.0 * size * impl_.h : -kNowhere;
+  }
+  const double middle = impl_.position(columns[0].origin).z() + size * impl_.h;
+  const ReachKernel reach_kernel = columnKernels().reach;
+  for (const Reach& candidate : passes) {
+    const Pass& pass = table_.passes[candidate.pass];
+    double low[4];
+    reach_kernel(pass.columns, boxes, low);
+    for (int i = 0; i < 4; ++i) {
+      if (low[i] >= boxes.z_high[i]) continue;
+      const Reach reach{candidate.pass, roundedDown(low[i])};
+      if (in_lower[i] && low[i] < middle) columns[i].lower.push_back(reach);
+      if (in_upper[i] && highestReach(pass) > middle) columns[i].upper.push_back(reach);
     }
   }
-  for (const auto& [at, list] : {std::pair{&origin, &lower}, std::pair{&above, &upper}}) {
+}
+
+void Remover::visitColumn(Children& column, int size) {
+  Coord above = column.origin.offsetBy(0, 0, size);
+  for (const auto& [at, list] : {std::pair{&column.origin, &column.lower}, std::pair{&above, &column.upper}}) {
     if (!list->empty()) {
       visit(*at, size, *list);
+      ReachList().swap(*list);
     } else if (size >= 64) {
       addTo(done_, std::pow(size / 8.0, 3));
     }
