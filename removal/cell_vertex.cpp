@@ -1,12 +1,14 @@
 #include "removal/cell_vertex.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "removal/vertex_refiner.h"
 
 namespace proveout {
 
@@ -15,8 +17,6 @@ namespace {
 /// Faces whose normals differ by less than this are one smooth surface in a cell (2 degrees): a ridge so flat
 /// is under a hundredth of a cell high.
 const double kSmoothCos = std::cos(degToRad(2.0));
-/// Directions in which the tangent planes fix the vertex worse than this (relative) are left to the mean.
-constexpr double kRankTolerance = 1e-3;
 /// Pull towards the mean where the planes leave a direction free; biases the vertex by less than 1e-4 cells
 /// at creases of more than 10 degrees.
 constexpr double kNearness = 1e-6;
@@ -26,168 +26,24 @@ constexpr double kNearness = 1e-6;
 const double kSoftCos = std::cos(degToRad(40.0));
 constexpr double kOutsideSlack = 0.05;
 
-/// Vertices stay this far (in cells) inside their cell, so that those of neighbours never coincide, also as
-/// floats.
-constexpr double kWallGap = 1e-3;
-/// Crossings of one sweep whose normals differ by more than 60 degrees belong to different faces of it.
-constexpr double kSameFaceCos = 0.5;
+/// Normals of one face that differ by more than 25 degrees may be those of two planes.
+constexpr double kBentCos = 0.906;
+/// How far (in cells) a vertex is taken along its crease, and the least sine of the angle of such a crease.
+constexpr double kSlideReach = 1.5, kLeastAngle = 0.1;
+/// What that must bring the vertex nearer to the cell.
+constexpr double kLeastGain = 0.01;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
 const double kApexCos = std::cos(degToRad(30.0));
 constexpr double kApexMiss = 2e-3;
-/// Normals of a face that differ by less than this leave it flat: 0.2 degrees over a cell bend a plane by
-/// less than 1e-3 cells.
-constexpr double kFlatSpread = 3.5e-3;
-/// Curvatures that the crossings leave open stay at zero; relative to what they fix.
-constexpr double kOpenCurvature = 1e-3;
-
-struct Face {
-  std::uint64_t id;
-  Vec3 first;  ///< normal of its first crossing
-  Vec3 point, normal;
-  int count;
-  double spread;      ///< largest difference between its normals and the first
-  Vec3 e1, e2, bend;  ///< curvature (11, 12, 22) in the tangent directions e1, e2; only if it is `curved`
-  bool curved;
-};
-using Faces = std::array<Face, 12>;
-
-struct Plane {
-  Vec3 n;
-  double d;  ///< n * x = d on it, x from the mean
-};
-
-bool belongs(const SheetPoint& s, const Face& f) {
-  return s.face == f.id && f.first.dot(s.n) >= kSameFaceCos;
-}
-
-/// Height of `m` along `n` above the surface through the points (of one face, or of all).
-double heightAbove(std::span<const SheetPoint> points, const Vec3& m, const Vec3& n, const Face* face) {
-  double sum = 0.0;
-  int count = 0;
-  for (const SheetPoint& s : points) {
-    if (face != nullptr && !belongs(s, *face)) continue;
-    const Vec3 middle = s.n + n;
-    sum += middle.dot(m - s.p) / std::max(0.1, middle.dot(n));
-    ++count;
-  }
-  return count > 0 ? sum / count : 0.0;
-}
-
-int collectFaces(std::span<const SheetPoint> points, Faces& faces) {
-  int count = 0;
-  for (const SheetPoint& s : points) {
-    int i = 0;
-    while (i < count && !belongs(s, faces[i])) ++i;
-    Face& f = faces[i];
-    if (i == count) {
-      ++count;
-      f.id = s.face;
-      f.first = f.normal = s.n;
-      f.point = s.p;
-      f.count = 1;
-      f.spread = 0.0;
-      f.curved = false;
-      continue;
-    }
-    f.point += s.p;
-    f.normal += s.n;
-    f.spread = std::max(f.spread, (s.n - f.first).squaredNorm());
-    ++f.count;
-  }
-  for (int i = 0; i < count; ++i) {
-    faces[i].point /= faces[i].count;
-    faces[i].normal.normalize();
-    faces[i].spread = std::sqrt(faces[i].spread);
-  }
-  return count;
-}
 
 /// Whether no two faces meet at more than the angle of this cosine.
-bool alike(const Faces& faces, int count, double cosine) {
-  for (int i = 1; i < count; ++i) {
-    for (int j = 0; j < i; ++j) {
+bool alike(std::span<const CellFace> faces, double cosine) {
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
       if (faces[i].normal.dot(faces[j].normal) < cosine) return false;
     }
   }
   return true;
-}
-
-/// The face's curvature from the differences of its normals, by least squares.
-void findCurvature(std::span<const SheetPoint> points, Face& f) {
-  if (f.count < 2 || f.spread < kFlatSpread) return;
-  f.curved = true;
-  f.e1 = f.normal.unitOrthogonal();
-  f.e2 = f.normal.cross(f.e1);
-  Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-  Vec3 right = Vec3::Zero();
-  for (const SheetPoint& s : points) {
-    if (!belongs(s, f)) continue;
-    const Vec3 d = s.p - f.point, dn = s.n - f.normal;
-    const double a1 = f.e1.dot(d), a2 = f.e2.dot(d), b1 = f.e1.dot(dn), b2 = f.e2.dot(dn);
-    m(0, 0) += a1 * a1;
-    m(0, 1) += a1 * a2;
-    m(1, 1) += a1 * a1 + a2 * a2;
-    m(2, 2) += a2 * a2;
-    right += Vec3(b1 * a1, b1 * a2 + b2 * a1, b2 * a2);
-  }
-  m(1, 0) = m(1, 2) = m(2, 1) = m(0, 1);
-  m.diagonal().array() += kOpenCurvature * m.trace() + 1e-12;
-  f.bend = m.inverse() * right;
-}
-
-/// The plane that touches the face's quadratic surface above `x`; offsets are from `x`.
-Plane planeAt(const Face& f, const Vec3& x) {
-  const Vec3 d = x - f.point;
-  double height = f.normal.dot(d);
-  if (!f.curved) return {f.normal, -height};
-  const double a1 = f.e1.dot(d), a2 = f.e2.dot(d);
-  const double s1 = f.bend[0] * a1 + f.bend[1] * a2, s2 = f.bend[1] * a1 + f.bend[2] * a2;
-  height += 0.5 * (s1 * a1 + s2 * a2);
-  const Vec3 n = f.normal + s1 * f.e1 + s2 * f.e2;
-  const double length = n.norm();
-  return {n / length, -height / length};
-}
-
-/// The smallest step that minimises the distances to the planes, using directions in which they fix it.
-Vec3 meetAny(std::span<const Plane> planes) {
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Vec3 b = Vec3::Zero();
-  for (const Plane& p : planes) {
-    a += p.n * p.n.transpose();
-    b += p.n * p.d;
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(a);
-  const double largest = solver.eigenvalues()[2];
-  Vec3 x = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) {
-    const double value = solver.eigenvalues()[i];
-    if (value <= kRankTolerance * largest) continue;
-    const Vec3 v = solver.eigenvectors().col(i);
-    x += v * (v.dot(b) / value);
-  }
-  return x;
-}
-
-Vec3 meetPlanes(std::span<const Plane> planes) {
-  if (planes.size() == 2) {
-    const double c = planes[0].n.dot(planes[1].n), s2 = 1.0 - c * c;
-    if (s2 > 4.0 * kRankTolerance) {
-      return planes[0].n * ((planes[0].d - c * planes[1].d) / s2) +
-             planes[1].n * ((planes[1].d - c * planes[0].d) / s2);
-    }
-  } else if (planes.size() == 3) {
-    const Vec3 yz = planes[1].n.cross(planes[2].n), zx = planes[2].n.cross(planes[0].n),
-               xy = planes[0].n.cross(planes[1].n);
-    const double volume = planes[0].n.dot(yz);
-    if (std::abs(volume) > 0.1) return (yz * planes[0].d + zx * planes[1].d + xy * planes[2].d) / volume;
-  }
-  return meetAny(planes);
-}
-
-double outsideBy(const Vec3& p) { return std::max(-p.minCoeff(), p.maxCoeff() - 1.0); }
-Vec3 clampToCell(const Vec3& p) {
-  return p.cwiseMax(Vec3::Constant(kWallGap)).cwiseMin(Vec3::Constant(1.0 - kWallGap));
 }
 
 /// Point of the cell that minimises the distances to the faces' planes; where they leave it free, the one
@@ -223,8 +79,8 @@ Vec3 meetPlanesInside(std::span<const Plane> planes, const Vec3& from) {
 
 /// The face of two on which the surface lies above or below `mean`: the lower one on a ridge, the higher one
 /// in a valley. Always on the surface, off the crease.
-Vec3 besideCrease(const Faces& faces, const Vec3& mean, const Vec3& n) {
-  const Face &a = faces[0], &b = faces[1];
+Vec3 besideCrease(std::span<const CellFace> faces, const Vec3& mean, const Vec3& n) {
+  const CellFace &a = faces[0], &b = faces[1];
   const Vec3 between = b.point - a.point;
   const bool ridge = between.dot(a.normal) - between.dot(b.normal) < 0.0;
   std::array<double, 2> up;
@@ -256,7 +112,8 @@ bool findApex(std::span<const SheetPoint> points, const Vec3& mean, Vec3& apex) 
   return outsideBy(apex) <= kVertexReach;
 }
 
-CellVertex smoothVertex(std::span<const SheetPoint> points, const Vec3& mean, const Vec3& sum) {
+CellVertex smoothVertex(std::span<const SheetPoint> points, const Vec3& mean, const Vec3& sum,
+                        VertexRefiner* refiner) {
   CellVertex out;
   out.smooth = true;
   const double length = sum.norm();
@@ -265,60 +122,125 @@ CellVertex smoothVertex(std::span<const SheetPoint> points, const Vec3& mean, co
     return out;
   }
   const Vec3 n = sum / length;
-  out.p = out.inside = clampToCell(mean - n * heightAbove(points, mean, n, nullptr));
+  const Vec3 p = mean - n * heightAbove(points, mean, n, nullptr);
+  out.p = out.inside = clampToCell(p);
+  if (refiner != nullptr && refiner->needed(true)) refiner->toSurface(n, out.p);
+  out.inside = out.p;
   return out;
+}
+
+/// Makes quadratic surfaces of the faces.
+void findSurfaces(std::span<const SheetPoint> points, std::span<CellFace> faces) {
+  for (CellFace& f : faces) {  // tangent planes touch the surface, not the chord
+    if (f.count > 1) f.point -= f.normal * heightAbove(points, f.point, f.normal, &f);
+    findCurvature(points, f);
+  }
+}
+
+/// Where the faces' surfaces meet nearest to `start`.
+Vec3 creaseNear(std::span<const CellFace> faces, const Vec3& start) {
+  const bool curved = std::any_of(faces.begin(), faces.end(), [](const CellFace& f) { return f.curved; });
+  Vec3 x = start;
+  std::array<Plane, 12> planes;
+  for (int round = 0; round < (curved ? 3 : 1); ++round) {
+    for (std::size_t i = 0; i < faces.size(); ++i) planes[i] = planeAt(faces[i], x);
+    x += meetPlanes({planes.data(), faces.size()});
+    if (!(outsideBy(x) < 2.0)) break;
+  }
+  return x;
+}
+
+/// The vertex of a cell whose crease or corner lies outside.
+Vec3 insteadOfCrease(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum) {
+  if (faces.size() == 2) return clampToCell(besideCrease(faces, mean, sum.normalized()));
+  std::array<Plane, 12> planes;
+  for (std::size_t i = 0; i < faces.size(); ++i) planes[i] = planeAt(faces[i], mean);
+  return clampToCell(meetPlanesInside({planes.data(), faces.size()}, mean));
+}
+
+/// Whether the normals point in more than two directions of a plane.
+bool spanSpace(std::span<const SheetPoint> points) {
+  Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+  for (const SheetPoint& s : points) m += s.n * s.n.transpose();
+  return m.determinant() > 1e-3;
+}
+
+/// The point of the line through `x` along `u` that is nearest to the cell, and in it nearest to `x`.
+Vec3 nearestToCell(const Vec3& x, const Vec3& u) {
+  double low = -kSlideReach, high = kSlideReach;
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(u[k]) < 1e-9) continue;
+    const double a = (kWallGap - x[k]) / u[k], b = (1.0 - kWallGap - x[k]) / u[k];
+    low = std::max(low, std::min(a, b));
+    high = std::min(high, std::max(a, b));
+  }
+  if (low <= high && outsideBy(x + u * (0.5 * (low + high))) <= 0.0) return x + u * std::clamp(0.0, low, high);
+  // Where the line runs along the cell, the place nearest to `x`.
+  const auto away2 = [&](double s) {
+    return (x + s * u - clampToCell(x + s * u)).squaredNorm() + kNearness * s * s;
+  };
+  low = -kSlideReach;
+  high = kSlideReach;
+  for (int i = 0; i < 40; ++i) {
+    const double a = (2.0 * low + high) / 3.0, b = (low + 2.0 * high) / 3.0;
+    (away2(a) <= away2(b) ? high : low) = away2(a) <= away2(b) ? b : a;
+  }
+  return x + u * (0.5 * (low + high));
+}
+
+/// Takes a point of the crease outside the cell along the crease, into the cell or as near as it comes.
+void slideIn(std::span<const CellFace> faces, VertexRefiner* refiner, Vec3& x) {
+  const Vec3 u = planeAt(faces[0], x).n.cross(planeAt(faces[1], x).n);
+  if (u.norm() < kLeastAngle) return;
+  Vec3 at = creaseNear(faces, nearestToCell(x, u.normalized()));
+  if (refiner != nullptr) refiner->toCrease(at);
+  if (outsideBy(at) < outsideBy(x) - kLeastGain) x = at;
 }
 
 }  // namespace
 
-CellVertex placeVertex(std::span<const SheetPoint> points) {
+CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   Vec3 mean = Vec3::Zero(), sum = Vec3::Zero();
   for (const SheetPoint& s : points) {
     mean += s.p;
     sum += s.n;
   }
   mean /= static_cast<double>(points.size());
+  Faces all;
+  // Where the bodies are known, they tell whether one face bends or breaks.
+  const bool one_face = std::all_of(points.begin(), points.end(), [&](auto& s) { return s.face == points[0].face; });
+  const bool known = exact != nullptr && exact->active();
+  const int count = collectFaces(points, known && one_face ? kBentCos : kSameFaceCos, all);
+  const std::span<CellFace> faces(all.data(), static_cast<std::size_t>(count));
+  std::optional<VertexRefiner> exactly;
+  if (known) exactly.emplace(*exact, faces);
+  VertexRefiner* refiner = exactly ? &*exactly : nullptr;
   CellVertex out;
-  if (findApex(points, mean, out.p)) {
+  if (findApex(points, mean, out.p) && (count == 1 || spanSpace(points))) {
+    if (refiner != nullptr && refiner->needed(false)) refiner->toCrease(out.p);
     // Outside, it is this cell's only if it pokes through one wall: into a cell that does not see it.
     const Vec3 kept = clampToCell(out.p);
     const int walls = static_cast<int>((kept.array() != out.p.array()).count());
     out.outside = walls == 1;
-    out.inside = walls == 0 ? out.p : smoothVertex(points, mean, sum).p;
+    out.inside = walls == 0 ? out.p : smoothVertex(points, mean, sum, refiner).p;
     if (walls > 1) out.p = out.inside;
     return out;
   }
-  Faces faces;
-  const int count = collectFaces(points, faces);
-  if (count == 1 || alike(faces, count, kSmoothCos)) return smoothVertex(points, mean, sum);
-  Vec3 x = mean;
-  std::array<Plane, 12> planes;
-  bool curved = false;
-  for (int i = 0; i < count; ++i) {  // tangent planes touch the surface, not the chord
-    Face& f = faces[i];
-    if (f.count > 1) f.point -= f.normal * heightAbove(points, f.point, f.normal, &f);
-    findCurvature(points, f);
-    curved = curved || f.curved;
-  }
-  const std::span<const Plane> used(planes.data(), static_cast<std::size_t>(count));
-  for (int round = 0; round < (curved ? 3 : 1); ++round) {
-    for (int i = 0; i < count; ++i) planes[i] = planeAt(faces[i], x);
-    x += meetPlanes(used);
-    if (!(outsideBy(x) < 2.0)) break;
-  }
+  if (count == 1 || alike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
+  findSurfaces(points, faces);
+  Vec3 x = creaseNear(faces, mean);
+  const bool refine = refiner != nullptr && refiner->needed(false);
+  if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
+  if (refine && outsideBy(x) <= kVertexReach) refiner->toCrease(x);
+  if (count == 2 && outsideBy(x) > 0.0 && outsideBy(x) < kSlideReach) slideIn(faces, refine ? refiner : nullptr, x);
   const double beyond = outsideBy(x);
   if (beyond <= -kWallGap) {
     out.p = out.inside = x;
     return out;
   }
-  if (count == 2) {
-    out.inside = besideCrease(faces, mean, sum.normalized());
-  } else {
-    for (int i = 0; i < count; ++i) planes[i] = planeAt(faces[i], mean);
-    out.inside = meetPlanesInside(used, mean);
-  }
-  out.inside = clampToCell(out.inside);
-  const double reach = alike(faces, count, kSoftCos) ? kOutsideSlack : kVertexReach;
+  out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
+  if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), out.inside);
+  const double reach = alike(faces, kSoftCos) ? kOutsideSlack : kVertexReach;
   out.outside = beyond <= reach;
   out.p = out.outside ? x : out.inside;
   return out;

@@ -1,19 +1,12 @@
 // Where the surface's vertex lies in a cell, from the exact crossings and normals of one sheet.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
-#include "core/geometry/types.h"
+#include "removal/cell_faces.h"
+#include "removal/exact_faces.h"
 
 namespace proveout {
-
-/// One crossing, in units of the cell (0..1 in every coordinate).
-struct SheetPoint {
-  Vec3 p;
-  Vec3 n;              ///< unit, out of the material
-  std::uint64_t face;  ///< equal for crossings of one smooth surface (motion and element)
-};
 
 /// A vertex in units of the cell.
 struct CellVertex {
@@ -32,6 +25,8 @@ inline constexpr double kVertexReach = 0.75;
 /// with the curvature that their normals show, meet (edges and corners stay sharp). A crease or corner may
 /// clip the cell's edges and yet lie outside it.
 /// Where the tangent planes of one face lean widely and meet in a point, that is its apex.
-CellVertex placeVertex(std::span<const SheetPoint> points);
+/// `exact`, if given and active, is set to the cell: the vertex is then put onto the swept volumes themselves, to
+/// their faces, edges and points, wherever the rules above are not exact.
+CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact = nullptr);
 
 }  // namespace proveout

@@ -17,7 +17,9 @@ proveout_add_library(removal
   level_cut.cpp
   moved_stock.cpp
   cell_cycles.cpp
+  cell_faces.cpp
   cell_vertex.cpp
+  exact_faces.cpp
   quad_volume.cpp
   surface.cpp
   surface_clusters.cpp
@@ -26,7 +28,8 @@ proveout_add_library(removal
   surface_intersections.cpp
   surface_merge.cpp
   surface_quads.cpp
-  surface_splits.cpp)
+  surface_splits.cpp
+  vertex_refiner.cpp)
 target_link_libraries(proveout_removal PUBLIC proveout::core PRIVATE TBB::tbb fmt::fmt ${CMAKE_DL_LIBS})
 
 # One source for every SIMD level, chosen at run time. No option here may change a result: no contraction, no

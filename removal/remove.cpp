@@ -14,9 +14,8 @@
 #include <utility>
 
 #include "core/base/parallel_for.h"
-#include "core/tool/tool_solid.h"
+#include "removal/cut_record.h"
 #include "removal/leaf_crossings.h"
-#include "removal/leaf_cutter.h"
 #include "removal/threads.h"
 
 namespace proveout {
@@ -33,26 +32,6 @@ constexpr double kMostChords = 1e6;
 constexpr double kSameRadiusMm = 1e-7;
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-struct Solids {
-  explicit Solids(const Tool& tool) : solid(makeToolSolid(tool)) {
-    for (const ConvexProfile& p : solid.cutter) add(p, ToolPart::kCutter);
-    for (const ConvexProfile& p : solid.shank) add(p, ToolPart::kShank);
-    for (const ConvexProfile& p : solid.holder) add(p, ToolPart::kHolder);
-  }
-  Solids(const Solids&) = delete;
-
-  struct Part {
-    const ConvexProfile* profile;
-    ColumnSolid columns;
-    ToolPart part;
-  };
-  ToolSolid solid;
-  std::vector<Part> parts;
-
- private:
-  void add(const ConvexProfile& profile, ToolPart part) { parts.push_back({&profile, columnSolid(profile), part}); }
-};
-
 class Remover {
  public:
   Remover(Stock::Impl& impl, const Toolpath& path, const std::vector<Tool>& tools,
@@ -62,10 +41,12 @@ class Remover {
         progress_(progress),
         limit_bytes_(memoryLimit(options)),
         watch_all_(options.watch_all),
+        record_(std::make_shared<CutRecord>()),
+        table_(record_->table),
         removed_(path.motions.size()),
         cutters_([this] { return LeafCutter(impl_, table_); }),
         finders_([this] { return CrossingFinder(impl_, table_); }) {
-    for (const Tool& tool : tools) solids_.try_emplace(tool.number, tool);
+    for (const Tool& tool : tools) record_->tools.try_emplace(tool.number, tool);
   }
 
   Status preparePasses();
@@ -73,7 +54,7 @@ class Remover {
   RemovalSummary summary() const;
 
  private:
-  void addPasses(MotionId id, const Solids::Part& part, bool watched, std::int32_t curve);
+  void addPasses(MotionId id, const ToolParts::Part& part, bool watched, std::int32_t curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
   bool inBlank(const Coord& origin, int size) const;
   void visit(const Coord& origin, int size, const ReachList& passes);
@@ -93,8 +74,8 @@ class Remover {
   Progress& progress_;
   double limit_bytes_;
   bool watch_all_;
-  std::map<int, Solids> solids_;
-  PassTable table_;
+  std::shared_ptr<CutRecord> record_;
+  PassTable& table_;
   std::vector<std::atomic<std::int64_t>> removed_;
   tbb::enumerable_thread_specific<LeafCutter> cutters_;
   tbb::enumerable_thread_specific<CrossingFinder> finders_;
@@ -113,6 +94,13 @@ class Remover {
   std::atomic<bool> over_limit_{false};
 };
 
+bool hasMotions(const Stock::Impl& impl) {
+  return std::any_of(impl.leaves.begin(), impl.leaves.end(), [](const StockLeaf& leaf) {
+    return std::any_of(leaf.crossings.begin(), leaf.crossings.end(),
+                       [](const Crossing& c) { return c.motion != kNoMotion; });
+  });
+}
+
 void addTo(std::atomic<double>& sum, double value) {
   for (double old = sum.load(); !sum.compare_exchange_weak(old, old + value);) {
   }
@@ -128,7 +116,7 @@ bool Remover::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
          std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm && frame.radius_start > kSameRadiusMm;
 }
 
-void Remover::addPasses(MotionId id, const Solids::Part& part, bool watched, std::int32_t curve) {
+void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched, std::int32_t curve) {
   const Motion& m = path_.motions[id];
   Pass pass;
   pass.profile = part.profile;
@@ -168,15 +156,15 @@ Status Remover::preparePasses() {
       return Error{ErrorKind::kInternal,
                    fmt::format("motion {} has a coordinate that is not a finite number", id)};
     }
-    const auto found = solids_.find(m.tool);
-    if (found == solids_.end()) {
+    const auto found = record_->tools.find(m.tool);
+    if (found == record_->tools.end()) {
       const std::string file = m.source.file < path_.files.size() ? path_.files[m.source.file] : "";
       return inputError(fmt::format(
           "{}:{}: tool {} is not described; give it in the job ([[tool]]) or with --tool {}=SHAPE:...", file,
           m.source.line, m.tool, m.tool));
     }
     const bool watched = watch_all_ || m.kind == MotionKind::kRapid || m.spindle == 0.0;
-    for (const Solids::Part& part : found->second.parts) {
+    for (const ToolParts::Part& part : found->second.parts) {
       std::int32_t curve = -1;
       if (m.arc >= 0) {
         curve = static_cast<std::int32_t>(table_.curves.size());
@@ -192,6 +180,9 @@ Status Remover::preparePasses() {
 }
 
 Status Remover::run() {
+  // Motions of another path have the same numbers.
+  const bool cut_before = hasMotions(impl_);
+  impl_.cut = nullptr;
   Coord low, high;
   for (int axis = 0; axis < 3; ++axis) {
     low[axis] =
@@ -219,6 +210,7 @@ Status Remover::run() {
     return found;
   });
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  if (!cut_before) impl_.cut = record_;
   return Done{};
 }
 

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "removal/coord.h"
@@ -74,6 +75,8 @@ void forEachEdge(const LeafEdges& edges, Body&& body) {
 /// `next`: samples of the neighbours along +x, +y, +z.
 LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& next);
 
+struct CutRecord;
+
 struct Stock::Impl {
   double h = 0.0;               ///< grid spacing, mm
   Vec3 origin = Vec3::Zero();   ///< position of voxel (0, 0, 0), mm
@@ -81,6 +84,7 @@ struct Stock::Impl {
   std::vector<StockLeaf> leaves;  ///< sorted by origin
   double initial_volume = 0.0;    ///< mm3
   Box3 blank;
+  std::shared_ptr<const CutRecord> cut;  ///< what made all motions' surfaces; null where that is not known
 
   Vec3 position(const Coord& c) const {
     return {origin.x() + c.x() * h, origin.y() + c.y() * h, origin.z() + c.z() * h};

@@ -16,6 +16,8 @@ constexpr double kPointMoveMm = 1e-9;
 constexpr double kKinkStepMm = 1e-3;
 /// Elements of the profile that meet at more than 10 degrees have a sharp rim between them.
 const double kRimCos = std::cos(degToRad(10.0));
+/// Where the search along a line stops: far below what anybody sees.
+constexpr double kLineToleranceMm = 0.01 * kSweepToleranceMm;
 /// Rounds after which a search gives its best value; a bracketed search on doubles needs fewer.
 constexpr int kMaxLineRounds = 80;
 constexpr int kMaxCurveSpans = 4000;
@@ -152,7 +154,7 @@ double Sweep::refineLevel(double x, double y, double t) const {
   return t;
 }
 
-double Sweep::minimiseLine(const Vec3& p, double cutoff, double& bound) const {
+double Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound) const {
   // Guess: the ball end's closed form; otherwise where the tool's axis is nearest.
   // There the flank's distance is stationary: where the flank is nearest the search ends at once.
   double a = 0.0;
@@ -180,7 +182,7 @@ double Sweep::minimiseLine(const Vec3& p, double cutoff, double& bound) const {
     const double meet = a + (fa.value - fb.value + fb.slope * (b - a)) / (fb.slope - fa.slope);
     bound = fa.value + fa.slope * (meet - a);
     const double best = std::min(fa.value, fb.value);
-    if (best - bound < 0.01 * kSweepToleranceMm || bound > cutoff) break;
+    if (best - bound < tolerance || bound > cutoff) break;
     double t = round % 2 == 0 ? meet : a - fa.slope * (b - a) / (fb.slope - fa.slope);
     const double margin = 1e-3 * (b - a);
     t = std::clamp(t, a + margin, b - margin);
@@ -270,7 +272,7 @@ double Sweep::minimiseCurve(const Vec3& p, double cutoff, double& bound) const {
   return best_t;
 }
 
-double Sweep::minimise(const Vec3& p, double cutoff, double& bound) const {
+double Sweep::minimise(const Vec3& p, double cutoff, double tolerance, double& bound) const {
   switch (kind_) {
     case Kind::kPoint:
       bound = evaluate(p, 0.0).value;
@@ -282,7 +284,7 @@ double Sweep::minimise(const Vec3& p, double cutoff, double& bound) const {
       return t;
     }
     case Kind::kLine:
-      return minimiseLine(p, cutoff, bound);
+      return minimiseLine(p, cutoff, tolerance, bound);
     case Kind::kCurve:
       return minimiseCurve(p, cutoff, bound);
   }
@@ -291,13 +293,19 @@ double Sweep::minimise(const Vec3& p, double cutoff, double& bound) const {
 
 double Sweep::distance(const Vec3& p, double cutoff) const {
   double bound = 0.0;
-  const double t = minimise(p, cutoff, bound);
+  const double t = minimise(p, cutoff, kLineToleranceMm, bound);
   return bound > cutoff ? bound : evaluate(p, t).value;
+}
+
+SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance) const {
+  double bound = 0.0;
+  const At at = evaluate(p, minimise(p, std::numeric_limits<double>::infinity(), tolerance, bound));
+  return {at.value, at.gradient, at.element};
 }
 
 SweepSample Sweep::sample(const Vec3& p) const {
   double bound = 0.0;
-  const double t = minimise(p, std::numeric_limits<double>::infinity(), bound);
+  const double t = minimise(p, std::numeric_limits<double>::infinity(), kLineToleranceMm, bound);
   const At at = evaluate(p, t);
   // Where a sharp rim of the tool leaves the surface, the distance has a kink in time: just before and just
   // after, different elements are nearest. The surface's normal is the mix of both that is at right angles to

@@ -37,6 +37,8 @@ class Sweep {
   /// Distance at `p`. Values above `cutoff` may be returned as any lower bound above `cutoff`.
   double distance(const Vec3& p, double cutoff) const;
   SweepSample sample(const Vec3& p) const;
+  /// The same for a point outside, where the distance has no kinks, to within `tolerance` > 0, mm, on lines; cheaper.
+  SweepSample sampleOutside(const Vec3& p, double tolerance) const;
 
   /// Distances at the `count` points (x, y, z0 + k * dz), each with its own cutoff as in distance().
   void column(double x, double y, double z0, double dz, int count, const double* cutoff, double* out) const;
@@ -58,9 +60,9 @@ class Sweep {
   double levelParameter(double x, double y) const;
   double refineLevel(double x, double y, double t) const;
   /// Parameter of the least value on a line; `bound` receives a proven lower bound of the value.
-  double minimiseLine(const Vec3& p, double cutoff, double& bound) const;
+  double minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound) const;
   double minimiseCurve(const Vec3& p, double cutoff, double& bound) const;
-  double minimise(const Vec3& p, double cutoff, double& bound) const;
+  double minimise(const Vec3& p, double cutoff, double tolerance, double& bound) const;
   void slantedColumn(double x, double y, double z0, double dz, int count, const double* cutoff,
                      double* out) const;
   double horizontalGap(double x, double y) const;

@@ -1,0 +1,41 @@
+// What cut a stock: the solids of its tools and their passes. A stock keeps it until it is cut again or moved, since it
+// tells where the surface is between the crossings.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "core/tool/tool_solid.h"
+#include "removal/leaf_cutter.h"
+
+namespace proveout {
+
+/// The convex parts of one tool.
+struct ToolParts {
+  explicit ToolParts(const Tool& tool) : solid(makeToolSolid(tool)) {
+    for (const ConvexProfile& p : solid.cutter) add(p, ToolPart::kCutter);
+    for (const ConvexProfile& p : solid.shank) add(p, ToolPart::kShank);
+    for (const ConvexProfile& p : solid.holder) add(p, ToolPart::kHolder);
+  }
+  ToolParts(const ToolParts&) = delete;
+
+  struct Part {
+    const ConvexProfile* profile;
+    ColumnSolid columns;
+    ToolPart part;
+  };
+  ToolSolid solid;
+  std::vector<Part> parts;
+
+ private:
+  void add(const ConvexProfile& profile, ToolPart part) {
+    parts.push_back({&profile, columnSolid(profile), part});
+  }
+};
+
+struct CutRecord {
+  std::map<int, ToolParts> tools;
+  PassTable table;  ///< passes in the order of their motions
+};
+
+}  // namespace proveout

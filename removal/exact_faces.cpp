@@ -1,0 +1,70 @@
+#include "removal/exact_faces.h"
+
+#include <algorithm>
+
+namespace proveout {
+
+namespace {
+
+/// Of distances, in cells: a hundredth of a micrometre on a grid of 0.2 mm.
+constexpr double kFootTolerance = 5e-5;
+
+MotionId motionOf(std::uint64_t face) { return static_cast<MotionId>(face >> 16); }
+/// Number of the profile's element, also of the one that a rim belongs to.
+int elementOf(std::uint64_t face) { return static_cast<int>(face & (ConvexProfile::kEdgeIds - 1)); }
+
+bool holds(const ConvexProfile& profile, int element) {
+  return element >= profile.firstElementId() &&
+         element < profile.firstElementId() + ConvexProfile::kMaxElements;
+}
+
+bool isSimple(const Pass& pass, std::uint64_t face) {
+  if ((face & 0xFFFF) >= ConvexProfile::kEdgeIds) return false;
+  const int element = elementOf(face) - pass.profile->firstElementId();
+  if (element >= pass.profile->elementCount()) return false;
+  const ConvexProfile::Element& e = pass.profile->element(element);
+  const bool line = pass.curve < 0, level_arc = pass.columns.kind == ColumnSweep::Kind::kArc;
+  if (e.arc) return e.cr == 0.0 && line;
+  return (e.dr == 0.0 || e.dz == 0.0) && (line || level_arc);
+}
+
+}  // namespace
+
+const Pass* ExactFaces::passOf(std::uint64_t face) const {
+  const MotionId motion = motionOf(face);
+  if (record_ == nullptr || motion == kNoMotion) return nullptr;
+  const std::vector<Pass>& passes = record_->table.passes;
+  auto it = std::lower_bound(passes.begin(), passes.end(), motion,
+                             [](const Pass& pass, MotionId id) { return pass.motion < id; });
+  const int element = elementOf(face);
+  for (; it != passes.end() && it->motion == motion; ++it) {
+    if (it->part == ToolPart::kCutter && holds(*it->profile, element)) return &*it;
+  }
+  return nullptr;
+}
+
+ExactFaces::Source ExactFaces::source(std::uint64_t face) const {
+  const Pass* pass = passOf(face);
+  if (pass == nullptr) return {kNoBody, true};
+  return {pass - record_->table.passes.data(), isSimple(*pass, face)};
+}
+
+const Sweep& ExactFaces::sweepOf(std::int64_t body) {
+  const Pass& pass = record_->table.passes[static_cast<std::size_t>(body)];
+  if (pass.curve >= 0) return record_->table.curves[static_cast<std::size_t>(pass.curve)];
+  for (const Kept& k : kept_) {
+    if (k.body == body) return k.sweep;
+  }
+  if (kept_.size() < kKept) return kept_.emplace_back(Kept{body, pass.lineSweep()}).sweep;
+  Kept& k = kept_[oldest_];
+  oldest_ = (oldest_ + 1) % kKept;
+  k = Kept{body, pass.lineSweep()};
+  return k.sweep;
+}
+
+ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
+  const SweepSample s = sweepOf(body).sampleOutside(corner_ + h_ * q, kFootTolerance * h_);
+  return {q - s.gradient * (s.value / h_), -s.gradient};
+}
+
+}  // namespace proveout

@@ -1,0 +1,56 @@
+// Where the faces of a cut surface are exactly: the swept volumes that made them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "removal/cut_record.h"
+
+namespace proveout {
+
+/// Answers for one cell at a time; one object a thread.
+class ExactFaces {
+ public:
+  /// `record`: null where it is not known what cut the stock; nothing is known then. `h`: grid spacing, mm.
+  ExactFaces(const CutRecord* record, double h) : record_(record), h_(h) {}
+
+  bool active() const { return record_ != nullptr; }
+  /// The cell's lowest corner, mm.
+  void setCell(const Vec3& corner) { corner_ = corner; }
+
+  /// What made a face.
+  struct Source {
+    std::int64_t body;  ///< number of the swept body, equal for faces of one body; kNoBody where no pass made it
+    /// The face is part of a plane, a sphere or a round cylinder, which the crossings and their normals show exactly.
+    /// True for faces that no pass made.
+    bool simple;
+  };
+  static constexpr std::int64_t kNoBody = -1;
+  /// `face`: Crossing::face().
+  Source source(std::uint64_t face) const;
+
+  /// Point of the surface of a body.
+  struct Foot {
+    Vec3 p;       ///< in units of the cell
+    Vec3 normal;  ///< unit, out of the material (into the body)
+  };
+  /// The point of the body nearest to `q` (in units of the cell), which should lie outside of the body: exact there.
+  Foot foot(std::int64_t body, const Vec3& q);
+
+ private:
+  const Pass* passOf(std::uint64_t face) const;
+  const Sweep& sweepOf(std::int64_t body);
+
+  static constexpr std::size_t kKept = 8;
+  struct Kept {
+    std::int64_t body = kNoBody;
+    Sweep sweep;
+  };
+  const CutRecord* record_;
+  double h_;
+  Vec3 corner_ = Vec3::Zero();
+  std::vector<Kept> kept_;  ///< the last sweeps of lines
+  std::size_t oldest_ = 0;
+};
+
+}  // namespace proveout

@@ -1,0 +1,237 @@
+#include "removal/vertex_refiner.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+namespace proveout {
+
+namespace {
+
+/// How far into the material a vertex is looked at from: farther than it is off.
+constexpr double kLookFrom = 0.25;
+/// A vertex is not moved farther than this, and rests when a step is shorter than that: Newton's method leaves the
+/// step's square then.
+constexpr double kMostMoved = 0.35, kRest = 0.01;
+constexpr int kRounds = 8;
+/// The rules on crossings are good to 1e-3 cells for any face whose normals differ by less than this (2 degrees).
+constexpr double kFlatSpread = 0.035;
+/// A vertex at rest is seen on its faces within this.
+constexpr double kSeenAt = 0.03;
+/// A body must face the vertex as the crossings do, to 60 degrees: else it shows another of its faces.
+constexpr double kSameFacing = 0.5;
+/// How far (in radians) faces with several crossings, and with one, may turn up to the vertex.
+constexpr double kSlackTurn = 0.1, kMostTurn = 1.0, kTurnOfOne = 0.5;
+/// A surface that meets the walls at which a vertex lies at less than 3 degrees is not followed along them.
+constexpr double kFlatWall = 0.05;
+/// How far to either side an edge is looked at, and how much less it moves than a smooth surface.
+constexpr double kSideStep = 0.05, kStays = 0.4;
+/// Edges that run along a face, to 12 degrees, have no certain place where they meet it.
+constexpr double kGrazing = 0.2;
+
+/// A face must be seen to turn not much more than between its crossings; else another one of the body is seen.
+double leastFacing(const CellFace& f) {
+  return f.count > 1 ? std::cos(std::min(kMostTurn, kSlackTurn + 2.0 * f.spread)) : std::cos(kTurnOfOne);
+}
+
+}  // namespace
+
+VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces) : exact_(exact), faces_(faces) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const ExactFaces::Source source = exact.source(faces[i].id);
+    const bool flat = faces[i].count > 1 && faces[i].spread < kFlatSpread;
+    body_[i] = source.body;
+    exact_already_ = exact_already_ && (source.simple || flat);
+  }
+}
+
+bool VertexRefiner::needed(bool smooth) const {
+  if (!exact_already_) return true;
+  bool one_element = true, cut = false;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    cut = cut || body_[i] != ExactFaces::kNoBody;
+    one_element = one_element && (faces_[i].id & 0xFFFF) == (faces_[0].id & 0xFFFF);
+  }
+  return cut && !one_element && (smooth || oneBody());
+}
+
+bool VertexRefiner::oneBody() const {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (body_[i] == ExactFaces::kNoBody || body_[i] != body_[0]) return false;
+  }
+  return true;
+}
+
+/// `from`: the normal against which the face is looked at; becomes the one that is seen. `off`: how far the point that
+/// is seen is from `x`.
+bool VertexRefiner::planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off) {
+  off = 0.0;
+  const CellFace& f = faces_[static_cast<std::size_t>(face)];
+  if (body_[face] == ExactFaces::kNoBody) {
+    plane = planeAt(f, x);
+    return true;
+  }
+  const ExactFaces::Foot foot = exact_.foot(body_[face], x - kLookFrom * from);
+  if (foot.normal.dot(f.normal) < leastFacing(f)) return false;
+  from = foot.normal;
+  plane = {foot.normal, foot.normal.dot(foot.p - x)};
+  off = (foot.p - x).norm();
+  return true;
+}
+
+Vec3 VertexRefiner::meanNormal() const {
+  Vec3 n = Vec3::Zero();
+  for (const CellFace& f : faces_) n += f.normal * f.count;
+  return n.normalized();
+}
+
+/// From a point of a face, one looked at against the mean normal is nearer to the edge.
+bool VertexRefiner::ontoBody(Vec3& x) {
+  const Vec3 n = meanNormal();
+  for (int round = 0; round < kRounds; ++round) {
+    // A point or edge may face any way between its faces.
+    const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
+    if (foot.normal.dot(n) <= 0.0) return false;
+    const double step2 = (foot.p - x).squaredNorm();
+    x = foot.p;
+    if (step2 < kRest * kRest) break;
+  }
+  return true;
+}
+
+/// The first of the faces of the one body that shows two, if there is just one other face; or -1.
+int VertexRefiner::bodyWithEdge() const {
+  if (faces_.size() != 3) return -1;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (body_[i] != ExactFaces::kNoBody && body_[i] == body_[j] && body_[k] != body_[i]) return i;
+  }
+  return -1;
+}
+
+/// Where the edge between faces `first` and the next meets the one after.
+bool VertexRefiner::ontoEdge(int first, Vec3& x) {
+  const CellFace &a = faces_[static_cast<std::size_t>(first)], &b = faces_[static_cast<std::size_t>((first + 1) % 3)];
+  const Vec3 n = (a.normal + b.normal).normalized();
+  const Vec3 along = a.normal.cross(b.normal).normalized();
+  const int third = (first + 2) % 3;
+  Vec3 from = faces_[static_cast<std::size_t>(third)].normal;
+  for (int round = 0; round < kRounds; ++round) {
+    const ExactFaces::Foot foot = exact_.foot(body_[first], x - kLookFrom * n);
+    Plane other;
+    double off;
+    if (foot.normal.dot(n) < kSameFacing || !planeNear(third, foot.p, from, other, off)) return false;
+    const double slope = other.n.dot(along);
+    if (std::abs(slope) < kGrazing) return false;
+    const Vec3 next = foot.p + along * (other.d / slope);
+    const double step = (next - x).norm();
+    if (!(step < 1.0)) return false;
+    x = next;
+    if (step < kRest) return off < kSeenAt;
+  }
+  return false;
+}
+
+/// Where faces of different bodies meet: Newton's method on their tangent planes.
+bool VertexRefiner::ontoFaces(Vec3& x) {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (body_[i] != ExactFaces::kNoBody && body_[i] == body_[j]) return false;
+    }
+  }
+  std::array<Plane, 12> planes;
+  std::array<Vec3, 12> from;
+  for (std::size_t i = 0; i < faces_.size(); ++i) from[i] = faces_[i].normal;
+  for (int round = 0; round < kRounds; ++round) {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      double off;
+      if (!planeNear(static_cast<int>(i), x, from[i], planes[i], off)) return false;
+      farthest = std::max(farthest, off);
+    }
+    const Vec3 step = meetPlanes({planes.data(), faces_.size()});
+    if (!(step.squaredNorm() < 1.0)) return false;
+    x += step;
+    // Where a face ends, another part of its body is seen, farther off.
+    if (step.squaredNorm() < kRest * kRest) return farthest < kSeenAt;
+  }
+  return false;
+}
+
+/// Whether the body has an edge or a point at `x`: seen from several places it stays where it is.
+bool VertexRefiner::isSharp(const Vec3& n, const Vec3& across, const Vec3& x) {
+  const ExactFaces::Foot left = exact_.foot(body_[0], x - kLookFrom * n - kSideStep * across),
+                         right = exact_.foot(body_[0], x - kLookFrom * n + kSideStep * across);
+  return (right.p - left.p).norm() < kStays * 2.0 * kSideStep;
+}
+
+bool VertexRefiner::isSmooth(const Vec3& x) {
+  Vec3 at = x;
+  if (!oneBody() || !ontoBody(at)) return false;
+  Vec3 across = Vec3::Zero();  // where the surface turns most
+  for (std::size_t i = 1; i < faces_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec3 turn = faces_[i].normal - faces_[j].normal;
+      if (turn.squaredNorm() > across.squaredNorm()) across = turn;
+    }
+  }
+  return !isSharp(meanNormal(), across.normalized(), at);
+}
+
+void VertexRefiner::toCrease(Vec3& x) {
+  Vec3 at = x;
+  bool rests;
+  if (oneBody()) {
+    rests = ontoBody(at);
+  } else if (const int edge = bodyWithEdge(); edge >= 0) {
+    rests = ontoEdge(edge, at);
+  } else {
+    rests = ontoFaces(at);
+  }
+  if (rests && (at - x).squaredNorm() < kMostMoved * kMostMoved) x = at;
+}
+
+/// The tangent plane of the body that is nearest to the material at `x`: the surface of them all.
+bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Plane& plane) {
+  double least = std::numeric_limits<double>::infinity();
+  const Vec3 from = x - kLookFrom * n;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (body_[i] == ExactFaces::kNoBody) {
+      const Plane p = planeAt(faces_[i], x);
+      if (p.d + kLookFrom < least) {
+        least = p.d + kLookFrom;
+        plane = p;
+      }
+      continue;
+    }
+    bool seen = false;
+    for (std::size_t j = 0; j < i; ++j) seen = seen || body_[j] == body_[i];
+    if (seen) continue;
+    const ExactFaces::Foot foot = exact_.foot(body_[i], from);
+    const double distance = (foot.p - from).dot(foot.normal);
+    if (distance >= least) continue;
+    least = distance;
+    plane = {foot.normal, foot.normal.dot(foot.p - x)};
+  }
+  return plane.n.dot(n) > kSameFacing;
+}
+
+void VertexRefiner::toSurface(const Vec3& n, Vec3& x) {
+  Vec3 at = x;
+  for (int round = 0; round < kRounds; ++round) {
+    Plane plane;
+    if (!nearestPlane(n, at, plane)) return;
+    Vec3 way = plane.n * (plane.d < 0.0 ? -1.0 : 1.0);
+    for (int k = 0; k < 3; ++k) {  // not through the walls that it lies at
+      if ((at[k] <= kWallGap && way[k] < 0.0) || (at[k] >= 1.0 - kWallGap && way[k] > 0.0)) way[k] = 0.0;
+    }
+    if (way.squaredNorm() < kFlatWall * kFlatWall) break;
+    const Vec3 next = clampToCell(at + way * (std::abs(plane.d) / way.squaredNorm()));
+    const double step2 = (next - at).squaredNorm();
+    at = next;
+    if (step2 < kRest * kRest) break;
+  }
+  if ((at - x).squaredNorm() < kMostMoved * kMostMoved) x = at;
+}
+
+}  // namespace proveout

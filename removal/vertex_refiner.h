@@ -1,0 +1,45 @@
+// Puts a vertex onto the swept volumes behind the faces of its cell. Lengths in units of the cell.
+#pragma once
+
+#include <array>
+
+#include "removal/cell_faces.h"
+#include "removal/exact_faces.h"
+
+namespace proveout {
+
+/// For the faces of one cell. A point is looked at from a little inside the material, where the distance to a swept
+/// volume is exact and its nearest point on an edge is on the edge.
+class VertexRefiner {
+ public:
+  /// `exact` is set to the cell.
+  VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces);
+
+  /// Whether crossings and normals do not show the surface exactly. `smooth`: the faces are one smooth surface.
+  bool needed(bool smooth) const;
+
+  /// Whether the faces near `x` are one smooth surface although their normals differ.
+  bool isSmooth(const Vec3& x);
+  /// Moves `x`, near a crease or corner, to it. Leaves it where that finds no rest nearby.
+  void toCrease(Vec3& x);
+  /// Moves `x` in the cell onto the smooth surface, without leaving the cell. `n`: out of the material.
+  void toSurface(const Vec3& n, Vec3& x);
+
+ private:
+  bool oneBody() const;
+  Vec3 meanNormal() const;
+  int bodyWithEdge() const;
+  bool ontoBody(Vec3& x);
+  bool ontoEdge(int first, Vec3& x);
+  bool ontoFaces(Vec3& x);
+  bool planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off);
+  bool isSharp(const Vec3& n, const Vec3& across, const Vec3& x);
+  bool nearestPlane(const Vec3& n, const Vec3& x, Plane& plane);
+
+  ExactFaces& exact_;
+  std::span<const CellFace> faces_;
+  std::array<std::int64_t, 12> body_;
+  bool exact_already_ = true;  ///< crossings and normals show all faces exactly, each for itself
+};
+
+}  // namespace proveout
