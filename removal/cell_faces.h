@@ -19,8 +19,8 @@ struct SheetPoint {
 
 /// Crossings of one swept face that look the same way.
 struct CellFace {
-  std::uint64_t id;   ///< SheetPoint::face
-  Vec3 first;  ///< normal of its first crossing
+  std::uint64_t id;  ///< SheetPoint::face
+  Vec3 first;        ///< normal of its first crossing
   Vec3 point, normal;
   int count;          ///< of its crossings
   double same_cos;    ///< see collectFaces
@@ -36,8 +36,8 @@ struct Plane {
   double d;  ///< n * (x - m) = d on it
 };
 
-/// Sorts the crossings into faces; returns how many. Crossings of one SheetPoint::face whose normals differ by more
-/// than the angle of `same_cos` belong to different ones. Curvatures are not found yet.
+/// Sorts the crossings into faces; returns how many. Crossings of one SheetPoint::face whose normals differ
+/// by more than the angle of `same_cos` belong to different ones. Curvatures are not found yet.
 int collectFaces(std::span<const SheetPoint> points, double same_cos, Faces& faces);
 /// Crossings of one face differ by less than 60 degrees.
 inline constexpr double kSameFaceCos = 0.5;
@@ -48,7 +48,8 @@ double heightAbove(std::span<const SheetPoint> points, const Vec3& m, const Vec3
 /// The plane that touches the face's quadratic surface above `x`, near `x`.
 Plane planeAt(const CellFace& face, const Vec3& x);
 
-/// The smallest step that minimises the distances to planes near one point, using directions in which they fix it.
+/// The smallest step that minimises the distances to planes near one point, using directions in which they
+/// fix it.
 Vec3 meetAny(std::span<const Plane> planes);
 /// The same, by closed form where two or three planes meet well.
 Vec3 meetPlanes(std::span<const Plane> planes);

@@ -122,10 +122,16 @@ CellVertex smoothVertex(std::span<const SheetPoint> points, const Vec3& mean, co
     return out;
   }
   const Vec3 n = sum / length;
-  const Vec3 p = mean - n * heightAbove(points, mean, n, nullptr);
-  out.p = out.inside = clampToCell(p);
-  if (refiner != nullptr && refiner->needed(true)) refiner->toSurface(n, out.p);
+  out.p = out.inside = clampToCell(mean - n * heightAbove(points, mean, n, nullptr));
+  if (refiner == nullptr || !refiner->needed(true)) return out;
+  if (refiner->toSurface(n, 0.0, out.p)) {
+    out.inside = out.p;
+    return out;
+  }
+  // The surface bows out of the cell between its crossings.
   out.inside = out.p;
+  out.outside = refiner->toSurface(n, kOutsideSlack, out.p);
+  if (!out.outside) out.p = out.inside;
   return out;
 }
 
@@ -174,7 +180,8 @@ Vec3 nearestToCell(const Vec3& x, const Vec3& u) {
     low = std::max(low, std::min(a, b));
     high = std::min(high, std::max(a, b));
   }
-  if (low <= high && outsideBy(x + u * (0.5 * (low + high))) <= 0.0) return x + u * std::clamp(0.0, low, high);
+  if (low <= high && outsideBy(x + u * (0.5 * (low + high))) <= 0.0)
+    return x + u * std::clamp(0.0, low, high);
   // Where the line runs along the cell, the place nearest to `x`.
   const auto away2 = [&](double s) {
     return (x + s * u - clampToCell(x + s * u)).squaredNorm() + kNearness * s * s;
@@ -208,7 +215,8 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   mean /= static_cast<double>(points.size());
   Faces all;
   // Where the bodies are known, they tell whether one face bends or breaks.
-  const bool one_face = std::all_of(points.begin(), points.end(), [&](auto& s) { return s.face == points[0].face; });
+  const bool one_face =
+      std::all_of(points.begin(), points.end(), [&](auto& s) { return s.face == points[0].face; });
   const bool known = exact != nullptr && exact->active();
   const int count = collectFaces(points, known && one_face ? kBentCos : kSameFaceCos, all);
   const std::span<CellFace> faces(all.data(), static_cast<std::size_t>(count));
@@ -222,7 +230,7 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
     const Vec3 kept = clampToCell(out.p);
     const int walls = static_cast<int>((kept.array() != out.p.array()).count());
     out.outside = walls == 1;
-    out.inside = walls == 0 ? out.p : smoothVertex(points, mean, sum, refiner).p;
+    out.inside = walls == 0 ? out.p : smoothVertex(points, mean, sum, refiner).inside;
     if (walls > 1) out.p = out.inside;
     return out;
   }
@@ -232,14 +240,15 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   const bool refine = refiner != nullptr && refiner->needed(false);
   if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
   if (refine && outsideBy(x) <= kVertexReach) refiner->toCrease(x);
-  if (count == 2 && outsideBy(x) > 0.0 && outsideBy(x) < kSlideReach) slideIn(faces, refine ? refiner : nullptr, x);
+  if (count == 2 && outsideBy(x) > 0.0 && outsideBy(x) < kSlideReach)
+    slideIn(faces, refine ? refiner : nullptr, x);
   const double beyond = outsideBy(x);
   if (beyond <= -kWallGap) {
     out.p = out.inside = x;
     return out;
   }
   out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
-  if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), out.inside);
+  if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
   const double reach = alike(faces, kSoftCos) ? kOutsideSlack : kVertexReach;
   out.outside = beyond <= reach;
   out.p = out.outside ? x : out.inside;

@@ -25,8 +25,8 @@ inline constexpr double kVertexReach = 0.75;
 /// with the curvature that their normals show, meet (edges and corners stay sharp). A crease or corner may
 /// clip the cell's edges and yet lie outside it.
 /// Where the tangent planes of one face lean widely and meet in a point, that is its apex.
-/// `exact`, if given and active, is set to the cell: the vertex is then put onto the swept volumes themselves, to
-/// their faces, edges and points, wherever the rules above are not exact.
+/// `exact`, if given and active, is set to the cell: the vertex is then put onto the swept volumes
+/// themselves, to their faces, edges and points, wherever the rules above are not exact.
 CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact = nullptr);
 
 }  // namespace proveout

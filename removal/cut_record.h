@@ -1,5 +1,5 @@
-// What cut a stock: the solids of its tools and their passes. A stock keeps it until it is cut again or moved, since it
-// tells where the surface is between the crossings.
+// What cut a stock: the solids of its tools and their passes. A stock keeps it until it is cut again or
+// moved, since it tells where the surface is between the crossings.
 #pragma once
 
 #include <map>

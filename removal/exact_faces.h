@@ -20,9 +20,10 @@ class ExactFaces {
 
   /// What made a face.
   struct Source {
-    std::int64_t body;  ///< number of the swept body, equal for faces of one body; kNoBody where no pass made it
-    /// The face is part of a plane, a sphere or a round cylinder, which the crossings and their normals show exactly.
-    /// True for faces that no pass made.
+    std::int64_t
+        body;  ///< number of the swept body, equal for faces of one body; kNoBody where no pass made it
+    /// The face is part of a plane, a sphere or a round cylinder, which the crossings and their normals show
+    /// exactly. True for faces that no pass made.
     bool simple;
   };
   static constexpr std::int64_t kNoBody = -1;
@@ -34,7 +35,8 @@ class ExactFaces {
     Vec3 p;       ///< in units of the cell
     Vec3 normal;  ///< unit, out of the material (into the body)
   };
-  /// The point of the body nearest to `q` (in units of the cell), which should lie outside of the body: exact there.
+  /// The point of the body nearest to `q` (in units of the cell), which should lie outside of the body: exact
+  /// there.
   Foot foot(std::int64_t body, const Vec3& q);
 
  private:

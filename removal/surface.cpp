@@ -28,6 +28,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// patches leaves the surface as much as each patch leaves its plane, and normals turn in between.
 constexpr double kFlatnessShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
+/// Quads are made finer where their crossing is off by half the tolerance, or by this part of the grid spacing.
+constexpr double kFanHeight = 0.005;
 /// Rounds of taking merged cells apart where they spoil the mesh, before all merging is given up.
 constexpr int kRepairRounds = 12;
 /// Rounds of changing the surface where it runs through itself; what is left then is counted.
@@ -60,7 +62,8 @@ class Extractor {
   Extractor(const Stock::Impl& impl, double simplify_mm)
       : impl_(impl),
         grid_(impl, kFlatnessShare * simplify_mm / impl.h),
-        merger_(grid_, kFlatnessShare * simplify_mm / impl.h) {}
+        merger_(grid_, kFlatnessShare * simplify_mm / impl.h),
+        fan_height_(std::max(kFanHeight, 0.5 * simplify_mm / impl.h)) {}
 
   Result<StockSurface> run(Progress& progress);
 
@@ -71,6 +74,7 @@ class Extractor {
   void measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const;
   void countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, const std::array<int, 4>& at,
                  LeafOutput& out) const;
+  bool isFan(const Quad& quad) const;
   void countLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const;
   void numberVertices();
   void writeVertices(const SurfaceLeaf& leaf, const LeafOutput& out, TriMesh& mesh);
@@ -93,6 +97,7 @@ class Extractor {
   const Stock::Impl& impl_;
   SurfaceGrid grid_;
   VertexMerger merger_;
+  double fan_height_;  ///< see isFan; grid steps
   std::vector<LeafOutput> outputs_;
   std::unique_ptr<std::uint32_t[]> number_;  ///< a cell whose vertex stands for itself: its place in the mesh
   std::uint32_t cells_kept_ = 0;
@@ -130,10 +135,16 @@ Polygon Extractor::polygon(const std::array<std::uint32_t, 4>& v) const {
   return out;
 }
 
+/// Whether the quad is made of four triangles around its crossing, to keep to the tolerance.
+bool Extractor::isFan(const Quad& quad) const {
+  if (!bulges(quad, fan_height_)) return false;
+  return std::none_of(quad.v.begin(), quad.v.end(), [&](std::uint32_t v) { return merger_.merged(v); });
+}
+
 /// Counts the triangles of the quad at `at` (axis, x, y, z), or keeps it to be split.
 void Extractor::countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c,
                           const std::array<int, 4>& at, LeafOutput& out) const {
-  if (quad.split != 0) {
+  if (quad.split != 0 || isFan(quad)) {
     out.split.push_back(splitQuad(grid_, leaf, at[0], at[1], at[2], at[3], quad, c));
   } else if (const int corners = polygon(quad.v).count; corners > 0) {
     out.triangles += static_cast<std::uint32_t>(corners - 2);
@@ -223,7 +234,7 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
   Quad quad;
   forEachCrossing(leaf, [&](int axis, int x, int y, int z, const Crossing& c) {
     reader.read(axis, x, y, z, c, quad);
-    if (quad.split != 0) return;
+    if (quad.split != 0 || isFan(quad)) return;
     const Polygon poly = polygon(quad.v);
     if (poly.count == 0) return;
     std::array<std::uint32_t, 4> v;
@@ -246,8 +257,7 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
       agreement = quad.normal.dot(area) / (area.norm() + 1e-300);
       put(v[0], v[1], v[2]);
     } else {
-      const bool smooth = !merged && (quad.all_traits & CellTraits::kSmooth) != 0;
-      const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, smooth);
+      const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, merged ? 0u : quad.smooth_corners);
       const auto facing = [&](int a, int b, int d) {
         const Vec3 area = (quad.p[b] - quad.p[a]).cross(quad.p[d] - quad.p[a]);
         return quad.normal.dot(area) / (area.norm() + 1e-300);

@@ -17,6 +17,8 @@ namespace {
 constexpr double kFolded = 0.3;
 constexpr double kFoldedAtCrease = -0.3;
 constexpr double kOffPlane = 0.15;
+/// Where a diagonal runs along a crease the surface may turn up to 134 degrees there.
+constexpr double kFoldedOverCrease = -0.7;
 /// Diagonals whose middles are off the tangent plane alike, by this part of their length.
 constexpr double kAlikeOff = 1e-3;
 constexpr int kUnfoldRounds = 8;
@@ -25,7 +27,8 @@ constexpr std::uint64_t kColumnX7 = 0xFFull << 56, kColumnY7 = 0x808080808080808
 
 }  // namespace
 
-QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal, bool smooth) {
+QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal, unsigned smooth_corners) {
+  const bool smooth = smooth_corners == 0xF;
   std::array<double, 4> up;
   for (int i = 0; i < 4; ++i) up[i] = normal.dot(p[i] - middle);
   const double off02 = std::abs(up[0] + up[2]), off13 = std::abs(up[1] + up[3]);
@@ -33,7 +36,7 @@ QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& no
   const double alike = kAlikeOff * std::sqrt(std::max(length02, length13));
   const bool prefer02 = std::abs(off02 - off13) > alike ? off02 < off13 : length02 <= length13;
   // How far each triangle is from being folded: its facing over what its slope allows.
-  const auto margin = [&](int a, int b, int c) {
+  const auto margin = [&](int a, int b, int c, bool over_crease) {
     const Vec3 area = (p[b] - p[a]).cross(p[c] - p[a]);
     const double facing = normal.dot(area);
     if (smooth) return facing > 0.0 ? 1.0 : -1.0;
@@ -41,15 +44,38 @@ QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& no
     if (length <= 0.0) return -1.0;
     const double size2 = std::max((p[b] - p[a]).squaredNorm(), (p[c] - p[b]).squaredNorm());
     const double high = std::max({std::abs(up[a]), std::abs(up[b]), std::abs(up[c])});
+    if (over_crease) return facing / length - kFoldedOverCrease;
     return facing / length - (high * high > kOffPlane * kOffPlane * size2 ? kFoldedAtCrease : kFolded);
   };
   const auto cut = [&](bool at02) {
-    return at02 ? std::min(margin(0, 1, 2), margin(0, 2, 3)) : std::min(margin(0, 1, 3), margin(1, 2, 3));
+    const bool crease = smooth_corners == (at02 ? 0xAu : 0x5u);
+    return at02 ? std::min(margin(0, 1, 2, crease), margin(0, 2, 3, crease))
+                : std::min(margin(0, 1, 3, crease), margin(1, 2, 3, crease));
   };
   const double preferred = cut(prefer02);
   if (preferred > 0.0) return {prefer02, preferred};
   const double other = cut(!prefer02);
   return other > preferred ? QuadCut{!prefer02, other} : QuadCut{prefer02, preferred};
+}
+
+bool bulges(const Quad& quad, double limit) {
+  std::array<Vec3, 4> d;
+  double highest = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    d[i] = quad.p[i] - quad.middle;
+    highest = std::max(highest, std::abs(quad.normal.dot(d[i])));
+  }
+  // Opposite corners on a crease are joined.
+  if (highest <= limit || (~quad.smooth_corners & 0x5) == 0x5 || (~quad.smooth_corners & 0xA) == 0xA) return false;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 area = d[i].cross(d[(i + 1) % 4]);
+    if (quad.normal.dot(area) <= kFolded * area.norm()) return false;
+  }
+  const int first = cutQuad(quad.p, quad.middle, quad.normal, quad.smooth_corners).at02 ? 0 : 1;
+  const Vec3 &a = d[first], &b = d[first + 2];
+  const Vec3& third = quad.normal.dot(a.cross(b)) > 0.0 ? d[(first + 3) % 4] : d[first + 1];  // on the crossing's side
+  const Vec3 n = (b - a).cross(third - a);
+  return std::abs(n.dot(a)) > limit * n.norm();
 }
 
 void QuadReader::add(const SurfaceLeaf& leaf, int place) {
@@ -85,11 +111,13 @@ bool QuadReader::corners(int axis, int x, int y, int z, Quad& quad) const {
   const std::array<int, 4> cell = {at - u - v, at - v, at, at - u};
   quad.traits = 0;
   quad.all_traits = 0xFFFF;
+  quad.smooth_corners = 0;
   for (int i = 0; i < 4; ++i) {
     quad.v[i] = number_[cell[i]];
     if (quad.v[i] == kNoCell) return false;
     quad.traits |= traits_[cell[i]];
     quad.all_traits &= traits_[cell[i]];
+    if (traits_[cell[i]] & CellTraits::kSmooth) quad.smooth_corners |= static_cast<std::uint8_t>(1 << i);
   }
   return true;
 }
@@ -110,6 +138,8 @@ bool QuadReader::read(int axis, int x, int y, int z, const Crossing& c, Quad& qu
     std::swap(quad.v[1], quad.v[2]);
     std::swap(quad.p[0], quad.p[3]);
     std::swap(quad.p[1], quad.p[2]);
+    const unsigned s = quad.smooth_corners;
+    quad.smooth_corners = static_cast<std::uint8_t>(s >> 3 | (s >> 1 & 2) | (s << 1 & 4) | (s << 3 & 8));
   }
   quad.middle = Vec3(x, y, z);
   quad.middle[axis] += c.t;
@@ -201,7 +231,7 @@ std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const Surfac
     if (!reader.corners(axis, x, y, z, quad) || !(quad.traits & CellTraits::kOutside)) return;
     const Crossing& c = leaf.stock->crossings[static_cast<std::size_t>(leaf.edges.indexOf(axis, x, y, z))];
     reader.read(axis, x, y, z, c, quad);
-    if (cutQuad(quad.p, quad.middle, quad.normal, false).margin > 0.0) return;
+    if (cutQuad(quad.p, quad.middle, quad.normal, quad.smooth_corners == 0xF ? 0u : quad.smooth_corners).margin > 0.0) return;
     for (const std::uint32_t v : quad.v) {
       if (v < grid.cellCount() && (grid.traits(v) & CellTraits::kOutside) != 0) folding.push_back(v);
     }

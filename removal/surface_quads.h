@@ -16,6 +16,7 @@ struct Quad {
   Vec3 normal;               ///< there, unit to 1e-4
   std::uint16_t traits;      ///< of its cells, one or the other
   std::uint16_t all_traits;  ///< common to its cells
+  std::uint8_t smooth_corners;  ///< see cutQuad
   std::uint8_t split;        ///< bit i: the face between corners i and i + 1 gets a vertex of its own
 };
 
@@ -25,8 +26,13 @@ struct QuadCut {
   double margin = 1.0;  ///< of the worse triangle; above 0: not folded
 };
 /// The diagonal whose middle is nearer to the tangent plane at the crossing, so that creases are followed and
-/// walls not cut; alike: the shorter one. The other one where it folds less. `smooth`: one smooth surface.
-QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal, bool smooth);
+/// walls not cut; alike: the shorter one. The other one where it folds less. `smooth_corners`: bit i: no crease
+/// runs through the cell of corner i.
+QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal, unsigned smooth_corners);
+
+/// Whether the crossing lies off the quad's two triangles by more than `limit`, so that four triangles around it are
+/// closer to the surface. Not where a crease runs along the diagonal, or a triangle would fold.
+bool bulges(const Quad& quad, double limit);
 
 /// Reads the quads of one leaf at a time.
 class QuadReader {

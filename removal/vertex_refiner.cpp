@@ -10,12 +10,13 @@ namespace {
 
 /// How far into the material a vertex is looked at from: farther than it is off.
 constexpr double kLookFrom = 0.25;
-/// A vertex is not moved farther than this, and rests when a step is shorter than that: Newton's method leaves the
-/// step's square then.
+/// A vertex is not moved farther than this, and rests when a step is shorter than that: Newton's method
+/// leaves the step's square then.
 constexpr double kMostMoved = 0.35, kRest = 0.01;
 constexpr int kRounds = 8;
-/// The rules on crossings are good to 1e-3 cells for any face whose normals differ by less than this (2 degrees).
-constexpr double kFlatSpread = 0.035;
+/// The rules on crossings are good to 2e-3 cells for any face whose normals differ by less than this (1
+/// degree).
+constexpr double kFlatSpread = 0.02;
 /// A vertex at rest is seen on its faces within this.
 constexpr double kSeenAt = 0.03;
 /// A body must face the vertex as the crossings do, to 60 degrees: else it shows another of its faces.
@@ -24,19 +25,23 @@ constexpr double kSameFacing = 0.5;
 constexpr double kSlackTurn = 0.1, kMostTurn = 1.0, kTurnOfOne = 0.5;
 /// A surface that meets the walls at which a vertex lies at less than 3 degrees is not followed along them.
 constexpr double kFlatWall = 0.05;
+/// A vertex this near is on the surface.
+constexpr double kOnSurface = 1e-3;
 /// How far to either side an edge is looked at, and how much less it moves than a smooth surface.
 constexpr double kSideStep = 0.05, kStays = 0.4;
 /// Edges that run along a face, to 12 degrees, have no certain place where they meet it.
 constexpr double kGrazing = 0.2;
 
-/// A face must be seen to turn not much more than between its crossings; else another one of the body is seen.
+/// A face must be seen to turn not much more than between its crossings; else another one of the body is
+/// seen.
 double leastFacing(const CellFace& f) {
   return f.count > 1 ? std::cos(std::min(kMostTurn, kSlackTurn + 2.0 * f.spread)) : std::cos(kTurnOfOne);
 }
 
 }  // namespace
 
-VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces) : exact_(exact), faces_(faces) {
+VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
+    : exact_(exact), faces_(faces) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const ExactFaces::Source source = exact.source(faces[i].id);
     const bool flat = faces[i].count > 1 && faces[i].spread < kFlatSpread;
@@ -62,8 +67,8 @@ bool VertexRefiner::oneBody() const {
   return true;
 }
 
-/// `from`: the normal against which the face is looked at; becomes the one that is seen. `off`: how far the point that
-/// is seen is from `x`.
+/// `from`: the normal against which the face is looked at; becomes the one that is seen. `off`: how far the
+/// point that is seen is from `x`.
 bool VertexRefiner::planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off) {
   off = 0.0;
   const CellFace& f = faces_[static_cast<std::size_t>(face)];
@@ -111,7 +116,8 @@ int VertexRefiner::bodyWithEdge() const {
 
 /// Where the edge between faces `first` and the next meets the one after.
 bool VertexRefiner::ontoEdge(int first, Vec3& x) {
-  const CellFace &a = faces_[static_cast<std::size_t>(first)], &b = faces_[static_cast<std::size_t>((first + 1) % 3)];
+  const CellFace &a = faces_[static_cast<std::size_t>(first)],
+                 &b = faces_[static_cast<std::size_t>((first + 1) % 3)];
   const Vec3 n = (a.normal + b.normal).normalized();
   const Vec3 along = a.normal.cross(b.normal).normalized();
   const int third = (first + 2) % 3;
@@ -216,22 +222,28 @@ bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Plane& plane) {
   return plane.n.dot(n) > kSameFacing;
 }
 
-void VertexRefiner::toSurface(const Vec3& n, Vec3& x) {
+bool VertexRefiner::toSurface(const Vec3& n, double beyond, Vec3& x) {
+  const double low = kWallGap - beyond, high = 1.0 - kWallGap + beyond;
   Vec3 at = x;
+  Plane plane;
   for (int round = 0; round < kRounds; ++round) {
-    Plane plane;
-    if (!nearestPlane(n, at, plane)) return;
+    if (!nearestPlane(n, at, plane)) return false;
     Vec3 way = plane.n * (plane.d < 0.0 ? -1.0 : 1.0);
     for (int k = 0; k < 3; ++k) {  // not through the walls that it lies at
-      if ((at[k] <= kWallGap && way[k] < 0.0) || (at[k] >= 1.0 - kWallGap && way[k] > 0.0)) way[k] = 0.0;
+      if ((at[k] <= low && way[k] < 0.0) || (at[k] >= high && way[k] > 0.0)) way[k] = 0.0;
     }
     if (way.squaredNorm() < kFlatWall * kFlatWall) break;
-    const Vec3 next = clampToCell(at + way * (std::abs(plane.d) / way.squaredNorm()));
+    const Vec3 next = (at + way * (std::abs(plane.d) / way.squaredNorm()))
+                          .cwiseMax(Vec3::Constant(low))
+                          .cwiseMin(Vec3::Constant(high));
     const double step2 = (next - at).squaredNorm();
     at = next;
     if (step2 < kRest * kRest) break;
   }
-  if ((at - x).squaredNorm() < kMostMoved * kMostMoved) x = at;
+  if ((at - x).squaredNorm() >= kMostMoved * kMostMoved) return false;
+  x = at;
+  const bool held = at.minCoeff() <= low || at.maxCoeff() >= high;
+  return !held || (nearestPlane(n, at, plane) && std::abs(plane.d) < kOnSurface);
 }
 
 }  // namespace proveout

@@ -8,22 +8,24 @@
 
 namespace proveout {
 
-/// For the faces of one cell. A point is looked at from a little inside the material, where the distance to a swept
-/// volume is exact and its nearest point on an edge is on the edge.
+/// For the faces of one cell. A point is looked at from a little inside the material, where the distance to a
+/// swept volume is exact and its nearest point on an edge is on the edge.
 class VertexRefiner {
  public:
   /// `exact` is set to the cell.
   VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces);
 
-  /// Whether crossings and normals do not show the surface exactly. `smooth`: the faces are one smooth surface.
+  /// Whether crossings and normals do not show the surface exactly. `smooth`: the faces are one smooth
+  /// surface.
   bool needed(bool smooth) const;
 
   /// Whether the faces near `x` are one smooth surface although their normals differ.
   bool isSmooth(const Vec3& x);
   /// Moves `x`, near a crease or corner, to it. Leaves it where that finds no rest nearby.
   void toCrease(Vec3& x);
-  /// Moves `x` in the cell onto the smooth surface, without leaving the cell. `n`: out of the material.
-  void toSurface(const Vec3& n, Vec3& x);
+  /// Moves `x` in the cell onto the smooth surface, without leaving the cell by more than `beyond`. `n`: out
+  /// of the material. False if it is not on the surface then.
+  bool toSurface(const Vec3& n, double beyond, Vec3& x);
 
  private:
   bool oneBody() const;
