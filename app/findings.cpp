@@ -14,6 +14,9 @@ using report_text::figure;
 /// Share of the blank below which nothing was cut: rounding of the volume sums stays far under it.
 constexpr double kNothingCut = 1e-9;
 
+/// A cut that is this many grid steps wide holds a sample wherever it runs: more than the diagonal of a square.
+constexpr double kCellsInAWidth = 1.5;
+
 std::string_view contactText(ContactKind kind) {
   switch (kind) {
     case ContactKind::kRapid:
@@ -167,7 +170,7 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
 }
 
 void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,
-                     std::vector<Finding>& findings) {
+                     const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
   Finding finding;
   finding.kind = "thin_feature";
   finding.severity = Severity::kWarning;
@@ -179,6 +182,17 @@ void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface,
         "resolution",
         removal.lost_film_mm2, resolution_mm);
     findings.push_back(finding);
+  }
+  for (const NarrowCut& cut : removal.narrow_cuts) {
+    Finding narrow = finding;
+    narrow.where = cut.where;
+    narrow.area_mm2 = cut.area_mm2;
+    blame(narrow, cut.motion, path, texts);
+    narrow.message = fmt::format(
+        "cuts {:.2g} mm wide, over {:.3g} mm of path, pass between the samples of the grid of {:g} mm and are not in the "
+        "mesh; --resolution {:.2g} could hold them",
+        cut.width_mm, cut.length_mm, resolution_mm, cut.width_mm / kCellsInAWidth);
+    findings.push_back(std::move(narrow));
   }
   if (surface.thin_cells > 0) {
     finding.where = surface.first_thin_cell;

@@ -37,6 +37,7 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
 /// Walls and films thinner than the grid can hold: what it lost, and where sheets of the surface share a cell
 /// (warnings).
 void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,
+                     const Toolpath& path, const RecordingSource& texts,
                      std::vector<Finding>& findings);
 
 /// A run that was told to stop early: what follows was not looked at (a warning).

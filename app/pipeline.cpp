@@ -220,7 +220,7 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
       addContacts(setup.removal.contacts, setup.interpreted.path, *sources[k], findings);
       findings.insert(findings.end(), touched.begin(), touched.end());
       addOutcome(setup.initial_mm3, setup.surface.volume_mm3, setup.bodies, findings);
-      addThinFeatures(setup.removal, setup.surface, run.resolution_mm, findings);
+      addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, *sources[k], findings);
       addPartial(setup.interpreted.summary.end, setup.job.settings, findings);
     });
     if (setup.surface.mesh.triangles.empty()) {

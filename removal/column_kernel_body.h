@@ -244,6 +244,7 @@ inline double lowerTops(proveout::LeafColumns& leaf, int first) {
   for (int c = 0; c < kQuarter; ++c) deep += below[c];
   double total = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
   if (deep > 0.0) {  // cut out below the top: whole voxels
+    leaf.undercut = true;
     for (int c = 0; c < kQuarter; ++c) {
       const unsigned cut = leaf.covered[first + c] & leaf.material[first + c];
       if (below[c] > 0.0) total += leaf.h * __builtin_popcount(cut);

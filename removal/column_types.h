@@ -67,6 +67,7 @@ struct LeafColumns {
   unsigned char covered[64];   ///< samples that the last pass covers
   double lo[64], hi[64];       ///< of the last pass
   int layers;                  ///< layers up to the highest with material
+  bool undercut;               ///< a pass covered a part of a column below its top
 };
 
 /// For one quarter: finds lo, hi and covered; lowers the tops to lo where the pass covers them; returns the sum of

@@ -14,6 +14,8 @@ proveout_add_library(removal
   leaf_index.cpp
   leaf_cutter.cpp
   leaf_crossings.cpp
+  narrow_cuts.cpp
+  thin_walls.cpp
   level_cut.cpp
   moved_stock.cpp
   cell_cycles.cpp

@@ -14,8 +14,26 @@ LeafChange readLeaf(const LeafReader& reader, const Coord& origin) {
   LeafChange change;
   change.origin = origin;
   change.material = reader.bits(origin);
+  change.first_before = change.material[0] & 1;
   if (const StockLeaf* leaf = reader.leaf(origin)) change.before = reader.edges(*leaf);
   return change;
+}
+
+LeafBits samplesBefore(const LeafChange& change) {
+  const std::array<LeafBits, 3>& crossed = change.before.crossed;
+  // A sample is on the other side than the one before it where the edge between them is crossed.
+  std::uint64_t row = change.first_before, layer = 0;
+  for (int y = 0; y < 7; ++y) row |= ((row ^ crossed[1][0]) >> y & 1) << (y + 1);
+  for (int x = 0; x < 8; ++x) {
+    layer |= row << 8 * x;
+    row ^= crossed[0][0] >> 8 * x & 0xFF;
+  }
+  LeafBits out;
+  for (int z = 0; z < 8; ++z) {
+    out[z] = layer;
+    layer ^= crossed[2][z];
+  }
+  return out;
 }
 
 void commitChanges(Stock::Impl& impl, std::vector<LeafChange>& changes, const FindCrossings& find) {

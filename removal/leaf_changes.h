@@ -10,14 +10,22 @@
 
 namespace proveout {
 
+inline constexpr std::uint32_t kNoPass = 0xFFFFFFFFu;
+
 struct LeafChange {
   Coord origin;
   LeafBits material{};              ///< new samples
   LeafEdges before;                 ///< crossed edges until now
+  bool first_before = false;        ///< the first sample until now
+  /// The pass that took most and the last that took something; kNoPass where none did.
+  std::array<std::uint32_t, 2> takers{kNoPass, kNoPass};
 };
 
 /// Reads what a leaf is now: a change with equal samples.
 LeafChange readLeaf(const LeafReader& reader, const Coord& origin);
+
+/// Samples until now.
+LeafBits samplesBefore(const LeafChange& change);
 
 /// Writes the changes into the stock. `changes` must hold, once, every leaf of whose 9x9x9 block a sample changes.
 /// `find(i, edges, before)` is called in parallel for every changed leaf and returns the crossings of `edges` in

@@ -71,7 +71,7 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   return out;
 }
 
-CrossingFinder::LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edges,
+LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edges,
                                                   const std::vector<Crossing>& before,
                                                   std::span<const Reach> list) {
   x_.clear();

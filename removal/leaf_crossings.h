@@ -11,6 +11,12 @@
 
 namespace proveout {
 
+/// Material that the grid loses in a leaf.
+struct LostFilm {
+  int edges = 0;              ///< grid edges that run through it
+  Vec3 where = Vec3::Zero();  ///< on the first of them, mm
+};
+
 /// Finds crossings; one object a thread, used again and again.
 class CrossingFinder {
  public:
@@ -24,10 +30,6 @@ class CrossingFinder {
 
   /// Material that the grid loses: edges whose old crossing is gone although no pass in `list` took the material next
   /// to it. What is left there is thinner than a cell.
-  struct LostFilm {
-    int edges = 0;
-    Vec3 where = Vec3::Zero();  ///< on the first of them, mm
-  };
   LostFilm findLost(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before,
                     std::span<const Reach> list);
 

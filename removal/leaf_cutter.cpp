@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace proveout {
 
@@ -52,6 +53,7 @@ void LeafCutter::cut(LeafChange& change, std::span<const Reach> list) {
     if (columns_.layers == 0) break;
   }
   columnsToLayers(columns_.material, change.material);
+  change.takers = takers_;
 }
 
 void LeafCutter::start(const LeafChange& change) {
@@ -68,6 +70,11 @@ void LeafCutter::start(const LeafChange& change) {
   }
   if (l.layers == 0) return;
   layersToColumns(change.material, l.material);
+  std::memcpy(initial_.data(), l.material, sizeof(initial_));
+  joined_x_ = joined_y_ = {};
+  l.undercut = false;
+  takers_ = {kNoPass, kNoPass};
+  most_sunk_ = 0.0;
   for (int i = 0; i < 8; ++i) {
     const Vec3 at = impl_.position(origin_.offsetBy(i, i, 0));
     for (int k = 0; k < 8; ++k) {
@@ -84,6 +91,53 @@ void LeafCutter::start(const LeafChange& change) {
     quarters_.z_low[q] = l.z[0];
     setQuarterTop(q);
   }
+}
+
+/// Of each column and the next along x and y: what both have.
+void LeafCutter::pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords& y) {
+  constexpr std::uint64_t kLastY = 0xFF000000FF000000;
+  for (int q = 0; q < 4; ++q) {  // a word: two rows of four columns along y
+    const std::uint64_t a = columns[2 * q], b = columns[2 * q + 1];
+    const std::uint64_t beyond_x = q < 2 ? columns[2 * q + 4] : 0;
+    x[2 * q] = a & (a >> 32 | b << 32);
+    x[2 * q + 1] = b & (b >> 32 | beyond_x << 32);
+    const std::uint64_t beyond_a = q % 2 == 0 ? columns[2 * q + 2] : 0, beyond_b = q % 2 == 0 ? columns[2 * q + 3] : 0;
+    y[2 * q] = a & ((a >> 8 & ~kLastY) | (beyond_a << 24 & kLastY));
+    y[2 * q + 1] = b & ((b >> 8 & ~kLastY) | (beyond_b << 24 & kLastY));
+  }
+}
+
+/// Notes the edges that the last pass covered whole; `quarters` (bits) are those that it went through.
+void LeafCutter::join(unsigned quarters) {
+  ColumnWords covered, x, y;
+  std::memcpy(covered.data(), columns_.covered, sizeof(covered));
+  for (unsigned q = 0; q < 4; ++q) {
+    if ((quarters >> q & 1) == 0) covered[2 * q] = covered[2 * q + 1] = 0;
+  }
+  pairUp(covered, x, y);
+  for (int i = 0; i < 8; ++i) {
+    joined_x_[i] |= x[i];
+    joined_y_[i] |= y[i];
+  }
+}
+
+std::unique_ptr<OpenEdges> LeafCutter::openEdges() const {
+  ColumnWords taken, x, y;
+  std::memcpy(taken.data(), columns_.material, sizeof(taken));
+  for (int i = 0; i < 8; ++i) taken[i] = initial_[i] & ~taken[i];
+  pairUp(taken, x, y);
+  std::uint64_t any = 0;
+  for (int i = 0; i < 8; ++i) {
+    x[i] &= ~joined_x_[i];
+    y[i] &= ~joined_y_[i];
+    any |= x[i] | y[i];
+  }
+  if (any == 0 && !columns_.undercut) return nullptr;
+  auto open = std::make_unique<OpenEdges>();
+  columnsToLayers(reinterpret_cast<const unsigned char*>(x.data()), open->level[0]);
+  columnsToLayers(reinterpret_cast<const unsigned char*>(y.data()), open->level[1]);
+  open->undercut = columns_.undercut;
+  return open;
 }
 
 void LeafCutter::setQuarterTop(int quarter) {
@@ -112,10 +166,19 @@ void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
   double sunk = 0.0, low[4];
   reach_(pass.columns, quarters_, low);
+  unsigned quarters = 0;
   for (int q = 0; q < 4; ++q) {
-    if (low[q] < quarters_.z_high[q]) sunk += applyQuarter(number, q);
+    if (low[q] >= quarters_.z_high[q]) continue;
+    sunk += applyQuarter(number, q);
+    quarters |= 1u << q;
   }
   if (sunk <= 0.0) return;
+  if (holdsEdges(pass, impl_.h)) join(quarters);
+  takers_[1] = number;
+  if (sunk > most_sunk_) {
+    most_sunk_ = sunk;
+    takers_[0] = number;
+  }
   removed_.emplace_back(pass.motion, volumeUnits(sunk / columns_.h));
   unsigned any = 0;
   for (int c = 0; c < 64; ++c) any |= columns_.material[c];

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,7 +22,8 @@ struct PassTable {
 
   /// Exact sweep of a pass at level arcs; null where Pass::lineSweep serves.
   const Sweep* levelArc(const Pass& pass) const {
-    return pass.columns.kind == ColumnSweep::Kind::kArc ? &curves[static_cast<std::size_t>(pass.curve)] : nullptr;
+    return pass.columns.kind == ColumnSweep::Kind::kArc ? &curves[static_cast<std::size_t>(pass.curve)]
+                                                        : nullptr;
   }
 };
 
@@ -36,19 +38,29 @@ struct ContactSample {
   std::int64_t volume;  ///< kVolumeUnit
 };
 
+/// Edges of a leaf, between two samples that are gone, that no pass is known to have covered whole: material
+/// may have stood in between.
+struct OpenEdges {
+  std::array<LeafBits, 2> level{};  ///< along x and y, within the leaf
+  bool undercut = false;            ///< vertical edges must be looked at, too
+};
+
 /// Cuts leaves; one object a thread, used again and again.
 class LeafCutter {
  public:
   LeafCutter(const Stock::Impl& impl, const PassTable& table)
       : impl_(impl), table_(table), reader_(impl), kernel_(columnKernels().leaf), reach_(columnKernels().reach) {}
 
-  /// Takes `list` (what reaches into the leaf's block of 9x9x9 samples, in program order) through the samples of change.material.
+  /// Takes `list` (what reaches into the leaf's block of 9x9x9 samples, in program order) through the samples
+  /// of change.material.
   void cut(LeafChange& change, std::span<const Reach> list);
 
   // What the last cut found.
   const std::vector<std::pair<MotionId, std::int64_t>>& removed() const { return removed_; }  ///< kVolumeUnit
   const std::vector<ContactSample>& contacts() const { return contacts_; }
   std::uint64_t evaluations() const { return evaluations_; }
+  /// Null where nothing is open.
+  std::unique_ptr<OpenEdges> openEdges() const;
 
  private:
   void start(const LeafChange& change);
@@ -56,6 +68,7 @@ class LeafCutter {
   void apply(std::uint32_t number);
   double applyQuarter(std::uint32_t number, int quarter);
   void setQuarterTop(int quarter);
+  void join(unsigned quarters);
   void contact(std::uint32_t number, int quarter, const double* top);
 
   const Stock::Impl& impl_;
@@ -64,9 +77,16 @@ class LeafCutter {
   LeafKernel kernel_;
   ReachKernel reach_;
   Coord origin_;
-  double highest_ = 0.0;             ///< highest top, mm
-  FourBlocks quarters_{};  ///< up to the highest top of each quarter
+  double highest_ = 0.0;                   ///< highest top, mm
+  FourBlocks quarters_{};                  ///< up to the highest top of each quarter
+  std::array<std::uint32_t, 2> takers_{};  ///< as in LeafChange
+  double most_sunk_ = 0.0;                 ///< of one pass, mm of column height
   LeafColumns columns_{};
+  /// Columns in the order of LeafColumns, eight a word.
+  using ColumnWords = std::array<std::uint64_t, 8>;
+  static void pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords& y);
+  ColumnWords initial_{};                ///< material before the first pass
+  ColumnWords joined_x_{}, joined_y_{};  ///< edges that one pass covered whole
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
   std::vector<ContactSample> contacts_;
   std::uint64_t evaluations_ = 0;

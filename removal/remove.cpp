@@ -16,6 +16,8 @@
 #include "core/base/parallel_for.h"
 #include "removal/cut_record.h"
 #include "removal/leaf_crossings.h"
+#include "removal/narrow_cuts.h"
+#include "removal/thin_walls.h"
 #include "removal/threads.h"
 
 namespace proveout {
@@ -45,7 +47,8 @@ class Remover {
         table_(record_->table),
         removed_(path.motions.size()),
         cutters_([this] { return LeafCutter(impl_, table_); }),
-        finders_([this] { return CrossingFinder(impl_, table_); }) {
+        finders_([this] { return CrossingFinder(impl_, table_); }),
+        walls_([this] { return ThinWallFinder(impl_, table_); }) {
     for (const Tool& tool : tools) record_->tools.try_emplace(tool.number, tool);
   }
 
@@ -67,6 +70,7 @@ class Remover {
   void visitColumn(Children& column, int size);
   void leaf(const Coord& origin, const ReachList& passes);
   void gatherChanges();
+  std::vector<Crossing> findCrossings(std::size_t i, const LeafEdges& edges, const std::vector<Crossing>& before);
   void addLost(RemovalSummary& out) const;
 
   Stock::Impl& impl_;
@@ -79,15 +83,18 @@ class Remover {
   std::vector<std::atomic<std::int64_t>> removed_;
   tbb::enumerable_thread_specific<LeafCutter> cutters_;
   tbb::enumerable_thread_specific<CrossingFinder> finders_;
+  tbb::enumerable_thread_specific<ThinWallFinder> walls_;
   tbb::concurrent_vector<ContactSample> contacts_;
-  tbb::concurrent_vector<CrossingFinder::LostFilm> lost_;
+  tbb::concurrent_vector<LostFilm> lost_;
   struct CutLeaves {
     std::vector<LeafChange> changes;
     std::vector<ReachList> lists;
+    std::vector<std::unique_ptr<OpenEdges>> open;
   };
   tbb::enumerable_thread_specific<CutLeaves> cut_;
   std::vector<LeafChange> changes_;
   std::vector<ReachList> lists_;  ///< passes of each change
+  std::vector<std::unique_ptr<OpenEdges>> open_;
   std::atomic<std::uint64_t> evaluations_{0};
   std::atomic<double> bytes_{0.0}, done_{0.0};
   double total_blocks_ = 1.0;
@@ -199,19 +206,25 @@ Status Remover::run() {
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   gatherChanges();
   commitChanges(impl_, changes_, [this](std::size_t i, const LeafEdges& edges, const auto& before) {
-    std::vector<Crossing> found;
-    if (!progress_.cancelled()) {
-      CrossingFinder& finder = finders_.local();
-      const CrossingFinder::LostFilm lost = finder.findLost(changes_[i], edges, before, lists_[i]);
-      if (lost.edges > 0) lost_.push_back(lost);
-      found = finder.find(changes_[i], edges, before, lists_[i]);
-    }
+    std::vector<Crossing> found = findCrossings(i, edges, before);
     ReachList().swap(lists_[i]);
+    open_[i].reset();
     return found;
   });
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   if (!cut_before) impl_.cut = record_;
   return Done{};
+}
+
+std::vector<Crossing> Remover::findCrossings(std::size_t i, const LeafEdges& edges,
+                                             const std::vector<Crossing>& before) {
+  if (progress_.cancelled()) return {};
+  CrossingFinder& finder = finders_.local();
+  for (const LostFilm& lost : {finder.findLost(changes_[i], edges, before, lists_[i]),
+                               walls_.local().find(changes_[i], edges, open_[i].get(), lists_[i])}) {
+    if (lost.edges > 0) lost_.push_back(lost);
+  }
+  return finder.find(changes_[i], edges, before, lists_[i]);
 }
 
 bool Remover::inBlank(const Coord& origin, int size) const {
@@ -297,6 +310,7 @@ void Remover::leaf(const Coord& origin, const ReachList& passes) {
   CutLeaves& mine = cut_.local();
   mine.changes.push_back(change);
   mine.lists.push_back(passes);
+  mine.open.push_back(cutter.openEdges());
 }
 
 /// Leaves of all threads in one list; the order does not matter.
@@ -304,6 +318,7 @@ void Remover::gatherChanges() {
   for (CutLeaves& part : cut_) {
     changes_.insert(changes_.end(), part.changes.begin(), part.changes.end());
     std::move(part.lists.begin(), part.lists.end(), std::back_inserter(lists_));
+    std::move(part.open.begin(), part.open.end(), std::back_inserter(open_));
     part = CutLeaves{};
   }
 }
@@ -313,7 +328,7 @@ void Remover::addLost(RemovalSummary& out) const {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
   };
   std::uint64_t edges = 0;
-  for (const CrossingFinder::LostFilm& lost : lost_) {
+  for (const LostFilm& lost : lost_) {
     if (edges == 0 || before(lost.where, out.lost_film_at)) out.lost_film_at = lost.where;
     edges += static_cast<std::uint64_t>(lost.edges);
   }
@@ -323,6 +338,7 @@ void Remover::addLost(RemovalSummary& out) const {
 RemovalSummary Remover::summary() const {
   RemovalSummary out;
   addLost(out);
+  out.narrow_cuts = findNarrowCuts(impl_, table_, path_);
   out.voxel_evaluations = evaluations_;
   const double unit = kVolumeUnit * impl_.h * impl_.h * impl_.h;
   out.removed_mm3.reserve(removed_.size());

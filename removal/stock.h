@@ -42,12 +42,22 @@ struct Contact {
   double volume_mm3 = 0.0;      ///< stock that was in the way, counted in grid cells
 };
 
+/// Cuts of one tool that are narrower than the grid and not in the mesh.
+struct NarrowCut {
+  MotionId motion = kNoMotion;  ///< first motion with such a cut
+  Vec3 where = Vec3::Zero();    ///< in it, mm
+  double width_mm = 0.0;        ///< of the narrowest: across the path, or the height of a disc
+  double length_mm = 0.0;       ///< of path
+  double area_mm2 = 0.0;        ///< length times width
+};
+
 struct RemovalSummary {
   std::vector<float> removed_mm3;  ///< per motion, counted in parts of grid cells; see fitRemovedVolume
   std::vector<Contact> contacts;   ///< in program order
   /// Stock left thinner than a grid cell, which the grid cannot hold: about its area (0: none) and one place.
   double lost_film_mm2 = 0.0;
   Vec3 lost_film_at = Vec3::Zero();
+  std::vector<NarrowCut> narrow_cuts;  ///< by number of the tool
   std::uint64_t voxel_evaluations = 0;
 };
 

@@ -74,18 +74,31 @@ TEST_F(Fixture, NothingCutAndLoosePiecesAreWarnings) {
 TEST_F(Fixture, WhatIsThinnerThanTheGridIsAWarning) {
   RemovalSummary removal;
   StockSurface surface;
-  addThinFeatures(removal, surface, 0.5, findings);
+  addThinFeatures(removal, surface, 0.5, path, source, findings);
   EXPECT_TRUE(findings.empty());
   removal.lost_film_mm2 = 12;
   removal.lost_film_at = {1, 2, 3};
   surface.thin_cells = 4;
-  addThinFeatures(removal, surface, 0.5, findings);
+  addThinFeatures(removal, surface, 0.5, path, source, findings);
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_EQ(findings[0].kind, "thin_feature");
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
   EXPECT_EQ(*findings[0].where, Vec3(1, 2, 3));
   EXPECT_DOUBLE_EQ(*findings[0].area_mm2, 12);
   EXPECT_DOUBLE_EQ(*findings[1].area_mm2, 1);
+}
+
+TEST_F(Fixture, ACutNarrowerThanTheGridNamesToolBlockAndGrid) {
+  RemovalSummary removal;
+  removal.narrow_cuts = {{1, {4, 5, 6}, 0.15, 20, 3}};
+  addThinFeatures(removal, {}, 0.5, path, source, findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].kind, "thin_feature");
+  EXPECT_EQ(findings[0].tool, 4);
+  EXPECT_EQ(findings[0].source->block, 20);
+  EXPECT_EQ(*findings[0].where, Vec3(4, 5, 6));
+  EXPECT_DOUBLE_EQ(*findings[0].area_mm2, 3);
+  EXPECT_NE(findings[0].message.find("--resolution 0.1 "), std::string::npos) << findings[0].message;
 }
 
 TEST_F(Fixture, AnEarlyStopIsSaid) {

@@ -40,6 +40,7 @@ Cut cut(const StockShape& shape, const Toolpath& path, const std::vector<Tool>& 
   if (!surface) return out;
   out.initial = stock->initialVolume();
   out.volume = surface->volume_mm3;
+  out.thin_cells = surface->thin_cells;
   out.mesh = std::move(surface->mesh);
   out.mesh_volume = meshVolume(out.mesh);
   out.summary = std::move(*summary);

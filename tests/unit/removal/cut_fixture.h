@@ -45,6 +45,7 @@ struct Cut {
   double volume = 0.0;       ///< mm3, from the exact crossings
   double mesh_volume = 0.0;  ///< mm3, of the facets
   TriMesh mesh;
+  std::size_t thin_cells = 0;
   RemovalSummary summary;
 };
 
