@@ -16,6 +16,9 @@ constexpr float kGentleCos = 0.978f;
 constexpr double kThinReach = 0.1;
 /// Cones have their apex this far (in cells) inside the cell.
 constexpr float kConeGap = 0.01f;
+/// Vertices this far (in cells) outside the blank are put back: more than the rounding of its crossings.
+constexpr double kBlankSlack = 1e-4;
+constexpr double kNoLimit = 1e12;
 /// A vertex this near to a wall of its cell (in cells) was put back to it.
 constexpr double kAtWall = 2e-3;
 /// Below this lean of the normals from their mean (2 degrees), the crossings place the vertex of any smooth face to
@@ -114,7 +117,12 @@ std::array<std::uint8_t, 256> makeOneSheetFaces() {
 class LeafPlacer {
  public:
   LeafPlacer(const Stock::Impl& impl, SurfaceLeaf& leaf, const CrossingTable& crossings, LeafPatch* patch)
-      : impl_(impl), leaf_(leaf), crossings_(crossings), patch_(patch), exact_(impl.cut.get(), impl.h) {}
+      : impl_(impl), leaf_(leaf), crossings_(crossings), patch_(patch), exact_(impl.cut.get(), impl.h) {
+    if (impl.blank.empty()) return;
+    const Vec3 origin = impl.position(leaf.stock->origin);
+    low_ = (impl.blank.min - origin) / impl.h;
+    high_ = (impl.blank.max - origin) / impl.h;
+  }
 
   struct Placed {
     Eigen::Vector3f p;
@@ -137,8 +145,10 @@ class LeafPlacer {
     exact_.setCell(impl_.position(leaf_.stock->origin.offsetBy(x, y, z)));
     for (int sheet = 0; sheet < sheets; ++sheet) {
       const int count = gather(cell, at, sheet);
-      const CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, &exact_);
+      CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, &exact_);
       const Vec3 origin(x, y, z);
+      keepInBlank(origin, v.p);
+      keepInBlank(origin, v.inside);
       // Beside another sheet a vertex only leaves its cell by little.
       const bool near = (v.p - v.inside).squaredNorm() < 1.0 && v.p.minCoeff() > -kThinReach &&
                         v.p.maxCoeff() < 1.0 + kThinReach;
@@ -206,6 +216,12 @@ class LeafPlacer {
     return false;
   }
 
+  /// A sliver that meets no edge of the cell at the blank's face may let other faces meet beyond it.
+  void keepInBlank(const Vec3& origin, Vec3& p) const {
+    const Vec3 kept = (origin + p).cwiseMax(low_).cwiseMin(high_) - origin;
+    if ((kept - p).cwiseAbs().maxCoeff() > kBlankSlack) p = kept;
+  }
+
   int gather(const CellPattern& cell, int at, int sheet) {
     int count = 0;
     for (int i = 0; i < cell.count; ++i) {
@@ -244,6 +260,7 @@ class LeafPlacer {
   const CrossingTable& crossings_;
   LeafPatch* patch_;
   ExactFaces exact_;
+  Vec3 low_ = Vec3::Constant(-kNoLimit), high_ = Vec3::Constant(kNoLimit);  ///< the blank, in the leaf's cells
   std::array<SheetPoint, 12> points_;
 };
 
