@@ -143,7 +143,11 @@ std::unique_ptr<OpenEdges> LeafCutter::openEdges() const {
 void LeafCutter::setQuarterTop(int quarter) {
   const double* top = columns_.top + quarter * kQuarter;
   const double* all = quarters_.z_high;
-  quarters_.z_high[quarter] = *std::max_element(top, top + kQuarter);
+  double most[4] = {top[0], top[1], top[2], top[3]};
+  for (int i = 4; i < kQuarter; i += 4) {
+    for (int k = 0; k < 4; ++k) most[k] = std::max(most[k], top[i + k]);
+  }
+  quarters_.z_high[quarter] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
   highest_ = *std::max_element(all, all + 4);
 }
 
