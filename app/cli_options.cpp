@@ -82,7 +82,8 @@ void addRun(CLI::App& root, RunOptions& o) {
       ->type_name("SHAPE");
   app->add_option(
          "--tool", o.tools,
-         "Tool, mm and degrees, with a program; repeatable:\nN=flat:D, N=ball:D, N=bull:D:R, N=cone:D:TIPD:ANGLE,\n"
+         "Tool, mm and degrees, with a program; repeatable:\nN=flat:D, N=ball:D, N=bull:D:R, "
+         "N=cone:D:TIPD:ANGLE,\n"
          "N=drill:D[:POINTANGLE], N=taper:BALLD:SIDEANGLE:D,\nN=dovetail:D:ANGLE:HEIGHT:NECKD, "
          "N=tslot:D:THICKNESS:NECKD,\nN=lollipop:D:NECKD; thread mills and free profiles need a job file.\n"
          "Motions without a T word use the lowest number")

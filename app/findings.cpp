@@ -14,7 +14,8 @@ using report_text::figure;
 /// Share of the blank below which nothing was cut: rounding of the volume sums stays far under it.
 constexpr double kNothingCut = 1e-9;
 
-/// A cut that is this many grid steps wide holds a sample wherever it runs: more than the diagonal of a square.
+/// A cut that is this many grid steps wide holds a sample wherever it runs: more than the diagonal of a
+/// square.
 constexpr double kCellsInAWidth = 1.5;
 
 std::string_view contactText(ContactKind kind) {
@@ -178,7 +179,8 @@ void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface,
     finding.where = removal.lost_film_at;
     finding.area_mm2 = removal.lost_film_mm2;
     finding.message = fmt::format(
-        "about {:.3g} mm2 of stock are left thinner than the grid of {:g} mm and are not in the mesh; take a finer "
+        "about {:.3g} mm2 of stock are left thinner than the grid of {:g} mm and are not in the mesh; take a "
+        "finer "
         "resolution",
         removal.lost_film_mm2, resolution_mm);
     findings.push_back(finding);
@@ -189,7 +191,8 @@ void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface,
     narrow.area_mm2 = cut.area_mm2;
     blame(narrow, cut.motion, path, texts);
     narrow.message = fmt::format(
-        "cuts {:.2g} mm wide, over {:.3g} mm of path, pass between the samples of the grid of {:g} mm and are not in the "
+        "cuts {:.2g} mm wide, over {:.3g} mm of path, pass between the samples of the grid of {:g} mm and "
+        "are not in the "
         "mesh; --resolution {:.2g} could hold them",
         cut.width_mm, cut.length_mm, resolution_mm, cut.width_mm / kCellsInAWidth);
     findings.push_back(std::move(narrow));
@@ -198,7 +201,8 @@ void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface,
     finding.where = surface.first_thin_cell;
     finding.area_mm2 = static_cast<double>(surface.thin_cells) * resolution_mm * resolution_mm;
     finding.message = fmt::format(
-        "a wall or gap thinner than the grid of {:g} mm runs through {} of its cells and is not exact there; take a "
+        "a wall or gap thinner than the grid of {:g} mm runs through {} of its cells and is not exact there; "
+        "take a "
         "finer resolution",
         resolution_mm, surface.thin_cells);
     findings.push_back(finding);
@@ -232,13 +236,15 @@ std::string untilText(const ControlSettings& settings) {
   return fmt::format("line {}", settings.until->line.value_or(0));
 }
 
-void addMeshDefects(const MeshTopology& topology, const StockSurface& surface, std::vector<Finding>& findings) {
+void addMeshDefects(const MeshTopology& topology, const StockSurface& surface,
+                    std::vector<Finding>& findings) {
   Finding finding;
   if (surface.self_intersections > 0) {
     finding.kind = "mesh";
     finding.severity = Severity::kWarning;
-    finding.message = fmt::format("{} pairs of the mesh's triangles run through each other; take another resolution",
-                                  surface.self_intersections);
+    finding.message =
+        fmt::format("{} pairs of the mesh's triangles run through each other; take another resolution",
+                    surface.self_intersections);
     findings.push_back(finding);
   }
   if (topology.closedManifold()) return;

@@ -37,8 +37,7 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
 /// Walls and films thinner than the grid can hold: what it lost, and where sheets of the surface share a cell
 /// (warnings).
 void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,
-                     const Toolpath& path, const RecordingSource& texts,
-                     std::vector<Finding>& findings);
+                     const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings);
 
 /// A run that was told to stop early: what follows was not looked at (a warning).
 void addPartial(ProgramEnd end, const ControlSettings& settings, std::vector<Finding>& findings);
@@ -49,8 +48,10 @@ void addUnrunSetups(const std::string& last_name, std::vector<Finding>& findings
 /// "N120" or "line 12"; empty where the program runs to its end.
 std::string untilText(const ControlSettings& settings);
 
-/// A mesh that is not a closed, oriented 2-manifold (an error), or whose triangles run through each other (a warning).
-void addMeshDefects(const MeshTopology& topology, const StockSurface& surface, std::vector<Finding>& findings);
+/// A mesh that is not a closed, oriented 2-manifold (an error), or whose triangles run through each other (a
+/// warning).
+void addMeshDefects(const MeshTopology& topology, const StockSurface& surface,
+                    std::vector<Finding>& findings);
 
 /// The finding as a compiler's message, with the source line and the place.
 Diagnostic findingDiagnostic(const Finding& finding);

@@ -17,23 +17,27 @@ namespace {
 
 // Measured on the sample programs with two cores. A cell is a square of the grid on the surface.
 constexpr double kBaseMb = 9.0;                  ///< program, libraries, threads
-constexpr double kBytesPerCell = 88.0;           ///< leaves, crossings, mesh
+constexpr double kBytesPerCell = 57.0;           ///< leaves, crossings, mesh of flat faces
+constexpr double kBytesPerUnevenCell = 380.0;    ///< on top of that where triangles are not merged
 constexpr double kBytesPerMotion = 500.0;        ///< motion and its passes
-constexpr double kComparisonMb = 35.0;           ///< fixed part of a comparison
-constexpr double kBytesPerComparedCell = 250.0;  ///< samples and search trees, both meshes
+constexpr double kComparisonMb = 18.0;           ///< fixed part of a comparison
+constexpr double kBytesPerComparedCell = 300.0;  ///< samples and search trees, both meshes
 constexpr double kBytesPerPixel = 20.0;          ///< a picture while it is drawn
 constexpr double kBytesPerDrawnCell = 60.0;      ///< the renderer's search tree
 constexpr double kMostComparedCells = 1.8e6;     ///< the comparison widens its samples on huge meshes
-constexpr double kBaseS = 0.05;
-constexpr double kSecondsPerCell = 5.5e-7;          ///< blank, removal, crossings, mesh, files
+constexpr double kBaseS = 0.02;
+constexpr double kSecondsPerCell = 2.0e-7;          ///< blank, removal, crossings, mesh, files
+constexpr double kSecondsPerUnevenCell = 1.9e-6;    ///< on top of that where triangles are not merged
 constexpr double kSecondsPerSweptCell = 2e-9;       ///< removal, each motion counted
-constexpr double kSecondsPerMotion = 4e-6;          ///< interpreter, culling
-constexpr double kSecondsPerComparedCell = 1.9e-6;  ///< comparison
+constexpr double kSecondsPerMotion = 2.5e-6;        ///< interpreter, culling
+constexpr double kSecondsPerComparedCell = 2.3e-6;  ///< comparison
 constexpr double kSecondsPerPixel = 8.5e-7;         ///< one picture
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
 constexpr int kMapSide = 384;
 constexpr double kMapWork = 6e6;
+/// Where slopes of neighbouring cells of the map differ by more, no face is flat.
+constexpr double kUneven = 0.005;
 
 /// Lowest point that the tools reach over each cell of a coarse grid in plan view.
 class HeightMap {
@@ -83,6 +87,22 @@ class HeightMap {
       }
     }
     return added;
+  }
+
+  /// Area in plan view where the surface is neither flat nor a wall's foot alone, mm2.
+  double unevenArea() const {
+    const auto bends = [&](std::size_t before, std::size_t at, std::size_t after) {
+      return std::abs(height_[before] - 2.0 * height_[at] + height_[after]) > kUneven * cell_;
+    };
+    std::size_t count = 0;
+    for (int x = 1; x + 1 < nx_; ++x) {
+      for (int y = 1; y + 1 < ny_; ++y) {
+        const std::size_t at = index(x, y);
+        if (height_[at] <= blank_.min.z() || height_[at] >= blank_.max.z()) continue;
+        count += bends(index(x - 1, y), at, index(x + 1, y)) || bends(index(x, y - 1), at, index(x, y + 1));
+      }
+    }
+    return static_cast<double>(count) * cell_ * cell_;
   }
 
  private:
@@ -175,12 +195,14 @@ Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const 
     forEach([&](const Vec3& a, const Vec3& b, double radius) { map.lower(a, b, radius, band); });
   });
   work.surface_mm2 = std::max(blank_mm2 + map.addedArea(), 0.1 * blank_mm2);
+  work.uneven_mm2 = std::min(map.unevenArea(), work.surface_mm2);
   return work;
 }
 
 Workload together(const Workload& a, const Workload& b) {
   Workload both;
   both.surface_mm2 = std::max(a.surface_mm2, b.surface_mm2);
+  both.uneven_mm2 = std::max(a.uneven_mm2, b.uneven_mm2);
   both.swept_mm2 = a.swept_mm2 + b.swept_mm2;
   both.nominal_mm2 = std::max(a.nominal_mm2, b.nominal_mm2);
   both.pixels = std::max(a.pixels, b.pixels);
@@ -209,11 +231,11 @@ Prediction predict(const Workload& work, double resolution_mm) {
   // Comparison and pictures follow each other and give their memory back.
   const double comparing = compared > 0 ? 1e6 * kComparisonMb + compared * kBytesPerComparedCell : 0.0;
   const double drawing = drawn * kBytesPerDrawnCell + work.pixels * kBytesPerPixel;
-  p.memory_mb =
-      kBaseMb + 1e-6 * (cells * kBytesPerCell + motions * kBytesPerMotion + std::max(comparing, drawing));
-  p.time_s = kBaseS + cells * kSecondsPerCell + work.swept_mm2 / h2 * kSecondsPerSweptCell +
-             motions * kSecondsPerMotion + compared * kSecondsPerComparedCell +
-             work.pixels * work.pictures * kSecondsPerPixel;
+  p.memory_mb = kBaseMb + 1e-6 * (cells * kBytesPerCell + work.uneven_mm2 / h2 * kBytesPerUnevenCell +
+                                  motions * kBytesPerMotion + std::max(comparing, drawing));
+  p.time_s = kBaseS + cells * kSecondsPerCell + work.uneven_mm2 / h2 * kSecondsPerUnevenCell +
+             work.swept_mm2 / h2 * kSecondsPerSweptCell + motions * kSecondsPerMotion +
+             compared * kSecondsPerComparedCell + work.pixels * work.pictures * kSecondsPerPixel;
   return p;
 }
 

@@ -13,6 +13,7 @@ namespace proveout {
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {
   double surface_mm2 = 0.0;  ///< of the part: what is left of the blank's surface and what is cut
+  double uneven_mm2 = 0.0;   ///< of that, in plan view: neither flat nor a wall; its triangles are not merged
   double swept_mm2 = 0.0;    ///< plan area that the tools pass over, each motion counted
   double nominal_mm2 = 0.0;  ///< of the model that the part is compared with; 0: no comparison
   double pixels = 0.0;       ///< of one picture; 0: none is drawn

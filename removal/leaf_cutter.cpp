@@ -101,7 +101,8 @@ void LeafCutter::pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords&
     const std::uint64_t beyond_x = q < 2 ? columns[2 * q + 4] : 0;
     x[2 * q] = a & (a >> 32 | b << 32);
     x[2 * q + 1] = b & (b >> 32 | beyond_x << 32);
-    const std::uint64_t beyond_a = q % 2 == 0 ? columns[2 * q + 2] : 0, beyond_b = q % 2 == 0 ? columns[2 * q + 3] : 0;
+    const std::uint64_t beyond_a = q % 2 == 0 ? columns[2 * q + 2] : 0,
+                        beyond_b = q % 2 == 0 ? columns[2 * q + 3] : 0;
     y[2 * q] = a & ((a >> 8 & ~kLastY) | (beyond_a << 24 & kLastY));
     y[2 * q + 1] = b & ((b >> 8 & ~kLastY) | (beyond_b << 24 & kLastY));
   }

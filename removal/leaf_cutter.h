@@ -49,7 +49,11 @@ struct OpenEdges {
 class LeafCutter {
  public:
   LeafCutter(const Stock::Impl& impl, const PassTable& table)
-      : impl_(impl), table_(table), reader_(impl), kernel_(columnKernels().leaf), reach_(columnKernels().reach) {}
+      : impl_(impl),
+        table_(table),
+        reader_(impl),
+        kernel_(columnKernels().leaf),
+        reach_(columnKernels().reach) {}
 
   /// Takes `list` (what reaches into the leaf's block of 9x9x9 samples, in program order) through the samples
   /// of change.material.

@@ -31,8 +31,8 @@ struct Reach {
 };
 using ReachList = std::vector<Reach>;
 
-/// Whether a grid edge of length `h` lies in the sweep if both its ends do. All are convex, or bulky enough for that, but
-/// arcs that turn around a pillar which is thinner than the grid.
+/// Whether a grid edge of length `h` lies in the sweep if both its ends do. All are convex, or bulky enough
+/// for that, but arcs that turn around a pillar which is thinner than the grid.
 bool holdsEdges(const Pass& pass, double h);
 /// Height that the solid nowhere reaches above on its way, mm.
 double highestReach(const Pass& pass);

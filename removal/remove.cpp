@@ -1,5 +1,6 @@
-// Cutting a tool path into the stock: blocks of the grid are halved down to leaves, each with the passes that can
-// touch it; a leaf's samples see its passes in program order; then the crossings of all changed leaves are found.
+// Cutting a tool path into the stock: blocks of the grid are halved down to leaves, each with the passes that
+// can touch it; a leaf's samples see its passes in program order; then the crossings of all changed leaves
+// are found.
 #include <fmt/format.h>
 #include <tbb/concurrent_vector.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -24,8 +25,8 @@ namespace proveout {
 
 namespace {
 
-/// Curved motions are cut as chords that lie this close to them, mm: far below the smallest error that the surface
-/// has elsewhere. Level arcs of one radius have a closed form and need none.
+/// Curved motions are cut as chords that lie this close to them, mm: far below the smallest error that the
+/// surface has elsewhere. Level arcs of one radius have a closed form and need none.
 constexpr double kChordMm = 5e-5;
 /// The same for parts of the tool that do not cut: below what counts as contact.
 constexpr double kContactChordMm = 5e-4;
@@ -70,7 +71,8 @@ class Remover {
   void visitColumn(Children& column, int size);
   void leaf(const Coord& origin, const ReachList& passes);
   void gatherChanges();
-  std::vector<Crossing> findCrossings(std::size_t i, const LeafEdges& edges, const std::vector<Crossing>& before);
+  std::vector<Crossing> findCrossings(std::size_t i, const LeafEdges& edges,
+                                      const std::vector<Crossing>& before);
   void addLost(RemovalSummary& out) const;
 
   Stock::Impl& impl_;
@@ -120,7 +122,8 @@ float roundedDown(double value) {
 bool Remover::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
   const ArcFrame frame = arcFrame(motion.from, motion.to, arc);
   return arc.normal.head<2>().squaredNorm() < 1e-24 && std::abs(frame.rise) < kSameRadiusMm &&
-         std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm && frame.radius_start > kSameRadiusMm;
+         std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm &&
+         frame.radius_start > kSameRadiusMm;
 }
 
 void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched, std::int32_t curve) {
@@ -146,7 +149,8 @@ void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched, 
   const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6});
   const double within = part.part == ToolPart::kCutter ? kChordMm : kContactChordMm;
   const double step = std::sqrt(8.0 * std::min(within, radius) / radius);
-  const int chords = static_cast<int>(std::clamp(std::ceil(std::abs(arc.sweep_rad) / step), 1.0, kMostChords));
+  const int chords =
+      static_cast<int>(std::clamp(std::ceil(std::abs(arc.sweep_rad) / step), 1.0, kMostChords));
   Vec3 from = m.from;
   for (int i = 1; i <= chords; ++i) {
     const Vec3 to = i == chords ? m.to : arcPoint(frame, arc, static_cast<double>(i) / chords);
@@ -253,7 +257,8 @@ void Remover::visit(const Coord& origin, int size, const ReachList& passes) {
   if (size >= 64) progress_.report("removing", done_.load() / total_blocks_);
 }
 
-/// Gives each pass to the blocks that it reaches into; where it reaches is asked once for two above each other.
+/// Gives each pass to the blocks that it reaches into; where it reaches is asked once for two above each
+/// other.
 void Remover::share(const ReachList& passes, int size, std::array<Children, 4>& columns) const {
   FourBlocks boxes;
   boxes.half_width = 0.5 * size * impl_.h;
@@ -285,7 +290,8 @@ void Remover::share(const ReachList& passes, int size, std::array<Children, 4>& 
 
 void Remover::visitColumn(Children& column, int size) {
   Coord above = column.origin.offsetBy(0, 0, size);
-  for (const auto& [at, list] : {std::pair{&column.origin, &column.lower}, std::pair{&above, &column.upper}}) {
+  for (const auto& [at, list] :
+       {std::pair{&column.origin, &column.lower}, std::pair{&above, &column.upper}}) {
     if (!list->empty()) {
       visit(*at, size, *list);
       ReachList().swap(*list);

@@ -21,8 +21,8 @@ constexpr double kBlankSlack = 1e-4;
 constexpr double kNoLimit = 1e12;
 /// A vertex this near to a wall of its cell (in cells) was put back to it.
 constexpr double kAtWall = 2e-3;
-/// Below this lean of the normals from their mean (2 degrees), the crossings place the vertex of any smooth face to
-/// better than 1e-3 cells.
+/// Below this lean of the normals from their mean (2 degrees), the crossings place the vertex of any smooth
+/// face to better than 1e-3 cells.
 constexpr float kBentCos = 0.9994f;
 constexpr float kNormalUnit = 1.0f / Crossing::kNormalScale;
 
@@ -197,7 +197,8 @@ class LeafPlacer {
     p = mean * share;
     normal = sum.normalized();
     if (flat) return true;
-    if (exact_.active() && bends(normals, cell.count, normal) && !exact_.source(first->face()).simple) return false;
+    if (exact_.active() && bends(normals, cell.count, normal) && !exact_.source(first->face()).simple)
+      return false;
     float height = 0.0f;
     for (int i = 0; i < cell.count; ++i) {
       const Eigen::Vector3f middle = normals[i] + normal;
@@ -260,7 +261,8 @@ class LeafPlacer {
   const CrossingTable& crossings_;
   LeafPatch* patch_;
   ExactFaces exact_;
-  Vec3 low_ = Vec3::Constant(-kNoLimit), high_ = Vec3::Constant(kNoLimit);  ///< the blank, in the leaf's cells
+  Vec3 low_ = Vec3::Constant(-kNoLimit),
+       high_ = Vec3::Constant(kNoLimit);  ///< the blank, in the leaf's cells
   std::array<SheetPoint, 12> points_;
 };
 

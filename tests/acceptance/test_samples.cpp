@@ -59,6 +59,31 @@ INSTANTIATE_TEST_SUITE_P(
                                   "--stock box:-60,-60,-10:60,60,0 --tool 1=flat:3 --resolution 0.5", 0, 0}),
     [](const auto& test) { return fs::path(test.param.file).stem().string(); });
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(Prediction, MemoryIsThatOfTheRunWithinAFactorOfOneAndAHalf) {
+  const auto expectRatio = [](const std::string& arguments) {
+    const Workbench bench;
+    const Outcome outcome = bench.run("run " + arguments + " --no-render --out out");
+    ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err;
+    const json figures = json::parse(readFile(bench.path("out/report.json")))["performance"];
+    const double ratio =
+        figures["predicted_memory_mb"].get<double>() / figures["peak_memory_mb"].get<double>();
+    EXPECT_LT(ratio, 1.5) << arguments;
+    EXPECT_GT(ratio, 1 / 1.5) << arguments;
+  };
+  for (const char* part : {"bracket", "circle_diamond_square", "freeform_patch"}) {
+    const fs::path job = fs::path(PROVEOUT_SOURCE_DIR) / "parts" / part / "job.toml";
+    expectRatio("'" + job.string() + "' --resolution 0.4");
+  }
+  const fs::path programs(PROVEOUT_SHARED_PROGRAMS);
+  if (!fs::exists(programs / "bear.nc")) GTEST_SKIP() << programs << " is not here";
+  for (const char* grid : {"0.5", "0.25"}) {
+    expectRatio("'" + (programs / "bear.nc").string() +
+                "' --control nct --stock box:0,0,-20:80,80,0 --tool 1=ball:3.175 --resolution " + grid);
+  }
+}
+#endif
+
 /// The jobs under parts/, found when the test runs.
 TEST(Parts, EveryJobRunsAndTheGougeIsFound) {
   int jobs = 0;

@@ -249,14 +249,15 @@ TEST(NarrowCuts, OrdinaryToolsHaveNone) {
 }
 
 TEST(Slivers, StayWithinTheBlank) {
-  // The ball stands so near to a side of the block that what is left between them ends below the top in a wedge that
-  // no edge of the grid meets there.
+  // The ball stands so near to a side of the block that what is left between them ends below the top in a
+  // wedge that no edge of the grid meets there.
   const Box3 block{{0, 0, -10}, {20, 16, 0}};
   PathMaker p;
   p.line({3, 4, -2}, {17, 9, -4}).line({5, -5, -8}, {12, 5, -3});
   for (const double h : {0.5, 0.4, 0.3, 0.1}) {
     double worst = 0.0;
-    for (const auto& v : cut(BoxShape{block.min, block.max}, p.path(), {tool("1=ball:6")}, h).mesh.positions) {
+    for (const auto& v :
+         cut(BoxShape{block.min, block.max}, p.path(), {tool("1=ball:6")}, h).mesh.positions) {
       const Vec3 q = v.cast<double>();
       worst = std::max({worst, (block.min - q).maxCoeff(), (q - block.max).maxCoeff()});
     }
