@@ -178,7 +178,7 @@ JobNames knownJobNames() {
     if (!control.built) continue;
     auto& ranges = names.parameters[std::string(control.name)];
     for (const ParameterInfo& p : parameterTable(control.id))
-      ranges.push_back({std::string(p.name), p.min, p.max});
+      ranges.push_back({std::string(p.name), p.min, p.max, p.count});
   }
   names.views = viewNames();
   return names;

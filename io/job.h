@@ -110,6 +110,7 @@ Job jobOfSetup(const Job& job, std::size_t index);
 struct ParameterRange {
   std::string name;
   double min = 0.0, max = 0.0;
+  int count = 0;  ///< > 0: NAME.1 to NAME.count set one each, NAME alone sets all
 };
 
 /// Names that a job may use and that io does not know itself; an empty list is not checked against.

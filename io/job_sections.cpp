@@ -42,10 +42,20 @@ class ParameterReader {
   }
 
  private:
+  static bool stands(const ParameterRange& known, const std::string& name) {
+    if (known.name == name) return true;
+    if (known.count == 0 || !name.starts_with(known.name + ".")) return false;
+    const std::string number = name.substr(known.name.size() + 1);
+    for (int k = 1; k <= known.count; ++k) {
+      if (number == std::to_string(k)) return true;
+    }
+    return false;
+  }
+
   void readOne(const ConfigEntry& entry, const std::string& name) {
     NumberRange range{-1e12, 1e12, false};
     const auto found = std::find_if(ranges_.begin(), ranges_.end(),
-                                    [&](const ParameterRange& known) { return known.name == name; });
+                                    [&](const ParameterRange& known) { return stands(known, name); });
     if (found != ranges_.end()) {
       range = {found->min, found->max, false};
     } else if (!ranges_.empty()) {

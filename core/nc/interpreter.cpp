@@ -96,8 +96,7 @@ Result<std::vector<CoverageRow>> coverageTable(ControlId control) {
 
 std::vector<ParameterInfo> parameterTable(ControlId control) {
   if (control != ControlId::kNct) return {};
-  const auto& table = nc::nctParameterTable();
-  return {table.begin(), table.end()};
+  return nc::nctParameterTable();
 }
 
 }  // namespace proveout

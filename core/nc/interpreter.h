@@ -71,6 +71,7 @@ struct ParameterInfo {
   double default_value;
   double min, max;
   std::string_view meaning;
+  int count = 0;  ///< > 0: axis or spindle parameter; NAME.1 to NAME.count, NAME alone means all
 };
 std::vector<ParameterInfo> parameterTable(ControlId control);
 

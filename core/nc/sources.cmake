@@ -21,6 +21,10 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_parameters.cpp
   nc/nct/nct_perform.cpp
   nc/nct/nct_words.cpp
+  nc/nct/parameters/comp.cpp
+  nc/nct/parameters/cycles.cpp
+  nc/nct/parameters/machine.cpp
+  nc/nct/parameters/motion.cpp
   nc/nct/program_store.cpp
   nc/nct/tables/comp.cpp
   nc/nct/tables/cycles.cpp

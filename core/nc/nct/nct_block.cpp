@@ -178,7 +178,7 @@ bool planNumbers(NctContext& c, BlockPlan& plan) {
   if (const Word* t = c.word('T')) {
     if (!integerWord(c, *t, 0, 99999999, number)) return false;
     plan.next.next_tool = static_cast<int>(number);
-    if (!c.parameters.flag(NctParam::kToolChangeOnM6)) {
+    if (!c.parameters.flag(MachineParam::kToolChangeOnM6)) {
       plan.tool_change = true;
       plan.flush = true;
     }
@@ -187,7 +187,7 @@ bool planNumbers(NctContext& c, BlockPlan& plan) {
 }
 
 bool planOffsetsHD(NctContext& c, BlockPlan& plan) {
-  const auto rows = static_cast<std::int64_t>(c.parameters[NctParam::kToolOffsets]);
+  const auto rows = static_cast<std::int64_t>(c.parameters[CompParam::kToolOffsets]);
   const auto lookUp = [&](const Word& w, const std::map<int, OffsetValue>& table, int& row, double& value) {
     std::int64_t number = 0;
     if (!integerWord(c, w, 0, rows, number)) return false;
@@ -238,8 +238,8 @@ bool planLength(NctContext& c, BlockPlan& plan) {
     plan.frames_changed = true;
   } else if (mode != 490 && (code || c.block.present.has('H'))) {
     const double value = mode == 430 ? next.h_value : -next.h_value;
-    const bool always_z = c.parameters.flag(NctParam::kLengthAlwaysZ);
-    const bool by_plane = !always_z && c.parameters.flag(NctParam::kLengthByPlane);
+    const bool always_z = c.parameters.flag(CompParam::kLengthAlwaysZ);
+    const bool by_plane = !always_z && c.parameters.flag(CompParam::kLengthByPlane);
     const int normal = PlaneFrame(next.plane()).w();
     for (int axis = 0; axis < 3; ++axis) {
       const bool named = c.block.present.has("XYZ"[axis]) || c.block.present.has("UVW"[axis]);

@@ -11,10 +11,10 @@ Vec3 workPlanePosition(const NctContext& c) {
 
 bool engageComp(NctContext& c, const BlockPlan& plan) {
   CutterCompPolicy policy;
-  policy.interference_check = c.parameters.flag(NctParam::kInterferenceCheck);
-  policy.interference_alarm = c.parameters.flag(NctParam::kInterferenceAlarm);
-  policy.extra_look_ahead = static_cast<int>(c.parameters[NctParam::kExtraLookAhead]);
-  policy.min_step = c.parameters[NctParam::kMinCompStep];
+  policy.interference_check = c.parameters.flag(CompParam::kInterferenceCheck);
+  policy.interference_alarm = c.parameters.flag(CompParam::kInterferenceAlarm);
+  policy.extra_look_ahead = static_cast<int>(c.parameters[CompParam::kExtraLookAhead]);
+  policy.min_step = c.parameters[CompParam::kMinCompStep];
   c.comp.filter = CutterComp(policy);
   c.comp.filter.reset(PlaneFrame(plan.next.plane()).toPlane(c.chain.toWork(c.position)));
   c.comp.engaged = true;

@@ -26,15 +26,17 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
 void NctContext::reset() {
   NctState s;
   s.active.fill(0);
-  const auto flag = [&](NctParam p) { return parameters.flag(p); };
-  s.active[kGroupMotion] = flag(NctParam::kDefaultG1) ? 10 : 0;
-  s.active[kGroupPlane] = flag(NctParam::kDefaultG18) ? 180 : flag(NctParam::kDefaultG19) ? 190 : 170;
-  s.active[kGroupDistance] = flag(NctParam::kDefaultG91) ? 910 : 900;
+  const auto flag = [&](MotionParam p) { return parameters.flag(p); };
+  s.active[kGroupMotion] = flag(MotionParam::kDefaultG1) ? 10 : 0;
+  s.active[kGroupPlane] = flag(MotionParam::kDefaultG18) ? 180 : flag(MotionParam::kDefaultG19) ? 190 : 170;
+  s.active[kGroupDistance] = flag(MotionParam::kDefaultG91) ? 910 : 900;
   s.active[kGroupZones] = 230;
-  s.active[kGroupFeedMode] = flag(NctParam::kDefaultG95) ? 950 : 940;
+  s.active[kGroupFeedMode] = flag(MotionParam::kDefaultG95) ? 950 : 940;
   s.active[kGroupUnits] = settings.units == LengthUnit::kInch ? 200 : 210;
   s.active[kGroupRadiusComp] = 400;
-  s.active[kGroupLengthComp] = flag(NctParam::kDefaultG43) ? 430 : flag(NctParam::kDefaultG44) ? 440 : 490;
+  s.active[kGroupLengthComp] = flag(MotionParam::kDefaultG43)   ? 430
+                               : flag(MotionParam::kDefaultG44) ? 440
+                                                                : 490;
   s.active[kGroupCycle] = 800;
   s.active[kGroupReturn] = 980;
   s.active[kGroupScaling] = 500;
@@ -47,7 +49,7 @@ void NctContext::reset() {
   s.active[kGroupTilt] = 691;
   s.active[kGroupPolarInterpolation] = 131;
   s.active[kGroupMirror] = 501;
-  s.feed = parameters[s.perTurn() ? NctParam::kDefaultFeedPerTurn : NctParam::kDefaultFeedPerMinute];
+  s.feed = parameters[s.perTurn() ? MotionParam::kDefaultFeedPerTurn : MotionParam::kDefaultFeedPerMinute];
   state = s;
   chain = registers.frames.chain(state.work_system, state.length);
   machine = emitter.machine();

@@ -92,7 +92,7 @@ NctControl::Go NctControl::step() {
 
 bool NctControl::skipKeepsLookAhead() {
   NctContext& c = context_;
-  if (!c.comp.engaged || c.parameters.flag(NctParam::kSkipKeepsLookAhead)) return true;
+  if (!c.comp.engaged || c.parameters.flag(MotionParam::kSkipKeepsLookAhead)) return true;
   if (!flushComp(c)) return false;  // CBB = 0: the switch is read when the block before is done
   rebaseComp(c);
   return true;

@@ -148,10 +148,10 @@ bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code) {
 }
 
 bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code) {
-  if (code == DrillCode::kFineBore && !c.parameters.flag(NctParam::kSpindleOrients)) {
+  if (code == DrillCode::kFineBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
     return c.fail("nct-2137", "G76, G87: the spindle cannot be oriented (N0607.ORI = 0)");
   }
-  if (isRigid(code) && !c.parameters.flag(NctParam::kSpindleIndexes)) {
+  if (isRigid(code) && !c.parameters.flag(MachineParam::kSpindleIndexes)) {
     return c.fail("nct-2138", "the spindle cannot be indexed (N0607.INX = 0)");
   }
   if ((code == DrillCode::kPeck || code == DrillCode::kChipBreak) && plan.next.cycle.peck <= 0.0) {
@@ -165,7 +165,7 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
   const PlaneFrame frame(plan.next.plane());
   DrillCycle cycle;
   cycle.code = drillCode(plan.next.active[kGroupCycle]);
-  if (cycle.code == DrillCode::kBackBore && !c.parameters.flag(NctParam::kSpindleOrients)) {
+  if (cycle.code == DrillCode::kBackBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
     cycle.code = DrillCode::kBackBoreManual;
   }
   cycle.initial = words.initial;
@@ -174,21 +174,21 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
   cycle.return_to_r = plan.next.active[kGroupReturn] == 990;
   cycle.peck = words.peck;
   const bool rigid = isRigid(cycle.code);
-  cycle.tap_returns_to_r = rigid && c.parameters.flag(NctParam::kTapReturnsToR);
-  const NctParam clearance =
-      rigid ? (cycle.tap_returns_to_r ? NctParam::kRigidPeckClearance : NctParam::kRigidChipBreakReturn)
-      : cycle.code == DrillCode::kPeck ? NctParam::kPeckClearance
-                                       : NctParam::kChipBreakReturn;
+  cycle.tap_returns_to_r = rigid && c.parameters.flag(CycleParam::kTapReturnsToR);
+  const CycleParam clearance =
+      rigid ? (cycle.tap_returns_to_r ? CycleParam::kRigidPeckClearance : CycleParam::kRigidChipBreakReturn)
+      : cycle.code == DrillCode::kPeck ? CycleParam::kPeckClearance
+                                       : CycleParam::kChipBreakReturn;
   cycle.clearance = words.clearance.value_or(c.parameters[clearance]);
-  const bool turns = plan.next.perTurn() && !c.parameters.flag(NctParam::kDwellSeconds);
+  const bool turns = plan.next.perTurn() && !c.parameters.flag(MotionParam::kDwellSeconds);
   cycle.dwell = turns && words.dwell > 0.0 ? words.dwell * 60.0 / turnsPerMinute(c, plan) : words.dwell;
   cycle.shift = {words.shift[static_cast<std::size_t>(frame.u())],
                  words.shift[static_cast<std::size_t>(frame.v())]};
-  const NctParam retract = rigid ? NctParam::kTapRetract : NctParam::kBoreRetract;
-  if (!rigid || c.parameters.flag(NctParam::kTapExtraction)) {
+  const CycleParam retract = rigid ? CycleParam::kTapRetract : CycleParam::kBoreRetract;
+  if (!rigid || c.parameters.flag(CycleParam::kTapExtraction)) {
     cycle.retract_factor = words.retract_percent.value_or(c.parameters[retract]) / 100.0;
   }
-  cycle.orient_before_rigid_tap = c.parameters.flag(NctParam::kTapOrient);
+  cycle.orient_before_rigid_tap = c.parameters.flag(CycleParam::kTapOrient);
   switch (expandDrillCycle(cycle, c.drill_steps)) {
     case DrillError::kNone:
       return true;

@@ -114,7 +114,7 @@ namespace {
 
 bool planToolOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p) {
   std::int64_t row = 0;
-  if (!integerWord(c, p, 1, static_cast<std::int64_t>(c.parameters[NctParam::kToolOffsets]), row))
+  if (!integerWord(c, p, 1, static_cast<std::int64_t>(c.parameters[CompParam::kToolOffsets]), row))
     return false;
   const Word* r = c.word('R');
   if (r == nullptr) return c.fail("nct-2004", "missing data R: the value of the offset");

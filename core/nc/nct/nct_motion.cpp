@@ -62,7 +62,7 @@ double radiusTolerance(const NctContext& c) {
   // alarm: up to this difference the arc then runs as a spiral with a warning. 2 mm lets sloppy but harmless
   // arcs of real programs through and still refuses a wrong centre.
   constexpr double kUnknownMachineMm = 2.0;
-  if (c.parameters.given(NctParam::kRadiusDifference)) return c.parameters[NctParam::kRadiusDifference];
+  if (c.parameters.given(MotionParam::kRadiusDifference)) return c.parameters[MotionParam::kRadiusDifference];
   return kUnknownMachineMm;
 }
 
@@ -78,7 +78,7 @@ bool arcRequest(NctContext& c, const BlockPlan& plan, ArcRequest& request) {
     const Word* w = c.ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
     double value = lengthOf(plan, *w);
-    if (c.parameters.flag(NctParam::kAbsoluteCentre)) value -= plan.start[axis];
+    if (c.parameters.flag(MotionParam::kAbsoluteCentre)) value -= plan.start[axis];
     if (axis == frame.w()) request.center_word_outside_plane = true;
     if (axis == frame.u()) request.center_u = value;
     if (axis == frame.v()) request.center_v = value;
@@ -114,7 +114,7 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   policy.radius_tolerance = radiusTolerance(c);
   const ArcResolution resolved = resolveArc(request, policy);
   if (!resolved.ok()) return failArc(c, resolved);
-  if (!request.turns && resolved.radius_difference > c.parameters[NctParam::kRadiusDifference]) {
+  if (!request.turns && resolved.radius_difference > c.parameters[MotionParam::kRadiusDifference]) {
     c.warn("nct-2012",
            fmt::format(
                "start and end radius differ by {:.6g} mm: run as a spiral, because the job does not give "
@@ -131,9 +131,9 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   plan.motion.arc = resolved.arc;
   if (!feedStyle(c, plan, plan.motion.feed)) return false;
   const bool spiral = resolved.radius_difference > 1e-9;
-  plan.motion.feed.along = c.parameters.flag(NctParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace
-                           : spiral && !request.turns                   ? FeedStyle::Along::kStartRadius
-                                                                        : FeedStyle::Along::kPlane;
+  plan.motion.feed.along = c.parameters.flag(MotionParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace
+                           : spiral && !request.turns                      ? FeedStyle::Along::kStartRadius
+                                                                           : FeedStyle::Along::kPlane;
   return true;
 }
 
@@ -163,7 +163,7 @@ bool planDwell(NctContext& c, BlockPlan& plan) {
     return true;
   }
   if (p->value < 0.0) return c.failWord("nct-2002", "P data out of range: a dwell is not negative", *p);
-  const bool turns = plan.next.perTurn() && !c.parameters.flag(NctParam::kDwellSeconds);
+  const bool turns = plan.next.perTurn() && !c.parameters.flag(MotionParam::kDwellSeconds);
   dwell.seconds = turns ? p->value * 60.0 / turnsPerMinute(c, plan) : p->value;
   return true;
 }

@@ -3,8 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <numeric>
-#include <string_view>
+#include <utility>
 
 namespace proveout::nc {
 namespace {
@@ -24,80 +25,146 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// "N0107.REN.4" -> "N0107.REN" and 4; without a number at the end 0.
+std::pair<std::string_view, int> splitIndex(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return {name, 0};
+  int index = 0;
+  const char* last = name.data() + name.size();
+  const auto [end, error] = std::from_chars(name.data() + dot + 1, last, index);
+  if (error != std::errc() || end != last || index < 1) return {name, 0};
+  return {name.substr(0, dot), index};
+}
+
+bool inRange(const ParamInfo& info, double value) {
+  return value >= info.min && value <= info.max && (info.bit == kWholeParam || value == 0 || value == 1);
+}
+
 }  // namespace
 
-const std::array<ParameterInfo, static_cast<std::size_t>(NctParam::kCount)>& nctParameterTable() {
-  static constexpr std::array<ParameterInfo, static_cast<std::size_t>(NctParam::kCount)> kTable{{
-      {"N0300", 0, 0, 1e6, "feed at power-on in G94, units of length a minute; 0: a feed must be programmed"},
-      {"N0301", 0, 0, 1e3, "feed at power-on in G95, units of length a turn; 0: a feed must be programmed"},
-      {"N0607.ORI", 1, 0, 1, "the spindle can be oriented (G76, G87 back boring)"},
-      {"N0607.INX", 1, 0, 1, "the spindle can be indexed (G84.2, G84.3)"},
-      {"N1300.G01", 0, 0, 1, "power-on interpolation: 0 G0, 1 G1"},
-      {"N1300.G18", 0, 0, 1, "power-on plane G18"},
-      {"N1300.G19", 0, 0, 1, "power-on plane G19"},
-      {"N1300.G43", 0, 0, 1, "power-on length compensation G43"},
-      {"N1300.G44", 0, 0, 1, "power-on length compensation G44"},
-      {"N1300.G91", 0, 0, 1, "power-on incremental data"},
-      {"N1301.G95", 0, 0, 1, "power-on feed per turn"},
-      {"N1337.SEC", 0, 0, 1, "dwell always in seconds"},
-      {"N1337.CCA", 0, 0, 1, "arc centre words are absolute"},
-      {"N1337.HEF", 0, 0, 1, "helix feed along the path in space, not along the circle"},
-      {"N1337.CBB", 1, 0, 1, "an optional-skip block does not stop look-ahead"},
-      {"N1338.M06", 1, 0, 1, "1: M6 changes the tool, T selects it; 0: T changes it"},
-      {"N1339", 0.01, 0, 1e3, "difference of start and end radius that an arc may have, mm"},
-      {"N1400", 999, 1, 999, "rows of the offset table"},
-      {"N1403.IEN", 1, 0, 1, "interference check of cutter compensation"},
-      {"N1403.AAL", 0, 0, 1, "interference: 1 always alarm, 0 leave out blocks where that mends it"},
-      {"N1404", 0, 0, 8, "further blocks that the interference check looks ahead"},
-      {"N1405", 0.001, 0, 10, "corner points of cutter compensation nearer than this are merged, mm"},
-      {"N1416.ZAX", 1, 0, 1, "length compensation always on Z"},
-      {"N1416.PLN", 0, 0, 1, "length compensation on the axis normal to the plane"},
-      {"N1500", 1, 0, 1e3, "G73 pull-back, mm"},
-      {"N1501", 1, 0, 1e3, "G83 clearance, mm"},
-      {"N1502", 100, 1, 1000, "G85, G89 feed out, % of the feed in"},
-      {"N1506", 100, 1, 1000, "rigid tapping: feed out, % (with N1503.EOE)"},
-      {"N1503.TSC", 0, 0, 1, "rigid tapping: orient the spindle instead of closing the loop"},
-      {"N1503.PTC", 0, 0, 1, "rigid tapping with Q: return to R between pecks"},
-      {"N1503.EOE", 0, 0, 1, "rigid tapping: override of the feed out in force"},
-      {"N1504", 1, 0, 1e3, "rigid tapping with Q: pull-back, mm"},
-      {"N1505", 1, 0, 1e3, "rigid tapping with Q and return to R: clearance, mm"},
-  }};
-  return kTable;
+std::span<const ParamInfo> paramTable(ParamChapter chapter) {
+  switch (chapter) {
+    case ParamChapter::kMotion:
+      return motionParams();
+    case ParamChapter::kMachine:
+      return machineParams();
+    case ParamChapter::kComp:
+      return compParams();
+    case ParamChapter::kCycles:
+      return cyclesParams();
+    case ParamChapter::kCount:
+      break;
+  }
+  return {};
+}
+
+std::vector<ParameterInfo> nctParameterTable() {
+  std::vector<ParameterInfo> all;
+  for (std::size_t chapter = 0; chapter < static_cast<std::size_t>(ParamChapter::kCount); ++chapter) {
+    for (const ParamInfo& p : paramTable(static_cast<ParamChapter>(chapter))) {
+      const int count = scopeCount(p.scope);
+      all.push_back({p.name, p.default_value, p.min, p.max, p.meaning, count > 1 ? count : 0});
+    }
+  }
+  return all;
 }
 
 NctParameters::NctParameters() {
-  const auto& table = nctParameterTable();
-  for (std::size_t i = 0; i < table.size(); ++i) values_[i] = table[i].default_value;
+  for (std::size_t chapter = 0; chapter < chapter_first_.size(); ++chapter) {
+    chapter_first_[chapter] = rows_.size();
+    for (const ParamInfo& info : paramTable(static_cast<ParamChapter>(chapter))) {
+      const auto count = static_cast<std::uint32_t>(scopeCount(info.scope));
+      rows_.push_back({static_cast<std::uint32_t>(values_.size()), count});
+      infos_.push_back(&info);
+      values_.insert(values_.end(), count, info.default_value);
+    }
+  }
+  given_.assign(values_.size(), 0);
+  by_number_.resize(rows_.size());
+  std::iota(by_number_.begin(), by_number_.end(), std::size_t{0});
+  std::stable_sort(by_number_.begin(), by_number_.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(infos_[a]->number, infos_[a]->bit) < std::pair(infos_[b]->number, infos_[b]->bit);
+  });
 }
 
 Status NctParameters::set(const std::map<std::string, double>& values) {
-  const auto& table = nctParameterTable();
-  for (const auto& entry : values) {
-    const std::string& name = entry.first;
-    const double value = entry.second;
-    const auto row = std::find_if(table.begin(), table.end(), [&](const auto& p) { return p.name == name; });
-    if (row == table.end()) {
-      const auto bit = std::find_if(table.begin(), table.end(),
-                                    [&](const auto& q) { return q.name.starts_with(name + "."); });
-      if (bit != table.end()) {
-        return inputError(
-            fmt::format("parameter {} of control nct is set by its bits (for example {})", name, bit->name));
-      }
-      const auto nearest = std::min_element(table.begin(), table.end(), [&](const auto& a, const auto& b) {
-        return editDistance(a.name, name) < editDistance(b.name, name);
-      });
-      return inputError(
-          fmt::format("unknown parameter {} of control nct (nearest known: {})", name, nearest->name));
-    }
-    const bool is_flag = row->min == 0 && row->max == 1 && name.find('.') != std::string::npos;
-    if (!(value >= row->min && value <= row->max) || (is_flag && value != 0 && value != 1)) {
-      return inputError(fmt::format("parameter {} = {}: must be {} {} to {}", name, value,
-                                    is_flag ? "0 or 1, that is" : "from", row->min, row->max));
-    }
-    values_[static_cast<std::size_t>(row - table.begin())] = value;
-    given_[static_cast<std::size_t>(row - table.begin())] = true;
+  for (const auto& [name, value] : values) {
+    if (const Status status = setOne(name, value); !status) return status;
   }
   return Done{};
+}
+
+Status NctParameters::setOne(const std::string& name, double value) {
+  const auto [base, index] = splitIndex(name);
+  const auto of = [&](std::string_view wanted) {
+    return std::find_if(infos_.begin(), infos_.end(), [&](const ParamInfo* p) { return p->name == wanted; });
+  };
+  const auto found = index > 0 ? of(base) : of(name);
+  const bool indexed = found != infos_.end() && scopeCount((*found)->scope) > 1;
+  if (found == infos_.end() || (index > 0 && !indexed)) {
+    const auto bit = std::find_if(infos_.begin(), infos_.end(),
+                                  [&](const ParamInfo* q) { return q->name.starts_with(name + "."); });
+    if (bit != infos_.end()) {
+      return inputError(
+          fmt::format("parameter {} of control nct is set by its bits (for example {})", name, (*bit)->name));
+    }
+    const auto nearest = std::min_element(infos_.begin(), infos_.end(), [&](const auto* a, const auto* b) {
+      return editDistance(a->name, name) < editDistance(b->name, name);
+    });
+    return inputError(
+        fmt::format("unknown parameter {} of control nct (nearest known: {})", name, (*nearest)->name));
+  }
+  const ParamInfo& info = **found;
+  const Row& row = rows_[static_cast<std::size_t>(found - infos_.begin())];
+  if (index > static_cast<int>(row.count)) {
+    return inputError(fmt::format("parameter {}: numbers go up to {}", name, row.count));
+  }
+  if (!inRange(info, value)) {
+    const bool is_flag = info.bit != kWholeParam;
+    return inputError(fmt::format("parameter {} = {}: must be {} {} to {}", name, value,
+                                  is_flag ? "0 or 1, that is" : "from", info.min, info.max));
+  }
+  const std::size_t first = row.first + (index > 0 ? static_cast<std::size_t>(index - 1) : 0);
+  const std::size_t count = index > 0 ? 1 : row.count;
+  std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(first), count, value);
+  std::fill_n(given_.begin() + static_cast<std::ptrdiff_t>(first), count, std::uint8_t{1});
+  return Done{};
+}
+
+ParamStatus NctParameters::find(int number, int bit, int index, std::size_t& row, std::size_t& slot) const {
+  const auto first = std::lower_bound(by_number_.begin(), by_number_.end(), number,
+                                      [&](std::size_t r, int wanted) { return infos_[r]->number < wanted; });
+  if (first == by_number_.end() || infos_[*first]->number != number) return ParamStatus::kUnknown;
+  const bool of_bits = infos_[*first]->bit != kWholeParam;
+  if (of_bits && bit == kWholeParam) return ParamStatus::kNeedsBit;
+  auto at = first;
+  while (at != by_number_.end() && infos_[*at]->number == number && infos_[*at]->bit != bit) ++at;
+  if (at == by_number_.end() || infos_[*at]->number != number) return ParamStatus::kUnknown;
+  row = *at;
+  const bool indexed = rows_[row].count > 1;
+  if (indexed != (index > 0) || index > static_cast<int>(rows_[row].count)) return ParamStatus::kNeedsIndex;
+  slot = rows_[row].first + (indexed ? static_cast<std::size_t>(index - 1) : 0);
+  return ParamStatus::kOk;
+}
+
+ParamStatus NctParameters::write(int number, int bit, int index, double value, bool add) {
+  std::size_t row = 0, slot = 0;
+  if (const ParamStatus status = find(number, bit, index, row, slot); status != ParamStatus::kOk)
+    return status;
+  const ParamInfo& info = *infos_[row];
+  if (info.restart) return ParamStatus::kRestart;
+  const double wanted = add ? values_[slot] + value : value;
+  if (!inRange(info, wanted)) return ParamStatus::kOutOfRange;
+  values_[slot] = wanted;
+  given_[slot] = 1;
+  return ParamStatus::kOk;
+}
+
+ParamStatus NctParameters::read(int number, int bit, int index, double& out) const {
+  std::size_t row = 0, slot = 0;
+  const ParamStatus status = find(number, bit, index, row, slot);
+  if (status == ParamStatus::kOk) out = values_[slot];
+  return status;
 }
 
 }  // namespace proveout::nc

@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -12,60 +15,110 @@
 
 namespace proveout::nc {
 
-/// Order of nctParameterTable().
-enum class NctParam : std::size_t {
-  kDefaultFeedPerMinute,
-  kDefaultFeedPerTurn,
-  kSpindleOrients,
-  kSpindleIndexes,
-  kDefaultG1,
-  kDefaultG18,
-  kDefaultG19,
-  kDefaultG43,
-  kDefaultG44,
-  kDefaultG91,
-  kDefaultG95,
-  kDwellSeconds,
-  kAbsoluteCentre,
-  kHelixFeedSpace,
-  kSkipKeepsLookAhead,
-  kToolChangeOnM6,
-  kRadiusDifference,
-  kToolOffsets,
-  kInterferenceCheck,
-  kInterferenceAlarm,
-  kExtraLookAhead,
-  kMinCompStep,
-  kLengthAlwaysZ,
-  kLengthByPlane,
-  kChipBreakReturn,
-  kPeckClearance,
-  kBoreRetract,
-  kTapRetract,
-  kTapOrient,
-  kTapReturnsToR,
-  kTapExtraction,
-  kRigidChipBreakReturn,
-  kRigidPeckClearance,
-  kCount
+/// What a parameter belongs to. Axis and spindle parameters have a value for each number.
+enum class ParamScope : std::uint8_t { kGlobal, kChannel, kAxis, kSpindle };
+inline constexpr int kParamAxes = 32;      ///< axis numbers 1..32
+inline constexpr int kParamSpindles = 16;  ///< spindle numbers 1..16
+
+inline constexpr int kWholeParam = -1;  ///< ParamInfo::bit: the parameter is a number
+inline constexpr int kNamedBit = -2;    ///< ParamInfo::bit: a bit whose number the manual does not print
+
+struct ParamInfo {
+  std::string_view name;  ///< "N1339", "N1337.SEC"
+  int number;             ///< 1339
+  int bit;                ///< 0..7, kWholeParam or kNamedBit
+  ParamScope scope;
+  double default_value, min, max;  ///< lengths mm
+  std::string_view meaning;
+  bool restart = false;  ///< takes effect at power-on only: programs cannot change it
 };
 
-const std::array<ParameterInfo, static_cast<std::size_t>(NctParam::kCount)>& nctParameterTable();
+/// The chapters of the parameter table. Each has a header with an enumeration in the order of its rows and a
+/// function paramId() for it.
+enum class ParamChapter : std::uint8_t { kMotion, kMachine, kComp, kCycles, kCount };
+/// A row of the table.
+struct ParamId {
+  ParamChapter chapter;
+  std::uint16_t row;
+};
+/// The rows of a chapter, in the order of its enumeration.
+std::span<const ParamInfo> paramTable(ParamChapter chapter);
 
-/// Values of all parameters. Lengths mm.
+/// How an access by number went.
+enum class ParamStatus {
+  kOk,
+  kUnknown,     ///< no such parameter here
+  kNeedsBit,    ///< the parameter consists of bits
+  kNeedsIndex,  ///< it belongs to an axis or a spindle, or that number is out of range
+  kOutOfRange,  ///< the value
+  kRestart      ///< takes effect at power-on only (2193)
+};
+
+/// Values of all parameters of a channel. Lengths mm. Reading costs two indexed loads.
 class NctParameters {
  public:
   NctParameters();
-  double operator[](NctParam p) const { return values_[static_cast<std::size_t>(p)]; }
-  bool flag(NctParam p) const { return (*this)[p] != 0.0; }
-  /// Whether set() gave the parameter a value.
-  bool given(NctParam p) const { return given_[static_cast<std::size_t>(p)]; }
-  /// Overwrites defaults. Error: unknown name (names the nearest) or value out of range.
+
+  /// `number` counts from 1 and is that of the axis or spindle; other scopes take no notice of it.
+  template <class Enum>
+  double value(Enum p, int number = 1) const {
+    return values_[slot(paramId(p), number)];
+  }
+  template <class Enum>
+  bool flag(Enum p, int number = 1) const {
+    return value(p, number) != 0.0;
+  }
+  template <class Enum>
+  double operator[](Enum p) const {
+    return value(p);
+  }
+  /// Whether set() or write() gave the parameter a value.
+  template <class Enum>
+  bool given(Enum p, int number = 1) const {
+    return given_[slot(paramId(p), number)] != 0;
+  }
+
+  /// Overwrites defaults by name; "N0107.REN.4" is that of axis 4, "N0107.REN" those of all. Error: unknown
+  /// name (names the nearest) or value out of range.
   Status set(const std::map<std::string, double>& values);
 
+  /// By number, for programs. `bit` is 0..7 or kWholeParam, `index` the axis or spindle number (0: none
+  /// given). With `add` the value is added. On anything but kOk nothing changes.
+  ParamStatus write(int number, int bit, int index, double value, bool add);
+  ParamStatus read(int number, int bit, int index, double& out) const;
+
  private:
-  std::array<double, static_cast<std::size_t>(NctParam::kCount)> values_;
-  std::array<bool, static_cast<std::size_t>(NctParam::kCount)> given_{};
+  struct Row {
+    std::uint32_t first = 0;  ///< slot of number 1
+    std::uint32_t count = 1;  ///< slots
+  };
+  std::size_t slot(ParamId id, int number) const {
+    const Row& row = rows_[chapter_first_[static_cast<std::size_t>(id.chapter)] + id.row];
+    const auto index = static_cast<std::uint32_t>(number - 1);
+    return row.first + (index < row.count ? index : 0);
+  }
+  ParamStatus find(int number, int bit, int index, std::size_t& row, std::size_t& slot) const;
+  Status setOne(const std::string& name, double value);
+
+  std::array<std::size_t, static_cast<std::size_t>(ParamChapter::kCount)> chapter_first_{};
+  std::vector<const ParamInfo*> infos_;  ///< of every row
+  std::vector<Row> rows_;
+  std::vector<double> values_;          ///< by slot
+  std::vector<std::uint8_t> given_;     ///< by slot
+  std::vector<std::size_t> by_number_;  ///< rows by number and bit
 };
 
+/// Slots that a parameter of the scope takes.
+constexpr int scopeCount(ParamScope scope) {
+  return scope == ParamScope::kAxis ? kParamAxes : scope == ParamScope::kSpindle ? kParamSpindles : 1;
+}
+
+/// All rows, for the job reader.
+std::vector<ParameterInfo> nctParameterTable();
+
 }  // namespace proveout::nc
+
+#include "core/nc/nct/parameters/comp.h"
+#include "core/nc/nct/parameters/cycles.h"
+#include "core/nc/nct/parameters/machine.h"
+#include "core/nc/nct/parameters/motion.h"

@@ -108,7 +108,7 @@ bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
     setSpindleAction(c, action, plan.next.spindle_rpm);
     return act(c, std::move(action), c.state);
   }
-  if (phase == MPhase::kAfter && plan.tool_change && !c.parameters.flag(NctParam::kToolChangeOnM6)) {
+  if (phase == MPhase::kAfter && plan.tool_change && !c.parameters.flag(MachineParam::kToolChangeOnM6)) {
     c.state.tool = plan.next.next_tool;
     Action action;
     action.kind = Action::Kind::kToolChange;

@@ -1,0 +1,13 @@
+// Spindles and tool change.
+#pragma once
+
+#include "core/nc/nct/nct_parameters.h"
+
+namespace proveout::nc {
+
+/// Order of the rows in machine.cpp.
+enum class MachineParam : std::uint16_t { kSpindleOrients, kSpindleIndexes, kToolChangeOnM6, kCount };
+constexpr ParamId paramId(MachineParam p) { return {ParamChapter::kMachine, static_cast<std::uint16_t>(p)}; }
+std::span<const ParamInfo> machineParams();
+
+}  // namespace proveout::nc

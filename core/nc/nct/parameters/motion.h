@@ -1,0 +1,29 @@
+// Power-on codes, feeds, arcs, execution.
+#pragma once
+
+#include "core/nc/nct/nct_parameters.h"
+
+namespace proveout::nc {
+
+/// Order of the rows in motion.cpp.
+enum class MotionParam : std::uint16_t {
+  kDefaultFeedPerMinute,
+  kDefaultFeedPerTurn,
+  kDefaultG1,
+  kDefaultG18,
+  kDefaultG19,
+  kDefaultG43,
+  kDefaultG44,
+  kDefaultG91,
+  kDefaultG95,
+  kDwellSeconds,
+  kAbsoluteCentre,
+  kHelixFeedSpace,
+  kSkipKeepsLookAhead,
+  kRadiusDifference,
+  kCount
+};
+constexpr ParamId paramId(MotionParam p) { return {ParamChapter::kMotion, static_cast<std::uint16_t>(p)}; }
+std::span<const ParamInfo> motionParams();
+
+}  // namespace proveout::nc

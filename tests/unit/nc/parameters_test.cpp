@@ -1,0 +1,69 @@
+// Parameters of the nct control: by name from the job, by number from the program.
+#include <gtest/gtest.h>
+
+#include "core/nc/nct/nct_parameters.h"
+
+namespace proveout::nc {
+namespace {
+
+TEST(Parameters, DefaultsAreThoseOfTheTable) {
+  const NctParameters parameters;
+  EXPECT_EQ(parameters[MotionParam::kRadiusDifference], 0.01);
+  EXPECT_EQ(parameters[CycleParam::kBoreRetract], 100);
+  EXPECT_TRUE(parameters.flag(MachineParam::kSpindleOrients, 16));
+  EXPECT_FALSE(parameters.given(MotionParam::kRadiusDifference));
+}
+
+TEST(Parameters, TablesAgreeWithTheirEnumerations) {
+  EXPECT_EQ(motionParams()[static_cast<std::size_t>(MotionParam::kRadiusDifference)].name, "N1339");
+  EXPECT_EQ(machineParams()[static_cast<std::size_t>(MachineParam::kToolChangeOnM6)].name, "N1338.M06");
+  EXPECT_EQ(compParams()[static_cast<std::size_t>(CompParam::kMinCompStep)].name, "N1405");
+  EXPECT_EQ(cyclesParams()[static_cast<std::size_t>(CycleParam::kTapRetract)].name, "N1506");
+  for (std::size_t c = 0; c < static_cast<std::size_t>(ParamChapter::kCount); ++c) {
+    for (const ParamInfo& info : paramTable(static_cast<ParamChapter>(c))) {
+      EXPECT_EQ(info.name.substr(0, 1), "N");
+      EXPECT_EQ(std::stoi(std::string(info.name.substr(1, 4))), info.number) << info.name;
+      EXPECT_EQ(info.name.find('.') != std::string_view::npos, info.bit != kWholeParam) << info.name;
+      EXPECT_TRUE(info.min <= info.default_value && info.default_value <= info.max) << info.name;
+    }
+  }
+}
+
+TEST(Parameters, NamesMayEndInANumber) {
+  NctParameters parameters;
+  ASSERT_TRUE(parameters.set({{"N0607.ORI", 0}, {"N0607.INX.3", 0}}).ok());
+  EXPECT_FALSE(parameters.flag(MachineParam::kSpindleOrients, 1));
+  EXPECT_FALSE(parameters.flag(MachineParam::kSpindleOrients, 16));
+  EXPECT_TRUE(parameters.flag(MachineParam::kSpindleIndexes, 2));
+  EXPECT_FALSE(parameters.flag(MachineParam::kSpindleIndexes, 3));
+  EXPECT_FALSE(parameters.set({{"N0607.ORI.17", 0}}).ok());
+  EXPECT_FALSE(parameters.set({{"N1339.2", 0}}).ok()) << "belongs to the channel";
+  EXPECT_FALSE(parameters.set({{"N0607.ORI.2", 0.5}}).ok());
+  EXPECT_FALSE(parameters.set({{"N0607", 1}}).ok());
+}
+
+TEST(Parameters, ProgramsReachThemByNumberAndBit) {
+  NctParameters parameters;
+  double value = 0;
+  EXPECT_EQ(parameters.write(1339, kWholeParam, 0, 0.5, false), ParamStatus::kOk);
+  EXPECT_EQ(parameters.write(1339, kWholeParam, 0, 0.25, true), ParamStatus::kOk);
+  EXPECT_EQ(parameters[MotionParam::kRadiusDifference], 0.75);
+  EXPECT_TRUE(parameters.given(MotionParam::kRadiusDifference));
+  EXPECT_EQ(parameters.write(1339, kWholeParam, 0, -1, false), ParamStatus::kOutOfRange);
+  EXPECT_EQ(parameters.write(1337, kWholeParam, 0, 1, false), ParamStatus::kNeedsBit);
+  EXPECT_EQ(parameters.write(1337, 1, 0, 1, false), ParamStatus::kOk);
+  EXPECT_TRUE(parameters.flag(MotionParam::kDwellSeconds));
+  EXPECT_EQ(parameters.write(1337, 1, 0, 1, true), ParamStatus::kOutOfRange) << "a bit is 0 or 1";
+  EXPECT_EQ(parameters.write(607, 2, 0, 0, false), ParamStatus::kNeedsIndex);
+  EXPECT_EQ(parameters.write(607, 2, 17, 0, false), ParamStatus::kNeedsIndex);
+  EXPECT_EQ(parameters.write(607, 2, 4, 0, false), ParamStatus::kOk);
+  EXPECT_EQ(parameters.read(607, 2, 4, value), ParamStatus::kOk);
+  EXPECT_EQ(value, 0);
+  EXPECT_EQ(parameters.read(607, 2, 5, value), ParamStatus::kOk);
+  EXPECT_EQ(value, 1);
+  EXPECT_EQ(parameters.read(9999, kWholeParam, 0, value), ParamStatus::kUnknown);
+  EXPECT_EQ(parameters.read(1339, 3, 0, value), ParamStatus::kUnknown);
+}
+
+}  // namespace
+}  // namespace proveout::nc
