@@ -26,8 +26,8 @@ class DiagnosticsTap : public MotionSink {
     overtravels.files[index] = name;
     if (next_) next_->file(index, name);
   }
-  void motion(const Motion& motion, const ArcGeometry* arc) override {
-    if (next_) next_->motion(motion, arc);
+  void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) override {
+    if (next_) next_->motion(motion, arc, axis);
   }
   void event(const PathEvent& event) override {
     if (event.event == "overtravel") overtravels.events.push_back({kNoMotion, event});

@@ -29,10 +29,11 @@ class GuardedBuilder : public ToolpathBuilder {
  public:
   GuardedBuilder(Toolpath& path, double most_bytes, Progress& progress)
       : ToolpathBuilder(path), most_bytes_(most_bytes), progress_(progress) {}
-  void motion(const Motion& motion, const ArcGeometry* arc) override {
-    ToolpathBuilder::motion(motion, arc);
+  void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) override {
+    ToolpathBuilder::motion(motion, arc, axis);
     // Twice: a growing vector holds its old half as long as it copies.
-    add(2 * (sizeof(Motion) + (arc ? sizeof(ArcGeometry) : 0)), motion.source);
+    add(2 * (sizeof(Motion) + (arc ? sizeof(ArcGeometry) : 0) + (axis ? sizeof(AxisSweep) : 0)),
+        motion.source);
   }
   void event(const PathEvent& event) override {
     ToolpathBuilder::event(event);
@@ -132,6 +133,30 @@ BlockRef blockRef(const Toolpath& path, const SourceRef& source, const Recording
   ref.depth = source.depth;
   ref.text = texts.line(ref.file, ref.line);
   return ref;
+}
+
+bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source) {
+  for (const Motion& motion : path.motions) {
+    if (motion.axis < 0) continue;
+    const AxisSweep& axis = path.axes[static_cast<std::size_t>(motion.axis)];
+    std::string why;
+    if (!axis.alongZ()) why = "a tool axis other than +z";
+    for (int k = 0; k < axis.rotary_count; ++k) {
+      const RotaryPosition& rotary = axis.rotary[static_cast<std::size_t>(k)];
+      if (rotary.from != 0.0 || rotary.to != 0.0) why = fmt::format("rotary axis {}", rotary.name.data());
+    }
+    if (why.empty()) continue;
+    const BlockRef block = blockRef(path, motion.source, source);
+    Diagnostic diagnostic;
+    diagnostic.code = "rotary-motion";
+    diagnostic.message = fmt::format(
+        "this motion uses {}: this version can write such a path but not remove material with it", why);
+    diagnostic.where = {block.file, static_cast<int>(block.line), 0, 0};
+    diagnostic.source_line = block.text;
+    path.diagnostics.add(std::move(diagnostic));
+    return false;
+  }
+  return true;
 }
 
 bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const RecordingSource& source) {

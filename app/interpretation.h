@@ -62,6 +62,10 @@ ControlSettings controlSettings(const Job& job, const Box3& blank);
 Interpreted interpretProgram(const Job& job, const ProgramSource& source, const ControlSettings& settings,
                              Progress& progress);
 
+/// False, with an error in the path's diagnostics, if a motion turns the tool or the workpiece: the engine
+/// cuts with a tool along +z in a workpiece that stands still.
+bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source);
+
 /// Gives motions that name no tool the lowest tool of the job and checks that every tool used is defined.
 /// What it finds goes to `path.diagnostics`; false after an error.
 bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const RecordingSource& source);

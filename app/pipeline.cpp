@@ -138,7 +138,9 @@ Status interpretAll(const Job& job, const RunSources& sources, const Box3& blank
     if (setup.interpreted.summary.end == ProgramEnd::kCancelled)
       return Error{ErrorKind::kInterrupted, "interrupted"};
     Toolpath& path = setup.interpreted.path;
-    if (!setup.interpreted.summary.ok() || !assignTools(path, setup.job.tools, *sources[k])) run.alarm = true;
+    const bool good = setup.interpreted.summary.ok() && refuseRotaryMotion(path, *sources[k]) &&
+                      assignTools(path, setup.job.tools, *sources[k]);
+    if (!good) run.alarm = true;
     inSetup(run, setup, [&](std::vector<Finding>& findings) {
       addAlarms(path, findings);
       addOvertravel(path, *sources[k], findings);

@@ -83,25 +83,30 @@ void readControlName(ConfigTable& table, const std::string& key, const JobNames&
   if (name) job.control = *name;
 }
 
+/// `name = [low, high]`; the key is there.
+std::optional<AxisLimit> readLimit(ConfigTable& table, const std::string& name) {
+  const ConfigValue* value = table.find(name);
+  if (value->type != Type::kArray || value->items.size() != 2) {
+    table.error(name, "job-type", name + " must be a list of two numbers, [low, high]");
+    return std::nullopt;
+  }
+  const auto low = readNumber(table.document(), value->items[0], name + " low", kAnyLength);
+  const auto high = readNumber(table.document(), value->items[1], name + " high", kAnyLength);
+  if (!low || !high) return std::nullopt;
+  if (*low >= *high) {
+    table.error(name, "job-range", name + ": the low limit must be below the high one");
+    return std::nullopt;
+  }
+  return AxisLimit{*low, *high};
+}
+
 void readLimits(ConfigTable& machine, Job& job) {
   auto limits = machine.table("limits");
   if (!limits) return;
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name(1, "XYZ"[axis]);
-    const ConfigValue* value = limits->find(name);
-    if (value == nullptr) continue;
-    if (value->type != Type::kArray || value->items.size() != 2) {
-      limits->error(name, "job-type", name + " must be a list of two numbers, [low, high]");
-      continue;
-    }
-    const auto low = readNumber(machine.document(), value->items[0], name + " low", kAnyLength);
-    const auto high = readNumber(machine.document(), value->items[1], name + " high", kAnyLength);
-    if (!low || !high) continue;
-    if (*low >= *high) {
-      limits->error(name, "job-range", name + ": the low limit must be below the high one");
-      continue;
-    }
-    job.settings.limits[axis] = AxisLimit{*low, *high};
+    if (limits->find(name) == nullptr) continue;
+    if (const auto limit = readLimit(*limits, name)) job.settings.limits[axis] = *limit;
   }
   limits->refuseOthers();
 }
@@ -129,6 +134,25 @@ void readReferencePoints(ConfigTable& machine, Job& job) {
   }
 }
 
+void readAxis(ConfigTable& table, Job& job) {
+  AxisSettings axis;
+  const std::vector<std::string> kinds{"linear", "rotary"};
+  if (const auto name = table.must("name").text("name")) axis.name = *name;
+  if (const auto number = table.must("number").integer("number", 1, 32))
+    axis.number = static_cast<int>(*number);
+  if (const auto kind = table.choice("kind", kinds))
+    axis.kind = *kind == "linear" ? AxisKind::kLinear : AxisKind::kRotary;
+  const bool main = axis.name == "X" || axis.name == "Y" || axis.name == "Z";
+  if (main) axis.kind = AxisKind::kLinear;
+  if (const auto parallel = table.choice("parallel", {"X", "Y", "Z"})) axis.parallel = *parallel;
+  if (const auto rapid = table.number("rapid", kRate)) axis.rapid = *rapid;
+  if (const auto start = table.number("start", kAnyLength)) axis.start = *start;
+  if (const auto reference = table.number("reference", kAnyLength)) axis.reference = *reference;
+  if (table.find("limits")) axis.limit = readLimit(table, "limits");
+  table.refuseOthers();
+  job.settings.axes.push_back(std::move(axis));
+}
+
 /// The keys that the job's table and the machine's own file share.
 void readMachineKeys(ConfigTable& machine, Job& job) {
   readRapid(machine, job);
@@ -139,6 +163,9 @@ void readMachineKeys(ConfigTable& machine, Job& job) {
     job.settings.default_spindle_rpm = *rpm;
   }
   readLimits(machine, job);
+  std::vector<ConfigTable> axes = machine.tables("axis");
+  if (!axes.empty()) job.settings.axes.clear();  // the job's axes stand for those of the machine's file
+  for (ConfigTable& axis : axes) readAxis(axis, job);
   machine.refuseOthers();
 }
 

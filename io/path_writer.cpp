@@ -117,7 +117,30 @@ void JsonLinesPathWriter::source(const SourceRef& source) {
   endLine();
 }
 
-void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc) {
+namespace {
+
+void putAxis(Buffer& b, const AxisSweep& axis) {
+  if (!axis.alongZ()) {
+    put(b, R"(,"axis_from":)");
+    putVector(b, axis.from);
+    put(b, R"(,"axis_to":)");
+    putVector(b, axis.to);
+  }
+  for (int k = 0; k < axis.rotary_count; ++k) {
+    const RotaryPosition& rotary = axis.rotary[static_cast<std::size_t>(k)];
+    put(b, k == 0 ? R"(,"rotary":{")" : R"(,")");
+    put(b, rotary.name.data());
+    put(b, R"(":[)");
+    putNumber(b, rotary.from);
+    b.push_back(',');
+    putNumber(b, rotary.to);
+    put(b, k + 1 == axis.rotary_count ? "]}" : "]");
+  }
+}
+
+}  // namespace
+
+void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) {
   Buffer& b = buffer_;
   put(b, R"({"type":"motion","id":)");
   putInteger(b, next_id_++);
@@ -135,6 +158,7 @@ void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc) {
     put(b, R"(,"sweep_deg":)");
     putNumber(b, radToDeg(arc->sweep_rad));
   }
+  if (axis != nullptr) putAxis(b, *axis);
   put(b, R"(,"feed":)");
   putNumber(b, motion.feed);
   put(b, R"(,"tool":)");
@@ -143,6 +167,10 @@ void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc) {
   putNumber(b, motion.spindle);
   put(b, R"(,"time_s":)");
   putNumber(b, motion.time_s);
+  if (motion.channel > 0) {
+    put(b, R"(,"channel":)");
+    putInteger(b, motion.channel + 1);
+  }
   source(motion.source);
 }
 
@@ -208,7 +236,7 @@ void CsvPathWriter::file(std::uint32_t index, const std::string& name) {
   files_[index] = quoted + '"';
 }
 
-void CsvPathWriter::motion(const Motion& motion, const ArcGeometry* arc) {
+void CsvPathWriter::motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep*) {
   Buffer& b = buffer_;
   const auto number = [&](double value) {
     putNumber(b, value);

@@ -16,14 +16,15 @@ namespace proveout {
 
 /// One JSON object a line: a header, then motions, events and diagnostics in program order. Lengths mm, feed
 /// mm/min, angles degrees; numbers rounded to 1e-9 with no trailing zeros, -0 as 0. `block` is "" where the
-/// block has no N.
+/// block has no N. "axis_from" and "axis_to" stand where the tool is not along +z, "rotary" where the machine
+/// has rotary axes: {"C":[from,to]}, degrees.
 class JsonLinesPathWriter : public MotionSink {
  public:
   /// Writes the header at once. `out` must outlive the writer; its state tells of write errors.
   JsonLinesPathWriter(std::ostream& out, std::string_view control);
   ~JsonLinesPathWriter() override;
   void file(std::uint32_t index, const std::string& name) override;
-  void motion(const Motion& motion, const ArcGeometry* arc) override;
+  void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) override;
   void event(const PathEvent& event) override;
   void diagnostic(const Diagnostic& diagnostic) override;
   void flush();
@@ -38,13 +39,13 @@ class JsonLinesPathWriter : public MotionSink {
   MotionId next_id_ = 0;
 };
 
-/// A table of the motions, with a header line. Events and diagnostics have no row.
+/// A table of the motions, with a header line. Events and diagnostics have no row, rotary axes no column.
 class CsvPathWriter : public MotionSink {
  public:
   explicit CsvPathWriter(std::ostream& out);
   ~CsvPathWriter() override;
   void file(std::uint32_t index, const std::string& name) override;
-  void motion(const Motion& motion, const ArcGeometry* arc) override;
+  void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) override;
   void event(const PathEvent& event) override;
   void diagnostic(const Diagnostic& diagnostic) override;
   void flush();

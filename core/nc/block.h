@@ -131,4 +131,14 @@ struct Block {
   }
 };
 
+/// The name under which the program wrote the word: "X", ",C", "Z1".
+inline std::string_view wordName(const Word& word, const Block& block) {
+  if (word.address != kNamedWord) return addressText(word.address);
+  const auto begin = static_cast<std::size_t>(word.columns.begin - 1);
+  const auto length = static_cast<std::size_t>(word.columns.end - word.columns.begin);
+  const std::string_view text = block.text.substr(begin, length);
+  const std::size_t equals = text.find('=');
+  return text.substr(0, equals != std::string_view::npos ? equals : text.find_first_of("-+.0123456789#[ "));
+}
+
 }  // namespace proveout::nc

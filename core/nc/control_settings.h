@@ -24,6 +24,20 @@ struct AxisLimit {
   double max = 0.0;
 };
 
+enum class AxisKind { kLinear, kRotary };
+
+/// An axis besides X, Y, Z, or the number of one of these.
+struct AxisSettings {
+  std::string name;  ///< "C", "U", "Z1": upper case
+  int number = 4;    ///< axis number of the machine, 1 to 32
+  AxisKind kind = AxisKind::kRotary;
+  std::string parallel;  ///< "X", "Y" or "Z": the linear axis moves the tool in that direction too; or empty
+  double rapid = 15000.0;          ///< mm/min or deg/min; > 0
+  double start = 0.0;              ///< machine position at power-on, mm or deg
+  double reference = 0.0;          ///< machine position of the reference points, mm or deg
+  std::optional<AxisLimit> limit;  ///< machine coordinates, mm or deg
+};
+
 /// A row of the offset tables, mm. Effective value: geometry + wear.
 struct OffsetValue {
   double geometry = 0.0;
@@ -41,6 +55,7 @@ struct ControlSettings {
   TextEncoding encoding = TextEncoding::kAuto;  ///< of the program files
   Vec3 rapid_mm_min = Vec3::Constant(15000.0);  ///< rapid rate of X, Y, Z; > 0
   std::array<std::optional<AxisLimit>, 3> limits;  ///< X, Y, Z, machine frame, mm
+  std::vector<AxisSettings> axes;                  ///< besides X, Y, Z
   Vec3 start = Vec3(0, 0, 100);                    ///< where the tool is at power-on, workpiece frame, mm
 
   /// Work offsets G54..G59 in the machine frame, mm, and their basic rotation angles about X, Y, Z (deg).

@@ -34,6 +34,38 @@ Vec3 CoordinateChain::toProgram(const Vec3& machine) const {
   return q;
 }
 
+void CoordinateChain::moveFurtherAxes(int count, const AxisPoint& program_to_work,
+                                      const AxisPoint& work_to_machine) {
+  more_count_ = count;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    work_more_[k] = program_to_work.more[k];
+    machine_more_[k] = work_to_machine.more[k];
+  }
+}
+
+AxisPoint CoordinateChain::workOf(const AxisPoint& p) const {
+  AxisPoint q(toWork(p.xyz));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k)
+    q.more[k] = p.more[k] + work_more_[k];
+  return q;
+}
+
+AxisPoint CoordinateChain::machineOf(const AxisPoint& p) const {
+  AxisPoint q(toMachine(p.xyz));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
+    q.more[k] = p.more[k] + work_more_[k] + machine_more_[k];
+  }
+  return q;
+}
+
+AxisPoint CoordinateChain::programOf(const AxisPoint& machine) const {
+  AxisPoint p(toProgram(machine.xyz));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
+    p.more[k] = machine.more[k] - machine_more_[k] - work_more_[k];
+  }
+  return p;
+}
+
 Mat3 basicRotation(const Vec3& angles_deg) {
   if (angles_deg == Vec3::Zero()) return Mat3::Identity();
   const auto turn = [&](int axis) { return Eigen::AngleAxisd(degToRad(angles_deg[axis]), Vec3::Unit(axis)); };
@@ -53,11 +85,18 @@ WorkSystem WorkFrames::system(WorkSystemId id) const {
   return it == extended.end() ? WorkSystem{} : it->second;
 }
 
-CoordinateChain WorkFrames::chain(WorkSystemId active, const Vec3& length) const {
+CoordinateChain WorkFrames::chain(WorkSystemId active, const AxisPoint& length) const {
   const WorkSystem work = system(active);
-  const FrameStep local{Mat3::Identity(), shift52 + shift92};
-  const FrameStep rotate{basicRotation(work.angles_deg), common.offset + work.offset + length};
-  return CoordinateChain({local}, {rotate});
+  const FrameStep local{Mat3::Identity(), shift52.xyz + shift92.xyz};
+  const FrameStep rotate{basicRotation(work.angles_deg), common.offset.xyz + work.offset.xyz + length.xyz};
+  CoordinateChain chain({local}, {rotate});
+  AxisPoint shift, offset;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_axes); ++k) {
+    shift.more[k] = shift52.more[k] + shift92.more[k];
+    offset.more[k] = common.offset.more[k] + work.offset.more[k] + length.more[k];
+  }
+  chain.moveFurtherAxes(more_axes, shift, offset);
+  return chain;
 }
 
 }  // namespace proveout::nc

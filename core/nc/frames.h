@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/types.h"
+#include "core/nc/axis_point.h"
 
 namespace proveout::nc {
 
@@ -33,6 +34,13 @@ class CoordinateChain {
   Vec3 toMachine(const Vec3& p) const { return workToMachine(toWork(p)); }
   /// Inverse of toMachine().
   Vec3 toProgram(const Vec3& machine) const;
+  // The same for points in all axes: axes besides X Y Z are only moved.
+  AxisPoint workOf(const AxisPoint& p) const;
+  AxisPoint machineOf(const AxisPoint& p) const;
+  AxisPoint programOf(const AxisPoint& machine) const;
+  /// Offsets of `count` further axes from program to work and from work to machine coordinates.
+  void moveFurtherAxes(int count, const AxisPoint& program_to_work, const AxisPoint& work_to_machine);
+
   /// Turns a direction of work space into machine space.
   Vec3 directionToMachine(const Vec3& d) const { return machine_moves_only_ ? d : Vec3(machine_.linear * d); }
 
@@ -43,6 +51,8 @@ class CoordinateChain {
   }
   FrameStep work_, machine_;
   bool work_moves_only_ = true, machine_moves_only_ = true;
+  int more_count_ = 0;  ///< of the arrays below only so many are set
+  std::array<double, kMaxAxes - kMainAxes> work_more_, machine_more_;
 };
 
 /// Mz(gamma) * My(beta) * Mx(alpha), right-handed, angles (alpha, beta, gamma) in degrees.
@@ -50,7 +60,7 @@ Mat3 basicRotation(const Vec3& angles_deg);
 
 /// A work coordinate system: offset in the machine frame, and basic rotation about its own origin.
 struct WorkSystem {
-  Vec3 offset = Vec3::Zero();
+  AxisPoint offset;
   Vec3 angles_deg = Vec3::Zero();
 };
 
@@ -63,13 +73,14 @@ struct WorkFrames {
   WorkSystem common;  ///< its angles stay 0
   std::array<WorkSystem, 6> basic;
   std::map<int, WorkSystem> extended;  ///< by P
-  Vec3 shift92 = Vec3::Zero();         ///< G92, work coordinates
-  Vec3 shift52 = Vec3::Zero();         ///< G52, work coordinates
+  AxisPoint shift92;                   ///< G92, work coordinates
+  AxisPoint shift52;                   ///< G52, work coordinates
+  int more_axes = 0;                   ///< axes of the channel besides X Y Z
 
   WorkSystem& system(WorkSystemId id);
   WorkSystem system(WorkSystemId id) const;
   /// The chain with work system `active` and length offset `length` (machine axes).
-  CoordinateChain chain(WorkSystemId active, const Vec3& length) const;
+  CoordinateChain chain(WorkSystemId active, const AxisPoint& length) const;
 };
 
 }  // namespace proveout::nc

@@ -392,7 +392,7 @@ bool Lexer::store(const Word& word, Block& block) {
       if (block.repeated.empty()) block.repeated_at = word.columns;
       block.repeated.add(word.address);
     } else {
-      return fail("nct-duplicate-word", fmt::format("two {} in one block", addressText(word.address)), begin,
+      return fail("nct-duplicate-word", fmt::format("two {} in one block", wordName(word, block)), begin,
                   end);
     }
   }

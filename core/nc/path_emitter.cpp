@@ -47,13 +47,22 @@ std::string jsonString(std::string_view text) {
   return out + '"';
 }
 
-PathEmitter::PathEmitter(const ControlSettings& settings, MotionSink& sink, InterpretSummary& summary)
+PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes, MotionSink& sink,
+                         InterpretSummary& summary)
     : settings_(settings),
       sink_(sink),
       summary_(summary),
+      axes_(axes),
+      more_(axes.moreCount()),
       origin_(settings.work_offsets[0] + settings.common_offset),
       machine_(settings.start + origin_) {
-  for (const auto& limit : settings.limits) any_limit_ = any_limit_ || limit.has_value();
+  for (int k = 0; k < axes_.count(); ++k) {
+    any_limit_ = any_limit_ || axes_.at(k).limit.has_value();
+    if (axes_.at(k).rotary()) ++rotary_;
+  }
+  for (const AxisSettings& axis : settings.axes) {
+    if (const int k = axes_.find(axis.name); k >= kMainAxes) machine_[k] = axis.start;
+  }
   setTool(0);
 }
 
@@ -64,36 +73,82 @@ void PathEmitter::setTool(int tool) {
   if (gauge != settings_.gauge_lengths.end()) to_workpiece_.z() -= gauge->second;
 }
 
-void PathEmitter::rapidTo(const Vec3& to, const SourceRef& source) {
-  const Vec3 d = to - machine_;
-  if (d.cwiseAbs().maxCoeff() < kNoMoveMm) return;
+Vec3 PathEmitter::toolPoint(const AxisPoint& machine) const {
+  Vec3 point = machine.xyz + to_workpiece_;
+  for (int k = kMainAxes; k < kMainAxes + more_; ++k) {
+    const int main = axes_.at(k).parallel_to;
+    if (main >= 0) point[main] += machine[k];
+  }
+  return point;
+}
+
+/// Length that the axes besides X Y Z add to a motion: mm and degrees alike, as the feed counts them.
+double PathEmitter::furtherTravel(const AxisPoint& to) const {
+  double sum = 0.0;
+  for (int k = kMainAxes; k < kMainAxes + more_; ++k) {
+    const double d = to[k] - machine_[k];
+    sum += d * d;
+  }
+  return std::sqrt(sum);
+}
+
+double PathEmitter::furtherRapidTime(const AxisPoint& to) const {
+  double slowest = 0.0;
+  for (int k = kMainAxes; k < kMainAxes + more_; ++k) {
+    slowest = std::max(slowest, std::abs(to[k] - machine_[k]) / axes_.at(k).rapid);
+  }
+  return slowest;
+}
+
+const AxisSweep* PathEmitter::sweepTo(const AxisPoint& to) {
+  if (rotary_ == 0) return nullptr;
+  sweep_ = {};
+  for (int k = kMainAxes; k < kMainAxes + more_ && sweep_.rotary_count < kMaxRotaryAxes; ++k) {
+    if (!axes_.at(k).rotary()) continue;
+    RotaryPosition& rotary = sweep_.rotary[static_cast<std::size_t>(sweep_.rotary_count++)];
+    axes_.at(k).name.copy(rotary.name.data(), rotary.name.size() - 1);
+    rotary.from = machine_[k];
+    rotary.to = to[k];
+  }
+  return &sweep_;
+}
+
+void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source) {
+  const Vec3 d = to.xyz - machine_.xyz;
+  const double further = more_ > 0 ? furtherTravel(to) : 0.0;
+  if (d.cwiseAbs().maxCoeff() < kNoMoveMm && further < kNoMoveMm) return;
   Motion m;
   m.kind = MotionKind::kRapid;
-  m.time_s = 60.0 * (d.cwiseAbs().cwiseQuotient(settings_.rapid_mm_min)).maxCoeff();
+  double minutes = (d.cwiseAbs().cwiseQuotient(settings_.rapid_mm_min)).maxCoeff();
+  if (more_ > 0) minutes = std::max(minutes, furtherRapidTime(to));
+  m.time_s = 60.0 * minutes;
   m.source = source;
   summary_.rapid_s += m.time_s;
   send(m, to, nullptr);
 }
 
-void PathEmitter::lineTo(const Vec3& to, const FeedStyle& style, const SourceRef& source) {
-  const Vec3 d = to - machine_;
-  if (d.cwiseAbs().maxCoeff() < kNoMoveMm) return;
+void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const SourceRef& source) {
+  const Vec3 d = to.xyz - machine_.xyz;
+  const double further = more_ > 0 ? furtherTravel(to) : 0.0;
+  if (d.cwiseAbs().maxCoeff() < kNoMoveMm && further < kNoMoveMm) return;
   Motion m;
   m.kind = style.kind;
   m.feed = style.feed;
-  m.time_s = 60.0 * d.norm() / style.feed;
+  const double length = further > 0.0 ? std::hypot(d.norm(), further) : d.norm();
+  m.time_s = 60.0 * length / style.feed;
   m.source = source;
   summary_.cutting_s += m.time_s;
   send(m, to, nullptr);
 }
 
-void PathEmitter::arcTo(const Vec3& to, const MachineArc& arc, const FeedStyle& style,
+void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
                         const SourceRef& source) {
   ArcGeometry geometry;
-  geometry.center = arc.center + to_workpiece_;
+  const Vec3 shift = more_ == 0 ? to_workpiece_ : Vec3(toolPoint(machine_) - machine_.xyz);
+  geometry.center = arc.center + shift;
   geometry.normal = arc.normal;
   geometry.sweep_rad = arc.sweep_rad;
-  const ArcFrame frame = arcFrame(machine_ + to_workpiece_, to + to_workpiece_, geometry);
+  const ArcFrame frame = arcFrame(machine_.xyz + shift, to.xyz + shift, geometry);
   const double length = arcLength(frame.radius_start, frame.radius_end, arc.sweep_rad, frame.rise);
   double paced = length;  // the length that the feed is the speed of
   if (style.along == FeedStyle::Along::kPlane) {
@@ -111,16 +166,27 @@ void PathEmitter::arcTo(const Vec3& to, const MachineArc& arc, const FeedStyle& 
   send(m, to, &geometry);
 }
 
-void PathEmitter::send(Motion& motion, const Vec3& to, const ArcGeometry* arc) {
-  motion.from = machine_ + to_workpiece_;
-  motion.to = to + to_workpiece_;
+void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* arc) {
+  const AxisSweep* sweep = nullptr;
+  if (more_ == 0) {
+    motion.from = machine_.xyz + to_workpiece_;
+    motion.to = to.xyz + to_workpiece_;
+  } else {
+    motion.from = toolPoint(machine_);
+    motion.to = toolPoint(to);
+    sweep = sweepTo(to);
+  }
   motion.tool = tool_;
   motion.spindle = spindle_;
-  machine_ = to;
+  if (more_ == 0) {
+    machine_.xyz = to.xyz;
+  } else {
+    machine_ = to;
+  }
   if (any_limit_) checkTravel(motion, arc, motion.source);
   summary_.cycle_s += motion.time_s;
   ++summary_.motions;
-  sink_.motion(motion, arc);
+  sink_.motion(motion, arc, sweep);
 }
 
 void PathEmitter::checkTravel(const Motion& motion, const ArcGeometry* arc, const SourceRef& source) {
@@ -131,7 +197,6 @@ void PathEmitter::checkTravel(const Motion& motion, const ArcGeometry* arc, cons
     copy.arc = 0;
   }
   const Box3 box = one.bounds(copy);
-  constexpr std::string_view kNames = "XYZ";
   for (int axis = 0; axis < 3; ++axis) {
     const auto& limit = settings_.limits[static_cast<std::size_t>(axis)];
     if (!limit) continue;
@@ -139,12 +204,25 @@ void PathEmitter::checkTravel(const Motion& motion, const ArcGeometry* arc, cons
     const double high = box.max[axis] - to_workpiece_[axis];
     const bool below = low < limit->min - kNoMoveMm;
     if (!below && high <= limit->max + kNoMoveMm) continue;
-    event("overtravel",
-          {{"axis", jsonString(kNames.substr(static_cast<std::size_t>(axis), 1))},
-           {"value", jsonNumber(below ? low : high)},
-           {"limit", jsonNumber(below ? limit->min : limit->max)}},
-          0.0, source);
+    overtravel(axis, below ? low : high, below ? limit->min : limit->max, source);
   }
+  if (more_ > 0) checkFurtherTravel(machine_, source);
+}
+
+void PathEmitter::checkFurtherTravel(const AxisPoint& to, const SourceRef& source) {
+  for (int k = kMainAxes; k < kMainAxes + more_; ++k) {
+    const auto& limit = axes_.at(k).limit;
+    if (!limit) continue;
+    if (to[k] < limit->min - kNoMoveMm) overtravel(k, to[k], limit->min, source);
+    if (to[k] > limit->max + kNoMoveMm) overtravel(k, to[k], limit->max, source);
+  }
+}
+
+void PathEmitter::overtravel(int axis, double value, double limit, const SourceRef& source) {
+  event(
+      "overtravel",
+      {{"axis", jsonString(axes_.at(axis).name)}, {"value", jsonNumber(value)}, {"limit", jsonNumber(limit)}},
+      0.0, source);
 }
 
 void PathEmitter::event(std::string name, EventData data, double time_s, const SourceRef& source) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/nc/axes.h"
 #include "core/nc/control_settings.h"
 #include "core/nc/interpreter.h"
 #include "core/path/toolpath.h"
@@ -30,15 +31,17 @@ struct MachineArc {
 /// Holds what the machine is doing; one owner. Positions are machine coordinates of the controlled point, mm.
 class PathEmitter {
  public:
-  PathEmitter(const ControlSettings& settings, MotionSink& sink, InterpretSummary& summary);
+  /// `axes` must outlive the emitter.
+  PathEmitter(const ControlSettings& settings, const AxisTable& axes, MotionSink& sink,
+              InterpretSummary& summary);
 
-  const Vec3& machine() const { return machine_; }
+  const AxisPoint& machine() const { return machine_; }
   /// Origin of the workpiece frame in the machine frame, mm.
   const Vec3& workpieceOrigin() const { return origin_; }
 
-  void rapidTo(const Vec3& to, const SourceRef& source);
-  void lineTo(const Vec3& to, const FeedStyle& style, const SourceRef& source);
-  void arcTo(const Vec3& to, const MachineArc& arc, const FeedStyle& style, const SourceRef& source);
+  void rapidTo(const AxisPoint& to, const SourceRef& source);
+  void lineTo(const AxisPoint& to, const FeedStyle& style, const SourceRef& source);
+  void arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style, const SourceRef& source);
 
   using EventData = std::vector<std::pair<std::string, std::string>>;
   void event(std::string name, EventData data, double time_s, const SourceRef& source);
@@ -50,14 +53,25 @@ class PathEmitter {
   void setSpindle(double rpm) { spindle_ = rpm; }  ///< negative: counter-clockwise, 0: stopped
 
  private:
-  void send(Motion& motion, const Vec3& to, const ArcGeometry* arc);
+  void send(Motion& motion, const AxisPoint& to, const ArcGeometry* arc);
+  /// The controlled point of the tool in the workpiece frame.
+  Vec3 toolPoint(const AxisPoint& machine) const;
+  double furtherTravel(const AxisPoint& to) const;
+  double furtherRapidTime(const AxisPoint& to) const;
+  const AxisSweep* sweepTo(const AxisPoint& to);
+  void checkFurtherTravel(const AxisPoint& to, const SourceRef& source);
+  void overtravel(int axis, double value, double limit, const SourceRef& source);
   void checkTravel(const Motion& motion, const ArcGeometry* arc, const SourceRef& source);
 
   const ControlSettings& settings_;
   MotionSink& sink_;
   InterpretSummary& summary_;
+  const AxisTable& axes_;
+  const int more_;  ///< axes besides X Y Z
+  int rotary_ = 0;  ///< of these, the rotary ones
   Vec3 origin_;
-  Vec3 machine_;
+  AxisPoint machine_;
+  AxisSweep sweep_;
   Vec3 to_workpiece_;  ///< added to a machine point: minus origin, minus gauge length of the tool
   int tool_ = 0;
   double spindle_ = 0.0;

@@ -1,4 +1,5 @@
 target_sources(proveout_core PRIVATE
+  nc/axes.cpp
   nc/frames.cpp
   nc/interpreter.cpp
   nc/lex_names.cpp

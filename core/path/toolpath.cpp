@@ -158,13 +158,18 @@ void ToolpathBuilder::file(std::uint32_t index, const std::string& name) {
   path_.files[index] = name;
 }
 
-void ToolpathBuilder::motion(const Motion& motion, const ArcGeometry* arc) {
+void ToolpathBuilder::motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) {
   path_.motions.push_back(motion);
   Motion& kept = path_.motions.back();
   kept.arc = -1;
   if (arc != nullptr) {
     kept.arc = static_cast<std::int32_t>(path_.arcs.size());
     path_.arcs.push_back(*arc);
+  }
+  kept.axis = -1;
+  if (axis != nullptr) {
+    kept.axis = static_cast<std::int32_t>(path_.axes.size());
+    path_.axes.push_back(*axis);
   }
 }
 

@@ -9,6 +9,7 @@
 // default) it is the programmed point plus active length offset; with a gauge length, that is subtracted.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -29,10 +30,10 @@ inline constexpr MotionId kNoMotion = 0xFFFFFFFFu;
 
 /// Where a motion comes from in the program.
 struct SourceRef {
-  std::uint32_t file = 0;    ///< index into Toolpath::files
-  std::uint32_t line = 0;    ///< from 1
-  std::int64_t block = -1;   ///< N number of the block, or -1
-  std::uint16_t depth = 0;   ///< 0 in the main program, +1 per subprogram level
+  std::uint32_t file = 0;   ///< index into Toolpath::files
+  std::uint32_t line = 0;   ///< from 1
+  std::int64_t block = -1;  ///< N number of the block, or -1
+  std::uint16_t depth = 0;  ///< 0 in the main program, +1 per subprogram level
 };
 
 /// Arc, helix, spiral or conical helix about an axis with constant direction.
@@ -44,6 +45,24 @@ struct ArcGeometry {
   double sweep_rad = 0.0;       ///< signed, right-hand rule about `normal`; more than a turn is allowed
 };
 
+/// Where a rotary axis stands, degrees.
+struct RotaryPosition {
+  std::array<char, 4> name{};  ///< of the axis, ended by NUL
+  double from = 0.0, to = 0.0;
+};
+/// Rotary axes that a path may tell of.
+inline constexpr int kMaxRotaryAxes = 6;
+
+/// The direction of the tool during a motion, and the rotary axes of the machine.
+struct AxisSweep {
+  Vec3 from = Vec3::UnitZ();  ///< tool axis, unit, workpiece frame, from the tip to the spindle
+  Vec3 to = Vec3::UnitZ();    ///< turns from `from` at a constant rate
+  int rotary_count = 0;
+  std::array<RotaryPosition, kMaxRotaryAxes> rotary;
+
+  bool alongZ() const { return from == Vec3::UnitZ() && to == Vec3::UnitZ(); }
+};
+
 struct Motion {
   Vec3 from = Vec3::Zero();  ///< mm, workpiece frame
   Vec3 to = Vec3::Zero();    ///< mm, workpiece frame
@@ -52,15 +71,18 @@ struct Motion {
   double spindle = 0.0;      ///< rpm, negative: M4, 0: stopped
   std::int32_t tool = 0;     ///< number of the tool in the spindle; 0: none named by the program
   std::int32_t arc = -1;     ///< index into Toolpath::arcs, or -1 for a line
+  std::int32_t axis = -1;    ///< index into Toolpath::axes, or -1: tool along +z, no rotary axis
   SourceRef source;
   MotionKind kind = MotionKind::kRapid;
+  std::uint8_t channel = 0;  ///< from 0
 
   MotionShape shape() const { return arc < 0 ? MotionShape::kLine : MotionShape::kArc; }
 };
 
 /// Something that happens between motions.
 struct PathEvent {
-  std::string event;  ///< "tool", "spindle", "coolant", "stop", "optional_stop", "dwell", "end", "message", "overtravel"
+  std::string event;  ///< "tool", "spindle", "coolant", "stop", "optional_stop", "dwell", "end", "message",
+                      ///< "overtravel"
   /// Key and JSON value text (already valid JSON: `12`, `"M8"`, `true`).
   std::vector<std::pair<std::string, std::string>> data;
   double time_s = 0.0;  ///< time that it takes (dwell, tool change)
@@ -68,13 +90,14 @@ struct PathEvent {
 };
 
 /// Receives what a virtual control does, in program order. Called from one thread.
-/// `arc` is null for lines; both are copied by the receiver if it keeps them.
+/// `arc` is null for lines, `axis` where the tool is along +z and no rotary axis is there; what is kept of
+/// them is copied. Motion::arc and Motion::axis have no meaning here.
 class MotionSink {
  public:
   virtual ~MotionSink() = default;
   /// Called before the first motion of a file is sent; returns nothing. `index` counts from 0.
   virtual void file(std::uint32_t index, const std::string& name) = 0;
-  virtual void motion(const Motion& motion, const ArcGeometry* arc) = 0;
+  virtual void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) = 0;
   virtual void event(const PathEvent& event) = 0;
   virtual void diagnostic(const Diagnostic& diagnostic) = 0;
 };
@@ -84,6 +107,7 @@ struct Toolpath {
   std::vector<std::string> files;
   std::vector<Motion> motions;
   std::vector<ArcGeometry> arcs;
+  std::vector<AxisSweep> axes;
   struct EventAt {
     MotionId before;  ///< index of the motion that follows the event
     PathEvent event;
@@ -105,7 +129,7 @@ class ToolpathBuilder : public MotionSink {
  public:
   explicit ToolpathBuilder(Toolpath& path) : path_(path) {}
   void file(std::uint32_t index, const std::string& name) override;
-  void motion(const Motion& motion, const ArcGeometry* arc) override;
+  void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) override;
   void event(const PathEvent& event) override;
   void diagnostic(const Diagnostic& diagnostic) override;
 

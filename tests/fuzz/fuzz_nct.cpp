@@ -13,7 +13,8 @@ namespace {
 class CheckingSink : public proveout::MotionSink {
  public:
   void file(std::uint32_t, const std::string&) override {}
-  void motion(const proveout::Motion& m, const proveout::ArcGeometry* arc) override {
+  void motion(const proveout::Motion& m, const proveout::ArcGeometry* arc,
+              const proveout::AxisSweep*) override {
     const bool finite = m.from.allFinite() && m.to.allFinite() && std::isfinite(m.feed) &&
                         std::isfinite(m.time_s) &&
                         (arc == nullptr || (arc->center.allFinite() && std::isfinite(arc->sweep_rad)));

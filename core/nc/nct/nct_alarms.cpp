@@ -108,7 +108,7 @@ bool AlarmReporter::alarm(int number, std::string_view subject, std::string_view
 }
 
 bool AlarmReporter::alarm(int number, const Word& word, std::string_view detail) {
-  return alarm(number, addressText(word.address), detail, word.columns);
+  return alarm(number, wordName(word, block_), detail, word.columns);
 }
 
 bool AlarmReporter::fail(std::string code, std::string message, Columns at) {

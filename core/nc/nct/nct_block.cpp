@@ -58,6 +58,7 @@ bool acceptG(NctContext& c, BlockPlan& plan, const Word& w) {
     return c.failWord("nct-group-clash", same, w);
   }
   slot = code;
+  plan.any_group = true;
   plan.flush = plan.flush || code->flushes;
   return true;
 }
@@ -125,7 +126,7 @@ bool planModal(NctContext& c, BlockPlan& plan) {
     return c.fail("nct-group-clash", fmt::format("{} and {} cannot stand in one block", gName(motion->code10),
                                                  gName(cycle->code10)));
   }
-  for (std::size_t g = 1; g < plan.by_group.size(); ++g) {
+  for (std::size_t g = 1; plan.any_group && g < plan.by_group.size(); ++g) {
     const GCode* code = plan.by_group[g];
     if (code == nullptr) continue;
     next.active[g] = code->code10;
@@ -219,7 +220,7 @@ bool planWorkSystem(NctContext& c, BlockPlan& plan) {
   if (code->code10 == 541) {
     const Word* p = c.word('P');
     std::int64_t number = 0;
-    if (p == nullptr) return c.fail("nct-2004", "missing data P: G54.1 needs P1 to P99");
+    if (p == nullptr) return c.alarm(2004, "P", "G54.1 needs P1 to P99");
     if (!integerWord(c, *p, 1, 99, number)) return false;
     plan.next.work_system = kFirstExtended + static_cast<int>(number) - 1;
   } else {
@@ -234,25 +235,30 @@ bool planLength(NctContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupLengthComp];
   const int mode = next.active[kGroupLengthComp];
   if (code && mode == 490) {
-    next.length = Vec3::Zero();
+    next.length = AxisPoint();
     plan.frames_changed = true;
   } else if (mode != 490 && (code || c.block.present.has('H'))) {
     const double value = mode == 430 ? next.h_value : -next.h_value;
     const bool always_z = c.parameters.flag(CompParam::kLengthAlwaysZ);
     const bool by_plane = !always_z && c.parameters.flag(CompParam::kLengthByPlane);
-    const int normal = PlaneFrame(next.plane()).w();
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool named = c.block.present.has("XYZ"[axis]) || c.block.present.has("UVW"[axis]);
-      if (always_z ? axis == 2 : by_plane ? axis == normal : named) next.length[axis] = value;
+    const int normal = WorkPlane(PlaneFrame(next.plane())).w;
+    if (always_z || by_plane) {
+      next.length[always_z ? 2 : normal] = value;
+    } else {
+      for (const Word& w : c.block.words) {
+        AxisWord named;
+        if (axisWord(plan, w, named)) next.length[named.axis] = value;
+      }
     }
     plan.frames_changed = true;
     plan.flush = true;
   }
   if (plan.frames_changed) {
-    plan.chain = c.registers.frames.chain(next.work_system, next.length);
-    plan.start = plan.chain.toProgram(c.machine);
+    plan.new_chain = c.registers.frames.chain(next.work_system, next.length);
+    plan.chain = &*plan.new_chain;
+    plan.start = plan.chain->programOf(c.machine);
   } else {
-    plan.chain = c.chain;
+    plan.chain = &c.chain;
   }
   return true;
 }
@@ -312,11 +318,12 @@ bool govern(NctContext& c, BlockPlan& plan) {
 }
 
 bool checkWords(NctContext& c, const BlockPlan& plan) {
-  const AddressSet legal = kCommonWords | plan.claimed | plan.governor->words;
+  AddressSet legal = kCommonWords | plan.claimed | plan.governor->words;
+  if (plan.governor->words.has('X')) legal = legal | c.axes.addresses();
   if (!c.block.present.without(legal).empty()) {
     for (const Word& w : c.block.words) {
       if (legal.has(w.address)) continue;
-      if (AddressSet("ABC").has(w.address)) {
+      if (AddressSet("ABC").has(w.address) && w.axis < 0) {
         return c.failWord(
             "nct-2035", fmt::format("wrong axis data: axis {} is not configured", addressText(w.address)), w);
       }

@@ -6,7 +6,7 @@
 namespace proveout::nc {
 
 Vec3 workPlanePosition(const NctContext& c) {
-  return PlaneFrame(c.state.plane()).toPlane(c.chain.toWork(c.position));
+  return PlaneFrame(c.state.plane()).toPlane(c.chain.toWork(c.position.xyz));
 }
 
 bool engageComp(NctContext& c, const BlockPlan& plan) {
@@ -16,7 +16,7 @@ bool engageComp(NctContext& c, const BlockPlan& plan) {
   policy.extra_look_ahead = static_cast<int>(c.parameters[CompParam::kExtraLookAhead]);
   policy.min_step = c.parameters[CompParam::kMinCompStep];
   c.comp.filter = CutterComp(policy);
-  c.comp.filter.reset(PlaneFrame(plan.next.plane()).toPlane(c.chain.toWork(c.position)));
+  c.comp.filter.reset(PlaneFrame(plan.next.plane()).toPlane(c.chain.toWork(c.position.xyz)));
   c.comp.engaged = true;
   c.comp.waiting.clear();
   return true;
@@ -137,9 +137,14 @@ void runPiece(NctContext& c, const CompPiece& piece, Action& action) {
     return;
   }
   const PlaneFrame frame(c.state.plane());
-  const Vec3 to = c.chain.workToMachine(frame.fromPlane(piece.to));
+  AxisPoint to = action.to;  // axes outside the plane arrive with the block's last piece
+  to.xyz = c.chain.workToMachine(frame.fromPlane(piece.to));
   if (!piece.is_arc) {
-    emitMove(c, action, to, nullptr, c.chain);
+    if (action.rapid) {
+      c.emitter.rapidTo(to, action.source);
+    } else {
+      c.emitter.lineTo(to, action.feed, action.source);
+    }
     return;
   }
   MachineArc arc;

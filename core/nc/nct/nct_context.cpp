@@ -9,13 +9,15 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
     : settings(control_settings),
       summary(run_summary),
       codes(nctCodes()),
-      emitter(control_settings, sink, run_summary),
+      axes(control_settings),
+      emitter(control_settings, axes, sink, run_summary),
       programs(source, control_settings.encoding, sink),
       alarms(calls, programs, block, emitter),
       work(control_settings, progress, calls, alarms, run_summary) {
   registers.length_offsets = settings.length_offsets;
   registers.radius_offsets = settings.radius_offsets;
   WorkFrames& frames = registers.frames;
+  frames.more_axes = axes.moreCount();
   frames.common.offset = settings.common_offset;
   for (std::size_t i = 0; i < frames.basic.size(); ++i) {
     frames.basic[i] = {settings.work_offsets[i], settings.work_rotations_deg[i]};
@@ -53,7 +55,7 @@ void NctContext::reset() {
   state = s;
   chain = registers.frames.chain(state.work_system, state.length);
   machine = emitter.machine();
-  position = chain.toProgram(machine);
+  position = chain.programOf(machine);
 }
 
 bool NctContext::openCall(const CallFrame& frame) {

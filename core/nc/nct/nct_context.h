@@ -31,6 +31,7 @@ struct Action {
   Kind kind = Kind::kMove;
   bool rapid = false;
   FeedStyle feed;
+  AxisPoint to;        ///< kMove: machine end of the programmed block; its axes besides X Y Z count
   double value = 0.0;  ///< kSpindle: rpm, signed; kDwell: s; kToolChange: number
   std::string name;    ///< kEvent: its name; kSpindle: "cw", "ccw", "stop"
   PathEmitter::EventData data;
@@ -81,6 +82,7 @@ struct NctContext {
   const ControlSettings& settings;
   InterpretSummary& summary;
   const CodeIndex& codes;
+  const AxisTable axes;
   PathEmitter emitter;
   NctParameters parameters;
   ProgramStore programs;
@@ -93,8 +95,8 @@ struct NctContext {
   NctState state;
   NctRegisters registers;
   CoordinateChain chain;
-  Vec3 position = Vec3::Zero();  ///< programmed, in chain
-  Vec3 machine = Vec3::Zero();   ///< programmed point in machine coordinates, without cutter compensation
+  AxisPoint position;  ///< programmed, in chain
+  AxisPoint machine;   ///< programmed point in machine coordinates, without cutter compensation
   CompStage comp;
   std::vector<DrillStep> drill_steps;
 
@@ -112,7 +114,7 @@ struct NctContext {
   const Word* ownWord(const BlockPlan& plan, Address a) const {
     return plan.claimed.has(a) ? nullptr : block.find(a);
   }
-  bool anyAxisWord() const { return !(block.present & AddressSet("XYZUVW")).empty(); }
+  bool anyAxisWord() const { return !(block.present & axes.addresses()).empty(); }
 
   // Reports, see AlarmReporter.
   bool alarm(int number, std::string_view subject, std::string_view detail = {}, Columns at = {}) {

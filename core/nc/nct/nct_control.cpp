@@ -11,8 +11,9 @@ namespace proveout::nc {
 
 namespace {
 
-LexRules lexRules() {
+LexRules lexRules(const NctContext& c) {
   LexRules rules;
+  rules.names = &c.axes.names();
   rules.keep_repeats = true;
   return rules;
 }
@@ -21,7 +22,7 @@ LexRules lexRules() {
 
 NctControl::NctControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
                        Progress* progress)
-    : context_(source, settings, sink, progress, summary_), lexer_(lexRules()) {}
+    : context_(source, settings, sink, progress, summary_), lexer_(lexRules(context_)) {}
 
 InterpretSummary NctControl::run() {
   if (!start()) {
@@ -41,6 +42,7 @@ bool NctControl::start() {
   if (!(settings.rapid_mm_min.minCoeff() > 0.0) || !settings.start.allFinite()) {
     return c.fail("nct-settings", "rapid rates must be above 0 and the start position finite");
   }
+  if (const std::string bad = checkAxes(settings); !bad.empty()) return c.fail("nct-settings", bad);
   c.reset();
   return loadMain();
 }

@@ -41,8 +41,8 @@ bool isRigid(DrillCode code) { return code == DrillCode::kRigidTap || code == Dr
 
 /// The holes of a block.
 struct Holes {
-  Vec3 step = Vec3::Zero();  ///< position or step per axis, mm
-  std::array<bool, 3> incremental{};
+  AxisPoint step;       ///< position or step per axis, mm
+  AxisSet incremental;  ///< axes with a step
   std::int64_t repeat = 1;
 };
 
@@ -51,8 +51,8 @@ bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code);
 bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code);
 bool expandCycle(NctContext& c, BlockPlan& plan);
 bool performCycle(NctContext& c, BlockPlan& plan);
-bool cycleHole(NctContext& c, BlockPlan& plan, Vec3 hole, bool first);
-bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, Vec3& at);
+bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first);
+bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint& at);
 void cycleEvent(NctContext& c, BlockPlan& plan, const DrillStep& step);
 
 }  // namespace
@@ -78,17 +78,14 @@ bool planCycle(NctContext& c, BlockPlan& plan) {
   }
   Holes& holes = plan.payload.emplace<Holes>();
   for (const Word& w : c.block.words) {
-    const bool secondary = w.address >= 'U' && w.address <= 'W';
-    if (secondary || (w.address >= 'X' && w.address <= 'Z')) {
-      const int axis = w.address - (secondary ? 'U' : 'X');
-      const bool step = secondary || w.incremental || plan.next.incremental();
-      if (axis == drill) {
-        words.bottom = lengthOf(plan, w);
-        words.bottom_incremental = step;
-      } else {
-        holes.step[axis] = lengthOf(plan, w);
-        holes.incremental[static_cast<std::size_t>(axis)] = step;
-      }
+    AxisWord word;
+    if (!axisWord(plan, w, word)) continue;
+    if (word.axis == drill) {
+      words.bottom = lengthOf(plan, w);
+      words.bottom_incremental = word.step;
+    } else {
+      holes.step[word.axis] = lengthOf(plan, w);
+      holes.incremental[static_cast<std::size_t>(word.axis)] = word.step;
     }
   }
   if (const Word* r = c.ownWord(plan, 'R')) {
@@ -206,7 +203,7 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
 
 bool performCycle(NctContext& c, BlockPlan& plan) {
   const PlaneFrame frame(plan.next.plane());
-  Vec3 hole = c.position;
+  AxisPoint hole = c.position;
   const Holes& holes = plan.payload.as<Holes>();
   for (std::int64_t k = 0; k < holes.repeat; ++k) {
     for (const int axis : {frame.u(), frame.v()}) {
@@ -220,35 +217,35 @@ bool performCycle(NctContext& c, BlockPlan& plan) {
   return true;
 }
 
-bool cycleHole(NctContext& c, BlockPlan& plan, Vec3 hole, bool first) {
+bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first) {
   const int drill = PlaneFrame(plan.next.plane()).w();
-  Vec3 at = hole;
+  AxisPoint at = hole;
   at[drill] = c.position[drill];
-  c.emitter.rapidTo(c.chain.toMachine(at), c.here());
+  c.emitter.rapidTo(c.chain.machineOf(at), c.here());
   if (first && !performFunctions(c, plan, MPhase::kBefore)) return false;
   for (const DrillStep& step : c.drill_steps) {
     if (!cycleStep(c, plan, step, at)) return false;
   }
   c.position = at;
-  c.machine = c.chain.toMachine(at);
+  c.machine = c.chain.machineOf(at);
   return true;
 }
 
-bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, Vec3& at) {
+bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint& at) {
   const PlaneFrame frame(plan.next.plane());
   if (step.kind == DrillStepKind::kShift) {
     at[frame.u()] += step.shift.x();
     at[frame.v()] += step.shift.y();
-    c.emitter.rapidTo(c.chain.toMachine(at), c.here());
+    c.emitter.rapidTo(c.chain.machineOf(at), c.here());
   } else if (step.kind == DrillStepKind::kRapid) {
     at[frame.w()] = step.position;
-    c.emitter.rapidTo(c.chain.toMachine(at), c.here());
+    c.emitter.rapidTo(c.chain.machineOf(at), c.here());
   } else if (step.kind == DrillStepKind::kFeed) {
     at[frame.w()] = step.position;
     FeedStyle style = plan.motion.feed;
     style.feed *= step.feed_factor;
     style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;
-    c.emitter.lineTo(c.chain.toMachine(at), style, c.here());
+    c.emitter.lineTo(c.chain.machineOf(at), style, c.here());
   } else {
     cycleEvent(c, plan, step);
   }

@@ -11,7 +11,7 @@ namespace {
 
 /// New values of the shifts and of one work system.
 struct FrameChange {
-  Vec3 shift52 = Vec3::Zero(), shift92 = Vec3::Zero();
+  AxisPoint shift52, shift92;
   WorkSystemId id = -1;  ///< -1: no work system changes
   WorkSystem system;
 };
@@ -23,7 +23,7 @@ bool performFrames(NctContext& c, BlockPlan& plan) {
   frames.shift92 = change.shift92;
   if (change.id >= 0) frames.system(change.id) = change.system;
   c.chain = frames.chain(plan.next.work_system, plan.next.length);
-  c.position = c.chain.toProgram(c.machine);
+  c.position = c.chain.programOf(c.machine);
   return true;
 }
 
@@ -57,38 +57,27 @@ bool planWorkOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p);
 }  // namespace
 
 bool planLocalShift(NctContext& c, BlockPlan& plan) {
-  if (!c.anyAxisWord()) return c.fail("nct-2004", "missing data: G52 needs axis words");
+  if (!c.anyAxisWord()) return c.alarm(2004, "", "G52 needs axis words");
   FrameChange& change = frameChange(c, plan);
   for (const Word& w : c.block.words) {
-    const bool secondary = w.address >= 'U' && w.address <= 'W';
-    if (!secondary && (w.address < 'X' || w.address > 'Z')) continue;
-    const int axis = w.address - (secondary ? 'U' : 'X');
-    const double value = lengthOf(plan, w);
-    if (secondary || w.incremental || plan.next.incremental()) {
-      change.shift52[axis] += value;
-    } else {
-      change.shift52[axis] = value;
-    }
+    AxisWord word;
+    if (!axisWord(plan, w, word)) continue;
+    const double value = axisValue(c, plan, word, w);
+    change.shift52[word.axis] = word.step ? change.shift52[word.axis] + value : value;
   }
   return true;
 }
 
 bool planSetPosition(NctContext& c, BlockPlan& plan) {
-  if (!c.anyAxisWord()) return c.fail("nct-2004", "missing data: G92 needs axis words");
+  if (!c.anyAxisWord()) return c.alarm(2004, "", "G92 needs axis words");
   FrameChange& change = frameChange(c, plan);
-  const Vec3 work = plan.chain.toWork(plan.start);
+  const AxisPoint work = plan.chain->workOf(plan.start);
   for (const Word& w : c.block.words) {
-    const bool secondary = w.address >= 'U' && w.address <= 'W';
-    if (!secondary && (w.address < 'X' || w.address > 'Z')) continue;
-    if (secondary || w.incremental) {
-      return c.failWord("nct-2097",
-                        fmt::format("illegal incremental movement on axis {}: G92 words are absolute",
-                                    addressText(w.address)),
-                        w);
-    }
-    const int axis = w.address - 'X';
-    change.shift52[axis] = 0.0;
-    change.shift92[axis] = work[axis] - lengthOf(plan, w);
+    AxisWord word;
+    if (!axisWord(plan, w, word)) continue;
+    if (word.own_step) return c.alarm(2097, w, "G92 words are absolute");
+    change.shift52[word.axis] = 0.0;
+    change.shift92[word.axis] = work[word.axis] - axisValue(c, plan, word, w);
   }
   return true;
 }
@@ -96,7 +85,7 @@ bool planSetPosition(NctContext& c, BlockPlan& plan) {
 bool planOffsets(NctContext& c, BlockPlan& plan) {
   const Word* l = c.ownWord(plan, 'L');
   std::int64_t kind = 0;
-  if (l == nullptr) return c.fail("nct-2004", "missing data L: G10 needs L");
+  if (l == nullptr) return c.alarm(2004, "L", "G10 needs L");
   if (!integerWord(c, *l, 0, 9999, kind)) return false;
   if (kind != 2 && kind != 20 && (kind < 10 || kind > 13)) {
     return c.failWord(
@@ -105,7 +94,7 @@ bool planOffsets(NctContext& c, BlockPlan& plan) {
         *l);
   }
   const Word* p = c.ownWord(plan, 'P');
-  if (p == nullptr) return c.fail("nct-2004", "missing data P: G10 needs P");
+  if (p == nullptr) return c.alarm(2004, "P", "G10 needs P");
   if (kind >= 10 && kind <= 13) return planToolOffset(c, plan, static_cast<int>(kind), *p);
   return planWorkOffset(c, plan, static_cast<int>(kind), *p);
 }
@@ -117,7 +106,7 @@ bool planToolOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p) {
   if (!integerWord(c, p, 1, static_cast<std::int64_t>(c.parameters[CompParam::kToolOffsets]), row))
     return false;
   const Word* r = c.word('R');
-  if (r == nullptr) return c.fail("nct-2004", "missing data R: the value of the offset");
+  if (r == nullptr) return c.alarm(2004, "R", "the value of the offset");
   if (c.anyAxisWord() || !(c.block.present & AddressSet("IJK")).empty()) {
     return c.fail("nct-2017", "illegal address: G10 L10 to L13 takes P and R");
   }
@@ -143,15 +132,13 @@ bool planWorkOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p) {
   change.system = c.registers.frames.system(id);
   WorkSystem& system = change.system;
   for (const Word& w : c.block.words) {
-    const bool secondary = w.address >= 'U' && w.address <= 'W';
+    AxisWord word;
     if (w.address >= 'I' && w.address <= 'K') {
       if (id == 0) return c.failWord("nct-2017", "illegal address: the common offset has no rotation", w);
       const int about = 'K' - w.address;  // I turns about Z, J about Y, K about X
       system.angles_deg[about] = (plan.next.incremental() ? system.angles_deg[about] : 0.0) + w.value;
-    } else if (secondary || (w.address >= 'X' && w.address <= 'Z')) {
-      const int axis = w.address - (secondary ? 'U' : 'X');
-      const bool add = secondary || w.incremental || plan.next.incremental();
-      system.offset[axis] = (add ? system.offset[axis] : 0.0) + lengthOf(plan, w);
+    } else if (axisWord(plan, w, word)) {
+      system.offset[word.axis] = (word.step ? system.offset[word.axis] : 0.0) + axisValue(c, plan, word, w);
     }
   }
   return true;

@@ -68,8 +68,8 @@ double radiusTolerance(const NctContext& c) {
 
 bool arcRequest(NctContext& c, const BlockPlan& plan, ArcRequest& request) {
   const PlaneFrame frame(plan.next.plane());
-  request.start = frame.toPlane(plan.start);
-  request.end = frame.toPlane(plan.motion.target);
+  request.start = frame.toPlane(plan.start.xyz);
+  request.end = frame.toPlane(plan.motion.target.xyz);
   request.has_plane_end = plan.motion.named[static_cast<std::size_t>(frame.u())] ||
                           plan.motion.named[static_cast<std::size_t>(frame.v())];
   request.has_other_axis = plan.motion.named[static_cast<std::size_t>(frame.w())];
@@ -173,8 +173,8 @@ namespace {
 /// Rapids to machine points: G53 has one, G28 and G30 have an intermediate point before it.
 struct MachineMove {
   bool has_via = false;
-  Vec3 via = Vec3::Zero();  ///< machine, mm
-  Vec3 to = Vec3::Zero();   ///< machine, mm
+  AxisPoint via;  ///< machine
+  AxisPoint to;   ///< machine
 };
 
 bool performMachineMove(NctContext& c, BlockPlan& plan) {
@@ -192,15 +192,10 @@ bool planMachineMove(NctContext& c, BlockPlan& plan) {
   move.to = c.machine;
   if (!c.anyAxisWord()) return true;  // G53 alone only empties the buffer
   for (const Word& w : c.block.words) {
-    const bool secondary = w.address >= 'U' && w.address <= 'W';
-    const bool axis_word = w.address >= 'X' && w.address <= 'Z';
-    if (secondary || (axis_word && w.incremental)) {
-      return c.failWord("nct-2097",
-                        fmt::format("illegal incremental movement on axis {}: G53 is always absolute",
-                                    addressText(w.address)),
-                        w);
-    }
-    if (axis_word) move.to[w.address - 'X'] = lengthOf(plan, w);
+    AxisWord word;
+    if (!axisWord(plan, w, word)) continue;
+    if (word.own_step) return c.alarm(2097, w, "G53 is always absolute");
+    move.to[word.axis] = axisValue(c, plan, word, w);
   }
   if (!c.settings.reference_points[0]) {
     c.warnOnce("machine-zero", "nct-machine-zero",
@@ -215,18 +210,20 @@ bool planReference(NctContext& c, BlockPlan& plan) {
   std::int64_t point = 1;
   if (plan.by_group[kOneShot]->code10 == 300) {
     const Word* p = c.ownWord(plan, 'P');
-    if (p == nullptr)
-      return c.fail("nct-2004", "missing data P: G30 needs the number of the reference point");
+    if (p == nullptr) return c.alarm(2004, "P", "G30 needs the number of the reference point");
     if (!integerWord(c, *p, 1, 4, point)) return false;
   }
-  Vec3 via = plan.start;
+  AxisPoint via = plan.start;
   if (!axisTarget(c, plan, via)) return false;
   if (!c.anyAxisWord()) {
     c.warn("nct-2004", "no axis is named: no motion");
     return true;
   }
   const auto& given = c.settings.reference_points[static_cast<std::size_t>(point - 1)];
-  const Vec3 reference = given.value_or(c.settings.start + c.emitter.workpieceOrigin());
+  AxisPoint reference(given.value_or(c.settings.start + c.emitter.workpieceOrigin()));
+  for (const AxisSettings& axis : c.settings.axes) {
+    if (const int k = c.axes.find(axis.name); k >= kMainAxes) reference[k] = axis.reference;
+  }
   if (!given) {
     c.warnOnce(fmt::format("reference{}", point), "nct-reference",
                fmt::format("the job does not give reference point {}: the start position is taken", point));
@@ -234,9 +231,9 @@ bool planReference(NctContext& c, BlockPlan& plan) {
   // Machine position after the intermediate point, then the named axes at the reference point.
   MachineMove& move = plan.payload.emplace<MachineMove>();
   move.has_via = true;
-  move.via = plan.chain.toMachine(via);
+  move.via = plan.chain->machineOf(via);
   move.to = move.via;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < c.axes.count(); ++axis) {
     if (plan.motion.named[static_cast<std::size_t>(axis)]) move.to[axis] = reference[axis];
   }
   plan.perform = performMachineMove;

@@ -17,7 +17,7 @@ bool perform(NctContext& c, BlockPlan& plan) {
   if (plan.flush && c.comp.engaged && !flushComp(c)) return false;
   if (!plan.runs_functions && !performFunctions(c, plan, MPhase::kBefore)) return false;
   if (plan.frames_changed) {
-    c.chain = plan.chain;
+    c.chain = *plan.new_chain;
     c.position = plan.start;
     if (c.comp.engaged) rebaseComp(c);
   }
@@ -170,6 +170,7 @@ bool switchCompInPlace(NctContext& c, BlockPlan& plan) {
   block.offset = plan.next.compOffset();
   block.direction = plan.motion.direction;
   Action action;  // starting and ending in place may move the tool
+  action.to = c.machine;
   action.rapid = plan.motion.rapid;
   action.feed = plan.motion.feed;
   action.source = c.here();
@@ -179,20 +180,21 @@ bool switchCompInPlace(NctContext& c, BlockPlan& plan) {
 }  // namespace
 
 bool performMove(NctContext& c, BlockPlan& plan) {
-  Action action;
-  action.rapid = plan.motion.rapid;
-  action.feed = plan.motion.feed;
-  action.source = c.here();
   if (!c.comp.engaged && plan.next.compOn() && !engageComp(c, plan)) return false;
   const PlaneFrame frame(plan.next.plane());
   c.position = plan.motion.target;
-  c.machine = c.chain.toMachine(plan.motion.target);
+  c.machine = c.chain.machineOf(plan.motion.target);
   if (!c.comp.engaged) {
-    emitMove(c, action, c.machine, plan.motion.is_arc ? &plan.motion.arc : nullptr, c.chain);
+    emitMove(c, plan.motion);
     return true;
   }
+  Action action;
+  action.rapid = plan.motion.rapid;
+  action.feed = plan.motion.feed;
+  action.to = c.machine;
+  action.source = c.here();
   CompBlock block;
-  block.to = frame.toPlane(c.chain.toWork(plan.motion.target));
+  block.to = frame.toPlane(c.chain.toWork(plan.motion.target.xyz));
   block.active = plan.next.compOn();
   block.offset = plan.next.compOffset();
   block.direction = plan.motion.direction;
@@ -210,28 +212,28 @@ bool performMove(NctContext& c, BlockPlan& plan) {
   return pushComp(c, block, std::move(action));
 }
 
-void emitMove(NctContext& c, const Action& action, const Vec3& to_machine, const PlaneArc* arc,
-              const CoordinateChain& chain) {
-  if (action.rapid && arc == nullptr) {
-    c.emitter.rapidTo(to_machine, action.source);
-    return;
-  }
-  if (arc == nullptr) {
-    c.emitter.lineTo(to_machine, action.feed, action.source);
+void emitMove(NctContext& c, const PlannedMotion& motion) {
+  const SourceRef source = c.here();
+  if (!motion.is_arc) {
+    if (motion.rapid) {
+      c.emitter.rapidTo(c.machine, source);
+    } else {
+      c.emitter.lineTo(c.machine, motion.feed, source);
+    }
     return;
   }
   const PlaneFrame frame(c.state.plane());
+  const PlaneArc& arc = motion.arc;
   MachineArc out;
-  const Vec3 center = frame.fromPlane({arc->center.x(), arc->center.y(), arc->start.z()});
-  out.center = chain.toMachine(center);
-  out.normal = chain.directionToMachine(frame.normal());
-  out.sweep_rad = arc->sweep_rad;
-  c.emitter.arcTo(to_machine, out, action.feed, action.source);
+  out.center = c.chain.toMachine(frame.fromPlane({arc.center.x(), arc.center.y(), arc.start.z()}));
+  out.normal = c.chain.directionToMachine(frame.normal());
+  out.sweep_rad = arc.sweep_rad;
+  c.emitter.arcTo(c.machine, out, motion.feed, source);
 }
 
-void settle(NctContext& c, const Vec3& machine) {
+void settle(NctContext& c, const AxisPoint& machine) {
   c.machine = machine;
-  c.position = c.chain.toProgram(machine);
+  c.position = c.chain.programOf(machine);
 }
 
 }  // namespace proveout::nc

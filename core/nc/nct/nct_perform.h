@@ -22,11 +22,10 @@ void setSpindleAction(NctContext& c, Action& action, double rpm);
 
 /// Perform function of the motion codes: plan.motion.
 bool performMove(NctContext& c, BlockPlan& plan);
-/// A motion of the compensated or plain path, at once.
-void emitMove(NctContext& c, const Action& action, const Vec3& to_machine, const PlaneArc* arc,
-              const CoordinateChain& chain);
+/// The planned motion to c.machine, at once, past cutter compensation.
+void emitMove(NctContext& c, const PlannedMotion& motion);
 /// The machine stands at `machine` by other means than a programmed motion.
-void settle(NctContext& c, const Vec3& machine);
+void settle(NctContext& c, const AxisPoint& machine);
 
 // Cutter compensation.
 bool engageComp(NctContext& c, const BlockPlan& plan);

@@ -61,8 +61,8 @@ class PlanPayload {
 
 /// What the motion codes share: axisTarget() fills target and named, the rest belongs to the motion.
 struct PlannedMotion {
-  Vec3 target = Vec3::Zero();   ///< programmed end, in the plan's chain, mm
-  std::array<bool, 3> named{};  ///< axes with a word
+  AxisPoint target;  ///< programmed end, in the plan's chain
+  AxisSet named;     ///< axes with a word
   bool rapid = false;
   bool is_arc = false;
   PlaneArc arc;
@@ -74,10 +74,12 @@ struct BlockPlan {
   NctState next;
   bool frames_changed = false;
   bool flush = false;
-  CoordinateChain chain;                             ///< in force for the block's motion
-  Vec3 start = Vec3::Zero();                         ///< programmed position at the block's start, in `chain`
+  const CoordinateChain* chain = nullptr;            ///< in force for the block's motion
+  std::optional<CoordinateChain> new_chain;          ///< with frames_changed: what `chain` points to
+  AxisPoint start;                                   ///< programmed position at the block's start, in `chain`
   const GCode* governor = nullptr;                   ///< the code that owns the axis words
   std::array<const GCode*, kGroupCount> by_group{};  ///< G codes of this block
+  bool any_group = false;                            ///< one of them at least is there
   AddressSet claimed;                                ///< words that some code of the block owns
   std::array<const MCode*, 8> m{};
   std::array<int, 8> m_value{};

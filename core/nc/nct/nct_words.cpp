@@ -19,25 +19,17 @@ bool integerWord(NctContext& c, const Word& w, std::int64_t min, std::int64_t ma
   return true;
 }
 
-bool axisTarget(NctContext& c, BlockPlan& plan, Vec3& target) {
+bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target) {
   target = plan.start;
-  const AddressSet present = c.block.present & AddressSet("XYZUVW");
-  if (present.empty()) return true;
-  const double scale = plan.next.unitScale();
+  if (!c.anyAxisWord()) return true;
   for (const Word& w : c.block.words) {
-    if (!present.has(w.address)) continue;
-    const bool secondary = w.address >= 'U' && w.address <= 'W';
-    const int axis = w.address - (secondary ? 'U' : 'X');
-    auto& named = plan.motion.named[static_cast<std::size_t>(axis)];
-    if (named) {
-      return c.failWord(
-          "nct-2017",
-          fmt::format("illegal address {}: the axis is given twice in this block", addressText(w.address)),
-          w);
-    }
-    named = true;
-    const bool step = secondary || w.incremental || plan.next.incremental();
-    target[axis] = step ? plan.start[axis] + w.value * scale : w.value * scale;
+    AxisWord word;
+    if (!axisWord(plan, w, word)) continue;
+    const auto axis = static_cast<std::size_t>(word.axis);
+    if (plan.motion.named[axis]) return c.alarm(2017, w, "the axis is given twice in this block");
+    plan.motion.named.set(axis);
+    const double value = axisValue(c, plan, word, w);
+    target[word.axis] = word.step ? plan.start[word.axis] + value : value;
   }
   return true;
 }
@@ -60,14 +52,6 @@ bool feedStyle(NctContext& c, BlockPlan& plan, FeedStyle& style) {
   if (plan.next.feed <= 0.0) return c.fail("nct-feed", "no feed is programmed: a feed motion needs F");
   style.feed = plan.next.feed * plan.next.unitScale();
   if (plan.next.perTurn()) style.feed *= turnsPerMinute(c, plan);
-  return true;
-}
-
-bool axisWord(const BlockPlan& plan, const Word& w, int& axis, bool& step) {
-  const bool secondary = w.address >= 'U' && w.address <= 'W';
-  if (!secondary && (w.address < 'X' || w.address > 'Z')) return false;
-  axis = w.address - (secondary ? 'U' : 'X');
-  step = secondary || w.incremental || plan.next.incremental();
   return true;
 }
 

@@ -16,14 +16,30 @@ inline double lengthOf(const BlockPlan& plan, const Word& w) { return w.value * 
 bool integerWord(NctContext& c, const Word& w, std::int64_t min, std::int64_t max, std::int64_t& out);
 /// End point of the axis words, in the plan's chain, mm; marks the named axes in plan.motion.named. False: an
 /// axis is given twice.
-bool axisTarget(NctContext& c, BlockPlan& plan, Vec3& target);
+bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target);
 /// Spindle speed for feeds and dwells per turn, 1/min; warns once if the spindle stands still.
 double turnsPerMinute(NctContext& c, const BlockPlan& plan);
 /// The feed in force. False: none is programmed.
 bool feedStyle(NctContext& c, BlockPlan& plan, FeedStyle& style);
 
-/// Is the word one of X Y Z U V W? Then `axis` is 0 to 2, and `step` says whether it counts from where the
-/// tool is.
-bool axisWord(const BlockPlan& plan, const Word& w, int& axis, bool& step);
+/// What an axis word names.
+struct AxisWord {
+  int axis = 0;           ///< index
+  bool step = false;      ///< counts from where the tool is: G91, operator I, or U V W for X Y Z
+  bool own_step = false;  ///< incremental by its own address or operator, whatever G90 and G91 say
+};
+/// Is it the word of an axis? U V W are X Y Z incrementally unless axes of these names are configured.
+inline bool axisWord(const BlockPlan& plan, const Word& w, AxisWord& out) {
+  const bool secondary = w.axis < 0 && w.address >= 'U' && w.address <= 'W';
+  if (w.axis < 0 && !secondary) return false;
+  out.axis = secondary ? w.address - 'U' : w.axis;
+  out.own_step = secondary || w.incremental;
+  out.step = out.own_step || plan.next.incremental();
+  return true;
+}
+/// Value of an axis word in mm or degrees: units count for linear axes only.
+inline double axisValue(const NctContext& c, const BlockPlan& plan, const AxisWord& word, const Word& w) {
+  return word.axis < kMainAxes || !c.axes.at(word.axis).rotary() ? lengthOf(plan, w) : w.value;
+}
 
 }  // namespace proveout::nc

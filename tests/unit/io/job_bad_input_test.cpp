@@ -39,6 +39,10 @@ TEST(BadJob, UnknownKeysAtEveryLevel) {
           "job.toml:1:1: error[job-unknown-key]: the job file has no key 'nmae'; did you mean 'name'?"));
   EXPECT_THAT(refusedEnd("[simulation]\nresolutoin = 1"),
               HasSubstr("[simulation] has no key 'resolutoin'; did you mean 'resolution'?"));
+  EXPECT_THAT(refusedEnd("[[machine.axis]]\nnumber = 4"), HasSubstr("name"));
+  EXPECT_THAT(refusedEnd("[[machine.axis]]\nname = 'C'\nnumber = 40"), HasSubstr("number"));
+  EXPECT_THAT(refusedEnd("[[machine.axis]]\nname = 'C'\nnumber = 4\nkind = 'round'"), HasSubstr("rotary"));
+  EXPECT_THAT(refusedEnd("[[machine.axis]]\nname = 'C'\nnumber = 4\nrapdi = 4"), HasSubstr("'rapid'"));
   EXPECT_THAT(refusedEnd("[machine.limits]\nA = [0, 1]"),
               HasSubstr("[machine.limits] has no key 'A'; the keys are X, Y, Z"));
   EXPECT_THAT(refusedEnd("[offsets.work]\nG60 = [0, 0, 0]"), HasSubstr("'G60' is no work offset"));

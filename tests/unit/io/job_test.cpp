@@ -323,6 +323,32 @@ TEST(Job, ReadsAMachineFileAndChangesIt) {
   EXPECT_EQ(job->settings.limits[1]->max, 400);
 }
 
+TEST(Job, ReadsFurtherAxes) {
+  JobFolder folder;
+  folder.names.parameters["nct"] = {{"N0305", 0, 10, 32}};
+  folder.write("vmc.toml", "[[axis]]\nname = 'A'\nnumber = 4\n");
+  const auto job =
+      folder.load(replacedOnce(kSmallJob, "control = \"nct\"\n", "") +
+                  "[control]\nname = 'nct'\n[control.nct]\nN0305.6 = 5\n"
+                  "[machine]\nfile = 'vmc.toml'\n"
+                  "[[machine.axis]]\nname = 'C'\nnumber = 6\nrapid = 3600\nlimits = [-360, 360]\n"
+                  "[[machine.axis]]\nname = 'W'\nnumber = 5\nkind = 'linear'\nparallel = 'Z'\n"
+                  "start = 2\nreference = 3\n");
+  ASSERT_TRUE(job) << folder.text();
+  const auto& axes = job->settings.axes;
+  ASSERT_EQ(axes.size(), 2u) << "the job's axes stand for the file's";
+  EXPECT_EQ(axes[0].name, "C");
+  EXPECT_EQ(axes[0].kind, AxisKind::kRotary);
+  EXPECT_EQ(axes[0].rapid, 3600);
+  EXPECT_EQ(axes[0].limit->max, 360);
+  EXPECT_EQ(axes[1].number, 5);
+  EXPECT_EQ(axes[1].kind, AxisKind::kLinear);
+  EXPECT_EQ(axes[1].parallel, "Z");
+  EXPECT_EQ(axes[1].start, 2);
+  EXPECT_EQ(axes[1].reference, 3);
+  EXPECT_EQ(job->settings.parameters.at("N0305.6"), 5);
+}
+
 TEST(NearestName, FindsSlipsOnly) {
   const std::vector<std::string> names = {"diameter", "flute_length", "number", "type"};
   EXPECT_EQ(nearestName("diamter", names), "diameter");

@@ -26,7 +26,7 @@ class TextSink : public MotionSink {
   void file(std::uint32_t index, const std::string& name) override {
     text += fmt::format("file {} {}\n", index, name);
   }
-  void motion(const Motion& m, const ArcGeometry* arc) override {
+  void motion(const Motion& m, const ArcGeometry* arc, const AxisSweep* axis) override {
     motions_.push_back({m, arc ? *arc : ArcGeometry{}, arc != nullptr});
     text += place(m.source) + std::string(motionKindName(m.kind)) + (arc ? " arc " : " ");
     if (!last_ || (*last_ - m.from).norm() > 1e-9) text += "from " + point(m.from) + " ";
@@ -35,6 +35,11 @@ class TextSink : public MotionSink {
     if (arc) {
       text += " center " + point(arc->center) + " normal " + point(arc->normal) + " sweep " +
               number(radToDeg(arc->sweep_rad));
+    }
+    if (axis && !axis->alongZ()) text += " axis " + point(axis->from) + " to " + point(axis->to);
+    for (int k = 0; axis && k < axis->rotary_count; ++k) {
+      const RotaryPosition& r = axis->rotary[static_cast<std::size_t>(k)];
+      text += fmt::format(" {} {} to {}", r.name.data(), number(r.from), number(r.to));
     }
     if (m.kind != MotionKind::kRapid) text += " F" + number(m.feed);
     text += " t" + number(m.time_s) + "\n";
@@ -82,6 +87,24 @@ const char* endName(ProgramEnd end) {
   return "?";
 }
 
+/// axis = NAME NUMBER linear|rotary [parallel X] [rapid 5000] [start 0] [reference 0] [limit -10 10]
+AxisSettings axisOf(std::istringstream& in, const std::string& line) {
+  AxisSettings axis;
+  std::string kind, key;
+  if (!(in >> axis.name >> axis.number >> kind)) throw std::runtime_error("axis expected: " + line);
+  axis.kind = kind == "linear" ? AxisKind::kLinear : AxisKind::kRotary;
+  while (in >> key) {
+    AxisLimit limit;
+    if (key == "parallel") in >> axis.parallel;
+    if (key == "rapid") in >> axis.rapid;
+    if (key == "start") in >> axis.start;
+    if (key == "reference") in >> axis.reference;
+    if (key == "limit" && in >> limit.min >> limit.max) axis.limit = limit;
+    if (!in) throw std::runtime_error("bad axis: " + line);
+  }
+  return axis;
+}
+
 void setLine(ControlSettings& s, const std::string& line) {
   std::istringstream in(line);
   std::string key, equals;
@@ -105,6 +128,8 @@ void setLine(ControlSettings& s, const std::string& line) {
     s.reference_points.at(static_cast<std::size_t>(std::stoi(key.substr(9)) - 1)) = vectorOf(in, line);
   } else if (key[0] == 'N' && row > 0) {
     s.parameters[key] = value();
+  } else if (key == "axis") {
+    s.axes.push_back(axisOf(in, line));
   } else if (key == "start") {
     s.start = vectorOf(in, line);
   } else if (key == "rapid") {

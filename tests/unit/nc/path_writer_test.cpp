@@ -49,6 +49,28 @@ TEST(PathWriter, JsonLinesDiagnostic) {
   EXPECT_NE(text.find(R"("source":{"file":"a \"b\".nc","line":1,"column":1}})"), std::string::npos);
 }
 
+TEST(PathWriter, RotaryAxesAndTurningTools) {
+  std::ostringstream out;
+  {
+    JsonLinesPathWriter writer(out, "nct");
+    Motion m;
+    AxisSweep sweep;
+    sweep.rotary_count = 2;
+    sweep.rotary[0] = {{'C'}, 0, 90};
+    sweep.rotary[1] = {{'B', '2'}, -1.5, -1.5};
+    writer.motion(m, nullptr, &sweep);
+    sweep.rotary_count = 0;
+    sweep.to = Vec3::UnitX();
+    m.channel = 1;
+    writer.motion(m, nullptr, &sweep);
+  }
+  const std::string text = out.str();
+  EXPECT_NE(text.find(R"("to":[0,0,0],"rotary":{"C":[0,90],"B2":[-1.5,-1.5]},"feed":0)"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find(R"("axis_from":[0,0,1],"axis_to":[1,0,0],"feed":0)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("time_s":0,"channel":2,"source")"), std::string::npos) << text;
+}
+
 TEST(PathWriter, Csv) {
   const std::string text = write("csv", "N10 G1 X1.5 F90\nM30\n");
   EXPECT_NE(text.find("\n0,feed,line,0,0,5,1.5,0,5,90,0,0,1,,,,,,,,\"a \"\"b\"\".nc\",1,N10,0\n"),
