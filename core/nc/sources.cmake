@@ -1,5 +1,6 @@
 target_sources(proveout_core PRIVATE
   nc/axes.cpp
+  nc/coverage.cpp
   nc/frames.cpp
   nc/interpreter.cpp
   nc/lex_names.cpp
@@ -9,6 +10,11 @@ target_sources(proveout_core PRIVATE
   nc/source_text.cpp
   nc/macro/variables.cpp
   nc/nct/call_stack.cpp
+  nc/nct/coverage/rows_1.cpp
+  nc/nct/coverage/rows_2.cpp
+  nc/nct/coverage/rows_3.cpp
+  nc/nct/coverage/rows_4.cpp
+  nc/nct/coverage/rows_5.cpp
   nc/nct/nct_alarms.cpp
   nc/nct/nct_block.cpp
   nc/nct/nct_codes.cpp
@@ -21,6 +27,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_motion.cpp
   nc/nct/nct_parameters.cpp
   nc/nct/nct_perform.cpp
+  nc/nct/nct_rows.cpp
   nc/nct/nct_words.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp

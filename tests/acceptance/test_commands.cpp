@@ -67,6 +67,10 @@ TEST(Commands, CoverageListsTheControls) {
   ASSERT_FALSE(root["controls"].empty());
   EXPECT_EQ(root["controls"][0]["control"], "nct");
   EXPECT_GT(root["controls"][0]["codes"].size(), 50u);
+  const json& sums = root["controls"][0]["done"]["all"];
+  EXPECT_EQ(root["controls"][0]["rows"].size(),
+            sums["asked"].get<std::size_t>() + sums["deferred"].get<std::size_t>());
+  EXPECT_TRUE(has(bench.run("coverage --control nct").out, "rows done / asked"));
   EXPECT_EQ(bench.run("coverage --control siemens").exit_code, 2);
 }
 

@@ -1,7 +1,8 @@
 // A golden file: a program, its settings, facts known independently, and the text that the interpreter makes.
 //
 //   === about        free text; "proves: id id ..." names coverage ids
-//   === settings     one a line: H1 = 10, D1 = 5, G54 = 1 2 3, start = 0 0 50, N1339 = 0.01, skip = 1, ...
+//   === settings     one a line: H1 = 10, D1 = 5, G54 = 1 2 3, start = 0 0 50, N1339 = 0.01, skip = 1,
+//                    axis = C 6 rotary rapid 3600 limit -360 360, ...
 //   === main         the main program (a file may start with it and leave the marker out)
 //   === sub NAME     a subprogram
 //   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg]; * is anything

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
+#include "core/nc/coverage.h"
 #include "golden_case.h"
 
 namespace proveout::test {
@@ -71,6 +74,57 @@ TEST(GoldenSet, NamesOnlyIdsThatTheControlServes) {
     for (std::string id; ids >> id;) served.insert(id);
   }
   for (const std::string& id : provenIds()) EXPECT_TRUE(served.count(id)) << id;
+}
+
+/// Ids that a golden program names behind "proves:".
+std::set<std::string> idsOf(const std::string& about) {
+  std::set<std::string> ids;
+  std::istringstream in(about);
+  bool listing = false;
+  for (std::string word; in >> word;) {
+    if (listing) ids.insert(word);
+    listing = listing || word == "proves:";
+  }
+  return ids;
+}
+
+TEST(GoldenSet, EveryProofIsThereAndNamesItsRow) {
+  const auto rows = coverageIds(ControlId::kNct);
+  ASSERT_TRUE(rows.ok());
+  const fs::path root(PROVEOUT_SOURCE_DIR);
+  for (const CoverageIdRow& row : *rows) {
+    if (row.proof.empty()) continue;
+    const std::string id(row.id), proof(row.proof);
+    if (proof.ends_with(".nc")) {
+      const fs::path file = root / "tests/unit/nc/golden" / proof;
+      ASSERT_TRUE(fs::exists(file)) << id << " " << proof;
+      EXPECT_TRUE(idsOf(readGolden(file.string()).about).contains(id)) << id << " " << proof;
+    } else {
+      std::ifstream in(root / proof);
+      std::ostringstream text;
+      text << in.rdbuf();
+      EXPECT_NE(text.str().find(id), std::string::npos) << id << " " << proof;
+    }
+  }
+}
+
+TEST(GoldenSet, RowsKnowTheCodeTablesAndTheProofs) {
+  const auto rows = coverageIds(ControlId::kNct);
+  const auto table = coverageTable(ControlId::kNct);
+  ASSERT_TRUE(rows.ok() && table.ok());
+  std::map<std::string, std::string> status;
+  for (const CoverageIdRow& row : *rows) {
+    EXPECT_TRUE(status.emplace(row.id, row.status).second) << row.id << " twice";
+  }
+  EXPECT_EQ(status.size(), 692u);
+  for (const CoverageRow& row : *table) {
+    std::istringstream ids(row.ids);
+    for (std::string id; ids >> id;) EXPECT_TRUE(status.contains(id)) << row.code << ": " << id;
+  }
+  for (const std::string& id : provenIds()) {
+    ASSERT_TRUE(status.contains(id)) << id;
+    EXPECT_NE(status[id], "missing") << id << " is proven";
+  }
 }
 
 TEST(GoldenSet, EverySimulatedCodeHasAFile) {
