@@ -28,6 +28,7 @@ proveout_add_library(removal
   surface_faults.cpp
   surface_grid.cpp
   surface_intersections.cpp
+  surface_mend.cpp
   surface_merge.cpp
   surface_quads.cpp
   surface_splits.cpp

@@ -14,6 +14,7 @@
 #include "removal/quad_volume.h"
 #include "removal/surface_faults.h"
 #include "removal/surface_intersections.h"
+#include "removal/surface_mend.h"
 #include "removal/surface_merge.h"
 #include "removal/surface_quads.h"
 #include "removal/surface_splits.h"
@@ -32,10 +33,12 @@ constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
 constexpr double kFanHeight = 0.005;
 /// Rounds of taking merged cells apart where they spoil the mesh, before all merging is given up.
 constexpr int kRepairRounds = 12;
-/// Rounds of changing the surface where it runs through itself; what is left then is counted.
+/// Rounds of taking merged cells apart where triangles meet, before the mesh itself is changed.
 constexpr int kPartRounds = 16;
 /// Triangles of merged vertices that lean more than this (73 degrees) from the exact surface are refused.
 constexpr double kLeastAgreement = 0.3;
+/// Around triangles that lean more than this (60 degrees) the surface may run through itself.
+constexpr double kPoorAgreement = 0.5;
 
 struct LeafOutput {
   double volume = 0.0;  ///< of the cones from the centre, grid steps^3
@@ -49,6 +52,7 @@ struct LeafOutput {
   bool hole = false;      ///< a crossing without its four cells: a bug
   std::vector<SplitQuad> split;
   std::vector<std::uint32_t> faults;  ///< merged vertices of triangles that face the wrong way
+  std::vector<std::uint32_t> poor;    ///< triangles, from the first one, that lean far from the exact surface
 };
 
 /// A quad's corners after merging, without repeats.
@@ -85,8 +89,7 @@ class Extractor {
   void writeMesh(TriMesh& mesh, Progress& progress);
   std::vector<std::uint8_t> verticesOf(const TriMesh& mesh, bool LeafOutput::*which) const;
   std::vector<std::uint32_t> findFaults(const TriMesh& mesh, const std::vector<std::uint8_t>& touched) const;
-  std::vector<std::array<std::uint32_t, 2>> findMeetings(const TriMesh& mesh,
-                                                         std::vector<std::uint8_t> touched) const;
+  std::vector<std::array<std::uint32_t, 2>> findMeetings(const TriMesh& mesh) const;
   void addCells(const std::array<std::uint32_t, 3>& triangle, std::vector<std::uint32_t>& cells) const;
   bool part(const TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs);
   void update(Progress& progress);
@@ -229,6 +232,7 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
   if (out.triangles == 0) return;
   std::size_t next = out.first_triangle;
   out.faults.clear();
+  out.poor.clear();
   QuadReader reader(grid_);
   reader.load(leaf);
   Quad quad;
@@ -244,6 +248,7 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
       merged = merged || merger_.merged(poly.v[i]);
     }
     double agreement = 1.0;
+    bool poor = false;
     const auto put = [&](std::uint32_t a, std::uint32_t b, std::uint32_t d) {
       mesh.triangles[next] = {a, b, d};
       mesh.motion[next++] = c.motion;
@@ -256,6 +261,7 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
       const Vec3 area = (quad.p[1] - quad.p[0]).cross(quad.p[2] - quad.p[0]);
       agreement = quad.normal.dot(area) / (area.norm() + 1e-300);
       put(v[0], v[1], v[2]);
+      poor = agreement < kPoorAgreement;
     } else {
       const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, merged ? 0u : quad.smooth_corners);
       const auto facing = [&](int a, int b, int d) {
@@ -266,8 +272,13 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
         agreement = cut.at02 ? std::min(facing(0, 1, 2), facing(0, 2, 3))
                              : std::min(facing(0, 1, 3), facing(1, 2, 3));
       }
+      poor = cut.poor;
       put(v[0], v[1], v[cut.at02 ? 2 : 3]);
       put(v[cut.at02 ? 0 : 1], v[2], v[3]);
+    }
+    if (poor) {
+      for (int back = poly.count - 2; back > 0; --back)
+        out.poor.push_back(static_cast<std::uint32_t>(next - static_cast<std::size_t>(back) - out.first_triangle));
     }
     if (!merged || agreement > kLeastAgreement) return;
     for (int i = 0; i < poly.count; ++i) {
@@ -394,16 +405,27 @@ std::vector<std::uint32_t> Extractor::findFaults(const TriMesh& mesh,
   return faults;
 }
 
-/// Triangles that run through each other. Where surface keeps to its own cells and does not fold, it
-/// cannot: the suspects are vertices that left their cell or were put back to its wall, and further sheets.
-std::vector<std::array<std::uint32_t, 2>> Extractor::findMeetings(const TriMesh& mesh,
-                                                                  std::vector<std::uint8_t> touched) const {
-  constexpr std::uint16_t kSuspect = CellTraits::kOutside | CellTraits::kWall | CellTraits::kManySheets |
-                                     CellTraits::kOneSheetFaces | CellTraits::kCone;
-  for (std::uint32_t v = 0; v < cells_kept_; ++v) {
-    if ((grid_.traits(cellAt(v)) & kSuspect) == 0) touched[v] = 0;
+/// Triangles that run through each other. Where the triangles face like the exact surface it does not fold:
+/// looked at is what is around those that do not, around fans, and around cells of several sheets.
+std::vector<std::array<std::uint32_t, 2>> Extractor::findMeetings(const TriMesh& mesh) const {
+  std::vector<std::uint8_t> suspect(mesh.positions.size(), 0);
+  const auto mark = [&](std::size_t t) {
+    for (const std::uint32_t v : mesh.triangles[t]) suspect[v] = 1;
+  };
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < outputs_.size(); ++i) {
+    const LeafOutput& out = outputs_[i];
+    end = out.first_triangle + out.triangles;
+    if (!out.unchecked) continue;
+    for (const std::uint32_t k : out.poor) mark(out.first_triangle + k);
+    const SurfaceLeaf& leaf = grid_.leaves()[i];
+    for (std::uint32_t k = 0; k < leaf.extra.size(); ++k) {
+      suspect[finalNumber(leaf.extra_base + k)] = 1;
+      suspect[finalNumber(leaf.base + leaf.extra[k].cell)] = 1;
+    }
   }
-  return findIntersections(mesh, touched);
+  for (std::size_t t = end; t < mesh.triangles.size(); ++t) mark(t);
+  return findIntersections(mesh, suspect);
 }
 
 /// Cells that a triangle depends on.
@@ -421,41 +443,26 @@ void Extractor::addCells(const Triangle& triangle, std::vector<std::uint32_t>& c
   }
 }
 
-/// How far a vertex may be moved to part triangles, in cells: what reaches farther out of its cell is an edge of the part, and
-/// worth more than triangles that keep clear of each other.
-constexpr float kPartReach = 0.05f;
-
-/// Changes the surface around pairs of triangles that meet, in the mildest way that is left: merged cells
-/// are taken apart, then vertices little outside put back, then smooth cells made cones. False if nothing is left.
+/// Takes merged cells apart whose triangles meet others. False if none is merged.
 bool Extractor::part(const TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
   std::vector<std::uint32_t> merged;
-  bool any = false;
-  const auto done = [&](std::uint32_t cell) {
-    stale_.push_back(static_cast<std::int32_t>(grid_.leafOf(cell)));
-    any = true;
-  };
   for (const auto& pair : pairs) {
     std::vector<std::uint32_t> cells;
     for (const std::uint32_t t : pair) addCells(mesh.triangles[t], cells);
-    bool changed = false;
-    for (const std::uint32_t cell : cells) {
-      if (!merger_.merged(cell)) continue;
-      merged.push_back(cell);
-      changed = any = true;
-    }
-    if (changed) continue;
-    for (const std::uint32_t cell : cells) {
-      if (!grid_.pullInside(cell, kPartReach)) continue;
-      done(cell);
-      changed = true;
-    }
-    if (changed) continue;
-    for (const std::uint32_t cell : cells) {
-      if (grid_.makeCone(cell)) done(cell);
+    std::erase_if(cells, [&](std::uint32_t cell) { return !merger_.merged(cell); });
+    merged.insert(merged.end(), cells.begin(), cells.end());
+  }
+  if (merged.empty()) return false;
+  // Triangles that meet and stay as they are must be found again.
+  const auto after = [](std::uint32_t t, const LeafOutput& out) { return t < out.first_triangle; };
+  for (const auto& pair : pairs) {
+    for (const std::uint32_t t : pair) {
+      const auto next = std::upper_bound(outputs_.begin(), outputs_.end(), t, after);
+      (next - 1)->unchecked = true;
     }
   }
-  if (!merged.empty()) merger_.takeApart(std::move(merged), stale_);
-  return any;
+  merger_.takeApart(std::move(merged), stale_);
+  return true;
 }
 
 /// Makes the leaves anew that the stale ones and the surface between them and their neighbours belong to.
@@ -479,6 +486,8 @@ void Extractor::update(Progress& progress) {
   });
 }
 
+
+
 /// Writes the mesh, and again as long as what is merged or placed spoils it. False if cancelled.
 bool Extractor::repair(StockSurface& surface, Progress& progress) {
   for (int fault_rounds = 0, part_rounds = 0;; update(progress)) {
@@ -497,12 +506,12 @@ bool Extractor::repair(StockSurface& surface, Progress& progress) {
       merger_.takeApart(std::move(faults), stale_);
       continue;
     }
-    const auto pairs = findMeetings(surface.mesh, verticesOf(surface.mesh, &LeafOutput::unchecked));
+    const auto pairs = findMeetings(surface.mesh);
     for (LeafOutput& out : outputs_) out.unchecked = false;
     if (pairs.empty()) return true;
-    surface.self_intersections = pairs.size();
-    if (++part_rounds > kPartRounds || !part(surface.mesh, pairs)) return true;
-    surface.self_intersections = 0;
+    if (++part_rounds <= kPartRounds && part(surface.mesh, pairs)) continue;
+    surface.self_intersections = mendIntersections(surface.mesh, pairs, impl_.h);
+    return true;
   }
 }
 

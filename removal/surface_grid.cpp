@@ -14,11 +14,11 @@ namespace {
 constexpr float kGentleCos = 0.978f;
 /// How far vertices of cells with several sheets may leave them, in cells.
 constexpr double kThinReach = 0.1;
-/// Cones have their apex this far (in cells) inside the cell.
-constexpr float kConeGap = 0.01f;
 /// Vertices this far (in cells) outside the blank are put back: more than the rounding of its crossings.
 constexpr double kBlankSlack = 1e-4;
 constexpr double kNoLimit = 1e12;
+/// Sheets of one cell keep their vertices this far apart (in cells), as seen from one to the other.
+constexpr double kSheetGap = 0.01;
 /// A vertex this near to a wall of its cell (in cells) was put back to it.
 constexpr double kAtWall = 2e-3;
 /// Below this lean of the normals from their mean (2 degrees), the crossings place the vertex of any smooth
@@ -153,6 +153,11 @@ class LeafPlacer {
       const bool near = (v.p - v.inside).squaredNorm() < 1.0 && v.p.minCoeff() > -kThinReach &&
                         v.p.maxCoeff() < 1.0 + kThinReach;
       const Vec3& thin = near ? v.p : v.inside;
+      if (sheets > 1) {
+        sheet_p_[sheet] = thin;
+        sheet_mean_[sheet] = Vec3::Zero();
+        for (int i = 0; i < count; ++i) sheet_mean_[sheet] += points_[i].p / count;
+      }
       if (sheet > 0) {
         leaf_.extra.push_back({static_cast<std::uint16_t>(rank), static_cast<std::uint8_t>(sheet),
                                (origin + thin).cast<float>()});
@@ -170,7 +175,15 @@ class LeafPlacer {
         keepGentle(bit, z, rank, faces, out.p, n);
       }
     }
-    if (sheets > 1) out.traits |= CellTraits::kManySheets;
+    if (sheets > 1) {
+      out.traits |= CellTraits::kManySheets;
+      keepApart(sheets);
+      for (int sheet = 0; sheet < sheets; ++sheet) keepInBlank(Vec3(x, y, z), sheet_p_[sheet]);
+      const Eigen::Vector3f origin(x, y, z);
+      out.p = origin + sheet_p_[0].cast<float>();
+      ExtraVertex* extra = leaf_.extra.data() + leaf_.extra.size() - (sheets - 1);
+      for (int sheet = 1; sheet < sheets; ++sheet, ++extra) extra->p = origin + sheet_p_[sheet].cast<float>();
+    }
     return out;
   }
 
@@ -238,6 +251,21 @@ class LeafPlacer {
     return count;
   }
 
+  /// Where a wall narrower than the cell ends, two sheets are cut off at one place; their vertices change
+  /// sides only by what they are uncertain.
+  void keepApart(int sheets) {
+    for (int i = 1; i < sheets; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const Vec3 across = (sheet_mean_[i] - sheet_mean_[j]).normalized();
+        const double missing = kSheetGap - across.dot(sheet_p_[i] - sheet_p_[j]);
+        if (missing <= 0.0 || missing > kThinReach) continue;
+        const Vec3 back = sheet_p_[j] - missing * across, on = sheet_p_[i] + missing * across;
+        const bool inside = back.minCoeff() > 0.0 && back.maxCoeff() < 1.0;
+        (inside ? sheet_p_[j] : sheet_p_[i]) = inside ? back : on;
+      }
+    }
+  }
+
   bool bendsLittle(int count, Eigen::Vector3f& n) const {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < count; ++i) sum += points_[i].n;
@@ -264,6 +292,7 @@ class LeafPlacer {
   Vec3 low_ = Vec3::Constant(-kNoLimit),
        high_ = Vec3::Constant(kNoLimit);  ///< the blank, in the leaf's cells
   std::array<SheetPoint, 12> points_;
+  std::array<Vec3, 4> sheet_p_, sheet_mean_;  ///< of the sheets of one cell: vertices, means of the crossings
 };
 
 }  // namespace
@@ -386,39 +415,6 @@ std::uint32_t SurfaceGrid::cellOf(std::uint32_t vertex) const {
                        [](std::uint32_t v, const SurfaceLeaf& leaf) { return v < leaf.extra_base; });
   const SurfaceLeaf& leaf = *(above - 1);
   return leaf.base + leaf.extra[vertex - leaf.extra_base].cell;
-}
-
-bool SurfaceGrid::pullInside(std::uint32_t cell, float reach) {
-  if (!(traits_[cell] & CellTraits::kOutside)) return false;
-  SurfaceLeaf& leaf = leaves_[leafOf(cell)];
-  const int place = leaf.placeOf(static_cast<int>(cell - leaf.base));
-  const auto it = std::find_if(leaf.outside.begin(), leaf.outside.end(),
-                               [&](const OutsideVertex& o) { return o.place == place; });
-  if (it == leaf.outside.end() || (vertices_[cell] - it->inside).norm() > reach) return false;
-  vertices_[cell] = it->inside;
-  leaf.outside.erase(it);
-  traits_[cell] &= static_cast<std::uint16_t>(~CellTraits::kOutside);
-  traits_[cell] |= CellTraits::kWall;
-  return true;
-}
-
-bool SurfaceGrid::makeCone(std::uint32_t cell) {
-  if (traits_[cell] & (CellTraits::kCone | CellTraits::kOutside)) return false;
-  if (!(traits_[cell] & CellTraits::kSmooth)) return false;  // a fan would cut the crease off
-  traits_[cell] &= static_cast<std::uint16_t>(~CellTraits::kSmooth);
-  traits_[cell] |= CellTraits::kCone;
-  SurfaceLeaf& leaf = leaves_[leafOf(cell)];
-  const int place = leaf.placeOf(static_cast<int>(cell - leaf.base));
-  const Eigen::Array3f low(static_cast<float>(place >> 3 & 7), static_cast<float>(place & 7),
-                           static_cast<float>(place >> 6));
-  const auto enclose = [&](Eigen::Vector3f& p) {
-    p = p.array().max(low + kConeGap).min(low + (1.0f - kConeGap)).matrix();
-  };
-  enclose(vertices_[cell]);
-  for (ExtraVertex& e : leaf.extra) {
-    if (e.cell == cell - leaf.base) enclose(e.p);
-  }
-  return true;
 }
 
 bool SurfaceGrid::putInside(std::uint32_t cell, const Eigen::Vector3f& p) {

@@ -66,8 +66,6 @@ struct CellTraits {
   static constexpr std::uint16_t kOutside = 0x100;  ///< its vertex is outside the cell
   static constexpr std::uint16_t kFolds = 0x200;    ///< and folds the surface
   static constexpr std::uint16_t kWall = 0x400;     ///< its vertex was put back to a wall of the cell
-  /// Its surface is the cone from its vertex to its crossings and to points of its faces between them.
-  static constexpr std::uint16_t kCone = 0x800;
 };
 
 /// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each
@@ -94,11 +92,6 @@ class SurfaceGrid {
   void markFolding(std::uint32_t cell) { traits_[cell] |= CellTraits::kFolds; }
   /// Moves a vertex that was marked; false if it was not.
   bool putInside(std::uint32_t cell, const Eigen::Vector3f& p);
-  /// Puts a vertex that is outside back into its cell; false if it is not outside, or more than `reach` cells.
-  bool pullInside(std::uint32_t cell, float reach);
-  /// Makes the cell's surface cones (CellTraits::kCone), which no other cell's surface can meet as long as it
-  /// keeps to its own cell. False if it was made so before, is not smooth, or has its vertex outside.
-  bool makeCone(std::uint32_t cell);
   /// Number of the leaf of a cell.
   std::size_t leafOf(std::uint32_t cell) const;
   /// The cell of a vertex, which may be of a further sheet.

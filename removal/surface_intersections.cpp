@@ -22,6 +22,9 @@ using Points = std::array<Vec3, 3>;
 constexpr double kFlat = 1e-7;
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
+/// Volumes of less than this part of what their edges span are rounding.
+constexpr double kRounding = 2e-15;
+
 /// Six times the volume of the tetrahedron.
 double orient(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (b - a).cross(c - a).dot(d - a);
@@ -53,8 +56,16 @@ bool meetFlat(const Vec3& p, const Vec3& q, const Points& t) {
   return false;
 }
 
+/// The side of the triangle's plane that a point is on, 0 within rounding.
+double sideOf(const Points& t, const Vec3& p) {
+  const Vec3 a = t[1] - t[0], b = t[2] - t[0], c = p - t[0];
+  const double volume = a.cross(b).dot(c);
+  const double spanned2 = a.squaredNorm() * b.squaredNorm() * c.squaredNorm();
+  return volume * volume <= kRounding * kRounding * spanned2 ? 0.0 : volume;
+}
+
 bool segmentMeets(const Vec3& p, const Vec3& q, const Points& t) {
-  const double side_p = orient(t[0], t[1], t[2], p), side_q = orient(t[0], t[1], t[2], q);
+  const double side_p = sideOf(t, p), side_q = sideOf(t, q);
   if (side_p * side_q > 0.0) return false;
   if (side_p == 0.0 && side_q == 0.0) return meetFlat(p, q, t);
   return sameSide(orient(p, q, t[0], t[1]), orient(p, q, t[1], t[2]), orient(p, q, t[2], t[0]));

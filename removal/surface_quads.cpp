@@ -21,6 +21,11 @@ constexpr double kOffPlane = 0.15;
 constexpr double kFoldedOverCrease = -0.7;
 /// Diagonals whose middles are off the tangent plane alike, by this part of their length.
 constexpr double kAlikeOff = 1e-3;
+/// A triangle lower than this part of its length, as of three points on one edge, may be turned over by
+/// rounding: it is cut only if the other cut is folded.
+constexpr double kSliver = 1e-3;
+constexpr double kSliverMargin = 1e-6;
+constexpr double kPoorFacing = 0.5;
 constexpr int kUnfoldRounds = 8;
 
 constexpr std::uint64_t kColumnX7 = 0xFFull << 56, kColumnY7 = 0x8080808080808080ull;
@@ -36,26 +41,40 @@ QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& no
   const double alike = kAlikeOff * std::sqrt(std::max(length02, length13));
   const bool prefer02 = std::abs(off02 - off13) > alike ? off02 < off13 : length02 <= length13;
   // How far each triangle is from being folded: its facing over what its slope allows.
-  const auto margin = [&](int a, int b, int c, bool over_crease) {
+  struct Cut {
+    double margin = 2.0;
+    bool poor = false;
+  };
+  const auto add = [&](Cut& cut, int a, int b, int c, bool over_crease) {
     const Vec3 area = (p[b] - p[a]).cross(p[c] - p[a]);
-    const double facing = normal.dot(area);
-    if (smooth) return facing > 0.0 ? 1.0 : -1.0;
-    const double length = area.norm();
-    if (length <= 0.0) return -1.0;
-    const double size2 = std::max((p[b] - p[a]).squaredNorm(), (p[c] - p[b]).squaredNorm());
-    const double high = std::max({std::abs(up[a]), std::abs(up[b]), std::abs(up[c])});
-    if (over_crease) return facing / length - kFoldedOverCrease;
-    return facing / length - (high * high > kOffPlane * kOffPlane * size2 ? kFoldedAtCrease : kFolded);
+    double facing = normal.dot(area), margin = facing > 0.0 ? 1.0 : -1.0;
+    bool poor = facing <= 0.0;
+    if (!smooth) {
+      const double length = area.norm();
+      const double size2 = std::max((p[b] - p[a]).squaredNorm(), (p[c] - p[b]).squaredNorm());
+      const double high = std::max({std::abs(up[a]), std::abs(up[b]), std::abs(up[c])});
+      facing = length > 0.0 ? facing / length : -1.0;
+      const bool off_plane = high * high > kOffPlane * kOffPlane * size2;
+      margin = facing - (over_crease ? kFoldedOverCrease : off_plane ? kFoldedAtCrease : kFolded);
+      const bool sliver = length < kSliver * size2;
+      if (sliver) margin = std::min(margin, kSliverMargin);
+      poor = sliver || facing < kPoorFacing;
+    }
+    cut.margin = std::min(cut.margin, margin);
+    cut.poor = cut.poor || poor;
   };
-  const auto cut = [&](bool at02) {
+  const auto cutAt = [&](bool at02) {
+    Cut cut;
     const bool crease = smooth_corners == (at02 ? 0xAu : 0x5u);
-    return at02 ? std::min(margin(0, 1, 2, crease), margin(0, 2, 3, crease))
-                : std::min(margin(0, 1, 3, crease), margin(1, 2, 3, crease));
+    add(cut, 0, 1, at02 ? 2 : 3, crease);
+    add(cut, at02 ? 0 : 1, 2, 3, crease);
+    return cut;
   };
-  const double preferred = cut(prefer02);
-  if (preferred > 0.0) return {prefer02, preferred};
-  const double other = cut(!prefer02);
-  return other > preferred ? QuadCut{!prefer02, other} : QuadCut{prefer02, preferred};
+  const Cut preferred = cutAt(prefer02);
+  if (preferred.margin > kSliverMargin) return {prefer02, preferred.margin, preferred.poor};
+  const Cut other = cutAt(!prefer02);
+  if (other.margin > preferred.margin) return {!prefer02, other.margin, other.poor};
+  return {prefer02, preferred.margin, preferred.poor};
 }
 
 bool bulges(const Quad& quad, double limit) {
@@ -130,7 +149,7 @@ bool QuadReader::read(int axis, int x, int y, int z, const Crossing& c, Quad& qu
   for (int i = 0; i < 4; ++i) quad.p[i] = p_[cell[i]].cast<double>();
   quad.split = 0;
   const bool start_in = leafSample(leaf_->stock->material, x, y, z);
-  if ((quad.traits & (CellTraits::kManySheets | CellTraits::kOneSheetFaces | CellTraits::kCone)) != 0) {
+  if ((quad.traits & (CellTraits::kManySheets | CellTraits::kOneSheetFaces)) != 0) {
     pickSheets(axis, x, y, z, start_in, quad);
   }
   if (!start_in) {
@@ -154,12 +173,10 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::array<int, 4> corner;
   std::array<std::uint8_t, 4> faces;
-  std::array<bool, 4> cone;
   for (int i = 0; i < 4; ++i) {
     corner[i] = kRing[i][0] << u | kRing[i][1] << v;
     const std::uint32_t cell = quad.v[i];
     faces[i] = oneSheetFaces()[grid_.pattern(cell)];
-    cone[i] = (grid_.traits(cell) & CellTraits::kCone) != 0;
     if (!(grid_.traits(cell) & CellTraits::kManySheets)) continue;
     const int sheet = cellCycles()[grid_.pattern(cell)].cycle_of_edge[edgeAt(axis, corner[i])];
     if (sheet <= 0) continue;
@@ -180,8 +197,7 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
     // Cells i and i + 1 share the face across `cross`.
     const int j = (i + 1) % 4, cross = kRing[i][0] != kRing[j][0] ? u : v;
     const int side = corner[i] >> cross & 1;
-    const bool doubled = (faces[i] >> (cross * 2 + side) & faces[j] >> (cross * 2 + 1 - side) & 1) != 0;
-    if (doubled || cone[i] || cone[j]) {
+    if (faces[i] >> (cross * 2 + side) & faces[j] >> (cross * 2 + 1 - side) & 1) {
       quad.split |= static_cast<std::uint8_t>(1 << (start_in ? i : (6 - i) % 4));
     }
   }

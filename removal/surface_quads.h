@@ -24,6 +24,7 @@ struct Quad {
 struct QuadCut {
   bool at02 = true;
   double margin = 1.0;  ///< of the worse triangle; above 0: not folded
+  bool poor = false;    ///< one leans more than 60 degrees from the exact surface, or is a sliver
 };
 /// The diagonal whose middle is nearer to the tangent plane at the crossing, so that creases are followed and
 /// walls not cut; alike: the shorter one. The other one where it folds less. `smooth_corners`: bit i: no crease
