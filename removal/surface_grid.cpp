@@ -19,8 +19,6 @@ constexpr double kBlankSlack = 1e-4;
 constexpr double kNoLimit = 1e12;
 /// Sheets of one cell keep their vertices this far apart (in cells), as seen from one to the other.
 constexpr double kSheetGap = 0.01;
-/// A vertex this near to a wall of its cell (in cells) was put back to it.
-constexpr double kAtWall = 2e-3;
 /// Below this lean of the normals from their mean (2 degrees), the crossings place the vertex of any smooth
 /// face to better than 1e-3 cells.
 constexpr float kBentCos = 0.9994f;
@@ -166,7 +164,6 @@ class LeafPlacer {
       out.p = (origin + (sheets == 1 ? v.p : thin)).cast<float>();
       out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
       if (sheets > 1) continue;
-      if (v.p.minCoeff() < kAtWall || v.p.maxCoeff() > 1.0 - kAtWall) out.traits |= CellTraits::kWall;
       if (v.outside) {
         leaf_.outside.push_back(
             {static_cast<std::uint16_t>(z << 6 | bit), (origin + v.inside).cast<float>()});
@@ -420,7 +417,6 @@ std::uint32_t SurfaceGrid::cellOf(std::uint32_t vertex) const {
 bool SurfaceGrid::putInside(std::uint32_t cell, const Eigen::Vector3f& p) {
   if (!(traits_[cell] & CellTraits::kFolds)) return false;
   traits_[cell] &= static_cast<std::uint16_t>(~(CellTraits::kFolds | CellTraits::kOutside));
-  traits_[cell] |= CellTraits::kWall;
   vertices_[cell] = p;
   return true;
 }

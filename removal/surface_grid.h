@@ -65,7 +65,6 @@ struct CellTraits {
   static constexpr std::uint16_t kSmooth = 0x80;
   static constexpr std::uint16_t kOutside = 0x100;  ///< its vertex is outside the cell
   static constexpr std::uint16_t kFolds = 0x200;    ///< and folds the surface
-  static constexpr std::uint16_t kWall = 0x400;     ///< its vertex was put back to a wall of the cell
 };
 
 /// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each

@@ -23,8 +23,8 @@ constexpr std::array<double, 3> kReaches = {1e-3, 0.01, 0.05};
 constexpr double kMarginCells = 2.0, kBlockCells = 2.0;
 /// Rounds over all pairs; each that changes something leaves fewer of them.
 constexpr int kRounds = 8;
-/// Pairs beyond this are a surface that no local change can mend.
-constexpr std::size_t kMostPairs = 20000;
+/// Changes that are tried at most, about two seconds: what then is left is a surface that they cannot mend.
+constexpr std::size_t kMostTrials = 100000;
 constexpr std::uint32_t kGone = 0xFFFFFFFFu;
 
 double distance2(const Vec3& p, const Points& t) {
@@ -47,6 +47,9 @@ double distance2(const Vec3& p, const Points& t) {
   return std::min({toEdge(t[0], ab), toEdge(t[0], ac), toEdge(t[1], t[2] - t[1])});
 }
 
+Vec3 lowOf(const Points& p) { return p[0].cwiseMin(p[1]).cwiseMin(p[2]); }
+Vec3 highOf(const Points& p) { return p[0].cwiseMax(p[1]).cwiseMax(p[2]); }
+
 struct Edit {
   enum Kind { kTurn, kJoin, kMove };
   Kind kind = kMove;
@@ -68,6 +71,12 @@ class Mender {
     std::vector<std::pair<std::uint32_t, Star>> stars;
     std::uint32_t moved = kGone;
     Eigen::Vector3f from = Eigen::Vector3f::Zero();
+  };
+
+  struct Choice {
+    Edit edit;
+    std::ptrdiff_t gain = 0;  ///< pairs fewer
+    double moved = 0.0;       ///< between old and new surface
   };
 
   Vec3i blockOf(const Vec3& p) const { return (p * scale_).array().floor().cast<int>().matrix(); }
@@ -94,7 +103,9 @@ class Mender {
   void apply(const Edit& edit, const std::vector<std::uint32_t>& triangles, Undo& undo);
   void undo(const Undo& undo);
   double apart(const std::vector<Points>& from, const std::vector<Points>& to, double limit) const;
-  std::vector<Edit> editsFor(const Pair& pair) const;
+  std::vector<Edit> editsFor(const Pair& pair, bool moves) const;
+  void tryEdit(const Edit& edit, double reach, Choice& best);
+  bool meets(const Pair& pair) const;
   bool mend(const Pair& pair, double reach);
   std::vector<Pair> pairsLeft();
   void compact();
@@ -108,6 +119,7 @@ class Mender {
   std::vector<std::uint32_t> seen_;  ///< number of the last search that met a triangle
   std::uint32_t search_ = 0;
   std::vector<std::uint32_t> near_;
+  std::size_t trials_ = 0;
 };
 
 template <typename Body>
@@ -127,7 +139,7 @@ bool Mender::whole(std::uint32_t v) const {
 
 void Mender::insert(std::uint32_t t) {
   const Points p = points(t);
-  eachBlock(p[0].cwiseMin(p[1]).cwiseMin(p[2]), p[0].cwiseMax(p[1]).cwiseMax(p[2]), [&](const Vec3i& block) {
+  eachBlock(lowOf(p), highOf(p), [&](const Vec3i& block) {
     auto& list = blocks_[keyOf(block)];
     if (list.empty() || list.back() != t) list.push_back(t);
   });
@@ -138,14 +150,14 @@ void Mender::gather(const std::vector<Pair>& pairs) {
   for (const Pair& pair : pairs) {
     for (const std::uint32_t t : pair) {
       const Points p = points(t);
-      eachBlock(p[0].cwiseMin(p[1]).cwiseMin(p[2]) - margin, p[0].cwiseMax(p[1]).cwiseMax(p[2]) + margin,
+      eachBlock(lowOf(p) - margin, highOf(p) + margin,
                 [&](const Vec3i& block) { marked_.emplace(keyOf(block), true); });
     }
   }
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     const Points p = points(t);
     bool inside = false;
-    eachBlock(p[0].cwiseMin(p[1]).cwiseMin(p[2]), p[0].cwiseMax(p[1]).cwiseMax(p[2]),
+    eachBlock(lowOf(p), highOf(p),
               [&](const Vec3i& block) { inside = inside || marked_.contains(keyOf(block)); });
     if (!inside) continue;
     local_.push_back(t);
@@ -159,21 +171,29 @@ void Mender::gather(const std::vector<Pair>& pairs) {
 void Mender::findNear(const std::vector<std::uint32_t>& triangles) {
   near_.clear();
   ++search_;
-  for (const std::uint32_t t : triangles) seen_[t] = search_;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const std::uint32_t t : triangles) {
+    seen_[t] = search_;
     if (gone(t)) continue;
-    const Points p = points(t);
-    const Vec3 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]), high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
-    eachBlock(low, high, [&](const Vec3i& block) {
-      const auto found = blocks_.find(keyOf(block));
-      if (found == blocks_.end()) return;
-      for (const std::uint32_t u : found->second) {
-        if (seen_[u] == search_ || gone(u)) continue;
-        seen_[u] = search_;
-        near_.push_back(u);
-      }
-    });
+    for (const Vec3& p : points(t)) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
   }
+  if (!(low.x() <= high.x())) return;
+  low.array() -= kReaches.back() * cell_;
+  high.array() += kReaches.back() * cell_;
+  eachBlock(low, high, [&](const Vec3i& block) {
+    const auto found = blocks_.find(keyOf(block));
+    if (found == blocks_.end()) return;
+    for (const std::uint32_t u : found->second) {
+      if (seen_[u] == search_ || gone(u)) continue;
+      seen_[u] = search_;
+      const Points p = points(u);
+      if ((lowOf(p).array() <= high.array()).all() && (highOf(p).array() >= low.array()).all())
+        near_.push_back(u);
+    }
+  });
 }
 
 /// Pairs with one of these triangles.
@@ -312,7 +332,7 @@ double Mender::apart(const std::vector<Points>& from, const std::vector<Points>&
   return std::sqrt(farthest);
 }
 
-std::vector<Edit> Mender::editsFor(const Pair& pair) const {
+std::vector<Edit> Mender::editsFor(const Pair& pair, bool moves) const {
   std::vector<std::uint32_t> vertices;
   for (const std::uint32_t t : pair) {
     for (const std::uint32_t v : mesh_.triangles[t]) {
@@ -321,53 +341,58 @@ std::vector<Edit> Mender::editsFor(const Pair& pair) const {
   }
   std::vector<Edit> edits;
   for (const std::uint32_t a : vertices) {
-    const Eigen::Vector3f& from = mesh_.positions[a];
-    Eigen::Vector3f middle = Eigen::Vector3f::Zero();
     const Star& star = stars_.at(a);
+    const Eigen::Vector3f& from = mesh_.positions[a];
+    const auto move = [&](const Eigen::Vector3f& way, float part) {
+      edits.push_back({Edit::kMove, a, a, from + part * (way - from)});
+    };
+    Eigen::Vector3f middle = Eigen::Vector3f::Zero();
     for (const std::uint32_t t : star) {
       const std::uint32_t b = following(mesh_.triangles[t], a, 1);
-      middle += mesh_.positions[b];
-      for (const float part : {0.05f, 0.2f, 0.5f, -0.05f, -0.2f})
-        edits.push_back({Edit::kMove, a, a, from + part * (mesh_.positions[b] - from)});
-      if (!whole(b)) continue;
-      edits.push_back({Edit::kTurn, a, b});
-      edits.push_back({Edit::kJoin, a, b});
-      edits.push_back({Edit::kJoin, b, a});
+      middle += mesh_.positions[b] / static_cast<float>(star.size());
+      if (moves) {
+        for (const float part : {0.05f, 0.2f, 0.5f, -0.05f, -0.2f}) move(mesh_.positions[b], part);
+      } else if (whole(b)) {
+        edits.push_back({Edit::kTurn, a, b});
+        edits.push_back({Edit::kJoin, a, b});
+        edits.push_back({Edit::kJoin, b, a});
+      }
     }
-    middle /= static_cast<float>(star.size());
-    for (const float part : {0.1f, 0.5f, 1.0f})
-      edits.push_back({Edit::kMove, a, a, from + part * (middle - from)});
+    if (!moves) continue;
+    for (const float part : {0.1f, 0.5f, 1.0f}) move(middle, part);
   }
   return edits;
 }
 
-/// Makes the best change for a pair that still meets. False if there is none.
-bool Mender::mend(const Pair& pair, double reach) {
-  struct Best {
-    Edit edit;
-    std::ptrdiff_t gain = 0;
-    double moved = 0.0;
-  } best;
-  for (const Edit& edit : editsFor(pair)) {
-    if (!allowed(edit)) continue;
-    const std::vector<std::uint32_t> triangles = affected(edit);
-    const std::size_t before = countPairs(triangles);
-    if (before == 0) continue;
-    std::vector<Points> old_points, new_points;
-    for (const std::uint32_t t : triangles) old_points.push_back(points(t));
-    Undo back;
-    apply(edit, triangles, back);
-    const std::size_t after = countPairs(triangles);
-    const auto gain = static_cast<std::ptrdiff_t>(before) - static_cast<std::ptrdiff_t>(after);
-    if (gain > 0 && gain >= best.gain) {
-      for (const std::uint32_t t : triangles) {
-        if (!gone(t)) new_points.push_back(points(t));
-      }
-      const double moved =
-          std::max(apart(old_points, new_points, reach), apart(new_points, old_points, reach));
-      if (moved <= reach && (gain > best.gain || moved < best.moved)) best = {edit, gain, moved};
+/// Tries a change and takes it back. Replaces `best` if it leaves fewer pairs, or as few and moves less.
+void Mender::tryEdit(const Edit& edit, double reach, Choice& best) {
+  if (!allowed(edit)) return;
+  const std::vector<std::uint32_t> triangles = affected(edit);
+  const auto before = static_cast<std::ptrdiff_t>(countPairs(triangles));
+  if (before < std::max<std::ptrdiff_t>(1, best.gain)) return;
+  ++trials_;
+  std::vector<Points> was, is;
+  for (const std::uint32_t t : triangles) was.push_back(points(t));
+  Undo back;
+  apply(edit, triangles, back);
+  const auto gain = before - static_cast<std::ptrdiff_t>(countPairs(triangles));
+  if (gain > 0 && gain >= best.gain) {
+    for (const std::uint32_t t : triangles) {
+      if (!gone(t)) is.push_back(points(t));
     }
-    undo(back);
+    const double moved = std::max(apart(was, is, reach), apart(is, was, reach));
+    if (moved <= reach && (gain > best.gain || moved < best.moved)) best = {edit, gain, moved};
+  }
+  undo(back);
+}
+
+/// Makes the best change for a pair that still meets; vertices are moved only where nothing else helps. False
+/// if there is none.
+bool Mender::mend(const Pair& pair, double reach) {
+  Choice best;
+  for (const bool moves : {false, true}) {
+    if (best.gain > 0 || trials_ > kMostTrials) break;
+    for (const Edit& edit : editsFor(pair, moves)) tryEdit(edit, reach, best);
   }
   if (best.gain == 0) return false;
   const std::vector<std::uint32_t> triangles = affected(best.edit);
@@ -377,6 +402,11 @@ bool Mender::mend(const Pair& pair, double reach) {
     if (!gone(t)) insert(t);
   }
   return true;
+}
+
+bool Mender::meets(const Pair& pair) const {
+  if (gone(pair[0]) || gone(pair[1])) return false;
+  return pair[0] == pair[1] ? isNeedle(mesh_, pair[0]) : trianglesMeet(mesh_, pair[0], pair[1]);
 }
 
 std::vector<Pair> Mender::pairsLeft() {
@@ -421,17 +451,12 @@ void Mender::compact() {
 }
 
 std::size_t Mender::run(std::vector<Pair> pairs) {
-  if (pairs.size() > kMostPairs) return pairs.size();
   gather(pairs);
   for (const double reach : kReaches) {
     for (int round = 0; round < kRounds && !pairs.empty(); ++round) {
       bool any = false;
       for (const Pair& pair : pairs) {
-        while (!gone(pair[0]) && !gone(pair[1]) &&
-               (pair[0] == pair[1] ? isNeedle(mesh_, pair[0]) : trianglesMeet(mesh_, pair[0], pair[1])) &&
-               mend(pair, reach * cell_)) {
-          any = true;
-        }
+        while (meets(pair) && mend(pair, reach * cell_)) any = true;
       }
       if (!any) break;
       pairs = pairsLeft();

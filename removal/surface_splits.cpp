@@ -9,14 +9,14 @@ namespace {
 /// Vertices on edges keep this far from the ends (in cells), so that those of several edges never coincide.
 constexpr double kEndGap = 1e-3;
 
-/// Fraction of the edge along `axis` from voxel `at` (of the whole grid) at which it is crossed; below 0:
-/// not.
+/// Fraction of the edge along `axis` from voxel `at` (of the whole grid) at which it is crossed; its middle
+/// where it is not, which no sound stock has.
 double crossingOn(const SurfaceGrid& grid, int axis, const Coord& at) {
   const std::int32_t number = LeafReader(grid.impl()).state(at & ~7);
-  if (number < 0) return -1.0;
+  if (number < 0) return 0.5;
   const SurfaceLeaf& leaf = grid.leaves()[static_cast<std::size_t>(number)];
   const int x = at.x() & 7, y = at.y() & 7, z = at.z() & 7;
-  if (!leaf.edges.isCrossed(axis, x, y, z)) return -1.0;
+  if (!leaf.edges.isCrossed(axis, x, y, z)) return 0.5;
   const auto i = static_cast<std::size_t>(leaf.edges.indexOf(axis, x, y, z));
   return std::clamp<double>(leaf.stock->crossings[i].t, kEndGap, 1.0 - kEndGap);
 }
@@ -29,8 +29,8 @@ struct Face {
   int material;     ///< 1 where the edge's far end is in material
 };
 
-/// Its place between the quad's crossing and the one that the surface leads to in the face: the other one of
-/// two, and of four the one at the same material corner.
+/// Its place between the quad's crossing and the one that the surface leads to in the face, which is at the
+/// same material corner.
 FaceSplit splitFace(const SurfaceGrid& grid, const Face& face) {
   const int other = 3 - face.cross - face.axis;
   struct Edge {
@@ -43,26 +43,18 @@ FaceSplit splitFace(const SurfaceGrid& grid, const Face& face) {
     at[along] += far;
     return Edge{axis, at, crossingOn(grid, axis, at)};
   };
-  const Edge own = edge(face.axis, other, face.back);
-  const std::array<Edge, 3> rest = {edge(face.axis, other, 1 - face.back),
-                                    edge(other, face.axis, face.material),
-                                    edge(other, face.axis, 1 - face.material)};
-  const auto crossed = std::count_if(rest.begin(), rest.end(), [](const Edge& e) { return e.t >= 0.0; });
-  const Edge* end = &rest[1];
-  if (crossed == 1) end = std::find_if(rest.begin(), rest.end(), [](const Edge& e) { return e.t >= 0.0; });
+  const Edge own = edge(face.axis, other, face.back), end = edge(other, face.axis, face.material);
   const auto place = [&](const Edge& e) {
     Vec3 p(e.at.x() - face.at.x(), e.at.y() - face.at.y(), e.at.z() - face.at.z());
     p[e.axis] += e.t;
     return p;
   };
   FaceSplit out;
-  Coord corner = face.at;  // with two crossings, one vertex a face
-  if (crossed == 3) {
-    corner[other] += face.back;
-    corner[face.axis] += face.material;
-  }
+  Coord corner = face.at;
+  corner[other] += face.back;
+  corner[face.axis] += face.material;
   out.key = {face.at.x(), face.at.y(), face.at.z(), face.cross, corner.x(), corner.y(), corner.z()};
-  out.p = (grid.impl().position(face.at) + grid.impl().h * 0.5 * (place(own) + place(*end))).cast<float>();
+  out.p = (grid.impl().position(face.at) + grid.impl().h * 0.5 * (place(own) + place(end))).cast<float>();
   return out;
 }
 

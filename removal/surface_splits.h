@@ -1,8 +1,7 @@
 // Places where sheets of surface touch.
 //
 // Where both cells of a face join its four crossings to one sheet each, two dual edges would coincide. Each
-// gets a vertex of its own, and the quads around become fans about their crossings. The same is done around
-// cells whose surface is made a cone.
+// gets a vertex of its own, and the quads around become fans about their crossings.
 #pragma once
 
 #include <array>
@@ -14,10 +13,9 @@
 namespace proveout {
 
 struct FaceSplit {
-  int after = 0;  ///< corner of the quad that it follows
-  std::array<int, 7>
-      key{};  ///< voxel of the face, its axis, voxel of the material corner or, with one sheet, the face
-  Eigen::Vector3f p;  ///< mm
+  int after = 0;             ///< corner of the quad that it follows
+  std::array<int, 7> key{};  ///< voxel of the face, its axis, voxel of the material corner
+  Eigen::Vector3f p;         ///< mm
 };
 
 /// A quad with such faces; its middle becomes a vertex.
