@@ -424,7 +424,11 @@ std::vector<std::array<std::uint32_t, 2>> Extractor::findMeetings(const TriMesh&
       suspect[finalNumber(leaf.base + leaf.extra[k].cell)] = 1;
     }
   }
-  for (std::size_t t = end; t < mesh.triangles.size(); ++t) mark(t);
+  // Fans start at their middle; those without places where sheets touch face like the surface.
+  const std::size_t first_split = cells_kept_ + grid_.vertexCount() - grid_.cellCount();
+  for (std::size_t t = end; t < mesh.triangles.size(); ++t) {
+    if (!split_at_[mesh.triangles[t][0] - first_split]->faces.empty()) mark(t);
+  }
   return findIntersections(mesh, suspect);
 }
 

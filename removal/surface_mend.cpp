@@ -21,6 +21,8 @@ using Vec3i = Eigen::Vector3i;
 constexpr std::array<double, 3> kReaches = {1e-3, 0.01, 0.05};
 /// What is looked at around the pairs, and the edge of the blocks that it is found by, in cells.
 constexpr double kMarginCells = 2.0, kBlockCells = 2.0;
+/// Slots of the filter of blocks, as a power of two.
+constexpr int kFilterBits = 16;
 /// Rounds over all pairs; each that changes something leaves fewer of them.
 constexpr int kRounds = 8;
 /// Changes that are tried at most, about two seconds: what then is left is a surface that they cannot mend.
@@ -147,18 +149,25 @@ void Mender::insert(std::uint32_t t) {
 
 void Mender::gather(const std::vector<Pair>& pairs) {
   const Vec3 margin = Vec3::Constant(kMarginCells * cell_);
+  std::vector<std::uint8_t> maybe(std::size_t{1} << kFilterBits, 0);  // most triangles are nowhere near
+  const auto slot = [](const Vec3i& block) {
+    return keyOf(block) * 0x9E3779B97F4A7C15ull >> (64 - kFilterBits);
+  };
   for (const Pair& pair : pairs) {
     for (const std::uint32_t t : pair) {
       const Points p = points(t);
-      eachBlock(lowOf(p) - margin, highOf(p) + margin,
-                [&](const Vec3i& block) { marked_.emplace(keyOf(block), true); });
+      eachBlock(lowOf(p) - margin, highOf(p) + margin, [&](const Vec3i& block) {
+        marked_.emplace(keyOf(block), true);
+        maybe[slot(block)] = 1;
+      });
     }
   }
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     const Points p = points(t);
     bool inside = false;
-    eachBlock(lowOf(p), highOf(p),
-              [&](const Vec3i& block) { inside = inside || marked_.contains(keyOf(block)); });
+    eachBlock(lowOf(p), highOf(p), [&](const Vec3i& block) {
+      inside = inside || (maybe[slot(block)] != 0 && marked_.contains(keyOf(block)));
+    });
     if (!inside) continue;
     local_.push_back(t);
     insert(t);
