@@ -30,8 +30,6 @@ constexpr double kOutsideSlack = 0.05;
 constexpr double kBentCos = 0.906;
 /// How far (in cells) a vertex is taken along its crease, and the least sine of the angle of such a crease.
 constexpr double kSlideReach = 1.5, kLeastAngle = 0.1;
-/// What that must bring the vertex nearer to the cell.
-constexpr double kLeastGain = 0.01;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
 const double kApexCos = std::cos(degToRad(30.0));
 constexpr double kApexMiss = 2e-3;
@@ -171,37 +169,36 @@ bool spanSpace(std::span<const SheetPoint> points) {
   return m.determinant() > 1e-3;
 }
 
-/// The point of the line through `x` along `u` that is nearest to the cell, and in it nearest to `x`.
-Vec3 nearestToCell(const Vec3& x, const Vec3& u) {
-  double low = -kSlideReach, high = kSlideReach;
+/// Moves `x` along `u` to the nearest point in the cell that lies between the crossings; false if there is none.
+bool moveIntoCell(std::span<const SheetPoint> points, const Vec3& u, Vec3& x) {
+  double low = kSlideReach, high = -kSlideReach;
+  for (const SheetPoint& s : points) {
+    low = std::min(low, u.dot(s.p - x));
+    high = std::max(high, u.dot(s.p - x));
+  }
   for (int k = 0; k < 3; ++k) {
-    if (std::abs(u[k]) < 1e-9) continue;
+    if (std::abs(u[k]) < 1e-9) {
+      if (x[k] < kWallGap || x[k] > 1.0 - kWallGap) return false;
+      continue;
+    }
     const double a = (kWallGap - x[k]) / u[k], b = (1.0 - kWallGap - x[k]) / u[k];
     low = std::max(low, std::min(a, b));
     high = std::min(high, std::max(a, b));
   }
-  if (low <= high && outsideBy(x + u * (0.5 * (low + high))) <= 0.0)
-    return x + u * std::clamp(0.0, low, high);
-  // Where the line runs along the cell, the place nearest to `x`.
-  const auto away2 = [&](double s) {
-    return (x + s * u - clampToCell(x + s * u)).squaredNorm() + kNearness * s * s;
-  };
-  low = -kSlideReach;
-  high = kSlideReach;
-  for (int i = 0; i < 40; ++i) {
-    const double a = (2.0 * low + high) / 3.0, b = (low + 2.0 * high) / 3.0;
-    (away2(a) <= away2(b) ? high : low) = away2(a) <= away2(b) ? b : a;
-  }
-  return x + u * (0.5 * (low + high));
+  if (low > high) return false;
+  x += u * std::clamp(0.0, low, high);
+  return true;
 }
 
-/// Takes a point of the crease outside the cell along the crease, into the cell or as near as it comes.
-void slideIn(std::span<const CellFace> faces, VertexRefiner* refiner, Vec3& x) {
+/// Takes a point of the crease outside the cell along the crease into the cell, as far as the crossings reach: beyond
+/// them the crease may have an end that this cell does not see.
+void slideIn(std::span<const SheetPoint> points, std::span<const CellFace> faces, VertexRefiner* refiner, Vec3& x) {
   const Vec3 u = planeAt(faces[0], x).n.cross(planeAt(faces[1], x).n);
-  if (u.norm() < kLeastAngle) return;
-  Vec3 at = creaseNear(faces, nearestToCell(x, u.normalized()));
+  Vec3 at = x;
+  if (u.norm() < kLeastAngle || !moveIntoCell(points, u.normalized(), at)) return;
+  at = creaseNear(faces, at);
   if (refiner != nullptr) refiner->toCrease(at);
-  if (outsideBy(at) < outsideBy(x) - kLeastGain) x = at;
+  if (outsideBy(at) <= 0.0) x = at;
 }
 
 }  // namespace
@@ -241,7 +238,7 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
   if (refine && outsideBy(x) <= kVertexReach) refiner->toCrease(x);
   if (count == 2 && outsideBy(x) > 0.0 && outsideBy(x) < kSlideReach)
-    slideIn(faces, refine ? refiner : nullptr, x);
+    slideIn(points, faces, refine ? refiner : nullptr, x);
   const double beyond = outsideBy(x);
   if (beyond <= -kWallGap) {
     out.p = out.inside = x;
