@@ -28,8 +28,6 @@ constexpr double kOutsideSlack = 0.05;
 
 /// Normals of one face that differ by more than 25 degrees may be those of two planes.
 constexpr double kBentCos = 0.906;
-/// How far (in cells) a vertex is taken along its crease, and the least sine of the angle of such a crease.
-constexpr double kSlideReach = 1.5, kLeastAngle = 0.1;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
 const double kApexCos = std::cos(degToRad(30.0));
 constexpr double kApexMiss = 2e-3;
@@ -169,38 +167,6 @@ bool spanSpace(std::span<const SheetPoint> points) {
   return m.determinant() > 1e-3;
 }
 
-/// Moves `x` along `u` to the nearest point in the cell that lies between the crossings; false if there is none.
-bool moveIntoCell(std::span<const SheetPoint> points, const Vec3& u, Vec3& x) {
-  double low = kSlideReach, high = -kSlideReach;
-  for (const SheetPoint& s : points) {
-    low = std::min(low, u.dot(s.p - x));
-    high = std::max(high, u.dot(s.p - x));
-  }
-  for (int k = 0; k < 3; ++k) {
-    if (std::abs(u[k]) < 1e-9) {
-      if (x[k] < kWallGap || x[k] > 1.0 - kWallGap) return false;
-      continue;
-    }
-    const double a = (kWallGap - x[k]) / u[k], b = (1.0 - kWallGap - x[k]) / u[k];
-    low = std::max(low, std::min(a, b));
-    high = std::min(high, std::max(a, b));
-  }
-  if (low > high) return false;
-  x += u * std::clamp(0.0, low, high);
-  return true;
-}
-
-/// Takes a point of the crease outside the cell along the crease into the cell, as far as the crossings reach: beyond
-/// them the crease may have an end that this cell does not see.
-void slideIn(std::span<const SheetPoint> points, std::span<const CellFace> faces, VertexRefiner* refiner, Vec3& x) {
-  const Vec3 u = planeAt(faces[0], x).n.cross(planeAt(faces[1], x).n);
-  Vec3 at = x;
-  if (u.norm() < kLeastAngle || !moveIntoCell(points, u.normalized(), at)) return;
-  at = creaseNear(faces, at);
-  if (refiner != nullptr) refiner->toCrease(at);
-  if (outsideBy(at) <= 0.0) x = at;
-}
-
 }  // namespace
 
 CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
@@ -237,8 +203,6 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   const bool refine = refiner != nullptr && refiner->needed(false);
   if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
   if (refine && outsideBy(x) <= kVertexReach) refiner->toCrease(x);
-  if (count == 2 && outsideBy(x) > 0.0 && outsideBy(x) < kSlideReach)
-    slideIn(points, faces, refine ? refiner : nullptr, x);
   const double beyond = outsideBy(x);
   if (beyond <= -kWallGap) {
     out.p = out.inside = x;
