@@ -64,7 +64,15 @@ const Sweep& ExactFaces::sweepOf(std::int64_t body) {
 
 ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
   const SweepSample s = sweepOf(body).sampleOutside(corner_ + h_ * q, kFootTolerance * h_);
-  return {q - s.gradient * (s.value / h_), -s.gradient};
+  return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
+}
+
+bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) {
+  const int element = static_cast<int>(face & 0xFFFF);
+  if (element < ConvexProfile::kEdgeIds) return foot.element == element;
+  // A rim is named after the first of the two elements that meet there.
+  const int end = foot.element & ~ConvexProfile::kEdgeIds, first = element & ~ConvexProfile::kEdgeIds;
+  return end == first || end == first + 1;
 }
 
 }  // namespace proveout

@@ -34,10 +34,14 @@ class ExactFaces {
   struct Foot {
     Vec3 p;       ///< in units of the cell
     Vec3 normal;  ///< unit, out of the material (into the body)
+    int element;  ///< as Sweep::sampleOutside says
   };
   /// The point of the body nearest to `q` (in units of the cell), which should lie outside of the body: exact
   /// there.
   Foot foot(std::int64_t body, const Vec3& q);
+  /// Whether a point of the body that made `face` can be of that face: the same element of the tool, and its
+  /// rim where that made the face. Round elements are not told apart from their ends.
+  static bool isOf(const Foot& foot, std::uint64_t face);
 
  private:
   const Pass* passOf(std::uint64_t face) const;

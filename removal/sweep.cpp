@@ -18,6 +18,8 @@ constexpr double kKinkStepMm = 1e-3;
 const double kRimCos = std::cos(degToRad(10.0));
 /// Where the search along a line stops: far below what anybody sees.
 constexpr double kLineToleranceMm = 0.01 * kSweepToleranceMm;
+/// Height of normals of a straight element of the profile, within rounding.
+constexpr double kFaceSlack = 1e-6;
 /// Rounds after which a search gives its best value; a bracketed search on doubles needs fewer.
 constexpr int kMaxLineRounds = 80;
 constexpr int kMaxCurveSpans = 4000;
@@ -300,7 +302,9 @@ double Sweep::distance(const Vec3& p, double cutoff) const {
 SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance) const {
   double bound = 0.0;
   const At at = evaluate(p, minimise(p, std::numeric_limits<double>::infinity(), tolerance, bound));
-  return {at.value, at.gradient, at.element};
+  const ConvexProfile::Element& e = profile_->element(at.element - profile_->firstElementId());
+  const bool at_end = !e.arc && std::abs(at.gradient.z() + e.dr) > kFaceSlack;
+  return {at.value, at.gradient, at_end ? ConvexProfile::kEdgeIds + at.element : at.element};
 }
 
 SweepSample Sweep::sample(const Vec3& p) const {

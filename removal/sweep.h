@@ -38,6 +38,7 @@ class Sweep {
   double distance(const Vec3& p, double cutoff) const;
   SweepSample sample(const Vec3& p) const;
   /// The same for a point outside, where the distance has no kinks, to within `tolerance` > 0, mm, on lines; cheaper.
+  /// An element from kEdgeIds on: an end of that straight element is nearest, not its face.
   SweepSample sampleOutside(const Vec3& p, double tolerance) const;
 
   /// Distances at the `count` points (x, y, z0 + k * dz), each with its own cutoff as in distance().

@@ -77,7 +77,7 @@ bool VertexRefiner::planeNear(int face, const Vec3& x, Vec3& from, Plane& plane,
     return true;
   }
   const ExactFaces::Foot foot = exact_.foot(body_[face], x - kLookFrom * from);
-  if (foot.normal.dot(f.normal) < leastFacing(f)) return false;
+  if (foot.normal.dot(f.normal) < leastFacing(f) || !ExactFaces::isOf(foot, f.id)) return false;
   from = foot.normal;
   plane = {foot.normal, foot.normal.dot(foot.p - x)};
   off = (foot.p - x).norm();
@@ -216,6 +216,11 @@ bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Plane& plane) {
     const ExactFaces::Foot foot = exact_.foot(body_[i], from);
     const double distance = (foot.p - from).dot(foot.normal);
     if (distance >= least) continue;
+    bool known = false;  // else another body goes on where this face ends
+    for (std::size_t j = i; j < faces_.size(); ++j) {
+      known = known || (body_[j] == body_[i] && ExactFaces::isOf(foot, faces_[j].id));
+    }
+    if (!known) return false;
     least = distance;
     plane = {foot.normal, foot.normal.dot(foot.p - x)};
   }
