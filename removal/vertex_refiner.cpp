@@ -1,6 +1,7 @@
 #include "removal/vertex_refiner.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +20,9 @@ constexpr int kRounds = 8;
 constexpr double kFlatSpread = 0.02;
 /// A vertex at rest is seen on its faces within this.
 constexpr double kSeenAt = 0.03;
+/// The same, looked at against the normals of the crossings.
+constexpr double kSeenOver = 0.08;
+constexpr int kLooks = 3;
 /// A body must face the vertex as the crossings do, to 60 degrees: else it shows another of its faces.
 constexpr double kSameFacing = 0.5;
 /// How far (in radians) faces with several crossings, and with one, may turn up to the vertex.
@@ -171,9 +175,26 @@ bool VertexRefiner::isSharp(const Vec3& n, const Vec3& across, const Vec3& x) {
   return (right.p - left.p).norm() < kStays * 2.0 * kSideStep;
 }
 
+/// Whether all faces of the one body come to `x`. Between them may be others that another pass has cut away.
+bool VertexRefiner::seesAll(const Vec3& x) {
+  return std::all_of(faces_.begin(), faces_.end(), [&](const CellFace& f) {
+    Vec3 n = f.normal;
+    for (int look = 0; look < kLooks; ++look) {  // curved faces have other normals than at their crossings
+      const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
+      if ((foot.p - x).squaredNorm() < kSeenOver * kSeenOver) return true;
+      if (foot.normal.dot(f.normal) < kSameFacing) return false;
+      n = foot.normal;
+    }
+    return false;
+  });
+}
+
 bool VertexRefiner::isSmooth(const Vec3& x) {
   Vec3 at = x;
   if (!oneBody() || !ontoBody(at)) return false;
+  const ExactFaces::Foot foot = exact_.foot(body_[0], at - kLookFrom * meanNormal());
+  const auto isOf = [&](const CellFace& f) { return ExactFaces::isOf(foot, f.id); };
+  if (std::none_of(faces_.begin(), faces_.end(), isOf)) return false;
   Vec3 across = Vec3::Zero();  // where the surface turns most
   for (std::size_t i = 1; i < faces_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -188,7 +209,7 @@ void VertexRefiner::toCrease(Vec3& x) {
   Vec3 at = x;
   bool rests;
   if (oneBody()) {
-    rests = ontoBody(at);
+    rests = ontoBody(at) && seesAll(at);
   } else if (const int edge = bodyWithEdge(); edge >= 0) {
     rests = ontoEdge(edge, at);
   } else {
