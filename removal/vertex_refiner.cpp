@@ -182,7 +182,7 @@ bool VertexRefiner::seesAll(const Vec3& x) {
     for (int look = 0; look < kLooks; ++look) {  // curved faces have other normals than at their crossings
       const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
       if ((foot.p - x).squaredNorm() < kSeenOver * kSeenOver) return true;
-      if (foot.normal.dot(f.normal) < kSameFacing) return false;
+      if (foot.normal.dot(f.normal) < leastFacing(f) || !ExactFaces::isOf(foot, f.id)) return false;
       n = foot.normal;
     }
     return false;
