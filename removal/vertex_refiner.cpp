@@ -175,9 +175,10 @@ bool VertexRefiner::isSharp(const Vec3& n, const Vec3& across, const Vec3& x) {
   return (right.p - left.p).norm() < kStays * 2.0 * kSideStep;
 }
 
-/// Whether all faces of the one body come to `x`. Between them may be others that another pass has cut away.
-bool VertexRefiner::seesAll(const Vec3& x) {
-  return std::all_of(faces_.begin(), faces_.end(), [&](const CellFace& f) {
+/// Whether two of the faces of the one body come to `x`. Between them may be another that a later pass cut
+/// away.
+bool VertexRefiner::isBetweenFaces(const Vec3& x) {
+  const auto comesTo = [&](const CellFace& f) {
     Vec3 n = f.normal;
     for (int look = 0; look < kLooks; ++look) {  // curved faces have other normals than at their crossings
       const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
@@ -186,7 +187,8 @@ bool VertexRefiner::seesAll(const Vec3& x) {
       n = foot.normal;
     }
     return false;
-  });
+  };
+  return std::count_if(faces_.begin(), faces_.end(), comesTo) >= 2;
 }
 
 bool VertexRefiner::isSmooth(const Vec3& x) {
@@ -209,7 +211,7 @@ void VertexRefiner::toCrease(Vec3& x) {
   Vec3 at = x;
   bool rests;
   if (oneBody()) {
-    rests = ontoBody(at) && seesAll(at);
+    rests = ontoBody(at) && isBetweenFaces(at);
   } else if (const int edge = bodyWithEdge(); edge >= 0) {
     rests = ontoEdge(edge, at);
   } else {

@@ -35,7 +35,7 @@ class VertexRefiner {
   bool ontoEdge(int first, Vec3& x);
   bool ontoFaces(Vec3& x);
   bool planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off);
-  bool seesAll(const Vec3& x);
+  bool isBetweenFaces(const Vec3& x);
   bool isSharp(const Vec3& n, const Vec3& across, const Vec3& x);
   bool nearestPlane(const Vec3& n, const Vec3& x, Plane& plane);
 
