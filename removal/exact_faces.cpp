@@ -1,6 +1,7 @@
 #include "removal/exact_faces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace proveout {
 
@@ -9,6 +10,9 @@ namespace {
 /// Of distances, in cells: a hundredth of a micrometre on a grid of 0.2 mm.
 constexpr double kFootTolerance = 5e-5;
 
+/// A body this near, in cells, reaches to a point.
+constexpr double kTouch = 1e-3;
+
 MotionId motionOf(std::uint64_t face) { return static_cast<MotionId>(face >> 16); }
 /// Number of the profile's element, also of the one that a rim belongs to.
 int elementOf(std::uint64_t face) { return static_cast<int>(face & (ConvexProfile::kEdgeIds - 1)); }
@@ -16,6 +20,12 @@ int elementOf(std::uint64_t face) { return static_cast<int>(face & (ConvexProfil
 bool holds(const ConvexProfile& profile, int element) {
   return element >= profile.firstElementId() &&
          element < profile.firstElementId() + ConvexProfile::kMaxElements;
+}
+
+/// The first pass of the motion or of a later one.
+std::vector<Pass>::const_iterator firstPass(const std::vector<Pass>& passes, MotionId motion) {
+  return std::lower_bound(passes.begin(), passes.end(), motion,
+                          [](const Pass& pass, MotionId id) { return pass.motion < id; });
 }
 
 bool isSimple(const Pass& pass, std::uint64_t face) {
@@ -34,8 +44,7 @@ const Pass* ExactFaces::passOf(std::uint64_t face) const {
   const MotionId motion = motionOf(face);
   if (record_ == nullptr || motion == kNoMotion) return nullptr;
   const std::vector<Pass>& passes = record_->table.passes;
-  auto it = std::lower_bound(passes.begin(), passes.end(), motion,
-                             [](const Pass& pass, MotionId id) { return pass.motion < id; });
+  auto it = firstPass(passes, motion);
   const int element = elementOf(face);
   for (; it != passes.end() && it->motion == motion; ++it) {
     if (it->part == ToolPart::kCutter && holds(*it->profile, element)) return &*it;
@@ -65,6 +74,43 @@ const Sweep& ExactFaces::sweepOf(std::int64_t body) {
 ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
   const SweepSample s = sweepOf(body).sampleOutside(corner_ + h_ * q, kFootTolerance * h_);
   return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
+}
+
+void ExactFaces::setLeaves(std::vector<const StockLeaf*> leaves) {
+  leaves_ = std::move(leaves);
+  neighbours_known_ = false;
+}
+
+void ExactFaces::findNeighbours() {
+  neighbours_known_ = true;
+  neighbours_.clear();
+  std::vector<MotionId> motions;
+  for (const StockLeaf* leaf : leaves_) {
+    if (leaf == nullptr) continue;
+    for (const Crossing& c : leaf->crossings) {
+      if (c.motion != kNoMotion && (motions.empty() || motions.back() != c.motion))
+        motions.push_back(c.motion);
+    }
+  }
+  std::sort(motions.begin(), motions.end());
+  motions.erase(std::unique(motions.begin(), motions.end()), motions.end());
+  const std::vector<Pass>& passes = record_->table.passes;
+  for (const MotionId motion : motions) {
+    const ConvexProfile* last = nullptr;  // the chords of one curve are one body
+    for (auto it = firstPass(passes, motion); it != passes.end() && it->motion == motion; ++it) {
+      if (it->part == ToolPart::kCutter && it->profile != last) neighbours_.push_back(it - passes.begin());
+      last = it->profile;
+    }
+  }
+}
+
+bool ExactFaces::isReachedByOthers(std::int64_t body, const Vec3& q) {
+  if (!neighbours_known_) findNeighbours();
+  const Vec3 p = corner_ + h_ * q;
+  const double touch = kTouch * h_;
+  return std::any_of(neighbours_.begin(), neighbours_.end(), [&](std::int64_t other) {
+    return other != body && sweepOf(other).distance(p, touch) <= touch;
+  });
 }
 
 bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) {

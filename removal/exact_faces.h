@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "removal/cut_record.h"
+#include "removal/stock_impl.h"
 
 namespace proveout {
 
@@ -15,6 +16,8 @@ class ExactFaces {
   ExactFaces(const CutRecord* record, double h) : record_(record), h_(h) {}
 
   bool active() const { return record_ != nullptr; }
+  /// The leaves around the cells that follow; must outlive them. Null ones are left out.
+  void setLeaves(std::vector<const StockLeaf*> leaves);
   /// The cell's lowest corner, mm.
   void setCell(const Vec3& corner) { corner_ = corner; }
 
@@ -39,6 +42,8 @@ class ExactFaces {
   /// The point of the body nearest to `q` (in units of the cell), which should lie outside of the body: exact
   /// there.
   Foot foot(std::int64_t body, const Vec3& q);
+  /// Whether a body other than this, with surface in the leaves around, reaches to `q`.
+  bool isReachedByOthers(std::int64_t body, const Vec3& q);
   /// Whether a point of the body that made `face` can be of that face: the same element of the tool, and its
   /// rim where that made the face. Round elements are not told apart from their ends.
   static bool isOf(const Foot& foot, std::uint64_t face);
@@ -55,6 +60,10 @@ class ExactFaces {
   const CutRecord* record_;
   double h_;
   Vec3 corner_ = Vec3::Zero();
+  void findNeighbours();
+  std::vector<const StockLeaf*> leaves_;
+  std::vector<std::int64_t> neighbours_;  ///< bodies with surface in them; found when it is asked for
+  bool neighbours_known_ = false;
   std::vector<Kept> kept_;  ///< the last sweeps of lines
   std::size_t oldest_ = 0;
 };

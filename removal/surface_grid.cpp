@@ -122,6 +122,9 @@ class LeafPlacer {
     high_ = (impl.blank.max - origin) / impl.h;
   }
 
+  /// Where the bodies around have left surface.
+  void setLeavesAround(std::vector<const StockLeaf*> leaves) { exact_.setLeaves(std::move(leaves)); }
+
   struct Placed {
     Eigen::Vector3f p;
     std::uint16_t traits = 0;
@@ -336,7 +339,14 @@ void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
   CrossingTable crossings;
   crossings.fill(leaves_, leaf);
   LeafPatch patch;
+  std::vector<const StockLeaf*> around;
+  if (impl_.cut != nullptr) {
+    for (const auto* list : {&leaf.upper, &leaf.lower}) {
+      for (const std::int32_t n : *list) around.push_back(n < 0 ? nullptr : &impl_.leaves[static_cast<std::size_t>(n)]);
+    }
+  }
   LeafPlacer placer(impl_, leaf, crossings, flatness_ > 0.0 ? &patch : nullptr);
+  placer.setLeavesAround(std::move(around));
   int rank = 0;
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
   for (int z = 0; z < 8; ++z) {

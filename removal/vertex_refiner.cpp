@@ -211,7 +211,8 @@ void VertexRefiner::toCrease(Vec3& x) {
   Vec3 at = x;
   bool rests;
   if (oneBody()) {
-    rests = ontoBody(at) && isBetweenFaces(at);
+    // Between the faces may be another one of the body; or another body, where they went on once.
+    rests = ontoBody(at) && (isBetweenFaces(at) || !exact_.isReachedByOthers(body_[0], x));
   } else if (const int edge = bodyWithEdge(); edge >= 0) {
     rests = ontoEdge(edge, at);
   } else {
