@@ -103,10 +103,21 @@ class Remover {
   std::atomic<bool> over_limit_{false};
 };
 
-bool hasMotions(const Stock::Impl& impl) {
-  return std::any_of(impl.leaves.begin(), impl.leaves.end(), [](const StockLeaf& leaf) {
-    return std::any_of(leaf.crossings.begin(), leaf.crossings.end(),
-                       [](const Crossing& c) { return c.motion != kNoMotion; });
+/// Gives motions of earlier paths numbers that those of this path do not have.
+void renumberEarlier(Stock::Impl& impl) {
+  std::uint32_t base = kEarlierMotions;
+  const auto eachCut = [&](auto&& body) {
+    for (StockLeaf& leaf : impl.leaves) {
+      for (Crossing& c : leaf.crossings) {
+        if (c.motion != kNoMotion) body(c.motion);
+      }
+    }
+  };
+  eachCut([&](std::uint32_t motion) {
+    if (motion >= base) base = motion + 1;
+  });
+  eachCut([&](std::uint32_t& motion) {
+    if (motion < kEarlierMotions) motion += base;
   });
 }
 
@@ -191,8 +202,7 @@ Status Remover::preparePasses() {
 }
 
 Status Remover::run() {
-  // Motions of another path have the same numbers.
-  const bool cut_before = hasMotions(impl_);
+  renumberEarlier(impl_);
   impl_.cut = nullptr;
   Coord low, high;
   for (int axis = 0; axis < 3; ++axis) {
@@ -216,7 +226,7 @@ Status Remover::run() {
     return found;
   });
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  if (!cut_before) impl_.cut = record_;
+  impl_.cut = record_;
   return Done{};
 }
 

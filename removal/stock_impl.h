@@ -18,10 +18,14 @@ namespace proveout {
 /// collapse.
 inline constexpr float kEdgeMargin = 1e-4f;
 
+/// Numbers of motions from here on are those of paths before the last one: told apart, but not known any more.
+inline constexpr std::uint32_t kEarlierMotions = 0x80000000u;
+inline MotionId knownMotion(std::uint32_t motion) { return motion < kEarlierMotions ? motion : kNoMotion; }
+
 /// Where the surface crosses a grid edge.
 struct Crossing {
   float t = 0.5f;                    ///< fraction of the edge, 0 at its start
-  std::uint32_t motion = kNoMotion;  ///< motion that made the surface
+  std::uint32_t motion = kNoMotion;  ///< motion that made the surface; see knownMotion
   std::int16_t normal[3] = {0, 0, 32767};  ///< out of the material, length kNormalScale to rounding
   std::uint16_t element = 0;         ///< face of the blank, or element of the cutter's profile
 
@@ -84,7 +88,7 @@ struct Stock::Impl {
   std::vector<StockLeaf> leaves;  ///< sorted by origin
   double initial_volume = 0.0;    ///< mm3
   Box3 blank;
-  std::shared_ptr<const CutRecord> cut;  ///< what made all motions' surfaces; null where that is not known
+  std::shared_ptr<const CutRecord> cut;  ///< what the last path did; null where that is not known
 
   Vec3 position(const Coord& c) const {
     return {origin.x() + c.x() * h, origin.y() + c.y() * h, origin.z() + c.z() * h};

@@ -251,7 +251,7 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
     bool poor = false;
     const auto put = [&](std::uint32_t a, std::uint32_t b, std::uint32_t d) {
       mesh.triangles[next] = {a, b, d};
-      mesh.motion[next++] = c.motion;
+      mesh.motion[next++] = knownMotion(c.motion);
     };
     if (merged) {
       for (int i = 0; i < poly.count; ++i) quad.p[i] = mesh.positions[v[i]].cast<double>();
