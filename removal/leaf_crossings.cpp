@@ -175,7 +175,8 @@ void CrossingFinder::addProbes(int quarter) {
     add(i, Probe::kEnd);
     if (edges_[i].axis != 2) add(i, Probe::kMiddle);
   }
-  const std::size_t padded = (probes_.size() + 7) & ~std::size_t{7};
+  // Kernels read whole eights from wherever a group starts.
+  const std::size_t padded = probes_.size() + 7;
   for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize(padded, 0.0);
   for (std::size_t i = first; i < probes_.size(); ++i) placeProbe(i);
 }
