@@ -1,14 +1,11 @@
 #include "app/prediction.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <limits>
 #include <map>
 
+#include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "core/mesh/tri_mesh.h"
 
@@ -211,15 +208,7 @@ Workload together(const Workload& a, const Workload& b) {
   return both;
 }
 
-double availableMemoryMb() {
-  std::ifstream info("/proc/meminfo");
-  std::string line;
-  while (std::getline(info, line)) {
-    double kilobytes = 0.0;
-    if (std::sscanf(line.c_str(), "MemAvailable: %lf kB", &kilobytes) == 1) return kilobytes * 1.024e-3;
-  }
-  return 1e-6 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-}
+double availableMemoryMb() { return 1e-6 * availableMemoryBytes(); }
 
 Prediction predict(const Workload& work, double resolution_mm) {
   const double h2 = resolution_mm * resolution_mm;

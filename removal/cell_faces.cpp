@@ -39,7 +39,7 @@ int collectFaces(std::span<const SheetPoint> points, double same_cos, Faces& fac
   int count = 0;
   for (const SheetPoint& s : points) {
     int i = 0;
-    while (i < count && (s.face != faces[i].id || faces[i].first.dot(s.n) < same_cos)) ++i;
+    while (i < count && !belongs(s, faces[i])) ++i;
     CellFace& f = faces[i];
     if (i == count) {
       ++count;

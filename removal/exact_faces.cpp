@@ -1,7 +1,6 @@
 #include "removal/exact_faces.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace proveout {
 
@@ -76,21 +75,22 @@ ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
   return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
 }
 
-void ExactFaces::setLeaves(std::vector<const StockLeaf*> leaves) {
-  leaves_ = std::move(leaves);
-  neighbours_known_ = false;
-}
-
 void ExactFaces::findNeighbours() {
   neighbours_known_ = true;
-  neighbours_.clear();
+  const LeafReader read(impl_);
   std::vector<MotionId> motions;
-  for (const StockLeaf* leaf : leaves_) {
-    if (leaf == nullptr) continue;
+  const auto add = [&](int dx, int dy, int dz) {
+    const StockLeaf* leaf = read.leaf(origin_.offsetBy(dx, dy, dz));
+    if (leaf == nullptr) return;
     for (const Crossing& c : leaf->crossings) {
       if (c.motion != kNoMotion && (motions.empty() || motions.back() != c.motion))
         motions.push_back(c.motion);
     }
+  };
+  for (int i = 0; i < 8; ++i) {
+    const int dx = (i & 1) * 8, dy = (i >> 1 & 1) * 8, dz = (i >> 2) * 8;
+    add(dx, dy, dz);
+    if (i > 0 && i < 7) add(-dx, -dy, -dz);
   }
   std::sort(motions.begin(), motions.end());
   motions.erase(std::unique(motions.begin(), motions.end()), motions.end());

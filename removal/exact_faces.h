@@ -9,15 +9,14 @@
 
 namespace proveout {
 
-/// Answers for one cell at a time; one object a thread.
+/// Answers for one cell at a time.
 class ExactFaces {
  public:
-  /// `record`: null where it is not known what cut the stock; nothing is known then. `h`: grid spacing, mm.
-  ExactFaces(const CutRecord* record, double h) : record_(record), h_(h) {}
+  /// For the cells of the leaf at `origin`. Knows nothing where it is not known what cut the stock.
+  ExactFaces(const Stock::Impl& impl, const Coord& origin)
+      : impl_(impl), origin_(origin), record_(impl.cut.get()), h_(impl.h) {}
 
   bool active() const { return record_ != nullptr; }
-  /// The leaves around the cells that follow; must outlive them. Null ones are left out.
-  void setLeaves(std::vector<const StockLeaf*> leaves);
   /// The cell's lowest corner, mm.
   void setCell(const Vec3& corner) { corner_ = corner; }
 
@@ -51,18 +50,19 @@ class ExactFaces {
  private:
   const Pass* passOf(std::uint64_t face) const;
   const Sweep& sweepOf(std::int64_t body);
+  void findNeighbours();
 
   static constexpr std::size_t kKept = 8;
   struct Kept {
     std::int64_t body = kNoBody;
     Sweep sweep;
   };
+  const Stock::Impl& impl_;
+  Coord origin_;  ///< voxel of the leaf's first sample
   const CutRecord* record_;
   double h_;
   Vec3 corner_ = Vec3::Zero();
-  void findNeighbours();
-  std::vector<const StockLeaf*> leaves_;
-  std::vector<std::int64_t> neighbours_;  ///< bodies with surface in them; found when it is asked for
+  std::vector<std::int64_t> neighbours_;  ///< bodies with surface in the leaves around; found when asked for
   bool neighbours_known_ = false;
   std::vector<Kept> kept_;  ///< the last sweeps of lines
   std::size_t oldest_ = 0;

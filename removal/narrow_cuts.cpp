@@ -51,10 +51,6 @@ class Search {
   double follow(const Pass& pass, Vec3& first, double& width) const;
 
  private:
-  bool isMaterial(const Coord& at) const {
-    return leafSample(reader_.bits(Coord(at.x() & ~7, at.y() & ~7, at.z() & ~7)), at.x() & 7, at.y() & 7,
-                      at.z() & 7);
-  }
   const Crossing* crossingAt(int axis, const Coord& at) const;
   double heightAbove(const Coord& at) const;
   bool isMadeBy(int tool, int axis, const Coord& at) const;
@@ -78,8 +74,8 @@ Coord cellOf(const Stock::Impl& impl, const Vec3& p) {
 const Crossing* Search::crossingAt(int axis, const Coord& at) const {
   Coord next = at;
   ++next[axis];
-  if (isMaterial(at) == isMaterial(next)) return nullptr;
-  const StockLeaf* leaf = reader_.leaf(Coord(at.x() & ~7, at.y() & ~7, at.z() & ~7));
+  if (reader_.isMaterial(at) == reader_.isMaterial(next)) return nullptr;
+  const StockLeaf* leaf = reader_.leaf(at & ~7);
   if (leaf == nullptr) return nullptr;
   const LeafEdges edges = reader_.edges(*leaf);
   return &leaf->crossings[static_cast<std::size_t>(edges.indexOf(axis, at.x() & 7, at.y() & 7, at.z() & 7))];
@@ -96,7 +92,7 @@ bool Search::inMaterial(const Vec3& p) const {
   const Coord cell = cellOf(impl_, p);
   int above = 0;
   for (int i = 0; i < 8; ++i) {
-    const bool in = isMaterial(cell.offsetBy(i & 1, i >> 1 & 1, i >> 2));
+    const bool in = reader_.isMaterial(cell.offsetBy(i & 1, i >> 1 & 1, i >> 2));
     if (i < 4 && !in) return false;
     if (i >= 4) above += in;
   }
@@ -143,7 +139,7 @@ bool Search::isMadeBy(int tool, int axis, const Coord& at) const {
 double Search::depthBelowTop(const Vec3& p, double most) const {
   Coord at = cellOf(impl_, p);
   const double last = p.z() + most;
-  while (impl_.position(at).z() < last && isMaterial(at.offsetBy(0, 0, 1))) ++at[2];
+  while (impl_.position(at).z() < last && reader_.isMaterial(at.offsetBy(0, 0, 1))) ++at[2];
   return std::clamp(heightAbove(at) - p.z(), 0.0, most);
 }
 

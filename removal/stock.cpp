@@ -1,14 +1,12 @@
 #include "removal/stock.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <utility>
 
+#include "core/base/memory.h"
 #include "removal/stock_impl.h"
 #include "removal/threads.h"
 
@@ -41,17 +39,6 @@ constexpr double kMaxVoxelsPerSide = 1 << 24;
 /// Where the grid lies against whole millimetres, in voxels: unlikely fractions, so that faces at round
 /// coordinates do not coincide with grid points.
 const Vec3 kGridShift(0.38197, 0.41421, 0.44721);
-
-double availableBytes() {
-  std::ifstream info("/proc/meminfo");
-  std::string key, unit;
-  double kilobytes = 0.0;
-  while (info >> key >> kilobytes) {
-    std::getline(info, unit);
-    if (key == "MemAvailable:") return kilobytes * 1024.0;
-  }
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-}
 
 Box3 shapeBounds(const StockShape& shape) {
   if (const auto* box = std::get_if<BoxShape>(&shape)) return {box->min, box->max};
@@ -89,7 +76,7 @@ Status checkGrid(const Box3& bounds, double resolution) {
 double leafBytes(double leaves) { return leaves * kBytesPerLeaf; }
 
 double memoryLimit(const RemovalOptions& options) {
-  return options.max_memory_gb > 0.0 ? options.max_memory_gb * 1e9 : availableBytes();
+  return options.max_memory_gb > 0.0 ? options.max_memory_gb * 1e9 : availableMemoryBytes();
 }
 
 Error memoryError(double needed_bytes, double limit_bytes, double resolution_mm) {

@@ -117,6 +117,8 @@ class LeafReader {
     if (s >= 0) return impl_.leaves[static_cast<std::size_t>(s)].material;
     return s == LeafIndex::kInside ? kAllInside : kAllOutside;
   }
+  /// The sample at a voxel of the whole grid.
+  bool isMaterial(const Coord& at) const { return leafSample(bits(at & ~7), at.x() & 7, at.y() & 7, at.z() & 7); }
   LeafEdges edges(const StockLeaf& leaf) const {
     return leafEdges(leaf.material, {&bits(leaf.origin.offsetBy(8, 0, 0)), &bits(leaf.origin.offsetBy(0, 8, 0)),
                                      &bits(leaf.origin.offsetBy(0, 0, 8))});

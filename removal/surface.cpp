@@ -490,8 +490,6 @@ void Extractor::update(Progress& progress) {
   });
 }
 
-
-
 /// Writes the mesh, and again as long as what is merged or placed spoils it. False if cancelled.
 bool Extractor::repair(StockSurface& surface, Progress& progress) {
   for (int fault_rounds = 0, part_rounds = 0;; update(progress)) {

@@ -115,15 +115,12 @@ std::array<std::uint8_t, 256> makeOneSheetFaces() {
 class LeafPlacer {
  public:
   LeafPlacer(const Stock::Impl& impl, SurfaceLeaf& leaf, const CrossingTable& crossings, LeafPatch* patch)
-      : impl_(impl), leaf_(leaf), crossings_(crossings), patch_(patch), exact_(impl.cut.get(), impl.h) {
+      : impl_(impl), leaf_(leaf), crossings_(crossings), patch_(patch), exact_(impl, leaf.stock->origin) {
     if (impl.blank.empty()) return;
     const Vec3 origin = impl.position(leaf.stock->origin);
     low_ = (impl.blank.min - origin) / impl.h;
     high_ = (impl.blank.max - origin) / impl.h;
   }
-
-  /// Where the bodies around have left surface.
-  void setLeavesAround(std::vector<const StockLeaf*> leaves) { exact_.setLeaves(std::move(leaves)); }
 
   struct Placed {
     Eigen::Vector3f p;
@@ -339,14 +336,7 @@ void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
   CrossingTable crossings;
   crossings.fill(leaves_, leaf);
   LeafPatch patch;
-  std::vector<const StockLeaf*> around;
-  if (impl_.cut != nullptr) {
-    for (const auto* list : {&leaf.upper, &leaf.lower}) {
-      for (const std::int32_t n : *list) around.push_back(n < 0 ? nullptr : &impl_.leaves[static_cast<std::size_t>(n)]);
-    }
-  }
   LeafPlacer placer(impl_, leaf, crossings, flatness_ > 0.0 ? &patch : nullptr);
-  placer.setLeavesAround(std::move(around));
   int rank = 0;
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
   for (int z = 0; z < 8; ++z) {

@@ -129,13 +129,11 @@ bool QuadReader::corners(int axis, int x, int y, int z, Quad& quad) const {
   const int u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3], at = index(x, y, z);
   const std::array<int, 4> cell = {at - u - v, at - v, at, at - u};
   quad.traits = 0;
-  quad.all_traits = 0xFFFF;
   quad.smooth_corners = 0;
   for (int i = 0; i < 4; ++i) {
     quad.v[i] = number_[cell[i]];
     if (quad.v[i] == kNoCell) return false;
     quad.traits |= traits_[cell[i]];
-    quad.all_traits &= traits_[cell[i]];
     if (traits_[cell[i]] & CellTraits::kSmooth) quad.smooth_corners |= static_cast<std::uint8_t>(1 << i);
   }
   return true;

@@ -15,7 +15,6 @@ struct Quad {
   Vec3 middle;               ///< the crossing
   Vec3 normal;               ///< there, unit to 1e-4
   std::uint16_t traits;      ///< of its cells, one or the other
-  std::uint16_t all_traits;  ///< common to its cells
   std::uint8_t smooth_corners;  ///< see cutQuad
   std::uint8_t split;        ///< bit i: the face between corners i and i + 1 gets a vertex of its own
 };

@@ -88,11 +88,6 @@ void ThinWallFinder::collect(const LeafChange& change, const LeafEdges& edges, c
   }
 }
 
-bool ThinWallFinder::isMaterial(const Coord& at) const {
-  const Coord origin(at.x() & ~7, at.y() & ~7, at.z() & ~7);
-  return leafSample(reader_.bits(origin), at.x() & 7, at.y() & 7, at.z() & 7);
-}
-
 /// The part of besideHeld that lies in other leaves.
 bool ThinWallFinder::besideMaterial(const Coord& origin, int axis, int x, int y, int z) const {
   const std::array<int, 3> place{x, y, z};
@@ -100,9 +95,9 @@ bool ThinWallFinder::besideMaterial(const Coord& origin, int axis, int x, int y,
     if (other == axis || (place[other] != 0 && place[other] != 7)) continue;
     Coord at = origin.offsetBy(x, y, z);
     at[other] += place[other] == 0 ? -1 : 1;
-    if (!isMaterial(at)) continue;
+    if (!reader_.isMaterial(at)) continue;
     ++at[axis];
-    if (isMaterial(at)) return true;
+    if (reader_.isMaterial(at)) return true;
   }
   return false;
 }

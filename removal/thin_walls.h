@@ -35,7 +35,6 @@ class ThinWallFinder {
 
   void collect(const LeafChange& change, const LeafEdges& edges, const OpenEdges* open);
   bool besideMaterial(const Coord& origin, int axis, int x, int y, int z) const;
-  bool isMaterial(const Coord& at) const;
   void drop(std::span<const Reach> list, std::size_t first, std::size_t count);
   bool dropCovered(const Pass& pass, std::size_t first, std::size_t count);
   void askPoints(const Stack& stack, std::span<const Reach> list, LostFilm& lost);
