@@ -73,7 +73,7 @@ Result<ControlId> findControl(std::string_view name) {
 }
 
 InterpretSummary interpret(ControlId control, const ProgramSource& source, const ControlSettings& settings,
-                           MotionSink& sink, Progress* progress) {
+                           MotionSink& sink, Progress* progress, const ControlHost& host) {
   if (control != ControlId::kNct) {
     InterpretSummary summary;
     summary.end = ProgramEnd::kAlarm;
@@ -86,7 +86,7 @@ InterpretSummary interpret(ControlId control, const ProgramSource& source, const
                      {}});
     return summary;
   }
-  return nc::NctControl(source, settings, sink, progress).run();
+  return nc::NctControl(source, settings, sink, progress, host).run();
 }
 
 Result<std::vector<CoverageRow>> coverageTable(ControlId control) {

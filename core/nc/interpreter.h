@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/nc/control_host.h"
 #include "core/nc/control_settings.h"
 #include "core/nc/program_source.h"
 #include "core/path/toolpath.h"
@@ -49,9 +50,10 @@ struct InterpretSummary {
 };
 
 /// Runs the main program of `source` once. Everything goes to `sink` in program order, diagnostics too
-/// (bad settings are diagnostics without a place). Never throws for bad input. `progress` may be null.
+/// (bad settings are diagnostics without a place). Never throws for bad input. `progress` may be null. What
+/// `host` points to must live as long as the call.
 InterpretSummary interpret(ControlId control, const ProgramSource& source, const ControlSettings& settings,
-                           MotionSink& sink, Progress* progress = nullptr);
+                           MotionSink& sink, Progress* progress = nullptr, const ControlHost& host = {});
 
 /// One row of what a control supports, taken from the tables that execute.
 struct CoverageRow {

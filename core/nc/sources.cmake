@@ -1,5 +1,6 @@
 target_sources(proveout_core PRIVATE
   nc/axes.cpp
+  nc/control_host.cpp
   nc/coverage.cpp
   nc/frames.cpp
   nc/interpreter.cpp

@@ -5,7 +5,7 @@
 namespace proveout::nc {
 
 NctContext::NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
-                       Progress* progress, InterpretSummary& run_summary)
+                       Progress* progress, const ControlHost& control_host, InterpretSummary& run_summary)
     : settings(control_settings),
       summary(run_summary),
       codes(nctCodes()),
@@ -13,7 +13,9 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       emitter(control_settings, axes, sink, run_summary),
       programs(source, control_settings.encoding, sink),
       alarms(calls, programs, block, emitter),
-      work(control_settings, progress, calls, alarms, run_summary) {
+      work(control_settings, progress, calls, alarms, run_summary),
+      host(control_host),
+      clock(run_summary) {
   registers.length_offsets = settings.length_offsets;
   registers.radius_offsets = settings.radius_offsets;
   WorkFrames& frames = registers.frames;

@@ -19,6 +19,7 @@
 #include "core/nc/nct/nct_plan.h"
 #include "core/nc/nct/nct_state.h"
 #include "core/nc/nct/program_store.h"
+#include "core/nc/nct/run_clock.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/services/cutter_comp.h"
 #include "core/nc/services/drilling.h"
@@ -75,7 +76,7 @@ class WorkGuard {
 
 struct NctContext {
   NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
-             Progress* progress, InterpretSummary& run_summary);
+             Progress* progress, const ControlHost& control_host, InterpretSummary& run_summary);
   NctContext(const NctContext&) = delete;
   NctContext& operator=(const NctContext&) = delete;
 
@@ -91,6 +92,8 @@ struct NctContext {
   Block block;
   AlarmReporter alarms;
   WorkGuard work;
+  const ControlHost host;
+  const RunClock clock;
 
   NctState state;
   NctRegisters registers;

@@ -21,8 +21,8 @@ LexRules lexRules(const NctContext& c) {
 }  // namespace
 
 NctControl::NctControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
-                       Progress* progress)
-    : context_(source, settings, sink, progress, summary_), lexer_(lexRules(context_)) {}
+                       Progress* progress, const ControlHost& host)
+    : context_(source, settings, sink, progress, host, summary_), lexer_(lexRules(context_)) {}
 
 InterpretSummary NctControl::run() {
   if (!start()) {

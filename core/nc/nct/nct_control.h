@@ -16,7 +16,7 @@ namespace proveout::nc {
 class NctControl {
  public:
   NctControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
-             Progress* progress);
+             Progress* progress, const ControlHost& host);
   InterpretSummary run();
 
  private:
