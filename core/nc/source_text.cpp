@@ -166,47 +166,93 @@ SourceText::SourceText(std::string name, std::string path, std::string utf8)
   if (start < all.size()) lines_.push_back(all.substr(start));
 }
 
-SourceText::Label SourceText::label(long long number) {
+SourceText::Label SourceText::label(long long number, std::size_t from) {
   if (!labels_known_) indexLabels();
-  const auto it = labels_.find(number);
-  return it == labels_.end() ? Label{} : it->second;
+  const auto first = std::lower_bound(labels_.begin(), labels_.end(), NumberedLine{number, 0});
+  if (first == labels_.end() || first->number != number) return {};
+  const bool repeated = first + 1 != labels_.end() && (first + 1)->number == number;
+  const auto next = std::lower_bound(first, labels_.end(), NumberedLine{number, from});
+  const auto& found = next != labels_.end() && next->number == number ? *next : *first;
+  return {static_cast<int>(found.line), repeated};
 }
 
-void SourceText::indexLabels() {
-  labels_known_ = true;
-  bool comment = false;
-  for (std::size_t k = 0; k < lines_.size(); ++k) {
-    const std::string_view line = lines_[k];
-    bool head = !comment;  // nothing but blanks and skip marks seen yet
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const char c = line[i];
-      if (comment) {
-        comment = c != ')';
-        continue;
-      }
-      if (c == '(') {
-        comment = true;
-        continue;
-      }
-      if (!head || c == ' ' || c == '\t') continue;
+const LoopIndex& SourceText::loops() {
+  if (loops_ == nullptr) loops_ = std::make_unique<const LoopIndex>(lines_);
+  return *loops_;
+}
+
+namespace {
+
+constexpr long long kNoNumber = -1;
+
+/// The number behind the N at line[i], or kNoNumber.
+long long numberAt(std::string_view line, std::size_t i) {
+  while (i + 1 < line.size() && line[i + 1] == ' ') ++i;
+  long long value = 0;
+  int digits = 0;
+  while (i + 1 < line.size() && line[i + 1] >= '0' && line[i + 1] <= '9' && digits < 17) {
+    value = value * 10 + (line[++i] - '0');
+    ++digits;
+  }
+  return digits == 0 ? kNoNumber : value;
+}
+
+/// Block number at the head of the line, or kNoNumber. `comment` tells whether the line starts inside a
+/// comment and, afterwards, whether it ends inside one.
+long long labelOf(std::string_view line, bool& comment) {
+  bool head = !comment;  // nothing but blanks and skip marks seen yet
+  long long number = kNoNumber;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (comment) {
+      comment = c != ')';
+    } else if (c == '(') {
+      comment = true;
+    } else if (head && c != ' ' && c != '\t') {
       if (c == '/') {
         while (i + 1 < line.size() && line[i + 1] >= '0' && line[i + 1] <= '9') ++i;
         continue;
       }
       head = false;
-      if (c != 'N' && c != 'n') continue;
-      long long value = 0;
-      int digits = 0;
-      while (i + 1 < line.size() && (line[i + 1] == ' ' && digits == 0)) ++i;
-      while (i + 1 < line.size() && line[i + 1] >= '0' && line[i + 1] <= '9' && digits < 17) {
-        value = value * 10 + (line[++i] - '0');
-        ++digits;
-      }
-      if (digits == 0) continue;
-      const auto [it, fresh] = labels_.try_emplace(value, Label{static_cast<int>(k), false});
-      if (!fresh) it->second.repeated = true;
+      if (c == 'N' || c == 'n') number = numberAt(line, i);
     }
   }
+  return number;
+}
+
+/// Does the word stand in the line (outside of comments that end in it)?
+bool hasWord(std::string_view line, char letter, int value) {
+  bool comment = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    comment = comment ? c != ')' : c == '(';
+    if (comment || (c != letter && c != letter + ('a' - 'A'))) continue;
+    if (numberAt(line, i) == value) return true;
+  }
+  return false;
+}
+
+bool opensData(std::string_view line) {
+  if (!hasWord(line, 'G', 10)) return false;
+  for (const int l : {52, 75, 76, 77}) {
+    if (hasWord(line, 'L', l)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void SourceText::indexLabels() {
+  labels_known_ = true;
+  bool comment = false, data = false;
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    const std::string_view line = lines_[k];
+    if (data && hasWord(line, 'G', 11)) data = false;
+    const long long number = labelOf(line, comment);
+    if (number != kNoNumber && !data) labels_.push_back({number, k});
+    if (!data && opensData(line)) data = true;
+  }
+  std::sort(labels_.begin(), labels_.end());
 }
 
 }  // namespace proveout::nc

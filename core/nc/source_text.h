@@ -1,13 +1,15 @@
 // Program text: bytes decoded to UTF-8 and cut into lines.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/nc/control_settings.h"
+#include "core/nc/macro/loop_index.h"
 #include "core/nc/program_source.h"
 
 namespace proveout::nc {
@@ -33,11 +35,15 @@ class SourceText {
 
   static constexpr int kNoLabel = -1;
   struct Label {
-    int line_index = kNoLabel;  ///< first line that starts with this N number
-    bool repeated = false;      ///< the number occurs again later
+    int line_index = kNoLabel;  ///< of the line that starts with this N number
+    bool repeated = false;      ///< the number occurs more than once
   };
-  /// Line of block N`number`, comments taken into account. The index is made at the first call.
-  Label label(long long number);
+  /// Line of block N`number`: the first one at or behind line index `from`, else the first of the text.
+  /// Comments are taken into account, and N of data blocks (between G10 L52, L75, L76, L77 and G11) is no
+  /// block number. The index is made at the first call.
+  Label label(long long number, std::size_t from = 0);
+  /// The loops of the text. The index is made at the first call.
+  const LoopIndex& loops();
 
   void setEncoding(std::string name) { encoding_ = std::move(name); }
 
@@ -45,8 +51,16 @@ class SourceText {
   void indexLabels();
   std::string name_, path_, text_, encoding_;
   std::vector<std::string_view> lines_;
-  std::unordered_map<long long, Label> labels_;
+  struct NumberedLine {
+    long long number;
+    std::size_t line;
+    bool operator<(const NumberedLine& other) const {
+      return number != other.number ? number < other.number : line < other.line;
+    }
+  };
+  std::vector<NumberedLine> labels_;  ///< sorted
   bool labels_known_ = false;
+  std::unique_ptr<const LoopIndex> loops_;
 };
 
 }  // namespace proveout::nc

@@ -9,6 +9,9 @@ target_sources(proveout_core PRIVATE
   nc/path_emitter.cpp
   nc/program_source.cpp
   nc/source_text.cpp
+  nc/macro/expression.cpp
+  nc/macro/functions.cpp
+  nc/macro/loop_index.cpp
   nc/macro/variables.cpp
   nc/nct/call_stack.cpp
   nc/nct/coverage/rows_1.cpp
@@ -25,14 +28,17 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_cycles.cpp
   nc/nct/nct_flow.cpp
   nc/nct/nct_frames.cpp
+  nc/nct/nct_macro_environment.cpp
   nc/nct/nct_motion.cpp
   nc/nct/nct_parameters.cpp
   nc/nct/nct_perform.cpp
   nc/nct/nct_rows.cpp
+  nc/nct/nct_statements.cpp
   nc/nct/nct_words.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp
   nc/nct/parameters/machine.cpp
+  nc/nct/parameters/macro.cpp
   nc/nct/parameters/motion.cpp
   nc/nct/program_store.cpp
   nc/nct/tables/comp.cpp

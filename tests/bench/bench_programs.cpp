@@ -204,6 +204,24 @@ void printInterpreterRate(const Workplace& work, const Options& options) {
   }
 }
 
+/// Macro blocks a second in a loop with arithmetic, less the time of an empty program.
+void printMacroRate(const Workplace& work, const Options& options) {
+  constexpr int kPasses = 1'000'000, kBlocksAPass = 5;
+  const auto run = [&](const std::string& file) {
+    return runChild({programPath(), "check", file, "--control", "nct"}, work.path("errors"), options.limit_s);
+  };
+  const ChildOutcome idle = run(work.write("empty.nc", "M30\n"));
+  const ChildOutcome child = run(work.write("loop.nc", macroLoopProgram(kPasses)));
+  if (!child.ended || child.exit_code > 1) {
+    fmt::print("macro loop: did not end well (code {})\n", child.exit_code);
+    return;
+  }
+  constexpr double kBlocks = double{kPasses} * kBlocksAPass;
+  fmt::print("{:<22}       {:>8.0f} blocks {:.3f} s, cpu {:.3f} s, {:.0f} MB: {:.2f} million blocks/s\n",
+             "interpreter, macros", kBlocks, child.wall_s, child.cpu_s, child.peak_mb,
+             kBlocks / (child.cpu_s - idle.cpu_s) * 1e-6);
+}
+
 void printStart(const Workplace& work) {
   ChildOutcome best;
   for (int i = 0; i < 5; ++i) {
@@ -241,6 +259,8 @@ int run(const Options& options) {
   printDoubling(removal);
   if (shared && std::string_view("interpreter").find(options.filter) != std::string_view::npos)
     printInterpreterRate(work, options);
+  if (std::string_view("interpreter macros").find(options.filter) != std::string_view::npos)
+    printMacroRate(work, options);
   if (left_out > 0) fmt::print("{} heavy cases left out: --all runs them\n", left_out);
   return 0;
 }

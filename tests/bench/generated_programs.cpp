@@ -55,4 +55,10 @@ std::string repeatedProgram(const std::string& program, int blocks) {
   return text + "M30\n";
 }
 
+std::string macroLoopProgram(int passes) {
+  return fmt::format(
+      "#1=0\n#2=0\nWHILE[#1LT{}]DO1\n#1=#1+1\n#2=#2+SQRT[#1*2.5]/3\n#100=[#1MOD7]*COS#2\nEND1\nM30\n",
+      passes);
+}
+
 }  // namespace proveout::bench

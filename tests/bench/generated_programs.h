@@ -19,4 +19,8 @@ std::string finishingProgram(int lines, int moves_a_line);
 /// A program of at least `blocks` blocks that repeats the body of another, which ends in a line "M30".
 std::string repeatedProgram(const std::string& program, int blocks);
 
+/// A WHILE loop of five macro blocks a pass (condition, three assignments with arithmetic, END) and no
+/// motion.
+std::string macroLoopProgram(int passes);
+
 }  // namespace proveout::bench

@@ -1,17 +1,31 @@
 #include "core/nc/macro/variables.h"
 
 #include <algorithm>
+#include <numbers>
+#include <utility>
 
 namespace proveout::nc {
 namespace {
 
 constexpr int kEmptyConstant = 3100;  ///< #3100, #_EMPTY: vacant as #0 is
+constexpr int kPiConstant = 3101, kEulerConstant = 3102;
+
+constexpr bool isConstant(int number) {
+  return number == 0 || (number >= kEmptyConstant && number <= kEulerConstant);
+}
+
+constexpr bool isNameCharacter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
 
 }  // namespace
 
 VariableStore::VariableStore() {
   locals_.fill(Value::none());
   globals_.fill(Value::none());
+  addSymbol({"EMPTY", kEmptyConstant});
+  addSymbol({"PI", kPiConstant});
+  addSymbol({"E", kEulerConstant});
 }
 
 bool VariableStore::enter(const Arguments& arguments) {
@@ -45,6 +59,34 @@ void VariableStore::addBank(int first, int last, VariableBank& bank) {
   banks_.insert(behind, {first, last, &bank});
 }
 
+void VariableStore::addSymbol(VariableSymbol symbol) {
+  const auto at =
+      std::lower_bound(symbols_.begin(), symbols_.end(), symbol.name,
+                       [](const VariableSymbol& s, const std::string& name) { return s.name < name; });
+  symbols_.insert(at, std::move(symbol));
+}
+
+const VariableSymbol* VariableStore::symbolAt(std::string_view text, std::size_t& length) const {
+  constexpr std::size_t kLongest = 24;
+  std::array<char, kLongest> upper;
+  std::size_t n = 0;
+  for (; n < std::min(text.size(), kLongest); ++n) {
+    const char c = text[n] >= 'a' && text[n] <= 'z' ? static_cast<char>(text[n] - 32) : text[n];
+    if (!isNameCharacter(c)) break;
+    upper[n] = c;
+  }
+  for (; n > 0; --n) {  // a keyword may follow without a blank
+    const std::string_view name(upper.data(), n);
+    const auto at =
+        std::lower_bound(symbols_.begin(), symbols_.end(), name,
+                         [](const VariableSymbol& s, std::string_view wanted) { return s.name < wanted; });
+    if (at == symbols_.end() || at->name != name) continue;
+    length = n;
+    return &*at;
+  }
+  return nullptr;
+}
+
 VariableBank* VariableStore::bankOf(int number) const {
   const auto behind = std::upper_bound(banks_.begin(), banks_.end(), number,
                                        [](int wanted, const Range& range) { return wanted < range.first; });
@@ -54,8 +96,10 @@ VariableBank* VariableStore::bankOf(int number) const {
 }
 
 VariableStatus VariableStore::readOther(int number, Value& out) {
-  if (number == 0 || number == kEmptyConstant) {
-    out = Value::none();
+  if (isConstant(number)) {
+    out = number == kPiConstant      ? Value{std::numbers::pi}
+          : number == kEulerConstant ? Value{std::numbers::e}
+                                     : Value::none();
     return kVariableRead;
   }
   VariableBank* bank = bankOf(number);
@@ -63,7 +107,7 @@ VariableStatus VariableStore::readOther(int number, Value& out) {
 }
 
 VariableStatus VariableStore::writeOther(int number, const Value& value) {
-  if (number == 0 || number == kEmptyConstant) return kReadOnlyVariable;
+  if (isConstant(number)) return kReadOnlyVariable;
   if (number >= kFirstGlobal && number <= kLastGlobal) {
     const bool locked = number >= kFirstKept && number >= protect_first_ && number <= protect_last_;
     if (locked) return kReadOnlyVariable;

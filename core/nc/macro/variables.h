@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/nc/macro/value.h"
@@ -29,8 +32,16 @@ class VariableBank {
   virtual VariableStatus write(int number, const Value& value) = 0;
 };
 
+/// A name of system variables: `#_NAME`, or `#_NAME[index]` where count > 0.
+struct VariableSymbol {
+  std::string name;     ///< upper case, without "#_"
+  int number = 0;       ///< of the first variable
+  int first_index = 0;  ///< the index that means it
+  int count = 0;        ///< variables; 0: the name takes no index
+};
+
 /// #0 is vacant for ever. #1-#33: locals of the level in force, 0 (main) to 16. #100-#499 and #500-#999:
-/// globals. Everything else is asked of the banks. Vacant until written.
+/// globals. #3100 to #3102 are constants. Everything else is asked of the banks. Vacant until written.
 class VariableStore {
  public:
   static constexpr int kLevels = 17;  ///< level 0 and one for each nested macro call
@@ -57,6 +68,14 @@ class VariableStore {
     return writeOther(number, value);
   }
 
+  /// The value of a local or global variable; false: it is another one. For messages.
+  bool peek(int number, Value& out) const {
+    const bool is_local = number >= 1 && number <= kLocalCount;
+    if (!is_local && (number < kFirstGlobal || number > kLastGlobal)) return false;
+    out = is_local ? locals_[local(number)] : globals_[static_cast<std::size_t>(number - kFirstGlobal)];
+    return true;
+  }
+
   /// Opens a level of locals with the arguments. False: no level is left; nothing changes.
   bool enter(const Arguments& arguments);
   /// Closes the level; the caller's locals are in force again. Level 0 stays.
@@ -71,6 +90,14 @@ class VariableStore {
   void protect(int first, int last);
   /// Hands the numbers first..last to a bank, which must live as long as the store. Ranges do not overlap.
   void addBank(int first, int last, VariableBank& bank);
+  /// The rest of the line behind the assignment in hand, for banks that take a text: #3000=1(TEXT).
+  std::string_view note() const { return note_; }
+  void setNote(std::string_view note) { note_ = note; }
+  /// Makes a name known. Names are unique.
+  void addSymbol(VariableSymbol symbol);
+  /// The longest name that `text` starts with, letters of either case; `length` gets its characters. Null:
+  /// none.
+  const VariableSymbol* symbolAt(std::string_view text, std::size_t& length) const;
 
  private:
   std::size_t local(int number) const {
@@ -88,7 +115,9 @@ class VariableStore {
   int protect_first_ = 1, protect_last_ = 0;
   std::array<Value, static_cast<std::size_t>(kLevels) * (kLocalCount + 1)> locals_;
   std::array<Value, kLastGlobal - kFirstGlobal + 1> globals_;
-  std::vector<Range> banks_;  ///< by first number
+  std::string_view note_;
+  std::vector<Range> banks_;             ///< by first number
+  std::vector<VariableSymbol> symbols_;  ///< by name
 };
 
 }  // namespace proveout::nc

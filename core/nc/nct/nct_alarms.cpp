@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <utility>
 
 namespace proveout::nc {
@@ -168,7 +169,27 @@ void AlarmReporter::addCalls(Diagnostic& d) const {
   }
 }
 
+void AlarmReporter::addVariables(Diagnostic& d) const {
+  const std::string_view text = block_.text;
+  constexpr int kMaxNotes = 8;
+  std::array<int, kMaxNotes> told{};
+  int count = 0;
+  for (std::size_t i = text.find('#'); i != std::string_view::npos; i = text.find('#', i + 1)) {
+    int number = -1;
+    std::from_chars(text.data() + i + 1, text.data() + text.size(), number);
+    Value value;
+    if (count == kMaxNotes || !variables_.peek(number, value)) continue;
+    if (std::find(told.begin(), told.begin() + count, number) != told.begin() + count) continue;
+    told[static_cast<std::size_t>(count++)] = number;
+    d.notes.push_back(value.vacant ? fmt::format("#{} is vacant", number)
+                                   : fmt::format("#{} = {}", number, value.number));
+  }
+}
+
 void AlarmReporter::addValues(Diagnostic& d) const {
+  const bool computed =
+      std::any_of(block_.words.begin(), block_.words.end(), [](const Word& w) { return w.from_expression; });
+  if (!computed) addVariables(d);
   for (const Word& w : block_.words) {
     if (!w.from_expression) continue;
     const auto begin = static_cast<std::size_t>(w.columns.begin - 1);

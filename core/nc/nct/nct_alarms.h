@@ -31,8 +31,8 @@ std::string alarmText(int number, std::string_view subject);
 class AlarmReporter {
  public:
   AlarmReporter(const CallStack& calls, const ProgramStore& programs, const Block& block,
-                PathEmitter& emitter)
-      : calls_(calls), programs_(programs), block_(block), emitter_(emitter) {}
+                const VariableStore& variables, PathEmitter& emitter)
+      : calls_(calls), programs_(programs), block_(block), variables_(variables), emitter_(emitter) {}
 
   /// An alarm with the manual's number: "text of the manual: detail". Always false.
   bool alarm(int number, std::string_view subject, std::string_view detail = {}, Columns at = {});
@@ -53,10 +53,12 @@ class AlarmReporter {
   void report(Severity severity, std::string code, std::string message, Columns at);
   void addCalls(Diagnostic& d) const;
   void addValues(Diagnostic& d) const;
+  void addVariables(Diagnostic& d) const;
 
   const CallStack& calls_;
   const ProgramStore& programs_;
   const Block& block_;
+  const VariableStore& variables_;
   PathEmitter& emitter_;
   std::set<std::string, std::less<>> told_;
 };

@@ -10,9 +10,11 @@ namespace proveout::nc {
 namespace {
 
 /// G codes as they count for a code table: 54.1 -> 541; -1 if there is more than one decimal.
-int code10Of(double value) {
-  const double tenfold = std::round(value * 10.0);
-  if (tenfold > 9999.0 || std::abs(tenfold - value * 10.0) > 1e-6) return -1;
+/// A computed value is rounded to one decimal.
+int code10Of(const Word& w) {
+  const double tenfold = std::round(w.value * 10.0);
+  if (tenfold > 9999.0) return -1;
+  if (!w.from_expression && std::abs(tenfold - w.value * 10.0) > 1e-6) return -1;
   return static_cast<int>(tenfold);
 }
 
@@ -35,7 +37,7 @@ bool collectG(NctContext& c, BlockPlan& plan) {
 }
 
 bool acceptG(NctContext& c, BlockPlan& plan, const Word& w) {
-  const int code10 = code10Of(w.value);
+  const int code10 = code10Of(w);
   const GCode* code = code10 < 0 ? nullptr : c.codes.g(code10);
   if (code == nullptr || !code->built) {
     if (!refuseG(c, w, code)) return false;

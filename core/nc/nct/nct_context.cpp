@@ -12,7 +12,9 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       axes(control_settings),
       emitter(control_settings, axes, sink, run_summary),
       programs(source, control_settings.encoding, sink),
-      alarms(calls, programs, block, emitter),
+      environment(axes, parameters),
+      macro(variables, environment),
+      alarms(calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
       clock(run_summary) {
@@ -28,6 +30,9 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
 }
 
 void NctContext::reset() {
+  const int first = static_cast<int>(parameters[MacroParam::kProtectFirst]);
+  const int last = static_cast<int>(parameters[MacroParam::kProtectLast]);
+  variables.protect(first == 0 ? 1 : first, first == 0 ? 0 : last);
   NctState s;
   s.active.fill(0);
   const auto flag = [&](MotionParam p) { return parameters.flag(p); };

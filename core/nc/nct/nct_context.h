@@ -15,6 +15,7 @@
 #include "core/nc/nct/call_stack.h"
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
+#include "core/nc/nct/nct_macro_environment.h"
 #include "core/nc/nct/nct_parameters.h"
 #include "core/nc/nct/nct_plan.h"
 #include "core/nc/nct/nct_state.h"
@@ -89,6 +90,8 @@ struct NctContext {
   ProgramStore programs;
   CallStack calls;
   VariableStore variables;
+  const NctMacroEnvironment environment;
+  MacroEvaluator macro;
   Block block;
   AlarmReporter alarms;
   WorkGuard work;

@@ -11,8 +11,9 @@ namespace proveout::nc {
 
 namespace {
 
-LexRules lexRules(const NctContext& c) {
+LexRules lexRules(NctContext& c) {
   LexRules rules;
+  rules.expressions = &c.macro;
   rules.names = &c.axes.names();
   rules.keep_repeats = true;
   return rules;
@@ -89,7 +90,8 @@ NctControl::Go NctControl::step() {
   }
   if (c.work.over()) return Go::kStop;
   ++summary_.blocks;
-  return good ? execute() : alarm();
+  if (!good) return alarm();
+  return block.kind == LineKind::kBlock ? execute() : statement();
 }
 
 bool NctControl::skipKeepsLookAhead() {

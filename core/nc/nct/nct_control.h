@@ -3,8 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "core/nc/interpreter.h"
 #include "core/nc/lexer.h"
@@ -44,12 +45,25 @@ class NctControl {
   Go alarm();
   Go stopAtAlarm();
   Go finish(const std::string& code, ProgramEnd end);
-  bool jump(CallFrame& frame, std::int64_t block);
+  /// To block N`block` of the frame's text; looks for it from line index `from` on, then from the start.
+  bool jump(CallFrame& frame, std::int64_t block, std::size_t from = 0);
+  void warnRepeated(const CallFrame& frame, std::int64_t block, std::size_t from);
+
+  // nct_statements.cpp
+  Go statement();
+  Go behindIf();
+  bool endStatement(std::size_t pos);
+  bool failStatement(const LexError& error);
+  Go goTo(std::size_t pos);
+  Go enterLoop(std::size_t pos);
+  Go endLoop();
+  const LoopIndex::Mark* loopMark(std::size_t pos);
 
   InterpretSummary summary_;
   NctContext context_;
   Lexer lexer_;
   bool until_hit_ = false;
+  std::set<std::pair<std::uint32_t, std::int64_t>> repeated_told_;  ///< by file and block number
 };
 
 }  // namespace proveout::nc

@@ -94,19 +94,23 @@ NctControl::Go NctControl::call() {
   return loadCalled(frame) && c.openCall(frame) ? Go::kOn : alarm();
 }
 
-bool NctControl::jump(CallFrame& frame, std::int64_t block) {
+bool NctControl::jump(CallFrame& frame, std::int64_t block, std::size_t from) {
   NctContext& c = context_;
-  const SourceText::Label label = frame.text->label(block);
+  const SourceText::Label label = frame.text->label(block, from);
   if (label.line_index == SourceText::kNoLabel) {
     return c.fail("nct-2125", fmt::format("block N{} not found in {}", block, frame.text->name()));
   }
-  if (label.repeated) {
-    c.warnOnce(fmt::format("{}:N{}", frame.file, block), "nct-repeated-n",
-               fmt::format("block number N{} occurs more than once: the first one is taken", block));
-  }
+  if (label.repeated) warnRepeated(frame, block, from);
   frame.line = static_cast<std::size_t>(label.line_index);
   lexer_.setInComment(false);
   return true;
+}
+
+void NctControl::warnRepeated(const CallFrame& frame, std::int64_t block, std::size_t from) {
+  NctContext& c = context_;
+  if (!repeated_told_.insert({frame.file, block}).second) return;
+  c.warn("nct-repeated-n", fmt::format("block number N{} occurs more than once: the {} one is taken", block,
+                                       from == 0 ? "first" : "next"));
 }
 
 NctControl::Go NctControl::returnFrom() {

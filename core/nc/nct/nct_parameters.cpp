@@ -52,6 +52,8 @@ std::span<const ParamInfo> paramTable(ParamChapter chapter) {
       return compParams();
     case ParamChapter::kCycles:
       return cyclesParams();
+    case ParamChapter::kMacro:
+      return macroParams();
     case ParamChapter::kCount:
       break;
   }

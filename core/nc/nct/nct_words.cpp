@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 namespace proveout::nc {
 
 std::string gName(int code10) {
@@ -9,13 +11,16 @@ std::string gName(int code10) {
 }
 
 bool integerWord(NctContext& c, const Word& w, std::int64_t min, std::int64_t max, std::int64_t& out) {
-  if (!w.is_integer || w.value < static_cast<double>(min) || w.value > static_cast<double>(max)) {
+  // A computed value is rounded to the digits of the address (manual 23.1.1).
+  const double value = w.from_expression ? std::round(w.value) : w.value;
+  const bool whole = w.is_integer || w.from_expression;
+  if (!whole || value < static_cast<double>(min) || value > static_cast<double>(max)) {
     return c.failWord("nct-2002",
                       fmt::format("{} data out of range: an integer from {} to {} is expected",
                                   addressText(w.address), min, max),
                       w);
   }
-  out = static_cast<std::int64_t>(w.value);
+  out = static_cast<std::int64_t>(value);
   return true;
 }
 

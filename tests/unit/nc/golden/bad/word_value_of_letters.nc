@@ -2,7 +2,7 @@ G0 XY5
 M30
 === expect
 file 0 main.nc
-main.nc:1:4: error[nct-2064]: X has no value
+main.nc:1:4: error[nct-2064]: syntax error: a value is expected, and Y is no function
     G0 XY5
        ^~
 alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

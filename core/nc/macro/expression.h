@@ -1,0 +1,59 @@
+// Formulas of the macro language: evaluated where they stand in the line, without copies.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "core/nc/lexer.h"
+#include "core/nc/macro/value.h"
+#include "core/nc/macro/variables.h"
+
+namespace proveout::nc {
+
+/// What formulas ask of the control around them.
+class MacroEnvironment {
+ public:
+  virtual ~MacroEnvironment() = default;
+  /// Number of the channel's axis of that name (upper case), or -1.
+  virtual int axisNumber(std::string_view name) const = 0;
+
+  struct ParameterAnswer {
+    int alarm = 0;             ///< 0, or the number of the alarm
+    std::string_view subject;  ///< of the alarm
+    double value = 0.0;
+  };
+  /// PRM: `bit` -1 and `index` 0 where the program gives none.
+  virtual ParameterAnswer parameter(int number, int bit, int index) const = 0;
+};
+
+/// Evaluates formulas against the variables. Errors carry the manual's number, its text and the columns; a
+/// result that is no finite number is alarm 2092. Brackets and functions nest 64 deep at most (2064).
+class MacroEvaluator : public ExpressionHook {
+ public:
+  MacroEvaluator(VariableStore& variables, const MacroEnvironment& environment)
+      : variables_(variables), environment_(environment) {}
+
+  /// The value of a word: a sign, and a variable, a bracket or a function. A vacant variable stays vacant,
+  /// with a sign too.
+  bool evaluate(std::string_view text, std::size_t& pos, Value& value, LexError& error) override;
+  /// A whole formula from `pos` on.
+  bool formula(std::string_view text, std::size_t& pos, Value& value, LexError& error);
+  /// `[formula relation formula]` from `pos` on (IF, WHILE). Vacant equals vacant alone and is greater than
+  /// every number (manual 23.1.6).
+  bool condition(std::string_view text, std::size_t& pos, bool& holds, LexError& error);
+  /// `#i=formula` from `pos` on. The text behind the formula is handed to the variables as the note.
+  bool assign(std::string_view text, std::size_t& pos, LexError& error);
+  /// `#n`, `#[formula]` or `#_NAME[formula]` from `pos` on, without reading it.
+  bool variable(std::string_view text, std::size_t& pos, int& number, LexError& error);
+
+ private:
+  VariableStore& variables_;
+  const MacroEnvironment& environment_;
+};
+
+/// Behind blanks and comments that end in this line.
+std::size_t skipBlanks(std::string_view text, std::size_t pos);
+/// Does `word` (upper case) stand at text[pos], letters of either case?
+bool keywordAt(std::string_view text, std::size_t pos, std::string_view word);
+
+}  // namespace proveout::nc

@@ -1,0 +1,118 @@
+#include "core/nc/macro/functions.h"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace proveout::nc {
+namespace {
+
+constexpr int kTanAlarm = 2116, kArcAlarm = 2117, kLnAlarm = 2118, kRootAlarm = 2122, kLogicAlarm = 2129;
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+double sinDegrees(double x) {
+  double r = std::remainder(x, 360.0);  // exact
+  if (r > 90.0) r = 180.0 - r;
+  if (r < -90.0) r = -180.0 - r;
+  const double size = std::abs(r);
+  if (size == 30.0) return std::copysign(0.5, r);
+  if (size == 90.0) return std::copysign(1.0, r);
+  return std::sin(r * kDegree);
+}
+
+double cosDegrees(double x) {
+  const double r = std::abs(std::remainder(x, 360.0));
+  // Near 0 and 180 the sine of the complement would lose the digits of the angle.
+  return r < 45.0 && r != 0.0 ? std::cos(r * kDegree) : sinDegrees(90.0 - r);
+}
+
+int tanDegrees(double x, double& out) {
+  constexpr double kNear = 1e-12;
+  const double r = std::remainder(x, 180.0);
+  if (std::abs(std::abs(r) - 90.0) <= kNear) return kTanAlarm;
+  out = std::abs(r) == 45.0 ? std::copysign(1.0, r) : std::tan(r * kDegree);
+  return 0;
+}
+
+/// The low 32 bits of an operand.
+bool bitsOf(double x, std::uint32_t& bits) {
+  constexpr double kLimit = 4294967295.0;
+  const double whole = std::round(x);
+  if (!(std::abs(x) <= kLimit) || !(std::abs(whole) <= kLimit)) return false;
+  bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(whole));
+  return true;
+}
+
+double asNumber(std::uint32_t bits) { return static_cast<double>(static_cast<std::int32_t>(bits)); }
+
+int complement(double x, double& out) {
+  std::uint32_t bits = 0;
+  if (!bitsOf(x, bits)) return kLogicAlarm;
+  out = asNumber(~bits);
+  return 0;
+}
+
+}  // namespace
+
+int applyFunction(MacroFunction function, double x, double& out) {
+  switch (function) {
+    case MacroFunction::kSqrt:
+      if (x < 0.0) return kRootAlarm;
+      out = std::sqrt(x);
+      return 0;
+    case MacroFunction::kSin:
+      out = sinDegrees(x);
+      return 0;
+    case MacroFunction::kCos:
+      out = cosDegrees(x);
+      return 0;
+    case MacroFunction::kTan:
+      return tanDegrees(x, out);
+    case MacroFunction::kAsin:
+    case MacroFunction::kAcos:
+      if (!(std::abs(x) <= 1.0)) return kArcAlarm;
+      out = (function == MacroFunction::kAsin ? std::asin(x) : std::acos(x)) / kDegree;
+      return 0;
+    case MacroFunction::kAtan:
+      out = std::atan(x) / kDegree;
+      return 0;
+    case MacroFunction::kExp:
+      out = std::exp(x);
+      return 0;
+    case MacroFunction::kLn:
+      if (!(x > 0.0)) return kLnAlarm;
+      out = std::log(x);
+      return 0;
+    case MacroFunction::kAbs:
+      out = std::abs(x);
+      return 0;
+    case MacroFunction::kFix:
+      out = std::trunc(x);
+      return 0;
+    case MacroFunction::kFup:
+      out = x < 0.0 ? std::floor(x) : std::ceil(x);
+      return 0;
+    case MacroFunction::kNot:
+      return complement(x, out);
+  }
+  return 0;
+}
+
+int applyLogic(LogicOperator op, double a, double b, double& out) {
+  std::uint32_t x = 0, y = 0;
+  if (!bitsOf(a, x) || !bitsOf(b, y)) return kLogicAlarm;
+  switch (op) {
+    case LogicOperator::kOr:
+      out = asNumber(x | y);
+      break;
+    case LogicOperator::kXor:
+      out = asNumber(x ^ y);
+      break;
+    case LogicOperator::kAnd:
+      out = asNumber(x & y);
+      break;
+  }
+  return 0;
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,44 @@
+// Which DO belongs to which END, found once for a program text.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace proveout::nc {
+
+/// Pairs of DO (also behind WHILE) and END by line. Pairs are found by nesting, as the text stands: where a
+/// jump enters a loop, its END still knows its DO (manual 23.2.11).
+class LoopIndex {
+ public:
+  enum class Fault : std::uint8_t {
+    kNone,
+    kDoubled,  ///< DOm inside DOm
+    kNoEnd,    ///< DOm without an ENDm that fits
+    kNoDo      ///< ENDm without a DOm that fits
+  };
+  struct Mark {
+    std::size_t line = 0;     ///< index
+    std::size_t partner = 0;  ///< index of the line of the END or the DO
+    int number = 0;           ///< m
+    bool is_end = false;
+    Fault fault = Fault::kNone;
+  };
+
+  explicit LoopIndex(const std::vector<std::string_view>& lines);
+  /// The DO or END of a line, or null.
+  const Mark* find(std::size_t line) const;
+
+ private:
+  void add(std::size_t line, int number, bool is_end);
+  std::vector<Mark> marks_;        ///< by line
+  std::vector<std::size_t> open_;  ///< marks of DOs whose END is still to come
+};
+
+/// Where the loop number stands in "DOm", "ENDm" or "WHILE[...]DOm" at text[pos]; npos: there is no DO.
+std::size_t loopNumberAt(std::string_view text, std::size_t pos);
+/// A loop number of 1 to 3, or -1.
+int loopNumber(std::string_view text, std::size_t pos);
+
+}  // namespace proveout::nc

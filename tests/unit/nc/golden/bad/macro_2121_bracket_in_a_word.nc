@@ -1,0 +1,9 @@
+=== main
+G0 X[1+2
+M30
+=== expect
+file 0 main.nc
+main.nc:1:4: error[nct-2121]: right bracket not found
+    G0 X[1+2
+       ^~~~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

@@ -1,0 +1,11 @@
+=== main
+DO1
+X1
+M30
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2125]: block END1 not found: loops end in pairs and do not overlap
+    DO1
+    ^~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

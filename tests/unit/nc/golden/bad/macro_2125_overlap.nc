@@ -1,0 +1,14 @@
+=== about
+proves: nct-23.2.11-nesting
+=== main
+DO1
+DO2
+END1
+END2
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2125]: block END1 not found: loops end in pairs and do not overlap
+    DO1
+    ^~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

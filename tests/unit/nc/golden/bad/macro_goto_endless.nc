@@ -1,0 +1,11 @@
+=== settings
+block_limit = 50
+=== main
+N1 GOTO1
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-block-limit]: 50 blocks executed without an end: endless loop? (the limit is a setting)
+    N1 GOTO1
+    ^~~~~~~~
+block limit: 50 blocks, 0 motions, 1 errors, 0 warnings

@@ -1,0 +1,10 @@
+=== main
+GOTO#1
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2125]: GOTO without a block number: the value is vacant
+    GOTO#1
+    ^~~~~~
+    note: #1 is vacant
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

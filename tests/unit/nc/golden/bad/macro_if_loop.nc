@@ -1,0 +1,10 @@
+=== main
+IF[1EQ1] DO1
+END1
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2064]: syntax error: a loop cannot start or end behind IF
+    IF[1EQ1] DO1
+    ^~~~~~~~~~~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

@@ -1,0 +1,9 @@
+=== main
+IF[1EQ1] N5 X1
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2064]: syntax error: block number, program number and skip stand in front of IF
+    IF[1EQ1] N5 X1
+    ^~~~~~~~~~~~~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

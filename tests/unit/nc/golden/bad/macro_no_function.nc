@@ -1,0 +1,9 @@
+=== main
+G0 X10 GOTO5
+M30
+=== expect
+file 0 main.nc
+main.nc:1:8: error[nct-2064]: syntax error: a value is expected, and OTO is no function
+    G0 X10 GOTO5
+           ^~~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings
