@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kMaxMachineBytes = 1u << 20;
 constexpr NumberRange kRate{0.0, 1e7, true};       // mm/min; 10 km/min is far above any machine
 constexpr NumberRange kDuration{0.0, 1e6, false};  // s
+constexpr NumberRange kAcceleration{0.0, 1e9, false};  // mm/s^2; 0: reaches its speed at once
 
 std::vector<ParameterRange> parameterRanges(const JobNames& names, const std::string& control) {
   const auto found = names.parameters.find(control);
@@ -121,6 +122,17 @@ void readRapid(ConfigTable& machine, Job& job) {
   }
 }
 
+/// Accelerations: one for X, Y, Z alike or one each.
+void readAcceleration(ConfigTable& machine, Job& job) {
+  const ConfigValue* given = machine.find("acceleration");
+  if (given == nullptr) return;
+  if (given->type == Type::kArray) {
+    if (const auto each = machine.point("acceleration", kAcceleration)) job.settings.acceleration_mm_s2 = *each;
+  } else if (const auto all = machine.number("acceleration", kAcceleration)) {
+    job.settings.acceleration_mm_s2 = Vec3::Constant(*all);
+  }
+}
+
 void readReferencePoints(ConfigTable& machine, Job& job) {
   const ConfigValue* points = machine.find("reference_points");
   if (points == nullptr || !isList(machine.document(), *points, "reference_points")) return;
@@ -146,6 +158,7 @@ void readAxis(ConfigTable& table, Job& job) {
   if (main) axis.kind = AxisKind::kLinear;
   if (const auto parallel = table.choice("parallel", {"X", "Y", "Z"})) axis.parallel = *parallel;
   if (const auto rapid = table.number("rapid", kRate)) axis.rapid = *rapid;
+  if (const auto a = table.number("acceleration", kAcceleration)) axis.acceleration = *a;
   if (const auto start = table.number("start", kAnyLength)) axis.start = *start;
   if (const auto reference = table.number("reference", kAnyLength)) axis.reference = *reference;
   if (table.find("limits")) axis.limit = readLimit(table, "limits");
@@ -156,6 +169,8 @@ void readAxis(ConfigTable& table, Job& job) {
 /// The keys that the job's table and the machine's own file share.
 void readMachineKeys(ConfigTable& machine, Job& job) {
   readRapid(machine, job);
+  readAcceleration(machine, job);
+  if (const auto time = machine.number("acceleration_rise_s", {0.0, 100.0})) job.settings.bell_time_s = *time;
   if (const auto start = machine.point("start")) job.start = *start;
   readReferencePoints(machine, job);
   if (const auto time = machine.number("tool_change_s", kDuration)) job.settings.tool_change_s = *time;

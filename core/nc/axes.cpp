@@ -32,6 +32,7 @@ std::vector<AxisInfo> axesOf(const ControlSettings& settings) {
     axis.name = kMainNames[static_cast<std::size_t>(k)];
     axis.number = k + 1;
     axis.rapid = settings.rapid_mm_min[k];
+    axis.acceleration = settings.acceleration_mm_s2[k];
     axis.limit = settings.limits[static_cast<std::size_t>(k)];
   }
   for (const AxisSettings& given : settings.axes) {
@@ -44,6 +45,7 @@ std::vector<AxisInfo> axesOf(const ControlSettings& settings) {
     axis.kind = given.kind;
     axis.parallel_to = given.parallel.empty() ? -1 : mainAxis(given.parallel);
     axis.rapid = given.rapid;
+    axis.acceleration = given.acceleration;
     axis.limit = given.limit;
   }
   return axes;
@@ -90,6 +92,9 @@ std::string checkAxes(const ControlSettings& settings) {
   if (rotary > kMaxRotaryAxes) return fmt::format("a channel has at most {} rotary axes", kMaxRotaryAxes);
   if (axes.size() > kMaxAxes) return fmt::format("a channel has at most {} axes", kMaxAxes);
   for (const AxisInfo& a : axes) {
+    if (!(a.acceleration >= 0.0 && a.acceleration <= 1e9)) {
+      return fmt::format("axis {}: the acceleration must be 0 (none) or above, at most 1e9", a.name);
+    }
     if (a.number < 1 || a.number > 32) return fmt::format("axis {}: numbers are 1 to 32", a.name);
     for (const AxisInfo& b : axes) {
       if (&a == &b) continue;

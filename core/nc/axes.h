@@ -30,6 +30,7 @@ struct AxisInfo {
   AxisKind kind = AxisKind::kLinear;
   int parallel_to = -1;            ///< 0..2, or -1
   double rapid = 15000.0;          ///< mm/min or deg/min, > 0
+  double acceleration = 0.0;       ///< mm/s^2 or deg/s^2; 0: no limit
   std::optional<AxisLimit> limit;  ///< machine coordinates
   bool rotary() const { return kind == AxisKind::kRotary; }
 };

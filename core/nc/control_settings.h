@@ -33,6 +33,7 @@ struct AxisSettings {
   AxisKind kind = AxisKind::kRotary;
   std::string parallel;  ///< "X", "Y" or "Z": the linear axis moves the tool in that direction too; or empty
   double rapid = 15000.0;          ///< mm/min or deg/min; > 0
+  double acceleration = 0.0;       ///< mm/s^2 or deg/s^2; 0: reaches its speed at once
   double start = 0.0;              ///< machine position at power-on, mm or deg
   double reference = 0.0;          ///< machine position of the reference points, mm or deg
   std::optional<AxisLimit> limit;  ///< machine coordinates, mm or deg
@@ -54,6 +55,8 @@ struct ControlSettings {
   LengthUnit units = LengthUnit::kMillimetre;   ///< power-on unit, where the program does not say (G20/G21)
   TextEncoding encoding = TextEncoding::kAuto;  ///< of the program files
   Vec3 rapid_mm_min = Vec3::Constant(15000.0);  ///< rapid rate of X, Y, Z; > 0
+  Vec3 acceleration_mm_s2 = Vec3::Zero();  ///< of X, Y, Z; 0: the axis reaches its speed at once
+  double bell_time_s = 0.0;  ///< in which the acceleration along the path comes up; 0: at once
   std::array<std::optional<AxisLimit>, 3> limits;  ///< X, Y, Z, machine frame, mm
   std::vector<AxisSettings> axes;                  ///< besides X, Y, Z
   Vec3 start = Vec3(0, 0, 100);                    ///< where the tool is at power-on, workpiece frame, mm

@@ -50,8 +50,8 @@ std::string jsonString(std::string_view text) {
 PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes, MotionSink& sink,
                          InterpretSummary& summary)
     : settings_(settings),
-      sink_(sink),
       summary_(summary),
+      time_(sink, summary),
       axes_(axes),
       more_(axes.moreCount()),
       origin_(settings.work_offsets[0] + settings.common_offset),
@@ -113,7 +113,17 @@ const AxisSweep* PathEmitter::sweepTo(const AxisPoint& to) {
   return &sweep_;
 }
 
-void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source) {
+MotionPace PathEmitter::linePace(const AxisPoint& to, double length, double speed) const {
+  MotionPace pace;
+  pace.length = length;
+  pace.speed = speed;
+  for (int k = 0; k < axes_.count(); ++k) pace.begin[k] = (to[k] - machine_[k]) / length;
+  pace.end = pace.begin;
+  pace.acceleration = lineAcceleration(time_.limits(), pace.begin, axes_.count());
+  return pace;
+}
+
+void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source, bool exact_stop) {
   const Vec3 d = to.xyz - machine_.xyz;
   const double further = more_ > 0 ? furtherTravel(to) : 0.0;
   if (d.cwiseAbs().maxCoeff() < kNoMoveMm && further < kNoMoveMm) return;
@@ -123,8 +133,13 @@ void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source) {
   if (more_ > 0) minutes = std::max(minutes, furtherRapidTime(to));
   m.time_s = 60.0 * minutes;
   m.source = source;
-  summary_.rapid_s += m.time_s;
-  send(m, to, nullptr);
+  MotionJoin join;
+  join.stops = exact_stop || time_.limits().rapid_overlap <= 0.0;
+  if (!time_.wantsPace(join)) return send(m, to, nullptr);
+  const double length = std::hypot(d.norm(), further);
+  MotionPace pace = linePace(to, length, length / m.time_s);
+  pace.rapid = true;
+  send(m, to, nullptr, &pace, join);
 }
 
 void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const SourceRef& source) {
@@ -132,13 +147,18 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
   const double further = more_ > 0 ? furtherTravel(to) : 0.0;
   if (d.cwiseAbs().maxCoeff() < kNoMoveMm && further < kNoMoveMm) return;
   Motion m;
+  const double length = further > 0.0 ? std::hypot(d.norm(), further) : d.norm();
+  const bool paced = time_.limits().feeds || time_.wantsPace(style.join);
+  MotionPace pace;
+  if (paced) pace = linePace(to, length, 0.0);
   m.kind = style.kind;
   m.feed = style.feed;
-  const double length = further > 0.0 ? std::hypot(d.norm(), further) : d.norm();
-  m.time_s = 60.0 * length / style.feed;
+  if (time_.limits().feeds) m.feed = allowedFeed(time_.limits(), pace.begin, axes_.count(), m.feed);
+  m.time_s = 60.0 * length / m.feed;
   m.source = source;
-  summary_.cutting_s += m.time_s;
-  send(m, to, nullptr);
+  if (!time_.wantsPace(style.join)) return send(m, to, nullptr);
+  pace.speed = m.feed / 60.0;
+  send(m, to, nullptr, &pace, style.join);
 }
 
 void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
@@ -162,11 +182,23 @@ void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedSt
   m.feed = length == paced ? style.feed : 60.0 * length / m.time_s;
   m.source = source;
   m.arc = 0;
-  summary_.cutting_s += m.time_s;
-  send(m, to, &geometry);
+  const bool wants_pace = time_.wantsPace(style.join);
+  if (!time_.limits().feeds && !wants_pace) return send(m, to, &geometry);
+  const ArcPace machine{machine_.xyz, to.xyz, {arc.center, arc.normal, arc.sweep_rad}, length};
+  if (time_.limits().feeds) {
+    m.feed = allowedArcFeed(time_.limits(), machine, m.feed);
+    m.time_s = 60.0 * length / m.feed;
+  }
+  if (!wants_pace) return send(m, to, &geometry);
+  MotionPace pace;
+  pace.length = length;
+  pace.speed = m.feed / 60.0;
+  setArcPace(time_.limits(), machine, pace);
+  send(m, to, &geometry, &pace, style.join);
 }
 
-void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* arc) {
+void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* arc, const MotionPace* pace,
+                       const MotionJoin& join) {
   const AxisSweep* sweep = nullptr;
   if (more_ == 0) {
     motion.from = machine_.xyz + to_workpiece_;
@@ -184,9 +216,12 @@ void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* a
     machine_ = to;
   }
   if (any_limit_) checkTravel(motion, arc, motion.source);
-  summary_.cycle_s += motion.time_s;
   ++summary_.motions;
-  sink_.motion(motion, arc, sweep);
+  if (pace == nullptr) {
+    time_.pass(motion, arc, sweep);
+  } else {
+    time_.motion(motion, arc, sweep, *pace, join);
+  }
 }
 
 void PathEmitter::checkTravel(const Motion& motion, const ArcGeometry* arc, const SourceRef& source) {
@@ -226,14 +261,14 @@ void PathEmitter::overtravel(int axis, double value, double limit, const SourceR
 }
 
 void PathEmitter::event(std::string name, EventData data, double time_s, const SourceRef& source) {
-  summary_.cycle_s += time_s;
-  sink_.event({std::move(name), std::move(data), time_s, source});
+  const bool stands = name != "overtravel" && name != "output";
+  time_.event({std::move(name), std::move(data), time_s, source}, stands);
 }
 
 void PathEmitter::diagnostic(const Diagnostic& diagnostic) {
   if (diagnostic.severity == Severity::kError) ++summary_.errors;
   if (diagnostic.severity == Severity::kWarning) ++summary_.warnings;
-  sink_.diagnostic(diagnostic);
+  time_.diagnostic(diagnostic);
 }
 
 }  // namespace proveout::nc

@@ -8,6 +8,7 @@
 #include "core/nc/axes.h"
 #include "core/nc/control_settings.h"
 #include "core/nc/interpreter.h"
+#include "core/nc/time_stage.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {
@@ -19,6 +20,7 @@ struct FeedStyle {
   /// What of an arc the feed is the speed of: the circle in the plane, the whole path in space, or the
   /// start radius (constant angular speed).
   enum class Along { kPlane, kSpace, kStartRadius } along = Along::kSpace;
+  MotionJoin join;
 };
 
 /// An arc in the machine frame; `center` at the height of the start.
@@ -39,13 +41,19 @@ class PathEmitter {
   /// Origin of the workpiece frame in the machine frame, mm.
   const Vec3& workpieceOrigin() const { return origin_; }
 
-  void rapidTo(const AxisPoint& to, const SourceRef& source);
+  /// Stands still at its end where rapids do not overlap or `exact_stop` asks for it.
+  void rapidTo(const AxisPoint& to, const SourceRef& source, bool exact_stop = false);
   void lineTo(const AxisPoint& to, const FeedStyle& style, const SourceRef& source);
   void arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style, const SourceRef& source);
 
   using EventData = std::vector<std::pair<std::string, std::string>>;
+  /// The axes stand still for all events but those that only tell something.
   void event(std::string name, EventData data, double time_s, const SourceRef& source);
   void diagnostic(const Diagnostic& diagnostic);
+
+  /// Accelerations, corners and look-ahead.
+  TimeStage& time() { return time_; }
+  const TimeStage& time() const { return time_; }
 
   int tool() const { return tool_; }
   void setTool(int tool);
@@ -53,7 +61,9 @@ class PathEmitter {
   void setSpindle(double rpm) { spindle_ = rpm; }  ///< negative: counter-clockwise, 0: stopped
 
  private:
-  void send(Motion& motion, const AxisPoint& to, const ArcGeometry* arc);
+  void send(Motion& motion, const AxisPoint& to, const ArcGeometry* arc, const MotionPace* pace = nullptr,
+            const MotionJoin& join = {});
+  MotionPace linePace(const AxisPoint& to, double length, double speed) const;
   /// The controlled point of the tool in the workpiece frame.
   Vec3 toolPoint(const AxisPoint& machine) const;
   double furtherTravel(const AxisPoint& to) const;
@@ -64,8 +74,8 @@ class PathEmitter {
   void checkTravel(const Motion& motion, const ArcGeometry* arc, const SourceRef& source);
 
   const ControlSettings& settings_;
-  MotionSink& sink_;
   InterpretSummary& summary_;
+  TimeStage time_;
   const AxisTable& axes_;
   const int more_;  ///< axes besides X Y Z
   int rotary_ = 0;  ///< of these, the rotary ones

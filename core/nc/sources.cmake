@@ -2,6 +2,7 @@ target_sources(proveout_core PRIVATE
   nc/axes.cpp
   nc/control_host.cpp
   nc/coverage.cpp
+  nc/feed_limits.cpp
   nc/frames.cpp
   nc/interpreter.cpp
   nc/lex_names.cpp
@@ -9,6 +10,7 @@ target_sources(proveout_core PRIVATE
   nc/path_emitter.cpp
   nc/program_source.cpp
   nc/source_text.cpp
+  nc/time_stage.cpp
   nc/macro/expression.cpp
   nc/macro/functions.cpp
   nc/macro/loop_index.cpp
@@ -26,6 +28,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_context.cpp
   nc/nct/nct_control.cpp
   nc/nct/nct_cycles.cpp
+  nc/nct/nct_feed.cpp
   nc/nct/nct_flow.cpp
   nc/nct/nct_frames.cpp
   nc/nct/nct_macro_environment.cpp
@@ -37,6 +40,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_words.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp
+  nc/nct/parameters/feeds.cpp
   nc/nct/parameters/machine.cpp
   nc/nct/parameters/macro.cpp
   nc/nct/parameters/motion.cpp

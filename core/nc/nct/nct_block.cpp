@@ -47,7 +47,10 @@ bool acceptG(NctContext& c, BlockPlan& plan, const Word& w) {
   const bool exact_stop = code10 == 90;
   auto& slot = plan.by_group[static_cast<std::size_t>(code->group)];
   if (code->group == kOneShot) {
-    if (exact_stop) return true;  // may stand with any motion
+    if (exact_stop) {  // may stand with any motion
+      plan.exact_stop = true;
+      return true;
+    }
     if (slot != nullptr) {
       return c.failWord(
           "nct-group-clash",

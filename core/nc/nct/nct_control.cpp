@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
 
 namespace proveout::nc {
@@ -32,6 +33,7 @@ InterpretSummary NctControl::run() {
   }
   while (step() == Go::kOn) {
   }
+  context_.emitter.time().flush();
   return summary_;
 }
 
@@ -43,8 +45,12 @@ bool NctControl::start() {
   if (!(settings.rapid_mm_min.minCoeff() > 0.0) || !settings.start.allFinite()) {
     return c.fail("nct-settings", "rapid rates must be above 0 and the start position finite");
   }
+  if (!(settings.bell_time_s >= 0.0 && settings.bell_time_s <= 100.0)) {
+    return c.fail("nct-settings", "the time of the acceleration's rise must be 0 to 100 s");
+  }
   if (const std::string bad = checkAxes(settings); !bad.empty()) return c.fail("nct-settings", bad);
   c.reset();
+  configureFeeds(c);
   return loadMain();
 }
 

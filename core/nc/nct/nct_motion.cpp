@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_words.h"
@@ -14,6 +15,7 @@ bool planRapid(NctContext& c, BlockPlan& plan) {
   if (!c.anyAxisWord()) return true;
   plan.perform = performMove;
   plan.motion.rapid = true;
+  plan.motion.feed.join.stops = joinOf(plan).stops;
   return true;
 }
 

@@ -54,6 +54,8 @@ std::span<const ParamInfo> paramTable(ParamChapter chapter) {
       return cyclesParams();
     case ParamChapter::kMacro:
       return macroParams();
+    case ParamChapter::kFeeds:
+      return feedParams();
     case ParamChapter::kCount:
       break;
   }

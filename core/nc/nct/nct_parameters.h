@@ -35,7 +35,7 @@ struct ParamInfo {
 
 /// The chapters of the parameter table. Each has a header with an enumeration in the order of its rows and a
 /// function paramId() for it.
-enum class ParamChapter : std::uint8_t { kMotion, kMachine, kComp, kCycles, kMacro, kCount };
+enum class ParamChapter : std::uint8_t { kMotion, kMachine, kComp, kCycles, kMacro, kFeeds, kCount };
 /// A row of the table.
 struct ParamId {
   ParamChapter chapter;
@@ -120,6 +120,7 @@ std::vector<ParameterInfo> nctParameterTable();
 
 #include "core/nc/nct/parameters/comp.h"
 #include "core/nc/nct/parameters/cycles.h"
+#include "core/nc/nct/parameters/feeds.h"
 #include "core/nc/nct/parameters/machine.h"
 #include "core/nc/nct/parameters/macro.h"
 #include "core/nc/nct/parameters/motion.h"

@@ -79,6 +79,7 @@ struct BlockPlan {
   AxisPoint start;                                   ///< programmed position at the block's start, in `chain`
   const GCode* governor = nullptr;                   ///< the code that owns the axis words
   std::array<const GCode*, kGroupCount> by_group{};  ///< G codes of this block
+  bool exact_stop = false;                           ///< G9 in this block
   bool any_group = false;                            ///< one of them at least is there
   AddressSet claimed;                                ///< words that some code of the block owns
   std::array<const MCode*, 8> m{};

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_feed.h"
+
 namespace proveout::nc {
 
 std::string gName(int code10) {
@@ -57,6 +59,7 @@ bool feedStyle(NctContext& c, BlockPlan& plan, FeedStyle& style) {
   if (plan.next.feed <= 0.0) return c.fail("nct-feed", "no feed is programmed: a feed motion needs F");
   style.feed = plan.next.feed * plan.next.unitScale();
   if (plan.next.perTurn()) style.feed *= turnsPerMinute(c, plan);
+  style.join = joinOf(plan);
   return true;
 }
 

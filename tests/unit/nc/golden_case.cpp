@@ -97,6 +97,7 @@ AxisSettings axisOf(std::istringstream& in, const std::string& line) {
     AxisLimit limit;
     if (key == "parallel") in >> axis.parallel;
     if (key == "rapid") in >> axis.rapid;
+    if (key == "acceleration") in >> axis.acceleration;
     if (key == "start") in >> axis.start;
     if (key == "reference") in >> axis.reference;
     if (key == "limit" && in >> limit.min >> limit.max) axis.limit = limit;
@@ -134,6 +135,10 @@ void setLine(ControlSettings& s, const std::string& line) {
     s.start = vectorOf(in, line);
   } else if (key == "rapid") {
     s.rapid_mm_min = vectorOf(in, line);
+  } else if (key == "acceleration") {
+    s.acceleration_mm_s2 = vectorOf(in, line);
+  } else if (key == "bell") {
+    s.bell_time_s = value();
   } else if (key == "skip") {
     s.skip_switches.at(static_cast<std::size_t>(value() - 1)) = true;
   } else if (key.starts_with("limit_")) {
@@ -229,6 +234,16 @@ std::string compareWithTruth(const std::string& truth, const std::vector<GoldenM
       if (word == "rapid" || word == "feed" || word == "thread") {
         if (motionKindName(m.motion.kind) != word)
           problems += fmt::format("motion {}: not {}\n", index, word);
+        continue;
+      }
+      const bool figure = word == "F" || word == "t" || word == "S" || word == "T";
+      if (figure) {
+        k = 0;
+        const Motion& motion = m.motion;
+        actual = {word == "F"   ? motion.feed
+                  : word == "t" ? motion.time_s
+                  : word == "S" ? motion.spindle
+                                : motion.tool};
         continue;
       }
       if (word == "center" || word == "sweep") {

@@ -5,7 +5,8 @@
 //                    axis = C 6 rotary rapid 3600 limit -360 360, ...
 //   === main         the main program (a file may start with it and leave the marker out)
 //   === sub NAME     a subprogram
-//   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg]; * is anything
+//   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg] [F feed]
+//                    [t seconds] [S spindle] [T tool]; * is anything
 //   === expect       what the interpreter says; rewritten with PROVEOUT_UPDATE_GOLDEN=1
 #pragma once
 

@@ -1,0 +1,196 @@
+#include "core/nc/time_stage.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace proveout::nc {
+namespace {
+
+constexpr double kAnySpeed = std::numeric_limits<double>::infinity();
+
+double planeTurnDeg(const Vec3& from, const Vec3& to, const Vec3& normal) {
+  return radToDeg(std::atan2(normal.dot(from.cross(to)), from.dot(to)));
+}
+
+/// Nothing of the motion's ends leaves the plane.
+bool inPlane(const Vec3& direction, const Vec3& normal) {
+  return std::abs(direction.dot(normal)) < 1e-9 * direction.norm();
+}
+
+}  // namespace
+
+void TimeStage::configure(const MotionLimits& limits, int axes) {
+  flush();
+  limits_ = limits;
+  axes_ = axes;
+}
+
+void TimeStage::count(const Motion& motion) {
+  summary_.cycle_s += motion.time_s;
+  (motion.kind == MotionKind::kRapid ? summary_.rapid_s : summary_.cutting_s) += motion.time_s;
+}
+
+void TimeStage::motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis, MotionPace pace,
+                       const MotionJoin& join) {
+  if (moving_) pace.corner_curve = cornerCurve(last_, pace);
+  const double entry = entrySpeed(pace, join);
+  if (insideCorner(pace, join)) {
+    slowBefore();
+    slow_left_ = slowdown_.after;
+  }
+  Waiting& w = waiting_.emplace_back();
+  w.motion = motion;
+  w.has_arc = arc != nullptr;
+  w.has_axis = axis != nullptr;
+  if (arc) w.arc = *arc;
+  if (axis) w.axis = *axis;
+  addStretches(pace, join, entry);
+  last_ = pace;
+  last_join_ = join;
+  moving_ = true;
+  if (waiting_.size() >= 2 * kWindow) emit(kWindow);
+}
+
+double TimeStage::entrySpeed(const MotionPace& pace, const MotionJoin& join) const {
+  if (!moving_ || last_join_.stops) return 0.0;
+  if (pace.rapid != last_.rapid) return 0.0;
+  if (pace.rapid) return limits_.rapid_overlap * std::min(pace.speed, last_.speed);
+  if (join.unbroken || last_join_.unbroken) return kAnySpeed;
+  return cornerSpeed(limits_, last_, pace, axes_);
+}
+
+bool TimeStage::insideCorner(const MotionPace& pace, const MotionJoin& join) const {
+  if (!moving_ || join.inside == 0 || last_join_.inside != join.inside || pace.rapid || last_.rapid) return false;
+  const Vec3& from = last_.end.xyz;
+  const Vec3& to = pace.begin.xyz;
+  if (!inPlane(from, join.normal) || !inPlane(to, join.normal)) return false;
+  const double turn = join.inside * planeTurnDeg(from, to, join.normal);
+  return turn > 0.0 && 180.0 - turn < slowdown_.angle_deg;
+}
+
+void TimeStage::addStretches(const MotionPace& pace, const MotionJoin& join, double entry) {
+  Stretch s;
+  s.element = {pace.length, pace.speed, pace.acceleration, entry};
+  s.motion = static_cast<std::uint32_t>(waiting_.size() - 1);
+  s.corner = join.inside != 0 && !pace.rapid;
+  if (!s.corner) slow_left_ = 0.0;
+  if (slow_left_ > 0.0 && slow_left_ < pace.length) {
+    Stretch first = s;
+    first.element.length = slow_left_;
+    slowDown(first);
+    stretches_.push_back(first);
+    s.element.length -= slow_left_;
+    s.element.entry = kAnySpeed;
+    slow_left_ = 0.0;
+  } else if (slow_left_ > 0.0) {
+    slow_left_ -= pace.length;
+    slowDown(s);
+  }
+  stretches_.push_back(s);
+}
+
+/// Slows the way to the corner that the last motion ends in.
+void TimeStage::slowBefore() {
+  double left = slowdown_.before;
+  for (std::size_t i = stretches_.size(); i-- > 0 && left > 0.0;) {
+    Stretch& s = stretches_[i];
+    if (!s.corner) return;
+    if (s.element.length > left && !s.slow) {
+      Stretch last = s;
+      s.element.length -= left;
+      last.element.length = left;
+      last.element.entry = kAnySpeed;
+      slowDown(last);
+      stretches_.insert(stretches_.begin() + static_cast<std::ptrdiff_t>(i) + 1, last);
+      return;
+    }
+    left -= s.element.length;
+    slowDown(s);
+  }
+}
+
+void TimeStage::slowDown(Stretch& s) const {
+  if (!s.slow) s.element.speed *= slowdown_.factor;
+  s.slow = true;
+}
+
+const std::vector<SpeedElement>& TimeStage::elements() const {
+  elements_.clear();
+  for (const Stretch& s : stretches_) elements_.push_back(s.element);
+  return elements_;
+}
+
+/// Plans what waits, to a stand at its end, and sends the first motions.
+void TimeStage::emit(std::size_t motions) {
+  planSpeeds(elements(), entry_, speeds_);
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < motions; ++i) waiting_[i].motion.time_s = 0.0;
+  for (; used < stretches_.size() && stretches_[used].motion < motions; ++used) {
+    waiting_[stretches_[used].motion].motion.time_s +=
+        elementTime(elements_[used], speeds_[used], speeds_[used + 1]);
+  }
+  send(motions);
+  entry_ = speeds_[used];
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(motions));
+  stretches_.erase(stretches_.begin(), stretches_.begin() + static_cast<std::ptrdiff_t>(used));
+  for (Stretch& s : stretches_) s.motion -= static_cast<std::uint32_t>(motions);
+}
+
+/// Sends the first waiting motions and what came along with them, in order.
+void TimeStage::send(std::size_t motions) {
+  std::size_t aside = 0;
+  const auto sendAsides = [&](std::size_t before) {
+    for (; aside < asides_.size() && asides_[aside].before <= before; ++aside) {
+      if (asides_[aside].event) sink_.event(*asides_[aside].event);
+      if (asides_[aside].diagnostic) sink_.diagnostic(*asides_[aside].diagnostic);
+    }
+  };
+  for (std::size_t i = 0; i < motions; ++i) {
+    sendAsides(i);
+    const Waiting& w = waiting_[i];
+    count(w.motion);
+    sink_.motion(w.motion, w.has_arc ? &w.arc : nullptr, w.has_axis ? &w.axis : nullptr);
+  }
+  if (motions == waiting_.size()) sendAsides(motions);
+  asides_.erase(asides_.begin(), asides_.begin() + static_cast<std::ptrdiff_t>(aside));
+  for (Aside& a : asides_) a.before -= motions;
+}
+
+void TimeStage::flush() {
+  if (!waiting_.empty()) emit(waiting_.size());
+  entry_ = 0.0;
+  slow_left_ = 0.0;
+  moving_ = false;
+}
+
+void TimeStage::event(PathEvent event, bool stands) {
+  if (stands) flush();
+  summary_.cycle_s += event.time_s;
+  if (waiting_.empty()) {
+    sink_.event(event);
+  } else {
+    asides_.push_back({waiting_.size(), std::move(event), {}});
+  }
+}
+
+void TimeStage::diagnostic(const Diagnostic& diagnostic) {
+  if (waiting_.empty()) {
+    sink_.diagnostic(diagnostic);
+  } else {
+    asides_.push_back({waiting_.size(), {}, diagnostic});
+  }
+}
+
+double TimeStage::standing_s() const {
+  double sum = summary_.cycle_s;
+  planSpeeds(elements(), entry_, speeds_);
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    sum += elementTime(elements_[i], speeds_[i], speeds_[i + 1]);
+  }
+  return sum;
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,223 @@
+// Times of programs with accelerations: closed forms, and that what waits keeps its order.
+#include "core/nc/time_stage.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/nc/interpreter.h"
+
+namespace proveout::nc {
+namespace {
+
+class Recorder : public MotionSink {
+ public:
+  void file(std::uint32_t, const std::string&) override {}
+  void motion(const Motion& m, const ArcGeometry*, const AxisSweep*) override {
+    motions.push_back(m);
+    order += 'm';
+  }
+  void event(const PathEvent& e) override { order += e.event == "end" ? '.' : 'e'; }
+  void diagnostic(const Diagnostic& d) override { order += d.severity == Severity::kError ? '!' : '?'; }
+  double sum() const {
+    double s = 0.0;
+    for (const Motion& m : motions) s += m.time_s;
+    return s;
+  }
+
+  std::vector<Motion> motions;
+  std::string order;
+};
+
+ControlSettings machine(double acceleration) {
+  ControlSettings s;
+  s.start = Vec3::Zero();
+  s.acceleration_mm_s2 = Vec3::Constant(acceleration);
+  return s;
+}
+
+InterpretSummary run(const std::string& text, const ControlSettings& settings, Recorder& out) {
+  const MemoryProgramSource source("main.nc", text);
+  const InterpretSummary summary = interpret(ControlId::kNct, source, settings, out);
+  EXPECT_NEAR(summary.cutting_s + summary.rapid_s, out.sum(), 1e-9 * (1 + out.sum()));
+  return summary;
+}
+
+/// Time of one line from stand to stand.
+double trapezoid(double length, double speed, double acceleration) {
+  return length / speed + speed / acceleration;
+}
+
+TEST(TimeStage, ALineAccelerates) {
+  Recorder out;
+  run("G1 X100 F3000\nM30\n", machine(500), out);
+  ASSERT_EQ(out.motions.size(), 1u);
+  EXPECT_NEAR(out.motions[0].time_s, trapezoid(100, 50, 500), 1e-9);
+}
+
+TEST(TimeStage, TheSlowestAxisSetsTheAcceleration) {
+  // nct-7-acc: on the diagonal each axis has 1/sqrt(2) of the acceleration along the path.
+  ControlSettings s = machine(500);
+  s.acceleration_mm_s2.y() = 250;
+  Recorder out;
+  run("G1 X100 Y100 F3000\nM30\n", s, out);
+  EXPECT_NEAR(out.sum(), trapezoid(100 * std::sqrt(2.0), 50, 250 * std::sqrt(2.0)), 1e-9);
+}
+
+TEST(TimeStage, RapidsStandStillAtTheirEnds) {
+  // nct-6.1-rapid, nct-7-acc: 15000 mm/min are 250 mm/s.
+  Recorder out;
+  run("G0 X100\nX200\nM30\n", machine(5000), out);
+  EXPECT_NEAR(out.sum(), 2 * trapezoid(100, 250, 5000), 1e-9);
+}
+
+TEST(TimeStage, RapidsOverlapWhereTheMachineDoesSo) {
+  // nct-4.1.2-ROL, nct-4.1.2-N0422: from one into the next at half the speed. Without the slow-down to a stand
+  // each of the two ramps between them ends at v/2: it covers 3/4 of its length in half its time.
+  ControlSettings s = machine(5000);
+  s.parameters = {{"N0421.ROL", 1}, {"N0422", 50}};
+  Recorder overlapped;
+  run("G0 X100\nX200\nM30\n", s, overlapped);
+  const double ramp_s = 250.0 / 5000, ramp_mm = 250.0 * ramp_s / 2;
+  const double inner = ramp_s / 2 + (100 - ramp_mm - 0.75 * ramp_mm) / 250;
+  EXPECT_NEAR(overlapped.sum(), 2 * (ramp_s + inner), 1e-9);
+  // nct-4.1.1-PCH: the check of the position suspends it.
+  s.parameters["N1337.PCH"] = 1;
+  Recorder checked;
+  run("G0 X100\nX200\nM30\n", s, checked);
+  EXPECT_NEAR(checked.sum(), 2 * trapezoid(100, 250, 5000), 1e-9);
+}
+
+TEST(TimeStage, ExactStopAndContinuousCutting) {
+  // nct-6.3.1-G9 nct-3-G9, nct-6.3.2-G61 nct-3-G61, nct-6.3.3-G64 nct-3-G64: straight on without a stop, unless one is asked for.
+  const double through = trapezoid(200, 50, 500), stopped = 2 * trapezoid(100, 50, 500);
+  const auto time = [](const std::string& text) {
+    Recorder out;
+    run(text, machine(500), out);
+    return out.sum();
+  };
+  EXPECT_NEAR(time("G1 X100 F3000\nX200\nM30\n"), through, 1e-9);
+  EXPECT_NEAR(time("G1 G9 X100 F3000\nX200\nM30\n"), stopped, 1e-9);
+  EXPECT_NEAR(time("G61 G1 X100 F3000\nX200\nM30\n"), stopped, 1e-9);
+  EXPECT_NEAR(time("G61 G1 F3000\nG64 X100\nX200\nM30\n"), through, 1e-9);
+  EXPECT_NEAR(time("G1 X100 F3000\nM8\nX200\nM30\n"), stopped, 1e-9);  // functions wait for the axes
+}
+
+TEST(TimeStage, CornersByTheChangeOfSpeed) {
+  // nct-7.1-corner: 90 degrees at v change X and Y by v each; 600 mm/min allow 10 mm/s.
+  ControlSettings s = machine(500);
+  s.parameters = {{"N0309", 600}};
+  Recorder out;
+  run("G1 X100 F3000\nY100\nM30\n", s, out);
+  const double ramp = 0.1, slow = 40.0 / 500, slow_mm = (50.0 * 50 - 10 * 10) / 1000;
+  EXPECT_NEAR(out.sum(), 2 * (ramp + slow + (100 - 2.5 - slow_mm) / 50), 1e-9);
+  // nct-6.3.4-G63 nct-3-G63: no slow-down between blocks.
+  Recorder tapping;
+  run("G63 G1 X100 F3000\nY100\nM30\n", s, tapping);
+  EXPECT_NEAR(tapping.sum(), 2 * (ramp + 97.5 / 50), 1e-9);
+}
+
+TEST(TimeStage, CornersByTheirAngle) {
+  // nct-7.1-corner
+  ControlSettings s = machine(500);
+  s.parameters = {{"N0306.FDF", 0}, {"N0307", 45}, {"N0308", 600}};
+  Recorder sharp, flat;
+  run("G1 X100 F3000\nY100\nM30\n", s, sharp);
+  const double slow = 40.0 / 500, slow_mm = (50.0 * 50 - 10 * 10) / 1000;
+  EXPECT_NEAR(sharp.sum(), 2 * (0.1 + slow + (100 - 2.5 - slow_mm) / 50), 1e-9);
+  run("G1 X100 F3000\nG91 X100 Y99\nM30\n", s, flat);  // 44.7 degrees
+  ASSERT_EQ(flat.motions.size(), 2u);
+  EXPECT_NEAR(flat.motions[0].time_s, 0.1 + 97.5 / 50, 1e-9);
+}
+
+TEST(TimeStage, ArcsKeepTheAccelerationAcross) {
+  // nct-7.2-normal: v <= sqrt(a r), the smaller a of the two axes; the third does not count.
+  ControlSettings s = machine(0);
+  s.parameters = {{"N0402.1", 400}, {"N0402.2", 160}, {"N0402.3", 1}};
+  Recorder out;
+  run("G17 G2 X20 I10 F6000\nM30\n", s, out);
+  ASSERT_EQ(out.motions.size(), 1u);
+  EXPECT_NEAR(out.motions[0].feed, 60 * std::sqrt(160.0 * 10), 1e-9);
+  EXPECT_NEAR(out.sum(), kPi * 10 / 40, 1e-9);
+  s.parameters["N0310"] = 3000;  // never slower than this
+  Recorder least;
+  run("G17 G2 X20 I10 F6000\nM30\n", s, least);
+  EXPECT_NEAR(least.motions[0].feed, 3000, 1e-9);
+}
+
+TEST(TimeStage, AnArcBehindALineLimitsTheJumpOfAcceleration) {
+  // nct-7.3-jump: the manual's example, F6000 and r = 10 are 1000 mm/s^2; 250 allow 3000 mm/min.
+  ControlSettings s = machine(1000);
+  s.parameters = {{"N0404", 250}, {"N0309", 1e6}};
+  Recorder out;
+  run("G17 G1 X1000 F6000\nG3 X1010 Y10 J10\nM30\n", s, out);
+  // 0 to 100 mm/s, on, down to 50 mm/s where the arc begins.
+  const double up = 0.1, up_mm = 5, down = 0.05, down_mm = (100.0 * 100 - 50 * 50) / 2000;
+  EXPECT_NEAR(out.motions[0].time_s, up + down + (1000 - up_mm - down_mm) / 100, 1e-9);
+}
+
+TEST(TimeStage, ShortLinesHaveAnAccelerationAcross) {
+  // nct-7.2-normal: a circle of r = 10 in lines of half a degree runs as its curvature allows each axis: where the
+  // centre lies along an axis sqrt(a r) = 40 mm/s, in between faster.
+  ControlSettings s = machine(500);
+  s.parameters = {{"N0402", 160}, {"N0309", 1e6}};
+  std::string text = "G1 X10 F6000\n";
+  for (int k = 1; k <= 720; ++k) {
+    const double a = k * kPi / 360;
+    text += fmt::format("X{:.7f} Y{:.7f}\n", 10 * std::cos(a), 10 * std::sin(a));
+  }
+  Recorder out;
+  run(text + "M30\n", s, out);
+  double circle = 0.0, expected = 0.0;
+  for (std::size_t k = 100; k < 620; ++k) {
+    circle += out.motions[k].time_s;
+    const double a = (static_cast<double>(k) - 0.5) * kPi / 360;
+    expected += 10 * kPi / 360 / (40 / std::sqrt(std::max(std::abs(std::cos(a)), std::abs(std::sin(a)))));
+  }
+  EXPECT_NEAR(circle, expected, 0.01 * expected);
+}
+
+TEST(TimeStage, TheHighestFeedOfAnAxis) {
+  // nct-4.5-N0305
+  ControlSettings s = machine(0);
+  s.parameters = {{"N0305.2", 600}};
+  Recorder out;
+  run("G1 X30 Y40 F3000\nM30\n", s, out);
+  EXPECT_NEAR(out.motions[0].feed, 600 / 0.8, 1e-9);
+  EXPECT_NEAR(out.sum(), 60 * 40.0 / 600, 1e-9);
+}
+
+TEST(TimeStage, OneLineInManyBlocksTakesNoLonger) {
+  // More blocks than the look-ahead holds.
+  std::string text = "G91 G1 F3000\n";
+  for (int k = 0; k < 5000; ++k) text += "X0.5\n";
+  Recorder out;
+  run(text + "M30\n", machine(500), out);
+  EXPECT_EQ(out.motions.size(), 5000u);
+  EXPECT_NEAR(out.sum(), trapezoid(2500, 50, 500), 1e-6);
+}
+
+TEST(TimeStage, EverythingComesInProgramOrder) {
+  ControlSettings s = machine(500);
+  s.max_errors = 3;
+  s.limits[0] = AxisLimit{-10, 15};
+  Recorder out;
+  // A motion; an overtravel and its motion; an error; a warning and a dwell; back from beyond the limit; a
+  // function; the end.
+  run("G1 X10 F3000\nX20\nY5 Q7\nG4\nX0\nM8\nM30\n", s, out);
+  EXPECT_EQ(out.order, "mem!?eeme.");
+}
+
+TEST(TimeStage, AnAlarmLeavesNothingBehind) {
+  Recorder out;
+  run("G1 X10 F3000\nX20\nX30 G999\n", machine(500), out);
+  EXPECT_EQ(out.order, "mm!");
+  EXPECT_NEAR(out.sum(), trapezoid(20, 50, 500), 1e-9);
+}
+
+}  // namespace
+}  // namespace proveout::nc
