@@ -14,8 +14,8 @@ using Type = ConfigValue::Type;
 namespace {
 
 constexpr std::size_t kMaxMachineBytes = 1u << 20;
-constexpr NumberRange kRate{0.0, 1e7, true};       // mm/min; 10 km/min is far above any machine
-constexpr NumberRange kDuration{0.0, 1e6, false};  // s
+constexpr NumberRange kRate{0.0, 1e7, true};           // mm/min; 10 km/min is far above any machine
+constexpr NumberRange kDuration{0.0, 1e6, false};      // s
 constexpr NumberRange kAcceleration{0.0, 1e9, false};  // mm/s^2; 0: reaches its speed at once
 
 std::vector<ParameterRange> parameterRanges(const JobNames& names, const std::string& control) {
@@ -127,7 +127,8 @@ void readAcceleration(ConfigTable& machine, Job& job) {
   const ConfigValue* given = machine.find("acceleration");
   if (given == nullptr) return;
   if (given->type == Type::kArray) {
-    if (const auto each = machine.point("acceleration", kAcceleration)) job.settings.acceleration_mm_s2 = *each;
+    if (const auto each = machine.point("acceleration", kAcceleration))
+      job.settings.acceleration_mm_s2 = *each;
   } else if (const auto all = machine.number("acceleration", kAcceleration)) {
     job.settings.acceleration_mm_s2 = Vec3::Constant(*all);
   }

@@ -10,35 +10,35 @@ namespace proveout::nc {
 
 /// Limits of an axis; 0: none. mm and seconds, rotary axes degrees and seconds.
 struct AxisMotionLimits {
-  double acceleration = 0.0;    ///< along the path
-  double max_feed = 0.0;        ///< a minute
-  double normal = 0.0;          ///< acceleration across the path
-  double jump = 0.0;            ///< of the acceleration, between lines
-  double jump_arc = 0.0;        ///< of the acceleration, where an arc begins or ends
-  double speed_change = 0.0;    ///< that a corner may make, a minute
+  double acceleration = 0.0;  ///< along the path
+  double max_feed = 0.0;      ///< a minute
+  double normal = 0.0;        ///< acceleration across the path
+  double jump = 0.0;          ///< of the acceleration, between lines
+  double jump_arc = 0.0;      ///< of the acceleration, where an arc begins or ends
+  double speed_change = 0.0;  ///< that a corner may make, a minute
 };
 
 /// Limits of a channel. All off: every motion takes length / feed.
 struct MotionLimits {
   std::array<AxisMotionLimits, kMaxAxes> axes;
-  bool accelerations = false;         ///< any axis has one: speeds are planned
-  bool feeds = false;                 ///< any axis has a limit of feed or of acceleration on arcs
-  bool corner_by_angle = false;       ///< corners by their angle instead of the speed change of the axes
-  double corner_angle_deg = 0.0;      ///< a sharper change of direction is a corner; 0: none is
-  double corner_feed = 0.0;           ///< feed there, mm/min
-  double least_arc_feed = 0.0;        ///< the limit of acceleration across arcs goes no lower, mm/min
-  double rapid_overlap = 0.0;         ///< part of its speed with which a rapid goes over into the next one
-  double bell_time_s = 0.0;           ///< in which the acceleration comes up; 0: at once
+  bool accelerations = false;     ///< any axis has one: speeds are planned
+  bool feeds = false;             ///< any axis has a limit of feed or of acceleration on arcs
+  bool corner_by_angle = false;   ///< corners by their angle instead of the speed change of the axes
+  double corner_angle_deg = 0.0;  ///< a sharper change of direction is a corner; 0: none is
+  double corner_feed = 0.0;       ///< feed there, mm/min
+  double least_arc_feed = 0.0;    ///< the limit of acceleration across arcs goes no lower, mm/min
+  double rapid_overlap = 0.0;     ///< part of its speed with which a rapid goes over into the next one
+  double bell_time_s = 0.0;       ///< in which the acceleration comes up; 0: at once
 };
 
 /// How a motion may run, and how its path begins and ends, for the plan of speeds. Machine axes.
 struct MotionPace {
-  double length = 0.0;        ///< mm; degrees count as mm
-  double speed = 0.0;         ///< mm/s
-  double acceleration = 0.0;  ///< along the path, mm/s^2
-  AxisPoint begin, end;       ///< direction: travel of the axes per length
+  double length = 0.0;                                        ///< mm; degrees count as mm
+  double speed = 0.0;                                         ///< mm/s
+  double acceleration = 0.0;                                  ///< along the path, mm/s^2
+  AxisPoint begin, end;                                       ///< direction: travel of the axes per length
   Vec3 begin_curve = Vec3::Zero(), end_curve = Vec3::Zero();  ///< of arcs: towards the centre, 1/mm
-  Vec3 corner_curve = Vec3::Zero();  ///< of a line behind a line: see cornerCurve()
+  Vec3 corner_curve = Vec3::Zero();                           ///< of a line behind a line: see cornerCurve()
   bool rapid = false;
   bool arc = false;
 };
@@ -60,8 +60,8 @@ double lineAcceleration(const MotionLimits& limits, const AxisPoint& direction, 
 /// Fills directions, curvatures and acceleration of an arc.
 void setArcPace(const MotionLimits& limits, const ArcPace& arc, MotionPace& pace);
 
-/// What a corner of two short lines is to the acceleration: their change of direction over their lengths, 1/mm.
-/// 0 where one of them is an arc.
+/// What a corner of two short lines is to the acceleration: their change of direction over their lengths,
+/// 1/mm. 0 where one of them is an arc.
 Vec3 cornerCurve(const MotionPace& before, const MotionPace& after);
 /// The highest speed from one feed motion into the next without a stop, mm/s; may be infinite.
 double cornerSpeed(const MotionLimits& limits, const MotionPace& before, const MotionPace& after, int axes);

@@ -63,7 +63,8 @@ double TimeStage::entrySpeed(const MotionPace& pace, const MotionJoin& join) con
 }
 
 bool TimeStage::insideCorner(const MotionPace& pace, const MotionJoin& join) const {
-  if (!moving_ || join.inside == 0 || last_join_.inside != join.inside || pace.rapid || last_.rapid) return false;
+  if (!moving_ || join.inside == 0 || last_join_.inside != join.inside || pace.rapid || last_.rapid)
+    return false;
   const Vec3& from = last_.end.xyz;
   const Vec3& to = pace.begin.xyz;
   if (!inPlane(from, join.normal) || !inPlane(to, join.normal)) return false;
@@ -184,11 +185,14 @@ void TimeStage::diagnostic(const Diagnostic& diagnostic) {
   }
 }
 
-double TimeStage::standing_s() const {
-  double sum = summary_.cycle_s;
+TimeStage::Elapsed TimeStage::elapsed() const {
+  Elapsed sum{summary_.cycle_s, summary_.cutting_s};
+  if (waiting_.empty()) return sum;
   planSpeeds(elements(), entry_, speeds_);
   for (std::size_t i = 0; i < elements_.size(); ++i) {
-    sum += elementTime(elements_[i], speeds_[i], speeds_[i + 1]);
+    const double time = elementTime(elements_[i], speeds_[i], speeds_[i + 1]);
+    sum.cycle_s += time;
+    if (waiting_[stretches_[i].motion].motion.kind != MotionKind::kRapid) sum.cutting_s += time;
   }
   return sum;
 }

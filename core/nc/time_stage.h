@@ -25,9 +25,9 @@ struct CornerSlowdown {
 
 /// How one motion joins its neighbours.
 struct MotionJoin {
-  bool stops = false;      ///< stands still at its end (G9, G61, rapids without overlap)
-  bool unbroken = false;   ///< no slow-down between blocks (G63)
-  int inside = 0;          ///< G62 with cutter compensation: +1 corners to the left are inside, -1 to the right
+  bool stops = false;     ///< stands still at its end (G9, G61, rapids without overlap)
+  bool unbroken = false;  ///< no slow-down between blocks (G63)
+  int inside = 0;  ///< G62 with cutter compensation: +1 corners to the left are inside, -1 to the right
   Vec3 normal = Vec3::UnitZ();  ///< of the plane, machine frame, where `inside` counts
 };
 
@@ -61,8 +61,11 @@ class TimeStage {
   /// Everything out; the axes come to a stand.
   void flush();
 
-  /// Time since the start if the axes came to a stand now, s. Changes no plan.
-  double standing_s() const;
+  /// Times since the start if the axes came to a stand now. Changes no plan.
+  struct Elapsed {
+    double cycle_s, cutting_s;
+  };
+  Elapsed elapsed() const;
 
  private:
   struct Waiting {
@@ -103,9 +106,9 @@ class TimeStage {
   std::vector<Waiting> waiting_;
   std::vector<Stretch> stretches_;
   std::vector<Aside> asides_;
-  double entry_ = 0.0;       ///< speed where the first stretch begins, mm/s
-  double slow_left_ = 0.0;   ///< of the stretch behind the last inside corner, mm
-  bool moving_ = false;      ///< a motion ended without a stop
+  double entry_ = 0.0;      ///< speed where the first stretch begins, mm/s
+  double slow_left_ = 0.0;  ///< of the stretch behind the last inside corner, mm
+  bool moving_ = false;     ///< a motion ended without a stop
   MotionPace last_;
   MotionJoin last_join_;
   mutable std::vector<SpeedElement> elements_;

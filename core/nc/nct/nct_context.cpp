@@ -17,7 +17,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       alarms(calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
-      clock(run_summary) {
+      clock(emitter.time()) {
   registers.length_offsets = settings.length_offsets;
   registers.radius_offsets = settings.radius_offsets;
   WorkFrames& frames = registers.frames;

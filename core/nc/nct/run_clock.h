@@ -1,19 +1,20 @@
 // The clock that programs read.
 #pragma once
 
-#include "core/nc/interpreter.h"
+#include "core/nc/time_stage.h"
 
 namespace proveout::nc {
 
-/// Simulated time of the run so far: what was sent to the sink, in seconds from power-on.
+/// Simulated time of the run so far, in seconds from power-on. What still waits for its final time counts as
+/// if the axes came to a stand.
 class RunClock {
  public:
-  explicit RunClock(const InterpretSummary& summary) : summary_(summary) {}
-  double now_s() const { return summary_.cycle_s; }
-  double cutting_s() const { return summary_.cutting_s; }  ///< feed motions
+  explicit RunClock(const TimeStage& time) : time_(time) {}
+  double now_s() const { return time_.elapsed().cycle_s; }
+  double cutting_s() const { return time_.elapsed().cutting_s; }  ///< feed motions
 
  private:
-  const InterpretSummary& summary_;
+  const TimeStage& time_;
 };
 
 }  // namespace proveout::nc

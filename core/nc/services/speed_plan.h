@@ -14,8 +14,8 @@ struct SpeedElement {
   double entry = 0.0;         ///< the highest where it begins, >= 0
 };
 
-/// Fastest speeds at the ends of the elements that respect all limits: `entry` at the start (it must allow the
-/// path to stop within the elements), 0 behind the last one. Fills elements.size() + 1 speeds.
+/// Fastest speeds at the ends of the elements that respect all limits: `entry` at the start (it must allow
+/// the path to stop within the elements), 0 behind the last one. Fills elements.size() + 1 speeds.
 void planSpeeds(std::span<const SpeedElement> elements, double entry, std::vector<double>& speeds);
 
 /// Time of an element between two speeds of planSpeeds(), s: constant acceleration up to the element's speed

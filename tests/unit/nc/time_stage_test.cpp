@@ -76,8 +76,8 @@ TEST(TimeStage, RapidsStandStillAtTheirEnds) {
 }
 
 TEST(TimeStage, RapidsOverlapWhereTheMachineDoesSo) {
-  // nct-4.1.2-ROL, nct-4.1.2-N0422: from one into the next at half the speed. Without the slow-down to a stand
-  // each of the two ramps between them ends at v/2: it covers 3/4 of its length in half its time.
+  // nct-4.1.2-ROL, nct-4.1.2-N0422: from one into the next at half the speed. Without the slow-down to a
+  // stand each of the two ramps between them ends at v/2: it covers 3/4 of its length in half its time.
   ControlSettings s = machine(5000);
   s.parameters = {{"N0421.ROL", 1}, {"N0422", 50}};
   Recorder overlapped;
@@ -93,7 +93,8 @@ TEST(TimeStage, RapidsOverlapWhereTheMachineDoesSo) {
 }
 
 TEST(TimeStage, ExactStopAndContinuousCutting) {
-  // nct-6.3.1-G9 nct-3-G9, nct-6.3.2-G61 nct-3-G61, nct-6.3.3-G64 nct-3-G64: straight on without a stop, unless one is asked for.
+  // nct-6.3.1-G9 nct-3-G9, nct-6.3.2-G61 nct-3-G61, nct-6.3.3-G64 nct-3-G64: straight on without a stop,
+  // unless one is asked for.
   const double through = trapezoid(200, 50, 500), stopped = 2 * trapezoid(100, 50, 500);
   const auto time = [](const std::string& text) {
     Recorder out;
@@ -161,8 +162,8 @@ TEST(TimeStage, AnArcBehindALineLimitsTheJumpOfAcceleration) {
 }
 
 TEST(TimeStage, ShortLinesHaveAnAccelerationAcross) {
-  // nct-7.2-normal: a circle of r = 10 in lines of half a degree runs as its curvature allows each axis: where the
-  // centre lies along an axis sqrt(a r) = 40 mm/s, in between faster.
+  // nct-7.2-normal: a circle of r = 10 in lines of half a degree runs as its curvature allows each axis:
+  // where the centre lies along an axis sqrt(a r) = 40 mm/s, in between faster.
   ControlSettings s = machine(500);
   s.parameters = {{"N0402", 160}, {"N0309", 1e6}};
   std::string text = "G1 X10 F6000\n";

@@ -61,12 +61,14 @@ double referenceTime(const std::vector<SpeedElement>& path, double step) {
   std::vector<Cell> cells;
   for (const SpeedElement& e : path) {
     const int n = std::max(1, static_cast<int>(e.length / step));
-    for (int k = 0; k < n; ++k) cells.push_back({e.length / n, e.speed, e.acceleration, k == 0 ? e.entry : kAny});
+    for (int k = 0; k < n; ++k)
+      cells.push_back({e.length / n, e.speed, e.acceleration, k == 0 ? e.entry : kAny});
   }
   std::vector<double> v(cells.size() + 1, 0.0);
   for (std::size_t i = 1; i < cells.size(); ++i) {
     const double cap = std::min({cells[i].entry, cells[i].speed, cells[i - 1].speed});
-    v[i] = std::min(cap, std::sqrt(v[i - 1] * v[i - 1] + 2 * cells[i - 1].acceleration * cells[i - 1].length));
+    v[i] =
+        std::min(cap, std::sqrt(v[i - 1] * v[i - 1] + 2 * cells[i - 1].acceleration * cells[i - 1].length));
   }
   double sum = 0.0;
   for (std::size_t i = cells.size(); i-- > 0;) {
