@@ -28,18 +28,22 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_context.cpp
   nc/nct/nct_control.cpp
   nc/nct/nct_cycles.cpp
+  nc/nct/nct_data_input.cpp
   nc/nct/nct_feed.cpp
   nc/nct/nct_flow.cpp
   nc/nct/nct_frames.cpp
   nc/nct/nct_macro_environment.cpp
   nc/nct/nct_motion.cpp
+  nc/nct/nct_offsets.cpp
   nc/nct/nct_parameters.cpp
   nc/nct/nct_perform.cpp
   nc/nct/nct_rows.cpp
   nc/nct/nct_statements.cpp
   nc/nct/nct_words.cpp
+  nc/nct/offset_tables.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp
+  nc/nct/parameters/data.cpp
   nc/nct/parameters/feeds.cpp
   nc/nct/parameters/machine.cpp
   nc/nct/parameters/macro.cpp

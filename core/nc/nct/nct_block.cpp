@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
@@ -194,28 +195,27 @@ bool planNumbers(NctContext& c, BlockPlan& plan) {
 
 bool planOffsetsHD(NctContext& c, BlockPlan& plan) {
   const auto rows = static_cast<std::int64_t>(c.parameters[CompParam::kToolOffsets]);
-  const auto lookUp = [&](const Word& w, const std::map<int, OffsetValue>& table, int& row, double& value) {
+  const OffsetTables& table = c.registers.offsets;
+  const auto rowOf = [&](const Word& w, OffsetColumn column, int& row) {
     std::int64_t number = 0;
     if (!integerWord(c, w, 0, rows, number)) return false;
     row = static_cast<int>(number);
-    value = 0.0;
-    if (row == 0) return true;
-    const auto found = table.find(row);
-    if (found != table.end()) {
-      value = found->second.geometry + found->second.wear;
-      return true;
-    }
+    if (row == 0 || table.given(column, row)) return true;
     const auto name = fmt::format("{}{}", addressText(w.address), row);
     c.warnOnce(name, "nct-offset-missing",
                fmt::format("{} has no value in the offset table: 0 is taken", name), w.columns);
     return true;
   };
-  if (const Word* h = c.word('H');
-      h && !lookUp(*h, c.registers.length_offsets, plan.next.h, plan.next.h_value))
-    return false;
-  if (const Word* d = c.word('D');
-      d && !lookUp(*d, c.registers.radius_offsets, plan.next.d, plan.next.d_radius))
-    return false;
+  NctState& next = plan.next;
+  if (const Word* h = c.word('H')) {
+    if (!rowOf(*h, OffsetColumn::kLength, next.h)) return false;
+    next.h_value = table.effective(OffsetColumn::kLength, next.h);
+    next.h_turning = {table.effective(OffsetColumn::kX, next.h), table.effective(OffsetColumn::kY, next.h)};
+  }
+  if (const Word* d = c.word('D')) {
+    if (!rowOf(*d, OffsetColumn::kRadius, next.d)) return false;
+    next.d_radius = table.effective(OffsetColumn::kRadius, next.d);
+  }
   return true;
 }
 
@@ -242,7 +242,10 @@ bool planLength(NctContext& c, BlockPlan& plan) {
   if (code && mode == 490) {
     next.length = AxisPoint();
     plan.frames_changed = true;
+  } else if (mode == 437 && (code || c.block.present.has('H'))) {
+    if (!planTurningLength(c, plan)) return false;
   } else if (mode != 490 && (code || c.block.present.has('H'))) {
+    if (c.state.active[kGroupLengthComp] == 437) next.length = AxisPoint();
     const double value = mode == 430 ? next.h_value : -next.h_value;
     const bool always_z = c.parameters.flag(CompParam::kLengthAlwaysZ);
     const bool by_plane = !always_z && c.parameters.flag(CompParam::kLengthByPlane);

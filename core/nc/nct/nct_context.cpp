@@ -18,8 +18,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
       clock(emitter.time()) {
-  registers.length_offsets = settings.length_offsets;
-  registers.radius_offsets = settings.radius_offsets;
+  registers.offsets = OffsetTables(settings);
   WorkFrames& frames = registers.frames;
   frames.more_axes = axes.moreCount();
   frames.common.offset = settings.common_offset;

@@ -19,6 +19,7 @@
 #include "core/nc/nct/nct_parameters.h"
 #include "core/nc/nct/nct_plan.h"
 #include "core/nc/nct/nct_state.h"
+#include "core/nc/nct/offset_tables.h"
 #include "core/nc/nct/program_store.h"
 #include "core/nc/nct/run_clock.h"
 #include "core/nc/path_emitter.h"
@@ -44,8 +45,13 @@ struct Action {
 /// Registers that survive the end of a program.
 struct NctRegisters {
   WorkFrames frames;
-  std::map<int, OffsetValue> length_offsets, radius_offsets;  ///< by row, mm
+  OffsetTables offsets;
 };
+
+struct NctContext;
+/// What becomes of a block between G10 L... and G11; the words are those of data blocks, N among them. False:
+/// an error was reported.
+using DataInput = bool (*)(NctContext&);
 
 /// Cutter compensation and what waits inside it.
 struct CompStage {
@@ -105,6 +111,7 @@ struct NctContext {
   AxisPoint machine;   ///< programmed point in machine coordinates, without cutter compensation
   CompStage comp;
   std::vector<DrillStep> drill_steps;
+  DataInput data_input = nullptr;  ///< set: blocks are data until G11
 
   /// Opens a program now, with a level of locals where its kind has one. False: nested too deep, reported.
   bool openCall(const CallFrame& frame);

@@ -7,6 +7,7 @@
 
 #include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_plans.h"
 
 namespace proveout::nc {
 
@@ -42,6 +43,10 @@ bool NctControl::start() {
   const ControlSettings& settings = c.settings;
   const Status known = c.parameters.set(settings.parameters);
   if (!known.ok()) return c.fail("nct-parameter", known.error().message);
+  for (const std::string_view name : c.parameters.notedNames()) {
+    c.warn("nct-noted", fmt::format("parameter {} has no effect in the simulation", name), {},
+           Severity::kNote);
+  }
   if (!(settings.rapid_mm_min.minCoeff() > 0.0) || !settings.start.allFinite()) {
     return c.fail("nct-settings", "rapid rates must be above 0 and the start position finite");
   }
@@ -80,6 +85,7 @@ NctControl::Go NctControl::step() {
   if (frame.line >= frame.text->lines().size()) return endOfText();
   const std::size_t line = frame.line++;
   Block& block = c.block;
+  lexer_.setMode(c.data_input ? LexMode::kData : LexMode::kBlock);
   const bool lexed = lexer_.lex(frame.text->lines()[line], block);
   c.calls.setBlock(line, block.number);
   if (block.skip > 0 && !skipKeepsLookAhead()) return alarm();
@@ -97,7 +103,10 @@ NctControl::Go NctControl::step() {
   if (c.work.over()) return Go::kStop;
   ++summary_.blocks;
   if (!good) return alarm();
-  return block.kind == LineKind::kBlock ? execute() : statement();
+  if (block.kind != LineKind::kBlock) return statement();
+  if (c.data_input == nullptr) return execute();
+  until_hit_ = until_hit_ || reachedUntil();
+  return dataBlock(c) ? Go::kOn : alarm();
 }
 
 bool NctControl::skipKeepsLookAhead() {

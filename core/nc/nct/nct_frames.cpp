@@ -1,4 +1,4 @@
-// Plans of the codes that set registers: G10, G52, G92.
+// Plans of the codes that set coordinate systems: G10 L2 and L20, G52, G92.
 #include <fmt/core.h>
 
 #include "core/nc/nct/nct_perform.h"
@@ -36,24 +36,6 @@ FrameChange& frameChange(const NctContext& c, BlockPlan& plan) {
   return change;
 }
 
-/// A new value of one row of the tool offset tables.
-struct OffsetChange {
-  int row = 0;
-  int table = 0;  ///< L of G10: 10, 11, 12, 13
-  double value = 0.0;
-};
-
-bool performOffset(NctContext& c, BlockPlan& plan) {
-  const OffsetChange& change = plan.payload.as<OffsetChange>();
-  auto& table = change.table < 12 ? c.registers.length_offsets : c.registers.radius_offsets;
-  OffsetValue& row = table[change.row];
-  (change.table % 2 == 0 ? row.geometry : row.wear) = change.value;
-  return true;
-}
-
-bool planToolOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p);
-bool planWorkOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p);
-
 }  // namespace
 
 bool planLocalShift(NctContext& c, BlockPlan& plan) {
@@ -82,52 +64,18 @@ bool planSetPosition(NctContext& c, BlockPlan& plan) {
   return true;
 }
 
-bool planOffsets(NctContext& c, BlockPlan& plan) {
-  const Word* l = c.ownWord(plan, 'L');
-  std::int64_t kind = 0;
-  if (l == nullptr) return c.alarm(2004, "L", "G10 needs L");
-  if (!integerWord(c, *l, 0, 9999, kind)) return false;
-  if (kind != 2 && kind != 20 && (kind < 10 || kind > 13)) {
-    return c.failWord(
-        "nct-2123",
-        fmt::format("function not implemented: G10 L{} is not supported (L2, L10 to L13, L20 are)", kind),
-        *l);
-  }
+bool planWorkOffset(NctContext& c, BlockPlan& plan) {
+  const bool basic = c.word('L')->value == 2.0;
   const Word* p = c.ownWord(plan, 'P');
+  std::int64_t row = 0;
   if (p == nullptr) return c.alarm(2004, "P", "G10 needs P");
-  if (kind >= 10 && kind <= 13) return planToolOffset(c, plan, static_cast<int>(kind), *p);
-  return planWorkOffset(c, plan, static_cast<int>(kind), *p);
-}
-
-namespace {
-
-bool planToolOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p) {
-  std::int64_t row = 0;
-  if (!integerWord(c, p, 1, static_cast<std::int64_t>(c.parameters[CompParam::kToolOffsets]), row))
-    return false;
-  const Word* r = c.word('R');
-  if (r == nullptr) return c.alarm(2004, "R", "the value of the offset");
-  if (c.anyAxisWord() || !(c.block.present & AddressSet("IJK")).empty()) {
-    return c.fail("nct-2017", "illegal address: G10 L10 to L13 takes P and R");
+  for (const Address a : {'R', 'Q'}) {
+    if (const Word* w = c.word(a)) return c.alarm(2017, *w, "in G10 L2, L20");
   }
-  const auto& table = kind < 12 ? c.registers.length_offsets : c.registers.radius_offsets;
-  const auto found = table.find(static_cast<int>(row));
-  const OffsetValue old = found == table.end() ? OffsetValue{} : found->second;
-  const bool add = r->incremental || plan.next.incremental();
-  const double base = kind % 2 == 0 ? old.geometry : old.wear;
-  plan.payload.emplace<OffsetChange>() = {static_cast<int>(row), kind,
-                                          (add ? base : 0.0) + lengthOf(plan, *r)};
-  plan.perform = performOffset;
-  return true;
-}
-
-bool planWorkOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p) {
-  std::int64_t row = 0;
-  if (const Word* r = c.word('R')) return c.failWord("nct-2017", "illegal address R in G10 L2, L20", *r);
-  if (!integerWord(c, p, kind == 2 ? 0 : 1, kind == 2 ? 6 : 99, row)) return false;
+  if (!integerWord(c, *p, basic ? 0 : 1, basic ? 6 : 99, row)) return false;
   plan.flush = true;  // the frame of the compensated path changes
   FrameChange& change = frameChange(c, plan);
-  const WorkSystemId id = kind == 2 ? static_cast<int>(row) : kFirstExtended + static_cast<int>(row) - 1;
+  const WorkSystemId id = basic ? static_cast<int>(row) : kFirstExtended + static_cast<int>(row) - 1;
   change.id = id;
   change.system = c.registers.frames.system(id);
   WorkSystem& system = change.system;
@@ -143,7 +91,5 @@ bool planWorkOffset(NctContext& c, BlockPlan& plan, int kind, const Word& p) {
   }
   return true;
 }
-
-}  // namespace
 
 }  // namespace proveout::nc

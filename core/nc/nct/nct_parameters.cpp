@@ -56,6 +56,8 @@ std::span<const ParamInfo> paramTable(ParamChapter chapter) {
       return macroParams();
     case ParamChapter::kFeeds:
       return feedParams();
+    case ParamChapter::kData:
+      return dataParams();
     case ParamChapter::kCount:
       break;
   }
@@ -146,7 +148,9 @@ ParamStatus NctParameters::find(int number, int bit, int index, std::size_t& row
   if (at == by_number_.end() || infos_[*at]->number != number) return ParamStatus::kUnknown;
   row = *at;
   const bool indexed = rows_[row].count > 1;
-  if (indexed != (index > 0) || index > static_cast<int>(rows_[row].count)) return ParamStatus::kNeedsIndex;
+  if (indexed && index == 0) return ParamStatus::kNeedsIndex;
+  const int last = infos_[row]->scope == ParamScope::kGlobal ? 0 : static_cast<int>(rows_[row].count);
+  if (index < 0 || index > last) return ParamStatus::kBadIndex;
   slot = rows_[row].first + (indexed ? static_cast<std::size_t>(index - 1) : 0);
   return ParamStatus::kOk;
 }
@@ -162,6 +166,17 @@ ParamStatus NctParameters::write(int number, int bit, int index, double value, b
   values_[slot] = wanted;
   given_[slot] = 1;
   return ParamStatus::kOk;
+}
+
+std::vector<std::string_view> NctParameters::notedNames() const {
+  std::vector<std::string_view> names;
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    const auto first = given_.begin() + static_cast<std::ptrdiff_t>(rows_[r].first);
+    const bool any = std::any_of(first, first + static_cast<std::ptrdiff_t>(rows_[r].count),
+                                 [](std::uint8_t given) { return given != 0; });
+    if (infos_[r]->noted && any) names.push_back(infos_[r]->name);
+  }
+  return names;
 }
 
 ParamStatus NctParameters::read(int number, int bit, int index, double& out) const {

@@ -31,11 +31,12 @@ struct ParamInfo {
   double default_value, min, max;  ///< lengths mm
   std::string_view meaning;
   bool restart = false;  ///< takes effect at power-on only: programs cannot change it
+  bool noted = false;    ///< accepted, without effect in the simulation; a note says so
 };
 
 /// The chapters of the parameter table. Each has a header with an enumeration in the order of its rows and a
 /// function paramId() for it.
-enum class ParamChapter : std::uint8_t { kMotion, kMachine, kComp, kCycles, kMacro, kFeeds, kCount };
+enum class ParamChapter : std::uint8_t { kMotion, kMachine, kComp, kCycles, kMacro, kFeeds, kData, kCount };
 /// A row of the table.
 struct ParamId {
   ParamChapter chapter;
@@ -49,7 +50,8 @@ enum class ParamStatus {
   kOk,
   kUnknown,     ///< no such parameter here
   kNeedsBit,    ///< the parameter consists of bits
-  kNeedsIndex,  ///< it belongs to an axis or a spindle, or that number is out of range
+  kNeedsIndex,  ///< it belongs to an axis or a spindle
+  kBadIndex,    ///< there is no such channel, axis or spindle
   kOutOfRange,  ///< the value
   kRestart      ///< takes effect at power-on only (2193)
 };
@@ -83,9 +85,12 @@ class NctParameters {
   Status set(const std::map<std::string, double>& values);
 
   /// By number, for programs. `bit` is 0..7 or kWholeParam, `index` the axis or spindle number (0: none
-  /// given). With `add` the value is added. On anything but kOk nothing changes.
+  /// given; channel parameters have number 1 too). With `add` the value is added. On anything but kOk nothing
+  /// changes.
   ParamStatus write(int number, int bit, int index, double value, bool add);
   ParamStatus read(int number, int bit, int index, double& out) const;
+  /// Parameters with a value by set() that have no effect in the simulation.
+  std::vector<std::string_view> notedNames() const;
 
  private:
   struct Row {
@@ -120,6 +125,7 @@ std::vector<ParameterInfo> nctParameterTable();
 
 #include "core/nc/nct/parameters/comp.h"
 #include "core/nc/nct/parameters/cycles.h"
+#include "core/nc/nct/parameters/data.h"
 #include "core/nc/nct/parameters/feeds.h"
 #include "core/nc/nct/parameters/machine.h"
 #include "core/nc/nct/parameters/macro.h"

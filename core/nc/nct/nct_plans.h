@@ -16,7 +16,24 @@ bool planReference(NctContext& c, BlockPlan& plan);
 // nct_frames.cpp
 bool planLocalShift(NctContext& c, BlockPlan& plan);
 bool planSetPosition(NctContext& c, BlockPlan& plan);
-bool planOffsets(NctContext& c, BlockPlan& plan);
+/// G10 L2, L20.
+bool planWorkOffset(NctContext& c, BlockPlan& plan);
+
+// nct_data_input.cpp
+/// G10: hands over to the function of its L.
+bool planDataInput(NctContext& c, BlockPlan& plan);
+/// G11 where no data input is open.
+bool planEndOfData(NctContext& c, BlockPlan& plan);
+/// A block between G10 L... and G11.
+bool dataBlock(NctContext& c);
+
+// nct_offsets.cpp
+/// G10 L10 to L13, L110, L111.
+bool planMillingOffset(NctContext& c, BlockPlan& plan);
+/// G10 L200 to L203.
+bool planTurningOffset(NctContext& c, BlockPlan& plan);
+/// G43.7, and H while it is in force: lengths of the row on X, Y and Z.
+bool planTurningLength(NctContext& c, BlockPlan& plan);
 
 // nct_cycles.cpp
 bool planCycle(NctContext& c, BlockPlan& plan);

@@ -34,9 +34,10 @@ struct NctState {
   int spindle_direction = 0;  ///< +1 M3, -1 M4, 0
   int tool = 0, next_tool = -1;
   int h = 0, d = 0;
-  double h_value = 0.0;   ///< mm, read when H was executed
-  double d_radius = 0.0;  ///< mm, read when D was executed
-  AxisPoint length;       ///< length offset in force, machine axes, mm
+  double h_value = 0.0;               ///< mm, read when H was executed
+  std::array<double, 2> h_turning{};  ///< turning lengths X, Y of the same row, mm
+  double d_radius = 0.0;              ///< mm, read when D was executed
+  AxisPoint length;                   ///< length offset in force, machine axes, mm
   CycleWords cycle;
 
   Plane plane() const {

@@ -26,4 +26,10 @@ constexpr ParamInfo atPowerOn(ParamInfo row) {
   return row;
 }
 
+/// A row without effect in the simulation: the rule for what only the machine or the person at it can do.
+constexpr ParamInfo noted(ParamInfo row) {
+  row.noted = true;
+  return row;
+}
+
 }  // namespace proveout::nc::param_rows

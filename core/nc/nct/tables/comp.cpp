@@ -23,7 +23,8 @@ constexpr auto kG = std::to_array<GCode>({
           "cutter compensation right", "IJK"),
     modal(430, kGroupLengthComp, kSim, "nct-3-G43 nct-15.3-G43 nct-15.3-INC", "length compensation +", {},
           true),
-    refused(437, kGroupLengthComp, kSim, "nct-15.4-G43.7", "turning offsets"),
+    modal(437, kGroupLengthComp, kSim, "nct-3-G43.7 nct-15.4-G43.7 nct-15.4-G49 nct-15.4-back nct-15.4-N1414",
+          "turning offsets"),
     modal(440, kGroupLengthComp, kSim, "nct-3-G44 nct-15.3-G44", "length compensation -", {}, true),
     modal(490, kGroupLengthComp, kSim, "nct-3-G49 nct-15.3-G49", "length compensation off", {}, true),
 });

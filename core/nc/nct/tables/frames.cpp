@@ -9,11 +9,13 @@ namespace {
 using namespace rows;
 
 constexpr auto kG = std::to_array<GCode>({
-    action(100, kOneShot, kSim, "LPXYZUVWIJKR", planOffsets, false,
+    action(100, kOneShot, kSim, "LPXYZUVWIJKRQ", planDataInput, false,
            "nct-3-G10 nct-10.2.4-G10L2 nct-10.2.5-G10L20 nct-15.2-G10-L10 nct-15.2-G10-L11 nct-15.2-G10-L12 "
-           "nct-15.2-G10-L13 nct-15.2-G90-G91-I",
-           "data input: L2, L20 work offsets, L10 to L13 tool offsets"),
-    refused(110, kOneShot, kState, "nct-3-G11 nct-12.4-G11", "end of data input"),
+           "nct-15.2-G10-L13 nct-15.2-G10-L110 nct-15.2-G10-L111 nct-15.2-G10-L200 nct-15.2-G10-L201 "
+           "nct-15.2-G10-L202 nct-15.2-G10-L203 nct-15.2-G90-G91-I nct-24.1-G10L52 nct-24.1-RI nct-24-kinds",
+           "data input: L2, L20 work offsets, L10 to L13, L110, L111, L200 to L203 tool offsets, L52 "
+           "parameters"),
+    action(110, kOneShot, kState, {}, planEndOfData, false, "nct-3-G11 nct-24.1-G11", "end of data input"),
     action(520, kOneShot, kSim, kAxes, planLocalShift, true, "nct-3-G52 nct-10.3-G52",
            "local coordinate system"),
     action(530, kOneShot, kSim, kAxes, planMachineMove, true, "nct-3-G53 nct-10.1.1-G53 nct-10.1.1-G53-sync",
@@ -34,7 +36,10 @@ constexpr auto kG = std::to_array<GCode>({
 constexpr auto kFeatures = std::to_array<FeatureRow>({
     {"work offsets", kSim, "nct-10.2.1-common nct-10.2.3-rotation nct-1.3-WCS",
      "common offset, basic rotation"},
-    {"offset table", kSim, "nct-15.1-table-mill nct-15.1-N1400", "length and radius, geometry and wear"},
+    {"offset table", kSim,
+     "nct-15.1-table-mill nct-15.1-table-turn nct-15.1-Q nct-15.1-N1400 nct-15.1-N1401 nct-15.1-N1416-TOL "
+     "nct-15.1-N1415 nct-15.2-N1402-DIA",
+     "length, radius, corner radius, turning lengths, geometry and wear"},
 });
 
 }  // namespace

@@ -1,0 +1,33 @@
+#include "core/nc/nct/offset_tables.h"
+
+#include <algorithm>
+
+namespace proveout::nc {
+
+OffsetTables::OffsetTables() : rows_(kRows + 1) {}
+
+OffsetTables::OffsetTables(const ControlSettings& settings) : OffsetTables() {
+  const auto fill = [&](OffsetColumn column, const std::map<int, OffsetValue>& values) {
+    for (const auto& [row, value] : values) {
+      if (row < 1 || row > kRows) continue;
+      set(column, row, false, value.geometry);
+      set(column, row, true, value.wear);
+    }
+  };
+  fill(OffsetColumn::kLength, settings.length_offsets);
+  fill(OffsetColumn::kRadius, settings.radius_offsets);
+}
+
+void OffsetTables::share(OffsetTables& common, int count) {
+  common_ = &common;
+  common_rows_ = std::clamp(count, 0, kRows);
+}
+
+void OffsetTables::set(OffsetColumn column, int row, bool wear, double mm) {
+  Row& cells = at(row);
+  OffsetValue& value = cells.values[static_cast<std::size_t>(column)];
+  (wear ? value.wear : value.geometry) = mm;
+  cells.given = static_cast<std::uint8_t>(cells.given | 1u << static_cast<unsigned>(column));
+}
+
+}  // namespace proveout::nc
