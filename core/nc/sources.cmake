@@ -51,6 +51,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/program_store.cpp
   nc/nct/tables/comp.cpp
   nc/nct/tables/cycles.cpp
+  nc/nct/tables/data.cpp
   nc/nct/tables/frames.cpp
   nc/nct/tables/macro.cpp
   nc/nct/tables/measuring.cpp

@@ -18,6 +18,8 @@ MacroEnvironment::ParameterAnswer NctMacroEnvironment::parameter(int number, int
       return {2002, "N", 0.0};
     case ParamStatus::kNeedsBit:
       return {2194, "2. parameter missing", 0.0};
+    case ParamStatus::kBadIndex:
+      return {2002, "PRM", 0.0};
     case ParamStatus::kNeedsIndex:
       return {2194, "3. parameter missing", 0.0};
   }

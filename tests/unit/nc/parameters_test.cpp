@@ -55,7 +55,10 @@ TEST(Parameters, ProgramsReachThemByNumberAndBit) {
   EXPECT_TRUE(parameters.flag(MotionParam::kDwellSeconds));
   EXPECT_EQ(parameters.write(1337, 1, 0, 1, true), ParamStatus::kOutOfRange) << "a bit is 0 or 1";
   EXPECT_EQ(parameters.write(607, 2, 0, 0, false), ParamStatus::kNeedsIndex);
-  EXPECT_EQ(parameters.write(607, 2, 17, 0, false), ParamStatus::kNeedsIndex);
+  EXPECT_EQ(parameters.write(607, 2, 17, 0, false), ParamStatus::kBadIndex);
+  EXPECT_EQ(parameters.write(1339, kWholeParam, 1, 0.5, false), ParamStatus::kOk) << "the own channel";
+  EXPECT_EQ(parameters.write(1339, kWholeParam, 2, 0.5, false), ParamStatus::kBadIndex);
+  EXPECT_EQ(parameters.write(1401, kWholeParam, 0, 5, false), ParamStatus::kRestart);
   EXPECT_EQ(parameters.write(607, 2, 4, 0, false), ParamStatus::kOk);
   EXPECT_EQ(parameters.read(607, 2, 4, value), ParamStatus::kOk);
   EXPECT_EQ(value, 0);

@@ -91,11 +91,11 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-23.6-MST", kState, kMissing, ""},
     {"nct-23.6-special", kSim, kMissing, ""},
     {"nct-23.6-errors", kSim, kMissing, ""},
-    {"nct-24-kinds", kState, kMissing, ""},
-    {"nct-24.1-G10L52", kState, kMissing, ""},
-    {"nct-24.1-G11", kState, kMissing, ""},
-    {"nct-24.1-RI", kState, kMissing, ""},
-    {"nct-24.2-PRM", kSim, kMissing, ""},
+    {"nct-24-kinds", kState, kDone, "good/data_parameters.nc"},
+    {"nct-24.1-G10L52", kState, kDone, "good/data_parameters.nc"},
+    {"nct-24.1-G11", kState, kDone, "good/data_parameters.nc"},
+    {"nct-24.1-RI", kState, kDone, "good/data_parameters.nc"},
+    {"nct-24.2-PRM", kSim, kDone, "good/data_parameters.nc"},
 });
 // clang-format on
 

@@ -8,7 +8,8 @@ namespace {
 using namespace param_rows;
 
 constexpr std::array<ParamInfo, static_cast<std::size_t>(DataParam::kCount)> kRows{{
-    number("N1401", 1401, kGlobal, 0, 0, 999, "first rows of the offset tables that all channels share"),
+    atPowerOn(
+        number("N1401", 1401, kGlobal, 0, 0, 999, "first rows of the offset tables that all channels share")),
     noted(bit("N1402.DIA", 1402, 0, kChannel, 0, "the control's table shows cutters by their diameter")),
     noted(number("N1414", 1414, kChannel, 0, 0, 255, "choice of turning offsets on lathes")),
     noted(number("N1415", 1415, kChannel, 0, 0, 1e3, "largest wear that a person may enter by hand, mm")),

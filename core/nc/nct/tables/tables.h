@@ -14,6 +14,7 @@ CodeTable spindleTable();
 CodeTable toolsTable();
 CodeTable measuringTable();
 CodeTable macroTable();
+CodeTable dataTable();
 CodeTable rotaryTable();
 CodeTable turningTable();
 

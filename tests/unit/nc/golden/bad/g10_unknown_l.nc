@@ -1,8 +1,8 @@
-G10 L75 P1
+G10 L99 P1
 M30
 === expect
 file 0 main.nc
-main.nc:1:5: error[nct-2123]: function not implemented: G10 L75 is not supported (L2, L10 to L13, L20 are)
-    G10 L75 P1
+main.nc:1:5: error[nct-2123]: function not implemented: G10 L99 is not supported
+    G10 L99 P1
         ^~~
 alarm: 1 blocks, 0 motions, 1 errors, 0 warnings
