@@ -27,10 +27,10 @@ M30
 49.8 -2.9 120.5
 59.8 * *
 59.8 7.1 *
-50 7.1 101
+59.8 7.1 101
 120.5 0 0
-*
-*
+120.5 0 -120.5
+40 0 100
 1 2 3
 === expect
 note[nct-noted]: parameter N1414 has no effect in the simulation
