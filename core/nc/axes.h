@@ -18,6 +18,7 @@ namespace proveout::nc {
 /// to the main ones, or rotary ones where a code says so.
 struct WorkPlane {
   int u = 0, v = 1, w = 2;
+  WorkPlane() = default;
   explicit WorkPlane(const PlaneFrame& frame) : u(frame.u()), v(frame.v()), w(frame.w()) {}
   /// (u, v, w) of a point.
   Vec3 of(const AxisPoint& p) const { return {p[u], p[v], p[w]}; }

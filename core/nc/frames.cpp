@@ -44,10 +44,19 @@ void CoordinateChain::moveFurtherAxes(int count, const AxisPoint& program_to_wor
 }
 
 AxisPoint CoordinateChain::workOf(const AxisPoint& p) const {
-  AxisPoint q(toWork(p.xyz));
-  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k)
-    q.more[k] = p.more[k] + work_more_[k];
+  AxisPoint q = p;
+  moveToWork(q);
   return q;
+}
+
+void CoordinateChain::moveToWork(AxisPoint& p) const {
+  p.xyz = toWork(p.xyz);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) p.more[k] += work_more_[k];
+}
+
+void CoordinateChain::moveToMachine(AxisPoint& p) const {
+  p.xyz = workToMachine(p.xyz);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) p.more[k] += machine_more_[k];
 }
 
 AxisPoint CoordinateChain::machineOf(const AxisPoint& p) const {

@@ -38,6 +38,9 @@ class CoordinateChain {
   AxisPoint workOf(const AxisPoint& p) const;
   AxisPoint machineOf(const AxisPoint& p) const;
   AxisPoint programOf(const AxisPoint& machine) const;
+  /// Program to work and work to machine coordinates, in place.
+  void moveToWork(AxisPoint& p) const;
+  void moveToMachine(AxisPoint& p) const;
   /// Offsets of `count` further axes from program to work and from work to machine coordinates.
   void moveFurtherAxes(int count, const AxisPoint& program_to_work, const AxisPoint& work_to_machine);
 

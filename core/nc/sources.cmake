@@ -7,6 +7,7 @@ target_sources(proveout_core PRIVATE
   nc/interpreter.cpp
   nc/lex_names.cpp
   nc/lexer.cpp
+  nc/motion_pipe.cpp
   nc/path_emitter.cpp
   nc/program_source.cpp
   nc/source_text.cpp
@@ -16,6 +17,7 @@ target_sources(proveout_core PRIVATE
   nc/macro/loop_index.cpp
   nc/macro/variables.cpp
   nc/nct/call_stack.cpp
+  nc/nct/comp_stage.cpp
   nc/nct/coverage/rows_1.cpp
   nc/nct/coverage/rows_2.cpp
   nc/nct/coverage/rows_3.cpp
@@ -24,7 +26,6 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_alarms.cpp
   nc/nct/nct_block.cpp
   nc/nct/nct_codes.cpp
-  nc/nct/nct_comp.cpp
   nc/nct/nct_context.cpp
   nc/nct/nct_control.cpp
   nc/nct/nct_cycles.cpp
@@ -60,5 +61,6 @@ target_sources(proveout_core PRIVATE
   nc/nct/tables/spindle.cpp
   nc/nct/tables/tools.cpp
   nc/nct/tables/transforms.cpp
-  nc/nct/tables/turning.cpp)
+  nc/nct/tables/turning.cpp
+  nc/nct/transform_stage.cpp)
 include(nc/services/sources.cmake OPTIONAL)

@@ -17,7 +17,14 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       alarms(calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
-      clock(emitter.time()) {
+      clock(emitter.time()),
+      transform_stage(chain),
+      comp_stage(*this),
+      frame_stage(chain),
+      emit_stage(emitter, control_settings.tool_change_s) {
+  pipe.link(transform_stage);
+  pipe.link(frame_stage);
+  pipe.link(emit_stage);
   registers.offsets = OffsetTables(settings);
   WorkFrames& frames = registers.frames;
   frames.more_axes = axes.moreCount();

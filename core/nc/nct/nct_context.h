@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,7 +11,9 @@
 #include "core/nc/frames.h"
 #include "core/nc/interpreter.h"
 #include "core/nc/macro/variables.h"
+#include "core/nc/motion_pipe.h"
 #include "core/nc/nct/call_stack.h"
+#include "core/nc/nct/comp_stage.h"
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_macro_environment.h"
@@ -22,25 +23,11 @@
 #include "core/nc/nct/offset_tables.h"
 #include "core/nc/nct/program_store.h"
 #include "core/nc/nct/run_clock.h"
+#include "core/nc/nct/transform_stage.h"
 #include "core/nc/path_emitter.h"
-#include "core/nc/services/cutter_comp.h"
 #include "core/nc/services/drilling.h"
 
 namespace proveout::nc {
-
-/// Something to do that may have to wait for cutter compensation's look-ahead.
-struct Action {
-  enum class Kind { kMove, kSpindle, kToolChange, kDwell, kEvent };
-  Kind kind = Kind::kMove;
-  bool rapid = false;
-  FeedStyle feed;
-  AxisPoint to;        ///< kMove: machine end of the programmed block; its axes besides X Y Z count
-  double value = 0.0;  ///< kSpindle: rpm, signed; kDwell: s; kToolChange: number
-  std::string name;    ///< kEvent: its name; kSpindle: "cw", "ccw", "stop"
-  PathEmitter::EventData data;
-  SourceRef source;
-  std::uint64_t tag = 0;
-};
 
 /// Registers that survive the end of a program.
 struct NctRegisters {
@@ -52,15 +39,6 @@ struct NctContext;
 /// What becomes of a block between G10 L... and G11; the words are those of data blocks, N among them. False:
 /// an error was reported.
 using DataInput = bool (*)(NctContext&);
-
-/// Cutter compensation and what waits inside it.
-struct CompStage {
-  CutterComp filter;
-  bool engaged = false;
-  CompOutput out;
-  std::deque<Action> waiting;  ///< by tag
-  std::uint64_t next_tag = 1;
-};
 
 /// Counts blocks and whatever else a program can make many of, against the block limit; looks at the wish to
 /// stop and tells progress now and then.
@@ -106,10 +84,14 @@ struct NctContext {
 
   NctState state;
   NctRegisters registers;
-  CoordinateChain chain;
-  AxisPoint position;  ///< programmed, in chain
-  AxisPoint machine;   ///< programmed point in machine coordinates, without cutter compensation
-  CompStage comp;
+  CoordinateChain chain;  ///< in force for what the pipe gets
+  AxisPoint position;     ///< programmed, in chain
+  AxisPoint machine;      ///< programmed point in machine coordinates, without cutter compensation
+  MotionPipe pipe;        ///< everything that becomes path goes through it; its stages are the next members
+  TransformStage transform_stage;
+  CompStage comp_stage;
+  FrameStage frame_stage;
+  EmitStage emit_stage;
   std::vector<DrillStep> drill_steps;
   DataInput data_input = nullptr;  ///< set: blocks are data until G11
 

@@ -111,10 +111,8 @@ NctControl::Go NctControl::step() {
 
 bool NctControl::skipKeepsLookAhead() {
   NctContext& c = context_;
-  if (!c.comp.engaged || c.parameters.flag(MotionParam::kSkipKeepsLookAhead)) return true;
-  if (!flushComp(c)) return false;  // CBB = 0: the switch is read when the block before is done
-  rebaseComp(c);
-  return true;
+  // CBB = 0: the switch is read when the block before is done.
+  return c.parameters.flag(MotionParam::kSkipKeepsLookAhead) || flushPipe(c);
 }
 
 bool NctControl::openDeferred() {

@@ -53,7 +53,7 @@ bool expandCycle(NctContext& c, BlockPlan& plan);
 bool performCycle(NctContext& c, BlockPlan& plan);
 bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first);
 bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint& at);
-void cycleEvent(NctContext& c, BlockPlan& plan, const DrillStep& step);
+bool cycleFunction(NctContext& c, BlockPlan& plan, const DrillStep& step);
 
 }  // namespace
 
@@ -217,16 +217,29 @@ bool performCycle(NctContext& c, BlockPlan& plan) {
   return true;
 }
 
+/// A motion of the cycle to `at`, program coordinates; without a feed at rapid.
+bool cycleMove(NctContext& c, const AxisPoint& at, const FeedStyle* feed = nullptr) {
+  PathItem item;
+  item.kind = PathItem::Kind::kLine;
+  item.plane = WorkPlane(PlaneFrame(c.state.plane()));
+  item.in_plane = true;
+  item.to = at;
+  item.rapid = feed == nullptr;
+  if (feed) item.feed = *feed;
+  item.source = c.here();
+  c.position = at;
+  return c.pipe.push(item);
+}
+
 bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first) {
   const int drill = PlaneFrame(plan.next.plane()).w();
   AxisPoint at = hole;
   at[drill] = c.position[drill];
-  c.emitter.rapidTo(c.chain.machineOf(at), c.here());
+  if (!cycleMove(c, at)) return false;
   if (first && !performFunctions(c, plan, MPhase::kBefore)) return false;
   for (const DrillStep& step : c.drill_steps) {
     if (!cycleStep(c, plan, step, at)) return false;
   }
-  c.position = at;
   c.machine = c.chain.machineOf(at);
   return true;
 }
@@ -236,63 +249,53 @@ bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint&
   if (step.kind == DrillStepKind::kShift) {
     at[frame.u()] += step.shift.x();
     at[frame.v()] += step.shift.y();
-    c.emitter.rapidTo(c.chain.machineOf(at), c.here());
-  } else if (step.kind == DrillStepKind::kRapid) {
+    return cycleMove(c, at);
+  }
+  if (step.kind == DrillStepKind::kRapid) {
     at[frame.w()] = step.position;
-    c.emitter.rapidTo(c.chain.machineOf(at), c.here());
-  } else if (step.kind == DrillStepKind::kFeed) {
+    return cycleMove(c, at);
+  }
+  if (step.kind == DrillStepKind::kFeed) {
     at[frame.w()] = step.position;
     FeedStyle style = plan.motion.feed;
     style.feed *= step.feed_factor;
     style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;
-    c.emitter.lineTo(c.chain.machineOf(at), style, c.here());
-  } else {
-    cycleEvent(c, plan, step);
+    return cycleMove(c, at, &style);
   }
-  return true;
+  return cycleFunction(c, plan, step);
 }
 
-void cycleEvent(NctContext& c, BlockPlan& plan, const DrillStep& step) {
-  const auto spindle = [&](int direction) {
-    c.state.spindle_direction = direction;
-    Action action;
-    action.source = c.here();
-    setSpindleAction(c, action, plan.next.spindle_rpm);
-    runAction(c, action);
-  };
-  const auto event = [&](const char* name, PathEmitter::EventData data, double time_s = 0.0) {
-    c.emitter.event(name, std::move(data), time_s, c.here());
-  };
+bool cycleFunction(NctContext& c, BlockPlan& plan, const DrillStep& step) {
   switch (step.kind) {
     case DrillStepKind::kRapid:
     case DrillStepKind::kFeed:
     case DrillStepKind::kShift:
-      break;
-    case DrillStepKind::kDwell:
-      event("dwell", {{"seconds", jsonNumber(step.dwell)}}, step.dwell);
-      break;
+      return true;
+    case DrillStepKind::kDwell: {
+      PathItem item = functionItem(c, PathItem::Kind::kDwell, c.state);
+      item.value = step.dwell;
+      return c.pipe.push(item);
+    }
     case DrillStepKind::kSpindleForward:
-      spindle(1);
-      break;
+      return sendSpindle(c, 1, plan.next.spindle_rpm);
     case DrillStepKind::kSpindleReverse:
-      spindle(-1);
-      break;
+      return sendSpindle(c, -1, plan.next.spindle_rpm);
     case DrillStepKind::kSpindleStop:
-      spindle(0);
-      break;
+      return sendSpindle(c, 0, plan.next.spindle_rpm);
     case DrillStepKind::kSpindleOrient:
-      c.emitter.setSpindle(0.0);
-      c.state.spindle_direction = 0;
-      event("spindle", {{"rpm", "0"}, {"direction", jsonString("oriented")}});
-      break;
-    case DrillStepKind::kCloseLoop:
-      event("spindle",
-            {{"rpm", jsonNumber(plan.next.spindle_rpm)}, {"direction", jsonString("position loop")}});
-      break;
+      return sendOriented(c);
+    case DrillStepKind::kCloseLoop: {
+      PathItem item = functionItem(c, PathItem::Kind::kSpindle, c.state);
+      item.value = plan.next.spindle_rpm;
+      item.spindle = SpindleState::kPositionLoop;
+      return c.pipe.push(item);
+    }
     case DrillStepKind::kProgramStop:
-      event("stop", {{"code", jsonString("M0")}, {"reason", jsonString("manual intervention in the cycle")}});
-      break;
+      return sendEvent(
+          c, "stop",
+          {{"code", jsonString("M0")}, {"reason", jsonString("manual intervention in the cycle")}});
   }
+  return true;
 }
 
 }  // namespace

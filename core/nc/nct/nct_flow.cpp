@@ -40,7 +40,7 @@ NctControl::Go NctControl::flow(const BlockPlan& plan) {
 NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
   NctContext& c = context_;
   summary_.end = end;
-  if (c.comp.engaged && !flushComp(c)) return stopAtAlarm();
+  if (!c.pipe.flush(FlushReason::kEnd)) return stopAtAlarm();
   if (c.settings.until && !until_hit_) {
     c.fail("nct-until", "the program ends here; the block to stop after was not reached");
     return stopAtAlarm();

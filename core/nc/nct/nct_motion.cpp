@@ -146,11 +146,9 @@ struct Dwell {
 };
 
 bool performDwell(NctContext& c, BlockPlan& plan) {
-  Action action;
-  action.kind = Action::Kind::kDwell;
-  action.value = plan.payload.as<Dwell>().seconds;
-  action.source = c.here();
-  return act(c, std::move(action), plan.next);
+  PathItem item = functionItem(c, PathItem::Kind::kDwell, plan.next);
+  item.value = plan.payload.as<Dwell>().seconds;
+  return c.pipe.push(item);
 }
 
 }  // namespace
@@ -179,10 +177,20 @@ struct MachineMove {
   AxisPoint to;   ///< machine
 };
 
+bool sendMachineRapid(NctContext& c, const AxisPoint& to) {
+  PathItem item;
+  item.kind = PathItem::Kind::kLine;
+  item.space = PathItem::Space::kMachine;
+  item.rapid = true;
+  item.to = to;
+  item.source = c.here();
+  return c.pipe.push(item);
+}
+
 bool performMachineMove(NctContext& c, BlockPlan& plan) {
   const MachineMove& move = plan.payload.as<MachineMove>();
-  if (move.has_via) c.emitter.rapidTo(move.via, c.here());
-  c.emitter.rapidTo(move.to, c.here());
+  if (move.has_via && !sendMachineRapid(c, move.via)) return false;
+  if (!sendMachineRapid(c, move.to)) return false;
   settle(c, move.to);
   return true;
 }

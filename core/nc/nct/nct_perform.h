@@ -13,26 +13,25 @@ bool perform(NctContext& c, BlockPlan& plan);
 
 /// Runs the block's M functions and speed changes of one phase.
 bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase);
-/// An action in its turn: now, or behind what cutter compensation still holds. `state` is the one in force.
-bool act(NctContext& c, Action action, const NctState& state);
-/// An action at once.
-void runAction(NctContext& c, Action& action);
-/// Kind, speed and name of a spindle action; the direction is the one in force.
-void setSpindleAction(NctContext& c, Action& action, double rpm);
+/// A function of the block in hand, for the pipe: where it runs, its source, the compensation of `state`.
+PathItem functionItem(const NctContext& c, PathItem::Kind kind, const NctState& state);
+/// An event of the path in its turn.
+bool sendEvent(NctContext& c, std::string name, PathEmitter::EventData data);
+/// The spindle from here on; the direction in force becomes `direction`.
+bool sendSpindle(NctContext& c, int direction, double rpm);
+/// The spindle stops oriented.
+bool sendOriented(NctContext& c);
 
 /// Perform function of the motion codes: plan.motion.
 bool performMove(NctContext& c, BlockPlan& plan);
-/// The planned motion to c.machine, at once, past cutter compensation.
-void emitMove(NctContext& c, const PlannedMotion& motion);
 /// The machine stands at `machine` by other means than a programmed motion.
 void settle(NctContext& c, const AxisPoint& machine);
-
-// Cutter compensation.
-bool engageComp(NctContext& c, const BlockPlan& plan);
-bool pushComp(NctContext& c, const CompBlock& block, Action action);
-bool flushComp(NctContext& c);
-void rebaseComp(NctContext& c);
-/// The programmed position in the plane (u, v, w), mm.
-Vec3 workPlanePosition(const NctContext& c);
+/// Lets go what the pipe holds; what comes then starts anew from where the machine is. False: an error was
+/// reported.
+bool flushPipe(NctContext& c);
+/// Tells the pipe that the machine or its frames have changed.
+void rebasePipe(NctContext& c);
+/// Behind an error of a stage: forgets what waits and goes on from where the tool is.
+void recover(NctContext& c);
 
 }  // namespace proveout::nc

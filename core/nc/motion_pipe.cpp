@@ -1,0 +1,125 @@
+#include "core/nc/motion_pipe.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace proveout::nc {
+namespace {
+
+const char* spindleName(SpindleState state) {
+  switch (state) {
+    case SpindleState::kClockwise:
+      return "cw";
+    case SpindleState::kCounterClockwise:
+      return "ccw";
+    case SpindleState::kOriented:
+      return "oriented";
+    case SpindleState::kPositionLoop:
+      return "position loop";
+    case SpindleState::kStopped:
+      break;
+  }
+  return "stop";
+}
+
+}  // namespace
+
+void MotionPipe::link(PathStage& stage) {
+  stages_[static_cast<std::size_t>(stage.slot_)] = &stage;
+  stage.linked_ = true;
+  join();
+}
+
+void MotionPipe::unlink(PathStage& stage) {
+  if (!stage.linked_) return;
+  stages_[static_cast<std::size_t>(stage.slot_)] = nullptr;
+  stage.linked_ = false;  // keeps its way on: it may be in the middle of passing items
+  join();
+}
+
+void MotionPipe::join() {
+  PathStage* behind = nullptr;
+  for (std::size_t k = kStageSlots; k-- > 0;) {
+    if (stages_[k] == nullptr) continue;
+    stages_[k]->next_ = behind;
+    behind = stages_[k];
+  }
+  first_ = behind;
+}
+
+bool MotionPipe::flush(FlushReason reason) {
+  for (std::size_t k = 0; k < kStageSlots; ++k) {
+    if (stages_[k] != nullptr && !stages_[k]->flush(reason)) return false;
+  }
+  return true;
+}
+
+void MotionPipe::rebase(const AxisPoint& work, const WorkPlane& plane) {
+  for (PathStage* stage : stages_) {
+    if (stage != nullptr) stage->rebase(work, plane);
+  }
+}
+
+void MotionPipe::clear() {
+  for (std::size_t k = 0; k < kStageSlots; ++k) {
+    if (stages_[k] != nullptr) stages_[k]->clear();
+  }
+}
+
+bool FrameStage::push(PathItem& item) {
+  if (item.space == PathItem::Space::kWork && !item.function()) {
+    if (item.kind == PathItem::Kind::kArc) {
+      Vec3 center;
+      center[item.plane.u] = item.center.x();
+      center[item.plane.v] = item.center.y();
+      center[item.plane.w] = item.center.z();
+      item.center = chain_.workToMachine(center);
+      item.normal = chain_.directionToMachine(Vec3::Unit(item.plane.w));
+    }
+    chain_.moveToMachine(item.to);
+    item.space = PathItem::Space::kMachine;
+  }
+  return pass(item);
+}
+
+bool EmitStage::push(PathItem& item) {
+  if (item.function()) {
+    function(item);
+  } else if (item.kind == PathItem::Kind::kArc) {
+    emitter_.arcTo(item.to, {item.center, item.normal, item.sweep}, item.feed, item.source);
+  } else if (item.kind == PathItem::Kind::kLine && item.rapid) {
+    emitter_.rapidTo(item.to, item.source, item.feed.join.stops);
+  } else if (item.kind == PathItem::Kind::kLine) {
+    emitter_.lineTo(item.to, item.feed, item.source);
+  }
+  return true;
+}
+
+void EmitStage::function(PathItem& item) {
+  switch (item.kind) {
+    case PathItem::Kind::kSpindle:
+      if (item.spindle != SpindleState::kPositionLoop) emitter_.setSpindle(item.value);
+      emitter_.event(
+          "spindle",
+          {{"rpm", jsonNumber(std::abs(item.value))}, {"direction", jsonString(spindleName(item.spindle))}},
+          0.0, item.source);
+      break;
+    case PathItem::Kind::kToolChange: {
+      const int tool = static_cast<int>(item.value);
+      emitter_.setTool(tool);
+      emitter_.event("tool", {{"tool", fmt::format("{}", tool)}}, tool_change_s_, item.source);
+      break;
+    }
+    case PathItem::Kind::kDwell:
+      emitter_.event("dwell", {{"seconds", jsonNumber(item.value)}}, item.value, item.source);
+      break;
+    default:
+      if (item.event) {
+        emitter_.event(std::move(item.event->name), std::move(item.event->data), 0.0, item.source);
+      }
+      break;
+  }
+}
+
+}  // namespace proveout::nc
