@@ -25,6 +25,7 @@ bool inPlane(const Vec3& direction, const Vec3& normal) {
 void TimeStage::configure(const MotionLimits& limits, int axes) {
   flush();
   limits_ = limits;
+  bell_ = BellProfile(std::max(limits.bell_time_s, 1e-9));
   axes_ = axes;
 }
 
@@ -127,17 +128,50 @@ const std::vector<SpeedElement>& TimeStage::elements() const {
 /// Plans what waits, to a stand at its end, and sends the first motions.
 void TimeStage::emit(std::size_t motions) {
   planSpeeds(elements(), entry_, speeds_);
-  std::size_t used = 0;
-  for (std::size_t i = 0; i < motions; ++i) waiting_[i].motion.time_s = 0.0;
-  for (; used < stretches_.size() && stretches_[used].motion < motions; ++used) {
-    waiting_[stretches_[used].motion].motion.time_s +=
-        elementTime(elements_[used], speeds_[used], speeds_[used + 1]);
-  }
+  const std::size_t used = timeByPlan(motions);
+  if (limits_.bell_time_s > 0.0) timeByBell(motions);
   send(motions);
   entry_ = speeds_[used];
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(motions));
   stretches_.erase(stretches_.begin(), stretches_.begin() + static_cast<std::ptrdiff_t>(used));
   for (Stretch& s : stretches_) s.motion -= static_cast<std::uint32_t>(motions);
+}
+
+/// Times of the first motions with constant accelerations. Returns how many stretches they have.
+std::size_t TimeStage::timeByPlan(std::size_t motions) {
+  for (std::size_t i = 0; i < motions; ++i) waiting_[i].motion.time_s = 0.0;
+  std::size_t used = 0;
+  for (; used < stretches_.size() && stretches_[used].motion < motions; ++used) {
+    waiting_[stretches_[used].motion].motion.time_s +=
+        elementTime(elements_[used], speeds_[used], speeds_[used + 1]);
+  }
+  return used;
+}
+
+/// The same with acceleration that comes up in its time. What is planned behind these motions may still
+/// become faster; that shifts a part of a rise from one motion to its neighbour and leaves their sum.
+void TimeStage::timeByBell(std::size_t motions) {
+  struct Arrival {
+    double way, time;
+  };
+  std::vector<Arrival> arrivals(motions);
+  std::size_t settled = bell_.size();
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    bell_.add(elements_[i], speeds_[i], speeds_[i + 1]);
+    if (stretches_[i].motion >= motions) continue;
+    arrivals[stretches_[i].motion] = {bell_.way(), bell_.time()};
+    settled = bell_.size();
+  }
+  for (std::size_t i = 0; i < motions; ++i) {
+    // Where the axes come to a stand the average arrives too gently to be searched for; its lag is known.
+    const bool stand = i + 1 == waiting_.size();
+    const double arrived =
+        stand ? arrivals[i].time + limits_.bell_time_s : bell_.arrival(arrivals[i].way, arrivals[i].time);
+    waiting_[i].motion.time_s = arrived - bell_time_;
+    bell_time_ = arrived;
+  }
+  bell_.cut(settled);
+  bell_.forgetBefore(bell_.time() - limits_.bell_time_s);
 }
 
 /// Sends the first waiting motions and what came along with them, in order.
@@ -165,6 +199,8 @@ void TimeStage::flush() {
   entry_ = 0.0;
   slow_left_ = 0.0;
   moving_ = false;
+  bell_.reset();
+  bell_time_ = 0.0;
 }
 
 void TimeStage::event(PathEvent event, bool stands) {

@@ -11,6 +11,7 @@
 
 #include "core/nc/feed_limits.h"
 #include "core/nc/interpreter.h"
+#include "core/nc/services/bell_profile.h"
 #include "core/nc/services/speed_plan.h"
 #include "core/path/toolpath.h"
 
@@ -94,6 +95,8 @@ class TimeStage {
   void slowBefore();
   void slowDown(Stretch& stretch) const;
   void emit(std::size_t motions);
+  std::size_t timeByPlan(std::size_t motions);
+  void timeByBell(std::size_t motions);
   void send(std::size_t motions);
   const std::vector<SpeedElement>& elements() const;
 
@@ -111,6 +114,8 @@ class TimeStage {
   bool moving_ = false;     ///< a motion ended without a stop
   MotionPace last_;
   MotionJoin last_join_;
+  BellProfile bell_;
+  double bell_time_ = 0.0;  ///< when the last motion that was sent arrived, in bell_
   mutable std::vector<SpeedElement> elements_;
   mutable std::vector<double> speeds_;
 };

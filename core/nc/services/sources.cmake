@@ -1,5 +1,6 @@
 target_sources(proveout_core PRIVATE
   nc/services/arcs.cpp
+  nc/services/bell_profile.cpp
   nc/services/cutter_comp.cpp
   nc/services/cutter_comp_check.cpp
   nc/services/cutter_comp_corner.cpp

@@ -202,6 +202,28 @@ TEST(TimeStage, OneLineInManyBlocksTakesNoLonger) {
   EXPECT_NEAR(out.sum(), trapezoid(2500, 50, 500), 1e-6);
 }
 
+TEST(TimeStage, BellShapedAcceleration) {
+  // nct-7-acc: from stand to stand the rise adds its own time; many blocks share one rise.
+  ControlSettings s = machine(500);
+  s.bell_time_s = 0.04;
+  Recorder one, many;
+  run("G1 X100 F3000\nM30\n", s, one);
+  EXPECT_NEAR(one.sum(), trapezoid(100, 50, 500) + 0.04, 1e-8);
+  std::string text = "G91 G1 F3000\n";
+  for (int k = 0; k < 3000; ++k) text += "X0.1\n";
+  run(text + "M30\n", s, many);
+  EXPECT_NEAR(many.sum(), trapezoid(300, 50, 500) + 0.04, 1e-6);
+  EXPECT_NEAR(many.motions[1500].time_s, 0.1 / 50, 1e-9);
+  // In the first 0.04 s the acceleration comes up evenly: the way is a t^3 / (6 T).
+  double time = 0.0, way = 0.0;
+  for (const Motion& m : many.motions) {
+    time += m.time_s;
+    way += 0.1;
+    if (time > 0.04) break;
+    EXPECT_NEAR(500 * time * time * time / (6 * 0.04), way, 1e-6);
+  }
+}
+
 TEST(TimeStage, EverythingComesInProgramOrder) {
   ControlSettings s = machine(500);
   s.max_errors = 3;
