@@ -77,6 +77,9 @@ bool FrameStage::push(PathItem& item) {
       item.center = chain_.workToMachine(center);
       item.normal = chain_.directionToMachine(Vec3::Unit(item.plane.w));
     }
+    if (item.feed.join.inside != 0) {
+      item.feed.join.normal = chain_.directionToMachine(Vec3::Unit(item.plane.w));
+    }
     chain_.moveToMachine(item.to);
     item.space = PathItem::Space::kMachine;
   }
@@ -108,7 +111,9 @@ void EmitStage::function(PathItem& item) {
     case PathItem::Kind::kToolChange: {
       const int tool = static_cast<int>(item.value);
       emitter_.setTool(tool);
-      emitter_.event("tool", {{"tool", fmt::format("{}", tool)}}, tool_change_s_, item.source);
+      PathEmitter::EventData data{{"tool", fmt::format("{}", tool)}};
+      if (item.event) data.insert(data.end(), item.event->data.begin(), item.event->data.end());
+      emitter_.event("tool", std::move(data), tool_change_s_, item.source);
       break;
     }
     case PathItem::Kind::kDwell:

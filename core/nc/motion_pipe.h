@@ -80,7 +80,7 @@ struct PathItem : PathMotion {
   };
   double value = 0.0;  ///< kSpindle: rpm, signed; kDwell: s; kToolChange: number
   SpindleState spindle = SpindleState::kStopped;
-  std::unique_ptr<Event> event;  ///< kEvent
+  std::unique_ptr<Event> event;  ///< kEvent; kToolChange: what else its event tells
   SourceRef source;
   std::uint64_t tag = 0;  ///< for a stage's own book-keeping
 

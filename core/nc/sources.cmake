@@ -40,6 +40,8 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_perform.cpp
   nc/nct/nct_rows.cpp
   nc/nct/nct_statements.cpp
+  nc/nct/nct_tool_data.cpp
+  nc/nct/nct_tools.cpp
   nc/nct/nct_words.cpp
   nc/nct/offset_tables.cpp
   nc/nct/parameters/comp.cpp
@@ -49,7 +51,9 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/machine.cpp
   nc/nct/parameters/macro.cpp
   nc/nct/parameters/motion.cpp
+  nc/nct/parameters/tools.cpp
   nc/nct/program_store.cpp
+  nc/nct/tool_tables.cpp
   nc/nct/tables/comp.cpp
   nc/nct/tables/cycles.cpp
   nc/nct/tables/data.cpp

@@ -1,6 +1,7 @@
 // Cutter compensation: blocks go into the look-ahead, pieces come out and become motions.
 #include "core/nc/nct/comp_stage.h"
 
+#include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
 
 namespace proveout::nc {
@@ -57,6 +58,9 @@ std::string describe(CompWarning warning) {
   }
   return {};
 }
+
+/// Arcs about one point have the same centre but for rounding, mm; those about corners have others.
+constexpr double kSameCentre = 1e-6;
 
 CompBlock blockOf(const PathItem& item) {
   CompBlock block;
@@ -153,7 +157,15 @@ bool CompStage::sendPiece(const CompPiece& piece, PathItem& item) {
   if (piece.is_arc) {
     out.center = {piece.center.x(), piece.center.y(), piece.from.z()};
     out.sweep = piece.sweep_rad;
+    const bool concentric = (out.center - item.center).head<2>().norm() < kSameCentre;
+    if (item.kind == PathItem::Kind::kArc && concentric) {
+      const Vec3 programmed = item.plane.of(item.to) - item.center;
+      const Vec3 corrected = piece.to - out.center;
+      out.feed.feed *=
+          insideArcFactor(c_.parameters, programmed.head<2>().norm(), corrected.head<2>().norm());
+    }
   }
+  if (out.feed.join.inside != 0) out.feed.join.inside = item.offset < 0.0 ? -1 : 1;
   return pass(out);
 }
 

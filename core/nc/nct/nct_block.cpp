@@ -5,6 +5,7 @@
 
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
@@ -102,12 +103,12 @@ bool collectM(NctContext& c, BlockPlan& plan) {
                           w);
       }
     }
-    if (code == nullptr) {
+    if (code == nullptr && !isPlaceCode(c, static_cast<int>(value))) {
       c.warnOnce(
           fmt::format("M{}", value), "nct-m-function",
           fmt::format("M{} is a function of the machine builder: it has no effect in the simulation", value),
           w.columns);
-    } else {
+    } else if (code != nullptr) {
       if (!(plan.claimed & code->words & c.block.present).empty()) {
         return c.failWord("nct-2017",
                           fmt::format("a word of the block would belong to M{} and to a G code", value), w);
@@ -165,7 +166,6 @@ bool claim(NctContext& c, BlockPlan& plan, const GCode& code) {
 }
 
 bool planNumbers(NctContext& c, BlockPlan& plan) {
-  std::int64_t number = 0;
   if (const Word* f = c.word('F')) {
     if (f->value <= 0.0) return c.failWord("nct-feed", "F must be greater than 0", *f);
     if (f->value < kMinFeed) return c.failWord("nct-2002", "F data out of range: at least 0.000001", *f);
@@ -183,8 +183,8 @@ bool planNumbers(NctContext& c, BlockPlan& plan) {
     plan.next.spindle_rpm = s->value;
   }
   if (const Word* t = c.word('T')) {
-    if (!integerWord(c, *t, 0, 99999999, number)) return false;
-    plan.next.next_tool = static_cast<int>(number);
+    if (!planTool(c, plan, *t)) return false;
+    plan.tool_called = true;
     if (!c.parameters.flag(MachineParam::kToolChangeOnM6)) {
       plan.tool_change = true;
       plan.flush = true;
@@ -197,8 +197,9 @@ bool planOffsetsHD(NctContext& c, BlockPlan& plan) {
   const auto rows = static_cast<std::int64_t>(c.parameters[CompParam::kToolOffsets]);
   const OffsetTables& table = c.registers.offsets;
   const auto rowOf = [&](const Word& w, OffsetColumn column, int& row) {
-    std::int64_t number = 0;
-    if (!integerWord(c, w, 0, rows, number)) return false;
+    std::int64_t number = -1;
+    if (!offsetRowOfTool(c, w, number)) return false;
+    if (number < 0 && !integerWord(c, w, 0, rows, number)) return false;
     row = static_cast<int>(number);
     if (row == 0 || table.given(column, row)) return true;
     const auto name = fmt::format("{}{}", addressText(w.address), row);

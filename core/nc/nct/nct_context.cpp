@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "core/nc/nct/nct_tools.h"
+
 namespace proveout::nc {
 
 NctContext::NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
@@ -25,6 +27,9 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
   pipe.link(transform_stage);
   pipe.link(frame_stage);
   pipe.link(emit_stage);
+  tool_bank = std::make_unique<ToolBank>(*this);
+  variables.addBank(8400, 8414, *tool_bank);
+  variables.addBank(8431, 8450, *tool_bank);
   registers.offsets = OffsetTables(settings);
   WorkFrames& frames = registers.frames;
   frames.more_axes = axes.moreCount();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "core/nc/nct/offset_tables.h"
 #include "core/nc/nct/program_store.h"
 #include "core/nc/nct/run_clock.h"
+#include "core/nc/nct/tool_tables.h"
 #include "core/nc/nct/transform_stage.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/services/drilling.h"
@@ -33,6 +35,9 @@ namespace proveout::nc {
 struct NctRegisters {
   WorkFrames frames;
   OffsetTables offsets;
+  ToolTables tools;
+  ToolInput tool_input;
+  double tool_time_s = 0.0;  ///< cutting time up to which the life of the tool in the spindle is counted
 };
 
 struct NctContext;
@@ -93,7 +98,8 @@ struct NctContext {
   FrameStage frame_stage;
   EmitStage emit_stage;
   std::vector<DrillStep> drill_steps;
-  DataInput data_input = nullptr;  ///< set: blocks are data until G11
+  std::unique_ptr<VariableBank> tool_bank;  ///< #8400 to #8450
+  DataInput data_input = nullptr;           ///< set: blocks are data until G11
 
   /// Opens a program now, with a level of locals where its kind has one. False: nested too deep, reported.
   bool openCall(const CallFrame& frame);

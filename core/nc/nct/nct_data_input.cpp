@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
@@ -26,6 +28,9 @@ constexpr auto kForms = std::to_array<InputForm>({
     {52, planParameterInput},
     {110, planMillingOffset},
     {111, planMillingOffset},
+    {75, planToolInput},
+    {76, planToolInput},
+    {77, planToolInput},
     {200, planTurningOffset},
     {201, planTurningOffset},
     {202, planTurningOffset},
@@ -76,7 +81,9 @@ bool parameterBlock(NctContext& c) {
   }
   const ParamStatus status = c.parameters.write(static_cast<int>(number), static_cast<int>(bit),
                                                 static_cast<int>(index), r->value, r->incremental);
-  return refuseParameter(c, status, number);
+  if (!refuseParameter(c, status, number)) return false;
+  configureFeeds(c);
+  return true;
 }
 
 bool openParameterInput(NctContext& c, BlockPlan&) {

@@ -58,6 +58,8 @@ std::span<const ParamInfo> paramTable(ParamChapter chapter) {
       return feedParams();
     case ParamChapter::kData:
       return dataParams();
+    case ParamChapter::kTools:
+      return toolParams();
     case ParamChapter::kCount:
       break;
   }

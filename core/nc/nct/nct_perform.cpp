@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_tools.h"
+
 namespace proveout::nc {
 
 namespace {
@@ -28,6 +30,7 @@ bool perform(NctContext& c, BlockPlan& plan) {
   // Functions changed these while the block ran.
   plan.next.spindle_direction = c.state.spindle_direction;
   plan.next.tool = c.state.tool;
+  plan.next.tool_row = c.state.tool_row;
   c.state = plan.next;
   return performFunctions(c, plan, MPhase::kAfter) && performFunctions(c, plan, MPhase::kStop);
 }
@@ -68,13 +71,6 @@ bool sendOriented(NctContext& c) {
 
 namespace {
 
-bool sendToolChange(NctContext& c, int tool) {
-  c.state.tool = tool;
-  PathItem item = functionItem(c, PathItem::Kind::kToolChange, c.state);
-  item.value = tool;
-  return c.pipe.push(item);
-}
-
 bool function(NctContext& c, const BlockPlan& plan, int m) {
   switch (m) {
     case 3:
@@ -82,9 +78,9 @@ bool function(NctContext& c, const BlockPlan& plan, int m) {
     case 5:
       return sendSpindle(c, m == 3 ? 1 : m == 4 ? -1 : 0, plan.next.spindle_rpm);
     case 6:
-      if (plan.next.next_tool >= 0) return sendToolChange(c, plan.next.next_tool);
+      if (plan.next.next_tool >= 0) return sendToolChange(c, plan.next.next_tool, plan.next.next_row);
       c.warn("nct-no-t", "M6 without T: the tool stays");
-      return sendToolChange(c, c.state.tool);
+      return sendToolChange(c, c.state.tool, c.state.tool_row);
     case 19:
       return sendOriented(c);
     default:
@@ -109,6 +105,7 @@ bool function(NctContext& c, const BlockPlan& plan, int m) {
 }  // namespace
 
 bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
+  if (phase == MPhase::kBefore && plan.tool_called) countToolCall(c, plan);
   bool spindle_done = false;
   for (int i = 0; i < plan.m_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -122,7 +119,7 @@ bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
     return sendSpindle(c, c.state.spindle_direction, plan.next.spindle_rpm);
   }
   if (phase == MPhase::kAfter && plan.tool_change && !c.parameters.flag(MachineParam::kToolChangeOnM6)) {
-    return sendToolChange(c, plan.next.next_tool);
+    return sendToolChange(c, plan.next.next_tool, plan.next.next_row);
   }
   return true;
 }

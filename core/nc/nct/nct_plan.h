@@ -88,6 +88,7 @@ struct BlockPlan {
   const MCode* flow = nullptr;  ///< M98, M99, M2, M30
   bool spindle_changed = false;
   bool tool_change = false;
+  bool tool_called = false;  ///< T in this block
 
   /// Null: nothing moves (cutter compensation may still start or end on the spot).
   PerformFunction perform = nullptr;

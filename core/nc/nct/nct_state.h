@@ -33,6 +33,7 @@ struct NctState {
   double spindle_rpm = 0.0;   ///< S
   int spindle_direction = 0;  ///< +1 M3, -1 M4, 0
   int tool = 0, next_tool = -1;
+  int tool_row = 0, next_row = 0;  ///< of these in the tool management table; 0: none
   int h = 0, d = 0;
   double h_value = 0.0;               ///< mm, read when H was executed
   std::array<double, 2> h_turning{};  ///< turning lengths X, Y of the same row, mm

@@ -40,6 +40,12 @@ struct ToolShape {
   bool round = false;
 };
 
+/// Where G10 L75 P1 and P2 are.
+struct ToolInput {
+  int row = 0;          ///< that blocks fill; 0: none named yet
+  bool clears = false;  ///< a row named starts empty
+};
+
 /// Where a tool stands: magazines 1 to 4 have pockets; 10, 20, ... are spindles, 11, 21, ... wait beside
 /// them.
 struct ToolPlace {

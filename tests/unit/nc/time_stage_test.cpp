@@ -85,7 +85,12 @@ TEST(TimeStage, RapidsOverlapWhereTheMachineDoesSo) {
   const double ramp_s = 250.0 / 5000, ramp_mm = 250.0 * ramp_s / 2;
   const double inner = ramp_s / 2 + (100 - ramp_mm - 0.75 * ramp_mm) / 250;
   EXPECT_NEAR(overlapped.sum(), 2 * (ramp_s + inner), 1e-9);
-  // nct-4.1.1-PCH: the check of the position suspends it.
+  // nct-4.1.1-G9G61, nct-4.1.1-PCH: an exact stop and the check of the position suspend it.
+  for (const char* text : {"G61 G0 X100\nX200\nM30\n", "G9 G0 X100\nX200\nM30\n"}) {
+    Recorder stopped;
+    run(text, s, stopped);
+    EXPECT_NEAR(stopped.sum(), 2 * trapezoid(100, 250, 5000), 1e-9) << text;
+  }
   s.parameters["N1337.PCH"] = 1;
   Recorder checked;
   run("G0 X100\nX200\nM30\n", s, checked);
@@ -180,6 +185,28 @@ TEST(TimeStage, ShortLinesHaveAnAccelerationAcross) {
     expected += 10 * kPi / 360 / (40 / std::sqrt(std::max(std::abs(std::cos(a)), std::abs(std::sin(a)))));
   }
   EXPECT_NEAR(circle, expected, 0.01 * expected);
+}
+
+TEST(TimeStage, InsideCornersAreSlow) {
+  // nct-6.3.5-G62 nct-3-G62: 3 mm before and 2 mm behind a corner of 90 degrees at half the feed: 5 mm more
+  // at 10 mm/s.
+  ControlSettings s = machine(0);
+  s.radius_offsets[1] = {5.0, 0.0};
+  s.parameters = {{"N1407", 3}, {"N1408", 2}, {"N1409", 100}, {"N1410", 0.5}};
+  const auto extra = [&](const std::string& path) {
+    Recorder plain, slow;
+    run("G17 G41 D1 G1 F600 X10 Y0\n" + path + "G40 X0 Y-50\nM30\n", s, plain);
+    run("G62 G17 G41 D1 G1 F600 X10 Y0\n" + path + "G64 G40 X0 Y-50\nM30\n", s, slow);
+    return slow.sum() - plain.sum();
+  };
+  EXPECT_NEAR(extra("X100\nY100\n"), 0.5, 1e-9);                     // to the left: inside
+  EXPECT_NEAR(extra("X100\nY-100\n"), 0.0, 1e-9);                    // to the right: outside
+  EXPECT_NEAR(extra("X100\nX200 Y10\n"), 0.0, 1e-9);                 // too flat
+  EXPECT_NEAR(extra("X100\nY100\nX10\n"), 1.0, 1e-9);                // two of them
+  EXPECT_NEAR(extra("X100\nY12\nX10\n"), 0.7, 1e-9);                 // between them only 2 mm: slow once
+  EXPECT_NEAR(extra("X93\nX94\nX94.5\nX100\nY100\n"), 0.5, 1e-9);  // the way before over several blocks
+  s.radius_offsets[1] = {-5.0, 0.0};                                 // a negative radius changes the side
+  EXPECT_NEAR(extra("X100\nY-100\n"), 0.5, 1e-9);
 }
 
 TEST(TimeStage, TheHighestFeedOfAnAxis) {

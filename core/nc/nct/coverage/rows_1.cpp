@@ -1,4 +1,5 @@
-// Rows of the control's manual: programming, axes, interpolation, coordinate data. In the order of the rows' list.
+// Rows of the control's manual: programming, axes, interpolation, coordinate data. In the order of the rows'
+// list.
 #include "core/nc/nct/coverage/rows.h"
 
 namespace proveout::nc {
@@ -93,7 +94,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-3-G54.1", kSim, kDone, "good/frame_extended.nc"},
     {"nct-3-G54.2", kSim, kDeferred, ""},
     {"nct-3-G61", kTime, kDone, "tests/unit/nc/time_stage_test.cpp"},
-    {"nct-3-G62", kTime, kPartly, ""},
+    {"nct-3-G62", kTime, kDone, "tests/unit/nc/time_stage_test.cpp"},
     {"nct-3-G63", kTime, kDone, "tests/unit/nc/time_stage_test.cpp"},
     {"nct-3-G64", kTime, kDone, "tests/unit/nc/time_stage_test.cpp"},
     {"nct-3-G65", kSim, kMissing, ""},
@@ -138,7 +139,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-3-G99", kSim, kDone, "good/cycle_g83_g99.nc"},
     {"nct-4.1-G0", kSim, kDone, "good/arc_contour_r.nc"},
     {"nct-4.1.1-PCH", kTime, kDone, "tests/unit/nc/time_stage_test.cpp"},
-    {"nct-4.1.1-G9G61", kTime, kPartly, ""},
+    {"nct-4.1.1-G9G61", kTime, kDone, "tests/unit/nc/time_stage_test.cpp"},
     {"nct-4.1.2-ROL", kSim, kDone, "tests/unit/nc/time_stage_test.cpp"},
     {"nct-4.2-G1", kSim, kPartly, "good/arc_contour_r.nc"},
     {"nct-4.2-F", kTime, kPartly, ""},
@@ -209,8 +210,8 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-5.6-N0108", kSim, kMissing, ""},
     {"nct-4.5-N0305", kTime, kDone, "tests/unit/nc/time_stage_test.cpp"},
     {"nct-4.1.2-N0422", kTime, kDone, "tests/unit/nc/time_stage_test.cpp"},
-    {"nct-4.1.1-N0516", kHost, kMissing, ""},
-    {"nct-4.1.1-N1340", kHost, kMissing, ""},
+    {"nct-4.1.1-N0516", kHost, kDone, "good/feed_noted.nc"},
+    {"nct-4.1.1-N1340", kHost, kDone, "good/feed_noted.nc"},
     {"nct-3-N1300", kState, kPartly, ""},
     {"nct-3-N1301", kState, kPartly, ""},
     {"nct-3-CLR", kState, kMissing, ""},

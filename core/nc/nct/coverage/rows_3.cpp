@@ -19,7 +19,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-15.1-N1401", kState, kMissing, ""},
     {"nct-15.1-N1415", kHost, kDone, "good/data_noted_parameters.nc"},
     {"nct-15.1-N1416-TOL", kState, kDone, "bad/g437_no_turning_columns.nc"},
-    {"nct-15.1-N2923", kSim, kMissing, ""},
+    {"nct-15.1-N2923", kSim, kDone, "good/tool_management.nc"},
     {"nct-15.2-G10-L10", kSim, kDone, "good/length_g10_latched.nc"},
     {"nct-15.2-G10-L11", kSim, kDone, "good/length_g10_latched.nc"},
     {"nct-15.2-G10-L12", kSim, kDone, "good/data_noted_parameters.nc"},

@@ -51,7 +51,8 @@ constexpr auto kG = std::to_array<GCode>({
 
 constexpr auto kFeatures = std::to_array<FeatureRow>({
     {"acceleration", kTime,
-     "nct-7-acc nct-7.1-corner nct-7.2-normal nct-7.3-jump nct-4.5-N0305 nct-4.1.2-ROL nct-4.1.2-N0422",
+     "nct-7-acc nct-7.1-corner nct-7.2-normal nct-7.3-jump nct-4.5-N0305 nct-4.1.2-ROL nct-4.1.2-N0422 "
+     "nct-4.1.1-PCH nct-4.1.1-N0516 nct-4.1.1-N1340 nct-6.4-inside-arc",
      "look-ahead of speeds: accelerations, corners, arcs, overlap of rapids"},
     {"X Y Z", kSim, "nct-1.1-XYZUVW nct-2.1-names", "main axes"},
     {"I operator", kSim, "nct-5.1-I", "one word incremental: XI10"},

@@ -16,6 +16,22 @@ constexpr auto kM = std::to_array<MCode>({
 
 constexpr auto kFeatures = std::to_array<FeatureRow>({
     {"T", kSim, "nct-1.1-T nct-12.1-T", "tool number"},
+    {"tool management", kState,
+     "nct-12.3.1-table nct-12.3.1-select nct-12.3.1-warning nct-12.3.2-location nct-12.3.3-shape "
+     "nct-12.5.1-H99 "
+     "nct-15.1-N2923 nct-12.5.2-M62",
+     "tables of tools, places and shapes; life; offsets of the tool in the spindle"},
+    {"G10 L75 L76 L77", kState,
+     "nct-12.4.1-G10L75P1 nct-12.4.2-G10L75P2 nct-12.4.3-G10L75P3 nct-12.4.4-G10L76P1 nct-12.4.5-G10L77P6 "
+     "nct-12.4-G11",
+     "tool management filled by programs"},
+    {"#8400", kState,
+     "nct-12.5.3-8400 nct-23.1.20-#8400 nct-23.1.20-#8401 nct-23.1.20-#8402 nct-23.1.20-#8403 "
+     "nct-23.1.20-#8404 "
+     "nct-23.1.20-#8405 nct-23.1.20-#8406 nct-23.1.20-#8407 nct-23.1.20-#8408 nct-23.1.20-#8409 "
+     "nct-23.1.20-#8410 nct-23.1.20-#8411 nct-23.1.20-#8412 nct-23.1.20-#8413 nct-23.1.20-#8414 "
+     "nct-23.1.20-#8431",
+     "data of the tool in the spindle"},
 });
 
 }  // namespace

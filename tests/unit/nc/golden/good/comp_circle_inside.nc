@@ -26,9 +26,9 @@ file 0 main.nc
 2 N60: rapid from 0 0 0 to 0 0 1 t0.004
 3 N70: feed to 0 0 -2 F1000 t0.18
 4 N80: rapid to 10 40 -2 t0.16
-5 N90: feed arc to 50 0 -2 center 10 0 -2 normal 0 0 1 sweep -90 F1000 t3.7699
-6 N100: feed arc to 50 0 -2 center 0 0 -2 normal 0 0 1 sweep -360 F1000 t18.8496
-7 N110: feed arc to 10 -40 -2 center 10 0 -2 normal 0 0 1 sweep -90 F1000 t3.7699
+5 N90: feed arc to 50 0 -2 center 10 0 -2 normal 0 0 1 sweep -90 F800 t4.7124
+6 N100: feed arc to 50 0 -2 center 0 0 -2 normal 0 0 1 sweep -360 F833.3333 t22.6195
+7 N110: feed arc to 10 -40 -2 center 10 0 -2 normal 0 0 1 sweep -90 F800 t4.7124
 8 N120: rapid to 0 0 -2 t0.16
 9: event end code="M30"
 end of program: 9 blocks, 7 motions, 0 errors, 0 warnings
