@@ -64,9 +64,9 @@ FileProgramSource::FileProgramSource(std::string main_path, std::vector<std::str
     : main_path_(std::move(main_path)), places_(std::move(places)) {}
 
 const std::vector<std::string>& FileProgramSource::programExtensions() {
-  static const std::vector<std::string> kExtensions = {".nc",  ".txt", ".prg",  ".cnc", ".mpf",
-                                                       ".spf", ".sub", ".tap",  ".ngc", ".iso",
-                                                       ".eia", ".min", ".gcode"};
+  static const std::vector<std::string> kExtensions = {".nc",  ".nct", ".txt", ".prg",  ".cnc",
+                                                       ".mpf", ".spf", ".sub", ".tap",  ".ngc",
+                                                       ".iso", ".eia", ".min", ".gcode"};
   return kExtensions;
 }
 
@@ -83,6 +83,24 @@ std::string FileProgramSource::findByStem(const std::string& caller, const std::
     std::error_code error;
     const auto files = fs::is_directory(place, error) ? filesOf(place) : std::vector<fs::path>{place};
     if (const auto found = findStem(files, stem, extension)) return found->string();
+  }
+  return {};
+}
+
+std::string FileProgramSource::findSystem(const std::string& stem, int channel) const {
+  if (stem.empty() || stem.find('/') != std::string::npos) return {};
+  const fs::path main_folder = fs::path(main_path_).parent_path(), below = systemFolder(channel);
+  std::vector<fs::path> folders = {main_folder / below, main_folder / ".." / below};
+  std::error_code error;
+  for (const fs::path place : places_) {
+    if (fs::is_directory(place, error)) folders.push_back(place / below);
+  }
+  for (const fs::path& folder : folders) {
+    if (const auto found = findStem(filesOf(folder), stem, ".nct")) return found->string();
+  }
+  for (const fs::path place : places_) {
+    const auto files = fs::is_directory(place, error) ? filesOf(place) : std::vector<fs::path>{place};
+    if (const auto found = findStem(files, stem, ".nct")) return found->string();
   }
   return {};
 }
@@ -110,12 +128,17 @@ Result<ProgramText> FileProgramSource::subprogram(const SubprogramQuery& query) 
   const std::string& caller = query.caller.empty() ? main_path_ : query.caller;
   std::string path;
   for (const std::string& stem : query.stems) {
-    path = findByStem(caller, stem);
+    path = query.system_channel > 0 ? findSystem(stem, query.system_channel) : findByStem(caller, stem);
     if (!path.empty()) break;
   }
   if (path.empty() && !query.path.empty()) path = findByPath(caller, query.path);
   if (!path.empty()) return readProgram(path);
 
+  if (query.system_channel > 0 && !query.stems.empty()) {
+    return inputError(
+        fmt::format("there is no system program {}{} beside the main program or in the job's folders",
+                    systemFolder(query.system_channel), query.stems.front()));
+  }
   const fs::path folder = fs::path(caller).parent_path();
   const std::string what =
       query.stems.empty() ? query.path : query.stems.front() + fs::path(caller).extension().string();

@@ -19,7 +19,9 @@ namespace proveout {
 ///  then
 ///     with any other of programExtensions(), then with none.
 /// A subprogram by path is looked for relative to the folder of the calling program, then in the job's
-/// folders. Files are read anew at each call; nothing is cached.
+/// folders. A system program is looked for in SystemMacros/Channel<n> beside the main program, beside its
+/// folder and in the job's folders, then among the job's files and folders themselves. Files are read anew at
+/// each call; nothing is cached.
 class FileProgramSource : public ProgramSource {
  public:
   /// `places`: files and folders with subprograms.
@@ -34,6 +36,7 @@ class FileProgramSource : public ProgramSource {
 
  private:
   std::string findByStem(const std::string& caller, const std::string& stem) const;
+  std::string findSystem(const std::string& stem, int channel) const;
   std::string findByPath(const std::string& caller, const std::string& path) const;
 
   std::string main_path_;

@@ -65,6 +65,7 @@ struct Word {
   bool incremental = false;      ///< operator I behind the address (XI40)
   bool is_integer = false;       ///< the value has no fractional part
   bool from_expression = false;  ///< the value was computed: alarms tell it
+  bool minus = false;            ///< it has a minus sign
   double value = 0.0;            ///< as programmed, no unit conversion
   Columns columns;
   std::int8_t axis = -1;     ///< index of the axis of that name, or -1
@@ -102,6 +103,8 @@ struct Block {
   std::size_t statement = 0;
   AddressSet repeated;  ///< addresses that occur again although they may not (LexRules::keep_repeats)
   Columns repeated_at;  ///< the first such word
+  AddressSet negative;  ///< addresses with a minus sign although they take none (LexRules::keep_repeats)
+  Columns negative_at;  ///< the first such word
 
   void clear() {
     words.clear();
@@ -111,7 +114,7 @@ struct Block {
     skip = 0;
     percent = has_file = false;
     kind = LineKind::kBlock;
-    repeated = {};
+    repeated = negative = {};
   }
   bool empty() const { return words.empty() && !has_file && kind == LineKind::kBlock; }
   /// The word at that address, or null. Addresses that may repeat (G, M): the first.

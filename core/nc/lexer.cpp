@@ -241,8 +241,20 @@ bool Lexer::lexWord(std::string_view line, std::size_t& i, Block& block) {
   }
   if (vacant) return true;  // as if it were not there (manual 23.1.6)
   word.columns = {static_cast<int>(begin) + 1, static_cast<int>(i) + 1};
+  if (word.minus && rules_.unsigned_addresses.has(word.address) && !keepMinus(word, block)) return false;
   word.is_integer = word.value == std::floor(word.value);
   return store(word, block);
+}
+
+bool Lexer::keepMinus(const Word& word, Block& block) {
+  if (!rules_.keep_repeats || word.address == 'O' || (word.address == 'N' && block.number < 0)) {
+    return fail("nct-2002", fmt::format("{} takes no minus sign", addressText(word.address)),
+                static_cast<std::size_t>(word.columns.begin - 1),
+                static_cast<std::size_t>(word.columns.end - 1));
+  }
+  if (block.negative.empty()) block.negative_at = word.columns;
+  block.negative.add(word.address);
+  return true;
 }
 
 bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& vacant) {
@@ -259,13 +271,11 @@ bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& va
   word.from_expression = true;
   vacant = value.vacant;
   word.value = value.number == 0.0 ? 0.0 : value.number;  // no -0
+  word.minus = word.value < 0.0;
   if (vacant) return true;
   const auto name = addressText(word.address);
   if (!(std::abs(word.value) <= kMaxValue)) {
     return fail("nct-2002", fmt::format("{}: value out of range", name), begin, i);
-  }
-  if (word.value < 0.0 && rules_.unsigned_addresses.has(word.address)) {
-    return fail("nct-2002", fmt::format("{} takes no minus sign", name), begin, i);
   }
   return true;
 }
@@ -338,9 +348,7 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
     std::from_chars(first, line.data() + i, word.value, std::chars_format::fixed);
   }
   if (word.value > kMaxValue) return fail("nct-2002", fmt::format("{}: value out of range", name), begin, i);
-  if (negative && rules_.unsigned_addresses.has(word.address)) {
-    return fail("nct-2002", fmt::format("{} takes no minus sign", name), begin, i);
-  }
+  word.minus = negative;
   if (negative && word.value != 0.0) word.value = -word.value;
   return true;
 }

@@ -31,8 +31,9 @@ class ExpressionHook {
 struct LexRules {
   ExpressionHook* expressions = nullptr;  ///< null: '#' and '[' are errors, and there are no statements
   const LexNames* names = nullptr;        ///< axes and spindles by name; null: letters only
-  /// Repeated words are kept and marked in the block, a second N becomes a word: calls take them as
-  /// arguments, and the control refuses them elsewhere. False: they are errors at once.
+  /// Repeated words are kept and marked in the block, a second N becomes a word, and words may have a sign
+  /// that takes none: calls take them as arguments, and the control refuses them elsewhere. False: they are
+  /// errors at once.
   bool keep_repeats = false;
   bool incremental_operator = true;  ///< XI40
   bool comma_addresses = true;       ///< ,C ,R ,A
@@ -78,6 +79,7 @@ class Lexer {
   bool lexValue(std::string_view line, std::size_t& i, Word& word, bool& vacant);
   bool lexNumber(std::string_view line, std::size_t& i, Word& word);
   bool evaluate(std::string_view line, std::size_t& i, Word& word, bool& vacant);
+  bool keepMinus(const Word& word, Block& block);
   bool store(const Word& word, Block& block);
   bool fail(const char* code, std::string message, std::size_t begin, std::size_t end);
 

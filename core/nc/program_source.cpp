@@ -27,6 +27,10 @@ std::string_view lastPart(std::string_view path) {
 
 }  // namespace
 
+std::string systemFolder(int channel) {
+  return channel > 0 ? "SystemMacros/Channel" + std::to_string(channel) + "/" : std::string();
+}
+
 MemoryProgramSource::MemoryProgramSource(std::string main_name, std::string main_bytes)
     : main_{main_name, main_name, std::move(main_bytes)} {}
 
@@ -37,15 +41,16 @@ void MemoryProgramSource::add(const std::string& name, std::string bytes) {
 Result<ProgramText> MemoryProgramSource::mainProgram() const { return main_; }
 
 Result<ProgramText> MemoryProgramSource::subprogram(const SubprogramQuery& query) const {
+  const std::string folder = systemFolder(query.system_channel);
   for (const std::string& stem : query.stems) {
     for (const ProgramText& text : subprograms_) {
-      if (stemOf(text.name) == lowered(stem)) return text;
+      if (stemOf(text.name) == lowered(folder + stem)) return text;
     }
   }
   for (const ProgramText& text : subprograms_) {
     if (!query.path.empty() && lowered(text.name) == lowered(lastPart(query.path))) return text;
   }
-  const std::string what = query.stems.empty() ? query.path : query.stems.front();
+  const std::string what = query.stems.empty() ? query.path : folder + query.stems.front();
   return inputError("program " + what + " is not among the programs given");
 }
 

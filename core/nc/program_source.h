@@ -23,7 +23,11 @@ struct SubprogramQuery {
   std::vector<std::string>
       stems;         ///< file names without extension in order of preference: {"O0011", "O00000011"}
   std::string path;  ///< a file as the program names it, separators turned into '/'; relative to the caller
+  int system_channel = 0;  ///< above 0: `stems` lie in the folder SystemMacros/Channel<n> of the control
 };
+
+/// "SystemMacros/Channel1/" for channel 1; empty for 0.
+std::string systemFolder(int channel);
 
 /// Finds program texts. Implementations may be asked for the same program again (the interpreter keeps
 /// what it has loaded, keyed by ProgramText::path).
@@ -38,7 +42,8 @@ class ProgramSource {
 };
 
 /// Programs in memory, for tests and for callers that have the text already. Stems are matched without
-/// regard to case and extension; paths by their last part.
+/// regard to case and extension; paths by their last part. System programs have their folder in the name
+/// ("SystemMacros/Channel1/O9010.nct").
 class MemoryProgramSource : public ProgramSource {
  public:
   MemoryProgramSource(std::string main_name, std::string main_bytes);

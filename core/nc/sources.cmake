@@ -24,6 +24,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/coverage/rows_4.cpp
   nc/nct/coverage/rows_5.cpp
   nc/nct/nct_alarms.cpp
+  nc/nct/nct_arguments.cpp
   nc/nct/nct_block.cpp
   nc/nct/nct_codes.cpp
   nc/nct/nct_context.cpp
@@ -34,10 +35,12 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_flow.cpp
   nc/nct/nct_frames.cpp
   nc/nct/nct_macro_environment.cpp
+  nc/nct/nct_macro_calls.cpp
   nc/nct/nct_motion.cpp
   nc/nct/nct_offsets.cpp
   nc/nct/nct_parameters.cpp
   nc/nct/nct_perform.cpp
+  nc/nct/nct_pocket.cpp
   nc/nct/nct_rows.cpp
   nc/nct/nct_statements.cpp
   nc/nct/nct_tool_data.cpp
@@ -53,6 +56,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/motion.cpp
   nc/nct/parameters/tools.cpp
   nc/nct/program_store.cpp
+  nc/nct/system_calls.cpp
   nc/nct/tool_tables.cpp
   nc/nct/tables/comp.cpp
   nc/nct/tables/cycles.cpp

@@ -27,6 +27,15 @@ std::string_view callKindName(CallKind kind);  ///< "M98", "G65", "G66", "G66.1"
 /// Does the call open a level of local variables?
 constexpr bool opensLocals(CallKind kind) { return kind > CallKind::kSubprogram; }
 
+/// A flow function of a block: M99, M2, M30.
+struct FlowRequest {
+  int code = 0;             ///< of the M function; 0: none
+  std::int64_t block = -1;  ///< P of M99, or -1
+  std::int64_t count = -1;  ///< L of M99, or -1
+  std::size_t line = 0;     ///< index of its line
+  std::int64_t number = -1;
+};
+
 struct CallFrame {
   SourceText* text = nullptr;
   std::uint32_t file = 0;
@@ -36,7 +45,9 @@ struct CallFrame {
   std::int64_t total = 1;          ///< repetitions
   std::int64_t done = 0;           ///< repetitions carried out
   std::int64_t return_block = -1;  ///< N of the caller to go on from, or -1
-  std::int32_t system_code = -1;   ///< kSystem: the code that called, tenfold for G
+  std::int32_t system_code =
+      -1;               ///< the code that parameters turned into this call (see system_calls.h), or -1
+  FlowRequest waiting;  ///< to be done when the calls that the block put off are done
   Arguments args;
 };
 

@@ -11,15 +11,6 @@
 namespace proveout::nc {
 namespace {
 
-/// G codes as they count for a code table: 54.1 -> 541; -1 if there is more than one decimal.
-/// A computed value is rounded to one decimal.
-int code10Of(const Word& w) {
-  const double tenfold = std::round(w.value * 10.0);
-  if (tenfold > 9999.0) return -1;
-  if (!w.from_expression && std::abs(tenfold - w.value * 10.0) > 1e-6) return -1;
-  return static_cast<int>(tenfold);
-}
-
 /// Smallest F: slower than this no machine moves, and times stay finite.
 constexpr double kMinFeed = 1e-6;
 

@@ -15,6 +15,7 @@
 #include "core/nc/motion_pipe.h"
 #include "core/nc/nct/call_stack.h"
 #include "core/nc/nct/comp_stage.h"
+#include "core/nc/nct/modal_calls.h"
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_macro_environment.h"
@@ -24,6 +25,7 @@
 #include "core/nc/nct/offset_tables.h"
 #include "core/nc/nct/program_store.h"
 #include "core/nc/nct/run_clock.h"
+#include "core/nc/nct/system_calls.h"
 #include "core/nc/nct/tool_tables.h"
 #include "core/nc/nct/transform_stage.h"
 #include "core/nc/path_emitter.h"
@@ -81,6 +83,8 @@ struct NctContext {
   VariableStore variables;
   const NctMacroEnvironment environment;
   MacroEvaluator macro;
+  ModalCalls modals;
+  SystemCalls systems;
   Block block;
   AlarmReporter alarms;
   WorkGuard work;

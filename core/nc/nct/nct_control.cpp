@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
@@ -47,6 +48,8 @@ bool NctControl::start() {
     c.warn("nct-noted", fmt::format("parameter {} has no effect in the simulation", name), {},
            Severity::kNote);
   }
+  c.systems.update(c.parameters);
+  if (!c.systems.fault().empty()) return c.fail("nct-parameter", c.systems.fault());
   if (!(settings.rapid_mm_min.minCoeff() > 0.0) || !settings.start.allFinite()) {
     return c.fail("nct-settings", "rapid rates must be above 0 and the start position finite");
   }
@@ -79,8 +82,15 @@ bool NctControl::loadMain() {
 
 NctControl::Go NctControl::step() {
   NctContext& c = context_;
-  if (until_hit_ && c.calls.depth() == 1) return finish("until", ProgramEnd::kUntil);
-  if (c.calls.hasDeferred() && !openDeferred()) return alarm();
+  if (c.calls.hasDeferred()) {
+    if (!openDeferred()) return alarm();
+  } else if (c.calls.top().waiting.code != 0) {
+    const FlowRequest request = std::exchange(c.calls.top().waiting, {});
+    c.calls.setBlock(request.line, request.number);
+    return flow(request);
+  } else if (until_hit_ && c.calls.depth() == 1) {
+    return finish("until", ProgramEnd::kUntil);
+  }
   CallFrame& frame = c.calls.top();
   if (frame.line >= frame.text->lines().size()) return endOfText();
   const std::size_t line = frame.line++;
@@ -95,7 +105,9 @@ NctControl::Go NctControl::step() {
     if (!onlyHeaderAbove()) return endOfText();
     if (block.empty()) return Go::kOn;
   }
-  good = good && checkRepeats() && checkHeader();
+  MacroCall call;
+  const bool calls = good && findCall(false, call);
+  good = good && (calls || (checkRepeats() && checkHeader()));
   if (good && block.empty()) {
     until_hit_ = until_hit_ || reachedUntil();
     return Go::kOn;
@@ -103,6 +115,7 @@ NctControl::Go NctControl::step() {
   if (c.work.over()) return Go::kStop;
   ++summary_.blocks;
   if (!good) return alarm();
+  if (calls) return callMacro(call);
   if (block.kind != LineKind::kBlock) return statement();
   if (c.data_input == nullptr) return execute();
   until_hit_ = until_hit_ || reachedUntil();
@@ -122,6 +135,12 @@ bool NctControl::openDeferred() {
 
 bool NctControl::checkRepeats() {
   const Block& block = context_.block;
+  if (!block.negative.empty()) {
+    const auto at = std::find_if(block.words.begin(), block.words.end(),
+                                 [&](const Word& w) { return w.columns.begin == block.negative_at.begin; });
+    return context_.fail("nct-2002", fmt::format("{} takes no minus sign", addressText(at->address)),
+                         block.negative_at);
+  }
   if (block.repeated.empty()) return true;
   const auto at = std::find_if(block.words.begin(), block.words.end(),
                                [&](const Word& w) { return w.columns.begin == block.repeated_at.begin; });
@@ -162,19 +181,22 @@ NctControl::Go NctControl::endOfText() {
     c.warn("nct-no-end", "the program ends without M2 or M30: is the file cut short?");
     return finish("end of text", ProgramEnd::kEndOfProgram);
   }
-  c.warn("nct-no-m99", "the subprogram ends without M99: taken as M99");
+  if (c.work.over()) return Go::kStop;  // an empty text may be repeated without end
+  if (no_return_told_.insert(c.calls.top().file).second)
+    c.warn("nct-no-m99", "the subprogram ends without M99: taken as M99");
   c.block.clear();
-  return returnFrom();
+  return returnFrom(FlowRequest{.code = 99});
 }
 
 NctControl::Go NctControl::execute() {
   NctContext& c = context_;
   BlockPlan plan;
   const bool reached = reachedUntil();  // before the block opens a program of its own
-  const bool good = planBlock(c, plan) && perform(c, plan);
+  const bool good = takeSubprogramWords() && planBlock(c, plan) && perform(c, plan);
   if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
   if (!good) return alarm();
   until_hit_ = until_hit_ || reached;  // a called subprogram still runs
+  deferCalls(plan);
   return plan.flow ? flow(plan) : Go::kOn;
 }
 

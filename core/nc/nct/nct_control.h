@@ -2,14 +2,17 @@
 // on a copy of the modal state), perform (emit motions and events), commit.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/nc/interpreter.h"
 #include "core/nc/lexer.h"
 #include "core/nc/nct/nct_context.h"
+#include "core/nc/nct/system_calls.h"
 
 namespace proveout::nc {
 
@@ -38,10 +41,13 @@ class NctControl {
 
   // nct_flow.cpp
   Go flow(const BlockPlan& plan);
+  Go flow(const FlowRequest& request);
+  bool returnWords(FlowRequest& request);
   Go call();
-  bool loadCalled(CallFrame& frame);
+  bool loadCalled(CallFrame& frame, std::string_view code);
   bool take(const ProgramStore::Loaded& loaded, CallFrame& frame);
-  Go returnFrom();
+  Go returnFrom(const FlowRequest& request);
+  void repeat(CallFrame& frame);
   Go alarm();
   Go stopAtAlarm();
   Go finish(const std::string& code, ProgramEnd end);
@@ -59,11 +65,43 @@ class NctControl {
   Go endLoop();
   const LoopIndex::Mark* loopMark(std::size_t pos);
 
+  // nct_macro_calls.cpp
+  /// What a block calls instead of being executed.
+  struct MacroCall {
+    static constexpr std::int32_t kSystem = -1;
+    const Word* word = nullptr;        ///< that calls
+    std::int32_t code10 = kSystem;     ///< 650, 660, 661, or kSystem
+    SystemCall system;                 ///< with kSystem
+    const CallFrame* modal = nullptr;  ///< the active G66.1 macro that takes the block as arguments
+  };
+  bool findCall(bool statement, MacroCall& call);
+  bool findMMacro(MacroCall& call);
+  Go callMacro(const MacroCall& call);
+  Go open(const CallFrame& frame);
+  bool explicitFrame(const MacroCall& call, CallFrame& frame);
+  bool systemFrame(const MacroCall& call, CallFrame& frame);
+  Go callFromBlock(const CallFrame& modal);
+  void deferCalls(const BlockPlan& plan);
+  bool anySubprogramWord();
+  bool subprogramOf(const Word& w, SystemCall& call) const;
+  bool takeSubprogramWords();
+  static bool moves(const BlockPlan& plan);
+
+  /// A word of the block that calls a subprogram, taken out of it.
+  struct SubprogramWord {
+    CallFrame frame;
+    double value = 0.0;
+    int variable = 0;  ///< the global that gets the value; 0: none
+  };
+
   InterpretSummary summary_;
   NctContext context_;
   Lexer lexer_;
+  std::array<SubprogramWord, 8> subprograms_;
+  std::size_t subprogram_count_ = 0;
   bool until_hit_ = false;
   std::set<std::pair<std::uint32_t, std::int64_t>> repeated_told_;  ///< by file and block number
+  std::set<std::uint32_t> no_return_told_;                          ///< by file
 };
 
 }  // namespace proveout::nc

@@ -27,14 +27,22 @@ constexpr std::size_t kMaxFileArgument = 60;
 }  // namespace
 
 NctControl::Go NctControl::flow(const BlockPlan& plan) {
-  switch (plan.flow->code) {
-    case 98:
-      return call();
-    case 99:
-      return returnFrom();
-    default:
-      return finish(fmt::format("M{}", plan.flow->code), ProgramEnd::kEndOfProgram);
-  }
+  NctContext& c = context_;
+  if (plan.flow->code == 98) return call();
+  FlowRequest request;
+  request.code = plan.flow->code;
+  // A jump that fails leaves nowhere to go on: it always stops the run.
+  if (request.code == 99 && !returnWords(request)) return stopAtAlarm();
+  if (!c.calls.hasDeferred()) return flow(request);
+  request.line = c.calls.lineIndex();
+  request.number = c.block.number;
+  c.calls.top().waiting = request;
+  return Go::kOn;
+}
+
+NctControl::Go NctControl::flow(const FlowRequest& request) {
+  if (request.code == 99) return returnFrom(request);
+  return finish(fmt::format("M{}", request.code), ProgramEnd::kEndOfProgram);
 }
 
 NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
@@ -67,20 +75,25 @@ bool NctControl::take(const ProgramStore::Loaded& loaded, CallFrame& frame) {
   return true;
 }
 
-bool NctControl::loadCalled(CallFrame& frame) {
+bool NctControl::loadCalled(CallFrame& frame, std::string_view code) {
   NctContext& c = context_;
   const std::uint32_t caller = c.calls.top().file;
   const Word* p = c.word('P');
   if (c.block.has_file) {
-    if (p) return c.alarm(2017, *p, "M98 takes P or a file name");
+    if (p) return c.alarm(2017, *p, fmt::format("{} takes P or a file name", code));
     const std::string path = callPath(c.block.file_arg);
     if (path.empty() || c.block.file_arg.size() > kMaxFileArgument) {
-      return c.fail("nct-2002", "file name of M98: 1 to 60 characters", c.block.file_columns);
+      return c.fail("nct-2002", fmt::format("file name of {}: 1 to 60 characters", code),
+                    c.block.file_columns);
     }
     return take(c.programs.byPath(caller, path), frame);
   }
   std::int64_t number = 0;
-  if (p == nullptr) return c.alarm(2004, "P", "M98 needs a program number or a file name");
+  if (p == nullptr) {
+    const bool by_file = code == "M98" || code == "G65";
+    return c.alarm(2004, "P",
+                   fmt::format("{} needs a program number{}", code, by_file ? " or a file name" : ""));
+  }
   if (!integerWord(c, *p, 1, 99999999, number)) return false;
   return take(c.programs.byNumber(caller, number), frame);
 }
@@ -91,7 +104,10 @@ NctControl::Go NctControl::call() {
   frame.kind = CallKind::kSubprogram;
   const Word* l = c.word('L');
   if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return alarm();
-  return loadCalled(frame) && c.openCall(frame) ? Go::kOn : alarm();
+  if (!loadCalled(frame, "M98")) return alarm();
+  if (!c.calls.hasDeferred()) return open(frame);
+  c.calls.defer(frame);
+  return Go::kOn;
 }
 
 bool NctControl::jump(CallFrame& frame, std::int64_t block, std::size_t from) {
@@ -113,35 +129,44 @@ void NctControl::warnRepeated(const CallFrame& frame, std::int64_t block, std::s
                                        from == 0 ? "first" : "next"));
 }
 
-NctControl::Go NctControl::returnFrom() {
-  // A jump that fails leaves nowhere to go on: it always stops the run.
+/// P and L of M99.
+bool NctControl::returnWords(FlowRequest& request) {
   NctContext& c = context_;
   const Word* p = c.word('P');
   const Word* l = c.word('L');
-  std::int64_t target = -1, repeats = 0;
-  if (p && !integerWord(c, *p, 1, 99999999, target)) return stopAtAlarm();
-  if (l && !integerWord(c, *l, 0, 99999999, repeats)) return stopAtAlarm();
+  if (p && !integerWord(c, *p, 1, 99999999, request.block)) return false;
+  if (l && !integerWord(c, *l, 0, 99999999, request.count)) return false;
+  if (l && c.calls.depth() == 1) return c.alarm(2017, *l, "M99 of a main program takes P only");
+  return true;
+}
+
+NctControl::Go NctControl::returnFrom(const FlowRequest& request) {
+  NctContext& c = context_;
   CallFrame& frame = c.calls.top();
   if (c.calls.depth() == 1) {
-    if (l) {
-      c.alarm(2017, *l, "M99 of a main program takes P only");
-      return stopAtAlarm();
-    }
-    if (target >= 0) return jump(frame, target) ? Go::kOn : stopAtAlarm();
+    if (request.block >= 0) return jump(frame, request.block) ? Go::kOn : stopAtAlarm();
     c.warn("nct-main-m99", "M99 in the main program starts it again: one pass is simulated", {},
            Severity::kNote);
     return finish("M99", ProgramEnd::kEndOfProgram);
   }
-  if (l) frame.total = repeats + 1;
-  if (target >= 0) frame.return_block = target;
+  if (request.count >= 0) frame.total = request.count + 1;
+  if (request.block >= 0) frame.return_block = request.block;
   if (++frame.done < frame.total) {
-    frame.line = 0;
+    repeat(frame);
     return Go::kOn;
   }
   const std::int64_t back = frame.return_block;
   if (back >= 0 && !jump(c.calls.at(c.calls.depth() - 2), back)) return stopAtAlarm();
   c.closeCall();
   return Go::kOn;
+}
+
+/// The program from its start again; a macro with its arguments anew.
+void NctControl::repeat(CallFrame& frame) {
+  frame.line = 0;
+  if (!opensLocals(frame.kind)) return;
+  context_.variables.leave();
+  context_.variables.enter(frame.args);
 }
 
 }  // namespace proveout::nc

@@ -136,6 +136,7 @@ Status NctParameters::setOne(const std::string& name, double value) {
   const std::size_t count = index > 0 ? 1 : row.count;
   std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(first), count, value);
   std::fill_n(given_.begin() + static_cast<std::ptrdiff_t>(first), count, std::uint8_t{1});
+  ++revision_;
   return Done{};
 }
 
@@ -167,6 +168,7 @@ ParamStatus NctParameters::write(int number, int bit, int index, double value, b
   if (!inRange(info, wanted)) return ParamStatus::kOutOfRange;
   values_[slot] = wanted;
   given_[slot] = 1;
+  ++revision_;
   return ParamStatus::kOk;
 }
 

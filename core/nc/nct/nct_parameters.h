@@ -91,6 +91,8 @@ class NctParameters {
   ParamStatus read(int number, int bit, int index, double& out) const;
   /// Parameters with a value by set() that have no effect in the simulation.
   std::vector<std::string_view> notedNames() const;
+  /// Grows with every change: what is worked out from parameters is kept until then.
+  std::uint32_t revision() const { return revision_; }
 
  private:
   struct Row {
@@ -108,8 +110,9 @@ class NctParameters {
   std::array<std::size_t, static_cast<std::size_t>(ParamChapter::kCount)> chapter_first_{};
   std::vector<const ParamInfo*> infos_;  ///< of every row
   std::vector<Row> rows_;
-  std::vector<double> values_;          ///< by slot
-  std::vector<std::uint8_t> given_;     ///< by slot
+  std::vector<double> values_;       ///< by slot
+  std::vector<std::uint8_t> given_;  ///< by slot
+  std::uint32_t revision_ = 1;
   std::vector<std::size_t> by_number_;  ///< rows by number and bit
 };
 

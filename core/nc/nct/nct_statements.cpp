@@ -82,6 +82,8 @@ NctControl::Go NctControl::behindIf() {
     c.alarm(2064, "", "block number, program number and skip stand in front of IF");
     return alarm();
   }
+  MacroCall call;
+  if (findCall(true, call)) return callMacro(call);
   return checkRepeats() ? execute() : alarm();
 }
 

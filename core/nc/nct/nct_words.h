@@ -10,6 +10,11 @@ namespace proveout::nc {
 
 /// "G54.1" of 541.
 std::string gName(int code10);
+/// G codes as they count for a code table: 54.1 -> 541; -1 if there is more than one decimal. A computed
+/// value is rounded to one decimal.
+std::int32_t code10Of(const Word& w);
+/// The number of an M word, rounded where it was computed; -1: it is no integer.
+std::int32_t mNumber(const Word& w);
 /// A length of the block in mm.
 inline double lengthOf(const BlockPlan& plan, const Word& w) { return w.value * plan.next.unitScale(); }
 /// The integer that a word must hold. False, with alarm 2002: no integer, or out of range.

@@ -20,6 +20,24 @@ ProgramStore::Loaded ProgramStore::byNumber(std::uint32_t caller, std::int64_t n
   return loaded;
 }
 
+ProgramStore::Loaded ProgramStore::system(std::int64_t number, int channel) {
+  constexpr std::uint64_t kSystem = 0x8000'0000;  // no file has such an index
+  const std::uint64_t key =
+      ((kSystem + static_cast<std::uint64_t>(channel)) << 32) | static_cast<std::uint32_t>(number);
+  if (const auto found = by_number_.find(key); found != by_number_.end()) return known(found->second);
+  SubprogramQuery query;
+  query.caller = texts_.front()->path();
+  query.stems.push_back(fmt::format("O{:04}", number));
+  query.system_channel = channel;
+  Loaded loaded = load(source_.subprogram(query));
+  if (loaded.text != nullptr) by_number_[key] = loaded.file;
+  return loaded;
+}
+
+ProgramStore::Loaded ProgramStore::builtIn(const std::string& name, std::string_view text) {
+  return load(ProgramText{name, name, std::string(text)});
+}
+
 ProgramStore::Loaded ProgramStore::byPath(std::uint32_t caller, const std::string& path) {
   const std::string key = fmt::format("{}\n{}", caller, path);
   if (const auto found = by_name_.find(key); found != by_name_.end()) return known(found->second);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -32,6 +33,10 @@ class ProgramStore {
   /// Program `number` (M98 P, G65 P, system calls: "O0011", "O00000011") as seen from file `caller`. The
   /// answer is kept: a second call of the same number builds no string.
   Loaded byNumber(std::uint32_t caller, std::int64_t number);
+  /// Program `number` of the channel's system macros ("O9010").
+  Loaded system(std::int64_t number, int channel);
+  /// A program that is part of the control; `name` is its path too.
+  Loaded builtIn(const std::string& name, std::string_view text);
   /// A file as the program names it, separators '/', relative to the caller.
   Loaded byPath(std::uint32_t caller, const std::string& path);
 

@@ -5,6 +5,7 @@ target_sources(proveout_core PRIVATE
   nc/services/cutter_comp_check.cpp
   nc/services/cutter_comp_corner.cpp
   nc/services/drilling.cpp
+  nc/services/pocket.cpp
   nc/services/speed_plan.cpp)
 # These use a detail namespace as a whole, which must not leak into their neighbours of a unity batch.
 set_source_files_properties(

@@ -9,10 +9,10 @@ namespace {
 using namespace rows;
 
 constexpr auto kG = std::to_array<GCode>({
-    refused(650, kOneShot, kSim, "nct-3-G65", "macro call"),
-    refused(660, kGroupMacro, kSim, "nct-3-G66", "modal macro call after each move"),
-    refused(661, kGroupMacro, kSim, "nct-3-G66.1", "modal macro call from each block"),
-    modal(670, kGroupMacro, kSim, "nct-3-G67", "modal macro call off"),
+    modal(650, kOneShot, kSim, "nct-3-G65 nct-23.3.1-G65", "macro call"),
+    modal(660, kGroupMacro, kSim, "nct-3-G66 nct-23.3.2-G66", "modal macro call after each motion"),
+    modal(661, kGroupMacro, kSim, "nct-3-G66.1 nct-23.3.3-G66.1", "modal macro call from each block"),
+    modal(670, kGroupMacro, kSim, "nct-3-G67 nct-23.3.2-G67", "modal macro call off"),
 });
 
 constexpr auto kM = std::to_array<MCode>({
@@ -55,6 +55,19 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
     {"IF", kSim, "nct-23.2.9-IF-GOTO nct-23.2.10-IF-THEN", "conditional jump or command"},
     {"WHILE DO END", kSim, "nct-23.2.11-WHILE nct-23.2.11-DO nct-23.2.11-nesting", "loops"},
     {"AX AXNUM", kSim, "nct-23.2.12-AXNUM nct-23.2.12-AX", "axes by number"},
+    {"arguments", kSim,
+     "nct-23.3-args-I nct-23.3-args-II nct-23.3-args-mixed nct-23.3-args-N nct-23.3-levels nct-23.3-depth "
+     "nct-23.3-lookup",
+     "arguments and local levels of macros"},
+    {"system G", kSim,
+     "nct-23.3.4-Gmacro nct-23.3.4-Gblock nct-23.3.4-Gdec nct-23.3.4-Gmodal nct-23.3.4-Gself nct-23.3.4-ENC",
+     "G codes that call macros"},
+    {"system M", kSim, "nct-23.3.5-Mmacro nct-23.3.6-Msub", "M codes that call macros and subprograms"},
+    {"system letters", kSim, "nct-23.3.7-ABCST nct-23.3.8-ASCII", "letters that call subprograms"},
+    {"N1756", kHost, "nct-23.3.9-list",
+     "single block inside system programs: there is none in the simulation"},
+    {"P9999", kSim, "nct-23.6-P9999 nct-23.6-feed nct-23.6-MST nct-23.6-special nct-23.6-errors",
+     "pocket milling"},
     {"macro blocks", kState, "nct-23.5-blocks nct-23.5-MBM nct-23.5-SBM nct-23.5-G53",
      "run in the order of the text, whatever the control reads ahead"},
     {"M other", kHost, "nct-13.1-Mother", "functions of the machine builder"},

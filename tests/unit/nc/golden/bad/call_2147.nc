@@ -1,0 +1,11 @@
+=== main
+G65 P77
+M30
+=== sub O0011
+M99
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2147]: file not found: program O0077 is not among the programs given
+    G65 P77
+    ^~~~~~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings
