@@ -313,6 +313,20 @@ void readNominal(ConfigTable& root, Job& job) {
   job.nominal = nominal;
 }
 
+void readInterrupts(ConfigTable& root, ConfigTable& panel, Job& job) {
+  const ConfigValue* blocks = panel.find("interrupt_blocks");
+  if (blocks == nullptr || !isList(root.document(), *blocks, "interrupt_blocks")) return;
+  job.settings.interrupt_blocks.clear();
+  constexpr std::int64_t kMaxBlock = 99'999'999;
+  for (const ConfigValue& item : blocks->items) {
+    if (item.type == Type::kInteger && item.integer >= 0 && item.integer <= kMaxBlock) {
+      job.settings.interrupt_blocks.push_back(item.integer);
+    } else {
+      root.document().error(item.place, "job-range", "interrupt_blocks lists N numbers, 0 to 99999999");
+    }
+  }
+}
+
 void readPanel(ConfigTable& root, Job& job) {
   auto panel = root.table("panel");
   if (!panel) return;
@@ -329,6 +343,7 @@ void readPanel(ConfigTable& root, Job& job) {
       }
     }
   }
+  readInterrupts(root, *panel, job);
   panel->refuseOthers();
 }
 

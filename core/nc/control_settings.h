@@ -80,6 +80,8 @@ struct ControlSettings {
   std::uint64_t block_limit = 100'000'000;  ///< executed blocks; more is an alarm (endless loop)
   std::array<bool, 9> skip_switches{};      ///< [0] is the switch of `/` and `/1`, [8] of `/9`
   bool optional_stop = false;               ///< M1 stops
+  /// N numbers of the main program at whose end the signal comes that starts the interrupt macro (M96).
+  std::vector<std::int64_t> interrupt_blocks;
   bool lenient = false;                     ///< unsupported codes that are safe to skip become warnings
   double tool_change_s = 5.0;               ///< duration of a tool change, s
   double default_spindle_rpm = 1000.0;  ///< timing of G95 motions and dwells while the spindle stands still

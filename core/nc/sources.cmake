@@ -35,6 +35,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_flow.cpp
   nc/nct/nct_frames.cpp
   nc/nct/nct_macro_environment.cpp
+  nc/nct/nct_interrupt.cpp
   nc/nct/nct_macro_calls.cpp
   nc/nct/nct_motion.cpp
   nc/nct/nct_offsets.cpp

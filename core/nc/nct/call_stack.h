@@ -46,8 +46,9 @@ struct CallFrame {
   std::int64_t done = 0;           ///< repetitions carried out
   std::int64_t return_block = -1;  ///< N of the caller to go on from, or -1
   std::int32_t system_code =
-      -1;               ///< the code that parameters turned into this call (see system_calls.h), or -1
-  FlowRequest waiting;  ///< to be done when the calls that the block put off are done
+      -1;                  ///< the code that parameters turned into this call (see system_calls.h), or -1
+  bool interrupt = false;  ///< opened by the interrupt signal
+  FlowRequest waiting;     ///< to be done when the calls that the block put off are done
   Arguments args;
 };
 

@@ -42,6 +42,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
 
 void NctContext::reset() {
   modals.clear();
+  interrupt = InterruptMacro();
   const int first = static_cast<int>(parameters[MacroParam::kProtectFirst]);
   const int last = static_cast<int>(parameters[MacroParam::kProtectLast]);
   variables.protect(first == 0 ? 1 : first, first == 0 ? 0 : last);

@@ -15,6 +15,7 @@
 #include "core/nc/motion_pipe.h"
 #include "core/nc/nct/call_stack.h"
 #include "core/nc/nct/comp_stage.h"
+#include "core/nc/nct/interrupt_macro.h"
 #include "core/nc/nct/modal_calls.h"
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
@@ -85,6 +86,7 @@ struct NctContext {
   MacroEvaluator macro;
   ModalCalls modals;
   SystemCalls systems;
+  InterruptMacro interrupt;
   Block block;
   AlarmReporter alarms;
   WorkGuard work;

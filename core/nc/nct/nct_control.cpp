@@ -192,12 +192,14 @@ NctControl::Go NctControl::execute() {
   NctContext& c = context_;
   BlockPlan plan;
   const bool reached = reachedUntil();  // before the block opens a program of its own
-  const bool good = takeSubprogramWords() && planBlock(c, plan) && perform(c, plan);
+  const bool good = takeSubprogramWords() && takeInterruptWords() && planBlock(c, plan) && perform(c, plan);
   if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
   if (!good) return alarm();
   until_hit_ = until_hit_ || reached;  // a called subprogram still runs
   deferCalls(plan);
-  return plan.flow ? flow(plan) : Go::kOn;
+  if (plan.flow == nullptr) return followInterrupts();
+  switchInterrupt();
+  return flow(plan);
 }
 
 bool NctControl::reachedUntil() const {

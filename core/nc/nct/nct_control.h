@@ -44,7 +44,8 @@ class NctControl {
   Go flow(const FlowRequest& request);
   bool returnWords(FlowRequest& request);
   Go call();
-  bool loadCalled(CallFrame& frame, std::string_view code);
+  /// The program of P or <file> of the block, as seen from file `caller`.
+  bool loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller);
   bool take(const ProgramStore::Loaded& loaded, CallFrame& frame);
   Go returnFrom(const FlowRequest& request);
   void repeat(CallFrame& frame);
@@ -87,6 +88,13 @@ class NctControl {
   bool takeSubprogramWords();
   static bool moves(const BlockPlan& plan);
 
+  // nct_interrupt.cpp
+  bool takeInterruptWords();
+  void switchInterrupt();
+  Go followInterrupts();
+  Go breakInterruptOff();
+  bool endInterrupt(bool restore);
+
   /// A word of the block that calls a subprogram, taken out of it.
   struct SubprogramWord {
     CallFrame frame;
@@ -99,6 +107,8 @@ class NctControl {
   Lexer lexer_;
   std::array<SubprogramWord, 8> subprograms_;
   std::size_t subprogram_count_ = 0;
+  InterruptSwitch interrupt_switch_ = InterruptSwitch::kNone;  ///< of the block in hand
+  CallFrame interrupt_frame_;                                  ///< with kOn
   bool until_hit_ = false;
   std::set<std::pair<std::uint32_t, std::int64_t>> repeated_told_;  ///< by file and block number
   std::set<std::uint32_t> no_return_told_;                          ///< by file

@@ -75,9 +75,8 @@ bool NctControl::take(const ProgramStore::Loaded& loaded, CallFrame& frame) {
   return true;
 }
 
-bool NctControl::loadCalled(CallFrame& frame, std::string_view code) {
+bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller) {
   NctContext& c = context_;
-  const std::uint32_t caller = c.calls.top().file;
   const Word* p = c.word('P');
   if (c.block.has_file) {
     if (p) return c.alarm(2017, *p, fmt::format("{} takes P or a file name", code));
@@ -90,7 +89,7 @@ bool NctControl::loadCalled(CallFrame& frame, std::string_view code) {
   }
   std::int64_t number = 0;
   if (p == nullptr) {
-    const bool by_file = code == "M98" || code == "G65";
+    const bool by_file = code[0] == 'M' || code == "G65";
     return c.alarm(2004, "P",
                    fmt::format("{} needs a program number{}", code, by_file ? " or a file name" : ""));
   }
@@ -104,7 +103,7 @@ NctControl::Go NctControl::call() {
   frame.kind = CallKind::kSubprogram;
   const Word* l = c.word('L');
   if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return alarm();
-  if (!loadCalled(frame, "M98")) return alarm();
+  if (!loadCalled(frame, "M98", c.calls.top().file)) return alarm();
   if (!c.calls.hasDeferred()) return open(frame);
   c.calls.defer(frame);
   return Go::kOn;
@@ -156,6 +155,7 @@ NctControl::Go NctControl::returnFrom(const FlowRequest& request) {
     return Go::kOn;
   }
   const std::int64_t back = frame.return_block;
+  if (frame.interrupt && !endInterrupt(back < 0)) return stopAtAlarm();
   if (back >= 0 && !jump(c.calls.at(c.calls.depth() - 2), back)) return stopAtAlarm();
   c.closeCall();
   return Go::kOn;

@@ -119,7 +119,7 @@ bool NctControl::explicitFrame(const MacroCall& call, CallFrame& frame) {
       c.programs.byNumber(c.calls.top().file, kPocketProgram).text == nullptr) {
     return pocketFrame(c, frame);
   }
-  return loadCalled(frame, gName(call.code10));
+  return loadCalled(frame, gName(call.code10), c.calls.top().file);
 }
 
 /// The frame of a G or M code that parameters turn into a call.

@@ -125,6 +125,8 @@ TEST(BadJob, ValuesOutOfRange) {
               HasSubstr("at most four"));
   EXPECT_THAT(refusedEnd("[machine.limits]\nX = [5, 5]"), HasSubstr("the low limit must be below"));
   EXPECT_THAT(refusedEnd("[panel]\nblock_skip = [10]"), HasSubstr("from 1 to 9"));
+  EXPECT_THAT(refusedEnd("[panel]\ninterrupt_blocks = [-1]"), HasSubstr("lists N numbers"));
+  EXPECT_THAT(refusedEnd("[panel]\ninterrupt_blocks = 5"), HasSubstr("interrupt_blocks"));
   EXPECT_THAT(refusedEnd("[output]\nsize = [8, 600]"), HasSubstr("each from 16 to 8192"));
   EXPECT_THAT(refusedEnd("[output]\nviews = ['iso', 'iso']"), HasSubstr("listed twice"));
   EXPECT_THAT(refusedEnd("[output]\nviews = ['inside']"),

@@ -71,6 +71,7 @@ G55 = [0, 0, 30]
 1 = 1.5875
 [panel]
 block_skip = [1, 3]
+interrupt_blocks = [120, 7]
 optional_stop = true
 [simulation]
 resolution = 0.1
@@ -121,6 +122,7 @@ size = [800, 600]
   EXPECT_EQ(s.length_offsets.at(2).wear, -0.02);
   EXPECT_EQ(s.radius_offsets.at(1).geometry, 1.5875);
   EXPECT_TRUE(s.skip_switches[0] && !s.skip_switches[1] && s.skip_switches[2]);
+  EXPECT_EQ(s.interrupt_blocks, (std::vector<std::int64_t>{120, 7}));
   EXPECT_TRUE(s.optional_stop && s.lenient);
   EXPECT_EQ(s.block_limit, 5000u);
   EXPECT_EQ(job->simulation.resolution_mm, 0.1);

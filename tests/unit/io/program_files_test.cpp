@@ -64,6 +64,26 @@ TEST(FileProgramSource, SearchesTheFoldersAndFilesOfTheJob) {
   EXPECT_EQ(source.subprogram(byStem(folder.path("b/O0100.nc"), {"O0101"}))->bytes, "nested");
 }
 
+TEST(FileProgramSource, FindsSystemProgramsInTheirFolders) {
+  const TempFolder folder;
+  const std::string main = folder.write("job/main.nc", "");
+  folder.write("job/O9010.nct", "beside the main program");
+  SubprogramQuery query = byStem(main, {"O9010"});
+  query.system_channel = 1;
+  EXPECT_FALSE(FileProgramSource(main).subprogram(query).ok());
+  EXPECT_EQ(FileProgramSource(main, {folder.path("job")}).subprogram(query)->bytes,
+            "beside the main program");
+  folder.write("job/SystemMacros/Channel2/O9010.nct", "of another channel");
+  EXPECT_FALSE(FileProgramSource(main).subprogram(query).ok());
+  folder.write("SystemMacros/Channel1/O9010.nct", "above");
+  EXPECT_EQ(FileProgramSource(main, {folder.path("job")}).subprogram(query)->bytes, "above");
+  folder.write("job/SystemMacros/Channel1/o9010.NCT", "beside");
+  EXPECT_EQ(FileProgramSource(main).subprogram(query)->bytes, "beside");
+  query.system_channel = 0;
+  query.caller = folder.path("job/x.nct");
+  EXPECT_EQ(FileProgramSource(main).subprogram(query)->bytes, "beside the main program");
+}
+
 TEST(FileProgramSource, DoesNotCareForCaseButPrefersTheExactName) {
   const TempFolder folder;
   const std::string main = folder.write("MAIN.NC", "");

@@ -154,6 +154,8 @@ void setLine(ControlSettings& s, const std::string& line) {
     s.optional_stop = value() != 0;
   } else if (key == "inch") {
     s.units = value() != 0 ? LengthUnit::kInch : LengthUnit::kMillimetre;
+  } else if (key == "interrupt") {
+    s.interrupt_blocks.push_back(static_cast<std::int64_t>(value()));
   } else if (key == "until_line") {
     s.until = UntilBlock{static_cast<int>(value()), {}};
   } else if (key == "until_block") {

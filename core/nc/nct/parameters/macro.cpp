@@ -90,6 +90,14 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(MacroParam::kCount)> kR
         "macro blocks run during the motion before them; the path is the same either way"),
     noted(bit("N1756.MD8", 1756, 0, kChannel, 0, "single block stops in programs 8000 to 8999")),
     noted(bit("N1756.MD9", 1756, 1, kChannel, 0, "single block stops in programs 9000 to 9999")),
+    bit("N1758.USD", 1758, 0, kChannel, 0, "M96 and M97 switch the interrupt macro"),
+    bit("N1758.STP", 1758, 1, kChannel, 0, "the interrupt macro shares the locals of the program"),
+    bit("N1758.TPI", 1758, 2, kChannel, 0, "the interrupt macro starts at the end of the block"),
+    noted(bit("N1758.ELT", 1758, 3, kChannel, 0, "the interrupt signal counts by its edge")),
+    bit("N1758.MCD", 1758, 4, kChannel, 0, "N1759 and N1760 are the codes instead of M96 and M97"),
+    bit("N1758.SYM", 1758, 5, kChannel, 0, "the interrupt macro lies among the system macros"),
+    number("N1759", 1759, kChannel, 0, 0, 99999999, "M code that enables the interrupt macro"),
+    number("N1760", 1760, kChannel, 0, 0, 99999999, "M code that disables the interrupt macro"),
 }};
 
 }  // namespace

@@ -26,6 +26,14 @@ enum class MacroParam : std::uint16_t {
   kMacroBlocksBesideMotion,
   kList8000,
   kList9000,
+  kInterrupts,
+  kInterruptAsSubprogram,
+  kInterruptAtBlockEnd,
+  kInterruptByEdge,
+  kInterruptOwnCodes,
+  kInterruptFromSystem,
+  kInterruptOn,
+  kInterruptOff,
   kCount
 };
 constexpr ParamId paramId(MacroParam p) { return {ParamChapter::kMacro, static_cast<std::uint16_t>(p)}; }

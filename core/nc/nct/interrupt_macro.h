@@ -1,0 +1,20 @@
+// The interrupt macro: what M96 has enabled (manual 23.4).
+#pragma once
+
+#include <optional>
+
+#include "core/nc/nct/call_stack.h"
+#include "core/nc/nct/nct_state.h"
+
+namespace proveout::nc {
+
+/// What a block asks of the interrupt macro.
+enum class InterruptSwitch : std::uint8_t { kNone, kOn, kOff };
+
+struct InterruptMacro {
+  bool enabled = false;
+  CallFrame frame;                  ///< while enabled: what the signal opens
+  std::optional<NctState> resumed;  ///< while it runs: the modals of the interrupted program
+};
+
+}  // namespace proveout::nc

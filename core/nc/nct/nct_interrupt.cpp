@@ -1,0 +1,116 @@
+// M96, M97 and the interrupt macro (manual 23.4). The signal comes where the settings say so: at the end of
+// blocks of the main program.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_words.h"
+
+namespace proveout::nc {
+namespace {
+
+constexpr int kChannel = 1;
+
+/// Does the M word switch the interrupt macro?
+InterruptSwitch switchOf(const NctParameters& parameters, const Word& w) {
+  if (w.address != 'M' || !parameters.flag(MacroParam::kInterrupts)) return InterruptSwitch::kNone;
+  const bool own_codes = parameters.flag(MacroParam::kInterruptOwnCodes);
+  const int on = own_codes ? static_cast<int>(parameters[MacroParam::kInterruptOn]) : 96;
+  const int off = own_codes ? static_cast<int>(parameters[MacroParam::kInterruptOff]) : 97;
+  const std::int32_t m = mNumber(w);
+  return m == on ? InterruptSwitch::kOn : m == off ? InterruptSwitch::kOff : InterruptSwitch::kNone;
+}
+
+}  // namespace
+
+/// Takes the program of M96 out of the block. False: it was not found, reported.
+bool NctControl::takeInterruptWords() {
+  NctContext& c = context_;
+  interrupt_switch_ = InterruptSwitch::kNone;
+  if (!c.block.present.has('M')) return true;
+  const bool off = !c.parameters.flag(MacroParam::kInterrupts);
+  for (const Word& w : c.block.words) {
+    if (off && w.address == 'M' && (w.value == 96.0 || w.value == 97.0)) {
+      c.warnOnce("interrupts-off", "nct-interrupt",
+                 "M96 and M97 are functions of the machine builder: interrupt macros are off (N1758.USD = 0)",
+                 w.columns);
+    }
+    const InterruptSwitch wanted = switchOf(c.parameters, w);
+    if (wanted != InterruptSwitch::kNone) interrupt_switch_ = wanted;
+  }
+  if (interrupt_switch_ != InterruptSwitch::kOn) return true;
+  // The program lies beside the main program, wherever M96 stands, or among the system macros.
+  CallFrame& frame = interrupt_frame_;
+  frame = CallFrame();
+  frame.interrupt = true;
+  frame.kind =
+      c.parameters.flag(MacroParam::kInterruptAsSubprogram) ? CallKind::kSubprogram : CallKind::kInterrupt;
+  std::int64_t number = 0;
+  const Word* p = c.word('P');
+  if (c.parameters.flag(MacroParam::kInterruptFromSystem) && p != nullptr && !c.block.has_file) {
+    if (!integerWord(c, *p, 1, 9999, number) || !take(c.programs.system(number, kChannel), frame))
+      return false;
+  } else if (!loadCalled(frame, "M96", c.calls.main().file)) {
+    return false;
+  }
+  std::erase_if(c.block.words, [](const Word& w) { return w.address == 'P'; });
+  c.block.present = c.block.present.without("P");
+  c.block.has_file = false;
+  return true;
+}
+
+void NctControl::switchInterrupt() {
+  InterruptMacro& interrupt = context_.interrupt;
+  if (interrupt_switch_ == InterruptSwitch::kNone) return;
+  interrupt.enabled = interrupt_switch_ == InterruptSwitch::kOn;
+  if (interrupt.enabled) interrupt.frame = interrupt_frame_;
+}
+
+/// Behind a block without program flow: M96 and M97 take effect, and the signal may come.
+NctControl::Go NctControl::followInterrupts() {
+  NctContext& c = context_;
+  switchInterrupt();
+  if (interrupt_switch_ == InterruptSwitch::kOff && c.interrupt.resumed) return breakInterruptOff();
+  const std::vector<std::int64_t>& signals = c.settings.interrupt_blocks;
+  const bool signal = !signals.empty() && c.calls.depth() == 1 && c.block.number >= 0 &&
+                      std::find(signals.begin(), signals.end(), c.block.number) != signals.end();
+  if (!signal || c.interrupt.resumed) return Go::kOn;
+  if (!c.interrupt.enabled) {
+    c.warn("nct-interrupt", "the interrupt signal comes here, but M96 has enabled no interrupt macro");
+    return Go::kOn;
+  }
+  if (!c.parameters.flag(MacroParam::kInterruptAtBlockEnd)) {
+    c.warnOnce(
+        "interrupt-at-once", "nct-interrupt",
+        "the interrupt macro would start inside the block (N1758.TPI = 0): it starts at the block's end");
+  }
+  c.interrupt.resumed = c.state;
+  return open(c.interrupt.frame);
+}
+
+/// M97 inside the interrupt macro.
+NctControl::Go NctControl::breakInterruptOff() {
+  NctContext& c = context_;
+  while (c.calls.depth() > 2 && !c.calls.top().interrupt) c.closeCall();
+  return c.calls.top().interrupt ? returnFrom(FlowRequest{.code = 99}) : Go::kOn;
+}
+
+/// The interrupt macro is over; with `restore` the modals of the interrupted program are in force again.
+bool NctControl::endInterrupt(bool restore) {
+  NctContext& c = context_;
+  const NctState resumed = *std::exchange(c.interrupt.resumed, std::nullopt);
+  if (!restore) return true;
+  if (!flushPipe(c)) return false;
+  const NctState now = std::exchange(c.state, resumed);
+  c.state.spindle_direction = now.spindle_direction;  // what the machine does is no modal
+  c.state.tool = now.tool;
+  c.state.tool_row = now.tool_row;
+  c.chain = c.registers.frames.chain(c.state.work_system, c.state.length);
+  c.position = c.chain.programOf(c.machine);
+  rebasePipe(c);
+  return true;
+}
+
+}  // namespace proveout::nc
