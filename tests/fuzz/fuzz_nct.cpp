@@ -1,4 +1,4 @@
-// Feeds any bytes to the nct control as a main program, with a subprogram cut out of the same bytes. Nothing
+// Feeds any bytes to the nct control as a main program, with subprograms cut out of the same bytes. Nothing
 // may crash, hang or send a motion that is not finite.
 #include <cmath>
 #include <cstddef>
@@ -37,10 +37,23 @@ class CheckingSink : public proveout::MotionSink {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  const std::size_t cut = bytes.find('~');
+  std::size_t cut = bytes.find('~');
   proveout::MemoryProgramSource source("main.nc", bytes.substr(0, cut));
-  if (cut != std::string::npos) source.add("O0011.nc", bytes.substr(cut + 1));
+  for (const char* name : {"O0011.nc", "O0012.nc", "SystemMacros/Channel1/O9010.nct",
+                           "SystemMacros/Channel1/O9000.nct", "SystemMacros/Channel1/O9034.nct"}) {
+    if (cut == std::string::npos) break;
+    const std::size_t end = bytes.find('~', cut + 1);
+    source.add(name, bytes.substr(cut + 1, end == std::string::npos ? end : end - cut - 1));
+    cut = end;
+  }
   proveout::ControlSettings settings;
+  settings.parameters = {{"N1704", size % 3 == 0 ? -101.0 : 101.0},
+                         {"N1720", 50.0},
+                         {"N1746.TM", 1.0},
+                         {"N1755.MEQ", size % 2 == 0 ? 1.0 : 0.0},
+                         {"N1755.ENC", size % 5 == 0 ? 1.0 : 0.0},
+                         {"N1758.USD", 1.0}};
+  settings.interrupt_blocks = {10};
   settings.block_limit = 300;
   settings.max_errors = 20;
   settings.lenient = size % 2 == 0;

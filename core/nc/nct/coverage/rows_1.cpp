@@ -31,7 +31,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-1.1-commaC", kSim, kMissing, ""},
     {"nct-1.1-commaR", kSim, kMissing, ""},
     {"nct-1.1-commaA", kSim, kMissing, ""},
-    {"nct-1.1-subprog", kSim, kDone, ""},
+    {"nct-1.1-subprog", kSim, kDone, "good/flow_nested.nc"},
     {"nct-1.2-channel", kHost, kMissing, ""},
     {"nct-1.2-sync", kHost, kMissing, ""},
     {"nct-1.2-lathe", kReject, kMissing, ""},

@@ -1,5 +1,5 @@
 === about
-proves: nct-14.4.3-M99 nct-14.4.2-nesting
+proves: nct-14.4.3-M99 nct-14.4.2-nesting nct-1.1-subprog
 === main
 O0001
 M98 P11
