@@ -94,7 +94,8 @@ bool collectM(NctContext& c, BlockPlan& plan) {
                           w);
       }
     }
-    if (code == nullptr && !isPlaceCode(c, static_cast<int>(value))) {
+    const bool of_interrupt = interruptSwitch(c.parameters, w) != InterruptSwitch::kNone;
+    if (code == nullptr && !of_interrupt && !isPlaceCode(c, static_cast<int>(value))) {
       c.warnOnce(
           fmt::format("M{}", value), "nct-m-function",
           fmt::format("M{} is a function of the machine builder: it has no effect in the simulation", value),

@@ -9,12 +9,7 @@
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
-namespace {
-
-constexpr int kChannel = 1;
-
-/// Does the M word switch the interrupt macro?
-InterruptSwitch switchOf(const NctParameters& parameters, const Word& w) {
+InterruptSwitch interruptSwitch(const NctParameters& parameters, const Word& w) {
   if (w.address != 'M' || !parameters.flag(MacroParam::kInterrupts)) return InterruptSwitch::kNone;
   const bool own_codes = parameters.flag(MacroParam::kInterruptOwnCodes);
   const int on = own_codes ? static_cast<int>(parameters[MacroParam::kInterruptOn]) : 96;
@@ -22,6 +17,10 @@ InterruptSwitch switchOf(const NctParameters& parameters, const Word& w) {
   const std::int32_t m = mNumber(w);
   return m == on ? InterruptSwitch::kOn : m == off ? InterruptSwitch::kOff : InterruptSwitch::kNone;
 }
+
+namespace {
+
+constexpr int kChannel = 1;
 
 }  // namespace
 
@@ -37,7 +36,7 @@ bool NctControl::takeInterruptWords() {
                  "M96 and M97 are functions of the machine builder: interrupt macros are off (N1758.USD = 0)",
                  w.columns);
     }
-    const InterruptSwitch wanted = switchOf(c.parameters, w);
+    const InterruptSwitch wanted = interruptSwitch(c.parameters, w);
     if (wanted != InterruptSwitch::kNone) interrupt_switch_ = wanted;
   }
   if (interrupt_switch_ != InterruptSwitch::kOn) return true;

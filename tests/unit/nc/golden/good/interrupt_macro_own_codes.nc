@@ -36,21 +36,14 @@ rapid 20 0 5
 file 0 main.nc
 file 1 O0011
 file 2 SystemMacros/Channel1/O0050.nct
-O0011:1:1: warning[nct-m-function]: M150 is a function of the machine builder: it has no effect in the simulation
-    M150 P50
-    ^~~~
-    note: called from main.nc:2
 1/1 depth 1: event function code="M150"
 3 N10: rapid from 0 0 0 to 10 0 0 t0.04
 2/1 depth 1: rapid to 10 0 5 t0.02
 4: rapid to 77 0 5 t0.268
-main.nc:5:1: warning[nct-m-function]: M151 is a function of the machine builder: it has no effect in the simulation
-    M151
-    ^~~~
 5: event function code="M151"
 6 N20: rapid to 20 0 5 t0.228
 main.nc:6:1: warning[nct-interrupt]: the interrupt signal comes here, but M96 has enabled no interrupt macro
     N20 X20
     ^~~~~~~
 7: event end code="M30"
-end of program: 13 blocks, 4 motions, 0 errors, 3 warnings
+end of program: 13 blocks, 4 motions, 0 errors, 1 warnings
