@@ -66,6 +66,7 @@ struct Operator {
   std::map<int, int> message_answers;
   std::array<bool, 32> plc_bits{};      ///< inputs #1000 to #1031
   std::array<double, 3> plc_numbers{};  ///< inputs #1033 to #1035
+  bool test_mode = false;               ///< #_TEST
   int date = 20000101;                  ///< YYYYMMDD
   int time = 0;                         ///< HHMMSS at the start of the program; goes on with the cycle time
 };

@@ -39,6 +39,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_macro_calls.cpp
   nc/nct/nct_motion.cpp
   nc/nct/nct_offsets.cpp
+  nc/nct/nct_output.cpp
   nc/nct/nct_parameters.cpp
   nc/nct/nct_perform.cpp
   nc/nct/nct_pocket.cpp
@@ -58,6 +59,14 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/tools.cpp
   nc/nct/program_store.cpp
   nc/nct/system_calls.cpp
+  nc/nct/system_variables/frame_bank.cpp
+  nc/nct/system_variables/message_bank.cpp
+  nc/nct/system_variables/modal_bank.cpp
+  nc/nct/system_variables/plc_bank.cpp
+  nc/nct/system_variables/position_bank.cpp
+  nc/nct/system_variables/status_bank.cpp
+  nc/nct/system_variables/system_variables.cpp
+  nc/nct/system_variables/tool_offset_bank.cpp
   nc/nct/tool_tables.cpp
   nc/nct/tables/comp.cpp
   nc/nct/tables/cycles.cpp

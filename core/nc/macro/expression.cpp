@@ -393,6 +393,10 @@ bool Parser::wholeNumber(const Value& value, std::size_t begin, int& out) {
 
 bool Parser::accessed(VariableStatus status, int number, std::size_t begin) {
   if (status == kVariableRead) return true;
+  if (status == kVariableReported) {
+    error_.code.clear();
+    return false;
+  }
   if (status == kUnknownVariable) {
     return fail("nct-variable", fmt::format("the control has no variable #{}", number), begin);
   }
@@ -481,8 +485,11 @@ bool Parser::assignment() {
   i = skipBlanks(text_, i);
   if (!take('=')) return alarm(kSyntax, {}, "'=' is expected", i);
   in_assignment = true;
-  Value value;
-  if (!sum(value)) return false;
+  Value value = Value::none();
+  const std::size_t first = text_.find_first_not_of(" \t", i);
+  const bool text_only =
+      first != std::string_view::npos && text_[first] == '(' && variables_.takesText(number);
+  if (!text_only && !sum(value)) return false;
   variables_.setNote(text_.substr(i));
   const VariableStatus status = variables_.write(number, value);
   return accessed(status, number, begin);

@@ -41,7 +41,8 @@ class MacroEvaluator : public ExpressionHook {
   /// `[formula relation formula]` from `pos` on (IF, WHILE). Vacant equals vacant alone and is greater than
   /// every number (manual 23.1.6).
   bool condition(std::string_view text, std::size_t& pos, bool& holds, LexError& error);
-  /// `#i=formula` from `pos` on. The text behind the formula is handed to the variables as the note.
+  /// `#i=formula` from `pos` on. The text behind the formula is handed to the variables as the note. An error
+  /// without a code has been reported already.
   bool assign(std::string_view text, std::size_t& pos, LexError& error);
   /// `#n`, `#[formula]` or `#_NAME[formula]` from `pos` on, without reading it.
   bool variable(std::string_view text, std::size_t& pos, int& number, LexError& error);

@@ -20,7 +20,8 @@ struct Arguments {
 /// How an access went: 0, the manual's alarm number, or kUnknownVariable.
 using VariableStatus = int;
 inline constexpr VariableStatus kVariableRead = 0;
-inline constexpr VariableStatus kUnknownVariable = -1;  ///< the control has no variable of that number
+inline constexpr VariableStatus kUnknownVariable = -1;   ///< the control has no variable of that number
+inline constexpr VariableStatus kVariableReported = -2;  ///< an error was reported already
 inline constexpr VariableStatus kReadOnlyVariable = 2161;
 inline constexpr VariableStatus kVariableLimit = 2092;
 
@@ -30,6 +31,8 @@ class VariableBank {
   virtual ~VariableBank() = default;
   virtual VariableStatus read(int number, Value& out) = 0;
   virtual VariableStatus write(int number, const Value& value) = 0;
+  /// Does the variable take a text behind the value, or instead of one?
+  virtual bool takesText(int /*number*/) const { return false; }
 };
 
 /// A name of system variables: `#_NAME`, or `#_NAME[index]` where count > 0.
@@ -91,6 +94,10 @@ class VariableStore {
   /// Hands the numbers first..last to a bank, which must live as long as the store. Ranges do not overlap.
   void addBank(int first, int last, VariableBank& bank);
   /// The rest of the line behind the assignment in hand, for banks that take a text: #3000=1(TEXT).
+  bool takesText(int number) const {
+    const VariableBank* bank = bankOf(number);
+    return bank != nullptr && bank->takesText(number);
+  }
   std::string_view note() const { return note_; }
   void setNote(std::string_view note) { note_ = note; }
   /// Makes a name known. Names are unique.

@@ -113,6 +113,7 @@ bool collectM(NctContext& c, BlockPlan& plan) {
     }
     plan.m[static_cast<std::size_t>(plan.m_count)] = code;
     plan.m_value[static_cast<std::size_t>(plan.m_count++)] = static_cast<int>(value);
+    plan.next.last.m = static_cast<int>(value);
   }
   return true;
 }
@@ -221,6 +222,7 @@ bool planWorkSystem(NctContext& c, BlockPlan& plan) {
     if (p == nullptr) return c.alarm(2004, "P", "G54.1 needs P1 to P99");
     if (!integerWord(c, *p, 1, 99, number)) return false;
     plan.next.work_system = kFirstExtended + static_cast<int>(number) - 1;
+    plan.next.last.extended_system = static_cast<int>(number);
   } else {
     plan.next.work_system = code->code10 / 10 - 53;
   }
@@ -348,6 +350,8 @@ bool checkWords(NctContext& c, const BlockPlan& plan) {
 bool planBlock(NctContext& c, BlockPlan& plan) {
   plan.next = c.state;
   plan.start = c.position;
+  if (c.block.number >= 0) plan.next.last.n = c.block.number;
+  if (const Word* e = c.word('E')) plan.next.last.e = e->value;
   return collectG(c, plan) && collectM(c, plan) && planModal(c, plan) && planNumbers(c, plan) &&
          planOffsetsHD(c, plan) && planWorkSystem(c, plan) && planLength(c, plan) && planComp(c, plan) &&
          govern(c, plan) && checkWords(c, plan);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/nc/nct/nct_tools.h"
+#include "core/nc/nct/system_variables/system_variables.h"
 
 namespace proveout::nc {
 
@@ -38,7 +39,10 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
     frames.basic[i] = {settings.work_offsets[i], settings.work_rotations_deg[i]};
   }
   for (const auto& [p, offset] : settings.extended_offsets) frames.extended[p].offset = offset;
+  system_variables = std::make_unique<SystemVariables>(*this);
 }
+
+NctContext::~NctContext() = default;
 
 void NctContext::reset() {
   modals.clear();
@@ -71,6 +75,7 @@ void NctContext::reset() {
   s.active[kGroupTilt] = 691;
   s.active[kGroupPolarInterpolation] = 131;
   s.active[kGroupMirror] = 501;
+  s.active[kGroupGear] = 808;
   s.feed = parameters[s.perTurn() ? MotionParam::kDefaultFeedPerTurn : MotionParam::kDefaultFeedPerMinute];
   state = s;
   chain = registers.frames.chain(state.work_system, state.length);
@@ -83,6 +88,7 @@ bool NctContext::openCall(const CallFrame& frame) {
     return fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
   }
   calls.push(frame);
+  last_called = frame.text;
   return true;
 }
 

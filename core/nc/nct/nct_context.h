@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_macro_environment.h"
+#include "core/nc/nct/nct_output.h"
 #include "core/nc/nct/nct_parameters.h"
 #include "core/nc/nct/nct_plan.h"
 #include "core/nc/nct/nct_state.h"
@@ -34,6 +36,14 @@
 
 namespace proveout::nc {
 
+/// Where the last measuring move stopped.
+struct SkipPosition {
+  AxisPoint work;         ///< work coordinates, length offset included
+  AxisPoint tip;          ///< without it
+  AxisPoint machine;      ///< machine coordinates
+  AxisPoint machine_tip;  ///< without the length offset
+};
+
 /// Registers that survive the end of a program.
 struct NctRegisters {
   WorkFrames frames;
@@ -41,9 +51,19 @@ struct NctRegisters {
   ToolTables tools;
   ToolInput tool_input;
   double tool_time_s = 0.0;  ///< cutting time up to which the life of the tool in the spindle is counted
+  SkipPosition skip;
+  double parts_made = 0.0;    ///< #3901
+  double parts_wanted = 0.0;  ///< #3902
+};
+
+/// The block that an interrupt macro has interrupted.
+struct InterruptedBlock {
+  NctState state;
+  int program = 0;  ///< number of its program
 };
 
 struct NctContext;
+class SystemVariables;
 /// What becomes of a block between G10 L... and G11; the words are those of data blocks, N among them. False:
 /// an error was reported.
 using DataInput = bool (*)(NctContext&);
@@ -71,6 +91,7 @@ struct NctContext {
   NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
              Progress* progress, const ControlHost& control_host, InterpretSummary& run_summary);
   NctContext(const NctContext&) = delete;
+  ~NctContext();
   NctContext& operator=(const NctContext&) = delete;
 
   const ControlSettings& settings;
@@ -105,7 +126,11 @@ struct NctContext {
   EmitStage emit_stage;
   std::vector<DrillStep> drill_steps;
   std::unique_ptr<VariableBank> tool_bank;  ///< #8400 to #8450
-  DataInput data_input = nullptr;           ///< set: blocks are data until G11
+  DataInput data_input = nullptr;  ///< set: blocks are data until G11
+  OutputFile output;
+  std::optional<InterruptedBlock> interrupted;  ///< while an interrupt macro runs
+  const SourceText* last_called = nullptr;      ///< the program that was called last; null: none yet
+  std::unique_ptr<SystemVariables> system_variables;
 
   /// Opens a program now, with a level of locals where its kind has one. False: nested too deep, reported.
   bool openCall(const CallFrame& frame);

@@ -49,7 +49,7 @@ void configureFeeds(NctContext& c) {
 MotionJoin joinOf(const BlockPlan& plan) {
   MotionJoin join;
   const int mode = plan.next.active[kGroupCutting];
-  join.stops = plan.exact_stop || mode == 610;
+  join.stops = (plan.exact_stop || mode == 610) && !plan.next.automatic.no_exact_stop;
   join.unbroken = mode == 630;
   if (mode == 620 && plan.next.compOn()) join.inside = plan.next.compOffset() < 0.0 ? -1 : 1;
   return join;

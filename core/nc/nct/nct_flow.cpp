@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_output.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_words.h"
+#include "core/nc/nct/system_variables/status_bank.h"
 
 namespace proveout::nc {
 namespace {
@@ -42,13 +44,15 @@ NctControl::Go NctControl::flow(const BlockPlan& plan) {
 
 NctControl::Go NctControl::flow(const FlowRequest& request) {
   if (request.code == 99) return returnFrom(request);
+  countPart(context_, request.code);
   return finish(fmt::format("M{}", request.code), ProgramEnd::kEndOfProgram);
 }
 
 NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
   NctContext& c = context_;
   summary_.end = end;
-  if (!c.pipe.flush(FlushReason::kEnd)) return stopAtAlarm();
+  if (!c.pipe.flush(FlushReason::kEnd) || !endOutput(c)) return stopAtAlarm();
+  c.state.automatic = {};
   if (c.settings.until && !until_hit_) {
     c.fail("nct-until", "the program ends here; the block to stop after was not reached");
     return stopAtAlarm();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_tools.h"
+#include "core/nc/nct/system_variables/status_bank.h"
 
 namespace proveout::nc {
 
@@ -113,6 +114,7 @@ bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
     if (at != phase) continue;
     // In a drilling block M functions run at the first hole, behind the positioning (manual 18.2).
     if (!function(c, plan, plan.m_value[k])) return false;
+    countPart(c, plan.m_value[k]);
     spindle_done = spindle_done || plan.m_value[k] == 3 || plan.m_value[k] == 4;
   }
   if (phase == MPhase::kBefore && plan.spindle_changed && !spindle_done && c.state.spindle_direction != 0) {

@@ -24,6 +24,23 @@ struct CycleWords {
   std::optional<double> retract_percent;
 };
 
+/// Last words that variables tell of and nothing else keeps (#4101 to #4130).
+struct LastWords {
+  double e = 0.0;
+  std::int64_t n = 0;
+  std::int32_t m = 0;
+  std::int32_t extended_system = 0;   ///< P of G54.1
+  std::array<double, 3> auxiliary{};  ///< auxiliary functions (N1333 to N1335)
+};
+
+/// What programs suppress in automatic mode (#3003, #3004).
+struct AutomaticBits {
+  bool no_single_block = false;
+  bool no_stop = false;      ///< STOP key
+  bool no_override = false;  ///< override and STOP key
+  bool no_exact_stop = false;
+};
+
 /// Everything that a block may change and that stays. A value that owns no memory: blocks work on a copy. A
 /// chapter with modal words of its own adds one struct as a member.
 struct NctState {
@@ -40,6 +57,8 @@ struct NctState {
   double d_radius = 0.0;              ///< mm, read when D was executed
   AxisPoint length;                   ///< length offset in force, machine axes, mm
   CycleWords cycle;
+  LastWords last;
+  AutomaticBits automatic;
 
   Plane plane() const {
     const int g = active[kGroupPlane];

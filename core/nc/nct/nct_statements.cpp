@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_output.h"
 
 namespace proveout::nc {
 
 // A statement that decides where to go on and fails leaves nowhere to go on: it always stops the run.
 
 bool NctControl::failStatement(const LexError& error) {
-  return context_.fail(error.code, error.message, error.columns);
+  return !error.code.empty() && context_.fail(error.code, error.message, error.columns);
 }
 
 /// Nothing but comments may stand behind a statement.
@@ -29,7 +30,10 @@ NctControl::Go NctControl::statement() {
   switch (c.block.kind) {
     case LineKind::kAssignment: {
       LexError error;
-      if (!c.macro.assign(c.block.text, pos, error)) return failStatement(error) ? Go::kOn : alarm();
+      if (!c.macro.assign(c.block.text, pos, error)) {
+        failStatement(error);
+        return summary_.end == ProgramEnd::kAlarm ? Go::kStop : alarm();  // #3000 ends the run
+      }
       return endStatement(pos) ? Go::kOn : alarm();
     }
     case LineKind::kIf:
@@ -42,8 +46,7 @@ NctControl::Go NctControl::statement() {
     case LineKind::kGoto:
       return goTo(pos);
     case LineKind::kOutput:
-      c.alarm(2123, c.block.text.substr(pos, 5), "output is not supported");
-      return alarm();
+      return outputStatement(c) ? Go::kOn : alarm();
     case LineKind::kBlock:
       break;
   }

@@ -1,0 +1,25 @@
+#include "core/nc/nct/system_variables/system_variables.h"
+
+#include "core/nc/nct/nct_context.h"
+
+namespace proveout::nc {
+
+SystemVariables::SystemVariables(NctContext& context)
+    : modal_(context),
+      frames_(context),
+      offsets_(context),
+      positions_(context),
+      plc_(context.host.person),
+      status_(context),
+      messages_(context) {
+  VariableStore& store = context.variables;
+  modal_.addTo(store);
+  frames_.addTo(store);
+  offsets_.addTo(store);
+  positions_.addTo(store);
+  plc_.addTo(store);
+  status_.addTo(store);
+  messages_.addTo(store);
+}
+
+}  // namespace proveout::nc
