@@ -397,10 +397,14 @@ bool Parser::accessed(VariableStatus status, int number, std::size_t begin) {
     error_.code.clear();
     return false;
   }
+  constexpr int kLastWritten = 999'999'999;  // beyond stand variables that have a name only
+  const std::string name = number <= kLastWritten
+                               ? fmt::format("#{}", number)
+                               : std::string(text_.substr(begin, text_.find_first_of("]=", begin) - begin));
   if (status == kUnknownVariable) {
-    return fail("nct-variable", fmt::format("the control has no variable #{}", number), begin);
+    return fail("nct-variable", fmt::format("the control has no variable {}", name), begin);
   }
-  return alarm(status, fmt::format("#{}", number), {}, begin);
+  return alarm(status, name, {}, begin);
 }
 
 bool Parser::variableNumber(int& number) {

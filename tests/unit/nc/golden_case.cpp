@@ -165,6 +165,43 @@ void setLine(ControlSettings& s, const std::string& line) {
   }
 }
 
+/// What the person at the machine answers, and the name of the main program. False: a line of the control.
+bool setHostLine(Operator& person, std::string& main_name, const std::string& line) {
+  std::istringstream in(line);
+  std::string key, equals;
+  if (!(in >> key >> equals)) return false;
+  const auto row = [&](std::size_t prefix) { return static_cast<std::size_t>(std::stoi(key.substr(prefix))); };
+  if (key == "main_name") {
+    in >> main_name;
+  } else if (key.starts_with("answer")) {
+    in >> person.message_answers[static_cast<int>(row(6))];
+  } else if (key.starts_with("plc_bit")) {
+    in >> person.plc_bits.at(row(7));
+  } else if (key.starts_with("plc_number")) {
+    in >> person.plc_numbers.at(row(10) - 1);
+  } else if (key == "date") {
+    in >> person.date;
+  } else if (key == "time") {
+    in >> person.time;
+  } else if (key == "test_mode") {
+    in >> person.test_mode;
+  } else {
+    return false;
+  }
+  if (!in) throw std::runtime_error("bad setting: " + line);
+  return true;
+}
+
+/// Bytes as they can stand in a text.
+std::string escaped(const std::string& bytes) {
+  std::string out;
+  for (const char c : bytes) {
+    const auto code = static_cast<unsigned char>(c);
+    out += code < 0x20 || code >= 0x7F || c == '\\' ? fmt::format("\\{:02X}", code) : std::string(1, c);
+  }
+  return out;
+}
+
 }  // namespace
 
 GoldenCase readGolden(const std::string& path) {
@@ -205,17 +242,27 @@ ControlSettings settingsOf(const std::string& text) {
   ControlSettings settings;
   settings.start = Vec3(0, 0, 0);
   std::istringstream in(text);
+  Operator person;
+  std::string main_name;
   for (std::string line; std::getline(in, line);) {
-    if (!line.empty()) setLine(settings, line);
+    if (!line.empty() && !setHostLine(person, main_name, line)) setLine(settings, line);
   }
   return settings;
 }
 
 std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions) {
-  MemoryProgramSource source("main.nc", golden.main_text);
+  ControlHost host;
+  std::string main_name = "main.nc";
+  std::istringstream in(golden.settings_text);
+  for (std::string line; std::getline(in, line);) setHostLine(host.person, main_name, line);
+  MemoryProgramSource source(main_name, golden.main_text);
   for (const auto& [name, text] : golden.subprograms) source.add(name, text);
   TextSink sink(motions);
-  const InterpretSummary s = interpret(ControlId::kNct, source, settingsOf(golden.settings_text), sink);
+  MemoryOutput output;
+  host.output = &output;
+  const InterpretSummary s =
+      interpret(ControlId::kNct, source, settingsOf(golden.settings_text), sink, nullptr, host);
+  for (const auto& [name, bytes] : output.files()) sink.text += "file " + name + ": " + escaped(bytes) + "\n";
   return sink.text + fmt::format("{}: {} blocks, {} motions, {} errors, {} warnings\n", endName(s.end),
                                  s.blocks, s.motions, s.errors, s.warnings);
 }

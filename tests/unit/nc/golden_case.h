@@ -2,7 +2,8 @@
 //
 //   === about        free text; "proves: id id ..." names coverage ids
 //   === settings     one a line: H1 = 10, D1 = 5, G54 = 1 2 3, start = 0 0 50, N1339 = 0.01, skip = 1,
-//                    axis = C 6 rotary rapid 3600 limit -360 360, ...
+//                    axis = C 6 rotary rapid 3600 limit -360 360, ...; of the person at the machine:
+//                    answer107 = 2, plc_bit3 = 1, plc_number1 = 2.5, date, time, test_mode; main_name = O0012.nc
 //   === main         the main program (a file may start with it and leave the marker out)
 //   === sub NAME     a subprogram
 //   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg] [F feed]
