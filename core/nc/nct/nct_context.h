@@ -126,7 +126,7 @@ struct NctContext {
   EmitStage emit_stage;
   std::vector<DrillStep> drill_steps;
   std::unique_ptr<VariableBank> tool_bank;  ///< #8400 to #8450
-  DataInput data_input = nullptr;  ///< set: blocks are data until G11
+  DataInput data_input = nullptr;           ///< set: blocks are data until G11
   OutputFile output;
   std::optional<InterruptedBlock> interrupted;  ///< while an interrupt macro runs
   const SourceText* last_called = nullptr;      ///< the program that was called last; null: none yet

@@ -89,7 +89,7 @@ main.nc:11:6: error[nct-variable]: the control has no variable #135001
     #100=#135001
          ^~~~~~~
     note: #100 is vacant
-main.nc:12:6: error[nct-variable]: the control has no variable #1100010001
+main.nc:12:6: error[nct-variable]: the control has no variable #_OFSZG[1
     #100=#_OFSZG[1]
          ^~~~~~~~~~
     note: #100 is vacant
@@ -149,7 +149,7 @@ main.nc:28:1: error[nct-2092]: value out of range in variable #1100
 main.nc:29:1: error[nct-2092]: value out of range in variable #1132
     #1132=4294967296
     ^~~~~~~~~~~~~~~~
-main.nc:30:1: error[nct-2092]: value out of range in variable #1000000005
+main.nc:30:1: error[nct-2092]: value out of range in variable #_M_SBK
     #_M_SBK=2
     ^~~~~~~~~
 main.nc:31:1: error[nct-2092]: value out of range in variable #3004
