@@ -398,9 +398,9 @@ bool Parser::accessed(VariableStatus status, int number, std::size_t begin) {
     return false;
   }
   constexpr int kLastWritten = 999'999'999;  // beyond stand variables that have a name only
-  const std::string name = number <= kLastWritten
-                               ? fmt::format("#{}", number)
-                               : std::string(text_.substr(begin, text_.find_first_of("]=", begin) - begin));
+  const std::string_view written = text_.substr(begin, i - begin);
+  const std::string name =
+      number <= kLastWritten ? fmt::format("#{}", number) : std::string(written.substr(0, written.find('=')));
   if (status == kUnknownVariable) {
     return fail("nct-variable", fmt::format("the control has no variable {}", name), begin);
   }

@@ -89,7 +89,7 @@ main.nc:11:6: error[nct-variable]: the control has no variable #135001
     #100=#135001
          ^~~~~~~
     note: #100 is vacant
-main.nc:12:6: error[nct-variable]: the control has no variable #_OFSZG[1
+main.nc:12:6: error[nct-variable]: the control has no variable #_OFSZG[1]
     #100=#_OFSZG[1]
          ^~~~~~~~~~
     note: #100 is vacant
