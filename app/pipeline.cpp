@@ -213,11 +213,12 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
     std::vector<Finding> touched;
     if (Status done = addFixtureContacts(*fixtures, setup, *sources[k], touched, progress); !done)
       return done;
-    parallelFor(0, 2, [&setup](int part) {
+    parallelFor(0, 3, [&setup](int part) {
       if (part == 0) setup.topology = analyseTopology(setup.surface.mesh);
       if (part == 1) setup.mesh_sha256 = sha256OfMesh(setup.surface.mesh);
+      if (part == 2) setup.extent = meshExtent(setup.surface.mesh);
     });
-    setup.bodies = stockBodies(setup.surface.mesh, setup.topology);
+    setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent);
     inSetup(run, setup, [&](std::vector<Finding>& findings) {
       addContacts(setup.removal.contacts, setup.interpreted.path, *sources[k], findings);
       findings.insert(findings.end(), touched.begin(), touched.end());

@@ -27,6 +27,7 @@ struct SetupRun {
   StockSurface surface;    ///< after it, in its frame
   std::vector<StockBody> bodies;
   MeshTopology topology;     ///< of the surface's mesh
+  MeshExtent extent;         ///< of the surface's mesh
   std::string mesh_sha256;   ///< of the surface's mesh
   double initial_mm3 = 0.0;  ///< before it: of the blank, or of the stock that came before
 };

@@ -97,7 +97,7 @@ ReportStock reportStock(const RunResult& run) {
   stock.initial_mm3 = run.setups.front().initial_mm3;
   stock.final_mm3 = run.surface().volume_mm3;
   stock.removed_mm3 = stock.initial_mm3 - stock.final_mm3;
-  stock.mesh_mm3 = meshVolume(run.surface().mesh);
+  stock.mesh_mm3 = run.setups.back().extent.volume_mm3;
   stock.bodies = run.setups.back().bodies;
   stock.triangles = run.surface().mesh.triangles.size();
   stock.vertices = run.surface().mesh.positions.size();
@@ -195,11 +195,11 @@ Result<std::vector<FileHash>> hashInputs(const Job& job, const RunSources& sourc
 
 }  // namespace
 
-std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology) {
+std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology,
+                                   const MeshExtent& extent) {
   if (topology.closedManifold() &&
       topology.components == 1) {  // the usual part; no need to tell shells apart
-    const double volume = meshVolume(mesh);
-    if (volume > 0) return {{volume, meshBounds(mesh), "part"}};
+    if (extent.volume_mm3 > 0) return {{extent.volume_mm3, extent.bounds, "part"}};
   }
   std::vector<Shell> shells = shellsOf(mesh);
   std::vector<StockBody> bodies;

@@ -15,7 +15,8 @@ std::vector<CutPath> cutPaths(const RunResult& run);
 
 /// Connected pieces of the stock: the largest is the part, others fell off. A closed hollow counts against
 /// the piece around it.
-std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology);
+std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology,
+                                   const MeshExtent& extent);
 
 ReportComparison reportComparison(const Comparison& comparison, const std::string& nominal);
 

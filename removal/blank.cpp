@@ -4,6 +4,8 @@
 #include <cmath>
 #include <mutex>
 
+#include <tbb/concurrent_vector.h>
+
 #include "core/base/parallel_for.h"
 #include "removal/blank_field.h"
 #include "removal/leaf_changes.h"
@@ -40,10 +42,7 @@ class FieldBlank {
     visit(low, high, size);
     if (over_limit_) return memoryError(leafBytes(static_cast<double>(leaves_)), limit_bytes_, impl_.h);
     if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-    // Bring the leaves into an order that does not depend on threads.
-    std::sort(changes_.begin(), changes_.end(),
-              [](const LeafChange& a, const LeafChange& b) { return a.origin < b.origin; });
-    commitChanges(impl_, changes_, [this](std::size_t i, const LeafEdges& edges, const auto&) {
+    commitChanges(impl_, addressesOf(changes_), [this](std::size_t i, const LeafEdges& edges, const auto&) {
       return crossings(changes_[i], edges);
     });
     return Done{};
@@ -67,7 +66,6 @@ class FieldBlank {
       LeafChange change;
       change.origin = origin;
       change.material = field_.material(impl_.position(origin), impl_.h);
-      const std::lock_guard<std::mutex> lock(mutex_);
       changes_.push_back(change);
       if (leafBytes(static_cast<double>(++leaves_)) > limit_bytes_) over_limit_ = true;
       return;
@@ -110,8 +108,8 @@ class FieldBlank {
   Progress& progress_;
   double limit_bytes_;
   std::mutex mutex_;
-  std::vector<LeafChange> changes_;
-  std::size_t leaves_ = 0;
+  tbb::concurrent_vector<LeafChange> changes_;
+  std::atomic<std::size_t> leaves_{0};
   std::atomic<bool> over_limit_{false};
 };
 

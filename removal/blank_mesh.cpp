@@ -91,7 +91,7 @@ class MeshBlank {
       }
       changes.push_back(change);
     }
-    commitChanges(impl_, changes, [&](std::size_t i, const LeafEdges& edges, const auto&) {
+    commitChanges(impl_, addressesOf(changes), [&](std::size_t i, const LeafEdges& edges, const auto&) {
       return crossings(changes[i], edges);
     });
     return Done{};

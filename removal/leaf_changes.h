@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/base/parallel_for.h"
@@ -14,9 +15,9 @@ inline constexpr std::uint32_t kNoPass = 0xFFFFFFFFu;
 
 struct LeafChange {
   Coord origin;
-  LeafBits material{};              ///< new samples
-  LeafEdges before;                 ///< crossed edges until now
-  bool first_before = false;        ///< the first sample until now
+  LeafBits material{};        ///< new samples
+  LeafEdges before;           ///< crossed edges until now
+  bool first_before = false;  ///< the first sample until now
   /// The pass that took most and the last that took something; kNoPass where none did.
   std::array<std::uint32_t, 2> takers{kNoPass, kNoPass};
 };
@@ -27,12 +28,21 @@ LeafChange readLeaf(const LeafReader& reader, const Coord& origin);
 /// Samples until now.
 LeafBits samplesBefore(const LeafChange& change);
 
-/// Writes the changes into the stock. `changes` must hold, once, every leaf of whose 9x9x9 block a sample changes.
-/// `find(i, edges, before)` is called in parallel for every changed leaf and returns the crossings of `edges` in
-/// order (none for a leaf that is not mixed any more); `before` are the crossings of changes[i].before. The result does not depend on the order
-/// of `changes`.
+/// Writes the changes into the stock. `changes` must hold, once, every leaf of whose 9x9x9 block a sample
+/// changes. `find(i, edges, before)` is called in parallel for every changed leaf and returns the crossings
+/// of `edges` in order (none for a leaf that is not mixed any more); `before` are the crossings of
+/// changes[i]->before. The result does not depend on the order of `changes`.
 using FindCrossings = std::function<std::vector<Crossing>(std::size_t i, const LeafEdges& edges,
                                                           const std::vector<Crossing>& before)>;
-void commitChanges(Stock::Impl& impl, std::vector<LeafChange>& changes, const FindCrossings& find);
+void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find);
+
+/// Where the elements of a list stand, for commitChanges.
+template <typename List>
+std::vector<const LeafChange*> addressesOf(const List& changes) {
+  std::vector<const LeafChange*> out;
+  out.reserve(changes.size());
+  for (const LeafChange& change : changes) out.push_back(&change);
+  return out;
+}
 
 }  // namespace proveout

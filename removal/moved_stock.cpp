@@ -66,8 +66,8 @@ class ExactMove {
   Stock::Impl run() {
     makeIndex(now_);
     fillInside();
-    std::vector<LeafChange> changes = movedLeaves();
-    commitChanges(now_, changes, [&](std::size_t i, const LeafEdges& edges, const auto&) {
+    const std::vector<LeafChange> changes = movedLeaves();
+    commitChanges(now_, addressesOf(changes), [&](std::size_t i, const LeafEdges& edges, const auto&) {
       return crossings(changes[i].origin, edges);
     });
     numberFaces(now_);

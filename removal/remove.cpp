@@ -70,8 +70,14 @@ class Remover {
   void share(const ReachList& passes, int size, std::array<Children, 4>& columns) const;
   void visitColumn(Children& column, int size);
   void leaf(const Coord& origin, const ReachList& passes);
-  void gatherChanges();
-  std::vector<Crossing> findCrossings(std::size_t i, const LeafEdges& edges,
+  /// A leaf that passes reach into, as they leave it.
+  struct CutLeaf {
+    LeafChange change;
+    ReachList passes;
+    std::unique_ptr<OpenEdges> open;
+  };
+  void commit();
+  std::vector<Crossing> findCrossings(const CutLeaf& leaf, const LeafEdges& edges,
                                       const std::vector<Crossing>& before);
   void addLost(RemovalSummary& out) const;
 
@@ -88,15 +94,7 @@ class Remover {
   tbb::enumerable_thread_specific<ThinWallFinder> walls_;
   tbb::concurrent_vector<ContactSample> contacts_;
   tbb::concurrent_vector<LostFilm> lost_;
-  struct CutLeaves {
-    std::vector<LeafChange> changes;
-    std::vector<ReachList> lists;
-    std::vector<std::unique_ptr<OpenEdges>> open;
-  };
-  tbb::enumerable_thread_specific<CutLeaves> cut_;
-  std::vector<LeafChange> changes_;
-  std::vector<ReachList> lists_;  ///< passes of each change
-  std::vector<std::unique_ptr<OpenEdges>> open_;
+  tbb::concurrent_vector<CutLeaf> cut_;
   std::atomic<std::uint64_t> evaluations_{0};
   std::atomic<double> bytes_{0.0}, done_{0.0};
   double total_blocks_ = 1.0;
@@ -105,19 +103,25 @@ class Remover {
 
 /// Gives motions of earlier paths numbers that those of this path do not have.
 void renumberEarlier(Stock::Impl& impl) {
-  std::uint32_t base = kEarlierMotions;
-  const auto eachCut = [&](auto&& body) {
-    for (StockLeaf& leaf : impl.leaves) {
-      for (Crossing& c : leaf.crossings) {
-        if (c.motion != kNoMotion) body(c.motion);
-      }
+  std::atomic<std::uint32_t> base{kEarlierMotions};
+  std::atomic<bool> any_known{false};
+  parallelFor(std::size_t{0}, impl.leaves.size(), [&](std::size_t i) {
+    bool known = false;
+    std::uint32_t above = kEarlierMotions;
+    for (const Crossing& c : impl.leaves[i].crossings) {
+      if (c.motion == kNoMotion) continue;
+      known = known || c.motion < kEarlierMotions;
+      above = std::max(above, c.motion + 1);
     }
-  };
-  eachCut([&](std::uint32_t motion) {
-    if (motion >= base) base = motion + 1;
+    if (known) any_known = true;
+    for (std::uint32_t old = base; above > old && !base.compare_exchange_weak(old, above);) {
+    }
   });
-  eachCut([&](std::uint32_t& motion) {
-    if (motion < kEarlierMotions) motion += base;
+  if (!any_known) return;
+  parallelFor(std::size_t{0}, impl.leaves.size(), [&](std::size_t i) {
+    for (Crossing& c : impl.leaves[i].crossings) {
+      if (c.motion < kEarlierMotions) c.motion += base;
+    }
   });
 }
 
@@ -218,27 +222,36 @@ Status Remover::run() {
   if (!all.empty()) visit(low, size, all);
   if (over_limit_) return memoryError(bytes_ * 1.5, limit_bytes_, impl_.h);
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  gatherChanges();
-  commitChanges(impl_, changes_, [this](std::size_t i, const LeafEdges& edges, const auto& before) {
-    std::vector<Crossing> found = findCrossings(i, edges, before);
-    ReachList().swap(lists_[i]);
-    open_[i].reset();
-    return found;
-  });
+  commit();
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   impl_.cut = record_;
   return Done{};
 }
 
-std::vector<Crossing> Remover::findCrossings(std::size_t i, const LeafEdges& edges,
+void Remover::commit() {
+  std::vector<const LeafChange*> changes;
+  std::vector<CutLeaf*> leaves;
+  for (CutLeaf& leaf : cut_) {
+    changes.push_back(&leaf.change);
+    leaves.push_back(&leaf);
+  }
+  commitChanges(impl_, changes, [&](std::size_t i, const LeafEdges& edges, const auto& before) {
+    std::vector<Crossing> found = findCrossings(*leaves[i], edges, before);
+    ReachList().swap(leaves[i]->passes);
+    leaves[i]->open.reset();
+    return found;
+  });
+}
+
+std::vector<Crossing> Remover::findCrossings(const CutLeaf& leaf, const LeafEdges& edges,
                                              const std::vector<Crossing>& before) {
   if (progress_.cancelled()) return {};
   CrossingFinder& finder = finders_.local();
-  for (const LostFilm& lost : {finder.findLost(changes_[i], edges, before, lists_[i]),
-                               walls_.local().find(changes_[i], edges, open_[i].get(), lists_[i])}) {
+  for (const LostFilm& lost : {finder.findLost(leaf.change, edges, before, leaf.passes),
+                               walls_.local().find(leaf.change, edges, leaf.open.get(), leaf.passes)}) {
     if (lost.edges > 0) lost_.push_back(lost);
   }
-  return finder.find(changes_[i], edges, before, lists_[i]);
+  return finder.find(leaf.change, edges, before, leaf.passes);
 }
 
 bool Remover::inBlank(const Coord& origin, int size) const {
@@ -323,20 +336,7 @@ void Remover::leaf(const Coord& origin, const ReachList& passes) {
   evaluations_.fetch_add(cutter.evaluations(), std::memory_order_relaxed);
   addTo(bytes_, leafBytes(1.0) + static_cast<double>(sizeof(LeafChange) + passes.size() * sizeof(Reach)));
   if (bytes_ > limit_bytes_) over_limit_ = true;
-  CutLeaves& mine = cut_.local();
-  mine.changes.push_back(change);
-  mine.lists.push_back(passes);
-  mine.open.push_back(cutter.openEdges());
-}
-
-/// Leaves of all threads in one list; the order does not matter.
-void Remover::gatherChanges() {
-  for (CutLeaves& part : cut_) {
-    changes_.insert(changes_.end(), part.changes.begin(), part.changes.end());
-    std::move(part.lists.begin(), part.lists.end(), std::back_inserter(lists_));
-    std::move(part.open.begin(), part.open.end(), std::back_inserter(open_));
-    part = CutLeaves{};
-  }
+  cut_.push_back({change, passes, cutter.openEdges()});
 }
 
 void Remover::addLost(RemovalSummary& out) const {

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 
+#include "core/base/parallel_for.h"
+#include "core/mesh/edge_table.h"
 #include "removal/surface_intersections.h"
 
 namespace proveout {
@@ -25,8 +29,11 @@ constexpr double kMarginCells = 2.0, kBlockCells = 2.0;
 constexpr int kFilterBits = 16;
 /// Rounds over all pairs; each that changes something leaves fewer of them.
 constexpr int kRounds = 8;
-/// Changes that are tried at most, about two seconds: what then is left is a surface that they cannot mend.
-constexpr std::size_t kMostTrials = 100000;
+/// Changes that are tried at most, about two seconds, and what each group has of them at the least: what then
+/// is left is a surface that they cannot mend.
+constexpr std::size_t kMostTrials = 100000, kGroupTrials = 5000;
+/// Triangles that one task looks at.
+constexpr std::size_t kPart = 8192;
 constexpr std::uint32_t kGone = 0xFFFFFFFFu;
 
 double distance2(const Vec3& p, const Points& t) {
@@ -59,12 +66,140 @@ struct Edit {
   Eigen::Vector3f to = Eigen::Vector3f::Zero();  ///< of kMove
 };
 
+/// Space in blocks.
+class Blocks {
+ public:
+  explicit Blocks(double cell_mm) : scale_(1.0 / (kBlockCells * cell_mm)) {}
+
+  std::uint64_t keyAt(const Vec3& p) const { return keyOf(blockOf(p)); }
+  /// Calls body(key) for each block that the box reaches into.
+  template <typename Body>
+  void each(const Vec3& low, const Vec3& high, Body&& body) const {
+    const Vec3i from = blockOf(low), to = blockOf(high);
+    for (int x = from.x(); x <= to.x(); ++x) {
+      for (int y = from.y(); y <= to.y(); ++y) {
+        for (int z = from.z(); z <= to.z(); ++z) body(keyOf(Vec3i(x, y, z)));
+      }
+    }
+  }
+
+ private:
+  Vec3i blockOf(const Vec3& p) const { return (p * scale_).array().floor().cast<int>().matrix(); }
+  static std::uint64_t keyOf(const Vec3i& block) {
+    const auto part = [](int i) { return static_cast<std::uint64_t>(i) & 0x1FFFFF; };
+    return part(block.x()) << 42 | part(block.y()) << 21 | part(block.z());
+  }
+
+  double scale_;
+};
+
+Points pointsOf(const TriMesh& mesh, const Triangle& t) {
+  return {mesh.positions[t[0]].cast<double>(), mesh.positions[t[1]].cast<double>(),
+          mesh.positions[t[2]].cast<double>()};
+}
+
+/// What is around the pairs, in groups that do not touch each other.
+class Surroundings {
+ public:
+  struct Group {
+    std::vector<std::uint32_t> triangles;  ///< ascending
+    std::vector<Pair> pairs;               ///< in the order given
+  };
+
+  Surroundings(const TriMesh& mesh, double cell_mm, const std::vector<Pair>& pairs);
+  const std::vector<Group>& groups() const { return groups_; }
+  const Blocks& blocks() const { return blocks_; }
+  /// Whether all triangles at a vertex here are known.
+  bool whole(const Vec3& p) const { return marked_.contains(blocks_.keyAt(p)); }
+
+ private:
+  void mark(const TriMesh& mesh, double margin, const std::vector<Pair>& pairs);
+  std::vector<std::uint32_t> nearTriangles(const TriMesh& mesh) const;
+  void share(const TriMesh& mesh, const std::vector<std::uint32_t>& near, const std::vector<Pair>& pairs);
+
+  static std::size_t slotOf(std::uint64_t key) { return key * 0x9E3779B97F4A7C15ull >> (64 - kFilterBits); }
+
+  Blocks blocks_;
+  std::unordered_set<std::uint64_t> marked_;
+  std::vector<std::uint8_t> maybe_;  ///< filter before marked_: most triangles are nowhere near
+  std::vector<Group> groups_;
+};
+
+Surroundings::Surroundings(const TriMesh& mesh, double cell_mm, const std::vector<Pair>& pairs)
+    : blocks_(cell_mm), maybe_(std::size_t{1} << kFilterBits, 0) {
+  mark(mesh, kMarginCells * cell_mm, pairs);
+  share(mesh, nearTriangles(mesh), pairs);
+}
+
+void Surroundings::mark(const TriMesh& mesh, double margin, const std::vector<Pair>& pairs) {
+  for (const Pair& pair : pairs) {
+    for (const std::uint32_t t : pair) {
+      const Points p = pointsOf(mesh, mesh.triangles[t]);
+      blocks_.each(lowOf(p) - Vec3::Constant(margin), highOf(p) + Vec3::Constant(margin),
+                   [&](std::uint64_t key) {
+                     marked_.insert(key);
+                     maybe_[slotOf(key)] = 1;
+                   });
+    }
+  }
+}
+
+std::vector<std::uint32_t> Surroundings::nearTriangles(const TriMesh& mesh) const {
+  const auto isNear = [&](std::size_t t) {
+    const Points p = pointsOf(mesh, mesh.triangles[t]);
+    bool inside = false;
+    blocks_.each(lowOf(p), highOf(p), [&](std::uint64_t key) {
+      inside = inside || (maybe_[slotOf(key)] != 0 && marked_.contains(key));
+    });
+    return inside;
+  };
+  const std::size_t count = mesh.triangles.size(), parts = count / kPart + 1;
+  std::vector<std::vector<std::uint32_t>> found(parts);
+  parallelFor(std::size_t{0}, parts, [&](std::size_t part) {
+    for (std::size_t t = part * kPart; t < std::min(count, (part + 1) * kPart); ++t) {
+      if (isNear(t)) found[part].push_back(static_cast<std::uint32_t>(t));
+    }
+  });
+  std::vector<std::uint32_t> near;
+  for (const auto& part : found) near.insert(near.end(), part.begin(), part.end());
+  return near;
+}
+
+/// Triangles that reach into one block are of one group.
+void Surroundings::share(const TriMesh& mesh, const std::vector<std::uint32_t>& near,
+                         const std::vector<Pair>& pairs) {
+  DisjointSets sets(near.size());
+  std::unordered_map<std::uint64_t, std::uint32_t> first;
+  for (std::uint32_t i = 0; i < near.size(); ++i) {
+    const Points p = pointsOf(mesh, mesh.triangles[near[i]]);
+    blocks_.each(lowOf(p), highOf(p),
+                 [&](std::uint64_t key) { sets.join(first.try_emplace(key, i).first->second, i); });
+  }
+  std::vector<std::uint32_t> group_at(near.size(), kGone);
+  const auto groupOf = [&](std::uint32_t i) -> Group& {
+    std::uint32_t& number = group_at[sets.find(i)];
+    if (number == kGone) {
+      number = static_cast<std::uint32_t>(groups_.size());
+      groups_.emplace_back();
+    }
+    return groups_[number];
+  };
+  for (std::uint32_t i = 0; i < near.size(); ++i) groupOf(i).triangles.push_back(near[i]);
+  for (const Pair& pair : pairs) {
+    const auto at = std::lower_bound(near.begin(), near.end(), pair[0]) - near.begin();
+    groupOf(static_cast<std::uint32_t>(at)).pairs.push_back(pair);
+  }
+}
+
+/// Changes the triangles of one group.
 class Mender {
  public:
-  Mender(TriMesh& mesh, double cell_mm)
-      : mesh_(mesh), cell_(cell_mm), scale_(1.0 / (kBlockCells * cell_mm)) {}
+  /// `seen`: one a triangle, 0; shared by the menders of all groups.
+  Mender(TriMesh& mesh, double cell_mm, const Surroundings& around, const Surroundings::Group& group,
+         std::vector<std::uint32_t>& seen, std::size_t most_trials);
 
-  std::size_t run(std::vector<Pair> pairs);
+  /// Returns the number of pairs that are left.
+  std::size_t run();
 
  private:
   using Star = std::vector<std::uint32_t>;
@@ -81,21 +216,9 @@ class Mender {
     double moved = 0.0;       ///< between old and new surface
   };
 
-  Vec3i blockOf(const Vec3& p) const { return (p * scale_).array().floor().cast<int>().matrix(); }
-  static std::uint64_t keyOf(const Vec3i& block) {
-    const auto part = [](int i) { return static_cast<std::uint64_t>(i) & 0x1FFFFF; };
-    return part(block.x()) << 42 | part(block.y()) << 21 | part(block.z());
-  }
-  template <typename Body>
-  void eachBlock(const Vec3& low, const Vec3& high, Body&& body) const;
-  Points points(const Triangle& t) const {
-    return {mesh_.positions[t[0]].cast<double>(), mesh_.positions[t[1]].cast<double>(),
-            mesh_.positions[t[2]].cast<double>()};
-  }
-  Points points(std::uint32_t t) const { return points(mesh_.triangles[t]); }
+  Points points(std::uint32_t t) const { return pointsOf(mesh_, mesh_.triangles[t]); }
   bool gone(std::uint32_t t) const { return mesh_.triangles[t][0] == kGone; }
-  bool whole(std::uint32_t v) const;
-  void gather(const std::vector<Pair>& pairs);
+  bool whole(std::uint32_t v) const { return around_.whole(mesh_.positions[v].cast<double>()); }
   void insert(std::uint32_t t);
   void findNear(const std::vector<std::uint32_t>& triangles);
   std::size_t countPairs(const std::vector<std::uint32_t>& triangles);
@@ -110,70 +233,34 @@ class Mender {
   bool meets(const Pair& pair) const;
   bool mend(const Pair& pair, double reach);
   std::vector<Pair> pairsLeft();
-  void compact();
 
   TriMesh& mesh_;
-  double cell_, scale_;
-  std::vector<std::uint32_t> local_;  ///< triangles around the pairs
-  std::unordered_map<std::uint64_t, bool> marked_;
+  double cell_;
+  const Surroundings& around_;
+  const Surroundings::Group& group_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> blocks_;
   std::unordered_map<std::uint32_t, Star> stars_;
-  std::vector<std::uint32_t> seen_;  ///< number of the last search that met a triangle
+  std::vector<std::uint32_t>& seen_;  ///< number of the last search that met a triangle
   std::uint32_t search_ = 0;
   std::vector<std::uint32_t> near_;
-  std::size_t trials_ = 0;
+  std::size_t trials_ = 0, most_trials_;
 };
 
-template <typename Body>
-void Mender::eachBlock(const Vec3& low, const Vec3& high, Body&& body) const {
-  const Vec3i from = blockOf(low), to = blockOf(high);
-  for (int x = from.x(); x <= to.x(); ++x) {
-    for (int y = from.y(); y <= to.y(); ++y) {
-      for (int z = from.z(); z <= to.z(); ++z) body(Vec3i(x, y, z));
-    }
+Mender::Mender(TriMesh& mesh, double cell_mm, const Surroundings& around, const Surroundings::Group& group,
+               std::vector<std::uint32_t>& seen, std::size_t most_trials)
+    : mesh_(mesh), cell_(cell_mm), around_(around), group_(group), seen_(seen), most_trials_(most_trials) {
+  for (const std::uint32_t t : group.triangles) {
+    insert(t);
+    for (const std::uint32_t v : mesh_.triangles[t]) stars_[v].push_back(t);
   }
-}
-
-/// Whether all triangles at the vertex are known.
-bool Mender::whole(std::uint32_t v) const {
-  return marked_.contains(keyOf(blockOf(mesh_.positions[v].cast<double>())));
 }
 
 void Mender::insert(std::uint32_t t) {
   const Points p = points(t);
-  eachBlock(lowOf(p), highOf(p), [&](const Vec3i& block) {
-    auto& list = blocks_[keyOf(block)];
+  around_.blocks().each(lowOf(p), highOf(p), [&](std::uint64_t key) {
+    auto& list = blocks_[key];
     if (list.empty() || list.back() != t) list.push_back(t);
   });
-}
-
-void Mender::gather(const std::vector<Pair>& pairs) {
-  const Vec3 margin = Vec3::Constant(kMarginCells * cell_);
-  std::vector<std::uint8_t> maybe(std::size_t{1} << kFilterBits, 0);  // most triangles are nowhere near
-  const auto slot = [](const Vec3i& block) {
-    return keyOf(block) * 0x9E3779B97F4A7C15ull >> (64 - kFilterBits);
-  };
-  for (const Pair& pair : pairs) {
-    for (const std::uint32_t t : pair) {
-      const Points p = points(t);
-      eachBlock(lowOf(p) - margin, highOf(p) + margin, [&](const Vec3i& block) {
-        marked_.emplace(keyOf(block), true);
-        maybe[slot(block)] = 1;
-      });
-    }
-  }
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const Points p = points(t);
-    bool inside = false;
-    eachBlock(lowOf(p), highOf(p), [&](const Vec3i& block) {
-      inside = inside || (maybe[slot(block)] != 0 && marked_.contains(keyOf(block)));
-    });
-    if (!inside) continue;
-    local_.push_back(t);
-    insert(t);
-    for (const std::uint32_t v : mesh_.triangles[t]) stars_[v].push_back(t);
-  }
-  seen_.assign(mesh_.triangles.size(), 0);
 }
 
 /// Sets near_ to the triangles that are near these and not among them.
@@ -192,8 +279,8 @@ void Mender::findNear(const std::vector<std::uint32_t>& triangles) {
   if (!(low.x() <= high.x())) return;
   low.array() -= kReaches.back() * cell_;
   high.array() += kReaches.back() * cell_;
-  eachBlock(low, high, [&](const Vec3i& block) {
-    const auto found = blocks_.find(keyOf(block));
+  around_.blocks().each(low, high, [&](std::uint64_t key) {
+    const auto found = blocks_.find(key);
     if (found == blocks_.end()) return;
     for (const std::uint32_t u : found->second) {
       if (seen_[u] == search_ || gone(u)) continue;
@@ -400,7 +487,7 @@ void Mender::tryEdit(const Edit& edit, double reach, Choice& best) {
 bool Mender::mend(const Pair& pair, double reach) {
   Choice best;
   for (const bool moves : {false, true}) {
-    if (best.gain > 0 || trials_ > kMostTrials) break;
+    if (best.gain > 0 || trials_ > most_trials_) break;
     for (const Edit& edit : editsFor(pair, moves)) tryEdit(edit, reach, best);
   }
   if (best.gain == 0) return false;
@@ -420,7 +507,7 @@ bool Mender::meets(const Pair& pair) const {
 
 std::vector<Pair> Mender::pairsLeft() {
   std::vector<Pair> out;
-  for (const std::uint32_t t : local_) {
+  for (const std::uint32_t t : group_.triangles) {
     if (gone(t)) continue;
     if (isNeedle(mesh_, t)) out.push_back({t, t});
     findNear({t});
@@ -432,35 +519,8 @@ std::vector<Pair> Mender::pairsLeft() {
   return out;
 }
 
-/// Leaves out what is gone.
-void Mender::compact() {
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (gone(static_cast<std::uint32_t>(t))) continue;
-    mesh_.motion[kept] = mesh_.motion[t];
-    mesh_.triangles[kept++] = mesh_.triangles[t];
-  }
-  if (kept == mesh_.triangles.size()) return;
-  mesh_.triangles.resize(kept);
-  mesh_.motion.resize(kept);
-  std::vector<std::uint32_t> number(mesh_.positions.size(), kGone);
-  for (const Triangle& t : mesh_.triangles) {
-    for (const std::uint32_t v : t) number[v] = 0;
-  }
-  std::uint32_t next = 0;
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == kGone) continue;
-    mesh_.positions[next] = mesh_.positions[v];
-    number[v] = next++;
-  }
-  mesh_.positions.resize(next);
-  for (Triangle& t : mesh_.triangles) {
-    for (std::uint32_t& v : t) v = number[v];
-  }
-}
-
-std::size_t Mender::run(std::vector<Pair> pairs) {
-  gather(pairs);
+std::size_t Mender::run() {
+  std::vector<Pair> pairs = group_.pairs;
   for (const double reach : kReaches) {
     for (int round = 0; round < kRounds && !pairs.empty(); ++round) {
       bool any = false;
@@ -471,15 +531,51 @@ std::size_t Mender::run(std::vector<Pair> pairs) {
       pairs = pairsLeft();
     }
   }
-  compact();
   return pairs.size();
+}
+
+/// Leaves out what is gone.
+void compact(TriMesh& mesh) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.triangles[t][0] == kGone) continue;
+    mesh.motion[kept] = mesh.motion[t];
+    mesh.triangles[kept++] = mesh.triangles[t];
+  }
+  if (kept == mesh.triangles.size()) return;
+  mesh.triangles.resize(kept);
+  mesh.motion.resize(kept);
+  std::vector<std::uint32_t> number(mesh.positions.size(), kGone);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) number[v] = 0;
+  }
+  std::uint32_t next = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == kGone) continue;
+    mesh.positions[next] = mesh.positions[v];
+    number[v] = next++;
+  }
+  mesh.positions.resize(next);
+  for (Triangle& t : mesh.triangles) {
+    for (std::uint32_t& v : t) v = number[v];
+  }
 }
 
 }  // namespace
 
 std::size_t mendIntersections(TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs,
                               double cell_mm) {
-  return Mender(mesh, cell_mm).run(pairs);
+  const Surroundings around(mesh, cell_mm, pairs);
+  const auto& groups = around.groups();
+  std::vector<std::uint32_t> seen(mesh.triangles.size(), 0);
+  std::vector<std::size_t> left(groups.size());
+  parallelFor(std::size_t{0}, groups.size(), [&](std::size_t i) {
+    const std::size_t most_trials =
+        std::max(kGroupTrials, kMostTrials * groups[i].pairs.size() / pairs.size());
+    left[i] = Mender(mesh, cell_mm, around, groups[i], seen, most_trials).run();
+  });
+  compact(mesh);
+  return std::accumulate(left.begin(), left.end(), std::size_t{0});
 }
 
 }  // namespace proveout

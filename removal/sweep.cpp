@@ -185,8 +185,8 @@ double Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance, doubl
     bound = fa.value + fa.slope * (meet - a);
     const double best = std::min(fa.value, fb.value);
     if (best - bound < tolerance || bound > cutoff) break;
-    double t = round % 2 == 0 ? meet : a - fa.slope * (b - a) / (fb.slope - fa.slope);
-    const double margin = 1e-3 * (b - a);
+    double t = round % 3 != 2 ? meet : a - fa.slope * (b - a) / (fb.slope - fa.slope);
+    const double margin = 1e-6 * (b - a);
     t = std::clamp(t, a + margin, b - margin);
     if (!(t > a && t < b)) break;
     const At ft = evaluate(p, t);

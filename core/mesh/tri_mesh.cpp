@@ -16,12 +16,12 @@ Box3 meshBounds(const TriMesh& mesh) {
   return box;
 }
 
-double meshVolume(const TriMesh& mesh) {
-  const Box3 box = meshBounds(mesh);
-  if (box.empty()) return 0.0;
+MeshExtent meshExtent(const TriMesh& mesh) {
+  MeshExtent out{meshBounds(mesh)};
+  if (out.bounds.empty()) return out;
   // Cones from the centre of the mesh: far from the origin the plain formula loses the volume in
   // cancellation.
-  const Vec3 origin = box.center();
+  const Vec3 origin = out.bounds.center();
   double six_volumes = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!triangleIsProper(mesh.triangles[t], mesh.positions.size())) continue;
@@ -31,8 +31,11 @@ double meshVolume(const TriMesh& mesh) {
     const Vec3 c = mesh.positions[v[2]].cast<double>() - origin;
     six_volumes += a.dot(b.cross(c));
   }
-  return six_volumes / 6.0;
+  out.volume_mm3 = six_volumes / 6.0;
+  return out;
 }
+
+double meshVolume(const TriMesh& mesh) { return meshExtent(mesh).volume_mm3; }
 
 double meshArea(const TriMesh& mesh) {
   double two_areas = 0.0;

@@ -37,6 +37,12 @@ MeshTopology analyseTopology(const TriMesh& mesh);
 
 /// Volume enclosed by a closed mesh, mm3 (divergence theorem; positive for outward orientation).
 double meshVolume(const TriMesh& mesh);
+/// Bounds and enclosed volume of a closed mesh in one go; the volume of an empty one is 0.
+struct MeshExtent {
+  Box3 bounds;
+  double volume_mm3 = 0.0;
+};
+MeshExtent meshExtent(const TriMesh& mesh);
 /// Surface area, mm2.
 double meshArea(const TriMesh& mesh);
 Box3 meshBounds(const TriMesh& mesh);

@@ -176,13 +176,13 @@ TEST(StockBodies, LargestIsThePartAndHollowsCountAgainstTheirBody) {
   addBox(mesh, {20, 0, 0}, {22, 2, 2}, false);
   addBox(mesh, {0, 0, 0}, {10, 10, 10}, false);
   addBox(mesh, {4, 4, 4}, {6, 6, 6}, true);
-  const std::vector<StockBody> bodies = stockBodies(mesh, analyseTopology(mesh));
+  const std::vector<StockBody> bodies = stockBodies(mesh, analyseTopology(mesh), meshExtent(mesh));
   ASSERT_EQ(bodies.size(), 2u);
   EXPECT_EQ(bodies[0].role, "part");
   EXPECT_NEAR(bodies[0].volume_mm3, 992.0, 1e-3);
   EXPECT_EQ(bodies[1].role, "loose");
   EXPECT_NEAR(bodies[1].volume_mm3, 8.0, 1e-3);
-  EXPECT_TRUE(stockBodies(TriMesh{}, MeshTopology{}).empty());
+  EXPECT_TRUE(stockBodies(TriMesh{}, MeshTopology{}, MeshExtent{}).empty());
 }
 
 }  // namespace
