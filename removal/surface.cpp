@@ -29,7 +29,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// patches leaves the surface as much as each patch leaves its plane, and normals turn in between.
 constexpr double kFlatnessShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
-/// Quads are made finer where their crossing is off by half the tolerance, or by this part of the grid spacing.
+/// Quads are made finer where their crossing is off by half the tolerance, or by this part of the grid
+/// spacing.
 constexpr double kFanHeight = 0.005;
 /// Rounds of taking merged cells apart where they spoil the mesh, before all merging is given up.
 constexpr int kRepairRounds = 12;
@@ -39,6 +40,10 @@ constexpr int kPartRounds = 16;
 constexpr double kLeastAgreement = 0.3;
 /// Around triangles that lean more than this (60 degrees) the surface may run through itself.
 constexpr double kPoorAgreement = 0.5;
+
+/// A quad of corners that stand for themselves: its cut, or that it is made of more triangles. Any other is
+/// judged where its corners ended up.
+enum QuadState : std::uint8_t { kAt02 = 1, kPoor = 2, kMerged = 4, kApart = 8 };
 
 struct LeafOutput {
   double volume = 0.0;  ///< of the cones from the centre, grid steps^3
@@ -51,6 +56,7 @@ struct LeafOutput {
   bool unchecked = true;  ///< and not yet looked at for intersections
   bool hole = false;      ///< a crossing without its four cells: a bug
   std::vector<SplitQuad> split;
+  std::vector<std::uint8_t> cuts;     ///< what becomes of each quad, see QuadState
   std::vector<std::uint32_t> faults;  ///< merged vertices of triangles that face the wrong way
   std::vector<std::uint32_t> poor;    ///< triangles, from the first one, that lean far from the exact surface
 };
@@ -79,10 +85,15 @@ class Extractor {
   void countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, const std::array<int, 4>& at,
                  LeafOutput& out) const;
   bool isFan(const Quad& quad) const;
+  bool anyMerged(const Quad& quad) const;
   void countLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const;
   void numberVertices();
   void writeVertices(const SurfaceLeaf& leaf, const LeafOutput& out, TriMesh& mesh);
   void writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mesh) const;
+  std::size_t writeQuad(const std::array<std::uint32_t, 4>& v, bool at02, bool poor, const Crossing& c,
+                        LeafOutput& out, std::size_t next, TriMesh& mesh) const;
+  std::size_t writeMerged(const SurfaceLeaf& leaf, Quad& quad, const Crossing& c, LeafOutput& out,
+                          std::size_t next, TriMesh& mesh) const;
   void copyVertices(const LeafOutput& out, TriMesh& mesh);
   void copyLeaf(const LeafOutput& out, TriMesh& mesh) const;
   void writeSplits(TriMesh& mesh);
@@ -139,9 +150,10 @@ Polygon Extractor::polygon(const std::array<std::uint32_t, 4>& v) const {
 }
 
 /// Whether the quad is made of four triangles around its crossing, to keep to the tolerance.
-bool Extractor::isFan(const Quad& quad) const {
-  if (!bulges(quad, fan_height_)) return false;
-  return std::none_of(quad.v.begin(), quad.v.end(), [&](std::uint32_t v) { return merger_.merged(v); });
+bool Extractor::isFan(const Quad& quad) const { return bulges(quad, fan_height_) && !anyMerged(quad); }
+
+bool Extractor::anyMerged(const Quad& quad) const {
+  return std::any_of(quad.v.begin(), quad.v.end(), [&](std::uint32_t v) { return merger_.merged(v); });
 }
 
 /// Counts the triangles of the quad at `at` (axis, x, y, z), or keeps it to be split.
@@ -149,9 +161,17 @@ void Extractor::countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Cross
                           const std::array<int, 4>& at, LeafOutput& out) const {
   if (quad.split != 0 || isFan(quad)) {
     out.split.push_back(splitQuad(grid_, leaf, at[0], at[1], at[2], at[3], quad, c));
-  } else if (const int corners = polygon(quad.v).count; corners > 0) {
-    out.triangles += static_cast<std::uint32_t>(corners - 2);
+    out.cuts.push_back(kApart);
+    return;
   }
+  const int corners = polygon(quad.v).count;
+  if (corners > 0) out.triangles += static_cast<std::uint32_t>(corners - 2);
+  if (corners != 4 || anyMerged(quad)) {
+    out.cuts.push_back(kMerged);
+    return;
+  }
+  const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, quad.smooth_corners);
+  out.cuts.push_back(static_cast<std::uint8_t>((cut.at02 ? kAt02 : 0) | (cut.poor ? kPoor : 0)));
 }
 
 /// The volume does not depend on what is merged.
@@ -160,6 +180,7 @@ void Extractor::measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
   QuadReader reader(grid_);
   reader.load(leaf);
   Quad quad;
+  out.cuts.reserve(leaf.edges.count);
   forEachCrossing(leaf, [&](int axis, int x, int y, int z, const Crossing& c) {
     if (!reader.read(axis, x, y, z, c, quad)) {
       out.hole = true;
@@ -176,6 +197,7 @@ void Extractor::countLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
   Quad quad;
   out.triangles = 0;
   out.split.clear();
+  out.cuts.clear();
   forEachCrossing(leaf, [&](int axis, int x, int y, int z, const Crossing& c) {
     reader.read(axis, x, y, z, c, quad);
     countQuad(leaf, quad, c, {axis, x, y, z}, out);
@@ -235,56 +257,67 @@ void Extractor::writeLeaf(const SurfaceLeaf& leaf, LeafOutput& out, TriMesh& mes
   out.poor.clear();
   QuadReader reader(grid_);
   reader.load(leaf);
-  Quad quad;
+  const std::uint8_t* state = out.cuts.data();
   forEachCrossing(leaf, [&](int axis, int x, int y, int z, const Crossing& c) {
-    reader.read(axis, x, y, z, c, quad);
-    if (quad.split != 0 || isFan(quad)) return;
-    const Polygon poly = polygon(quad.v);
-    if (poly.count == 0) return;
-    std::array<std::uint32_t, 4> v;
-    bool merged = false;
-    for (int i = 0; i < poly.count; ++i) {
-      v[i] = finalNumber(poly.v[i]);
-      merged = merged || merger_.merged(poly.v[i]);
-    }
-    double agreement = 1.0;
-    bool poor = false;
-    const auto put = [&](std::uint32_t a, std::uint32_t b, std::uint32_t d) {
-      mesh.triangles[next] = {a, b, d};
-      mesh.motion[next++] = knownMotion(c.motion);
-    };
-    if (merged) {
-      for (int i = 0; i < poly.count; ++i) quad.p[i] = mesh.positions[v[i]].cast<double>();
-      quad.middle = impl_.position(leaf.stock->origin) + impl_.h * quad.middle;
-    }
-    if (poly.count == 3) {
-      const Vec3 area = (quad.p[1] - quad.p[0]).cross(quad.p[2] - quad.p[0]);
-      agreement = quad.normal.dot(area) / (area.norm() + 1e-300);
-      put(v[0], v[1], v[2]);
-      poor = agreement < kPoorAgreement;
+    const std::uint8_t cut = *state++;
+    if (cut & kApart) return;
+    Quad quad;
+    reader.readCorners(axis, x, y, z, quad);
+    if (cut & kMerged) {
+      QuadReader::readCrossing(axis, x, y, z, c, quad);
+      next = writeMerged(leaf, quad, c, out, next, mesh);
     } else {
-      const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, merged ? 0u : quad.smooth_corners);
-      const auto facing = [&](int a, int b, int d) {
-        const Vec3 area = (quad.p[b] - quad.p[a]).cross(quad.p[d] - quad.p[a]);
-        return quad.normal.dot(area) / (area.norm() + 1e-300);
-      };
-      if (merged) {
-        agreement = cut.at02 ? std::min(facing(0, 1, 2), facing(0, 2, 3))
-                             : std::min(facing(0, 1, 3), facing(1, 2, 3));
-      }
-      poor = cut.poor;
-      put(v[0], v[1], v[cut.at02 ? 2 : 3]);
-      put(v[cut.at02 ? 0 : 1], v[2], v[3]);
-    }
-    if (poor) {
-      for (int back = poly.count - 2; back > 0; --back)
-        out.poor.push_back(static_cast<std::uint32_t>(next - static_cast<std::size_t>(back) - out.first_triangle));
-    }
-    if (!merged || agreement > kLeastAgreement) return;
-    for (int i = 0; i < poly.count; ++i) {
-      if (merger_.merged(poly.v[i])) out.faults.push_back(poly.v[i]);
+      std::array<std::uint32_t, 4> v;
+      for (int i = 0; i < 4; ++i) v[i] = finalNumber(quad.v[i]);
+      next = writeQuad(v, cut & kAt02, cut & kPoor, c, out, next, mesh);
     }
   });
+}
+
+/// Writes the triangles of a quad from number `next` on; returns the number after them.
+std::size_t Extractor::writeQuad(const std::array<std::uint32_t, 4>& v, bool at02, bool poor,
+                                 const Crossing& c, LeafOutput& out, std::size_t next, TriMesh& mesh) const {
+  mesh.triangles[next] = {v[0], v[1], v[at02 ? 2 : 3]};
+  mesh.triangles[next + 1] = {v[at02 ? 0 : 1], v[2], v[3]};
+  mesh.motion[next] = mesh.motion[next + 1] = knownMotion(c.motion);
+  for (std::size_t t = next; poor && t < next + 2; ++t)
+    out.poor.push_back(static_cast<std::uint32_t>(t - out.first_triangle));
+  return next + 2;
+}
+
+/// The same for a quad with merged corners, judged where those are now. Wants its middle and normal.
+std::size_t Extractor::writeMerged(const SurfaceLeaf& leaf, Quad& quad, const Crossing& c, LeafOutput& out,
+                                   std::size_t next, TriMesh& mesh) const {
+  const Polygon poly = polygon(quad.v);
+  if (poly.count == 0) return next;
+  std::array<std::uint32_t, 4> v;
+  for (int i = 0; i < poly.count; ++i) {
+    v[i] = finalNumber(poly.v[i]);
+    quad.p[i] = mesh.positions[v[i]].cast<double>();
+  }
+  quad.middle = impl_.position(leaf.stock->origin) + impl_.h * quad.middle;
+  const auto facing = [&](int a, int b, int d) {
+    const Vec3 area = (quad.p[b] - quad.p[a]).cross(quad.p[d] - quad.p[a]);
+    return quad.normal.dot(area) / (area.norm() + 1e-300);
+  };
+  double agreement;
+  if (poly.count == 3) {
+    agreement = facing(0, 1, 2);
+    mesh.triangles[next] = {v[0], v[1], v[2]};
+    mesh.motion[next] = knownMotion(c.motion);
+    if (agreement < kPoorAgreement) out.poor.push_back(static_cast<std::uint32_t>(next - out.first_triangle));
+    ++next;
+  } else {
+    const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, 0u);
+    agreement =
+        cut.at02 ? std::min(facing(0, 1, 2), facing(0, 2, 3)) : std::min(facing(0, 1, 3), facing(1, 2, 3));
+    next = writeQuad(v, cut.at02, cut.poor, c, out, next, mesh);
+  }
+  if (agreement > kLeastAgreement) return next;
+  for (int i = 0; i < poly.count; ++i) {
+    if (merger_.merged(poly.v[i])) out.faults.push_back(poly.v[i]);
+  }
+  return next;
 }
 
 /// Vertices of the cells of a leaf that did not change, from the mesh before.

@@ -32,7 +32,8 @@ constexpr std::uint64_t kColumnX7 = 0xFFull << 56, kColumnY7 = 0x808080808080808
 
 }  // namespace
 
-QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal, unsigned smooth_corners) {
+QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal,
+                unsigned smooth_corners) {
   const bool smooth = smooth_corners == 0xF;
   std::array<double, 4> up;
   for (int i = 0; i < 4; ++i) up[i] = normal.dot(p[i] - middle);
@@ -85,14 +86,16 @@ bool bulges(const Quad& quad, double limit) {
     highest = std::max(highest, std::abs(quad.normal.dot(d[i])));
   }
   // Opposite corners on a crease are joined.
-  if (highest <= limit || (~quad.smooth_corners & 0x5) == 0x5 || (~quad.smooth_corners & 0xA) == 0xA) return false;
+  if (highest <= limit || (~quad.smooth_corners & 0x5) == 0x5 || (~quad.smooth_corners & 0xA) == 0xA)
+    return false;
   for (int i = 0; i < 4; ++i) {
     const Vec3 area = d[i].cross(d[(i + 1) % 4]);
     if (quad.normal.dot(area) <= kFolded * area.norm()) return false;
   }
   const int first = cutQuad(quad.p, quad.middle, quad.normal, quad.smooth_corners).at02 ? 0 : 1;
   const Vec3 &a = d[first], &b = d[first + 2];
-  const Vec3& third = quad.normal.dot(a.cross(b)) > 0.0 ? d[(first + 3) % 4] : d[first + 1];  // on the crossing's side
+  const Vec3& third =
+      quad.normal.dot(a.cross(b)) > 0.0 ? d[(first + 3) % 4] : d[first + 1];  // on the crossing's side
   const Vec3 n = (b - a).cross(third - a);
   return std::abs(n.dot(a)) > limit * n.norm();
 }
@@ -124,7 +127,7 @@ void QuadReader::load(const SurfaceLeaf& leaf) {
   }
 }
 
-bool QuadReader::corners(int axis, int x, int y, int z, Quad& quad) const {
+bool QuadReader::cells(int axis, int x, int y, int z, Quad& quad) const {
   constexpr int kStep[3] = {81, 9, 1};
   const int u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3], at = index(x, y, z);
   const std::array<int, 4> cell = {at - u - v, at - v, at, at - u};
@@ -140,11 +143,23 @@ bool QuadReader::corners(int axis, int x, int y, int z, Quad& quad) const {
 }
 
 bool QuadReader::read(int axis, int x, int y, int z, const Crossing& c, Quad& quad) const {
-  if (!corners(axis, x, y, z, quad)) return false;
+  if (!cells(axis, x, y, z, quad)) return false;
   constexpr int kStep[3] = {81, 9, 1};
   const int u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3], at = index(x, y, z);
   const std::array<int, 4> cell = {at - u - v, at - v, at, at - u};
   for (int i = 0; i < 4; ++i) quad.p[i] = p_[cell[i]].cast<double>();
+  arrange(axis, x, y, z, quad);
+  readCrossing(axis, x, y, z, c, quad);
+  return true;
+}
+
+void QuadReader::readCorners(int axis, int x, int y, int z, Quad& quad) const {
+  cells(axis, x, y, z, quad);
+  arrange(axis, x, y, z, quad);
+}
+
+/// Takes the sheets that the edge belongs to, and brings the corners into the quad's order.
+void QuadReader::arrange(int axis, int x, int y, int z, Quad& quad) const {
   quad.split = 0;
   const bool start_in = leafSample(leaf_->stock->material, x, y, z);
   if ((quad.traits & (CellTraits::kManySheets | CellTraits::kOneSheetFaces)) != 0) {
@@ -158,11 +173,13 @@ bool QuadReader::read(int axis, int x, int y, int z, const Crossing& c, Quad& qu
     const unsigned s = quad.smooth_corners;
     quad.smooth_corners = static_cast<std::uint8_t>(s >> 3 | (s >> 1 & 2) | (s << 1 & 4) | (s << 3 & 8));
   }
+}
+
+void QuadReader::readCrossing(int axis, int x, int y, int z, const Crossing& c, Quad& quad) {
   quad.middle = Vec3(x, y, z);
   quad.middle[axis] += c.t;
   constexpr double kUnit = 1.0 / Crossing::kNormalScale;
   quad.normal = Vec3(c.normal[0], c.normal[1], c.normal[2]) * kUnit;
-  return true;
 }
 
 /// Further sheets of the cells, and faces whose two dual edges would coincide. Corners are still in the order
@@ -242,10 +259,12 @@ std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const Surfac
   reader.load(leaf);
   forEachEdge(asked, [&](int axis, int x, int y, int z) {
     Quad quad;
-    if (!reader.corners(axis, x, y, z, quad) || !(quad.traits & CellTraits::kOutside)) return;
+    if (!reader.cells(axis, x, y, z, quad) || !(quad.traits & CellTraits::kOutside)) return;
     const Crossing& c = leaf.stock->crossings[static_cast<std::size_t>(leaf.edges.indexOf(axis, x, y, z))];
     reader.read(axis, x, y, z, c, quad);
-    if (cutQuad(quad.p, quad.middle, quad.normal, quad.smooth_corners == 0xF ? 0u : quad.smooth_corners).margin > 0.0) return;
+    if (cutQuad(quad.p, quad.middle, quad.normal, quad.smooth_corners == 0xF ? 0u : quad.smooth_corners)
+            .margin > 0.0)
+      return;
     for (const std::uint32_t v : quad.v) {
       if (v < grid.cellCount() && (grid.traits(v) & CellTraits::kOutside) != 0) folding.push_back(v);
     }

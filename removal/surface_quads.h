@@ -12,11 +12,11 @@ namespace proveout {
 struct Quad {
   std::array<std::uint32_t, 4> v;  ///< vertex numbers of the grid
   std::array<Vec3, 4> p;
-  Vec3 middle;               ///< the crossing
-  Vec3 normal;               ///< there, unit to 1e-4
-  std::uint16_t traits;      ///< of its cells, one or the other
+  Vec3 middle;                  ///< the crossing
+  Vec3 normal;                  ///< there, unit to 1e-4
+  std::uint16_t traits;         ///< of its cells, one or the other
   std::uint8_t smooth_corners;  ///< see cutQuad
-  std::uint8_t split;        ///< bit i: the face between corners i and i + 1 gets a vertex of its own
+  std::uint8_t split;           ///< bit i: the face between corners i and i + 1 gets a vertex of its own
 };
 
 /// Cut of a quad along a diagonal.
@@ -26,12 +26,13 @@ struct QuadCut {
   bool poor = false;    ///< one leans more than 60 degrees from the exact surface, or is a sliver
 };
 /// The diagonal whose middle is nearer to the tangent plane at the crossing, so that creases are followed and
-/// walls not cut; alike: the shorter one. The other one where it folds less. `smooth_corners`: bit i: no crease
-/// runs through the cell of corner i.
-QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal, unsigned smooth_corners);
+/// walls not cut; alike: the shorter one. The other one where it folds less. `smooth_corners`: bit i: no
+/// crease runs through the cell of corner i.
+QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal,
+                unsigned smooth_corners);
 
-/// Whether the crossing lies off the quad's two triangles by more than `limit`, so that four triangles around it are
-/// closer to the surface. Not where a crease runs along the diagonal, or a triangle would fold.
+/// Whether the crossing lies off the quad's two triangles by more than `limit`, so that four triangles around
+/// it are closer to the surface. Not where a crease runs along the diagonal, or a triangle would fold.
 bool bulges(const Quad& quad, double limit);
 
 /// Reads the quads of one leaf at a time.
@@ -39,8 +40,13 @@ class QuadReader {
  public:
   explicit QuadReader(const SurfaceGrid& grid) : grid_(grid) {}
   void load(const SurfaceLeaf& leaf);
-  /// Corners as vertex numbers only. False where a cell is missing, which no sound stock has.
-  bool corners(int axis, int x, int y, int z, Quad& quad) const;
+  /// The cells around the edge, whatever their order and sheets. False where one is missing, which no sound
+  /// stock has.
+  bool cells(int axis, int x, int y, int z, Quad& quad) const;
+  /// All but positions, middle and normal. Requires that no cell is missing.
+  void readCorners(int axis, int x, int y, int z, Quad& quad) const;
+  /// Sets middle and normal.
+  static void readCrossing(int axis, int x, int y, int z, const Crossing& c, Quad& quad);
   /// All of it.
   bool read(int axis, int x, int y, int z, const Crossing& c, Quad& quad) const;
   /// The leaf around which lengths are.
@@ -49,6 +55,7 @@ class QuadReader {
  private:
   static int index(int x, int y, int z) { return ((x + 1) * 9 + y + 1) * 9 + z + 1; }
   void add(const SurfaceLeaf& leaf, int place);
+  void arrange(int axis, int x, int y, int z, Quad& quad) const;
   void pickSheets(int axis, int x, int y, int z, bool start_in, Quad& quad) const;
 
   static constexpr std::uint32_t kNoCell = 0xFFFFFFFFu;
