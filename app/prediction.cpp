@@ -13,7 +13,7 @@ namespace proveout {
 namespace {
 
 // Measured on the sample programs with two cores. A cell is a square of the grid on the surface.
-constexpr double kBaseMb = 9.0;                  ///< program, libraries, threads
+constexpr double kBaseMb = 20.0;                 ///< program, libraries, threads
 constexpr double kBytesPerCell = 57.0;           ///< leaves, crossings, mesh of flat faces
 constexpr double kBytesPerUnevenCell = 380.0;    ///< on top of that where triangles are not merged
 constexpr double kBytesPerMotion = 500.0;        ///< motion and its passes
@@ -24,7 +24,7 @@ constexpr double kBytesPerDrawnCell = 60.0;      ///< the renderer's search tree
 constexpr double kMostComparedCells = 1.8e6;     ///< the comparison widens its samples on huge meshes
 constexpr double kBaseS = 0.02;
 constexpr double kSecondsPerCell = 2.0e-7;          ///< blank, removal, crossings, mesh, files
-constexpr double kSecondsPerUnevenCell = 1.9e-6;    ///< on top of that where triangles are not merged
+constexpr double kSecondsPerUnevenCell = 2.2e-6;    ///< on top of that where triangles are not merged
 constexpr double kSecondsPerSweptCell = 2e-9;       ///< removal, each motion counted
 constexpr double kSecondsPerMotion = 2.5e-6;        ///< interpreter, culling
 constexpr double kSecondsPerComparedCell = 2.3e-6;  ///< comparison
