@@ -167,6 +167,34 @@ void readAxis(ConfigTable& table, Job& job) {
   job.settings.axes.push_back(std::move(axis));
 }
 
+void readSpindle(ConfigTable& table, Job& job) {
+  constexpr NumberRange kSpeed{0.0, 1e8, false};
+  SpindleSettings spindle;
+  const auto code = [&](const char* key, int& out) {
+    if (const auto m = table.integer(key, 1, 99999999)) out = static_cast<int>(*m);
+  };
+  if (const auto number = table.must("number").integer("number", 1, 16))
+    spindle.number = static_cast<int>(*number);
+  if (const auto name = table.text("name")) spindle.name = *name;
+  if (const auto a = table.number("acceleration", kSpeed)) spindle.acceleration = *a;
+  if (const auto top = table.number("top", kSpeed)) spindle.top_rpm = *top;
+  if (const auto rpm = table.number("positioning", {0.0, 1e6, true})) spindle.positioning_rpm = *rpm;
+  if (const auto name = table.text("position_name")) spindle.position_name = *name;
+  if (const auto axis = table.text("axis")) spindle.axis = *axis;
+  code("main_code", spindle.main_code);
+  code("sync_code", spindle.sync_code);
+  code("shift_code", spindle.shift_code);
+  code("axis_code", spindle.axis_code);
+  for (ConfigTable& range : table.tables("range")) {
+    const auto low = range.must("min").number("min", kSpeed);
+    const auto high = range.must("max").number("max", kSpeed);
+    if (low && high) spindle.ranges.push_back({*low, *high});
+    range.refuseOthers();
+  }
+  table.refuseOthers();
+  job.settings.spindles.push_back(std::move(spindle));
+}
+
 /// The keys that the job's table and the machine's own file share.
 void readMachineKeys(ConfigTable& machine, Job& job) {
   readRapid(machine, job);
@@ -182,6 +210,9 @@ void readMachineKeys(ConfigTable& machine, Job& job) {
   std::vector<ConfigTable> axes = machine.tables("axis");
   if (!axes.empty()) job.settings.axes.clear();  // the job's axes stand for those of the machine's file
   for (ConfigTable& axis : axes) readAxis(axis, job);
+  std::vector<ConfigTable> spindles = machine.tables("spindle");
+  if (!spindles.empty()) job.settings.spindles.clear();
+  for (ConfigTable& spindle : spindles) readSpindle(spindle, job);
   machine.refuseOthers();
 }
 

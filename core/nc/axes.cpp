@@ -59,6 +59,12 @@ AxisTable::AxisTable(const ControlSettings& settings)
     names_.addAxis(at(k).name, k, at(k).number);
     addresses_.add(names_.addressOf(k));
   }
+  for (std::size_t k = 0; k < std::min<std::size_t>(settings.spindles.size(), kSpindleNames); ++k) {
+    const SpindleSettings& spindle = settings.spindles[k];
+    const auto index = static_cast<int>(k);
+    if (spindle.name.size() >= 2) names_.addSpindle(spindle.name, index);
+    if (spindle.position_name.size() >= 2) names_.addSpindle(spindle.position_name, kSpindleNames + index);
+  }
 }
 
 int AxisTable::find(std::string_view name) const {

@@ -36,6 +36,9 @@ struct AxisInfo {
   bool rotary() const { return kind == AxisKind::kRotary; }
 };
 
+/// Names of spindles: their speeds come first in Word::spindle, their positions behind them.
+inline constexpr int kSpindleNames = 16;
+
 /// The axes of a channel, fixed for a run. X, Y, Z are always there.
 class AxisTable {
  public:

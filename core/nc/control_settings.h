@@ -39,6 +39,27 @@ struct AxisSettings {
   std::optional<AxisLimit> limit;  ///< machine coordinates, mm or deg
 };
 
+/// Speeds that a gear of a spindle has, 1/min.
+struct SpindleRange {
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// A spindle of the machine. Codes are M numbers; 0: there is none.
+struct SpindleSettings {
+  int number = 1;                     ///< 1 to 16; S with P names it
+  std::string name;                   ///< "S2", "SSB": programs set its speed by it; empty: by plain S only
+  std::vector<SpindleRange> ranges;   ///< of M11, M12, ... up to 8; none: any speed
+  double acceleration = 0.0;          ///< 1/min per second; 0: it reaches its speed at once
+  double top_rpm = 0.0;               ///< no faster than this when spindles run together; 0: no limit
+  double positioning_rpm = 60.0;      ///< speed at which it turns to an angle, > 0
+  std::string position_name;          ///< "CS2": programs turn it to an angle by it
+  std::string axis;                   ///< name of the axis that it can become
+  int main_code = 0;                  ///< makes it the main spindle
+  int sync_code = 0, shift_code = 0;  ///< the spindle named last follows the main one, in phase or shifted
+  int axis_code = 0;                  ///< makes it its axis
+};
+
 /// A row of the offset tables, mm. Effective value: geometry + wear.
 struct OffsetValue {
   double geometry = 0.0;
@@ -55,10 +76,11 @@ struct ControlSettings {
   LengthUnit units = LengthUnit::kMillimetre;   ///< power-on unit, where the program does not say (G20/G21)
   TextEncoding encoding = TextEncoding::kAuto;  ///< of the program files
   Vec3 rapid_mm_min = Vec3::Constant(15000.0);  ///< rapid rate of X, Y, Z; > 0
-  Vec3 acceleration_mm_s2 = Vec3::Zero();  ///< of X, Y, Z; 0: the axis reaches its speed at once
+  Vec3 acceleration_mm_s2 = Vec3::Zero();       ///< of X, Y, Z; 0: the axis reaches its speed at once
   double bell_time_s = 0.0;  ///< in which the acceleration along the path comes up; 0: at once
   std::array<std::optional<AxisLimit>, 3> limits;  ///< X, Y, Z, machine frame, mm
   std::vector<AxisSettings> axes;                  ///< besides X, Y, Z
+  std::vector<SpindleSettings> spindles;           ///< none: one without limits, called by S
   Vec3 start = Vec3(0, 0, 100);                    ///< where the tool is at power-on, workpiece frame, mm
 
   /// Work offsets G54..G59 in the machine frame, mm, and their basic rotation angles about X, Y, Z (deg).

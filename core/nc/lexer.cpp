@@ -202,20 +202,16 @@ bool Lexer::lexNamed(std::string_view line, std::size_t& i, Word& word, bool& na
   }
   const LexNames::Name* name = rules_.names->match(line, i);
   if (name == nullptr) return true;
-  const std::size_t begin = i;
+  std::size_t next = i + name->text.size();
+  while (next < line.size() && isBlank(line[next])) ++next;
+  const bool equals = next < line.size() && line[next] == '=';
+  // Without '=' the digit belongs to a value: with a spindle S1, S1500 is a speed of plain S.
+  if (!equals && name->endsInDigit()) return true;
   named = true;
   word.axis = name->axis;
   word.spindle = name->spindle;
   word.address = kNamedWord;
-  i += name->text.size();
-  std::size_t next = i;
-  while (next < line.size() && isBlank(line[next])) ++next;
-  const bool equals = next < line.size() && line[next] == '=';
-  if (equals) i = next + 1;
-  if (!equals && name->endsInDigit()) {
-    return fail("nct-2064",
-                fmt::format("syntax error: {} ends in a digit and is followed by '='", name->text), begin, i);
-  }
+  i = equals ? next + 1 : i + name->text.size();
   return true;
 }
 
@@ -229,7 +225,7 @@ bool Lexer::lexWord(std::string_view line, std::size_t& i, Block& block) {
     word.axis = static_cast<std::int8_t>(rules_.names->axisOfLetter(word.address));
   }
   if (rules_.incremental_operator && i < line.size() && upper(line[i]) == 'I' &&
-      (word.axis >= 0 || rules_.incremental_addresses.has(word.address))) {
+      (word.axis >= 0 || word.spindle >= 0 || rules_.incremental_addresses.has(word.address))) {
     word.incremental = true;
     ++i;
   }

@@ -101,13 +101,16 @@ bool EmitStage::push(PathItem& item) {
 
 void EmitStage::function(PathItem& item) {
   switch (item.kind) {
-    case PathItem::Kind::kSpindle:
-      if (item.spindle != SpindleState::kPositionLoop) emitter_.setSpindle(item.value);
-      emitter_.event(
-          "spindle",
-          {{"rpm", jsonNumber(std::abs(item.value))}, {"direction", jsonString(spindleName(item.spindle))}},
-          0.0, item.source);
+    case PathItem::Kind::kSpindle: {
+      const bool turns = item.spindle != SpindleState::kPositionLoop;
+      const double ramp_s = turns ? emitter_.spindleRamp(item.value) : 0.0;
+      if (turns) emitter_.setSpindle(item.value);
+      PathEmitter::EventData data{{"rpm", jsonNumber(std::abs(item.value))},
+                                  {"direction", jsonString(spindleName(item.spindle))}};
+      if (item.event) data.insert(data.end(), item.event->data.begin(), item.event->data.end());
+      emitter_.event("spindle", std::move(data), ramp_s, item.source);
       break;
+    }
     case PathItem::Kind::kToolChange: {
       const int tool = static_cast<int>(item.value);
       emitter_.setTool(tool);
@@ -121,7 +124,7 @@ void EmitStage::function(PathItem& item) {
       break;
     default:
       if (item.event) {
-        emitter_.event(std::move(item.event->name), std::move(item.event->data), 0.0, item.source);
+        emitter_.event(std::move(item.event->name), std::move(item.event->data), item.value, item.source);
       }
       break;
   }

@@ -78,9 +78,9 @@ struct PathItem : PathMotion {
     std::string name;
     PathEmitter::EventData data;
   };
-  double value = 0.0;  ///< kSpindle: rpm, signed; kDwell: s; kToolChange: number
+  double value = 0.0;  ///< kSpindle: rpm, signed; kDwell, kEvent: s; kToolChange: number
   SpindleState spindle = SpindleState::kStopped;
-  std::unique_ptr<Event> event;  ///< kEvent; kToolChange: what else its event tells
+  std::unique_ptr<Event> event;  ///< kEvent; kToolChange, kSpindle: what else its event tells
   SourceRef source;
   std::uint64_t tag = 0;  ///< for a stage's own book-keeping
 

@@ -148,15 +148,18 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
   if (d.cwiseAbs().maxCoeff() < kNoMoveMm && further < kNoMoveMm) return;
   Motion m;
   const double length = further > 0.0 ? std::hypot(d.norm(), further) : d.norm();
-  const bool paced = time_.limits().feeds || time_.wantsPace(style.join);
+  const bool wants_pace = style.acceleration > 0.0 || time_.wantsPace(style.join);
+  const bool paced = time_.limits().feeds || wants_pace;
   MotionPace pace;
   if (paced) pace = linePace(to, length, 0.0);
   m.kind = style.kind;
+  m.spindle = style.spindle;
   m.feed = style.feed;
   if (time_.limits().feeds) m.feed = allowedFeed(time_.limits(), pace.begin, axes_.count(), m.feed);
   m.time_s = 60.0 * length / m.feed;
   m.source = source;
-  if (!time_.wantsPace(style.join)) return send(m, to, nullptr);
+  if (!wants_pace) return send(m, to, nullptr);
+  if (style.acceleration > 0.0) pace.acceleration = std::min(pace.acceleration, style.acceleration);
   pace.speed = m.feed / 60.0;
   send(m, to, nullptr, &pace, style.join);
 }
@@ -178,6 +181,7 @@ void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedSt
   }
   Motion m;
   m.kind = style.kind;
+  m.spindle = style.spindle;
   m.time_s = 60.0 * paced / style.feed;
   m.feed = length == paced ? style.feed : 60.0 * length / m.time_s;
   m.source = source;
@@ -209,7 +213,7 @@ void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* a
     sweep = sweepTo(to);
   }
   motion.tool = tool_;
-  motion.spindle = spindle_;
+  if (motion.spindle == 0.0) motion.spindle = spindle_;
   if (more_ == 0) {
     machine_.xyz = to.xyz;
   } else {

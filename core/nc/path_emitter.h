@@ -1,6 +1,7 @@
 // Turns machine-frame moves into motions of the tool path: workpiece frame, tool, spindle, time.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,8 @@ struct FeedStyle {
   /// What of an arc the feed is the speed of: the circle in the plane, the whole path in space, or the
   /// start radius (constant angular speed).
   enum class Along { kPlane, kSpace, kStartRadius } along = Along::kSpace;
+  double spindle = 0.0;  ///< rpm, signed, where it changes along the motion (G96); 0: as it turns anyway
+  double acceleration = 0.0;  ///< along the path, of what turns with the motion (taps), mm/s^2; 0: no limit
   MotionJoin join;
 };
 
@@ -59,6 +62,12 @@ class PathEmitter {
   void setTool(int tool);
   double spindle() const { return spindle_; }
   void setSpindle(double rpm) { spindle_ = rpm; }  ///< negative: counter-clockwise, 0: stopped
+  /// 1/min per second; 0: at once.
+  void setSpindleAcceleration(double acceleration) { spindle_acceleration_ = acceleration; }
+  /// Time that the spindle takes to another speed, s.
+  double spindleRamp(double rpm) const {
+    return spindle_acceleration_ > 0.0 ? std::abs(rpm - spindle_) / spindle_acceleration_ : 0.0;
+  }
 
  private:
   void send(Motion& motion, const AxisPoint& to, const ArcGeometry* arc, const MotionPace* pace = nullptr,
@@ -85,6 +94,7 @@ class PathEmitter {
   Vec3 to_workpiece_;  ///< added to a machine point: minus origin, minus gauge length of the tool
   int tool_ = 0;
   double spindle_ = 0.0;
+  double spindle_acceleration_ = 0.0;
   bool any_limit_ = false;
 };
 

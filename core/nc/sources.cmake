@@ -45,6 +45,8 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_pocket.cpp
   nc/nct/nct_rows.cpp
   nc/nct/nct_statements.cpp
+  nc/nct/nct_spindle.cpp
+  nc/nct/nct_surface_speed.cpp
   nc/nct/nct_tool_data.cpp
   nc/nct/nct_tools.cpp
   nc/nct/nct_words.cpp
@@ -56,6 +58,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/machine.cpp
   nc/nct/parameters/macro.cpp
   nc/nct/parameters/motion.cpp
+  nc/nct/parameters/spindle.cpp
   nc/nct/parameters/tools.cpp
   nc/nct/program_store.cpp
   nc/nct/system_calls.cpp

@@ -5,8 +5,10 @@
 
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/nct_words.h"
+#include "core/nc/nct/tables/rows.h"
 
 namespace proveout::nc {
 namespace {
@@ -76,6 +78,12 @@ bool refuseG(NctContext& c, const Word& w, const GCode* code) {
       "nct-2123", fmt::format("function not implemented: {} ({}) is not supported", name, code->meaning), w);
 }
 
+/// Codes of one group exclude each other in a block; 0: the code is of none.
+int exclusiveGroup(const NctContext& c, const MCode* code, int m) {
+  if (code != nullptr) return code->exclusive;
+  return isExclusiveSpindleCode(c, m) ? rows::kSpindleCodes : 0;
+}
+
 bool collectM(NctContext& c, BlockPlan& plan) {
   if (!c.block.present.has('M')) return true;
   for (const Word& w : c.block.words) {
@@ -84,9 +92,10 @@ bool collectM(NctContext& c, BlockPlan& plan) {
     if (!integerWord(c, w, 0, 99999999, value)) return false;
     if (plan.m_count == 8) return c.failWord("nct-m-count", "more than 8 M functions in one block", w);
     const MCode* code = c.codes.m(static_cast<int>(value));
+    const int group = exclusiveGroup(c, code, static_cast<int>(value));
     for (int i = 0; i < plan.m_count; ++i) {
-      const MCode* other = plan.m[static_cast<std::size_t>(i)];
-      const bool both = code && other && code->exclusive > 0 && code->exclusive == other->exclusive;
+      const auto k = static_cast<std::size_t>(i);
+      const bool both = group > 0 && group == exclusiveGroup(c, plan.m[k], plan.m_value[k]);
       if (both || plan.m_value[static_cast<std::size_t>(i)] == value) {
         return c.failWord("nct-contradictory-m",
                           fmt::format("contradictory M codes: M{} and M{}",
@@ -94,8 +103,9 @@ bool collectM(NctContext& c, BlockPlan& plan) {
                           w);
       }
     }
+    const int number = static_cast<int>(value);
     const bool of_interrupt = interruptSwitch(c.parameters, w) != InterruptSwitch::kNone;
-    if (code == nullptr && !of_interrupt && !isPlaceCode(c, static_cast<int>(value))) {
+    if (code == nullptr && !of_interrupt && !isPlaceCode(c, number) && !isSpindleCode(c, number)) {
       c.warnOnce(
           fmt::format("M{}", value), "nct-m-function",
           fmt::format("M{} is a function of the machine builder: it has no effect in the simulation", value),
@@ -164,17 +174,11 @@ bool planNumbers(NctContext& c, BlockPlan& plan) {
     if (f->value < kMinFeed) return c.failWord("nct-2002", "F data out of range: at least 0.000001", *f);
     plan.next.feed = f->value;
   }
-  const GCode* one_shot = plan.by_group[kOneShot];
-  if (const Word* s = c.word('S')) {
-    if (s->value < 0.0 || s->value > 1e6)
-      return c.failWord("nct-2002", "S data out of range: 0 to 1000000 rpm", *s);
-    if (one_shot && one_shot->code10 == 920) {
-      return c.failWord("nct-2123", "function not implemented: G92 S (speed limit of G96) is not supported",
-                        *s);
-    }
-    plan.spindle_changed = plan.next.spindle_rpm != s->value;
-    plan.next.spindle_rpm = s->value;
-  }
+  const bool spindle = c.block.present.has('S') || c.block.present.has(kNamedWord) ||
+                       plan.next.active[kGroupSurfaceSpeed] == 960 || c.registers.spindles.has_axes;
+  if (spindle && !planSpindle(c, plan)) return false;
+  const bool left = c.state.active[kGroupSurfaceSpeed] == 960 && plan.next.active[kGroupSurfaceSpeed] != 960;
+  plan.spindle_changed = plan.spindle_changed || left;  // the speed is the last one of G96
   if (const Word* t = c.word('T')) {
     if (!planTool(c, plan, *t)) return false;
     plan.tool_called = true;

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/system_variables/system_variables.h"
 
@@ -77,7 +80,10 @@ void NctContext::reset() {
   s.active[kGroupMirror] = 501;
   s.active[kGroupGear] = 808;
   s.feed = parameters[s.perTurn() ? MotionParam::kDefaultFeedPerTurn : MotionParam::kDefaultFeedPerMinute];
+  s.surface_speed = parameters[SpindleParam::kSurfaceSpeed];
+  s.surface_axis = std::max(0, axes.byNumber(static_cast<int>(parameters[SpindleParam::kSurfaceAxis])));
   state = s;
+  resetSpindles(*this);
   chain = registers.frames.chain(state.work_system, state.length);
   machine = emitter.machine();
   position = chain.programOf(machine);

@@ -28,6 +28,7 @@
 #include "core/nc/nct/offset_tables.h"
 #include "core/nc/nct/program_store.h"
 #include "core/nc/nct/run_clock.h"
+#include "core/nc/nct/spindles.h"
 #include "core/nc/nct/system_calls.h"
 #include "core/nc/nct/tool_tables.h"
 #include "core/nc/nct/transform_stage.h"
@@ -50,6 +51,7 @@ struct NctRegisters {
   OffsetTables offsets;
   ToolTables tools;
   ToolInput tool_input;
+  Spindles spindles;
   double tool_time_s = 0.0;  ///< cutting time up to which the life of the tool in the spindle is counted
   SkipPosition skip;
   double parts_made = 0.0;    ///< #3901

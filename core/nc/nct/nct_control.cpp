@@ -9,6 +9,7 @@
 #include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_spindle.h"
 
 namespace proveout::nc {
 
@@ -57,6 +58,8 @@ bool NctControl::start() {
     return c.fail("nct-settings", "the time of the acceleration's rise must be 0 to 100 s");
   }
   if (const std::string bad = checkAxes(settings); !bad.empty()) return c.fail("nct-settings", bad);
+  if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty())
+    return c.fail("nct-settings", bad);
   c.reset();
   configureFeeds(c);
   return loadMain();

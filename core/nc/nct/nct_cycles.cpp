@@ -6,6 +6,7 @@
 
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
@@ -185,6 +186,9 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
   if (!rigid || c.parameters.flag(CycleParam::kTapExtraction)) {
     cycle.retract_factor = words.retract_percent.value_or(c.parameters[retract]) / 100.0;
   }
+  if (c.parameters.flag(CycleParam::kTapReturnOverride)) {
+    cycle.tap_return_factor = c.parameters[CycleParam::kTapReturn] / 100.0;
+  }
   cycle.orient_before_rigid_tap = c.parameters.flag(CycleParam::kTapOrient);
   switch (expandDrillCycle(cycle, c.drill_steps)) {
     case DrillError::kNone:
@@ -260,6 +264,10 @@ bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint&
     FeedStyle style = plan.motion.feed;
     style.feed *= step.feed_factor;
     style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;
+    if (step.thread) {
+      style.acceleration = tapAcceleration(c, plan, step.operation == 7);
+      style.join.stops = true;  // the spindle turns round, or comes to a stand
+    }
     return cycleMove(c, at, &style);
   }
   return cycleFunction(c, plan, step);

@@ -51,7 +51,11 @@ bool planLocalShift(NctContext& c, BlockPlan& plan) {
 }
 
 bool planSetPosition(NctContext& c, BlockPlan& plan) {
-  if (!c.anyAxisWord()) return c.alarm(2004, "", "G92 needs axis words");
+  if (!c.anyAxisWord() && c.word('S')) {  // only the limit of G96
+    plan.motion.target = plan.start;
+    return true;
+  }
+  if (!c.anyAxisWord()) return c.alarm(2004, "", "G92 needs axis words or S");
   FrameChange& change = frameChange(c, plan);
   const AxisPoint work = plan.chain->workOf(plan.start);
   for (const Word& w : c.block.words) {

@@ -60,6 +60,8 @@ std::span<const ParamInfo> paramTable(ParamChapter chapter) {
       return dataParams();
     case ParamChapter::kTools:
       return toolParams();
+    case ParamChapter::kSpindle:
+      return spindleParams();
     case ParamChapter::kCount:
       break;
   }

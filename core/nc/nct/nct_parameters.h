@@ -36,7 +36,7 @@ struct ParamInfo {
 
 /// The chapters of the parameter table. Each has a header with an enumeration in the order of its rows and a
 /// function paramId() for it.
-enum class ParamChapter : std::uint8_t { kMotion, kMachine, kComp, kCycles, kMacro, kFeeds, kData, kTools, kCount };
+enum class ParamChapter : std::uint8_t { kMotion, kMachine, kComp, kCycles, kMacro, kFeeds, kData, kTools, kSpindle, kCount };
 /// A row of the table.
 struct ParamId {
   ParamChapter chapter;
@@ -133,4 +133,5 @@ std::vector<ParameterInfo> nctParameterTable();
 #include "core/nc/nct/parameters/machine.h"
 #include "core/nc/nct/parameters/macro.h"
 #include "core/nc/nct/parameters/motion.h"
+#include "core/nc/nct/parameters/spindle.h"
 #include "core/nc/nct/parameters/tools.h"

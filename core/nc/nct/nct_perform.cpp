@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/system_variables/status_bank.h"
 
@@ -47,11 +48,25 @@ PathItem functionItem(const NctContext& c, PathItem::Kind kind, const NctState& 
   return item;
 }
 
-bool sendEvent(NctContext& c, std::string name, PathEmitter::EventData data) {
+bool sendEvent(NctContext& c, std::string name, PathEmitter::EventData data, double time_s) {
   PathItem item = functionItem(c, PathItem::Kind::kEvent, c.state);
   item.event = std::make_unique<PathItem::Event>(PathItem::Event{std::move(name), std::move(data)});
+  item.value = time_s;
   return c.pipe.push(item);
 }
+
+namespace {
+
+/// Of several spindles the event tells which one it is.
+void nameSpindle(const NctContext& c, PathItem& item) {
+  const auto& all = c.settings.spindles;
+  if (all.size() < 2) return;
+  item.event = std::make_unique<PathItem::Event>();
+  const int number = all[static_cast<std::size_t>(c.registers.spindles.main)].number;
+  item.event->data = {{"spindle", fmt::format("{}", number)}};
+}
+
+}  // namespace
 
 bool sendSpindle(NctContext& c, int direction, double rpm) {
   c.state.spindle_direction = direction;
@@ -60,6 +75,7 @@ bool sendSpindle(NctContext& c, int direction, double rpm) {
   item.spindle = direction > 0   ? SpindleState::kClockwise
                  : direction < 0 ? SpindleState::kCounterClockwise
                                  : SpindleState::kStopped;
+  nameSpindle(c, item);
   return c.pipe.push(item);
 }
 
@@ -67,23 +83,21 @@ bool sendOriented(NctContext& c) {
   c.state.spindle_direction = 0;
   PathItem item = functionItem(c, PathItem::Kind::kSpindle, c.state);
   item.spindle = SpindleState::kOriented;
+  nameSpindle(c, item);
   return c.pipe.push(item);
 }
 
 namespace {
 
 bool function(NctContext& c, const BlockPlan& plan, int m) {
+  bool handled = false;
+  if (!spindleFunction(c, plan, m, handled)) return false;
+  if (handled) return true;
   switch (m) {
-    case 3:
-    case 4:
-    case 5:
-      return sendSpindle(c, m == 3 ? 1 : m == 4 ? -1 : 0, plan.next.spindle_rpm);
     case 6:
       if (plan.next.next_tool >= 0) return sendToolChange(c, plan.next.next_tool, plan.next.next_row);
       c.warn("nct-no-t", "M6 without T: the tool stays");
       return sendToolChange(c, c.state.tool, c.state.tool_row);
-    case 19:
-      return sendOriented(c);
     default:
       break;
   }
@@ -107,6 +121,7 @@ bool function(NctContext& c, const BlockPlan& plan, int m) {
 
 bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
   if (phase == MPhase::kBefore && plan.tool_called) countToolCall(c, plan);
+  if (phase == MPhase::kBefore && !performSpindle(c, plan)) return false;
   bool spindle_done = false;
   for (int i = 0; i < plan.m_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -120,6 +135,7 @@ bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
   if (phase == MPhase::kBefore && plan.spindle_changed && !spindle_done && c.state.spindle_direction != 0) {
     return sendSpindle(c, c.state.spindle_direction, plan.next.spindle_rpm);
   }
+  if (phase == MPhase::kAfter && !performSurfaceSpeed(c, plan)) return false;
   if (phase == MPhase::kAfter && plan.tool_change && !c.parameters.flag(MachineParam::kToolChangeOnM6)) {
     return sendToolChange(c, plan.next.next_tool, plan.next.next_row);
   }

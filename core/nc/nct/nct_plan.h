@@ -87,6 +87,13 @@ struct BlockPlan {
   int m_count = 0;
   const MCode* flow = nullptr;  ///< M98, M99, M2, M30
   bool spindle_changed = false;
+  /// What S or a spindle's position means in this block.
+  struct Spindle {
+    int index = -1;  ///< the spindle; -1: none is named
+    int gear = 0;    ///< chosen for its speed; 0: none
+    bool turns = false;
+    double rpm = 0.0, turn_deg = 0.0;
+  } spindle;
   bool tool_change = false;
   bool tool_called = false;  ///< T in this block
 

@@ -46,9 +46,12 @@ struct AutomaticBits {
 struct NctState {
   std::array<std::int32_t, kGroupCount> active{};  ///< code10 of each group
   WorkSystemId work_system = 1;
-  double feed = 0.0;          ///< F as programmed
-  double spindle_rpm = 0.0;   ///< S
-  int spindle_direction = 0;  ///< +1 M3, -1 M4, 0
+  double feed = 0.0;           ///< F as programmed
+  double spindle_rpm = 0.0;    ///< S
+  int spindle_direction = 0;   ///< +1 M3, -1 M4, 0
+  double surface_speed = 0.0;  ///< S of G96: m/min or ft/min
+  double speed_limit = 0.0;    ///< G92 S, 1/min; 0: none
+  int surface_axis = 0;        ///< whose position is the radius of G96
   int tool = 0, next_tool = -1;
   int tool_row = 0, next_row = 0;  ///< of these in the tool management table; 0: none
   int h = 0, d = 0;

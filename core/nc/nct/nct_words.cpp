@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_feed.h"
+#include "core/nc/nct/nct_spindle.h"
 
 namespace proveout::nc {
 
@@ -55,6 +56,7 @@ bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target) {
 }
 
 double turnsPerMinute(NctContext& c, const BlockPlan& plan) {
+  if (surfaceSpeedRuns(c, plan)) return surfaceMeanRpm(c, plan);
   const double rpm = plan.next.spindle_rpm;
   bool turning = plan.next.spindle_direction != 0 && rpm > 0.0;
   for (int i = 0; i < plan.m_count; ++i)
@@ -68,11 +70,25 @@ double turnsPerMinute(NctContext& c, const BlockPlan& plan) {
   return c.settings.default_spindle_rpm;
 }
 
+namespace {
+
+/// Direction of the main spindle behind M3 and M4 of the block.
+int directionOf(const NctContext& c, const BlockPlan& plan) {
+  for (int i = 0; i < plan.m_count; ++i) {
+    const int m = plan.m_value[static_cast<std::size_t>(i)];
+    if (m == 3 || m == 4) return m == 3 ? 1 : -1;
+  }
+  return c.state.spindle_direction;
+}
+
+}  // namespace
+
 bool feedStyle(NctContext& c, BlockPlan& plan, FeedStyle& style) {
   if (plan.next.feed <= 0.0) return c.fail("nct-feed", "no feed is programmed: a feed motion needs F");
   style.feed = plan.next.feed * plan.next.unitScale();
   if (plan.next.perTurn()) style.feed *= turnsPerMinute(c, plan);
   style.join = joinOf(plan);
+  style.spindle = surfaceSpeedRuns(c, plan) ? directionOf(c, plan) * surfaceMeanRpm(c, plan) : 0.0;
   return true;
 }
 

@@ -147,9 +147,10 @@ void Expander::rigidTap() {
   bool first = true;
   forEachPeck(c_, [&](double depth) {
     if (!first) {
-      if (c_.tap_returns_to_r) rigidTapFeed(c_.r, 5, 1.0);
+      const double factor = c_.tap_returns_to_r ? c_.tap_return_factor : 1.0;
+      if (c_.tap_returns_to_r) rigidTapFeed(c_.r, 5, factor);
       const double approach = last + back * c_.clearance;
-      rigidTapFeed(c_.tap_returns_to_r && back * (approach - c_.r) > 0.0 ? c_.r : approach, 5, 1.0);
+      rigidTapFeed(c_.tap_returns_to_r && back * (approach - c_.r) > 0.0 ? c_.r : approach, 5, factor);
     }
     rigidTapFeed(depth, 5, 1.0);
     last = depth;

@@ -34,13 +34,14 @@ struct DrillCycle {
   double initial = 0.0;  ///< initial point
   double r = 0.0;        ///< approach point
   double bottom = 0.0;
-  bool return_to_r = false;       ///< G99; false: G98, return to the initial point
-  double peck = 0.0;              ///< Q, mm, > 0; 0: in one go
-  double clearance = 0.0;         ///< E: pull-back of kChipBreak, approach clearance of kPeck, mm, >= 0
-  bool tap_returns_to_r = false;  ///< pecking rigid taps: false as kChipBreak, true as kPeck
-  double dwell = 0.0;             ///< P; seconds or turns as the dialect says; 0: none
-  Vec2 shift = Vec2::Zero();      ///< I, J (plane u, v) of kFineBore and kBackBore, incremental, mm
-  double retract_factor = 1.0;    ///< feed out / feed in of kBoreFeedOut, kBoreDwellFeedOut and rigid taps
+  bool return_to_r = false;        ///< G99; false: G98, return to the initial point
+  double peck = 0.0;               ///< Q, mm, > 0; 0: in one go
+  double clearance = 0.0;          ///< E: pull-back of kChipBreak, approach clearance of kPeck, mm, >= 0
+  bool tap_returns_to_r = false;   ///< pecking rigid taps: false as kChipBreak, true as kPeck
+  double dwell = 0.0;              ///< P; seconds or turns as the dialect says; 0: none
+  Vec2 shift = Vec2::Zero();       ///< I, J (plane u, v) of kFineBore and kBackBore, incremental, mm
+  double retract_factor = 1.0;     ///< feed out / feed in of kBoreFeedOut, kBoreDwellFeedOut and rigid taps
+  double tap_return_factor = 1.0;  ///< feed to R and back between the pecks of rigid taps / feed in
   bool orient_before_rigid_tap = false;  ///< oriented stop before a rigid tap rather than closing the loop
 };
 

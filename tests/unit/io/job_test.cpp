@@ -31,9 +31,18 @@ start = [0, 0, 50]
 reference_points = [[0, 0, 100], [10, 0, 100.5]]
 tool_change_s = 3.5
 default_spindle = 800
+acceleration = [500, 600, 700]
+acceleration_rise_s = 0.05
 [machine.limits]
 X = [-400, 400]
 Z = [-100.5, 200]
+[[machine.spindle]]
+number = 2
+name = "S2"
+acceleration = 900
+position_name = "CS2"
+main_code = 32
+range = [{ min = 50, max = 1000 }, { min = 800, max = 4000 }]
 [stock]
 shape = "box"
 min = [0, 0, -20]
@@ -98,6 +107,14 @@ size = [800, 600]
   EXPECT_FALSE(s.reference_points[2].has_value());
   EXPECT_EQ(s.tool_change_s, 3.5);
   EXPECT_EQ(s.default_spindle_rpm, 800);
+  EXPECT_EQ(s.acceleration_mm_s2, Vec3(500, 600, 700));
+  EXPECT_EQ(s.bell_time_s, 0.05);
+  ASSERT_EQ(s.spindles.size(), 1u);
+  EXPECT_EQ(s.spindles[0].number, 2);
+  EXPECT_EQ(s.spindles[0].acceleration, 900);
+  EXPECT_EQ(s.spindles[0].main_code, 32);
+  ASSERT_EQ(s.spindles[0].ranges.size(), 2u);
+  EXPECT_EQ(s.spindles[0].ranges[1].max, 4000);
   EXPECT_EQ(s.limits[0]->min, -400);
   EXPECT_FALSE(s.limits[1].has_value());
   EXPECT_EQ(s.limits[2]->max, 200);

@@ -106,6 +106,31 @@ AxisSettings axisOf(std::istringstream& in, const std::string& line) {
   return axis;
 }
 
+/// spindle = NUMBER [name S2] [range 50 1000]... [acceleration 500] [top 3000] [positioning 60] [position
+/// CS2]
+///           [axis C] [main 31] [sync 21] [shift 22] [axis_code 20]
+SpindleSettings spindleOf(std::istringstream& in, const std::string& line) {
+  SpindleSettings spindle;
+  std::string key;
+  if (!(in >> spindle.number)) throw std::runtime_error("number of a spindle expected: " + line);
+  while (in >> key) {
+    SpindleRange range;
+    if (key == "name") in >> spindle.name;
+    if (key == "acceleration") in >> spindle.acceleration;
+    if (key == "top") in >> spindle.top_rpm;
+    if (key == "positioning") in >> spindle.positioning_rpm;
+    if (key == "position") in >> spindle.position_name;
+    if (key == "axis") in >> spindle.axis;
+    if (key == "main") in >> spindle.main_code;
+    if (key == "sync") in >> spindle.sync_code;
+    if (key == "shift") in >> spindle.shift_code;
+    if (key == "axis_code") in >> spindle.axis_code;
+    if (key == "range" && in >> range.min >> range.max) spindle.ranges.push_back(range);
+    if (!in) throw std::runtime_error("bad spindle: " + line);
+  }
+  return spindle;
+}
+
 void setLine(ControlSettings& s, const std::string& line) {
   std::istringstream in(line);
   std::string key, equals;
@@ -131,6 +156,8 @@ void setLine(ControlSettings& s, const std::string& line) {
     s.parameters[key] = value();
   } else if (key == "axis") {
     s.axes.push_back(axisOf(in, line));
+  } else if (key == "spindle") {
+    s.spindles.push_back(spindleOf(in, line));
   } else if (key == "start") {
     s.start = vectorOf(in, line);
   } else if (key == "rapid") {

@@ -199,13 +199,13 @@ TEST(TimeStage, InsideCornersAreSlow) {
     run("G62 G17 G41 D1 G1 F600 X10 Y0\n" + path + "G64 G40 X0 Y-50\nM30\n", s, slow);
     return slow.sum() - plain.sum();
   };
-  EXPECT_NEAR(extra("X100\nY100\n"), 0.5, 1e-9);                     // to the left: inside
-  EXPECT_NEAR(extra("X100\nY-100\n"), 0.0, 1e-9);                    // to the right: outside
-  EXPECT_NEAR(extra("X100\nX200 Y10\n"), 0.0, 1e-9);                 // too flat
-  EXPECT_NEAR(extra("X100\nY100\nX10\n"), 1.0, 1e-9);                // two of them
-  EXPECT_NEAR(extra("X100\nY12\nX10\n"), 0.7, 1e-9);                 // between them only 2 mm: slow once
+  EXPECT_NEAR(extra("X100\nY100\n"), 0.5, 1e-9);                   // to the left: inside
+  EXPECT_NEAR(extra("X100\nY-100\n"), 0.0, 1e-9);                  // to the right: outside
+  EXPECT_NEAR(extra("X100\nX200 Y10\n"), 0.0, 1e-9);               // too flat
+  EXPECT_NEAR(extra("X100\nY100\nX10\n"), 1.0, 1e-9);              // two of them
+  EXPECT_NEAR(extra("X100\nY12\nX10\n"), 0.7, 1e-9);               // between them only 2 mm: slow once
   EXPECT_NEAR(extra("X93\nX94\nX94.5\nX100\nY100\n"), 0.5, 1e-9);  // the way before over several blocks
-  s.radius_offsets[1] = {-5.0, 0.0};                                 // a negative radius changes the side
+  s.radius_offsets[1] = {-5.0, 0.0};                               // a negative radius changes the side
   EXPECT_NEAR(extra("X100\nY-100\n"), 0.5, 1e-9);
 }
 
@@ -249,6 +249,18 @@ TEST(TimeStage, BellShapedAcceleration) {
     if (time > 0.04) break;
     EXPECT_NEAR(500 * time * time * time / (6 * 0.04), way, 1e-6);
   }
+}
+
+TEST(TimeStage, SpindlesTakeTheirTime) {
+  // 1000 rpm at 500 rpm a second are 2 s, the reversal 4 s, the stop 2 s; half a turn at 60 rpm 0.5 s.
+  ControlSettings s = machine(0);
+  SpindleSettings spindle;
+  spindle.acceleration = 500;
+  spindle.position_name = "CS1";
+  s.spindles = {spindle};
+  Recorder out;
+  EXPECT_NEAR(run("S1000 M3\nM4\nM5\nM30\n", s, out).cycle_s, 8.0, 1e-9);
+  EXPECT_NEAR(run("M19\nCS1=180\nM30\n", s, out).cycle_s, 0.5, 1e-9);
 }
 
 TEST(TimeStage, EverythingComesInProgramOrder) {

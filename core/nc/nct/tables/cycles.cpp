@@ -34,6 +34,7 @@ constexpr auto kG = std::to_array<GCode>({
 });
 
 constexpr auto kFeatures = std::to_array<FeatureRow>({
+    {"tap times", kTime, "nct-18.1.9-EAE nct-18.1.10-ROE", "acceleration and returns of rigid taps"},
     {"cycle words", kSim,
      "nct-18-ops nct-18-axis nct-18-init nct-18-hole nct-18-bottom nct-18-R nct-18-IJK nct-18-Q nct-18-E "
      "nct-18-L",

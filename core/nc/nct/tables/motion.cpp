@@ -54,6 +54,8 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
      "nct-7-acc nct-7.1-corner nct-7.2-normal nct-7.3-jump nct-4.5-N0305 nct-4.1.2-ROL nct-4.1.2-N0422 "
      "nct-4.1.1-PCH nct-4.1.1-N0516 nct-4.1.1-N1340 nct-6.4-inside-arc",
      "look-ahead of speeds: accelerations, corners, arcs, overlap of rapids"},
+    {"operator", kHost, "nct-4.1.1-2501 nct-6.1-override nct-6.2-override",
+     "override switches stand at 100 %; axes are always in position"},
     {"X Y Z", kSim, "nct-1.1-XYZUVW nct-2.1-names", "main axes"},
     {"I operator", kSim, "nct-5.1-I", "one word incremental: XI10"},
     {"U V W", kSim, "nct-5.1-UVW", "incremental X, Y, Z"},

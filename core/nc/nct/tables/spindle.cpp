@@ -9,8 +9,8 @@ namespace {
 using namespace rows;
 
 constexpr auto kG = std::to_array<GCode>({
-    refused(960, kGroupSurfaceSpeed, kTime, "nct-3-G96 nct-11.5.1-G96 nct-11.5.3-G96P",
-            "constant surface speed"),
+    modal(960, kGroupSurfaceSpeed, kTime, "nct-3-G96 nct-11.5.1-G96 nct-11.5.3-G96P",
+          "constant surface speed", "P"),
     modal(970, kGroupSurfaceSpeed, kTime, "nct-3-G97 nct-11.5.1-G97", "constant surface speed off"),
 });
 
@@ -30,7 +30,14 @@ constexpr auto kM = std::to_array<MCode>({
 });
 
 constexpr auto kFeatures = std::to_array<FeatureRow>({
-    {"S", kState, "nct-1.1-S nct-11.1-S", "spindle speed"},
+    {"S", kState, "nct-1.1-S nct-11.1-S nct-11.1.1-SP nct-11.1.1-Sname nct-11.1.2-channel", "spindle speed"},
+    {"G92 S", kTime, "nct-11.5.2-G92S", "speed limit of G96"},
+    {"main spindle", kState, "nct-11.4-main", "M codes of the machine's configuration"},
+    {"spindle M", kHost, "nct-11.2-Mopt nct-11.6-monitor", "further spindle codes, monitoring"},
+    {"position loop", kState, "nct-11.7.2-M24 nct-11.7.3-pos nct-11.7.3-index nct-11.7.5-off",
+     "a spindle turns to an angle, by words and M codes"},
+    {"spindles together", kState, "nct-11.7.4-sync nct-11.8-convert",
+     "a spindle follows another one or becomes an axis"},
 });
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr auto kM = std::to_array<MCode>({
 });
 
 constexpr auto kFeatures = std::to_array<FeatureRow>({
-    {"T", kSim, "nct-1.1-T nct-12.1-T", "tool number"},
+    {"T", kSim, "nct-1.1-T nct-12.1-T nct-12.2-manual", "tool number"},
     {"tool management", kState,
      "nct-12.3.1-table nct-12.3.1-select nct-12.3.1-warning nct-12.3.2-location nct-12.3.3-shape "
      "nct-12.5.1-H99 "

@@ -1,5 +1,6 @@
 === about
-proves: nct-12.1-T
+A change by hand is prompted on the machine and goes on with START; here it only takes its time.
+proves: nct-12.1-T nct-12.2-manual
 === settings
 N1338.M06 = 0
 === main

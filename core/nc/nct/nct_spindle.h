@@ -1,0 +1,40 @@
+// Spindle words and functions of the nct control (manual chapter 11).
+#pragma once
+
+#include "core/nc/nct/nct_context.h"
+
+namespace proveout::nc {
+
+/// Power-on: the default spindle is the main one.
+void resetSpindles(NctContext& c);
+/// Why the spindles of the settings cannot be; empty: they can.
+std::string checkSpindles(const ControlSettings& settings, const AxisTable& axes);
+
+/// S, spindle names and G92 S of the block in hand. False: reported.
+bool planSpindle(NctContext& c, BlockPlan& plan);
+/// Whether an M number of the machine's configuration belongs to the spindles.
+bool isSpindleCode(const NctContext& c, int m);
+/// Whether such a number, or a spindle code of the control, excludes the others in its block.
+bool isExclusiveSpindleCode(const NctContext& c, int m);
+/// Carries out M3, M4, M5, M11 to M19 and the configured codes. `handled`: it was one of them. False:
+/// reported.
+bool spindleFunction(NctContext& c, const BlockPlan& plan, int m, bool& handled);
+/// Along a rigid tap as the main spindle accelerates, on the way in or out, mm/s^2; 0: at once.
+double tapAcceleration(const NctContext& c, const BlockPlan& plan, bool out);
+/// What S and spindle positions of the block do before its motion.
+bool performSpindle(NctContext& c, const BlockPlan& plan);
+
+// nct_surface_speed.cpp
+
+/// G96 of the block in hand; speed at its start. False: reported.
+bool planSurfaceSpeed(NctContext& c, BlockPlan& plan);
+/// Is the main spindle turning at constant surface speed?
+bool surfaceSpeedRuns(const NctContext& c, const BlockPlan& plan);
+/// Main spindle where the axis of G96 is at `at` (program coordinates), 1/min.
+double surfaceRpm(const NctContext& c, const NctState& state, const AxisPoint& at);
+/// Speed with which the block's motion takes as many turns, 1/min; the end's becomes the state's.
+double surfaceMeanRpm(NctContext& c, const BlockPlan& plan);
+/// The spindle behind a block: rapids end at the speed of their end point.
+bool performSurfaceSpeed(NctContext& c, const BlockPlan& plan);
+
+}  // namespace proveout::nc

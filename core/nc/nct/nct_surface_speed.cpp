@@ -1,0 +1,131 @@
+// G96, G97, G92 S: constant surface speed (manual 11.5).
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_spindle.h"
+#include "core/nc/nct/nct_words.h"
+
+namespace proveout::nc {
+namespace {
+
+/// What stands for the top speed of a spindle without ranges and without G92 S, 1/min.
+constexpr double kNoTopSpeed = 1e6;
+
+struct SpeedBounds {
+  double low, high;
+};
+
+SpeedBounds boundsOf(const NctContext& c, const NctState& state) {
+  const Spindles& all = c.registers.spindles;
+  SpeedBounds bounds{c.parameters[SpindleParam::kLeastSurfaceRpm], kNoTopSpeed};
+  if (!c.settings.spindles.empty()) {
+    const auto& ranges = c.settings.spindles[static_cast<std::size_t>(all.main)].ranges;
+    const int gear = all.record[static_cast<std::size_t>(all.main)].gear;
+    double least = kNoTopSpeed, most = 0.0;
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+      if (gear > 0 && static_cast<int>(k) + 1 != gear) continue;
+      least = std::min(least, ranges[k].min);
+      most = std::max(most, ranges[k].max);
+    }
+    if (most > 0.0) bounds = {std::max(bounds.low, least), most};
+  }
+  if (state.speed_limit > 0.0) bounds.high = std::min(bounds.high, state.speed_limit);
+  bounds.low = std::min(bounds.low, bounds.high);
+  return bounds;
+}
+
+/// Turns a minute times the radius in mm.
+double speedTimesRadius(const NctState& state) {
+  const double mm_min =
+      state.active[kGroupUnits] == 200 ? state.surface_speed * 12.0 * 25.4 : state.surface_speed * 1000.0;
+  return mm_min / (2.0 * kPi);
+}
+
+}  // namespace
+
+bool surfaceSpeedRuns(const NctContext& c, const BlockPlan& plan) {
+  if (plan.next.active[kGroupSurfaceSpeed] != 960) return false;
+  bool turning = c.state.spindle_direction != 0;
+  for (int i = 0; i < plan.m_count; ++i) {
+    const int m = plan.m_value[static_cast<std::size_t>(i)];
+    turning = turning || m == 3 || m == 4;
+  }
+  return turning;
+}
+
+double surfaceRpm(const NctContext& c, const NctState& state, const AxisPoint& at) {
+  const SpeedBounds bounds = boundsOf(c, state);
+  const double radius = std::abs(at[state.surface_axis]);
+  const double product = speedTimesRadius(state);
+  return radius * bounds.high <= product ? bounds.high
+                                         : std::clamp(product / radius, bounds.low, bounds.high);
+}
+
+double surfaceMeanRpm(NctContext& c, const BlockPlan& plan) {
+  // Time per length goes with 1 / rpm, which is linear in the radius between the bounds: the mean over the
+  // axis' way, exact on lines, in pieces between the points where a bound begins or the axis crosses 0.
+  const SpeedBounds bounds = boundsOf(c, plan.next);
+  const double product = speedTimesRadius(plan.next);
+  const int axis = plan.next.surface_axis;
+  const double from = plan.start[axis], to = plan.motion.target[axis];
+  const auto slowness = [&](double x) {
+    const double radius = std::abs(x);
+    return radius * bounds.high <= product ? 1.0 / bounds.high
+                                           : 1.0 / std::clamp(product / radius, bounds.low, bounds.high);
+  };
+  if (from == to) return 1.0 / slowness(from);
+  std::array<double, 7> cuts{0.0, 1.0};
+  std::size_t count = 2;
+  const double inner = product / bounds.high;
+  const double outer = bounds.low > 0.0 ? product / bounds.low : inner;
+  for (const double x : {-outer, -inner, 0.0, inner, outer}) {
+    const double u = (x - from) / (to - from);
+    if (u > 0.0 && u < 1.0) cuts[count++] = u;
+  }
+  std::sort(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(count));
+  double mean = 0.0;
+  for (std::size_t k = 1; k < count; ++k) {
+    const double a = slowness(from + cuts[k - 1] * (to - from)), b = slowness(from + cuts[k] * (to - from));
+    mean += 0.5 * (a + b) * (cuts[k] - cuts[k - 1]);
+  }
+  return 1.0 / mean;
+}
+
+bool planSurfaceSpeed(NctContext& c, BlockPlan& plan) {
+  NctState& next = plan.next;
+  if (next.active[kGroupSurfaceSpeed] != 960) return true;
+  const GCode* code = plan.by_group[kGroupSurfaceSpeed];
+  const Word* p = code != nullptr ? c.word('P') : nullptr;
+  if (p != nullptr) {
+    std::int64_t number = 0;
+    if (!integerWord(c, *p, 1, 32, number)) return false;
+    const int axis = c.axes.byNumber(static_cast<int>(number));
+    if (axis < 0 || c.axes.at(axis).rotary()) return c.alarm(2002, *p, "the number of a linear axis");
+    next.surface_axis = axis;
+  }
+  const GCode* one_shot = plan.by_group[kOneShot];
+  const bool limit = one_shot != nullptr && one_shot->code10 == 920;
+  if (const Word* s = c.word('S'); s && !limit) {
+    if (!(s->value > 0.0 && s->value <= 1e6))
+      return c.alarm(2002, *s, "surface speed: above 0, up to 1000000");
+    next.surface_speed = s->value;
+  }
+  if (next.surface_speed <= 0.0) return c.alarm(2004, "S", "G96 needs a surface speed");
+  if (!surfaceSpeedRuns(c, plan)) return true;
+  const double rpm = surfaceRpm(c, next, plan.start);
+  plan.spindle_changed = rpm != c.state.spindle_rpm;
+  next.spindle_rpm = rpm;
+  return true;
+}
+
+bool performSurfaceSpeed(NctContext& c, const BlockPlan& plan) {
+  if (!surfaceSpeedRuns(c, plan) || c.state.spindle_direction == 0) return true;
+  const double rpm = surfaceRpm(c, plan.next, c.position);
+  const bool changed = rpm != c.state.spindle_rpm;
+  c.state.spindle_rpm = rpm;
+  return !changed || !plan.motion.rapid || sendSpindle(c, c.state.spindle_direction, rpm);
+}
+
+}  // namespace proveout::nc
