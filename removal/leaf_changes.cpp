@@ -4,12 +4,6 @@
 
 namespace proveout {
 
-namespace {
-
-constexpr Coord kDropped(1 << 30, 1 << 30, 1 << 30);  ///< no leaf of any stock
-
-}  // namespace
-
 LeafChange readLeaf(const LeafReader& reader, const Coord& origin) {
   LeafChange change;
   change.origin = origin;
@@ -39,6 +33,7 @@ LeafBits samplesBefore(const LeafChange& change) {
 void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find) {
   // Every changed leaf has a record while neighbours read each other's new samples.
   std::vector<std::uint32_t> record(changes.size());
+  impl.leaves.reserve(impl.leaves.size() + changes.size());
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const Coord at = leafCoord(changes[i]->origin);
     std::int32_t number = impl.index.get(at);
@@ -56,15 +51,14 @@ void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes
     StockLeaf& leaf = impl.leaves[record[i]];
     const bool mixed = isMixed(reader, leaf.origin);
     leaf.crossings = find(i, mixed ? reader.edges(leaf) : LeafEdges{}, leaf.crossings);
-    if (!mixed) leaf.origin = kDropped;
+    if (!mixed) leaf.origin = kNoLeaf;
   });
   for (std::size_t i = 0; i < changes.size(); ++i) {
-    if (impl.leaves[record[i]].origin != kDropped) continue;
+    if (impl.leaves[record[i]].origin != kNoLeaf) continue;
     const bool inside = changes[i]->material[0] & 1;
     impl.index.set(leafCoord(changes[i]->origin), inside ? LeafIndex::kInside : LeafIndex::kOutside);
   }
-  std::erase_if(impl.leaves, [](const StockLeaf& leaf) { return leaf.origin == kDropped; });
-  renumberLeaves(impl);
+  orderLeaves(impl);
 }
 
 }  // namespace proveout

@@ -1,12 +1,15 @@
 #include "removal/stock.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "core/base/memory.h"
+#include "core/base/parallel_for.h"
 #include "removal/stock_impl.h"
 #include "removal/threads.h"
 
@@ -153,9 +156,22 @@ double indexBytes(const Stock::Impl& impl) {
   return LeafIndex::bytesFor(low, high);
 }
 
-void renumberLeaves(Stock::Impl& impl) {
-  std::sort(impl.leaves.begin(), impl.leaves.end(),
-            [](const StockLeaf& a, const StockLeaf& b) { return a.origin < b.origin; });
+void orderLeaves(Stock::Impl& impl) {
+  struct Place {
+    Coord origin;
+    std::uint32_t number;
+  };
+  std::vector<Place> places;
+  places.reserve(impl.leaves.size());
+  for (std::uint32_t i = 0; i < impl.leaves.size(); ++i) {
+    if (impl.leaves[i].origin != kNoLeaf) places.push_back({impl.leaves[i].origin, i});
+  }
+  tbb::parallel_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.origin < b.origin; });
+  std::vector<StockLeaf> leaves(places.size());
+  parallelFor(std::size_t{0}, places.size(),
+              [&](std::size_t i) { leaves[i] = std::move(impl.leaves[places[i].number]); });
+  impl.leaves = std::move(leaves);
   for (std::size_t i = 0; i < impl.leaves.size(); ++i) {
     impl.index.set(leafCoord(impl.leaves[i].origin), static_cast<std::int32_t>(i));
   }

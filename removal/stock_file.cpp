@@ -121,7 +121,7 @@ void unpackDistance(const openvdb::FloatGrid& grid, Stock::Impl& impl) {
       if (leaf->getValue(v) < 0.0f) out.material[v & 7] |= 1ull << (v >> 3);
     }
   }
-  renumberLeaves(impl);
+  orderLeaves(impl);
 }
 
 struct CrossingReader {

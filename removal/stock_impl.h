@@ -131,8 +131,10 @@ class LeafReader {
 /// Whether the 9x9x9 block of the leaf at `origin` holds both sides.
 bool isMixed(const LeafReader& reader, const Coord& origin);
 
-/// Sorts `leaves` by origin and writes their numbers into the index.
-void renumberLeaves(Stock::Impl& impl);
+/// Origin of a leaf that is to be left out by orderLeaves; no leaf of any stock has it.
+inline constexpr Coord kNoLeaf(1 << 30, 1 << 30, 1 << 30);
+/// Sorts `leaves` by origin, without those at kNoLeaf, and writes their numbers into the index.
+void orderLeaves(Stock::Impl& impl);
 
 /// Fills an empty Impl with the blank. `impl` has h, origin and blank set.
 Status buildBlank(Stock::Impl& impl, const StockShape& shape, const RemovalOptions& options,

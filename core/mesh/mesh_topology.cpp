@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <span>
 #include <utility>
 
+#include "core/base/parallel_for.h"
 #include "core/mesh/edge_table.h"
 
 namespace proveout {
@@ -184,19 +186,24 @@ bool isClosedManifold(const TriMesh& mesh) {
     if (!triangleIsProper(t, mesh.positions.size())) return false;
   }
   const VertexCorners corners(mesh.positions.size(), mesh.triangles);
-  std::vector<LinkEdge> link;
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    const auto own = corners.of(v);
-    if (own.empty()) continue;
-    link.clear();
-    for (const std::uint32_t corner : own) {
-      const auto& t = mesh.triangles[corner / 3];
-      const std::uint32_t c = corner % 3;
-      link.emplace_back(t[c == 2 ? 0 : c + 1], t[c == 0 ? 2 : c - 1]);
+  constexpr std::size_t kBlock = 4096;
+  std::atomic<bool> closed{true};
+  parallelFor(std::size_t{0}, mesh.positions.size() / kBlock + 1, [&](std::size_t block) {
+    std::vector<LinkEdge> link;
+    const std::size_t end = std::min(mesh.positions.size(), (block + 1) * kBlock);
+    for (std::size_t v = block * kBlock; v < end && closed.load(std::memory_order_relaxed); ++v) {
+      const auto own = corners.of(static_cast<std::uint32_t>(v));
+      if (own.empty()) continue;
+      link.clear();
+      for (const std::uint32_t corner : own) {
+        const auto& t = mesh.triangles[corner / 3];
+        const std::uint32_t c = corner % 3;
+        link.emplace_back(t[c == 2 ? 0 : c + 1], t[c == 0 ? 2 : c - 1]);
+      }
+      if (!isOneCycle(link)) closed = false;
     }
-    if (!isOneCycle(link)) return false;
-  }
-  return true;
+  });
+  return closed;
 }
 
 /// Sets of vertices that triangles connect. Where each vertex has one fan these are the components.
