@@ -48,6 +48,12 @@ void VariableStore::clearGlobals() {
   std::fill_n(globals_.begin(), kFirstKept - kFirstGlobal, Value::none());
 }
 
+void VariableStore::share(VariableStore& owner, int low, int kept) {
+  common_ = owner.globals_.data();
+  common_low_end_ = kFirstGlobal + low;
+  common_kept_end_ = kFirstKept + kept;
+}
+
 void VariableStore::protect(int first, int last) {
   protect_first_ = first;
   protect_last_ = last;
@@ -111,7 +117,7 @@ VariableStatus VariableStore::writeOther(int number, const Value& value) {
   if (number >= kFirstGlobal && number <= kLastGlobal) {
     const bool locked = number >= kFirstKept && number >= protect_first_ && number <= protect_last_;
     if (locked) return kReadOnlyVariable;
-    globals_[static_cast<std::size_t>(number - kFirstGlobal)] = value;
+    global(number) = value;
     return kVariableRead;
   }
   VariableBank* bank = bankOf(number);

@@ -58,7 +58,7 @@ class VariableStore {
       return kVariableRead;
     }
     if (number >= kFirstGlobal && number <= kLastGlobal) {
-      out = globals_[static_cast<std::size_t>(number - kFirstGlobal)];
+      out = global(number);
       return kVariableRead;
     }
     return readOther(number, out);
@@ -75,7 +75,7 @@ class VariableStore {
   bool peek(int number, Value& out) const {
     const bool is_local = number >= 1 && number <= kLocalCount;
     if (!is_local && (number < kFirstGlobal || number > kLastGlobal)) return false;
-    out = is_local ? locals_[local(number)] : globals_[static_cast<std::size_t>(number - kFirstGlobal)];
+    out = is_local ? locals_[local(number)] : global(number);
     return true;
   }
 
@@ -88,6 +88,10 @@ class VariableStore {
   void clearLocals();
   /// #100-#499 vacant again (power-off).
   void clearGlobals();
+
+  /// #100 to #(99 + low) and #500 to #(499 + kept) are those of `owner` from here on (N1700, N1701: variables
+  /// that all channels share). `owner` must outlive this and share with none itself.
+  void share(VariableStore& owner, int low, int kept);
 
   /// #first to #last, within 500-999, refuse to be written (N1702, N1703); first > last: none.
   void protect(int first, int last);
@@ -110,6 +114,13 @@ class VariableStore {
   std::size_t local(int number) const {
     return static_cast<std::size_t>(level_ * (kLocalCount + 1) + number);
   }
+  bool isCommon(int number) const {
+    return number < common_low_end_ || (number >= kFirstKept && number < common_kept_end_);
+  }
+  const Value& global(int number) const {
+    return (isCommon(number) ? common_ : globals_.data())[number - kFirstGlobal];
+  }
+  Value& global(int number) { return (isCommon(number) ? common_ : globals_.data())[number - kFirstGlobal]; }
   VariableStatus readOther(int number, Value& out);
   VariableStatus writeOther(int number, const Value& value);
   VariableBank* bankOf(int number) const;
@@ -123,6 +134,8 @@ class VariableStore {
   std::array<Value, static_cast<std::size_t>(kLevels) * (kLocalCount + 1)> locals_;
   std::array<Value, kLastGlobal - kFirstGlobal + 1> globals_;
   std::string_view note_;
+  Value* common_ = nullptr;  ///< globals of the owner
+  int common_low_end_ = 0, common_kept_end_ = 0;
   std::vector<Range> banks_;             ///< by first number
   std::vector<VariableSymbol> symbols_;  ///< by name
 };

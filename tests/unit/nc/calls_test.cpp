@@ -42,6 +42,22 @@ TEST(Variables, SixteenLevelsMayBeOpen) {
   EXPECT_EQ(number(store, 33), 1);
 }
 
+TEST(Variables, ChannelsShareTheFirstGlobalsOfEachKind) {
+  VariableStore first, second;
+  second.share(first, 40, 30);
+  for (const int n : {100, 139, 500, 529}) {
+    EXPECT_EQ(second.write(n, {n + 0.5}), kVariableRead);
+    EXPECT_EQ(number(first, n), n + 0.5);
+    first.write(n, {1});
+    EXPECT_EQ(number(second, n), 1);
+  }
+  for (const int n : {140, 499, 530, 999}) {
+    second.write(n, {7});
+    EXPECT_EQ(number(first, n), -999) << n;
+    EXPECT_EQ(number(second, n), 7) << n;
+  }
+}
+
 TEST(Variables, TheEmptyConstantAndProtectedOnesCannotBeWritten) {
   VariableStore store;
   for (const int n : {0, 3100}) {

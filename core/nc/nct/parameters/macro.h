@@ -9,6 +9,8 @@ namespace proveout::nc {
 /// name.
 enum class MacroParam : std::uint16_t {
   kReadAhead,
+  kCommonLow,
+  kCommonKept,
   kProtectFirst,
   kProtectLast,
   kG9010,                            ///< G codes of O9010 to O9019
