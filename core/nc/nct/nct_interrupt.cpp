@@ -7,6 +7,7 @@
 #include "core/nc/nct/nct_control.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_words.h"
+#include "core/nc/nct/system_variables/modal_bank.h"
 
 namespace proveout::nc {
 InterruptSwitch interruptSwitch(const NctParameters& parameters, const Word& w) {
@@ -86,6 +87,7 @@ NctControl::Go NctControl::followInterrupts() {
         "the interrupt macro would start inside the block (N1758.TPI = 0): it starts at the block's end");
   }
   c.interrupt.resumed = c.state;
+  c.interrupted = InterruptedBlock{c.state, programNumber(c.calls.top().text->name())};
   return open(c.interrupt.frame);
 }
 
@@ -100,6 +102,7 @@ NctControl::Go NctControl::breakInterruptOff() {
 bool NctControl::endInterrupt(bool restore) {
   NctContext& c = context_;
   const NctState resumed = *std::exchange(c.interrupt.resumed, std::nullopt);
+  c.interrupted.reset();
   if (!restore) return true;
   if (!flushPipe(c)) return false;
   const NctState now = std::exchange(c.state, resumed);

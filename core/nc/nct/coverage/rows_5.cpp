@@ -81,7 +81,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-23.4-M97", kState, kDone, "good/interrupt_macro_broken_off.nc"},
     {"nct-23.4-N1758", kState, kDone, "good/interrupt_macro_own_codes.nc"},
     {"nct-23.4-M99", kState, kDone, "good/interrupt_macro_goes_elsewhere.nc"},
-    {"nct-23.4-modals", kState, kMissing, ""},
+    {"nct-23.4-modals", kState, kDone, "good/interrupt_macro_modals.nc"},
     {"nct-23.5-blocks", kState, kDone, "good/macro_blocks_sbm1.nc"},
     {"nct-23.5-MBM", kState, kDone, "good/macro_blocks_sbm0.nc"},
     {"nct-23.5-G53", kState, kDone, "good/macro_blocks_sbm1.nc"},
