@@ -165,7 +165,7 @@ inline void fillStock(Stock::Impl& impl, const Field& field, const Box3& bounds,
       }
     }
   }
-  renumberLeaves(impl);
+  orderLeaves(impl);
   for (StockLeaf& leaf : impl.leaves) field_detail::addCrossings(impl, field, leaf);
 }
 
