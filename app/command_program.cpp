@@ -74,7 +74,9 @@ Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_
   const RecordingSource& source = *sources.all()[setup];
   DiagnosticsTap tap(sink);
   Interpretation result;
-  result.summary = interpret(*control, source, *settings, tap, &progress);
+  ControlHost host;  // files that the program writes are lost
+  host.person = job.person;
+  result.summary = interpret(*control, source, *settings, tap, &progress, host);
   addOvertravel(tap.overtravels, source, result.findings);
   result.diagnostics = std::move(tap.diagnostics);
   if (result.summary.end == ProgramEnd::kCancelled) return Error{ErrorKind::kInterrupted, "interrupted"};

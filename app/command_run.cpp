@@ -45,6 +45,9 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
   Result<StagingFolder> staging = StagingFolder::create(folder);
   if (!staging) return staging.error();
   if (!run.alarm) {
+    for (const SetupRun& setup : run.setups) {
+      if (Status done = writeProgramFiles(setup.interpreted.files, setup.name, *staging); !done) return done;
+    }
     if (Status done = writeMeshes(run.surface().mesh, *run.stock, job, *staging, report); !done) return done;
     if (job.output.csv) {
       if (Status done = writeTables(cutPaths(run), *staging, report); !done) return done;

@@ -119,7 +119,12 @@ Interpreted interpretProgram(const Job& job, const ProgramSource& source, const 
     return result;
   }
   progress.report("interpreting", 0.0);
-  result.summary = interpret(*control, source, settings, builder, &progress);
+  MemoryOutput output;
+  ControlHost host;
+  host.output = &output;
+  host.person = job.person;
+  result.summary = interpret(*control, source, settings, builder, &progress, host);
+  result.files = output.files();
   result.path.blocks = result.summary.blocks;
   result.outgrown_at = builder.outgrownAt();
   return result;

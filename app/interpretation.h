@@ -53,7 +53,8 @@ class JobSources {
 struct Interpreted {
   Toolpath path;
   InterpretSummary summary;
-  std::optional<SourceRef> outgrown_at;  ///< block at which the path outgrew its memory; cancelled there
+  std::map<std::string, std::string> files;  ///< that the program wrote, by name
+  std::optional<SourceRef> outgrown_at;      ///< block at which the path outgrew its memory; cancelled there
 };
 
 /// Settings of the job with the start point above a blank that has these bounds (the job's own goes before).

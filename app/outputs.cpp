@@ -73,9 +73,21 @@ std::string StagingFolder::path(const std::string& name) {
 Status StagingFolder::commit() {
   for (const std::string& name : names_) {
     const fs::path target = fs::path(target_) / name;
+    if (Status done = makeFolders(target.parent_path().string()); !done) return done;
     std::error_code error;
     fs::rename(fs::path(aside_) / name, target, error);
     if (error) return inputError(fmt::format("{}: cannot be written: {}", target.string(), error.message()));
+  }
+  return Done{};
+}
+
+Status writeProgramFiles(const std::map<std::string, std::string>& files, const std::string& setup,
+                         StagingFolder& staging) {
+  const std::string folder = setup.empty() ? "files/" : "files/" + fileName(setup) + "/";
+  for (const auto& [name, bytes] : files) {
+    const std::string path = staging.path(folder + name);
+    if (Status done = makeFolders(fs::path(path).parent_path().string()); !done) return done;
+    if (Status done = writeFileAtomically(path, bytes); !done) return done;
   }
   return Done{};
 }

@@ -2,6 +2,7 @@
 // that fails or is interrupted leaves earlier results alone.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ class StagingFolder {
   std::string target_, aside_;
   std::vector<std::string> names_;
 };
+
+/// Writes the files that a program wrote, in "files", those of clampings in a folder of their name in it.
+Status writeProgramFiles(const std::map<std::string, std::string>& files, const std::string& setup,
+                         StagingFolder& staging);
 
 /// Writes mesh files and records them in the report with their hashes.
 Status writeMeshes(const TriMesh& mesh, const Stock& stock, const Job& job, StagingFolder& staging,

@@ -14,6 +14,7 @@
 #include "core/base/result.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/types.h"
+#include "core/nc/control_host.h"
 #include "core/nc/control_settings.h"
 #include "core/tool/tool.h"
 #include "io/mesh_io.h"
@@ -90,6 +91,7 @@ struct Job {
   /// Machine, offsets, switches and parameters. `start` is the control's default and `gauge_lengths` are
   /// filled from the tools; `until` is not set by job files.
   ControlSettings settings;
+  Operator person;  ///< what the person at the machine answers
   std::optional<Vec3>
       start;  ///< control point before the first block, workpiece frame; none: above the stock
   std::optional<StockSpec> stock;  ///< always there in a job that was loaded from a file

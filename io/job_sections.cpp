@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "io/atomic_file.h"
 
@@ -358,6 +359,54 @@ void readInterrupts(ConfigTable& root, ConfigTable& panel, Job& job) {
   }
 }
 
+/// Answers to message boxes by their number.
+void readAnswers(ConfigTable& panel, Job& job) {
+  auto answers = panel.table("answers");
+  if (!answers) return;
+  constexpr int kFirstBox = 100, kLastBox = 299;
+  for (const ConfigEntry& entry : answers->entries()) {
+    int number = 0;
+    const char* end = entry.key.data() + entry.key.size();
+    const auto [last, error] = std::from_chars(entry.key.data(), end, number);
+    if (error != std::errc() || last != end || number < kFirstBox || number > kLastBox) {
+      answers->document().error(entry.value.place, "job-range", "answers go to message boxes 100 to 299");
+      continue;
+    }
+    if (const auto answer = answers->integer(entry.key, 0, 3)) {
+      job.person.message_answers[number] = static_cast<int>(*answer);
+    }
+  }
+}
+
+/// Inputs of the PLC: `plc_bits = [0, 5]` lists those that are on.
+void readInputs(ConfigTable& root, ConfigTable& panel, Job& job) {
+  const ConfigValue* bits = panel.find("plc_bits");
+  if (bits != nullptr && isList(root.document(), *bits, "plc_bits")) {
+    job.person.plc_bits = {};
+    for (const ConfigValue& item : bits->items) {
+      if (item.type == Type::kInteger && item.integer >= 0 && item.integer <= 31) {
+        job.person.plc_bits[static_cast<std::size_t>(item.integer)] = true;
+      } else {
+        root.document().error(item.place, "job-range", "plc_bits lists inputs, whole numbers from 0 to 31");
+      }
+    }
+  }
+  if (const auto numbers = panel.point("plc_numbers", {-1e9, 1e9, false})) {
+    job.person.plc_numbers = {numbers->x(), numbers->y(), numbers->z()};
+  }
+}
+
+/// What the person at the machine answers and what clocks show.
+void readPerson(ConfigTable& root, ConfigTable& panel, Job& job) {
+  readAnswers(panel, job);
+  readInputs(root, panel, job);
+  constexpr std::int64_t kFirstDate = 19000101, kLastDate = 99991231, kLastTime = 235959;
+  if (const auto date = panel.integer("date", kFirstDate, kLastDate))
+    job.person.date = static_cast<int>(*date);
+  if (const auto time = panel.integer("time", 0, kLastTime)) job.person.time = static_cast<int>(*time);
+  if (const auto test = panel.flag("test_mode")) job.person.test_mode = *test;
+}
+
 void readPanel(ConfigTable& root, Job& job) {
   auto panel = root.table("panel");
   if (!panel) return;
@@ -375,6 +424,7 @@ void readPanel(ConfigTable& root, Job& job) {
     }
   }
   readInterrupts(root, *panel, job);
+  readPerson(root, *panel, job);
   panel->refuseOthers();
 }
 

@@ -34,6 +34,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_feed.cpp
   nc/nct/nct_flow.cpp
   nc/nct/nct_frames.cpp
+  nc/nct/nct_functions.cpp
   nc/nct/nct_macro_environment.cpp
   nc/nct/nct_interrupt.cpp
   nc/nct/nct_macro_calls.cpp
@@ -55,6 +56,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/cycles.cpp
   nc/nct/parameters/data.cpp
   nc/nct/parameters/feeds.cpp
+  nc/nct/parameters/functions.cpp
   nc/nct/parameters/machine.cpp
   nc/nct/parameters/macro.cpp
   nc/nct/parameters/motion.cpp

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_functions.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_spindle.h"
@@ -95,7 +96,9 @@ bool collectM(NctContext& c, BlockPlan& plan) {
     const int group = exclusiveGroup(c, code, static_cast<int>(value));
     for (int i = 0; i < plan.m_count; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      const bool both = group > 0 && group == exclusiveGroup(c, plan.m[k], plan.m_value[k]);
+      const int own_group = mGroup(c.parameters, plan.m_value[k]);
+      const bool both = (group > 0 && group == exclusiveGroup(c, plan.m[k], plan.m_value[k])) ||
+                        (own_group > 0 && own_group == mGroup(c.parameters, static_cast<int>(value)));
       if (both || plan.m_value[static_cast<std::size_t>(i)] == value) {
         return c.failWord("nct-contradictory-m",
                           fmt::format("contradictory M codes: M{} and M{}",
@@ -356,9 +359,9 @@ bool planBlock(NctContext& c, BlockPlan& plan) {
   plan.start = c.position;
   if (c.block.number >= 0) plan.next.last.n = c.block.number;
   if (const Word* e = c.word('E')) plan.next.last.e = e->value;
-  return collectG(c, plan) && collectM(c, plan) && planModal(c, plan) && planNumbers(c, plan) &&
-         planOffsetsHD(c, plan) && planWorkSystem(c, plan) && planLength(c, plan) && planComp(c, plan) &&
-         govern(c, plan) && checkWords(c, plan);
+  return takeAuxiliary(c, plan) && collectG(c, plan) && collectM(c, plan) && planModal(c, plan) &&
+         planNumbers(c, plan) && planOffsetsHD(c, plan) && planWorkSystem(c, plan) && planLength(c, plan) &&
+         planComp(c, plan) && govern(c, plan) && checkWords(c, plan);
 }
 
 }  // namespace proveout::nc

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/nc/nct/nct_feed.h"
+#include "core/nc/nct/nct_functions.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_spindle.h"
@@ -60,6 +61,7 @@ bool NctControl::start() {
   if (const std::string bad = checkAxes(settings); !bad.empty()) return c.fail("nct-settings", bad);
   if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty())
     return c.fail("nct-settings", bad);
+  if (!checkAuxiliary(c)) return false;
   c.reset();
   configureFeeds(c);
   return loadMain();

@@ -62,6 +62,8 @@ std::span<const ParamInfo> paramTable(ParamChapter chapter) {
       return toolParams();
     case ParamChapter::kSpindle:
       return spindleParams();
+    case ParamChapter::kFunctions:
+      return functionParams();
     case ParamChapter::kCount:
       break;
   }

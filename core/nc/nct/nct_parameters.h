@@ -36,7 +36,19 @@ struct ParamInfo {
 
 /// The chapters of the parameter table. Each has a header with an enumeration in the order of its rows and a
 /// function paramId() for it.
-enum class ParamChapter : std::uint8_t { kMotion, kMachine, kComp, kCycles, kMacro, kFeeds, kData, kTools, kSpindle, kCount };
+enum class ParamChapter : std::uint8_t {
+  kMotion,
+  kMachine,
+  kComp,
+  kCycles,
+  kMacro,
+  kFeeds,
+  kData,
+  kTools,
+  kSpindle,
+  kFunctions,
+  kCount
+};
 /// A row of the table.
 struct ParamId {
   ParamChapter chapter;
@@ -130,6 +142,7 @@ std::vector<ParameterInfo> nctParameterTable();
 #include "core/nc/nct/parameters/cycles.h"
 #include "core/nc/nct/parameters/data.h"
 #include "core/nc/nct/parameters/feeds.h"
+#include "core/nc/nct/parameters/functions.h"
 #include "core/nc/nct/parameters/machine.h"
 #include "core/nc/nct/parameters/macro.h"
 #include "core/nc/nct/parameters/motion.h"

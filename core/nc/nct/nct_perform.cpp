@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_functions.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/system_variables/status_bank.h"
@@ -135,6 +136,7 @@ bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
   if (phase == MPhase::kBefore && plan.spindle_changed && !spindle_done && c.state.spindle_direction != 0) {
     return sendSpindle(c, c.state.spindle_direction, plan.next.spindle_rpm);
   }
+  if (phase == MPhase::kAfter && plan.auxiliary.any() && !performAuxiliary(c, plan)) return false;
   if (phase == MPhase::kAfter && !performSurfaceSpeed(c, plan)) return false;
   if (phase == MPhase::kAfter && plan.tool_change && !c.parameters.flag(MachineParam::kToolChangeOnM6)) {
     return sendToolChange(c, plan.next.next_tool, plan.next.next_row);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -86,6 +87,7 @@ struct BlockPlan {
   std::array<int, 8> m_value{};
   int m_count = 0;
   const MCode* flow = nullptr;  ///< M98, M99, M2, M30
+  std::bitset<3> auxiliary;     ///< auxiliary functions of the block (N1333 to N1335)
   bool spindle_changed = false;
   /// What S or a spindle's position means in this block.
   struct Spindle {

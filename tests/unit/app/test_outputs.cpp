@@ -39,6 +39,23 @@ TEST(StagingFolder, CommitMovesAllAndCleansUp) {
   EXPECT_EQ(entries(folder.path("deep/er")), 2u);
 }
 
+TEST(StagingFolder, FilesOfProgramsComeWithTheirFolders) {
+  const test::TemporaryFolder folder;
+  {
+    Result<StagingFolder> staging = StagingFolder::create(folder.path());
+    ASSERT_TRUE(staging.ok());
+    const std::map<std::string, std::string> files{{"a.txt", "one"}, {"sub/b.bin", std::string("\0\x1", 2)}};
+    EXPECT_TRUE(writeProgramFiles(files, "", *staging).ok());
+    EXPECT_TRUE(writeProgramFiles(files, "second side", *staging).ok());
+    EXPECT_FALSE(fs::exists(folder.path("files")));
+    EXPECT_TRUE(staging->commit().ok());
+  }
+  EXPECT_EQ(fs::file_size(folder.path("files/a.txt")), 3u);
+  EXPECT_EQ(fs::file_size(folder.path("files/sub/b.bin")), 2u);
+  EXPECT_EQ(entries(folder.path()), 1u);
+  EXPECT_EQ(entries(folder.path("files")), 3u);
+}
+
 TEST(StagingFolder, AFileInTheWayIsAnError) {
   const test::TemporaryFolder folder;
   const std::string file = folder.write("file", "x");

@@ -127,6 +127,9 @@ TEST(BadJob, ValuesOutOfRange) {
   EXPECT_THAT(refusedEnd("[panel]\nblock_skip = [10]"), HasSubstr("from 1 to 9"));
   EXPECT_THAT(refusedEnd("[panel]\ninterrupt_blocks = [-1]"), HasSubstr("lists N numbers"));
   EXPECT_THAT(refusedEnd("[panel]\ninterrupt_blocks = 5"), HasSubstr("interrupt_blocks"));
+  EXPECT_THAT(refusedEnd("[panel]\nanswers = { 99 = 1 }"), HasSubstr("boxes 100 to 299"));
+  EXPECT_THAT(refusedEnd("[panel]\nanswers = { 200 = 4 }"), HasSubstr("200"));
+  EXPECT_THAT(refusedEnd("[panel]\nplc_bits = [32]"), HasSubstr("from 0 to 31"));
   EXPECT_THAT(refusedEnd("[output]\nsize = [8, 600]"), HasSubstr("each from 16 to 8192"));
   EXPECT_THAT(refusedEnd("[output]\nviews = ['iso', 'iso']"), HasSubstr("listed twice"));
   EXPECT_THAT(refusedEnd("[output]\nviews = ['inside']"),

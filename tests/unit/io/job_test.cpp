@@ -81,6 +81,12 @@ G55 = [0, 0, 30]
 [panel]
 block_skip = [1, 3]
 interrupt_blocks = [120, 7]
+answers = { 201 = 3, 150 = 0 }
+plc_bits = [0, 31]
+plc_numbers = [0, 2.5, -1]
+date = 20140518
+time = 153241
+test_mode = true
 optional_stop = true
 [simulation]
 resolution = 0.1
@@ -141,6 +147,12 @@ size = [800, 600]
   EXPECT_TRUE(s.skip_switches[0] && !s.skip_switches[1] && s.skip_switches[2]);
   EXPECT_EQ(s.interrupt_blocks, (std::vector<std::int64_t>{120, 7}));
   EXPECT_TRUE(s.optional_stop && s.lenient);
+  EXPECT_EQ(job->person.message_answers, (std::map<int, int>{{150, 0}, {201, 3}}));
+  EXPECT_TRUE(job->person.plc_bits[0] && !job->person.plc_bits[1] && job->person.plc_bits[31]);
+  EXPECT_EQ(job->person.plc_numbers, (std::array<double, 3>{0.0, 2.5, -1.0}));
+  EXPECT_EQ(job->person.date, 20140518);
+  EXPECT_EQ(job->person.time, 153241);
+  EXPECT_TRUE(job->person.test_mode);
   EXPECT_EQ(s.block_limit, 5000u);
   EXPECT_EQ(job->simulation.resolution_mm, 0.1);
   EXPECT_EQ(job->simulation.threads, 2);

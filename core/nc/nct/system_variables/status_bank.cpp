@@ -41,11 +41,11 @@ constexpr double kTestBit = 2.0;
 void StatusBank::addTo(VariableStore& store) {
   const auto add = [&](const char* name, int number) { store.addSymbol({name, number}); };
   for (const auto& [first, last] : {std::pair<int, int>{kClock, kControl2},
-                                   {kDate, kTime},
-                                   {kPartsMade, kPartsWanted},
-                                   {kPalletPlace, kPalletLast},
-                                   {kPalletUserFirst, kPalletUserLast},
-                                   {kSearchAndTest, kNoExactStop}}) {
+                                    {kDate, kTime},
+                                    {kPartsMade, kPartsWanted},
+                                    {kPalletPlace, kPalletLast},
+                                    {kPalletUserFirst, kPalletUserLast},
+                                    {kSearchAndTest, kNoExactStop}}) {
     store.addBank(first, last, *this);
   }
   add("CLOCK1", kClock);

@@ -60,6 +60,13 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
      "nct-23.1.19-#120051 nct-23.1.19-wrp",
      "basic rotations"},
     {"#_CNTBS", kState, "nct-23.1.11-cntbs", "block search, test, machine lock"},
+    {"A B C U V W", kState, "nct-13.2-aux", "auxiliary functions at addresses that N1333 to N1335 name"},
+    {"M groups", kState, "nct-13.1-groups", "M codes of one group exclude each other (N1341 to N1372)"},
+    {"homing", kHost, "nct-1.3-ref nct-9-homing nct-10.2.3-jog",
+     "axes are referenced from the start; nothing moves by hand"},
+    {"axis swap", kHost, "nct-2.3-swap", "axes stay with the channel that the job gives them to"},
+    {"limit switches", kHost, "nct-22.1-switch",
+     "3018, 3019 never come: the simulated machine has no switches, travel beyond its limits is told as such"},
     {"PRM", kSim, "nct-24.2-PRM", "value of a parameter in formulas"},
     {"POPEN", kHost,
      "nct-23.2.13-POPEN nct-23.2.13-PCLOS nct-23.2.13-FOPEN nct-23.2.13-FCLOS nct-23.2.13-BPRNT "
