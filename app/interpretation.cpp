@@ -148,7 +148,7 @@ bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source) {
     if (!axis.alongZ()) why = "a tool axis other than +z";
     for (int k = 0; k < axis.rotary_count; ++k) {
       const RotaryPosition& rotary = axis.rotary[static_cast<std::size_t>(k)];
-      if (rotary.from != 0.0 || rotary.to != 0.0) why = fmt::format("rotary axis {}", rotary.name.data());
+      if (!rotary.in_path && (rotary.from != 0.0 || rotary.to != 0.0)) why = fmt::format("rotary axis {}", rotary.name.data());
     }
     if (why.empty()) continue;
     const BlockRef block = blockRef(path, motion.source, source);

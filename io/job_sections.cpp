@@ -164,6 +164,11 @@ void readAxis(ConfigTable& table, Job& job) {
   if (const auto start = table.number("start", kAnyLength)) axis.start = *start;
   if (const auto reference = table.number("reference", kAnyLength)) axis.reference = *reference;
   if (table.find("limits")) axis.limit = readLimit(table, "limits");
+  if (const auto carries = table.choice("carries", {"part", "nothing"})) {
+    axis.carries = *carries == "part" ? RotaryCarries::kPart : RotaryCarries::kNothing;
+  }
+  axis.direction = table.point("direction");
+  axis.center = table.point("center");
   table.refuseOthers();
   job.settings.axes.push_back(std::move(axis));
 }

@@ -25,6 +25,18 @@ bool goodName(std::string_view name) {
                      [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); });
 }
 
+std::optional<RotaryMount> mountOf(const AxisSettings& given) {
+  const int letter =
+      std::string_view("ABC").find(given.name[0]) == std::string_view::npos ? -1 : given.name[0] - 'A';
+  const bool table = given.carries == RotaryCarries::kPart ||
+                     (given.carries == RotaryCarries::kDefault && (letter >= 0 || given.direction));
+  if (given.kind != AxisKind::kRotary || !table) return std::nullopt;
+  RotaryMount mount;
+  mount.direction = given.direction.value_or(letter >= 0 ? Vec3(Vec3::Unit(letter)) : Vec3(Vec3::UnitZ()));
+  mount.center = given.center;
+  return mount;
+}
+
 std::vector<AxisInfo> axesOf(const ControlSettings& settings) {
   std::vector<AxisInfo> axes(kMainAxes);
   for (int k = 0; k < kMainAxes; ++k) {
@@ -47,6 +59,7 @@ std::vector<AxisInfo> axesOf(const ControlSettings& settings) {
     axis.rapid = given.rapid;
     axis.acceleration = given.acceleration;
     axis.limit = given.limit;
+    axis.mount = mountOf(given);
   }
   return axes;
 }
@@ -88,6 +101,14 @@ std::string checkAxes(const ControlSettings& settings) {
     if (parallel && (mainAxis(axis.parallel) < 0 || axis.kind == AxisKind::kRotary)) {
       return fmt::format("axis {}: only a linear axis is parallel to X, Y or Z", axis.name);
     }
+    const bool turns = axis.direction || axis.center || axis.carries == RotaryCarries::kPart;
+    if (axis.kind != AxisKind::kRotary && turns) {
+      return fmt::format("axis {}: only a rotary axis turns the part", axis.name);
+    }
+    if (axis.direction && !(axis.direction->allFinite() && axis.direction->norm() > 1e-9)) {
+      return fmt::format("axis {}: the direction must not be zero", axis.name);
+    }
+    if (axis.center && !axis.center->allFinite()) return fmt::format("axis {}: bad centre", axis.name);
     if (!(axis.rapid > 0.0)) return fmt::format("axis {}: the rapid rate must be above 0", axis.name);
     if (mainAxis(axis.name) >= 0 && (axis.kind == AxisKind::kRotary || parallel)) {
       return fmt::format("axis {} is a linear main axis", axis.name);

@@ -19,9 +19,25 @@ namespace proveout::nc {
 struct WorkPlane {
   int u = 0, v = 1, w = 2;
   WorkPlane() = default;
+  WorkPlane(int first, int second, int third) : u(first), v(second), w(third) {}
   explicit WorkPlane(const PlaneFrame& frame) : u(frame.u()), v(frame.v()), w(frame.w()) {}
   /// (u, v, w) of a point.
   Vec3 of(const AxisPoint& p) const { return {p[u], p[v], p[w]}; }
+  /// The point with these coordinates, the others 0.
+  AxisPoint point(const Vec3& uvw) const {
+    AxisPoint p;
+    p[u] = uvw.x();
+    p[v] = uvw.y();
+    p[w] = uvw.z();
+    return p;
+  }
+  bool operator==(const WorkPlane&) const = default;
+};
+
+/// A rotary axis that turns the part: right-handed about `direction`, as the tool moves seen from the part.
+struct RotaryMount {
+  Vec3 direction = Vec3::UnitZ();
+  std::optional<Vec3> center;  ///< machine frame, mm; without it the axis goes through the workpiece origin
 };
 
 /// An axis as the channel knows it.
@@ -29,10 +45,11 @@ struct AxisInfo {
   std::string name;  ///< upper case
   int number = 1;    ///< of the machine, for AX[n] and axis parameters
   AxisKind kind = AxisKind::kLinear;
-  int parallel_to = -1;            ///< 0..2, or -1
-  double rapid = 15000.0;          ///< mm/min or deg/min, > 0
-  double acceleration = 0.0;       ///< mm/s^2 or deg/s^2; 0: no limit
-  std::optional<AxisLimit> limit;  ///< machine coordinates
+  int parallel_to = -1;              ///< 0..2, or -1
+  double rapid = 15000.0;            ///< mm/min or deg/min, > 0
+  double acceleration = 0.0;         ///< mm/s^2 or deg/s^2; 0: no limit
+  std::optional<AxisLimit> limit;    ///< machine coordinates
+  std::optional<RotaryMount> mount;  ///< of tables
   bool rotary() const { return kind == AxisKind::kRotary; }
 };
 

@@ -26,6 +26,13 @@ struct AxisLimit {
 
 enum class AxisKind { kLinear, kRotary };
 
+/// What a rotary axis turns.
+enum class RotaryCarries {
+  kDefault,  ///< A, B, C turn the part about X, Y, Z; axes with other letters nothing
+  kPart,     ///< a table
+  kNothing   ///< its position is only told, not in the path
+};
+
 /// An axis besides X, Y, Z, or the number of one of these.
 struct AxisSettings {
   std::string name;  ///< "C", "U", "Z1": upper case
@@ -37,6 +44,11 @@ struct AxisSettings {
   double start = 0.0;              ///< machine position at power-on, mm or deg
   double reference = 0.0;          ///< machine position of the reference points, mm or deg
   std::optional<AxisLimit> limit;  ///< machine coordinates, mm or deg
+
+  // Rotary axes. A table that stands on another one comes behind it in the list.
+  RotaryCarries carries = RotaryCarries::kDefault;
+  std::optional<Vec3> direction;  ///< of a table, with all tables at 0; default by the letter: A X, B Y, C Z
+  std::optional<Vec3> center;     ///< a point of that axis, machine frame, mm; default: workpiece origin
 };
 
 /// Speeds that a gear of a spindle has, 1/min.

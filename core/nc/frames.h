@@ -44,6 +44,8 @@ class CoordinateChain {
   /// Offsets of `count` further axes from program to work and from work to machine coordinates.
   void moveFurtherAxes(int count, const AxisPoint& program_to_work, const AxisPoint& work_to_machine);
 
+  /// Is there more than shifts in it?
+  bool turns() const { return !work_moves_only_ || !machine_moves_only_; }
   /// Turns a direction of work space into machine space.
   Vec3 directionToMachine(const Vec3& d) const { return machine_moves_only_ ? d : Vec3(machine_.linear * d); }
 

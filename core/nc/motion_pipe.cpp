@@ -70,12 +70,11 @@ void MotionPipe::clear() {
 bool FrameStage::push(PathItem& item) {
   if (item.space == PathItem::Space::kWork && !item.function()) {
     if (item.kind == PathItem::Kind::kArc) {
-      Vec3 center;
-      center[item.plane.u] = item.center.x();
-      center[item.plane.v] = item.center.y();
-      center[item.plane.w] = item.center.z();
-      item.center = chain_.workToMachine(center);
-      item.normal = chain_.directionToMachine(Vec3::Unit(item.plane.w));
+      AxisPoint center = item.plane.point(item.center);
+      chain_.moveToMachine(center);
+      const bool main = item.plane.u < kMainAxes && item.plane.v < kMainAxes;
+      item.center = main ? center.xyz : item.plane.of(center);
+      if (main) item.normal = chain_.directionToMachine(Vec3::Unit(item.plane.w));
     }
     if (item.feed.join.inside != 0) {
       item.feed.join.normal = chain_.directionToMachine(Vec3::Unit(item.plane.w));
@@ -89,14 +88,22 @@ bool FrameStage::push(PathItem& item) {
 bool EmitStage::push(PathItem& item) {
   if (item.function()) {
     function(item);
+  } else if (item.in_polar) {
+    polar(item);
   } else if (item.kind == PathItem::Kind::kArc) {
-    emitter_.arcTo(item.to, {item.center, item.normal, item.sweep}, item.feed, item.source);
+    emitter_.arcTo(item.to, {item.center, item.normal, item.sweep, item.plane}, item.feed, item.source);
   } else if (item.kind == PathItem::Kind::kLine && item.rapid) {
     emitter_.rapidTo(item.to, item.source, item.feed.join.stops);
   } else if (item.kind == PathItem::Kind::kLine) {
     emitter_.lineTo(item.to, item.feed, item.source);
   }
   return true;
+}
+
+void EmitStage::polar(const PathItem& item) {
+  std::optional<PolarArc> arc;
+  if (item.kind == PathItem::Kind::kArc) arc = PolarArc{item.center.head<2>(), item.sweep};
+  emitter_.polarTo(item.to, item.polar, arc, item.rapid ? nullptr : &item.feed, item.source);
 }
 
 void EmitStage::function(PathItem& item) {

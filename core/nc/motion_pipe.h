@@ -58,11 +58,13 @@ struct PathMotion {
   Join join = Join::kSharp;
   double join_size = 0.0;  ///< chamfer or radius, as programmed
   WorkPlane plane;
-  AxisPoint to;                   ///< end; of functions the programmed position where they run
-  Vec3 center;                    ///< kArc: (u, v, w of the start) of the plane; in machine space x, y, z
-  Vec3 normal;                    ///< kArc in machine space only
-  double sweep = 0.0;             ///< kArc: rad, signed, > 0 from u to v
-  double offset = 0.0;            ///< of cutter compensation, > 0 left of the path
+  AxisPoint to;           ///< end; of functions the programmed position where they run
+  Vec3 center;            ///< kArc: (u, v, w of the start) of the plane; in machine space x, y, z
+  Vec3 normal;            ///< kArc in machine space only
+  double sweep = 0.0;     ///< kArc: rad, signed, > 0 from u to v
+  double offset = 0.0;    ///< of cutter compensation, > 0 left of the path
+  bool in_polar = false;  ///< in machine space: a line or arc of the plane `polar`, the centre in that plane
+  PolarPlane polar;
   std::optional<Vec2> direction;  ///< I, J of a block that switches compensation, or of G39; in the plane
   FeedStyle feed;
 
@@ -173,6 +175,7 @@ class EmitStage final : public PathStage {
 
  private:
   void function(PathItem& item);
+  void polar(const PathItem& item);
 
   PathEmitter& emitter_;
   double tool_change_s_;

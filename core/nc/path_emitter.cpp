@@ -55,6 +55,7 @@ PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes,
       axes_(axes),
       more_(axes.moreCount()),
       origin_(settings.work_offsets[0] + settings.common_offset),
+      tables_(axes, origin_),
       machine_(settings.start + origin_) {
   for (int k = 0; k < axes_.count(); ++k) {
     any_limit_ = any_limit_ || axes_.at(k).limit.has_value();
@@ -79,7 +80,7 @@ Vec3 PathEmitter::toolPoint(const AxisPoint& machine) const {
     const int main = axes_.at(k).parallel_to;
     if (main >= 0) point[main] += machine[k];
   }
-  return point;
+  return tables_.any() ? tables_.point(machine, point) : point;
 }
 
 /// Length that the axes besides X Y Z add to a motion: mm and degrees alike, as the feed counts them.
@@ -90,6 +91,11 @@ double PathEmitter::furtherTravel(const AxisPoint& to) const {
     sum += d * d;
   }
   return std::sqrt(sum);
+}
+
+bool PathEmitter::plainArc(const AxisPoint& to, const MachineArc& arc) const {
+  const bool main = arc.plane.u < kMainAxes && arc.plane.v < kMainAxes;
+  return main && furtherTravel(to) < kNoMoveMm && (!tables_.any() || tables_.atZero(machine_));
 }
 
 double PathEmitter::furtherRapidTime(const AxisPoint& to) const {
@@ -109,6 +115,11 @@ const AxisSweep* PathEmitter::sweepTo(const AxisPoint& to) {
     axes_.at(k).name.copy(rotary.name.data(), rotary.name.size() - 1);
     rotary.from = machine_[k];
     rotary.to = to[k];
+    rotary.in_path = axes_.at(k).mount.has_value();
+  }
+  if (tables_.any()) {
+    sweep_.from = tables_.direction(machine_, Vec3::UnitZ());
+    sweep_.to = tables_.direction(to, Vec3::UnitZ());
   }
   return &sweep_;
 }
@@ -133,6 +144,7 @@ void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source, bool exa
   if (more_ > 0) minutes = std::max(minutes, furtherRapidTime(to));
   m.time_s = 60.0 * minutes;
   m.source = source;
+  if (tables_.any() && tables_.turns(machine_, to)) return sendTurned(m, to);
   MotionJoin join;
   join.stops = exact_stop || time_.limits().rapid_overlap <= 0.0;
   if (!time_.wantsPace(join)) return send(m, to, nullptr);
@@ -147,7 +159,9 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
   const double further = more_ > 0 ? furtherTravel(to) : 0.0;
   if (d.cwiseAbs().maxCoeff() < kNoMoveMm && further < kNoMoveMm) return;
   Motion m;
-  const double length = further > 0.0 ? std::hypot(d.norm(), further) : d.norm();
+  const double length = style.paced_mm > 0.0 ? style.paced_mm
+                        : further > 0.0      ? std::hypot(d.norm(), further)
+                                             : d.norm();
   const bool wants_pace = style.acceleration > 0.0 || time_.wantsPace(style.join);
   const bool paced = time_.limits().feeds || wants_pace;
   MotionPace pace;
@@ -158,6 +172,7 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
   if (time_.limits().feeds) m.feed = allowedFeed(time_.limits(), pace.begin, axes_.count(), m.feed);
   m.time_s = 60.0 * length / m.feed;
   m.source = source;
+  if (tables_.any() && tables_.turns(machine_, to)) return sendTurned(m, to);
   if (!wants_pace) return send(m, to, nullptr);
   if (style.acceleration > 0.0) pace.acceleration = std::min(pace.acceleration, style.acceleration);
   pace.speed = m.feed / 60.0;
@@ -166,6 +181,7 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
 
 void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
                         const SourceRef& source) {
+  if (more_ > 0 && !plainArc(to, arc)) return furtherArc(to, arc, style, source);
   ArcGeometry geometry;
   const Vec3 shift = more_ == 0 ? to_workpiece_ : Vec3(toolPoint(machine_) - machine_.xyz);
   geometry.center = arc.center + shift;
@@ -214,12 +230,17 @@ void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* a
   }
   motion.tool = tool_;
   if (motion.spindle == 0.0) motion.spindle = spindle_;
+  const AxisPoint from = machine_;
   if (more_ == 0) {
     machine_.xyz = to.xyz;
   } else {
     machine_ = to;
   }
-  if (any_limit_) checkTravel(motion, arc, motion.source);
+  if (any_limit_ && tables_.any()) {
+    checkMachineTravel(from, motion.source);
+  } else if (any_limit_) {
+    checkTravel(motion, arc, motion.source);
+  }
   ++summary_.motions;
   if (pace == nullptr) {
     time_.pass(motion, arc, sweep);
@@ -246,6 +267,20 @@ void PathEmitter::checkTravel(const Motion& motion, const ArcGeometry* arc, cons
     overtravel(axis, below ? low : high, below ? limit->min : limit->max, source);
   }
   if (more_ > 0) checkFurtherTravel(machine_, source);
+}
+
+void PathEmitter::checkMachineTravel(const AxisPoint& from, const SourceRef& source) {
+  for (int axis = 0; axis < kMainAxes; ++axis) {
+    const auto& limit = settings_.limits[static_cast<std::size_t>(axis)];
+    if (!limit) continue;
+    const double low = std::min(from[axis], machine_[axis]), high = std::max(from[axis], machine_[axis]);
+    if (low < limit->min - kNoMoveMm) {
+      overtravel(axis, low, limit->min, source);
+    } else if (high > limit->max + kNoMoveMm) {
+      overtravel(axis, high, limit->max, source);
+    }
+  }
+  checkFurtherTravel(machine_, source);
 }
 
 void PathEmitter::checkFurtherTravel(const AxisPoint& to, const SourceRef& source) {

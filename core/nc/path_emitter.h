@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "core/nc/axes.h"
 #include "core/nc/control_settings.h"
 #include "core/nc/interpreter.h"
+#include "core/nc/rotary_kinematics.h"
 #include "core/nc/time_stage.h"
 #include "core/path/toolpath.h"
 
@@ -24,13 +27,39 @@ struct FeedStyle {
   double spindle = 0.0;  ///< rpm, signed, where it changes along the motion (G96); 0: as it turns anyway
   double acceleration = 0.0;  ///< along the path, of what turns with the motion (taps), mm/s^2; 0: no limit
   MotionJoin join;
+  double paced_mm = 0.0;  ///< of lines: the length that the feed is the speed of; 0: that of all axes
 };
 
-/// An arc in the machine frame; `center` at the height of the start.
+/// An arc in the machine frame; `center` at the height of the start. In a plane with an axis besides X Y Z
+/// the centre is (u, v, w) of that plane and the normal has no meaning.
 struct MachineArc {
   Vec3 center = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
   double sweep_rad = 0.0;
+  WorkPlane plane = WorkPlane(PlaneFrame());
+};
+
+/// A plane of a linear and a rotary axis taken for a rectangular one (G12.1): where its origin is.
+struct PolarPlane {
+  int linear = 0, rotary = 0;  ///< axes
+  double zero = 0.0;           ///< machine position of the linear axis at the rotary axis' centre, mm
+  double zero_deg = 0.0;       ///< machine position of the rotary axis on the linear axis
+  double sign = 1.0;           ///< side of the centre that the linear axis stays on, +1 or -1
+
+  /// Point of the plane with the axes at `machine`.
+  Vec2 of(const AxisPoint& machine) const;
+};
+/// A circle in such a plane.
+struct PolarArc {
+  Vec2 center = Vec2::Zero();
+  double sweep_rad = 0.0;
+};
+/// A line or a circle in such a plane.
+struct PolarLeg {
+  Vec2 from, to;
+  std::optional<PolarArc> arc;
+  Vec2 at(double t) const;  ///< t in 0..1
+  double length() const;    ///< mm
 };
 
 /// Holds what the machine is doing; one owner. Positions are machine coordinates of the controlled point, mm.
@@ -48,6 +77,15 @@ class PathEmitter {
   void rapidTo(const AxisPoint& to, const SourceRef& source, bool exact_stop = false);
   void lineTo(const AxisPoint& to, const FeedStyle& style, const SourceRef& source);
   void arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style, const SourceRef& source);
+
+  /// A straight line or, with `arc`, a circle in a polar plane, at rapid without a feed. `to` is the end on
+  /// the machine's axes, turns of the rotary axis counted.
+  void polarTo(const AxisPoint& to, const PolarPlane& plane, const std::optional<PolarArc>& arc,
+               const FeedStyle* style, const SourceRef& source);
+
+  /// How far the plane's origin is from the centre that the rotary axis turns the part about, mm; 0 where it
+  /// turns nothing.
+  double polarError(const PolarPlane& plane) const;
 
   using EventData = std::vector<std::pair<std::string, std::string>>;
   /// The axes stand still for all events but those that only tell something.
@@ -75,6 +113,23 @@ class PathEmitter {
   MotionPace linePace(const AxisPoint& to, double length, double speed) const;
   /// The controlled point of the tool in the workpiece frame.
   Vec3 toolPoint(const AxisPoint& machine) const;
+  using MachineCurve = std::function<AxisPoint(double)>;  ///< of 0..1
+  struct Shape {
+    enum class Kind { kLine, kArc, kOther } kind = Kind::kOther;
+    ArcGeometry arc;
+  };
+  /// Whether the controlled point, the axes going along `at`, keeps to a line or to the arc.
+  Shape shapeOf(const MachineCurve& at, const ArcGeometry* arc) const;
+  void sendCurve(const Motion& whole, const MachineCurve& at, const ArcGeometry* arc);
+  void sendPiece(Motion& piece, const AxisPoint& to, const ArcGeometry* arc, double length);
+  void sendTurned(const Motion& motion, const AxisPoint& to);
+  void furtherArc(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
+                  const SourceRef& source);
+  double polarMinutes(const PolarPlane& plane, const PolarLeg& leg, const FeedStyle& style,
+                      double others) const;
+  std::optional<ArcGeometry> polarCircle(const PolarPlane& plane, const PolarArc& arc) const;
+  bool plainArc(const AxisPoint& to, const MachineArc& arc) const;
+  void checkMachineTravel(const AxisPoint& from, const SourceRef& source);
   double furtherTravel(const AxisPoint& to) const;
   double furtherRapidTime(const AxisPoint& to) const;
   const AxisSweep* sweepTo(const AxisPoint& to);
@@ -89,6 +144,7 @@ class PathEmitter {
   const int more_;  ///< axes besides X Y Z
   int rotary_ = 0;  ///< of these, the rotary ones
   Vec3 origin_;
+  RotaryKinematics tables_;
   AxisPoint machine_;
   AxisSweep sweep_;
   Vec3 to_workpiece_;  ///< added to a machine point: minus origin, minus gauge length of the tool

@@ -9,7 +9,9 @@ target_sources(proveout_core PRIVATE
   nc/lexer.cpp
   nc/motion_pipe.cpp
   nc/path_emitter.cpp
+  nc/path_emitter_curves.cpp
   nc/program_source.cpp
+  nc/rotary_kinematics.cpp
   nc/source_text.cpp
   nc/time_stage.cpp
   nc/macro/expression.cpp
@@ -25,6 +27,8 @@ target_sources(proveout_core PRIVATE
   nc/nct/coverage/rows_5.cpp
   nc/nct/nct_alarms.cpp
   nc/nct/nct_arguments.cpp
+  nc/nct/nct_axis_setup.cpp
+  nc/nct/nct_axis_words.cpp
   nc/nct/nct_block.cpp
   nc/nct/nct_codes.cpp
   nc/nct/nct_context.cpp
@@ -32,6 +36,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_cycles.cpp
   nc/nct/nct_data_input.cpp
   nc/nct/nct_feed.cpp
+  nc/nct/nct_diameter.cpp
   nc/nct/nct_flow.cpp
   nc/nct/nct_frames.cpp
   nc/nct/nct_functions.cpp
@@ -44,14 +49,20 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_parameters.cpp
   nc/nct/nct_perform.cpp
   nc/nct/nct_pocket.cpp
+  nc/nct/nct_planes.cpp
   nc/nct/nct_rows.cpp
   nc/nct/nct_statements.cpp
   nc/nct/nct_spindle.cpp
   nc/nct/nct_surface_speed.cpp
   nc/nct/nct_tool_data.cpp
   nc/nct/nct_tools.cpp
+  nc/nct/nct_smooth.cpp
+  nc/nct/nct_thread.cpp
+  nc/nct/nct_virtual.cpp
   nc/nct/nct_words.cpp
   nc/nct/offset_tables.cpp
+  nc/nct/virtual_stage.cpp
+  nc/nct/parameters/axis.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp
   nc/nct/parameters/data.cpp

@@ -49,6 +49,7 @@ struct ArcGeometry {
 struct RotaryPosition {
   std::array<char, 4> name{};  ///< of the axis, ended by NUL
   double from = 0.0, to = 0.0;
+  bool in_path = false;  ///< the motion's points are turned by it; false: the position is only told
 };
 /// Rotary axes that a path may tell of.
 inline constexpr int kMaxRotaryAxes = 6;

@@ -5,9 +5,11 @@
 
 #include "core/nc/nct/nct_functions.h"
 #include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_planes.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
+#include "core/nc/nct/nct_virtual.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/tables/rows.h"
 
@@ -145,6 +147,10 @@ bool planModal(NctContext& c, BlockPlan& plan) {
     next.active[g] = code->code10;
     if (g != kGroupMotion && g != kGroupCycle && !claim(c, plan, *code)) return false;
   }
+  if (plan.by_group[kGroupPlane] && !planPlane(c, plan)) return false;
+  next.axes.threading = false;
+  if (next.active[kGroupPolarData] == 160 && c.state.active[kGroupPolarData] != 160)
+    next.axes.polar.known = false;
   if (plan.by_group[kGroupUnits] && next.active[kGroupUnits] != c.state.active[kGroupUnits] &&
       c.state.feed > 0.0 && !c.block.present.has('F')) {
     c.warn("nct-feed-unit", "the unit changes: the modal feed keeps its number and takes the new unit");
@@ -172,7 +178,9 @@ bool claim(NctContext& c, BlockPlan& plan, const GCode& code) {
 }
 
 bool planNumbers(NctContext& c, BlockPlan& plan) {
-  if (const Word* f = c.word('F')) {
+  // The lead of a thread is not the feed of other blocks.
+  const bool thread = plan.next.active[kGroupMotion] == 330 && !plan.next.inCycle();
+  if (const Word* f = c.word('F'); f && !thread) {
     if (f->value <= 0.0) return c.failWord("nct-feed", "F must be greater than 0", *f);
     if (f->value < kMinFeed) return c.failWord("nct-2002", "F data out of range: at least 0.000001", *f);
     plan.next.feed = f->value;
@@ -241,6 +249,9 @@ bool planLength(NctContext& c, BlockPlan& plan) {
   NctState& next = plan.next;
   const GCode* code = plan.by_group[kGroupLengthComp];
   const int mode = next.active[kGroupLengthComp];
+  if (next.axes.smoothing == 3 && (code || (mode != 490 && c.block.present.has('H')))) {
+    return c.alarm(2188, code ? gName(code->code10) : "H");
+  }
   if (code && mode == 490) {
     next.length = AxisPoint();
     plan.frames_changed = true;
@@ -251,13 +262,15 @@ bool planLength(NctContext& c, BlockPlan& plan) {
     const double value = mode == 430 ? next.h_value : -next.h_value;
     const bool always_z = c.parameters.flag(CompParam::kLengthAlwaysZ);
     const bool by_plane = !always_z && c.parameters.flag(CompParam::kLengthByPlane);
-    const int normal = WorkPlane(PlaneFrame(next.plane())).w;
+    const auto set = [&](int axis) {
+      next.length[axis] = next.axes.diameter[static_cast<std::size_t>(axis)] ? 0.5 * value : value;
+    };
     if (always_z || by_plane) {
-      next.length[always_z ? 2 : normal] = value;
+      set(always_z ? 2 : next.workPlane().w);
     } else {
       for (const Word& w : c.block.words) {
         AxisWord named;
-        if (axisWord(plan, w, named)) next.length[named.axis] = value;
+        if (axisWord(plan, w, named)) set(named.axis);
       }
     }
     plan.frames_changed = true;
@@ -276,7 +289,7 @@ bool planLength(NctContext& c, BlockPlan& plan) {
 bool planComp(NctContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupRadiusComp];
   const bool was_on = c.state.compOn();
-  if (was_on && plan.next.plane() != c.state.plane()) {
+  if (was_on && !(plan.next.workPlane() == c.state.workPlane())) {
     return c.fail("nct-plane-in-comp", "the plane cannot change while cutter compensation (G41, G42) is on");
   }
   if (plan.next.compOn() && plan.next.inCycle()) {
@@ -284,6 +297,7 @@ bool planComp(NctContext& c, BlockPlan& plan) {
                   "drilling cycles cannot run while cutter compensation (G41, G42) is on: program G40 first");
   }
   if (code == nullptr) return true;
+  if (plan.next.compOn() && !planeOfLines(c, plan, 2088, "G41 and G42 need linear axes")) return false;
   const int motion = plan.next.active[kGroupMotion];
   if (motion == 20 || motion == 30) {
     if (!plan.next.compOn() && was_on) return c.fail("nct-2043", "G40 in circular interpolation");
@@ -313,6 +327,7 @@ bool planComp(NctContext& c, BlockPlan& plan) {
 
 bool govern(NctContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kOneShot];
+  if (const GCode* polar = plan.by_group[kGroupPolarInterpolation]) code = polar;
   if (code == nullptr || code->plan == nullptr) {
     code = plan.next.inCycle() ? c.codes.g(plan.next.active[kGroupCycle])
                                : c.codes.g(plan.next.active[kGroupMotion]);
@@ -360,8 +375,9 @@ bool planBlock(NctContext& c, BlockPlan& plan) {
   if (c.block.number >= 0) plan.next.last.n = c.block.number;
   if (const Word* e = c.word('E')) plan.next.last.e = e->value;
   return takeAuxiliary(c, plan) && collectG(c, plan) && collectM(c, plan) && planModal(c, plan) &&
-         planNumbers(c, plan) && planOffsetsHD(c, plan) && planWorkSystem(c, plan) && planLength(c, plan) &&
-         planComp(c, plan) && govern(c, plan) && checkWords(c, plan);
+         (c.state.axes.mode == VirtualMode::kOff || checkVirtual(c, plan)) && planNumbers(c, plan) &&
+         planOffsetsHD(c, plan) && planWorkSystem(c, plan) && planLength(c, plan) && planComp(c, plan) &&
+         govern(c, plan) && checkWords(c, plan);
 }
 
 }  // namespace proveout::nc

@@ -7,6 +7,7 @@
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/system_variables/system_variables.h"
+#include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
 
@@ -26,6 +27,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       clock(emitter.time()),
       transform_stage(chain),
       comp_stage(*this),
+      virtual_stage(*this),
       frame_stage(chain),
       emit_stage(emitter, control_settings.tool_change_s) {
   pipe.link(transform_stage);
@@ -82,6 +84,11 @@ void NctContext::reset() {
   s.feed = parameters[s.perTurn() ? MotionParam::kDefaultFeedPerTurn : MotionParam::kDefaultFeedPerMinute];
   s.surface_speed = parameters[SpindleParam::kSurfaceSpeed];
   s.surface_axis = std::max(0, axes.byNumber(static_cast<int>(parameters[SpindleParam::kSurfaceAxis])));
+  const WorkPlane plane{PlaneFrame(s.plane())};
+  s.axes.plane_u = static_cast<std::int8_t>(plane.u);
+  s.axes.plane_v = static_cast<std::int8_t>(plane.v);
+  s.axes.plane_w = static_cast<std::int8_t>(plane.w);
+  s.axes.diameter = diameterAxes(*this);
   state = s;
   resetSpindles(*this);
   chain = registers.frames.chain(state.work_system, state.length);

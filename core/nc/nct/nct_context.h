@@ -32,6 +32,7 @@
 #include "core/nc/nct/system_calls.h"
 #include "core/nc/nct/tool_tables.h"
 #include "core/nc/nct/transform_stage.h"
+#include "core/nc/nct/virtual_stage.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/services/drilling.h"
 
@@ -124,6 +125,7 @@ struct NctContext {
   MotionPipe pipe;        ///< everything that becomes path goes through it; its stages are the next members
   TransformStage transform_stage;
   CompStage comp_stage;
+  VirtualStage virtual_stage;
   FrameStage frame_stage;
   EmitStage emit_stage;
   std::vector<DrillStep> drill_steps;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/nc/nct/nct_axis_setup.h"
 #include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_functions.h"
 #include "core/nc/nct/nct_perform.h"
@@ -28,7 +29,9 @@ LexRules lexRules(NctContext& c) {
 
 NctControl::NctControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
                        Progress* progress, const ControlHost& host)
-    : context_(source, settings, sink, progress, host, summary_), lexer_(lexRules(context_)) {}
+    : settings_(withAxisParameters(settings)),
+      context_(source, settings_, sink, progress, host, summary_),
+      lexer_(lexRules(context_)) {}
 
 InterpretSummary NctControl::run() {
   if (!start()) {

@@ -103,6 +103,7 @@ class NctControl {
   };
 
   InterpretSummary summary_;
+  ControlSettings settings_;
   NctContext context_;
   Lexer lexer_;
   std::array<SubprogramWord, 8> subprograms_;

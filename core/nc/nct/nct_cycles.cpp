@@ -82,10 +82,10 @@ bool planCycle(NctContext& c, BlockPlan& plan) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
     if (word.axis == drill) {
-      words.bottom = lengthOf(plan, w);
+      words.bottom = axisValue(c, plan, word, w);
       words.bottom_incremental = word.step;
     } else {
-      holes.step[word.axis] = lengthOf(plan, w);
+      holes.step[word.axis] = axisValue(c, plan, word, w);
       holes.incremental[static_cast<std::size_t>(word.axis)] = word.step;
     }
   }
@@ -225,7 +225,7 @@ bool performCycle(NctContext& c, BlockPlan& plan) {
 bool cycleMove(NctContext& c, const AxisPoint& at, const FeedStyle* feed = nullptr) {
   PathItem item;
   item.kind = PathItem::Kind::kLine;
-  item.plane = WorkPlane(PlaneFrame(c.state.plane()));
+  item.plane = c.state.workPlane();
   item.in_plane = true;
   item.to = at;
   item.rapid = feed == nullptr;

@@ -5,6 +5,7 @@
 
 #include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_planes.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_words.h"
 
@@ -69,18 +70,26 @@ double radiusTolerance(const NctContext& c) {
 }
 
 bool arcRequest(NctContext& c, const BlockPlan& plan, ArcRequest& request) {
-  const PlaneFrame frame(plan.next.plane());
-  request.start = frame.toPlane(plan.start.xyz);
-  request.end = frame.toPlane(plan.motion.target.xyz);
-  request.has_plane_end = plan.motion.named[static_cast<std::size_t>(frame.u())] ||
-                          plan.motion.named[static_cast<std::size_t>(frame.v())];
-  request.has_other_axis = plan.motion.named[static_cast<std::size_t>(frame.w())];
+  const PlaneFrame frame(plan.next.plane());  // of the letters I, J, K
+  const WorkPlane plane = plan.next.workPlane();
+  request.start = plane.of(plan.start);
+  request.end = plane.of(plan.motion.target);
+  AxisSet others = plan.motion.named;
+  request.has_plane_end =
+      others[static_cast<std::size_t>(plane.u)] || others[static_cast<std::size_t>(plane.v)];
+  others.reset(static_cast<std::size_t>(plane.u)).reset(static_cast<std::size_t>(plane.v));
+  request.has_other_axis = others.any();
   request.counter_clockwise = plan.next.active[kGroupMotion] == 30;
   for (int axis = 0; axis < 3; ++axis) {
     const Word* w = c.ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
+    if (plan.next.axes.mode == VirtualMode::kCylinder) {
+      return c.alarm(2017, *w, "arcs during G7.1 are given by R");
+    }
     double value = lengthOf(plan, *w);
-    if (c.parameters.flag(MotionParam::kAbsoluteCentre)) value -= plan.start[axis];
+    if (c.parameters.flag(MotionParam::kAbsoluteCentre)) {
+      value -= plan.start[axis == frame.u() ? plane.u : axis == frame.v() ? plane.v : axis];
+    }
     if (axis == frame.w()) request.center_word_outside_plane = true;
     if (axis == frame.u()) request.center_u = value;
     if (axis == frame.v()) request.center_v = value;
@@ -104,12 +113,35 @@ bool failArc(NctContext& c, const ArcResolution& resolved) {
   return c.fail(failure.code, std::move(message));
 }
 
+/// G16: an angle beyond a turn makes so many turns where the pole is the centre (manual 5.4).
+void takePolarTurns(BlockPlan& plan, const ArcRequest& request) {
+  constexpr double kSamePoleMm = 1e-3;
+  const double turn = plan.motion.polar_turn_deg;
+  PlaneArc& arc = plan.motion.arc;
+  const bool agrees = request.counter_clockwise ? turn > 360.0 : turn < -360.0;
+  const bool bounded = std::abs(turn) <= 3.6e8;
+  if (agrees && bounded && !request.turns && arc.center.norm() <= kSamePoleMm) arc.sweep_rad = degToRad(turn);
+}
+
+/// Arcs that are no helices in the part go along chords: so many turns would not fit any memory.
+bool checkTurns(NctContext& c, const BlockPlan& plan) {
+  constexpr double kMostRad = 200.0 * kPi;
+  if (std::abs(plan.motion.arc.sweep_rad) <= kMostRad) return true;
+  const WorkPlane plane = plan.next.workPlane();
+  bool odd = plane.u >= kMainAxes || plane.v >= kMainAxes;
+  for (int axis = kMainAxes; axis < c.axes.count(); ++axis) {
+    odd = odd || plan.motion.named[static_cast<std::size_t>(axis)];
+  }
+  return !odd || c.alarm(2002, "L", "more than 100 turns with parallel or rotary axes are not simulated");
+}
+
 }  // namespace
 
 bool planArc(NctContext& c, BlockPlan& plan) {
   if (!axisTarget(c, plan, plan.motion.target)) return false;
   const bool arc_word = !(c.block.present & AddressSet("IJKR")).without(plan.claimed).empty();
   if (!c.anyAxisWord() && !arc_word) return true;  // F, M or nothing: no motion
+  if (!planeOfLines(c, plan, 2015, "circles need linear axes")) return false;
   ArcRequest request;
   if (!arcRequest(c, plan, request)) return false;
   ArcPolicy policy;
@@ -131,6 +163,8 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   plan.perform = performMove;
   plan.motion.is_arc = true;
   plan.motion.arc = resolved.arc;
+  takePolarTurns(plan, request);
+  if (!checkTurns(c, plan)) return false;
   if (!feedStyle(c, plan, plan.motion.feed)) return false;
   const bool spiral = resolved.radius_difference > 1e-9;
   plan.motion.feed.along = c.parameters.flag(MotionParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace
@@ -205,7 +239,10 @@ bool planMachineMove(NctContext& c, BlockPlan& plan) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
     if (word.own_step) return c.alarm(2097, w, "G53 is always absolute");
-    move.to[word.axis] = axisValue(c, plan, word, w);
+    const double value = axisValue(c, plan, word, w);
+    double& to = move.to[word.axis];
+    const bool rotary = word.axis >= kMainAxes && c.axes.at(word.axis).rotary();
+    to = rotary ? to + rotaryTravel(c, word.axis, to, value, false) : value;
   }
   if (!c.settings.reference_points[0]) {
     c.warnOnce("machine-zero", "nct-machine-zero",
@@ -224,7 +261,7 @@ bool planReference(NctContext& c, BlockPlan& plan) {
     if (!integerWord(c, *p, 1, 4, point)) return false;
   }
   AxisPoint via = plan.start;
-  if (!axisTarget(c, plan, via)) return false;
+  if (!axisTarget(c, plan, via, WordsAre::kRectangular)) return false;
   if (!c.anyAxisWord()) {
     c.warn("nct-2004", "no axis is named: no motion");
     return true;

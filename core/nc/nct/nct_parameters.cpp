@@ -64,6 +64,8 @@ std::span<const ParamInfo> paramTable(ParamChapter chapter) {
       return spindleParams();
     case ParamChapter::kFunctions:
       return functionParams();
+    case ParamChapter::kAxis:
+      return axisParams();
     case ParamChapter::kCount:
       break;
   }

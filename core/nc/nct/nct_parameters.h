@@ -44,6 +44,7 @@ enum class ParamChapter : std::uint8_t {
   kMacro,
   kFeeds,
   kData,
+  kAxis,
   kTools,
   kSpindle,
   kFunctions,
@@ -138,6 +139,7 @@ std::vector<ParameterInfo> nctParameterTable();
 
 }  // namespace proveout::nc
 
+#include "core/nc/nct/parameters/axis.h"
 #include "core/nc/nct/parameters/comp.h"
 #include "core/nc/nct/parameters/cycles.h"
 #include "core/nc/nct/parameters/data.h"

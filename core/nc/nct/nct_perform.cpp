@@ -26,7 +26,7 @@ bool perform(NctContext& c, BlockPlan& plan) {
     c.position = plan.start;
     rebasePipe(c);
   }
-  c.state.active[kGroupPlane] = plan.next.active[kGroupPlane];  // arcs and pieces are turned by it
+  c.state.takePlane(plan.next);  // arcs and pieces are turned by it
   const bool done = plan.perform ? plan.perform(c, plan) : switchCompInPlace(c, plan);
   if (!done) return false;
   if (plan.rebases) rebasePipe(c);
@@ -41,7 +41,7 @@ bool perform(NctContext& c, BlockPlan& plan) {
 PathItem functionItem(const NctContext& c, PathItem::Kind kind, const NctState& state) {
   PathItem item;
   item.kind = kind;
-  item.plane = WorkPlane(PlaneFrame(c.state.plane()));
+  item.plane = c.state.workPlane();
   item.to = c.position;
   item.comp_on = state.compOn();
   item.offset = state.compOffset();
@@ -148,7 +148,7 @@ namespace {
 
 /// What all motions of the plan share.
 void fillMotion(NctContext& c, const BlockPlan& plan, PathItem& item) {
-  item.plane = WorkPlane(PlaneFrame(plan.next.plane()));
+  item.plane = plan.next.workPlane();
   item.to = plan.motion.target;
   item.rapid = plan.motion.rapid;
   item.feed = plan.motion.feed;
@@ -160,7 +160,7 @@ void fillMotion(NctContext& c, const BlockPlan& plan, PathItem& item) {
 
 void engageComp(NctContext& c, const BlockPlan& plan) {
   if (c.comp_stage.linked() || !plan.next.compOn()) return;
-  c.comp_stage.engage(WorkPlane(PlaneFrame(plan.next.plane())).of(c.chain.workOf(c.position)));
+  c.comp_stage.engage(plan.next.workPlane().of(c.chain.workOf(c.position)));
 }
 
 /// A block without motion may still start or end cutter compensation on the spot, and so move the tool.
@@ -194,8 +194,8 @@ bool performMove(NctContext& c, BlockPlan& plan) {
 }
 
 void settle(NctContext& c, const AxisPoint& machine) {
-  c.machine = machine;
-  c.position = c.chain.programOf(machine);
+  c.machine = c.virtual_stage.linked() ? c.virtual_stage.adopt(machine) : machine;
+  c.position = c.chain.programOf(c.machine);
 }
 
 bool flushPipe(NctContext& c) {
@@ -204,9 +204,7 @@ bool flushPipe(NctContext& c) {
   return true;
 }
 
-void rebasePipe(NctContext& c) {
-  c.pipe.rebase(c.chain.workOf(c.position), WorkPlane(PlaneFrame(c.state.plane())));
-}
+void rebasePipe(NctContext& c) { c.pipe.rebase(c.chain.workOf(c.position), c.state.workPlane()); }
 
 void recover(NctContext& c) {
   c.pipe.clear();

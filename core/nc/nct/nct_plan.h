@@ -68,6 +68,7 @@ struct PlannedMotion {
   bool is_arc = false;
   PlaneArc arc;
   FeedStyle feed;
+  double polar_turn_deg = 0.0;    ///< of a polar angle word: from the old angle to the new one
   std::optional<Vec2> direction;  ///< I, J of a G40/G41/G42 block, in the plane, mm
 };
 

@@ -13,6 +13,16 @@ bool planDwell(NctContext& c, BlockPlan& plan);
 bool planMachineMove(NctContext& c, BlockPlan& plan);
 bool planReference(NctContext& c, BlockPlan& plan);
 
+// nct_thread.cpp, nct_diameter.cpp, nct_smooth.cpp
+bool planThread(NctContext& c, BlockPlan& plan);
+bool planDiameter(NctContext& c, BlockPlan& plan);
+bool planSmooth(NctContext& c, BlockPlan& plan);
+
+// nct_virtual.cpp
+bool planPolarOn(NctContext& c, BlockPlan& plan);
+bool planPolarOff(NctContext& c, BlockPlan& plan);
+bool planCylinder(NctContext& c, BlockPlan& plan);
+
 // nct_frames.cpp
 bool planLocalShift(NctContext& c, BlockPlan& plan);
 bool planSetPosition(NctContext& c, BlockPlan& plan);

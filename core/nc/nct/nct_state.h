@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/nc/axes.h"
 #include "core/nc/frames.h"
+#include "core/nc/nct/nct_axis_modal.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/services/plane_frame.h"
 
@@ -62,7 +64,17 @@ struct NctState {
   CycleWords cycle;
   LastWords last;
   AutomaticBits automatic;
+  AxisModal axes;
 
+  /// The plane by its axes.
+  WorkPlane workPlane() const { return WorkPlane(axes.plane_u, axes.plane_v, axes.plane_w); }
+  void takePlane(const NctState& other) {
+    active[kGroupPlane] = other.active[kGroupPlane];
+    axes.plane_u = other.axes.plane_u;
+    axes.plane_v = other.axes.plane_v;
+    axes.plane_w = other.axes.plane_w;
+  }
+  /// The main plane: letters of centres, direction of drilling.
   Plane plane() const {
     const int g = active[kGroupPlane];
     return g == 180 ? Plane::kZX : g == 190 ? Plane::kYZ : Plane::kXY;

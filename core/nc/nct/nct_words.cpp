@@ -40,21 +40,6 @@ bool integerWord(NctContext& c, const Word& w, std::int64_t min, std::int64_t ma
   return true;
 }
 
-bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target) {
-  target = plan.start;
-  if (!c.anyAxisWord()) return true;
-  for (const Word& w : c.block.words) {
-    AxisWord word;
-    if (!axisWord(plan, w, word)) continue;
-    const auto axis = static_cast<std::size_t>(word.axis);
-    if (plan.motion.named[axis]) return c.alarm(2017, w, "the axis is given twice in this block");
-    plan.motion.named.set(axis);
-    const double value = axisValue(c, plan, word, w);
-    target[word.axis] = word.step ? plan.start[word.axis] + value : value;
-  }
-  return true;
-}
-
 double turnsPerMinute(NctContext& c, const BlockPlan& plan) {
   if (surfaceSpeedRuns(c, plan)) return surfaceMeanRpm(c, plan);
   const double rpm = plan.next.spindle_rpm;

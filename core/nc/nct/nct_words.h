@@ -19,9 +19,17 @@ std::int32_t mNumber(const Word& w);
 inline double lengthOf(const BlockPlan& plan, const Word& w) { return w.value * plan.next.unitScale(); }
 /// The integer that a word must hold. False, with alarm 2002: no integer, or out of range.
 bool integerWord(NctContext& c, const Word& w, std::int64_t min, std::int64_t max, std::int64_t& out);
+/// Whether polar data (G16) change the meaning of axis words.
+enum class WordsAre { kModal, kRectangular };
 /// End point of the axis words, in the plan's chain, mm; marks the named axes in plan.motion.named. False: an
-/// axis is given twice.
-bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target);
+/// axis is given twice, or cannot go there.
+bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target, WordsAre words = WordsAre::kModal);
+/// Way of a rotary axis to the absolute position `value`, or by the step `value`: turns count as N0107 says.
+double rotaryTravel(const NctContext& c, int axis, double from, double value, bool step);
+/// Is there but the G code and axis words in the block? False: reported.
+bool ownBlock(NctContext& c, std::string_view name);
+/// Axes whose words are diameters at power-on.
+AxisSet diameterAxes(const NctContext& c);
 /// Spindle speed for feeds and dwells per turn, 1/min; warns once if the spindle stands still.
 double turnsPerMinute(NctContext& c, const BlockPlan& plan);
 /// The feed in force. False: none is programmed.
@@ -42,9 +50,15 @@ inline bool axisWord(const BlockPlan& plan, const Word& w, AxisWord& out) {
   out.step = out.own_step || plan.next.incremental();
   return true;
 }
-/// Value of an axis word in mm or degrees: units count for linear axes only.
+/// Value of an axis word in mm or degrees: units count for linear axes only, diameters are halved. In a
+/// virtual plane its rotary axis counts in mm.
 inline double axisValue(const NctContext& c, const BlockPlan& plan, const AxisWord& word, const Word& w) {
-  return word.axis < kMainAxes || !c.axes.at(word.axis).rotary() ? lengthOf(plan, w) : w.value;
+  const AxisModal& modal = plan.next.axes;
+  if (word.axis >= kMainAxes && c.axes.at(word.axis).rotary()) {
+    if (modal.mode == VirtualMode::kOff || word.axis != modal.rotary) return w.value;
+    return modal.mode == VirtualMode::kPolar ? lengthOf(plan, w) : w.value * modal.mmPerDegree();
+  }
+  return modal.diameter[static_cast<std::size_t>(word.axis)] ? 0.5 * lengthOf(plan, w) : lengthOf(plan, w);
 }
 
 }  // namespace proveout::nc

@@ -5,11 +5,7 @@ namespace proveout::nc {
 bool TransformStage::push(PathItem& item) {
   if (item.space == PathItem::Space::kProgram) {
     if (item.kind == PathItem::Kind::kArc) {
-      Vec3 center;
-      center[item.plane.u] = item.center.x();
-      center[item.plane.v] = item.center.y();
-      center[item.plane.w] = item.center.z();
-      item.center = item.plane.of(chain_.toWork(center));
+      item.center = item.plane.of(chain_.workOf(item.plane.point(item.center)));
     }
     chain_.moveToWork(item.to);
     item.space = PathItem::Space::kWork;

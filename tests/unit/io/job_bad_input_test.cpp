@@ -42,6 +42,7 @@ TEST(BadJob, UnknownKeysAtEveryLevel) {
   EXPECT_THAT(refusedEnd("[[machine.axis]]\nnumber = 4"), HasSubstr("name"));
   EXPECT_THAT(refusedEnd("[[machine.axis]]\nname = 'C'\nnumber = 40"), HasSubstr("number"));
   EXPECT_THAT(refusedEnd("[[machine.axis]]\nname = 'C'\nnumber = 4\nkind = 'round'"), HasSubstr("rotary"));
+  EXPECT_THAT(refusedEnd("[[machine.axis]]\nname = 'C'\nnumber = 4\ncarries = 'tool'"), HasSubstr("part"));
   EXPECT_THAT(refusedEnd("[[machine.axis]]\nname = 'C'\nnumber = 4\nrapdi = 4"), HasSubstr("'rapid'"));
   EXPECT_THAT(refusedEnd("[machine.limits]\nA = [0, 1]"),
               HasSubstr("[machine.limits] has no key 'A'; the keys are X, Y, Z"));

@@ -364,10 +364,13 @@ TEST(Job, ReadsFurtherAxes) {
                   "[machine]\nfile = 'vmc.toml'\n"
                   "[[machine.axis]]\nname = 'C'\nnumber = 6\nrapid = 3600\nlimits = [-360, 360]\n"
                   "[[machine.axis]]\nname = 'W'\nnumber = 5\nkind = 'linear'\nparallel = 'Z'\n"
-                  "start = 2\nreference = 3\n");
+                  "start = 2\nreference = 3\n"
+                  "[[machine.axis]]\nname = 'B'\nnumber = 7\ncarries = 'nothing'\n"
+                  "[[machine.axis]]\nname = 'A'\nnumber = 8\ncarries = 'part'\ndirection = [1, 0, 1]\n"
+                  "center = [4, 5, 6]\n");
   ASSERT_TRUE(job) << folder.text();
   const auto& axes = job->settings.axes;
-  ASSERT_EQ(axes.size(), 2u) << "the job's axes stand for the file's";
+  ASSERT_EQ(axes.size(), 4u) << "the job's axes stand for the file's";
   EXPECT_EQ(axes[0].name, "C");
   EXPECT_EQ(axes[0].kind, AxisKind::kRotary);
   EXPECT_EQ(axes[0].rapid, 3600);
@@ -377,6 +380,12 @@ TEST(Job, ReadsFurtherAxes) {
   EXPECT_EQ(axes[1].parallel, "Z");
   EXPECT_EQ(axes[1].start, 2);
   EXPECT_EQ(axes[1].reference, 3);
+  EXPECT_EQ(axes[0].carries, RotaryCarries::kDefault);
+  EXPECT_FALSE(axes[0].direction.has_value());
+  EXPECT_EQ(axes[2].carries, RotaryCarries::kNothing);
+  EXPECT_EQ(axes[3].carries, RotaryCarries::kPart);
+  EXPECT_EQ(axes[3].direction, Vec3(1, 0, 1));
+  EXPECT_EQ(axes[3].center, Vec3(4, 5, 6));
   EXPECT_EQ(job->settings.parameters.at("N0305.6"), 5);
 }
 

@@ -27,7 +27,7 @@ class TextSink : public MotionSink {
     text += fmt::format("file {} {}\n", index, name);
   }
   void motion(const Motion& m, const ArcGeometry* arc, const AxisSweep* axis) override {
-    motions_.push_back({m, arc ? *arc : ArcGeometry{}, arc != nullptr});
+    motions_.push_back({m, arc ? *arc : ArcGeometry{}, arc != nullptr, axis ? *axis : AxisSweep{}});
     text += place(m.source) + std::string(motionKindName(m.kind)) + (arc ? " arc " : " ");
     if (!last_ || (*last_ - m.from).norm() > 1e-9) text += "from " + point(m.from) + " ";
     last_ = m.to;
@@ -90,7 +90,7 @@ const char* endName(ProgramEnd end) {
 /// axis = NAME NUMBER linear|rotary [parallel X] [rapid 5000] [start 0] [reference 0] [limit -10 10]
 AxisSettings axisOf(std::istringstream& in, const std::string& line) {
   AxisSettings axis;
-  std::string kind, key;
+  std::string kind, key, word;
   if (!(in >> axis.name >> axis.number >> kind)) throw std::runtime_error("axis expected: " + line);
   axis.kind = kind == "linear" ? AxisKind::kLinear : AxisKind::kRotary;
   while (in >> key) {
@@ -100,6 +100,11 @@ AxisSettings axisOf(std::istringstream& in, const std::string& line) {
     if (key == "acceleration") in >> axis.acceleration;
     if (key == "start") in >> axis.start;
     if (key == "reference") in >> axis.reference;
+    if (key == "carries" && in >> word) {
+      axis.carries = word == "part" ? RotaryCarries::kPart : RotaryCarries::kNothing;
+    }
+    if (key == "direction") axis.direction = vectorOf(in, line);
+    if (key == "center") axis.center = vectorOf(in, line);
     if (key == "limit" && in >> limit.min >> limit.max) axis.limit = limit;
     if (!in) throw std::runtime_error("bad axis: " + line);
   }
@@ -320,6 +325,12 @@ std::string compareWithTruth(const std::string& truth, const std::vector<GoldenM
                   : word == "t" ? motion.time_s
                   : word == "S" ? motion.spindle
                                 : motion.tool};
+        continue;
+      }
+      if (word == "rotary") {
+        k = 0;
+        actual.clear();
+        for (const RotaryPosition& r : m.axis.rotary) actual.push_back(r.to);
         continue;
       }
       if (word == "center" || word == "sweep") {

@@ -7,7 +7,7 @@
 //   === main         the main program (a file may start with it and leave the marker out)
 //   === sub NAME     a subprogram
 //   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg] [F feed]
-//                    [t seconds] [S spindle] [T tool]; * is anything
+//                    [t seconds] [S spindle] [T tool] [rotary ends]; * is anything
 //   === expect       what the interpreter says; rewritten with PROVEOUT_UPDATE_GOLDEN=1
 #pragma once
 
@@ -36,6 +36,7 @@ struct GoldenMotion {
   Motion motion;
   ArcGeometry arc;
   bool is_arc = false;
+  AxisSweep axis;
 };
 std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions);
 

@@ -2,7 +2,7 @@
 A rotary axis C and a named axis Z1 parallel to Z: words with and without names, shifts, G28, rates.
 proves: nct-2.2-extname nct-1.1-ABC
 === settings
-axis = C 6 rotary rapid 3600 start 10 limit -400 400
+axis = C 6 rotary carries nothing rapid 3600 start 10 limit -400 400
 axis = Z1 4 linear parallel Z rapid 6000
 === main
 G0 X10 C45
@@ -30,6 +30,9 @@ rapid 20 0 -4
 rapid 20 0 -4
 === expect
 file 0 main.nc
+main.nc:1:8: note[nct-rotary-told]: axis C turns nothing that the job describes: its position is told, the path does not follow it
+    G0 X10 C45
+           ^~~
 1: rapid from 0 0 0 to 10 0 0 C 10 to 45 t0.5833
 2: feed to 10 0 -5 C 45 to 45 F600 t0.5
 3: feed to 20 0 -5 C 45 to 90 F600 t4.6098

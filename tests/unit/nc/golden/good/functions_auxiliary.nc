@@ -7,7 +7,7 @@ nct-23.1.14-#4302 nct-23.1.14-#4303
 N1333 = 66
 N1334 = 85
 N1335 = 65
-axis = C 6 rotary
+axis = C 6 rotary carries nothing
 === main
 #1=7.4
 G0 X10 B12345678 U-3 C90
@@ -26,6 +26,9 @@ M30
 -1 -3 7
 === expect
 file 0 main.nc
+main.nc:2:22: note[nct-rotary-told]: axis C turns nothing that the job describes: its position is told, the path does not follow it
+    G0 X10 B12345678 U-3 C90
+                         ^~~
 2: rapid from 0 0 0 to 10 0 0 C 0 to 90 t0.36
 2: event function code="B12345678"
 2: event function code="U-3"

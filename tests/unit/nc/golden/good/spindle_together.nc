@@ -5,7 +5,7 @@ proves: nct-11.7.4-sync nct-11.8-convert nct-11.4-main nct-11.5.1-G96
 === settings
 spindle = 1 name S1 axis C1 axis_code 20 main 31 top 4000
 spindle = 2 name S2 main 32 sync 21 shift 22 top 2500
-axis = C1 6 rotary
+axis = C1 6 rotary carries nothing
 N0685.2 = 256
 === main
 S1=3000 M3
@@ -48,6 +48,9 @@ file 0 main.nc
 main.nc:7:1: warning[nct-reference]: the job does not give reference point 1: the start position is taken
     G28 G91 C1=0
     ^~~~~~~~~~~~
+main.nc:9:4: note[nct-rotary-told]: axis C1 turns nothing that the job describes: its position is told, the path does not follow it
+    G1 C1=90 F1000
+       ^~~~~
 9: feed to 10 0 0 C1 0 to 90 F1000 t5.4
 10: event spindle rpm=3000 direction="cw" spindle=1
 11: feed to 20 0 0 C1 90 to 90 F1000 t0.6

@@ -7,7 +7,7 @@ nct-23.1.17-sverr nct-23.1.17-mirtp nct-23.1.5-notation
 === settings
 G54 = 0 0 20
 H1 = 100
-axis = C 6 rotary
+axis = C 6 rotary carries nothing
 === main
 G43 G0 X3 Y4 Z-5 C30 H1
 #100=#5003
@@ -40,6 +40,9 @@ M30
 30 0 100
 === expect
 file 0 main.nc
+main.nc:1:18: note[nct-rotary-told]: axis C turns nothing that the job describes: its position is told, the path does not follow it
+    G43 G0 X3 Y4 Z-5 C30 H1
+                     ^~~
 1: rapid from 0 0 0 to 3 4 95 C 0 to 30 t0.38
 main.nc:7:1: warning[nct-machine-zero]: G53: the job gives no reference point, so machine zero is only as good as its work offsets
     G53 X#100 Y#101 Z#102

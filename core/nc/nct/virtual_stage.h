@@ -1,0 +1,42 @@
+// Planes with a rotary axis that stands for a linear one, as a stage of the motion pipe: from the virtual
+// point to the axes of the machine.
+#pragma once
+
+#include "core/nc/motion_pipe.h"
+#include "core/nc/nct/nct_axis_modal.h"
+
+namespace proveout::nc {
+
+struct NctContext;
+
+/// Linked while G12.1 or G7.1 is in force. In front of it the rotary axis counts in mm of the plane.
+class VirtualStage final : public PathStage {
+ public:
+  explicit VirtualStage(NctContext& context) : PathStage(StageSlot::kVirtual), c_(context) {}
+
+  /// The mode begins where the machine is.
+  void begin(const AxisModal& modal);
+  void end();
+  const PolarPlane& plane() const { return plane_; }
+  /// Where the machine's own axes are.
+  const AxisPoint& machine() const { return machine_; }
+  /// The machine stands there by other means; the same point with the rotary axis in mm of the plane.
+  AxisPoint adopt(const AxisPoint& machine);
+
+  bool push(PathItem& item) override;
+
+ private:
+  void place(const AxisPoint& work);
+  bool pushPolar(PathItem& item);
+  bool pushCylinder(PathItem& item);
+  bool sendUnrolled(PathItem& item, double paced);
+
+  NctContext& c_;
+  AxisModal modal_;
+  AxisPoint machine_;  ///< end of the last item
+  PolarPlane plane_;
+  double work_zero_ = 0.0, work_zero_deg_ = 0.0;  ///< the plane's origin in work coordinates
+  AxisPoint last_;  ///< end of the last item, work coordinates, rotary axis in mm
+};
+
+}  // namespace proveout::nc

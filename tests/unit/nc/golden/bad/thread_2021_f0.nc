@@ -1,0 +1,14 @@
+=== about
+G33 with F0.
+proves: nct-4.4-2021
+=== main
+S100 M3
+G33 Z-10 F0
+M30
+=== expect
+file 0 main.nc
+1: event spindle rpm=100 direction="cw"
+main.nc:2:10: error[nct-2021]: thread cutting definition error: the lead must be above 0
+    G33 Z-10 F0
+             ^~
+alarm: 2 blocks, 0 motions, 1 errors, 0 warnings
