@@ -40,6 +40,14 @@ void CoordinateChain::moveFurtherAxes(int count, const AxisPoint& program_to_wor
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
     work_more_[k] = program_to_work.more[k];
     machine_more_[k] = work_to_machine.more[k];
+    work_factor_[k] = 1.0;
+  }
+}
+
+void CoordinateChain::scaleFurtherAxes(const ProgramMap& map) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
+    work_factor_[k] = map.factor[k];
+    work_more_[k] += map.shift[k];
   }
 }
 
@@ -51,7 +59,8 @@ AxisPoint CoordinateChain::workOf(const AxisPoint& p) const {
 
 void CoordinateChain::moveToWork(AxisPoint& p) const {
   p.xyz = toWork(p.xyz);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) p.more[k] += work_more_[k];
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k)
+    p.more[k] = p.more[k] * work_factor_[k] + work_more_[k];
 }
 
 void CoordinateChain::moveToMachine(AxisPoint& p) const {
@@ -62,7 +71,7 @@ void CoordinateChain::moveToMachine(AxisPoint& p) const {
 AxisPoint CoordinateChain::machineOf(const AxisPoint& p) const {
   AxisPoint q(toMachine(p.xyz));
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
-    q.more[k] = p.more[k] + work_more_[k] + machine_more_[k];
+    q.more[k] = p.more[k] * work_factor_[k] + work_more_[k] + machine_more_[k];
   }
   return q;
 }
@@ -70,7 +79,7 @@ AxisPoint CoordinateChain::machineOf(const AxisPoint& p) const {
 AxisPoint CoordinateChain::programOf(const AxisPoint& machine) const {
   AxisPoint p(toProgram(machine.xyz));
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
-    p.more[k] = machine.more[k] - machine_more_[k] - work_more_[k];
+    p.more[k] = (machine.more[k] - machine_more_[k] - work_more_[k]) / work_factor_[k];
   }
   return p;
 }
@@ -94,17 +103,19 @@ WorkSystem WorkFrames::system(WorkSystemId id) const {
   return it == extended.end() ? WorkSystem{} : it->second;
 }
 
-CoordinateChain WorkFrames::chain(WorkSystemId active, const AxisPoint& length) const {
+CoordinateChain WorkFrames::chain(const ProgramMap& map, WorkSystemId active, const AxisPoint& length) const {
   const WorkSystem work = system(active);
+  const FrameStep transform{map.linear, map.offset};
   const FrameStep local{Mat3::Identity(), shift52.xyz + shift92.xyz};
   const FrameStep rotate{basicRotation(work.angles_deg), common.offset.xyz + work.offset.xyz + length.xyz};
-  CoordinateChain chain({local}, {rotate});
+  CoordinateChain chain({transform, local}, {rotate});
   AxisPoint shift, offset;
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_axes); ++k) {
     shift.more[k] = shift52.more[k] + shift92.more[k];
     offset.more[k] = common.offset.more[k] + work.offset.more[k] + length.more[k];
   }
   chain.moveFurtherAxes(more_axes, shift, offset);
+  if (!map.identity) chain.scaleFurtherAxes(map);
   return chain;
 }
 

@@ -8,10 +8,9 @@
 
 #include "core/geometry/types.h"
 #include "core/nc/axis_point.h"
+#include "core/nc/program_transforms.h"
 
 namespace proveout::nc {
-
-using Mat3 = Eigen::Matrix3d;
 
 /// y = linear * x + offset. A chain is a list of these, applied first to last.
 struct FrameStep {
@@ -43,6 +42,8 @@ class CoordinateChain {
   void moveToMachine(AxisPoint& p) const;
   /// Offsets of `count` further axes from program to work and from work to machine coordinates.
   void moveFurtherAxes(int count, const AxisPoint& program_to_work, const AxisPoint& work_to_machine);
+  /// Factors of the further axes between program and work coordinates: mirrored and scaled ones.
+  void scaleFurtherAxes(const ProgramMap& map);
 
   /// Is there more than shifts in it?
   bool turns() const { return !work_moves_only_ || !machine_moves_only_; }
@@ -57,7 +58,7 @@ class CoordinateChain {
   FrameStep work_, machine_;
   bool work_moves_only_ = true, machine_moves_only_ = true;
   int more_count_ = 0;  ///< of the arrays below only so many are set
-  std::array<double, kMaxAxes - kMainAxes> work_more_, machine_more_;
+  std::array<double, kMaxAxes - kMainAxes> work_more_, machine_more_, work_factor_;
 };
 
 /// Mz(gamma) * My(beta) * Mx(alpha), right-handed, angles (alpha, beta, gamma) in degrees.
@@ -84,8 +85,8 @@ struct WorkFrames {
 
   WorkSystem& system(WorkSystemId id);
   WorkSystem system(WorkSystemId id) const;
-  /// The chain with work system `active` and length offset `length` (machine axes).
-  CoordinateChain chain(WorkSystemId active, const AxisPoint& length) const;
+  /// The chain with the program's transforms, work system `active` and length offset `length` (machine axes).
+  CoordinateChain chain(const ProgramMap& map, WorkSystemId active, const AxisPoint& length) const;
 };
 
 }  // namespace proveout::nc

@@ -48,6 +48,9 @@ struct PathMotion {
   enum class Space : std::uint8_t { kProgram, kWork, kMachine };
   /// What stands between this motion and the next.
   enum class Join : std::uint8_t { kSharp, kChamfer, kRound };
+  /// Whether the corner with the block before is calculated, and which of two common points it is. kOpen: a
+  /// line by its direction alone, whose end the next block calculates.
+  enum class Meet : std::uint8_t { kNo, kOpen, kFirst, kSecond };
 
   Kind kind = Kind::kEvent;
   Space space = Space::kProgram;
@@ -55,11 +58,16 @@ struct PathMotion {
   bool in_plane = false;  ///< a word of the plane's axes is in the block
   bool comp_on = false;   ///< cutter compensation in the block
   bool keep_vector = false;
+  bool level = false;  ///< no axis outside the plane moves; told only of blocks with a join, and behind one
   Join join = Join::kSharp;
+  Meet meet = Meet::kNo;
+  double angle = 0.0;      ///< rad: of a line with `meet`
+  double radius = 0.0;     ///< of an arc with `meet`; its sweep then only has the sign
   double join_size = 0.0;  ///< chamfer or radius, as programmed
   WorkPlane plane;
   AxisPoint to;           ///< end; of functions the programmed position where they run
   Vec3 center;            ///< kArc: (u, v, w of the start) of the plane; in machine space x, y, z
+  Vec2 start;             ///< kArc, lines with a join or `meet`: (u, v); not in machine space
   Vec3 normal;            ///< kArc in machine space only
   double sweep = 0.0;     ///< kArc: rad, signed, > 0 from u to v
   double offset = 0.0;    ///< of cutter compensation, > 0 left of the path

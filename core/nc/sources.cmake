@@ -1,6 +1,7 @@
 target_sources(proveout_core PRIVATE
   nc/axes.cpp
   nc/control_host.cpp
+  nc/contour_stage.cpp
   nc/coverage.cpp
   nc/feed_limits.cpp
   nc/frames.cpp
@@ -10,6 +11,7 @@ target_sources(proveout_core PRIVATE
   nc/motion_pipe.cpp
   nc/path_emitter.cpp
   nc/path_emitter_curves.cpp
+  nc/program_transforms.cpp
   nc/program_source.cpp
   nc/rotary_kinematics.cpp
   nc/source_text.cpp
@@ -32,6 +34,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_block.cpp
   nc/nct/nct_codes.cpp
   nc/nct/nct_context.cpp
+  nc/nct/nct_contour.cpp
   nc/nct/nct_control.cpp
   nc/nct/nct_cycles.cpp
   nc/nct/nct_data_input.cpp
@@ -59,6 +62,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_smooth.cpp
   nc/nct/nct_thread.cpp
   nc/nct/nct_virtual.cpp
+  nc/nct/nct_transforms.cpp
   nc/nct/nct_words.cpp
   nc/nct/offset_tables.cpp
   nc/nct/virtual_stage.cpp

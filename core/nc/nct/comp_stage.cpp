@@ -156,6 +156,7 @@ bool CompStage::sendPiece(const CompPiece& piece, PathItem& item) {
   out.to[item.plane.w] = piece.to.z();
   if (piece.is_arc) {
     out.center = {piece.center.x(), piece.center.y(), piece.from.z()};
+    out.start = piece.from.head<2>();
     out.sweep = piece.sweep_rad;
     const bool concentric = (out.center - item.center).head<2>().norm() < kSameCentre;
     if (item.kind == PathItem::Kind::kArc && concentric) {

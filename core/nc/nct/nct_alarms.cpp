@@ -11,7 +11,7 @@ namespace proveout::nc {
 namespace {
 
 constexpr auto kAlarms = std::to_array<Alarm>({
-    {2001, "{} is not allowed in this state"},
+    {2001, "mirroring cannot be switched on or off in state G51 or G68"},
     {2002, "{} data out of range"},
     {2004, "missing data {}"},
     {2012, "circle radius difference error"},

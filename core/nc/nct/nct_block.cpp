@@ -9,6 +9,7 @@
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
+#include "core/nc/nct/nct_transforms.h"
 #include "core/nc/nct/nct_virtual.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/tables/rows.h"
@@ -24,6 +25,7 @@ constexpr AddressSet kCommonWords = "GMFSTHD";
 
 bool acceptG(NctContext& c, BlockPlan& plan, const Word& word);
 bool refuseG(NctContext& c, const Word& word, const GCode* code);
+bool takeAxisWords(NctContext& c, BlockPlan& plan, const GCode& code);
 bool claim(NctContext& c, BlockPlan& plan, const GCode& code);
 
 bool collectG(NctContext& c, BlockPlan& plan) {
@@ -145,7 +147,8 @@ bool planModal(NctContext& c, BlockPlan& plan) {
     const GCode* code = plan.by_group[g];
     if (code == nullptr) continue;
     next.active[g] = code->code10;
-    if (g != kGroupMotion && g != kGroupCycle && !claim(c, plan, *code)) return false;
+    if (g == kOneShot || g == kGroupMotion || g == kGroupCycle) continue;
+    if (code->plan != nullptr ? !takeAxisWords(c, plan, *code) : !claim(c, plan, *code)) return false;
   }
   if (plan.by_group[kGroupPlane] && !planPlane(c, plan)) return false;
   next.axes.threading = false;
@@ -161,6 +164,18 @@ bool planModal(NctContext& c, BlockPlan& plan) {
     if (c.state.inCycle() && plan.by_group[kGroupReturn] == nullptr) next.active[kGroupReturn] = 980;
     next.cycle = CycleWords{};
   }
+  return true;
+}
+
+/// A modal code with a plan of its own owns the axis words of its block.
+bool takeAxisWords(NctContext& c, BlockPlan& plan, const GCode& code) {
+  const GCode* one_shot = plan.by_group[kOneShot];
+  const GCode* other = plan.governor ? plan.governor : one_shot && one_shot->plan ? one_shot : nullptr;
+  if (other != nullptr) {
+    return c.fail("nct-group-clash", fmt::format("{} and {} cannot stand in one block", gName(other->code10),
+                                                 gName(code.code10)));
+  }
+  plan.governor = &code;
   return true;
 }
 
@@ -276,8 +291,8 @@ bool planLength(NctContext& c, BlockPlan& plan) {
     plan.frames_changed = true;
     plan.flush = true;
   }
-  if (plan.frames_changed) {
-    plan.new_chain = c.registers.frames.chain(next.work_system, next.length);
+  if (plan.frames_changed || plan.transforms_changed) {
+    plan.new_chain = c.chainOf(next);
     plan.chain = &*plan.new_chain;
     plan.start = plan.chain->programOf(c.machine);
   } else {
@@ -295,6 +310,10 @@ bool planComp(NctContext& c, BlockPlan& plan) {
   if (plan.next.compOn() && plan.next.inCycle()) {
     return c.fail("nct-cycle-in-comp",
                   "drilling cycles cannot run while cutter compensation (G41, G42) is on: program G40 first");
+  }
+  const GCode* one_shot = plan.by_group[kOneShot];
+  if (one_shot && one_shot->code10 == 380 && !(was_on && plan.next.compOn())) {
+    return c.fail("nct-cutter-comp", "G38 and G39 need G41 or G42");
   }
   if (code == nullptr) return true;
   if (plan.next.compOn() && !planeOfLines(c, plan, 2088, "G41 and G42 need linear axes")) return false;
@@ -326,8 +345,7 @@ bool planComp(NctContext& c, BlockPlan& plan) {
 }
 
 bool govern(NctContext& c, BlockPlan& plan) {
-  const GCode* code = plan.by_group[kOneShot];
-  if (const GCode* polar = plan.by_group[kGroupPolarInterpolation]) code = polar;
+  const GCode* code = plan.governor ? plan.governor : plan.by_group[kOneShot];
   if (code == nullptr || code->plan == nullptr) {
     code = plan.next.inCycle() ? c.codes.g(plan.next.active[kGroupCycle])
                                : c.codes.g(plan.next.active[kGroupMotion]);
@@ -352,11 +370,6 @@ bool checkWords(NctContext& c, const BlockPlan& plan) {
         return c.failWord(
             "nct-2035", fmt::format("wrong axis data: axis {} is not configured", addressText(w.address)), w);
       }
-      if (AddressSet("cra").has(w.address)) {
-        return c.failWord(
-            "nct-2123", fmt::format("function not implemented: {} is not supported", addressText(w.address)),
-            w);
-      }
       return c.failWord("nct-2017", fmt::format("illegal address {} in this block", addressText(w.address)),
                         w);
     }
@@ -376,8 +389,8 @@ bool planBlock(NctContext& c, BlockPlan& plan) {
   if (const Word* e = c.word('E')) plan.next.last.e = e->value;
   return takeAuxiliary(c, plan) && collectG(c, plan) && collectM(c, plan) && planModal(c, plan) &&
          (c.state.axes.mode == VirtualMode::kOff || checkVirtual(c, plan)) && planNumbers(c, plan) &&
-         planOffsetsHD(c, plan) && planWorkSystem(c, plan) && planLength(c, plan) && planComp(c, plan) &&
-         govern(c, plan) && checkWords(c, plan);
+         planOffsetsHD(c, plan) && planWorkSystem(c, plan) && planTransformsOff(c, plan) &&
+         planLength(c, plan) && planComp(c, plan) && govern(c, plan) && checkWords(c, plan);
 }
 
 }  // namespace proveout::nc

@@ -6,8 +6,8 @@
 
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
-#include "core/nc/nct/system_variables/system_variables.h"
 #include "core/nc/nct/nct_words.h"
+#include "core/nc/nct/system_variables/system_variables.h"
 
 namespace proveout::nc {
 
@@ -25,7 +25,10 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
       clock(emitter.time()),
-      transform_stage(chain),
+      contour_alarms(*this),
+      crossing_stage(pipe, contour_alarms),
+      transform_stage(*this),
+      corner_stage(pipe, contour_alarms),
       comp_stage(*this),
       virtual_stage(*this),
       frame_stage(chain),
@@ -91,7 +94,8 @@ void NctContext::reset() {
   s.axes.diameter = diameterAxes(*this);
   state = s;
   resetSpindles(*this);
-  chain = registers.frames.chain(state.work_system, state.length);
+  map = ProgramMap();
+  chain = chainOf(state);
   machine = emitter.machine();
   position = chain.programOf(machine);
 }

@@ -17,6 +17,7 @@
 #include "core/nc/nct/call_stack.h"
 #include "core/nc/nct/comp_stage.h"
 #include "core/nc/nct/interrupt_macro.h"
+#include "core/nc/nct/contour_alarms.h"
 #include "core/nc/nct/modal_calls.h"
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
@@ -120,10 +121,14 @@ struct NctContext {
   NctState state;
   NctRegisters registers;
   CoordinateChain chain;  ///< in force for what the pipe gets
+  ProgramMap map;         ///< the transforms in it
   AxisPoint position;     ///< programmed, in chain
   AxisPoint machine;      ///< programmed point in machine coordinates, without cutter compensation
   MotionPipe pipe;        ///< everything that becomes path goes through it; its stages are the next members
+  ContourAlarms contour_alarms;
+  CrossingStage crossing_stage;
   TransformStage transform_stage;
+  CornerStage corner_stage;
   CompStage comp_stage;
   VirtualStage virtual_stage;
   FrameStage frame_stage;
@@ -143,6 +148,11 @@ struct NctContext {
 
   /// Power-on: modal codes, frames and position.
   void reset();
+
+  /// The chain of a state.
+  CoordinateChain chainOf(const NctState& s) const {
+    return registers.frames.chain(programMap(s.transforms, axes), s.work_system, s.length);
+  }
 
   SourceRef here() const { return calls.here(); }
   const Word* word(Address a) const { return block.find(a); }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/nc/nct/nct_contour.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_spindle.h"
@@ -16,7 +17,10 @@ struct CycleKind {
   int code10;
   DrillCode drill;
 };
-constexpr std::array<CycleKind, 14> kCycles{{{730, DrillCode::kChipBreak},
+constexpr std::array<CycleKind, 17> kCycles{{{730, DrillCode::kChipBreak},
+                                             {831, DrillCode::kChipBreak},
+                                             {841, DrillCode::kTapLeft},
+                                             {861, DrillCode::kFineBore},
                                              {740, DrillCode::kTapLeft},
                                              {760, DrillCode::kFineBore},
                                              {810, DrillCode::kDrill},
@@ -40,11 +44,14 @@ DrillCode drillCode(int code10) {
 
 bool isRigid(DrillCode code) { return code == DrillCode::kRigidTap || code == DrillCode::kRigidTapLeft; }
 
-/// The holes of a block.
+/// The holes of a block. Heights of the drill axis are in work space: transforms apply to points of the
+/// program, not to pecks, clearances and shifts.
 struct Holes {
   AxisPoint step;       ///< position or step per axis, mm
   AxisSet incremental;  ///< axes with a step
   std::int64_t repeat = 1;
+  double initial = 0.0, r = 0.0;            ///< program space
+  double work_initial = 0.0, work_r = 0.0;  ///< the same in work space
 };
 
 bool planCycleWords(NctContext& c, BlockPlan& plan);
@@ -58,12 +65,63 @@ bool cycleFunction(NctContext& c, BlockPlan& plan, const DrillStep& step);
 
 }  // namespace
 
+namespace {
+
+/// N1503.CSM frees G73, G74 and G76 for turning: drilling then has G83.1, G84.1 and G86.1.
+bool checkCoding(NctContext& c, const BlockPlan& plan) {
+  const GCode* code = plan.by_group[kGroupCycle];
+  if (code == nullptr) return true;
+  const bool special = c.parameters.flag(CycleParam::kSpecialCodes);
+  const int code10 = code->code10;
+  const bool usual_code = code10 == 730 || code10 == 740 || code10 == 760;
+  const bool special_code = code10 == 831 || code10 == 841 || code10 == 861;
+  if (!(special ? usual_code : special_code)) return true;
+  return c.fail("nct-cycle-coding",
+                fmt::format("{} is no drilling cycle with N1503.CSM = {}", gName(code10), special ? 1 : 0));
+}
+
+/// The drill axis of the block: the one that stands across the plane or an axis parallel to it, whichever has
+/// a word. False: both have one.
+bool chooseDrillAxis(NctContext& c, const BlockPlan& plan, int& drill) {
+  const int main = PlaneFrame(plan.next.plane()).w();
+  const auto drills = [&](int axis) {
+    return axis == main || (axis >= kMainAxes && c.axes.at(axis).parallel_to == main);
+  };
+  drill = c.state.inCycle() && drills(plan.next.cycle.drill_axis) ? plan.next.cycle.drill_axis : main;
+  const Word* found = nullptr;
+  for (const Word& w : c.block.words) {
+    AxisWord word;
+    if (!axisWord(plan, w, word) || !drills(word.axis)) continue;
+    if (found != nullptr && drill != word.axis) return c.alarm(2017, w, "two drill axes in one block");
+    found = &w;
+    drill = word.axis;
+  }
+  return true;
+}
+
+}  // namespace
+
+namespace {
+
+/// Holes by one coordinate and ,A: planDirection() has found the other one, which steps as its sister does.
+void directedHoles(const BlockPlan& plan, Holes& holes) {
+  const WorkPlane plane = planeOf(plan.next);
+  const bool step = holes.incremental[static_cast<std::size_t>(plane.u)] ||
+                    holes.incremental[static_cast<std::size_t>(plane.v)];
+  for (const int axis : {plane.u, plane.v}) {
+    holes.step[axis] = plan.motion.target[axis] - (step ? plan.start[axis] : 0.0);
+    holes.incremental[static_cast<std::size_t>(axis)] = step;
+  }
+}
+
+}  // namespace
+
 bool planCycle(NctContext& c, BlockPlan& plan) {
   CycleWords& words = plan.next.cycle;
-  const PlaneFrame frame(plan.next.plane());
-  const int drill = frame.w();
+  int drill = 2;
+  if (!checkCoding(c, plan) || !chooseDrillAxis(c, plan, drill)) return false;
   const bool entry = !c.state.inCycle() || words.drill_axis != drill;
-  if (!axisTarget(c, plan, plan.motion.target)) return false;
+  if (!axisTarget(c, plan, plan.motion.target) || !planDirection(c, plan)) return false;
   if (entry) {
     if (c.state.inCycle() && !c.block.present.has('R')) {
       return c.fail("nct-2053", "no bottom point or R point: a new drill axis needs R");
@@ -89,6 +147,7 @@ bool planCycle(NctContext& c, BlockPlan& plan) {
       holes.incremental[static_cast<std::size_t>(word.axis)] = word.step;
     }
   }
+  if (c.block.present.has(kCommaDirection)) directedHoles(plan, holes);
   if (const Word* r = c.ownWord(plan, 'R')) {
     words.r = lengthOf(plan, *r);
     words.r_incremental = r->incremental || plan.next.incremental();
@@ -160,15 +219,23 @@ bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code) {
 
 bool expandCycle(NctContext& c, BlockPlan& plan) {
   const CycleWords& words = plan.next.cycle;
-  const PlaneFrame frame(plan.next.plane());
+  Holes& holes = plan.payload.as<Holes>();
+  const auto height = [&](double value) {
+    AxisPoint p = plan.start;
+    p[words.drill_axis] = value;
+    plan.chain->moveToWork(p);
+    return p[words.drill_axis];
+  };
   DrillCycle cycle;
   cycle.code = drillCode(plan.next.active[kGroupCycle]);
   if (cycle.code == DrillCode::kBackBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
     cycle.code = DrillCode::kBackBoreManual;
   }
-  cycle.initial = words.initial;
-  cycle.r = words.r_incremental ? words.initial + *words.r : *words.r;
-  cycle.bottom = words.bottom_incremental ? cycle.r + *words.bottom : *words.bottom;
+  holes.initial = words.initial;
+  holes.r = words.r_incremental ? words.initial + *words.r : *words.r;
+  cycle.initial = holes.work_initial = height(holes.initial);
+  cycle.r = holes.work_r = height(holes.r);
+  cycle.bottom = height(words.bottom_incremental ? holes.r + *words.bottom : *words.bottom);
   cycle.return_to_r = plan.next.active[kGroupReturn] == 990;
   cycle.peck = words.peck;
   const bool rigid = isRigid(cycle.code);
@@ -180,8 +247,9 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
   cycle.clearance = words.clearance.value_or(c.parameters[clearance]);
   const bool turns = plan.next.perTurn() && !c.parameters.flag(MotionParam::kDwellSeconds);
   cycle.dwell = turns && words.dwell > 0.0 ? words.dwell * 60.0 / turnsPerMinute(c, plan) : words.dwell;
-  cycle.shift = {words.shift[static_cast<std::size_t>(frame.u())],
-                 words.shift[static_cast<std::size_t>(frame.v())]};
+  const PlaneFrame letters(plan.next.plane());
+  cycle.shift = {words.shift[static_cast<std::size_t>(letters.u())],
+                 words.shift[static_cast<std::size_t>(letters.v())]};
   const CycleParam retract = rigid ? CycleParam::kTapRetract : CycleParam::kBoreRetract;
   if (!rigid || c.parameters.flag(CycleParam::kTapExtraction)) {
     cycle.retract_factor = words.retract_percent.value_or(c.parameters[retract]) / 100.0;
@@ -206,12 +274,11 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
 }
 
 bool performCycle(NctContext& c, BlockPlan& plan) {
-  const PlaneFrame frame(plan.next.plane());
   AxisPoint hole = c.position;
   const Holes& holes = plan.payload.as<Holes>();
   for (std::int64_t k = 0; k < holes.repeat; ++k) {
-    for (const int axis : {frame.u(), frame.v()}) {
-      if (!plan.motion.named[static_cast<std::size_t>(axis)]) continue;
+    for (int axis = 0; axis < c.axes.count(); ++axis) {
+      if (axis == plan.next.cycle.drill_axis || !plan.motion.named[static_cast<std::size_t>(axis)]) continue;
       const bool step = holes.incremental[static_cast<std::size_t>(axis)];
       hole[axis] = step ? hole[axis] + holes.step[axis] : holes.step[axis];
     }
@@ -221,46 +288,52 @@ bool performCycle(NctContext& c, BlockPlan& plan) {
   return true;
 }
 
-/// A motion of the cycle to `at`, program coordinates; without a feed at rapid.
+/// A motion of the cycle to `at`, work space; without a feed at rapid.
 bool cycleMove(NctContext& c, const AxisPoint& at, const FeedStyle* feed = nullptr) {
   PathItem item;
   item.kind = PathItem::Kind::kLine;
+  item.space = PathItem::Space::kWork;
   item.plane = c.state.workPlane();
   item.in_plane = true;
   item.to = at;
   item.rapid = feed == nullptr;
   if (feed) item.feed = *feed;
   item.source = c.here();
-  c.position = at;
   return c.pipe.push(item);
 }
 
 bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first) {
-  const int drill = PlaneFrame(plan.next.plane()).w();
-  AxisPoint at = hole;
-  at[drill] = c.position[drill];
+  const Holes& holes = plan.payload.as<Holes>();
+  const int drill = plan.next.cycle.drill_axis;
+  const double height = c.position[drill];
+  c.position = hole;
+  c.position[drill] = height;
+  AxisPoint at = c.chain.workOf(c.position);
   if (!cycleMove(c, at)) return false;
   if (first && !performFunctions(c, plan, MPhase::kBefore)) return false;
   for (const DrillStep& step : c.drill_steps) {
     if (!cycleStep(c, plan, step, at)) return false;
   }
-  c.machine = c.chain.machineOf(at);
+  c.machine = at;
+  c.chain.moveToMachine(c.machine);
+  c.position[drill] = at[drill] == holes.work_initial ? holes.initial : holes.r;
   return true;
 }
 
 bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint& at) {
-  const PlaneFrame frame(plan.next.plane());
+  const int drill = plan.next.cycle.drill_axis;
   if (step.kind == DrillStepKind::kShift) {
-    at[frame.u()] += step.shift.x();
-    at[frame.v()] += step.shift.y();
+    const WorkPlane plane = planeOf(plan.next);
+    at[plane.u] += step.shift.x();
+    at[plane.v] += step.shift.y();
     return cycleMove(c, at);
   }
   if (step.kind == DrillStepKind::kRapid) {
-    at[frame.w()] = step.position;
+    at[drill] = step.position;
     return cycleMove(c, at);
   }
   if (step.kind == DrillStepKind::kFeed) {
-    at[frame.w()] = step.position;
+    at[drill] = step.position;
     FeedStyle style = plan.motion.feed;
     style.feed *= step.feed_factor;
     style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;

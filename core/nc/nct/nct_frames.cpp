@@ -22,7 +22,7 @@ bool performFrames(NctContext& c, BlockPlan& plan) {
   frames.shift52 = change.shift52;
   frames.shift92 = change.shift92;
   if (change.id >= 0) frames.system(change.id) = change.system;
-  c.chain = frames.chain(plan.next.work_system, plan.next.length);
+  c.chain = c.chainOf(plan.next);
   c.position = c.chain.programOf(c.machine);
   return true;
 }
@@ -34,6 +34,17 @@ FrameChange& frameChange(const NctContext& c, BlockPlan& plan) {
   change.shift52 = c.registers.frames.shift52;
   change.shift92 = c.registers.frames.shift92;
   return change;
+}
+
+}  // namespace
+
+namespace {
+
+/// What the transforms alone make of a point.
+AxisPoint unshifted(const ProgramMap& map, const AxisPoint& p) {
+  AxisPoint q(map.linear * p.xyz + map.offset);
+  for (std::size_t k = 0; k < q.more.size(); ++k) q.more[k] = p.more[k] * map.factor[k] + map.shift[k];
+  return q;
 }
 
 }  // namespace
@@ -58,12 +69,21 @@ bool planSetPosition(NctContext& c, BlockPlan& plan) {
   if (!c.anyAxisWord()) return c.alarm(2004, "", "G92 needs axis words or S");
   FrameChange& change = frameChange(c, plan);
   const AxisPoint work = plan.chain->workOf(plan.start);
+  AxisPoint position = plan.start;
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
     if (word.own_step) return c.alarm(2097, w, "G92 words are absolute");
     change.shift52[word.axis] = 0.0;
     change.shift92[word.axis] = work[word.axis] - axisValue(c, plan, word, w);
+    position[word.axis] = axisValue(c, plan, word, w);
+  }
+  const ProgramMap map = programMap(plan.next.transforms, c.axes);
+  if (map.identity) return true;
+  // A rotation mixes the axes: all of them are shifted so that the position becomes what is written.
+  const AxisPoint image = unshifted(map, position);
+  for (int axis = 0; axis < c.axes.count(); ++axis) {
+    change.shift92[axis] = work[axis] - image[axis] - change.shift52[axis];
   }
   return true;
 }

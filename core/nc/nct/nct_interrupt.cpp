@@ -109,7 +109,8 @@ bool NctControl::endInterrupt(bool restore) {
   c.state.spindle_direction = now.spindle_direction;  // what the machine does is no modal
   c.state.tool = now.tool;
   c.state.tool_row = now.tool_row;
-  c.chain = c.registers.frames.chain(c.state.work_system, c.state.length);
+  c.map = programMap(c.state.transforms, c.axes);
+  c.chain = c.chainOf(c.state);
   c.position = c.chain.programOf(c.machine);
   rebasePipe(c);
   return true;

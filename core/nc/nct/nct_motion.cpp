@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_contour.h"
 #include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_planes.h"
@@ -12,7 +13,7 @@
 namespace proveout::nc {
 
 bool planRapid(NctContext& c, BlockPlan& plan) {
-  if (!axisTarget(c, plan, plan.motion.target)) return false;
+  if (!axisTarget(c, plan, plan.motion.target) || !planDirection(c, plan)) return false;
   if (!c.anyAxisWord()) return true;
   plan.perform = performMove;
   plan.motion.rapid = true;
@@ -22,7 +23,8 @@ bool planRapid(NctContext& c, BlockPlan& plan) {
 
 bool planLine(NctContext& c, BlockPlan& plan) {
   if (!axisTarget(c, plan, plan.motion.target)) return false;
-  if (!c.anyAxisWord()) return true;
+  if (hasContourWords(c.block) ? !planLineContour(c, plan) : !refuseChoice(c, plan)) return false;
+  if (!c.anyAxisWord() && plan.motion.meet == PathItem::Meet::kNo) return true;
   plan.perform = performMove;
   plan.motion.rapid = false;
   return feedStyle(c, plan, plan.motion.feed);
@@ -140,10 +142,14 @@ bool checkTurns(NctContext& c, const BlockPlan& plan) {
 bool planArc(NctContext& c, BlockPlan& plan) {
   if (!axisTarget(c, plan, plan.motion.target)) return false;
   const bool arc_word = !(c.block.present & AddressSet("IJKR")).without(plan.claimed).empty();
-  if (!c.anyAxisWord() && !arc_word) return true;  // F, M or nothing: no motion
+  if (!c.anyAxisWord() && !arc_word) return refuseChoice(c, plan) && planJoin(c, plan);  // F, M or nothing
   if (!planeOfLines(c, plan, 2015, "circles need linear axes")) return false;
+  if (overdeterminedArc(c, plan)) {
+    plan.perform = performMove;
+    return planOverdeterminedArc(c, plan) && planJoin(c, plan) && feedStyle(c, plan, plan.motion.feed);
+  }
   ArcRequest request;
-  if (!arcRequest(c, plan, request)) return false;
+  if (!refuseChoice(c, plan) || !arcRequest(c, plan, request)) return false;
   ArcPolicy policy;
   policy.radius_tolerance = radiusTolerance(c);
   const ArcResolution resolved = resolveArc(request, policy);
@@ -158,14 +164,14 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   if (resolved.center_ignored) c.warn("nct-arc-both", "R and I, J, K in one block: R counts");
   if (resolved.no_motion) {
     plan.motion.target = plan.start;
-    return true;
+    return planJoin(c, plan);
   }
   plan.perform = performMove;
   plan.motion.is_arc = true;
   plan.motion.arc = resolved.arc;
   takePolarTurns(plan, request);
   if (!checkTurns(c, plan)) return false;
-  if (!feedStyle(c, plan, plan.motion.feed)) return false;
+  if (!planJoin(c, plan) || !feedStyle(c, plan, plan.motion.feed)) return false;
   const bool spiral = resolved.radius_difference > 1e-9;
   plan.motion.feed.along = c.parameters.flag(MotionParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace
                            : spiral && !request.turns                      ? FeedStyle::Along::kStartRadius

@@ -8,6 +8,7 @@
 #include "core/nc/nct/nct_functions.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
+#include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/system_variables/status_bank.h"
 
 namespace proveout::nc {
@@ -21,11 +22,15 @@ bool switchCompInPlace(NctContext& c, BlockPlan& plan);
 bool perform(NctContext& c, BlockPlan& plan) {
   if (plan.flush && !c.pipe.flush(FlushReason::kBuffer)) return false;
   if (!plan.runs_functions && !performFunctions(c, plan, MPhase::kBefore)) return false;
-  if (plan.frames_changed) {
+  if (plan.transforms_changed) {
+    if (!c.pipe.flush(FlushReason::kTransform)) return false;
+    c.map = programMap(plan.next.transforms, c.axes);
+  }
+  if (plan.frames_changed || plan.transforms_changed) {
     c.chain = *plan.new_chain;
     c.position = plan.start;
-    rebasePipe(c);
   }
+  if (plan.frames_changed) rebasePipe(c);
   c.state.takePlane(plan.next);  // arcs and pieces are turned by it
   const bool done = plan.perform ? plan.perform(c, plan) : switchCompInPlace(c, plan);
   if (!done) return false;
@@ -148,33 +153,56 @@ namespace {
 
 /// What all motions of the plan share.
 void fillMotion(NctContext& c, const BlockPlan& plan, PathItem& item) {
-  item.plane = plan.next.workPlane();
-  item.to = plan.motion.target;
-  item.rapid = plan.motion.rapid;
-  item.feed = plan.motion.feed;
-  item.direction = plan.motion.direction;
+  const PlannedMotion& motion = plan.motion;
+  item.plane = planeOf(plan.next);
+  item.to = motion.target;
+  item.rapid = motion.rapid;
+  item.feed = motion.feed;
+  item.direction = motion.direction;
   item.comp_on = plan.next.compOn();
   item.offset = plan.next.compOffset();
   item.source = c.here();
 }
 
+/// What calculated corners need to know.
+void fillContour(NctContext& c, const BlockPlan& plan, PathItem& item) {
+  const PlannedMotion& motion = plan.motion;
+  item.start = item.plane.of(c.position).head<2>();
+  item.join = motion.join;
+  item.join_size = motion.join_size;
+  item.meet = motion.meet;
+  item.angle = motion.angle;
+  item.radius = motion.radius;
+  if (item.join != PathItem::Join::kSharp) c.corner_stage.announce();
+  if (!c.corner_stage.linked()) return;
+  AxisPoint level = c.position;
+  level[item.plane.u] = item.to[item.plane.u];
+  level[item.plane.v] = item.to[item.plane.v];
+  item.level = level == item.to;
+}
+
 void engageComp(NctContext& c, const BlockPlan& plan) {
   if (c.comp_stage.linked() || !plan.next.compOn()) return;
-  c.comp_stage.engage(plan.next.workPlane().of(c.chain.workOf(c.position)));
+  c.comp_stage.engage(c.corner_stage.sentUntil(planeOf(plan.next).of(c.chain.workOf(c.position))));
+  c.pipe.link(c.crossing_stage);
 }
 
 /// A block without motion may still start or end cutter compensation on the spot, and so move the tool.
 bool switchCompInPlace(NctContext& c, BlockPlan& plan) {
   engageComp(c, plan);
   if (!c.comp_stage.linked() || plan.by_group[kGroupRadiusComp] == nullptr) return true;
-  PathItem item;
-  item.kind = PathItem::Kind::kStay;
-  fillMotion(c, plan, item);
-  item.to = c.position;
-  return c.pipe.push(item);
+  plan.motion.target = c.position;
+  return pushMotion(c, plan, PathItem::Kind::kStay);
 }
 
 }  // namespace
+
+bool pushMotion(NctContext& c, BlockPlan& plan, PathItem::Kind kind) {
+  PathItem item;
+  item.kind = kind;
+  fillMotion(c, plan, item);
+  return c.pipe.push(item);
+}
 
 bool performMove(NctContext& c, BlockPlan& plan) {
   engageComp(c, plan);
@@ -184,10 +212,15 @@ bool performMove(NctContext& c, BlockPlan& plan) {
   fillMotion(c, plan, item);
   item.in_plane = motion.named[static_cast<std::size_t>(item.plane.u)] ||
                   motion.named[static_cast<std::size_t>(item.plane.v)];
+  const GCode* one_shot = plan.by_group[kOneShot];
+  item.keep_vector = one_shot != nullptr && one_shot->code10 == 380;
   if (motion.is_arc) {
     item.center = {motion.arc.center.x(), motion.arc.center.y(), motion.arc.start.z()};
+    item.start = motion.arc.start.head<2>();
     item.sweep = motion.arc.sweep_rad;
   }
+  const bool contour = item.comp_on || motion.join != PathItem::Join::kSharp;
+  if (contour || c.corner_stage.linked()) fillContour(c, plan, item);
   c.position = motion.target;
   c.machine = c.chain.machineOf(motion.target);
   return c.pipe.push(item);

@@ -24,6 +24,8 @@ bool sendOriented(NctContext& c);
 
 /// Perform function of the motion codes: plan.motion.
 bool performMove(NctContext& c, BlockPlan& plan);
+/// The block as an item of that kind: a motion, or one that stays.
+bool pushMotion(NctContext& c, BlockPlan& plan, PathItem::Kind kind);
 /// The machine stands at `machine` by other means than a programmed motion.
 void settle(NctContext& c, const AxisPoint& machine);
 /// Lets go what the pipe holds; what comes then starts anew from where the machine is. False: an error was

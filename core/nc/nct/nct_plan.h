@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "core/nc/block.h"
+#include "core/nc/motion_pipe.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_state.h"
 #include "core/nc/path_emitter.h"
@@ -69,15 +70,20 @@ struct PlannedMotion {
   PlaneArc arc;
   FeedStyle feed;
   double polar_turn_deg = 0.0;    ///< of a polar angle word: from the old angle to the new one
-  std::optional<Vec2> direction;  ///< I, J of a G40/G41/G42 block, in the plane, mm
+  std::optional<Vec2> direction;  ///< I, J of a G40/G41/G42 or G39 block, in the plane, mm
+  PathMotion::Join join = PathMotion::Join::kSharp;
+  PathMotion::Meet meet = PathMotion::Meet::kNo;
+  double join_size = 0.0;            ///< mm
+  double angle = 0.0, radius = 0.0;  ///< of over-determined blocks, see PathMotion
 };
 
 struct BlockPlan {
   NctState next;
   bool frames_changed = false;
+  bool transforms_changed = false;  ///< mirroring, scaling, rotation
   bool flush = false;
   const CoordinateChain* chain = nullptr;            ///< in force for the block's motion
-  std::optional<CoordinateChain> new_chain;          ///< with frames_changed: what `chain` points to
+  std::optional<CoordinateChain> new_chain;          ///< where one of these changed: what `chain` points to
   AxisPoint start;                                   ///< programmed position at the block's start, in `chain`
   const GCode* governor = nullptr;                   ///< the code that owns the axis words
   std::array<const GCode*, kGroupCount> by_group{};  ///< G codes of this block

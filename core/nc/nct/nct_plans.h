@@ -45,6 +45,15 @@ bool planTurningOffset(NctContext& c, BlockPlan& plan);
 /// G43.7, and H while it is in force: lengths of the row on X, Y and Z.
 bool planTurningLength(NctContext& c, BlockPlan& plan);
 
+// nct_transforms.cpp
+bool planRotation(NctContext& c, BlockPlan& plan);
+bool planScaling(NctContext& c, BlockPlan& plan);
+bool planMirror(NctContext& c, BlockPlan& plan);
+bool planMirrorOff(NctContext& c, BlockPlan& plan);
+
+// nct_contour.cpp
+bool planCornerArc(NctContext& c, BlockPlan& plan);
+
 // nct_cycles.cpp
 bool planCycle(NctContext& c, BlockPlan& plan);
 

@@ -9,6 +9,7 @@
 #include "core/nc/frames.h"
 #include "core/nc/nct/nct_axis_modal.h"
 #include "core/nc/nct/nct_codes.h"
+#include "core/nc/program_transforms.h"
 #include "core/nc/services/plane_frame.h"
 
 namespace proveout::nc {
@@ -65,6 +66,7 @@ struct NctState {
   LastWords last;
   AutomaticBits automatic;
   AxisModal axes;
+  Transforms transforms;
 
   /// The plane by its axes.
   WorkPlane workPlane() const { return WorkPlane(axes.plane_u, axes.plane_v, axes.plane_w); }

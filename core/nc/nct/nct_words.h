@@ -35,6 +35,9 @@ double turnsPerMinute(NctContext& c, const BlockPlan& plan);
 /// The feed in force. False: none is programmed.
 bool feedStyle(NctContext& c, BlockPlan& plan, FeedStyle& style);
 
+/// The plane of arcs and compensation.
+inline WorkPlane planeOf(const NctState& state) { return state.workPlane(); }
+
 /// What an axis word names.
 struct AxisWord {
   int axis = 0;           ///< index

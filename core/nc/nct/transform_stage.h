@@ -5,13 +5,21 @@
 
 namespace proveout::nc {
 
+struct NctContext;
+
+/// Takes what the program wrote through mirroring, scaling, rotation and the local shift. Under reflection
+/// arcs turn the other way and cutter compensation changes its side; its radius stays.
 class TransformStage final : public PathStage {
  public:
-  explicit TransformStage(const CoordinateChain& chain) : PathStage(StageSlot::kTransform), chain_(chain) {}
+  explicit TransformStage(NctContext& context) : PathStage(StageSlot::kTransform), c_(context) {}
   bool push(PathItem& item) override;
 
  private:
-  const CoordinateChain& chain_;
+  void transform(PathItem& item) const;
+  bool transformArc(PathItem& item);
+  bool rebuildArc(PathItem& item, double radius, const Vec3& center);
+
+  NctContext& c_;
 };
 
 }  // namespace proveout::nc

@@ -10,21 +10,6 @@ namespace {
 constexpr double kTangentTolerance = degToRad(0.001);  ///< corners straighter than this have one normal
 constexpr double kNearTangent = degToRad(0.5);         ///< rounded part-program coordinates
 constexpr double kClassTolerance = degToRad(1e-6);     ///< of the limits 90 and 180 deg
-constexpr double kTouchTolerance = 1e-6;               ///< mm; curves that miss each other by less touch
-
-/// An infinite line or a full circle.
-struct Curve {
-  bool circle = false;
-  Vec2 point = Vec2::Zero();       ///< on the line, or the centre
-  Vec2 direction = Vec2::UnitX();  ///< unit, lines
-  double radius = 0.0;             ///< circles, >= 0
-};
-
-struct Meeting {
-  std::array<Vec2, 2> points;
-  int count = 0;
-  void add(const Vec2& p) { points[count++] = p; }
-};
 
 double turnSign(const Element& e) { return e.sweep >= 0.0 ? 1.0 : -1.0; }
 
@@ -32,57 +17,22 @@ Vec2 arcTangent(const Element& e, const Vec2& at) {
   return turnSign(e) * leftOf((at - e.center).normalized());
 }
 
-Curve offsetLine(const Vec2& point, const Vec2& tangent, double rho) {
+PlaneCurve offsetLine(const Vec2& point, const Vec2& tangent, double rho) {
   return {false, point + rho * leftOf(tangent), tangent, 0.0};
 }
-Curve offsetAtStart(const Element& e, double rho) {
+PlaneCurve offsetAtStart(const Element& e, double rho) {
   if (e.kind != ElementKind::kArc) return offsetLine(planar(e.p0), startTangent(e), rho);
   return {true, e.center, Vec2::UnitX(), std::abs((planar(e.p0) - e.center).norm() - turnSign(e) * rho)};
 }
-Curve offsetAtEnd(const Element& e, double rho) {
+PlaneCurve offsetAtEnd(const Element& e, double rho) {
   if (e.kind != ElementKind::kArc) return offsetLine(planar(e.p1), endTangent(e), rho);
   return {true, e.center, Vec2::UnitX(), std::abs((planar(e.p1) - e.center).norm() - turnSign(e) * rho)};
 }
 
-Meeting meetLineLine(const Curve& a, const Curve& b) {
-  Meeting m;
-  const double sine = cross2(a.direction, b.direction);
-  if (std::abs(sine) < 1e-9) return m;  // parallel: would meet farther than 1e6 offsets away
-  m.add(a.point + a.direction * (cross2(b.point - a.point, b.direction) / sine));
-  return m;
-}
-
-Meeting meetLineCircle(const Curve& line, const Curve& circle) {
-  Meeting m;
-  const Vec2 foot = line.point + line.direction * line.direction.dot(circle.point - line.point);
-  const double distance = (foot - circle.point).norm();
-  if (distance > circle.radius + kTouchTolerance) return m;
-  const double half = std::sqrt(std::max(0.0, circle.radius * circle.radius - distance * distance));
-  m.add(foot + half * line.direction);
-  m.add(foot - half * line.direction);
-  return m;
-}
-
-Meeting meetCircles(const Curve& a, const Curve& b) {
-  Meeting m;
-  const Vec2 between = b.point - a.point;
-  const double d = between.norm();
-  if (d < kTinyLength || d > a.radius + b.radius + kTouchTolerance ||
-      d < std::abs(a.radius - b.radius) - kTouchTolerance) {
-    return m;
-  }
-  const double along = (d * d + a.radius * a.radius - b.radius * b.radius) / (2.0 * d);
-  const double half = std::sqrt(std::max(0.0, a.radius * a.radius - along * along));
-  const Vec2 unit = between / d;
-  m.add(a.point + along * unit + half * leftOf(unit));
-  m.add(a.point + along * unit - half * leftOf(unit));
-  return m;
-}
-
 /// The meeting point nearest to `p`; of two equally near ones the one behind `p` along `tangent`.
-std::optional<Vec2> meetNearest(const Curve& a, const Curve& b, const Vec2& p, const Vec2& tangent) {
-  const Meeting m = a.circle ? (b.circle ? meetCircles(a, b) : meetLineCircle(b, a))
-                             : (b.circle ? meetLineCircle(a, b) : meetLineLine(a, b));
+std::optional<Vec2> meetNearest(const PlaneCurve& a, const PlaneCurve& b, const Vec2& p,
+                                const Vec2& tangent) {
+  const Meeting m = meet(a, b);
   if (m.count == 0) return std::nullopt;
   if (m.count == 1) return m.points[0];
   const double d0 = (m.points[0] - p).norm(), d1 = (m.points[1] - p).norm();
@@ -326,7 +276,7 @@ std::optional<Vec2> meetOffsets(const Element& a, const Element& b) {
 std::optional<Vec2> meetLines(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
   const Vec2 a = a1 - a0, b = b1 - b0;
   if (a.norm() < kTinyLength || b.norm() < kTinyLength) return std::nullopt;
-  const Meeting m = meetLineLine({false, a0, a.normalized(), 0.0}, {false, b0, b.normalized(), 0.0});
+  const Meeting m = meet({false, a0, a.normalized(), 0.0}, {false, b0, b.normalized(), 0.0});
   if (m.count == 0) return std::nullopt;
   return m.points[0];
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/nc/services/cutter_comp.h"
+#include "core/nc/services/plane_curves.h"
 
 namespace proveout::comp_detail {
 
@@ -13,8 +14,6 @@ inline constexpr double kTinyLength = 1e-9;
 /// interference. A cutter of exactly the radius of a fillet fits.
 inline constexpr double kReverseTolerance = 1e-6;
 
-inline Vec2 leftOf(const Vec2& t) { return {-t.y(), t.x()}; }
-inline double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 inline Vec2 planar(const Vec3& p) { return p.head<2>(); }
 
 /// Unit direction of motion at the ends of a line or arc.

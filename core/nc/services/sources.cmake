@@ -1,6 +1,8 @@
 target_sources(proveout_core PRIVATE
   nc/services/arcs.cpp
   nc/services/bell_profile.cpp
+  nc/services/contour_corner.cpp
+  nc/services/contour_crossing.cpp
   nc/services/cutter_comp.cpp
   nc/services/cutter_comp_check.cpp
   nc/services/cutter_comp_corner.cpp
@@ -8,6 +10,8 @@ target_sources(proveout_core PRIVATE
   nc/services/pocket.cpp
   nc/services/speed_plan.cpp
   nc/services/virtual_plane.cpp)
+  nc/services/plane_curves.cpp
+  nc/services/speed_plan.cpp)
 # These use a detail namespace as a whole, which must not leak into their neighbours of a unity batch.
 set_source_files_properties(
   nc/services/cutter_comp.cpp nc/services/cutter_comp_check.cpp

@@ -25,7 +25,7 @@ TEST(Frames, ChainAndInverseAgree) {
   frames.basic[2] = {{300, 800, -50}, {10, 20, 30}};
   frames.shift52 = {5, 6, 7};
   frames.shift92 = {-8, 9, 10};
-  const CoordinateChain chain = frames.chain(3, {0, 0, 120});
+  const CoordinateChain chain = frames.chain({}, 3, {0, 0, 120});
   const Vec3 p(12.5, -7.25, 3.125);
   const Vec3 machine = chain.toMachine(p);
   expectNear(machine, basicRotation({10, 20, 30}) * (p + Vec3(-3, 15, 17)) + Vec3(301, 802, 73), 1e-12);
@@ -35,7 +35,7 @@ TEST(Frames, ChainAndInverseAgree) {
 TEST(Frames, PureShiftsStayExact) {
   WorkFrames frames;
   frames.basic[0].offset = {0.1, 0.2, 0.3};
-  const CoordinateChain chain = frames.chain(1, Vec3::Zero());
+  const CoordinateChain chain = frames.chain({}, 1, Vec3::Zero());
   EXPECT_EQ(chain.toMachine({1, 2, 3}), Vec3(1.1, 2.2, 3.3));
 }
 

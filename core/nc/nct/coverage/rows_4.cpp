@@ -38,7 +38,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-23.1.10-3003", kHost, kDone, "good/sysvar_automatic_bits.nc"},
     {"nct-23.1.10-3004", kTime, kDone, "good/sysvar_automatic_bits.nc"},
     {"nct-23.1.11-cntbs", kState, kDone, "good/sysvar_automatic_bits.nc"},
-    {"nct-23.1.12-3007", kState, kMissing, ""},
+    {"nct-23.1.12-3007", kState, kDone, "good/mirror_mask.nc"},
     {"nct-23.1.13-4000", kState, kDone, "good/sysvar_modal_words.nc"},
     {"nct-23.1.14-#4001", kState, kDone, "good/sysvar_modal_power_on.nc"},
     {"nct-23.1.14-#4101", kState, kDone, "good/functions_auxiliary.nc"},

@@ -20,6 +20,7 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(CycleParam::kCount)> kR
     bit("N1503.EAE", 1503, 6, kChannel, 0, "rigid tapping: acceleration of its own on the way out"),
     number("N1507", 1507, kChannel, 100, 1, 1000,
            "rigid tapping: returns to R between pecks, % (with N1503.ROE)"),
+    bit("N1503.CSM", 1503, kNamedBit, kChannel, 0, "G83.1, G84.1, G86.1 instead of G73, G74, G76"),
     number("N1504", 1504, kChannel, 1, 0, 1e3, "rigid tapping with Q: pull-back, mm"),
     number("N1505", 1505, kChannel, 1, 0, 1e3, "rigid tapping with Q and return to R: clearance, mm"),
     number("N1506", 1506, kChannel, 100, 1, 1000, "rigid tapping: feed out, % (with N1503.EOE)"),

@@ -16,6 +16,7 @@ enum class CycleParam : std::uint16_t {
   kTapReturnOverride,
   kTapExtractAcceleration,
   kTapReturn,
+  kSpecialCodes,
   kRigidChipBreakReturn,
   kRigidPeckClearance,
   kTapRetract,

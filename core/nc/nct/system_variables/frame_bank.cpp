@@ -133,7 +133,7 @@ VariableStatus FrameBank::write(int number, const Value& value) {
   } else {
     system.offset[cell.axis] = amount * unitOf(c_, cell.axis);
   }
-  c_.chain = c_.registers.frames.chain(c_.state.work_system, c_.state.length);
+  c_.chain = c_.chainOf(c_.state);
   c_.position = c_.chain.programOf(c_.machine);
   rebasePipe(c_);
   return kVariableRead;

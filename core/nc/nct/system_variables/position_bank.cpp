@@ -38,7 +38,7 @@ constexpr int kLowAxes = 20, kHighAxes = 50;
 
 /// The coordinates of work space without (`tip`) or with the length offset.
 CoordinateChain chainOf(const NctContext& c, bool tip) {
-  return c.registers.frames.chain(c.state.work_system, tip ? c.state.length : AxisPoint());
+  return c.registers.frames.chain(c.map, c.state.work_system, tip ? c.state.length : AxisPoint());
 }
 
 AxisPoint standing(const NctContext& c) { return c.state.compOn() ? c.emitter.machine() : c.machine; }

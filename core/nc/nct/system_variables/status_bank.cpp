@@ -13,6 +13,7 @@ enum Number : int {
   kCutting = 3002,
   kControl1 = 3003,
   kControl2 = 3004,
+  kMirrored = 3007,
   kDate = 3011,
   kTime = 3012,
   kPartsMade = 3901,
@@ -41,17 +42,19 @@ constexpr double kTestBit = 2.0;
 void StatusBank::addTo(VariableStore& store) {
   const auto add = [&](const char* name, int number) { store.addSymbol({name, number}); };
   for (const auto& [first, last] : {std::pair<int, int>{kClock, kControl2},
-                                    {kDate, kTime},
-                                    {kPartsMade, kPartsWanted},
-                                    {kPalletPlace, kPalletLast},
-                                    {kPalletUserFirst, kPalletUserLast},
-                                    {kSearchAndTest, kNoExactStop}}) {
+                                   {kMirrored, kMirrored},
+                                   {kDate, kTime},
+                                   {kPartsMade, kPartsWanted},
+                                   {kPalletPlace, kPalletLast},
+                                   {kPalletUserFirst, kPalletUserLast},
+                                   {kSearchAndTest, kNoExactStop}}) {
     store.addBank(first, last, *this);
   }
   add("CLOCK1", kClock);
   add("CLOCK2", kCutting);
   add("CNTL1", kControl1);
   add("CNTL2", kControl2);
+  add("MIRIMG", kMirrored);
   add("DATE", kDate);
   add("TIME", kTime);
   add("PRTSA", kPartsMade);
@@ -64,6 +67,16 @@ void StatusBank::addTo(VariableStore& store) {
   add("M_FHD", kNoStop);
   add("M_OV", kNoOverride);
   add("M_EST", kNoExactStop);
+}
+
+/// A bit for each mirrored axis, by the axis's number.
+double StatusBank::mirrorMask() const {
+  double mask = 0.0;
+  for (int axis = 0; axis < c_.axes.count(); ++axis) {
+    if (!c_.state.transforms.mirrored[static_cast<std::size_t>(axis)]) continue;
+    mask += std::ldexp(1.0, c_.axes.at(axis).number - 1);
+  }
+  return mask;
 }
 
 double StatusBank::timeOfDay() const {
@@ -100,6 +113,9 @@ VariableStatus StatusBank::read(int number, Value& out) {
       break;
     case kNoExactStop:
       out = is(bits.no_exact_stop);
+      break;
+    case kMirrored:
+      out = {mirrorMask()};
       break;
     case kDate:
       out = {static_cast<double>(c_.host.person.date)};

@@ -17,6 +17,7 @@ class StatusBank : public VariableBank {
 
  private:
   double timeOfDay() const;
+  double mirrorMask() const;
   VariableStatus writeBits(int number, const Value& value);
   VariableStatus writeCount(double& count, const Value& value);
   void tellPallets();

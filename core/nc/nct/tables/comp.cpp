@@ -9,8 +9,8 @@ namespace {
 using namespace rows;
 
 constexpr auto kG = std::to_array<GCode>({
-    refused(380, kOneShot, kSim, "nct-15.5.5-G38", "keep the compensation vector"),
-    refused(390, kOneShot, kSim, "nct-15.5.6-G39", "corner arc"),
+    modal(380, kOneShot, kSim, "nct-3-G38 nct-15.5.5-G38", "keep the compensation vector"),
+    action(390, kOneShot, kSim, "IJK", planCornerArc, false, "nct-3-G39 nct-15.5.6-G39", "corner arc"),
     modal(400, kGroupRadiusComp, kSim,
           "nct-3-G40 nct-15.5-G40 nct-15.5.3-G40 nct-15.5.3-IJK nct-15.5.3-noaxis", "cutter compensation off",
           "IJK"),

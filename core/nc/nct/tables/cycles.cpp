@@ -9,7 +9,7 @@ namespace {
 using namespace rows;
 
 constexpr GCode cycle(int code10, std::string_view ids, std::string_view meaning) {
-  return action(code10, kGroupCycle, kSim, "XYZUVWIJKRQEPL", planCycle, false, ids, meaning);
+  return action(code10, kGroupCycle, kSim, "XYZUVWIJKRQEPLa", planCycle, false, ids, meaning);
 }
 
 constexpr auto kG = std::to_array<GCode>({
@@ -29,6 +29,9 @@ constexpr auto kG = std::to_array<GCode>({
           "back boring, or boring with manual intervention"),
     cycle(880, "nct-3-G88 nct-18.1.14-G88", "boring with manual intervention"),
     cycle(890, "nct-3-G89 nct-18.1.15-G89", "boring with dwell, feed out"),
+    cycle(831, "nct-18-CSM", "high-speed peck drilling, with N1503.CSM"),
+    cycle(841, "nct-18-CSM", "left tapping, with N1503.CSM"),
+    cycle(861, "nct-18-CSM", "fine boring, with N1503.CSM"),
     modal(980, kGroupReturn, kSim, "nct-3-G98 nct-18-G98", "cycles return to the initial point"),
     modal(990, kGroupReturn, kSim, "nct-3-G99 nct-18-G99", "cycles return to point R"),
 });
@@ -43,6 +46,8 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
     {"cycle blocks", kSim,
      "nct-18.2-trigger nct-18.2-G04 nct-18.2-M nct-18.2-G43 nct-18.1.9-TSC nct-18.1.10-PTC",
      "which blocks of the cycle mode drill"},
+    {"single block", kHost, "nct-17.1-single nct-18.2-single nct-15.5-mode",
+     "a run is automatic mode: it never stops between blocks or inside cycles"},
     {"2053", kReject, "nct-18-2053", "no bottom point or R point"},
 });
 

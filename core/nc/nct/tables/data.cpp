@@ -16,6 +16,7 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
     {"#3003", kHost, "nct-23.1.10-3003", "single block suppressed"},
     {"#3004", kTime, "nct-23.1.10-3004", "STOP, override and exact stop suppressed"},
     {"#3006", kState, "nct-23.1.8-3006", "stop with a message"},
+    {"#3007", kState, "nct-23.1.12-3007", "mirrored axes"},
     {"#3011", kHost, "nct-23.1.9-3011", "date and time"},
     {"#3106", kHost, "nct-23.1.8-3106", "message"},
     {"#3107", kHost, "nct-23.1.8-3107", "message box"},

@@ -8,11 +8,12 @@ namespace {
 
 using namespace rows;
 
-constexpr AddressSet kArcWords = "XYZUVWIJKRL";
+constexpr AddressSet kArcWords = "XYZUVWIJKRLQcr";
 
 constexpr auto kG = std::to_array<GCode>({
-    action(0, kGroupMotion, kSim, kAxes, planRapid, false, "nct-4.1-G0 nct-6.1-rapid", "rapid positioning"),
-    action(10, kGroupMotion, kSim, kAxes, planLine, false, "nct-4.2-G1", "linear interpolation"),
+    action(0, kGroupMotion, kSim, "XYZUVWa", planRapid, false, "nct-4.1-G0 nct-6.1-rapid",
+           "rapid positioning"),
+    action(10, kGroupMotion, kSim, "XYZUVWQacr", planLine, false, "nct-4.2-G1", "linear interpolation"),
     action(20, kGroupMotion, kSim, kArcWords, planArc, false,
            "nct-4.3-G2 nct-4.3-R nct-4.3-IJK nct-4.3-full nct-4.3-vararc nct-4.3-Rsmall nct-4.3.1-spiral "
            "nct-4.3.2-helix nct-4.3.3-cone",

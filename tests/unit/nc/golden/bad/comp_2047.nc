@@ -18,4 +18,4 @@ file 0 main.nc
 main.nc:4:1: error[nct-2047]: no intersection point G41, G42: the tool does not fit into the inner corner
     G3 X-8 Y8 R8
     ^~~~~~~~~~~~
-alarm: 4 blocks, 2 motions, 1 errors, 0 warnings
+alarm: 5 blocks, 2 motions, 1 errors, 0 warnings

@@ -18,4 +18,4 @@ file 0 main.nc
 main.nc:4:1: error[nct-2049]: interference error: the compensated path runs against the programmed one
     G3 X45 Y5 R5
     ^~~~~~~~~~~~
-alarm: 5 blocks, 2 motions, 1 errors, 0 warnings
+alarm: 6 blocks, 2 motions, 1 errors, 0 warnings

@@ -1,0 +1,20 @@
+// Errors of the contour stages as alarms of the channel.
+#pragma once
+
+#include "core/nc/contour_stage.h"
+
+namespace proveout::nc {
+
+struct NctContext;
+
+/// Errors of the contour stages become alarms.
+class ContourAlarms final : public ContourReport {
+ public:
+  explicit ContourAlarms(NctContext& context) : c_(context) {}
+  bool contourError(const char* code, const char* message, const SourceRef& at) override;
+
+ private:
+  NctContext& c_;
+};
+
+}  // namespace proveout::nc

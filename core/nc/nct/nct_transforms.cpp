@@ -1,0 +1,162 @@
+#include "core/nc/nct/nct_transforms.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_words.h"
+
+namespace proveout::nc {
+namespace {
+
+/// Rotation and scaling go off in the reverse order: the outer one stays while the inner one is on.
+bool overlaps(NctContext& c, const char* what) {
+  return c.fail("nct-transform-order",
+                fmt::format("{}: of G68 and G51 the one that came last has to be ended first", what));
+}
+
+/// G68 and G51 may be given anew while they are on, unless the other one lies inside.
+bool outer(const Transforms& t, bool rotation) {
+  return t.rotates && t.scales && (rotation ? !t.rotation_inside : t.rotation_inside);
+}
+
+/// Where the machine is, in the coordinates in which the centre of a transform is given: those outside it.
+AxisPoint outside(const NctContext& c, const NctState& state, const Transforms& without) {
+  NctState copy = state;
+  copy.transforms = without;
+  return c.chainOf(copy).programOf(c.machine);
+}
+
+/// The axis words of a centre; axes without a word keep what `center` holds.
+bool centerWords(NctContext& c, const BlockPlan& plan, AxisPoint& center, AxisSet& named) {
+  for (const Word& w : c.block.words) {
+    AxisWord word;
+    if (!axisWord(plan, w, word)) continue;
+    const auto axis = static_cast<std::size_t>(word.axis);
+    if (named[axis]) return c.alarm(2017, w, "the axis is given twice in this block");
+    named.set(axis);
+    const double value = axisValue(c, plan, word, w);
+    center[word.axis] = word.step ? plan.start[word.axis] + value : value;
+  }
+  return true;
+}
+
+/// Factors that keep positions finite and the transform invertible.
+bool usableFactor(double value) { return value >= 1e-6 && value <= 1e6; }
+
+bool planeIsReal(NctContext& c, const BlockPlan& plan) {
+  if (plan.next.axes.mode == VirtualMode::kOff) return true;
+  return c.fail("nct-virtual-forbidden", "G68, G51 and G51.1 during G12.1 and G7.1 are not supported");
+}
+
+bool noMirrorHere(NctContext& c, const BlockPlan& plan) {
+  if (!planeIsReal(c, plan)) return false;
+  const Transforms& t = c.state.transforms;
+  if (!t.rotates && !t.scales && !plan.next.transforms.rotates && !plan.next.transforms.scales) return true;
+  return c.alarm(2001, "");
+}
+
+}  // namespace
+
+void renewChain(const NctContext& c, BlockPlan& plan) {
+  plan.transforms_changed = true;
+  plan.new_chain = c.chainOf(plan.next);
+  plan.chain = &*plan.new_chain;
+  plan.start = plan.chain->programOf(c.machine);
+}
+
+bool planTransformsOff(NctContext& c, BlockPlan& plan) {
+  Transforms& t = plan.next.transforms;
+  if (t.rotates && plan.next.active[kGroupRotation] != 690 && plan.next.plane() != t.rotation_plane) {
+    return c.fail("nct-plane-in-rotation", "the plane cannot change while a rotation (G68) is on");
+  }
+  const bool rotation = t.rotates && plan.next.active[kGroupRotation] == 690;
+  const bool scaling = t.scales && plan.next.active[kGroupScaling] == 500;
+  if (!rotation && !scaling) return true;
+  if (rotation != scaling && outer(t, rotation)) return overlaps(c, rotation ? "G69" : "G50");
+  if (rotation) t.rotates = false;
+  if (scaling) t.scales = false;
+  plan.transforms_changed = true;
+  return true;
+}
+
+bool planRotation(NctContext& c, BlockPlan& plan) {
+  Transforms& t = plan.next.transforms;
+  if (!planeIsReal(c, plan)) return false;
+  if (outer(t, true)) return overlaps(c, "G68");
+  const Word* r = c.word('R');
+  if (r == nullptr) return c.alarm(2004, "R", "G68 needs an angle");
+  const double old_angle = t.rotates ? t.angle_deg : 0.0;
+  t.rotates = false;
+  AxisPoint center = outside(c, plan.next, t);
+  AxisSet named;
+  if (!centerWords(c, plan, center, named)) return false;
+  const PlaneFrame frame(plan.next.plane());
+  t.rotates = true;
+  t.rotation_inside = t.scales;
+  t.rotation_plane = frame.plane();
+  t.pivot = {center[frame.u()], center[frame.v()]};
+  const bool add = r->incremental || plan.next.incremental();
+  t.angle_deg = add ? old_angle + r->value : r->value;
+  renewChain(c, plan);
+  return true;
+}
+
+bool planScaling(NctContext& c, BlockPlan& plan) {
+  Transforms& t = plan.next.transforms;
+  if (!planeIsReal(c, plan)) return false;
+  if (outer(t, false)) return overlaps(c, "G51");
+  const Word* p = c.word('P');
+  const bool single = !(c.block.present & AddressSet("IJK")).empty();
+  if (p && single) return c.alarm(2017, *p, "G51 takes P or I, J, K");
+  if (!p && !single) return c.alarm(2004, "P", "G51 needs a factor: P, or I, J, K");
+  t.scales = false;
+  AxisPoint center = outside(c, plan.next, t);
+  AxisSet named;
+  if (!centerWords(c, plan, center, named)) return false;
+  t.factors = Vec3::Constant(p ? p->value : 1.0);
+  if (p && !usableFactor(p->value)) {
+    return c.failWord("nct-2002", "P data out of range: a factor from 0.000001 to 1000000", *p);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const Word* w = c.word("IJK"[axis]);
+    if (w == nullptr) continue;
+    if (!usableFactor(std::abs(w->value))) {
+      return c.alarm(2002, *w, "a factor from 0.000001 to 1000000, or its opposite");
+    }
+    t.factors[axis] = w->value;
+  }
+  t.scales = true;
+  t.scales_further = p != nullptr;
+  t.rotation_inside = false;
+  t.scale_center = center;
+  renewChain(c, plan);
+  return true;
+}
+
+bool planMirror(NctContext& c, BlockPlan& plan) {
+  if (!noMirrorHere(c, plan)) return false;
+  if (!c.anyAxisWord()) return c.alarm(2004, "", "G51.1 needs axis words");
+  Transforms& t = plan.next.transforms;
+  AxisSet named;
+  if (!centerWords(c, plan, t.mirror, named)) return false;
+  t.mirrored |= named;
+  renewChain(c, plan);
+  return true;
+}
+
+bool planMirrorOff(NctContext& c, BlockPlan& plan) {
+  if (!noMirrorHere(c, plan)) return false;
+  Transforms& t = plan.next.transforms;
+  AxisPoint values;
+  AxisSet named;
+  if (!centerWords(c, plan, values, named)) return false;
+  if (named.none()) named.set();
+  t.mirrored &= ~named;
+  if (t.mirrored.any()) plan.next.active[kGroupMirror] = 511;
+  renewChain(c, plan);
+  return true;
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,12 @@
+=== about
+proves: nct-17.1-2085
+=== main
+G1 X30 Z5 ,R5 F100
+Y20
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2085]: illegal chamfer or rounding: both blocks have to lie in the selected plane
+    G1 X30 Z5 ,R5 F100
+    ^~~~~~~~~~~~~~~~~~
+alarm: 2 blocks, 0 motions, 1 errors, 0 warnings

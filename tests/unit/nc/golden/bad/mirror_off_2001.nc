@@ -1,0 +1,14 @@
+=== about
+proves: nct-16.3-2001
+=== main
+G17 G90 G0 X0 Y0
+G51.1 X10
+G51 X0 Y0 P2
+G50.1 X0
+M30
+=== expect
+file 0 main.nc
+main.nc:4:1: error[nct-2001]: mirroring cannot be switched on or off in state G51 or G68
+    G50.1 X0
+    ^~~~~~~~
+alarm: 4 blocks, 0 motions, 1 errors, 0 warnings
