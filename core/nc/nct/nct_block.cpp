@@ -148,7 +148,8 @@ bool planModal(NctContext& c, BlockPlan& plan) {
     if (code == nullptr) continue;
     next.active[g] = code->code10;
     if (g == kOneShot || g == kGroupMotion || g == kGroupCycle) continue;
-    if (code->plan != nullptr ? !takeAxisWords(c, plan, *code) : !claim(c, plan, *code)) return false;
+    const bool governs = code->plan != nullptr && (code->code10 != 501 || c.anyAxisWord());
+    if (governs ? !takeAxisWords(c, plan, *code) : !claim(c, plan, *code)) return false;
   }
   if (plan.by_group[kGroupPlane] && !planPlane(c, plan)) return false;
   next.axes.threading = false;

@@ -50,6 +50,10 @@ struct Holes {
   AxisPoint step;       ///< position or step per axis, mm
   AxisSet incremental;  ///< axes with a step
   std::int64_t repeat = 1;
+  bool polar = false;                       ///< G16: plan.motion.target is the first hole
+  bool from_hole = false;                   ///< the radius counts from hole to hole
+  double radius = 0.0;                      ///< mm
+  double angle_step = 0.0;                  ///< degrees from hole to hole
   double initial = 0.0, r = 0.0;            ///< program space
   double work_initial = 0.0, work_r = 0.0;  ///< the same in work space
 };
@@ -103,6 +107,23 @@ bool chooseDrillAxis(NctContext& c, const BlockPlan& plan, int& drill) {
 
 namespace {
 
+/// Holes in polar data: axisTarget() has found the first one.
+void polarHoles(const NctContext& c, const BlockPlan& plan, Holes& holes) {
+  const WorkPlane plane = planeOf(plan.next);
+  for (const Word& w : c.block.words) {
+    AxisWord word;
+    if (!axisWord(plan, w, word) || (word.axis != plane.u && word.axis != plane.v)) continue;
+    holes.polar = true;
+    if (word.axis == plane.u) {
+      holes.from_hole = word.step;
+      holes.radius = axisValue(c, plan, word, w);
+    } else if (word.step) {
+      holes.angle_step = w.value;
+    }
+  }
+  if (!holes.from_hole) holes.radius = plan.next.axes.polar.radius;
+}
+
 /// Holes by one coordinate and ,A: planDirection() has found the other one, which steps as its sister does.
 void directedHoles(const BlockPlan& plan, Holes& holes) {
   const WorkPlane plane = planeOf(plan.next);
@@ -148,6 +169,7 @@ bool planCycle(NctContext& c, BlockPlan& plan) {
     }
   }
   if (c.block.present.has(kCommaDirection)) directedHoles(plan, holes);
+  if (plan.next.active[kGroupPolarData] == 160) polarHoles(c, plan, holes);
   if (const Word* r = c.ownWord(plan, 'R')) {
     words.r = lengthOf(plan, *r);
     words.r_incremental = r->incremental || plan.next.incremental();
@@ -273,15 +295,36 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
   return c.fail("nct-2002", "drilling data out of range");
 }
 
+/// The next hole in polar data; the angle goes on from the block's own.
+void polarHole(BlockPlan& plan, const AxisPoint& last, bool first, AxisPoint& hole) {
+  const Holes& holes = plan.payload.as<Holes>();
+  const WorkPlane plane = planeOf(plan.next);
+  PolarData& polar = plan.next.axes.polar;
+  if (first) {
+    hole[plane.u] = plan.motion.target[plane.u];
+    hole[plane.v] = plan.motion.target[plane.v];
+    return;
+  }
+  polar.angle_deg += holes.angle_step;
+  const double angle = degToRad(polar.angle_deg);
+  hole[plane.u] = (holes.from_hole ? last[plane.u] : 0.0) + holes.radius * std::cos(angle);
+  hole[plane.v] = (holes.from_hole ? last[plane.v] : 0.0) + holes.radius * std::sin(angle);
+  polar.u = hole[plane.u];
+  polar.v = hole[plane.v];
+  polar.radius = std::hypot(polar.u, polar.v);
+}
+
 bool performCycle(NctContext& c, BlockPlan& plan) {
   AxisPoint hole = c.position;
   const Holes& holes = plan.payload.as<Holes>();
   for (std::int64_t k = 0; k < holes.repeat; ++k) {
+    const AxisPoint last = hole;
     for (int axis = 0; axis < c.axes.count(); ++axis) {
       if (axis == plan.next.cycle.drill_axis || !plan.motion.named[static_cast<std::size_t>(axis)]) continue;
       const bool step = holes.incremental[static_cast<std::size_t>(axis)];
       hole[axis] = step ? hole[axis] + holes.step[axis] : holes.step[axis];
     }
+    if (holes.polar) polarHole(plan, last, k == 0, hole);
     if (k > 0 && c.work.over()) return false;
     if (!cycleHole(c, plan, hole, k == 0)) return false;
   }

@@ -52,9 +52,19 @@ bool planeIsReal(NctContext& c, const BlockPlan& plan) {
 
 bool noMirrorHere(NctContext& c, const BlockPlan& plan) {
   if (!planeIsReal(c, plan)) return false;
-  const Transforms& t = c.state.transforms;
-  if (!t.rotates && !t.scales && !plan.next.transforms.rotates && !plan.next.transforms.scales) return true;
-  return c.alarm(2001, "");
+  const Transforms& t = plan.next.transforms;
+  return (!t.rotates && !t.scales) || c.alarm(2001, "");
+}
+
+/// G50.1 without axis words: no axis is mirrored any more.
+bool endMirrors(NctContext& c, BlockPlan& plan) {
+  const GCode* code = plan.by_group[kGroupMirror];
+  Transforms& t = plan.next.transforms;
+  if (code == nullptr || code->code10 != 501 || c.anyAxisWord() || t.mirrored.none()) return true;
+  if (!noMirrorHere(c, plan)) return false;
+  t.mirrored.reset();
+  plan.transforms_changed = true;
+  return true;
 }
 
 }  // namespace
@@ -73,12 +83,11 @@ bool planTransformsOff(NctContext& c, BlockPlan& plan) {
   }
   const bool rotation = t.rotates && plan.next.active[kGroupRotation] == 690;
   const bool scaling = t.scales && plan.next.active[kGroupScaling] == 500;
-  if (!rotation && !scaling) return true;
   if (rotation != scaling && outer(t, rotation)) return overlaps(c, rotation ? "G69" : "G50");
   if (rotation) t.rotates = false;
   if (scaling) t.scales = false;
-  plan.transforms_changed = true;
-  return true;
+  plan.transforms_changed = rotation || scaling;
+  return endMirrors(c, plan);
 }
 
 bool planRotation(NctContext& c, BlockPlan& plan) {
@@ -152,7 +161,6 @@ bool planMirrorOff(NctContext& c, BlockPlan& plan) {
   AxisPoint values;
   AxisSet named;
   if (!centerWords(c, plan, values, named)) return false;
-  if (named.none()) named.set();
   t.mirrored &= ~named;
   if (t.mirrored.any()) plan.next.active[kGroupMirror] = 511;
   renewChain(c, plan);

@@ -37,7 +37,8 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
     {"length axes", kSim, "nct-15.3-ZAX nct-15.3-PLN nct-15.3-AXES nct-15.3-N1300",
      "axes of length compensation"},
     {"comp corners", kSim,
-     "nct-15.5-alpha nct-15.5.2-zero nct-15.5.2-spiral nct-15.5.2-N1405 nct-15.5.1-zeromove "
+     "nct-15.5-alpha nct-15.5-parplane nct-15.5.2-zero nct-15.5.2-spiral nct-15.5.2-N1405 "
+     "nct-15.5.1-zeromove "
      "nct-15.5.1-nextzero",
      "corner classes of cutter compensation"},
     {"comp functions", kSim, "nct-15.5.2-passthrough nct-15.5.2-flush nct-15.5.2-skip",
