@@ -230,15 +230,12 @@ Status Remover::run() {
 
 void Remover::commit() {
   std::vector<const LeafChange*> changes;
-  std::vector<CutLeaf*> leaves;
-  for (CutLeaf& leaf : cut_) {
-    changes.push_back(&leaf.change);
-    leaves.push_back(&leaf);
-  }
-  commitChanges(impl_, changes, [&](std::size_t i, const LeafEdges& edges, const auto& before) {
-    std::vector<Crossing> found = findCrossings(*leaves[i], edges, before);
-    ReachList().swap(leaves[i]->passes);
-    leaves[i]->open.reset();
+  for (const CutLeaf& leaf : cut_) changes.push_back(&leaf.change);
+  commitChanges(impl_, changes, [this](std::size_t i, const LeafEdges& edges, const auto& before) {
+    CutLeaf& leaf = cut_[i];
+    std::vector<Crossing> found = findCrossings(leaf, edges, before);
+    ReachList().swap(leaf.passes);
+    leaf.open.reset();
     return found;
   });
 }

@@ -71,12 +71,6 @@ bool segmentMeets(const Vec3& p, const Vec3& q, const Points& t) {
   return sameSide(orient(p, q, t[0], t[1]), orient(p, q, t[1], t[2]), orient(p, q, t[2], t[0]));
 }
 
-Points pointsOf(const TriMesh& mesh, std::uint32_t t) {
-  const auto& v = mesh.triangles[t];
-  return {mesh.positions[v[0]].cast<double>(), mesh.positions[v[1]].cast<double>(),
-          mesh.positions[v[2]].cast<double>()};
-}
-
 /// Whether the corners of `q`, apart from number `but`, are all off the plane of `t` on one side.
 bool apart(const Points& t, const Points& q, int but) {
   const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -325,6 +319,12 @@ std::vector<std::array<std::uint32_t, 2>> Finder::find() {
 
 }  // namespace
 
+std::array<Vec3, 3> cornersOf(const TriMesh& mesh, std::uint32_t t) {
+  const auto& v = mesh.triangles[t];
+  return {mesh.positions[v[0]].cast<double>(), mesh.positions[v[1]].cast<double>(),
+          mesh.positions[v[2]].cast<double>()};
+}
+
 bool trianglesMeet(const TriMesh& mesh, std::uint32_t s, std::uint32_t t) {
   const auto &a = mesh.triangles[s], &b = mesh.triangles[t];
   int common = 0, at_a = 0, at_b = 0, sum_b = 0;
@@ -338,7 +338,7 @@ bool trianglesMeet(const TriMesh& mesh, std::uint32_t s, std::uint32_t t) {
     }
   }
   if (common >= 3) return true;
-  const Points p = pointsOf(mesh, s), q = pointsOf(mesh, t);
+  const Points p = cornersOf(mesh, s), q = cornersOf(mesh, t);
   if (common == 2) {  // folded flat onto each other
     if (orient(p[0], p[1], p[2], q[3 - sum_b]) != 0.0) return false;
     const Vec3 n = (p[1] - p[0]).cross(p[2] - p[0]), m = (q[1] - q[0]).cross(q[2] - q[0]);
@@ -359,7 +359,7 @@ bool trianglesMeet(const TriMesh& mesh, std::uint32_t s, std::uint32_t t) {
 }
 
 bool isNeedle(const TriMesh& mesh, std::uint32_t t) {
-  const Points p = pointsOf(mesh, t);
+  const Points p = cornersOf(mesh, t);
   const Vec3 a = p[1] - p[0], b = p[2] - p[0];
   const double size2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
   return a.cross(b).squaredNorm() <= kFlat * kFlat * size2 * size2;

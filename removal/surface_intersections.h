@@ -17,6 +17,8 @@ namespace proveout {
 std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
                                                             std::span<const std::uint8_t> suspect);
 
+/// Corners of a triangle, for exacter sums than its floats allow.
+std::array<Vec3, 3> cornersOf(const TriMesh& mesh, std::uint32_t t);
 /// Whether two triangles of the mesh meet elsewhere than in their common corners; s < t.
 bool trianglesMeet(const TriMesh& mesh, std::uint32_t s, std::uint32_t t);
 /// Whether a triangle is a line, as good as.

@@ -93,11 +93,6 @@ class Blocks {
   double scale_;
 };
 
-Points pointsOf(const TriMesh& mesh, const Triangle& t) {
-  return {mesh.positions[t[0]].cast<double>(), mesh.positions[t[1]].cast<double>(),
-          mesh.positions[t[2]].cast<double>()};
-}
-
 /// What is around the pairs, in groups that do not touch each other.
 class Surroundings {
  public:
@@ -134,7 +129,7 @@ Surroundings::Surroundings(const TriMesh& mesh, double cell_mm, const std::vecto
 void Surroundings::mark(const TriMesh& mesh, double margin, const std::vector<Pair>& pairs) {
   for (const Pair& pair : pairs) {
     for (const std::uint32_t t : pair) {
-      const Points p = pointsOf(mesh, mesh.triangles[t]);
+      const Points p = cornersOf(mesh, t);
       blocks_.each(lowOf(p) - Vec3::Constant(margin), highOf(p) + Vec3::Constant(margin),
                    [&](std::uint64_t key) {
                      marked_.insert(key);
@@ -145,8 +140,8 @@ void Surroundings::mark(const TriMesh& mesh, double margin, const std::vector<Pa
 }
 
 std::vector<std::uint32_t> Surroundings::nearTriangles(const TriMesh& mesh) const {
-  const auto isNear = [&](std::size_t t) {
-    const Points p = pointsOf(mesh, mesh.triangles[t]);
+  const auto isNear = [&](std::uint32_t t) {
+    const Points p = cornersOf(mesh, t);
     bool inside = false;
     blocks_.each(lowOf(p), highOf(p), [&](std::uint64_t key) {
       inside = inside || (maybe_[slotOf(key)] != 0 && marked_.contains(key));
@@ -157,7 +152,8 @@ std::vector<std::uint32_t> Surroundings::nearTriangles(const TriMesh& mesh) cons
   std::vector<std::vector<std::uint32_t>> found(parts);
   parallelFor(std::size_t{0}, parts, [&](std::size_t part) {
     for (std::size_t t = part * kPart; t < std::min(count, (part + 1) * kPart); ++t) {
-      if (isNear(t)) found[part].push_back(static_cast<std::uint32_t>(t));
+      const auto number = static_cast<std::uint32_t>(t);
+      if (isNear(number)) found[part].push_back(number);
     }
   });
   std::vector<std::uint32_t> near;
@@ -171,7 +167,7 @@ void Surroundings::share(const TriMesh& mesh, const std::vector<std::uint32_t>& 
   DisjointSets sets(near.size());
   std::unordered_map<std::uint64_t, std::uint32_t> first;
   for (std::uint32_t i = 0; i < near.size(); ++i) {
-    const Points p = pointsOf(mesh, mesh.triangles[near[i]]);
+    const Points p = cornersOf(mesh, near[i]);
     blocks_.each(lowOf(p), highOf(p),
                  [&](std::uint64_t key) { sets.join(first.try_emplace(key, i).first->second, i); });
   }
@@ -216,7 +212,7 @@ class Mender {
     double moved = 0.0;       ///< between old and new surface
   };
 
-  Points points(std::uint32_t t) const { return pointsOf(mesh_, mesh_.triangles[t]); }
+  Points points(std::uint32_t t) const { return cornersOf(mesh_, t); }
   bool gone(std::uint32_t t) const { return mesh_.triangles[t][0] == kGone; }
   bool whole(std::uint32_t v) const { return around_.whole(mesh_.positions[v].cast<double>()); }
   void insert(std::uint32_t t);
