@@ -19,12 +19,6 @@ InterruptSwitch interruptSwitch(const NctParameters& parameters, const Word& w) 
   return m == on ? InterruptSwitch::kOn : m == off ? InterruptSwitch::kOff : InterruptSwitch::kNone;
 }
 
-namespace {
-
-constexpr int kChannel = 1;
-
-}  // namespace
-
 /// Takes the program of M96 out of the block. False: it was not found, reported.
 bool NctControl::takeInterruptWords() {
   NctContext& c = context_;
@@ -50,7 +44,7 @@ bool NctControl::takeInterruptWords() {
   std::int64_t number = 0;
   const Word* p = c.word('P');
   if (c.parameters.flag(MacroParam::kInterruptFromSystem) && p != nullptr && !c.block.has_file) {
-    if (!integerWord(c, *p, 1, 9999, number) || !take(c.programs.system(number, kChannel), frame))
+    if (!integerWord(c, *p, 1, 9999, number) || !take(c.programs.system(number, kSystemChannel), frame))
       return false;
   } else if (!loadCalled(frame, "M96", c.calls.main().file)) {
     return false;

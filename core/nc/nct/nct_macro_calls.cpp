@@ -13,9 +13,6 @@ namespace {
 
 constexpr std::int32_t kOneShotCall = 650, kAfterMotion = 660, kFromBlock = 661, kCancel = 670;
 
-/// Channel of the system macros' folder.
-constexpr int kChannel = 1;
-
 /// May an assigned code call here (manual 23.3.4-23.3.8)? Inside the program that it started it may not;
 /// inside other system programs only where N1755 ENC says so, and never a G code inside one of a G code.
 bool mayCall(const NctContext& c, std::int32_t code) {
@@ -135,7 +132,7 @@ bool NctControl::systemFrame(const MacroCall& call, CallFrame& frame) {
   frame.kind = !call.system.modal                                   ? CallKind::kSystem
                : c.parameters.flag(MacroParam::kModalFromEachBlock) ? CallKind::kBlockMacro
                                                                     : CallKind::kModalMacro;
-  return take(c.programs.system(call.system.program, kChannel), frame);
+  return take(c.programs.system(call.system.program, kSystemChannel), frame);
 }
 
 /// G66.1 is active: the block is a list of arguments.
@@ -203,7 +200,7 @@ bool NctControl::takeSubprogramWords() {
     taken = {CallFrame(), w.value, call.variable};
     taken.frame.kind = CallKind::kSubprogram;
     taken.frame.system_code = call.code;
-    if (!take(c.programs.system(call.program, kChannel), taken.frame)) return false;
+    if (!take(c.programs.system(call.program, kSystemChannel), taken.frame)) return false;
   }
   if (subprogram_count_ == 0) return true;
   std::erase_if(words, [&](const Word& w) { return subprogramOf(w, call); });

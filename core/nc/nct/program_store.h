@@ -16,6 +16,9 @@
 
 namespace proveout::nc {
 
+/// The channel whose system macros are called: a run has one channel.
+inline constexpr int kSystemChannel = 1;
+
 /// Texts by index; the index is the file index of the path. The channels of a run share one store.
 class ProgramStore {
  public:
