@@ -37,17 +37,20 @@ enum Number : int {
 /// Bits of #_CNTBS.
 constexpr double kTestBit = 2.0;
 
+/// Whole milliseconds; sums of times that end at one may come out a little below it.
+double wholeMs(double ms) { return std::floor(ms + 1e-6); }
+
 }  // namespace
 
 void StatusBank::addTo(VariableStore& store) {
   const auto add = [&](const char* name, int number) { store.addSymbol({name, number}); };
   for (const auto& [first, last] : {std::pair<int, int>{kClock, kControl2},
-                                   {kMirrored, kMirrored},
-                                   {kDate, kTime},
-                                   {kPartsMade, kPartsWanted},
-                                   {kPalletPlace, kPalletLast},
-                                   {kPalletUserFirst, kPalletUserLast},
-                                   {kSearchAndTest, kNoExactStop}}) {
+                                    {kMirrored, kMirrored},
+                                    {kDate, kTime},
+                                    {kPartsMade, kPartsWanted},
+                                    {kPalletPlace, kPalletLast},
+                                    {kPalletUserFirst, kPalletUserLast},
+                                    {kSearchAndTest, kNoExactStop}}) {
     store.addBank(first, last, *this);
   }
   add("CLOCK1", kClock);
@@ -93,10 +96,10 @@ VariableStatus StatusBank::read(int number, Value& out) {
   const bool test = c_.host.person.test_mode;
   switch (number) {
     case kClock:
-      out = {std::floor(c_.clock.now_s() * 1000.0 - clock_start_ms_)};
+      out = {wholeMs(c_.clock.now_s() * 1000.0 - clock_start_ms_)};
       break;
     case kCutting:
-      out = {std::floor(c_.clock.cutting_s() * 1000.0 - cutting_start_ms_)};
+      out = {wholeMs(c_.clock.cutting_s() * 1000.0 - cutting_start_ms_)};
       break;
     case kControl1:
     case kNoSingleBlock:

@@ -42,7 +42,8 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
      "nct-18-ops nct-18-axis nct-18-init nct-18-hole nct-18-bottom nct-18-R nct-18-IJK nct-18-Q nct-18-E "
      "nct-18-L",
      "words and operations of drilling cycles"},
-    {"cycle times", kTime, "nct-18-P nct-18-F nct-18-I nct-18.1.9-EOE", "dwell, feed and feed out of cycles"},
+    {"cycle times", kTime, "nct-18-P nct-18-F nct-18-I nct-18-S nct-18.1.9-EOE",
+     "dwell, feed, speed and feed out of cycles"},
     {"cycle blocks", kSim,
      "nct-18.2-trigger nct-18.2-G04 nct-18.2-M nct-18.2-G43 nct-18.1.9-TSC nct-18.1.10-PTC",
      "which blocks of the cycle mode drill"},

@@ -73,7 +73,8 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
      "pocket milling"},
     {"macro blocks", kState, "nct-23.5-blocks nct-23.5-MBM nct-23.5-SBM nct-23.5-G53",
      "run in the order of the text, whatever the control reads ahead"},
-    {"M other", kHost, "nct-13.1-Mother", "functions of the machine builder"},
+    {"M other", kHost, "nct-1.1-M nct-13.1-Mother nct-13.1-M90 nct-13.1-M400",
+     "functions of the machine builder"},
 });
 
 }  // namespace

@@ -1,3 +1,5 @@
+=== about
+proves: nct-15.5.1-arc
 === settings
 D1 = 2
 === main

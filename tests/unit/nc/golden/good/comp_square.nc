@@ -1,5 +1,5 @@
 === about
-proves: nct-15.5-G42 nct-15.5-G40 nct-15.1-D nct-15.5.3-G40
+proves: nct-15.5-G42 nct-15.5-G40 nct-15.1-D nct-15.5.3-G40 nct-3-G42 nct-3-G40
 === settings
 D1 = 5
 H1 = 0

@@ -1,6 +1,6 @@
 === about
 I is the feed out in percent: 30 and 120 mm/min.
-proves: nct-18.1.12-G86 nct-18.1.14-G88 nct-18.1.15-G89 nct-18.1.11-G85
+proves: nct-18.1.12-G86 nct-18.1.14-G88 nct-18.1.15-G89 nct-18.1.11-G85 nct-3-G85 nct-3-G86 nct-3-G88 nct-3-G89
 === main
 G0 Z50 S100 M3
 G99 G86 X10 Z-20 R2 F60

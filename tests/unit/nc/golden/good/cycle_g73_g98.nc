@@ -1,5 +1,5 @@
 === about
-proves: nct-18.1.1-G73 nct-18-G98 nct-3-G98
+proves: nct-18.1.1-G73 nct-18-G98 nct-3-G98 nct-3-G73
 === main
 G90 G17 G0 X0 Y0 Z20 M3
 G98 G73 X0 Y0 Z-30 R2 Q6 E1 F100

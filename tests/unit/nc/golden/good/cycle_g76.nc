@@ -1,5 +1,5 @@
 === about
-proves: nct-18-IJK nct-18.1.3-G76
+proves: nct-18-IJK nct-18.1.3-G76 nct-3-G76
 === main
 G0 X0 Y0 Z50 S100 M3
 G99 G76 X10 Y0 I-1 Z-25 R2 P1 F40

@@ -1,5 +1,5 @@
 === about
-proves: nct-18-ops nct-18-Q nct-18-E nct-18-R nct-18-bottom nct-18.1.7-G83 nct-18-G99 nct-3-G99
+proves: nct-18-ops nct-18-Q nct-18-E nct-18-R nct-18-bottom nct-18.1.7-G83 nct-18-G99 nct-3-G99 nct-3-G83
 === main
 G90 G17 G0 X0 Y0 Z20 M3
 G99 G83 X0 Y0 Z-30 R2 Q6 E1 F100

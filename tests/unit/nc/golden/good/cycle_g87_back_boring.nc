@@ -1,5 +1,5 @@
 === about
-proves: nct-18.1.13-G87B
+proves: nct-18.1.13-G87B nct-3-G87
 === main
 G0 X0 Y0 Z50 S100 M3
 G98 G87 X10 Y0 I-2 J0 Z-20 R-30 F60

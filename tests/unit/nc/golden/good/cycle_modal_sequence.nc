@@ -1,5 +1,5 @@
 === about
-proves: nct-18.2-M nct-18-hole nct-18.1.6-G82 nct-18.1.4-G80 nct-18.1.11-G85
+proves: nct-18.2-M nct-18-hole nct-18.1.6-G82 nct-18.1.4-G80 nct-18.1.11-G85 nct-3-G80 nct-3-G81 nct-3-G82
 === main
 N1 G17 G0 Z10 M3 S1000
 N2 G81 X10 Y10 Z-5 R2 F100

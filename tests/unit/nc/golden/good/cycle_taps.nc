@@ -1,5 +1,5 @@
 === about
-proves: nct-18.1.2-G74 nct-18.1.8-G84 nct-18.1.9-G84.2 nct-18.1.9-G84.3 nct-18.1.10-G84.2Q
+proves: nct-18.1.2-G74 nct-18.1.8-G84 nct-18.1.9-G84.2 nct-18.1.9-G84.3 nct-18.1.10-G84.2Q nct-3-G74 nct-3-G84 nct-3-G84.2 nct-3-G84.3
 === main
 G0 Z50 S100 M4
 G98 G74 X10 Z-20 R2 P1 F100

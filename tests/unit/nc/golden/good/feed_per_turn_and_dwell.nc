@@ -1,6 +1,6 @@
 === about
 F0.5 at 600 rpm is 300 mm/min; P5 in G95 at 600 rpm is 0.5 s.
-proves: nct-6.2.1-G94 nct-6.2.1-G95 nct-8-G4 nct-6.2-F nct-11.2-M3 nct-11.2-M5 nct-11.1-S
+proves: nct-6.2.1-G94 nct-6.2.1-G95 nct-8-G4 nct-6.2-F nct-11.2-M3 nct-11.2-M5 nct-11.1-S nct-3-G94 nct-3-G95 nct-3-G4
 === main
 G94 G1 X10 F100
 S600 M3
@@ -11,8 +11,8 @@ G94 G4 P2.5
 M5
 M30
 === truth
-10 0 0
-20 0 0
+10 0 0 F 100 t 6
+20 0 0 F 300 t 2
 === expect
 file 0 main.nc
 1: feed from 0 0 0 to 10 0 0 F100 t6

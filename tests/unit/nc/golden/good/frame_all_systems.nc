@@ -1,5 +1,5 @@
 === about
-proves: nct-10.2.1-G57 nct-10.2.1-G58 nct-10.2.1-G59
+proves: nct-10.2.1-G57 nct-10.2.1-G58 nct-10.2.1-G59 nct-3-G57 nct-3-G58 nct-3-G59
 === settings
 G57 = 40 0 0
 G58 = 50 0 0

@@ -1,6 +1,6 @@
 === about
 Workpiece frame: machine minus (300,800). N2 is where the tool already is: no motion.
-proves: nct-10.2.1-G54 nct-10.2.1-G55 nct-10.2.1-G56
+proves: nct-10.2.1-G54 nct-10.2.1-G55 nct-10.2.1-G56 nct-3-G56
 === settings
 G54 = 300 800 0
 G55 = 1300 400 0

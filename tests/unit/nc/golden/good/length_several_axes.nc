@@ -1,5 +1,5 @@
 === about
-proves: nct-15.3-G44 nct-15.3-G43 nct-15.3-G49
+proves: nct-15.3-G44 nct-15.3-G43 nct-15.3-G49 nct-3-G43 nct-3-G44 nct-3-G49
 === settings
 H15 = 15
 H16 = 16
