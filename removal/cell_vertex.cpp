@@ -202,7 +202,9 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   Vec3 x = creaseNear(faces, mean);
   const bool refine = refiner != nullptr && refiner->needed(false);
   if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
-  if (refine && outsideBy(x) <= kVertexReach) refiner->toCrease(x);
+  if (refine && outsideBy(x) <= kVertexReach && !refiner->toCrease(x) && one_face) {
+    return smoothVertex(points, mean, sum, refiner);  // beside an apex, where a face turns as if it broke
+  }
   const double beyond = outsideBy(x);
   if (beyond <= -kWallGap) {
     out.p = out.inside = x;

@@ -207,7 +207,7 @@ bool VertexRefiner::isSmooth(const Vec3& x) {
   return !isSharp(meanNormal(), across.normalized(), at);
 }
 
-void VertexRefiner::toCrease(Vec3& x) {
+bool VertexRefiner::toCrease(Vec3& x) {
   Vec3 at = x;
   bool rests;
   if (oneBody()) {
@@ -218,7 +218,9 @@ void VertexRefiner::toCrease(Vec3& x) {
   } else {
     rests = ontoFaces(at);
   }
-  if (rests && (at - x).squaredNorm() < kMostMoved * kMostMoved) x = at;
+  if (!rests || (at - x).squaredNorm() >= kMostMoved * kMostMoved) return false;
+  x = at;
+  return true;
 }
 
 /// The tangent plane of the body that is nearest to the material at `x`: the surface of them all.

@@ -21,8 +21,8 @@ class VertexRefiner {
 
   /// Whether the faces near `x` are one smooth surface although their normals differ.
   bool isSmooth(const Vec3& x);
-  /// Moves `x`, near a crease or corner, to it. Leaves it where that finds no rest nearby.
-  void toCrease(Vec3& x);
+  /// Moves `x`, near a crease or corner, to it. False where that finds no rest nearby: `x` stays then.
+  bool toCrease(Vec3& x);
   /// Moves `x` in the cell onto the smooth surface, without leaving the cell by more than `beyond`. `n`: out
   /// of the material. False if it is not on the surface then.
   bool toSurface(const Vec3& n, double beyond, Vec3& x);

@@ -56,6 +56,8 @@ Motion feedMotion(const Vec3& from, const Vec3& to) {
   return m;
 }
 
+}  // namespace
+
 Toolpath linePath(const std::vector<Vec3>& points) {
   Toolpath path;
   path.files = {"accuracy"};
@@ -64,6 +66,8 @@ Toolpath linePath(const std::vector<Vec3>& points) {
   }
   return path;
 }
+
+namespace {
 
 Vec3 at(const Vec2& p, double z) { return {p.x(), p.y(), z}; }
 

@@ -72,6 +72,9 @@ Case levelCase(const std::string& name, const std::string& tool, const Outline& 
 Case slantedCase(const std::string& name, const std::string& tool, const Outline& outline, const Vec3& from,
                  const Vec3& to);
 
+/// Feeds from point to point.
+Toolpath linePath(const std::vector<Vec3>& points);
+
 std::vector<Case> allCases();
 
 /// Integral of a piecewise smooth f from a to b; `breaks` are where it is not smooth. To about 1e-10 of

@@ -162,6 +162,44 @@ TEST_P(StockAccuracy, StaysWithinItsBounds) {
 INSTANTIATE_TEST_SUITE_P(Cuts, StockAccuracy, testing::ValuesIn(allCases()),
                          [](const auto& test) { return test.param.name; });
 
+/// Tips of drills anywhere between the grid's lines. The drill is drawn back through its hole, so that every
+/// face is that of two motions.
+TEST(StockAccuracy, DrillTipsAreSharpAndNothingBesideThemIsOff) {
+  const double slope = std::tan(degToRad(31.0)), radius = 1.5;
+  std::vector<Vec3> tips;
+  std::vector<Vec3> way;
+  for (int i = 0; i < 100; ++i) {
+    const double x = 4.0 * (i % 10) + 2.5 + std::fmod(i * 0.6180339887, 1.0) * kGrid;
+    const double y = 4.0 * (i / 10) + 2.5 + std::fmod(i * 0.7548776662, 1.0) * kGrid;
+    tips.emplace_back(x, y, -4.0 - std::fmod(i * 0.5698402910, 1.0) * kGrid);
+    for (const double z : {2.0, tips.back().z(), 2.0}) way.emplace_back(x, y, z);
+  }
+  Case c;
+  c.blank = BoxShape{{0, 0, -6}, {42, 42, 0}};
+  c.tool = "1=drill:3:118";
+  c.path = linePath(way);
+  const TriMesh mesh = cutCase(c).surface.mesh;
+  double face = 0.0, near_tip = 0.0;
+  std::vector<double> missed(tips.size(), 1e300);
+  for (const auto& position : mesh.positions) {
+    const Vec3 p = position.cast<double>();
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+      const Vec3 d = p - tips[i];
+      const double r = std::hypot(d.x(), d.y());
+      if (r > radius - kGrid || p.z() > -1.0 || p.z() < -5.5) continue;
+      double& worst = d.norm() > kGrid ? face : near_tip;
+      worst = std::max(worst, std::abs(d.z() - slope * r) * std::cos(degToRad(31.0)));
+      missed[i] = std::min(missed[i], d.norm());
+    }
+  }
+  const double blunt = *std::max_element(missed.begin(), missed.end());
+  std::printf("drill tips: vertices %.2f / %.2f um off, tips missed by %.2f um\n", 1e3 * face, 1e3 * near_tip,
+              1e3 * blunt);
+  EXPECT_LE(face, kFaceVertexMm);
+  EXPECT_LE(near_tip, kEdgeVertexMm);
+  EXPECT_LE(blunt, kEdgeMm);
+}
+
 /// The reference volumes themselves, where a simple formula exists beside the integral.
 TEST(AccuracyCases, IntegralsMatchFormulas) {
   const auto volume = [](const std::string& name) {
