@@ -56,6 +56,31 @@ def stadium(x0, x1, y, radius):
     return arc(x1, y, radius, -math.pi / 2, math.pi) + arc(x0, y, radius, math.pi / 2, math.pi)
 
 
+def rounded_polygon(points, radius):
+    """Convex polygon, counter-clockwise, with all corners rounded."""
+    loop = []
+    for i, p in enumerate(points):
+        before, after = points[i - 1], points[(i + 1) % len(points)]
+        start = math.atan2(p[1] - before[1], p[0] - before[0]) - math.pi / 2
+        turn = (math.atan2(after[1] - p[1], after[0] - p[0]) - math.pi / 2 - start) % (2 * math.pi)
+        back = math.dist(before, p)
+        tangent = radius * math.tan(turn / 2)
+        cx = p[0] + (before[0] - p[0]) * tangent / back - radius * math.cos(start)
+        cy = p[1] + (before[1] - p[1]) * tangent / back - radius * math.sin(start)
+        loop += arc(cx, cy, radius, start, turn)
+    return loop
+
+
+def rounded_polygon_area(points, radius):
+    area = sum(cross((0, 0), points[i - 1], p) for i, p in enumerate(points)) / 2
+    for i, p in enumerate(points):
+        a, b = points[i - 1], points[(i + 1) % len(points)]
+        cosine = ((a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1])) / (math.dist(a, p) * math.dist(b, p))
+        angle = math.acos(cosine)
+        area -= radius * radius * (1 / math.tan(angle / 2) - (math.pi - angle) / 2)
+    return area
+
+
 # ---- triangulation of a loop with holes by ear clipping -------------------------------------------------------------
 
 
@@ -279,6 +304,64 @@ def two_sides():
     s.finish("two_sides/two_sides.stl", volume, 1.0)
 
 
+def macro_plate():
+    s = Solid()
+    stock, outline = rectangle(-50, -40, 50, 40), rounded_rectangle(-46, -36, 46, 36, 10)
+    pocket = rounded_rectangle(-12, -8, 12, 8, 5)
+    c, t = math.cos(math.radians(20)), math.sin(math.radians(20))
+    corners = [(-30 + x * c - y * t, x * t + y * c) for x, y in ((-9, -17), (9, -17), (-9, 17))]
+    left = rounded_polygon(corners, 5)
+    right = [(-x, y) for x, y in reversed(left)]
+    through = [circle(22 * math.cos(math.radians(a)), 22 * math.sin(math.radians(a)), 2)
+               for a in (60, 90, 120, 240, 270, 300)]
+    places = [(sx * x, sy * 28) for sx in (1, -1) for sy in (1, -1) for x in (38, 28)]
+    blind = [circle(x, y, 2.5) for x, y in places]
+    s.face(outline, [pocket, left, right] + through + blind, 0, True)
+    s.wall(outline, -8, 0, True)
+    s.face(stock, [outline], -8, True)
+    s.wall(stock, -20, -8, True)
+    s.face(stock, through, -20, False)
+    for loop, depth in ((pocket, 5), (left, 4), (right, 4)):
+        s.wall(loop, -depth, 0, False)
+        s.face(loop, [], -depth, True)
+    for loop in through:
+        s.wall(loop, -20, 0, False)
+    shoulder = -10 + tip_length(5)
+    for (x, y), loop in zip(places, blind):
+        s.wall(loop, shoulder, 0, False)
+        s.drill_point(loop, shoulder, (x, y, -10.0))
+    volume = 100 * 80 * 12 + 8 * rounded_area(92, 72, 10) - 5 * rounded_area(24, 16, 5)
+    volume -= 2 * 4 * rounded_polygon_area(corners, 5) + 6 * math.pi * 4 * 20
+    volume -= 8 * math.pi * 6.25 * (10 - tip_length(5) * 2 / 3)
+    s.finish("macro_plate/macro_plate.stl", volume, 3.0)
+
+
+def polar_boss():
+    s = Solid()
+    bar, square = circle(0, 0, 30), rounded_rectangle(-12, -12, 12, 12, 5)
+    around = 42 / math.sqrt(3)
+    corners = [(around * math.cos(math.pi * k / 3), around * math.sin(math.pi * k / 3)) for k in range(6)]
+    hexagon, slot = rounded_polygon(corners, 3), stadium(-4, 4, 0, 4)
+    places = [(26 * math.cos(math.radians(a)), 26 * math.sin(math.radians(a))) for a in range(30, 360, 60)]
+    holes = [circle(x, y, 2) for x, y in places]
+    s.face(square, [slot], 0, True)
+    s.wall(square, -5, 0, True)
+    s.wall(slot, -6, 0, False)
+    s.face(slot, [], -6, True)
+    s.face(hexagon, [square], -5, True)
+    s.wall(hexagon, -12, -5, True)
+    s.face(bar, [hexagon] + holes, -12, True)
+    s.wall(bar, -40, -12, True)
+    s.face(bar, [], -40, False)
+    shoulder = -20 + tip_length(4)
+    for (x, y), loop in zip(places, holes):
+        s.wall(loop, shoulder, -12, False)
+        s.drill_point(loop, shoulder, (x, y, -20.0))
+    volume = math.pi * 900 * 28 + 7 * rounded_polygon_area(corners, 3) + 5 * rounded_area(24, 24, 5)
+    volume -= 6 * (8 * 8 + math.pi * 16) + 6 * math.pi * 4 * (8 - tip_length(4) * 2 / 3)
+    s.finish("polar_boss/polar_boss.stl", volume, 3.0)
+
+
 # ---- free-form patch: z = -4 + 1.5 sin(pi x / 20) cos(pi y / 15) over 40 x 30 mm ------------------------------------
 
 
@@ -345,5 +428,7 @@ if __name__ == "__main__":
     gouged_plate()
     circle_diamond_square()
     two_sides()
+    macro_plate()
+    polar_boss()
     patch_mesh()
     patch_program()

@@ -108,17 +108,30 @@ TEST(Parts, EveryJobRunsAndTheGougeIsFound) {
   EXPECT_GE(jobs, 3);
 }
 
-TEST(Parts, TwoSidesPassesAgainstItsNominal) {
+struct PassingPart {
+  const char* name;
+  double part_mm3;  ///< by the closed form, see make_nominals.py
+};
+
+class PassingParts : public testing::TestWithParam<PassingPart> {};
+
+TEST_P(PassingParts, PassAgainstTheirNominals) {
   const Workbench bench;
-  const Outcome outcome =
-      bench.run("run '" + (fs::path(PROVEOUT_SOURCE_DIR) / "parts/two_sides/job.toml").string() +
-                "' --resolution 0.4 --no-render --out out");
+  const fs::path job = fs::path(PROVEOUT_SOURCE_DIR) / "parts" / GetParam().name / "job.toml";
+  const Outcome outcome = bench.run("run '" + job.string() + "' --resolution 0.4 --no-render --out out");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   const json report = json::parse(readFile(bench.path("out/report.json")));
   EXPECT_EQ(report["verdict"], "pass");
-  EXPECT_NEAR(report["stock"]["final_mm3"].get<double>(), 39540.0, 4.0);
+  EXPECT_TRUE(report["findings"].empty());
+  EXPECT_NEAR(report["stock"]["final_mm3"].get<double>(), GetParam().part_mm3, 1e-5 * GetParam().part_mm3);
 }
+
+INSTANTIATE_TEST_SUITE_P(Programs, PassingParts,
+                         testing::Values(PassingPart{"bracket", 69333.394}, PassingPart{"two_sides", 39540.0},
+                                         PassingPart{"macro_plate", 141832.212},
+                                         PassingPart{"polar_boss", 91385.824}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace proveout::test

@@ -57,6 +57,8 @@ std::vector<Sample> samples() {
       {"circle_diamond_square", parts + "circle_diamond_square/job.toml", "", {0.25, 0.6}},
       {"freeform_patch", parts + "freeform_patch/job.toml", "", {0.5}},
       {"gouged_plate", parts + "gouged_plate/job.toml", "", {0.5}},
+      {"macro_plate", parts + "macro_plate/job.toml", "", {0.5}},
+      {"polar_boss", parts + "polar_boss/job.toml", "", {0.5}},
       {"two_sides", parts + "two_sides/job.toml", "", {0.5}},
   };
 }
