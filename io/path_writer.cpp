@@ -1,5 +1,8 @@
 #include "io/path_writer.h"
 
+#include <fmt/format.h>
+
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -7,18 +10,35 @@
 namespace proveout {
 namespace {
 
-using Buffer = fmt::memory_buffer;
+using Buffer = TextBuffer;
 
 /// Text goes to the stream in pieces of this size.
 constexpr std::size_t kFlushBytes = 1 << 16;
 constexpr double kTick = 1e9;       ///< numbers are rounded to 1e-9
 constexpr double kMaxTicked = 9e9;  ///< larger numbers do not fit the 64-bit tick count
 
-void put(Buffer& b, std::string_view text) { b.append(text.data(), text.data() + text.size()); }
+inline void put(Buffer& b, std::string_view text) { b.append(text.data(), text.size()); }
 
 void putInteger(Buffer& b, std::int64_t value) {
-  const fmt::format_int digits(value);
-  b.append(digits.data(), digits.data() + digits.size());
+  constexpr std::size_t kMost = 20;
+  char* from = b.room(kMost);
+  b.advance(static_cast<std::size_t>(std::to_chars(from, from + kMost, value).ptr - from));
+}
+
+/// The decimals of `fraction` (in ticks, above 0) without trailing zeros, behind a point.
+void putFraction(Buffer& b, std::int64_t fraction) {
+  int width = 9;
+  if (fraction % 100000 == 0) {  // most programs have four decimals at most
+    fraction /= 100000;
+    width = 4;
+  }
+  char digits[10] = {'.'};
+  for (int i = width; i >= 1; --i) {
+    digits[i] = static_cast<char>('0' + fraction % 10);
+    fraction /= 10;
+  }
+  while (digits[width] == '0') --width;
+  b.append(digits, static_cast<std::size_t>(width) + 1);
 }
 
 /// Rounded to 1e-9, no trailing zeros, no -0.
@@ -34,16 +54,7 @@ void putNumber(Buffer& b, double value) {
   }
   constexpr std::int64_t kPerUnit = 1000000000;
   putInteger(b, ticks / kPerUnit);
-  std::int64_t fraction = ticks % kPerUnit;
-  if (fraction == 0) return;
-  char digits[10] = {'.'};
-  for (int i = 9; i >= 1; --i) {
-    digits[i] = static_cast<char>('0' + fraction % 10);
-    fraction /= 10;
-  }
-  int end = 9;
-  while (digits[end] == '0') --end;
-  b.append(digits, digits + end + 1);
+  if (ticks % kPerUnit != 0) putFraction(b, ticks % kPerUnit);
 }
 
 void putVector(Buffer& b, const Vec3& v) {
@@ -72,7 +83,7 @@ void putString(Buffer& b, std::string_view text) {
 }
 
 void send(Buffer& b, std::ostream& out) {
-  out.write(b.data(), static_cast<std::streamsize>(b.size()));
+  out.write(b.view().data(), static_cast<std::streamsize>(b.size()));
   b.clear();
 }
 
@@ -101,7 +112,7 @@ void JsonLinesPathWriter::file(std::uint32_t index, const std::string& name) {
   if (files_.size() <= index) files_.resize(index + 1, "\"\"");
   Buffer quoted;
   putString(quoted, name);
-  files_[index].assign(quoted.data(), quoted.size());
+  files_[index] = quoted.view();
 }
 
 void JsonLinesPathWriter::source(const SourceRef& source) {
@@ -115,6 +126,31 @@ void JsonLinesPathWriter::source(const SourceRef& source) {
   putInteger(buffer_, source.depth);
   put(buffer_, "}}");
   endLine();
+}
+
+void JsonLinesPathWriter::point(const Vec3& p) {
+  if (point_text_.size() == 0 || !(point_ == p)) {
+    point_ = p;
+    point_text_.clear();
+    putVector(point_text_, p);
+  }
+  put(buffer_, point_text_.view());
+}
+
+void JsonLinesPathWriter::technology(const Motion& motion) {
+  if (technology_text_.size() == 0 || !(technology_.feed == motion.feed && technology_.tool == motion.tool &&
+                                        technology_.spindle == motion.spindle)) {
+    technology_ = motion;
+    Buffer& b = technology_text_;
+    b.clear();
+    put(b, R"(,"feed":)");
+    putNumber(b, motion.feed);
+    put(b, R"(,"tool":)");
+    putInteger(b, motion.tool);
+    put(b, R"(,"spindle":)");
+    putNumber(b, motion.spindle);
+  }
+  put(buffer_, technology_text_.view());
 }
 
 namespace {
@@ -147,9 +183,9 @@ void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc, c
   put(b, R"(,"kind":")");
   put(b, motionKindName(motion.kind));
   put(b, arc ? R"(","shape":"arc","from":)" : R"(","shape":"line","from":)");
-  putVector(b, motion.from);
+  point(motion.from);
   put(b, R"(,"to":)");
-  putVector(b, motion.to);
+  point(motion.to);
   if (arc) {
     put(b, R"(,"center":)");
     putVector(b, arc->center);
@@ -159,12 +195,7 @@ void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc, c
     putNumber(b, radToDeg(arc->sweep_rad));
   }
   if (axis != nullptr) putAxis(b, *axis);
-  put(b, R"(,"feed":)");
-  putNumber(b, motion.feed);
-  put(b, R"(,"tool":)");
-  putInteger(b, motion.tool);
-  put(b, R"(,"spindle":)");
-  putNumber(b, motion.spindle);
+  technology(motion);
   put(b, R"(,"time_s":)");
   putNumber(b, motion.time_s);
   if (motion.channel > 0) {

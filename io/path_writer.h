@@ -1,8 +1,6 @@
 // Writes what a virtual control does as text while it runs: JSON Lines (schema proveout.path/1) or CSV.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <ostream>
 #include <string>
@@ -11,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/path/toolpath.h"
+#include "io/text_buffer.h"
 
 namespace proveout {
 
@@ -31,11 +30,17 @@ class JsonLinesPathWriter : public MotionSink {
 
  private:
   void endLine();
+  void point(const Vec3& p);
+  void technology(const Motion& motion);
   void source(const SourceRef& source);
 
   std::ostream& out_;
-  fmt::memory_buffer buffer_;
+  TextBuffer buffer_;
   std::vector<std::string> files_;  ///< as JSON text
+  // Most motions begin where the last one ended, with its feed, tool and spindle: their text is kept.
+  Vec3 point_ = Vec3::Zero();
+  Motion technology_;
+  TextBuffer point_text_, technology_text_;
   MotionId next_id_ = 0;
 };
 
@@ -52,7 +57,7 @@ class CsvPathWriter : public MotionSink {
 
  private:
   std::ostream& out_;
-  fmt::memory_buffer buffer_;
+  TextBuffer buffer_;
   std::vector<std::string> files_;  ///< quoted where CSV needs it
   MotionId next_id_ = 0;
 };
