@@ -95,6 +95,13 @@ double rotaryTravel(const NctContext& c, int axis, double from, double value, bo
   return step ? rolloverStep(value, rule) : rolloverTravel(from, value, rule);
 }
 
+double shownPosition(const NctContext& c, int axis, double value) {
+  if (axis < kMainAxes || !c.axes.at(axis).rotary()) return value;
+  if (c.state.axes.mode != VirtualMode::kOff && axis == c.state.axes.rotary) return value;
+  const RolloverRule rule = rolloverRule(c, axis);
+  return rule.on ? reduceTurn(value, rule.period) : value;
+}
+
 bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target, WordsAre words) {
   target = plan.start;
   if (!c.anyAxisWord()) return true;

@@ -115,6 +115,9 @@ bool planTurningLength(NctContext& c, BlockPlan& plan) {
   }
   NctState& next = plan.next;
   next.length = AxisPoint(next.h_turning[0], next.h_turning[1], next.h_value);
+  for (int axis = 0; axis < kMainAxes; ++axis) {  // lengths of an axis in diameter are diameters (manual 5.3)
+    if (next.axes.diameter[static_cast<std::size_t>(axis)]) next.length[axis] *= 0.5;
+  }
   plan.frames_changed = true;
   plan.flush = true;
   return true;

@@ -26,6 +26,9 @@ enum class WordsAre { kModal, kRectangular };
 bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target, WordsAre words = WordsAre::kModal);
 /// Way of a rotary axis to the absolute position `value`, or by the step `value`: turns count as N0107 says.
 double rotaryTravel(const NctContext& c, int axis, double from, double value, bool step);
+/// Position of an axis, mm or degrees, as the control tells it: rotary axes with N0107.REN within one turn, 0
+/// to below N0108 (manual 5.6).
+double shownPosition(const NctContext& c, int axis, double value);
 /// Is there but the G code and axis words in the block? False: reported.
 bool ownBlock(NctContext& c, std::string_view name);
 /// Axes whose words are diameters at power-on.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/system_variables/units.h"
 
 namespace proveout::nc {
@@ -88,7 +89,8 @@ VariableStatus PositionBank::read(int number, Value& out) {
     if (!low && (number <= row.high || number > row.high + kHighAxes)) continue;
     const int axis = c_.axes.byNumber(number - (low ? row.low : row.high));
     if (axis < 0) return kUnknownVariable;
-    out = {pointOf(c_, row.reading)[axis] / unitOf(c_, axis)};
+    const double value = pointOf(c_, row.reading)[axis];
+    out = {(row.reading == Reading::kLength ? value : shownPosition(c_, axis, value)) / unitOf(c_, axis)};
     return kVariableRead;
   }
   return kUnknownVariable;

@@ -5,9 +5,12 @@
 
 namespace proveout::nc {
 
-/// What one unit of a value of that axis is in mm or degrees.
+/// What one unit of a value of that axis is in mm or degrees. Positions and offsets of an axis in diameter
+/// are diameters (manual 5.3).
 inline double unitOf(const NctContext& c, int axis) {
-  return axis >= kMainAxes && c.axes.at(axis).rotary() ? 1.0 : c.state.unitScale();
+  if (axis >= kMainAxes && c.axes.at(axis).rotary()) return 1.0;
+  const bool diameter = c.state.axes.diameter[static_cast<std::size_t>(axis)];
+  return diameter ? 0.5 * c.state.unitScale() : c.state.unitScale();
 }
 
 }  // namespace proveout::nc
