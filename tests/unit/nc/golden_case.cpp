@@ -202,7 +202,9 @@ bool setHostLine(Operator& person, std::string& main_name, const std::string& li
   std::istringstream in(line);
   std::string key, equals;
   if (!(in >> key >> equals)) return false;
-  const auto row = [&](std::size_t prefix) { return static_cast<std::size_t>(std::stoi(key.substr(prefix))); };
+  const auto row = [&](std::size_t prefix) {
+    return static_cast<std::size_t>(std::stoi(key.substr(prefix)));
+  };
   if (key == "main_name") {
     in >> main_name;
   } else if (key.starts_with("answer")) {
@@ -222,6 +224,59 @@ bool setHostLine(Operator& person, std::string& main_name, const std::string& li
   }
   if (!in) throw std::runtime_error("bad setting: " + line);
   return true;
+}
+
+/// Point of a motion after `part` (0 to 1) of its angle or length.
+Vec3 pointAt(const GoldenMotion& m, double part) {
+  const Motion& motion = m.motion;
+  if (!m.is_arc) return motion.from + (motion.to - motion.from) * part;
+  return arcPoint(arcFrame(motion.from, motion.to, m.arc), m.arc, part);
+}
+
+/// What the words of a line of truth compare; `words` gives what a figure needs beside its name.
+std::vector<double> figuresOf(const std::string& word, std::istringstream& words, const GoldenMotion& m) {
+  const Motion& motion = m.motion;
+  if (word == "F") return {motion.feed};
+  if (word == "t") return {motion.time_s};
+  if (word == "S") return {motion.spindle};
+  if (word == "T") return {static_cast<double>(motion.tool)};
+  if (word == "center") return {m.arc.center.x(), m.arc.center.y(), m.arc.center.z()};
+  if (word == "sweep") return {radToDeg(m.arc.sweep_rad)};
+  std::vector<double> figures;
+  if (word == "rotary") {
+    for (const RotaryPosition& r : m.axis.rotary) figures.push_back(r.to);
+  } else if (word == "at") {
+    double part = 0;
+    if (!(words >> part)) throw std::runtime_error("part of the way expected behind at");
+    const Vec3 p = pointAt(m, part);
+    figures = {p.x(), p.y(), p.z()};
+  }
+  return figures;
+}
+
+/// Compares one motion with its line of truth; what differs is added to `problems`.
+void compareLine(const std::string& line, const GoldenMotion& m, const std::string& name,
+                 std::string& problems) {
+  constexpr double kTolerance = 1.01e-4;  // the manual's numbers have four decimals
+  std::istringstream words(line);
+  std::vector<double> actual{m.motion.to.x(), m.motion.to.y(), m.motion.to.z()};
+  std::size_t k = 0;
+  for (std::string word; words >> word;) {
+    if (word == "rapid" || word == "feed" || word == "thread") {
+      if (motionKindName(m.motion.kind) != word) problems += name + ": not " + word + "\n";
+      continue;
+    }
+    if ((word == "center" || word == "sweep") && !m.is_arc) problems += name + ": no arc\n";
+    if (std::vector<double> figures = figuresOf(word, words, m); !figures.empty()) {
+      actual = std::move(figures);
+      k = 0;
+      continue;
+    }
+    const double got = actual.at(k++);
+    if (word != "*" && !(std::abs(got - std::stod(word)) <= kTolerance)) {
+      problems += fmt::format("{}: {} instead of {} in: {}\n", name, got, word, line);
+    }
+  }
 }
 
 /// Bytes as they can stand in a text.
@@ -250,6 +305,7 @@ GoldenCase readGolden(const std::string& path) {
       if (name == "settings") section = &golden.settings_text;
       if (name == "main") section = &golden.main_text;
       if (name == "truth") section = &golden.truth;
+      if (name == "says") section = &golden.says;
       if (name == "expect") section = &golden.expect;
       if (name.starts_with("sub ")) {
         golden.subprograms.reserve(64);
@@ -299,8 +355,18 @@ std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motio
                                  s.blocks, s.motions, s.errors, s.warnings);
 }
 
+std::string missingIn(const std::string& text, const std::string& says) {
+  std::istringstream wanted(says), in(text);
+  std::string line;
+  for (std::string want; std::getline(wanted, want);) {
+    do {
+      if (!std::getline(in, line)) return "not said in its place: " + want + "\n";
+    } while (line.find(want) == std::string::npos);
+  }
+  return "";
+}
+
 std::string compareWithTruth(const std::string& truth, const std::vector<GoldenMotion>& motions) {
-  constexpr double kTolerance = 1.01e-4;  // the manual's numbers have four decimals
   std::istringstream in(truth);
   std::string problems;
   std::size_t index = 0;
@@ -308,44 +374,7 @@ std::string compareWithTruth(const std::string& truth, const std::vector<GoldenM
     if (line.empty()) continue;
     if (index >= motions.size()) return problems + "truth has more motions: " + line + "\n";
     const GoldenMotion& m = motions[index++];
-    std::istringstream words(line);
-    std::vector<double> actual{m.motion.to.x(), m.motion.to.y(), m.motion.to.z()};
-    std::size_t k = 0;
-    for (std::string word; words >> word;) {
-      if (word == "rapid" || word == "feed" || word == "thread") {
-        if (motionKindName(m.motion.kind) != word)
-          problems += fmt::format("motion {}: not {}\n", index, word);
-        continue;
-      }
-      const bool figure = word == "F" || word == "t" || word == "S" || word == "T";
-      if (figure) {
-        k = 0;
-        const Motion& motion = m.motion;
-        actual = {word == "F"   ? motion.feed
-                  : word == "t" ? motion.time_s
-                  : word == "S" ? motion.spindle
-                                : motion.tool};
-        continue;
-      }
-      if (word == "rotary") {
-        k = 0;
-        actual.clear();
-        for (const RotaryPosition& r : m.axis.rotary) actual.push_back(r.to);
-        continue;
-      }
-      if (word == "center" || word == "sweep") {
-        k = 0;
-        if (!m.is_arc) problems += fmt::format("motion {}: no arc\n", index);
-        actual = word == "center" ? std::vector<double>{m.arc.center.x(), m.arc.center.y(), m.arc.center.z()}
-                                  : std::vector<double>{radToDeg(m.arc.sweep_rad)};
-        continue;
-      }
-      const double got = actual.at(k++);
-      if (word != "*" && !(std::abs(got - std::stod(word)) <= kTolerance)) {
-        problems += fmt::format("motion {} (line {}): {} instead of {} in: {}\n", index, m.motion.source.line,
-                                got, word, line);
-      }
-    }
+    compareLine(line, m, fmt::format("motion {} (line {})", index, m.motion.source.line), problems);
   }
   if (!truth.empty() && index < motions.size()) {
     problems += fmt::format("{} motions instead of {}\n", motions.size(), index);

@@ -3,11 +3,14 @@
 //   === about        free text; "proves: id id ..." names coverage ids
 //   === settings     one a line: H1 = 10, D1 = 5, G54 = 1 2 3, start = 0 0 50, N1339 = 0.01, skip = 1,
 //                    axis = C 6 rotary rapid 3600 limit -360 360, ...; of the person at the machine:
-//                    answer107 = 2, plc_bit3 = 1, plc_number1 = 2.5, date, time, test_mode; main_name = O0012.nc
+//                    answer107 = 2, plc_bit3 = 1, plc_number1 = 2.5, date, time, test_mode; main_name =
+//                    O0012.nc
 //   === main         the main program (a file may start with it and leave the marker out)
 //   === sub NAME     a subprogram
 //   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg] [F feed]
-//                    [t seconds] [S spindle] [T tool] [rotary ends]; * is anything
+//                    [t seconds] [S spindle] [T tool] [rotary ends] [at part-of-the-way x y z]...; * is
+//                    anything
+//   === says         what the text must hold, in this order: alarms, events, files written
 //   === expect       what the interpreter says; rewritten with PROVEOUT_UPDATE_GOLDEN=1
 #pragma once
 
@@ -22,7 +25,7 @@ namespace proveout::test {
 struct GoldenCase {
   std::string path;
   std::string head;  ///< everything before the expected text
-  std::string about, settings_text, main_text, truth, expect;
+  std::string about, settings_text, main_text, truth, says, expect;
   std::vector<std::pair<std::string, std::string>> subprograms;
 };
 
@@ -42,5 +45,8 @@ std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motio
 
 /// Empty if the motions agree with the truth section, else what differs.
 std::string compareWithTruth(const std::string& truth, const std::vector<GoldenMotion>& motions);
+
+/// Empty if each line of `says` stands in a line of the text, in order; else the first that is missing.
+std::string missingIn(const std::string& text, const std::string& says);
 
 }  // namespace proveout::test

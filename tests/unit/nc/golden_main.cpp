@@ -35,6 +35,7 @@ class GoldenTest : public testing::Test {
     std::vector<GoldenMotion> motions;
     const std::string text = runGolden(golden, motions);
     EXPECT_EQ(compareWithTruth(golden.truth, motions), "") << text;
+    EXPECT_EQ(missingIn(text, golden.says), "") << text;
     const bool bad = fs::path(path_).parent_path().filename() == "bad";
     EXPECT_EQ(text.find("error[") != std::string::npos, bad) << text;
     if (std::getenv("PROVEOUT_UPDATE_GOLDEN") != nullptr) {

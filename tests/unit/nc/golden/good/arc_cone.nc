@@ -7,7 +7,7 @@ G2 X-20 I50 Z-20 L4 F100
 M30
 === truth
 -50 0 0
--20 0 -20 center 0 0 0 sweep -1440
+-20 0 -20 center 0 0 0 sweep -1440 at 0.25 -42.5 0 -5 at 0.5 -35 0 -10 at 0.75 -27.5 0 -15
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -50 0 0 t0.2

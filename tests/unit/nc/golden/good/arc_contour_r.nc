@@ -11,8 +11,8 @@ M30
 === truth
 rapid 130 0 0
 feed 130 20 0
-feed 60 90 0 center 60 20 0 sweep 90
-feed 40 50 0 center 10 90 0 sweep -53.1301
+feed 60 90 0 center 60 20 0 sweep 90 F 500 t 13.1947
+feed 40 50 0 center 10 90 0 sweep -53.1301 t 5.5638
 feed 0 50 0
 === expect
 file 0 main.nc

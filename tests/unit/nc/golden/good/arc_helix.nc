@@ -10,10 +10,10 @@ G2 I50 Z-20 L4 F100
 M30
 === truth
 100 0 0
-0 100 20 center 0 0 0 sweep 90
+0 100 20 center 0 0 0 sweep 90 t 62.8319
 -50 0 20
 -50 0 0
--50 0 -20 center 0 0 0 sweep -1440
+-50 0 -20 center 0 0 0 sweep -1440 t 753.9822
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 100 0 0 t0.4

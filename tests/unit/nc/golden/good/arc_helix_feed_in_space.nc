@@ -9,7 +9,7 @@ G03 X0 Y100 Z20 R100 F150
 M30
 === truth
 100 0 0
-0 100 20 center 0 0 0 sweep 90
+0 100 20 center 0 0 0 sweep 90 t 63.3391
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 100 0 0 t0.4

@@ -10,9 +10,9 @@ G3 X-20 I-50 L1
 M30
 === truth
 90 0 0
--30 0 0 center 0 0 0 sweep 900
+-30 0 0 center 0 0 0 sweep 900 t 56.6744 at 0.1 0 84 0 at 0.2 -78 0 0 at 0.3 0 -72 0 at 0.4 66 0 0 at 0.8 42 0 0
 50 0 0
--20 0 0 center 0 0 0 sweep 180
+-20 0 0 center 0 0 0 sweep 180 t 6.8534
 === expect
 file 0 main.nc
 1: event spindle rpm=1000 direction="cw"

@@ -10,7 +10,7 @@ M30
 === truth
 10 0 0
 0 0 0
-40 30 0 center 8 6 0 sweep -180
+40 30 0 center 8 6 0 sweep -180 at 0.5 -7 26 0
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 10 0 0 t0.04

@@ -8,7 +8,7 @@ G3 X-20 I-50
 M30
 === truth
 50 0 0
--20 0 0 center 0 0 0 sweep 180
+-20 0 0 center 0 0 0 sweep 180 at 0.5 0 35 0
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 50 0 0 t0.2

@@ -19,7 +19,7 @@ N10 M99
 === truth
 rapid 0 -5 0
 feed -40 -5 30
-feed 0 -5 50 center 0 -5 0 sweep *
+feed 0 -5 50 center 0 -5 0 sweep 53.1301 F 1000 t 2.7819
 feed 0 -5 0
 rapid 1 -5 0
 === expect

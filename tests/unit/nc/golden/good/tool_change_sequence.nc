@@ -13,9 +13,9 @@ T9
 G0 X3
 M30
 === truth
-1 0 0
-2 0 0
-3 0 0
+1 0 0 T 12
+2 0 0 T 15
+3 0 0 T 8
 === expect
 file 0 main.nc
 1: event tool tool=12
