@@ -105,6 +105,17 @@ TEST(FileProgramSource, FindsProgramsByPath) {
   EXPECT_FALSE(source.subprogram({main, {}, "nowhere/at/all.nc"}).ok());
 }
 
+// The manual's file names (14.4.2): folders above the caller's, names that are not in Latin letters.
+TEST(FileProgramSource, FindsProgramsAboveTheCaller) {
+  const TempFolder folder;
+  const std::string main = folder.write("a/b/c/main.nc", "");
+  folder.write("папка1/папка2/папка3/файл.txt", "above");
+  folder.write("a/b/c/подпрограммы/подпрограмма.prg", "below");
+  const FileProgramSource source(main);
+  EXPECT_EQ(source.subprogram({main, {}, "../../../папка1/папка2/папка3/файл.txt"})->bytes, "above");
+  EXPECT_EQ(source.subprogram({main, {}, "подпрограммы/подпрограмма.prg"})->bytes, "below");
+}
+
 TEST(FileProgramSource, SaysWhatWasLookedForAndWhere) {
   const TempFolder folder;
   const std::string main = folder.write("main.nc", "");

@@ -1,5 +1,6 @@
 // Paths with parallel axes, turning tables and virtual planes, against points computed here.
-// Rows: nct-4.3.2-helix nct-4.6-R nct-4.6-comp
+// Rows: nct-4.3.2-helix nct-4.6-R nct-4.6-comp nct-4.6-plane
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -194,6 +195,45 @@ TEST(Axes, GrooveOnACylinder) {
   double n80 = 0;
   for (const Motion& m : r.path.motions) n80 += m.source.block == 80 ? m.time_s : 0;
   EXPECT_NEAR(n80, 60 * 47.1260 / 500, 1e-3);
+}
+
+/// A quarter circle on a cylinder of radius 20, R10, from (0, 0) to 10 mm along both ways of its surface.
+struct Quarter {
+  const char* plane;  ///< code of the plane
+  char linear, rotary;
+  bool linear_first;  ///< the linear axis is the first of the plane
+};
+
+// The manual's table of planes: the rotary axis stands for the plane's other axis, and clockwise turns from
+// the second axis to the first.
+TEST(Axes, PlanesOfTheCylinder) {
+  for (const Quarter& q :
+       {Quarter{"G17", 'X', 'A', true}, Quarter{"G18", 'X', 'A', false}, Quarter{"G17", 'Y', 'B', false},
+        Quarter{"G19", 'Y', 'B', true}, Quarter{"G18", 'Z', 'C', true}, Quarter{"G19", 'Z', 'C', false}}) {
+    const std::string linear(1, q.linear), axis(1, q.rotary);
+    const std::string place = q.linear == 'Z' ? "G0 X20\n" : "G0 Z20\n";
+    const std::string words = linear + "10 " + axis + fmt::format("{:.9f}", radToDeg(0.5)) + " R10";
+    for (const bool clockwise : {true, false}) {
+      const std::string text = place + q.plane + " " + linear + "0 " + axis + "0\nG7.1 " + axis + "20\n" +
+                               (clockwise ? "G2 " : "G3 ") + words + " F100\nG7.1 " + axis + "0\nM30\n";
+      const Outcome r = runOf(text, machineWith({rotary(axis, 4)}));
+      ASSERT_EQ(r.error, "") << text;
+      // Clockwise from (0, 0) to (10, 10) in (first, second) the centre is at (10, 0), else at (0, 10).
+      const double first = clockwise ? 10 : 0, second = clockwise ? 0 : 10;
+      const Vec2 center = q.linear_first ? Vec2(first, second) : Vec2(second, first);  // (linear, unrolled)
+      int points = 0;
+      for (const Motion& m : r.path.motions) {
+        if (m.kind != MotionKind::kFeed) continue;
+        ASSERT_GE(m.axis, 0);
+        const double angle = r.path.axes[static_cast<std::size_t>(m.axis)].rotary[0].to;
+        const Vec2 p(m.to[q.linear - 'X'], 20 * degToRad(angle));
+        EXPECT_NEAR((p - center).norm(), 10, 1e-4) << text;
+        ++points;
+      }
+      EXPECT_GT(points, 10);
+      EXPECT_NEAR(r.summary.cutting_s, 60 * 5 * kPi / 100, 1e-3) << text;
+    }
+  }
 }
 
 // With the tool's radius the path keeps that distance from the programmed one, on the unrolled surface.

@@ -49,8 +49,8 @@ AxisPoint pointOf(const NctContext& c, Reading reading) {
   switch (reading) {
     case Reading::kBlockEnd:
       return c.position;
-    case Reading::kMachine:
-      return standing(c);
+    case Reading::kMachine:  // of the machine's own axes during G12.1 and G7.1 too
+      return c.state.axes.mode == VirtualMode::kOff ? standing(c) : c.virtual_stage.machine();
     case Reading::kPresent:
       return chainOf(c, tip).programOf(standing(c));
     case Reading::kSkip:

@@ -6,6 +6,8 @@ N1339 = 0.01
 G0 X50 Y0 F500
 G3 X-50.02 I-50
 M30
+=== says
+error[nct-2012]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 50 0 0 t0.2

@@ -4,6 +4,8 @@ proves: nct-4.3-2015
 G0 X0 Y0 F100
 G17 G2 X40 Y30 K5
 M30
+=== says
+error[nct-2015]
 === expect
 file 0 main.nc
 main.nc:2:1: error[nct-2015]: circle definition error: a centre word does not belong to the selected plane

@@ -5,6 +5,8 @@ N1 G65 P11 N2 N3
 M30
 === sub O0011
 M99
+=== says
+error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:1:15: error[nct-2017]: illegal address N: its variable has a value already

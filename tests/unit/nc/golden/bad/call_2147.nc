@@ -3,6 +3,8 @@ G65 P77
 M30
 === sub O0011
 M99
+=== says
+error[nct-2147]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2147]: file not found: program O0077 is not among the programs given

@@ -8,6 +8,8 @@ G41 G1 X0 D1
 G1 X10
 G40 G2 X20 Y-10 R10
 M30
+=== says
+error[nct-2043]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -20 0 0 t0.08

@@ -11,6 +11,8 @@ G3 X-8 Y8 R8
 G1 X-50
 G40 Y50
 M30
+=== says
+error[nct-2047]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -50 0 0 t0.2

@@ -11,6 +11,8 @@ G3 X45 Y5 R5
 G1 Y45
 G40 Y80
 M30
+=== says
+error[nct-2049]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -50 0 0 t0.2

@@ -129,6 +129,8 @@ M9
 X50
 G40 X80
 M30
+=== says
+error[nct-2090]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -50 0 0 t0.2

@@ -4,6 +4,8 @@ proves: nct-17.1-2082
 G1 X30 ,R5 ,C5 F100
 Y20
 M30
+=== says
+error[nct-2082]
 === expect
 file 0 main.nc
 main.nc:1:8: error[nct-2082]: definition error ,C ,R: either a chamfer or a rounding

@@ -3,6 +3,8 @@ proves: nct-17.1-2085
 === main
 G1 ,C5 F100
 M30
+=== says
+error[nct-2085]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2085]: not in the selected plane: illegal chamfer or rounding: the block does not move in the plane

@@ -4,6 +4,8 @@ proves: nct-17.1-2085
 G1 X30 Z5 ,R5 F100
 Y20
 M30
+=== says
+error[nct-2085]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2085]: illegal chamfer or rounding: both blocks have to lie in the selected plane

@@ -4,6 +4,8 @@ proves: nct-18-2053
 G0 Z10
 G81 X5 Z-5 F100
 M30
+=== says
+error[nct-2053]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 0 0 10 t0.04

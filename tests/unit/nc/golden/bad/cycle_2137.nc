@@ -4,6 +4,8 @@ N0607.ORI = 0
 G0 Z10
 G76 X5 Z-5 R2 F100
 M30
+=== says
+error[nct-2137]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 0 0 10 t0.04

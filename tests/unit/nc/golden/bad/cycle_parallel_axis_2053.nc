@@ -6,6 +6,8 @@ axis = W 4 linear parallel Z
 G81 X0 Y0 Z-5 R2 F100
 X10 W-5
 M30
+=== says
+error[nct-2053]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 0 0 2 t0.008

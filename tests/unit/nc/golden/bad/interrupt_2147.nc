@@ -5,6 +5,8 @@ N1758.USD = 1
 === main
 M96 P51
 M30
+=== says
+error[nct-2147]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2147]: file not found: program O0051 is not among the programs given

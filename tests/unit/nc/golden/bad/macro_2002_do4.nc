@@ -2,6 +2,8 @@
 DO4
 END4
 M30
+=== says
+error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2002]: DO data out of range: loops have the numbers 1 to 3

@@ -2,6 +2,8 @@
 #112=1234567890
 M#112
 M30
+=== says
+error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:2:1: error[nct-2002]: M: value out of range

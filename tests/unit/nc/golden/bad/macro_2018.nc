@@ -3,6 +3,8 @@ proves: nct-23.2.12-AX
 === main
 G0 AX[99]=1
 M30
+=== says
+error[nct-2018]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2018]: wrong physical axis number 99

@@ -3,6 +3,8 @@ proves: nct-23.2.6-brackets
 === main
 #1=2+3]
 M30
+=== says
+error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:7: error[nct-2064]: syntax error: nothing may follow the statement

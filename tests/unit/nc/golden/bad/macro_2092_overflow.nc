@@ -2,6 +2,8 @@
 #1=EXP700
 #2=#1*#1
 M30
+=== says
+error[nct-2092]
 === expect
 file 0 main.nc
 main.nc:2:4: error[nct-2092]: value limit exceeded: the result is beyond 1.7E308

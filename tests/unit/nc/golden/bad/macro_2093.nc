@@ -4,6 +4,8 @@ proves: nct-23.2.2-div
 #3=0
 #100=5/#3
 M30
+=== says
+error[nct-2093]
 === expect
 file 0 main.nc
 main.nc:2:6: error[nct-2093]: division by 0

@@ -3,6 +3,8 @@ proves: nct-23.2.2-MOD
 === main
 #100=5MOD0
 M30
+=== says
+error[nct-2093]
 === expect
 file 0 main.nc
 main.nc:1:6: error[nct-2093]: division by 0

@@ -2,6 +2,8 @@
 WHILE[#1GT0]
 X1
 M30
+=== says
+error[nct-2110]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2110]: WHILE without DO

@@ -3,6 +3,8 @@ proves: nct-23.2.4-ASIN
 === main
 #1=ASIN1.1
 M30
+=== says
+error[nct-2117]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2117]: absolute value of the argument greater than 1: ASIN of 1.1

@@ -3,6 +3,8 @@ proves: nct-23.2.4-LN
 === main
 #1=LN0
 M30
+=== says
+error[nct-2118]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2118]: value of the argument not positive: LN of 0

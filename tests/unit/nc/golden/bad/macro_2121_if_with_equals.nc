@@ -1,6 +1,8 @@
 === main
 IF[#1=2] GOTO1
 M30
+=== says
+error[nct-2121]
 === expect
 file 0 main.nc
 main.nc:1:6: error[nct-2121]: wrong terminator: = (EQ compares)

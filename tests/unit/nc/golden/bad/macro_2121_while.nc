@@ -2,6 +2,8 @@
 WHILE[#1=0] DO1
 END1
 M30
+=== says
+error[nct-2121]
 === expect
 file 0 main.nc
 main.nc:1:9: error[nct-2121]: wrong terminator: = (EQ compares)

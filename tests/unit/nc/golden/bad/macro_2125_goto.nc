@@ -4,6 +4,8 @@ proves: nct-23.2.8-GOTO
 GOTO160
 G0 X1
 M30
+=== says
+error[nct-2125]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2125]: block N160 not found in main.nc

@@ -3,6 +3,8 @@ DO1
 X1
 M30
 M30
+=== says
+error[nct-2125]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2125]: block END1 not found: loops end in pairs and do not overlap

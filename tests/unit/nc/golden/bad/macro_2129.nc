@@ -3,6 +3,8 @@ proves: nct-23.2.3-range
 === main
 #1=4294967296AND1
 M30
+=== says
+error[nct-2129]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2129]: erroneous operation on #: an operand is beyond 32 bits

@@ -10,6 +10,8 @@ X20
 #3000=12(TEXT)
 X30
 M30
+=== says
+error[nct-4012]: TEXT (01401200)
 === expect
 file 0 main.nc
 1: feed from 0 0 0 to 10 1 0 F100 t6.0299

@@ -6,6 +6,8 @@ G51.1 X10
 G51 X0 Y0 P2
 G50.1 X0
 M30
+=== says
+error[nct-2001]
 === expect
 file 0 main.nc
 main.nc:4:1: error[nct-2001]: mirroring cannot be switched on or off in state G51 or G68

@@ -16,6 +16,8 @@ H0 Z1
 G5.1 Q4
 G5.1
 M30
+=== says
+error[nct-2188]
 === expect
 file 0 main.nc
 1: event smoothing mode=3 axes="X Y Z" tolerance=0

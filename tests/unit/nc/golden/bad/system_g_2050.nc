@@ -7,6 +7,8 @@ N1716 = 50
 === main
 G2050 A1
 M30
+=== says
+error[nct-2123]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2123]: function not implemented: G2050 is not a code of this control

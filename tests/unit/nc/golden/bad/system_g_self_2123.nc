@@ -8,6 +8,8 @@ M30
 === sub SystemMacros/Channel1/O9010.nct
 G101 X1
 M99
+=== says
+error[nct-2123]
 === expect
 file 0 main.nc
 file 1 SystemMacros/Channel1/O9010.nct

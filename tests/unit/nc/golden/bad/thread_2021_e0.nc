@@ -5,6 +5,8 @@ proves: nct-4.4-2021
 S100 M3
 G33 Z-10 E0
 M30
+=== says
+error[nct-2021]
 === expect
 file 0 main.nc
 1: event spindle rpm=100 direction="cw"

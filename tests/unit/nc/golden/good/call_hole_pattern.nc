@@ -20,143 +20,143 @@ M99
 === truth
 rapid 0 0 20
 rapid 0 0 2
-feed 0 0 -2
+feed 0 0 -2 F 300 S 500
 rapid 0 0 20
 rapid 100 0 20
 rapid 100 0 2
-feed 100 0 -2
+feed 100 0 -2 F 300 S 500
 rapid 100 0 20
 rapid 100 100 20
 rapid 100 100 2
-feed 100 100 -2
+feed 100 100 -2 F 300 S 500
 rapid 100 100 20
 rapid 0 100 20
 rapid 0 100 2
-feed 0 100 -2
+feed 0 100 -2 F 300 S 500
 rapid 0 100 20
 rapid 50 50 20
 rapid 50 50 2
-feed 50 50 -2
+feed 50 50 -2 F 300 S 500
 rapid 50 50 20
 rapid 0 0 20
 rapid 0 0 2
-feed 0 0 -4
+feed 0 0 -4 F 100 S 1000
 rapid 0 0 2
 rapid 0 0 -3
-feed 0 0 -10
+feed 0 0 -10 F 100 S 1000
 rapid 0 0 2
 rapid 0 0 -9
-feed 0 0 -16
+feed 0 0 -16 F 100 S 1000
 rapid 0 0 2
 rapid 0 0 -15
-feed 0 0 -22
+feed 0 0 -22 F 100 S 1000
 rapid 0 0 2
 rapid 0 0 -21
-feed 0 0 -28
+feed 0 0 -28 F 100 S 1000
 rapid 0 0 2
 rapid 0 0 -27
-feed 0 0 -30
+feed 0 0 -30 F 100 S 1000
 rapid 0 0 20
 rapid 100 0 20
 rapid 100 0 2
-feed 100 0 -4
+feed 100 0 -4 F 100 S 1000
 rapid 100 0 2
 rapid 100 0 -3
-feed 100 0 -10
+feed 100 0 -10 F 100 S 1000
 rapid 100 0 2
 rapid 100 0 -9
-feed 100 0 -16
+feed 100 0 -16 F 100 S 1000
 rapid 100 0 2
 rapid 100 0 -15
-feed 100 0 -22
+feed 100 0 -22 F 100 S 1000
 rapid 100 0 2
 rapid 100 0 -21
-feed 100 0 -28
+feed 100 0 -28 F 100 S 1000
 rapid 100 0 2
 rapid 100 0 -27
-feed 100 0 -30
+feed 100 0 -30 F 100 S 1000
 rapid 100 0 20
 rapid 100 100 20
 rapid 100 100 2
-feed 100 100 -4
+feed 100 100 -4 F 100 S 1000
 rapid 100 100 2
 rapid 100 100 -3
-feed 100 100 -10
+feed 100 100 -10 F 100 S 1000
 rapid 100 100 2
 rapid 100 100 -9
-feed 100 100 -16
+feed 100 100 -16 F 100 S 1000
 rapid 100 100 2
 rapid 100 100 -15
-feed 100 100 -22
+feed 100 100 -22 F 100 S 1000
 rapid 100 100 2
 rapid 100 100 -21
-feed 100 100 -28
+feed 100 100 -28 F 100 S 1000
 rapid 100 100 2
 rapid 100 100 -27
-feed 100 100 -30
+feed 100 100 -30 F 100 S 1000
 rapid 100 100 20
 rapid 0 100 20
 rapid 0 100 2
-feed 0 100 -4
+feed 0 100 -4 F 100 S 1000
 rapid 0 100 2
 rapid 0 100 -3
-feed 0 100 -10
+feed 0 100 -10 F 100 S 1000
 rapid 0 100 2
 rapid 0 100 -9
-feed 0 100 -16
+feed 0 100 -16 F 100 S 1000
 rapid 0 100 2
 rapid 0 100 -15
-feed 0 100 -22
+feed 0 100 -22 F 100 S 1000
 rapid 0 100 2
 rapid 0 100 -21
-feed 0 100 -28
+feed 0 100 -28 F 100 S 1000
 rapid 0 100 2
 rapid 0 100 -27
-feed 0 100 -30
+feed 0 100 -30 F 100 S 1000
 rapid 0 100 20
 rapid 50 50 20
 rapid 50 50 2
-feed 50 50 -4
+feed 50 50 -4 F 100 S 1000
 rapid 50 50 2
 rapid 50 50 -3
-feed 50 50 -10
+feed 50 50 -10 F 100 S 1000
 rapid 50 50 2
 rapid 50 50 -9
-feed 50 50 -16
+feed 50 50 -16 F 100 S 1000
 rapid 50 50 2
 rapid 50 50 -15
-feed 50 50 -22
+feed 50 50 -22 F 100 S 1000
 rapid 50 50 2
 rapid 50 50 -21
-feed 50 50 -28
+feed 50 50 -28 F 100 S 1000
 rapid 50 50 2
 rapid 50 50 -27
-feed 50 50 -30
+feed 50 50 -30 F 100 S 1000
 rapid 50 50 20
 rapid 0 0 20
 rapid 0 0 2
-thread 0 0 -30
-thread 0 0 2
+thread 0 0 -30 F 1000 S 1000
+thread 0 0 2 F 1000 S 1000
 rapid 0 0 20
 rapid 100 0 20
 rapid 100 0 2
-thread 100 0 -30
-thread 100 0 2
+thread 100 0 -30 F 1000 S 1000
+thread 100 0 2 F 1000 S 1000
 rapid 100 0 20
 rapid 100 100 20
 rapid 100 100 2
-thread 100 100 -30
-thread 100 100 2
+thread 100 100 -30 F 1000 S 1000
+thread 100 100 2 F 1000 S 1000
 rapid 100 100 20
 rapid 0 100 20
 rapid 0 100 2
-thread 0 100 -30
-thread 0 100 2
+thread 0 100 -30 F 1000 S 1000
+thread 0 100 2 F 1000 S 1000
 rapid 0 100 20
 rapid 50 50 20
 rapid 50 50 2
-thread 50 50 -30
-thread 50 50 2
+thread 50 50 -30 F 1000 S 1000
+thread 50 50 2 F 1000 S 1000
 rapid 50 50 20
 rapid 50 50 25
 === expect

@@ -27,6 +27,9 @@ M30
 1 20 0
 3 20 0
 3 20 5
+=== says
+code="01610000" text="Measured result\u000aX length:      0.346\u000aY length: -    0.912"
+text="Tool wear\u000aX wear on diameter:      0.346\u000aZ wear: -    0.912\u000aWrite the new offset?" answer=2
 === expect
 file 0 main.nc
 3: event message kind="box" number=100 code="01610000" text="Measured result\u000aX length:      0.346\u000aY length: -    0.912" answer=1

@@ -11,6 +11,10 @@ G0 X1
 #3006=7
 IF[1EQ1] THEN #3106=3(behind a condition)
 M30
+=== says
+code="MSG001" text="roughing with cutter D30"
+code="MSG002"
+code="01501200"
 === expect
 file 0 main.nc
 1: event message kind="message" number=1 code="MSG001" text="roughing with cutter D30"

@@ -20,17 +20,22 @@ M99
 === truth
 rapid 100 0 0
 rapid 100 0 -1
-feed 100 0 -101
+feed 100 0 -101 F 130
 rapid 100 0 0
 rapid 100 30 0
 rapid 100 30 -1
-feed 100 30 -101
+feed 100 30 -101 F 130
 rapid 100 30 0
 rapid 250 30 0
 rapid 250 30 -1
-feed 250 30 -101
+feed 250 30 -101 F 130
 rapid 250 30 0
 rapid 251 30 0
+=== says
+dwell seconds=2
+dwell seconds=2
+dwell seconds=1
+dwell seconds=2
 === expect
 file 0 main.nc
 file 1 O1250

@@ -24,6 +24,9 @@ DPRNT[O#100[4]]
 DPRNT[X#130[53]Y#500[53]T#10[20]]
 PCLOS31
 M30
+=== says
+file O4567.txt: %\0D\0AX    35.897Y-  150.800T 15\0D\0A%\0D\0A
+C /X\00\04\DC\1EY\00\00\02\D3M\00\00\00\18\0D\0A\00\03\F2X\00\00\00\00\0D\0A
 === expect
 file 0 O0001.txt
 10: event output file="out/bytes.bin" bytes=36

@@ -25,6 +25,12 @@ M30
 20 0 0 S 0
 30 0 0 S 800
 40 0 0 S 900
+=== says
+spindle rpm=1500 direction="ccw" spindle=1
+spindle rpm=2000 direction="cw" spindle=2
+direction="stop" spindle=2
+direction="oriented" spindle=2
+direction="stop" spindle=1
 === expect
 file 0 main.nc
 1: event spindle rpm=1500 direction="ccw" spindle=1

@@ -25,6 +25,19 @@ S2=500 M3
 G4 P1
 M30
 === truth
+=== says
+direction="oriented" spindle=2
+angle=30
+angle=30
+angle=270
+direction="position loop" spindle=2
+turn=3600
+turn=3600
+direction="oriented"
+angle=90
+angle=270
+turn=360
+spindle rpm=500
 === expect
 file 0 main.nc
 1: event spindle rpm=0 direction="oriented" spindle=2

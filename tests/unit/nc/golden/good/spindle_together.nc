@@ -34,6 +34,13 @@ M30
 30 0 0 S -400
 40 0 0 S 1364.1852
 50 0 0 S 1061.033
+=== says
+spindle rpm=3000 direction="cw" spindle=1
+direction="synchronous" spindle=2 to=1
+spindle rpm=1200 direction="ccw" spindle=2
+direction="axis" spindle=1 axis="C1"
+spindle rpm=3000 direction="cw" spindle=1
+main_spindle=2
 === expect
 file 0 main.nc
 1: event spindle rpm=3000 direction="cw" spindle=1

@@ -16,6 +16,9 @@ thread 4 0 -30 t 3
 thread 12 0 -35 t 1.5118
 rapid 20 0 -35
 thread 20 0 -40 t 0.9449
+=== says
+thread lead=2 angle=180
+thread lead=3.175 angle=90
 === expect
 file 0 main.nc
 1: event spindle rpm=100 direction="cw"
