@@ -12,6 +12,13 @@ feed 10 0 -25
 rapid 9 0 -25
 rapid 9 0 2
 rapid 10 0 2
+=== says
+feed to 10 0 -25
+dwell seconds=1
+direction="oriented"
+rapid to 9 0 -25
+rapid to 10 0 2
+direction="cw"
 === expect
 file 0 main.nc
 1: event spindle rpm=100 direction="cw"

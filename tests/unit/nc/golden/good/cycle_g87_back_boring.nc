@@ -14,6 +14,19 @@ feed 10 0 -20
 8 0 -20
 8 0 50
 10 0 50
+=== says
+rapid to 10 0 50
+direction="oriented"
+rapid to 8 0 50
+rapid to 8 0 -30
+rapid to 10 0 -30
+direction="cw"
+feed to 10 0 -20
+direction="oriented"
+rapid to 8 0 -20
+rapid to 8 0 50
+rapid to 10 0 50
+direction="cw"
 === expect
 file 0 main.nc
 1: event spindle rpm=100 direction="cw"

@@ -12,6 +12,12 @@ M30
 10 0 2
 feed 10 0 -20
 rapid 10 0 2
+=== says
+feed to 10 0 -20
+direction="stop"
+stop code="M0"
+rapid to 10 0 2
+direction="cw"
 === expect
 file 0 main.nc
 1: event spindle rpm=100 direction="cw"
