@@ -122,7 +122,9 @@ Corner insideCorner(const Element& a, const Element& b, const CutterCompPolicy& 
 
 /// 3.5: from an uncompensated line `a` to the first element `b`.
 Corner startCorner(const Element& a, const Element& b, const CutterCompPolicy& policy) {
-  const double rho = a.rho_end;
+  // A change of side acts from the start of its block: right behind the start-up line only the new side
+  // counts.
+  const double rho = a.rho_end * b.rho_start < 0.0 ? b.rho_start : a.rho_end;
   const Vec2 p = planar(a.p1);
   const bool has_direction = b.kind == ElementKind::kLine || b.kind == ElementKind::kArc;
   if (a.kind == ElementKind::kZero) {
