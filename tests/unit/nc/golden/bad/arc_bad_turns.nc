@@ -1,6 +1,8 @@
 G0 X10 F100
 G3 I-10 L0
 M30
+=== says
+main.nc:2:9: error[nct-2002]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 10 0 0 t0.04

@@ -11,6 +11,9 @@ G0 Z1=5 Z1=6
 G0 XI5 U2 V1
 G53 U1 VI1
 M30
+=== says
+main.nc:2:9: error[nct-duplicate-word]
+main.nc:4:8: error[nct-2097]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 6 0 0 t0.02

@@ -1,5 +1,7 @@
 G0 X1 C90
 M30
+=== says
+main.nc:1:7: error[nct-2035]
 === expect
 file 0 main.nc
 main.nc:1:7: error[nct-2035]: wrong axis data: axis C is not configured

@@ -1,5 +1,7 @@
 G0 X1 ; comment
 M30
+=== says
+main.nc:1:7: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:7: error[nct-2064]: syntax error: ';' does not start a word

@@ -8,6 +8,8 @@ M99
 #3=0
 G0 X[#2/#3]
 M99
+=== says
+O0012:2:4: error[nct-2093]
 === expect
 file 0 main.nc
 file 1 O0011

@@ -4,6 +4,8 @@ G66.1 P11
 M30
 === sub O0011
 M99
+=== says
+main.nc:2:1: error[nct-2017]
 === expect
 file 0 main.nc
 file 1 O0011

@@ -54,6 +54,8 @@ M99
 === sub O0116
 G0 X1
 M99
+=== says
+O0115:1:1: error[nct-nesting]
 === expect
 file 0 main.nc
 file 1 O0100

@@ -4,6 +4,8 @@ proves: nct-15.5.6-G39
 G1 X10 F100
 G39
 M30
+=== says
+main.nc:2:1: error[nct-cutter-comp]
 === expect
 file 0 main.nc
 1: feed from 0 0 0 to 10 0 0 F100 t6

@@ -10,6 +10,8 @@ G39
 Y50
 G40 X0
 M30
+=== says
+main.nc:4:1: error[nct-cutter-comp]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -50 0 0 t0.2

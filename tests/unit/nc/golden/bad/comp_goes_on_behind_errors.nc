@@ -18,6 +18,11 @@ N20 20 K10 Y0
 X50
 G40 X80
 M30
+=== says
+main.nc:3:4: error[nct-2064]
+main.nc:8:1: error[nct-2123]
+main.nc:9:3: error[nct-2064]
+main.nc:11:5: error[nct-2064]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -100 0 0 t0.4

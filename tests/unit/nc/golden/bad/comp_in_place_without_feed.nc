@@ -4,6 +4,8 @@ D1 = 5
 G0 X-10
 G1 G41 D1
 M30
+=== says
+main.nc:2:1: error[nct-feed]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -10 0 0 t0.04

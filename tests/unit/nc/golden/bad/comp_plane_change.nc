@@ -7,6 +7,8 @@ G0 X-20 F100
 G41 X0 D1
 G18 X10
 M30
+=== says
+main.nc:3:1: error[nct-plane-in-comp]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -20 0 0 t0.08

@@ -14,6 +14,8 @@ G41 D2 G1 X50
 X90
 G40 X120
 M30
+=== says
+main.nc:4:1: error[nct-cutter-comp]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 40 -60 0 t0.24

@@ -6,6 +6,8 @@ D1 = 2
 G0 X0 Y0 F100
 G41 G2 X10 Y10 R10 D1
 M30
+=== says
+main.nc:2:1: error[nct-comp-start-arc]
 === expect
 file 0 main.nc
 main.nc:2:1: error[nct-comp-start-arc]: G41, G42 cannot be switched on in a G2 or G3 block

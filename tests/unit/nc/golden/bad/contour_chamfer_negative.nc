@@ -3,6 +3,8 @@ proves: nct-17.1-C
 === main
 G1 X30 ,C-5 F100
 M30
+=== says
+main.nc:1:8: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:8: error[nct-2002]: ,C data out of range: a length from 0

@@ -3,6 +3,8 @@ proves: nct-17.2-A
 === main
 G1 X30 ,A90 F100
 M30
+=== says
+main.nc:1:8: error[nct-contour]
 === expect
 file 0 main.nc
 main.nc:1:8: error[nct-contour]: a line in this direction never reaches the coordinate

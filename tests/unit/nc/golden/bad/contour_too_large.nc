@@ -6,6 +6,8 @@ X60 ,R22
 G3 X20 Y80 R40 ,C10
 G1 Y110
 M30
+=== says
+main.nc:2:1: error[nct-corner-too-large]
 === expect
 file 0 main.nc
 1: feed from 0 0 0 to 0 30 0 F100 t18

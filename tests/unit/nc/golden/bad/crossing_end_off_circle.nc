@@ -6,6 +6,8 @@ G1 X-30 Y-20
 G3 X20 Y41 I20 J-10 R50 Q-1
 G40 G0 Y60
 M30
+=== says
+main.nc:3:1: error[nct-2012]
 === expect
 file 0 main.nc
 main.nc:3:1: error[nct-2012]: circle radius difference error: the end is not on the circle of I, J, K and R

@@ -4,6 +4,8 @@ proves: nct-17.3-overdet
 G1 X30 F100
 X40 Y30 ,A45
 M30
+=== says
+main.nc:2:9: error[nct-2017]
 === expect
 file 0 main.nc
 1: feed from 0 0 0 to 30 0 0 F100 t18

@@ -6,6 +6,8 @@ G1 ,A45
 X90 Y30
 G40 X0
 M30
+=== says
+main.nc:2:1: error[nct-contour]
 === expect
 file 0 main.nc
 main.nc:2:1: error[nct-contour]: a line given by ,A alone needs a block behind it whose line or circle meets it

@@ -6,6 +6,8 @@ X60
 X90 Y30 ,A0
 G40 X0
 M30
+=== says
+main.nc:3:1: error[nct-contour]
 === expect
 file 0 main.nc
 main.nc:3:1: error[nct-contour]: the block and the one before it have no common point

@@ -5,6 +5,8 @@ axis = W 4 linear parallel Z
 === main
 G81 X0 Y0 Z-5 W-5 R2 F100
 M30
+=== says
+main.nc:1:15: error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:1:15: error[nct-2017]: illegal address W: two drill axes in one block

@@ -1,5 +1,7 @@
 G0 G81 X5 Z-5 R2 F100
 M30
+=== says
+main.nc:1:1: error[nct-group-clash]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-group-clash]: G0 and G81 cannot stand in one block

@@ -14,6 +14,14 @@ G10.9 C1
 G10.9 U1
 G10.9
 M30
+=== says
+main.nc:1:7: error[nct-diameter]
+main.nc:2:7: error[nct-2002]
+main.nc:3:10: error[nct-own-block]
+main.nc:4:7: error[nct-own-block]
+main.nc:5:7: error[nct-2035]
+main.nc:6:7: error[nct-own-block]
+main.nc:7:1: error[nct-2004]
 === expect
 file 0 main.nc
 main.nc:1:7: error[nct-diameter]: N0106.MGD = 0: G10.9 may not switch axis Y

@@ -1,5 +1,7 @@
 G0 X1 X2
 M30
+=== says
+main.nc:1:7: error[nct-duplicate-word]
 === expect
 file 0 main.nc
 main.nc:1:7: error[nct-duplicate-word]: two X in one block

@@ -1,5 +1,7 @@
 G4 P-1
 M30
+=== says
+main.nc:1:4: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2002]: P data out of range: a dwell is not negative

@@ -1,4 +1,6 @@
 %
+=== says
+main.nc:1:1: error[nct-empty]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-empty]: main.nc: the program is empty

@@ -4,6 +4,8 @@ block_limit = 1000
 N1 G0 X1
 X2
 M99 P1
+=== says
+main.nc:2:1: error[nct-block-limit]
 === expect
 file 0 main.nc
 1 N1: rapid from 0 0 0 to 1 0 0 t0.004

@@ -3,6 +3,8 @@ block_limit = 50
 === main
 G91 G81 X1 Z-1 R-1 F100 L99999999
 M30
+=== says
+main.nc:1:1: error[nct-block-limit]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 1 0 0 t0.004

@@ -1,5 +1,7 @@
 G0 Z1=87.257
 M30
+=== says
+main.nc:1:4: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2064]: '=': no axis or spindle of that name is configured

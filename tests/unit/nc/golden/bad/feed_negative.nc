@@ -1,5 +1,7 @@
 G1 X10 F-5
 M30
+=== says
+main.nc:1:8: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:8: error[nct-2002]: F takes no minus sign

@@ -1,5 +1,7 @@
 G1 X10 F0
 M30
+=== says
+main.nc:1:8: error[nct-feed]
 === expect
 file 0 main.nc
 main.nc:1:8: error[nct-feed]: F must be greater than 0

@@ -1,5 +1,7 @@
 G0 X1 <abc>
 M30
+=== says
+main.nc:1:7: error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:1:7: error[nct-2017]: a file name belongs to M98

@@ -5,6 +5,8 @@ G0 X1
 M30
 === truth
 1 0 0
+=== says
+main.nc:2:1: error[nct-until]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 1 0 0 t0.004

@@ -11,6 +11,12 @@ B1 B2
 BI5
 A1
 M30
+=== says
+main.nc:1:1: error[nct-2002]
+main.nc:2:1: error[nct-2002]
+main.nc:3:4: error[nct-duplicate-word]
+main.nc:4:1: error[nct-2002]
+main.nc:5:1: error[nct-2035]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2002]: B data out of range: an auxiliary function is a whole number of up to 8 digits

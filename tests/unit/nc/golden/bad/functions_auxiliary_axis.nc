@@ -6,6 +6,8 @@ N1335 = 66
 axis = B 5 rotary
 === main
 M30
+=== says
+error[nct-parameter]
 === expect
 error[nct-parameter]: N1335: B is an axis and cannot be an auxiliary function
 alarm: 0 blocks, 0 motions, 1 errors, 0 warnings

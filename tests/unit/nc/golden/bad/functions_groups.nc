@@ -13,6 +13,9 @@ M50 M55
 M50 M400
 M49 M56 M55
 M30
+=== says
+main.nc:1:6: error[nct-contradictory-m]
+main.nc:2:5: error[nct-contradictory-m]
 === expect
 file 0 main.nc
 main.nc:1:1: warning[nct-m-function]: M400 is a function of the machine builder: it has no effect in the simulation

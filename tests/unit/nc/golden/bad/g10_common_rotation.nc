@@ -1,5 +1,7 @@
 G10 L2 P0 I30
 M30
+=== says
+main.nc:1:11: error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:1:11: error[nct-2017]: illegal address: the common offset has no rotation

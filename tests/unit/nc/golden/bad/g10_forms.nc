@@ -15,6 +15,16 @@ G10 L200 P1 I1
 G10 L202 P1 X1
 G10 L2 P1 Q1 X1
 M30
+=== says
+main.nc:1:1: error[nct-2004]
+main.nc:2:1: error[nct-2004]
+main.nc:3:16: error[nct-2017]
+main.nc:4:10: error[nct-2002]
+main.nc:5:1: error[nct-2004]
+main.nc:6:13: error[nct-2002]
+main.nc:7:13: error[nct-2017]
+main.nc:8:13: error[nct-2017]
+main.nc:9:11: error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2004]: missing data P: G10 needs P

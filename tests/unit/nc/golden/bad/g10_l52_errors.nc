@@ -26,6 +26,22 @@ G0 X#100
 M30
 === truth
 0.01 0 0
+=== says
+main.nc:1:9: error[nct-2017]
+main.nc:3:1: error[nct-2002]
+main.nc:4:7: error[nct-2002]
+main.nc:5:1: error[nct-2004]
+main.nc:6:1: error[nct-2004]
+main.nc:7:1: error[nct-2004]
+main.nc:8:1: error[nct-2004]
+main.nc:9:6: error[nct-2002]
+main.nc:10:7: error[nct-2002]
+main.nc:11:7: error[nct-2002]
+main.nc:12:10: error[nct-2017]
+main.nc:13:10: error[nct-2017]
+main.nc:14:1: error[nct-2193]
+main.nc:15:1: error[nct-2017]
+main.nc:16:5: error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:1:9: error[nct-2017]: illegal address P: G10 L52 stands alone

@@ -1,5 +1,7 @@
 G30 X0
 M30
+=== says
+main.nc:1:1: error[nct-2004]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2004]: missing data P: G30 needs the number of the reference point

@@ -5,6 +5,8 @@ G0 Z10
 G81 X5 Z-5 R2 F100
 G41 X10 I5
 M30
+=== says
+main.nc:3:1: error[nct-cycle-in-comp]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 0 0 10 t0.04

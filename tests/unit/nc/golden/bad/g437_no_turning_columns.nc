@@ -10,6 +10,10 @@ G10 L201 P5 X1
 G10 L203 P5 R1
 G10 L110 P5 R1
 M30
+=== says
+main.nc:1:1: error[nct-2123]
+main.nc:2:5: error[nct-2123]
+main.nc:3:5: error[nct-2123]
 === expect
 file 0 main.nc
 main.nc:1:7: warning[nct-offset-missing]: H5 has no value in the offset table: 0 is taken

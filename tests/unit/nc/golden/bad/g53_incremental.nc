@@ -1,5 +1,7 @@
 G53 XI10
 M30
+=== says
+main.nc:1:5: error[nct-2097]
 === expect
 file 0 main.nc
 main.nc:1:5: error[nct-2097]: illegal incremental movement on axis X: G53 is always absolute

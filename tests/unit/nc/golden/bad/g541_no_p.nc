@@ -1,5 +1,7 @@
 G54.1 X0
 M30
+=== says
+main.nc:1:1: error[nct-2004]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2004]: missing data P: G54.1 needs P1 to P99

@@ -1,5 +1,7 @@
 G0 G1 X5 F100
 M30
+=== says
+main.nc:1:4: error[nct-group-clash]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-group-clash]: G0 and G1 are of one group

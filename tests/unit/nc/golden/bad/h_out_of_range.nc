@@ -1,5 +1,7 @@
 G43 H1000
 M30
+=== says
+main.nc:1:5: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:5: error[nct-2002]: H data out of range: an integer from 0 to 999 is expected

@@ -1,5 +1,7 @@
 G0 X12345678901234567890
 M30
+=== says
+main.nc:1:4: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2002]: X: number has more than 15 digits

@@ -3,6 +3,8 @@ N1758.USD = 1
 === main
 M96
 M30
+=== says
+main.nc:1:1: error[nct-2004]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2004]: missing data P: M96 needs a program number or a file name

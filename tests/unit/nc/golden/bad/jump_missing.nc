@@ -3,6 +3,8 @@ M98 P11
 M30
 === sub O0011.nc
 M99 P999
+=== says
+O0011.nc:1:1: error[nct-2125]
 === expect
 file 0 main.nc
 file 1 O0011.nc

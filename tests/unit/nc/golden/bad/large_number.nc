@@ -1,5 +1,7 @@
 G0 X99999999999
 M30
+=== says
+main.nc:1:4: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2002]: X: value out of range

@@ -1,5 +1,7 @@
 G1 X1 Q5 F100
 M30
+=== says
+main.nc:1:7: error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:1:7: error[nct-2017]: illegal address Q: Q belongs to the intersection with the block before

@@ -1,5 +1,7 @@
 M-3
 M30
+=== says
+main.nc:1:1: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2002]: M takes no minus sign

@@ -1,5 +1,7 @@
 M123456789
 M30
+=== says
+main.nc:1:1: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2002]: M data out of range: an integer from 0 to 99999999 is expected

@@ -1,6 +1,8 @@
 === main
 #1=##120
 M30
+=== says
+main.nc:1:4: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2064]: syntax error: '#' is followed by a number, a name or '['

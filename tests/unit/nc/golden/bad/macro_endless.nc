@@ -4,6 +4,8 @@ block_limit = 50
 DO1
 END1
 M30
+=== says
+main.nc:1:1: error[nct-block-limit]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-block-limit]: 50 blocks executed without an end: endless loop? (the limit is a setting)

@@ -3,6 +3,8 @@ block_limit = 50
 === main
 N1 GOTO1
 M30
+=== says
+main.nc:1:1: error[nct-block-limit]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-block-limit]: 50 blocks executed without an end: endless loop? (the limit is a setting)

@@ -1,6 +1,8 @@
 === main
 GOTO#1
 M30
+=== says
+main.nc:1:1: error[nct-2125]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2125]: GOTO without a block number: the value is vacant

@@ -2,6 +2,8 @@
 IF[1EQ1] DO1
 END1
 M30
+=== says
+main.nc:1:1: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2064]: syntax error: a loop cannot start or end behind IF

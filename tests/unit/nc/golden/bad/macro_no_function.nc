@@ -1,6 +1,8 @@
 === main
 G0 X10 GOTO5
 M30
+=== says
+main.nc:1:8: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:8: error[nct-2064]: syntax error: a value is expected, and OTO is no function

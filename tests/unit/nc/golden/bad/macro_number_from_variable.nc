@@ -2,6 +2,8 @@
 #1=5
 N#1 X1
 M30
+=== says
+main.nc:2:1: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:2:1: error[nct-2064]: syntax error: a block number is a plain number

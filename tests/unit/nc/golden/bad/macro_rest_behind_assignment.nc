@@ -1,6 +1,8 @@
 === main
 #1=5 X3
 M30
+=== says
+main.nc:1:6: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:6: error[nct-2064]: syntax error: nothing may follow the statement

@@ -1,6 +1,8 @@
 === main
 G0 X#34
 M30
+=== says
+main.nc:1:4: error[nct-variable]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-variable]: the control has no variable #34

@@ -2,6 +2,8 @@
 #101=12.5
 G0 X#101 Q5
 M30
+=== says
+main.nc:2:10: error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:2:10: error[nct-2017]: illegal address Q in this block

@@ -9,6 +9,8 @@ N1703 = 540
 G0 X#541
 #530=1
 M30
+=== says
+main.nc:4:1: error[nct-2161]
 === expect
 file 0 main.nc
 3: rapid from 0 0 0 to 2 0 0 t0.008

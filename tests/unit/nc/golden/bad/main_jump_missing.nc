@@ -1,4 +1,6 @@
 M99 P5
+=== says
+main.nc:1:1: error[nct-2125]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2125]: block N5 not found in main.nc

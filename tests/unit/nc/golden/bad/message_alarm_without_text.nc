@@ -6,6 +6,8 @@ G0 X1
 IF[#1EQ#0] #_ALM=5
 X2
 M30
+=== says
+main.nc:2:1: error[nct-4005]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 1 0 0 t0.004

@@ -12,6 +12,14 @@ max_errors = 10
 #3107=100(value #100[00])
 #3107=100(value #34[53])
 M30
+=== says
+main.nc:1:1: error[nct-2092]
+main.nc:2:1: error[nct-2092]
+main.nc:3:1: error[nct-2092]
+main.nc:4:1: error[nct-2092]
+main.nc:5:1: error[nct-2064]
+main.nc:6:1: error[nct-2002]
+main.nc:7:1: error[nct-variable]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2092]: value out of range in variable #3107

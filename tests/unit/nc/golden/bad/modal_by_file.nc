@@ -3,6 +3,8 @@ G66 <x.nc>
 M30
 === sub O0011
 M99
+=== says
+main.nc:1:5: error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:1:5: error[nct-2017]: G66 calls by number only

@@ -6,6 +6,8 @@ G0 G90 X1
 M30
 === sub O0011
 M99
+=== says
+main.nc:2:4: error[nct-2017]
 === expect
 file 0 main.nc
 file 1 O0011

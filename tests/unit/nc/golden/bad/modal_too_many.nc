@@ -19,6 +19,8 @@ G66 P11
 M30
 === sub O0011
 M99
+=== says
+main.nc:17:1: error[nct-nesting]
 === expect
 file 0 main.nc
 file 1 O0011

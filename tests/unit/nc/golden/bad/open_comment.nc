@@ -1,5 +1,7 @@
 G0 X1
 (this file is cut of
+=== says
+main.nc:2:1: error[nct-open-comment]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 1 0 0 t0.004

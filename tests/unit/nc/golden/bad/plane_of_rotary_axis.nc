@@ -15,6 +15,11 @@ G1 G41 D1 X30
 G16 X10 C20
 G17 U1 U2=1
 M30
+=== says
+main.nc:2:1: error[nct-2015]
+main.nc:3:1: error[nct-2088]
+main.nc:4:1: error[nct-2088]
+main.nc:5:8: error[nct-2088]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 10 0 0 C 0 to 0 t0.04

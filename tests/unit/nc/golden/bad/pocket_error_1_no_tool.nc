@@ -6,6 +6,8 @@ D1 = 5
 G0 X0 Y0 Z2
 G65 P9999 X60 Y40 Z10 K2 R8 E60 Q4 F400
 M30
+=== says
+main.nc:2:1: error[nct-macro-error-1]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 0 0 2 t0.008

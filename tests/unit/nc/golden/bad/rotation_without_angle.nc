@@ -4,6 +4,8 @@ proves: nct-16.1-G68
 G17 G90 G0 X0 Y0
 G68 X0 Y0
 M30
+=== says
+main.nc:2:1: error[nct-2004]
 === expect
 file 0 main.nc
 main.nc:2:1: error[nct-2004]: missing data R: G68 needs an angle

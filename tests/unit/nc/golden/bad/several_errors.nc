@@ -8,6 +8,9 @@ G777
 X2 Q1
 X3
 M30
+=== says
+main.nc:2:1: error[nct-2123]
+main.nc:3:4: error[nct-2017]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 1 0 0 t0.004

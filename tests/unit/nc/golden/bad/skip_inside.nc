@@ -1,5 +1,7 @@
 G0 X1 /2 Y5
 M30
+=== says
+main.nc:1:7: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:7: error[nct-2064]: optional skip must stand at the start of the block

@@ -1,5 +1,7 @@
 /0 G0 X1
 M30
+=== says
+main.nc:1:1: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2002]: optional skip is /1 to /9

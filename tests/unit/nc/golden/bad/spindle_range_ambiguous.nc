@@ -27,6 +27,19 @@ M21 M5
 S2=0 M20
 G0 C10
 M30
+=== says
+main.nc:1:1: error[nct-spindle-range]
+main.nc:2:6: error[nct-2002]
+main.nc:3:6: error[nct-2017]
+main.nc:4:8: error[nct-2017]
+main.nc:5:1: error[nct-2017]
+main.nc:6:6: error[nct-2017]
+main.nc:7:1: error[nct-2002]
+main.nc:8:4: error[nct-spindle-axis]
+main.nc:9:1: error[nct-2138]
+main.nc:11:8: error[nct-duplicate-word]
+main.nc:13:1: error[nct-spindle-loop]
+main.nc:14:5: error[nct-contradictory-m]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-spindle-range]: S900 lies in the ranges 1 and 2: M11 or M12 must choose

@@ -8,6 +8,8 @@ M99
 G0 X1
 G777
 M99
+=== says
+O0012.nc:2:1: error[nct-2123]
 === expect
 file 0 main.nc
 file 1 O0011.nc

@@ -3,6 +3,8 @@ M98 P11 L0
 M30
 === sub O0011.nc
 M99
+=== says
+main.nc:1:9: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:9: error[nct-2002]: L data out of range: an integer from 1 to 99999999 is expected

@@ -6,6 +6,8 @@ M30
 G91 X1
 M98 P11
 M99
+=== says
+O0011.nc:2:1: error[nct-nesting]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 1 0 0 t0.004

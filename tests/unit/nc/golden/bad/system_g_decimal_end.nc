@@ -7,6 +7,8 @@ N1719 = 10
 === main
 G311.5 A1
 M30
+=== says
+main.nc:1:1: error[nct-2123]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2123]: function not implemented: G311.5 is not a code of this control

@@ -8,6 +8,8 @@ M30
 === sub O9010.nct
 G0 X1
 M99
+=== says
+main.nc:1:1: error[nct-2147]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2147]: file not found: program SystemMacros/Channel1/O9010 is not among the programs given

@@ -43,6 +43,42 @@ N1400 = 20
 #23001=10
 #3901=-1
 M30
+=== says
+main.nc:1:6: error[nct-variable]
+main.nc:2:6: error[nct-variable]
+main.nc:3:6: error[nct-variable]
+main.nc:4:6: error[nct-variable]
+main.nc:5:6: error[nct-variable]
+main.nc:6:6: error[nct-variable]
+main.nc:7:6: error[nct-variable]
+main.nc:8:6: error[nct-variable]
+main.nc:9:6: error[nct-variable]
+main.nc:10:6: error[nct-variable]
+main.nc:11:6: error[nct-variable]
+main.nc:12:6: error[nct-variable]
+main.nc:13:6: error[nct-variable]
+main.nc:14:6: error[nct-variable]
+main.nc:15:6: error[nct-variable]
+main.nc:16:6: error[nct-variable]
+main.nc:17:6: error[nct-variable]
+main.nc:18:1: error[nct-2161]
+main.nc:19:1: error[nct-2161]
+main.nc:20:1: error[nct-2161]
+main.nc:21:1: error[nct-2161]
+main.nc:22:1: error[nct-2161]
+main.nc:23:1: error[nct-2161]
+main.nc:24:1: error[nct-2161]
+main.nc:25:1: error[nct-2161]
+main.nc:26:1: error[nct-2161]
+main.nc:27:1: error[nct-2092]
+main.nc:28:1: error[nct-2092]
+main.nc:29:1: error[nct-2092]
+main.nc:30:1: error[nct-2092]
+main.nc:31:1: error[nct-2092]
+main.nc:32:1: error[nct-2092]
+main.nc:33:9: error[nct-2064]
+main.nc:34:1: error[nct-variable]
+main.nc:35:1: error[nct-2092]
 === expect
 file 0 main.nc
 main.nc:1:6: error[nct-variable]: the control has no variable #34

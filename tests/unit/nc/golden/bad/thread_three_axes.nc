@@ -10,6 +10,9 @@ G0 X0 Y0
 G41 D1 X10
 G33 Z-10 F2
 M30
+=== says
+main.nc:2:1: error[nct-2017]
+main.nc:5:1: error[nct-thread-comp]
 === expect
 file 0 main.nc
 1: event spindle rpm=100 direction="cw"

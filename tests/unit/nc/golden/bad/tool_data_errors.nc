@@ -41,6 +41,34 @@ M62 T10001
 #8400=12
 #8401=1
 M30
+=== says
+main.nc:1:1: error[nct-2004]
+main.nc:2:9: error[nct-2002]
+main.nc:4:1: error[nct-2004]
+main.nc:5:1: error[nct-2002]
+main.nc:6:4: error[nct-2002]
+main.nc:7:4: error[nct-2002]
+main.nc:8:4: error[nct-2002]
+main.nc:9:4: error[nct-2002]
+main.nc:10:1: error[nct-2004]
+main.nc:11:4: error[nct-2002]
+main.nc:12:7: error[nct-2002]
+main.nc:13:1: error[nct-2004]
+main.nc:14:4: error[nct-2017]
+main.nc:16:1: error[nct-2017]
+main.nc:19:1: error[nct-2002]
+main.nc:20:1: error[nct-2002]
+main.nc:21:1: error[nct-2004]
+main.nc:22:1: error[nct-2004]
+main.nc:25:1: error[nct-2002]
+main.nc:26:4: error[nct-2002]
+main.nc:27:4: error[nct-2002]
+main.nc:29:1: error[nct-no-tool]
+main.nc:30:1: error[nct-no-tool]
+main.nc:31:5: error[nct-2002]
+main.nc:32:5: error[nct-2002]
+main.nc:33:1: error[nct-2092]
+main.nc:34:1: error[nct-2161]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2004]: missing data P: which table G10 L75, L76, L77 fill

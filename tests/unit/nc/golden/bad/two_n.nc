@@ -1,5 +1,7 @@
 N1 N2 G0 X1
 M30
+=== says
+main.nc:1:4: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2064]: two N words in one block

@@ -1,5 +1,7 @@
 G0 X1.2.3
 M30
+=== says
+main.nc:1:4: error[nct-2064]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2064]: X: second decimal point

@@ -1,6 +1,8 @@
 G0 X1
 G123 X2
 M30
+=== says
+main.nc:2:1: error[nct-2123]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 1 0 0 t0.004

@@ -1,5 +1,7 @@
 G54.12 X2
 M30
+=== says
+main.nc:1:1: error[nct-2123]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2123]: function not implemented: G54.12 is not a code of this control

@@ -27,6 +27,21 @@ G7.1 A0
 G40 X0
 G7.1 A0
 M30
+=== says
+main.nc:1:1: error[nct-2088]
+main.nc:3:6: error[nct-2088]
+main.nc:4:1: error[nct-own-block]
+main.nc:5:6: error[nct-2002]
+main.nc:6:6: error[nct-2035]
+main.nc:8:1: error[nct-virtual-forbidden]
+main.nc:9:1: error[nct-virtual-forbidden]
+main.nc:10:1: error[nct-virtual-forbidden]
+main.nc:11:1: error[nct-virtual-forbidden]
+main.nc:12:1: error[nct-virtual-forbidden]
+main.nc:13:1: error[nct-virtual-forbidden]
+main.nc:14:12: error[nct-2017]
+main.nc:15:1: error[nct-virtual-forbidden]
+main.nc:17:1: error[nct-virtual-comp]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2088]: illegal plane selection: a block G17, G18 or G19 with a linear and a rotary axis must stand before

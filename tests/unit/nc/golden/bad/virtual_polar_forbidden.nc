@@ -15,6 +15,14 @@ G53 X0
 G28 X0
 G30 P2 X0
 M30
+=== says
+main.nc:3:1: error[nct-virtual-forbidden]
+main.nc:4:1: error[nct-virtual-forbidden]
+main.nc:5:1: error[nct-virtual-forbidden]
+main.nc:6:1: error[nct-virtual-forbidden]
+main.nc:7:1: error[nct-virtual-forbidden]
+main.nc:8:1: error[nct-virtual-forbidden]
+main.nc:9:1: error[nct-virtual-forbidden]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 10 0 0 C 0 to 0 t0.04

@@ -25,6 +25,14 @@ G40 X10
 G13.1 M8
 G13.1
 M30
+=== says
+main.nc:2:1: error[nct-2088]
+main.nc:4:1: error[nct-2088]
+main.nc:6:1: error[nct-polar-start]
+main.nc:8:1: error[nct-polar-start]
+main.nc:10:1: error[nct-own-block]
+main.nc:14:1: error[nct-virtual-comp]
+main.nc:16:1: error[nct-own-block]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 10 0 0 C 0 to 0 t0.04

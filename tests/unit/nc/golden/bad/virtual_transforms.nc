@@ -8,6 +8,8 @@ G12.1
 G68 X0 Y0 R30
 G13.1
 M30
+=== says
+main.nc:3:1: error[nct-virtual-forbidden]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 100 0 0 C 0 to 0 t0.4

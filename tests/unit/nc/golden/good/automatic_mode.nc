@@ -9,6 +9,15 @@ Y10
 G40 X0
 G81 X5 Z-2 R1
 M30
+=== truth
+8 1 0
+9 2 0 center 8 2 0 sweep 90
+9 10 0
+0 10 0
+5 10 0
+5 10 1
+feed 5 10 -2
+5 10 0
 === expect
 file 0 main.nc
 1: feed from 0 0 0 to 8 1 0 F100 t4.8374

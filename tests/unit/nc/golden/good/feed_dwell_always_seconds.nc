@@ -6,6 +6,8 @@ N1337.SEC = 1
 S600 M3
 G95 G4 P5
 M30
+=== says
+dwell seconds=5
 === expect
 file 0 main.nc
 1: event spindle rpm=600 direction="cw"

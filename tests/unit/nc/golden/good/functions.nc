@@ -11,6 +11,18 @@ M9
 M77
 M77
 M2
+=== says
+stop code="M0"
+optional_stop code="M1" active=false
+spindle rpm=500 direction="ccw"
+coolant code="M8" on=true
+function code="M11"
+spindle rpm=800 direction="ccw"
+direction="oriented"
+coolant code="M9" on=false
+function code="M77"
+function code="M77"
+end code="M2"
 === expect
 file 0 main.nc
 1: event stop code="M0"

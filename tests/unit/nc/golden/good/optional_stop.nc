@@ -5,6 +5,8 @@ optional_stop = 1
 === main
 M1
 M30
+=== says
+optional_stop code="M1" active=true
 === expect
 file 0 main.nc
 1: event optional_stop code="M1" active=true

@@ -22,6 +22,9 @@ FCLOS
 FOPEN5 <O0012.nc>
 DPRNT[#20[3]+-]
 M30
+=== says
+O00012345.nc: A\0D\0A
+O0012.nc: 0+-\0D\0A
 === expect
 file 0 main.nc
 7: event output file="O0012.nc" bytes=32

@@ -9,6 +9,9 @@ M20
 M24
 M30
 === truth
+=== says
+function code="M20"
+function code="M24"
 === expect
 file 0 main.nc
 1: event function code="M20"

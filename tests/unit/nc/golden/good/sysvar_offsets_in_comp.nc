@@ -11,6 +11,11 @@ X20
 X30
 G40 X40
 M30
+=== truth
+10 2 0
+20 0 0
+30 2 0
+40 0 0
 === expect
 file 0 main.nc
 2: feed from 0 0 0 to 10 2 0 F100 t6.1188
