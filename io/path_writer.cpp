@@ -155,6 +155,12 @@ void JsonLinesPathWriter::technology(const Motion& motion) {
 
 namespace {
 
+void putChannel(Buffer& b, int channel) {
+  if (channel == 0) return;
+  put(b, R"(,"channel":)");
+  putInteger(b, channel);
+}
+
 void putAxis(Buffer& b, const AxisSweep& axis) {
   if (!axis.alongZ()) {
     put(b, R"(,"axis_from":)");
@@ -198,10 +204,7 @@ void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc, c
   technology(motion);
   put(b, R"(,"time_s":)");
   putNumber(b, motion.time_s);
-  if (motion.channel > 0) {
-    put(b, R"(,"channel":)");
-    putInteger(b, motion.channel + 1);
-  }
+  putChannel(b, motion.channel);
   source(motion.source);
 }
 
@@ -222,6 +225,7 @@ void JsonLinesPathWriter::event(const PathEvent& event) {
     put(buffer_, R"(,"time_s":)");
     putNumber(buffer_, event.time_s);
   }
+  putChannel(buffer_, event.channel);
   source(event.source);
 }
 
@@ -243,15 +247,21 @@ void JsonLinesPathWriter::diagnostic(const Diagnostic& diagnostic) {
   endLine();
 }
 
-CsvPathWriter::CsvPathWriter(std::ostream& out) : out_(out) {
-  put(buffer_,
-      "id,kind,shape,from_x,from_y,from_z,to_x,to_y,to_z,feed,tool,spindle,time_s,"
-      "center_x,center_y,center_z,normal_x,normal_y,normal_z,sweep_deg,file,line,block,depth\n");
-}
+CsvPathWriter::CsvPathWriter(std::ostream& out) : out_(out) {}
 
 CsvPathWriter::~CsvPathWriter() { flush(); }
 
+void CsvPathWriter::head() {
+  if (headed_) return;
+  headed_ = true;
+  put(buffer_,
+      "id,kind,shape,from_x,from_y,from_z,to_x,to_y,to_z,feed,tool,spindle,time_s,"
+      "center_x,center_y,center_z,normal_x,normal_y,normal_z,sweep_deg,file,line,block,depth");
+  put(buffer_, channels_ ? ",channel\n" : "\n");
+}
+
 void CsvPathWriter::flush() {
+  head();
   send(buffer_, out_);
   out_.flush();
 }
@@ -276,6 +286,8 @@ void CsvPathWriter::motion(const Motion& motion, const ArcGeometry* arc, const A
   const auto vector = [&](const Vec3& v) {
     for (int axis = 0; axis < 3; ++axis) number(v[axis]);
   };
+  channels_ = channels_ || (!headed_ && motion.channel > 0);
+  head();
   putInteger(b, next_id_++);
   b.push_back(',');
   put(b, motionKindName(motion.kind));
@@ -302,6 +314,10 @@ void CsvPathWriter::motion(const Motion& motion, const ArcGeometry* arc, const A
   if (s.block >= 0) putInteger(b, s.block);
   b.push_back(',');
   putInteger(b, s.depth);
+  if (channels_) {
+    b.push_back(',');
+    putInteger(b, motion.channel);
+  }
   b.push_back('\n');
   if (b.size() >= kFlushBytes) send(b, out_);
 }

@@ -16,7 +16,8 @@ namespace proveout {
 /// One JSON object a line: a header, then motions, events and diagnostics in program order. Lengths mm, feed
 /// mm/min, angles degrees; numbers rounded to 1e-9 with no trailing zeros, -0 as 0. `block` is "" where the
 /// block has no N. "axis_from" and "axis_to" stand where the tool is not along +z, "rotary" where the machine
-/// has rotary axes: {"C":[from,to]}, degrees.
+/// has rotary axes: {"C":[from,to]}, degrees; "channel" of motions and events where the control has several:
+/// motions are then in order of start times.
 class JsonLinesPathWriter : public MotionSink {
  public:
   /// Writes the header at once. `out` must outlive the writer; its state tells of write errors.
@@ -44,7 +45,8 @@ class JsonLinesPathWriter : public MotionSink {
   MotionId next_id_ = 0;
 };
 
-/// A table of the motions, with a header line. Events and diagnostics have no row, rotary axes no column.
+/// A table of the motions, with a header line. Events and diagnostics have no row, rotary axes no column. The
+/// last column is the channel where the control has several.
 class CsvPathWriter : public MotionSink {
  public:
   explicit CsvPathWriter(std::ostream& out);
@@ -56,8 +58,11 @@ class CsvPathWriter : public MotionSink {
   void flush();
 
  private:
+  void head();
+
   std::ostream& out_;
   TextBuffer buffer_;
+  bool headed_ = false, channels_ = false;
   std::vector<std::string> files_;  ///< quoted where CSV needs it
   MotionId next_id_ = 0;
 };

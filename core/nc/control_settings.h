@@ -85,6 +85,8 @@ struct UntilBlock {
 };
 
 struct ControlSettings {
+  int channel = 0;  ///< number of the control's channel, 1 to 8; 0: not told, the control has one
+  int tool = 0;     ///< number of the tool in the spindle at power-on; 0: not told
   LengthUnit units = LengthUnit::kMillimetre;   ///< power-on unit, where the program does not say (G20/G21)
   TextEncoding encoding = TextEncoding::kAuto;  ///< of the program files
   Vec3 rapid_mm_min = Vec3::Constant(15000.0);  ///< rapid rate of X, Y, Z; > 0

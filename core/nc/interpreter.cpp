@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/nc/nct/nct_channels.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_control.h"
 #include "core/nc/nct/nct_parameters.h"
@@ -72,21 +73,29 @@ Result<ControlId> findControl(std::string_view name) {
   return inputError(fmt::format("unknown control {} (known: {})", name, known));
 }
 
+namespace {
+
+InterpretSummary notBuilt(MotionSink& sink) {
+  InterpretSummary summary;
+  summary.end = ProgramEnd::kAlarm;
+  summary.errors = 1;
+  sink.diagnostic(
+      {Severity::kError, "control", "this control is known but this version cannot run it yet", {}, {}, {}});
+  return summary;
+}
+
+}  // namespace
+
 InterpretSummary interpret(ControlId control, const ProgramSource& source, const ControlSettings& settings,
                            MotionSink& sink, Progress* progress, const ControlHost& host) {
-  if (control != ControlId::kNct) {
-    InterpretSummary summary;
-    summary.end = ProgramEnd::kAlarm;
-    summary.errors = 1;
-    sink.diagnostic({Severity::kError,
-                     "control",
-                     "this control is known but this version cannot run it yet",
-                     {},
-                     {},
-                     {}});
-    return summary;
-  }
+  if (control != ControlId::kNct) return notBuilt(sink);
   return nc::NctControl(source, settings, sink, progress, host).run();
+}
+
+InterpretSummary interpretChannels(ControlId control, const std::vector<ChannelProgram>& channels,
+                                   MotionSink& sink, Progress* progress, const ControlHost& host) {
+  if (control != ControlId::kNct) return notBuilt(sink);
+  return nc::NctChannels(channels, sink, progress, host).run();
 }
 
 Result<std::vector<CoverageRow>> coverageTable(ControlId control) {

@@ -55,6 +55,24 @@ struct InterpretSummary {
 InterpretSummary interpret(ControlId control, const ProgramSource& source, const ControlSettings& settings,
                            MotionSink& sink, Progress* progress = nullptr, const ControlHost& host = {});
 
+inline constexpr int kMaxChannels = 8;
+
+/// What one channel of a control runs.
+struct ChannelProgram {
+  const ProgramSource* source = nullptr;  ///< its main program and what that calls
+  /// With the channel's number, 1 to kMaxChannels. Parameters that belong to the whole control are those of
+  /// the first channel.
+  ControlSettings settings;
+};
+
+/// Runs the programs of several channels together, in the order of simulated time, as interpret() does for
+/// one. The sink gets one path in order of start times. An error in a channel stops all at its time; so does
+/// `until`, where the first channel has it. Cycle time is the end of the last channel; the other times are
+/// sums. Errors: no channel, too many, or two of one number.
+InterpretSummary interpretChannels(ControlId control, const std::vector<ChannelProgram>& channels,
+                                   MotionSink& sink, Progress* progress = nullptr,
+                                   const ControlHost& host = {});
+
 /// One row of what a control supports, taken from the tables that execute.
 struct CoverageRow {
   std::string code;     ///< "G2", "M98", "F"

@@ -64,7 +64,8 @@ PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes,
   for (const AxisSettings& axis : settings.axes) {
     if (const int k = axes_.find(axis.name); k >= kMainAxes) machine_[k] = axis.start;
   }
-  setTool(0);
+  setTool(settings.tool);
+  machine_.xyz = settings.start - to_workpiece_;
 }
 
 void PathEmitter::setTool(int tool) {

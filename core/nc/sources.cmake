@@ -2,6 +2,7 @@ target_sources(proveout_core PRIVATE
   nc/axes.cpp
   nc/control_host.cpp
   nc/contour_stage.cpp
+  nc/channels.cpp
   nc/coverage.cpp
   nc/feed_limits.cpp
   nc/frames.cpp
@@ -32,6 +33,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_axis_setup.cpp
   nc/nct/nct_axis_words.cpp
   nc/nct/nct_block.cpp
+  nc/nct/nct_channels.cpp
   nc/nct/nct_codes.cpp
   nc/nct/nct_context.cpp
   nc/nct/nct_contour.cpp
@@ -53,6 +55,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_perform.cpp
   nc/nct/nct_pocket.cpp
   nc/nct/nct_planes.cpp
+  nc/nct/nct_reset.cpp
   nc/nct/nct_rows.cpp
   nc/nct/nct_statements.cpp
   nc/nct/nct_spindle.cpp
@@ -62,6 +65,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_smooth.cpp
   nc/nct/nct_thread.cpp
   nc/nct/nct_virtual.cpp
+  nc/nct/nct_wait.cpp
   nc/nct/nct_transforms.cpp
   nc/nct/nct_words.cpp
   nc/nct/offset_tables.cpp
@@ -75,6 +79,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/machine.cpp
   nc/nct/parameters/macro.cpp
   nc/nct/parameters/motion.cpp
+  nc/nct/parameters/program.cpp
   nc/nct/parameters/spindle.cpp
   nc/nct/parameters/tools.cpp
   nc/nct/program_store.cpp
@@ -95,6 +100,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/tables/macro.cpp
   nc/nct/tables/measuring.cpp
   nc/nct/tables/motion.cpp
+  nc/nct/tables/program.cpp
   nc/nct/tables/rotary.cpp
   nc/nct/tables/spindle.cpp
   nc/nct/tables/tools.cpp

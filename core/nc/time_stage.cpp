@@ -44,6 +44,8 @@ void TimeStage::motion(const Motion& motion, const ArcGeometry* arc, const AxisS
   }
   Waiting& w = waiting_.emplace_back();
   w.motion = motion;
+  w.least_s = motion.time_s;
+  least_s_ += motion.time_s;
   w.has_arc = arc != nullptr;
   w.has_axis = axis != nullptr;
   if (arc) w.arc = *arc;
@@ -186,10 +188,14 @@ void TimeStage::send(std::size_t motions) {
   for (std::size_t i = 0; i < motions; ++i) {
     sendAsides(i);
     const Waiting& w = waiting_[i];
+    least_s_ -= w.least_s;
     count(w.motion);
     sink_.motion(w.motion, w.has_arc ? &w.arc : nullptr, w.has_axis ? &w.axis : nullptr);
   }
-  if (motions == waiting_.size()) sendAsides(motions);
+  if (motions == waiting_.size()) {
+    sendAsides(motions);
+    least_s_ = 0.0;
+  }
   asides_.erase(asides_.begin(), asides_.begin() + static_cast<std::ptrdiff_t>(aside));
   for (Aside& a : asides_) a.before -= motions;
 }

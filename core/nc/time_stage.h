@@ -62,6 +62,9 @@ class TimeStage {
   /// Everything out; the axes come to a stand.
   void flush();
 
+  /// Time until the last motion that came in has ended, at least: what waits counts as if nothing slowed it
+  /// down. Never falls.
+  double reached_s() const { return summary_.cycle_s + least_s_; }
   /// Times since the start if the axes came to a stand now. Changes no plan.
   struct Elapsed {
     double cycle_s, cutting_s;
@@ -74,6 +77,7 @@ class TimeStage {
     ArcGeometry arc;
     AxisSweep axis;
     bool has_arc = false, has_axis = false;
+    double least_s = 0.0;  ///< time without accelerations
   };
   /// A stretch of a waiting motion.
   struct Stretch {
@@ -109,6 +113,7 @@ class TimeStage {
   std::vector<Waiting> waiting_;
   std::vector<Stretch> stretches_;
   std::vector<Aside> asides_;
+  double least_s_ = 0.0;    ///< of all that wait
   double entry_ = 0.0;      ///< speed where the first stretch begins, mm/s
   double slow_left_ = 0.0;  ///< of the stretch behind the last inside corner, mm
   bool moving_ = false;     ///< a motion ended without a stop

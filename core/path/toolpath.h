@@ -75,7 +75,7 @@ struct Motion {
   std::int32_t axis = -1;    ///< index into Toolpath::axes, or -1: tool along +z, no rotary axis
   SourceRef source;
   MotionKind kind = MotionKind::kRapid;
-  std::uint8_t channel = 0;  ///< from 0
+  std::uint8_t channel = 0;  ///< number of the control's channel; 0: it has one
 
   MotionShape shape() const { return arc < 0 ? MotionShape::kLine : MotionShape::kArc; }
 };
@@ -83,20 +83,21 @@ struct Motion {
 /// Something that happens between motions.
 struct PathEvent {
   std::string event;  ///< "tool", "spindle", "coolant", "stop", "optional_stop", "dwell", "end", "message",
-                      ///< "overtravel"
+                      ///< "overtravel", "wait"
   /// Key and JSON value text (already valid JSON: `12`, `"M8"`, `true`).
   std::vector<std::pair<std::string, std::string>> data;
-  double time_s = 0.0;  ///< time that it takes (dwell, tool change)
+  double time_s = 0.0;  ///< time that it takes (dwell, tool change, waiting)
   SourceRef source;
+  std::uint8_t channel = 0;  ///< as Motion::channel
 };
 
-/// Receives what a virtual control does, in program order. Called from one thread.
-/// `arc` is null for lines, `axis` where the tool is along +z and no rotary axis is there; what is kept of
-/// them is copied. Motion::arc and Motion::axis have no meaning here.
+/// Receives what a virtual control does, in program order; of several channels in order of start times.
+/// Called from one thread. `arc` is null for lines, `axis` where the tool is along +z and no rotary axis is
+/// there; what is kept of them is copied. Motion::arc and Motion::axis have no meaning here.
 class MotionSink {
  public:
   virtual ~MotionSink() = default;
-  /// Called before the first motion of a file is sent; returns nothing. `index` counts from 0.
+  /// Called before the first motion of a file is sent. `index` counts from 0.
   virtual void file(std::uint32_t index, const std::string& name) = 0;
   virtual void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) = 0;
   virtual void event(const PathEvent& event) = 0;

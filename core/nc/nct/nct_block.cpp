@@ -11,6 +11,7 @@
 #include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/nct_transforms.h"
 #include "core/nc/nct/nct_virtual.h"
+#include "core/nc/nct/nct_wait.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/tables/rows.h"
 
@@ -96,6 +97,10 @@ bool collectM(NctContext& c, BlockPlan& plan) {
     std::int64_t value = 0;
     if (!integerWord(c, w, 0, 99999999, value)) return false;
     if (plan.m_count == 8) return c.failWord("nct-m-count", "more than 8 M functions in one block", w);
+    if (isWaitCode(c, static_cast<int>(value))) {
+      if (!planWait(c, plan, w)) return false;
+      continue;
+    }
     const MCode* code = c.codes.m(static_cast<int>(value));
     const int group = exclusiveGroup(c, code, static_cast<int>(value));
     for (int i = 0; i < plan.m_count; ++i) {
@@ -111,6 +116,7 @@ bool collectM(NctContext& c, BlockPlan& plan) {
       }
     }
     const int number = static_cast<int>(value);
+    plan.flush = plan.flush || endsLookAhead(c.parameters, number);
     const bool of_interrupt = interruptSwitch(c.parameters, w) != InterruptSwitch::kNone;
     if (code == nullptr && !of_interrupt && !isPlaceCode(c, number) && !isSpindleCode(c, number)) {
       c.warnOnce(
@@ -204,11 +210,13 @@ bool planNumbers(NctContext& c, BlockPlan& plan) {
   const bool spindle = c.block.present.has('S') || c.block.present.has(kNamedWord) ||
                        plan.next.active[kGroupSurfaceSpeed] == 960 || c.registers.spindles.has_axes;
   if (spindle && !planSpindle(c, plan)) return false;
+  if (c.block.present.has('S') && c.parameters.flag(ProgramParam::kBufferS)) plan.flush = true;
   const bool left = c.state.active[kGroupSurfaceSpeed] == 960 && plan.next.active[kGroupSurfaceSpeed] != 960;
   plan.spindle_changed = plan.spindle_changed || left;  // the speed is the last one of G96
   if (const Word* t = c.word('T')) {
     if (!planTool(c, plan, *t)) return false;
     plan.tool_called = true;
+    plan.flush = plan.flush || c.parameters.flag(ProgramParam::kBufferT);
     if (!c.parameters.flag(MachineParam::kToolChangeOnM6)) {
       plan.tool_change = true;
       plan.flush = true;

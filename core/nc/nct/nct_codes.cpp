@@ -23,9 +23,9 @@ std::string_view codeClassName(CodeClass cls) {
 }
 
 CodeIndex::CodeIndex()
-    : tables_{motionTable(),     framesTable(),  compTable(),   cyclesTable(),
-              transformsTable(), spindleTable(), toolsTable(),  measuringTable(),
-              macroTable(),      dataTable(),    rotaryTable(), turningTable()} {
+    : tables_{motionTable(),  framesTable(),  compTable(),      cyclesTable(), transformsTable(),
+              spindleTable(), toolsTable(),   measuringTable(), macroTable(),  dataTable(),
+              rotaryTable(),  turningTable(), programTable()} {
   for (const CodeTable& table : tables_) {
     for (const GCode& code : table.g) g_sorted_.push_back(&code);
     for (const MCode& code : table.m) m_sorted_.push_back(&code);

@@ -52,52 +52,11 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
 
 NctContext::~NctContext() = default;
 
-void NctContext::reset() {
-  modals.clear();
-  interrupt = InterruptMacro();
-  const int first = static_cast<int>(parameters[MacroParam::kProtectFirst]);
-  const int last = static_cast<int>(parameters[MacroParam::kProtectLast]);
-  variables.protect(first == 0 ? 1 : first, first == 0 ? 0 : last);
-  NctState s;
-  s.active.fill(0);
-  const auto flag = [&](MotionParam p) { return parameters.flag(p); };
-  s.active[kGroupMotion] = flag(MotionParam::kDefaultG1) ? 10 : 0;
-  s.active[kGroupPlane] = flag(MotionParam::kDefaultG18) ? 180 : flag(MotionParam::kDefaultG19) ? 190 : 170;
-  s.active[kGroupDistance] = flag(MotionParam::kDefaultG91) ? 910 : 900;
-  s.active[kGroupZones] = 230;
-  s.active[kGroupFeedMode] = flag(MotionParam::kDefaultG95) ? 950 : 940;
-  s.active[kGroupUnits] = settings.units == LengthUnit::kInch ? 200 : 210;
-  s.active[kGroupRadiusComp] = 400;
-  s.active[kGroupLengthComp] = flag(MotionParam::kDefaultG43)   ? 430
-                               : flag(MotionParam::kDefaultG44) ? 440
-                                                                : 490;
-  s.active[kGroupCycle] = 800;
-  s.active[kGroupReturn] = 980;
-  s.active[kGroupScaling] = 500;
-  s.active[kGroupMacro] = 670;
-  s.active[kGroupSurfaceSpeed] = 970;
-  s.active[kGroupWorkSystem] = 540;
-  s.active[kGroupCutting] = 640;
-  s.active[kGroupRotation] = 690;
-  s.active[kGroupPolarData] = 150;
-  s.active[kGroupTilt] = 691;
-  s.active[kGroupPolarInterpolation] = 131;
-  s.active[kGroupMirror] = 501;
-  s.active[kGroupGear] = 808;
-  s.feed = parameters[s.perTurn() ? MotionParam::kDefaultFeedPerTurn : MotionParam::kDefaultFeedPerMinute];
-  s.surface_speed = parameters[SpindleParam::kSurfaceSpeed];
-  s.surface_axis = std::max(0, axes.byNumber(static_cast<int>(parameters[SpindleParam::kSurfaceAxis])));
-  const WorkPlane plane{PlaneFrame(s.plane())};
-  s.axes.plane_u = static_cast<std::int8_t>(plane.u);
-  s.axes.plane_v = static_cast<std::int8_t>(plane.v);
-  s.axes.plane_w = static_cast<std::int8_t>(plane.w);
-  s.axes.diameter = diameterAxes(*this);
-  state = s;
-  resetSpindles(*this);
-  map = ProgramMap();
-  chain = chainOf(state);
-  machine = emitter.machine();
-  position = chain.programOf(machine);
+void NctContext::shareWith(NctContext& owner) {
+  const auto count = [&](auto parameter) { return static_cast<int>(owner.parameters[parameter]); };
+  variables.share(owner.variables, count(MacroParam::kCommonLow), count(MacroParam::kCommonKept));
+  registers.offsets.share(owner.registers.offsets, count(DataParam::kCommonToolOffsets));
+  registers.shared_tools = owner.registers.shared_tools;
 }
 
 bool NctContext::openCall(const CallFrame& frame) {

@@ -10,14 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/nc/channels.h"
 #include "core/nc/frames.h"
 #include "core/nc/interpreter.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/nct/call_stack.h"
 #include "core/nc/nct/comp_stage.h"
-#include "core/nc/nct/interrupt_macro.h"
 #include "core/nc/nct/contour_alarms.h"
+#include "core/nc/nct/interrupt_macro.h"
 #include "core/nc/nct/modal_calls.h"
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
@@ -51,7 +52,8 @@ struct SkipPosition {
 struct NctRegisters {
   WorkFrames frames;
   OffsetTables offsets;
-  ToolTables tools;
+  std::shared_ptr<ToolTables> shared_tools = std::make_shared<ToolTables>();
+  ToolTables& tools() const { return *shared_tools; }  ///< common to the channels of a control
   ToolInput tool_input;
   Spindles spindles;
   double tool_time_s = 0.0;  ///< cutting time up to which the life of the tool in the spindle is counted
@@ -64,6 +66,13 @@ struct NctRegisters {
 struct InterruptedBlock {
   NctState state;
   int program = 0;  ///< number of its program
+};
+
+/// Where a channel waits for others (manual 14.5).
+struct WaitingPoint {
+  int code = 0;      ///< M code; 0: it does not wait
+  ChannelSet whom;   ///< itself among them
+  std::string text;  ///< "M501 P12"
 };
 
 struct NctContext;
@@ -140,6 +149,11 @@ struct NctContext {
   std::optional<InterruptedBlock> interrupted;  ///< while an interrupt macro runs
   const SourceText* last_called = nullptr;      ///< the program that was called last; null: none yet
   std::unique_ptr<SystemVariables> system_variables;
+  ChannelSet channels;  ///< of the run; empty: it has one
+  WaitingPoint waiting;
+
+  /// Number of this channel, 1 to 8.
+  int channel() const { return settings.channel > 0 ? settings.channel : 1; }
 
   /// Opens a program now, with a level of locals where its kind has one. False: nested too deep, reported.
   bool openCall(const CallFrame& frame);
@@ -148,6 +162,9 @@ struct NctContext {
 
   /// Power-on: modal codes, frames and position.
   void reset();
+  /// From here on the rows and variables that all channels share (N1401, N1700, N1701) are those of `owner`,
+  /// and so are the tools.
+  void shareWith(NctContext& owner);
 
   /// The chain of a state.
   CoordinateChain chainOf(const NctState& s) const {

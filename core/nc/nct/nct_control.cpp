@@ -12,6 +12,7 @@
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_spindle.h"
+#include "core/nc/nct/nct_wait.h"
 
 namespace proveout::nc {
 
@@ -38,10 +39,17 @@ InterpretSummary NctControl::run() {
     summary_.end = ProgramEnd::kAlarm;
     return summary_;
   }
-  while (step() == Go::kOn) {
+  while (advance() == Turn::kOn) {
   }
-  context_.emitter.time().flush();
   return summary_;
+}
+
+NctControl::Turn NctControl::advance() {
+  const Go go = step();
+  if (go == Go::kOn) return Turn::kOn;
+  if (go == Go::kWait) return Turn::kWaits;
+  context_.emitter.time().flush();
+  return Turn::kEnded;
 }
 
 bool NctControl::start() {
@@ -64,7 +72,7 @@ bool NctControl::start() {
   if (const std::string bad = checkAxes(settings); !bad.empty()) return c.fail("nct-settings", bad);
   if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty())
     return c.fail("nct-settings", bad);
-  if (!checkAuxiliary(c)) return false;
+  if (!checkAuxiliary(c) || !checkWaitCodes(c)) return false;
   c.reset();
   configureFeeds(c);
   return loadMain();
@@ -205,6 +213,10 @@ NctControl::Go NctControl::execute() {
   if (!good) return alarm();
   until_hit_ = until_hit_ || reached;  // a called subprogram still runs
   deferCalls(plan);
+  if (plan.wait_code != 0) {
+    if (!performWait(c, plan)) return alarm();
+    if (c.waiting.code != 0) return Go::kWait;
+  }
   if (plan.flow == nullptr) return followInterrupts();
   switchInterrupt();
   return flow(plan);

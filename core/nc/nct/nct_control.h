@@ -23,11 +23,23 @@ class NctControl {
              Progress* progress, const ControlHost& host);
   InterpretSummary run();
 
+  // The same step by step, for several channels.
+  /// Power-on, and the main program is loaded. False: an error was reported.
+  bool start();
+  enum class Turn {
+    kOn,
+    kWaits,  ///< context().waiting says for whom; endWait() lets it go on
+    kEnded   ///< summary().end says how
+  };
+  /// The next block.
+  Turn advance();
+  const InterpretSummary& summary() const { return summary_; }
+  NctContext& context() { return context_; }
+
  private:
-  enum class Go { kOn, kStop };
+  enum class Go { kOn, kWait, kStop };
 
   // nct_control.cpp
-  bool start();
   bool loadMain();
   Go step();
   Go endOfText();

@@ -6,6 +6,7 @@
 #include "core/nc/nct/nct_control.h"
 #include "core/nc/nct/nct_output.h"
 #include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_reset.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/system_variables/status_bank.h"
 
@@ -58,6 +59,7 @@ NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
     return stopAtAlarm();
   }
   c.emitter.event("end", {{"code", jsonString(code)}}, 0.0, c.here());
+  if (end == ProgramEnd::kEndOfProgram && code != "M99") resetAtEnd(c);
   return Go::kStop;
 }
 

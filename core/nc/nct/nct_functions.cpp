@@ -27,6 +27,17 @@ int mGroup(const NctParameters& parameters, int m) {
   return 0;
 }
 
+bool endsLookAhead(const NctParameters& parameters, int m) {
+  for (int k = 0; k < kBufferCodes; ++k) {
+    if (m > 0 && parameters.value(ProgramParam::kBufferCode1 + k) == m) return true;
+  }
+  for (int k = 0; k < kBufferGroups; ++k) {
+    const double low = parameters.value(ProgramParam::kBufferLow1 + k);
+    if (low > 0.0 && m >= low && m <= parameters.value(ProgramParam::kBufferHigh1 + k)) return true;
+  }
+  return false;
+}
+
 bool checkAuxiliary(NctContext& c) {
   for (int k = 0; k < kAuxiliaryCount; ++k) {
     const Address address = auxiliaryAddress(c.parameters, k);
@@ -56,6 +67,7 @@ bool takeAuxiliary(NctContext& c, BlockPlan& plan) {
     }
     plan.next.last.auxiliary[static_cast<std::size_t>(k)] = value;
     plan.auxiliary.set(static_cast<std::size_t>(k));
+    plan.flush = plan.flush || c.parameters.flag(ProgramParam::kBufferAuxiliary1 + k);
     std::erase_if(c.block.words, [&](const Word& word) { return word.address == address; });
     AddressSet taken;
     taken.add(address);

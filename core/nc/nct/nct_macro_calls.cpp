@@ -132,7 +132,7 @@ bool NctControl::systemFrame(const MacroCall& call, CallFrame& frame) {
   frame.kind = !call.system.modal                                   ? CallKind::kSystem
                : c.parameters.flag(MacroParam::kModalFromEachBlock) ? CallKind::kBlockMacro
                                                                     : CallKind::kModalMacro;
-  return take(c.programs.system(call.system.program, kSystemChannel), frame);
+  return take(c.programs.system(call.system.program, c.channel()), frame);
 }
 
 /// G66.1 is active: the block is a list of arguments.
@@ -200,7 +200,7 @@ bool NctControl::takeSubprogramWords() {
     taken = {CallFrame(), w.value, call.variable};
     taken.frame.kind = CallKind::kSubprogram;
     taken.frame.system_code = call.code;
-    if (!take(c.programs.system(call.program, kSystemChannel), taken.frame)) return false;
+    if (!take(c.programs.system(call.program, c.channel()), taken.frame)) return false;
   }
   if (subprogram_count_ == 0) return true;
   std::erase_if(words, [&](const Word& w) { return subprogramOf(w, call); });

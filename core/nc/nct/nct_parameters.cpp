@@ -64,6 +64,8 @@ std::span<const ParamInfo> paramTable(ParamChapter chapter) {
       return spindleParams();
     case ParamChapter::kFunctions:
       return functionParams();
+    case ParamChapter::kProgram:
+      return programParams();
     case ParamChapter::kAxis:
       return axisParams();
     case ParamChapter::kCount:
@@ -164,6 +166,12 @@ ParamStatus NctParameters::find(int number, int bit, int index, std::size_t& row
   return ParamStatus::kOk;
 }
 
+void NctParameters::put(std::size_t slot, double value) {
+  values_[slot] = value;
+  given_[slot] = 1;
+  ++revision_;
+}
+
 ParamStatus NctParameters::write(int number, int bit, int index, double value, bool add) {
   std::size_t row = 0, slot = 0;
   if (const ParamStatus status = find(number, bit, index, row, slot); status != ParamStatus::kOk)
@@ -172,9 +180,9 @@ ParamStatus NctParameters::write(int number, int bit, int index, double value, b
   if (info.restart) return ParamStatus::kRestart;
   const double wanted = add ? values_[slot] + value : value;
   if (!inRange(info, wanted)) return ParamStatus::kOutOfRange;
-  values_[slot] = wanted;
-  given_[slot] = 1;
-  ++revision_;
+  put(slot, wanted);
+  if (info.scope != ParamScope::kGlobal) return ParamStatus::kOk;
+  for (NctParameters* other : others_) other->put(slot, wanted);
   return ParamStatus::kOk;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -48,6 +49,7 @@ enum class ParamChapter : std::uint8_t {
   kTools,
   kSpindle,
   kFunctions,
+  kProgram,
   kCount
 };
 /// A row of the table.
@@ -102,6 +104,8 @@ class NctParameters {
   /// changes.
   ParamStatus write(int number, int bit, int index, double value, bool add);
   ParamStatus read(int number, int bit, int index, double& out) const;
+  /// From here on write() of a global parameter changes those of `others` too: the control has it once.
+  void shareGlobals(std::vector<NctParameters*> others) { others_ = std::move(others); }
   /// Parameters with a value by set() that have no effect in the simulation.
   std::vector<std::string_view> notedNames() const;
   /// Grows with every change: what is worked out from parameters is kept until then.
@@ -119,6 +123,7 @@ class NctParameters {
   }
   ParamStatus find(int number, int bit, int index, std::size_t& row, std::size_t& slot) const;
   Status setOne(const std::string& name, double value);
+  void put(std::size_t slot, double value);
 
   std::array<std::size_t, static_cast<std::size_t>(ParamChapter::kCount)> chapter_first_{};
   std::vector<const ParamInfo*> infos_;  ///< of every row
@@ -126,6 +131,7 @@ class NctParameters {
   std::vector<double> values_;       ///< by slot
   std::vector<std::uint8_t> given_;  ///< by slot
   std::uint32_t revision_ = 1;
+  std::vector<NctParameters*> others_;  ///< of the other channels
   std::vector<std::size_t> by_number_;  ///< rows by number and bit
 };
 
@@ -148,5 +154,6 @@ std::vector<ParameterInfo> nctParameterTable();
 #include "core/nc/nct/parameters/machine.h"
 #include "core/nc/nct/parameters/macro.h"
 #include "core/nc/nct/parameters/motion.h"
+#include "core/nc/nct/parameters/program.h"
 #include "core/nc/nct/parameters/spindle.h"
 #include "core/nc/nct/parameters/tools.h"

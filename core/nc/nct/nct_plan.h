@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "core/nc/block.h"
+#include "core/nc/channels.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_state.h"
@@ -94,6 +95,8 @@ struct BlockPlan {
   std::array<int, 8> m_value{};
   int m_count = 0;
   const MCode* flow = nullptr;  ///< M98, M99, M2, M30
+  int wait_code = 0;            ///< waiting code of the block; 0: none
+  ChannelSet wait_whom;         ///< with it: the channels that meet
   std::bitset<3> auxiliary;     ///< auxiliary functions of the block (N1333 to N1335)
   bool spindle_changed = false;
   /// What S or a spindle's position means in this block.

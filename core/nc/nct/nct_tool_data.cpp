@@ -89,7 +89,7 @@ bool rowData(NctContext& c, ToolRow& row) {
 /// L75 P1 and P2: N opens a row, what follows fills it. The block changes the row whole or not at all.
 bool rowBlock(NctContext& c) {
   ToolInput& input = c.registers.tool_input;
-  ToolTables& tools = c.registers.tools;
+  ToolTables& tools = c.registers.tools();
   if (!onlyWords(c, "NTQABCLIHDJKSFPR")) return false;
   if (c.word('R') != nullptr && c.word('P') == nullptr) return c.alarm(2004, "P", "the number of the column");
   int row = input.row;
@@ -108,7 +108,7 @@ bool rowBlock(NctContext& c) {
 bool deletionBlock(NctContext& c) {
   int row = 0;
   if (!onlyWords(c, "N") || !neededInteger(c, 'N', 1, rowCount(c), row)) return false;
-  c.registers.tools.removeRow(row);
+  c.registers.tools().removeRow(row);
   return true;
 }
 
@@ -125,7 +125,7 @@ bool placeBlock(NctContext& c) {
   place.pocket = 1;
   if (!single && !neededInteger(c, 'P', 1, 9999, place.pocket)) return false;
   if (!neededInteger(c, 'R', 0, rowCount(c), row)) return false;
-  c.registers.tools.place(place, row);
+  c.registers.tools().place(place, row);
   if (magazine == 10) c.state.tool_row = row;
   return true;
 }
@@ -149,7 +149,7 @@ bool shapeBlock(NctContext& c) {
     return false;
   }
   data.round = round == 1;
-  c.registers.tools.setShape(shape, data);
+  c.registers.tools().setShape(shape, data);
   return true;
 }
 

@@ -10,7 +10,8 @@
 namespace proveout::nc {
 namespace {
 
-constexpr ToolPlace kSpindlePlace{10, 1};
+/// Spindle magazines are 10, 20, ...: that of the channel.
+ToolPlace spindlePlace(const NctContext& c) { return {10 * c.channel(), 1}; }
 /// M62 T10012: magazine 1, pocket 12.
 constexpr int kPocketsPerMagazine = 10000;
 
@@ -26,9 +27,9 @@ void countTime(NctContext& c) {
   const double now = c.clock.cutting_s();
   const double cut = now - c.registers.tool_time_s;
   c.registers.tool_time_s = now;
-  const ToolRow* tool = std::as_const(c.registers.tools).row(c.state.tool_row);
+  const ToolRow* tool = std::as_const(c.registers.tools()).row(c.state.tool_row);
   if (tool == nullptr || !tool->has(ToolRow::kByTime)) return;
-  if (c.registers.tools.use(c.state.tool_row, cut)) {
+  if (c.registers.tools().use(c.state.tool_row, cut)) {
     c.warn("nct-tool-life",
            fmt::format("tool {} (row {}) will soon be at the end of its life", tool->type, c.state.tool_row),
            {}, Severity::kNote);
@@ -36,9 +37,9 @@ void countTime(NctContext& c) {
 }
 
 void countUse(NctContext& c, int row) {
-  const ToolRow* tool = std::as_const(c.registers.tools).row(row);
+  const ToolRow* tool = std::as_const(c.registers.tools()).row(row);
   if (tool == nullptr || tool->has(ToolRow::kByTime)) return;
-  if (c.registers.tools.use(row, 1.0)) {
+  if (c.registers.tools().use(row, 1.0)) {
     c.warn("nct-tool-life",
            fmt::format("tool {} (row {}) will soon be at the end of its life", tool->type, row), {},
            Severity::kNote);
@@ -59,7 +60,7 @@ bool planTool(NctContext& c, BlockPlan& plan, const Word& t) {
   if (!integerWord(c, t, 0, 99999999, number)) return false;
   const auto type = static_cast<int>(number);
   NctState& next = plan.next;
-  const ToolTables& tools = c.registers.tools;
+  const ToolTables& tools = c.registers.tools();
   const auto code = static_cast<int>(c.parameters[ToolParam::kPlaceCode]);
   if (code > 0 && hasCode(plan, code)) {
     const ToolPlace place{type / kPocketsPerMagazine, type % kPocketsPerMagazine};
@@ -91,7 +92,7 @@ bool planTool(NctContext& c, BlockPlan& plan, const Word& t) {
 bool offsetRowOfTool(NctContext& c, const Word& w, std::int64_t& row) {
   const auto code = static_cast<std::int64_t>(c.parameters[ToolParam::kOffsetCode]);
   if (code == 0 || !w.is_integer || w.value != static_cast<double>(code)) return true;
-  const ToolRow* tool = std::as_const(c.registers.tools).row(c.state.tool_row);
+  const ToolRow* tool = std::as_const(c.registers.tools()).row(c.state.tool_row);
   if (tool == nullptr) {
     return c.alarm(2002, w,
                    "it stands for the offset of the tool in the spindle, which tool management "
@@ -105,8 +106,8 @@ bool sendToolChange(NctContext& c, int type, int row) {
   countTime(c);
   c.state.tool = type;
   c.state.tool_row = row;
-  ToolTables& tools = c.registers.tools;
-  if (tools.managed()) tools.place(kSpindlePlace, row);
+  ToolTables& tools = c.registers.tools();
+  if (tools.managed()) tools.place(spindlePlace(c), row);
   if (!countsAtT(c)) countUse(c, row);
   PathItem item = functionItem(c, PathItem::Kind::kToolChange, c.state);
   item.value = type;
@@ -127,9 +128,9 @@ VariableStatus ToolBank::read(int number, Value& out) {
     out = Value{static_cast<double>(magazine_)};
     return kVariableRead;
   }
-  if (magazine_ == kSpindlePlace.magazine) countTime(c_);
-  const int row = c_.registers.tools.at({magazine_, 1});
-  const ToolRow* tool = std::as_const(c_.registers.tools).row(row);
+  if (magazine_ == spindlePlace(c_).magazine) countTime(c_);
+  const int row = c_.registers.tools().at({magazine_, 1});
+  const ToolRow* tool = std::as_const(c_.registers.tools()).row(row);
   out = number == 8401 ? Value{tool ? static_cast<double>(row) : 0.0} : Value::none();
   if (tool == nullptr || number == 8401) return kVariableRead;
   const std::array<double, 13> columns{static_cast<double>(tool->type),

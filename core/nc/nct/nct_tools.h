@@ -26,13 +26,13 @@ bool planToolInput(NctContext& c, BlockPlan& plan);
 /// #8400 to #8414, #8431 to #8450: the tool in the spindle. Belongs to the context.
 class ToolBank final : public VariableBank {
  public:
-  explicit ToolBank(NctContext& c) : c_(c) {}
+  explicit ToolBank(NctContext& c) : c_(c), magazine_(10 * c.channel()) {}
   VariableStatus read(int number, Value& out) override;
   VariableStatus write(int number, const Value& value) override;
 
  private:
   NctContext& c_;
-  int magazine_ = 10;
+  int magazine_;  ///< that of the channel's spindle until #8400 names another
 };
 
 }  // namespace proveout::nc

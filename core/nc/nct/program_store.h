@@ -16,10 +16,7 @@
 
 namespace proveout::nc {
 
-/// The channel whose system macros are called: a run has one channel.
-inline constexpr int kSystemChannel = 1;
-
-/// Texts by index; the index is the file index of the path. The channels of a run share one store.
+/// Texts by index; the index is the file index of the path. Each channel has a store.
 class ProgramStore {
  public:
   ProgramStore(const ProgramSource& source, TextEncoding encoding, MotionSink& sink)

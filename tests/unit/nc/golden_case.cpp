@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 
@@ -28,9 +30,11 @@ class TextSink : public MotionSink {
   }
   void motion(const Motion& m, const ArcGeometry* arc, const AxisSweep* axis) override {
     motions_.push_back({m, arc ? *arc : ArcGeometry{}, arc != nullptr, axis ? *axis : AxisSweep{}});
-    text += place(m.source) + std::string(motionKindName(m.kind)) + (arc ? " arc " : " ");
-    if (!last_ || (*last_ - m.from).norm() > 1e-9) text += "from " + point(m.from) + " ";
-    last_ = m.to;
+    text +=
+        channel(m.channel) + place(m.source) + std::string(motionKindName(m.kind)) + (arc ? " arc " : " ");
+    std::optional<Vec3>& last = last_.at(m.channel);
+    if (!last || (*last - m.from).norm() > 1e-9) text += "from " + point(m.from) + " ";
+    last = m.to;
     text += "to " + point(m.to);
     if (arc) {
       text += " center " + point(arc->center) + " normal " + point(arc->normal) + " sweep " +
@@ -45,8 +49,9 @@ class TextSink : public MotionSink {
     text += " t" + number(m.time_s) + "\n";
   }
   void event(const PathEvent& event) override {
-    text += place(event.source) + "event " + event.event;
+    text += channel(event.channel) + place(event.source) + "event " + event.event;
     for (const auto& [key, value] : event.data) text += " " + key + "=" + value;
+    if (event.event == "wait") text += " t" + number(event.time_s);
     text += "\n";
   }
   void diagnostic(const Diagnostic& diagnostic) override { text += formatDiagnostic(diagnostic); }
@@ -54,6 +59,7 @@ class TextSink : public MotionSink {
   std::string text;
 
  private:
+  static std::string channel(int number) { return number == 0 ? "" : fmt::format("[{}] ", number); }
   static std::string place(const SourceRef& s) {
     std::string out = s.file == 0 ? "" : fmt::format("{}/", s.file);
     out += fmt::format("{}", s.line);
@@ -62,7 +68,7 @@ class TextSink : public MotionSink {
     return out + ": ";
   }
   std::vector<GoldenMotion>& motions_;
-  std::optional<Vec3> last_;
+  std::array<std::optional<Vec3>, 9> last_;  ///< by channel
 };
 
 Vec3 vectorOf(std::istringstream& in, const std::string& line) {
@@ -159,12 +165,16 @@ void setLine(ControlSettings& s, const std::string& line) {
     s.reference_points.at(static_cast<std::size_t>(std::stoi(key.substr(9)) - 1)) = vectorOf(in, line);
   } else if (key[0] == 'N' && row > 0) {
     s.parameters[key] = value();
+  } else if (key.starts_with("BUF.") || key.starts_with("CLR.")) {
+    s.parameters[key] = value();
   } else if (key == "axis") {
     s.axes.push_back(axisOf(in, line));
   } else if (key == "spindle") {
     s.spindles.push_back(spindleOf(in, line));
   } else if (key == "start") {
     s.start = vectorOf(in, line);
+  } else if (key == "tool") {
+    s.tool = static_cast<int>(value());
   } else if (key == "rapid") {
     s.rapid_mm_min = vectorOf(in, line);
   } else if (key == "acceleration") {
@@ -240,6 +250,7 @@ std::vector<double> figuresOf(const std::string& word, std::istringstream& words
   if (word == "t") return {motion.time_s};
   if (word == "S") return {motion.spindle};
   if (word == "T") return {static_cast<double>(motion.tool)};
+  if (word == "ch") return {static_cast<double>(motion.channel)};
   if (word == "center") return {m.arc.center.x(), m.arc.center.y(), m.arc.center.z()};
   if (word == "sweep") return {radToDeg(m.arc.sweep_rad)};
   std::vector<double> figures;
@@ -312,6 +323,13 @@ GoldenCase readGolden(const std::string& path) {
         golden.subprograms.push_back({name.substr(4), ""});
         section = &golden.subprograms.back().second;
       }
+      if (name.starts_with("channel ")) {
+        golden.channels.reserve(8);
+        golden.channels.push_back({std::stoi(name.substr(8)), "", ""});
+        for (const char letter : name.substr(9))
+          golden.channels.back().settings_text += letter == ';' ? '\n' : letter;
+        section = &golden.channels.back().text;
+      }
       if (section != &golden.expect) golden.head += line + "\n";
       continue;
     }
@@ -338,7 +356,31 @@ ControlSettings settingsOf(const std::string& text) {
   return settings;
 }
 
-std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions) {
+namespace {
+
+InterpretSummary runChannels(const GoldenCase& golden, const ProgramSource& first,
+                             const ControlSettings& settings, MotionSink& sink, const ControlHost& host) {
+  std::vector<ChannelProgram> programs{{&first, settings}};
+  programs.front().settings.channel = 1;
+  std::vector<std::unique_ptr<MemoryProgramSource>> sources;
+  for (const GoldenCase::Channel& channel : golden.channels) {
+    const std::string name = fmt::format("channel{}.nc", channel.number);
+    sources.push_back(std::make_unique<MemoryProgramSource>(name, channel.text));
+    for (const auto& [sub, text] : golden.subprograms) sources.back()->add(sub, text);
+    ControlSettings own = settings;
+    std::istringstream in(channel.settings_text);
+    for (std::string line; std::getline(in, line);) {
+      if (line.find('=') != std::string::npos) setLine(own, line);
+    }
+    own.channel = channel.number;
+    programs.push_back({sources.back().get(), own});
+  }
+  return interpretChannels(ControlId::kNct, programs, sink, nullptr, host);
+}
+
+}  // namespace
+
+std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions, bool as_channel) {
   ControlHost host;
   std::string main_name = "main.nc";
   std::istringstream in(golden.settings_text);
@@ -348,9 +390,12 @@ std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motio
   TextSink sink(motions);
   MemoryOutput output;
   host.output = &output;
-  const InterpretSummary s =
-      interpret(ControlId::kNct, source, settingsOf(golden.settings_text), sink, nullptr, host);
+  const ControlSettings settings = settingsOf(golden.settings_text);
+  const InterpretSummary s = golden.channels.empty() && !as_channel
+                                 ? interpret(ControlId::kNct, source, settings, sink, nullptr, host)
+                                 : runChannels(golden, source, settings, sink, host);
   for (const auto& [name, bytes] : output.files()) sink.text += "file " + name + ": " + escaped(bytes) + "\n";
+  if (!golden.channels.empty()) sink.text += "cycle " + number(s.cycle_s) + " s\n";
   return sink.text + fmt::format("{}: {} blocks, {} motions, {} errors, {} warnings\n", endName(s.end),
                                  s.blocks, s.motions, s.errors, s.warnings);
 }

@@ -7,8 +7,10 @@
 //                    O0012.nc
 //   === main         the main program (a file may start with it and leave the marker out)
 //   === sub NAME     a subprogram
+//   === channel N [KEY = VALUE;...]  the program of channel N, 2 to 8, and settings of its own; the main
+//                    program is that of channel 1, subprograms are there for all
 //   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg] [F feed]
-//                    [t seconds] [S spindle] [T tool] [rotary ends] [at part-of-the-way x y z]...; * is
+//                    [t seconds] [S spindle] [T tool] [ch channel] [rotary ends] [at part-of-the-way x y z]...; * is
 //                    anything
 //   === says         what the text must hold, in this order: alarms, events, files written
 //   === expect       what the interpreter says; rewritten with PROVEOUT_UPDATE_GOLDEN=1
@@ -27,6 +29,11 @@ struct GoldenCase {
   std::string head;  ///< everything before the expected text
   std::string about, settings_text, main_text, truth, says, expect;
   std::vector<std::pair<std::string, std::string>> subprograms;
+  struct Channel {
+    int number = 0;
+    std::string settings_text, text;
+  };
+  std::vector<Channel> channels;  ///< besides the first
 };
 
 GoldenCase readGolden(const std::string& path);
@@ -34,14 +41,15 @@ void writeGolden(const GoldenCase& golden, const std::string& expect);
 /// Throws std::runtime_error for a line that it does not know.
 ControlSettings settingsOf(const std::string& text);
 
-/// Runs the case; appends the motions to `motions`, returns the text.
+/// Runs the case; appends the motions to `motions`, returns the text. `as_channel`: a program alone is run as
+/// the one channel of a control with channels.
 struct GoldenMotion {
   Motion motion;
   ArcGeometry arc;
   bool is_arc = false;
   AxisSweep axis;
 };
-std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions);
+std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions, bool as_channel = false);
 
 /// Empty if the motions agree with the truth section, else what differs.
 std::string compareWithTruth(const std::string& truth, const std::vector<GoldenMotion>& motions);

@@ -128,6 +128,19 @@ TEST(GoldenSet, RowsKnowTheCodeTablesAndTheProofs) {
   }
 }
 
+TEST(GoldenSet, OneChannelAloneGivesThePathOfAProgramAlone) {
+  int programs = 0;
+  for (const std::string& path : goldenFiles()) {
+    const GoldenCase golden = readGolden(path);
+    // Alone, the channel's number is known and waiting codes have to name it.
+    if (!golden.channels.empty() || golden.settings_text.find("N2201") != std::string::npos) continue;
+    std::vector<GoldenMotion> motions;
+    EXPECT_EQ(runGolden(golden, motions, true), golden.expect) << path;
+    ++programs;
+  }
+  EXPECT_GT(programs, 400);
+}
+
 TEST(GoldenSet, EverySimulatedCodeHasAFile) {
   const std::set<std::string> proven = provenIds();
   const auto table = coverageTable(ControlId::kNct);

@@ -61,7 +61,7 @@ TEST(PathWriter, RotaryAxesAndTurningTools) {
     writer.motion(m, nullptr, &sweep);
     sweep.rotary_count = 0;
     sweep.to = Vec3::UnitX();
-    m.channel = 1;
+    m.channel = 2;
     writer.motion(m, nullptr, &sweep);
   }
   const std::string text = out.str();

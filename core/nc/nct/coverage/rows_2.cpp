@@ -31,7 +31,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-9.2-G30", kSim, kDone, "good/reference_g30.nc"},
     {"nct-10.1.1-G53", kSim, kDone, "good/frame_g53.nc"},
     {"nct-10.1.1-G53-sync", kState, kDone, "good/frame_g53.nc"},
-    {"nct-10.2-channels", kState, kMissing, ""},
+    {"nct-10.2-channels", kState, kDone, "good/channels_order.nc"},
     {"nct-10.2.1-G54", kSim, kDone, "good/frame_g54_g55.nc"},
     {"nct-10.2.1-G55", kSim, kDone, "good/frame_g54_g55.nc"},
     {"nct-10.2.1-G56", kSim, kDone, "good/frame_g54_g55.nc"},
@@ -90,8 +90,8 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-12.5.3-8400", kState, kDone, "good/tool_management.nc"},
     {"nct-13.1-M0", kHost, kDone, "good/functions.nc"},
     {"nct-13.1-M1", kHost, kDone, "good/functions.nc"},
-    {"nct-13.1-M2", kState, kPartly, "good/functions.nc"},
-    {"nct-13.1-M30", kState, kPartly, "good/optional_stop.nc"},
+    {"nct-13.1-M2", kState, kDone, "tests/unit/nc/reset_test.cpp"},
+    {"nct-13.1-M30", kState, kDone, "tests/unit/nc/reset_test.cpp"},
     {"nct-13.1-partcount", kState, kDone, "good/sysvar_clocks.nc"},
     {"nct-13.1-M8", kState, kDone, "good/functions.nc"},
     {"nct-13.1-M9", kState, kDone, "good/functions.nc"},
@@ -102,7 +102,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-13.1-groups", kState, kDone, "bad/functions_groups.nc"},
     {"nct-13.1-Mother", kHost, kDone, "good/functions.nc"},
     {"nct-13.2-aux", kState, kDone, "good/functions_auxiliary.nc"},
-    {"nct-13.3-flush", kSim, kPartly, ""},
+    {"nct-13.3-flush", kSim, kDone, "good/flush_parameters.nc"},
     {"nct-14.1-N", kState, kDone, "good/program_words.nc"},
     {"nct-14.2-skip", kSim, kDone, "good/comp_skip_block_keeps_look_ahead.nc"},
     {"nct-14.3-comment", kState, kDone, "good/program_comments_and_header.nc"},
@@ -114,7 +114,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-14.4.3-M99P", kSim, kDone, "good/flow_m99_p.nc"},
     {"nct-14.4.3-M99L", kSim, kDone, "good/flow_m99_l.nc"},
     {"nct-14.4.4-main", kSim, kDone, "good/flow_main_m99_p.nc"},
-    {"nct-14.5-wait", kSim, kMissing, ""},
+    {"nct-14.5-wait", kSim, kDone, "good/channels_meet.nc"},
 });
 // clang-format on
 

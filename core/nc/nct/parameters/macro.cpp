@@ -10,8 +10,8 @@ using namespace param_rows;
 constexpr std::array<ParamInfo, static_cast<std::size_t>(MacroParam::kCount)> kRows{{
     bit("N1301.MBM", 1301, 6, kChannel, 1,
         "blocks are read ahead; the simulation runs them in order either way, with the same path"),
-    number("N1700", 1700, kGlobal, 0, 0, 399, "variables from #100 on that all channels share"),
-    number("N1701", 1701, kGlobal, 0, 0, 499, "variables from #500 on that all channels share"),
+    atPowerOn(number("N1700", 1700, kGlobal, 0, 0, 399, "variables from #100 on that all channels share")),
+    atPowerOn(number("N1701", 1701, kGlobal, 0, 0, 499, "variables from #500 on that all channels share")),
     number("N1702", 1702, kChannel, 0, 0, 999,
            "first variable of #500 to #999 that programs cannot write; 0: none"),
     number("N1703", 1703, kChannel, 0, 0, 999, "last variable of #500 to #999 that programs cannot write"),

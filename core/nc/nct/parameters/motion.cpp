@@ -15,6 +15,7 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(MotionParam::kCount)> k
     bit("N1300.G01", 1300, 0, kChannel, 0, "power-on interpolation: 0 G0, 1 G1"),
     bit("N1300.G18", 1300, 1, kChannel, 0, "power-on plane G18"),
     bit("N1300.G19", 1300, 2, kChannel, 0, "power-on plane G19"),
+    bit("N1300.G20", 1300, 3, kChannel, 0, "power-on inch data; not given: as the job says"),
     bit("N1300.G43", 1300, 5, kChannel, 0, "power-on length compensation G43"),
     bit("N1300.G44", 1300, 6, kChannel, 0, "power-on length compensation G44"),
     bit("N1300.G91", 1300, 7, kChannel, 0, "power-on incremental data"),

@@ -12,6 +12,7 @@ enum class MotionParam : std::uint16_t {
   kDefaultG1,
   kDefaultG18,
   kDefaultG19,
+  kDefaultG20,
   kDefaultG43,
   kDefaultG44,
   kDefaultG91,

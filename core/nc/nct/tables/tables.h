@@ -17,5 +17,6 @@ CodeTable macroTable();
 CodeTable dataTable();
 CodeTable rotaryTable();
 CodeTable turningTable();
+CodeTable programTable();
 
 }  // namespace proveout::nc

@@ -1,0 +1,119 @@
+#include "core/nc/nct/nct_reset.h"
+
+#include <algorithm>
+
+#include "core/nc/nct/nct_spindle.h"
+#include "core/nc/nct/nct_words.h"
+
+namespace proveout::nc {
+namespace {
+
+void setCodes(const NctContext& c, NctState& s) {
+  const auto flag = [&](MotionParam p) { return c.parameters.flag(p); };
+  s.active.fill(0);
+  s.active[kGroupMotion] = flag(MotionParam::kDefaultG1) ? 10 : 0;
+  s.active[kGroupPlane] = flag(MotionParam::kDefaultG18) ? 180 : flag(MotionParam::kDefaultG19) ? 190 : 170;
+  s.active[kGroupDistance] = flag(MotionParam::kDefaultG91) ? 910 : 900;
+  s.active[kGroupZones] = 230;
+  s.active[kGroupFeedMode] = flag(MotionParam::kDefaultG95) ? 950 : 940;
+  const bool inch = c.parameters.given(MotionParam::kDefaultG20) ? flag(MotionParam::kDefaultG20)
+                                                                 : c.settings.units == LengthUnit::kInch;
+  s.active[kGroupUnits] = inch ? 200 : 210;
+  s.active[kGroupRadiusComp] = 400;
+  s.active[kGroupLengthComp] = flag(MotionParam::kDefaultG43)   ? 430
+                               : flag(MotionParam::kDefaultG44) ? 440
+                                                                : 490;
+  s.active[kGroupCycle] = 800;
+  s.active[kGroupReturn] = 980;
+  s.active[kGroupScaling] = 500;
+  s.active[kGroupMacro] = 670;
+  s.active[kGroupSurfaceSpeed] = 970;
+  s.active[kGroupWorkSystem] = 540;
+  s.active[kGroupCutting] = 640;
+  s.active[kGroupRotation] = 690;
+  s.active[kGroupPolarData] = 150;
+  s.active[kGroupTilt] = 691;
+  s.active[kGroupPolarInterpolation] = 131;
+  s.active[kGroupMirror] = 501;
+  s.active[kGroupGear] = 808;
+}
+
+/// Whether a group keeps its code at the end of a program.
+bool keeps(const NctContext& c, std::size_t group) {
+  // G90 and G91, G20 and G21, G15 and G13.1 are set whatever the tables say.
+  const bool always = group == kGroupDistance || group == kGroupUnits || group == kGroupPolarData ||
+                      group == kGroupPolarInterpolation;
+  return !always && c.parameters.flag(ProgramParam::kKeepModal) &&
+         c.parameters.flag(ProgramParam::kKeep1 + static_cast<int>(group - 1));
+}
+
+/// A group gets its code of power-on, and what belongs to the code goes.
+void resetGroup(const NctState& fresh, std::size_t group, NctState& s) {
+  s.active[group] = fresh.active[group];
+  Transforms& t = s.transforms;
+  if (group == kGroupPlane) s.takePlane(fresh);
+  if (group == kGroupLengthComp) s.length = fresh.length;
+  if (group == kGroupCycle) s.cycle = fresh.cycle;
+  if (group == kGroupWorkSystem) s.work_system = fresh.work_system;
+  if (group == kGroupScaling) t.scales = t.scales_further = false;
+  if (group == kGroupRotation) t.rotates = false;
+  if (group == kGroupMirror) t.mirrored.reset();
+  t.rotation_inside = t.rotation_inside && t.rotates && t.scales;
+}
+
+}  // namespace
+
+NctState powerOnState(const NctContext& c) {
+  NctState s;
+  setCodes(c, s);
+  s.feed = c.parameters[s.perTurn() ? MotionParam::kDefaultFeedPerTurn : MotionParam::kDefaultFeedPerMinute];
+  s.surface_speed = c.parameters[SpindleParam::kSurfaceSpeed];
+  s.surface_axis = std::max(0, c.axes.byNumber(static_cast<int>(c.parameters[SpindleParam::kSurfaceAxis])));
+  const WorkPlane plane{PlaneFrame(s.plane())};
+  s.axes.plane_u = static_cast<std::int8_t>(plane.u);
+  s.axes.plane_v = static_cast<std::int8_t>(plane.v);
+  s.axes.plane_w = static_cast<std::int8_t>(plane.w);
+  s.axes.diameter = diameterAxes(c);
+  s.tool = c.settings.tool;
+  return s;
+}
+
+void NctContext::reset() {
+  modals.clear();
+  interrupt = InterruptMacro();
+  const int first = static_cast<int>(parameters[MacroParam::kProtectFirst]);
+  const int last = static_cast<int>(parameters[MacroParam::kProtectLast]);
+  variables.protect(first == 0 ? 1 : first, first == 0 ? 0 : last);
+  state = powerOnState(*this);
+  resetSpindles(*this);
+  map = ProgramMap();
+  chain = chainOf(state);
+  machine = emitter.machine();
+  position = chain.programOf(machine);
+}
+
+void resetAtEnd(NctContext& c) {
+  const NctState fresh = powerOnState(c);
+  NctState& s = c.state;
+  for (std::size_t group = 1; group < kGroupCount; ++group) {
+    if (keeps(c, group)) continue;
+    if (group == kGroupMacro) c.modals.clear();
+    resetGroup(fresh, group, s);
+  }
+  s.axes.mode = VirtualMode::kOff;
+  s.axes.smoothing = 0;
+  s.axes.threading = false;
+  s.axes.polar = PolarData();
+  s.axes.diameter = fresh.axes.diameter;
+  s.automatic = AutomaticBits();
+  c.interrupt = InterruptMacro();
+  c.registers.frames.shift52 = c.registers.frames.shift92 = AxisPoint();
+  if (c.virtual_stage.linked()) c.virtual_stage.end();
+  c.pipe.clear();
+  c.map = programMap(s.transforms, c.axes);
+  c.chain = c.chainOf(s);
+  c.machine = c.emitter.machine();
+  c.position = c.chain.programOf(c.machine);
+}
+
+}  // namespace proveout::nc
