@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 
 namespace proveout {
@@ -16,8 +19,9 @@ constexpr double kAirSectionMm2 = 1e-5;
 /// Steps of the rate series: more than a chart has pixels to show.
 constexpr std::size_t kRateSteps = 1000;
 
-/// A motion or an event of a path, in the order of time.
+/// A motion or an event of a path, in the order in which they start.
 struct Step {
+  int channel = 0;
   const Motion* motion = nullptr;  ///< null: an event
   const SourceRef* source = nullptr;
   int tool = 0;  ///< of the motion; of the next motion (else the last) for an event
@@ -27,13 +31,16 @@ struct Step {
 template <typename Use>
 void walk(const CutPath& cut, double start_s, const Use& use) {
   const Toolpath& path = *cut.path;
-  double now = start_s;
+  std::array<double, 1 + std::numeric_limits<std::uint8_t>::max()> clocks;  // each channel has its own
+  clocks.fill(start_s);
   std::size_t next_event = 0;
   const auto passEvents = [&](std::size_t before) {
     for (; next_event < path.events.size() && path.events[next_event].before <= before; ++next_event) {
       const PathEvent& event = path.events[next_event].event;
       if (event.time_s <= 0.0) continue;
+      double& now = clocks[event.channel];
       Step step;
+      step.channel = event.channel;
       step.source = &event.source;
       if (!path.motions.empty()) step.tool = path.motions[std::min(before, path.motions.size() - 1)].tool;
       step.start_s = now;
@@ -45,7 +52,9 @@ void walk(const CutPath& cut, double start_s, const Use& use) {
   for (std::size_t i = 0; i < path.motions.size(); ++i) {
     passEvents(i);
     const Motion& motion = path.motions[i];
-    Step step{&motion, &motion.source, motion.tool, now, motion.time_s, path.length(motion), 0.0};
+    double& now = clocks[motion.channel];
+    Step step{motion.channel,      &motion, &motion.source, motion.tool, now, motion.time_s,
+              path.length(motion), 0.0};
     if (i < cut.removed_mm3->size()) step.removed_mm3 = static_cast<double>((*cut.removed_mm3)[i]);
     use(step);
     now += motion.time_s;
@@ -82,7 +91,7 @@ class RateCollector {
   }
 
   void startPath(const std::string& setup) {
-    new_span_ = true;
+    spans_.clear();
     setup_ = setup;
   }
 
@@ -108,19 +117,22 @@ class RateCollector {
     return std::min(kRateSteps - 1, static_cast<std::size_t>(std::max(0.0, s / rate_.step_s)));
   }
   void addSpan(const Step& step) {
-    if (new_span_ || step.tool != span_tool_) {
+    const auto [open, first] = spans_.try_emplace(step.channel);
+    if (first || step.tool != open->second.tool) {
       const std::string before = setup_.empty() ? "" : setup_ + " ";
+      open->second = {step.tool, rate_.spans.size()};
       rate_.spans.push_back({step.start_s, step.start_s, fmt::format("{}T{}", before, step.tool)});
-      span_tool_ = step.tool;
-      new_span_ = false;
     }
-    rate_.spans.back().to_s = step.start_s + step.time_s;
+    rate_.spans[open->second.index].to_s = step.start_s + step.time_s;
   }
 
+  struct Open {
+    int tool = 0;
+    std::size_t index = 0;  ///< in rate_.spans
+  };
   RateSeries rate_;
   std::string setup_;
-  bool new_span_ = true;
-  int span_tool_ = 0;
+  std::map<int, Open> spans_;  ///< that go on, by channel
 };
 
 std::string_view kindOf(const Step& step) {
@@ -142,7 +154,7 @@ ReportAccounting accountFor(const std::vector<CutPath>& paths) {
     walk(cut, now, [&](const Step& step) {
       add(step, result.total);
       add(step, tools[step.tool]);
-      end_s = step.start_s + step.time_s;
+      end_s = std::max(end_s, step.start_s + step.time_s);
     });
   }
   for (const auto& [number, figures] : tools) result.per_tool.push_back({number, figures});
@@ -153,7 +165,7 @@ ReportAccounting accountFor(const std::vector<CutPath>& paths) {
     rate.startPath(cut.setup);
     walk(cut, now, [&](const Step& step) {
       rate.add(step);
-      start_s = step.start_s + step.time_s;
+      start_s = std::max(start_s, step.start_s + step.time_s);
     });
   }
   result.rate = rate.take();

@@ -116,9 +116,14 @@ Status checkThickness(const StockShape& shape, double resolution_mm) {
 }
 
 Status checkStart(const Job& job, const Blank& blank) {
-  if (!job.start || !inside(blank.shape, *job.start)) return Done{};
-  return inputError(fmt::format("the start point X{:g} Y{:g} Z{:g} lies inside the blank", job.start->x(),
-                                job.start->y(), job.start->z()));
+  std::vector<std::optional<Vec3>> starts{job.start};
+  for (const ChannelSpec& channel : job.channels) starts.push_back(channel.start);
+  for (const std::optional<Vec3>& start : starts) {
+    if (!start || !inside(blank.shape, *start)) continue;
+    return inputError(fmt::format("the start point X{:g} Y{:g} Z{:g} lies inside the blank", start->x(),
+                                  start->y(), start->z()));
+  }
+  return Done{};
 }
 
 }  // namespace proveout

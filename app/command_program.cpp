@@ -76,7 +76,7 @@ Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_
   Interpretation result;
   ControlHost host;  // files that the program writes are lost
   host.person = job.person;
-  result.summary = interpret(*control, source, *settings, tap, &progress, host);
+  result.summary = interpretJob(job, *control, source, *settings, tap, progress, host);
   addOvertravel(tap.overtravels, source, result.findings);
   result.diagnostics = std::move(tap.diagnostics);
   if (result.summary.end == ProgramEnd::kCancelled) return Error{ErrorKind::kInterrupted, "interrupted"};
@@ -136,7 +136,7 @@ Result<Checked> checkSetup(const Job& job, std::size_t setup, Progress& progress
   Checked checked;
   if (!job.setups.empty()) checked.setup = job.setups[setup].name;
   const Job part = jobOfSetup(job, setup);
-  checked.program = part.program;
+  checked.program = programNames(part);
   if (done->summary.end == ProgramEnd::kUntil) checked.until = untilText(part.settings);
   checked.all = done->diagnostics;
   for (Finding& finding : done->findings) {

@@ -70,6 +70,16 @@ Result<ProgramText> RecordingSource::subprogram(const SubprogramQuery& query) co
   return keep(inner_.subprogram(query));
 }
 
+void RecordingSource::addChannel(const ProgramSource& inner) {
+  channels_.push_back(std::make_unique<Channel>(*this, inner));
+}
+
+std::vector<const ProgramSource*> RecordingSource::channels() const {
+  std::vector<const ProgramSource*> all{this};
+  for (const auto& channel : channels_) all.push_back(channel.get());
+  return all;
+}
+
 std::string RecordingSource::line(const std::string& file, std::uint32_t number) const {
   auto found = lines_.find(file);
   if (found == lines_.end()) {
@@ -91,6 +101,11 @@ JobSources::JobSources(const Job& job) {
     const Job part = jobOfSetup(job, k);
     files_.push_back(std::make_unique<FileProgramSource>(part.program, part.subprograms));
     sources_.push_back(std::make_unique<RecordingSource>(*files_.back(), part.settings.encoding));
+    for (std::size_t i = 1; i < part.channels.size(); ++i) {
+      files_.push_back(
+          std::make_unique<FileProgramSource>(part.channels[i].program, part.channels[i].subprograms));
+      sources_.back()->addChannel(*files_.back());
+    }
     all_.push_back(sources_.back().get());
   }
 }
@@ -104,7 +119,25 @@ ControlSettings controlSettings(const Job& job, const Box3& blank) {
   return settings;
 }
 
-Interpreted interpretProgram(const Job& job, const ProgramSource& source, const ControlSettings& settings,
+InterpretSummary interpretJob(const Job& job, ControlId control, const RecordingSource& source,
+                              const ControlSettings& settings, MotionSink& sink, Progress& progress,
+                              const ControlHost& host) {
+  if (job.channels.empty()) return interpret(control, source, settings, sink, &progress, host);
+  const std::vector<const ProgramSource*> sources = source.channels();
+  std::vector<ChannelProgram> programs;
+  for (std::size_t k = 0; k < job.channels.size(); ++k) {
+    ControlSettings own = job.channels[k].settings;
+    own.start = job.channels[k].start.value_or(settings.start);
+    own.gauge_lengths = settings.gauge_lengths;
+    own.max_errors = settings.max_errors;
+    own.lenient = settings.lenient;
+    if (k == 0) own.until = settings.until;
+    programs.push_back({sources[k], std::move(own)});
+  }
+  return interpretChannels(control, programs, sink, &progress, host);
+}
+
+Interpreted interpretProgram(const Job& job, const RecordingSource& source, const ControlSettings& settings,
                              Progress& progress) {
   Interpreted result;
   GuardedBuilder builder(result.path, pathMemory(job), progress);
@@ -123,7 +156,7 @@ Interpreted interpretProgram(const Job& job, const ProgramSource& source, const 
   ControlHost host;
   host.output = &output;
   host.person = job.person;
-  result.summary = interpret(*control, source, settings, builder, &progress, host);
+  result.summary = interpretJob(job, *control, source, settings, builder, progress, host);
   result.files = output.files();
   result.path.blocks = result.summary.blocks;
   result.outgrown_at = builder.outgrownAt();
@@ -148,7 +181,8 @@ bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source) {
     if (!axis.alongZ()) why = "a tool axis other than +z";
     for (int k = 0; k < axis.rotary_count; ++k) {
       const RotaryPosition& rotary = axis.rotary[static_cast<std::size_t>(k)];
-      if (!rotary.in_path && (rotary.from != 0.0 || rotary.to != 0.0)) why = fmt::format("rotary axis {}", rotary.name.data());
+      if (!rotary.in_path && (rotary.from != 0.0 || rotary.to != 0.0))
+        why = fmt::format("rotary axis {}", rotary.name.data());
     }
     if (why.empty()) continue;
     const BlockRef block = blockRef(path, motion.source, source);
@@ -183,13 +217,16 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
     return false;
   }
   const int lowest = *defined.begin();
-  const auto changed = std::find_if(path.events.begin(), path.events.end(),
-                                    [](const Toolpath::EventAt& e) { return e.event.event == "tool"; });
-  const MotionId first_change = changed != path.events.end() ? changed->before : kNoMotion;
+  std::map<int, MotionId> first_change;  // by channel
+  for (const Toolpath::EventAt& e : path.events) {
+    if (e.event.event == "tool") first_change.emplace(e.event.channel, e.before);
+  }
   bool told = false, good = true;
   for (Motion& motion : path.motions) {
     if (motion.tool == 0 && !defined.contains(0)) {
-      const bool emptied = static_cast<MotionId>(&motion - path.motions.data()) >= first_change;
+      const auto changed = first_change.find(motion.channel);
+      const bool emptied = changed != first_change.end() &&
+                           static_cast<MotionId>(&motion - path.motions.data()) >= changed->second;
       if (emptied && motion.kind != MotionKind::kRapid) {
         diagnose(Severity::kError, motion, "tool", "a feed motion with the spindle emptied by T0 M6");
         return false;

@@ -22,16 +22,34 @@ class RecordingSource : public ProgramSource {
   Result<ProgramText> mainProgram() const override;
   Result<ProgramText> subprogram(const SubprogramQuery& query) const override;
 
+  /// Channels besides the one whose program is the main program, in the order of their numbers: their
+  /// programs are kept here too. `inner` must outlive this.
+  void addChannel(const ProgramSource& inner);
+  /// Of all channels, this one first.
+  std::vector<const ProgramSource*> channels() const;
+
   /// Text of a line of the file with that name, UTF-8; empty where there is none.
   std::string line(const std::string& file, std::uint32_t number) const;
   /// Every text once, the main program first.
   const std::vector<ProgramText>& texts() const { return texts_; }
 
  private:
+  /// Passes on the programs of another channel.
+  struct Channel : ProgramSource {
+    Channel(const RecordingSource& owner, const ProgramSource& inner_source)
+        : recording(owner), inner(inner_source) {}
+    Result<ProgramText> mainProgram() const override { return recording.keep(inner.mainProgram()); }
+    Result<ProgramText> subprogram(const SubprogramQuery& query) const override {
+      return recording.keep(inner.subprogram(query));
+    }
+    const RecordingSource& recording;
+    const ProgramSource& inner;
+  };
   Result<ProgramText> keep(Result<ProgramText> text) const;
 
   const ProgramSource& inner_;
   TextEncoding encoding_;
+  std::vector<std::unique_ptr<Channel>> channels_;
   mutable std::vector<ProgramText> texts_;
   mutable std::map<std::string, std::vector<std::string>> lines_;  ///< by name, decoded on demand
 };
@@ -60,7 +78,12 @@ struct Interpreted {
 /// Settings of the job with the start point above a blank that has these bounds (the job's own goes before).
 ControlSettings controlSettings(const Job& job, const Box3& blank);
 
-Interpreted interpretProgram(const Job& job, const ProgramSource& source, const ControlSettings& settings,
+/// Runs the job's program, or those of its channels.
+InterpretSummary interpretJob(const Job& job, ControlId control, const RecordingSource& source,
+                              const ControlSettings& settings, MotionSink& sink, Progress& progress,
+                              const ControlHost& host);
+
+Interpreted interpretProgram(const Job& job, const RecordingSource& source, const ControlSettings& settings,
                              Progress& progress);
 
 /// False, with an error in the path's diagnostics, if a motion turns the tool or the workpiece: the engine

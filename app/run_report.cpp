@@ -170,8 +170,10 @@ Result<std::vector<FileHash>> hashInputs(const Job& job, const RunSources& sourc
   };
   if (!job.path.empty()) add("job", job.path);
   for (const RecordingSource* source : sources) {
+    const std::size_t channels = source->channels().size();
     for (const ProgramText& text : source->texts()) {
-      const bool main = &text == &source->texts().front();
+      // The main programs of all channels are loaded before anything is called.
+      const bool main = &text - source->texts().data() < static_cast<std::ptrdiff_t>(channels);
       FileHash hash{main ? "program" : "subprogram", text.path, text.bytes.size(), sha256Hex(text.bytes)};
       const auto same = [&](const FileHash& other) {
         return other.path == hash.path && other.role == hash.role;

@@ -41,6 +41,13 @@ void readProgram(ConfigTable& table, Job& job) {
   }
 }
 
+std::string programNames(const Job& job) {
+  if (job.channels.empty()) return job.program;
+  std::string names;
+  for (const ChannelSpec& channel : job.channels) names += (names.empty() ? "" : ", ") + channel.program;
+  return names;
+}
+
 std::size_t setupCount(const Job& job) { return job.setups.empty() ? 1 : job.setups.size(); }
 
 Job jobOfSetup(const Job& job, std::size_t index) {
@@ -66,7 +73,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   Job job;
   ConfigTable root(document, *tree, "the job file");
   readHead(root, job);
-  if (root.find("setup") == nullptr) readProgram(root, job);
+  if (root.find("setup") == nullptr && root.find("channel") == nullptr) readProgram(root, job);
   readControl(root, names, job);
   readMachine(root, job);
   readStock(root, job);
@@ -78,6 +85,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   readOutput(root, names, job);
   readFixtures(root, job);
   readSetups(root, job);
+  readChannels(root, names, job);
   root.refuseOthers();
   if (diagnostics.errorCount() != errors_before) return std::nullopt;
   return job;

@@ -76,6 +76,14 @@ struct SetupSpec {
   std::vector<FixtureSpec> fixtures;
 };
 
+/// One channel of the control.
+struct ChannelSpec {
+  std::string program;                   ///< path
+  std::vector<std::string> subprograms;  ///< paths
+  ControlSettings settings;   ///< the job's, with the channel's number, tool, offsets and parameters
+  std::optional<Vec3> start;  ///< as Job::start
+};
+
 struct Job {
   std::string path;                      ///< of the job file; empty for a job made on the command line
   std::string name;                      ///< defaults to the job file's name without extension
@@ -85,6 +93,9 @@ struct Job {
   /// Clampings in their order. Empty: one, which is what the fields of the job itself say. Else `program` and
   /// `subprograms` of the job are empty; see jobOfSetup.
   std::vector<SetupSpec> setups;
+  /// Channels of the control by number; empty: the control has one. `program`, `subprograms` and `start` of
+  /// the job are those of the first. A job has channels or setups.
+  std::vector<ChannelSpec> channels;
   /// Setups of the file that came behind `setups` were taken away: only a part of the job is to be run. Not
   /// set by job files.
   bool stops_early = false;
@@ -102,6 +113,8 @@ struct Job {
   OutputSpec output;
 };
 
+/// The main programs of the job, of a clamping or of its channels: "left.nc, right.nc".
+std::string programNames(const Job& job);
 /// Number of clampings, at least 1.
 std::size_t setupCount(const Job& job);
 /// The job as it is in one clamping: program, subprograms, settings, start and fixtures are the setup's and

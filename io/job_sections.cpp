@@ -298,10 +298,12 @@ void readControl(ConfigTable& root, const JobNames& names, Job& job) {
   auto control = root.table("control");
   readControlName(*control, "name", names, job);
   if (job.control.empty()) return;
-  if (auto parameters = control->table(job.control)) {
-    ParameterReader(root.document(), names, job).read(parameters->entries(), "");
-  }
+  if (auto parameters = control->table(job.control)) readParameters(*parameters, names, job);
   control->refuseOthers();
+}
+
+void readParameters(ConfigTable& table, const JobNames& names, Job& job) {
+  ParameterReader(table.document(), names, job).read(table.entries(), "");
 }
 
 void readMachine(ConfigTable& root, Job& job) {

@@ -20,6 +20,10 @@ void readPanel(ConfigTable& root, Job& job);
 void readSimulation(ConfigTable& root, Job& job);
 /// [[fixture]]
 void readFixtures(ConfigTable& root, Job& job);
+/// [[channel]]; call after everything that channels may change.
+void readChannels(ConfigTable& root, const JobNames& names, Job& job);
+/// The parameters of the job's control in a table of their own.
+void readParameters(ConfigTable& table, const JobNames& names, Job& job);
 /// A shape with the keys of [stock], by its `shape` key: one of `shapes`.
 std::optional<StockSpec> readShape(ConfigTable& table, const std::vector<std::string>& shapes);
 /// The file that `key` names, with `unit`.

@@ -70,7 +70,7 @@ constexpr auto kRows = std::to_array<CoverageId>({
     {"nct-15.5.2-N1405", kSim, kDone, "good/comp_close_vectors.nc"},
     {"nct-15.5.2-passthrough", kSim, kDone, "good/comp_functions_wait_for_their_place.nc"},
     {"nct-15.5.2-2090", kReject, kDone, "bad/comp_2090.nc"},
-    {"nct-15.5.2-flush", kSim, kPartly, "good/comp_g43_in_the_mode.nc"},
+    {"nct-15.5.2-flush", kSim, kPartly, "good/flush_parameters.nc"},
     {"nct-15.5.2-skip", kSim, kDone, "good/comp_skip_block_stops_look_ahead.nc"},
     {"nct-15.5.3-G40", kSim, kDone, "good/comp_square.nc"},
     {"nct-15.5.3-2043", kReject, kDone, "bad/comp_2043.nc"},
