@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "app/exit_codes.h"
 
@@ -77,8 +79,18 @@ int printError(Console& console, const Error& error) {
 }
 
 void printDiagnostics(Console& console, const std::vector<Diagnostic>& diagnostics, Severity least) {
+  // A loop tells the same of the same block each time: once is enough to read.
+  std::map<std::string, int> told;
+  std::vector<const std::pair<const std::string, int>*> in_order;
   for (const Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.severity >= least) console.err << formatDiagnostic(diagnostic);
+    if (diagnostic.severity < least) continue;
+    const auto [at, first] = told.emplace(formatDiagnostic(diagnostic), 0);
+    ++at->second;
+    if (first) in_order.push_back(&*at);
+  }
+  for (const auto* text : in_order) {
+    console.err << text->first;
+    if (text->second > 1) console.err << "    note: told " << text->second << " times\n";
   }
 }
 

@@ -8,6 +8,21 @@
 namespace proveout {
 namespace {
 
+TEST(PrintDiagnostics, TellsTheSameOfTheSameBlockOnce) {
+  std::ostringstream out, err;
+  Console console{out, err};
+  Diagnostic first, second;
+  first.code = "nct-2017";
+  first.message = "illegal address";
+  second = first;
+  second.where.line = 7;
+  printDiagnostics(console, {first, second, first, first});
+  const std::string text = err.str();
+  EXPECT_EQ(text.find("illegal address"), text.rfind("illegal address", text.size() / 2));
+  EXPECT_NE(text.find("note: told 3 times"), std::string::npos);
+  EXPECT_EQ(text.find("told"), text.rfind("told"));
+}
+
 TEST(ConsoleProgress, SilentUnlessShown) {
   std::ostringstream err;
   ConsoleProgress progress(err);
