@@ -1,7 +1,6 @@
 #include "removal/quad_volume.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <cmath>
 
 namespace proveout {
@@ -32,36 +31,47 @@ double quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, cons
   }
   const Vec3 from = crossing - apex;
   Vec3 area = Vec3::Zero();
-  double cones = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    const Vec3 c = d[i].cross(d[(i + 1) % 4]);
-    area += c;
-  }
-  cones = from.dot(area) / 6.0;
+  for (int i = 0; i < 4; ++i) area += d[i].cross(d[(i + 1) % 4]);
+  const double cones = from.dot(area) / 6.0;
   if (flat || steep) return cones;
 
-  // q = (xx, xy, yy) of twice the height, from the four corners by least squares.
+  // q = (xx, xy, yy) of twice the height, from the four corners by least squares: the normal equations by
+  // hand, since this is done for every quad.
   const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
-  Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-  Vec3 right = Vec3::Zero();
-  std::array<Vec2, 4> t;
+  std::array<double, 4> x, y;
+  double m00 = 0.0, m01 = 0.0, m02 = 0.0, m12 = 0.0, m22 = 0.0, r0 = 0.0, r1 = 0.0, r2 = 0.0;
   for (int i = 0; i < 4; ++i) {
-    t[i] = {e1.dot(d[i]), e2.dot(d[i])};
-    const Vec3 row(t[i].x() * t[i].x(), 2.0 * t[i].x() * t[i].y(), t[i].y() * t[i].y());
-    m += row * row.transpose();
-    right += row * (2.0 * height[i]);
+    x[i] = e1.dot(d[i]);
+    y[i] = e2.dot(d[i]);
+    const double xx = x[i] * x[i], xy = 2.0 * x[i] * y[i], yy = y[i] * y[i], twice = 2.0 * height[i];
+    m00 += xx * xx;
+    m01 += xx * xy;
+    m02 += xx * yy;
+    m12 += xy * yy;
+    m22 += yy * yy;
+    r0 += xx * twice;
+    r1 += xy * twice;
+    r2 += yy * twice;
   }
-  m.diagonal().array() += kOpen * m.trace() / 3.0 + 1e-30;
-  const Vec3 q = m.inverse() * right;
-  const auto bend = [&](const Vec2& a) {
-    return q[0] * a.x() * a.x() + 2.0 * q[1] * a.x() * a.y() + q[2] * a.y() * a.y();
-  };
+  double m11 = 4.0 * m02;
+  const double pull = kOpen * (m00 + m11 + m22) / 3.0 + 1e-30;
+  m00 += pull;
+  m11 += pull;
+  m22 += pull;
+  const double c00 = m11 * m22 - m12 * m12, c01 = m02 * m12 - m01 * m22, c02 = m01 * m12 - m02 * m11;
+  const double c11 = m00 * m22 - m02 * m02, c12 = m01 * m02 - m00 * m12, c22 = m00 * m11 - m01 * m01;
+  const double scale = 1.0 / (m00 * c00 + m01 * c01 + m02 * c02);
+  const double q0 = scale * (c00 * r0 + c01 * r1 + c02 * r2), q1 = scale * (c01 * r0 + c11 * r1 + c12 * r2),
+               q2 = scale * (c02 * r0 + c12 * r1 + c22 * r2);
+  const auto bend = [&](double a, double b) { return q0 * a * a + 2.0 * q1 * a * b + q2 * b * b; };
   // A quadratic less its linear interpolation integrates to -area/24 * (sum over the edges of its bend).
+  std::array<double, 4> at;
+  for (int i = 0; i < 4; ++i) at[i] = bend(x[i], y[i]);
   double bulge = 0.0;
   for (int i = 0; i < 4; ++i) {
-    const Vec2 &a = t[i], &b = t[(i + 1) % 4];
-    const double twice_area = a.x() * b.y() - a.y() * b.x();
-    bulge -= 0.5 * twice_area * (bend(a) + bend(b) + bend(b - a)) / 24.0;
+    const int k = (i + 1) % 4;
+    const double twice_area = x[i] * y[k] - y[i] * x[k];
+    bulge -= twice_area * (at[i] + at[k] + bend(x[k] - x[i], y[k] - y[i])) / 48.0;
   }
   return cones + bulge;
 }

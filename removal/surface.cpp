@@ -376,6 +376,21 @@ void Extractor::writeSplits(TriMesh& mesh) {
   }
 }
 
+/// Resizes a vector whose memory is new. The system clears fresh pages where they are first touched: by all
+/// threads here, and not by the one that fills the vector with zeros.
+template <typename T>
+void resizeTouched(std::vector<T>& vector, std::size_t size) {
+  if (size <= vector.capacity()) return vector.resize(size);
+  constexpr std::size_t kPage = 4096, kStretch = std::size_t{1} << 21;
+  vector.reserve(size);
+  auto* const bytes = reinterpret_cast<volatile char*>(vector.data() + vector.size());
+  const std::size_t count = (size - vector.size()) * sizeof(T);
+  parallelFor(std::size_t{0}, count / kStretch + 1, [&](std::size_t i) {
+    for (std::size_t k = i * kStretch; k < std::min(count, (i + 1) * kStretch); k += kPage) bytes[k] = 0;
+  });
+  vector.resize(size);
+}
+
 /// Writes the mesh with what is merged now; leaves that did not change are taken from what is in it.
 void Extractor::writeMesh(TriMesh& mesh, Progress& progress) {
   std::swap(mesh, old_mesh_);
@@ -387,9 +402,9 @@ void Extractor::writeMesh(TriMesh& mesh, Progress& progress) {
     triangles += out.triangles;
   }
   if (merger_.active()) cell_at_.resize(cells_kept_);
-  mesh.positions.resize(cells_kept_ + grid_.vertexCount() - grid_.cellCount());
-  mesh.triangles.resize(triangles);
-  mesh.motion.resize(triangles);
+  resizeTouched(mesh.positions, cells_kept_ + grid_.vertexCount() - grid_.cellCount());
+  resizeTouched(mesh.triangles, triangles);
+  resizeTouched(mesh.motion, triangles);
   eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) { writeVertices(leaf, out, mesh); });
   eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) {
     if (out.changed) {
