@@ -9,6 +9,10 @@ M30
 G1 Y50 F6000
 Q7 H
 M30
+=== says
+channel2.nc:2:4: error[nct-2064]
+note: in channel 2
+cycle 0.5 s
 === expect
 file 0 main.nc
 [1] 1: feed from 0 0 0 to 30 0 0 F6000 t0.3

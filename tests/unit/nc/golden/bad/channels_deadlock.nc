@@ -16,6 +16,9 @@ M30
 === channel 3
 G1 Y500 F6000
 M30
+=== says
+[3] 2/1: feed from 0 0 0 to 0 500 0
+main.nc:2:1: error[nct-deadlock]: deadlock of waiting codes: channel 1 waits at main.nc:2 N60 with M501 P12; channel 2 waits at channel2.nc:1 N20 with M502 P12
 === expect
 file 0 main.nc
 [1] 1 N10: feed from 0 0 0 to 100 0 0 F6000 t1

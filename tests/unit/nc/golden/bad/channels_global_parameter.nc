@@ -5,6 +5,8 @@ proves: nct-1.2-channel
 M30
 === channel 2 N1700 = 5
 M30
+=== says
+error[nct-channel]: parameter N1700 belongs to the whole control
 === expect
 error[nct-channel]: parameter N1700 belongs to the whole control, channel 2 cannot have its own
 cycle 0 s

@@ -12,6 +12,9 @@ N5 M501 P13
 M30
 === channel 3
 M30
+=== says
+channel2.nc:1:9: error[nct-wait]
+note: in channel 2
 === expect
 file 0 main.nc
 file 1 channel2.nc

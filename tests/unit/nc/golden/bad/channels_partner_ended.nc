@@ -15,6 +15,8 @@ G1 Y50 F6000
 Y100
 Y250
 M30
+=== says
+main.nc:2:1: error[nct-deadlock]: deadlock of waiting codes: channel 1 waits at main.nc:2 with M501 P12; channel 2 has ended
 === expect
 file 0 main.nc
 [1] 1: feed from 0 0 0 to 10 0 0 F600 t1

@@ -6,6 +6,8 @@ axis = C 4 rotary
 M30
 === channel 2
 M30
+=== says
+error[nct-channel]: axis C turns the part
 === expect
 error[nct-channel]: axis C turns the part: with several channels it would turn it for all of them, which is not supported (carries = "nothing" only tells its position)
 file 0 main.nc

@@ -8,6 +8,8 @@ M501 P14
 M30
 === channel 2
 M30
+=== says
+main.nc:1:6: error[nct-wait]: M501 P14: the run has no channel 4
 === expect
 file 0 main.nc
 main.nc:1:6: error[nct-wait]: M501 P14: the run has no channel 4

@@ -12,6 +12,13 @@ M501 P12 X5
 M501 M502 P12
 M501 P1.5
 M30
+=== says
+main.nc:1:1: error[nct-2004]
+main.nc:2:6: error[nct-2002]
+main.nc:3:6: error[nct-2002]
+main.nc:4:1: error[nct-wait]
+main.nc:5:1: error[nct-wait]
+main.nc:6:6: error[nct-2002]
 === expect
 file 0 main.nc
 main.nc:1:1: error[nct-2004]: missing data P: M501 needs the channels that meet

@@ -33,6 +33,12 @@ M30
 160 0 0 t 0.1 ch 1
 0 220 0 t 0.1 ch 2
 0 0 -60 t 0.1 ch 3
+=== says
+[1] 2 N60: event wait code="M501" channels="12" t1
+[2] 1/2 N100: event wait code="M501" channels="12" t0
+[2] 1/4: event wait code="M502" channels="123" t0.4
+[3] 2/2 N110: event wait code="M502" channels="123" t2
+cycle 2.6 s
 === expect
 file 0 main.nc
 [1] 1 N10: feed from 0 0 0 to 100 0 0 F6000 t1

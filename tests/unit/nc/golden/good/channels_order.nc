@@ -31,6 +31,10 @@ M30
 30 100 0 t 0.05 ch 2
 20 0 0 t 0.8 ch 1
 25 0 0 t 0.05 ch 1
+=== says
+[2] 1/6: event end
+[1] 6: event end
+cycle 2.35 s
 === expect
 file 0 main.nc
 [1] 1: feed from 0 0 0 to 100 0 0 F6000 t1

@@ -32,6 +32,8 @@ M30
 200 0 0 t 1 ch 1
 300 0 0 t 1 ch 1
 0 30 0 t 0.07 ch 2
+=== says
+cycle 3 s
 === expect
 file 0 main.nc
 [1] 5: feed from 0 0 0 to 100 0 0 F6000 t1

@@ -15,6 +15,8 @@ M30
 === truth
 10 0 0
 20 0 0
+=== says
+main.nc:2:1: note[nct-wait]
 === expect
 file 0 main.nc
 1: feed from 0 0 0 to 10 0 0 F600 t1

@@ -15,6 +15,13 @@ M30
 === channel 2
 M500 P12
 M30
+=== truth
+45 0 0 t 4.5 ch 1
+50 50 0 ch 1
+45 80 0 ch 1
+0 80 0 ch 1
+=== says
+[2] 1/1: event wait code="M500" channels="12" t9.5249
 === expect
 file 0 main.nc
 [1] 1: feed from 0 0 0 to 45 0 0 F600 t4.5
