@@ -140,6 +140,113 @@ TEST(Channels, WaitsWithAccelerationsLastUntilTheLastStands) {
   EXPECT_NEAR(done.summary.cycle_s, 1.3, 1e-9);
 }
 
+/// A step of a plan: a dwell, or a meeting of channels.
+struct PlanStep {
+  int tenths = 0;  ///< dwell, 0.1 s
+  int code = 0;    ///< or a waiting code
+  std::string whom;
+};
+using Plan = std::vector<std::vector<PlanStep>>;  ///< by channel
+
+/// Meetings that fit together; with `spoil` two of one channel may change places.
+Plan randomPlan(std::mt19937& random, bool spoil) {
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+  Plan plan(2 + below(3));
+  for (int meeting = 0; meeting < 8; ++meeting) {
+    std::string whom;
+    for (std::size_t k = 0; k < plan.size(); ++k) {
+      if (below(3) > 0) whom += std::to_string(k + 1);
+    }
+    if (whom.size() < 2) continue;
+    const int code = 500 + static_cast<int>(below(3));
+    for (const char digit : whom) {
+      auto& steps = plan[static_cast<std::size_t>(digit - '1')];
+      steps.push_back({static_cast<int>(below(30)), 0, ""});
+      steps.push_back({0, code, whom});
+    }
+  }
+  if (spoil) {
+    auto& steps = plan[below(plan.size())];
+    if (steps.size() >= 4) std::swap(steps[1], steps[3]);
+  }
+  return plan;
+}
+
+/// When the last channel ends, s; below 0: they wait for each other.
+double endOf(const Plan& plan) {
+  std::vector<std::size_t> at(plan.size(), 0);
+  std::vector<int> now(plan.size(), 0);
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (std::size_t k = 0; k < plan.size(); ++k) {
+      if (at[k] == plan[k].size()) continue;
+      const PlanStep& step = plan[k][at[k]];
+      if (step.code == 0) {
+        now[k] += step.tenths;
+        ++at[k];
+        moved = true;
+        continue;
+      }
+      bool all = true;
+      int last = 0;
+      for (const char digit : step.whom) {
+        const auto other = static_cast<std::size_t>(digit - '1');
+        const bool there = at[other] < plan[other].size() && plan[other][at[other]].code == step.code &&
+                           plan[other][at[other]].whom == step.whom;
+        all = all && there;
+        last = std::max(last, now[other]);
+      }
+      if (!all) continue;
+      for (const char digit : step.whom) {
+        const auto other = static_cast<std::size_t>(digit - '1');
+        now[other] = last;
+        ++at[other];
+      }
+      moved = true;
+    }
+  }
+  for (std::size_t k = 0; k < plan.size(); ++k) {
+    if (at[k] < plan[k].size()) return -1.0;
+  }
+  return 0.1 * *std::max_element(now.begin(), now.end());
+}
+
+TEST(Channels, MeetingsAndDeadlocksAreThoseOfASlowReference) {
+  std::mt19937 random(11);
+  int stuck = 0;
+  for (int round = 0; round < 300; ++round) {
+    const Plan plan = randomPlan(random, round % 3 == 0);
+    std::vector<std::unique_ptr<MemoryProgramSource>> sources;
+    std::vector<ChannelProgram> programs;
+    for (const auto& steps : plan) {
+      std::string text;
+      for (const PlanStep& step : steps) {
+        text += step.code > 0 ? fmt::format("M{} P{}\n", step.code, step.whom)
+                              : fmt::format("G4 P{}.{}\n", step.tenths / 10, step.tenths % 10);
+      }
+      const int number = static_cast<int>(programs.size()) + 1;
+      sources.push_back(std::make_unique<MemoryProgramSource>("p.nc", text + "M30\n"));
+      programs.push_back({sources.back().get(), settingsOf(number, 0.0)});
+      programs.back().settings.parameters = {{"N2201", 500}, {"N2202", 599}};
+    }
+    Toolpath path;
+    ToolpathBuilder sink(path);
+    const InterpretSummary summary = interpretChannels(ControlId::kNct, programs, sink);
+    const double end_s = endOf(plan);
+    if (end_s >= 0.0) {
+      EXPECT_TRUE(summary.ok()) << round;
+      EXPECT_NEAR(summary.cycle_s, end_s, 1e-9) << round;
+    } else {
+      ++stuck;
+      ASSERT_EQ(path.diagnostics.errorCount(), 1) << round;
+      EXPECT_EQ(summary.end, ProgramEnd::kAlarm);
+      EXPECT_EQ(path.diagnostics.all().back().code, "nct-deadlock");
+    }
+  }
+  EXPECT_GT(stuck, 10);
+  EXPECT_LT(stuck, 150);
+}
+
 TEST(Channels, NumbersAreChecked) {
   const MemoryProgramSource source("p.nc", "M30\n");
   const auto errorsOf = [&](const std::vector<int>& numbers) {
