@@ -17,7 +17,9 @@ constexpr std::size_t kFlushBytes = 1 << 16;
 constexpr double kTick = 1e9;       ///< numbers are rounded to 1e-9
 constexpr double kMaxTicked = 9e9;  ///< larger numbers do not fit the 64-bit tick count
 
-inline void put(Buffer& b, std::string_view text) { b.append(text.data(), text.size()); }
+[[gnu::always_inline]] inline void put(Buffer& b, std::string_view text) {
+  b.append(text.data(), text.size());
+}
 
 void putInteger(Buffer& b, std::int64_t value) {
   constexpr std::size_t kMost = 20;

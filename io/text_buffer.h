@@ -18,7 +18,8 @@ class TextBuffer {
     *room(1) = c;
     ++size_;
   }
-  void append(const char* text, std::size_t count) {
+  /// Always inline: the length of a literal is known then.
+  [[gnu::always_inline]] void append(const char* text, std::size_t count) {
     std::memcpy(room(count), text, count);
     size_ += count;
   }
