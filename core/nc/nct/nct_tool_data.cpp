@@ -126,7 +126,7 @@ bool placeBlock(NctContext& c) {
   if (!single && !neededInteger(c, 'P', 1, 9999, place.pocket)) return false;
   if (!neededInteger(c, 'R', 0, rowCount(c), row)) return false;
   c.registers.tools().place(place, row);
-  if (magazine == 10) c.state.tool_row = row;
+  if (magazine == 10 * c.channel()) c.state.tool_row = row;  // the channel's spindle
   return true;
 }
 

@@ -65,12 +65,13 @@ bool planTool(NctContext& c, BlockPlan& plan, const Word& t) {
   if (code > 0 && hasCode(plan, code)) {
     const ToolPlace place{type / kPocketsPerMagazine, type % kPocketsPerMagazine};
     const int row = tools.at(place);
-    if (row == 0) {
+    const ToolRow* tool = tools.row(row);
+    if (tool == nullptr) {
       return c.alarm(2002, t,
                      fmt::format("magazine {} has no tool in pocket {}", place.magazine, place.pocket));
     }
     next.next_row = row;
-    next.next_tool = tools.row(row)->type;
+    next.next_tool = tool->type;
     return true;
   }
   next.next_tool = type;
@@ -107,7 +108,8 @@ bool sendToolChange(NctContext& c, int type, int row) {
   c.state.tool = type;
   c.state.tool_row = row;
   ToolTables& tools = c.registers.tools();
-  if (tools.managed()) tools.place(spindlePlace(c), row);
+  // A row may have been deleted after T had called it.
+  if (tools.managed()) tools.place(spindlePlace(c), tools.row(row) ? row : 0);
   if (!countsAtT(c)) countUse(c, row);
   PathItem item = functionItem(c, PathItem::Kind::kToolChange, c.state);
   item.value = type;
