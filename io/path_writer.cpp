@@ -245,7 +245,16 @@ void JsonLinesPathWriter::diagnostic(const Diagnostic& diagnostic) {
   putInteger(b, diagnostic.where.line);
   put(b, R"(,"column":)");
   putInteger(b, diagnostic.where.column);
-  put(b, "}}");
+  if (!diagnostic.source_line.empty()) {
+    put(b, R"(,"text":)");
+    putString(b, diagnostic.source_line);
+  }
+  put(b, "}");
+  for (std::size_t k = 0; k < diagnostic.notes.size(); ++k) {
+    put(b, k == 0 ? R"(,"notes":[)" : ",");
+    putString(b, diagnostic.notes[k]);
+  }
+  put(b, diagnostic.notes.empty() ? "}" : "]}");
   endLine();
 }
 

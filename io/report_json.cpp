@@ -149,6 +149,7 @@ Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics) {
     Json entry = {{"severity", severityName(d.severity)}, {"code", d.code}, {"message", d.message}};
     if (!d.where.file.empty() || d.where.line > 0) {
       entry["source"] = {{"file", d.where.file}, {"line", d.where.line}, {"column", d.where.column}};
+      if (d.where.column_end > 0) entry["source"]["column_end"] = d.where.column_end;
       if (!d.source_line.empty()) entry["source"]["text"] = d.source_line;
     }
     if (!d.notes.empty()) entry["notes"] = d.notes;

@@ -106,14 +106,13 @@ bool CrossingStage::release() {
   if (item.meet == Meet::kOpen) {
     return report_.contourError(
         "nct-contour", "a line given by ,A alone needs a block behind it whose line or circle meets it",
-        item.source);
+        item);
   }
   if (crosses(item) && item.kind == Kind::kArc) {
     const Vec2 end = planeEnd(item);
     if (std::abs((end - item.center.head<2>()).norm() - item.radius) > kOnCircle) {
       return report_.contourError(
-          "nct-2012", "circle radius difference error: the end is not on the circle of I, J, K and R",
-          item.source);
+          "nct-2012", "circle radius difference error: the end is not on the circle of I, J, K and R", item);
     }
     endArc(item, end);
   }
@@ -123,16 +122,14 @@ bool CrossingStage::release() {
 bool CrossingStage::cross(PathItem& item) {
   if (!holds_) {
     return report_.contourError(
-        "nct-contour", "an over-determined block needs a G1, G2 or G3 block before it, in G41 or G42",
-        item.source);
+        "nct-contour", "an over-determined block needs a G1, G2 or G3 block before it, in G41 or G42", item);
   }
   const PlaneCurve first = curveOf(held_), second = curveOf(item);
   const auto choice = item.meet == Meet::kSecond ? CrossingChoice::kSecond : CrossingChoice::kFirst;
   std::optional<Vec2> corner;
   if (first.direction.allFinite()) corner = crossingPoint(first, second, held_.start, choice);
   if (!corner || !corner->allFinite()) {
-    return report_.contourError("nct-contour", "the block and the one before it have no common point",
-                                item.source);
+    return report_.contourError("nct-contour", "the block and the one before it have no common point", item);
   }
   if (held_.kind == Kind::kArc) {
     endArc(held_, *corner);
@@ -174,7 +171,7 @@ bool CornerStage::flush(FlushReason reason) {
   if (!holds_ || reason == FlushReason::kTransform) return true;
   holds_ = false;
   return report_.contourError(
-      "nct-2085", "illegal chamfer or rounding: no G1, G2 or G3 block in the plane follows", held_.source);
+      "nct-2085", "illegal chamfer or rounding: no G1, G2 or G3 block in the plane follows", held_);
 }
 
 Vec3 CornerStage::sentUntil(const Vec3& otherwise) const {
@@ -183,7 +180,7 @@ Vec3 CornerStage::sentUntil(const Vec3& otherwise) const {
 
 bool CornerStage::join(PathItem& item) {
   const auto refuse = [&](const char* code, const char* message) {
-    return report_.contourError(code, message, held_.source);
+    return report_.contourError(code, message, held_);
   };
   holds_ = false;
   if (item.space != PathItem::Space::kWork || !feedsInPlane(item)) {

@@ -15,7 +15,7 @@ class ContourReport {
  public:
   virtual ~ContourReport() = default;
   /// An error at a block that has gone by. Always false.
-  virtual bool contourError(const char* code, const char* message, const SourceRef& at) = 0;
+  virtual bool contourError(const char* code, const char* message, const PathItem& at) = 0;
 };
 
 /// A motion block and the functions behind it, kept back until the next motion is known.

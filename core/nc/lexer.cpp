@@ -116,12 +116,12 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
       if (!lexFile(line, i, block)) return false;
     } else if (c == '%') {
       if (!block.empty() || block.number >= 0) {
-        return fail("nct-2064", "% stands alone at the start of a line", i, i + 1);
+        return fail("nct-2064", "syntax error: % stands alone at the start of a line", i, i + 1);
       }
       block.percent = true;
       ++i;
     } else if ((c == '#' || c == '[') && rules_.expressions == nullptr) {
-      return fail("nct-2123", "macro variables and expressions are not supported", i, line.size());
+      return fail("nct-2123", "function not implemented: macro variables and expressions", i, line.size());
     } else {
       return fail("nct-2064", "syntax error: " + shown(c) + " does not start a word", i, i + 1);
     }
@@ -134,10 +134,10 @@ bool Lexer::lexSkip(std::string_view line, std::size_t& i, Block& block) {
   int n = 1;
   if (i < line.size() && isDigit(line[i])) n = line[i++] - '0';
   if (n == 0 || (i < line.size() && isDigit(line[i]))) {
-    return fail("nct-2002", "optional skip is /1 to /9", begin, i + 1);
+    return fail("nct-2002", "/ data out of range: optional skip is /1 to /9", begin, i + 1);
   }
   if (!block.empty() || block.number >= 0 || block.program >= 0 || block.skip != 0) {
-    return fail("nct-2064", "optional skip must stand at the start of the block", begin, i);
+    return fail("nct-2064", "syntax error: optional skip must stand at the start of the block", begin, i);
   }
   block.skip = n;
   return true;
@@ -146,8 +146,9 @@ bool Lexer::lexSkip(std::string_view line, std::size_t& i, Block& block) {
 bool Lexer::lexFile(std::string_view line, std::size_t& i, Block& block) {
   const std::size_t begin = i;
   const std::size_t close = line.find('>', i);
-  if (close == std::string_view::npos) return fail("nct-2064", "'<' without '>'", begin, line.size());
-  if (block.has_file) return fail("nct-2064", "two file names in one block", begin, close + 1);
+  if (close == std::string_view::npos)
+    return fail("nct-2064", "syntax error: '<' without '>'", begin, line.size());
+  if (block.has_file) return fail("nct-2064", "syntax error: two file names in one block", begin, close + 1);
   block.has_file = true;
   block.file_arg = line.substr(begin + 1, close - begin - 1);
   block.file_columns = {static_cast<int>(begin) + 1, static_cast<int>(close) + 2};
@@ -165,7 +166,7 @@ bool Lexer::lexAddress(std::string_view line, std::size_t& i, Word& word) {
   while (i < line.size() && isBlank(line[i])) ++i;
   const char c = i < line.size() ? upper(line[i]) : '\0';
   if (!rules_.comma_addresses || (c != 'C' && c != 'R' && c != 'A')) {
-    return fail("nct-2064", "a comma must be followed by C, R or A", begin, i);
+    return fail("nct-2064", "syntax error: a comma must be followed by C, R or A", begin, i);
   }
   word.address = c == 'C' ? kCommaChamfer : c == 'R' ? kCommaRounding : kCommaDirection;
   ++i;
@@ -244,9 +245,9 @@ bool Lexer::lexWord(std::string_view line, std::size_t& i, Block& block) {
 
 bool Lexer::keepMinus(const Word& word, Block& block) {
   if (!rules_.keep_repeats || word.address == 'O' || (word.address == 'N' && block.number < 0)) {
-    return fail("nct-2002", fmt::format("{} takes no minus sign", addressText(word.address)),
-                static_cast<std::size_t>(word.columns.begin - 1),
-                static_cast<std::size_t>(word.columns.end - 1));
+    return fail(
+        "nct-2002", fmt::format("{} data out of range: no minus sign here", addressText(word.address)),
+        static_cast<std::size_t>(word.columns.begin - 1), static_cast<std::size_t>(word.columns.end - 1));
   }
   if (block.negative.empty()) block.negative_at = word.columns;
   block.negative.add(word.address);
@@ -271,7 +272,7 @@ bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& va
   if (vacant) return true;
   const auto name = addressText(word.address);
   if (!(std::abs(word.value) <= kMaxValue)) {
-    return fail("nct-2002", fmt::format("{}: value out of range", name), begin, i);
+    return fail("nct-2002", fmt::format("{} data out of range", name), begin, i);
   }
   return true;
 }
@@ -293,19 +294,22 @@ bool Lexer::lexValue(std::string_view line, std::size_t& i, Word& word, bool& va
   const auto name = addressText(word.address);
   if (c == '#' || c == '[') {
     if (rules_.expressions == nullptr) {
-      return fail("nct-2123", "macro variables and expressions are not supported", begin, line.size());
+      return fail("nct-2123", "function not implemented: macro variables and expressions", begin,
+                  line.size());
     }
   }
   if (rules_.expressions != nullptr && !isDigit(c) && startsExpression(line, i)) {
     return evaluate(line, i, word, vacant);
   }
   if (c == '=') {
-    return fail("nct-2064", fmt::format("'=' after {}: no axis or spindle of that name is configured", name),
-                begin, i + 1);
+    return fail(
+        "nct-2064",
+        fmt::format("syntax error: '=' after {}: no axis or spindle of that name is configured", name), begin,
+        i + 1);
   }
   if (!lexNumber(line, i, word)) return false;
   if (i < line.size() && line[i] == '=') {
-    return fail("nct-2064", "'=': no axis or spindle of that name is configured", begin, i + 1);
+    return fail("nct-2064", "syntax error: '=': no axis or spindle of that name is configured", begin, i + 1);
   }
   return true;
 }
@@ -322,7 +326,8 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
   for (; i < line.size(); ++i) {
     const char c = line[i];
     if (c == '.') {
-      if (point) return fail("nct-2064", fmt::format("{}: second decimal point", name), begin, i + 1);
+      if (point)
+        return fail("nct-2064", fmt::format("syntax error: {}: second decimal point", name), begin, i + 1);
       point = true;
       continue;
     }
@@ -333,9 +338,10 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
     if (significant <= kExactDigits) mantissa = mantissa * 10 + static_cast<unsigned>(c - '0');
   }
   if (digits == 0)
-    return fail("nct-2064", fmt::format("{} has no value", name), begin, std::max(i, begin + 1));
+    return fail("nct-2064", fmt::format("syntax error: {} has no value", name), begin,
+                std::max(i, begin + 1));
   if (significant - fraction > kExactDigits) {
-    return fail("nct-2002", fmt::format("{}: number has more than 15 digits", name), begin, i);
+    return fail("nct-2002", fmt::format("{} data out of range: more than 15 digits", name), begin, i);
   }
   if (significant <= kExactDigits && fraction <= kExactDigits) {
     word.value = static_cast<double>(mantissa) / kPowersOfTen[fraction];
@@ -343,7 +349,7 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
     const char* first = line.data() + digits_begin;
     std::from_chars(first, line.data() + i, word.value, std::chars_format::fixed);
   }
-  if (word.value > kMaxValue) return fail("nct-2002", fmt::format("{}: value out of range", name), begin, i);
+  if (word.value > kMaxValue) return fail("nct-2002", fmt::format("{} data out of range", name), begin, i);
   word.minus = negative;
   if (negative && word.value != 0.0) word.value = -word.value;
   return true;
@@ -375,16 +381,16 @@ bool Lexer::store(const Word& word, Block& block) {
       return true;
     }
     if (!integer(99999999))
-      return fail("nct-2002", "N: block numbers are integers up to 99999999", begin, end);
-    if (block.number >= 0) return fail("nct-2064", "two N words in one block", begin, end);
+      return fail("nct-2002", "N data out of range: block numbers are integers up to 99999999", begin, end);
+    if (block.number >= 0) return fail("nct-2064", "syntax error: two N words in one block", begin, end);
     block.number = static_cast<std::int64_t>(word.value);
     block.number_columns = word.columns;
     return true;
   }
   if (word.address == 'O') {
     if (!integer(99999999))
-      return fail("nct-2002", "O: program numbers are integers up to 99999999", begin, end);
-    if (block.program >= 0) return fail("nct-2064", "two O words in one block", begin, end);
+      return fail("nct-2002", "O data out of range: program numbers are integers up to 99999999", begin, end);
+    if (block.program >= 0) return fail("nct-2064", "syntax error: two O words in one block", begin, end);
     block.program = static_cast<std::int64_t>(word.value);
     block.program_columns = word.columns;
     return true;

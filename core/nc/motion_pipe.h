@@ -92,6 +92,8 @@ struct PathItem : PathMotion {
   SpindleState spindle = SpindleState::kStopped;
   std::unique_ptr<Event> event;  ///< kEvent; kToolChange, kSpindle: what else its event tells
   SourceRef source;
+  std::uint32_t record =
+      0;                  ///< what the control remembers of the block for alarms that come late; 0: nothing
   std::uint64_t tag = 0;  ///< for a stage's own book-keeping
 
   /// The same motion, for a stage that makes several of one.
@@ -99,6 +101,7 @@ struct PathItem : PathMotion {
     PathItem copy;
     static_cast<PathMotion&>(copy) = *this;
     copy.source = source;
+    copy.record = record;
     return copy;
   }
 };

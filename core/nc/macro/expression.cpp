@@ -385,7 +385,8 @@ bool Parser::wholeNumber(const Value& value, std::size_t begin, int& out) {
   constexpr double kNear = 1e-6;
   const double whole = std::round(value.number);
   if (!(std::abs(whole) <= 1e9) || std::abs(whole - value.number) > kNear) {
-    return fail("nct-2002", fmt::format("{} is no whole number in range", value.number), begin);
+    return fail("nct-2002", fmt::format("# data out of range: {} is no whole number in range", value.number),
+                begin);
   }
   out = static_cast<int>(whole);
   return true;

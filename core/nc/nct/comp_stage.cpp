@@ -1,6 +1,8 @@
 // Cutter compensation: blocks go into the look-ahead, pieces come out and become motions.
 #include "core/nc/nct/comp_stage.h"
 
+#include <algorithm>
+
 #include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
 
@@ -18,7 +20,8 @@ std::string describe(CompError error) {
     case CompError::kInterference:
       return "interference error: the compensated path runs against the programmed one";
     case CompError::kBufferFull:
-      return "cutter compensation cannot be continued: too many blocks without motion in the plane";
+      return "cutter compensation cannot be continued, buffer full: too many blocks without motion in the "
+             "plane";
     case CompError::kSideChange:
       return "the change of side G41, G42 has no solution here";
     case CompError::kCornerArcInside:
@@ -122,17 +125,20 @@ void CompStage::clear() {
   c_.pipe.unlink(*this);
 }
 
-SourceRef CompStage::sourceOf(std::uint64_t tag) const {
-  for (const PathItem& item : waiting_) {
-    if (item.tag == tag) return item.source;
+void CompStage::report(Severity severity, const char* code, const std::string& message, std::uint64_t tag) {
+  const auto item = std::find_if(waiting_.begin(), waiting_.end(),
+                                 [&](const PathItem& waiting) { return waiting.tag == tag; });
+  if (item != waiting_.end()) return c_.alarms.sendLate(severity, code, message, item->source, item->record);
+  if (severity == Severity::kError) {
+    c_.fail(code, message);
+  } else {
+    c_.warn(code, message);
   }
-  return c_.here();
 }
 
 bool CompStage::drain(const CompStatus& status) {
   for (const CompNote& note : out_.notes) {
-    c_.alarms.send(c_.alarms.diagnosticAt(Severity::kWarning, "nct-cutter-comp", describe(note.warning),
-                                          sourceOf(note.tag), {}));
+    report(Severity::kWarning, "nct-cutter-comp", describe(note.warning), note.tag);
   }
   for (const CompPiece& piece : out_.pieces) {
     // Pieces come in program order: what lies before is done with, except a block whose corner pieces follow.
@@ -141,8 +147,7 @@ bool CompStage::drain(const CompStatus& status) {
     if (!sendPiece(piece, waiting_.front())) return false;
   }
   if (status.ok()) return true;
-  c_.alarms.send(c_.alarms.diagnosticAt(Severity::kError, codeOf(status.error), describe(status.error),
-                                        sourceOf(status.tag), {}));
+  report(Severity::kError, codeOf(status.error), describe(status.error), status.tag);
   recover(c_);
   return false;
 }

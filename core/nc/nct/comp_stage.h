@@ -27,7 +27,7 @@ class CompStage final : public PathStage {
  private:
   bool drain(const CompStatus& status);
   bool sendPiece(const CompPiece& piece, PathItem& item);
-  SourceRef sourceOf(std::uint64_t tag) const;
+  void report(Severity severity, const char* code, const std::string& message, std::uint64_t tag);
 
   NctContext& c_;
   CutterComp filter_;

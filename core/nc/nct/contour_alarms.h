@@ -11,7 +11,7 @@ struct NctContext;
 class ContourAlarms final : public ContourReport {
  public:
   explicit ContourAlarms(NctContext& context) : c_(context) {}
-  bool contourError(const char* code, const char* message, const SourceRef& at) override;
+  bool contourError(const char* code, const char* message, const PathItem& at) override;
 
  private:
   NctContext& c_;

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <utility>
 
+#include "core/nc/nct/system_calls.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -35,11 +37,11 @@ constexpr auto kAlarms = std::to_array<Alarm>({
     {2062, "entry into inner forbidden zone 2"},
     {2063, "entry into inner forbidden zone 3"},
     {2064, "syntax error"},
-    {2082, "definition error ,C ,R"},
-    {2085, "not in the selected plane"},
+    {2082, "either chamfer or rounding"},
+    {2085, "illegal chamfer or rounding"},
     {2088, "illegal plane selection"},
-    {2090, "cutter compensation cannot be continued"},
-    {2092, "value out of range in variable {}"},
+    {2090, "cutter compensation cannot be continued, buffer full"},
+    {2092, "value limit exceeded: {}"},
     {2093, "division by 0"},
     {2097, "illegal incremental movement on axis {}"},
     {2104, "probe position out of limits"},
@@ -48,12 +50,13 @@ constexpr auto kAlarms = std::to_array<Alarm>({
     {2117, "absolute value of the argument greater than 1"},
     {2118, "value of the argument not positive"},
     {2121, "right bracket not found"},
+    {2121, "wrong terminator: {}"},
     {2122, "root of a negative value"},
     {2123, "function not implemented: {}"},
     {2125, "block {} not found"},
     {2129, "erroneous operation on #"},
     {2132, "file not found"},
-    {2137, "spindle cannot be oriented"},
+    {2137, "G76, G87"},
     {2138, "spindle cannot be indexed"},
     {2144, "file {} already exists"},
     {2146, "the given file already exists"},
@@ -62,7 +65,7 @@ constexpr auto kAlarms = std::to_array<Alarm>({
     {2161, "variable {} is read-only"},
     {2188, "{} not allowed during fine smoothing"},
     {2193, "parameter {} cannot be changed by G10"},
-    {2194, "function PRM {}"},
+    {2194, "function PRM {} parameter missing"},
     {2501, "position error {}"},
     {3010, "ran onto positive end position on axis {}"},
     {3011, "ran onto negative end position on axis {}"},
@@ -129,7 +132,26 @@ bool AlarmReporter::firstTime(std::string_view key) {
 
 void AlarmReporter::report(Severity severity, std::string code, std::string message, Columns at) {
   Diagnostic d = diagnosticAt(severity, std::move(code), std::move(message), calls_.here(), at);
-  if (severity == Severity::kError) addValues(d);
+  if (!calls_.empty()) addCalls(d.notes);
+  if (severity == Severity::kError) addValues(d.notes);
+  emitter_.diagnostic(d);
+}
+
+std::uint32_t AlarmReporter::remember() {
+  if (calls_.depth() <= 1 && !computed()) return 0;
+  remembered_.resize(kRemembered);
+  if (++last_record_ == 0) ++last_record_;
+  Notes& notes = remembered_[last_record_ % kRemembered];
+  notes.clear();
+  addCalls(notes);
+  if (computed()) addValues(notes);
+  return last_record_;
+}
+
+void AlarmReporter::sendLate(Severity severity, std::string code, std::string message, const SourceRef& at,
+                             std::uint32_t record) {
+  Diagnostic d = diagnosticAt(severity, std::move(code), std::move(message), at, {});
+  if (record != 0) d.notes = remembered_[record % kRemembered];
   emitter_.diagnostic(d);
 }
 
@@ -150,26 +172,36 @@ Diagnostic AlarmReporter::diagnosticAt(Severity severity, std::string code, std:
     d.where.column = static_cast<int>(d.source_line.find_first_not_of(" \t")) + 1;
     d.where.column_end = static_cast<int>(d.source_line.find_last_not_of(" \t")) + 2;
   }
-  addCalls(d);
   return d;
 }
 
-void AlarmReporter::addCalls(Diagnostic& d) const {
+namespace {
+
+/// "G65", "M98", "G101 (system call)": what opened the program.
+std::string callName(const CallFrame& called) {
+  if (called.interrupt) return "the interrupt (M96)";
+  if (called.system_code < 0) return std::string(callKindName(called.kind));
+  return systemCodeName(called.system_code) + " (system call)";
+}
+
+}  // namespace
+
+void AlarmReporter::addCalls(Notes& notes) const {
   for (std::size_t level = calls_.depth(); level-- > 1;) {
     const CallFrame& caller = calls_.at(level - 1);
     const CallFrame& called = calls_.at(level);
-    std::string note = fmt::format("called from {}:{}", caller.text->name(), caller.line);
+    std::string note =
+        fmt::format("called from {}:{} by {}", caller.text->name(), caller.line, callName(called));
     if (opensLocals(called.kind)) {
-      note += fmt::format(" by {}", callKindName(called.kind));
       for (std::size_t n = 1; n < called.args.v.size(); ++n) {
         if (!called.args.v[n].vacant) note += fmt::format(" #{}={}", n, called.args.v[n].number);
       }
     }
-    d.notes.push_back(std::move(note));
+    notes.push_back(std::move(note));
   }
 }
 
-void AlarmReporter::addVariables(Diagnostic& d) const {
+void AlarmReporter::addVariables(Notes& notes) const {
   const std::string_view text = block_.text;
   constexpr int kMaxNotes = 8;
   std::array<int, kMaxNotes> told{};
@@ -181,21 +213,24 @@ void AlarmReporter::addVariables(Diagnostic& d) const {
     if (count == kMaxNotes || !variables_.peek(number, value)) continue;
     if (std::find(told.begin(), told.begin() + count, number) != told.begin() + count) continue;
     told[static_cast<std::size_t>(count++)] = number;
-    d.notes.push_back(value.vacant ? fmt::format("#{} is vacant", number)
-                                   : fmt::format("#{} = {}", number, value.number));
+    notes.push_back(value.vacant ? fmt::format("#{} is vacant", number)
+                                 : fmt::format("#{} = {}", number, value.number));
   }
 }
 
-void AlarmReporter::addValues(Diagnostic& d) const {
-  const bool computed =
-      std::any_of(block_.words.begin(), block_.words.end(), [](const Word& w) { return w.from_expression; });
-  if (!computed) addVariables(d);
+bool AlarmReporter::computed() const {
+  return std::any_of(block_.words.begin(), block_.words.end(),
+                     [](const Word& w) { return w.from_expression; });
+}
+
+void AlarmReporter::addValues(Notes& notes) const {
+  if (!computed()) addVariables(notes);
   for (const Word& w : block_.words) {
     if (!w.from_expression) continue;
     const auto begin = static_cast<std::size_t>(w.columns.begin - 1);
     const auto length = static_cast<std::size_t>(w.columns.end - w.columns.begin);
     if (begin + length > block_.text.size()) continue;
-    d.notes.push_back(fmt::format("{} = {}", block_.text.substr(begin, length), w.value));
+    notes.push_back(fmt::format("{} = {}", block_.text.substr(begin, length), w.value));
   }
 }
 

@@ -1,11 +1,13 @@
 // Alarms of the nct control: the manual's numbers and texts, and how they become diagnostics.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/diagnostics.h"
 #include "core/nc/block.h"
@@ -44,16 +46,24 @@ class AlarmReporter {
   /// True the first time that it is asked with this key: warn then, and format the text only then.
   bool firstTime(std::string_view key);
 
-  /// A diagnostic at another place than the block in hand (cutter compensation reports late).
-  Diagnostic diagnosticAt(Severity severity, std::string code, std::string message, const SourceRef& at,
-                          Columns columns) const;
-  void send(const Diagnostic& diagnostic) { emitter_.diagnostic(diagnostic); }
+  /// Remembers the calls and values of the block in hand for sendLate(): for blocks that a stage of the pipe
+  /// keeps back. 0 where there is nothing to remember: a plain block of the main program. The last 256 are
+  /// kept.
+  std::uint32_t remember();
+  /// A diagnostic at a block that has gone by (cutter compensation reports late); `record` is from
+  /// remember().
+  void sendLate(Severity severity, std::string code, std::string message, const SourceRef& at,
+                std::uint32_t record);
 
  private:
   void report(Severity severity, std::string code, std::string message, Columns at);
-  void addCalls(Diagnostic& d) const;
-  void addValues(Diagnostic& d) const;
-  void addVariables(Diagnostic& d) const;
+  using Notes = std::vector<std::string>;
+  Diagnostic diagnosticAt(Severity severity, std::string code, std::string message, const SourceRef& at,
+                          Columns columns) const;
+  bool computed() const;
+  void addCalls(Notes& notes) const;
+  void addValues(Notes& notes) const;
+  void addVariables(Notes& notes) const;
 
   const CallStack& calls_;
   const ProgramStore& programs_;
@@ -61,6 +71,9 @@ class AlarmReporter {
   const VariableStore& variables_;
   PathEmitter& emitter_;
   std::set<std::string, std::less<>> told_;
+  static constexpr std::size_t kRemembered = 256;  ///< more than the stages keep back
+  std::vector<Notes> remembered_;                  ///< by record modulo their number
+  std::uint32_t last_record_ = 0;
 };
 
 }  // namespace proveout::nc

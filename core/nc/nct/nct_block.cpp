@@ -1,6 +1,7 @@
 // Planning of a block: codes, words, checks. Nothing here changes the control.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/nc/nct/nct_functions.h"
@@ -84,6 +85,14 @@ bool refuseG(NctContext& c, const Word& w, const GCode* code) {
       "nct-2123", fmt::format("function not implemented: {} ({}) is not supported", name, code->meaning), w);
 }
 
+/// The words of a code belong to another code of the block already. Always false.
+bool sharedWord(NctContext& c, const BlockPlan& plan, AddressSet words, const std::string& code) {
+  const AddressSet shared = plan.claimed & words & c.block.present;
+  const auto word = std::find_if(c.block.words.begin(), c.block.words.end(),
+                                 [&](const Word& w) { return shared.has(w.address); });
+  return c.alarm(2017, *word, fmt::format("it would belong to {} and to another code", code));
+}
+
 /// Codes of one group exclude each other in a block; 0: the code is of none.
 int exclusiveGroup(const NctContext& c, const MCode* code, int m) {
   if (code != nullptr) return code->exclusive;
@@ -125,8 +134,7 @@ bool collectM(NctContext& c, BlockPlan& plan) {
           w.columns);
     } else if (code != nullptr) {
       if (!(plan.claimed & code->words & c.block.present).empty()) {
-        return c.failWord("nct-2017",
-                          fmt::format("a word of the block would belong to M{} and to a G code", value), w);
+        return sharedWord(c, plan, code->words, fmt::format("M{}", value));
       }
       plan.claimed = plan.claimed | code->words;
       if (code->phase == MPhase::kCall || code->phase == MPhase::kEnd) plan.flow = code;
@@ -192,8 +200,7 @@ bool claim(NctContext& c, BlockPlan& plan, const GCode& code) {
   const bool arc = motion == 20 || motion == 30;
   if (code.group == kGroupRadiusComp && (arc || plan.next.inCycle())) return true;
   if (!(plan.claimed & code.words & c.block.present).empty()) {
-    return c.fail("nct-2017", fmt::format("a word of the block would belong to {} and to another code",
-                                          gName(code.code10)));
+    return sharedWord(c, plan, code.words, gName(code.code10));
   }
   plan.claimed = plan.claimed | code.words;
   return true;
@@ -363,8 +370,7 @@ bool govern(NctContext& c, BlockPlan& plan) {
   // To a modal motion a word that another code owns is no word; a code of this block cannot share one.
   const bool own_code = plan.by_group[static_cast<std::size_t>(code->group)] == code;
   if (own_code && !(plan.claimed & code->words & c.block.present).empty()) {
-    return c.fail("nct-2017", fmt::format("a word of the block would belong to {} and to another code",
-                                          gName(code->code10)));
+    return sharedWord(c, plan, code->words, gName(code->code10));
   }
   return code->plan(c, plan);
 }
@@ -385,7 +391,7 @@ bool checkWords(NctContext& c, const BlockPlan& plan) {
   }
   const bool call = plan.flow && plan.flow->code == 98;
   if (c.block.has_file && !call)
-    return c.fail("nct-2017", "a file name belongs to M98", c.block.file_columns);
+    return c.fail("nct-2017", "illegal address <>: a file name belongs to M98", c.block.file_columns);
   return true;
 }
 

@@ -73,14 +73,12 @@ bool planJoin(NctContext& c, BlockPlan& plan) {
   const Word* round = c.ownWord(plan, kCommaRounding);
   if (chamfer == nullptr && round == nullptr) return true;
   if (chamfer != nullptr && round != nullptr) {
-    return c.alarm(2082, "", "either a chamfer or a rounding", round->columns);
+    return c.alarm(2082, "", ",C and ,R in one block", round->columns);
   }
   const Word& word = chamfer ? *chamfer : *round;
   const PlaneWords words = planeWords(plan);
   const bool moves = words.has_u || words.has_v || plan.motion.is_arc;
-  if (!moves)
-    return c.alarm(2085, "", "illegal chamfer or rounding: the block does not move in the plane",
-                   word.columns);
+  if (!moves) return c.alarm(2085, "", "the block does not move in the plane", word.columns);
   if (word.value < 0.0) return c.alarm(2002, word, "a length from 0");
   if (word.value > 0.0) {
     plan.motion.join = chamfer ? PathItem::Join::kChamfer : PathItem::Join::kRound;
@@ -162,8 +160,8 @@ bool planCornerArc(NctContext& c, BlockPlan& plan) {
   return feedStyle(c, plan, plan.motion.feed);
 }
 
-bool ContourAlarms::contourError(const char* code, const char* message, const SourceRef& at) {
-  c_.alarms.send(c_.alarms.diagnosticAt(Severity::kError, code, message, at, {}));
+bool ContourAlarms::contourError(const char* code, const char* message, const PathItem& at) {
+  c_.alarms.sendLate(Severity::kError, code, message, at.source, at.record);
   recover(c_);
   return false;
 }

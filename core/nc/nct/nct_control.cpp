@@ -154,13 +154,15 @@ bool NctControl::checkRepeats() {
   if (!block.negative.empty()) {
     const auto at = std::find_if(block.words.begin(), block.words.end(),
                                  [&](const Word& w) { return w.columns.begin == block.negative_at.begin; });
-    return context_.fail("nct-2002", fmt::format("{} takes no minus sign", addressText(at->address)),
+    return context_.fail("nct-2002",
+                         fmt::format("{} data out of range: no minus sign here", addressText(at->address)),
                          block.negative_at);
   }
   if (block.repeated.empty()) return true;
   const auto at = std::find_if(block.words.begin(), block.words.end(),
                                [&](const Word& w) { return w.columns.begin == block.repeated_at.begin; });
-  if (at->address == 'N') return context_.fail("nct-2064", "two N words in one block", block.repeated_at);
+  if (at->address == 'N')
+    return context_.fail("nct-2064", "syntax error: two N words in one block", block.repeated_at);
   return context_.fail("nct-duplicate-word", fmt::format("two {} in one block", addressText(at->address)),
                        block.repeated_at);
 }

@@ -228,10 +228,10 @@ bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code) {
 
 bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code) {
   if (code == DrillCode::kFineBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
-    return c.fail("nct-2137", "G76, G87: the spindle cannot be oriented (N0607.ORI = 0)");
+    return c.fail("nct-2137", "G76, G87: the spindle cannot be oriented, N0607.ORI = 0");
   }
   if (isRigid(code) && !c.parameters.flag(MachineParam::kSpindleIndexes)) {
-    return c.fail("nct-2138", "the spindle cannot be indexed (N0607.INX = 0)");
+    return c.fail("nct-2138", "spindle cannot be indexed: N0607.INX = 0");
   }
   if ((code == DrillCode::kPeck || code == DrillCode::kChipBreak) && plan.next.cycle.peck <= 0.0) {
     return c.fail("nct-2004", "missing data Q: G73 and G83 need the peck depth");
@@ -292,7 +292,7 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
     case DrillError::kNotFinite:
       break;
   }
-  return c.fail("nct-2002", "drilling data out of range");
+  return c.fail("nct-2002", "cycle data out of range");
 }
 
 /// The next hole in polar data; the angle goes on from the block's own.

@@ -88,7 +88,7 @@ bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32
     if (p) return c.alarm(2017, *p, fmt::format("{} takes P or a file name", code));
     const std::string path = callPath(c.block.file_arg);
     if (path.empty() || c.block.file_arg.size() > kMaxFileArgument) {
-      return c.fail("nct-2002", fmt::format("file name of {}: 1 to 60 characters", code),
+      return c.fail("nct-2002", fmt::format("file name data out of range: {} takes 1 to 60 characters", code),
                     c.block.file_columns);
     }
     return take(c.programs.byPath(caller, path), frame);
@@ -119,7 +119,7 @@ bool NctControl::jump(CallFrame& frame, std::int64_t block, std::size_t from) {
   NctContext& c = context_;
   const SourceText::Label label = frame.text->label(block, from);
   if (label.line_index == SourceText::kNoLabel) {
-    return c.fail("nct-2125", fmt::format("block N{} not found in {}", block, frame.text->name()));
+    return c.fail("nct-2125", fmt::format("block N{} not found: {}", block, frame.text->name()));
   }
   if (label.repeated) warnRepeated(frame, block, from);
   frame.line = static_cast<std::size_t>(label.line_index);

@@ -106,7 +106,10 @@ bool planWorkOffset(NctContext& c, BlockPlan& plan) {
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (w.address >= 'I' && w.address <= 'K') {
-      if (id == 0) return c.failWord("nct-2017", "illegal address: the common offset has no rotation", w);
+      if (id == 0)
+        return c.failWord(
+            "nct-2017",
+            fmt::format("illegal address {}: the common offset has no rotation", addressText(w.address)), w);
       const int about = 'K' - w.address;  // I turns about Z, J about Y, K about X
       system.angles_deg[about] = (plan.next.incremental() ? system.angles_deg[about] : 0.0) + w.value;
     } else if (axisWord(plan, w, word)) {

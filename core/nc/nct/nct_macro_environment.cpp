@@ -17,11 +17,11 @@ MacroEnvironment::ParameterAnswer NctMacroEnvironment::parameter(int number, int
     case ParamStatus::kOutOfRange:
       return {2002, "N", 0.0};
     case ParamStatus::kNeedsBit:
-      return {2194, "2. parameter missing", 0.0};
+      return {2194, "2.", 0.0};
     case ParamStatus::kBadIndex:
       return {2002, "PRM", 0.0};
     case ParamStatus::kNeedsIndex:
-      return {2194, "3. parameter missing", 0.0};
+      return {2194, "3.", 0.0};
   }
   return answer;
 }

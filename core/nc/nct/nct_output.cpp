@@ -132,7 +132,8 @@ bool fileArgument(NctContext& c, std::size_t& i, std::string& name, int& number)
   }
   name = outputName(text.substr(i + 1, close - i - 1));
   if (name.empty()) {
-    return c.fail("nct-2002", "file name of FOPEN: 1 to 60 characters, inside the folder of the results",
+    return c.fail("nct-2002",
+                  "file name data out of range: 1 to 60 characters, inside the folder of the results",
                   {static_cast<int>(i) + 1, static_cast<int>(close) + 2});
   }
   i = close + 1;
@@ -154,8 +155,8 @@ bool openNamed(NctContext& c, std::size_t i) {
   }
   if ((mode == 3 || mode == 5) && !exists) {
     return c.fail(number >= 0 ? "nct-2147" : "nct-2132",
-                  number >= 0 ? fmt::format("file (O{:04}) not found among what this run has written", number)
-                              : "file not found among what this run has written");
+                  number >= 0 ? fmt::format("file (O{:04}) not found: this run has not written it", number)
+                              : "file not found: this run has not written it");
   }
   if (!openFile(c, name, mode == 3 || mode == 4)) return false;
   c.output.open = true;
@@ -233,7 +234,7 @@ bool print(NctContext& c, std::size_t i, bool binary) {
   if (binary) return c.fail("nct-output", "the first DPRNT behind POPEN names the file");
   bytes.erase(std::remove(bytes.begin(), bytes.end(), ' '), bytes.end());
   const std::string name = outputName(bytes);
-  if (name.empty()) return c.fail("nct-2002", fmt::format("\"{}\" cannot be the name of a file", bytes));
+  if (name.empty()) return c.fail("nct-2002", fmt::format("file name data out of range: \"{}\"", bytes));
   return openFile(c, name + extension(c), false) && writeBytes(c, std::string("%") + std::string(kLineEnd));
 }
 

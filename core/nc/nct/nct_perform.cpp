@@ -201,6 +201,7 @@ bool pushMotion(NctContext& c, BlockPlan& plan, PathItem::Kind kind) {
   PathItem item;
   item.kind = kind;
   fillMotion(c, plan, item);
+  if (c.comp_stage.linked()) item.record = c.alarms.remember();
   return c.pipe.push(item);
 }
 
@@ -220,7 +221,10 @@ bool performMove(NctContext& c, BlockPlan& plan) {
     item.sweep = motion.arc.sweep_rad;
   }
   const bool contour = item.comp_on || motion.join != PathItem::Join::kSharp;
-  if (contour || c.corner_stage.linked()) fillContour(c, plan, item);
+  if (contour || c.corner_stage.linked()) {
+    fillContour(c, plan, item);
+    item.record = c.alarms.remember();
+  }
   c.position = motion.target;
   c.machine = c.chain.machineOf(motion.target);
   return c.pipe.push(item);

@@ -103,7 +103,7 @@ NctControl::Go NctControl::goTo(std::size_t pos) {
   const double number = std::round(target.number);
   if (target.vacant || number < 0.0 || number > 99999999.0) {
     c.fail("nct-2125",
-           target.vacant ? "GOTO without a block number: the value is vacant"
+           target.vacant ? "block not found: the number of GOTO is vacant"
                          : fmt::format("block N{} not found", target.number),
            {static_cast<int>(begin) + 1, static_cast<int>(pos) + 1});
     return stopAtAlarm();

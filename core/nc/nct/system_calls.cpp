@@ -43,6 +43,15 @@ void SystemCalls::addLetter(Address letter, std::int32_t program, int variable) 
   letter_set_.add(letter);
 }
 
+std::string systemCodeName(std::int32_t code) {
+  if (isSystemG(code)) {
+    return code % 10 != 0 ? fmt::format("G{}.{}", code / 10, code % 10) : fmt::format("G{}", code / 10);
+  }
+  const std::int32_t letters = systemCode(0, 0);
+  if (code >= letters) return std::string(addressText(static_cast<Address>(code - letters)));
+  return fmt::format("M{}", code - systemCode('M', 0));
+}
+
 void SystemCalls::rebuild(const NctParameters& parameters) {
   *this = SystemCalls();
   revision_ = parameters.revision();

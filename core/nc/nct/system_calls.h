@@ -25,6 +25,8 @@ constexpr std::int32_t systemCode(Address letter, std::int32_t code10) {
   if (letter == 'G') return code10;
   return letter == 'M' ? kM + code10 / 10 : kLetters + letter;
 }
+/// "G101", "G101.1", "M55", "T".
+std::string systemCodeName(std::int32_t code);
 constexpr bool isSystemG(std::int32_t code) { return code >= 0 && code < 1'000'000'000; }
 
 /// The assignments of N1704 to N1754, worked out anew when a parameter has changed.

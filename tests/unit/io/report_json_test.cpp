@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/nc/interpreter.h"
 #include "report_sample.h"
 
 namespace proveout {
@@ -13,6 +14,35 @@ using Json = nlohmann::ordered_json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
+
+/// Keeps what an interpreter says.
+struct DiagnosticSink final : MotionSink {
+  void file(std::uint32_t, const std::string&) override {}
+  void motion(const Motion&, const ArcGeometry*, const AxisSweep*) override {}
+  void event(const PathEvent&) override {}
+  void diagnostic(const Diagnostic& diagnostic) override { all.push_back(diagnostic); }
+  std::vector<Diagnostic> all;
+};
+
+TEST(ReportJson, AlarmsTellNumberPlaceCallsAndValues) {
+  MemoryProgramSource source("main.nc", "G0 X1\nG65 P11 A7 B[2*3]\nM30\n");
+  source.add("O0011", "N5 M98 P12\nM99\n");
+  source.add("O0012", "G1 F100\nN20 G2 X8 Y#2 I[#1-5]\nM99\n");
+  DiagnosticSink sink;
+  interpret(ControlId::kNct, source, ControlSettings(), sink);
+  Report report = io_test::sampleReport();
+  report.diagnostics = sink.all;
+  const Json j = Json::parse(reportJson(report))["diagnostics"];
+  ASSERT_EQ(j.size(), 1u);
+  EXPECT_EQ(j[0]["severity"], "error");
+  EXPECT_EQ(j[0]["code"], "nct-2012");
+  EXPECT_THAT(j[0]["message"].get<std::string>(), ::testing::StartsWith("circle radius difference error"));
+  EXPECT_EQ(j[0]["source"], Json::parse(R"({"file": "O0012", "line": 2, "column": 1, "column_end": 22,
+                                           "text": "N20 G2 X8 Y#2 I[#1-5]"})"));
+  EXPECT_EQ(j[0]["notes"],
+            Json({"called from O0011:1 by M98", "called from main.nc:2 by G65 #1=7 #2=6 #10=65 #16=11",
+                  "Y#2 = 6", "I[#1-5] = 2"}));
+}
 
 TEST(ReportJson, HoldsWhatTheReportHolds) {
   const Json j = Json::parse(reportJson(io_test::sampleReport()));

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/nc/coverage.h"
+#include "core/nc/nct/nct_alarms.h"
 #include "golden_case.h"
 
 namespace proveout::test {
@@ -139,6 +140,44 @@ TEST(GoldenSet, OneChannelAloneGivesThePathOfAProgramAlone) {
     ++programs;
   }
   EXPECT_GT(programs, 400);
+}
+
+/// Does a message begin with a text of the manual's alarm of that number?
+bool saysAlarm(int number, const std::string& message) {
+  bool known = false;
+  for (const nc::Alarm& alarm : nc::nctAlarms()) {
+    if (alarm.number != number) continue;
+    known = true;
+    const std::string_view text = alarm.text;
+    const std::size_t mark = text.find("{}");
+    if (mark == std::string_view::npos) {
+      if (message.starts_with(text)) return true;
+      continue;
+    }
+    const std::string_view behind = text.substr(mark + 2);
+    if (message.starts_with(text.substr(0, mark)) && message.find(behind, mark) != std::string::npos)
+      return true;
+  }
+  return known && message.starts_with(nc::alarmText(number, ""));
+}
+
+TEST(GoldenSet, AlarmsBeginWithTheTextOfTheManual) {
+  constexpr int kOfPrograms = 4000;  // #3000 adds it: the program has a text of its own
+  int checked = 0;
+  for (const std::string& path : goldenFiles()) {
+    std::istringstream lines(readGolden(path).expect);
+    for (std::string line; std::getline(lines, line);) {
+      constexpr std::string_view kMark = "error[nct-";
+      const std::size_t at = line.find(kMark);
+      if (at == std::string::npos || std::isdigit(static_cast<unsigned char>(line[at + kMark.size()])) == 0)
+        continue;
+      const int number = std::stoi(line.substr(at + kMark.size()));
+      if (number >= kOfPrograms) continue;
+      ++checked;
+      EXPECT_TRUE(saysAlarm(number, line.substr(line.find("]: ", at) + 3))) << path << "\n" << line;
+    }
+  }
+  EXPECT_GT(checked, 100);
 }
 
 TEST(GoldenSet, EverySimulatedCodeHasAFile) {

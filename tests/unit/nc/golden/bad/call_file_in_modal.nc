@@ -9,7 +9,7 @@ main.nc:2:1: error[nct-2017]
 === expect
 file 0 main.nc
 file 1 O0011
-main.nc:2:1: error[nct-2017]: a file name is no argument
+main.nc:2:1: error[nct-2017]: illegal address <>: a file name is no argument
     <abc>
     ^~~~~
 alarm: 3 blocks, 0 motions, 1 errors, 0 warnings

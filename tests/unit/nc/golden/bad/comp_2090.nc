@@ -137,7 +137,7 @@ file 0 main.nc
 main.nc:3:1: warning[nct-cutter-comp]: more blocks without motion in the plane than the control promises to look over
     G1 X0
     ^~~~~
-main.nc:3:1: error[nct-2090]: cutter compensation cannot be continued: too many blocks without motion in the plane
+main.nc:3:1: error[nct-2090]: cutter compensation cannot be continued, buffer full: too many blocks without motion in the plane
     G1 X0
     ^~~~~
 alarm: 104 blocks, 1 motions, 1 errors, 1 warnings

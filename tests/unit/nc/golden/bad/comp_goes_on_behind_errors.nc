@@ -26,7 +26,7 @@ main.nc:11:5: error[nct-2064]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -100 0 0 t0.4
-main.nc:3:4: error[nct-2064]: X has no value
+main.nc:3:4: error[nct-2064]: syntax error: X has no value
     G1 X
        ^
 main.nc:4:1: warning[nct-reference]: the job does not give reference point 1: the start position is taken

@@ -7,7 +7,7 @@ M30
 error[nct-2085]
 === expect
 file 0 main.nc
-main.nc:1:4: error[nct-2085]: not in the selected plane: illegal chamfer or rounding: the block does not move in the plane
+main.nc:1:4: error[nct-2085]: illegal chamfer or rounding: the block does not move in the plane
     G1 ,C5 F100
        ^~~
 alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

@@ -9,7 +9,7 @@ error[nct-2138]
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 0 0 10 t0.04
-main.nc:2:1: error[nct-2138]: the spindle cannot be indexed (N0607.INX = 0)
+main.nc:2:1: error[nct-2138]: spindle cannot be indexed: N0607.INX = 0
     G84.2 X5 Z-5 R2 F100
     ^~~~~~~~~~~~~~~~~~~~
 alarm: 2 blocks, 1 motions, 1 errors, 0 warnings

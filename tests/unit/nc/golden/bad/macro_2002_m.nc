@@ -6,7 +6,7 @@ M30
 error[nct-2002]
 === expect
 file 0 main.nc
-main.nc:2:1: error[nct-2002]: M: value out of range
+main.nc:2:1: error[nct-2002]: M data out of range
     M#112
     ^~~~~
     note: #112 = 1234567890

@@ -6,7 +6,7 @@ M30
 error[nct-2125]
 === expect
 file 0 main.nc
-main.nc:2:1: error[nct-2125]: block N66 not found in main.nc
+main.nc:2:1: error[nct-2125]: block N66 not found: main.nc
     GOTO[#1*2]
     ^~~~~~~~~~
     note: #1 = 33

@@ -8,7 +8,7 @@ M30
 error[nct-2125]
 === expect
 file 0 main.nc
-main.nc:1:1: error[nct-2125]: block N160 not found in main.nc
+main.nc:1:1: error[nct-2125]: block N160 not found: main.nc
     GOTO160
     ^~~~~~~
 alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

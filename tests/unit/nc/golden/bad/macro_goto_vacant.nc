@@ -5,7 +5,7 @@ M30
 main.nc:1:1: error[nct-2125]
 === expect
 file 0 main.nc
-main.nc:1:1: error[nct-2125]: GOTO without a block number: the value is vacant
+main.nc:1:1: error[nct-2125]: block not found: the number of GOTO is vacant
     GOTO#1
     ^~~~~~
     note: #1 is vacant

@@ -22,16 +22,16 @@ main.nc:6:1: error[nct-2002]
 main.nc:7:1: error[nct-variable]
 === expect
 file 0 main.nc
-main.nc:1:1: error[nct-2092]: value out of range in variable #3107
+main.nc:1:1: error[nct-2092]: value limit exceeded: #3107
     #3107=99(too low)
     ^~~~~~~~
-main.nc:2:1: error[nct-2092]: value out of range in variable #3107
+main.nc:2:1: error[nct-2092]: value limit exceeded: #3107
     #3107=300(too high)
     ^~~~~~~~~
-main.nc:3:1: error[nct-2092]: value out of range in variable #3106
+main.nc:3:1: error[nct-2092]: value limit exceeded: #3106
     #3106=1000(too high)
     ^~~~~~~~~~
-main.nc:4:1: error[nct-2092]: value out of range in variable #3006
+main.nc:4:1: error[nct-2092]: value limit exceeded: #3006
     #3006=-1(too low)
     ^~~~~~~~
 main.nc:5:1: error[nct-2064]: syntax error: a variable to be written is followed by its digits in brackets

@@ -90,16 +90,16 @@ main.nc:4:1: error[nct-2002]: POPEN data out of range: 31, the memory of the con
 main.nc:5:1: error[nct-2002]: FOPEN data out of range: 1 to 5 is expected
     FOPEN6 P1
     ^~~~~~~~~
-main.nc:6:1: error[nct-2147]: file (O0001) not found among what this run has written
+main.nc:6:1: error[nct-2147]: file (O0001) not found: this run has not written it
     FOPEN3 P1
     ^~~~~~~~~
-main.nc:7:1: error[nct-2147]: file (O0001) not found among what this run has written
+main.nc:7:1: error[nct-2147]: file (O0001) not found: this run has not written it
     FOPEN5 P1
     ^~~~~~~~~
-main.nc:8:1: error[nct-2132]: file not found among what this run has written
+main.nc:8:1: error[nct-2132]: file not found: this run has not written it
     FOPEN3 <a.txt>
     ^~~~~~~~~~~~~~
-main.nc:9:1: error[nct-2132]: file not found among what this run has written
+main.nc:9:1: error[nct-2132]: file not found: this run has not written it
     FOPEN5 <a.txt>
     ^~~~~~~~~~~~~~
 main.nc:11:1: error[nct-output]: a file is open already: close it first
@@ -118,7 +118,7 @@ main.nc:15:1: error[nct-2146]: the given file already exists
 main.nc:17:1: error[nct-output]: the first DPRNT behind POPEN names the file
     BPRNT[A]
     ^~~~~~~~
-main.nc:18:1: error[nct-2002]: "" cannot be the name of a file
+main.nc:18:1: error[nct-2002]: file name data out of range: ""
     DPRNT[*]
     ^~~~~~~~
 main.nc:19:1: error[nct-output]: no DPRNT has named the file that POPEN opened
@@ -130,16 +130,16 @@ main.nc:20:9: error[nct-2064]: syntax error: nothing may follow the statement
 main.nc:21:7: error[nct-2064]: syntax error: FOPEN needs P or a file name in < >
     FOPEN1
           ^
-main.nc:22:8: error[nct-2002]: file name of FOPEN: 1 to 60 characters, inside the folder of the results
+main.nc:22:8: error[nct-2002]: file name data out of range: 1 to 60 characters, inside the folder of the results
     FOPEN1 <../a>
            ^~~~~~
-main.nc:23:8: error[nct-2002]: file name of FOPEN: 1 to 60 characters, inside the folder of the results
+main.nc:23:8: error[nct-2002]: file name data out of range: 1 to 60 characters, inside the folder of the results
     FOPEN1 <c:/a>
            ^~~~~~
-main.nc:24:8: error[nct-2002]: file name of FOPEN: 1 to 60 characters, inside the folder of the results
+main.nc:24:8: error[nct-2002]: file name data out of range: 1 to 60 characters, inside the folder of the results
     FOPEN1 <a//b>
            ^~~~~~
-main.nc:25:8: error[nct-2002]: file name of FOPEN: 1 to 60 characters, inside the folder of the results
+main.nc:25:8: error[nct-2002]: file name data out of range: 1 to 60 characters, inside the folder of the results
     FOPEN1 </>
            ^~~
 main.nc:26:8: error[nct-2121]: right bracket not found
@@ -168,7 +168,7 @@ main.nc:32:1: error[nct-2002]: BPRNT data out of range: 0 to 8 decimals
     BPRNT[#100[9]]
     ^~~~~~~~~~~~~~
     note: #100 is vacant
-main.nc:33:1: error[nct-2002]: 10000000000 is no whole number in range
+main.nc:33:1: error[nct-2002]: # data out of range: 10000000000 is no whole number in range
     BPRNT[#[10000000000][0]]
     ^~~~~~~~~~~~~~~~~~~~~~~~
 main.nc:34:7: error[nct-2064]: syntax error: '[' is expected

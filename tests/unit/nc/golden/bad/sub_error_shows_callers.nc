@@ -18,6 +18,6 @@ file 2 O0012.nc
 O0012.nc:2:1: error[nct-2123]: function not implemented: G777 is not a code of this control
     G777
     ^~~~
-    note: called from O0011.nc:1
-    note: called from main.nc:1
+    note: called from O0011.nc:1 by M98
+    note: called from main.nc:1 by M98
 alarm: 4 blocks, 1 motions, 1 errors, 0 warnings

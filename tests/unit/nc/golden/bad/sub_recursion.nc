@@ -31,20 +31,20 @@ file 1 O0011.nc
 O0011.nc:2:1: error[nct-nesting]: subprogram calls are nested deeper than 16
     M98 P11
     ^~~~~~~
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from O0011.nc:2
-    note: called from main.nc:2
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from O0011.nc:2 by M98
+    note: called from main.nc:2 by M98
 alarm: 34 blocks, 17 motions, 1 errors, 0 warnings

@@ -176,22 +176,22 @@ main.nc:25:1: error[nct-2161]: variable #3011 is read-only
 main.nc:26:1: error[nct-2161]: variable #8501 is read-only
     #8501=1
     ^~~~~~~
-main.nc:27:1: error[nct-2092]: value out of range in variable #1100
+main.nc:27:1: error[nct-2092]: value limit exceeded: #1100
     #1100=2
     ^~~~~~~
-main.nc:28:1: error[nct-2092]: value out of range in variable #1100
+main.nc:28:1: error[nct-2092]: value limit exceeded: #1100
     #1100=-1
     ^~~~~~~~
-main.nc:29:1: error[nct-2092]: value out of range in variable #1132
+main.nc:29:1: error[nct-2092]: value limit exceeded: #1132
     #1132=4294967296
     ^~~~~~~~~~~~~~~~
-main.nc:30:1: error[nct-2092]: value out of range in variable #_M_SBK
+main.nc:30:1: error[nct-2092]: value limit exceeded: #_M_SBK
     #_M_SBK=2
     ^~~~~~~~~
-main.nc:31:1: error[nct-2092]: value out of range in variable #3004
+main.nc:31:1: error[nct-2092]: value limit exceeded: #3004
     #3004=8
     ^~~~~~~
-main.nc:32:1: error[nct-2092]: value out of range in variable #8500
+main.nc:32:1: error[nct-2092]: value limit exceeded: #8500
     #8500=12
     ^~~~~~~~
 main.nc:33:9: error[nct-2064]: syntax error: nothing may follow the statement
@@ -200,7 +200,7 @@ main.nc:33:9: error[nct-2064]: syntax error: nothing may follow the statement
 main.nc:34:1: error[nct-variable]: the control has no variable #23001
     #23001=10
     ^~~~~~~~~
-main.nc:35:1: error[nct-2092]: value out of range in variable #3901
+main.nc:35:1: error[nct-2092]: value limit exceeded: #3901
     #3901=-1
     ^~~~~~~~
 36: event end code="M30"

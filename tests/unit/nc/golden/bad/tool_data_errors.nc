@@ -146,7 +146,7 @@ main.nc:31:5: error[nct-2002]: H data out of range: it stands for the offset of 
 main.nc:32:5: error[nct-2002]: T data out of range: magazine 1 has no tool in pocket 1
     M62 T10001
         ^~~~~~
-main.nc:33:1: error[nct-2092]: value out of range in variable #8400
+main.nc:33:1: error[nct-2092]: value limit exceeded: #8400
     #8400=12
     ^~~~~~~~
 main.nc:34:1: error[nct-2161]: variable #8401 is read-only

@@ -4,7 +4,7 @@ M30
 main.nc:1:4: error[nct-2064]
 === expect
 file 0 main.nc
-main.nc:1:4: error[nct-2064]: two N words in one block
+main.nc:1:4: error[nct-2064]: syntax error: two N words in one block
     N1 N2 G0 X1
        ^~
 alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

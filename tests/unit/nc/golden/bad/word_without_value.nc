@@ -4,7 +4,7 @@ M30
 main.nc:1:4: error[nct-2064]
 === expect
 file 0 main.nc
-main.nc:1:4: error[nct-2064]: X has no value
+main.nc:1:4: error[nct-2064]: syntax error: X has no value
     G0 X
        ^
 alarm: 1 blocks, 0 motions, 1 errors, 0 warnings

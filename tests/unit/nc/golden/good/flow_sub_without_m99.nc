@@ -16,7 +16,7 @@ file 1 O0011.nc
 O0011.nc:1:1: warning[nct-no-m99]: the subprogram ends without M99: taken as M99
     G0 X1
     ^~~~~
-    note: called from main.nc:1
+    note: called from main.nc:1 by M98
 2: rapid to 2 0 0 t0.004
 3: event end code="M30"
 end of program: 4 blocks, 2 motions, 0 errors, 1 warnings

@@ -30,7 +30,7 @@ file 1 SystemMacros/Channel1/O9010.nct
 SystemMacros/Channel1/O9010.nct:2:1: warning[nct-m-function]: M55 is a function of the machine builder: it has no effect in the simulation
     M55
     ^~~
-    note: called from main.nc:2 by system call #1=1 #10=101
+    note: called from main.nc:2 by G101 (system call) #1=1 #10=101
 1/2 depth 1: event function code="M55"
 3: event end code="M30"
 end of program: 7 blocks, 1 motions, 0 errors, 1 warnings

@@ -46,7 +46,7 @@ file 3 SystemMacros/Channel1/O9000.nct
 SystemMacros/Channel1/O9000.nct:1:8: warning[nct-m-function]: M50 is a function of the machine builder: it has no effect in the simulation
     G91 X1 M50
            ^~~
-    note: called from main.nc:4
+    note: called from main.nc:4 by M50 (system call)
 3/1 depth 1: rapid to 21 1 9 t0.004
 3/1 depth 1: event function code="M50"
 main.nc:5:1: warning[nct-m-function]: M630 is a function of the machine builder: it has no effect in the simulation
