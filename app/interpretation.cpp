@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
+#include <limits>
 #include <optional>
 #include <set>
+#include <string_view>
 
 #include "app/job_setup.h"
 #include "core/nc/source_text.h"
@@ -196,6 +199,44 @@ bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source) {
     return false;
   }
   return true;
+}
+
+namespace {
+
+/// The number that an event tells under `key`; NaN: none.
+double numberOf(const PathEvent& event, std::string_view key) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [name, text] : event.data) {
+    if (name == key) std::from_chars(text.data(), text.data() + text.size(), value);
+  }
+  return value;
+}
+
+}  // namespace
+
+void addOffsetTools(Toolpath& path, std::vector<Tool>& tools) {
+  std::set<int> defined;
+  for (const Tool& tool : tools) defined.insert(tool.number);
+  for (const auto& [before, event] : path.events) {
+    if (event.event != "tool_shape") continue;
+    Tool tool;
+    tool.number = static_cast<int>(numberOf(event, "tool"));
+    tool.diameter = numberOf(event, "diameter");
+    const double radius = 0.5 * tool.diameter, corner = numberOf(event, "corner_radius");
+    if (tool.number <= 0 || !(radius > 0.0) || !(corner >= 0.0 && corner <= radius)) continue;
+    if (!defined.insert(tool.number).second) continue;
+    tool.type = corner == 0.0 ? ToolType::kFlat : corner == radius ? ToolType::kBall : ToolType::kBull;
+    if (tool.type == ToolType::kBull) tool.corner_radius = corner;
+    tool.name = fmt::format("offset row {}", numberOf(event, "d"));
+    Diagnostic note;
+    note.severity = Severity::kNote;
+    note.code = "tool";
+    note.message = fmt::format(
+        "tool {} is not in the job: its shape is that of offset row {}, diameter {} and corner radius {} mm",
+        tool.number, numberOf(event, "d"), tool.diameter, corner);
+    path.diagnostics.add(std::move(note));
+    tools.push_back(std::move(tool));
+  }
 }
 
 bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const RecordingSource& source) {

@@ -90,6 +90,11 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
 /// cuts with a tool along +z in a workpiece that stands still.
 bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source);
 
+/// Tools that the control calls and the job does not have get the shape that their offset row tells (D of a
+/// row with a corner radius, event tool_shape); a note says so. The first row that a tool is used with
+/// counts.
+void addOffsetTools(Toolpath& path, std::vector<Tool>& tools);
+
 /// Gives motions that name no tool the lowest tool of the job and checks that every tool used is defined.
 /// What it finds goes to `path.diagnostics`; false after an error.
 bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const RecordingSource& source);

@@ -34,8 +34,8 @@ double smallestRadius(const Tool& tool) {
   return tool.diameter / 2;
 }
 
-/// How far the mesh may leave the surface to save triangles, mm: a tenth of the grid, but where the part is compared
-/// no more than a tenth of what is tolerated.
+/// How far the mesh may leave the surface to save triangles, mm: a tenth of the grid, but where the part is
+/// compared no more than a tenth of what is tolerated.
 double simplification(const Job& job, double resolution_mm) {
   constexpr double kShare = 0.1;
   double within = resolution_mm;
@@ -138,6 +138,7 @@ Status interpretAll(const Job& job, const RunSources& sources, const Box3& blank
     if (setup.interpreted.summary.end == ProgramEnd::kCancelled)
       return Error{ErrorKind::kInterrupted, "interrupted"};
     Toolpath& path = setup.interpreted.path;
+    addOffsetTools(path, setup.job.tools);
     const bool good = setup.interpreted.summary.ok() && refuseRotaryMotion(path, *sources[k]) &&
                       assignTools(path, setup.job.tools, *sources[k]);
     if (!good) run.alarm = true;
@@ -223,7 +224,8 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
       addContacts(setup.removal.contacts, setup.interpreted.path, *sources[k], findings);
       findings.insert(findings.end(), touched.begin(), touched.end());
       addOutcome(setup.initial_mm3, setup.surface.volume_mm3, setup.bodies, findings);
-      addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, *sources[k], findings);
+      addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, *sources[k],
+                      findings);
       addPartial(setup.interpreted.summary.end, setup.job.settings, findings);
     });
     if (setup.surface.mesh.triangles.empty()) {

@@ -1,7 +1,8 @@
 #include "core/nc/frames.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
+
+#include "core/geometry/degrees.h"
 
 namespace proveout::nc {
 namespace {
@@ -86,8 +87,16 @@ AxisPoint CoordinateChain::programOf(const AxisPoint& machine) const {
 
 Mat3 basicRotation(const Vec3& angles_deg) {
   if (angles_deg == Vec3::Zero()) return Mat3::Identity();
-  const auto turn = [&](int axis) { return Eigen::AngleAxisd(degToRad(angles_deg[axis]), Vec3::Unit(axis)); };
-  return (turn(2) * turn(1) * turn(0)).toRotationMatrix();
+  const auto turn = [&](int axis) {
+    const auto [s, c] = sinCosDegrees(angles_deg[axis]);
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    Mat3 m = Mat3::Identity();
+    m(u, u) = m(v, v) = c;
+    m(u, v) = -s;
+    m(v, u) = s;
+    return m;
+  };
+  return turn(2) * turn(1) * turn(0);
 }
 
 WorkSystem& WorkFrames::system(WorkSystemId id) {

@@ -5,18 +5,15 @@
 #include <array>
 #include <cmath>
 
+#include "core/geometry/degrees.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/services/virtual_plane.h"
 
 namespace proveout::nc {
 namespace {
 
-/// Chords stay so near to the path.
-constexpr double kChordMm = 1e-4;
 /// A path this near to a line or an arc is one: rounding noise of the coordinates.
 constexpr double kShapeMm = 1e-7;
-/// Largest angle of a piece of a divided path.
-constexpr double kPieceRad = 10.0 * kPi / 180.0;
 /// Largest angle that the tool's direction turns in one motion: it must say which way round.
 constexpr double kAxisTurnRad = 0.5 * kPi;
 /// Most pieces of one motion before the tolerance divides them further: 100 turns.
@@ -55,8 +52,8 @@ double PolarLeg::length() const {
 }
 
 Vec2 PolarPlane::of(const AxisPoint& machine) const {
-  const double angle = degToRad(machine[rotary] - zero_deg);
-  return (machine[linear] - zero) * Vec2(std::cos(angle), std::sin(angle));
+  const auto [s, c] = sinCosDegrees(machine[rotary] - zero_deg);
+  return (machine[linear] - zero) * Vec2(c, s);
 }
 
 PathEmitter::Shape PathEmitter::shapeOf(const MachineCurve& at, const ArcGeometry* arc) const {
@@ -122,8 +119,8 @@ void PathEmitter::sendCurve(const Motion& whole, const MachineCurve& at, const A
   };
   if (shape.kind == Shape::Kind::kOther) {
     const double bends = turned + (arc != nullptr ? std::abs(arc->sweep_rad) : 0.0);
-    divideCurve([&](double t) { return toolPoint(at(t)); }, piecesOf(std::max(bends, kPi), kPieceRad),
-                kChordMm, piece);
+    divideCurve([&](double t) { return toolPoint(at(t)); }, piecesOf(std::max(bends, kPi), kCurvePieceRad),
+                kCurveChordMm, piece);
     return;
   }
   const bool upright = tables_.direction(start, Vec3::UnitZ()) == Vec3::UnitZ() &&
@@ -205,7 +202,7 @@ double PathEmitter::polarMinutes(const PolarPlane& plane, const PolarLeg& leg, c
   const double feed = plane_only ? style.feed : style.feed * in_plane / length;
   const double rate = degToRad(time_.limits().axes[static_cast<std::size_t>(plane.rotary)].max_feed);
   if (!(rate > 0.0)) return in_plane / feed;
-  const int pieces = leg.arc ? piecesOf(leg.arc->sweep_rad, kPieceRad / 5) : 1;
+  const int pieces = leg.arc ? piecesOf(leg.arc->sweep_rad, kCurvePieceRad / 5) : 1;
   double minutes = 0.0;
   Vec2 last = leg.from;
   for (int k = 1; k <= pieces; ++k) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/geometry/degrees.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -13,8 +15,7 @@ void apply(ProgramMap& map, const Mat3& linear, const Vec3& offset) {
 
 void rotate(const Transforms& t, ProgramMap& map) {
   const PlaneFrame frame(t.rotation_plane);
-  const double angle = degToRad(std::remainder(t.angle_deg, 360.0));
-  const double cosine = std::cos(angle), sine = std::sin(angle);
+  const auto [sine, cosine] = sinCosDegrees(t.angle_deg);
   Mat3 linear = Mat3::Identity();
   linear(frame.u(), frame.u()) = linear(frame.v(), frame.v()) = cosine;
   linear(frame.u(), frame.v()) = -sine;

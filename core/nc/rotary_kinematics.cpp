@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/geometry/degrees.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -11,16 +13,7 @@ constexpr double kSameAngleDeg = 1e-9;
 
 /// Rotation by an angle in degrees, exact for quarter turns.
 Eigen::Matrix3d rotation(const Vec3& direction, double degrees) {
-  const double reduced = std::remainder(degrees, 360.0);
-  const double quarters = std::round(reduced / 90.0);
-  const double rest = degToRad(reduced - 90.0 * quarters);
-  const int quadrant = ((static_cast<int>(quarters) % 4) + 4) % 4;
-  double c = std::cos(rest), s = std::sin(rest);
-  for (int k = 0; k < quadrant; ++k) {
-    const double old = c;
-    c = -s;
-    s = old;
-  }
+  const auto [s, c] = sinCosDegrees(degrees);
   Eigen::Matrix3d cross;
   cross << 0, -direction.z(), direction.y(), direction.z(), 0, -direction.x(), -direction.y(), direction.x(),
       0;

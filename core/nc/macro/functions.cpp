@@ -4,27 +4,13 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/geometry/degrees.h"
+
 namespace proveout::nc {
 namespace {
 
 constexpr int kTanAlarm = 2116, kArcAlarm = 2117, kLnAlarm = 2118, kRootAlarm = 2122, kLogicAlarm = 2129;
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-double sinDegrees(double x) {
-  double r = std::remainder(x, 360.0);  // exact
-  if (r > 90.0) r = 180.0 - r;
-  if (r < -90.0) r = -180.0 - r;
-  const double size = std::abs(r);
-  if (size == 30.0) return std::copysign(0.5, r);
-  if (size == 90.0) return std::copysign(1.0, r);
-  return std::sin(r * kDegree);
-}
-
-double cosDegrees(double x) {
-  const double r = std::abs(std::remainder(x, 360.0));
-  // Near 0 and 180 the sine of the complement would lose the digits of the angle.
-  return r < 45.0 && r != 0.0 ? std::cos(r * kDegree) : sinDegrees(90.0 - r);
-}
 
 int tanDegrees(double x, double& out) {
   constexpr double kNear = 1e-12;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/geometry/degrees.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/services/rollover.h"
 
@@ -80,8 +81,8 @@ bool polarTarget(NctContext& c, BlockPlan& plan, const PolarWord& radius, const 
              radius.word->columns);
     }
   }
-  next.u = target[u] = pole_u + r * std::cos(degToRad(next.angle_deg));
-  next.v = target[v] = pole_v + r * std::sin(degToRad(next.angle_deg));
+  next.u = target[u] = pole_u + r * cosDegrees(next.angle_deg);
+  next.v = target[v] = pole_v + r * sinDegrees(next.angle_deg);
   next.radius = radius.word && radius.axis.step ? std::hypot(next.u, next.v) : r;
   plan.next.axes.polar = next;
   plan.motion.polar_turn_deg = next.angle_deg - old_angle;

@@ -255,6 +255,7 @@ bool planOffsetsHD(NctContext& c, BlockPlan& plan) {
   if (const Word* d = c.word('D')) {
     if (!rowOf(*d, OffsetColumn::kRadius, next.d)) return false;
     next.d_radius = table.effective(OffsetColumn::kRadius, next.d);
+    plan.tool_shape = next.d > 0 && table.given(OffsetColumn::kCorner, next.d);
   }
   return true;
 }

@@ -81,7 +81,12 @@ constexpr std::uint64_t kBlocksPerCheck = 1024;
 }  // namespace
 
 bool WorkGuard::over() {
-  if (work_++ % kBlocksPerCheck == 0 && progress_ != nullptr) {
+  constexpr std::uint64_t kFreeMotions = 100;
+  const std::uint64_t made = summary_.motions - motions_;
+  motions_ = summary_.motions;
+  work_ += 1 + (made > kFreeMotions ? made - kFreeMotions : 0);
+  if (work_ >= checked_ && progress_ != nullptr) {
+    checked_ = work_ + kBlocksPerCheck;
     const CallFrame& main = calls_.main();
     progress_->report("interpreting",
                       static_cast<double>(main.line) / static_cast<double>(main.text->lines().size()));
@@ -91,9 +96,9 @@ bool WorkGuard::over() {
     }
   }
   if (work_ <= settings_.block_limit) return false;
-  alarms_.fail("nct-block-limit",
-               fmt::format("{} blocks executed without an end: endless loop? (the limit is a setting)",
-                           settings_.block_limit));
+  alarms_.fail("nct-block-limit", fmt::format("{} blocks executed without an end, chords of curves included: "
+                                              "endless loop? (the limit is a setting)",
+                                              settings_.block_limit));
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }

@@ -81,7 +81,8 @@ class SystemVariables;
 /// an error was reported.
 using DataInput = bool (*)(NctContext&);
 
-/// Counts blocks and whatever else a program can make many of, against the block limit; looks at the wish to
+/// Counts blocks and whatever else a program can make many of, against the block limit; of the motions of a
+/// block those that go beyond 100. Looks at the wish to
 /// stop and tells progress now and then.
 class WorkGuard {
  public:
@@ -97,7 +98,7 @@ class WorkGuard {
   const CallStack& calls_;
   AlarmReporter& alarms_;
   InterpretSummary& summary_;
-  std::uint64_t work_ = 0;
+  std::uint64_t work_ = 0, checked_ = 0, motions_ = 0;
 };
 
 struct NctContext {

@@ -40,7 +40,8 @@ bool perform(NctContext& c, BlockPlan& plan) {
   plan.next.tool = c.state.tool;
   plan.next.tool_row = c.state.tool_row;
   c.state = plan.next;
-  return performFunctions(c, plan, MPhase::kAfter) && performFunctions(c, plan, MPhase::kStop);
+  return performFunctions(c, plan, MPhase::kAfter) && (!plan.tool_shape || sendToolShape(c)) &&
+         performFunctions(c, plan, MPhase::kStop);
 }
 
 PathItem functionItem(const NctContext& c, PathItem::Kind kind, const NctState& state) {

@@ -108,6 +108,7 @@ struct BlockPlan {
   } spindle;
   bool tool_change = false;
   bool tool_called = false;  ///< T in this block
+  bool tool_shape = false;   ///< D of a row that has a corner radius: the shape of the tool
 
   /// Null: nothing moves (cutter compensation may still start or end on the spot).
   PerformFunction perform = nullptr;

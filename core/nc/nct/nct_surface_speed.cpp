@@ -76,15 +76,16 @@ double surfaceMeanRpm(NctContext& c, const BlockPlan& plan) {
                                            : 1.0 / std::clamp(product / radius, bounds.low, bounds.high);
   };
   if (from == to) return 1.0 / slowness(from);
-  std::array<double, 7> cuts{0.0, 1.0};
-  std::size_t count = 2;
+  std::array<double, 7> cuts{};  // the first is 0
+  std::size_t count = 1;
   const double inner = product / bounds.high;
   const double outer = bounds.low > 0.0 ? product / bounds.low : inner;
+  const double ahead = to > from ? 1.0 : -1.0;  // the places in the order in which the axis passes them
   for (const double x : {-outer, -inner, 0.0, inner, outer}) {
-    const double u = (x - from) / (to - from);
+    const double u = (ahead * x - from) / (to - from);
     if (u > 0.0 && u < 1.0) cuts[count++] = u;
   }
-  std::sort(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(count));
+  cuts[count++] = 1.0;
   double mean = 0.0;
   for (std::size_t k = 1; k < count; ++k) {
     const double a = slowness(from + cuts[k - 1] * (to - from)), b = slowness(from + cuts[k] * (to - from));

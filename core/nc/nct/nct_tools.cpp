@@ -103,6 +103,15 @@ bool offsetRowOfTool(NctContext& c, const Word& w, std::int64_t& row) {
   return true;
 }
 
+bool sendToolShape(NctContext& c) {
+  const double corner = c.registers.offsets.effective(OffsetColumn::kCorner, c.state.d);
+  return sendEvent(c, "tool_shape",
+                   {{"tool", fmt::format("{}", c.state.tool)},
+                    {"d", fmt::format("{}", c.state.d)},
+                    {"diameter", jsonNumber(2.0 * std::abs(c.state.d_radius))},
+                    {"corner_radius", jsonNumber(corner)}});
+}
+
 bool sendToolChange(NctContext& c, int type, int row) {
   countTime(c);
   c.state.tool = type;

@@ -15,6 +15,9 @@ bool offsetRowOfTool(NctContext& c, const Word& w, std::int64_t& row);
 
 /// The tool `type` of the row (0: without tool management) is in the spindle from here on.
 bool sendToolChange(NctContext& c, int type, int row);
+/// Tells the shape that the row of D gives the tool in the spindle (manual 15.1). For jobs that do not have
+/// the tool.
+bool sendToolShape(NctContext& c);
 /// T with life counting at T (N2901.TLC): one more use of the tool called.
 void countToolCall(NctContext& c, const BlockPlan& plan);
 /// Whether M numbers of the machine configuration belong to the tools: M62 or another one (N2924).

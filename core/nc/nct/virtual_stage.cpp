@@ -9,11 +9,8 @@
 namespace proveout::nc {
 namespace {
 
-/// Chords of an unrolled arc stay so near to it, mm.
-constexpr double kChordMm = 1e-4;
 /// Nearer to the centre there is no direction, mm.
 constexpr double kCenterMm = 1e-9;
-constexpr double kPieceRad = 10.0 * kPi / 180.0;
 
 }  // namespace
 
@@ -41,8 +38,7 @@ void VirtualStage::place(const AxisPoint& work) {
   plane_.zero_deg = origin[plane_.rotary];
 }
 
-AxisPoint VirtualStage::adopt(const AxisPoint& machine) {
-  machine_ = machine;
+AxisPoint VirtualStage::shown(const AxisPoint& machine) const {
   AxisPoint shown = machine;
   if (modal_.mode == VirtualMode::kPolar) {
     const Vec2 p = plane_.of(machine);
@@ -52,8 +48,14 @@ AxisPoint VirtualStage::adopt(const AxisPoint& machine) {
     shown[plane_.rotary] =
         plane_.zero_deg + (machine[plane_.rotary] - plane_.zero_deg) * modal_.mmPerDegree();
   }
-  last_ = c_.chain.workOf(c_.chain.programOf(shown));
   return shown;
+}
+
+AxisPoint VirtualStage::adopt(const AxisPoint& machine) {
+  machine_ = machine;
+  const AxisPoint counted = shown(machine);
+  last_ = c_.chain.workOf(c_.chain.programOf(counted));
+  return counted;
 }
 
 bool VirtualStage::push(PathItem& item) {
@@ -117,8 +119,8 @@ bool VirtualStage::pushCylinder(PathItem& item) {
     good = good && sendUnrolled(line, distance(last, point));
     last = point;
   };
-  const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(item.sweep) / kPieceRad)));
-  divideCurve(at, pieces, kChordMm, chord);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(item.sweep) / kCurvePieceRad)));
+  divideCurve(at, pieces, kCurveChordMm, chord);
   return good;
 }
 

@@ -20,7 +20,10 @@ class VirtualStage final : public PathStage {
   const PolarPlane& plane() const { return plane_; }
   /// Where the machine's own axes are.
   const AxisPoint& machine() const { return machine_; }
-  /// The machine stands there by other means; the same point with the rotary axis in mm of the plane.
+  /// A point of the machine with the rotary axis in mm of the plane, and in G12.1 the linear one in the
+  /// plane.
+  AxisPoint shown(const AxisPoint& machine) const;
+  /// The machine stands there by other means; the point as shown() gives it.
   AxisPoint adopt(const AxisPoint& machine);
 
   bool push(PathItem& item) override;

@@ -21,8 +21,14 @@ Vec2 pointOfArc(const Vec2& from, const Vec2& to, const Vec2& center, double swe
 
 /// Duration in minutes of a line from `from` to `to` at feed `feed` (mm/min) where an axis that turns about
 /// the origin has a largest speed `turn_rate` (rad/min): near the origin the feed drops so that the axis
-/// keeps to it; on its way through the origin it waits for half a turn. Closed form. turn_rate <= 0: no limit.
+/// keeps to it; on its way through the origin it waits for half a turn. Closed form. turn_rate <= 0: no
+/// limit.
 double polarLineMinutes(const Vec2& from, const Vec2& to, double feed, double turn_rate);
+
+/// Curves that are neither lines nor arcs go along chords that stay so near to them, mm; before the tolerance
+/// divides them further their parts bend at most by this angle.
+inline constexpr double kCurveChordMm = 1e-4;
+inline constexpr double kCurvePieceRad = 10.0 * kPi / 180.0;
 
 /// Divides 0..1 so that between neighbours the curve `at` stays within `tolerance` of its chord. The curve
 /// must be smooth, and bend no more than a few times within one of `pieces` equal parts. Values of the inner

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/blank.h"
@@ -127,6 +128,39 @@ TEST(Blank, StartInsideIsRefused) {
   EXPECT_TRUE(checkStart(job, *blank).ok());
   job.start = Vec3(7, 0, 30);  // on the face
   EXPECT_TRUE(checkStart(job, *blank).ok());
+}
+
+TEST(Interpretation, ToolsThatTheJobLacksTakeTheShapeOfTheirOffsetRow) {
+  Toolpath path;
+  const auto shape = [&](int tool, double diameter, double corner) {
+    PathEvent event;
+    event.event = "tool_shape";
+    event.data = {{"tool", fmt::format("{}", tool)},
+                  {"d", "1"},
+                  {"diameter", fmt::format("{}", diameter)},
+                  {"corner_radius", fmt::format("{}", corner)}};
+    path.events.push_back({0, event});
+  };
+  shape(1, 10, 2);
+  shape(2, 10, 0);
+  shape(2, 12, 0);  // the first one counts
+  shape(3, 10, 5);
+  shape(4, 10, 6);
+  shape(0, 10, 1);
+  shape(7, 10, 1);
+  std::vector<Tool> tools(1);
+  tools[0].number = 7;
+  tools[0].diameter = 3;
+  addOffsetTools(path, tools);
+  ASSERT_EQ(tools.size(), 4u);
+  EXPECT_EQ(tools[0].diameter, 3);
+  EXPECT_EQ(tools[1].type, ToolType::kBull);
+  EXPECT_EQ(tools[1].corner_radius, 2);
+  EXPECT_EQ(tools[2].type, ToolType::kFlat);
+  EXPECT_EQ(tools[2].diameter, 10);
+  EXPECT_EQ(tools[3].type, ToolType::kBall);
+  for (const Tool& tool : tools) EXPECT_TRUE(tool.number == 7 || validateTool(tool).ok());
+  EXPECT_EQ(path.diagnostics.all().size(), 3u);
 }
 
 TEST(Interpretation, MotionsWithoutAToolTakeTheLowest) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/degrees.h"
+#include "core/geometry/degrees.h"
 #include "core/nc/macro/expression.h"
 #include "core/nc/macro/loop_index.h"
 
@@ -258,6 +260,27 @@ TEST_F(MacroFormulas, AxisNumbersAndParameters) {
   EXPECT_EQ(assign("#101=PRM[]"), "nct-2064");
   EXPECT_EQ(assign("#101=PRM[#33]"), "nct-2064");
   EXPECT_EQ(assign("#101=PRM[107]"), "nct-2194");
+}
+
+TEST(Degrees, SimpleAnglesAreExactAndOthersTrue) {
+  const double half[12] = {0, 0.5,  0, 1,  0, 0.5,
+                           0, -0.5, 0, -1, 0, -0.5};  // sines at multiples of 30, where simple
+  for (int turn = -2; turn <= 2; ++turn) {
+    for (int k = 0; k < 12; ++k) {
+      const double angle = 360.0 * turn + 30.0 * k;
+      if (k % 6 == 0 || k % 2 == 1) EXPECT_EQ(sinDegrees(angle), half[k]) << angle;
+      const int c = (k + 3) % 12;
+      if (c % 6 == 0 || c % 2 == 1) EXPECT_EQ(cosDegrees(angle), half[c]) << angle;
+    }
+  }
+  EXPECT_FALSE(std::signbit(sinDegrees(180.0)) || std::signbit(sinDegrees(-360.0)));
+  for (double angle = -720.0; angle < 720.0; angle += 0.37) {
+    const long double exact =
+        static_cast<long double>(std::remainder(angle, 360.0)) * std::acos(-1.0L) / 180.0L;
+    EXPECT_NEAR(sinDegrees(angle), static_cast<double>(std::sin(exact)), 2e-16) << angle;
+    EXPECT_NEAR(cosDegrees(angle), static_cast<double>(std::cos(exact)), 2e-16) << angle;
+  }
+  EXPECT_TRUE(std::isnan(sinDegrees(std::numeric_limits<double>::infinity())));
 }
 
 TEST(MacroSymbols, TheLongestNameWins) {

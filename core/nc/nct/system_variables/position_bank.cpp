@@ -42,7 +42,28 @@ CoordinateChain chainOf(const NctContext& c, bool tip) {
   return c.registers.frames.chain(c.map, c.state.work_system, tip ? c.state.length : AxisPoint());
 }
 
-AxisPoint standing(const NctContext& c) { return c.state.compOn() ? c.emitter.machine() : c.machine; }
+AxisPoint standing(const NctContext& c) {
+  return c.state.compOn() || c.virtual_stage.linked() ? c.emitter.machine() : c.machine;
+}
+
+/// Where the machine is, in program coordinates; during G12.1 and G7.1 those of the plane.
+AxisPoint present(const NctContext& c, bool tip) {
+  const AxisPoint machine = standing(c);
+  return chainOf(c, tip).programOf(c.virtual_stage.linked() ? c.virtual_stage.shown(machine) : machine);
+}
+
+/// Is the value one of the plane of G12.1 or G7.1, where the rotary axis counts as its words do?
+bool countsInPlane(const NctContext& c, Reading reading, int axis) {
+  const AxisModal& modal = c.state.axes;
+  const bool programmed = reading == Reading::kBlockEnd || reading == Reading::kPresent;
+  return programmed && modal.mode != VirtualMode::kOff && axis == modal.rotary;
+}
+
+/// What one unit of a value tells.
+double unitOfReading(const NctContext& c, Reading reading, int axis) {
+  if (!countsInPlane(c, reading, axis)) return unitOf(c, axis);
+  return c.state.axes.mode == VirtualMode::kPolar ? c.state.unitScale() : c.state.axes.mmPerDegree();
+}
 
 AxisPoint pointOf(const NctContext& c, Reading reading) {
   const bool tip = c.parameters.flag(DataParam::kTipPositions);
@@ -52,7 +73,7 @@ AxisPoint pointOf(const NctContext& c, Reading reading) {
     case Reading::kMachine:  // of the machine's own axes during G12.1 and G7.1 too
       return c.state.axes.mode == VirtualMode::kOff ? standing(c) : c.virtual_stage.machine();
     case Reading::kPresent:
-      return chainOf(c, tip).programOf(standing(c));
+      return present(c, tip);
     case Reading::kSkip:
       return tip ? c.registers.skip.tip : c.registers.skip.work;
     case Reading::kSkipMachine:
@@ -90,7 +111,8 @@ VariableStatus PositionBank::read(int number, Value& out) {
     const int axis = c_.axes.byNumber(number - (low ? row.low : row.high));
     if (axis < 0) return kUnknownVariable;
     const double value = pointOf(c_, row.reading)[axis];
-    out = {(row.reading == Reading::kLength ? value : shownPosition(c_, axis, value)) / unitOf(c_, axis)};
+    const bool in_turns = row.reading != Reading::kLength && !countsInPlane(c_, row.reading, axis);
+    out = {(in_turns ? shownPosition(c_, axis, value) : value) / unitOfReading(c_, row.reading, axis)};
     return kVariableRead;
   }
   return kUnknownVariable;

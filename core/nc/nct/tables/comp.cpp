@@ -30,7 +30,7 @@ constexpr auto kG = std::to_array<GCode>({
 });
 
 constexpr auto kFeatures = std::to_array<FeatureRow>({
-    {"H", kSim, "nct-1.1-HD nct-15.1-H nct-15.1-row0 nct-15.3-H-modal",
+    {"H", kSim, "nct-1.1-HD nct-15.1-H nct-15.1-cornerradius nct-15.1-row0 nct-15.3-H-modal",
      "length offset row, read when programmed"},
     {"D", kSim, "nct-15.1-D nct-15.5-D0 nct-15.5-negR nct-15.5.2-newD",
      "radius offset row, read when programmed"},

@@ -19,7 +19,7 @@ constexpr auto kG = std::to_array<GCode>({
     refused(681, kGroupTilt, kSim, "nct-3-G68.1", "three-dimensional transformation"),
     refused(682, kGroupTilt, kSim, "nct-3-G68.2", "inclined plane"),
     modal(691, kGroupTilt, kSim, "nct-3-G69.1", "three-dimensional transformation off"),
-    refused(808, kGroupGear, kState, "nct-3-G80.8", "electronic gear off"),
+    refused(808, kGroupGear, kState, "nct-3-G80.8", "electronic gear off", true),
     refused(818, kGroupGear, kReject, "nct-3-G81.8", "electronic gear"),
 });
 

@@ -1,0 +1,10 @@
+=== main
+G80.8
+G0 X1
+M30
+=== expect
+file 0 main.nc
+main.nc:1:1: error[nct-2123]: function not implemented: G80.8 (electronic gear off) is not supported
+    G80.8
+    ^~~~~
+alarm: 1 blocks, 0 motions, 1 errors, 0 warnings
