@@ -95,7 +95,7 @@ struct ControlSettings {
   std::array<std::optional<AxisLimit>, 3> limits;  ///< X, Y, Z, machine frame, mm
   std::vector<AxisSettings> axes;                  ///< besides X, Y, Z
   std::vector<SpindleSettings> spindles;           ///< none: one without limits, called by S
-  Vec3 start = Vec3(0, 0, 100);  ///< where the tool is at power-on, workpiece frame, mm
+  Vec3 start = Vec3(0, 0, 100);                    ///< where the tool is at power-on, workpiece frame, mm
 
   /// Work offsets G54..G59 in the machine frame, mm, and their basic rotation angles about X, Y, Z (deg).
   std::array<Vec3, 6> work_offsets{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
@@ -118,8 +118,8 @@ struct ControlSettings {
   bool optional_stop = false;               ///< M1 stops
   /// N numbers of the main program at whose end the signal comes that starts the interrupt macro (M96).
   std::vector<std::int64_t> interrupt_blocks;
-  bool lenient = false;                 ///< unsupported codes that are safe to skip become warnings
-  double tool_change_s = 5.0;           ///< duration of a tool change, s
+  bool lenient = false;                     ///< unsupported codes that are safe to skip become warnings
+  double tool_change_s = 5.0;               ///< duration of a tool change, s
   double default_spindle_rpm = 1000.0;  ///< timing of G95 motions and dwells while the spindle stands still
   int max_errors = 1;                   ///< interpretation goes on behind bad blocks until so many errors
   std::optional<UntilBlock> until;

@@ -52,17 +52,12 @@ AxisPoint present(const NctContext& c, bool tip) {
   return chainOf(c, tip).programOf(c.virtual_stage.linked() ? c.virtual_stage.shown(machine) : machine);
 }
 
-/// Is the value one of the plane of G12.1 or G7.1, where the rotary axis counts as its words do?
-bool countsInPlane(const NctContext& c, Reading reading, int axis) {
+/// What one unit of a value tells. In the plane of G12.1 and G7.1 the rotary axis counts as its words do.
+double unitOfReading(const NctContext& c, Reading reading, int axis) {
   const AxisModal& modal = c.state.axes;
   const bool programmed = reading == Reading::kBlockEnd || reading == Reading::kPresent;
-  return programmed && modal.mode != VirtualMode::kOff && axis == modal.rotary;
-}
-
-/// What one unit of a value tells.
-double unitOfReading(const NctContext& c, Reading reading, int axis) {
-  if (!countsInPlane(c, reading, axis)) return unitOf(c, axis);
-  return c.state.axes.mode == VirtualMode::kPolar ? c.state.unitScale() : c.state.axes.mmPerDegree();
+  if (!programmed || modal.mode == VirtualMode::kOff || axis != modal.rotary) return unitOf(c, axis);
+  return modal.mode == VirtualMode::kPolar ? c.state.unitScale() : modal.mmPerDegree();
 }
 
 AxisPoint pointOf(const NctContext& c, Reading reading) {
@@ -111,8 +106,8 @@ VariableStatus PositionBank::read(int number, Value& out) {
     const int axis = c_.axes.byNumber(number - (low ? row.low : row.high));
     if (axis < 0) return kUnknownVariable;
     const double value = pointOf(c_, row.reading)[axis];
-    const bool in_turns = row.reading != Reading::kLength && !countsInPlane(c_, row.reading, axis);
-    out = {(in_turns ? shownPosition(c_, axis, value) : value) / unitOfReading(c_, row.reading, axis)};
+    const double shown = row.reading == Reading::kLength ? value : shownPosition(c_, axis, value);
+    out = {shown / unitOfReading(c_, row.reading, axis)};
     return kVariableRead;
   }
   return kUnknownVariable;

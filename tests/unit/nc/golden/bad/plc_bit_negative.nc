@@ -8,7 +8,7 @@ M30
 error[nct-2092]
 === expect
 file 0 main.nc
-main.nc:1:1: error[nct-2092]: value out of range in variable #1100
+main.nc:1:1: error[nct-2092]: value limit exceeded: #1100
     #1100=-1
     ^~~~~~~~
 alarm: 1 blocks, 0 motions, 1 errors, 0 warnings
