@@ -40,7 +40,8 @@ bool perform(NctContext& c, BlockPlan& plan) {
   plan.next.tool = c.state.tool;
   plan.next.tool_row = c.state.tool_row;
   c.state = plan.next;
-  return performFunctions(c, plan, MPhase::kAfter) && (!plan.tool_shape || sendToolShape(c)) &&
+  return performFunctions(c, plan, MPhase::kAfter) &&
+         (!plan.tool_shape || c.state.tool == 0 || sendToolShape(c)) &&
          performFunctions(c, plan, MPhase::kStop);
 }
 

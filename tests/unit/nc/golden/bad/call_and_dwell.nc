@@ -1,7 +1,7 @@
 G4 P2 M98
 M30
 === says
-main.nc:1:1: error[nct-2017]
+main.nc:1:4: error[nct-2017]
 === expect
 file 0 main.nc
 main.nc:1:4: error[nct-2017]: illegal address P: it would belong to G4 and to another code

@@ -52,7 +52,6 @@ file 0 main.nc
 17: rapid to 0 0 400 t1.7196
 18: rapid to 0 0 0 t1.6
 19: feed to 10 4.988 0 F1000 t0.6705
-19: event tool_shape tool=0 d=1 diameter=9.976 corner_radius=4.99
 20: feed to 20 4.988 0 F1000 t0.6
 21: feed to 60 9.992 0 F1000 t2.4187
 22: feed to 100 9.992 0 F1000 t2.4
