@@ -45,7 +45,9 @@ void CoordinateChain::moveFurtherAxes(int count, const AxisPoint& program_to_wor
   }
 }
 
-void CoordinateChain::scaleFurtherAxes(const ProgramMap& map) {
+void CoordinateChain::scaleFurtherAxes(const ProgramMap& map, const AxisPoint& shift) {
+  pair_ = map.pair;
+  if (pair_.u >= 0) pair_.offset += pair_.of(shift);
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
     work_factor_[k] = map.factor[k];
     work_more_[k] += map.shift[k];
@@ -59,9 +61,14 @@ AxisPoint CoordinateChain::workOf(const AxisPoint& p) const {
 }
 
 void CoordinateChain::moveToWork(AxisPoint& p) const {
+  const bool paired = pair_.u >= 0;
+  const Vec2 uv = paired ? Vec2(pair_.linear * pair_.of(p) + pair_.offset) : Vec2();
   p.xyz = toWork(p.xyz);
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k)
     p.more[k] = p.more[k] * work_factor_[k] + work_more_[k];
+  if (!paired) return;
+  p[pair_.u] = uv.x();
+  p[pair_.v] = uv.y();
 }
 
 void CoordinateChain::moveToMachine(AxisPoint& p) const {
@@ -70,6 +77,12 @@ void CoordinateChain::moveToMachine(AxisPoint& p) const {
 }
 
 AxisPoint CoordinateChain::machineOf(const AxisPoint& p) const {
+  if (pair_.u >= 0) {
+    AxisPoint q = p;
+    moveToWork(q);
+    moveToMachine(q);
+    return q;
+  }
   AxisPoint q(toMachine(p.xyz));
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
     q.more[k] = p.more[k] * work_factor_[k] + work_more_[k] + machine_more_[k];
@@ -82,6 +95,14 @@ AxisPoint CoordinateChain::programOf(const AxisPoint& machine) const {
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
     p.more[k] = (machine.more[k] - machine_more_[k] - work_more_[k]) / work_factor_[k];
   }
+  if (pair_.u < 0) return p;
+  AxisPoint work(machine.xyz - machine_.offset);
+  if (!machine_moves_only_) work.xyz = machine_.linear.inverse() * work.xyz;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k)
+    work.more[k] = machine.more[k] - machine_more_[k];
+  const Vec2 uv = pair_.linear.inverse() * (pair_.of(work) - pair_.offset);
+  p[pair_.u] = uv.x();
+  p[pair_.v] = uv.y();
   return p;
 }
 
@@ -124,7 +145,11 @@ CoordinateChain WorkFrames::chain(const ProgramMap& map, WorkSystemId active, co
     offset.more[k] = common.offset.more[k] + work.offset.more[k] + length.more[k];
   }
   chain.moveFurtherAxes(more_axes, shift, offset);
-  if (!map.identity) chain.scaleFurtherAxes(map);
+  if (!map.identity) {
+    AxisPoint local = shift;
+    local.xyz = shift52.xyz + shift92.xyz;
+    chain.scaleFurtherAxes(map, local);
+  }
   return chain;
 }
 

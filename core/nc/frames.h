@@ -42,11 +42,14 @@ class CoordinateChain {
   void moveToMachine(AxisPoint& p) const;
   /// Offsets of `count` further axes from program to work and from work to machine coordinates.
   void moveFurtherAxes(int count, const AxisPoint& program_to_work, const AxisPoint& work_to_machine);
-  /// Factors of the further axes between program and work coordinates: mirrored and scaled ones.
-  void scaleFurtherAxes(const ProgramMap& map);
+  /// Factors of the further axes between program and work coordinates: mirrored and scaled ones. Where a
+  /// rotation takes two axes together, `shift` is the local shift behind it.
+  void scaleFurtherAxes(const ProgramMap& map, const AxisPoint& shift);
 
   /// Is there more than shifts in it?
-  bool turns() const { return !work_moves_only_ || !machine_moves_only_; }
+  bool turns() const { return turnsMain() || pair_.u >= 0; }
+  /// The same of X, Y, Z among themselves.
+  bool turnsMain() const { return !work_moves_only_ || !machine_moves_only_; }
   /// Turns a direction of work space into machine space.
   Vec3 directionToMachine(const Vec3& d) const { return machine_moves_only_ ? d : Vec3(machine_.linear * d); }
 
@@ -57,7 +60,8 @@ class CoordinateChain {
   }
   FrameStep work_, machine_;
   bool work_moves_only_ = true, machine_moves_only_ = true;
-  int more_count_ = 0;  ///< of the arrays below only so many are set
+  ProgramMap::Pair pair_;  ///< two axes that are rotated together, program to work
+  int more_count_ = 0;     ///< of the arrays below only so many are set
   std::array<double, kMaxAxes - kMainAxes> work_more_, machine_more_, work_factor_;
 };
 

@@ -13,43 +13,71 @@ void apply(ProgramMap& map, const Mat3& linear, const Vec3& offset) {
   map.offset = linear * map.offset + offset;
 }
 
+/// Mirroring and scaling: what becomes of each axis, x * factor + shift.
+struct AxisSteps {
+  AxisSteps() { factor.fill(1.0); }
+  std::array<double, kMaxAxes> factor, shift{};
+};
+
+void apply(ProgramMap& map, const AxisSteps& steps) {
+  const auto three = [](const std::array<double, kMaxAxes>& a) { return Vec3(a[0], a[1], a[2]); };
+  apply(map, three(steps.factor).asDiagonal(), three(steps.shift));
+  for (std::size_t k = 0; k < map.factor.size(); ++k) {
+    const double factor = steps.factor[k + kMainAxes];
+    map.factor[k] *= factor;
+    map.shift[k] = map.shift[k] * factor + steps.shift[k + kMainAxes];
+  }
+  if (map.pair.u < 0) return;
+  const auto u = static_cast<std::size_t>(map.pair.u), v = static_cast<std::size_t>(map.pair.v);
+  const Vec2 factors(steps.factor[u], steps.factor[v]), shifts(steps.shift[u], steps.shift[v]);
+  map.pair.linear = factors.asDiagonal() * map.pair.linear;
+  map.pair.offset = factors.cwiseProduct(map.pair.offset) + shifts;
+}
+
+bool rotatesMainAxes(const Transforms& t) { return t.rotation_u < kMainAxes && t.rotation_v < kMainAxes; }
+
 void rotate(const Transforms& t, ProgramMap& map) {
-  const PlaneFrame frame(t.rotation_plane);
   const auto [sine, cosine] = sinCosDegrees(t.angle_deg);
+  if (!rotatesMainAxes(t)) {
+    Eigen::Matrix2d turn;
+    turn << cosine, -sine, sine, cosine;
+    map.pair.linear = turn * map.pair.linear;
+    map.pair.offset = turn * (map.pair.offset - t.pivot) + t.pivot;
+    return;
+  }
+  const int u = t.rotation_u, v = t.rotation_v;
   Mat3 linear = Mat3::Identity();
-  linear(frame.u(), frame.u()) = linear(frame.v(), frame.v()) = cosine;
-  linear(frame.u(), frame.v()) = -sine;
-  linear(frame.v(), frame.u()) = sine;
-  const Vec3 pivot = frame.fromPlane({t.pivot.x(), t.pivot.y(), 0.0});
+  linear(u, u) = linear(v, v) = cosine;
+  linear(u, v) = -sine;
+  linear(v, u) = sine;
+  Vec3 pivot = Vec3::Zero();
+  pivot[u] = t.pivot.x();
+  pivot[v] = t.pivot.y();
   apply(map, linear, pivot - linear * pivot);
 }
 
 void scale(const Transforms& t, const AxisTable& axes, ProgramMap& map) {
-  const Mat3 linear = t.factors.asDiagonal();
-  apply(map, linear, t.scale_center.xyz - linear * t.scale_center.xyz);
-  map.factors = t.factors;
-  for (int axis = kMainAxes; t.scales_further && axis < axes.count(); ++axis) {
-    if (axes.at(axis).rotary()) continue;
-    const auto k = static_cast<std::size_t>(axis - kMainAxes);
-    map.factor[k] = t.factors.x();
-    map.shift[k] = (1.0 - t.factors.x()) * t.scale_center[axis];
+  AxisSteps steps;
+  for (int axis = 0; axis < kMaxAxes; ++axis) {
+    const bool further = axis >= kMainAxes;
+    if (further && (!t.scales_further || axis >= axes.count())) continue;
+    if (further && axes.at(axis).rotary() && axis != t.virtual_axis) continue;
+    const double factor = further ? t.factors.x() : t.factors[axis];
+    steps.factor[static_cast<std::size_t>(axis)] = factor;
+    steps.shift[static_cast<std::size_t>(axis)] = (1.0 - factor) * t.scale_center[axis];
   }
+  apply(map, steps);
+  map.factors = t.factors;
 }
 
 void mirror(const Transforms& t, ProgramMap& map) {
-  Vec3 sign = Vec3::Ones(), offset = Vec3::Zero();
+  AxisSteps steps;
   for (int axis = 0; axis < kMaxAxes; ++axis) {
     if (!t.mirrored[static_cast<std::size_t>(axis)]) continue;
-    if (axis < kMainAxes) {
-      sign[axis] = -1.0;
-      offset[axis] = 2.0 * t.mirror[axis];
-    } else {
-      const auto k = static_cast<std::size_t>(axis - kMainAxes);
-      map.factor[k] = -map.factor[k];
-      map.shift[k] = 2.0 * t.mirror[axis] - map.shift[k];
-    }
+    steps.factor[static_cast<std::size_t>(axis)] = -1.0;
+    steps.shift[static_cast<std::size_t>(axis)] = 2.0 * t.mirror[axis];
   }
-  apply(map, sign.asDiagonal(), offset);
+  apply(map, steps);
 }
 
 double factorOf(const ProgramMap& map, int axis) {
@@ -63,6 +91,10 @@ ProgramMap programMap(const Transforms& t, const AxisTable& axes) {
   map.factor.fill(1.0);
   if (!t.any()) return map;
   map.identity = false;
+  if (t.rotates && !rotatesMainAxes(t)) {
+    map.pair.u = t.rotation_u;
+    map.pair.v = t.rotation_v;
+  }
   if (t.rotates && t.rotation_inside) rotate(t, map);
   if (t.scales) scale(t, axes, map);
   if (t.rotates && !t.rotation_inside) rotate(t, map);
@@ -70,8 +102,27 @@ ProgramMap programMap(const Transforms& t, const AxisTable& axes) {
   return map;
 }
 
+AxisPoint ProgramMap::image(const AxisPoint& p) const {
+  if (identity) return p;
+  AxisPoint q(linear * p.xyz + offset);
+  for (std::size_t k = 0; k < q.more.size(); ++k) q.more[k] = p.more[k] * factor[k] + shift[k];
+  if (pair.u < 0) return q;
+  const Vec2 uv = pair.linear * pair.of(p) + pair.offset;
+  q[pair.u] = uv.x();
+  q[pair.v] = uv.y();
+  return q;
+}
+
+AxisPoint ProgramMap::turned(const AxisPoint& d) const {
+  AxisPoint difference = image(d);
+  const AxisPoint origin = image(AxisPoint());
+  for (int axis = 0; axis < kMaxAxes; ++axis) difference[axis] -= origin[axis];
+  return difference;
+}
+
 double ProgramMap::sense(const WorkPlane& p) const {
   if (identity) return 1.0;
+  if (p.u == pair.u && p.v == pair.v) return pair.linear.determinant() < 0.0 ? -1.0 : 1.0;
   if (p.u < kMainAxes && p.v < kMainAxes) {
     return linear(p.u, p.u) * linear(p.v, p.v) - linear(p.u, p.v) * linear(p.v, p.u) < 0.0 ? -1.0 : 1.0;
   }

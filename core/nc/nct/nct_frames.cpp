@@ -38,17 +38,6 @@ FrameChange& frameChange(const NctContext& c, BlockPlan& plan) {
 
 }  // namespace
 
-namespace {
-
-/// What the transforms alone make of a point.
-AxisPoint unshifted(const ProgramMap& map, const AxisPoint& p) {
-  AxisPoint q(map.linear * p.xyz + map.offset);
-  for (std::size_t k = 0; k < q.more.size(); ++k) q.more[k] = p.more[k] * map.factor[k] + map.shift[k];
-  return q;
-}
-
-}  // namespace
-
 bool planLocalShift(NctContext& c, BlockPlan& plan) {
   if (!c.anyAxisWord()) return c.alarm(2004, "", "G52 needs axis words");
   FrameChange& change = frameChange(c, plan);
@@ -81,7 +70,7 @@ bool planSetPosition(NctContext& c, BlockPlan& plan) {
   const ProgramMap map = programMap(plan.next.transforms, c.axes);
   if (map.identity) return true;
   // A rotation mixes the axes: all of them are shifted so that the position becomes what is written.
-  const AxisPoint image = unshifted(map, position);
+  const AxisPoint image = map.image(position);
   for (int axis = 0; axis < c.axes.count(); ++axis) {
     change.shift92[axis] = work[axis] - image[axis] - change.shift52[axis];
   }

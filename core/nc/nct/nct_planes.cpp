@@ -46,7 +46,7 @@ bool planeOfLines(NctContext& c, const BlockPlan& plan, int alarm, const char* w
                      fmt::format("the plane has the rotary axis {}, named beside G17, G18 or G19: {}",
                                  c.axes.at(axis).name, what));
     }
-    if (!c.axes.at(axis).rotary() && plan.chain->turns()) {
+    if (!c.axes.at(axis).rotary() && plan.chain->turnsMain()) {
       return c.alarm(alarm, "", "a plane with a parallel axis cannot be rotated");
     }
   }

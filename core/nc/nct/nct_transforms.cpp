@@ -45,13 +45,14 @@ bool centerWords(NctContext& c, const BlockPlan& plan, AxisPoint& center, AxisSe
 /// Factors that keep positions finite and the transform invertible.
 bool usableFactor(double value) { return value >= 1e-6 && value <= 1e6; }
 
-bool planeIsReal(NctContext& c, const BlockPlan& plan) {
-  if (plan.next.axes.mode == VirtualMode::kOff) return true;
-  return c.fail("nct-virtual-forbidden", "G68, G51 and G51.1 during G12.1 and G7.1 are not supported");
+/// A plane that can be rotated: lengths on both axes.
+bool lengthsInPlane(NctContext& c, const BlockPlan& plan) {
+  const AxisModal& modal = plan.next.axes;
+  const bool rotary = c.axes.at(modal.plane_u).rotary() || c.axes.at(modal.plane_v).rotary();
+  return !rotary || modal.mode != VirtualMode::kOff || c.alarm(2088, "", "G68 rotates planes of linear axes");
 }
 
 bool noMirrorHere(NctContext& c, const BlockPlan& plan) {
-  if (!planeIsReal(c, plan)) return false;
   const Transforms& t = plan.next.transforms;
   return (!t.rotates && !t.scales) || c.alarm(2001, "");
 }
@@ -78,7 +79,9 @@ void renewChain(const NctContext& c, BlockPlan& plan) {
 
 bool planTransformsOff(NctContext& c, BlockPlan& plan) {
   Transforms& t = plan.next.transforms;
-  if (t.rotates && plan.next.active[kGroupRotation] != 690 && plan.next.plane() != t.rotation_plane) {
+  const AxisModal& modal = plan.next.axes;
+  const bool same_plane = modal.plane_u == t.rotation_u && modal.plane_v == t.rotation_v;
+  if (t.rotates && plan.next.active[kGroupRotation] != 690 && !same_plane) {
     return c.fail("nct-plane-in-rotation", "the plane cannot change while a rotation (G68) is on");
   }
   const bool rotation = t.rotates && plan.next.active[kGroupRotation] == 690;
@@ -92,7 +95,7 @@ bool planTransformsOff(NctContext& c, BlockPlan& plan) {
 
 bool planRotation(NctContext& c, BlockPlan& plan) {
   Transforms& t = plan.next.transforms;
-  if (!planeIsReal(c, plan)) return false;
+  if (!lengthsInPlane(c, plan)) return false;
   if (outer(t, true)) return overlaps(c, "G68");
   const Word* r = c.word('R');
   if (r == nullptr) return c.alarm(2004, "R", "G68 needs an angle");
@@ -101,11 +104,11 @@ bool planRotation(NctContext& c, BlockPlan& plan) {
   AxisPoint center = outside(c, plan.next, t);
   AxisSet named;
   if (!centerWords(c, plan, center, named)) return false;
-  const PlaneFrame frame(plan.next.plane());
   t.rotates = true;
   t.rotation_inside = t.scales;
-  t.rotation_plane = frame.plane();
-  t.pivot = {center[frame.u()], center[frame.v()]};
+  t.rotation_u = plan.next.axes.plane_u;
+  t.rotation_v = plan.next.axes.plane_v;
+  t.pivot = {center[t.rotation_u], center[t.rotation_v]};
   const bool add = r->incremental || plan.next.incremental();
   t.angle_deg = add ? old_angle + r->value : r->value;
   renewChain(c, plan);
@@ -114,10 +117,14 @@ bool planRotation(NctContext& c, BlockPlan& plan) {
 
 bool planScaling(NctContext& c, BlockPlan& plan) {
   Transforms& t = plan.next.transforms;
-  if (!planeIsReal(c, plan)) return false;
   if (outer(t, false)) return overlaps(c, "G51");
   const Word* p = c.word('P');
   const bool single = !(c.block.present & AddressSet("IJK")).empty();
+  const bool real = plan.next.axes.mode == VirtualMode::kOff;
+  if (single && !real) {
+    return c.fail("nct-virtual-forbidden",
+                  "G51 takes P during G12.1 and G7.1: I, J, K are factors of X, Y, Z");
+  }
   if (p && single) return c.alarm(2017, *p, "G51 takes P or I, J, K");
   if (!p && !single) return c.alarm(2004, "P", "G51 needs a factor: P, or I, J, K");
   t.scales = false;
@@ -138,6 +145,7 @@ bool planScaling(NctContext& c, BlockPlan& plan) {
   }
   t.scales = true;
   t.scales_further = p != nullptr;
+  t.virtual_axis = real ? std::int8_t{-1} : plan.next.axes.rotary;
   t.rotation_inside = false;
   t.scale_center = center;
   renewChain(c, plan);

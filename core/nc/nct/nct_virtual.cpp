@@ -47,9 +47,11 @@ bool readyForMode(NctContext& c, const BlockPlan& plan, const char* name) {
   if (plan.next.compOn()) {
     return c.fail("nct-virtual-comp", fmt::format("{} needs G40: cutter compensation is on", name));
   }
-  if (plan.chain->turns()) {
+  if (plan.next.transforms.any() || plan.chain->turns()) {
     return c.fail("nct-virtual-frame",
-                  fmt::format("{} cannot be switched in a rotated coordinate system", name));
+                  fmt::format("{} cannot be switched in a rotated coordinate system, nor while mirroring, "
+                              "scaling or rotation (G51.1, G51, G68) is on",
+                              name));
   }
   return true;
 }

@@ -45,8 +45,7 @@ void TransformStage::transform(PathItem& item) const {
     AxisPoint tip;
     tip[item.plane.u] = item.direction->x();
     tip[item.plane.v] = item.direction->y();
-    AxisPoint turned(map.linear * tip.xyz);
-    for (std::size_t k = 0; k < turned.more.size(); ++k) turned.more[k] = map.factor[k] * tip.more[k];
+    const AxisPoint turned = map.turned(tip);
     item.direction = Vec2(turned[item.plane.u], turned[item.plane.v]);
   }
 }

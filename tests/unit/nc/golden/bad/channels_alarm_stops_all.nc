@@ -19,7 +19,7 @@ file 0 main.nc
 file 1 channel2.nc
 [2] 1/1: feed from 0 0 0 to 0 50 0 F6000 t0.5
 [1] 2: feed to 60 0 0 F6000 t0.3
-channel2.nc:2:4: error[nct-2064]: H has no value
+channel2.nc:2:4: error[nct-2064]: syntax error: H has no value
     Q7 H
        ^
     note: in channel 2
