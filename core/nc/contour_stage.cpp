@@ -25,7 +25,11 @@ bool feedsInPlane(const PathItem& item) {
 }
 
 ContourElement elementOf(const PathItem& item) {
-  return {item.kind == Kind::kArc, item.start, planeEnd(item), item.center.head<2>(), item.sweep};
+  ContourElement element{item.kind == Kind::kArc, item.start, planeEnd(item), Vec2::Zero(), 0.0};
+  if (!element.arc) return element;
+  element.center = item.center.head<2>();
+  element.sweep = item.sweep;
+  return element;
 }
 
 bool crosses(const PathItem& item) { return item.meet == Meet::kFirst || item.meet == Meet::kSecond; }

@@ -15,9 +15,9 @@ constexpr double kFit = 1e-7;  ///< mm; what exactly fills an element fits, what
 double sense(const ContourElement& e) { return e.sweep >= 0.0 ? 1.0 : -1.0; }
 
 bool sound(const ContourElement& e) {
-  if (!e.from.allFinite() || !e.to.allFinite() || !e.center.allFinite() || !std::isfinite(e.sweep))
-    return false;
+  if (!e.from.allFinite() || !e.to.allFinite()) return false;
   if (!e.arc) return (e.to - e.from).norm() > kTinyLength;
+  if (!e.center.allFinite() || !std::isfinite(e.sweep)) return false;
   return e.sweep != 0.0 && (e.from - e.center).norm() > kTinyLength && (e.to - e.center).norm() > kTinyLength;
 }
 

@@ -10,8 +10,8 @@ namespace proveout {
 struct ContourElement {
   bool arc = false;
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
-  Vec2 center = Vec2::Zero();
-  double sweep = 0.0;  ///< rad, signed, > 0 counter-clockwise
+  Vec2 center = Vec2::Zero();  ///< of arcs only
+  double sweep = 0.0;          ///< rad, signed, > 0 counter-clockwise; of arcs only
 };
 
 /// What stands between the two elements.
