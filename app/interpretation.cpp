@@ -137,6 +137,8 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
     if (k == 0) own.until = settings.until;
     programs.push_back({sources[k], std::move(own)});
   }
+  if (programs.size() == 1)
+    return interpret(control, source, programs.front().settings, sink, &progress, host);
   return interpretChannels(control, programs, sink, &progress, host);
 }
 

@@ -99,7 +99,7 @@ void NctChannels::make(const std::vector<ChannelProgram>& channels, Progress* pr
       channel.output = std::make_unique<SharedOutput>(*host.output, file_open_);
       own.output = channel.output.get();
     }
-    if (several && host.probe != nullptr) own.probe = no_probe_.get();
+    if (several) own.probe = no_probe_.get();
     channel.control = std::make_unique<NctControl>(*program.source, program.settings,
                                                    merge_.add(channel.number), progress, own);
   }
