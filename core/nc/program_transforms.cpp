@@ -1,5 +1,6 @@
 #include "core/nc/program_transforms.h"
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "core/geometry/degrees.h"
