@@ -180,6 +180,22 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
   send(m, to, nullptr, &pace, style.join);
 }
 
+std::optional<PathEmitter::Line> PathEmitter::lineOf(const AxisPoint& to, const SourceRef& source) {
+  if (tables_.any() && tables_.turns(machine_, to)) return std::nullopt;
+  Line line;
+  line.motion.kind = MotionKind::kFeed;
+  line.motion.from = toolPoint(machine_);
+  line.motion.to = toolPoint(to);
+  line.motion.tool = tool_;
+  line.motion.spindle = spindle_;
+  line.motion.source = source;
+  if (const AxisSweep* sweep = sweepTo(to)) {
+    line.axis = *sweep;
+    line.has_axis = true;
+  }
+  return line;
+}
+
 void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
                         const SourceRef& source) {
   if (more_ > 0 && !plainArc(to, arc)) return furtherArc(to, arc, style, source);

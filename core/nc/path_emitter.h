@@ -24,7 +24,7 @@ struct FeedStyle {
   /// What of an arc the feed is the speed of: the circle in the plane, the whole path in space, or the
   /// start radius (constant angular speed).
   enum class Along { kPlane, kSpace, kStartRadius } along = Along::kSpace;
-  double spindle = 0.0;  ///< rpm, signed, where it changes along the motion (G96); 0: as it turns anyway
+  double spindle = 0.0;       ///< rpm, signed, where it changes along the motion (G96); 0: as it turns anyway
   double acceleration = 0.0;  ///< along the path, of what turns with the motion (taps), mm/s^2; 0: no limit
   MotionJoin join;
   double paced_mm = 0.0;  ///< of lines: the length that the feed is the speed of; 0: that of all axes
@@ -82,6 +82,15 @@ class PathEmitter {
   /// the machine's axes, turns of the rotary axis counted.
   void polarTo(const AxisPoint& to, const PolarPlane& plane, const std::optional<PolarArc>& arc,
                const FeedStyle* style, const SourceRef& source);
+
+  /// The line that lineTo() would send now, without feed and time, for questions about it. Nothing: tables
+  /// turn on the way, so that the tool goes along no line in the part.
+  struct Line {
+    Motion motion;
+    AxisSweep axis;
+    bool has_axis = false;  ///< `axis` holds something
+  };
+  std::optional<Line> lineOf(const AxisPoint& to, const SourceRef& source);
 
   /// How far the plane's origin is from the centre that the rotary axis turns the part about, mm; 0 where it
   /// turns nothing.

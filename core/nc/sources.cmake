@@ -49,6 +49,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_interrupt.cpp
   nc/nct/nct_macro_calls.cpp
   nc/nct/nct_motion.cpp
+  nc/nct/nct_measuring.cpp
   nc/nct/nct_offsets.cpp
   nc/nct/nct_output.cpp
   nc/nct/nct_parameters.cpp
@@ -80,6 +81,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/macro.cpp
   nc/nct/parameters/motion.cpp
   nc/nct/parameters/program.cpp
+  nc/nct/parameters/safety.cpp
   nc/nct/parameters/spindle.cpp
   nc/nct/parameters/tools.cpp
   nc/nct/program_store.cpp

@@ -14,6 +14,8 @@ std::string_view motionKindName(MotionKind kind) {
       return "feed";
     case MotionKind::kThread:
       return "thread";
+    case MotionKind::kProbe:
+      return "probe";
   }
   return "feed";
 }

@@ -20,9 +20,10 @@
 
 namespace proveout {
 
-enum class MotionKind : std::uint8_t { kRapid, kFeed, kThread };
+/// kProbe: a measuring move; it may touch the stock, where it ends, and removes nothing.
+enum class MotionKind : std::uint8_t { kRapid, kFeed, kThread, kProbe };
 enum class MotionShape : std::uint8_t { kLine, kArc };
-std::string_view motionKindName(MotionKind kind);  ///< "rapid", "feed", "thread"
+std::string_view motionKindName(MotionKind kind);  ///< "rapid", "feed", "thread", "probe"
 
 /// Index of a motion in the tool path (`Toolpath::motions`). Also the "id" of the path stream.
 using MotionId = std::uint32_t;
@@ -83,7 +84,7 @@ struct Motion {
 /// Something that happens between motions.
 struct PathEvent {
   std::string event;  ///< "tool", "spindle", "coolant", "stop", "optional_stop", "dwell", "end", "message",
-                      ///< "overtravel", "wait"
+                      ///< "overtravel", "wait", "probe" (end of a measuring move: "contact" true or false)
   /// Key and JSON value text (already valid JSON: `12`, `"M8"`, `true`).
   std::vector<std::pair<std::string, std::string>> data;
   double time_s = 0.0;  ///< time that it takes (dwell, tool change, waiting)

@@ -66,6 +66,8 @@ std::span<const ParamInfo> paramTable(ParamChapter chapter) {
       return functionParams();
     case ParamChapter::kProgram:
       return programParams();
+    case ParamChapter::kSafety:
+      return safetyParams();
     case ParamChapter::kAxis:
       return axisParams();
     case ParamChapter::kCount:

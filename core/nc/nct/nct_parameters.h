@@ -50,6 +50,7 @@ enum class ParamChapter : std::uint8_t {
   kSpindle,
   kFunctions,
   kProgram,
+  kSafety,
   kCount
 };
 /// A row of the table.
@@ -155,5 +156,6 @@ std::vector<ParameterInfo> nctParameterTable();
 #include "core/nc/nct/parameters/macro.h"
 #include "core/nc/nct/parameters/motion.h"
 #include "core/nc/nct/parameters/program.h"
+#include "core/nc/nct/parameters/safety.h"
 #include "core/nc/nct/parameters/spindle.h"
 #include "core/nc/nct/parameters/tools.h"

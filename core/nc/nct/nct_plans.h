@@ -29,6 +29,12 @@ bool planSetPosition(NctContext& c, BlockPlan& plan);
 /// G10 L2, L20.
 bool planWorkOffset(NctContext& c, BlockPlan& plan);
 
+// nct_measuring.cpp
+/// G31, with P98 too.
+bool planSkip(NctContext& c, BlockPlan& plan);
+/// G37.
+bool planToolLength(NctContext& c, BlockPlan& plan);
+
 // nct_data_input.cpp
 /// G10: hands over to the function of its L.
 bool planDataInput(NctContext& c, BlockPlan& plan);

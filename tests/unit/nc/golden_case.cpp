@@ -207,6 +207,56 @@ void setLine(ControlSettings& s, const std::string& line) {
   }
 }
 
+/// probe = plane NX NY NZ D: material where N.p >= D; probe = box X0 Y0 Z0 X1 Y1 Z1: material inside.
+/// Workpiece frame; the tool is a point. Several lines are one body.
+class SolidProbe : public Probe {
+ public:
+  bool setLine(const std::string& line) {
+    std::istringstream in(line);
+    std::string key, equals, kind;
+    if (!(in >> key >> equals >> kind) || key != "probe") return false;
+    std::vector<Half> solid;
+    if (kind == "plane") {
+      const Vec3 n = vectorOf(in, line);
+      solid.push_back({n, 0.0});
+      in >> solid.back().d;
+    } else if (kind == "box") {
+      const Vec3 low = vectorOf(in, line), high = vectorOf(in, line);
+      for (int k = 0; k < 3; ++k) {
+        solid.push_back({Vec3::Unit(k), low[k]});
+        solid.push_back({-Vec3::Unit(k), -high[k]});
+      }
+    }
+    if (solid.empty() || !in) throw std::runtime_error("bad probe: " + line);
+    solids_.push_back(solid);
+    return true;
+  }
+  bool any() const { return !solids_.empty(); }
+
+  Result<std::optional<double>> firstContact(const Motion& move, const ArcGeometry*,
+                                             const AxisSweep*) override {
+    std::optional<double> first;
+    for (const std::vector<Half>& solid : solids_) {
+      double enter = 0.0, leave = 1.0;
+      for (const Half& half : solid) {
+        const double gap = half.d - half.n.dot(move.from), way = half.n.dot(move.to - move.from);
+        if (way > 0.0) enter = std::max(enter, gap / way);
+        if (way < 0.0) leave = std::min(leave, gap / way);
+        if (way == 0.0 && gap > 0.0) leave = -1.0;
+      }
+      if (enter <= leave && (!first || enter < *first)) first = enter;
+    }
+    return first;
+  }
+
+ private:
+  struct Half {
+    Vec3 n;
+    double d;
+  };
+  std::vector<std::vector<Half>> solids_;
+};
+
 /// What the person at the machine answers, and the name of the main program. False: a line of the control.
 bool setHostLine(Operator& person, std::string& main_name, const std::string& line) {
   std::istringstream in(line);
@@ -273,7 +323,7 @@ void compareLine(const std::string& line, const GoldenMotion& m, const std::stri
   std::vector<double> actual{m.motion.to.x(), m.motion.to.y(), m.motion.to.z()};
   std::size_t k = 0;
   for (std::string word; words >> word;) {
-    if (word == "rapid" || word == "feed" || word == "thread") {
+    if (word == "rapid" || word == "feed" || word == "thread" || word == "probe") {
       if (motionKindName(m.motion.kind) != word) problems += name + ": not " + word + "\n";
       continue;
     }
@@ -350,8 +400,10 @@ ControlSettings settingsOf(const std::string& text) {
   std::istringstream in(text);
   Operator person;
   std::string main_name;
+  SolidProbe probe;
   for (std::string line; std::getline(in, line);) {
-    if (!line.empty() && !setHostLine(person, main_name, line)) setLine(settings, line);
+    if (line.empty() || setHostLine(person, main_name, line) || probe.setLine(line)) continue;
+    setLine(settings, line);
   }
   return settings;
 }
@@ -384,7 +436,12 @@ std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motio
   ControlHost host;
   std::string main_name = "main.nc";
   std::istringstream in(golden.settings_text);
-  for (std::string line; std::getline(in, line);) setHostLine(host.person, main_name, line);
+  SolidProbe probe;
+  for (std::string line; std::getline(in, line);) {
+    setHostLine(host.person, main_name, line);
+    probe.setLine(line);
+  }
+  if (probe.any()) host.probe = &probe;
   MemoryProgramSource source(main_name, golden.main_text);
   for (const auto& [name, text] : golden.subprograms) source.add(name, text);
   TextSink sink(motions);

@@ -4,7 +4,9 @@
 //   === settings     one a line: H1 = 10, D1 = 5, G54 = 1 2 3, start = 0 0 50, N1339 = 0.01, skip = 1,
 //                    axis = C 6 rotary rapid 3600 limit -360 360, ...; of the person at the machine:
 //                    answer107 = 2, plc_bit3 = 1, plc_number1 = 2.5, date, time, test_mode; main_name =
-//                    O0012.nc
+//                    O0012.nc;
+//                    material for measuring moves: probe = plane NX NY NZ D (where N.p >= D),
+//                    probe = box X0 Y0 Z0 X1 Y1 Z1
 //   === main         the main program (a file may start with it and leave the marker out)
 //   === sub NAME     a subprogram
 //   === channel N [KEY = VALUE;...]  the program of channel N, 2 to 8, and settings of its own; the main

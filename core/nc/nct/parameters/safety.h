@@ -1,0 +1,24 @@
+// Measuring moves and areas that the axes must not enter (manual chapters 21 and 22).
+#pragma once
+
+#include "core/nc/nct/nct_parameters.h"
+
+namespace proveout::nc {
+
+/// Order of the rows in safety.cpp.
+enum class SafetyParam : std::uint16_t {
+  kSkipFeedFixed,
+  kSkipFeed,
+  kLengthFeedFixed,
+  kLengthWear,
+  kLengthAdd,
+  kLengthFeed,
+  kRapidDistance,
+  kAlarmDistance,
+  kTorqueServoLimit,
+  kCount
+};
+constexpr ParamId paramId(SafetyParam p) { return {ParamChapter::kSafety, static_cast<std::uint16_t>(p)}; }
+std::span<const ParamInfo> safetyParams();
+
+}  // namespace proveout::nc
