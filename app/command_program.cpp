@@ -30,7 +30,8 @@ class DiagnosticsTap : public MotionSink {
     if (next_) next_->motion(motion, arc, axis);
   }
   void event(const PathEvent& event) override {
-    if (event.event == "overtravel") overtravels.events.push_back({kNoMotion, event});
+    if (event.event == "overtravel" || event.event == "forbidden_zone")
+      overtravels.events.push_back({kNoMotion, event});
     if (next_) next_->event(event);
   }
   void diagnostic(const Diagnostic& diagnostic) override {
@@ -38,7 +39,8 @@ class DiagnosticsTap : public MotionSink {
     if (next_) next_->diagnostic(diagnostic);
   }
   Diagnostics diagnostics;
-  Toolpath overtravels;  ///< events of that kind and the names of the files, no motions
+  Toolpath overtravels;  ///< events of axes beyond their limits or in forbidden areas, and the names of the
+                         ///< files, no motions
 
  private:
   MotionSink* next_;
@@ -60,7 +62,7 @@ Result<ControlSettings> settingsOf(const Job& job, std::size_t setup, Progress& 
 struct Interpretation {
   InterpretSummary summary;
   Diagnostics diagnostics;        ///< the control's
-  std::vector<Finding> findings;  ///< overtravel
+  std::vector<Finding> findings;  ///< overtravel, forbidden areas
 };
 
 Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_errors, MotionSink* sink,
@@ -78,6 +80,7 @@ Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_
   host.person = job.person;
   result.summary = interpretJob(job, *control, source, *settings, tap, progress, host);
   addOvertravel(tap.overtravels, source, result.findings);
+  addForbiddenZones(tap.overtravels, source, result.findings);
   result.diagnostics = std::move(tap.diagnostics);
   if (result.summary.end == ProgramEnd::kCancelled) return Error{ErrorKind::kInterrupted, "interrupted"};
   return result;

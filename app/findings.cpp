@@ -106,6 +106,26 @@ void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vect
   }
 }
 
+void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
+  for (const Toolpath::EventAt& at : path.events) {
+    if (at.event.event != "forbidden_zone") continue;
+    Finding finding;
+    finding.kind = "forbidden_zone";
+    finding.source = blockRef(path, at.event.source, texts);
+    // The motion up to the border follows, unless the tool stood there already.
+    const Motion* motion = at.before < path.motions.size() ? &path.motions[at.before] : nullptr;
+    if (motion != nullptr && motion->source.file == at.event.source.file &&
+        motion->source.line == at.event.source.line) {
+      finding.motion = at.before;
+      finding.tool = motion->tool;
+      finding.where = motion->to;
+    }
+    finding.message = fmt::format("{} (alarm {} of the control)", dataText(at.event, "message"),
+                                  dataText(at.event, "alarm"));
+    findings.push_back(std::move(finding));
+  }
+}
+
 void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, const RecordingSource& texts,
                  std::vector<Finding>& findings) {
   const auto turns = [](const Motion& motion) { return motion.spindle != 0.0; };

@@ -20,6 +20,9 @@ void addAlarms(const Toolpath& path, std::vector<Finding>& findings);
 /// Travel past the job's limits.
 void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings);
 
+/// Areas that the control forbids: where its alarm stopped a motion.
+void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings);
+
 /// Contacts with the stock. A spindle that the program never starts is the operator's: a warning, not an
 /// error.
 void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, const RecordingSource& texts,

@@ -143,7 +143,7 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
 }
 
 Interpreted interpretProgram(const Job& job, const RecordingSource& source, const ControlSettings& settings,
-                             Progress& progress) {
+                             Progress& progress, const ProbedStock* stock) {
   Interpreted result;
   GuardedBuilder builder(result.path, pathMemory(job), progress);
   const Result<ControlId> control = findControl(job.control);
@@ -161,7 +161,18 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
   ControlHost host;
   host.output = &output;
   host.person = job.person;
+  std::optional<StockProbe> probe;
+  // The motions of several channels come when their order is settled: later than a measuring move asks.
+  if (stock != nullptr && job.channels.empty()) host.probe = &probe.emplace(*stock, result.path, progress);
   result.summary = interpretJob(job, *control, source, settings, builder, progress, host);
+  if (probe) result.probe_failure = probe->failure();
+  if (probe && probe->used() && !job.fixtures.empty()) {
+    Diagnostic note;
+    note.severity = Severity::kNote;
+    note.code = "probe";
+    note.message = "measuring moves stop at the stock, not at the fixtures";
+    result.path.diagnostics.add(std::move(note));
+  }
   result.files = output.files();
   result.path.blocks = result.summary.blocks;
   result.outgrown_at = builder.outgrownAt();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/blank.h"
+#include "app/stock_probe.h"
 #include "core/nc/interpreter.h"
 #include "core/path/toolpath.h"
 #include "io/job.h"
@@ -72,6 +73,7 @@ struct Interpreted {
   Toolpath path;
   InterpretSummary summary;
   std::map<std::string, std::string> files;  ///< that the program wrote, by name
+  std::optional<Error> probe_failure;        ///< the stock could not answer a measuring move
   std::optional<SourceRef> outgrown_at;      ///< block at which the path outgrew its memory; cancelled there
 };
 
@@ -83,8 +85,9 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
                               const ControlSettings& settings, MotionSink& sink, Progress& progress,
                               const ControlHost& host);
 
+/// `stock`: what measuring moves meet; null, or with several channels: nothing.
 Interpreted interpretProgram(const Job& job, const RecordingSource& source, const ControlSettings& settings,
-                             Progress& progress);
+                             Progress& progress, const ProbedStock* stock = nullptr);
 
 /// False, with an error in the path's diagnostics, if a motion turns the tool or the workpiece: the engine
 /// cuts with a tool along +z in a workpiece that stands still.

@@ -122,21 +122,46 @@ void inSetup(RunResult& run, const SetupRun& setup, const Add& add) {
   for (std::size_t i = before; i < run.findings.size(); ++i) run.findings[i].setup = setup.name;
 }
 
+/// The stock that the program behind the clampings in `before` starts with, cut by their programs.
+ProbedStock probedStock(const Job& job, const SetupRun& setup, const Blank& blank,
+                        const std::vector<SetupRun>& before) {
+  ProbedStock probed;
+  probed.options = removalOptions(setup.job, blank.resolution_mm);
+  probed.tools = setup.job.tools;
+  if (before.empty()) probed.blank = &blank.shape;
+  probed.make = [&job, &setup, &blank, &before](Progress& progress) -> Result<Stock> {
+    const RemovalOptions options = removalOptions(job, blank.resolution_mm);
+    Result<Stock> stock = Stock::create(blank.shape, options, progress);
+    for (std::size_t k = 0; stock && k < before.size(); ++k) {
+      const Result<RemovalSummary> cut =
+          stock->remove(before[k].interpreted.path, before[k].job.tools, options, progress);
+      if (!cut) return cut.error();
+      const RigidTransform& move = k + 1 < before.size() ? before[k + 1].from_previous : setup.from_previous;
+      stock = stock->moved(move, options, progress);
+    }
+    return stock;
+  };
+  return probed;
+}
+
 /// Runs the programs of all clampings on their controls. Sets `alarm` where one is wrong.
-Status interpretAll(const Job& job, const RunSources& sources, const Box3& blank, RunResult& run,
+Status interpretAll(const Job& job, const RunSources& sources, const Blank& blank, RunResult& run,
                     Progress& progress) {
   for (std::size_t k = 0; k < sources.size(); ++k) {
-    SetupRun& setup = run.setups.emplace_back();
+    SetupRun setup;
     if (!job.setups.empty()) {
       setup.name = job.setups[k].name;
       setup.from_previous = job.setups[k].from_previous;
     }
     setup.job = jobOfSetup(job, k);
-    const ControlSettings settings = controlSettings(setup.job, movedBounds(job, blank, k));
-    setup.interpreted = interpretProgram(setup.job, *sources[k], settings, progress);
+    const ControlSettings settings = controlSettings(setup.job, movedBounds(job, blank.bounds, k));
+    const ProbedStock stock = probedStock(job, setup, blank, run.setups);
+    setup.interpreted = interpretProgram(setup.job, *sources[k], settings, progress, &stock);
     if (setup.interpreted.outgrown_at) return outgrown(setup.interpreted);
-    if (setup.interpreted.summary.end == ProgramEnd::kCancelled)
+    if (setup.interpreted.summary.end == ProgramEnd::kCancelled || progress.cancelled())
       return Error{ErrorKind::kInterrupted, "interrupted"};
+    const std::optional<Error>& failure = setup.interpreted.probe_failure;
+    if (failure && failure->kind != ErrorKind::kInput) return *failure;
     Toolpath& path = setup.interpreted.path;
     addOffsetTools(path, setup.job.tools);
     const bool good = setup.interpreted.summary.ok() && refuseRotaryMotion(path, *sources[k]) &&
@@ -145,7 +170,9 @@ Status interpretAll(const Job& job, const RunSources& sources, const Box3& blank
     inSetup(run, setup, [&](std::vector<Finding>& findings) {
       addAlarms(path, findings);
       addOvertravel(path, *sources[k], findings);
+      addForbiddenZones(path, *sources[k], findings);
     });
+    run.setups.push_back(std::move(setup));
   }
   return Done{};
 }
@@ -294,7 +321,8 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
   }
   run.resolution_mm = prepared.blank.resolution_mm;
   Stopwatch watch;
-  if (const Status done = interpretAll(job, sources, bounds, run, progress); !done) return done.error();
+  if (const Status done = interpretAll(job, sources, prepared.blank, run, progress); !done)
+    return done.error();
   run.performance.interpret_s = watch.lap();
   if (prepared.nominal)
     noteRepairs(*prepared.nominal, "nominal", run.setups.back().interpreted.path.diagnostics);

@@ -269,6 +269,10 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
     report.checks.fixtures |= !run.alarm && !setup.job.fixtures.empty();
   report.checks.comparison = run.comparison.has_value();
   for (const auto& limit : job.settings.limits) report.checks.travel_limits |= limit.has_value();
+  for (const char* stroke : {"N1002", "N1003", "N1004", "N1005"}) {  // of the nct control
+    const auto given = job.settings.parameters.lower_bound(stroke);
+    report.checks.travel_limits |= given != job.settings.parameters.end() && given->first.starts_with(stroke);
+  }
   if (!run.alarm) {
     report.stock = reportStock(run);
     report.accounting = accountFor(cutPaths(run));

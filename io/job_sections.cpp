@@ -113,6 +113,11 @@ void readLimits(ConfigTable& machine, Job& job) {
   limits->refuseOthers();
 }
 
+/// Ends of axes where the control's range B is in force: ["Z+"].
+void readRangeB(ConfigTable& machine, Job& job) {
+  if (const auto sides = machine.texts("range_b")) job.settings.stroke_range_b = *sides;
+}
+
 void readRapid(ConfigTable& machine, Job& job) {
   const ConfigValue* rapid = machine.find("rapid");
   if (rapid == nullptr) return;
@@ -213,6 +218,7 @@ void readMachineKeys(ConfigTable& machine, Job& job) {
     job.settings.default_spindle_rpm = *rpm;
   }
   readLimits(machine, job);
+  readRangeB(machine, job);
   std::vector<ConfigTable> axes = machine.tables("axis");
   if (!axes.empty()) job.settings.axes.clear();  // the job's axes stand for those of the machine's file
   for (ConfigTable& axis : axes) readAxis(axis, job);

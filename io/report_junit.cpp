@@ -25,7 +25,7 @@ std::vector<Check> checksOf(const Report& report) {
   const ReportChecks& made = report.checks;
   constexpr std::string_view kNoRemoval = "no stock was cut";
   constexpr std::string_view kNoNominal = "no nominal was compared";
-  return {{"program", {"alarm"}, made.interpreted, "the program was not run"},
+  return {{"program", {"alarm", "forbidden_zone"}, made.interpreted, "the program was not run"},
           {"overtravel", {"overtravel"}, made.travel_limits, "the job gives no travel limits"},
           {"rapid contact", {"rapid_contact"}, made.removal, kNoRemoval},
           {"shank contact", {"shank_contact"}, made.removal, kNoRemoval},

@@ -7,6 +7,8 @@ proveout_add_library(removal
   remove.cpp
   pass.cpp
   column_sweep.cpp
+  contact_query.cpp
+  convex_cast.cpp
   column_baseline.cpp
   column_avx2.cpp
   column_avx512.cpp

@@ -189,6 +189,8 @@ Status Remover::preparePasses() {
           "{}:{}: tool {} is not described; give it in the job ([[tool]]) or with --tool {}=SHAPE:...", file,
           m.source.line, m.tool, m.tool));
     }
+    // A measuring move ends where it touches and takes nothing; a fixture it must not run into.
+    if (m.kind == MotionKind::kProbe && !watch_all_) continue;
     const bool watched = watch_all_ || m.kind == MotionKind::kRapid || m.spindle == 0.0;
     for (const ToolParts::Part& part : found->second.parts) {
       std::int32_t curve = -1;

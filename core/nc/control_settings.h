@@ -93,6 +93,8 @@ struct ControlSettings {
   Vec3 acceleration_mm_s2 = Vec3::Zero();       ///< of X, Y, Z; 0: the axis reaches its speed at once
   double bell_time_s = 0.0;  ///< in which the acceleration along the path comes up; 0: at once
   std::array<std::optional<AxisLimit>, 3> limits;  ///< X, Y, Z, machine frame, mm
+  /// Ends of the axes, "Z+", at which the machine's PLC has chosen range B of the control's stroke limits.
+  std::vector<std::string> stroke_range_b;
   std::vector<AxisSettings> axes;                  ///< besides X, Y, Z
   std::vector<SpindleSettings> spindles;           ///< none: one without limits, called by S
   Vec3 start = Vec3(0, 0, 100);                    ///< where the tool is at power-on, workpiece frame, mm

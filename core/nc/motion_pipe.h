@@ -7,6 +7,7 @@
 //   comp        work     cutter compensation
 //   virtual     work     planes with a virtual axis: to the axes of the machine
 //   frame       work     takes items to machine space (basic rotation, offsets)
+//   zones       machine  areas that the axes must not enter
 //   emit        machine  PathEmitter: motions and events of the path; look-ahead of speeds is behind it
 //
 // Items go through in program order, functions among the motions. A slot whose stage is not linked costs
@@ -106,7 +107,7 @@ struct PathItem : PathMotion {
   }
 };
 
-enum class StageSlot : std::uint8_t { kContour, kTransform, kCorner, kComp, kVirtual, kFrame, kTime, kEmit };
+enum class StageSlot : std::uint8_t { kContour, kTransform, kCorner, kComp, kVirtual, kFrame, kZones, kEmit };
 inline constexpr std::size_t kStageSlots = 8;
 
 /// Why stages have to let go what they hold.

@@ -71,6 +71,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_words.cpp
   nc/nct/offset_tables.cpp
   nc/nct/virtual_stage.cpp
+  nc/nct/nct_zones.cpp
   nc/nct/parameters/axis.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp

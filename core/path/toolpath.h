@@ -84,7 +84,8 @@ struct Motion {
 /// Something that happens between motions.
 struct PathEvent {
   std::string event;  ///< "tool", "spindle", "coolant", "stop", "optional_stop", "dwell", "end", "message",
-                      ///< "overtravel", "wait", "probe" (end of a measuring move: "contact" true or false)
+                      ///< "overtravel", "forbidden_zone", "wait", "probe" (end of a measuring move: "contact" true or
+                      ///< false)
   /// Key and JSON value text (already valid JSON: `12`, `"M8"`, `true`).
   std::vector<std::pair<std::string, std::string>> data;
   double time_s = 0.0;  ///< time that it takes (dwell, tool change, waiting)

@@ -32,6 +32,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       comp_stage(*this),
       virtual_stage(*this),
       frame_stage(chain),
+      zone_stage(*this),
       emit_stage(emitter, control_settings.tool_change_s) {
   pipe.link(transform_stage);
   pipe.link(frame_stage);

@@ -34,6 +34,7 @@
 #include "core/nc/nct/system_calls.h"
 #include "core/nc/nct/tool_tables.h"
 #include "core/nc/nct/transform_stage.h"
+#include "core/nc/nct/nct_zones.h"
 #include "core/nc/nct/virtual_stage.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/services/drilling.h"
@@ -58,6 +59,7 @@ struct NctRegisters {
   Spindles spindles;
   double tool_time_s = 0.0;  ///< cutting time up to which the life of the tool in the spindle is counted
   SkipPosition skip;
+  std::optional<Zone> program_zone;  ///< of G22
   double parts_made = 0.0;    ///< #3901
   double parts_wanted = 0.0;  ///< #3902
 };
@@ -142,6 +144,7 @@ struct NctContext {
   CompStage comp_stage;
   VirtualStage virtual_stage;
   FrameStage frame_stage;
+  ZoneStage zone_stage;
   EmitStage emit_stage;
   std::vector<DrillStep> drill_steps;
   std::unique_ptr<VariableBank> tool_bank;  ///< #8400 to #8450

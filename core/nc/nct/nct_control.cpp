@@ -73,9 +73,10 @@ bool NctControl::start() {
   if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty())
     return c.fail("nct-settings", bad);
   if (!checkAuxiliary(c) || !checkWaitCodes(c)) return false;
+  if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("nct-settings", bad);
   c.reset();
   configureFeeds(c);
-  return loadMain();
+  return c.zone_stage.configure() && loadMain();
 }
 
 bool NctControl::loadMain() {

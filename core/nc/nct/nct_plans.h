@@ -29,6 +29,10 @@ bool planSetPosition(NctContext& c, BlockPlan& plan);
 /// G10 L2, L20.
 bool planWorkOffset(NctContext& c, BlockPlan& plan);
 
+// nct_zones.cpp
+bool planZoneOn(NctContext& c, BlockPlan& plan);
+bool planZoneOff(NctContext& c, BlockPlan& plan);
+
 // nct_measuring.cpp
 /// G31, with P98 too.
 bool planSkip(NctContext& c, BlockPlan& plan);

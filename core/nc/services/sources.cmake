@@ -10,7 +10,8 @@ target_sources(proveout_core PRIVATE
   nc/services/pocket.cpp
   nc/services/plane_curves.cpp
   nc/services/speed_plan.cpp
-  nc/services/virtual_plane.cpp)
+  nc/services/virtual_plane.cpp
+  nc/services/zone_check.cpp)
 # These use a detail namespace as a whole, which must not leak into their neighbours of a unity batch.
 set_source_files_properties(
   nc/services/cutter_comp.cpp nc/services/cutter_comp_check.cpp

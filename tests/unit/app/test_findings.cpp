@@ -157,6 +157,23 @@ TEST_F(Fixture, OvertravelAndAlarms) {
   EXPECT_EQ(findings[1].motion, 1u);
 }
 
+TEST_F(Fixture, AForbiddenZoneNamesItsBlockAndPlace) {
+  PathEvent event;
+  event.event = "forbidden_zone";
+  event.data = {{"zone", "2"}, {"alarm", "3042"}, {"message", "\"inner forbidden zone 2\""}};
+  event.source = {0, 2, 20, 0};
+  path.events.push_back({1, event});
+  event.source = {0, 1, 10, 0};
+  path.events.push_back({2, event});
+  addForbiddenZones(path, source, findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].source->block, 20);
+  EXPECT_EQ(findings[0].motion, 1u);
+  EXPECT_EQ(findings[0].message, "inner forbidden zone 2 (alarm 3042 of the control)");
+  EXPECT_EQ(findings[1].source->block, 10);
+  EXPECT_FALSE(findings[1].motion.has_value());
+}
+
 void addBox(TriMesh& mesh, const Vec3& lo, const Vec3& hi, bool inward) {
   const auto base = static_cast<std::uint32_t>(mesh.positions.size());
   for (int i = 0; i < 8; ++i) {

@@ -186,6 +186,9 @@ void setLine(ControlSettings& s, const std::string& line) {
   } else if (key.starts_with("limit_")) {
     const double low = value();
     s.limits.at(static_cast<std::size_t>(key[6] - 'X')) = AxisLimit{low, value()};
+  } else if (key == "range_b") {
+    s.stroke_range_b.emplace_back();
+    in >> s.stroke_range_b.back();
   } else if (key == "block_limit") {
     s.block_limit = static_cast<std::uint64_t>(value());
   } else if (key == "max_errors") {

@@ -7,6 +7,7 @@ namespace {
 
 using namespace param_rows;
 
+// The manual names N1006 and N1007; the ends of the stroke and zone 3 have the numbers around these.
 // The manual prints no values for the distances of G37: those here suit setting gauges of usual size.
 constexpr std::array<ParamInfo, static_cast<std::size_t>(SafetyParam::kCount)> kRows{{
     bit("N3001.SKF", 3001, 0, kChannel, 0, "G31 goes with the feed N0311; 0: with F"),
@@ -20,6 +21,20 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(SafetyParam::kCount)> k
     number("N3005", 3005, kChannel, 5, 0, 1e6,
            "largest difference that G37 may measure, mm; above 0, otherwise alarm 2104"),
     noted(number("N3019", 3019, kChannel, 0, 0, 1e9, "lag of the servos allowed during G31 P98")),
+    bit("N1000.RE2", 1000, 1, kAxis, 0, "the axis takes part in zone 2"),
+    bit("N1000.RE3", 1000, 2, kAxis, 0, "the axis takes part in zone 3"),
+    bit("N1001.EXT", 1001, 0, kChannel, 0, "zone 2 forbids its outside; 0: its inside"),
+    bit("N1001.STE", 1001, 1, kChannel, 0, "zone 2 of the parameters is on"),
+    bit("N1001.CBM", 1001, 2, kChannel, 0, "areas are looked at before a motion starts"),
+    number("N1002", 1002, kAxis, 0, -1e6, 1e6,
+           "positive end of the stroke, range A, machine coordinates; limits once it is given"),
+    number("N1003", 1003, kAxis, 0, -1e6, 1e6, "negative end of the stroke, range A"),
+    number("N1004", 1004, kAxis, 0, -1e6, 1e6, "positive end of the stroke, range B"),
+    number("N1005", 1005, kAxis, 0, -1e6, 1e6, "negative end of the stroke, range B"),
+    number("N1006", 1006, kAxis, 0, -1e6, 1e6, "zone 2, positive side, machine coordinates; above N1007"),
+    number("N1007", 1007, kAxis, 0, -1e6, 1e6, "zone 2, negative side"),
+    number("N1008", 1008, kAxis, 0, -1e6, 1e6, "zone 3, positive side, machine coordinates; above N1009"),
+    number("N1009", 1009, kAxis, 0, -1e6, 1e6, "zone 3, negative side"),
 }};
 
 }  // namespace

@@ -16,6 +16,19 @@ enum class SafetyParam : std::uint16_t {
   kRapidDistance,
   kAlarmDistance,
   kTorqueServoLimit,
+  kZone2Axis,
+  kZone3Axis,
+  kZone2Outside,
+  kZone2On,
+  kCheckBefore,
+  kStrokeAHigh,
+  kStrokeALow,
+  kStrokeBHigh,
+  kStrokeBLow,
+  kZone2High,
+  kZone2Low,
+  kZone3High,
+  kZone3Low,
   kCount
 };
 constexpr ParamId paramId(SafetyParam p) { return {ParamChapter::kSafety, static_cast<std::uint16_t>(p)}; }

@@ -7,7 +7,8 @@ G62 G1 X20
 G63 G1 X30
 G64 G1 X40
 G9 G1 X50
-G40 G49 G80 G69 G50 G67 G15 G97 G13.1 G23 G50.1 G69.1
+G40 G49 G80 G69 G50 G67 G15 G97 G13.1 G50.1 G69.1
+G23
 M30
 === truth
 10 0 0
@@ -22,5 +23,5 @@ file 0 main.nc
 4: feed to 30 0 0 F100 t6
 5: feed to 40 0 0 F100 t6
 6: feed to 50 0 0 F100 t6
-8: event end code="M30"
-end of program: 8 blocks, 5 motions, 0 errors, 0 warnings
+9: event end code="M30"
+end of program: 9 blocks, 5 motions, 0 errors, 0 warnings

@@ -1,0 +1,58 @@
+// Areas that the axes must not enter: stroke limits, zone 2 (G22, G23, parameters), zone 3 (manual chapter
+// 22).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/nc/motion_pipe.h"
+#include "core/nc/services/zone_check.h"
+
+namespace proveout::nc {
+
+struct NctContext;
+
+/// Watches machine coordinates; linked while there is an area. A motion into one goes up to its border, the
+/// alarm follows. On a machine only a person could move the axes out: an area that gave its alarm is not
+/// watched any more.
+class ZoneStage final : public PathStage {
+ public:
+  explicit ZoneStage(NctContext& c) : PathStage(StageSlot::kZones), c_(c) {}
+  bool push(PathItem& item) override;
+
+  /// Takes over parameters and the limits of G22. False: they contradict themselves, reported.
+  bool configure();
+
+ private:
+  enum class Area { kStroke, kSecond, kThird };
+  struct Watched {
+    Area area;
+    Zone zone;
+    bool only_before =
+        false;  ///< looked at before the motion only (limits of the job, which are told elsewhere)
+  };
+  struct Found {
+    std::size_t watched = 0;
+    ZoneHit hit;
+    int alarm = 0;
+  };
+
+  bool addStroke();
+  bool addSecond();
+  bool addThird();
+  std::optional<Found> before(const ZonePath& path) const;
+  std::optional<Found> during(const ZonePath& path) const;
+  bool pushPolar(PathItem& item);
+  bool stop(PathItem& item, const Found& found, const ZonePath& path, bool moves);
+  std::string axisName(const ZoneHit& hit) const;
+
+  NctContext& c_;
+  std::vector<Watched> watched_;
+  bool check_before_ = false;  ///< N1001.CBM
+};
+
+/// Why the choice of stroke ranges cannot be: no such axis, no sign. Empty: it can.
+std::string checkRangeB(const ControlSettings& settings, const AxisTable& axes);
+
+}  // namespace proveout::nc

@@ -1,0 +1,51 @@
+// Where a tool on its way first touches the stock: for measuring moves.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/path/toolpath.h"
+#include "core/tool/tool_solid.h"
+#include "removal/blank_field.h"
+#include "removal/stock.h"
+#include "removal/sweep.h"
+
+namespace proveout {
+
+/// Answers from the surface of a stock. Its mesh says where to look; there it is divided, and its points are
+/// put onto the swept volumes and the blank that made it, until chords are within kContactFlatMm. Exact to
+/// about a thousandth of a millimetre's tenth where the surface is known: made by the path, or the round of a
+/// blank. Surfaces that an earlier clamping made, and blanks from meshes, are touched where the mesh is (h^2
+/// / (8 r) off on walls of radius r).
+class ContactQuery {
+ public:
+  /// How far the divided mesh may be from the surface, mm.
+  static constexpr double kContactFlatMm = 2e-5;
+  /// Tolerance of the mesh that queries should be made from, mm (SurfaceOptions::simplify_mm).
+  static constexpr double kMeshMm = 1e-4;
+
+  /// `surface`: of a stock with spacing `resolution_mm` that was cut by `path`; motions of its triangles are
+  /// those of the path. `blank`: what the stock was before that, null where it is not known. `path` must
+  /// outlive the query.
+  ContactQuery(StockSurface surface, const Toolpath& path, const std::vector<Tool>& tools,
+               const StockShape* blank, double resolution_mm);
+
+  /// The parameter in 0..1 at which the tool, going straight from `from` to `to` (tip, workpiece frame, mm),
+  /// first touches the surface with any of its parts; nothing: it does not. 0: it touches already. Requires
+  /// validateTool(tool).
+  std::optional<double> firstContact(const Tool& tool, const Vec3& from, const Vec3& to) const;
+
+ private:
+  friend class ContactSearch;
+
+  StockSurface surface_;
+  const Toolpath& path_;
+  std::map<int, ToolSolid> solids_;  ///< by number of the tool
+  std::unique_ptr<BlankField> blank_;
+  double h_;
+};
+
+}  // namespace proveout
