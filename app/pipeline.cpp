@@ -96,8 +96,14 @@ Result<PreparedMesh> loadNominal(const NominalSpec& nominal) {
 }
 
 double surfaceUncertainty(const Toolpath& path, const std::vector<Tool>& tools, double resolution_mm) {
-  std::set<int> used;
-  for (const Motion& motion : path.motions) used.insert(motion.tool);
+  std::set<int> used, measuring;
+  for (const Motion& motion : path.motions) {
+    if (motion.kind == MotionKind::kProbe) measuring.insert(motion.tool);
+  }
+  for (const Motion& motion : path.motions) {
+    const bool moves_only = motion.kind == MotionKind::kProbe || motion.kind == MotionKind::kRapid;
+    if (!moves_only || !measuring.contains(motion.tool)) used.insert(motion.tool);
+  }
   double radius = std::numeric_limits<double>::infinity();
   for (const Tool& tool : tools) {
     if (used.contains(tool.number)) radius = std::min(radius, smallestRadius(tool));

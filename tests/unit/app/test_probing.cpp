@@ -1,9 +1,11 @@
 // Measuring moves of programs against the stock that they have cut.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/pipeline.h"
+#include "app/run_report.h"
 
 namespace proveout {
 namespace {
@@ -138,6 +140,19 @@ TEST(Probing, TheSecondClampingMeasuresWhatTheFirstLeft) {
   EXPECT_NEAR(ends[3].y(), 14.0 + 3.0, kTwoMicrons);
 }
 
+TEST(Probing, WhatOnlyMeasuresMakesNoSurfaceUncertain) {
+  Toolpath path;
+  path.motions.resize(3);
+  path.motions[0].tool = 1;
+  path.motions[0].kind = MotionKind::kFeed;
+  path.motions[1].tool = path.motions[2].tool = 2;
+  path.motions[2].kind = MotionKind::kProbe;
+  const Job job = probingJob();
+  EXPECT_DOUBLE_EQ(surfaceUncertainty(path, job.tools, 0.4), 0.16 / 32);
+  path.motions[1].kind = MotionKind::kFeed;
+  EXPECT_DOUBLE_EQ(surfaceUncertainty(path, job.tools, 0.4), 0.16 / 24);
+}
+
 TEST(Probing, AToolThatIsNotDefinedIsAnAlarm) {
   Job job = probingJob();
   job.tools.pop_back();
@@ -163,7 +178,9 @@ TEST(Zones, AForbiddenAreaIsAFindingWithItsBlockInTheReport) {
   };
   EXPECT_EQ(kinds("alarm"), 1);
   ASSERT_EQ(kinds("forbidden_zone"), 1);
-  const std::string json = reportJson(makeReport(job, *result, {&source}));
+  const Result<Report> report = makeReport(job, *result, {&source});
+  ASSERT_TRUE(report.ok());
+  const std::string json = reportJson(*report);
   const auto at = json.find("forbidden_zone");
   ASSERT_NE(at, std::string::npos);
   EXPECT_NE(json.find("\"block\": 40", at), std::string::npos) << json.substr(at, 600);

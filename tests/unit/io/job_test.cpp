@@ -30,6 +30,7 @@ rapid = 12000
 start = [0, 0, 50]
 reference_points = [[0, 0, 100], [10, 0, 100.5]]
 tool_change_s = 3.5
+range_b = ["Z+", "X-"]
 default_spindle = 800
 acceleration = [500, 600, 700]
 acceleration_rise_s = 0.05
@@ -112,6 +113,7 @@ size = [800, 600]
   EXPECT_EQ(s.reference_points[1], Vec3(10, 0, 100.5));
   EXPECT_FALSE(s.reference_points[2].has_value());
   EXPECT_EQ(s.tool_change_s, 3.5);
+  EXPECT_EQ(s.stroke_range_b, (std::vector<std::string>{"Z+", "X-"}));
   EXPECT_EQ(s.default_spindle_rpm, 800);
   EXPECT_EQ(s.acceleration_mm_s2, Vec3(500, 600, 700));
   EXPECT_EQ(s.bell_time_s, 0.05);
