@@ -16,14 +16,14 @@
 namespace proveout {
 
 /// Answers from the surface of a stock. Its mesh says where to look; there it is divided, and its points are
-/// put onto the swept volumes and the blank that made it, until chords are within kContactFlatMm. Exact to
-/// about a thousandth of a millimetre's tenth where the surface is known: made by the path, or the round of a
-/// blank. Surfaces that an earlier clamping made, and blanks from meshes, are touched where the mesh is (h^2
-/// / (8 r) off on walls of radius r).
+/// put onto the swept volumes and the blank that made it, until chords are within kContactFlatMm. So far the
+/// contact is exact where the surface is known: made by the path, flat, or the round of a blank. Curved
+/// surfaces that an earlier clamping made, and of blanks from meshes, are touched where the mesh is: h^2 / (8
+/// r) off on walls of radius r.
 class ContactQuery {
  public:
   /// How far the divided mesh may be from the surface, mm.
-  static constexpr double kContactFlatMm = 2e-5;
+  static constexpr double kContactFlatMm = 1e-4;
   /// Tolerance of the mesh that queries should be made from, mm (SurfaceOptions::simplify_mm).
   static constexpr double kMeshMm = 1e-4;
 
@@ -41,7 +41,12 @@ class ContactQuery {
  private:
   friend class ContactSearch;
 
+  /// The triangle on the other side of edge k (from corner k to the next).
+  std::optional<std::size_t> across(std::size_t triangle, std::size_t k) const;
+
   StockSurface surface_;
+  /// Edges of the mesh by their vertices, and a triangle at each; sorted.
+  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> edges_;
   const Toolpath& path_;
   std::map<int, ToolSolid> solids_;  ///< by number of the tool
   std::unique_ptr<BlankField> blank_;

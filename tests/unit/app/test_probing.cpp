@@ -77,7 +77,7 @@ TEST(Probing, APocketIsCutWhereTheMeasuredOneIsAndResultsArePrinted) {
       probingJob(),
       std::string(kPocket) +
           "F100\nG0 X20 Y15\nZ-4\nG31 X50\n#100=#5061\nG0 X20\nG31 X-20\n#101=#5061\nG0 X20\nG31 Y50\n"
-          "#102=#5062\nG0 Y15\nG31 Y-20\n#103=#5062\nG0 Y15\nZ50\nPOPEN\nDPRNT[W#100[23]*H#103[23]]\nPCLOS\n"
+          "#102=#5062\nG0 Y15\nG31 Y-20\n#103=#5062\nG0 Y15\nZ50\nFOPEN2 <measured.txt>\nDPRNT[X#100[33]Y#103[33]]\nFCLOS\n"
           "T1 M6\nS1000 M3\nG0 X[[#100+#101]/2] Y[[#102+#103]/2]\nG1 Z-8 F300\nG0 Z50\n"
           "M5\nT2 M6\nG31 Z-20 F100\nG0 Z50\n");
   ASSERT_TRUE(result.ok()) << result.error().message;
@@ -166,7 +166,7 @@ TEST(Probing, AToolThatIsNotDefinedIsAnAlarm) {
 TEST(Zones, AForbiddenAreaIsAFindingWithItsBlockInTheReport) {
   Job job = probingJob();
   const MemoryProgramSource memory(
-      "part.nc", "G21 G90 G94 T1 M6\nG22 X100 Y100 Z50 I-100 J-100 K-50 P1\nG0 X50\nN40 G0 X150\nM30\n");
+      "part.nc", "G21 G90 G94 T1 M6\nG22 X100 Y100 Z500 I-100 J-100 K-500 P1\nG0 X50\nN40 G0 X150\nM30\n");
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
   const Result<RunResult> result = runPipeline(job, {&source}, progress);
@@ -183,7 +183,7 @@ TEST(Zones, AForbiddenAreaIsAFindingWithItsBlockInTheReport) {
   const std::string json = reportJson(*report);
   const auto at = json.find("forbidden_zone");
   ASSERT_NE(at, std::string::npos);
-  EXPECT_NE(json.find("\"block\": 40", at), std::string::npos) << json.substr(at, 600);
+  EXPECT_NE(json.find("\"block\": \"N40\"", at), std::string::npos) << json.substr(at, 600);
 }
 
 }  // namespace
