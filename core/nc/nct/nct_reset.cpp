@@ -108,6 +108,10 @@ void resetAtEnd(NctContext& c) {
   s.automatic = AutomaticBits();
   c.interrupt = InterruptMacro();
   c.registers.frames.shift52 = c.registers.frames.shift92 = AxisPoint();
+  if (s.active[kGroupZones] == 230 && c.registers.program_zone) {
+    c.registers.program_zone.reset();
+    c.zone_stage.configure();
+  }
   if (c.virtual_stage.linked()) c.virtual_stage.end();
   c.pipe.clear();
   c.map = programMap(s.transforms, c.axes);
