@@ -207,8 +207,13 @@ bool ZoneStage::stop(PathItem& item, const Found& found, const ZonePath& path, b
     part.sweep *= found.hit.t;
     pass(part);
   }
-  c_.alarms.send(
-      c_.alarms.diagnosticAt(Severity::kError, fmt::format("nct-{}", found.alarm), message, item.source, {}));
+  const SourceRef here = c_.here();
+  if (here.file == item.source.file && here.line == item.source.line && here.depth == item.source.depth) {
+    c_.fail(fmt::format("nct-{}", found.alarm), message);
+  } else {
+    c_.alarms.sendLate(Severity::kError, fmt::format("nct-{}", found.alarm), message, item.source,
+                       item.record);
+  }
   watched_.erase(watched_.begin() + static_cast<std::ptrdiff_t>(found.watched));
   if (watched_.empty()) c_.pipe.unlink(*this);
   recover(c_);
