@@ -142,15 +142,32 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
   return interpretChannels(control, programs, sink, &progress, host);
 }
 
+namespace {
+
+/// Why material cannot be removed with the control's path; empty: it can.
+std::string refusalOf(ControlId id) {
+  for (const ControlInfo& control : controls()) {
+    if (control.id != id || !control.turns) continue;
+    return fmt::format(
+        "{}: this version does not remove material by turning; `proveout check` and `proveout path` run the "
+        "program",
+        control.name);
+  }
+  return {};
+}
+
+}  // namespace
+
 Interpreted interpretProgram(const Job& job, const RecordingSource& source, const ControlSettings& settings,
                              Progress& progress, const ProbedStock* stock) {
   Interpreted result;
   GuardedBuilder builder(result.path, pathMemory(job), progress);
   const Result<ControlId> control = findControl(job.control);
-  if (!control) {
+  const std::string refusal = !control ? control.error().message : refusalOf(*control);
+  if (!refusal.empty()) {
     Diagnostic diagnostic;
     diagnostic.code = "control";
-    diagnostic.message = control.error().message;
+    diagnostic.message = refusal;
     result.path.diagnostics.add(diagnostic);
     result.summary.end = ProgramEnd::kAlarm;
     result.summary.errors = 1;

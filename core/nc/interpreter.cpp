@@ -6,6 +6,8 @@
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_control.h"
 #include "core/nc/nct/nct_parameters.h"
+#include "core/nc/wl4/wl4_codes.h"
+#include "core/nc/wl4/wl4_control.h"
 
 namespace proveout {
 namespace {
@@ -47,13 +49,15 @@ std::vector<CoverageRow> nctCoverage() {
   return rows;
 }
 
+bool isWl4(ControlId control) { return control == ControlId::kWl4Mill || control == ControlId::kWl4Lathe; }
+
 }  // namespace
 
 const std::vector<ControlInfo>& controls() {
   static const std::vector<ControlInfo> kControls{
       {ControlId::kNct, "nct", "NCT 2xx/3xx, milling channel", true},
-      {ControlId::kWl4Mill, "wl4-mill", "WL4, milling", false},
-      {ControlId::kWl4Lathe, "wl4-lathe", "WL4, turning", false},
+      {ControlId::kWl4Mill, "wl4-mill", "WL4, milling", true},
+      {ControlId::kWl4Lathe, "wl4-lathe", "WL4, turning", true, true},
       {ControlId::kFlexNc, "flexnc", "FlexNC, milling", false},
       {ControlId::kWedm, "wedm", "wire EDM", false},
       {ControlId::kRs274Ngc, "rs274ngc", "RS274/NGC, milling", false},
@@ -88,6 +92,9 @@ InterpretSummary notBuilt(MotionSink& sink) {
 
 InterpretSummary interpret(ControlId control, const ProgramSource& source, const ControlSettings& settings,
                            MotionSink& sink, Progress* progress, const ControlHost& host) {
+  if (isWl4(control)) {
+    return nc::Wl4Control(control == ControlId::kWl4Lathe, source, settings, sink, progress, host).run();
+  }
   if (control != ControlId::kNct) return notBuilt(sink);
   return nc::NctControl(source, settings, sink, progress, host).run();
 }
@@ -100,10 +107,12 @@ InterpretSummary interpretChannels(ControlId control, const std::vector<ChannelP
 
 Result<std::vector<CoverageRow>> coverageTable(ControlId control) {
   if (control == ControlId::kNct) return nctCoverage();
+  if (isWl4(control)) return nc::wl4Coverage();
   return inputError("this control is known but this version cannot run it yet");
 }
 
 std::vector<ParameterInfo> parameterTable(ControlId control) {
+  if (isWl4(control)) return nc::wl4ParameterTable(control == ControlId::kWl4Lathe);
   if (control != ControlId::kNct) return {};
   return nc::nctParameterTable();
 }

@@ -17,6 +17,21 @@ target_sources(proveout_core PRIVATE
   nc/rotary_kinematics.cpp
   nc/source_text.cpp
   nc/time_stage.cpp
+  nc/wl4/wl4_block.cpp
+  nc/wl4/wl4_codes.cpp
+  nc/wl4/wl4_comp_stage.cpp
+  nc/wl4/wl4_contour.cpp
+  nc/wl4/wl4_control.cpp
+  nc/wl4/wl4_coverage.cpp
+  nc/wl4/wl4_cycles.cpp
+  nc/wl4/wl4_expression.cpp
+  nc/wl4/wl4_functions.cpp
+  nc/wl4/wl4_motion.cpp
+  nc/wl4/wl4_own_programs.cpp
+  nc/wl4/wl4_plan.cpp
+  nc/wl4/wl4_programs.cpp
+  nc/wl4/wl4_report.cpp
+  nc/wl4/wl4_variables.cpp
   nc/macro/expression.cpp
   nc/macro/functions.cpp
   nc/macro/loop_index.cpp

@@ -49,6 +49,7 @@ struct CutterCompPolicy {
   CompRamp start_ramp = CompRamp::kB;
   CompRamp cancel_ramp = CompRamp::kB;
   CompOuterCorner outer_corner = CompOuterCorner::kLines;
+  double arc_threshold = 0.0;  ///< mm; corners whose arc would have a shorter chord, or this one, get none
   bool interference_check = true;
   bool interference_alarm = false;  ///< true: always alarm; false: leave out blocks where that mends it
   int extra_look_ahead = 0;         ///< 0..8 further elements seen by the interference check

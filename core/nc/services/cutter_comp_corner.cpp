@@ -68,11 +68,12 @@ struct Turn {
 };
 
 /// The points of an outer corner: with the normal points where an arc needs them.
-Corner outerCorner(const Turn& turn, bool normal_first, bool normal_last, CompOuterCorner style) {
+Corner outerCorner(const Turn& turn, bool normal_first, bool normal_last, const CutterCompPolicy& policy) {
   Corner corner;
-  if (style == CompOuterCorner::kArc) {
+  if (policy.outer_corner == CompOuterCorner::kArc) {
     corner.points = {turn.before(), turn.behind()};
-    corner.arc_join = true;
+    corner.arc_join = (turn.behind() - turn.before()).norm() > policy.arc_threshold;
+    if (!corner.arc_join && !normal_last) corner.points.pop_back();
     return corner;
   }
   if (normal_first) corner.points.push_back(turn.before());
@@ -108,7 +109,7 @@ Corner insideCorner(const Element& a, const Element& b, const CutterCompPolicy& 
       break;
     case CornerClass::kObtuse:
     case CornerClass::kAcute:
-      return outerCorner(turn, a.kind == ElementKind::kArc, b.kind == ElementKind::kArc, policy.outer_corner);
+      return outerCorner(turn, a.kind == ElementKind::kArc, b.kind == ElementKind::kArc, policy);
   }
   if (const auto x = meetNearest(offsetAtEnd(a, turn.rho), offsetAtStart(b, turn.rho), turn.p, turn.t1)) {
     return single(*x);
@@ -143,7 +144,7 @@ Corner startCorner(const Element& a, const Element& b, const CutterCompPolicy& p
       policy.start_ramp == CompRamp::kA) {
     return single(turn.behind());
   }
-  return outerCorner(turn, false, b.kind == ElementKind::kArc, policy.outer_corner);
+  return outerCorner(turn, false, b.kind == ElementKind::kArc, policy);
 }
 
 /// 3.7: from the last compensated element to the line that cancels.
@@ -160,7 +161,7 @@ Corner cancelCorner(const Element& a, const Element& b, const CutterCompPolicy& 
     const Turn turn(p, t1, startTangent(b), a.rho_end);
     const CornerClass kind = turn.classify();
     if (turn.rho != 0.0 && (kind == CornerClass::kObtuse || kind == CornerClass::kAcute)) {
-      corner = outerCorner(turn, a.kind == ElementKind::kArc, false, policy.outer_corner);
+      corner = outerCorner(turn, a.kind == ElementKind::kArc, false, policy);
     }
   }
   if (in_place) corner.points.push_back(p);

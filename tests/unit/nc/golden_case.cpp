@@ -167,6 +167,8 @@ void setLine(ControlSettings& s, const std::string& line) {
     s.parameters[key] = value();
   } else if (key.starts_with("BUF.") || key.starts_with("CLR.")) {
     s.parameters[key] = value();
+  } else if (key.starts_with("param.")) {
+    s.parameters[key.substr(6)] = value();
   } else if (key == "axis") {
     s.axes.push_back(axisOf(in, line));
   } else if (key == "spindle") {
@@ -260,16 +262,19 @@ class SolidProbe : public Probe {
   std::vector<std::vector<Half>> solids_;
 };
 
-/// What the person at the machine answers, and the name of the main program. False: a line of the control.
-bool setHostLine(Operator& person, std::string& main_name, const std::string& line) {
+/// What the person at the machine answers, the name of the main program, the control. False: a line of the
+/// control.
+bool setHostLine(Operator& person, std::string& main_name, ControlId& control, const std::string& line) {
   std::istringstream in(line);
-  std::string key, equals;
+  std::string key, equals, name;
   if (!(in >> key >> equals)) return false;
   const auto row = [&](std::size_t prefix) {
     return static_cast<std::size_t>(std::stoi(key.substr(prefix)));
   };
   if (key == "main_name") {
     in >> main_name;
+  } else if (key == "control" && in >> name) {
+    control = findControl(name).value();
   } else if (key.starts_with("answer")) {
     in >> person.message_answers[static_cast<int>(row(6))];
   } else if (key.starts_with("plc_bit")) {
@@ -404,8 +409,9 @@ ControlSettings settingsOf(const std::string& text) {
   Operator person;
   std::string main_name;
   SolidProbe probe;
+  ControlId control = ControlId::kNct;
   for (std::string line; std::getline(in, line);) {
-    if (line.empty() || setHostLine(person, main_name, line) || probe.setLine(line)) continue;
+    if (line.empty() || setHostLine(person, main_name, control, line) || probe.setLine(line)) continue;
     setLine(settings, line);
   }
   return settings;
@@ -438,10 +444,11 @@ InterpretSummary runChannels(const GoldenCase& golden, const ProgramSource& firs
 std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions, bool as_channel) {
   ControlHost host;
   std::string main_name = "main.nc";
+  ControlId control = ControlId::kNct;
   std::istringstream in(golden.settings_text);
   SolidProbe probe;
   for (std::string line; std::getline(in, line);) {
-    setHostLine(host.person, main_name, line);
+    setHostLine(host.person, main_name, control, line);
     probe.setLine(line);
   }
   if (probe.any()) host.probe = &probe;
@@ -452,7 +459,7 @@ std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motio
   host.output = &output;
   const ControlSettings settings = settingsOf(golden.settings_text);
   const InterpretSummary s = golden.channels.empty() && !as_channel
-                                 ? interpret(ControlId::kNct, source, settings, sink, nullptr, host)
+                                 ? interpret(control, source, settings, sink, nullptr, host)
                                  : runChannels(golden, source, settings, sink, host);
   for (const auto& [name, bytes] : output.files()) sink.text += "file " + name + ": " + escaped(bytes) + "\n";
   if (!golden.channels.empty()) sink.text += "cycle " + number(s.cycle_s) + " s\n";

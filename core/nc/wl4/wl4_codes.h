@@ -1,0 +1,75 @@
+// Tables of the WL4 control: codes, functions, parameters (digest wl4, 4.1, 6 and 12).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/nc/coverage.h"
+#include "core/nc/interpreter.h"
+
+namespace proveout::nc {
+
+/// Of two codes of one group in a block the last one counts.
+enum class Wl4Group : std::uint8_t {
+  kMotion,
+  kDeed,  ///< one-shot: what the block does in place of a motion
+  kPlane,
+  kRadius,
+  kLength,
+  kSystem,
+  kStop,
+  kCycle,
+  kDistance,
+  kFeed,
+  kSpeed,
+  kFlag,    ///< one-shot: several may stand in a block
+  kRefused  ///< not of this control
+};
+
+struct Wl4GCode {
+  int code;
+  Wl4Group group;
+  std::string_view cls, ids, meaning;
+};
+/// Null: the control has no such code.
+const Wl4GCode* wl4GCode(int code);
+
+enum class Wl4Phase : std::uint8_t { kStart, kEnd };
+/// When an M function acts in its block.
+Wl4Phase wl4Phase(int m);
+
+/// What the code supports; `lathe` or mill.
+std::vector<CoverageRow> wl4Coverage();
+std::vector<CoverageIdRow> wl4CoverageIds();
+
+std::vector<ParameterInfo> wl4ParameterTable(bool lathe);
+
+/// Values of the parameters.
+class Wl4Parameters {
+ public:
+  /// Error: an unknown name or a value out of range.
+  Status set(const std::map<std::string, double>& given, bool lathe);
+
+  bool g18_zx = false;         ///< G18 looks at Z to the right and X up (ISO), else X to the right and Z up
+  bool conditional = false;    ///< blocks with `/` are executed
+  double arc_threshold = 0.0;  ///< Delt_L, mm
+  double max_feed = 65000.0;   ///< mm/min
+  double max_speed = 0.0;      ///< 1/min; 0: no limit
+  static constexpr int kTools = 127;
+  struct Tool {
+    double nose_radius = 0.0;  ///< Rt, mm
+    bool at_center = false;    ///< working point S, the nose centre, else P
+    int tip = 0;               ///< where P is seen from S, 1 to 8 as usual on lathes; 0, 9: at S
+  };
+  const Tool& tool(int number) const;
+
+ private:
+  std::map<int, Tool> tools_;
+};
+
+}  // namespace proveout::nc

@@ -1,0 +1,283 @@
+// Open cycles: program %1. Contour cycles: G76, G77, G78 with P and Q (digest wl4, 9 and 10).
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/services/arcs.h"
+#include "core/nc/wl4/wl4_control.h"
+
+namespace proveout::nc {
+
+namespace {
+
+constexpr std::size_t kMostContourBlocks = 200;
+constexpr std::size_t kMostPasses = 100000;
+
+bool allowedInContour(int g) {
+  return (g >= 0 && g <= 3) || g == 12 || g == 13 || (g >= 40 && g <= 42) || g == 90 || g == 91;
+}
+
+}  // namespace
+
+Wl4Control::Go Wl4Control::openCycle(const Plan& p) {
+  state_.open_cycle = p.deed;
+  return call("1", 1);
+}
+
+bool Wl4Control::contourCycle(Plan& p) {
+  const Wl4Block b = block_;
+  const auto refuse = [&](const char* why) { return fail("wl4-contour", why); };
+  if (!lathe_) return refuse("G76 to G78 are cycles of the lathe");
+  if (state_.radius != 40) return refuse("compensation has to be off before G76 to G78: G40");
+  if (!b.has('P') || !b.has('Q'))
+    return refuse("P and Q are missing: the first and the last block of the contour");
+  if (!b.hasCode(0) && !b.hasCode(1))
+    return refuse("G0 or G1 is missing: it says how the tool goes to its passes");
+  const bool equidistant = b.has('R'), sided = p.next.radius != 40, roughing = b.has('E');
+  if (equidistant && !sided) return refuse("the allowance R needs G41 or G42");
+  if (equidistant && (b.has('I') || b.has('K'))) return refuse("allowances are either I and K or R");
+  if (roughing && !(b.value('E') > 0.0)) return refuse("the depth of cut E has to be above 0");
+  const bool stock = b.has('U') || b.has('W') || b.has('C');
+  if (p.deed == 76 && stock != roughing) return refuse("G76 needs the stock U, W or C together with E");
+  if (p.deed != 76 && stock) return refuse("U, W and C belong to G76");
+
+  Wl4Contour contour;
+  if (!readContour(p, contour)) return false;
+  const WorkPlane w(plane(p.next));
+  const Vec2 from = w.of(machine_).head<2>();
+  const double side = (p.next.radius == 41) != flipped(p.next) ? 1.0 : -1.0;
+  CycleGeometry cycle{from, contour, sided ? side : 1.0, sided ? compRadius(p.next) : 0.0};
+  if (sided && cycle.nose < 0.0) return refuse("the nose radius and the corrector D are negative together");
+  std::vector<Wl4Pass> moves;
+  if (!passes(p, b, cycle, moves)) return false;
+  p.next.radius = 40;
+  return runPasses(p, b, sided, moves);
+}
+
+bool Wl4Control::allowed(const CycleGeometry& cycle, double equidistant, const Vec2& linear,
+                         Wl4Contour& out) {
+  bool left_out = false;
+  Result<Wl4Contour> contour =
+      offsetContour(cycle.contour, cycle.side * (cycle.nose + equidistant), left_out);
+  if (!contour) return fail("wl4-negative-radius", contour.error().message);
+  if (left_out) {
+    warnOnce("left out", "wl4-contour", "the tool does not reach all of the contour: blocks are left out");
+  }
+  shiftContour(*contour, linear);
+  out = std::move(*contour);
+  return true;
+}
+
+bool Wl4Control::passes(const Plan& p, const Wl4Block& b, const CycleGeometry& cycle,
+                        std::vector<Wl4Pass>& moves) {
+  // In (u, v) = (Z, X).
+  const double r = b.find('R').value_or(0.0);
+  const Vec2 linear(b.find('K').value_or(0.0), b.find('I').value_or(0.0));
+  const int depth_axis = p.deed == 78 ? 0 : 1;
+  if (p.deed == 76) return approachPasses(b, cycle, moves);
+  Wl4Contour contour;
+  if (!allowed(cycle, r, linear, contour)) return false;
+  const Vec2 way = contour.front().from - cycle.contour.front().from;
+  if (way[depth_axis] * (cycle.from - cycle.contour.front().from)[depth_axis] < 0.0) {
+    warn("wl4-allowance", "the allowance lies on the side away from the tool: is it G41 for G42?");
+  }
+  if (!isMonotone(contour, depth_axis)) {
+    warn("wl4-monotone",
+         fmt::format("the contour of G{} turns back along {}", p.deed, depth_axis == 1 ? "Z" : "X"));
+  }
+  if (!b.has('E')) {
+    moves = finishingPass(contour, depth_axis, cycle.from);
+    return true;
+  }
+  const double reach = std::abs(cycle.from[depth_axis]) + std::abs(contour.front().from[depth_axis]);
+  if (reach / b.value('E') > static_cast<double>(kMostPasses)) {
+    return fail("wl4-contour", fmt::format("E{} makes more than {} passes", b.value('E'), kMostPasses));
+  }
+  moves = roughingPasses(contour, {depth_axis, cycle.from, b.value('E')});
+  return true;
+}
+
+bool Wl4Control::approachPasses(const Wl4Block& b, const CycleGeometry& cycle, std::vector<Wl4Pass>& moves) {
+  const Vec2 linear(b.find('K').value_or(0.0), b.find('I').value_or(0.0));
+  const Vec2 stock(b.find('W').value_or(0.0), b.find('U').value_or(0.0));
+  const double r = b.find('R').value_or(0.0), c = b.find('C').value_or(r), depth = b.find('E').value_or(1.0);
+  const bool equidistant = b.has('C');
+  const Vec2 way = stock - linear;
+  const double length = !b.has('E') ? 0.0 : equidistant ? c - r : way.norm();
+  if (b.has('E') && !(length > 0.0))
+    return fail("wl4-contour", "the stock of G76 is not above the allowance");
+  const double count = std::max(1.0, std::ceil(length / depth - 1e-9));
+  if (count > static_cast<double>(kMostPasses)) return fail("wl4-contour", "E makes too many passes");
+  for (int k = 1; k <= static_cast<int>(count); ++k) {
+    const double cut = std::min(k * depth, length);
+    const double offset = equidistant ? std::max(c - k * depth, r) : r;
+    Vec2 shift = linear;
+    if (b.has('E') && !equidistant) shift = stock - way * (cut / length);
+    Wl4Contour contour;
+    if (!allowed(cycle, offset, shift, contour)) return false;
+    const Vec2 start = contour.front().from, end = contour.back().to, back = cycle.from - start;
+    const auto straight = [&](const Vec2& a, const Vec2& e, Wl4Pass::Speed speed) {
+      if ((e - a).norm() < 1e-9) return;
+      ContourElement line;
+      line.from = a;
+      line.to = e;
+      moves.push_back({speed, line});
+    };
+    straight(cycle.from, start, Wl4Pass::Speed::kInfeed);
+    for (const ContourElement& e : contour) moves.push_back({Wl4Pass::Speed::kFeed, e});
+    const bool x_first = std::abs(back.y()) >= std::abs(back.x());
+    const Vec2 corner = x_first ? Vec2(end.x(), cycle.from.y()) : Vec2(cycle.from.x(), end.y());
+    straight(end, corner, Wl4Pass::Speed::kRapid);
+    straight(corner, cycle.from, Wl4Pass::Speed::kRapid);
+  }
+  return true;
+}
+
+bool Wl4Control::runPasses(Plan& p, const Wl4Block& b, bool sided, const std::vector<Wl4Pass>& moves) {
+  const Wl4Parameters::Tool& tool = parameters_.tool(p.next.selected_tool);
+  const AxisPoint from = machine_;
+  const WorkPlane w(plane(p.next));
+  // The contour is the way of the nose centre; the path is told of the working point.
+  const Vec2 tip =
+      sided && !tool.at_center ? Vec2(tool.nose_radius * tipOffset(tool.tip)) : Vec2(Vec2::Zero());
+  const double modal_feed = p.next.feed;
+  p.next.feed = b.find('F').value_or(modal_feed);
+  p.named.set(static_cast<std::size_t>(w.u));
+  p.named.set(static_cast<std::size_t>(w.v));
+  const bool rapid_infeed = p.next.motion == 0;
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    if (workOver()) return false;
+    const Wl4Pass& pass = moves[k];
+    const Vec2 to = pass.element.to + (k + 1 < moves.size() ? tip : Vec2(Vec2::Zero()));
+    p.target = from;
+    p.target[w.u] = to.x();
+    p.target[w.v] = to.y();
+    PathItem item;
+    item.kind = pass.element.arc ? PathItem::Kind::kArc : PathItem::Kind::kLine;
+    fill(p, item);
+    item.rapid =
+        pass.speed == Wl4Pass::Speed::kRapid || (pass.speed == Wl4Pass::Speed::kInfeed && rapid_infeed);
+    item.center = Vec3(pass.element.center.x() + tip.x(), pass.element.center.y() + tip.y(), machine_[w.w]);
+    item.sweep = pass.element.sweep;
+    if (item.rapid ? false : !feedOf(p, item.feed)) return false;
+    if (!send(p, item)) return false;
+  }
+  p.next.feed = modal_feed;
+  p.target = machine_;
+  return true;
+}
+
+bool Wl4Control::readContour(const Plan& p, Wl4Contour& contour) {
+  const Wl4Block cycle = block_;
+  const Wl4State state = state_;
+  const AxisPoint machine = machine_;
+  const Level level = levels_.back();
+  const Wl4Program& program = *level.program;
+  const auto number = [&](char letter) { return std::llround(cycle.value(letter)); };
+  const auto first = program.block(number('P')), last = program.block(number('Q'));
+  if (!first || !last || *last < *first) {
+    return fail("wl4-contour",
+                fmt::format("there is no block N{} followed by N{}", number('P'), number('Q')));
+  }
+  if (*last - *first >= kMostContourBlocks) {
+    return fail("wl4-contour", fmt::format("the contour has {} blocks: at most {} are allowed",
+                                           *last - *first + 1, kMostContourBlocks));
+  }
+  // The start of the contour, then block by block as if they ran.
+  bool good = true;
+  state_ = p.next;
+  for (const char letter : std::string_view("XZ")) {
+    if (!cycle.has(letter)) continue;
+    const int axis = letter == 'X' ? 0 : 2;
+    const double value = cycle.value(letter) * (wantsDiameter(axis) ? 0.5 : 1.0);
+    machine_[axis] = state_.offset(axis) + state_.sign(axis) * value;
+  }
+  std::vector<double> chamfers;
+  for (std::size_t k = *first; good && k <= *last; ++k) {
+    levels_.back().line = k;
+    good = contourBlock(contour, chamfers);
+  }
+  good = good && cutChamfers(contour, chamfers);
+  if (good && contour.empty()) good = fail("wl4-contour", "the contour has no motion");
+  block_ = cycle;
+  state_ = state;
+  machine_ = machine;
+  levels_.back() = level;
+  return good;
+}
+
+bool Wl4Control::contourBlock(Wl4Contour& contour, std::vector<double>& chamfers) {
+  const std::string_view line = levels_.back().program->line(levels_.back().line);
+  if (!reader_.read(line, block_))
+    return fail("wl4-syntax", reader_.error().message, reader_.error().columns);
+  levels_.back().number = block_.number;
+  for (const Wl4Block::Code& g : block_.g) {
+    if (!allowedInContour(g.number)) {
+      return fail("wl4-contour-code", fmt::format("forbidden code G{} in a contour", g.number), g.columns);
+    }
+  }
+  if (block_.jump || block_.has('L') || line.find("IF") != std::string_view::npos) {
+    return fail("wl4-contour-code", "IF, jumps and calls are not allowed in a contour");
+  }
+  Plan q;
+  q.next = state_;
+  q.target = machine_;
+  for (const Wl4Block::Code& g : block_.g) planCode(q, *wl4GCode(g.number));
+  if (!planAxes(q)) return false;
+  const WorkPlane w(plane(q.next));
+  ContourElement e;
+  e.from = w.of(machine_).head<2>();
+  e.to = w.of(q.target).head<2>();
+  if (q.moves) {
+    const int motion = q.next.motion;
+    if (motion == 2 || motion == 3) {
+      PlaneArc arc;
+      bool moves = false;
+      if (!arcOf(q, arc, moves)) return false;
+      if (moves) e = {true, arc.start.head<2>(), arc.end.head<2>(), arc.center, arc.sweep_rad};
+    } else if (motion == 12 || motion == 13) {
+      if (!cornerOf(q, e.center, e.sweep)) return false;
+      e.arc = true;
+    }
+    if (e.arc || (e.to - e.from).norm() > 1e-9) {
+      contour.push_back(e);
+      chamfers.push_back(q.chamfer);
+    }
+  }
+  state_ = q.next;
+  machine_ = q.target;
+  return true;
+}
+
+bool Wl4Control::cutChamfers(Wl4Contour& contour, const std::vector<double>& chamfers) {
+  Wl4Contour cut;
+  for (std::size_t k = 0; k < contour.size(); ++k) {
+    if (chamfers[k] <= 0.0 || k + 1 == contour.size()) {
+      cut.push_back(contour[k]);
+      continue;
+    }
+    CornerJoin join;
+    if (chamferCorner(contour[k], contour[k + 1], chamfers[k], join) != CornerError::kNone) {
+      return fail("wl4-chamfer", "a chamfer of the contour does not fit its blocks");
+    }
+    ContourElement first = contour[k], &second = contour[k + 1];
+    if (join.none) {
+      cut.push_back(first);
+      continue;
+    }
+    if (first.arc) first.sweep -= std::copysign(sweepFrom(first, join.leave), first.sweep);
+    if (second.arc) second.sweep -= std::copysign(sweepUntil(second, join.enter), second.sweep);
+    first.to = join.leave;
+    second.from = join.enter;
+    ContourElement between;
+    between.from = join.leave;
+    between.to = join.enter;
+    cut.push_back(first);
+    cut.push_back(between);
+  }
+  contour = std::move(cut);
+  return true;
+}
+
+}  // namespace proveout::nc

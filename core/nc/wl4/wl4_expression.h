@@ -1,0 +1,66 @@
+// Expressions of the WL4 control (digest wl4, 3.3).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/nc/block.h"
+#include "core/nc/wl4/wl4_variables.h"
+
+namespace proveout::nc {
+
+/// Angles are in degrees. Operators, all from left to right: ** * / MOD before + - before comparisons before
+/// AND OR XOR. `#n=` inside an expression takes one operand and yields it. Division by zero gives an infinite
+/// value: whoever uses the value refuses it.
+class Wl4Evaluator {
+ public:
+  struct Error {
+    std::string message;
+    Columns columns;
+  };
+
+  explicit Wl4Evaluator(Wl4Variables& variables) : variables_(variables) {}
+
+  /// The expression at `pos`, which goes behind it. False: see error().
+  bool evaluate(std::string_view text, std::size_t& pos, double& out);
+  /// The number of a variable behind its '#', at `pos`.
+  bool reference(std::string_view text, std::size_t& pos, int& number);
+  bool assign(int number, double value, std::size_t from, std::size_t to);
+
+  /// Values that differ by less than half a unit of this decimal are equal; without, by less than 1e-9.
+  void setDecimals(int decimals);
+  void setFullPrecision() { tolerance_ = kFullPrecision; }
+  bool isTrue(double value) const { return value >= tolerance_ || value <= -tolerance_; }
+
+  /// A power stood beside another operator of its class without parentheses.
+  bool mixedPower() const { return mixed_power_; }
+  const Error& error() const { return error_; }
+
+ private:
+  static constexpr double kFullPrecision = 1e-9;
+  static constexpr int kMaxDepth = 100;
+
+  bool logical(std::string_view text, std::size_t& pos, double& out);
+  bool comparison(std::string_view text, std::size_t& pos, double& out);
+  bool sum(std::string_view text, std::size_t& pos, double& out);
+  bool product(std::string_view text, std::size_t& pos, double& out);
+  bool operand(std::string_view text, std::size_t& pos, double& out);
+  bool unsignedOperand(std::string_view text, std::size_t& pos, double& out);
+  bool variable(std::string_view text, std::size_t& pos, double& out);
+  bool function(std::string_view text, std::size_t& pos, double& out);
+  bool parenthesis(std::string_view text, std::size_t& pos, double& out);
+  bool number(std::string_view text, std::size_t& pos, double& out);
+  bool fail(std::string message, std::size_t from, std::size_t to);
+
+  Wl4Variables& variables_;
+  double tolerance_ = kFullPrecision;
+  int depth_ = 0;
+  bool mixed_power_ = false;
+  Error error_;
+};
+
+/// Behind the blanks at `pos`.
+std::size_t behindBlanks(std::string_view text, std::size_t pos);
+
+}  // namespace proveout::nc

@@ -1,0 +1,125 @@
+// Spindle, tools and other functions of the WL4 control.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/nc/wl4/wl4_control.h"
+
+namespace proveout::nc {
+
+namespace {
+
+constexpr double kLeastDiameter = 1e-3;  ///< mm; at the axis the speed would be infinite
+
+PathItem functionItem(PathItem::Kind kind, const AxisPoint& at, const SourceRef& source) {
+  PathItem item;
+  item.kind = kind;
+  item.to = at;
+  item.source = source;
+  return item;
+}
+
+}  // namespace
+
+bool Wl4Control::sendEvent(std::string name, PathEmitter::EventData data, double time_s) {
+  PathItem item = functionItem(PathItem::Kind::kEvent, machine_, here());
+  item.plane = WorkPlane(plane(state_));
+  item.comp_on = state_.radius != 40;
+  item.event = std::make_unique<PathItem::Event>(PathItem::Event{std::move(name), std::move(data)});
+  item.value = time_s;
+  return pipe_.push(item);
+}
+
+double Wl4Control::rpm(const Wl4State& s, double diameter) const {
+  double n = s.speed;
+  if (s.speed_mode == 96) n = 1000.0 * s.speed / (kPi * std::max(std::abs(diameter), kLeastDiameter));
+  for (const double limit : {s.speed_limit, parameters_.max_speed}) {
+    if (limit > 0.0) n = std::min(n, limit);
+  }
+  return n;
+}
+
+bool Wl4Control::spindle(const Wl4State& s) {
+  PathItem item = functionItem(PathItem::Kind::kSpindle, machine_, here());
+  item.plane = WorkPlane(plane(s));
+  item.comp_on = state_.radius != 40;
+  const double direction = s.spindle == 3 ? 1.0 : s.spindle == 4 ? -1.0 : 0.0;
+  const double diameter = 2.0 * (machine_[0] - s.acting[0]);
+  item.value = direction * (direction != 0.0 ? rpm(s, diameter) : 0.0);
+  item.spindle = s.spindle == 3    ? SpindleState::kClockwise
+                 : s.spindle == 4  ? SpindleState::kCounterClockwise
+                 : s.spindle == 19 ? SpindleState::kOriented
+                                   : SpindleState::kStopped;
+  return pipe_.push(item);
+}
+
+bool Wl4Control::functions(Plan& p, Wl4Phase phase) {
+  bool turned = false;
+  for (const Wl4Block::Code& m : block_.m) {
+    if (wl4Phase(m.number) != phase) continue;
+    if (!function(p, m.number)) return false;
+    turned = turned || m.number == 3 || m.number == 4;
+  }
+  const bool changed = p.next.speed != state_.speed || p.next.speed_mode != state_.speed_mode ||
+                       p.next.speed_limit != state_.speed_limit;
+  const bool turns = state_.spindle == 3 || state_.spindle == 4;
+  if (phase == Wl4Phase::kEnd || turned || !changed || !turns) return true;
+  p.next.spindle = state_.spindle;
+  return spindle(p.next);
+}
+
+bool Wl4Control::function(Plan& p, int m) {
+  const std::string code = jsonString(fmt::format("M{}", m));
+  switch (m) {
+    case 0:
+      return sendEvent("stop", {{"code", code}});
+    case 1:
+      return sendEvent("optional_stop",
+                       {{"code", code}, {"active", settings_.optional_stop ? "true" : "false"}});
+    case 2:
+    case 30:
+    case 99:
+      return true;
+    case 3:
+    case 4:
+    case 5:
+    case 19:
+      state_.spindle = p.next.spindle = m;
+      return spindle(p.next);
+    case 6: {
+      if (p.next.selected_tool == 0) {
+        warnOnce("M6 T0", "wl4-no-tool", "M6 without T: no tool is in the spindle");
+      }
+      state_.tool = p.next.tool = p.next.selected_tool;
+      PathItem item = functionItem(PathItem::Kind::kToolChange, machine_, here());
+      item.plane = WorkPlane(plane(state_));
+      item.comp_on = state_.radius != 40;
+      item.value = p.next.selected_tool;
+      return pipe_.push(item);
+    }
+    case 7:
+    case 8:
+    case 9:
+      state_.coolant = p.next.coolant = m;
+      return sendEvent("coolant", {{"code", code}, {"on", m == 9 ? "false" : "true"}});
+    default:
+      if (m >= 40 && m <= 48) state_.gear = p.next.gear = m;
+      return sendEvent("function", {{"code", code}});
+  }
+}
+
+bool Wl4Control::dwell() {
+  const double seconds = block_.find('E').value_or(block_.find('X').value_or(0.0));
+  if (!(seconds >= 0.0 && seconds <= 99999.999)) {
+    return fail("wl4-dwell", "a dwell lasts 0 to 99999.999 seconds");
+  }
+  PathItem item = functionItem(PathItem::Kind::kDwell, machine_, here());
+  item.plane = WorkPlane(plane(state_));
+  item.comp_on = state_.radius != 40;
+  item.value = seconds;
+  return pipe_.push(item);
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,86 @@
+// Diagnostics of the WL4 control.
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "core/nc/wl4/wl4_control.h"
+
+namespace proveout::nc {
+
+SourceRef Wl4Control::here() const {
+  SourceRef at;
+  if (levels_.empty()) return at;
+  const Level& level = levels_.back();
+  at.file = level.program->file;
+  at.line = static_cast<std::uint32_t>(level.line + 1);
+  at.block = level.number;
+  at.depth = static_cast<decltype(at.depth)>(levels_.size() - 1);
+  return at;
+}
+
+Diagnostic Wl4Control::diagnosticAt(Severity severity, std::string code, std::string message,
+                                    const SourceRef& at, Columns columns) const {
+  Diagnostic d;
+  d.severity = severity;
+  d.code = std::move(code);
+  d.message = std::move(message);
+  if (levels_.empty() || at.line == 0) return d;
+  const SourceText& text = programs_.text(at.file);
+  d.where.file = text.name();
+  d.where.line = static_cast<int>(at.line);
+  if (at.line <= text.lines().size()) d.source_line = std::string(text.lines()[at.line - 1]);
+  d.where.column = columns.begin;
+  d.where.column_end = columns.end;
+  if (columns.begin == 0 && !d.source_line.empty()) {
+    d.where.column = static_cast<int>(d.source_line.find_first_not_of(" \t")) + 1;
+    d.where.column_end = static_cast<int>(d.source_line.find_last_not_of(" \t")) + 2;
+  }
+  for (std::size_t level = levels_.size(); level-- > 1;) {
+    const Level& caller = levels_[level - 1];
+    d.notes.push_back(fmt::format("called from {}:{}", caller.program->text->name(), caller.line + 1));
+  }
+  return d;
+}
+
+bool Wl4Control::fail(std::string code, std::string message, Columns at) {
+  Diagnostic d = diagnosticAt(Severity::kError, std::move(code), std::move(message), here(), at);
+  std::string values;
+  for (char letter = 'A'; letter <= 'Z' && !levels_.empty(); ++letter) {
+    if (!block_.has(letter)) continue;
+    const Columns& c = block_.at(letter);
+    const std::string_view text =
+        block_.text.substr(static_cast<std::size_t>(c.begin - 1), static_cast<std::size_t>(c.end - c.begin));
+    if (text.find_first_of("#(") == std::string_view::npos) continue;
+    values += fmt::format("{}{} = {}", values.empty() ? "" : ", ", letter, block_.value(letter));
+  }
+  if (!values.empty()) d.notes.push_back("values in the block: " + values);
+  emitter_.diagnostic(d);
+  return false;
+}
+
+void Wl4Control::warn(std::string code, std::string message, Columns at, Severity severity) {
+  emitter_.diagnostic(diagnosticAt(severity, std::move(code), std::move(message), here(), at));
+}
+
+void Wl4Control::warnOnce(const std::string& key, std::string code, std::string message, Columns at) {
+  if (told_.insert(key).second) warn(std::move(code), std::move(message), at);
+}
+
+bool Wl4Control::contourError(const char*, const char* message, const SourceRef& at) {
+  emitter_.diagnostic(diagnosticAt(Severity::kError, "wl4-chamfer", message, at, {}));
+  return false;
+}
+
+bool Wl4Control::compError(const char* code, const std::string& message, const SourceRef& at, bool warning) {
+  emitter_.diagnostic(diagnosticAt(warning ? Severity::kWarning : Severity::kError, code, message, at, {}));
+  return warning;
+}
+
+void Wl4Control::recover() {
+  pipe_.clear();
+  pipe_.link(frame_stage_);
+  pipe_.link(emit_stage_);
+  machine_ = emitter_.machine();
+}
+
+}  // namespace proveout::nc

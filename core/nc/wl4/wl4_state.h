@@ -1,0 +1,38 @@
+// What the WL4 control keeps from block to block. Lengths mm; X is a radius here, on lathes too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/nc/axes.h"
+
+namespace proveout::nc {
+
+/// Modal codes and values; copied for each block and put back if the block is good.
+struct Wl4State {
+  int motion = 0, plane = 17, radius = 40, length = 49, system = 53, stop = 64, cycle = 80, distance = 90,
+      feed_mode = 94, speed_mode = 97;
+  int spindle = 5, coolant = 9, gear = 40;  ///< M functions in force
+  double feed = 0.0;                        ///< mm/min or mm/rev
+  double pitch = 0.0;                       ///< of the thread in hand, mm
+  double speed = 0.0;                       ///< 1/min or m/min
+  double speed_limit = 0.0;                 ///< G51 S; 0: none
+  int selected_tool = 0;                    ///< last T
+  int tool = 0;                             ///< in the spindle
+  int d = 0, h = 0;
+  AxisPoint system_offset;                      ///< of the selected system
+  std::array<double, 3> length_offset{};        ///< selected by G43 and G44, on X, Y, Z
+  AxisPoint acting;                             ///< offset of each axis that acts: since its last move
+  AxisSet mirrored, mirror_changed;             ///< changed: not moved absolutely since
+  double i = 0.0, j = 0.0, k = 0.0, p = 0.0;    ///< last words
+  int open_cycle = 0;                           ///< #108
+  std::array<double, 3> target{}, increment{};  ///< #130 to #135, X in diameter on lathes
+
+  double sign(int axis) const { return mirrored[static_cast<std::size_t>(axis)] ? -1.0 : 1.0; }
+  double offset(int axis) const {
+    return system_offset[axis] + (axis < 3 ? length_offset[static_cast<std::size_t>(axis)] : 0.0);
+  }
+};
+
+}  // namespace proveout::nc
