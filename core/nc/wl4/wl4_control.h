@@ -93,8 +93,8 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   bool thread(const Plan& p);
   bool referenceMove(const Plan& p);
   bool measure(const Plan& p);
-  bool touch(const Plan& p, const PathItem& item, double& part);
-  bool thereAndBack(const Plan& p, PathItem& item, double part);
+  bool touch(const Plan& p, const PathItem& item, double& part, bool& touched);
+  bool thereAndBack(const Plan& p, PathItem& item, double part, bool touched);
   bool dwell();
   bool pushArc(const Plan& p, const Vec2& center, double sweep);
   void fill(const Plan& p, PathItem& item) const;

@@ -311,14 +311,15 @@ bool Wl4Control::measure(const Plan& p) {
     item.sweep = arc.sweep_rad;
   }
   double part = 1.0;
-  if (!touch(p, item, part)) return false;
-  return thereAndBack(p, item, part);
+  bool touched = false;
+  return touch(p, item, part, touched) && thereAndBack(p, item, part, touched);
 }
 
 /// Asks the probe how much of the way there is until the touch.
-bool Wl4Control::touch(const Plan& p, const PathItem& item, double& part) {
+bool Wl4Control::touch(const Plan& p, const PathItem& item, double& part, bool& touched) {
   if (host_.probe == nullptr) {
-    warnOnce("no probe", "wl4-no-probe", "there is no stock here that a measuring move could touch: it goes to its end");
+    warnOnce("no probe", "wl4-no-probe",
+             "there is no stock here that a measuring move could touch: it goes to its end");
     return true;
   }
   emitter_.time().flush();  // everything before is part of the stock that answers
@@ -327,21 +328,23 @@ bool Wl4Control::touch(const Plan& p, const PathItem& item, double& part) {
   ArcGeometry arc;
   if (item.kind == PathItem::Kind::kArc) {
     PlaneArc curve;
-    curve.start = item.plane.of(machine_) ;
+    curve.start = item.plane.of(machine_);
     curve.end = item.plane.of(p.target);
     curve.center = item.center.head<2>();
     curve.sweep_rad = item.sweep;
     arc = toArcGeometry(curve, plane(p.next));
     arc.center += line->motion.from - machine_.xyz;
   }
-  const auto contact = host_.probe->firstContact(line->motion, item.kind == PathItem::Kind::kArc ? &arc : nullptr,
-                                                 line->has_axis ? &line->axis : nullptr);
+  const auto contact =
+      host_.probe->firstContact(line->motion, item.kind == PathItem::Kind::kArc ? &arc : nullptr,
+                                line->has_axis ? &line->axis : nullptr);
   if (!contact) return fail("wl4-g38", contact.error().message);
   if (*contact) part = std::clamp(**contact, 0.0, 1.0);
-  return sendEvent("probe", {{"contact", *contact ? "true" : "false"}});
+  touched = contact->has_value();
+  return true;
 }
 
-bool Wl4Control::thereAndBack(const Plan& p, PathItem& item, double part) {
+bool Wl4Control::thereAndBack(const Plan& p, PathItem& item, double part, bool touched) {
   const AxisPoint from = machine_;
   AxisPoint to = p.target;
   for (int k = 0; k < axes_.count(); ++k) to[k] = part < 1.0 ? from[k] + part * (to[k] - from[k]) : to[k];
@@ -364,7 +367,8 @@ bool Wl4Control::thereAndBack(const Plan& p, PathItem& item, double part) {
     touch_system_[i] = unit * p.next.sign(k) * (to[k] - p.next.acting[k]);
     touch_distance_[i] = unit * p.next.sign(k) * (to[k] - from[k]);
   }
-  return pipe_.push(item) && pipe_.push(back);
+  return pipe_.push(item) && sendEvent("probe", {{"contact", touched ? "true" : "false"}}) &&
+         pipe_.push(back);
 }
 
 }  // namespace proveout::nc

@@ -1,6 +1,6 @@
 === about
-Digest wl4, 4.5 and 4.6: G32 whose pitch stays in the sequence, G33 there and back with the spindle reversed, a growing pitch.
-proves: wl4-5.1.5-G32 wl4-5.1.6-G33 wl4-4.2-P wl4-4.2-F
+Digest wl4, 4.5 and 4.6: G32 whose pitch stays in the sequence, G33 there and back with the spindle reversed, a growing pitch. The overrides of the panel are at 100 per cent always.
+proves: wl4-5.1.5-G32 wl4-5.1.6-G33 wl4-4.2-P wl4-4.2-F wl4-7.1-ovr
 === settings
 control = wl4-lathe
 === main
