@@ -1,39 +1,10 @@
 // Feeds any bytes to the nct control as a main program, with subprograms cut out of the same bytes. Nothing
 // may crash, hang or send a motion that is not finite.
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
-#include "core/nc/interpreter.h"
-
-namespace {
-
-class CheckingSink : public proveout::MotionSink {
- public:
-  void file(std::uint32_t, const std::string&) override {}
-  void motion(const proveout::Motion& m, const proveout::ArcGeometry* arc,
-              const proveout::AxisSweep*) override {
-    const bool finite = m.from.allFinite() && m.to.allFinite() && std::isfinite(m.feed) &&
-                        std::isfinite(m.time_s) &&
-                        (arc == nullptr || (arc->center.allFinite() && std::isfinite(arc->sweep_rad)));
-    if (!finite || m.time_s < 0.0 || m.feed < 0.0) std::abort();
-    if (seen_ && (m.from - last_).norm() > 1e-6 * (1.0 + last_.norm())) std::abort();
-    seen_ = true;
-    last_ = m.to;
-  }
-  void event(const proveout::PathEvent&) override {}
-  void diagnostic(const proveout::Diagnostic& d) override {
-    if (proveout::formatDiagnostic(d).empty()) std::abort();
-  }
-
- private:
-  bool seen_ = false;
-  proveout::Vec3 last_;
-};
-
-}  // namespace
+#include "tests/fuzz/checking_sink.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
@@ -63,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   settings.work_offsets[1] = proveout::Vec3(100, 20, -3);
   settings.work_rotations_deg[2] = proveout::Vec3(10, 20, 30);
   settings.limits[0] = proveout::AxisLimit{-500, 500};
-  CheckingSink sink;
+  proveout::CheckingSink sink;
   proveout::interpret(proveout::ControlId::kNct, source, settings, sink);
   return 0;
 }

@@ -59,13 +59,41 @@ CompBlock blockOf(const ContourElement& e, double offset, std::uint64_t tag) {
   return block;
 }
 
+/// Of a point from an element, mm.
+double distanceTo(const ContourElement& e, const Vec2& p) {
+  const double ends = std::min((p - e.from).norm(), (p - e.to).norm());
+  if (!e.arc) {
+    const Vec2 way = e.to - e.from;
+    const double t = std::clamp((p - e.from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    return (p - e.from - t * way).norm();
+  }
+  const double inside = sweepUntil(e, p);
+  return inside <= std::abs(e.sweep)
+             ? std::min(ends, std::abs((p - e.center).norm() - (e.from - e.center).norm()))
+             : ends;
+}
+
+/// Whether the path keeps its distance from the contour, at points of it.
+bool keepsDistance(const Wl4Contour& path, const Wl4Contour& contour, double distance) {
+  constexpr int kPoints = 16;
+  for (const ContourElement& e : path) {
+    for (int k = 0; k <= kPoints; ++k) {
+      const Vec2 p = pointAt(e, static_cast<double>(k) / kPoints);
+      for (const ContourElement& c : contour) {
+        if (distanceTo(c, p) < distance - 1e-4) return false;
+      }
+    }
+  }
+  return true;
+}
+
 bool tooTight(const ContourElement& e, double offset) {
   return e.arc && (e.sweep > 0.0 ? offset : -offset) >= (e.to - e.center).norm();
 }
 
 }  // namespace
 
-Result<Wl4Contour> offsetContour(const Wl4Contour& contour, double offset, bool& left_out) {
+Result<Wl4Contour> offsetContour(const Wl4Contour& contour, double offset, bool& fits) {
   if (offset == 0.0 || contour.empty()) return contour;
   if (std::any_of(contour.begin(), contour.end(), [&](auto& e) { return tooTight(e, offset); })) {
     return inputError(
@@ -96,7 +124,6 @@ Result<Wl4Contour> offsetContour(const Wl4Contour& contour, double offset, bool&
   }
   if (status.ok()) status = filter.flush(pieces);
   if (!status.ok()) return inputError("tool and allowance do not fit into the contour");
-  left_out = left_out || !pieces.notes.empty();
   Wl4Contour result;
   for (const CompPiece& piece : pieces.pieces) {
     if (piece.tag == 0 || piece.tag == behind || piece.role == CompPiece::Role::kPassThrough) continue;
@@ -107,6 +134,7 @@ Result<Wl4Contour> offsetContour(const Wl4Contour& contour, double offset, bool&
     if ((e.to - e.from).norm() > kSame || e.arc) result.push_back(e);
   }
   if (result.empty()) return inputError("tool and allowance leave nothing of the contour");
+  fits = fits && pieces.notes.empty() && keepsDistance(result, contour, std::abs(offset));
   return result;
 }
 

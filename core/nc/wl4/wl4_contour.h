@@ -19,9 +19,10 @@ struct Wl4Pass {
 };
 
 /// The path of the centre of a circle of radius |offset| that rolls along the contour, on its left with
-/// offset > 0: arcs about corners outside, intersections inside, blocks that do not fit left out. `left_out`
-/// tells of these. Error: the circle does not fit.
-Result<Wl4Contour> offsetContour(const Wl4Contour& contour, double offset, bool& left_out);
+/// offset > 0: arcs about corners outside, intersections inside, blocks that do not fit left out. `fits`
+/// becomes false where that happens, and where the path comes nearer to the contour all the same. Error: the
+/// circle does not fit at all.
+Result<Wl4Contour> offsetContour(const Wl4Contour& contour, double offset, bool& fits);
 void shiftContour(Wl4Contour& contour, const Vec2& by);
 
 struct Wl4RoughingRules {

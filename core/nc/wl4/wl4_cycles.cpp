@@ -57,12 +57,13 @@ bool Wl4Control::contourCycle(Plan& p) {
 
 bool Wl4Control::allowed(const CycleGeometry& cycle, double equidistant, const Vec2& linear,
                          Wl4Contour& out) {
-  bool left_out = false;
-  Result<Wl4Contour> contour =
-      offsetContour(cycle.contour, cycle.side * (cycle.nose + equidistant), left_out);
+  bool fits = true;
+  Result<Wl4Contour> contour = offsetContour(cycle.contour, cycle.side * (cycle.nose + equidistant), fits);
   if (!contour) return fail("wl4-negative-radius", contour.error().message);
-  if (left_out) {
-    warnOnce("left out", "wl4-contour", "the tool does not reach all of the contour: blocks are left out");
+  if (!fits) {
+    warnOnce(
+        "fits", "wl4-contour",
+        "tool and allowance do not fit into the contour everywhere: blocks are left out or come too near");
   }
   shiftContour(*contour, linear);
   out = std::move(*contour);
