@@ -250,7 +250,8 @@ Wl4Control::Go Wl4Control::subprograms() {
       block_.text.substr(static_cast<std::size_t>(at.begin), static_cast<std::size_t>(at.end - at.begin) - 1);
   std::string digits(text);
   if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) {
-    digits = fmt::format("{}", static_cast<int>(block_.value('L')));
+    const int value = static_cast<int>(block_.value('L'));
+    digits = value < 100 ? fmt::format("{:02}", value) : fmt::format("{:04}", value);
   }
   if (digits.size() == 1) digits.insert(0, "0");
   const std::string name = digits.substr(0, 2);

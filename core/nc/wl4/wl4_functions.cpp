@@ -105,7 +105,10 @@ bool Wl4Control::function(Plan& p, int m) {
       state_.coolant = p.next.coolant = m;
       return sendEvent("coolant", {{"code", code}, {"on", m == 9 ? "false" : "true"}});
     default:
-      if (m >= 40 && m <= 48) state_.gear = p.next.gear = m;
+      if (m >= 40 && m <= 48) {
+        state_.gear = p.next.gear = m;
+        if (!block_.hasCode(51)) p.next.speed_limit = 0.0;  // a limit holds for one gear
+      }
       return sendEvent("function", {{"code", code}});
   }
 }

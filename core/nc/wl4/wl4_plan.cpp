@@ -10,7 +10,8 @@ namespace proveout::nc {
 
 namespace {
 
-constexpr std::string_view kMainLetters = "XYZ", kIncrements = "UVW";
+constexpr std::string_view kIncrements = "UVW";
+constexpr double kTravel = 9999.999;  ///< mm
 
 bool isContourCycle(const Wl4Block& block, int deed) {
   return deed == 76 || ((deed == 77 || deed == 78) && block.has('P') && block.has('Q'));
@@ -215,6 +216,10 @@ bool Wl4Control::planAxis(Plan& p, int axis, char absolute, char incremental) {
   const auto order = [&](char letter) { return block_.order[static_cast<std::size_t>(letter - 'A')]; };
   const char letter = first && (!second || order(absolute) > order(incremental)) ? absolute : incremental;
   const double value = block_.value(letter) * (wantsDiameter(axis) ? 0.5 : 1.0);
+  if (!(std::abs(value) <= kTravel)) {
+    return fail("wl4-range", fmt::format("{}: the axis travels {} mm at most", letter, kTravel),
+                block_.at(letter));
+  }
   const auto k = static_cast<std::size_t>(axis);
   p.named.set(k);
   if (p.deed == 36) {  // the value has no meaning

@@ -130,7 +130,8 @@ TEST(Wl4Programs, CommentsOfAllCodePagesAreRead) {
 
 // wl4-1-limits: coordinates, feeds and offsets beyond the control's ranges are refused or held back.
 TEST(Wl4Limits, AreThoseOfTheControl) {
-  for (const char* block : {"Y10000", "F100000", "S70000", "T128", "D128", "H128", "X1e5", "I10000"}) {
+  for (const char* block :
+       {"X10000", "Y10000", "F100000", "S70000", "T128", "D128", "H128", "X1e5", "I10000"}) {
     const Trace run(ControlId::kWl4Mill, std::string("%L\n") + block + "\nM30\n%\n");
     EXPECT_EQ(run.summary.errors, 1) << block;
   }

@@ -9,6 +9,8 @@ G54 G0
 #1=5 #30=0
 L0103
 X#1 Y#30
+#40=101 L#40
+Y#30
 L02
 M2
 %
@@ -40,11 +42,15 @@ M99
 === truth
 feed 6 0 0
 feed 5 3 0
-rapid 99 3 0
+feed 6 3 0
+feed 6 4 0
+rapid 99 4 0
 === expect
 file 0 main.nc
-11 depth 1: feed from 0 0 0 to 6 0 0 F100 t3.6
+13 depth 1: feed from 0 0 0 to 6 0 0 F100 t3.6
 5: feed to 5 3 0 F100 t1.8974
-31 depth 5: rapid to 99 3 0 t0.376
-7: event end code="M2"
-end of program: 25 blocks, 3 motions, 0 errors, 0 warnings
+13 depth 1: feed to 6 3 0 F100 t0.6
+7: feed to 6 4 0 F100 t0.6
+33 depth 5: rapid to 99 4 0 t0.372
+9: event end code="M2"
+end of program: 30 blocks, 5 motions, 0 errors, 0 warnings

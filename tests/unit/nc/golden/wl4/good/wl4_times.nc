@@ -14,6 +14,8 @@ G64 G96 S100 G95 F0.2
 Z-30
 G51 S200
 Z-40
+M41
+Z-50
 G4 E1.5
 G94 X#105 Z(-#106) F#120
 M30
@@ -24,6 +26,7 @@ feed 50 0 -10 F 100
 feed 50 0 -20 F 60
 feed 50 0 -30 F 63.6620
 feed 50 0 -40 F 40
+feed 50 0 -50 F 63.6620
 feed 47.5 0 -96 F 100
 === expect
 file 0 main.nc
@@ -35,7 +38,10 @@ file 0 main.nc
 8: feed to 50 0 -30 F63.662 t9.4248
 9: event spindle rpm=200 direction="cw"
 10: feed to 50 0 -40 F40 t15
-11: event dwell seconds=1.5
-12: feed to 47.5 0 -96 F100 t33.6335
-13: event end code="M30"
-end of program: 12 blocks, 6 motions, 0 errors, 0 warnings
+11: event function code="M41"
+11: event spindle rpm=318.3098861837907 direction="cw"
+12: feed to 50 0 -50 F63.662 t9.4248
+13: event dwell seconds=1.5
+14: feed to 47.5 0 -96 F100 t27.6407
+15: event end code="M30"
+end of program: 14 blocks, 7 motions, 0 errors, 0 warnings
