@@ -1,11 +1,15 @@
 #include "core/nc/wl4/wl4_comp_stage.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace proveout::nc {
 
 namespace {
+
+constexpr double kChordError = 1e-3;  ///< mm, of arcs at rapid
 
 std::string describe(CompError error) {
   switch (error) {
@@ -113,6 +117,7 @@ bool Wl4CompStage::sendPiece(const CompPiece& piece, PathItem& item) {
   PathItem out = item.copyMotion();
   out.kind = piece.is_arc ? PathItem::Kind::kArc : PathItem::Kind::kLine;
   const Vec3 tip = item.comp_on ? item.plane.of(tip_) : Vec3(Vec3::Zero());
+  if (piece.is_arc && item.rapid) return sendRapidArc(piece, tip, out);
   const Vec3 to = piece.to + tip;
   out.to[item.plane.u] = to.x();
   out.to[item.plane.v] = to.y();
@@ -123,6 +128,28 @@ bool Wl4CompStage::sendPiece(const CompPiece& piece, PathItem& item) {
     out.sweep = piece.sweep_rad;
   }
   return pass(out);
+}
+
+/// Rapids are straight: an arc about a corner becomes chords.
+bool Wl4CompStage::sendRapidArc(const CompPiece& piece, const Vec3& tip, PathItem& item) {
+  const Vec2 arm = piece.from.head<2>() - piece.center;
+  const double radius = std::max(arm.norm(), kChordError);
+  const int count = std::max(1, static_cast<int>(std::ceil(std::abs(piece.sweep_rad) /
+                                                           (2.0 * std::acos(1.0 - kChordError / radius)))));
+  item.kind = PathItem::Kind::kLine;
+  for (int k = 1; k <= count; ++k) {
+    const double part = static_cast<double>(k) / count;
+    const Vec2 at = piece.center + Eigen::Rotation2Dd(part * piece.sweep_rad) * arm;
+    const Vec3 to = (k < count ? Vec3(at.x(), at.y(), piece.from.z() + part * (piece.to.z() - piece.from.z()))
+                               : piece.to) +
+                    tip;
+    PathItem chord = item.copyMotion();
+    chord.to[item.plane.u] = to.x();
+    chord.to[item.plane.v] = to.y();
+    chord.to[item.plane.w] = to.z();
+    if (!pass(chord)) return false;
+  }
+  return true;
 }
 
 }  // namespace proveout::nc

@@ -39,6 +39,7 @@ class Wl4CompStage final : public PathStage {
  private:
   bool drain(const CompStatus& status);
   bool sendPiece(const CompPiece& piece, PathItem& item);
+  bool sendRapidArc(const CompPiece& piece, const Vec3& tip, PathItem& item);
   SourceRef sourceOf(std::uint64_t tag) const;
 
   MotionPipe& pipe_;
