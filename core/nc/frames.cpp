@@ -146,9 +146,8 @@ CoordinateChain WorkFrames::chain(const ProgramMap& map, WorkSystemId active, co
   }
   chain.moveFurtherAxes(more_axes, shift, offset);
   if (!map.identity) {
-    AxisPoint local = shift;
-    local.xyz = shift52.xyz + shift92.xyz;
-    chain.scaleFurtherAxes(map, local);
+    shift.xyz = shift52.xyz + shift92.xyz;
+    chain.scaleFurtherAxes(map, shift);
   }
   return chain;
 }

@@ -137,7 +137,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   Diagnostic diagnosticAt(Severity severity, std::string code, std::string message, const SourceRef& at,
                           Columns columns) const;
   SourceRef here() const;
-  bool contourError(const char* code, const char* message, const SourceRef& at) override;
+  bool contourError(const char* code, const char* message, const PathItem& at) override;
   bool compError(const char* code, const std::string& message, const SourceRef& at, bool warning) override;
   void recover();
 

@@ -66,8 +66,8 @@ void Wl4Control::warnOnce(const std::string& key, std::string code, std::string 
   if (told_.insert(key).second) warn(std::move(code), std::move(message), at);
 }
 
-bool Wl4Control::contourError(const char*, const char* message, const SourceRef& at) {
-  emitter_.diagnostic(diagnosticAt(Severity::kError, "wl4-chamfer", message, at, {}));
+bool Wl4Control::contourError(const char*, const char* message, const PathItem& at) {
+  emitter_.diagnostic(diagnosticAt(Severity::kError, "wl4-chamfer", message, at.source, {}));
   return false;
 }
 
