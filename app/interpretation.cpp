@@ -180,7 +180,7 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
   host.person = job.person;
   std::optional<StockProbe> probe;
   // The motions of several channels come when their order is settled: later than a measuring move asks.
-  if (stock != nullptr && job.channels.empty()) host.probe = &probe.emplace(*stock, result.path, progress);
+  if (stock != nullptr && job.channels.size() < 2) host.probe = &probe.emplace(*stock, result.path, progress);
   result.summary = interpretJob(job, *control, source, settings, builder, progress, host);
   if (probe) result.probe_failure = probe->failure();
   if (probe && probe->used() && !job.fixtures.empty()) {

@@ -79,12 +79,11 @@ Result<ControlId> findControl(std::string_view name) {
 
 namespace {
 
-InterpretSummary notBuilt(MotionSink& sink) {
+InterpretSummary refused(MotionSink& sink, const char* why) {
   InterpretSummary summary;
   summary.end = ProgramEnd::kAlarm;
   summary.errors = 1;
-  sink.diagnostic(
-      {Severity::kError, "control", "this control is known but this version cannot run it yet", {}, {}, {}});
+  sink.diagnostic({Severity::kError, "control", why, {}, {}, {}});
   return summary;
 }
 
@@ -95,13 +94,14 @@ InterpretSummary interpret(ControlId control, const ProgramSource& source, const
   if (isWl4(control)) {
     return nc::Wl4Control(control == ControlId::kWl4Lathe, source, settings, sink, progress, host).run();
   }
-  if (control != ControlId::kNct) return notBuilt(sink);
+  if (control != ControlId::kNct)
+    return refused(sink, "this control is known but this version cannot run it yet");
   return nc::NctControl(source, settings, sink, progress, host).run();
 }
 
 InterpretSummary interpretChannels(ControlId control, const std::vector<ChannelProgram>& channels,
                                    MotionSink& sink, Progress* progress, const ControlHost& host) {
-  if (control != ControlId::kNct) return notBuilt(sink);
+  if (control != ControlId::kNct) return refused(sink, "this control has no channels");
   return nc::NctChannels(channels, sink, progress, host).run();
 }
 
