@@ -268,9 +268,13 @@ TEST(Degrees, SimpleAnglesAreExactAndOthersTrue) {
   for (int turn = -2; turn <= 2; ++turn) {
     for (int k = 0; k < 12; ++k) {
       const double angle = 360.0 * turn + 30.0 * k;
-      if (k % 6 == 0 || k % 2 == 1) EXPECT_EQ(sinDegrees(angle), half[k]) << angle;
+      if (k % 6 == 0 || k % 2 == 1) {
+        EXPECT_EQ(sinDegrees(angle), half[k]) << angle;
+      }
       const int c = (k + 3) % 12;
-      if (c % 6 == 0 || c % 2 == 1) EXPECT_EQ(cosDegrees(angle), half[c]) << angle;
+      if (c % 6 == 0 || c % 2 == 1) {
+        EXPECT_EQ(cosDegrees(angle), half[c]) << angle;
+      }
     }
   }
   EXPECT_FALSE(std::signbit(sinDegrees(180.0)) || std::signbit(sinDegrees(-360.0)));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 
@@ -72,10 +73,17 @@ TEST(ZoneCheck, RandomPathsAgreeWithSmallSteps) {
   std::uniform_real_distribution<double> number(-30, 30);
   int hits = 0;
   for (int k = 0; k < 400; ++k) {
-    const auto point = [&] { return Vec3(number(random), number(random), number(random)); };
-    const Vec3 from = point(), to = point(), a = point(), b = point();
-    ZonePath path = line(from, to);
-    if (k % 2 == 0) path.setArc(0, 1, 2, {point(), point().normalized(), 0.4 * number(random)});
+    const auto point = [&] {
+      Vec3 p;
+      for (int axis = 0; axis < 3; ++axis) p[axis] = number(random);
+      return p;
+    };
+    const Vec3 from = point(), a = point(), b = point(), center = point(), normal = point().normalized();
+    const double sweep = 0.4 * number(random), rise = number(random);
+    // An arc ends where its sweep and rise take it.
+    const Vec3 turned = center + Eigen::AngleAxisd(sweep, normal) * (from - center) + rise * normal;
+    ZonePath path = line(from, k % 2 == 0 ? turned : point());
+    if (k % 2 == 0) path.setArc(0, 1, 2, {center, normal, sweep});
     const Zone zone = box(a.cwiseMin(b), a.cwiseMax(b), k % 3 == 0);
     const auto found = firstForbidden(zone, path);
     constexpr int kSteps = 20000;
