@@ -78,7 +78,8 @@ TEST(ZoneCheck, RandomPathsAgreeWithSmallSteps) {
       for (int axis = 0; axis < 3; ++axis) p[axis] = number(random);
       return p;
     };
-    const Vec3 from = point(), a = point(), b = point(), center = point(), normal = point().normalized();
+    const Vec3 from = point(), a = point(), b = point(), aside = point(), normal = point().normalized();
+    const Vec3 center = aside + normal * normal.dot(from - aside);  // at the height of the start
     const double sweep = 0.4 * number(random), rise = number(random);
     // An arc ends where its sweep and rise take it.
     const Vec3 turned = center + Eigen::AngleAxisd(sweep, normal) * (from - center) + rise * normal;
