@@ -255,4 +255,16 @@ void SourceText::indexLabels() {
   std::sort(labels_.begin(), labels_.end());
 }
 
+void placeIn(const SourceText& text, const SourceRef& at, Columns columns, Diagnostic& diagnostic) {
+  diagnostic.where.file = text.name();
+  diagnostic.where.line = static_cast<int>(at.line);
+  if (at.line <= text.lines().size()) diagnostic.source_line = std::string(text.lines()[at.line - 1]);
+  diagnostic.where.column = columns.begin;
+  diagnostic.where.column_end = columns.end;
+  const std::string& line = diagnostic.source_line;
+  if (columns.begin != 0 || line.empty()) return;
+  diagnostic.where.column = static_cast<int>(line.find_first_not_of(" \t")) + 1;
+  diagnostic.where.column_end = static_cast<int>(line.find_last_not_of(" \t")) + 2;
+}
+
 }  // namespace proveout::nc

@@ -7,10 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/diagnostics.h"
 #include "core/base/result.h"
+#include "core/nc/block.h"
 #include "core/nc/control_settings.h"
 #include "core/nc/macro/loop_index.h"
 #include "core/nc/program_source.h"
+#include "core/path/toolpath.h"
 
 namespace proveout::nc {
 
@@ -62,5 +65,8 @@ class SourceText {
   bool labels_known_ = false;
   std::unique_ptr<const LoopIndex> loops_;
 };
+
+/// Puts a diagnostic on a line of the text; without columns on all that the line says.
+void placeIn(const SourceText& text, const SourceRef& at, Columns columns, Diagnostic& diagnostic);
 
 }  // namespace proveout::nc

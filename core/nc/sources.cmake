@@ -1,6 +1,7 @@
 target_sources(proveout_core PRIVATE
   nc/axes.cpp
   nc/control_host.cpp
+  nc/compensation_stage.cpp
   nc/contour_stage.cpp
   nc/channels.cpp
   nc/coverage.cpp

@@ -162,16 +162,7 @@ Diagnostic AlarmReporter::diagnosticAt(Severity severity, std::string code, std:
   d.code = std::move(code);
   d.message = std::move(message);
   if (calls_.empty() || at.line == 0) return d;
-  const SourceText& text = programs_.text(at.file);
-  d.where.file = text.name();
-  d.where.line = static_cast<int>(at.line);
-  if (at.line <= text.lines().size()) d.source_line = std::string(text.lines()[at.line - 1]);
-  d.where.column = columns.begin;
-  d.where.column_end = columns.end;
-  if (columns.begin == 0 && !d.source_line.empty()) {
-    d.where.column = static_cast<int>(d.source_line.find_first_not_of(" \t")) + 1;
-    d.where.column_end = static_cast<int>(d.source_line.find_last_not_of(" \t")) + 2;
-  }
+  placeIn(programs_.text(at.file), at, columns, d);
   return d;
 }
 

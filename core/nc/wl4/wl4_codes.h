@@ -27,8 +27,7 @@ enum class Wl4Group : std::uint8_t {
   kDistance,
   kFeed,
   kSpeed,
-  kFlag,    ///< one-shot: several may stand in a block
-  kRefused  ///< not of this control
+  kFlag  ///< one-shot: several may stand in a block
 };
 
 struct Wl4GCode {
@@ -43,7 +42,7 @@ enum class Wl4Phase : std::uint8_t { kStart, kEnd };
 /// When an M function acts in its block.
 Wl4Phase wl4Phase(int m);
 
-/// What the code supports; `lathe` or mill.
+/// What the code supports, and the rows of the manual.
 std::vector<CoverageRow> wl4Coverage();
 std::vector<CoverageIdRow> wl4CoverageIds();
 

@@ -35,22 +35,6 @@ bool negativeRadius(const PathItem& item) {
   return (item.sweep > 0.0 ? item.offset : -item.offset) >= radius;
 }
 
-CompBlock blockOf(const PathItem& item) {
-  CompBlock block;
-  block.to = item.plane.of(item.to);
-  block.active = item.comp_on;
-  block.offset = item.offset;
-  block.tag = item.tag;
-  if (item.kind == PathItem::Kind::kArc) {
-    block.shape = CompBlock::Shape::kArc;
-    block.center = item.center.head<2>();
-    block.sweep_rad = item.sweep;
-  } else if (item.kind == PathItem::Kind::kLine && item.in_plane) {
-    block.shape = CompBlock::Shape::kLine;
-  }
-  return block;
-}
-
 }  // namespace
 
 void Wl4CompStage::engage(const Vec3& start, double arc_threshold) {
@@ -59,73 +43,30 @@ void Wl4CompStage::engage(const Vec3& start, double arc_threshold) {
   policy.outer_corner = CompOuterCorner::kArc;
   policy.interference_check = false;
   policy.arc_threshold = arc_threshold;
-  filter_ = CutterComp(policy);
-  filter_.reset(start);
-  waiting_.clear();
-  pipe_.link(*this);
+  begin(policy, start);
 }
 
-bool Wl4CompStage::push(PathItem& item) {
-  if (negativeRadius(item)) {
-    return report_.compError("wl4-negative-radius",
-                             "negative radius under compensation: the arc is smaller than the tool",
-                             item.source, false);
-  }
-  item.tag = next_tag_++;
-  const CompBlock block = blockOf(item);
-  waiting_.push_back(std::move(item));
-  out_.clear();
-  const CompStatus status = filter_.push(block, out_);
-  if (!drain(status)) return false;
-  if (!filter_.active() && !filter_.pending()) clear();
-  return true;
+bool Wl4CompStage::accepts(const PathItem& item) {
+  if (!negativeRadius(item)) return true;
+  report_.compError("wl4-negative-radius",
+                    "negative radius under compensation: the arc is smaller than the tool", item.source);
+  return false;
 }
 
-bool Wl4CompStage::flush(FlushReason reason) {
-  if (reason == FlushReason::kTransform) return true;
-  out_.clear();
-  const CompStatus status = filter_.flush(out_);
-  return drain(status);
+void Wl4CompStage::failed(const CompStatus& status) {
+  const PathItem* item = waiting(status.tag);
+  report_.compError("wl4-compensation", describe(status.error), item != nullptr ? item->source : SourceRef{});
 }
 
-void Wl4CompStage::rebase(const AxisPoint& work, const WorkPlane& plane) { filter_.rebase(plane.of(work)); }
-
-void Wl4CompStage::clear() {
-  waiting_.clear();
-  pipe_.unlink(*this);
-}
-
-SourceRef Wl4CompStage::sourceOf(std::uint64_t tag) const {
-  for (const PathItem& item : waiting_) {
-    if (item.tag == tag) return item.source;
-  }
-  return waiting_.empty() ? SourceRef{} : waiting_.back().source;
-}
-
-bool Wl4CompStage::drain(const CompStatus& status) {
-  for (const CompPiece& piece : out_.pieces) {
-    while (!waiting_.empty() && waiting_.front().tag < piece.tag) waiting_.pop_front();
-    if (waiting_.empty() || waiting_.front().tag != piece.tag) continue;
-    if (!sendPiece(piece, waiting_.front())) return false;
-  }
-  if (status.ok()) return true;
-  return report_.compError("wl4-compensation", describe(status.error), sourceOf(status.tag), false);
-}
-
-bool Wl4CompStage::sendPiece(const CompPiece& piece, PathItem& item) {
-  if (item.function()) return pass(item);
-  PathItem out = item.copyMotion();
-  out.kind = piece.is_arc ? PathItem::Kind::kArc : PathItem::Kind::kLine;
+bool Wl4CompStage::send(const CompPiece& piece, const PathItem& item, PathItem& out) {
   const Vec3 tip = item.comp_on ? item.plane.of(tip_) : Vec3(Vec3::Zero());
   if (piece.is_arc && item.rapid) return sendRapidArc(piece, tip, out);
-  const Vec3 to = piece.to + tip;
-  out.to[item.plane.u] = to.x();
-  out.to[item.plane.v] = to.y();
-  out.to[item.plane.w] = to.z();
+  out.to[item.plane.u] += tip.x();
+  out.to[item.plane.v] += tip.y();
+  out.to[item.plane.w] += tip.z();
   if (piece.is_arc) {
-    out.center = Vec3(piece.center.x(), piece.center.y(), piece.from.z()) + tip;
-    out.start = piece.from.head<2>() + tip.head<2>();
-    out.sweep = piece.sweep_rad;
+    out.center += tip;
+    out.start += tip.head<2>();
   }
   return pass(out);
 }

@@ -138,7 +138,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
                           Columns columns) const;
   SourceRef here() const;
   bool contourError(const char* code, const char* message, const PathItem& at) override;
-  bool compError(const char* code, const std::string& message, const SourceRef& at, bool warning) override;
+  void compError(const char* code, const std::string& message, const SourceRef& at) override;
   void recover();
 
   std::optional<double> systemVariable(int number) const override;

@@ -86,8 +86,6 @@ bool Wl4Control::planCode(Plan& p, const Wl4GCode& code) {
       p.exact_stop = p.exact_stop || code.code == 9;
       p.measures = p.measures || code.code == 38;
       break;
-    case Wl4Group::kRefused:
-      return false;
   }
   return true;
 }

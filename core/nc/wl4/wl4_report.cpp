@@ -25,16 +25,7 @@ Diagnostic Wl4Control::diagnosticAt(Severity severity, std::string code, std::st
   d.code = std::move(code);
   d.message = std::move(message);
   if (levels_.empty() || at.line == 0) return d;
-  const SourceText& text = programs_.text(at.file);
-  d.where.file = text.name();
-  d.where.line = static_cast<int>(at.line);
-  if (at.line <= text.lines().size()) d.source_line = std::string(text.lines()[at.line - 1]);
-  d.where.column = columns.begin;
-  d.where.column_end = columns.end;
-  if (columns.begin == 0 && !d.source_line.empty()) {
-    d.where.column = static_cast<int>(d.source_line.find_first_not_of(" \t")) + 1;
-    d.where.column_end = static_cast<int>(d.source_line.find_last_not_of(" \t")) + 2;
-  }
+  placeIn(programs_.text(at.file), at, columns, d);
   for (std::size_t level = levels_.size(); level-- > 1;) {
     const Level& caller = levels_[level - 1];
     d.notes.push_back(fmt::format("called from {}:{}", caller.program->text->name(), caller.line + 1));
@@ -71,9 +62,8 @@ bool Wl4Control::contourError(const char*, const char* message, const PathItem& 
   return false;
 }
 
-bool Wl4Control::compError(const char* code, const std::string& message, const SourceRef& at, bool warning) {
-  emitter_.diagnostic(diagnosticAt(warning ? Severity::kWarning : Severity::kError, code, message, at, {}));
-  return warning;
+void Wl4Control::compError(const char* code, const std::string& message, const SourceRef& at) {
+  emitter_.diagnostic(diagnosticAt(Severity::kError, code, message, at, {}));
 }
 
 void Wl4Control::recover() {
