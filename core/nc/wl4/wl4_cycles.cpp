@@ -12,7 +12,7 @@ namespace proveout::nc {
 namespace {
 
 constexpr std::size_t kMostContourBlocks = 200;
-constexpr std::size_t kMostPasses = 100000;
+constexpr std::size_t kMostPasses = 5000;  ///< each is a level of recursion
 
 bool allowedInContour(int g) {
   return (g >= 0 && g <= 3) || g == 12 || g == 13 || (g >= 40 && g <= 42) || g == 90 || g == 91;

@@ -14,6 +14,7 @@ G77 G0 X20 Z0 P10 Q11 R1 E5
 G77 G0 G41 X20 Z0 P10 Q11 R1 I1 E5
 G77 G0 X20 Z0 P10 Q12 E5
 G76 G0 X20 Z0 P10 Q11 E5
+G77 G0 X20 Z0 P10 Q11 E0.001
 M2
 N10 G1 Z-10
 N11 X40
@@ -34,11 +35,14 @@ main.nc:6:1: error[wl4-contour]: the allowance R needs G41 or G42
 main.nc:7:1: error[wl4-contour]: allowances are either I and K or R
     G77 G0 G41 X20 Z0 P10 Q11 R1 I1 E5
     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-main.nc:13:5: error[wl4-contour-code]: forbidden code G4 in a contour
+main.nc:14:5: error[wl4-contour-code]: forbidden code G4 in a contour
     N12 G4 E1
         ^~
 main.nc:9:1: error[wl4-contour]: G76 needs the stock U, W or C together with E
     G76 G0 X20 Z0 P10 Q11 E5
     ^~~~~~~~~~~~~~~~~~~~~~~~
-10: event end code="M2"
-end of program: 9 blocks, 1 motions, 6 errors, 0 warnings
+main.nc:10:1: error[wl4-contour]: E0.001 makes more than 5000 passes
+    G77 G0 X20 Z0 P10 Q11 E0.001
+    ^~~~~~~~~~~~~~~~~~~~~~~~~~~~
+11: event end code="M2"
+end of program: 10 blocks, 1 motions, 7 errors, 0 warnings
