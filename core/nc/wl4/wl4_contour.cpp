@@ -334,23 +334,48 @@ std::vector<Wl4Pass> roughingPasses(const Wl4Contour& contour, const Wl4Roughing
   return Roughing(contour, rules).run();
 }
 
-std::vector<Wl4Pass> finishingPass(const Wl4Contour& contour, int depth_axis, const Vec2& from) {
-  std::vector<Wl4Pass> moves;
-  Vec2 at = from;
-  const auto moveAlong = [&](int axis, const Vec2& to, Wl4Pass::Speed speed) {
-    Vec2 point = at;
-    point[axis] = to[axis];
-    if ((point - at).norm() > 1e-9) moves.push_back({speed, line(at, point)});
-    at = point;
-  };
-  const Vec2 start = contour.front().from;
-  moveAlong(1 - depth_axis, start, Wl4Pass::Speed::kRapid);
-  moveAlong(depth_axis, start, Wl4Pass::Speed::kInfeed);
+namespace {
+
+/// A move from `at`, which goes along; none where it is there already.
+void addMove(const Vec2& to, Wl4Pass::Speed speed, Vec2& at, std::vector<Wl4Pass>& moves) {
+  if ((to - at).norm() > 1e-9) moves.push_back({speed, line(at, to)});
+  at = to;
+}
+
+Vec2 withAxis(Vec2 point, int axis, double value) {
+  point[axis] = value;
+  return point;
+}
+
+/// All of the contour at feed.
+void addContour(const Wl4Contour& contour, Vec2& at, std::vector<Wl4Pass>& moves) {
   for (const ContourElement& e : contour) moves.push_back({Wl4Pass::Speed::kFeed, e});
   at = contour.back().to;
-  moveAlong(depth_axis, from, Wl4Pass::Speed::kRapid);
-  moveAlong(1 - depth_axis, from, Wl4Pass::Speed::kRapid);
+}
+
+}  // namespace
+
+std::vector<Wl4Pass> finishingPass(const Wl4Contour& contour, int depth_axis, const Vec2& from) {
+  std::vector<Wl4Pass> moves;
+  const int along = 1 - depth_axis;
+  const Vec2 start = contour.front().from;
+  Vec2 at = from;
+  addMove(withAxis(at, along, start[along]), Wl4Pass::Speed::kRapid, at, moves);
+  addMove(start, Wl4Pass::Speed::kInfeed, at, moves);
+  addContour(contour, at, moves);
+  addMove(withAxis(at, depth_axis, from[depth_axis]), Wl4Pass::Speed::kRapid, at, moves);
+  addMove(from, Wl4Pass::Speed::kRapid, at, moves);
   return moves;
+}
+
+void addApproachPass(const Wl4Contour& contour, const Vec2& from, std::vector<Wl4Pass>& moves) {
+  const Vec2 start = contour.front().from, back = from - start;
+  Vec2 at = from;
+  addMove(start, Wl4Pass::Speed::kInfeed, at, moves);
+  addContour(contour, at, moves);
+  const int first = std::abs(back.y()) >= std::abs(back.x()) ? 1 : 0;
+  addMove(withAxis(at, first, from[first]), Wl4Pass::Speed::kRapid, at, moves);
+  addMove(from, Wl4Pass::Speed::kRapid, at, moves);
 }
 
 bool isMonotone(const Wl4Contour& contour, int depth_axis) {

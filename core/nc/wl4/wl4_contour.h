@@ -34,6 +34,8 @@ struct Wl4RoughingRules {
 std::vector<Wl4Pass> roughingPasses(const Wl4Contour& contour, const Wl4RoughingRules& rules);
 /// One pass along the contour from and back to `from`; G77 (depth axis 1) moves along Z first.
 std::vector<Wl4Pass> finishingPass(const Wl4Contour& contour, int depth_axis, const Vec2& from);
+/// One pass of G76: straight to the contour, along it, and back along the axes, the longer way first.
+void addApproachPass(const Wl4Contour& contour, const Vec2& from, std::vector<Wl4Pass>& moves);
 /// Whether the contour goes one way only along the axis across the depth.
 bool isMonotone(const Wl4Contour& contour, int depth_axis);
 

@@ -154,10 +154,9 @@ Wl4Control::Go Wl4Control::execute(std::size_t& next_line) {
     return failed();
   }
   const bool reached = reachedUntil();
-  const Wl4Block block = block_;  // called programs read their own
   if (!functions(p, Wl4Phase::kStart)) return failed();
   const bool open_cycle = p.deed == 31 || (p.deed >= 70 && p.deed <= 79);
-  const bool contour = p.deed == 76 || ((p.deed == 77 || p.deed == 78) && block.has('P') && block.has('Q'));
+  const bool contour = isContourCycle(p.deed);
   bool good = true;
   if (p.deed == 4) good = dwell();
   if (p.deed == 36) good = referenceMove(p);
@@ -177,12 +176,11 @@ Wl4Control::Go Wl4Control::execute(std::size_t& next_line) {
     in_cycle_ = false;
   }
   if (go != Go::kOn) return go;
-  block_ = block;
   if (!functions(p, Wl4Phase::kEnd)) return failed();
-  if (block.has('L')) go = subprograms();
+  if (block_.has('L')) go = subprograms();
   if (go != Go::kOn) return go;
   until_hit_ = until_hit_ || reached;
-  for (const Wl4Block::Code& m : block.m) {
+  for (const Wl4Block::Code& m : block_.m) {
     if (m.number == 99 && levels_.size() > 1) return Go::kReturn;
     if (m.number == 99)
       warn("wl4-main-m99", "M99 in the main program: taken as its end", {}, Severity::kNote);
@@ -190,9 +188,7 @@ Wl4Control::Go Wl4Control::execute(std::size_t& next_line) {
       return finish(fmt::format("M{}", m.number), ProgramEnd::kEndOfProgram);
     }
   }
-  if (!block.jump) return Go::kOn;
-  block_ = block;
-  return jump(*block.jump, next_line);
+  return block_.jump ? jump(*block_.jump, next_line) : Go::kOn;
 }
 
 Wl4Control::Go Wl4Control::failed() {
@@ -269,6 +265,7 @@ Wl4Control::Go Wl4Control::call(const std::string& name, int times) {
     fail("wl4-program", program.error().message);
     return failed();
   }
+  const Wl4Block caller = block_;  // the program reads its own
   for (int k = 0; k < times; ++k) {
     if (workOver()) return Go::kStop;  // the program may be empty
     variables_.open();
@@ -276,6 +273,7 @@ Wl4Control::Go Wl4Control::call(const std::string& name, int times) {
     variables_.close();
     if (go == Go::kStop) return go;
   }
+  block_ = caller;
   return Go::kOn;
 }
 

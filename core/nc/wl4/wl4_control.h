@@ -71,8 +71,10 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
 
   // wl4_plan.cpp: all checks of a block
   bool plan(Plan& p);
+  /// G76, and G77 and G78 with P and Q.
+  bool isContourCycle(int deed) const;
   bool planCodes(Plan& p);
-  bool planCode(Plan& p, const Wl4GCode& code);
+  void planCode(Plan& p, const Wl4GCode& code);
   bool planWords(Plan& p);
   bool planLengths(Plan& p);
   bool planMirror(Plan& p);
@@ -103,14 +105,15 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   PlaneFrame plane(const Wl4State& s) const;
   bool flipped(const Wl4State& s) const;
   double compRadius(const Wl4State& s) const;
-  /// Of the touch-off point from the nose centre, in nose radii, (z, x).
-  static Vec2 tipOffset(int tip);
+  /// Of the touch-off point from the nose centre, (z, x), mm.
+  Vec2 tipOf(const Wl4State& s) const;
 
   // wl4_functions.cpp: M, S, T
   bool functions(Plan& p, Wl4Phase phase);
   bool function(Plan& p, int m);
   bool spindle(const Wl4State& s);
   double rpm(const Wl4State& s, double diameter) const;
+  PathItem functionItem(PathItem::Kind kind) const;
   bool sendEvent(std::string name, PathEmitter::EventData data, double time_s = 0.0);
 
   // wl4_cycles.cpp: open cycles and contour cycles

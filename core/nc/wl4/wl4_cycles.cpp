@@ -26,7 +26,7 @@ Wl4Control::Go Wl4Control::openCycle(const Plan& p) {
 }
 
 bool Wl4Control::contourCycle(Plan& p) {
-  const Wl4Block b = block_;
+  const Wl4Block& b = block_;
   const auto refuse = [&](const char* why) { return fail("wl4-contour", why); };
   if (!lathe_) return refuse("G76 to G78 are cycles of the lathe");
   if (state_.radius != 40) return refuse("compensation has to be off before G76 to G78: G40");
@@ -117,31 +117,16 @@ bool Wl4Control::approachPasses(const Wl4Block& b, const CycleGeometry& cycle, s
     if (b.has('E') && !equidistant) shift = stock - way * (cut / length);
     Wl4Contour contour;
     if (!allowed(cycle, offset, shift, contour)) return false;
-    const Vec2 start = contour.front().from, end = contour.back().to, back = cycle.from - start;
-    const auto straight = [&](const Vec2& a, const Vec2& e, Wl4Pass::Speed speed) {
-      if ((e - a).norm() < 1e-9) return;
-      ContourElement line;
-      line.from = a;
-      line.to = e;
-      moves.push_back({speed, line});
-    };
-    straight(cycle.from, start, Wl4Pass::Speed::kInfeed);
-    for (const ContourElement& e : contour) moves.push_back({Wl4Pass::Speed::kFeed, e});
-    const bool x_first = std::abs(back.y()) >= std::abs(back.x());
-    const Vec2 corner = x_first ? Vec2(end.x(), cycle.from.y()) : Vec2(cycle.from.x(), end.y());
-    straight(end, corner, Wl4Pass::Speed::kRapid);
-    straight(corner, cycle.from, Wl4Pass::Speed::kRapid);
+    addApproachPass(contour, cycle.from, moves);
   }
   return true;
 }
 
 bool Wl4Control::runPasses(Plan& p, const Wl4Block& b, bool sided, const std::vector<Wl4Pass>& moves) {
-  const Wl4Parameters::Tool& tool = parameters_.tool(p.next.selected_tool);
   const AxisPoint from = machine_;
   const WorkPlane w(plane(p.next));
   // The contour is the way of the nose centre; the path is told of the working point.
-  const Vec2 tip =
-      sided && !tool.at_center ? Vec2(tool.nose_radius * tipOffset(tool.tip)) : Vec2(Vec2::Zero());
+  const Vec2 tip = sided ? tipOf(p.next) : Vec2(Vec2::Zero());
   const double modal_feed = p.next.feed;
   p.next.feed = b.find('F').value_or(modal_feed);
   p.named.set(static_cast<std::size_t>(w.u));

@@ -13,20 +13,20 @@ namespace {
 
 constexpr double kLeastDiameter = 1e-3;  ///< mm; at the axis the speed would be infinite
 
-PathItem functionItem(PathItem::Kind kind, const AxisPoint& at, const SourceRef& source) {
+}  // namespace
+
+PathItem Wl4Control::functionItem(PathItem::Kind kind) const {
   PathItem item;
   item.kind = kind;
-  item.to = at;
-  item.source = source;
+  item.plane = WorkPlane(plane(state_));
+  item.to = machine_;
+  item.comp_on = state_.radius != 40;
+  item.source = here();
   return item;
 }
 
-}  // namespace
-
 bool Wl4Control::sendEvent(std::string name, PathEmitter::EventData data, double time_s) {
-  PathItem item = functionItem(PathItem::Kind::kEvent, machine_, here());
-  item.plane = WorkPlane(plane(state_));
-  item.comp_on = state_.radius != 40;
+  PathItem item = functionItem(PathItem::Kind::kEvent);
   item.event = std::make_unique<PathItem::Event>(PathItem::Event{std::move(name), std::move(data)});
   item.value = time_s;
   return pipe_.push(item);
@@ -42,9 +42,8 @@ double Wl4Control::rpm(const Wl4State& s, double diameter) const {
 }
 
 bool Wl4Control::spindle(const Wl4State& s) {
-  PathItem item = functionItem(PathItem::Kind::kSpindle, machine_, here());
+  PathItem item = functionItem(PathItem::Kind::kSpindle);
   item.plane = WorkPlane(plane(s));
-  item.comp_on = state_.radius != 40;
   const double direction = s.spindle == 3 ? 1.0 : s.spindle == 4 ? -1.0 : 0.0;
   const double diameter = 2.0 * (machine_[0] - s.acting[0]);
   item.value = direction * (direction != 0.0 ? rpm(s, diameter) : 0.0);
@@ -64,8 +63,7 @@ bool Wl4Control::functions(Plan& p, Wl4Phase phase) {
   }
   const bool changed = p.next.speed != state_.speed || p.next.speed_mode != state_.speed_mode ||
                        p.next.speed_limit != state_.speed_limit;
-  const bool turns = state_.spindle == 3 || state_.spindle == 4;
-  if (phase == Wl4Phase::kEnd || turned || !changed || !turns) return true;
+  if (phase == Wl4Phase::kEnd || turned || !changed || !state_.turns()) return true;
   p.next.spindle = state_.spindle;
   return spindle(p.next);
 }
@@ -93,9 +91,7 @@ bool Wl4Control::function(Plan& p, int m) {
         warnOnce("M6 T0", "wl4-no-tool", "M6 without T: no tool is in the spindle");
       }
       state_.tool = p.next.tool = p.next.selected_tool;
-      PathItem item = functionItem(PathItem::Kind::kToolChange, machine_, here());
-      item.plane = WorkPlane(plane(state_));
-      item.comp_on = state_.radius != 40;
+      PathItem item = functionItem(PathItem::Kind::kToolChange);
       item.value = p.next.selected_tool;
       return pipe_.push(item);
     }
@@ -118,9 +114,7 @@ bool Wl4Control::dwell() {
   if (!(seconds >= 0.0 && seconds <= 99999.999)) {
     return fail("wl4-dwell", "a dwell lasts 0 to 99999.999 seconds");
   }
-  PathItem item = functionItem(PathItem::Kind::kDwell, machine_, here());
-  item.plane = WorkPlane(plane(state_));
-  item.comp_on = state_.radius != 40;
+  PathItem item = functionItem(PathItem::Kind::kDwell);
   item.value = seconds;
   return pipe_.push(item);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/nc/services/arcs.h"
+#include "core/nc/services/plane_curves.h"
 #include "core/nc/wl4/wl4_control.h"
 
 namespace proveout::nc {
@@ -16,11 +17,13 @@ constexpr double kQuarterTolerance = 0.01;  ///< mm, of the legs of G12 and G13
 
 }  // namespace
 
-Vec2 Wl4Control::tipOffset(int tip) {
+Vec2 Wl4Control::tipOf(const Wl4State& s) const {
+  const Wl4Parameters::Tool& tool = parameters_.tool(s.selected_tool);
+  if (!lathe_ || tool.at_center) return Vec2::Zero();
   constexpr std::array<std::array<double, 2>, 10> kTips = {
       {{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}}};
-  const auto& t = kTips[static_cast<std::size_t>(std::clamp(tip, 0, 9))];
-  return {t[0], t[1]};
+  const auto& t = kTips[static_cast<std::size_t>(std::clamp(tool.tip, 0, 9))];
+  return tool.nose_radius * Vec2(t[0], t[1]);
 }
 
 PlaneFrame Wl4Control::plane(const Wl4State& s) const {
@@ -87,9 +90,8 @@ bool Wl4Control::send(const Plan& p, PathItem& item) {
     return fail("wl4-radius", "the nose radius and the corrector D are negative together");
   }
   if (item.comp_on && !comp_stage_.linked()) {
-    const Wl4Parameters::Tool& tool = parameters_.tool(p.next.selected_tool);
-    const Vec2 tip = tool.at_center ? Vec2(Vec2::Zero()) : Vec2(tool.nose_radius * tipOffset(tool.tip));
-    comp_stage_.setTip(lathe_ ? Vec3(tip.y(), 0.0, tip.x()) : Vec3(Vec3::Zero()));
+    const Vec2 tip = tipOf(p.next);
+    comp_stage_.setTip({tip.y(), 0.0, tip.x()});
     comp_stage_.engage(corner_stage_.sentUntil(item.plane.of(machine_)), parameters_.arc_threshold);
   }
   if (!pipe_.push(item)) return false;
@@ -104,7 +106,7 @@ bool Wl4Control::feedOf(const Plan& p, FeedStyle& feed) {
   feed.feed = s.feed;
   if (s.feed_mode == 95) {
     const double diameter = p.target[0] + machine_[0] - s.acting[0] - state_.acting[0];
-    double n = state_.spindle == 3 || state_.spindle == 4 ? rpm(s, diameter) : 0.0;
+    double n = state_.turns() ? rpm(s, diameter) : 0.0;
     if (s.speed_mode == 96) feed.spindle = state_.spindle == 4 ? -n : n;
     if (!(n > 0.0)) {
       warnOnce("feed without spindle", "wl4-spindle-off",
@@ -225,14 +227,14 @@ bool Wl4Control::cornerOf(const Plan& p, Vec2& center, double& sweep) {
   const double turn = ccw ? 1.0 : -1.0;
   center = Vec2(from.x(), to.y());
   const Vec2 arm = from - center, other = to - center;
-  if (turn * (arm.x() * other.y() - arm.y() * other.x()) < 0.0) center = Vec2(to.x(), from.y());
+  if (turn * cross2(arm, other) < 0.0) center = Vec2(to.x(), from.y());
   sweep = turn * kPi / 2.0;
   return true;
 }
 
 bool Wl4Control::thread(const Plan& p) {
   const Wl4State& s = p.next;
-  const bool turns = state_.spindle == 3 || state_.spindle == 4;
+  const bool turns = state_.turns();
   double n = turns ? rpm(s, 2.0 * (machine_[0] - s.acting[0])) : 0.0;
   if (!(n > 0.0)) {
     warnOnce(

@@ -13,11 +13,11 @@ namespace {
 constexpr std::string_view kIncrements = "UVW";
 constexpr double kTravel = 9999.999;  ///< mm
 
-bool isContourCycle(const Wl4Block& block, int deed) {
-  return deed == 76 || ((deed == 77 || deed == 78) && block.has('P') && block.has('Q'));
-}
-
 }  // namespace
+
+bool Wl4Control::isContourCycle(int deed) const {
+  return deed == 76 || ((deed == 77 || deed == 78) && block_.has('P') && block_.has('Q'));
+}
 
 bool Wl4Control::plan(Plan& p) {
   p.next = state_;
@@ -32,7 +32,7 @@ bool Wl4Control::planCodes(Plan& p) {
     if (code == nullptr) {
       return fail("wl4-code", fmt::format("G{} is no code of this control", word.number), word.columns);
     }
-    if (!planCode(p, *code)) return false;
+    planCode(p, *code);
   }
   const bool straight = p.next.motion < 2;
   const bool switches = p.next.radius != state_.radius || p.next.length != state_.length ||
@@ -47,7 +47,7 @@ bool Wl4Control::planCodes(Plan& p) {
   return true;
 }
 
-bool Wl4Control::planCode(Plan& p, const Wl4GCode& code) {
+void Wl4Control::planCode(Plan& p, const Wl4GCode& code) {
   switch (code.group) {
     case Wl4Group::kMotion:
       p.next.motion = code.code;
@@ -87,7 +87,6 @@ bool Wl4Control::planCode(Plan& p, const Wl4GCode& code) {
       p.measures = p.measures || code.code == 38;
       break;
   }
-  return true;
 }
 
 bool Wl4Control::checkFunctions() {
@@ -100,7 +99,7 @@ bool Wl4Control::checkFunctions() {
 bool Wl4Control::planWords(Plan& p) {
   Wl4State& s = p.next;
   const Wl4Block& b = block_;
-  const bool contour = isContourCycle(b, p.deed), thread = p.deed == 31 || b.hasCode(32) || b.hasCode(33);
+  const bool contour = isContourCycle(p.deed), thread = p.deed == 31 || b.hasCode(32) || b.hasCode(33);
   if (b.has('F') && !contour) s.feed = b.value('F');
   if (thread) s.pitch = s.feed;
   if (b.has('S') && b.hasCode(51)) {
@@ -186,7 +185,7 @@ bool Wl4Control::planOffsets(Plan& p) {
 bool Wl4Control::planAxes(Plan& p) {
   if (p.deed == 92) return planSetSystem(p);
   if (p.deed == 4 || block_.hasCode(51)) return true;
-  if (isContourCycle(block_, p.deed)) return true;
+  if (isContourCycle(p.deed)) return true;
   for (int axis = 0; axis < axes_.count(); ++axis) {
     const std::string& name = axes_.at(axis).name;
     const char increment = axis < 3 ? kIncrements[static_cast<std::size_t>(axis)] : '\0';

@@ -68,8 +68,6 @@ void Wl4Control::compError(const char* code, const std::string& message, const S
 
 void Wl4Control::recover() {
   pipe_.clear();
-  pipe_.link(frame_stage_);
-  pipe_.link(emit_stage_);
   machine_ = emitter_.machine();
 }
 

@@ -29,6 +29,7 @@ struct Wl4State {
   int open_cycle = 0;                           ///< #108
   std::array<double, 3> target{}, increment{};  ///< #130 to #135, X in diameter on lathes
 
+  bool turns() const { return spindle == 3 || spindle == 4; }
   double sign(int axis) const { return mirrored[static_cast<std::size_t>(axis)] ? -1.0 : 1.0; }
   double offset(int axis) const {
     return system_offset[axis] + (axis < 3 ? length_offset[static_cast<std::size_t>(axis)] : 0.0);
