@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/types.h"
+#include "core/tool/insert.h"
 #include "core/tool/outline.h"
 
 namespace proveout {
@@ -23,7 +24,8 @@ enum class ToolType {
   kTSlot,       ///< disc on a neck
   kLollipop,    ///< ball on a neck
   kThreadMill,  ///< rings of thread teeth, without lead
-  kForm         ///< free outline
+  kForm,        ///< free outline
+  kInsert       ///< lathe insert: no solid of revolution
 };
 std::string_view toolTypeName(ToolType type);  ///< "flat", "ball", ...: as in job files
 std::optional<ToolType> toolTypeOf(std::string_view name);
@@ -48,6 +50,7 @@ struct Tool {
   double root_diameter =
       0.0;  ///< thread mill: between the teeth; 0: where the flanks of teeth a pitch apart meet
   std::vector<OutlinePoint> outline;  ///< form
+  std::optional<Insert> insert;       ///< insert; none of the lengths and diameters here has a meaning then
   double flute_length = 0.0;    ///< from the tip; 0: as long as the tool, or without limit if that is 0 too.
                                 ///< Types with a neck and forms cut over their own height instead.
   double overall_length = 0.0;  ///< tip to gauge line; 0: not given
