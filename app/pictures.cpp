@@ -25,10 +25,11 @@ class PictureMaker {
   PictureMaker(const TriMesh& mesh, const PictureRequest& request, Progress& progress)
       : mesh_(mesh), request_(request), progress_(progress) {}
 
-  Status add(const RenderScene& scene, const std::string& view_name, const std::string& file,
+  Status add(RenderScene scene, const std::string& view_name, const std::string& file,
              const std::string& title) {
     const Result<View> view = findView(view_name);
     if (!view) return view.error();
+    if (view->section && request_.turned_axis) scene.section = SectionCut{*request_.turned_axis};
     RenderOptions options;
     options.threads = request_.threads;
     const Result<Image> image = renderMesh(scene, *view, request_.size, options, progress_);

@@ -1,6 +1,7 @@
 // The pictures of a run: named views, the deviation map, the findings.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct PictureRequest {
   std::vector<std::string> views = {"iso"};
   ImageSize size;
   int threads = 0;
-  const Comparison* comparison = nullptr;          ///< null: no deviation map
+  std::optional<Vec2> turned_axis;         ///< (x, y) of a turned part's axis, mm: sections cut about it
+  const Comparison* comparison = nullptr;  ///< null: no deviation map
   const std::vector<Finding>* findings = nullptr;  ///< numbered from 1 as in the report; null: none
 };
 

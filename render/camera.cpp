@@ -13,6 +13,7 @@ namespace {
 struct NamedView {
   const char* name;
   double x, y, z;  ///< from the part to the camera, not normalised
+  bool section = false;
 };
 // The iso views look down (or up) at about 33 degrees, a little flatter than the true isometric 35.3, so that
 // walls show as well as floors.
@@ -27,11 +28,13 @@ constexpr NamedView kViews[] = {
     {"back", 0, 1, 0},
     {"left", -1, 0, 0},
     {"right", 1, 0, 0},
+    {"section", 1, -1.15, 1.0, true},
 };
 
 View makeView(const NamedView& named) {
   View view;
   view.name = named.name;
+  view.section = named.section;
   view.back = Vec3(named.x, named.y, named.z).normalized();
   const bool vertical = named.x == 0 && named.y == 0;
   const Vec3 hint = vertical ? Vec3(0, 1, 0) : Vec3(0, 0, 1);

@@ -26,8 +26,9 @@ struct View {
   std::string name;
   Vec3 back = Vec3::UnitZ();  ///< unit, from the part to the camera
   Vec3 up = Vec3::UnitY();    ///< unit, normal to back; up in the picture
+  bool section = false;       ///< a quarter of the part is cut away (SectionCut)
 };
-/// iso, iso-left, iso-back, iso-below, top, bottom, front, back, left, right.
+/// iso, iso-left, iso-back, iso-below, top, bottom, front, back, left, right, section.
 std::vector<std::string> viewNames();
 /// The view of that name; the error lists the known names.
 Result<View> findView(const std::string& name);

@@ -63,6 +63,10 @@ Status checkScene(const RenderScene& scene, ImageSize size, const RenderOptions&
     return inputError(fmt::format("a picture with legend, findings or caption needs at least {}x{} pixels",
                                   kLeastAnnotated.width, kLeastAnnotated.height));
   }
+  if (const auto& cut = scene.section;
+      cut && !(cut->axis.allFinite() && std::abs(cut->side_x) == 1 && std::abs(cut->side_y) == 1)) {
+    return inputError("a section needs an axis of finite numbers and sides of 1 or -1");
+  }
   for (const Marker& marker : scene.markers) {
     if (!marker.at.allFinite())
       return inputError("a finding to draw has a place that is not a finite number");
@@ -70,9 +74,15 @@ Status checkScene(const RenderScene& scene, ImageSize size, const RenderOptions&
   return Done{};
 }
 
+std::optional<SectionCut> sectionOf(const RenderScene& scene, const View& view) {
+  if (scene.section || !view.section) return scene.section;
+  const Vec3 middle = meshBounds(scene.mesh).center();
+  return SectionCut{Vec2(middle.x(), middle.y()), view.back.x() < 0 ? -1 : 1, view.back.y() < 0 ? -1 : 1};
+}
+
 Result<Image> draw(const RenderScene& scene, const View& view, ImageSize size, const RenderOptions& options,
                    Progress& progress) {
-  Result<RayScene> rays = RayScene::build(scene.mesh);
+  Result<RayScene> rays = RayScene::build(scene.mesh, sectionOf(scene, view));
   if (!rays) return rays.error();
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted while drawing"};
   const auto faces = render_detail::faceNormals(scene.mesh);
@@ -84,7 +94,7 @@ Result<Image> draw(const RenderScene& scene, const View& view, ImageSize size, c
   const auto visible = [&](const Vec3& p) {
     constexpr float kSlack =
         0.01F;  // a finding lies on the nominal or in the middle of a patch, not on this mesh
-    return !rays->occluded(rays->toUnit(p) + back * kSlack, back, 4.0F);
+    return !rays->cutAway(p) && !rays->occluded(rays->toUnit(p) + back * kSlack, back, 4.0F);
   };
   render_detail::drawAnnotations(scene, render_detail::layoutPage(scene, size), camera, visible, *image);
   return image;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,14 @@ struct Legend {
   std::vector<double> ticks;  ///< in `unit`; empty: chosen from the scale
 };
 
+/// Cuts a quarter of the part away, so that bores, grooves and walls show: what lies on the given side of
+/// both planes through an axis parallel to Z. The solid's cut faces are drawn hatched. The mesh must be
+/// closed.
+struct SectionCut {
+  Vec2 axis = Vec2::Zero();     ///< (x, y), mm, workpiece frame
+  int side_x = 1, side_y = -1;  ///< 1 or -1; the quarter where these are the signs of x and y from the axis
+};
+
 struct RenderScene {
   explicit RenderScene(const TriMesh& m) : mesh(m) {}
   const TriMesh& mesh;               ///< must outlive the scene
@@ -51,6 +60,9 @@ struct RenderScene {
   bool show_legend = false;  ///< needs a scalar field
   Legend legend;
   std::string caption;  ///< one ASCII line at the bottom; empty: none
+  /// Applies in every view. None: a view with `section` cuts about the middle of the mesh's bounds, the
+  /// quarter that faces the camera.
+  std::optional<SectionCut> section;
 };
 
 struct RenderOptions {
@@ -61,8 +73,8 @@ struct RenderOptions {
 };
 
 /// Draws the scene. Errors (kInput): empty mesh, positions that are not finite, indices out of range, fields
-/// of the wrong length, samples or size out of range, annotations on a picture below 160 x 120. kInterrupted
-/// when cancelled.
+/// of the wrong length, a section without a quarter, samples or size out of range, annotations on a picture
+/// below 160 x 120. kInterrupted when cancelled.
 Result<Image> renderMesh(const RenderScene& scene, const View& view, ImageSize size,
                          const RenderOptions& options, Progress& progress);
 

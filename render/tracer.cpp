@@ -14,6 +14,10 @@ namespace {
 using Vec3f = Eigen::Vector3f;
 
 constexpr Rgb kPartColor{0.74F, 0.76F, 0.79F};       ///< sRGB, bare metal
+constexpr Rgb kCutColor{0.86F, 0.66F, 0.40F};        ///< sRGB, faces that a section cuts
+constexpr Rgb kCutColorInHeat{0.66F, 0.66F, 0.60F};  ///< between the scale's grey and that of "not measured"
+constexpr float kHatchPitch = 11.0F, kHatchWidth = 1.2F;  ///< pixels; half the width with its soft edge
+constexpr float kHatchDepth = 0.38F;
 constexpr float kKeyLight = 0.98F;                   ///< irradiance of the key light, facing it
 constexpr float kSkyLight = 0.36F;                   ///< irradiance of the sky, unoccluded
 constexpr float kHeatKey = 0.66F, kHeatSky = 0.50F;  ///< flatter, so that heat maps keep the legend's colours
@@ -76,6 +80,7 @@ class Tracer {
         right_(in.camera.right.cast<float>()),
         up_(in.camera.up.cast<float>()),
         back_(in.camera.back.cast<float>()),
+        pixel_(static_cast<float>(in.camera.mm_per_pixel / in.rays.radius())),
         heat_(!in.scene.field.values.empty()),
         ground_(in.options.ground && back_.z() > 0.05F) {
     // From the upper left, over the viewer's shoulder; it follows the view, so that every view reads alike.
@@ -124,8 +129,15 @@ class Tracer {
     if (ground_) shadeGround(origin, seed, k, sums);
   }
 
-  void shadePart(const Vec3f& point, const Hit& hit, std::uint32_t seed, std::uint32_t k,
-                 PixelSums& sums) const {
+  /// What the ray met: face normal, shading normal, colour.
+  struct Surface {
+    Vec3f face, normal, albedo;
+  };
+  Surface surfaceAt(const Vec3f& point, const Hit& hit) const {
+    if (hit.cut_face >= 0) {
+      const Vec3f normal = in_.rays.cutNormal(hit.cut_face);
+      return {normal, normal, hatch(point, hit.cut_face)};
+    }
     Vec3f face = in_.faces[hit.triangle];
     const auto& corner = in_.corners[hit.triangle];
     Vec3f normal = (corner[0] * (1 - hit.u - hit.v) + corner[1] * hit.u + corner[2] * hit.v).normalized();
@@ -133,7 +145,12 @@ class Tracer {
       face = -face;
       normal = -normal;
     }
-    const Vec3f albedo = color(hit);
+    return {face, normal, color(hit)};
+  }
+
+  void shadePart(const Vec3f& point, const Hit& hit, std::uint32_t seed, std::uint32_t k,
+                 PixelSums& sums) const {
+    const auto [face, normal, albedo] = surfaceAt(point, hit);
     const Vec3f origin = point + face * kRayOffset;
     const float cosine = std::max(0.0F, normal.dot(light_));
     const float gloss = heat_ ? 0.0F : kGloss * std::pow(std::max(0.0F, normal.dot(half_)), kGlossPower);
@@ -169,6 +186,15 @@ class Tracer {
         .normalized();
   }
 
+  /// Cut faces carry slanted lines, as on drawings, so that they differ from every colour of the deviations.
+  Vec3f hatch(const Vec3f& point, int cut_face) const {
+    const float across = cut_face == 0 ? point.y() : point.x();
+    const float phase = (across + point.z()) / (1.41421356F * kHatchPitch * pixel_);
+    const float from_line = std::abs(phase - std::round(phase)) * kHatchPitch;  // pixels
+    const float line = std::clamp(kHatchWidth - from_line, 0.0F, 1.0F);
+    return cut_color_ * (1.0F - kHatchDepth * line);
+  }
+
   Vec3f color(const Hit& hit) const {
     const ScalarField& field = in_.scene.field;
     if (heat_) {
@@ -188,8 +214,10 @@ class Tracer {
   const TraceInput& in_;
   Vec3f right_, up_, back_, light_, half_, sky_up_;
   Basis light_basis_;
+  float pixel_;  ///< units
   bool heat_, ground_;
   SrgbTable srgb_;
+  Vec3f cut_color_ = srgb_.toLinear(heat_ ? kCutColorInHeat : kCutColor);
 };
 
 /// Rows of sums with the reach of the filter above and below.
