@@ -181,7 +181,7 @@ struct ReportImage {
 struct ReportOutputs {
   std::vector<ReportMesh> meshes;
   std::vector<ReportImage> images;
-  std::vector<std::string> tables;  ///< blocks.csv and mrr.svg, relative to the report
+  std::vector<std::string> tables;  ///< blocks.csv, mrr.svg, profile.svg, relative to the report
   std::string html;                 ///< file name; empty: none
 };
 
@@ -213,6 +213,8 @@ struct Report {
   ReportTime time;
   std::optional<ReportAccounting> accounting;  ///< none: nothing was cut
   std::optional<ReportStock> stock;
+  std::string
+      profile_svg;  ///< half section of a turned part for report.html (ProfileChart::page); empty: none
   double resolution_mm = 0.0;
   std::vector<Finding> findings;
   std::optional<ReportComparison> comparison;

@@ -33,6 +33,7 @@ class Page {
     findings();
     messages();
     comparison();
+    profile();
     setups();
     tools();
     rate();
@@ -281,6 +282,11 @@ class Page {
       if (entry.tool == tool) return entry.figures;
     }
     return {};
+  }
+
+  void profile() {
+    if (r_.profile_svg.empty()) return;
+    out_ += "<section>\n<h2>Profile</h2>\n" + r_.profile_svg + "\n</section>\n";
   }
 
   void rate() {
