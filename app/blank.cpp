@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/job_setup.h"
+#include "removal/turning/turned_field.h"
 
 namespace proveout {
 namespace {
@@ -26,6 +27,7 @@ Box3 boundsOf(const StockShape& shape) {
   if (const auto* box = std::get_if<BoxShape>(&shape)) return {box->min, box->max};
   if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) return cylinderBounds(*cylinder);
   if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshBounds(mesh->mesh);
+  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) return turnedBounds(turned->shape.get());
   return {};
 }
 

@@ -10,6 +10,8 @@
 #include "removal/blank_field.h"
 #include "removal/leaf_changes.h"
 #include "removal/stock_impl.h"
+#include "removal/surface.h"
+#include "removal/turning/turned_field.h"
 
 namespace proveout {
 
@@ -97,6 +99,7 @@ class FieldBlank {
       Crossing c;
       c.setPosition(hit.t);
       c.setNormal(hit.normal);
+      c.motion = hit.motion;
       c.element = static_cast<std::uint16_t>(hit.face);
       out.push_back(c);
     });
@@ -120,6 +123,18 @@ Status buildField(Stock::Impl& impl, Result<std::unique_ptr<BlankField>> field, 
   return FieldBlank(impl, *field.value(), progress, memoryLimit(options)).build();
 }
 
+/// Threads have no closed form for their volume: it comes from the crossings.
+Status buildTurned(Stock::Impl& impl, const TurnedStockShape& turned, const RemovalOptions& options,
+                   Progress& progress) {
+  if (Status status = buildField(impl, makeTurnedField(turned.shape), options, progress); !status)
+    return status;
+  if (turned.shape->threads.empty()) return Done{};
+  const Result<double> volume = measureVolume(impl, progress);
+  if (!volume) return volume.error();
+  impl.initial_volume = *volume;
+  return Done{};
+}
+
 }  // namespace
 
 Status buildBlank(Stock::Impl& impl, const StockShape& shape, const RemovalOptions& options,
@@ -129,6 +144,8 @@ Status buildBlank(Stock::Impl& impl, const StockShape& shape, const RemovalOptio
   if (const auto* round = std::get_if<CylinderShape>(&shape)) {
     return buildField(impl, makeBlankField(*round), options, progress);
   }
+  if (const auto* turned = std::get_if<TurnedStockShape>(&shape))
+    return buildTurned(impl, *turned, options, progress);
   return buildMeshBlank(impl, std::get<MeshShape>(shape), options);
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/result.h"
+#include "core/path/toolpath.h"
 #include "removal/leaf_bits.h"
 #include "removal/stock_shape.h"
 
@@ -29,7 +30,8 @@ class BlankField {
   struct EdgeHit {
     double t;  ///< fraction of the edge
     Vec3 normal;
-    int face;
+    int face;                     ///< 0 to 65,535
+    MotionId motion = kNoMotion;  ///< that made the face
   };
   virtual EdgeHit edgeHit(const Vec3& start, int axis, double length, bool inside) const;
 };

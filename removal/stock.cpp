@@ -12,6 +12,7 @@
 #include "core/base/parallel_for.h"
 #include "removal/stock_impl.h"
 #include "removal/threads.h"
+#include "removal/turning/turned_field.h"
 
 namespace proveout {
 
@@ -46,6 +47,7 @@ const Vec3 kGridShift(0.38197, 0.41421, 0.44721);
 Box3 shapeBounds(const StockShape& shape) {
   if (const auto* box = std::get_if<BoxShape>(&shape)) return {box->min, box->max};
   if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshBounds(mesh->mesh);
+  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) return turnedBounds(turned->shape.get());
   Box3 bounds;
   if (const auto* round = std::get_if<CylinderShape>(&shape)) {
     bounds.extend(round->base - Vec3::Constant(round->radius));

@@ -1,6 +1,7 @@
 // What the blank is, before it becomes a grid. Workpiece frame, mm.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 
@@ -8,6 +9,8 @@
 #include "core/mesh/tri_mesh.h"
 
 namespace proveout {
+
+struct TurnedShape;
 
 struct BoxShape {
   Vec3 min = Vec3::Zero(), max = Vec3::Zero();  ///< min < max in every coordinate
@@ -28,6 +31,10 @@ struct MeshShape {
 struct SavedStock {
   std::string path;
 };
-using StockShape = std::variant<BoxShape, CylinderShape, MeshShape, SavedStock>;
+/// What turning left of a bar: removal/turning/section.h. Z is the spindle axis.
+struct TurnedStockShape {
+  std::shared_ptr<const TurnedShape> shape;
+};
+using StockShape = std::variant<BoxShape, CylinderShape, MeshShape, SavedStock, TurnedStockShape>;
 
 }  // namespace proveout

@@ -76,6 +76,7 @@ class Extractor {
         fan_height_(std::max(kFanHeight, 0.5 * simplify_mm / impl.h)) {}
 
   Result<StockSurface> run(Progress& progress);
+  Result<double> volume(Progress& progress);
 
  private:
   template <typename Body>
@@ -565,6 +566,20 @@ bool Extractor::repair(StockSurface& surface, Progress& progress) {
   }
 }
 
+Result<double> Extractor::volume(Progress& progress) {
+  const Error hole{ErrorKind::kInternal, "the stock's grid has a hole; please report this job"};
+  if (!grid_.build(progress)) return hole;
+  outputs_.resize(grid_.leaves().size());
+  eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) { measureLeaf(leaf, out); });
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  double sum = 0.0;
+  for (const LeafOutput& out : outputs_) {
+    if (out.hole) return hole;
+    sum += out.volume;
+  }
+  return sum * impl_.h * impl_.h * impl_.h;
+}
+
 Result<StockSurface> Extractor::run(Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "interrupted"};
   const Error hole{ErrorKind::kInternal, "the stock's grid has a hole; please report this job"};
@@ -605,6 +620,10 @@ Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOption
   }
   const double tolerance = options.simplify_mm < 0.0 ? kDefaultTolerance * impl.h : options.simplify_mm;
   return Extractor(impl, tolerance).run(progress);
+}
+
+Result<double> measureVolume(const Stock::Impl& impl, Progress& progress) {
+  return Extractor(impl, 0.0).volume(progress);
 }
 
 Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& progress) const {

@@ -11,5 +11,7 @@ namespace proveout {
 /// grid with a hole (a bug).
 Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOptions& options,
                                     Progress& progress);
+/// Its volume alone, mm3. Errors: the same.
+Result<double> measureVolume(const Stock::Impl& impl, Progress& progress);
 
 }  // namespace proveout

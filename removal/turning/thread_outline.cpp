@@ -1,0 +1,130 @@
+#include "removal/turning/thread_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace proveout {
+
+namespace {
+
+constexpr double kOnBoundary = 1e-9;  ///< mm: the gradient is that of the side
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+ThreadOutline::ThreadOutline(const ConvexOutline& outline) : min_(outline.min()), max_(outline.max()) {
+  for (const OutlineSide& s : outline.sides()) {
+    Side side{s.arc, s.from,   s.to,     Vec2::UnitX(), Vec2::UnitX(),
+              0.0,   s.center, s.radius, Vec2::UnitX(), -1.0};
+    const Vec2 chord = s.to - s.from;
+    side.length = chord.norm();
+    if (side.length > 0.0) side.along = chord / side.length;
+    side.normal = {side.along.y(), -side.along.x()};
+    if (s.arc) {
+      const double begin = std::atan2(s.from.y() - s.center.y(), s.from.x() - s.center.x());
+      double sweep = std::atan2(s.to.y() - s.center.y(), s.to.x() - s.center.x()) - begin;
+      if (sweep <= 0.0) sweep += 2.0 * kPi;
+      side.middle = {std::cos(begin + 0.5 * sweep), std::sin(begin + 0.5 * sweep)};
+      side.cos_half = std::cos(0.5 * sweep);
+    }
+    sides_.push_back(side);
+  }
+}
+
+ThreadOutline::Near ThreadOutline::near(const Vec2& p) const {
+  Near best{kInfinity, Vec2::UnitX(), 0};
+  bool inside = true;
+  double least = kInfinity;
+  Vec2 corner = p;
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const Side& side = sides_[k];
+    const Vec2 from = p - side.from;
+    double distance = kInfinity;
+    Vec2 normal = side.normal, foot = side.from;
+    bool on_side = false;
+    if (side.arc) {
+      const Vec2 arm = p - side.center;
+      const double length = arm.norm();
+      on_side = side.holds(arm, length) && length > 0.0;
+      if (on_side) {
+        distance = std::abs(length - side.radius);
+        normal = arm / length;
+      } else {
+        normal = length > 0.0 ? Vec2(arm / length) : side.middle;
+      }
+      if (side.normal.dot(from) > 0.0 && length > side.radius) inside = false;
+    } else {
+      const double along = side.along.dot(from), out = side.normal.dot(from);
+      on_side = along >= 0.0 && along <= side.length;
+      if (on_side) distance = std::abs(out);
+      if (out > 0.0) inside = false;
+    }
+    if (!on_side) {
+      const double to_from = from.norm(), to_to = (p - side.to).norm();
+      distance = std::min(to_from, to_to);
+      foot = to_from <= to_to ? side.from : side.to;
+    }
+    if (distance >= least) continue;
+    least = distance;
+    corner = foot;
+    best = {distance, normal, static_cast<int>(k)};
+    if (!on_side && distance > kOnBoundary) best.gradient = Vec2::Zero();  // a corner: by the point below
+  }
+  best.value = inside ? -least : least;
+  if (best.gradient.isZero()) best.gradient = (p - corner) / best.value;
+  return best;
+}
+
+ThreadOutline::Span ThreadOutline::spanAt(double r) const {
+  Span span{kInfinity, -kInfinity, 0, 0};
+  const auto add = [&](double z, std::size_t side) {
+    if (z < span.low) {
+      span.low = z;
+      span.low_side = static_cast<int>(side);
+    }
+    if (z > span.high) {
+      span.high = z;
+      span.high_side = static_cast<int>(side);
+    }
+  };
+  if (!(r >= min_.x() && r <= max_.x())) return span;
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const Side& side = sides_[k];
+    if (!side.arc) {
+      if ((side.from.x() > r) == (side.to.x() > r)) continue;
+      add(side.from.y() + (r - side.from.x()) / (side.to.x() - side.from.x()) * (side.to.y() - side.from.y()),
+          k);
+      continue;
+    }
+    const double dr = r - side.center.x();
+    const double square = side.radius * side.radius - dr * dr;
+    if (square < 0.0) continue;
+    for (const double dz : {-std::sqrt(square), std::sqrt(square)}) {
+      if (side.holds({dr, dz}, side.radius)) add(side.center.y() + dz, k);
+    }
+  }
+  return span;
+}
+
+Vec2 ThreadOutline::normalAt(int side, const Vec2& p) const {
+  const Side& s = sides_[static_cast<std::size_t>(side)];
+  if (!s.arc) return s.normal;
+  const Vec2 arm = p - s.center;
+  return arm.norm() > 0.0 ? Vec2(arm.normalized()) : s.middle;
+}
+
+ConvexOutline mirrored(const ConvexOutline& outline) {
+  const auto flip = [](const Vec2& p) { return Vec2(-p.x(), p.y()); };
+  std::vector<OutlineSide> sides;
+  for (auto side = outline.sides().rbegin(); side != outline.sides().rend(); ++side) {
+    OutlineSide s = *side;
+    s.from = flip(side->to);
+    s.to = flip(side->from);
+    s.center = flip(side->center);
+    sides.push_back(s);
+  }
+  return ConvexOutline(sides);
+}
+
+}  // namespace proveout

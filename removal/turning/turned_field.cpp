@@ -1,0 +1,281 @@
+#include "removal/turning/turned_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "removal/edge_root.h"
+#include "removal/turning/section_field.h"
+#include "removal/turning/thread_field.h"
+
+namespace proveout {
+
+namespace {
+
+/// Faces of the section have the lower half of the numbers, those of threads the upper one: 32 for each.
+constexpr int kThreadFaces = 0x8000, kFacesOfThread = 32;
+
+int sectionFace(const SectionField::Edge& e) { return e.face % kThreadFaces; }
+int threadFace(const HelixSweep& s, int side) {
+  const int face = s.number() * kFacesOfThread + std::min(side, HelixSweep::kEndFace);
+  return kThreadFaces + face % kThreadFaces;
+}
+
+Vec3 turnedNormal(const Vec2& n, double phi) { return {n.x() * std::cos(phi), n.x() * std::sin(phi), n.y()}; }
+
+class TurnedField : public BlankField {
+ public:
+  TurnedField(const TurnedShape& shape)
+      : section_(shape.bodies), threads_(shape.threads, section_.min(), section_.max()) {}
+
+  BlankSample sample(const Vec3& p) const override;
+  Box3 bounds() const override;
+  double volume() const override { return section_.volume(); }
+  LeafBits material(const Vec3& first, double h) const override;
+  EdgeHit edgeHit(const Vec3& start, int axis, double length, bool inside) const override;
+
+ private:
+  /// A grid edge, walked from its end in the material.
+  struct Walk {
+    Vec3 from, step;  ///< all of the edge
+    int axis;
+    Vec3 at(double way) const { return from + way * step; }
+  };
+  void levelSection(const Walk& walk, double& way, EdgeHit& hit) const;
+  void levelThreads(const Walk& walk, double& way, EdgeHit& hit) const;
+  void upright(const Walk& walk, double& way, EdgeHit& hit) const;
+  EdgeHit atEnd(const Walk& walk, double& way) const;
+  EdgeHit sectionHit(int edge, const PolarPoint& p) const;
+  void cutThreads(const Vec3& first, double h, const std::array<double, 64>& radius, LeafBits& bits) const;
+
+  SectionField section_;
+  ThreadField threads_;
+};
+
+Box3 TurnedField::bounds() const {
+  const double r = section_.max().x();
+  return {{-r, -r, section_.min().y()}, {r, r, section_.max().y()}};
+}
+
+BlankSample TurnedField::sample(const Vec3& p) const {
+  const PolarPoint polar = PolarPoint::of(p);
+  const Vec2 q = polar.inPlane();
+  const SectionField::Nearest near = section_.nearest(q, 1e300);
+  const SectionField::Edge& edge = section_.edge(near.edge);
+  const bool inside = section_.inside(q);
+  const BlankSample section{inside ? -near.distance : near.distance,
+                            turnedNormal(edge.normalAt(near.point), polar.phi), sectionFace(edge)};
+  if (!inside) return section;
+  const ThreadField::Bound thread = threads_.bound(polar, near.distance);
+  if (thread.sweep == nullptr) return section;
+  const HelixSweep::Side side = thread.sweep->sideAt(polar, thread.t);
+  return {-thread.value, -side.normal, threadFace(*thread.sweep, side.side)};
+}
+
+LeafBits TurnedField::material(const Vec3& first, double h) const {
+  std::array<double, 64> radius;
+  for (int bit = 0; bit < 64; ++bit) {
+    const double x = first.x() + (bit >> 3) * h, y = first.y() + (bit & 7) * h;
+    radius[static_cast<std::size_t>(bit)] = std::sqrt(x * x + y * y);
+  }
+  LeafBits bits{};
+  std::vector<double> radii;
+  for (int z = 0; z < 8; ++z) {
+    section_.radiiAt(first.z() + z * h, radii);
+    for (const double r : radii) {
+      for (int bit = 0; bit < 64; ++bit) {
+        bits[static_cast<std::size_t>(z)] ^=
+            static_cast<std::uint64_t>(r < radius[static_cast<std::size_t>(bit)]) << bit;
+      }
+    }
+  }
+  if (!threads_.empty()) cutThreads(first, h, radius, bits);
+  return bits;
+}
+
+void TurnedField::cutThreads(const Vec3& first, double h, const std::array<double, 64>& radius,
+                             LeafBits& bits) const {
+  const auto [least, most] = std::minmax_element(radius.begin(), radius.end());
+  const Vec2 low(*least, first.z()), high(*most, first.z() + 7 * h);
+  std::array<double, 64> phi;
+  bool have_phi = false;
+  threads_.forEachNear(low, high, [&](const HelixSweep& sweep) {
+    HelixSweep::Window window;
+    if (!sweep.window(low, high, window)) return;
+    for (int bit = 0; bit < 64 && !have_phi; ++bit) {
+      phi[static_cast<std::size_t>(bit)] = std::atan2(first.y() + (bit & 7) * h, first.x() + (bit >> 3) * h);
+    }
+    have_phi = true;
+    for (std::size_t bit = 0; bit < 64; ++bit) {
+      sweep.forEachPass(phi[bit], window, [&](double t) {
+        const Vec2 tool = sweep.at(t);
+        const ThreadOutline::Span span = sweep.outline().spanAt(radius[bit] - tool.x());
+        const double from = (span.low + tool.y() - first.z()) / h,
+                     to = (span.high + tool.y() - first.z()) / h;
+        if (!(from < to) || to <= 0.0 || from >= 7.0) return;
+        const int begin = std::max(0, static_cast<int>(std::floor(from)) + 1);
+        for (int z = begin; z < 8 && z < to; ++z) bits[static_cast<std::size_t>(z)] &= ~(1ull << bit);
+      });
+    }
+  });
+}
+
+BlankField::EdgeHit TurnedField::sectionHit(int edge, const PolarPoint& p) const {
+  const SectionField::Edge& e = section_.edge(edge);
+  return {0.0, turnedNormal(e.normalAt(p.inPlane()), p.phi), sectionFace(e), e.motion};
+}
+
+/// Edges along X or Y: the section's circle at this height is met where x^2 + y^2 = r^2.
+void TurnedField::levelSection(const Walk& walk, double& way, EdgeHit& hit) const {
+  const double begin = walk.from[walk.axis], step = walk.step[walk.axis], beside = walk.from[1 - walk.axis];
+  int edge = -1;
+  section_.forEachAtLevel(walk.from.z(), [&](int i, double r) {
+    const double square = r * r - beside * beside;
+    if (square < 0.0 || section_.edge(i).on_axis) return;
+    for (const double at : {std::sqrt(square), -std::sqrt(square)}) {
+      const double there = (at - begin) / step;
+      if (there < 0.0 || there > 1.0 || there >= way) continue;
+      way = there;
+      edge = i;
+    }
+  });
+  if (edge >= 0) hit = sectionHit(edge, PolarPoint::of(walk.at(way)));
+}
+
+/// Of the passes that take the outer end the one that comes nearest to the material.
+void TurnedField::levelThreads(const Walk& walk, double& way, EdgeHit& hit) const {
+  const PolarPoint end = PolarPoint::of(walk.at(1.0));
+  const HelixSweep* taker = nullptr;
+  double taken_at = 0.0;  // the part of the turns at the outer end
+  const Vec2 q = end.inPlane();
+  threads_.forEachNear(q, q, [&](const HelixSweep& sweep) {
+    HelixSweep::Window window;
+    if (!sweep.window(q, q, window)) return;
+    sweep.forEachPass(end.phi, window, [&](double t) {
+      const double at_end = sweep.valueAt(end, t);
+      if (!(at_end < 0.0)) return;
+      const auto value = [&](double w) {
+        const PolarPoint p = PolarPoint::of(walk.at(w));
+        return sweep.valueAt(p, t + wrapAngle(p.phi - end.phi) / sweep.turn());
+      };
+      const double from = std::min(way, 1.0), at_from = from < 1.0 ? value(from) : at_end;
+      if (!(at_from < 0.0)) return;  // another face is nearer
+      const double at_begin = value(0.0);
+      way = at_begin <= 0.0 ? 0.0 : edgeRoot(value, 0.0, at_begin, from, at_from, 1e-9);
+      taker = &sweep;
+      taken_at = t;
+    });
+  });
+  if (taker == nullptr) return;
+  const PolarPoint p = PolarPoint::of(walk.at(way));
+  const HelixSweep::Side side = taker->sideAt(p, taken_at + wrapAngle(p.phi - end.phi) / taker->turn());
+  hit = {0.0, -side.normal, threadFace(*taker, side.side), taker->motion()};
+}
+
+void TurnedField::upright(const Walk& walk, double& way, EdgeHit& hit) const {
+  const PolarPoint begin = PolarPoint::of(walk.from);
+  const double step = walk.step.z();
+  const Vec2 low(begin.r, std::min(begin.z, begin.z + step)),
+      high(begin.r, std::max(begin.z, begin.z + step));
+  section_.forEachAtRadius(begin.r, low.y(), high.y(), [&](int edge, double z) {
+    const double there = (z - begin.z) / step;
+    if (there >= way) return;
+    way = there;
+    hit = sectionHit(edge, {begin.r, begin.phi, z});
+  });
+  threads_.forEachNear(low, high, [&](const HelixSweep& sweep) {
+    HelixSweep::Window window;
+    if (!sweep.window(low, high, window)) return;
+    sweep.forEachPass(begin.phi, window, [&](double t) {
+      const Vec2 tool = sweep.at(t);
+      const double r = begin.r - tool.x();
+      const ThreadOutline::Span span = sweep.outline().spanAt(r);
+      if (!(span.low < span.high)) return;
+      const double near = step > 0.0 ? span.low : span.high;
+      const int side = step > 0.0 ? span.low_side : span.high_side;
+      const double there = (near + tool.y() - begin.z) / step;
+      if (there < 0.0 || there > 1.0 || there >= way) return;
+      way = there;
+      const Vec3 normal =
+          sweep.turned(sweep.outline().normalAt(side, {r, near}), {begin.r, begin.phi, near + tool.y()}, t);
+      hit = {0.0, -normal, threadFace(sweep, side), sweep.motion()};
+    });
+  });
+}
+
+/// Where rounding hides the crossing it is at one of the ends.
+BlankField::EdgeHit TurnedField::atEnd(const Walk& walk, double& way) const {
+  const BlankSample a = sample(walk.at(0.0)), b = sample(walk.at(1.0));
+  way = std::abs(a.value) < std::abs(b.value) ? 0.0 : 1.0;
+  const BlankSample& s = way > 0.0 ? b : a;
+  return {way, s.normal, s.face};
+}
+
+BlankField::EdgeHit TurnedField::edgeHit(const Vec3& start, int axis, double length, bool inside) const {
+  const Vec3 whole = Vec3::Unit(axis) * length;
+  const Walk walk{inside ? start : Vec3(start + whole), inside ? whole : Vec3(-whole), axis};
+  double way = 2.0;
+  EdgeHit hit{};
+  if (axis == 2) {
+    upright(walk, way, hit);
+  } else {
+    levelSection(walk, way, hit);
+    levelThreads(walk, way, hit);
+  }
+  if (way > 1.0) hit = atEnd(walk, way);
+  hit.t = inside ? way : 1.0 - way;
+  return hit;
+}
+
+Status checkLoop(const SectionLoop& loop) {
+  if (loop.points.size() < 3) return inputError("turned part: a loop of its section has less than 3 points");
+  if (loop.motion.size() != loop.points.size())
+    return inputError("turned part: a loop of its section does not name a motion for each edge");
+  for (const Vec2& p : loop.points) {
+    if (!p.allFinite() || p.x() < 0.0)
+      return inputError(fmt::format("turned part: r {} z {} is no point of a section", p.x(), p.y()));
+  }
+  return Done{};
+}
+
+Status checkThread(const ThreadSweep& s) {
+  const bool finite = s.from.allFinite() && s.to.allFinite() && std::isfinite(s.start_rad) &&
+                      std::isfinite(s.turns) && std::isfinite(s.bend);
+  if (s.outline == nullptr || !finite) return inputError("turned part: a thread without tool or way");
+  if (s.turns == 0.0) return inputError("turned part: a thread during which the part does not turn");
+  if (std::abs(s.bend) > 1.0) return inputError("turned part: a thread whose lead changes its sign");
+  return Done{};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<BlankField>> makeTurnedField(const std::shared_ptr<const TurnedShape>& shape) {
+  if (turnedBounds(shape.get()).empty()) return inputError("turned part: nothing is left of it");
+  for (const SectionBody& body : shape->bodies) {
+    for (const SectionLoop& loop : body.loops) {
+      if (Status status = checkLoop(loop); !status) return status.error();
+    }
+  }
+  for (const ThreadSweep& thread : shape->threads) {
+    if (Status status = checkThread(thread); !status) return status.error();
+  }
+  return std::unique_ptr<BlankField>(new TurnedField(*shape));
+}
+
+Box3 turnedBounds(const TurnedShape* shape) {
+  Box3 box;
+  if (shape == nullptr) return box;
+  for (const SectionBody& body : shape->bodies) {
+    for (const SectionLoop& loop : body.loops) {
+      for (const Vec2& p : loop.points) {
+        box.extend(Vec3(-p.x(), -p.x(), p.y()));
+        box.extend(Vec3(p.x(), p.x(), p.y()));
+      }
+    }
+  }
+  return box;
+}
+
+}  // namespace proveout
