@@ -156,6 +156,18 @@ std::string refusalOf(ControlId id) {
   return {};
 }
 
+/// Why the control cannot work with the job's tools; empty: it can. Checked before anything is made of them.
+std::string toolRefusalOf(ControlId id, const std::vector<Tool>& tools) {
+  for (const ControlInfo& control : controls()) {
+    if (control.id != id || control.turns) continue;
+    for (const Tool& tool : tools) {
+      if (tool.type == ToolType::kInsert)
+        return fmt::format("tool {} is a lathe insert; control {} mills", tool.number, control.name);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Interpreted interpretProgram(const Job& job, const RecordingSource& source, const ControlSettings& settings,
@@ -164,10 +176,11 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
   GuardedBuilder builder(result.path, pathMemory(job), progress);
   const Result<ControlId> control = findControl(job.control);
   const std::string refusal = !control ? control.error().message : refusalOf(*control);
-  if (!refusal.empty()) {
+  const std::string tools = refusal.empty() ? toolRefusalOf(*control, job.tools) : "";
+  if (!refusal.empty() || !tools.empty()) {
     Diagnostic diagnostic;
-    diagnostic.code = "control";
-    diagnostic.message = refusal;
+    diagnostic.code = refusal.empty() ? "tool" : "control";
+    diagnostic.message = refusal.empty() ? tools : refusal;
     result.path.diagnostics.add(diagnostic);
     result.summary.end = ProgramEnd::kAlarm;
     result.summary.errors = 1;

@@ -135,6 +135,66 @@ void readForm(ConfigTable& table, Tool& tool) {
   tool.diameter = outlineDiameter(*edges);
 }
 
+/// Points [x, z] of the holder of an insert.
+void readInsertHolder(ConfigTable& table, Insert& insert) {
+  const ConfigValue* holder = table.find("holder");
+  if (holder == nullptr || !isList(table.document(), *holder, "holder")) return;
+  for (const ConfigValue& item : holder->items) {
+    if (item.type != Type::kArray || item.items.size() != 2) {
+      table.document().error(item.place, "job-type",
+                             "a point of an insert's holder is [x, z], seen from the control point");
+      return;
+    }
+    const auto x = readNumber(table.document(), item.items[0], "an x of the holder", {-1e5, 1e5, false});
+    const auto z = readNumber(table.document(), item.items[1], "a z of the holder", {-1e5, 1e5, false});
+    if (!x || !z) return;
+    insert.holder.emplace_back(*x, *z);
+  }
+  if (insert.holder.empty()) table.error("holder", "job-value", "a holder needs at least three points");
+}
+
+void readInsert(ConfigTable& table, Tool& tool) {
+  constexpr InsertShape kShapes[] = {InsertShape::kCorner, InsertShape::kGroove, InsertShape::kThread,
+                                     InsertShape::kRound};
+  std::vector<std::string> names;
+  for (const InsertShape shape : kShapes) names.emplace_back(insertShapeName(shape));
+  Insert& insert = tool.insert.emplace();
+  if (table.find("shape") != nullptr) {
+    const auto name = table.choice("shape", names);
+    if (!name) {  // nothing can be said of the other keys
+      for (const ConfigEntry& entry : table.entries()) table.find(entry.key);
+      return;
+    }
+    insert.shape = kShapes[std::find(names.begin(), names.end(), *name) - names.begin()];
+  }
+  if (const auto orientation = table.must("orientation").integer("orientation", 1, 9))
+    insert.orientation = static_cast<int>(*orientation);
+  const bool round = insert.shape == InsertShape::kRound;
+  if (round || insert.shape == InsertShape::kCorner) {
+    needed(table, "nose_radius", round ? kToolLength : kToolLengthOrZero, insert.nose_radius);
+  } else {
+    optional(table, "nose_radius", kToolLengthOrZero, insert.nose_radius);
+  }
+  if (!round) needed(table, "edge_length", kToolLength, insert.edge_length);
+  switch (insert.shape) {
+    case InsertShape::kCorner:
+      needed(table, "insert_angle", kIncludedAngle, insert.insert_angle_deg);
+      if (insert.orientation <= 4) needed(table, "lead_angle", kIncludedAngle, insert.lead_angle_deg);
+      break;
+    case InsertShape::kGroove:
+      needed(table, "width", kToolLength, insert.width);
+      optional(table, "side_relief", {0.0, 45.0, false}, insert.side_relief_deg);
+      break;
+    case InsertShape::kThread:
+      needed(table, "insert_angle", kIncludedAngle, insert.insert_angle_deg);
+      optional(table, "tip_flat", kToolLengthOrZero, insert.tip_flat);
+      break;
+    case InsertShape::kRound:
+      break;
+  }
+  readInsertHolder(table, insert);
+}
+
 struct TypeReader {
   const char* name;
   ToolType type;
@@ -154,9 +214,10 @@ constexpr TypeReader kTypes[] = {
     {"lollipop", ToolType::kLollipop, readLollipop, false},
     {"thread-mill", ToolType::kThreadMill, readThreadMill, false},
     {"form", ToolType::kForm, readForm, true},
+    {"insert", ToolType::kInsert, readInsert, true},
 };
 /// Types that job files name and that this version does not simulate.
-const char* const kRefusedTypes[] = {"insert", "wire"};
+const char* const kRefusedTypes[] = {"wire"};
 
 void readShape(ConfigTable& table, const TypeReader& type, Tool& tool) {
   tool.type = type.type;
@@ -212,10 +273,12 @@ void readTool(ConfigTable& table, Job& job) {
   const int errors_before = table.document().diagnostics->errorCount();
   readShape(table, *type, tool);
   if (const auto name = table.text("name")) tool.name = *name;
-  assign(tool.overall_length, table.number("overall_length", kToolLength));
-  assign(tool.shank_diameter, table.number("shank_diameter", kToolLength));
-  assign(tool.gauge_length, table.number("gauge_length", {-1e5, 1e5, false}));
-  readHolder(table, tool);
+  if (tool.type != ToolType::kInsert) {
+    assign(tool.overall_length, table.number("overall_length", kToolLength));
+    assign(tool.shank_diameter, table.number("shank_diameter", kToolLength));
+    assign(tool.gauge_length, table.number("gauge_length", {-1e5, 1e5, false}));
+    readHolder(table, tool);
+  }
   table.refuseOthers();
   if (!number || table.document().diagnostics->errorCount() != errors_before) return;
 

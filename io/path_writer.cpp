@@ -163,6 +163,21 @@ void putChannel(Buffer& b, int channel) {
   putInteger(b, channel);
 }
 
+/// Numbers of single precision: angles are good to 3e-5 degrees.
+void putThread(Buffer& b, const Motion& motion) {
+  const auto rounded = [](double value, double steps) { return std::round(steps * value) / steps; };
+  const double start = rounded(motion.thread_start_deg, 1e4);
+  const double change = rounded(motion.thread_pitch_change, 1e6);
+  if (start != 0.0) {
+    put(b, R"(,"start_deg":)");
+    putNumber(b, start < 360.0 ? start : 0.0);
+  }
+  if (change != 0.0) {
+    put(b, R"(,"pitch_change":)");
+    putNumber(b, change);
+  }
+}
+
 void putAxis(Buffer& b, const AxisSweep& axis) {
   if (!axis.alongZ()) {
     put(b, R"(,"axis_from":)");
@@ -204,6 +219,7 @@ void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc, c
   }
   if (axis != nullptr) putAxis(b, *axis);
   technology(motion);
+  if (motion.kind == MotionKind::kThread) putThread(b, motion);
   put(b, R"(,"time_s":)");
   putNumber(b, motion.time_s);
   putChannel(b, motion.channel);

@@ -171,6 +171,11 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
   m.spindle = style.spindle;
   m.feed = style.feed;
   if (time_.limits().feeds) m.feed = allowedFeed(time_.limits(), pace.begin, axes_.count(), m.feed);
+  if (style.kind == MotionKind::kThread) {
+    m.thread_start_deg = style.thread_start_deg;
+    m.thread_pitch_change = style.thread_pitch_change;
+    m.spindle *= m.feed / style.feed;  // the lead stays where an axis cannot follow
+  }
   m.time_s = 60.0 * length / m.feed;
   m.source = source;
   if (tables_.any() && tables_.turns(machine_, to)) return sendTurned(m, to);

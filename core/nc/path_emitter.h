@@ -27,6 +27,8 @@ struct FeedStyle {
   double spindle = 0.0;       ///< rpm, signed, where it changes along the motion (G96); 0: as it turns anyway
   double acceleration = 0.0;  ///< along the path, of what turns with the motion (taps), mm/s^2; 0: no limit
   MotionJoin join;
+  float thread_start_deg = 0.0F;     ///< kThread: see Motion
+  float thread_pitch_change = 0.0F;  ///< kThread: see Motion
   double paced_mm = 0.0;  ///< of lines: the length that the feed is the speed of; 0: that of all axes
 };
 

@@ -155,6 +155,11 @@ double Toolpath::length(const Motion& m) const {
   return (integral(f.radius_end) - integral(f.radius_start)) / dr;
 }
 
+double threadTurns(const Toolpath& path, const Motion& motion) {
+  if (motion.kind != MotionKind::kThread || !(motion.feed > 0.0)) return 0.0;
+  return path.length(motion) / motion.feed * std::abs(motion.spindle);
+}
+
 void ToolpathBuilder::file(std::uint32_t index, const std::string& name) {
   if (path_.files.size() <= index) path_.files.resize(index + 1);
   path_.files[index] = name;

@@ -74,9 +74,17 @@ struct Motion {
   std::int32_t tool = 0;     ///< number of the tool in the spindle; 0: none named by the program
   std::int32_t arc = -1;     ///< index into Toolpath::arcs, or -1 for a line
   std::int32_t axis = -1;    ///< index into Toolpath::axes, or -1: tool along +z, no rotary axis
+  /// kThread: angle of the spindle at the start, degrees, 0 <= angle < 360, counted from the marker pulse in
+  /// the direction in which the spindle turns during this motion (the sign of `spindle`): k turns
+  /// after the start the part stands at sign(spindle) * (thread_start_deg + 360 * k).
+  float thread_start_deg = 0.0F;
   SourceRef source;
   MotionKind kind = MotionKind::kRapid;
   std::uint8_t channel = 0;  ///< number of the control's channel; 0: it has one
+  /// kThread: by which the lead grows with each turn, mm; 0: constant lead. After k of all n turns (see
+  /// threadTurns()) the way is l k / n + change * k (k - n) / 2, l being its length along the axis that the
+  /// lead is told of.
+  float thread_pitch_change = 0.0F;
 
   MotionShape shape() const { return arc < 0 ? MotionShape::kLine : MotionShape::kArc; }
 };
@@ -84,8 +92,8 @@ struct Motion {
 /// Something that happens between motions.
 struct PathEvent {
   std::string event;  ///< "tool", "spindle", "coolant", "stop", "optional_stop", "dwell", "end", "message",
-                      ///< "overtravel", "forbidden_zone", "wait", "probe" (end of a measuring move: "contact" true or
-                      ///< false)
+                      ///< "overtravel", "forbidden_zone", "wait", "probe" (end of a measuring move: "contact"
+                      ///< true or false)
   /// Key and JSON value text (already valid JSON: `12`, `"M8"`, `true`).
   std::vector<std::pair<std::string, std::string>> data;
   double time_s = 0.0;  ///< time that it takes (dwell, tool change, waiting)
@@ -127,6 +135,10 @@ struct Toolpath {
   /// Length of the control point's path, mm (spirals: to 1e-9 relative by Simpson's rule).
   double length(const Motion& m) const;
 };
+
+/// Turns of the spindle during a thread motion: its length / feed * |spindle|. 0 where the spindle or the
+/// feed is 0, as for other motions. `motion` is one of the path or has its arc there.
+double threadTurns(const Toolpath& path, const Motion& motion);
 
 /// Sink that builds a Toolpath.
 class ToolpathBuilder : public MotionSink {

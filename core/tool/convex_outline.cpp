@@ -44,8 +44,7 @@ int circleSteps(double radius, double tolerance) {
 
 ConvexOutline::ConvexOutline(const std::vector<OutlineSide>& sides) {
   for (const OutlineSide& side : sides) {
-    if ((side.to - side.from).norm() > kNoLength || (side.arc && side.radius > kNoLength))
-      sides_.push_back(side);
+    if ((side.to - side.from).norm() > kNoLength) sides_.push_back(side);
   }
   PROVEOUT_ASSERT(sides_.size() >= 2);
   double at = normalAt(sides_.front(), false);
@@ -60,7 +59,10 @@ ConvexOutline::ConvexOutline(const std::vector<OutlineSide>& sides) {
     const double next = normalAt(sides_[(k + 1) % sides_.size()], false);
     double end = above(next, at);
     if (end - at > kTurn - kSmooth) end = at;  // smooth, the next normal a hair behind
-    if (k + 1 == sides_.size()) end = begin + kTurn;
+    if (k + 1 == sides_.size()) {
+      PROVEOUT_ASSERT(at <= begin + kTurn + kSmooth);  // convex, and once round
+      end = begin + kTurn;
+    }
     turns_.push_back({at, end, side.to, 0.0});
     at = end;
   }
@@ -86,7 +88,7 @@ void ConvexOutline::chain(double from, double to, double tolerance, std::vector<
   if (start >= turns_.front().begin + kTurn) start -= kTurn;
   double shift = from - start;  // of the directions asked for against those of the turns
   const auto add = [&](const Vec2& p) {
-    if (points.empty() || (points.back() - p).squaredNorm() > 0.0) points.push_back(p);
+    if (points.empty() || (points.back() - p).norm() > kNoLength) points.push_back(p);
   };
   std::size_t k = turnAt(start);
   for (double at = from; at <= to;) {

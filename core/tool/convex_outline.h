@@ -40,8 +40,9 @@ class ConvexOutline {
   /// The point farthest in a direction; of a straight side across it the end that the outline reaches last.
   Vec2 support(double direction) const;
   /// Points of the boundary whose outward normals lie between two directions, `from` <= `to` <= `from` + one
-  /// turn, ends included. Arcs as points on them, so dense that chords stay within `tolerance` mm; the points
-  /// besides the ends depend on the arc alone.
+  /// turn; of a straight side across one of the two directions the end that lies between them. Arcs as points
+  /// on them, so dense that chords stay within `tolerance` mm; the points besides the ends depend on the arc
+  /// alone.
   void chain(double from, double to, double tolerance, std::vector<Vec2>& points) const;
 
   /// Signed distance, negative inside, and its unit gradient.

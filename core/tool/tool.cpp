@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 namespace proveout {
@@ -24,7 +25,7 @@ constexpr TypeName kTypeNames[] = {{ToolType::kFlat, "flat"},         {ToolType:
                                    {ToolType::kDrill, "drill"},       {ToolType::kTaperBall, "taper"},
                                    {ToolType::kDovetail, "dovetail"}, {ToolType::kTSlot, "tslot"},
                                    {ToolType::kLollipop, "lollipop"}, {ToolType::kThreadMill, "thread-mill"},
-                                   {ToolType::kForm, "form"}};
+                                   {ToolType::kForm, "form"},         {ToolType::kInsert, "insert"}};
 
 class Checker {
  public:
@@ -47,7 +48,10 @@ class Checker {
             fmt::format("{} must be at least {} mm, not {}", field, kMinDiameterMm, value));
   }
   bool good() const { return message_.empty(); }
-  const std::string& message() const { return message_; }
+  Status status() const {
+    if (!good()) return inputError(message_);
+    return Done{};
+  }
 
  private:
   const Tool& tool_;
@@ -152,8 +156,22 @@ void checkShape(const Tool& tool, Checker& check) {
       return checkForm(tool, check);
     case ToolType::kFlat:
     case ToolType::kLollipop:
+    case ToolType::kInsert:  // see checkInsert
       return;
   }
+}
+
+void checkInsert(const Tool& tool, Checker& check) {
+  check.require(tool.insert.has_value(), "an insert without its shape");
+  const double rotary[] = {tool.diameter,       tool.corner_radius, tool.tip_diameter,  tool.flute_length,
+                           tool.overall_length, tool.neck_diameter, tool.neck_length,   tool.shank_diameter,
+                           tool.cone_angle_deg, tool.cutter_height, tool.root_diameter, tool.pitch,
+                           tool.gauge_length};
+  const bool none = std::all_of(std::begin(rotary), std::end(rotary), [](double v) { return v == 0.0; });
+  check.require(none && tool.outline.empty() && tool.holder.empty(),
+                "an insert has no dimensions of a tool that turns");
+  if (!check.good()) return;
+  if (const Status valid = validateInsert(*tool.insert); !valid) check.require(false, valid.error().message);
 }
 
 /// Neck and shank above the cutting part. The shape must be good: its height counts.
@@ -213,6 +231,13 @@ std::optional<ToolType> toolTypeOf(std::string_view name) {
 Status validateTool(const Tool& tool) {
   Checker check(tool);
   check.require(tool.number >= 0, "the number must not be negative");
+  check.require(std::isfinite(tool.gauge_length) && std::abs(tool.gauge_length) <= kMaxDimensionMm,
+                "gauge_length is out of range");
+  if (tool.type == ToolType::kInsert) {
+    checkInsert(tool, check);
+    return check.status();
+  }
+  check.require(!tool.insert, "only tools of type insert have an insert");
   check.length(tool.diameter, "diameter");
   check.require(tool.diameter > 0.0, "diameter must be above 0");
   check.require(tool.diameter <= 0.0 || tool.diameter >= kMinDiameterMm,
@@ -225,15 +250,12 @@ Status validateTool(const Tool& tool) {
   check.length(tool.shank_diameter, "shank_diameter");
   check.length(tool.neck_diameter, "neck_diameter");
   check.length(tool.neck_length, "neck_length");
-  check.require(std::isfinite(tool.gauge_length) && std::abs(tool.gauge_length) <= kMaxDimensionMm,
-                "gauge_length is out of range");
   check.require(tool.overall_length == 0.0 || tool.flute_length <= tool.overall_length,
                 "flute_length is longer than overall_length");
   if (check.good()) checkShape(tool, check);
   if (check.good()) checkNeck(tool, check);
   checkHolder(tool, check);
-  if (!check.message().empty()) return inputError(check.message());
-  return Done{};
+  return check.status();
 }
 
 bool hasNeck(ToolType type) {

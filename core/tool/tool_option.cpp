@@ -73,6 +73,7 @@ bool setShape(Tool& tool, const std::vector<double>& n) {
       return true;
     case ToolType::kThreadMill:
     case ToolType::kForm:
+    case ToolType::kInsert:
       return false;
   }
   return false;
@@ -98,7 +99,7 @@ Result<Tool> parseToolOption(const std::string& text) {
   const auto parts = split(std::string_view(text).substr(equals + 1), ':');
   const auto type = toolTypeOf(parts[0]);
   if (!type) return wrong(fmt::format("unknown shape '{}'", parts[0]));
-  if (*type == ToolType::kThreadMill || *type == ToolType::kForm)
+  if (*type == ToolType::kThreadMill || *type == ToolType::kForm || *type == ToolType::kInsert)
     return wrong(fmt::format("'{}' needs a job file ([[tool]])", parts[0]));
   tool.type = *type;
   std::vector<double> numbers;

@@ -104,6 +104,7 @@ ConvexProfile cutterProfile(const Tool& tool, double top) {
       break;
     case ToolType::kThreadMill:  // outlines of several parts: see cutterParts
     case ToolType::kForm:
+    case ToolType::kInsert:  // no solid of revolution: see makeToolSolid
       break;
   }
   closeProfile(p, radius, top);
@@ -142,6 +143,7 @@ void addShank(const Tool& tool, std::vector<ConvexProfile>& parts) {
 }  // namespace
 
 ToolSolid makeToolSolid(const Tool& tool) {
+  PROVEOUT_ASSERT(tool.type != ToolType::kInsert);
   ToolSolid solid;
   solid.cutter = cutterParts(tool);
   addShank(tool, solid.shank);

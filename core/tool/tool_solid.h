@@ -17,7 +17,7 @@ struct ToolSolid {
   std::vector<ConvexProfile> holder;  ///< one per section of the polyline
 };
 
-/// Requires validateTool(tool).
+/// Requires validateTool(tool) and another type than ToolType::kInsert.
 ToolSolid makeToolSolid(const Tool& tool);
 
 }  // namespace proveout

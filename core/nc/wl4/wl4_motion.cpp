@@ -15,6 +15,13 @@ namespace {
 
 constexpr double kQuarterTolerance = 0.01;  ///< mm, of the legs of G12 and G13
 
+/// An angle in 0 <= angle < 360, degrees.
+float turnedTo(double degrees) {
+  const double rest = std::fmod(degrees, 360.0);
+  const auto angle = static_cast<float>(rest < 0.0 ? rest + 360.0 : rest);
+  return angle < 360.0F ? angle : 0.0F;
+}
+
 }  // namespace
 
 Vec2 Wl4Control::tipOf(const Wl4State& s) const {
@@ -47,6 +54,7 @@ double Wl4Control::compRadius(const Wl4State& s) const {
 
 bool Wl4Control::move(const Plan& p) {
   if (p.measures) return measure(p);
+  if (p.next.motion != 32) thread_angle_.reset();
   switch (p.next.motion) {
     case 0:
     case 1:
@@ -260,7 +268,16 @@ bool Wl4Control::thread(const Plan& p) {
   item.feed.feed = revolutions > 0.0 ? way.norm() / revolutions * n : pitch * n;
   item.feed.join.stops = p.exact_stop;
   item.feed.join.unbroken = !p.exact_stop;
-  if (s.motion == 32) return send(p, item);
+  item.feed.spindle = state_.spindle == 4 ? -n : n;
+  item.feed.thread_pitch_change = static_cast<float>(s.i);
+  const double start = s.motion == 32 && thread_angle_ ? *thread_angle_ : s.p;
+  const double end = start + 360.0 * revolutions;
+  item.feed.thread_start_deg = turnedTo(start);
+  if (s.motion == 32) {
+    thread_angle_.reset();
+    if (!p.exact_stop) thread_angle_ = std::fmod(end, 360.0);  // a stop ends the sequence
+    return send(p, item);
+  }
   // G33: there and, the spindle reversed, back.
   const AxisPoint from = machine_;
   const FeedStyle feed = item.feed;
@@ -276,6 +293,10 @@ bool Wl4Control::thread(const Plan& p) {
   item_back.kind = PathItem::Kind::kLine;
   fill(back, item_back);
   item_back.feed = feed;
+  // Counted the other way round, from where the way there has ended, the lead falling as it has grown.
+  item_back.feed.spindle = -feed.spindle;
+  item_back.feed.thread_start_deg = turnedTo(-end);
+  item_back.feed.thread_pitch_change = -feed.thread_pitch_change;
   if (!send(back, item_back)) return false;
   reversed.spindle = direction;
   return !turns || spindle(reversed);

@@ -197,14 +197,53 @@ TEST(BadJob, ProfilesOfForms) {
               HasSubstr("15:11: error[job-tool]: point 3 of the profile is lower than the one before"));
 }
 
+TEST(BadJob, Inserts) {
+  const std::string corner =
+      "type = 'insert'\norientation = 3\nnose_radius = 0.8\ninsert_angle = 80\nlead_angle = 95\nedge_length "
+      "= "
+      "12\n";
+  EXPECT_EQ(refusedTool(corner), "accepted");
+  for (const char* key : {"orientation", "nose_radius", "insert_angle", "lead_angle", "edge_length"})
+    EXPECT_THAT(refusedTool("type = 'insert'"), HasSubstr("needs the key '" + std::string(key) + "'"));
+  for (const char* key : {"orientation", "width", "edge_length"})
+    EXPECT_THAT(refusedTool("type = 'insert'\nshape = 'groove'"),
+                HasSubstr("needs the key '" + std::string(key) + "'"));
+  for (const char* key : {"orientation", "insert_angle", "edge_length"})
+    EXPECT_THAT(refusedTool("type = 'insert'\nshape = 'thread'"),
+                HasSubstr("needs the key '" + std::string(key) + "'"));
+  for (const char* key : {"orientation", "nose_radius"})
+    EXPECT_THAT(refusedTool("type = 'insert'\nshape = 'round'"),
+                HasSubstr("needs the key '" + std::string(key) + "'"));
+  // Keys of other shapes and of tools that turn.
+  for (const char* key : {"width", "side_relief", "tip_flat", "diameter", "overall_length", "gauge_length"})
+    EXPECT_THAT(refusedTool(corner + key + " = 1"), HasSubstr("has no key '" + std::string(key) + "'"));
+  EXPECT_THAT(
+      refusedTool("type = 'insert'\nshape = 'round'\norientation = 3\nnose_radius = 3\nedge_length = 3"),
+      HasSubstr("has no key 'edge_length'"));
+  EXPECT_THAT(
+      refusedTool("type = 'insert'\norientation = 8\nnose_radius = 0.8\ninsert_angle = 35\nlead_angle = "
+                  "95\nedge_length = 12"),
+      HasSubstr("has no key 'lead_angle'"));
+  const std::string shape = refusedTool("type = 'insert'\nshape = 'grove'\nwidth = 3");
+  EXPECT_THAT(shape, HasSubstr("shape 'grove' is not known, did you mean 'groove'?"));
+  EXPECT_THAT(shape, Not(HasSubstr("unknown-key")));
+  EXPECT_THAT(refusedTool("type = 'insert'\norientation = 10"), HasSubstr("orientation must be"));
+  EXPECT_THAT(refusedTool(corner + "holder = [[0, 1], [2]]"),
+              HasSubstr("a point of an insert's holder is [x, z]"));
+  EXPECT_THAT(refusedTool(corner + "holder = [[0, 1], [2, 'x']]"),
+              HasSubstr("a z of the holder must be a number"));
+  EXPECT_THAT(refusedTool(corner + "holder = []"), HasSubstr("a holder needs at least three points"));
+  EXPECT_THAT(refusedTool(corner + "holder = [[0, 0], [1, 1], [1, 0], [0, 1]]"),
+              HasSubstr("error[job-tool]: tool 2: holder: the border meets itself"));
+  EXPECT_THAT(refusedTool(replacedOnce(corner, "80", "85")),
+              HasSubstr("error[job-tool]: tool 2: insert_angle must be above 0 and below 85 degrees"));
+}
+
 TEST(BadJob, WhatThisVersionCannotSimulate) {
-  for (const char* type : {"insert", "wire"}) {
-    // Keys of such tools are not called unknown: the type is what is wrong.
-    const std::string text = refusedTool(std::string("type = '") + type + "'\nnose_radius = 0.4");
-    EXPECT_THAT(text,
-                HasSubstr(std::string("tools of type '") + type + "' cannot be simulated by this version"));
-    EXPECT_THAT(text, Not(HasSubstr("unknown-key")));
-  }
+  // Keys of such tools are not called unknown: the type is what is wrong.
+  const std::string text = refusedTool("type = 'wire'\nnose_radius = 0.4");
+  EXPECT_THAT(text, HasSubstr("tools of type 'wire' cannot be simulated by this version"));
+  EXPECT_THAT(text, Not(HasSubstr("unknown-key")));
   EXPECT_THAT(refusedTool("type = 'bal'\ndiameter = 3"),
               HasSubstr("type 'bal' is not known, did you mean 'ball'?"));
 }

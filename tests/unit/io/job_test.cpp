@@ -306,6 +306,79 @@ overall_length = 40
   EXPECT_EQ(job->tools[6].outline[5].z, 8);
 }
 
+TEST(Job, ReadsInserts) {
+  JobFolder folder;
+  const auto job = folder.load(kSmallJob + R"(
+[[tool]]
+number = 5
+name = "CNMG"
+type = "insert"
+nose_radius = 0.8
+orientation = 3
+insert_angle = 80
+lead_angle = 95
+edge_length = 12
+holder = [[11, 5], [100, 5], [100, 30], [12, 30]]
+[[tool]]
+number = 6
+type = "insert"
+shape = "groove"
+orientation = 4
+width = 3
+edge_length = 18
+side_relief = 1.5
+[[tool]]
+number = 7
+type = "insert"
+shape = "thread"
+orientation = 8
+insert_angle = 60
+tip_flat = 0.125
+edge_length = 4
+[[tool]]
+number = 8
+type = "insert"
+shape = "round"
+orientation = 9
+nose_radius = 6
+[[tool]]
+number = 9
+type = "insert"
+shape = "corner"
+nose_radius = 0
+orientation = 8
+insert_angle = 35
+edge_length = 16
+)");
+  ASSERT_TRUE(job) << folder.text();
+  ASSERT_EQ(job->tools.size(), 6u);
+  for (std::size_t k = 1; k < 6; ++k) {
+    EXPECT_EQ(job->tools[k].type, ToolType::kInsert);
+    ASSERT_TRUE(job->tools[k].insert.has_value());
+  }
+  const Insert& corner = *job->tools[1].insert;
+  EXPECT_EQ(job->tools[1].name, "CNMG");
+  EXPECT_EQ(corner.shape, InsertShape::kCorner);
+  EXPECT_EQ(corner.orientation, 3);
+  EXPECT_EQ(corner.nose_radius, 0.8);
+  EXPECT_EQ(corner.insert_angle_deg, 80);
+  EXPECT_EQ(corner.lead_angle_deg, 95);
+  EXPECT_EQ(corner.edge_length, 12);
+  ASSERT_EQ(corner.holder.size(), 4u);
+  EXPECT_EQ(corner.holder[3], Vec2(12, 30));
+  EXPECT_TRUE(job->tools[1].holder.empty());
+  const Insert& groove = *job->tools[2].insert;
+  EXPECT_EQ(groove.shape, InsertShape::kGroove);
+  EXPECT_EQ(groove.width, 3);
+  EXPECT_EQ(groove.side_relief_deg, 1.5);
+  EXPECT_EQ(groove.nose_radius, 0);
+  EXPECT_EQ(job->tools[3].insert->shape, InsertShape::kThread);
+  EXPECT_EQ(job->tools[3].insert->tip_flat, 0.125);
+  EXPECT_EQ(job->tools[4].insert->shape, InsertShape::kRound);
+  EXPECT_EQ(job->tools[4].insert->orientation, 9);
+  EXPECT_EQ(job->tools[5].insert->orientation, 8);
+}
+
 TEST(Job, ReadsEveryStock) {
   JobFolder folder;
   folder.write("blank.stl", "x");
