@@ -48,7 +48,10 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
     for (const SetupRun& setup : run.setups) {
       if (Status done = writeProgramFiles(setup.interpreted.files, setup.name, *staging); !done) return done;
     }
-    if (Status done = writeMeshes(run.surface().mesh, *run.stock, job, *staging, report); !done) return done;
+    if (Status done =
+            writeMeshes(run.surface().mesh, run.stock ? &*run.stock : nullptr, job, *staging, report);
+        !done)
+      return done;
     if (job.output.csv) {
       if (Status done = writeTables(cutPaths(run), *staging, report); !done) return done;
     }

@@ -30,6 +30,10 @@ std::string_view contactText(ContactKind kind) {
       return "the tool cuts while the spindle stands still";
     case ContactKind::kFixture:
       return "the tool runs into a fixture";
+    case ContactKind::kInsertBack:
+      return "a side of the insert that does not cut here runs into the part";
+    case ContactKind::kAxis:
+      return "the tool cuts beyond the spindle axis";
   }
   return "contact with the stock";
 }

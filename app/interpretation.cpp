@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "app/job_setup.h"
+#include "app/turning.h"
 #include "core/nc/source_text.h"
 #include "io/program_files.h"
 
@@ -115,7 +116,7 @@ JobSources::JobSources(const Job& job) {
 
 ControlSettings controlSettings(const Job& job, const Box3& blank) {
   ControlSettings settings = job.settings;
-  settings.start = job.start.value_or(defaultStart(blank));
+  settings.start = job.start.value_or(turnsPart(job) ? turningStart(blank) : defaultStart(blank));
   for (const Tool& tool : job.tools) {
     if (tool.gauge_length > 0) settings.gauge_lengths[tool.number] = tool.gauge_length;
   }
@@ -144,18 +145,6 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
 
 namespace {
 
-/// Why material cannot be removed with the control's path; empty: it can.
-std::string refusalOf(ControlId id) {
-  for (const ControlInfo& control : controls()) {
-    if (control.id != id || !control.turns) continue;
-    return fmt::format(
-        "{}: this version does not remove material by turning; `proveout check` and `proveout path` run the "
-        "program",
-        control.name);
-  }
-  return {};
-}
-
 /// Why the control cannot work with the job's tools; empty: it can. Checked before anything is made of them.
 std::string toolRefusalOf(ControlId id, const std::vector<Tool>& tools) {
   for (const ControlInfo& control : controls()) {
@@ -175,12 +164,11 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
   Interpreted result;
   GuardedBuilder builder(result.path, pathMemory(job), progress);
   const Result<ControlId> control = findControl(job.control);
-  const std::string refusal = !control ? control.error().message : refusalOf(*control);
-  const std::string tools = refusal.empty() ? toolRefusalOf(*control, job.tools) : "";
-  if (!refusal.empty() || !tools.empty()) {
+  const std::string refusal = !control ? control.error().message : toolRefusalOf(*control, job.tools);
+  if (!refusal.empty()) {
     Diagnostic diagnostic;
-    diagnostic.code = refusal.empty() ? "tool" : "control";
-    diagnostic.message = refusal.empty() ? tools : refusal;
+    diagnostic.code = control ? "tool" : "control";
+    diagnostic.message = refusal;
     result.path.diagnostics.add(diagnostic);
     result.summary.end = ProgramEnd::kAlarm;
     result.summary.errors = 1;

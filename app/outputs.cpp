@@ -92,14 +92,14 @@ Status writeProgramFiles(const std::map<std::string, std::string>& files, const 
   return Done{};
 }
 
-Status writeMeshes(const TriMesh& mesh, const Stock& stock, const Job& job, StagingFolder& staging,
+Status writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, StagingFolder& staging,
                    Report& report) {
   for (const OutputFormat format : job.output.formats) {
     const bool second_stl = format == OutputFormat::kStlAscii && job.output.formats.size() > 1;
     const std::string file =
         fmt::format("{}{}.{}", fileName(job.name), second_stl ? "-ascii" : "", outputFormatExtension(format));
     const std::string path = staging.path(file);
-    Result<std::string> hash = format == OutputFormat::kVdb ? saveHashed(stock, path)
+    Result<std::string> hash = format == OutputFormat::kVdb ? saveHashed(*stock, path)
                                                             : writeMeshHashed(mesh, path, meshFormat(format));
     if (!hash) return hash.error();
     report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), std::move(*hash)});

@@ -39,8 +39,8 @@ class StagingFolder {
 Status writeProgramFiles(const std::map<std::string, std::string>& files, const std::string& setup,
                          StagingFolder& staging);
 
-/// Writes mesh files and records them in the report with their hashes.
-Status writeMeshes(const TriMesh& mesh, const Stock& stock, const Job& job, StagingFolder& staging,
+/// Writes mesh files and, from `stock`, grids, and records them in the report with their hashes.
+Status writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, StagingFolder& staging,
                    Report& report);
 
 /// Writes blocks.csv and, where something was cut, mrr.svg; records them in the report.

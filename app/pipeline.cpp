@@ -10,6 +10,7 @@
 #include "app/provenance.h"
 #include "app/run_report.h"
 #include "app/stopwatch.h"
+#include "app/turning.h"
 #include "core/base/parallel_for.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
@@ -32,15 +33,6 @@ double smallestRadius(const Tool& tool) {
   }
   if (tool.type == ToolType::kCone) return std::max(tool.tip_diameter, 0.1 * tool.diameter) / 2;
   return tool.diameter / 2;
-}
-
-/// How far the mesh may leave the surface to save triangles, mm: a tenth of the grid, but where the part is
-/// compared no more than a tenth of what is tolerated.
-double simplification(const Job& job, double resolution_mm) {
-  constexpr double kShare = 0.1;
-  double within = resolution_mm;
-  if (job.nominal) within = std::min({within, job.nominal->gouge_mm, job.nominal->excess_mm});
-  return kShare * within;
 }
 
 Result<Comparison> comparePart(const Job& job, const PreparedMesh& nominal, const RunResult& run,
@@ -76,6 +68,13 @@ Error outgrown(const Interpreted& interpreted) {
 }
 
 }  // namespace
+
+double simplification(const Job& job, double resolution_mm) {
+  constexpr double kShare = 0.1;
+  double within = resolution_mm;
+  if (job.nominal) within = std::min({within, job.nominal->gouge_mm, job.nominal->excess_mm});
+  return kShare * within;
+}
 
 void noteRepairs(const PreparedMesh& mesh, const std::string& code, Diagnostics& diagnostics) {
   for (const std::string& note : mesh.notes) {
@@ -162,7 +161,8 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
     setup.job = jobOfSetup(job, k);
     const ControlSettings settings = controlSettings(setup.job, movedBounds(job, blank.bounds, k));
     const ProbedStock stock = probedStock(job, setup, blank, run.setups);
-    setup.interpreted = interpretProgram(setup.job, *sources[k], settings, progress, &stock);
+    setup.interpreted =
+        interpretProgram(setup.job, *sources[k], settings, progress, turnsPart(job) ? nullptr : &stock);
     if (setup.interpreted.outgrown_at) return outgrown(setup.interpreted);
     if (setup.interpreted.summary.end == ProgramEnd::kCancelled || progress.cancelled())
       return Error{ErrorKind::kInterrupted, "interrupted"};
@@ -186,7 +186,8 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
 Workload workOf(const Job& job, const PreparedRun& prepared) {
   const double area = blankArea(prepared.blank.shape, prepared.blank.bounds);
   Workload work;
-  for (std::size_t k = 0; k < prepared.run.setups.size(); ++k) {
+  if (turnsPart(job)) work = turningWork(prepared.run.setups.front(), prepared.blank);
+  for (std::size_t k = 0; k < prepared.run.setups.size() && !turnsPart(job); ++k) {
     const SetupRun& setup = prepared.run.setups[k];
     work = together(work, workloadOf(setup.interpreted.path, setup.job.tools,
                                      movedBounds(job, prepared.blank.bounds, k), area));
@@ -223,6 +224,27 @@ Result<double> volumeOf(const Stock& stock, const Blank& blank, const Job& job, 
   return surface->volume_mm3;
 }
 
+/// What a clamping made, looked at: topology, bodies, findings.
+void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>&& touched, RunResult& run) {
+  parallelFor(0, 3, [&setup](int part) {
+    if (part == 0) setup.topology = analyseTopology(setup.surface.mesh);
+    if (part == 1) setup.mesh_sha256 = sha256OfMesh(setup.surface.mesh);
+    if (part == 2) setup.extent = meshExtent(setup.surface.mesh);
+  });
+  if (!setup.turned) setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent);
+  inSetup(run, setup, [&](std::vector<Finding>& findings) {
+    addContacts(setup.removal.contacts, setup.interpreted.path, source, findings);
+    findings.insert(findings.end(), touched.begin(), touched.end());
+    std::vector<StockBody> bodies = setup.bodies;
+    if (setup.turned && bodies.size() > 1) bodies.resize(1);  // the others are told of by what parted them
+    addOutcome(setup.initial_mm3, setup.surface.volume_mm3, bodies, findings);
+    addPartedBodies(setup, source, findings);
+    addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, source,
+                    findings);
+    addPartial(setup.interpreted.summary.end, setup.job.settings, findings);
+  });
+}
+
 /// Cuts all clampings, one after the other.
 Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunResult& run,
                   Progress& progress) {
@@ -247,20 +269,7 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
     std::vector<Finding> touched;
     if (Status done = addFixtureContacts(*fixtures, setup, *sources[k], touched, progress); !done)
       return done;
-    parallelFor(0, 3, [&setup](int part) {
-      if (part == 0) setup.topology = analyseTopology(setup.surface.mesh);
-      if (part == 1) setup.mesh_sha256 = sha256OfMesh(setup.surface.mesh);
-      if (part == 2) setup.extent = meshExtent(setup.surface.mesh);
-    });
-    setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent);
-    inSetup(run, setup, [&](std::vector<Finding>& findings) {
-      addContacts(setup.removal.contacts, setup.interpreted.path, *sources[k], findings);
-      findings.insert(findings.end(), touched.begin(), touched.end());
-      addOutcome(setup.initial_mm3, setup.surface.volume_mm3, setup.bodies, findings);
-      addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, *sources[k],
-                      findings);
-      addPartial(setup.interpreted.summary.end, setup.job.settings, findings);
-    });
+    lookAt(setup, *sources[k], std::move(touched), run);
     if (setup.surface.mesh.triangles.empty()) {
       run.setups.resize(k + 1);  // there is nothing to clamp again
     }
@@ -315,6 +324,9 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
   Result<Blank> blank = openBlank(job, progress);
   if (!blank) return blank.error();
   if (const Status start = checkStart(jobOfSetup(job, 0), *blank); !start) return start.error();
+  if (turnsPart(job)) {
+    if (const Status possible = checkTurning(job, *blank); !possible) return possible.error();
+  }
   prepared.blank = std::move(*blank);
   const Box3& bounds = prepared.blank.bounds;
   if (job.nominal) {
@@ -343,7 +355,15 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
                             Progress& progress) {
   RunResult& run = prepared.run;
   if (run.alarm) return std::move(run);
-  if (const Status done = machineAll(prepared.blank, job, sources, run, progress); !done) return done.error();
+  if (turnsPart(job)) {
+    SetupRun& setup = run.setups.front();
+    const TriMesh* const nominal = prepared.nominal ? &prepared.nominal->mesh : nullptr;
+    if (const Status done = machineTurned(job, prepared.blank, nominal, setup, run, progress); !done)
+      return done.error();
+    lookAt(setup, *sources.front(), {}, run);
+  } else if (const Status done = machineAll(prepared.blank, job, sources, run, progress); !done) {
+    return done.error();
+  }
   addMeshDefects(run.topology(), run.surface(), run.findings);
   if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
   if (!prepared.nominal || run.surface().mesh.triangles.empty()) return std::move(run);

@@ -2,6 +2,7 @@
 // that can be called alone; runPipeline calls them in order.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "io/report.h"
 #include "removal/compare.h"
 #include "removal/stock.h"
+#include "removal/turning/section.h"
 
 namespace proveout {
 
@@ -26,10 +28,11 @@ struct SetupRun {
   RemovalSummary removal;  ///< volumes fitted: their sum is initial less final
   StockSurface surface;    ///< after it, in its frame
   std::vector<StockBody> bodies;
-  MeshTopology topology;     ///< of the surface's mesh
-  MeshExtent extent;         ///< of the surface's mesh
-  std::string mesh_sha256;   ///< of the surface's mesh
-  double initial_mm3 = 0.0;  ///< before it: of the blank, or of the stock that came before
+  MeshTopology topology;                      ///< of the surface's mesh
+  MeshExtent extent;                          ///< of the surface's mesh
+  std::string mesh_sha256;                    ///< of the surface's mesh
+  double initial_mm3 = 0.0;                   ///< before it: of the blank, or of the stock that came before
+  std::shared_ptr<const TurnedShape> turned;  ///< of a turned part: its bodies, the part first
 };
 
 /// What a run makes. Stages that were not reached leave their part empty.
@@ -37,7 +40,7 @@ struct RunResult {
   std::vector<SetupRun> setups;  ///< at least one
   bool alarm = false;            ///< a program or its tools are wrong: nothing was cut
   double resolution_mm = 0.0;
-  std::optional<Stock> stock;  ///< after the last clamping
+  std::optional<Stock> stock;  ///< after the last clamping; of turned parts only where a grid was needed
   std::optional<Comparison> comparison;
   std::vector<Finding> findings;
   Prediction prediction;
@@ -50,6 +53,10 @@ struct RunResult {
 
 /// The programs of a run, one source a clamping; they outlive the run.
 using RunSources = std::vector<const RecordingSource*>;
+
+/// How far the mesh may leave the surface to save triangles, mm: a tenth of the grid, but where the part is
+/// compared no more than a tenth of what is tolerated.
+double simplification(const Job& job, double resolution_mm);
 
 /// Cuts the path of a clamping into the stock and fills removal, surface and volume. The stock comes from the
 /// blank, or from the clamping before.
@@ -66,7 +73,7 @@ Result<PreparedMesh> loadNominal(const NominalSpec& nominal);
 /// smallest radius of the tools used, h^2 / (8 r), at most half a cell. Flat surfaces are exact. mm.
 double surfaceUncertainty(const Toolpath& path, const std::vector<Tool>& tools, double resolution_mm);
 
-/// /// Largest error of the part's surface over all clampings, mm: a move into another clamping that is not
+/// Largest error of the part's surface over all clampings, mm: a move into another clamping that is not
 /// exact adds the chords of the mesh that it is made from (Stock::moved).
 double partUncertainty(const RunResult& run);
 /// The share of it that moves add, mm; 0 with one clamping.

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/pipeline.h"
+#include "app/turning.h"
 
 namespace proveout {
 namespace {
@@ -15,6 +16,7 @@ struct Chords {
 Chords chordsOf(const RunResult& run, std::size_t setup) {
   const SetupRun& made = run.setups[setup];
   Chords chords;
+  if (made.turned) return {turnedUncertainty(made, run.resolution_mm), 0.0};
   chords.once = surfaceUncertainty(made.interpreted.path, made.job.tools, run.resolution_mm);
   for (std::size_t k = setup + 1; k < run.setups.size(); ++k) {
     if (!movesExactly(run.setups[k].from_previous)) chords.by_moves += chords.once;

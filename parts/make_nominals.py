@@ -365,6 +365,96 @@ def polar_boss():
 # ---- free-form patch: z = -4 + 1.5 sin(pi x / 20) cos(pi y / 15) over 40 x 30 mm ------------------------------------
 
 
+# ---- turned parts ---------------------------------------------------------------------------------------------------
+
+
+def sphere_arc(cx, cz, radius, start, sweep, steps=12):
+    """Points (r, z) of an arc, angles from +r towards +z."""
+    return [(cx + radius * math.cos(start + sweep * i / steps), cz + radius * math.sin(start + sweep * i / steps))
+            for i in range(steps + 1)]
+
+
+def section_volume(points):
+    """Of the solid of revolution of a section from the axis to the axis, z falling."""
+    return sum(math.pi / 3 * (a[1] - b[1]) * (a[0] * a[0] + a[0] * b[0] + b[0] * b[0])
+               for a, b in zip(points, points[1:]))
+
+
+def zip_sections(solid, sections):
+    """Triangles between sections (r, z) at equal steps about Z; all start and end in the same points of the axis."""
+    count = len(sections)
+
+    def place(k, p):
+        angle = 2 * math.pi * (k % count) / count
+        return (p[0] * math.cos(angle), p[0] * math.sin(angle), p[1])
+
+    for k in range(count):
+        a, b = sections[k], sections[(k + 1) % count]
+        i = j = 0
+        while i + 1 < len(a) or j + 1 < len(b):
+            first = j + 1 == len(b)
+            if not first and i + 1 < len(a):
+                first = math.dist(a[i + 1], b[j]) < math.dist(a[i], b[j + 1])
+            if first:
+                solid.triangles.append((place(k, a[i]), place(k, a[i + 1]), place(k + 1, b[j])))
+                i += 1
+            else:
+                solid.triangles.append((place(k, a[i]), place(k + 1, b[j + 1]), place(k + 1, b[j])))
+                j += 1
+
+
+def threaded(base, top, bottom, angle, pitch, start, root, flat):
+    """The stretch of `base` (a function r(z)) from z = top down to bottom, at an angle about Z, less a right-handed thread
+    of 60 degrees whose groove is at z = start for angle 0: tip `flat` wide on the radius `root`."""
+    slope = 1 / math.tan(math.radians(30))
+
+    def groove(z):
+        off = (z - start - pitch * angle / (2 * math.pi)) % pitch
+        off = min(off, pitch - off)
+        return root + max(0.0, off - flat / 2) * slope
+
+    def cut(z):
+        return min(base(z), groove(z))
+
+    fine = 4000
+    zs = [top + (bottom - top) * i / fine for i in range(fine + 1)]
+    # Corners: where the slope changes, found between two steps by the lines on both sides.
+    points = [(cut(top), top)]
+    for i in range(1, fine):
+        z0, z1 = zs[i - 1], zs[i + 1]
+        left, right = (cut(zs[i]) - cut(z0)) / (zs[i] - z0), (cut(z1) - cut(zs[i])) / (z1 - zs[i])
+        if abs(left - right) < 1e-6:
+            continue
+        ahead = (cut(zs[i + 2]) - cut(z1)) / (zs[i + 2] - z1) if i + 2 <= fine else right
+        before = (cut(z0) - cut(zs[i - 2])) / (z0 - zs[i - 2]) if i >= 2 else left
+        if abs(before - ahead) < 1e-6:
+            continue
+        # The corner lies between z0 and z1; lines through the steps before and behind meet in it.
+        z = (cut(z1) - ahead * z1 - cut(z0) + before * z0) / (before - ahead)
+        if z1 <= z <= z0 and z < points[-1][1] - 1e-7:
+            points.append((cut(z), z))
+    points.append((cut(bottom), bottom))
+    return points
+
+
+def wl4_shaft():
+    q = math.pi / 2
+    chamfer = lambda z: min(10.0, 8.0 - z)
+    rest = [(8.2, -26.0)] + sphere_arc(8.2, -26.2, 0.2, q, q, 6)[1:] + sphere_arc(8.2, -29.8, 0.2, 2 * q, q, 6)
+    rest += [(12.0, -30.0), (16.0, -50.0)] + sphere_arc(20.0, -62.0, 4.0, 2 * q, q, 24)
+    rest += sphere_arc(20.5, -68.0, 2.0, q, -q, 18) + [(22.5, -100.0), (0.0, -100.0)]
+    count = 192
+    sections = [[(0.0, 0.0)] + threaded(chamfer, 0.0, -26.0, 2 * math.pi * k / count, 2.5, 8.0, 8.5, 0.4) + rest
+                for k in range(count)]
+    s = Solid()
+    zip_sections(s, sections)
+    # The sections' volume less what the chords between them cut off.
+    chords = math.sin(2 * math.pi / count) / (2 * math.pi / count)
+    volume = chords * sum(section_volume(section) for section in sections) / count
+    s.finish("wl4_shaft/shaft.stl", volume, 30.0)
+    print(f"  the shaft between sections of {count}: {volume / chords:.2f} mm3")
+
+
 def height(x, y):
     return -4 + 1.5 * math.sin(math.pi * x / 20) * math.cos(math.pi * y / 15)
 
@@ -430,5 +520,6 @@ if __name__ == "__main__":
     two_sides()
     macro_plate()
     polar_boss()
+    wl4_shaft()
     patch_mesh()
     patch_program()

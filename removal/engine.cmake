@@ -18,6 +18,11 @@ proveout_add_library(removal
   leaf_crossings.cpp
   narrow_cuts.cpp
   thin_walls.cpp
+  turning/revolve.cpp
+  turning/section_area.cpp
+  turning/sweep_paths.cpp
+  turning/turned_stock.cpp
+  turning/turning_tool.cpp
   level_cut.cpp
   moved_stock.cpp
   cell_cycles.cpp
@@ -38,7 +43,7 @@ proveout_add_library(removal
 # Eigen's checks of indices cost a twentieth of meshing; the dev and sanitizer presets have them.
 target_compile_options(proveout_removal PRIVATE $<$<CONFIG:Release>:-O3>)
 target_compile_definitions(proveout_removal PRIVATE $<$<CONFIG:Release>:EIGEN_NO_DEBUG>)
-target_link_libraries(proveout_removal PUBLIC proveout::core PRIVATE TBB::tbb fmt::fmt ${CMAKE_DL_LIBS})
+target_link_libraries(proveout_removal PUBLIC proveout::core PRIVATE TBB::tbb fmt::fmt proveout_polyclipping ${CMAKE_DL_LIBS})
 
 # One source for every SIMD level, chosen at run time. No option here may change a result: no contraction, no
 # reassociation; the two below only free the compiler from errno and floating-point traps, which nobody reads.

@@ -26,6 +26,10 @@ std::string_view contactKindName(ContactKind kind) {
       return "holder_contact";
     case ContactKind::kSpindleOff:
       return "spindle_off";
+    case ContactKind::kInsertBack:
+      return "insert_contact";
+    case ContactKind::kAxis:
+      return "axis_crossing";
     case ContactKind::kFixture:
       return "fixture_contact";
   }

@@ -26,9 +26,11 @@ struct RemovalOptions {
   bool watch_all = false;      ///< every touch of the stock is a contact, in feed too (the stock is a fixture)
 };
 
-enum class ContactKind { kRapid, kShank, kHolder, kSpindleOff, kFixture };
+/// kInsertBack: a side of a lathe insert that has to stay clear; kAxis: a lathe tool cuts beyond the axis.
+enum class ContactKind { kRapid, kShank, kHolder, kSpindleOff, kFixture, kInsertBack, kAxis };
 std::string_view contactKindName(
-    ContactKind kind);  ///< "rapid_contact", "shank_contact", "holder_contact", "spindle_off", "fixture_contact"
+    ContactKind kind);  ///< "rapid_contact", "shank_contact", "holder_contact", "spindle_off", "fixture_contact",
+                        ///< "insert_contact", "axis_crossing"
 
 /// The tool touched stock where it must not. One per unbroken run of motions with the same kind, tool and
 /// program block.

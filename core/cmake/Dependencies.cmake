@@ -28,6 +28,15 @@ if(NOT TARGET proveout_nettle)
   target_link_libraries(proveout_nettle INTERFACE ${PROVEOUT_NETTLE_LIBRARY})
 endif()
 
+# Polygon clipping (Clipper 6) comes with a pkg-config file only.
+find_path(PROVEOUT_POLYCLIPPING_INCLUDE polyclipping/clipper.hpp REQUIRED)
+find_library(PROVEOUT_POLYCLIPPING_LIBRARY polyclipping REQUIRED)
+if(NOT TARGET proveout_polyclipping)
+  add_library(proveout_polyclipping INTERFACE IMPORTED GLOBAL)
+  target_include_directories(proveout_polyclipping SYSTEM INTERFACE ${PROVEOUT_POLYCLIPPING_INCLUDE})
+  target_link_libraries(proveout_polyclipping INTERFACE ${PROVEOUT_POLYCLIPPING_LIBRARY})
+endif()
+
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
 find_package(CGAL 5.5 REQUIRED QUIET)
 

@@ -1,0 +1,142 @@
+#include "removal/turning/revolve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace proveout {
+
+namespace {
+
+/// Rings of a mesh have at least and at most so many corners.
+constexpr int kFewest = 24, kMost = 4096;
+
+double distanceTo(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  const double length2 = d.squaredNorm();
+  const double t = length2 > 0.0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
+  return (p - a - t * d).norm();
+}
+
+/// Marks what of points first..last has to stay, its ends being kept.
+void keepFar(const std::vector<Vec2>& points, std::size_t first, std::size_t last, double tolerance,
+             std::vector<char>& keep) {
+  std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
+  const std::size_t n = points.size();
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    double worst = tolerance;
+    std::size_t at = 0;
+    for (std::size_t i = a + 1; i < b; ++i) {
+      const double d = distanceTo(points[i % n], points[a % n], points[b % n]);
+      if (d <= worst) continue;
+      worst = d;
+      at = i;
+    }
+    if (at == 0) continue;
+    keep[at % n] = 1;
+    open.emplace_back(a, at);
+    open.emplace_back(at, b);
+  }
+}
+
+class Rings {
+ public:
+  Rings(TriMesh& mesh, int count) : mesh_(mesh), count_(count) {
+    for (int j = 0; j < count; ++j) {
+      const double angle = 2.0 * kPi * j / count;
+      circle_.emplace_back(std::cos(angle), std::sin(angle));
+    }
+  }
+
+  void add(const SectionLoop& loop) {
+    std::vector<std::uint32_t> first;
+    for (const Vec2& p : loop.points) first.push_back(ring(p));
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const std::size_t k = (i + 1) % loop.points.size();
+      band(first[i], loop.points[i].x() <= 0.0, first[k], loop.points[k].x() <= 0.0, loop.motion[i]);
+    }
+  }
+
+ private:
+  std::uint32_t ring(const Vec2& p) {
+    const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+    const auto z = static_cast<float>(p.y());
+    if (p.x() <= 0.0) {
+      mesh_.positions.emplace_back(0.0f, 0.0f, z);
+      return first;
+    }
+    for (const Vec2& c : circle_)
+      mesh_.positions.emplace_back(static_cast<float>(p.x() * c.x()), static_cast<float>(p.x() * c.y()), z);
+    return first;
+  }
+
+  void band(std::uint32_t a, bool a_on_axis, std::uint32_t b, bool b_on_axis, MotionId motion) {
+    if (a_on_axis && b_on_axis) return;
+    const auto n = static_cast<std::uint32_t>(count_);
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t k = (j + 1) % n;
+      if (!a_on_axis) add(a + j, a + k, b_on_axis ? b : b + k, motion);
+      if (!b_on_axis) add(a_on_axis ? a : a + j, b + k, b + j, motion);
+    }
+  }
+  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, MotionId motion) {
+    mesh_.triangles.push_back({a, b, c});
+    mesh_.motion.push_back(motion);
+  }
+
+  TriMesh& mesh_;
+  int count_;
+  std::vector<Vec2> circle_;
+};
+
+}  // namespace
+
+SectionLoop simplified(const SectionLoop& loop, double tolerance) {
+  const std::size_t n = loop.points.size();
+  std::vector<char> keep(n, 0);
+  std::vector<std::size_t> fixed;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (loop.motion[(i + n - 1) % n] != loop.motion[i] || loop.points[i].x() <= 0.0) fixed.push_back(i);
+  }
+  if (fixed.size() < 2) {  // a loop of one motion: its ends along Z stay
+    const auto byHeight = [&](std::size_t a, std::size_t b) {
+      return loop.points[a].y() < loop.points[b].y();
+    };
+    std::vector<std::size_t> all(n);
+    for (std::size_t i = 0; i < n; ++i) all[i] = i;
+    const auto [low, high] = std::minmax_element(all.begin(), all.end(), byHeight);
+    fixed.push_back(*low);
+    fixed.push_back(*high);
+    std::sort(fixed.begin(), fixed.end());
+    fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+  }
+  for (std::size_t f = 0; f < fixed.size(); ++f) {
+    keep[fixed[f]] = 1;
+    const std::size_t next = f + 1 < fixed.size() ? fixed[f + 1] : fixed[0] + n;
+    keepFar(loop.points, fixed[f], next, tolerance, keep);
+  }
+  SectionLoop out;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!keep[i]) continue;
+    out.points.push_back(loop.points[i]);
+    out.motion.push_back(loop.motion[i]);
+  }
+  return out.points.size() > 2 ? out : loop;
+}
+
+TriMesh revolved(const std::vector<SectionBody>& bodies, double tolerance) {
+  double radius = 0.0;
+  for (const SectionBody& body : bodies) {
+    for (const Vec2& p : body.loops.front().points) radius = std::max(radius, p.x());
+  }
+  TriMesh mesh;
+  if (!(radius > 0.0)) return mesh;
+  Rings rings(mesh, std::clamp(circleSteps(radius, tolerance), kFewest, kMost));
+  for (const SectionBody& body : bodies) {
+    for (const SectionLoop& loop : body.loops) rings.add(simplified(loop, tolerance));
+  }
+  return mesh;
+}
+
+}  // namespace proveout

@@ -1,0 +1,18 @@
+// The surface of a turned part as a triangle mesh, straight from its section.
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/tri_mesh.h"
+#include "removal/turning/section.h"
+
+namespace proveout {
+
+/// Points of a loop that are needed to stay within `tolerance` mm of it; corners between motions stay.
+SectionLoop simplified(const SectionLoop& loop, double tolerance);
+
+/// The bodies turned about Z: closed and oriented. Corners are exact; rings are on the surface, and facets
+/// between them inside of it by at most `tolerance` mm (outer radii), sections simplified within as much.
+TriMesh revolved(const std::vector<SectionBody>& bodies, double tolerance);
+
+}  // namespace proveout

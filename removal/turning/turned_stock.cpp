@@ -1,0 +1,368 @@
+#include "removal/turning/turned_stock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "removal/turning/section_area.h"
+#include "removal/turning/turning_tool.h"
+
+namespace proveout {
+
+namespace {
+
+/// Contacts thinner than this are touches, mm.
+constexpr double kTouch = 1e-3;
+/// Off the plane or the axis by less than this is rounding, mm.
+constexpr double kOff = 1e-6;
+/// Half-planes in which the volume of threads is estimated.
+constexpr int kThreadPlanes = 4;
+
+Vec2 inPlane(const Vec3& p) { return {p.x(), p.z()}; }
+
+PlaneWay planeWay(const Motion& motion, const ArcGeometry* arc) {
+  PlaneWay way;
+  way.from = inPlane(motion.from);
+  way.to = inPlane(motion.to);
+  if (arc == nullptr) return way;
+  way.arc = true;
+  way.center = inPlane(arc->center);
+  // About +Y by the right-hand rule is from +Z towards +X.
+  way.sweep_rad = arc->normal.y() > 0.0 ? -arc->sweep_rad : arc->sweep_rad;
+  return way;
+}
+
+const ArcGeometry* arcOf(const Toolpath& path, const Motion& motion) {
+  return motion.arc < 0 ? nullptr : &path.arcs[static_cast<std::size_t>(motion.arc)];
+}
+
+PlaneWay partOfWay(const PlaneWay& way, double t) {
+  PlaneWay part = way;
+  part.to = way.at(t);
+  part.sweep_rad = t * way.sweep_rad;
+  return part;
+}
+
+Vec3 inSpace(const Vec2& p) { return {p.x(), 0.0, p.y()}; }
+
+/// The outline wherever it passes the half-plane at `angle`.
+std::vector<SectionPath> passesThrough(const ThreadSweep& thread, double angle) {
+  std::vector<SectionPath> paths;
+  const double total = 2.0 * kPi * thread.turns;
+  if (total == 0.0) return paths;
+  double turn = std::remainder(angle - thread.start_rad, 2.0 * kPi);
+  if (turn * total < 0.0) turn += std::copysign(2.0 * kPi, total);
+  for (; std::abs(turn) <= std::abs(total); turn += std::copysign(2.0 * kPi, total)) {
+    const double t = turn / total, s = t + thread.bend * (t * t - t);
+    PlaneWay still;
+    still.from = still.to = thread.from + s * (thread.to - thread.from);
+    for (SectionPath& path : sweptPaths(*thread.outline, still)) paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
+/// Gathers contacts: one for each unbroken run of motions of a kind, a tool and a block.
+class ContactList {
+ public:
+  explicit ContactList(const Toolpath& path) : path_(path) {}
+
+  /// `area`: the material before; pieces that only touch are left out.
+  void add(ContactKind kind, MotionId id, const SectionArea& area, const std::vector<SectionPiece>& pieces) {
+    Contact now;
+    now.kind = kind;
+    now.motion = id;
+    for (const SectionPiece& piece : pieces) {
+      if (piece.thickness_mm < kTouch) continue;
+      now.volume_mm3 += piece.volume_mm3;
+      for (const Vec2& p : piece.outline) {
+        const double depth = area.depthOf(p);
+        if (depth <= now.depth_mm) continue;
+        now.depth_mm = depth;
+        now.where = inSpace(p);
+      }
+      // A piece that goes right through has no point inside but is as deep as it is thick.
+      if (now.depth_mm > 0.5 * piece.thickness_mm) continue;
+      now.depth_mm = 0.5 * piece.thickness_mm;
+      now.where = inSpace(piece.outline.front());
+    }
+    if (now.volume_mm3 <= 0.0) return;
+    Run& run = runs_[static_cast<std::size_t>(kind)];
+    const bool goes_on = run.contact && run.last + 1 >= id && sameBlock(list_[*run.contact].motion, id);
+    run.last = id;
+    if (!goes_on) {
+      run.contact = list_.size();
+      list_.push_back(now);
+      return;
+    }
+    Contact& known = list_[*run.contact];
+    known.volume_mm3 += now.volume_mm3;
+    if (now.depth_mm > known.depth_mm) {
+      known.depth_mm = now.depth_mm;
+      known.where = now.where;
+    }
+  }
+
+  std::vector<Contact> take() {
+    std::stable_sort(list_.begin(), list_.end(),
+                     [](const Contact& a, const Contact& b) { return a.motion < b.motion; });
+    return std::move(list_);
+  }
+
+ private:
+  struct Run {
+    std::optional<std::size_t> contact;
+    MotionId last = 0;
+  };
+  bool sameBlock(MotionId a, MotionId b) const {
+    const Motion &m = path_.motions[a], &n = path_.motions[b];
+    return m.tool == n.tool && m.source.file == n.source.file && m.source.line == n.source.line &&
+           m.source.block == n.source.block;
+  }
+
+  const Toolpath& path_;
+  std::vector<Contact> list_;
+  std::array<Run, 8> runs_;
+};
+
+}  // namespace
+
+const char* turningObstacle(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) {
+  if (std::abs(motion.from.y()) > kOff || std::abs(motion.to.y()) > kOff)
+    return "the tool leaves the plane of the spindle axis (Y is not 0)";
+  if (axis != nullptr && !axis->alongZ()) return "the tool is tilted";
+  if (arc == nullptr) return nullptr;
+  if (std::abs(std::abs(arc->normal.y()) - 1.0) > 1e-9)
+    return "the arc is not in the plane of the spindle axis";
+  return motion.kind == MotionKind::kThread ? "a thread along an arc" : nullptr;
+}
+
+struct TurnedStock::Impl {
+  SectionArea area;                 ///< held by the chuck
+  std::vector<SectionBody> parted;  ///< cut off so far
+  std::vector<ThreadSweep> threads;
+  std::vector<std::shared_ptr<const ConvexOutline>> outlines;
+  double initial_volume = 0.0;
+  Box3 bounds;
+};
+
+namespace {
+
+/// Cuts one path; what lives as long as that.
+class Turning {
+ public:
+  Turning(const Toolpath& path, const std::vector<Tool>& tools, SectionArea& area,
+          std::vector<SectionBody>& parted, std::vector<ThreadSweep>& threads,
+          std::vector<std::shared_ptr<const ConvexOutline>>& outlines)
+      : path_(path), area_(area), parted_(parted), threads_(threads), outlines_(outlines), contacts_(path) {
+    for (const Tool& tool : tools) tools_.try_emplace(tool.number, tool);
+    removed_.resize(path.motions.size(), 0.0f);
+  }
+
+  void motion(MotionId id) {
+    const Motion& motion = path_.motions[id];
+    if (motion.kind == MotionKind::kProbe) return;
+    const TurningTool& tool = tools_.at(motion.tool);
+    const PlaneWay way = planeWay(motion, arcOf(path_, motion));
+    if (motion.kind == MotionKind::kThread && tool.insert) {
+      thread(id, tool, way);
+    } else {
+      cut(id, tool, way);
+      if (motion.kind != MotionKind::kRapid || motion.tool != thread_tool_) thread_way_.reset();
+    }
+    holder(id, tool, way);
+    if (area_.apart()) part(id);
+  }
+
+  RemovalSummary summary() {
+    RemovalSummary summary;
+    summary.removed_mm3 = std::move(removed_);
+    summary.contacts = contacts_.take();
+    return summary;
+  }
+
+ private:
+  void cut(MotionId id, const TurningTool& tool, const PlaneWay& way) {
+    const Motion& motion = path_.motions[id];
+    const std::vector<SectionPath> sweeps = tool.swept(way);
+    // A thread tool that leaves its groove stands in it: the section knows no groove.
+    std::vector<SectionPath> spared;
+    if (thread_way_ && motion.kind == MotionKind::kRapid) spared = tool.swept(*thread_way_);
+    if (motion.kind == MotionKind::kRapid) contact(ContactKind::kRapid, id, sweeps, spared);
+    if (motion.kind != MotionKind::kRapid && motion.spindle == 0.0)
+      contact(ContactKind::kSpindleOff, id, sweeps, spared);
+    if (tool.insert) {
+      if (const auto backs = tool.sweptBacks(way); !backs.empty())
+        contact(ContactKind::kInsertBack, id, backs, tool.sweptEdges(way));
+    } else if (std::max(std::abs(way.from.x()), std::abs(way.to.x())) > kTouch) {
+      contact(ContactKind::kAxis, id, sweeps, {});
+    }
+    double taken = take(sweeps, id, spared);
+    if (const auto beyond = mirroredPaths(sweeps); !beyond.empty()) {
+      if (tool.insert) contact(ContactKind::kAxis, id, beyond, {});
+      taken += take(beyond, id, {});
+    }
+    removed_[id] += static_cast<float>(taken);
+  }
+
+  /// Cuts the section, and the planes that stand for threads if there are any. Returns the volume, mm3.
+  double take(const std::vector<SectionPath>& sweeps, MotionId id, const std::vector<SectionPath>& spared) {
+    const double taken = area_.subtract(sweeps, id, spared);
+    if (planes_.empty()) return taken;
+    double sum = 0.0;
+    for (SectionArea& plane : planes_) sum += plane.subtract(sweeps, id, spared);
+    return sum / kThreadPlanes;
+  }
+
+  void thread(MotionId id, const TurningTool& tool, const PlaneWay& way) {
+    const Motion& motion = path_.motions[id];
+    const double turns = threadTurns(path_, motion), side = motion.spindle < 0.0 ? 1.0 : -1.0;
+    ThreadSweep sweep;
+    sweep.outline = tool.thread.get();
+    sweep.from = way.from;
+    sweep.to = way.to;
+    sweep.start_rad = side * degToRad(static_cast<double>(motion.thread_start_deg));
+    sweep.turns = side * turns;
+    const double along = (way.to - way.from).cwiseAbs().maxCoeff();
+    if (along > 0.0)
+      sweep.bend = 0.5 * static_cast<double>(motion.thread_pitch_change) * turns * turns / along;
+    sweep.motion = id;
+    thread_way_ = way;
+    thread_tool_ = motion.tool;
+    if (motion.spindle == 0.0) contact(ContactKind::kSpindleOff, id, tool.swept(way), {});
+    if (area_.common(tool.swept(way)).empty()) return;
+    if (std::find(outlines_.begin(), outlines_.end(), tool.thread) == outlines_.end())
+      outlines_.push_back(tool.thread);
+    threads_.push_back(sweep);
+    if (planes_.empty()) planes_.assign(kThreadPlanes, area_);
+    double sum = 0.0;
+    for (int k = 0; k < kThreadPlanes; ++k) {
+      const double angle = 2.0 * kPi * k / kThreadPlanes;
+      sum += planes_[static_cast<std::size_t>(k)].subtract(passesThrough(sweep, angle), id);
+    }
+    removed_[id] += static_cast<float>(sum / kThreadPlanes);
+  }
+
+  void holder(MotionId id, const TurningTool& tool, const PlaneWay& way) {
+    for (const auto& [kind, outlines] :
+         {std::pair{ContactKind::kShank, &tool.shank}, std::pair{ContactKind::kHolder, &tool.holder}}) {
+      std::vector<SectionPath> sweeps;
+      for (const ConvexOutline& outline : *outlines) {
+        for (SectionPath& path : sweptPaths(outline, way)) sweeps.push_back(std::move(path));
+      }
+      for (SectionPath& path : mirroredPaths(sweeps)) sweeps.push_back(std::move(path));
+      contact(kind, id, sweeps, {});
+    }
+  }
+
+  void contact(ContactKind kind, MotionId id, const std::vector<SectionPath>& sweeps,
+               const std::vector<SectionPath>& spared) {
+    contacts_.add(kind, id, area_, area_.common(sweeps, spared));
+  }
+
+  /// Bodies that hang on the chuck no longer leave; nothing cuts them any more.
+  void part(MotionId id) {
+    std::vector<SectionBody> bodies = area_.bodies();
+    if (bodies.empty()) return;
+    for (std::size_t k = 1; k < bodies.size(); ++k) {
+      bodies[k].parted_by = id;
+      parted_.push_back(std::move(bodies[k]));
+    }
+    area_ = SectionArea(bodies.front().loops);
+    std::vector<SectionPath> gone;
+    for (std::size_t k = 1; k < bodies.size(); ++k)
+      gone.push_back(parted_[parted_.size() - k].loops.front().points);
+    for (SectionArea& plane : planes_) plane.subtract(gone, id);
+  }
+
+  const Toolpath& path_;
+  SectionArea& area_;
+  std::vector<SectionBody>& parted_;
+  std::vector<ThreadSweep>& threads_;
+  std::vector<std::shared_ptr<const ConvexOutline>>& outlines_;
+  std::map<int, TurningTool> tools_;
+  std::vector<float> removed_;
+  ContactList contacts_;
+  std::vector<SectionArea> planes_;     ///< sections with their threads, once there is one
+  std::optional<PlaneWay> thread_way_;  ///< of the thread that the tool stands at the end of
+  int thread_tool_ = 0;
+};
+
+}  // namespace
+
+TurnedStock::TurnedStock(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+TurnedStock::~TurnedStock() = default;
+TurnedStock::TurnedStock(TurnedStock&&) noexcept = default;
+TurnedStock& TurnedStock::operator=(TurnedStock&&) noexcept = default;
+
+Result<TurnedStock> TurnedStock::create(const StockShape& shape) {
+  const auto* round = std::get_if<CylinderShape>(&shape);
+  if (round == nullptr || round->axis != 2 || round->base.head<2>().norm() > kOff) {
+    return inputError(
+        "a lathe turns a cylinder or a tube about Z: the stock must be one with its centre at X0 Y0");
+  }
+  auto impl = std::make_unique<Impl>();
+  const double low = round->base.z(), high = low + round->length;
+  SectionLoop border;
+  border.points = {
+      {round->inner_radius, low}, {round->radius, low}, {round->radius, high}, {round->inner_radius, high}};
+  border.motion.assign(4, kNoMotion);
+  impl->area = SectionArea({border});
+  impl->initial_volume = impl->area.volume();
+  impl->bounds = {{-round->radius, -round->radius, low}, {round->radius, round->radius, high}};
+  return TurnedStock(std::move(impl));
+}
+
+Result<RemovalSummary> TurnedStock::remove(const Toolpath& path, const std::vector<Tool>& tools,
+                                           Progress& progress) {
+  for (const Motion& motion : path.motions) {
+    const AxisSweep* axis = motion.axis < 0 ? nullptr : &path.axes[static_cast<std::size_t>(motion.axis)];
+    const char* const obstacle = turningObstacle(motion, arcOf(path, motion), axis);
+    if (obstacle == nullptr || motion.kind == MotionKind::kProbe) continue;
+    return inputError(fmt::format("{}:{}: {}: this cannot be turned", path.files[motion.source.file],
+                                  motion.source.line, obstacle));
+  }
+  Turning turning(path, tools, impl_->area, impl_->parted, impl_->threads, impl_->outlines);
+  for (MotionId id = 0; id < path.motions.size(); ++id) {
+    if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+    if ((id & 0xFF) == 0)
+      progress.report("turning", static_cast<double>(id) / static_cast<double>(path.motions.size()));
+    turning.motion(id);
+  }
+  return turning.summary();
+}
+
+std::optional<double> TurnedStock::firstContact(const Motion& move, const ArcGeometry* arc,
+                                                const Tool& tool) const {
+  const TurningTool turning(tool);
+  const PlaneWay way = planeWay(move, arc);
+  const auto touches = [&](double t) {
+    const std::vector<SectionPiece> pieces = impl_->area.common(turning.swept(partOfWay(way, t)));
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [](const SectionPiece& piece) { return piece.volume_mm3 > 0.0; });
+  };
+  if (!touches(1.0)) return std::nullopt;
+  double free = 0.0, touching = 1.0;
+  for (int i = 0; i < 40 && touching - free > 1e-12; ++i) {
+    const double middle = 0.5 * (free + touching);
+    (touches(middle) ? touching : free) = middle;
+  }
+  return touching;
+}
+
+TurnedShape TurnedStock::shape() const {
+  TurnedShape shape;
+  shape.bodies = impl_->area.bodies();
+  shape.bodies.insert(shape.bodies.end(), impl_->parted.begin(), impl_->parted.end());
+  shape.threads = impl_->threads;
+  shape.outlines = impl_->outlines;
+  return shape;
+}
+
+bool TurnedStock::hasThreads() const { return !impl_->threads.empty(); }
+double TurnedStock::initialVolume() const { return impl_->initial_volume; }
+Box3 TurnedStock::bounds() const { return impl_->bounds; }
+
+}  // namespace proveout

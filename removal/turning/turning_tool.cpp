@@ -1,0 +1,87 @@
+#include "removal/turning/turning_tool.h"
+
+#include <algorithm>
+
+#include "core/tool/tool_solid.h"
+
+namespace proveout {
+
+namespace {
+
+/// The section of a solid of revolution about its own axis, both halves.
+ConvexOutline bothHalves(const ConvexProfile& profile) {
+  std::vector<OutlineSide> sides;
+  const auto add = [&](const ConvexProfile::Element& e, double sign) {
+    OutlineSide side;
+    side.from = {sign * e.ar, e.az};
+    side.to = {sign * e.br, e.bz};
+    if (sign < 0.0) std::swap(side.from, side.to);
+    side.arc = e.arc;
+    side.center = {sign * e.cr, e.cz};
+    side.radius = e.radius;
+    sides.push_back(side);
+  };
+  for (int i = 0; i < profile.elementCount(); ++i) add(profile.element(i), 1.0);
+  for (int i = profile.elementCount() - 1; i >= 0; --i) add(profile.element(i), -1.0);
+  return ConvexOutline(sides);
+}
+
+ConvexOutline circle(const Vec2& center, double radius) {
+  OutlineSide lower, upper;
+  lower.arc = upper.arc = true;
+  lower.center = upper.center = center;
+  lower.radius = upper.radius = radius;
+  lower.from = upper.to = center - Vec2(radius, 0.0);
+  lower.to = upper.from = center + Vec2(radius, 0.0);
+  return ConvexOutline({lower, upper});
+}
+
+void append(std::vector<SectionPath>& all, std::vector<SectionPath> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+}  // namespace
+
+TurningTool::TurningTool(const Tool& tool) {
+  if (!tool.insert) {
+    const ToolSolid solid = makeToolSolid(tool);
+    for (const ConvexProfile& p : solid.cutter) cutters.push_back(bothHalves(p));
+    for (const ConvexProfile& p : solid.shank) shank.push_back(bothHalves(p));
+    for (const ConvexProfile& p : solid.holder) holder.push_back(bothHalves(p));
+    return;
+  }
+  insert = true;
+  thread = std::make_shared<const ConvexOutline>(insertOutline(*tool.insert));
+  cutters.push_back(*thread);
+  holder = holderPieces(*tool.insert);
+  const int o = tool.insert->orientation;
+  if (tool.insert->shape == InsertShape::kCorner && o >= 1 && o <= 4) lead_z = o == 1 || o == 4 ? 1.0 : -1.0;
+  for (const OutlineSide& side : thread->sides()) {
+    if (side.arc && side.use == SideUse::kCuts) noses.push_back(circle(side.center, side.radius));
+  }
+}
+
+std::vector<SectionPath> TurningTool::swept(const PlaneWay& way) const {
+  std::vector<SectionPath> paths;
+  for (const ConvexOutline& outline : cutters) append(paths, sweptPaths(outline, way));
+  return paths;
+}
+
+std::vector<SectionPath> TurningTool::sweptBacks(const PlaneWay& way) const {
+  if (!insert) return {};
+  return sweptSides(*thread, way, [this](const OutlineSide& side, const Vec2& direction) {
+    if (side.use == SideUse::kBack) return true;
+    return side.use == SideUse::kTrails && direction.y() * lead_z > 1e-9;
+  });
+}
+
+std::vector<SectionPath> TurningTool::sweptEdges(const PlaneWay& way) const {
+  std::vector<SectionPath> paths =
+      sweptSides(*thread, way, [this](const OutlineSide& side, const Vec2& direction) {
+        return side.use == SideUse::kCuts || (side.use == SideUse::kTrails && direction.y() * lead_z <= 1e-9);
+      });
+  for (const ConvexOutline& nose : noses) append(paths, sweptPaths(nose, way));
+  return paths;
+}
+
+}  // namespace proveout

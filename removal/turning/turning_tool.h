@@ -1,0 +1,32 @@
+// A tool as a turning workpiece meets it: convex outlines in the plane of the spindle axis.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/tool/tool.h"
+#include "removal/turning/sweep_paths.h"
+
+namespace proveout {
+
+struct TurningTool {
+  explicit TurningTool(const Tool& tool);
+
+  std::vector<ConvexOutline> cutters;
+  std::vector<ConvexOutline> shank, holder;
+  /// Of inserts: circles of the nose or the corners, which cut in any direction.
+  std::vector<ConvexOutline> noses;
+  bool insert = false;
+  double lead_z =
+      0.0;  ///< of a corner insert: sign of the Z direction that its leading edge looks to; 0: none
+  std::shared_ptr<const ConvexOutline> thread;  ///< of inserts: the outline, for threads
+
+  /// All that cuts on the way.
+  std::vector<SectionPath> swept(const PlaneWay& way) const;
+  /// Sides that must stay clear on the way, and what the cutting edges take on it.
+  std::vector<SectionPath> sweptBacks(const PlaneWay& way) const;
+  std::vector<SectionPath> sweptEdges(const PlaneWay& way) const;
+};
+
+}  // namespace proveout

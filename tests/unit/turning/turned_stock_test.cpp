@@ -1,0 +1,321 @@
+// Turned closed forms, contacts and a slow reference.
+#include "removal/turning/turned_stock.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "removal/turning/revolve.h"
+#include "removal/turning/sweep_paths.h"
+#include "tests/unit/turning/turning_fixture.h"
+
+namespace proveout {
+namespace {
+
+constexpr double kMicron = 1e-3;
+
+struct Turned {
+  TurnedShape shape;
+  RemovalSummary summary;
+  double initial_mm3 = 0.0;
+};
+
+Turned turn(const CylinderShape& blank, const TurningPath& path, const std::vector<Tool>& tools) {
+  Progress progress;
+  Result<TurnedStock> stock = TurnedStock::create(blank);
+  EXPECT_TRUE(stock);
+  Result<RemovalSummary> summary = stock->remove(path.path, tools, progress);
+  EXPECT_TRUE(summary) << (summary ? "" : summary.error().message);
+  return {stock->shape(), std::move(*summary), stock->initialVolume()};
+}
+
+double sum(const std::vector<float>& values) {
+  double total = 0.0;
+  for (const float v : values) total += static_cast<double>(v);
+  return total;
+}
+
+/// Largest distance of the border's points between two heights from a curve r(z).
+double worst(const SectionBody& body, double low, double high, const std::function<double(double)>& radius) {
+  double most = -1.0;
+  for (const Vec2& p : body.loops.front().points) {
+    if (p.y() < low || p.y() > high || p.x() == 0.0) continue;
+    most = std::max(most, std::abs(p.x() - radius(p.y())));
+  }
+  return most;
+}
+
+TEST(TurnedStock, CylinderAndShoulder) {
+  TurningPath path({40, 5});
+  path.rapid(25, 2).feed(25, -60).feed(31, -60).rapid(40, 5);
+  const Turned t = turn(bar(30, 100), path, {insertTool(1, turningInsert(0.4))});
+  ASSERT_EQ(t.shape.bodies.size(), 1u);
+  // The nose leaves its radius in the corner: what of the square of 0.4 lies outside of the circle.
+  const double r = 0.4, outside = (1 - kPi / 4) * r * r, centroid = (10 - 3 * kPi) / (12 - 3 * kPi) * r;
+  const double corner = 2 * kPi * (25 + centroid) * outside;
+  // The leading edge leans back by 3 degrees, but the way out makes the shoulder square.
+  const double volume = kPi * (25.0 * 25 * 60 + 30.0 * 30 * 40) + corner;
+  EXPECT_NEAR(t.shape.bodies[0].volume_mm3 / volume, 1.0, 1e-7);
+  EXPECT_LT(worst(t.shape.bodies[0], -59, -1, [](double) { return 25.0; }), 1e-6);
+  EXPECT_NEAR(sum(t.summary.removed_mm3) / (t.initial_mm3 - volume), 1.0, 1e-6);
+  EXPECT_TRUE(t.summary.contacts.empty());
+  // Who made what: the cylinder is the second motion's, the shoulder the third's.
+  const SectionLoop& border = t.shape.bodies[0].loops.front();
+  for (std::size_t i = 0; i < border.points.size(); ++i) {
+    const Vec2 middle = 0.5 * (border.points[i] + border.points[(i + 1) % border.points.size()]);
+    const bool cylinder = std::abs(middle.x() - 25.0)<1e-6, wall = middle.x()> 29.99;
+    const bool shoulder = std::abs(middle.y() + 60.0) < 1e-6 && middle.x() > 26;
+    EXPECT_TRUE(!cylinder || border.motion[i] == 1u);
+    EXPECT_TRUE(!shoulder || border.motion[i] == 2u);
+    EXPECT_TRUE(!wall || border.motion[i] == kNoMotion);
+  }
+}
+
+TEST(TurnedStock, ConeByCompensatedPath) {
+  // Cone from radius 15 at z 0 to 25 at z -40, the nose centre off it by its radius.
+  const double nose = 0.8, angle = std::atan2(10.0, 40.0);
+  const Vec2 normal(std::cos(angle), std::sin(angle)), tip(-nose, -nose);
+  const Vec2 a = Vec2(15, 0) + nose * normal + tip - 5 * Vec2(-std::sin(angle), std::cos(angle)) * -1.0;
+  const Vec2 b = Vec2(25, -40) + nose * normal + tip + 20 * Vec2(std::sin(angle), -std::cos(angle));
+  TurningPath path({40, 20});
+  path.rapid(a.x(), a.y()).feed(b.x(), b.y()).rapid(50, 20);
+  const Turned t = turn(bar(30, 100), path, {insertTool(1, turningInsert(nose))});
+  ASSERT_EQ(t.shape.bodies.size(), 1u);
+  const auto cone = [](double z) { return 15.0 - z * 0.25; };
+  EXPECT_LT(worst(t.shape.bodies[0], -59, 0.0, cone), 1e-5);
+}
+
+TEST(TurnedStock, SphereEnd) {
+  const double nose = 0.4;
+  TurningPath path({60, 5});
+  // Roughing keeps off the sphere of radius 20 about z -20.
+  for (double r = 20; r > 0.0; r -= 2.0) {
+    path.rapid(r, 2).feed(r, std::sqrt(std::max(0.0, 441.0 - r * r)) - 21.0).rapid(r + 2, 2);
+  }
+  path.rapid(-nose, 2).feed(-nose, 0.0);
+  path.arc(20.0, -20.0 - nose, Vec2(-nose, -20.0 - nose), -kPi / 2).feed(20, -40);
+  const Turned t = turn(bar(22, 60), path, {insertTool(1, turningInsert(nose))});
+  ASSERT_GE(t.shape.bodies.size(), 1u);
+  double most = 0.0;
+  for (const Vec2& p : t.shape.bodies[0].loops.front().points) {
+    if (p.y() > -20.0 && p.x() > 0.0) most = std::max(most, std::abs(std::hypot(p.x(), p.y() + 20.0) - 20.0));
+  }
+  EXPECT_LT(most, 0.01 * kMicron);
+}
+
+TEST(TurnedStock, GrooveHasItsWidthDepthAndVolume) {
+  TurningPath path({40, -20});
+  path.rapid(31, -20).feed(24, -20).rapid(40, -20);
+  const Turned t = turn(bar(30, 60), path, {insertTool(1, grooveInsert(4.0, 0.2))});
+  const double r = 0.2, outside = (1 - kPi / 4) * r * r, centroid = (10 - 3 * kPi) / (12 - 3 * kPi) * r;
+  const double corners = 2 * 2 * kPi * (24 + centroid) * outside;
+  const double volume = kPi * 900 * 60 - kPi * (900 - 576) * 4.0 + corners;
+  EXPECT_NEAR(t.shape.bodies[0].volume_mm3 / volume, 1.0, 1e-7);
+  EXPECT_TRUE(t.summary.contacts.empty());
+}
+
+TEST(TurnedStock, TubeByDrillAndBoringBar) {
+  Tool drill;
+  drill.number = 2;
+  drill.type = ToolType::kDrill;
+  drill.diameter = 10.0;
+  drill.point_angle_deg = 118.0;
+  TurningPath path({0, 5});
+  path.tool(2).rapid(0, 2).feed(0, -70).rapid(0, 5);
+  path.tool(1).rapid(8, 2).feed(8, -40).feed(7, -40).rapid(7, 5);
+  Insert boring = turningInsert(0.4, 2);
+  boring.edge_length = 4.0;
+  const Turned t = turn(bar(30, 60), path, {insertTool(1, boring), drill});
+  EXPECT_TRUE(t.summary.contacts.empty());
+  ASSERT_EQ(t.shape.bodies.size(), 1u);
+  const double r = 0.4, outside = (1 - kPi / 4) * r * r, centroid = (10 - 3 * kPi) / (12 - 3 * kPi) * r;
+  // Towards the axis the leading edge leans back by 3 degrees: a hollow cone at the bottom of the bore.
+  double lowest = 0.0;
+  for (const Vec2& p : t.shape.bodies[0].loops.front().points) {
+    if (p.x() > 7.5 && p.x() < 8.1) lowest = std::min(lowest, p.y());
+  }
+  EXPECT_NEAR(lowest, -40.0, 1e-6);
+  EXPECT_LT(worst(t.shape.bodies[0], -59.5, -41, [](double) { return 5.0; }), 25.0 + 1e-6);
+  const double lean = std::tan(degToRad(3.0));
+  const double least = kPi * (900.0 * 60 - 64.0 * 40 - 25.0 * 20);
+  const double corner = 2 * kPi * (8 - centroid) * outside;
+  const double step = 2 * kPi * 6.5 * 0.5 * 3.0 * 3.0 * lean;  // about the triangle that leaning leaves
+  EXPECT_GT(t.shape.bodies[0].volume_mm3, least);
+  EXPECT_LT(t.shape.bodies[0].volume_mm3, least + corner + 1.1 * step);
+}
+
+TEST(TurnedStock, PartingLeavesTwoBodies) {
+  TurningPath path({40, -50});
+  path.rapid(31, -50).feed(-0.1, -50).rapid(40, -50).rapid(40, -30).rapid(29, -30);
+  const Turned t = turn(bar(30, 100), path, {insertTool(1, grooveInsert(3.0, 0.0))});
+  ASSERT_EQ(t.shape.bodies.size(), 2u);
+  EXPECT_EQ(t.shape.bodies[0].parted_by, kNoMotion);
+  EXPECT_EQ(t.shape.bodies[1].parted_by, 1u);
+  EXPECT_NEAR(t.shape.bodies[0].volume_mm3, kPi * 900 * 50, 1e-3);
+  EXPECT_NEAR(t.shape.bodies[1].volume_mm3, kPi * 900 * 47, 1e-3);
+  // The piece is gone when the tool comes to where it was.
+  EXPECT_TRUE(t.summary.contacts.empty());
+}
+
+TEST(TurnedStock, RapidIntoThePartIsAContact) {
+  TurningPath path({40, 5});
+  path.rapid(28, 2).rapid(28, -10).rapid(40, 5);
+  const Turned t = turn(bar(30, 60), path, {insertTool(1, turningInsert(0.4))});
+  ASSERT_EQ(t.summary.contacts.size(), 1u);
+  EXPECT_EQ(t.summary.contacts[0].kind, ContactKind::kRapid);
+  EXPECT_EQ(t.summary.contacts[0].motion, 1u);
+  EXPECT_NEAR(t.summary.contacts[0].depth_mm, 2.0, 0.02);
+  EXPECT_NEAR(t.summary.contacts[0].volume_mm3 / (kPi * (900 - 784) * 10), 1.0, 0.05);
+}
+
+TEST(TurnedStock, StandingSpindleIsAContact) {
+  TurningPath path({40, 5});
+  path.spindle(0).rapid(28, 2).feed(28, -10).spindle(500).feed(28, -20);
+  const Turned t = turn(bar(30, 60), path, {insertTool(1, turningInsert(0.4))});
+  ASSERT_EQ(t.summary.contacts.size(), 1u);
+  EXPECT_EQ(t.summary.contacts[0].kind, ContactKind::kSpindleOff);
+  EXPECT_EQ(t.summary.contacts[0].motion, 1u);
+}
+
+/// Goes down a slope of `degrees` behind a cylinder of 28 mm.
+Turned downhill(double degrees) {
+  TurningPath path({40, 5});
+  const double depth = 6.0, along = depth / std::tan(degToRad(degrees));
+  path.rapid(28, 2).feed(28, -20).feed(28 - depth, -20 - along).feed(28 - depth, -40).feed(31, -40);
+  return turn(bar(30, 60), path, {insertTool(1, turningInsert(0.4))});
+}
+
+TEST(TurnedStock, TrailingEdgeMustStayClear) {
+  // The trailing edge lies 180 - 93 - 55 = 32 degrees off the direction of feed.
+  EXPECT_TRUE(downhill(30.0).summary.contacts.empty());
+  const Turned steep = downhill(45.0);
+  ASSERT_EQ(steep.summary.contacts.size(), 1u);
+  EXPECT_EQ(steep.summary.contacts[0].kind, ContactKind::kInsertBack);
+  EXPECT_EQ(steep.summary.contacts[0].motion, 2u);
+  EXPECT_GT(steep.summary.contacts[0].depth_mm, 0.2);
+}
+
+TEST(TurnedStock, FacingPastTheAxisIsFineCuttingBeyondIsNot) {
+  TurningPath face({40, 5});
+  face.rapid(31, -1).feed(-0.8, -1).rapid(-0.8, 5);
+  EXPECT_TRUE(turn(bar(30, 60), face, {insertTool(1, turningInsert(0.4))}).summary.contacts.empty());
+  TurningPath beyond({40, 5});
+  beyond.rapid(-5, 5).feed(-5, -3);
+  const Turned t = turn(bar(30, 60), beyond, {insertTool(1, turningInsert(0.4))});
+  bool crossed = false;
+  for (const Contact& contact : t.summary.contacts) crossed |= contact.kind == ContactKind::kAxis;
+  EXPECT_TRUE(crossed);
+}
+
+TEST(TurnedStock, HolderContact) {
+  Insert insert = turningInsert(0.4);
+  insert.holder = {{6.0, 0.5}, {60.0, 0.5}, {60.0, 20.0}, {6.0, 20.0}};
+  TurningPath path({100, 5});
+  // Cuts a face 10 mm deep: the holder begins 6 mm above the tip.
+  path.rapid(31, -2).feed(20, -2).feed(20, 2);
+  EXPECT_TRUE(turn(bar(30, 60), path, {insertTool(1, insert)}).summary.contacts.empty());
+  insert.holder[0].y() = insert.holder[1].y() = -1.0;
+  TurningPath shoulder({100, 5});
+  shoulder.rapid(20, 2).feed(20, -5);
+  const Turned t = turn(bar(30, 60), shoulder, {insertTool(1, insert)});
+  bool holder = false;
+  for (const Contact& contact : t.summary.contacts) holder |= contact.kind == ContactKind::kHolder;
+  EXPECT_TRUE(holder);
+}
+
+TEST(TurnedStock, WhatCannotBeTurnedIsRefused) {
+  Progress progress;
+  EXPECT_FALSE(TurnedStock::create(BoxShape{Vec3(0, 0, 0), Vec3(1, 1, 1)}));
+  CylinderShape lying = bar(10, 20);
+  lying.axis = 0;
+  EXPECT_FALSE(TurnedStock::create(lying));
+  TurningPath path({40, 5});
+  path.rapid(28, 2);
+  path.path.motions.back().to.y() = 3.0;
+  Result<TurnedStock> stock = TurnedStock::create(bar(30, 60));
+  ASSERT_TRUE(stock);
+  const auto cut = stock->remove(path.path, {insertTool(1, turningInsert(0.4))}, progress);
+  ASSERT_FALSE(cut);
+  EXPECT_NE(cut.error().message.find("test:1"), std::string::npos) << cut.error().message;
+}
+
+TEST(TurnedStock, MeshIsClosedAndHasTheVolume) {
+  TurningPath path({40, 5});
+  path.rapid(25, 2).feed(25, -30).feed(28, -40).feed(31, -40).rapid(40, -20);
+  path.tool(2).rapid(31, -20).feed(20, -20).rapid(40, -20);
+  const Turned t =
+      turn(bar(30, 60), path, {insertTool(1, turningInsert(0.4)), insertTool(2, grooveInsert(3, 0.2))});
+  for (const double tolerance : {1e-3, 1e-2}) {
+    const TriMesh mesh = revolved(t.shape.bodies, tolerance);
+    EXPECT_TRUE(analyseTopology(mesh).closedManifold());
+    const double volume = meshVolume(mesh), exact = t.shape.bodies[0].volume_mm3;
+    EXPECT_LT(volume, exact);
+    EXPECT_GT(volume, exact * (1.0 - 2.0 * tolerance / 20.0));
+    EXPECT_EQ(mesh.motion.size(), mesh.triangles.size());
+  }
+}
+
+/// Whether a point is taken by what the outline does on the way, by small steps.
+bool takenSlowly(const ConvexOutline& outline, const PlaneWay& way, const Vec2& p, double& nearest) {
+  bool taken = false;
+  for (int i = 0; i <= 400; ++i) {
+    const double value = outline.sample(p - way.at(i / 400.0)).value;
+    nearest = std::min(nearest, std::abs(value));
+    taken |= value < 0.0;
+  }
+  return taken;
+}
+
+bool holds(const std::vector<SectionPath>& paths, const Vec2& p) {
+  int winding = 0;
+  for (const SectionPath& path : paths) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const Vec2 a = path[i] - p, b = path[(i + 1) % path.size()] - p;
+      if ((a.y() <= 0.0) == (b.y() <= 0.0)) continue;
+      const double side = a.x() * b.y() - a.y() * b.x();
+      if (b.y() > a.y() && side > 0.0) ++winding;
+      if (b.y() < a.y() && side < 0.0) --winding;
+    }
+  }
+  return winding != 0;
+}
+
+TEST(SweptPaths, AgreeWithSmallSteps) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const std::vector<Insert> inserts = {turningInsert(0.4), turningInsert(0.0), turningInsert(1.2, 2),
+                                       grooveInsert(3.0, 0.3)};
+  int asked = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const ConvexOutline outline = insertOutline(inserts[static_cast<std::size_t>(trial) % inserts.size()]);
+    PlaneWay way;
+    way.from = Vec2(10 * any(random), 10 * any(random));
+    if (trial % 3 == 0) {
+      way.to = way.from + Vec2(6 * any(random), 6 * any(random));
+    } else {
+      way.arc = true;
+      way.center = way.from + Vec2(5 * any(random), 5 * any(random));
+      way.sweep_rad = 5.5 * any(random);
+      const Vec2 arm = way.from - way.center;
+      const double c = std::cos(way.sweep_rad), s = std::sin(way.sweep_rad);
+      way.to = way.center + Vec2(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y());
+    }
+    const std::vector<SectionPath> paths = sweptPaths(outline, way);
+    const double length =
+        way.arc ? std::abs(way.sweep_rad) * (way.from - way.center).norm() : (way.to - way.from).norm();
+    for (int i = 0; i < 60; ++i) {
+      const Vec2 p = way.at(0.5 + 0.5 * any(random)) + Vec2(9 * any(random), 9 * any(random));
+      double nearest = 1e9;
+      const bool slow = takenSlowly(outline, way, p, nearest);
+      if (nearest < length / 400.0 + 2e-3) continue;  // too near for steps of this size
+      ++asked;
+      EXPECT_EQ(holds(paths, p), slow) << "trial " << trial << " at " << p.transpose();
+    }
+  }
+  EXPECT_GT(asked, 1500);
+}
+
+}  // namespace
+}  // namespace proveout
