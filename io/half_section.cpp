@@ -9,6 +9,8 @@ namespace proveout {
 namespace {
 
 constexpr double kOnAxisMm = 1e-6;
+/// Deviations that differ by less are the same: meshes have coordinates of single precision.
+constexpr double kSameMm = 1e-5;
 /// Profiles with more edges are sampled evenly: each edge would take two samples.
 constexpr std::size_t kMaxEdgesWithCorners = kMaxProfileSamples / 3;
 
@@ -122,6 +124,8 @@ class ProfileSampler {
         }
       }
     }
+    findLargest(-1.0, result_.largest_gouge_mm, result_.gouge_at);
+    findLargest(1.0, result_.largest_excess_mm, result_.excess_at);
     return std::move(result_);
   }
 
@@ -153,14 +157,23 @@ class ProfileSampler {
     if (insideOf(nominal_, at)) distance = -distance;
     result_.samples.push_back({at, nearest, distance, broken_});
     broken_ = false;
-    if (-distance > result_.largest_gouge_mm) {
-      result_.largest_gouge_mm = -distance;
-      result_.gouge_at = at;
+  }
+
+  /// The largest of sign * deviation, >= 0; its place is the middle of the stretch that is as far off.
+  void findLargest(double sign, double& largest, Vec2& place) const {
+    const auto& samples = result_.samples;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (sign * samples[i].deviation_mm <= largest) continue;
+      largest = sign * samples[i].deviation_mm;
+      first = i;
     }
-    if (distance > result_.largest_excess_mm) {
-      result_.largest_excess_mm = distance;
-      result_.excess_at = at;
-    }
+    if (largest == 0.0) return;
+    const auto isSame = [&](std::size_t i) { return sign * samples[i].deviation_mm >= largest - kSameMm; };
+    std::size_t last = first;
+    while (last + 1 < samples.size() && !samples[last + 1].starts_stretch && isSame(last + 1)) ++last;
+    while (first > 0 && !samples[first].starts_stretch && isSame(first - 1)) --first;
+    place = samples[(first + last) / 2].at;
   }
 
   const std::vector<std::vector<Vec2>>& loops_;

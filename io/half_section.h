@@ -32,7 +32,8 @@ struct SectionSample {
 struct ProfileDeviations {
   std::vector<SectionSample> samples;                      ///< along the loops; at most kMaxProfileSamples
   double largest_gouge_mm = 0.0, largest_excess_mm = 0.0;  ///< >= 0, of the samples
-  Vec2 gouge_at = Vec2::Zero(), excess_at = Vec2::Zero();  ///< (r, z)
+  /// (r, z), the middle of the stretch that is as far off; zero where the figure is 0.
+  Vec2 gouge_at = Vec2::Zero(), excess_at = Vec2::Zero();
 };
 inline constexpr std::size_t kMaxProfileSamples = 2000;
 
