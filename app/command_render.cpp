@@ -73,6 +73,21 @@ Result<Comparison> compareForHeatMap(const TriMesh& mesh, const HeatMapSource& s
   return compareToNominal(mesh, nominal->mesh, options, progress);
 }
 
+/// A cut shows what is inside: that needs a surface that tells inside from outside.
+Status checkForSection(const TriMesh& mesh, const std::string& path) {
+  const MeshTopology topology = analyseTopology(mesh);
+  if (topology.boundary_edges + topology.misoriented_edges > 0) {
+    return inputError(
+        fmt::format("{}: the view 'section' needs a closed mesh (open edges {}, inconsistent edges {}), "
+                    "first defect near "
+                    "X{:.3f} Y{:.3f} Z{:.3f}",
+                    path, topology.boundary_edges, topology.misoriented_edges, topology.first_defect.x(),
+                    topology.first_defect.y(), topology.first_defect.z()));
+  }
+  if (meshVolume(mesh) > 0.0) return Done{};
+  return inputError(path + ": the view 'section' needs a solid; this mesh is inside out or without volume");
+}
+
 Status renderToFile(const RenderCommandOptions& options, const std::string& output, Progress& progress) {
   const Result<View> view = findView(options.view);
   if (!view) return view.error();
@@ -80,6 +95,9 @@ Status renderToFile(const RenderCommandOptions& options, const std::string& outp
   if (!size) return size.error();
   Result<TriMesh> mesh = loadMesh(options.mesh);
   if (!mesh) return mesh.error();
+  if (view->section) {
+    if (Status closed = checkForSection(*mesh, options.mesh); !closed) return closed;
+  }
   std::optional<Comparison> comparison;
   if (options.heatmap) {
     const Result<HeatMapSource> source = readHeatMapSource(*options.heatmap);

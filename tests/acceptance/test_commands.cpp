@@ -115,6 +115,15 @@ TEST(Commands, RenderDrawsAMeshAndAHeatMap) {
   bench.write("result/inch.json", report);
   ASSERT_EQ(bench.run(render).exit_code, 0);
   EXPECT_EQ(readFile(bench.path("inch.png")), readFile(bench.path("heat.png")));
+  ASSERT_EQ(bench.run("render part.obj -o cut.png --view section --size 200x150").exit_code, 0);
+  EXPECT_NE(readFile(bench.path("cut.png")), readFile(bench.path("part.png")));  // the same view, whole
+  bench.write("open.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+  EXPECT_EQ(bench.run("render open.obj").exit_code, 0);
+  const Outcome open = bench.run("render open.obj --view section");
+  EXPECT_EQ(open.exit_code, 2);
+  EXPECT_TRUE(has(open.err, "open edges 3")) << open.err;
+  bench.write("turned.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+  EXPECT_TRUE(has(bench.run("render turned.obj --view section").err, "inside out"));
   EXPECT_EQ(bench.run("render part.obj --view sideways").exit_code, 2);
   EXPECT_EQ(bench.run("render part.obj --size 9x9").exit_code, 2);
   EXPECT_EQ(bench.run("render none.obj").exit_code, 2);
