@@ -132,6 +132,16 @@ Status writeTables(const std::vector<CutPath>& paths, StagingFolder& staging, Re
   return writeFileAtomically(staging.path("mrr.svg"), svg);
 }
 
+Status writeProfileChart(const std::vector<std::vector<Vec2>>& machined, const TriMesh* nominal,
+                         const ProfileChartOptions& options, StagingFolder& staging, Report& report) {
+  const std::vector<SectionSegment> section = nominal ? halfSection(*nominal) : std::vector<SectionSegment>();
+  ProfileChart chart = drawProfileChart(machined, section, options);
+  if (chart.file.empty()) return Done{};
+  report.outputs.tables.push_back("profile.svg");
+  report.profile_svg = std::move(chart.page);
+  return writeFileAtomically(staging.path("profile.svg"), chart.file);
+}
+
 Status writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report) {
   std::vector<ReportPicture> embedded;
   for (const Picture& picture : pictures) {

@@ -10,6 +10,7 @@
 #include "app/pictures.h"
 #include "core/base/result.h"
 #include "io/job.h"
+#include "io/profile_chart.h"
 #include "io/report.h"
 #include "removal/stock.h"
 
@@ -45,6 +46,12 @@ Status writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, Stag
 
 /// Writes blocks.csv and, where something was cut, mrr.svg; records them in the report.
 Status writeTables(const std::vector<CutPath>& paths, StagingFolder& staging, Report& report);
+
+/// Writes profile.svg, the half section of a turned part with its deviations, and records it and the chart
+/// for report.html in the report; does nothing where there is nothing to draw. `machined`: closed loops (r,
+/// z) as in drawProfileChart; `nominal`: closed mesh about the Z axis of the workpiece frame, null: none.
+Status writeProfileChart(const std::vector<std::vector<Vec2>>& machined, const TriMesh* nominal,
+                         const ProfileChartOptions& options, StagingFolder& staging, Report& report);
 
 /// Writes pictures, report.json, junit.xml and report.html; records the pictures.
 Status writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report);

@@ -64,5 +64,48 @@ TEST(StagingFolder, AFileInTheWayIsAnError) {
   EXPECT_FALSE(StagingFolder::create("/proc/nowhere").ok());
 }
 
+/// Closed square bar along Z, half width 10, length 30; its half section is a rectangle.
+TriMesh barMesh() {
+  TriMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.positions.push_back({(i & 1) ? 10.0F : -10.0F, (i & 2) ? 10.0F : -10.0F, (i & 4) ? 30.0F : 0.0F});
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+TEST(ProfileChartFile, IsWrittenRecordedAndShown) {
+  const test::TemporaryFolder folder;
+  Report report;
+  {
+    Result<StagingFolder> staging = StagingFolder::create(folder.path());
+    ASSERT_TRUE(staging.ok());
+    const std::vector<std::vector<Vec2>> machined{{{0, 0}, {9.9, 0}, {9.9, 30}, {0, 30}}};
+    const TriMesh nominal = barMesh();
+    EXPECT_TRUE(writeProfileChart(machined, &nominal, {"bar"}, *staging, report).ok());
+    EXPECT_TRUE(writeReport({}, *staging, report).ok());
+    EXPECT_TRUE(staging->commit().ok());
+  }
+  ASSERT_EQ(report.outputs.tables, std::vector<std::string>{"profile.svg"});
+  const auto text = [&](const char* name) {
+    std::ifstream file(folder.path(name));
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_NE(text("profile.svg").find("largest gouge 0.1000 mm"), std::string::npos);
+  EXPECT_NE(text("report.html").find("largest gouge 0.1000 mm"), std::string::npos);
+  EXPECT_NE(text("report.json").find("profile.svg"), std::string::npos);
+}
+
+TEST(ProfileChartFile, IsLeftOutWhereThereIsNoMaterial) {
+  const test::TemporaryFolder folder;
+  Report report;
+  Result<StagingFolder> staging = StagingFolder::create(folder.path());
+  ASSERT_TRUE(staging.ok());
+  EXPECT_TRUE(writeProfileChart({}, nullptr, {"bar"}, *staging, report).ok());
+  EXPECT_TRUE(report.outputs.tables.empty());
+  EXPECT_TRUE(report.profile_svg.empty());
+}
+
 }  // namespace
 }  // namespace proveout
