@@ -126,8 +126,13 @@ Status buildField(Stock::Impl& impl, Result<std::unique_ptr<BlankField>> field, 
 /// Threads have no closed form for their volume: it comes from the crossings.
 Status buildTurned(Stock::Impl& impl, const TurnedStockShape& turned, const RemovalOptions& options,
                    Progress& progress) {
-  if (Status status = buildField(impl, makeTurnedField(turned.shape), options, progress); !status)
+  Result<std::unique_ptr<BlankField>> made = makeTurnedField(turned.shape);
+  if (!made) return made.error();
+  const std::shared_ptr<const BlankField> field = std::move(*made);
+  if (Status status = FieldBlank(impl, *field, progress, memoryLimit(options)).build(); !status)
     return status;
+  impl.field = field;
+  impl.initial_volume = field->volume();
   if (turned.shape->threads.empty()) return Done{};
   const Result<double> volume = measureVolume(impl, progress);
   if (!volume) return volume.error();

@@ -111,6 +111,12 @@ BlankField::EdgeHit BlankField::edgeHit(const Vec3& start, int axis, double leng
   return {t, s.normal, s.face};
 }
 
+std::optional<BlankField::FacePoint> BlankField::facePoint(std::uint64_t, const Vec3&, double) const {
+  return std::nullopt;
+}
+
+bool BlankField::isSimple(std::uint64_t) const { return true; }
+
 Result<std::unique_ptr<BlankField>> makeBlankField(const BoxShape& s) {
   if (!s.min.allFinite() || !s.max.allFinite() || (s.max - s.min).minCoeff() <= 0.0) {
     return inputError(fmt::format("stock box: every max must be above its min (min {} {} {}, max {} {} {})",

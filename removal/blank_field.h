@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/base/result.h"
 #include "core/path/toolpath.h"
@@ -25,8 +26,8 @@ class BlankField {
 
   /// Sign of the samples first + (x, y, z) * h of a leaf: true where sample() is negative.
   virtual LeafBits material(const Vec3& first, double h) const;
-  /// Where the edge from `start` over `length` along `axis` meets the surface. Requires ends on different sides;
-  /// `inside`: that of the start.
+  /// Where the edge from `start` over `length` along `axis` meets the surface. Requires ends on different
+  /// sides; `inside`: that of the start.
   struct EdgeHit {
     double t;  ///< fraction of the edge
     Vec3 normal;
@@ -34,6 +35,17 @@ class BlankField {
     MotionId motion = kNoMotion;  ///< that made the face
   };
   virtual EdgeHit edgeHit(const Vec3& start, int axis, double length, bool inside) const;
+
+  /// Where a face is between the crossings. `face`: Crossing::face().
+  struct FacePoint {
+    Vec3 p;
+    Vec3 normal;  ///< unit, out of the material
+  };
+  /// The point of a face, or of what goes on smoothly from it, nearest to `p`; nothing farther than `most`
+  /// mm. Null where that is not known.
+  virtual std::optional<FacePoint> facePoint(std::uint64_t face, const Vec3& p, double most) const;
+  /// Whether a face is part of a plane, a sphere or a round cylinder.
+  virtual bool isSimple(std::uint64_t face) const;
 };
 
 /// Errors: non-finite or empty shapes.

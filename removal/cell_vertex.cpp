@@ -212,6 +212,7 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   }
   out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
   if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
+  if (refiner != nullptr) refiner->toBlank(sum.normalized(), out.inside);
   const double reach = alike(faces, kSoftCos) ? kOutsideSlack : kVertexReach;
   out.outside = beyond <= reach;
   out.p = out.outside ? x : out.inside;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "removal/blank_field.h"
+
 namespace proveout {
 
 namespace {
@@ -11,6 +13,9 @@ constexpr double kFootTolerance = 5e-5;
 
 /// A body this near, in cells, reaches to a point.
 constexpr double kTouch = 1e-3;
+
+/// How far, in cells, a face of the blank is looked for.
+constexpr double kBlankReach = 3.0;
 
 MotionId motionOf(std::uint64_t face) { return static_cast<MotionId>(face >> 16); }
 /// Number of the profile's element, also of the one that a rim belongs to.
@@ -52,6 +57,7 @@ const Pass* ExactFaces::passOf(std::uint64_t face) const {
 }
 
 ExactFaces::Source ExactFaces::source(std::uint64_t face) const {
+  if (blank_ != nullptr) return {static_cast<std::int64_t>(face), blank_->isSimple(face)};
   const Pass* pass = passOf(face);
   if (pass == nullptr) return {kNoBody, true};
   return {pass - record_->table.passes.data(), isSimple(*pass, face)};
@@ -71,9 +77,17 @@ const Sweep& ExactFaces::sweepOf(std::int64_t body) {
 }
 
 ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
+  if (blank_ != nullptr) {
+    const auto face = static_cast<std::uint64_t>(body);
+    const auto at = blank_->facePoint(face, corner_ + h_ * q, kBlankReach * h_);
+    if (!at) return {q, Vec3::Zero(), 0};  // faces nothing
+    return {(at->p - corner_) / h_, at->normal, static_cast<int>(face & 0xFFFF)};
+  }
   const SweepSample s = sweepOf(body).sampleOutside(corner_ + h_ * q, kFootTolerance * h_);
   return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
 }
+
+double ExactFaces::blankValue(const Vec3& q) const { return blank_->sample(corner_ + h_ * q).value / h_; }
 
 void ExactFaces::findNeighbours() {
   neighbours_known_ = true;
@@ -105,6 +119,7 @@ void ExactFaces::findNeighbours() {
 }
 
 bool ExactFaces::isReachedByOthers(std::int64_t body, const Vec3& q) {
+  if (blank_ != nullptr) return false;
   if (!neighbours_known_) findNeighbours();
   const Vec3 p = corner_ + h_ * q;
   const double touch = kTouch * h_;

@@ -1,4 +1,4 @@
-// Where the faces of a cut surface are exactly: the swept volumes that made them.
+// Where the faces of a surface are exactly: the swept volumes that cut them, or the blank.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ class ExactFaces {
  public:
   /// For the cells of the leaf at `origin`. Knows nothing where it is not known what cut the stock.
   ExactFaces(const Stock::Impl& impl, const Coord& origin)
-      : impl_(impl), origin_(origin), record_(impl.cut.get()), h_(impl.h) {}
+      : impl_(impl), origin_(origin), record_(impl.cut.get()), blank_(impl.field.get()), h_(impl.h) {}
 
-  bool active() const { return record_ != nullptr; }
+  bool active() const { return record_ != nullptr || blank_ != nullptr; }
   /// The cell's lowest corner, mm.
   void setCell(const Vec3& corner) { corner_ = corner; }
 
@@ -41,6 +41,10 @@ class ExactFaces {
   /// The point of the body nearest to `q` (in units of the cell), which should lie outside of the body: exact
   /// there.
   Foot foot(std::int64_t body, const Vec3& q);
+  /// The surface is the blank's own.
+  bool ofBlank() const { return blank_ != nullptr; }
+  /// Signed value of the blank at `q` (in units of the cell), below 0 in the material. Requires ofBlank.
+  double blankValue(const Vec3& q) const;
   /// Whether a body other than this, with surface in the leaves around, reaches to `q`.
   bool isReachedByOthers(std::int64_t body, const Vec3& q);
   /// Whether a point of the body that made `face` can be of that face: the same element of the tool, and its
@@ -60,6 +64,7 @@ class ExactFaces {
   const Stock::Impl& impl_;
   Coord origin_;  ///< voxel of the leaf's first sample
   const CutRecord* record_;
+  const BlankField* blank_;  ///< each of its faces is a body of its own
   double h_;
   Vec3 corner_ = Vec3::Zero();
   std::vector<std::int64_t> neighbours_;  ///< bodies with surface in the leaves around; found when asked for

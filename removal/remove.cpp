@@ -210,6 +210,7 @@ Status Remover::preparePasses() {
 Status Remover::run() {
   renumberEarlier(impl_);
   impl_.cut = nullptr;
+  impl_.field = nullptr;
   Coord low, high;
   for (int axis = 0; axis < 3; ++axis) {
     low[axis] =

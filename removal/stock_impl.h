@@ -80,6 +80,7 @@ void forEachEdge(const LeafEdges& edges, Body&& body) {
 LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& next);
 
 struct CutRecord;
+class BlankField;
 
 struct Stock::Impl {
   double h = 0.0;               ///< grid spacing, mm
@@ -89,6 +90,8 @@ struct Stock::Impl {
   double initial_volume = 0.0;    ///< mm3
   Box3 blank;
   std::shared_ptr<const CutRecord> cut;  ///< what the last path did; null where that is not known
+  /// The blank, where its faces are known between the crossings and nothing has been cut from it; else null.
+  std::shared_ptr<const BlankField> field;
 
   Vec3 position(const Coord& c) const {
     return {origin.x() + c.x() * h, origin.y() + c.y() * h, origin.z() + c.z() * h};

@@ -43,6 +43,11 @@ SectionField::SectionField(const std::vector<SectionBody>& bodies) {
     volume_ += kPi / 3.0 * (e.to.y() - e.from.y()) * (a * a + a * b + b * b);
   }
   makeBins();
+  simple_.assign(static_cast<std::size_t>(faces_), true);
+  for (const Edge& e : edges_) {
+    const bool straight = e.from.x() == e.to.x() || e.from.y() == e.to.y();
+    if (!straight || !e.first || !e.last) simple_[static_cast<std::size_t>(e.face)] = false;
+  }
 }
 
 void SectionField::addLoop(const SectionLoop& loop) {
@@ -84,6 +89,8 @@ void SectionField::addLoop(const SectionLoop& loop) {
     const std::size_t i = (first + k) % count;
     if (k > 0 && !smooth[i]) ++faces_;
     edges[i].face = faces_;
+    edges[i].first = smooth[i] == 0;
+    edges[i].last = smooth[(i + 1) % count] == 0;
   }
   ++faces_;
   edges_.insert(edges_.end(), edges.begin(), edges.end());
@@ -150,6 +157,18 @@ SectionField::Nearest SectionField::nearest(const Vec2& p, double most, int face
   for (int below = middle - 1; below >= 0 && away(below) * away(below) < best2; --below) look(below);
   for (int above = middle + 1; above < bins_ && away(above) * away(above) < best2; ++above) look(above);
   best.distance = std::sqrt(best2);
+  return best;
+}
+
+SectionField::Nearest SectionField::nearestOn(int face, const Vec2& p, double most) const {
+  Nearest best = nearest(p, most, face);
+  if (best.edge < 0) return best;
+  const Edge& e = edge(best.edge);
+  const bool before = e.first && best.point == e.from;
+  if (!before && !(e.last && (best.point - e.to).norm() < 1e-12)) return best;
+  const Vec2 normal = before ? e.normal_from : e.normal_to;
+  best.point = p - normal * normal.dot(p - (before ? e.from : e.to));
+  best.distance = (best.point - p).norm();
   return best;
 }
 

@@ -20,12 +20,16 @@ class SectionField {
     MotionId motion = kNoMotion;
     int face = 0;  ///< number of the smooth curve
     bool on_axis = false;
+    bool first = false, last = false;  ///< of its smooth curve
 
     Vec2 normalAt(const Vec2& p) const;
   };
   const Edge& edge(int i) const { return edges_[static_cast<std::size_t>(i)]; }
 
   bool empty() const { return edges_.empty(); }
+  int faceCount() const { return faces_; }
+  /// The edges of a smooth curve are straight and level or upright: a plane or a cylinder.
+  bool isSimple(int face) const { return simple_[static_cast<std::size_t>(face)]; }
   Vec2 min() const { return min_; }  ///< of the bounds
   Vec2 max() const { return max_; }
   double volume() const { return volume_; }  ///< mm3
@@ -50,6 +54,8 @@ class SectionField {
   /// The nearest point of edges off the axis; nothing farther than `most` is looked for. `face`: of that face
   /// alone, if not negative.
   Nearest nearest(const Vec2& p, double most, int face = -1) const;
+  /// The point of a smooth curve that is nearest to `p`; beyond its ends it goes on straight.
+  Nearest nearestOn(int face, const Vec2& p, double most) const;
 
  private:
   void addLoop(const SectionLoop& loop);
@@ -61,6 +67,7 @@ class SectionField {
   double bin_height_ = 1.0;
   int bins_ = 0, faces_ = 0;
   Vec2 min_ = Vec2::Zero(), max_ = Vec2::Zero();
+  std::vector<bool> simple_;  ///< by face
   double volume_ = 0.0;
 };
 

@@ -79,13 +79,24 @@ double HelixSweep::valueAt(const PolarPoint& p, double t) const {
 Vec3 HelixSweep::turned(const Vec2& normal, const PolarPoint& p, double t) const {
   const double around = p.r > 0.0 ? -normal.dot(slopeAt(t)) / p.r : 0.0;
   const double c = std::cos(p.phi), s = std::sin(p.phi);
-  return Vec3(normal.x() * c - around * s, normal.x() * s + around * c, normal.y()).normalized();
+  return Vec3(normal.x() * c - around * s, normal.x() * s + around * c, normal.y());
+}
+
+HelixSweep::Lean HelixSweep::leanAt(int face, const PolarPoint& p, double t) const {
+  if (face == kEndFace) {
+    const double angle = (t - (t < 0.5 ? 0.0 : 1.0)) * turn_, sign = turn_ > 0.0 ? 1.0 : -1.0;
+    const Vec3 around(-std::sin(p.phi - angle), std::cos(p.phi - angle), 0.0);
+    return {(t < 0.5 ? -sign : sign) * p.r * std::sin(angle), (t < 0.5 ? -sign : sign) * around};
+  }
+  const ThreadOutline::Face near = outline_->nearFace(face, p.inPlane() - at(t));
+  return {near.value, turned(near.gradient, p, t)};
 }
 
 HelixSweep::Side HelixSweep::sideAt(const PolarPoint& p, double t) const {
   const ThreadOutline::Near near = outline_->near(p.inPlane() - at(t));
   const double end = endValue(p.r, t);
-  if (near.value >= end) return {near.value, turned(near.gradient, p, t), near.side};
+  if (near.value >= end)
+    return {near.value, turned(near.gradient, p, t).normalized(), outline_->faceOf(near.side)};
   const double sign = (t < 0.5 ? -1.0 : 1.0) * (turn_ > 0.0 ? 1.0 : -1.0);
   return {end, sign * Vec3(-std::sin(p.phi), std::cos(p.phi), 0.0), kEndFace};
 }

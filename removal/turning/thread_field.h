@@ -1,6 +1,7 @@
 // The spaces that thread tools sweep through: outlines on helices about Z.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -53,12 +54,21 @@ class HelixSweep {
   struct Side {
     double value;
     Vec3 normal;  ///< unit, out of the swept space
-    int side;     ///< of the outline; kEndFace
+    int face;     ///< of the outline; kEndFace
   };
   static constexpr int kEndFace = 31;
+  /// Tells a face of this turn from the same one of the turns beside: 0 or 1.
+  int parityAt(double t) const { return static_cast<int>(std::floor(t * turn_ / (2.0 * kPi))) & 1; }
   double valueAt(const PolarPoint& p, double t) const;
+  /// The helical surface of a face of the outline near a point: its signed distance in the half-plane and
+  /// that value's gradient (longer than 1 where the surface leans).
+  struct Lean {
+    double value;
+    Vec3 gradient;
+  };
+  Lean leanAt(int face, const PolarPoint& p, double t) const;
   Side sideAt(const PolarPoint& p, double t) const;
-  /// The normal of the helical surface from the one in the half-plane.
+  /// The gradient of a value from its gradient in the half-plane.
   Vec3 turned(const Vec2& normal, const PolarPoint& p, double t) const;
   /// Never more than the distance of `p` from the swept space's surface; the same sign as valueAt.
   double boundAt(const PolarPoint& p, double t) const;

@@ -9,14 +9,16 @@ namespace proveout {
 namespace {
 
 constexpr double kOnBoundary = 1e-9;  ///< mm: the gradient is that of the side
+/// Sides that meet at less than 1 degree are one face.
+const double kSmoothCos = std::cos(degToRad(1.0));
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 ThreadOutline::ThreadOutline(const ConvexOutline& outline) : min_(outline.min()), max_(outline.max()) {
   for (const OutlineSide& s : outline.sides()) {
-    Side side{s.arc, s.from,   s.to,     Vec2::UnitX(), Vec2::UnitX(),
-              0.0,   s.center, s.radius, Vec2::UnitX(), -1.0};
+    Side side{s.arc,         s.from, s.to, Vec2::UnitX(), Vec2::UnitX(), 0.0, s.center, s.radius,
+              Vec2::UnitX(), -1.0,   0};
     const Vec2 chord = s.to - s.from;
     side.length = chord.norm();
     if (side.length > 0.0) side.along = chord / side.length;
@@ -30,6 +32,53 @@ ThreadOutline::ThreadOutline(const ConvexOutline& outline) : min_(outline.min())
     }
     sides_.push_back(side);
   }
+  numberFaces();
+}
+
+void ThreadOutline::numberFaces() {
+  const std::size_t count = sides_.size();
+  std::vector<std::uint8_t> sharp(count);  // where the side begins
+  for (std::size_t i = 0; i < count; ++i) {
+    const int before = static_cast<int>((i + count - 1) % count);
+    const Vec2& p = sides_[i].from;
+    sharp[i] = normalAt(before, p).dot(normalAt(static_cast<int>(i), p)) < kSmoothCos;
+  }
+  const auto first =
+      static_cast<std::size_t>(std::find(sharp.begin(), sharp.end(), std::uint8_t{1}) - sharp.begin());
+  int face = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = (first + k) % count;
+    if (k > 0 && sharp[i] != 0) ++face;
+    sides_[i].face = face;
+  }
+}
+
+double ThreadOutline::distanceTo(const Side& side, const Vec2& p) {
+  if (side.arc) {
+    const Vec2 arm = p - side.center;
+    const double length = arm.norm();
+    if (side.holds(arm, length)) return std::abs(length - side.radius);
+  } else if (const double along = side.along.dot(p - side.from); along >= 0.0 && along <= side.length) {
+    return std::abs(side.normal.dot(p - side.from));
+  }
+  return std::min((p - side.from).norm(), (p - side.to).norm());
+}
+
+ThreadOutline::Face ThreadOutline::nearFace(int face, const Vec2& p) const {
+  const Side* nearest = nullptr;
+  double least = kInfinity;
+  for (const Side& side : sides_) {
+    if (side.face != face) continue;
+    const double distance = distanceTo(side, p);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &side;
+  }
+  if (nearest == nullptr) return {kInfinity, Vec2::UnitX(), kInfinity};
+  if (!nearest->arc) return {nearest->normal.dot(p - nearest->from), nearest->normal, least};
+  const Vec2 arm = p - nearest->center;
+  const double length = arm.norm();
+  return {length - nearest->radius, length > 0.0 ? Vec2(arm / length) : nearest->middle, least};
 }
 
 ThreadOutline::Near ThreadOutline::near(const Vec2& p) const {

@@ -29,6 +29,17 @@ class ThreadOutline {
   /// The outward normal of a side at a point on it.
   Vec2 normalAt(int side, const Vec2& p) const;
 
+  /// Sides that go over into each other smoothly are one face.
+  int faceOf(int side) const { return sides_[static_cast<std::size_t>(side)].face; }
+  /// The side of a face that is nearest to `p`, as the whole line or circle: signed distance and gradient,
+  /// and how far the side itself is.
+  struct Face {
+    double value;
+    Vec2 gradient;
+    double distance;
+  };
+  Face nearFace(int face, const Vec2& p) const;
+
   Vec2 min() const { return min_; }  ///< of the bounds
   Vec2 max() const { return max_; }
   int sideCount() const { return static_cast<int>(sides_.size()); }
@@ -43,9 +54,13 @@ class ThreadOutline {
     double radius;
     Vec2 middle;      ///< direction from the centre to the middle of the arc
     double cos_half;  ///< of half the angle of the arc
+    int face;
 
     bool holds(const Vec2& arm, double size) const { return arm.dot(middle) >= (cos_half - 1e-12) * size; }
   };
+
+  void numberFaces();
+  static double distanceTo(const Side& side, const Vec2& p);
 
   std::vector<Side> sides_;
   Vec2 min_, max_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "removal/edge_root.h"
 #include "removal/turning/section_field.h"
@@ -14,13 +15,14 @@ namespace proveout {
 
 namespace {
 
-/// Faces of the section have the lower half of the numbers, those of threads the upper one: 32 for each.
-constexpr int kThreadFaces = 0x8000, kFacesOfThread = 32;
+/// Faces of the section have the lower half of the numbers, those of threads the upper one: 64 for each, two
+/// for each face of the outline.
+constexpr int kThreadFaces = 0x8000, kFacesOfThread = 64, kThreads = kThreadFaces / kFacesOfThread;
 
 int sectionFace(const SectionField::Edge& e) { return e.face % kThreadFaces; }
-int threadFace(const HelixSweep& s, int side) {
-  const int face = s.number() * kFacesOfThread + std::min(side, HelixSweep::kEndFace);
-  return kThreadFaces + face % kThreadFaces;
+int threadFace(const HelixSweep& s, int face, double t) {
+  return kThreadFaces + s.number() % kThreads * kFacesOfThread + 2 * std::min(face, HelixSweep::kEndFace) +
+         s.parityAt(t);
 }
 
 Vec3 turnedNormal(const Vec2& n, double phi) { return {n.x() * std::cos(phi), n.x() * std::sin(phi), n.y()}; }
@@ -35,6 +37,8 @@ class TurnedField : public BlankField {
   double volume() const override { return section_.volume(); }
   LeafBits material(const Vec3& first, double h) const override;
   EdgeHit edgeHit(const Vec3& start, int axis, double length, bool inside) const override;
+  std::optional<FacePoint> facePoint(std::uint64_t face, const Vec3& p, double most) const override;
+  bool isSimple(std::uint64_t face) const override;
 
  private:
   /// A grid edge, walked from its end in the material.
@@ -49,6 +53,8 @@ class TurnedField : public BlankField {
   EdgeHit atEnd(const Walk& walk, double& way) const;
   EdgeHit sectionHit(int edge, const PolarPoint& p) const;
   void cutThreads(const Vec3& first, double h, const std::array<double, 64>& radius, LeafBits& bits) const;
+
+  std::optional<FacePoint> threadPoint(std::uint64_t face, const Vec3& p, double most) const;
 
   SectionField section_;
   ThreadField threads_;
@@ -71,7 +77,7 @@ BlankSample TurnedField::sample(const Vec3& p) const {
   const ThreadField::Bound thread = threads_.bound(polar, near.distance);
   if (thread.sweep == nullptr) return section;
   const HelixSweep::Side side = thread.sweep->sideAt(polar, thread.t);
-  return {-thread.value, -side.normal, threadFace(*thread.sweep, side.side)};
+  return {-thread.value, -side.normal, threadFace(*thread.sweep, side.face, thread.t)};
 }
 
 LeafBits TurnedField::material(const Vec3& first, double h) const {
@@ -170,8 +176,9 @@ void TurnedField::levelThreads(const Walk& walk, double& way, EdgeHit& hit) cons
   });
   if (taker == nullptr) return;
   const PolarPoint p = PolarPoint::of(walk.at(way));
-  const HelixSweep::Side side = taker->sideAt(p, taken_at + wrapAngle(p.phi - end.phi) / taker->turn());
-  hit = {0.0, -side.normal, threadFace(*taker, side.side), taker->motion()};
+  const double t = taken_at + wrapAngle(p.phi - end.phi) / taker->turn();
+  const HelixSweep::Side side = taker->sideAt(p, t);
+  hit = {0.0, -side.normal, threadFace(*taker, side.face, t), taker->motion()};
 }
 
 void TurnedField::upright(const Walk& walk, double& way, EdgeHit& hit) const {
@@ -200,7 +207,7 @@ void TurnedField::upright(const Walk& walk, double& way, EdgeHit& hit) const {
       way = there;
       const Vec3 normal =
           sweep.turned(sweep.outline().normalAt(side, {r, near}), {begin.r, begin.phi, near + tool.y()}, t);
-      hit = {0.0, -normal, threadFace(sweep, side), sweep.motion()};
+      hit = {0.0, -normal.normalized(), threadFace(sweep, sweep.outline().faceOf(side), t), sweep.motion()};
     });
   });
 }
@@ -227,6 +234,63 @@ BlankField::EdgeHit TurnedField::edgeHit(const Vec3& start, int axis, double len
   if (way > 1.0) hit = atEnd(walk, way);
   hit.t = inside ? way : 1.0 - way;
   return hit;
+}
+
+bool TurnedField::isSimple(std::uint64_t face) const {
+  const auto number = static_cast<int>(face & 0xFFFF);
+  return number < std::min(section_.faceCount(), kThreadFaces) && section_.isSimple(number);
+}
+
+std::optional<BlankField::FacePoint> TurnedField::facePoint(std::uint64_t face, const Vec3& p,
+                                                            double most) const {
+  const auto number = static_cast<int>(face & 0xFFFF);
+  if (number >= kThreadFaces) return threadPoint(face, p, most);
+  if (section_.faceCount() > kThreadFaces) return std::nullopt;  // numbers came again
+  const PolarPoint polar = PolarPoint::of(p);
+  const SectionField::Nearest near = section_.nearestOn(number, polar.inPlane(), most);
+  if (near.edge < 0) return std::nullopt;
+  const Vec3 out = turnedNormal({1.0, 0.0}, polar.phi);
+  return FacePoint{out * near.point.x() + Vec3::UnitZ() * near.point.y(),
+                   turnedNormal(section_.edge(near.edge).normalAt(near.point), polar.phi)};
+}
+
+/// Newton's method on the turn of the sweep that passes nearest.
+std::optional<BlankField::FacePoint> TurnedField::threadPoint(std::uint64_t face, const Vec3& p,
+                                                              double most) const {
+  const auto number = static_cast<int>(face & 0xFFFF) - kThreadFaces;
+  const int side = number % kFacesOfThread / 2, parity = number & 1;
+  const PolarPoint start = PolarPoint::of(p);
+  const HelixSweep* sweep = nullptr;
+  double part = 0.0, least = most;
+  const Vec2 reach = Vec2::Constant(most);
+  threads_.forEachNear(start.inPlane() - reach, start.inPlane() + reach, [&](const HelixSweep& s) {
+    if (s.number() % kThreads != number / kFacesOfThread || s.motion() != face >> 16) return;
+    HelixSweep::Window window;
+    if (!s.window(start.inPlane() - reach, start.inPlane() + reach, window)) return;
+    const double beyond = most / (std::max(start.r, most) * std::abs(s.turn()));
+    s.forEachPass(start.phi, {window.first - beyond, window.last + beyond}, [&](double t) {
+      const double distance = side == HelixSweep::kEndFace
+                                  ? std::abs(s.leanAt(side, start, t).value)
+                                  : s.outline().nearFace(side, start.inPlane() - s.at(t)).distance;
+      // Where the count of the turns goes on, a face has the number of the next one.
+      const double seam = std::abs(t * s.turn() / (2.0 * kPi) - std::round(t * s.turn() / (2.0 * kPi)));
+      if (s.parityAt(t) != parity && seam > 0.1) return;
+      if (distance >= least) return;
+      least = distance;
+      sweep = &s;
+      part = t;
+    });
+  });
+  if (sweep == nullptr) return std::nullopt;
+  Vec3 at = p;
+  HelixSweep::Lean lean{};
+  for (int round = 0; round < 3; ++round) {
+    const PolarPoint polar = PolarPoint::of(at);
+    lean = sweep->leanAt(side, polar, part + wrapAngle(polar.phi - start.phi) / sweep->turn());
+    at -= lean.gradient * (lean.value / lean.gradient.squaredNorm());
+    if (std::abs(lean.value) < 1e-9) break;
+  }
+  return FacePoint{at, -lean.gradient.normalized()};
 }
 
 Status checkLoop(const SectionLoop& loop) {

@@ -154,14 +154,14 @@ TEST(Thread, RoundTip) {
   const auto shape = bar(8);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -15}, -8, roundTooth());
   const auto at = [](double phi, int k) { return Vec2(kRadius - kDepth, heightOf(5, kLead, phi, k)); };
-  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -7.8, -0.2, at, roundValue), 6e-3);
+  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -7.8, -0.2, at, roundValue), 2e-3);
 }
 
 TEST(Thread, LeftHandedFromTheOtherEnd) {
   const auto shape = bar(8);
   addThread(*shape, {kRadius - kDepth, -12}, {kRadius - kDepth, 5.5}, -7);
   const auto at = [](double phi, int k) { return Vec2(kRadius - kDepth, heightOf(-12, -kLead, phi, k)); };
-  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -7.8, -0.2, at), 4e-3);
+  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -7.8, -0.2, at), 2e-3);
 }
 
 TEST(Thread, TwoStarts) {
@@ -170,7 +170,7 @@ TEST(Thread, TwoStarts) {
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -15}, -4).start_rad = kPi;
   const Made made = make(shape, 0.1);
   const auto at = [](double phi, int k) { return Vec2(kRadius - kDepth, 5 + 5 * phi / (2 * kPi) + 2.5 * k); };
-  EXPECT_LT(worstVertex(made.surface.mesh, -9.8, -0.2, at), 6e-3);
+  EXPECT_LT(worstVertex(made.surface.mesh, -9.8, -0.2, at), 2e-3);
   bool first = false, second = false;
   for (const MotionId m : made.surface.mesh.motion) {
     first = first || m == 100;
@@ -186,9 +186,10 @@ TEST(Thread, Taper) {
     const double z = heightOf(5, kLead, phi, k);
     return Vec2(8.2 + (5 - z) / 20, z);
   };
-  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -9.8, -0.2, at), 4e-3);
+  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -9.8, -0.2, at), 2e-3);
 }
 
+/// Where the groove gets shallower than the grid its edges run between the samples.
 TEST(Thread, RunsOutOfThePart) {
   const auto shape = bar(14);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -5}, -4);
@@ -211,7 +212,7 @@ TEST(Thread, GrowingLead) {
     if (t < 0 || t > 1) return std::nullopt;
     return Vec2(kRadius - kDepth, 3 - 18 * (t + 0.3 * (t * t - t)));
   };
-  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -11.8, -0.2, at), 6e-3);
+  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -11.8, -0.2, at), 3e-3);
 }
 
 /// A tool that stops in the part leaves a flat wall where it stood.
