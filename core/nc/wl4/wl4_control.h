@@ -175,8 +175,8 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   std::vector<Level> levels_;
   bool in_cycle_ = false;  ///< inside a fixed cycle: motions do not call it again
   bool until_hit_ = false;
-  /// Of the spindle where the next block of the sequence of threads (G32) begins, degrees; nothing: a block
-  /// of G32 begins a sequence.
+  /// Of the spindle where the next block of the sequence of threads (G32) begins, degrees; nothing: a block of
+  /// G32 begins a sequence. Other motions, exact stops, dwells and the spindle's functions end one.
   std::optional<double> thread_angle_;
   std::uint64_t work_ = 0;
   std::array<double, 9> touch_machine_{}, touch_system_{}, touch_distance_{};  ///< G38, by axis

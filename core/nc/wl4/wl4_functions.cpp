@@ -42,6 +42,7 @@ double Wl4Control::rpm(const Wl4State& s, double diameter) const {
 }
 
 bool Wl4Control::spindle(const Wl4State& s) {
+  thread_angle_.reset();
   PathItem item = functionItem(PathItem::Kind::kSpindle);
   item.plane = WorkPlane(plane(s));
   const double direction = s.spindle == 3 ? 1.0 : s.spindle == 4 ? -1.0 : 0.0;
@@ -70,6 +71,7 @@ bool Wl4Control::functions(Plan& p, Wl4Phase phase) {
 
 bool Wl4Control::function(Plan& p, int m) {
   const std::string code = jsonString(fmt::format("M{}", m));
+  if (m <= 1) thread_angle_.reset();
   switch (m) {
     case 0:
       return sendEvent("stop", {{"code", code}});
@@ -114,6 +116,7 @@ bool Wl4Control::dwell() {
   if (!(seconds >= 0.0 && seconds <= 99999.999)) {
     return fail("wl4-dwell", "a dwell lasts 0 to 99999.999 seconds");
   }
+  thread_angle_.reset();
   PathItem item = functionItem(PathItem::Kind::kDwell);
   item.value = seconds;
   return pipe_.push(item);

@@ -111,17 +111,18 @@ bool Wl4Control::planWords(Plan& p) {
   if (b.has('D')) s.d = static_cast<int>(b.value('D'));
   if (contour) return true;
   if (thread) s.i = s.p = 0.0;
-  s.i = b.find('I').value_or(s.i);
+  const bool follows = s.motion == 32 && !thread;  // I and P are those of the sequence
+  if (!follows) s.i = b.find('I').value_or(s.i);
   s.j = b.find('J').value_or(s.j);
   s.k = b.find('K').value_or(s.k);
-  s.p = b.find('P').value_or(s.p);
+  if (!follows) s.p = b.find('P').value_or(s.p);
   const bool arc = p.deed == 0 && (s.motion == 2 || s.motion == 3);
   for (const char letter : std::string_view("EIJKPQR")) {
     if (!b.has(letter)) continue;
     const bool used =
         (letter == 'E' && p.deed == 4) ||
         (arc && std::string_view("IJKR").find(letter) != std::string_view::npos) ||
-        ((letter == 'I' || letter == 'P') && (thread || s.motion == 32)) ||
+        ((letter == 'I' || letter == 'P') && thread) ||
         (letter == 'P' && std::any_of(b.m.begin(), b.m.end(), [](auto& m) { return m.number == 19; }));
     if (!used) {
       warnOnce(fmt::format("unused {}", letter), "wl4-word",

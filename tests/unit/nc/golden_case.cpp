@@ -46,7 +46,10 @@ class TextSink : public MotionSink {
       text += fmt::format(" {} {} to {}", r.name.data(), number(r.from), number(r.to));
     }
     if (m.kind != MotionKind::kRapid) text += " F" + number(m.feed);
-    text += " t" + number(m.time_s) + "\n";
+    text += " t" + number(m.time_s);
+    if (m.thread_start_deg != 0.0F) text += " start " + number(m.thread_start_deg);
+    if (m.thread_pitch_change != 0.0F) text += " change " + number(m.thread_pitch_change);
+    text += "\n";
   }
   void event(const PathEvent& event) override {
     text += channel(event.channel) + place(event.source) + "event " + event.event;
@@ -307,6 +310,8 @@ std::vector<double> figuresOf(const std::string& word, std::istringstream& words
   if (word == "F") return {motion.feed};
   if (word == "t") return {motion.time_s};
   if (word == "S") return {motion.spindle};
+  if (word == "start") return {m.motion.thread_start_deg};
+  if (word == "change") return {m.motion.thread_pitch_change};
   if (word == "T") return {static_cast<double>(motion.tool)};
   if (word == "ch") return {static_cast<double>(motion.channel)};
   if (word == "center") return {m.arc.center.x(), m.arc.center.y(), m.arc.center.z()};

@@ -72,6 +72,33 @@ TEST(PathWriter, RotaryAxesAndTurningTools) {
   EXPECT_NE(text.find(R"("time_s":0,"channel":2,"source")"), std::string::npos) << text;
 }
 
+TEST(PathWriter, ThreadsTellTheirAngleAndTheChangeOfTheirLead) {
+  std::ostringstream out;
+  {
+    JsonLinesPathWriter writer(out, "wl4-lathe");
+    Motion m;
+    m.kind = MotionKind::kThread;
+    m.feed = 600;
+    m.spindle = 400;
+    writer.motion(m, nullptr);
+    m.thread_start_deg = 180.1F;
+    writer.motion(m, nullptr);
+    m.thread_pitch_change = -0.1F;
+    writer.motion(m, nullptr);
+    m.kind = MotionKind::kFeed;
+    writer.motion(m, nullptr);
+  }
+  std::istringstream in(out.str());
+  std::string line;
+  std::getline(in, line);  // the header
+  for (const char* want :
+       {R"("spindle":400,"time_s")", R"("spindle":400,"start_deg":180.1,"time_s")",
+        R"("spindle":400,"start_deg":180.1,"pitch_change":-0.1,"time_s")", R"("spindle":400,"time_s")"}) {
+    ASSERT_TRUE(std::getline(in, line));
+    EXPECT_NE(line.find(want), std::string::npos) << line;
+  }
+}
+
 TEST(PathWriter, Csv) {
   const std::string text = write("csv", "N10 G1 X1.5 F90\nM30\n");
   EXPECT_NE(text.find("\n0,feed,line,0,0,5,1.5,0,5,90,0,0,1,,,,,,,,\"a \"\"b\"\".nc\",1,N10,0\n"),

@@ -199,5 +199,138 @@ TEST(Wl4Cycles, InternalThreadHasEightPasses) {
   EXPECT_TRUE(near(threads[15].to, 37.8870, -20.0));
 }
 
+std::vector<Motion> threadsOf(const std::string& text, const ControlSettings& settings = {}) {
+  const Trace run(ControlId::kWl4Lathe, text, settings);
+  EXPECT_EQ(run.summary.errors, 0);
+  std::vector<Motion> threads;
+  for (const Motion& m : run.motions) {
+    if (m.kind == MotionKind::kThread) threads.push_back(m);
+  }
+  return threads;
+}
+
+/// Turns from the motion alone.
+double turnsOf(const Motion& m) { return threadTurns(Toolpath(), m); }
+
+// Digest wl4, 4.5: P is the phase at the start, F the pitch along the longer axis.
+TEST(Wl4Threads, TwoStartsAndTheirRunOuts) {
+  const std::string start = "G0 X40 Z5\nG32 ";
+  const std::vector<Motion> threads =
+      threadsOf("%T\nG54 G97 S400 M3\n" + start + "Z-20.3 F1.5\nG9 X44 Z-21.3\n" + start +
+                "Z-20.3 F1.5 P180\nG9 X44 Z-21.3\nG0 X50\nM30\n%\n");
+  ASSERT_EQ(threads.size(), 4u);
+  EXPECT_EQ(threads[0].thread_start_deg, 0.0F);
+  EXPECT_NEAR(turnsOf(threads[0]), 25.3 / 1.5, 1e-9);
+  // The run-out goes 2 along X and 1 along Z: 2 / 1.5 turns.
+  EXPECT_NEAR(turnsOf(threads[1]), 2 / 1.5, 1e-9);
+  const double there = 360.0 * (25.3 / 1.5 - 16.0);
+  EXPECT_NEAR(threads[1].thread_start_deg, there, 1e-4);
+  EXPECT_EQ(threads[2].thread_start_deg, 180.0F);
+  EXPECT_NEAR(threads[3].thread_start_deg, there + 180.0 - 360.0, 1e-4);
+  for (const Motion& m : threads) {
+    EXPECT_EQ(m.spindle, 400);
+    EXPECT_EQ(m.thread_pitch_change, 0.0F);
+  }
+}
+
+TEST(Wl4Threads, ASequenceEndsWithAStopOrAnotherMotion) {
+  const auto start = [](const std::string& between) {
+    const auto threads =
+        threadsOf("%T\nG54 G97 S400 M4\nG0 X40 Z5\nG32 Z-20.5 F1 P30\n" + between + "\nM30\n%\n");
+    return threads.at(1).thread_start_deg;
+  };
+  EXPECT_NEAR(start("Z-30"), 210, 1e-4);             // 25 and a half turns behind 30 degrees
+  EXPECT_NEAR(start("Z-30 P77"), 210, 1e-4);         // P of a block within the sequence has no effect
+  EXPECT_NEAR(start("G32 Z-30 F1 P77"), 210, 1e-4);  // nor has it with the code said again
+  EXPECT_EQ(start("G0 X50\nZ5\nG32 Z-30 F1 P77"), 77.0F);
+  EXPECT_EQ(start("G1 X41 F1\nG32 Z-30 F1"), 0.0F);
+  EXPECT_EQ(start("G33 Z-30 F1 P5"), 5.0F);
+  EXPECT_EQ(start("G4 E1\nG32 Z-30 F1 P5"), 5.0F);
+  EXPECT_EQ(start("M1\nG32 Z-30 F1 P5"), 5.0F);
+  EXPECT_EQ(start("S300 M4\nG32 Z-30 F1 P5"), 5.0F);
+  EXPECT_NEAR(start("M8\n#1=3\nZ-30"), 210, 1e-4);
+  const auto stopped =
+      threadsOf("%T\nG54 G97 S400 M4\nG0 X40 Z5\nG32 G9 Z-20.5 F1 P30\nG32 Z-30 F1 P60\nM30\n%\n");
+  EXPECT_EQ(stopped.at(1).thread_start_deg, 60.0F);
+  EXPECT_EQ(stopped.at(1).spindle, -400);
+  EXPECT_EQ(threadsOf("%T\nG54 G97 S400 M3\nG0 X40 Z5\nG32 Z-30 F1 P720\nM30\n%\n").at(0).thread_start_deg,
+            0.0F);
+}
+
+/// Where the part stands, degrees by the right-hand rule about +Z seen against the way M3 turns it.
+double partAngle(const Motion& m, double turns) {
+  return (m.spindle < 0.0 ? -1.0 : 1.0) * (m.thread_start_deg + 360.0 * turns);
+}
+
+TEST(Wl4Threads, TheWayBackOfG33IsTheSameHelix) {
+  for (const char* words : {"Z-15 F1.5 P40", "Z-13.2 F1.7 P200 I0.1"}) {
+    for (const char* turn : {"M3", "M4", "M5"}) {
+      const auto threads =
+          threadsOf(std::string("%T\nG54 G97 S600 ") + turn + "\nG0 X20 Z5\nG33 " + words + "\nM30\n%\n");
+      ASSERT_EQ(threads.size(), 2u);
+      const Motion &there = threads[0], &back = threads[1];
+      EXPECT_EQ(there.spindle, -back.spindle);
+      EXPECT_NE(there.spindle, 0.0);
+      const double turns = turnsOf(there), length = (there.to - there.from).norm();
+      EXPECT_NEAR(turnsOf(back), turns, 1e-9);
+      const auto way = [&](const Motion& m, double k) {
+        return length * k / turns + m.thread_pitch_change * k * (k - turns) / 2.0;
+      };
+      for (const double k : {0.0, 0.3 * turns, 0.5 * turns, turns}) {
+        EXPECT_NEAR(way(there, k), length - way(back, turns - k), 1e-5);
+        const double apart = partAngle(there, k) - partAngle(back, turns - k);
+        EXPECT_NEAR(std::remainder(apart, 360.0), 0.0, 1e-3) << words << turn;
+      }
+    }
+  }
+}
+
+// Digest wl4, 4.5: n turns with F n + I n (n - 1) / 2 = L.
+TEST(Wl4Threads, AGrowingPitchIsTold) {
+  const auto threads = threadsOf("%T\nG54 G97 S600 M3\nG0 X30 Z5\nG32 Z-25 F2 I1\nG0 X0\nM30\n%\n");
+  ASSERT_EQ(threads.size(), 1u);
+  EXPECT_EQ(threads[0].thread_pitch_change, 1.0F);
+  const double n = turnsOf(threads[0]);
+  EXPECT_NEAR(2 * n + n * (n - 1) / 2, 30, 1e-9);
+}
+
+// Digest wl4, 4.5: F, I, P of a block that follows have no effect.
+TEST(Wl4Threads, WordsOfBlocksThatFollowHaveNoEffect) {
+  const Trace run(ControlId::kWl4Lathe,
+                  "%T\nG54 G97 S600 M3\nG0 X30 Z5\nG32 Z-5 F2 P10\nG9 Z-25 I1 P20 F3\nG0 X0\nM30\n%\n");
+  ASSERT_EQ(run.motions.size(), 4u);
+  EXPECT_EQ(run.motions[2].thread_pitch_change, 0.0F);
+  EXPECT_EQ(run.motions[2].feed, 1200);
+  EXPECT_EQ(run.summary.warnings, 2);
+  EXPECT_THAT(run.diagnostics.at(0).message, HasSubstr("has no effect in this block"));
+}
+
+TEST(Wl4Threads, TurnsAreThoseOfTheDefaultSpeedWhereTheSpindleStands) {
+  const auto threads = threadsOf("%T\nG54\nG0 X30 Z5\nG32 Z-25 F2\nG0 X0\nM30\n%\n");
+  ASSERT_EQ(threads.size(), 1u);
+  EXPECT_EQ(threads[0].spindle, ControlSettings().default_spindle_rpm);
+  EXPECT_NEAR(turnsOf(threads[0]), 15, 1e-9);
+}
+
+TEST(Wl4Threads, TurnsStayWithConstantCuttingSpeedAndSlowAxes) {
+  const std::string text = "%T\nG54 G96 S100 M3\nG0 X40 Z5\nG32 X60 Z-25 F3\nG0 X70\nM30\n%\n";
+  auto threads = threadsOf(text);
+  ASSERT_EQ(threads.size(), 1u);
+  EXPECT_NEAR(threads[0].spindle, 1000 * 100 / (kPi * 40), 1e-6);  // that at the start, to the end
+  EXPECT_NEAR(turnsOf(threads[0]), 10, 1e-9);
+}
+
+TEST(Wl4Threads, MotionsStayAsSmallAsTheyWere) {
+  struct WithoutThreads {
+    Vec3 from, to;
+    double feed, time_s, spindle;
+    std::int32_t tool, arc, axis;
+    SourceRef source;
+    MotionKind kind;
+    std::uint8_t channel;
+  };
+  EXPECT_EQ(sizeof(Motion), sizeof(WithoutThreads));
+}
+
 }  // namespace
 }  // namespace proveout

@@ -54,37 +54,37 @@ file 0 main.nc
 file 1 %1
 1/28 N3105 depth 1: rapid to 25.1959 0 1.4943 t0.0312
 1/29 depth 1: thread to 26.8696 0 -37 F1501.4171 t1.5398
-1/30 depth 1: thread to 29.8696 0 -40 F2121.3203 t0.12
+1/30 depth 1: thread to 29.8696 0 -40 F2121.3203 t0.12 start 299.3161
 1/31 depth 1: rapid to 33 0 -40 t0.0125
 1/32 depth 1: rapid to 33 0 6 t0.184
 1/28 N3105 depth 1: rapid to 24.7081 0 1.2127 t0.0332
 1/29 depth 1: thread to 26.3696 0 -37 F1501.4171 t1.5285
-1/30 depth 1: thread to 29.3696 0 -40 F2121.3203 t0.12
+1/30 depth 1: thread to 29.3696 0 -40 F2121.3203 t0.12 start 265.5233
 1/31 depth 1: rapid to 33 0 -40 t0.0145
 1/32 depth 1: rapid to 33 0 6 t0.184
 1/28 N3105 depth 1: rapid to 24.4643 0 1.0719 t0.0341
 1/29 depth 1: thread to 26.1196 0 -37 F1501.4171 t1.5229
-1/30 depth 1: thread to 29.1196 0 -40 F2121.3203 t0.12
+1/30 depth 1: thread to 29.1196 0 -40 F2121.3203 t0.12 start 248.627
 1/31 depth 1: rapid to 33 0 -40 t0.0155
 1/32 depth 1: rapid to 33 0 6 t0.184
 1/28 N3105 depth 1: rapid to 24.3423 0 1.0015 t0.0346
 1/29 depth 1: thread to 25.9946 0 -37 F1501.4171 t1.5201
-1/30 depth 1: thread to 28.9946 0 -40 F2121.3203 t0.12
+1/30 depth 1: thread to 28.9946 0 -40 F2121.3203 t0.12 start 240.1788
 1/31 depth 1: rapid to 33 0 -40 t0.016
 1/32 depth 1: rapid to 33 0 6 t0.184
 1/28 N3105 depth 1: rapid to 24.2814 0 0.9663 t0.0349
 1/29 depth 1: thread to 25.9321 0 -37 F1501.4171 t1.5187
-1/30 depth 1: thread to 28.9321 0 -40 F2121.3203 t0.12
+1/30 depth 1: thread to 28.9321 0 -40 F2121.3203 t0.12 start 235.9547
 1/31 depth 1: rapid to 33 0 -40 t0.0163
 1/32 depth 1: rapid to 33 0 6 t0.184
 1/28 N3105 depth 1: rapid to 24.2204 0 0.9311 t0.0351
 1/29 depth 1: thread to 25.8696 0 -37 F1501.4171 t1.5172
-1/30 depth 1: thread to 28.8696 0 -40 F2121.3203 t0.12
+1/30 depth 1: thread to 28.8696 0 -40 F2121.3203 t0.12 start 231.7306
 1/31 depth 1: rapid to 33 0 -40 t0.0165
 1/32 depth 1: rapid to 33 0 6 t0.184
 1/39 depth 1: rapid to 24.2204 0 0.9311 t0.0351
 1/40 depth 1: thread to 25.8696 0 -37 F1501.4171 t1.5172
-1/41 depth 1: thread to 28.8696 0 -40 F2121.3203 t0.12
+1/41 depth 1: thread to 28.8696 0 -40 F2121.3203 t0.12 start 231.7306
 1/42 depth 1: rapid to 33 0 -40 t0.0165
 1/43 depth 1: rapid to 33 0 6 t0.184
 5: event end code="M30"

@@ -18,13 +18,13 @@ M30
 %
 === truth
 rapid 10 0 5
-thread 10 0 -25 F 1200 t 1.5
-thread 10 0 -35 F 1200 t 0.5
+thread 10 0 -25 F 1200 t 1.5 start 0
+thread 10 0 -35 F 1200 t 0.5 start 0
 rapid 10 0 5
 thread 10 0 -15 F 900
 thread 10 0 5 F 900
 rapid 15 0 5
-thread 15 0 -25 t 0.6390
+thread 15 0 -25 t 0.6390 change 1
 rapid 0 0 -25
 === expect
 file 0 main.nc
@@ -35,10 +35,10 @@ file 0 main.nc
 6: rapid to 10 0 5 t0.16
 7: thread to 10 0 -15 F900 t1.3333
 7: event spindle rpm=600 direction="ccw"
-7: thread to 10 0 5 F900 t1.3333
+7: thread to 10 0 5 F900 t1.3333 start 240
 7: event spindle rpm=600 direction="cw"
 8: rapid to 15 0 5 t0.02
-9: thread to 15 0 -25 F2816.9601 t0.639
+9: thread to 15 0 -25 F2816.9601 t0.639 change 1
 10: rapid to 0 0 -25 t0.06
 11: event end code="M30"
 end of program: 10 blocks, 9 motions, 0 errors, 0 warnings
