@@ -26,6 +26,9 @@ constexpr double kNearness = 1e-6;
 const double kSoftCos = std::cos(degToRad(40.0));
 constexpr double kOutsideSlack = 0.05;
 
+/// How far vertices may be off the blank, in cells: at a wall of the cell, and on a chord below a sharp edge.
+constexpr double kNearBy = 0.2, kFarOff = 0.7;
+
 /// Normals of one face that differ by more than 25 degrees may be those of two planes.
 constexpr double kBentCos = 0.906;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
@@ -205,6 +208,12 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   if (refine && outsideBy(x) <= kVertexReach && !refiner->toCrease(x) && one_face) {
     return smoothVertex(points, mean, sum, refiner);  // beside an apex, where a face turns as if it broke
   }
+  if (refiner != nullptr && refiner->isOffBlank(x)) {
+    out.p = clampToCell(mean);
+    refiner->toBlank(sum.normalized(), kFarOff, out.p);
+    out.inside = out.p;
+    return out;
+  }
   const double beyond = outsideBy(x);
   if (beyond <= -kWallGap) {
     out.p = out.inside = x;
@@ -212,7 +221,7 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   }
   out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
   if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
-  if (refiner != nullptr) refiner->toBlank(sum.normalized(), out.inside);
+  if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
   const double reach = alike(faces, kSoftCos) ? kOutsideSlack : kVertexReach;
   out.outside = beyond <= reach;
   out.p = out.outside ? x : out.inside;

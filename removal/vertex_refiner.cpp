@@ -31,8 +31,8 @@ constexpr double kSameFacing = 0.5;
 constexpr double kSlackTurn = 0.1, kMostTurn = 1.0, kTurnOfOne = 0.5;
 /// A surface that meets the walls at which a vertex lies at less than 3 degrees is not followed along them.
 constexpr double kFlatWall = 0.05;
-/// How far, in cells, a vertex at a wall may be off the blank.
-constexpr double kBlankReach = 0.2;
+/// A crease or corner this far off the blank, in cells, is none.
+constexpr double kOffBlank = 0.01;
 /// A vertex this near is on the surface.
 constexpr double kOnSurface = 1e-3;
 /// How far to either side an edge is looked at, and how much less it moves than a smooth surface.
@@ -257,7 +257,7 @@ bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Plane& plane) {
   return plane.n.dot(n) > kSameFacing;
 }
 
-void VertexRefiner::toBlank(const Vec3& n, Vec3& x) const {
+void VertexRefiner::toBlank(const Vec3& n, double reach, Vec3& x) const {
   if (!exact_.ofBlank()) return;
   Vec3 way = n;
   for (int k = 0; k < 3; ++k) {
@@ -267,10 +267,14 @@ void VertexRefiner::toBlank(const Vec3& n, Vec3& x) const {
   way.normalize();
   const auto point = [&](double s) { return Vec3(x + s * way); };
   const auto value = [&](double s) { return exact_.blankValue(point(s)); };
-  const double inside = value(-kBlankReach), outside = value(kBlankReach);
+  const double inside = value(-reach), outside = value(reach);
   if (!(inside < 0.0 && outside >= 0.0)) return;
-  const double at = edgeRoot(value, kBlankReach, outside, -kBlankReach, inside, 1e-6);
+  const double at = edgeRoot(value, reach, outside, -reach, inside, 1e-6);
   x = clampToCell(point(at));
+}
+
+bool VertexRefiner::isOffBlank(const Vec3& x) const {
+  return exact_.ofBlank() && std::abs(exact_.blankValue(x)) > kOffBlank;
 }
 
 bool VertexRefiner::toSurface(const Vec3& n, double beyond, Vec3& x) {

@@ -26,9 +26,13 @@ class VertexRefiner {
   /// Moves `x` in the cell onto the smooth surface, without leaving the cell by more than `beyond`. `n`: out
   /// of the material. False if it is not on the surface then.
   bool toSurface(const Vec3& n, double beyond, Vec3& x);
-  /// Moves `x` in the cell onto the blank's surface along `n`, out of the material, without leaving a wall
-  /// that it lies at. It stays where the surface is not near or the surface is not the blank's.
-  void toBlank(const Vec3& n, Vec3& x) const;
+  /// Moves `x` in the cell onto the blank's surface along `n`, out of the material, by `reach` at most and
+  /// without leaving a wall that it lies at. It stays where the surface is not near or the surface is not the
+  /// blank's.
+  void toBlank(const Vec3& n, double reach, Vec3& x) const;
+  /// Whether the surface is the blank's and `x` is off it: a face between those of the cell meets none of its
+  /// edges.
+  bool isOffBlank(const Vec3& x) const;
 
  private:
   bool oneBody() const;

@@ -293,6 +293,9 @@ std::optional<BlankField::FacePoint> TurnedField::threadPoint(std::uint64_t face
   return FacePoint{at, -lean.gradient.normalized()};
 }
 
+/// No lathe turns so often in one cut; the columns of the grid ask every turn that is near.
+constexpr double kMostTurns = 1e5;
+
 Status checkLoop(const SectionLoop& loop) {
   if (loop.points.size() < 3) return inputError("turned part: a loop of its section has less than 3 points");
   if (loop.motion.size() != loop.points.size())
@@ -308,6 +311,8 @@ Status checkThread(const ThreadSweep& s) {
   const bool finite = s.from.allFinite() && s.to.allFinite() && std::isfinite(s.start_rad) &&
                       std::isfinite(s.turns) && std::isfinite(s.bend);
   if (s.outline == nullptr || !finite) return inputError("turned part: a thread without tool or way");
+  if (std::abs(s.turns) > kMostTurns)
+    return inputError(fmt::format("turned part: a thread of more than {:g} turns", kMostTurns));
   if (s.turns == 0.0) return inputError("turned part: a thread during which the part does not turn");
   if (std::abs(s.bend) > 1.0) return inputError("turned part: a thread whose lead changes its sign");
   return Done{};
@@ -325,7 +330,9 @@ Result<std::unique_ptr<BlankField>> makeTurnedField(const std::shared_ptr<const 
   for (const ThreadSweep& thread : shape->threads) {
     if (Status status = checkThread(thread); !status) return status.error();
   }
-  return std::unique_ptr<BlankField>(new TurnedField(*shape));
+  auto field = std::make_unique<TurnedField>(*shape);
+  if (!(field->volume() > 0.0)) return inputError("turned part: its section has no area, or is inside out");
+  return std::unique_ptr<BlankField>(std::move(field));
 }
 
 Box3 turnedBounds(const TurnedShape* shape) {

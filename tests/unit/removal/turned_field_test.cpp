@@ -122,12 +122,16 @@ TEST(TurnedField, RefusesWhatIsNoPart) {
   EXPECT_TRUE(refused(shapeOf({body({{0, 0}, {5, 0}})})));
   EXPECT_TRUE(refused(shapeOf({body({{-1, -5}, {5, -5}, {5, 0}})})));
   EXPECT_TRUE(refused(shapeOf({body({{0, -5}, {5, -5}, {5, std::nan("")}})})));
+  EXPECT_TRUE(refused(shapeOf({body({{0, -5}, {0, -3}, {0, 0}})})));
+  EXPECT_TRUE(refused(shapeOf({body({{2, 0}, {2, 0}, {2, 0}})})));
+  EXPECT_TRUE(refused(shapeOf({body({{0, 0}, {5, 0}, {5, -5}, {0, -5}})})));
   auto no_motion = shapeOf({body({{0, -5}, {5, -5}, {5, 0}})});
   no_motion->bodies[0].loops[0].motion.pop_back();
   EXPECT_TRUE(refused(no_motion));
   for (const auto& spoil : std::vector<std::function<void(ThreadSweep&)>>{
            [](ThreadSweep& s) { s.outline = nullptr; }, [](ThreadSweep& s) { s.turns = 0.0; },
-           [](ThreadSweep& s) { s.bend = 1.5; }, [](ThreadSweep& s) { s.from.x() = std::nan(""); }}) {
+           [](ThreadSweep& s) { s.turns = 1e9; }, [](ThreadSweep& s) { s.bend = 1.5; },
+           [](ThreadSweep& s) { s.from.x() = std::nan(""); }}) {
     auto shape = shapeOf({body({{0, -5}, {5, -5}, {5, 0}, {0, 0}})});
     OutlineSide a, b, c;
     a.from = c.to = {0, 0};
