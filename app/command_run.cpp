@@ -10,6 +10,7 @@
 #include "app/run_report.h"
 #include "app/stopwatch.h"
 #include "app/summary.h"
+#include "app/turning.h"
 #include "removal/threads.h"
 
 namespace proveout {
@@ -37,6 +38,7 @@ Result<std::vector<Picture>> drawRun(const Job& job, const RunResult& run, Progr
   request.comparison = run.comparison ? &*run.comparison : nullptr;
   const std::vector<Finding> findings = findingsInLastFrame(run);
   request.findings = &findings;
+  if (turnsPart(job)) request.turned_axis = Vec2::Zero();
   return drawPictures(run.surface().mesh, request, progress);
 }
 
@@ -52,6 +54,9 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
             writeMeshes(run.surface().mesh, run.stock ? &*run.stock : nullptr, job, *staging, report);
         !done)
       return done;
+    if (turnsPart(job)) {
+      if (Status done = writeTurnedProfile(job, run, *staging, report); !done) return done;
+    }
     if (job.output.csv) {
       if (Status done = writeTables(cutPaths(run), *staging, report); !done) return done;
     }

@@ -181,9 +181,15 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
   host.person = job.person;
   std::optional<StockProbe> probe;
   // The motions of several channels come when their order is settled: later than a measuring move asks.
-  if (stock != nullptr && job.channels.size() < 2) host.probe = &probe.emplace(*stock, result.path, progress);
+  std::optional<TurningProbe> turning;
+  if (stock != nullptr && turnsPart(job) && stock->blank != nullptr) {
+    host.probe = &turning.emplace(*stock->blank, stock->tools, result.path, progress);
+  } else if (stock != nullptr && job.channels.size() < 2) {
+    host.probe = &probe.emplace(*stock, result.path, progress);
+  }
   result.summary = interpretJob(job, *control, source, settings, builder, progress, host);
   if (probe) result.probe_failure = probe->failure();
+  if (turning) result.probe_failure = turning->failure();
   if (probe && probe->used() && !job.fixtures.empty()) {
     Diagnostic note;
     note.severity = Severity::kNote;

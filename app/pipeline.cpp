@@ -161,8 +161,7 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
     setup.job = jobOfSetup(job, k);
     const ControlSettings settings = controlSettings(setup.job, movedBounds(job, blank.bounds, k));
     const ProbedStock stock = probedStock(job, setup, blank, run.setups);
-    setup.interpreted =
-        interpretProgram(setup.job, *sources[k], settings, progress, turnsPart(job) ? nullptr : &stock);
+    setup.interpreted = interpretProgram(setup.job, *sources[k], settings, progress, &stock);
     if (setup.interpreted.outgrown_at) return outgrown(setup.interpreted);
     if (setup.interpreted.summary.end == ProgramEnd::kCancelled || progress.cancelled())
       return Error{ErrorKind::kInterrupted, "interrupted"};
@@ -238,6 +237,8 @@ void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>
     std::vector<StockBody> bodies = setup.bodies;
     if (setup.turned && bodies.size() > 1) bodies.resize(1);  // the others are told of by what parted them
     addOutcome(setup.initial_mm3, setup.surface.volume_mm3, bodies, findings);
+    const NominalSpec tolerance = setup.job.nominal.value_or(NominalSpec{});
+    addUncompensated(setup, std::min(tolerance.gouge_mm, tolerance.excess_mm), source, findings);
     addPartedBodies(setup, source, findings);
     addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, source,
                     findings);
@@ -372,6 +373,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   Result<Comparison> comparison = comparePart(job, *prepared.nominal, run, progress);
   if (!comparison) return comparison.error();
   run.comparison = std::move(*comparison);
+  if (turnsPart(job)) run.nominal = std::move(prepared.nominal->mesh);
   blameDeviations(sources, run);
   run.performance.compare_s = watch.lap();
   return std::move(run);

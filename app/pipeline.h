@@ -43,6 +43,7 @@ struct RunResult {
   std::optional<Stock> stock;  ///< after the last clamping; of turned parts only where a grid was needed
   std::optional<Comparison> comparison;
   std::vector<Finding> findings;
+  std::optional<TriMesh> nominal;  ///< of turned parts, for the profile chart
   Prediction prediction;
   ReportPerformance performance;
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "app/stopwatch.h"
 #include "core/nc/interpreter.h"
+#include "io/half_section.h"
 #include "removal/turning/revolve.h"
 #include "removal/turning/turned_stock.h"
 
@@ -148,6 +150,130 @@ void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::v
     blame(finding, body.parted_by, path, texts);
     findings.push_back(std::move(finding));
   }
+}
+
+namespace {
+
+/// How far an uncompensated nose stays off the line that its control point draws, mm. `direction`: of travel
+/// in (r, z).
+double noseDeviation(const Insert& insert, const Vec2& direction) {
+  const Vec2 tip = -noseCenter(insert);  // from S to P
+  Vec2 normal(direction.y(), -direction.x());
+  if (normal.dot(tip) < 0.0) normal = -normal;
+  return std::abs(insert.nose_radius - normal.dot(tip));
+}
+
+/// The largest along a motion.
+double noseDeviation(const Insert& insert, const Toolpath& path, const Motion& motion) {
+  constexpr int kSteps = 16;
+  double most = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec3 a = path.pointAt(motion, static_cast<double>(i) / kSteps);
+    const Vec3 d = path.pointAt(motion, static_cast<double>(i + 1) / kSteps) - a;
+    const Vec2 direction(d.x(), d.z());
+    if (direction.norm() > 0.0) most = std::max(most, noseDeviation(insert, direction.normalized()));
+  }
+  return most;
+}
+
+std::set<MotionId> motionsOfSurface(const SectionBody& body) {
+  std::set<MotionId> motions;
+  for (const SectionLoop& loop : body.loops) motions.insert(loop.motion.begin(), loop.motion.end());
+  motions.erase(kNoMotion);
+  return motions;
+}
+
+}  // namespace
+
+void addUncompensated(const SetupRun& setup, double least_mm, const RecordingSource& texts,
+                      std::vector<Finding>& findings) {
+  if (!setup.turned || setup.turned->bodies.empty()) return;
+  const Toolpath& path = setup.interpreted.path;
+  const std::set<MotionId> made = motionsOfSurface(setup.turned->bodies.front());
+  for (const Tool& tool : setup.job.tools) {
+    if (!tool.insert || tool.insert->shape == InsertShape::kGroove ||
+        tool.insert->shape == InsertShape::kThread)
+      continue;
+    double most = least_mm;
+    MotionId worst = kNoMotion;
+    std::size_t count = 0;
+    for (const MotionId id : made) {
+      const Motion& motion = path.motions[id];
+      if (motion.tool != tool.number || motion.kind != MotionKind::kFeed || motion.compensated) continue;
+      const double off = noseDeviation(*tool.insert, path, motion);
+      if (off <= least_mm) continue;
+      ++count;
+      if (off <= most) continue;
+      most = off;
+      worst = id;
+    }
+    if (worst == kNoMotion) continue;
+    Finding finding;
+    finding.kind = "nose_deviation";
+    finding.severity = Severity::kWarning;
+    finding.where = path.motions[worst].to;
+    finding.depth_mm = most;
+    finding.message = fmt::format(
+        "the nose radius {:g} is not compensated: here it leaves up to {:.3f} mm on the slope ({} such "
+        "motions)",
+        tool.insert->nose_radius, most, count);
+    blame(finding, worst, path, texts);
+    findings.push_back(std::move(finding));
+  }
+}
+
+Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, const ArcGeometry* arc,
+                                                         const AxisSweep* axis) {
+  const auto fail = [&](const Error& error) -> Result<std::optional<double>> {
+    failure_ = error;
+    return error;
+  };
+  const auto defined = [&](int number) {
+    return std::find_if(tools_.begin(), tools_.end(),
+                        [&](const Tool& tool) { return tool.number == number; });
+  };
+  Toolpath so_far;
+  so_far.files = path_.files;
+  so_far.motions = path_.motions;
+  so_far.arcs = path_.arcs;
+  so_far.axes = path_.axes;
+  so_far.motions.push_back(move);
+  const int lowest =
+      tools_.empty() ? 0 : std::min_element(tools_.begin(), tools_.end(), [](const auto& a, const auto& b) {
+                             return a.number < b.number;
+                           })->number;
+  for (Motion& motion : so_far.motions) {
+    if (motion.tool == 0) motion.tool = lowest;  // as assignTools does
+    if (defined(motion.tool) == tools_.end())
+      return fail(
+          inputError(fmt::format("tool {} is not defined; give it as [[tool]] in the job", motion.tool)));
+  }
+  const Motion asked = so_far.motions.back();
+  so_far.motions.pop_back();
+  if (const char* obstacle = turningObstacle(asked, arc, axis))
+    return fail(inputError(fmt::format("{}: a part that turns cannot be measured so", obstacle)));
+  Result<TurnedStock> stock = TurnedStock::create(blank_);
+  if (!stock) return fail(stock.error());
+  if (const auto cut = stock->remove(so_far, tools_, progress_); !cut) return fail(cut.error());
+  return stock->firstContact(asked, arc, *defined(asked.tool));
+}
+
+Status writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& staging, Report& report) {
+  const SetupRun& setup = run.setups.back();
+  if (!setup.turned || setup.turned->bodies.empty()) return Done{};
+  std::vector<std::vector<Vec2>> machined;
+  if (!setup.turned->threads.empty()) {
+    machined = halfSectionLoops(setup.surface.mesh);
+  } else {
+    for (const SectionLoop& loop : setup.turned->bodies.front().loops) machined.push_back(loop.points);
+  }
+  ProfileChartOptions options;
+  options.name = job.name;
+  if (job.nominal) {
+    options.gouge_mm = job.nominal->gouge_mm;
+    options.excess_mm = job.nominal->excess_mm;
+  }
+  return writeProfileChart(machined, run.nominal ? &*run.nominal : nullptr, options, staging, report);
 }
 
 Workload turningWork(const SetupRun& setup, const Blank& blank) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "app/outputs.h"
 #include "app/pipeline.h"
 #include "removal/turning/section.h"
 
@@ -25,6 +26,35 @@ Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal,
 
 /// Bodies that were cut off, or stayed on the bar, beside the part.
 void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings);
+
+/// Writes the profile chart of the part, or nothing where there is none.
+Status writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& staging, Report& report);
+
+/// Slopes and arcs of the part's surface that an insert left without compensation of its nose: one warning an
+/// insert, for the block with the largest deviation above `least_mm`.
+void addUncompensated(const SetupRun& setup, double least_mm, const RecordingSource& texts,
+                      std::vector<Finding>& findings);
+
+/// Measuring moves against the part as it has been turned so far.
+class TurningProbe : public Probe {
+ public:
+  /// `path` gets what the control does and must hold everything before the move that is asked about.
+  TurningProbe(const StockShape& blank, const std::vector<Tool>& tools, const Toolpath& path,
+               Progress& progress)
+      : blank_(blank), tools_(tools), path_(path), progress_(progress) {}
+  /// Errors: a tool that the job does not define, a way out of the plane of the spindle axis, cancelled.
+  Result<std::optional<double>> firstContact(const Motion& move, const ArcGeometry* arc,
+                                             const AxisSweep* axis) override;
+  /// Why the part could not answer.
+  const std::optional<Error>& failure() const { return failure_; }
+
+ private:
+  const StockShape& blank_;
+  const std::vector<Tool>& tools_;
+  const Toolpath& path_;
+  Progress& progress_;
+  std::optional<Error> failure_;
+};
 
 /// Work of a turned job: the grid counts only where threads are cut.
 Workload turningWork(const SetupRun& setup, const Blank& blank);

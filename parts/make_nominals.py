@@ -380,32 +380,44 @@ def section_volume(points):
                for a, b in zip(points, points[1:]))
 
 
-def zip_sections(solid, sections):
-    """Triangles between sections (r, z) at equal steps about Z; all start and end in the same points of the axis."""
+def zip_sections(solid, sections, angles, shift):
+    """Triangles between sections at angles about Z. A section is a list of (label, (r, z)) from the axis to the axis;
+    equal labels are joined, of others the shorter way is taken. `shift` gives the labels of the first section the names
+    that they have a turn later."""
     count = len(sections)
 
     def place(k, p):
-        angle = 2 * math.pi * (k % count) / count
+        angle = angles[k % count]
         return (p[0] * math.cos(angle), p[0] * math.sin(angle), p[1])
 
     for k in range(count):
-        a, b = sections[k], sections[(k + 1) % count]
+        a = sections[k]
+        b = sections[k + 1] if k + 1 < count else [(shift(label), p) for label, p in sections[0]]
+        in_a, in_b = {label for label, _ in a}, {label for label, _ in b}
         i = j = 0
         while i + 1 < len(a) or j + 1 < len(b):
-            first = j + 1 == len(b)
-            if not first and i + 1 < len(a):
-                first = math.dist(a[i + 1], b[j]) < math.dist(a[i], b[j + 1])
+            if j + 1 == len(b):
+                first = True
+            elif i + 1 == len(a):
+                first = False
+            elif a[i][0] == b[j + 1][0] or b[j][0] == a[i + 1][0]:
+                first = b[j][0] == a[i + 1][0]
+            elif (a[i + 1][0] in in_b) != (b[j + 1][0] in in_a):
+                first = a[i + 1][0] not in in_b
+            else:
+                first = math.dist(a[i + 1][1], b[j][1]) < math.dist(a[i][1], b[j + 1][1])
             if first:
-                solid.triangles.append((place(k, a[i]), place(k, a[i + 1]), place(k + 1, b[j])))
+                solid.triangles.append((place(k, a[i][1]), place(k, a[i + 1][1]), place(k + 1, b[j][1])))
                 i += 1
             else:
-                solid.triangles.append((place(k, a[i]), place(k + 1, b[j + 1]), place(k + 1, b[j])))
+                solid.triangles.append((place(k, a[i][1]), place(k + 1, b[j + 1][1]), place(k + 1, b[j][1])))
                 j += 1
 
 
-def threaded(base, top, bottom, angle, pitch, start, root, flat):
-    """The stretch of `base` (a function r(z)) from z = top down to bottom, at an angle about Z, less a right-handed thread
-    of 60 degrees whose groove is at z = start for angle 0: tip `flat` wide on the radius `root`."""
+def threaded(lines, corners, top, bottom, angle, pitch, start, root, flat):
+    """The stretch from z = top down to bottom of the least of the lines r = p + q z, which meet at `corners`, at an angle about
+    Z, less a right-handed thread of 60 degrees whose groove is at z = start for angle 0: tip `flat` wide on the radius
+    `root`. Labelled points."""
     slope = 1 / math.tan(math.radians(30))
 
     def groove(z):
@@ -413,46 +425,64 @@ def threaded(base, top, bottom, angle, pitch, start, root, flat):
         off = min(off, pitch - off)
         return root + max(0.0, off - flat / 2) * slope
 
-    def cut(z):
-        return min(base(z), groove(z))
+    def plain(z):
+        return min(p + q * z for p, q in lines)
 
-    fine = 4000
-    zs = [top + (bottom - top) * i / fine for i in range(fine + 1)]
-    # Corners: where the slope changes, found between two steps by the lines on both sides.
-    points = [(cut(top), top)]
-    for i in range(1, fine):
-        z0, z1 = zs[i - 1], zs[i + 1]
-        left, right = (cut(zs[i]) - cut(z0)) / (zs[i] - z0), (cut(z1) - cut(zs[i])) / (z1 - zs[i])
-        if abs(left - right) < 1e-6:
-            continue
-        ahead = (cut(zs[i + 2]) - cut(z1)) / (zs[i + 2] - z1) if i + 2 <= fine else right
-        before = (cut(z0) - cut(zs[i - 2])) / (z0 - zs[i - 2]) if i >= 2 else left
-        if abs(before - ahead) < 1e-6:
-            continue
-        # The corner lies between z0 and z1; lines through the steps before and behind meet in it.
-        z = (cut(z1) - ahead * z1 - cut(z0) + before * z0) / (before - ahead)
-        if z1 <= z <= z0 and z < points[-1][1] - 1e-7:
-            points.append((cut(z), z))
-    points.append((cut(bottom), bottom))
-    return points
+    def cut(z):
+        return min(groove(z), plain(z))
+
+    points = [("top", top), ("bottom", bottom)]
+    points += [(("corner", z), z) for z in corners if plain(z) <= groove(z)]
+    # Corners of the grooves' tips, and where flanks meet the lines.
+    first = math.floor((bottom - start) / pitch - angle / (2 * math.pi)) - 1
+    for k in range(first, math.ceil((top - start) / pitch) + 2):
+        z = start + pitch * (k + angle / (2 * math.pi))
+        for n, (p, q) in enumerate(lines):
+            if q != 0 and abs((root - p) / q - z) <= flat / 2 and abs(plain((root - p) / q) - root) < 1e-9:
+                points.append((("meet", k, 0, n), (root - p) / q))
+        for side in (-1, 1):
+            tip = z + side * flat / 2
+            if root <= plain(tip):
+                points.append((("tip", k, side), tip))
+            for n, (p, q) in enumerate(lines):
+                # root + (side (meet - z) - flat / 2) slope = p + q meet
+                meet = (p - root + (side * z + flat / 2) * slope) / (side * slope - q)
+                if abs(p + q * meet - plain(meet)) < 1e-9 and abs(groove(meet) - plain(meet)) < 1e-9:
+                    points.append((("meet", k, side, n), meet))
+    inner = [(label, z) for label, z in points if bottom < z < top or label in ("top", "bottom")]
+    return [(label, (cut(z), z)) for label, z in sorted(inner, key=lambda point: -point[1])]
 
 
 def wl4_shaft():
     q = math.pi / 2
-    chamfer = lambda z: min(10.0, 8.0 - z)
     rest = [(8.2, -26.0)] + sphere_arc(8.2, -26.2, 0.2, q, q, 6)[1:] + sphere_arc(8.2, -29.8, 0.2, 2 * q, q, 6)
     rest += [(12.0, -30.0), (16.0, -50.0)] + sphere_arc(20.0, -62.0, 4.0, 2 * q, q, 24)
     rest += sphere_arc(20.5, -68.0, 2.0, q, -q, 18) + [(22.5, -100.0), (0.0, -100.0)]
-    count = 192
-    sections = [[(0.0, 0.0)] + threaded(chamfer, 0.0, -26.0, 2 * math.pi * k / count, 2.5, 8.0, 8.5, 0.4) + rest
-                for k in range(count)]
+    rest = [(("rest", i), p) for i, p in enumerate(rest)]
+    # Where corners of the groove come and go, there is a section on either side of it.
+    meet = 0.2 + 1.5 * math.tan(math.radians(30))
+    events = [(z - 8.0 + side * off) / 2.5 % 1.0 * 2 * math.pi
+              for z, offs in ((-0.5, (0.2,)), (-2.0, (meet,)), (-26.0, (0.2, meet))) for off in offs for side in (-1, 1)]
+    angles = [2 * math.pi * k / 192 for k in range(192)]
+    angles = [a for a in angles if all(abs(a - e) > 1e-3 for e in events)]
+    angles = sorted(angles + [e + side * 2e-5 for e in events for side in (-1, 1)])
+    lines, corners = [(10.0, 0.0), (8.0, -1.0)], [-2.0]
+    sections = [
+        [("front", (0.0, 0.0))]
+        + threaded(lines, corners, 0.0, -26.0, angle, 2.5, 8.0, 8.5, 0.4) + rest
+        for angle in angles
+    ]
     s = Solid()
-    zip_sections(s, sections)
-    # The sections' volume less what the chords between them cut off.
-    chords = math.sin(2 * math.pi / count) / (2 * math.pi / count)
-    volume = chords * sum(section_volume(section) for section in sections) / count
-    s.finish("wl4_shaft/shaft.stl", volume, 30.0)
-    print(f"  the shaft between sections of {count}: {volume / chords:.2f} mm3")
+    # At angle 2 pi the groove k of angle 0 is the one that is k - 1 there.
+    zip_sections(s, sections, angles,
+                 lambda label: (label[0], label[1] - 1) + label[2:] if label[0] in ("tip", "meet") else label)
+    # The sections' volume, with and without what the chords between them cut off.
+    volumes = [section_volume([p for _, p in section]) for section in sections]
+    steps = [(b - a) % (2 * math.pi) for a, b in zip(angles, angles[1:] + angles[:1])]
+    means = [(a + b) / 2 for a, b in zip(volumes, volumes[1:] + volumes[:1])]
+    inscribed = sum(v * math.sin(step) / (2 * math.pi) for v, step in zip(means, steps))
+    s.finish("wl4_shaft/shaft.stl", inscribed, 1.0)
+    print(f"  the shaft without facets: {sum(v * step for v, step in zip(means, steps)) / (2 * math.pi):.2f} mm3")
 
 
 def height(x, y):

@@ -86,6 +86,7 @@ bool FrameStage::push(PathItem& item) {
 }
 
 bool EmitStage::push(PathItem& item) {
+  item.feed.compensated = item.feed.compensated || item.comp_on;
   if (item.function()) {
     function(item);
   } else if (item.in_polar) {

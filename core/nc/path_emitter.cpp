@@ -168,6 +168,7 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
   MotionPace pace;
   if (paced) pace = linePace(to, length, 0.0);
   m.kind = style.kind;
+  m.compensated = style.compensated;
   m.spindle = style.spindle;
   m.feed = style.feed;
   if (time_.limits().feeds) m.feed = allowedFeed(time_.limits(), pace.begin, axes_.count(), m.feed);
@@ -219,6 +220,7 @@ void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedSt
   }
   Motion m;
   m.kind = style.kind;
+  m.compensated = style.compensated;
   m.spindle = style.spindle;
   m.time_s = 60.0 * paced / style.feed;
   m.feed = length == paced ? style.feed : 60.0 * length / m.time_s;

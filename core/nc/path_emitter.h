@@ -20,6 +20,7 @@ namespace proveout::nc {
 /// How a feed motion goes.
 struct FeedStyle {
   MotionKind kind = MotionKind::kFeed;
+  bool compensated = false;  ///< see Motion
   double feed = 0.0;  ///< mm/min
   /// What of an arc the feed is the speed of: the circle in the plane, the whole path in space, or the
   /// start radius (constant angular speed).

@@ -81,6 +81,7 @@ struct Motion {
   SourceRef source;
   MotionKind kind = MotionKind::kRapid;
   std::uint8_t channel = 0;  ///< number of the control's channel; 0: it has one
+  bool compensated = false;  ///< the control keeps the path off the contour by a nose or cutter radius
   /// kThread: by which the lead grows with each turn, mm; 0: constant lead. After k of all n turns (see
   /// threadTurns()) the way is l k / n + change * k (k - n) / 2, l being its length along the axis that the
   /// lead is told of.

@@ -142,6 +142,7 @@ bool Wl4Control::runPasses(Plan& p, const Wl4Block& b, bool sided, const std::ve
     PathItem item;
     item.kind = pass.element.arc ? PathItem::Kind::kArc : PathItem::Kind::kLine;
     fill(p, item);
+    item.feed.compensated = sided;
     item.rapid =
         pass.speed == Wl4Pass::Speed::kRapid || (pass.speed == Wl4Pass::Speed::kInfeed && rapid_infeed);
     item.center = Vec3(pass.element.center.x() + tip.x(), pass.element.center.y() + tip.y(), machine_[w.w]);
