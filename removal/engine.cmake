@@ -21,6 +21,7 @@ proveout_add_library(removal
   turning/revolve.cpp
   turning/section_area.cpp
   turning/sweep_paths.cpp
+  turning/thread_cover.cpp
   turning/turned_stock.cpp
   turning/turning_tool.cpp
   level_cut.cpp

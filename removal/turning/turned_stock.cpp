@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "removal/turning/section_area.h"
+#include "removal/turning/thread_cover.h"
 #include "removal/turning/turning_tool.h"
 
 namespace proveout {
@@ -356,7 +357,7 @@ TurnedShape TurnedStock::shape() const {
   TurnedShape shape;
   shape.bodies = impl_->area.bodies();
   shape.bodies.insert(shape.bodies.end(), impl_->parted.begin(), impl_->parted.end());
-  shape.threads = impl_->threads;
+  shape.threads = withoutCovered(impl_->threads, shape.bodies);
   shape.outlines = impl_->outlines;
   return shape;
 }
