@@ -320,7 +320,10 @@ Result<RemovalSummary> TurnedStock::remove(const Toolpath& path, const std::vect
                                            Progress& progress) {
   for (const Motion& motion : path.motions) {
     const AxisSweep* axis = motion.axis < 0 ? nullptr : &path.axes[static_cast<std::size_t>(motion.axis)];
-    const char* const obstacle = turningObstacle(motion, arcOf(path, motion), axis);
+    const auto same = [&](const Tool& tool) { return tool.number == motion.tool; };
+    const bool defined = std::any_of(tools.begin(), tools.end(), same);
+    const char* const obstacle =
+        defined ? turningObstacle(motion, arcOf(path, motion), axis) : "a tool that is not defined";
     if (obstacle == nullptr || motion.kind == MotionKind::kProbe) continue;
     return inputError(fmt::format("{}:{}: {}: this cannot be turned", path.files[motion.source.file],
                                   motion.source.line, obstacle));

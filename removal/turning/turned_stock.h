@@ -30,8 +30,8 @@ class TurnedStock {
   TurnedStock& operator=(TurnedStock&&) noexcept;
 
   /// Cuts the path into the stock; once. `tools` must hold every tool that the path uses. Threads are kept as
-  /// such (shape()); their volumes are estimates in the summary. Errors: a motion with an obstacle,
-  /// cancelled.
+  /// such (shape()); their volumes are estimates in the summary. Errors: a motion with an obstacle, a missing
+  /// tool, cancelled.
   Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools, Progress& progress);
 
   /// How much of the way (0..1) a tool goes until it touches what the chuck holds, to about a nanometre;

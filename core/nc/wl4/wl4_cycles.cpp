@@ -45,7 +45,8 @@ bool Wl4Control::contourCycle(Plan& p) {
   Wl4Contour contour;
   if (!readContour(p, contour)) return false;
   const WorkPlane w(plane(p.next));
-  const Vec2 from = w.of(machine_).head<2>();
+  // Passes are the way of the nose centre, which stands off the working point all the time.
+  const Vec2 from = w.of(machine_).head<2>() - (sided ? tipOf(p.next) : Vec2(Vec2::Zero()));
   const double side = (p.next.radius == 41) != flipped(p.next) ? 1.0 : -1.0;
   CycleGeometry cycle{from, contour, sided ? side : 1.0, sided ? compRadius(p.next) : 0.0};
   if (sided && cycle.nose < 0.0) return refuse("the nose radius and the corrector D are negative together");
@@ -132,10 +133,9 @@ bool Wl4Control::runPasses(Plan& p, const Wl4Block& b, bool sided, const std::ve
   p.named.set(static_cast<std::size_t>(w.u));
   p.named.set(static_cast<std::size_t>(w.v));
   const bool rapid_infeed = p.next.motion == 0;
-  for (std::size_t k = 0; k < moves.size(); ++k) {
+  for (const Wl4Pass& pass : moves) {
     if (workOver()) return false;
-    const Wl4Pass& pass = moves[k];
-    const Vec2 to = pass.element.to + (k + 1 < moves.size() ? tip : Vec2(Vec2::Zero()));
+    const Vec2 to = pass.element.to + tip;
     p.target = from;
     p.target[w.u] = to.x();
     p.target[w.v] = to.y();
