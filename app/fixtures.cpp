@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/report_text.h"
+#include "removal/turning/turned_stock.h"
 
 namespace proveout {
 namespace {
@@ -53,6 +54,25 @@ Status addFixtureContacts(std::vector<FixtureStock>& fixtures, const SetupRun& s
     if (!touched) return touched.error();
     for (const Contact& contact : touched->contacts) {
       Finding finding = contactFinding(contact, fixture.name);
+      blame(finding, contact.motion, path, texts);
+      findings.push_back(std::move(finding));
+    }
+  }
+  return Done{};
+}
+
+Status addTurnedFixtureContacts(const SetupRun& setup, const RecordingSource& texts,
+                                std::vector<Finding>& findings, Progress& progress) {
+  for (const FixtureSpec& spec : setup.job.fixtures) {
+    const Result<StockShape> shape = loadStockShape(spec.shape);
+    if (!shape) return shape.error();
+    const Result<TurnedStock> fixture = TurnedStock::create(*shape);
+    if (!fixture) return fixture.error();
+    const Toolpath& path = setup.interpreted.path;
+    const auto touched = fixture->touches(path, setup.job.tools, progress);
+    if (!touched) return touched.error();
+    for (const Contact& contact : *touched) {
+      Finding finding = contactFinding(contact, spec.name);
       blame(finding, contact.motion, path, texts);
       findings.push_back(std::move(finding));
     }

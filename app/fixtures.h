@@ -21,4 +21,8 @@ Result<std::vector<FixtureStock>> makeFixtures(const Job& setup, double resoluti
 Status addFixtureContacts(std::vector<FixtureStock>& fixtures, const SetupRun& setup,
                           const RecordingSource& texts, std::vector<Finding>& findings, Progress& progress);
 
+/// The same for a clamping whose part turns: its fixtures are round about the spindle axis.
+Status addTurnedFixtureContacts(const SetupRun& setup, const RecordingSource& texts,
+                                std::vector<Finding>& findings, Progress& progress);
+
 }  // namespace proveout

@@ -182,8 +182,10 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
   std::optional<StockProbe> probe;
   // The motions of several channels come when their order is settled: later than a measuring move asks.
   std::optional<TurningProbe> turning;
-  if (stock != nullptr && turnsPart(job) && stock->blank != nullptr) {
-    host.probe = &turning.emplace(*stock->blank, stock->tools, result.path, progress);
+  if (stock != nullptr && turnsPart(job)) {
+    // Behind another clamping nothing answers, and the control says so.
+    if (stock->blank != nullptr)
+      host.probe = &turning.emplace(*stock->blank, stock->tools, result.path, progress);
   } else if (stock != nullptr && job.channels.size() < 2) {
     host.probe = &probe.emplace(*stock, result.path, progress);
   }

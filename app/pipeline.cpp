@@ -185,7 +185,9 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
 Workload workOf(const Job& job, const PreparedRun& prepared) {
   const double area = blankArea(prepared.blank.shape, prepared.blank.bounds);
   Workload work;
-  if (turnsPart(job)) work = turningWork(prepared.run.setups.front(), prepared.blank);
+  for (const SetupRun& setup : prepared.run.setups) {
+    if (turnsPart(job)) work = together(work, turningWork(setup, prepared.blank));
+  }
   for (std::size_t k = 0; k < prepared.run.setups.size() && !turnsPart(job); ++k) {
     const SetupRun& setup = prepared.run.setups[k];
     work = together(work, workloadOf(setup.interpreted.path, setup.job.tools,
@@ -357,11 +359,15 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   RunResult& run = prepared.run;
   if (run.alarm) return std::move(run);
   if (turnsPart(job)) {
-    SetupRun& setup = run.setups.front();
     const TriMesh* const nominal = prepared.nominal ? &prepared.nominal->mesh : nullptr;
-    if (const Status done = machineTurned(job, prepared.blank, nominal, setup, run, progress); !done)
+    if (const Status done = machineTurned(job, prepared.blank, nominal, run, progress); !done)
       return done.error();
-    lookAt(setup, *sources.front(), {}, run);
+    for (std::size_t k = 0; k < run.setups.size(); ++k) {
+      std::vector<Finding> touched;
+      if (const Status done = addTurnedFixtureContacts(run.setups[k], *sources[k], touched, progress); !done)
+        return done.error();
+      lookAt(run.setups[k], *sources[k], std::move(touched), run);
+    }
   } else if (const Status done = machineAll(prepared.blank, job, sources, run, progress); !done) {
     return done.error();
   }

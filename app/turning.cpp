@@ -28,23 +28,43 @@ bool needsGrid(const Job& job) {
 
 double facetTolerance(const Job& job) { return kFacetShare * job.simulation.profile_resolution_mm; }
 
-/// Which of the bodies is the part: the one whose extent along Z fits the nominal best; without one the
-/// body that the chuck holds.
-std::size_t partOf(const std::vector<SectionBody>& bodies, const TriMesh* nominal) {
-  if (nominal == nullptr || bodies.size() < 2) return 0;
-  const Box3 wanted = meshBounds(*nominal);
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+};
+
+Extent extentOf(const SectionBody& body) {
+  Extent extent;
+  for (const Vec2& p : body.loops.front().points) {
+    extent.low = std::min(extent.low, p.y());
+    extent.high = std::max(extent.high, p.y());
+  }
+  return extent;
+}
+
+/// The body whose extent along Z fits best.
+std::size_t bodyLike(const std::vector<SectionBody>& bodies, const Box3& wanted) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Vec2& p : bodies[k].loops.front().points) {
-      low = std::min(low, p.y());
-      high = std::max(high, p.y());
-    }
-    const double off = std::abs(low - wanted.min.z()) + std::abs(high - wanted.max.z());
+    const Extent extent = extentOf(bodies[k]);
+    const double off = std::abs(extent.low - wanted.min.z()) + std::abs(extent.high - wanted.max.z());
     if (off >= least) continue;
     least = off;
     best = k;
+  }
+  return best;
+}
+
+/// Which of the bodies is the part: the one like the nominal; without one the largest that was parted off
+/// whole, in front of what the chuck holds; else that. Slugs and rings lie beside what is held.
+std::size_t partOf(const std::vector<SectionBody>& bodies, const std::optional<Box3>& nominal) {
+  if (bodies.size() < 2) return 0;
+  if (nominal) return bodyLike(bodies, *nominal);
+  std::size_t best = 0;
+  const double held_to = extentOf(bodies.front()).high;
+  for (std::size_t k = 1; k < bodies.size(); ++k) {
+    if (extentOf(bodies[k]).low < held_to - 1e-6) continue;
+    if (best == 0 || bodies[k].volume_mm3 > bodies[best].volume_mm3) best = k;
   }
   return best;
 }
@@ -88,47 +108,114 @@ bool turnsPart(const Job& job) {
 }
 
 Status checkTurning(const Job& job, const Blank& blank) {
-  if (!job.setups.empty())
-    return inputError(fmt::format("{}: jobs with setups cannot be turned yet", job.control));
-  if (!job.fixtures.empty())
-    return inputError(fmt::format("{}: fixtures cannot be checked while the part turns", job.control));
-  const Result<TurnedStock> stock = TurnedStock::create(blank.shape);
+  Result<TurnedStock> stock = TurnedStock::create(blank.shape);
   if (!stock) return stock.error();
+  const TurnedShape shape = stock->shape();
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    for (const FixtureSpec& fixture : jobOfSetup(job, k).fixtures) {
+      const Result<StockShape> round = loadStockShape(fixture.shape);
+      if (!round) return round.error();
+      if (!TurnedStock::create(*round))
+        return inputError(fmt::format(
+            "fixture '{}': while the part turns a fixture must be a cylinder or tube about Z at X0 Y0",
+            fixture.name));
+    }
+    if (k == 0) continue;
+    const auto moved = stock->moved(shape.bodies.front(), job.setups[k].from_previous);
+    if (!moved) return inputError(fmt::format("setup '{}': {}", job.setups[k].name, moved.error().message));
+  }
   return Done{};
 }
 
 Vec3 turningStart(const Box3& blank) { return {blank.max.x() + kClearance, 0.0, blank.max.z() + kClearance}; }
 
-Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal, SetupRun& setup,
-                     RunResult& run, Progress& progress) {
+namespace {
+
+/// Bounds of the nominal in the frame of a clamping; none without one.
+std::optional<Box3> nominalIn(const Job& job, const TriMesh* nominal, std::size_t setup) {
+  if (nominal == nullptr) return std::nullopt;
+  Box3 bounds = meshBounds(*nominal);
+  for (std::size_t k = setupCount(job); k-- > setup + 1;)
+    bounds = job.setups[k].from_previous.inverse()(bounds);
+  return bounds;
+}
+
+/// What one clamping is cut from.
+struct Clamped {
+  TurnedStock stock;
+  double initial_mm3 = 0.0;      ///< of the stock
+  std::vector<StockBody> apart;  ///< what fell off before, in this frame
+};
+
+/// Fills the surface and the bodies of a clamping from what is left of its stock; the part comes first.
+Status takePart(const Job& job, const TurnedStock& stock, const std::optional<Box3>& nominal, bool grid,
+                RunResult& run, SetupRun& setup, Progress& progress) {
+  TurnedShape all = stock.shape();
+  if (all.bodies.empty()) {
+    setup.turned = std::make_shared<const TurnedShape>(std::move(all));
+    return Done{};
+  }
+  std::swap(all.bodies[0], all.bodies[partOf(all.bodies, nominal)]);
+  TurnedShape part = all;
+  part.bodies.resize(1);
+  setup.surface.mesh = revolved(part.bodies, facetTolerance(job));
+  setup.surface.volume_mm3 = part.bodies.front().volume_mm3;
+  if (grid || !part.threads.empty()) {
+    if (Status done = gridSurface(job, part, run, setup, progress); !done) return done;
+  }
+  for (const SectionBody& body : all.bodies) setup.bodies.push_back(bodyOf(body, "loose"));
+  setup.bodies.front().role = "part";
+  setup.bodies.front().volume_mm3 = setup.surface.volume_mm3;
+  setup.turned = std::make_shared<const TurnedShape>(std::move(all));
+  return Done{};
+}
+
+Status machineOne(const Job& job, Clamped& clamped, const std::optional<Box3>& nominal, bool last,
+                  RunResult& run, SetupRun& setup, Progress& progress) {
   Stopwatch watch;
-  Result<TurnedStock> stock = TurnedStock::create(blank.shape);
-  if (!stock) return stock.error();
-  Result<RemovalSummary> removal = stock->remove(setup.interpreted.path, setup.job.tools, progress);
+  Result<RemovalSummary> removal = clamped.stock.remove(setup.interpreted.path, setup.job.tools, progress);
   if (!removal) return removal.error();
   run.performance.remove_s += watch.lap();
-  TurnedShape all = stock->shape();
-  TurnedShape part = all;
-  setup.initial_mm3 = stock->initialVolume();
-  setup.bodies.clear();
-  if (!all.bodies.empty()) {
-    const std::size_t chosen = partOf(all.bodies, nominal);
-    std::swap(all.bodies[0], all.bodies[chosen]);
-    part.bodies.assign(1, all.bodies.front());
-    setup.surface.mesh = revolved(part.bodies, facetTolerance(job));
-    setup.surface.volume_mm3 = part.bodies.front().volume_mm3;
-    if (stock->hasThreads() || needsGrid(job)) {
-      if (Status done = gridSurface(job, part, run, setup, progress); !done) return done;
-    }
-    for (const SectionBody& body : all.bodies) setup.bodies.push_back(bodyOf(body, "loose"));
-    setup.bodies.front().role = "part";
-    setup.bodies.front().volume_mm3 = setup.surface.volume_mm3;
-    for (std::size_t k = 1; k < all.bodies.size(); ++k) setup.surface.volume_mm3 += all.bodies[k].volume_mm3;
-  }
+  if (Status done = takePart(job, clamped.stock, nominal, last && needsGrid(job), run, setup, progress);
+      !done)
+    return done;
   run.performance.mesh_s += watch.lap();
+  setup.bodies.insert(setup.bodies.end(), clamped.apart.begin(), clamped.apart.end());
+  setup.initial_mm3 = clamped.initial_mm3;
+  for (const StockBody& body : clamped.apart) setup.initial_mm3 += body.volume_mm3;
+  setup.surface.volume_mm3 = 0.0;
+  for (const StockBody& body : setup.bodies) setup.surface.volume_mm3 += body.volume_mm3;
   fitRemovedVolume(*removal, setup.initial_mm3 - setup.surface.volume_mm3);
   setup.removal = std::move(*removal);
-  setup.turned = std::make_shared<const TurnedShape>(std::move(all));
+  return Done{};
+}
+
+}  // namespace
+
+Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal, RunResult& run,
+                     Progress& progress) {
+  Result<TurnedStock> first = TurnedStock::create(blank.shape);
+  if (!first) return first.error();
+  Clamped clamped{std::move(*first), 0.0, {}};
+  clamped.initial_mm3 = clamped.stock.initialVolume();
+  for (std::size_t k = 0; k < run.setups.size(); ++k) {
+    SetupRun& setup = run.setups[k];
+    if (k > 0) {
+      const SetupRun& before = run.setups[k - 1];
+      Result<TurnedStock> moved = clamped.stock.moved(before.turned->bodies.front(), setup.from_previous);
+      if (!moved) return moved.error();
+      clamped.stock = std::move(*moved);
+      clamped.initial_mm3 = before.bodies.front().volume_mm3;
+      clamped.apart.assign(before.bodies.begin() + 1, before.bodies.end());
+      for (StockBody& body : clamped.apart) body.bounds = setup.from_previous(body.bounds);
+    }
+    const bool last = k + 1 == run.setups.size();
+    if (Status done = machineOne(job, clamped, nominalIn(job, nominal, k), last, run, setup, progress); !done)
+      return done;
+    if (setup.bodies.empty() || setup.surface.mesh.triangles.empty()) {
+      run.setups.resize(k + 1);  // there is nothing to clamp again
+    }
+  }
   return Done{};
 }
 

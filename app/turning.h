@@ -13,16 +13,18 @@ namespace proveout {
 /// Whether the job's control turns the part about Z.
 bool turnsPart(const Job& job);
 
-/// Refuses what turning cannot start from: a blank that is not round about Z, several clampings, fixtures.
+/// Refuses what turning cannot start from: a blank or a fixture that is not round about Z, clampings that do
+/// not keep the axis.
 Status checkTurning(const Job& job, const Blank& blank);
 
 /// Where a turning tool starts if the job does not say: outside of the blank and in front of it.
 Vec3 turningStart(const Box3& blank);
 
-/// Cuts the clamping and fills everything of it but topology and findings. `run.stock` is made where threads
-/// were cut or a grid is to be saved. `nominal`: null, or what tells which of several bodies is the part.
-Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal, SetupRun& setup,
-                     RunResult& run, Progress& progress);
+/// Cuts all clampings, one after the other, and fills everything of them but topology and findings.
+/// `run.stock` is made where threads were cut or a grid is to be saved. `nominal`: null, or what tells which
+/// of several bodies is the part.
+Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal, RunResult& run,
+                     Progress& progress);
 
 /// Bodies that were cut off, or stayed on the bar, beside the part.
 void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings);

@@ -65,6 +65,26 @@ std::vector<SectionPath> passesThrough(const ThreadSweep& thread, double angle) 
   return paths;
 }
 
+/// The outline with Z turned round.
+ConvexOutline upsideDown(const ConvexOutline& outline) {
+  std::vector<OutlineSide> sides(outline.sides().rbegin(), outline.sides().rend());
+  for (OutlineSide& side : sides) {
+    std::swap(side.from, side.to);
+    for (Vec2* p : {&side.from, &side.to, &side.center}) p->y() = -p->y();
+  }
+  return ConvexOutline(sides);
+}
+
+/// What outlines sweep on both sides of the axis.
+std::vector<SectionPath> bothSides(const std::vector<ConvexOutline>& outlines, const PlaneWay& way) {
+  std::vector<SectionPath> sweeps;
+  for (const ConvexOutline& outline : outlines) {
+    for (SectionPath& path : sweptPaths(outline, way)) sweeps.push_back(std::move(path));
+  }
+  for (SectionPath& path : mirroredPaths(sweeps)) sweeps.push_back(std::move(path));
+  return sweeps;
+}
+
 /// Gathers contacts: one for each unbroken run of motions of a kind, a tool and a block.
 class ContactList {
  public:
@@ -140,6 +160,24 @@ const char* turningObstacle(const Motion& motion, const ArcGeometry* arc, const 
   return motion.kind == MotionKind::kThread ? "a thread along an arc" : nullptr;
 }
 
+namespace {
+
+Status checkPath(const Toolpath& path, const std::vector<Tool>& tools) {
+  for (const Motion& motion : path.motions) {
+    const AxisSweep* axis = motion.axis < 0 ? nullptr : &path.axes[static_cast<std::size_t>(motion.axis)];
+    const auto same = [&](const Tool& tool) { return tool.number == motion.tool; };
+    const bool defined = std::any_of(tools.begin(), tools.end(), same);
+    const char* const obstacle =
+        defined ? turningObstacle(motion, arcOf(path, motion), axis) : "a tool that is not defined";
+    if (obstacle == nullptr || motion.kind == MotionKind::kProbe) continue;
+    return inputError(fmt::format("{}:{}: {}: this cannot be turned", path.files[motion.source.file],
+                                  motion.source.line, obstacle));
+  }
+  return Done{};
+}
+
+}  // namespace
+
 struct TurnedStock::Impl {
   SectionArea area;                 ///< held by the chuck
   std::vector<SectionBody> parted;  ///< cut off so far
@@ -159,6 +197,7 @@ class Turning {
           std::vector<std::shared_ptr<const ConvexOutline>>& outlines)
       : path_(path), area_(area), parted_(parted), threads_(threads), outlines_(outlines), contacts_(path) {
     for (const Tool& tool : tools) tools_.try_emplace(tool.number, tool);
+    if (!threads.empty()) makePlanes();
     removed_.resize(path.motions.size(), 0.0f);
   }
 
@@ -236,25 +275,30 @@ class Turning {
     if (area_.common(tool.swept(way)).empty()) return;
     if (std::find(outlines_.begin(), outlines_.end(), tool.thread) == outlines_.end())
       outlines_.push_back(tool.thread);
+    if (planes_.empty()) makePlanes();
     threads_.push_back(sweep);
-    if (planes_.empty()) planes_.assign(kThreadPlanes, area_);
+    removed_[id] += static_cast<float>(takeThread(sweep));
+  }
+
+  void makePlanes() {
+    planes_.assign(kThreadPlanes, area_);
+    for (const ThreadSweep& known : threads_) takeThread(known);
+  }
+
+  /// Returns the mean volume over the planes, mm3.
+  double takeThread(const ThreadSweep& sweep) {
     double sum = 0.0;
     for (int k = 0; k < kThreadPlanes; ++k) {
       const double angle = 2.0 * kPi * k / kThreadPlanes;
-      sum += planes_[static_cast<std::size_t>(k)].subtract(passesThrough(sweep, angle), id);
+      sum += planes_[static_cast<std::size_t>(k)].subtract(passesThrough(sweep, angle), sweep.motion);
     }
-    removed_[id] += static_cast<float>(sum / kThreadPlanes);
+    return sum / kThreadPlanes;
   }
 
   void holder(MotionId id, const TurningTool& tool, const PlaneWay& way) {
     for (const auto& [kind, outlines] :
          {std::pair{ContactKind::kShank, &tool.shank}, std::pair{ContactKind::kHolder, &tool.holder}}) {
-      std::vector<SectionPath> sweeps;
-      for (const ConvexOutline& outline : *outlines) {
-        for (SectionPath& path : sweptPaths(outline, way)) sweeps.push_back(std::move(path));
-      }
-      for (SectionPath& path : mirroredPaths(sweeps)) sweeps.push_back(std::move(path));
-      contact(kind, id, sweeps, {});
+      contact(kind, id, bothSides(*outlines, way), {});
     }
   }
 
@@ -318,16 +362,7 @@ Result<TurnedStock> TurnedStock::create(const StockShape& shape) {
 
 Result<RemovalSummary> TurnedStock::remove(const Toolpath& path, const std::vector<Tool>& tools,
                                            Progress& progress) {
-  for (const Motion& motion : path.motions) {
-    const AxisSweep* axis = motion.axis < 0 ? nullptr : &path.axes[static_cast<std::size_t>(motion.axis)];
-    const auto same = [&](const Tool& tool) { return tool.number == motion.tool; };
-    const bool defined = std::any_of(tools.begin(), tools.end(), same);
-    const char* const obstacle =
-        defined ? turningObstacle(motion, arcOf(path, motion), axis) : "a tool that is not defined";
-    if (obstacle == nullptr || motion.kind == MotionKind::kProbe) continue;
-    return inputError(fmt::format("{}:{}: {}: this cannot be turned", path.files[motion.source.file],
-                                  motion.source.line, obstacle));
-  }
+  if (Status possible = checkPath(path, tools); !possible) return possible.error();
   Turning turning(path, tools, impl_->area, impl_->parted, impl_->threads, impl_->outlines);
   for (MotionId id = 0; id < path.motions.size(); ++id) {
     if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
@@ -336,6 +371,25 @@ Result<RemovalSummary> TurnedStock::remove(const Toolpath& path, const std::vect
     turning.motion(id);
   }
   return turning.summary();
+}
+
+Result<std::vector<Contact>> TurnedStock::touches(const Toolpath& path, const std::vector<Tool>& tools,
+                                                  Progress& progress) const {
+  if (Status possible = checkPath(path, tools); !possible) return possible.error();
+  std::map<int, TurningTool> turning;
+  for (const Tool& tool : tools) turning.try_emplace(tool.number, tool);
+  ContactList contacts(path);
+  for (MotionId id = 0; id < path.motions.size(); ++id) {
+    if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+    const Motion& motion = path.motions[id];
+    const TurningTool& tool = turning.at(motion.tool);
+    const PlaneWay way = planeWay(motion, arcOf(path, motion));
+    for (const auto& [kind, outlines] :
+         {std::pair{ContactKind::kFixture, &tool.cutters}, std::pair{ContactKind::kShank, &tool.shank},
+          std::pair{ContactKind::kHolder, &tool.holder}})
+      contacts.add(kind, id, impl_->area, impl_->area.common(bothSides(*outlines, way)));
+  }
+  return contacts.take();
 }
 
 std::optional<double> TurnedStock::firstContact(const Motion& move, const ArcGeometry* arc,
@@ -354,6 +408,45 @@ std::optional<double> TurnedStock::firstContact(const Motion& move, const ArcGeo
     (touches(middle) ? touching : free) = middle;
   }
   return touching;
+}
+
+Result<TurnedStock> TurnedStock::moved(const SectionBody& body, const RigidTransform& move) const {
+  const Vec3 axis = move.rotation * Vec3::UnitZ();
+  const bool turned_round = axis.z() < 0.0;
+  if (std::abs(std::abs(axis.z()) - 1.0) > 1e-12 || move.translation.head<2>().norm() > kOff)
+    return inputError(
+        "a turned part is clamped again about its own axis: turn it about X or Y by 180 degrees, or about Z, "
+        "and shift it along Z");
+  const Vec3 x = move.rotation * Vec3::UnitX();
+  const double angle = std::atan2(x.y(), x.x()), sign = turned_round ? -1.0 : 1.0,
+               shift = move.translation.z();
+  const auto place = [&](const Vec2& p) { return Vec2(p.x(), sign * p.y() + shift); };
+  auto impl = std::make_unique<Impl>();
+  std::vector<SectionLoop> loops;
+  for (const SectionLoop& loop : body.loops) {
+    SectionLoop now;
+    for (const Vec2& p : loop.points) now.points.push_back(place(p));
+    if (turned_round) std::reverse(now.points.begin(), now.points.end());
+    now.motion.assign(now.points.size(), kNoMotion);
+    loops.push_back(std::move(now));
+  }
+  impl->area = SectionArea(loops);
+  impl->initial_volume = impl->area.volume();
+  for (const ThreadSweep& thread : impl_->threads) {
+    ThreadSweep now = thread;
+    impl->outlines.push_back(
+        std::make_shared<const ConvexOutline>(turned_round ? upsideDown(*thread.outline) : *thread.outline));
+    now.outline = impl->outlines.back().get();
+    now.from = place(thread.from);
+    now.to = place(thread.to);
+    now.start_rad = sign * thread.start_rad + angle;
+    now.turns = sign * thread.turns;
+    now.motion = kNoMotion;
+    impl->threads.push_back(now);
+  }
+  const Vec2 low = impl->area.min(), high = impl->area.max();
+  impl->bounds = {{-high.x(), -high.x(), low.y()}, {high.x(), high.x(), high.y()}};
+  return TurnedStock(std::move(impl));
 }
 
 TurnedShape TurnedStock::shape() const {

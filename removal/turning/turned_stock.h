@@ -10,6 +10,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/path/toolpath.h"
 #include "core/tool/tool.h"
 #include "removal/stock.h"
@@ -34,9 +35,17 @@ class TurnedStock {
   /// tool, cancelled.
   Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools, Progress& progress);
 
+  /// Touches of a path with this stock, which is a fixture and is not cut: kFixture, kShank or kHolder.
+  Result<std::vector<Contact>> touches(const Toolpath& path, const std::vector<Tool>& tools,
+                                       Progress& progress) const;
+
   /// How much of the way (0..1) a tool goes until it touches what the chuck holds, to about a nanometre;
   /// nothing: it touches nothing. `arc`: null for a line. Requires a move without turningObstacle().
   std::optional<double> firstContact(const Motion& move, const ArcGeometry* arc, const Tool& tool) const;
+
+  /// A body of this stock in another clamping, as a blank, with its threads; who made its surface is not
+  /// known any more. Errors: a move that does not keep the axis (Z may be turned round).
+  Result<TurnedStock> moved(const SectionBody& body, const RigidTransform& move) const;
 
   /// What is left: first the body that the chuck holds, then what was parted from it, in that order.
   TurnedShape shape() const;
