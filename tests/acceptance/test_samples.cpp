@@ -134,5 +134,45 @@ INSTANTIATE_TEST_SUITE_P(Programs, PassingParts,
                                          PassingPart{"wl4_plate", 23827.168}),
                          [](const auto& test) { return std::string(test.param.name); });
 
+double partVolume(const json& report) {
+  double volume = 0.0;
+  for (const json& body : report["stock"]["bodies"]) {
+    if (body["role"] == "part") volume = body["volume_mm3"].get<double>();
+  }
+  return volume;
+}
+
+fs::path shaft(const char* job) { return fs::path(PROVEOUT_SOURCE_DIR) / "parts/wl4_shaft" / job; }
+
+TEST(TurnedShaft, PassesAndTellsWhatPartsIt) {
+  const Workbench bench;
+  const Outcome outcome = bench.run("run '" + shaft("job.toml").string() + "' --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  EXPECT_EQ(report["verdict"], "pass");
+  // By make_nominals.py, from the drawing.
+  EXPECT_NEAR(partVolume(report), 87338.98, 1e-5 * 87338.98);
+  ASSERT_EQ(report["findings"].size(), 1u);
+  EXPECT_EQ(report["findings"][0]["kind"], "part_off");
+  EXPECT_EQ(report["findings"][0]["source"]["block"], "N34");
+  EXPECT_TRUE(fs::exists(bench.path("out/profile.svg")));
+}
+
+TEST(TurnedShaft, FailsWithAWrongNoseAndNamesTheBlocks) {
+  const Workbench bench;
+  const Outcome outcome = bench.run("run '" + shaft("wrong-nose.toml").string() + "' --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  std::size_t by_finishing = 0;
+  double deepest = 0.0;
+  for (const json& finding : report["findings"]) {
+    if (finding["kind"] != "gouge" && finding["kind"] != "excess") continue;
+    deepest = std::max(deepest, finding["depth_mm"].get<double>());
+    by_finishing += finding["source"]["block"] == "N15";
+  }
+  EXPECT_GE(by_finishing, 2u);  // the cone and the chamfer at least
+  EXPECT_GT(deepest, 0.1);
+}
+
 }  // namespace
 }  // namespace proveout::test

@@ -257,6 +257,70 @@ TEST(TurnedStock, MeshIsClosedAndHasTheVolume) {
   }
 }
 
+TEST(TurnedStock, ClampedTheOtherWayRound) {
+  Progress progress;
+  TurningPath front({40, 5});
+  front.rapid(20, 2).feed(20, -20).feed(31, -20).rapid(40, 5);
+  const Tool tool = insertTool(1, turningInsert(0.0));
+  Result<TurnedStock> stock = TurnedStock::create(bar(30, 60));
+  ASSERT_TRUE(stock && stock->remove(front.path, {tool}, progress));
+  RigidTransform over{rotationAbout(Vec3::UnitX(), 180.0), Vec3(0, 0, -60)};
+  Result<TurnedStock> turned = stock->moved(stock->shape().bodies.front(), over);
+  ASSERT_TRUE(turned);
+  EXPECT_NEAR(turned->initialVolume(), kPi * (900 * 40 + 400 * 20), 1e-3);
+  TurningPath back({40, 5});
+  back.rapid(25, 2).feed(25, -10).feed(31, -10);
+  ASSERT_TRUE(turned->remove(back.path, {tool}, progress));
+  const SectionBody body = turned->shape().bodies.front();
+  EXPECT_NEAR(body.volume_mm3, kPi * (900 * 30 + 400 * 20 + 625 * 10), 1e-3);
+  // The thin end lies at the chuck now.
+  EXPECT_LT(worst(body, -60, -41, [](double) { return 20.0; }), 1e-6);
+  over.translation.x() = 1.0;
+  EXPECT_FALSE(stock->moved(stock->shape().bodies.front(), over));
+  over = {rotationAbout(Vec3::UnitX(), 90.0), Vec3::Zero()};
+  EXPECT_FALSE(stock->moved(stock->shape().bodies.front(), over));
+}
+
+TEST(TurnedStock, FixturesAreNotTouched) {
+  Progress progress;
+  CylinderShape chuck = bar(60, 20, 30);
+  chuck.base.z() = -60;
+  const Result<TurnedStock> jaws = TurnedStock::create(chuck);
+  ASSERT_TRUE(jaws);
+  TurningPath path({70, 5});
+  path.rapid(31, 2).feed(31, -39).feed(31, -41).rapid(70, -41);
+  const auto touches = jaws->touches(path.path, {insertTool(1, turningInsert(0.4))}, progress);
+  ASSERT_TRUE(touches);
+  ASSERT_EQ(touches->size(), 2u);
+  EXPECT_EQ((*touches)[0].kind, ContactKind::kFixture);
+  EXPECT_EQ((*touches)[0].motion, 2u);
+  EXPECT_NEAR((*touches)[0].depth_mm, 1.0, 0.05);
+}
+
+TEST(TurnedStock, FirstContactOfAMeasuringMove) {
+  const Result<TurnedStock> stock = TurnedStock::create(bar(30, 60));
+  ASSERT_TRUE(stock);
+  Tool ball;
+  ball.number = 1;
+  ball.type = ToolType::kBall;
+  ball.diameter = 4.0;
+  Motion move;
+  move.tool = 1;
+  move.from = Vec3(0, 0, 10);
+  move.to = Vec3(0, 0, -10);
+  const auto face = stock->firstContact(move, nullptr, ball);
+  ASSERT_TRUE(face);
+  EXPECT_NEAR(*face, 0.5, 1e-6);
+  // Obliquely onto the cylinder: centre of the ball 2 above its tip, 32 off the axis when it touches.
+  move.from = Vec3(40, 0, -10);
+  move.to = Vec3(30, 0, -20);
+  const auto side = stock->firstContact(move, nullptr, ball);
+  ASSERT_TRUE(side);
+  EXPECT_NEAR(40.0 - 10.0 * *side, 32.0, 1e-4);
+  move.to = Vec3(40, 0, -20);
+  EXPECT_FALSE(stock->firstContact(move, nullptr, ball));
+}
+
 /// Whether a point is taken by what the outline does on the way, by small steps.
 bool takenSlowly(const ConvexOutline& outline, const PlaneWay& way, const Vec2& p, double& nearest) {
   bool taken = false;
