@@ -377,17 +377,22 @@ Workload turningWork(const SetupRun& setup, const Blank& blank) {
 }
 
 double turnedUncertainty(const SetupRun& setup, double resolution_mm) {
-  double least = std::numeric_limits<double>::infinity();
-  const bool threads = setup.turned && !setup.turned->threads.empty();
-  if (!threads) return 2.0 * facetTolerance(setup.job) + kSectionChordMm;
+  if (!setup.turned || setup.turned->threads.empty())
+    return 2.0 * facetTolerance(setup.job) + kSectionChordMm;
+  double most = 0.0;
+  const auto add = [&](double radius) {
+    // A chord of the grid leaves a circle by h^2 / (8 r), but never by more than its radius.
+    if (radius > 0.0)
+      most = std::max(
+          most, std::min({resolution_mm * resolution_mm / (8.0 * radius), radius, 0.5 * resolution_mm}));
+  };
   for (const SectionLoop& loop : setup.turned->bodies.front().loops) {
-    for (const Vec2& p : loop.points) least = p.x() > 0.0 ? std::min(least, p.x()) : least;
+    for (const Vec2& p : loop.points) add(p.x());
   }
   for (const Tool& tool : setup.job.tools) {
-    if (tool.insert && tool.insert->nose_radius > 0.0) least = std::min(least, tool.insert->nose_radius);
+    if (tool.insert) add(tool.insert->nose_radius);
   }
-  if (!std::isfinite(least)) return 0.0;
-  return std::min(resolution_mm * resolution_mm / (8.0 * least), 0.5 * resolution_mm);
+  return most;
 }
 
 }  // namespace proveout
