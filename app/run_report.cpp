@@ -17,6 +17,13 @@ namespace proveout {
 namespace {
 
 std::string describe(const Tool& tool) {
+  if (tool.insert) {
+    const Insert& insert = *tool.insert;
+    std::string text = fmt::format("insert {}", insertShapeName(insert.shape));
+    if (insert.insert_angle_deg > 0) text += fmt::format(" {:g} deg", insert.insert_angle_deg);
+    if (insert.width > 0) text += fmt::format(" {:g} wide", insert.width);
+    return text + fmt::format(" r{:g}", insert.nose_radius);
+  }
   std::string text = fmt::format("{} {:g}", toolTypeName(tool.type), tool.diameter);
   if (tool.corner_radius > 0 || tool.type == ToolType::kBull)
     text += fmt::format(" r{:g}", tool.corner_radius);
@@ -105,23 +112,50 @@ ReportStock reportStock(const RunResult& run) {
   return stock;
 }
 
+ErrorTerm gridTerm(const RunResult& run, double bound_mm) {
+  return {
+      "grid", bound_mm,
+      fmt::format("facets between exact crossings of a {:g} mm grid: flat faces are exact, walls as curved "
+                  "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be "
+                  "lost",
+                  run.resolution_mm)};
+}
+
+/// Spacing that the mesh was made with: of the grid, or of the profile of a part that was only turned.
+double meshResolution(const RunResult& run) {
+  const SetupRun& last = run.setups.back();
+  const bool revolved = last.turned && last.turned->threads.empty();
+  return revolved ? last.job.simulation.profile_resolution_mm : run.resolution_mm;
+}
+
 std::vector<ErrorTerm> errorBudget(const RunResult& run) {
   const double moves = movesUncertainty(run), grid = std::max(0.0, partUncertainty(run) - moves);
   std::vector<ErrorTerm> terms;
-  terms.push_back(
-      {"grid", grid,
-       fmt::format("facets between exact crossings of a {:g} mm grid: flat faces are exact, walls as curved "
-                   "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be "
-                   "lost",
-                   run.resolution_mm)});
-  if (run.setups.size() > 1) {
+  const std::shared_ptr<const TurnedShape>& turned = run.setups.back().turned;
+  if (turned) {
+    terms.push_back(
+        {"section", kSectionChordMm,
+         "the half section is made of chords within 0.0001 mm of its arcs, rounded to nanometres"});
+  }
+  if (turned && turned->threads.empty()) {
+    terms.push_back(
+        {"facets", grid,
+         fmt::format("rings and sections of the mesh stay within a tenth of the profile resolution of "
+                     "{:g} mm each",
+                     run.setups.back().job.simulation.profile_resolution_mm)});
+  } else {
+    terms.push_back(gridTerm(run, grid));
+  }
+  if (run.setups.size() > 1 && !turned) {
     terms.push_back({"re-clamping", moves,
                      "turns by multiples of 90 degrees move the stock exactly; others move it as its surface "
                      "mesh and add the chord height h^2/(8r) of walls that were cut before; edges then may "
                      "be off by a third of a cell"});
   }
   terms.push_back(
-      {"tool", 0.0, "tools are exact solids of revolution; runout, wear and deflection are not simulated"});
+      {"tool", 0.0,
+       turned ? "inserts are exact outlines; wear, deflection and the height of the tip are not simulated"
+              : "tools are exact solids of revolution; runout, wear and deflection are not simulated"});
   terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
   if (run.comparison) {
     terms.push_back({"nominal", run.comparison->nominal_tessellation_mm,
@@ -258,7 +292,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
   report.program = reportProgram(job, run);
   report.setups = reportSetups(job, run);
   report.time = reportTime(job, run);
-  report.resolution_mm = run.resolution_mm;
+  report.resolution_mm = meshResolution(run);
   report.findings = run.findings;
   for (const SetupRun& setup : run.setups) {
     const auto& all = setup.interpreted.path.diagnostics.all();
