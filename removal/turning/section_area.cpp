@@ -126,6 +126,7 @@ struct SectionArea::Impl {
     }
   }
 
+  /// False where the paths surely have nothing in common with the area: by their bounds.
   bool reaches(const ClipperLib::Paths& paths) const {
     IntPoint l(std::numeric_limits<cInt>::max(), std::numeric_limits<cInt>::max()), h(-l.X, -l.Y);
     for (const auto& path : paths) {
@@ -134,7 +135,21 @@ struct SectionArea::Impl {
         h = {std::max(h.X, p.X), std::max(h.Y, p.Y)};
       }
     }
-    return l.X < high.X && l.Y < high.Y && h.X > low.X && h.Y > low.Y;
+    if (l.X >= high.X || l.Y >= high.Y || h.X <= low.X || h.Y <= low.Y) return false;
+    for (const Loop& loop : loops) {
+      const IntPoint* a = &loop.points.back();
+      for (const IntPoint& b : loop.points) {
+        const bool beside = std::min(a->X, b.X) >= h.X || std::max(a->X, b.X) <= l.X ||
+                            std::min(a->Y, b.Y) >= h.Y || std::max(a->Y, b.Y) <= l.Y;
+        if (!beside) return true;
+        a = &b;
+      }
+    }
+    // No edge comes near: all inside or all outside.
+    int inside = 0;
+    const IntPoint middle((l.X + h.X) / 2, (l.Y + h.Y) / 2);
+    for (const Loop& loop : loops) inside += ClipperLib::PointInPolygon(middle, loop.points) != 0 ? 1 : 0;
+    return inside % 2 == 1;
   }
 
   ClipperLib::Paths shared(const ClipperLib::Paths& tool) const {

@@ -230,7 +230,10 @@ class Turning {
     // A thread tool that leaves its groove stands in it: the section knows no groove.
     std::vector<SectionPath> spared;
     if (thread_way_ && motion.kind == MotionKind::kRapid) spared = tool.swept(*thread_way_);
-    if (motion.kind == MotionKind::kRapid) contact(ContactKind::kRapid, id, sweeps, spared);
+    const std::vector<SectionPath> beyond = mirroredPaths(sweeps);
+    if (motion.kind == MotionKind::kRapid && !contact(ContactKind::kRapid, id, sweeps, spared) &&
+        beyond.empty())
+      return;
     if (motion.kind != MotionKind::kRapid && motion.spindle == 0.0)
       contact(ContactKind::kSpindleOff, id, sweeps, spared);
     if (tool.insert) {
@@ -240,7 +243,7 @@ class Turning {
       contact(ContactKind::kAxis, id, sweeps, {});
     }
     double taken = take(sweeps, id, spared);
-    if (const auto beyond = mirroredPaths(sweeps); !beyond.empty()) {
+    if (!beyond.empty()) {
       if (tool.insert) contact(ContactKind::kAxis, id, beyond, {});
       taken += take(beyond, id, {});
     }
@@ -302,9 +305,12 @@ class Turning {
     }
   }
 
-  void contact(ContactKind kind, MotionId id, const std::vector<SectionPath>& sweeps,
+  /// False where there is none, not even by rounding.
+  bool contact(ContactKind kind, MotionId id, const std::vector<SectionPath>& sweeps,
                const std::vector<SectionPath>& spared) {
-    contacts_.add(kind, id, area_, area_.common(sweeps, spared));
+    const std::vector<SectionPiece> pieces = area_.common(sweeps, spared);
+    contacts_.add(kind, id, area_, pieces);
+    return !pieces.empty();
   }
 
   /// Bodies that hang on the chuck no longer leave; nothing cuts them any more.
