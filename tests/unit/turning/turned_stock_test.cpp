@@ -321,15 +321,68 @@ TEST(TurnedStock, FirstContactOfAMeasuringMove) {
   EXPECT_FALSE(stock->firstContact(move, nullptr, ball));
 }
 
-/// Whether a point is taken by what the outline does on the way, by small steps.
-bool takenSlowly(const ConvexOutline& outline, const PlaneWay& way, const Vec2& p, double& nearest) {
-  bool taken = false;
-  for (int i = 0; i <= 400; ++i) {
-    const double value = outline.sample(p - way.at(i / 400.0)).value;
-    nearest = std::min(nearest, std::abs(value));
-    taken |= value < 0.0;
+/// How deep in the outline a point comes on the way, by small steps; above 0: never.
+double deepest(const ConvexOutline& outline, const PlaneWay& way, const Vec2& p) {
+  double least = 1e9;
+  for (int i = 0; i <= 400; ++i) least = std::min(least, outline.sample(p - way.at(i / 400.0)).value);
+  return least;
+}
+
+bool inside(const SectionBody& body, const Vec2& p) {
+  bool odd = false;
+  for (const SectionLoop& loop : body.loops) {
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      const Vec2 &a = loop.points[i], &b = loop.points[(i + 1) % loop.points.size()];
+      if ((a.y() <= p.y()) == (b.y() <= p.y())) continue;
+      odd ^= p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    }
   }
-  return taken;
+  return odd;
+}
+
+TEST(TurnedStock, RandomProgramsAgreeWithSmallSteps) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  int asked = 0, gone = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const Insert insert = trial % 3 == 0 ? grooveInsert(3.0, 0.3) : turningInsert(trial % 3 == 1 ? 0.8 : 0.0);
+    TurningPath path({35, 0});
+    std::vector<PlaneWay> ways;
+    Vec2 at(35, 0);
+    for (int i = 0; i < 10; ++i) {
+      PlaneWay way;
+      way.from = at;
+      const Vec2 to(20 + 12 * any(random), -45 + 40 * any(random));
+      if (i % 2 == 0) {
+        path.feed(to.x(), to.y());
+        way.to = to;
+      } else {  // a quarter turn
+        const Vec2 half = 0.5 * (to - at);
+        way.arc = true;
+        way.center = at + half + Vec2(-half.y(), half.x());
+        way.sweep_rad = 0.5 * kPi;
+        way.to = to;
+        path.arc(to.x(), to.y(), way.center, way.sweep_rad);
+      }
+      at = to;
+      ways.push_back(way);
+    }
+    const Turned t = turn(bar(30, 60), path, {insertTool(1, insert)});
+    if (t.shape.bodies.size() != 1) continue;  // what fell off is not cut any more
+    EXPECT_NEAR(sum(t.summary.removed_mm3), t.initial_mm3 - t.shape.bodies[0].volume_mm3, 0.1);
+    const ConvexOutline outline = insertOutline(insert);
+    for (int i = 0; i < 80; ++i) {
+      const Vec2 p(12 + 17.9 * any(random), -59.9 + 59.8 * any(random));
+      double least = 1e9;
+      for (const PlaneWay& way : ways) least = std::min(least, deepest(outline, way, p));
+      if (std::abs(least) < 0.02) continue;  // steps of this size cannot tell
+      ++asked;
+      gone += least < 0.0;
+      EXPECT_EQ(inside(t.shape.bodies[0], p), least > 0.0) << "trial " << trial << " at " << p.transpose();
+    }
+  }
+  EXPECT_GT(asked, 400);
+  EXPECT_GT(gone, 50);
 }
 
 bool holds(const std::vector<SectionPath>& paths, const Vec2& p) {
@@ -351,7 +404,7 @@ TEST(SweptPaths, AgreeWithSmallSteps) {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   const std::vector<Insert> inserts = {turningInsert(0.4), turningInsert(0.0), turningInsert(1.2, 2),
                                        grooveInsert(3.0, 0.3)};
-  int asked = 0;
+  int asked = 0, taken = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const ConvexOutline outline = insertOutline(inserts[static_cast<std::size_t>(trial) % inserts.size()]);
     PlaneWay way;
@@ -371,14 +424,15 @@ TEST(SweptPaths, AgreeWithSmallSteps) {
         way.arc ? std::abs(way.sweep_rad) * (way.from - way.center).norm() : (way.to - way.from).norm();
     for (int i = 0; i < 60; ++i) {
       const Vec2 p = way.at(0.5 + 0.5 * any(random)) + Vec2(9 * any(random), 9 * any(random));
-      double nearest = 1e9;
-      const bool slow = takenSlowly(outline, way, p, nearest);
-      if (nearest < length / 400.0 + 2e-3) continue;  // too near for steps of this size
+      const double least = deepest(outline, way, p);
+      if (std::abs(least) < length * length * 1e-4 + 2e-3) continue;  // too near for steps of this size
       ++asked;
-      EXPECT_EQ(holds(paths, p), slow) << "trial " << trial << " at " << p.transpose();
+      taken += least < 0.0;
+      EXPECT_EQ(holds(paths, p), least < 0.0) << "trial " << trial << " at " << p.transpose();
     }
   }
   EXPECT_GT(asked, 1500);
+  EXPECT_GT(taken, 500);
 }
 
 }  // namespace
