@@ -20,6 +20,7 @@ proveout_add_library(removal
   thin_walls.cpp
   turning/revolve.cpp
   turning/section_area.cpp
+  turning/section_window.cpp
   turning/sweep_paths.cpp
   turning/thread_cover.cpp
   turning/turned_stock.cpp

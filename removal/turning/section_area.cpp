@@ -3,18 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <polyclipping/clipper.hpp>
 #include <unordered_map>
+
+#include "removal/turning/section_loops.h"
 
 namespace proveout {
 
 namespace {
 
-using ClipperLib::cInt;
-using ClipperLib::IntPoint;
+using section_detail::cInt;
+using section_detail::clean;
+using section_detail::distance2;
+using section_detail::IntPoint;
+using section_detail::kNear;
+using section_detail::Loop;
+using section_detail::WindowCut;
 
-constexpr double kUnit = 1e-6;       ///< mm: a nanometre
-constexpr double kNear = 1.5;        ///< units: rounding of a point that lies on an edge
+constexpr double kUnit = 1e-6;  ///< mm: a nanometre
+/// Areas with fewer points are clipped whole.
+constexpr std::size_t kFewPoints = 150;
 constexpr double kThinPiece = 1e-4;  ///< mm
 
 cInt toUnits(double mm) { return static_cast<cInt>(std::llround(mm / kUnit)); }
@@ -37,22 +44,6 @@ struct EdgeHash {
     return static_cast<std::size_t>(h);
   }
 };
-
-struct Loop {
-  ClipperLib::Path points;
-  std::vector<MotionId> motion;
-};
-
-/// Squared distance of the doubled point `twice` to the segment from a to b, in units (not doubled).
-double distance2(double x, double y, const IntPoint& a, const IntPoint& b) {
-  const double ax = static_cast<double>(a.X), ay = static_cast<double>(a.Y);
-  const double dx = static_cast<double>(b.X) - ax, dy = static_cast<double>(b.Y) - ay;
-  const double length2 = dx * dx + dy * dy;
-  double t = length2 > 0.0 ? ((x - ax) * dx + (y - ay) * dy) / length2 : 0.0;
-  t = std::clamp(t, 0.0, 1.0);
-  const double ex = x - ax - t * dx, ey = y - ay - t * dy;
-  return ex * ex + ey * ey;
-}
 
 double volumeUnder(const ClipperLib::Path& p) {
   double sum = 0.0;
@@ -107,6 +98,42 @@ double revolvedVolume(const std::vector<Vec2>& points) {
   return kPi / 3.0 * sum;
 }
 
+namespace {
+
+struct Bounds {
+  IntPoint low{std::numeric_limits<cInt>::max(), std::numeric_limits<cInt>::max()};
+  IntPoint high{std::numeric_limits<cInt>::min(), std::numeric_limits<cInt>::min()};
+};
+
+Bounds boundsOf(const ClipperLib::Paths& paths) {
+  Bounds box;
+  for (const auto& path : paths) {
+    for (const IntPoint& p : path) {
+      box.low = {std::min(box.low.X, p.X), std::min(box.low.Y, p.Y)};
+      box.high = {std::max(box.high.X, p.X), std::max(box.high.Y, p.Y)};
+    }
+  }
+  return box;
+}
+
+ClipperLib::Paths combined(const std::vector<Loop>& loops, const ClipperLib::Paths& tool,
+                           ClipperLib::ClipType how) {
+  ClipperLib::Clipper clipper(ClipperLib::ioPreserveCollinear);
+  for (const Loop& loop : loops) clipper.AddPath(loop.points, ClipperLib::ptSubject, true);
+  clipper.AddPaths(tool, ClipperLib::ptClip, true);
+  ClipperLib::Paths result;
+  clipper.Execute(how, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return result;
+}
+
+double volumeOf(const ClipperLib::Paths& paths) {
+  double volume = 0.0;
+  for (const auto& path : paths) volume += volumeUnder(path);
+  return volume;
+}
+
+}  // namespace
+
 struct SectionArea::Impl {
   std::vector<Loop> loops;
   IntPoint low{0, 0}, high{0, 0};
@@ -126,15 +153,15 @@ struct SectionArea::Impl {
     }
   }
 
-  /// False where the paths surely have nothing in common with the area: by their bounds.
-  bool reaches(const ClipperLib::Paths& paths) const {
-    IntPoint l(std::numeric_limits<cInt>::max(), std::numeric_limits<cInt>::max()), h(-l.X, -l.Y);
-    for (const auto& path : paths) {
-      for (const IntPoint& p : path) {
-        l = {std::min(l.X, p.X), std::min(l.Y, p.Y)};
-        h = {std::max(h.X, p.X), std::max(h.Y, p.Y)};
-      }
-    }
+  std::size_t points() const {
+    std::size_t count = 0;
+    for (const Loop& loop : loops) count += loop.points.size();
+    return count;
+  }
+
+  /// False where a box surely has nothing in common with the area.
+  bool reaches(const Bounds& box) const {
+    const IntPoint &l = box.low, &h = box.high;
     if (l.X >= high.X || l.Y >= high.Y || h.X <= low.X || h.Y <= low.Y) return false;
     for (const Loop& loop : loops) {
       const IntPoint* a = &loop.points.back();
@@ -152,28 +179,10 @@ struct SectionArea::Impl {
     return inside % 2 == 1;
   }
 
-  ClipperLib::Paths shared(const ClipperLib::Paths& tool) const {
-    ClipperLib::Clipper clipper;
-    addTo(clipper);
-    clipper.AddPaths(tool, ClipperLib::ptClip, true);
-    ClipperLib::Paths both;
-    clipper.Execute(ClipperLib::ctIntersection, both, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-    return both;
-  }
-
   /// What rounding may take off all along the surface, mm3.
   double roundingVolume() const {
     const Vec2 size = toMm(high) - toMm(low);
     return 2.0 * kPi * toMm(high).x() * (size.x() + size.y()) * 5.0 * kUnit;
-  }
-  bool cutsMore(const ClipperLib::Paths& tool) const {
-    const ClipperLib::Paths both = shared(tool);
-    return std::any_of(both.begin(), both.end(),
-                       [](const auto& path) { return thickness(path) >= kThinPiece; });
-  }
-
-  void addTo(ClipperLib::Clipper& clipper) const {
-    for (const Loop& loop : loops) clipper.AddPath(loop.points, ClipperLib::ptSubject, true);
   }
 };
 
@@ -220,24 +229,6 @@ class EdgeLabels {
   std::unordered_map<Edge, MotionId, EdgeHash> known_;
 };
 
-/// Takes out points that say nothing: doubles, and points on a straight edge of one motion.
-void clean(Loop& loop) {
-  Loop out;
-  const std::size_t n = loop.points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const IntPoint& p = loop.points[i];
-    const IntPoint& next = loop.points[(i + 1) % n];
-    const IntPoint& before = out.points.empty() ? loop.points[n - 1] : out.points.back();
-    const MotionId into = out.motion.empty() ? loop.motion[n - 1] : out.motion.back();
-    const double x = static_cast<double>(p.X), y = static_cast<double>(p.Y);
-    if (p == next) continue;
-    if (into == loop.motion[i] && distance2(x, y, before, next) <= kNear * kNear) continue;
-    out.points.push_back(p);
-    out.motion.push_back(loop.motion[i]);
-  }
-  loop = std::move(out);
-}
-
 }  // namespace
 
 SectionArea::SectionArea() : impl_(std::make_unique<Impl>()) {}
@@ -266,47 +257,85 @@ Vec2 SectionArea::min() const { return toMm(impl_->low); }
 Vec2 SectionArea::max() const { return toMm(impl_->high); }
 double SectionArea::volume() const { return impl_->volume; }
 
-std::size_t SectionArea::points() const {
-  std::size_t count = 0;
-  for (const Loop& loop : impl_->loops) count += loop.points.size();
-  return count;
-}
+std::size_t SectionArea::points() const { return impl_->points(); }
 
-double SectionArea::subtract(const std::vector<SectionPath>& sweeps, MotionId motion,
-                             const std::vector<SectionPath>& spared) {
-  const ClipperLib::Paths tool = toolPaths(sweeps, spared);
-  if (empty() || tool.empty() || !impl_->reaches(tool)) return 0.0;
-  ClipperLib::Clipper clipper(ClipperLib::ioPreserveCollinear);
-  impl_->addTo(clipper);
-  clipper.AddPaths(tool, ClipperLib::ptClip, true);
-  ClipperLib::Paths left;
-  clipper.Execute(ClipperLib::ctDifference, left, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
-  double volume = 0.0;
-  for (const auto& path : left) volume += volumeUnder(path);
-  const double taken = impl_->volume - volume;
-  if (taken < impl_->roundingVolume() && !impl_->cutsMore(tool)) return 0.0;
-  const EdgeLabels labels(impl_->loops);
+namespace {
+
+/// `loops` less the tool, with the labels of what stays and of what is new; or nothing where only rounding
+/// would be taken.
+struct Difference {
   std::vector<Loop> loops;
+  double taken_mm3 = 0.0;
+};
+
+Difference difference(const std::vector<Loop>& loops, const ClipperLib::Paths& tool, MotionId motion,
+                      double rounding_mm3) {
+  Difference result;
+  double before = 0.0;
+  for (const Loop& loop : loops) before += volumeUnder(loop.points);
+  ClipperLib::Paths left = combined(loops, tool, ClipperLib::ctDifference);
+  result.taken_mm3 = before - volumeOf(left);
+  if (result.taken_mm3 < rounding_mm3) {
+    const ClipperLib::Paths both = combined(loops, tool, ClipperLib::ctIntersection);
+    const auto thick = [](const auto& path) { return thickness(path) >= kThinPiece; };
+    if (std::none_of(both.begin(), both.end(), thick)) result.taken_mm3 = 0.0;
+  }
+  if (result.taken_mm3 <= 0.0) return result;
+  const EdgeLabels labels(loops);
   for (auto& path : left) {
     Loop loop;
     loop.motion.reserve(path.size());
     for (std::size_t i = 0; i < path.size(); ++i)
       loop.motion.push_back(labels.of(path[i], path[(i + 1) % path.size()], motion));
     loop.points = std::move(path);
-    clean(loop);
-    if (loop.points.size() > 2) loops.push_back(std::move(loop));
+    result.loops.push_back(std::move(loop));
   }
-  impl_->loops = std::move(loops);
+  return result;
+}
+
+void cleanAll(std::vector<Loop>& loops) {
+  for (Loop& loop : loops) clean(loop);
+  std::erase_if(loops, [](const Loop& loop) { return loop.points.size() < 3; });
+}
+
+}  // namespace
+
+double SectionArea::subtract(const std::vector<SectionPath>& sweeps, MotionId motion,
+                             const std::vector<SectionPath>& spared) {
+  const ClipperLib::Paths tool = toolPaths(sweeps, spared);
+  const Bounds box = boundsOf(tool);
+  if (empty() || tool.empty() || !impl_->reaches(box)) return 0.0;
+  const double rounding = impl_->roundingVolume();
+  if (impl_->points() > kFewPoints) {
+    const WindowCut window(impl_->loops, box.low, box.high);
+    const Difference local = difference(window.inside(), tool, motion, rounding);
+    if (local.taken_mm3 <= 0.0) return 0.0;
+    std::vector<Loop> joined;
+    if (window.join(local.loops, joined)) {
+      impl_->loops = std::move(joined);
+      impl_->measure();
+      return local.taken_mm3;
+    }
+  }
+  Difference whole = difference(impl_->loops, tool, motion, rounding);
+  if (whole.taken_mm3 <= 0.0) return 0.0;
+  cleanAll(whole.loops);
+  impl_->loops = std::move(whole.loops);
   impl_->measure();
-  return taken;
+  return whole.taken_mm3;
 }
 
 std::vector<SectionPiece> SectionArea::common(const std::vector<SectionPath>& sweeps,
                                               const std::vector<SectionPath>& spared) const {
   std::vector<SectionPiece> pieces;
   const ClipperLib::Paths tool = toolPaths(sweeps, spared);
-  if (empty() || tool.empty() || !impl_->reaches(tool)) return pieces;
-  for (const auto& path : impl_->shared(tool)) {
+  const Bounds box = boundsOf(tool);
+  if (empty() || tool.empty() || !impl_->reaches(box)) return pieces;
+  const bool few = impl_->points() <= kFewPoints;
+  const ClipperLib::Paths both =
+      few ? combined(impl_->loops, tool, ClipperLib::ctIntersection)
+          : combined(WindowCut(impl_->loops, box.low, box.high).inside(), tool, ClipperLib::ctIntersection);
+  for (const auto& path : both) {
     if (!ClipperLib::Orientation(path)) continue;
     SectionPiece piece;
     for (const IntPoint& p : path) piece.outline.push_back(toMm(p));
