@@ -167,6 +167,20 @@ void addDeviations(const Comparison& comparison, const Toolpath& path, const Rec
   for (const DeviationPatch& patch : comparison.undecided) add(patch, false);
 }
 
+void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& comparison,
+                std::vector<Finding>& findings) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    Finding finding;
+    finding.kind = "not_compared";
+    finding.severity = Severity::kNote;
+    finding.area_mm2 = comparison.ignored_mm2[i];
+    finding.message =
+        fmt::format("region '{}', {} mm2 of the part's surface, is not compared with the nominal",
+                    regions[i].name, figure(comparison.ignored_mm2[i]));
+    findings.push_back(std::move(finding));
+  }
+}
+
 void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBody>& bodies,
                 std::vector<Finding>& findings) {
   Finding finding;

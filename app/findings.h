@@ -32,6 +32,10 @@ void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, con
 void addDeviations(const Comparison& comparison, const Toolpath& path, const RecordingSource& texts,
                    std::vector<Finding>& findings);
 
+/// Regions that the job leaves out of the comparison (notes).
+void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& comparison,
+                std::vector<Finding>& findings);
+
 /// What the outcome as a whole tells: nothing of the blank is left (an error: there is no part that could
 /// pass), nothing was cut, or pieces came loose (warnings).
 void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBody>& bodies,

@@ -43,6 +43,7 @@ Result<Comparison> comparePart(const Job& job, const PreparedMesh& nominal, cons
   options.resolution_mm = run.resolution_mm;
   options.uncertainty_mm = partUncertainty(run) + simplification(job, run.resolution_mm);
   options.threads = job.simulation.threads;
+  options.ignored = job.nominal->ignored;
   progress.report("comparing", 0.0);
   return compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
 }
@@ -379,6 +380,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   Result<Comparison> comparison = comparePart(job, *prepared.nominal, run, progress);
   if (!comparison) return comparison.error();
   run.comparison = std::move(*comparison);
+  addIgnored(job.nominal->ignored, *run.comparison, run.findings);
   if (turnsPart(job)) run.nominal = std::move(prepared.nominal->mesh);
   blameDeviations(sources, run);
   run.performance.compare_s = watch.lap();

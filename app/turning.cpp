@@ -359,6 +359,7 @@ Status writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& s
   if (job.nominal) {
     options.gouge_mm = job.nominal->gouge_mm;
     options.excess_mm = job.nominal->excess_mm;
+    options.ignored = job.nominal->ignored;
   }
   return writeProfileChart(machined, run.nominal ? &*run.nominal : nullptr, options, staging, report);
 }

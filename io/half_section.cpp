@@ -100,8 +100,9 @@ std::vector<SectionSegment> edgesOf(const std::vector<std::vector<Vec2>>& loops)
 
 class ProfileSampler {
  public:
-  ProfileSampler(const std::vector<std::vector<Vec2>>& loops, const std::vector<SectionSegment>& nominal)
-      : loops_(loops), nominal_(nominal), edges_(edgesOf(loops)) {
+  ProfileSampler(const std::vector<std::vector<Vec2>>& loops, const std::vector<SectionSegment>& nominal,
+                 const std::vector<IgnoredRegion>& ignored)
+      : loops_(loops), nominal_(nominal), ignored_(ignored), edges_(edgesOf(loops)) {
     for (const SectionSegment& edge : edges_)
       if (isSurface(edge)) length_ += (edge[1] - edge[0]).norm();
     with_corners_ = edges_.size() <= kMaxEdgesWithCorners;
@@ -148,6 +149,12 @@ class ProfileSampler {
   }
 
   void add(const Vec2& at) {
+    const Vec3 place(at.x(), 0.0, at.y());
+    if (std::any_of(ignored_.begin(), ignored_.end(),
+                    [&](const IgnoredRegion& r) { return r.contains(place); })) {
+      broken_ = true;
+      return;
+    }
     Vec2 nearest = nominal_.front()[0];
     for (const SectionSegment& segment : nominal_) {
       const Vec2 p = nearestOn(segment, at);
@@ -178,6 +185,7 @@ class ProfileSampler {
 
   const std::vector<std::vector<Vec2>>& loops_;
   const std::vector<SectionSegment>& nominal_;
+  const std::vector<IgnoredRegion>& ignored_;
   std::vector<SectionSegment> edges_;
   double length_ = 0.0, step_ = 0.0, next_ = 0.0;
   bool with_corners_ = false, broken_ = true;
@@ -222,7 +230,8 @@ std::vector<std::vector<Vec2>> halfSectionLoops(const TriMesh& mesh) {
 }
 
 ProfileDeviations profileDeviations(const std::vector<std::vector<Vec2>>& machined,
-                                    const std::vector<SectionSegment>& nominal) {
+                                    const std::vector<SectionSegment>& nominal,
+                                    const std::vector<IgnoredRegion>& ignored) {
   const auto allFinite = [](const std::vector<Vec2>& loop) {
     return std::all_of(loop.begin(), loop.end(), [](const Vec2& p) { return p.allFinite(); });
   };
@@ -230,7 +239,7 @@ ProfileDeviations profileDeviations(const std::vector<std::vector<Vec2>>& machin
       !std::all_of(machined.begin(), machined.end(), allFinite)) {
     return {};
   }
-  return ProfileSampler(machined, nominal).sample();
+  return ProfileSampler(machined, nominal, ignored).sample();
 }
 
 }  // namespace proveout

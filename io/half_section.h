@@ -8,6 +8,7 @@
 
 #include "core/geometry/types.h"
 #include "core/mesh/tri_mesh.h"
+#include "removal/compare.h"
 
 namespace proveout {
 
@@ -40,7 +41,9 @@ inline constexpr std::size_t kMaxProfileSamples = 2000;
 /// Samples the loops at their corners and evenly between, where they have
 /// few enough corners, else evenly. Edges on the axis are no surface and left out. No samples without a
 /// nominal, without a loop or with numbers that are not finite.
+/// What lies in an ignored region gets no samples.
 ProfileDeviations profileDeviations(const std::vector<std::vector<Vec2>>& machined,
-                                    const std::vector<SectionSegment>& nominal);
+                                    const std::vector<SectionSegment>& nominal,
+                                    const std::vector<IgnoredRegion>& ignored = {});
 
 }  // namespace proveout

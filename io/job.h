@@ -18,6 +18,7 @@
 #include "core/nc/control_settings.h"
 #include "core/tool/tool.h"
 #include "io/mesh_io.h"
+#include "removal/compare.h"
 #include "removal/stock_shape.h"
 
 namespace proveout {
@@ -33,8 +34,9 @@ using StockSpec = std::variant<BoxShape, CylinderShape, MeshFile, SavedStock>;
 
 struct NominalSpec {
   MeshFile mesh;
-  double gouge_mm = 0.02;   ///< allowed below nominal, > 0
-  double excess_mm = 0.05;  ///< allowed above nominal, > 0
+  double gouge_mm = 0.02;              ///< allowed below nominal, > 0
+  double excess_mm = 0.05;             ///< allowed above nominal, > 0
+  std::vector<IgnoredRegion> ignored;  ///< not compared; names differ and are not empty
 };
 
 struct SimulationSpec {

@@ -346,6 +346,54 @@ void readStock(ConfigTable& root, Job& job) {
   stock->refuseOthers();
 }
 
+/// `z = [a, b]`, `radius = [a, b]`: two numbers, the first below the second.
+std::optional<Vec2> readRange(ConfigTable& table, const char* key, const NumberRange& range) {
+  const ConfigValue* value = table.find(key);
+  if (value == nullptr) return std::nullopt;
+  if (value->type != Type::kArray || value->items.size() != 2) {
+    table.error(key, "job-type", fmt::format("{} is a list of two numbers, the lower one first", key));
+    return std::nullopt;
+  }
+  const auto low = readNumber(table.document(), value->items[0], key, range);
+  const auto high = readNumber(table.document(), value->items[1], key, range);
+  if (!low || !high) return std::nullopt;
+  if (*low >= *high) {
+    table.error(key, "job-value", fmt::format("the first number of {} must be below the second", key));
+    return std::nullopt;
+  }
+  return Vec2(*low, *high);
+}
+
+void readIgnored(ConfigTable& table, NominalSpec& nominal) {
+  IgnoredRegion region;
+  if (const auto name = table.must("name").text("name")) region.name = *name;
+  const auto min = table.point("min"), max = table.point("max");
+  const auto z = readRange(table, "z", {-1e5, 1e5, false}),
+             radius = readRange(table, "radius", {0.0, 1e5, false});
+  if (min) region.box.min = *min;
+  if (max) region.box.max = *max;
+  if (z) {
+    region.box.min.z() = z->x();
+    region.box.max.z() = z->y();
+  }
+  if (radius) {
+    region.inner_radius = radius->x();
+    region.outer_radius = radius->y();
+  }
+  const bool box = table.find("min") != nullptr && table.find("max") != nullptr;
+  const bool round = table.find("z") != nullptr;
+  if (box == round)
+    table.error("name", "job-missing", "a region is given by min and max or by z (and radius)");
+  if (box && min && max && (min->array() >= max->array()).any())
+    table.error("max", "job-value", "every max must be above its min");
+  for (const IgnoredRegion& other : nominal.ignored) {
+    if (other.name == region.name)
+      table.error("name", "job-value", fmt::format("there are two regions '{}'", region.name));
+  }
+  table.refuseOthers();
+  nominal.ignored.push_back(std::move(region));
+}
+
 void readNominal(ConfigTable& root, Job& job) {
   auto table = root.table("nominal");
   if (!table) return;
@@ -354,8 +402,9 @@ void readNominal(ConfigTable& root, Job& job) {
   nominal.mesh.unit = readUnit(*table);
   if (const auto gouge = table->number("gouge", kPositiveLength)) nominal.gouge_mm = *gouge;
   if (const auto excess = table->number("excess", kPositiveLength)) nominal.excess_mm = *excess;
+  for (ConfigTable& region : table->tables("ignore")) readIgnored(region, nominal);
   table->refuseOthers();
-  job.nominal = nominal;
+  job.nominal = std::move(nominal);
 }
 
 void readInterrupts(ConfigTable& root, ConfigTable& panel, Job& job) {

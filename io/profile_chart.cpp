@@ -63,7 +63,7 @@ class Drawing {
       : machined_(machined),
         nominal_(nominal),
         options_(options),
-        deviations_(profileDeviations(machined, nominal)),
+        deviations_(profileDeviations(machined, nominal, options.ignored)),
         r_low_(extent.least.x() > 0.6 * extent.most.x() ? extent.least.x() : 0.0),
         r_high_(extent.most.x()),
         z_low_(extent.least.y()),

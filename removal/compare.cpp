@@ -4,9 +4,11 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <new>
 
 #include "removal/deviation_patches.h"
@@ -55,6 +57,35 @@ SampledSide toSide(const SampleMesh& mesh, const std::vector<SurfaceDistance>& d
     side.opposite.push_back(d.triangle);
   }
   return side;
+}
+
+bool ignored(const std::vector<IgnoredRegion>& regions, const Vec3& p) {
+  return std::any_of(regions.begin(), regions.end(), [&](const IgnoredRegion& r) { return r.contains(p); });
+}
+
+void leaveOut(const std::vector<IgnoredRegion>& regions, SampledSide& side) {
+  if (regions.empty()) return;
+  for (std::size_t i = 0; i < side.deviation.size(); ++i) {
+    if (ignored(regions, side.mesh->surface.points[i])) side.deviation[i] = 0.0f;
+  }
+}
+
+/// Area of the triangles in each region, by their middles, mm2; vertices there get no colour.
+void tellIgnored(const TriMesh& machined, const std::vector<IgnoredRegion>& regions, Comparison& out) {
+  out.ignored_mm2.assign(regions.size(), 0.0);
+  if (regions.empty()) return;
+  for (const auto& t : machined.triangles) {
+    const Vec3 a = machined.positions[t[0]].cast<double>(), b = machined.positions[t[1]].cast<double>(),
+               c = machined.positions[t[2]].cast<double>();
+    const auto in = [&](const IgnoredRegion& r) { return r.contains((a + b + c) / 3.0); };
+    const auto found = std::find_if(regions.begin(), regions.end(), in);
+    if (found != regions.end())
+      out.ignored_mm2[static_cast<std::size_t>(found - regions.begin())] += 0.5 * (b - a).cross(c - a).norm();
+  }
+  for (std::size_t i = 0; i < out.vertex_deviation.size(); ++i) {
+    if (ignored(regions, machined.positions[i].cast<double>()))
+      out.vertex_deviation[i] = std::numeric_limits<float>::quiet_NaN();
+  }
 }
 
 /// Grid spacing at which the error, which goes with its square, is less than the distance to the tolerance.
@@ -135,11 +166,13 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
     coarse.triangles = nominal.triangles;
     const SignedDistance to_nominal(coarse);
     sides.machined = toSide(part, to_nominal.at(part.surface.points, progress, 0.1, 0.5), false);
+    leaveOut(o.ignored, sides.machined);
   }
   if (progress.cancelled()) return interrupted;
   {
     const SignedDistance to_machined(part.surface);
     sides.nominal = toSide(goal, to_machined.at(goal.surface.points, progress, 0.6, 0.95), true);
+    leaveOut(o.ignored, sides.nominal);
   }
   if (progress.cancelled()) return interrupted;
   Comparison out;
@@ -158,6 +191,7 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   out.vertex_deviation.assign(
       sides.machined.deviation.begin(),
       sides.machined.deviation.begin() + static_cast<std::ptrdiff_t>(machined.positions.size()));
+  tellIgnored(machined, o.ignored, out);
   out.nominal_tessellation_mm = estimateTessellation(nominal);
   out.machined_spacing_mm = part.spacing_mm;
   out.nominal_spacing_mm = goal.spacing_mm;

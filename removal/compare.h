@@ -9,7 +9,9 @@
 // Only the .cpp files behind this header see CGAL.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,21 @@ struct PreparedMesh {
 /// many edges are open). `name` stands in front of messages ("bracket.stl").
 Result<PreparedMesh> prepareNominal(const TriMesh& mesh, const std::string& name);
 
+/// Part of space that is left out of a comparison: what lies in the box and between the radii about the Z
+/// axis. A thread that the nominal shows as a plain cylinder is the usual reason.
+struct IgnoredRegion {
+  std::string name;
+  Box3 box{Vec3::Constant(-std::numeric_limits<double>::infinity()),
+           Vec3::Constant(std::numeric_limits<double>::infinity())};
+  double inner_radius = 0.0, outer_radius = std::numeric_limits<double>::infinity();  ///< mm
+
+  bool contains(const Vec3& p) const {
+    const double r = std::hypot(p.x(), p.y());
+    return (p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all() &&
+           r >= inner_radius && r <= outer_radius;
+  }
+};
+
 struct CompareOptions {
   double gouge_mm = 0.02;      ///< allowed below nominal, >= 0
   double excess_mm = 0.05;     ///< allowed above nominal, >= 0
@@ -40,7 +57,8 @@ struct CompareOptions {
   /// Half-width of the error of the machined surface (about resolution^2 / (8 r) on a wall of radius r):
   /// deviations closer than this to a tolerance are reported as undecided. 0: the mesh is taken as exact.
   double uncertainty_mm = 0.0;
-  int threads = 0;  ///< 0: all cores; the result does not depend on it
+  int threads = 0;                     ///< 0: all cores; the result does not depend on it
+  std::vector<IgnoredRegion> ignored = {};  ///< points in one of them count as without deviation
 };
 
 enum class DeviationKind : std::uint8_t { kGouge, kExcess };
@@ -77,7 +95,8 @@ struct Comparison {
     std::vector<double> edges_mm;  ///< ascending; the outermost bins also hold everything beyond them
     std::vector<double> area_mm2;  ///< of the machined surface, one fewer than edges
   } histogram;
-  std::vector<float> vertex_deviation;  ///< per vertex of the machined mesh, mm; for the heat map
+  std::vector<float> vertex_deviation;  ///< per vertex of the machined mesh, mm; NaN where it is ignored
+  std::vector<double> ignored_mm2;      ///< of the machined surface, per region of CompareOptions::ignored
   /// Estimated distance of the nominal's facets from the curved surface that they stand for: the largest
   /// chord height between neighbouring facets that meet at less than 20 degrees. 0 for flat-faced parts.
   double nominal_tessellation_mm = 0.0;

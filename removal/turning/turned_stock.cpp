@@ -237,7 +237,8 @@ class Turning {
     if (motion.kind != MotionKind::kRapid && motion.spindle == 0.0)
       contact(ContactKind::kSpindleOff, id, sweeps, spared);
     if (tool.insert) {
-      if (const auto backs = tool.sweptBacks(way); !backs.empty())
+      const bool rapid = motion.kind == MotionKind::kRapid;  // told as such already
+      if (const auto backs = tool.sweptBacks(way); !rapid && !backs.empty())
         contact(ContactKind::kInsertBack, id, backs, tool.sweptEdges(way));
     } else if (std::max(std::abs(way.from.x()), std::abs(way.to.x())) > kTouch) {
       contact(ContactKind::kAxis, id, sweeps, {});

@@ -53,6 +53,27 @@ TEST(Compare, ShiftedBoxIsExcessAheadAndGougeBehind) {
   }
 }
 
+TEST(Compare, IgnoredRegionsAreLeftOutAndTold) {
+  const TriMesh machined = shapes::box({0.1, 0, 0}, {10.1, 10, 10});
+  IgnoredRegion right, left;
+  right.box.min.x() = 9.0;
+  CompareOptions options{.resolution_mm = 0.5};
+  options.ignored = {right};
+  const Comparison half = compared(machined, kNominalBox, options);
+  ASSERT_EQ(half.patches.size(), 1u);
+  EXPECT_EQ(half.patches[0].kind, DeviationKind::kGouge);
+  EXPECT_LT(half.max_excess_mm, 0.001);
+  ASSERT_EQ(half.ignored_mm2.size(), 1u);
+  EXPECT_GE(half.ignored_mm2[0], 99.9);  // the end face; triangles of the sides reach far beyond
+  EXPECT_LT(half.ignored_mm2[0], 101.0);
+  for (std::size_t i = 0; i < machined.positions.size(); ++i)
+    EXPECT_EQ(std::isnan(half.vertex_deviation[i]), machined.positions[i].x() > 9.0f);
+  // By radius: everything nearer to the axis than 5.
+  left.outer_radius = 20.0;
+  options.ignored = {right, left};
+  EXPECT_TRUE(compared(machined, kNominalBox, options).pass());
+}
+
 TEST(Compare, WithinToleranceIsNoPatch) {
   const TriMesh machined = shapes::box({0.015, 0, 0}, {10.015, 10, 10});
   const Comparison c =

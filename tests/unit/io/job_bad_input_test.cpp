@@ -143,6 +143,14 @@ TEST(BadJob, ValuesOutOfRange) {
               HasSubstr("not both"));
   EXPECT_THAT(refusedTool("type = 'cone'\ndiameter = 3\ncone_angle = 180"), HasSubstr("cone_angle must be"));
   EXPECT_THAT(refusedEnd("[nominal]\nmesh = 'bracket.stl'\ngouge = -1"), HasSubstr("gouge must be above 0"));
+  const std::string ignore = "[nominal]\nmesh = 'bracket.stl'\n[[nominal.ignore]]\n";
+  EXPECT_THAT(refusedEnd(ignore + "z = [0, 1]"), HasSubstr("needs the key 'name'"));
+  EXPECT_THAT(refusedEnd(ignore + "name = 'a'\nradius = [1, 2]"), HasSubstr("by min and max or by z"));
+  EXPECT_THAT(refusedEnd(ignore + "name = 'a'\nz = [2, 1]"), HasSubstr("must be below the second"));
+  EXPECT_THAT(refusedEnd(ignore + "name = 'a'\nz = [0, 1]\n[[nominal.ignore]]\nname = 'a'\nz = [2, 3]"),
+              HasSubstr("two regions 'a'"));
+  EXPECT_THAT(refusedEnd(ignore + "name = 'a'\nmin = [0, 0, 0]\nmax = [1, 0, 1]"),
+              HasSubstr("every max must be above its min"));
 }
 
 TEST(BadJob, ToolsThatCannotBe) {

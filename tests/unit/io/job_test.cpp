@@ -306,6 +306,30 @@ overall_length = 40
   EXPECT_EQ(job->tools[6].outline[5].z, 8);
 }
 
+TEST(Job, ReadsRegionsThatAreNotCompared) {
+  JobFolder folder;
+  const auto job = folder.load(kSmallJob + R"(
+[nominal]
+mesh = "bracket.stl"
+[[nominal.ignore]]
+name = "thread"
+z = [-26, 0]
+radius = [8, 11]
+[[nominal.ignore]]
+name = "label"
+min = [0, 0, -1]
+max = [20, 10, 1]
+)");
+  ASSERT_TRUE(job);
+  ASSERT_EQ(job->nominal->ignored.size(), 2u);
+  const IgnoredRegion &thread = job->nominal->ignored[0], &label = job->nominal->ignored[1];
+  EXPECT_TRUE(thread.contains({0, -9, -25}));
+  EXPECT_FALSE(thread.contains({0, -7, -25}));
+  EXPECT_FALSE(thread.contains({0, -9, 1}));
+  EXPECT_TRUE(label.contains({10, 5, 0}));
+  EXPECT_FALSE(label.contains({10, 11, 0}));
+}
+
 TEST(Job, ReadsInserts) {
   JobFolder folder;
   const auto job = folder.load(kSmallJob + R"(
