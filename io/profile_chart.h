@@ -11,7 +11,7 @@ namespace proveout {
 struct ProfileChartOptions {
   std::string name;                          ///< of the part; any text
   double gouge_mm = 0.02, excess_mm = 0.05;  ///< tolerances, >= 0; deviations beyond them are coloured
-  std::vector<IgnoredRegion> ignored;        ///< no deviations there
+  std::vector<IgnoredRegion> ignored = {};   ///< no deviations there
   double magnification = 0.0;                ///< of deviations; 0: chosen, 1, 2 or 5 times a power of ten
 };
 
