@@ -21,6 +21,10 @@ constexpr double kTouch = 1e-3;
 constexpr double kOff = 1e-6;
 /// Half-planes in which the volume of threads is estimated.
 constexpr int kThreadPlanes = 4;
+/// A thread of more turns is a slip in the program, and would take minutes.
+constexpr double kMostTurns = 2000.0;
+/// Turns that are cut into a plane at once: sets of overlapping polygons cost the square of their number.
+constexpr std::size_t kTurnsAtOnce = 32;
 
 Vec2 inPlane(const Vec3& p) { return {p.x(), p.z()}; }
 
@@ -167,8 +171,10 @@ Status checkPath(const Toolpath& path, const std::vector<Tool>& tools) {
     const AxisSweep* axis = motion.axis < 0 ? nullptr : &path.axes[static_cast<std::size_t>(motion.axis)];
     const auto same = [&](const Tool& tool) { return tool.number == motion.tool; };
     const bool defined = std::any_of(tools.begin(), tools.end(), same);
-    const char* const obstacle =
+    const char* obstacle =
         defined ? turningObstacle(motion, arcOf(path, motion), axis) : "a tool that is not defined";
+    if (motion.kind == MotionKind::kThread && !(threadTurns(path, motion) <= kMostTurns))
+      obstacle = "a thread of more than 2000 turns";
     if (obstacle == nullptr || motion.kind == MotionKind::kProbe) continue;
     return inputError(fmt::format("{}:{}: {}: this cannot be turned", path.files[motion.source.file],
                                   motion.source.line, obstacle));
@@ -294,7 +300,12 @@ class Turning {
     double sum = 0.0;
     for (int k = 0; k < kThreadPlanes; ++k) {
       const double angle = 2.0 * kPi * k / kThreadPlanes;
-      sum += planes_[static_cast<std::size_t>(k)].subtract(passesThrough(sweep, angle), sweep.motion);
+      const std::vector<SectionPath> passes = passesThrough(sweep, angle);
+      for (std::size_t i = 0; i < passes.size(); i += kTurnsAtOnce) {
+        const auto from = passes.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto count = static_cast<std::ptrdiff_t>(std::min(kTurnsAtOnce, passes.size() - i));
+        sum += planes_[static_cast<std::size_t>(k)].subtract({from, from + count}, sweep.motion);
+      }
     }
     return sum / kThreadPlanes;
   }
