@@ -33,7 +33,7 @@ std::string_view contactText(ContactKind kind) {
     case ContactKind::kInsertBack:
       return "a side of the insert that does not cut here runs into the part";
     case ContactKind::kAxis:
-      return "the tool cuts beyond the spindle axis";
+      return "the tool cuts beyond the spindle axis (a drill or mill: off it)";
   }
   return "contact with the stock";
 }

@@ -112,6 +112,9 @@ Status checkTurning(const Job& job, const Blank& blank) {
   if (!stock) return stock.error();
   const TurnedShape shape = stock->shape();
   for (std::size_t k = 0; k < setupCount(job); ++k) {
+    if (const std::optional<Vec3> start = jobOfSetup(job, k).start; start && start->y() != 0.0)
+      return inputError(
+          fmt::format("the start point has Y{:g}: a lathe's tools move in the plane Y0", start->y()));
     for (const FixtureSpec& fixture : jobOfSetup(job, k).fixtures) {
       const Result<StockShape> round = loadStockShape(fixture.shape);
       if (!round) return round.error();
