@@ -33,8 +33,10 @@ struct Case {
   std::function<std::string()> text = {};  ///< makes the program; empty: it is one of the shared programs
   std::string stock, tool;                 ///< options of `proveout run`
   double grid_mm = 0.0;
-  std::optional<double> exact_mm3 = {};  ///< of the part
-  bool heavy = false;                    ///< run on request only
+  std::optional<double> exact_mm3 = {};   ///< of the part
+  bool heavy = false;                     ///< run on request only
+  std::string job_file = {};              ///< where there is a job in place of stock and tool
+  std::function<std::string()> job = {};  ///< makes it
 };
 
 struct Options {
@@ -44,6 +46,12 @@ struct Options {
 };
 
 constexpr const char* kShared = PROVEOUT_SHARED_PROGRAMS;
+constexpr const char* kShaft = PROVEOUT_PARTS "/wl4_shaft";
+
+std::string readFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 std::vector<Case> samplePrograms() {
   const Case bear{.name = "bear", .file = "bear.nc", .stock = "box:0,0,-20:80,80,0", .tool = "1=ball:3.175"};
@@ -99,6 +107,29 @@ std::vector<Case> generatedCases() {
   return cases;
 }
 
+/// The turned sample: without its thread, where there is no grid and the mesh follows the job's profile
+/// resolution, and whole on a grid.
+std::vector<Case> turnedCases() {
+  const auto program = [] { return readFile(std::string(kShaft) + "/shaft.nc"); };
+  const auto job = [](const std::string& file) {
+    return [file] { return shaftJob(readFile(std::string(kShaft) + "/job.toml"), file); };
+  };
+  return {{.name = "shaft profile",
+           .file = "profile.nc",
+           .text = [program] { return shaftWithoutThread(program()); },
+           .grid_mm = 0.01,
+           .exact_mm3 = shaftVolumeWithoutThread(),
+           .job_file = "profile.toml",
+           .job = job("profile.nc")},
+          {.name = "shaft",
+           .file = "shaft.nc",
+           .text = program,
+           .grid_mm = 0.05,
+           .exact_mm3 = 87338.98,  // parts/make_nominals.py: the thread's sections added up
+           .job_file = "shaft.toml",
+           .job = job("shaft.nc")}};
+}
+
 /// The folder in which everything happens; it goes with the object.
 class Workplace {
  public:
@@ -122,11 +153,6 @@ class Workplace {
   fs::path folder_;
 };
 
-std::string readFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::string programPath() {
   std::error_code error;
   return (fs::read_symlink("/proc/self/exe", error).parent_path() / "proveout").string();
@@ -135,10 +161,18 @@ std::string programPath() {
 /// Removal time of each case that ran, for the lines below the table.
 using RemovalTimes = std::map<std::string, double>;
 
+/// Of the part, without what is parted from it, mm3.
+double partVolume(const nlohmann::json& stock) {
+  for (const nlohmann::json& body : stock.at("bodies")) {
+    if (body.at("role") == "part") return body.at("volume_mm3");
+  }
+  return stock.at("final_mm3");
+}
+
 void printReport(const Case& c, const nlohmann::json& report, const ChildOutcome& child,
                  RemovalTimes& removal) {
   const nlohmann::json &time = report.at("performance"), &stock = report.at("stock");
-  const double volume = stock.at("final_mm3");
+  const double volume = partVolume(stock);
   removal[c.name] = time.at("remove_s");
   fmt::print("{:<22} {:>5.2f} {:>8} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.0f} {:>9} {:>12.3f}", c.name,
              c.grid_mm, report.at("program").at("motions").get<std::size_t>(), removal[c.name],
@@ -152,10 +186,15 @@ void runCase(const Case& c, const Options& options, const Workplace& work, Remov
   const std::string program = c.text ? work.path(c.file) : std::string(kShared) + "/" + c.file;
   if (c.text && !fs::exists(program)) work.write(c.file, c.text());
   const std::string out = work.path("out");
-  const ChildOutcome child =
-      runChild({programPath(), "run", program, "--control", "nct", "--stock", c.stock, "--tool", c.tool,
-                "--resolution", fmt::format("{}", c.grid_mm), "--no-render", "--format", "stl", "--out", out},
-               work.path("errors"), options.limit_s);
+  std::vector<std::string> arguments{programPath(), "run"};
+  if (c.job) {
+    arguments.push_back(work.write(c.job_file, c.job()));
+  } else {
+    arguments.insert(arguments.end(), {program, "--control", "nct", "--stock", c.stock, "--tool", c.tool});
+  }
+  arguments.insert(arguments.end(), {"--resolution", fmt::format("{}", c.grid_mm), "--no-render", "--format",
+                                     "stl", "--out", out});
+  const ChildOutcome child = runChild(arguments, work.path("errors"), options.limit_s);
   const std::string report = readFile(out + "/report.json");
   if (child.ended && child.exit_code <= 1 && !report.empty()) {
     printReport(c, nlohmann::json::parse(report), child, removal);
@@ -245,6 +284,7 @@ int run(const Options& options) {
   if (!shared) fmt::print("the sample programs are not beside this checkout: their cases are left out\n");
   std::vector<Case> cases = shared ? samplePrograms() : std::vector<Case>{};
   for (Case& c : generatedCases()) cases.push_back(std::move(c));
+  for (Case& c : turnedCases()) cases.push_back(std::move(c));
   fmt::print("{:<22} {:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>12} {:>9}\n", "case", "grid",
              "motions", "remove s", "mesh s", "whole s", "cpu s", "peak MB", "triangles", "part mm3",
              "error");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
+#include <stdexcept>
 
 namespace proveout::bench {
 
@@ -14,6 +16,26 @@ constexpr double kSide = 200.0;
 
 double surfaceHeight(double x, double y) {
   return -8.0 + 3.0 * std::sin(x / 23.0) * std::cos(y / 31.0) + 1.5 * std::sin((x + 2.0 * y) / 17.0);
+}
+
+/// `text` without what goes from `first` up to `next`.
+std::string without(const std::string& text, const std::string& first, const std::string& next) {
+  const std::size_t from = text.find(first), to = text.find(next, from);
+  if (from == std::string::npos || to == std::string::npos)
+    throw std::runtime_error("the sample shaft has no '" + first + "' before '" + next + "'");
+  return text.substr(0, from) + text.substr(to);
+}
+
+/// Volume of a cone's frustum, mm3.
+double frustum(double length, double r0, double r1) {
+  return std::numbers::pi / 3.0 * length * (r0 * r0 + r0 * r1 + r1 * r1);
+}
+
+/// Volume inside a quarter of a circle of radius `rho` round (c, z) in the half section, over its own length:
+/// `side` 1 where the circle bulges out of the material, -1 where it is hollow. By Pappus' rule, mm3.
+double quarter(double c, double rho, double side) {
+  const double pi = std::numbers::pi;
+  return pi * rho * (c * c + side * c * pi * rho / 2.0 + 2.0 / 3.0 * rho * rho);
 }
 
 }  // namespace
@@ -59,6 +81,23 @@ std::string macroLoopProgram(int passes) {
   return fmt::format(
       "#1=0\n#2=0\nWHILE[#1LT{}]DO1\n#1=#1+1\n#2=#2+SQRT[#1*2.5]/3\n#100=[#1MOD7]*COS#2\nEND1\nM30\n",
       passes);
+}
+
+std::string shaftWithoutThread(const std::string& program) { return without(program, "N25 ", "N30 "); }
+
+std::string shaftJob(const std::string& job, const std::string& program_file) {
+  std::string text = without(job, "[nominal]", "[[tool]]");
+  const std::string named = "program = \"shaft.nc\"";
+  const std::size_t at = text.find(named);
+  if (at == std::string::npos) throw std::runtime_error("the sample shaft's job names another program");
+  return text.replace(at, named.size(), "program = \"" + program_file + "\"");
+}
+
+double shaftVolumeWithoutThread() {
+  const double thread = frustum(2, 8, 10) + frustum(24, 10, 10);
+  const double undercut = 2 * quarter(8.2, 0.2, -1) + frustum(3.6, 8, 8);
+  const double cone = frustum(20, 12, 16) + frustum(12, 16, 16) + quarter(20, 4, -1);
+  return thread + undercut + cone + quarter(20.5, 2, 1) + frustum(32, 22.5, 22.5);
 }
 
 }  // namespace proveout::bench

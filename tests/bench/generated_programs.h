@@ -23,4 +23,13 @@ std::string repeatedProgram(const std::string& program, int blocks);
 /// motion.
 std::string macroLoopProgram(int passes);
 
+/// The program of parts/wl4_shaft without the blocks of its thread tool.
+std::string shaftWithoutThread(const std::string& program);
+
+/// The job of parts/wl4_shaft with another program and without its nominal.
+std::string shaftJob(const std::string& job, const std::string& program_file);
+
+/// Volume of the shaft without its thread, by the drawing, mm3.
+double shaftVolumeWithoutThread();
+
 }  // namespace proveout::bench
