@@ -95,6 +95,7 @@ Status writeProgramFiles(const std::map<std::string, std::string>& files, const 
 Status writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, StagingFolder& staging,
                    Report& report) {
   for (const OutputFormat format : job.output.formats) {
+    if (format == OutputFormat::kVdb && stock == nullptr) continue;  // turning left nothing to make a grid of
     const bool second_stl = format == OutputFormat::kStlAscii && job.output.formats.size() > 1;
     const std::string file =
         fmt::format("{}{}.{}", fileName(job.name), second_stl ? "-ascii" : "", outputFormatExtension(format));

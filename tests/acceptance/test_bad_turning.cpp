@@ -95,7 +95,8 @@ const Turning kTurnings[] = {
     {"beyond_the_axis", job(), program("G0 X50 Z5\nG0 X-36\nG1 Z-20 F0.1\nX-50\nG0 Z5\nX50\n"), "", 1,
      "error[axis_crossing]"},
     {"rapid_into_the_bar", job(), program("G0 X36 Z5\nG0 Z-20\nG0 X50\n"), "", 1, "error[rapid_contact]"},
-    {"plunge", job(), program("G0 X50 Z-10\nG1 X30 F0.1\nG0 X50\n"), "", 1, "error[insert_contact]"},
+    {"contour_too_steep", job(), program("G0 X44 Z-5\nG1 X30 Z-9 F0.1\nG0 X50\n"), "", 1,
+     "error[insert_contact]"},
     {"nothing_left", job(), partedToPieces(), "", 1, "error[no_part]"},
 };
 
@@ -108,7 +109,7 @@ TEST(BadTurning, AThreadThatIsCutAwayLeavesNoPart) {
   for (int z = -53; z < 3; z += 2) body += "G0 X50 Z" + std::to_string(z) + "\nG1 X-2 F0.1\nG0 X50\n";
   bench.write("part.nc", program(body));
   bench.write("job.toml", job());
-  const Outcome outcome = bench.run("run job.toml --out out --csv");
+  const Outcome outcome = bench.run("run job.toml --out out --csv --format stl,vdb");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   EXPECT_TRUE(has(outcome.err, "error[no_part]")) << outcome.err;
 }
