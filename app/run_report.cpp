@@ -156,7 +156,7 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
       {"tool", 0.0,
        turned ? "inserts are exact outlines; wear, deflection and the height of the tip are not simulated"
               : "tools are exact solids of revolution; runout, wear and deflection are not simulated"});
-  terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
+  if (!turned) terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
   if (run.comparison) {
     terms.push_back({"nominal", run.comparison->nominal_tessellation_mm,
                      "chord height of the nominal's facets, estimated from neighbouring facets"});
