@@ -40,6 +40,7 @@ proveout_add_library(removal
   surface_mend.cpp
   surface_merge.cpp
   surface_quads.cpp
+  surface_sharpen.cpp
   surface_splits.cpp
   vertex_refiner.cpp)
 # Eigen's checks of indices cost a twentieth of meshing; the dev and sanitizer presets have them.

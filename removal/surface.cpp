@@ -17,6 +17,7 @@
 #include "removal/surface_mend.h"
 #include "removal/surface_merge.h"
 #include "removal/surface_quads.h"
+#include "removal/surface_sharpen.h"
 #include "removal/surface_splits.h"
 #include "removal/threads.h"
 
@@ -28,6 +29,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Part of the tolerance that the heights of a merged patch may take: a triangle between the middles of
 /// patches leaves the surface as much as each patch leaves its plane, and normals turn in between.
 constexpr double kFlatnessShare = 0.5;
+/// Part of it that edges between the vertices may be cut off by.
+constexpr double kSharpShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
 /// Quads are made finer where their crossing is off by half the tolerance, or by this part of the grid
 /// spacing.
@@ -73,7 +76,8 @@ class Extractor {
       : impl_(impl),
         grid_(impl, kFlatnessShare * simplify_mm / impl.h),
         merger_(grid_, kFlatnessShare * simplify_mm / impl.h),
-        fan_height_(std::max(kFanHeight, 0.5 * simplify_mm / impl.h)) {}
+        fan_height_(std::max(kFanHeight, 0.5 * simplify_mm / impl.h)),
+        simplify_mm_(simplify_mm) {}
 
   Result<StockSurface> run(Progress& progress);
   Result<double> volume(Progress& progress);
@@ -113,6 +117,7 @@ class Extractor {
   SurfaceGrid grid_;
   VertexMerger merger_;
   double fan_height_;  ///< see isFan; grid steps
+  double simplify_mm_;
   std::vector<LeafOutput> outputs_;
   std::unique_ptr<std::uint32_t[]> number_;  ///< a cell whose vertex stands for itself: its place in the mesh
   std::uint32_t cells_kept_ = 0;
@@ -603,6 +608,7 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   surface.first_thin_cell = grid_.firstThinCell();
   progress.report("meshing", 0.7);
   if (!repair(surface, progress)) return interrupted;
+  if (impl_.field != nullptr) sharpenMesh(surface.mesh, *impl_.field, impl_.h, kSharpShare * simplify_mm_);
   progress.report("meshing", 1.0);
   return surface;
 }

@@ -72,12 +72,14 @@ BlankSample TurnedField::sample(const Vec3& p) const {
   const SectionField::Edge& edge = section_.edge(near.edge);
   const bool inside = section_.inside(q);
   const BlankSample section{inside ? -near.distance : near.distance,
-                            turnedNormal(edge.normalAt(near.point), polar.phi), sectionFace(edge)};
+                            turnedNormal(edge.normalAt(near.point), polar.phi), sectionFace(edge),
+                            edge.motion};
   if (!inside) return section;
   const ThreadField::Bound thread = threads_.bound(polar, near.distance);
   if (thread.sweep == nullptr) return section;
   const HelixSweep::Side side = thread.sweep->sideAt(polar, thread.t);
-  return {-thread.value, -side.normal, threadFace(*thread.sweep, side.face, thread.t)};
+  return {-thread.value, -side.normal, threadFace(*thread.sweep, side.face, thread.t),
+          thread.sweep->motion()};
 }
 
 LeafBits TurnedField::material(const Vec3& first, double h) const {

@@ -253,6 +253,136 @@ TEST(Thread, InsideABore) {
   EXPECT_NEAR(most, 4.8, 2e-3);
 }
 
+/// The section of the feather part at an angle: its corners with z >= -6.5, in order.
+constexpr double kFeatherRoot = 8.5, kFeatherFlat = 0.2;
+double featherRadius(double phi, double z) {
+  const double turns = (z - 5) / kLead - phi / (2 * kPi), off = kLead * std::abs(turns - std::round(turns));
+  return std::min({10.0, 8.0 - z, kFeatherRoot + std::max(0.0, off - kFeatherFlat) / kTan30});
+}
+std::vector<Vec2> featherSection(double phi) {
+  std::vector<double> z{-6, -2, 0};
+  for (int k = -8; k <= 2; ++k) {
+    const double middle = heightOf(5, kLead, phi, k);
+    for (const double side : {-1.0, 1.0}) {
+      z.push_back(middle + side * kFeatherFlat);
+      z.push_back(middle + side * (kFeatherFlat + (10 - kFeatherRoot) * kTan30));
+      // Where root and flank meet the chamfer.
+      z.push_back(8 - kFeatherRoot);
+      z.push_back(((8 - kFeatherRoot) * kTan30 + kFeatherFlat + side * middle) / (side + kTan30));
+    }
+  }
+  std::erase_if(z, [](double h) { return h < -6 || h > 0; });
+  std::sort(z.begin(), z.end());
+  std::vector<Vec2> out{{8, -6.5}, {8, -6}};
+  for (const double h : z) out.push_back({featherRadius(phi, h), h});
+  return out;
+}
+
+double distanceToChain(const std::vector<Vec2>& chain, const Vec2& p) {
+  double least = 1e9;
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    const Vec2 edge = chain[i] - chain[i - 1], from = p - chain[i - 1];
+    const double share = std::clamp(edge.dot(from) / std::max(edge.squaredNorm(), 1e-30), 0.0, 1.0);
+    least = std::min(least, (from - share * edge).norm());
+  }
+  return least;
+}
+double offFeather(const Vec3& p) {
+  return distanceToChain(featherSection(std::atan2(p.y(), p.x())), {std::hypot(p.x(), p.y()), p.z()});
+}
+
+/// A thread that runs over a chamfer at one end and into the wall of an undercut at the other: at some angle
+/// any two of their edges come as near to each other as can be, and the thread's ridges are cut to feathers.
+std::shared_ptr<TurnedShape> featherPart() {
+  const auto shape =
+      shapeOf({body({{0, -10}, {11, -10}, {11, -9}, {8, -9}, {8, -6}, {10, -6}, {10, -2}, {8, 0}, {0, 0}})});
+  const double top = kFeatherFlat + kHigh * kTan30;
+  const std::vector<Vec2> corners{{0, kFeatherFlat}, {0, -kFeatherFlat}, {kHigh, -top}, {kHigh, top}};
+  std::vector<OutlineSide> sides(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    sides[i].from = corners[i];
+    sides[i].to = corners[(i + 1) % 4];
+  }
+  addThread(*shape, {kFeatherRoot, 5}, {kFeatherRoot, -7.5}, -5, std::make_shared<ConvexOutline>(sides));
+  return shape;
+}
+
+/// How far a triangle is from a point.
+double distanceToTriangle(const std::array<Vec3, 3>& t, const Vec3& p) {
+  const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
+  double least = 1e9;
+  bool inside = n.squaredNorm() > 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 edge = t[(i + 1) % 3] - t[i], from = p - t[i];
+    const double share = std::clamp(edge.dot(from) / std::max(edge.squaredNorm(), 1e-30), 0.0, 1.0);
+    least = std::min(least, (from - share * edge).norm());
+    inside = inside && n.dot(edge.cross(from)) >= 0.0;
+  }
+  return inside ? std::abs(n.normalized().dot(p - t[0])) : least;
+}
+
+/// The largest distance of the section's corners from the mesh.
+double mostMissed(const TriMesh& mesh) {
+  constexpr int kSectors = 720;
+  const auto sectorOf = [](double x, double y) {
+    return static_cast<int>((std::atan2(y, x) / (2 * kPi) + 0.5) * kSectors) % kSectors;
+  };
+  std::vector<std::vector<std::array<Vec3, 3>>> near(kSectors);
+  for (const auto& t : mesh.triangles) {
+    std::array<Vec3, 3> c;
+    for (std::size_t i = 0; i < 3; ++i) c[i] = mesh.positions[t[i]].cast<double>();
+    const Vec3 middle = (c[0] + c[1] + c[2]) / 3;
+    if (middle.z() < -6.2 || std::hypot(middle.x(), middle.y()) < 7.8) continue;
+    near[static_cast<std::size_t>(sectorOf(middle.x(), middle.y()))].push_back(c);
+  }
+  double most = 0.0;
+  for (int i = 0; i < 2 * kSectors; ++i) {
+    const double phi = (i + 0.37) * kPi / kSectors;
+    for (const Vec2& q : featherSection(phi)) {
+      if (q.y() < -6) continue;
+      const Vec3 p(q.x() * std::cos(phi), q.x() * std::sin(phi), q.y());
+      double least = 1e9;
+      for (const int beside : {-3, -2, -1, 0, 1, 2, 3}) {
+        const int sector = (sectorOf(p.x(), p.y()) + beside + kSectors) % kSectors;
+        for (const auto& t : near[static_cast<std::size_t>(sector)]) {
+          if (std::abs(t[0].z() - p.z()) < 0.5) least = std::min(least, distanceToTriangle(t, p));
+        }
+      }
+      most = std::max(most, least);
+    }
+  }
+  return most;
+}
+
+TEST(Thread, FeatherEdgesAreSharp) {
+  const TriMesh mesh = make(featherPart(), 0.1).surface.mesh;
+  double vertex = 0.0, edge = 0.0, center = 0.0;
+  for (const auto& t : mesh.triangles) {
+    std::array<Vec3, 3> c;
+    bool around = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      c[i] = mesh.positions[t[i]].cast<double>();
+      around = around && c[i].z() > -6.4 && std::hypot(c[i].x(), c[i].y()) > 7.8 && c[i].z() < -0.01;
+    }
+    if (!around) continue;
+    vertex = std::max(vertex, offFeather(c[0]));
+    for (std::size_t i = 0; i < 3; ++i) edge = std::max(edge, offFeather(0.5 * (c[i] + c[(i + 1) % 3])));
+    center = std::max(center, offFeather((c[0] + c[1] + c[2]) / 3.0));
+  }
+  EXPECT_LT(vertex, 12e-3);
+  EXPECT_LT(edge, 12e-3);
+  EXPECT_LT(center, 12e-3);
+  EXPECT_LT(mostMissed(mesh), 20e-3);
+}
+
+TEST(Thread, SharpenedTheSameForAnyNumberOfThreads) {
+  const TriMesh one = make(featherPart(), 0.2, 1).surface.mesh,
+                three = make(featherPart(), 0.2, 3).surface.mesh;
+  EXPECT_EQ(one.positions, three.positions);
+  EXPECT_EQ(one.triangles, three.triangles);
+  EXPECT_EQ(one.motion, three.motion);
+}
+
 TEST(Thread, SameForAnyNumberOfThreads) {
   const auto shape = bar(6);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -5}, -4, roundTooth());
