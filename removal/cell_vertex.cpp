@@ -170,6 +170,46 @@ bool spanSpace(std::span<const SheetPoint> points) {
   return m.determinant() > 1e-3;
 }
 
+/// The vertex at an apex. Outside, it is this cell's only if it pokes through one wall: into a cell that does
+/// not see it.
+CellVertex apexVertex(std::span<const SheetPoint> points, const Vec3& mean, const Vec3& sum,
+                      VertexRefiner* refiner, const Vec3& apex) {
+  CellVertex out;
+  out.p = apex;
+  if (refiner != nullptr && refiner->needed(false)) refiner->toCrease(out.p);
+  const Vec3 kept = clampToCell(out.p);
+  const int walls = static_cast<int>((kept.array() != out.p.array()).count());
+  out.outside = walls == 1;
+  out.inside = walls == 0 ? out.p : smoothVertex(points, mean, sum, refiner).inside;
+  if (walls > 1) out.p = out.inside;
+  return out;
+}
+
+/// The vertex of a cell whose crease or corner is at `x`, in the cell or not.
+CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum,
+                        VertexRefiner* refiner, const Vec3& x) {
+  CellVertex out;
+  if (refiner != nullptr && refiner->isOffBlank(x)) {
+    out.p = clampToCell(mean);
+    refiner->toBlank(sum.normalized(), kFarOff, out.p);
+    out.inside = out.p;
+    return out;
+  }
+  const double beyond = outsideBy(x);
+  if (beyond <= -kWallGap) {
+    out.p = out.inside = x;
+    return out;
+  }
+  const bool refine = refiner != nullptr && refiner->needed(false);
+  out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
+  if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
+  if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
+  const double reach = alike(faces, kSoftCos) ? kOutsideSlack : kVertexReach;
+  out.outside = beyond <= reach;
+  out.p = out.outside ? x : out.inside;
+  return out;
+}
+
 }  // namespace
 
 CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
@@ -189,17 +229,9 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   std::optional<VertexRefiner> exactly;
   if (known) exactly.emplace(*exact, faces);
   VertexRefiner* refiner = exactly ? &*exactly : nullptr;
-  CellVertex out;
-  if (findApex(points, mean, out.p) && (count == 1 || spanSpace(points))) {
-    if (refiner != nullptr && refiner->needed(false)) refiner->toCrease(out.p);
-    // Outside, it is this cell's only if it pokes through one wall: into a cell that does not see it.
-    const Vec3 kept = clampToCell(out.p);
-    const int walls = static_cast<int>((kept.array() != out.p.array()).count());
-    out.outside = walls == 1;
-    out.inside = walls == 0 ? out.p : smoothVertex(points, mean, sum, refiner).inside;
-    if (walls > 1) out.p = out.inside;
-    return out;
-  }
+  Vec3 apex;
+  if (findApex(points, mean, apex) && (count == 1 || spanSpace(points)))
+    return apexVertex(points, mean, sum, refiner, apex);
   if (count == 1 || alike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
   findSurfaces(points, faces);
   Vec3 x = creaseNear(faces, mean);
@@ -208,24 +240,7 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   if (refine && outsideBy(x) <= kVertexReach && !refiner->toCrease(x) && one_face) {
     return smoothVertex(points, mean, sum, refiner);  // beside an apex, where a face turns as if it broke
   }
-  if (refiner != nullptr && refiner->isOffBlank(x)) {
-    out.p = clampToCell(mean);
-    refiner->toBlank(sum.normalized(), kFarOff, out.p);
-    out.inside = out.p;
-    return out;
-  }
-  const double beyond = outsideBy(x);
-  if (beyond <= -kWallGap) {
-    out.p = out.inside = x;
-    return out;
-  }
-  out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
-  if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
-  if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
-  const double reach = alike(faces, kSoftCos) ? kOutsideSlack : kVertexReach;
-  out.outside = beyond <= reach;
-  out.p = out.outside ? x : out.inside;
-  return out;
+  return creaseVertex(faces, mean, sum, refiner, x);
 }
 
 }  // namespace proveout

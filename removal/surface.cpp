@@ -608,7 +608,9 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   surface.first_thin_cell = grid_.firstThinCell();
   progress.report("meshing", 0.7);
   if (!repair(surface, progress)) return interrupted;
-  if (impl_.field != nullptr) sharpenMesh(surface.mesh, *impl_.field, impl_.h, kSharpShare * simplify_mm_);
+  if (impl_.field != nullptr)
+    sharpenMesh(surface.mesh, *impl_.field, impl_.h, kSharpShare * simplify_mm_, progress);
+  if (progress.cancelled()) return interrupted;
   progress.report("meshing", 1.0);
   return surface;
 }

@@ -7,13 +7,13 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <utility>
 
 #include "core/base/parallel_for.h"
 #include "removal/cell_faces.h"
 #include "removal/edge_root.h"
 #include "removal/surface_intersections.h"
+#include "removal/vertex_fans.h"
 
 namespace proveout {
 
@@ -29,10 +29,16 @@ constexpr float kFlatCos = 0.995f;
 constexpr double kBetter = 0.85;
 /// In cells: how far from what is off a new place may be, and how near to a vertex.
 constexpr double kReach = 2.0, kLeastLength = 0.04;
-constexpr int kMeetRounds = 8, kRounds = 16, kSearchRounds = 12, kTries = 4;
+constexpr int kMeetRounds = 8, kTries = 4;
+/// Rounds of changes; in the first of them edges and ridges count that the mesh misses, which may put other
+/// parts of it off the blank until the next round.
+constexpr int kRounds = 16, kSearchRounds = 12;
 /// Triangles on a face of the blank, their middle within 0.01 cells, lean by 60 degrees from it and no more;
 /// those that cut across an edge may stand upright on it. They are at least this high for their length.
 constexpr double kOnFace = 0.01, kLeastFacing = 0.5, kLeastAcross = 0.0, kLeastHeight = 0.01;
+/// Of the faults that are looked at: this many, and one for so many triangles. Grids too coarse for a part
+/// have faults everywhere.
+constexpr std::size_t kLeastFaults = 4000, kTrianglesPerFault = 20;
 constexpr std::size_t kMostFaces = 8;
 constexpr std::size_t kChunk = 4096;
 
@@ -71,55 +77,12 @@ double distanceToTriangle(const std::array<Vec3, 3>& corners, const Vec3& p) {
   return inside ? std::abs(area.dot(p - corners[0])) / area.norm() : std::sqrt(least2);
 }
 
-/// The triangles around each vertex.
-class Fans {
- public:
-  explicit Fans(const TriMesh& mesh) : start_(mesh.positions.size() + 1, 0), all_(3 * mesh.triangles.size()) {
-    for (const Triangle& t : mesh.triangles) {
-      for (const std::uint32_t v : t) ++start_[v + 1];
-    }
-    for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
-    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const std::uint32_t v : mesh.triangles[t]) all_[next[v]++] = t;
-    }
-  }
-  std::span<const std::uint32_t> operator[](std::uint32_t v) const {
-    const auto it = changed_.find(v);
-    if (it != changed_.end()) return it->second;
-    return {all_.data() + start_[v], all_.data() + start_[v + 1]};
-  }
-  std::vector<std::uint32_t>& change(std::uint32_t v) {
-    auto it = changed_.find(v);
-    if (it == changed_.end()) {
-      it = changed_.try_emplace(v).first;
-      if (v + 1 < start_.size()) it->second = {all_.begin() + start_[v], all_.begin() + start_[v + 1]};
-    }
-    before_.emplace_back(v, it->second);
-    return it->second;
-  }
-  void keep() { before_.clear(); }
-  /// To how they were at keep().
-  void takeBack() {
-    for (auto it = before_.rbegin(); it != before_.rend(); ++it) changed_[it->first] = it->second;
-    before_.clear();
-  }
-  void reset() {
-    changed_.clear();
-    before_.clear();
-  }
-
- private:
-  std::vector<std::uint32_t> start_, all_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> changed_;
-  std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> before_;  ///< since keep()
-};
-
 class Sharpener {
  public:
-  Sharpener(TriMesh& mesh, const BlankField& field, double h, double tolerance)
+  Sharpener(TriMesh& mesh, const BlankField& field, double h, double tolerance, Progress& progress)
       : mesh_(mesh),
         field_(field),
+        progress_(progress),
         h_(h),
         limit_(std::max(kOff * h, tolerance)),
         fans_(mesh),
@@ -130,6 +93,7 @@ class Sharpener {
   void run();
 
  private:
+  /// An edge ab and its two triangles.
   struct Wing {
     std::uint32_t a, b, c, d;  ///< triangles abc and bad
     std::uint32_t abc, bad;
@@ -148,6 +112,7 @@ class Sharpener {
   void addEdges(const std::vector<std::uint32_t>& triangles, std::vector<Fault>& faults) const;
   void sharpen(std::vector<std::uint32_t> triangles);
   bool banMeeting();
+  /// How far the changes are.
   struct State {
     std::size_t steps, vertices, triangles, changed;
   };
@@ -178,12 +143,14 @@ class Sharpener {
 
   TriMesh& mesh_;
   const BlankField& field_;
+  Progress& progress_;
   double h_, limit_;  ///< mm: the grid spacing, and what counts as off the blank
-  Fans fans_;
+  VertexFans fans_;
   std::size_t vertices_, triangles_;  ///< before any change
   std::vector<std::uint8_t> banned_;  ///< vertices around which nothing is changed
   std::vector<Undo> done_;
   std::vector<std::uint32_t> changed_;  ///< triangles, in this round
+  std::size_t left_ = 0;                ///< faults that are still looked at
   bool searching_ = false;              ///< for parts of the blank that the mesh misses
 };
 
@@ -269,9 +236,10 @@ void Sharpener::sharpen(std::vector<std::uint32_t> triangles) {
   for (int round = 0; round < kRounds && !triangles.empty(); ++round) {
     changed_.clear();
     std::vector<Fault> faults = findFaults(triangles);
-    searching_ = round < kSearchRounds;
+    searching_ = round < kSearchRounds && 4 * faults.size() < left_;
     if (searching_ && round > 0) addEdges(triangles, faults);
     for (const Fault& f : faults) {
+      if (progress_.cancelled() || left_-- == 0) return;
       if (f.a == f.b) {
         mendVertex(f.a);
       } else {
@@ -603,8 +571,9 @@ void Sharpener::run() {
   const std::vector<std::uint32_t> triangles = bentTriangles();
   const State before = state();
   for (int attempt = 0; attempt < kTries; ++attempt) {
+    left_ = kLeastFaults + triangles_ / kTrianglesPerFault;
     sharpen(triangles);
-    if (done_.empty() || !banMeeting()) return;
+    if (done_.empty() || progress_.cancelled() || !banMeeting()) return;
     changed_.clear();
     takeBack(before);
     fans_.reset();
@@ -613,8 +582,9 @@ void Sharpener::run() {
 
 }  // namespace
 
-void sharpenMesh(TriMesh& mesh, const BlankField& field, double cell_mm, double tolerance_mm) {
-  Sharpener(mesh, field, cell_mm, tolerance_mm).run();
+void sharpenMesh(TriMesh& mesh, const BlankField& field, double cell_mm, double tolerance_mm,
+                 Progress& progress) {
+  Sharpener(mesh, field, cell_mm, tolerance_mm, progress).run();
 }
 
 }  // namespace proveout

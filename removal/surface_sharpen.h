@@ -1,6 +1,7 @@
 // Makes the finished mesh of a blank follow edges and corners that run between the vertices of its cells.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/mesh/tri_mesh.h"
 #include "removal/blank_field.h"
 
@@ -12,7 +13,8 @@ namespace proveout {
 /// edge or of a triangle is off it by more than `tolerance_mm` and 0.03 cells. `mesh` must be closed and
 /// 2-manifold, and stays so; what would make triangles run through each other is not done. `cell_mm` > 0: the
 /// grid spacing. Triangles that change carry the motion of the blank's face. The same result for the same
-/// input always.
-void sharpenMesh(TriMesh& mesh, const BlankField& field, double cell_mm, double tolerance_mm);
+/// input always. Stops early when cancelled.
+void sharpenMesh(TriMesh& mesh, const BlankField& field, double cell_mm, double tolerance_mm,
+                 Progress& progress);
 
 }  // namespace proveout
