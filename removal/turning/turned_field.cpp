@@ -74,9 +74,9 @@ BlankSample TurnedField::sample(const Vec3& p) const {
   const BlankSample section{inside ? -near.distance : near.distance,
                             turnedNormal(edge.normalAt(near.point), polar.phi), sectionFace(edge),
                             edge.motion};
-  if (!inside) return section;
   const ThreadField::Bound thread = threads_.bound(polar, near.distance);
-  if (thread.sweep == nullptr) return section;
+  // Outside of the section too: where a thread cuts into its face, that is no surface.
+  if (thread.sweep == nullptr || -thread.value <= section.value) return section;
   const HelixSweep::Side side = thread.sweep->sideAt(polar, thread.t);
   return {-thread.value, -side.normal, threadFace(*thread.sweep, side.face, thread.t),
           thread.sweep->motion()};

@@ -369,9 +369,9 @@ TEST(Thread, FeatherEdgesAreSharp) {
     for (std::size_t i = 0; i < 3; ++i) edge = std::max(edge, offFeather(0.5 * (c[i] + c[(i + 1) % 3])));
     center = std::max(center, offFeather((c[0] + c[1] + c[2]) / 3.0));
   }
-  EXPECT_LT(vertex, 12e-3);
-  EXPECT_LT(edge, 12e-3);
-  EXPECT_LT(center, 12e-3);
+  EXPECT_LT(vertex, 2e-3);
+  EXPECT_LT(edge, 10e-3);
+  EXPECT_LT(center, 10e-3);
   EXPECT_LT(mostMissed(mesh), 20e-3);
 }
 
