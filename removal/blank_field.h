@@ -14,7 +14,7 @@ namespace proveout {
 struct BlankSample {
   double value;  ///< mm, negative inside; exact near the surface, never larger in magnitude than the distance
   Vec3 normal;   ///< unit, outwards
-  int face;                     ///< 0 to 65,535
+  int face;      ///< 0 to 65,535
   MotionId motion = kNoMotion;  ///< that made the face
 };
 
