@@ -18,6 +18,8 @@ namespace {
 
 /// Share of the profile's resolution that facets may leave the surface by.
 constexpr double kFacetShare = 0.1;
+/// Chords that turn by less belong to an arc, radians; those of a corner radius of 0.1 mm turn by 0.09.
+constexpr double kArcTurn = 0.1;
 /// Distance of the start from the blank, mm.
 constexpr double kClearance = 10.0;
 
@@ -391,10 +393,15 @@ double turnedUncertainty(const SetupRun& setup, double resolution_mm) {
           most, std::min({resolution_mm * resolution_mm / (8.0 * radius), radius, 0.5 * resolution_mm}));
   };
   for (const SectionLoop& loop : setup.turned->bodies.front().loops) {
-    for (const Vec2& p : loop.points) add(p.x());
-  }
-  for (const Tool& tool : setup.job.tools) {
-    if (tool.insert) add(tool.insert->nose_radius);
+    const std::size_t n = loop.points.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      add(loop.points[k].x());
+      // Chords of an arc turn by a little from one to the next: their length over that angle is its radius.
+      const Vec2 into = loop.points[k] - loop.points[(k + n - 1) % n],
+                 out = loop.points[(k + 1) % n] - loop.points[k];
+      const double turn = std::abs(std::atan2(into.x() * out.y() - into.y() * out.x(), into.dot(out)));
+      if (turn > 1e-6 && turn < kArcTurn) add(std::max(into.norm(), out.norm()) / turn);
+    }
   }
   return most;
 }

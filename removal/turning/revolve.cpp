@@ -9,6 +9,9 @@ namespace {
 
 /// Rings of a mesh have at least and at most so many corners.
 constexpr int kFewest = 24, kMost = 4096;
+/// Borders between motions that are nearer to each other, in tolerances, are not kept: programs of many short
+/// lines would make as many rings.
+constexpr double kRunLengths = 100.0;
 
 double distanceTo(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 d = b - a;
@@ -97,7 +100,10 @@ SectionLoop simplified(const SectionLoop& loop, double tolerance) {
   std::vector<char> keep(n, 0);
   std::vector<std::size_t> fixed;
   for (std::size_t i = 0; i < n; ++i) {
-    if (loop.motion[(i + n - 1) % n] != loop.motion[i] || loop.points[i].x() <= 0.0) fixed.push_back(i);
+    const bool border = loop.motion[(i + n - 1) % n] != loop.motion[i];
+    const bool far =
+        fixed.empty() || (loop.points[i] - loop.points[fixed.back()]).norm() > kRunLengths * tolerance;
+    if ((border && far) || loop.points[i].x() <= 0.0) fixed.push_back(i);
   }
   if (fixed.size() < 2) {  // a loop of one motion: its ends along Z stay
     const auto byHeight = [&](std::size_t a, std::size_t b) {

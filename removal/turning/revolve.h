@@ -8,7 +8,8 @@
 
 namespace proveout {
 
-/// Points of a loop that are needed to stay within `tolerance` mm of it; corners between motions stay.
+/// Points of a loop that are needed to stay within `tolerance` mm of it; borders between motions stay where
+/// they are 100 tolerances apart.
 SectionLoop simplified(const SectionLoop& loop, double tolerance);
 
 /// The bodies turned about Z: closed and oriented. Corners are exact; rings are on the surface, and facets

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 struct Case {
   std::string name, file;                  ///< of the table's line, and of the program
   std::function<std::string()> text = {};  ///< makes the program; empty: it is one of the shared programs
-  std::string stock, tool;                 ///< options of `proveout run`
+  std::string stock = {}, tool = {};       ///< options of `proveout run`
   double grid_mm = 0.0;
   std::optional<double> exact_mm3 = {};   ///< of the part
   bool heavy = false;                     ///< run on request only
