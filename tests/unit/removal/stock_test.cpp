@@ -88,7 +88,8 @@ TEST(Contacts, ShankAndHolderInADeepSlot) {
 }
 
 TEST(ThinPasses, AreFollowedAlongTheEdge) {
-  // Slots 0.3 mm high, one above the other, from below to above and back: on a grid of 1 mm several share an edge.
+  // Slots 0.3 mm high, one above the other, from below to above and back: on a grid of 1 mm several share an
+  // edge.
   Tool disc = tool("1=flat:6");
   disc.flute_length = 0.3;
   for (const bool upwards : {false, true}) {
@@ -112,7 +113,9 @@ TEST(LostFilm, FloorThinnerThanACellIsReported) {
 
 TEST(LostFilm, NothingIsLostWhereTheGridHoldsEverything) {
   PathMaker p;
-  p.line({-10, 15, -19.7}, {50, 15, -19.7}).line({50, 15, -19.7}, {50, 15, -21}).line({50, 15, -21}, {-10, 15, -21});
+  p.line({-10, 15, -19.7}, {50, 15, -19.7})
+      .line({50, 15, -19.7}, {50, 15, -21})
+      .line({50, 15, -21}, {-10, 15, -21});
   EXPECT_EQ(cut(kBlank, p.path(), {tool("1=flat:6")}, 1.0).summary.lost_film_mm2, 0.0);
   PathMaker shallow;
   shallow.line({-10, 15, -5}, {50, 15, -5});
@@ -194,7 +197,8 @@ TEST(Order, CuttingTwiceIsCuttingOnceAndOrderIsIrrelevant) {
 
 class SavedStockTest : public ::testing::Test {
  protected:
-  std::string path_ = ::testing::TempDir() + "proveout_stock_test.vdb";
+  // Tests run side by side, each in a process of its own.
+  std::string path_ = ::testing::TempDir() + "proveout_stock_test-" + std::to_string(getpid()) + ".vdb";
   void TearDown() override { std::filesystem::remove(path_); }
 };
 
