@@ -26,6 +26,15 @@ Finding contactFinding(const Contact& contact, const std::string& fixture) {
   return finding;
 }
 
+void addContacts(const std::vector<Contact>& contacts, const std::string& fixture, const Toolpath& path,
+                 const RecordingSource& texts, std::vector<Finding>& findings) {
+  for (const Contact& contact : contacts) {
+    Finding finding = contactFinding(contact, fixture);
+    blame(finding, contact.motion, path, texts);
+    findings.push_back(std::move(finding));
+  }
+}
+
 }  // namespace
 
 Result<std::vector<FixtureStock>> makeFixtures(const Job& setup, double resolution_mm, Progress& progress) {
@@ -52,11 +61,7 @@ Status addFixtureContacts(std::vector<FixtureStock>& fixtures, const SetupRun& s
     const Toolpath& path = setup.interpreted.path;
     const Result<RemovalSummary> touched = fixture.stock.remove(path, setup.job.tools, options, progress);
     if (!touched) return touched.error();
-    for (const Contact& contact : touched->contacts) {
-      Finding finding = contactFinding(contact, fixture.name);
-      blame(finding, contact.motion, path, texts);
-      findings.push_back(std::move(finding));
-    }
+    addContacts(touched->contacts, fixture.name, path, texts, findings);
   }
   return Done{};
 }
@@ -71,11 +76,7 @@ Status addTurnedFixtureContacts(const SetupRun& setup, const RecordingSource& te
     const Toolpath& path = setup.interpreted.path;
     const auto touched = fixture->touches(path, setup.job.tools, progress);
     if (!touched) return touched.error();
-    for (const Contact& contact : *touched) {
-      Finding finding = contactFinding(contact, spec.name);
-      blame(finding, contact.motion, path, texts);
-      findings.push_back(std::move(finding));
-    }
+    addContacts(*touched, spec.name, path, texts, findings);
   }
   return Done{};
 }

@@ -146,13 +146,11 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
 namespace {
 
 /// Why the control cannot work with the job's tools; empty: it can. Checked before anything is made of them.
-std::string toolRefusalOf(ControlId id, const std::vector<Tool>& tools) {
-  for (const ControlInfo& control : controls()) {
-    if (control.id != id || control.turns) continue;
-    for (const Tool& tool : tools) {
-      if (tool.type == ToolType::kInsert)
-        return fmt::format("tool {} is a lathe insert; control {} mills", tool.number, control.name);
-    }
+std::string toolRefusalOf(const Job& job) {
+  if (turnsPart(job)) return {};
+  for (const Tool& tool : job.tools) {
+    if (tool.type == ToolType::kInsert)
+      return fmt::format("tool {} is a lathe insert; control {} mills", tool.number, job.control);
   }
   return {};
 }
@@ -164,7 +162,7 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
   Interpreted result;
   GuardedBuilder builder(result.path, pathMemory(job), progress);
   const Result<ControlId> control = findControl(job.control);
-  const std::string refusal = !control ? control.error().message : toolRefusalOf(*control, job.tools);
+  const std::string refusal = !control ? control.error().message : toolRefusalOf(job);
   if (!refusal.empty()) {
     Diagnostic diagnostic;
     diagnostic.code = control ? "tool" : "control";

@@ -186,13 +186,11 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
 Workload workOf(const Job& job, const PreparedRun& prepared) {
   const double area = blankArea(prepared.blank.shape, prepared.blank.bounds);
   Workload work;
-  for (const SetupRun& setup : prepared.run.setups) {
-    if (turnsPart(job)) work = together(work, turningWork(setup, prepared.blank));
-  }
-  for (std::size_t k = 0; k < prepared.run.setups.size() && !turnsPart(job); ++k) {
+  for (std::size_t k = 0; k < prepared.run.setups.size(); ++k) {
     const SetupRun& setup = prepared.run.setups[k];
-    work = together(work, workloadOf(setup.interpreted.path, setup.job.tools,
-                                     movedBounds(job, prepared.blank.bounds, k), area));
+    work = together(work, turnsPart(job) ? turningWork(setup, prepared.blank)
+                                         : workloadOf(setup.interpreted.path, setup.job.tools,
+                                                      movedBounds(job, prepared.blank.bounds, k), area));
   }
   if (prepared.nominal) work.nominal_mm2 = meshArea(prepared.nominal->mesh);
   if (!job.output.views.empty()) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/stopwatch.h"
+#include "core/geometry/plane.h"
 #include "core/nc/interpreter.h"
 #include "io/half_section.h"
 #include "removal/turning/revolve.h"
@@ -399,7 +400,7 @@ double turnedUncertainty(const SetupRun& setup, double resolution_mm) {
       // Chords of an arc turn by a little from one to the next: their length over that angle is its radius.
       const Vec2 into = loop.points[k] - loop.points[(k + n - 1) % n],
                  out = loop.points[(k + 1) % n] - loop.points[k];
-      const double turn = std::abs(std::atan2(into.x() * out.y() - into.y() * out.x(), into.dot(out)));
+      const double turn = std::abs(std::atan2(cross2(into, out), into.dot(out)));
       if (turn > 1e-6 && turn < kArcTurn) add(std::max(into.norm(), out.norm()) / turn);
     }
   }

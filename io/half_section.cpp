@@ -5,6 +5,8 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/geometry/plane.h"
+
 namespace proveout {
 namespace {
 
@@ -70,13 +72,6 @@ std::vector<Vec2> clipAtAxis(const std::vector<Vec2>& loop) {
     kept.emplace_back(0.0, a.y() + (b.y() - a.y()) * a.x() / (a.x() - b.x()));
   }
   return kept;
-}
-
-Vec2 nearestOn(const SectionSegment& segment, const Vec2& p) {
-  const Vec2 along = segment[1] - segment[0];
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - segment[0]).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return segment[0] + t * along;
 }
 
 /// Whether a ray from the point away from the axis crosses an odd number of segments.
@@ -157,7 +152,7 @@ class ProfileSampler {
     }
     Vec2 nearest = nominal_.front()[0];
     for (const SectionSegment& segment : nominal_) {
-      const Vec2 p = nearestOn(segment, at);
+      const Vec2 p = nearestOnSegment(at, segment[0], segment[1]);
       if ((p - at).squaredNorm() < (nearest - at).squaredNorm()) nearest = p;
     }
     double distance = (at - nearest).norm();

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/assert.h"
+#include "core/geometry/plane.h"
 
 namespace proveout {
 
@@ -16,7 +18,6 @@ constexpr double kNoLength = 1e-12;  ///< mm
 constexpr double kSmooth = 1e-9;
 
 double angleOf(const Vec2& v) { return std::atan2(v.y(), v.x()); }
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// `angle` plus full turns, the first at or above `least`.
@@ -129,7 +130,7 @@ ConvexOutline::Sample ConvexOutline::sample(const Vec2& p) const {
       nearest = holds ? Vec2(side.center + side.radius * normal) : to_end ? side.to : side.from;
       // Beyond its sector an arc says nothing of the inside: its neighbours do, or the chord.
       const Vec2 chord = side.to - side.from;
-      if (!holds && cross(chord, p - side.from) > 0.0) out = -1.0;
+      if (!holds && cross2(chord, p - side.from) > 0.0) out = -1.0;
     } else {
       const Vec2 d = (side.to - side.from).normalized();
       const double along = std::clamp(d.dot(p - side.from), 0.0, (side.to - side.from).norm());
@@ -148,6 +149,15 @@ ConvexOutline::Sample ConvexOutline::sample(const Vec2& p) const {
     if (best.value < -1e-12) best.gradient = -best.gradient;
   }
   return best;
+}
+
+ConvexOutline mirrored(const ConvexOutline& outline, int axis) {
+  std::vector<OutlineSide> sides(outline.sides().rbegin(), outline.sides().rend());
+  for (OutlineSide& side : sides) {
+    std::swap(side.from, side.to);
+    for (Vec2* p : {&side.from, &side.to, &side.center}) (*p)[axis] = -(*p)[axis];
+  }
+  return ConvexOutline(sides);
 }
 
 ConvexOutline shifted(const ConvexOutline& outline, const Vec2& by) {

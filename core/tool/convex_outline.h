@@ -70,6 +70,9 @@ class ConvexOutline {
 /// Steps of a full turn so that the chords of a circle stay within `tolerance`; a multiple of 4.
 int circleSteps(double radius, double tolerance);
 
+/// The outline with r (axis 0) or z (axis 1) the other way round.
+ConvexOutline mirrored(const ConvexOutline& outline, int axis);
+
 /// The outline moved by `by`.
 ConvexOutline shifted(const ConvexOutline& outline, const Vec2& by);
 

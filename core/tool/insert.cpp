@@ -8,6 +8,7 @@
 
 #include "core/base/assert.h"
 #include "core/geometry/degrees.h"
+#include "core/geometry/plane.h"
 #include "core/tool/insert_holder.h"
 
 namespace proveout {
@@ -27,8 +28,6 @@ Vec2 tipDirection(int orientation) {
 }
 
 bool namesCorner(int orientation) { return orientation >= 1 && orientation <= 4; }
-
-Vec2 leftOf(const Vec2& d) { return {-d.y(), d.x()}; }
 
 /// Direction in which the front of a blade or the tip of a tooth faces.
 Vec2 frontDirection(const Insert& insert) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/plane.h"
+
 namespace proveout {
 
 namespace {
@@ -14,15 +16,8 @@ using Piece = std::vector<std::size_t>;  ///< indices of points, counter-clockwi
 /// Three points nearer to one line than this are on it, mm.
 constexpr double kStraightMm = 1e-9;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 /// Twice the area of the triangle, above 0 counter-clockwise.
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
-
-double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 d = b - a;
-  const double u = std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0);
-  return (p - a - u * d).norm();
-}
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return cross2(b - a, c - a); }
 
 bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return (turn(a, b, c) > 0.0) != (turn(a, b, d) > 0.0) && (turn(c, d, a) > 0.0) != (turn(c, d, b) > 0.0);
@@ -40,7 +35,7 @@ class EarClipping {
   explicit EarClipping(const std::vector<Vec2>& points) : p_(points) {
     for (std::size_t k = 0; k < p_.size(); ++k) rest_.push_back(k);
     double area = 0.0;
-    for (std::size_t k = 0; k < p_.size(); ++k) area += cross(p_[k], p_[(k + 1) % p_.size()]);
+    for (std::size_t k = 0; k < p_.size(); ++k) area += cross2(p_[k], p_[(k + 1) % p_.size()]);
     if (area < 0.0) std::reverse(rest_.begin(), rest_.end());
   }
 

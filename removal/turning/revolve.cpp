@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/plane.h"
+
 namespace proveout {
 
 namespace {
@@ -12,13 +14,6 @@ constexpr int kFewest = 24, kMost = 4096;
 /// Borders between motions that are nearer to each other, in tolerances, are not kept: programs of many short
 /// lines would make as many rings.
 constexpr double kRunLengths = 100.0;
-
-double distanceTo(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 d = b - a;
-  const double length2 = d.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - a).dot(d) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * d).norm();
-}
 
 /// Marks what of points first..last has to stay, its ends being kept.
 void keepFar(const std::vector<Vec2>& points, std::size_t first, std::size_t last, double tolerance,
@@ -31,7 +26,7 @@ void keepFar(const std::vector<Vec2>& points, std::size_t first, std::size_t las
     double worst = tolerance;
     std::size_t at = 0;
     for (std::size_t i = a + 1; i < b; ++i) {
-      const double d = distanceTo(points[i % n], points[a % n], points[b % n]);
+      const double d = distanceToSegment(points[i % n], points[a % n], points[b % n]);
       if (d <= worst) continue;
       worst = d;
       at = i;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/plane.h"
+
 namespace proveout {
 
 namespace {
@@ -13,8 +15,7 @@ constexpr double kSmoothTurn = 0.1;
 constexpr double kAxis = 1e-6;
 constexpr std::size_t kMostBins = 4096;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-double turnBetween(const Vec2& a, const Vec2& b) { return std::abs(std::atan2(cross(a, b), a.dot(b))); }
+double turnBetween(const Vec2& a, const Vec2& b) { return std::abs(std::atan2(cross2(a, b), a.dot(b))); }
 
 /// The normal of a curve where two of its chords meet: that of a parabola, so that a line that goes over into
 /// an arc keeps its own.

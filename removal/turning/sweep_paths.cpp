@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/plane.h"
+
 namespace proveout {
 
 namespace {
 
 constexpr double kQuarter = 0.5 * kPi;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 void append(SectionPath& path, const std::vector<Vec2>& points, const Vec2& by) {
@@ -126,7 +127,7 @@ std::vector<SectionPath> sweptSides(const ConvexOutline& outline, const PlaneWay
       if (Vec2(d.y(), -d.x()).dot(direction) <= 1e-9) continue;  // it leaves the material
       // In the order that goes counter-clockwise: the side moves to its right.
       SectionPath path{a + side.to, a + side.from, a + side.from + step, a + side.to + step};
-      if (cross(path[1] - path[0], path[2] - path[1]) < 0.0) std::reverse(path.begin(), path.end());
+      if (cross2(path[1] - path[0], path[2] - path[1]) < 0.0) std::reverse(path.begin(), path.end());
       paths.push_back(std::move(path));
     }
   }

@@ -115,7 +115,7 @@ ThreadField::ThreadField(const std::vector<ThreadSweep>& threads, const Vec2& lo
     auto& [outline, mirror] = made[s.outline];
     if (outline == nullptr) {
       outline = outlines_.emplace_back(std::make_unique<ThreadOutline>(*s.outline)).get();
-      mirror = outlines_.emplace_back(std::make_unique<ThreadOutline>(mirrored(*s.outline))).get();
+      mirror = outlines_.emplace_back(std::make_unique<ThreadOutline>(mirrored(*s.outline, 0))).get();
     }
     // What reaches over the axis stands on the other side of it.
     ThreadSweep across = s;

@@ -163,17 +163,4 @@ Vec2 ThreadOutline::normalAt(int side, const Vec2& p) const {
   return arm.norm() > 0.0 ? Vec2(arm.normalized()) : s.middle;
 }
 
-ConvexOutline mirrored(const ConvexOutline& outline) {
-  const auto flip = [](const Vec2& p) { return Vec2(-p.x(), p.y()); };
-  std::vector<OutlineSide> sides;
-  for (auto side = outline.sides().rbegin(); side != outline.sides().rend(); ++side) {
-    OutlineSide s = *side;
-    s.from = flip(side->to);
-    s.to = flip(side->from);
-    s.center = flip(side->center);
-    sides.push_back(s);
-  }
-  return ConvexOutline(sides);
-}
-
 }  // namespace proveout

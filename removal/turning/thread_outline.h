@@ -66,7 +66,4 @@ class ThreadOutline {
   Vec2 min_, max_;
 };
 
-/// The outline seen from the other side of the axis: r changes its sign.
-ConvexOutline mirrored(const ConvexOutline& outline);
-
 }  // namespace proveout

@@ -69,16 +69,6 @@ std::vector<SectionPath> passesThrough(const ThreadSweep& thread, double angle) 
   return paths;
 }
 
-/// The outline with Z turned round.
-ConvexOutline upsideDown(const ConvexOutline& outline) {
-  std::vector<OutlineSide> sides(outline.sides().rbegin(), outline.sides().rend());
-  for (OutlineSide& side : sides) {
-    std::swap(side.from, side.to);
-    for (Vec2* p : {&side.from, &side.to, &side.center}) p->y() = -p->y();
-  }
-  return ConvexOutline(sides);
-}
-
 /// What outlines sweep on both sides of the axis.
 std::vector<SectionPath> bothSides(const std::vector<ConvexOutline>& outlines, const PlaneWay& way) {
   std::vector<SectionPath> sweeps;
@@ -232,19 +222,17 @@ class Turning {
  private:
   void cut(MotionId id, const TurningTool& tool, const PlaneWay& way) {
     const Motion& motion = path_.motions[id];
+    const bool rapid = motion.kind == MotionKind::kRapid;
     const std::vector<SectionPath> sweeps = tool.swept(way);
     // A thread tool that leaves its groove stands in it: the section knows no groove.
     std::vector<SectionPath> spared;
-    if (thread_way_ && motion.kind == MotionKind::kRapid) spared = tool.swept(*thread_way_);
+    if (thread_way_ && rapid) spared = tool.swept(*thread_way_);
     const std::vector<SectionPath> beyond = mirroredPaths(sweeps);
-    if (motion.kind == MotionKind::kRapid && !contact(ContactKind::kRapid, id, sweeps, spared) &&
-        beyond.empty())
-      return;
-    if (motion.kind != MotionKind::kRapid && motion.spindle == 0.0)
-      contact(ContactKind::kSpindleOff, id, sweeps, spared);
+    if (rapid && !contact(ContactKind::kRapid, id, sweeps, spared) && beyond.empty()) return;
+    if (!rapid && motion.spindle == 0.0) contact(ContactKind::kSpindleOff, id, sweeps, spared);
     if (tool.insert) {
-      const bool rapid = motion.kind == MotionKind::kRapid;  // told as such already
-      if (const auto backs = tool.sweptBacks(way); !rapid && !backs.empty())
+      // What a rapid motion touches is told as such already.
+      if (const auto backs = rapid ? std::vector<SectionPath>{} : tool.sweptBacks(way); !backs.empty())
         contact(ContactKind::kInsertBack, id, backs, tool.sweptEdges(way));
     } else if (std::max(std::abs(way.from.x()), std::abs(way.to.x())) > kTouch) {
       contact(ContactKind::kAxis, id, sweeps, {});
@@ -453,7 +441,7 @@ Result<TurnedStock> TurnedStock::moved(const SectionBody& body, const RigidTrans
   for (const ThreadSweep& thread : impl_->threads) {
     ThreadSweep now = thread;
     impl->outlines.push_back(
-        std::make_shared<const ConvexOutline>(turned_round ? upsideDown(*thread.outline) : *thread.outline));
+        std::make_shared<const ConvexOutline>(turned_round ? mirrored(*thread.outline, 1) : *thread.outline));
     now.outline = impl->outlines.back().get();
     now.from = place(thread.from);
     now.to = place(thread.to);

@@ -4,13 +4,9 @@
 #include <array>
 #include <cstddef>
 
-#include "core/geometry/types.h"
+#include "core/geometry/plane.h"
 
 namespace proveout {
-
-/// A quarter turn to the left.
-inline Vec2 leftOf(const Vec2& t) { return {-t.y(), t.x()}; }
-inline double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// An infinite line or a full circle. Lengths mm.
 struct PlaneCurve {
