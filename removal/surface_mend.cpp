@@ -7,6 +7,7 @@
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "core/base/parallel_for.h"
 #include "core/mesh/edge_table.h"
@@ -25,8 +26,8 @@ using Vec3i = Eigen::Vector3i;
 constexpr std::array<double, 3> kReaches = {1e-3, 0.01, 0.05};
 /// What is looked at around the pairs, and the edge of the blocks that it is found by, in cells.
 constexpr double kMarginCells = 2.0, kBlockCells = 2.0;
-/// Slots of the filter of blocks, as a power of two.
-constexpr int kFilterBits = 16;
+/// Stretches that the filter of regions has along each axis.
+constexpr int kStretches = 1024;
 /// Rounds over all pairs; each that changes something leaves fewer of them.
 constexpr int kRounds = 8;
 /// Changes that are tried at most, about two seconds, and what each group has of them at the least: what then
@@ -35,6 +36,7 @@ constexpr std::size_t kMostTrials = 100000, kGroupTrials = 5000;
 /// Triangles that one task looks at.
 constexpr std::size_t kPart = 8192;
 constexpr std::uint32_t kGone = 0xFFFFFFFFu;
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
 double distance2(const Vec3& p, const Points& t) {
   const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
@@ -56,8 +58,9 @@ double distance2(const Vec3& p, const Points& t) {
   return std::min({toEdge(t[0], ab), toEdge(t[0], ac), toEdge(t[1], t[2] - t[1])});
 }
 
-Vec3 lowOf(const Points& p) { return p[0].cwiseMin(p[1]).cwiseMin(p[2]); }
-Vec3 highOf(const Points& p) { return p[0].cwiseMax(p[1]).cwiseMax(p[2]); }
+Box3 boxOf(const Points& p) {
+  return {p[0].cwiseMin(p[1]).cwiseMin(p[2]), p[0].cwiseMax(p[1]).cwiseMax(p[2])};
+}
 
 struct Edit {
   enum Kind { kTurn, kJoin, kMove };
@@ -74,13 +77,21 @@ class Blocks {
   std::uint64_t keyAt(const Vec3& p) const { return keyOf(blockOf(p)); }
   /// Calls body(key) for each block that the box reaches into.
   template <typename Body>
-  void each(const Vec3& low, const Vec3& high, Body&& body) const {
-    const Vec3i from = blockOf(low), to = blockOf(high);
+  void each(const Box3& box, Body&& body) const {
+    const Vec3i from = blockOf(box.min), to = blockOf(box.max);
     for (int x = from.x(); x <= to.x(); ++x) {
       for (int y = from.y(); y <= to.y(); ++y) {
         for (int z = from.z(); z <= to.z(); ++z) body(keyOf(Vec3i(x, y, z)));
       }
     }
+  }
+
+  /// The blocks that the box reaches into, and a little more.
+  Box3 around(const Box3& box) const {
+    const auto corner = [&](const Vec3& p, double more) {
+      return Vec3((blockOf(p).cast<double>() + Vec3::Constant(more)) / scale_);
+    };
+    return {corner(box.min, -0.01), corner(box.max, 1.01)};
   }
 
  private:
@@ -92,6 +103,52 @@ class Blocks {
 
   double scale_;
 };
+
+/// A filter: whether a triangle can touch one of some boxes. Most are nowhere near.
+class Regions {
+ public:
+  void add(const Box3& box) { boxes_.push_back(box); }
+  /// To be called when all boxes are added.
+  void finish();
+  bool mayTouch(const TriMesh& mesh, std::uint32_t t) const {
+    const auto& v = mesh.triangles[t];
+    const Eigen::Vector3f &a = mesh.positions[v[0]], &b = mesh.positions[v[1]], &c = mesh.positions[v[2]];
+    for (int axis = 0; axis < 3; ++axis) {
+      const float low = (std::min({a[axis], b[axis], c[axis]}) - low_[axis]) * scale_[axis],
+                  high = (std::max({a[axis], b[axis], c[axis]}) - low_[axis]) * scale_[axis];
+      if (high < 0.0f || low >= kStretches) return false;
+      const int first = low < 0.0f ? 0 : static_cast<int>(low),
+                last = high >= kStretches ? kStretches - 1 : static_cast<int>(high);
+      const auto& upto = boxes_upto_[axis];
+      if (upto[last + 1] == upto[first]) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::vector<Box3> boxes_;
+  Eigen::Vector3f low_, scale_;
+  /// Stretches that a box reaches into, of those before this one.
+  std::array<std::array<int, kStretches + 1>, 3> boxes_upto_;
+};
+
+void Regions::finish() {
+  Box3 all;
+  for (const Box3& box : boxes_) all.extend(box);
+  low_ = all.min.cast<float>();
+  scale_ = (kStretches * all.size().cwiseInverse()).cast<float>();
+  for (int axis = 0; axis < 3; ++axis) {
+    std::array<int, kStretches + 1> taken{};
+    for (const Box3& box : boxes_) {
+      const auto at = [&](double x) {
+        return std::clamp(static_cast<int>((x - low_[axis]) * scale_[axis]), 0, kStretches - 1);
+      };
+      std::fill(&taken[at(box.min[axis])], &taken[at(box.max[axis])] + 1, 1);
+    }
+    int sum = 0;
+    for (int k = 0; k <= kStretches; ++k) boxes_upto_[axis][k] = std::exchange(sum, sum + taken[k]);
+  }
+}
 
 /// What is around the pairs, in groups that do not touch each other.
 class Surroundings {
@@ -112,40 +169,35 @@ class Surroundings {
   std::vector<std::uint32_t> nearTriangles(const TriMesh& mesh) const;
   void share(const TriMesh& mesh, const std::vector<std::uint32_t>& near, const std::vector<Pair>& pairs);
 
-  static std::size_t slotOf(std::uint64_t key) { return key * 0x9E3779B97F4A7C15ull >> (64 - kFilterBits); }
-
   Blocks blocks_;
   std::unordered_set<std::uint64_t> marked_;
-  std::vector<std::uint8_t> maybe_;  ///< filter before marked_: most triangles are nowhere near
+  Regions regions_;  ///< that marked_ is in
   std::vector<Group> groups_;
 };
 
 Surroundings::Surroundings(const TriMesh& mesh, double cell_mm, const std::vector<Pair>& pairs)
-    : blocks_(cell_mm), maybe_(std::size_t{1} << kFilterBits, 0) {
+    : blocks_(cell_mm) {
   mark(mesh, kMarginCells * cell_mm, pairs);
+  regions_.finish();
   share(mesh, nearTriangles(mesh), pairs);
 }
 
 void Surroundings::mark(const TriMesh& mesh, double margin, const std::vector<Pair>& pairs) {
   for (const Pair& pair : pairs) {
     for (const std::uint32_t t : pair) {
-      const Points p = cornersOf(mesh, t);
-      blocks_.each(lowOf(p) - Vec3::Constant(margin), highOf(p) + Vec3::Constant(margin),
-                   [&](std::uint64_t key) {
-                     marked_.insert(key);
-                     maybe_[slotOf(key)] = 1;
-                   });
+      const Box3 box = boxOf(cornersOf(mesh, t)).inflated(margin);
+      regions_.add(blocks_.around(box));
+      blocks_.each(box, [&](std::uint64_t key) { marked_.insert(key); });
     }
   }
 }
 
 std::vector<std::uint32_t> Surroundings::nearTriangles(const TriMesh& mesh) const {
   const auto isNear = [&](std::uint32_t t) {
-    const Points p = cornersOf(mesh, t);
+    if (!regions_.mayTouch(mesh, t)) return false;
     bool inside = false;
-    blocks_.each(lowOf(p), highOf(p), [&](std::uint64_t key) {
-      inside = inside || (maybe_[slotOf(key)] != 0 && marked_.contains(key));
-    });
+    blocks_.each(boxOf(cornersOf(mesh, t)),
+                 [&](std::uint64_t key) { inside = inside || marked_.contains(key); });
     return inside;
   };
   const std::size_t count = mesh.triangles.size(), parts = count / kPart + 1;
@@ -167,8 +219,7 @@ void Surroundings::share(const TriMesh& mesh, const std::vector<std::uint32_t>& 
   DisjointSets sets(near.size());
   std::unordered_map<std::uint64_t, std::uint32_t> first;
   for (std::uint32_t i = 0; i < near.size(); ++i) {
-    const Points p = cornersOf(mesh, near[i]);
-    blocks_.each(lowOf(p), highOf(p),
+    blocks_.each(boxOf(cornersOf(mesh, near[i])),
                  [&](std::uint64_t key) { sets.join(first.try_emplace(key, i).first->second, i); });
   }
   std::vector<std::uint32_t> group_at(near.size(), kGone);
@@ -187,6 +238,16 @@ void Surroundings::share(const TriMesh& mesh, const std::vector<std::uint32_t>& 
   }
 }
 
+/// What is not in the mesh any more.
+struct Lost {
+  std::vector<std::uint32_t> triangles, vertices;
+
+  void add(const Lost& other) {
+    triangles.insert(triangles.end(), other.triangles.begin(), other.triangles.end());
+    vertices.insert(vertices.end(), other.vertices.begin(), other.vertices.end());
+  }
+};
+
 /// Changes the triangles of one group.
 class Mender {
  public:
@@ -196,6 +257,7 @@ class Mender {
 
   /// Returns the number of pairs that are left.
   std::size_t run();
+  const Lost& lost() const { return lost_; }
 
  private:
   using Star = std::vector<std::uint32_t>;
@@ -208,8 +270,13 @@ class Mender {
 
   struct Choice {
     Edit edit;
-    std::ptrdiff_t gain = 0;  ///< pairs fewer
+    std::size_t gain = 0;  ///< pairs fewer
     double moved = 0.0;       ///< between old and new surface
+  };
+
+  struct Near {
+    std::uint32_t triangle = 0;
+    Box3 box;
   };
 
   Points points(std::uint32_t t) const { return cornersOf(mesh_, t); }
@@ -217,7 +284,9 @@ class Mender {
   bool whole(std::uint32_t v) const { return around_.whole(mesh_.positions[v].cast<double>()); }
   void insert(std::uint32_t t);
   void findNear(const std::vector<std::uint32_t>& triangles);
-  std::size_t countPairs(const std::vector<std::uint32_t>& triangles);
+  std::size_t findPairs(const std::vector<std::uint32_t>& triangles, std::size_t most,
+                        std::vector<Pair>* found = nullptr);
+  const std::vector<Pair>& pairsBefore(const Edit& edit, const std::vector<std::uint32_t>& triangles);
 
   std::vector<std::uint32_t> affected(const Edit& edit) const;
   bool allowed(const Edit& edit) const;
@@ -238,7 +307,10 @@ class Mender {
   std::unordered_map<std::uint32_t, Star> stars_;
   std::vector<std::uint32_t>& seen_;  ///< number of the last search that met a triangle
   std::uint32_t search_ = 0;
-  std::vector<std::uint32_t> near_;
+  std::vector<Near> near_;
+  std::unordered_map<std::uint32_t, std::vector<Pair>> pairs_at_;  ///< of the triangles at a vertex, as they are
+  std::vector<Pair> turned_pairs_;
+  Lost lost_;
   std::size_t trials_ = 0, most_trials_;
 };
 
@@ -252,8 +324,7 @@ Mender::Mender(TriMesh& mesh, double cell_mm, const Surroundings& around, const 
 }
 
 void Mender::insert(std::uint32_t t) {
-  const Points p = points(t);
-  around_.blocks().each(lowOf(p), highOf(p), [&](std::uint64_t key) {
+  around_.blocks().each(boxOf(points(t)), [&](std::uint64_t key) {
     auto& list = blocks_[key];
     if (list.empty() || list.back() != t) list.push_back(t);
   });
@@ -263,46 +334,59 @@ void Mender::insert(std::uint32_t t) {
 void Mender::findNear(const std::vector<std::uint32_t>& triangles) {
   near_.clear();
   ++search_;
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  Box3 box;
   for (const std::uint32_t t : triangles) {
     seen_[t] = search_;
     if (gone(t)) continue;
-    for (const Vec3& p : points(t)) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+    box.extend(boxOf(points(t)));
   }
-  if (!(low.x() <= high.x())) return;
-  low.array() -= kReaches.back() * cell_;
-  high.array() += kReaches.back() * cell_;
-  around_.blocks().each(low, high, [&](std::uint64_t key) {
+  if (box.empty()) return;
+  box = box.inflated(kReaches.back() * cell_);
+  around_.blocks().each(box, [&](std::uint64_t key) {
     const auto found = blocks_.find(key);
     if (found == blocks_.end()) return;
     for (const std::uint32_t u : found->second) {
       if (seen_[u] == search_ || gone(u)) continue;
       seen_[u] = search_;
-      const Points p = points(u);
-      if ((lowOf(p).array() <= high.array()).all() && (highOf(p).array() >= low.array()).all())
-        near_.push_back(u);
+      const Near near{u, boxOf(points(u))};
+      if (near.box.overlaps(box)) near_.push_back(near);
     }
   });
 }
 
-/// Pairs with one of these triangles.
-std::size_t Mender::countPairs(const std::vector<std::uint32_t>& triangles) {
+/// The number of pairs with one of these triangles, as far as to the first beyond `most`.
+std::size_t Mender::findPairs(const std::vector<std::uint32_t>& triangles, std::size_t most,
+                              std::vector<Pair>* found) {
   findNear(triangles);
   std::size_t count = 0;
+  const auto look = [&](std::uint32_t t, std::uint32_t u) {
+    const Pair pair{std::min(t, u), std::max(t, u)};
+    if (!meets(pair)) return;
+    ++count;
+    if (found != nullptr) found->push_back(pair);
+  };
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const std::uint32_t t = triangles[i];
     if (gone(t)) continue;
-    count += isNeedle(mesh_, t);
-    for (const std::uint32_t u : near_) count += trianglesMeet(mesh_, std::min(t, u), std::max(t, u));
-    for (std::size_t j = 0; j < i; ++j) {
-      const std::uint32_t u = triangles[j];
-      if (!gone(u)) count += trianglesMeet(mesh_, std::min(t, u), std::max(t, u));
+    const Box3 box = boxOf(points(t));
+    for (std::size_t j = 0; j <= i && count <= most; ++j) look(t, triangles[j]);
+    for (std::size_t j = 0; j < near_.size() && count <= most; ++j) {
+      if (near_[j].box.overlaps(box)) look(t, near_[j].triangle);
     }
   }
   return count;
+}
+
+/// Pairs with one of the triangles that the edit changes. Many edits change the same ones.
+const std::vector<Pair>& Mender::pairsBefore(const Edit& edit, const std::vector<std::uint32_t>& triangles) {
+  const bool star = edit.kind != Edit::kTurn;
+  if (star) {
+    if (const auto known = pairs_at_.find(edit.a); known != pairs_at_.end()) return known->second;
+  }
+  std::vector<Pair>& pairs = star ? pairs_at_[edit.a] : turned_pairs_;
+  pairs.clear();
+  findPairs(triangles, kAll, &pairs);
+  return pairs;
 }
 
 std::vector<std::uint32_t> Mender::affected(const Edit& edit) const {
@@ -409,8 +493,9 @@ double Mender::apart(const std::vector<Points>& from, const std::vector<Points>&
     double least = std::numeric_limits<double>::infinity();
     for (const Points& t : to) least = std::min(least, distance2(p, t));
     if (least <= farthest) return true;
-    for (const std::uint32_t t : near_) {
-      if (!gone(t)) least = std::min(least, distance2(p, points(t)));
+    for (const Near& near : near_) {
+      const Vec3 beyond = (near.box.min - p).cwiseMax(p - near.box.max).cwiseMax(0.0);
+      if (beyond.squaredNorm() < least) least = std::min(least, distance2(p, points(near.triangle)));
     }
     farthest = std::max(farthest, least);
     return farthest <= limit * limit;
@@ -460,19 +545,26 @@ std::vector<Edit> Mender::editsFor(const Pair& pair, bool moves) const {
 void Mender::tryEdit(const Edit& edit, double reach, Choice& best) {
   if (!allowed(edit)) return;
   const std::vector<std::uint32_t> triangles = affected(edit);
-  const auto before = static_cast<std::ptrdiff_t>(countPairs(triangles));
-  if (before < std::max<std::ptrdiff_t>(1, best.gain)) return;
+  const std::vector<Pair>& pairs = pairsBefore(edit, triangles);
+  const std::size_t least_gain = std::max<std::size_t>(1, best.gain);
+  if (pairs.size() < least_gain) return;
   ++trials_;
   std::vector<Points> was, is;
   for (const std::uint32_t t : triangles) was.push_back(points(t));
   Undo back;
   apply(edit, triangles, back);
-  const auto gain = before - static_cast<std::ptrdiff_t>(countPairs(triangles));
-  if (gain > 0 && gain >= best.gain) {
+  // Most edits help nothing: the pairs that are known tell that at once.
+  const std::size_t most = pairs.size() - least_gain;
+  auto left = static_cast<std::size_t>(
+      std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return meets(pair); }));
+  if (left <= most) left = findPairs(triangles, most);
+  if (left <= most) {
+    const std::size_t gain = pairs.size() - left;
     for (const std::uint32_t t : triangles) {
       if (!gone(t)) is.push_back(points(t));
     }
-    const double moved = std::max(apart(was, is, reach), apart(is, was, reach));
+    double moved = apart(was, is, reach);
+    if (moved <= reach) moved = std::max(moved, apart(is, was, reach));
     if (moved <= reach && (gain > best.gain || moved < best.moved)) best = {edit, gain, moved};
   }
   undo(back);
@@ -487,12 +579,18 @@ bool Mender::mend(const Pair& pair, double reach) {
     for (const Edit& edit : editsFor(pair, moves)) tryEdit(edit, reach, best);
   }
   if (best.gain == 0) return false;
+  pairs_at_.clear();
   const std::vector<std::uint32_t> triangles = affected(best.edit);
   Undo none;
   apply(best.edit, triangles, none);
   for (const std::uint32_t t : triangles) {
-    if (!gone(t)) insert(t);
+    if (gone(t)) {
+      lost_.triangles.push_back(t);
+    } else {
+      insert(t);
+    }
   }
+  if (best.edit.kind == Edit::kJoin) lost_.vertices.push_back(best.edit.a);
   return true;
 }
 
@@ -507,8 +605,8 @@ std::vector<Pair> Mender::pairsLeft() {
     if (gone(t)) continue;
     if (isNeedle(mesh_, t)) out.push_back({t, t});
     findNear({t});
-    for (const std::uint32_t u : near_) {
-      if (u > t && trianglesMeet(mesh_, t, u)) out.push_back({t, u});
+    for (const Near& near : near_) {
+      if (near.triangle > t && trianglesMeet(mesh_, t, near.triangle)) out.push_back({t, near.triangle});
     }
   }
   std::sort(out.begin(), out.end());
@@ -530,31 +628,35 @@ std::size_t Mender::run() {
   return pairs.size();
 }
 
-/// Leaves out what is gone.
-void compact(TriMesh& mesh) {
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.triangles[t][0] == kGone) continue;
-    mesh.motion[kept] = mesh.motion[t];
-    mesh.triangles[kept++] = mesh.triangles[t];
+/// Takes the elements with these ascending numbers out.
+template <typename T>
+void eraseAt(std::vector<T>& all, const std::vector<std::uint32_t>& gone) {
+  if (gone.empty()) return;
+  auto to = all.begin() + gone.front();
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    const auto last = i + 1 < gone.size() ? all.begin() + gone[i + 1] : all.end();
+    to = std::move(all.begin() + gone[i] + 1, last, to);
   }
-  if (kept == mesh.triangles.size()) return;
-  mesh.triangles.resize(kept);
-  mesh.motion.resize(kept);
-  std::vector<std::uint32_t> number(mesh.positions.size(), kGone);
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t v : t) number[v] = 0;
-  }
-  std::uint32_t next = 0;
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == kGone) continue;
-    mesh.positions[next] = mesh.positions[v];
-    number[v] = next++;
-  }
-  mesh.positions.resize(next);
-  for (Triangle& t : mesh.triangles) {
-    for (std::uint32_t& v : t) v = number[v];
-  }
+  all.erase(to, all.end());
+}
+
+/// Takes few triangles and vertices out of many, and numbers the vertices anew.
+void takeOut(TriMesh& mesh, Lost lost) {
+  std::sort(lost.triangles.begin(), lost.triangles.end());
+  std::sort(lost.vertices.begin(), lost.vertices.end());
+  eraseAt(mesh.triangles, lost.triangles);
+  eraseAt(mesh.motion, lost.triangles);
+  eraseAt(mesh.positions, lost.vertices);
+  if (lost.vertices.empty()) return;
+  parallelFor(std::size_t{0}, mesh.triangles.size() / kPart + 1, [&](std::size_t part) {
+    for (std::size_t t = part * kPart; t < std::min(mesh.triangles.size(), (part + 1) * kPart); ++t) {
+      for (std::uint32_t& v : mesh.triangles[t]) {
+        if (v < lost.vertices.front()) continue;
+        const auto below = std::lower_bound(lost.vertices.begin(), lost.vertices.end(), v);
+        v -= static_cast<std::uint32_t>(below - lost.vertices.begin());
+      }
+    }
+  });
 }
 
 }  // namespace
@@ -565,12 +667,17 @@ std::size_t mendIntersections(TriMesh& mesh, const std::vector<std::array<std::u
   const auto& groups = around.groups();
   std::vector<std::uint32_t> seen(mesh.triangles.size(), 0);
   std::vector<std::size_t> left(groups.size());
+  std::vector<Lost> lost(groups.size());
   parallelFor(std::size_t{0}, groups.size(), [&](std::size_t i) {
     const std::size_t most_trials =
         std::max(kGroupTrials, kMostTrials * groups[i].pairs.size() / pairs.size());
-    left[i] = Mender(mesh, cell_mm, around, groups[i], seen, most_trials).run();
+    Mender mender(mesh, cell_mm, around, groups[i], seen, most_trials);
+    left[i] = mender.run();
+    lost[i] = mender.lost();
   });
-  compact(mesh);
+  Lost all;
+  for (const Lost& part : lost) all.add(part);
+  takeOut(mesh, std::move(all));
   return std::accumulate(left.begin(), left.end(), std::size_t{0});
 }
 
