@@ -63,17 +63,17 @@ ExactFaces::Source ExactFaces::source(std::uint64_t face) const {
   return {pass - record_->table.passes.data(), isSimple(*pass, face)};
 }
 
-const Sweep& ExactFaces::sweepOf(std::int64_t body) {
-  const Pass& pass = record_->table.passes[static_cast<std::size_t>(body)];
-  if (pass.curve >= 0) return record_->table.curves[static_cast<std::size_t>(pass.curve)];
-  for (const Kept& k : kept_) {
-    if (k.body == body) return k.sweep;
+ExactFaces::Body& ExactFaces::bodyOf(std::int64_t number) {
+  for (Body& b : kept_) {
+    if (b.number == number) return b;
   }
-  if (kept_.size() < kKept) return kept_.emplace_back(Kept{body, pass.lineSweep()}).sweep;
-  Kept& k = kept_[oldest_];
+  const Pass& pass = record_->table.passes[static_cast<std::size_t>(number)];
+  const Body body{number, pass.curve >= 0 ? record_->table.curves[static_cast<std::size_t>(pass.curve)]
+                                          : pass.lineSweep()};
+  if (kept_.size() < kKept) return kept_.emplace_back(body);
+  Body& b = kept_[oldest_];
   oldest_ = (oldest_ + 1) % kKept;
-  k = Kept{body, pass.lineSweep()};
-  return k.sweep;
+  return b = body;
 }
 
 ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
@@ -83,7 +83,8 @@ ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
     if (!at) return {q, Vec3::Zero(), 0};  // faces nothing
     return {(at->p - corner_) / h_, at->normal, static_cast<int>(face & 0xFFFF)};
   }
-  const SweepSample s = sweepOf(body).sampleOutside(corner_ + h_ * q, kFootTolerance * h_);
+  Body& b = bodyOf(body);
+  const SweepSample s = b.sweep.sampleOutside(corner_ + h_ * q, kFootTolerance * h_, b.start);
   return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
 }
 
@@ -124,7 +125,7 @@ bool ExactFaces::isReachedByOthers(std::int64_t body, const Vec3& q) {
   const Vec3 p = corner_ + h_ * q;
   const double touch = kTouch * h_;
   return std::any_of(neighbours_.begin(), neighbours_.end(), [&](std::int64_t other) {
-    return other != body && sweepOf(other).distance(p, touch) <= touch;
+    return other != body && bodyOf(other).sweep.distance(p, touch) <= touch;
   });
 }
 

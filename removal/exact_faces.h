@@ -53,14 +53,16 @@ class ExactFaces {
 
  private:
   const Pass* passOf(std::uint64_t face) const;
-  const Sweep& sweepOf(std::int64_t body);
   void findNeighbours();
 
   static constexpr std::size_t kKept = 8;
-  struct Kept {
-    std::int64_t body = kNoBody;
+  struct Body {
+    std::int64_t number = kNoBody;
     Sweep sweep;
+    double start = -1.0;  ///< of the search for a nearest point: where the last one was
   };
+  Body& bodyOf(std::int64_t number);
+
   const Stock::Impl& impl_;
   Coord origin_;  ///< voxel of the leaf's first sample
   const CutRecord* record_;
@@ -69,7 +71,7 @@ class ExactFaces {
   Vec3 corner_ = Vec3::Zero();
   std::vector<std::int64_t> neighbours_;  ///< bodies with surface in the leaves around; found when asked for
   bool neighbours_known_ = false;
-  std::vector<Kept> kept_;  ///< the last sweeps of lines
+  std::vector<Body> kept_;  ///< the last that were asked for
   std::size_t oldest_ = 0;
 };
 

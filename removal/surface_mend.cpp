@@ -663,6 +663,7 @@ void takeOut(TriMesh& mesh, Lost lost) {
 
 std::size_t mendIntersections(TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs,
                               double cell_mm) {
+  if (pairs.empty()) return 0;
   const Surroundings around(mesh, cell_mm, pairs);
   const auto& groups = around.groups();
   std::vector<std::uint32_t> seen(mesh.triangles.size(), 0);

@@ -20,6 +20,13 @@ const double kRimCos = std::cos(degToRad(10.0));
 constexpr double kLineToleranceMm = 0.01 * kSweepToleranceMm;
 /// Height of normals of a straight element of the profile, within rounding.
 constexpr double kFaceSlack = 1e-6;
+/// What a step of Newton's method promises to gain, in tolerances, when it goes this much farther; and how much of
+/// the slope it has to take away.
+constexpr double kNear = 1000.0, kOvershoot = 1.1, kHelps = 0.5;
+/// A place this near to an end of the way is that end.
+constexpr double kAtEnd = 1e-6;
+/// A search does not come nearer to a place that it knows than this part of what is left.
+constexpr double kMargin = 1e-6;
 /// Rounds after which a search gives its best value; a bracketed search on doubles needs fewer.
 constexpr int kMaxLineRounds = 80;
 constexpr int kMaxCurveSpans = 4000;
@@ -84,24 +91,39 @@ Vec3 spaceGradient(const ProfileSample& s, const Vec3& q, double r) {
 }  // namespace
 
 Sweep::At Sweep::evaluate(const Vec3& p, double t) const {
-  Vec3 velocity = delta_;
-  Vec3 at;
-  if (kind_ == Kind::kCurve || kind_ == Kind::kLevelArc) {
-    const double angle = t * arc_.sweep_rad;
-    const double dr = frame_.radius_end - frame_.radius_start;
-    const double radius = frame_.radius_start + t * dr;
-    const double c = std::cos(angle), s = std::sin(angle);
-    at = arc_.center + frame_.u * (radius * c) + frame_.v * (radius * s) + frame_.n * (t * frame_.rise);
-    velocity = frame_.u * (dr * c - radius * arc_.sweep_rad * s) +
-               frame_.v * (dr * s + radius * arc_.sweep_rad * c) + frame_.n * frame_.rise;
-  } else {
-    at = from_ + t * delta_;
-  }
+  return kind_ == Kind::kCurve || kind_ == Kind::kLevelArc ? evaluateCurve(p, t) : evaluateLine(p, t);
+}
+
+Sweep::At Sweep::evaluateCurve(const Vec3& p, double t) const {
+  const double angle = t * arc_.sweep_rad;
+  const double dr = frame_.radius_end - frame_.radius_start;
+  const double radius = frame_.radius_start + t * dr;
+  const double c = std::cos(angle), s = std::sin(angle);
+  const Vec3 at =
+      arc_.center + frame_.u * (radius * c) + frame_.v * (radius * s) + frame_.n * (t * frame_.rise);
+  const Vec3 velocity = frame_.u * (dr * c - radius * arc_.sweep_rad * s) +
+                        frame_.v * (dr * s + radius * arc_.sweep_rad * c) + frame_.n * frame_.rise;
   const Vec3 q = p - at;
+  const double r = std::sqrt(q.x() * q.x() + q.y() * q.y());
+  const ProfileSample sample = profile_->sample(r, q.z());
+  const Vec3 gradient = spaceGradient(sample, q, r);
+  return {sample.value, -gradient.dot(velocity), sample.element, gradient};
+}
+
+Sweep::At Sweep::evaluateLine(const Vec3& p, double t) const {
+  const Vec3 q = p - from_ - t * delta_;
   const double r = std::sqrt(q.x() * q.x() + q.y() * q.y());
   const ProfileSample s = profile_->sample(r, q.z());
   const Vec3 gradient = spaceGradient(s, q, r);
-  return {s.value, -gradient.dot(velocity), s.element, gradient};
+  At out{s.value, -gradient.dot(delta_), s.element, gradient};
+  if (r > 0.0) {
+    // The point's place in the half-plane moves at (dr, dz); r is a hyperbola. The square of a distance from a
+    // point is far more like a parabola than the distance.
+    const double dr = -(q.x() * delta_.x() + q.y() * delta_.y()) / r, dz = -delta_.z();
+    out.bend = s.gr * (level_length2_ - dr * dr) / r;
+    if (s.radius > 0.0) out.bend += (dr * dr + dz * dz) / s.radius;
+  }
+  return out;
 }
 
 double Sweep::levelParameter(double x, double y) const {
@@ -156,56 +178,102 @@ double Sweep::refineLevel(double x, double y, double t) const {
   return t;
 }
 
-double Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound) const {
-  // Guess: the ball end's closed form; otherwise where the tool's axis is nearest.
-  // There the flank's distance is stationary: where the flank is nearest the search ends at once.
-  double a = 0.0;
-  if (const double lift = profile_->ballCenter(); lift > 0.0) {
-    a = std::clamp((p - from_ - Vec3(0, 0, lift)).dot(delta_) / length2_, 0.0, 1.0);
-  } else if (level_length2_ > 0.0) {
-    a = std::clamp((p - from_).head<2>().dot(delta_.head<2>()) / level_length2_, 0.0, 1.0);
-  }
-  At fa = evaluate(p, a);
-  bound = fa.value;
-  if (fa.slope == 0.0 || (a == 0.0 && fa.slope > 0.0) || (a == 1.0 && fa.slope < 0.0)) return a;
-  if (std::abs(fa.slope) < 1e-13 * std::sqrt(length2_)) return a;
-  double b = fa.slope > 0.0 ? 0.0 : 1.0;
-  At fb = evaluate(p, b);
-  if ((fb.slope > 0.0) == (fa.slope > 0.0) || fb.slope == 0.0) {
-    bound = fb.value;
-    return b;
-  }
-  if (a > b) {
-    std::swap(a, b);
-    std::swap(fa, fb);
-  }
-  // Now slope(a) < 0 < slope(b). Support lines at both ends bound the value from below (convexity).
-  for (int round = 0; round < kMaxLineRounds; ++round) {
-    const double meet = a + (fa.value - fb.value + fb.slope * (b - a)) / (fb.slope - fa.slope);
-    bound = fa.value + fa.slope * (meet - a);
-    const double best = std::min(fa.value, fb.value);
-    if (best - bound < tolerance || bound > cutoff) break;
-    double t = round % 3 != 2 ? meet : a - fa.slope * (b - a) / (fb.slope - fa.slope);
-    const double margin = 1e-6 * (b - a);
-    t = std::clamp(t, a + margin, b - margin);
-    if (!(t > a && t < b)) break;
-    const At ft = evaluate(p, t);
-    if (ft.slope == 0.0) {
-      bound = ft.value;
-      return t;
-    }
-    if (ft.slope < 0.0) {
-      a = t;
-      fa = ft;
-    } else {
-      b = t;
-      fb = ft;
-    }
-  }
-  return fa.value < fb.value ? a : b;
+/// The ball end's closed form; otherwise where the tool's axis is nearest. There the flank's distance is stationary:
+/// where the flank is nearest a search ends at once.
+double Sweep::guessOnLine(const Vec3& p) const {
+  if (const double lift = profile_->ballCenter(); lift > 0.0)
+    return std::clamp((p - from_ - Vec3(0, 0, lift)).dot(delta_) / length2_, 0.0, 1.0);
+  if (level_length2_ <= 0.0) return 0.0;
+  return std::clamp((p - from_).head<2>().dot(delta_.head<2>()) / level_length2_, 0.0, 1.0);
 }
 
-double Sweep::minimiseCurve(const Vec3& p, double cutoff, double& bound) const {
+/// How far the parameter goes from a place on a line, down the slope, until another element than this flat end or
+/// cylinder is nearest; infinite where that is not known.
+double Sweep::stepToEdge(const Vec3& p, const Place& from) const {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const ConvexProfile::Element& e = profile_->element(from.at.element - profile_->firstElementId());
+  const Vec3 q = p - from_ - from.t * delta_;
+  const double down = from.at.slope < 0.0 ? 1.0 : -1.0;
+  if (e.arc || (e.dr != 0.0 && e.dz != 0.0)) return kNever;
+  if (e.dr == 0.0) {
+    const double fall = down * delta_.z();
+    const double end = (fall > 0.0) == (e.az < e.bz) ? e.az : e.bz;
+    return down * std::max(0.0, (q.z() - end) / fall);
+  }
+  const Vec2 level = q.head<2>(), way = delta_.head<2>();
+  const double rim = std::max(e.ar, e.br), along = level.dot(way);
+  const double root = along * along - level_length2_ * (level.squaredNorm() - rim * rim);
+  return level_length2_ > 0.0 && root > 0.0 ? (along + down * std::sqrt(root)) / level_length2_ : kNever;
+}
+
+/// From a place on a line towards the least value; infinite where that is not known.
+double Sweep::newtonStep(const Vec3& p, const Place& from) const {
+  const auto& [value, slope, element, gradient, bend] = from.at;
+  const double step = bend > 0.0 ? -slope / bend : std::numeric_limits<double>::infinity();
+  if (gradient.z() != 0.0 && gradient.z() != -1.0 && gradient.z() != 1.0) return step;
+  const double edge = stepToEdge(p, from);
+  if (std::abs(edge) >= std::abs(step)) return step;
+  // On along the rim, a distance from a point.
+  const double rim_slope = slope + bend * edge, rim_value = value + (slope + 0.5 * bend * edge) * edge;
+  const Vec2 level = (p - from_ - (from.t + edge) * delta_).head<2>(), way = delta_.head<2>();
+  const double dr = level.dot(way) / level.norm(), bends = dr * dr + delta_.z() * delta_.z();
+  return rim_value > 0.0 && bends > 0.0 ? edge - rim_slope * rim_value / bends : edge;
+}
+
+/// Newton's method from one side until the least value lies between two places, which the support lines there
+/// prove (the value is convex).
+Sweep::Place Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound,
+                                 double start) const {
+  Place low{0.0, {}}, high{1.0, {}};  // of slopes below and above 0; at the ends before they are known
+  bool low_known = false, high_known = false, helps = true;
+  const double first = start < 0.0 ? guessOnLine(p) : start;
+  Place now{first, evaluateLine(p, first)};
+  for (int round = 0; round < kMaxLineRounds; ++round) {
+    const double slope = now.at.slope;
+    bound = now.at.value;
+    if (slope == 0.0 || (now.t == 0.0 && slope > 0.0) || (now.t == 1.0 && slope < 0.0)) return now;
+    (slope < 0.0 ? low : high) = now;
+    (slope < 0.0 ? low_known : high_known) = true;
+    const double width = high.t - low.t;
+    double t;
+    const bool between = low_known && high_known;
+    if (between) {
+      const double rise = high.at.slope - low.at.slope;
+      t = low.t + (low.at.value - high.at.value + high.at.slope * width) / rise;
+      bound = low.at.value + low.at.slope * (t - low.t);
+    } else {
+      t = slope < 0.0 ? 1.0 : 0.0;
+      bound = now.at.value + slope * (t - now.t);
+    }
+    const Place& best = !high_known || (low_known && low.at.value < high.at.value) ? low : high;
+    if (bound > cutoff) return best;
+    if (best.at.value - bound < tolerance) {
+      // The tool's face at the end of the way, and not its rim shortly before.
+      const bool at_end = !between && std::abs(t - best.t) < kAtEnd;
+      return at_end ? Place{t, evaluateLine(p, t)} : best;
+    }
+    // At kinks Newton's steps lead nowhere: there follows one to where the support lines meet.
+    if (helps || !between) {
+      double step = std::abs(newtonStep(p, now));
+      // Near the least value a little beyond it, so that it is between two places.
+      if (step * std::abs(slope) < kNear * tolerance) step *= kOvershoot;
+      step = std::max(helps ? step : 2.0 * step, 0.5 * tolerance / std::abs(slope));
+      const double next = now.t + (slope < 0.0 ? step : -step);
+      if (next > low.t && next < high.t) t = next;
+    }
+    const double before = std::abs(slope);
+    if (between) {
+      const double margin = kMargin * width;
+      t = std::clamp(t, low.t + margin, high.t - margin);
+      if (!(t > low.t && t < high.t)) return best;
+    }
+    now = {t, evaluateLine(p, t)};
+    helps = !helps || std::abs(now.at.slope) < kHelps * before;
+  }
+  return now;
+}
+
+Sweep::Place Sweep::minimiseCurve(const Vec3& p, double cutoff, double& bound) const {
   struct End {
     double value;
     Vec3 gradient, at;
@@ -271,37 +339,28 @@ double Sweep::minimiseCurve(const Vec3& p, double cutoff, double& bound) const {
     stack[size++] = first_better ? first : second;
   }
   bound = std::min(bound, best);
-  return best_t;
+  return {best_t, evaluateCurve(p, best_t)};
 }
 
-double Sweep::minimise(const Vec3& p, double cutoff, double tolerance, double& bound) const {
-  switch (kind_) {
-    case Kind::kPoint:
-      bound = evaluate(p, 0.0).value;
-      return 0.0;
-    case Kind::kLevelLine:
-    case Kind::kLevelArc: {
-      const double t = levelParameter(p.x(), p.y());
-      bound = evaluate(p, t).value;
-      return t;
-    }
-    case Kind::kLine:
-      return minimiseLine(p, cutoff, tolerance, bound);
-    case Kind::kCurve:
-      return minimiseCurve(p, cutoff, bound);
-  }
-  return 0.0;
+Sweep::Place Sweep::minimise(const Vec3& p, double cutoff, double tolerance, double& bound, double start) const {
+  if (kind_ == Kind::kLine) return minimiseLine(p, cutoff, tolerance, bound, start);
+  if (kind_ == Kind::kCurve) return minimiseCurve(p, cutoff, bound);
+  const double t = kind_ == Kind::kPoint ? 0.0 : levelParameter(p.x(), p.y());
+  const Place place{t, evaluate(p, t)};
+  bound = place.at.value;
+  return place;
 }
 
 double Sweep::distance(const Vec3& p, double cutoff) const {
   double bound = 0.0;
-  const double t = minimise(p, cutoff, kLineToleranceMm, bound);
-  return bound > cutoff ? bound : evaluate(p, t).value;
+  const Place place = minimise(p, cutoff, kLineToleranceMm, bound);
+  return bound > cutoff ? bound : place.at.value;
 }
 
-SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance) const {
+SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance, double& start) const {
   double bound = 0.0;
-  const At at = evaluate(p, minimise(p, std::numeric_limits<double>::infinity(), tolerance, bound));
+  const auto [t, at] = minimise(p, std::numeric_limits<double>::infinity(), tolerance, bound, start);
+  if (kind_ == Kind::kLine) start = t == guessOnLine(p) ? kAnywhere : t;
   const ConvexProfile::Element& e = profile_->element(at.element - profile_->firstElementId());
   const bool at_end = !e.arc && std::abs(at.gradient.z() + e.dr) > kFaceSlack;
   return {at.value, at.gradient, at_end ? ConvexProfile::kEdgeIds + at.element : at.element};
@@ -309,8 +368,7 @@ SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance) const {
 
 SweepSample Sweep::sample(const Vec3& p) const {
   double bound = 0.0;
-  const double t = minimise(p, std::numeric_limits<double>::infinity(), kLineToleranceMm, bound);
-  const At at = evaluate(p, t);
+  const auto [t, at] = minimise(p, std::numeric_limits<double>::infinity(), kLineToleranceMm, bound);
   // Where a sharp rim of the tool leaves the surface, the distance has a kink in time: just before and just
   // after, different elements are nearest. The surface's normal is the mix of both that is at right angles to
   // the motion.
@@ -319,9 +377,9 @@ SweepSample Sweep::sample(const Vec3& p) const {
                             ? std::max(frame_.radius_start, frame_.radius_end) * std::abs(arc_.sweep_rad) +
                                   std::abs(frame_.rise)
                             : 0.0;
-  const double step = length > 0.0 ? kKinkStepMm / length : 1.0;
-  if (t > step && t < 1.0 - step) {
-    const At before = evaluate(p, t - step), after = evaluate(p, t + step);
+  if (length > 0.0 && t > 0.0 && t < 1.0) {
+    const double step = kKinkStepMm / length;
+    const At before = evaluate(p, std::max(0.0, t - step)), after = evaluate(p, std::min(1.0, t + step));
     if (before.slope < 0.0 && after.slope > 0.0) {
       const Vec3 mix = before.gradient * after.slope - after.gradient * before.slope;
       const bool rim = before.element != after.element && before.gradient.dot(after.gradient) < kRimCos;

@@ -39,7 +39,9 @@ class Sweep {
   SweepSample sample(const Vec3& p) const;
   /// The same for a point outside, where the distance has no kinks, to within `tolerance` > 0, mm, on lines; cheaper.
   /// An element from kEdgeIds on: an end of that straight element is nearest, not its face.
-  SweepSample sampleOutside(const Vec3& p, double tolerance) const;
+  /// `start`: where on the path (0 to 1) the search on a line sets out, below 0 anywhere; becomes a good start for
+  /// points nearby.
+  SweepSample sampleOutside(const Vec3& p, double tolerance, double& start) const;
 
   /// Distances at the `count` points (x, y, z0 + k * dz), each with its own cutoff as in distance().
   void column(double x, double y, double z0, double dz, int count, const double* cutoff, double* out) const;
@@ -48,22 +50,36 @@ class Sweep {
   const Box3& bounds() const { return bounds_; }
 
  private:
+  static constexpr double kAnywhere = -1.0;
   enum class Kind { kPoint, kLevelLine, kLine, kLevelArc, kCurve };
   struct At {
-    double value, slope;  // slope: derivative of the value by the path parameter
+    double value, slope;  ///< slope: derivative of the value by the path parameter
     int element;
     Vec3 gradient;
+    /// On lines: minus slope over Newton's step to the least value of the distance, or of its square where that is
+    /// a distance from a point.
+    double bend = 0.0;
+  };
+  /// A place on the path.
+  struct Place {
+    double t;
+    At at;
   };
 
   At evaluate(const Vec3& p, double t) const;
   At evaluateLine(const Vec3& p, double t) const;
+  At evaluateCurve(const Vec3& p, double t) const;
   Vec3 position(double t) const;
   double levelParameter(double x, double y) const;
   double refineLevel(double x, double y, double t) const;
-  /// Parameter of the least value on a line; `bound` receives a proven lower bound of the value.
-  double minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound) const;
-  double minimiseCurve(const Vec3& p, double cutoff, double& bound) const;
-  double minimise(const Vec3& p, double cutoff, double tolerance, double& bound) const;
+  /// The place of the least value, on a line to within `tolerance`; `bound` receives a proven lower bound of the
+  /// value. Where that is above `cutoff`, any place.
+  Place minimise(const Vec3& p, double cutoff, double tolerance, double& bound, double start = kAnywhere) const;
+  Place minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound, double start) const;
+  double guessOnLine(const Vec3& p) const;
+  double stepToEdge(const Vec3& p, const Place& from) const;
+  double newtonStep(const Vec3& p, const Place& from) const;
+  Place minimiseCurve(const Vec3& p, double cutoff, double& bound) const;
   void slantedColumn(double x, double y, double z0, double dz, int count, const double* cutoff,
                      double* out) const;
   double horizontalGap(double x, double y) const;

@@ -97,14 +97,18 @@ double ConvexProfile::upperHeight(double r) const {
 ProfileSample ConvexProfile::sample(double r, double z) const {
   // Inside, the nearest boundary is the largest of the signed distances to lines and (in their sectors) arcs;
   // outside, the least of the distances to feet and corners.
-  ProfileSample in{-std::numeric_limits<double>::infinity(), 0, 1, 0};
-  ProfileSample out{std::numeric_limits<double>::infinity(), 0, 1, 0};
+  ProfileSample in{-std::numeric_limits<double>::infinity(), 0.0, 0, 1, 0};
+  ProfileSample out{std::numeric_limits<double>::infinity(), 0.0, 0, 1, 0};
   bool outside = false;
+  double corner_r = 0.0, corner_z = 0.0, corner2 = std::numeric_limits<double>::infinity();
+  int corner_id = 0;
   const auto corner = [&](double cr, double cz, int id) {
-    const double er = r - cr, ez = z - cz;
-    const double distance = std::sqrt(er * er + ez * ez);
-    if (distance < out.value && distance > 0.0) out = {distance, er / distance, ez / distance, id};
-    if (distance == 0.0) out = {0.0, out.gr, out.gz, id};
+    const double er = r - cr, ez = z - cz, distance2 = er * er + ez * ez;
+    if (distance2 >= corner2) return;
+    corner2 = distance2;
+    corner_r = er;
+    corner_z = ez;
+    corner_id = id;
   };
   for (int i = 0; i < count_; ++i) {
     const Element& e = elements_[i];
@@ -130,14 +134,14 @@ ProfileSample ConvexProfile::sample(double r, double z) const {
       const double gz = distance > 0.0 ? ez / distance : -1.0;
       if (s > 0.0) {
         outside = true;
-        if (s < out.value) out = {s, gr, gz, id};
+        if (s < out.value) out = {s, distance, gr, gz, id};
       }
-      if (s > in.value) in = {s, gr, gz, id};
+      if (s > in.value) in = {s, distance, gr, gz, id};
       continue;
     }
     const double er = r - e.ar, ez = z - e.az;
     const double s = er * e.dz - ez * e.dr;  // outward normal (dz, -dr)
-    if (s > in.value) in = {s, e.dz, -e.dr, id};
+    if (s > in.value) in = {s, 0.0, e.dz, -e.dr, id};
     const double along = er * e.dr + ez * e.dz;
     if (s > 0.0) outside = true;
     if (along < 0.0) {
@@ -145,10 +149,15 @@ ProfileSample ConvexProfile::sample(double r, double z) const {
     } else if (along > e.length) {
       corner(e.br, e.bz, id);
     } else if (s > 0.0 && s < out.value) {
-      out = {s, e.dz, -e.dr, id};
+      out = {s, 0.0, e.dz, -e.dr, id};
     }
   }
-  return outside ? out : in;
+  if (!outside) return in;
+  if (const double distance = std::sqrt(corner2); distance < out.value) {
+    if (distance == 0.0) return {0.0, 0.0, 0.0, 1.0, corner_id};
+    return {distance, distance, corner_r / distance, corner_z / distance, corner_id};
+  }
+  return out;
 }
 
 }  // namespace proveout

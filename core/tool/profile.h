@@ -8,6 +8,7 @@ namespace proveout {
 /// Signed distance in the half-plane (r >= 0, z) with its gradient; negative inside.
 struct ProfileSample {
   double value;   ///< mm
+  double radius;  ///< of the curve of equal values through the point, mm; 0 where it is straight
   double gr, gz;  ///< unit gradient; at corners the direction away from the corner
   int element;    ///< id of the nearest element: its index + ConvexProfile::firstElementId()
 };
