@@ -4,8 +4,6 @@
 #include <cmath>
 #include <mutex>
 
-#include <tbb/concurrent_vector.h>
-
 #include "core/base/parallel_for.h"
 #include "removal/blank_field.h"
 #include "removal/leaf_changes.h"
@@ -93,9 +91,18 @@ class FieldBlank {
   std::vector<Crossing> crossings(const LeafChange& leaf, const LeafEdges& edges) const {
     std::vector<Crossing> out;
     out.reserve(edges.count);
+    const bool level = field_.isLevel();
+    int last = -1;
     forEachEdge(edges, [&](int axis, int x, int y, int z) {
+      const bool inside = leafSample(leaf.material, x, y, z);
+      const int layer = (axis * 8 + std::array{x, y, z}[static_cast<std::size_t>(axis)]) * 2 + inside;
+      if (level && layer == last) {
+        out.push_back(out.back());
+        return;
+      }
+      last = layer;
       const Vec3 start = impl_.position(leaf.origin.offsetBy(x, y, z));
-      const auto hit = field_.edgeHit(start, axis, impl_.h, leafSample(leaf.material, x, y, z));
+      const auto hit = field_.edgeHit(start, axis, impl_.h, inside);
       Crossing c;
       c.setPosition(hit.t);
       c.setNormal(hit.normal);
@@ -111,7 +118,7 @@ class FieldBlank {
   Progress& progress_;
   double limit_bytes_;
   std::mutex mutex_;
-  tbb::concurrent_vector<LeafChange> changes_;
+  ConcurrentList<LeafChange> changes_;
   std::atomic<std::size_t> leaves_{0};
   std::atomic<bool> over_limit_{false};
 };

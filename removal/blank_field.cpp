@@ -46,6 +46,7 @@ class BoxField : public BlankField {
     return {std::clamp((wall - start[axis]) / length, 0.0, 1.0), Vec3::Unit(axis) * (inside ? 1.0 : -1.0),
             2 * axis + (inside ? 1 : 0)};
   }
+  bool isLevel() const override { return true; }
 
  private:
   bool within(int axis, double p) const { return p > box_.min[axis] && p < box_.max[axis]; }

@@ -36,6 +36,8 @@ class BlankField {
     MotionId motion = kNoMotion;  ///< that made the face
   };
   virtual EdgeHit edgeHit(const Vec3& start, int axis, double length, bool inside) const;
+  /// Whether that depends on the start's coordinate along the axis alone.
+  virtual bool isLevel() const { return false; }
 
   /// Where a face is between the crossings. `face`: Crossing::face().
   struct FacePoint {

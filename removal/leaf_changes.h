@@ -2,7 +2,10 @@
 // edges, which reach into its neighbours.
 #pragma once
 
+#include <tbb/concurrent_vector.h>
+
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -35,6 +38,10 @@ LeafBits samplesBefore(const LeafChange& change);
 using FindCrossings = std::function<std::vector<Crossing>(std::size_t i, const LeafEdges& edges,
                                                           const std::vector<Crossing>& before)>;
 void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find);
+
+/// All threads add to it. Its memory is the program's, in huge pages (docs/decisions/008), and not TBB's own.
+template <typename T>
+using ConcurrentList = tbb::concurrent_vector<T, std::allocator<T>>;
 
 /// Where the elements of a list stand, for commitChanges.
 template <typename List>

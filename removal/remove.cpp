@@ -2,7 +2,6 @@
 // can touch it; a leaf's samples see its passes in program order; then the crossings of all changed leaves
 // are found.
 #include <fmt/format.h>
-#include <tbb/concurrent_vector.h>
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
@@ -92,9 +91,9 @@ class Remover {
   tbb::enumerable_thread_specific<LeafCutter> cutters_;
   tbb::enumerable_thread_specific<CrossingFinder> finders_;
   tbb::enumerable_thread_specific<ThinWallFinder> walls_;
-  tbb::concurrent_vector<ContactSample> contacts_;
-  tbb::concurrent_vector<LostFilm> lost_;
-  tbb::concurrent_vector<CutLeaf> cut_;
+  ConcurrentList<ContactSample> contacts_;
+  ConcurrentList<LostFilm> lost_;
+  ConcurrentList<CutLeaf> cut_;
   std::atomic<std::uint64_t> evaluations_{0};
   std::atomic<double> bytes_{0.0}, done_{0.0};
   double total_blocks_ = 1.0;

@@ -382,18 +382,21 @@ void Extractor::writeSplits(TriMesh& mesh) {
   }
 }
 
-/// Resizes a vector whose memory is new. The system clears fresh pages where they are first touched: by all
-/// threads here, and not by the one that fills the vector with zeros.
+/// Resizes a vector, with room for `spare` more, whose contents are to be written anew. The system clears
+/// fresh pages where they are first touched: by all threads here, and not by the one that fills the vector
+/// with zeros.
 template <typename T>
-void resizeTouched(std::vector<T>& vector, std::size_t size) {
-  if (size <= vector.capacity()) return vector.resize(size);
-  constexpr std::size_t kPage = 4096, kStretch = std::size_t{1} << 21;
-  vector.reserve(size);
-  auto* const bytes = reinterpret_cast<volatile char*>(vector.data() + vector.size());
-  const std::size_t count = (size - vector.size()) * sizeof(T);
-  parallelFor(std::size_t{0}, count / kStretch + 1, [&](std::size_t i) {
-    for (std::size_t k = i * kStretch; k < std::min(count, (i + 1) * kStretch); k += kPage) bytes[k] = 0;
-  });
+void resizeTouched(std::vector<T>& vector, std::size_t size, std::size_t spare) {
+  constexpr std::size_t kPage = 4096, kStretch = std::size_t{1} << 21, kGrowth = 64;
+  if (size + spare > vector.capacity()) {
+    vector.clear();
+    vector.reserve(size + spare + size / kGrowth);  // later rounds take a little more
+    auto* const bytes = reinterpret_cast<volatile char*>(vector.data());
+    const std::size_t count = (size + spare) * sizeof(T);
+    parallelFor(std::size_t{0}, count / kStretch + 1, [&](std::size_t i) {
+      for (std::size_t k = i * kStretch; k < std::min(count, (i + 1) * kStretch); k += kPage) bytes[k] = 0;
+    });
+  }
   vector.resize(size);
 }
 
@@ -402,15 +405,19 @@ void Extractor::writeMesh(TriMesh& mesh, Progress& progress) {
   std::swap(mesh, old_mesh_);
   std::swap(cell_at_, old_cell_at_);
   numberVertices();
-  std::size_t triangles = 0;
+  std::size_t triangles = 0, split_vertices = 0, split_triangles = 0;
   for (LeafOutput& out : outputs_) {
     out.old_triangle = std::exchange(out.first_triangle, triangles);
     triangles += out.triangles;
+    for (const SplitQuad& split : out.split) {
+      split_vertices += 1 + split.faces.size();
+      split_triangles += 4 + split.faces.size();
+    }
   }
-  if (merger_.active()) cell_at_.resize(cells_kept_);
-  resizeTouched(mesh.positions, cells_kept_ + grid_.vertexCount() - grid_.cellCount());
-  resizeTouched(mesh.triangles, triangles);
-  resizeTouched(mesh.motion, triangles);
+  if (merger_.active()) resizeTouched(cell_at_, cells_kept_, 0);
+  resizeTouched(mesh.positions, cells_kept_ + grid_.vertexCount() - grid_.cellCount(), split_vertices);
+  resizeTouched(mesh.triangles, triangles, split_triangles);
+  resizeTouched(mesh.motion, triangles, split_triangles);
   eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) { writeVertices(leaf, out, mesh); });
   eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) {
     if (out.changed) {

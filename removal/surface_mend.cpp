@@ -270,7 +270,7 @@ class Mender {
 
   struct Choice {
     Edit edit;
-    std::size_t gain = 0;  ///< pairs fewer
+    std::size_t gain = 0;     ///< pairs fewer
     double moved = 0.0;       ///< between old and new surface
   };
 
@@ -308,7 +308,8 @@ class Mender {
   std::vector<std::uint32_t>& seen_;  ///< number of the last search that met a triangle
   std::uint32_t search_ = 0;
   std::vector<Near> near_;
-  std::unordered_map<std::uint32_t, std::vector<Pair>> pairs_at_;  ///< of the triangles at a vertex, as they are
+  std::unordered_map<std::uint32_t, std::vector<Pair>>
+      pairs_at_;  ///< of the triangles at a vertex, as they are
   std::vector<Pair> turned_pairs_;
   Lost lost_;
   std::size_t trials_ = 0, most_trials_;

@@ -20,8 +20,8 @@ const double kRimCos = std::cos(degToRad(10.0));
 constexpr double kLineToleranceMm = 0.01 * kSweepToleranceMm;
 /// Height of normals of a straight element of the profile, within rounding.
 constexpr double kFaceSlack = 1e-6;
-/// What a step of Newton's method promises to gain, in tolerances, when it goes this much farther; and how much of
-/// the slope it has to take away.
+/// What a step of Newton's method promises to gain, in tolerances, when it goes this much farther; and how
+/// much of the slope it has to take away.
 constexpr double kNear = 1000.0, kOvershoot = 1.1, kHelps = 0.5;
 /// A place this near to an end of the way is that end.
 constexpr double kAtEnd = 1e-6;
@@ -117,8 +117,8 @@ Sweep::At Sweep::evaluateLine(const Vec3& p, double t) const {
   const Vec3 gradient = spaceGradient(s, q, r);
   At out{s.value, -gradient.dot(delta_), s.element, gradient};
   if (r > 0.0) {
-    // The point's place in the half-plane moves at (dr, dz); r is a hyperbola. The square of a distance from a
-    // point is far more like a parabola than the distance.
+    // The point's place in the half-plane moves at (dr, dz); r is a hyperbola. The square of a distance from
+    // a point is far more like a parabola than the distance.
     const double dr = -(q.x() * delta_.x() + q.y() * delta_.y()) / r, dz = -delta_.z();
     out.bend = s.gr * (level_length2_ - dr * dr) / r;
     if (s.radius > 0.0) out.bend += (dr * dr + dz * dz) / s.radius;
@@ -178,8 +178,8 @@ double Sweep::refineLevel(double x, double y, double t) const {
   return t;
 }
 
-/// The ball end's closed form; otherwise where the tool's axis is nearest. There the flank's distance is stationary:
-/// where the flank is nearest a search ends at once.
+/// The ball end's closed form; otherwise where the tool's axis is nearest. There the flank's distance is
+/// stationary: where the flank is nearest a search ends at once.
 double Sweep::guessOnLine(const Vec3& p) const {
   if (const double lift = profile_->ballCenter(); lift > 0.0)
     return std::clamp((p - from_ - Vec3(0, 0, lift)).dot(delta_) / length2_, 0.0, 1.0);
@@ -187,8 +187,8 @@ double Sweep::guessOnLine(const Vec3& p) const {
   return std::clamp((p - from_).head<2>().dot(delta_.head<2>()) / level_length2_, 0.0, 1.0);
 }
 
-/// How far the parameter goes from a place on a line, down the slope, until another element than this flat end or
-/// cylinder is nearest; infinite where that is not known.
+/// How far the parameter goes from a place on a line, down the slope, until another element than this flat
+/// end or cylinder is nearest; infinite where that is not known.
 double Sweep::stepToEdge(const Vec3& p, const Place& from) const {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const ConvexProfile::Element& e = profile_->element(from.at.element - profile_->firstElementId());
@@ -342,7 +342,8 @@ Sweep::Place Sweep::minimiseCurve(const Vec3& p, double cutoff, double& bound) c
   return {best_t, evaluateCurve(p, best_t)};
 }
 
-Sweep::Place Sweep::minimise(const Vec3& p, double cutoff, double tolerance, double& bound, double start) const {
+Sweep::Place Sweep::minimise(const Vec3& p, double cutoff, double tolerance, double& bound,
+                             double start) const {
   if (kind_ == Kind::kLine) return minimiseLine(p, cutoff, tolerance, bound, start);
   if (kind_ == Kind::kCurve) return minimiseCurve(p, cutoff, bound);
   const double t = kind_ == Kind::kPoint ? 0.0 : levelParameter(p.x(), p.y());

@@ -37,9 +37,9 @@ class Sweep {
   /// Distance at `p`. Values above `cutoff` may be returned as any lower bound above `cutoff`.
   double distance(const Vec3& p, double cutoff) const;
   SweepSample sample(const Vec3& p) const;
-  /// The same for a point outside, where the distance has no kinks, to within `tolerance` > 0, mm, on lines; cheaper.
-  /// An element from kEdgeIds on: an end of that straight element is nearest, not its face.
-  /// `start`: where on the path (0 to 1) the search on a line sets out, below 0 anywhere; becomes a good start for
+  /// The same for a point outside, where the distance has no kinks, to within `tolerance` > 0, mm, on lines;
+  /// cheaper. An element from kEdgeIds on: an end of that straight element is nearest, not its face. `start`:
+  /// where on the path (0 to 1) the search on a line sets out, below 0 anywhere; becomes a good start for
   /// points nearby.
   SweepSample sampleOutside(const Vec3& p, double tolerance, double& start) const;
 
@@ -56,8 +56,8 @@ class Sweep {
     double value, slope;  ///< slope: derivative of the value by the path parameter
     int element;
     Vec3 gradient;
-    /// On lines: minus slope over Newton's step to the least value of the distance, or of its square where that is
-    /// a distance from a point.
+    /// On lines: minus slope over Newton's step to the least value of the distance, or of its square where
+    /// that is a distance from a point.
     double bend = 0.0;
   };
   /// A place on the path.
@@ -72,9 +72,10 @@ class Sweep {
   Vec3 position(double t) const;
   double levelParameter(double x, double y) const;
   double refineLevel(double x, double y, double t) const;
-  /// The place of the least value, on a line to within `tolerance`; `bound` receives a proven lower bound of the
-  /// value. Where that is above `cutoff`, any place.
-  Place minimise(const Vec3& p, double cutoff, double tolerance, double& bound, double start = kAnywhere) const;
+  /// The place of the least value, on a line to within `tolerance`; `bound` receives a proven lower bound of
+  /// the value. Where that is above `cutoff`, any place.
+  Place minimise(const Vec3& p, double cutoff, double tolerance, double& bound,
+                 double start = kAnywhere) const;
   Place minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound, double start) const;
   double guessOnLine(const Vec3& p) const;
   double stepToEdge(const Vec3& p, const Place& from) const;
