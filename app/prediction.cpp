@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
@@ -105,10 +106,10 @@ class HeightMap {
  private:
   int firstOf(int band) const { return nx_ * band / kBands; }
   int column(double x) const {
-    return std::clamp(static_cast<int>(std::floor((x - blank_.min.x()) / cell_)), 0, nx_ - 1);
+    return static_cast<int>(std::clamp((x - blank_.min.x()) / cell_, 0.0, nx_ - 1.0));
   }
   int row(double y) const {
-    return std::clamp(static_cast<int>(std::floor((y - blank_.min.y()) / cell_)), 0, ny_ - 1);
+    return static_cast<int>(std::clamp((y - blank_.min.y()) / cell_, 0.0, ny_ - 1.0));
   }
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(x) * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(y);
@@ -173,9 +174,13 @@ Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const 
   work.motions = path.motions.size();
   const std::map<int, double> radius_of = radii(tools);
   const auto forEach = [&](const auto& use) {
+    int tool = -1;
+    double radius = 0.0;
     for (const Motion& motion : path.motions) {
-      const auto found = radius_of.find(motion.tool);
-      const double radius = found == radius_of.end() ? 0.0 : found->second;
+      if (motion.tool != std::exchange(tool, motion.tool)) {
+        const auto found = radius_of.find(tool);
+        radius = found == radius_of.end() ? 0.0 : found->second;
+      }
       forEachSegment(path, motion, [&](const Vec3& a, const Vec3& b) {
         if (reaches(blank, a, b, radius)) use(a, b, radius);
       });

@@ -56,11 +56,17 @@ const Pass* ExactFaces::passOf(std::uint64_t face) const {
   return nullptr;
 }
 
-ExactFaces::Source ExactFaces::source(std::uint64_t face) const {
+ExactFaces::Source ExactFaces::findSource(std::uint64_t face) const {
   if (blank_ != nullptr) return {static_cast<std::int64_t>(face), blank_->isSimple(face)};
   const Pass* pass = passOf(face);
   if (pass == nullptr) return {kNoBody, true};
   return {pass - record_->table.passes.data(), isSimple(*pass, face)};
+}
+
+ExactFaces::Source ExactFaces::source(std::uint64_t face) {
+  KnownFace& known = known_[(face ^ face >> 16) % known_.size()];  // motion and element
+  if (known.face != face) known = {face, findSource(face)};
+  return known.source;
 }
 
 ExactFaces::Body& ExactFaces::bodyOf(std::int64_t number) {

@@ -30,7 +30,7 @@ class ExactFaces {
   };
   static constexpr std::int64_t kNoBody = -1;
   /// `face`: Crossing::face().
-  Source source(std::uint64_t face) const;
+  Source source(std::uint64_t face);
 
   /// Point of the surface of a body.
   struct Foot {
@@ -53,6 +53,7 @@ class ExactFaces {
 
  private:
   const Pass* passOf(std::uint64_t face) const;
+  Source findSource(std::uint64_t face) const;
   void findNeighbours();
 
   static constexpr std::size_t kKept = 8;
@@ -71,6 +72,11 @@ class ExactFaces {
   Vec3 corner_ = Vec3::Zero();
   std::vector<std::int64_t> neighbours_;  ///< bodies with surface in the leaves around; found when asked for
   bool neighbours_known_ = false;
+  struct KnownFace {
+    std::uint64_t face = ~0ull;  ///< no face has this number
+    Source source{kNoBody, true};
+  };
+  std::array<KnownFace, 16> known_;  ///< the last that were asked for
   std::vector<Body> kept_;  ///< the last that were asked for
   std::size_t oldest_ = 0;
 };

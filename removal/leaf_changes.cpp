@@ -30,23 +30,56 @@ LeafBits samplesBefore(const LeafChange& change) {
   return out;
 }
 
-void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find) {
-  // Every changed leaf has a record while neighbours read each other's new samples.
-  std::vector<std::uint32_t> record(changes.size());
-  impl.leaves.reserve(impl.leaves.size() + changes.size());
+namespace {
+
+constexpr std::uint32_t kNoRecord = 0xFFFFFFFFu;
+
+std::uint32_t addRecord(Stock::Impl& impl, const LeafChange& change) {
+  const auto number = static_cast<std::uint32_t>(impl.leaves.size());
+  impl.leaves.push_back({change.origin, change.material, {}});
+  impl.index.set(leafCoord(change.origin), static_cast<std::int32_t>(number));
+  return number;
+}
+
+/// Records of the changed leaves that have one or whose 9x9x9 block may hold both sides: those that are all
+/// one side, like most that are cut, only where a neighbour differs.
+std::vector<std::uint32_t> installChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes) {
+  std::vector<std::uint32_t> record(changes.size(), kNoRecord);
   for (std::size_t i = 0; i < changes.size(); ++i) {
-    const Coord at = leafCoord(changes[i]->origin);
-    std::int32_t number = impl.index.get(at);
-    if (number < 0) {
-      number = static_cast<std::int32_t>(impl.leaves.size());
-      impl.leaves.push_back({changes[i]->origin, {}, {}});
-      impl.index.set(at, number);
+    const LeafChange& change = *changes[i];
+    const Coord at = leafCoord(change.origin);
+    const bool inside = change.material == kAllInside;
+    if (const std::int32_t number = impl.index.get(at); number >= 0) {
+      record[i] = static_cast<std::uint32_t>(number);
+    } else if (inside || change.material == kAllOutside) {
+      impl.index.set(at, inside ? LeafIndex::kInside : LeafIndex::kOutside);
+    } else {
+      record[i] = addRecord(impl, change);
     }
-    record[i] = static_cast<std::uint32_t>(number);
   }
-  parallelFor(std::size_t{0}, changes.size(),
-              [&](std::size_t i) { impl.leaves[record[i]].material = changes[i]->material; });
+  std::vector<std::uint8_t> beside(changes.size(), 0);
   parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
+    if (record[i] != kNoRecord) impl.leaves[record[i]].material = changes[i]->material;
+  });
+  parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
+    beside[i] = record[i] == kNoRecord && isMixed(LeafReader(impl), changes[i]->origin);
+  });
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (beside[i] != 0) record[i] = addRecord(impl, *changes[i]);
+  }
+  return record;
+}
+
+}  // namespace
+
+void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find) {
+  // Every changed leaf is installed before neighbours read each other's new samples.
+  const std::vector<std::uint32_t> record = installChanges(impl, changes);
+  parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
+    if (record[i] == kNoRecord) {
+      find(i, LeafEdges{}, {});
+      return;
+    }
     const LeafReader reader(impl);
     StockLeaf& leaf = impl.leaves[record[i]];
     const bool mixed = isMixed(reader, leaf.origin);
@@ -54,7 +87,7 @@ void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes
     if (!mixed) leaf.origin = kNoLeaf;
   });
   for (std::size_t i = 0; i < changes.size(); ++i) {
-    if (impl.leaves[record[i]].origin != kNoLeaf) continue;
+    if (record[i] == kNoRecord || impl.leaves[record[i]].origin != kNoLeaf) continue;
     const bool inside = changes[i]->material[0] & 1;
     impl.index.set(leafCoord(changes[i]->origin), inside ? LeafIndex::kInside : LeafIndex::kOutside);
   }

@@ -231,7 +231,7 @@ void LeafCutter::contact(std::uint32_t number, int quarter, const double* top) {
     for (int z = 0; z < 8; ++z) {
       if (touched >> z & 1) look(c, l.z[z]);
     }
-    height += l.top[c] < top[i] ? top[i] - l.top[c] : l.h * std::popcount(touched);
+    height += l.top[c] < top[i] ? top[i] - l.top[c] : l.h * countBits(touched);
   }
   if (found.depth <= kContactToleranceMm) return;
   found.volume = volumeUnits(height / l.h);

@@ -99,7 +99,8 @@ Error memoryError(double needed_bytes, double limit_bytes, double resolution_mm)
 }
 
 void Crossing::setNormal(const Vec3& n) {
-  for (int i = 0; i < 3; ++i) normal[i] = static_cast<std::int16_t>(std::lround(n[i] * kNormalScale));
+  for (int i = 0; i < 3; ++i)
+    normal[i] = static_cast<std::int16_t>(n[i] * kNormalScale + (n[i] < 0.0 ? -0.5 : 0.5));
 }
 
 void Crossing::setPosition(double from_start) {
@@ -118,7 +119,7 @@ LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& n
   for (int axis = 0; axis < 3; ++axis) {
     for (int z = 0; z < 8; ++z) {
       e.first[axis][z] = e.count;
-      e.count = static_cast<std::uint16_t>(e.count + std::popcount(e.crossed[axis][z]));
+      e.count = static_cast<std::uint16_t>(e.count + countBits(e.crossed[axis][z]));
     }
   }
   return e;

@@ -59,7 +59,7 @@ struct LeafEdges {
   /// Index into StockLeaf::crossings. Requires isCrossed.
   int indexOf(int axis, int x, int y, int z) const {
     const std::uint64_t below = (1ull << leafBit(x, y)) - 1;
-    return first[axis][z] + std::popcount(crossed[axis][z] & below);
+    return first[axis][z] + countBits(crossed[axis][z] & below);
   }
 };
 

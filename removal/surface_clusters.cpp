@@ -30,13 +30,12 @@ int eulerNumber(const SurfaceLeaf& leaf, const LeafPatch& patch, const CellCube&
   const std::uint64_t low_x = c & c >> 8, low_y = c & (c & ~kColumnY0) >> 1;  // not in the highest row
   int number = 0;
   for (int z = cube.z0; z < cube.z0 + cube.size; ++z) {
-    number += std::popcount(leaf.mixed[z] & c);
-    number -= std::popcount(patch.faces[0][z] & low_x) + std::popcount(patch.faces[1][z] & low_y);
-    number += std::popcount(leaf.edges.crossed[2][z] & high_x & high_y);
+    number += countBits(leaf.mixed[z] & c);
+    number -= countBits(patch.faces[0][z] & low_x) + countBits(patch.faces[1][z] & low_y);
+    number += countBits(leaf.edges.crossed[2][z] & high_x & high_y);
     if (z > cube.z0) {
-      number +=
-          std::popcount(leaf.edges.crossed[0][z] & high_y) + std::popcount(leaf.edges.crossed[1][z] & high_x);
-      number -= std::popcount(patch.faces[2][z - 1] & c);
+      number += countBits(leaf.edges.crossed[0][z] & high_y) + countBits(leaf.edges.crossed[1][z] & high_x);
+      number -= countBits(patch.faces[2][z - 1] & c);
     }
   }
   return number;
@@ -80,7 +79,7 @@ bool isFlatDisk(const SurfaceLeaf& leaf, const LeafPatch& patch, const CellCube&
     if ((cells & ~patch.gentle[z]) != 0) return false;
     for (std::uint64_t rest = cells; rest != 0; rest &= rest - 1) {
       const std::uint64_t below = (rest & (~rest + 1)) - 1;
-      ranks[count] = static_cast<std::uint16_t>(leaf.first_cell[z] + std::popcount(leaf.mixed[z] & below));
+      ranks[count] = static_cast<std::uint16_t>(leaf.first_cell[z] + countBits(leaf.mixed[z] & below));
       n += patch.n[ranks[count]];
       middle += patch.p[ranks[count++]];
     }

@@ -51,7 +51,7 @@ class CrossingTable {
         const std::uint64_t crossed = leaf.edges.crossed[axis][z];
         for (std::uint64_t rest = crossed & columns; rest != 0; rest &= rest - 1) {
           const int bit = std::countr_zero(rest);
-          const int n = leaf.edges.first[axis][z] + std::popcount(crossed & ((1ull << bit) - 1));
+          const int n = leaf.edges.first[axis][z] + countBits(crossed & ((1ull << bit) - 1));
           at_[index(axis, (bit >> 3) + dx, (bit & 7) + dy, z + dz)] =
               &leaf.stock->crossings[static_cast<std::size_t>(n)];
         }
@@ -186,7 +186,7 @@ class LeafPlacer {
 
  private:
   /// The usual case: all crossings are of one face with no wide spread. The rule is the one of placeVertex.
-  bool placeOneFace(const CellPattern& cell, int at, Eigen::Vector3f& p, Eigen::Vector3f& normal) const {
+  bool placeOneFace(const CellPattern& cell, int at, Eigen::Vector3f& p, Eigen::Vector3f& normal) {
     std::array<Eigen::Vector3f, 12> points, normals;
     Eigen::Vector3f mean = Eigen::Vector3f::Zero(), sum = mean;
     const Crossing* first = crossings_[at + cell.edges[0].offset];
@@ -316,7 +316,7 @@ void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
     const std::array<std::uint64_t, 4> high = cornerLayer(bits, z + 1);
     leaf.mixed[z] = mixedBits(low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]);
     leaf.first_cell[z] = leaf.cells;
-    leaf.cells = static_cast<std::uint16_t>(leaf.cells + std::popcount(leaf.mixed[z]));
+    leaf.cells = static_cast<std::uint16_t>(leaf.cells + countBits(leaf.mixed[z]));
     low = high;
   }
 }

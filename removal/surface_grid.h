@@ -46,7 +46,7 @@ struct SurfaceLeaf {
 
   /// Number of the cell among those of the leaf.
   int rank(int x, int y, int z) const {
-    return first_cell[z] + std::popcount(mixed[z] & ((1ull << leafBit(x, y)) - 1));
+    return first_cell[z] + countBits(mixed[z] & ((1ull << leafBit(x, y)) - 1));
   }
   /// The place (z * 64 + leafBit(x, y)) of a cell.
   int placeOf(int cell_rank) const {

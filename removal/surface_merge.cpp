@@ -102,12 +102,11 @@ bool VertexMerger::isDisk(const std::vector<std::int32_t>& leaves, int level) co
     const std::uint64_t high_x = px == 0 ? ~kColumnX0 : ~0ull, high_y = py == 0 ? ~kColumnY0 : ~0ull;
     std::array<std::uint64_t, 3> over{};
     for (int z = 0; z < 8; ++z) {
-      euler -= std::popcount(faces[0][z] & low_x) + std::popcount(faces[1][z] & low_y);
-      if (z < 7 || pz < last) euler -= std::popcount(faces[2][z]);
-      euler += std::popcount(leaf.edges.crossed[2][z] & high_x & high_y);
+      euler -= countBits(faces[0][z] & low_x) + countBits(faces[1][z] & low_y);
+      if (z < 7 || pz < last) euler -= countBits(faces[2][z]);
+      euler += countBits(leaf.edges.crossed[2][z] & high_x & high_y);
       if (z > 0 || pz > 0) {
-        euler += std::popcount(leaf.edges.crossed[0][z] & high_y) +
-                 std::popcount(leaf.edges.crossed[1][z] & high_x);
+        euler += countBits(leaf.edges.crossed[0][z] & high_y) + countBits(leaf.edges.crossed[1][z] & high_x);
       }
       over[0] |= faces[0][z] & low_x & kColumnX7;
       over[1] |= faces[1][z] & low_y & kColumnY7;
@@ -153,7 +152,7 @@ void VertexMerger::assignCube(const SurfaceLeaf& leaf, const CellCube& cube) {
     for (std::uint64_t rest = leaf.mixed[z] & cube.columns; rest != 0; rest &= rest - 1) {
       const std::uint64_t below = (rest & (~rest + 1)) - 1;
       const std::uint32_t cell =
-          leaf.base + leaf.first_cell[z] + static_cast<std::uint32_t>(std::popcount(leaf.mixed[z] & below));
+          leaf.base + leaf.first_cell[z] + static_cast<std::uint32_t>(countBits(leaf.mixed[z] & below));
       cells[count++] = cell;
       sum += grid_.vertex(cell);
     }

@@ -108,7 +108,7 @@ void QuadReader::add(const SurfaceLeaf& leaf, int place) {
     const std::uint64_t mixed = leaf.mixed[z];
     for (std::uint64_t rest = mixed & columns; rest != 0; rest &= rest - 1) {
       const int bit = std::countr_zero(rest);
-      const int rank = leaf.first_cell[z] + std::popcount(mixed & ((1ull << bit) - 1));
+      const int rank = leaf.first_cell[z] + countBits(mixed & ((1ull << bit) - 1));
       const std::uint32_t cell = leaf.base + static_cast<std::uint32_t>(rank);
       const int i = index((bit >> 3) - dx, (bit & 7) - dy, z - dz);
       number_[i] = cell;
