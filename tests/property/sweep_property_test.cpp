@@ -188,6 +188,42 @@ TEST(SweepField, ArcsHelicesAndSpiralsMatchSampledMinimum) {
   }
 }
 
+/// From a point in the material, near the surface or far, and from wherever the search sets out: the nearest
+/// point is on the surface.
+TEST(SweepField, NearestPointsAreOnTheSurfaceWhateverTheStart) {
+  constexpr double kTolerance = 1e-5;
+  int near = 0, far = 0;
+  for (unsigned seed = 0; seed < 120; ++seed) {
+    Cases cases(seed + 9000);
+    const Case c = cases.line(seed % 3 == 0 ? 1 : 0);
+    for (const auto& [name, profile] : sampleParts()) {
+      const Sweep sweep(profile, c.from, c.to, nullptr);
+      const Vec3 away = cases.point();
+      const SweepSample there = sweep.sample(away);
+      if (there.value <= 0.1) continue;
+      const Vec3 close = away - (there.value - 0.05) * there.gradient;
+      for (const Vec3& p : {away, close}) {
+        const double least = sweep.sample(p).value;
+        if (least <= kTolerance) continue;
+        (p == close ? near : far) += 1;
+        for (const double from : {-1.0, 0.0, 0.31, 0.5, 1.0}) {
+          double start = from;
+          const SweepSample s = sweep.sampleOutside(p, kTolerance, start);
+          ASSERT_NEAR(s.value, least, kTolerance + kSweepToleranceMm)
+              << seed << " tool " << name << " from " << from;
+          ASSERT_NEAR(s.gradient.norm(), 1.0, 1e-9);
+          const double off = sweep.sample(p - s.value * s.gradient).value;
+          ASSERT_GE(off, -kTolerance - kSweepToleranceMm) << seed << " tool " << name << " from " << from;
+          ASSERT_LE(off, kSweepToleranceMm) << seed << " tool " << name << " from " << from;
+          ASSERT_TRUE(start == -1.0 || (start >= 0.0 && start <= 1.0));
+        }
+      }
+    }
+  }
+  EXPECT_GT(near, 500);
+  EXPECT_GT(far, 500);
+}
+
 TEST(SweepField, SplittingAMoveChangesNothing) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     Cases cases(seed + 5000);
