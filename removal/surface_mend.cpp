@@ -91,7 +91,7 @@ class Blocks {
     const auto corner = [&](const Vec3& p, double more) {
       return Vec3((blockOf(p).cast<double>() + Vec3::Constant(more)) / scale_);
     };
-    return {corner(box.min, -0.01), corner(box.max, 1.01)};
+    return {corner(box.min, -0.1), corner(box.max, 1.1)};
   }
 
  private:

@@ -7,7 +7,7 @@
 // kSweepToleranceMm.
 //
 // Method: the distance to a convex solid is convex in the solid's position, so along a line its minimum over
-// time is found by closed form (level moves) or by a bracketed search that stops on a proven bound; along an
+// time is found by closed form (level moves) or by Newton's method, which stops on a proven bound; along an
 // arc spans are bounded below by the chord's convexity less the sagitta, and split until the bound meets the
 // value.
 #pragma once
