@@ -77,7 +77,7 @@ class ExactFaces {
     Source source{kNoBody, true};
   };
   std::array<KnownFace, 16> known_;  ///< the last that were asked for
-  std::vector<Body> kept_;  ///< the last that were asked for
+  std::vector<Body> kept_;           ///< the last that were asked for
   std::size_t oldest_ = 0;
 };
 
