@@ -174,7 +174,7 @@ std::optional<Vec3> ContactSearch::foot(const Face& face, const Vec3& p) const {
   if (face.sweep != nullptr) {
     // Put into the material along the face's own normal there, the point comes back without a step aside.
     Vec3 inwards = -face.n;
-    double start = -1.0;
+    double start = Sweep::kAnywhere;
     for (int round = 0; round < 2; ++round) {
       const Vec3 deep = p + kPush * query_.h_ * inwards;
       const SweepSample s = face.sweep->sampleOutside(deep, kFootMm, start);

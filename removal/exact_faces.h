@@ -60,7 +60,7 @@ class ExactFaces {
   struct Body {
     std::int64_t number = kNoBody;
     Sweep sweep;
-    double start = -1.0;  ///< of the search for a nearest point: where the last one was
+    double start = Sweep::kAnywhere;  ///< of the search for a nearest point: where the last one was
   };
   Body& bodyOf(std::int64_t number);
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/triangle.h"
 #include "core/mesh/edge_table.h"
 #include "removal/surface_intersections.h"
 
@@ -37,26 +38,6 @@ constexpr std::size_t kMostTrials = 100000, kGroupTrials = 5000;
 constexpr std::size_t kPart = 8192;
 constexpr std::uint32_t kGone = 0xFFFFFFFFu;
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-
-double distance2(const Vec3& p, const Points& t) {
-  const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  const auto toEdge = [&](const Vec3& a, const Vec3& e) {
-    const double length2 = e.squaredNorm();
-    const double s = length2 > 0.0 ? std::clamp((p - a).dot(e) / length2, 0.0, 1.0) : 0.0;
-    return (p - a - s * e).squaredNorm();
-  };
-  const double aa = ab.squaredNorm(), bb = ac.squaredNorm(), c = ab.dot(ac), det = aa * bb - c * c;
-  if (det > 1e-14 * aa * bb) {
-    const double u = bb * d1 - c * d2, v = aa * d2 - c * d1;
-    if (u >= 0.0 && v >= 0.0 && u + v <= det) {
-      const Vec3 n = ab.cross(ac);
-      const double up = n.dot(ap);
-      return up * up / n.squaredNorm();
-    }
-  }
-  return std::min({toEdge(t[0], ab), toEdge(t[0], ac), toEdge(t[1], t[2] - t[1])});
-}
 
 Box3 boxOf(const Points& p) {
   return {p[0].cwiseMin(p[1]).cwiseMin(p[2]), p[0].cwiseMax(p[1]).cwiseMax(p[2])};
@@ -492,11 +473,11 @@ double Mender::apart(const std::vector<Points>& from, const std::vector<Points>&
   double farthest = 0.0;
   const auto look = [&](const Vec3& p) {
     double least = std::numeric_limits<double>::infinity();
-    for (const Points& t : to) least = std::min(least, distance2(p, t));
+    for (const Points& t : to) least = std::min(least, squaredDistance(p, t));
     if (least <= farthest) return true;
     for (const Near& near : near_) {
       const Vec3 beyond = (near.box.min - p).cwiseMax(p - near.box.max).cwiseMax(0.0);
-      if (beyond.squaredNorm() < least) least = std::min(least, distance2(p, points(near.triangle)));
+      if (beyond.squaredNorm() < least) least = std::min(least, squaredDistance(p, points(near.triangle)));
     }
     farthest = std::max(farthest, least);
     return farthest <= limit * limit;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/triangle.h"
 #include "removal/cell_faces.h"
 #include "removal/edge_root.h"
 #include "removal/surface_intersections.h"
@@ -62,19 +63,6 @@ void addFace(const BlankSample& s, std::vector<std::uint64_t>& faces) {
   const std::uint64_t face = static_cast<std::uint64_t>(s.motion) << 16 | static_cast<std::uint64_t>(s.face);
   if (faces.size() < kMostFaces && std::find(faces.begin(), faces.end(), face) == faces.end())
     faces.push_back(face);
-}
-
-double distanceToTriangle(const std::array<Vec3, 3>& corners, const Vec3& p) {
-  double least2 = std::numeric_limits<double>::infinity();
-  const Vec3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  bool inside = area.squaredNorm() > 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 edge = corners[(i + 1) % 3] - corners[i], from = p - corners[i];
-    const double share = std::clamp(edge.dot(from) / std::max(edge.squaredNorm(), 1e-300), 0.0, 1.0);
-    least2 = std::min(least2, (from - share * edge).squaredNorm());
-    inside = inside && area.dot(edge.cross(from)) >= 0.0;
-  }
-  return inside ? std::abs(area.dot(p - corners[0])) / area.norm() : std::sqrt(least2);
 }
 
 class Sharpener {
@@ -293,8 +281,8 @@ Sharpener::Cost Sharpener::triangleCost(const Vec3& a, const Vec3& b, const Vec3
 
 double Sharpener::distanceTo(const std::vector<std::uint32_t>& triangles, const Vec3& p) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t t : triangles) least = std::min(least, distanceToTriangle(cornersOf(mesh_, t), p));
-  return least;
+  for (const std::uint32_t t : triangles) least = std::min(least, squaredDistance(p, cornersOf(mesh_, t)));
+  return std::sqrt(least);
 }
 
 double Sharpener::wingOff(const Wing& w) const {

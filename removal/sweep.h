@@ -31,6 +31,9 @@ struct SweepSample {
 
 class Sweep {
  public:
+  /// Start of a search that may set out anywhere.
+  static constexpr double kAnywhere = -1.0;
+
   /// `profile` must outlive the sweep. `arc` is null for lines.
   Sweep(const ConvexProfile& profile, const Vec3& from, const Vec3& to, const ArcGeometry* arc);
 
@@ -39,7 +42,7 @@ class Sweep {
   SweepSample sample(const Vec3& p) const;
   /// The same for a point outside, where the distance has no kinks, to within `tolerance` > 0, mm, on lines;
   /// cheaper. An element from kEdgeIds on: an end of that straight element is nearest, not its face. `start`:
-  /// where on the path (0 to 1) the search on a line sets out, below 0 anywhere; becomes a good start for
+  /// where on the path (0 to 1) the search on a line sets out, or kAnywhere; becomes a good start for
   /// points nearby.
   SweepSample sampleOutside(const Vec3& p, double tolerance, double& start) const;
 
@@ -50,7 +53,6 @@ class Sweep {
   const Box3& bounds() const { return bounds_; }
 
  private:
-  static constexpr double kAnywhere = -1.0;
   enum class Kind { kPoint, kLevelLine, kLine, kLevelArc, kCurve };
   struct At {
     double value, slope;  ///< slope: derivative of the value by the path parameter
