@@ -106,6 +106,9 @@ Vec3 meetAny(std::span<const Plane> planes) {
     a += p.n * p.n.transpose();
     b += p.n * p.d;
   }
+  // The least eigenvalue times the square of half the trace is no less than the determinant.
+  const double trace = a.trace(), determinant = a.determinant();
+  if (determinant > 0.25 * kRankTolerance * trace * trace * trace) return a.inverse() * b;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(a);
   const double largest = solver.eigenvalues()[2];

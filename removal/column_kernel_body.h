@@ -103,8 +103,54 @@ inline void leastOnLine(const ColumnBoundary& boundary, double slope, const doub
   for (int i = 0; i < n; ++i) out[i] = slope * (s[i] + along[i]) + z[i];
 }
 
+/// Level moves of cylinders: no root is needed.
+inline void levelFlatColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+                             int n, double* __restrict lo, double* __restrict hi) {
+  const double fx = sweep.x, fy = sweep.y, ux = sweep.ux, uy = sweep.uy, length = sweep.length;
+  const double radius2 = sweep.solid->radius * sweep.solid->radius;
+  const double low = sweep.z + sweep.solid->z_min, high = sweep.z + sweep.solid->z_max;
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - fx, qy = y[i] - fy;
+    const double along = qx * ux + qy * uy;
+    const double across = qx * uy - qy * ux;
+    const double beyond = along - least(most(along, 0.0), length);
+    const bool over = across * across + beyond * beyond < radius2;
+    lo[i] = over ? low : kNothing;
+    hi[i] = over ? high : -kNothing;
+  }
+}
+
+/// Cylinders and ball ends with a level top.
+template <bool kBall>
+inline void plainColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+                         int n, double* __restrict lo, double* __restrict hi) {
+  const double fx = sweep.x, fy = sweep.y, fz = sweep.z, ux = sweep.ux, uy = sweep.uy;
+  const double length = sweep.length, slope = sweep.slope, lean = sweep.lean;
+  const proveout::ColumnSolid& tool = *sweep.solid;
+  const double radius2 = tool.radius * tool.radius, lift = fz + tool.radius, z_min = tool.z_min,
+               z_max = tool.z_max;
+  const bool rises = slope > 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - fx, qy = y[i] - fy;
+    const double along = qx * ux + qy * uy;
+    const double across = qx * uy - qy * ux;
+    const double w2 = radius2 - across * across, w = root(w2);
+    const double a0 = most(-along, -w), a1 = least(length - along, w);
+    const double s = least(most(lean * w, a0), a1);
+    const double low = kBall ? lift + slope * (s + along) - root(w2 - s * s)
+                             : fz + slope * ((rises ? a0 : a1) + along) + z_min;
+    const double high = fz + slope * ((rises ? a1 : a0) + along) + z_max;
+    const bool over = w2 > 0.0 && a0 <= a1;
+    lo[i] = over ? low : kNothing;
+    hi[i] = over ? high : -kNothing;
+  }
+}
+
 inline void lineColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y, int n,
                         double* __restrict lo, double* __restrict hi) {
+  if (sweep.solid->flat && sweep.slope == 0.0) return levelFlatColumns(sweep, x, y, n, lo, hi);
+  if (sweep.solid->flat) return plainColumns<false>(sweep, x, y, n, lo, hi);
+  if (sweep.solid->ball && !sweep.solid->round_top) return plainColumns<true>(sweep, x, y, n, lo, hi);
   const double fx = sweep.x, fy = sweep.y, fz = sweep.z;
   const double ux = sweep.ux, uy = sweep.uy, length = sweep.length, slope = sweep.slope;
   const proveout::ColumnSolid& tool = *sweep.solid;
@@ -126,8 +172,6 @@ inline void lineColumns(const ColumnSweep& sweep, const double* __restrict x, co
       const double s = least(most(lean * w[i], a0[i]), a1[i]);
       lo[i] = lift + slope * (s + along[i]) - root(w2[i] - s * s);
     }
-  } else if (tool.flat) {
-    for (int i = 0; i < n; ++i) lo[i] = fz + slope * ((slope > 0.0 ? a0[i] : a1[i]) + along[i]) + tool.z_min;
   } else {
     leastOnLine(tool.lower, slope, along, p2, a0, a1, n, lo);
     for (int i = 0; i < n; ++i) lo[i] += fz;

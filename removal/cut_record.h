@@ -35,7 +35,7 @@ struct ToolParts {
 
 struct CutRecord {
   std::map<int, ToolParts> tools;
-  PassTable table;  ///< passes in the order of their motions
+  PassTable table;
 };
 
 }  // namespace proveout

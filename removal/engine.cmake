@@ -6,6 +6,7 @@ proveout_add_library(removal
   vdb_loader.cpp
   remove.cpp
   pass.cpp
+  pass_surface.cpp
   column_sweep.cpp
   contact_query.cpp
   convex_cast.cpp

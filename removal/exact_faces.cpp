@@ -26,12 +26,6 @@ bool holds(const ConvexProfile& profile, int element) {
          element < profile.firstElementId() + ConvexProfile::kMaxElements;
 }
 
-/// The first pass of the motion or of a later one.
-std::vector<Pass>::const_iterator firstPass(const std::vector<Pass>& passes, MotionId motion) {
-  return std::lower_bound(passes.begin(), passes.end(), motion,
-                          [](const Pass& pass, MotionId id) { return pass.motion < id; });
-}
-
 bool isSimple(const Pass& pass, std::uint64_t face) {
   if ((face & 0xFFFF) >= ConvexProfile::kEdgeIds) return false;
   const int element = elementOf(face) - pass.profile->firstElementId();
@@ -45,13 +39,10 @@ bool isSimple(const Pass& pass, std::uint64_t face) {
 }  // namespace
 
 const Pass* ExactFaces::passOf(std::uint64_t face) const {
-  const MotionId motion = motionOf(face);
-  if (record_ == nullptr || motion == kNoMotion) return nullptr;
-  const std::vector<Pass>& passes = record_->table.passes;
-  auto it = firstPass(passes, motion);
+  if (record_ == nullptr) return nullptr;
   const int element = elementOf(face);
-  for (; it != passes.end() && it->motion == motion; ++it) {
-    if (it->part == ToolPart::kCutter && holds(*it->profile, element)) return &*it;
+  for (const Pass& pass : record_->table.of(motionOf(face))) {
+    if (pass.part == ToolPart::kCutter && holds(*pass.profile, element)) return &pass;
   }
   return nullptr;
 }
@@ -115,12 +106,13 @@ void ExactFaces::findNeighbours() {
   }
   std::sort(motions.begin(), motions.end());
   motions.erase(std::unique(motions.begin(), motions.end()), motions.end());
-  const std::vector<Pass>& passes = record_->table.passes;
+  const PassTable& table = record_->table;
   for (const MotionId motion : motions) {
     const ConvexProfile* last = nullptr;  // the chords of one curve are one body
-    for (auto it = firstPass(passes, motion); it != passes.end() && it->motion == motion; ++it) {
-      if (it->part == ToolPart::kCutter && it->profile != last) neighbours_.push_back(it - passes.begin());
-      last = it->profile;
+    for (const Pass& pass : table.of(motion)) {
+      if (pass.part == ToolPart::kCutter && pass.profile != last)
+        neighbours_.push_back(&pass - table.passes.data());
+      last = pass.profile;
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "removal/level_cut.h"
+#include "removal/pass_surface.h"
 
 namespace proveout {
 
@@ -19,19 +20,6 @@ constexpr int kMostRounds = 64;
 /// How far behind an old crossing material is looked for, as a fraction of the edge: thinner films are not spoken of.
 constexpr double kFilm = 0.02;
 
-/// Normal of the ball's sphere at `p`, where that is the surface; false on the flank.
-bool ballNormal(const Pass& pass, const Vec3& p, Vec3& normal) {
-  const ColumnSweep& c = pass.columns;
-  const Vec3 way = sweepWay(c);
-  const Vec3 q = p - sweepStart(c) - Vec3(0, 0, c.solid->radius);
-  const double length2 = way.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp(q.dot(way) / length2, 0.0, 1.0) : 0.0;
-  normal = q - t * way;
-  if (normal.z() > 0.0) return false;
-  normal.normalize();
-  return true;
-}
-
 }  // namespace
 
 std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafEdges& edges,
@@ -44,31 +32,38 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   FourBlocks boxes{};  // of the probes, which move along their edges only
   for (int q = 0; q < 4; ++q) groups[q] = addGroup(change, q, boxes);
   const double highest = *std::max_element(boxes.z_high, boxes.z_high + 4);
-  pairs_.clear();
+  for (std::vector<std::uint32_t>& passes : passes_) passes.clear();
   for (const Reach& reach : list) {
     const Pass& pass = table_.passes[reach.pass];
     if (pass.part != ToolPart::kCutter) continue;
     if (reach.low >= highest) continue;
     double low[4];
     reach_(pass.columns, boxes, low);
-    for (std::uint8_t q = 0; q < 4; ++q) {
-      if (low[q] < boxes.z_high[q]) pairs_.push_back({reach.pass, q});
+    for (std::size_t q = 0; q < 4; ++q) {
+      if (low[q] < boxes.z_high[q]) passes_[q].push_back(reach.pass);
     }
   }
-  // A pass may cover the rest of an edge only after a later one moved the crossing to it: ask again until none does.
-  moved_ = true;
-  for (int round = 0; moved_ && round < kMostRounds; ++round) {
-    moved_ = false;
-    for (const auto& [pass, q] : pairs_) {
-      for (std::size_t first = groups[q].first; first < groups[q].last; first += kMaxColumns) {
-        tryPass(pass, first, std::min<std::size_t>(kMaxColumns, groups[q].last - first));
-      }
-    }
-  }
+  for (std::size_t q = 0; q < 4; ++q) cutEdges(groups[q], passes_[q]);
   std::vector<Crossing> out;
   out.reserve(edges_.size());
   for (const Edge& edge : edges_) out.push_back(crossing(edge, before));
   return out;
+}
+
+/// A pass may cover the rest of an edge only after a later one moved the crossing to it: all are asked, over
+/// and over, until each has seen the last crossing that moved.
+void CrossingFinder::cutEdges(const Group& group, const std::vector<std::uint32_t>& passes) {
+  std::size_t asked = 0;  // since a crossing moved
+  for (int round = 0; round < kMostRounds; ++round) {
+    for (const std::uint32_t pass : passes) {
+      moved_ = false;
+      for (std::size_t first = group.first; first < group.last; first += kMaxColumns) {
+        tryPass(pass, first, std::min<std::size_t>(kMaxColumns, group.last - first));
+      }
+      asked = moved_ ? 1 : asked + 1;
+      if (asked >= passes.size()) return;
+    }
+  }
 }
 
 LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edges,
@@ -225,17 +220,17 @@ Crossing CrossingFinder::crossing(const Edge& e, const std::vector<Crossing>& be
   if (e.pass == kOld && e.old >= 0) return before[static_cast<std::size_t>(e.old)];
   Crossing c;
   c.setPosition(e.forward > 0 ? e.s : 1.0 - e.s);
-  Vec3 p = e.a, normal = Vec3::Unit(e.axis) * e.forward;
+  Vec3 p = e.a;
   p[e.axis] += e.forward * e.s * impl_.h;
   if (e.pass == kOld) {  // not expected: the sample was cut by a pass that is not in the list
-    c.setNormal(normal);
+    c.setNormal(Vec3::Unit(e.axis) * e.forward);
     return c;
   }
   const Pass& pass = table_.passes[e.pass];
   c.motion = pass.motion;
-  if (pass.curve < 0 && pass.columns.kind != ColumnSweep::Kind::kArc && pass.columns.solid->ball && ballNormal(pass, p, normal)) {
-    c.setNormal(-normal);
-    c.element = static_cast<std::uint16_t>(pass.profile->firstElementId());
+  if (const auto surface = closedSurface(pass, p, e.axis, e.forward > 0)) {
+    c.setNormal(-surface->normal);
+    c.element = static_cast<std::uint16_t>(surface->element);
     return c;
   }
   const SweepSample sample =

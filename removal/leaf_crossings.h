@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "removal/leaf_cutter.h"
@@ -54,6 +53,7 @@ class CrossingFinder {
     std::size_t first = 0, last = 0;
   };
   Group addGroup(const LeafChange& change, int quarter, FourBlocks& boxes);
+  void cutEdges(const Group& group, const std::vector<std::uint32_t>& passes);
   void tryPass(std::uint32_t number, std::size_t first, std::size_t count);
   void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
   void dropCovered(const Pass& pass);
@@ -72,7 +72,7 @@ class CrossingFinder {
   std::vector<std::array<std::int32_t, 2>> probes_of_edge_;
   std::vector<double> x_, y_, z_;
   std::array<double, kMaxColumns> lo_, hi_;
-  std::vector<std::pair<std::uint32_t, std::uint8_t>> pairs_;  ///< pass and the group that it may touch
+  std::array<std::vector<std::uint32_t>, 4> passes_;  ///< of each group: those that may touch it
   bool moved_ = false;  ///< a crossing was taken over
 };
 

@@ -17,8 +17,14 @@ namespace proveout {
 
 /// The passes of a run and the exact sweeps of its curved motions.
 struct PassTable {
-  std::vector<Pass> passes;
+  std::vector<Pass> passes;          ///< in the order of their motions
+  std::vector<std::uint32_t> first;  ///< for each motion, and the end: number of its first pass
   std::deque<Sweep> curves;
+
+  std::span<const Pass> of(MotionId motion) const {
+    if (std::size_t{motion} + 1 >= first.size()) return {};
+    return {passes.data() + first[motion], passes.data() + first[motion + 1]};
+  }
 
   /// Exact sweep of a pass at level arcs; null where Pass::lineSweep serves.
   const Sweep* levelArc(const Pass& pass) const {

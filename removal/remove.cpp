@@ -175,7 +175,10 @@ void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched, 
 }
 
 Status Remover::preparePasses() {
+  table_.passes.reserve(path_.motions.size());
+  table_.first.reserve(path_.motions.size() + 1);
   for (MotionId id = 0; id < path_.motions.size(); ++id) {
+    table_.first.push_back(static_cast<std::uint32_t>(table_.passes.size()));
     const Motion& m = path_.motions[id];
     if (!m.from.allFinite() || !m.to.allFinite()) {
       return Error{ErrorKind::kInternal,
@@ -203,6 +206,7 @@ Status Remover::preparePasses() {
       return memoryError(2.0 * limit_bytes_, limit_bytes_, impl_.h);
     }
   }
+  table_.first.push_back(static_cast<std::uint32_t>(table_.passes.size()));
   return Done{};
 }
 

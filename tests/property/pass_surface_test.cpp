@@ -1,0 +1,133 @@
+// The closed forms of the surfaces that flat and ball ends leave on grid edges, against the exact swept
+// distance: a swept convex solid is convex, so that a step along the normal is as far from it as the step is
+// long.
+#include "removal/pass_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <random>
+
+#include "core/tool/tool_solid.h"
+#include "removal/level_cut.h"
+
+namespace proveout {
+namespace {
+
+constexpr double kStepMm = 1e-3, kWithinMm = 1e-8;
+
+class PassSurfaces : public ::testing::TestWithParam<const char*> {
+ protected:
+  PassSurfaces() {
+    Tool tool = parseToolOption(GetParam()).value();
+    tool.flute_length = 15.0;
+    profile_ = makeToolSolid(tool).cutter.front();
+    profile_.setFirstElementId(7);
+    solid_ = columnSolid(profile_);
+  }
+
+  double random(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  Vec3 point() { return {random(-8, 8), random(-8, 8), random(-4, 4)}; }
+
+  Pass pass(int style) {
+    const Vec3 from = point();
+    Vec3 to = point();
+    if (style == 0) to.z() = from.z();
+    if (style == 1) to.head<2>() = from.head<2>();
+    if (style == 2) to = from + 1e-3 * (to - from);
+    if (style == 3) to.x() = from.x();
+    if (style == 4) to.z() = from.z() + 1e-5 * (to.z() - from.z());
+    Pass out;
+    out.profile = &profile_;
+    out.columns = columnLine(solid_, from, to);
+    return out;
+  }
+
+  void check(const Pass& pass, const Vec3& p, int axis, bool below) {
+    const auto surface = closedSurface(pass, p, axis, below);
+    if (!surface) {  // the flank of a ball
+      EXPECT_TRUE(solid_.ball);
+      return;
+    }
+    ++known_;
+    const Sweep exact = pass.lineSweep();
+    EXPECT_NEAR(surface->normal.norm(), 1.0, 1e-12);
+    double anywhere = Sweep::kAnywhere;
+    const SweepSample seen = exact.sampleOutside(p + kStepMm * surface->normal, 1e-10, anywhere);
+    EXPECT_NEAR(seen.value, kStepMm, kWithinMm) << "axis " << axis;
+    // An end of one element is one of the next, too.
+    const int element = surface->element % ConvexProfile::kEdgeIds,
+              other = seen.element % ConvexProfile::kEdgeIds;
+    const bool rim = surface->element >= ConvexProfile::kEdgeIds, at_end = seen.element != other;
+    EXPECT_TRUE(other == element || ((rim || at_end) && std::abs(other - element) == 1))
+        << surface->element << " " << seen.element;
+    rims_ += rim ? 1 : 0;
+  }
+
+  /// Where the vertical through a random point enters and leaves the sweep; false if it misses.
+  bool column(const Pass& pass, Vec3& low, Vec3& high) {
+    std::array<double, 8> x{}, y{}, lo{}, hi{};
+    const Vec3 end = sweepStart(pass.columns) + random(0, 1) * sweepWay(pass.columns);
+    x[0] = end.x() + random(-3, 3), y[0] = end.y() + random(-3, 3);
+    columnKernels().columns(pass.columns, x.data(), y.data(), 1, lo.data(), hi.data());
+    low = {x[0], y[0], lo[0]};
+    high = {x[0], y[0], hi[0]};
+    return lo[0] < hi[0];
+  }
+
+  ConvexProfile profile_;
+  ColumnSolid solid_;
+  std::mt19937 engine_{5};
+  int known_ = 0, rims_ = 0;
+};
+
+TEST_P(PassSurfaces, NormalsAreThoseOfTheSweep) {
+  for (int i = 0; i < 20000; ++i) {
+    const Pass one = pass(i % 8);
+    Vec3 low, high;
+    if (!column(one, low, high)) continue;
+    check(one, low, 2, true);
+    if (!solid_.ball) check(one, high, 2, false);
+    // A level ray from far away to a point on the vertical.
+    const Vec3 inside = low + random(0.01, 0.99) * (high - low);
+    const int axis = i / 8 % 2;
+    const double side = i / 16 % 2 == 0 ? 1.0 : -1.0, far = 40.0;
+    Vec3 from = inside;
+    from[axis] -= side * far;
+    const double cut = levelCut(one, from, axis == 0 ? side : 0.0, axis == 1 ? side : 0.0, far, nullptr);
+    from[axis] += side * cut;
+    check(one, from, axis, false);
+    if (HasFailure()) FAIL() << "case " << i;
+  }
+  EXPECT_GT(known_, 20000);
+  if (!solid_.ball) {
+    EXPECT_GT(rims_, 5000);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ends, PassSurfaces, ::testing::Values("1=flat:6", "2=ball:6"),
+                         [](const auto& param) { return param.index == 0 ? "Flat" : "Ball"; });
+
+TEST(PassSurface, OtherToolsAndArcsHaveNone) {
+  Tool tool = parseToolOption("1=bull:8:1.5").value();
+  const ConvexProfile bull = makeToolSolid(tool).cutter.front();
+  const ColumnSolid solid = columnSolid(bull);
+  Pass pass;
+  pass.profile = &bull;
+  pass.columns = columnLine(solid, Vec3::Zero(), Vec3(5, 0, 1));
+  EXPECT_FALSE(closedSurface(pass, Vec3(2, 0, 0.4), 2, true));
+  const ConvexProfile flat = makeToolSolid(parseToolOption("1=flat:8").value()).cutter.front();
+  const ColumnSolid cylinder = columnSolid(flat);
+  pass.profile = &flat;
+  pass.columns = columnLine(cylinder, Vec3::Zero(), Vec3(5, 0, 0));
+  EXPECT_TRUE(closedSurface(pass, Vec3(2, 0, 0), 2, true));
+  pass.curve = 0;  // a chord of a curve, which is known exactly
+  EXPECT_FALSE(closedSurface(pass, Vec3(2, 0, 0), 2, true));
+}
+
+}  // namespace
+}  // namespace proveout
