@@ -200,9 +200,12 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
   return work;
 }
 
+double memoryLimitMb(const Job& job) {
+  return job.simulation.max_memory_gb > 0 ? 1000.0 * job.simulation.max_memory_gb : availableMemoryMb();
+}
+
 Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
-  const double limit_mb =
-      job.simulation.max_memory_gb > 0 ? 1000.0 * job.simulation.max_memory_gb : availableMemoryMb();
+  const double limit_mb = memoryLimitMb(job);
   const double needed_mb = predict(work, resolution_mm).memory_mb;
   if (needed_mb <= limit_mb) return Done{};
   const double fits = resolutionThatFits(work, resolution_mm, limit_mb);
@@ -214,6 +217,41 @@ Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
       fmt::format("a grid of {:g} mm would need about {:.0f} MB, {:.0f} MB are allowed; {}, or allow more "
                   "(--max-memory)",
                   resolution_mm, needed_mb, limit_mb, way)};
+}
+
+/// Stops with the work that it belongs to, or alone; says nothing.
+class QuietProgress : public Progress {
+ public:
+  explicit QuietProgress(const Progress& whole) : whole_(whole) {}
+  void report(std::string_view, double) override {
+    if (whole_.cancelled()) cancel();
+  }
+
+ private:
+  const Progress& whole_;
+};
+
+/// Whether the blank can be made before it is known what is cut from it: its grid alone fits into the memory.
+bool makesBlankEarly(const Job& job, const Blank& blank) {
+  if (turnsPart(job) || blank.stock) return false;
+  Workload uncut;
+  uncut.surface_mm2 = blankArea(blank.shape, blank.bounds);
+  return predict(uncut, blank.resolution_mm).memory_mb <= memoryLimitMb(job);
+}
+
+/// Reads the programs, and predicts the run if they are good.
+Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRun& prepared,
+                           Progress& progress) {
+  RunResult& run = prepared.run;
+  Stopwatch watch;
+  if (Status done = interpretAll(job, sources, prepared.blank, run, progress); !done) return done;
+  run.performance.interpret_s = watch.lap();
+  if (prepared.nominal)
+    noteRepairs(*prepared.nominal, "nominal", run.setups.back().interpreted.path.diagnostics);
+  if (run.alarm) return Done{};
+  const Workload work = workOf(job, prepared);
+  run.prediction = predict(work, run.resolution_mm);
+  return checkMemory(job, work, run.resolution_mm);
 }
 
 /// Volume of the blank: of a saved stock, what is left in it; its own figure is that of its first blank.
@@ -340,16 +378,22 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
     prepared.nominal = std::move(*nominal);
   }
   run.resolution_mm = prepared.blank.resolution_mm;
-  Stopwatch watch;
-  if (const Status done = interpretAll(job, sources, prepared.blank, run, progress); !done)
-    return done.error();
-  run.performance.interpret_s = watch.lap();
-  if (prepared.nominal)
-    noteRepairs(*prepared.nominal, "nominal", run.setups.back().interpreted.path.diagnostics);
-  if (run.alarm) return prepared;
-  const Workload work = workOf(job, prepared);
-  run.prediction = predict(work, run.resolution_mm);
-  if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits.error();
+  // Programs are read on one thread; another makes the blank meanwhile.
+  Status done = Done{};
+  std::optional<Stock> early;
+  QuietProgress quiet(progress);
+  parallelFor(0, makesBlankEarly(job, prepared.blank) ? 2 : 1, [&](int part) {
+    if (part == 0) {
+      done = interpretAndPredict(job, sources, prepared, progress);
+      if (!done || run.alarm) quiet.cancel();
+    } else {
+      const RemovalOptions options = removalOptions(job, run.resolution_mm);
+      Result<Stock> stock = Stock::create(prepared.blank.shape, options, quiet);
+      if (stock) early = std::move(*stock);  // else it fails again where it is needed
+    }
+  });
+  if (!done) return done.error();
+  if (early) prepared.blank.stock = std::move(early);
   return prepared;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <utility>
+#include <numeric>
 
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
@@ -40,12 +40,17 @@ constexpr double kUneven = 0.005;
 /// Lowest point that the tools reach over each cell of a coarse grid in plan view.
 class HeightMap {
  public:
-  static constexpr int kBands = 4;  ///< that threads may fill at the same time
+  static constexpr int kBands = 16;  ///< that threads may fill at the same time
 
   HeightMap(const Box3& blank, double cell) : blank_(blank), cell_(cell) {
     nx_ = std::max(1, static_cast<int>(std::ceil(blank.size().x() / cell)));
     ny_ = std::max(1, static_cast<int>(std::ceil(blank.size().y() / cell)));
     height_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), blank.max.z());
+  }
+
+  /// Whether the columns from `x_min` to `x_max`, mm, touch the band.
+  bool touches(double x_min, double x_max, int band) const {
+    return column(x_min) < firstOf(band + 1) && column(x_max) >= firstOf(band);
   }
 
   /// Lowers what lies within `radius` of the segment (plan view) to the height of its nearest point, in this
@@ -74,8 +79,8 @@ class HeightMap {
   /// What cutting adds to the surface of the blank, mm2: slopes and walls more than the flat top that is
   /// gone; where all is cut through, top and bottom are gone.
   double addedArea() const {
-    double added = 0.0;
-    for (int x = 0; x < nx_; ++x) {
+    return overColumns(0, nx_, [&](int x) {
+      double added = 0.0;
       for (int y = 0; y < ny_; ++y) {
         const double z = height_[index(x, y)];
         const double dx = x + 1 < nx_ ? (height_[index(x + 1, y)] - z) / cell_ : 0.0;
@@ -83,8 +88,8 @@ class HeightMap {
         const double area = cell_ * cell_, slope = std::sqrt(1.0 + dx * dx + dy * dy);
         added += area * (z > blank_.min.z() ? slope - 1.0 : slope - 3.0);
       }
-    }
-    return added;
+      return added;
+    });
   }
 
   /// Area in plan view where the surface is neither flat nor a wall's foot alone, mm2.
@@ -92,18 +97,27 @@ class HeightMap {
     const auto bends = [&](std::size_t before, std::size_t at, std::size_t after) {
       return std::abs(height_[before] - 2.0 * height_[at] + height_[after]) > kUneven * cell_;
     };
-    std::size_t count = 0;
-    for (int x = 1; x + 1 < nx_; ++x) {
+    const double count = overColumns(1, nx_ - 1, [&](int x) {
+      double bent = 0.0;
       for (int y = 1; y + 1 < ny_; ++y) {
         const std::size_t at = index(x, y);
         if (height_[at] <= blank_.min.z() || height_[at] >= blank_.max.z()) continue;
-        count += bends(index(x - 1, y), at, index(x + 1, y)) || bends(index(x, y - 1), at, index(x, y + 1));
+        if (bends(index(x - 1, y), at, index(x + 1, y)) || bends(index(x, y - 1), at, index(x, y + 1)))
+          bent += 1.0;
       }
-    }
-    return static_cast<double>(count) * cell_ * cell_;
+      return bent;
+    });
+    return count * cell_ * cell_;
   }
 
  private:
+  /// The sum, always in the same order.
+  template <typename Of>
+  static double overColumns(int first, int last, const Of& of) {
+    std::vector<double> each(static_cast<std::size_t>(std::max(first, last)), 0.0);
+    parallelFor(first, std::max(first, last), [&](int x) { each[static_cast<std::size_t>(x)] = of(x); });
+    return std::accumulate(each.begin(), each.end(), 0.0);
+  }
   int firstOf(int band) const { return nx_ * band / kBands; }
   int column(double x) const {
     return static_cast<int>(std::clamp((x - blank_.min.x()) / cell_, 0.0, nx_ - 1.0));
@@ -155,6 +169,72 @@ std::map<int, double> radii(const std::vector<Tool>& tools) {
   return out;
 }
 
+/// The motions that come to the blank.
+class Strokes {
+ public:
+  Strokes(const Toolpath& path, const std::map<int, double>& radius_of, const Box3& blank)
+      : path_(path), blank_(blank), parts_((path.motions.size() + kPart - 1) / kPart) {
+    parallelFor(std::size_t{0}, parts_.size(), [&](std::size_t i) { collect(i, radius_of); });
+  }
+
+  double swept_mm2() const {
+    return std::accumulate(parts_.begin(), parts_.end(), 0.0,
+                           [](double sum, const Part& part) { return sum + part.swept_mm2; });
+  }
+
+  void lower(HeightMap& map, int band) const {
+    for (const Part& part : parts_) {
+      for (const Stroke& stroke : part.strokes) {
+        if (!map.touches(stroke.x_min, stroke.x_max, band)) continue;
+        eachSegment(path_.motions[stroke.motion], stroke.radius,
+                    [&](const Vec3& a, const Vec3& b) { map.lower(a, b, stroke.radius, band); });
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kPart = 4096;
+  struct Stroke {
+    MotionId motion;
+    double radius, x_min, x_max;  ///< mm; what it reaches over
+  };
+  struct Part {
+    std::vector<Stroke> strokes;
+    double swept_mm2 = 0.0;
+  };
+
+  template <typename Use>
+  void eachSegment(const Motion& motion, double radius, const Use& use) const {
+    forEachSegment(path_, motion, [&](const Vec3& a, const Vec3& b) {
+      if (reaches(blank_, a, b, radius)) use(a, b);
+    });
+  }
+
+  void collect(std::size_t number, const std::map<int, double>& radius_of) {
+    Part& part = parts_[number];
+    const double most_x = blank_.size().x(), most_y = blank_.size().y();
+    const std::size_t last = std::min(path_.motions.size(), (number + 1) * kPart);
+    for (std::size_t i = number * kPart; i < last; ++i) {
+      const Motion& motion = path_.motions[i];
+      const auto found = radius_of.find(motion.tool);
+      const double radius = found == radius_of.end() ? 0.0 : found->second;
+      Stroke stroke{static_cast<MotionId>(i), radius, std::numeric_limits<double>::infinity(),
+                    -std::numeric_limits<double>::infinity()};
+      eachSegment(motion, radius, [&](const Vec3& a, const Vec3& b) {
+        const double length = std::min((b - a).norm(), most_x + most_y);
+        part.swept_mm2 += (length + 2 * radius) * std::min(2 * radius, std::max(most_x, most_y));
+        stroke.x_min = std::min(stroke.x_min, std::min(a.x(), b.x()) - radius);
+        stroke.x_max = std::max(stroke.x_max, std::max(a.x(), b.x()) + radius);
+      });
+      if (stroke.x_min <= stroke.x_max) part.strokes.push_back(stroke);
+    }
+  }
+
+  const Toolpath& path_;
+  const Box3& blank_;
+  std::vector<Part> parts_;
+};
+
 }  // namespace
 
 double blankArea(const StockShape& shape, const Box3& bounds) {
@@ -170,33 +250,14 @@ double blankArea(const StockShape& shape, const Box3& bounds) {
 
 Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const Box3& blank,
                     double blank_mm2) {
+  const Strokes strokes(path, radii(tools), blank);
   Workload work;
   work.motions = path.motions.size();
-  const std::map<int, double> radius_of = radii(tools);
-  const auto forEach = [&](const auto& use) {
-    int tool = -1;
-    double radius = 0.0;
-    for (const Motion& motion : path.motions) {
-      if (motion.tool != std::exchange(tool, motion.tool)) {
-        const auto found = radius_of.find(tool);
-        radius = found == radius_of.end() ? 0.0 : found->second;
-      }
-      forEachSegment(path, motion, [&](const Vec3& a, const Vec3& b) {
-        if (reaches(blank, a, b, radius)) use(a, b, radius);
-      });
-    }
-  };
-  const double most_x = blank.size().x(), most_y = blank.size().y();
-  forEach([&](const Vec3& a, const Vec3& b, double radius) {
-    const double length = std::min((b - a).norm(), most_x + most_y);
-    work.swept_mm2 += (length + 2 * radius) * std::min(2 * radius, std::max(most_x, most_y));
-  });
-  double cell = std::max(most_x, most_y) / kMapSide;
+  work.swept_mm2 = strokes.swept_mm2();
+  double cell = std::max(blank.size().x(), blank.size().y()) / kMapSide;
   cell = std::max(cell, std::sqrt(work.swept_mm2 / kMapWork));
   HeightMap map(blank, cell);
-  parallelFor(0, HeightMap::kBands, [&](int band) {
-    forEach([&](const Vec3& a, const Vec3& b, double radius) { map.lower(a, b, radius, band); });
-  });
+  parallelFor(0, HeightMap::kBands, [&](int band) { strokes.lower(map, band); });
   work.surface_mm2 = std::max(blank_mm2 + map.addedArea(), 0.1 * blank_mm2);
   work.uneven_mm2 = std::min(map.unevenArea(), work.surface_mm2);
   return work;

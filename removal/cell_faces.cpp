@@ -124,11 +124,14 @@ Vec3 meetAny(std::span<const Plane> planes) {
 
 Vec3 meetPlanes(std::span<const Plane> planes) {
   if (planes.size() == 2) {
-    const double c = planes[0].n.dot(planes[1].n), s2 = 1.0 - c * c;
-    if (s2 > 4.0 * kRankTolerance) {
-      return planes[0].n * ((planes[0].d - c * planes[1].d) / s2) +
-             planes[1].n * ((planes[1].d - c * planes[0].d) / s2);
-    }
+    // Along the sum of the normals and along their difference.
+    const Vec3 sum = planes[0].n + planes[1].n, difference = planes[0].n - planes[1].n;
+    const double s2 = sum.squaredNorm(), d2 = difference.squaredNorm(),
+                 least = kRankTolerance * std::max(s2, d2);
+    Vec3 x = Vec3::Zero();
+    if (s2 > least) x += sum * ((planes[0].d + planes[1].d) / s2);
+    if (d2 > least) x += difference * ((planes[0].d - planes[1].d) / d2);
+    return x;
   } else if (planes.size() == 3) {
     const Vec3 yz = planes[1].n.cross(planes[2].n), zx = planes[2].n.cross(planes[0].n),
                xy = planes[0].n.cross(planes[1].n);
