@@ -38,6 +38,7 @@ struct Crossing {
   void setPosition(double from_start);
   /// Equal for crossings of one smooth face.
   std::uint64_t face() const { return (static_cast<std::uint64_t>(motion) << 16) | element; }
+  bool operator==(const Crossing&) const = default;
 };
 static_assert(sizeof(Crossing) == 16);
 

@@ -87,6 +87,7 @@ class Extractor {
   void eachLeaf(Progress& progress, Body&& body);
   Polygon polygon(const std::array<std::uint32_t, 4>& v) const;
   void measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const;
+  bool measureLevel(const SurfaceLeaf& leaf, LeafOutput& out) const;
   void countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, const std::array<int, 4>& at,
                  LeafOutput& out) const;
   bool isFan(const Quad& quad) const;
@@ -180,8 +181,34 @@ void Extractor::countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Cross
   out.cuts.push_back(static_cast<std::uint8_t>((cut.at02 ? kAt02 : 0) | (cut.poor ? kPoor : 0)));
 }
 
+/// What measureLeaf does where all quads of the leaf are of one level face, and merged whole or not at all. False
+/// where they are not.
+bool Extractor::measureLevel(const SurfaceLeaf& leaf, LeafOutput& out) const {
+  if (!grid_.isLevel(leaf, leaf.lower)) return false;
+  const int axis = leaf.level.axis, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
+  std::array<std::uint32_t, 4> corners;
+  for (int i = 0; i < 4; ++i) {
+    const int place = (kRing[i][0] ? u : 0) | (kRing[i][1] ? v : 0);
+    const SurfaceLeaf& there = grid_.leaves()[static_cast<std::size_t>(leaf.lower[place])];
+    if (merger_.active() && !there.clusters.eight) return false;
+    corners[i] = there.base;
+  }
+  const double height = leaf.level.layer + static_cast<double>(leaf.level.crossing.t);
+  const double from = height - (impl_.blank.center()[axis] - impl_.position(leaf.stock->origin)[axis]) / impl_.h;
+  for (int i = 0; i < 64; ++i) out.volume += (leaf.level.material_below ? 2.0 : -2.0) * from / 6.0;
+  out.cuts.assign(64, merger_.active() ? kMerged : kAt02);
+  out.triangles = 128;
+  if (!merger_.active()) return true;
+  // Four vertices stand for all; only where they meet is there anything left of a quad.
+  if (!leaf.level.material_below) std::reverse(corners.begin(), corners.end());
+  const int count = polygon(corners).count;
+  out.triangles = count > 0 ? static_cast<std::uint32_t>(count - 2) : 0;
+  return true;
+}
+
 /// The volume does not depend on what is merged.
 void Extractor::measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
+  if (measureLevel(leaf, out)) return;
   const Vec3 center = (impl_.blank.center() - impl_.position(leaf.stock->origin)) / impl_.h;
   QuadReader reader(grid_);
   reader.load(leaf);

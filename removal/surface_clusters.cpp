@@ -119,15 +119,20 @@ bool isPlane(const SurfaceLeaf& leaf, const LeafPatch& patch) {
 
 }  // namespace
 
-LeafClusters findClusters(const SurfaceLeaf& leaf, const LeafPatch& patch, float flatness) {
+bool mergesPlanes(float flatness) { return flatness >= kSamePlane; }
+
+LeafClusters planeClusters(const Eigen::Vector3f& normal) {
   LeafClusters out;
-  if (flatness >= kSamePlane && isPlane(leaf, patch)) {
-    out.two = ~0ull;
-    out.four = 0xFF;
-    out.eight = true;
-    out.normal = patch.n[0];
-    return out;
-  }
+  out.two = ~0ull;
+  out.four = 0xFF;
+  out.eight = true;
+  out.normal = normal;
+  return out;
+}
+
+LeafClusters findClusters(const SurfaceLeaf& leaf, const LeafPatch& patch, float flatness) {
+  if (mergesPlanes(flatness) && isPlane(leaf, patch)) return planeClusters(patch.n[0]);
+  LeafClusters out;
   bool all = true;
   for (int four = 0; four < 8; ++four) {
     const int z4 = (four >> 2) * 4, x4 = (four >> 1 & 1) * 4, y4 = (four & 1) * 4;

@@ -31,6 +31,10 @@ struct LeafPatch {
 /// Finds the cubes whose surface is one disk, stays within `flatness` (grid steps, all of the range) of a
 /// plane and has its normals in a narrow cone.
 LeafClusters findClusters(const SurfaceLeaf& leaf, const LeafPatch& patch, float flatness);
+/// What that finds where all cells lie on one plane, if the plane is merged at all: `flatness` must be more than
+/// what the stored normals are good for.
+bool mergesPlanes(float flatness);
+LeafClusters planeClusters(const Eigen::Vector3f& normal);
 
 /// The cells of a cube of a leaf: layers z0 .. z0 + size - 1, bits of `columns`.
 struct CellCube {

@@ -292,6 +292,40 @@ class LeafPlacer {
   std::array<Vec3, 4> sheet_p_, sheet_mean_;  ///< of the sheets of one cell: vertices, means of the crossings
 };
 
+LevelFace levelFace(const SurfaceLeaf& leaf) {
+  constexpr std::uint64_t kRow = 0xFF, kColumn = 0x0101010101010101;
+  LevelFace out;
+  if (leaf.edges.count != 64 || leaf.cells != 64 || leaf.stock->crossings.size() != 64) return out;
+  const Crossing& first = leaf.stock->crossings.front();
+  int axis = 0;
+  while (axis < 2 && first.normal[axis] == 0) ++axis;
+  if (first.normal[(axis + 1) % 3] != 0 || first.normal[(axis + 2) % 3] != 0) return out;
+  int layer = 0;
+  const auto whole = [&](int z) {
+    const std::uint64_t bits = leaf.edges.crossed[axis][z];
+    return bits == (axis == 0 ? kRow << 8 * layer : axis == 1 ? kColumn << layer : z == layer ? ~0ull : 0ull);
+  };
+  const std::uint64_t lowest = leaf.edges.crossed[axis][0];
+  if (axis < 2) {
+    layer = std::countr_zero(lowest | 1ull << 63) / (axis == 0 ? 8 : 1) & 7;
+  } else {
+    while (layer < 7 && leaf.edges.crossed[2][layer] == 0) ++layer;
+  }
+  for (int z = 0; z < 8; ++z) {
+    if (!whole(z)) return out;
+  }
+  if (leaf.edges.crossed[axis] != leaf.mixed) return out;
+  for (const Crossing& c : leaf.stock->crossings) {
+    if (c != first) return out;
+  }
+  out.axis = static_cast<std::int8_t>(axis);
+  out.layer = static_cast<std::int8_t>(layer);
+  const int x = axis == 0 ? layer : 0, y = axis == 1 ? layer : 0, z = axis == 2 ? layer : 0;
+  out.material_below = leafSample(leaf.stock->material, x, y, z);
+  out.crossing = first;
+  return out;
+}
+
 }  // namespace
 
 const std::array<std::uint8_t, 256>& oneSheetFaces() {
@@ -319,6 +353,17 @@ void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
     leaf.cells = static_cast<std::uint16_t>(leaf.cells + countBits(leaf.mixed[z]));
     low = high;
   }
+  leaf.level = levelFace(leaf);
+}
+
+bool SurfaceGrid::isLevel(const SurfaceLeaf& leaf, const std::array<std::int32_t, 8>& beside) const {
+  if (leaf.level.axis < 0) return false;
+  const int u = 1 << (leaf.level.axis + 1) % 3, v = 1 << (leaf.level.axis + 2) % 3;
+  for (const int place : {u, v, u | v}) {
+    const std::int32_t n = beside[static_cast<std::size_t>(place)];
+    if (n < 0 || leaves_[static_cast<std::size_t>(n)].level != leaf.level) return false;
+  }
+  return true;
 }
 
 BlockBits SurfaceGrid::blockBits(const SurfaceLeaf& leaf) const {
@@ -331,7 +376,32 @@ BlockBits SurfaceGrid::blockBits(const SurfaceLeaf& leaf) const {
   return bits;
 }
 
+/// What placeLeaf does, for a leaf and neighbours of one level face.
+void SurfaceGrid::placeLevel(SurfaceLeaf& leaf) {
+  constexpr std::array<std::uint8_t, 3> kLowCorners = {0x55, 0x33, 0x0F};
+  const auto& [axis, layer, material_below, c] = leaf.level;
+  const std::uint8_t low = kLowCorners[static_cast<std::size_t>(axis)];
+  const auto pattern = static_cast<std::uint8_t>(material_below ? low : ~low);
+  const auto traits = static_cast<std::uint16_t>(oneSheetFaces()[pattern] | CellTraits::kSmooth);
+  const float height = 0.25f * (c.t + c.t + c.t + c.t) + static_cast<float>(layer);  // rounded as for any cell
+  std::size_t number = leaf.base;
+  for (int z = 0; z < 8; ++z) {
+    for (std::uint64_t rest = leaf.mixed[z]; rest != 0; rest &= rest - 1, ++number) {
+      const int bit = std::countr_zero(rest);
+      Eigen::Vector3f p = Eigen::Vector3f(bit >> 3, bit & 7, z) + Eigen::Vector3f::Constant(0.5f);
+      p[axis] = height;
+      vertices_[number] = p;
+      patterns_[number] = pattern;
+      traits_[number] = traits;
+    }
+  }
+  const Eigen::Vector3f normal(c.normal[0], c.normal[1], c.normal[2]);
+  if (flatness_ > 0.0) leaf.clusters = planeClusters((normal * kNormalUnit).normalized());
+}
+
 void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
+  const auto flatness = static_cast<float>(flatness_);
+  if ((flatness == 0.0f || mergesPlanes(flatness)) && isLevel(leaf, leaf.upper)) return placeLevel(leaf);
   const BlockBits bits = blockBits(leaf);
   CrossingTable crossings;
   crossings.fill(leaves_, leaf);
@@ -357,7 +427,7 @@ void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
   }
   if (flatness_ > 0.0) {
     patch.faces = crossedFaces(bits);
-    leaf.clusters = findClusters(leaf, patch, static_cast<float>(flatness_));
+    leaf.clusters = findClusters(leaf, patch, flatness);
   }
 }
 

@@ -30,6 +30,14 @@ struct OutsideVertex {
   Eigen::Vector3f inside;   ///< where it goes if it folds the surface; leaf units
 };
 
+/// That all surface of a leaf is a level piece of one face: one layer of crossings across an axis, all alike.
+struct LevelFace {
+  std::int8_t axis = -1, layer = 0;  ///< -1: it is not
+  bool material_below = false;
+  Crossing crossing;
+  bool operator==(const LevelFace&) const = default;
+};
+
 struct SurfaceLeaf {
   const StockLeaf* stock = nullptr;
   LeafEdges edges;
@@ -43,6 +51,7 @@ struct SurfaceLeaf {
   std::vector<ExtraVertex> extra;
   std::vector<OutsideVertex> outside;
   LeafClusters clusters;
+  LevelFace level;
 
   /// Number of the cell among those of the leaf.
   int rank(int x, int y, int z) const {
@@ -103,12 +112,15 @@ class SurfaceGrid {
   /// Middle of the first, mm.
   const Vec3& firstThinCell() const { return first_thin_cell_; }
 
+  /// Whether the level face of a leaf goes on in those beside it (SurfaceLeaf::upper or lower).
+  bool isLevel(const SurfaceLeaf& leaf, const std::array<std::int32_t, 8>& beside) const;
   /// Samples of a leaf and its upper neighbours.
   std::array<const LeafBits*, 8> blockBits(const SurfaceLeaf& leaf) const;
 
  private:
   void linkLeaf(SurfaceLeaf& leaf, std::size_t number);
   void placeLeaf(SurfaceLeaf& leaf);
+  void placeLevel(SurfaceLeaf& leaf);
   void numberExtras();
 
   const Stock::Impl& impl_;
