@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -275,7 +277,8 @@ class Mender {
   void undo(const Undo& undo);
   double apart(const std::vector<Points>& from, const std::vector<Points>& to, double limit) const;
   std::vector<Edit> editsFor(const Pair& pair, bool moves) const;
-  void tryEdit(const Edit& edit, double reach, Choice& best);
+  std::optional<Choice> tryEdit(const Edit& edit);
+  const std::vector<Choice>& choicesFor(const Pair& pair, bool moves);
   bool meets(const Pair& pair) const;
   bool mend(const Pair& pair, double reach);
   std::vector<Pair> pairsLeft();
@@ -292,6 +295,8 @@ class Mender {
   std::unordered_map<std::uint32_t, std::vector<Pair>>
       pairs_at_;  ///< of the triangles at a vertex, as they are
   std::vector<Pair> turned_pairs_;
+  /// Changes that help a pair, at any reach, and whether vertices are moved: as all is now.
+  std::map<std::pair<Pair, bool>, std::vector<Choice>> choices_;
   Lost lost_;
   std::size_t trials_ = 0, most_trials_;
 };
@@ -400,7 +405,7 @@ bool Mender::allowed(const Edit& edit) const {
   if (edit.kind == Edit::kTurn) {
     const std::vector<std::uint32_t> pair = affected(edit);
     if (pair.size() != 2 || stars_.at(edit.a).size() < 4 || stars_.at(edit.b).size() < 4) return false;
-    std::array<std::uint32_t, 2> ends;
+    std::array<std::uint32_t, 2> ends{};
     for (int i = 0; i < 2; ++i) {
       for (const std::uint32_t v : mesh_.triangles[pair[i]]) {
         if (v != edit.a && v != edit.b) ends[i] = v;
@@ -523,33 +528,44 @@ std::vector<Edit> Mender::editsFor(const Pair& pair, bool moves) const {
   return edits;
 }
 
-/// Tries a change and takes it back. Replaces `best` if it leaves fewer pairs, or as few and moves less.
-void Mender::tryEdit(const Edit& edit, double reach, Choice& best) {
-  if (!allowed(edit)) return;
+/// Tries a change and takes it back. Empty if it leaves as many pairs, or reaches too far.
+std::optional<Mender::Choice> Mender::tryEdit(const Edit& edit) {
+  if (!allowed(edit)) return std::nullopt;
   const std::vector<std::uint32_t> triangles = affected(edit);
   const std::vector<Pair>& pairs = pairsBefore(edit, triangles);
-  const std::size_t least_gain = std::max<std::size_t>(1, best.gain);
-  if (pairs.size() < least_gain) return;
+  if (pairs.empty()) return std::nullopt;
   ++trials_;
   std::vector<Points> was, is;
   for (const std::uint32_t t : triangles) was.push_back(points(t));
   Undo back;
   apply(edit, triangles, back);
   // Most edits help nothing: the pairs that are known tell that at once.
-  const std::size_t most = pairs.size() - least_gain;
+  const std::size_t most = pairs.size() - 1;
   auto left = static_cast<std::size_t>(
       std::count_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return meets(pair); }));
   if (left <= most) left = findPairs(triangles, most);
+  std::optional<Choice> choice;
   if (left <= most) {
-    const std::size_t gain = pairs.size() - left;
+    const double reach = kReaches.back() * cell_;
     for (const std::uint32_t t : triangles) {
       if (!gone(t)) is.push_back(points(t));
     }
     double moved = apart(was, is, reach);
     if (moved <= reach) moved = std::max(moved, apart(is, was, reach));
-    if (moved <= reach && (gain > best.gain || moved < best.moved)) best = {edit, gain, moved};
+    if (moved <= reach) choice = {edit, pairs.size() - left, moved};
   }
   undo(back);
+  return choice;
+}
+
+const std::vector<Mender::Choice>& Mender::choicesFor(const Pair& pair, bool moves) {
+  const auto [known, fresh] = choices_.try_emplace({pair, moves});
+  if (fresh) {
+    for (const Edit& edit : editsFor(pair, moves)) {
+      if (const auto choice = tryEdit(edit)) known->second.push_back(*choice);
+    }
+  }
+  return known->second;
 }
 
 /// Makes the best change for a pair that still meets; vertices are moved only where nothing else helps. False
@@ -558,10 +574,14 @@ bool Mender::mend(const Pair& pair, double reach) {
   Choice best;
   for (const bool moves : {false, true}) {
     if (best.gain > 0 || trials_ > most_trials_) break;
-    for (const Edit& edit : editsFor(pair, moves)) tryEdit(edit, reach, best);
+    for (const Choice& choice : choicesFor(pair, moves)) {
+      if (choice.moved > reach || choice.gain < best.gain) continue;
+      if (choice.gain > best.gain || choice.moved < best.moved) best = choice;
+    }
   }
   if (best.gain == 0) return false;
   pairs_at_.clear();
+  choices_.clear();
   const std::vector<std::uint32_t> triangles = affected(best.edit);
   Undo none;
   apply(best.edit, triangles, none);
