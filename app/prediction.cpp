@@ -32,7 +32,7 @@ constexpr double kSecondsPerComparedCell = 2.3e-6;  ///< comparison
 constexpr double kSecondsPerPixel = 8.5e-7;         ///< one picture
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
-constexpr int kMapSide = 384;
+constexpr int kMapSide = 256;
 constexpr double kMapWork = 6e6;
 /// Where slopes of neighbouring cells of the map differ by more, no face is flat.
 constexpr double kUneven = 0.005;

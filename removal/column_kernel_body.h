@@ -340,13 +340,15 @@ void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, dou
   approach(sweep, blocks, reach, gap2, rise_low, rise_high);
   for (int i = 0; i < 4; ++i) low[i] = kNothing;
   if (least(least(gap2[0], gap2[1]), least(gap2[2], gap2[3])) > reach * reach) return;
-  for (int i = 0; i < 4; ++i) radial[i] = least(most(root(gap2[i]) - corner, 0.0), radius);
-  if (tool.ball) {
-    for (int i = 0; i < 4; ++i) edge[i] = radius - root(radius * radius - radial[i] * radial[i]);
-  } else if (tool.flat) {
+  if (tool.flat) {
     for (int i = 0; i < 4; ++i) edge[i] = tool.z_min;
   } else {
-    boundaryHeight(tool.lower, radial, 4, edge);
+    for (int i = 0; i < 4; ++i) radial[i] = least(most(root(gap2[i]) - corner, 0.0), radius);
+    if (tool.ball) {
+      for (int i = 0; i < 4; ++i) edge[i] = radius - root(radius * radius - radial[i] * radial[i]);
+    } else {
+      boundaryHeight(tool.lower, radial, 4, edge);
+    }
   }
   for (int i = 0; i < 4; ++i) {
     const double at = sweep.z + rise_low[i], highest = sweep.z + rise_high[i] + tool.z_max + kSlack;

@@ -190,7 +190,7 @@ bool Extractor::measureLevel(const SurfaceLeaf& leaf, LeafOutput& out) const {
   for (int i = 0; i < 4; ++i) {
     const int place = (kRing[i][0] ? u : 0) | (kRing[i][1] ? v : 0);
     const SurfaceLeaf& there = grid_.leaves()[static_cast<std::size_t>(leaf.lower[place])];
-    if (merger_.active() && !there.clusters.eight) return false;
+    if (!there.all_level || (merger_.active() && !there.clusters.eight)) return false;
     corners[i] = there.base;
   }
   const double height = leaf.level.layer + static_cast<double>(leaf.level.crossing.t);

@@ -379,6 +379,7 @@ BlockBits SurfaceGrid::blockBits(const SurfaceLeaf& leaf) const {
 /// What placeLeaf does, for a leaf and neighbours of one level face.
 void SurfaceGrid::placeLevel(SurfaceLeaf& leaf) {
   constexpr std::array<std::uint8_t, 3> kLowCorners = {0x55, 0x33, 0x0F};
+  leaf.all_level = true;
   const auto& [axis, layer, material_below, c] = leaf.level;
   const std::uint8_t low = kLowCorners[static_cast<std::size_t>(axis)];
   const auto pattern = static_cast<std::uint8_t>(material_below ? low : ~low);

@@ -52,6 +52,7 @@ struct SurfaceLeaf {
   std::vector<OutsideVertex> outside;
   LeafClusters clusters;
   LevelFace level;
+  bool all_level = false;  ///< the vertices of all cells are on the level face, in the middle of their cells
 
   /// Number of the cell among those of the leaf.
   int rank(int x, int y, int z) const {

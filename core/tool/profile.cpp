@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "core/base/assert.h"
 
@@ -23,10 +24,17 @@ void ConvexProfile::extend(double r, double z) {
 
 void ConvexProfile::start(double r, double z) {
   count_ = 0;
+  cylinder_ = false;
   r_ = r;
   z_ = z;
   max_radius_ = r;
   z_min_ = z_max_ = z;
+}
+
+bool ConvexProfile::isCylinder() const {
+  const auto &[bottom, flank, top] = std::tie(elements_[0], elements_[1], elements_[2]);
+  return !bottom.arc && bottom.ar == 0.0 && bottom.dr == 1.0 && !flank.arc && flank.dz == 1.0 && !top.arc &&
+         top.br == 0.0 && top.dr == -1.0;
 }
 
 void ConvexProfile::lineTo(double r, double z) {
@@ -43,14 +51,35 @@ void ConvexProfile::lineTo(double r, double z) {
     const bool half_sphere =
         end.arc && end.cr == 0.0 && end.az == 0.0 && end.br == end.radius && end.bz == end.cz;
     if (count_ == 2 && half_sphere && e.dr == 0.0) ball_center_ = end.cz;
+    cylinder_ = count_ == 3 && isCylinder();
   }
   r_ = r;
   z_ = z;
   extend(r, z);
 }
 
+/// What sample finds for a cylinder from the axis out, up and back, to the last bit.
+ProfileSample ConvexProfile::sampleCylinder(double r, double z) const {
+  enum { kBottom, kFlank, kTop };
+  const double below = z_min_ - z, beyond = r - max_radius_, above = z - z_max_;
+  if (below <= 0.0 && beyond <= 0.0 && above <= 0.0) {
+    ProfileSample in{below, 0.0, 0.0, -1.0, first_id_ + kBottom};
+    if (beyond > in.value) in = {beyond, 0.0, 1.0, 0.0, first_id_ + kFlank};
+    if (above > in.value) in = {above, 0.0, 0.0, 1.0, first_id_ + kTop};
+    return in;
+  }
+  if (beyond <= 0.0) {
+    if (below > 0.0) return {below, 0.0, 0.0, -1.0, first_id_ + kBottom};
+    return {above, 0.0, 0.0, 1.0, first_id_ + kTop};
+  }
+  if (below <= 0.0 && above <= 0.0) return {beyond, 0.0, 1.0, 0.0, first_id_ + kFlank};
+  const double up = above > 0.0 ? above : -below, distance = std::sqrt(beyond * beyond + up * up);
+  return {distance, distance, beyond / distance, up / distance, first_id_ + (above > 0.0 ? kFlank : kBottom)};
+}
+
 void ConvexProfile::addArc(double center_r, double center_z, double r, double z) {
   PROVEOUT_ASSERT(count_ < kMaxElements);
+  cylinder_ = false;
   Element& e = elements_[count_++];
   e = Element{};
   e.arc = true;
@@ -95,6 +124,7 @@ double ConvexProfile::upperHeight(double r) const {
 }
 
 ProfileSample ConvexProfile::sample(double r, double z) const {
+  if (cylinder_) return sampleCylinder(r, z);
   // Inside, the nearest boundary is the largest of the signed distances to lines and (in their sectors) arcs;
   // outside, the least of the distances to feet and corners.
   ProfileSample in{-std::numeric_limits<double>::infinity(), 0.0, 0, 1, 0};

@@ -64,8 +64,11 @@ class ConvexProfile {
   std::array<Element, kMaxElements> elements_;
   int count_ = 0, first_id_ = 0;
   double r_ = 0.0, z_ = 0.0;
+  bool cylinder_ = false;  ///< a flat end, a flank and a flat top
   double max_radius_ = 0.0, z_min_ = 0.0, z_max_ = 0.0, ball_center_ = -1.0;
   void extend(double r, double z);
+  bool isCylinder() const;
+  ProfileSample sampleCylinder(double r, double z) const;
   void addArc(double center_r, double center_z, double r, double z);
 };
 

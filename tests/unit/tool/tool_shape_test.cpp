@@ -211,6 +211,37 @@ TEST(ToolShape, NeckAndShankAreNoCutter) {
   EXPECT_EQ(solid.cutter[0].zMax(), 5);
 }
 
+TEST(ToolShape, CylindersAreSampledLikeAnyProfile) {
+  const double radius = 2.5, low = -0.25, high = 7.0, seam = 3.0;
+  ConvexProfile cylinder, seamed;  // the second with its flank in two pieces
+  for (ConvexProfile* p : {&cylinder, &seamed}) {
+    p->start(0.0, low);
+    p->lineTo(radius, low);
+    if (p == &seamed) p->lineTo(radius, seam);
+    p->lineTo(radius, high);
+    p->lineTo(0.0, high);
+    p->setFirstElementId(5);
+  }
+  ASSERT_EQ(cylinder.elementCount(), 3);
+  ASSERT_EQ(seamed.elementCount(), 4);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const std::vector<double> r_marks = {0.0, radius, 1.0, 4.0}, z_marks = {low, high, 1.0, -2.0, 9.0};
+  for (int i = 0; i < 20000; ++i) {
+    // On corners, on lines through them, and anywhere.
+    const double r = i % 3 == 0 ? 5.0 * unit(random) : r_marks[random() % r_marks.size()];
+    const double z = i % 5 < 2 ? 12.0 * unit(random) - 3.0 : z_marks[random() % z_marks.size()];
+    const ProfileSample fast = cylinder.sample(r, z), slow = seamed.sample(r, z);
+    EXPECT_EQ(fast.value, slow.value) << r << " " << z;
+    EXPECT_EQ(fast.radius, slow.radius) << r << " " << z;
+    EXPECT_EQ(fast.gr, slow.gr) << r << " " << z;
+    EXPECT_EQ(fast.gz, slow.gz) << r << " " << z;
+    const int element = slow.element - 5;  // the pieces of the flank are 1 and 2
+    EXPECT_EQ(fast.element - 5, element < 2 ? element : element - 1) << r << " " << z;
+    if (HasFailure()) break;
+  }
+}
+
 TEST(ToolShape, BallEndIsOnlyWhereACylinderFollows) {
   for (const Drawing& d : drawings(1)) {
     const double center = makeToolSolid(d.tool).cutter.front().ballCenter();
