@@ -22,6 +22,20 @@ Cut cutBoth(const char* first, double first_z, const char* second, double second
   return cut(kBlank, both, {tool(first), tool(second)}, kGrid);
 }
 
+/// Leaves that lie on one face of the blank are meshed and measured as a whole: wherever the slot and its end
+/// stand beside their borders, nothing of its edges may get into them.
+TEST(ToolCut, SlotsBesideLeavesOfTheBlanksFaces) {
+  constexpr double kFine = 0.25;
+  for (int k = 0; k < 16; ++k) {  // a leaf is 8 steps of the grid wide
+    const double shift = 0.5 * k * kFine + 0.03, depth = 3.0 + 0.6 * k * kFine, end = 6.2 - 0.7 * k * kFine;
+    const Cut c = cut(kBlank, PathMaker().line({-40, shift, -depth}, {end, shift, -depth}).path(),
+                      {tool("1=flat:6")}, kFine);
+    const double expected = depth * (6 * (end + 10) + kPi * 9 / 2);
+    EXPECT_NEAR(removed(c), expected, 1e-4 * expected) << k;
+    EXPECT_NEAR(c.initial - c.mesh_volume, expected, 2e-3 * expected) << k;
+  }
+}
+
 TEST(ToolCut, TSlotInAnOpenSlot) {
   const Cut c = cutBoth("1=flat:10", -15.2, "2=tslot:20:5:8", -15.2);
   EXPECT_NEAR(removed(c), 20 * (10 * 15.2 + 10 * 5), 0.02);
