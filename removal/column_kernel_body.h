@@ -244,8 +244,9 @@ void columns(const ColumnSweep& sweep, const double* x, const double* y, int cou
   }
 }
 
-/// covered: the samples between lo and hi. (Loops of fixed length are kept whole for the vectoriser.)
-inline void coverage(proveout::LeafColumns& leaf, int first) {
+// Loops of fixed length are kept whole for the vectoriser.
+void cover(proveout::LeafColumns& leaf, int quarter) {
+  const int first = quarter * kQuarter;
   const double* __restrict lo = leaf.lo + first;
   const double* __restrict hi = leaf.hi + first;
   double bits[kQuarter];
@@ -266,7 +267,8 @@ inline void coverage(proveout::LeafColumns& leaf, int first) {
   for (int c = 0; c < kQuarter; ++c) leaf.covered[first + c] = static_cast<unsigned char>(whole[c]);
 }
 
-inline double lowerTops(proveout::LeafColumns& leaf, int first) {
+inline double lowerTops(proveout::LeafColumns& leaf, int quarter) {
+  const int first = quarter * kQuarter;
   const double bottom = leaf.z[0];
   double* __restrict top = leaf.top + first;
   const double* __restrict lo = leaf.lo + first;
@@ -289,6 +291,7 @@ inline double lowerTops(proveout::LeafColumns& leaf, int first) {
   double total = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
   if (deep > 0.0) {  // cut out below the top: whole voxels
     leaf.undercut = true;
+    cover(leaf, quarter);
     for (int c = 0; c < kQuarter; ++c) {
       const unsigned cut = leaf.covered[first + c] & leaf.material[first + c];
       if (below[c] > 0.0) total += leaf.h * __builtin_popcount(cut);
@@ -300,8 +303,7 @@ inline double lowerTops(proveout::LeafColumns& leaf, int first) {
 double leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, int quarter) {
   const int first = quarter * kQuarter;
   columns(sweep, leaf.x + first, leaf.y + first, kQuarter, leaf.lo + first, leaf.hi + first);
-  coverage(leaf, first);
-  return lowerTops(leaf, first);
+  return lowerTops(leaf, quarter);
 }
 
 /// Squared level distance of the tool's axis from the middles of the blocks, and the range of the tip's rise while it

@@ -70,9 +70,11 @@ struct LeafColumns {
   bool undercut;               ///< a pass covered a part of a column below its top
 };
 
-/// For one quarter: finds lo, hi and covered; lowers the tops to lo where the pass covers them; returns the sum of
-/// what the tops sink by and of the covered material below tops that stay, in mm of column height.
+/// For one quarter: finds lo and hi; lowers the tops to lo where the pass covers them; returns the sum of what the tops
+/// sink by and of the covered material below tops that stay, in mm of column height.
 using LeafKernel = double (*)(const ColumnSweep& sweep, LeafColumns& leaf, int quarter);
+/// For one quarter: finds `covered` from lo and hi.
+using CoverKernel = void (*)(LeafColumns& leaf, int quarter);
 
 /// Four blocks of the grid as culling sees them: squares of one size, with a range of z each.
 struct FourBlocks {
@@ -90,6 +92,7 @@ using ReachKernel = void (*)(const ColumnSweep& sweep, const FourBlocks& blocks,
 struct ColumnKernels {
   ColumnKernel columns;
   LeafKernel leaf;
+  CoverKernel cover;
   ReachKernel reach;
   const char* name;
 };

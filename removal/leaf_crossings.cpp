@@ -25,6 +25,7 @@ constexpr double kFilm = 0.02;
 std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafEdges& edges,
                                            const std::vector<Crossing>& before,
                                            std::span<const Reach> list) {
+  if (edges.count == 0) return {};
   collect(change, edges, before);
   probes_.clear();
   probes_of_edge_.assign(edges_.size(), {-1, -1});
@@ -34,9 +35,9 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   const double highest = *std::max_element(boxes.z_high, boxes.z_high + 4);
   for (std::vector<std::uint32_t>& passes : passes_) passes.clear();
   for (const Reach& reach : list) {
+    if (reach.low >= highest) continue;
     const Pass& pass = table_.passes[reach.pass];
     if (pass.part != ToolPart::kCutter) continue;
-    if (reach.low >= highest) continue;
     double low[4];
     reach_(pass.columns, boxes, low);
     for (std::size_t q = 0; q < 4; ++q) {

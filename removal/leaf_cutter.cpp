@@ -61,6 +61,7 @@ void LeafCutter::start(const LeafChange& change) {
   removed_.clear();
   contacts_.clear();
   evaluations_ = 0;
+  covered_ = 0;
   LeafColumns& l = columns_;
   l.h = impl_.h;
   l.layers = 0;
@@ -111,6 +112,9 @@ void LeafCutter::pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords&
 /// Notes the edges that the last pass covered whole; `quarters` (bits) are those that it went through.
 void LeafCutter::join(unsigned quarters) {
   ColumnWords covered, x, y;
+  for (int q = 0; q < 4; ++q) {
+    if ((quarters >> q & 1) != 0) cover(q);
+  }
   std::memcpy(covered.data(), columns_.covered, sizeof(covered));
   for (unsigned q = 0; q < 4; ++q) {
     if ((quarters >> q & 1) == 0) covered[2 * q] = covered[2 * q + 1] = 0;
@@ -190,6 +194,12 @@ void LeafCutter::apply(std::uint32_t number) {
   columns_.layers = std::bit_width(any);
 }
 
+void LeafCutter::cover(int quarter) {
+  if ((covered_ >> quarter & 1) != 0) return;
+  cover_(columns_, quarter);
+  covered_ |= 1u << quarter;
+}
+
 /// Height of columns that the pass takes away, mm; 0 for parts that do not cut.
 double LeafCutter::applyQuarter(std::uint32_t number, int quarter) {
   const Pass& pass = table_.passes[number];
@@ -199,13 +209,18 @@ double LeafCutter::applyQuarter(std::uint32_t number, int quarter) {
   double top[kQuarter];
   if (watched) std::copy_n(l.top + first, kQuarter, top);
   const double sunk = kernel_(pass.columns, l, quarter);
+  covered_ &= ~(1u << quarter);
   evaluations_ += kQuarter;
-  if (watched) contact(number, quarter, top);
+  if (watched) {
+    cover(quarter);
+    contact(number, quarter, top);
+  }
   if (!cutter) {
     std::copy_n(top, kQuarter, l.top + first);
     return 0.0;
   }
   if (sunk <= 0.0) return 0.0;
+  cover(quarter);
   for (int c = first; c < first + kQuarter; ++c) l.material[c] &= static_cast<unsigned char>(~l.covered[c]);
   setQuarterTop(quarter);
   return sunk;

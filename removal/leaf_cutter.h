@@ -59,6 +59,7 @@ class LeafCutter {
         table_(table),
         reader_(impl),
         kernel_(columnKernels().leaf),
+        cover_(columnKernels().cover),
         reach_(columnKernels().reach) {}
 
   /// Takes `list` (what reaches into the leaf's block of 9x9x9 samples, in program order) through the samples
@@ -77,6 +78,7 @@ class LeafCutter {
   void startTops(const LeafChange& change);
   void apply(std::uint32_t number);
   double applyQuarter(std::uint32_t number, int quarter);
+  void cover(int quarter);
   void setQuarterTop(int quarter);
   void join(unsigned quarters);
   void contact(std::uint32_t number, int quarter, const double* top);
@@ -85,6 +87,7 @@ class LeafCutter {
   const PassTable& table_;
   LeafReader reader_;
   LeafKernel kernel_;
+  CoverKernel cover_;
   ReachKernel reach_;
   Coord origin_;
   double highest_ = 0.0;                   ///< highest top, mm
@@ -92,6 +95,7 @@ class LeafCutter {
   std::array<std::uint32_t, 2> takers_{};  ///< as in LeafChange
   double most_sunk_ = 0.0;                 ///< of one pass, mm of column height
   LeafColumns columns_{};
+  unsigned covered_ = 0;                   ///< quarters (bits) whose columns_.covered is that of the last pass
   /// Columns in the order of LeafColumns, eight a word.
   using ColumnWords = std::array<std::uint64_t, 8>;
   static void pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords& y);

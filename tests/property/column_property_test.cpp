@@ -152,7 +152,10 @@ TEST_F(Columns, EveryLevelGivesTheSameBits) {
       LeafColumns first = start;
       const auto all = [&](const ColumnKernels& level, LeafColumns& leaf) {
         double sum = 0.0;
-        for (int q = 0; q < 4; ++q) sum += level.leaf(c.columns, leaf, q);
+        for (int q = 0; q < 4; ++q) {
+          sum += level.leaf(c.columns, leaf, q);
+          level.cover(leaf, q);
+        }
         return sum;
       };
       const double sunk = all(levels()[0], first);
