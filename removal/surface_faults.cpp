@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <memory>
 
 #include "core/base/parallel_for.h"
 
@@ -62,14 +63,14 @@ void findBrokenFans(const TriMesh& mesh, const std::vector<std::uint32_t>& name,
     e = total;
     total += count;
   }
-  std::vector<FanEdge> edges(total);
+  const auto edges = std::make_unique_for_overwrite<FanEdge[]>(total);
   eachCorner([&](std::uint32_t v, const FanEdge& edge) { edges[next(v)] = edge; });
   std::vector<std::vector<std::uint32_t>> found((vertices + kBlock - 1) / kBlock);
   parallelFor(std::size_t{0}, found.size(), [&](std::size_t block) {
     for (std::size_t v = block * kBlock; v < std::min(vertices, (block + 1) * kBlock); ++v) {
       if (name[v] == kNoWatch) continue;
       const std::size_t first = v == 0 ? 0 : end[v - 1];
-      if (isRing(edges.data() + first, end[v] - first)) continue;
+      if (isRing(edges.get() + first, end[v] - first)) continue;
       found[block].push_back(name[v]);
       for (std::size_t i = first + 1; i < end[v]; ++i) {
         if (edges[i][0] == edges[i - 1][0] && name[edges[i][0]] != kNoWatch) {
