@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "core/base/parallel_for.h"
 #include "core/mesh/edge_table.h"
+#include "core/mesh/vertex_links.h"
 
 namespace proveout {
 
@@ -131,77 +131,16 @@ std::vector<std::uint32_t> numberComponents(DisjointSets& sets, std::size_t tria
   return number;
 }
 
-/// The corners of every vertex, in order of triangle. Requires proper triangles.
-class VertexCorners {
- public:
-  VertexCorners(std::size_t vertices, const std::vector<TriangleIndices>& triangles)
-      : start_(vertices + 2, 0), corners_(3 * triangles.size()) {
-    // Counted two places ahead, so that filling moves each start to where it belongs.
-    for (const auto& t : triangles) {
-      for (const std::uint32_t v : t) ++start_[v + 2];
-    }
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    std::uint32_t corner = 0;
-    for (const auto& t : triangles) {
-      for (const std::uint32_t v : t) corners_[start_[v + 1]++] = corner++;
-    }
-  }
-  std::span<const std::uint32_t> of(std::uint32_t vertex) const {
-    return {corners_.data() + start_[vertex], corners_.data() + start_[vertex + 1]};
-  }
-
- private:
-  std::vector<std::uint32_t> start_, corners_;
-};
-
-/// Opposite edge of a triangle seen from one of its vertices.
-using LinkEdge = std::pair<std::uint32_t, std::uint32_t>;
-
-/// Whether the edges, joined end to start, form one closed walk over all of them. Changes their order.
-bool isOneCycle(std::span<LinkEdge> link) {
-  constexpr std::size_t kSearchedInOrder = 16;  // beyond, sorting pays
-  const bool sorted = link.size() > kSearchedInOrder;
-  if (sorted) std::sort(link.begin(), link.end());
-  const auto startingAt = [&](std::uint32_t vertex) {
-    if (!sorted) return std::ranges::find(link, vertex, &LinkEdge::first);
-    const auto at = std::ranges::lower_bound(link, vertex, {}, &LinkEdge::first);
-    return at != link.end() && at->first == vertex ? at : link.end();
-  };
-  // The walk goes on from each vertex in one way: back at the start after that many steps, it has passed
-  // that many vertices, and so every edge once.
-  const std::uint32_t start = link.front().first;
-  std::uint32_t at = link.front().second;
-  for (std::size_t step = 1; step < link.size(); ++step) {
-    const auto next = startingAt(at);
-    if (at == start || next == link.end()) return false;
-    at = next->second;
-  }
-  return at == start;
-}
-
 /// Whether the mesh is closed, 2-manifold and oriented: around each vertex the triangles form one closed fan.
 /// Half the work of naming defects, which the rare mesh that has any gets on top.
 bool isClosedManifold(const TriMesh& mesh) {
   for (const auto& t : mesh.triangles) {
     if (!triangleIsProper(t, mesh.positions.size())) return false;
   }
-  const VertexCorners corners(mesh.positions.size(), mesh.triangles);
-  constexpr std::size_t kBlock = 4096;
   std::atomic<bool> closed{true};
-  parallelFor(std::size_t{0}, mesh.positions.size() / kBlock + 1, [&](std::size_t block) {
-    std::vector<LinkEdge> link;
-    const std::size_t end = std::min(mesh.positions.size(), (block + 1) * kBlock);
-    for (std::size_t v = block * kBlock; v < end && closed.load(std::memory_order_relaxed); ++v) {
-      const auto own = corners.of(static_cast<std::uint32_t>(v));
-      if (own.empty()) continue;
-      link.clear();
-      for (const std::uint32_t corner : own) {
-        const auto& t = mesh.triangles[corner / 3];
-        const std::uint32_t c = corner % 3;
-        link.emplace_back(t[c == 2 ? 0 : c + 1], t[c == 0 ? 2 : c - 1]);
-      }
-      if (!isOneCycle(link)) closed = false;
-    }
+  const auto any = [](std::uint32_t) { return true; };
+  forEachLink(mesh, any, [&](std::size_t, std::uint32_t, std::span<LinkEdge> link) {
+    if (!link.empty() && !isOneCycle(link)) closed.store(false, std::memory_order_relaxed);
   });
   return closed;
 }
