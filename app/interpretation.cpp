@@ -299,8 +299,10 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
   for (const Toolpath::EventAt& e : path.events) {
     if (e.event.event == "tool") first_change.emplace(e.event.channel, e.before);
   }
+  int known = lowest;  // the last tool that was found
   bool told = false, good = true;
   for (Motion& motion : path.motions) {
+    if (motion.tool == known) continue;
     if (motion.tool == 0 && !defined.contains(0)) {
       const auto changed = first_change.find(motion.channel);
       const bool emptied = changed != first_change.end() &&
@@ -316,8 +318,13 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
       }
       told = true;
       motion.tool = lowest;
+      continue;
     }
-    if (defined.contains(motion.tool) || !missing.insert(motion.tool).second) continue;
+    if (defined.contains(motion.tool)) {
+      known = motion.tool;
+      continue;
+    }
+    if (!missing.insert(motion.tool).second) continue;
     good = false;
     diagnose(Severity::kError, motion, "tool",
              fmt::format("tool {} is not defined; give it as [[tool]] in the job or as --tool {}=SHAPE",
