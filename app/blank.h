@@ -14,8 +14,8 @@ struct Blank {
   StockShape shape;
   Box3 bounds;                 ///< mm, workpiece frame
   double resolution_mm = 0.0;  ///< grid spacing that the run uses
-  std::optional<Stock>
-      stock;  ///< already made: where only the grid knows the bounds (a saved stock), or early
+  /// Already made: where only the grid knows the bounds (a saved stock), or early.
+  std::optional<Stock> stock;
 };
 
 /// Reads the blank's files and settles the grid. The job must have a stock.

@@ -219,18 +219,6 @@ Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
                   resolution_mm, needed_mb, limit_mb, way)};
 }
 
-/// Stops with the work that it belongs to, or alone; says nothing.
-class QuietProgress : public Progress {
- public:
-  explicit QuietProgress(const Progress& whole) : whole_(whole) {}
-  void report(std::string_view, double) override {
-    if (whole_.cancelled()) cancel();
-  }
-
- private:
-  const Progress& whole_;
-};
-
 /// Whether the blank can be made before it is known what is cut from it: its grid alone fits into the memory.
 bool makesBlankEarly(const Job& job, const Blank& blank) {
   if (turnsPart(job) || blank.stock) return false;
@@ -381,14 +369,14 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
   // Programs are read on one thread; another makes the blank meanwhile.
   Status done = Done{};
   std::optional<Stock> early;
-  QuietProgress quiet(progress);
+  Progress making(&progress);
   parallelFor(0, makesBlankEarly(job, prepared.blank) ? 2 : 1, [&](int part) {
     if (part == 0) {
       done = interpretAndPredict(job, sources, prepared, progress);
-      if (!done || run.alarm) quiet.cancel();
+      if (!done || run.alarm) making.cancel();
     } else {
       const RemovalOptions options = removalOptions(job, run.resolution_mm);
-      Result<Stock> stock = Stock::create(prepared.blank.shape, options, quiet);
+      Result<Stock> stock = Stock::create(prepared.blank.shape, options, making);
       if (stock) early = std::move(*stock);  // else it fails again where it is needed
     }
   });

@@ -132,7 +132,8 @@ Vec3 meetPlanes(std::span<const Plane> planes) {
     if (s2 > least) x += sum * ((planes[0].d + planes[1].d) / s2);
     if (d2 > least) x += difference * ((planes[0].d - planes[1].d) / d2);
     return x;
-  } else if (planes.size() == 3) {
+  }
+  if (planes.size() == 3) {
     const Vec3 yz = planes[1].n.cross(planes[2].n), zx = planes[2].n.cross(planes[0].n),
                xy = planes[0].n.cross(planes[1].n);
     const double volume = planes[0].n.dot(yz);
