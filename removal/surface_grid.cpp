@@ -292,37 +292,34 @@ class LeafPlacer {
   std::array<Vec3, 4> sheet_p_, sheet_mean_;  ///< of the sheets of one cell: vertices, means of the crossings
 };
 
-LevelFace levelFace(const SurfaceLeaf& leaf) {
-  constexpr std::uint64_t kRow = 0xFF, kColumn = 0x0101010101010101;
-  LevelFace out;
-  if (leaf.edges.count != 64 || leaf.cells != 64 || leaf.stock->crossings.size() != 64) return out;
-  const Crossing& first = leaf.stock->crossings.front();
-  int axis = 0;
-  while (axis < 2 && first.normal[axis] == 0) ++axis;
-  if (first.normal[(axis + 1) % 3] != 0 || first.normal[(axis + 2) % 3] != 0) return out;
-  int layer = 0;
-  const auto whole = [&](int z) {
-    const std::uint64_t bits = leaf.edges.crossed[axis][z];
-    return bits == (axis == 0 ? kRow << 8 * layer : axis == 1 ? kColumn << layer : z == layer ? ~0ull : 0ull);
-  };
-  const std::uint64_t lowest = leaf.edges.crossed[axis][0];
-  if (axis < 2) {
-    layer = std::countr_zero(lowest | 1ull << 63) / (axis == 0 ? 8 : 1) & 7;
-  } else {
-    while (layer < 7 && leaf.edges.crossed[2][layer] == 0) ++layer;
-  }
+/// The places of one layer across an axis.
+LeafBits layerAcross(int axis, int layer) {
+  LeafBits bits{};
   for (int z = 0; z < 8; ++z) {
-    if (!whole(z)) return out;
+    bits[z] = axis == 0 ? kColumnX0 << 8 * layer : axis == 1 ? kColumnY0 << layer : z == layer ? ~0ull : 0ull;
   }
-  if (leaf.edges.crossed[axis] != leaf.mixed) return out;
-  for (const Crossing& c : leaf.stock->crossings) {
-    if (c != first) return out;
-  }
+  return bits;
+}
+
+LevelFace levelFace(const SurfaceLeaf& leaf) {
+  LevelFace out;
+  const std::vector<Crossing>& crossings = leaf.stock->crossings;
+  if (leaf.cells != 64 || leaf.edges.count != 64 || crossings.size() != 64) return out;
+  const auto* const normal = crossings.front().normal;
+  int axis = 0;
+  while (axis < 2 && normal[axis] == 0) ++axis;
+  if (normal[(axis + 1) % 3] != 0 || normal[(axis + 2) % 3] != 0) return out;
+  int layer = 0;
+  while (layer < 8 && layerAcross(axis, layer) != leaf.mixed) ++layer;
+  if (layer == 8 || leaf.edges.crossed[axis] != leaf.mixed) return out;
+  if (std::any_of(crossings.begin(), crossings.end(), [&](const Crossing& c) { return c != crossings[0]; }))
+    return out;
   out.axis = static_cast<std::int8_t>(axis);
   out.layer = static_cast<std::int8_t>(layer);
-  const int x = axis == 0 ? layer : 0, y = axis == 1 ? layer : 0, z = axis == 2 ? layer : 0;
-  out.material_below = leafSample(leaf.stock->material, x, y, z);
-  out.crossing = first;
+  out.crossing = crossings.front();
+  std::array<int, 3> place{};
+  place[axis] = layer;
+  out.material_below = leafSample(leaf.stock->material, place[0], place[1], place[2]);
   return out;
 }
 
