@@ -6,12 +6,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "core/tool/tool_solid.h"
 #include "removal/column_sweep.h"
 #include "removal/sweep.h"
+#include "tests/property/random_moves.h"
 
 namespace proveout {
 namespace {
@@ -58,22 +58,16 @@ struct Case {
 
 class Columns : public ::testing::Test {
  protected:
-  double random(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-  Vec3 point() { return {random(-8, 8), random(-8, 8), random(-4, 4)}; }
+  double random(double low, double high) { return moves_.number(low, high); }
 
   Case lineCase(const ConvexProfile& profile, const ColumnSolid& solid, int style) {
-    const Vec3 from = point();
-    Vec3 to = point();
-    if (style == 0) to.z() = from.z();
-    if (style == 1) to.head<2>() = from.head<2>();
-    if (style == 2) to = from + 1e-3 * (to - from);
-    if (style == 3) to.x() = from.x();
+    const auto [from, to] = moves_.line(style);
     return {columnLine(solid, from, to), Sweep(profile, from, to, nullptr)};
   }
 
   Case arcCase(const ConvexProfile& profile, const ColumnSolid& solid) {
     ArcGeometry arc;
-    arc.center = point();
+    arc.center = moves_.point();
     arc.normal = random(0, 1) < 0.5 ? Vec3::UnitZ() : Vec3(-Vec3::UnitZ());
     arc.sweep_rad = random(-6.5, 6.5);
     const double radius = random(0.5, 9.0), start = random(0, 6.28);
@@ -102,7 +96,7 @@ class Columns : public ::testing::Test {
     }
   }
 
-  std::mt19937 engine_{7};
+  test::RandomMoves moves_{7};
   double x_[64], y_[64], lo_[64], hi_[64];
   int intervals_ = 0;
 };

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <random>
 
 #include "core/tool/tool_solid.h"
 #include "removal/level_cut.h"
+#include "tests/property/random_moves.h"
 
 namespace proveout {
 namespace {
@@ -28,19 +28,11 @@ class PassSurfaces : public ::testing::TestWithParam<const char*> {
     solid_ = columnSolid(profile_);
   }
 
-  double random(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  Vec3 point() { return {random(-8, 8), random(-8, 8), random(-4, 4)}; }
+  double random(double low, double high) { return moves_.number(low, high); }
 
   Pass pass(int style) {
-    const Vec3 from = point();
-    Vec3 to = point();
-    if (style == 0) to.z() = from.z();
-    if (style == 1) to.head<2>() = from.head<2>();
-    if (style == 2) to = from + 1e-3 * (to - from);
-    if (style == 3) to.x() = from.x();
-    if (style == 4) to.z() = from.z() + 1e-5 * (to.z() - from.z());
+    auto [from, to] = moves_.line(style);
+    if (style == 4) to.z() = from.z() + 1e-5 * (to.z() - from.z());  // nearly level
     Pass out;
     out.profile = &profile_;
     out.columns = columnLine(solid_, from, to);
@@ -81,7 +73,7 @@ class PassSurfaces : public ::testing::TestWithParam<const char*> {
 
   ConvexProfile profile_;
   ColumnSolid solid_;
-  std::mt19937 engine_{5};
+  test::RandomMoves moves_{5};
   int known_ = 0, rims_ = 0;
 };
 
