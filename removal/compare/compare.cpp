@@ -1,4 +1,4 @@
-#include "removal/compare.h"
+#include "removal/compare/compare.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -11,11 +11,15 @@
 #include <limits>
 #include <new>
 
-#include "removal/deviation_patches.h"
-#include "removal/deviation_statistics.h"
-#include "removal/nominal.h"
-#include "removal/sample_mesh.h"
-#include "removal/signed_distance.h"
+#include "core/base/parallel_for.h"
+#include "removal/compare/deepest_point.h"
+#include "removal/compare/deviation_patches.h"
+#include "removal/compare/deviation_statistics.h"
+#include "removal/compare/difference_volume.h"
+#include "removal/compare/measured_sides.h"
+#include "removal/compare/nominal.h"
+#include "removal/compare/sample_mesh.h"
+#include "removal/compare/spots.h"
 
 namespace proveout {
 namespace compare_detail {
@@ -45,32 +49,11 @@ Status checkClosed(const TriMesh& mesh, const std::string& name) {
                                 open.first.y(), open.first.z()));
 }
 
-/// Turns distances into the convention of compare.h: on the nominal side, a point inside the machined
-/// solid means that material is left.
-SampledSide toSide(const SampleMesh& mesh, const std::vector<SurfaceDistance>& distances, bool nominal_side) {
-  SampledSide side;
-  side.mesh = &mesh;
-  const float sign = nominal_side ? -1.0f : 1.0f;
-  for (const SurfaceDistance& d : distances) {
-    side.deviation.push_back(sign * static_cast<float>(d.distance));
-    side.gradient.push_back(d.gradient);
-    side.opposite.push_back(d.triangle);
-  }
-  return side;
-}
-
 bool ignored(const std::vector<IgnoredRegion>& regions, const Vec3& p) {
   return std::any_of(regions.begin(), regions.end(), [&](const IgnoredRegion& r) { return r.contains(p); });
 }
 
-void leaveOut(const std::vector<IgnoredRegion>& regions, SampledSide& side) {
-  if (regions.empty()) return;
-  for (std::size_t i = 0; i < side.deviation.size(); ++i) {
-    if (ignored(regions, side.mesh->surface.points[i])) side.deviation[i] = 0.0f;
-  }
-}
-
-/// Area of the triangles in each region, by their middles, mm2; vertices there get no colour.
+/// Area of the triangles in each region, by their middles, mm2.
 void tellIgnored(const TriMesh& machined, const std::vector<IgnoredRegion>& regions, Comparison& out) {
   out.ignored_mm2.assign(regions.size(), 0.0);
   if (regions.empty()) return;
@@ -82,68 +65,72 @@ void tellIgnored(const TriMesh& machined, const std::vector<IgnoredRegion>& regi
     if (found != regions.end())
       out.ignored_mm2[static_cast<std::size_t>(found - regions.begin())] += 0.5 * (b - a).cross(c - a).norm();
   }
-  for (std::size_t i = 0; i < out.vertex_deviation.size(); ++i) {
-    if (ignored(regions, machined.positions[i].cast<double>()))
-      out.vertex_deviation[i] = std::numeric_limits<float>::quiet_NaN();
-  }
 }
 
 /// Grid spacing at which the error, which goes with its square, is less than the distance to the tolerance.
-double decidingResolution(const CompareOptions& o, double depth, double tolerance) {
+double decidingResolution(const CompareOptions& o, const DeviationPatch& patch, double tolerance) {
   constexpr double kMargin = 0.8;
   constexpr double kPractical = 1.0 / 16.0;
-  const double factor = std::sqrt(kMargin * std::abs(depth - tolerance) / o.uncertainty_mm);
-  if (factor < kPractical) return 0.0;
+  const double factor = std::sqrt(kMargin * std::abs(patch.depth_mm - tolerance) / patch.bound_mm);
+  if (!(factor >= kPractical)) return 0.0;
   const double wanted = o.resolution_mm * std::min(factor, kMargin);
   const double digit = std::pow(10.0, std::floor(std::log10(wanted)) - 1.0);
   return std::floor(wanted / digit) * digit;
 }
 
-/// Deepest sample of a kind anywhere, as a patch without extent.
-DeviationPatch deepestAnywhere(const BothSides& sides, DeviationKind kind) {
-  DeviationPatch patch;
-  patch.kind = kind;
-  double best = -1.0;
-  for (const SampledSide* side : {&sides.machined, &sides.nominal}) {
-    for (std::size_t i = 0; i < side->deviation.size(); ++i) {
-      const double depth =
-          std::max(0.0f, kind == DeviationKind::kExcess ? side->deviation[i] : -side->deviation[i]);
-      if (depth <= best) continue;
-      best = depth;
-      patch.where = side->mesh->surface.points[i];
-      patch.from_nominal_only = side == &sides.nominal;
-    }
+/// What is asked about patches once they are found.
+struct Asked {
+  const TreedSurface machined, nominal_surface;
+  const ExactPart& part;
+  const NominalModel& nominal;
+  double noise;
+};
+
+/// Where both sides' volumes disagree, the surfaces do not run side by side: what lies between them is
+/// counted. Not for thin patches, where the larger side is right, nor for all of a great many.
+void fillVolumes(const Asked& asked, double level, std::vector<FoundPatch>& found) {
+  constexpr double kAgree = 0.02, kDeep = 4.0;
+  constexpr std::size_t kMostCounted = 24;
+  std::vector<FoundPatch*> counted;
+  for (FoundPatch& f : found) {
+    const auto [machined, nominal] = f.volumes;
+    const double larger = std::max(machined, nominal);
+    if (std::min(machined, nominal) >= (1.0 - kAgree) * larger) continue;
+    f.patch.volume_mm3 = std::max(larger, 0.0);
+    if (f.patch.depth_mm > kDeep * level) counted.push_back(&f);
   }
-  patch.depth_mm = best;
-  patch.bounds.extend(patch.where);
-  return patch;
+  std::stable_sort(counted.begin(), counted.end(), [](const FoundPatch* a, const FoundPatch* b) {
+    return a->patch.area_mm2 * a->patch.depth_mm > b->patch.area_mm2 * b->patch.depth_mm;
+  });
+  counted.resize(std::min(counted.size(), kMostCounted));
+  for (FoundPatch* f : counted) {
+    const double volume = differenceVolume(asked.machined, asked.nominal_surface, f->patch.kind,
+                                           f->patch.bounds, f->places, std::max(0.5 * level, asked.noise));
+    if (volume > 0.0) f->patch.volume_mm3 = volume;
+  }
 }
 
 /// Sorts the regions of one kind into certain and undecided ones.
-void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, double noise,
+void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, const Asked& asked,
                const CompareOptions& o, Comparison& out) {
-  const auto undecided = [&](DeviationPatch patch) {
-    patch.deciding_resolution_mm = decidingResolution(o, patch.depth_mm, tolerance);
-    out.undecided.push_back(patch);
+  const double level = std::max(tolerance, asked.noise);
+  const auto undecided = [&](const FoundPatch& found) {
+    out.undecided.push_back(found.patch);
+    out.undecided.back().deciding_resolution_mm = decidingResolution(o, found.patch, tolerance);
   };
-  const double level = std::max(tolerance, noise);
-  bool found = false;
-  for (const DeviationPatch& patch : findPatches(sides, kind, level)) {
-    found = true;
-    if (patch.depth_mm > level + o.uncertainty_mm) {
-      out.patches.push_back(patch);
+  std::vector<FoundPatch> measured = joinSpots(findPatches(sides, kind, level, Beyond::kMeasured, o.part), o);
+  parallelFor(std::size_t{0}, measured.size(),
+              [&](std::size_t i) { findDeepest(asked.part, asked.nominal, o.resolution_mm, measured[i]); });
+  fillVolumes(asked, level, measured);
+  for (const FoundPatch& found : measured) {
+    if (found.certain || found.patch.depth_mm - found.patch.bound_mm > level) {
+      out.patches.push_back(found.patch);
     } else {
-      undecided(patch);
+      undecided(found);
     }
   }
-  if (o.uncertainty_mm <= 0.0) return;
-  if (o.uncertainty_mm >= tolerance) {  // no deviation at all, not even none, can be told from the tolerance
-    if (!found) undecided(deepestAnywhere(sides, kind));
-    return;
-  }
-  for (const DeviationPatch& patch :
-       findPatches(sides, kind, std::max(tolerance - o.uncertainty_mm, noise))) {
-    if (patch.depth_mm <= level) undecided(patch);
+  for (const FoundPatch& found : findPatches(sides, kind, level, Beyond::kPossible, o.part)) {
+    if (found.patch.depth_mm <= level) undecided(found);
   }
 }
 
@@ -152,47 +139,63 @@ void sortByDepth(std::vector<DeviationPatch>& patches) {
                    [](const DeviationPatch& a, const DeviationPatch& b) { return a.depth_mm > b.depth_mm; });
 }
 
+/// Deviations of the mesh's own vertices, which come first among the samples.
+std::vector<float> deviationOfVertices(const BothSides& sides, std::size_t count) {
+  return {sides.machined.deviation.begin(),
+          sides.machined.deviation.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// Of the samples that a tolerance asks for.
+double largestBound(const BothSides& sides, double tolerance) {
+  double largest = 0.0;
+  for (const SampledSide* side : {&sides.machined, &sides.nominal}) {
+    for (std::size_t i = 0; i < side->deviation.size(); ++i) {
+      if (std::abs(side->deviation[i]) + side->bound[i] > tolerance)
+        largest = std::max(largest, static_cast<double>(side->bound[i]));
+    }
+  }
+  return largest;
+}
+
 Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, const CompareOptions& o,
                            Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "comparison interrupted"};
   // Meshes of a grid have edges up to about 1.5 spacings long: those are sampled by their corners.
-  const SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, kMaxSampleTriangles);
+  SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, kMaxSampleTriangles);
   const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, kMaxSampleTriangles);
-  BothSides sides;
+  const NominalModel model(nominal, 0.5 * o.resolution_mm);
+  BothSides sides = measureSides(part, goal, model, o, progress);
+  if (progress.cancelled()) return interrupted;
   sides.motion = &machined.motion;
-  {
-    SurfaceMesh coarse;  // distances need the nominal as it is; its samples would make a larger tree
-    for (const auto& p : nominal.positions) coarse.points.push_back(p.cast<double>());
-    coarse.triangles = nominal.triangles;
-    const SignedDistance to_nominal(coarse);
-    sides.machined = toSide(part, to_nominal.at(part.surface.points, progress, 0.1, 0.5), false);
-    leaveOut(o.ignored, sides.machined);
-  }
-  if (progress.cancelled()) return interrupted;
-  {
-    const SignedDistance to_machined(part.surface);
-    sides.nominal = toSide(goal, to_machined.at(goal.surface.points, progress, 0.6, 0.95), true);
-    leaveOut(o.ignored, sides.nominal);
-  }
-  if (progress.cancelled()) return interrupted;
   Comparison out;
   out.gouge_tolerance_mm = o.gouge_mm;
   out.excess_tolerance_mm = o.excess_mm;
-  out.uncertainty_mm = o.uncertainty_mm;
+  fillStatistics(sides, out);
   Box3 box = meshBounds(machined);
   box.extend(meshBounds(nominal));
   // Coordinates come as float: what is within four units in the last place is no deviation.
   const double noise = 4.0 * 1.2e-7 * std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
-  judgeKind(sides, DeviationKind::kGouge, o.gouge_mm, noise, o, out);
-  judgeKind(sides, DeviationKind::kExcess, o.excess_mm, noise, o, out);
+  const SurfaceMesh machined_surface = toSurface(machined);
+  const SignedDistance to_machined(machined_surface, 0.5 * o.resolution_mm);
+  const MeshPart mesh_part(to_machined, o.uncertainty_mm);
+  const Asked asked{{&machined_surface, &to_machined.tree()},
+                    {&model.surface, &model.distance.tree()},
+                    o.part != nullptr ? *o.part : mesh_part,
+                    model,
+                    noise};
+  out.largest_bound_mm = largestBound(sides, std::min(o.gouge_mm, o.excess_mm));
+  judgeKind(sides, DeviationKind::kGouge, o.gouge_mm, asked, o, out);
+  judgeKind(sides, DeviationKind::kExcess, o.excess_mm, asked, o, out);
   sortByDepth(out.patches);
   sortByDepth(out.undecided);
-  fillStatistics(sides, out);
-  out.vertex_deviation.assign(
-      sides.machined.deviation.begin(),
-      sides.machined.deviation.begin() + static_cast<std::ptrdiff_t>(machined.positions.size()));
+  for (const DeviationPatch& p : out.patches) {
+    double& most = p.kind == DeviationKind::kGouge ? out.max_gouge_mm : out.max_excess_mm;
+    most = std::max(most, p.depth_mm);
+  }
+  out.vertex_deviation = deviationOfVertices(sides, machined.positions.size());
   tellIgnored(machined, o.ignored, out);
-  out.nominal_tessellation_mm = estimateTessellation(nominal);
+  out.nominal_chord_mm = model.shape.largest();
+  out.nominal_chord_at = model.shape.largestAt();
   out.machined_spacing_mm = part.spacing_mm;
   out.nominal_spacing_mm = goal.spacing_mm;
   out.machined_samples = part.surface.points.size();
