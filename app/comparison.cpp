@@ -76,7 +76,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.excess_mm = job.nominal->excess_mm;
   options.resolution_mm = run.resolution_mm;
   options.uncertainty_mm = partUncertainty(run) + simplification(job, run.resolution_mm);
-  options.part = part->get();
+  options.part = std::move(*part);
   options.spot_gap = [&run](const SurfaceMaker& a, const SurfaceMaker& b) { return spotGap(run, a, b); };
   options.threads = job.simulation.threads;
   options.ignored = job.nominal->ignored;

@@ -18,6 +18,7 @@
 #include "removal/compare/difference_volume.h"
 #include "removal/compare/measured_sides.h"
 #include "removal/compare/nominal.h"
+#include "removal/compare/point_deviation.h"
 #include "removal/compare/sample_mesh.h"
 #include "removal/compare/spots.h"
 
@@ -113,12 +114,13 @@ void fillVolumes(const Asked& asked, double level, std::vector<FoundPatch>& foun
 /// Sorts the regions of one kind into certain and undecided ones.
 void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, const Asked& asked,
                const CompareOptions& o, Comparison& out) {
-  const double level = std::max(tolerance, asked.noise);
+  const double level = tolerance + asked.noise;
   const auto undecided = [&](const FoundPatch& found) {
     out.undecided.push_back(found.patch);
     out.undecided.back().deciding_resolution_mm = decidingResolution(o, found.patch, tolerance);
   };
-  std::vector<FoundPatch> measured = joinSpots(findPatches(sides, kind, level, Beyond::kMeasured, o.part), o);
+  std::vector<FoundPatch> measured =
+      joinSpots(findPatches(sides, kind, level, Beyond::kMeasured, o.part.get()), o);
   parallelFor(std::size_t{0}, measured.size(),
               [&](std::size_t i) { findDeepest(asked.part, asked.nominal, o.resolution_mm, measured[i]); });
   fillVolumes(asked, level, measured);
@@ -129,7 +131,7 @@ void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, con
       undecided(found);
     }
   }
-  for (const FoundPatch& found : findPatches(sides, kind, level, Beyond::kPossible, o.part)) {
+  for (const FoundPatch& found : findPatches(sides, kind, level, Beyond::kPossible, o.part.get())) {
     if (found.patch.depth_mm <= level) undecided(found);
   }
 }
@@ -163,7 +165,8 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   // Meshes of a grid have edges up to about 1.5 spacings long: those are sampled by their corners.
   SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, kMaxSampleTriangles);
   const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, kMaxSampleTriangles);
-  const NominalModel model(nominal, 0.5 * o.resolution_mm);
+  const auto shared_model = std::make_shared<const NominalModel>(nominal, 0.5 * o.resolution_mm);
+  const NominalModel& model = *shared_model;
   BothSides sides = measureSides(part, goal, model, o, progress);
   if (progress.cancelled()) return interrupted;
   sides.motion = &machined.motion;
@@ -193,6 +196,7 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
     most = std::max(most, p.depth_mm);
   }
   out.vertex_deviation = deviationOfVertices(sides, machined.positions.size());
+  out.field = makeDeviationField(shared_model, o);
   tellIgnored(machined, o.ignored, out);
   out.nominal_chord_mm = model.shape.largest();
   out.nominal_chord_at = model.shape.largestAt();

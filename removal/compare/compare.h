@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -62,7 +63,7 @@ struct CompareOptions {
   /// The machined part itself: places whose deviation could be beyond a tolerance are measured on it and not
   /// on the mesh. Null: the mesh is all there is, and deviations closer to a tolerance than `uncertainty_mm`
   /// are undecided.
-  const ExactPart* part = nullptr;
+  std::shared_ptr<const ExactPart> part = {};
   /// How near to each other, mm, spots of two makers are one finding; below 0: never. Spots of one motion are
   /// one anyway. Empty: what is two samples apart is one.
   std::function<double(const SurfaceMaker&, const SurfaceMaker&)> spot_gap = {};
@@ -101,6 +102,14 @@ struct DeviationPatch {
   double deciding_resolution_mm = 0.0;
 };
 
+/// The deviation of any point of the machined surface.
+class DeviationField {
+ public:
+  virtual ~DeviationField() = default;
+  /// Of a point of the machined mesh, mm; NaN where it is ignored. Thread-safe.
+  virtual float at(const Vec3& p) const = 0;
+};
+
 /// Figures over a surface, weighted by area, without ignored regions.
 struct DeviationFigures {
   double area_mm2 = 0.0;
@@ -122,7 +131,8 @@ struct Comparison {
     std::vector<double> area_mm2;  ///< mean of both surfaces, one fewer than edges
   } histogram;
   std::vector<float> vertex_deviation;  ///< per vertex of the machined mesh, mm; NaN where it is ignored
-  std::vector<double> ignored_mm2;      ///< of the machined surface, per region of CompareOptions::ignored
+  std::shared_ptr<const DeviationField> field;  ///< between the vertices; may be kept longer than this
+  std::vector<double> ignored_mm2;  ///< of the machined surface, per region of CompareOptions::ignored
   /// Largest distance of the nominal's facets from the curved faces that they stand for, as estimated from
   /// how they turn against each other, and where. 0 for flat-faced parts.
   double nominal_chord_mm = 0.0;

@@ -30,6 +30,7 @@ struct BothSides {
 struct NominalModel {
   NominalModel(const TriMesh& mesh, double sure_mm)
       : surface(toSurface(mesh)), distance(surface, sure_mm), shape(distance) {}
+  NominalModel(const NominalModel&) = delete;
   SurfaceMesh surface;
   SignedDistance distance;
   NominalShape shape;

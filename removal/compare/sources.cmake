@@ -9,6 +9,7 @@ proveout_add_library(compare
   compare/measured_sides.cpp
   compare/nominal.cpp
   compare/nominal_shape.cpp
+  compare/point_deviation.cpp
   compare/sample_mesh.cpp
   compare/spots.cpp)
 # CGAL::CGAL carries -frounding-math, which would keep other code from being vectorised: one source has it.
