@@ -51,9 +51,14 @@ constexpr std::size_t kMain = 3;  ///< X, Y, Z stand in the set itself
 }  // namespace
 
 OriginKind axisKind(std::string_view name) {
-  constexpr std::string_view kLetters = "XYZABCUVW";
-  const std::size_t at = name.size() == 1 ? kLetters.find(name[0]) : std::string_view::npos;
-  return at == std::string_view::npos ? OriginKind::kOtherAxis : static_cast<OriginKind>(at);
+  const char letter = name.size() == 1 ? name[0] : '\0';
+  const auto from = [&](OriginKind kind, char first) {
+    return static_cast<OriginKind>(static_cast<int>(kind) + letter - first);
+  };
+  if (letter >= 'X' && letter <= 'Z') return from(OriginKind::kX, 'X');
+  if (letter >= 'A' && letter <= 'C') return from(OriginKind::kA, 'A');
+  if (letter >= 'U' && letter <= 'W') return from(OriginKind::kU, 'U');
+  return OriginKind::kOtherAxis;
 }
 
 OriginRecorder::OriginRecorder(MotionSink& sink) : sink_(sink), words_(std::make_shared<OriginWords>()) {}
@@ -94,9 +99,10 @@ void OriginRecorder::word(OriginKind kind, Columns columns, double value, ReadLi
 }
 
 void OriginRecorder::clear(KindSet kinds) {
+  const KindSet gone = present_ & kinds;
+  if (gone.empty()) return;
   settle();
   touch();
-  const KindSet gone = present_ & kinds;
   repeated_.remove(gone);
   gone.each([&](OriginKind kind) { slots_[static_cast<std::size_t>(kind)] = Slot(); });
   present_.remove(gone);

@@ -54,7 +54,9 @@ class OriginRecorder final : public ValueOrigins {
 
   /// The program that runs from here on. `by_text`: readers of the path have the text of its file.
   void enter(std::uint32_t file, std::uint16_t depth, bool by_text) {
-    frame_ = file << kDepthBits | depth;
+    const std::uint32_t frame = file << kDepthBits | depth;
+    if (frame == frame_ && by_text == by_text_) return;
+    frame_ = frame;
     by_text_ = by_text;
     ready_ = false;
     due_ = true;

@@ -56,7 +56,8 @@ bool isPlainNumber(std::string_view text) {
   std::size_t pos = behindBlanks(text, 0);
   if (pos < text.size() && (text[pos] == '-' || text[pos] == '+')) ++pos;
   pos = behindBlanks(text, pos);
-  return text.find_first_not_of("0123456789.", pos) == std::string_view::npos;
+  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(std::min(pos, text.size())), text.end(),
+                     [](char c) { return isDigit(c) || c == '.'; });
 }
 
 /// Behind blanks and `/` at the start of the line.

@@ -141,10 +141,16 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   struct ContourWords {
     OriginRecorder::Slot u, v, block;
   };
+  /// Kinds of the plain words of a block; `steps` are incremental.
+  struct PlainWords {
+    KindSet kinds, steps;
+    bool operator==(const PlainWords&) const = default;
+  };
   void beginBlock(std::string_view line);
   bool shownByText() const;
   void recordLetter(char letter, OriginKind kind, bool step = false, bool by_text = true);
   void recordCode(const Wl4Block::Code& code, OriginKind kind);
+  void tellPlainWords();
   void recordWords(const Plan& p);
   void recordCodes(bool contour);
   void recordAxes(const Plan& p);
@@ -189,6 +195,8 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   Wl4Evaluator evaluator_;
   Wl4Reader reader_;
   mutable OriginRecorder origins_;  ///< works the index of here() out when it is asked for
+  PlainWords plain_words_;          ///< of the block in hand, not told yet
+  PlainWords told_words_;           ///< told last
   bool data_told_ = false;
   std::array<std::uint32_t, 3> system_by_{};  ///< words of G92
   std::vector<ContourWords> contour_words_;   ///< by ContourElement::source

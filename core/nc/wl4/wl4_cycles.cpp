@@ -26,6 +26,7 @@ Wl4Control::Go Wl4Control::openCycle(const Plan& p) {
   for (const Wl4Block::Code& word : block_.g) {
     if (word.number == p.deed) recordCode(word, OriginKind::kCycle);
   }
+  tellPlainWords();
   const Go go = call("1", 1);
   origins_.put(OriginKind::kCycle, fixed_cycle);
   return go;
@@ -241,6 +242,7 @@ bool Wl4Control::contourBlock(Wl4Contour& contour, std::vector<double>& chamfers
   for (const Wl4Block::Code& g : block_.g) planCode(q, *wl4GCode(g.number));
   if (!planAxes(q)) return false;
   recordAxes(q);
+  tellPlainWords();
   const WorkPlane w(plane(q.next));
   ContourElement e;
   e.from = w.of(machine_).head<2>();

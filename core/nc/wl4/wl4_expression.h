@@ -36,7 +36,7 @@ class Wl4Evaluator {
   /// `origins` must outlive the evaluator. Without, values have no origins.
   void setOrigins(ValueOrigins& origins) { origins_ = &origins; }
   /// What the last expression read.
-  ReadList reads() const { return origins_ != nullptr ? origins_->listOf(reads_) : 0; }
+  ReadList reads() const { return reads_.empty() ? 0 : origins_->listOf(reads_); }
 
   /// Values that differ by less than half a unit of this decimal are equal; without, by less than 1e-9.
   void setDecimals(int decimals);

@@ -1,6 +1,7 @@
 // Where the words of a WL4 program were written: told to the recorder, block by block.
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/nc/wl4/wl4_control.h"
 
@@ -77,7 +78,8 @@ bool Wl4Control::shownByText() const { return block_.plain && origins_.byText();
 void Wl4Control::recordLetter(char letter, OriginKind kind, bool step, bool by_text) {
   if (!block_.has(letter)) return;
   if (by_text && shownByText()) {
-    origins_.literals(kind, step ? KindSet(kind) : KindSet(), false);
+    plain_words_.kinds.add(kind);
+    if (step) plain_words_.steps.add(kind);
   } else {
     origins_.word(kind, block_.at(letter), block_.value(letter), block_.readsOf(letter), {step, false});
   }
@@ -85,10 +87,18 @@ void Wl4Control::recordLetter(char letter, OriginKind kind, bool step, bool by_t
 
 void Wl4Control::recordCode(const Wl4Block::Code& code, OriginKind kind) {
   if (shownByText()) {
-    origins_.literals(kind, {}, false);
+    plain_words_.kinds.add(kind);
   } else {
     origins_.word(kind, code.columns, code.number, code.reads, {});
   }
+}
+
+/// Plain words of the block take effect all at once: blocks that are alike then cost next to nothing.
+void Wl4Control::tellPlainWords() {
+  const PlainWords words = std::exchange(plain_words_, {});
+  if (words.kinds.empty() || (words == told_words_ && origins_.again())) return;
+  origins_.literals(words.kinds, words.steps, false);
+  told_words_ = words;
 }
 
 void Wl4Control::recordWords(const Plan& p) {
@@ -113,6 +123,7 @@ void Wl4Control::recordWords(const Plan& p) {
     recordLetter('R', OriginKind::kArcRadius);
   }
   if (p.chamfer > 0.0) recordLetter('B', OriginKind::kCorner);
+  tellPlainWords();
   const bool data = block_.has('T') || block_.has('D') || block_.has('H') || p.deed == 92 ||
                     p.next.length != state_.length || p.next.system != state_.system || !data_told_;
   if (data) recordData(p);
@@ -214,6 +225,7 @@ void Wl4Control::recordContourCycle(const Plan& p) {
     if (word.number == p.deed) recordCode(word, OriginKind::kCycle);
     if (word.number == 41 || word.number == 42) recordCode(word, OriginKind::kCompensation);
   }
+  tellPlainWords();
 }
 
 Wl4Control::ContourWords Wl4Control::wordsInPlane(const WorkPlane& plane) const {

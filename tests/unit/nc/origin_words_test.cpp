@@ -1,11 +1,13 @@
 // Words found in lines, and the table of words that are told by number.
 #include "core/nc/origin_words.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "core/nc/nct/nct_codes.h"
 #include "core/path/line_word.h"
 
 namespace proveout {
@@ -47,6 +49,23 @@ TEST(LineWords, TheBestAddressGoesFirstAndTheLastWordCounts) {
   EXPECT_EQ(wordIn("G1 X5 $ X6", kX), "X5");
   EXPECT_EQ(wordIn("G1 X.5 .X6", kX), "X.5");
   EXPECT_EQ(wordIn("", kX), "");
+}
+
+TEST(LineWords, KnowTheCodesThatTheControlTellsOf) {
+  nc::KindSet told;
+  for (const nc::GCode* code : nc::nctCodes().allG()) {
+    const std::string word = code->code10 % 10 == 0
+                                 ? fmt::format("G{}", code->code10 / 10)
+                                 : fmt::format("G{}.{}", code->code10 / 10, code->code10 % 10);
+    told.add(code->kinds);
+    code->kinds.each([&](OriginKind kind) {
+      EXPECT_EQ(wordIn("N5 " + word + " X1 Y2 M8", kind), word) << originKindName(kind);
+    });
+  }
+  for (const OriginKind kind :
+       {kCycle, kCycleReturn, kLengthCode, kCompensation, kWorkOffset, kShift, kUnits, kDistance, kPlane,
+        kMirror, kScaling, kRotation, kPolar, kVirtualPlane, kDiameter, kMotionCode, kFeedMode, kSpindleMode})
+    EXPECT_TRUE(told.has(kind)) << originKindName(kind);
 }
 
 TEST(LineWords, EveryKindHasAName) {
