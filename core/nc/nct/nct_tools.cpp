@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_words.h"
 
@@ -120,6 +121,7 @@ bool sendToolChange(NctContext& c, int type, int row) {
   // A row may have been deleted after T had called it.
   if (tools.managed()) tools.place(spindlePlace(c), tools.row(row) ? row : 0);
   if (!countsAtT(c)) countUse(c, row);
+  recordToolChange(c);
   PathItem item = functionItem(c, PathItem::Kind::kToolChange, c.state);
   item.value = type;
   if (row > 0) {

@@ -93,6 +93,7 @@ bool Wl4Control::function(Plan& p, int m) {
         warnOnce("M6 T0", "wl4-no-tool", "M6 without T: no tool is in the spindle");
       }
       state_.tool = p.next.tool = p.next.selected_tool;
+      recordToolChange();
       PathItem item = functionItem(PathItem::Kind::kToolChange);
       item.value = p.next.selected_tool;
       return pipe_.push(item);
