@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/diagnosis.h"
 #include "app/provenance.h"
 #include "removal/exact/swept_part.h"
 
@@ -56,13 +57,18 @@ void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResul
   run.findings.back().setup = setup.name;
 }
 
-void addFindings(const RunSources& sources, RunResult& run) {
+void addFindings(const RunSources& sources, const ExactPart& part, RunResult& run) {
+  std::vector<PatchFinding> told;
   for (const DeviationPatch& patch : run.comparison->patches) {
     addDeviation(patch, *run.comparison, run.findings);
+    told.push_back({run.findings.size() - 1, &patch});
     blamePatch(patch, sources, run);
   }
-  if (const DeviationPatch* worst = addUndecided(*run.comparison, run.findings))
+  if (const DeviationPatch* worst = addUndecided(*run.comparison, run.findings)) {
+    told.push_back({run.findings.size() - 1, worst});
     blamePatch(*worst, sources, run);
+  }
+  diagnoseDeviations(sources, part, told, run);
 }
 
 }  // namespace
@@ -85,7 +91,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   if (!comparison) return comparison.error();
   run.comparison = std::move(*comparison);
   addIgnored(job.nominal->ignored, *run.comparison, run.findings);
-  addFindings(sources, run);
+  addFindings(sources, *options.part, run);
   return Done{};
 }
 

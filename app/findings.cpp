@@ -58,6 +58,8 @@ Finding patchFinding(const DeviationPatch& patch) {
   finding.depth_mm = patch.depth_mm;
   finding.area_mm2 = patch.area_mm2;
   finding.volume_mm3 = patch.volume_mm3;
+  finding.bound_mm = patch.bound_mm;
+  finding.spots = patch.spots;
   return finding;
 }
 
@@ -340,6 +342,11 @@ Diagnostic findingDiagnostic(const Finding& finding) {
   if (finding.tool) place += fmt::format("{}tool {}", place.empty() ? "" : ", ", *finding.tool);
   if (!finding.setup.empty()) place += fmt::format("{}setup {}", place.empty() ? "" : ", ", finding.setup);
   if (!place.empty()) diagnostic.notes.push_back(place);
+  constexpr std::size_t kBlocks = 4, kCauses = 3;
+  if (finding.blocks.size() > 1)
+    diagnostic.notes.push_back("made by " + report_text::blocksLine(finding, kBlocks));
+  for (std::size_t i = 0; i < std::min(kCauses, finding.causes.size()); ++i)
+    diagnostic.notes.push_back("could be " + report_text::causeLine(finding.causes[i]));
   return diagnostic;
 }
 

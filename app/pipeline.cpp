@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/comparison.h"
+#include "app/diagnosis.h"
 #include "app/fixtures.h"
 #include "app/grid_choice.h"
 #include "app/run_report.h"
@@ -375,6 +376,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   } else if (const Status done = machineAll(prepared.blank, job, sources, run, progress); !done) {
     return done.error();
   }
+  tellWordsInForce(sources, run);
   addMeshDefects(run.topology(), run.surface(), run.findings);
   if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
   if (!prepared.nominal || run.surface().mesh.triangles.empty()) return std::move(run);

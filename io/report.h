@@ -27,6 +27,27 @@ struct BlockRef {
   std::string text;         ///< the line's text, where it is at hand
 };
 
+/// A block's share of the surface that a finding is about.
+struct BlockShare {
+  BlockRef block;
+  std::string setup;  ///< as in Finding
+  std::optional<int> tool;
+  double share = 0.0;  ///< of the area, 0..1
+};
+
+/// A word of a program, or a datum of the job, that could be what is wrong.
+struct Cause {
+  std::string what;                ///< kind of word ("Z", "depth of the cycle"), or key of the job
+  std::string value;               ///< the word's text ("Z-3.5"), or the datum's value
+  std::optional<BlockRef> source;  ///< where the word is written; none: a datum of the job
+  std::uint32_t column = 0;        ///< of the word, from 1; 0: not known
+  bool incremental = false;        ///< a step: words before it count as well
+  std::vector<BlockRef> from;      ///< assignments of the variables that the word read
+  std::string along;               ///< what is off: "X", "Y", "Z", "radius"; empty: not known
+  std::optional<double> off_mm;    ///< by how much, signed: the cut is so far beyond where it should be
+  double explains = 0.0;           ///< share of the finding that this would explain, 0..1
+};
+
 /// Kinds of findings: "gouge", "excess", "undecided", "rapid_contact", "holder_contact", "shank_contact",
 /// "fixture_contact", "spindle_off", "overtravel", "alarm", "mesh". Others are allowed and shown as they are.
 struct Finding {
@@ -39,6 +60,10 @@ struct Finding {
   std::optional<int> tool;
   std::string setup;  ///< name of the clamping; empty in a job without setups
   std::string message;
+  std::optional<double> bound_mm;  ///< the true depth is within this of depth_mm
+  std::size_t spots = 1;           ///< places that are told as one
+  std::vector<BlockShare> blocks;  ///< that made the surface, largest share first
+  std::vector<Cause> causes;       ///< likeliest first
 };
 
 /// One clamping of a job with setups.

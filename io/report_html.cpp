@@ -167,7 +167,13 @@ class Page {
     figureCell("Depth mm", f.depth_mm, 3);
     figureCell("Area mm²", f.area_mm2, 2);
     figureCell("Volume mm³", f.volume_mm3, 2);
-    add("<td class=\"text\" data-label=\"Finding\">{}</td></tr>\n", escape(f.message));
+    add("<td class=\"text\" data-label=\"Finding\">{}", escape(f.message));
+    constexpr std::size_t kBlocks = 5;
+    if (f.blocks.size() > 1)
+      add("<span class=\"line\">made by {}</span>", escape(report_text::blocksLine(f, kBlocks)));
+    for (const Cause& cause : f.causes)
+      add("<span class=\"line\">could be {}</span>", escape(report_text::causeLine(cause)));
+    out_ += "</td></tr>\n";
   }
 
   void messages() {

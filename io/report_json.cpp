@@ -27,17 +27,50 @@ Json sourceJson(const BlockRef& source) {
   return out;
 }
 
+Json causeJson(const Cause& c) {
+  Json out = {{"what", c.what}, {"value", c.value}};
+  if (c.source) out["source"] = sourceJson(*c.source);
+  if (c.column > 0) out["column"] = c.column;
+  if (c.incremental) out["incremental"] = true;
+  if (!c.from.empty()) {
+    out["from"] = Json::array();
+    for (const BlockRef& from : c.from) out["from"].push_back(sourceJson(from));
+  }
+  if (!c.along.empty()) out["along"] = c.along;
+  if (c.off_mm) out["off_mm"] = number(*c.off_mm);
+  if (!c.along.empty()) out["explains"] = number(c.explains);
+  return out;
+}
+
+Json blockShareJson(const BlockShare& b) {
+  Json out = sourceJson(b.block);
+  if (!b.setup.empty()) out["setup"] = b.setup;
+  if (b.tool) out["tool"] = *b.tool;
+  out["share"] = number(b.share);
+  return out;
+}
+
 Json findingJson(const Finding& f) {
   Json out = {{"kind", f.kind}, {"severity", severityName(f.severity)}};
   if (f.where) out["where"] = pointJson(*f.where);
   if (f.depth_mm) out["depth_mm"] = number(*f.depth_mm);
+  if (f.bound_mm) out["bound_mm"] = number(*f.bound_mm);
   if (f.area_mm2) out["area_mm2"] = number(*f.area_mm2);
   if (f.volume_mm3) out["volume_mm3"] = number(*f.volume_mm3);
   if (f.source) out["source"] = sourceJson(*f.source);
   if (f.motion) out["motion"] = *f.motion;
   if (f.tool) out["tool"] = *f.tool;
   if (!f.setup.empty()) out["setup"] = f.setup;
+  if (f.spots > 1) out["spots"] = f.spots;
   out["message"] = f.message;
+  if (!f.blocks.empty()) {
+    out["blocks"] = Json::array();
+    for (const BlockShare& block : f.blocks) out["blocks"].push_back(blockShareJson(block));
+  }
+  if (!f.causes.empty()) {
+    out["causes"] = Json::array();
+    for (const Cause& cause : f.causes) out["causes"].push_back(causeJson(cause));
+  }
   return out;
 }
 

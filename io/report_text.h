@@ -27,6 +27,11 @@ std::string place(const Finding& finding);
 /// One line: place, severity, kind, message and figures.
 std::string summaryLine(const Finding& finding);
 
+/// "depth of the cycle Z-3.5 (O0100:12): Z off by -0.5 mm, explains 98 %".
+std::string causeLine(const Cause& cause);
+/// "O0100:12 (N70) 61 %, O0100:14 39 %"; at most `most` blocks.
+std::string blocksLine(const Finding& finding, std::size_t most);
+
 /// A line, of a finding or of a diagnostic, that says why a program was refused.
 std::string diagnosticLine(const Diagnostic& diagnostic);
 

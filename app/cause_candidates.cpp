@@ -1,0 +1,174 @@
+#include "app/cause_candidates.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proveout {
+namespace {
+
+using enum OriginKind;
+
+/// Kinds of words that move a cut, the likeliest first.
+struct KindOf {
+  CutShift shift;
+  OriginKind kind;
+};
+constexpr KindOf kKinds[] = {
+    {CutShift::kX, kX},           {CutShift::kX, kI},           {CutShift::kX, kArcRadius},
+    {CutShift::kX, kWorkOffset},  {CutShift::kX, kShift},       {CutShift::kX, kMirror},
+    {CutShift::kX, kScaling},     {CutShift::kX, kRotation},    {CutShift::kX, kPolar},
+    {CutShift::kX, kDistance},    {CutShift::kX, kUnits},       {CutShift::kX, kCorner},
+    {CutShift::kX, kAngle},       {CutShift::kX, kCycleShift},  {CutShift::kX, kAllowance},
+    {CutShift::kX, kCycleDepth},  {CutShift::kX, kDiameter},    {CutShift::kX, kCompensation},
+    {CutShift::kX, kTool},        {CutShift::kX, kContour},
+    {CutShift::kY, kY},           {CutShift::kY, kJ},           {CutShift::kY, kArcRadius},
+    {CutShift::kY, kWorkOffset},  {CutShift::kY, kShift},       {CutShift::kY, kMirror},
+    {CutShift::kY, kScaling},     {CutShift::kY, kRotation},    {CutShift::kY, kPolar},
+    {CutShift::kY, kDistance},    {CutShift::kY, kUnits},       {CutShift::kY, kCorner},
+    {CutShift::kY, kAngle},       {CutShift::kY, kCycleShift},
+    {CutShift::kZ, kCycleDepth},  {CutShift::kZ, kZ},           {CutShift::kZ, kLengthOffset},
+    {CutShift::kZ, kLengthCode},  {CutShift::kZ, kCyclePlane},  {CutShift::kZ, kTool},
+    {CutShift::kZ, kWorkOffset},  {CutShift::kZ, kShift},       {CutShift::kZ, kK},
+    {CutShift::kZ, kDistance},    {CutShift::kZ, kScaling},     {CutShift::kZ, kUnits},
+    {CutShift::kZ, kAllowance},   {CutShift::kZ, kContour},     {CutShift::kZ, kCompensation},
+    {CutShift::kRadial, kRadiusOffset}, {CutShift::kRadial, kCompensation}, {CutShift::kRadial, kTool},
+    {CutShift::kRadial, kArcRadius},    {CutShift::kRadial, kI},            {CutShift::kRadial, kJ},
+    {CutShift::kRadial, kX},            {CutShift::kRadial, kY},            {CutShift::kRadial, kZ},
+    {CutShift::kRadial, kCycleDepth},   {CutShift::kRadial, kAllowance},    {CutShift::kRadial, kScaling},
+    {CutShift::kRadial, kPlane},        {CutShift::kRadial, kMotionCode},
+};
+/// Data come behind the words that choose them, before all other words.
+constexpr int kDatumRank = 1, kWordStep = 2;
+
+std::string placeKey(const ResolvedOrigin& word) {
+  return fmt::format("{}:{}:{}", word.file, word.line, word.begin);
+}
+
+class Collector {
+ public:
+  Collector(const CauseSource& source, MotionId motion) : s_(source), motion_(motion) {}
+
+  std::vector<CauseCandidate> collect() {
+    int rank = 0;
+    for (const KindOf& k : kKinds) {
+      rank += kWordStep;
+      const auto word = originOf(s_.path, motion_, k.kind, s_.text);
+      if (word) addWord(k.shift, *word, rank);
+    }
+    addData();
+    return std::move(out_);
+  }
+
+ private:
+  /// The same place counts once: Z of a cycle is its depth.
+  void addWord(CutShift shift, const ResolvedOrigin& word, int rank) {
+    const std::string key = fmt::format("{}w{}", static_cast<int>(shift), placeKey(word));
+    const auto same = [&](const CauseCandidate& c) { return c.key == key; };
+    if (word.begin > 0 && std::any_of(out_.begin(), out_.end(), same)) return;
+    out_.push_back({shift, word.begin > 0 ? key : key + originKindName(word.kind).data(), rank, word, {}, {}});
+    for (const ResolvedOrigin& from : word.from) addWord(shift, from, rank + kWordStep);
+  }
+
+  void addDatum(CutShift shift, OriginKind behind, const std::string& datum, double value, std::uint32_t by) {
+    if (const auto word = originOfWord(s_.path, by, s_.text)) {  // the program set it
+      addWord(shift, *word, rankOf(shift, behind) + kDatumRank);
+      return;
+    }
+    out_.push_back({shift, fmt::format("{}d{}", static_cast<int>(shift), datum),
+                    rankOf(shift, behind) + kDatumRank, {}, datum, fmt::format("{:g}", value)});
+  }
+
+  static int rankOf(CutShift shift, OriginKind kind) {
+    int rank = 0;
+    for (const KindOf& k : kKinds) {
+      rank += kWordStep;
+      if (k.shift == shift && k.kind == kind) return rank;
+    }
+    return rank;
+  }
+
+  void addData() {
+    const DataInForce* data = dataOf(s_.path, motion_);
+    if (data == nullptr) return;
+    if (data->length.row > 0)
+      addDatum(CutShift::kZ, kLengthOffset, fmt::format("offsets.length.{}", data->length.row),
+               data->length.value(), data->length.wear_by > 0 ? data->length.wear_by : data->length.geometry_by);
+    if (data->radius.row > 0)
+      addDatum(CutShift::kRadial, kRadiusOffset, fmt::format("offsets.radius.{}", data->radius.row),
+               data->radius.value(), data->radius.wear_by > 0 ? data->radius.wear_by : data->radius.geometry_by);
+    addTool();
+    addVectors(*data);
+  }
+
+  void addTool() {
+    const int number = s_.path.motions[motion_].tool;
+    for (const Tool& tool : s_.tools) {
+      if (tool.number != number) continue;
+      const std::string key = fmt::format("tools.{}.", number);
+      if (tool.insert) {
+        for (const CutShift shift : {CutShift::kX, CutShift::kZ, CutShift::kRadial})
+          addDatum(shift, kTool, key + "nose_radius", tool.insert->nose_radius, 0);
+        return;
+      }
+      addDatum(CutShift::kRadial, kTool, key + "diameter", tool.diameter, 0);
+      if (tool.gauge_length > 0.0) addDatum(CutShift::kZ, kTool, key + "gauge_length", tool.gauge_length, 0);
+      if (tool.type == ToolType::kDrill)
+        addDatum(CutShift::kZ, kTool, key + "point_angle", tool.point_angle_deg, 0);
+      if (tool.type == ToolType::kCone)
+        addDatum(CutShift::kRadial, kTool, key + "cone_angle", tool.cone_angle_deg, 0);
+      if (tool.corner_radius > 0.0)
+        addDatum(CutShift::kZ, kTool, key + "corner_radius", tool.corner_radius, 0);
+    }
+  }
+
+  void addVectors(const DataInForce& data) {
+    constexpr CutShift kAxes[] = {CutShift::kX, CutShift::kY, CutShift::kZ};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      const char* const letter = k == 0 ? "x" : k == 1 ? "y" : "z";
+      if (data.work_system > 0) {
+        addDatum(kAxes[k], kWorkOffset, fmt::format("offsets.work.{}.{}", systemName(data.work_system), letter),
+                 data.work_offset.value[axis], data.work_offset.set_by[k]);
+      }
+      if (data.common_offset.value[axis] != 0.0 || data.common_offset.set_by[k] != 0)
+        addDatum(kAxes[k], kWorkOffset, fmt::format("offsets.work.common.{}", letter),
+                 data.common_offset.value[axis], data.common_offset.set_by[k]);
+      if (data.shift.set_by[k] != 0) addDatum(kAxes[k], kShift, "", data.shift.value[axis], data.shift.set_by[k]);
+    }
+  }
+
+  static std::string systemName(int system) {
+    return system < 100 ? fmt::format("G{}", 53 + system) : fmt::format("G54.1 P{}", system - 100);
+  }
+
+  const CauseSource& s_;
+  MotionId motion_;
+  std::vector<CauseCandidate> out_;
+};
+
+}  // namespace
+
+std::vector<CauseCandidate> candidatesOf(const CauseSource& source, MotionId motion) {
+  if (motion >= source.path.motions.size() || source.path.motions[motion].source.origins < 0) return {};
+  return Collector(source, motion).collect();
+}
+
+std::vector<CauseCandidate> inForce(const CauseSource& source, MotionId motion) {
+  std::vector<CauseCandidate> all = candidatesOf(source, motion), out;
+  if (all.empty()) return out;
+  const SourceRef& own = source.path.motions[motion].source;
+  const auto foreign = [&](const CauseCandidate& c) {
+    return !c.word || c.word->line != own.line || c.word->file != own.file;
+  };
+  const auto order = [&](const CauseCandidate& c) { return std::pair(foreign(c), c.rank); };
+  std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return order(a) < order(b); });
+  for (CauseCandidate& c : all) {
+    const std::string place = c.key.substr(1);
+    const auto same = [&](const CauseCandidate& o) { return o.key.substr(1) == place; };
+    if (std::none_of(out.begin(), out.end(), same)) out.push_back(std::move(c));
+  }
+  return out;
+}
+
+}  // namespace proveout

@@ -1,0 +1,26 @@
+// The cause of a deviation: which word, or which datum of the operator, would explain it.
+#pragma once
+
+#include <vector>
+
+#include "app/pipeline.h"
+#include "removal/compare/exact_part.h"
+
+namespace proveout {
+
+/// A finding and the patch that it tells of.
+struct PatchFinding {
+  std::size_t finding;  ///< index into RunResult::findings
+  const DeviationPatch* patch;
+};
+
+/// Fills `blocks` and `causes` of findings of the comparison. A word or datum that is wrong shifts every cut that
+/// depends on it by the same amount: the deviations all over the part are held against that, those that are there
+/// and those that should be there and are not.
+void diagnoseDeviations(const RunSources& sources, const ExactPart& part, const std::vector<PatchFinding>& patches,
+                        RunResult& run);
+
+/// Fills `causes` of findings about a motion (contacts): the words that it is made with.
+void tellWordsInForce(const RunSources& sources, RunResult& run);
+
+}  // namespace proveout
