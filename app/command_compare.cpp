@@ -72,9 +72,9 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
   noteRepairs(pair.nominal, "mesh", notes);
   report.diagnostics = notes.all();
   // No program is involved: nothing is blamed.
-  const MemoryProgramSource none("", "");
-  addDeviations(comparison, Toolpath{}, RecordingSource(none, TextEncoding::kAuto), report.findings);
-  report.error_budget.push_back({"nominal", comparison.nominal_tessellation_mm,
+  for (const DeviationPatch& patch : comparison.patches) addDeviation(patch, comparison, report.findings);
+  addUndecided(comparison, report.findings);
+  report.error_budget.push_back({"nominal", comparison.nominal_chord_mm,
                                  "chord height of the nominal's facets, estimated from neighbouring facets"});
   const std::pair<const char*, std::string> files[] = {{"machined", options.machined},
                                                        {"nominal", options.nominal}};

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "io/report_text.h"
 
@@ -38,25 +40,32 @@ std::string_view contactText(ContactKind kind) {
   return "contact with the stock";
 }
 
-Finding deviationFinding(const DeviationPatch& patch, const Comparison& comparison, bool decided) {
-  const bool gouge = patch.kind == DeviationKind::kGouge;
-  const double tolerance = gouge ? comparison.gouge_tolerance_mm : comparison.excess_tolerance_mm;
+double toleranceFor(const DeviationPatch& patch, const Comparison& comparison) {
+  return patch.kind == DeviationKind::kGouge ? comparison.gouge_tolerance_mm : comparison.excess_tolerance_mm;
+}
+
+std::string deviationText(const DeviationPatch& patch, const Comparison& comparison) {
+  std::string text =
+      fmt::format("{} mm {} nominal over {} mm2", figure(patch.depth_mm),
+                  patch.kind == DeviationKind::kGouge ? "below" : "above", figure(patch.area_mm2));
+  if (patch.spots > 1) text += fmt::format(" in {} spots", patch.spots);
+  return text + fmt::format(" (allowed {:g} mm)", toleranceFor(patch, comparison));
+}
+
+Finding patchFinding(const DeviationPatch& patch) {
   Finding finding;
-  finding.kind = !decided ? "undecided" : gouge ? "gouge" : "excess";
-  finding.severity = decided ? Severity::kError : Severity::kWarning;
   finding.where = patch.where;
   finding.depth_mm = patch.depth_mm;
   finding.area_mm2 = patch.area_mm2;
   finding.volume_mm3 = patch.volume_mm3;
-  finding.message = fmt::format("{} mm {} nominal over {} mm2 (allowed {:g} mm)", figure(patch.depth_mm),
-                                gouge ? "below" : "above", figure(patch.area_mm2), tolerance);
-  if (decided) return finding;
-  finding.message +=
-      fmt::format("; the grid is good to {:.2g} mm and cannot decide this", comparison.uncertainty_mm);
-  if (patch.deciding_resolution_mm > 0) {
-    finding.message += fmt::format(", --resolution {:.2g} could", patch.deciding_resolution_mm);
-  }
   return finding;
+}
+
+/// The coarsest grid that decides all of them; 0: none does.
+double decidingResolution(const std::vector<DeviationPatch>& undecided) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const DeviationPatch& patch : undecided) least = std::min(least, patch.deciding_resolution_mm);
+  return std::isfinite(least) ? least : 0.0;
 }
 
 std::string dataText(const PathEvent& event, const std::string& key) {
@@ -156,15 +165,31 @@ void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, con
   }
 }
 
-void addDeviations(const Comparison& comparison, const Toolpath& path, const RecordingSource& texts,
-                   std::vector<Finding>& findings) {
-  const auto add = [&](const DeviationPatch& patch, bool decided) {
-    Finding finding = deviationFinding(patch, comparison, decided);
-    blame(finding, patch.motion, path, texts);
-    findings.push_back(std::move(finding));
+void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std::vector<Finding>& findings) {
+  Finding finding = patchFinding(patch);
+  finding.kind = patch.kind == DeviationKind::kGouge ? "gouge" : "excess";
+  finding.message = deviationText(patch, comparison);
+  findings.push_back(std::move(finding));
+}
+
+const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Finding>& findings) {
+  const std::vector<DeviationPatch>& all = comparison.undecided;
+  if (all.empty()) return nullptr;
+  const auto most = [&](const DeviationPatch& p) {
+    return p.depth_mm + p.bound_mm - toleranceFor(p, comparison);
   };
-  for (const DeviationPatch& patch : comparison.patches) add(patch, true);
-  for (const DeviationPatch& patch : comparison.undecided) add(patch, false);
+  const DeviationPatch& worst = *std::max_element(
+      all.begin(), all.end(), [&](const auto& a, const auto& b) { return most(a) < most(b); });
+  Finding finding = patchFinding(worst);
+  finding.kind = "undecided";
+  finding.severity = Severity::kWarning;
+  finding.message = deviationText(worst, comparison) +
+                    fmt::format("; this is good to {:.2g} mm and cannot be decided", worst.bound_mm);
+  if (all.size() > 1) finding.message += fmt::format(", nor can {} other places", all.size() - 1);
+  if (const double grid = decidingResolution(all); grid > 0.0)
+    finding.message += fmt::format("; --resolution {:.2g} could", grid);
+  findings.push_back(std::move(finding));
+  return &worst;
 }
 
 void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& comparison,

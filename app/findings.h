@@ -6,7 +6,7 @@
 
 #include "app/interpretation.h"
 #include "io/report.h"
-#include "removal/compare.h"
+#include "removal/compare/compare.h"
 #include "removal/stock.h"
 
 namespace proveout {
@@ -28,9 +28,11 @@ void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::
 void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, const RecordingSource& texts,
                  std::vector<Finding>& findings);
 
-/// Gouges and excess (errors), and what the grid cannot decide (warnings).
-void addDeviations(const Comparison& comparison, const Toolpath& path, const RecordingSource& texts,
-                   std::vector<Finding>& findings);
+/// A gouge or excess: an error. Nobody is blamed yet.
+void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std::vector<Finding>& findings);
+
+/// What could not be decided: one warning, at the place that is worst. Returns that patch; null: there is none.
+const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Finding>& findings);
 
 /// Regions that the job leaves out of the comparison (notes).
 void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& comparison,

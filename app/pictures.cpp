@@ -124,6 +124,10 @@ std::vector<Marker> findingMarkers(const std::vector<Finding>& findings) {
 void addHeatMap(const Comparison& comparison, RenderScene& scene) {
   scene.field.per = ScalarField::Per::kVertex;
   scene.field.values = comparison.vertex_deviation;
+  if (comparison.field) {
+    scene.field.at = [field = comparison.field](const Vec3& p) { return field->at(p); };
+    scene.field.largest_mm = comparison.machined_spacing_mm;
+  }
   scene.field.scale = deviationScaleFor(comparison.gouge_tolerance_mm, comparison.excess_tolerance_mm,
                                         std::max(comparison.max_gouge_mm, comparison.max_excess_mm));
   scene.show_legend = true;

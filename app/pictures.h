@@ -9,7 +9,7 @@
 #include "core/base/result.h"
 #include "core/mesh/tri_mesh.h"
 #include "io/report.h"
-#include "removal/compare.h"
+#include "removal/compare/compare.h"
 #include "render/render.h"
 
 namespace proveout {

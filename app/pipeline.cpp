@@ -7,9 +7,9 @@
 #include <set>
 
 #include "app/clearance.h"
+#include "app/comparison.h"
 #include "app/fixtures.h"
 #include "app/placement_hint.h"
-#include "app/provenance.h"
 #include "app/run_report.h"
 #include "app/spindle_direction.h"
 #include "app/stopwatch.h"
@@ -36,19 +36,6 @@ double smallestRadius(const Tool& tool) {
   }
   if (tool.type == ToolType::kCone) return std::max(tool.tip_diameter, 0.1 * tool.diameter) / 2;
   return tool.diameter / 2;
-}
-
-Result<Comparison> comparePart(const Job& job, const PreparedMesh& nominal, const RunResult& run,
-                               Progress& progress) {
-  CompareOptions options;
-  options.gouge_mm = job.nominal->gouge_mm;
-  options.excess_mm = job.nominal->excess_mm;
-  options.resolution_mm = run.resolution_mm;
-  options.uncertainty_mm = partUncertainty(run) + simplification(job, run.resolution_mm);
-  options.threads = job.simulation.threads;
-  options.ignored = job.nominal->ignored;
-  progress.report("comparing", 0.0);
-  return compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
 }
 
 /// A nominal that the blank cannot hold, or whose bounds agree with the blank's in another unit or at another
@@ -333,24 +320,6 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
   return Done{};
 }
 
-/// Deviations that no motion of the last clamping made are given to the clamping that did.
-void blameDeviations(const RunSources& sources, RunResult& run) {
-  const SetupRun& last = run.setups.back();
-  const std::size_t before = run.findings.size();
-  inSetup(run, last, [&](std::vector<Finding>& findings) {
-    addDeviations(*run.comparison, last.interpreted.path, *sources[run.setups.size() - 1], findings);
-  });
-  for (std::size_t i = before; i < run.findings.size(); ++i) {
-    Finding& finding = run.findings[i];
-    if (finding.motion || !finding.where) continue;
-    const double within = finding.depth_mm.value_or(0.0) + 2.0 * run.resolution_mm;
-    const auto made = madeEarlier(run, *finding.where, within);
-    if (!made) continue;
-    blame(finding, made->motion, run.setups[made->setup].interpreted.path, *sources[made->setup]);
-    finding.setup = run.setups[made->setup].name;
-  }
-}
-
 }  // namespace
 
 Status machineSetup(Stock& stock, double initial_mm3, SetupRun& setup, ReportPerformance& performance,
@@ -437,12 +406,9 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
 
   if (!prepared.placement_told) noteMisplaced(job, *prepared.nominal, run);
   Stopwatch watch;
-  Result<Comparison> comparison = comparePart(job, *prepared.nominal, run, progress);
-  if (!comparison) return comparison.error();
-  run.comparison = std::move(*comparison);
-  addIgnored(job.nominal->ignored, *run.comparison, run.findings);
+  if (const Status done = compareRun(job, sources, prepared.blank, *prepared.nominal, run, progress); !done)
+    return done.error();
   if (turnsPart(job)) run.nominal = std::move(prepared.nominal->mesh);
-  blameDeviations(sources, run);
   run.performance.compare_s = watch.lap();
   return std::move(run);
 }

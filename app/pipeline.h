@@ -13,7 +13,7 @@
 #include "app/prediction.h"
 #include "io/job.h"
 #include "io/report.h"
-#include "removal/compare.h"
+#include "removal/compare/compare.h"
 #include "removal/stock.h"
 #include "removal/turning/section.h"
 

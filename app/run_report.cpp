@@ -158,7 +158,7 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
               : "tools are exact solids of revolution; runout, wear and deflection are not simulated"});
   if (!turned) terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
   if (run.comparison) {
-    terms.push_back({"nominal", run.comparison->nominal_tessellation_mm,
+    terms.push_back({"nominal", run.comparison->nominal_chord_mm,
                      "chord height of the nominal's facets, estimated from neighbouring facets"});
   }
   return terms;

@@ -8,7 +8,7 @@
 
 #include "core/geometry/types.h"
 #include "core/mesh/tri_mesh.h"
-#include "removal/compare.h"
+#include "removal/compare/compare.h"
 
 namespace proveout {
 

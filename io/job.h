@@ -18,7 +18,7 @@
 #include "core/nc/control_settings.h"
 #include "core/tool/tool.h"
 #include "io/mesh_io.h"
-#include "removal/compare.h"
+#include "removal/compare/compare.h"
 #include "removal/stock_shape.h"
 
 namespace proveout {

@@ -112,9 +112,9 @@ void DeepestPoint::searchFrom(const std::vector<Vec3>& starts, DeepPoint& best) 
   }
 }
 
-/// Halves the box of what the swept volume and the stock have in common, the part with the largest bound first: no
-/// point of a box lies deeper than its middle by more than half its diagonal. Where a box is small and may still hold
-/// a better point, a search sets out.
+/// Halves the box of what the swept volume and the stock have in common, the part with the largest bound
+/// first: no point of a box lies deeper than its middle by more than half its diagonal. Where a box is small
+/// and may still hold a better point, a search sets out.
 void DeepestPoint::searchBoxes(int most, DeepPoint& best) {
   struct Part {
     double bound;
@@ -145,7 +145,8 @@ void DeepestPoint::searchBoxes(int most, DeepPoint& best) {
     int axis = 0;
     part.half.maxCoeff(&axis);
     part.half[axis] *= 0.5;
-    for (const double side : {-1.0, 1.0}) add(part.middle + side * part.half[axis] * Vec3::Unit(axis), part.half);
+    for (const double side : {-1.0, 1.0})
+      add(part.middle + side * part.half[axis] * Vec3::Unit(axis), part.half);
   }
 }
 

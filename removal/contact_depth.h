@@ -16,14 +16,14 @@ struct DeepPoint {
 /// The deepest point of one part of a tool on one motion.
 class DeepestPoint {
  public:
-  /// The stock is as the motions below `before` left it. `pass`: any of the part on its motion. `h`: spacing of
-  /// the grid, mm. All must outlive this.
+  /// The stock is as the motions below `before` left it. `pass`: any of the part on its motion. `h`: spacing
+  /// of the grid, mm. All must outlive this.
   DeepestPoint(const StockDepth& stock, const PassTable& table, const Pass& pass, MotionId before, double h);
 
-  /// The point of the swept volume that lies deepest, to within kWithinMm: where the stock is convex and has not
-  /// been cut always, else the best of searches that set out from `starts` (points of the swept volume) and from
-  /// wherever boxes of it, of which at most `most_boxes` are looked at, may hold a better one. None deeper than
-  /// `known`: depth 0.
+  /// The point of the swept volume that lies deepest, to within kWithinMm: where the stock is convex and has
+  /// not been cut always, else the best of searches that set out from `starts` (points of the swept volume)
+  /// and from wherever boxes of it, of which at most `most_boxes` are looked at, may hold a better one. None
+  /// deeper than `known`: depth 0.
   DeepPoint find(const std::vector<Vec3>& starts, double known, int most_boxes);
   static constexpr double kWithinMm = 1e-4;
 

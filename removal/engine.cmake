@@ -33,6 +33,7 @@ proveout_add_library(removal
   turning/turning_tool.cpp
   level_cut.cpp
   moved_stock.cpp
+  exact/swept_part.cpp
   cell_cycles.cpp
   cell_faces.cpp
   cell_vertex.cpp

@@ -11,20 +11,20 @@ namespace proveout {
 
 namespace {
 
-/// A later pass takes a crossing over only if it cuts the edge shorter by this fraction: equal cuts belong to the
-/// first pass that made them.
+/// A later pass takes a crossing over only if it cuts the edge shorter by this fraction: equal cuts belong to
+/// the first pass that made them.
 constexpr double kShorter = 1e-7;
 
 /// Chains of passes on one edge that are followed; more than any tool's parts within a cell.
 constexpr int kMostRounds = 64;
-/// How far behind an old crossing material is looked for, as a fraction of the edge: thinner films are not spoken of.
+/// How far behind an old crossing material is looked for, as a fraction of the edge: thinner films are not
+/// spoken of.
 constexpr double kFilm = 0.02;
 
 }  // namespace
 
 std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafEdges& edges,
-                                           const std::vector<Crossing>& before,
-                                           std::span<const Reach> list) {
+                                           const std::vector<Crossing>& before, std::span<const Reach> list) {
   if (edges.count == 0) return {};
   collect(change, edges, before);
   probes_.clear();
@@ -67,37 +67,85 @@ void CrossingFinder::cutEdges(const Group& group, const std::vector<std::uint32_
   }
 }
 
+/// Where the surface that an edge crossed goes on over an edge beside it, and nothing is left on the other
+/// side, what is left on this one is the corner of solid material and no film. Adds the places on the other
+/// side.
+void CrossingFinder::addBeyond(const Coord& start, int axis, bool material_first, const Vec3& p) {
+  const LeafReader read(impl_);
+  for (int other = 0; other < 3; ++other) {
+    for (const int step : {-1, 1}) {
+      if (other == axis) continue;
+      Coord at = start;
+      at[other] += step;
+      Coord end = at;
+      ++end[axis];
+      if (read.isMaterial(at) != material_first || read.isMaterial(end) == material_first) continue;
+      Vec3 beyond = p;
+      beyond[other] -= step * impl_.h;
+      beyond_.push_back(beyond);
+    }
+  }
+}
+
 LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edges,
-                                                  const std::vector<Crossing>& before,
-                                                  std::span<const Reach> list) {
-  x_.clear();
-  y_.clear();
-  z_.clear();
+                                  const std::vector<Crossing>& before, std::span<const Reach> list) {
+  struct Film {
+    Vec3 p;
+    std::size_t beyond, beyond_end;  ///< into beyond_
+  };
+  std::vector<Film> films;
+  std::vector<Vec3> points;
+  beyond_.clear();
   std::size_t next = 0;
   forEachEdge(change.before, [&](int axis, int x, int y, int z) {
     const Crossing& old = before[next++];
     if (edges.isCrossed(axis, x, y, z) || leafSample(change.material, x, y, z)) return;
-    Vec3 p = impl_.position(change.origin.offsetBy(x, y, z));
-    p[axis] += (old.normal[axis] > 0 ? std::max(0.0, old.t - kFilm) : std::min(1.0, old.t + kFilm)) * impl_.h;
-    x_.push_back(p.x());
-    y_.push_back(p.y());
-    z_.push_back(p.z());
+    const Coord start = change.origin.offsetBy(x, y, z);
+    const bool material_first = old.normal[axis] > 0;
+    Film film{impl_.position(start), beyond_.size(), 0};
+    film.p[axis] += (material_first ? std::max(0.0, old.t - kFilm) : std::min(1.0, old.t + kFilm)) * impl_.h;
+    addBeyond(start, axis, material_first, film.p);
+    film.beyond_end = beyond_.size();
+    films.push_back(film);
+    points.push_back(film.p);
   });
+  const std::vector<char> bare = barePoints(points, list), bare_beyond = barePoints(beyond_, list);
+  LostFilm lost;
+  for (std::size_t i = 0; i < films.size(); ++i) {
+    bool film = bare[i] != 0;
+    for (std::size_t k = films[i].beyond; film && k < films[i].beyond_end; ++k)
+      film = bare_beyond[k] != 0 && impl_.blank.overlaps({beyond_[k], beyond_[k]});
+    if (film && lost.edges++ == 0) lost.where = films[i].p;
+  }
+  return lost;
+}
+
+/// Of each point whether no cutter of the list covers it.
+std::vector<char> CrossingFinder::barePoints(const std::vector<Vec3>& points, std::span<const Reach> list) {
+  x_.clear();
+  y_.clear();
+  z_.clear();
+  tag_.clear();
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    x_.push_back(points[i].x());
+    y_.push_back(points[i].y());
+    z_.push_back(points[i].z());
+    tag_.push_back(i);
+  }
   for (const Reach& reach : list) {
-    if (x_.empty()) break;
+    if (tag_.empty()) break;
     const Pass& pass = table_.passes[reach.pass];
     if (pass.part == ToolPart::kCutter) dropCovered(pass);
   }
-  LostFilm lost;
-  lost.edges = static_cast<int>(x_.size());
-  if (!x_.empty()) lost.where = Vec3(x_[0], y_[0], z_[0]);
-  return lost;
+  std::vector<char> bare(points.size(), 0);
+  for (const std::uint32_t i : tag_) bare[i] = 1;
+  return bare;
 }
 
 /// Takes the points that the pass covers out of the lists.
 void CrossingFinder::dropCovered(const Pass& pass) {
   std::size_t kept = 0;
-  const std::size_t size = x_.size();
+  const std::size_t size = tag_.size();
   for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize((size + 7) & ~std::size_t{7});
   for (std::size_t first = 0; first < size; first += kMaxColumns) {
     const std::size_t count = std::min<std::size_t>(kMaxColumns, size - first);
@@ -107,13 +155,16 @@ void CrossingFinder::dropCovered(const Pass& pass) {
       if (lo_[i] < z && z < hi_[i]) continue;
       x_[kept] = x_[first + i];
       y_[kept] = y_[first + i];
+      tag_[kept] = tag_[first + i];
       z_[kept++] = z;
     }
   }
   for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize(kept);
+  tag_.resize(kept);
 }
 
-void CrossingFinder::collect(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before) {
+void CrossingFinder::collect(const LeafChange& change, const LeafEdges& edges,
+                             const std::vector<Crossing>& before) {
   edges_.clear();
   forEachEdge(edges, [&](int axis, int x, int y, int z) {
     Edge e;
@@ -158,8 +209,8 @@ CrossingFinder::Group CrossingFinder::addGroup(const LeafChange& change, int qua
   return group;
 }
 
-/// The probe at the crossing found so far meets every pass that cuts the edge shorter, as long as the pass covers
-/// the rest of the edge; the one in the middle meets most of those that cut a piece out of the edge.
+/// The probe at the crossing found so far meets every pass that cuts the edge shorter, as long as the pass
+/// covers the rest of the edge; the one in the middle meets most of those that cut a piece out of the edge.
 void CrossingFinder::addProbes(int quarter) {
   const std::size_t first = probes_.size();
   const auto add = [&](std::size_t edge, Probe kind) {
@@ -179,7 +230,8 @@ void CrossingFinder::addProbes(int quarter) {
 
 void CrossingFinder::placeProbe(std::size_t i) {
   const Edge& e = edges_[probes_[i].edge];
-  const double s = probes_[i].kind == Probe::kEnd ? (e.s < 1.0 ? std::max(0.0, e.s - kShorter) : 1.0) : 0.5 * e.s;
+  const double s =
+      probes_[i].kind == Probe::kEnd ? (e.s < 1.0 ? std::max(0.0, e.s - kShorter) : 1.0) : 0.5 * e.s;
   Vec3 p = e.a;
   p[e.axis] += e.forward * s * impl_.h;
   x_[i] = p.x();
@@ -188,7 +240,8 @@ void CrossingFinder::placeProbe(std::size_t i) {
 }
 
 void CrossingFinder::tryPass(std::uint32_t number, std::size_t first, std::size_t count) {
-  kernel_(table_.passes[number].columns, &x_[first], &y_[first], static_cast<int>(count), lo_.data(), hi_.data());
+  kernel_(table_.passes[number].columns, &x_[first], &y_[first], static_cast<int>(count), lo_.data(),
+          hi_.data());
   for (std::size_t i = 0; i < count; ++i) {
     if (lo_[i] < z_[first + i] && z_[first + i] < hi_[i]) tryEdge(number, first + i, lo_[i], hi_[i]);
   }
@@ -234,8 +287,8 @@ Crossing CrossingFinder::crossing(const Edge& e, const std::vector<Crossing>& be
     c.element = static_cast<std::uint16_t>(surface->element);
     return c;
   }
-  const SweepSample sample =
-      pass.curve >= 0 ? table_.curves[static_cast<std::size_t>(pass.curve)].sample(p) : pass.lineSweep().sample(p);
+  const SweepSample sample = pass.curve >= 0 ? table_.curves[static_cast<std::size_t>(pass.curve)].sample(p)
+                                             : pass.lineSweep().sample(p);
   c.setNormal(-sample.gradient);
   c.element = static_cast<std::uint16_t>(sample.element);
   return c;

@@ -33,6 +33,9 @@ class CrossingFinder {
                     std::span<const Reach> list);
 
  private:
+  void addBeyond(const Coord& start, int axis, bool material_first, const Vec3& p);
+  std::vector<char> barePoints(const std::vector<Vec3>& points, std::span<const Reach> list);
+
   static constexpr std::uint32_t kOld = 0xFFFFFFFFu;
   struct Edge {
     Vec3 a;                     ///< material end
@@ -71,6 +74,8 @@ class CrossingFinder {
   std::vector<ProbeOf> probes_;
   std::vector<std::array<std::int32_t, 2>> probes_of_edge_;
   std::vector<double> x_, y_, z_;
+  std::vector<std::uint32_t> tag_;  ///< of points that are asked who covers them: their numbers
+  std::vector<Vec3> beyond_;        ///< places beside lost edges
   std::array<double, kMaxColumns> lo_, hi_;
   std::array<std::vector<std::uint32_t>, 4> passes_;  ///< of each group: those that may touch it
   bool moved_ = false;  ///< a crossing was taken over

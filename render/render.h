@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,11 @@ struct ScalarField {
   enum class Per { kVertex, kTriangle };
   Per per = Per::kVertex;
   std::vector<float> values;  ///< mm
+  /// The value at a point of the mesh, mm, workpiece frame. Empty: between the vertices of a triangle it goes
+  /// linearly. Asked where their values differ, or where a triangle is so large that they say nothing of its
+  /// middle; thread-safe.
+  std::function<float(const Vec3&)> at;
+  double largest_mm = 0.0;  ///< with `at`: triangles with longer edges are large
   DeviationScale scale;
 };
 

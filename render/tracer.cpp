@@ -26,6 +26,8 @@ constexpr float kGlossPower = 24.0F;
 constexpr float kLightRadius = 0.16F;  ///< of the light's disc at unit distance: soft shadows
 constexpr float kSkyReach = 0.45F;     ///< occluders farther than this (units) do not darken the sky
 constexpr float kRayOffset = 1e-4F;    ///< units; float positions and hits are good to about 1e-6
+constexpr float kSmooth = 0.02F;  ///< of the scale: vertices that differ by less tell the field between them
+constexpr float kSameFace = 0.999F;  ///< cosine between faces that are one for the eye
 constexpr float kGroundShadow = 0.34F, kGroundDirt = 0.42F;
 constexpr int kFilterRadius = 3;  ///< pixels
 constexpr int kBandRows = 192;    ///< rows traced at a time: bounds the memory
@@ -92,6 +94,7 @@ class Tracer {
 
   PixelSums pixel(int x, int y) const {
     PixelSums sums;
+    Asked asked;
     const auto pixel_seed =
         hash(static_cast<std::uint32_t>(x) * 0x01000193U ^ hash(static_cast<std::uint32_t>(y)));
     for (int s = 0; s < in_.options.samples; ++s) {
@@ -99,7 +102,7 @@ class Tracer {
       // The same offsets in every pixel: straight edges then step evenly.
       const Eigen::Vector2f at =
           evenPoint(17, k) + Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y));
-      sample(at, pixel_seed, k, sums);
+      sample(at, pixel_seed, k, asked, sums);
     }
     return sums;
   }
@@ -116,14 +119,21 @@ class Tracer {
   }
 
  private:
-  void sample(const Eigen::Vector2f& at, std::uint32_t seed, std::uint32_t k, PixelSums& sums) const {
+  /// The last value that was asked for in a pixel: rays through it that meet the same face ask once.
+  struct Asked {
+    std::uint32_t triangle = 0xFFFFFFFFU;
+    float value = 0;
+  };
+
+  void sample(const Eigen::Vector2f& at, std::uint32_t seed, std::uint32_t k, Asked& asked,
+              PixelSums& sums) const {
     const Vec3 on_plane = in_.camera.unproject(at.cast<double>());
     const Vec3f start = in_.rays.toUnit(on_plane);
     const float lift = 2.0F - start.dot(back_);  // the part lies within one unit of its centre
     const Vec3f origin = start + back_ * lift;
     Hit hit;
     if (in_.rays.intersect(origin, -back_, hit)) {
-      shadePart(origin - back_ * hit.distance, hit, seed, k, sums);
+      shadePart(origin - back_ * hit.distance, hit, seed, k, asked, sums);
       return;
     }
     if (ground_) shadeGround(origin, seed, k, sums);
@@ -133,7 +143,7 @@ class Tracer {
   struct Surface {
     Vec3f face, normal, albedo;
   };
-  Surface surfaceAt(const Vec3f& point, const Hit& hit) const {
+  Surface surfaceAt(const Vec3f& point, const Hit& hit, Asked& asked) const {
     if (hit.cut_face >= 0) {
       const Vec3f normal = in_.rays.cutNormal(hit.cut_face);
       return {normal, normal, hatch(point, hit.cut_face)};
@@ -145,12 +155,12 @@ class Tracer {
       face = -face;
       normal = -normal;
     }
-    return {face, normal, color(hit)};
+    return {face, normal, color(hit, asked)};
   }
 
-  void shadePart(const Vec3f& point, const Hit& hit, std::uint32_t seed, std::uint32_t k,
+  void shadePart(const Vec3f& point, const Hit& hit, std::uint32_t seed, std::uint32_t k, Asked& asked,
                  PixelSums& sums) const {
-    const auto [face, normal, albedo] = surfaceAt(point, hit);
+    const auto [face, normal, albedo] = surfaceAt(point, hit, asked);
     const Vec3f origin = point + face * kRayOffset;
     const float cosine = std::max(0.0F, normal.dot(light_));
     const float gloss = heat_ ? 0.0F : kGloss * std::pow(std::max(0.0F, normal.dot(half_)), kGlossPower);
@@ -195,18 +205,38 @@ class Tracer {
     return cut_color_ * (1.0F - kHatchDepth * line);
   }
 
-  Vec3f color(const Hit& hit) const {
+  /// The field at a hit, mm.
+  float valueAt(const Hit& hit, Asked& asked) const {
     const ScalarField& field = in_.scene.field;
-    if (heat_) {
-      float value = 0;
-      if (field.per == ScalarField::Per::kTriangle) {
-        value = field.values[hit.triangle];
-      } else {
-        const auto& [a, b, c] = in_.scene.mesh.triangles[hit.triangle];
-        value = field.values[a] * (1 - hit.u - hit.v) + field.values[b] * hit.u + field.values[c] * hit.v;
-      }
-      return srgb_.toLinear(deviationColor(field.scale, value));
-    }
+    if (field.per == ScalarField::Per::kTriangle) return field.values[hit.triangle];
+    const auto& t = in_.scene.mesh.triangles[hit.triangle];
+    const float a = field.values[t[0]], b = field.values[t[1]], c = field.values[t[2]];
+    const float between = a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
+    if (!field.at) return between;
+    const float spread = std::max({a, b, c}) - std::min({a, b, c});
+    if (spread < kSmooth * static_cast<float>(field.scale.limit) && longestEdge(t) <= field.largest_mm)
+      return between;
+    const bool known =
+        asked.triangle != 0xFFFFFFFFU && in_.faces[asked.triangle].dot(in_.faces[hit.triangle]) > kSameFace;
+    if (!known) asked = {hit.triangle, field.at(pointOf(t, hit))};
+    return asked.value;
+  }
+
+  /// Of the mesh in mm: exacter than the end of the ray.
+  Vec3 pointOf(const std::array<std::uint32_t, 3>& t, const Hit& hit) const {
+    const auto& p = in_.scene.mesh.positions;
+    const double u = hit.u, v = hit.v;
+    return (1.0 - u - v) * p[t[0]].cast<double>() + u * p[t[1]].cast<double>() + v * p[t[2]].cast<double>();
+  }
+
+  double longestEdge(const std::array<std::uint32_t, 3>& t) const {
+    const auto& p = in_.scene.mesh.positions;
+    return std::sqrt(std::max({(p[t[0]] - p[t[1]]).squaredNorm(), (p[t[1]] - p[t[2]]).squaredNorm(),
+                               (p[t[2]] - p[t[0]]).squaredNorm()}));
+  }
+
+  Vec3f color(const Hit& hit, Asked& asked) const {
+    if (heat_) return srgb_.toLinear(deviationColor(in_.scene.field.scale, valueAt(hit, asked)));
     if (!in_.scene.triangle_colors.empty()) return srgb_.toLinear(in_.scene.triangle_colors[hit.triangle]);
     return srgb_.toLinear(kPartColor);
   }

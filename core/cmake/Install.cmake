@@ -23,8 +23,9 @@ foreach(folder core/base core/geometry core/path core/tool core/nc)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(FILES core/mesh/tri_mesh.h core/mesh/image.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/core/mesh)
-install(FILES removal/stock.h removal/stock_shape.h removal/compare.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal)
+install(FILES removal/stock.h removal/stock_shape.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal)
+install(FILES removal/compare/compare.h removal/compare/exact_part.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/compare)
 foreach(folder io render)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
 endforeach()

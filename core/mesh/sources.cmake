@@ -1,1 +1,6 @@
-target_sources(proveout_core PRIVATE mesh/tri_mesh.cpp mesh/mesh_topology.cpp)
+target_sources(proveout_core PRIVATE
+  geometry/box_tree.cpp
+  mesh/mesh_topology.cpp
+  mesh/signed_distance.cpp
+  mesh/tri_mesh.cpp
+  mesh/triangle_tree.cpp)

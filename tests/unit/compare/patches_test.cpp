@@ -1,7 +1,7 @@
 // Regions of known depth, area and volume.
 #include <gtest/gtest.h>
 
-#include "removal/compare.h"
+#include "removal/compare/compare.h"
 #include "tests/unit/compare/shapes.h"
 
 namespace proveout {
@@ -42,9 +42,9 @@ TEST(Patches, PlantedPitIsFoundWithItsDepthAreaVolumeAndMotion) {
   EXPECT_NEAR(p.where.z(), -0.5, 1e-6);
   EXPECT_NEAR(p.area_mm2, 12.0 + 14.0 * (0.5 - 0.02), 0.01);  // floor, and walls below the tolerance
   EXPECT_NEAR(p.volume_mm3, 6.0, 0.001);
-  EXPECT_EQ(p.motion, 7u);
-  EXPECT_EQ(p.main_motion, 7u);
-  EXPECT_NEAR(p.main_motion_share, 12.0 / (12.0 + 14.0 * 0.48), 1e-3);
+  EXPECT_EQ(p.maker.motion, 7u);
+  EXPECT_EQ(p.makers[0].maker.motion, 7u);
+  EXPECT_NEAR(p.makers[0].share, 12.0 / (12.0 + 14.0 * 0.48), 1e-3);
   EXPECT_FALSE(p.from_nominal_only);
   EXPECT_NEAR(p.bounds.min.x(), 8, 1e-6);
   EXPECT_NEAR(p.bounds.max.y(), 9, 1e-6);
@@ -65,8 +65,8 @@ TEST(Patches, AGougeIsBlamedOnAMotionEvenWhereTheBlankSharesIt) {
   }
   const Comparison c = compared(machined, plate(-0.5, 1, false, false), {.resolution_mm = 0.25});
   ASSERT_EQ(c.patches.size(), 1u);
-  EXPECT_EQ(c.patches[0].motion, 8u);
-  EXPECT_EQ(c.patches[0].main_motion, 8u);
+  EXPECT_EQ(c.patches[0].maker.motion, 8u);
+  EXPECT_EQ(c.patches[0].makers[0].maker.motion, 8u);
 }
 
 TEST(Patches, MissingBossIsAGougeAsHighAsTheBoss) {
@@ -78,8 +78,10 @@ TEST(Patches, MissingBossIsAGougeAsHighAsTheBoss) {
   EXPECT_NEAR(c.patches[0].where.z(), 3.0, 1e-6);
   EXPECT_NEAR(c.patches[0].volume_mm3, 4 * 3 * 3.0, 0.05);
   EXPECT_FALSE(c.patches[0].from_nominal_only);
-  EXPECT_NEAR(c.patches[0].area_mm2, (4 - 0.04) * (3 - 0.04),
-              0.02);  // the rim is within tolerance of the walls
+  // The rim is within tolerance of the walls. What is missing shows on the nominal.
+  EXPECT_NEAR(c.patches[0].machined_area_mm2, (4 - 0.04) * (3 - 0.04), 0.02);
+  EXPECT_NEAR(c.patches[0].nominal_area_mm2, 4 * 3 + 14 * (3 - 0.02), 0.02);
+  EXPECT_EQ(c.patches[0].area_mm2, c.patches[0].nominal_area_mm2);
 }
 
 TEST(Patches, UncutPocketIsExcessToItsFloor) {
@@ -133,15 +135,18 @@ TEST(Patches, SphereTooSmallIsOneGougeAllOver) {
   ASSERT_EQ(c.patches.size(), 1u);
   const double area = 4 * kPi * 9.9 * 9.9;
   EXPECT_NEAR(c.patches[0].depth_mm, 0.1, 0.002);
-  EXPECT_NEAR(c.patches[0].area_mm2 / area, 1.0, 0.002);
-  EXPECT_NEAR(c.patches[0].volume_mm3 / (4.0 / 3.0 * kPi * (1000 - 9.9 * 9.9 * 9.9)), 1.0, 0.015);
+  EXPECT_NEAR(c.patches[0].machined_area_mm2 / area, 1.0, 0.002);
+  EXPECT_NEAR(c.patches[0].nominal_area_mm2 / (4 * kPi * 100), 1.0, 0.002);
+  EXPECT_NEAR(c.patches[0].volume_mm3 / (4.0 / 3.0 * kPi * (1000 - 9.9 * 9.9 * 9.9)), 1.0, 0.002);
   EXPECT_NEAR(c.rms_mm, 0.1, 0.002);
   EXPECT_NEAR(c.p95_mm, 0.1, 0.002);
-  // Octahedral facets of about 10 * (pi/2) / 64 mm: chord height e^2 / (8 r) between neighbours, within a
-  // factor.
-  const double e = 10 * kPi / 2 / 64;
-  EXPECT_GT(c.nominal_tessellation_mm, 0.2 * e * e / 80);
-  EXPECT_LT(c.nominal_tessellation_mm, 3.0 * e * e / 80);
+  double chord = 0.0;
+  for (const auto& t : nominal.triangles) {
+    Vec3 middle = Vec3::Zero();
+    for (const auto v : t) middle += nominal.positions[v].cast<double>() / 3.0;
+    chord = std::max(chord, 10.0 - (middle - Vec3(3, -2, 5)).norm());
+  }
+  EXPECT_NEAR(c.nominal_chord_mm / chord, 1.0, 0.1);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "removal/compare.h"
+#include "removal/compare/compare.h"
 #include "tests/unit/compare/shapes.h"
 
 namespace proveout {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "core/mesh/tri_mesh.h"
-#include "removal/signed_distance.h"
+#include "core/mesh/signed_distance.h"
 
 namespace proveout::shapes {
 

@@ -1,11 +1,11 @@
-#include "removal/signed_distance.h"
+#include "core/mesh/signed_distance.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "removal/sample_mesh.h"
+#include "removal/compare/sample_mesh.h"
 #include "tests/unit/compare/shapes.h"
 
 namespace proveout {

@@ -1,4 +1,4 @@
-#include "removal/nominal.h"
+#include "removal/compare/nominal.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,10 @@
 #include <tuple>
 
 #include "core/mesh/edge_table.h"
-#include "removal/compare.h"
-#include "removal/signed_distance.h"
+#include "core/mesh/surface_mesh.h"
+#include "core/mesh/triangle_tree.h"
+#include "removal/compare/compare.h"
+#include "removal/compare/join_bodies.h"
 
 namespace proveout {
 
@@ -187,69 +189,43 @@ bool makeConsistent(TriMesh& mesh) {
   return true;
 }
 
-SurfaceMesh toSurface(const TriMesh& mesh) {
-  SurfaceMesh out;
-  for (const auto& p : mesh.positions) out.points.push_back(p.cast<double>());
-  out.triangles = mesh.triangles;
-  return out;
-}
-
-struct Shell {
-  double volume = 0.0;  ///< signed
-  double largest_area = -1.0;
-  std::uint32_t probe = 0;  ///< its largest triangle
+/// A shell as the others see it.
+struct ShellProbe {
+  explicit ShellProbe(const TriMesh& shell)
+      : tree(toSurface(shell)), box(meshBounds(shell)), volume(meshVolume(shell)) {
+    constexpr std::size_t kPlaces = 16;
+    const std::size_t step = std::max<std::size_t>(1, shell.positions.size() / kPlaces);
+    for (std::size_t i = 0; i < shell.positions.size(); i += step)
+      places.push_back(shell.positions[i].cast<double>());
+  }
+  /// Whether it goes round all of the other.
+  bool encloses(const ShellProbe& other) const {
+    if ((other.box.min.array() < box.min.array()).any() || (other.box.max.array() > box.max.array()).any())
+      return false;
+    // A place on this shell is no evidence.
+    constexpr double kInside = 0.75;
+    return std::all_of(other.places.begin(), other.places.end(),
+                       [&](const Vec3& p) { return std::abs(tree.windingNumber(p)) > kInside; });
+  }
+  TriangleTree tree;
+  Box3 box;
+  double volume;
+  std::vector<Vec3> places;  ///< on it
 };
 
-std::vector<Shell> describeShells(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& shell_of,
-                                  std::size_t count, const Vec3& origin) {
-  std::vector<Shell> shells(count);
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& v = mesh.triangles[t];
-    const Vec3 a = mesh.points[v[0]] - origin, b = mesh.points[v[1]] - origin, c = mesh.points[v[2]] - origin;
-    Shell& s = shells[shell_of[t]];
-    s.volume += a.dot(b.cross(c)) / 6.0;
-    const double area = (b - a).cross(c - a).norm();
-    if (area <= s.largest_area) continue;
-    s.largest_area = area;
-    s.probe = t;
-  }
-  return shells;
-}
-
-/// How many other shells enclose shell `self`: rays from its surface, by majority.
-int countEnclosing(const SurfaceMesh& mesh, const SignedDistance& tree,
-                   const std::vector<std::uint32_t>& shell_of, std::uint32_t self, std::uint32_t probe) {
-  const auto& v = mesh.triangles[probe];
-  const Vec3 origin = (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]]) / 3.0;
-  std::map<std::uint32_t, int> votes;
-  for (const Vec3& direction : oddDirections()) {
-    std::map<std::uint32_t, int> hits;
-    for (const auto t : tree.crossings(origin, direction)) ++hits[shell_of[t]];
-    for (const auto& [shell, count] : hits) votes[shell] += count % 2;
-  }
-  int enclosing = 0;
-  for (const auto& [shell, count] : votes) enclosing += shell != self && count >= 2;
-  return enclosing;
-}
-
 /// Shells at even depth shall enclose material, those at odd depth a void. Returns how many were turned.
-std::size_t orientShells(TriMesh& mesh) {
-  std::uint32_t count = 0;
-  const std::vector<std::uint32_t> shell_of = meshComponents(mesh, count);
-  const SurfaceMesh surface = toSurface(mesh);
-  const std::vector<Shell> shells = describeShells(surface, shell_of, count, meshBounds(mesh).center());
-  std::vector<char> turn(count, 0);
-  if (count == 1) {
-    turn[0] = shells[0].volume < 0.0;
-  } else {
-    const SignedDistance tree(surface);
-    for (std::uint32_t s = 0; s < count; ++s) {
-      const bool is_void = countEnclosing(surface, tree, shell_of, s, shells[s].probe) % 2 == 1;
-      turn[s] = is_void ? shells[s].volume > 0.0 : shells[s].volume < 0.0;
-    }
+std::size_t orientShells(Shells& shells) {
+  std::vector<ShellProbe> probes;
+  for (std::uint32_t s = 0; s < shells.count; ++s) probes.emplace_back(shellMesh(shells, s));
+  std::vector<char> turn(shells.count, 0);
+  for (std::uint32_t s = 0; s < shells.count; ++s) {
+    const auto around = std::count_if(probes.begin(), probes.end(), [&](const ShellProbe& other) {
+      return &other != &probes[s] && other.encloses(probes[s]);
+    });
+    turn[s] = around % 2 == 1 ? probes[s].volume > 0.0 : probes[s].volume < 0.0;
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (turn[shell_of[t]]) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  for (std::size_t t = 0; t < shells.shell_of.size(); ++t) {
+    if (turn[shells.shell_of[t]]) std::swap(shells.mesh.triangles[t][1], shells.mesh.triangles[t][2]);
   }
   return static_cast<std::size_t>(std::count(turn.begin(), turn.end(), 1));
 }
@@ -293,9 +269,16 @@ Result<PreparedMesh> prepareNominal(const TriMesh& mesh, const std::string& name
     }
     out.notes.push_back(fmt::format("{}: facets had mixed orientation; made consistent", name));
   }
-  if (const std::size_t n = orientShells(out.mesh); n > 0) {
+  Shells shells = splitShells(out.mesh);
+  if (const std::size_t n = orientShells(shells); n > 0) {
     out.notes.push_back(fmt::format("{}: {} inside out; turned", name,
                                     n == 1 ? "a shell was" : fmt::format("{} shells were", n)));
+  }
+  Result<JoinedBodies> joined = joinBodies(shells, name);
+  if (!joined) return joined.error();
+  out.mesh = std::move(joined->mesh);
+  if (joined->joined > 0) {
+    out.notes.push_back(fmt::format("{}: {} bodies that touch or overlap were joined", name, joined->joined));
   }
   if (!(meshVolume(out.mesh) > 0.0)) return inputError(name + ": the mesh encloses no volume");
   return out;

@@ -2,7 +2,7 @@
 // inside: while its incircle is large, a smaller triangle about the incentre is put into it and the three
 // strips between the two are closed like a zip; the rest is closed between the longest side and the other
 // two. Slivers so get points along their length only, which splitting at edge middles would not manage.
-#include "removal/sample_mesh.h"
+#include "removal/compare/sample_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,8 +1,8 @@
 // A mesh with enough vertices on its large triangles to be sampled at its vertices alone.
 #pragma once
 
+#include "core/mesh/signed_distance.h"
 #include "core/mesh/tri_mesh.h"
-#include "removal/signed_distance.h"
 
 namespace proveout {
 

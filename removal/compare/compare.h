@@ -11,7 +11,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@
 #include "core/base/result.h"
 #include "core/mesh/tri_mesh.h"
 #include "core/path/toolpath.h"
+#include "removal/compare/exact_part.h"
 
 namespace proveout {
 
@@ -54,58 +57,94 @@ struct CompareOptions {
   double gouge_mm = 0.02;      ///< allowed below nominal, >= 0
   double excess_mm = 0.05;     ///< allowed above nominal, >= 0
   double resolution_mm = 0.2;  ///< spacing of samples on large triangles of either mesh, > 0
-  /// Half-width of the error of the machined surface (about resolution^2 / (8 r) on a wall of radius r):
-  /// deviations closer than this to a tolerance are reported as undecided. 0: the mesh is taken as exact.
+  /// How far the machined mesh may lie off the machined surface, mm: about resolution^2 / (8 r) on a wall of
+  /// radius r. 0: the mesh is taken as exact.
   double uncertainty_mm = 0.0;
-  int threads = 0;                     ///< 0: all cores; the result does not depend on it
-  std::vector<IgnoredRegion> ignored = {};  ///< points in one of them count as without deviation
+  /// The machined part itself: places whose deviation could be beyond a tolerance are measured on it and not
+  /// on the mesh. Null: the mesh is all there is, and deviations closer to a tolerance than `uncertainty_mm`
+  /// are undecided.
+  std::shared_ptr<const ExactPart> part = {};
+  /// How near to each other, mm, spots of two makers are one finding; below 0: never. Spots of one motion are
+  /// one anyway. Empty: what is two samples apart is one.
+  std::function<double(const SurfaceMaker&, const SurfaceMaker&)> spot_gap = {};
+  int threads = 0;                          ///< 0: all cores; the result does not depend on it
+  std::vector<IgnoredRegion> ignored = {};  ///< points in one of them are left out
 };
 
 enum class DeviationKind : std::uint8_t { kGouge, kExcess };
 
-/// A connected region of the surface beyond tolerance.
+/// What one motion, or the blank, has of a patch.
+struct MakerShare {
+  SurfaceMaker maker;
+  double share = 0.0;          ///< of the area, 0..1
+  double depth_mm = 0.0;       ///< its deepest sample
+  Vec3 where = Vec3::Zero();   ///< of that, mm
+  Vec3 normal = Vec3::Zero();  ///< outward normal of the nominal there, unit
+};
+
+/// A region of the surface beyond tolerance: connected, or a group of spots that one tool left side by side.
 struct DeviationPatch {
   DeviationKind kind = DeviationKind::kGouge;
-  Vec3 where = Vec3::Zero();  ///< deepest sampled point, mm
-  double depth_mm = 0.0;      ///< there, from nominal (not from the tolerance), > 0
-  double area_mm2 =
-      0.0;  ///< of the machined surface beyond tolerance; of the nominal's where only that shows it
-  double volume_mm3 =
-      0.0;      ///< between machined and nominal under that area: depth times projected area, summed
-  Box3 bounds;  ///< of the region, mm
-  /// Made the deepest point; kNoMotion: the blank's own surface (excess only, unless no motion is near).
-  MotionId motion = kNoMotion;
-  MotionId main_motion = kNoMotion;  ///< made the largest part of the region's area
-  double main_motion_share = 0.0;    ///< of the area, 0..1
-  bool from_nominal_only = false;    ///< seen only by the samples of the nominal surface
+  Vec3 where = Vec3::Zero();   ///< deepest point, mm
+  Vec3 normal = Vec3::Zero();  ///< outward normal of the nominal there, unit
+  double depth_mm = 0.0;       ///< there, from nominal (not from the tolerance), > 0
+  double bound_mm = 0.0;  ///< the true depth is within this of it, and nowhere in the patch larger by more
+  double area_mm2 = 0.0;  ///< beyond tolerance, of the surface that shows more of it
+  double machined_area_mm2 = 0.0, nominal_area_mm2 = 0.0;  ///< of either surface
+  double volume_mm3 = 0.0;                                 ///< between machined and nominal under that area
+  Box3 bounds;                                             ///< of the region, mm
+  SurfaceMaker maker;                                      ///< of the deepest point
+  std::vector<MakerShare> makers;                          ///< of the area, largest share first; at least one
+  bool from_nominal_only = false;  ///< seen only by the samples of the nominal surface
+  std::size_t spots = 1;           ///< regions that are told as one
   /// Undecided patches only: the grid spacing at which the error would be small enough to tell, mm; 0 where
   /// the deviation is too close to the tolerance for any practical grid.
   double deciding_resolution_mm = 0.0;
 };
 
+/// The deviation of any point of the machined surface.
+class DeviationField {
+ public:
+  virtual ~DeviationField() = default;
+  /// Of a point of the machined mesh, mm; NaN where it is ignored. Thread-safe.
+  virtual float at(const Vec3& p) const = 0;
+};
+
+/// Figures over a surface, weighted by area, without ignored regions.
+struct DeviationFigures {
+  double area_mm2 = 0.0;
+  double rms_mm = 0.0;
+  double p95_mm = 0.0;  ///< 95 % of the area deviates less, absolute value
+};
+
 struct Comparison {
-  double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0, uncertainty_mm = 0.0;
-  std::vector<DeviationPatch> patches;    ///< beyond tolerance + uncertainty; deepest first
-  std::vector<DeviationPatch> undecided;  ///< deepest within tolerance +- uncertainty; deepest first
+  double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0;
+  std::vector<DeviationPatch> patches;    ///< beyond tolerance for certain; deepest first
+  std::vector<DeviationPatch> undecided;  ///< nearer to a tolerance than their bound; deepest first
   double max_gouge_mm = 0.0;              ///< deepest of both sides, >= 0
   double max_excess_mm = 0.0;             ///< highest of both sides, >= 0
-  double rms_mm = 0.0;                    ///< over the machined surface, area-weighted
-  double p95_mm = 0.0;  ///< 95 % of the machined surface deviates less, area-weighted, absolute value
+  /// What is missing shows on the nominal's surface, what is left over mostly on the machined one.
+  DeviationFigures machined, nominal;
+  double rms_mm = 0.0, p95_mm = 0.0;  ///< the larger of both
   struct Histogram {
     std::vector<double> edges_mm;  ///< ascending; the outermost bins also hold everything beyond them
-    std::vector<double> area_mm2;  ///< of the machined surface, one fewer than edges
+    std::vector<double> area_mm2;  ///< mean of both surfaces, one fewer than edges
   } histogram;
   std::vector<float> vertex_deviation;  ///< per vertex of the machined mesh, mm; NaN where it is ignored
-  std::vector<double> ignored_mm2;      ///< of the machined surface, per region of CompareOptions::ignored
-  /// Estimated distance of the nominal's facets from the curved surface that they stand for: the largest
-  /// chord height between neighbouring facets that meet at less than 20 degrees. 0 for flat-faced parts.
-  double nominal_tessellation_mm = 0.0;
+  std::shared_ptr<const DeviationField> field;  ///< between the vertices; may be kept longer than this
+  std::vector<double> ignored_mm2;  ///< of the machined surface, per region of CompareOptions::ignored
+  /// Largest distance of the nominal's facets from the curved faces that they stand for, as estimated from
+  /// how they turn against each other, and where. 0 for flat-faced parts.
+  double nominal_chord_mm = 0.0;
+  Vec3 nominal_chord_at = Vec3::Zero();
+  /// Largest bound of a sample that decides something: 0 where all could be told without.
+  double largest_bound_mm = 0.0;
   /// Of samples between the vertices of the machined mesh: 1.5 times the resolution, or more on huge meshes.
   double machined_spacing_mm = 0.0;
   double nominal_spacing_mm = 0.0;  ///< of samples on the nominal: the resolution, or more on huge meshes
   std::size_t machined_samples = 0, nominal_samples = 0;
 
-  /// True where the surface is within tolerance and the grid could tell.
+  /// True where the surface is within tolerance and that could be told.
   bool pass() const { return patches.empty() && undecided.empty(); }
 };
 

@@ -1,0 +1,92 @@
+#include "app/comparison.h"
+
+#include <algorithm>
+
+#include "app/provenance.h"
+#include "removal/exact/swept_part.h"
+
+namespace proveout {
+namespace {
+
+/// Null where the blank's faces are not known.
+Result<std::unique_ptr<ExactPart>> exactPart(const Blank& blank, const RunResult& run) {
+  if (run.setups.back().turned) {
+    TurnedShape part = *run.setups.back().turned;
+    part.bodies.resize(1);  // the part itself comes first
+    return makeTurnedPart(std::make_shared<const TurnedShape>(std::move(part)));
+  }
+  std::vector<ClampedCut> cuts(run.setups.size());
+  RigidTransform from_last;
+  for (std::size_t k = run.setups.size(); k-- > 0;) {
+    const SetupRun& setup = run.setups[k];
+    cuts[k] = {&setup.interpreted.path, &setup.job.tools, from_last};
+    const RigidTransform back = setup.from_previous.inverse();
+    from_last = {back.rotation * from_last.rotation, back(from_last.translation)};
+  }
+  return makeSweptPart(blank.shape, cuts);
+}
+
+/// Spots that one tool leaves side by side, as crests between its passes, are one finding: nearer to each
+/// other than it is wide.
+double spotGap(const RunResult& run, const SurfaceMaker& a, const SurfaceMaker& b) {
+  const auto numberOf = [&](const SurfaceMaker& m) {
+    return std::min<std::size_t>(m.setup, run.setups.size() - 1);
+  };
+  const SetupRun& setup = run.setups[numberOf(a)];
+  const std::vector<Motion>& motions = setup.interpreted.path.motions;
+  if (numberOf(a) != numberOf(b) || a.motion >= motions.size() || b.motion >= motions.size()) return -1.0;
+  const int tool = motions[a.motion].tool;
+  if (motions[b.motion].tool != tool) return -1.0;
+  for (const Tool& t : setup.job.tools) {
+    if (t.number == tool) return t.insert ? 2.0 * t.insert->nose_radius : t.diameter;
+  }
+  return -1.0;
+}
+
+/// Names who made the last finding.
+void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResult& run) {
+  const std::size_t last = run.setups.size() - 1;
+  MadeBy made{patch.maker.setup == SurfaceMaker::kLastSetup ? last : patch.maker.setup, patch.maker.motion};
+  if (made.motion == kNoMotion) {
+    const double within = patch.depth_mm + 2.0 * run.resolution_mm;
+    made = madeEarlier(run, patch.where, within).value_or(MadeBy{last, kNoMotion});
+  }
+  const SetupRun& setup = run.setups[made.setup];
+  blame(run.findings.back(), made.motion, setup.interpreted.path, *sources[made.setup]);
+  run.findings.back().setup = setup.name;
+}
+
+void addFindings(const RunSources& sources, RunResult& run) {
+  for (const DeviationPatch& patch : run.comparison->patches) {
+    addDeviation(patch, *run.comparison, run.findings);
+    blamePatch(patch, sources, run);
+  }
+  if (const DeviationPatch* worst = addUndecided(*run.comparison, run.findings))
+    blamePatch(*worst, sources, run);
+}
+
+}  // namespace
+
+Status compareRun(const Job& job, const RunSources& sources, const Blank& blank, const PreparedMesh& nominal,
+                  RunResult& run, Progress& progress) {
+  Result<std::unique_ptr<ExactPart>> part = exactPart(blank, run);
+  if (!part) return part.error();
+  CompareOptions options;
+  options.gouge_mm = job.nominal->gouge_mm;
+  options.excess_mm = job.nominal->excess_mm;
+  options.resolution_mm = run.resolution_mm;
+  options.uncertainty_mm = partUncertainty(run) + simplification(job, run.resolution_mm);
+  options.part = std::move(*part);
+  options.spot_gap = [&run](const SurfaceMaker& a, const SurfaceMaker& b) { return spotGap(run, a, b); };
+  options.threads = job.simulation.threads;
+  options.ignored = job.nominal->ignored;
+  progress.report("comparing", 0.0);
+  Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
+  if (!comparison) return comparison.error();
+  run.comparison = std::move(*comparison);
+  addIgnored(job.nominal->ignored, *run.comparison, run.findings);
+  addFindings(sources, run);
+  return Done{};
+}
+
+}  // namespace proveout

@@ -1,0 +1,163 @@
+#include "core/mesh/triangle_tree.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel_for.h"
+
+namespace proveout {
+
+namespace {
+
+/// Seen from this many of its radii, a group of triangles is a dipole.
+constexpr double kFar = 3.0;
+
+/// Of the triangle seen from the origin, steradians (A. van Oosterom, J. Strackee, 1983).
+double solidAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  return 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+std::vector<Box3> boxesOf(const SurfaceMesh& mesh) {
+  std::vector<Box3> boxes(mesh.triangles.size());
+  parallelFor(std::size_t{0}, boxes.size(), [&](std::size_t t) {
+    for (const auto v : mesh.triangles[t]) boxes[t].extend(mesh.points[v]);
+  });
+  return boxes;
+}
+
+}  // namespace
+
+TrianglePoint nearestOfTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double ab_a = ab.dot(ap), ac_a = ac.dot(ap);
+  if (ab_a <= 0.0 && ac_a <= 0.0) return {a, 0};
+  const double ab_b = ab.dot(bp), ac_b = ac.dot(bp);
+  if (ab_b >= 0.0 && ac_b <= ab_b) return {b, 1};
+  const double ab_c = ab.dot(cp), ac_c = ac.dot(cp);
+  if (ac_c >= 0.0 && ab_c <= ac_c) return {c, 2};
+  const double wc = ab_a * ac_b - ab_b * ac_a;
+  if (wc <= 0.0 && ab_a >= 0.0 && ab_b <= 0.0) return {a + ab * (ab_a / (ab_a - ab_b)), 3};
+  const double wb = ab_c * ac_a - ab_a * ac_c;
+  if (wb <= 0.0 && ac_a >= 0.0 && ac_c <= 0.0) return {a + ac * (ac_a / (ac_a - ac_c)), 5};
+  const double wa = ab_b * ac_c - ab_c * ac_b;
+  const double to_c = ac_b - ab_b, to_b = ab_c - ac_c;
+  if (wa <= 0.0 && to_c >= 0.0 && to_b >= 0.0) return {b + (c - b) * (to_c / (to_c + to_b)), 4};
+  const double sum = wa + wb + wc;
+  return {a + ab * (wb / sum) + ac * (wc / sum), kFacePart};
+}
+
+TriangleTree::TriangleTree(const SurfaceMesh& mesh)
+    : boxes_(boxesOf(mesh)), place_of_(mesh.triangles.size()), corners_(mesh.triangles.size()) {
+  parallelFor(std::size_t{0}, corners_.size(), [&](std::size_t i) {
+    const auto& v = mesh.triangles[boxes_.order()[i]];
+    place_of_[boxes_.order()[i]] = static_cast<std::uint32_t>(i);
+    corners_[i] = {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
+  });
+  findDipoles(mesh);
+}
+
+void TriangleTree::findDipoles(const SurfaceMesh& mesh) {
+  struct Sum {
+    Vec3 normal = Vec3::Zero(), moment = Vec3::Zero();  // of area vectors, and of area times middle
+    double area = 0.0;
+  };
+  const auto& nodes = boxes_.nodes();
+  std::vector<Sum> sums(nodes.size());
+  dipoles_.resize(2 * nodes.size());
+  for (std::size_t n = nodes.size(); n-- > 0;) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::uint32_t child = nodes[n].child[side];
+      Sum group;
+      if (!BoxTree::isLeaf(child)) group = sums[child];
+      for (std::uint32_t i = BoxTree::leafBegin(child); BoxTree::isLeaf(child) && i < BoxTree::leafEnd(child);
+           ++i) {
+        const Vec3 area = 0.5 * mesh.areaVector(boxes_.order()[i]);
+        group.normal += area;
+        group.area += area.norm();
+        group.moment += area.norm() * mesh.middle(boxes_.order()[i]);
+      }
+      sums[n].normal += group.normal;
+      sums[n].moment += group.moment;
+      sums[n].area += group.area;
+      Vec3 low, high;
+      for (int k = 0; k < 3; ++k) {
+        low[k] = nodes[n].low[side][k];
+        high[k] = nodes[n].high[side][k];
+      }
+      const Vec3 center = group.area > 0.0 ? Vec3(group.moment / group.area) : Vec3(0.5 * (low + high));
+      Dipole& dipole = dipoles_[2 * n + side];
+      for (int k = 0; k < 3; ++k) {
+        dipole.center[k] = static_cast<float>(center[k]);
+        dipole.normal[k] = static_cast<float>(group.normal[k]);
+      }
+      dipole.reach = static_cast<float>(kFar * (high - center).cwiseMax(center - low).norm());
+    }
+  }
+}
+
+void TriangleTree::tryPlace(std::uint32_t place, const Vec3& p, Nearest& best) const {
+  const Corners& t = corners_[place];
+  const TrianglePoint at = nearestOfTriangle(p, t.a, t.b, t.c);
+  const double squared = (p - at.point).squaredNorm();
+  const std::uint32_t triangle = boxes_.order()[place];
+  // Of a triangle without extent the distance may be no number.
+  if (squared < best.squared || (squared == best.squared && triangle < best.triangle))
+    best = {squared, triangle, at.part, at.point};
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vec3& p, std::uint32_t hint, double within) const {
+  Nearest best;
+  best.squared = within * within;
+  if (hint != kNone) tryPlace(place_of_[hint], p, best);
+  struct Open {
+    double squared;
+    std::uint32_t child;
+  };
+  std::array<Open, BoxTree::kStack> stack;
+  int size = 0;
+  stack[size++] = {0.0, boxes_.root()};
+  while (size > 0) {
+    const Open open = stack[--size];
+    if (open.squared > best.squared) continue;
+    std::uint32_t at = open.child;
+    while (!BoxTree::isLeaf(at)) {
+      const BoxTree::Node& node = boxes_.nodes()[at];
+      const double d[2] = {node.distance2(0, p), node.distance2(1, p)};
+      const int near = d[1] < d[0] ? 1 : 0;
+      if (d[1 - near] <= best.squared) stack[size++] = {d[1 - near], node.child[1 - near]};
+      at = d[near] <= best.squared ? node.child[near] : BoxTree::kEmptyLeaf;
+    }
+    for (std::uint32_t i = BoxTree::leafBegin(at); i < BoxTree::leafEnd(at); ++i) tryPlace(i, p, best);
+  }
+  return best;
+}
+
+double TriangleTree::windingNumber(const Vec3& p) const {
+  double sum = 0.0;
+  std::array<std::uint32_t, BoxTree::kStack> stack;
+  int size = 0;
+  stack[size++] = boxes_.root();
+  while (size > 0) {
+    const std::uint32_t at = stack[--size];
+    if (BoxTree::isLeaf(at)) {
+      for (std::uint32_t i = BoxTree::leafBegin(at); i < BoxTree::leafEnd(at); ++i)
+        sum += solidAngle(corners_[i].a - p, corners_[i].b - p, corners_[i].c - p);
+      continue;
+    }
+    for (std::uint32_t side = 0; side < 2; ++side) {
+      const Dipole& d = dipoles_[2 * at + side];
+      const Vec3 to(d.center[0] - p.x(), d.center[1] - p.y(), d.center[2] - p.z());
+      const double distance2 = to.squaredNorm();
+      if (distance2 <= static_cast<double>(d.reach) * d.reach) {
+        stack[size++] = boxes_.nodes()[at].child[side];
+      } else {
+        sum += to.dot(Vec3(d.normal[0], d.normal[1], d.normal[2])) / (distance2 * std::sqrt(distance2));
+      }
+    }
+  }
+  return sum / (4.0 * kPi);
+}
+
+}  // namespace proveout

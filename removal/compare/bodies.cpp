@@ -1,0 +1,150 @@
+#include "removal/compare/bodies.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/mesh/edge_table.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+/// Faces at an edge that differ by less than this lie on each other, rad: what float coordinates can tell.
+constexpr double kSameAngle = 1e-5;
+
+/// A triangle at an edge of many.
+struct Leaf {
+  std::uint32_t half_edge;
+  double angle;  ///< of the triangle about the edge, 0..2 pi
+  bool upwards;  ///< uses the edge from the low to the high vertex: its material lies at lower angles
+};
+
+/// Finds for each half-edge the one of the triangle that goes on behind its edge.
+class EdgePairs {
+ public:
+  explicit EdgePairs(const TriMesh& mesh) : mesh_(mesh), partner_(3 * mesh.triangles.size(), kNone) {
+    const EdgeTable edges(mesh.positions.size(), mesh.triangles);
+    edges.forEachEdge([&](std::uint32_t low, const HalfEdge* first, const HalfEdge* last) {
+      if (last - first == 2) {
+        pair(first[0].half_edge, first[1].half_edge);
+      } else {
+        pairMany(low, first, last);
+      }
+    });
+  }
+  std::uint32_t operator[](std::uint32_t half_edge) const { return partner_[half_edge]; }
+
+ private:
+  void pair(std::uint32_t a, std::uint32_t b) {
+    partner_[a] = b;
+    partner_[b] = a;
+  }
+  Vec3 point(std::uint32_t v) const { return mesh_.positions[v].cast<double>(); }
+
+  /// A triangle that uses the edge upwards has its material at lower angles, the others at higher ones: each
+  /// of the others goes with the next upward one.
+  void pairMany(std::uint32_t low, const HalfEdge* first, const HalfEdge* last) {
+    const Vec3 origin = point(low), along = (point(first->other) - origin).normalized();
+    const Vec3 u = along.unitOrthogonal(), v = along.cross(u);
+    std::vector<Leaf> leaves;
+    for (const HalfEdge* h = first; h < last; ++h) {
+      const auto& t = mesh_.triangles[h->half_edge / 3];
+      const Vec3 to = point(t[(h->half_edge + 2) % 3]) - origin;
+      leaves.push_back({h->half_edge, std::atan2(to.dot(v), to.dot(u)), t[h->half_edge % 3] == low});
+    }
+    std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.angle < b.angle; });
+    // Where two lie on each other, the material that ends there ends before the other begins.
+    for (std::size_t i = 0; i + 1 < leaves.size(); ++i) {
+      for (std::size_t j = i + 1; j < leaves.size() && leaves[j].angle - leaves[i].angle < kSameAngle; ++j) {
+        if (!leaves[i].upwards && leaves[j].upwards) std::swap(leaves[i], leaves[j]);
+      }
+    }
+    std::vector<std::uint32_t> open;
+    for (int round = 0; round < 2; ++round) {  // the second one closes what began at the end of the first
+      for (const Leaf& leaf : leaves) {
+        if (partner_[leaf.half_edge] != kNone) continue;
+        if (!leaf.upwards) {
+          if (round == 0) open.push_back(leaf.half_edge);
+        } else if (!open.empty()) {
+          pair(open.back(), leaf.half_edge);
+          open.pop_back();
+        }
+      }
+    }
+  }
+
+  const TriMesh& mesh_;
+  std::vector<std::uint32_t> partner_;
+};
+
+}  // namespace
+
+Shells splitShells(const TriMesh& mesh) {
+  const EdgePairs partner(mesh);
+  const auto corners = static_cast<std::uint32_t>(3 * mesh.triangles.size());
+  const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
+  DisjointSets fans(corners), shells(mesh.triangles.size());
+  for (std::uint32_t h = 0; h < corners; ++h) {
+    const std::uint32_t other = partner[h];
+    if (other == kNone) continue;
+    // The start of one is the end of the other.
+    fans.join(h, next(other));
+    fans.join(next(h), other);
+    shells.join(h / 3, other / 3);
+  }
+  Shells out;
+  out.mesh.motion = mesh.motion;
+  out.mesh.triangles.resize(mesh.triangles.size());
+  std::vector<std::uint32_t> vertex_of(corners, kNone), number(mesh.triangles.size(), kNone);
+  for (std::uint32_t h = 0; h < corners; ++h) {
+    std::uint32_t& vertex = vertex_of[fans.find(h)];
+    if (vertex == kNone) {
+      vertex = static_cast<std::uint32_t>(out.mesh.positions.size());
+      out.mesh.positions.push_back(mesh.positions[mesh.triangles[h / 3][h % 3]]);
+    }
+    out.mesh.triangles[h / 3][h % 3] = vertex;
+  }
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::uint32_t& shell = number[shells.find(t)];
+    if (shell == kNone) shell = out.count++;
+    out.shell_of.push_back(shell);
+  }
+  return out;
+}
+
+TriMesh shellMesh(const Shells& shells, std::uint32_t shell) {
+  TriMesh out;
+  std::vector<std::uint32_t> vertex_of(shells.mesh.positions.size(), kNone);
+  for (std::size_t t = 0; t < shells.shell_of.size(); ++t) {
+    if (shells.shell_of[t] != shell) continue;
+    std::array<std::uint32_t, 3> triangle;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t old = shells.mesh.triangles[t][c];
+      if (vertex_of[old] == kNone) {
+        vertex_of[old] = static_cast<std::uint32_t>(out.positions.size());
+        out.positions.push_back(shells.mesh.positions[old]);
+      }
+      triangle[c] = vertex_of[old];
+    }
+    out.triangles.push_back(triangle);
+    if (!shells.mesh.motion.empty()) out.motion.push_back(shells.mesh.motion[t]);
+  }
+  return out;
+}
+
+void append(TriMesh& mesh, const TriMesh& more) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  const bool motions =
+      mesh.motion.size() == mesh.triangles.size() && more.motion.size() == more.triangles.size();
+  mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
+  for (const auto& t : more.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  if (motions) {
+    mesh.motion.insert(mesh.motion.end(), more.motion.begin(), more.motion.end());
+  } else {
+    mesh.motion.clear();
+  }
+}
+
+}  // namespace proveout

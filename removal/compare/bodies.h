@@ -1,0 +1,29 @@
+// The closed shells that a mesh of solids is made of, also where they share edges or vertices.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/tri_mesh.h"
+
+namespace proveout {
+
+/// A mesh taken apart.
+struct Shells {
+  TriMesh mesh;                         ///< 2-manifold: vertices stand once for each fan of triangles
+  std::vector<std::uint32_t> shell_of;  ///< per triangle
+  std::uint32_t count = 0;
+};
+
+/// Requires that every edge is used as often one way as the other. At edges of more than two triangles those
+/// belong together that have material between them, so that solids which share a face, an edge or a vertex
+/// come apart. Order of triangles and `motion` stay.
+Shells splitShells(const TriMesh& mesh);
+
+/// One shell as a mesh of its own.
+TriMesh shellMesh(const Shells& shells, std::uint32_t shell);
+
+/// Appends a mesh; motions go along where both have them.
+void append(TriMesh& mesh, const TriMesh& more);
+
+}  // namespace proveout

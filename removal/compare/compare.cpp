@@ -1,0 +1,232 @@
+#include "removal/compare/compare.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <new>
+
+#include "core/base/parallel_for.h"
+#include "removal/compare/deepest_point.h"
+#include "removal/compare/deviation_patches.h"
+#include "removal/compare/deviation_statistics.h"
+#include "removal/compare/difference_volume.h"
+#include "removal/compare/measured_sides.h"
+#include "removal/compare/nominal.h"
+#include "removal/compare/point_deviation.h"
+#include "removal/compare/sample_mesh.h"
+#include "removal/compare/spots.h"
+
+namespace proveout {
+namespace compare_detail {
+
+/// Samples of one surface, at most: a second or two of work and a few hundred megabytes.
+constexpr std::size_t kMaxSampleTriangles = 2'000'000;
+
+Status checkOptions(const CompareOptions& o) {
+  const auto bad = [](double v) { return !std::isfinite(v) || v < 0.0; };
+  if (bad(o.gouge_mm))
+    return inputError(fmt::format("gouge tolerance must be 0 or more, not {} mm", o.gouge_mm));
+  if (bad(o.excess_mm))
+    return inputError(fmt::format("excess tolerance must be 0 or more, not {} mm", o.excess_mm));
+  if (bad(o.uncertainty_mm))
+    return inputError(fmt::format("uncertainty must be 0 or more, not {} mm", o.uncertainty_mm));
+  if (bad(o.resolution_mm) || o.resolution_mm == 0.0) {
+    return inputError(fmt::format("comparison spacing must be above 0, not {} mm", o.resolution_mm));
+  }
+  return Done{};
+}
+
+Status checkClosed(const TriMesh& mesh, const std::string& name) {
+  if (auto bad = findBadElements(mesh, name)) return *bad;
+  const OpenEdges open = findOpenEdges(mesh);
+  if (open.closed()) return Done{};
+  return inputError(fmt::format("{} is not closed at X{:.3f} Y{:.3f} Z{:.3f} mm", name, open.first.x(),
+                                open.first.y(), open.first.z()));
+}
+
+bool ignored(const std::vector<IgnoredRegion>& regions, const Vec3& p) {
+  return std::any_of(regions.begin(), regions.end(), [&](const IgnoredRegion& r) { return r.contains(p); });
+}
+
+/// Area of the triangles in each region, by their middles, mm2.
+void tellIgnored(const TriMesh& machined, const std::vector<IgnoredRegion>& regions, Comparison& out) {
+  out.ignored_mm2.assign(regions.size(), 0.0);
+  if (regions.empty()) return;
+  for (const auto& t : machined.triangles) {
+    const Vec3 a = machined.positions[t[0]].cast<double>(), b = machined.positions[t[1]].cast<double>(),
+               c = machined.positions[t[2]].cast<double>();
+    const auto in = [&](const IgnoredRegion& r) { return r.contains((a + b + c) / 3.0); };
+    const auto found = std::find_if(regions.begin(), regions.end(), in);
+    if (found != regions.end())
+      out.ignored_mm2[static_cast<std::size_t>(found - regions.begin())] += 0.5 * (b - a).cross(c - a).norm();
+  }
+}
+
+/// Grid spacing at which the error, which goes with its square, is less than the distance to the tolerance.
+double decidingResolution(const CompareOptions& o, const DeviationPatch& patch, double tolerance) {
+  constexpr double kMargin = 0.8;
+  constexpr double kPractical = 1.0 / 16.0;
+  const double factor = std::sqrt(kMargin * std::abs(patch.depth_mm - tolerance) / patch.bound_mm);
+  if (!(factor >= kPractical)) return 0.0;
+  const double wanted = o.resolution_mm * std::min(factor, kMargin);
+  const double digit = std::pow(10.0, std::floor(std::log10(wanted)) - 1.0);
+  return std::floor(wanted / digit) * digit;
+}
+
+/// What is asked about patches once they are found.
+struct Asked {
+  const TreedSurface machined, nominal_surface;
+  const ExactPart& part;
+  const NominalModel& nominal;
+  double noise;
+};
+
+/// Where both sides' volumes disagree, the surfaces do not run side by side: what lies between them is
+/// counted. Not for thin patches, where the larger side is right, nor for all of a great many.
+void fillVolumes(const Asked& asked, double level, std::vector<FoundPatch>& found) {
+  constexpr double kAgree = 0.02, kDeep = 4.0;
+  constexpr std::size_t kMostCounted = 24;
+  std::vector<FoundPatch*> counted;
+  for (FoundPatch& f : found) {
+    const auto [machined, nominal] = f.volumes;
+    const double larger = std::max(machined, nominal);
+    if (std::min(machined, nominal) >= (1.0 - kAgree) * larger) continue;
+    f.patch.volume_mm3 = std::max(larger, 0.0);
+    if (f.patch.depth_mm > kDeep * level) counted.push_back(&f);
+  }
+  std::stable_sort(counted.begin(), counted.end(), [](const FoundPatch* a, const FoundPatch* b) {
+    return a->patch.area_mm2 * a->patch.depth_mm > b->patch.area_mm2 * b->patch.depth_mm;
+  });
+  counted.resize(std::min(counted.size(), kMostCounted));
+  for (FoundPatch* f : counted) {
+    const double volume = differenceVolume(asked.machined, asked.nominal_surface, f->patch.kind,
+                                           f->patch.bounds, f->places, std::max(0.5 * level, asked.noise));
+    if (volume > 0.0) f->patch.volume_mm3 = volume;
+  }
+}
+
+/// Sorts the regions of one kind into certain and undecided ones.
+void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, const Asked& asked,
+               const CompareOptions& o, Comparison& out) {
+  const double level = tolerance + asked.noise;
+  const auto undecided = [&](const FoundPatch& found) {
+    out.undecided.push_back(found.patch);
+    out.undecided.back().deciding_resolution_mm = decidingResolution(o, found.patch, tolerance);
+  };
+  std::vector<FoundPatch> measured =
+      joinSpots(findPatches(sides, kind, level, Beyond::kMeasured, o.part.get()), o);
+  parallelFor(std::size_t{0}, measured.size(),
+              [&](std::size_t i) { findDeepest(asked.part, asked.nominal, o.resolution_mm, measured[i]); });
+  fillVolumes(asked, level, measured);
+  for (const FoundPatch& found : measured) {
+    if (found.certain || found.patch.depth_mm - found.patch.bound_mm > level) {
+      out.patches.push_back(found.patch);
+    } else {
+      undecided(found);
+    }
+  }
+  for (const FoundPatch& found : findPatches(sides, kind, level, Beyond::kPossible, o.part.get())) {
+    if (found.patch.depth_mm <= level) undecided(found);
+  }
+}
+
+void sortByDepth(std::vector<DeviationPatch>& patches) {
+  std::stable_sort(patches.begin(), patches.end(),
+                   [](const DeviationPatch& a, const DeviationPatch& b) { return a.depth_mm > b.depth_mm; });
+}
+
+/// Deviations of the mesh's own vertices, which come first among the samples.
+std::vector<float> deviationOfVertices(const BothSides& sides, std::size_t count) {
+  return {sides.machined.deviation.begin(),
+          sides.machined.deviation.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// Of the samples that a tolerance asks for.
+double largestBound(const BothSides& sides, double tolerance) {
+  double largest = 0.0;
+  for (const SampledSide* side : {&sides.machined, &sides.nominal}) {
+    for (std::size_t i = 0; i < side->deviation.size(); ++i) {
+      if (std::abs(side->deviation[i]) + side->bound[i] > tolerance)
+        largest = std::max(largest, static_cast<double>(side->bound[i]));
+    }
+  }
+  return largest;
+}
+
+Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, const CompareOptions& o,
+                           Progress& progress) {
+  const Error interrupted{ErrorKind::kInterrupted, "comparison interrupted"};
+  // Meshes of a grid have edges up to about 1.5 spacings long: those are sampled by their corners.
+  SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, kMaxSampleTriangles);
+  const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, kMaxSampleTriangles);
+  const auto shared_model = std::make_shared<const NominalModel>(nominal, 0.5 * o.resolution_mm);
+  const NominalModel& model = *shared_model;
+  BothSides sides = measureSides(part, goal, model, o, progress);
+  if (progress.cancelled()) return interrupted;
+  sides.motion = &machined.motion;
+  Comparison out;
+  out.gouge_tolerance_mm = o.gouge_mm;
+  out.excess_tolerance_mm = o.excess_mm;
+  fillStatistics(sides, out);
+  Box3 box = meshBounds(machined);
+  box.extend(meshBounds(nominal));
+  // Coordinates come as float: what is within four units in the last place is no deviation.
+  const double noise = 4.0 * 1.2e-7 * std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
+  const SurfaceMesh machined_surface = toSurface(machined);
+  const SignedDistance to_machined(machined_surface, 0.5 * o.resolution_mm);
+  const MeshPart mesh_part(to_machined, o.uncertainty_mm);
+  const Asked asked{{&machined_surface, &to_machined.tree()},
+                    {&model.surface, &model.distance.tree()},
+                    o.part != nullptr ? *o.part : mesh_part,
+                    model,
+                    noise};
+  out.largest_bound_mm = largestBound(sides, std::min(o.gouge_mm, o.excess_mm));
+  judgeKind(sides, DeviationKind::kGouge, o.gouge_mm, asked, o, out);
+  judgeKind(sides, DeviationKind::kExcess, o.excess_mm, asked, o, out);
+  sortByDepth(out.patches);
+  sortByDepth(out.undecided);
+  for (const DeviationPatch& p : out.patches) {
+    double& most = p.kind == DeviationKind::kGouge ? out.max_gouge_mm : out.max_excess_mm;
+    most = std::max(most, p.depth_mm);
+  }
+  out.vertex_deviation = deviationOfVertices(sides, machined.positions.size());
+  out.field = makeDeviationField(shared_model, o);
+  tellIgnored(machined, o.ignored, out);
+  out.nominal_chord_mm = model.shape.largest();
+  out.nominal_chord_at = model.shape.largestAt();
+  out.machined_spacing_mm = part.spacing_mm;
+  out.nominal_spacing_mm = goal.spacing_mm;
+  out.machined_samples = part.surface.points.size();
+  out.nominal_samples = goal.surface.points.size();
+  progress.report("comparing", 1.0);
+  return out;
+}
+
+}  // namespace compare_detail
+
+Result<Comparison> compareToNominal(const TriMesh& machined, const TriMesh& nominal,
+                                    const CompareOptions& options, Progress& progress) {
+  for (const Status& status :
+       {compare_detail::checkOptions(options), compare_detail::checkClosed(machined, "the machined mesh"),
+        compare_detail::checkClosed(nominal, "the nominal mesh")}) {
+    if (!status) return status.error();
+  }
+  try {
+    const int threads = options.threads > 0 ? options.threads : std::max(1, tbb::info::default_concurrency());
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+    return compare_detail::compare(machined, nominal, options, progress);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorKind::kResourceLimit, "not enough memory to compare; use a coarser grid"};
+  } catch (const std::exception& e) {
+    return Error{ErrorKind::kInternal, std::string("comparison failed: ") + e.what()};
+  }
+}
+
+}  // namespace proveout

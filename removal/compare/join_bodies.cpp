@@ -1,0 +1,253 @@
+#include "removal/compare/join_bodies.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/intersection.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/mesh/edge_table.h"
+#include "core/mesh/surface_mesh.h"
+#include "core/mesh/triangle_tree.h"
+
+namespace proveout {
+
+namespace join_detail {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Exact = CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>;
+using Plain = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
+/// Faces of two bodies nearer than this are one face to whoever made them: some roundings of float
+/// coordinates, mm.
+constexpr double kSameMm = 1e-4;
+/// Bodies with such a gap are made larger by this before they are joined, mm.
+constexpr double kGrowMm = 6e-5;
+
+template <typename Mesh>
+Mesh toCgal(const TriMesh& mesh) {
+  Mesh out;
+  using Point = typename Mesh::Point;
+  for (const auto& p : mesh.positions) out.add_vertex(Point(p.x(), p.y(), p.z()));
+  for (const auto& t : mesh.triangles) {
+    using Vertex = typename Mesh::Vertex_index;
+    out.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
+  }
+  return out;
+}
+
+TriMesh fromCgal(Exact& mesh) {
+  pmp::triangulate_faces(mesh);
+  mesh.collect_garbage();
+  TriMesh out;
+  for (const auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    out.positions.emplace_back(static_cast<float>(CGAL::to_double(p.x())),
+                               static_cast<float>(CGAL::to_double(p.y())),
+                               static_cast<float>(CGAL::to_double(p.z())));
+  }
+  for (const auto f : mesh.faces()) {
+    std::array<std::uint32_t, 3> t{};
+    std::size_t corner = 0;
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) t[corner++] = v;
+    out.triangles.push_back(t);
+  }
+  return out;
+}
+
+/// A solid, with its voids, and what is asked of it.
+struct Body {
+  explicit Body(TriMesh m)
+      : mesh(std::move(m)), surface(toSurface(mesh)), tree(surface), box(meshBounds(mesh)) {}
+  Body(const Body&) = delete;
+  TriMesh mesh;
+  SurfaceMesh surface;
+  TriangleTree tree;
+  Box3 box;
+};
+
+/// A place of a's surface, with material of b right in front of it. Looked for in the middles of the
+/// triangles and of their thirds.
+std::optional<Vec3> faceInside(const Body& a, const Body& b) {
+  const Box3 reach = b.box.inflated(kSameMm);
+  std::optional<Vec3> found;
+  a.tree.forEachIn(reach, [&](std::uint32_t t) {
+    const Vec3 normal = a.surface.areaVector(t);
+    if (found || !(normal.norm() > 0.0)) return;
+    const Vec3 middle = a.surface.middle(t);
+    for (int corner = -1; corner < 3 && !found; ++corner) {
+      const Vec3 at =
+          corner < 0 ? middle : Vec3((2.0 * middle + a.surface.points[a.surface.triangles[t][corner]]) / 3.0);
+      if (b.tree.windingNumber(at + 2.0 * kSameMm * normal.normalized()) > 0.5) found = at;
+    }
+  });
+  return found;
+}
+
+bool meet(const Body& a, const Body& b) {
+  if (!a.box.inflated(kSameMm).overlaps(b.box)) return false;
+  const auto one = toCgal<Plain>(a.mesh), other = toCgal<Plain>(b.mesh);
+  return pmp::do_intersect(one, other) || faceInside(a, b) || faceInside(b, a);
+}
+
+/// Moves vertices that lie near the other body outwards, so that a gap as wide as rounding closes.
+TriMesh grown(const Body& body, const Body& towards) {
+  std::vector<Vec3> out(body.mesh.positions.size(), Vec3::Zero());
+  for (std::size_t t = 0; t < body.surface.triangles.size(); ++t) {
+    const Vec3 normal = body.surface.areaVector(t);
+    if (!(normal.norm() > 0.0)) continue;
+    for (const auto v : body.surface.triangles[t]) out[v] += normal.normalized();
+  }
+  TriMesh mesh = body.mesh;
+  for (std::size_t v = 0; v < out.size(); ++v) {
+    if (out[v].isZero() ||
+        towards.tree.nearest(body.surface.points[v], TriangleTree::kNone, kSameMm).triangle ==
+            TriangleTree::kNone)
+      continue;
+    mesh.positions[v] = (body.surface.points[v] + kGrowMm * out[v].normalized()).cast<float>();
+  }
+  return mesh;
+}
+
+std::optional<TriMesh> united(const TriMesh& a, const TriMesh& b) {
+  try {
+    Exact one = toCgal<Exact>(a), other = toCgal<Exact>(b), sum;
+    if (!pmp::corefine_and_compute_union(one, other, sum, CGAL::parameters::throw_on_self_intersection(true)))
+      return std::nullopt;
+    return fromCgal(sum);
+  } catch (const std::exception&) {
+    return std::nullopt;  // one of them runs through itself
+  }
+}
+
+class Joiner {
+ public:
+  Joiner(const Shells& shells, const std::string& name) : name_(name) {
+    std::vector<TriMesh> voids;
+    for (std::uint32_t s = 0; s < shells.count; ++s) {
+      TriMesh shell = shellMesh(shells, s);
+      if (meshVolume(shell) < 0.0) {
+        voids.push_back(std::move(shell));
+      } else {
+        bodies_.push_back(std::make_unique<Body>(std::move(shell)));
+      }
+    }
+    for (const TriMesh& hollow : voids) giveVoid(hollow);
+  }
+
+  Result<JoinedBodies> run() {
+    JoinedBodies out;
+    // Each body is joined with what came before; what that reaches may reach further bodies.
+    while (!bodies_.empty()) {
+      std::unique_ptr<Body> body = std::move(bodies_.back());
+      bodies_.pop_back();
+      for (std::size_t i = 0; i < bodies_.size();) {
+        Result<std::unique_ptr<Body>> both = joinPair(*body, *bodies_[i]);
+        if (!both) return both.error();
+        if (*both == nullptr) {
+          ++i;
+          continue;
+        }
+        out.joined += out.joined == 0 ? 2 : 1;
+        body = std::move(*both);
+        bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(i));
+        i = 0;
+      }
+      append(out.mesh, body->mesh);
+    }
+    return out;
+  }
+
+ private:
+  /// To the smallest body around it.
+  void giveVoid(const TriMesh& hollow) {
+    const Vec3 probe = hollow.positions.front().cast<double>();
+    std::unique_ptr<Body>* around = nullptr;
+    for (std::unique_ptr<Body>& body : bodies_) {
+      if (body->tree.windingNumber(probe) <= 0.5) continue;
+      if (around == nullptr || meshVolume(body->mesh) < meshVolume((*around)->mesh)) around = &body;
+    }
+    TriMesh whole = around ? (*around)->mesh : TriMesh();
+    append(whole, hollow);
+    if (around) {
+      *around = std::make_unique<Body>(std::move(whole));
+    } else {
+      bodies_.push_back(std::make_unique<Body>(std::move(whole)));
+    }
+  }
+
+  /// Null: they need not be one.
+  Result<std::unique_ptr<Body>> joinPair(const Body& a, const Body& b) const {
+    if (!meet(a, b)) return std::unique_ptr<Body>();
+    std::optional<TriMesh> sum = united(a.mesh, b.mesh);
+    if (sum && isClean(*sum)) return std::make_unique<Body>(std::move(*sum));
+    const auto at = faceInside(a, b) ? faceInside(a, b) : faceInside(b, a);
+    if (!at) return std::unique_ptr<Body>();  // they touch along an edge or at a vertex
+    sum = united(grown(a, b), grown(b, a));
+    if (sum && isClean(*sum)) return std::make_unique<Body>(std::move(*sum));
+    return inputError(
+        fmt::format("{}: bodies overlap at X{:.3f} Y{:.3f} Z{:.3f} mm and cannot be joined; export the model "
+                    "as one solid",
+                    name_, at->x(), at->y(), at->z()));
+  }
+
+  /// No face of the sum lies inside of it.
+  static bool isClean(const TriMesh& mesh) {
+    const Body sum{TriMesh(mesh)};
+    return !faceInside(sum, sum);
+  }
+
+  std::string name_;
+  std::vector<std::unique_ptr<Body>> bodies_;
+};
+
+/// Faces within the material of a single surface that runs through itself; a few thousand triangles are
+/// asked.
+std::optional<Vec3> innerFace(const TriMesh& mesh) {
+  constexpr std::size_t kAsked = 4096;
+  const SurfaceMesh surface = toSurface(mesh);
+  const TriangleTree tree(surface);
+  const std::size_t step = std::max<std::size_t>(1, surface.triangles.size() / kAsked);
+  for (std::size_t t = 0; t < surface.triangles.size(); t += step) {
+    const Vec3 normal = surface.areaVector(t);
+    if (!(normal.norm() > kSameMm)) continue;
+    const Vec3 at = surface.middle(t);
+    if (tree.windingNumber(at + 2.0 * kSameMm * normal.normalized()) > 0.5) return at;
+  }
+  return std::nullopt;
+}
+
+}  // namespace join_detail
+
+Result<JoinedBodies> joinBodies(const Shells& shells, const std::string& name) {
+  using namespace join_detail;
+  JoinedBodies out;
+  if (shells.count == 1) {
+    out.mesh = shells.mesh;
+  } else {
+    Result<JoinedBodies> joined = Joiner(shells, name).run();
+    if (!joined) return joined;
+    out = std::move(*joined);
+    if (out.joined == 0) out.mesh = shells.mesh;  // in its order
+  }
+  if (const auto at = innerFace(out.mesh)) {
+    return inputError(
+        fmt::format("{}: the surface runs through itself: a face lies inside of the material at X{:.3f} "
+                    "Y{:.3f} Z{:.3f} mm; "
+                    "export the model as one solid",
+                    name, at->x(), at->y(), at->z()));
+  }
+  return out;
+}
+
+}  // namespace proveout

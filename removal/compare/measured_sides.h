@@ -1,0 +1,47 @@
+// Both surfaces of a comparison as points with their deviations.
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/signed_distance.h"
+#include "removal/compare/compare.h"
+#include "removal/compare/nominal_shape.h"
+#include "removal/compare/sample_mesh.h"
+
+namespace proveout {
+
+/// A sampled surface with its deviations, in the convention of compare.h.
+struct SampledSide {
+  const SampleMesh* mesh = nullptr;
+  std::vector<float> deviation;           ///< per sample point, mm; NaN where it is left out
+  std::vector<float> bound;               ///< how far that may be off, mm
+  std::vector<Eigen::Vector3f> gradient;  ///< per sample point, unit: outward at the other surface
+  std::vector<std::uint32_t>
+      opposite;  ///< per sample point: nearest triangle of the other side's mesh that was asked
+};
+
+struct BothSides {
+  SampledSide machined;                                ///< `opposite` counts the nominal's triangles
+  SampledSide nominal;                                 ///< `opposite` counts triangles of machined.mesh
+  const std::vector<std::uint32_t>* motion = nullptr;  ///< per triangle of the machined source; may be empty
+};
+
+/// The nominal as it is asked.
+struct NominalModel {
+  NominalModel(const TriMesh& mesh, double sure_mm)
+      : surface(toSurface(mesh)), distance(surface, sure_mm), shape(distance) {}
+  NominalModel(const NominalModel&) = delete;
+  SurfaceMesh surface;
+  SignedDistance distance;
+  NominalShape shape;
+
+  /// Deviation of a point of the part, mm; `d`: what distance.at(p) says.
+  double deviation(const SurfaceDistance& d, const Vec3& p) const;
+};
+
+/// Measures both sides. Points of the machined surface that decide something are put onto the exact part
+/// where the options have one: `part` is changed. Empty sides where `progress` was cancelled.
+BothSides measureSides(SampleMesh& part, const SampleMesh& goal, const NominalModel& nominal,
+                       const CompareOptions& options, Progress& progress);
+
+}  // namespace proveout

@@ -1,0 +1,299 @@
+#include "removal/compare/nominal_shape.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/mesh/edge_table.h"
+
+namespace proveout {
+
+namespace {
+
+/// Triangles that turn by less against each other are one facet: above the noise of float coordinates, rad.
+constexpr double kFlatRad = degToRad(0.05);
+/// Facets of a curved face turn by less than this; those of small radii by more, as long as the chord is
+/// small.
+constexpr double kSoftRad = degToRad(20.0), kSteepRad = degToRad(55.0);
+/// Chords larger than this are not an exporter's, mm; those between steep facets.
+constexpr double kMostChord = 0.25, kMostSteepChord = 0.12;
+/// Facets of one curved face are about as wide as their neighbours, and it curves about alike on two sides.
+constexpr double kWidthRatio = 2.5, kCurvatureRatio = 3.0, kSteepTurnRatio = 1.3;
+/// A plane turns against the first facet of a round that touches it by half of what the facets turn.
+constexpr double kTangentTurn = 0.8;
+
+/// Two facets that meet.
+struct Link {
+  std::uint32_t a, b;   ///< facets
+  double length, turn;  ///< of the border, mm; rad, > 0 where it is convex
+  double width_a, width_b;
+  double width() const { return 0.5 * (width_a + width_b); }
+  double curvature() const { return turn / width(); }
+  bool alike() const { return width_a < kWidthRatio * width_b && width_b < kWidthRatio * width_a; }
+  bool plausible() const {
+    const double angle = std::abs(turn), chord = 0.5 * std::min(width_a, width_b) * std::tan(0.25 * angle);
+    return chord <= kMostChord && (angle <= kSoftRad || (angle <= kSteepRad && chord <= kMostSteepChord));
+  }
+};
+
+bool sameCurve(const Link& l, const Link& m) {
+  if ((l.turn > 0.0) != (m.turn > 0.0)) return false;
+  const double r = l.curvature() / m.curvature();
+  if (r > kCurvatureRatio || r * kCurvatureRatio < 1.0) return false;
+  const double steep = std::max(std::abs(l.turn), std::abs(m.turn)), t = l.turn / m.turn;
+  return steep <= kSoftRad || (t < kSteepTurnRatio && t * kSteepTurnRatio > 1.0);
+}
+
+/// Finds facets, which of them are curved, and their normals at the corners.
+class ShapeReader {
+ public:
+  explicit ShapeReader(const SurfaceMesh& mesh)
+      : mesh_(mesh), facet_of_(mesh.triangles.size()), edges_(mesh.points.size(), mesh.triangles) {
+    normals_.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Vec3 area = mesh.areaVector(t);
+      double longest = 0.0;
+      for (int c = 0; c < 3; ++c) longest = std::max(longest, edge(t, c).norm());
+      const bool sliver = area.norm() <= 2e-5 * longest;  // no normal to trust
+      normals_.push_back(sliver ? Vec3::Zero() : Vec3(area.normalized()));
+    }
+  }
+
+  std::vector<std::array<float, 3>> read() {
+    std::vector<std::array<float, 3>> bulge(mesh_.triangles.size(), {0.0f, 0.0f, 0.0f});
+    findFacets();
+    findLinks();
+    if (!findCurved()) return bulge;
+    gatherNormals();
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (!curved_[facet_of_[t]]) continue;
+      for (std::uint32_t c = 0; c < 3; ++c) bulge[t][c] = static_cast<float>(edgeBulge(t, c));
+    }
+    return bulge;
+  }
+
+ private:
+  Vec3 edge(std::size_t t, int c) const {
+    return mesh_.points[mesh_.triangles[t][(c + 1) % 3]] - mesh_.points[mesh_.triangles[t][c]];
+  }
+
+  /// Calls body(half edge, half edge) where two triangles with normals meet.
+  template <typename Body>
+  void forEachPair(const Body& body) const {
+    edges_.forEachEdge([&](std::uint32_t, const HalfEdge* first, const HalfEdge* last) {
+      if (last - first != 2) return;
+      const std::uint32_t g = first[0].half_edge, h = first[1].half_edge;
+      if (!normals_[g / 3].isZero() && !normals_[h / 3].isZero()) body(g, h);
+    });
+  }
+
+  double turnAt(std::uint32_t g, std::uint32_t h) const {
+    const Vec3 &n = normals_[g / 3], &m = normals_[h / 3], cross = n.cross(m);
+    const double angle = std::atan2(cross.norm(), n.dot(m));
+    return cross.dot(edge(g / 3, static_cast<int>(g % 3))) > 0.0 ? angle : -angle;
+  }
+
+  void findFacets() {
+    DisjointSets sets(mesh_.triangles.size());
+    forEachPair([&](std::uint32_t g, std::uint32_t h) {
+      if (std::abs(turnAt(g, h)) < kFlatRad) sets.join(g / 3, h / 3);
+    });
+    area_.assign(mesh_.triangles.size(), 0.0);
+    triangles_.assign(mesh_.triangles.size(), 0);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      facet_of_[t] = sets.find(t);
+      area_[facet_of_[t]] += 0.5 * mesh_.areaVector(t).norm();
+      ++triangles_[facet_of_[t]];
+    }
+  }
+
+  double widthOf(std::uint32_t facet, double length) const {
+    return (triangles_[facet] == 1 ? 2.0 : 1.0) * area_[facet] / length;  // a strip's, a triangle's height
+  }
+
+  void findLinks() {
+    forEachPair([&](std::uint32_t g, std::uint32_t h) {
+      const std::uint32_t a = facet_of_[g / 3], b = facet_of_[h / 3];
+      if (a == b) return;
+      const double length = edge(g / 3, static_cast<int>(g % 3)).norm();
+      links_.push_back({std::min(a, b), std::max(a, b), length, turnAt(g, h), 0.0, 0.0});
+    });
+    std::stable_sort(links_.begin(), links_.end(),
+                     [](const Link& l, const Link& m) { return std::pair(l.a, l.b) < std::pair(m.a, m.b); });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < links_.size();) {  // a border of several edges is one
+      Link sum = links_[i];
+      sum.turn *= sum.length;
+      std::size_t j = i + 1;
+      for (; j < links_.size() && links_[j].a == sum.a && links_[j].b == sum.b; ++j) {
+        sum.turn += links_[j].turn * links_[j].length;
+        sum.length += links_[j].length;
+      }
+      sum.turn /= sum.length;
+      sum.width_a = widthOf(sum.a, sum.length);
+      sum.width_b = widthOf(sum.b, sum.length);
+      links_[kept++] = sum;
+      i = j;
+    }
+    links_.resize(kept);
+  }
+
+  /// False where no facet is curved.
+  bool findCurved() {
+    curved_.assign(mesh_.triangles.size(), 0);
+    turn_.assign(mesh_.triangles.size(), 0.0);
+    std::vector<std::vector<std::uint32_t>> at(mesh_.triangles.size());
+    for (std::uint32_t i = 0; i < links_.size(); ++i) {
+      if (!links_[i].plausible() || !links_[i].alike()) continue;
+      at[links_[i].a].push_back(i);
+      at[links_[i].b].push_back(i);
+    }
+    bool any = false;
+    for (std::uint32_t f = 0; f < at.size(); ++f) {
+      for (std::size_t i = 0; i < at[f].size() && !curved_[f]; ++i) {
+        for (std::size_t j = i + 1; j < at[f].size() && !curved_[f]; ++j)
+          curved_[f] = sameCurve(links_[at[f][i]], links_[at[f][j]]);
+        turn_[f] = std::abs(links_[at[f][i]].turn);
+      }
+      any = any || curved_[f];
+    }
+    // The last facet before a crease turns against one neighbour only.
+    std::vector<char> last = curved_;
+    for (const Link& l : links_) {
+      if (!l.plausible() || !l.alike() || curved_[l.a] == curved_[l.b]) continue;
+      const std::uint32_t end = curved_[l.a] ? l.b : l.a, before = curved_[l.a] ? l.a : l.b;
+      if (std::abs(l.turn) > kSteepTurnRatio * turn_[before] ||
+          std::abs(l.turn) < kTangentTurn * turn_[before])
+        continue;
+      last[end] = 1;
+      turn_[end] = std::abs(l.turn);
+    }
+    curved_ = last;
+    return any;
+  }
+
+  /// Whether the surface goes on smoothly from one facet to the other.
+  bool smooth(std::uint32_t a, std::uint32_t b, double turn) const {
+    if (a == b) return true;
+    if (!curved_[a] && !curved_[b]) return false;
+    const double angle = std::abs(turn);
+    if (curved_[a] && curved_[b]) {
+      const double usual = std::max(turn_[a], turn_[b]);
+      return angle <= kSoftRad || angle <= kSteepTurnRatio * usual;
+    }
+    return angle <= kTangentTurn * (curved_[a] ? turn_[a] : turn_[b]);
+  }
+
+  std::uint32_t corner(std::uint32_t t, std::uint32_t vertex) const {
+    const auto& v = mesh_.triangles[t];
+    return 3 * t + (v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2);
+  }
+
+  void gatherNormals() {
+    fan_ = std::make_unique<DisjointSets>(3 * mesh_.triangles.size());
+    forEachPair([&](std::uint32_t g, std::uint32_t h) {
+      if (!smooth(facet_of_[g / 3], facet_of_[h / 3], turnAt(g, h))) return;
+      const auto& v = mesh_.triangles[g / 3];
+      for (const std::uint32_t vertex : {v[g % 3], v[(g % 3 + 1) % 3]})
+        fan_->join(corner(g / 3, vertex), corner(h / 3, vertex));
+    });
+    fans_.assign(3 * mesh_.triangles.size(), {});
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (normals_[t].isZero()) continue;
+      for (std::uint32_t c = 0; c < 3; ++c) add(t, c, fans_[fan_->find(3 * t + c)]);
+    }
+  }
+
+  struct Fan {
+    Vec3 round = Vec3::Zero(), flat = Vec3::Zero();
+    std::uint32_t facet = 0xFFFFFFFFu;
+    bool several = false;  ///< facets
+    Vec3 normal() const { return (flat.isZero() ? round : flat).normalized(); }
+  };
+
+  /// Weights that are exact at vertices on spheres and cylinders (N. Max, "Weights for computing vertex
+  /// normals from facet normals", 1999).
+  void add(std::uint32_t t, std::uint32_t c, Fan& fan) {
+    const std::uint32_t facet = facet_of_[t];
+    fan.several = fan.several || (fan.facet != 0xFFFFFFFFu && fan.facet != facet);
+    fan.facet = facet;
+    const Vec3 e = edge(t, static_cast<int>(c)), f = -edge(t, static_cast<int>((c + 2) % 3));
+    (curved_[facet] ? fan.round : fan.flat) +=
+        normals_[t] * (e.cross(f).norm() / (e.squaredNorm() * f.squaredNorm()));
+  }
+
+  /// Height of the curved face over the middle of an edge.
+  double edgeBulge(std::uint32_t t, std::uint32_t c) {
+    const Fan &from = fans_[fan_->find(3 * t + c)], &to = fans_[fan_->find(3 * t + (c + 1) % 3)];
+    if ((!from.several && !to.several) || normals_[t].isZero()) return 0.0;
+    // At a crease the face ends; it turned there as much as at the other end.
+    const auto mirrored = [&](const Fan& fan) {
+      const Vec3 n = fan.normal();
+      return Vec3(2.0 * normals_[t].dot(n) * normals_[t] - n);
+    };
+    const Vec3 n = from.several ? from.normal() : mirrored(to), m = to.several ? to.normal() : mirrored(from);
+    return std::clamp((m - n).dot(edge(t, static_cast<int>(c))) / 8.0, -kMostChord, kMostChord);
+  }
+
+  const SurfaceMesh& mesh_;
+  std::vector<std::uint32_t> facet_of_;  ///< per triangle: the first triangle of its facet
+  EdgeTable edges_;
+  std::vector<Vec3> normals_;  ///< unit; zero: not to be trusted
+  std::vector<double> area_;   ///< per facet, mm2
+  std::vector<std::uint32_t> triangles_;
+  std::vector<Link> links_;
+  std::vector<char> curved_;  ///< per facet
+  std::vector<double> turn_;  ///< per curved facet: against its neighbours, rad
+  std::unique_ptr<DisjointSets> fan_;
+  std::vector<Fan> fans_;
+};
+
+}  // namespace
+
+NominalShape::NominalShape(const SignedDistance& surface) : surface_(surface) {
+  const SurfaceMesh& mesh = surface.mesh();
+  bulge_ = ShapeReader(mesh).read();
+  for (std::uint32_t t = 0; t < bulge_.size(); ++t) {
+    const double off = std::abs(at(t, mesh.middle(t)));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double most = std::max(off, static_cast<double>(std::abs(bulge_[t][c])));
+      if (most <= largest_) continue;
+      largest_ = most;
+      largest_at_ = mesh.middle(t);
+    }
+  }
+}
+
+double NominalShape::at(std::uint32_t triangle, const Vec3& point) const {
+  const auto& b = bulge_[triangle];
+  if (b[0] == 0.0f && b[1] == 0.0f && b[2] == 0.0f) return 0.0;
+  const SurfaceMesh& mesh = surface_.mesh();
+  const auto& v = mesh.triangles[triangle];
+  const Vec3 normal = mesh.areaVector(triangle);
+  const auto share = [&](int c) {  // barycentric
+    const Vec3 &p = mesh.points[v[(c + 1) % 3]], &q = mesh.points[v[(c + 2) % 3]];
+    return std::clamp((p - point).cross(q - point).dot(normal) / normal.squaredNorm(), 0.0, 1.0);
+  };
+  const double s[3] = {share(0), share(1), share(2)};
+  return 4.0 * (b[0] * s[0] * s[1] + b[1] * s[1] * s[2] + b[2] * s[2] * s[0]);
+}
+
+Bulge NominalShape::at(const SurfaceDistance& nearest, const Vec3& place) const {
+  if (largest_ == 0.0) return {};
+  const Vec3 foot = place - nearest.distance * nearest.gradient.cast<double>();
+  Bulge out;
+  const auto add = [&](std::uint32_t t) {
+    const double b = at(t, foot);
+    out.low = std::min(out.low, b);
+    out.high = std::max(out.high, b);
+  };
+  add(nearest.triangle);
+  if (nearest.part >= 3 && nearest.part < kFacePart) {
+    const std::uint32_t other = surface_.neighbour(nearest.triangle, nearest.part - 3);
+    if (other != TriangleTree::kNone) add(other);
+  }
+  return out;
+}
+
+}  // namespace proveout

@@ -1,0 +1,48 @@
+// The curved faces that a nominal's facets stand for.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/mesh/signed_distance.h"
+#include "core/mesh/surface_mesh.h"
+
+namespace proveout {
+
+/// How far the true surface may be beyond the facets at a place, mm, along the outward normal: it lies
+/// between the two. Both 0 on flat faces, `low` < 0 on hollow ones, `high` > 0 on round ones.
+struct Bulge {
+  double low = 0.0, high = 0.0;
+};
+
+/// Reads a mesh as exporters write it: vertices on the true surface, chords between them. A facet belongs to
+/// a curved face where it turns the same way, by about the same curvature, against its neighbours on two
+/// sides (or lies beside such a facet and is as wide); the chord may not be larger than an exporter's
+/// tolerance. Between the vertices the face is the quadratic one with their mean normals: exact to a few per
+/// cent of the chord on cylinders, cones, spheres and tori.
+///
+/// What cannot be known is whether a prism of many sides was meant as such. So both readings count: a
+/// deviation is one where neither explains it.
+class NominalShape {
+ public:
+  /// `surface` must outlive this; closed, manifold but for edges that solids share.
+  explicit NominalShape(const SignedDistance& surface);
+
+  /// At a place that SignedDistance::at found.
+  Bulge at(const SurfaceDistance& nearest, const Vec3& place) const;
+  /// At a point of a triangle.
+  double at(std::uint32_t triangle, const Vec3& point) const;
+
+  /// The largest there is, and where.
+  double largest() const { return largest_; }
+  const Vec3& largestAt() const { return largest_at_; }
+
+ private:
+  const SignedDistance& surface_;
+  /// Per triangle: of the middles of its edges.
+  std::vector<std::array<float, 3>> bulge_;
+  double largest_ = 0.0;
+  Vec3 largest_at_ = Vec3::Zero();
+};
+
+}  // namespace proveout

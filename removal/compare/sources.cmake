@@ -1,0 +1,22 @@
+proveout_add_library(compare
+  compare/bodies.cpp
+  compare/compare.cpp
+  compare/deepest_point.cpp
+  compare/deviation_patches.cpp
+  compare/deviation_statistics.cpp
+  compare/difference_volume.cpp
+  compare/exact_part.cpp
+  compare/measured_sides.cpp
+  compare/nominal.cpp
+  compare/nominal_shape.cpp
+  compare/point_deviation.cpp
+  compare/sample_mesh.cpp
+  compare/spots.cpp)
+# CGAL::CGAL carries -frounding-math, which would keep other code from being vectorised: one source has it.
+add_library(proveout_join OBJECT compare/join_bodies.cpp)
+target_include_directories(proveout_join PRIVATE ${PROJECT_SOURCE_DIR})
+# CGAL's own headers make the compiler doubt.
+target_compile_options(proveout_join PRIVATE -Wno-maybe-uninitialized)
+target_link_libraries(proveout_join PRIVATE proveout_warnings proveout_options Eigen3::Eigen CGAL::CGAL fmt::fmt)
+target_sources(proveout_compare PRIVATE $<TARGET_OBJECTS:proveout_join>)
+target_link_libraries(proveout_compare PUBLIC proveout::core PRIVATE $<LINK_ONLY:CGAL::CGAL> TBB::tbb fmt::fmt)

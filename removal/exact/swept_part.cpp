@@ -1,0 +1,241 @@
+#include "removal/exact/swept_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+
+#include "core/geometry/box_tree.h"
+#include "core/mesh/signed_distance.h"
+#include "core/tool/tool_solid.h"
+#include "removal/blank_field.h"
+#include "removal/sweep.h"
+#include "removal/turning/section.h"
+#include "removal/turning/turned_field.h"
+
+namespace proveout {
+
+namespace {
+
+/// Surfaces nearer to each other than this are one, made by the first motion, mm.
+constexpr double kSameMm = 1e-8;
+/// Boxes of long motions are cut to about this many tool radii, and arcs to an eighth of a turn.
+constexpr double kBoxRadii = 6.0;
+constexpr double kBoxTurn = kPi / 4.0;
+constexpr int kMostBoxes = 4096;
+
+/// One cutting part of a tool on one motion.
+struct Body {
+  MotionId motion;
+  const ConvexProfile* profile;
+  std::int32_t curve;  ///< number of the stored sweep, or -1: a line
+};
+
+Box3 around(const Vec3& a, const Vec3& b, const ConvexProfile& profile, double slack) {
+  const double r = profile.maxRadius() + slack;
+  return {a.cwiseMin(b) + Vec3(-r, -r, profile.zMin() - slack),
+          a.cwiseMax(b) + Vec3(r, r, profile.zMax() + slack)};
+}
+
+/// The swept volumes of one clamping.
+class CutBodies {
+  template <typename Ask>
+  auto withSweep(const Body& b, const Ask& ask) const {
+    if (b.curve >= 0) return ask(curves_[static_cast<std::size_t>(b.curve)]);
+    const Motion& m = path_.motions[b.motion];
+    return ask(Sweep(*b.profile, m.from, m.to, nullptr));
+  }
+
+ public:
+  explicit CutBodies(const ClampedCut& cut) : path_(*cut.path), from_last_(cut.from_last) {
+    for (const Tool& tool : *cut.tools) {
+      if (tool.type != ToolType::kInsert) solids_.try_emplace(tool.number, makeToolSolid(tool));
+    }
+    for (MotionId id = 0; id < path_.motions.size(); ++id) add(id);
+    tree_ = BoxTree(boxes_);
+    boxes_ = {};
+  }
+  CutBodies(const CutBodies&) = delete;
+
+
+  struct Nearest {
+    double distance;  ///< to the swept volume, mm; below 0 inside
+    std::int64_t body = -1;
+  };
+  /// The body whose swept volume is nearest, or covers the point deepest: with a distance below `within`,
+  /// which may be below 0. `p`: in the frame of the last clamping.
+  Nearest nearest(const Vec3& p, double within) const {
+    const Vec3 q = from_last_(p);
+    const Vec3 reach = Vec3::Constant(std::max(within, 0.0));
+    Nearest best{within, -1};
+    tree_.forEachPlace({q - reach, q + reach}, [&](std::uint32_t place) {
+      const std::int64_t number = body_of_[tree_.order()[place]];
+      if (number == best.body) return;
+      const double d = distance(bodies_[static_cast<std::size_t>(number)], q, best.distance + kSameMm);
+      const bool same = std::abs(d - best.distance) <= kSameMm && best.body >= 0;
+      if (same ? number < best.body : d < best.distance) best = {d, number};
+    });
+    return best;
+  }
+  /// Direction in which the point gets out of the body fastest, last clamping's frame.
+  Vec3 gradient(std::int64_t body, const Vec3& p) const {
+    const Body& b = bodies_[static_cast<std::size_t>(body)];
+    return from_last_.rotation.transpose() *
+           withSweep(b, [&](const Sweep& s) { return s.sample(from_last_(p)).gradient; });
+  }
+  MotionId motionOf(std::int64_t body) const { return bodies_[static_cast<std::size_t>(body)].motion; }
+
+ private:
+  void add(MotionId id) {
+    const Motion& m = path_.motions[id];
+    const auto solid = solids_.find(m.tool);
+    if (m.kind == MotionKind::kProbe || solid == solids_.end()) return;
+    const ArcGeometry* arc = m.arc < 0 ? nullptr : &path_.arcs[static_cast<std::size_t>(m.arc)];
+    for (const ConvexProfile& profile : solid->second.cutter) {
+      Body body{id, &profile, -1};
+      if (arc != nullptr) {
+        body.curve = static_cast<std::int32_t>(curves_.size());
+        curves_.emplace_back(profile, m.from, m.to, arc);
+      }
+      bodies_.push_back(body);
+      addBoxes(m, arc, profile);
+    }
+  }
+
+  void addBoxes(const Motion& m, const ArcGeometry* arc, const ConvexProfile& profile) {
+    const Vec3 way = (m.to - m.from).cwiseAbs();
+    int count = 1;
+    double slack = 0.0;
+    if (arc != nullptr) {
+      const ArcFrame frame = arcFrame(m.from, m.to, *arc);
+      count = static_cast<int>(std::ceil(std::min(std::abs(arc->sweep_rad) / kBoxTurn, 1.0 * kMostBoxes)));
+      count = std::max(count, 1);
+      // A chord of a circle stands off it by r (1 - cos(angle / 2)).
+      slack = std::max(frame.radius_start, frame.radius_end) *
+              (1.0 - std::cos(std::min(kPi, 0.5 * std::abs(arc->sweep_rad) / count)));
+    } else {
+      // The box of a line along an axis is as good as many.
+      Vec3 sides = way;
+      std::sort(sides.data(), sides.data() + 3);
+      const double unit = kBoxRadii * std::max(profile.maxRadius(), 0.01);
+      count = std::clamp(static_cast<int>(sides[1] / unit), 1, kMostBoxes);
+    }
+    Vec3 from = m.from;
+    for (int i = 1; i <= count; ++i) {
+      const Vec3 to = i == count ? m.to : path_.pointAt(m, static_cast<double>(i) / count);
+      boxes_.push_back(around(from, to, profile, slack));
+      body_of_.push_back(static_cast<std::uint32_t>(bodies_.size() - 1));
+      from = to;
+    }
+  }
+
+  double distance(const Body& b, const Vec3& q, double cutoff) const {
+    return withSweep(b, [&](const Sweep& s) { return s.distance(q, cutoff); });
+  }
+
+  const Toolpath& path_;
+  RigidTransform from_last_;
+  std::map<int, ToolSolid> solids_;  ///< by number of the tool
+  std::vector<Body> bodies_;
+  std::deque<Sweep> curves_;
+  std::vector<Box3> boxes_;
+  std::vector<std::uint32_t> body_of_;  ///< per box
+  BoxTree tree_;
+};
+
+/// A closed mesh as a blank. Also for the nearest point: outside of it the distance is exact.
+class MeshField final : public BlankField {
+ public:
+  explicit MeshField(const TriMesh& mesh)
+      : surface_(toSurface(mesh)), distance_(surface_), box_(meshBounds(mesh)) {}
+  BlankSample sample(const Vec3& p) const override {
+    const SurfaceDistance d = distance_.at(p);
+    return {d.distance, d.gradient.cast<double>().normalized(), 0};
+  }
+  Box3 bounds() const override { return box_; }
+  double volume() const override { return 0.0; }
+
+ private:
+  SurfaceMesh surface_;
+  SignedDistance distance_;
+  Box3 box_;
+};
+
+/// Null where the shape does not tell its faces.
+Result<std::unique_ptr<BlankField>> fieldOf(const StockShape& shape) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return makeBlankField(*box);
+  if (const auto* round = std::get_if<CylinderShape>(&shape)) return makeBlankField(*round);
+  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) return makeTurnedField(turned->shape);
+  if (const auto* mesh = std::get_if<MeshShape>(&shape))
+    return std::unique_ptr<BlankField>(std::make_unique<MeshField>(mesh->mesh));
+  return std::unique_ptr<BlankField>();
+}
+
+class SweptPart final : public ExactPart {
+ public:
+  SweptPart(std::unique_ptr<BlankField> blank, const std::vector<ClampedCut>& cuts)
+      : blank_(std::move(blank)), to_first_(cuts.front().from_last) {
+    for (const ClampedCut& cut : cuts) cuts_.emplace_back(cut);
+  }
+
+  Sample at(const Vec3& p, double reach) const override {
+    const BlankSample outer = blank_->sample(to_first_(p));
+    Sample out{std::clamp(outer.value, -reach, reach), Vec3::UnitZ(), {0, kNoMotion}};
+    // Only what is nearer than the blank's surface, or covers the point deeper than that is off, counts.
+    double within = std::min(reach, -outer.value);
+    const CutBodies* by = nullptr;
+    std::int64_t body = -1;
+    for (std::uint32_t k = 0; k < cuts_.size(); ++k) {
+      const CutBodies::Nearest found = cuts_[k].nearest(p, within);
+      if (found.body < 0) continue;
+      within = found.distance;
+      by = &cuts_[k];
+      body = found.body;
+      out.maker = {k, by->motionOf(body)};
+    }
+    if (by == nullptr) {
+      out.normal = to_first_.rotation.transpose() * outer.normal;
+      return out;
+    }
+    out.value = std::clamp(-within, -reach, reach);
+    out.normal = -by->gradient(body, p);
+    return out;
+  }
+  double accuracy() const override { return 1e-6; }  // kSweepToleranceMm and rounding
+
+ private:
+  std::unique_ptr<BlankField> blank_;
+  RigidTransform to_first_;
+  std::deque<CutBodies> cuts_;
+};
+
+class TurnedPart final : public ExactPart {
+ public:
+  explicit TurnedPart(std::unique_ptr<BlankField> field) : field_(std::move(field)) {}
+  Sample at(const Vec3& p, double reach) const override {
+    const BlankSample s = field_->sample(p);
+    return {std::clamp(s.value, -reach, reach), s.normal, {SurfaceMaker::kLastSetup, s.motion}};
+  }
+  double accuracy() const override { return kSectionChordMm; }
+
+ private:
+  std::unique_ptr<BlankField> field_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<ExactPart>> makeSweptPart(const StockShape& blank,
+                                                 const std::vector<ClampedCut>& cuts) {
+  Result<std::unique_ptr<BlankField>> field = fieldOf(blank);
+  if (!field) return field.error();
+  if (*field == nullptr) return std::unique_ptr<ExactPart>();
+  return std::unique_ptr<ExactPart>(std::make_unique<SweptPart>(std::move(*field), cuts));
+}
+
+Result<std::unique_ptr<ExactPart>> makeTurnedPart(const std::shared_ptr<const TurnedShape>& shape) {
+  Result<std::unique_ptr<BlankField>> field = makeTurnedField(shape);
+  if (!field) return field.error();
+  return std::unique_ptr<ExactPart>(std::make_unique<TurnedPart>(std::move(*field)));
+}
+
+}  // namespace proveout
