@@ -50,6 +50,11 @@ DeepestPoint::DeepestPoint(const StockDepth& stock, const PassTable& table, cons
                            double h)
     : stock_(stock), before_(before), sweep_(wholeSweep(table, pass)), h_(h) {}
 
+StockDepth::Sample DeepestPoint::depthAt(const Vec3& p) {
+  --effort_;
+  return stock_.at(p, before_, hint_);
+}
+
 /// `outside`, `away`: of the swept volume, at `p`; the point of it nearest to `p` is looked at.
 void DeepestPoint::consider(const Vec3& p, double outside, const Vec3& away, DeepPoint& best) {
   const Vec3 at = outside > 0.0 ? Vec3(p - outside * away) : p;
@@ -62,7 +67,7 @@ void DeepestPoint::consider(const Vec3& p, double outside, const Vec3& away, Dee
 bool DeepestPoint::search(const Vec3& middle, double radius, DeepPoint& best) {
   const double before = best.depth;
   Ellipsoid ellipsoid{middle, radius * radius * Eigen::Matrix3d::Identity()};
-  for (int round = 0; round < kMaxRounds; ++round) {
+  for (int round = 0; round < kMaxRounds && !tired(); ++round) {
     const Vec3& p = ellipsoid.middle;
     const SweepSample body = sweep_.sample(p);
     const double outside = std::max(0.0, body.value);
@@ -81,6 +86,7 @@ bool DeepestPoint::search(const Vec3& middle, double radius, DeepPoint& best) {
 std::vector<DeepestPoint::Start> DeepestPoint::ordered(const std::vector<Vec3>& points) {
   std::vector<Start> starts;
   for (const Vec3& p : points) {
+    if (tired() && !starts.empty()) break;
     const SweepSample body = sweep_.sample(p);
     const Vec3 border = p - body.value * body.gradient;
     const double inside = depthAt(p).value, there = depthAt(border).value;
@@ -104,6 +110,10 @@ void DeepestPoint::searchFrom(const std::vector<Vec3>& starts, DeepPoint& best) 
   std::vector<Vec3> tried;
   int vain = 0;
   for (const Start& start : ordered(starts)) {
+    if (tired()) {
+      if (start.depth > best.depth) best = {start.depth, start.at};
+      break;
+    }
     if (start.depth + radius <= best.depth || vain == kVainSearches) break;
     const auto near = [&](const Vec3& other) { return (other - start.at).norm() < 0.5 * radius; };
     if (std::any_of(tried.begin(), tried.end(), near)) continue;
@@ -115,7 +125,7 @@ void DeepestPoint::searchFrom(const std::vector<Vec3>& starts, DeepPoint& best) 
 /// Halves the box of what the swept volume and the stock have in common, the part with the largest bound
 /// first: no point of a box lies deeper than its middle by more than half its diagonal. Where a box is small
 /// and may still hold a better point, a search sets out.
-void DeepestPoint::searchBoxes(int most, DeepPoint& best) {
+void DeepestPoint::searchBoxes(DeepPoint& best) {
   struct Part {
     double bound;
     Vec3 middle, half;
@@ -133,7 +143,7 @@ void DeepestPoint::searchBoxes(int most, DeepPoint& best) {
   if ((low.array() >= high.array()).any()) return;
   add(0.5 * (low + high), 0.5 * (high - low));
   int vain = 0;
-  for (int count = 0; !parts.empty() && count < most && vain < kVainSearches; ++count) {
+  while (!parts.empty() && !tired() && vain < kVainSearches) {
     Part part = parts.top();
     parts.pop();
     if (part.bound <= best.depth + kWithinMm) break;
@@ -150,10 +160,12 @@ void DeepestPoint::searchBoxes(int most, DeepPoint& best) {
   }
 }
 
-DeepPoint DeepestPoint::find(const std::vector<Vec3>& starts, double known, int most_boxes) {
+DeepPoint DeepestPoint::find(const std::vector<Vec3>& starts, double known, int& effort) {
   DeepPoint best{known, Vec3::Zero()};
+  effort_ = effort;
   searchFrom(starts, best);
-  searchBoxes(most_boxes, best);
+  searchBoxes(best);
+  effort = effort_;
   return best.depth > known ? best : DeepPoint{};
 }
 

@@ -22,9 +22,10 @@ class DeepestPoint {
 
   /// The point of the swept volume that lies deepest, to within kWithinMm: where the stock is convex and has
   /// not been cut always, else the best of searches that set out from `starts` (points of the swept volume)
-  /// and from wherever boxes of it, of which at most `most_boxes` are looked at, may hold a better one. None
-  /// deeper than `known`: depth 0.
-  DeepPoint find(const std::vector<Vec3>& starts, double known, int most_boxes);
+  /// and from wherever boxes of it may hold a better one. None deeper than `known`: depth 0. `effort`: points
+  /// at which the depth may be asked for; becomes what is left. With too little the best so far is told, at
+  /// least the first start.
+  DeepPoint find(const std::vector<Vec3>& starts, double known, int& effort);
   static constexpr double kWithinMm = 1e-4;
 
  private:
@@ -32,19 +33,21 @@ class DeepestPoint {
     double depth;
     Vec3 at;
   };
-  StockDepth::Sample depthAt(const Vec3& p) { return stock_.at(p, before_, hint_); }
+  StockDepth::Sample depthAt(const Vec3& p);
+  bool tired() const { return effort_ <= 0; }
   void consider(const Vec3& p, double outside, const Vec3& away, DeepPoint& best);
   bool search(const Vec3& middle, double radius, DeepPoint& best);
   bool searchOn(const Vec3& from, double radius, DeepPoint& best);
   std::vector<Start> ordered(const std::vector<Vec3>& points);
   void searchFrom(const std::vector<Vec3>& starts, DeepPoint& best);
-  void searchBoxes(int most, DeepPoint& best);
+  void searchBoxes(DeepPoint& best);
 
   const StockDepth& stock_;
   MotionId before_;
   const SweptCutter* hint_ = nullptr;
   Sweep sweep_;
   double h_;
+  int effort_ = 0;
 };
 
 }  // namespace proveout

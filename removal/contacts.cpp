@@ -64,14 +64,15 @@ std::vector<Met> groups(const ContactScene& scene, const std::vector<ContactSamp
 }
 
 /// Samples of one body that searches set out from: half of them the deepest, the others spread over the rest.
-constexpr std::size_t kMostStarts = 64;
+constexpr std::size_t kLeastStarts = 4, kMostStarts = 64;
+/// Share of the effort that looking at them may take, as a divisor; a start takes two depths.
+constexpr int kStartShare = 16;
 
-std::vector<Vec3> thinned(std::vector<Vec3> points) {
-  if (points.size() <= kMostStarts) return points;
-  constexpr std::size_t kFirst = kMostStarts / 2;
-  std::vector<Vec3> kept(points.begin(), points.begin() + kFirst);
-  const std::size_t rest = points.size() - kFirst;
-  for (std::size_t i = 0; i < kFirst; ++i) kept.push_back(points[kFirst + i * rest / kFirst]);
+std::vector<Vec3> thinned(const std::vector<Vec3>& points, std::size_t most) {
+  if (points.size() <= most) return points;
+  const std::size_t first = most / 2, rest = points.size() - first;
+  std::vector<Vec3> kept(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
+  for (std::size_t i = 0; i < first; ++i) kept.push_back(points[first + i * rest / first]);
   return kept;
 }
 
@@ -99,15 +100,18 @@ std::vector<Body> bodiesOf(const ContactScene& scene, const Met& met) {
   return list;
 }
 
-/// Boxes that are looked at for all contacts of a path together, and for one body at least and at most.
-constexpr std::size_t kAllBoxes = 400'000, kLeastBoxes = 50, kMostBoxes = 2'000;
+/// Depths that are asked for all contacts of a path together, and for one at most: a program that cuts in
+/// rapid throughout is told in seconds, and nobody reads how deep each of its blocks is to the micrometre.
+constexpr std::size_t kAllDepths = 2'000'000, kMostDepths = 100'000;
 
-void measure(const ContactScene& scene, const StockDepth& stock, int most_boxes, Met& met) {
+void measure(const ContactScene& scene, const StockDepth& stock, int effort, Met& met) {
+  const std::size_t starts =
+      std::clamp(static_cast<std::size_t>(effort / kStartShare), kLeastStarts, kMostStarts);
   for (const Body& body : bodiesOf(scene, met)) {
     // A cutter goes into what earlier motions left; its shank follows it through what it cuts itself.
     const MotionId before = body.pass->motion + (body.pass->part == ToolPart::kCutter ? 0 : 1);
     DeepestPoint deepest(stock, scene.table, *body.pass, before, scene.stock.h);
-    const DeepPoint found = deepest.find(thinned(body.points), met.contact.depth_mm, most_boxes);
+    const DeepPoint found = deepest.find(thinned(body.points, starts), met.contact.depth_mm, effort);
     if (found.depth <= met.contact.depth_mm) continue;
     met.contact.depth_mm = found.depth;
     met.contact.where = found.where;
@@ -206,10 +210,10 @@ std::vector<Contact> gatherContacts(const ContactScene& scene, std::vector<Conta
     return a.depth != b.depth ? a.depth > b.depth : isPlaceBefore(a.where, b.where);
   });
   std::vector<Met> met = groups(scene, samples);
-  const std::size_t share = kAllBoxes / std::max<std::size_t>(1, met.size());
-  const int most_boxes = static_cast<int>(std::clamp(share, kLeastBoxes, kMostBoxes));
+  const int effort =
+      static_cast<int>(std::min(kAllDepths / std::max<std::size_t>(1, met.size()), kMostDepths));
   parallelFor(std::size_t{0}, met.size(), [&](std::size_t i) {
-    if (!progress.cancelled()) measure(scene, stock, most_boxes, met[i]);
+    if (!progress.cancelled()) measure(scene, stock, effort, met[i]);
   });
   std::vector<Contact> contacts;
   for (const Met& m : met) {
