@@ -38,6 +38,18 @@ class DiagnosticsTap : public MotionSink {
     diagnostics.add(diagnostic);
     if (next_) next_->diagnostic(diagnostic);
   }
+  void originWord(const WordOrigin& word) override {
+    if (next_) next_->originWord(word);
+  }
+  void originData(const DataInForce& data) override {
+    if (next_) next_->originData(data);
+  }
+  void originModal(const ModalOrigins& modal) override {
+    if (next_) next_->originModal(modal);
+  }
+  void originSet(const OriginSet& set) override {
+    if (next_) next_->originSet(set);
+  }
   Diagnostics diagnostics;
   Toolpath overtravels;  ///< events of axes beyond their limits or in forbidden areas, and the names of the
                          ///< files, no motions

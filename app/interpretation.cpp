@@ -44,6 +44,22 @@ class GuardedBuilder : public ToolpathBuilder {
     ToolpathBuilder::event(event);
     add(kEventBytes, event.source);
   }
+  void originWord(const WordOrigin& word) override {
+    ToolpathBuilder::originWord(word);
+    bytes_ += 2.0 * static_cast<double>(sizeof(WordOrigin) + word.from.size() * sizeof(word.from.front()));
+  }
+  void originData(const DataInForce& data) override {
+    ToolpathBuilder::originData(data);
+    bytes_ += 2.0 * sizeof(DataInForce);
+  }
+  void originModal(const ModalOrigins& modal) override {
+    ToolpathBuilder::originModal(modal);
+    bytes_ += 2.0 * sizeof(ModalOrigins);
+  }
+  void originSet(const OriginSet& set) override {
+    ToolpathBuilder::originSet(set);
+    bytes_ += 2.0 * sizeof(OriginSet);
+  }
   /// The block that went over the limit.
   const std::optional<SourceRef>& outgrownAt() const { return outgrown_at_; }
 

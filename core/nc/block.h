@@ -28,6 +28,8 @@ class AddressSet {
   constexpr AddressSet operator&(AddressSet other) const { return AddressSet(bits_ & other.bits_); }
   constexpr AddressSet without(AddressSet other) const { return AddressSet(bits_ & ~other.bits_); }
   constexpr bool empty() const { return bits_ == 0; }
+  constexpr bool operator==(const AddressSet&) const = default;
+  constexpr std::uint64_t bits() const { return bits_; }
 
  private:
   constexpr explicit AddressSet(std::uint64_t bits) : bits_(bits) {}
@@ -70,6 +72,7 @@ struct Word {
   Columns columns;
   std::int8_t axis = -1;     ///< index of the axis of that name, or -1
   std::int8_t spindle = -1;  ///< index of the spindle of that name, or -1
+  std::uint32_t reads = 0;   ///< with from_expression: what it read, see ValueOrigins
 };
 
 /// What a line is.
@@ -97,6 +100,8 @@ struct Block {
   int skip = 0;           ///< 1..9: optional skip `/n`; 0: none
   bool percent = false;   ///< the line is a % line
   bool has_file = false;  ///< `<...>` present
+  bool steps = false;     ///< a word has the operator I: XI40
+  bool plain = true;      ///< one line of letters with plain numbers: its text alone shows its words
   /// A statement of the macro language starts at `statement` (index into `text`); words before it are N and
   /// skip only.
   LineKind kind = LineKind::kBlock;
@@ -113,6 +118,8 @@ struct Block {
     number = program = -1;
     skip = 0;
     percent = has_file = false;
+    plain = true;
+    steps = false;
     kind = LineKind::kBlock;
     repeated = negative = {};
   }

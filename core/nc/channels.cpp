@@ -26,7 +26,34 @@ void ChannelMerge::Channel::file(std::uint32_t index, const std::string& name) {
 
 SourceRef ChannelMerge::Channel::mapped(SourceRef source) const {
   if (source.file < files.size()) source.file = files[source.file];
+  if (source.origins >= 0)
+    source.origins = static_cast<std::int32_t>(sets[static_cast<std::size_t>(source.origins)]);
   return source;
+}
+
+void ChannelMerge::Channel::originWord(const WordOrigin& word) {
+  WordOrigin mapped_word = word;
+  if (word.file < files.size()) mapped_word.file = files[word.file];
+  merge.sink_.originWord(mapped_word);
+}
+
+void ChannelMerge::Channel::originData(const DataInForce& row) {
+  data.push_back(merge.data_++);
+  merge.sink_.originData(row);
+}
+
+void ChannelMerge::Channel::originModal(const ModalOrigins& row) {
+  ModalOrigins mapped_row = row;
+  mapped_row.data = data[row.data];
+  modal.push_back(merge.modal_++);
+  merge.sink_.originModal(mapped_row);
+}
+
+void ChannelMerge::Channel::originSet(const OriginSet& row) {
+  OriginSet mapped_row = row;
+  mapped_row.modal = modal[row.modal];
+  sets.push_back(merge.sets_++);
+  merge.sink_.originSet(mapped_row);
 }
 
 std::uint8_t ChannelMerge::Channel::told() const {

@@ -69,13 +69,19 @@ class ChannelMerge {
     void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) override;
     void event(const PathEvent& event) override;
     void diagnostic(const Diagnostic& diagnostic) override;
+    // Rows of the origins go on at once, counted over all channels; words have the channels' common numbers.
+    void originWord(const WordOrigin& word) override;
+    void originData(const DataInForce& data) override;
+    void originModal(const ModalOrigins& modal) override;
+    void originSet(const OriginSet& set) override;
     SourceRef mapped(SourceRef source) const;
     std::uint8_t told() const;  ///< the number, where there are several
 
     ChannelMerge& merge;
     int number;
     double now_s = 0.0;
-    std::vector<std::uint32_t> files;  ///< by the channel's index
+    std::vector<std::uint32_t> files;              ///< by the channel's index
+    std::vector<std::uint32_t> data, modal, sets;  ///< by the channel's index, of the origins
     std::deque<Item> waiting;
   };
 
@@ -85,6 +91,7 @@ class ChannelMerge {
   MotionSink& sink_;
   InterpretSummary& total_;
   std::uint32_t files_ = 0;
+  std::uint32_t data_ = 0, modal_ = 0, sets_ = 0;  ///< rows of the origins so far
   std::vector<std::unique_ptr<Channel>> channels_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -72,6 +73,8 @@ Mat3 basicRotation(const Vec3& angles_deg);
 struct WorkSystem {
   AxisPoint offset;
   Vec3 angles_deg = Vec3::Zero();
+  /// Which word set each value, X, Y, Z (see OriginWords); 0: the job.
+  std::array<std::uint32_t, 3> offset_by{}, angles_by{};
 };
 
 /// Number of a work system: 1..6 are G54..G59, 101..199 are G54.1 P1..P99, 0 is the common offset.
@@ -82,10 +85,11 @@ inline constexpr WorkSystemId kFirstExtended = 101;
 struct WorkFrames {
   WorkSystem common;  ///< its angles stay 0
   std::array<WorkSystem, 6> basic;
-  std::map<int, WorkSystem> extended;  ///< by P
-  AxisPoint shift92;                   ///< G92, work coordinates
-  AxisPoint shift52;                   ///< G52, work coordinates
-  int more_axes = 0;                   ///< axes of the channel besides X Y Z
+  std::map<int, WorkSystem> extended;       ///< by P
+  AxisPoint shift92;                        ///< G92, work coordinates
+  AxisPoint shift52;                        ///< G52, work coordinates
+  std::array<std::uint32_t, 3> shift_by{};  ///< which word set the shift last, as in WorkSystem
+  int more_axes = 0;                        ///< axes of the channel besides X Y Z
 
   WorkSystem& system(WorkSystemId id);
   WorkSystem system(WorkSystemId id) const;

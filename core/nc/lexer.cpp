@@ -75,11 +75,15 @@ LineKind classify(std::string_view text, std::size_t pos) {
 bool Lexer::lex(std::string_view line, Block& block) {
   block.clear();
   block.text = line;
+  block.plain = !in_comment_;
+  plain_ = &block.plain;
   return lexItems(line, 0, block, rules_.expressions != nullptr && mode_ == LexMode::kBlock);
 }
 
 bool Lexer::lexRest(std::size_t pos, Block& block) {
   block.kind = LineKind::kBlock;
+  block.plain = false;
+  plain_ = &block.plain;
   in_comment_ = false;
   return lexItems(block.text, pos, block, false);
 }
@@ -221,13 +225,18 @@ bool Lexer::lexWord(std::string_view line, std::size_t& i, Block& block) {
   Word word;
   bool named = false;
   if (rules_.names != nullptr && line[i] != ',' && !lexNamed(line, i, word, named)) return false;
-  if (!named && !lexAddress(line, i, word)) return false;
+  if (named) {
+    block.plain = false;
+  } else if (!lexAddress(line, i, word)) {
+    return false;
+  }
   if (!named && rules_.names != nullptr && word.address >= 'A' && word.address <= 'Z') {
     word.axis = static_cast<std::int8_t>(rules_.names->axisOfLetter(word.address));
   }
   if (rules_.incremental_operator && i < line.size() && upper(line[i]) == 'I' &&
       (word.axis >= 0 || word.spindle >= 0 || rules_.incremental_addresses.has(word.address))) {
     word.incremental = true;
+    block.steps = true;
     ++i;
   }
   while (i < line.size() && isBlank(line[i])) ++i;
@@ -265,7 +274,9 @@ bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& va
     if (error_.columns.end == 0) error_.columns.end = static_cast<int>(std::max(i, begin + 1)) + 1;
     return false;
   }
+  *plain_ = false;
   word.from_expression = true;
+  word.reads = value.origin;
   vacant = value.vacant;
   word.value = value.number == 0.0 ? 0.0 : value.number;  // no -0
   word.minus = word.value < 0.0;

@@ -86,6 +86,7 @@ class Lexer {
   LexRules rules_;
   LexError error_;
   bool in_comment_ = false;
+  bool* plain_ = nullptr;  ///< of the block in hand
   LexMode mode_ = LexMode::kBlock;
 };
 

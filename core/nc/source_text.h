@@ -49,6 +49,9 @@ class SourceText {
   const LoopIndex& loops();
 
   void setEncoding(std::string name) { encoding_ = std::move(name); }
+  /// Part of the control: no program source has this text.
+  bool builtIn() const { return built_in_; }
+  void setBuiltIn() { built_in_ = true; }
 
  private:
   void indexLabels();
@@ -63,6 +66,7 @@ class SourceText {
   };
   std::vector<NumberedLine> labels_;  ///< sorted
   bool labels_known_ = false;
+  bool built_in_ = false;
   std::unique_ptr<const LoopIndex> loops_;
 };
 

@@ -11,6 +11,8 @@ target_sources(proveout_core PRIVATE
   nc/lex_names.cpp
   nc/lexer.cpp
   nc/motion_pipe.cpp
+  nc/origin_recorder.cpp
+  nc/origin_words.cpp
   nc/path_emitter.cpp
   nc/path_emitter_curves.cpp
   nc/program_transforms.cpp
@@ -29,6 +31,7 @@ target_sources(proveout_core PRIVATE
   nc/wl4/wl4_expression.cpp
   nc/wl4/wl4_functions.cpp
   nc/wl4/wl4_motion.cpp
+  nc/wl4/wl4_origins.cpp
   nc/wl4/wl4_own_programs.cpp
   nc/wl4/wl4_plan.cpp
   nc/wl4/wl4_programs.cpp
@@ -68,6 +71,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_motion.cpp
   nc/nct/nct_measuring.cpp
   nc/nct/nct_offsets.cpp
+  nc/nct/nct_origins.cpp
   nc/nct/nct_output.cpp
   nc/nct/nct_parameters.cpp
   nc/nct/nct_perform.cpp

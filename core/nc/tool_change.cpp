@@ -22,4 +22,12 @@ std::vector<AxisPoint> toolChangeWay(const ControlSettings& settings, const Axis
   return way;
 }
 
+KindSet unsaidBehind(const ToolChangePlace& place) {
+  KindSet kinds;
+  if (place.z) kinds.add(OriginKind::kZ);
+  if (place.x) kinds.add(OriginKind::kX);
+  if (place.y) kinds.add(OriginKind::kY);
+  return kinds;
+}
+
 }  // namespace proveout::nc

@@ -186,4 +186,9 @@ void ToolpathBuilder::event(const PathEvent& event) {
 
 void ToolpathBuilder::diagnostic(const Diagnostic& diagnostic) { path_.diagnostics.add(diagnostic); }
 
+void ToolpathBuilder::originWord(const WordOrigin& word) { path_.origins.words.push_back(word); }
+void ToolpathBuilder::originData(const DataInForce& data) { path_.origins.data.push_back(data); }
+void ToolpathBuilder::originModal(const ModalOrigins& modal) { path_.origins.modal.push_back(modal); }
+void ToolpathBuilder::originSet(const OriginSet& set) { path_.origins.sets.push_back(set); }
+
 }  // namespace proveout

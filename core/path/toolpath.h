@@ -17,6 +17,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/geometry/types.h"
+#include "core/path/word_origin.h"
 
 namespace proveout {
 
@@ -31,10 +32,11 @@ inline constexpr MotionId kNoMotion = 0xFFFFFFFFu;
 
 /// Where a motion comes from in the program.
 struct SourceRef {
-  std::uint32_t file = 0;   ///< index into Toolpath::files
-  std::uint32_t line = 0;   ///< from 1
-  std::int64_t block = -1;  ///< N number of the block, or -1
-  std::uint16_t depth = 0;  ///< 0 in the main program, +1 per subprogram level
+  std::uint32_t file = 0;     ///< index into Toolpath::files
+  std::uint32_t line = 0;     ///< from 1
+  std::int64_t block = -1;    ///< N number of the block, or -1
+  std::uint16_t depth = 0;    ///< 0 in the main program, +1 per subprogram level
+  std::int32_t origins = -1;  ///< index into OriginTables::sets: the words in force; -1: not recorded
 };
 
 /// Arc, helix, spiral or conical helix about an axis with constant direction.
@@ -113,6 +115,12 @@ class MotionSink {
   virtual void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) = 0;
   virtual void event(const PathEvent& event) = 0;
   virtual void diagnostic(const Diagnostic& diagnostic) = 0;
+
+  // Rows of OriginTables, counted from 0 in the order of the calls; each comes before what refers to it.
+  virtual void originWord(const WordOrigin& /*word*/) {}
+  virtual void originData(const DataInForce& /*data*/) {}
+  virtual void originModal(const ModalOrigins& /*modal*/) {}
+  virtual void originSet(const OriginSet& /*set*/) {}
 };
 
 /// The whole path in memory.
@@ -126,6 +134,7 @@ struct Toolpath {
     PathEvent event;
   };
   std::vector<EventAt> events;
+  OriginTables origins;
   Diagnostics diagnostics;
   std::uint64_t blocks = 0;  ///< executed blocks (set by the interpreter's caller)
 
@@ -149,6 +158,10 @@ class ToolpathBuilder : public MotionSink {
   void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) override;
   void event(const PathEvent& event) override;
   void diagnostic(const Diagnostic& diagnostic) override;
+  void originWord(const WordOrigin& word) override;
+  void originData(const DataInForce& data) override;
+  void originModal(const ModalOrigins& modal) override;
+  void originSet(const OriginSet& set) override;
 
  private:
   Toolpath& path_;

@@ -81,11 +81,14 @@ bool related(Relation relation, const Value& left, const Value& right) {
 class Parser {
  public:
   Parser(std::string_view text, std::size_t pos, VariableStore& variables,
-         const MacroEnvironment& environment, LexError& error)
-      : i(pos), text_(text), variables_(variables), environment_(environment), error_(error) {}
+         const MacroEnvironment& environment, LexError& error, std::vector<std::uint32_t>& reads)
+      : i(pos), text_(text), variables_(variables), environment_(environment), error_(error), reads_(reads) {
+    reads_.clear();
+  }
 
-  std::size_t i;               ///< the next character
-  bool in_assignment = false;  ///< PRM may stand here
+  std::size_t i;                    ///< the next character
+  bool in_assignment = false;       ///< PRM may stand here
+  ValueOrigins* origins = nullptr;  ///< of what assignment() writes; null: not wanted
 
   bool sum(Value& out);
   bool signedOperand(Value& out);
@@ -136,6 +139,7 @@ class Parser {
   VariableStore& variables_;
   const MacroEnvironment& environment_;
   LexError& error_;
+  std::vector<std::uint32_t>& reads_;
   int depth_ = 0;
 };
 
@@ -243,7 +247,9 @@ bool Parser::primary(Value& out) {
   if (c == '#') {
     const std::size_t begin = i;
     int number = 0;
-    return variableNumber(number) && accessed(variables_.read(number, out), number, begin);
+    if (!variableNumber(number) || !accessed(variables_.read(number, out), number, begin)) return false;
+    if (out.origin != 0) reads_.push_back(out.origin);
+    return true;
   }
   if (isDigit(c) || c == '.') {
     out.vacant = false;
@@ -487,6 +493,7 @@ bool Parser::assignment() {
   const std::size_t begin = i;
   int number = 0;
   if (!variableNumber(number)) return false;
+  reads_.clear();
   i = skipBlanks(text_, i);
   if (!take('=')) return alarm(kSyntax, {}, "'=' is expected", i);
   in_assignment = true;
@@ -495,6 +502,10 @@ bool Parser::assignment() {
   const bool text_only =
       first != std::string_view::npos && text_[first] == '(' && variables_.takesText(number);
   if (!text_only && !sum(value)) return false;
+  if (origins != nullptr) {
+    const Columns columns{static_cast<int>(begin) + 1, static_cast<int>(i) + 1};
+    value.origin = origins->assigned(columns, value.number, origins->listOf(reads_));
+  }
   variables_.setNote(text_.substr(i));
   const VariableStatus status = variables_.write(number, value);
   return accessed(status, number, begin);
@@ -527,35 +538,37 @@ bool keywordAt(std::string_view text, std::size_t pos, std::string_view word) {
 }
 
 bool MacroEvaluator::evaluate(std::string_view text, std::size_t& pos, Value& value, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error);
+  Parser parser(text, pos, variables_, environment_, error, reads_);
   const bool good = parser.signedOperand(value);
   pos = parser.i;
+  value.origin = origins_ != nullptr ? origins_->listOf(reads_) : 0;
   return good;
 }
 
 bool MacroEvaluator::formula(std::string_view text, std::size_t& pos, Value& value, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error);
+  Parser parser(text, pos, variables_, environment_, error, reads_);
   const bool good = parser.sum(value);
   pos = parser.i;
   return good;
 }
 
 bool MacroEvaluator::condition(std::string_view text, std::size_t& pos, bool& holds, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error);
+  Parser parser(text, pos, variables_, environment_, error, reads_);
   const bool good = parser.condition(holds);
   pos = parser.i;
   return good;
 }
 
 bool MacroEvaluator::assign(std::string_view text, std::size_t& pos, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error);
+  Parser parser(text, pos, variables_, environment_, error, reads_);
+  parser.origins = origins_;
   const bool good = parser.assignment();
   pos = parser.i;
   return good;
 }
 
 bool MacroEvaluator::variable(std::string_view text, std::size_t& pos, int& number, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error);
+  Parser parser(text, pos, variables_, environment_, error, reads_);
   const bool good = parser.variableNumber(number);
   pos = parser.i;
   return good;

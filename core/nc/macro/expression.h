@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "core/nc/lexer.h"
 #include "core/nc/macro/value.h"
 #include "core/nc/macro/variables.h"
+#include "core/nc/value_origins.h"
 
 namespace proveout::nc {
 
@@ -32,6 +35,8 @@ class MacroEvaluator : public ExpressionHook {
  public:
   MacroEvaluator(VariableStore& variables, const MacroEnvironment& environment)
       : variables_(variables), environment_(environment) {}
+  /// `origins` must outlive the evaluator. Without, values have no origins.
+  void setOrigins(ValueOrigins& origins) { origins_ = &origins; }
 
   /// The value of a word: a sign, and a variable, a bracket or a function. A vacant variable stays vacant,
   /// with a sign too.
@@ -50,6 +55,8 @@ class MacroEvaluator : public ExpressionHook {
  private:
   VariableStore& variables_;
   const MacroEnvironment& environment_;
+  ValueOrigins* origins_ = nullptr;
+  std::vector<std::uint32_t> reads_;  ///< origins of the variables of the formula in hand
 };
 
 /// Behind blanks and comments that end in this line.

@@ -27,6 +27,8 @@ std::string_view callKindName(CallKind kind) {
 void CallStack::pop() {
   while (hasDeferred()) pending_.pop_back();
   frames_.pop_back();
+  here_.file = frames_.empty() ? 0 : frames_.back().file;
+  here_.depth = static_cast<std::uint16_t>(frames_.empty() ? 0 : frames_.size() - 1);
 }
 
 bool CallStack::takeDeferred(CallFrame& out) {
@@ -38,14 +40,11 @@ bool CallStack::takeDeferred(CallFrame& out) {
   return true;
 }
 
-SourceRef CallStack::here() const {
-  SourceRef ref;
-  if (frames_.empty()) return ref;
-  ref.file = frames_.back().file;
-  ref.line = static_cast<std::uint32_t>(line_index_ + 1);
-  ref.block = number_;
-  ref.depth = static_cast<std::uint16_t>(frames_.size() - 1);
-  return ref;
+void CallStack::push(const CallFrame& frame) {
+  frames_.push_back(frame);
+  here_.file = frame.file;
+  here_.depth = static_cast<std::uint16_t>(frames_.size() - 1);
+  if (here_.line == 0) here_.line = 1;
 }
 
 }  // namespace proveout::nc

@@ -69,7 +69,7 @@ class CallStack {
   const CallFrame& at(std::size_t level) const { return frames_[level]; }
 
   /// Opens and closes frames alone; openCall() and closeCall() take care of nesting and locals too.
-  void push(const CallFrame& frame) { frames_.push_back(frame); }
+  void push(const CallFrame& frame);
   /// Calls that the frame put off are dropped.
   void pop();
 
@@ -82,11 +82,12 @@ class CallStack {
   /// The block in hand: index of its line and its N number.
   void setBlock(std::size_t line_index, std::int64_t number) {
     line_index_ = line_index;
-    number_ = number;
+    here_.line = static_cast<std::uint32_t>(line_index + 1);
+    here_.block = number;
   }
   std::size_t lineIndex() const { return line_index_; }
-  /// Where the block in hand stands; line 0 without an open program.
-  SourceRef here() const;
+  /// Where the block in hand stands, without the words in force; line 0 without an open program.
+  const SourceRef& here() const { return here_; }
 
  private:
   struct Pending {
@@ -96,7 +97,7 @@ class CallStack {
   std::vector<CallFrame> frames_;
   std::vector<Pending> pending_;  ///< depth never falls from front to back
   std::size_t line_index_ = 0;
-  std::int64_t number_ = -1;
+  SourceRef here_;
 };
 
 }  // namespace proveout::nc

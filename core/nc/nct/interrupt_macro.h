@@ -8,6 +8,7 @@
 #include "core/nc/nct/call_stack.h"
 #include "core/nc/nct/nct_parameters.h"
 #include "core/nc/nct/nct_state.h"
+#include "core/nc/origin_recorder.h"
 
 namespace proveout::nc {
 
@@ -20,6 +21,10 @@ struct InterruptMacro {
   bool enabled = false;
   CallFrame frame;                  ///< while enabled: what the signal opens
   std::optional<NctState> resumed;  ///< while it runs: the modals of the interrupted program
+  /// And where their words were written.
+  OriginRecorder::Slots words{};
+  OriginRecorder::Slot cycle_start;
+  DataInForce data;
 };
 
 }  // namespace proveout::nc

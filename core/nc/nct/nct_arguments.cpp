@@ -2,6 +2,8 @@
 
 #include <bitset>
 
+#include "core/nc/nct/nct_origins.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -41,9 +43,9 @@ class ArgumentCollector {
  public:
   explicit ArgumentCollector(Arguments& out) : out_(out) {}
 
-  void storeWeak(Address letter, double value) { out_.v[variableOf(letter)] = {value, false}; }
+  void storeWeak(Address letter, const Value& value) { out_.v[variableOf(letter)] = value; }
   /// False: the variable is taken.
-  bool store(Address letter, double value) {
+  bool store(Address letter, const Value& value) {
     if (letter >= 'I' && letter <= 'K') return storeInSeries(letter, value);
     return storeAt(variableOf(letter), value);
   }
@@ -52,13 +54,13 @@ class ArgumentCollector {
   static std::size_t variableOf(Address letter) {
     return static_cast<std::size_t>(kLetterVariables[static_cast<std::size_t>(letter - 'A')]);
   }
-  bool storeAt(std::size_t variable, double value) {
+  bool storeAt(std::size_t variable, const Value& value) {
     if (taken_[variable]) return false;
     taken_.set(variable);
-    out_.v[variable] = {value, false};
+    out_.v[variable] = value;
     return true;
   }
-  bool storeInSeries(Address letter, double value) {
+  bool storeInSeries(Address letter, const Value& value) {
     for (int n = 0; n < kSeries; ++n) {
       if (storeAt(variableOf(letter) + 3u * static_cast<std::size_t>(n), value)) return true;
     }
@@ -73,6 +75,9 @@ class ArgumentCollector {
 
 bool collectArguments(NctContext& c, const ArgumentRules& rules, Arguments& out) {
   ArgumentCollector collector(out);
+  const auto argument = [&](const Word& w) {
+    return Value{w.value, false, numberOf(c, w, OriginKind::kArgument)};
+  };
   AddressSet weak_seen;
   for (const Word& w : c.block.words) {
     const bool letter = w.address >= 'A' && w.address <= 'Z';
@@ -81,14 +86,14 @@ bool collectArguments(NctContext& c, const ArgumentRules& rules, Arguments& out)
     if (weak && weak_seen.has(w.address)) return c.alarm(2017, w, "given twice");
     if (weak) {
       weak_seen.add(w.address);
-      collector.storeWeak(w.address, w.value);
+      collector.storeWeak(w.address, argument(w));
     }
   }
-  if (c.block.program >= 0 && !collector.store('O', static_cast<double>(c.block.program)))
+  if (c.block.program >= 0 && !collector.store('O', {static_cast<double>(c.block.program)}))
     return c.alarm(2017, "O", "given twice", c.block.program_columns);
   for (const Word& w : c.block.words) {
     if (&w == rules.call || rules.weak.has(w.address)) continue;
-    if (!collector.store(w.address, w.value)) return c.alarm(2017, w, "its variable has a value already");
+    if (!collector.store(w.address, argument(w))) return c.alarm(2017, w, "its variable has a value already");
   }
   return true;
 }

@@ -66,6 +66,7 @@ bool acceptG(NctContext& c, BlockPlan& plan, const Word& w) {
   }
   slot = code;
   plan.any_group = true;
+  plan.code_kinds.add(code->kinds);
   plan.flush = plan.flush || code->flushes;
   return true;
 }

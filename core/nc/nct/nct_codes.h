@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/nc/block.h"
+#include "core/nc/kind_set.h"
 
 namespace proveout::nc {
 
@@ -56,6 +57,7 @@ struct GCode {
   bool skippable;        ///< not built, but a lenient run may leave it out
   bool flushes;          ///< stops the look-ahead of cutter compensation
   AddressSet words;      ///< addresses that the code takes
+  KindSet kinds;         ///< what it is for motions; empty: they do not depend on it
   PlanFunction plan;     ///< null: the code only sets its group
   std::string_view ids;  ///< coverage ids
   std::string_view meaning;

@@ -21,6 +21,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       programs(source, control_settings.encoding, sink),
       environment(axes, parameters),
       macro(variables, environment),
+      origins(sink),
       alarms(calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
@@ -34,6 +35,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       frame_stage(chain),
       zone_stage(*this),
       emit_stage(emitter, control_settings.tool_change_s) {
+  macro.setOrigins(origins);
   pipe.link(transform_stage);
   pipe.link(frame_stage);
   pipe.link(emit_stage);
@@ -58,6 +60,7 @@ void NctContext::shareWith(NctContext& owner) {
   variables.share(owner.variables, count(MacroParam::kCommonLow), count(MacroParam::kCommonKept));
   registers.offsets.share(owner.registers.offsets, count(DataParam::kCommonToolOffsets));
   registers.shared_tools = owner.registers.shared_tools;
+  origins.shareWords(owner.origins, channel());
 }
 
 bool NctContext::openCall(const CallFrame& frame) {
@@ -65,13 +68,27 @@ bool NctContext::openCall(const CallFrame& frame) {
     return fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
   }
   calls.push(frame);
+  enterProgram();
   last_called = frame.text;
   return true;
+}
+
+void NctContext::openMain(const CallFrame& frame) {
+  calls.push(frame);
+  enterProgram();
+}
+
+void NctContext::enterProgram() {
+  const SourceRef& at = calls.here();
+  origins.enter(at.file, at.depth, !calls.top().text->builtIn());
+  origins.begin(at.line, at.block);
+  word_patterns.last = nullptr;
 }
 
 void NctContext::closeCall() {
   if (opensLocals(calls.top().kind)) variables.leave();
   calls.pop();
+  enterProgram();
 }
 
 namespace {

@@ -27,6 +27,7 @@
 #include "core/nc/nct/nct_parameters.h"
 #include "core/nc/nct/nct_plan.h"
 #include "core/nc/nct/nct_state.h"
+#include "core/nc/nct/nct_zones.h"
 #include "core/nc/nct/offset_tables.h"
 #include "core/nc/nct/program_store.h"
 #include "core/nc/nct/run_clock.h"
@@ -34,8 +35,8 @@
 #include "core/nc/nct/system_calls.h"
 #include "core/nc/nct/tool_tables.h"
 #include "core/nc/nct/transform_stage.h"
-#include "core/nc/nct/nct_zones.h"
 #include "core/nc/nct/virtual_stage.h"
+#include "core/nc/origin_recorder.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/services/drilling.h"
 
@@ -60,8 +61,8 @@ struct NctRegisters {
   double tool_time_s = 0.0;  ///< cutting time up to which the life of the tool in the spindle is counted
   SkipPosition skip;
   std::optional<Zone> program_zone;  ///< of G22
-  double parts_made = 0.0;    ///< #3901
-  double parts_wanted = 0.0;  ///< #3902
+  double parts_made = 0.0;           ///< #3901
+  double parts_wanted = 0.0;         ///< #3902
 };
 
 /// The block that an interrupt macro has interrupted.
@@ -121,6 +122,9 @@ struct NctContext {
   VariableStore variables;
   const NctMacroEnvironment environment;
   MacroEvaluator macro;
+  mutable OriginRecorder origins;    ///< works the index of here() out when it is asked for
+  OriginRecorder::Slot cycle_start;  ///< word of the initial level of a drilling cycle
+  WordPatterns word_patterns;
   ModalCalls modals;
   SystemCalls systems;
   InterruptMacro interrupt;
@@ -159,10 +163,14 @@ struct NctContext {
   /// Number of this channel, 1 to 8.
   int channel() const { return settings.channel > 0 ? settings.channel : 1; }
 
+  /// Opens the main program.
+  void openMain(const CallFrame& frame);
   /// Opens a program now, with a level of locals where its kind has one. False: nested too deep, reported.
   bool openCall(const CallFrame& frame);
   /// Closes the program in hand and its locals. Not for the main program.
   void closeCall();
+  /// Another program is in hand.
+  void enterProgram();
 
   /// Power-on: modal codes, frames and position.
   void reset();
@@ -175,7 +183,17 @@ struct NctContext {
     return registers.frames.chain(programMap(s.transforms, axes), s.work_system, s.length);
   }
 
-  SourceRef here() const { return calls.here(); }
+  /// Index of the line that runs from here on, and its N number.
+  void setBlock(std::size_t line_index, std::int64_t number) {
+    calls.setBlock(line_index, number);
+    origins.begin(calls.here().line, number);
+  }
+  /// Where the block in hand stands, with the words in force.
+  SourceRef here() const {
+    SourceRef ref = calls.here();
+    ref.origins = origins.index();
+    return ref;
+  }
   const Word* word(Address a) const { return block.find(a); }
   /// The word if it does not belong to another code of the block.
   const Word* ownWord(const BlockPlan& plan, Address a) const {

@@ -94,7 +94,7 @@ bool NctControl::loadMain() {
   CallFrame frame;
   frame.text = main.text;
   frame.file = main.file;
-  c.calls.push(frame);
+  c.openMain(frame);
   bool any = false;
   for (const auto line : frame.text->lines())
     any = any || line.find_first_not_of(" \t%") != std::string_view::npos;
@@ -108,7 +108,7 @@ NctControl::Go NctControl::step() {
     if (!openDeferred()) return alarm();
   } else if (c.calls.top().waiting.code != 0) {
     const FlowRequest request = std::exchange(c.calls.top().waiting, {});
-    c.calls.setBlock(request.line, request.number);
+    c.setBlock(request.line, request.number);
     return flow(request);
   } else if (until_hit_ && c.calls.depth() == 1) {
     return finish("until", ProgramEnd::kUntil);
@@ -119,7 +119,7 @@ NctControl::Go NctControl::step() {
   Block& block = c.block;
   lexer_.setMode(c.data_input ? LexMode::kData : LexMode::kBlock);
   const bool lexed = lexer_.lex(frame.text->lines()[line], block);
-  c.calls.setBlock(line, block.number);
+  c.setBlock(line, block.number);
   if (block.skip > 0 && !skipKeepsLookAhead()) return alarm();
   if (block.skip > 0 && c.settings.skip_switches[static_cast<std::size_t>(block.skip - 1)]) return Go::kOn;
   bool good = lexed || c.fail(lexer_.error().code, lexer_.error().message, lexer_.error().columns);
@@ -197,7 +197,7 @@ NctControl::Go NctControl::endOfText() {
   const SourceText& text = *c.calls.top().text;
   if (lexer_.inComment()) {
     lexer_.setInComment(false);
-    c.calls.setBlock(text.lines().empty() ? 0 : text.lines().size() - 1, c.block.number);
+    c.setBlock(text.lines().empty() ? 0 : text.lines().size() - 1, c.block.number);
     c.fail("nct-open-comment", "the text ends inside a comment: ')' is missing");
     return stopAtAlarm();
   }

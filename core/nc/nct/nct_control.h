@@ -110,7 +110,7 @@ class NctControl {
   /// A word of the block that calls a subprogram, taken out of it.
   struct SubprogramWord {
     CallFrame frame;
-    double value = 0.0;
+    Value value;
     int variable = 0;  ///< the global that gets the value; 0: none
   };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_contour.h"
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_spindle.h"
@@ -56,6 +57,7 @@ struct Holes {
   double angle_step = 0.0;                  ///< degrees from hole to hole
   double initial = 0.0, r = 0.0;            ///< program space
   double work_initial = 0.0, work_r = 0.0;  ///< the same in work space
+  double work_bottom = 0.0;
 };
 
 bool planCycleWords(NctContext& c, BlockPlan& plan);
@@ -257,7 +259,8 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
   holes.r = words.r_incremental ? words.initial + *words.r : *words.r;
   cycle.initial = holes.work_initial = height(holes.initial);
   cycle.r = holes.work_r = height(holes.r);
-  cycle.bottom = height(words.bottom_incremental ? holes.r + *words.bottom : *words.bottom);
+  cycle.bottom = holes.work_bottom =
+      height(words.bottom_incremental ? holes.r + *words.bottom : *words.bottom);
   cycle.return_to_r = plan.next.active[kGroupReturn] == 990;
   cycle.peck = words.peck;
   const bool rigid = isRigid(cycle.code);
@@ -363,6 +366,15 @@ bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first
   return true;
 }
 
+/// The word that a level of the drill axis is from.
+OriginKind levelOf(const NctContext& c, BlockPlan& plan, double position) {
+  const Holes& holes = plan.payload.as<Holes>();
+  if (position == holes.work_bottom) return OriginKind::kCycleDepth;
+  if (position == holes.work_r) return OriginKind::kCyclePlane;
+  if (position == holes.work_initial) return OriginKind::kCycleReturn;
+  return c.origins.any(OriginKind::kCycleStep) ? OriginKind::kCycleStep : OriginKind::kCycleDepth;
+}
+
 bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint& at) {
   const int drill = plan.next.cycle.drill_axis;
   if (step.kind == DrillStepKind::kShift) {
@@ -371,6 +383,8 @@ bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint&
     at[plane.v] += step.shift.y();
     return cycleMove(c, at);
   }
+  const bool along = step.kind == DrillStepKind::kRapid || step.kind == DrillStepKind::kFeed;
+  if (along) recordCycleLevel(c, drill, levelOf(c, plan, step.position));
   if (step.kind == DrillStepKind::kRapid) {
     at[drill] = step.position;
     return cycleMove(c, at);

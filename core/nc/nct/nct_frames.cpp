@@ -1,6 +1,7 @@
 // Plans of the codes that set coordinate systems: G10 L2 and L20, G52, G92.
 #include <fmt/core.h>
 
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_words.h"
@@ -16,12 +17,32 @@ struct FrameChange {
   WorkSystem system;
 };
 
+/// The words of the block set what they name; G92 in a turned system all of the shift.
+void recordSetters(NctContext& c, const BlockPlan& plan, const FrameChange& change) {
+  WorkFrames& frames = c.registers.frames;
+  const bool turned = plan.governor->code10 == 920 && !programMap(plan.next.transforms, c.axes).identity;
+  for (const Word& w : c.block.words) {
+    AxisWord word;
+    if (change.id > 0 && w.address >= 'I' && w.address <= 'K') {
+      auto& by = frames.system(change.id).angles_by;
+      by[static_cast<std::size_t>('K' - w.address)] = numberOf(c, w, OriginKind::kData);
+    } else if (axisWord(plan, w, word) && word.axis < kMainAxes) {
+      auto& by = change.id >= 0 ? frames.system(change.id).offset_by : frames.shift_by;
+      const std::uint32_t number = numberOf(c, w, OriginKind::kData);
+      by[static_cast<std::size_t>(word.axis)] = number;
+      if (turned) by.fill(number);
+    }
+  }
+  recordFrames(c, plan.next);
+}
+
 bool performFrames(NctContext& c, BlockPlan& plan) {
   const FrameChange& change = plan.payload.as<FrameChange>();
   WorkFrames& frames = c.registers.frames;
   frames.shift52 = change.shift52;
   frames.shift92 = change.shift92;
   if (change.id >= 0) frames.system(change.id) = change.system;
+  recordSetters(c, plan, change);
   c.chain = c.chainOf(plan.next);
   c.position = c.chain.programOf(c.machine);
   return true;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/system_variables/modal_bank.h"
@@ -81,6 +82,9 @@ NctControl::Go NctControl::followInterrupts() {
         "the interrupt macro would start inside the block (N1758.TPI = 0): it starts at the block's end");
   }
   c.interrupt.resumed = c.state;
+  c.interrupt.words = c.origins.slots();
+  c.interrupt.cycle_start = c.cycle_start;
+  c.interrupt.data = c.origins.data();
   c.interrupted = InterruptedBlock{c.state, programNumber(c.calls.top().text->name())};
   return open(c.interrupt.frame);
 }
@@ -91,6 +95,22 @@ NctControl::Go NctControl::breakInterruptOff() {
   while (c.calls.depth() > 2 && !c.calls.top().interrupt) c.closeCall();
   return c.calls.top().interrupt ? returnFrom(FlowRequest{.code = 99}) : Go::kOn;
 }
+
+namespace {
+
+/// The words of the interrupted program are in force again; axes and tool stay where the macro has left them.
+void restoreWords(NctContext& c) {
+  const KindSet stay = kAxisKinds | KindSet::of(OriginKind::kTool, OriginKind::kSpindleDirection);
+  c.origins.restore(c.interrupt.words, stay);
+  c.word_patterns.last = nullptr;
+  c.cycle_start = c.interrupt.cycle_start;
+  DataInForce data = c.interrupt.data;
+  data.tool = c.state.tool;
+  c.origins.setData(data);
+  recordFrames(c, c.state);
+}
+
+}  // namespace
 
 /// The interrupt macro is over; with `restore` the modals of the interrupted program are in force again.
 bool NctControl::endInterrupt(bool restore) {
@@ -103,6 +123,7 @@ bool NctControl::endInterrupt(bool restore) {
   c.state.spindle_direction = now.spindle_direction;  // what the machine does is no modal
   c.state.tool = now.tool;
   c.state.tool_row = now.tool_row;
+  restoreWords(c);
   c.map = programMap(c.state.transforms, c.axes);
   c.chain = c.chainOf(c.state);
   c.position = c.chain.programOf(c.machine);

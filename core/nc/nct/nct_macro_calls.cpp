@@ -5,6 +5,7 @@
 
 #include "core/nc/nct/nct_arguments.h"
 #include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_pocket.h"
 #include "core/nc/nct/nct_words.h"
 
@@ -164,7 +165,7 @@ void NctControl::deferCalls(const BlockPlan& plan) {
   }
   for (std::size_t k = 0; k < subprogram_count_; ++k) {
     const SubprogramWord& word = subprograms_[k];
-    if (word.variable > 0) c.variables.write(word.variable, {word.value, false});
+    if (word.variable > 0) c.variables.write(word.variable, word.value);
     c.calls.defer(word.frame);
   }
 }
@@ -198,7 +199,8 @@ bool NctControl::takeSubprogramWords() {
     if (subprogram_count_ == subprograms_.size())
       return c.failWord("nct-m-count", "too many subprograms are called in one block", w);
     SubprogramWord& taken = subprograms_[subprogram_count_++];
-    taken = {CallFrame(), w.value, call.variable};
+    const std::uint32_t origin = call.variable > 0 ? numberOf(c, w, OriginKind::kArgument) : 0;
+    taken = {CallFrame(), {w.value, false, origin}, call.variable};
     taken.frame.kind = CallKind::kSubprogram;
     taken.frame.system_code = call.code;
     if (!take(c.programs.system(call.program, c.channel()), taken.frame)) return false;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_feed.h"
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_words.h"
@@ -198,7 +199,8 @@ bool performLength(NctContext& c, BlockPlan& plan) {
   const bool wear = c.parameters.flag(SafetyParam::kLengthWear);
   const OffsetValue& old = c.registers.offsets.value(column, plan.next.h);
   const double change = c.parameters.flag(SafetyParam::kLengthAdd) ? difference : -difference;
-  c.registers.offsets.set(column, plan.next.h, wear, (wear ? old.wear : old.geometry) + change);
+  const std::uint32_t by = numberOfAxisWord(c, plan, move.axis);
+  c.registers.offsets.set(column, plan.next.h, wear, (wear ? old.wear : old.geometry) + change, by);
   return true;
 }
 

@@ -1,6 +1,7 @@
 // Tool offsets: G10 L10 to L13, L110, L111, L200 to L203, and G43.7 (manual 15.1, 15.2, 15.4).
 #include <array>
 
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_words.h"
 
@@ -12,6 +13,7 @@ struct OffsetChange {
   struct Cell {
     OffsetColumn column;
     double value;
+    Address word;  ///< that says it
   };
   int row = 0;
   bool wear = false;
@@ -24,7 +26,9 @@ bool performOffset(NctContext& c, BlockPlan& plan) {
   const OffsetChange& change = plan.payload.as<OffsetChange>();
   OffsetTables& offsets = c.registers.offsets;
   for (std::size_t k = 0; k < change.count; ++k) {
-    offsets.set(change.cells[k].column, change.row, change.wear, change.cells[k].value);
+    const OffsetChange::Cell& cell = change.cells[k];
+    const std::uint32_t by = numberOf(c, *c.word(cell.word), OriginKind::kData);
+    offsets.set(cell.column, change.row, change.wear, cell.value, by);
   }
   if (change.tip >= 0) offsets.setTip(change.row, change.tip);
   return true;
@@ -59,7 +63,7 @@ void addCell(const NctContext& c, const BlockPlan& plan, OffsetChange& change, O
   const OffsetValue& old = c.registers.offsets.value(column, change.row);
   const bool add = w.incremental || plan.next.incremental();
   const double base = !add ? 0.0 : change.wear ? old.wear : old.geometry;
-  change.cells[change.count++] = {column, base + lengthOf(plan, w)};
+  change.cells[change.count++] = {column, base + lengthOf(plan, w), w.address};
 }
 
 bool planOneCell(NctContext& c, BlockPlan& plan, OffsetColumn column, bool wear) {

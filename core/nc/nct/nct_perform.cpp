@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_functions.h"
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/nct_words.h"
@@ -20,6 +21,7 @@ bool switchCompInPlace(NctContext& c, BlockPlan& plan);
 }  // namespace
 
 bool perform(NctContext& c, BlockPlan& plan) {
+  recordWords(c, plan);
   if (plan.flush && !c.pipe.flush(FlushReason::kBuffer)) return false;
   if (!plan.runs_functions && !performFunctions(c, plan, MPhase::kBefore)) return false;
   if (plan.transforms_changed) {

@@ -15,6 +15,7 @@
 #include "core/nc/motion_pipe.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_state.h"
+#include "core/nc/origin_recorder.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/services/arcs.h"
 
@@ -78,6 +79,24 @@ struct PlannedMotion {
   double angle = 0.0, radius = 0.0;  ///< of over-determined blocks, see PathMotion
 };
 
+/// Plain motion blocks that agree in these have words for the same things.
+struct WordPattern {
+  AddressSet letters;
+  KindSet codes;
+  const GCode* governor = nullptr;
+  std::int32_t distance = 0, units = 0;  ///< codes in force, tenfold
+  bool operator==(const WordPattern&) const = default;
+};
+/// Patterns of the last blocks and what their words are for.
+struct WordPatterns {
+  struct Entry {
+    WordPattern pattern;
+    KindSet kinds, steps;
+  };
+  std::array<Entry, 16> entries;
+  const Entry* last = nullptr;  ///< of the block before; null: it had none
+};
+
 struct BlockPlan {
   NctState next;
   bool frames_changed = false;
@@ -90,6 +109,7 @@ struct BlockPlan {
   std::array<const GCode*, kGroupCount> by_group{};  ///< G codes of this block
   bool exact_stop = false;                           ///< G9 in this block
   bool any_group = false;                            ///< one of them at least is there
+  KindSet code_kinds;                                ///< what these codes are for
   AddressSet claimed;                                ///< words that some code of the block owns
   std::array<const MCode*, 8> m{};
   std::array<int, 8> m_value{};

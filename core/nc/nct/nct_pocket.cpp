@@ -99,6 +99,16 @@ bool checkCall(NctContext& c, const Arguments& args) {
   return true;
 }
 
+/// The locals are laid out by all arguments together.
+std::uint32_t originOfCall(NctContext& c, const Arguments& args) {
+  std::vector<std::uint32_t> origins;
+  for (const Value& value : args.v) {
+    if (!value.vacant && value.origin != 0) origins.push_back(value.origin);
+  }
+  const Word* call = c.block.find('G');
+  return c.origins.numberOf(OriginKind::kArgument, call->columns, call->value, c.origins.listOf(origins));
+}
+
 }  // namespace
 
 bool pocketFrame(NctContext& c, CallFrame& frame) {
@@ -128,7 +138,8 @@ bool pocketFrame(NctContext& c, CallFrame& frame) {
            fmt::format("no safety distance {}: the tool is taken to stand on the surface", "IJK"[plane.w()]));
   }
   Arguments out;
-  const auto set = [&](std::size_t variable, double value) { out.v[variable] = {value, false}; };
+  const std::uint32_t origin = originOfCall(c, in);
+  const auto set = [&](std::size_t variable, double value) { out.v[variable] = {value, false, origin}; };
   const int along = layout.length_is_first ? plane.u() : plane.v();
   const int across = layout.length_is_first ? plane.v() : plane.u();
   set(1, c.axes.at(along).number);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_words.h"
 
@@ -90,6 +91,10 @@ void NctContext::reset() {
   chain = chainOf(state);
   machine = emitter.machine();
   position = chain.programOf(machine);
+  DataInForce data;
+  data.tool = state.tool;
+  origins.setData(data);
+  recordFrames(*this, state);
 }
 
 void resetAtEnd(NctContext& c) {

@@ -23,10 +23,12 @@ void OffsetTables::share(OffsetTables& common, int count) {
   common_rows_ = std::clamp(count, 0, kRows);
 }
 
-void OffsetTables::set(OffsetColumn column, int row, bool wear, double mm) {
+void OffsetTables::set(OffsetColumn column, int row, bool wear, double mm, std::uint32_t by) {
   Row& cells = at(row);
   OffsetValue& value = cells.values[static_cast<std::size_t>(column)];
   (wear ? value.wear : value.geometry) = mm;
+  SetBy& set_by = cells.by[static_cast<std::size_t>(column)];
+  (wear ? set_by.wear : set_by.geometry) = by;
   cells.given = static_cast<std::uint8_t>(cells.given | 1u << static_cast<unsigned>(column));
 }
 

@@ -45,8 +45,14 @@ class OffsetTables {
   bool given(OffsetColumn column, int row) const {
     return (rowAt(row).given >> static_cast<unsigned>(column) & 1u) != 0;
   }
-  /// `row` 1 to 999.
-  void set(OffsetColumn column, int row, bool wear, double mm);
+  /// `row` 1 to 999. `by`: number of the word that sets it (see OriginWords); 0: the job.
+  void set(OffsetColumn column, int row, bool wear, double mm, std::uint32_t by = 0);
+  struct SetBy {
+    std::uint32_t geometry = 0, wear = 0;
+  };
+  const SetBy& setBy(OffsetColumn column, int row) const {
+    return rowAt(row).by[static_cast<std::size_t>(column)];
+  }
 
   /// Code of the tip of turning tools, 0 to 9.
   int tip(int row) const { return rowAt(row).tip; }
@@ -55,6 +61,7 @@ class OffsetTables {
  private:
   struct Row {
     std::array<OffsetValue, static_cast<std::size_t>(OffsetColumn::kCount)> values{};
+    std::array<SetBy, static_cast<std::size_t>(OffsetColumn::kCount)> by{};
     std::uint8_t given = 0;  ///< a bit a column
     std::uint8_t tip = 0;
   };

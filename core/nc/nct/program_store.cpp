@@ -35,7 +35,9 @@ ProgramStore::Loaded ProgramStore::system(std::int64_t number, int channel) {
 }
 
 ProgramStore::Loaded ProgramStore::builtIn(const std::string& name, std::string_view text) {
-  return load(ProgramText{name, name, std::string(text)});
+  const Loaded loaded = load(ProgramText{name, name, std::string(text)});
+  if (loaded.text != nullptr) loaded.text->setBuiltIn();
+  return loaded;
 }
 
 ProgramStore::Loaded ProgramStore::byPath(std::uint32_t caller, const std::string& path) {

@@ -12,6 +12,7 @@ struct ContourElement {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
   Vec2 center = Vec2::Zero();  ///< of arcs only
   double sweep = 0.0;          ///< rad, signed, > 0 counter-clockwise; of arcs only
+  int source = -1;             ///< the caller's number of what it is a part of
 };
 
 /// What stands between the two elements.

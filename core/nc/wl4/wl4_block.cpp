@@ -52,6 +52,14 @@ const Range* rangeOf(char letter) {
 
 bool wholeNumbered(char letter) { return std::string_view("DHLT").find(letter) != std::string_view::npos; }
 
+bool isPlainNumber(std::string_view text) {
+  std::size_t pos = behindBlanks(text, 0);
+  if (pos < text.size() && (text[pos] == '-' || text[pos] == '+')) ++pos;
+  pos = behindBlanks(text, pos);
+  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(std::min(pos, text.size())), text.end(),
+                     [](char c) { return isDigit(c) || c == '.'; });
+}
+
 /// Behind blanks and `/` at the start of the line.
 std::size_t startOf(std::string_view line) {
   std::size_t pos = behindBlanks(line, 0);
@@ -104,6 +112,7 @@ bool Wl4Reader::read(std::string_view line, Wl4Block& block) {
       if (!blockNumber(block, pos)) return false;
     } else if (line.substr(pos, 2) == "IF") {
       bool holds = false;
+      block.plain = false;
       if (!condition(pos, holds)) return false;
       if (!holds) return true;
     } else if (!word(block, pos)) {
@@ -169,6 +178,7 @@ bool Wl4Reader::assignment(Wl4Block& block, std::size_t& pos) {
   ++pos;
   if (!value(pos, result)) return false;
   block.assigns = true;
+  block.plain = false;
   ++block.words;
   if (evaluator_.assign(number, result, from, pos)) return true;
   error_ = {evaluator_.error().message, evaluator_.error().columns};
@@ -196,6 +206,7 @@ bool Wl4Reader::word(Wl4Block& block, std::size_t& pos) {
   double number = 0.0;
   if (!value(pos, number)) return false;
   const Columns at{static_cast<int>(from) + 1, static_cast<int>(pos) + 1};
+  block.plain = block.plain && isPlainNumber(line_.substr(from + 1, pos - from - 1));
   if (block.words < 255) ++block.words;
   std::int64_t whole = 0;
   if (letter == 'N') {
@@ -209,7 +220,7 @@ bool Wl4Reader::word(Wl4Block& block, std::size_t& pos) {
     if (!integer(letter, number, at, whole)) return false;
     if (whole < 0 || whole > 99) return fail(fmt::format("there is no {}{}", letter, whole), from, pos);
     if (list.count == list.at.size()) return fail(fmt::format("too many {} words", letter), from, pos);
-    list.at[list.count++] = {static_cast<int>(whole), at};
+    list.at[list.count++] = {static_cast<int>(whole), at, evaluator_.reads()};
     return true;
   }
   const Range* range = rangeOf(letter);
@@ -223,6 +234,7 @@ bool Wl4Reader::word(Wl4Block& block, std::size_t& pos) {
   block.present.add(letter);
   block.values[k] = number;
   block.columns[k] = at;
+  block.reads[k] = evaluator_.reads();
   block.order[k] = block.words;
   return true;
 }

@@ -18,6 +18,7 @@ struct Wl4Block {
   struct Code {
     int number = 0;
     Columns columns;
+    ReadList reads = 0;  ///< by its expression
   };
   template <std::size_t N>
   struct CodeList {
@@ -36,14 +37,21 @@ struct Wl4Block {
   AddressSet present;  ///< letters besides G, M, N
   std::array<double, 26> values{};
   std::array<Columns, 26> columns{};
+  std::array<ReadList, 26> reads{};      ///< by the expression of the word
   std::array<std::uint8_t, 26> order{};  ///< place of the word among all: of X and U the later one counts
   std::uint8_t words = 0;
   bool assigns = false;      ///< the block assigns variables
+  bool plain = true;         ///< letters with plain numbers: the text alone shows the words
   std::string_view comment;  ///< behind `$` or `.`, without blanks
 
   bool has(char letter) const { return present.has(letter); }
   double value(char letter) const { return values[static_cast<std::size_t>(letter - 'A')]; }
   const Columns& at(char letter) const { return columns[static_cast<std::size_t>(letter - 'A')]; }
+  ReadList readsOf(char letter) const { return reads[static_cast<std::size_t>(letter - 'A')]; }
+  /// Does the word of the first letter stand behind that of the second?
+  bool later(char letter, char other) const {
+    return order[static_cast<std::size_t>(letter - 'A')] > order[static_cast<std::size_t>(other - 'A')];
+  }
   std::optional<double> find(char letter) const {
     return has(letter) ? std::optional(value(letter)) : std::nullopt;
   }

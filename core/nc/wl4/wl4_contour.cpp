@@ -131,6 +131,7 @@ Result<Wl4Contour> offsetContour(const Wl4Contour& contour, double offset, bool&
     e.arc = piece.is_arc;
     e.center = piece.center;
     e.sweep = piece.sweep_rad;
+    e.source = contour[piece.tag - 1].source;
     if ((e.to - e.from).norm() > kSame || e.arc) result.push_back(e);
   }
   if (result.empty()) return inputError("tool and allowance leave nothing of the contour");
@@ -256,7 +257,7 @@ class Roughing {
       follow(t, sub.a);
       Vec2 across = at(sub.b);
       across[rules_.depth_axis] = side_ * height;
-      moveTo(across, Wl4Pass::Speed::kFeed);
+      moveTo(across, Wl4Pass::Speed::kFeed, sourceAt(sub.b));
       t = sub.b;
     }
     follow(t, zone.b);
@@ -286,7 +287,7 @@ class Roughing {
           moves_.push_back({Wl4Pass::Speed::kFeed, e});
           at_ = e.to;
         } else {
-          moveTo(e.to, Wl4Pass::Speed::kFeed);
+          moveTo(e.to, Wl4Pass::Speed::kFeed, e.source);
         }
       }
       a = until;
@@ -303,7 +304,11 @@ class Roughing {
     point[axis] = to[axis];
     moveTo(point, speed);
   }
-  void moveTo(const Vec2& to, Wl4Pass::Speed speed) {
+  int sourceAt(double t) const {
+    const auto k = std::min(static_cast<std::size_t>(t), stretches_.size() - 1);
+    return contour_[stretches_[k].element].source;
+  }
+  void moveTo(const Vec2& to, Wl4Pass::Speed speed, int source = -1) {
     const Vec2 way = to - at_;
     if (way.norm() > 1e-9) {
       Wl4Pass* last = moves_.empty() ? nullptr : &moves_.back();
@@ -316,6 +321,7 @@ class Roughing {
       } else {
         moves_.push_back({speed, line(at_, to)});
       }
+      moves_.back().element.source = source;
     }
     at_ = to;
   }

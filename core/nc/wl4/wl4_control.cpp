@@ -29,10 +29,12 @@ Wl4Control::Wl4Control(bool lathe, const ProgramSource& source, const ControlSet
       variables_(*this),
       evaluator_(variables_),
       reader_(evaluator_),
+      origins_(sink),
       corner_stage_(pipe_, *this),
       comp_stage_(pipe_, *this),
       frame_stage_(chain_),
       emit_stage_(emitter_, settings_.tool_change_s) {
+  evaluator_.setOrigins(origins_);
   pipe_.link(frame_stage_);
   pipe_.link(emit_stage_);
 }
@@ -112,6 +114,7 @@ Wl4Control::Go Wl4Control::block(std::size_t& next_line) {
              fmt::format("the block has {} characters: the control takes {}", line.size(), kLongestBlock));
   }
   variables_.mark();
+  beginBlock(line);
   const bool good = reader_.read(line, block_);
   levels_.back().number = block_.number;
   if (good && block_.empty()) {
@@ -154,24 +157,19 @@ Wl4Control::Go Wl4Control::execute(std::size_t& next_line) {
     return failed();
   }
   const bool reached = reachedUntil();
-  if (!functions(p, Wl4Phase::kStart)) return failed();
+  recordWords(p);
+  if (!functions(p, Wl4Phase::kStart) || !carryOut(p)) return failed();
   const bool open_cycle = p.deed == 31 || (p.deed >= 70 && p.deed <= 79);
-  const bool contour = isContourCycle(p.deed);
-  bool good = true;
-  if (p.deed == 4) good = dwell();
-  if (p.deed == 36) good = referenceMove(p);
-  if (contour) good = contourCycle(p);
-  if (p.deed == 0 && p.moves) good = move(p);
-  if (!good) return failed();
   p.next.spindle = state_.spindle;
   p.next.coolant = state_.coolant;
   p.next.gear = state_.gear;
   p.next.tool = state_.tool;
   state_ = p.next;
   Go go = Go::kOn;
-  if (open_cycle && !contour) go = openCycle(p);
+  if (open_cycle && !isContourCycle(p.deed)) go = openCycle(p);
   if (go == Go::kOn && p.deed == 0 && p.named.any() && state_.cycle != 80 && !in_cycle_) {
     in_cycle_ = true;
+    recordFixedCycle();
     go = call(fmt::format("{}", state_.cycle), 1);
     in_cycle_ = false;
   }
@@ -189,6 +187,14 @@ Wl4Control::Go Wl4Control::execute(std::size_t& next_line) {
     }
   }
   return block_.jump ? jump(*block_.jump, next_line) : Go::kOn;
+}
+
+/// The deed of the block, or its motion.
+bool Wl4Control::carryOut(Plan& p) {
+  if (p.deed == 4) return dwell();
+  if (p.deed == 36) return referenceMove(p);
+  if (isContourCycle(p.deed)) return contourCycle(p);
+  return p.deed != 0 || !p.moves || move(p);
 }
 
 Wl4Control::Go Wl4Control::failed() {
@@ -274,6 +280,7 @@ Wl4Control::Go Wl4Control::call(const std::string& name, int times) {
     if (go == Go::kStop) return go;
   }
   block_ = caller;
+  beginBlock(block_.text);
   return Go::kOn;
 }
 

@@ -14,6 +14,7 @@
 #include "core/nc/contour_stage.h"
 #include "core/nc/interpreter.h"
 #include "core/nc/motion_pipe.h"
+#include "core/nc/origin_recorder.h"
 #include "core/nc/services/arcs.h"
 #include "core/nc/wl4/wl4_block.h"
 #include "core/nc/wl4/wl4_codes.h"
@@ -60,6 +61,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   Go endOfText(const Wl4Program& program);
   Go block(std::size_t& next_line);
   Go execute(std::size_t& next_line);
+  bool carryOut(Plan& p);
   bool isOwnError(std::size_t here) const;
   Go failed();
   Go finish(const std::string& code, ProgramEnd end);
@@ -127,6 +129,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   };
   Go openCycle(const Plan& p);
   bool contourCycle(Plan& p);
+  bool cutContour(Plan& p, bool sided);
   bool allowed(const CycleGeometry& cycle, double equidistant, const Vec2& linear, Wl4Contour& out);
   bool passes(const Plan& p, const Wl4Block& b, const CycleGeometry& cycle, std::vector<Wl4Pass>& moves);
   bool approachPasses(const Wl4Block& b, const CycleGeometry& cycle, std::vector<Wl4Pass>& moves);
@@ -135,6 +138,34 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   bool contourBlock(Wl4Contour& contour, std::vector<double>& chamfers);
   bool cutChamfers(Wl4Contour& contour, const std::vector<double>& chamfers);
 
+  // wl4_origins.cpp: where words were written
+  /// Words that gave the end of a piece of a contour, and the block that has it.
+  struct ContourWords {
+    OriginRecorder::Slot u, v, block;
+  };
+  /// Kinds of the plain words of a block; `steps` are incremental.
+  struct PlainWords {
+    KindSet kinds, steps;
+    bool operator==(const PlainWords&) const = default;
+  };
+  void beginBlock(std::string_view line);
+  bool shownByText() const;
+  void recordLetter(char letter, OriginKind kind, bool step = false, bool by_text = true);
+  void recordCode(const Wl4Block::Code& code, OriginKind kind);
+  void tellPlainWords();
+  void recordWords(const Plan& p);
+  void recordCodes(bool contour);
+  void recordAxes(const Plan& p);
+  void recordData(const Plan& p);
+  void recordSetters();
+  void recordToolChange();
+  void recordFixedCycle();
+  void recordContourCycle(const Plan& p);
+  ContourWords wordsInPlane(const WorkPlane& plane) const;
+  ContourWords recordContourBlock(const WorkPlane& plane);
+  void recordPass(const WorkPlane& plane, const ContourWords& words);
+  std::uint32_t systemOrigin(int number) const override;
+
   // wl4_report.cpp
   bool fail(std::string code, std::string message, Columns at = {});
   void warn(std::string code, std::string message, Columns at = {}, Severity severity = Severity::kWarning);
@@ -142,6 +173,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   Diagnostic diagnosticAt(Severity severity, std::string code, std::string message, const SourceRef& at,
                           Columns columns) const;
   SourceRef here() const;
+  SourceRef place() const;  ///< the same without the words in force
   bool contourError(const char* code, const char* message, const PathItem& at) override;
   void compError(const char* code, const std::string& message, const SourceRef& at) override;
   void recover();
@@ -164,6 +196,13 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   Wl4Variables variables_;
   Wl4Evaluator evaluator_;
   Wl4Reader reader_;
+  mutable OriginRecorder origins_;  ///< works the index of here() out when it is asked for
+  PlainWords plain_words_;          ///< of the block in hand, not told yet
+  PlainWords told_words_;           ///< told last
+  bool data_told_ = false;
+  std::array<std::uint32_t, 3> system_by_{};  ///< words of G92
+  std::vector<ContourWords> contour_words_;   ///< by ContourElement::source
+  ContourWords contour_start_;
   CoordinateChain chain_;  ///< the pipe's work space is the machine's
   CornerStage corner_stage_;
   Wl4CompStage comp_stage_;
@@ -177,8 +216,8 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   std::vector<Level> levels_;
   bool in_cycle_ = false;  ///< inside a fixed cycle: motions do not call it again
   bool until_hit_ = false;
-  /// Of the spindle where the next block of the sequence of threads (G32) begins, degrees; nothing: a block of
-  /// G32 begins a sequence. Other motions, exact stops, dwells and the spindle's functions end one.
+  /// Of the spindle where the next block of the sequence of threads (G32) begins, degrees; nothing: a block
+  /// of G32 begins a sequence. Other motions, exact stops, dwells and the spindle's functions end one.
   std::optional<double> thread_angle_;
   std::uint64_t work_ = 0;
   std::array<double, 9> touch_machine_{}, touch_system_{}, touch_distance_{};  ///< G38, by axis

@@ -22,7 +22,14 @@ bool allowedInContour(int g) {
 
 Wl4Control::Go Wl4Control::openCycle(const Plan& p) {
   state_.open_cycle = p.deed;
-  return call("1", 1);
+  const OriginRecorder::Slot fixed_cycle = origins_.slot(OriginKind::kCycle);
+  for (const Wl4Block::Code& word : block_.g) {
+    if (word.number == p.deed) recordCode(word, OriginKind::kCycle);
+  }
+  tellPlainWords();
+  const Go go = call("1", 1);
+  origins_.put(OriginKind::kCycle, fixed_cycle);
+  return go;
 }
 
 bool Wl4Control::contourCycle(Plan& p) {
@@ -42,6 +49,15 @@ bool Wl4Control::contourCycle(Plan& p) {
   if (p.deed == 76 && stock != roughing) return refuse("G76 needs the stock U, W or C together with E");
   if (p.deed != 76 && stock) return refuse("U, W and C belong to G76");
 
+  const OriginRecorder::Slots words = origins_.slots();
+  recordContourCycle(p);
+  const bool good = cutContour(p, sided);
+  origins_.restore(words, {});
+  return good;
+}
+
+bool Wl4Control::cutContour(Plan& p, bool sided) {
+  const Wl4Block& b = block_;
   Wl4Contour contour;
   if (!readContour(p, contour)) return false;
   const WorkPlane w(plane(p.next));
@@ -49,7 +65,8 @@ bool Wl4Control::contourCycle(Plan& p) {
   const Vec2 from = w.of(machine_).head<2>() - (sided ? tipOf(p.next) : Vec2(Vec2::Zero()));
   const double side = (p.next.radius == 41) != flipped(p.next) ? 1.0 : -1.0;
   CycleGeometry cycle{from, contour, sided ? side : 1.0, sided ? compRadius(p.next) : 0.0};
-  if (sided && cycle.nose < 0.0) return refuse("the nose radius and the corrector D are negative together");
+  if (sided && cycle.nose < 0.0)
+    return fail("wl4-contour", "the nose radius and the corrector D are negative together");
   std::vector<Wl4Pass> moves;
   if (!passes(p, b, cycle, moves)) return false;
   p.next.radius = 40;
@@ -133,12 +150,17 @@ bool Wl4Control::runPasses(Plan& p, const Wl4Block& b, bool sided, const std::ve
   p.named.set(static_cast<std::size_t>(w.u));
   p.named.set(static_cast<std::size_t>(w.v));
   const bool rapid_infeed = p.next.motion == 0;
+  const ContourWords before = wordsInPlane(w);
   for (const Wl4Pass& pass : moves) {
     if (workOver()) return false;
     const Vec2 to = pass.element.to + tip;
     p.target = from;
     p.target[w.u] = to.x();
     p.target[w.v] = to.y();
+    const int source = pass.element.source;
+    recordPass(w, source >= 0                             ? contour_words_[static_cast<std::size_t>(source)]
+                  : pass.speed == Wl4Pass::Speed::kInfeed ? contour_start_
+                                                          : before);
     PathItem item;
     item.kind = pass.element.arc ? PathItem::Kind::kArc : PathItem::Kind::kLine;
     fill(p, item);
@@ -173,13 +195,17 @@ bool Wl4Control::readContour(const Plan& p, Wl4Contour& contour) {
   }
   // The start of the contour, then block by block as if they ran.
   bool good = true;
+  const OriginRecorder::Slots words = origins_.slots();
+  contour_words_.clear();
   state_ = p.next;
   for (const char letter : std::string_view("XZ")) {
     if (!cycle.has(letter)) continue;
     const int axis = letter == 'X' ? 0 : 2;
     const double value = cycle.value(letter) * (wantsDiameter(axis) ? 0.5 : 1.0);
     machine_[axis] = state_.offset(axis) + state_.sign(axis) * value;
+    recordLetter(letter, axisKind(axes_.at(axis).name), false, false);
   }
+  contour_start_ = wordsInPlane(WorkPlane(plane(state_)));
   std::vector<double> chamfers;
   for (std::size_t k = *first; good && k <= *last; ++k) {
     levels_.back().line = k;
@@ -187,15 +213,18 @@ bool Wl4Control::readContour(const Plan& p, Wl4Contour& contour) {
   }
   good = good && cutChamfers(contour, chamfers);
   if (good && contour.empty()) good = fail("wl4-contour", "the contour has no motion");
+  origins_.restore(words, {});
   block_ = cycle;
   state_ = state;
   machine_ = machine;
   levels_.back() = level;
+  beginBlock(block_.text);
   return good;
 }
 
 bool Wl4Control::contourBlock(Wl4Contour& contour, std::vector<double>& chamfers) {
   const std::string_view line = levels_.back().program->line(levels_.back().line);
+  beginBlock(line);
   if (!reader_.read(line, block_))
     return fail("wl4-syntax", reader_.error().message, reader_.error().columns);
   levels_.back().number = block_.number;
@@ -212,6 +241,8 @@ bool Wl4Control::contourBlock(Wl4Contour& contour, std::vector<double>& chamfers
   q.target = machine_;
   for (const Wl4Block::Code& g : block_.g) planCode(q, *wl4GCode(g.number));
   if (!planAxes(q)) return false;
+  recordAxes(q);
+  tellPlainWords();
   const WorkPlane w(plane(q.next));
   ContourElement e;
   e.from = w.of(machine_).head<2>();
@@ -228,6 +259,8 @@ bool Wl4Control::contourBlock(Wl4Contour& contour, std::vector<double>& chamfers
       e.arc = true;
     }
     if (e.arc || (e.to - e.from).norm() > 1e-9) {
+      e.source = static_cast<int>(contour_words_.size());
+      contour_words_.push_back(recordContourBlock(w));
       contour.push_back(e);
       chamfers.push_back(q.chamfer);
     }
@@ -258,6 +291,7 @@ bool Wl4Control::cutChamfers(Wl4Contour& contour, const std::vector<double>& cha
     first.to = join.leave;
     second.from = join.enter;
     ContourElement between;
+    between.source = first.source;
     between.from = join.leave;
     between.to = join.enter;
     cut.push_back(first);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/geometry/types.h"
@@ -72,6 +73,7 @@ void Wl4Evaluator::setDecimals(int decimals) { tolerance_ = 0.5 * std::pow(10.0,
 
 bool Wl4Evaluator::evaluate(std::string_view text, std::size_t& pos, double& out) {
   depth_ = 0;
+  reads_.clear();
   return logical(text, pos, out);
 }
 
@@ -222,8 +224,16 @@ bool Wl4Evaluator::reference(std::string_view text, std::size_t& pos, int& numbe
   return true;
 }
 
-bool Wl4Evaluator::assign(int number, double value, std::size_t from, std::size_t to) {
-  if (variables_.write(number, value)) return true;
+bool Wl4Evaluator::assignBehind(std::size_t first, int number, double value, std::size_t from,
+                                std::size_t to) {
+  std::uint32_t origin = 0;
+  if (origins_ != nullptr) {
+    const Columns columns{static_cast<int>(from) + 1, static_cast<int>(to) + 1};
+    origin = origins_->assigned(columns, value, origins_->listOf(std::span(reads_).subspan(first)));
+    reads_.resize(first);
+    reads_.push_back(origin);
+  }
+  if (variables_.write(number, value, origin)) return true;
   return fail(number > Wl4Variables::kGlobals
                   ? fmt::format("#{} is a system variable: it can only be read", number)
                   : fmt::format("there is no variable #{}", number),
@@ -237,11 +247,13 @@ bool Wl4Evaluator::variable(std::string_view text, std::size_t& pos, double& out
   const std::size_t next = behindBlanks(text, pos);
   if (text.substr(next, 1) == "=" && text.substr(next, 2) != "==") {
     pos = next + 1;
-    return operand(text, pos, out) && assign(number, out, from, pos);
+    const std::size_t first = reads_.size();
+    return operand(text, pos, out) && assignBehind(first, number, out, from, pos);
   }
   const auto held = variables_.read(number);
   if (!held) return fail(fmt::format("there is no variable #{}", number), from, pos);
   out = *held;
+  if (const std::uint32_t origin = variables_.originOf(number); origin != 0) reads_.push_back(origin);
   return true;
 }
 

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/nc/block.h"
+#include "core/nc/value_origins.h"
 #include "core/nc/wl4/wl4_variables.h"
 
 namespace proveout::nc {
@@ -26,7 +29,14 @@ class Wl4Evaluator {
   bool evaluate(std::string_view text, std::size_t& pos, double& out);
   /// The number of a variable behind its '#', at `pos`.
   bool reference(std::string_view text, std::size_t& pos, int& number);
-  bool assign(int number, double value, std::size_t from, std::size_t to);
+  /// Of what the last expression gave.
+  bool assign(int number, double value, std::size_t from, std::size_t to) {
+    return assignBehind(0, number, value, from, to);
+  }
+  /// `origins` must outlive the evaluator. Without, values have no origins.
+  void setOrigins(ValueOrigins& origins) { origins_ = &origins; }
+  /// What the last expression read.
+  ReadList reads() const { return reads_.empty() ? 0 : origins_->listOf(reads_); }
 
   /// Values that differ by less than half a unit of this decimal are equal; without, by less than 1e-9.
   void setDecimals(int decimals);
@@ -51,9 +61,13 @@ class Wl4Evaluator {
   bool function(std::string_view text, std::size_t& pos, double& out);
   bool parenthesis(std::string_view text, std::size_t& pos, double& out);
   bool number(std::string_view text, std::size_t& pos, double& out);
+  /// Assigns what was read from `reads_[first]` on.
+  bool assignBehind(std::size_t first, int number, double value, std::size_t from, std::size_t to);
   bool fail(std::string message, std::size_t from, std::size_t to);
 
   Wl4Variables& variables_;
+  ValueOrigins* origins_ = nullptr;
+  std::vector<std::uint32_t> reads_;  ///< origins of the variables of the expression in hand
   double tolerance_ = kFullPrecision;
   int depth_ = 0;
   bool mixed_power_ = false;

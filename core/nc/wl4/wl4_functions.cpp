@@ -97,6 +97,7 @@ bool Wl4Control::function(Plan& p, int m) {
         warnOnce("M6 T0", "wl4-no-tool", "M6 without T: no tool is in the spindle");
       }
       state_.tool = p.next.tool = p.next.selected_tool;
+      recordToolChange();
       PathItem item = functionItem(PathItem::Kind::kToolChange);
       item.value = p.next.selected_tool;
       return pipe_.push(item);
@@ -121,6 +122,7 @@ bool Wl4Control::goToToolChange() {
   if (!place.any() || std::none_of(block_.m.begin(), block_.m.end(), changes)) return true;
   if (!pipe_.flush(FlushReason::kBuffer)) return false;
   const auto way = toolChangeWay(settings_, emitter_.machine(), kNoCeiling);
+  if (!way.empty()) origins_.clear(unsaidBehind(place));
   for (const AxisPoint& to : way) {
     PathItem item;
     item.kind = PathItem::Kind::kLine;

@@ -46,7 +46,9 @@ Result<const Wl4Program*> Wl4Programs::find(const std::string& name) {
   if (text) return load(*text, name);
   const std::string_view own = wl4OwnProgram(name);
   if (own.empty()) return text.error();
-  return load({"%" + name, "%" + name, std::string(own)}, name);
+  const auto loaded = load({"%" + name, "%" + name, std::string(own)}, name);
+  if (loaded) texts_.back()->setBuiltIn();
+  return loaded;
 }
 
 Result<const Wl4Program*> Wl4Programs::load(const ProgramText& text, const std::string& wanted) {

@@ -8,6 +8,12 @@
 namespace proveout::nc {
 
 SourceRef Wl4Control::here() const {
+  SourceRef at = place();
+  at.origins = origins_.index();
+  return at;
+}
+
+SourceRef Wl4Control::place() const {
   SourceRef at;
   if (levels_.empty()) return at;
   const Level& level = levels_.back();

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/nc/source_text.h"
+
 namespace proveout::test {
 namespace {
 
@@ -444,9 +446,17 @@ InterpretSummary runChannels(const GoldenCase& golden, const ProgramSource& firs
   return interpretChannels(ControlId::kNct, programs, sink, nullptr, host);
 }
 
-}  // namespace
+/// Name of the main program of a case.
+std::string mainNameOf(const GoldenCase& golden) {
+  Operator person;
+  std::string main_name = "main.nc";
+  ControlId control = ControlId::kNct;
+  std::istringstream in(golden.settings_text);
+  for (std::string line; std::getline(in, line);) setHostLine(person, main_name, control, line);
+  return main_name;
+}
 
-std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions, bool as_channel) {
+InterpretSummary runInto(MotionSink& sink, MemoryOutput& output, const GoldenCase& golden, bool as_channel) {
   ControlHost host;
   std::string main_name = "main.nc";
   ControlId control = ControlId::kNct;
@@ -459,13 +469,43 @@ std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motio
   if (probe.any()) host.probe = &probe;
   MemoryProgramSource source(main_name, golden.main_text);
   for (const auto& [name, text] : golden.subprograms) source.add(name, text);
-  TextSink sink(motions);
-  MemoryOutput output;
   host.output = &output;
   const ControlSettings settings = settingsOf(golden.settings_text);
-  const InterpretSummary s = golden.channels.empty() && !as_channel
-                                 ? interpret(control, source, settings, sink, nullptr, host)
-                                 : runChannels(golden, source, settings, sink, host);
+  return golden.channels.empty() && !as_channel ? interpret(control, source, settings, sink, nullptr, host)
+                                                : runChannels(golden, source, settings, sink, host);
+}
+
+}  // namespace
+
+GoldenPath pathOfGolden(const GoldenCase& golden) {
+  GoldenPath result;
+  const auto keep = [&](const std::string& name, const std::string& bytes) {
+    const Result<std::string> utf8 = nc::decodeText(bytes, TextEncoding::kAuto);
+    if (!utf8) return;
+    const nc::SourceText text(name, name, *utf8);
+    result.texts[name].assign(text.lines().begin(), text.lines().end());
+  };
+  keep(mainNameOf(golden), golden.main_text);
+  for (const auto& [name, text] : golden.subprograms) keep(name.substr(name.rfind('/') + 1), text);
+  for (const GoldenCase::Channel& channel : golden.channels)
+    keep(fmt::format("channel{}.nc", channel.number), channel.text);
+  ToolpathBuilder sink(result.path);
+  MemoryOutput output;
+  runInto(sink, output, golden, false);
+  return result;
+}
+
+std::string GoldenPath::line(std::uint32_t file, std::uint32_t number) const {
+  const std::string& name = path.files.at(file);
+  const auto lines = texts.find(name.substr(name.rfind('/') + 1));
+  if (lines == texts.end() || number < 1 || number > lines->second.size()) return {};
+  return lines->second[number - 1];
+}
+
+std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions, bool as_channel) {
+  TextSink sink(motions);
+  MemoryOutput output;
+  const InterpretSummary s = runInto(sink, output, golden, as_channel);
   for (const auto& [name, bytes] : output.files()) sink.text += "file " + name + ": " + escaped(bytes) + "\n";
   if (!golden.channels.empty()) sink.text += "cycle " + number(s.cycle_s) + " s\n";
   return sink.text + fmt::format("{}: {} blocks, {} motions, {} errors, {} warnings\n", endName(s.end),

@@ -18,6 +18,7 @@
 //   === expect       what the interpreter says; rewritten with PROVEOUT_UPDATE_GOLDEN=1
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +53,15 @@ struct GoldenMotion {
   AxisSweep axis;
 };
 std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions, bool as_channel = false);
+
+/// The path of the case with its origins, and the texts that they are in.
+struct GoldenPath {
+  Toolpath path;
+  /// Text of a line; empty where no program of the case has that name.
+  std::string line(std::uint32_t file, std::uint32_t number) const;
+  std::map<std::string, std::vector<std::string>> texts;  ///< lines by name of the program
+};
+GoldenPath pathOfGolden(const GoldenCase& golden);
 
 /// Empty if the motions agree with the truth section, else what differs.
 std::string compareWithTruth(const std::string& truth, const std::vector<GoldenMotion>& motions);

@@ -9,8 +9,11 @@
 #include <set>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "core/nc/coverage.h"
 #include "core/nc/nct/nct_alarms.h"
+#include "core/path/origin_query.h"
 #include "golden_case.h"
 
 namespace proveout::test {
@@ -143,6 +146,78 @@ TEST(GoldenFiles, OneChannelAloneGivesThePathOfAProgramAlone) {
     ++programs;
   }
   EXPECT_GT(programs, 400);
+}
+
+/// What a word of a kind may start with, where it is not the name of an axis; empty: anything.
+std::string_view lettersOf(OriginKind kind) {
+  switch (kind) {
+    case OriginKind::kX:
+      return "XUA";
+    case OriginKind::kY:
+      return "YVARQ";
+    case OriginKind::kZ:
+      return "ZWARQ";
+    case OriginKind::kCyclePlane:
+      return "R#";
+    case OriginKind::kTool:
+    case OriginKind::kNextTool:
+      return "T";
+    case OriginKind::kLengthOffset:
+      return "H";
+    case OriginKind::kRadiusOffset:
+      return "D";
+    case OriginKind::kFeed:
+      return "F";
+    case OriginKind::kMotionCode:
+    case OriginKind::kPlane:
+    case OriginKind::kDistance:
+    case OriginKind::kUnits:
+    case OriginKind::kCompensation:
+    case OriginKind::kLengthCode:
+    case OriginKind::kWorkOffset:
+    case OriginKind::kCycle:
+      return "G";
+    case OriginKind::kVariable:
+      return "#";
+    default:
+      return {};
+  }
+}
+
+/// What is wrong with an origin; empty: nothing.
+std::string wrongWith(const ResolvedOrigin& origin, const GoldenPath& golden) {
+  const std::string line = golden.line(origin.file, origin.line);
+  const bool known = golden.texts.contains(golden.path.files[origin.file]);
+  const std::string what = fmt::format("{} at {}:{} \"{}\"", originKindName(origin.kind),
+                                       golden.path.files[origin.file], origin.line, origin.text);
+  if (known && (origin.begin < 1 || origin.end > line.size() + 1 || origin.text.empty()))
+    return what + " is not in: " + line;
+  const std::string_view letters = lettersOf(origin.kind);
+  if (known && !letters.empty() &&
+      letters.find(static_cast<char>(std::toupper(origin.text[0]))) == std::string_view::npos)
+    return what + " has another letter";
+  for (const ResolvedOrigin& from : origin.from) {
+    if (std::string wrong = wrongWith(from, golden); !wrong.empty()) return wrong;
+  }
+  return {};
+}
+
+TEST(GoldenFiles, EveryOriginStandsInItsText) {
+  std::size_t origins = 0;
+  for (const std::string& path : goldenFiles()) {
+    const GoldenPath golden = pathOfGolden(readGolden(path));
+    const LineText text = [&](std::uint32_t file, std::uint32_t line) { return golden.line(file, line); };
+    const auto many = static_cast<MotionId>(golden.path.motions.size());
+    for (MotionId m = 0; m < many; m += 1 + m / 100) {
+      for (const ResolvedOrigin& origin : originsOf(golden.path, m, text)) {
+        EXPECT_EQ(wrongWith(origin, golden), "") << path << " motion " << m;
+        ++origins;
+      }
+      ASSERT_NE(dataOf(golden.path, m), nullptr) << path;
+      EXPECT_EQ(dataOf(golden.path, m)->tool, golden.path.motions[m].tool) << path << " motion " << m;
+    }
+  }
+  EXPECT_GT(origins, 30'000u);
 }
 
 /// Does a message begin with a text of the manual's alarm of that number?

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/system_variables/units.h"
 
@@ -105,9 +106,12 @@ VariableStatus FrameBank::read(int number, Value& out) {
       break;
     case Cell::Kind::kOffset:
       out.number = frames.system(cell.system).offset[cell.axis] / unitOf(c_, cell.axis);
+      if (cell.axis < kMainAxes)
+        out.origin = frames.system(cell.system).offset_by[static_cast<std::size_t>(cell.axis)];
       break;
     case Cell::Kind::kRotation:
       out.number = frames.system(cell.system).angles_deg[cell.axis];
+      out.origin = frames.system(cell.system).angles_by[static_cast<std::size_t>(cell.axis)];
       break;
     case Cell::Kind::kDynamic:
       out.number = dynamic_[static_cast<std::size_t>(cell.system)][cell.axis] / unitOf(c_, cell.axis);
@@ -130,11 +134,14 @@ VariableStatus FrameBank::write(int number, const Value& value) {
   WorkSystem& system = c_.registers.frames.system(cell.system);
   if (cell.kind == Cell::Kind::kRotation) {
     system.angles_deg[cell.axis] = amount;
+    system.angles_by[static_cast<std::size_t>(cell.axis)] = value.origin;
   } else {
     system.offset[cell.axis] = amount * unitOf(c_, cell.axis);
+    if (cell.axis < kMainAxes) system.offset_by[static_cast<std::size_t>(cell.axis)] = value.origin;
   }
   c_.chain = c_.chainOf(c_.state);
   c_.position = c_.chain.programOf(c_.machine);
+  recordFrames(c_, c_.state);
   rebasePipe(c_);
   return kVariableRead;
 }

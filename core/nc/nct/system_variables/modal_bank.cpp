@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "core/nc/nct/nct_context.h"
@@ -45,6 +46,24 @@ constexpr auto kNames = std::to_array<Name>({{"A", kAux1},
 
 constexpr int kGroups = 39;
 constexpr int kProgrammed = 4000, kExecuting = 4200, kInterrupted = 4400;
+
+/// What a word is for; nothing: no motion depends on it.
+std::optional<OriginKind> kindOf(int word) {
+  switch (word) {
+    case kD:
+      return OriginKind::kRadiusOffset;
+    case kF:
+      return OriginKind::kFeed;
+    case kH:
+      return OriginKind::kLengthOffset;
+    case kS:
+      return OriginKind::kSpindle;
+    case kT:
+      return OriginKind::kNextTool;
+    default:
+      return std::nullopt;
+  }
+}
 
 bool wordOf(const NctState& s, int word, double& out) {
   switch (word) {
@@ -140,6 +159,8 @@ VariableStatus ModalBank::read(int number, Value& out) {
     out.number = base == kProgrammed ? state.last.extended_system : active;
   } else {
     known = wordOf(state, word, out.number);
+    const auto kind = kindOf(word);
+    if (kind && !interrupted) out.origin = c_.origins.wordOf(*kind);
   }
   if (!known) return kUnknownVariable;
   out.vacant = interrupted && !c_.interrupted;

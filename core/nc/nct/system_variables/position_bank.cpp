@@ -108,6 +108,8 @@ VariableStatus PositionBank::read(int number, Value& out) {
     const double value = pointOf(c_, row.reading)[axis];
     const double shown = row.reading == Reading::kLength ? value : shownPosition(c_, axis, value);
     out = {shown / unitOfReading(c_, row.reading, axis)};
+    const bool programmed = row.reading == Reading::kBlockEnd || row.reading == Reading::kPresent;
+    if (programmed) out.origin = c_.origins.wordOf(axisKind(c_.axes.at(axis).name));
     return kVariableRead;
   }
   return kUnknownVariable;

@@ -66,6 +66,8 @@ VariableStatus ToolOffsetBank::read(int number, Value& out) {
   const OffsetTables& offsets = c_.registers.offsets;
   const OffsetValue& value = offsets.value(cell.column, cell.row);
   out = {cell.tip ? offsets.tip(cell.row) : (cell.wear ? value.wear : value.geometry) / c_.state.unitScale()};
+  const OffsetTables::SetBy& by = offsets.setBy(cell.column, cell.row);
+  if (!cell.tip) out.origin = cell.wear ? by.wear : by.geometry;
   return kVariableRead;
 }
 
@@ -75,7 +77,7 @@ VariableStatus ToolOffsetBank::write(int number, const Value& value) {
   const double amount = value.vacant ? 0.0 : value.number;
   if (!(std::abs(amount) <= kMaxValue)) return kVariableLimit;
   if (!cell.tip) {
-    c_.registers.offsets.set(cell.column, cell.row, cell.wear, amount * c_.state.unitScale());
+    c_.registers.offsets.set(cell.column, cell.row, cell.wear, amount * c_.state.unitScale(), value.origin);
     return kVariableRead;
   }
   const double code = std::round(amount);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "core/nc/nct/nct_codes.h"
 
@@ -18,20 +19,51 @@ constexpr AddressSet kAxes = "XYZUVW";
 /// Groups of M codes that exclude each other in a block.
 constexpr int kSpindleCodes = 1, kFlowCodes = 2, kCoolantCodes = 3, kGearCodes = 4;
 
+/// What a code is for motions.
+constexpr KindSet kindsOf(int code10, std::int8_t group) {
+  using enum OriginKind;
+  if (group == kOneShot) {
+    if (code10 == 520 || code10 == 920) return kShift;
+    if (code10 == 71) return kVirtualPlane;
+    return code10 == 109 ? KindSet(kDiameter) : KindSet();
+  }
+  constexpr std::array<std::pair<NctGroup, OriginKind>, 16> kGroups{
+      {{kGroupMotion, kMotionCode},
+       {kGroupPlane, kPlane},
+       {kGroupDistance, kDistance},
+       {kGroupFeedMode, kFeedMode},
+       {kGroupUnits, kUnits},
+       {kGroupRadiusComp, kCompensation},
+       {kGroupLengthComp, kLengthCode},
+       {kGroupCycle, kCycle},
+       {kGroupReturn, kCycleReturn},
+       {kGroupScaling, kScaling},
+       {kGroupSurfaceSpeed, kSpindleMode},
+       {kGroupWorkSystem, kWorkOffset},
+       {kGroupRotation, kRotation},
+       {kGroupPolarData, kPolar},
+       {kGroupPolarInterpolation, kVirtualPlane},
+       {kGroupMirror, kMirror}}};
+  for (const auto& [of_group, kind] : kGroups) {
+    if (of_group == group && code10 != 800) return kind;  // G80 ends the words of a cycle
+  }
+  return {};
+}
+
 /// A modal code that only sets its group.
 constexpr GCode modal(int code10, std::int8_t group, CodeClass cls, std::string_view ids,
                       std::string_view meaning, AddressSet words = {}, bool flushes = false) {
-  return {code10, group, cls, true, false, flushes, words, nullptr, ids, meaning};
+  return {code10, group, cls, true, false, flushes, words, kindsOf(code10, group), nullptr, ids, meaning};
 }
 /// A code that governs its block.
 constexpr GCode action(int code10, std::int8_t group, CodeClass cls, AddressSet words, PlanFunction plan,
                        bool flushes, std::string_view ids, std::string_view meaning) {
-  return {code10, group, cls, true, false, flushes, words, plan, ids, meaning};
+  return {code10, group, cls, true, false, flushes, words, kindsOf(code10, group), plan, ids, meaning};
 }
 /// A code of the control that this version refuses.
 constexpr GCode refused(int code10, std::int8_t group, CodeClass cls, std::string_view ids,
                         std::string_view meaning, bool skippable = false, AddressSet words = {}) {
-  return {code10, group, cls, false, skippable, false, words, nullptr, ids, meaning};
+  return {code10, group, cls, false, skippable, false, words, {}, nullptr, ids, meaning};
 }
 
 }  // namespace proveout::nc::rows
