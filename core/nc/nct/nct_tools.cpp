@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <string_view>
-#include <vector>
 
 #include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_perform.h"
@@ -50,31 +48,16 @@ void countUse(NctContext& c, int row) {
   }
 }
 
-/// Rapids to where no word says that the axes go; those of the block in hand take effect behind them.
-bool sendUnsaid(NctContext& c, const std::vector<AxisPoint>& way) {
-  const OriginRecorder::Slots words = c.origins.slots();
-  const KindSet unsaid = unsaidBehind(c.settings.tool_change);
-  c.origins.clear(unsaid);
-  for (const AxisPoint& to : way) {
-    if (!sendMachineRapid(c, to)) return false;
-  }
-  constexpr std::string_view kAbsolute = "XYZ", kIncremental = "UVW";
-  for (std::size_t k = 0; k < kAbsolute.size(); ++k) {
-    const auto kind = static_cast<OriginKind>(k);
-    const AddressSet& named = c.block.present;
-    if (unsaid.has(kind) && (named.has(kAbsolute[k]) || named.has(kIncremental[k])))
-      c.origins.put(kind, words[k]);
-  }
-  return true;
-}
-
 /// Takes the machine to where it changes tools; the program goes on from there.
 bool goToToolChange(NctContext& c) {
   if (!c.settings.tool_change.any()) return true;
   if (!c.pipe.flush(FlushReason::kBuffer)) return false;
   const auto way = toolChangeWay(c.settings, c.emitter.machine(), c.zone_stage.ceiling(2));
   if (way.empty()) return true;
-  if (!sendUnsaid(c, way)) return false;
+  c.origins.clear(unsaidBehind(c.settings.tool_change));
+  for (const AxisPoint& to : way) {
+    if (!sendMachineRapid(c, to)) return false;
+  }
   if (c.virtual_stage.linked()) {
     settle(c, way.back());
   } else {

@@ -213,7 +213,8 @@ TEST(Origins, NoWordSaysWhereAToolIsChanged) {
   EXPECT_EQ(run.said(run.motionOf(4), kX), "4 X4");
   EXPECT_EQ(run.said(run.motionOf(4), kZ), "");
   EXPECT_EQ(run.said(run.motionOf(6), kZ), "6 Z6");
-  EXPECT_EQ(run.said(run.last(), kX), "7 X7");
+  EXPECT_EQ(run.said(run.motionOf(7), kX), "7 X7");
+  EXPECT_EQ(run.said(run.last(), kX), "");  // M6 comes behind the motion of its block
   EXPECT_EQ(run.said(run.last(), kZ), "");
 }
 
