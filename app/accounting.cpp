@@ -69,7 +69,7 @@ void add(const Step& step, CutFigures& figures) {
     return;
   }
   const bool rapid = step.motion->kind == MotionKind::kRapid;
-  const bool cuts = step.removed_mm3 > kAirSectionMm2 * step.length_mm;
+  const bool cuts = isChip(step.removed_mm3, step.length_mm);
   (rapid ? figures.rapid_s : figures.feed_s) += step.time_s;
   figures.length_mm += step.length_mm;
   if (cuts) {
@@ -144,6 +144,8 @@ bool sameBlock(const SourceRef& a, const SourceRef& b) {
 }
 
 }  // namespace
+
+bool isChip(double removed_mm3, double length_mm) { return removed_mm3 > kAirSectionMm2 * length_mm; }
 
 ReportAccounting accountFor(const std::vector<CutPath>& paths) {
   ReportAccounting result;

@@ -16,6 +16,9 @@ struct CutPath {
   const std::vector<float>* removed_mm3 = nullptr;  ///< per motion; missing entries count as 0
 };
 
+/// Whether a motion of that length that removed so much has cut, and not only followed what it made before.
+bool isChip(double removed_mm3, double length_mm);
+
 /// Totals, the table of tools and the rate series. A dwell or tool change counts for the tool of the motion
 /// that follows it. Paths follow each other in time.
 ReportAccounting accountFor(const std::vector<CutPath>& paths);

@@ -89,9 +89,10 @@ void addRun(CLI::App& root, RunOptions& o) {
          "Motions without a T word use the lowest number")
       ->type_name("N=SHAPE")
       ->allow_extra_args(false);
-  app->add_option("--nominal", o.nominal,
-                  "Closed CAD mesh to compare with, mm, with a program: STL, OBJ, PLY")
+  app->add_option("--nominal", o.nominal, "Closed CAD mesh to compare with, with a program: STL, OBJ, PLY")
       ->type_name("FILE");
+  app->add_option("--unit", o.unit, "Of the meshes of --nominal and --stock: mm, inch, m; default: mm")
+      ->type_name("UNIT");
   app->add_option("--tolerance", o.tolerance_mm,
                   "Allowed gouge and excess against nominal; overrides the job")
       ->type_name("MM")
@@ -145,10 +146,13 @@ void addPathAndCheck(CLI::App& root, PathOptions& path, CheckOptions& check) {
 void addCompare(CLI::App& root, CompareCommandOptions& o) {
   CLI::App* app =
       root.add_subcommand("compare", "Compare two meshes: where material is missing or left over");
-  app->add_option("MACHINED", o.machined, "Closed mesh of the part, mm: STL, OBJ, PLY")
+  app->add_option("MACHINED", o.machined, "Closed mesh of the part: STL, OBJ, PLY")
       ->required()
       ->check(notEmpty());
-  app->add_option("NOMINAL", o.nominal, "Closed CAD mesh, mm")->required()->check(notEmpty());
+  app->add_option("NOMINAL", o.nominal, "Closed CAD mesh")->required()->check(notEmpty());
+  app->add_option("--unit", o.unit, "Of both meshes: mm, inch, m; default: mm")->option_text("UNIT");
+  app->add_option("--nominal-unit", o.nominal_unit, "Of the nominal, where it has another one")
+      ->type_name("UNIT");
   app->add_option("--gouge", o.gouge_mm, "Allowed below nominal; default: 0.02")
       ->option_text("MM")
       ->check(positiveMm());
@@ -174,7 +178,8 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
 
 void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptions& coverage) {
   CLI::App* app = root.add_subcommand("render", "Draw a mesh");
-  app->add_option("MESH", o.mesh, "STL, OBJ or PLY, mm")->required()->check(notEmpty());
+  app->add_option("MESH", o.mesh, "STL, OBJ or PLY")->required()->check(notEmpty());
+  app->add_option("--unit", o.unit, "Of the mesh: mm, inch, m; default: mm")->option_text("UNIT");
   app->add_option("-o,--output", o.output, "Picture; default: NAME.png in the current folder")
       ->type_name("PNG")
       ->check(notEmpty());

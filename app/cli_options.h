@@ -24,6 +24,7 @@ struct RunOptions {
   std::optional<std::string> stock;
   std::vector<std::string> tools;
   std::optional<std::string> nominal;
+  std::optional<std::string> unit;  ///< of the meshes of `nominal` and `stock`
   std::optional<double> tolerance_mm;
   std::optional<double> resolution_mm;
   std::optional<double> max_memory_gb;
@@ -51,6 +52,8 @@ struct CheckOptions {
 
 struct CompareCommandOptions {
   std::string machined, nominal;
+  std::string unit = "mm";                  ///< of both files
+  std::optional<std::string> nominal_unit;  ///< of the nominal, where it has another one
   double gouge_mm = 0.02, excess_mm = 0.05;
   double resolution_mm = 0.2;
   std::optional<int> threads;
@@ -63,6 +66,7 @@ struct CompareCommandOptions {
 
 struct RenderCommandOptions {
   std::string mesh;
+  std::string unit = "mm";
   std::string output;  ///< empty: the mesh's name with .png
   std::string view = "iso";
   std::string size = "1200x900";

@@ -7,6 +7,7 @@
 #include "app/findings.h"
 #include "app/outputs.h"
 #include "app/pipeline.h"
+#include "app/placement_hint.h"
 #include "app/run_report.h"
 #include "app/stopwatch.h"
 #include "app/summary.h"
@@ -20,14 +21,30 @@ struct Pair {
   PreparedMesh machined, nominal;
 };
 
-Result<Pair> loadPair(const CompareCommandOptions& options) {
+/// The units of the two files.
+struct PairUnits {
+  MeshUnit machined, nominal;
+};
+
+Result<PairUnits> unitsOf(const CompareCommandOptions& options) {
+  const Result<MeshUnit> both = parseMeshUnit(options.unit);
+  if (!both) return inputError("--unit: " + both.error().message);
+  const Result<MeshUnit> nominal = parseMeshUnit(options.nominal_unit.value_or(options.unit));
+  if (!nominal) return inputError("--nominal-unit: " + nominal.error().message);
+  return PairUnits{*both, *nominal};
+}
+
+Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& units) {
   NominalSpec machined, nominal;
-  machined.mesh.path = options.machined;
-  nominal.mesh.path = options.nominal;
+  machined.mesh = {options.machined, units.machined};
+  nominal.mesh = {options.nominal, units.nominal};
   Result<PreparedMesh> part = loadNominal(machined);
   if (!part) return part.error();
   Result<PreparedMesh> model = loadNominal(nominal);
   if (!model) return model.error();
+  const auto placement = evidentPlacement(meshBounds(model->mesh), meshBounds(part->mesh));
+  if (placement)
+    model->notes.push_back("the nominal: " + placementText(*placement, units.nominal, "the machined part"));
   return Pair{std::move(*part), std::move(*model)};
 }
 
@@ -40,8 +57,8 @@ Result<Comparison> comparePair(const CompareCommandOptions& options, const Pair&
   return compareToNominal(pair.machined.mesh, pair.nominal.mesh, settings, progress);
 }
 
-Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pair& pair,
-                                 const Comparison& comparison) {
+Result<Report> makeCompareReport(const CompareCommandOptions& options, const PairUnits& units,
+                                 const Pair& pair, const Comparison& comparison) {
   Report report;
   report.name = std::filesystem::path(options.machined).stem().string();
   report.version = versionText();
@@ -49,6 +66,7 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
   report.checks.comparison = true;
   report.resolution_mm = options.resolution_mm;
   report.comparison = reportComparison(comparison, options.nominal);
+  report.comparison->nominal_unit = meshUnitName(units.nominal);
   Diagnostics notes;
   noteRepairs(pair.machined, "mesh", notes);
   noteRepairs(pair.nominal, "mesh", notes);
@@ -74,35 +92,42 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
 }
 
 Status writeResults(const CompareCommandOptions& options, const Pair& pair, const Comparison& comparison,
-                    ImageSize size, Report& report, Progress& progress) {
+                    ImageSize size, Report& report, OutputFailures& failures, Progress& progress) {
   PictureRequest request;
   request.size = size;
   request.name = report.name;
   request.threads = options.threads.value_or(0);
   request.comparison = &comparison;
   request.findings = &report.findings;
-  Result<std::vector<Picture>> pictures = drawPictures(pair.machined.mesh, request, progress);
+  Result<std::vector<Picture>> pictures = drawPictures(pair.machined.mesh, request, failures, progress);
   if (!pictures) return pictures.error();
   Result<StagingFolder> staging = StagingFolder::create(*options.out);
   if (!staging) return staging.error();
-  if (Status done = writeReport(*pictures, *staging, report); !done) return done;
+  writeReport(*pictures, *staging, report, failures);
   return staging->commit();
 }
 
-Result<Report> compareFiles(const CompareCommandOptions& options, Progress& progress) {
+Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures& failures,
+                            Progress& progress) {
   Stopwatch wall, watch;
   const Result<ImageSize> size = parseImageSize(options.size);
   if (!size) return size.error();
-  const Result<Pair> pair = loadPair(options);
+  const Result<PairUnits> units = unitsOf(options);
+  if (!units) return units.error();
+  if (options.out) {
+    if (const Result<StagingFolder> proof = StagingFolder::create(*options.out); !proof) return proof.error();
+  }
+  const Result<Pair> pair = loadPair(options, *units);
   if (!pair) return pair.error();
   const Result<Comparison> comparison = comparePair(options, *pair, progress);
   if (!comparison) return comparison.error();
-  Result<Report> report = makeCompareReport(options, *pair, *comparison);
+  Result<Report> report = makeCompareReport(options, *units, *pair, *comparison);
   if (!report) return report;
   report->performance.compare_s = watch.lap();
   report->performance.wall_s = wall.lap();
   if (options.out) {
-    if (const Status done = writeResults(options, *pair, *comparison, *size, *report, progress); !done)
+    if (const Status done = writeResults(options, *pair, *comparison, *size, *report, failures, progress);
+        !done)
       return done.error();
   }
   return report;
@@ -112,11 +137,12 @@ Result<Report> compareFiles(const CompareCommandOptions& options, Progress& prog
 
 int compareCommand(const CompareCommandOptions& options, Console& console, ConsoleProgress& progress) {
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
-  const Result<Report> report = compareFiles(options, progress);
+  OutputFailures failures;
+  const Result<Report> report = compareFiles(options, failures, progress);
   progress.clear();
   if (!report) return printError(console, report.error());
   printResult(console, *report, options.quiet, options.json, options.out.value_or(""));
-  return exitCodeOf(report->verdict);
+  return exitCodeOf(*report, failures);
 }
 
 }  // namespace proveout

@@ -93,7 +93,11 @@ Status renderToFile(const RenderCommandOptions& options, const std::string& outp
   if (!view) return view.error();
   const Result<ImageSize> size = parseImageSize(options.size);
   if (!size) return size.error();
-  Result<TriMesh> mesh = loadMesh(options.mesh);
+  const Result<MeshUnit> unit = parseMeshUnit(options.unit);
+  if (!unit) return inputError("--unit: " + unit.error().message);
+  MeshLoadOptions loading;
+  loading.unit = *unit;
+  Result<TriMesh> mesh = loadMesh(options.mesh, loading);
   if (!mesh) return mesh.error();
   if (view->section) {
     if (Status closed = checkForSection(*mesh, options.mesh); !closed) return closed;

@@ -28,7 +28,8 @@ std::vector<Finding> findingsInLastFrame(const RunResult& run) {
   return findings;
 }
 
-Result<std::vector<Picture>> drawRun(const Job& job, const RunResult& run, Progress& progress) {
+Result<std::vector<Picture>> drawRun(const Job& job, const RunResult& run, OutputFailures& failures,
+                                     Progress& progress) {
   if (run.alarm) return std::vector<Picture>{};
   PictureRequest request;
   request.name = job.name;
@@ -39,52 +40,54 @@ Result<std::vector<Picture>> drawRun(const Job& job, const RunResult& run, Progr
   const std::vector<Finding> findings = findingsInLastFrame(run);
   request.findings = &findings;
   if (turnsPart(job)) request.turned_axis = Vec2::Zero();
-  return drawPictures(run.surface().mesh, request, progress);
+  return drawPictures(run.surface().mesh, request, failures, progress);
 }
 
+/// Errors: the folder cannot be written at all. What else fails is kept and told by the report.
 Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>& pictures,
-                const std::string& folder, Report& report) {
+                const std::string& folder, Report& report, OutputFailures& failures) {
   Result<StagingFolder> staging = StagingFolder::create(folder);
   if (!staging) return staging.error();
   if (!run.alarm) {
-    for (const SetupRun& setup : run.setups) {
-      if (Status done = writeProgramFiles(setup.interpreted.files, setup.name, *staging); !done) return done;
-    }
-    if (Status done =
-            writeMeshes(run.surface().mesh, run.stock ? &*run.stock : nullptr, job, *staging, report);
-        !done)
-      return done;
-    if (turnsPart(job)) {
-      if (Status done = writeTurnedProfile(job, run, *staging, report); !done) return done;
-    }
-    if (job.output.csv) {
-      if (Status done = writeTables(cutPaths(run), *staging, report); !done) return done;
-    }
+    for (const SetupRun& setup : run.setups)
+      writeProgramFiles(setup.interpreted.files, setup.name, *staging, failures);
+    writeMeshes(run.surface().mesh, run.stock ? &*run.stock : nullptr, job, *staging, report, failures);
+    if (turnsPart(job)) writeTurnedProfile(job, run, *staging, report, failures);
+    if (job.output.csv) writeTables(cutPaths(run), *staging, report, failures);
   }
-  if (Status done = writeReport(pictures, *staging, report); !done) return done;
+  writeReport(pictures, *staging, report, failures);
   return staging->commit();
 }
 
-Result<Report> runJob(const Job& job, const std::string& folder, ConsoleProgress& progress) {
+/// A run's report and what of its outputs is missing.
+struct Written {
+  Report report;
+  OutputFailures failures;
+};
+
+Result<Written> runJob(const Job& job, const std::string& folder, ConsoleProgress& progress) {
   Stopwatch wall, watch;
   const ThreadLimit limit(job.simulation.threads);
   const JobSources sources(job);
+  if (const Status possible = checkOutputs(job, folder); !possible) return possible.error();
   Result<PreparedRun> prepared = prepareRun(job, sources.all(), progress);
   if (!prepared) return prepared.error();
   if (!prepared->run.alarm) progress.expect(prepared->run.prediction);
   Result<RunResult> run = finishRun(job, sources.all(), std::move(*prepared), progress);
   if (!run) return run.error();
   watch.lap();
-  Result<std::vector<Picture>> pictures = drawRun(job, *run, progress);
+  Written written;
+  Result<std::vector<Picture>> pictures = drawRun(job, *run, written.failures, progress);
   if (!pictures) return pictures.error();
   run->performance.render_s = watch.lap();
   Result<Report> report = makeReport(job, *run, sources.all());
-  if (!report) return report;
+  if (!report) return report.error();
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   report->performance.wall_s = wall.lap();
-  if (const Status written = writeAll(job, *run, *pictures, folder, *report); !written)
-    return written.error();
-  return report;
+  written.report = std::move(*report);
+  if (const Status done = writeAll(job, *run, *pictures, folder, written.report, written.failures); !done)
+    return done.error();
+  return written;
 }
 
 }  // namespace
@@ -97,11 +100,11 @@ int runCommand(const RunOptions& options, Console& console, ConsoleProgress& pro
   if (!good) return kExitInput;
   const std::string folder = outputFolder(options, *job);
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
-  const Result<Report> report = runJob(*job, folder, progress);
+  const Result<Written> written = runJob(*job, folder, progress);
   progress.clear();
-  if (!report) return printError(console, report.error());
-  printResult(console, *report, options.quiet, options.json, folder);
-  return exitCodeOf(report->verdict);
+  if (!written) return printError(console, written.error());
+  printResult(console, written->report, options.quiet, options.json, folder);
+  return exitCodeOf(written->report, written->failures);
 }
 
 }  // namespace proveout

@@ -10,6 +10,7 @@
 #include <set>
 #include <string_view>
 
+#include "app/clearance.h"
 #include "app/job_setup.h"
 #include "app/turning.h"
 #include "core/nc/source_text.h"
@@ -132,10 +133,10 @@ JobSources::JobSources(const Job& job) {
 
 ControlSettings controlSettings(const Job& job, const Box3& blank) {
   ControlSettings settings = job.settings;
-  settings.start = job.start.value_or(turnsPart(job) ? turningStart(blank) : defaultStart(blank));
   for (const Tool& tool : job.tools) {
-    if (tool.gauge_length > 0) settings.gauge_lengths[tool.number] = tool.gauge_length;
+    if (tool.gauge_length != 0.0) settings.gauge_lengths[tool.number] = tool.gauge_length;
   }
+  placeMachine(job, blank, settings);
   return settings;
 }
 
@@ -148,7 +149,10 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
   for (std::size_t k = 0; k < job.channels.size(); ++k) {
     ControlSettings own = job.channels[k].settings;
     own.start = job.channels[k].start.value_or(settings.start);
+    own.start_by_default = settings.start_by_default && !job.channels[k].start;
     own.gauge_lengths = settings.gauge_lengths;
+    own.unnamed_gauge_length = settings.unnamed_gauge_length;
+    own.tool_change = placeInChannel(settings, own);
     own.max_errors = settings.max_errors;
     own.lenient = settings.lenient;
     if (k == 0) own.until = settings.until;

@@ -77,7 +77,8 @@ struct Interpreted {
   std::optional<SourceRef> outgrown_at;      ///< block at which the path outgrew its memory; cancelled there
 };
 
-/// Settings of the job with the start point above a blank that has these bounds (the job's own goes before).
+/// Settings of the job, with the places that it leaves open taken from a blank that has these bounds; see
+/// placeMachine.
 ControlSettings controlSettings(const Job& job, const Box3& blank);
 
 /// Runs the job's program, or those of its channels.

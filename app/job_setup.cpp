@@ -141,6 +141,20 @@ void applyWorkpiece(const RunOptions& options, Job& job, Diagnostics& diagnostic
   }
 }
 
+/// `--unit`: of the meshes that the command line names.
+void applyUnit(const std::string& name, Job& job, Diagnostics& diagnostics) {
+  const Result<MeshUnit> unit = parseMeshUnit(name);
+  auto* stock = job.stock ? std::get_if<MeshFile>(&*job.stock) : nullptr;
+  if (!unit) {
+    diagnostics.add(usageError("--unit: " + unit.error().message));
+  } else if (stock == nullptr && !job.nominal) {
+    diagnostics.add(usageError("--unit needs a mesh: --nominal FILE or --stock mesh:FILE"));
+  } else {
+    if (stock != nullptr) stock->unit = *unit;
+    if (job.nominal) job.nominal->mesh.unit = *unit;
+  }
+}
+
 void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) {
   if (options.formats) {
     Result<std::vector<OutputFormat>> formats = parseOutputFormats(*options.formats);
@@ -216,8 +230,10 @@ bool applyRunOptions(const RunOptions& options, Job& job, Diagnostics& diagnosti
     refuseWithJob(options.stock.has_value(), "--stock", diagnostics);
     refuseWithJob(!options.tools.empty(), "--tool", diagnostics);
     refuseWithJob(options.nominal.has_value(), "--nominal", diagnostics);
+    refuseWithJob(options.unit.has_value(), "--unit", diagnostics);
   } else {
     applyWorkpiece(options, job, diagnostics);
+    if (options.unit) applyUnit(*options.unit, job, diagnostics);
   }
   if (options.tolerance_mm) {
     if (job.nominal) {

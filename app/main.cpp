@@ -30,6 +30,9 @@ int main(int argc, char** argv) {
   running = &progress;
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is an error of that file, told like a full disk
+#endif
   const int code = proveout::runCommandLine({argv + 1, argv + argc}, console, progress);
   running = nullptr;
   return code;

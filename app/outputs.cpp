@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "app/exit_codes.h"
 #include "app/job_setup.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
@@ -43,13 +45,17 @@ Result<std::string> saveHashed(const Stock& stock, const std::string& path) {
 }  // namespace
 
 Result<StagingFolder> StagingFolder::create(const std::string& target) {
+  StagingFolder staging;
+  std::error_code error;
+  for (fs::path above = fs::path(target).lexically_normal(); !above.empty() && !fs::exists(above, error);
+       above = above.parent_path())
+    staging.made_.push_back(above.string());
   if (const Status made = makeFolders(target); !made) return made.error();
   std::string pattern = (fs::path(target) / (".proveout-" + std::string(6, 'X'))).string();
   if (mkdtemp(pattern.data()) == nullptr) {
     return inputError(fmt::format("{}: cannot write into this folder: {}", target,
                                   std::error_code(errno, std::generic_category()).message()));
   }
-  StagingFolder staging;
   staging.target_ = target;
   staging.aside_ = pattern;
   return staging;
@@ -58,58 +64,113 @@ Result<StagingFolder> StagingFolder::create(const std::string& target) {
 StagingFolder::StagingFolder(StagingFolder&& other) noexcept
     : target_(std::move(other.target_)),
       aside_(std::exchange(other.aside_, {})),
-      names_(std::move(other.names_)) {}
+      names_(std::move(other.names_)),
+      made_(std::exchange(other.made_, {})) {}
 
 StagingFolder::~StagingFolder() {
   std::error_code ignored;
   if (!aside_.empty()) fs::remove_all(aside_, ignored);
+  for (const std::string& folder : made_) fs::remove(folder, ignored);  // where nothing came into it
 }
 
-std::string StagingFolder::path(const std::string& name) {
+Status StagingFolder::write(const std::string& name,
+                            const std::function<Status(const std::string& path)>& make) {
+  const fs::path target = fs::path(target_) / name, aside = fs::path(aside_) / name;
+  std::error_code error;
+  if (fs::is_directory(target, error)) return inputError(target.string() + ": is a folder, not a file");
+  if (Status done = makeFolders(aside.parent_path().string()); !done) return done;
+  if (Status done = make(aside.string()); !done) {
+    fs::remove(aside, error);
+    return Error{done.error().kind, asTarget(done.error().message)};
+  }
   names_.push_back(name);
-  return (fs::path(aside_) / name).string();
+  return Done{};
+}
+
+/// A message about a file aside, for the reader of the target.
+std::string StagingFolder::asTarget(std::string message) const {
+  const std::string aside = (fs::path(aside_) / "").string(), target = (fs::path(target_) / "").string();
+  for (std::size_t at = 0; (at = message.find(aside, at)) != std::string::npos; at += target.size())
+    message.replace(at, aside.size(), target);
+  return message;
 }
 
 Status StagingFolder::commit() {
+  Status first = Done{};
   for (const std::string& name : names_) {
     const fs::path target = fs::path(target_) / name;
-    if (Status done = makeFolders(target.parent_path().string()); !done) return done;
+    Status done = makeFolders(target.parent_path().string());
     std::error_code error;
-    fs::rename(fs::path(aside_) / name, target, error);
-    if (error) return inputError(fmt::format("{}: cannot be written: {}", target.string(), error.message()));
+    if (done) fs::rename(fs::path(aside_) / name, target, error);
+    if (error) done = inputError(fmt::format("{}: cannot be written: {}", target.string(), error.message()));
+    if (first && !done) first = done;
   }
-  return Done{};
+  return first;
 }
 
-Status writeProgramFiles(const std::map<std::string, std::string>& files, const std::string& setup,
-                         StagingFolder& staging) {
+namespace {
+
+bool needsModule(const Job& job) {
+  const auto isMesh = [](const StockSpec& spec) { return std::holds_alternative<MeshFile>(spec); };
+  const auto& formats = job.output.formats;
+  if (std::find(formats.begin(), formats.end(), OutputFormat::kVdb) != formats.end()) return true;
+  if (job.stock && (isMesh(*job.stock) || std::holds_alternative<SavedStock>(*job.stock))) return true;
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    for (const FixtureSpec& fixture : jobOfSetup(job, k).fixtures) {
+      if (isMesh(fixture.shape)) return true;
+    }
+    if (k > 0 && !movesExactly(job.setups[k].from_previous)) return true;
+  }
+  return false;
+}
+
+void keep(const Status& status, OutputFailures& failures) {
+  if (!status) failures.push_back(status.error());
+}
+
+Status writeText(const std::string& name, const std::string& text, StagingFolder& staging) {
+  return staging.write(name, [&](const std::string& path) { return writeFileAtomically(path, text); });
+}
+
+}  // namespace
+
+Status checkOutputs(const Job& job, const std::string& folder) {
+  // The only proof that a folder can be made and written; it goes at once.
+  if (const Result<StagingFolder> proof = StagingFolder::create(folder); !proof) return proof.error();
+  return needsModule(job) ? checkStockFiles() : Status(Done{});
+}
+
+void writeProgramFiles(const std::map<std::string, std::string>& files, const std::string& setup,
+                       StagingFolder& staging, OutputFailures& failures) {
   const std::string folder = setup.empty() ? "files/" : "files/" + fileName(setup) + "/";
-  for (const auto& [name, bytes] : files) {
-    const std::string path = staging.path(folder + name);
-    if (Status done = makeFolders(fs::path(path).parent_path().string()); !done) return done;
-    if (Status done = writeFileAtomically(path, bytes); !done) return done;
-  }
-  return Done{};
+  for (const auto& [name, bytes] : files) keep(writeText(folder + name, bytes, staging), failures);
 }
 
-Status writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, StagingFolder& staging,
-                   Report& report) {
+void writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, StagingFolder& staging,
+                 Report& report, OutputFailures& failures) {
   for (const OutputFormat format : job.output.formats) {
     if (format == OutputFormat::kVdb && stock == nullptr) continue;  // turning left nothing to make a grid of
     const bool second_stl = format == OutputFormat::kStlAscii && job.output.formats.size() > 1;
     const std::string file =
         fmt::format("{}{}.{}", fileName(job.name), second_stl ? "-ascii" : "", outputFormatExtension(format));
-    const std::string path = staging.path(file);
-    Result<std::string> hash = format == OutputFormat::kVdb ? saveHashed(*stock, path)
-                                                            : writeMeshHashed(mesh, path, meshFormat(format));
-    if (!hash) return hash.error();
-    report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), std::move(*hash)});
+    std::string hash;
+    const Status written = staging.write(file, [&](const std::string& path) -> Status {
+      Result<std::string> made = format == OutputFormat::kVdb
+                                     ? saveHashed(*stock, path)
+                                     : writeMeshHashed(mesh, path, meshFormat(format));
+      if (!made) return made.error();
+      hash = std::move(*made);
+      return Done{};
+    });
+    keep(written, failures);
+    if (written) report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), hash});
   }
-  return Done{};
 }
 
-Status writeTables(const std::vector<CutPath>& paths, StagingFolder& staging, Report& report) {
-  Result<AtomicFile> file = AtomicFile::create(staging.path("blocks.csv"));
+namespace {
+
+Status writeBlocks(const std::vector<CutPath>& paths, const std::string& path) {
+  Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return file.error();
   std::string buffer = blockCsvHeader();
   double start_s = 0.0;
@@ -125,39 +186,71 @@ Status writeTables(const std::vector<CutPath>& paths, StagingFolder& staging, Re
     start_s = end_s;
   }
   file->write(buffer);
-  if (Status done = file->commit(); !done) return done;
-  report.outputs.tables.push_back("blocks.csv");
-  const std::string svg = report.accounting ? rateSvgFile(report.accounting->rate) : std::string();
-  if (svg.empty()) return Done{};
-  report.outputs.tables.push_back("mrr.svg");
-  return writeFileAtomically(staging.path("mrr.svg"), svg);
+  return file->commit();
 }
 
-Status writeProfileChart(const std::vector<std::vector<Vec2>>& machined, const TriMesh* nominal,
-                         const ProfileChartOptions& options, StagingFolder& staging, Report& report) {
+}  // namespace
+
+void writeTables(const std::vector<CutPath>& paths, StagingFolder& staging, Report& report,
+                 OutputFailures& failures) {
+  const auto table = [&](const std::string& name, const Status& written) {
+    keep(written, failures);
+    if (written) report.outputs.tables.push_back(name);
+  };
+  table("blocks.csv",
+        staging.write("blocks.csv", [&](const std::string& path) { return writeBlocks(paths, path); }));
+  const std::string svg = report.accounting ? rateSvgFile(report.accounting->rate) : std::string();
+  if (!svg.empty()) table("mrr.svg", writeText("mrr.svg", svg, staging));
+}
+
+void writeProfileChart(const std::vector<std::vector<Vec2>>& machined, const TriMesh* nominal,
+                       const ProfileChartOptions& options, StagingFolder& staging, Report& report,
+                       OutputFailures& failures) {
   const std::vector<SectionSegment> section = nominal ? halfSection(*nominal) : std::vector<SectionSegment>();
   ProfileChart chart = drawProfileChart(machined, section, options);
-  if (chart.file.empty()) return Done{};
-  report.outputs.tables.push_back("profile.svg");
+  if (chart.file.empty()) return;
   report.profile_svg = std::move(chart.page);
-  return writeFileAtomically(staging.path("profile.svg"), chart.file);
+  const Status written = writeText("profile.svg", chart.file, staging);
+  keep(written, failures);
+  if (written) report.outputs.tables.push_back("profile.svg");
 }
 
-Status writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report) {
+void writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report,
+                 OutputFailures& failures) {
+  std::size_t told = 0;
+  const auto tell = [&] {
+    for (; told < failures.size(); ++told) {
+      Finding finding;
+      finding.kind = "output";
+      finding.message = failures[told].message;
+      report.findings.push_back(std::move(finding));
+    }
+    report.verdict = verdictOf(report);
+  };
   std::vector<ReportPicture> embedded;
   for (const Picture& picture : pictures) {
-    report.outputs.images.push_back({picture.file, picture.title});
     embedded.push_back({picture.title, picture.png});
-    if (Status done = writeFileAtomically(staging.path(picture.file), picture.png); !done) return done;
+    const Status written = writeText(picture.file, picture.png, staging);
+    keep(written, failures);
+    if (written) report.outputs.images.push_back({picture.file, picture.title});
   }
   report.outputs.html = "report.html";
-  const std::pair<const char*, std::string> texts[] = {{"report.html", reportHtml(report, embedded)},
-                                                       {"junit.xml", reportJunit(report)},
-                                                       {"report.json", reportJson(report)}};
-  for (const auto& [name, text] : texts) {
-    if (Status done = writeFileAtomically(staging.path(name), text); !done) return done;
+  tell();
+  if (const Status html = writeText("report.html", reportHtml(report, embedded), staging); !html) {
+    keep(html, failures);
+    report.outputs.html.clear();
+    tell();
   }
-  return Done{};
+  keep(writeText("junit.xml", reportJunit(report), staging), failures);
+  tell();
+  keep(writeText("report.json", reportJson(report), staging), failures);
+  tell();
+}
+
+int exitCodeOf(const Report& report, const OutputFailures& failures) {
+  int code = failures.empty() ? exitCodeOf(report.verdict) : kExitInput;
+  for (const Error& failure : failures) code = std::max(code, exitCodeOf(failure.kind));
+  return code;
 }
 
 }  // namespace proveout

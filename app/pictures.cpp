@@ -22,21 +22,21 @@ std::string ascii(const std::string& text) {
 
 class PictureMaker {
  public:
-  PictureMaker(const TriMesh& mesh, const PictureRequest& request, Progress& progress)
-      : mesh_(mesh), request_(request), progress_(progress) {}
+  PictureMaker(const TriMesh& mesh, const PictureRequest& request, std::vector<Error>& failures,
+               Progress& progress)
+      : mesh_(mesh), request_(request), failures_(failures), progress_(progress) {}
 
+  /// Errors: interrupted. Others are kept.
   Status add(RenderScene scene, const std::string& view_name, const std::string& file,
              const std::string& title) {
-    const Result<View> view = findView(view_name);
-    if (!view) return view.error();
-    if (view->section && request_.turned_axis) scene.section = SectionCut{*request_.turned_axis};
-    RenderOptions options;
-    options.threads = request_.threads;
-    const Result<Image> image = renderMesh(scene, *view, request_.size, options, progress_);
-    if (!image) return image.error();
-    Result<std::string> png = encodePng(*image);
-    if (!png) return png.error();
-    pictures.push_back({file, title, std::move(*png)});
+    Result<std::string> png = draw(std::move(scene), view_name);
+    if (png) {
+      pictures.push_back({file, title, std::move(*png)});
+    } else if (png.error().kind == ErrorKind::kInterrupted) {
+      return png.error();
+    } else {
+      failures_.push_back({png.error().kind, file + ": " + png.error().message});
+    }
     return Done{};
   }
 
@@ -80,8 +80,21 @@ class PictureMaker {
   std::vector<Picture> pictures;
 
  private:
+  /// Bytes of the PNG file.
+  Result<std::string> draw(RenderScene scene, const std::string& view_name) {
+    const Result<View> view = findView(view_name);
+    if (!view) return view.error();
+    if (view->section && request_.turned_axis) scene.section = SectionCut{*request_.turned_axis};
+    RenderOptions options;
+    options.threads = request_.threads;
+    const Result<Image> image = renderMesh(scene, *view, request_.size, options, progress_);
+    if (!image) return image.error();
+    return encodePng(*image);
+  }
+
   const TriMesh& mesh_;
   const PictureRequest& request_;
+  std::vector<Error>& failures_;
   Progress& progress_;
 };
 
@@ -122,8 +135,8 @@ void addHeatMap(const Comparison& comparison, RenderScene& scene) {
 }
 
 Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequest& request,
-                                          Progress& progress) {
-  PictureMaker maker(mesh, request, progress);
+                                          std::vector<Error>& failures, Progress& progress) {
+  PictureMaker maker(mesh, request, failures, progress);
   if (mesh.triangles.empty() || request.views.empty()) return std::move(maker.pictures);
   if (const Status done = maker.addViews(); !done) return done.error();
   static const std::vector<Finding> kNone;

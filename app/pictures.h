@@ -34,9 +34,10 @@ struct PictureRequest {
 };
 
 /// One picture a view; deviation.png where there is a comparison; findings.png where findings have a place. A
-/// mesh without triangles (everything was cut away) gives no picture.
+/// mesh without triangles (everything was cut away) gives no picture. What cannot be drawn goes to `failures`
+/// with its file, and the others are there; errors: interrupted.
 Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequest& request,
-                                          Progress& progress);
+                                          std::vector<Error>& failures, Progress& progress);
 
 /// The markers of the first findings that have a place; numbers are positions in `findings`, from 1.
 std::vector<Marker> findingMarkers(const std::vector<Finding>& findings);

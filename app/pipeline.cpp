@@ -6,11 +6,14 @@
 #include <cmath>
 #include <set>
 
+#include "app/clearance.h"
 #include "app/comparison.h"
 #include "app/diagnosis.h"
 #include "app/fixtures.h"
 #include "app/grid_choice.h"
+#include "app/placement_hint.h"
 #include "app/run_report.h"
+#include "app/spindle_direction.h"
 #include "app/stopwatch.h"
 #include "app/turning.h"
 #include "core/base/parallel_for.h"
@@ -20,15 +23,35 @@
 namespace proveout {
 namespace {
 
-/// A nominal that the blank cannot hold: the usual reasons are a wrong unit and a wrong place.
-std::optional<std::string> misplaced(const Box3& nominal, const Box3& blank, double gouge_mm) {
+/// A nominal that the blank cannot hold, or whose bounds agree with the blank's in another unit or at another
+/// place (`placement`).
+std::optional<std::string> misplaced(const Job& job, const Box3& nominal, const Box3& blank,
+                                     const std::optional<Placement>& placement) {
   const double out = std::max((blank.min - nominal.min).maxCoeff(), (nominal.max - blank.max).maxCoeff());
-  if (out <= gouge_mm) return std::nullopt;
-  return fmt::format(
-      "the nominal reaches {:.4g} mm out of the blank (X{:g} Y{:g} Z{:g} to X{:g} Y{:g} Z{:g}); check its "
-      "unit and its place",
-      out, nominal.min.x(), nominal.min.y(), nominal.min.z(), nominal.max.x(), nominal.max.y(),
-      nominal.max.z());
+  if (out <= job.nominal->gouge_mm && !placement) return std::nullopt;
+  const std::string bounds =
+      fmt::format("X{:g} Y{:g} Z{:g} to X{:g} Y{:g} Z{:g}", nominal.min.x(), nominal.min.y(), nominal.min.z(),
+                  nominal.max.x(), nominal.max.y(), nominal.max.z());
+  std::string text = out > job.nominal->gouge_mm
+                         ? fmt::format("the nominal reaches {:.4g} mm out of the blank ({})", out, bounds)
+                         : fmt::format("the nominal is much smaller than the blank ({})", bounds);
+  if (!placement) return text + "; check its unit and its place";
+  text += "; " + placementText(*placement, job.nominal->mesh.unit, "the blank");
+  const auto* mesh = job.stock ? std::get_if<MeshFile>(&*job.stock) : nullptr;
+  if (mesh != nullptr && placement->scale != 1.0)
+    text += fmt::format("; or the blank is wrong, which was read with unit \"{}\"", meshUnitName(mesh->unit));
+  return text;
+}
+
+/// The same for a nominal whose bounds agree with those of what was machined.
+void noteMisplaced(const Job& job, const PreparedMesh& nominal, RunResult& run) {
+  const auto placement = evidentPlacement(meshBounds(nominal.mesh), meshBounds(run.surface().mesh));
+  if (!placement) return;
+  Diagnostic warning;
+  warning.severity = Severity::kWarning;
+  warning.code = "nominal";
+  warning.message = "the nominal: " + placementText(*placement, job.nominal->mesh.unit, "the machined part");
+  run.setups.back().interpreted.path.diagnostics.add(std::move(warning));
 }
 
 Error outgrown(const Interpreted& interpreted) {
@@ -157,6 +180,7 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
     const std::optional<Error>& failure = setup.interpreted.probe_failure;
     if (failure && failure->kind != ErrorKind::kInput) return *failure;
     Toolpath& path = setup.interpreted.path;
+    noteLowToolChange(setup.job, movedBounds(job, blank.bounds, k), path.diagnostics);
     addOffsetTools(path, setup.job.tools);
     const bool good = setup.interpreted.summary.ok() && refuseRotaryMotion(path, *sources[k]) &&
                       assignTools(path, setup.job.tools, *sources[k]);
@@ -259,6 +283,9 @@ void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>
     const NominalSpec tolerance = setup.job.nominal.value_or(NominalSpec{});
     addUncompensated(setup, std::min(tolerance.gouge_mm, tolerance.excess_mm), source, findings);
     addPartedBodies(setup, source, findings);
+    if (!setup.turned)
+      addSpindleDirection(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source,
+                          findings);
     addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, source,
                     findings);
     addPartial(setup.interpreted.summary.end, setup.job.settings, findings);
@@ -326,6 +353,7 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
   Result<Blank> blank = openBlank(job, progress);
   if (!blank) return blank.error();
   if (const Status start = checkStart(jobOfSetup(job, 0), *blank); !start) return start.error();
+  if (const Status place = checkToolChange(jobOfSetup(job, 0), *blank); !place) return place.error();
   if (turnsPart(job)) {
     if (const Status possible = checkTurning(job, *blank); !possible) return possible.error();
   }
@@ -334,9 +362,10 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
   if (job.nominal) {
     Result<PreparedMesh> nominal = loadNominal(*job.nominal);
     if (!nominal) return nominal.error();
-    if (auto note = misplaced(meshBounds(nominal->mesh), movedBounds(job, bounds, sources.size() - 1),
-                              job.nominal->gouge_mm))
-      nominal->notes.push_back(std::move(*note));
+    const Box3 wanted = movedBounds(job, bounds, sources.size() - 1), given = meshBounds(nominal->mesh);
+    const auto placement = evidentPlacement(given, wanted);
+    if (auto note = misplaced(job, given, wanted, placement)) nominal->notes.push_back(std::move(*note));
+    prepared.placement_told = placement.has_value();
     prepared.nominal = std::move(*nominal);
   }
   run.resolution_mm = prepared.blank.resolution_mm;
@@ -381,6 +410,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
   if (!prepared.nominal || run.surface().mesh.triangles.empty()) return std::move(run);
 
+  if (!prepared.placement_told) noteMisplaced(job, *prepared.nominal, run);
   Stopwatch watch;
   if (const Status done = compareRun(job, sources, prepared.blank, *prepared.nominal, run, progress); !done)
     return done.error();

@@ -88,6 +88,7 @@ struct PreparedRun {
   RunResult run;
   Blank blank;
   std::optional<PreparedMesh> nominal;
+  bool placement_told = false;  ///< what would bring the nominal onto the blank
 };
 
 /// The first part of a run. An error of a program is not an Error: it is in the result, with `alarm` set.

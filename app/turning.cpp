@@ -21,8 +21,6 @@ namespace {
 constexpr double kFacetShare = 0.1;
 /// Chords that turn by less belong to an arc, radians; those of a corner radius of 0.1 mm turn by 0.09.
 constexpr double kArcTurn = 0.1;
-/// Distance of the start from the blank, mm.
-constexpr double kClearance = 10.0;
 
 bool needsGrid(const Job& job) {
   const auto& formats = job.output.formats;
@@ -114,6 +112,11 @@ Status checkTurning(const Job& job, const Blank& blank) {
   Result<TurnedStock> stock = TurnedStock::create(blank.shape);
   if (!stock) return stock.error();
   const TurnedShape shape = stock->shape();
+  const Vec3 origin = job.settings.work_offsets[0] + job.settings.common_offset;
+  if (const auto& y = job.settings.tool_change.y; y && *y != origin.y())
+    return inputError(fmt::format(
+        "the tool change has Y{:g} (machine frame): a lathe's tools move in the plane Y0, here Y{:g}", *y,
+        origin.y()));
   for (std::size_t k = 0; k < setupCount(job); ++k) {
     if (const std::optional<Vec3> start = jobOfSetup(job, k).start; start && start->y() != 0.0)
       return inputError(
@@ -133,7 +136,9 @@ Status checkTurning(const Job& job, const Blank& blank) {
   return Done{};
 }
 
-Vec3 turningStart(const Box3& blank) { return {blank.max.x() + kClearance, 0.0, blank.max.z() + kClearance}; }
+Vec3 turningStart(const Box3& blank) {
+  return {blank.max.x() + kTurningClearanceMm, 0.0, blank.max.z() + kTurningClearanceMm};
+}
 
 namespace {
 
@@ -351,9 +356,10 @@ Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, con
   return stock->firstContact(asked, arc, *defined(asked.tool));
 }
 
-Status writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& staging, Report& report) {
+void writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& staging, Report& report,
+                        OutputFailures& failures) {
   const SetupRun& setup = run.setups.back();
-  if (!setup.turned || setup.turned->bodies.empty()) return Done{};
+  if (!setup.turned || setup.turned->bodies.empty()) return;
   std::vector<std::vector<Vec2>> machined;
   if (!setup.turned->threads.empty()) {
     machined = halfSectionLoops(setup.surface.mesh);
@@ -367,7 +373,7 @@ Status writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& s
     options.excess_mm = job.nominal->excess_mm;
     options.ignored = job.nominal->ignored;
   }
-  return writeProfileChart(machined, run.nominal ? &*run.nominal : nullptr, options, staging, report);
+  writeProfileChart(machined, run.nominal ? &*run.nominal : nullptr, options, staging, report, failures);
 }
 
 Workload turningWork(const SetupRun& setup, const Blank& blank) {

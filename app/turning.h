@@ -17,7 +17,10 @@ bool turnsPart(const Job& job);
 /// not keep the axis.
 Status checkTurning(const Job& job, const Blank& blank);
 
-/// Where a turning tool starts if the job does not say: outside of the blank and in front of it.
+/// Distance of the start from the blank along X and along Z, mm.
+inline constexpr double kTurningClearanceMm = 10.0;
+/// Where the touch-off point of a turning tool starts if the job does not say: outside of the blank and in
+/// front of it.
 Vec3 turningStart(const Box3& blank);
 
 /// Cuts all clampings, one after the other, and fills everything of them but topology and findings.
@@ -30,7 +33,8 @@ Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal,
 void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings);
 
 /// Writes the profile chart of the part, or nothing where there is none.
-Status writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& staging, Report& report);
+void writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& staging, Report& report,
+                        OutputFailures& failures);
 
 /// Slopes and arcs of the part's surface that an insert left without compensation of its nose: one warning an
 /// insert, for the block with the largest deviation above `least_mm`.

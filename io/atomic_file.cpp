@@ -18,6 +18,13 @@ namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
+/// A file that cannot be written; a full disk is a limit of the machine.
+Error writeError(const std::string& path, int error) {
+  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
+  return {full ? ErrorKind::kResourceLimit : ErrorKind::kInput,
+          path + ": cannot be written: " + reason(error)};
+}
+
 /// Creates a file next to `target` that did not exist. The name carries the process id, so that two runs that
 /// write to one folder do not share it.
 std::FILE* createAside(const std::string& target, std::string& aside) {
@@ -52,7 +59,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
   } else {
     file.file_ = std::fopen(path.c_str(), "wbe");
   }
-  if (file.file_ == nullptr) return inputError(path + ": cannot be written: " + reason(errno));
+  if (file.file_ == nullptr) return writeError(path, errno);
   return file;
 }
 
@@ -95,7 +102,7 @@ Status AtomicFile::commit() {
     }
   }
   discard();
-  if (error_ != 0) return inputError(path_ + ": cannot be written: " + reason(error_));
+  if (error_ != 0) return writeError(path_, error_);
   return Done{};
 }
 

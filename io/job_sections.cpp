@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include "io/atomic_file.h"
 
@@ -140,6 +141,35 @@ void readAcceleration(ConfigTable& machine, Job& job) {
   }
 }
 
+/// `tool_change = [x, y, z]`, or a table that names the axes that move.
+void readToolChange(ConfigTable& machine, Job& job) {
+  const ConfigValue* given = machine.find("tool_change");
+  if (given == nullptr) return;
+  ToolChangePlace& place = job.settings.tool_change;
+  if (given->type == Type::kArray) {
+    const auto point = machine.point("tool_change");
+    if (!point) return;
+    place.x = point->x();
+    place.y = point->y();
+    place.z = point->z();
+    return;
+  }
+  if (given->type != Type::kTable) {
+    machine.error("tool_change", "job-type",
+                  "tool_change must be a list of three numbers, [x, y, z], or a table of axes, { Z = 300 }");
+    return;
+  }
+  auto axes = machine.table("tool_change");
+  if (axes->entries().empty())
+    machine.error("tool_change", "job-value", "tool_change names no axis: give X, Y or Z, as { Z = 300 }");
+  const std::pair<const char*, std::optional<double>*> keys[] = {
+      {"X", &place.x}, {"Y", &place.y}, {"Z", &place.z}};
+  for (const auto& [key, value] : keys) {
+    if (const auto number = axes->number(key, kAnyLength)) *value = *number;
+  }
+  axes->refuseOthers();
+}
+
 void readReferencePoints(ConfigTable& machine, Job& job) {
   const ConfigValue* points = machine.find("reference_points");
   if (points == nullptr || !isList(machine.document(), *points, "reference_points")) return;
@@ -213,6 +243,7 @@ void readMachineKeys(ConfigTable& machine, Job& job) {
   if (const auto time = machine.number("acceleration_rise_s", {0.0, 100.0})) job.settings.bell_time_s = *time;
   if (const auto start = machine.point("start")) job.start = *start;
   readReferencePoints(machine, job);
+  readToolChange(machine, job);
   if (const auto time = machine.number("tool_change_s", kDuration)) job.settings.tool_change_s = *time;
   if (const auto rpm = machine.number("default_spindle", {0.0, 1e6, true})) {
     job.settings.default_spindle_rpm = *rpm;

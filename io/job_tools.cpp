@@ -277,6 +277,7 @@ void readTool(ConfigTable& table, Job& job) {
     assign(tool.overall_length, table.number("overall_length", kToolLength));
     assign(tool.shank_diameter, table.number("shank_diameter", kToolLength));
     assign(tool.gauge_length, table.number("gauge_length", {-1e5, 1e5, false}));
+    if (const auto hand = table.choice("hand", {"right", "left"})) tool.left_hand = *hand == "left";
     readHolder(table, tool);
   }
   table.refuseOthers();

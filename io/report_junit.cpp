@@ -31,7 +31,7 @@ std::vector<Check> checksOf(const Report& report) {
           {"shank contact", {"shank_contact"}, made.removal, kNoRemoval},
           {"holder contact", {"holder_contact"}, made.removal, kNoRemoval},
           {"fixture contact", {"fixture_contact"}, made.fixtures, "the job has no fixtures"},
-          {"spindle", {"spindle_off"}, made.removal, kNoRemoval},
+          {"spindle", {"spindle_off", "spindle_direction"}, made.removal, kNoRemoval},
           {"gouge", {"gouge"}, made.comparison, kNoNominal},
           {"excess", {"excess"}, made.comparison, kNoNominal},
           {"resolution", {"undecided"}, made.comparison, kNoNominal},

@@ -126,8 +126,9 @@ class FieldBlank {
 Status buildField(Stock::Impl& impl, Result<std::unique_ptr<BlankField>> field, const RemovalOptions& options,
                   Progress& progress) {
   if (!field) return field.error();
-  impl.initial_volume = field.value()->volume();
-  return FieldBlank(impl, *field.value(), progress, memoryLimit(options)).build();
+  impl.uncut = std::move(*field);
+  impl.initial_volume = impl.uncut->volume();
+  return FieldBlank(impl, *impl.uncut, progress, memoryLimit(options)).build();
 }
 
 /// Threads have no closed form for their volume: it comes from the crossings.

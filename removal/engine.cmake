@@ -1,5 +1,6 @@
 proveout_add_library(removal
   sweep.cpp
+  stock_depth.cpp
   blank_field.cpp
   blank.cpp
   stock.cpp
@@ -8,7 +9,10 @@ proveout_add_library(removal
   pass.cpp
   pass_surface.cpp
   column_sweep.cpp
+  body_index.cpp
+  contact_depth.cpp
   contact_query.cpp
+  contacts.cpp
   convex_cast.cpp
   column_baseline.cpp
   column_avx2.cpp
@@ -21,6 +25,7 @@ proveout_add_library(removal
   thin_walls.cpp
   turning/revolve.cpp
   turning/section_area.cpp
+  turning/section_depth.cpp
   turning/section_window.cpp
   turning/sweep_paths.cpp
   turning/thread_cover.cpp

@@ -9,9 +9,6 @@ namespace proveout {
 
 namespace {
 
-/// Penetration that counts as contact, mm: below any gauge on a shop floor.
-constexpr double kContactToleranceMm = 1e-3;
-
 /// Transposes an 8x8 matrix of bits: bit y of byte z becomes bit z of byte y.
 std::uint64_t transposeBits(std::uint64_t x) {
   std::uint64_t t = (x ^ x >> 7) & 0x00AA00AA00AA00AAull;

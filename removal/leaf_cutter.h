@@ -37,6 +37,9 @@ struct PassTable {
 /// threads.
 inline constexpr double kVolumeUnit = 1.0 / 65536.0;
 
+/// Penetration that counts as contact, mm: below any gauge on a shop floor.
+inline constexpr double kContactToleranceMm = 1e-3;
+
 struct ContactSample {
   std::uint32_t pass;
   double depth;  ///< mm, of a sample of the stock below the surface of the solid

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/base/parallel_for.h"
+#include "removal/contacts.h"
 #include "removal/cut_record.h"
 #include "removal/leaf_crossings.h"
 #include "removal/narrow_cuts.h"
@@ -43,6 +44,7 @@ class Remover {
         progress_(progress),
         limit_bytes_(memoryLimit(options)),
         watch_all_(options.watch_all),
+        blank_(impl.uncut),
         record_(std::make_shared<CutRecord>()),
         table_(record_->table),
         removed_(path.motions.size()),
@@ -85,6 +87,7 @@ class Remover {
   Progress& progress_;
   double limit_bytes_;
   bool watch_all_;
+  std::shared_ptr<const BlankField> blank_;  ///< as Impl::uncut, before the path
   std::shared_ptr<CutRecord> record_;
   PassTable& table_;
   std::vector<std::atomic<std::int64_t>> removed_;
@@ -92,6 +95,7 @@ class Remover {
   tbb::enumerable_thread_specific<CrossingFinder> finders_;
   tbb::enumerable_thread_specific<ThinWallFinder> walls_;
   ConcurrentList<ContactSample> contacts_;
+  std::vector<Contact> found_contacts_;
   ConcurrentList<LostFilm> lost_;
   ConcurrentList<CutLeaf> cut_;
   std::atomic<std::uint64_t> evaluations_{0};
@@ -213,7 +217,7 @@ Status Remover::preparePasses() {
 Status Remover::run() {
   renumberEarlier(impl_);
   impl_.cut = nullptr;
-  impl_.field = nullptr;
+  impl_.field = impl_.uncut = nullptr;
   Coord low, high;
   for (int axis = 0; axis < 3; ++axis) {
     low[axis] =
@@ -228,6 +232,8 @@ Status Remover::run() {
   if (!all.empty()) visit(low, size, all);
   if (over_limit_) return memoryError(bytes_ * 1.5, limit_bytes_, impl_.h);
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  found_contacts_ = gatherContacts({impl_, blank_.get(), path_, table_, watch_all_},
+                                   {contacts_.begin(), contacts_.end()}, progress_);
   commit();
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   impl_.cut = record_;
@@ -364,37 +370,7 @@ RemovalSummary Remover::summary() const {
   for (const auto& r : removed_)
     out.removed_mm3.push_back(static_cast<float>(static_cast<double>(r.load()) * unit));
 
-  std::vector<ContactSample> samples(contacts_.begin(), contacts_.end());
-  std::sort(samples.begin(), samples.end(), [](const ContactSample& a, const ContactSample& b) {
-    if (a.pass != b.pass) return a.pass < b.pass;
-    if (a.depth != b.depth) return a.depth > b.depth;
-    return std::lexicographical_compare(a.where.data(), a.where.data() + 3, b.where.data(),
-                                        b.where.data() + 3);
-  });
-  for (const ContactSample& s : samples) {
-    const Pass& pass = table_.passes[s.pass];
-    const Motion& m = path_.motions[pass.motion];
-    ContactKind kind = m.kind == MotionKind::kRapid ? ContactKind::kRapid : ContactKind::kSpindleOff;
-    if (watch_all_) kind = ContactKind::kFixture;
-    if (pass.part == ToolPart::kShank) kind = ContactKind::kShank;
-    if (pass.part == ToolPart::kHolder) kind = ContactKind::kHolder;
-    Contact* last = nullptr;
-    for (auto it = out.contacts.rbegin(); it != out.contacts.rend() && last == nullptr; ++it) {
-      const Motion& other = path_.motions[it->motion];
-      const bool same_block = other.source.file == m.source.file && other.source.line == m.source.line;
-      if (it->kind == kind && other.tool == m.tool && same_block) last = &*it;
-      if (other.source.line != m.source.line) break;
-    }
-    if (last == nullptr) {
-      out.contacts.push_back({kind, pass.motion, s.where, s.depth, 0.0});
-      last = &out.contacts.back();
-    }
-    last->volume_mm3 += static_cast<double>(s.volume) * unit;
-    if (s.depth > last->depth_mm) {
-      last->depth_mm = s.depth;
-      last->where = s.where;
-    }
-  }
+  out.contacts = found_contacts_;
   return out;
 }
 

@@ -37,11 +37,12 @@ std::string_view contactKindName(
 struct Contact {
   ContactKind kind = ContactKind::kRapid;
   MotionId motion = kNoMotion;  ///< first motion of the contact
-  Vec3 where = Vec3::Zero();    ///< deepest sampled point, mm
-  /// Deepest penetration of stock by the part in question: exact at faces that the grid's vertical lines meet, at walls
-  /// up to one grid step too small.
+  Vec3 where = Vec3::Zero();    ///< the deepest point of the part, mm
+  /// How far that point lies below the surface of the stock as it was when the motion began: the distance to the
+  /// nearest surface, so that a wall which the tool goes right through counts with half its thickness. To a
+  /// micrometre, but where an earlier clamping or a mesh made a curved surface: there to the chords of the grid.
   double depth_mm = 0.0;
-  double volume_mm3 = 0.0;      ///< stock that was in the way, counted in grid cells
+  double volume_mm3 = 0.0;      ///< stock that was in the way, counted in grid cells; 0 for less than one
 };
 
 /// Cuts of one tool that are narrower than the grid and not in the mesh.
@@ -55,7 +56,8 @@ struct NarrowCut {
 
 struct RemovalSummary {
   std::vector<float> removed_mm3;  ///< per motion, counted in parts of grid cells; see fitRemovedVolume
-  std::vector<Contact> contacts;   ///< in program order
+  /// In program order. Of a path that never starts the spindle the first cut stands for all of them (kSpindleOff).
+  std::vector<Contact> contacts;
   /// Stock left thinner than a grid cell, which the grid cannot hold: about its area (0: none) and one place.
   double lost_film_mm2 = 0.0;
   Vec3 lost_film_at = Vec3::Zero();
@@ -84,6 +86,10 @@ struct StockSurface {
   /// Pairs of triangles that run through each other and could not be parted.
   std::size_t self_intersections = 0;
 };
+
+/// Whether saved stocks and blanks from meshes can be read and stocks be saved here. Error: the module for them
+/// cannot be loaded, and where it belongs.
+Status checkStockFiles();
 
 /// True for turns that take the axes to axes exactly (multiples of 90 degrees), with any shift.
 bool movesExactly(const RigidTransform& move);

@@ -23,6 +23,11 @@ namespace proveout {
 namespace {
 
 
+/// A file that was opened takes no more.
+struct FullDisk : std::runtime_error {
+  FullDisk() : std::runtime_error("the disk is full, or the file is larger than is allowed") {}
+};
+
 constexpr char kSchema[] = "proveout.stock/2";
 constexpr const char* kAxisName[3] = {"x", "y", "z"};
 
@@ -179,12 +184,34 @@ std::string checksum(const std::string& path, std::uintmax_t size) {
   return fmt::format("{:016x}", sum);
 }
 
+/// OpenVDB numbers each file that it writes with a random UUID. Here the same stock gives the same bytes: the number
+/// is made of what stands behind it (RFC 9562, version 8). Readers only compare it with that of another file.
+void replaceTag(const std::string& path, const std::string& tag) {
+  constexpr std::size_t kHeaderBytes = 256;  // magic number, versions and the UUID as text
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  std::string header(kHeaderBytes, '\0');
+  file.read(header.data(), kHeaderBytes);
+  file.clear();
+  const std::size_t at = header.find(tag);
+  if (at == std::string::npos) throw std::runtime_error("its header is not as OpenVDB writes it");
+  file.seekp(static_cast<std::streamoff>(at));
+  file << std::string(tag.size(), '0');
+  file.flush();
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  const std::string whole = checksum(path, size), half = checksum(path, size / 2);
+  file.seekp(static_cast<std::streamoff>(at));
+  file << fmt::format("{}-{}-8{}-8{}-{}", whole.substr(0, 8), whole.substr(8, 4), whole.substr(13, 3),
+                      half.substr(0, 3), half.substr(3, 12));
+  file.close();
+  if (!file) throw FullDisk();
+}
+
 void appendTrailer(const std::string& path) {
   const std::string sum = checksum(path, std::filesystem::file_size(path));
   std::ofstream out(path, std::ios::binary | std::ios::app);
   out << kTrailerMark << sum;
   out.close();
-  if (!out) throw std::runtime_error("the disk is full or the file cannot be written");
+  if (!out) throw FullDisk();
 }
 
 void checkTrailer(const std::string& path) {
@@ -249,8 +276,12 @@ Status writeStockFile(const Stock::Impl& impl, const std::string& path) {
     openvdb::io::File file(aside);
     file.write(grids, metadata(impl));
     file.close();
+    replaceTag(aside, file.getUniqueTag());
     appendTrailer(aside);
     std::filesystem::rename(aside, path);
+  } catch (const FullDisk& e) {
+    std::filesystem::remove(aside, ignored);
+    return Error{ErrorKind::kResourceLimit, fmt::format("{}: cannot write the stock: {}", path, e.what())};
   } catch (const std::exception& e) {
     std::filesystem::remove(aside, ignored);
     return inputError(fmt::format("{}: cannot write the stock: {}", path, e.what()));

@@ -93,6 +93,8 @@ struct Stock::Impl {
   std::shared_ptr<const CutRecord> cut;  ///< what the last path did; null where that is not known
   /// The blank, where its faces are known between the crossings and nothing has been cut from it; else null.
   std::shared_ptr<const BlankField> field;
+  /// The closed form of a box or cylinder from which nothing has been cut; else null.
+  std::shared_ptr<const BlankField> uncut;
 
   Vec3 position(const Coord& c) const {
     return {origin.x() + c.x() * h, origin.y() + c.y() * h, origin.z() + c.z() * h};

@@ -28,10 +28,10 @@ Result<const VdbSupport*> loadModule() {
     }
     if (const char* error = dlerror()) reason = error;
   }
-  return Error{ErrorKind::kInternal,
+  return inputError(
                fmt::format("{}, which reads and writes .vdb files and mesh blanks, cannot be loaded ({}); install proveout "
                            "with its lib/proveout folder",
-                           kName, reason)};
+                           kName, reason));
 }
 
 }  // namespace
@@ -39,6 +39,12 @@ Result<const VdbSupport*> loadModule() {
 Result<const VdbSupport*> vdbSupport() {
   static const Result<const VdbSupport*> support = loadModule();
   return support;
+}
+
+Status checkStockFiles() {
+  const Result<const VdbSupport*> support = vdbSupport();
+  if (!support) return support.error();
+  return Done{};
 }
 
 Status loadStock(Stock::Impl& impl, const std::string& path) {

@@ -78,6 +78,15 @@ struct OffsetValue {
   double wear = 0.0;
 };
 
+/// Where the machine goes for a tool change, machine frame, mm: first up to `z`, never down, then level to `x`
+/// and `y`. Axes without a value stay where they are.
+struct ToolChangePlace {
+  std::optional<double> x, y, z;
+  bool by_default = false;  ///< nobody named it: it ends at the limits of travel instead of passing them
+
+  bool any() const { return x || y || z; }
+};
+
 /// Stops the interpretation after a block of the main program: by line (from 1) or by N number.
 struct UntilBlock {
   std::optional<int> line;
@@ -98,6 +107,7 @@ struct ControlSettings {
   std::vector<AxisSettings> axes;                  ///< besides X, Y, Z
   std::vector<SpindleSettings> spindles;           ///< none: one without limits, called by S
   Vec3 start = Vec3(0, 0, 100);                    ///< where the tool is at power-on, workpiece frame, mm
+  bool start_by_default = false;  ///< nobody named it: it keeps below the ends of travel
 
   /// Work offsets G54..G59 in the machine frame, mm, and their basic rotation angles about X, Y, Z (deg).
   std::array<Vec3, 6> work_offsets{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
@@ -114,6 +124,7 @@ struct ControlSettings {
   std::map<int, OffsetValue> length_offsets;  ///< H rows, mm
   std::map<int, OffsetValue> radius_offsets;  ///< D rows, mm (radius)
   std::map<int, double> gauge_lengths;        ///< by tool number, mm; 0 for tools not listed
+  double unnamed_gauge_length = 0.0;  ///< of what is in the spindle at power-on where `tool` is 0, mm
 
   std::uint64_t block_limit = 100'000'000;  ///< executed blocks; more is an alarm (endless loop)
   std::array<bool, 9> skip_switches{};      ///< [0] is the switch of `/` and `/1`, [8] of `/9`
@@ -122,6 +133,7 @@ struct ControlSettings {
   std::vector<std::int64_t> interrupt_blocks;
   bool lenient = false;                     ///< unsupported codes that are safe to skip become warnings
   double tool_change_s = 5.0;               ///< duration of a tool change, s
+  ToolChangePlace tool_change;              ///< no axis: the machine stays where the program has left it
   double default_spindle_rpm = 1000.0;  ///< timing of G95 motions and dwells while the spindle stands still
   int max_errors = 1;                   ///< interpretation goes on behind bad blocks until so many errors
   std::optional<UntilBlock> until;

@@ -65,7 +65,12 @@ PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes,
     if (const int k = axes_.find(axis.name); k >= kMainAxes) machine_[k] = axis.start;
   }
   setTool(settings.tool);
-  machine_.xyz = settings.start - to_workpiece_;
+  if (settings.tool == 0) to_workpiece_.z() -= settings.unnamed_gauge_length;
+  home_ = machine_.xyz = settings.start - to_workpiece_;
+}
+
+void PathEmitter::lowerStart(double height) {
+  home_.z() = machine_.xyz.z() = std::min(machine_.xyz.z(), height);
 }
 
 void PathEmitter::setTool(int tool) {

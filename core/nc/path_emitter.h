@@ -73,8 +73,10 @@ class PathEmitter {
               InterpretSummary& summary);
 
   const AxisPoint& machine() const { return machine_; }
-  /// Origin of the workpiece frame in the machine frame, mm.
-  const Vec3& workpieceOrigin() const { return origin_; }
+  /// Where the machine stands at power-on.
+  const Vec3& home() const { return home_; }
+  /// Lowers that to a height at most, machine frame, mm. Before any motion.
+  void lowerStart(double height);
 
   /// Stands still at its end where rapids do not overlap or `exact_stop` asks for it.
   void rapidTo(const AxisPoint& to, const SourceRef& source, bool exact_stop = false);
@@ -158,6 +160,7 @@ class PathEmitter {
   Vec3 origin_;
   RotaryKinematics tables_;
   AxisPoint machine_;
+  Vec3 home_;
   AxisSweep sweep_;
   Vec3 to_workpiece_;  ///< added to a machine point: minus origin, minus gauge length of the tool
   int tool_ = 0;

@@ -20,6 +20,7 @@ target_sources(proveout_core PRIVATE
   nc/rotary_kinematics.cpp
   nc/source_text.cpp
   nc/time_stage.cpp
+  nc/tool_change.cpp
   nc/wl4/wl4_block.cpp
   nc/wl4/wl4_codes.cpp
   nc/wl4/wl4_comp_stage.cpp

@@ -168,8 +168,8 @@ void checkInsert(const Tool& tool, Checker& check) {
                            tool.cone_angle_deg, tool.cutter_height, tool.root_diameter, tool.pitch,
                            tool.gauge_length};
   const bool none = std::all_of(std::begin(rotary), std::end(rotary), [](double v) { return v == 0.0; });
-  check.require(none && tool.outline.empty() && tool.holder.empty(),
-                "an insert has no dimensions of a tool that turns");
+  check.require(none && tool.outline.empty() && tool.holder.empty() && !tool.left_hand,
+                "an insert has no dimensions and no hand of a tool that turns");
   if (!check.good()) return;
   if (const Status valid = validateInsert(*tool.insert); !valid) check.require(false, valid.error().message);
 }

@@ -59,6 +59,7 @@ struct Tool {
   double neck_diameter = 0.0;
   double neck_length = 0.0;     ///< from the tip to where the shank begins; 0: up to overall_length
   double shank_diameter = 0.0;  ///< 0: as the cutting diameter; form: as its last point
+  bool left_hand = false;       ///< cuts while the spindle turns counter-clockwise (M4)
   double gauge_length = 0.0;    ///< what a length offset has to make up for; see toolpath.h
   /// (height above gauge line, radius): solid of revolution that starts at overall_length. Empty: no holder.
   std::vector<Vec2> holder;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "removal/turning/section_area.h"
+#include "removal/turning/section_depth.h"
 #include "removal/turning/thread_cover.h"
 #include "removal/turning/turning_tool.h"
 
@@ -92,16 +93,10 @@ class ContactList {
     for (const SectionPiece& piece : pieces) {
       if (piece.thickness_mm < kTouch) continue;
       now.volume_mm3 += piece.volume_mm3;
-      for (const Vec2& p : piece.outline) {
-        const double depth = area.depthOf(p);
-        if (depth <= now.depth_mm) continue;
-        now.depth_mm = depth;
-        now.where = inSpace(p);
-      }
-      // A piece that goes right through has no point inside but is as deep as it is thick.
-      if (now.depth_mm > 0.5 * piece.thickness_mm) continue;
-      now.depth_mm = 0.5 * piece.thickness_mm;
-      now.where = inSpace(piece.outline.front());
+      const SectionDepth deepest = deepestPoint(area, piece.outline);
+      if (deepest.depth_mm <= now.depth_mm) continue;
+      now.depth_mm = deepest.depth_mm;
+      now.where = inSpace(deepest.at);
     }
     if (now.volume_mm3 <= 0.0) return;
     Run& run = runs_[static_cast<std::size_t>(kind)];

@@ -38,6 +38,8 @@ class Workbench {
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
 
+  std::string program = PROVEOUT_BINARY;  ///< that is run
+
   std::string path(const std::string& name = {}) const { return folder_ + "/" + name; }
   std::string write(const std::string& name, const std::string& bytes) const {
     std::filesystem::create_directories(std::filesystem::path(path(name)).parent_path());
@@ -64,8 +66,8 @@ class Workbench {
   /// The same with stdout going to a file or device.
   Outcome runInto(const std::string& output, const std::string& arguments,
                   const std::string& before = "timeout 100") const {
-    const std::string command = "cd '" + folder_ + "' && " + before + " '" PROVEOUT_BINARY "' " + arguments +
-                                " >" + output + " 2>.err";
+    const std::string command =
+        "cd '" + folder_ + "' && " + before + " '" + program + "' " + arguments + " >" + output + " 2>.err";
     const int status = std::system(command.c_str());
     Outcome outcome;
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

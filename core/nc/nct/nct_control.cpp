@@ -76,7 +76,12 @@ bool NctControl::start() {
   if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("nct-settings", bad);
   c.reset();
   configureFeeds(c);
-  return c.zone_stage.configure() && loadMain();
+  if (!c.zone_stage.configure()) return false;
+  if (settings.start_by_default) {
+    c.emitter.lowerStart(c.zone_stage.ceiling(2));
+    settle(c, c.emitter.machine());
+  }
+  return loadMain();
 }
 
 bool NctControl::loadMain() {

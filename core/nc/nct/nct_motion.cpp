@@ -9,6 +9,7 @@
 #include "core/nc/nct/nct_planes.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_words.h"
+#include "core/nc/tool_change.h"
 
 namespace proveout::nc {
 
@@ -217,22 +218,20 @@ struct MachineMove {
   AxisPoint to;   ///< machine
 };
 
-bool sendMachineRapid(NctContext& c, const AxisPoint& to) {
-  PathItem item;
-  item.kind = PathItem::Kind::kLine;
-  item.space = PathItem::Space::kMachine;
-  item.rapid = true;
-  item.to = to;
-  item.source = c.here();
-  return c.pipe.push(item);
-}
-
 bool performMachineMove(NctContext& c, BlockPlan& plan) {
   const MachineMove& move = plan.payload.as<MachineMove>();
   if (move.has_via && !sendMachineRapid(c, move.via)) return false;
   if (!sendMachineRapid(c, move.to)) return false;
   settle(c, move.to);
   return true;
+}
+
+/// The reference point that nobody named: where the machine starts, no lower than where it changes tools.
+Vec3 homeOf(const NctContext& c) {
+  Vec3 home = c.emitter.home();
+  const auto way = toolChangeWay(c.settings, AxisPoint(home), c.zone_stage.ceiling(2));
+  if (!way.empty()) home.z() = way.front()[2];
+  return home;
 }
 
 }  // namespace
@@ -273,7 +272,7 @@ bool planReference(NctContext& c, BlockPlan& plan) {
     return true;
   }
   const auto& given = c.settings.reference_points[static_cast<std::size_t>(point - 1)];
-  AxisPoint reference(given.value_or(c.settings.start + c.emitter.workpieceOrigin()));
+  AxisPoint reference(given.value_or(homeOf(c)));
   for (const AxisSettings& axis : c.settings.axes) {
     if (const int k = c.axes.find(axis.name); k >= kMainAxes) reference[k] = axis.reference;
   }

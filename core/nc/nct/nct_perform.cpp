@@ -234,6 +234,16 @@ bool performMove(NctContext& c, BlockPlan& plan) {
   return c.pipe.push(item);
 }
 
+bool sendMachineRapid(NctContext& c, const AxisPoint& to) {
+  PathItem item;
+  item.kind = PathItem::Kind::kLine;
+  item.space = PathItem::Space::kMachine;
+  item.rapid = true;
+  item.to = to;
+  item.source = c.here();
+  return c.pipe.push(item);
+}
+
 void settle(NctContext& c, const AxisPoint& machine) {
   c.machine = c.virtual_stage.linked() ? c.virtual_stage.adopt(machine) : machine;
   c.position = c.chain.programOf(c.machine);

@@ -26,6 +26,8 @@ bool sendOriented(NctContext& c);
 bool performMove(NctContext& c, BlockPlan& plan);
 /// The block as an item of that kind: a motion, or one that stays.
 bool pushMotion(NctContext& c, BlockPlan& plan, PathItem::Kind kind);
+/// A rapid to a point of the machine, as an item of its own. The caller settles there.
+bool sendMachineRapid(NctContext& c, const AxisPoint& to);
 /// The machine stands at `machine` by other means than a programmed motion.
 void settle(NctContext& c, const AxisPoint& machine);
 /// Lets go what the pipe holds; what comes then starts anew from where the machine is. False: an error was

@@ -7,6 +7,7 @@
 #include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_words.h"
+#include "core/nc/tool_change.h"
 
 namespace proveout::nc {
 namespace {
@@ -45,6 +46,31 @@ void countUse(NctContext& c, int row) {
            fmt::format("tool {} (row {}) will soon be at the end of its life", tool->type, row), {},
            Severity::kNote);
   }
+}
+
+/// Takes the machine to where it changes tools; the program goes on from there.
+bool goToToolChange(NctContext& c) {
+  if (!c.settings.tool_change.any()) return true;
+  if (!c.pipe.flush(FlushReason::kBuffer)) return false;
+  const auto way = toolChangeWay(c.settings, c.emitter.machine(), c.zone_stage.ceiling(2));
+  if (way.empty()) return true;
+  c.origins.clear(unsaidBehind(c.settings.tool_change));
+  for (const AxisPoint& to : way) {
+    if (!sendMachineRapid(c, to)) return false;
+  }
+  if (c.virtual_stage.linked()) {
+    settle(c, way.back());
+  } else {
+    // Beside cutter compensation the programmed point is not the machine's: axes that stayed keep it.
+    AxisPoint programmed = c.machine;
+    const ToolChangePlace& place = c.settings.tool_change;
+    programmed[2] = way.back()[2];
+    if (place.x) programmed[0] = *place.x;
+    if (place.y) programmed[1] = *place.y;
+    settle(c, programmed);
+  }
+  rebasePipe(c);
+  return true;
 }
 
 bool countsAtT(const NctContext& c) { return c.parameters.flag(ToolParam::kLifeAtT); }
@@ -114,6 +140,7 @@ bool sendToolShape(NctContext& c) {
 }
 
 bool sendToolChange(NctContext& c, int type, int row) {
+  if (!goToToolChange(c)) return false;
   countTime(c);
   c.state.tool = type;
   c.state.tool_row = row;

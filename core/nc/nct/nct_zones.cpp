@@ -142,6 +142,14 @@ bool ZoneStage::configure() {
   return true;
 }
 
+double ZoneStage::ceiling(int axis) const {
+  double end = kFar;
+  for (const Watched& w : watched_) {
+    if (w.zone.outside && w.zone.axes[static_cast<std::size_t>(axis)]) end = std::min(end, w.zone.high[axis]);
+  }
+  return end;
+}
+
 /// N1001.CBM: the end first, then the way (manual 22.4).
 std::optional<ZoneStage::Found> ZoneStage::before(const ZonePath& path) const {
   for (std::size_t i = 0; i < watched_.size(); ++i) {

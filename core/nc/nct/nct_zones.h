@@ -23,6 +23,8 @@ class ZoneStage final : public PathStage {
 
   /// Takes over parameters and the limits of G22. False: they contradict themselves, reported.
   bool configure();
+  /// Upper end of an axis in the areas that it must not leave, machine frame, mm; infinite without one.
+  double ceiling(int axis) const;
 
  private:
   enum class Area { kStroke, kSecond, kThird };

@@ -152,7 +152,7 @@ bool Wl4Control::isOwnError(std::size_t here) const {
 
 Wl4Control::Go Wl4Control::execute(std::size_t& next_line) {
   Plan p;
-  if (!plan(p)) {
+  if (!goToToolChange() || !plan(p)) {
     variables_.takeBack();
     return failed();
   }

@@ -113,6 +113,8 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   // wl4_functions.cpp: M, S, T
   bool functions(Plan& p, Wl4Phase phase);
   bool function(Plan& p, int m);
+  /// M6: takes the machine to where it changes tools, before anything else of the block is planned.
+  bool goToToolChange();
   bool spindle(const Wl4State& s);
   double rpm(const Wl4State& s, double diameter) const;
   PathItem functionItem(PathItem::Kind kind) const;

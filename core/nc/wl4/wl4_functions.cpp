@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
+#include "core/nc/tool_change.h"
 #include "core/nc/wl4/wl4_control.h"
 
 namespace proveout::nc {
 
 namespace {
+
+constexpr double kNoCeiling = std::numeric_limits<double>::infinity();
 
 constexpr double kLeastDiameter = 1e-3;  ///< mm; at the axis the speed would be infinite
 
@@ -110,6 +114,34 @@ bool Wl4Control::function(Plan& p, int m) {
       }
       return sendEvent("function", {{"code", code}});
   }
+}
+
+bool Wl4Control::goToToolChange() {
+  const auto changes = [](const Wl4Block::Code& m) { return m.number == 6; };
+  const ToolChangePlace& place = settings_.tool_change;
+  if (!place.any() || std::none_of(block_.m.begin(), block_.m.end(), changes)) return true;
+  if (!pipe_.flush(FlushReason::kBuffer)) return false;
+  const auto way = toolChangeWay(settings_, emitter_.machine(), kNoCeiling);
+  if (!way.empty()) origins_.clear(unsaidBehind(place));
+  for (const AxisPoint& to : way) {
+    PathItem item;
+    item.kind = PathItem::Kind::kLine;
+    item.space = PathItem::Space::kMachine;
+    item.rapid = true;
+    item.feed.join.stops = true;
+    item.plane = WorkPlane(plane(state_));
+    item.to = to;
+    item.source = here();
+    if (!pipe_.push(item)) return false;
+  }
+  if (way.empty()) return true;
+  thread_angle_.reset();
+  // Beside cutter compensation the programmed point is not the machine's: axes that stayed keep it.
+  machine_[2] = way.back()[2];
+  if (place.x) machine_[0] = *place.x;
+  if (place.y) machine_[1] = *place.y;
+  pipe_.rebase(machine_, WorkPlane(plane(state_)));
+  return true;
 }
 
 bool Wl4Control::dwell() {

@@ -12,13 +12,18 @@ std::size_t entries(const std::string& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
+Status writeNew(const std::string& path) {
+  std::ofstream(path) << "new";
+  return Done{};
+}
+
 TEST(StagingFolder, NothingAppearsBeforeCommit) {
   const test::TemporaryFolder folder;
   folder.write("a.txt", "old");
   {
     Result<StagingFolder> staging = StagingFolder::create(folder.path());
     ASSERT_TRUE(staging.ok());
-    std::ofstream(staging->path("a.txt")) << "new";
+    EXPECT_TRUE(staging->write("a.txt", writeNew).ok());
     EXPECT_EQ(fs::file_size(folder.path("a.txt")), 3u);
     std::string text;
     std::ifstream(folder.path("a.txt")) >> text;
@@ -32,8 +37,8 @@ TEST(StagingFolder, CommitMovesAllAndCleansUp) {
   {
     Result<StagingFolder> staging = StagingFolder::create(folder.path("deep/er"));
     ASSERT_TRUE(staging.ok());
-    std::ofstream(staging->path("a.txt")) << "new";
-    std::ofstream(staging->path("b.txt")) << "new";
+    EXPECT_TRUE(staging->write("a.txt", writeNew).ok());
+    EXPECT_TRUE(staging->write("b.txt", writeNew).ok());
     EXPECT_TRUE(staging->commit().ok());
   }
   EXPECT_EQ(entries(folder.path("deep/er")), 2u);
@@ -45,8 +50,10 @@ TEST(StagingFolder, FilesOfProgramsComeWithTheirFolders) {
     Result<StagingFolder> staging = StagingFolder::create(folder.path());
     ASSERT_TRUE(staging.ok());
     const std::map<std::string, std::string> files{{"a.txt", "one"}, {"sub/b.bin", std::string("\0\x1", 2)}};
-    EXPECT_TRUE(writeProgramFiles(files, "", *staging).ok());
-    EXPECT_TRUE(writeProgramFiles(files, "second side", *staging).ok());
+    OutputFailures failures;
+    writeProgramFiles(files, "", *staging, failures);
+    writeProgramFiles(files, "second side", *staging, failures);
+    EXPECT_TRUE(failures.empty());
     EXPECT_FALSE(fs::exists(folder.path("files")));
     EXPECT_TRUE(staging->commit().ok());
   }
@@ -62,6 +69,47 @@ TEST(StagingFolder, AFileInTheWayIsAnError) {
   EXPECT_FALSE(StagingFolder::create(file).ok());
   EXPECT_FALSE(StagingFolder::create(file + "/below").ok());
   EXPECT_FALSE(StagingFolder::create("/proc/nowhere").ok());
+}
+
+TEST(StagingFolder, FoldersThatStayEmptyGo) {
+  const test::TemporaryFolder folder;
+  { EXPECT_TRUE(StagingFolder::create(folder.path("deep/er")).ok()); }
+  EXPECT_EQ(entries(folder.path()), 0u);
+}
+
+TEST(StagingFolder, AFileThatFailsIsLeftOut) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder.path("taken.txt/below"));
+  {
+    Result<StagingFolder> staging = StagingFolder::create(folder.path());
+    ASSERT_TRUE(staging.ok());
+    EXPECT_TRUE(staging->write("a.txt", writeNew).ok());
+    const Status taken = staging->write("taken.txt", writeNew);
+    ASSERT_FALSE(taken.ok());
+    EXPECT_NE(taken.error().message.find(folder.path("taken.txt")), std::string::npos);
+    const Status failed = staging->write("b.txt", [](const std::string& path) -> Status {
+      std::ofstream(path) << "half";
+      return Error{ErrorKind::kResourceLimit, path + ": full"};
+    });
+    ASSERT_FALSE(failed.ok());
+    EXPECT_EQ(failed.error().kind, ErrorKind::kResourceLimit);
+    EXPECT_EQ(failed.error().message, folder.path("b.txt") + ": full");  // not the file aside
+    EXPECT_TRUE(staging->commit().ok());
+  }
+  EXPECT_TRUE(fs::exists(folder.path("a.txt")));
+  EXPECT_FALSE(fs::exists(folder.path("b.txt")));
+  EXPECT_TRUE(fs::is_directory(folder.path("taken.txt")));
+}
+
+TEST(Outputs, WhatIsMissingDecidesTheExitCode) {
+  Report report;
+  report.verdict = Verdict::kPass;
+  EXPECT_EQ(exitCodeOf(report, {}), 0);
+  EXPECT_EQ(exitCodeOf(report, {inputError("x")}), 2);
+  EXPECT_EQ(exitCodeOf(report, {inputError("x"), {ErrorKind::kResourceLimit, "full"}}), 3);
+  report.verdict = Verdict::kFail;
+  EXPECT_EQ(exitCodeOf(report, {}), 1);
+  EXPECT_EQ(exitCodeOf(report, {inputError("x")}), 2);
 }
 
 /// Closed square bar along Z, half width 10, length 30; its half section is a rectangle.
@@ -83,8 +131,10 @@ TEST(ProfileChartFile, IsWrittenRecordedAndShown) {
     ASSERT_TRUE(staging.ok());
     const std::vector<std::vector<Vec2>> machined{{{0, 0}, {9.9, 0}, {9.9, 30}, {0, 30}}};
     const TriMesh nominal = barMesh();
-    EXPECT_TRUE(writeProfileChart(machined, &nominal, {"bar"}, *staging, report).ok());
-    EXPECT_TRUE(writeReport({}, *staging, report).ok());
+    OutputFailures failures;
+    writeProfileChart(machined, &nominal, {"bar"}, *staging, report, failures);
+    writeReport({}, *staging, report, failures);
+    EXPECT_TRUE(failures.empty());
     EXPECT_TRUE(staging->commit().ok());
   }
   ASSERT_EQ(report.outputs.tables, std::vector<std::string>{"profile.svg"});
@@ -102,7 +152,9 @@ TEST(ProfileChartFile, IsLeftOutWhereThereIsNoMaterial) {
   Report report;
   Result<StagingFolder> staging = StagingFolder::create(folder.path());
   ASSERT_TRUE(staging.ok());
-  EXPECT_TRUE(writeProfileChart({}, nullptr, {"bar"}, *staging, report).ok());
+  OutputFailures failures;
+  writeProfileChart({}, nullptr, {"bar"}, *staging, report, failures);
+  EXPECT_TRUE(failures.empty());
   EXPECT_TRUE(report.outputs.tables.empty());
   EXPECT_TRUE(report.profile_svg.empty());
 }

@@ -101,6 +101,13 @@ TEST(BadJob, WrongTypes) {
   EXPECT_THAT(refusedEnd("[panel]\noptional_stop = 1"), HasSubstr("optional_stop must be true or false"));
   EXPECT_THAT(refusedEnd("[machine]\nlimits = []"), HasSubstr("limits must be a table, not a list"));
   EXPECT_THAT(refusedEnd("[machine.limits]\nX = 5"), HasSubstr("X must be a list of two numbers"));
+  EXPECT_THAT(refusedEnd("[machine]\ntool_change = 300"),
+              HasSubstr("tool_change must be a list of three numbers"));
+  EXPECT_THAT(refusedEnd("[machine]\ntool_change = [0, 300]"), HasSubstr("tool_change"));
+  EXPECT_THAT(refusedEnd("[machine]\ntool_change = {}"), HasSubstr("tool_change names no axis"));
+  EXPECT_THAT(refusedEnd("[machine]\ntool_change = { Z = 'up' }"), HasSubstr("Z must be a number"));
+  EXPECT_THAT(refusedEnd("[machine]\ntool_change = { z = 300 }"), HasSubstr("has no key 'z'"));
+  EXPECT_THAT(refusedTool("type = 'flat'\ndiameter = 3\nhand = 'both'"), HasSubstr("right"));
   EXPECT_THAT(refusedEnd("[output]\nformats = 'stl'"), HasSubstr("formats must be a list, not a text"));
   EXPECT_THAT(refusedTool("type = 'flat'\ndiameter = 3\nholder = [[0, 1, 2]]"),
               HasSubstr("[height above gauge line, radius]"));
@@ -223,7 +230,8 @@ TEST(BadJob, Inserts) {
     EXPECT_THAT(refusedTool("type = 'insert'\nshape = 'round'"),
                 HasSubstr("needs the key '" + std::string(key) + "'"));
   // Keys of other shapes and of tools that turn.
-  for (const char* key : {"width", "side_relief", "tip_flat", "diameter", "overall_length", "gauge_length"})
+  for (const char* key :
+       {"width", "side_relief", "tip_flat", "diameter", "overall_length", "gauge_length", "hand"})
     EXPECT_THAT(refusedTool(corner + key + " = 1"), HasSubstr("has no key '" + std::string(key) + "'"));
   EXPECT_THAT(
       refusedTool("type = 'insert'\nshape = 'round'\norientation = 3\nnose_radius = 3\nedge_length = 3"),

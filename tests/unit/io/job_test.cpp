@@ -453,6 +453,40 @@ TEST(Job, ReadsAMachineFileAndChangesIt) {
   EXPECT_EQ(job->settings.limits[1]->max, 400);
 }
 
+TEST(Job, ReadsThePlaceOfToolChanges) {
+  JobFolder folder;
+  folder.write("vmc.toml", "tool_change = [100, -50, 400]\n");
+  const auto list = folder.load(std::string(kSmallJob) + "[machine]\nfile = 'vmc.toml'\n");
+  ASSERT_TRUE(list) << folder.text();
+  const ToolChangePlace& whole = list->settings.tool_change;
+  EXPECT_EQ(whole.x, 100);
+  EXPECT_EQ(whole.y, -50);
+  EXPECT_EQ(whole.z, 400);
+  EXPECT_FALSE(whole.by_default);
+  const auto changed =
+      folder.load(std::string(kSmallJob) + "[machine]\nfile = 'vmc.toml'\ntool_change = { Z = 300 }\n");
+  ASSERT_TRUE(changed) << folder.text();
+  EXPECT_EQ(changed->settings.tool_change.x, 100);
+  EXPECT_EQ(changed->settings.tool_change.z, 300);
+  const auto height = folder.load(std::string(kSmallJob) + "[machine.tool_change]\nZ = 300\n");
+  ASSERT_TRUE(height) << folder.text();
+  EXPECT_FALSE(height->settings.tool_change.x || height->settings.tool_change.y);
+  EXPECT_EQ(height->settings.tool_change.z, 300);
+  EXPECT_FALSE(folder.load(kSmallJob)->settings.tool_change.any());
+}
+
+TEST(Job, ReadsTheHandOfTools) {
+  JobFolder folder;
+  const auto job =
+      folder.load(std::string(kSmallJob) +
+                  "hand = 'right'\n[[tool]]\nnumber = 2\ntype = 'drill'\ndiameter = 5\nhand = 'left'\n"
+                  "[[tool]]\nnumber = 3\ntype = 'drill'\ndiameter = 5\n");
+  ASSERT_TRUE(job) << folder.text();
+  EXPECT_FALSE(job->tools[0].left_hand);
+  EXPECT_TRUE(job->tools[1].left_hand);
+  EXPECT_FALSE(job->tools[2].left_hand);
+}
+
 TEST(Job, ReadsFurtherAxes) {
   JobFolder folder;
   folder.names.parameters["nct"] = {{"N0305", 0, 10, 32}};

@@ -198,6 +198,26 @@ TEST(Origins, TheToolIsThatOfTheChange) {
   EXPECT_EQ(dataOf(run.path, run.motionOf(6))->tool, 2);
 }
 
+TEST(Origins, NoWordSaysWhereAToolIsChanged) {
+  ControlSettings settings;
+  settings.tool_change.x = 300;
+  settings.tool_change.z = 200;
+  const OriginRun run("G0 X1 Y2 Z3\nT1\nM6\nX4\nY5 M6\nG0 Z6\nM6 X7\nM30\n", settings);
+  ASSERT_EQ(run.summary.errors, 0);
+  for (const std::size_t n : {0u, 1u}) {  // up, and level
+    ASSERT_NE(run.motionOf(3, n), kNoMotion);
+    EXPECT_EQ(run.said(run.motionOf(3, n), kZ), "");
+    EXPECT_EQ(run.said(run.motionOf(3, n), kX), "");
+    EXPECT_EQ(run.said(run.motionOf(3, n), kY), "1 Y2");
+  }
+  EXPECT_EQ(run.said(run.motionOf(4), kX), "4 X4");
+  EXPECT_EQ(run.said(run.motionOf(4), kZ), "");
+  EXPECT_EQ(run.said(run.motionOf(6), kZ), "6 Z6");
+  EXPECT_EQ(run.said(run.motionOf(7), kX), "7 X7");
+  EXPECT_EQ(run.said(run.last(), kX), "");  // M6 comes behind the motion of its block
+  EXPECT_EQ(run.said(run.last(), kZ), "");
+}
+
 TEST(Origins, CutterCompensation) {
   const OriginRun run("G0 X0 Y0\nG41 D2 G1 X10 F100\nX20\nY20\nG40 X0\nX-5\nM30\n", withOffsets());
   ASSERT_EQ(run.summary.errors, 0);

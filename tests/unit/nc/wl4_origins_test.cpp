@@ -28,6 +28,18 @@ ControlSettings withOffsets() {
   return settings;
 }
 
+TEST(Wl4Origins, NoWordSaysWhereAToolIsChanged) {
+  ControlSettings settings;
+  settings.tool_change.z = 200;
+  const OriginRun run = mill("%M\nG90 G17 T5\nG0 X1 Y1 Z5\nM6 X2\nX3\nM30\n%\n", settings);
+  ASSERT_EQ(run.summary.errors, 0);
+  EXPECT_EQ(run.said(run.motionOf(4, 0), kZ), "");
+  EXPECT_EQ(run.said(run.motionOf(4, 0), kX), "3 X1");
+  EXPECT_EQ(run.said(run.motionOf(4, 1), kX), "4 X2");
+  EXPECT_EQ(run.said(run.motionOf(4, 1), kZ), "");
+  EXPECT_EQ(run.said(run.motionOf(5), kZ), "");
+}
+
 TEST(Wl4Origins, ModalWordsAreFoundManyLinesLater) {
   const OriginRun run = mill(
       "%M\n"

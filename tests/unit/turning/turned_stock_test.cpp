@@ -170,6 +170,36 @@ TEST(TurnedStock, RapidIntoThePartIsAContact) {
   EXPECT_NEAR(t.summary.contacts[0].volume_mm3 / (kPi * (900 - 784) * 10), 1.0, 0.05);
 }
 
+TEST(TurnedStock, ContactsAreAsDeepAsTheirDeepestPoint) {
+  // A corner of 10 mm is cut off at 45 degrees: the middle of the cut is 5 mm below both faces.
+  TurningPath corner({40, 10});
+  corner.rapid(18, 2).rapid(32, -12).rapid(40, -12);
+  const Turned cut = turn(bar(30, 60), corner, {insertTool(1, turningInsert(0.0))});
+  ASSERT_FALSE(cut.summary.contacts.empty());
+  EXPECT_EQ(cut.summary.contacts[0].motion, 1u);
+  EXPECT_NEAR(cut.summary.contacts[0].depth_mm, 5.0, 1e-3);
+  EXPECT_LT((cut.summary.contacts[0].where - Vec3(25, 0, -5)).norm(), 0.05);
+  // A wall of 3 mm, through which a wider blade goes, is half as deep as it is thick.
+  TurningPath wall({40, -10});
+  wall.rapid(30.5, -10).feed(20, -10).rapid(40, -10).rapid(40, -17).feed(20, -17).rapid(40, -17);
+  wall.rapid(40, -14).rapid(25, -14).rapid(40, -14);
+  const Turned thin = turn(bar(30, 60), wall, {insertTool(1, grooveInsert(4.0, 0.0))});
+  ASSERT_EQ(thin.summary.contacts.size(), 1u);
+  EXPECT_NEAR(thin.summary.contacts[0].depth_mm, 1.5, 1e-3);
+}
+
+TEST(TurnedStock, ADrillIsAsDeepAsItsTip) {
+  TurningPath path({0, 10});
+  path.rapid(0, -3.0).rapid(0, 10);
+  Tool drill;
+  drill.number = 1;
+  drill.type = ToolType::kDrill;
+  drill.diameter = 12;
+  const Turned t = turn(bar(30, 60), path, {drill});
+  ASSERT_EQ(t.summary.contacts.size(), 1u);
+  EXPECT_NEAR(t.summary.contacts[0].depth_mm, 3.0, 1e-4);
+}
+
 TEST(TurnedStock, StandingSpindleIsAContact) {
   TurningPath path({40, 5});
   path.spindle(0).rapid(28, 2).feed(28, -10).spindle(500).feed(28, -20);

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "app/pipeline.h"
+#include "app/spindle_direction.h"
+
+namespace proveout {
+namespace {
+
+Job twoToolsJob() {
+  Job job;
+  job.name = "direction";
+  job.control = "nct";
+  job.stock = BoxShape{{0, 0, -20}, {40, 30, 0}};
+  Tool mill, drill;
+  mill.number = 1;
+  mill.diameter = 6;
+  drill.number = 2;
+  drill.type = ToolType::kDrill;
+  drill.diameter = 5;
+  job.tools = {mill, drill};
+  job.simulation.resolution_mm = 0.5;
+  return job;
+}
+
+std::vector<Finding> told(const Job& job, const std::string& program) {
+  const MemoryProgramSource memory("part.nc", program);
+  const RecordingSource source(memory, TextEncoding::kAuto);
+  Progress progress;
+  const Result<RunResult> run = runPipeline(job, {&source}, progress);
+  EXPECT_TRUE(run.ok() && !run->alarm);
+  std::vector<Finding> found;
+  if (!run.ok()) return found;
+  for (const Finding& finding : run->findings) {
+    if (finding.kind == "spindle_direction") found.push_back(finding);
+  }
+  return found;
+}
+
+constexpr const char* kSlot = "G0 X-10 Y15 Z-2\nG1 X50 F500\nG0 Z20\n";
+
+TEST(SpindleDirection, ARightHandCutterWithM4IsAnError) {
+  const auto found =
+      told(twoToolsJob(), std::string("G21 G90 T1 M6\nN20 S1000 M4\nN30 S1500\n") + kSlot + "M30\n");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::kError);
+  EXPECT_EQ(found[0].tool, 1);
+  EXPECT_EQ(found[0].source->block, 20);  // the block that started it, not the one that changed its speed
+  EXPECT_NE(found[0].message.find("part.nc:5"), std::string::npos) << found[0].message;
+}
+
+TEST(SpindleDirection, ALeftHandCutterIsTheOtherWayRound) {
+  Job job = twoToolsJob();
+  job.tools[0].left_hand = true;
+  EXPECT_TRUE(told(job, std::string("G21 G90 T1 M6\nS1000 M4\n") + kSlot + "M30\n").empty());
+  EXPECT_EQ(told(job, std::string("G21 G90 T1 M6\nS1000 M3\n") + kSlot + "M30\n").size(), 1u);
+}
+
+TEST(SpindleDirection, ItIsToldOnceForEachToolAndStart) {
+  const std::string again = "G0 X-10 Y5 Z-2\nG1 X50\nG0 Z20\n";
+  EXPECT_EQ(told(twoToolsJob(), std::string("G21 G90 T1 M6\nS1000 M4\n") + kSlot + again + "M30\n").size(),
+            1u);
+  EXPECT_EQ(
+      told(twoToolsJob(), std::string("G21 G90 T1 M6\nS1000 M4\n") + kSlot + "M5\nM4\n" + again + "M30\n")
+          .size(),
+      2u);
+  EXPECT_EQ(told(twoToolsJob(), std::string("G21 G90 T1 M6\nS1000 M4\n") + kSlot +
+                                    "T2 M6\nG0 X20 Y5 Z2\nG1 Z-5\nG0 Z20\nM30\n")
+                .size(),
+            2u);
+}
+
+TEST(SpindleDirection, WithoutACutItIsQuiet) {
+  EXPECT_TRUE(told(twoToolsJob(), std::string("G21 G90 T1 M6\nS1000 M3\n") + kSlot +
+                                      "M4\nG0 X-10 Y15\nG1 Z-2 F500\nX50\nG0 Z20\nM30\n")
+                  .empty());  // the same slot again
+  EXPECT_TRUE(told(twoToolsJob(), std::string("G21 G90 T1 M6\nS1000 M3\n") + kSlot + "M30\n").empty());
+}
+
+TEST(SpindleDirection, TapsAreRight) {
+  for (const char* tap : {"G84", "G74", "G84.2", "G84.3"}) {
+    const std::string program = std::string("G21 G90 T2 M6\nS500 ") +
+                                (std::string(tap) == "G74" ? "M4" : "M3") + "\nG0 X20 Y15 Z5\n" + tap +
+                                " X20 Y15 Z-8 R3 F500\nG80\nG0 Z20\nM30\n";
+    EXPECT_TRUE(told(twoToolsJob(), program).empty()) << tap;
+  }
+  Job job = twoToolsJob();
+  job.control = "wl4-mill";
+  EXPECT_TRUE(told(job,
+                   "%TAP\nG54 G17 G90 G94\nT2 M6\nS500 M3\nG0 X20 Y5 Z5\nG84 #2=3 #3=-8 F500\nX20 Y15\nG80\n"
+                   "G0 Z20\nM30\n")
+                  .empty());
+  EXPECT_EQ(
+      told(job, "%DRILL\nG54 G17 G90 G94\nT2 M6\nS500 M4\nG0 X20 Y15 Z5\nG1 Z-5 F200\nG0 Z20\nM30\n").size(),
+      1u);
+}
+
+}  // namespace
+}  // namespace proveout
