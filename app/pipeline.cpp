@@ -8,6 +8,7 @@
 
 #include "app/comparison.h"
 #include "app/fixtures.h"
+#include "app/grid_choice.h"
 #include "app/run_report.h"
 #include "app/stopwatch.h"
 #include "app/turning.h"
@@ -17,23 +18,6 @@
 
 namespace proveout {
 namespace {
-
-/// Smallest radius that a tool's cutting surface has, mm: of its corner, or of the wall that it leaves.
-double smallestRadius(const Tool& tool) {
-  // Corners of bull noses, dovetails and T-slot cutters; the arcs of a profile; the ball of a taper.
-  if (tool.corner_radius > 0) return std::min(tool.corner_radius, tool.diameter / 2);
-  if (tool.type == ToolType::kTaperBall) return tool.tip_diameter / 2;
-  if (tool.type == ToolType::kForm) {
-    double radius = tool.diameter / 2;
-    for (const OutlinePoint& p : tool.outline) {
-      if (p.arc_radius != 0) radius = std::min(radius, std::abs(p.arc_radius));
-      if (p.r > 0) radius = std::min(radius, p.r);
-    }
-    return radius;
-  }
-  if (tool.type == ToolType::kCone) return std::max(tool.tip_diameter, 0.1 * tool.diameter) / 2;
-  return tool.diameter / 2;
-}
 
 /// A nominal that the blank cannot hold: the usual reasons are a wrong unit and a wrong place.
 std::optional<std::string> misplaced(const Box3& nominal, const Box3& blank, double gouge_mm) {
@@ -56,6 +40,22 @@ Error outgrown(const Interpreted& interpreted) {
 }
 
 }  // namespace
+
+double smallestRadius(const Tool& tool) {
+  // Corners of bull noses, dovetails and T-slot cutters; the arcs of a profile; the ball of a taper.
+  if (tool.corner_radius > 0) return std::min(tool.corner_radius, tool.diameter / 2);
+  if (tool.type == ToolType::kTaperBall) return tool.tip_diameter / 2;
+  if (tool.type == ToolType::kForm) {
+    double radius = tool.diameter / 2;
+    for (const OutlinePoint& p : tool.outline) {
+      if (p.arc_radius != 0) radius = std::min(radius, std::abs(p.arc_radius));
+      if (p.r > 0) radius = std::min(radius, p.r);
+    }
+    return radius;
+  }
+  if (tool.type == ToolType::kCone) return std::max(tool.tip_diameter, 0.1 * tool.diameter) / 2;
+  return tool.diameter / 2;
+}
 
 double simplification(const Job& job, double resolution_mm) {
   constexpr double kShare = 0.1;
@@ -208,7 +208,7 @@ Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
 
 /// Whether the blank can be made before it is known what is cut from it: its grid alone fits into the memory.
 bool makesBlankEarly(const Job& job, const Blank& blank) {
-  if (turnsPart(job) || blank.stock) return false;
+  if (turnsPart(job) || blank.stock || choosesGrid(job, blank)) return false;
   Workload uncut;
   uncut.surface_mm2 = blankArea(blank.shape, blank.bounds);
   return predict(uncut, blank.resolution_mm).memory_mb <= memoryLimitMb(job);
@@ -225,6 +225,10 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
     noteRepairs(*prepared.nominal, "nominal", run.setups.back().interpreted.path.diagnostics);
   if (run.alarm) return Done{};
   const Workload work = workOf(job, prepared);
+  if (choosesGrid(job, prepared.blank)) {
+    prepared.blank.resolution_mm = chooseResolution(job, run, prepared.blank, work, memoryLimitMb(job));
+    run.resolution_mm = prepared.blank.resolution_mm;
+  }
   run.prediction = predict(work, run.resolution_mm);
   return checkMemory(job, work, run.resolution_mm);
 }

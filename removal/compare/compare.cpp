@@ -87,17 +87,15 @@ struct Asked {
   double noise;
 };
 
-/// Where both sides' volumes disagree, the surfaces do not run side by side: what lies between them is
-/// counted. Not for thin patches, where the larger side is right, nor for all of a great many.
+/// Depth times area is short at edges, where the surfaces do not run side by side: what lies between them is
+/// counted. Not for patches as shallow as their samples' noise, nor for all of a great many.
 void fillVolumes(const Asked& asked, double level, std::vector<FoundPatch>& found) {
-  constexpr double kAgree = 0.02, kDeep = 4.0;
+  constexpr double kDeep = 4.0;
   constexpr std::size_t kMostCounted = 24;
   std::vector<FoundPatch*> counted;
   for (FoundPatch& f : found) {
     const auto [machined, nominal] = f.volumes;
-    const double larger = std::max(machined, nominal);
-    if (std::min(machined, nominal) >= (1.0 - kAgree) * larger) continue;
-    f.patch.volume_mm3 = std::max(larger, 0.0);
+    f.patch.volume_mm3 = std::max({machined, nominal, 0.0});
     if (f.patch.depth_mm > kDeep * level) counted.push_back(&f);
   }
   std::stable_sort(counted.begin(), counted.end(), [](const FoundPatch* a, const FoundPatch* b) {

@@ -62,8 +62,10 @@ class Search {
 };
 
 /// How far a point of the nominal is from the part's surface, and how sure that is.
-void measureFromNominal(const ExactPart& part, FoundPatch& found) {
+void measureFromNominal(const ExactPart& part, double chord, FoundPatch& found) {
   DeviationPatch& p = found.patch;
+  // Chords of the nominal were taken off already: only what is left of them can be measured anew.
+  if (chord > 0.0 && p.depth_mm < 100.0 * chord) return;
   const double reach = 1.05 * p.depth_mm + 1e-3;
   if (p.kind == DeviationKind::kExcess) {
     const ExactPart::Sample s = part.at(p.where, reach);
@@ -90,7 +92,7 @@ ExactPart::Sample MeshPart::at(const Vec3& p, double reach) const {
 void findDeepest(const ExactPart& part, const NominalModel& nominal, double step_mm, FoundPatch& found) {
   DeviationPatch& p = found.patch;
   if (found.deepest_on_nominal) {
-    measureFromNominal(part, found);
+    measureFromNominal(part, nominal.shape.largest(), found);
     return;
   }
   const Search search(part, nominal, p.kind, 2.0 * step_mm);

@@ -14,7 +14,10 @@ namespace proveout {
 
 namespace {
 
-constexpr int kColumns = 256;
+/// Columns along the longer side; finer for what is thinner than so many of them: where walls stand along the
+/// columns the error goes with their number to the power of -1.5.
+constexpr int kColumns = 256, kFineColumns = 640;
+constexpr double kThin = 16.0;
 /// Columns stand at another place in each cell, so that faces along rows of cells are counted as well as
 /// others: where in the cell, 0..1, by a mix of its number's bits.
 Vec2 placeInCell(int i, int j) {
@@ -42,10 +45,10 @@ struct Layer {
 
 class Columns {
  public:
-  Columns(const Box3& bounds, int axis)
+  Columns(const Box3& bounds, int axis, int columns)
       : axis_(axis), u_((axis + 1) % 3), v_((axis + 2) % 3), bounds_(bounds) {
     const Vec3 size = bounds.size();
-    cell_ = std::max(size[u_], size[v_]) / kColumns;
+    cell_ = std::max(size[u_], size[v_]) / columns;
     nu_ = std::max(1, static_cast<int>(std::ceil(size[u_] / cell_)));
     nv_ = std::max(1, static_cast<int>(std::ceil(size[v_] / cell_)));
     middle_ = bounds.center()[axis];
@@ -79,6 +82,7 @@ class Columns {
   double high() const { return high_; }
   /// How many layers that are: the more, the better they fit the pieces.
   std::size_t count() const { return count_; }
+  double cell() const { return cell_; }
 
  private:
   struct Corner {
@@ -199,19 +203,21 @@ double differenceVolume(const TreedSurface& machined, const TreedSurface& nomina
   // Flat bounds have no columns along their face.
   const auto roomy = [&](const Box3& b) { return b.inflated(1e-3 * b.size().maxCoeff() + 2.0 * least_mm); };
   Box3 box = roomy(bounds);
-  std::array<double, 3> volume{};
+  std::array<double, 3> volume{}, cell{};
+  std::array<std::size_t, 3> count{};
   std::size_t best = 0;
   // The pieces reach beyond the samples that are over tolerance.
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
     Box3 counted = bounds;
     std::array<double, 3> low{}, high{};
-    std::array<std::size_t, 3> count{};
+    count = {};
     parallelFor(0, 3, [&](int axis) {
-      Columns columns(box, axis);
+      Columns columns(box, axis, kColumns);
       columns.add(machined, 0);
       columns.add(nominal, 1);
       volume[static_cast<std::size_t>(axis)] = columns.volume(kind, places, least_mm);
+      cell[static_cast<std::size_t>(axis)] = columns.cell();
       low[static_cast<std::size_t>(axis)] = columns.low();
       high[static_cast<std::size_t>(axis)] = columns.high();
       count[static_cast<std::size_t>(axis)] = columns.count();
@@ -227,7 +233,12 @@ double differenceVolume(const TreedSurface& machined, const TreedSurface& nomina
     if (beyond < 1e-3 * box.size().maxCoeff()) break;
     box = wanted;
   }
-  return volume[best];
+  const double thickness = volume[best] / (static_cast<double>(count[best]) * cell[best] * cell[best]);
+  if (count[best] == 0 || thickness > kThin * cell[best]) return volume[best];
+  Columns columns(box, static_cast<int>(best), kFineColumns);
+  columns.add(machined, 0);
+  columns.add(nominal, 1);
+  return columns.volume(kind, places, least_mm);
 }
 
 }  // namespace proveout

@@ -122,6 +122,8 @@ TriMesh grown(const Body& body, const Body& towards) {
 std::optional<TriMesh> united(const TriMesh& a, const TriMesh& b) {
   try {
     Exact one = toCgal<Exact>(a), other = toCgal<Exact>(b), sum;
+    if (one.number_of_faces() != a.triangles.size() || other.number_of_faces() != b.triangles.size())
+      return std::nullopt;  // voids that touch along an edge
     if (!pmp::corefine_and_compute_union(one, other, sum, CGAL::parameters::throw_on_self_intersection(true)))
       return std::nullopt;
     return fromCgal(sum);

@@ -140,7 +140,7 @@ class Measurer {
     double raw = -d.distance, bound = o_.uncertainty_mm;
     if (o_.part != nullptr) measureExactly(p, d, all, raw, bound);
     double deviation = nearerReading(raw, bulges_.empty() ? Bulge() : bulges_[i]);
-    if (std::abs(deviation) > least_) deviation = besideRounds(p, deviation);
+    deviation = besideRounds(p, deviation);
     side.deviation[i] = static_cast<float>(deviation);
     side.bound[i] = static_cast<float>(bound);
   }
@@ -227,7 +227,8 @@ class Measurer {
   /// between them nothing can be told.
   double besideRounds(const Vec3& p, double deviation) const {
     const double most = nominal_.shape.largest();
-    if (most == 0.0) return deviation;
+    // Nothing to a shallow deviation, and little to a deep one.
+    if (most == 0.0 || std::abs(deviation) < 0.01 * least_ || std::abs(deviation) > 100.0 * most) return deviation;
     double slack = 0.0;
     nominal_.distance.tree().forEachIn(
         {p - Vec3::Constant(most), p + Vec3::Constant(most)}, [&](std::uint32_t t) {

@@ -22,6 +22,7 @@ constexpr double kMostChord = 0.25, kMostSteepChord = 0.12;
 constexpr double kWidthRatio = 2.5, kCurvatureRatio = 3.0, kSteepTurnRatio = 1.3;
 /// A plane turns against the first facet of a round that touches it by half of what the facets turn.
 constexpr double kTangentTurn = 0.8;
+constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
 /// Two facets that meet.
 struct Link {
@@ -60,15 +61,19 @@ class ShapeReader {
     }
   }
 
-  std::vector<std::array<float, 3>> read() {
-    std::vector<std::array<float, 3>> bulge(mesh_.triangles.size(), {0.0f, 0.0f, 0.0f});
+  std::vector<std::array<float, 6>> read() {
+    std::vector<std::array<float, 6>> bulge(mesh_.triangles.size(), std::array<float, 6>{});
     findFacets();
     findLinks();
     if (!findCurved()) return bulge;
     gatherNormals();
+    findChords();
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (!curved_[facet_of_[t]]) continue;
-      for (std::uint32_t c = 0; c < 3; ++c) bulge[t][c] = static_cast<float>(edgeBulge(t, c));
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        bulge[t][c] = static_cast<float>(fans_[fan_->find(3 * t + c)].height);
+        bulge[t][3 + c] = static_cast<float>(edgeBulge(t, c));
+      }
     }
     return bulge;
   }
@@ -185,6 +190,18 @@ class ShapeReader {
     return angle <= kTangentTurn * (curved_[a] ? turn_[a] : turn_[b]);
   }
 
+  /// Where a long facet of one curved face meets the short ones of another that it touches (a straight fillet
+  /// the round of its corner), the face is straight on the long one's side: its normal is the right one.
+  std::uint32_t leadingOf(std::uint32_t a, std::uint32_t b) const {
+    if (a == b || !curved_[a] || !curved_[b]) return kNobody;
+    const std::pair<std::uint32_t, std::uint32_t> key = std::minmax(a, b);
+    const auto link = std::lower_bound(links_.begin(), links_.end(), key, [](const Link& l, const auto& k) {
+      return std::pair(l.a, l.b) < k;
+    });
+    if (link == links_.end() || link->alike()) return kNobody;
+    return link->width_a > link->width_b ? link->a : link->b;
+  }
+
   std::uint32_t corner(std::uint32_t t, std::uint32_t vertex) const {
     const auto& v = mesh_.triangles[t];
     return 3 * t + (v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2);
@@ -192,47 +209,148 @@ class ShapeReader {
 
   void gatherNormals() {
     fan_ = std::make_unique<DisjointSets>(3 * mesh_.triangles.size());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> leading;  // corners, facets
     forEachPair([&](std::uint32_t g, std::uint32_t h) {
-      if (!smooth(facet_of_[g / 3], facet_of_[h / 3], turnAt(g, h))) return;
+      const std::uint32_t a = facet_of_[g / 3], b = facet_of_[h / 3], leads = leadingOf(a, b);
+      if (!smooth(a, b, turnAt(g, h))) return;
       const auto& v = mesh_.triangles[g / 3];
-      for (const std::uint32_t vertex : {v[g % 3], v[(g % 3 + 1) % 3]})
+      for (const std::uint32_t vertex : {v[g % 3], v[(g % 3 + 1) % 3]}) {
         fan_->join(corner(g / 3, vertex), corner(h / 3, vertex));
+        if (leads != kNobody) leading.emplace_back(corner(g / 3, vertex), leads);
+      }
     });
     fans_.assign(3 * mesh_.triangles.size(), {});
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (normals_[t].isZero()) continue;
-      for (std::uint32_t c = 0; c < 3; ++c) add(t, c, fans_[fan_->find(3 * t + c)]);
+    for (const auto& [at, facet] : leading) fans_[fan_->find(at)].leading.push_back(facet);
+    for (std::uint32_t corner = 0; corner < fans_.size(); ++corner) {
+      if (normals_[corner / 3].isZero()) continue;
+      Fan& fan = fans_[fan_->find(corner)];
+      const std::uint32_t facet = facet_of_[corner / 3];
+      fan.several = fan.several || (fan.facet != kNobody && fan.facet != facet);
+      fan.facet = facet;
     }
+    findBorders();
+    for (const BorderEdge& out : leaving_) add(out);
   }
 
   struct Fan {
-    Vec3 round = Vec3::Zero(), flat = Vec3::Zero();
-    std::uint32_t facet = 0xFFFFFFFFu;
+    std::array<Vec3, 3> sum{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of flat, leading and other facets
+    std::vector<std::uint32_t> leading;  ///< facets
+    std::uint32_t facet = kNobody;
     bool several = false;  ///< facets
-    Vec3 normal() const { return (flat.isZero() ? round : flat).normalized(); }
+    double height = 0.0;   ///< of the curved face there, mm
+    bool in_chord = false;
+    bool known() const { return several || in_chord; }  ///< the normal is the curved face's
+    Vec3 normal() const {
+      return (!sum[0].isZero() ? sum[0] : !sum[1].isZero() ? sum[1] : sum[2]).normalized();
+    }
   };
+
+  /// An edge of a facet that another facet has too; corners of one triangle.
+  struct BorderEdge {
+    std::uint32_t facet, from, to;
+  };
+
+  void findBorders() {
+    edges_.forEachEdge([&](std::uint32_t, const HalfEdge* first, const HalfEdge* last) {
+      for (const HalfEdge* e = first; e != last; ++e) {
+        const std::uint32_t t = e->half_edge / 3, c = e->half_edge % 3, facet = facet_of_[t];
+        const auto same = [&](const HalfEdge& o) { return &o != e && facet_of_[o.half_edge / 3] == facet; };
+        if (normals_[t].isZero() || std::any_of(first, last, same)) continue;
+        leaving_.push_back({facet, 3 * t + c, 3 * t + (c + 1) % 3});
+      }
+    });
+    arriving_ = leaving_;
+    const auto by = [this](std::uint32_t BorderEdge::*end) {
+      return [this, end](const BorderEdge& a, const BorderEdge& b) {
+        return std::pair(a.facet, vertexOf(a.*end)) < std::pair(b.facet, vertexOf(b.*end));
+      };
+    };
+    std::sort(leaving_.begin(), leaving_.end(), by(&BorderEdge::from));
+    std::sort(arriving_.begin(), arriving_.end(), by(&BorderEdge::to));
+  }
+
+  /// The border edge of a facet that leaves a corner's vertex (arrives there); null where it has none.
+  const BorderEdge* borderAt(std::uint32_t facet, std::uint32_t corner, bool leaving) const {
+    const std::vector<BorderEdge>& edges = leaving ? leaving_ : arriving_;
+    const auto at = [&](const BorderEdge& e) { return vertexOf(leaving ? e.from : e.to); };
+    const std::pair key(facet, vertexOf(corner));
+    const auto found = std::lower_bound(edges.begin(), edges.end(), key, [&](const BorderEdge& e, const auto& k) {
+      return std::pair(e.facet, at(e)) < k;
+    });
+    return found != edges.end() && found->facet == facet && at(*found) == key.second ? &*found : nullptr;
+  }
+
+  /// The other end of the straight border that leaves a corner (arrives there): programs that cut meshes with
+  /// meshes leave vertices within it. kNobody: there is no border.
+  std::uint32_t endOfChord(std::uint32_t facet, std::uint32_t corner, bool leaving) const {
+    constexpr int kMostSplits = 1000;
+    const Vec3& from = pointOf(corner);
+    std::uint32_t end = kNobody;
+    for (int i = 0; i < kMostSplits; ++i) {
+      const BorderEdge* edge = borderAt(facet, corner, leaving);
+      if (edge == nullptr) return end;
+      corner = leaving ? edge->to : edge->from;
+      if (end != kNobody && !aligned(pointOf(corner) - from, pointOf(end) - from)) return end;
+      end = corner;
+      if (fans_[fan_->find(end)].several) return end;
+    }
+    return end;
+  }
+
+  static bool aligned(const Vec3& a, const Vec3& b) {
+    return a.dot(b) > 0.0 && a.cross(b).norm() <= 1e-3 * a.norm() * b.norm();
+  }
 
   /// Weights that are exact at vertices on spheres and cylinders (N. Max, "Weights for computing vertex
   /// normals from facet normals", 1999).
-  void add(std::uint32_t t, std::uint32_t c, Fan& fan) {
-    const std::uint32_t facet = facet_of_[t];
-    fan.several = fan.several || (fan.facet != 0xFFFFFFFFu && fan.facet != facet);
-    fan.facet = facet;
-    const Vec3 e = edge(t, static_cast<int>(c)), f = -edge(t, static_cast<int>((c + 2) % 3));
-    (curved_[facet] ? fan.round : fan.flat) +=
-        normals_[t] * (e.cross(f).norm() / (e.squaredNorm() * f.squaredNorm()));
+  void add(const BorderEdge& out) {
+    Fan& fan = fans_[fan_->find(out.from)];
+    if (!curved_[out.facet]) {
+      fan.sum[0] += normals_[out.from / 3];
+      return;
+    }
+    const std::uint32_t after = endOfChord(out.facet, out.from, true),
+                        before = endOfChord(out.facet, out.from, false);
+    if (after == kNobody || before == kNobody) return;
+    const Vec3 e = pointOf(after) - pointOf(out.from), f = pointOf(before) - pointOf(out.from);
+    const bool leads = std::find(fan.leading.begin(), fan.leading.end(), out.facet) != fan.leading.end();
+    fan.sum[leads ? 1 : 2] +=
+        normals_[out.from / 3] * (e.cross(f).norm() / (e.squaredNorm() * f.squaredNorm()) + 1e-12);
   }
 
-  /// Height of the curved face over the middle of an edge.
+  std::uint32_t vertexOf(std::uint32_t corner) const { return mesh_.triangles[corner / 3][corner % 3]; }
+  const Vec3& pointOf(std::uint32_t corner) const {
+    return mesh_.points[vertexOf(corner)];
+  }
+
+  /// Vertices within chords lie below the face.
+  void findChords() {
+    for (const BorderEdge& out : leaving_) {
+      Fan& fan = fans_[fan_->find(out.from)];
+      if (!curved_[out.facet] || fan.several) continue;
+      const std::uint32_t a = endOfChord(out.facet, out.from, false), z = endOfChord(out.facet, out.from, true);
+      if (a == kNobody || z == kNobody) continue;
+      const Fan &first = fans_[fan_->find(a)], &last = fans_[fan_->find(z)];
+      const Vec3 chord = pointOf(z) - pointOf(a), part = pointOf(out.from) - pointOf(a);
+      if (!first.several || !last.several || !aligned(part, chord)) continue;
+      const Vec3 n = first.normal(), m = last.normal();
+      const double t = part.norm() / chord.norm();
+      fan.in_chord = true;
+      fan.sum = {Vec3::Zero(), Vec3::Zero(), (1.0 - t) * n + t * m};
+      fan.height = 4.0 * t * (1.0 - t) * std::clamp((m - n).dot(chord) / 8.0, -kMostChord, kMostChord);
+    }
+  }
+
+  /// Height of the curved face over the middle of an edge, beyond the mean of its ends.
   double edgeBulge(std::uint32_t t, std::uint32_t c) {
     const Fan &from = fans_[fan_->find(3 * t + c)], &to = fans_[fan_->find(3 * t + (c + 1) % 3)];
-    if ((!from.several && !to.several) || normals_[t].isZero()) return 0.0;
+    if ((!from.known() && !to.known()) || normals_[t].isZero()) return 0.0;
     // At a crease the face ends; it turned there as much as at the other end.
     const auto mirrored = [&](const Fan& fan) {
       const Vec3 n = fan.normal();
       return Vec3(2.0 * normals_[t].dot(n) * normals_[t] - n);
     };
-    const Vec3 n = from.several ? from.normal() : mirrored(to), m = to.several ? to.normal() : mirrored(from);
+    const Vec3 n = from.known() ? from.normal() : mirrored(to), m = to.known() ? to.normal() : mirrored(from);
     return std::clamp((m - n).dot(edge(t, static_cast<int>(c))) / 8.0, -kMostChord, kMostChord);
   }
 
@@ -247,6 +365,7 @@ class ShapeReader {
   std::vector<double> turn_;  ///< per curved facet: against its neighbours, rad
   std::unique_ptr<DisjointSets> fan_;
   std::vector<Fan> fans_;
+  std::vector<BorderEdge> leaving_, arriving_;  ///< by facet and the vertex that they leave, or arrive at
 };
 
 }  // namespace
@@ -257,7 +376,8 @@ NominalShape::NominalShape(const SignedDistance& surface) : surface_(surface) {
   for (std::uint32_t t = 0; t < bulge_.size(); ++t) {
     const double off = std::abs(at(t, mesh.middle(t)));
     for (std::size_t c = 0; c < 3; ++c) {
-      const double most = std::max(off, static_cast<double>(std::abs(bulge_[t][c])));
+      const float middle = 0.5f * (bulge_[t][c] + bulge_[t][(c + 1) % 3]) + bulge_[t][3 + c];
+      const double most = std::max(off, static_cast<double>(std::abs(middle)));
       if (most <= largest_) continue;
       largest_ = most;
       largest_at_ = mesh.middle(t);
@@ -267,7 +387,7 @@ NominalShape::NominalShape(const SignedDistance& surface) : surface_(surface) {
 
 double NominalShape::at(std::uint32_t triangle, const Vec3& point) const {
   const auto& b = bulge_[triangle];
-  if (b[0] == 0.0f && b[1] == 0.0f && b[2] == 0.0f) return 0.0;
+  if (b == std::array<float, 6>{}) return 0.0;
   const SurfaceMesh& mesh = surface_.mesh();
   const auto& v = mesh.triangles[triangle];
   const Vec3 normal = mesh.areaVector(triangle);
@@ -276,7 +396,8 @@ double NominalShape::at(std::uint32_t triangle, const Vec3& point) const {
     return std::clamp((p - point).cross(q - point).dot(normal) / normal.squaredNorm(), 0.0, 1.0);
   };
   const double s[3] = {share(0), share(1), share(2)};
-  return 4.0 * (b[0] * s[0] * s[1] + b[1] * s[1] * s[2] + b[2] * s[2] * s[0]);
+  return b[0] * s[0] + b[1] * s[1] + b[2] * s[2] +
+         4.0 * (b[3] * s[0] * s[1] + b[4] * s[1] * s[2] + b[5] * s[2] * s[0]);
 }
 
 Bulge NominalShape::at(const SurfaceDistance& nearest, const Vec3& place) const {

@@ -19,7 +19,8 @@ struct Bulge {
 /// a curved face where it turns the same way, by about the same curvature, against its neighbours on two
 /// sides (or lies beside such a facet and is as wide); the chord may not be larger than an exporter's
 /// tolerance. Between the vertices the face is the quadratic one with their mean normals: exact to a few per
-/// cent of the chord on cylinders, cones, spheres and tori.
+/// cent of the chord on cylinders, cones, spheres and tori. Vertices that split a chord, as programs leave
+/// that cut meshes with meshes, do not end it.
 ///
 /// What cannot be known is whether a prism of many sides was meant as such. So both readings count: a
 /// deviation is one where neither explains it.
@@ -39,8 +40,8 @@ class NominalShape {
 
  private:
   const SignedDistance& surface_;
-  /// Per triangle: of the middles of its edges.
-  std::vector<std::array<float, 3>> bulge_;
+  /// Per triangle: of its corners, and how much more the middles of its edges have than the mean of their ends.
+  std::vector<std::array<float, 6>> bulge_;
   double largest_ = 0.0;
   Vec3 largest_at_ = Vec3::Zero();
 };

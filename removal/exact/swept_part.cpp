@@ -31,12 +31,6 @@ struct Body {
   std::int32_t curve;  ///< number of the stored sweep, or -1: a line
 };
 
-Box3 around(const Vec3& a, const Vec3& b, const ConvexProfile& profile, double slack) {
-  const double r = profile.maxRadius() + slack;
-  return {a.cwiseMin(b) + Vec3(-r, -r, profile.zMin() - slack),
-          a.cwiseMax(b) + Vec3(r, r, profile.zMax() + slack)};
-}
-
 /// The swept volumes of one clamping.
 class CutBodies {
   template <typename Ask>
@@ -56,7 +50,6 @@ class CutBodies {
     boxes_ = {};
   }
   CutBodies(const CutBodies&) = delete;
-
 
   struct Nearest {
     double distance;  ///< to the swept volume, mm; below 0 inside
@@ -90,43 +83,57 @@ class CutBodies {
     const Motion& m = path_.motions[id];
     const auto solid = solids_.find(m.tool);
     if (m.kind == MotionKind::kProbe || solid == solids_.end()) return;
-    const ArcGeometry* arc = m.arc < 0 ? nullptr : &path_.arcs[static_cast<std::size_t>(m.arc)];
     for (const ConvexProfile& profile : solid->second.cutter) {
-      Body body{id, &profile, -1};
-      if (arc != nullptr) {
-        body.curve = static_cast<std::int32_t>(curves_.size());
-        curves_.emplace_back(profile, m.from, m.to, arc);
+      if (m.arc < 0) {
+        addLine(id, profile);
+      } else {
+        addArc(id, profile, path_.arcs[static_cast<std::size_t>(m.arc)]);
       }
-      bodies_.push_back(body);
-      addBoxes(m, arc, profile);
     }
   }
 
-  void addBoxes(const Motion& m, const ArcGeometry* arc, const ConvexProfile& profile) {
-    const Vec3 way = (m.to - m.from).cwiseAbs();
-    int count = 1;
-    double slack = 0.0;
-    if (arc != nullptr) {
-      const ArcFrame frame = arcFrame(m.from, m.to, *arc);
-      count = static_cast<int>(std::ceil(std::min(std::abs(arc->sweep_rad) / kBoxTurn, 1.0 * kMostBoxes)));
-      count = std::max(count, 1);
-      // A chord of a circle stands off it by r (1 - cos(angle / 2)).
-      slack = std::max(frame.radius_start, frame.radius_end) *
-              (1.0 - std::cos(std::min(kPi, 0.5 * std::abs(arc->sweep_rad) / count)));
-    } else {
-      // The box of a line along an axis is as good as many.
-      Vec3 sides = way;
-      std::sort(sides.data(), sides.data() + 3);
-      const double unit = kBoxRadii * std::max(profile.maxRadius(), 0.01);
-      count = std::clamp(static_cast<int>(sides[1] / unit), 1, kMostBoxes);
+  /// The box of a line along an axis is as good as many.
+  void addLine(MotionId id, const ConvexProfile& profile) {
+    const Motion& m = path_.motions[id];
+    bodies_.push_back({id, &profile, -1});
+    Vec3 sides = (m.to - m.from).cwiseAbs();
+    std::sort(sides.data(), sides.data() + 3);
+    const double unit = kBoxRadii * std::max(profile.maxRadius(), 0.01);
+    const int count = std::clamp(static_cast<int>(sides[1] / unit), 1, kMostBoxes);
+    for (int i = 0; i < count; ++i)
+      addBox(m, profile, static_cast<double>(i) / count, static_cast<double>(i + 1) / count, 0.0);
+  }
+
+  /// Level circles have a closed form, however long they are; other curves are taken in pieces.
+  void addArc(MotionId id, const ConvexProfile& profile, const ArcGeometry& arc) {
+    const Motion& m = path_.motions[id];
+    const ArcFrame frame = arcFrame(m.from, m.to, arc);
+    const bool circle = arc.normal.head<2>().isZero(1e-12) && std::abs(frame.rise) < kSameMm &&
+                        std::abs(frame.radius_end - frame.radius_start) < kSameMm;
+    const int count = static_cast<int>(
+        std::clamp(std::ceil(std::abs(arc.sweep_rad) / kBoxTurn), 1.0, static_cast<double>(kMostBoxes)));
+    // A chord of a circle stands off it by r (1 - cos(angle / 2)).
+    const double slack = std::max(frame.radius_start, frame.radius_end) *
+                         (1.0 - std::cos(std::min(kPi, 0.5 * std::abs(arc.sweep_rad) / count)));
+    for (int i = 0; i < count; ++i) {
+      const double from = static_cast<double>(i) / count, to = static_cast<double>(i + 1) / count;
+      if (!circle || i == 0) {
+        bodies_.push_back({id, &profile, static_cast<std::int32_t>(curves_.size())});
+        const ArcGeometry piece{arc.center + from * frame.rise * frame.n, arc.normal, arc.sweep_rad / count};
+        curves_.emplace_back(profile, circle ? m.from : arcPoint(frame, arc, from),
+                             circle ? m.to : arcPoint(frame, arc, to), circle ? &arc : &piece);
+      }
+      addBox(m, profile, from, to, slack);
     }
-    Vec3 from = m.from;
-    for (int i = 1; i <= count; ++i) {
-      const Vec3 to = i == count ? m.to : path_.pointAt(m, static_cast<double>(i) / count);
-      boxes_.push_back(around(from, to, profile, slack));
-      body_of_.push_back(static_cast<std::uint32_t>(bodies_.size() - 1));
-      from = to;
-    }
+  }
+
+  /// Around the way from one parameter of the motion to another, for the last body.
+  void addBox(const Motion& m, const ConvexProfile& profile, double from, double to, double slack) {
+    const Vec3 a = path_.pointAt(m, from), b = path_.pointAt(m, to);
+    const double r = profile.maxRadius() + slack;
+    boxes_.push_back({a.cwiseMin(b) + Vec3(-r, -r, profile.zMin() - slack),
+                      a.cwiseMax(b) + Vec3(r, r, profile.zMax() + slack)});
+    body_of_.push_back(static_cast<std::uint32_t>(bodies_.size() - 1));
   }
 
   double distance(const Body& b, const Vec3& q, double cutoff) const {

@@ -1,0 +1,130 @@
+#include "core/mesh/triangle_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace proveout {
+namespace {
+
+/// Triangles of all sizes at random, some of them flat or equal.
+SurfaceMesh randomSoup(int triangles, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto point = [&](double reach) { return Vec3(reach * Vec3(unit(random), unit(random), unit(random))); };
+  SurfaceMesh mesh;
+  for (int t = 0; t < triangles; ++t) {
+    const Vec3 at = point(50.0);
+    const double size = std::pow(10.0, 2.0 * unit(random) - 1.0);
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.push_back(at);
+    mesh.points.push_back(at + point(size));
+    mesh.points.push_back(t % 17 == 0 ? at : Vec3(at + point(size)));  // no extent
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    if (t % 23 == 0) mesh.triangles.push_back(mesh.triangles.back());  // twice
+  }
+  return mesh;
+}
+
+TriangleTree::Nearest bruteForce(const SurfaceMesh& mesh, const Vec3& p) {
+  TriangleTree::Nearest best;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& v = mesh.triangles[t];
+    const TrianglePoint at = nearestOfTriangle(p, mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
+    const double squared = (at.point - p).squaredNorm();
+    if (squared < best.squared) best = {squared, t, at.part, at.point};
+  }
+  return best;
+}
+
+TEST(TriangleTree, FindsTheNearestPointWithAnyHint) {
+  const SurfaceMesh mesh = randomSoup(3000, 5);
+  const TriangleTree tree(mesh);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(-80.0, 80.0);
+  for (int i = 0; i < 600; ++i) {
+    const Vec3 p = i % 5 == 0 ? mesh.points[random() % mesh.points.size()]
+                              : Vec3(unit(random), unit(random), unit(random));
+    const TriangleTree::Nearest expected = bruteForce(mesh, p);
+    for (const std::uint32_t hint :
+         {TriangleTree::kNone, static_cast<std::uint32_t>(random() % mesh.triangles.size())}) {
+      const TriangleTree::Nearest found = tree.nearest(p, hint);
+      ASSERT_EQ(found.triangle, expected.triangle) << i;
+      ASSERT_EQ(found.squared, expected.squared);
+      ASSERT_EQ(found.part, expected.part);
+    }
+    const double distance = std::sqrt(expected.squared);
+    if (distance < 1e-3) continue;
+    EXPECT_EQ(tree.nearest(p, TriangleTree::kNone, 0.999 * distance).triangle, TriangleTree::kNone);
+    EXPECT_EQ(tree.nearest(p, TriangleTree::kNone, 1.001 * distance).triangle, expected.triangle);
+  }
+}
+
+TEST(TriangleTree, VisitsWhatTouchesABox) {
+  const SurfaceMesh mesh = randomSoup(2000, 8);
+  const TriangleTree tree(mesh);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> unit(-50.0, 50.0);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 at(unit(random), unit(random), unit(random));
+    const Box3 box{at, at + Vec3::Constant(0.2 * std::abs(unit(random)))};
+    std::multiset<std::uint32_t> expected, found;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      Box3 own;
+      for (const auto v : mesh.triangles[t]) own.extend(mesh.points[v]);
+      if (own.overlaps(box)) expected.insert(t);
+    }
+    tree.forEachIn(box, [&](std::uint32_t t) { found.insert(t); });
+    EXPECT_EQ(found, expected);
+  }
+}
+
+/// A torus as quads in two triangles.
+SurfaceMesh torus(double major, double minor, int rings, int sides) {
+  SurfaceMesh mesh;
+  for (int i = 0; i < rings; ++i) {
+    for (int j = 0; j < sides; ++j) {
+      const double a = 2 * kPi * i / rings, b = 2 * kPi * j / sides, r = major + minor * std::cos(b);
+      mesh.points.emplace_back(r * std::cos(a), r * std::sin(a), minor * std::sin(b));
+    }
+  }
+  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i % rings * sides + j % sides); };
+  for (int i = 0; i < rings; ++i) {
+    for (int j = 0; j < sides; ++j) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+TEST(TriangleTree, WindsOnceRoundWhatIsInside) {
+  constexpr double kMajor = 20.0, kMinor = 6.0;
+  const SurfaceMesh mesh = torus(kMajor, kMinor, 160, 60);
+  const TriangleTree tree(mesh);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-30.0, 30.0);
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 p(unit(random), unit(random), 0.3 * unit(random));
+    const double off = std::hypot(std::hypot(p.x(), p.y()) - kMajor, p.z()) - kMinor;
+    if (std::abs(off) < 0.05) continue;  // chords
+    EXPECT_NEAR(tree.windingNumber(p), off < 0.0 ? 1.0 : 0.0, 0.1) << p.transpose();
+  }
+}
+
+TEST(TriangleTree, HoldsOneTriangleAndMany) {
+  SurfaceMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_DOUBLE_EQ(TriangleTree(mesh).nearest({0.2, 0.2, 3.0}).squared, 9.0);
+  // All at one place: the tree has nothing to halve them by.
+  mesh.triangles.assign(5000, {0, 1, 2});
+  EXPECT_EQ(TriangleTree(mesh).nearest({0.2, 0.2, 3.0}).triangle, 0u);
+}
+
+}  // namespace
+}  // namespace proveout
