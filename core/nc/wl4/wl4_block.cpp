@@ -54,6 +54,7 @@ bool wholeNumbered(char letter) { return std::string_view("DHLT").find(letter) !
 
 /// A sign at most.
 bool isSign(std::string_view text) {
+  if (text.empty()) return true;
   std::size_t pos = behindBlanks(text, 0);
   if (pos < text.size() && (text[pos] == '-' || text[pos] == '+')) ++pos;
   return behindBlanks(text, pos) == text.size();
@@ -206,8 +207,8 @@ bool Wl4Reader::word(Wl4Block& block, std::size_t& pos) {
   if (!value(pos, number)) return false;
   const Columns at{static_cast<int>(from) + 1, static_cast<int>(pos) + 1};
   const Wl4Evaluator::Stretch& last = evaluator_.lastNumber();
-  const bool bare = last.begin == from + 1 || isSign(line_.substr(from + 1, last.begin - from - 1));
-  block.plain = block.plain && last.end == pos && bare;
+  const bool bare = last.end == pos && isSign(line_.substr(from + 1, last.begin - from - 1));
+  block.plain = block.plain && bare;
   if (block.words < 255) ++block.words;
   std::int64_t whole = 0;
   if (letter == 'N') {
