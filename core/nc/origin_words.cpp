@@ -76,6 +76,7 @@ std::span<const std::uint32_t> OriginWords::elements(const ReadList& reads) cons
 std::uint32_t OriginWords::numberOf(const WordOrigin& word, ReadList reads, int channel, MotionSink& sink) {
   Key key = keyOf(word, reads, channel);
   if (reads == 0) return intern(key, sink);
+  steps_ = 0;
   const std::uint64_t value = std::exchange(key.value, kNoValue);
   Capped& last = capped_[(key.line * 31 + key.begin) % capped_.size()];
   if (last.number != 0 && last.key == key) return last.number;
@@ -88,24 +89,34 @@ std::uint32_t OriginWords::numberOf(const WordOrigin& word, ReadList reads, int 
   return last.number;
 }
 
-bool OriginWords::valueIsKept(const Key& key) {
+/// Index of the place of a computed word.
+std::uint32_t OriginWords::placeOf(const Key& key) {
   const Key place{key.file, key.line, key.begin, 0, 0, OriginKind::kX, 0, key.channel, 0, 0, 0};
   const std::uint64_t hash = hashOf(place);
   std::uint32_t index = places_.find(place, hash);
   if (index == places_.kNone) {
     index = places_.add(place, hash);
     values_.push_back(0);
+    cuts_.push_back(0);
   }
-  return values_[index]++ < kMostValues;
+  return index;
+}
+
+/// The word with less to read.
+std::uint32_t OriginWords::internCut(Key key, ReadList reads, MotionSink& sink) {
+  key.reads = reads;
+  const std::uint32_t known = keys_.find(key, hashOf(key));
+  if (known != keys_.kNone) return numbers_[known];
+  if (cuts_[placeOf(key)]++ >= kMostCuts) key.reads = 0;
+  return intern(key, sink);
 }
 
 std::uint32_t OriginWords::intern(const Key& key, MotionSink& sink) {
   const std::uint64_t hash = hashOf(key);
   const std::uint32_t known = keys_.find(key, hash);
   if (known != keys_.kNone) return numbers_[known];
-  Key acyclic = key;
-  acyclic.reads = without(key.reads, key, sink);
-  const std::uint32_t number = acyclic.reads == key.reads ? 0 : intern(acyclic, sink);
+  const ReadList reads = without(key.reads, key, sink);
+  const std::uint32_t number = reads == key.reads ? 0 : internCut(key, reads, sink);
   const std::uint32_t index = keys_.add(key, hash);
   numbers_.push_back(number);
   if (number == 0) numbers_[index] = make(keys_.at(index), sink);
@@ -138,20 +149,23 @@ ReadList OriginWords::without(ReadList reads, const Key& place, MotionSink& sink
       const auto behind = elements(key.reads);
       kept.insert(kept.end(), behind.begin(), behind.end());
     } else if (generations_[word - 1] + 1 >= kMostGenerations) {
-      key.reads = 0;
-      kept.push_back(intern(key, sink));
-    } else if (reaches(word, place)) {
-      key.reads = without(key.reads, place, sink);
-      kept.push_back(intern(key, sink));
+      kept.push_back(internCut(key, 0, sink));
+    } else if (steps_ < kMostSteps ? reaches(word, place) : key.reads != 0) {
+      const ReadList less = steps_ < kMostSteps ? without(key.reads, place, sink) : 0;
+      kept.push_back(internCut(key, less, sink));
     } else {
       kept.push_back(word);
     }
+    if (kept.size() >= kMostReads) break;
   }
+  kept.resize(std::min(kept.size(), kMostReads));
   return listOf(kept);
 }
 
-bool OriginWords::reaches(std::uint32_t word, const Key& place) const {
+/// Also where it takes too long to find out.
+bool OriginWords::reaches(std::uint32_t word, const Key& place) {
   const Key& key = keyOf(word);
+  if (++steps_ > kMostSteps) return key.reads != 0;
   if (key.samePlace(place)) return true;
   const auto behind = elements(key.reads);
   return std::any_of(behind.begin(), behind.end(), [&](std::uint32_t from) { return reaches(from, place); });

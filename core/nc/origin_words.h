@@ -23,6 +23,11 @@ class OriginWords {
   /// A place whose computed values are more is kept without values from there on: a loop would fill the
   /// memory.
   static constexpr std::uint32_t kMostValues = 64;
+  // Variables that a loop computes from each other in all ways would take time and memory without end:
+  static constexpr std::size_t kMostReads = 32;     ///< words that one word names
+  static constexpr std::uint32_t kMostSteps = 256;  ///< words looked at for one new word
+  /// A place has so many words that lost some of what they read; the next ones lose all of it.
+  static constexpr std::uint32_t kMostCuts = 1024;
 
   /// The list of these words; doubled ones count once.
   ReadList listOf(std::span<const std::uint32_t> words);
@@ -52,9 +57,11 @@ class OriginWords {
 
   std::uint32_t intern(const Key& key, MotionSink& sink);
   std::uint32_t make(const Key& key, MotionSink& sink);
-  bool valueIsKept(const Key& key);
+  std::uint32_t internCut(Key key, ReadList reads, MotionSink& sink);
+  std::uint32_t placeOf(const Key& key);
+  bool valueIsKept(const Key& key) { return values_[placeOf(key)]++ < kMostValues; }
   ReadList without(ReadList reads, const Key& place, MotionSink& sink);
-  bool reaches(std::uint32_t word, const Key& place) const;
+  bool reaches(std::uint32_t word, const Key& place);
   std::span<const std::uint32_t> elements(const ReadList& reads) const;
   const Key& keyOf(std::uint32_t word) const { return keys_.at(sources_[word - 1]); }
 
@@ -65,6 +72,8 @@ class OriginWords {
   InternTable<std::vector<std::uint32_t>> lists_;
   InternTable<Key> places_;            ///< of computed words, nothing but the place
   std::vector<std::uint32_t> values_;  ///< by place: how many values it took
+  std::vector<std::uint32_t> cuts_;    ///< by place: words that lost some of what they read
+  std::uint32_t steps_ = 0;            ///< words looked at for the new word in hand
   struct Capped {
     Key key{};
     std::uint32_t number = 0;

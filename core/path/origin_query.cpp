@@ -26,7 +26,8 @@ void readLine(ResolvedOrigin& origin, OriginKind written, bool inch, const LineT
   origin.text = line.substr(origin.begin - 1u, static_cast<std::size_t>(origin.end - origin.begin));
 }
 
-ResolvedOrigin ofWord(const Toolpath& path, std::uint32_t number, const LineText& text) {
+/// `left`: how many more may stand behind it.
+ResolvedOrigin ofWord(const Toolpath& path, std::uint32_t number, const LineText& text, std::size_t& left) {
   const WordOrigin& word = path.origins.words[number - 1];
   ResolvedOrigin origin;
   origin.kind = word.kind;
@@ -39,8 +40,16 @@ ResolvedOrigin ofWord(const Toolpath& path, std::uint32_t number, const LineText
   origin.incremental = word.incremental && isCoordinate(word.kind);
   origin.value = word.value;
   readLine(origin, word.kind, word.inch, text);
-  for (const std::uint32_t from : word.from) origin.from.push_back(ofWord(path, from, text));
+  for (const std::uint32_t from : word.from) {
+    if (left == 0) break;
+    --left;
+    origin.from.push_back(ofWord(path, from, text, left));
+  }
   return origin;
+}
+ResolvedOrigin ofWord(const Toolpath& path, std::uint32_t number, const LineText& text) {
+  std::size_t left = kMostBehind;
+  return ofWord(path, number, text, left);
 }
 
 ResolvedOrigin ofCode(const Toolpath& path, const SourceRef& source, OriginKind kind, OriginCode code,

@@ -29,6 +29,8 @@ struct ResolvedOrigin {
   std::string text;                  ///< "Z-3.5", "G43", "#101=-3"
   std::vector<ResolvedOrigin> from;  ///< assignments of the variables that the word read
 };
+/// So many assignments are given behind one word, in the order of reading; further ones are left out.
+inline constexpr std::size_t kMostBehind = 100;
 
 /// The word of that kind in force during the motion. Nothing: the program never said it.
 std::optional<ResolvedOrigin> originOf(const Toolpath& path, MotionId motion, OriginKind kind,

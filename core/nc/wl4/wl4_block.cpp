@@ -52,12 +52,12 @@ const Range* rangeOf(char letter) {
 
 bool wholeNumbered(char letter) { return std::string_view("DHLT").find(letter) != std::string_view::npos; }
 
-bool isPlainNumber(std::string_view text) {
+/// A sign at most.
+bool isSign(std::string_view text) {
+  if (text.empty()) return true;
   std::size_t pos = behindBlanks(text, 0);
   if (pos < text.size() && (text[pos] == '-' || text[pos] == '+')) ++pos;
-  pos = behindBlanks(text, pos);
-  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(std::min(pos, text.size())), text.end(),
-                     [](char c) { return isDigit(c) || c == '.'; });
+  return behindBlanks(text, pos) == text.size();
 }
 
 /// Behind blanks and `/` at the start of the line.
@@ -206,7 +206,9 @@ bool Wl4Reader::word(Wl4Block& block, std::size_t& pos) {
   double number = 0.0;
   if (!value(pos, number)) return false;
   const Columns at{static_cast<int>(from) + 1, static_cast<int>(pos) + 1};
-  block.plain = block.plain && isPlainNumber(line_.substr(from + 1, pos - from - 1));
+  const Wl4Evaluator::Stretch& last = evaluator_.lastNumber();
+  const bool bare = last.end == pos && isSign(line_.substr(from + 1, last.begin - from - 1));
+  block.plain = block.plain && bare;
   if (block.words < 255) ++block.words;
   std::int64_t whole = 0;
   if (letter == 'N') {

@@ -148,12 +148,22 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
     KindSet kinds, steps;
     bool operator==(const PlainWords&) const = default;
   };
+  /// What the kinds of the words of a plain motion block depend on.
+  struct BlockShape {
+    AddressSet letters;
+    AxisSet named;
+    int g = -1, motion = -1, distance = -1;
+    bool chamfer = false;
+    bool operator==(const BlockShape&) const = default;
+  };
   void beginBlock(std::string_view line);
+  std::optional<BlockShape> shapeOf(const Plan& p) const;
   bool shownByText() const;
   void recordLetter(char letter, OriginKind kind, bool step = false, bool by_text = true);
   void recordCode(const Wl4Block::Code& code, OriginKind kind);
   void tellPlainWords();
   void recordWords(const Plan& p);
+  void recordBlock(const Plan& p);
   void recordCodes(bool contour);
   void recordAxes(const Plan& p);
   void recordData(const Plan& p);
@@ -196,9 +206,10 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   Wl4Variables variables_;
   Wl4Evaluator evaluator_;
   Wl4Reader reader_;
-  mutable OriginRecorder origins_;  ///< works the index of here() out when it is asked for
-  PlainWords plain_words_;          ///< of the block in hand, not told yet
-  PlainWords told_words_;           ///< told last
+  mutable OriginRecorder origins_;        ///< works the index of here() out when it is asked for
+  PlainWords plain_words_;                ///< of the block in hand, not told yet
+  PlainWords told_words_;                 ///< told last
+  std::optional<BlockShape> told_shape_;  ///< of the block that told them
   bool data_told_ = false;
   std::array<std::uint32_t, 3> system_by_{};  ///< words of G92
   std::vector<ContourWords> contour_words_;   ///< by ContourElement::source

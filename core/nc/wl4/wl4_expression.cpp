@@ -73,6 +73,7 @@ void Wl4Evaluator::setDecimals(int decimals) { tolerance_ = 0.5 * std::pow(10.0,
 
 bool Wl4Evaluator::evaluate(std::string_view text, std::size_t& pos, double& out) {
   depth_ = 0;
+  last_number_ = {};
   reads_.clear();
   return logical(text, pos, out);
 }
@@ -189,6 +190,7 @@ bool Wl4Evaluator::number(std::string_view text, std::size_t& pos, double& out) 
   }
   if (digits == 0) return fail("a number without digits", pos, end);
   std::from_chars(text.data() + pos, text.data() + end, out, std::chars_format::fixed);
+  last_number_ = {pos, end};
   pos = end;
   return true;
 }

@@ -35,6 +35,11 @@ class Wl4Evaluator {
   }
   /// `origins` must outlive the evaluator. Without, values have no origins.
   void setOrigins(ValueOrigins& origins) { origins_ = &origins; }
+  /// Where the last number of the last expression stands.
+  struct Stretch {
+    std::size_t begin = 0, end = 0;
+  };
+  const Stretch& lastNumber() const { return last_number_; }
   /// What the last expression read.
   ReadList reads() const { return reads_.empty() ? 0 : origins_->listOf(reads_); }
 
@@ -69,6 +74,7 @@ class Wl4Evaluator {
   ValueOrigins* origins_ = nullptr;
   std::vector<std::uint32_t> reads_;  ///< origins of the variables of the expression in hand
   double tolerance_ = kFullPrecision;
+  Stretch last_number_;
   int depth_ = 0;
   bool mixed_power_ = false;
   Error error_;

@@ -95,13 +95,32 @@ void Wl4Control::recordCode(const Wl4Block::Code& code, OriginKind kind) {
 
 /// Plain words of the block take effect all at once: blocks that are alike then cost next to nothing.
 void Wl4Control::tellPlainWords() {
+  told_shape_.reset();
   const PlainWords words = std::exchange(plain_words_, {});
   if (words.kinds.empty() || (words == told_words_ && origins_.again())) return;
   origins_.literals(words.kinds, words.steps, false);
   told_words_ = words;
 }
 
+/// Nothing: other words or modes may change with the block.
+std::optional<Wl4Control::BlockShape> Wl4Control::shapeOf(const Plan& p) const {
+  constexpr AddressSet kLetters = "XYZABCIJKRF";
+  if (!block_.plain || p.deed != 0 || block_.g.count > 1 || block_.m.count > 0 ||
+      !block_.present.without(kLetters).empty())
+    return std::nullopt;
+  const int g = block_.g.count == 1 ? block_.g.at[0].number : -1;
+  if (g > 3) return std::nullopt;
+  return BlockShape{block_.present, p.named, g, p.next.motion, p.next.distance, p.chamfer > 0.0};
+}
+
 void Wl4Control::recordWords(const Plan& p) {
+  const std::optional<BlockShape> shape = shapeOf(p);
+  if (shape && shape == told_shape_ && origins_.again()) return;
+  recordBlock(p);
+  told_shape_ = shape;
+}
+
+void Wl4Control::recordBlock(const Plan& p) {
   const bool contour = isContourCycle(p.deed);
   const bool thread = p.deed == 31 || block_.hasCode(32) || block_.hasCode(33);
   const bool arc = p.deed == 0 && (p.next.motion == 2 || p.next.motion == 3);

@@ -450,6 +450,31 @@ TEST(Origins, VariablesThatFeedEachOther) {
   EXPECT_LT(run.path.origins.words.size(), 1000u);
 }
 
+std::size_t countBehind(const ResolvedOrigin& origin) {
+  std::size_t count = origin.from.size();
+  for (const ResolvedOrigin& from : origin.from) count += countBehind(from);
+  return count;
+}
+
+TEST(Origins, VariablesThatAllReadEachOtherStayWithinBounds) {
+  std::string text = "G1 F100\n";
+  for (int k = 1; k <= 8; ++k) text += fmt::format("#{}={}\n", 100 + k, k);
+  text += "#1=0\nWHILE[#1LT500]DO1\n";
+  for (int k = 1; k <= 8; ++k)
+    text += fmt::format("#{}=SIN[#101+#102+#103+#104+#105+#106+#107+#108]\n", 100 + k);
+  const OriginRun run(text + "X[#101+#1]\nY[#108-#1]\n#1=#1+1\nEND1\nM30\n");
+  ASSERT_EQ(run.summary.errors, 0);
+  ASSERT_GE(run.path.motions.size(), 1000u);
+  EXPECT_LT(run.path.origins.words.size(), 8u * 1024u);
+  const auto origin = originOf(run.path, run.last(), kY, run.text());
+  ASSERT_TRUE(origin);
+  EXPECT_EQ(origin->text, "Y[#108-#1]");
+  EXPECT_LE(countBehind(*origin), kMostBehind);
+  const auto early = originOf(run.path, 0, kX, run.text());
+  ASSERT_FALSE(early->from.empty());
+  EXPECT_EQ(early->from[0].line, 12u);
+}
+
 TEST(Origins, LongChainsEndAfterSomeGenerations) {
   std::string text = "G1 F100\n#100=1\n";
   for (int k = 101; k < 140; ++k) text += fmt::format("#{}=#{}+1\n", k, k - 1);

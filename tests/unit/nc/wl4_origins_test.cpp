@@ -84,6 +84,26 @@ TEST(Wl4Origins, OfTwoWordsOfAnAxisTheLaterCounts) {
   EXPECT_EQ(run.said(2, kX), "4 X9");
 }
 
+TEST(Wl4Origins, BlocksAlikeHaveTheirOwnWords) {
+  const OriginRun run = mill(
+      "%M\nG1 X1 Y1 F100\nX2 Y2\nX3 Y3\nX4 Y4\nG2 X14 R5\nG2 X24 R5\nG2 X34 R6\n"
+      "G1 X35 Y5\nX36 Y- 6\nX(30+7) Y7\nX38 Y8\nG91\nX1 Y1\nX1 Y1\nM30\n%\n");
+  ASSERT_EQ(run.summary.errors, 0) << run.path.diagnostics.all().back().message;
+  EXPECT_EQ(run.said(run.motionOf(5), kY), "5 Y4");
+  for (const int line : {6, 7, 8}) {
+    const MotionId m = run.motionOf(static_cast<std::uint32_t>(line));
+    EXPECT_EQ(run.said(m, kArcRadius), fmt::format("{} R{}", line, line == 8 ? 6 : 5));
+    EXPECT_EQ(run.said(m, kMotionCode), fmt::format("{} G2", line));
+    EXPECT_EQ(run.said(m, kY), "5 Y4");
+  }
+  EXPECT_EQ(run.said(run.motionOf(9), kArcRadius), "");
+  EXPECT_EQ(run.said(run.motionOf(10), kY), "10 Y- 6");
+  EXPECT_EQ(run.valueOf(run.motionOf(10), kY), -6.0);
+  EXPECT_EQ(run.said(run.motionOf(11), kX), "11 X(30+7)");
+  EXPECT_EQ(run.said(run.motionOf(12), kX), "12 X38");
+  EXPECT_EQ(run.said(run.motionOf(15), kX), "15 X1 step");
+}
+
 TEST(Wl4Origins, VariablesAreFollowedToTheirAssignments) {
   const OriginRun run =
       mill("%M\nG1 F100 #31=1.5\n#30=(-#31*2) X1\nX2\nX3\nZ#30 Y(#32=(#31+1))\nX#32\nM30\n%\n");
