@@ -13,30 +13,72 @@ using enum OriginKind;
 struct KindOf {
   CutShift shift;
   OriginKind kind;
+  bool only_turning = false;
 };
 constexpr KindOf kKinds[] = {
-    {CutShift::kX, kX},           {CutShift::kX, kI},           {CutShift::kX, kArcRadius},
-    {CutShift::kX, kWorkOffset},  {CutShift::kX, kShift},       {CutShift::kX, kMirror},
-    {CutShift::kX, kScaling},     {CutShift::kX, kRotation},    {CutShift::kX, kPolar},
-    {CutShift::kX, kDistance},    {CutShift::kX, kUnits},       {CutShift::kX, kCorner},
-    {CutShift::kX, kAngle},       {CutShift::kX, kCycleShift},  {CutShift::kX, kAllowance},
-    {CutShift::kX, kCycleDepth},  {CutShift::kX, kDiameter},    {CutShift::kX, kCompensation},
-    {CutShift::kX, kTool},        {CutShift::kX, kContour},
-    {CutShift::kY, kY},           {CutShift::kY, kJ},           {CutShift::kY, kArcRadius},
-    {CutShift::kY, kWorkOffset},  {CutShift::kY, kShift},       {CutShift::kY, kMirror},
-    {CutShift::kY, kScaling},     {CutShift::kY, kRotation},    {CutShift::kY, kPolar},
-    {CutShift::kY, kDistance},    {CutShift::kY, kUnits},       {CutShift::kY, kCorner},
-    {CutShift::kY, kAngle},       {CutShift::kY, kCycleShift},
-    {CutShift::kZ, kCycleDepth},  {CutShift::kZ, kZ},           {CutShift::kZ, kLengthOffset},
-    {CutShift::kZ, kLengthCode},  {CutShift::kZ, kCyclePlane},  {CutShift::kZ, kTool},
-    {CutShift::kZ, kWorkOffset},  {CutShift::kZ, kShift},       {CutShift::kZ, kK},
-    {CutShift::kZ, kDistance},    {CutShift::kZ, kScaling},     {CutShift::kZ, kUnits},
-    {CutShift::kZ, kAllowance},   {CutShift::kZ, kContour},     {CutShift::kZ, kCompensation},
-    {CutShift::kRadial, kRadiusOffset}, {CutShift::kRadial, kCompensation}, {CutShift::kRadial, kTool},
-    {CutShift::kRadial, kArcRadius},    {CutShift::kRadial, kI},            {CutShift::kRadial, kJ},
-    {CutShift::kRadial, kX},            {CutShift::kRadial, kY},            {CutShift::kRadial, kZ},
-    {CutShift::kRadial, kCycleDepth},   {CutShift::kRadial, kAllowance},    {CutShift::kRadial, kScaling},
-    {CutShift::kRadial, kPlane},        {CutShift::kRadial, kMotionCode},
+    {CutShift::kX, kX},
+    {CutShift::kX, kI},
+    {CutShift::kX, kArcRadius},
+    {CutShift::kX, kWorkOffset},
+    {CutShift::kX, kShift},
+    {CutShift::kX, kMirror},
+    {CutShift::kX, kScaling},
+    {CutShift::kX, kRotation},
+    {CutShift::kX, kPolar},
+    {CutShift::kX, kDistance},
+    {CutShift::kX, kUnits},
+    {CutShift::kX, kCorner},
+    {CutShift::kX, kAngle},
+    {CutShift::kX, kCycleShift},
+    {CutShift::kX, kAllowance, true},
+    {CutShift::kX, kCycleDepth, true},
+    {CutShift::kX, kDiameter, true},
+    {CutShift::kX, kCompensation, true},
+    {CutShift::kX, kTool, true},
+    {CutShift::kX, kContour, true},
+    {CutShift::kY, kY},
+    {CutShift::kY, kJ},
+    {CutShift::kY, kArcRadius},
+    {CutShift::kY, kWorkOffset},
+    {CutShift::kY, kShift},
+    {CutShift::kY, kMirror},
+    {CutShift::kY, kScaling},
+    {CutShift::kY, kRotation},
+    {CutShift::kY, kPolar},
+    {CutShift::kY, kDistance},
+    {CutShift::kY, kUnits},
+    {CutShift::kY, kCorner},
+    {CutShift::kY, kAngle},
+    {CutShift::kY, kCycleShift},
+    {CutShift::kZ, kCycleDepth},
+    {CutShift::kZ, kZ},
+    {CutShift::kZ, kLengthOffset},
+    {CutShift::kZ, kLengthCode},
+    {CutShift::kZ, kCyclePlane},
+    {CutShift::kZ, kTool},
+    {CutShift::kZ, kWorkOffset},
+    {CutShift::kZ, kShift},
+    {CutShift::kZ, kK},
+    {CutShift::kZ, kDistance},
+    {CutShift::kZ, kScaling},
+    {CutShift::kZ, kUnits},
+    {CutShift::kZ, kAllowance, true},
+    {CutShift::kZ, kContour, true},
+    {CutShift::kZ, kCompensation, true},
+    {CutShift::kRadial, kRadiusOffset},
+    {CutShift::kRadial, kCompensation},
+    {CutShift::kRadial, kTool},
+    {CutShift::kRadial, kArcRadius},
+    {CutShift::kRadial, kI},
+    {CutShift::kRadial, kJ},
+    {CutShift::kRadial, kX, true},
+    {CutShift::kRadial, kY, true},
+    {CutShift::kRadial, kZ, true},
+    {CutShift::kRadial, kCycleDepth, true},
+    {CutShift::kRadial, kAllowance, true},
+    {CutShift::kRadial, kScaling},
+    {CutShift::kRadial, kPlane},
+    {CutShift::kRadial, kMotionCode},
 };
 /// Data come behind the words that choose them, before all other words.
 constexpr int kDatumRank = 1, kWordStep = 2;
@@ -53,6 +95,7 @@ class Collector {
     int rank = 0;
     for (const KindOf& k : kKinds) {
       rank += kWordStep;
+      if (k.only_turning && !s_.turning) continue;
       const auto word = originOf(s_.path, motion_, k.kind, s_.text);
       if (word) addWord(k.shift, *word, rank);
     }
@@ -66,7 +109,8 @@ class Collector {
     const std::string key = fmt::format("{}w{}", static_cast<int>(shift), placeKey(word));
     const auto same = [&](const CauseCandidate& c) { return c.key == key; };
     if (word.begin > 0 && std::any_of(out_.begin(), out_.end(), same)) return;
-    out_.push_back({shift, word.begin > 0 ? key : key + originKindName(word.kind).data(), rank, word, {}, {}});
+    out_.push_back(
+        {shift, word.begin > 0 ? key : key + originKindName(word.kind).data(), rank, word, {}, {}});
     for (const ResolvedOrigin& from : word.from) addWord(shift, from, rank + kWordStep);
   }
 
@@ -75,8 +119,12 @@ class Collector {
       addWord(shift, *word, rankOf(shift, behind) + kDatumRank);
       return;
     }
-    out_.push_back({shift, fmt::format("{}d{}", static_cast<int>(shift), datum),
-                    rankOf(shift, behind) + kDatumRank, {}, datum, fmt::format("{:g}", value)});
+    out_.push_back({shift,
+                    fmt::format("{}d{}", static_cast<int>(shift), datum),
+                    rankOf(shift, behind) + kDatumRank,
+                    {},
+                    datum,
+                    fmt::format("{:g}", value)});
   }
 
   static int rankOf(CutShift shift, OriginKind kind) {
@@ -93,10 +141,12 @@ class Collector {
     if (data == nullptr) return;
     if (data->length.row > 0)
       addDatum(CutShift::kZ, kLengthOffset, fmt::format("offsets.length.{}", data->length.row),
-               data->length.value(), data->length.wear_by > 0 ? data->length.wear_by : data->length.geometry_by);
+               data->length.value(),
+               data->length.wear_by > 0 ? data->length.wear_by : data->length.geometry_by);
     if (data->radius.row > 0)
       addDatum(CutShift::kRadial, kRadiusOffset, fmt::format("offsets.radius.{}", data->radius.row),
-               data->radius.value(), data->radius.wear_by > 0 ? data->radius.wear_by : data->radius.geometry_by);
+               data->radius.value(),
+               data->radius.wear_by > 0 ? data->radius.wear_by : data->radius.geometry_by);
     addTool();
     addVectors(*data);
   }
@@ -107,8 +157,12 @@ class Collector {
       if (tool.number != number) continue;
       const std::string key = fmt::format("tools.{}.", number);
       if (tool.insert) {
-        for (const CutShift shift : {CutShift::kX, CutShift::kZ, CutShift::kRadial})
+        const DataInForce* data = dataOf(s_.path, motion_);
+        for (const CutShift shift : {CutShift::kX, CutShift::kZ, CutShift::kRadial}) {
           addDatum(shift, kTool, key + "nose_radius", tool.insert->nose_radius, 0);
+          if (data->nose_radius > 0.0)  // what the operator entered
+            addDatum(shift, kTool, fmt::format("control.{}.RT.{}", s_.control, number), data->nose_radius, 0);
+        }
         return;
       }
       addDatum(CutShift::kRadial, kTool, key + "diameter", tool.diameter, 0);
@@ -128,13 +182,15 @@ class Collector {
       const auto axis = static_cast<Eigen::Index>(k);
       const char* const letter = k == 0 ? "x" : k == 1 ? "y" : "z";
       if (data.work_system > 0) {
-        addDatum(kAxes[k], kWorkOffset, fmt::format("offsets.work.{}.{}", systemName(data.work_system), letter),
+        addDatum(kAxes[k], kWorkOffset,
+                 fmt::format("offsets.work.{}.{}", systemName(data.work_system), letter),
                  data.work_offset.value[axis], data.work_offset.set_by[k]);
       }
       if (data.common_offset.value[axis] != 0.0 || data.common_offset.set_by[k] != 0)
         addDatum(kAxes[k], kWorkOffset, fmt::format("offsets.work.common.{}", letter),
                  data.common_offset.value[axis], data.common_offset.set_by[k]);
-      if (data.shift.set_by[k] != 0) addDatum(kAxes[k], kShift, "", data.shift.value[axis], data.shift.set_by[k]);
+      if (data.shift.set_by[k] != 0)
+        addDatum(kAxes[k], kShift, "", data.shift.value[axis], data.shift.set_by[k]);
     }
   }
 

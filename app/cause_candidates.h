@@ -32,14 +32,15 @@ struct CauseSource {
   const Toolpath& path;
   const std::vector<Tool>& tools;
   bool turning;
+  std::string control;  ///< name
   LineText text;
 };
 
 /// All candidates of a motion. Empty where the path has no origins.
 std::vector<CauseCandidate> candidatesOf(const CauseSource& source, MotionId motion);
 
-/// The words that a motion is made with and the data behind it, those of its own block first: what to look at where
-/// nothing tells which of them is wrong.
+/// The words that a motion is made with and the data behind it, those of its own block first: what to look at
+/// where nothing tells which of them is wrong.
 std::vector<CauseCandidate> inForce(const CauseSource& source, MotionId motion);
 
 }  // namespace proveout

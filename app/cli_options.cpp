@@ -21,6 +21,7 @@ struct Parsed {
   CompareCommandOptions compare;
   RenderCommandOptions render;
   CoverageOptions coverage;
+  ExplainOptions explain;
 };
 
 /// Strict: the whole text is a finite decimal number in (low, high].
@@ -129,6 +130,16 @@ void addRun(CLI::App& root, RunOptions& o) {
   app->footer(kFooter);
 }
 
+void addExplain(CLI::App& root, ExplainOptions& o) {
+  CLI::App* app = root.add_subcommand(
+      "explain", "Which block made a point of the part, and which words and data put it there");
+  app->add_option("REPORT", o.report, "report.json of a run, or its folder; its inputs must be unchanged")
+      ->required();
+  app->add_option("--at", o.at, "A point, mm, as findings give it: X,Y,Z")->required()->type_name("X,Y,Z");
+  app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");
+  app->footer(kFooter);
+}
+
 void addPathAndCheck(CLI::App& root, PathOptions& path, CheckOptions& check) {
   CLI::App* app = root.add_subcommand("path", "Interpret only: the motions, one a line, on stdout");
   addProgramOptions(*app, path.program);
@@ -200,6 +211,29 @@ void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptio
 
 }  // namespace
 
+std::vector<std::string> decidingArguments(const RunOptions& o) {
+  std::vector<std::string> out = {"run", o.program.input};
+  const auto add = [&](const char* name, const std::optional<std::string>& value) {
+    if (value) out.insert(out.end(), {name, *value});
+  };
+  const auto addNumber = [&](const char* name, const std::optional<double>& value) {
+    char text[32];
+    if (value) add(name, std::string(text, std::to_chars(text, text + sizeof text, *value).ptr));
+  };
+  add("--control", o.program.control);
+  for (const std::string& path : o.program.subprograms) add("--subprograms", path);
+  add("--setup", o.program.setup);
+  add("--until", o.program.until);
+  if (o.program.lenient) out.push_back("--lenient");
+  add("--stock", o.stock);
+  for (const std::string& tool : o.tools) add("--tool", tool);
+  add("--nominal", o.nominal);
+  add("--unit", o.unit);
+  addNumber("--tolerance", o.tolerance_mm);
+  addNumber("--resolution", o.resolution_mm);
+  return out;
+}
+
 CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   CommandLine line;
   Parsed parsed;
@@ -212,6 +246,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   addRun(app, parsed.run);
   addPathAndCheck(app, parsed.path, parsed.check);
   addCompare(app, parsed.compare);
+  addExplain(app, parsed.explain);
   addRenderAndCoverage(app, parsed.render, parsed.coverage);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
@@ -228,6 +263,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   if (app.got_subcommand("check")) line.command = std::move(parsed.check);
   if (app.got_subcommand("compare")) line.command = std::move(parsed.compare);
   if (app.got_subcommand("render")) line.command = std::move(parsed.render);
+  if (app.got_subcommand("explain")) line.command = std::move(parsed.explain);
   if (app.got_subcommand("coverage")) line.command = std::move(parsed.coverage);
   return line;
 }

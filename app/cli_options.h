@@ -40,6 +40,15 @@ struct RunOptions {
   bool progress = false;
 };
 
+/// The words of a command line that decide what a run finds; not how it is shown, nor where it is written.
+std::vector<std::string> decidingArguments(const RunOptions& options);
+
+struct ExplainOptions {
+  std::string report;  ///< a report.json, or the folder that holds it
+  std::string at;      ///< "x,y,z"
+  bool progress = false;
+};
+
 struct PathOptions {
   ProgramOptions program;
   std::string format = "jsonl";
@@ -80,7 +89,7 @@ struct CoverageOptions {
 };
 
 using CommandOptions = std::variant<RunOptions, PathOptions, CheckOptions, CompareCommandOptions,
-                                    RenderCommandOptions, CoverageOptions>;
+                                    RenderCommandOptions, CoverageOptions, ExplainOptions>;
 
 /// What to do: a command, or a text to print and an exit code (--help, --version, bad usage).
 struct CommandLine {

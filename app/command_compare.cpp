@@ -74,6 +74,7 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
   // No program is involved: nothing is blamed.
   for (const DeviationPatch& patch : comparison.patches) addDeviation(patch, comparison, report.findings);
   addUndecided(comparison, report.findings);
+  addCoarseNominal(comparison, report.findings);
   report.error_budget.push_back({"nominal", comparison.nominal_chord_mm,
                                  "chord height of the nominal's facets, estimated from neighbouring facets"});
   const std::pair<const char*, std::string> files[] = {{"machined", options.machined},

@@ -65,7 +65,8 @@ struct Written {
   OutputFailures failures;
 };
 
-Result<Written> runJob(const Job& job, const std::string& folder, ConsoleProgress& progress) {
+Result<Written> runJob(const Job& job, const std::vector<std::string>& command, const std::string& folder,
+                       ConsoleProgress& progress) {
   Stopwatch wall, watch;
   const ThreadLimit limit(job.simulation.threads);
   const JobSources sources(job);
@@ -85,6 +86,7 @@ Result<Written> runJob(const Job& job, const std::string& folder, ConsoleProgres
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   report->performance.wall_s = wall.lap();
   written.report = std::move(*report);
+  written.report.command = command;
   if (const Status done = writeAll(job, *run, *pictures, folder, written.report, written.failures); !done)
     return done.error();
   return written;
@@ -100,7 +102,7 @@ int runCommand(const RunOptions& options, Console& console, ConsoleProgress& pro
   if (!good) return kExitInput;
   const std::string folder = outputFolder(options, *job);
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
-  const Result<Written> written = runJob(*job, folder, progress);
+  const Result<Written> written = runJob(*job, decidingArguments(options), folder, progress);
   progress.clear();
   if (!written) return printError(console, written.error());
   printResult(console, written->report, options.quiet, options.json, folder);

@@ -15,6 +15,7 @@ struct Dispatch {
   int operator()(const CheckOptions& o) const { return checkCommand(o, console, progress); }
   int operator()(const CompareCommandOptions& o) const { return compareCommand(o, console, progress); }
   int operator()(const RenderCommandOptions& o) const { return renderCommand(o, console, progress); }
+  int operator()(const ExplainOptions& o) const { return explainCommand(o, console, progress); }
   int operator()(const CoverageOptions& o) const { return coverageCommand(o, console, progress); }
 };
 

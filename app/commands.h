@@ -11,6 +11,7 @@ int pathCommand(const PathOptions& options, Console& console, ConsoleProgress& p
 int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress& progress);
 int compareCommand(const CompareCommandOptions& options, Console& console, ConsoleProgress& progress);
 int renderCommand(const RenderCommandOptions& options, Console& console, ConsoleProgress& progress);
+int explainCommand(const ExplainOptions& options, Console& console, ConsoleProgress& progress);
 int coverageCommand(const CoverageOptions& options, Console& console, ConsoleProgress& progress);
 
 /// The whole program but for signals: parses, runs, flushes; a result that cannot be written to stdout is an

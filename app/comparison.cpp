@@ -9,24 +9,6 @@
 namespace proveout {
 namespace {
 
-/// Null where the blank's faces are not known.
-Result<std::unique_ptr<ExactPart>> exactPart(const Blank& blank, const RunResult& run) {
-  if (run.setups.back().turned) {
-    TurnedShape part = *run.setups.back().turned;
-    part.bodies.resize(1);  // the part itself comes first
-    return makeTurnedPart(std::make_shared<const TurnedShape>(std::move(part)));
-  }
-  std::vector<ClampedCut> cuts(run.setups.size());
-  RigidTransform from_last;
-  for (std::size_t k = run.setups.size(); k-- > 0;) {
-    const SetupRun& setup = run.setups[k];
-    cuts[k] = {&setup.interpreted.path, &setup.job.tools, from_last};
-    const RigidTransform back = setup.from_previous.inverse();
-    from_last = {back.rotation * from_last.rotation, back(from_last.translation)};
-  }
-  return makeSweptPart(blank.shape, cuts);
-}
-
 /// Spots that one tool leaves side by side, as crests between its passes, are one finding: nearer to each
 /// other than it is wide.
 double spotGap(const RunResult& run, const SurfaceMaker& a, const SurfaceMaker& b) {
@@ -73,9 +55,26 @@ void addFindings(const RunSources& sources, const ExactPart& part, RunResult& ru
 
 }  // namespace
 
+Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const RunResult& run) {
+  if (run.setups.back().turned) {
+    TurnedShape part = *run.setups.back().turned;
+    part.bodies.resize(1);  // the part itself comes first
+    return makeTurnedPart(std::make_shared<const TurnedShape>(std::move(part)));
+  }
+  std::vector<ClampedCut> cuts(run.setups.size());
+  RigidTransform from_last;
+  for (std::size_t k = run.setups.size(); k-- > 0;) {
+    const SetupRun& setup = run.setups[k];
+    cuts[k] = {&setup.interpreted.path, &setup.job.tools, from_last};
+    const RigidTransform back = setup.from_previous.inverse();
+    from_last = {back.rotation * from_last.rotation, back(from_last.translation)};
+  }
+  return makeSweptPart(blank, cuts);
+}
+
 Status compareRun(const Job& job, const RunSources& sources, const Blank& blank, const PreparedMesh& nominal,
                   RunResult& run, Progress& progress) {
-  Result<std::unique_ptr<ExactPart>> part = exactPart(blank, run);
+  Result<std::unique_ptr<ExactPart>> part = makeExactPart(blank.shape, run);
   if (!part) return part.error();
   CompareOptions options;
   options.gouge_mm = job.nominal->gouge_mm;
@@ -90,6 +89,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
   if (!comparison) return comparison.error();
   run.comparison = std::move(*comparison);
+  addCoarseNominal(*run.comparison, run.findings);
   addIgnored(job.nominal->ignored, *run.comparison, run.findings);
   addFindings(sources, *options.part, run);
   return Done{};

@@ -28,8 +28,8 @@ constexpr double kLeastScore = 0.15, kOfBest = 0.3;
 
 /// A point of the machined surface, in the frame of the clamping whose motion left it.
 struct Point {
-  Vec3 p, normal;
-  Vec3 last;  ///< in the last clamping's frame
+  Vec3 p = Vec3::Zero(), normal = Vec3::UnitZ();
+  Vec3 last = Vec3::Zero();  ///< in the last clamping's frame
   double deviation = 0.0, area = 0.0;
   std::uint32_t setup = 0;
   MotionId motion = kNoMotion;
@@ -46,7 +46,7 @@ struct Hypothesis {
   CauseCandidate candidate;
   std::uint32_t setup = 0;
   double off_mm = 0.0;
-  double explained = 0.0, contradicted = 0.0;  ///< area, mm2
+  double explained = 0.0, contradicted = 0.0;     ///< area, mm2
   std::vector<std::pair<double, double>> offers;  ///< shift, weight: of points beyond a tolerance
 };
 
@@ -75,7 +75,8 @@ class Diagnosis {
       return x != y ? x > y : rank(a.second) < rank(b.second);
     });
     for (const auto& [score, h] : ranked) {
-      if (score < kLeastScore || score < kOfBest * ranked.front().first || finding.causes.size() >= kMostCauses)
+      if (score < kLeastScore || score < kOfBest * ranked.front().first ||
+          finding.causes.size() >= kMostCauses)
         break;
       finding.causes.push_back(causeOf(hypotheses_[h], local[h]));
     }
@@ -89,7 +90,7 @@ class Diagnosis {
     const SetupRun& s = run_.setups[setup];
     const RecordingSource* texts = sources_[setup];
     const Toolpath& path = s.interpreted.path;
-    return {path, s.job.tools, s.turned != nullptr, [texts, &path](std::uint32_t file, std::uint32_t line) {
+    return {path, s.job.tools, s.turned != nullptr, s.job.control, [texts, &path](std::uint32_t file, std::uint32_t line) {
               return file < path.files.size() ? texts->line(path.files[file], line) : std::string();
             }};
   }
@@ -109,7 +110,8 @@ class Diagnosis {
   }
 
   bool beyond(double deviation) const {
-    return deviation > run_.comparison->excess_tolerance_mm || -deviation > run_.comparison->gouge_tolerance_mm;
+    return deviation > run_.comparison->excess_tolerance_mm ||
+           -deviation > run_.comparison->gouge_tolerance_mm;
   }
 
   void gatherPoints() {
@@ -123,7 +125,8 @@ class Diagnosis {
     }
     for (const auto* side : {&off, &other}) {
       const std::size_t stride = side->size() / kMostPoints + 1;
-      for (std::size_t i = 0; i < side->size(); i += stride) addPoints((*side)[i], static_cast<double>(stride));
+      for (std::size_t i = 0; i < side->size(); i += stride)
+        addPoints((*side)[i], static_cast<double>(stride));
     }
     parallelFor(std::size_t{0}, points_.size(), [&](std::size_t i) { measure(points_[i]); });
     std::erase_if(points_, [](const Point& p) { return std::isnan(p.deviation); });
@@ -185,15 +188,30 @@ class Diagnosis {
     }
   }
 
-  /// By how much of a shift the surface there moves along its normal.
-  double lever(const Point& p, CutShift shift, bool from_start) const {
+  /// By how much of a shift the surface there moves along its normal. Where a shift grows along the motion it
+  /// is that of a place as far on as the tool is wide.
+  struct Lever {
+    double low, middle, high;
+    bool agrees(double deviation, double shift, double least) const {
+      const double a = shift * low, b = shift * high;
+      const double near = std::min(std::abs(a), std::abs(b)), far = std::max(std::abs(a), std::abs(b));
+      const double size = deviation * (a + b) > 0.0 ? std::abs(deviation) : 0.0;
+      return size > 0.0 && size >= std::min((1.0 - kAgrees) * near, near - least) &&
+             size <= std::max((1.0 + kAgrees) * far, far + least);
+    }
+  };
+
+  Lever lever(const Point& p, CutShift shift, bool from_start) const {
     const SetupRun& setup = run_.setups[p.setup];
     const Vec3& n = p.normal;
     double part = 0.0;
     if (setup.turned) {
       const double radius = p.p.head<2>().norm();
       const double outward = radius > 0.0 ? n.head<2>().dot(p.p.head<2>()) / radius : 0.0;
-      part = shift == CutShift::kX ? outward : shift == CutShift::kZ ? n.z() : shift == CutShift::kRadial ? 1.0 : 0.0;
+      part = shift == CutShift::kX        ? outward
+             : shift == CutShift::kZ      ? n.z()
+             : shift == CutShift::kRadial ? 1.0
+                                          : 0.0;
     } else {
       part = shift == CutShift::kX   ? n.x()
              : shift == CutShift::kY ? n.y()
@@ -201,16 +219,23 @@ class Diagnosis {
                                      : n.head<2>().norm();
     }
     const bool moves = shift == CutShift::kX || shift == CutShift::kY || shift == CutShift::kZ;
-    return from_start || !moves ? part : part * wayTo(p);
+    if (from_start || !moves) return {part, part, part};
+    const auto [t, width] = wayTo(p);
+    return {part * std::max(0.0, t - width), part * t, part * std::min(1.0, t + width)};
   }
 
-  /// How far along its motion a point was cut, 0..1.
-  double wayTo(const Point& p) const {
-    const Motion& m = run_.setups[p.setup].interpreted.path.motions[p.motion];
-    if (m.arc >= 0) return 1.0;
+  /// How far along its motion a point was cut, 0..1, and the tool's radius on that scale.
+  std::pair<double, double> wayTo(const Point& p) const {
+    const SetupRun& setup = run_.setups[p.setup];
+    const Motion& m = setup.interpreted.path.motions[p.motion];
     const Vec3 way = m.to - m.from;
-    const double length = way.squaredNorm();
-    return length > 0.0 ? std::clamp((p.p - m.from).dot(way) / length, 0.0, 1.0) : 1.0;
+    const double length = way.norm();
+    if (m.arc >= 0 || !(length > 0.0)) return {1.0, m.arc >= 0 ? 1.0 : 0.0};
+    double radius = 0.0;
+    for (const Tool& tool : setup.job.tools) {
+      if (tool.number == m.tool) radius = tool.insert ? tool.insert->nose_radius : 0.5 * tool.diameter;
+    }
+    return {std::clamp((p.p - m.from).dot(way) / (length * length), 0.0, 1.0), radius / length};
   }
 
   template <typename Body>
@@ -224,9 +249,9 @@ class Diagnosis {
   void measureShifts() {
     for (const Point& p : points_) {
       if (!p.off) continue;
-      forEachEffectOn(p, [&](std::uint32_t h, double lever) {
-        if (std::abs(lever) > kLeastShare)
-          hypotheses_[h].offers.emplace_back(p.deviation / lever, p.area * std::abs(lever));
+      forEachEffectOn(p, [&](std::uint32_t h, const Lever& lever) {
+        const double size = std::abs(lever.middle);
+        if (size > kLeastShare) hypotheses_[h].offers.emplace_back(p.deviation / lever.middle, p.area * size);
       });
     }
     for (Hypothesis& h : hypotheses_) h.off_mm = weightedMedian(h.offers);
@@ -245,19 +270,19 @@ class Diagnosis {
     return values.back().first;
   }
 
-  bool agrees(const Point& p, double expected) const {
-    const double least = 0.5 * std::min(run_.comparison->gouge_tolerance_mm, run_.comparison->excess_tolerance_mm);
-    return p.deviation * expected > 0.0 &&
-           std::abs(p.deviation - expected) <= std::max(kAgrees * std::abs(expected), least);
+  double least() const {
+    return 0.5 * std::min(run_.comparison->gouge_tolerance_mm, run_.comparison->excess_tolerance_mm);
   }
 
   void weigh() {
     for (const Point& p : points_) off_area_ += p.off ? p.area : 0.0;
     for (const Point& p : points_) {
-      forEachEffectOn(p, [&](std::uint32_t h, double lever) {
-        const double expected = hypotheses_[h].off_mm * lever;
+      forEachEffectOn(p, [&](std::uint32_t h, const Lever& lever) {
+        const double shift = hypotheses_[h].off_mm, expected = std::abs(lever.low) < std::abs(lever.high)
+                                                                   ? shift * lever.low
+                                                                   : shift * lever.high;
         if (p.off) {
-          if (agrees(p, expected)) hypotheses_[h].explained += p.area;
+          if (lever.agrees(p.deviation, shift, least())) hypotheses_[h].explained += p.area;
         } else if (beyond(0.5 * expected) && std::abs(p.deviation) < kContradicts * std::abs(expected)) {
           hypotheses_[h].contradicted += p.area;
         }
@@ -283,8 +308,8 @@ class Diagnosis {
     for (const Point& p : points_) {
       if (!isOf(p, patch)) continue;
       sum += p.area;
-      forEachEffectOn(p, [&](std::uint32_t h, double lever) {
-        if (agrees(p, hypotheses_[h].off_mm * lever)) out[h] += p.area;
+      forEachEffectOn(p, [&](std::uint32_t h, const Lever& lever) {
+        if (lever.agrees(p.deviation, hypotheses_[h].off_mm, least())) out[h] += p.area;
       });
     }
     for (double& share : out) share = sum > 0.0 ? share / sum : 0.0;
@@ -294,7 +319,10 @@ class Diagnosis {
   Cause causeOf(const Hypothesis& h, double share) const {
     Cause cause = causeOf(h.candidate, h.setup);
     const CutShift shift = h.candidate.shift;
-    cause.along = shift == CutShift::kX ? "X" : shift == CutShift::kY ? "Y" : shift == CutShift::kZ ? "Z" : "radius";
+    cause.along = shift == CutShift::kX   ? "X"
+                  : shift == CutShift::kY ? "Y"
+                  : shift == CutShift::kZ ? "Z"
+                                          : "radius";
     cause.off_mm = h.off_mm;
     cause.explains = std::min(share, 1.0);
     return cause;
@@ -305,7 +333,8 @@ class Diagnosis {
     return makeCause(candidate, run_.setups[setup].interpreted.path, *sources_[setup]);
   }
 
-  static Cause makeCause(const CauseCandidate& candidate, const Toolpath& path, const RecordingSource& texts) {
+  static Cause makeCause(const CauseCandidate& candidate, const Toolpath& path,
+                         const RecordingSource& texts) {
     Cause cause;
     if (!candidate.word) {
       cause.what = candidate.datum;
@@ -395,11 +424,22 @@ class Diagnosis {
 
 }  // namespace
 
-void diagnoseDeviations(const RunSources& sources, const ExactPart& part, const std::vector<PatchFinding>& patches,
-                        RunResult& run) {
+void diagnoseDeviations(const RunSources& sources, const ExactPart& part,
+                        const std::vector<PatchFinding>& patches, RunResult& run) {
   if (patches.empty()) return;
   const Diagnosis diagnosis(sources, part, run);
   for (const PatchFinding& p : patches) diagnosis.tell(p);
+}
+
+std::vector<Cause> behindMotion(const SetupRun& setup, const RecordingSource& texts, MotionId motion) {
+  const Toolpath& path = setup.interpreted.path;
+  const CauseSource source{path, setup.job.tools, setup.turned != nullptr, setup.job.control,
+                           [&](std::uint32_t file, std::uint32_t line) {
+                             return file < path.files.size() ? texts.line(path.files[file], line) : std::string();
+                           }};
+  std::vector<Cause> out;
+  for (const CauseCandidate& c : inForce(source, motion)) out.push_back(Diagnosis::makeCause(c, path, texts));
+  return out;
 }
 
 void tellWordsInForce(const RunSources& sources, RunResult& run) {
@@ -408,17 +448,9 @@ void tellWordsInForce(const RunSources& sources, RunResult& run) {
     const auto setup = std::find_if(run.setups.begin(), run.setups.end(),
                                     [&](const SetupRun& s) { return s.name == finding.setup; });
     if (setup == run.setups.end()) continue;
-    const Toolpath& path = setup->interpreted.path;
     const RecordingSource& texts = *sources[static_cast<std::size_t>(setup - run.setups.begin())];
-    const CauseSource source{path, setup->job.tools, setup->turned != nullptr,
-                             [&](std::uint32_t file, std::uint32_t line) {
-                               return file < path.files.size() ? texts.line(path.files[file], line)
-                                                               : std::string();
-                             }};
-    for (const CauseCandidate& c : inForce(source, *finding.motion)) {
-      if (finding.causes.size() >= kMostCauses) break;
-      finding.causes.push_back(Diagnosis::makeCause(c, path, texts));
-    }
+    finding.causes = behindMotion(*setup, texts, *finding.motion);
+    finding.causes.resize(std::min(finding.causes.size(), kMostCauses));
   }
 }
 

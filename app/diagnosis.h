@@ -14,11 +14,14 @@ struct PatchFinding {
   const DeviationPatch* patch;
 };
 
-/// Fills `blocks` and `causes` of findings of the comparison. A word or datum that is wrong shifts every cut that
-/// depends on it by the same amount: the deviations all over the part are held against that, those that are there
-/// and those that should be there and are not.
-void diagnoseDeviations(const RunSources& sources, const ExactPart& part, const std::vector<PatchFinding>& patches,
-                        RunResult& run);
+/// Fills `blocks` and `causes` of findings of the comparison. A word or datum that is wrong shifts every cut
+/// that depends on it by the same amount: the deviations all over the part are held against that, those that
+/// are there and those that should be there and are not.
+void diagnoseDeviations(const RunSources& sources, const ExactPart& part,
+                        const std::vector<PatchFinding>& patches, RunResult& run);
+
+/// The words and data behind a motion, all of them.
+std::vector<Cause> behindMotion(const SetupRun& setup, const RecordingSource& texts, MotionId motion);
 
 /// Fills `causes` of findings about a motion (contacts): the words that it is made with.
 void tellWordsInForce(const RunSources& sources, RunResult& run);

@@ -194,6 +194,21 @@ const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Fin
   return &worst;
 }
 
+void addCoarseNominal(const Comparison& comparison, std::vector<Finding>& findings) {
+  constexpr double kNoted = 0.2, kWanted = 0.1;  // of the smaller tolerance
+  const double least = std::min(comparison.gouge_tolerance_mm, comparison.excess_tolerance_mm);
+  if (comparison.nominal_chord_mm <= kNoted * least) return;
+  Finding finding;
+  finding.kind = "coarse_nominal";
+  finding.severity = comparison.nominal_chord_mm > least ? Severity::kWarning : Severity::kNote;
+  finding.where = comparison.nominal_chord_at;
+  finding.message =
+      fmt::format("the nominal is coarse: its facets leave the curved faces that they stand for by up to {} mm; what "
+                  "lies between the two is no deviation; export it with chords of {:.2g} mm",
+                  figure(comparison.nominal_chord_mm), kWanted * least);
+  findings.push_back(std::move(finding));
+}
+
 void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& comparison,
                 std::vector<Finding>& findings) {
   for (std::size_t i = 0; i < regions.size(); ++i) {

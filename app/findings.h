@@ -34,6 +34,9 @@ void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std
 /// What could not be decided: one warning, at the place that is worst. Returns that patch; null: there is none.
 const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Finding>& findings);
 
+/// A nominal whose facets leave its curved faces by much of a tolerance: a note, a warning where it is more.
+void addCoarseNominal(const Comparison& comparison, std::vector<Finding>& findings);
+
 /// Regions that the job leaves out of the comparison (notes).
 void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& comparison,
                 std::vector<Finding>& findings);

@@ -245,6 +245,7 @@ struct Report {
   std::optional<ReportComparison> comparison;
   std::vector<ErrorTerm> error_budget;
   std::vector<Diagnostic> diagnostics;  ///< what the control said of the program, in order
+  std::vector<std::string> command;  ///< words of the command line that decide the findings; may be empty
   std::vector<FileHash> inputs;
   std::string part_sha256;  ///< sha256OfMesh of the part; empty: none
   ReportOutputs outputs;

@@ -258,6 +258,7 @@ std::string reportJson(const Report& report, const ReportOptions& options) {
   out["comparison"] = report.comparison ? comparisonJson(*report.comparison) : Json(nullptr);
   out["error_budget"] = errorBudgetJson(report.error_budget);
   out["diagnostics"] = diagnosticsJson(report.diagnostics);
+  if (!report.command.empty()) out["command"] = report.command;
   out["hashes"] = hashesJson(report);
   out["outputs"] = outputsJson(report.outputs);
   if (options.with_performance) out["performance"] = performanceJson(report.performance);

@@ -10,6 +10,7 @@
 #include <exception>
 #include <limits>
 #include <new>
+#include <optional>
 
 #include "core/base/parallel_for.h"
 #include "removal/compare/deepest_point.h"
@@ -80,16 +81,42 @@ double decidingResolution(const CompareOptions& o, const DeviationPatch& patch, 
 }
 
 /// What is asked about patches once they are found.
-struct Asked {
-  const TreedSurface machined, nominal_surface;
-  const ExactPart& part;
+class Asked {
+ public:
+  Asked(const TriMesh& machined, const NominalModel& goal, const CompareOptions& options, double noise_mm)
+      : nominal(goal), noise(noise_mm), machined_(machined), options_(options) {}
   const NominalModel& nominal;
-  double noise;
+  const double noise;
+
+  TreedSurface machined() { return {&surface(), &distance().tree()}; }
+  TreedSurface nominalSurface() const { return {&nominal.surface, &nominal.distance.tree()}; }
+  /// The exact part, or the mesh where there is none.
+  const ExactPart& part() {
+    if (options_.part != nullptr) return *options_.part;
+    if (!mesh_part_) mesh_part_.emplace(distance(), options_.uncertainty_mm);
+    return *mesh_part_;
+  }
+
+ private:
+  // Made when the first patch asks: most parts are right.
+  const SurfaceMesh& surface() {
+    if (!surface_) surface_ = toSurface(machined_);
+    return *surface_;
+  }
+  const SignedDistance& distance() {
+    if (!distance_) distance_.emplace(surface(), 0.5 * options_.resolution_mm);
+    return *distance_;
+  }
+  const TriMesh& machined_;
+  const CompareOptions& options_;
+  std::optional<SurfaceMesh> surface_;
+  std::optional<SignedDistance> distance_;
+  std::optional<MeshPart> mesh_part_;
 };
 
 /// Depth times area is short at edges, where the surfaces do not run side by side: what lies between them is
 /// counted. Not for patches as shallow as their samples' noise, nor for all of a great many.
-void fillVolumes(const Asked& asked, double level, std::vector<FoundPatch>& found) {
+void fillVolumes(Asked& asked, double level, std::vector<FoundPatch>& found) {
   constexpr double kDeep = 4.0;
   constexpr std::size_t kMostCounted = 24;
   std::vector<FoundPatch*> counted;
@@ -103,14 +130,21 @@ void fillVolumes(const Asked& asked, double level, std::vector<FoundPatch>& foun
   });
   counted.resize(std::min(counted.size(), kMostCounted));
   for (FoundPatch* f : counted) {
-    const double volume = differenceVolume(asked.machined, asked.nominal_surface, f->patch.kind,
+    const double volume = differenceVolume(asked.machined(), asked.nominalSurface(), f->patch.kind,
                                            f->patch.bounds, f->places, std::max(0.5 * level, asked.noise));
     if (volume > 0.0) f->patch.volume_mm3 = volume;
   }
 }
 
+/// Where the nominal's facets stand for a curved face, the face may be as far off them as its chords.
+DeviationPatch withChord(DeviationPatch patch, const NominalModel& nominal) {
+  const Bulge bulge = nominal.shape.at(nominal.distance.at(patch.where), patch.where);
+  patch.bound_mm += bulge.high - bulge.low;
+  return patch;
+}
+
 /// Sorts the regions of one kind into certain and undecided ones.
-void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, const Asked& asked,
+void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, Asked& asked,
                const CompareOptions& o, Comparison& out) {
   const double level = tolerance + asked.noise;
   const auto undecided = [&](const FoundPatch& found) {
@@ -119,12 +153,15 @@ void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, con
   };
   std::vector<FoundPatch> measured =
       joinSpots(findPatches(sides, kind, level, Beyond::kMeasured, o.part.get()), o);
-  parallelFor(std::size_t{0}, measured.size(),
-              [&](std::size_t i) { findDeepest(asked.part, asked.nominal, o.resolution_mm, measured[i]); });
-  fillVolumes(asked, level, measured);
+  if (!measured.empty()) {
+    const ExactPart& part = asked.part();
+    parallelFor(std::size_t{0}, measured.size(),
+                [&](std::size_t i) { findDeepest(part, asked.nominal, o.resolution_mm, measured[i]); });
+    fillVolumes(asked, level, measured);
+  }
   for (const FoundPatch& found : measured) {
     if (found.certain || found.patch.depth_mm - found.patch.bound_mm > level) {
-      out.patches.push_back(found.patch);
+      out.patches.push_back(withChord(found.patch, asked.nominal));
     } else {
       undecided(found);
     }
@@ -176,14 +213,7 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   box.extend(meshBounds(nominal));
   // Coordinates come as float: what is within four units in the last place is no deviation.
   const double noise = 4.0 * 1.2e-7 * std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
-  const SurfaceMesh machined_surface = toSurface(machined);
-  const SignedDistance to_machined(machined_surface, 0.5 * o.resolution_mm);
-  const MeshPart mesh_part(to_machined, o.uncertainty_mm);
-  const Asked asked{{&machined_surface, &to_machined.tree()},
-                    {&model.surface, &model.distance.tree()},
-                    o.part != nullptr ? *o.part : mesh_part,
-                    model,
-                    noise};
+  Asked asked(machined, model, o, noise);
   out.largest_bound_mm = largestBound(sides, std::min(o.gouge_mm, o.excess_mm));
   judgeKind(sides, DeviationKind::kGouge, o.gouge_mm, asked, o, out);
   judgeKind(sides, DeviationKind::kExcess, o.excess_mm, asked, o, out);

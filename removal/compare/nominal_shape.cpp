@@ -22,6 +22,11 @@ constexpr double kMostChord = 0.25, kMostSteepChord = 0.12;
 constexpr double kWidthRatio = 2.5, kCurvatureRatio = 3.0, kSteepTurnRatio = 1.3;
 /// A plane turns against the first facet of a round that touches it by half of what the facets turn.
 constexpr double kTangentTurn = 0.8;
+/// The most that the normal at a corner leaves a facet's: that of triangles, whose corners are farther off than their
+/// neighbours' middles.
+constexpr double kMostOfATurn = 1.6;
+/// Cosine; the sides of an equilateral triangle still count.
+constexpr double kParallel = 0.4;
 constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
 /// Two facets that meet.
@@ -29,6 +34,8 @@ struct Link {
   std::uint32_t a, b;   ///< facets
   double length, turn;  ///< of the border, mm; rad, > 0 where it is convex
   double width_a, width_b;
+  Vec3 along;          ///< direction of the border, unit
+  bool runs = false;   ///< a curved face goes on across it
   double width() const { return 0.5 * (width_a + width_b); }
   double curvature() const { return turn / width(); }
   bool alike() const { return width_a < kWidthRatio * width_b && width_b < kWidthRatio * width_a; }
@@ -37,6 +44,9 @@ struct Link {
     return chord <= kMostChord && (angle <= kSoftRad || (angle <= kSteepRad && chord <= kMostSteepChord));
   }
 };
+
+/// Borders that cross bound curves of different directions.
+bool parallel(const Link& l, const Link& m) { return std::abs(l.along.dot(m.along)) > kParallel; }
 
 bool sameCurve(const Link& l, const Link& m) {
   if ((l.turn > 0.0) != (m.turn > 0.0)) return false;
@@ -121,8 +131,8 @@ class ShapeReader {
     forEachPair([&](std::uint32_t g, std::uint32_t h) {
       const std::uint32_t a = facet_of_[g / 3], b = facet_of_[h / 3];
       if (a == b) return;
-      const double length = edge(g / 3, static_cast<int>(g % 3)).norm();
-      links_.push_back({std::min(a, b), std::max(a, b), length, turnAt(g, h), 0.0, 0.0});
+      const Vec3 way = edge(g / 3, static_cast<int>(g % 3));
+      links_.push_back({std::min(a, b), std::max(a, b), way.norm(), turnAt(g, h), 0.0, 0.0, a < b ? way : -way});
     });
     std::stable_sort(links_.begin(), links_.end(),
                      [](const Link& l, const Link& m) { return std::pair(l.a, l.b) < std::pair(m.a, m.b); });
@@ -134,7 +144,9 @@ class ShapeReader {
       for (; j < links_.size() && links_[j].a == sum.a && links_[j].b == sum.b; ++j) {
         sum.turn += links_[j].turn * links_[j].length;
         sum.length += links_[j].length;
+        sum.along += links_[j].along;
       }
+      sum.along.normalize();
       sum.turn /= sum.length;
       sum.width_a = widthOf(sum.a, sum.length);
       sum.width_b = widthOf(sum.b, sum.length);
@@ -148,57 +160,89 @@ class ShapeReader {
   bool findCurved() {
     curved_.assign(mesh_.triangles.size(), 0);
     turn_.assign(mesh_.triangles.size(), 0.0);
-    std::vector<std::vector<std::uint32_t>> at(mesh_.triangles.size());
+    links_of_.assign(mesh_.triangles.size(), {});
     for (std::uint32_t i = 0; i < links_.size(); ++i) {
       if (!links_[i].plausible() || !links_[i].alike()) continue;
-      at[links_[i].a].push_back(i);
-      at[links_[i].b].push_back(i);
+      links_of_[links_[i].a].push_back(i);
+      links_of_[links_[i].b].push_back(i);
     }
     bool any = false;
-    for (std::uint32_t f = 0; f < at.size(); ++f) {
-      for (std::size_t i = 0; i < at[f].size() && !curved_[f]; ++i) {
-        for (std::size_t j = i + 1; j < at[f].size() && !curved_[f]; ++j)
-          curved_[f] = sameCurve(links_[at[f][i]], links_[at[f][j]]);
-        turn_[f] = std::abs(links_[at[f][i]].turn);
+    for (std::uint32_t f = 0; f < links_of_.size(); ++f) {
+      const std::vector<std::uint32_t>& own = links_of_[f];
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        for (std::size_t j = i + 1; j < own.size(); ++j) {
+          Link &l = links_[own[i]], &m = links_[own[j]];
+          // Strips curve across their long sides; of a triangle the side opposite is another one's.
+          if ((triangles_[f] > 1 && !parallel(l, m)) || !sameCurve(l, m)) continue;
+          curved_[f] = 1;
+          l.runs = m.runs = true;
+        }
       }
       any = any || curved_[f];
     }
-    // The last facet before a crease turns against one neighbour only.
-    std::vector<char> last = curved_;
+    endAtCreases();
     for (const Link& l : links_) {
-      if (!l.plausible() || !l.alike() || curved_[l.a] == curved_[l.b]) continue;
-      const std::uint32_t end = curved_[l.a] ? l.b : l.a, before = curved_[l.a] ? l.a : l.b;
-      if (std::abs(l.turn) > kSteepTurnRatio * turn_[before] ||
-          std::abs(l.turn) < kTangentTurn * turn_[before])
-        continue;
-      last[end] = 1;
-      turn_[end] = std::abs(l.turn);
+      if (!l.runs) continue;
+      for (const std::uint32_t f : {l.a, l.b}) turn_[f] = std::max(turn_[f], std::abs(l.turn));
     }
-    curved_ = last;
     return any;
+  }
+
+  /// The last facet before a crease turns against one neighbour only.
+  void endAtCreases() {
+    std::vector<char> last = curved_;
+    std::vector<Link*> ends;
+    for (Link& l : links_) {
+      if (!l.plausible() || !l.alike() || curved_[l.a] == curved_[l.b]) continue;
+      const double usual = turnAcross(curved_[l.a] ? l.a : l.b, l), turn = std::abs(l.turn);
+      if (turn > kSteepTurnRatio * usual || turn < kTangentTurn * usual) continue;
+      last[curved_[l.a] ? l.b : l.a] = 1;
+      ends.push_back(&l);
+    }
+    for (Link* l : ends) l->runs = true;
+    curved_ = last;
+  }
+
+  /// How much a facet turns against others in the direction across a border of its own; 0: nothing is known.
+  double turnAcross(std::uint32_t facet, const Link& border) const {
+    double most = 0.0;
+    for (const std::uint32_t i : links_of_[facet]) {
+      const Link& l = links_[i];
+      const bool across = triangles_[facet] == 1 || parallel(l, border);
+      if (&l != &border && l.runs && across) most = std::max(most, std::abs(l.turn));
+    }
+    return most;
+  }
+
+  const Link* linkOf(std::uint32_t a, std::uint32_t b) const {
+    const std::pair<std::uint32_t, std::uint32_t> key = std::minmax(a, b);
+    const auto link = std::lower_bound(links_.begin(), links_.end(), key, [](const Link& l, const auto& k) {
+      return std::pair(l.a, l.b) < k;
+    });
+    return link != links_.end() && std::pair(link->a, link->b) == key ? &*link : nullptr;
   }
 
   /// Whether the surface goes on smoothly from one facet to the other.
   bool smooth(std::uint32_t a, std::uint32_t b, double turn) const {
     if (a == b) return true;
     if (!curved_[a] && !curved_[b]) return false;
-    const double angle = std::abs(turn);
-    if (curved_[a] && curved_[b]) {
-      const double usual = std::max(turn_[a], turn_[b]);
-      return angle <= kSoftRad || angle <= kSteepTurnRatio * usual;
+    const Link* const link = linkOf(a, b);
+    if (link == nullptr) return false;
+    if (link->runs) return true;
+    // A face that touches: the first facet of the round turns by half of what it does elsewhere.
+    double usual = 0.0;
+    for (const std::uint32_t f : {a, b}) {
+      if (curved_[f]) usual = std::max(usual, turnAcross(f, *link));
     }
-    return angle <= kTangentTurn * (curved_[a] ? turn_[a] : turn_[b]);
+    return std::abs(turn) <= kTangentTurn * usual;
   }
 
   /// Where a long facet of one curved face meets the short ones of another that it touches (a straight fillet
   /// the round of its corner), the face is straight on the long one's side: its normal is the right one.
   std::uint32_t leadingOf(std::uint32_t a, std::uint32_t b) const {
     if (a == b || !curved_[a] || !curved_[b]) return kNobody;
-    const std::pair<std::uint32_t, std::uint32_t> key = std::minmax(a, b);
-    const auto link = std::lower_bound(links_.begin(), links_.end(), key, [](const Link& l, const auto& k) {
-      return std::pair(l.a, l.b) < k;
-    });
-    if (link == links_.end() || link->alike()) return kNobody;
+    const Link* const link = linkOf(a, b);
+    if (link == nullptr || link->alike()) return kNobody;
     return link->width_a > link->width_b ? link->a : link->b;
   }
 
@@ -341,16 +385,23 @@ class ShapeReader {
     }
   }
 
+  /// A fan's normal as a triangle sees it: at the tip of a cone there is none.
+  Vec3 normalIn(const Fan& fan, std::uint32_t t) const {
+    const Vec3 normal = fan.normal();
+    const double angle = std::atan2(normal.cross(normals_[t]).norm(), normal.dot(normals_[t]));
+    return angle <= kMostOfATurn * turn_[facet_of_[t]] ? normal : normals_[t];
+  }
+
   /// Height of the curved face over the middle of an edge, beyond the mean of its ends.
   double edgeBulge(std::uint32_t t, std::uint32_t c) {
     const Fan &from = fans_[fan_->find(3 * t + c)], &to = fans_[fan_->find(3 * t + (c + 1) % 3)];
     if ((!from.known() && !to.known()) || normals_[t].isZero()) return 0.0;
     // At a crease the face ends; it turned there as much as at the other end.
     const auto mirrored = [&](const Fan& fan) {
-      const Vec3 n = fan.normal();
+      const Vec3 n = normalIn(fan, t);
       return Vec3(2.0 * normals_[t].dot(n) * normals_[t] - n);
     };
-    const Vec3 n = from.known() ? from.normal() : mirrored(to), m = to.known() ? to.normal() : mirrored(from);
+    const Vec3 n = from.known() ? normalIn(from, t) : mirrored(to), m = to.known() ? normalIn(to, t) : mirrored(from);
     return std::clamp((m - n).dot(edge(t, static_cast<int>(c))) / 8.0, -kMostChord, kMostChord);
   }
 
@@ -361,7 +412,8 @@ class ShapeReader {
   std::vector<double> area_;   ///< per facet, mm2
   std::vector<std::uint32_t> triangles_;
   std::vector<Link> links_;
-  std::vector<char> curved_;  ///< per facet
+  std::vector<std::vector<std::uint32_t>> links_of_;  ///< per facet: those that a curved face could cross
+  std::vector<char> curved_;                          ///< per facet
   std::vector<double> turn_;  ///< per curved facet: against its neighbours, rad
   std::unique_ptr<DisjointSets> fan_;
   std::vector<Fan> fans_;

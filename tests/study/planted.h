@@ -72,6 +72,7 @@ class Writer {
     std::snprintf(text, sizeof text, "%.4f", value);
     std::string out = text;
     out.erase(out.find_last_not_of('0') + 1);
+    if (out.back() == '.') out.pop_back();
     return out;
   }
 

@@ -94,6 +94,28 @@ TEST(NominalShape, ReadsSpheresAndTori) {
   EXPECT_GT(ball.shape.largest(), 1e-3);
 }
 
+TEST(NominalShape, ReadsConesWithTheirTipsAndProfilesWithCreases) {
+  // A shaft: cylinder, cone, cylinder, and the tip of a drill from above. Generators are straight.
+  for (const double chord : {0.005, 0.02, 0.05}) {
+    const double tip = 4.0 / std::tan(degToRad(59.0));
+    const TriMesh mesh = lofts::solid(
+        Profile().line(16, -40).line(16, -35).line(13, -20).line(13, 0).line(4, 0).line(4, -9 + tip).line(0, -9), {0, 0},
+        chord);
+    const Reading r(mesh);
+    const auto off = [&](const Vec3& p) {
+      const double rho = p.head<2>().norm();
+      if (p.z() < -40 + 1e-5 || (std::abs(p.z()) < 1e-5)) return 0.0;
+      const bool hole = rho < 8;
+      if (hole && p.z() > -9 + tip - 1e-5) return 4.0 - rho;
+      if (hole) return (p.z() + 9 - rho / std::tan(degToRad(59.0))) * std::sin(degToRad(59.0));
+      const double slope = 3.0 / 15.0, scale = 1.0 / std::sqrt(1 + slope * slope);
+      return p.z() < -35 ? rho - 16 : p.z() > -20 ? rho - 13 : (rho - (13 - slope * (p.z() + 20))) * scale;
+    };
+    EXPECT_LT(worst(r, off), 0.15 * chord) << chord;
+    EXPECT_LT(r.shape.largest(), 1.15 * chord) << chord;
+  }
+}
+
 TEST(NominalShape, FlatFacedSolidsHaveNone) {
   EXPECT_EQ(Reading(shapes::box({0, 0, 0}, {30, 20, 10})).shape.largest(), 0.0);
   // A flat roof: two planes that meet at 10 degrees, and a prism that nobody takes for a cylinder.

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/comparison.h"
+#include "app/diagnosis.h"
+#include "app/exit_codes.h"
+#include "app/job_setup.h"
+#include "app/provenance.h"
+#include "io/atomic_file.h"
+#include "io/report_text.h"
+#include "io/sha256.h"
+#include "removal/threads.h"
+
+namespace proveout {
+namespace {
+
+constexpr std::size_t kMaxReportBytes = std::size_t{1} << 30;
+
+Result<Vec3> parsePoint(const std::string& text) {
+  Vec3 point;
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (int k = 0; k < 3; ++k) {
+    const auto [next, error] = std::from_chars(at, end, point[k]);
+    const bool separated = k == 2 ? next == end : next != end && *next == ',';
+    if (error != std::errc() || !separated || !std::isfinite(point[k]) || std::abs(point[k]) > 1e6)
+      return inputError("--at: '" + text + "' is not a point: X,Y,Z in mm");
+    at = next + 1;
+  }
+  return point;
+}
+
+/// The command line behind a report, whose inputs must be what they were.
+Result<RunOptions> commandOf(const std::string& name) {
+  const std::string path =
+      std::filesystem::is_directory(name) ? (std::filesystem::path(name) / "report.json").string() : name;
+  const Result<std::string> text = readWholeFile(path, kMaxReportBytes);
+  if (!text) return text.error();
+  const nlohmann::json root = nlohmann::json::parse(*text, nullptr, false);
+  const auto wrong = [&](const std::string& what) { return inputError(path + ": " + what); };
+  if (root.is_discarded() || !root.is_object()) return wrong("not a report: it is no JSON document");
+  std::vector<std::string> words;
+  for (const nlohmann::json& word : root.value("command", nlohmann::json::array())) {
+    if (!word.is_string()) return wrong("`command` is not a list of texts");
+    words.push_back(word.get<std::string>());
+  }
+  if (words.empty()) return wrong("the report is not that of a run, or of an older version: run it again");
+  for (const nlohmann::json& input : root.value("hashes", nlohmann::json::object()).value("inputs", nlohmann::json())) {
+    if (!input.is_object() || !input.contains("path") || !input.contains("sha256")) continue;
+    const std::string file = input["path"].get<std::string>();
+    const Result<std::string> hash = sha256OfFile(file);
+    if (!hash) return inputError(hash.error().message + "; call this in the folder in which the run was made");
+    if (*hash != input["sha256"].get<std::string>())
+      return inputError(file + " is not what it was when the report was made: run it again");
+  }
+  const CommandLine line = parseCommandLine(words);
+  if (!line.command || !std::holds_alternative<RunOptions>(*line.command))
+    return wrong("`command` is not that of a run: " + line.errors);
+  return std::get<RunOptions>(*line.command);
+}
+
+void say(Console& console, const char* what, const std::string& text) {
+  console.out << fmt::format("{:<12}{}\n", what, text);
+}
+
+std::string pointText(const Vec3& p) { return fmt::format("X{:.3f} Y{:.3f} Z{:.3f}", p.x(), p.y(), p.z()); }
+
+/// A finding about this point alone.
+Finding findingAt(const Vec3& place, const SettledPoint& at, double deviation, const RunSources& sources,
+                  const ExactPart& part, RunResult& run) {
+  DeviationPatch patch;
+  patch.kind = deviation > 0.0 ? DeviationKind::kExcess : DeviationKind::kGouge;
+  patch.where = place;
+  patch.depth_mm = std::abs(deviation);
+  patch.bounds.extend(place);
+  patch.maker = at.maker;
+  patch.makers = {{at.maker, 1.0, patch.depth_mm, place, Vec3::UnitZ()}};
+  run.findings.emplace_back();
+  diagnoseDeviations(sources, part, {{run.findings.size() - 1, &patch}}, run);
+  return run.findings.back();
+}
+
+void sayDeviation(Console& console, const Vec3& place, const SettledPoint& at, const RunSources& sources,
+                  const ExactPart& part, RunResult& run) {
+  const double deviation = static_cast<double>(run.comparison->field->at(at.p));
+  if (std::isnan(deviation)) return say(console, "deviation", "the point is in a region that is not compared");
+  const double allowed =
+      deviation > 0.0 ? run.comparison->excess_tolerance_mm : run.comparison->gouge_tolerance_mm;
+  say(console, "deviation",
+      fmt::format("{:.4f} mm {} nominal (allowed {:g} mm)", std::abs(deviation),
+                  deviation < 0.0 ? "below" : "above", allowed));
+  if (std::abs(deviation) <= allowed) return;
+  for (const Cause& cause : findingAt(place, at, deviation, sources, part, run).causes)
+    say(console, "could be", report_text::causeLine(cause));
+}
+
+Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgress& progress) {
+  const ThreadLimit limit(job.simulation.threads);
+  const JobSources sources(job);
+  Result<PreparedRun> prepared = prepareRun(job, sources.all(), progress);
+  if (!prepared) return prepared.error();
+  if (prepared->run.alarm) return inputError("the program ends in an alarm: nothing was cut");
+  const StockShape blank = prepared->blank.shape;
+  Result<RunResult> run = finishRun(job, sources.all(), std::move(*prepared), progress);
+  if (!run) return run.error();
+  Result<std::unique_ptr<ExactPart>> part = makeExactPart(blank, *run);
+  if (!part) return part.error();
+  progress.clear();
+  if (*part == nullptr) return inputError("the blank is a stock from a file: its faces are not known");
+  constexpr double kReach = 5.0;
+  const SettledPoint at = settle(**part, place, kReach);
+  say(console, "point", pointText(place));
+  if (!at.found)
+    return inputError(fmt::format("there is no surface of the part within {:g} mm of {}", kReach, pointText(place)));
+  say(console, "surface", fmt::format("{}, {:.4f} mm away", pointText(at.p), (at.p - place).norm()));
+  const std::size_t number = std::min<std::size_t>(at.maker.setup, run->setups.size() - 1);
+  const SetupRun& setup = run->setups[number];
+  const Toolpath& path = setup.interpreted.path;
+  const bool made = at.maker.motion < path.motions.size();
+  if (made) {
+    Finding named;
+    blame(named, at.maker.motion, path, *sources.all()[number]);
+    named.setup = setup.name;
+    say(console, "made by", fmt::format("{}: {}, tool {}", report_text::place(named), named.source->text, *named.tool));
+  } else {
+    say(console, "made by", "nothing: it is the blank's own surface");
+  }
+  if (run->comparison) sayDeviation(console, place, at, sources.all(), **part, *run);
+  if (made) {
+    for (const Cause& cause : behindMotion(setup, *sources.all()[number], at.maker.motion))
+      say(console, "in force", report_text::causeLine(cause));
+  }
+  return Done{};
+}
+
+}  // namespace
+
+int explainCommand(const ExplainOptions& options, Console& console, ConsoleProgress& progress) {
+  const Result<Vec3> place = parsePoint(options.at);
+  if (!place) return printError(console, place.error());
+  const Result<RunOptions> command = commandOf(options.report);
+  if (!command) return printError(console, command.error());
+  Diagnostics diagnostics;
+  std::optional<Job> job = setUpJob(command->program, diagnostics);
+  const bool good = job && applyRunOptions(*command, *job, diagnostics);
+  if (!good) {
+    printDiagnostics(console, diagnostics.all(), Severity::kError);
+    return kExitInput;
+  }
+  progress.show(options.progress || console.err_is_terminal);
+  const Status done = explain(*job, *place, console, progress);
+  progress.clear();
+  return done ? kExitOk : printError(console, done.error());
+}
+
+}  // namespace proveout
