@@ -96,6 +96,7 @@ class Collector {
     for (const KindOf& k : kKinds) {
       rank += kWordStep;
       if (k.only_turning && !s_.turning) continue;
+      if (k.kind == kRadiusOffset && !compensated()) continue;
       const auto word = originOf(s_.path, motion_, k.kind, s_.text);
       if (word) addWord(k.shift, *word, rank);
     }
@@ -127,6 +128,9 @@ class Collector {
                     fmt::format("{:g}", value)});
   }
 
+  /// D counts with G41 and G42 only.
+  bool compensated() const { return s_.path.motions[motion_].compensated; }
+
   static int rankOf(CutShift shift, OriginKind kind) {
     int rank = 0;
     for (const KindOf& k : kKinds) {
@@ -143,7 +147,7 @@ class Collector {
       addDatum(CutShift::kZ, kLengthOffset, fmt::format("offsets.length.{}", data->length.row),
                data->length.value(),
                data->length.wear_by > 0 ? data->length.wear_by : data->length.geometry_by);
-    if (data->radius.row > 0)
+    if (data->radius.row > 0 && compensated())
       addDatum(CutShift::kRadial, kRadiusOffset, fmt::format("offsets.radius.{}", data->radius.row),
                data->radius.value(),
                data->radius.wear_by > 0 ? data->radius.wear_by : data->radius.geometry_by);
@@ -210,6 +214,22 @@ std::vector<CauseCandidate> candidatesOf(const CauseSource& source, MotionId mot
   return Collector(source, motion).collect();
 }
 
+namespace {
+
+/// Of a word that nothing speaks for or against: what is most often wrong first.
+int usualRank(const CauseCandidate& c) {
+  static constexpr OriginKind kOrder[] = {
+      kCycleDepth, kZ,         kCompensation, kLengthOffset, kTool,       kWorkOffset, kCyclePlane,
+      kX,          kY,         kRadiusOffset, kShift,        kMotionCode, kI,          kJ,
+      kArcRadius,  kCycleStep, kPlane,        kContour};
+  constexpr int kLast = 100;
+  if (!c.word) return kLast;
+  const auto* const at = std::find(std::begin(kOrder), std::end(kOrder), c.word->kind);
+  return at == std::end(kOrder) ? kLast - 1 : static_cast<int>(at - std::begin(kOrder));
+}
+
+}  // namespace
+
 std::vector<CauseCandidate> inForce(const CauseSource& source, MotionId motion) {
   std::vector<CauseCandidate> all = candidatesOf(source, motion), out;
   if (all.empty()) return out;
@@ -217,7 +237,7 @@ std::vector<CauseCandidate> inForce(const CauseSource& source, MotionId motion) 
   const auto foreign = [&](const CauseCandidate& c) {
     return !c.word || c.word->line != own.line || c.word->file != own.file;
   };
-  const auto order = [&](const CauseCandidate& c) { return std::pair(foreign(c), c.rank); };
+  const auto order = [&](const CauseCandidate& c) { return std::pair(foreign(c), usualRank(c)); };
   std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return order(a) < order(b); });
   for (CauseCandidate& c : all) {
     const std::string place = c.key.substr(1);

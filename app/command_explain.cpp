@@ -50,11 +50,13 @@ Result<RunOptions> commandOf(const std::string& name) {
     words.push_back(word.get<std::string>());
   }
   if (words.empty()) return wrong("the report is not that of a run, or of an older version: run it again");
-  for (const nlohmann::json& input : root.value("hashes", nlohmann::json::object()).value("inputs", nlohmann::json())) {
+  for (const nlohmann::json& input :
+       root.value("hashes", nlohmann::json::object()).value("inputs", nlohmann::json())) {
     if (!input.is_object() || !input.contains("path") || !input.contains("sha256")) continue;
     const std::string file = input["path"].get<std::string>();
     const Result<std::string> hash = sha256OfFile(file);
-    if (!hash) return inputError(hash.error().message + "; call this in the folder in which the run was made");
+    if (!hash)
+      return inputError(hash.error().message + "; call this in the folder in which the run was made");
     if (*hash != input["sha256"].get<std::string>())
       return inputError(file + " is not what it was when the report was made: run it again");
   }
@@ -88,7 +90,8 @@ Finding findingAt(const Vec3& place, const SettledPoint& at, double deviation, c
 void sayDeviation(Console& console, const Vec3& place, const SettledPoint& at, const RunSources& sources,
                   const ExactPart& part, RunResult& run) {
   const double deviation = static_cast<double>(run.comparison->field->at(at.p));
-  if (std::isnan(deviation)) return say(console, "deviation", "the point is in a region that is not compared");
+  if (std::isnan(deviation))
+    return say(console, "deviation", "the point is in a region that is not compared");
   const double allowed =
       deviation > 0.0 ? run.comparison->excess_tolerance_mm : run.comparison->gouge_tolerance_mm;
   say(console, "deviation",
@@ -116,7 +119,8 @@ Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgr
   const SettledPoint at = settle(**part, place, kReach);
   say(console, "point", pointText(place));
   if (!at.found)
-    return inputError(fmt::format("there is no surface of the part within {:g} mm of {}", kReach, pointText(place)));
+    return inputError(
+        fmt::format("there is no surface of the part within {:g} mm of {}", kReach, pointText(place)));
   say(console, "surface", fmt::format("{}, {:.4f} mm away", pointText(at.p), (at.p - place).norm()));
   const std::size_t number = std::min<std::size_t>(at.maker.setup, run->setups.size() - 1);
   const SetupRun& setup = run->setups[number];
@@ -126,7 +130,8 @@ Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgr
     Finding named;
     blame(named, at.maker.motion, path, *sources.all()[number]);
     named.setup = setup.name;
-    say(console, "made by", fmt::format("{}: {}, tool {}", report_text::place(named), named.source->text, *named.tool));
+    say(console, "made by",
+        fmt::format("{}: {}, tool {}", report_text::place(named), named.source->text, *named.tool));
   } else {
     say(console, "made by", "nothing: it is the blank's own surface");
   }

@@ -29,7 +29,8 @@ double spotGap(const RunResult& run, const SurfaceMaker& a, const SurfaceMaker& 
 /// Names who made the last finding.
 void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResult& run) {
   const std::size_t last = run.setups.size() - 1;
-  MadeBy made{patch.maker.setup == SurfaceMaker::kLastSetup ? last : patch.maker.setup, patch.maker.motion};
+  const SurfaceMaker maker = mainMaker(patch);
+  MadeBy made{maker.setup == SurfaceMaker::kLastSetup ? last : maker.setup, maker.motion};
   if (made.motion == kNoMotion) {
     const double within = patch.depth_mm + 2.0 * run.resolution_mm;
     made = madeEarlier(run, patch.where, within).value_or(MadeBy{last, kNoMotion});

@@ -17,12 +17,15 @@ namespace proveout {
 namespace {
 
 /// Points of the surface that are looked at: those beyond a tolerance, and others.
-constexpr std::size_t kMostPoints = 15'000;
+constexpr std::size_t kMostPoints = 8'000;
 /// A normal with less of a direction says nothing about a shift along it.
 constexpr double kLeastShare = 0.3;
 /// A deviation is that of a shift within this share of it; much smaller, it speaks against the shift.
 constexpr double kAgrees = 0.4, kContradicts = 0.25;
+/// What a wrong nose radius could be is worth so much of what a shift is.
+constexpr double kLooseWorth = 0.6;
 constexpr std::size_t kMostCauses = 6, kMostBlocks = 12;
+constexpr double kLeastBlock = 0.005;  // of the area
 /// Candidates that explain less are not told.
 constexpr double kLeastScore = 0.15, kOfBest = 0.3;
 
@@ -36,10 +39,12 @@ struct Point {
   bool off = false;  ///< beyond its tolerance
 };
 
-/// Where a candidate moves what a motion cut.
+/// Where a candidate moves what a motion cut: the whole way, more and more towards its end, or less and less,
+/// as the word behind the motion's start does.
+enum class Reach : std::uint8_t { kWhole, kGrowing, kFading };
 struct Effect {
   std::uint32_t hypothesis;
-  bool from_start;  ///< the whole way, or growing from none at its start
+  Reach reach;
 };
 
 struct Hypothesis {
@@ -80,8 +85,13 @@ class Diagnosis {
         break;
       finding.causes.push_back(causeOf(hypotheses_[h], local[h]));
     }
-    if (!finding.causes.empty()) return;
-    if (patch.patch->kind == DeviationKind::kExcess) tellUncut(*patch.patch, finding);
+    // What explains less than half of it is not the whole story.
+    constexpr double kEnough = 0.5;
+    const bool enough = std::any_of(finding.causes.begin(), finding.causes.end(),
+                                    [](const Cause& c) { return c.explains >= kEnough; });
+    if (enough) return;
+    if (finding.causes.empty() && patch.patch->kind == DeviationKind::kExcess)
+      tellUncut(*patch.patch, finding);
     tellInForce(*patch.patch, finding);
   }
 
@@ -90,7 +100,8 @@ class Diagnosis {
     const SetupRun& s = run_.setups[setup];
     const RecordingSource* texts = sources_[setup];
     const Toolpath& path = s.interpreted.path;
-    return {path, s.job.tools, s.turned != nullptr, s.job.control, [texts, &path](std::uint32_t file, std::uint32_t line) {
+    return {path, s.job.tools, s.turned != nullptr, s.job.control,
+            [texts, &path](std::uint32_t file, std::uint32_t line) {
               return file < path.files.size() ? texts->line(path.files[file], line) : std::string();
             }};
   }
@@ -140,12 +151,19 @@ class Diagnosis {
                c = mesh.positions[v[2]].cast<double>(), n = 0.5 * (b - a).cross(c - a);
     const double area = n.norm(), cell = 4.0 * run_.resolution_mm * run_.resolution_mm;
     if (!(area > 0.0)) return;
+    // Where all corners are well within tolerance their mean does.
+    const std::vector<float>& at = run_.comparison->vertex_deviation;
+    const double mean = (static_cast<double>(at[v[0]]) + at[v[1]] + at[v[2]]) / 3.0;
+    const bool within =
+        std::all_of(v.begin(), v.end(), [&](std::uint32_t i) { return std::abs(at[i]) < least(); });
+    const double known = within ? mean : std::numeric_limits<double>::infinity();
     constexpr int kMostSplits = 8;
     const int splits = std::clamp(static_cast<int>(std::sqrt(area / cell)), 1, kMostSplits);
     for (int i = 0; i < splits; ++i) {
       for (int j = 0; j < splits - i; ++j) {
         const double u = (i + 1.0 / 3.0) / splits, w = (j + 1.0 / 3.0) / splits;
         Point p;
+        p.deviation = known;
         p.last = a + u * (b - a) + w * (c - a);
         p.normal = n / area;
         p.area = weight * area / (0.5 * splits * (splits + 1));
@@ -155,7 +173,7 @@ class Diagnosis {
   }
 
   void measure(Point& p) const {
-    p.deviation = run_.comparison->field->at(p.last);
+    if (std::isinf(p.deviation)) p.deviation = static_cast<double>(run_.comparison->field->at(p.last));
     const double reach = 2.0 * run_.resolution_mm;
     const SettledPoint at = settle(part_, p.last, reach);
     const SurfaceMaker maker = at.found ? at.maker : SurfaceMaker{};
@@ -175,15 +193,22 @@ class Diagnosis {
       if (effects_.contains(id)) continue;
       std::vector<Effect>& effects = effects_[id];
       const CauseSource source = sourceOf(p.setup);
-      const std::vector<CauseCandidate> before =
+      std::vector<CauseCandidate> before =
           p.motion > 0 ? candidatesOf(source, p.motion - 1) : std::vector<CauseCandidate>();
-      for (CauseCandidate& c : candidatesOf(source, p.motion)) {
-        const bool from_start = std::any_of(before.begin(), before.end(),
-                                            [&](const CauseCandidate& b) { return b.key == c.key; });
+      std::vector<CauseCandidate> own = candidatesOf(source, p.motion);
+      const auto has = [](const std::vector<CauseCandidate>& all, const CauseCandidate& c) {
+        return std::any_of(all.begin(), all.end(), [&](const CauseCandidate& o) { return o.key == c.key; });
+      };
+      const auto add = [&](CauseCandidate& c, Reach reach) {
         const auto [at, added] =
             known.try_emplace({p.setup, c.key}, static_cast<std::uint32_t>(hypotheses_.size()));
-        if (added) hypotheses_.push_back({std::move(c), p.setup, 0.0, 0.0, 0.0, {}});
-        effects.push_back({at->second, from_start});
+        if (added) hypotheses_.push_back({c, p.setup, 0.0, 0.0, 0.0, {}});
+        effects.push_back({at->second, reach});
+      };
+      for (CauseCandidate& c : own) add(c, has(before, c) ? Reach::kWhole : Reach::kGrowing);
+      for (CauseCandidate& c : before) {
+        if (c.word && isCoordinate(c.word->kind) && c.shift != CutShift::kRadial && !has(own, c))
+          add(c, Reach::kFading);
       }
     }
   }
@@ -201,7 +226,7 @@ class Diagnosis {
     }
   };
 
-  Lever lever(const Point& p, CutShift shift, bool from_start) const {
+  Lever lever(const Point& p, CutShift shift, Reach reach) const {
     const SetupRun& setup = run_.setups[p.setup];
     const Vec3& n = p.normal;
     double part = 0.0;
@@ -219,8 +244,10 @@ class Diagnosis {
                                      : n.head<2>().norm();
     }
     const bool moves = shift == CutShift::kX || shift == CutShift::kY || shift == CutShift::kZ;
-    if (from_start || !moves) return {part, part, part};
+    if (reach == Reach::kWhole || !moves) return {part, part, part};
     const auto [t, width] = wayTo(p);
+    if (reach == Reach::kFading)
+      return {part * std::max(0.0, 1.0 - t - width), part * (1.0 - t), part * std::min(1.0, 1.0 - t + width)};
     return {part * std::max(0.0, t - width), part * t, part * std::min(1.0, t + width)};
   }
 
@@ -243,7 +270,7 @@ class Diagnosis {
     const auto found = effects_.find(std::uint64_t{p.setup} << 32 | p.motion);
     if (p.motion == kNoMotion || found == effects_.end()) return;
     for (const Effect& e : found->second)
-      body(e.hypothesis, lever(p, hypotheses_[e.hypothesis].candidate.shift, e.from_start));
+      body(e.hypothesis, lever(p, hypotheses_[e.hypothesis].candidate.shift, e.reach));
   }
 
   void measureShifts() {
@@ -251,7 +278,8 @@ class Diagnosis {
       if (!p.off) continue;
       forEachEffectOn(p, [&](std::uint32_t h, const Lever& lever) {
         const double size = std::abs(lever.middle);
-        if (size > kLeastShare) hypotheses_[h].offers.emplace_back(p.deviation / lever.middle, p.area * size);
+        if (size > kLeastShare)
+          hypotheses_[h].offers.emplace_back(p.deviation / lever.middle, weightOf(p) * size);
       });
     }
     for (Hypothesis& h : hypotheses_) h.off_mm = weightedMedian(h.offers);
@@ -270,21 +298,36 @@ class Diagnosis {
     return values.back().first;
   }
 
+  /// Deep deviations tell more than shallow ones of a large area.
+  static double weightOf(const Point& p) { return p.area * std::abs(p.deviation); }
+
+  /// A wrong nose radius shows in corners and on slopes only, more or less of it.
+  bool loose(std::uint32_t h) const {
+    const Hypothesis& hypothesis = hypotheses_[h];
+    return hypothesis.candidate.shift == CutShift::kRadial && run_.setups[hypothesis.setup].turned != nullptr;
+  }
+
+  bool agrees(const Lever& lever, const Point& p, std::uint32_t h) const {
+    if (loose(h)) return p.deviation * hypotheses_[h].off_mm > 0.0;
+    return lever.agrees(p.deviation, hypotheses_[h].off_mm, least());
+  }
+
   double least() const {
     return 0.5 * std::min(run_.comparison->gouge_tolerance_mm, run_.comparison->excess_tolerance_mm);
   }
 
   void weigh() {
-    for (const Point& p : points_) off_area_ += p.off ? p.area : 0.0;
+    for (const Point& p : points_) off_weight_ += p.off ? weightOf(p) : 0.0;
     for (const Point& p : points_) {
       forEachEffectOn(p, [&](std::uint32_t h, const Lever& lever) {
         const double shift = hypotheses_[h].off_mm, expected = std::abs(lever.low) < std::abs(lever.high)
                                                                    ? shift * lever.low
                                                                    : shift * lever.high;
         if (p.off) {
-          if (lever.agrees(p.deviation, shift, least())) hypotheses_[h].explained += p.area;
-        } else if (beyond(0.5 * expected) && std::abs(p.deviation) < kContradicts * std::abs(expected)) {
-          hypotheses_[h].contradicted += p.area;
+          if (agrees(lever, p, h)) hypotheses_[h].explained += weightOf(p) * (loose(h) ? kLooseWorth : 1.0);
+        } else if (!loose(h) && beyond(0.5 * expected) &&
+                   std::abs(p.deviation) < kContradicts * std::abs(expected)) {
+          hypotheses_[h].contradicted += p.area * std::abs(expected);
         }
       });
     }
@@ -293,7 +336,7 @@ class Diagnosis {
   /// What explains much of the part's deviations and contradicts nothing, 0..1.
   double worth(const Hypothesis& h) const {
     const double sum = h.explained + h.contradicted;
-    return sum > 0.0 ? h.explained / sum * (0.7 + 0.3 * h.explained / off_area_) : 0.0;
+    return sum > 0.0 ? h.explained / sum * (0.7 + 0.3 * h.explained / off_weight_) : 0.0;
   }
 
   bool isOf(const Point& p, const DeviationPatch& patch) const {
@@ -307,9 +350,9 @@ class Diagnosis {
     double sum = 0.0;
     for (const Point& p : points_) {
       if (!isOf(p, patch)) continue;
-      sum += p.area;
+      sum += weightOf(p);
       forEachEffectOn(p, [&](std::uint32_t h, const Lever& lever) {
-        if (lever.agrees(p.deviation, hypotheses_[h].off_mm, least())) out[h] += p.area;
+        if (agrees(lever, p, h)) out[h] += weightOf(p) * (loose(h) ? kLooseWorth : 1.0);
       });
     }
     for (double& share : out) share = sum > 0.0 ? share / sum : 0.0;
@@ -362,7 +405,8 @@ class Diagnosis {
  private:
   void tellBlocks(const DeviationPatch& patch, Finding& finding) const {
     for (const MakerShare& m : patch.makers) {
-      if (m.maker.motion == kNoMotion || finding.blocks.size() >= kMostBlocks) continue;
+      if (m.maker.motion == kNoMotion || m.share < kLeastBlock || finding.blocks.size() >= kMostBlocks)
+        continue;
       const std::uint32_t setup = setupOf(m.maker);
       const SetupRun& s = run_.setups[setup];
       const Toolpath& path = s.interpreted.path;
@@ -405,10 +449,12 @@ class Diagnosis {
   }
 
   void tellInForce(const DeviationPatch& patch, Finding& finding) const {
-    if (patch.maker.motion == kNoMotion) return;
-    const std::uint32_t setup = setupOf(patch.maker);
-    for (const CauseCandidate& c : inForce(sourceOf(setup), patch.maker.motion)) {
-      if (finding.causes.size() >= kMostCauses) return;
+    const SurfaceMaker maker = mainMaker(patch);
+    if (maker.motion == kNoMotion) return;
+    const std::uint32_t setup = setupOf(maker);
+    std::size_t added = 0;
+    for (const CauseCandidate& c : inForce(sourceOf(setup), maker.motion)) {
+      if (added++ >= kMostCauses) return;
       finding.causes.push_back(causeOf(c, setup));
     }
   }
@@ -419,10 +465,22 @@ class Diagnosis {
   std::vector<Point> points_;
   std::unordered_map<std::uint64_t, std::vector<Effect>> effects_;  ///< by clamping and motion
   std::vector<Hypothesis> hypotheses_;
-  double off_area_ = 0.0;
+  double off_weight_ = 0.0;
 };
 
 }  // namespace
+
+SurfaceMaker mainMaker(const DeviationPatch& patch) {
+  SurfaceMaker best = patch.maker;
+  double most = 0.0;
+  for (const MakerShare& m : patch.makers) {
+    const double weight = m.share * m.depth_mm * m.depth_mm;
+    if (m.maker.motion == kNoMotion || weight <= most) continue;
+    most = weight;
+    best = m.maker;
+  }
+  return best;
+}
 
 void diagnoseDeviations(const RunSources& sources, const ExactPart& part,
                         const std::vector<PatchFinding>& patches, RunResult& run) {
@@ -435,7 +493,8 @@ std::vector<Cause> behindMotion(const SetupRun& setup, const RecordingSource& te
   const Toolpath& path = setup.interpreted.path;
   const CauseSource source{path, setup.job.tools, setup.turned != nullptr, setup.job.control,
                            [&](std::uint32_t file, std::uint32_t line) {
-                             return file < path.files.size() ? texts.line(path.files[file], line) : std::string();
+                             return file < path.files.size() ? texts.line(path.files[file], line)
+                                                             : std::string();
                            }};
   std::vector<Cause> out;
   for (const CauseCandidate& c : inForce(source, motion)) out.push_back(Diagnosis::makeCause(c, path, texts));

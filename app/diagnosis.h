@@ -14,6 +14,9 @@ struct PatchFinding {
   const DeviationPatch* patch;
 };
 
+/// The motion to blame for a patch: that with the largest share of it where it is deep.
+SurfaceMaker mainMaker(const DeviationPatch& patch);
+
 /// Fills `blocks` and `causes` of findings of the comparison. A word or datum that is wrong shifts every cut
 /// that depends on it by the same amount: the deviations all over the part are held against that, those that
 /// are there and those that should be there and are not.

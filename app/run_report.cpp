@@ -115,7 +115,7 @@ ReportStock reportStock(const RunResult& run) {
 ErrorTerm gridTerm(const RunResult& run, double bound_mm) {
   return {
       "grid", bound_mm,
-      fmt::format("facets between exact crossings of a {:g} mm grid: flat faces are exact, walls as curved "
+      fmt::format("facets of the mesh between exact crossings of a {:g} mm grid: flat faces are exact, walls as curved "
                   "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be "
                   "lost",
                   run.resolution_mm)};
@@ -160,6 +160,9 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
   if (run.comparison) {
     terms.push_back({"nominal", run.comparison->nominal_chord_mm,
                      "chord height of the nominal's facets, estimated from neighbouring facets"});
+    terms.push_back({"deviations", run.comparison->largest_bound_mm,
+                     "largest bound of a deviation near a tolerance; they are measured on the exact part, not on "
+                     "the facets of its mesh"});
   }
   return terms;
 }

@@ -14,6 +14,8 @@ constexpr double kPenalty = 2.0;
 constexpr int kMaxRounds = 600;
 /// Searches from different places that may find nothing better before the best is taken.
 constexpr int kVainSearches = 6;
+/// The same of boxes: their bounds are loose, and the place of a narrow rib may come late.
+constexpr int kVainBoxes = 64;
 /// Searches on from what was found; each must gain something.
 constexpr int kMaxRepeats = 8;
 /// Reach of a search from a sample, in grid steps: the quarters of leaves, from which samples come, and a
@@ -143,7 +145,7 @@ void DeepestPoint::searchBoxes(DeepPoint& best) {
   if ((low.array() >= high.array()).any()) return;
   add(0.5 * (low + high), 0.5 * (high - low));
   int vain = 0;
-  while (!parts.empty() && !tired() && vain < kVainSearches) {
+  while (!parts.empty() && !tired() && vain < kVainBoxes) {
     Part part = parts.top();
     parts.pop();
     if (part.bound <= best.depth + kWithinMm) break;

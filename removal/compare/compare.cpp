@@ -137,9 +137,11 @@ void fillVolumes(Asked& asked, double level, std::vector<FoundPatch>& found) {
 }
 
 /// Where the nominal's facets stand for a curved face, the face may be as far off them as its chords.
-DeviationPatch withChord(DeviationPatch patch, const NominalModel& nominal) {
-  const Bulge bulge = nominal.shape.at(nominal.distance.at(patch.where), patch.where);
-  patch.bound_mm += bulge.high - bulge.low;
+DeviationPatch withChord(DeviationPatch patch, const NominalModel& nominal, double reach) {
+  const SurfaceDistance d = nominal.distance.at(patch.where);
+  const Vec3 foot = patch.where - d.distance * d.gradient.cast<double>();
+  constexpr double kMisread = 2.0;  // where facets are cut by others the reading is rough
+  patch.bound_mm += kMisread * nominal.shape.largestNear(foot, reach);
   return patch;
 }
 
@@ -161,7 +163,7 @@ void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, Ask
   }
   for (const FoundPatch& found : measured) {
     if (found.certain || found.patch.depth_mm - found.patch.bound_mm > level) {
-      out.patches.push_back(withChord(found.patch, asked.nominal));
+      out.patches.push_back(withChord(found.patch, asked.nominal, o.resolution_mm));
     } else {
       undecided(found);
     }

@@ -228,7 +228,8 @@ class Measurer {
   double besideRounds(const Vec3& p, double deviation) const {
     const double most = nominal_.shape.largest();
     // Nothing to a shallow deviation, and little to a deep one.
-    if (most == 0.0 || std::abs(deviation) < 0.01 * least_ || std::abs(deviation) > 100.0 * most) return deviation;
+    if (most == 0.0 || std::abs(deviation) < 0.01 * least_ || std::abs(deviation) > 100.0 * most)
+      return deviation;
     double slack = 0.0;
     nominal_.distance.tree().forEachIn(
         {p - Vec3::Constant(most), p + Vec3::Constant(most)}, [&](std::uint32_t t) {

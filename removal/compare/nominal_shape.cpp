@@ -22,11 +22,13 @@ constexpr double kMostChord = 0.25, kMostSteepChord = 0.12;
 constexpr double kWidthRatio = 2.5, kCurvatureRatio = 3.0, kSteepTurnRatio = 1.3;
 /// A plane turns against the first facet of a round that touches it by half of what the facets turn.
 constexpr double kTangentTurn = 0.8;
-/// The most that the normal at a corner leaves a facet's: that of triangles, whose corners are farther off than their
-/// neighbours' middles.
+/// The most that the normal at a corner leaves a facet's: that of triangles, whose corners are farther off
+/// than their neighbours' middles.
 constexpr double kMostOfATurn = 1.6;
 /// Cosine; the sides of an equilateral triangle still count.
 constexpr double kParallel = 0.4;
+/// Height of a triangle below which its normal is noise, as a share of its coordinates.
+constexpr double kFloatNoise = 400 * 1.2e-7;
 constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
 
 /// Two facets that meet.
@@ -34,8 +36,8 @@ struct Link {
   std::uint32_t a, b;   ///< facets
   double length, turn;  ///< of the border, mm; rad, > 0 where it is convex
   double width_a, width_b;
-  Vec3 along;          ///< direction of the border, unit
-  bool runs = false;   ///< a curved face goes on across it
+  Vec3 along;         ///< direction of the border, unit
+  bool runs = false;  ///< a curved face goes on across it
   double width() const { return 0.5 * (width_a + width_b); }
   double curvature() const { return turn / width(); }
   bool alike() const { return width_a < kWidthRatio * width_b && width_b < kWidthRatio * width_a; }
@@ -66,7 +68,9 @@ class ShapeReader {
       const Vec3 area = mesh.areaVector(t);
       double longest = 0.0;
       for (int c = 0; c < 3; ++c) longest = std::max(longest, edge(t, c).norm());
-      const bool sliver = area.norm() <= 2e-5 * longest;  // no normal to trust
+      const double coordinate = mesh.middle(t).cwiseAbs().maxCoeff();
+      // No normal to trust: floats turn it by more than a tenth of a degree.
+      const bool sliver = area.norm() <= std::max(2e-5 * longest, kFloatNoise * coordinate) * longest;
       normals_.push_back(sliver ? Vec3::Zero() : Vec3(area.normalized()));
     }
   }
@@ -132,7 +136,8 @@ class ShapeReader {
       const std::uint32_t a = facet_of_[g / 3], b = facet_of_[h / 3];
       if (a == b) return;
       const Vec3 way = edge(g / 3, static_cast<int>(g % 3));
-      links_.push_back({std::min(a, b), std::max(a, b), way.norm(), turnAt(g, h), 0.0, 0.0, a < b ? way : -way});
+      links_.push_back(
+          {std::min(a, b), std::max(a, b), way.norm(), turnAt(g, h), 0.0, 0.0, a < b ? way : -way});
     });
     std::stable_sort(links_.begin(), links_.end(),
                      [](const Link& l, const Link& m) { return std::pair(l.a, l.b) < std::pair(m.a, m.b); });
@@ -216,9 +221,8 @@ class ShapeReader {
 
   const Link* linkOf(std::uint32_t a, std::uint32_t b) const {
     const std::pair<std::uint32_t, std::uint32_t> key = std::minmax(a, b);
-    const auto link = std::lower_bound(links_.begin(), links_.end(), key, [](const Link& l, const auto& k) {
-      return std::pair(l.a, l.b) < k;
-    });
+    const auto link = std::lower_bound(links_.begin(), links_.end(), key,
+                                       [](const Link& l, const auto& k) { return std::pair(l.a, l.b) < k; });
     return link != links_.end() && std::pair(link->a, link->b) == key ? &*link : nullptr;
   }
 
@@ -278,7 +282,7 @@ class ShapeReader {
 
   struct Fan {
     std::array<Vec3, 3> sum{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of flat, leading and other facets
-    std::vector<std::uint32_t> leading;  ///< facets
+    std::vector<std::uint32_t> leading;                                 ///< facets
     std::uint32_t facet = kNobody;
     bool several = false;  ///< facets
     double height = 0.0;   ///< of the curved face there, mm
@@ -318,9 +322,9 @@ class ShapeReader {
     const std::vector<BorderEdge>& edges = leaving ? leaving_ : arriving_;
     const auto at = [&](const BorderEdge& e) { return vertexOf(leaving ? e.from : e.to); };
     const std::pair key(facet, vertexOf(corner));
-    const auto found = std::lower_bound(edges.begin(), edges.end(), key, [&](const BorderEdge& e, const auto& k) {
-      return std::pair(e.facet, at(e)) < k;
-    });
+    const auto found =
+        std::lower_bound(edges.begin(), edges.end(), key,
+                         [&](const BorderEdge& e, const auto& k) { return std::pair(e.facet, at(e)) < k; });
     return found != edges.end() && found->facet == facet && at(*found) == key.second ? &*found : nullptr;
   }
 
@@ -363,16 +367,15 @@ class ShapeReader {
   }
 
   std::uint32_t vertexOf(std::uint32_t corner) const { return mesh_.triangles[corner / 3][corner % 3]; }
-  const Vec3& pointOf(std::uint32_t corner) const {
-    return mesh_.points[vertexOf(corner)];
-  }
+  const Vec3& pointOf(std::uint32_t corner) const { return mesh_.points[vertexOf(corner)]; }
 
   /// Vertices within chords lie below the face.
   void findChords() {
     for (const BorderEdge& out : leaving_) {
       Fan& fan = fans_[fan_->find(out.from)];
       if (!curved_[out.facet] || fan.several) continue;
-      const std::uint32_t a = endOfChord(out.facet, out.from, false), z = endOfChord(out.facet, out.from, true);
+      const std::uint32_t a = endOfChord(out.facet, out.from, false),
+                          z = endOfChord(out.facet, out.from, true);
       if (a == kNobody || z == kNobody) continue;
       const Fan &first = fans_[fan_->find(a)], &last = fans_[fan_->find(z)];
       const Vec3 chord = pointOf(z) - pointOf(a), part = pointOf(out.from) - pointOf(a);
@@ -401,7 +404,8 @@ class ShapeReader {
       const Vec3 n = normalIn(fan, t);
       return Vec3(2.0 * normals_[t].dot(n) * normals_[t] - n);
     };
-    const Vec3 n = from.known() ? normalIn(from, t) : mirrored(to), m = to.known() ? normalIn(to, t) : mirrored(from);
+    const Vec3 n = from.known() ? normalIn(from, t) : mirrored(to),
+               m = to.known() ? normalIn(to, t) : mirrored(from);
     return std::clamp((m - n).dot(edge(t, static_cast<int>(c))) / 8.0, -kMostChord, kMostChord);
   }
 
@@ -414,7 +418,7 @@ class ShapeReader {
   std::vector<Link> links_;
   std::vector<std::vector<std::uint32_t>> links_of_;  ///< per facet: those that a curved face could cross
   std::vector<char> curved_;                          ///< per facet
-  std::vector<double> turn_;  ///< per curved facet: against its neighbours, rad
+  std::vector<double> turn_;                          ///< per curved facet: against its neighbours, rad
   std::unique_ptr<DisjointSets> fan_;
   std::vector<Fan> fans_;
   std::vector<BorderEdge> leaving_, arriving_;  ///< by facet and the vertex that they leave, or arrive at
@@ -422,18 +426,31 @@ class ShapeReader {
 
 }  // namespace
 
+double NominalShape::largestOf(std::uint32_t t) const {
+  double largest = std::abs(at(t, surface_.mesh().middle(t)));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float middle = 0.5f * (bulge_[t][c] + bulge_[t][(c + 1) % 3]) + bulge_[t][3 + c];
+    largest = std::max(largest, static_cast<double>(std::abs(middle)));
+  }
+  return largest;
+}
+
+double NominalShape::largestNear(const Vec3& place, double reach) const {
+  if (largest_ == 0.0) return 0.0;
+  double largest = 0.0;
+  surface_.tree().forEachIn({place - Vec3::Constant(reach), place + Vec3::Constant(reach)},
+                            [&](std::uint32_t t) { largest = std::max(largest, largestOf(t)); });
+  return largest;
+}
+
 NominalShape::NominalShape(const SignedDistance& surface) : surface_(surface) {
   const SurfaceMesh& mesh = surface.mesh();
   bulge_ = ShapeReader(mesh).read();
   for (std::uint32_t t = 0; t < bulge_.size(); ++t) {
-    const double off = std::abs(at(t, mesh.middle(t)));
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float middle = 0.5f * (bulge_[t][c] + bulge_[t][(c + 1) % 3]) + bulge_[t][3 + c];
-      const double most = std::max(off, static_cast<double>(std::abs(middle)));
-      if (most <= largest_) continue;
-      largest_ = most;
-      largest_at_ = mesh.middle(t);
-    }
+    const double largest = largestOf(t);
+    if (largest <= largest_) continue;
+    largest_ = largest;
+    largest_at_ = mesh.middle(t);
   }
 }
 

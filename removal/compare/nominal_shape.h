@@ -34,13 +34,19 @@ class NominalShape {
   /// At a point of a triangle.
   double at(std::uint32_t triangle, const Vec3& point) const;
 
+  /// The largest of the facets that come within `reach` of a place, either sign, mm.
+  double largestNear(const Vec3& place, double reach) const;
+
   /// The largest there is, and where.
   double largest() const { return largest_; }
   const Vec3& largestAt() const { return largest_at_; }
 
  private:
+  double largestOf(std::uint32_t triangle) const;
+
   const SignedDistance& surface_;
-  /// Per triangle: of its corners, and how much more the middles of its edges have than the mean of their ends.
+  /// Per triangle: of its corners, and how much more the middles of its edges have than the mean of their
+  /// ends.
   std::vector<std::array<float, 6>> bulge_;
   double largest_ = 0.0;
   Vec3 largest_at_ = Vec3::Zero();

@@ -46,15 +46,16 @@ class Program {
   }
 
   static constexpr const char* kNames[] = {
-      "plane", "boss_z", "boss_side", "boss_comp", "boss_d", "boss_r", "boss_h", "pocket_z", "pocket_x1", "pocket_x2",
-      "pocket_y0", "pocket_y1", "pocket_t", "pocket_h", "pocket_g", "hole_1x", "hole_1y", "hole_2x", "hole_3y",
-      "hole_4x", "hole_r", "drill_t", "drill_h", "blind_z", "blind_x", "blind_y", "slot_z", "slot_h", "slot_retract",
-      "slot_y", "slot2_z", "round_z", "round_x", "round_i", "round_h", "sink_z", "sink_h", "pocket", "hole_4", "slot2",
-      "round", "sinks", "blind"};
+      "plane",     "boss_z",    "boss_side", "boss_comp", "boss_d",       "boss_r",   "boss_h",   "pocket_z",
+      "pocket_x1", "pocket_x2", "pocket_y0", "pocket_y1", "pocket_t",     "pocket_h", "pocket_g", "hole_1x",
+      "hole_1y",   "hole_2x",   "hole_3y",   "hole_4x",   "hole_r",       "drill_t",  "drill_h",  "blind_z",
+      "blind_x",   "blind_y",   "slot_z",    "slot_h",    "slot_retract", "slot_y",   "slot2_z",  "round_z",
+      "round_x",   "round_i",   "round_h",   "sink_z",    "sink_h",       "pocket",   "hole_4",   "slot2",
+      "round",     "sinks",     "blind"};
 
  private:
-  void tool(int number, const std::string& t_name, int speed, const std::string& system, const std::string& g_name,
-            const std::string& place, const std::string& h_name) {
+  void tool(int number, const std::string& t_name, int speed, const std::string& system,
+            const std::string& g_name, const std::string& place, const std::string& h_name) {
     w.text(t_name, "T" + std::to_string(number)).put("M6").end();
     w.block("S" + std::to_string(speed) + " M3");
     w.text(g_name, system).put("G0 " + place).end();
@@ -130,7 +131,12 @@ class Program {
     w.word("Y", "hole_3y", 29).end();
     if (w.has("hole_4")) w.word("X", "hole_4x", 12).end();
     if (w.has("blind"))
-      w.put("G83").word("X", "blind_x", 36).word("Y", "blind_y", 11).word("Z", "blind_z", -10).put("R2 Q3").end();
+      w.put("G83")
+          .word("X", "blind_x", 36)
+          .word("Y", "blind_y", 11)
+          .word("Z", "blind_z", -10)
+          .put("R2 Q3")
+          .end();
     w.block("G80");
     w.block("G0 Z50");
   }
@@ -188,8 +194,8 @@ std::string jobText(const Plan& plan, int habit) {
   out += "[nominal]\nmesh = \"nominal.stl\"\ngouge = 0.05\nexcess = 0.05\n";
   const auto tool = [&](int number, const std::string& type, double diameter, const std::string& more) {
     out += "[[tool]]\nnumber = " + std::to_string(number) + "\ntype = \"" + type + "\"\ndiameter = " +
-           Writer::number(plan.of("tools." + std::to_string(number) + ".diameter", diameter)) + "\ngauge_length = " +
-           Writer::number(kGauge[number]) + "\n" + more;
+           Writer::number(plan.of("tools." + std::to_string(number) + ".diameter", diameter)) +
+           "\ngauge_length = " + Writer::number(kGauge[number]) + "\n" + more;
   };
   tool(1, "flat", 12, "");
   tool(2, "flat", 6, "");
@@ -237,7 +243,8 @@ TriMesh plate(double chord) {
   const double tip = 2.5 / std::tan(degToRad(59.0));
   const Profile through = Profile().line(2.5, -20).line(2.5, 3);
   std::vector<Hole> holes = {{Profile().line(3, -4).line(3, 3), {22, 20}, {5, 2}}};
-  for (const Vec2& at : {Vec2(12, 11), Vec2(48, 11), Vec2(48, 29), Vec2(12, 29)}) holes.push_back({through, at, {0, 0}});
+  for (const Vec2& at : {Vec2(12, 11), Vec2(48, 11), Vec2(48, 29), Vec2(12, 29)})
+    holes.push_back({through, at, {0, 0}});
   holes.push_back({Profile().line(0, -10).line(2.5, -10 + tip).line(2.5, 3), {36, 11}, {0, 0}});
   holes.push_back({Profile().arc(0, 1, 3, -90, 0).line(3, 3), {30, 31}, {10, 0}});
   holes.push_back({Profile().arc(0, 2, 3, -90, 0).line(3, 3), {25, 8.5}, {5, 0}});
@@ -250,12 +257,14 @@ TriMesh plate(double chord) {
 /// Height of an arc of chord 5 * sqrt(2) and radius r over its chord.
 double sagitta(double r) { return r - std::sqrt(r * r - 12.5); }
 
-Defect wordDefect(const char* kind, const char* name, double right, double size, std::optional<double> depth) {
+Defect wordDefect(const char* kind, const char* name, double right, double size,
+                  std::optional<double> depth) {
   Defect d{kind, {}, size, depth, {name}, {}, false};
   d.plan.values[name] = right + size;
   return d;
 }
-Defect datumDefect(const char* kind, const std::string& key, double right, double size, std::optional<double> depth) {
+Defect datumDefect(const char* kind, const std::string& key, double right, double size,
+                   std::optional<double> depth) {
   Defect d{kind, {}, size, depth, {}, {key}, false};
   d.plan.values[key] = right + size;
   return d;
@@ -270,11 +279,16 @@ Defect textDefect(const char* kind, const char* name, const std::string& text, d
 Defect wrongZ(std::mt19937& random) {
   const double s = signedSize(random, 0.005, 2.0);
   switch (random() % 6) {
-    case 0: return wordDefect("Z", "boss_z", -6, s, std::abs(s));
-    case 1: return wordDefect("Z", "pocket_z", -4, s, std::abs(s));
-    case 2: return wordDefect("Z", "blind_z", -10, s, std::abs(s));
-    case 3: return wordDefect("Z", "round_z", -3, s, std::abs(s));
-    case 4: return wordDefect("Z", "slot_z", -2, std::clamp(s, -2.0, 1.5), std::nullopt);
+    case 0:
+      return wordDefect("Z", "boss_z", -6, s, std::abs(s));
+    case 1:
+      return wordDefect("Z", "pocket_z", -4, s, std::abs(s));
+    case 2:
+      return wordDefect("Z", "blind_z", -10, s, std::abs(s));
+    case 3:
+      return wordDefect("Z", "round_z", -3, s, std::abs(s));
+    case 4:
+      return wordDefect("Z", "slot_z", -2, std::clamp(s, -2.0, 1.5), std::nullopt);
     default: {
       const double small = std::clamp(s, -0.8, 0.8);
       return wordDefect("Z", "sink_z", -4, small, std::abs(small) * std::sqrt(0.5));
@@ -285,18 +299,30 @@ Defect wrongZ(std::mt19937& random) {
 Defect wrongXY(std::mt19937& random) {
   const double s = signedSize(random, 0.005, 2.0);
   switch (random() % 12) {
-    case 0: return wordDefect("X, Y", "pocket_x1", 27, s, std::abs(s));
-    case 1: return wordDefect("X, Y", "pocket_x2", 17, s, std::abs(s));
-    case 2: return wordDefect("X, Y", "pocket_y0", 18, s, std::abs(s));
-    case 3: return wordDefect("X, Y", "pocket_y1", 22, s, std::abs(s));
-    case 4: return wordDefect("X, Y", "hole_1x", 12, s, std::nullopt);
-    case 5: return wordDefect("X, Y", "hole_1y", 11, s, std::nullopt);
-    case 6: return wordDefect("X, Y", "hole_2x", 48, s, std::nullopt);
-    case 7: return wordDefect("X, Y", "hole_3y", 29, s, std::abs(s));
-    case 8: return wordDefect("X, Y", "hole_4x", 12, s, std::abs(s));
-    case 9: return wordDefect("X, Y", "blind_x", 36, s, std::abs(s));
-    case 10: return wordDefect("X, Y", "blind_y", 11, s, std::abs(s));
-    default: return wordDefect("X, Y", "slot_y", 31, std::clamp(s, -1.5, 0.9), std::nullopt);
+    case 0:
+      return wordDefect("X, Y", "pocket_x1", 27, s, std::abs(s));
+    case 1:
+      return wordDefect("X, Y", "pocket_x2", 17, s, std::abs(s));
+    case 2:
+      return wordDefect("X, Y", "pocket_y0", 18, s, std::abs(s));
+    case 3:
+      return wordDefect("X, Y", "pocket_y1", 22, s, std::abs(s));
+    case 4:
+      return wordDefect("X, Y", "hole_1x", 12, s, std::nullopt);
+    case 5:
+      return wordDefect("X, Y", "hole_1y", 11, s, std::nullopt);
+    case 6:
+      return wordDefect("X, Y", "hole_2x", 48, s, std::nullopt);
+    case 7:
+      return wordDefect("X, Y", "hole_3y", 29, s, std::abs(s));
+    case 8:
+      return wordDefect("X, Y", "hole_4x", 12, s, std::abs(s));
+    case 9:
+      return wordDefect("X, Y", "blind_x", 36, s, std::abs(s));
+    case 10:
+      return wordDefect("X, Y", "blind_y", 11, s, std::abs(s));
+    default:
+      return wordDefect("X, Y", "slot_y", 31, std::clamp(s, -1.5, 0.9), std::nullopt);
   }
 }
 
@@ -310,9 +336,12 @@ Defect wrongLength(std::mt19937& random) {
 Defect wrongRadius(std::mt19937& random) {
   const double s = signedSize(random, 0.005, 0.8);
   switch (random() % 3) {
-    case 0: return datumDefect("radius (operator)", "offsets.radius.1", 6, s, std::abs(s));
-    case 1: return datumDefect("radius (operator)", "tools.2.diameter", 6, 2 * s, std::abs(s));
-    default: return datumDefect("radius (operator)", "tools.3.diameter", 5, 2 * s, std::abs(s));
+    case 0:
+      return datumDefect("radius (operator)", "offsets.radius.1", 6, s, std::abs(s));
+    case 1:
+      return datumDefect("radius (operator)", "tools.2.diameter", 6, 2 * s, std::abs(s));
+    default:
+      return datumDefect("radius (operator)", "tools.3.diameter", 5, 2 * s, std::abs(s));
   }
 }
 
@@ -321,20 +350,27 @@ Defect wrongOffset(std::mt19937& random) {
   const double rights[] = {310, 205, -400};
   const unsigned axis = random() % 3;
   const double s = signedSize(random, 0.005, 1.5);
-  Defect d = datumDefect("work offset (operator)", std::string("offsets.work.G55.") + axes[axis], rights[axis], s,
-                         std::abs(s));
+  Defect d = datumDefect("work offset (operator)", std::string("offsets.work.G55.") + axes[axis],
+                         rights[axis], s, std::abs(s));
   return d;
 }
 
 Defect wrongCode(std::mt19937& random) {
   switch (random() % 7) {
-    case 0: return textDefect("tool word", "pocket_t", "T7", 0.25, 0.25);
-    case 1: return textDefect("tool word", "drill_t", "T8", 0.1, 0.1);
-    case 2: return textDefect("H word", "pocket_h", "H4", 0.5, 0.5);
-    case 3: return textDefect("H word", "round_h", "H4", 0.6, 0.6);
-    case 4: return textDefect("offset word", "pocket_g", "G56", 0.7, std::nullopt);
-    case 5: return textDefect("D word", "boss_d", "D2", 0.4, 0.4);
-    default: return textDefect("compensation", "boss_comp", random() % 2 == 0 ? "G42" : "G40", 6, std::nullopt);
+    case 0:
+      return textDefect("tool word", "pocket_t", "T7", 0.25, 0.25);
+    case 1:
+      return textDefect("tool word", "drill_t", "T8", 0.1, 0.1);
+    case 2:
+      return textDefect("H word", "pocket_h", "H4", 0.5, 0.5);
+    case 3:
+      return textDefect("H word", "round_h", "H4", 0.6, 0.6);
+    case 4:
+      return textDefect("offset word", "pocket_g", "G56", 0.7, std::nullopt);
+    case 5:
+      return textDefect("D word", "boss_d", "D2", 0.4, 0.4);
+    default:
+      return textDefect("compensation", "boss_comp", random() % 2 == 0 ? "G42" : "G40", 6, std::nullopt);
   }
 }
 
@@ -349,9 +385,12 @@ Defect wrongShape(std::mt19937& random) {
       const double s = signedSize(random, 0.005, 0.5);
       return wordDefect("arc", "round_i", -2, s, std::nullopt);
     }
-    case 2: return wordDefect("retract", "slot_retract", 5, -5.2 - 1.5 * unit(random), std::nullopt);
-    case 3: return wordDefect("plane of a cycle", "hole_r", 2, -2.2 - 2 * unit(random), std::nullopt);
-    default: return textDefect("plane", "plane", "G18", 5, std::nullopt);
+    case 2:
+      return wordDefect("retract", "slot_retract", 5, -5.2 - 1.5 * unit(random), std::nullopt);
+    case 3:
+      return wordDefect("plane of a cycle", "hole_r", 2, -2.2 - 2 * unit(random), std::nullopt);
+    default:
+      return textDefect("plane", "plane", "G18", 5, std::nullopt);
   }
 }
 

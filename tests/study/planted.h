@@ -16,7 +16,7 @@ namespace proveout::study {
 
 /// What is planted: values of words or data by name, features that are left out.
 struct Plan {
-  std::map<std::string, double> values;   ///< instead of what is right
+  std::map<std::string, double> values;      ///< instead of what is right
   std::map<std::string, std::string> texts;  ///< words written otherwise: "T7" for "T2"
   std::set<std::string> dropped;
   double of(const std::string& name, double right) const {
@@ -96,9 +96,9 @@ struct Defect {
   double size = 0.0;  ///< how far the word or datum is off, mm
   /// Deepest point of the part, mm, where a closed form is known: distance of one surface from the other.
   std::optional<double> depth;
-  std::set<std::string> words;   ///< names of the words of which one has to be named
-  std::set<std::string> data;    ///< keys of the job of which one has to be named
-  bool missing = false;          ///< nothing was cut: that is to be told
+  std::set<std::string> words;  ///< names of the words of which one has to be named
+  std::set<std::string> data;   ///< keys of the job of which one has to be named
+  bool missing = false;         ///< nothing was cut: that is to be told
 };
 
 /// A part with its programs and defects.

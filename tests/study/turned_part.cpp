@@ -19,9 +19,10 @@ Habit habitOf(int seed) {
           random() % 2 == 0};
 }
 
-constexpr const char* kNames[] = {"c_x1", "c_z1", "c_z2",    "c_x2",    "c_x3",   "c_z3",   "c_z4",  "c_x5",
-                                  "c_z5", "c_x7", "c_z7",    "c_z8",    "c_r5",   "fin_t",  "fin_g", "fin_comp",
-                                  "rough_r", "groove_x", "groove_z", "bore_z", "face_z", "finish", "groove", "bore"};
+constexpr const char* kNames[] = {"c_x1",     "c_z1",   "c_z2",   "c_x2",     "c_x3",    "c_z3",
+                                  "c_z4",     "c_x5",   "c_z5",   "c_x7",     "c_z7",    "c_z8",
+                                  "c_r5",     "fin_t",  "fin_g",  "fin_comp", "rough_r", "groove_x",
+                                  "groove_z", "bore_z", "face_z", "finish",   "groove",  "bore"};
 
 class Program {
  public:
@@ -112,7 +113,8 @@ class Program {
 
 std::string jobText(const Plan& plan, int habit) {
   std::string out =
-      "schema = \"proveout.job/1\"\nprogram = \"p.nc\"\n[control]\nname = \"wl4-lathe\"\n[control.wl4-lathe]\n"
+      "schema = \"proveout.job/1\"\nprogram = \"p.nc\"\n[control]\nname = "
+      "\"wl4-lathe\"\n[control.wl4-lathe]\n"
       "RT.1 = 0.8\nTIP.1 = 3\n";
   out += "RT.2 = " + Writer::number(plan.of("control.wl4-lathe.RT.2", 0.4)) + "\nTIP.2 = 3\n";
   out += "[stock]\nshape = \"cylinder\"\nbase = [0, 0, -70]\ndiameter = 50\nlength = 71\n";
@@ -125,10 +127,12 @@ std::string jobText(const Plan& plan, int habit) {
   corner(1, 0.8);
   corner(2, 0.4);
   out +=
-      "[[tool]]\nnumber = 3\ntype = \"insert\"\nshape = \"groove\"\nwidth = 4\nnose_radius = 0.2\norientation = 3\n"
+      "[[tool]]\nnumber = 3\ntype = \"insert\"\nshape = \"groove\"\nwidth = 4\nnose_radius = "
+      "0.2\norientation = 3\n"
       "edge_length = 12\nside_relief = 1\n";
-  out += "[[tool]]\nnumber = 4\ntype = \"drill\"\ndiameter = " + Writer::number(plan.of("tools.4.diameter", 8)) +
-         "\n";
+  out +=
+      "[[tool]]\nnumber = 4\ntype = \"drill\"\ndiameter = " + Writer::number(plan.of("tools.4.diameter", 8)) +
+      "\n";
   const double zero = habit % 3 == 1 ? 0.0 : -150.0;
   out += "[offsets.work]\nG54 = [0, 0, " + Writer::number(zero) + "]\n";
   out += "G55 = [" + Writer::number(plan.of("offsets.work.G55.x", 0)) + ", 0, " +
@@ -164,7 +168,8 @@ Defect word(const char* kind, const char* name, double right, double size, std::
   d.plan.values[name] = right + size;
   return d;
 }
-Defect datum(const char* kind, const std::string& key, double right, double size, std::optional<double> depth) {
+Defect datum(const char* kind, const std::string& key, double right, double size,
+             std::optional<double> depth) {
   Defect d{kind, {}, size, depth, {}, {key}, false};
   d.plan.values[key] = right + size;
   return d;
@@ -173,18 +178,30 @@ Defect datum(const char* kind, const std::string& key, double right, double size
 Defect defectOf(std::mt19937& random) {
   const double s = signedSize(random, 0.005, 1.0), half = 0.5 * std::abs(s);
   switch (random() % 16) {
-    case 0: return word("X", "c_x1", 20, s, std::nullopt);
-    case 1: return word("Z", "c_z2", -20, s, std::abs(s));
-    case 2: return word("X", "c_x3", 32, s, std::nullopt);
-    case 3: return word("Z", "c_z3", -35, s, std::nullopt);
-    case 4: return word("Z", "c_z5", -46, std::clamp(s, -0.5, 0.5), std::nullopt);
-    case 5: return word("X", "c_x7", 45, s, half);
-    case 6: return word("Z", "c_z8", -60, s, std::abs(s));
-    case 7: return word("X", "groove_x", 40, s, half);
-    case 8: return word("Z", "groove_z", -56, s, std::abs(s));
-    case 9: return word("Z", "bore_z", -25, s, std::abs(s));
-    case 10: return datum("work offset (operator)", "offsets.work.G55.x", 0, std::clamp(s, -0.5, 0.5), std::nullopt);
-    case 11: return datum("work offset (operator)", "offsets.work.G55.z", 0, std::clamp(s, -0.5, 0.5), std::nullopt);
+    case 0:
+      return word("X", "c_x1", 20, s, std::nullopt);
+    case 1:
+      return word("Z", "c_z2", -20, s, std::abs(s));
+    case 2:
+      return word("X", "c_x3", 32, s, std::nullopt);
+    case 3:
+      return word("Z", "c_z3", -35, s, std::nullopt);
+    case 4:
+      return word("Z", "c_z5", -46, std::clamp(s, -0.5, 0.5), std::nullopt);
+    case 5:
+      return word("X", "c_x7", 45, s, half);
+    case 6:
+      return word("Z", "c_z8", -60, s, std::abs(s));
+    case 7:
+      return word("X", "groove_x", 40, s, half);
+    case 8:
+      return word("Z", "groove_z", -56, s, std::abs(s));
+    case 9:
+      return word("Z", "bore_z", -25, s, std::abs(s));
+    case 10:
+      return datum("work offset (operator)", "offsets.work.G55.x", 0, std::clamp(s, -0.5, 0.5), std::nullopt);
+    case 11:
+      return datum("work offset (operator)", "offsets.work.G55.z", 0, std::clamp(s, -0.5, 0.5), std::nullopt);
     case 12: {
       Defect d = datum("radius (operator)", "control.wl4-lathe.RT.2", 0.4, 0.4, std::nullopt);
       d.data.insert("tools.2.nose_radius");

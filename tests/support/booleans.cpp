@@ -26,16 +26,18 @@ Mesh toCgal(const TriMesh& mesh) {
 
 TriMesh booleanOf(const TriMesh& a, const TriMesh& b, BooleanKind kind) {
   Mesh one = toCgal(a), other = toCgal(b), result;
-  const bool done = kind == BooleanKind::kUnion          ? pmp::corefine_and_compute_union(one, other, result)
-                    : kind == BooleanKind::kIntersection ? pmp::corefine_and_compute_intersection(one, other, result)
-                                                         : pmp::corefine_and_compute_difference(one, other, result);
+  const bool done = kind == BooleanKind::kUnion ? pmp::corefine_and_compute_union(one, other, result)
+                    : kind == BooleanKind::kIntersection
+                        ? pmp::corefine_and_compute_intersection(one, other, result)
+                        : pmp::corefine_and_compute_difference(one, other, result);
   if (!done) throw std::runtime_error("the boolean is no 2-manifold");
   pmp::triangulate_faces(result);
   result.collect_garbage();
   TriMesh out;
   for (const auto v : result.vertices()) {
     const auto& p = result.point(v);
-    out.positions.emplace_back(static_cast<float>(CGAL::to_double(p.x())), static_cast<float>(CGAL::to_double(p.y())),
+    out.positions.emplace_back(static_cast<float>(CGAL::to_double(p.x())),
+                               static_cast<float>(CGAL::to_double(p.y())),
                                static_cast<float>(CGAL::to_double(p.z())));
   }
   for (const auto f : result.faces()) {

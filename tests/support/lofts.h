@@ -1,5 +1,5 @@
-// Solids between offsets of a rectangle: what a tool of revolution leaves or leaves out on a rectangular path. Facets
-// have a stated chord height, vertices lie on the true faces.
+// Solids between offsets of a rectangle: what a tool of revolution leaves or leaves out on a rectangular
+// path. Facets have a stated chord height, vertices lie on the true faces.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace proveout::lofts {
 struct Profile {
   struct Piece {
     bool arc;
-    Vec2 to;                                ///< lines
+    Vec2 to;                                  ///< lines
     double cx, cz, radius, from_deg, to_deg;  ///< arcs, angles from +rho towards +z
   };
   std::vector<Piece> pieces;
@@ -38,7 +38,8 @@ struct Profile {
         continue;
       }
       const double step = 2.0 * std::acos(std::max(0.3, 1.0 - chord / p.radius));
-      const int n = std::max(1, static_cast<int>(std::ceil(degToRad(std::abs(p.to_deg - p.from_deg)) / step - 1e-9)));
+      const int n =
+          std::max(1, static_cast<int>(std::ceil(degToRad(std::abs(p.to_deg - p.from_deg)) / step - 1e-9)));
       for (int i = 0; i <= n; ++i) {
         const double a = degToRad(p.from_deg + (p.to_deg - p.from_deg) * i / n);
         const Vec2 at(p.cx + p.radius * std::cos(a), p.cz + p.radius * std::sin(a));
@@ -73,7 +74,8 @@ inline int segments(const std::vector<Vec2>& profile, double chord) {
 }
 
 /// Closed solid; `center` in the plane, turned inside out for `hole`. Welded.
-inline TriMesh solid(const Profile& profile, const Vec2& half, double chord, const Vec2& center = Vec2::Zero()) {
+inline TriMesh solid(const Profile& profile, const Vec2& half, double chord,
+                     const Vec2& center = Vec2::Zero()) {
   const std::vector<Vec2> line = profile.points(chord);
   const int per_quarter = segments(line, chord);
   TriMesh soup;

@@ -58,7 +58,8 @@ TEST(Bodies, ShellsComeApartAtCommonFacesEdgesAndVertices) {
 }
 
 TEST(Bodies, FaceToFaceIsJoined) {
-  expectEqualTo(together(box({0, 0, 0}, {20, 20, 20}), box({20, 0, 0}, {40, 20, 20})), box({0, 0, 0}, {40, 20, 20}));
+  expectEqualTo(together(box({0, 0, 0}, {20, 20, 20}), box({20, 0, 0}, {40, 20, 20})),
+                box({0, 0, 0}, {40, 20, 20}));
   // A smaller face on a larger one, and a third body on both.
   const auto step = [](int i, int j, int) { return i == 0 || j == 0; };
   expectEqualTo(together(box({0, 0, 0}, {20, 20, 10}), box({20, 0, 0}, {40, 8, 10})),
@@ -85,7 +86,8 @@ TEST(Bodies, GapsAsWideAsRoundingAreClosed) {
                   box({0, 0, 0}, {40, 20, 20}));
   }
   // A real gap stays one.
-  const PreparedMesh apart = prepared(together(box({0, 0, 0}, {20, 20, 20}), box({20.01, 0, 0}, {40, 20, 20})));
+  const PreparedMesh apart =
+      prepared(together(box({0, 0, 0}, {20, 20, 20}), box({20.01, 0, 0}, {40, 20, 20})));
   EXPECT_TRUE(apart.notes.empty());
 }
 
@@ -97,7 +99,8 @@ TEST(Bodies, RoundBodiesThatOverlapAreJoined) {
 }
 
 TEST(Bodies, VoidsStayVoids) {
-  const TriMesh hollow = together(box({0, 0, 0}, {20, 20, 20}), shapes::insideOut(box({5, 5, 5}, {15, 15, 15})));
+  const TriMesh hollow =
+      together(box({0, 0, 0}, {20, 20, 20}), shapes::insideOut(box({5, 5, 5}, {15, 15, 15})));
   EXPECT_NEAR(meshVolume(prepared(hollow).mesh), 7000.0, 1e-2);
   EXPECT_TRUE(prepared(hollow).notes.empty());
   // One in a body that is joined with another.
@@ -110,7 +113,8 @@ TEST(Bodies, VoidsStayVoids) {
 
 TEST(Bodies, ASurfaceThroughItselfIsRefusedWithItsPlace) {
   // A fork whose one prong is bent into the other: one shell.
-  TriMesh m = shapes::blocks({0, 10, 30}, {0, 10, 20, 30}, {0, 10}, [](int i, int j, int) { return i == 0 || j != 1; });
+  TriMesh m = shapes::blocks({0, 10, 30}, {0, 10, 20, 30}, {0, 10},
+                             [](int i, int j, int) { return i == 0 || j != 1; });
   for (auto& p : m.positions) {
     if (p.x() > 15 && p.y() > 15) p.y() -= 15;
   }

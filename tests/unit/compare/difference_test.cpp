@@ -20,7 +20,8 @@ struct Difference {
   double volume = 0.0, area = 0.0;
 };
 Difference differenceOf(const TriMesh& a, const TriMesh& b) {
-  const TriMesh rest = booleanOf(a, b, BooleanKind::kDifference), common = booleanOf(a, b, BooleanKind::kIntersection);
+  const TriMesh rest = booleanOf(a, b, BooleanKind::kDifference),
+                common = booleanOf(a, b, BooleanKind::kIntersection);
   // The rest is bounded by a's surface outside of b and b's inside of a; the common part by the other pieces.
   return {meshVolume(rest), 0.5 * (meshArea(rest) + meshArea(a) - meshArea(common))};
 }
@@ -61,7 +62,8 @@ TEST(Difference, VolumesAndAreasAreThoseOfBooleans) {
     const TriMesh a = randomPart(random);
     // Half of the pairs: the same part a little shifted or turned; the others: different parts.
     const bool same = attempt % 2 == 0;
-    const Vec3 axis(unit(random), unit(random), unit(random)), shift(unit(random), unit(random), unit(random));
+    const Vec3 axis(unit(random), unit(random), unit(random)),
+        shift(unit(random), unit(random), unit(random));
     const double size = same ? 0.3 : 2.0;
     const Eigen::Matrix3d turn(Eigen::AngleAxisd(0.05 * size * unit(random), axis.normalized()));
     const TriMesh b = moved(same ? a : randomPart(random), turn, size * shift);
@@ -74,7 +76,8 @@ TEST(Difference, VolumesAndAreasAreThoseOfBooleans) {
     }
     ++pairs;
     SCOPED_TRACE(attempt);
-    const auto c = compareToNominal(a, b, {.gouge_mm = 2e-4, .excess_mm = 2e-4, .resolution_mm = 0.2}, progress);
+    const auto c =
+        compareToNominal(a, b, {.gouge_mm = 2e-4, .excess_mm = 2e-4, .resolution_mm = 0.2}, progress);
     ASSERT_TRUE(c.ok()) << c.error().message;
     Difference told[2];
     for (const DeviationPatch& p : c->patches) {
@@ -88,7 +91,8 @@ TEST(Difference, VolumesAndAreasAreThoseOfBooleans) {
     EXPECT_NEAR(told[0].volume, missing.volume, 0.01 * missing.volume + 1e-4 * part);
     EXPECT_NEAR(told[1].area, left.area, 0.01 * left.area + 1e-3 * skin);
     EXPECT_NEAR(told[0].area, missing.area, 0.01 * missing.area + 1e-3 * skin);
-    EXPECT_NEAR(told[1].volume - told[0].volume, meshVolume(a) - part, 0.01 * (left.volume + missing.volume) + 1e-4 * part);
+    EXPECT_NEAR(told[1].volume - told[0].volume, meshVolume(a) - part,
+                0.01 * (left.volume + missing.volume) + 1e-4 * part);
   }
   EXPECT_EQ(pairs, 50);
 }

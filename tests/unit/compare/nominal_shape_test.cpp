@@ -23,8 +23,8 @@ struct Reading {
   NominalShape shape;
 };
 
-/// Largest difference between the read face and the true one over random points of the facets, mm; `off` is the signed
-/// distance to the true solid.
+/// Largest difference between the read face and the true one over random points of the facets, mm; `off` is
+/// the signed distance to the true solid.
 double worst(const Reading& r, const std::function<double(const Vec3&)>& off) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -51,7 +51,8 @@ TEST(NominalShape, ReadsCylindersWithTheirEnds) {
         return std::abs(end) < 1e-5 ? 0.0 : wall;
       };
       EXPECT_LT(worst(r, off), 0.03 * chord) << radius << " " << chord;
-      EXPECT_GT(r.shape.largest(), 0.5 * std::min(chord, radius * (1 - std::cos(kPi / 8)))) << radius << " " << chord;
+      EXPECT_GT(r.shape.largest(), 0.5 * std::min(chord, radius * (1 - std::cos(kPi / 8))))
+          << radius << " " << chord;
       EXPECT_LT(r.shape.largest(), 1.1 * chord);
     }
   }
@@ -61,15 +62,17 @@ TEST(NominalShape, ReadsRoundsThatTouchPlanes) {
   // A plate with rounded corners (upright rounds) and a fillet along its top.
   for (const double chord : {0.005, 0.02, 0.05}) {
     const double corner = 5.0, fillet = 2.0, height = 8.0, half_x = 20.0, half_y = 12.0;
-    const TriMesh mesh = lofts::solid(
-        Profile().line(corner, 0).line(corner, height - fillet).arc(corner - fillet, height - fillet, fillet, 0, 90),
-        {half_x, half_y}, chord);
+    const TriMesh mesh = lofts::solid(Profile()
+                                          .line(corner, 0)
+                                          .line(corner, height - fillet)
+                                          .arc(corner - fillet, height - fillet, fillet, 0, 90),
+                                      {half_x, half_y}, chord);
     const Reading r(mesh);
     const auto off = [&](const Vec3& p) {
       const Vec2 to = (p.head<2>().cwiseAbs() - Vec2(half_x, half_y)).cwiseMax(Vec2::Zero());
       const double rho = to.norm();
-      if (p.z() < 1e-6) return 0.0;                                             // the bottom
-      if (p.z() <= height - fillet) return rho > 1e-6 ? rho - corner : 0.0;     // walls; flats lie on the facets
+      if (p.z() < 1e-6) return 0.0;                                          // the bottom
+      if (p.z() <= height - fillet) return rho > 1e-6 ? rho - corner : 0.0;  // walls; flats lie on the facets
       const double from = std::hypot(std::max(rho - (corner - fillet), 0.0), p.z() - (height - fillet));
       return rho < corner - fillet + 1e-9 ? 0.0 : from - fillet;
     };
@@ -98,9 +101,15 @@ TEST(NominalShape, ReadsConesWithTheirTipsAndProfilesWithCreases) {
   // A shaft: cylinder, cone, cylinder, and the tip of a drill from above. Generators are straight.
   for (const double chord : {0.005, 0.02, 0.05}) {
     const double tip = 4.0 / std::tan(degToRad(59.0));
-    const TriMesh mesh = lofts::solid(
-        Profile().line(16, -40).line(16, -35).line(13, -20).line(13, 0).line(4, 0).line(4, -9 + tip).line(0, -9), {0, 0},
-        chord);
+    const TriMesh mesh = lofts::solid(Profile()
+                                          .line(16, -40)
+                                          .line(16, -35)
+                                          .line(13, -20)
+                                          .line(13, 0)
+                                          .line(4, 0)
+                                          .line(4, -9 + tip)
+                                          .line(0, -9),
+                                      {0, 0}, chord);
     const Reading r(mesh);
     const auto off = [&](const Vec3& p) {
       const double rho = p.head<2>().norm();
@@ -132,7 +141,8 @@ TEST(NominalShape, FlatFacedSolidsHaveNone) {
 /// A plate with a bore, as its exact part and as a nominal with coarse facets.
 TriMesh bored(double radius, double shift, double chord) {
   return lofts::plateWith(shapes::box({-20, -15, -10}, {20, 15, 0}),
-                          {lofts::Hole{Profile().line(radius, -12).line(radius, 2), {shift, 0}, {0, 0}}}, chord);
+                          {lofts::Hole{Profile().line(radius, -12).line(radius, 2), {shift, 0}, {0, 0}}},
+                          chord);
 }
 
 TEST(NominalShape, CoarseNominalsNeitherFailNorHide) {

@@ -149,5 +149,26 @@ TEST(Patches, SphereTooSmallIsOneGougeAllOver) {
   EXPECT_NEAR(c.nominal_chord_mm / chord, 1.0, 0.1);
 }
 
+TEST(Patches, FiguresCountWhatOnlyTheNominalHas) {
+  // A lost rib: no sample of the part is far off, all of the rib's are.
+  const TriMesh plate = shapes::box({0, 0, 0}, {40, 30, 10});
+  const TriMesh ribbed = shapes::blocks({0, 19, 21, 40}, {0, 30}, {0, 10, 18},
+                                        [](int i, int, int k) { return k == 0 || i == 1; });
+  Progress progress;
+  const auto c = compareToNominal(plate, ribbed, {.resolution_mm = 0.5}, progress);
+  ASSERT_TRUE(c.ok());
+  const double sides = 2 * 30 * 8 + 2 * 2 * 8, top = 2 * 30, all = meshArea(plate) + meshArea(ribbed);
+  // Distances from the rib to the plate: its walls' heights, and 8 on the top.
+  const double squares = sides * 8.0 * 8.0 / 3.0 + top * 8.0 * 8.0;
+  EXPECT_NEAR(c->rms_mm, std::sqrt(squares / all), 0.03 * std::sqrt(squares / all));
+  // What is left out counts nowhere.
+  CompareOptions ignoring{.resolution_mm = 0.5};
+  ignoring.ignored.push_back({"rib", {{18, -1, 9.9}, {22, 31, 19}}});
+  const auto left_out = compareToNominal(plate, ribbed, ignoring, progress);
+  ASSERT_TRUE(left_out.ok());
+  EXPECT_TRUE(left_out->pass());
+  EXPECT_LT(left_out->rms_mm, 1e-3);
+}
+
 }  // namespace
 }  // namespace proveout

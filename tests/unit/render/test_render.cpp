@@ -170,6 +170,29 @@ TEST(Render, HeatMapShowsTheScale) {
   EXPECT_LT(middle()[0], good[0] - 60);
 }
 
+TEST(Render, HeatMapColoursThePointThatIsSeen) {
+  // One corner of the top is off: between the vertices of its two triangles colours are not smeared.
+  const TriMesh box = boxMesh({0, 0, 0}, {20, 20, 5});
+  RenderScene scene(box);
+  scene.field.scale = {0.02, 0.05, 0.2};
+  scene.field.values.assign(box.positions.size(), 0.0F);
+  const auto off = [](const Vec3& p) { return p.x() > 15 && p.y() > 15 && p.z() > 4.9; };
+  for (std::size_t i = 0; i < box.positions.size(); ++i) {
+    if (off(box.positions[i].cast<double>())) scene.field.values[i] = 0.1F;
+  }
+  const auto redness = [&](int dx, int dy) {
+    const Image image = render(scene, "top");
+    const auto c = pixel(image, image.width / 2 + dx, image.height / 2 + dy);
+    return c[0] - c[2];
+  };
+  // The legend moves the part to the left: both places lie well inside of the top.
+  EXPECT_GT(redness(-8, -8), 12);  // linear: red reaches the middle
+  scene.field.at = [&](const Vec3& p) { return off(p) ? 0.1F : 0.0F; };
+  scene.field.largest_mm = 1.0;
+  EXPECT_LT(redness(-8, 0), 12);
+  EXPECT_LT(redness(-8, 8), 12);
+}
+
 TEST(Render, LegendShowsTheFullColours) {
   const TriMesh box = boxMesh({0, 0, 0}, {20, 20, 5});
   RenderScene scene(box);

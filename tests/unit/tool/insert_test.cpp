@@ -520,7 +520,7 @@ TEST(InsertTool, IsATypeOfItsOwn) {
   tool.insert = corner(3, 0.8, 80, 95, 12);
   EXPECT_TRUE(validateTool(tool).ok());
   tool.diameter = 3;
-  EXPECT_THAT(validateTool(tool).error().message, HasSubstr("no dimensions of a tool that turns"));
+  EXPECT_THAT(validateTool(tool).error().message, HasSubstr("no dimensions and no hand of a tool that turns"));
   tool.diameter = 0;
   tool.insert->edge_length = 0;
   EXPECT_THAT(validateTool(tool).error().message, HasSubstr("tool 5: edge_length must be"));
