@@ -77,8 +77,6 @@ constexpr KindOf kKinds[] = {
     {CutShift::kRadial, kCycleDepth, true},
     {CutShift::kRadial, kAllowance, true},
     {CutShift::kRadial, kScaling},
-    {CutShift::kRadial, kPlane},
-    {CutShift::kRadial, kMotionCode},
 };
 /// Data come behind the words that choose them, before all other words.
 constexpr int kDatumRank = 1, kWordStep = 2;

@@ -431,7 +431,7 @@ class Diagnosis {
   void tellUncut(const DeviationPatch& patch, Finding& finding) const {
     double least = std::numeric_limits<double>::infinity();
     Cause cause;
-    cause.what = "no motion cuts here";
+    cause.what = kUncut;
     for (std::uint32_t k = 0; k < run_.setups.size(); ++k) {
       const Toolpath& path = run_.setups[k].interpreted.path;
       const Vec3 p = into(k)(patch.where);

@@ -361,7 +361,7 @@ Diagnostic findingDiagnostic(const Finding& finding) {
   if (finding.blocks.size() > 1)
     diagnostic.notes.push_back("made by " + report_text::blocksLine(finding, kBlocks));
   for (std::size_t i = 0; i < std::min(kCauses, finding.causes.size()); ++i)
-    diagnostic.notes.push_back("could be " + report_text::causeLine(finding.causes[i]));
+    diagnostic.notes.push_back(report_text::causeNote(finding.causes[i]));
   return diagnostic;
 }
 

@@ -48,6 +48,9 @@ struct Cause {
   double explains = 0.0;           ///< share of the finding that this would explain, 0..1
 };
 
+/// `what` of the cause of material that no motion reaches.
+inline constexpr std::string_view kUncut = "no motion cuts here";
+
 /// Kinds of findings: "gouge", "excess", "undecided", "rapid_contact", "holder_contact", "shank_contact",
 /// "fixture_contact", "spindle_off", "overtravel", "alarm", "mesh". Others are allowed and shown as they are.
 struct Finding {

@@ -172,7 +172,7 @@ class Page {
     if (f.blocks.size() > 1)
       add("<span class=\"line\">made by {}</span>", escape(report_text::blocksLine(f, kBlocks)));
     for (const Cause& cause : f.causes)
-      add("<span class=\"line\">could be {}</span>", escape(report_text::causeLine(cause)));
+      add("<span class=\"line\">{}</span>", escape(report_text::causeNote(cause)));
     out_ += "</td></tr>\n";
   }
 

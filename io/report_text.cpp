@@ -162,7 +162,7 @@ std::string place(const Finding& finding) {
 std::string causeLine(const Cause& cause) {
   std::string out = cause.what;
   if (cause.source) {
-    if (!cause.value.empty()) out += " " + cause.value;
+    if (!cause.value.empty()) out += (cause.what == kUncut ? "; " : " ") + cause.value;
     out += " (" + place({}, *cause.source) + ")";
   } else if (!cause.value.empty()) {
     out += " = " + cause.value;
@@ -174,6 +174,10 @@ std::string causeLine(const Cause& cause) {
   }
   if (cause.incremental) out += " (a step: words before it count as well)";
   return out;
+}
+
+std::string causeNote(const Cause& cause) {
+  return (cause.what == kUncut ? "" : "could be ") + causeLine(cause);
 }
 
 std::string blocksLine(const Finding& finding, std::size_t most) {

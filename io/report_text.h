@@ -29,6 +29,8 @@ std::string summaryLine(const Finding& finding);
 
 /// "depth of the cycle Z-3.5 (O0100:12): Z off by -0.5 mm, explains 98 %".
 std::string causeLine(const Cause& cause);
+/// The same as a remark: "could be depth of the cycle ...".
+std::string causeNote(const Cause& cause);
 /// "O0100:12 (N70) 61 %, O0100:14 39 %"; at most `most` blocks.
 std::string blocksLine(const Finding& finding, std::size_t most);
 

@@ -180,17 +180,21 @@ TEST(Render, HeatMapColoursThePointThatIsSeen) {
   for (std::size_t i = 0; i < box.positions.size(); ++i) {
     if (off(box.positions[i].cast<double>())) scene.field.values[i] = 0.1F;
   }
-  const auto redness = [&](int dx, int dy) {
+  // Of the left half of the picture and its middle: the legend stands on the right.
+  const auto reds = [&] {
     const Image image = render(scene, "top");
-    const auto c = pixel(image, image.width / 2 + dx, image.height / 2 + dy);
-    return c[0] - c[2];
+    int count = 0;
+    for (int x = 0; x < image.width * 3 / 4; ++x) {
+      for (int y = 0; y < image.height; ++y) count += pixel(image, x, y)[0] - pixel(image, x, y)[2] > 20;
+    }
+    return count;
   };
-  // The legend moves the part to the left: both places lie well inside of the top.
-  EXPECT_GT(redness(-8, -8), 12);  // linear: red reaches the middle
+  const int smeared = reds();
   scene.field.at = [&](const Vec3& p) { return off(p) ? 0.1F : 0.0F; };
   scene.field.largest_mm = 1.0;
-  EXPECT_LT(redness(-8, 0), 12);
-  EXPECT_LT(redness(-8, 8), 12);
+  const int seen = reds();
+  EXPECT_GT(seen, 0);
+  EXPECT_GT(smeared, 3 * seen);  // a sixteenth of the top, and what linear colours make of it
 }
 
 TEST(Render, LegendShowsTheFullColours) {
