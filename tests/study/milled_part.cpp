@@ -226,6 +226,13 @@ std::string jobText(const Plan& plan, int habit) {
   return out;
 }
 
+/// Of a ball of radius 3 whose centre is so high; a vertex where it comes out of the face, as CAD exports
+/// have it.
+Profile ballSlot(double center) {
+  const double rim = -radToDeg(std::asin(center / 3.0));
+  return Profile().arc(0, center, 3, -90, rim).arc(0, center, 3, rim, 0).line(3, 3);
+}
+
 TriMesh plate(double chord) {
   const auto box = [](const Vec3& a, const Vec3& b) {
     TriMesh m;
@@ -246,8 +253,8 @@ TriMesh plate(double chord) {
   for (const Vec2& at : {Vec2(12, 11), Vec2(48, 11), Vec2(48, 29), Vec2(12, 29)})
     holes.push_back({through, at, {0, 0}});
   holes.push_back({Profile().line(0, -10).line(2.5, -10 + tip).line(2.5, 3), {36, 11}, {0, 0}});
-  holes.push_back({Profile().arc(0, 1, 3, -90, 0).line(3, 3), {30, 31}, {10, 0}});
-  holes.push_back({Profile().arc(0, 2, 3, -90, 0).line(3, 3), {25, 8.5}, {5, 0}});
+  holes.push_back({ballSlot(1), {30, 31}, {10, 0}});
+  holes.push_back({ballSlot(2), {25, 8.5}, {5, 0}});
   holes.push_back({Profile().line(5, -3).arc(5, -2, 1, -90, 0).line(6, 3), {43, 20}, {0, 0}});
   for (const Vec2& at : {Vec2(12, 11), Vec2(48, 11)})
     holes.push_back({Profile().line(2, -2).line(6, 2), at, {0, 0}});
