@@ -161,7 +161,7 @@ std::string shortOf(const RunResult& run) {
   std::string out;
   for (const Finding& f : run.findings) {
     if (f.severity == Severity::kNote) continue;
-    out += fmt::format("\n      {} line {} depth {:.4f} bound {:.4f} {}", f.kind,
+    out += fmt::format("\n      {} line {} X{:.3f} Y{:.3f} Z{:.3f} depth {:.4f} bound {:.4f} {}", f.kind,
                        f.source ? f.source->line : 0, f.where.value_or(Vec3::Zero()).x(),
                        f.where.value_or(Vec3::Zero()).y(), f.where.value_or(Vec3::Zero()).z(),
                        f.depth_mm.value_or(0), f.bound_mm.value_or(0), f.message);
