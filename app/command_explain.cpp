@@ -83,7 +83,7 @@ Finding findingAt(const Vec3& place, const SettledPoint& at, double deviation, c
   patch.maker = at.maker;
   patch.makers = {{at.maker, 1.0, patch.depth_mm, place, Vec3::UnitZ()}};
   run.findings.emplace_back();
-  diagnoseDeviations(sources, part, {{run.findings.size() - 1, &patch}}, run);
+  diagnoseDeviations(sources, &part, {{run.findings.size() - 1, &patch}}, run);
   return run.findings.back();
 }
 

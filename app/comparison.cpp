@@ -40,7 +40,7 @@ void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResul
   run.findings.back().setup = setup.name;
 }
 
-void addFindings(const RunSources& sources, const ExactPart& part, RunResult& run) {
+void addFindings(const RunSources& sources, const ExactPart* part, RunResult& run) {
   std::vector<PatchFinding> told;
   for (const DeviationPatch& patch : run.comparison->patches) {
     addDeviation(patch, *run.comparison, run.findings);
@@ -92,7 +92,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   run.comparison = std::move(*comparison);
   addCoarseNominal(*run.comparison, run.findings);
   addIgnored(job.nominal->ignored, *run.comparison, run.findings);
-  addFindings(sources, *options.part, run);
+  addFindings(sources, options.part.get(), run);
   return Done{};
 }
 

@@ -57,7 +57,7 @@ struct Hypothesis {
 
 class Diagnosis {
  public:
-  Diagnosis(const RunSources& sources, const ExactPart& part, RunResult& run)
+  Diagnosis(const RunSources& sources, const ExactPart* part, RunResult& run)
       : sources_(sources), part_(part), run_(run) {
     gatherPoints();
     findHypotheses();
@@ -164,6 +164,7 @@ class Diagnosis {
         const double u = (i + 1.0 / 3.0) / splits, w = (j + 1.0 / 3.0) / splits;
         Point p;
         p.deviation = known;
+        p.motion = t < mesh.motion.size() ? mesh.motion[t] : kNoMotion;
         p.last = a + u * (b - a) + w * (c - a);
         p.normal = n / area;
         p.area = weight * area / (0.5 * splits * (splits + 1));
@@ -174,9 +175,11 @@ class Diagnosis {
 
   void measure(Point& p) const {
     if (std::isinf(p.deviation)) p.deviation = static_cast<double>(run_.comparison->field->at(p.last));
-    const double reach = 2.0 * run_.resolution_mm;
-    const SettledPoint at = settle(part_, p.last, reach);
-    const SurfaceMaker maker = at.found ? at.maker : SurfaceMaker{};
+    SurfaceMaker maker{SurfaceMaker::kLastSetup, p.motion};
+    if (part_ != nullptr) {
+      const SettledPoint at = settle(*part_, p.last, 2.0 * run_.resolution_mm);
+      maker = at.found ? at.maker : SurfaceMaker{};
+    }
     p.setup = setupOf(maker);
     p.motion = maker.motion;
     p.off = beyond(p.deviation);
@@ -460,7 +463,7 @@ class Diagnosis {
   }
 
   const RunSources& sources_;
-  const ExactPart& part_;
+  const ExactPart* part_;  ///< null: the mesh says which motion left a triangle
   RunResult& run_;
   std::vector<Point> points_;
   std::unordered_map<std::uint64_t, std::vector<Effect>> effects_;  ///< by clamping and motion
@@ -482,7 +485,7 @@ SurfaceMaker mainMaker(const DeviationPatch& patch) {
   return best;
 }
 
-void diagnoseDeviations(const RunSources& sources, const ExactPart& part,
+void diagnoseDeviations(const RunSources& sources, const ExactPart* part,
                         const std::vector<PatchFinding>& patches, RunResult& run) {
   if (patches.empty()) return;
   const Diagnosis diagnosis(sources, part, run);

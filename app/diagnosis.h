@@ -19,8 +19,8 @@ SurfaceMaker mainMaker(const DeviationPatch& patch);
 
 /// Fills `blocks` and `causes` of findings of the comparison. A word or datum that is wrong shifts every cut
 /// that depends on it by the same amount: the deviations all over the part are held against that, those that
-/// are there and those that should be there and are not.
-void diagnoseDeviations(const RunSources& sources, const ExactPart& part,
+/// are there and those that should be there and are not. `part`: null where there is none, see makeExactPart.
+void diagnoseDeviations(const RunSources& sources, const ExactPart* part,
                         const std::vector<PatchFinding>& patches, RunResult& run);
 
 /// The words and data behind a motion, all of them.

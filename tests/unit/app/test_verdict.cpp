@@ -175,6 +175,27 @@ TEST_F(Verdict, WhatWasNotCutIsToldSo) {
   EXPECT_NEAR(*found[0].volume_mm3, kPi * 4 * 10, 0.01 * kPi * 4 * 10);
 }
 
+TEST_F(Verdict, ADeviationOnAStockFromAFileIsBlamedToo) {
+  // Its faces are not known: there is no exact part to ask.
+  job_.simulation.resolution_mm = 0.5;
+  const TriMesh nominal = lofts::plateWith(plate_, kSlotAndSink, 0.002);
+  const Result<RunResult> first = run(kStart + slotAndSink(-4), nominal, 0.05);
+  ASSERT_TRUE(first.ok());
+  const std::string saved = folder_ + "/stock.vdb";
+  ASSERT_TRUE(first->stock->save(saved).ok());
+  job_.stock = SavedStock{saved};
+  job_.simulation.resolution_mm.reset();  // it has its own
+  const Result<RunResult> again =
+      run(kStart + std::string("G1 Z-4.5 F300\nX30\nG0 Z5\nM30\n"), nominal, 0.05);
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  const auto found = of(*again, "gouge");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(*found[0].depth_mm, 0.5, *found[0].bound_mm);
+  EXPECT_EQ(found[0].source->line, 5u);
+  ASSERT_FALSE(found[0].causes.empty());
+  EXPECT_EQ(found[0].causes[0].value, "Z-4.5");
+}
+
 TEST_F(Verdict, ACoarseNominalIsToldAndFailsNothing) {
   job_.simulation.resolution_mm = 0.5;
   const Result<RunResult> result =
