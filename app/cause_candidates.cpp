@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace proveout {
 namespace {
@@ -160,10 +161,18 @@ class Collector {
       const std::string key = fmt::format("tools.{}.", number);
       if (tool.insert) {
         const DataInForce* data = dataOf(s_.path, motion_);
+        for (const auto& [shift, key_of_shift, mm] :
+             {std::tuple(CutShift::kX, "DXW", data->tool_offset.x()),
+              std::tuple(CutShift::kZ, "DZW", data->tool_offset.z())}) {
+          if (mm != 0.0)
+            addDatum(shift, kTool, fmt::format("control.{}.{}.{}", s_.control, key_of_shift, data->nose_tool),
+                     mm, 0);
+        }
         for (const CutShift shift : {CutShift::kX, CutShift::kZ, CutShift::kRadial}) {
           addDatum(shift, kTool, key + "nose_radius", tool.insert->nose_radius, 0);
           if (data->nose_radius > 0.0)  // what the operator entered
-            addDatum(shift, kTool, fmt::format("control.{}.RT.{}", s_.control, number), data->nose_radius, 0);
+            addDatum(shift, kTool, fmt::format("control.{}.RT.{}", s_.control, data->nose_tool),
+                     data->nose_radius, 0);
         }
         return;
       }

@@ -23,11 +23,27 @@ bool anyGaugeLength(const std::vector<Tool>& tools) {
   return std::any_of(tools.begin(), tools.end(), [](const Tool& tool) { return tool.gauge_length != 0.0; });
 }
 
-/// Gauge length of the tool that is taken to be in the spindle where the program has named none.
-double firstGaugeLength(const std::vector<Tool>& tools) {
+/// From a tool's control point to what the machine counts from, mm.
+Vec3 gaugeOf(const Tool& tool) {
+  if (!tool.insert) return {0.0, 0.0, tool.gauge_length};
+  const Vec2 gauge = tool.insert->gauge.value_or(Vec2::Zero());
+  return {gauge.x(), 0.0, gauge.y()};
+}
+
+/// How far inserts reach in front of what the machine counts from, along X and Z.
+Vec3 insertGauges(const std::vector<Tool>& tools) {
+  Vec3 most = Vec3::Zero();
+  for (const Tool& tool : tools) {
+    if (tool.insert) most = most.cwiseMax(gaugeOf(tool));
+  }
+  return most;
+}
+
+/// The gauge of the tool that is taken to be in the spindle where the program has named none.
+Vec3 firstGauge(const std::vector<Tool>& tools) {
   const auto lowest = std::min_element(tools.begin(), tools.end(),
                                        [](const Tool& a, const Tool& b) { return a.number < b.number; });
-  return lowest == tools.end() ? 0.0 : lowest->gauge_length;
+  return lowest == tools.end() ? Vec3(Vec3::Zero()) : gaugeOf(*lowest);
 }
 
 const Tool* longestTool(const std::vector<Tool>& tools) {
@@ -80,19 +96,23 @@ double toolReach(const std::vector<Tool>& tools) {
 void placeMachine(const Job& job, const Box3& blank, ControlSettings& settings) {
   const bool turns = turnsPart(job);
   const double reach = toolReach(job.tools);
-  settings.unnamed_gauge_length = firstGaugeLength(job.tools);
+  settings.unnamed_gauge = firstGauge(job.tools);
   Vec3 start = turns ? turningStart(blank) : defaultStart(blank);
   start.z() += reach;
+  start += insertGauges(job.tools);
   if (!settings.tool_change.any() && (!turns || anyGaugeLength(job.tools))) {
     settings.tool_change.z = start.z() + originHeight(settings);
     settings.tool_change.by_default = true;
   }
   settings.start_by_default = !job.start;
   if (settings.limits[2]) start.z() = std::min(start.z(), settings.limits[2]->max - originHeight(settings));
-  const auto named = settings.gauge_lengths.find(settings.tool);
-  start.z() -= settings.tool == 0                      ? settings.unnamed_gauge_length
-               : named == settings.gauge_lengths.end() ? 0.0
-                                                       : named->second;
+  const auto named = std::find_if(job.tools.begin(), job.tools.end(),
+                                  [&](const Tool& tool) { return tool.number == settings.tool; });
+  if (settings.tool == 0) {
+    start -= settings.unnamed_gauge;
+  } else if (named != job.tools.end()) {
+    start -= gaugeOf(*named);
+  }
   settings.start = job.start.value_or(start);
 }
 
@@ -107,8 +127,7 @@ Status checkToolChange(const Job& job, const Blank& blank) {
   if (!place.x || !place.y || !place.z) return Done{};
   const Vec3 origin = job.settings.work_offsets[0] + job.settings.common_offset;
   for (const Tool& tool : job.tools) {
-    Vec3 tip = Vec3(*place.x, *place.y, *place.z) - origin;
-    tip.z() -= tool.gauge_length;
+    const Vec3 tip = Vec3(*place.x, *place.y, *place.z) - origin - gaugeOf(tool);
     if (!standsIn(blank.shape, tip, 0.5 * tool.diameter)) continue;
     return inputError(
         fmt::format("at the place of the tool change, X{:g} Y{:g} Z{:g} (machine frame), the tip of tool {} "

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/blame.h"
 #include "app/commands.h"
 #include "app/comparison.h"
 #include "app/diagnosis.h"

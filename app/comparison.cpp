@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/blame.h"
 #include "app/diagnosis.h"
 #include "app/provenance.h"
 #include "removal/exact/swept_part.h"

@@ -9,7 +9,9 @@
 #include <map>
 #include <unordered_map>
 
+#include "app/blame.h"
 #include "app/cause_candidates.h"
+#include "app/nose_data.h"
 #include "app/provenance.h"
 #include "core/base/parallel_for.h"
 
@@ -68,6 +70,7 @@ class Diagnosis {
   void tell(const PatchFinding& patch) const {
     Finding& finding = run_.findings[patch.finding];
     tellBlocks(*patch.patch, finding);
+    tellNose(*patch.patch, finding);
     const std::vector<double> local = localShares(*patch.patch);
     std::vector<std::pair<double, std::uint32_t>> ranked;
     for (std::uint32_t h = 0; h < hypotheses_.size(); ++h) {
@@ -415,7 +418,7 @@ class Diagnosis {
       const Toolpath& path = s.interpreted.path;
       if (m.maker.motion >= path.motions.size()) continue;
       const Motion& motion = path.motions[m.maker.motion];
-      BlockRef block = blockRef(path, motion.source, *sources_[setup]);
+      BlockRef block = writtenBlock(path, m.maker.motion, *sources_[setup]).block;
       const auto same = std::find_if(finding.blocks.begin(), finding.blocks.end(), [&](const BlockShare& b) {
         return b.setup == s.name && b.block.file == block.file && b.block.line == block.line &&
                b.block.depth == block.depth;
@@ -428,6 +431,21 @@ class Diagnosis {
     }
     std::stable_sort(finding.blocks.begin(), finding.blocks.end(),
                      [](const BlockShare& a, const BlockShare& b) { return a.share > b.share; });
+  }
+
+  /// Nose data that contradict the insert shift every place by another amount, in closed form.
+  void tellNose(const DeviationPatch& patch, Finding& finding) const {
+    const auto main = std::max_element(
+        patch.makers.begin(), patch.makers.end(),
+        [](const MakerShare& a, const MakerShare& b) { return a.share * a.depth_mm < b.share * b.depth_mm; });
+    if (main == patch.makers.end() || main->maker.motion == kNoMotion || main->depth_mm == 0.0) return;
+    const std::uint32_t setup = setupOf(main->maker);
+    const RigidTransform to = into(setup);
+    const double beyond = patch.kind == DeviationKind::kGouge ? main->depth_mm : -main->depth_mm;
+    const auto cause = noseCause(run_.setups[setup], main->maker.motion, to(main->where),
+                                 to.rotation * main->normal, beyond);
+    constexpr double kLeastShare = 0.5;
+    if (cause && cause->explains >= kLeastShare) finding.causes.push_back(*cause);
   }
 
   /// What no shift of a motion explains was not cut at all: which motion came nearest?
@@ -495,10 +513,7 @@ void diagnoseDeviations(const RunSources& sources, const ExactPart* part,
 std::vector<Cause> behindMotion(const SetupRun& setup, const RecordingSource& texts, MotionId motion) {
   const Toolpath& path = setup.interpreted.path;
   const CauseSource source{path, setup.job.tools, setup.turned != nullptr, setup.job.control,
-                           [&](std::uint32_t file, std::uint32_t line) {
-                             return file < path.files.size() ? texts.line(path.files[file], line)
-                                                             : std::string();
-                           }};
+                           lineText(path, texts)};
   std::vector<Cause> out;
   for (const CauseCandidate& c : inForce(source, motion)) out.push_back(Diagnosis::makeCause(c, path, texts));
   return out;
@@ -507,6 +522,7 @@ std::vector<Cause> behindMotion(const SetupRun& setup, const RecordingSource& te
 void tellWordsInForce(const RunSources& sources, RunResult& run) {
   for (Finding& finding : run.findings) {
     if (!finding.motion || !finding.causes.empty() || finding.depth_mm == std::nullopt) continue;
+    if (finding.kind == "tool_data") continue;  // says the cause itself
     const auto setup = std::find_if(run.setups.begin(), run.setups.end(),
                                     [&](const SetupRun& s) { return s.name == finding.setup; });
     if (setup == run.setups.end()) continue;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/blame.h"
 #include "io/report_text.h"
 
 namespace proveout {
@@ -19,26 +20,6 @@ constexpr double kNothingCut = 1e-9;
 /// A cut that is this many grid steps wide holds a sample wherever it runs: more than the diagonal of a
 /// square.
 constexpr double kCellsInAWidth = 1.5;
-
-std::string_view contactText(ContactKind kind) {
-  switch (kind) {
-    case ContactKind::kRapid:
-      return "rapid motion cuts into the stock";
-    case ContactKind::kShank:
-      return "the tool's shank runs into the stock";
-    case ContactKind::kHolder:
-      return "the tool holder runs into the stock";
-    case ContactKind::kSpindleOff:
-      return "the tool cuts while the spindle stands still";
-    case ContactKind::kFixture:
-      return "the tool runs into a fixture";
-    case ContactKind::kInsertBack:
-      return "a side of the insert that does not cut here runs into the part";
-    case ContactKind::kAxis:
-      return "the tool cuts beyond the spindle axis (a drill or mill: off it)";
-  }
-  return "contact with the stock";
-}
 
 double toleranceFor(const DeviationPatch& patch, const Comparison& comparison) {
   return patch.kind == DeviationKind::kGouge ? comparison.gouge_tolerance_mm : comparison.excess_tolerance_mm;
@@ -80,13 +61,6 @@ std::string dataText(const PathEvent& event, const std::string& key) {
 }
 
 }  // namespace
-
-void blame(Finding& finding, MotionId motion, const Toolpath& path, const RecordingSource& texts) {
-  if (motion >= path.motions.size()) return;
-  finding.motion = motion;
-  finding.source = blockRef(path, path.motions[motion].source, texts);
-  finding.tool = path.motions[motion].tool;
-}
 
 void addAlarms(const Toolpath& path, std::vector<Finding>& findings) {
   for (const Diagnostic& diagnostic : path.diagnostics.all()) {
@@ -141,32 +115,6 @@ void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::
   }
 }
 
-void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, const RecordingSource& texts,
-                 std::vector<Finding>& findings) {
-  const auto turns = [](const Motion& motion) { return motion.spindle != 0.0; };
-  const bool spindle_used = std::any_of(path.motions.begin(), path.motions.end(), turns);
-  bool manual_spindle_told = false;
-  for (const Contact& contact : contacts) {
-    const bool manual_spindle = contact.kind == ContactKind::kSpindleOff && !spindle_used;
-    if (manual_spindle && manual_spindle_told) continue;
-    manual_spindle_told = manual_spindle_told || manual_spindle;
-    Finding finding;
-    finding.kind = contactKindName(contact.kind);
-    finding.where = contact.where;
-    finding.depth_mm = contact.depth_mm;
-    finding.volume_mm3 = contact.volume_mm3;
-    if (manual_spindle) {
-      finding.severity = Severity::kWarning;
-      finding.message = "the program never starts the spindle and cuts from here on";
-    } else {
-      finding.message = fmt::format("{}: {} mm deep, {} mm3 in the way", contactText(contact.kind),
-                                    figure(contact.depth_mm), figure(contact.volume_mm3));
-    }
-    blame(finding, contact.motion, path, texts);
-    findings.push_back(std::move(finding));
-  }
-}
-
 void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std::vector<Finding>& findings) {
   Finding finding = patchFinding(patch);
   finding.kind = patch.kind == DeviationKind::kGouge ? "gouge" : "excess";
@@ -202,10 +150,10 @@ void addCoarseNominal(const Comparison& comparison, std::vector<Finding>& findin
   finding.kind = "coarse_nominal";
   finding.severity = comparison.nominal_chord_mm > least ? Severity::kWarning : Severity::kNote;
   finding.where = comparison.nominal_chord_at;
-  finding.message =
-      fmt::format("the nominal is coarse: its facets leave the curved faces that they stand for by up to {} mm; what "
-                  "lies between the two is no deviation; export it with chords of {:.2g} mm",
-                  figure(comparison.nominal_chord_mm), kWanted * least);
+  finding.message = fmt::format(
+      "the nominal is coarse: its facets leave the curved faces that they stand for by up to {} mm; what "
+      "lies between the two is no deviation; export it with chords of {:.2g} mm",
+      figure(comparison.nominal_chord_mm), kWanted * least);
   findings.push_back(std::move(finding));
 }
 
@@ -340,6 +288,14 @@ void addMeshDefects(const MeshTopology& topology, const StockSurface& surface,
   findings.push_back(std::move(finding));
 }
 
+namespace {
+
+std::string blockText(const BlockRef& block) {
+  return fmt::format("{}{}{}", report_text::place(block), block.text.empty() ? "" : ": ", block.text);
+}
+
+}  // namespace
+
 Diagnostic findingDiagnostic(const Finding& finding) {
   Diagnostic diagnostic;
   diagnostic.severity = finding.severity;
@@ -357,6 +313,8 @@ Diagnostic findingDiagnostic(const Finding& finding) {
   if (finding.tool) place += fmt::format("{}tool {}", place.empty() ? "" : ", ", *finding.tool);
   if (!finding.setup.empty()) place += fmt::format("{}setup {}", place.empty() ? "" : ", ", finding.setup);
   if (!place.empty()) diagnostic.notes.push_back(place);
+  if (finding.inside) diagnostic.notes.push_back("moved by " + blockText(*finding.inside));
+  if (finding.last_source) diagnostic.notes.push_back("the last one: " + blockText(*finding.last_source));
   constexpr std::size_t kBlocks = 4, kCauses = 3;
   if (finding.blocks.size() > 1)
     diagnostic.notes.push_back("made by " + report_text::blocksLine(finding, kBlocks));

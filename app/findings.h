@@ -11,9 +11,6 @@
 
 namespace proveout {
 
-/// Names the block and the tool behind a motion; leaves both away for kNoMotion.
-void blame(Finding& finding, MotionId motion, const Toolpath& path, const RecordingSource& texts);
-
 /// Errors of the interpreter (and of tool assignment) as findings of kind "alarm".
 void addAlarms(const Toolpath& path, std::vector<Finding>& findings);
 
@@ -23,15 +20,11 @@ void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vect
 /// Areas that the control forbids: where its alarm stopped a motion.
 void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings);
 
-/// Contacts with the stock. A spindle that the program never starts is the operator's: a warning, not an
-/// error.
-void addContacts(const std::vector<Contact>& contacts, const Toolpath& path, const RecordingSource& texts,
-                 std::vector<Finding>& findings);
-
 /// A gouge or excess: an error. Nobody is blamed yet.
 void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std::vector<Finding>& findings);
 
-/// What could not be decided: one warning, at the place that is worst. Returns that patch; null: there is none.
+/// What could not be decided: one warning, at the place that is worst. Returns that patch; null: there is
+/// none.
 const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Finding>& findings);
 
 /// A nominal whose facets leave its curved faces by much of a tolerance: a note, a warning where it is more.

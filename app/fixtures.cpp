@@ -2,41 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "io/report_text.h"
+#include "app/contact_findings.h"
 #include "removal/turning/turned_stock.h"
 
 namespace proveout {
-namespace {
-
-std::string_view partName(ContactKind kind) {
-  if (kind == ContactKind::kShank) return "the tool's shank";
-  if (kind == ContactKind::kHolder) return "the tool holder";
-  return "the tool";
-}
-
-Finding contactFinding(const Contact& contact, const std::string& fixture) {
-  Finding finding;
-  finding.kind = "fixture_contact";
-  finding.where = contact.where;
-  finding.depth_mm = contact.depth_mm;
-  finding.volume_mm3 = contact.volume_mm3;
-  finding.message =
-      fmt::format("{} runs into fixture '{}': {} mm deep, {} mm3 in the way", partName(contact.kind), fixture,
-                  report_text::figure(contact.depth_mm), report_text::figure(contact.volume_mm3));
-  return finding;
-}
-
-void addContacts(const std::vector<Contact>& contacts, const std::string& fixture, const Toolpath& path,
-                 const RecordingSource& texts, std::vector<Finding>& findings) {
-  for (const Contact& contact : contacts) {
-    Finding finding = contactFinding(contact, fixture);
-    blame(finding, contact.motion, path, texts);
-    findings.push_back(std::move(finding));
-  }
-}
-
-}  // namespace
-
 Result<std::vector<FixtureStock>> makeFixtures(const Job& setup, double resolution_mm, Progress& progress) {
   std::vector<FixtureStock> fixtures;
   for (const FixtureSpec& spec : setup.fixtures) {
@@ -61,7 +30,8 @@ Status addFixtureContacts(std::vector<FixtureStock>& fixtures, const SetupRun& s
     const Toolpath& path = setup.interpreted.path;
     const Result<RemovalSummary> touched = fixture.stock.remove(path, setup.job.tools, options, progress);
     if (!touched) return touched.error();
-    addContacts(touched->contacts, fixture.name, path, texts, findings);
+    addFixtureContacts(touched->contacts, fixture.name, setup.job.simulation.contact_mm, path, texts,
+                       findings);
   }
   return Done{};
 }
@@ -76,7 +46,7 @@ Status addTurnedFixtureContacts(const SetupRun& setup, const RecordingSource& te
     const Toolpath& path = setup.interpreted.path;
     const auto touched = fixture->touches(path, setup.job.tools, progress);
     if (!touched) return touched.error();
-    addContacts(*touched, spec.name, path, texts, findings);
+    addFixtureContacts(*touched, spec.name, setup.job.simulation.contact_mm, path, texts, findings);
   }
   return Done{};
 }

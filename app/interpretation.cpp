@@ -117,6 +117,11 @@ std::string RecordingSource::line(const std::string& file, std::uint32_t number)
   return number >= 1 && number <= found->second.size() ? found->second[number - 1] : std::string();
 }
 
+bool RecordingSource::has(const std::string& file) const {
+  return std::any_of(texts_.begin(), texts_.end(),
+                     [&](const ProgramText& text) { return text.name == file; });
+}
+
 JobSources::JobSources(const Job& job) {
   for (std::size_t k = 0; k < setupCount(job); ++k) {
     const Job part = jobOfSetup(job, k);
@@ -135,6 +140,7 @@ ControlSettings controlSettings(const Job& job, const Box3& blank) {
   ControlSettings settings = job.settings;
   for (const Tool& tool : job.tools) {
     if (tool.gauge_length != 0.0) settings.gauge_lengths[tool.number] = tool.gauge_length;
+    if (tool.insert) settings.inserts[tool.number] = {noseCenter(*tool.insert), tool.insert->gauge};
   }
   placeMachine(job, blank, settings);
   return settings;
@@ -151,7 +157,8 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
     own.start = job.channels[k].start.value_or(settings.start);
     own.start_by_default = settings.start_by_default && !job.channels[k].start;
     own.gauge_lengths = settings.gauge_lengths;
-    own.unnamed_gauge_length = settings.unnamed_gauge_length;
+    own.inserts = settings.inserts;
+    own.unnamed_gauge = settings.unnamed_gauge;
     own.tool_change = placeInChannel(settings, own);
     own.max_errors = settings.max_errors;
     own.lenient = settings.lenient;
@@ -231,6 +238,12 @@ BlockRef blockRef(const Toolpath& path, const SourceRef& source, const Recording
   ref.depth = source.depth;
   ref.text = texts.line(ref.file, ref.line);
   return ref;
+}
+
+LineText lineText(const Toolpath& path, const RecordingSource& texts) {
+  return [&path, &texts](std::uint32_t file, std::uint32_t line) {
+    return file < path.files.size() ? texts.line(path.files[file], line) : std::string();
+  };
 }
 
 bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source) {

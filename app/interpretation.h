@@ -10,6 +10,7 @@
 #include "app/blank.h"
 #include "app/stock_probe.h"
 #include "core/nc/interpreter.h"
+#include "core/path/origin_query.h"
 #include "core/path/toolpath.h"
 #include "io/job.h"
 #include "io/report.h"
@@ -31,6 +32,8 @@ class RecordingSource : public ProgramSource {
 
   /// Text of a line of the file with that name, UTF-8; empty where there is none.
   std::string line(const std::string& file, std::uint32_t number) const;
+  /// Is it a file of the user's, none of the control's own programs?
+  bool has(const std::string& file) const;
   /// Every text once, the main program first.
   const std::vector<ProgramText>& texts() const { return texts_; }
 
@@ -104,5 +107,8 @@ void addOffsetTools(Toolpath& path, std::vector<Tool>& tools);
 bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const RecordingSource& source);
 
 BlockRef blockRef(const Toolpath& path, const SourceRef& source, const RecordingSource& texts);
+
+/// Lines of the path's files. Valid as long as both.
+LineText lineText(const Toolpath& path, const RecordingSource& texts);
 
 }  // namespace proveout

@@ -8,13 +8,17 @@
 
 #include "app/clearance.h"
 #include "app/comparison.h"
+#include "app/contact_findings.h"
 #include "app/diagnosis.h"
 #include "app/fixtures.h"
 #include "app/grid_choice.h"
+#include "app/nose_data.h"
 #include "app/placement_hint.h"
+#include "app/plausibility.h"
 #include "app/run_report.h"
 #include "app/spindle_direction.h"
 #include "app/stopwatch.h"
+#include "app/tool_offsets.h"
 #include "app/turning.h"
 #include "core/base/parallel_for.h"
 #include "io/mesh_io.h"
@@ -275,13 +279,18 @@ void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>
   });
   if (!setup.turned) setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent);
   inSetup(run, setup, [&](std::vector<Finding>& findings) {
-    addContacts(setup.removal.contacts, setup.interpreted.path, source, findings);
+    addContacts(setup.removal.contacts, setup.job.simulation.contact_mm, setup.turned != nullptr,
+                setup.interpreted.path, source, findings);
     findings.insert(findings.end(), touched.begin(), touched.end());
     std::vector<StockBody> bodies = setup.bodies;
     if (setup.turned && bodies.size() > 1) bodies.resize(1);  // the others are told of by what parted them
     addOutcome(setup.initial_mm3, setup.surface.volume_mm3, bodies, findings);
     const NominalSpec tolerance = setup.job.nominal.value_or(NominalSpec{});
-    addUncompensated(setup, std::min(tolerance.gouge_mm, tolerance.excess_mm), source, findings);
+    const double least_mm = std::min(tolerance.gouge_mm, tolerance.excess_mm);
+    addUncompensated(setup, least_mm, source, findings);
+    addNoseData(setup, least_mm, source, findings);
+    addToolOffsets(setup, least_mm, source, findings);
+    addImplausible(setup, source, findings);
     addPartedBodies(setup, source, findings);
     if (!setup.turned)
       addSpindleDirection(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source,
@@ -414,6 +423,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   Stopwatch watch;
   if (const Status done = compareRun(job, sources, prepared.blank, *prepared.nominal, run, progress); !done)
     return done.error();
+  if (run.comparison) dropRefuted(*run.comparison, run.findings);
   if (turnsPart(job)) run.nominal = std::move(prepared.nominal->mesh);
   run.performance.compare_s = watch.lap();
   return std::move(run);

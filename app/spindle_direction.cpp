@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/accounting.h"
+#include "app/blame.h"
 
 namespace proveout {
 namespace {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "app/blame.h"
 #include "app/stopwatch.h"
 #include "core/geometry/plane.h"
 #include "core/nc/interpreter.h"
@@ -246,76 +247,6 @@ void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::v
         fmt::format("{} of {:.4g} mm3, Z{:.3f} to Z{:.3f}, is cut off here; nothing cuts it any more",
                     k == 0 ? "the part" : "a piece", body.volume_mm3, bounds.min.z(), bounds.max.z());
     blame(finding, body.parted_by, path, texts);
-    findings.push_back(std::move(finding));
-  }
-}
-
-namespace {
-
-/// How far an uncompensated nose stays off the line that its control point draws, mm. `direction`: of travel
-/// in (r, z).
-double noseDeviation(const Insert& insert, const Vec2& direction) {
-  const Vec2 tip = -noseCenter(insert);  // from S to P
-  Vec2 normal(direction.y(), -direction.x());
-  if (normal.dot(tip) < 0.0) normal = -normal;
-  return std::abs(insert.nose_radius - normal.dot(tip));
-}
-
-/// The largest along a motion.
-double noseDeviation(const Insert& insert, const Toolpath& path, const Motion& motion) {
-  constexpr int kSteps = 16;
-  double most = 0.0;
-  for (int i = 0; i < kSteps; ++i) {
-    const Vec3 a = path.pointAt(motion, static_cast<double>(i) / kSteps);
-    const Vec3 d = path.pointAt(motion, static_cast<double>(i + 1) / kSteps) - a;
-    const Vec2 direction(d.x(), d.z());
-    if (direction.norm() > 0.0) most = std::max(most, noseDeviation(insert, direction.normalized()));
-  }
-  return most;
-}
-
-std::set<MotionId> motionsOfSurface(const SectionBody& body) {
-  std::set<MotionId> motions;
-  for (const SectionLoop& loop : body.loops) motions.insert(loop.motion.begin(), loop.motion.end());
-  motions.erase(kNoMotion);
-  return motions;
-}
-
-}  // namespace
-
-void addUncompensated(const SetupRun& setup, double least_mm, const RecordingSource& texts,
-                      std::vector<Finding>& findings) {
-  if (!setup.turned || setup.turned->bodies.empty()) return;
-  const Toolpath& path = setup.interpreted.path;
-  const std::set<MotionId> made = motionsOfSurface(setup.turned->bodies.front());
-  for (const Tool& tool : setup.job.tools) {
-    if (!tool.insert || tool.insert->shape == InsertShape::kGroove ||
-        tool.insert->shape == InsertShape::kThread)
-      continue;
-    double most = least_mm;
-    MotionId worst = kNoMotion;
-    std::size_t count = 0;
-    for (const MotionId id : made) {
-      const Motion& motion = path.motions[id];
-      if (motion.tool != tool.number || motion.kind != MotionKind::kFeed || motion.compensated) continue;
-      const double off = noseDeviation(*tool.insert, path, motion);
-      if (off <= least_mm) continue;
-      ++count;
-      if (off <= most) continue;
-      most = off;
-      worst = id;
-    }
-    if (worst == kNoMotion) continue;
-    Finding finding;
-    finding.kind = "nose_deviation";
-    finding.severity = Severity::kWarning;
-    finding.where = path.motions[worst].to;
-    finding.depth_mm = most;
-    finding.message = fmt::format(
-        "the nose radius {:g} is not compensated: here it leaves up to {:.3f} mm on the slope ({} such "
-        "motions)",
-        tool.insert->nose_radius, most, count);
-    blame(finding, worst, path, texts);
     findings.push_back(std::move(finding));
   }
 }

@@ -36,11 +36,6 @@ void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::v
 void writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& staging, Report& report,
                         OutputFailures& failures);
 
-/// Slopes and arcs of the part's surface that an insert left without compensation of its nose: one warning an
-/// insert, for the block with the largest deviation above `least_mm`.
-void addUncompensated(const SetupRun& setup, double least_mm, const RecordingSource& texts,
-                      std::vector<Finding>& findings);
-
 /// Measuring moves against the part as it has been turned so far.
 class TurningProbe : public Probe {
  public:

@@ -41,6 +41,7 @@ struct NominalSpec {
 
 struct SimulationSpec {
   std::optional<double> resolution_mm;  ///< grid spacing; none: chosen from the stock
+  double contact_mm = 0.01;             ///< touches of the stock that are less deep are not told
   double profile_resolution_mm = 0.01;  ///< of turned parts: facets leave the surface by a tenth of it
   int threads = 0;                      ///< 0: all cores
   double max_memory_gb = 0.0;           ///< 0: what the machine has free

@@ -526,6 +526,7 @@ void readSimulation(ConfigTable& root, Job& job) {
   if (!table) return;
   // Below a micron the grid's single-precision distances carry no information.
   if (const auto mm = table->number("resolution", {1e-3, 1e3, false})) job.simulation.resolution_mm = *mm;
+  if (const auto mm = table->number("contact", {0.0, 10.0, false})) job.simulation.contact_mm = *mm;
   if (const auto mm = table->number("profile_resolution", {1e-3, 1.0, false}))
     job.simulation.profile_resolution_mm = *mm;
   if (const auto threads = table->integer("threads", 0, 4096)) {

@@ -153,6 +153,26 @@ void readInsertHolder(ConfigTable& table, Insert& insert) {
   if (insert.holder.empty()) table.error("holder", "job-value", "a holder needs at least three points");
 }
 
+/// Orientation 9 says where the control point lies; where the insert points to stands beside it.
+void readOrientation(ConfigTable& table, Insert& insert) {
+  const auto orientation = table.must("orientation").integer("orientation", 1, 9);
+  insert.at_center = orientation == 9;
+  const char* const key = insert.at_center ? "points_to" : "orientation";
+  if (const auto points = table.integer(key, 1, 8)) insert.orientation = static_cast<int>(*points);
+}
+
+void readGauge(ConfigTable& table, Insert& insert) {
+  const ConfigValue* gauge = table.find("gauge");
+  if (gauge == nullptr || !isList(table.document(), *gauge, "gauge")) return;
+  if (gauge->items.size() != 2) {
+    table.error("gauge", "job-type", "the gauge of an insert is [x, z], X as a radius");
+    return;
+  }
+  const auto x = readNumber(table.document(), gauge->items[0], "x of the gauge", kAnyLength);
+  const auto z = readNumber(table.document(), gauge->items[1], "z of the gauge", kAnyLength);
+  if (x && z) insert.gauge = Vec2(*x, *z);
+}
+
 void readInsert(ConfigTable& table, Tool& tool) {
   constexpr InsertShape kShapes[] = {InsertShape::kCorner, InsertShape::kGroove, InsertShape::kThread,
                                      InsertShape::kRound};
@@ -167,8 +187,7 @@ void readInsert(ConfigTable& table, Tool& tool) {
     }
     insert.shape = kShapes[std::find(names.begin(), names.end(), *name) - names.begin()];
   }
-  if (const auto orientation = table.must("orientation").integer("orientation", 1, 9))
-    insert.orientation = static_cast<int>(*orientation);
+  readOrientation(table, insert);
   const bool round = insert.shape == InsertShape::kRound;
   if (round || insert.shape == InsertShape::kCorner) {
     needed(table, "nose_radius", round ? kToolLength : kToolLengthOrZero, insert.nose_radius);
@@ -192,6 +211,7 @@ void readInsert(ConfigTable& table, Tool& tool) {
     case InsertShape::kRound:
       break;
   }
+  readGauge(table, insert);
   readInsertHolder(table, insert);
 }
 

@@ -58,7 +58,11 @@ struct Finding {
   Severity severity = Severity::kError;
   std::optional<Vec3> where;
   std::optional<double> depth_mm, area_mm2, volume_mm3;
-  std::optional<BlockRef> source;
+  std::optional<BlockRef> source;       ///< of several the first
+  std::optional<BlockRef> last_source;  ///< the last block, where several did the same
+  /// The block that moved, where `source` is what it moved for: a line of the control's own cycle, or the
+  /// call of a contour cycle.
+  std::optional<BlockRef> inside;
   std::optional<std::uint32_t> motion;  ///< id in the path stream
   std::optional<int> tool;
   std::string setup;  ///< name of the clamping; empty in a job without setups
@@ -248,7 +252,7 @@ struct Report {
   std::optional<ReportComparison> comparison;
   std::vector<ErrorTerm> error_budget;
   std::vector<Diagnostic> diagnostics;  ///< what the control said of the program, in order
-  std::vector<std::string> command;  ///< words of the command line that decide the findings; may be empty
+  std::vector<std::string> command;     ///< words of the command line that decide the findings; may be empty
   std::vector<FileHash> inputs;
   std::string part_sha256;  ///< sha256OfMesh of the part; empty: none
   ReportOutputs outputs;

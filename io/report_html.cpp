@@ -168,6 +168,8 @@ class Page {
     figureCell("Area mm²", f.area_mm2, 2);
     figureCell("Volume mm³", f.volume_mm3, 2);
     add("<td class=\"text\" data-label=\"Finding\">{}", escape(f.message));
+    if (f.inside)
+      add("<span class=\"line\">moved by <code>{}</code></span>", escape(report_text::place(*f.inside)));
     constexpr std::size_t kBlocks = 5;
     if (f.blocks.size() > 1)
       add("<span class=\"line\">made by {}</span>", escape(report_text::blocksLine(f, kBlocks)));

@@ -58,6 +58,8 @@ Json findingJson(const Finding& f) {
   if (f.area_mm2) out["area_mm2"] = number(*f.area_mm2);
   if (f.volume_mm3) out["volume_mm3"] = number(*f.volume_mm3);
   if (f.source) out["source"] = sourceJson(*f.source);
+  if (f.last_source) out["last_source"] = sourceJson(*f.last_source);
+  if (f.inside) out["inside"] = sourceJson(*f.inside);
   if (f.motion) out["motion"] = *f.motion;
   if (f.tool) out["tool"] = *f.tool;
   if (!f.setup.empty()) out["setup"] = f.setup;

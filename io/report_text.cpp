@@ -146,28 +146,35 @@ std::string spoken(std::string_view kind) {
   return out;
 }
 
-namespace {
-std::string place(const std::string& setup, const BlockRef& block) {
-  std::string out = setup.empty() ? "" : setup + ": ";
-  out += fmt::format("{}:{}", block.file, block.line);
+std::string place(const BlockRef& block) {
+  std::string out = fmt::format("{}:{}", block.file, block.line);
   if (block.block >= 0) out += fmt::format(" (N{})", block.block);
   return out;
 }
+
+namespace {
+
+std::string placeIn(const std::string& setup, const BlockRef& block) {
+  return setup.empty() ? place(block) : fmt::format("{}: {}", setup, place(block));
+}
+
 }  // namespace
 
 std::string place(const Finding& finding) {
-  return finding.source ? place(finding.setup, *finding.source) : std::string();
+  if (!finding.source) return {};
+  const std::string first = placeIn(finding.setup, *finding.source);
+  return finding.last_source ? first + " to " + place(*finding.last_source) : first;
 }
 
 std::string causeLine(const Cause& cause) {
   std::string out = cause.what;
   if (cause.source) {
     if (!cause.value.empty()) out += (cause.what == kUncut ? "; " : " ") + cause.value;
-    out += " (" + place({}, *cause.source) + ")";
+    out += " (" + place(*cause.source) + ")";
   } else if (!cause.value.empty()) {
     out += " = " + cause.value;
   }
-  for (const BlockRef& from : cause.from) out += fmt::format(", from {}", place({}, from));
+  for (const BlockRef& from : cause.from) out += fmt::format(", from {}", place(from));
   if (cause.off_mm) {
     out += fmt::format(": {} off by {}{} mm, explains {:.0f} %", cause.along, *cause.off_mm < 0 ? "-" : "+",
                        figure(std::abs(*cause.off_mm)), 100.0 * cause.explains);
@@ -184,7 +191,7 @@ std::string blocksLine(const Finding& finding, std::size_t most) {
   std::string out;
   for (std::size_t i = 0; i < std::min(most, finding.blocks.size()); ++i) {
     const BlockShare& b = finding.blocks[i];
-    out += fmt::format("{}{} {:.0f} %", out.empty() ? "" : ", ", place(b.setup, b.block), 100.0 * b.share);
+    out += fmt::format("{}{} {:.0f} %", out.empty() ? "" : ", ", placeIn(b.setup, b.block), 100.0 * b.share);
   }
   if (finding.blocks.size() > most) out += fmt::format(" and {} more", finding.blocks.size() - most);
   return out;

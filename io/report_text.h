@@ -22,7 +22,10 @@ std::string grouped(double value, int decimals);
 std::string duration(double seconds);
 /// "rapid_contact" -> "rapid contact".
 std::string spoken(std::string_view kind);
-/// "O0100:12 (N70)"; "" without a source.
+/// "O0100:12 (N70)".
+std::string place(const BlockRef& block);
+/// "O0100:12 (N70)", of a job with setups "top: O0100:12", of several blocks "O0100:12 (N70) to O0100:30"; ""
+/// without a source.
 std::string place(const Finding& finding);
 /// One line: place, severity, kind, message and figures.
 std::string summaryLine(const Finding& finding);

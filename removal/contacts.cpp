@@ -54,9 +54,10 @@ std::vector<Met> groups(const ContactScene& scene, const std::vector<ContactSamp
       cut_told = true;
     }
     if (met == nullptr) {
-      groups.push_back({{kind, pass.motion, Vec3::Zero(), 0.0, 0.0}, {}});
+      groups.push_back({{kind, pass.motion, pass.motion, Vec3::Zero(), 0.0, 0.0}, {}});
       met = &groups.back();
     }
+    met->contact.last = std::max(met->contact.last, pass.motion);
     met->contact.volume_mm3 += static_cast<double>(sample.volume) * unit;
     met->samples.push_back(sample);
   }

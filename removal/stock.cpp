@@ -30,6 +30,8 @@ std::string_view contactKindName(ContactKind kind) {
       return "insert_contact";
     case ContactKind::kAxis:
       return "axis_crossing";
+    case ContactKind::kPartedOff:
+      return "cut_off_piece";
     case ContactKind::kFixture:
       return "fixture_contact";
   }

@@ -23,26 +23,29 @@ struct RemovalOptions {
   double resolution_mm = 0.2;  ///< grid spacing, > 0
   int threads = 0;             ///< 0: all cores
   double max_memory_gb = 0.0;  ///< refuse above it (exit 3); 0: what the machine has free
-  bool watch_all = false;      ///< every touch of the stock is a contact, in feed too (the stock is a fixture)
+  bool watch_all = false;  ///< every touch of the stock is a contact, in feed too (the stock is a fixture)
 };
 
 /// kInsertBack: a side of a lathe insert that has to stay clear; kAxis: a lathe tool cuts beyond the axis.
-enum class ContactKind { kRapid, kShank, kHolder, kSpindleOff, kFixture, kInsertBack, kAxis };
+enum class ContactKind { kRapid, kShank, kHolder, kSpindleOff, kFixture, kInsertBack, kAxis, kPartedOff };
+inline constexpr std::size_t kContactKinds = 8;
 std::string_view contactKindName(
-    ContactKind kind);  ///< "rapid_contact", "shank_contact", "holder_contact", "spindle_off", "fixture_contact",
-                        ///< "insert_contact", "axis_crossing"
+    ContactKind kind);  ///< "rapid_contact", "shank_contact", "holder_contact", "spindle_off",
+                        ///< "fixture_contact", "insert_contact", "axis_crossing", "cut_off_piece"
 
 /// The tool touched stock where it must not. One per unbroken run of motions with the same kind, tool and
 /// program block.
 struct Contact {
   ContactKind kind = ContactKind::kRapid;
   MotionId motion = kNoMotion;  ///< first motion of the contact
+  MotionId last = kNoMotion;    ///< last one
   Vec3 where = Vec3::Zero();    ///< the deepest point of the part, mm
-  /// How far that point lies below the surface of the stock as it was when the motion began: the distance to the
-  /// nearest surface, so that a wall which the tool goes right through counts with half its thickness. To a
-  /// micrometre, but where an earlier clamping or a mesh made a curved surface: there to the chords of the grid.
+  /// How far that point lies below the surface of the stock as it was when the motion began: the distance to
+  /// the nearest surface, so that a wall which the tool goes right through counts with half its thickness. To
+  /// a micrometre, but where an earlier clamping or a mesh made a curved surface: there to the chords of the
+  /// grid.
   double depth_mm = 0.0;
-  double volume_mm3 = 0.0;      ///< stock that was in the way, counted in grid cells; 0 for less than one
+  double volume_mm3 = 0.0;  ///< stock that was in the way, counted in grid cells; 0 for less than one
 };
 
 /// Cuts of one tool that are narrower than the grid and not in the mesh.
@@ -56,7 +59,8 @@ struct NarrowCut {
 
 struct RemovalSummary {
   std::vector<float> removed_mm3;  ///< per motion, counted in parts of grid cells; see fitRemovedVolume
-  /// In program order. Of a path that never starts the spindle the first cut stands for all of them (kSpindleOff).
+  /// In program order. Of a path that never starts the spindle the first cut stands for all of them
+  /// (kSpindleOff).
   std::vector<Contact> contacts;
   /// Stock left thinner than a grid cell, which the grid cannot hold: about its area (0: none) and one place.
   double lost_film_mm2 = 0.0;
@@ -87,8 +91,8 @@ struct StockSurface {
   std::size_t self_intersections = 0;
 };
 
-/// Whether saved stocks and blanks from meshes can be read and stocks be saved here. Error: the module for them
-/// cannot be loaded, and where it belongs.
+/// Whether saved stocks and blanks from meshes can be read and stocks be saved here. Error: the module for
+/// them cannot be loaded, and where it belongs.
 Status checkStockFiles();
 
 /// True for turns that take the axes to axes exactly (multiples of 90 degrees), with any shift.
@@ -116,14 +120,14 @@ class Stock {
   Result<StockSurface> surface(int threads, Progress& progress) const;
 
   /// The stock at another place, as a blank on a grid of the same spacing; which motion made a surface is not
-  /// known any more. Exact where movesExactly; else it is built anew from the surface's mesh: a curved wall then
-  /// is off by the mesh's chord height, h^2 / (8 r), on top of that of the new mesh. Errors: nothing is left of
-  /// the stock, not enough memory.
+  /// known any more. Exact where movesExactly; else it is built anew from the surface's mesh: a curved wall
+  /// then is off by the mesh's chord height, h^2 / (8 r), on top of that of the new mesh. Errors: nothing is
+  /// left of the stock, not enough memory.
   Result<Stock> moved(const RigidTransform& move, const RemovalOptions& options, Progress& progress) const;
 
-  /// Writes grid, crossings and provenance; whole file or none. The swept volumes are not written: the surface of a
-  /// loaded stock has its vertices from the crossings alone, off by up to some 30 micrometres on a grid of 0.2 mm on
-  /// faces with radii below two cells.
+  /// Writes grid, crossings and provenance; whole file or none. The swept volumes are not written: the
+  /// surface of a loaded stock has its vertices from the crossings alone, off by up to some 30 micrometres on
+  /// a grid of 0.2 mm on faces with radii below two cells.
   Status save(const std::string& path) const;
 
   double initialVolume() const;  ///< mm3, of the blank

@@ -78,6 +78,14 @@ struct OffsetValue {
   double wear = 0.0;
 };
 
+/// How a lathe insert stands in its turret. X as a radius, mm.
+struct InsertMount {
+  Vec2 nose_center = Vec2::Zero();  ///< (x, z) of the nose centre seen from the touch-off point P
+  /// (x, z) of what the machine counts from, seen from P: what the tool's offsets have to make up for. None:
+  /// the operator has measured right, whichever point the program moves.
+  std::optional<Vec2> gauge;
+};
+
 /// Where the machine goes for a tool change, machine frame, mm: first up to `z`, never down, then level to `x`
 /// and `y`. Axes without a value stay where they are.
 struct ToolChangePlace {
@@ -124,7 +132,8 @@ struct ControlSettings {
   std::map<int, OffsetValue> length_offsets;  ///< H rows, mm
   std::map<int, OffsetValue> radius_offsets;  ///< D rows, mm (radius)
   std::map<int, double> gauge_lengths;        ///< by tool number, mm; 0 for tools not listed
-  double unnamed_gauge_length = 0.0;  ///< of what is in the spindle at power-on where `tool` is 0, mm
+  std::map<int, InsertMount> inserts;         ///< by tool number
+  Vec3 unnamed_gauge = Vec3::Zero();  ///< of what is in the spindle at power-on where `tool` is 0, mm
 
   std::uint64_t block_limit = 100'000'000;  ///< executed blocks; more is an alarm (endless loop)
   std::array<bool, 9> skip_switches{};      ///< [0] is the switch of `/` and `/1`, [8] of `/9`

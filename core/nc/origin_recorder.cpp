@@ -19,6 +19,7 @@ std::uint64_t hashOf(const DataInForce& data) {
   add(static_cast<std::uint32_t>(data.radius.row));
   add(std::bit_cast<std::uint64_t>(data.radius.value() + 0.0));
   add(static_cast<std::uint32_t>(data.work_system));
+  add(static_cast<std::uint32_t>(data.nose_tool));
   addVector(data.length_offset);
   addVector(data.work_offset.value);
   addVector(data.shift.value);
@@ -129,6 +130,21 @@ void OriginRecorder::restore(const Slots& before, KindSet stay) {
   }
 }
 
+void OriginRecorder::openCall() {
+  const ReadList outer = calls_.empty() ? ReadList{} : listOf(std::span(&calls_.back(), 1));
+  calls_.push_back(numberOf(OriginKind::kCall, {}, std::numeric_limits<double>::quiet_NaN(), outer));
+  modal_.call = calls_.back();
+  modal_new_ = true;
+  touch();
+}
+
+void OriginRecorder::closeCall() {
+  calls_.pop_back();
+  modal_.call = calls_.empty() ? 0 : calls_.back();
+  modal_new_ = true;
+  touch();
+}
+
 void OriginRecorder::setData(const DataInForce& data) {
   if (data == data_) return;
   touch();
@@ -228,7 +244,9 @@ void OriginRecorder::internModal() {
   }
   const auto send = [&](const ModalOrigins& modal) { sink_.originModal(modal); };
   std::copy(codes_.begin() + kMain, codes_.end(), modal_.code.begin());
-  const std::uint32_t index = indexOf(modal_rows_, modal_, mixBits(modal_hash_ ^ modal_.data), send);
+  const std::uint32_t index =
+      indexOf(modal_rows_, modal_,
+              mixBits(modal_hash_ ^ modal_.data ^ static_cast<std::uint64_t>(modal_.call) << 32), send);
   set_new_ = set_new_ || index != set_.modal;
   set_.modal = index;
   data_new_ = modal_new_ = false;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/nc/intern_table.h"
 #include "core/nc/kind_set.h"
@@ -67,6 +68,9 @@ class OriginRecorder final : public ValueOrigins {
     block_ = static_cast<std::int32_t>(block);
     due_ = true;
   }
+  /// The block in hand calls a program, which is entered next. Calls are closed in reverse order.
+  void openCall();
+  void closeCall();
   /// Can words of the block be found in its text? For blocks of plain words.
   bool byText() const { return by_text_; }
 
@@ -164,6 +168,7 @@ class OriginRecorder final : public ValueOrigins {
   std::int32_t index_ = -1;
   DataInForce data_;
   bool data_new_ = true;
+  std::vector<std::uint32_t> calls_;  ///< numbers of the words of the open calls
   InternTable<DataInForce> data_rows_;
   InternTable<ModalOrigins> modal_rows_;
   InternTable<OriginSet> sets_;

@@ -64,8 +64,12 @@ PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes,
   for (const AxisSettings& axis : settings.axes) {
     if (const int k = axes_.find(axis.name); k >= kMainAxes) machine_[k] = axis.start;
   }
+  for (const auto& [tool, length] : settings.gauge_lengths) gauges_[tool] = Vec3(0.0, 0.0, length);
+  for (const auto& [tool, mount] : settings.inserts) {
+    if (mount.gauge) gauges_[tool] = Vec3(mount.gauge->x(), 0.0, mount.gauge->y());
+  }
   setTool(settings.tool);
-  if (settings.tool == 0) to_workpiece_.z() -= settings.unnamed_gauge_length;
+  if (settings.tool == 0) to_workpiece_ -= settings.unnamed_gauge;
   home_ = machine_.xyz = settings.start - to_workpiece_;
 }
 
@@ -75,9 +79,15 @@ void PathEmitter::lowerStart(double height) {
 
 void PathEmitter::setTool(int tool) {
   tool_ = tool;
-  const auto gauge = settings_.gauge_lengths.find(tool);
+  const auto gauge = gauges_.find(tool);
   to_workpiece_ = -origin_;
-  if (gauge != settings_.gauge_lengths.end()) to_workpiece_.z() -= gauge->second;
+  if (gauge != gauges_.end()) to_workpiece_ -= gauge->second;
+}
+
+void PathEmitter::countFromNose(int tool) {
+  const auto mount = settings_.inserts.find(tool);
+  if (mount == settings_.inserts.end() || mount->second.gauge) return;
+  gauges_[tool] = Vec3(mount->second.nose_center.x(), 0.0, mount->second.nose_center.y());
 }
 
 Vec3 PathEmitter::toolPoint(const AxisPoint& machine) const {

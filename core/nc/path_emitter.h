@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,7 +22,7 @@ namespace proveout::nc {
 struct FeedStyle {
   MotionKind kind = MotionKind::kFeed;
   bool compensated = false;  ///< see Motion
-  double feed = 0.0;  ///< mm/min
+  double feed = 0.0;         ///< mm/min
   /// What of an arc the feed is the speed of: the circle in the plane, the whole path in space, or the
   /// start radius (constant angular speed).
   enum class Along { kPlane, kSpace, kStartRadius } along = Along::kSpace;
@@ -106,6 +107,10 @@ class PathEmitter {
   void event(std::string name, EventData data, double time_s, const SourceRef& source);
   void diagnostic(const Diagnostic& diagnostic);
 
+  /// The machine counts from the nose centres of these inserts, where they have no gauge: the path tells of
+  /// the touch-off points all the same. Before any motion.
+  void countFromNose(int tool);
+
   /// Accelerations, corners and look-ahead.
   TimeStage& time() { return time_; }
   const TimeStage& time() const { return time_; }
@@ -162,7 +167,8 @@ class PathEmitter {
   AxisPoint machine_;
   Vec3 home_;
   AxisSweep sweep_;
-  Vec3 to_workpiece_;  ///< added to a machine point: minus origin, minus gauge length of the tool
+  Vec3 to_workpiece_;           ///< added to a machine point: minus origin, minus gauge of the tool
+  std::map<int, Vec3> gauges_;  ///< by tool: from its control point to what the machine counts from
   int tool_ = 0;
   double spindle_ = 0.0;
   double spindle_acceleration_ = 0.0;

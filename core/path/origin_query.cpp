@@ -95,6 +95,13 @@ std::optional<ResolvedOrigin> originOfWord(const Toolpath& path, std::uint32_t n
   return ofWord(path, number, text);
 }
 
+std::optional<ResolvedOrigin> callOf(const Toolpath& path, MotionId motion, const LineText& text) {
+  const std::int32_t index = path.motions[motion].source.origins;
+  if (index < 0) return std::nullopt;
+  const OriginSet& set = path.origins.sets[static_cast<std::size_t>(index)];
+  return originOfWord(path, path.origins.modal[set.modal].call, text);
+}
+
 const DataInForce* dataOf(const Toolpath& path, MotionId motion) {
   const std::int32_t index = path.motions[motion].source.origins;
   if (index < 0) return nullptr;

@@ -40,6 +40,9 @@ std::vector<ResolvedOrigin> originsOf(const Toolpath& path, MotionId motion, con
 /// The word with that number (index + 1 of OriginTables::words), as `..._by` of DataInForce gives it. Nothing
 /// for 0.
 std::optional<ResolvedOrigin> originOfWord(const Toolpath& path, std::uint32_t number, const LineText& text);
+/// The block that called the program of the motion, its own call in `from`. Nothing: the motion is one of the
+/// main program, or nothing was recorded for it.
+std::optional<ResolvedOrigin> callOf(const Toolpath& path, MotionId motion, const LineText& text);
 /// The rows of the tables that the motion was made with. Null: nothing was recorded for it.
 const DataInForce* dataOf(const Toolpath& path, MotionId motion);
 

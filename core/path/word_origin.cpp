@@ -12,7 +12,7 @@ constexpr KindRow length(std::string_view name) { return {name, false, true}; }
 constexpr KindRow plain(std::string_view name) { return {name}; }
 
 /// In the order of OriginKind.
-constexpr std::array<KindRow, kOriginKinds + 3> kRows{{
+constexpr std::array<KindRow, kOriginKinds + 4> kRows{{
     coordinate("X", true),
     coordinate("Y", true),
     coordinate("Z", true),
@@ -64,8 +64,9 @@ constexpr std::array<KindRow, kOriginKinds + 3> kRows{{
     plain("variable"),
     plain("argument"),
     plain("table value"),
+    plain("call"),
 }};
-static_assert(kRows.back().name == "table value");
+static_assert(kRows.back().name == "call");
 
 const KindRow& row(OriginKind kind) { return kRows[static_cast<std::size_t>(kind)]; }
 

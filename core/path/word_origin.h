@@ -79,6 +79,7 @@ enum class OriginKind : std::uint8_t {
   kVariable,  ///< assignment of a macro variable
   kArgument,  ///< argument of a macro call
   kData,      ///< a value of an offset table (G10, G37, G52, G92)
+  kCall,      ///< the block that called the program in hand, as a whole; `from`: the call of its own program
 };
 /// Kinds that a set knows.
 inline constexpr std::size_t kOriginKinds = static_cast<std::size_t>(OriginKind::kVariable);
@@ -203,8 +204,12 @@ struct DataInForce {
   OffsetInForce length_x, length_y;   ///< turning lengths of the same row (nct, G43.7)
   Vec3 length_offset = Vec3::Zero();  ///< what it adds to X, Y, Z of the machine, mm; 0 with G49
   OffsetInForce radius;               ///< row of D
-  double nose_radius = 0.0;           ///< mm, of the tool called last; WL4 lathes
-  std::int32_t tip = 0;               ///< where its touch-off point lies, 0 to 9; WL4 lathes
+  // What lathes keep of a tool.
+  std::int32_t nose_tool = 0;       ///< number of the tool whose data these are: the one called last
+  double nose_radius = 0.0;         ///< mm
+  std::int32_t tip = 0;             ///< where the touch-off point lies, 0 to 9
+  bool at_center = false;           ///< programs move the nose centre, not the touch-off point
+  Vec3 tool_offset = Vec3::Zero();  ///< shift of the tool, X as a radius, mm
   std::int32_t work_system = 0;  ///< 1 to 6: G54 to G59; 101 to 199: G54.1 P1 to P99; 0: none (WL4: G53, G92)
   VectorInForce work_offset;     ///< of that system, machine frame
   VectorInForce work_rotation;   ///< its basic rotation about X, Y, Z, degrees
@@ -217,6 +222,7 @@ struct DataInForce {
 struct ModalOrigins {
   std::array<OriginCode, kOriginKinds - 3> code{};  ///< by kind, from kA on
   std::uint32_t data = 0;                           ///< index into OriginTables::data
+  std::uint32_t call = 0;  ///< number (index + 1) of the word of the call; 0: in the main program
   bool operator==(const ModalOrigins&) const = default;
 };
 

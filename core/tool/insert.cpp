@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -19,13 +20,8 @@ constexpr double kLeastMm = 1e-3;
 constexpr double kMostMm = 1e3;        ///< of an insert
 constexpr double kMostHolderMm = 1e5;  ///< of a coordinate of the holder
 
-/// From the nose centre to the control point along X and Z: -1, 0 or 1 each.
-Vec2 tipDirection(int orientation) {
-  constexpr int kTips[10][2] = {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1},
-                                {0, 1}, {1, 0}, {0, -1}, {-1, 0},  {0, 0}};
-  const auto& tip = kTips[orientation];
-  return {tip[0], tip[1]};
-}
+/// Grooving inserts turn along with their sides as deep as this part of their width: makers give 0.7 to 0.8.
+constexpr double kTurningDepth = 0.75;
 
 bool namesCorner(int orientation) { return orientation >= 1 && orientation <= 4; }
 
@@ -34,6 +30,12 @@ Vec2 frontDirection(const Insert& insert) {
   Vec2 t = tipDirection(insert.orientation);
   if (namesCorner(insert.orientation)) t.y() = 0.0;
   return t;
+}
+
+/// The nose centre seen from the touch-off point.
+Vec2 centerFromP(const Insert& insert) {
+  const bool tooth = insert.shape == InsertShape::kThread;
+  return -insert.nose_radius * (tooth ? frontDirection(insert) : tipDirection(insert.orientation));
 }
 
 OutlineSide line(const Vec2& from, const Vec2& to, SideUse use) { return {from, to, use}; }
@@ -57,7 +59,7 @@ ConvexOutline rhombus(const Insert& insert, const Vec2& center, const Vec2& firs
 }
 
 ConvexOutline cornerOutline(const Insert& insert) {
-  const Vec2 t = tipDirection(insert.orientation), center = noseCenter(insert);
+  const Vec2 t = tipDirection(insert.orientation), center = centerFromP(insert);
   const double angle = degToRad(insert.insert_angle_deg);
   if (!namesCorner(insert.orientation)) {
     const Vec2 back = -std::cos(0.5 * angle) * t, side = std::sin(0.5 * angle) * leftOf(t);
@@ -74,7 +76,7 @@ ConvexOutline cornerOutline(const Insert& insert) {
 }
 
 ConvexOutline roundOutline(const Insert& insert) {
-  const Vec2 center = noseCenter(insert), x = Vec2::UnitX();
+  const Vec2 center = centerFromP(insert), x = Vec2::UnitX();
   return ConvexOutline({arc(center, insert.nose_radius, x, -x), arc(center, insert.nose_radius, -x, x)});
 }
 
@@ -86,7 +88,7 @@ struct Blade {
   double radius = 0.0;  ///< of the corners
   double lean = 0.0;    ///< of the sides' normals: above 0 they look to the back, below to the front, radians
   double length = 0.0;  ///< from front to back
-  SideUse sides = SideUse::kBack;
+  double cuts = 0.0;    ///< of it, how far behind the front the sides cut
 };
 
 ConvexOutline bladeOutline(const Blade& blade) {
@@ -97,11 +99,15 @@ ConvexOutline bladeOutline(const Blade& blade) {
   const Vec2 left_normal = c * v - s * f, right_normal = -c * v - s * f;
   const double run = (blade.length - r * (1.0 + s)) / c;  // of the sides
   const Vec2 left_top = left + r * left_normal, right_top = right + r * right_normal;
-  const Vec2 left_end = left_top + run * leftOf(left_normal);
-  const Vec2 right_end = right_top - run * leftOf(right_normal);
+  const double cuts = std::clamp((blade.cuts - r * (1.0 + s)) / c, 0.0, run);
+  const Vec2 left_way = leftOf(left_normal), right_way = -leftOf(right_normal);
+  const Vec2 left_edge = left_top + cuts * left_way, left_end = left_top + run * left_way;
+  const Vec2 right_edge = right_top + cuts * right_way, right_end = right_top + run * right_way;
   return ConvexOutline({line(right + r * f, left + r * f, SideUse::kCuts), arc(left, r, f, left_normal),
-                        line(left_top, left_end, blade.sides), line(left_end, right_end, SideUse::kBack),
-                        line(right_end, right_top, blade.sides), arc(right, r, right_normal, f)});
+                        line(left_top, left_edge, SideUse::kCuts), line(left_edge, left_end, SideUse::kBack),
+                        line(left_end, right_end, SideUse::kBack),
+                        line(right_end, right_edge, SideUse::kBack),
+                        line(right_edge, right_top, SideUse::kCuts), arc(right, r, right_normal, f)});
 }
 
 ConvexOutline grooveOutline(const Insert& insert) {
@@ -114,6 +120,7 @@ ConvexOutline grooveOutline(const Insert& insert) {
   blade.half = 0.5 * insert.width - insert.nose_radius;
   blade.lean = degToRad(insert.side_relief_deg);
   blade.length = insert.edge_length;
+  blade.cuts = kTurningDepth * insert.width;
   return bladeOutline(blade);
 }
 
@@ -125,8 +132,23 @@ ConvexOutline threadOutlineOf(const Insert& insert) {
   blade.half = 0.5 * insert.tip_flat;
   blade.lean = -degToRad(0.5 * insert.insert_angle_deg);
   blade.length = insert.edge_length;
-  blade.sides = SideUse::kCuts;
+  blade.cuts = blade.length;
   return bladeOutline(blade);
+}
+
+/// With the touch-off point at (0, 0).
+ConvexOutline outlineAtP(const Insert& insert) {
+  switch (insert.shape) {
+    case InsertShape::kGroove:
+      return grooveOutline(insert);
+    case InsertShape::kThread:
+      return threadOutlineOf(insert);
+    case InsertShape::kRound:
+      return roundOutline(insert);
+    case InsertShape::kCorner:
+      break;
+  }
+  return cornerOutline(insert);
 }
 
 /// Collects the first thing that is wrong.
@@ -166,8 +188,6 @@ class InsertChecker {
 };
 
 void checkCorner(const Insert& insert, InsertChecker& check) {
-  check.require(insert.orientation != 9,
-                "orientation 9 does not tell where the corner points to; there are 1 to 8");
   check.lengthOrZero(insert.nose_radius, "nose_radius");
   check.length(insert.edge_length, "edge_length");
   if (namesCorner(insert.orientation)) {
@@ -189,8 +209,6 @@ void checkCorner(const Insert& insert, InsertChecker& check) {
 }
 
 void checkGroove(const Insert& insert, InsertChecker& check) {
-  check.require(insert.orientation != 9,
-                "orientation 9 does not tell where the front points to; there are 1 to 8");
   check.lengthOrZero(insert.nose_radius, "nose_radius");
   check.length(insert.width, "width");
   check.length(insert.edge_length, "edge_length");
@@ -258,8 +276,8 @@ std::string_view insertShapeName(InsertShape shape) {
 
 Status validateInsert(const Insert& insert) {
   InsertChecker check(insert);
-  check.require(insert.orientation >= 1 && insert.orientation <= 9,
-                fmt::format("orientation must be between 1 and 9, not {}", insert.orientation));
+  check.require(insert.orientation >= 1 && insert.orientation <= 8,
+                fmt::format("an insert points to one of the directions 1 to 8, not {}", insert.orientation));
   if (!check.good()) return check.status();
   switch (insert.shape) {
     case InsertShape::kCorner:
@@ -286,23 +304,18 @@ Status validateInsert(const Insert& insert) {
 }
 
 ConvexOutline insertOutline(const Insert& insert) {
-  switch (insert.shape) {
-    case InsertShape::kGroove:
-      return grooveOutline(insert);
-    case InsertShape::kThread:
-      return threadOutlineOf(insert);
-    case InsertShape::kRound:
-      return roundOutline(insert);
-    case InsertShape::kCorner:
-      break;
-  }
-  return cornerOutline(insert);
+  const ConvexOutline outline = outlineAtP(insert);
+  return insert.at_center ? shifted(outline, -centerFromP(insert)) : outline;
 }
 
-Vec2 noseCenter(const Insert& insert) {
-  const bool tooth = insert.shape == InsertShape::kThread;
-  return -insert.nose_radius * (tooth ? frontDirection(insert) : tipDirection(insert.orientation));
+Vec2 tipDirection(int orientation) {
+  constexpr int kTips[10][2] = {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1},
+                                {0, 1}, {1, 0}, {0, -1}, {-1, 0},  {0, 0}};
+  const auto& tip = kTips[orientation];
+  return {tip[0], tip[1]};
 }
+
+Vec2 noseCenter(const Insert& insert) { return insert.at_center ? Vec2(Vec2::Zero()) : centerFromP(insert); }
 
 std::vector<ConvexOutline> holderPieces(const Insert& insert) {
   std::vector<ConvexOutline> outlines;

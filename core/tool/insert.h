@@ -1,6 +1,7 @@
 // Lathe inserts: the outline in the plane of the spindle axis.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,12 +22,13 @@ std::string_view insertShapeName(
 
 /// Lengths mm, angles degrees. Directions: X grows away from the spindle axis, Z away from the chuck.
 ///
-/// `orientation` says where the control point (the touch-off point P) lies, seen from the nose centre S, as
-/// is usual on lathes: 1 (+X +Z), 2 (+X -Z), 3 (-X -Z), 4 (-X +Z), 5 (+Z), 6 (+X), 7 (-Z), 8 (-X), 9 (P is
-/// S).
+/// `orientation` says where the insert points to, and the touch-off point P lies, seen from the nose centre
+/// S, as is usual on lathes: 1 (+X +Z), 2 (+X -Z), 3 (-X -Z), 4 (-X +Z), 5 (+Z), 6 (+X), 7 (-Z), 8 (-X). The
+/// control point is P, or S for tools that are set up so (orientation 9 of tables of tools).
 struct Insert {
   InsertShape shape = InsertShape::kCorner;
   int orientation = 3;
+  bool at_center = false;    ///< the control point is S; `orientation` says where the insert points to
   double nose_radius = 0.0;  ///< >= 0; groove: of both corners; thread: of the tip; round: of the insert
   /// Corner: included angle of the corner, 0 < angle < 180 less lead angle; thread: of the tooth.
   double insert_angle_deg = 0.0;
@@ -39,6 +41,9 @@ struct Insert {
   double width = 0.0;  ///< groove: of the front edge
   double side_relief_deg = 0.0;  ///< groove: by which each side falls back
   double tip_flat = 0.0;         ///< thread: width of the tip, in place of a nose radius
+  /// (x, z) of what the machine counts from, seen from the control point: what the offsets of the tool have
+  /// to make up for. None: the operator has measured right.
+  std::optional<Vec2> gauge;
   /// Toolholder in the plane, any simple polygon of (x, z) seen from the control point; empty: none.
   std::vector<Vec2> holder;
 };
@@ -49,8 +54,10 @@ Status validateInsert(const Insert& insert);
 /// Outline with the control point at (0, 0), r being X. Requires validateInsert(insert).
 ConvexOutline insertOutline(const Insert& insert);
 /// Centre of the nose (groove: of the corner that the orientation names; thread with a flat: the middle of
-/// the flat) seen from the control point, mm.
+/// the flat) seen from the control point, mm. Zero for tools with `at_center`.
 Vec2 noseCenter(const Insert& insert);
+/// (x, z): -1, 0 or 1 each, from the nose centre to the touch-off point of an orientation of 0 to 9.
+Vec2 tipDirection(int orientation);
 
 /// The holder as convex pieces.
 std::vector<ConvexOutline> holderPieces(const Insert& insert);

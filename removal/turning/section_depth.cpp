@@ -12,19 +12,24 @@ namespace {
 /// end.
 constexpr int kMostSquares = 4000;
 
+double distance(const Vec2& a, const Vec2& b, const Vec2& p) {
+  const Vec2 way = b - a;
+  const double length2 = way.squaredNorm();
+  const double t = length2 > 0.0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0.0;
+  return (p - a - t * way).norm();
+}
+
 /// Distance to the outline, negative outside.
 double inside(const std::vector<Vec2>& outline, const Vec2& p) {
   double nearest = std::numeric_limits<double>::infinity();
   bool within = false;
   for (std::size_t i = 0, k = outline.size() - 1; i < outline.size(); k = i++) {
     const Vec2 &a = outline[k], &b = outline[i], way = b - a;
-    const double length2 = way.squaredNorm();
-    const double t = length2 > 0.0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (p - a - t * way).squaredNorm());
+    nearest = std::min(nearest, distance(a, b, p));
     if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / way.y() * way.x())
       within = !within;
   }
-  return within ? std::sqrt(nearest) : -std::sqrt(nearest);
+  return within ? nearest : -nearest;
 }
 
 struct Square {
@@ -67,6 +72,35 @@ SectionDepth deepestPoint(const SectionArea& area, const std::vector<Vec2>& outl
     if (square.bound <= best.depth_mm + kSectionDepthMm) break;
     for (const double dr : {-0.5, 0.5}) {
       for (const double dz : {-0.5, 0.5}) add(square.middle + square.half * Vec2(dr, dz), 0.5 * square.half);
+    }
+  }
+  return best;
+}
+
+namespace {
+
+/// Edges that lie on the surface of the area are nearer to it than this, mm.
+constexpr double kOnSurface = 1e-4;
+/// Parts of a long edge of the old surface that are looked at.
+constexpr int kParts = 8;
+
+}  // namespace
+
+SectionDepth contactDepth(const SectionArea& area, const std::vector<Vec2>& outline) {
+  SectionDepth best = deepestPoint(area, outline);
+  std::vector<std::size_t> old_edges, new_edges;
+  const auto next = [&](std::size_t i) { return outline[(i + 1) % outline.size()]; };
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const bool old = area.depthOf(0.5 * (outline[i] + next(i))) < kOnSurface;
+    (old ? old_edges : new_edges).push_back(i);
+  }
+  if (new_edges.empty()) return best;
+  for (const std::size_t i : old_edges) {
+    for (int k = 0; k < kParts; ++k) {
+      const Vec2 p = outline[i] + (next(i) - outline[i]) * k / kParts;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const std::size_t j : new_edges) nearest = std::min(nearest, distance(outline[j], next(j), p));
+      if (nearest > best.depth_mm) best = {nearest, p};
     }
   }
   return best;

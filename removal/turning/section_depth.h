@@ -17,4 +17,8 @@ struct SectionDepth {
 SectionDepth deepestPoint(const SectionArea& area, const std::vector<Vec2>& outline);
 inline constexpr double kSectionDepthMm = 5e-4;
 
+/// How deep a tool that takes the piece `outline` of the area goes into it: the deepest point that it
+/// reaches, or, where it cuts off what is thin, the farthest that material is from the surface that is left.
+SectionDepth contactDepth(const SectionArea& area, const std::vector<Vec2>& outline);
+
 }  // namespace proveout

@@ -90,6 +90,13 @@ double PlaneWay::direction(double t) const {
   return std::atan2(arm.y(), arm.x()) + t * sweep_rad + std::copysign(kQuarter, sweep_rad);
 }
 
+PlaneWay PlaneWay::mirrored() const {
+  PlaneWay way = *this;
+  for (Vec2* p : {&way.from, &way.to, &way.center}) p->x() = -p->x();
+  way.sweep_rad = -sweep_rad;
+  return way;
+}
+
 Vec2 PlaneWay::at(double t) const {
   if (!arc) return from + t * (to - from);
   if (t <= 0.0) return from;

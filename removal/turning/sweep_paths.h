@@ -19,6 +19,8 @@ struct PlaneWay {
   /// Direction of travel at 0..1, radians, from +r towards +z; of a standstill 0.
   double direction(double t) const;
   Vec2 at(double t) const;
+  /// The same way on the other side of the axis.
+  PlaneWay mirrored() const;
 };
 
 /// Polygons whose union (non-zero winding) is what `outline` sweeps, chords within kSectionChordMm of it. All

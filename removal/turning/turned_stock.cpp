@@ -89,11 +89,11 @@ class ContactList {
   void add(ContactKind kind, MotionId id, const SectionArea& area, const std::vector<SectionPiece>& pieces) {
     Contact now;
     now.kind = kind;
-    now.motion = id;
+    now.motion = now.last = id;
     for (const SectionPiece& piece : pieces) {
       if (piece.thickness_mm < kTouch) continue;
       now.volume_mm3 += piece.volume_mm3;
-      const SectionDepth deepest = deepestPoint(area, piece.outline);
+      const SectionDepth deepest = contactDepth(area, piece.outline);
       if (deepest.depth_mm <= now.depth_mm) continue;
       now.depth_mm = deepest.depth_mm;
       now.where = inSpace(deepest.at);
@@ -108,6 +108,7 @@ class ContactList {
       return;
     }
     Contact& known = list_[*run.contact];
+    known.last = id;
     known.volume_mm3 += now.volume_mm3;
     if (now.depth_mm > known.depth_mm) {
       known.depth_mm = now.depth_mm;
@@ -134,7 +135,7 @@ class ContactList {
 
   const Toolpath& path_;
   std::vector<Contact> list_;
-  std::array<Run, 8> runs_;
+  std::array<Run, kContactKinds> runs_;
 };
 
 }  // namespace
@@ -195,10 +196,12 @@ class Turning {
   void motion(MotionId id) {
     const Motion& motion = path_.motions[id];
     if (motion.kind == MotionKind::kProbe) return;
-    const TurningTool& tool = tools_.at(motion.tool);
-    const PlaneWay way = planeWay(motion, arcOf(path_, motion));
+    PlaneWay way = planeWay(motion, arcOf(path_, motion));
+    const bool behind = tools_.at(motion.tool).worksBehind(way);
+    const TurningTool& tool = behind ? mirroredTool(motion.tool) : tools_.at(motion.tool);
+    if (behind) way = way.mirrored();
     if (motion.kind == MotionKind::kThread && tool.insert) {
-      thread(id, tool, way);
+      thread(id, tool, way, behind);
     } else {
       cut(id, tool, way);
       if (motion.kind != MotionKind::kRapid || motion.tool != thread_tool_) thread_way_.reset();
@@ -215,6 +218,12 @@ class Turning {
   }
 
  private:
+  const TurningTool& mirroredTool(int number) {
+    const auto known = mirrored_tools_.find(number);
+    if (known != mirrored_tools_.end()) return known->second;
+    return mirrored_tools_.emplace(number, tools_.at(number).mirrored()).first->second;
+  }
+
   void cut(MotionId id, const TurningTool& tool, const PlaneWay& way) {
     const Motion& motion = path_.motions[id];
     const bool rapid = motion.kind == MotionKind::kRapid;
@@ -223,8 +232,12 @@ class Turning {
     std::vector<SectionPath> spared;
     if (thread_way_ && rapid) spared = tool.swept(*thread_way_);
     const std::vector<SectionPath> beyond = mirroredPaths(sweeps);
-    if (rapid && !contact(ContactKind::kRapid, id, sweeps, spared) && beyond.empty()) return;
-    if (!rapid && motion.spindle == 0.0) contact(ContactKind::kSpindleOff, id, sweeps, spared);
+    if (rapid && !rapidContact(id, tool, sweeps, spared) && beyond.empty()) return;
+    if (!rapid) {
+      if (motion.spindle == 0.0) contact(ContactKind::kSpindleOff, id, sweeps, spared);
+      for (const SectionArea& piece : parted_areas_)
+        contacts_.add(ContactKind::kPartedOff, id, piece, piece.common(sweeps, spared));
+    }
     if (tool.insert) {
       // What a rapid motion touches is told as such already.
       if (const auto backs = rapid ? std::vector<SectionPath>{} : tool.sweptBacks(way); !backs.empty())
@@ -249,14 +262,15 @@ class Turning {
     return sum / kThreadPlanes;
   }
 
-  void thread(MotionId id, const TurningTool& tool, const PlaneWay& way) {
+  /// `behind`: the tool is on the other side of the axis, which tool and way are mirrored for.
+  void thread(MotionId id, const TurningTool& tool, const PlaneWay& way, bool behind) {
     const Motion& motion = path_.motions[id];
     const double turns = threadTurns(path_, motion), side = motion.spindle < 0.0 ? 1.0 : -1.0;
     ThreadSweep sweep;
     sweep.outline = tool.thread.get();
     sweep.from = way.from;
     sweep.to = way.to;
-    sweep.start_rad = side * degToRad(static_cast<double>(motion.thread_start_deg));
+    sweep.start_rad = side * degToRad(static_cast<double>(motion.thread_start_deg)) + (behind ? kPi : 0.0);
     sweep.turns = side * turns;
     const double along = (way.to - way.from).cwiseAbs().maxCoeff();
     if (along > 0.0)
@@ -264,7 +278,10 @@ class Turning {
     sweep.motion = id;
     thread_way_ = way;
     thread_tool_ = motion.tool;
-    if (motion.spindle == 0.0) contact(ContactKind::kSpindleOff, id, tool.swept(way), {});
+    if (motion.spindle == 0.0) {
+      contact(ContactKind::kSpindleOff, id, tool.swept(way), {});
+      return;
+    }
     if (area_.common(tool.swept(way)).empty()) return;
     if (std::find(outlines_.begin(), outlines_.end(), tool.thread) == outlines_.end())
       outlines_.push_back(tool.thread);
@@ -300,6 +317,19 @@ class Turning {
     }
   }
 
+  /// Facing to X0 leaves a pip at the axis, smaller than the nose, which the tool takes along as it leaves.
+  bool rapidContact(MotionId id, const TurningTool& tool, const std::vector<SectionPath>& sweeps,
+                    const std::vector<SectionPath>& spared) {
+    std::vector<SectionPiece> pieces = area_.common(sweeps, spared);
+    const bool any = !pieces.empty();
+    std::erase_if(pieces, [&](const SectionPiece& piece) {
+      return std::all_of(piece.outline.begin(), piece.outline.end(),
+                         [&](const Vec2& p) { return p.x() <= tool.nose_mm + kTouch; });
+    });
+    contacts_.add(ContactKind::kRapid, id, area_, pieces);
+    return any;
+  }
+
   /// False where there is none, not even by rounding.
   bool contact(ContactKind kind, MotionId id, const std::vector<SectionPath>& sweeps,
                const std::vector<SectionPath>& spared) {
@@ -314,6 +344,7 @@ class Turning {
     if (bodies.empty()) return;
     for (std::size_t k = 1; k < bodies.size(); ++k) {
       bodies[k].parted_by = id;
+      parted_areas_.emplace_back(bodies[k].loops);
       parted_.push_back(std::move(bodies[k]));
     }
     area_ = SectionArea(bodies.front().loops);
@@ -328,7 +359,8 @@ class Turning {
   std::vector<SectionBody>& parted_;
   std::vector<ThreadSweep>& threads_;
   std::vector<std::shared_ptr<const ConvexOutline>>& outlines_;
-  std::map<int, TurningTool> tools_;
+  std::map<int, TurningTool> tools_, mirrored_tools_;
+  std::vector<SectionArea> parted_areas_;  ///< of the bodies cut off by this path
   std::vector<float> removed_;
   ContactList contacts_;
   std::vector<SectionArea> planes_;     ///< sections with their threads, once there is one
@@ -395,8 +427,12 @@ Result<std::vector<Contact>> TurnedStock::touches(const Toolpath& path, const st
 
 std::optional<double> TurnedStock::firstContact(const Motion& move, const ArcGeometry* arc,
                                                 const Tool& tool) const {
-  const TurningTool turning(tool);
-  const PlaneWay way = planeWay(move, arc);
+  TurningTool turning(tool);
+  PlaneWay way = planeWay(move, arc);
+  if (turning.worksBehind(way)) {
+    turning = turning.mirrored();
+    way = way.mirrored();
+  }
   const auto touches = [&](double t) {
     const std::vector<SectionPiece> pieces = impl_->area.common(turning.swept(partOfWay(way, t)));
     return std::any_of(pieces.begin(), pieces.end(),

@@ -55,10 +55,32 @@ TurningTool::TurningTool(const Tool& tool) {
   cutters.push_back(*thread);
   holder = holderPieces(*tool.insert);
   const int o = tool.insert->orientation;
+  points_r = tipDirection(o).x();
+  nose_mm = tool.insert->nose_radius;
   if (tool.insert->shape == InsertShape::kCorner && o >= 1 && o <= 4) lead_z = o == 1 || o == 4 ? 1.0 : -1.0;
   for (const OutlineSide& side : thread->sides()) {
     if (side.arc && side.use == SideUse::kCuts) noses.push_back(circle(side.center, side.radius));
   }
+}
+
+bool TurningTool::worksBehind(const PlaneWay& way) const {
+  const double middle = 0.5 * (way.from.x() + way.to.x());
+  if (!insert || middle >= 0.0) return false;
+  if (points_r > 0.0) return true;
+  if (points_r == 0.0) return middle + 0.5 * (thread->min().x() + thread->max().x()) < 0.0;
+  double most = thread->max().x();
+  for (const ConvexOutline& piece : holder) most = std::max(most, piece.max().x());
+  return !holder.empty() && std::max(way.from.x(), way.to.x()) + most < 0.0;
+}
+
+TurningTool TurningTool::mirrored() const {
+  TurningTool other = *this;
+  for (auto* outlines : {&other.cutters, &other.shank, &other.holder, &other.noses}) {
+    for (ConvexOutline& outline : *outlines) outline = proveout::mirrored(outline, 0);
+  }
+  if (thread) other.thread = std::make_shared<const ConvexOutline>(proveout::mirrored(*thread, 0));
+  other.points_r = -points_r;
+  return other;
 }
 
 std::vector<SectionPath> TurningTool::swept(const PlaneWay& way) const {

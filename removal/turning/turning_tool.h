@@ -21,6 +21,14 @@ struct TurningTool {
   double lead_z =
       0.0;  ///< of a corner insert: sign of the Z direction that its leading edge looks to; 0: none
   std::shared_ptr<const ConvexOutline> thread;  ///< of inserts: the outline, for threads
+  double nose_mm = 0.0;                         ///< of inserts: nose radius
+  double points_r = 0.0;                        ///< of inserts: sign of the X direction that they point to
+
+  /// Whether an insert works on the far side of the axis (X below 0) on that way: it points to the axis from
+  /// there, or is on that side with its holder. What it cuts is what its mirror image cuts on this side.
+  bool worksBehind(const PlaneWay& way) const;
+  /// The tool on the other side of the axis, half a turn on.
+  TurningTool mirrored() const;
 
   /// All that cuts on the way.
   std::vector<SectionPath> swept(const PlaneWay& way) const;

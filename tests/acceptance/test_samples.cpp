@@ -1,8 +1,10 @@
 // The sample jobs and real programs, on grids coarse enough for a quick suite.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 
 #include "core/mesh/tri_mesh.h"
 #include "io/mesh_io.h"
@@ -168,15 +170,21 @@ TEST(TurnedShaft, FailsWithAWrongNoseAndNamesTheBlocks) {
       bench.run("run '" + shaft("wrong-nose.toml").string() + "' --resolution 0.2 --no-render --out out");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   const json report = json::parse(readFile(bench.path("out/report.json")));
-  std::size_t by_finishing = 0;
-  double deepest = 0.0;
+  std::set<std::string> blocks;  // of the contour that the finishing cycle N15 left wrong
+  std::size_t by_operator = 0;
   for (const json& finding : report["findings"]) {
-    if (finding["kind"] != "gouge" && finding["kind"] != "excess") continue;
-    deepest = std::max(deepest, finding["depth_mm"].get<double>());
-    by_finishing += finding.contains("source") && finding["source"].value("block", "") == "N15";
+    if (!finding.contains("inside") || finding["inside"]["block"] != "N15") continue;
+    if (finding["kind"] == "tool_data") {
+      EXPECT_NE(finding["message"].get<std::string>().find("RT.2 is 0.4"), std::string::npos);
+      // The steepest place of the contour: 0.4 mm less radius, at 45 degrees.
+      EXPECT_NEAR(finding["depth_mm"].get<double>(), 0.4 * (std::sqrt(2.0) - 1.0), 2e-3);
+      continue;
+    }
+    blocks.insert(finding["source"]["block"].get<std::string>());
+    by_operator += finding["causes"].front()["what"] == "control.wl4-lathe.RT.2";
   }
-  EXPECT_GE(by_finishing, 2u);  // the cone and the chamfer at least
-  EXPECT_GT(deepest, 0.1);
+  EXPECT_TRUE(blocks.contains("N200") && blocks.contains("N203") && blocks.contains("N205"));
+  EXPECT_EQ(by_operator, blocks.size());
 }
 
 }  // namespace

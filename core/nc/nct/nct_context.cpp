@@ -67,6 +67,7 @@ bool NctContext::openCall(const CallFrame& frame) {
   if (calls.depth() > kMaxNesting || (opensLocals(frame.kind) && !variables.enter(frame.args))) {
     return fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
   }
+  origins.openCall();
   calls.push(frame);
   enterProgram();
   last_called = frame.text;
@@ -88,6 +89,7 @@ void NctContext::enterProgram() {
 void NctContext::closeCall() {
   if (opensLocals(calls.top().kind)) variables.leave();
   calls.pop();
+  origins.closeCall();
   enterProgram();
 }
 

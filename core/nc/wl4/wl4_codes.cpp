@@ -152,6 +152,7 @@ constexpr auto kParameters = std::to_array<ParameterInfo>({
     {"MAX_FEED", 65000, 0.001, 65000, "mm/min, highest speed along the contour"},
     {"MAX_SPEED", 0, 0, 65535, "1/min, highest speed of the spindle; 0: no limit"},
 });
+constexpr double kMostShift = 1e5;
 constexpr auto kToolParameters = std::to_array<ParameterInfo>({
     {"RT", 0, 0, 100, "mm, nose radius of tool n", Wl4Parameters::kTools},
     {"POINT_S", 0, 0, 1, "1: the working point of tool n is the nose centre; 0: the touch-off point",
@@ -159,6 +160,8 @@ constexpr auto kToolParameters = std::to_array<ParameterInfo>({
     {"TIP", 0, 0, 9,
      "where the touch-off point of tool n lies seen from the nose centre, 1 to 8; 0, 9: on it",
      Wl4Parameters::kTools},
+    {"DXW", 0, -kMostShift, kMostShift, "mm of radius, shift of tool n along X", Wl4Parameters::kTools},
+    {"DZW", 0, -kMostShift, kMostShift, "mm, shift of tool n along Z", Wl4Parameters::kTools},
 });
 
 }  // namespace
@@ -201,6 +204,8 @@ Status Wl4Parameters::set(const std::map<std::string, double>& given, bool lathe
     if (base == "RT") tools_[number].nose_radius = value;
     if (base == "POINT_S") tools_[number].at_center = value != 0.0;
     if (base == "TIP") tools_[number].tip = static_cast<int>(value);
+    if (base == "DXW") tools_[number].dx = value;
+    if (base == "DZW") tools_[number].dz = value;
   }
   return Done{};
 }

@@ -61,11 +61,13 @@ class Wl4Parameters {
   double max_speed = 0.0;      ///< 1/min; 0: no limit
   static constexpr int kTools = 127;
   struct Tool {
-    double nose_radius = 0.0;  ///< Rt, mm
-    bool at_center = false;    ///< working point S, the nose centre, else P
-    int tip = 0;               ///< where P is seen from S, 1 to 8 as usual on lathes; 0, 9: at S
+    double nose_radius = 0.0;   ///< Rt, mm
+    bool at_center = false;     ///< working point S, the nose centre, else P
+    int tip = 0;                ///< where P is seen from S, 1 to 8 as usual on lathes; 0, 9: at S
+    double dx = 0.0, dz = 0.0;  ///< dXw, dZw, added to programmed coordinates, X as a radius, mm
   };
   const Tool& tool(int number) const;
+  const std::map<int, Tool>& tools() const { return tools_; }
 
  private:
   std::map<int, Tool> tools_;

@@ -68,6 +68,9 @@ bool Wl4Control::start() {
   }
   limits.bell_time_s = settings_.bell_time_s;
   emitter_.time().configure(limits, axes_.count());
+  for (const auto& [number, tool] : parameters_.tools()) {
+    if (tool.at_center) emitter_.countFromNose(number);
+  }
   machine_ = emitter_.machine();
   state_.plane = lathe_ ? 18 : 17;
   return true;
@@ -275,12 +278,14 @@ Wl4Control::Go Wl4Control::call(const std::string& name, int times) {
   for (int k = 0; k < times; ++k) {
     if (workOver()) return Go::kStop;  // the program may be empty
     variables_.open();
+    origins_.openCall();
     const Go go = runProgram(**program);
+    origins_.closeCall();
     variables_.close();
     if (go == Go::kStop) return go;
+    block_ = caller;
+    beginBlock(block_.text);
   }
-  block_ = caller;
-  beginBlock(block_.text);
   return Go::kOn;
 }
 

@@ -77,6 +77,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   bool isContourCycle(int deed) const;
   bool planCodes(Plan& p);
   void planCode(Plan& p, const Wl4GCode& code);
+  void selectTool(Wl4State& s, int number) const;
   bool planWords(Plan& p);
   bool planLengths(Plan& p);
   bool planMirror(Plan& p);

@@ -244,6 +244,7 @@ bool Wl4Control::thread(const Plan& p) {
   const Wl4State& s = p.next;
   const bool turns = state_.turns();
   double n = turns ? rpm(s, 2.0 * (machine_[0] - s.acting[0])) : 0.0;
+  const double spindle_rpm = state_.spindle == 4 ? -n : n;  // 0: what cuts then cuts no thread
   if (!(n > 0.0)) {
     warnOnce(
         "thread without spindle", "wl4-spindle-off",
@@ -268,7 +269,7 @@ bool Wl4Control::thread(const Plan& p) {
   item.feed.feed = revolutions > 0.0 ? way.norm() / revolutions * n : pitch * n;
   item.feed.join.stops = p.exact_stop;
   item.feed.join.unbroken = !p.exact_stop;
-  item.feed.spindle = state_.spindle == 4 ? -n : n;
+  item.feed.spindle = spindle_rpm;
   item.feed.thread_pitch_change = static_cast<float>(s.i);
   const double start = s.motion == 32 && thread_angle_ ? *thread_angle_ : s.p;
   const double end = start + 360.0 * revolutions;

@@ -188,8 +188,11 @@ void Wl4Control::recordData(const Plan& p) {
   data.radius = rowInForce(settings_.radius_offsets, s.d);
   if (lathe_) {
     const Wl4Parameters::Tool& tool = parameters_.tool(s.selected_tool);
+    data.nose_tool = s.selected_tool;
     data.nose_radius = tool.nose_radius;
     data.tip = tool.tip;
+    data.at_center = tool.at_center;
+    data.tool_offset = Vec3(s.tool_offset[0], s.tool_offset[1], s.tool_offset[2]);
   }
   const bool from_job = s.system >= 54 && s.system <= 59;
   data.work_system = from_job ? s.system - 53 : 0;

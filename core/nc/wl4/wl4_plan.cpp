@@ -96,6 +96,14 @@ bool Wl4Control::checkFunctions() {
   return fail("wl4-functions", "more than three M functions of one kind in a block");
 }
 
+/// The tool's data count from here on, even before it is in the spindle (manual, 7.3).
+void Wl4Control::selectTool(Wl4State& s, int number) const {
+  s.selected_tool = number;
+  if (!lathe_) return;
+  const Wl4Parameters::Tool& tool = parameters_.tool(number);
+  s.tool_offset = {tool.dx, 0.0, tool.dz};
+}
+
 bool Wl4Control::planWords(Plan& p) {
   Wl4State& s = p.next;
   const Wl4Block& b = block_;
@@ -107,7 +115,7 @@ bool Wl4Control::planWords(Plan& p) {
   } else if (b.has('S')) {
     s.speed = b.value('S');
   }
-  if (b.has('T')) s.selected_tool = static_cast<int>(b.value('T'));
+  if (b.has('T')) selectTool(s, static_cast<int>(b.value('T')));
   if (b.has('D')) s.d = static_cast<int>(b.value('D'));
   if (contour) return true;
   if (thread) s.i = s.p = 0.0;

@@ -23,6 +23,7 @@ struct Wl4State {
   int d = 0, h = 0;
   AxisPoint system_offset;                      ///< of the selected system
   std::array<double, 3> length_offset{};        ///< selected by G43 and G44, on X, Y, Z
+  std::array<double, 3> tool_offset{};          ///< dXw, dZw of the selected tool; lathes
   AxisPoint acting;                             ///< offset of each axis that acts: since its last move
   AxisSet mirrored, mirror_changed;             ///< changed: not moved absolutely since
   double i = 0.0, j = 0.0, k = 0.0, p = 0.0;    ///< last words
@@ -32,7 +33,9 @@ struct Wl4State {
   bool turns() const { return spindle == 3 || spindle == 4; }
   double sign(int axis) const { return mirrored[static_cast<std::size_t>(axis)] ? -1.0 : 1.0; }
   double offset(int axis) const {
-    return system_offset[axis] + (axis < 3 ? length_offset[static_cast<std::size_t>(axis)] : 0.0);
+    if (axis >= 3) return system_offset[axis];
+    const auto k = static_cast<std::size_t>(axis);
+    return system_offset[axis] + length_offset[k] + tool_offset[k];
   }
 };
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/contact_findings.h"
 #include "app/findings.h"
 #include "app/run_report.h"
 
@@ -21,9 +22,11 @@ struct Fixture : testing::Test {
   std::vector<Finding> findings;
 };
 
+constexpr double kLeast = 0.01;  ///< mm
+
 TEST_F(Fixture, ContactNamesBlockToolAndPlace) {
   path.motions[1].spindle = 1000;
-  addContacts({{ContactKind::kHolder, 1, {1, 2, 3}, 0.25, 7.0}}, path, source, findings);
+  addContacts({{ContactKind::kHolder, 1, 1, {1, 2, 3}, 0.25, 7.0}}, kLeast, false, path, source, findings);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].kind, "holder_contact");
   EXPECT_EQ(findings[0].severity, Severity::kError);
@@ -36,16 +39,35 @@ TEST_F(Fixture, ContactNamesBlockToolAndPlace) {
 }
 
 TEST_F(Fixture, SpindleThatIsNeverStartedIsOneWarning) {
-  const std::vector<Contact> contacts = {{ContactKind::kSpindleOff, 0, {}, 1, 1},
-                                         {ContactKind::kSpindleOff, 1, {}, 1, 1}};
-  addContacts(contacts, path, source, findings);
+  const std::vector<Contact> contacts = {{ContactKind::kSpindleOff, 0, 0, {}, 1, 1},
+                                         {ContactKind::kSpindleOff, 1, 1, {}, 1, 1}};
+  addContacts(contacts, kLeast, false, path, source, findings);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
   findings.clear();
   path.motions[0].spindle = -500;
-  addContacts(contacts, path, source, findings);
-  ASSERT_EQ(findings.size(), 2u);
+  path.motions[1].tool = path.motions[0].tool;
+  addContacts(contacts, kLeast, false, path, source, findings);
+  ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].severity, Severity::kError);
+  EXPECT_EQ(findings[0].source->line, 1u);
+  EXPECT_EQ(findings[0].last_source->line, 2u);
+}
+
+TEST_F(Fixture, ContactsOfOneMistakeAreOneFinding) {
+  path.motions.assign(100, path.motions[1]);
+  const auto at = [](MotionId motion, double x, double depth) {
+    return Contact{ContactKind::kRapid, motion, motion, {x, 0, 0}, depth, 2.0};
+  };
+  // Blocks that follow each other; the next layer beside them; another place; what is less than is asked for.
+  addContacts({at(1, 0, 0.2), at(2, 0, 0.5), at(40, 2, 0.3), at(80, 50, 0.1), at(90, 90, 0.005)}, kLeast, false,
+              path, source, findings);
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].spots, 3u);
+  EXPECT_EQ(findings[0].motion, 1u);
+  EXPECT_EQ(findings[0].depth_mm, 0.5);
+  EXPECT_EQ(findings[0].volume_mm3, 6.0);
+  EXPECT_EQ(findings[1].motion, 80u);
 }
 
 TEST_F(Fixture, AnEmptyPartIsAnError) {

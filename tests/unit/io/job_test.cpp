@@ -399,7 +399,9 @@ edge_length = 16
   EXPECT_EQ(job->tools[3].insert->shape, InsertShape::kThread);
   EXPECT_EQ(job->tools[3].insert->tip_flat, 0.125);
   EXPECT_EQ(job->tools[4].insert->shape, InsertShape::kRound);
-  EXPECT_EQ(job->tools[4].insert->orientation, 9);
+  EXPECT_TRUE(job->tools[4].insert->at_center);
+  EXPECT_EQ(job->tools[4].insert->orientation, 3);
+  EXPECT_FALSE(job->tools[3].insert->at_center);
   EXPECT_EQ(job->tools[5].insert->orientation, 8);
 }
 

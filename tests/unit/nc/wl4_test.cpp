@@ -264,7 +264,7 @@ double partAngle(const Motion& m, double turns) {
 
 TEST(Wl4Threads, TheWayBackOfG33IsTheSameHelix) {
   for (const char* words : {"Z-15 F1.5 P40", "Z-13.2 F1.7 P200 I0.1"}) {
-    for (const char* turn : {"M3", "M4", "M5"}) {
+    for (const char* turn : {"M3", "M4"}) {
       const auto threads =
           threadsOf(std::string("%T\nG54 G97 S600 ") + turn + "\nG0 X20 Z5\nG33 " + words + "\nM30\n%\n");
       ASSERT_EQ(threads.size(), 2u);
@@ -305,11 +305,12 @@ TEST(Wl4Threads, WordsOfBlocksThatFollowHaveNoEffect) {
   EXPECT_THAT(run.diagnostics.at(0).message, HasSubstr("has no effect in this block"));
 }
 
-TEST(Wl4Threads, TurnsAreThoseOfTheDefaultSpeedWhereTheSpindleStands) {
+// Nothing is made up: the default speed is for the time alone.
+TEST(Wl4Threads, ASpindleThatStandsMakesNoTurns) {
   const auto threads = threadsOf("%T\nG54\nG0 X30 Z5\nG32 Z-25 F2\nG0 X0\nM30\n%\n");
   ASSERT_EQ(threads.size(), 1u);
-  EXPECT_EQ(threads[0].spindle, ControlSettings().default_spindle_rpm);
-  EXPECT_NEAR(turnsOf(threads[0]), 15, 1e-9);
+  EXPECT_EQ(threads[0].spindle, 0.0);
+  EXPECT_NEAR(threads[0].time_s, 60.0 * 15.0 / ControlSettings().default_spindle_rpm, 1e-9);
 }
 
 TEST(Wl4Threads, TurnsStayWithConstantCuttingSpeedAndSlowAxes) {

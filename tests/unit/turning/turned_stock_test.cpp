@@ -171,21 +171,21 @@ TEST(TurnedStock, RapidIntoThePartIsAContact) {
 }
 
 TEST(TurnedStock, ContactsAreAsDeepAsTheirDeepestPoint) {
-  // A corner of 10 mm is cut off at 45 degrees: the middle of the cut is 5 mm below both faces.
+  // A corner of 10 mm is cut off at 45 degrees: it was so far above the cut.
   TurningPath corner({40, 10});
   corner.rapid(18, 2).rapid(32, -12).rapid(40, -12);
   const Turned cut = turn(bar(30, 60), corner, {insertTool(1, turningInsert(0.0))});
   ASSERT_FALSE(cut.summary.contacts.empty());
   EXPECT_EQ(cut.summary.contacts[0].motion, 1u);
-  EXPECT_NEAR(cut.summary.contacts[0].depth_mm, 5.0, 1e-3);
-  EXPECT_LT((cut.summary.contacts[0].where - Vec3(25, 0, -5)).norm(), 0.05);
-  // A wall of 3 mm, through which a wider blade goes, is half as deep as it is thick.
+  EXPECT_NEAR(cut.summary.contacts[0].depth_mm, 10.0 / std::sqrt(2.0), 1e-3);
+  EXPECT_LT((cut.summary.contacts[0].where - Vec3(30, 0, 0)).norm(), 0.05);
+  // A wall of 3 mm, through which a wider blade goes, has lost 5 mm of its height.
   TurningPath wall({40, -10});
   wall.rapid(30.5, -10).feed(20, -10).rapid(40, -10).rapid(40, -17).feed(20, -17).rapid(40, -17);
   wall.rapid(40, -14).rapid(25, -14).rapid(40, -14);
   const Turned thin = turn(bar(30, 60), wall, {insertTool(1, grooveInsert(4.0, 0.0))});
   ASSERT_EQ(thin.summary.contacts.size(), 1u);
-  EXPECT_NEAR(thin.summary.contacts[0].depth_mm, 1.5, 1e-3);
+  EXPECT_NEAR(thin.summary.contacts[0].depth_mm, 5.0, 1e-3);
 }
 
 TEST(TurnedStock, ADrillIsAsDeepAsItsTip) {
