@@ -110,9 +110,8 @@ void EmitStage::polar(const PathItem& item) {
 void EmitStage::function(PathItem& item) {
   switch (item.kind) {
     case PathItem::Kind::kSpindle: {
-      const bool turns = item.spindle != SpindleState::kPositionLoop;
-      const double ramp_s = turns ? emitter_.spindleRamp(item.value) : 0.0;
-      if (turns) emitter_.setSpindle(item.value);
+      const double ramp_s = emitter_.spindleRamp(item.value);
+      emitter_.setSpindle(item.value);
       PathEmitter::EventData data{{"rpm", jsonNumber(std::abs(item.value))},
                                   {"direction", jsonString(spindleName(item.spindle))}};
       if (item.event) data.insert(data.end(), item.event->data.begin(), item.event->data.end());

@@ -85,6 +85,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_tool_data.cpp
   nc/nct/nct_tools.cpp
   nc/nct/nct_smooth.cpp
+  nc/nct/nct_taps.cpp
   nc/nct/nct_thread.cpp
   nc/nct/nct_virtual.cpp
   nc/nct/nct_wait.cpp

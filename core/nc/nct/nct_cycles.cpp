@@ -9,6 +9,7 @@
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_spindle.h"
+#include "core/nc/nct/nct_taps.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
@@ -41,6 +42,22 @@ DrillCode drillCode(int code10) {
     if (kind.code10 == code10) return kind.drill;
   }
   return DrillCode::kDrill;
+}
+
+/// What the cycle in force taps.
+Tap tapOf(const BlockPlan& plan) {
+  switch (drillCode(plan.next.active[kGroupCycle])) {
+    case DrillCode::kTap:
+      return {.hand = 1};
+    case DrillCode::kTapLeft:
+      return {.hand = -1};
+    case DrillCode::kRigidTap:
+      return {.hand = 1, .rigid = true};
+    case DrillCode::kRigidTapLeft:
+      return {.hand = -1, .rigid = true};
+    default:
+      return {};
+  }
 }
 
 bool isRigid(DrillCode code) { return code == DrillCode::kRigidTap || code == DrillCode::kRigidTapLeft; }
@@ -232,8 +249,12 @@ bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code) {
   if (code == DrillCode::kFineBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
     return c.fail("nct-2137", "G76, G87: the spindle cannot be oriented, N0607.ORI = 0");
   }
-  if (isRigid(code) && !c.parameters.flag(MachineParam::kSpindleIndexes)) {
+  if (isRigid(code) && !c.parameters.flag(MachineParam::kSpindleIndexes, mainNumber(c))) {
     return c.fail("nct-2138", "spindle cannot be indexed: N0607.INX = 0");
+  }
+  if (isRigid(code) && c.parameters.flag(CycleParam::kTapOrient) &&
+      !c.parameters.flag(MachineParam::kSpindleOrients, mainNumber(c))) {
+    return c.alarm(2137, "", "N1503.TSC = 1 orients the spindle before the tap, N0607.ORI = 0");
   }
   if ((code == DrillCode::kPeck || code == DrillCode::kChipBreak) && plan.next.cycle.peck <= 0.0) {
     return c.fail("nct-2004", "missing data Q: G73 and G83 need the peck depth");
@@ -357,6 +378,7 @@ bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first
   AxisPoint at = c.chain.workOf(c.position);
   if (!cycleMove(c, at)) return false;
   if (first && !performFunctions(c, plan, MPhase::kBefore)) return false;
+  if (first) checkTapStart(c, plan, tapOf(plan));
   for (const DrillStep& step : c.drill_steps) {
     if (!cycleStep(c, plan, step, at)) return false;
   }
@@ -390,14 +412,13 @@ bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint&
     return cycleMove(c, at);
   }
   if (step.kind == DrillStepKind::kFeed) {
+    const Holes& holes = plan.payload.as<Holes>();
+    const bool inwards = (step.position < at[drill]) == (holes.work_bottom < holes.work_r);
     at[drill] = step.position;
     FeedStyle style = plan.motion.feed;
     style.feed *= step.feed_factor;
     style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;
-    if (step.thread) {
-      style.acceleration = tapAcceleration(c, plan, step.operation == 7);
-      style.join.stops = true;  // the spindle turns round, or comes to a stand
-    }
+    if (step.thread) takeTapSpindle(c, plan, tapOf(plan), inwards, step.operation == 7, style);
     return cycleMove(c, at, &style);
   }
   return cycleFunction(c, plan, step);
@@ -415,19 +436,15 @@ bool cycleFunction(NctContext& c, BlockPlan& plan, const DrillStep& step) {
       return c.pipe.push(item);
     }
     case DrillStepKind::kSpindleForward:
-      return sendSpindle(c, 1, plan.next.spindle_rpm);
+      return turnMain(c, 1, plan.next.spindle_rpm);
     case DrillStepKind::kSpindleReverse:
-      return sendSpindle(c, -1, plan.next.spindle_rpm);
+      return turnMain(c, -1, plan.next.spindle_rpm);
     case DrillStepKind::kSpindleStop:
-      return sendSpindle(c, 0, plan.next.spindle_rpm);
+      return turnMain(c, 0, plan.next.spindle_rpm);
     case DrillStepKind::kSpindleOrient:
-      return sendOriented(c);
-    case DrillStepKind::kCloseLoop: {
-      PathItem item = functionItem(c, PathItem::Kind::kSpindle, c.state);
-      item.value = plan.next.spindle_rpm;
-      item.spindle = SpindleState::kPositionLoop;
-      return c.pipe.push(item);
-    }
+      return closeMainLoop(c, true);
+    case DrillStepKind::kCloseLoop:
+      return closeMainLoop(c, false);
     case DrillStepKind::kProgramStop:
       return sendEvent(
           c, "stop",
