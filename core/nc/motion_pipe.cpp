@@ -94,7 +94,7 @@ bool EmitStage::push(PathItem& item) {
   } else if (item.kind == PathItem::Kind::kArc) {
     emitter_.arcTo(item.to, {item.center, item.normal, item.sweep, item.plane}, item.feed, item.source);
   } else if (item.kind == PathItem::Kind::kLine && item.rapid) {
-    emitter_.rapidTo(item.to, item.source, item.feed.join.stops);
+    emitter_.rapidTo(item.to, item.source, item.rapid_speed);
   } else if (item.kind == PathItem::Kind::kLine) {
     emitter_.lineTo(item.to, item.feed, item.source);
   }

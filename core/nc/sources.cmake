@@ -17,6 +17,7 @@ target_sources(proveout_core PRIVATE
   nc/path_emitter_curves.cpp
   nc/program_transforms.cpp
   nc/program_source.cpp
+  nc/rapid_overlap_stage.cpp
   nc/rotary_kinematics.cpp
   nc/source_text.cpp
   nc/time_stage.cpp

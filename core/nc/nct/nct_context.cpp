@@ -33,6 +33,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       comp_stage(*this),
       virtual_stage(*this),
       frame_stage(chain),
+      rapid_stage(emitter, settings, axes),
       zone_stage(*this),
       emit_stage(emitter, control_settings.tool_change_s) {
   macro.setOrigins(origins);
