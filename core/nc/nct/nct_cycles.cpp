@@ -78,6 +78,7 @@ struct Holes {
 };
 
 bool planCycleWords(NctContext& c, BlockPlan& plan);
+AddressSet wordsOf(const NctContext& c, const BlockPlan& plan, DrillCode code);
 bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code);
 bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code);
 bool expandCycle(NctContext& c, BlockPlan& plan);
@@ -222,10 +223,32 @@ bool planCycleWords(NctContext& c, BlockPlan& plan) {
   if (const Word* p = c.ownWord(plan, 'P'); p && !positive(*p, words.dwell, 1.0)) return false;
   if (const Word* l = c.ownWord(plan, 'L'); l && !integerWord(c, *l, 0, 99999999, holes.repeat)) return false;
   if (!planCycleVectors(c, plan, code) || !checkCycle(c, plan, code)) return false;
+  c.asked = wordsOf(c, plan, code);
   if (holes.repeat == 0) return true;
   plan.perform = performCycle;
   plan.runs_functions = true;
   return feedStyle(c, plan, plan.motion.feed) && expandCycle(c, plan);
+}
+
+/// The words that a cycle reads: 18.1.1 to 18.1.15. The others wait for another cycle of the same mode.
+AddressSet wordsOf(const NctContext& c, const BlockPlan& plan, DrillCode code) {
+  AddressSet words = "RLa";
+  const bool pecks = code == DrillCode::kChipBreak || code == DrillCode::kPeck || isRigid(code);
+  if (pecks) words.add('Q');
+  if (pecks && plan.next.cycle.peck > 0.0) words.add('E');
+  const bool feeds_out = code == DrillCode::kBoreFeedOut || code == DrillCode::kBoreDwellFeedOut;
+  if (feeds_out || (isRigid(code) && c.parameters.flag(CycleParam::kTapExtraction))) words.add('I');
+  const bool dwells = tapOf(plan).hand != 0 || code == DrillCode::kDrillDwell ||
+                      code == DrillCode::kFineBore || code == DrillCode::kBoreManual ||
+                      code == DrillCode::kBoreDwellFeedOut;
+  if (dwells) words.add('P');
+  const bool back = code == DrillCode::kBackBore && c.parameters.flag(MachineParam::kSpindleOrients);
+  if (code == DrillCode::kFineBore || back) {
+    const PlaneFrame letters(plan.next.plane());
+    words.add("IJK"[letters.u()]);
+    words.add("IJK"[letters.v()]);
+  }
+  return words;
 }
 
 bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code) {

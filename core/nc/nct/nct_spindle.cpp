@@ -227,7 +227,7 @@ bool planSpindle(NctContext& c, BlockPlan& plan) {
   if (plan.next.active[kGroupSurfaceSpeed] == 960) return planSurfaceSpeed(c, plan);
   int index = std::max(0, indexOf(c, static_cast<std::int64_t>(c.parameters[SpindleParam::kDefault])));
   if (plan.by_group[kGroupSurfaceSpeed] != nullptr) index = all.main;  // G97 S
-  const Word* p = c.word('P');
+  const Word* p = c.block.find('P');
   if (p && takesNumber(plan)) {
     std::int64_t number = 0;
     if (!integerWord(c, *p, 1, kMaxSpindles, number)) return false;
