@@ -53,38 +53,47 @@ bool RapidOverlapStage::start(PathItem& item) {
 }
 
 bool RapidOverlapStage::sendUntil(double time) {
-  bool good = true;
   AxisPoint last = emitter_.machine();
   double waited = 0.0;
+  sending_ = true;
   overlapChords(has_tail_ ? &tail_ : nullptr, leg_, sent_, time, limits_,
                 [&](const AxisPoint& to, double duration) {
                   const double length = distance(last, to, limits_.count);
                   waited += duration;
-                  if (!good || !(length > 0.0)) return;
+                  if (!item_ || !(length > 0.0)) return;
                   PathItem piece = item_->copyMotion();
                   piece.to = to;
                   piece.rapid_speed = 60.0 * length / waited;
-                  good = pass(piece);
+                  if (!pass(piece)) item_.reset();  // the axes do not go on behind an alarm
                   last = to;
                   waited = 0.0;
                 });
+  sending_ = false;
   sent_ = time;
-  if (good) return true;
-  item_.reset();  // the axes do not go on behind an alarm
-  finish();
-  return false;
+  if (!item_) forget();
+  return item_.has_value();
 }
 
 bool RapidOverlapStage::finish() {
-  const bool good = !item_ || sendUntil(std::max(leg_.end, has_tail_ ? tail_.end : 0.0));
+  const bool good = !item_ || sendUntil(endOfRapids());
+  forget();
+  return good;
+}
+
+void RapidOverlapStage::forget() {
   item_.reset();
   has_tail_ = false;
   sent_ = 0.0;
-  return good;
 }
 
 bool RapidOverlapStage::flush(FlushReason reason) { return reason == FlushReason::kTransform || finish(); }
 
-void RapidOverlapStage::clear() { finish(); }
+void RapidOverlapStage::clear() {
+  if (sending_) {
+    item_.reset();  // an alarm in the middle of it
+  } else {
+    finish();  // the axes are on their way: they come to a stand
+  }
+}
 
 }  // namespace proveout::nc

@@ -21,14 +21,19 @@ class RapidOverlapStage final : public PathStage {
   /// ends in a stand. Nothing may be waiting.
   void configure(const MotionLimits& limits, double share, bool stands);
 
+  /// Time until the axes stand if nothing followed, of what the path does not have yet, s.
+  double waiting_s() const { return item_ ? endOfRapids() - sent_ : 0.0; }
+
   bool push(PathItem& item) override;
   bool flush(FlushReason reason) override;
   void clear() override;
 
  private:
+  double endOfRapids() const { return has_tail_ && tail_.end > leg_.end ? tail_.end : leg_.end; }
   bool start(PathItem& item);
   bool sendUntil(double time);
   bool finish();
+  void forget();
 
   const PathEmitter& emitter_;
   const ControlSettings& settings_;
@@ -40,6 +45,7 @@ class RapidOverlapStage final : public PathStage {
   std::optional<PathItem> item_;  ///< the rapid that runs; none: the axes stand
   RapidLeg leg_, tail_;           ///< it, and the one before
   bool has_tail_ = false;
+  bool sending_ = false;
   double sent_ = 0.0;  ///< up to this time the path has it, s
 };
 

@@ -354,7 +354,11 @@ bool planComp(NctContext& c, BlockPlan& plan) {
     if (w == nullptr) continue;
     vector[axis] = lengthOf(plan, *w);
     given = given || axis != frame.w();
-    if (axis == frame.w()) tellUnused(c, *w, gName(code->code10), "it stands across the plane");
+    if (axis == frame.w()) {
+      tellUnused(c, *w, gName(code->code10), "it stands across the plane");
+    } else if (was_on == plan.next.compOn()) {
+      tellUnused(c, *w, gName(code->code10), "cutter compensation neither starts nor ends here");
+    }
   }
   const Vec3 in_plane = frame.toPlane(vector);
   if (given) plan.motion.direction = in_plane.head<2>();

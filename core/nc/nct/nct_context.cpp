@@ -25,7 +25,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       alarms(calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
-      clock(emitter.time()),
+      clock(emitter.time(), rapid_stage),
       contour_alarms(*this),
       crossing_stage(pipe, contour_alarms),
       transform_stage(*this),

@@ -8,6 +8,7 @@
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_planes.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_unused_words.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/tool_change.h"
 
@@ -183,6 +184,10 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   if (resolved.center_ignored) c.warn("nct-arc-both", "R and I, J, K in one block: R counts");
   if (resolved.no_motion) {
     plan.motion.target = plan.start;
+    if (const Word* r = c.ownWord(plan, 'R')) {
+      tellUnused(c, *r, gName(plan.next.active[kGroupMotion]),
+                 "the arc ends where it starts; a full circle needs I, J or K");
+    }
     return planJoin(c, plan);
   }
   plan.perform = performMove;

@@ -131,6 +131,23 @@ TEST(TimeStage, OverlappingRapidsRoundTheirCorners) {
   }
 }
 
+TEST(TimeStage, TheClockOfAProgramCountsRapidsThatWait) {
+  // #3001 behind 0.2 s of rapid, in milliseconds; with a bell it counts the rise as well.
+  ControlSettings s = machine(1000);
+  s.parameters = {{"N0421.ROL", 1}, {"N0422", 50}};
+  const std::string text = "#3001=0\nG0 Z10\n#100=#3001\nG0 X#100\nM30\n";
+  Recorder plain, bell;
+  run(text, s, plain);
+  EXPECT_NEAR(plain.motions.back().to.x(), 200.0, 1e-3);
+  s.bell_time_s = 0.1;
+  run(text, s, bell);
+  EXPECT_NEAR(bell.motions.back().to.x(), 300.0, 1e-3);
+  s.parameters = {};
+  Recorder sharp;
+  run(text, s, sharp);
+  EXPECT_NEAR(sharp.motions.back().to.x(), 300.0, 1e-3);
+}
+
 TEST(TimeStage, ARapidThatOverlapsIsStraightInItsMiddleOnly) {
   // nct-4.1.2-ROL: the axes of one block reach their ends at different times: Z 1.05 s, X 1.25 s after the
   // start.

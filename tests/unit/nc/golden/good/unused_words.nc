@@ -2,6 +2,8 @@
 Words that a block gives and its cycle does not read are told: K where shops mean L, Q of G81, I of a rigid tap without
 N1503.EOE, K across the plane of G76, and words of a block without a hole. What another block of the mode may read stays.
 proves: nct-18-IJK nct-18-Q
+=== settings
+D2 = 1
 === main
 G17 G0 X0 Y0 Z50 S500 M3 F100
 G81 X10 Z-5 R2 K3
@@ -21,6 +23,14 @@ G41 G0 X80 D1 K4
 G40 X90
 G31 X99 P2
 G2 L3
+G2 R5
+G0
+G40 I1 J0
+G17 G41 D2 G1 X120 F100
+G41 X130 I1
+G39 I1 J-1 K5
+Y-30
+G40 X150 I1
 M30
 === says
 K3 does nothing in this block of G81: the cycle does not read K; repeats are programmed with L
@@ -34,6 +44,11 @@ I50 does nothing in this block of G84.2
 K1 does nothing
 K4 does nothing in this block of G41: it stands across the plane
 L3 does nothing in this block of G2
+R5 does nothing in this block of G2: the arc ends where it starts; a full circle needs I, J or K
+I1 does nothing in this block of G40: cutter compensation neither starts nor ends here
+J0 does nothing
+I1 does nothing in this block of G41: cutter compensation neither starts nor ends here
+K5 does nothing in this block of G39: it stands across the plane
 === expect
 file 0 main.nc
 1: event spindle rpm=500 direction="cw"
@@ -128,5 +143,25 @@ main.nc:17:1: warning[nct-no-probe]: there is no stock here that a measuring mov
 main.nc:18:4: warning[nct-unused-word]: L3 does nothing in this block of G2: the code does not read it here
     G2 L3
        ^~
-19: event end code="M30"
-end of program: 19 blocks, 45 motions, 0 errors, 13 warnings
+main.nc:19:4: warning[nct-unused-word]: R5 does nothing in this block of G2: the arc ends where it starts; a full circle needs I, J or K
+    G2 R5
+       ^~
+main.nc:21:5: warning[nct-unused-word]: I1 does nothing in this block of G40: cutter compensation neither starts nor ends here
+    G40 I1 J0
+        ^~
+main.nc:21:8: warning[nct-unused-word]: J0 does nothing in this block of G40: cutter compensation neither starts nor ends here
+    G40 I1 J0
+           ^~
+main.nc:23:10: warning[nct-unused-word]: I1 does nothing in this block of G41: cutter compensation neither starts nor ends here
+    G41 X130 I1
+             ^~
+main.nc:24:12: warning[nct-unused-word]: K5 does nothing in this block of G39: it stands across the plane
+    G39 I1 J-1 K5
+               ^~
+22: feed to 120 1 0 F100 t12.6143
+23: feed to 130 1 0 F100 t6
+24: feed arc to 130.7071 0.7071 0 center 130 0 0 normal 0 0 1 sweep -45 F100 t0.4712
+25: feed to 131 -29 0 F100 t17.8251
+26: feed to 150 -30 0 F100 t11.4158
+27: event end code="M30"
+end of program: 27 blocks, 50 motions, 0 errors, 18 warnings
