@@ -33,6 +33,17 @@ bool endsProgram(std::string_view line) {
   return false;
 }
 
+/// Does the line look like a block: a G or M word behind N and /?
+bool looksLikeBlock(std::string_view line) {
+  std::size_t i = 0;
+  if (i < line.size() && line[i] == '/') ++i;
+  if (i < line.size() && (line[i] == 'N' || line[i] == 'n')) {
+    for (++i; digitAt(line, i) || (i < line.size() && line[i] == ' ');) ++i;
+  }
+  return i < line.size() && std::string_view("GgMm").find(line[i]) != std::string_view::npos &&
+         digitAt(line, i + 1);
+}
+
 /// Lines in front of the first %, which they are the leader of if that opens the program. A % behind the end
 /// of a program, or with nothing behind it, closes one.
 std::size_t leaderLines(const std::vector<std::string_view>& lines) {
@@ -61,16 +72,21 @@ std::size_t NctControl::leaderOf(const SourceText& text) const {
 void NctControl::skipLeader(CallFrame& frame) {
   NctContext& c = context_;
   const std::size_t leader = leaderOf(*frame.text);
-  for (std::size_t k = 0; k < leader; ++k) {
-    const std::string_view line = trimmed(frame.text->lines()[k]);
-    if (line.empty() || line[0] == '(') continue;
-    if (!c.firstTime(fmt::format("leader {}", frame.file))) break;
-    c.setBlock(k, -1);
-    c.block.clear();
-    c.warn("nct-leader", "text in front of the first % is skipped, up to there", {}, Severity::kNote);
-    break;
-  }
   frame.line = leader;
+  std::size_t first = leader, block = leader;
+  for (std::size_t k = leader; k-- > 0;) {
+    const std::string_view line = trimmed(frame.text->lines()[k]);
+    if (!line.empty() && line[0] != '(') first = k;
+    if (looksLikeBlock(line)) block = k;
+  }
+  if (first == leader || !c.firstTime(fmt::format("leader {}", frame.file))) return;
+  c.setBlock(block == leader ? first : block, -1);
+  c.block.clear();
+  if (block == leader) {
+    c.warn("nct-leader", "text in front of the first % is skipped, up to there", {}, Severity::kNote);
+  } else {
+    c.warn("nct-leader", "blocks in front of the first % are skipped: the program begins behind it");
+  }
 }
 
 void NctControl::noteName() {
