@@ -27,7 +27,6 @@ struct MotionLimits {
   double corner_angle_deg = 0.0;  ///< a sharper change of direction is a corner; 0: none is
   double corner_feed = 0.0;       ///< feed there, mm/min
   double least_arc_feed = 0.0;    ///< the limit of acceleration across arcs goes no lower, mm/min
-  double rapid_overlap = 0.0;     ///< part of its speed with which a rapid goes over into the next one
   double bell_time_s = 0.0;       ///< in which the acceleration comes up; 0: at once
 };
 

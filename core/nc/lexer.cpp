@@ -20,6 +20,8 @@ constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
 /// Digits that an exact 64-bit integer mantissa and one exact division turn into the nearest double.
 constexpr int kExactDigits = 15;
 
+constexpr const char* kSyntaxError = "nct-2064";
+
 std::string shown(char c) {
   const auto u = static_cast<unsigned char>(c);
   if (u >= 0x20 && u < 0x7F) return fmt::format("'{}'", c);
@@ -123,6 +125,10 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
         return fail("nct-2064", "syntax error: % stands alone at the start of a line", i, i + 1);
       }
       block.percent = true;
+      const std::size_t name = line.find_first_not_of(" \t", i + 1);
+      const bool number = name != std::string_view::npos && upper(line[name]) == 'O' &&
+                          name + 1 < line.size() && isDigit(line[name + 1]);
+      if (name != std::string_view::npos && line[name] != '(' && line[name] != '%' && !number) return true;
       ++i;
     } else if ((c == '#' || c == '[') && rules_.expressions == nullptr) {
       return fail("nct-2123", "function not implemented: macro variables and expressions", i, line.size());
@@ -263,6 +269,33 @@ bool Lexer::keepMinus(const Word& word, Block& block) {
   return true;
 }
 
+/// The letters around `value`, which stands where the value of a word should, are no word and no function.
+bool Lexer::noWord(std::string_view line, std::size_t value) {
+  std::size_t begin = value, end = value;
+  while (begin > 0 && isBlank(line[begin - 1])) --begin;
+  if (begin > 0) --begin;  // the address
+  while (end < line.size() && isLetter(line[end])) ++end;
+  std::string name;
+  for (std::size_t k = begin; k < end; ++k) {
+    if (!isBlank(line[k])) name += upper(line[k]);
+  }
+  if (name.starts_with("PRM")) {
+    return fail("nct-2017",
+                "illegal address PRM: parameters are read on the right of an assignment only; G10 L52 writes "
+                "them",
+                begin, end);
+  }
+  for (const std::string_view statement : {"GOTO", "IF", "THEN", "WHILE", "DO", "END"}) {
+    if (name != statement) continue;
+    return fail(kSyntaxError, fmt::format("syntax error: {} cannot stand behind other words", name), begin,
+                end);
+  }
+  return fail(
+      kSyntaxError,
+      fmt::format("syntax error: {} is no word: a word is a letter with a number, text stands in ( )", name),
+      begin, end);
+}
+
 bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& vacant) {
   const std::size_t begin = i;
   if (word.address == 'N' && mode_ == LexMode::kBlock) {
@@ -271,6 +304,10 @@ bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& va
   Value value;
   error_ = {};
   if (!rules_.expressions->evaluate(line, i, value, error_)) {
+    if (isLetter(line[begin]) && error_.code == kSyntaxError &&
+        error_.columns.begin == static_cast<int>(begin) + 1) {
+      return noWord(line, begin);
+    }
     if (error_.columns.end == 0) error_.columns.end = static_cast<int>(std::max(i, begin + 1)) + 1;
     return false;
   }

@@ -58,6 +58,7 @@ class Lexer {
  public:
   explicit Lexer(const LexRules& rules) : rules_(rules) {}
   /// Fills `block` with the words of `line`. False: error() says why. Comments may go on from line to line.
+  /// What stands behind % is a name and no words, but for comments and a program number.
   bool lex(std::string_view line, Block& block);
   /// Goes on at `pos` of `block.text` and adds the words from there (behind IF[...] or THEN). The block then
   /// counts as a block of words.
@@ -78,6 +79,7 @@ class Lexer {
   bool lexAddress(std::string_view line, std::size_t& i, Word& word);
   bool lexValue(std::string_view line, std::size_t& i, Word& word, bool& vacant);
   bool lexNumber(std::string_view line, std::size_t& i, Word& word);
+  bool noWord(std::string_view line, std::size_t value);
   bool evaluate(std::string_view line, std::size_t& i, Word& word, bool& vacant);
   bool keepMinus(const Word& word, Block& block);
   bool store(const Word& word, Block& block);

@@ -94,7 +94,7 @@ bool EmitStage::push(PathItem& item) {
   } else if (item.kind == PathItem::Kind::kArc) {
     emitter_.arcTo(item.to, {item.center, item.normal, item.sweep, item.plane}, item.feed, item.source);
   } else if (item.kind == PathItem::Kind::kLine && item.rapid) {
-    emitter_.rapidTo(item.to, item.source, item.feed.join.stops);
+    emitter_.rapidTo(item.to, item.source, item.rapid_speed);
   } else if (item.kind == PathItem::Kind::kLine) {
     emitter_.lineTo(item.to, item.feed, item.source);
   }
@@ -110,9 +110,8 @@ void EmitStage::polar(const PathItem& item) {
 void EmitStage::function(PathItem& item) {
   switch (item.kind) {
     case PathItem::Kind::kSpindle: {
-      const bool turns = item.spindle != SpindleState::kPositionLoop;
-      const double ramp_s = turns ? emitter_.spindleRamp(item.value) : 0.0;
-      if (turns) emitter_.setSpindle(item.value);
+      const double ramp_s = emitter_.spindleRamp(item.value);
+      emitter_.setSpindle(item.value);
       PathEmitter::EventData data{{"rpm", jsonNumber(std::abs(item.value))},
                                   {"direction", jsonString(spindleName(item.spindle))}};
       if (item.event) data.insert(data.end(), item.event->data.begin(), item.event->data.end());

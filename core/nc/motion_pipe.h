@@ -7,6 +7,7 @@
 //   comp        work     cutter compensation
 //   virtual     work     planes with a virtual axis: to the axes of the machine
 //   frame       work     takes items to machine space (basic rotation, offsets)
+//   rapids      machine  rapids that overlap: rounded corners
 //   zones       machine  areas that the axes must not enter
 //   emit        machine  PathEmitter: motions and events of the path; look-ahead of speeds is behind it
 //
@@ -66,12 +67,13 @@ struct PathMotion {
   double radius = 0.0;     ///< of an arc with `meet`; its sweep then only has the sign
   double join_size = 0.0;  ///< chamfer or radius, as programmed
   WorkPlane plane;
-  AxisPoint to;           ///< end; of functions the programmed position where they run
-  Vec3 center;            ///< kArc: (u, v, w of the start) of the plane; in machine space x, y, z
-  Vec2 start;             ///< kArc, lines with a join or `meet`: (u, v); not in machine space
-  Vec3 normal;            ///< kArc in machine space only
-  double sweep = 0.0;     ///< kArc: rad, signed, > 0 from u to v
-  double offset = 0.0;    ///< of cutter compensation, > 0 left of the path
+  AxisPoint to;              ///< end; of functions the programmed position where they run
+  Vec3 center;               ///< kArc: (u, v, w of the start) of the plane; in machine space x, y, z
+  Vec2 start;                ///< kArc, lines with a join or `meet`: (u, v); not in machine space
+  Vec3 normal;               ///< kArc in machine space only
+  double sweep = 0.0;        ///< kArc: rad, signed, > 0 from u to v
+  double offset = 0.0;       ///< of cutter compensation, > 0 left of the path
+  double rapid_speed = 0.0;  ///< of a rapid, mm/min along the way of all axes; 0: as fast as they can
   bool in_polar = false;  ///< in machine space: a line or arc of the plane `polar`, the centre in that plane
   PolarPlane polar;
   std::optional<Vec2> direction;  ///< I, J of a block that switches compensation, or of G39; in the plane
@@ -107,8 +109,18 @@ struct PathItem : PathMotion {
   }
 };
 
-enum class StageSlot : std::uint8_t { kContour, kTransform, kCorner, kComp, kVirtual, kFrame, kZones, kEmit };
-inline constexpr std::size_t kStageSlots = 8;
+enum class StageSlot : std::uint8_t {
+  kContour,
+  kTransform,
+  kCorner,
+  kComp,
+  kVirtual,
+  kFrame,
+  kRapids,
+  kZones,
+  kEmit
+};
+inline constexpr std::size_t kStageSlots = 9;
 
 /// Why stages have to let go what they hold.
 enum class FlushReason : std::uint8_t {

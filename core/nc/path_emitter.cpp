@@ -150,7 +150,7 @@ MotionPace PathEmitter::linePace(const AxisPoint& to, double length, double spee
   return pace;
 }
 
-void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source, bool exact_stop) {
+void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source, double speed) {
   const Vec3 d = to.xyz - machine_.xyz;
   const double further = more_ > 0 ? furtherTravel(to) : 0.0;
   if (d.cwiseAbs().maxCoeff() < kNoMoveMm && further < kNoMoveMm) return;
@@ -160,11 +160,15 @@ void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source, bool exa
   if (more_ > 0) minutes = std::max(minutes, furtherRapidTime(to));
   m.time_s = 60.0 * minutes;
   m.source = source;
+  const double length = std::hypot(d.norm(), further);
+  if (speed > 0.0) {
+    m.time_s = 60.0 * length / speed;
+    time_.flush();  // this one has its own time
+  }
   if (tables_.any() && tables_.turns(machine_, to)) return sendTurned(m, to);
   MotionJoin join;
-  join.stops = exact_stop || time_.limits().rapid_overlap <= 0.0;
-  if (!time_.wantsPace(join)) return send(m, to, nullptr);
-  const double length = std::hypot(d.norm(), further);
+  join.stops = true;
+  if (speed > 0.0 || !time_.wantsPace(join)) return send(m, to, nullptr);
   MotionPace pace = linePace(to, length, length / m.time_s);
   pace.rapid = true;
   send(m, to, nullptr, &pace, join);

@@ -79,8 +79,9 @@ class PathEmitter {
   /// Lowers that to a height at most, machine frame, mm. Before any motion.
   void lowerStart(double height);
 
-  /// Stands still at its end where rapids do not overlap or `exact_stop` asks for it.
-  void rapidTo(const AxisPoint& to, const SourceRef& source, bool exact_stop = false);
+  /// From stand to stand; with a `speed` (mm/min along the way of all axes) as a part of a longer way, whose
+  /// speeds are known.
+  void rapidTo(const AxisPoint& to, const SourceRef& source, double speed = 0.0);
   void lineTo(const AxisPoint& to, const FeedStyle& style, const SourceRef& source);
   void arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style, const SourceRef& source);
 

@@ -17,6 +17,7 @@ target_sources(proveout_core PRIVATE
   nc/path_emitter_curves.cpp
   nc/program_transforms.cpp
   nc/program_source.cpp
+  nc/rapid_overlap_stage.cpp
   nc/rotary_kinematics.cpp
   nc/source_text.cpp
   nc/time_stage.cpp
@@ -85,8 +86,11 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_tool_data.cpp
   nc/nct/nct_tools.cpp
   nc/nct/nct_smooth.cpp
+  nc/nct/nct_tape.cpp
+  nc/nct/nct_taps.cpp
   nc/nct/nct_thread.cpp
   nc/nct/nct_virtual.cpp
+  nc/nct/nct_unused_words.cpp
   nc/nct/nct_wait.cpp
   nc/nct/nct_transforms.cpp
   nc/nct/nct_words.cpp

@@ -60,7 +60,6 @@ void TimeStage::motion(const Motion& motion, const ArcGeometry* arc, const AxisS
 double TimeStage::entrySpeed(const MotionPace& pace, const MotionJoin& join) const {
   if (!moving_ || last_join_.stops) return 0.0;
   if (pace.rapid != last_.rapid) return 0.0;
-  if (pace.rapid) return limits_.rapid_overlap * std::min(pace.speed, last_.speed);
   if (join.unbroken || last_join_.unbroken) return kAnySpeed;
   return cornerSpeed(limits_, last_, pace, axes_);
 }
@@ -129,7 +128,7 @@ const std::vector<SpeedElement>& TimeStage::elements() const {
 
 /// Plans what waits, to a stand at its end, and sends the first motions.
 void TimeStage::emit(std::size_t motions) {
-  planSpeeds(elements(), entry_, speeds_);
+  planStretches();
   const std::size_t used = timeByPlan(motions);
   if (limits_.bell_time_s > 0.0) timeByBell(motions);
   send(motions);
@@ -137,6 +136,72 @@ void TimeStage::emit(std::size_t motions) {
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(motions));
   stretches_.erase(stretches_.begin(), stretches_.begin() + static_cast<std::ptrdiff_t>(used));
   for (Stretch& s : stretches_) s.motion -= static_cast<std::uint32_t>(motions);
+}
+
+/// Speeds at the ends of all stretches.
+void TimeStage::planStretches() {
+  planSpeeds(elements(), entry_, speeds_);
+  if (limits_.bell_time_s <= 0.0) return;
+  const std::size_t stretches = stretches_.size();
+  holdSpeeds();
+  if (stretches_.size() != stretches) planSpeeds(elements(), entry_, speeds_);
+}
+
+/// The average over the rise of the acceleration passes a place at the speed planned there only if that is
+/// kept for the time of the rise: half of it before the place, half behind. Without it corners and ends of
+/// slow blocks would be passed faster than they may. Stands are for BellProfile.
+void TimeStage::holdSpeeds() {
+  struct Place {
+    std::size_t boundary;
+    double speed;
+    bool before, behind;
+  };
+  std::vector<Place> places;
+  constexpr double kSlack = 1e-9;
+  for (std::size_t i = 1; i < stretches_.size(); ++i) {
+    const SpeedElement& before = stretches_[i - 1].element;
+    const SpeedElement& behind = stretches_[i].element;
+    const double limit = std::min({behind.entry, before.speed, behind.speed});
+    const double speed = speeds_[i];
+    if (!(speed > 0.0) || speed < limit * (1.0 - kSlack)) continue;
+    const Place place{i, speed, before.speed > speed * (1.0 + kSlack), behind.speed > speed * (1.0 + kSlack)};
+    if (place.before || place.behind) places.push_back(place);
+  }
+  for (std::size_t k = places.size(); k-- > 0;) {  // from behind: the indices before stay
+    hold(places[k].boundary, places[k].speed, places[k].before, places[k].behind);
+  }
+}
+
+/// Limits the speed on the way that half a rise takes, before a boundary of stretches and behind it.
+void TimeStage::hold(std::size_t boundary, double speed, bool before, bool behind) {
+  const double way = 0.5 * speed * limits_.bell_time_s;
+  const auto limit = [&](Stretch& s) { s.element.speed = std::min(s.element.speed, speed); };
+  double left = behind ? way : 0.0;
+  for (std::size_t i = boundary; i < stretches_.size() && left > 0.0; ++i) {
+    if (stretches_[i].element.length > left && stretches_[i].element.speed > speed) {
+      Stretch rest = stretches_[i];
+      rest.element.length -= left;
+      rest.element.entry = kAnySpeed;
+      stretches_[i].element.length = left;
+      stretches_.insert(stretches_.begin() + static_cast<std::ptrdiff_t>(i) + 1, rest);
+    }
+    left -= stretches_[i].element.length;
+    limit(stretches_[i]);
+  }
+  left = before ? way : 0.0;
+  for (std::size_t i = boundary; i-- > 0 && left > 0.0;) {
+    if (stretches_[i].element.length > left && stretches_[i].element.speed > speed) {
+      Stretch last = stretches_[i];
+      stretches_[i].element.length -= left;
+      last.element.length = left;
+      last.element.entry = kAnySpeed;
+      limit(last);
+      stretches_.insert(stretches_.begin() + static_cast<std::ptrdiff_t>(i) + 1, last);
+      return;
+    }
+    left -= stretches_[i].element.length;
+    limit(stretches_[i]);
+  }
 }
 
 /// Times of the first motions with constant accelerations. Returns how many stretches they have.
@@ -155,20 +220,21 @@ std::size_t TimeStage::timeByPlan(std::size_t motions) {
 void TimeStage::timeByBell(std::size_t motions) {
   struct Arrival {
     double way, time;
+    bool stands;
   };
   std::vector<Arrival> arrivals(motions);
   std::size_t settled = bell_.size();
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    if (speeds_[i] == 0.0 && bell_.size() > 0) bell_.stand(limits_.bell_time_s);
     bell_.add(elements_[i], speeds_[i], speeds_[i + 1]);
     if (stretches_[i].motion >= motions) continue;
-    arrivals[stretches_[i].motion] = {bell_.way(), bell_.time()};
+    arrivals[stretches_[i].motion] = {bell_.way(), bell_.time(), speeds_[i + 1] == 0.0};
     settled = bell_.size();
   }
   for (std::size_t i = 0; i < motions; ++i) {
     // Where the axes come to a stand the average arrives too gently to be searched for; its lag is known.
-    const bool stand = i + 1 == waiting_.size();
-    const double arrived =
-        stand ? arrivals[i].time + limits_.bell_time_s : bell_.arrival(arrivals[i].way, arrivals[i].time);
+    const double arrived = arrivals[i].stands ? arrivals[i].time + limits_.bell_time_s
+                                              : bell_.arrival(arrivals[i].way, arrivals[i].time);
     waiting_[i].motion.time_s = arrived - bell_time_;
     bell_time_ = arrived;
   }
@@ -230,6 +296,7 @@ void TimeStage::diagnostic(const Diagnostic& diagnostic) {
 TimeStage::Elapsed TimeStage::elapsed() const {
   Elapsed sum{summary_.cycle_s, summary_.cutting_s};
   if (waiting_.empty()) return sum;
+  if (limits_.bell_time_s > 0.0) return elapsedByBell();
   planSpeeds(elements(), entry_, speeds_);
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     const double time = elementTime(elements_[i], speeds_[i], speeds_[i + 1]);
@@ -237,6 +304,27 @@ TimeStage::Elapsed TimeStage::elapsed() const {
     if (waiting_[stretches_[i].motion].motion.kind != MotionKind::kRapid) sum.cutting_s += time;
   }
   return sum;
+}
+
+/// The same with a plan of its own: places where speeds are held divide stretches.
+TimeStage::Elapsed TimeStage::elapsedByBell() const {
+  class NoSink final : public MotionSink {
+    void file(std::uint32_t, const std::string&) override {}
+    void motion(const Motion&, const ArcGeometry*, const AxisSweep*) override {}
+    void event(const PathEvent&) override {}
+    void diagnostic(const Diagnostic&) override {}
+  } nobody;
+  InterpretSummary summary = summary_;
+  TimeStage copy(nobody, summary);
+  copy.limits_ = limits_;
+  copy.axes_ = axes_;
+  copy.waiting_ = waiting_;
+  copy.stretches_ = stretches_;
+  copy.entry_ = entry_;
+  copy.bell_ = bell_;
+  copy.bell_time_ = bell_time_;
+  copy.flush();
+  return {summary.cycle_s, summary.cutting_s};
 }
 
 }  // namespace proveout::nc

@@ -26,7 +26,7 @@ struct CornerSlowdown {
 
 /// How one motion joins its neighbours.
 struct MotionJoin {
-  bool stops = false;     ///< stands still at its end (G9, G61, rapids without overlap)
+  bool stops = false;     ///< stands still at its end (G9, G61, rapids)
   bool unbroken = false;  ///< no slow-down between blocks (G63)
   int inside = 0;  ///< G62 with cutter compensation: +1 corners to the left are inside, -1 to the right
   Vec3 normal = Vec3::UnitZ();  ///< of the plane, machine frame, where `inside` counts
@@ -101,8 +101,12 @@ class TimeStage {
   void emit(std::size_t motions);
   std::size_t timeByPlan(std::size_t motions);
   void timeByBell(std::size_t motions);
+  void planStretches();
+  void holdSpeeds();
+  void hold(std::size_t boundary, double speed, bool before, bool behind);
   void send(std::size_t motions);
   const std::vector<SpeedElement>& elements() const;
+  Elapsed elapsedByBell() const;
 
   MotionSink& sink_;
   InterpretSummary& summary_;

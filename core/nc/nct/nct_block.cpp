@@ -11,6 +11,7 @@
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/nct_transforms.h"
+#include "core/nc/nct/nct_unused_words.h"
 #include "core/nc/nct/nct_virtual.h"
 #include "core/nc/nct/nct_wait.h"
 #include "core/nc/nct/nct_words.h"
@@ -353,6 +354,11 @@ bool planComp(NctContext& c, BlockPlan& plan) {
     if (w == nullptr) continue;
     vector[axis] = lengthOf(plan, *w);
     given = given || axis != frame.w();
+    if (axis == frame.w()) {
+      tellUnused(c, *w, gName(code->code10), "it stands across the plane");
+    } else if (was_on == plan.next.compOn()) {
+      tellUnused(c, *w, gName(code->code10), "cutter compensation neither starts nor ends here");
+    }
   }
   const Vec3 in_plane = frame.toPlane(vector);
   if (given) plan.motion.direction = in_plane.head<2>();
@@ -394,16 +400,18 @@ bool checkWords(NctContext& c, const BlockPlan& plan) {
   const bool call = plan.flow && plan.flow->code == 98;
   if (c.block.has_file && !call)
     return c.fail("nct-2017", "illegal address <>: a file name belongs to M98", c.block.file_columns);
+  tellUnusedWords(c, plan, kCommonWords);
   return true;
 }
 
 }  // namespace
 
 bool planBlock(NctContext& c, BlockPlan& plan) {
+  c.asked = {};
   plan.next = c.state;
   plan.start = c.position;
   if (c.block.number >= 0) plan.next.last.n = c.block.number;
-  if (const Word* e = c.word('E')) plan.next.last.e = e->value;
+  if (const Word* e = c.block.find('E')) plan.next.last.e = e->value;
   return takeAuxiliary(c, plan) && collectG(c, plan) && collectM(c, plan) && planModal(c, plan) &&
          (c.state.axes.mode == VirtualMode::kOff || checkVirtual(c, plan)) && planNumbers(c, plan) &&
          planOffsetsHD(c, plan) && planWorkSystem(c, plan) && planTransformsOff(c, plan) &&

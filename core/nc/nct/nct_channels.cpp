@@ -184,6 +184,7 @@ void NctChannels::watchStanding(Channel& channel) {
   if (others == kNever) return;  // nobody is left to end the loop: the limit of blocks does
   channel.polls = true;
   NctContext& c = channel.control->context();
+  c.rapid_stage.flush(FlushReason::kBuffer);
   c.emitter.time().flush();
   channel.now_s = c.emitter.time().reached_s();
   if (others > channel.now_s) c.emitter.event("wait", {}, others - channel.now_s, c.here());
@@ -273,7 +274,11 @@ InterpretSummary NctChannels::run() {
 InterpretSummary NctChannels::finish() {
   double last_s = kNever;
   if (good_) total_.end = ProgramEnd::kEndOfProgram;
-  for (Channel& channel : channels_) channel.control->context().emitter.time().flush();
+  for (Channel& channel : channels_) {
+    NctContext& c = channel.control->context();
+    c.rapid_stage.flush(FlushReason::kEnd);
+    c.emitter.time().flush();
+  }
   if (stopped_by_ != nullptr) {
     const InterpretSummary& its = stopped_by_->control->summary();
     last_s = its.cycle_s;

@@ -25,7 +25,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       alarms(calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
-      clock(emitter.time()),
+      clock(emitter.time(), rapid_stage),
       contour_alarms(*this),
       crossing_stage(pipe, contour_alarms),
       transform_stage(*this),
@@ -33,6 +33,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       comp_stage(*this),
       virtual_stage(*this),
       frame_stage(chain),
+      rapid_stage(emitter, settings, axes),
       zone_stage(*this),
       emit_stage(emitter, control_settings.tool_change_s) {
   macro.setOrigins(origins);

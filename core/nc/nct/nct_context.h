@@ -38,6 +38,7 @@
 #include "core/nc/nct/virtual_stage.h"
 #include "core/nc/origin_recorder.h"
 #include "core/nc/path_emitter.h"
+#include "core/nc/rapid_overlap_stage.h"
 #include "core/nc/services/drilling.h"
 
 namespace proveout::nc {
@@ -148,6 +149,7 @@ struct NctContext {
   CompStage comp_stage;
   VirtualStage virtual_stage;
   FrameStage frame_stage;
+  RapidOverlapStage rapid_stage;
   ZoneStage zone_stage;
   EmitStage emit_stage;
   std::vector<DrillStep> drill_steps;
@@ -194,10 +196,15 @@ struct NctContext {
     ref.origins = origins.index();
     return ref;
   }
-  const Word* word(Address a) const { return block.find(a); }
+  /// Addresses that the plan of the block in hand has asked for.
+  mutable AddressSet asked;
+  const Word* word(Address a) const {
+    asked.add(a);
+    return block.find(a);
+  }
   /// The word if it does not belong to another code of the block.
   const Word* ownWord(const BlockPlan& plan, Address a) const {
-    return plan.claimed.has(a) ? nullptr : block.find(a);
+    return plan.claimed.has(a) ? nullptr : word(a);
   }
   bool anyAxisWord() const { return !(block.present & axes.addresses()).empty(); }
 

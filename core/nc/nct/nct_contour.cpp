@@ -4,6 +4,7 @@
 
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_unused_words.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
@@ -145,7 +146,11 @@ bool planCornerArc(NctContext& c, BlockPlan& plan) {
   bool given = false;
   for (int axis = 0; axis < 3; ++axis) {
     const Word* w = c.ownWord(plan, "IJK"[axis]);
-    if (w == nullptr || axis == letters.w()) continue;
+    if (w == nullptr) continue;
+    if (axis == letters.w()) {
+      tellUnused(c, *w, "G39", "it stands across the plane");
+      continue;
+    }
     vector[axis] = lengthOf(plan, *w);
     given = true;
   }

@@ -48,6 +48,7 @@ NctControl::Turn NctControl::advance() {
   const Go go = step();
   if (go == Go::kOn) return Turn::kOn;
   if (go == Go::kWait) return Turn::kWaits;
+  context_.rapid_stage.flush(FlushReason::kEnd);  // behind an alarm too: the axes come to a stand
   context_.emitter.time().flush();
   return Turn::kEnded;
 }
@@ -57,6 +58,9 @@ bool NctControl::start() {
   const ControlSettings& settings = c.settings;
   const Status known = c.parameters.set(settings.parameters);
   if (!known.ok()) return c.fail("nct-parameter", known.error().message);
+  if (settings.units == LengthUnit::kInch && !c.parameters.given(MotionParam::kDefaultG20)) {
+    c.parameters.write(1300, 3, 0, 1.0, false);  // N1300.G20: programs read what is in force
+  }
   for (const std::string_view name : c.parameters.notedNames()) {
     c.warn("nct-noted", fmt::format("parameter {} has no effect in the simulation", name), {},
            Severity::kNote);
@@ -115,6 +119,7 @@ NctControl::Go NctControl::step() {
   }
   CallFrame& frame = c.calls.top();
   if (frame.line >= frame.text->lines().size()) return endOfText();
+  if (frame.line == 0) skipLeader(frame);
   const std::size_t line = frame.line++;
   Block& block = c.block;
   lexer_.setMode(c.data_input ? LexMode::kData : LexMode::kBlock);
@@ -125,6 +130,7 @@ NctControl::Go NctControl::step() {
   bool good = lexed || c.fail(lexer_.error().code, lexer_.error().message, lexer_.error().columns);
   if (good && block.percent) {
     if (!onlyHeaderAbove()) return endOfText();
+    noteName();
     if (block.empty()) return Go::kOn;
   }
   MacroCall call;
@@ -175,7 +181,7 @@ bool NctControl::checkRepeats() {
 
 bool NctControl::onlyHeaderAbove() const {
   const CallStack& calls = context_.calls;
-  for (std::size_t k = 0; k < calls.lineIndex(); ++k) {
+  for (std::size_t k = leaderOf(*calls.top().text); k < calls.lineIndex(); ++k) {
     const auto line = calls.top().text->lines()[k];
     const auto first = line.find_first_not_of(" \t");
     if (first != std::string_view::npos && line[first] != '%' && line[first] != '(') return false;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -48,6 +49,9 @@ class NctControl {
   bool checkRepeats();
   bool checkHeader();
   bool onlyHeaderAbove() const;
+  std::size_t leaderOf(const SourceText& text) const;
+  void skipLeader(CallFrame& frame);
+  void noteName();
   bool skipKeepsLookAhead();
   bool reachedUntil() const;
 
@@ -118,6 +122,7 @@ class NctControl {
   ControlSettings settings_;
   NctContext context_;
   Lexer lexer_;
+  mutable std::map<const SourceText*, std::size_t> leaders_;  ///< lines in front of the % of a text
   std::array<SubprogramWord, 8> subprograms_;
   std::size_t subprogram_count_ = 0;
   InterruptSwitch interrupt_switch_ = InterruptSwitch::kNone;  ///< of the block in hand

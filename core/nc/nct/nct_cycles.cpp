@@ -9,6 +9,7 @@
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_spindle.h"
+#include "core/nc/nct/nct_taps.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
@@ -43,6 +44,22 @@ DrillCode drillCode(int code10) {
   return DrillCode::kDrill;
 }
 
+/// What the cycle in force taps.
+Tap tapOf(const BlockPlan& plan) {
+  switch (drillCode(plan.next.active[kGroupCycle])) {
+    case DrillCode::kTap:
+      return {.hand = 1};
+    case DrillCode::kTapLeft:
+      return {.hand = -1};
+    case DrillCode::kRigidTap:
+      return {.hand = 1, .rigid = true};
+    case DrillCode::kRigidTapLeft:
+      return {.hand = -1, .rigid = true};
+    default:
+      return {};
+  }
+}
+
 bool isRigid(DrillCode code) { return code == DrillCode::kRigidTap || code == DrillCode::kRigidTapLeft; }
 
 /// The holes of a block. Heights of the drill axis are in work space: transforms apply to points of the
@@ -61,6 +78,7 @@ struct Holes {
 };
 
 bool planCycleWords(NctContext& c, BlockPlan& plan);
+AddressSet wordsOf(const NctContext& c, const BlockPlan& plan, DrillCode code);
 bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code);
 bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code);
 bool expandCycle(NctContext& c, BlockPlan& plan);
@@ -205,10 +223,32 @@ bool planCycleWords(NctContext& c, BlockPlan& plan) {
   if (const Word* p = c.ownWord(plan, 'P'); p && !positive(*p, words.dwell, 1.0)) return false;
   if (const Word* l = c.ownWord(plan, 'L'); l && !integerWord(c, *l, 0, 99999999, holes.repeat)) return false;
   if (!planCycleVectors(c, plan, code) || !checkCycle(c, plan, code)) return false;
+  c.asked = wordsOf(c, plan, code);
   if (holes.repeat == 0) return true;
   plan.perform = performCycle;
   plan.runs_functions = true;
   return feedStyle(c, plan, plan.motion.feed) && expandCycle(c, plan);
+}
+
+/// The words that a cycle reads: 18.1.1 to 18.1.15. The others wait for another cycle of the same mode.
+AddressSet wordsOf(const NctContext& c, const BlockPlan& plan, DrillCode code) {
+  AddressSet words = "RLa";
+  const bool pecks = code == DrillCode::kChipBreak || code == DrillCode::kPeck || isRigid(code);
+  if (pecks) words.add('Q');
+  if (pecks && plan.next.cycle.peck > 0.0) words.add('E');
+  const bool feeds_out = code == DrillCode::kBoreFeedOut || code == DrillCode::kBoreDwellFeedOut;
+  if (feeds_out || (isRigid(code) && c.parameters.flag(CycleParam::kTapExtraction))) words.add('I');
+  const bool dwells = tapOf(plan).hand != 0 || code == DrillCode::kDrillDwell ||
+                      code == DrillCode::kFineBore || code == DrillCode::kBoreManual ||
+                      code == DrillCode::kBoreDwellFeedOut;
+  if (dwells) words.add('P');
+  const bool back = code == DrillCode::kBackBore && c.parameters.flag(MachineParam::kSpindleOrients);
+  if (code == DrillCode::kFineBore || back) {
+    const PlaneFrame letters(plan.next.plane());
+    words.add("IJK"[letters.u()]);
+    words.add("IJK"[letters.v()]);
+  }
+  return words;
 }
 
 bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code) {
@@ -232,8 +272,12 @@ bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code) {
   if (code == DrillCode::kFineBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
     return c.fail("nct-2137", "G76, G87: the spindle cannot be oriented, N0607.ORI = 0");
   }
-  if (isRigid(code) && !c.parameters.flag(MachineParam::kSpindleIndexes)) {
+  if (isRigid(code) && !c.parameters.flag(MachineParam::kSpindleIndexes, mainNumber(c))) {
     return c.fail("nct-2138", "spindle cannot be indexed: N0607.INX = 0");
+  }
+  if (isRigid(code) && c.parameters.flag(CycleParam::kTapOrient) &&
+      !c.parameters.flag(MachineParam::kSpindleOrients, mainNumber(c))) {
+    return c.alarm(2137, "", "N1503.TSC = 1 orients the spindle before the tap, N0607.ORI = 0");
   }
   if ((code == DrillCode::kPeck || code == DrillCode::kChipBreak) && plan.next.cycle.peck <= 0.0) {
     return c.fail("nct-2004", "missing data Q: G73 and G83 need the peck depth");
@@ -357,6 +401,7 @@ bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first
   AxisPoint at = c.chain.workOf(c.position);
   if (!cycleMove(c, at)) return false;
   if (first && !performFunctions(c, plan, MPhase::kBefore)) return false;
+  if (first) checkTapStart(c, plan, tapOf(plan));
   for (const DrillStep& step : c.drill_steps) {
     if (!cycleStep(c, plan, step, at)) return false;
   }
@@ -390,14 +435,13 @@ bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint&
     return cycleMove(c, at);
   }
   if (step.kind == DrillStepKind::kFeed) {
+    const Holes& holes = plan.payload.as<Holes>();
+    const bool inwards = (step.position < at[drill]) == (holes.work_bottom < holes.work_r);
     at[drill] = step.position;
     FeedStyle style = plan.motion.feed;
     style.feed *= step.feed_factor;
     style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;
-    if (step.thread) {
-      style.acceleration = tapAcceleration(c, plan, step.operation == 7);
-      style.join.stops = true;  // the spindle turns round, or comes to a stand
-    }
+    if (step.thread) takeTapSpindle(c, plan, tapOf(plan), inwards, step.operation == 7, style);
     return cycleMove(c, at, &style);
   }
   return cycleFunction(c, plan, step);
@@ -415,19 +459,15 @@ bool cycleFunction(NctContext& c, BlockPlan& plan, const DrillStep& step) {
       return c.pipe.push(item);
     }
     case DrillStepKind::kSpindleForward:
-      return sendSpindle(c, 1, plan.next.spindle_rpm);
+      return turnMain(c, 1, plan.next.spindle_rpm);
     case DrillStepKind::kSpindleReverse:
-      return sendSpindle(c, -1, plan.next.spindle_rpm);
+      return turnMain(c, -1, plan.next.spindle_rpm);
     case DrillStepKind::kSpindleStop:
-      return sendSpindle(c, 0, plan.next.spindle_rpm);
+      return turnMain(c, 0, plan.next.spindle_rpm);
     case DrillStepKind::kSpindleOrient:
-      return sendOriented(c);
-    case DrillStepKind::kCloseLoop: {
-      PathItem item = functionItem(c, PathItem::Kind::kSpindle, c.state);
-      item.value = plan.next.spindle_rpm;
-      item.spindle = SpindleState::kPositionLoop;
-      return c.pipe.push(item);
-    }
+      return closeMainLoop(c, true);
+    case DrillStepKind::kCloseLoop:
+      return closeMainLoop(c, false);
     case DrillStepKind::kProgramStop:
       return sendEvent(
           c, "stop",

@@ -22,6 +22,21 @@ AxisMotionLimits axisLimits(const NctContext& c, int axis) {
   return limits;
 }
 
+void configureRapids(NctContext& c, const MotionLimits& limits) {
+  const NctParameters& p = c.parameters;
+  RapidOverlapStage& stage = c.rapid_stage;
+  stage.flush(FlushReason::kBuffer);
+  c.pipe.unlink(stage);
+  if (!p.flag(FeedParam::kRapidOverlap)) return;
+  if (!limits.accelerations) {
+    return c.warnOnce("overlap", "nct-rapid-overlap",
+                      "N0421.ROL = 1 rounds the corners between rapids, but the machine has no acceleration: "
+                      "the path keeps them sharp");
+  }
+  stage.configure(limits, p[FeedParam::kRapidOverlapRatio] / 100.0, p.flag(FeedParam::kPositionCheck));
+  c.pipe.link(stage);
+}
+
 }  // namespace
 
 void configureFeeds(NctContext& c) {
@@ -38,12 +53,10 @@ void configureFeeds(NctContext& c) {
   limits.corner_feed = p[FeedParam::kCornerFeed];
   limits.least_arc_feed = p[FeedParam::kLeastArcFeed];
   limits.bell_time_s = c.settings.bell_time_s;
-  if (p.flag(FeedParam::kRapidOverlap) && !p.flag(FeedParam::kPositionCheck)) {
-    limits.rapid_overlap = p[FeedParam::kRapidOverlapRatio] / 100.0;
-  }
   c.emitter.time().configure(limits, c.axes.count());
   c.emitter.time().setCornerSlowdown({p[FeedParam::kInsideCornerBefore], p[FeedParam::kInsideCornerAfter],
                                       p[FeedParam::kInsideCornerFactor], p[FeedParam::kInsideCornerAngle]});
+  configureRapids(c, limits);
 }
 
 MotionJoin joinOf(const BlockPlan& plan) {

@@ -116,6 +116,7 @@ bool planWorkOffset(NctContext& c, BlockPlan& plan) {
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (w.address >= 'I' && w.address <= 'K') {
+      c.asked.add(w.address);
       if (id == 0)
         return c.failWord(
             "nct-2017",

@@ -93,6 +93,7 @@ bool ask(NctContext& c, const AxisPoint& to, std::optional<AxisPoint>& stop) {
                "there is no stock here that a measuring move could touch: it goes to its end");
     return true;
   }
+  if (!c.rapid_stage.flush(FlushReason::kBuffer)) return false;  // the tool stands where it measures from
   c.emitter.time().flush();  // everything before is part of the stock that answers
   const auto line = c.emitter.lineOf(to, c.here());
   if (!line) return c.fail("nct-probe-turn", "a measuring move that turns a table is not simulated");
@@ -162,7 +163,7 @@ namespace {
 
 /// G37: rapid to `approach`, then at feed towards the gauge. Programmed coordinates, mm.
 struct LengthMove {
-  AxisPoint approach, gauge, furthest;
+  AxisPoint approach, gauge, furthest, beyond;
   int axis = 0;
 };
 
@@ -171,6 +172,15 @@ bool measureLength(NctContext& c, BlockPlan& plan, const LengthMove& move) {
   std::optional<AxisPoint> stop;
   if (!send(c, c.chain.machineOf(move.approach), nullptr)) return false;
   if (!ask(c, c.chain.machineOf(move.furthest), stop)) return false;
+  std::optional<AxisPoint> late;
+  if (!stop && !ask(c, c.chain.machineOf(move.beyond), late)) return false;
+  if (late) {  // the move ends where the control gives up
+    const double off = std::abs(c.chain.programOf(*late)[move.axis] - move.gauge[move.axis]);
+    return send(c, c.chain.machineOf(move.furthest), &plan.motion.feed) && tellProbe(c, false) &&
+           c.alarm(2104, "",
+                   fmt::format("the contact lies {:.6g} mm behind where it should be, {:.6g} allowed", off,
+                               c.parameters[SafetyParam::kAlarmDistance]));
+  }
   if (!stop) {
     c.warnOnce("no gauge", "nct-no-gauge",
                "nothing answers where G37 measures: the tool is taken to be as long as its offset says", {});
@@ -237,6 +247,10 @@ bool planToolLength(NctContext& c, BlockPlan& plan) {
   move.approach = move.furthest = move.gauge;
   move.approach[move.axis] += side * c.parameters[SafetyParam::kRapidDistance];
   move.furthest[move.axis] -= side * c.parameters[SafetyParam::kAlarmDistance];
+  // Farther than any machine with one gauge goes: what is found there is a gauge that was missed.
+  constexpr double kBeyondMm = 1000.0;
+  move.beyond = move.furthest;
+  move.beyond[move.axis] -= side * kBeyondMm;
   plan.perform = performLength;
   plan.rebases = true;
   return true;

@@ -8,15 +8,38 @@
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_planes.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_unused_words.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/tool_change.h"
 
 namespace proveout::nc {
 
+namespace {
+
+/// A block that switches cutter compensation on or off and names an axis of the plane, without a way in it:
+/// the tool goes onto its offset, or off it, by feed even under G0 (manual 15.5.1; 15.5.3 does not say it of
+/// the end).
+bool stepsAside(const NctContext& c, const BlockPlan& plan) {
+  if (plan.next.compOn() == c.state.compOn()) return false;
+  const WorkPlane plane = plan.next.workPlane();
+  const AxisPoint &from = plan.start, &to = plan.motion.target;
+  const bool named = plan.motion.named[static_cast<std::size_t>(plane.u)] ||
+                     plan.motion.named[static_cast<std::size_t>(plane.v)];
+  return named && from[plane.u] == to[plane.u] && from[plane.v] == to[plane.v];
+}
+
+}  // namespace
+
 bool planRapid(NctContext& c, BlockPlan& plan) {
   if (!axisTarget(c, plan, plan.motion.target) || !planDirection(c, plan)) return false;
   if (!c.anyAxisWord()) return true;
   plan.perform = performMove;
+  if (stepsAside(c, plan) && (plan.next.compOffset() != 0.0 || c.state.compOffset() != 0.0)) {
+    plan.motion.rapid = plan.next.feed <= 0.0;
+    if (!plan.motion.rapid) return feedStyle(c, plan, plan.motion.feed);
+    c.warn("nct-feed",
+           "onto the offset or off it the tool goes by feed here, and there is no F: rapid is taken");
+  }
   plan.motion.rapid = true;
   plan.motion.feed.join.stops = joinOf(plan).stops;
   return true;
@@ -63,14 +86,9 @@ ArcFailure describe(ArcError error) {
 
 namespace {
 
-double radiusTolerance(const NctContext& c) {
-  // The machine builder sets N1339. A job that does not give it leaves open whether the real control would
-  // alarm: up to this difference the arc then runs as a spiral with a warning. 2 mm lets sloppy but harmless
-  // arcs of real programs through and still refuses a wrong centre.
-  constexpr double kUnknownMachineMm = 2.0;
-  if (c.parameters.given(MotionParam::kRadiusDifference)) return c.parameters[MotionParam::kRadiusDifference];
-  return kUnknownMachineMm;
-}
+/// A difference of radii that controls usually let through, mm: beyond it a job that does not give N1339 is
+/// told.
+constexpr double kUsualDifferenceMm = 0.01;
 
 bool arcRequest(NctContext& c, const BlockPlan& plan, ArcRequest& request) {
   const PlaneFrame frame(plan.next.plane());  // of the letters I, J, K
@@ -111,7 +129,7 @@ bool failArc(NctContext& c, const ArcResolution& resolved) {
   std::string message = failure.message;
   if (resolved.error == ArcError::kRadiusDifference) {
     message += fmt::format(": {:.6g} mm between start and end radius, {:.6g} allowed",
-                           resolved.radius_difference, radiusTolerance(c));
+                           resolved.radius_difference, c.parameters[MotionParam::kRadiusDifference]);
   }
   return c.fail(failure.code, std::move(message));
 }
@@ -152,10 +170,11 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   ArcRequest request;
   if (!refuseChoice(c, plan) || !arcRequest(c, plan, request)) return false;
   ArcPolicy policy;
-  policy.radius_tolerance = radiusTolerance(c);
+  policy.radius_tolerance = c.parameters[MotionParam::kRadiusDifference];
   const ArcResolution resolved = resolveArc(request, policy);
   if (!resolved.ok()) return failArc(c, resolved);
-  if (!request.turns && resolved.radius_difference > c.parameters[MotionParam::kRadiusDifference]) {
+  const bool open = !c.parameters.given(MotionParam::kRadiusDifference);
+  if (!request.turns && open && resolved.radius_difference > kUsualDifferenceMm) {
     c.warn("nct-2012",
            fmt::format(
                "start and end radius differ by {:.6g} mm: run as a spiral, because the job does not give "
@@ -165,6 +184,10 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   if (resolved.center_ignored) c.warn("nct-arc-both", "R and I, J, K in one block: R counts");
   if (resolved.no_motion) {
     plan.motion.target = plan.start;
+    if (const Word* r = c.ownWord(plan, 'R')) {
+      tellUnused(c, *r, gName(plan.next.active[kGroupMotion]),
+                 "the arc ends where it starts; a full circle needs I, J or K");
+    }
     return planJoin(c, plan);
   }
   plan.perform = performMove;

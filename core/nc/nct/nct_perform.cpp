@@ -89,13 +89,25 @@ bool sendSpindle(NctContext& c, int direction, double rpm) {
   return c.pipe.push(item);
 }
 
-bool sendOriented(NctContext& c) {
+namespace {
+
+bool sendStanding(NctContext& c, SpindleState how) {
   c.state.spindle_direction = 0;
   PathItem item = functionItem(c, PathItem::Kind::kSpindle, c.state);
-  item.spindle = SpindleState::kOriented;
+  item.spindle = how;
   nameSpindle(c, item);
+  const double code = c.parameters.value(SpindleParam::kLoopCode, mainNumber(c));
+  if (how == SpindleState::kPositionLoop && code > 0.0) {  // what the machine is told
+    if (!item.event) item.event = std::make_unique<PathItem::Event>();
+    item.event->data.emplace_back("code", jsonString(fmt::format("M{:.0f}", code)));
+  }
   return c.pipe.push(item);
 }
+
+}  // namespace
+
+bool sendOriented(NctContext& c) { return sendStanding(c, SpindleState::kOriented); }
+bool sendPositionLoop(NctContext& c) { return sendStanding(c, SpindleState::kPositionLoop); }
 
 namespace {
 

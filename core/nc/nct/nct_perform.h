@@ -21,6 +21,8 @@ bool sendEvent(NctContext& c, std::string name, PathEmitter::EventData data, dou
 bool sendSpindle(NctContext& c, int direction, double rpm);
 /// The spindle stops oriented.
 bool sendOriented(NctContext& c);
+/// The spindle stops and its position loop closes where it stands.
+bool sendPositionLoop(NctContext& c);
 
 /// Perform function of the motion codes: plan.motion.
 bool performMove(NctContext& c, BlockPlan& plan);

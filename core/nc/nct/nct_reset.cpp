@@ -17,9 +17,7 @@ void setCodes(const NctContext& c, NctState& s) {
   s.active[kGroupDistance] = flag(MotionParam::kDefaultG91) ? 910 : 900;
   s.active[kGroupZones] = 230;
   s.active[kGroupFeedMode] = flag(MotionParam::kDefaultG95) ? 950 : 940;
-  const bool inch = c.parameters.given(MotionParam::kDefaultG20) ? flag(MotionParam::kDefaultG20)
-                                                                 : c.settings.units == LengthUnit::kInch;
-  s.active[kGroupUnits] = inch ? 200 : 210;
+  s.active[kGroupUnits] = flag(MotionParam::kDefaultG20) ? 200 : 210;
   s.active[kGroupRadiusComp] = 400;
   s.active[kGroupLengthComp] = flag(MotionParam::kDefaultG43)   ? 430
                                : flag(MotionParam::kDefaultG44) ? 440

@@ -227,7 +227,7 @@ bool planSpindle(NctContext& c, BlockPlan& plan) {
   if (plan.next.active[kGroupSurfaceSpeed] == 960) return planSurfaceSpeed(c, plan);
   int index = std::max(0, indexOf(c, static_cast<std::int64_t>(c.parameters[SpindleParam::kDefault])));
   if (plan.by_group[kGroupSurfaceSpeed] != nullptr) index = all.main;  // G97 S
-  const Word* p = c.word('P');
+  const Word* p = c.block.find('P');
   if (p && takesNumber(plan)) {
     std::int64_t number = 0;
     if (!integerWord(c, *p, 1, kMaxSpindles, number)) return false;
@@ -300,10 +300,7 @@ bool closeLoop(NctContext& c, int index, bool orient) {
   if (orient) record.angle_deg = 0.0;
   const bool loop = c.parameters.flag(MachineParam::kSpindleIndexes, numberOf(c, index));
   record.mode = !loop ? SpindleMode::kSpeed : orient ? SpindleMode::kOriented : SpindleMode::kLoop;
-  if (index == c.registers.spindles.main) {
-    if (orient) return sendOriented(c);
-    return sendSpindle(c, 0, 0.0) && sendEvent(c, "spindle", eventData(c, index, 0.0, "position loop"));
-  }
+  if (index == c.registers.spindles.main) return orient ? sendOriented(c) : sendPositionLoop(c);
   return sendEvent(c, "spindle", eventData(c, index, 0.0, orient ? "oriented" : "position loop"));
 }
 
@@ -424,17 +421,15 @@ bool spindleFunction(NctContext& c, const BlockPlan& plan, int m, bool& handled)
   return true;
 }
 
-double tapAcceleration(const NctContext& c, const BlockPlan& plan, bool out) {
-  const int main = c.registers.spindles.main;
-  const int range = std::max(1, c.registers.spindles.record[static_cast<std::size_t>(main)].gear);
-  const SpindleParam first = out && c.parameters.flag(CycleParam::kTapExtractAcceleration)
-                                 ? SpindleParam::kExtractAcceleration
-                                 : SpindleParam::kTapAcceleration;
-  const double acceleration = c.parameters.value(ofRange(first, range), numberOf(c, main));
-  if (acceleration <= 0.0 || plan.next.spindle_rpm <= 0.0) return 0.0;
-  const double pitch = plan.motion.feed.feed / plan.next.spindle_rpm;
-  return pitch * acceleration / 60.0;
+bool turnMain(NctContext& c, int direction, double rpm) {
+  return turn(c, c.registers.spindles.main, direction, rpm);
 }
+
+bool closeMainLoop(NctContext& c, bool orient) { return closeLoop(c, c.registers.spindles.main, orient); }
+
+double mainAcceleration(const NctContext& c) { return settingsOf(c, c.registers.spindles.main).acceleration; }
+
+int mainNumber(const NctContext& c) { return numberOf(c, c.registers.spindles.main); }
 
 bool performSpindle(NctContext& c, const BlockPlan& plan) {
   Spindles& all = c.registers.spindles;

@@ -19,8 +19,15 @@ bool isExclusiveSpindleCode(const NctContext& c, int m);
 /// Carries out M3, M4, M5, M11 to M19 and the configured codes. `handled`: it was one of them. False:
 /// reported.
 bool spindleFunction(NctContext& c, const BlockPlan& plan, int m, bool& handled);
-/// Along a rigid tap as the main spindle accelerates, on the way in or out, mm/s^2; 0: at once.
-double tapAcceleration(const NctContext& c, const BlockPlan& plan, bool out);
+/// The main spindle turns by speed from here on: direction +1 M3, -1 M4, 0 M5. False: reported.
+bool turnMain(NctContext& c, int direction, double rpm);
+/// The main spindle stops and its position loop closes: at angle 0 (M19), or where it came to stand. It stays
+/// so until the program starts it. False: reported.
+bool closeMainLoop(NctContext& c, bool orient);
+/// Of the main spindle's settings, 1/min per second; 0: at once.
+double mainAcceleration(const NctContext& c);
+/// Number by which programs call the main spindle.
+int mainNumber(const NctContext& c);
 /// What S and spindle positions of the block do before its motion.
 bool performSpindle(NctContext& c, const BlockPlan& plan);
 

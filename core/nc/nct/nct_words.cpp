@@ -46,6 +46,10 @@ double turnsPerMinute(NctContext& c, const BlockPlan& plan) {
   bool turning = plan.next.spindle_direction != 0 && rpm > 0.0;
   for (int i = 0; i < plan.m_count; ++i)
     turning = turning || ((plan.m_value[i] == 3 || plan.m_value[i] == 4) && rpm > 0.0);
+  // A rigid tap turns the spindle itself, with S, however it stands before.
+  const int cycle = plan.next.active[kGroupCycle];
+  turning = turning || (rpm > 0.0 && (cycle == 842 || cycle == 843) && plan.governor != nullptr &&
+                        plan.governor->code10 == cycle);
   if (turning) return rpm;
   if (c.firstTime("spindle-stopped")) {
     c.warn("nct-spindle-stopped",

@@ -1,6 +1,7 @@
 // The clock that programs read.
 #pragma once
 
+#include "core/nc/rapid_overlap_stage.h"
 #include "core/nc/time_stage.h"
 
 namespace proveout::nc {
@@ -9,12 +10,13 @@ namespace proveout::nc {
 /// if the axes came to a stand.
 class RunClock {
  public:
-  explicit RunClock(const TimeStage& time) : time_(time) {}
-  double now_s() const { return time_.elapsed().cycle_s; }
+  RunClock(const TimeStage& time, const RapidOverlapStage& rapids) : time_(time), rapids_(rapids) {}
+  double now_s() const { return time_.elapsed().cycle_s + rapids_.waiting_s(); }
   double cutting_s() const { return time_.elapsed().cutting_s; }  ///< feed motions
 
  private:
   const TimeStage& time_;
+  const RapidOverlapStage& rapids_;
 };
 
 }  // namespace proveout::nc

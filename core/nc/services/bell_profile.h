@@ -1,5 +1,6 @@
 // Bell-shaped speed: the plan of constant accelerations, its way averaged over the time in which the
-// acceleration comes up. The path stays the same; from stand to stand it takes that much longer.
+// acceleration comes up. The path stays the same; from stand to stand it takes that much longer. Where the
+// axes stand in between, the plan has to stand for that time as well, or the average would go through.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +19,8 @@ class BellProfile {
   void reset();
   /// The next element of the plan with its speeds at both ends, mm/s.
   void add(const SpeedElement& element, double from, double to);
+  /// The axes stand for a while, s.
+  void stand(double duration) { addStep(duration, 0.0, 0.0); }
   /// Elements so far; cut() goes back to fewer of them.
   std::size_t size() const { return steps_.size(); }
   void cut(std::size_t size) { steps_.resize(size); }

@@ -9,6 +9,7 @@ target_sources(proveout_core PRIVATE
   nc/services/drilling.cpp
   nc/services/pocket.cpp
   nc/services/plane_curves.cpp
+  nc/services/rapid_overlap.cpp
   nc/services/speed_plan.cpp
   nc/services/virtual_plane.cpp
   nc/services/zone_check.cpp)

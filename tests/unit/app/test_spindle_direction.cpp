@@ -22,7 +22,8 @@ Job twoToolsJob() {
   return job;
 }
 
-std::vector<Finding> told(const Job& job, const std::string& program) {
+std::vector<Finding> told(const Job& job, const std::string& program,
+                          const std::string& kind = "spindle_direction") {
   const MemoryProgramSource memory("part.nc", program);
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
@@ -31,7 +32,7 @@ std::vector<Finding> told(const Job& job, const std::string& program) {
   std::vector<Finding> found;
   if (!run.ok()) return found;
   for (const Finding& finding : run->findings) {
-    if (finding.kind == "spindle_direction") found.push_back(finding);
+    if (finding.kind == kind) found.push_back(finding);
   }
   return found;
 }
@@ -92,6 +93,22 @@ TEST(SpindleDirection, TapsAreRight) {
   EXPECT_EQ(
       told(job, "%DRILL\nG54 G17 G90 G94\nT2 M6\nS500 M4\nG0 X20 Y15 Z5\nG1 Z-5 F200\nG0 Z20\nM30\n").size(),
       1u);
+}
+
+TEST(SpindleDirection, RigidTapsTurnTheSpindleThemselves) {
+  for (const double orients : {0.0, 1.0}) {
+    Job job = twoToolsJob();
+    job.settings.parameters["N1503.TSC"] = orients;
+    for (const std::string tap : {"G84.2", "G84.3"}) {
+      const std::string program =
+          "G21 G90 T2 M6\nS500 M3\nG0 X20 Y15 Z5\n" + tap + " X20 Y15 Z-8 R3 F500\nX30\nG80\n";
+      EXPECT_TRUE(told(job, program + "G0 Z20\nM30\n", "spindle_off").empty()) << tap << orients;
+      // Behind the cycle it stands until M3.
+      const std::string drill = "G0 X10\nG1 Z-5 F100\nG0 Z20\nM30\n";
+      EXPECT_EQ(told(job, program + drill, "spindle_off").size(), 1u) << tap << orients;
+      EXPECT_TRUE(told(job, program + "M3\n" + drill, "spindle_off").empty()) << tap << orients;
+    }
+  }
 }
 
 }  // namespace

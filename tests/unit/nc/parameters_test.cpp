@@ -8,7 +8,7 @@ namespace {
 
 TEST(Parameters, DefaultsAreThoseOfTheTable) {
   const NctParameters parameters;
-  EXPECT_EQ(parameters[MotionParam::kRadiusDifference], 0.01);
+  EXPECT_EQ(parameters[MotionParam::kRadiusDifference], 2);
   EXPECT_EQ(parameters[CycleParam::kBoreRetract], 100);
   EXPECT_TRUE(parameters.flag(MachineParam::kSpindleOrients, 16));
   EXPECT_FALSE(parameters.given(MotionParam::kRadiusDifference));

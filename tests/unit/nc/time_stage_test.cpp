@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -76,15 +78,13 @@ TEST(TimeStage, RapidsStandStillAtTheirEnds) {
 }
 
 TEST(TimeStage, RapidsOverlapWhereTheMachineDoesSo) {
-  // nct-4.1.2-ROL, nct-4.1.2-N0422: from one into the next at half the speed. Without the slow-down to a
-  // stand each of the two ramps between them ends at v/2: it covers 3/4 of its length in half its time.
+  // nct-4.1.2-ROL, nct-4.1.2-N0422: the next rapid starts when the last one is down to half its speed, which
+  // it has half a ramp before its end.
   ControlSettings s = machine(5000);
   s.parameters = {{"N0421.ROL", 1}, {"N0422", 50}};
   Recorder overlapped;
   run("G0 X100\nX200\nM30\n", s, overlapped);
-  const double ramp_s = 250.0 / 5000, ramp_mm = 250.0 * ramp_s / 2;
-  const double inner = ramp_s / 2 + (100 - ramp_mm - 0.75 * ramp_mm) / 250;
-  EXPECT_NEAR(overlapped.sum(), 2 * (ramp_s + inner), 1e-9);
+  EXPECT_NEAR(overlapped.sum(), 2 * trapezoid(100, 250, 5000) - 0.025, 1e-9);
   // nct-4.1.1-G9G61, nct-4.1.1-PCH: an exact stop and the check of the position suspend it.
   for (const char* text : {"G61 G0 X100\nX200\nM30\n", "G9 G0 X100\nX200\nM30\n"}) {
     Recorder stopped;
@@ -95,6 +95,82 @@ TEST(TimeStage, RapidsOverlapWhereTheMachineDoesSo) {
   Recorder checked;
   run("G0 X100\nX200\nM30\n", s, checked);
   EXPECT_NEAR(checked.sum(), 2 * trapezoid(100, 250, 5000), 1e-9);
+}
+
+TEST(TimeStage, OverlappingRapidsRoundTheirCorners) {
+  // nct-4.1.2-ROL: the manual's example at 1 m/s^2. Each rapid takes 2 sqrt(d / a), the next one starts half
+  // a ramp before its end.
+  ControlSettings s = machine(1000);
+  s.parameters = {{"N0421.ROL", 1}, {"N0422", 50}};
+  Recorder out;
+  run("G0 Z10\nX30\nZ1\nM30\n", s, out);
+  const double z10 = std::sqrt(0.01), x30 = std::sqrt(0.03), z9 = std::sqrt(0.009);
+  EXPECT_NEAR(out.sum(), 2 * (z10 + x30 + z9) - 0.5 * (z10 + x30), 1e-9);
+  ASSERT_GT(out.motions.size(), 20u);
+  EXPECT_EQ(out.motions.back().to, Vec3(30, 0, 1));
+  // Z is z10 / 2 from its end when X starts: with t the time since, x = a t^2 / 2, z = 10 - a (z10 / 2 - t)^2
+  // / 2. The corner (0, 10) is missed by some 0.29 mm.
+  double nearest = 1e9;
+  for (const Motion& m : out.motions) {
+    EXPECT_EQ(m.kind, MotionKind::kRapid);
+    nearest = std::min(nearest, (m.to - Vec3(0, 0, 10)).norm());
+    if (m.to.x() <= 0.0 || m.to.x() > 1.2 || m.source.line != 2) continue;
+    const double t = std::sqrt(2 * m.to.x() / 1000), left = std::max(0.0, z10 / 2 - t);
+    EXPECT_NEAR(m.to.z(), 10 - 500 * left * left, 1e-9);
+  }
+  double expected = 1e9;
+  for (double t = 0; t < z10 / 2; t += 1e-5) {
+    expected = std::min(expected, std::hypot(500 * t * t, 500 * (z10 / 2 - t) * (z10 / 2 - t)));
+  }
+  EXPECT_NEAR(nearest, expected, 0.02);
+  // Feeds, functions and exact stops wait for the axes: no corner is missed in front of them.
+  for (const char* end : {"G1 X30 F1000\n", "M8\nX30\n", "G4 P1\nX30\n"}) {
+    Recorder waits;
+    run(std::string("G0 Z10\n") + end + "M30\n", s, waits);
+    EXPECT_EQ(waits.motions[0].to, Vec3(0, 0, 10)) << end;
+  }
+}
+
+TEST(TimeStage, TheClockOfAProgramCountsRapidsThatWait) {
+  // #3001 behind 0.2 s of rapid, in milliseconds; with a bell it counts the rise as well.
+  ControlSettings s = machine(1000);
+  s.parameters = {{"N0421.ROL", 1}, {"N0422", 50}};
+  const std::string text = "#3001=0\nG0 Z10\n#100=#3001\nG0 X#100\nM30\n";
+  Recorder plain, bell;
+  run(text, s, plain);
+  EXPECT_NEAR(plain.motions.back().to.x(), 200.0, 1e-3);
+  s.bell_time_s = 0.1;
+  run(text, s, bell);
+  EXPECT_NEAR(bell.motions.back().to.x(), 300.0, 1e-3);
+  s.parameters = {};
+  Recorder sharp;
+  run(text, s, sharp);
+  EXPECT_NEAR(sharp.motions.back().to.x(), 300.0, 1e-3);
+}
+
+TEST(TimeStage, ARapidThatOverlapsIsStraightInItsMiddleOnly) {
+  // nct-4.1.2-ROL: the axes of one block reach their ends at different times: Z 1.05 s, X 1.25 s after the
+  // start.
+  ControlSettings s = machine(1000);
+  s.parameters = {{"N0421.ROL", 1}};
+  Recorder out;
+  run("G0 X250 Z50\nM30\n", s, out);
+  EXPECT_NEAR(out.sum(), 1.25, 1e-9);
+  const Motion& last = out.motions.back();
+  EXPECT_EQ(last.from.z(), 50.0);
+  EXPECT_NEAR(last.to.x() - last.from.x(), 0.5 * 1000 * 0.2 * 0.2, 0.1);
+  // Without accelerations nothing is rounded, and that is told.
+  Recorder sharp;
+  run(
+      "G0 X250 Z50\nM30\n",
+      [&] {
+        ControlSettings none = machine(0);
+        none.parameters = s.parameters;
+        return none;
+      }(),
+      sharp);
+  EXPECT_EQ(sharp.motions.size(), 1u);
+  EXPECT_EQ(sharp.order, "?m.");
 }
 
 TEST(TimeStage, ExactStopAndContinuousCutting) {
@@ -248,6 +324,87 @@ TEST(TimeStage, BellShapedAcceleration) {
     way += 0.1;
     if (time > 0.04) break;
     EXPECT_NEAR(500 * time * time * time / (6 * 0.04), way, 1e-6);
+  }
+}
+
+/// Time of a line between two speeds with an acceleration that comes up and goes in `rise`, long enough for
+/// its speed: each change of speed takes the rise longer, and its mean speed is the middle one.
+double sCurve(double length, double from, double speed, double to, double a, double rise) {
+  const auto change = [&](double v) { return v == speed ? 0.0 : std::abs(speed - v) / a + rise; };
+  const double up = change(from), down = change(to);
+  const double ramps = up * (from + speed) / 2 + down * (speed + to) / 2;
+  EXPECT_GE(length, ramps);
+  return up + down + (length - ramps) / speed;
+}
+
+TEST(TimeStage, BellShapedAccelerationAtStandsInBetween) {
+  // nct-7-acc: G61, G9, rapids, dwells and functions: from stand to stand the rise counts each time.
+  ControlSettings s = machine(1000);
+  s.bell_time_s = 0.1;
+  const double one = sCurve(100, 0, 100, 0, 1000, 0.1);
+  EXPECT_NEAR(one, 1.2, 1e-12);
+  s.rapid_mm_min = Vec3::Constant(6000);
+  for (const std::string text :
+       {"G61 G1 F6000 X100\nX200\nX300\n", "G1 F6000 G9 X100\nG9 X200\nX300\n", "G0 X100\nX200\nX300\n",
+        "G1 F6000 X100\nM8\nX200\nM9\nX300\n", "G0 X100\nG1 F6000 X200\nG0 X300\n", "G0 X100\nX0\nX100\n",
+        "G61 G1 F6000 X100\nY100\nX0\n"}) {
+    Recorder out;
+    run(text + "M30\n", s, out);
+    ASSERT_EQ(out.motions.size(), 3u) << text;
+    for (const Motion& m : out.motions) EXPECT_NEAR(m.time_s, one, 1e-8) << text;
+  }
+  Recorder dwells;
+  EXPECT_NEAR(run("G1 F6000 X100\nG4 P0.5\nX200\nM30\n", s, dwells).cycle_s, 2 * one + 0.5, 1e-8);
+  // More blocks than the look-ahead holds, a stop behind every second one.
+  std::string text = "G91 G1 F6000\n";
+  for (int k = 0; k < 1500; ++k) text += "X50\nG9 X50\n";
+  Recorder many;
+  run(text + "M30\n", s, many);
+  EXPECT_NEAR(many.sum(), 1500 * one, 1e-5);
+}
+
+TEST(TimeStage, BellShapedAccelerationAtCornersAndSlowBlocks) {
+  // nct-7-acc, nct-7.1-corner: a corner is passed at its speed, without acceleration; so are the ends of a
+  // slow block. 1200 mm/min: 20 mm/s of change are 10 mm/s where X turns round, 20 mm/s into Y.
+  ControlSettings s = machine(1000);
+  s.bell_time_s = 0.1;
+  s.parameters = {{"N0309", 1200}};
+  const auto time = [&](const std::string& text) {
+    Recorder out;
+    run(text + "M30\n", s, out);
+    return out.sum();
+  };
+  EXPECT_NEAR(time("G1 F6000 X100\nX0\n"), 2 * sCurve(100, 0, 100, 10, 1000, 0.1), 1e-7);
+  EXPECT_NEAR(time("G1 F6000 X100\nY100\nX0\n"),
+              2 * sCurve(100, 0, 100, 20, 1000, 0.1) + sCurve(100, 20, 100, 20, 1000, 0.1), 1e-7);
+  EXPECT_NEAR(time("G1 F6000 X100\nX150 F1200\nX250 F6000\n"),
+              2 * sCurve(100, 0, 100, 20, 1000, 0.1) + 50.0 / 20, 1e-7);
+  std::mt19937 random(3);
+  for (int round = 0; round < 20; ++round) {
+    // Lines of 60 mm and more along X and Y, some back, some with a stop.
+    std::string text = "G91 G1 F6000\n";
+    double expected = 0.0, entry = 0.0;
+    std::vector<std::array<double, 2>> ways;
+    std::vector<bool> stops;
+    for (int k = 0; k < 12; ++k) {
+      std::array<double, 2> way{0, 0};
+      way[random() % 2] = (random() % 2 == 0 ? 1.0 : -1.0) * (60.0 + static_cast<double>(random() % 40));
+      ways.push_back(way);
+      stops.push_back(random() % 4 == 0 || k == 11);
+      text += fmt::format("{}X{} Y{}\n", stops.back() ? "G9 " : "", way[0], way[1]);
+    }
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      double exit = 0.0;
+      if (!stops[k]) {
+        const bool along_x = ways[k][0] != 0.0, next_x = ways[k + 1][0] != 0.0;
+        const double here = along_x ? ways[k][0] : ways[k][1],
+                     next = next_x ? ways[k + 1][0] : ways[k + 1][1];
+        exit = along_x != next_x ? 20.0 : here * next < 0.0 ? 10.0 : 100.0;
+      }
+      expected += sCurve(std::abs(ways[k][0] + ways[k][1]), entry, 100, exit, 1000, 0.1);
+      entry = exit;
+    }
+    EXPECT_NEAR(time(text), expected, 1e-6) << text;
   }
 }
 

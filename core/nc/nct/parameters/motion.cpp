@@ -24,8 +24,10 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(MotionParam::kCount)> k
     bit("N1337.CCA", 1337, 2, kChannel, 0, "arc centre words are absolute"),
     bit("N1337.HEF", 1337, 3, kChannel, 0, "helix feed along the path in space, not along the circle"),
     bit("N1337.CBB", 1337, 4, kChannel, 1, "an optional-skip block does not stop look-ahead"),
-    number("N1339", 1339, kChannel, 0.01, 0, 1e3,
-           "difference of start and end radius that an arc may have, mm"),
+    // The machine builder sets it. A job that does not give it leaves open whether the real control would
+    // alarm: up to this difference the arc then runs as a spiral with a warning. 2 mm lets sloppy but
+    // harmless arcs of real programs through and still refuses a wrong centre.
+    number("N1339", 1339, kChannel, 2, 0, 1e3, "difference of start and end radius that an arc may have, mm"),
 }};
 
 }  // namespace

@@ -9,8 +9,10 @@ using namespace param_rows;
 
 /// N1507 + n in, N1523 + n out (with N1503.EAE), n the range.
 constexpr ParamInfo tapping(std::string_view name, int no) {
-  return number(name, no, kSpindle, 0, 0, 1e6,
-                "rigid tapping: acceleration of the spindle in a range, 1/min per second; 0: at once");
+  return number(
+      name, no, kSpindle, 0, 0, 1e6,
+      "rigid tapping: acceleration of the spindle in a range, 1/min per second; 0: as it accelerates "
+      "otherwise");
 }
 
 constexpr std::array<ParamInfo, static_cast<std::size_t>(SpindleParam::kCount)> kRows{{

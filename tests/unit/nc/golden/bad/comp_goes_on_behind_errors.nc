@@ -37,7 +37,7 @@ main.nc:4:1: warning[nct-reference]: the job does not give reference point 1: th
 main.nc:8:1: error[nct-2123]: function not implemented: G1000 is not a code of this control
     G1000 Y50
     ^~~~~
-main.nc:9:3: error[nct-2064]: syntax error: a value is expected, and Y is no function
+main.nc:9:3: error[nct-2064]: syntax error: QY is no word: a word is a letter with a number, text stands in ( )
     X0Q Y0
       ^~~
 7: rapid to 96.6025 50 -32.6795 t0.3864

@@ -25,7 +25,7 @@ G11
 G0 X#100
 M30
 === truth
-0.01 0 0
+2 0 0
 === says
 main.nc:1:9: error[nct-2017]
 main.nc:3:1: error[nct-2002]
@@ -89,6 +89,6 @@ main.nc:15:1: error[nct-2017]: illegal address G: data input is open: G11 ends i
 main.nc:16:5: error[nct-2017]: illegal address X: G11 stands alone
     G11 X1
         ^~
-19: rapid from 0 0 0 to 0.01 0 0 t0
+19: rapid from 0 0 0 to 2 0 0 t0.008
 20: event end code="M30"
 end of program: 20 blocks, 1 motions, 15 errors, 0 warnings

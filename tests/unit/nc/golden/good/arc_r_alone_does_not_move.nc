@@ -9,5 +9,8 @@ M30
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 200 0 0 t0.8
+main.nc:2:9: warning[nct-unused-word]: R100 does nothing in this block of G3: the arc ends where it starts; a full circle needs I, J or K
+    G17 G03 R100
+            ^~~~
 3: event end code="M30"
-end of program: 3 blocks, 1 motions, 0 errors, 0 warnings
+end of program: 3 blocks, 1 motions, 0 errors, 1 warnings

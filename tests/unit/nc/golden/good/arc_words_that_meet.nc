@@ -25,8 +25,11 @@ main.nc:2:1: warning[nct-arc-both]: R and I, J, K in one block: R counts
     G2 X10 Y0 R5 I3
     ^~~~~~~~~~~~~~~
 2: feed arc from 0 0 0 to 10 0 0 center 5 0 0 normal 0 0 1 sweep -180 F100 t9.4248
+main.nc:3:11: warning[nct-unused-word]: R5 does nothing in this block of G2: the arc ends where it starts; a full circle needs I, J or K
+    G2 X10 Y0 R5
+              ^~
 4 N5: event coolant code="M8" on=true
 5: rapid to 50 0 0 t0.16
 6: feed arc to -20 0 0 center 0 0 0 normal 0 0 1 sweep 180 F363.5841 t18.8496
 7: event end code="M30"
-end of program: 7 blocks, 3 motions, 0 errors, 1 warnings
+end of program: 7 blocks, 3 motions, 0 errors, 2 warnings

@@ -136,27 +136,27 @@ rapid 50 50 20
 rapid 0 0 20
 rapid 0 0 2
 thread 0 0 -30 F 1000 S 1000
-thread 0 0 2 F 1000 S 1000
+thread 0 0 2 F 1000 S -1000
 rapid 0 0 20
 rapid 100 0 20
 rapid 100 0 2
 thread 100 0 -30 F 1000 S 1000
-thread 100 0 2 F 1000 S 1000
+thread 100 0 2 F 1000 S -1000
 rapid 100 0 20
 rapid 100 100 20
 rapid 100 100 2
 thread 100 100 -30 F 1000 S 1000
-thread 100 100 2 F 1000 S 1000
+thread 100 100 2 F 1000 S -1000
 rapid 100 100 20
 rapid 0 100 20
 rapid 0 100 2
 thread 0 100 -30 F 1000 S 1000
-thread 0 100 2 F 1000 S 1000
+thread 0 100 2 F 1000 S -1000
 rapid 0 100 20
 rapid 50 50 20
 rapid 50 50 2
 thread 50 50 -30 F 1000 S 1000
-thread 50 50 2 F 1000 S 1000
+thread 50 50 2 F 1000 S -1000
 rapid 50 50 20
 rapid 50 50 25
 === expect
@@ -281,31 +281,31 @@ file 1 O0300
 1/6 depth 1: rapid to 50 50 20 t0.2
 1/2 depth 1: rapid to 0 0 20 t0.2
 1/2 depth 1: rapid to 0 0 2 t0.072
-1/2 depth 1: event spindle rpm=1000 direction="position loop"
+1/2 depth 1: event spindle rpm=0 direction="position loop"
 1/2 depth 1: thread to 0 0 -30 F1000 t1.92
 1/2 depth 1: thread to 0 0 2 F1000 t1.92
 1/2 depth 1: rapid to 0 0 20 t0.072
 1/3 depth 1: rapid to 100 0 20 t0.4
 1/3 depth 1: rapid to 100 0 2 t0.072
-1/3 depth 1: event spindle rpm=1000 direction="position loop"
+1/3 depth 1: event spindle rpm=0 direction="position loop"
 1/3 depth 1: thread to 100 0 -30 F1000 t1.92
 1/3 depth 1: thread to 100 0 2 F1000 t1.92
 1/3 depth 1: rapid to 100 0 20 t0.072
 1/4 depth 1: rapid to 100 100 20 t0.4
 1/4 depth 1: rapid to 100 100 2 t0.072
-1/4 depth 1: event spindle rpm=1000 direction="position loop"
+1/4 depth 1: event spindle rpm=0 direction="position loop"
 1/4 depth 1: thread to 100 100 -30 F1000 t1.92
 1/4 depth 1: thread to 100 100 2 F1000 t1.92
 1/4 depth 1: rapid to 100 100 20 t0.072
 1/5 depth 1: rapid to 0 100 20 t0.4
 1/5 depth 1: rapid to 0 100 2 t0.072
-1/5 depth 1: event spindle rpm=1000 direction="position loop"
+1/5 depth 1: event spindle rpm=0 direction="position loop"
 1/5 depth 1: thread to 0 100 -30 F1000 t1.92
 1/5 depth 1: thread to 0 100 2 F1000 t1.92
 1/5 depth 1: rapid to 0 100 20 t0.072
 1/6 depth 1: rapid to 50 50 20 t0.2
 1/6 depth 1: rapid to 50 50 2 t0.072
-1/6 depth 1: event spindle rpm=1000 direction="position loop"
+1/6 depth 1: event spindle rpm=0 direction="position loop"
 1/6 depth 1: thread to 50 50 -30 F1000 t1.92
 1/6 depth 1: thread to 50 50 2 F1000 t1.92
 1/6 depth 1: rapid to 50 50 20 t0.072

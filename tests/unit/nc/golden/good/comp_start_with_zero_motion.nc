@@ -1,5 +1,5 @@
 === about
-G42 with a step of zero: the way of the tool's radius, square to the next block, belongs to that block. G40 with a step of zero returns to
+G42 with a step of zero: the way of the tool's radius, square to the next block, is made by feed, under G0 too, and belongs to that block. G40 with a step of zero returns to
 the contour.
 proves: nct-15.5.1-zeromove
 === settings
@@ -20,7 +20,7 @@ M30
 === truth
 -40 -40 0
 -40 -40 -5
-rapid -36.4645 -43.5355 -5
+feed -36.4645 -43.5355 -5 F 500
 rapid 2.0711 -5 -5
 65 -5 -5
 65 65 -5
@@ -33,7 +33,7 @@ file 0 main.nc
 1 N10: event spindle rpm=500 direction="cw"
 2 N20: rapid from 0 0 0 to -40 -40 0 t0.16
 3 N40: feed to -40 -40 -5 F500 t0.6
-4 N50: rapid to -36.4645 -43.5355 -5 t0.0141
+4 N50: feed to -36.4645 -43.5355 -5 F500 t0.6
 5 N60: rapid to 2.0711 -5 -5 t0.1541
 6 N70: feed to 65 -5 -5 F500 t7.5515
 7 N80: feed to 65 65 -5 F500 t8.4

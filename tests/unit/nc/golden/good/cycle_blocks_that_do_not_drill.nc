@@ -29,9 +29,15 @@ file 0 main.nc
 2: rapid to 10 0 10 t0.06
 4: event coolant code="M8" on=true
 5: event dwell seconds=1
+main.nc:6:1: warning[nct-unused-word]: I5 does nothing in this block of G81: no hole is named, and words of the cycle without one are not kept
+    I5 Q3
+    ^~
+main.nc:6:4: warning[nct-unused-word]: Q3 does nothing in this block of G81: no hole is named, and words of the cycle without one are not kept
+    I5 Q3
+       ^~
 7: rapid to 20 0 10 t0.04
 7: rapid to 20 0 2 t0.032
 7: feed to 20 0 -5 F200 t2.1
 7: rapid to 20 0 10 t0.06
 8: event end code="M30"
-end of program: 8 blocks, 9 motions, 0 errors, 0 warnings
+end of program: 8 blocks, 9 motions, 0 errors, 2 warnings

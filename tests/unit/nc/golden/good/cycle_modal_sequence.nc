@@ -47,6 +47,9 @@ file 0 main.nc
 4 N4: event dwell seconds=1
 4 N4: rapid to 20 20 10 t0.064
 5 N5: event spindle rpm=0 direction="stop"
+main.nc:6:19: warning[nct-unused-word]: P2 does nothing in this block of G85: the cycle does not read it; another one may, until G80
+    N6 G85 Y30 Z-7 R1 P2 M3
+                      ^~
 6 N6: rapid to 20 30 10 t0.04
 6 N6: event spindle rpm=1000 direction="cw"
 6 N6: rapid to 20 30 1 t0.036
@@ -55,4 +58,4 @@ file 0 main.nc
 6 N6: rapid to 20 30 10 t0.036
 7 N7: rapid to 0 30 10 t0.08
 8: event end code="M30"
-end of program: 8 blocks, 19 motions, 0 errors, 0 warnings
+end of program: 8 blocks, 19 motions, 0 errors, 1 warnings

@@ -32,7 +32,7 @@ file 0 main.nc
 1: event spindle rpm=100 direction="cw"
 1: rapid from 0 0 0 to 0 0 2 t0.008
 2: rapid to 10 0 2 t0.04
-2: event spindle rpm=100 direction="position loop"
+2: event spindle rpm=0 direction="position loop"
 2: thread to 10 0 -3 F100 t3
 2: thread to 10 0 2 F100 t3
 2: thread to 10 0 -1.5 F100 t2.1
@@ -42,7 +42,7 @@ file 0 main.nc
 2: thread to 10 0 -10 F100 t2.1
 2: thread to 10 0 2 F100 t7.2
 4: rapid to 20 0 2 t0.04
-4: event spindle rpm=100 direction="position loop"
+4: event spindle rpm=0 direction="position loop"
 4: thread to 20 0 -6 F100 t4.8
 4: thread to 20 0 2 F100 t4.8
 4: thread to 20 0 -3 F100 t3

@@ -48,9 +48,12 @@ file 0 main.nc
 3: rapid to 10 0 2 t0.004
 3: event spindle rpm=500 direction="cw"
 5: rapid to 15 0 2 t0.02
+main.nc:5:1: warning[nct-tap-start]: G84.1 taps with the spindle turning backwards: program M4 before the cycle
+    G84.1 X15 Z-5 R2 F100
+    ^~~~~~~~~~~~~~~~~~~~~
 5: thread to 15 0 -5 F100 t4.2
 5: event spindle rpm=500 direction="cw"
 5: thread to 15 0 2 F100 t4.2
 5: event spindle rpm=500 direction="ccw"
 7: event end code="M30"
-end of program: 7 blocks, 17 motions, 0 errors, 0 warnings
+end of program: 7 blocks, 17 motions, 0 errors, 1 warnings

@@ -539,7 +539,7 @@ file 0 main.nc
 58: rapid to 220 0 20 t0.072
 59: rapid to 230 0 20 t0.04
 59: rapid to 230 0 2 t0.072
-59: event spindle rpm=100 direction="position loop"
+59: event spindle rpm=0 direction="position loop"
 59: thread to 230 0 -5 F100 t4.2
 59: event dwell seconds=1
 59: thread to 230 0 2 F100 t4.2
@@ -547,7 +547,7 @@ file 0 main.nc
 60: event spindle rpm=100 direction="cw"
 61: rapid to 240 0 20 t0.04
 61: rapid to 240 0 2 t0.072
-61: event spindle rpm=100 direction="position loop"
+61: event spindle rpm=0 direction="position loop"
 61: thread to 240 0 -5 F100 t4.2
 61: event dwell seconds=1
 61: thread to 240 0 2 F100 t4.2
@@ -555,7 +555,7 @@ file 0 main.nc
 63: rapid to 240 0 20 t0.072
 64: rapid to 250 0 20 t0.04
 64: rapid to 250 0 2 t0.072
-64: event spindle rpm=100 direction="position loop"
+64: event spindle rpm=0 direction="position loop"
 64: thread to 250 0 -5 F100 t4.2
 64: event dwell seconds=1
 64: thread to 250 0 2 F100 t4.2
@@ -563,7 +563,7 @@ file 0 main.nc
 65: event spindle rpm=100 direction="cw"
 66: rapid to 260 0 20 t0.04
 66: rapid to 260 0 2 t0.072
-66: event spindle rpm=100 direction="position loop"
+66: event spindle rpm=0 direction="position loop"
 66: thread to 260 0 -5 F100 t4.2
 66: event dwell seconds=1
 66: thread to 260 0 2 F100 t4.2

@@ -34,11 +34,11 @@ thread 10 0 2 F 1200 t 1
 file 0 main.nc
 1: event spindle rpm=600 direction="cw"
 1: rapid from 0 0 0 to 0 0 2 t0.008
-2: event spindle rpm=600 direction="position loop"
+2: event spindle rpm=0 direction="position loop"
 2: thread to 0 0 -18 F1200 t1.5
 2: thread to 0 0 2 F1200 t2
 9: rapid to 10 0 2 t0.04
-9: event spindle rpm=600 direction="position loop"
+9: event spindle rpm=0 direction="position loop"
 9: thread to 10 0 -8 F1200 t0.5
 9: thread to 10 0 2 F2400 t0.25
 9: thread to 10 0 -6 F2400 t0.2

@@ -55,17 +55,17 @@ file 0 main.nc
 4: thread to 20 0 2 F100 t13.2
 4: event spindle rpm=100 direction="cw"
 5: rapid to 30 0 2 t0.04
-5: event spindle rpm=100 direction="position loop"
+5: event spindle rpm=0 direction="position loop"
 5: thread to 30 0 -20 F100 t13.2
 5: event dwell seconds=1
 5: thread to 30 0 2 F100 t13.2
 6: rapid to 40 0 2 t0.04
-6: event spindle rpm=100 direction="position loop"
+6: event spindle rpm=0 direction="position loop"
 6: thread to 40 0 -20 F100 t13.2
 6: event dwell seconds=1
 6: thread to 40 0 2 F100 t13.2
 7: rapid to 50 0 2 t0.04
-7: event spindle rpm=100 direction="position loop"
+7: event spindle rpm=0 direction="position loop"
 7: thread to 50 0 -6 F100 t4.8
 7: thread to 50 0 -5 F100 t0.6
 7: thread to 50 0 -14 F100 t5.4

@@ -19,8 +19,11 @@ M30
 note[nct-noted]: parameter N1402.DIA has no effect in the simulation
 note[nct-noted]: parameter N1415 has no effect in the simulation
 file 0 main.nc
+main.nc:4:1: warning[nct-feed]: onto the offset or off it the tool goes by feed here, and there is no F: rapid is taken
+    G40 X0
+    ^~~~~~
 2: rapid from 0 0 0 to -5 10 0 t0.04
 3: rapid to -5 20 0 t0.04
 3: rapid to 0 20 0 t0.02
 5: event end code="M30"
-end of program: 5 blocks, 3 motions, 0 errors, 0 warnings
+end of program: 5 blocks, 3 motions, 0 errors, 1 warnings

@@ -147,6 +147,12 @@ M99
 === expect
 file 0 main.nc
 2: event spindle rpm=100 direction="cw"
+main.nc:7:4: warning[nct-unused-word]: R10 does nothing in this block of G2: the arc ends where it starts; a full circle needs I, J or K
+    G2 R10
+       ^~~
+main.nc:9:4: warning[nct-unused-word]: R10 does nothing in this block of G3: the arc ends where it starts; a full circle needs I, J or K
+    G3 R10
+       ^~~
 11: event thread lead=1 angle=0
 11: thread from 0 0 0 to 0 0 -1 C 0 to 0 F100 t0.6
 13: rapid to 0 0 0 C 0 to 0 t0.004
@@ -159,6 +165,36 @@ main.nc:31:1: warning[nct-feed-unit]: the unit changes: the modal feed keeps its
 main.nc:35:1: warning[nct-no-d]: no D is programmed: cutter compensation runs with radius 0
     G42
     ^~~
+main.nc:49:15: warning[nct-unused-word]: Q1 does nothing in this block of G74: the cycle does not read it; another one may, until G80
+    G74 X0 Z-1 R1 Q1 L0 F100
+                  ^~
+main.nc:51:15: warning[nct-unused-word]: Q1 does nothing in this block of G76: the cycle does not read it; another one may, until G80
+    G76 X0 Z-1 R1 Q1 L0 F100
+                  ^~
+main.nc:53:15: warning[nct-unused-word]: Q1 does nothing in this block of G81: the cycle does not read it; another one may, until G80
+    G81 X0 Z-1 R1 Q1 L0 F100
+                  ^~
+main.nc:55:15: warning[nct-unused-word]: Q1 does nothing in this block of G82: the cycle does not read it; another one may, until G80
+    G82 X0 Z-1 R1 Q1 L0 F100
+                  ^~
+main.nc:59:15: warning[nct-unused-word]: Q1 does nothing in this block of G84: the cycle does not read it; another one may, until G80
+    G84 X0 Z-1 R1 Q1 L0 F100
+                  ^~
+main.nc:65:15: warning[nct-unused-word]: Q1 does nothing in this block of G85: the cycle does not read it; another one may, until G80
+    G85 X0 Z-1 R1 Q1 L0 F100
+                  ^~
+main.nc:67:15: warning[nct-unused-word]: Q1 does nothing in this block of G86: the cycle does not read it; another one may, until G80
+    G86 X0 Z-1 R1 Q1 L0 F100
+                  ^~
+main.nc:69:15: warning[nct-unused-word]: Q1 does nothing in this block of G87: the cycle does not read it; another one may, until G80
+    G87 X0 Z-1 R1 Q1 L0 F100
+                  ^~
+main.nc:71:15: warning[nct-unused-word]: Q1 does nothing in this block of G88: the cycle does not read it; another one may, until G80
+    G88 X0 Z-1 R1 Q1 L0 F100
+                  ^~
+main.nc:73:15: warning[nct-unused-word]: Q1 does nothing in this block of G89: the cycle does not read it; another one may, until G80
+    G89 X0 Z-1 R1 Q1 L0 F100
+                  ^~
 file 1 O0001
 91: event spindle rpm=1000000 direction="cw"
 93: event spindle rpm=1000000 direction="cw"
@@ -168,4 +204,4 @@ file 1 O0001
 134: event output file="O0012.nc" bytes=263
 135: event end code="M30"
 file O0012.nc: 0\0D\0A1\0D\0A2\0D\0A3\0D\0A33\0D\0A0\0D\0A18\0D\0A19\0D\0A17\0D\0A91\0D\0A90\0D\0A95\0D\0A94\0D\0A20\0D\0A21\0D\0A41\0D\0A42\0D\0A40\0D\0A43\0D\0A44\0D\0A743\0D\0A49\0D\0A73\0D\0A74\0D\0A76\0D\0A81\0D\0A82\0D\0A83\0D\0A84\0D\0A284\0D\0A384\0D\0A85\0D\0A86\0D\0A87\0D\0A88\0D\0A89\0D\0A80\0D\0A99\0D\0A98\0D\0A98\0D\0A51\0D\0A50\0D\0A66\0D\0A67\0D\0A96\0D\0A97\0D\0A55\0D\0A56\0D\0A57\0D\0A58\0D\0A59\0D\0A154\0D\0A54\0D\0A61\0D\0A62\0D\0A63\0D\0A64\0D\0A68\0D\0A69\0D\0A16\0D\0A15\0D\0A112\0D\0A113\0D\0A151\0D\0A150\0D\0A
-end of program: 135 blocks, 3 motions, 0 errors, 3 warnings
+end of program: 135 blocks, 3 motions, 0 errors, 15 warnings

@@ -19,11 +19,11 @@ file 0 main.nc
 1: event spindle rpm=1000 direction="cw"
 1: rapid from 0 0 0 to 0 0 10 t0.04
 2: rapid to 0 0 2 t0.032
-2: event spindle rpm=1000 direction="position loop"
+2: event spindle rpm=0 direction="position loop"
 2: thread to 0 0 -30 F1000 t1.92
 2: thread to 0 0 2 F1000 t1.92
 3: rapid to 10 0 2 t0.04
-3: event spindle rpm=1000 direction="position loop"
+3: event spindle rpm=0 direction="position loop"
 3: thread to 10 0 -30 F1000 t1.92
 3: thread to 10 0 2 F1000 t1.92
 4: event end code="M30"

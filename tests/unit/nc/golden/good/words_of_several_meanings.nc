@@ -114,6 +114,9 @@ file 0 main.nc
 19: feed to 7 20 0 F120 t9.3787
 20: feed to 0 20 0 F120 t3.5
 21: feed to 0 0 0 F120 t10
+main.nc:22:25: warning[nct-unused-word]: K0 does nothing in this block of G76: the cycle does not read K; repeats are programmed with L
+    G99 G76 X5 Z-2 R0 I1 J2 K0
+                            ^~
 22: rapid to 5 0 0 t0.02
 22: feed to 5 0 -2 F120 t1
 22: event spindle rpm=0 direction="oriented"
@@ -135,4 +138,4 @@ file 1 O0011
 38: rapid to -2 1 9 t0.088
 40: rapid to 101 1 9 t0.412
 41: event end code="M30"
-end of program: 44 blocks, 37 motions, 0 errors, 0 warnings
+end of program: 44 blocks, 37 motions, 0 errors, 1 warnings
