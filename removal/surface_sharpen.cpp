@@ -90,7 +90,7 @@ class Sharpener {
   using Cost = std::optional<double>;
 
   Vec3 at(std::uint32_t v) const { return mesh_.positions[v].cast<double>(); }
-  double off(const Vec3& p) const { return std::abs(field_.sample(p).value); }
+  double off(const Vec3& p) const { return std::abs(field_.value(p)); }
   Vec3 middle(std::uint32_t a, std::uint32_t b) const { return 0.5 * (at(a) + at(b)); }
 
   std::vector<std::uint32_t> bentTriangles() const;
@@ -453,7 +453,7 @@ bool Sharpener::meet(std::span<const std::uint64_t> faces, const Vec3& m, Vec3& 
 
 /// The point on the way from `m` to `x` where the blank ends or begins; `x` if both are on one side.
 Vec3 Sharpener::onWay(const Vec3& m, const Vec3& x) const {
-  const auto value = [&](double s) { return field_.sample(m + s * (x - m)).value; };
+  const auto value = [&](double s) { return field_.value(m + s * (x - m)); };
   const double at_m = value(0.0), at_x = value(1.0);
   if ((at_m < 0.0) == (at_x < 0.0)) return x;
   const double at =
