@@ -41,6 +41,7 @@ double HelixSweep::wayAt(double t) const {
 }
 
 double HelixSweep::partAt(double way) const {
+  if (bend_ == 0.0) return std::clamp(way, 0.0, 1.0);
   const double b = 1.0 - bend_;
   const double root = std::sqrt(std::max(0.0, b * b + 4.0 * bend_ * way));
   return b + root > 0.0 ? std::min(1.0, 2.0 * way / (b + root)) : 0.0;

@@ -160,7 +160,9 @@ TEST(TurnedShaft, PassesAndTellsWhatPartsIt) {
   EXPECT_NEAR((*off)["volume_mm3"], 87338.98, 1e-5 * 87338.98);  // with the thread
   // The verdict's own term is below the tolerance of 0.02.
   for (const json& term : report["error_budget"]) {
-    if (term["source"] == "deviations") EXPECT_LT(term["bound_mm"], 0.001);
+    if (term["source"] == "deviations") {
+      EXPECT_LT(term["bound_mm"], 0.001);
+    }
   }
   // The bar is not the part.
   EXPECT_NE(outcome.out.find("Z-100.000..0.000, beside 1 other piece of 528"), std::string::npos) << outcome.out;

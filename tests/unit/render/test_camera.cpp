@@ -39,7 +39,9 @@ TEST(Views, TurnedPartsLieLevel) {
     EXPECT_NEAR(view->up.z(), 0.0, 1e-12) << name;
     const bool behind = name == "back" || name == "iso-back";
     EXPECT_GT((behind ? -1.0 : 1.0) * right.z(), 0.5) << name;
-    if (name != "top" && name != "bottom") EXPECT_GT(view->up.x(), 0.5) << name;
+    if (name != "top" && name != "bottom") {
+      EXPECT_GT(view->up.x(), 0.5) << name;
+    }
   }
   const Result<View> front = findTurnedView("front");
   EXPECT_NEAR((front->back - Vec3::UnitY()).norm(), 0.0, 1e-12);
