@@ -26,6 +26,7 @@ struct Step {
   const SourceRef* source = nullptr;
   int tool = 0;  ///< of the motion; of the next motion (else the last) for an event
   double start_s = 0.0, time_s = 0.0, length_mm = 0.0, removed_mm3 = 0.0;
+  double cut_mm = 0.0;  ///< the way of the edge through the material: of a turning tool round the part
 };
 
 template <typename Use>
@@ -56,6 +57,7 @@ void walk(const CutPath& cut, double start_s, const Use& use) {
     Step step{motion.channel,      &motion, &motion.source, motion.tool, now, motion.time_s,
               path.length(motion), 0.0};
     if (i < cut.removed_mm3->size()) step.removed_mm3 = static_cast<double>((*cut.removed_mm3)[i]);
+    step.cut_mm = cut.turned ? lengthOfCut(path, motion, step.removed_mm3) : step.length_mm;
     use(step);
     now += motion.time_s;
   }
@@ -69,12 +71,12 @@ void add(const Step& step, CutFigures& figures) {
     return;
   }
   const bool rapid = step.motion->kind == MotionKind::kRapid;
-  const bool cuts = isChip(step.removed_mm3, step.length_mm);
+  const bool cuts = isChip(step.removed_mm3, step.cut_mm);
   (rapid ? figures.rapid_s : figures.feed_s) += step.time_s;
   figures.length_mm += step.length_mm;
   if (cuts) {
     figures.engaged_s += step.time_s;
-    figures.engaged_mm += step.length_mm;
+    figures.engaged_mm += step.cut_mm;
   } else if (!rapid) {
     figures.air_s += step.time_s;
   }
@@ -144,6 +146,19 @@ bool sameBlock(const SourceRef& a, const SourceRef& b) {
 }
 
 }  // namespace
+
+double lengthOfCut(const Toolpath& path, const Motion& motion, double removed_mm3) {
+  const double length = path.length(motion), turns = std::abs(motion.spindle) * motion.time_s / 60.0;
+  if (!(turns > 0.0) || !(length > 0.0)) return length;
+  // A layer of depth d beside the way, which has its middle at r, has the volume 2 pi (r + k d / 2) d length;
+  // k is how much the layer lies farther out: all of d along the axis, nothing across it.
+  const double r = 0.5 * std::abs(motion.from.x() + motion.to.x()),
+               k = std::abs(motion.to.z() - motion.from.z()) / length,
+               half = std::max(0.0, removed_mm3) / (2.0 * kPi * length);
+  const double root = std::sqrt(r * r + 2.0 * k * half);
+  const double depth = root + r > 0.0 ? 2.0 * half / (root + r) : 0.0;
+  return std::hypot(length, 2.0 * kPi * (r + 0.5 * k * depth) * turns);
+}
 
 bool isChip(double removed_mm3, double length_mm) { return removed_mm3 > kAirSectionMm2 * length_mm; }
 

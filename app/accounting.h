@@ -14,7 +14,13 @@ struct CutPath {
   std::string setup;  ///< name of the clamping; empty in a job without setups
   const Toolpath* path = nullptr;
   const std::vector<float>* removed_mm3 = nullptr;  ///< per motion; missing entries count as 0
+  bool turned = false;  ///< the part turns: an edge goes round it on helices and spirals
 };
+
+/// How far the edge of a turning tool goes through the material while the part turns, mm: on a helix or
+/// spiral at the mean radius of the chip, so that the removed volume over it is the section of the chip. The
+/// length of the motion where the spindle stands, and of motions that take no time.
+double lengthOfCut(const Toolpath& path, const Motion& motion, double removed_mm3);
 
 /// Whether a motion of that length that removed so much has cut, and not only followed what it made before.
 bool isChip(double removed_mm3, double length_mm);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -88,8 +89,28 @@ Status checkForSection(const TriMesh& mesh, const std::string& path) {
   return inputError(path + ": the view 'section' needs a solid; this mesh is inside out or without volume");
 }
 
+/// Whether a mesh is round about Z and longer than wide, threads included: it is shown as a turned part.
+bool isTurned(const TriMesh& mesh) {
+  constexpr double kLean = 0.02;  // of the surface, towards or against the turning
+  const Box3 box = meshBounds(mesh);
+  const Vec3 size = box.size(), middle = box.center();
+  if (size.z() < size.x() || std::abs(size.x() - size.y()) > 0.01 * size.x() ||
+      middle.head<2>().norm() > 0.01 * size.x())
+    return false;
+  double area = 0.0, leaning = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = mesh.positions[t[0]].cast<double>(), b = mesh.positions[t[1]].cast<double>(),
+               c = mesh.positions[t[2]].cast<double>();
+    const Vec3 n = (b - a).cross(c - a), p = (a + b + c) / 3.0;
+    const double r = p.head<2>().norm();
+    area += n.norm();
+    if (r > 0.0) leaning += std::abs(p.x() * n.y() - p.y() * n.x()) / r;
+  }
+  return leaning <= kLean * area;
+}
+
 Status renderToFile(const RenderCommandOptions& options, const std::string& output, Progress& progress) {
-  const Result<View> view = findView(options.view);
+  Result<View> view = findView(options.view);
   if (!view) return view.error();
   const Result<ImageSize> size = parseImageSize(options.size);
   if (!size) return size.error();
@@ -116,6 +137,12 @@ Status renderToFile(const RenderCommandOptions& options, const std::string& outp
   RenderScene scene(*mesh);
   if (comparison) addHeatMap(*comparison, scene);
   RenderOptions settings;
+  if (isTurned(*mesh)) {
+    view = findTurnedView(options.view);
+    if (!view) return view.error();
+    if (view->section) scene.section = SectionCut{Vec2::Zero(), 1, 1};
+    settings.ground = false;
+  }
   settings.threads = options.threads.value_or(0);
   const Result<Image> image = renderMesh(scene, *view, *size, settings, progress);
   if (!image) return image.error();

@@ -82,10 +82,12 @@ class PictureMaker {
  private:
   /// Bytes of the PNG file.
   Result<std::string> draw(RenderScene scene, const std::string& view_name) {
-    const Result<View> view = findView(view_name);
+    const bool turned = request_.turned_axis.has_value();
+    const Result<View> view = turned ? findTurnedView(view_name) : findView(view_name);
     if (!view) return view.error();
-    if (view->section && request_.turned_axis) scene.section = SectionCut{*request_.turned_axis};
+    if (view->section && turned) scene.section = SectionCut{*request_.turned_axis, 1, 1};
     RenderOptions options;
+    options.ground = !turned;  // the part lies on no table
     options.threads = request_.threads;
     const Result<Image> image = renderMesh(scene, *view, request_.size, options, progress_);
     if (!image) return image.error();

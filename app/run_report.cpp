@@ -113,6 +113,12 @@ ReportStock reportStock(const RunResult& run) {
 }
 
 ErrorTerm gridTerm(const RunResult& run, double bound_mm) {
+  if (run.setups.back().turned) {
+    return {"grid", bound_mm,
+            fmt::format("facets of the mesh between exact crossings of a {:g} mm grid, at most h^2/(8r) at the "
+                        "smallest radius; of the mesh alone: the part is compared as its section and threads",
+                        run.resolution_mm)};
+  }
   return {
       "grid", bound_mm,
       fmt::format("facets of the mesh between exact crossings of a {:g} mm grid: flat faces are exact, walls as curved "
@@ -284,7 +290,8 @@ ReportComparison reportComparison(const Comparison& comparison, const std::strin
 std::vector<CutPath> cutPaths(const RunResult& run) {
   std::vector<CutPath> paths;
   for (const SetupRun& setup : run.setups)
-    paths.push_back({setup.name, &setup.interpreted.path, &setup.removal.removed_mm3});
+    paths.push_back(
+        {setup.name, &setup.interpreted.path, &setup.removal.removed_mm3, setup.turned != nullptr});
   return paths;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -32,6 +33,20 @@ std::string findingCounts(const Report& report) {
                      counted(others, "warning or note", "warnings or notes"));
 }
 
+/// The part alone: a bar or a slug beside it is told as such.
+std::string partText(const ReportStock& stock) {
+  const auto part = std::find_if(stock.bodies.begin(), stock.bodies.end(),
+                                 [](const StockBody& body) { return body.role == "part"; });
+  if (part == stock.bodies.end()) return fmt::format("{:.2f} mm3", stock.final_mm3);
+  const Vec3 &low = part->bounds.min, &high = part->bounds.max;
+  std::string text = fmt::format("{:.2f} mm3, X{:.3f}..{:.3f} Y{:.3f}..{:.3f} Z{:.3f}..{:.3f}",
+                                 part->volume_mm3, low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
+  if (stock.bodies.size() == 1) return text + ", in 1 piece";
+  return text + fmt::format(", beside {} of {:.2f} mm3",
+                            counted(stock.bodies.size() - 1, "other piece", "other pieces"),
+                            stock.final_mm3 - part->volume_mm3);
+}
+
 }  // namespace
 
 std::string summaryText(const Report& report, const std::string& folder) {
@@ -51,8 +66,7 @@ std::string summaryText(const Report& report, const std::string& folder) {
   if (const auto& stock = report.stock) {
     row("blank", fmt::format("{:.2f} mm3, removed {} mm3", stock->initial_mm3,
                              report_text::fixed(stock->removed_mm3, 2)));
-    row("part", fmt::format("{:.2f} mm3 in {}; mesh {} triangles, {}, grid {:g} mm", stock->final_mm3,
-                            counted(stock->bodies.size(), "piece", "pieces"), stock->triangles,
+    row("part", fmt::format("{}; mesh {} triangles, {}, grid {:g} mm", partText(*stock), stock->triangles,
                             stock->closed ? "closed" : "NOT closed", report.resolution_mm));
   }
   if (const auto& c = report.comparison) {

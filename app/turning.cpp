@@ -11,7 +11,6 @@
 #include "app/stopwatch.h"
 #include "core/geometry/plane.h"
 #include "core/nc/interpreter.h"
-#include "io/half_section.h"
 #include "removal/turning/revolve.h"
 #include "removal/turning/turned_stock.h"
 
@@ -100,6 +99,25 @@ Status gridSurface(const Job& job, const TurnedShape& part, RunResult& run, Setu
   return Done{};
 }
 
+/// Whether a thread comes to the heights and radii of the first body.
+bool threadReaches(const TurnedShape& shape) {
+  const StockBody body = bodyOf(shape.bodies.front(), "");
+  return std::any_of(shape.threads.begin(), shape.threads.end(), [&](const ThreadSweep& thread) {
+    const Vec2 low = thread.from.cwiseMin(thread.to) + thread.outline->min(),
+               high = thread.from.cwiseMax(thread.to) + thread.outline->max();
+    return low.y() < body.bounds.max.z() && high.y() > body.bounds.min.z() && low.x() < body.bounds.max.x();
+  });
+}
+
+/// Of a body that is not the part, mm3: by the grid, as its surface is not asked for.
+Result<double> threadedVolume(const Job& job, const TurnedShape& shape, const RunResult& run,
+                              Progress& progress) {
+  const StockShape blank = TurnedStockShape{std::make_shared<const TurnedShape>(shape)};
+  Result<Stock> stock = Stock::create(blank, removalOptions(job, run.resolution_mm), progress);
+  if (!stock) return stock.error();
+  return stock->initialVolume();
+}
+
 }  // namespace
 
 bool turnsPart(const Job& job) {
@@ -178,6 +196,14 @@ Status takePart(const Job& job, const TurnedStock& stock, const std::optional<Bo
   for (const SectionBody& body : all.bodies) setup.bodies.push_back(bodyOf(body, "loose"));
   setup.bodies.front().role = "part";
   setup.bodies.front().volume_mm3 = setup.surface.volume_mm3;
+  for (std::size_t k = 1; k < all.bodies.size(); ++k) {
+    TurnedShape piece = all;
+    piece.bodies = {all.bodies[k]};
+    if (!threadReaches(piece)) continue;
+    const Result<double> volume = threadedVolume(job, piece, run, progress);
+    if (!volume) return volume.error();
+    setup.bodies[k].volume_mm3 = *volume;
+  }
   setup.turned = std::make_shared<const TurnedShape>(std::move(all));
   return Done{};
 }
@@ -240,12 +266,12 @@ void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::v
     Finding finding;
     finding.kind = "part_off";
     finding.severity = Severity::kNote;
-    finding.volume_mm3 = body.volume_mm3;
+    finding.volume_mm3 = setup.bodies[k].volume_mm3;  // with its threads
     const Box3& bounds = setup.bodies[k].bounds;
     finding.where = Vec3(0.0, 0.0, 0.5 * (bounds.min.z() + bounds.max.z()));
     finding.message =
         fmt::format("{} of {:.4g} mm3, Z{:.3f} to Z{:.3f}, is cut off here; nothing cuts it any more",
-                    k == 0 ? "the part" : "a piece", body.volume_mm3, bounds.min.z(), bounds.max.z());
+                    k == 0 ? "the part" : "a piece", setup.bodies[k].volume_mm3, bounds.min.z(), bounds.max.z());
     blame(finding, body.parted_by, path, texts);
     findings.push_back(std::move(finding));
   }
@@ -285,26 +311,6 @@ Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, con
   if (!stock) return fail(stock.error());
   if (const auto cut = stock->remove(so_far, tools_, progress_); !cut) return fail(cut.error());
   return stock->firstContact(asked, arc, *defined(asked.tool));
-}
-
-void writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& staging, Report& report,
-                        OutputFailures& failures) {
-  const SetupRun& setup = run.setups.back();
-  if (!setup.turned || setup.turned->bodies.empty()) return;
-  std::vector<std::vector<Vec2>> machined;
-  if (!setup.turned->threads.empty()) {
-    machined = halfSectionLoops(setup.surface.mesh);
-  } else {
-    for (const SectionLoop& loop : setup.turned->bodies.front().loops) machined.push_back(loop.points);
-  }
-  ProfileChartOptions options;
-  options.name = job.name;
-  if (job.nominal) {
-    options.gouge_mm = job.nominal->gouge_mm;
-    options.excess_mm = job.nominal->excess_mm;
-    options.ignored = job.nominal->ignored;
-  }
-  writeProfileChart(machined, run.nominal ? &*run.nominal : nullptr, options, staging, report, failures);
 }
 
 Workload turningWork(const SetupRun& setup, const Blank& blank) {

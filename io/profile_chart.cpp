@@ -26,6 +26,9 @@ constexpr double kLetter = 6.6;       ///< room for one, user units
 
 constexpr const char* kMetal = "#e3e7ea";
 constexpr const char* kNominal = "#1d2329";
+constexpr const char* kOutline = "#7b858d";
+constexpr const char* kBlank = "#8a949c";
+constexpr const char* kTool = "#b7791f";
 
 /// What the page's style sheet says of charts, for a file that stands alone.
 constexpr const char* kOwnStyle =
@@ -75,9 +78,9 @@ class Drawing {
   std::string draw(const std::string& attributes, const char* style) const {
     return fmt::format(
         "<svg {} viewBox=\"0 0 {} {:.0f}\" role=\"img\" aria-label=\"Half section of the part and its "
-        "nominal\">{}{}{}{}{}{}{}{}{}</svg>",
-        attributes, kWidth, height(), style, heading(), legend(), grid(), material(), bands(), nominal(),
-        marks(), axes());
+        "nominal\">{}{}{}{}{}{}{}{}{}{}{}{}</svg>",
+        attributes, kWidth, height(), style, heading(), legend(), grid(), blank(), material(), bands(),
+        nominal(), tools(), marks(), labels(), axes());
   }
   double height() const { return base() + kBottom; }
 
@@ -147,7 +150,13 @@ class Drawing {
     const auto box = [&](const std::string& paint) {
       return fmt::format("<rect x=\"{:.1f}\" y=\"52\" width=\"12\" height=\"11\" {}/>", from, paint);
     };
-    label(box(fmt::format("fill=\"{}\" stroke=\"#b9c1c7\"", kMetal)), "machined");
+    label(box(fmt::format("fill=\"{}\" stroke=\"{}\"", kMetal, kOutline)), "machined");
+    if (!options_.blank.empty()) {
+      label(fmt::format("<path d=\"M{:.1f} 57.5h12\" stroke=\"{}\" stroke-dasharray=\"4 3\"/>", from, kBlank),
+            "blank");
+    }
+    if (!options_.tools.empty())
+      label(box(fmt::format("fill=\"{0}\" fill-opacity=\".25\" stroke=\"{0}\"", kTool)), "tool");
     if (!deviations_.samples.empty()) {
       label(fmt::format("<path d=\"M{:.1f} 57.5h12\" stroke=\"{}\" stroke-width=\"1.2\"/>", from, kNominal),
             "nominal");
@@ -207,21 +216,84 @@ class Drawing {
                              kTop + 2.0);
   }
 
+  std::string closedPath(const std::vector<Vec2>& loop) const {
+    std::string path;
+    Vec2 last = Vec2::Constant(-1e9);
+    const char* command = "M";
+    for (const Vec2& point : loop) {
+      const Vec2 p = at(point);
+      if ((p - last).norm() < 0.02) continue;
+      path += fmt::format("{}{:.2f} {:.2f}", command, p.x(), p.y());
+      last = p;
+      command = "L";
+    }
+    return path + "Z";
+  }
+
   std::string material() const {
     std::string path;
-    for (const auto& loop : machined_) {
-      Vec2 last = Vec2::Constant(-1e9);
-      const char* command = "M";
-      for (const Vec2& point : loop) {
-        const Vec2 p = at(point);
-        if ((p - last).norm() < 0.02) continue;
-        path += fmt::format("{}{:.2f} {:.2f}", command, p.x(), p.y());
-        last = p;
-        command = "L";
-      }
-      path += "Z";
+    for (const auto& loop : machined_) path += closedPath(loop);
+    return fmt::format("<path fill=\"{}\" fill-rule=\"evenodd\" stroke=\"{}\" stroke-width=\".8\" d=\"{}\"/>",
+                       kMetal, kOutline, path);
+  }
+
+  /// What lies beyond the chart goes along its border.
+  std::string blank() const {
+    std::string path;
+    for (std::vector<Vec2> loop : options_.blank) {
+      for (Vec2& p : loop) p = Vec2(std::clamp(p.x(), r_low_, r_high_), std::clamp(p.y(), z_low_, z_high_));
+      path += closedPath(loop);
     }
-    return fmt::format("<path fill=\"{}\" fill-rule=\"evenodd\" d=\"{}\"/>", kMetal, path);
+    if (path.empty()) return {};
+    return fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-dasharray=\"4 3\" d=\"{}\"/>", kBlank, path);
+  }
+
+  std::string tools() const {
+    if (options_.tools.empty()) return {};
+    std::string out = fmt::format(
+        "<clipPath id=\"plot\"><rect x=\"{:.2f}\" y=\"{}\" width=\"{:.2f}\" height=\"{:.2f}\"/></clipPath>"
+        "<g clip-path=\"url(#plot)\">",
+        left_, kTop, right() - left_, base() - kTop);
+    for (const ProfileTool& tool : options_.tools) {
+      out += fmt::format("<path fill=\"{0}\" fill-opacity=\".25\" stroke=\"{0}\" d=\"{1}\"/>", kTool,
+                         closedPath(tool.outline));
+    }
+    return out + "</g>";
+  }
+
+  /// Texts stand above their places, one over the other where places are near.
+  std::string labels() const {
+    std::vector<ProfileMark> all = options_.marks;
+    for (const ProfileTool& tool : options_.tools) {
+      if (!tool.label.empty() && !tool.outline.empty()) all.push_back({innermost(tool.outline), tool.label});
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const ProfileMark& a, const ProfileMark& b) { return a.at.y() < b.at.y(); });
+    std::string out;
+    std::vector<Vec2> taken;  // lower left corners
+    for (const ProfileMark& mark : all) {
+      const Vec2 p = at(mark.at);
+      const double width = kLetter * static_cast<double>(mark.label.size());
+      Vec2 text(std::clamp(p.x() + 8.0, kLeft, std::max(kLeft, kWidth - kRight - width)), p.y() - 12.0);
+      const auto overlaps = [&](const Vec2& other) {
+        return std::abs(other.y() - text.y()) < 13.0 && std::abs(other.x() - text.x()) < width + 8.0;
+      };
+      while (text.y() > kTop + 12.0 && std::any_of(taken.begin(), taken.end(), overlaps)) text.y() -= 13.0;
+      taken.push_back(text);
+      out += fmt::format(
+          "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"2.6\" fill=\"#8f2415\"/><path d=\"M{:.2f} {:.2f}L{:.2f} "
+          "{:.2f}\" stroke=\"#8f2415\" stroke-width=\".7\"/><text x=\"{:.2f}\" y=\"{:.2f}\" "
+          "style=\"fill:#8f2415;font-weight:600\">{}</text>",
+          p.x(), p.y(), p.x(), p.y(), text.x(), text.y() + 2, text.x(), text.y(),
+          report_text::escape(mark.label));
+    }
+    return out;
+  }
+
+  /// The point of a tool that is nearest to the axis: its nose.
+  static Vec2 innermost(const std::vector<Vec2>& outline) {
+    return *std::min_element(outline.begin(), outline.end(),
+                             [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
   }
 
   std::string nominal() const {
@@ -326,7 +398,25 @@ ProfileChart drawProfileChart(const std::vector<std::vector<Vec2>>& machined,
     extent.add(a);
     extent.add(b);
   }
-  if (!extent.finite) return {};
+  // Of the blank what is beside the part: a tenth of its size about it.
+  const Vec2 margin = 0.1 * (extent.most - extent.least);
+  const Extent part = extent;
+  for (const auto& loop : options.blank) {
+    for (const Vec2& p : loop) {
+      if (!p.allFinite()) return {};
+      const Vec2 near = p.cwiseMax(part.least - margin).cwiseMin(part.most + margin);
+      extent.add({std::max(0.0, near.x()), near.y()});
+    }
+  }
+  const auto finite = [](const std::vector<Vec2>& points) {
+    return std::all_of(points.begin(), points.end(), [](const Vec2& p) { return p.allFinite(); });
+  };
+  if (!extent.finite ||
+      !std::all_of(options.marks.begin(), options.marks.end(),
+                   [](const ProfileMark& mark) { return mark.at.allFinite(); }) ||
+      !std::all_of(options.tools.begin(), options.tools.end(),
+                   [&](const ProfileTool& tool) { return finite(tool.outline); }))
+    return {};
   const Drawing drawing(machined, nominal, options, extent);
   ProfileChart chart;
   chart.page = drawing.draw("class=\"chart wide-chart\"", "");

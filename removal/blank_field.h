@@ -22,6 +22,7 @@ class BlankField {
  public:
   virtual ~BlankField() = default;
   virtual BlankSample sample(const Vec3& p) const = 0;
+  virtual double value(const Vec3& p) const { return sample(p).value; }  ///< of sample(), alone
   virtual Box3 bounds() const = 0;
   virtual double volume() const = 0;  ///< mm3
 

@@ -25,7 +25,9 @@ proveout_add_library(removal
   thin_walls.cpp
   turning/revolve.cpp
   turning/section_area.cpp
+  turning/section_chains.cpp
   turning/section_depth.cpp
+  turning/section_reach.cpp
   turning/section_window.cpp
   turning/sweep_paths.cpp
   turning/thread_cover.cpp

@@ -85,7 +85,7 @@ ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
   return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
 }
 
-double ExactFaces::blankValue(const Vec3& q) const { return blank_->sample(corner_ + h_ * q).value / h_; }
+double ExactFaces::blankValue(const Vec3& q) const { return blank_->value(corner_ + h_ * q) / h_; }
 
 void ExactFaces::findNeighbours() {
   neighbours_known_ = true;

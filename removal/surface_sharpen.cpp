@@ -90,7 +90,7 @@ class Sharpener {
   using Cost = std::optional<double>;
 
   Vec3 at(std::uint32_t v) const { return mesh_.positions[v].cast<double>(); }
-  double off(const Vec3& p) const { return std::abs(field_.sample(p).value); }
+  double off(const Vec3& p) const { return std::abs(field_.value(p)); }
   Vec3 middle(std::uint32_t a, std::uint32_t b) const { return 0.5 * (at(a) + at(b)); }
 
   std::vector<std::uint32_t> bentTriangles() const;
@@ -115,8 +115,9 @@ class Sharpener {
   bool anyBanned(std::span<const std::uint32_t> vertices) const;
   bool turnEdge(const Wing& w);
   Cost triangleCost(const Vec3& a, const Vec3& b, const Vec3& c) const;
-  Cost splitCost(const Wing& w, const Vec3& x) const;
-  Cost moveCost(std::uint32_t v, const Vec3& x) const;
+  /// None as soon as it is above `limit`, too: what is asked of the blank takes most of the time.
+  Cost splitCost(const Wing& w, const Vec3& x, double limit) const;
+  Cost moveCost(std::uint32_t v, const Vec3& x, double limit = std::numeric_limits<double>::infinity()) const;
   double distanceTo(const std::vector<std::uint32_t>& triangles, const Vec3& p) const;
   double wingOff(const Wing& w) const;
   void split(const Wing& w, const Vec3& x);
@@ -290,7 +291,7 @@ double Sharpener::wingOff(const Wing& w) const {
   return std::max({off(0.5 * ends), off((ends + at(w.c)) / 3.0), off((ends + at(w.d)) / 3.0)});
 }
 
-Sharpener::Cost Sharpener::splitCost(const Wing& w, const Vec3& x) const {
+Sharpener::Cost Sharpener::splitCost(const Wing& w, const Vec3& x, double limit) const {
   const std::array<Vec3, 4> ring{at(w.a), at(w.d), at(w.b), at(w.c)};
   double most = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -298,11 +299,12 @@ Sharpener::Cost Sharpener::splitCost(const Wing& w, const Vec3& x) const {
     const Cost cost = triangleCost(ring[i], ring[(i + 1) % 4], x);
     if (!cost) return std::nullopt;
     most = std::max({most, *cost, off(0.5 * (ring[i] + x))});
+    if (most > limit) return std::nullopt;
   }
   return most;
 }
 
-Sharpener::Cost Sharpener::moveCost(std::uint32_t v, const Vec3& x) const {
+Sharpener::Cost Sharpener::moveCost(std::uint32_t v, const Vec3& x, double limit) const {
   double most = off(x);
   for (const std::uint32_t t : fans_[v]) {
     const Triangle& c = mesh_.triangles[t];
@@ -312,6 +314,7 @@ Sharpener::Cost Sharpener::moveCost(std::uint32_t v, const Vec3& x) const {
     const Cost cost = triangleCost(x, b, d);
     if (!cost) return std::nullopt;
     most = std::max({most, *cost, off(0.5 * (x + b))});
+    if (most > limit) return std::nullopt;
   }
   return most;
 }
@@ -378,7 +381,7 @@ void Sharpener::mendVertex(std::uint32_t v) {
   double least = before ? kBetter * *before : h_;
   Vec3 best = at(v);
   for (const Vec3& x : placesNear(at(v), {fans_[v].begin(), fans_[v].end()})) {
-    const Cost cost = moveCost(v, x);
+    const Cost cost = moveCost(v, x, least);
     if (!cost || *cost >= least) continue;
     least = *cost;
     best = x;
@@ -408,8 +411,8 @@ void Sharpener::mendEdge(std::uint32_t a, std::uint32_t b) {
     const double missed = searching_ ? distanceTo(patch, x) : 0.0;
     if (!is_off && missed <= limit_) continue;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Cost cost = i < 2 ? moveCost(ends[i], x) : splitCost(w, x);
-      const double worst = std::max(missed, off_before[i]);
+      const double worst = std::max(missed, off_before[i]), limit = std::min(kBetter * worst, worst - most);
+      const Cost cost = i < 2 ? moveCost(ends[i], x, limit) : splitCost(w, x, limit);
       if (!cost || *cost > kBetter * worst || worst - *cost <= most) continue;
       most = worst - *cost;
       which = i;
@@ -453,7 +456,7 @@ bool Sharpener::meet(std::span<const std::uint64_t> faces, const Vec3& m, Vec3& 
 
 /// The point on the way from `m` to `x` where the blank ends or begins; `x` if both are on one side.
 Vec3 Sharpener::onWay(const Vec3& m, const Vec3& x) const {
-  const auto value = [&](double s) { return field_.sample(m + s * (x - m)).value; };
+  const auto value = [&](double s) { return field_.value(m + s * (x - m)); };
   const double at_m = value(0.0), at_x = value(1.0);
   if ((at_m < 0.0) == (at_x < 0.0)) return x;
   const double at =

@@ -82,6 +82,29 @@ Result<View> findView(const std::string& name) {
   return inputError(fmt::format("unknown view '{}': the views are {}", name, fmt::join(viewNames(), ", ")));
 }
 
+Result<View> findTurnedView(const std::string& name) {
+  const Result<View> usual = findView(name);
+  if (!usual) return usual.error();
+  // The usual frame has x to the right, y away and z up; here these are Z, -Y and X. Oblique views turn less
+  // out of the front view, so that X stays up.
+  constexpr double kOblique = 0.45;
+  const auto side = [](double v) { return std::abs(v) < 1e-9 ? 0.0 : std::copysign(1.0, v); };
+  const Vec3 from(side(usual->back.x()), side(usual->back.y()), side(usual->back.z()));
+  const bool oblique = from.cwiseAbs().sum() > 1.5;
+  View view = *usual;
+  view.back = Vec3(from.z(), -from.y(), from.x());
+  if (oblique) view.back = Vec3(kOblique * from.z(), -from.y(), kOblique * from.x());
+  view.back.normalize();
+  if (std::abs(view.back.z()) > 0.99) {
+    view.up = Vec3::UnitX();
+    return view;
+  }
+  const double towards = view.back.y() < -1e-9 ? -1.0 : 1.0;  // from behind +Z lies to the left
+  const Vec3 right = towards * (Vec3::UnitZ() - view.back.z() * view.back).normalized();
+  view.up = view.back.cross(right);
+  return view;
+}
+
 Camera fitCamera(const TriMesh& mesh, const View& view, const PixelRect& rect) {
   Camera camera;
   camera.back = view.back;

@@ -32,6 +32,10 @@ struct View {
 std::vector<std::string> viewNames();
 /// The view of that name; the error lists the known names.
 Result<View> findView(const std::string& name);
+/// The same of a part that turns about Z, as it lies on a drawing: front is seen from +Y, the axis is level
+/// in every view but those along it, +Z (away from the chuck) to the right and +X up; views from behind and
+/// from the left side show +Z to the left or from its end.
+Result<View> findTurnedView(const std::string& name);
 
 /// Part of a picture, pixels from its upper left corner.
 struct PixelRect {

@@ -180,7 +180,7 @@ class Measurer {
   void measureExactly(const Vec3& p, const SurfaceDistance& d, bool all, double& raw, double& bound) const {
     double reach = reach_;
     ExactPart::Sample s = o_.part->at(p, reach);
-    if (s.value <= -reach && raw < reach) {  // the mesh lacks what is there
+    if (s.value <= -reach && raw < deep_) {  // also where the mesh lacks what is there
       reach = deep_ + std::abs(raw);
       s = o_.part->at(p, reach);
       raw = std::max(raw, std::min(-s.value, reach));

@@ -11,6 +11,7 @@
 #include "removal/blank_field.h"
 #include "removal/sweep.h"
 #include "removal/turning/section.h"
+#include "removal/turning/section_field.h"
 #include "removal/turning/turned_field.h"
 
 namespace proveout {
@@ -218,15 +219,55 @@ class SweptPart final : public ExactPart {
 
 class TurnedPart final : public ExactPart {
  public:
-  explicit TurnedPart(std::unique_ptr<BlankField> field) : field_(std::move(field)) {}
+  TurnedPart(std::unique_ptr<BlankField> field, const TurnedShape& shape)
+      : field_(std::move(field)), section_(shape.bodies) {
+    for (const ThreadSweep& thread : shape.threads) {
+      const double beyond = thread.outline->max().cwiseAbs().maxCoeff();  // of the axis, if it reaches there
+      threads_.push_back({{std::min(thread.from.x(), thread.to.x()) + thread.outline->min().x(),
+                           std::min(thread.from.y(), thread.to.y()) + thread.outline->min().y()},
+                          {std::max(thread.from.x(), thread.to.x()) + thread.outline->max().x(),
+                           std::max(thread.from.y(), thread.to.y()) + thread.outline->max().y()},
+                          thread.from.x() < beyond || thread.to.x() < beyond});
+    }
+  }
+
   Sample at(const Vec3& p, double reach) const override {
-    const BlankSample s = field_->sample(p);
-    return {std::clamp(s.value, -reach, reach), s.normal, {SurfaceMaker::kLastSetup, s.motion}};
+    const Vec2 q(p.head<2>().norm(), p.z());
+    const SectionField::Nearest near = section_.nearest(q, 1e300);
+    if (isThreadNear(q, near.distance)) {
+      const BlankSample s = field_->sample(p);
+      return {std::clamp(s.value, -reach, reach), s.normal, {SurfaceMaker::kLastSetup, s.motion}};
+    }
+    const bool inside = section_.inside(q);
+    const SectionField::Edge& edge = section_.edge(near.edge);
+    // The way to the nearest point: beside corners and on short edges a normal of the face is not.
+    Vec2 out = edge.normalAt(near.point);
+    if (near.distance > kAway) out = (inside ? 1.0 : -1.0) * (near.point - q) / near.distance;
+    const Vec2 around = q.x() > 0.0 ? Vec2(p.head<2>() / q.x()) : Vec2::UnitX();
+    return {std::clamp(inside ? -near.distance : near.distance, -reach, reach),
+            Vec3(out.x() * around.x(), out.x() * around.y(), out.y()),
+            {SurfaceMaker::kLastSetup, edge.motion}};
   }
   double accuracy() const override { return kSectionChordMm; }
 
  private:
+  static constexpr double kAway = 1e-6;  ///< mm: what is nearer is on the surface
+
+  /// Bounds of all that a thread's tool reaches, (r, z).
+  struct Reach {
+    Vec2 low, high;
+    bool over_axis;
+  };
+  /// Whether a thread may come nearer than the section does.
+  bool isThreadNear(const Vec2& q, double distance) const {
+    return std::any_of(threads_.begin(), threads_.end(), [&](const Reach& t) {
+      return t.over_axis || (t.low - q).cwiseMax(q - t.high).maxCoeff() <= distance;
+    });
+  }
+
   std::unique_ptr<BlankField> field_;
+  SectionField section_;
+  std::vector<Reach> threads_;
 };
 
 }  // namespace
@@ -242,7 +283,7 @@ Result<std::unique_ptr<ExactPart>> makeSweptPart(const StockShape& blank,
 Result<std::unique_ptr<ExactPart>> makeTurnedPart(const std::shared_ptr<const TurnedShape>& shape) {
   Result<std::unique_ptr<BlankField>> field = makeTurnedField(shape);
   if (!field) return field.error();
-  return std::unique_ptr<ExactPart>(std::make_unique<TurnedPart>(std::move(*field)));
+  return std::unique_ptr<ExactPart>(std::make_unique<TurnedPart>(std::move(*field), *shape));
 }
 
 }  // namespace proveout

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
 
 #include "core/geometry/plane.h"
 
@@ -11,9 +14,55 @@ namespace {
 
 /// Rings of a mesh have at least and at most so many corners.
 constexpr int kFewest = 24, kMost = 4096;
-/// Borders between motions that are nearer to each other, in tolerances, are not kept: programs of many short
-/// lines would make as many rings.
+/// A border between motions stays where what both of them made is longer than this, in tolerances; and no
+/// more of them than these, those of the longest. Programs of many short lines would make as many rings.
 constexpr double kRunLengths = 100.0;
+constexpr std::size_t kMostBorders = 200;
+
+/// Edges of a loop that one motion made in a row.
+struct Run {
+  std::size_t first;  ///< point that it begins at
+  double length = 0.0;
+};
+
+std::vector<Run> runsOf(const SectionLoop& loop) {
+  std::vector<Run> runs;
+  const std::size_t n = loop.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (runs.empty() || loop.motion[i] != loop.motion[i - 1]) runs.push_back({i});
+    runs.back().length += (loop.points[(i + 1) % n] - loop.points[i]).norm();
+  }
+  if (runs.size() > 1 && loop.motion.front() == loop.motion.back()) {  // it goes on over the first point
+    runs.back().length += runs.front().length;
+    runs.erase(runs.begin());
+  }
+  return runs;
+}
+
+/// Points at which borders between motions stay, in no order.
+std::vector<std::size_t> keptBorders(const SectionLoop& loop, double tolerance) {
+  const std::vector<Run> runs = runsOf(loop);
+  std::vector<std::pair<double, std::size_t>> borders;  // by the shorter of the runs that meet there
+  for (std::size_t k = 0; k < runs.size() && runs.size() > 1; ++k) {
+    const double shorter = std::min(runs[k].length, runs[(k + runs.size() - 1) % runs.size()].length);
+    if (shorter > kRunLengths * tolerance) borders.emplace_back(shorter, runs[k].first);
+  }
+  std::sort(borders.begin(), borders.end(), std::greater<>());
+  borders.resize(std::min(borders.size(), kMostBorders));
+  std::vector<std::size_t> points;
+  for (const auto& border : borders) points.push_back(border.second);
+  return points;
+}
+
+/// Which motion made most of the edges from point `first` up to `last`, which may be beyond the end.
+MotionId mainMotion(const SectionLoop& loop, std::size_t first, std::size_t last) {
+  const std::size_t n = loop.points.size();
+  std::map<MotionId, double> lengths;
+  for (std::size_t i = first; i < last; ++i)
+    lengths[loop.motion[i % n]] += (loop.points[(i + 1) % n] - loop.points[i % n]).norm();
+  const auto shorter = [](const auto& a, const auto& b) { return a.second < b.second; };
+  return std::max_element(lengths.begin(), lengths.end(), shorter)->first;
+}
 
 /// Marks what of points first..last has to stay, its ends being kept.
 void keepFar(const std::vector<Vec2>& points, std::size_t first, std::size_t last, double tolerance,
@@ -92,38 +141,35 @@ class Rings {
 
 SectionLoop simplified(const SectionLoop& loop, double tolerance) {
   const std::size_t n = loop.points.size();
-  std::vector<char> keep(n, 0);
-  std::vector<std::size_t> fixed;
+  std::vector<std::size_t> fixed = keptBorders(loop, tolerance);
   for (std::size_t i = 0; i < n; ++i) {
-    const bool border = loop.motion[(i + n - 1) % n] != loop.motion[i];
-    const bool far =
-        fixed.empty() || (loop.points[i] - loop.points[fixed.back()]).norm() > kRunLengths * tolerance;
-    if ((border && far) || loop.points[i].x() <= 0.0) fixed.push_back(i);
+    if (loop.points[i].x() <= 0.0) fixed.push_back(i);
   }
-  if (fixed.size() < 2) {  // a loop of one motion: its ends along Z stay
-    const auto byHeight = [&](std::size_t a, std::size_t b) {
-      return loop.points[a].y() < loop.points[b].y();
-    };
-    std::vector<std::size_t> all(n);
-    for (std::size_t i = 0; i < n; ++i) all[i] = i;
-    const auto [low, high] = std::minmax_element(all.begin(), all.end(), byHeight);
-    fixed.push_back(*low);
-    fixed.push_back(*high);
-    std::sort(fixed.begin(), fixed.end());
-    fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+  if (fixed.size() < 2) {  // hardly a border: its ends along Z stay
+    const auto byHeight = [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); };
+    const auto [low, high] = std::minmax_element(loop.points.begin(), loop.points.end(), byHeight);
+    fixed.push_back(static_cast<std::size_t>(low - loop.points.begin()));
+    fixed.push_back(static_cast<std::size_t>(high - loop.points.begin()));
   }
+  std::sort(fixed.begin(), fixed.end());
+  fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+  std::vector<char> keep(n, 0);
   for (std::size_t f = 0; f < fixed.size(); ++f) {
     keep[fixed[f]] = 1;
     const std::size_t next = f + 1 < fixed.size() ? fixed[f + 1] : fixed[0] + n;
     keepFar(loop.points, fixed[f], next, tolerance, keep);
   }
-  SectionLoop out;
+  std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < n; ++i) {
-    if (!keep[i]) continue;
-    out.points.push_back(loop.points[i]);
-    out.motion.push_back(loop.motion[i]);
+    if (keep[i]) kept.push_back(i);
   }
-  return out.points.size() > 2 ? out : loop;
+  if (kept.size() < 3) return loop;
+  SectionLoop out;
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    out.points.push_back(loop.points[kept[k]]);
+    out.motion.push_back(mainMotion(loop, kept[k], k + 1 < kept.size() ? kept[k + 1] : kept[0] + n));
+  }
+  return out;
 }
 
 TriMesh revolved(const std::vector<SectionBody>& bodies, double tolerance) {

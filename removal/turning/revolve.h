@@ -8,8 +8,9 @@
 
 namespace proveout {
 
-/// Points of a loop that are needed to stay within `tolerance` mm of it; borders between motions stay where
-/// they are 100 tolerances apart.
+/// Points of a loop that are needed to stay within `tolerance` mm of it. Borders between motions stay where
+/// what both made is longer than 100 tolerances, 200 of a loop at most; an edge that stands for several has
+/// the motion that made most of it.
 SectionLoop simplified(const SectionLoop& loop, double tolerance);
 
 /// The bodies turned about Z: closed and oriented. Corners are exact; rings are on the surface, and facets

@@ -5,21 +5,25 @@
 #include <limits>
 #include <unordered_map>
 
-#include "removal/turning/section_loops.h"
+#include "removal/turning/section_reach.h"
+#include "removal/turning/section_window.h"
 
 namespace proveout {
 
 namespace {
 
+using section_detail::ChainLoop;
 using section_detail::cInt;
 using section_detail::clean;
 using section_detail::distance2;
 using section_detail::IntPoint;
 using section_detail::kNear;
+using section_detail::kUnit;
 using section_detail::Loop;
+using section_detail::Piece;
+using section_detail::reachOf;
 using section_detail::WindowCut;
 
-constexpr double kUnit = 1e-6;  ///< mm: a nanometre
 /// Areas with fewer points are clipped whole.
 constexpr std::size_t kFewPoints = 150;
 constexpr double kThinPiece = 1e-4;  ///< mm
@@ -76,10 +80,10 @@ ClipperLib::Paths toPaths(const std::vector<SectionPath>& polygons) {
   return paths;
 }
 
-ClipperLib::Paths toolPaths(const std::vector<SectionPath>& sweeps, const std::vector<SectionPath>& spared) {
-  ClipperLib::Paths tool = toPaths(sweeps);
+/// `tool` less the union of `spared`.
+ClipperLib::Paths lessSpared(ClipperLib::Paths tool, const std::vector<SectionPath>& spared) {
   const ClipperLib::Paths less = toPaths(spared);
-  if (tool.empty() || less.empty()) return tool;
+  if (less.empty()) return tool;
   ClipperLib::Clipper clipper;
   clipper.AddPaths(tool, ClipperLib::ptSubject, true);
   clipper.AddPaths(less, ClipperLib::ptClip, true);
@@ -100,22 +104,6 @@ double revolvedVolume(const std::vector<Vec2>& points) {
 
 namespace {
 
-struct Bounds {
-  IntPoint low{std::numeric_limits<cInt>::max(), std::numeric_limits<cInt>::max()};
-  IntPoint high{std::numeric_limits<cInt>::min(), std::numeric_limits<cInt>::min()};
-};
-
-Bounds boundsOf(const ClipperLib::Paths& paths) {
-  Bounds box;
-  for (const auto& path : paths) {
-    for (const IntPoint& p : path) {
-      box.low = {std::min(box.low.X, p.X), std::min(box.low.Y, p.Y)};
-      box.high = {std::max(box.high.X, p.X), std::max(box.high.Y, p.Y)};
-    }
-  }
-  return box;
-}
-
 ClipperLib::Paths combined(const std::vector<Loop>& loops, const ClipperLib::Paths& tool,
                            ClipperLib::ClipType how) {
   ClipperLib::Clipper clipper(ClipperLib::ioPreserveCollinear);
@@ -135,48 +123,31 @@ double volumeOf(const ClipperLib::Paths& paths) {
 }  // namespace
 
 struct SectionArea::Impl {
-  std::vector<Loop> loops;
+  std::vector<ChainLoop> loops;
   IntPoint low{0, 0}, high{0, 0};
   double volume = 0.0;
+  std::size_t points = 0;
 
   void measure() {
     volume = 0.0;
+    points = 0;
     bool first = true;
-    for (const Loop& loop : loops) {
-      volume += volumeUnder(loop.points);
-      for (const IntPoint& p : loop.points) {
-        if (first) low = high = p;
+    for (const ChainLoop& loop : loops) {
+      for (const Piece& piece : loop) {
+        volume += piece.volume_mm3;
+        points += piece.edges();
+        if (first) low = piece.low, high = piece.high;
         first = false;
-        low = {std::min(low.X, p.X), std::min(low.Y, p.Y)};
-        high = {std::max(high.X, p.X), std::max(high.Y, p.Y)};
+        low = {std::min(low.X, piece.low.X), std::min(low.Y, piece.low.Y)};
+        high = {std::max(high.X, piece.high.X), std::max(high.Y, piece.high.Y)};
       }
     }
   }
 
-  std::size_t points() const {
-    std::size_t count = 0;
-    for (const Loop& loop : loops) count += loop.points.size();
-    return count;
-  }
-
-  /// False where a box surely has nothing in common with the area.
-  bool reaches(const Bounds& box) const {
-    const IntPoint &l = box.low, &h = box.high;
-    if (l.X >= high.X || l.Y >= high.Y || h.X <= low.X || h.Y <= low.Y) return false;
-    for (const Loop& loop : loops) {
-      const IntPoint* a = &loop.points.back();
-      for (const IntPoint& b : loop.points) {
-        const bool beside = std::min(a->X, b.X) >= h.X || std::max(a->X, b.X) <= l.X ||
-                            std::min(a->Y, b.Y) >= h.Y || std::max(a->Y, b.Y) <= l.Y;
-        if (!beside) return true;
-        a = &b;
-      }
-    }
-    // No edge comes near: all inside or all outside.
-    int inside = 0;
-    const IntPoint middle((l.X + h.X) / 2, (l.Y + h.Y) / 2);
-    for (const Loop& loop : loops) inside += ClipperLib::PointInPolygon(middle, loop.points) != 0 ? 1 : 0;
-    return inside % 2 == 1;
+  std::vector<Loop> flat() const {
+    std::vector<Loop> out;
+    for (const ChainLoop& loop : loops) out.push_back(section_detail::flat(loop));
+    return out;
   }
 
   /// What rounding may take off all along the surface, mm3.
@@ -247,7 +218,7 @@ SectionArea::SectionArea(const std::vector<SectionLoop>& loops) : SectionArea() 
     for (const Vec2& p : from.points) loop.points.push_back(toUnits(p));
     loop.motion = from.motion;
     clean(loop);
-    if (loop.points.size() > 2) impl_->loops.push_back(std::move(loop));
+    if (loop.points.size() > 2) impl_->loops.push_back(section_detail::chained(loop));
   }
   impl_->measure();
 }
@@ -257,7 +228,7 @@ Vec2 SectionArea::min() const { return toMm(impl_->low); }
 Vec2 SectionArea::max() const { return toMm(impl_->high); }
 double SectionArea::volume() const { return impl_->volume; }
 
-std::size_t SectionArea::points() const { return impl_->points(); }
+std::size_t SectionArea::points() const { return impl_->points; }
 
 namespace {
 
@@ -302,39 +273,46 @@ void cleanAll(std::vector<Loop>& loops) {
 
 double SectionArea::subtract(const std::vector<SectionPath>& sweeps, MotionId motion,
                              const std::vector<SectionPath>& spared) {
-  const ClipperLib::Paths tool = toolPaths(sweeps, spared);
-  const Bounds box = boundsOf(tool);
-  if (empty() || tool.empty() || !impl_->reaches(box)) return 0.0;
+  ClipperLib::Paths tool = toPaths(sweeps);
+  const auto reach = reachOf(impl_->loops, tool);
+  if (!reach) return 0.0;
+  tool = lessSpared(std::move(tool), spared);
   const double rounding = impl_->roundingVolume();
-  if (impl_->points() > kFewPoints) {
-    const WindowCut window(impl_->loops, box.low, box.high);
+  if (impl_->points > kFewPoints) {
+    const WindowCut window(impl_->loops, reach->low, reach->high);
     const Difference local = difference(window.inside(), tool, motion, rounding);
     if (local.taken_mm3 <= 0.0) return 0.0;
-    std::vector<Loop> joined;
+    std::vector<ChainLoop> joined;
     if (window.join(local.loops, joined)) {
       impl_->loops = std::move(joined);
       impl_->measure();
       return local.taken_mm3;
     }
   }
-  Difference whole = difference(impl_->loops, tool, motion, rounding);
+  Difference whole = difference(impl_->flat(), tool, motion, rounding);
   if (whole.taken_mm3 <= 0.0) return 0.0;
   cleanAll(whole.loops);
-  impl_->loops = std::move(whole.loops);
+  impl_->loops.clear();
+  for (const Loop& loop : whole.loops) impl_->loops.push_back(section_detail::chained(loop));
   impl_->measure();
   return whole.taken_mm3;
+}
+
+bool SectionArea::mayMeet(const std::vector<SectionPath>& sweeps) const {
+  return reachOf(impl_->loops, toPaths(sweeps)).has_value();
 }
 
 std::vector<SectionPiece> SectionArea::common(const std::vector<SectionPath>& sweeps,
                                               const std::vector<SectionPath>& spared) const {
   std::vector<SectionPiece> pieces;
-  const ClipperLib::Paths tool = toolPaths(sweeps, spared);
-  const Bounds box = boundsOf(tool);
-  if (empty() || tool.empty() || !impl_->reaches(box)) return pieces;
-  const bool few = impl_->points() <= kFewPoints;
-  const ClipperLib::Paths both =
-      few ? combined(impl_->loops, tool, ClipperLib::ctIntersection)
-          : combined(WindowCut(impl_->loops, box.low, box.high).inside(), tool, ClipperLib::ctIntersection);
+  ClipperLib::Paths tool = toPaths(sweeps);
+  const auto reach = reachOf(impl_->loops, tool);
+  if (!reach) return pieces;
+  tool = lessSpared(std::move(tool), spared);
+  const bool few = impl_->points <= kFewPoints;
+  const ClipperLib::Paths both = few ? combined(impl_->flat(), tool, ClipperLib::ctIntersection)
+                                     : combined(WindowCut(impl_->loops, reach->low, reach->high).inside(),
+                                                tool, ClipperLib::ctIntersection);
   for (const auto& path : both) {
     if (!ClipperLib::Orientation(path)) continue;
     SectionPiece piece;
@@ -348,19 +326,13 @@ std::vector<SectionPiece> SectionArea::common(const std::vector<SectionPath>& sw
 
 bool SectionArea::apart() const {
   return std::count_if(impl_->loops.begin(), impl_->loops.end(),
-                       [](const Loop& loop) { return ClipperLib::Orientation(loop.points); }) > 1;
+                       [](const ChainLoop& loop) { return section_detail::areaOf(loop) >= 0.0; }) > 1;
 }
 
 double SectionArea::depthOf(const Vec2& p) const {
   double best = std::numeric_limits<double>::infinity();
-  const double x = p.x() / kUnit, y = p.y() / kUnit;
-  for (const Loop& loop : impl_->loops) {
-    for (std::size_t i = 0; i < loop.points.size(); ++i) {
-      const IntPoint &a = loop.points[i], &b = loop.points[(i + 1) % loop.points.size()];
-      if (a.X == 0 && b.X == 0) continue;  // the axis is no surface
-      best = std::min(best, distance2(x, y, a, b));
-    }
-  }
+  for (const ChainLoop& loop : impl_->loops)
+    best = section_detail::nearestEdge2(loop, p.x() / kUnit, p.y() / kUnit, best);
   return kUnit * std::sqrt(best);
 }
 
@@ -374,7 +346,8 @@ std::vector<SectionBody> SectionArea::bodies() const {
     out.motion = loop.motion;
     return out;
   };
-  for (const Loop& loop : impl_->loops) {
+  const std::vector<Loop> loops = impl_->flat();
+  for (const Loop& loop : loops) {
     if (!ClipperLib::Orientation(loop.points)) {
       hollows.push_back(&loop);
       continue;

@@ -128,7 +128,8 @@ void SectionField::radiiAt(double z, std::vector<double>& radii) const {
 
 bool SectionField::inside(const Vec2& p) const {
   bool odd = false;
-  forEachAtLevel(p.y(), [&](int, double r) { odd ^= r < p.x(); });
+  const double radius = std::max(p.x(), kLeastRadius);
+  forEachAtLevel(p.y(), [&](int, double r) { odd ^= r < radius; });
   return odd;
 }
 

@@ -34,8 +34,11 @@ class SectionField {
   Vec2 max() const { return max_; }
   double volume() const { return volume_; }  ///< mm3
 
+  /// Points nearer to the axis than this are asked about at this radius: on the axis itself material lies to
+  /// one side of the polygons only, mm.
+  static constexpr double kLeastRadius = 2e-6;
   /// Radii at which edges cross the level z, in no order: a point has material where the number of those
-  /// below its r is odd. Edges on the axis count, with r = 0.
+  /// below its r, at least kLeastRadius, is odd. Edges on the axis count, with r = 0.
   void radiiAt(double z, std::vector<double>& radii) const;
   bool inside(const Vec2& p) const;
 

@@ -1,9 +1,10 @@
 // Sections are changed in windows: a pass costs what it touches, not the whole profile.
+#include "removal/turning/section_window.h"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
-
-#include "removal/turning/section_loops.h"
+#include <utility>
 
 namespace proveout::section_detail {
 
@@ -91,77 +92,108 @@ void clean(Loop& loop) {
   loop = std::move(out);
 }
 
-WindowCut::WindowCut(const std::vector<Loop>& loops, const IntPoint& low, const IntPoint& high)
+namespace {
+
+/// As clean(), of an open run whose ends stay.
+void clean(Chain& run) {
+  Chain out;
+  for (std::size_t i = 0; i < run.motion.size(); ++i) {
+    const IntPoint &p = run.points[i], &next = run.points[i + 1];
+    if (p == next) continue;
+    if (!out.motion.empty() && out.motion.back() == run.motion[i] &&
+        distance2(static_cast<double>(p.X), static_cast<double>(p.Y), out.points.back(), next) <=
+            kNear * kNear)
+      continue;
+    out.points.push_back(p);
+    out.motion.push_back(run.motion[i]);
+  }
+  out.points.push_back(run.points.back());
+  run = std::move(out);
+}
+
+}  // namespace
+
+WindowCut::WindowCut(const std::vector<ChainLoop>& loops, const IntPoint& low, const IntPoint& high)
     : window_{{low.X - kMargin, low.Y - kMargin}, {high.X + kMargin, high.Y + kMargin}} {
   settle(loops);
-  for (const Loop& loop : loops) {
-    Loop divided = withCrossings(loop);
-    const bool crossed = divided.points.size() > loop.points.size();
-    if (crossed) {
+  for (const ChainLoop& loop : loops) {
+    Strand divided;
+    if (divide(loop, divided)) {
       const auto out = [&](const IntPoint& a, const IntPoint& b) {
         return !window_.contains(0.5 * static_cast<double>(a.X + b.X), 0.5 * static_cast<double>(a.Y + b.Y));
       };
-      chainsOf(divided, out, outside_, untouched_);
+      strandsOf(divided, out, outside_);
     } else {
-      const IntPoint& p = loop.points.front();
-      if (!window_.contains(static_cast<double>(p.X), static_cast<double>(p.Y))) untouched_.push_back(loop);
+      const IntPoint& p = loop.front().front();
+      if (!window_.contains(static_cast<double>(p.X), static_cast<double>(p.Y))) untouched_.push_back(&loop);
     }
-    clip(std::move(divided));
+    clip({std::move(divided.points), std::move(divided.motion)});
   }
 }
 
-/// Moves the border off the coordinates of all points.
-void WindowCut::settle(const std::vector<Loop>& loops) {
+/// Moves the border off the coordinates of all points of the pieces that it may meet.
+void WindowCut::settle(const std::vector<ChainLoop>& loops) {
+  const auto moveOff = [this](const Piece& piece) {
+    bool moved = false;
+    for (const IntPoint& p : piece.chain->points) {
+      const bool low_x = p.X == window_.low.X, low_y = p.Y == window_.low.Y;
+      const bool high_x = p.X == window_.high.X, high_y = p.Y == window_.high.Y;
+      if (!(low_x || low_y || high_x || high_y)) continue;
+      window_.low.X -= low_x;
+      window_.low.Y -= low_y;
+      window_.high.X += high_x;
+      window_.high.Y += high_y;
+      moved = true;
+    }
+    return moved;
+  };
   for (bool moved = true; moved;) {
     moved = false;
-    for (const Loop& loop : loops) {
-      for (const IntPoint& p : loop.points) {
-        const bool low_x = p.X == window_.low.X, low_y = p.Y == window_.low.Y;
-        const bool high_x = p.X == window_.high.X, high_y = p.Y == window_.high.Y;
-        if (!(low_x || low_y || high_x || high_y)) continue;
-        window_.low.X -= low_x;
-        window_.low.Y -= low_y;
-        window_.high.X += high_x;
-        window_.high.Y += high_y;
-        moved = true;
-      }
+    for (const ChainLoop& loop : loops) {
+      for (const Piece& piece : loop) moved |= piece.near(window_.low, window_.high) && moveOff(piece);
     }
   }
 }
 
-Loop WindowCut::withCrossings(const Loop& loop) const {
-  Loop out;
-  out.points.reserve(loop.points.size() + 8);
-  out.motion.reserve(loop.points.size() + 8);
-  const IntPoint &low = window_.low, &high = window_.high;
-  for (std::size_t i = 0; i < loop.points.size(); ++i) {
-    const IntPoint &a = loop.points[i], &b = loop.points[loop.after(i)];
-    out.points.push_back(a);
-    out.motion.push_back(loop.motion[i]);
-    const auto [min_x, max_x] = std::minmax(a.X, b.X);
-    const auto [min_y, max_y] = std::minmax(a.Y, b.Y);
-    if (max_x < low.X || min_x > high.X || max_y < low.Y || min_y > high.Y) continue;
-    if (min_x > low.X && max_x < high.X && min_y > low.Y && max_y < high.Y) continue;
-    ClipperLib::Path met;
-    for (const cInt x : {low.X, high.X}) {
-      if (min_x >= x || max_x <= x) continue;
-      const IntPoint p = crossing(a, b, true, x);
-      if (p.Y > low.Y && p.Y < high.Y) met.push_back(p);
+bool WindowCut::divide(const ChainLoop& loop, Strand& out) const {
+  std::size_t edges = 0;
+  for (const Piece& piece : loop) {
+    if (!piece.near(window_.low, window_.high)) {
+      out.add(piece.front(), kNoMotion, &piece);
+      ++edges;
+      continue;
     }
-    for (const cInt y : {low.Y, high.Y}) {
-      if (min_y >= y || max_y <= y) continue;
-      const IntPoint p = crossing(a, b, false, y);
-      if (p.X > low.X && p.X < high.X) met.push_back(p);
-    }
-    const auto along = [&](const IntPoint& p) { return std::abs(p.X - a.X) + std::abs(p.Y - a.Y); };
-    std::sort(met.begin(), met.end(),
-              [&](const IntPoint& p, const IntPoint& q) { return along(p) < along(q); });
-    for (const IntPoint& p : met) {
-      out.points.push_back(p);
-      out.motion.push_back(loop.motion[i]);
+    const Chain& chain = *piece.chain;
+    edges += piece.edges();
+    for (std::size_t i = 0; i < chain.motion.size(); ++i) {
+      out.add(chain.points[i], chain.motion[i], nullptr);
+      addCrossings(chain.points[i], chain.points[i + 1], chain.motion[i], out);
     }
   }
-  return out;
+  return out.points.size() > edges;
+}
+
+void WindowCut::addCrossings(const IntPoint& a, const IntPoint& b, MotionId motion, Strand& out) const {
+  const IntPoint &low = window_.low, &high = window_.high;
+  const auto [min_x, max_x] = std::minmax(a.X, b.X);
+  const auto [min_y, max_y] = std::minmax(a.Y, b.Y);
+  if (max_x < low.X || min_x > high.X || max_y < low.Y || min_y > high.Y) return;
+  if (min_x > low.X && max_x < high.X && min_y > low.Y && max_y < high.Y) return;
+  ClipperLib::Path met;
+  for (const cInt x : {low.X, high.X}) {
+    if (min_x >= x || max_x <= x) continue;
+    const IntPoint p = crossing(a, b, true, x);
+    if (p.Y > low.Y && p.Y < high.Y) met.push_back(p);
+  }
+  for (const cInt y : {low.Y, high.Y}) {
+    if (min_y >= y || max_y <= y) continue;
+    const IntPoint p = crossing(a, b, false, y);
+    if (p.X > low.X && p.X < high.X) met.push_back(p);
+  }
+  const auto along = [&](const IntPoint& p) { return std::abs(p.X - a.X) + std::abs(p.Y - a.Y); };
+  std::sort(met.begin(), met.end(),
+            [&](const IntPoint& p, const IntPoint& q) { return along(p) < along(q); });
+  for (const IntPoint& p : met) out.add(p, motion, nullptr);
 }
 
 void WindowCut::clip(Loop loop) {
@@ -173,18 +205,16 @@ void WindowCut::clip(Loop loop) {
   inside_.push_back(std::move(loop));
 }
 
-/// Cuts a loop into the chains of edges that belong; a loop that belongs whole goes to `whole`.
+/// Cuts a loop into the strands of edges that belong. False where all of it belongs: nothing is added.
 template <typename Belongs>
-void WindowCut::chainsOf(const Loop& loop, const Belongs& belongs, std::vector<Chain>& chains,
-                         std::vector<Loop>& whole) {
+bool WindowCut::strandsOf(const Strand& loop, const Belongs& belongs, std::vector<Strand>& strands) {
   const std::size_t n = loop.points.size();
+  const auto after = [n](std::size_t i) { return i + 1 < n ? i + 1 : 0; };
   std::vector<char> mine(n);
-  for (std::size_t i = 0; i < n; ++i) mine[i] = belongs(loop.points[i], loop.points[loop.after(i)]);
+  for (std::size_t i = 0; i < n; ++i)
+    mine[i] = loop.far[i] != nullptr || belongs(loop.points[i], loop.points[after(i)]);
   const auto other = std::find(mine.begin(), mine.end(), 0);
-  if (other == mine.end()) {
-    whole.push_back(loop);
-    return;
-  }
+  if (other == mine.end()) return false;
   const auto first = static_cast<std::size_t>(other - mine.begin());
   bool open = false;
   for (std::size_t k = 1; k <= n; ++k) {
@@ -193,39 +223,74 @@ void WindowCut::chainsOf(const Loop& loop, const Belongs& belongs, std::vector<C
       open = false;
       continue;
     }
-    if (!open) chains.push_back({{loop.points[i]}, {}});
+    if (!open) strands.push_back({{loop.points[i]}, {}, {}});
     open = true;
-    chains.back().points.push_back(loop.points[loop.after(i)]);
-    chains.back().motion.push_back(loop.motion[i]);
+    strands.back().add(loop.points[after(i)], loop.motion[i], loop.far[i]);
   }
+  return true;
 }
 
-bool WindowCut::join(const std::vector<Loop>& changed, std::vector<Loop>& out) const {
-  std::vector<Chain> chains = outside_;
-  out = untouched_;
+/// A closed strand as pieces; those that were far are what they were.
+ChainLoop WindowCut::closed(Strand&& joined) {
+  ChainLoop out;
+  const std::size_t n = joined.motion.size();
+  const auto far = std::find_if(joined.far.begin(), joined.far.end(), [](const Piece* p) { return p; });
+  if (far == joined.far.end()) {
+    Loop loop{std::move(joined.points), std::move(joined.motion)};
+    clean(loop);
+    return loop.points.size() > 2 ? chained(loop) : out;
+  }
+  const auto first = static_cast<std::size_t>(far - joined.far.begin());
+  Chain run;
+  const auto end = [&](const IntPoint& p) {
+    if (run.motion.empty()) return;
+    run.points.push_back(p);
+    clean(run);
+    if (!run.motion.empty()) append(std::exchange(run, {}), out);
+    run = {};
+  };
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = (first + k) % n;
+    if (const Piece* piece = joined.far[i]) {
+      end(joined.points[i]);
+      out.push_back(*piece);
+      continue;
+    }
+    run.points.push_back(joined.points[i]);
+    run.motion.push_back(joined.motion[i]);
+  }
+  end(joined.points[first]);
+  return out;
+}
+
+bool WindowCut::join(const std::vector<Loop>& changed, std::vector<ChainLoop>& out) const {
+  std::vector<Strand> strands = outside_;
+  for (const ChainLoop* loop : untouched_) out.push_back(*loop);
   for (const Loop& loop : changed) {
-    chainsOf(
-        loop, [this](const IntPoint& a, const IntPoint& b) { return !window_.along(a, b); }, chains, out);
+    const auto off_border = [this](const IntPoint& a, const IntPoint& b) { return !window_.along(a, b); };
+    Strand whole{loop.points, loop.motion, std::vector<const Piece*>(loop.points.size(), nullptr)};
+    if (strandsOf(whole, off_border, strands)) continue;
+    if (ChainLoop island = closed(std::move(whole)); !island.empty()) out.push_back(std::move(island));
   }
   std::unordered_map<IntPoint, std::size_t, PointHash> begins;
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    if (!begins.emplace(chains[c].points.front(), c).second) return false;
+  for (std::size_t c = 0; c < strands.size(); ++c) {
+    if (!begins.emplace(strands[c].points.front(), c).second) return false;
   }
-  std::vector<char> used(chains.size(), 0);
-  for (std::size_t c = 0; c < chains.size(); ++c) {
+  std::vector<char> used(strands.size(), 0);
+  for (std::size_t c = 0; c < strands.size(); ++c) {
     if (used[c]) continue;
-    Loop loop;
+    Strand loop;
     for (std::size_t at = c; !used[at];) {
       used[at] = 1;
-      loop.points.insert(loop.points.end(), chains[at].points.begin(), chains[at].points.end() - 1);
-      loop.motion.insert(loop.motion.end(), chains[at].motion.begin(), chains[at].motion.end());
-      const auto next = begins.find(chains[at].points.back());
+      const Strand& strand = strands[at];
+      for (std::size_t i = 0; i < strand.motion.size(); ++i)
+        loop.add(strand.points[i], strand.motion[i], strand.far[i]);
+      const auto next = begins.find(strand.points.back());
       if (next == begins.end()) return false;
       at = next->second;
       if (used[at] && at != c) return false;
     }
-    clean(loop);
-    if (loop.points.size() > 2) out.push_back(std::move(loop));
+    if (ChainLoop whole = closed(std::move(loop)); !whole.empty()) out.push_back(std::move(whole));
   }
   return true;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace proveout {
 
@@ -10,6 +11,10 @@ namespace {
 
 /// Helices and sides that differ by less are the same: mm, turns.
 constexpr double kSame = 1e-6;
+/// Turns that parts of a pass reach into the groove which holds the rest.
+constexpr double kOverlap = 0.05;
+/// A pass is shortened where that makes it at least so much shorter.
+constexpr double kWorthCutting = 0.8;
 
 bool same(double a, double b) { return std::abs(a - b) <= kSame; }
 
@@ -61,27 +66,128 @@ bool sameHelix(const ThreadSweep& a, const ThreadSweep& b) {
          same(a.bend, b.bend) && std::abs(std::remainder(a.start_rad - b.start_rad, 2.0 * kPi)) <= kSame;
 }
 
+/// Corners of the shallow outline as far as they are in the material somewhere on the way.
+std::vector<Vec2> cornersInside(const ThreadSweep& thread, double low, double high) {
+  const auto [least, most] = std::minmax(thread.from.x(), thread.to.x());
+  std::vector<Vec2> polygon;
+  thread.outline->chain(0.0, 2.0 * kPi, kSectionChordMm, polygon);
+  return clipped(clipped(polygon, low - most, true), high - least, false);
+}
+
+/// Whether the corners, seen from the control point of the shallow tool, lie in the deep outline that stands
+/// `by` from it.
+bool holds(const ConvexOutline& deep, const std::vector<Vec2>& corners, const Vec2& by) {
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const Vec2& p) { return deep.sample(p + by).value <= kSame; });
+}
+
+/// A part of the turns of a thread, 0..1.
+struct Turns {
+  double first, last;
+};
+
+/// The turns of a thread whose outline reaches between these heights.
+Turns turnsBetween(const ThreadSweep& thread, const Range& heights) {
+  const double way = thread.to.y() - thread.from.y();
+  if (std::abs(way) < kSame) return {0.0, 1.0};
+  double a = (heights.low - thread.outline->max().y() - thread.from.y()) / way,
+         b = (heights.high - thread.outline->min().y() - thread.from.y()) / way;
+  if (a > b) std::swap(a, b);
+  return {std::max(0.0, a), std::min(1.0, b)};
+}
+
+/// Passes of one even lead that start elsewhere, as with infeed along a flank: the turns of `shallow` for
+/// which the deep tool passes the same angle with the shallow outline in its own. Nothing where there are
+/// none.
+std::optional<Turns> heldTurns(const ThreadSweep& deep, const ThreadSweep& shallow,
+                               const std::vector<Vec2>& corners) {
+  const bool even = same(deep.bend, 0.0) && same(shallow.bend, 0.0) && deep.turns * shallow.turns > 0.0;
+  if (!even) return std::nullopt;
+  const Vec2 lead = (shallow.to - shallow.from) / shallow.turns, other = (deep.to - deep.from) / deep.turns;
+  if ((lead - other).norm() * std::abs(shallow.turns) > kSame || std::abs(lead.y()) < kSame)
+    return std::nullopt;
+  // Turns from the start of the deep tool to that of the shallow one, by the angle and by the height.
+  const double angle = (shallow.start_rad - deep.start_rad) / (2.0 * kPi),
+               height = (shallow.from.y() - deep.from.y()) / lead.y();
+  const double between = angle + std::round(height - angle);
+  const Vec2 by = shallow.from - (deep.from + between * lead);
+  if (!holds(*deep.outline, corners, by)) return std::nullopt;
+  double a = -between / shallow.turns, b = (deep.turns - between) / shallow.turns;
+  if (a > b) std::swap(a, b);
+  const Turns held{std::max(0.0, a), std::min(1.0, b)};
+  return held.first < held.last ? std::optional(held) : std::nullopt;
+}
+
+ThreadSweep partOf(const ThreadSweep& thread, const Turns& part) {
+  ThreadSweep out = thread;
+  out.from = thread.from + part.first * (thread.to - thread.from);
+  out.to = thread.from + part.last * (thread.to - thread.from);
+  out.start_rad = thread.start_rad + 2.0 * kPi * thread.turns * part.first;
+  out.turns = thread.turns * (part.last - part.first);
+  return out;
+}
+
+/// Heights of the material.
+Range heightsOf(const std::vector<SectionBody>& bodies) {
+  Range heights;
+  for (const SectionBody& body : bodies) {
+    for (const SectionLoop& loop : body.loops) {
+      for (const Vec2& p : loop.points) heights.extend(p.y());
+    }
+  }
+  return heights;
+}
+
+/// What is left of thread `i` beside those that hold some of it: at both ends, or nothing.
+std::vector<ThreadSweep> leftOf(const std::vector<ThreadSweep>& threads, std::size_t i, const Range& radii,
+                                const Range& heights) {
+  const ThreadSweep& thread = threads[i];
+  const std::vector<Vec2> corners = cornersInside(thread, radii.low, radii.high);
+  const Turns inside = turnsBetween(thread, heights);
+  if (corners.empty() || inside.first >= inside.last) return {};
+  // Beyond where the other one ends a little stays, so that no ends lie in one plane.
+  const double overlap = kOverlap / std::abs(thread.turns);
+  std::vector<Turns> least{{0.0, 1.0}};
+  double length = 1.0;
+  for (std::size_t k = 0; k < threads.size(); ++k) {
+    const std::optional<Turns> held = k == i ? std::nullopt : heldTurns(threads[k], thread, corners);
+    if (!held) continue;
+    std::vector<Turns> rest;
+    if (inside.first < held->first - kSame)
+      rest.push_back({inside.first, std::min(inside.last, held->first + overlap)});
+    if (inside.last > held->last + kSame)
+      rest.push_back({std::max(inside.first, held->last - overlap), inside.last});
+    // Two that hold each other stay, but for what the first one holds whole.
+    const std::vector<Vec2> others = cornersInside(threads[k], radii.low, radii.high);
+    if (heldTurns(thread, threads[k], others) && (!rest.empty() || k > i)) continue;
+    double sum = 0.0;
+    for (const Turns& turns : rest) sum += turns.last - turns.first;
+    if (sum >= kWorthCutting * length) continue;
+    length = sum;
+    least = std::move(rest);
+  }
+  std::vector<ThreadSweep> out;
+  for (const Turns& turns : least) {
+    const bool whole = turns.first <= 0.0 && turns.last >= 1.0;
+    out.push_back(whole ? thread : partOf(thread, turns));
+  }
+  return out;
+}
+
 }  // namespace
 
 bool coversThread(const ThreadSweep& deep, const ThreadSweep& shallow, double low, double high) {
   if (!sameHelix(deep, shallow)) return false;
-  // Points of the shallow outline that are in the material somewhere on the way. Both outlines are convex and
-  // their distance changes evenly, so that the corners at both ends decide.
-  const auto [least, most] = std::minmax(shallow.from.x(), shallow.to.x());
-  std::vector<Vec2> polygon;
-  shallow.outline->chain(0.0, 2.0 * kPi, kSectionChordMm, polygon);
-  polygon = clipped(clipped(polygon, low - most, true), high - least, false);
-  for (const Vec2& by : {Vec2(shallow.from - deep.from), Vec2(shallow.to - deep.to)}) {
-    for (const Vec2& p : polygon) {
-      if (deep.outline->sample(p + by).value > kSame) return false;
-    }
-  }
-  return true;
+  // Both outlines are convex and their distance changes evenly, so that the corners at both ends decide.
+  const std::vector<Vec2> corners = cornersInside(shallow, low, high);
+  return holds(*deep.outline, corners, shallow.from - deep.from) &&
+         holds(*deep.outline, corners, shallow.to - deep.to);
 }
 
 std::vector<ThreadSweep> withoutCovered(const std::vector<ThreadSweep>& threads,
                                         const std::vector<SectionBody>& bodies) {
   std::vector<ThreadSweep> kept;
+  std::vector<Range> radii;
   for (std::size_t i = 0; i < threads.size(); ++i) {
     const Range material = radiiBeside(threads[i], bodies);
     const auto covers = [&](std::size_t deep, std::size_t shallow) {
@@ -91,9 +197,16 @@ std::vector<ThreadSweep> withoutCovered(const std::vector<ThreadSweep>& threads,
     for (std::size_t k = 0; k < threads.size() && !covered; ++k) {
       if (k != i && covers(k, i)) covered = k < i || !covers(i, k);
     }
-    if (!covered) kept.push_back(threads[i]);
+    if (covered) continue;
+    kept.push_back(threads[i]);
+    radii.push_back(material);
   }
-  return kept;
+  const Range heights = heightsOf(bodies);
+  std::vector<ThreadSweep> out;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    for (ThreadSweep& left : leftOf(kept, i, radii[i], heights)) out.push_back(std::move(left));
+  }
+  return out;
 }
 
 }  // namespace proveout

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace proveout {
@@ -40,6 +41,7 @@ double HelixSweep::wayAt(double t) const {
 }
 
 double HelixSweep::partAt(double way) const {
+  if (bend_ == 0.0) return std::clamp(way, 0.0, 1.0);
   const double b = 1.0 - bend_;
   const double root = std::sqrt(std::max(0.0, b * b + 4.0 * bend_ * way));
   return b + root > 0.0 ? std::min(1.0, 2.0 * way / (b + root)) : 0.0;
@@ -69,6 +71,7 @@ bool HelixSweep::window(const Vec2& low, const Vec2& high, Window& out) const {
 
 double HelixSweep::endValue(double r, double t) const {
   const double beyond = std::max(-t, t - 1.0) * std::abs(turn_);
+  if (beyond <= -0.5 * kPi) return -r;
   return r * std::sin(std::clamp(beyond, -0.5 * kPi, 0.5 * kPi));
 }
 
@@ -101,10 +104,21 @@ HelixSweep::Side HelixSweep::sideAt(const PolarPoint& p, double t) const {
   return {end, sign * Vec3(-std::sin(p.phi), std::cos(p.phi), 0.0), kEndFace};
 }
 
+double HelixSweep::stretch(double r) const {
+  const double lean = steepest_ / std::max(0.5 * r, 1e-12);
+  return std::sqrt(1.0 + lean * lean);
+}
+
+/// Below 0 within the box: where several boxes hold the point the one whose middle is nearest comes first.
+double HelixSweep::boxDistance(const Vec2& p, double t) const {
+  const Vec2 q = p - at(t);
+  return (outline_->min() - q).cwiseMax(q - outline_->max()).maxCoeff();
+}
+
 /// Within r / 2 of the point the radius is at least half of its own, which bounds how fast the value changes.
 double HelixSweep::boundAt(const PolarPoint& p, double t) const {
-  const double value = valueAt(p, t), lean = steepest_ / std::max(0.5 * p.r, 1e-12);
-  const double size = std::min(std::abs(value), 0.5 * p.r) / std::sqrt(1.0 + lean * lean);
+  const double value = valueAt(p, t);
+  const double size = std::min(std::abs(value), 0.5 * p.r) / stretch(p.r);
   return value < 0.0 ? -size : size;
 }
 
@@ -161,9 +175,24 @@ ThreadField::Bound ThreadField::bound(const PolarPoint& p, double most) const {
     const double half = kPi / std::abs(s.turn());
     if (window.first <= 0.0) window.first = -half;
     if (window.last >= 1.0) window.last = 1.0 + half;
-    s.forEachPass(p.phi, window, [&](double t) {
+    const auto ask = [&](double t) {
       const double value = s.boundAt(p, t);
       if (value < best.value) best = {value, &s, t};
+    };
+    // The pass that is nearest by its box comes first: it leaves little to the others.
+    double first = 0.0, least = std::numeric_limits<double>::infinity();
+    s.forEachPass(p.phi, window, [&](double t) {
+      const double box = s.boxDistance(at, t);
+      if (box >= least) return;
+      least = box;
+      first = t;
+    });
+    if (!std::isfinite(least)) return;
+    ask(first);
+    const double stretch = s.stretch(p.r);
+    s.forEachPass(p.phi, window, [&](double t) {
+      const double box = s.boxDistance(at, t);
+      if (t != first && std::min(box, 0.5 * p.r) < stretch * best.value) ask(t);
     });
   });
   return best;

@@ -70,6 +70,11 @@ class HelixSweep {
   Side sideAt(const PolarPoint& p, double t) const;
   /// The gradient of a value from its gradient in the half-plane.
   Vec3 turned(const Vec2& normal, const PolarPoint& p, double t) const;
+  /// No more than the distance in the half-plane of a point (r, z) to the outline at `t`; below 0 inside of
+  /// its box.
+  double boxDistance(const Vec2& p, double t) const;
+  /// How many times a value may be the distance at a radius.
+  double stretch(double r) const;
   /// Never more than the distance of `p` from the swept space's surface; the same sign as valueAt.
   double boundAt(const PolarPoint& p, double t) const;
 

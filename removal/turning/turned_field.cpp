@@ -33,6 +33,7 @@ class TurnedField : public BlankField {
       : section_(shape.bodies), threads_(shape.threads, section_.min(), section_.max()) {}
 
   BlankSample sample(const Vec3& p) const override;
+  double value(const Vec3& p) const override;
   Box3 bounds() const override;
   double volume() const override { return section_.volume(); }
   LeafBits material(const Vec3& first, double h) const override;
@@ -82,11 +83,18 @@ BlankSample TurnedField::sample(const Vec3& p) const {
           thread.sweep->motion()};
 }
 
+double TurnedField::value(const Vec3& p) const {
+  const PolarPoint polar = PolarPoint::of(p);
+  const double distance = section_.nearest(polar.inPlane(), 1e300).distance;
+  const double section = section_.inside(polar.inPlane()) ? -distance : distance;
+  return std::max(section, -threads_.bound(polar, distance).value);
+}
+
 LeafBits TurnedField::material(const Vec3& first, double h) const {
   std::array<double, 64> radius;
   for (int bit = 0; bit < 64; ++bit) {
     const double x = first.x() + (bit >> 3) * h, y = first.y() + (bit & 7) * h;
-    radius[static_cast<std::size_t>(bit)] = std::sqrt(x * x + y * y);
+    radius[static_cast<std::size_t>(bit)] = std::max(std::sqrt(x * x + y * y), SectionField::kLeastRadius);
   }
   LeafBits bits{};
   std::vector<double> radii;

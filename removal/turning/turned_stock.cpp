@@ -240,7 +240,7 @@ class Turning {
     }
     if (tool.insert) {
       // What a rapid motion touches is told as such already.
-      if (const auto backs = rapid ? std::vector<SectionPath>{} : tool.sweptBacks(way); !backs.empty())
+      if (const auto backs = rapid ? std::vector<SectionPath>{} : tool.sweptBacks(way); area_.mayMeet(backs))
         contact(ContactKind::kInsertBack, id, backs, tool.sweptEdges(way));
     } else if (std::max(std::abs(way.from.x()), std::abs(way.to.x())) > kTouch) {
       contact(ContactKind::kAxis, id, sweeps, {});

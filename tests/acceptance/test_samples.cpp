@@ -159,6 +159,15 @@ TEST(TurnedShaft, PassesAndTellsWhatPartsIt) {
   const auto off = std::find_if(findings.begin(), findings.end(), is("part_off"));
   ASSERT_NE(off, findings.end());
   EXPECT_EQ((*off)["source"]["block"], "N34");
+  EXPECT_NEAR((*off)["volume_mm3"], 87338.98, 1e-5 * 87338.98);  // with the thread
+  // The verdict's own term is below the tolerance of 0.02.
+  for (const json& term : report["error_budget"]) {
+    if (term["source"] == "deviations") {
+      EXPECT_LT(term["bound_mm"], 0.001);
+    }
+  }
+  // The bar is not the part.
+  EXPECT_NE(outcome.out.find("Z-100.000..0.000, beside 1 other piece of 528"), std::string::npos) << outcome.out;
   // Besides, the chords of its nominal are told.
   for (const json& f : findings) EXPECT_EQ(f["severity"], "note") << f;
   EXPECT_TRUE(fs::exists(bench.path("out/profile.svg")));

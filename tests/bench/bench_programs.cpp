@@ -127,7 +127,25 @@ std::vector<Case> turnedCases() {
            .grid_mm = 0.05,
            .exact_mm3 = 87338.98,  // parts/make_nominals.py: the thread's sections added up
            .job_file = "shaft.toml",
-           .job = job("shaft.nc")}};
+           .job = job("shaft.nc")},
+          {.name = "20000 short lines",
+           .file = "lines.nc",
+           .text = shortLinesProgram,
+           .grid_mm = 0.01,
+           .job_file = "lines.toml",
+           .job = [] { return shortLinesJob("lines.nc"); }},
+          {.name = "thread of 400 turns",
+           .file = "turns.nc",
+           .text = longThreadProgram,
+           .grid_mm = 0.2,
+           .job_file = "turns.toml",
+           .job = [] { return threadJob("turns.nc", 420); }},
+          {.name = "30 thread passes",
+           .file = "passes.nc",
+           .text = manyPassesProgram,
+           .grid_mm = 0.1,
+           .job_file = "passes.toml",
+           .job = [] { return threadJob("passes.nc", 60); }}};
 }
 
 /// The folder in which everything happens; it goes with the object.

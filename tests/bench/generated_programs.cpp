@@ -40,6 +40,45 @@ double quarter(double c, double rho, double side) {
 
 }  // namespace
 
+std::string shortLinesProgram() {
+  std::string text = "%A\nG54 G90 G95\nT1 M6\nG97 S1200 M3\nG0 X60 Z2\nX40\nG1 Z0 F0.1\n";
+  for (int i = 1; i <= 20000; ++i) fmt::format_to(std::back_inserter(text), "G1 X40 Z-{:.4f}\n", 0.005 * i);
+  return text + "G1 X52\nG0 X60 Z10\nM5\nM2\n%\n";
+}
+
+std::string longThreadProgram() {
+  return "%T\nG54 G90 G95\nT1 M6\nG97 S600 M3\nG0 X30 Z8\nX18.8\nG33 Z-392 F1\nG0 X60\nZ20\nM5\nM2\n%\n";
+}
+
+std::string manyPassesProgram() {
+  return "%T\nG54 G90 G95\nT1 M6\nG97 S600 M3\nG0 X30 Z8\n"
+         "G31 X20 Z-28 F2.5 #1=1.5 #2=0.055 #3=0 #4=29 #5=0\nG0 X60 Z20\nM5\nM2\n%\n";
+}
+
+namespace {
+
+std::string turningJob(const std::string& program_file, int diameter, int length, const std::string& insert) {
+  return fmt::format(
+      "schema = \"proveout.job/1\"\nprogram = \"{}\"\ncontrol = \"wl4-lathe\"\n[stock]\nshape = "
+      "\"cylinder\"\nbase = [0, 0, {}]\ndiameter = {}\nlength = {}\n[[tool]]\nnumber = 1\ntype = "
+      "\"insert\"\n{}",
+      program_file, -length, diameter, length, insert);
+}
+
+}  // namespace
+
+std::string shortLinesJob(const std::string& program_file) {
+  return turningJob(
+      program_file, 50, 130,
+      "nose_radius = 0.4\norientation = 3\ninsert_angle = 55\nlead_angle = 93\nedge_length = 11\n");
+}
+
+std::string threadJob(const std::string& program_file, int length_mm) {
+  return turningJob(
+      program_file, 20, length_mm,
+      "shape = \"thread\"\ninsert_angle = 60\ntip_flat = 0.1\norientation = 8\nedge_length = 2.2\n");
+}
+
 std::string slotProgram() {
   return "T1M6\nG21G90G17G94\nS8000M3\nG0X-10Y25Z5\nG0Z-5\nG1X110F800\nG0Z5\nM30\n";
 }

@@ -29,6 +29,16 @@ std::string shaftWithoutThread(const std::string& program);
 /// The job of parts/wl4_shaft with another program and without its nominal.
 std::string shaftJob(const std::string& job, const std::string& program_file);
 
+/// A cylinder of 40 x 100 mm, turned in 20,000 lines of 5 micrometres each, for the job of shortLinesJob().
+std::string shortLinesProgram();
+/// A thread M20 x 1 of 400 turns in one pass, for threadJob(400).
+std::string longThreadProgram();
+/// A thread M20 x 2.5 of 28 mm with infeed along a flank, about 30 passes, for threadJob(60).
+std::string manyPassesProgram();
+/// Jobs for these programs: a bar of 50 x 130 and an insert; a bar of 20 and a thread tool.
+std::string shortLinesJob(const std::string& program_file);
+std::string threadJob(const std::string& program_file, int length_mm);
+
 /// Volume of the shaft without its thread, by the drawing, mm3.
 double shaftVolumeWithoutThread();
 

@@ -41,6 +41,34 @@ struct Accounting : testing::Test {
   std::vector<float> removed;
 };
 
+/// Of a turned part the engagement is the section of the chip: depth times feed a turn.
+TEST(TurnedAccounting, EngagementIsTheSectionOfTheChip) {
+  const auto chip = [](const Vec3& from, const Vec3& to, double feed, double volume) {
+    Toolpath path;
+    path.files = {"a.nc"};
+    Motion motion;
+    motion.from = from;
+    motion.to = to;
+    motion.kind = MotionKind::kFeed;
+    motion.spindle = -800.0;
+    motion.time_s = (to - from).norm() / feed / 800.0 * 60.0;
+    path.motions = {motion};
+    const std::vector<float> removed{static_cast<float>(volume)};
+    return *accountFor({{"", &path, &removed, true}}).total.engagement_mm2();
+  };
+  // Along the axis from 25 to 20, 0.3 a turn: 5 x 0.3.
+  EXPECT_NEAR(chip({20, 0, 0}, {20, 0, -50}, 0.3, kPi * (625 - 400) * 50), 1.5, 1e-4);
+  // A face of 2 mm, 0.2 a turn.
+  EXPECT_NEAR(chip({25, 0, -2}, {5, 0, -2}, 0.2, kPi * (625 - 25) * 2), 0.4, 1e-4);
+  // Parting, 3 wide, to the axis.
+  EXPECT_NEAR(chip({20, 0, -2}, {0, 0, -2}, 0.05, kPi * 400 * 3), 0.15, 1e-4);
+  // The spindle stands: the way itself.
+  Motion still;
+  still.to = Vec3(3, 0, 4);
+  still.time_s = 1.0;
+  EXPECT_DOUBLE_EQ(lengthOfCut(Toolpath(), still, 10.0), 5.0);
+}
+
 TEST_F(Accounting, TotalsAndTools) {
   const ReportAccounting all = accountFor({{"", &path, &removed}});
   EXPECT_DOUBLE_EQ(all.total.time_s(), 25.0);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <regex>
 
 #include "profile_fixtures.h"
@@ -108,6 +110,37 @@ TEST(ProfileChart, LongShaftsAreStretchedAndSaidSo) {
   EXPECT_TRUE(has(chart.file, "no nominal"));
   const std::vector<Vec2> disc{{0, 0}, {200, 0}, {200, 2}, {0, 2}};
   EXPECT_TRUE(has(drawProfileChart({disc}, {}, {"disc"}).file, "z stretched"));
+}
+
+TEST(ProfileChart, ShowsBlankToolsAndBlocks) {
+  const std::vector<Vec2> part{{0, 0}, {10, 0}, {10, 40}, {0, 40}};
+  ProfileChartOptions options;
+  options.blank = {{{0, -60}, {11, -60}, {11, 40.5}, {0, 40.5}}};
+  options.marks = {{{10, 20}, "N12"}, {{10, 20.2}, "N13"}};
+  options.tools = {{{{9, 30}, {19, 30}, {19, 45}, {9, 45}}, "T<2>"}};
+  const ProfileChart chart = drawProfileChart({part}, {}, options);
+  const auto metal = points(pathOf(chart.file, "fill=\"#e3e7ea\""));
+  ASSERT_EQ(metal.size(), 4u);
+  const double scale = (metal[2].x() - metal[1].x()) / 40;
+  EXPECT_TRUE(has(chart.file, "stroke=\"#7b858d\""));  // its outline, without a nominal too
+  const auto blank = points(pathOf(chart.file, "fill=\"none\" stroke=\"#8a949c\""));
+  ASSERT_EQ(blank.size(), 4u);
+  EXPECT_NEAR((metal[1].y() - blank[1].y()) / scale, 1.0, 0.01);  // 1 mm larger
+  EXPECT_NEAR((blank[2].x() - metal[2].x()) / scale, 0.5, 0.01);
+  EXPECT_NEAR((metal[1].x() - blank[1].x()) / scale, 4.0,
+              0.01);  // no more than a tenth of the part beside it
+  const auto tool = points(pathOf(chart.file, "fill=\"#b7791f\" fill-opacity=\".25\""));
+  ASSERT_EQ(tool.size(), 4u);
+  EXPECT_NEAR((metal[1].y() - tool[0].y()) / scale, -1.0, 0.01);
+  EXPECT_TRUE(has(chart.file, "T&lt;2&gt;<"));
+  // Labels do not lie over each other.
+  const char* label = "<text x=\"[-0-9.]+\" y=\"([-0-9.]+)\" style=\"fill:#8f2415;font-weight:600\">";
+  const auto first = numbers(chart.file, (std::string(label) + "N12<").c_str()),
+             second = numbers(chart.file, (std::string(label) + "N13<").c_str());
+  ASSERT_TRUE(first.size() == 1 && second.size() == 1);
+  EXPECT_GE(std::abs(first[0] - second[0]), 13.0);
+  options.marks[0].at.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(drawProfileChart({part}, {}, options).file.empty());
 }
 
 TEST(ProfileChart, NamesAreEscaped) {

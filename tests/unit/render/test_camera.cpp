@@ -21,6 +21,34 @@ TEST(Views, FramesAreRightHandedAndNamesUnique) {
   EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
 }
 
+/// As on a drawing: the axis level, the chuck (-Z) left, +X up.
+TEST(Views, TurnedPartsLieLevel) {
+  for (const std::string& name : viewNames()) {
+    const Result<View> view = findTurnedView(name);
+    ASSERT_TRUE(view.ok()) << name;
+    EXPECT_EQ(view->section, name == "section");
+    EXPECT_NEAR(view->back.norm(), 1.0, 1e-12);
+    EXPECT_NEAR(view->up.norm(), 1.0, 1e-12);
+    EXPECT_NEAR(view->back.dot(view->up), 0.0, 1e-12);
+    const Vec3 right = view->up.cross(view->back);
+    if (name == "left" || name == "right") {  // along the axis
+      EXPECT_NEAR(view->back.z(), name == "right" ? 1.0 : -1.0, 1e-12);
+      EXPECT_NEAR(view->up.x(), 1.0, 1e-12);
+      continue;
+    }
+    EXPECT_NEAR(view->up.z(), 0.0, 1e-12) << name;
+    const bool behind = name == "back" || name == "iso-back";
+    EXPECT_GT((behind ? -1.0 : 1.0) * right.z(), 0.5) << name;
+    if (name != "top" && name != "bottom") {
+      EXPECT_GT(view->up.x(), 0.5) << name;
+    }
+  }
+  const Result<View> front = findTurnedView("front");
+  EXPECT_NEAR((front->back - Vec3::UnitY()).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((front->up - Vec3::UnitX()).norm(), 0.0, 1e-12);
+  EXPECT_FALSE(findTurnedView("Iso").ok());
+}
+
 TEST(Views, UnknownNameListsTheKnownOnes) {
   const Result<View> view = findView("Iso");
   ASSERT_FALSE(view.ok());

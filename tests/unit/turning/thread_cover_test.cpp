@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+
+#include "removal/turning/turned_field.h"
 #include "tests/unit/turning/turning_fixture.h"
 
 namespace proveout {
@@ -49,6 +53,52 @@ TEST(ThreadCover, PassesThatLeaveSomethingStay) {
   TurningPath leads({15, 5});
   leads.rapid(9, 5).thread(9, -30, 7).rapid(15, -30).rapid(15, 5).rapid(9, 5).thread(9, -30, 8);
   EXPECT_EQ(threaded(leads, 3.0).threads.size(), 2u);
+}
+
+/// Infeed along the flank towards the chuck: each pass starts nearer to it by its depth times tan(30
+/// degrees).
+TurningPath flankInfeed(int passes) {
+  TurningPath path({15, 5});
+  for (int i = 1; i <= passes; ++i) {
+    const double depth = 1.2 * i / passes, z = 5 - depth * std::tan(kPi / 6);
+    path.rapid(10 - depth, z).thread(10 - depth, -30, (z + 30) / 2.5).rapid(15, -30).rapid(15, z);
+  }
+  return path;
+}
+
+TEST(ThreadCover, OfPassesWithInfeedAlongAFlankTheEndsStay) {
+  const TurnedShape shape = threaded(flankInfeed(20), 3.0);
+  ASSERT_EQ(shape.threads.size(), 20u);
+  double all = 0.0;
+  for (const ThreadSweep& thread : shape.threads) all += std::abs(thread.turns);
+  // The last pass is whole; of each other one what it turns on after the next one's end, and a little overlap.
+  const double ends = 19 * (0.06 * std::tan(kPi / 6) / 2.5 + 0.05);
+  EXPECT_NEAR(all, (35 - 1.2 * std::tan(kPi / 6)) / 2.5 + ends, 1e-6);
+}
+
+TEST(ThreadCover, WhatIsLeftOutMakesNoDifference) {
+  const TurningPath path = flankInfeed(6);
+  auto reduced = std::make_shared<TurnedShape>(threaded(path, 3.0));
+  auto whole = std::make_shared<TurnedShape>(*reduced);
+  whole->threads.clear();
+  for (const Motion& motion : path.path.motions) {
+    if (motion.kind != MotionKind::kThread) continue;
+    ThreadSweep sweep = reduced->threads.front();
+    sweep.from = {motion.from.x(), motion.from.z()};
+    sweep.to = {motion.to.x(), motion.to.z()};
+    sweep.start_rad = 0.0;
+    sweep.turns = -threadTurns(path.path, motion);
+    whole->threads.push_back(sweep);
+  }
+  const auto a = makeTurnedField(reduced), b = makeTurnedField(whole);
+  ASSERT_TRUE(a && b);
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = 0.7 * i, r = 8.5 + 1.6 * std::fmod(0.618 * i, 1.0), z = -34 + 36.0 * i / 4000;
+    const Vec3 p(r * std::cos(angle), r * std::sin(angle), z);
+    const double value = (*b)->sample(p).value;
+    EXPECT_EQ((*a)->sample(p).value < 0.0, value < 0.0) << p.transpose() << " is off by " << value;
+    EXPECT_DOUBLE_EQ((*a)->value(p), (*a)->sample(p).value);
+  }
 }
 
 TEST(ThreadCover, RightHandedWithM3TowardsTheChuck) {
