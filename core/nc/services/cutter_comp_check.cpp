@@ -66,7 +66,7 @@ std::size_t CutterComp::lookAhead() const {
   if (policy_.interference_check) {
     return 3 + static_cast<std::size_t>(std::clamp(policy_.extra_look_ahead, 0, 8));
   }
-  return policy_.rounding_tolerance > 0.0 ? 3 : 2;
+  return 2;
 }
 
 /// The last of the elements behind the front that are plain and have its offset, or 0.
@@ -106,7 +106,7 @@ bool CutterComp::missesContour() {
     return true;
   const Roll roll(elements_, last, elements_[1].rho_start);
   const Vec2 touching = planar(next.p0) + next.rho_start * leftOf(startTangent(next));
-  const bool outside = along.dot(startTangent(next)) < -kKeepsOff;
+  const bool outside = along.dot(startTangent(next)) < kKeepsOff;
   return roll.depth(corner.points.front(), 1) > kKeepsOff || (outside && roll.depth(touching, 1) > kKeepsOff);
 }
 
