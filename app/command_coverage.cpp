@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
@@ -22,61 +25,100 @@ void printTable(Console& console, const ControlInfo& control, const std::vector<
   }
 }
 
-/// Rows of one class: asked are all that are not deferred; done ones count where a test proves them.
-struct Tally {
-  std::string_view cls;
-  int done = 0, unproven = 0, partly = 0, missing = 0, deferred = 0;
-  int asked() const { return done + unproven + partly + missing; }
-};
+using Rows = std::vector<SpecificationRow>;
 
-std::vector<Tally> tally(const std::vector<CoverageIdRow>& ids) {
-  std::vector<Tally> classes{{"SIM"}, {"TIME"}, {"STATE"}, {"HOST"}, {"REJECT"}, {"all"}};
-  for (const CoverageIdRow& row : ids) {
-    for (Tally& t : classes) {
-      if (t.cls != row.cls && t.cls != "all") continue;
-      if (row.status == "done") ++(row.proof.empty() ? t.unproven : t.done);
-      if (row.status == "partly") ++t.partly;
-      if (row.status == "missing") ++t.missing;
-      if (row.status == "deferred") ++t.deferred;
+/// Rows of the specification of one class or chapter.
+struct Tally {
+  int done = 0, open = 0;
+  std::map<std::string, int> open_classes;
+  void add(const SpecificationRow& row) {
+    if (row.status == "done") {
+      ++done;
+    } else {
+      ++open;
+      ++open_classes[row.cls];
     }
   }
-  return classes;
+};
+
+using Tallies = std::vector<std::pair<std::string, Tally>>;
+
+Tally& tallyOf(Tallies& tallies, const std::string& key) {
+  const auto found =
+      std::find_if(tallies.begin(), tallies.end(), [&](const auto& entry) { return entry.first == key; });
+  return found != tallies.end() ? found->second : tallies.emplace_back(key, Tally{}).second;
 }
 
-void printIds(Console& console, const std::vector<CoverageIdRow>& ids) {
-  console.out << fmt::format("\n{:<24} {:<6}  {:<8}  {}\n", "row", "class", "status", "proof");
-  for (const CoverageIdRow& row : ids) {
-    const bool unproven = row.status == "done" && row.proof.empty();
-    console.out << fmt::format("{:<24} {:<6}  {:<8}  {}\n", row.id, row.cls, row.status,
-                               unproven ? std::string_view("no test names it") : row.proof);
-  }
-  console.out << "\nrows done / asked\n";
-  for (const Tally& t : tally(ids)) {
-    console.out << fmt::format(
-        "{:<6} {:>3} / {:>3}   done without a test {}, partly {}, missing {}, deferred {}\n", t.cls, t.done,
-        t.asked(), t.unproven, t.partly, t.missing, t.deferred);
-  }
+Tallies byClass(const Rows& rows) {
+  Tallies tallies{{"SIM", {}}, {"TIME", {}}, {"STATE", {}}, {"HOST", {}}, {"REJECT", {}}};
+  for (const SpecificationRow& row : rows) tallyOf(tallies, row.cls).add(row);
+  return tallies;
 }
 
-nlohmann::ordered_json idsJson(const std::vector<CoverageIdRow>& ids) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const CoverageIdRow& row : ids) {
-    rows.push_back({{"id", row.id}, {"class", row.cls}, {"status", row.status}, {"proof", row.proof}});
+/// By the number before the first point.
+Tallies byChapter(const Rows& rows) {
+  Tallies tallies;
+  for (const SpecificationRow& row : rows) {
+    tallyOf(tallies, row.chapter.substr(0, row.chapter.find('.'))).add(row);
   }
-  return rows;
+  return tallies;
 }
 
-nlohmann::ordered_json sumsJson(const std::vector<CoverageIdRow>& ids) {
-  nlohmann::ordered_json sums;
-  for (const Tally& t : tally(ids)) {
-    sums[std::string(t.cls)] = {{"done", t.done},     {"asked", t.asked()},   {"unproven", t.unproven},
-                                {"partly", t.partly}, {"missing", t.missing}, {"deferred", t.deferred}};
+Tally sumOf(const Rows& rows) {
+  Tally sum;
+  for (const SpecificationRow& row : rows) sum.add(row);
+  return sum;
+}
+
+void printTally(Console& console, std::string_view key, const Tally& t) {
+  std::string classes;
+  for (const auto& [cls, count] : t.open_classes) classes += fmt::format("  {} {}", cls, count);
+  console.out << fmt::format("{:<8} {:>5} {:>5} {:>5} {}\n", key, t.done + t.open, t.done, t.open, classes);
+}
+
+void printRows(Console& console, const Rows& rows) {
+  console.out << fmt::format("\n{:<24} {:<6}  {:<8}  {}\n", "row", "class", "status", "proof; reason");
+  for (const SpecificationRow& row : rows) {
+    const std::string_view between = row.proof.empty() || row.reason.empty() ? "" : "; ";
+    console.out << fmt::format("{:<24} {:<6}  {:<8}  {}{}{}\n", row.id, row.cls, row.status, row.proof,
+                               between, row.reason);
   }
-  return sums;
+  console.out << fmt::format("\nrows of the specification\n{:<8} {:>5} {:>5} {:>5}   open by class\n",
+                             "chapter", "rows", "done", "open");
+  for (const auto& [chapter, t] : byChapter(rows)) printTally(console, chapter, t);
+  console.out << fmt::format("{:<8} {:>5} {:>5} {:>5}\n", "class", "rows", "done", "open");
+  for (const auto& [cls, t] : byClass(rows)) {
+    console.out << fmt::format("{:<8} {:>5} {:>5} {:>5}\n", cls, t.done + t.open, t.done, t.open);
+  }
+  printTally(console, "all", sumOf(rows));
+}
+
+nlohmann::ordered_json rowsJson(const Rows& rows) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const SpecificationRow& row : rows) {
+    list.push_back({{"id", row.id},
+                    {"chapter", row.chapter},
+                    {"class", row.cls},
+                    {"status", row.status},
+                    {"proof", row.proof},
+                    {"reason", row.reason}});
+  }
+  return list;
+}
+
+nlohmann::ordered_json tallyJson(const Tally& t) {
+  return {{"rows", t.done + t.open}, {"done", t.done}, {"open", t.open}};
+}
+
+nlohmann::ordered_json specificationJson(const Rows& rows) {
+  nlohmann::ordered_json json = tallyJson(sumOf(rows));
+  for (const auto& [cls, t] : byClass(rows)) json["classes"][cls] = tallyJson(t);
+  for (const auto& [chapter, t] : byChapter(rows)) json["chapters"][chapter] = tallyJson(t);
+  return json;
 }
 
 nlohmann::ordered_json toJson(const ControlInfo& control, const std::vector<CoverageRow>& rows,
-                              const std::vector<CoverageIdRow>& ids) {
+                              const Rows& ids) {
   nlohmann::ordered_json codes = nlohmann::ordered_json::array();
   for (const CoverageRow& row : rows) {
     nlohmann::ordered_json code = {{"code", row.code}, {"class", row.cls},       {"status", row.status},
@@ -87,36 +129,37 @@ nlohmann::ordered_json toJson(const ControlInfo& control, const std::vector<Cove
   return {{"control", control.name},
           {"summary", control.summary},
           {"codes", std::move(codes)},
-          {"rows", idsJson(ids)},
-          {"done", sumsJson(ids)}};
+          {"rows", rowsJson(ids)},
+          {"specification", specificationJson(ids)}};
 }
 
 }  // namespace
 
 int coverageCommand(const CoverageOptions& options, Console& console, ConsoleProgress&) {
-  if (options.control) {
-    if (const Result<ControlId> known = findControl(*options.control); !known) {
-      return printError(console, known.error());
-    }
+  const auto named = [&](const ControlInfo& control) { return control.name == *options.control; };
+  if (options.control && std::none_of(controls().begin(), controls().end(), named)) {
+    return printError(console, findControl(*options.control).error());
   }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ControlInfo& control : controls()) {
     if (options.control && control.name != *options.control) continue;
-    if (!control.built) {
-      if (!options.json)
-        console.out << fmt::format("{}: {} (not in this version)\n", control.name, control.summary);
+    const Rows rows = specificationRows(control.id);
+    std::vector<CoverageRow> codes;
+    if (control.built) {
+      Result<std::vector<CoverageRow>> table = coverageTable(control.id);
+      if (!table) return printError(console, table.error());
+      codes = std::move(*table);
+    }
+    if (options.json) {
+      list.push_back(toJson(control, codes, rows));
       continue;
     }
-    const Result<std::vector<CoverageRow>> rows = coverageTable(control.id);
-    if (!rows) return printError(console, rows.error());
-    const Result<std::vector<CoverageIdRow>> ids = coverageIds(control.id);
-    if (!ids) return printError(console, ids.error());
-    if (options.json) {
-      list.push_back(toJson(control, *rows, *ids));
+    if (control.built) {
+      printTable(console, control, codes);
     } else {
-      printTable(console, control, *rows);
-      printIds(console, *ids);
+      console.out << fmt::format("{}: {} (not in this version)\n", control.name, control.summary);
     }
+    if (!rows.empty()) printRows(console, rows);
   }
   if (options.json) {
     const nlohmann::ordered_json root = {{"schema", "proveout.coverage/1"}, {"controls", std::move(list)}};

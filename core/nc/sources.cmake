@@ -5,6 +5,10 @@ target_sources(proveout_core PRIVATE
   nc/contour_stage.cpp
   nc/channels.cpp
   nc/coverage.cpp
+  nc/specification/flexnc_rows.cpp
+  nc/specification/nct_rows.cpp
+  nc/specification/wedm_rows.cpp
+  nc/specification/wl4_rows.cpp
   nc/feed_limits.cpp
   nc/frames.cpp
   nc/interpreter.cpp
@@ -44,6 +48,7 @@ target_sources(proveout_core PRIVATE
   nc/macro/variables.cpp
   nc/nct/call_stack.cpp
   nc/nct/comp_stage.cpp
+  nc/nct/coverage/open_rows.cpp
   nc/nct/coverage/rows_1.cpp
   nc/nct/coverage/rows_2.cpp
   nc/nct/coverage/rows_3.cpp

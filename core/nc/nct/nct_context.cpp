@@ -116,10 +116,11 @@ bool WorkGuard::over() {
       return true;
     }
   }
+  if (work_ + LoopLines::kWatched > settings_.block_limit) loop_.note(calls_.depth(), calls_.lineIndex());
   if (work_ <= settings_.block_limit) return false;
-  alarms_.fail("nct-block-limit", fmt::format("{} blocks executed without an end, chords of curves included: "
-                                              "endless loop? (the limit is a setting)",
-                                              settings_.block_limit));
+  alarms_.fail("nct-block-limit",
+               fmt::format("{} blocks executed without an end, chords of curves included: {}",
+                           settings_.block_limit, loop_.question()));
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }

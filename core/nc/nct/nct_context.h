@@ -13,6 +13,7 @@
 #include "core/nc/channels.h"
 #include "core/nc/frames.h"
 #include "core/nc/interpreter.h"
+#include "core/nc/loop_lines.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/nct/call_stack.h"
@@ -103,6 +104,7 @@ class WorkGuard {
   AlarmReporter& alarms_;
   InterpretSummary& summary_;
   std::uint64_t work_ = 0, checked_ = 0, motions_ = 0;
+  LoopLines loop_;
 };
 
 struct NctContext {

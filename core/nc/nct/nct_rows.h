@@ -35,4 +35,12 @@ std::span<const CoverageId> coverage5();
 /// All of them in order.
 std::vector<CoverageId> nctRows();
 
+/// Rows of the specification that are open for one reason.
+struct OpenRows {
+  std::string_view reason;  ///< one line
+  std::string_view ids;     ///< separated by blanks
+};
+/// Every row that is not done is in one of them, deferred ones too.
+std::span<const OpenRows> nctOpenRows();
+
 }  // namespace proveout::nc

@@ -70,6 +70,13 @@ double surfaceMeanRpm(NctContext& c, const BlockPlan& plan) {
   const double product = speedTimesRadius(plan.next);
   const int axis = plan.next.surface_axis;
   const double from = plan.start[axis], to = plan.motion.target[axis];
+  const double nearest = from * to <= 0.0 ? 0.0 : std::min(std::abs(from), std::abs(to));
+  if (bounds.high == kNoTopSpeed && nearest * kNoTopSpeed <= product) {
+    c.warnOnce(
+        "surface speed without limit", "nct-surface-speed",
+        "G96 to the axis without a limit of the spindle's speed: speed and time there are those of no real "
+        "machine; give G92 S in the program or the ranges of [[machine.spindle]]");
+  }
   const auto slowness = [&](double x) {
     const double radius = std::abs(x);
     return radius * bounds.high <= product ? 1.0 / bounds.high

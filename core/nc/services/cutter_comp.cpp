@@ -129,10 +129,7 @@ CompStatus CutterComp::flush(CompOutput& out) {
 }
 
 CompStatus CutterComp::process(bool drain, CompOutput& out) {
-  const std::size_t window = policy_.interference_check
-                                 ? 3 + static_cast<std::size_t>(std::clamp(policy_.extra_look_ahead, 0, 8))
-                                 : 2;
-  while (!elements_.empty() && (drain || elements_.size() >= window)) {
+  while (!elements_.empty() && (drain || (elements_.size() >= lookAhead() && !waitsForContour()))) {
     if (const CompStatus status = finishFront(out); !status.ok()) return status;
   }
   return {};
@@ -161,17 +158,10 @@ const CutterComp::Corner& CutterComp::cornerAfter(std::size_t index) {
 /// Carries out the first element and takes it out of the buffer.
 CompStatus CutterComp::finishFront(CompOutput& out) {
   if (elements_.front().phase != ElementPhase::kCancel) {
-    const Corner& corner = cornerAfter(0);
-    const std::uint64_t tag = elements_.front().tag;
-    if (corner.error != CompError::kNone) {
-      const bool in_next = corner.error == CompError::kNoIntersection && elements_.size() > 1;
-      return {corner.error, in_next ? elements_[1].tag : tag, tag};
-    }
-    if (corner.near_tangent) out.notes.push_back({CompWarning::kNearTangent, tag});
-    if (policy_.interference_check) {
-      if (const CompStatus status = checkInterference(out); !status.ok()) return status;
-    }
+    if (const CompStatus status = checkFront(out); !status.ok()) return status;
     const Element& front = elements_.front();
+    const std::uint64_t tag = front.tag;
+    if (cornerAfter(0).near_tangent) out.notes.push_back({CompWarning::kNearTangent, tag});
     if (front.kind == ElementKind::kCornerArc) {
       const Vec2 p = planar(front.p0), from = planar(center_) - p, to = front.corner->points.front() - p;
       const double turn = std::atan2(cross2(from, to), from.dot(to));
@@ -203,7 +193,7 @@ void CutterComp::emitFront(CompOutput& out) {
 void CutterComp::emitOwn(const Element& e, const Corner& corner, CompOutput& out) {
   const Vec2 end = corner.points.front();
   const Vec3 to(end.x(), end.y(), e.p1.z());
-  if (e.kind == ElementKind::kLine || e.kind == ElementKind::kZero) {
+  if (e.kind == ElementKind::kLine || e.kind == ElementKind::kZero || e.pivot) {
     const bool inserted = e.kind == ElementKind::kZero && to.z() == center_.z();
     emitLine(to, inserted ? Role::kCorner : Role::kOwn, e.tag, out);
     return;

@@ -53,6 +53,10 @@ struct CutterCompPolicy {
   bool interference_check = true;
   bool interference_alarm = false;  ///< true: always alarm; false: leave out blocks where that mends it
   int extra_look_ahead = 0;         ///< 0..8 further elements seen by the interference check
+  /// mm; what the cutter does not reach of the contour by no more than this, or would cut in to reach it, is
+  /// rounding of coordinates and no interference: the path goes past it, blocks that the cutter does not touch
+  /// have no motion. Points rounded to a decimal q are up to q / sqrt(2) off on either side, hence 2 q. 0: off.
+  double rounding_tolerance = 0.002;
   double min_step = 0.001;          ///< mm, neighbouring corner points closer than this in u and v are merged
   int max_pass_through = 100;       ///< blocks without plane motion in a row
 };
@@ -142,6 +146,7 @@ struct Element {
   ElementPhase phase = ElementPhase::kInside;
   bool keep_vector = false;
   bool perpendicular_start = false;  ///< first element after a start without plane words
+  bool pivot = false;                ///< the cutter touches nothing of it but its start point
   Vec3 p0 = Vec3::Zero(), p1 = Vec3::Zero();
   Vec2 center = Vec2::Zero();
   double sweep = 0.0;
@@ -156,6 +161,8 @@ struct Element {
            (kind == ElementKind::kLine || kind == ElementKind::kArc);
   }
 };
+
+struct RollPlace;
 
 }  // namespace comp_detail
 
@@ -197,6 +204,15 @@ class CutterComp {
   Vec2 frontStart() const;
 
   CompStatus checkInterference(CompOutput& out);
+  CompStatus checkFront(CompOutput& out);
+  std::size_t lookAhead() const;
+  std::size_t lastOfRun() const;
+  bool waitsForContour() const;
+  bool missesContour();
+  bool frontRunsBackwards();
+  std::optional<comp_detail::RollPlace> rollStart() const;
+  bool rollsOver(std::size_t index);
+  void endFrontAt(const comp_detail::RollPlace& stop, std::size_t last, Corner corner);
   std::size_t firstInterference(bool& by_chord);
   bool repairableLater(std::size_t k);
   bool repair(std::size_t k, bool extend, CompOutput& out);

@@ -6,6 +6,7 @@ target_sources(proveout_core PRIVATE
   nc/services/cutter_comp.cpp
   nc/services/cutter_comp_check.cpp
   nc/services/cutter_comp_corner.cpp
+  nc/services/cutter_comp_roll.cpp
   nc/services/drilling.cpp
   nc/services/pocket.cpp
   nc/services/plane_curves.cpp

@@ -112,9 +112,12 @@ Wl4Control::Go Wl4Control::block(std::size_t& next_line) {
   const std::string_view line = levels_.back().program->line(levels_.back().line);
   const std::size_t first = behindBlanks(line, 0);
   if (line.substr(first, 1) == "/" && !parameters_.conditional) return Go::kOn;
-  if (line.size() > kLongestBlock) {
+  // The text is UTF-8: bytes that go on with a character are none.
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  const auto length = static_cast<std::size_t>(std::count_if(line.begin(), line.end(), begins));
+  if (length > kLongestBlock) {
     warnOnce("long", "wl4-long-block",
-             fmt::format("the block has {} characters: the control takes {}", line.size(), kLongestBlock));
+             fmt::format("the block has {} characters: the control takes {}", length, kLongestBlock));
   }
   variables_.mark();
   beginBlock(line);
@@ -233,10 +236,10 @@ bool Wl4Control::workOver() {
       return true;
     }
   }
+  if (work_ + LoopLines::kWatched > settings_.block_limit) loop_.note(levels_.size(), levels_.back().line);
   if (work_ <= settings_.block_limit) return false;
   fail("wl4-block-limit",
-       fmt::format("{} blocks executed without an end: endless loop? (the limit is a setting)",
-                   settings_.block_limit));
+       fmt::format("{} blocks executed without an end: {}", settings_.block_limit, loop_.question()));
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }
@@ -261,6 +264,12 @@ Wl4Control::Go Wl4Control::subprograms() {
   if (digits.size() == 1) digits.insert(0, "0");
   const std::string name = digits.substr(0, 2);
   const int times = digits.size() > 2 ? std::atoi(digits.c_str() + 2) : 1;
+  if (times == 0) {
+    warn("wl4-no-repetition",
+         fmt::format("L{} calls program {} no time: the digits behind the first two are repetitions", digits,
+                     name),
+         block_.at('L'));
+  }
   return call(name, times);
 }
 

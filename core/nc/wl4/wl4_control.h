@@ -13,6 +13,7 @@
 
 #include "core/nc/contour_stage.h"
 #include "core/nc/interpreter.h"
+#include "core/nc/loop_lines.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/origin_recorder.h"
 #include "core/nc/services/arcs.h"
@@ -118,6 +119,9 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   bool goToToolChange();
   bool spindle(const Wl4State& s);
   double rpm(const Wl4State& s, double diameter) const;
+  double topSpeed(const Wl4State& s) const;
+  double meanRpm(const Wl4State& s, double from, double to) const;
+  void warnOfUnlimitedSpeed(const Wl4State& s, double from, double to);
   PathItem functionItem(PathItem::Kind kind) const;
   bool sendEvent(std::string name, PathEmitter::EventData data, double time_s = 0.0);
 
@@ -232,6 +236,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   /// of G32 begins a sequence. Other motions, exact stops, dwells and the spindle's functions end one.
   std::optional<double> thread_angle_;
   std::uint64_t work_ = 0;
+  LoopLines loop_;
   std::array<double, 9> touch_machine_{}, touch_system_{}, touch_distance_{};  ///< G38, by axis
   std::set<std::string, std::less<>> told_;
 };

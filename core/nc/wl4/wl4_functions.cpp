@@ -39,10 +39,41 @@ bool Wl4Control::sendEvent(std::string name, PathEmitter::EventData data, double
 double Wl4Control::rpm(const Wl4State& s, double diameter) const {
   double n = s.speed;
   if (s.speed_mode == 96) n = 1000.0 * s.speed / (kPi * std::max(std::abs(diameter), kLeastDiameter));
+  const double top = topSpeed(s);
+  return top > 0.0 ? std::min(n, top) : n;
+}
+
+/// The highest speed that the program or the machine allows, 1/min; 0: none is known.
+double Wl4Control::topSpeed(const Wl4State& s) const {
+  double top = 0.0;
   for (const double limit : {s.speed_limit, parameters_.max_speed}) {
-    if (limit > 0.0) n = std::min(n, limit);
+    if (limit > 0.0) top = top > 0.0 ? std::min(top, limit) : limit;
   }
-  return n;
+  return top;
+}
+
+/// Speed with which feed per revolution takes as long as along a line between two signed diameters, mm: the
+/// time per length is 1 / rpm, which goes with the diameter and is constant where the speed is at its limit.
+double Wl4Control::meanRpm(const Wl4State& s, double from, double to) const {
+  if (s.speed_mode != 96 || !(s.speed > 0.0) || from == to) return rpm(s, to);
+  const double product = 1000.0 * s.speed / kPi;  // 1/min times mm of diameter
+  const double top = topSpeed(s) > 0.0 ? topSpeed(s) : product / kLeastDiameter;
+  const double limited = product / top;  // diameter below which the limit holds
+  const auto integral = [&](double diameter) {
+    const double d = std::abs(diameter), inner = std::min(d, limited);
+    return std::copysign(inner / top + (d * d - inner * inner) / (2.0 * product), diameter);
+  };
+  return (to - from) / (integral(to) - integral(from));
+}
+
+/// Constant surface speed that comes to the axis, with nothing that limits the spindle.
+void Wl4Control::warnOfUnlimitedSpeed(const Wl4State& s, double from, double to) {
+  const bool axis = from * to <= 0.0 || std::min(std::abs(from), std::abs(to)) < kLeastDiameter;
+  if (s.speed_mode != 96 || !axis || topSpeed(s) > 0.0) return;
+  warnOnce(
+      "surface speed without limit", "wl4-surface-speed",
+      "G96 to the axis without a limit of the spindle's speed: speed and time there are those of no real "
+      "machine; give G51 S in the program or MAX_SPEED in [control.wl4-mill] or [control.wl4-lathe]");
 }
 
 bool Wl4Control::spindle(const Wl4State& s) {
@@ -51,11 +82,17 @@ bool Wl4Control::spindle(const Wl4State& s) {
   item.plane = WorkPlane(plane(s));
   const double direction = s.spindle == 3 ? 1.0 : s.spindle == 4 ? -1.0 : 0.0;
   const double diameter = 2.0 * (machine_[0] - s.acting[0]);
+  if (direction != 0.0) warnOfUnlimitedSpeed(s, diameter, diameter);
   item.value = direction * (direction != 0.0 ? rpm(s, diameter) : 0.0);
   item.spindle = s.spindle == 3    ? SpindleState::kClockwise
                  : s.spindle == 4  ? SpindleState::kCounterClockwise
                  : s.spindle == 19 ? SpindleState::kOriented
                                    : SpindleState::kStopped;
+  const auto orients = [](const Wl4Block::Code& m) { return m.number == 19; };
+  if (s.spindle == 19 && block_.has('P') && std::any_of(block_.m.begin(), block_.m.end(), orients)) {
+    item.event = std::make_unique<PathItem::Event>();
+    item.event->data = {{"angle", jsonNumber(block_.value('P'))}};
+  }
   return pipe_.push(item);
 }
 
@@ -90,6 +127,9 @@ bool Wl4Control::function(Plan& p, int m) {
     case 4:
     case 5:
     case 19:
+      if (m == 19 && block_.has('P') && !(block_.value('P') <= 360.0)) {
+        return fail("wl4-orientation", "M19 P: an angle of 0 to 360 degrees", block_.at('P'));
+      }
       state_.spindle = p.next.spindle = m;
       return spindle(p.next);
     case 6: {

@@ -113,8 +113,9 @@ bool Wl4Control::feedOf(const Plan& p, FeedStyle& feed) {
   if (!(s.feed > 0.0)) return fail("wl4-feed", "the feed is zero: F is missing");
   feed.feed = s.feed;
   if (s.feed_mode == 95) {
-    const double diameter = p.target[0] + machine_[0] - s.acting[0] - state_.acting[0];
-    double n = state_.turns() ? rpm(s, diameter) : 0.0;
+    const double from = 2.0 * (machine_[0] - state_.acting[0]), to = 2.0 * (p.target[0] - s.acting[0]);
+    double n = state_.turns() ? meanRpm(s, from, to) : 0.0;
+    if (state_.turns()) warnOfUnlimitedSpeed(s, from, to);
     if (s.speed_mode == 96) feed.spindle = state_.spindle == 4 ? -n : n;
     if (!(n > 0.0)) {
       warnOnce("feed without spindle", "wl4-spindle-off",
@@ -199,7 +200,12 @@ bool Wl4Control::arcOf(const Plan& p, PlaneArc& arc, bool& moves) {
     case ArcError::kNone:
       break;
     case ArcError::kNoDefinition:
-      return fail("wl4-arc", "an arc needs its centre (two of I J K) or R");
+      return fail("wl4-arc",
+                  block_.hasCode(s.motion)
+                      ? std::string("an arc needs its centre (two of I J K) or R")
+                      : fmt::format("G{} of an earlier block still holds, and an arc needs its centre "
+                                    "(two of I J K) or R; for a line program G1",
+                                    s.motion));
     case ArcError::kCenterOutsidePlane:
       return fail("wl4-arc", "the centre is given outside the plane of G17, G18 or G19");
     case ArcError::kRadiusDifference:

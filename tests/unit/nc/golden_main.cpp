@@ -1,4 +1,5 @@
 // One test a golden file, and what the set of files must cover.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +9,6 @@
 #include <map>
 #include <set>
 #include <sstream>
-
-#include <fmt/format.h>
 
 #include "core/nc/coverage.h"
 #include "core/nc/nct/nct_alarms.h"
@@ -57,9 +56,10 @@ class GoldenTest : public testing::Test {
 struct Control {
   ControlId id = ControlId::kNct;
   const char* prefix = "";
-  std::size_t rows = 0;  ///< of the list of all rows
+  std::size_t rows = 0;       ///< of the control's own list
+  std::size_t specified = 0;  ///< of the manual
 };
-const Control kControls[] = {{ControlId::kNct, "nct-", 692}, {ControlId::kWl4Lathe, "wl4-", 202}};
+const Control kControls[] = {{ControlId::kNct, "nct-", 692, 798}, {ControlId::kWl4Lathe, "wl4-", 202, 202}};
 
 /// Ids of a control after "proves:" in the about sections.
 std::set<std::string> provenIds(const Control& control) {
@@ -131,6 +131,31 @@ TEST_P(GoldenSet, RowsKnowTheCodeTablesAndTheProofs) {
     for (std::string id; ids >> id;) EXPECT_TRUE(status.contains(id)) << row.code << ": " << id;
   }
   for (const std::string& id : provenIds(GetParam())) EXPECT_NE(status[id], "missing") << id << " is proven";
+}
+
+TEST_P(GoldenSet, EveryRowOfTheSpecificationIsProvenOrListedOpen) {
+  std::map<std::string, SpecificationRow> asked;
+  for (const SpecificationRow& row : specificationRows(GetParam().id)) {
+    EXPECT_TRUE(asked.emplace(row.id, row).second) << row.id << " twice";
+    EXPECT_NE(row.status, "unlisted") << row.id;
+    if (row.status == "open") {
+      EXPECT_FALSE(row.reason.empty()) << row.id;
+    }
+  }
+  EXPECT_EQ(asked.size(), GetParam().specified);
+  for (const CoverageIdRow& row : rows_) {
+    ASSERT_TRUE(asked.contains(std::string(row.id))) << row.id;
+    EXPECT_EQ(asked[std::string(row.id)].cls, row.cls) << row.id;
+  }
+  // A code of another class than the row that it serves needs a reason.
+  std::map<std::string, std::string> classes;
+  for (const CoverageRow& code : table_) {
+    std::istringstream ids(code.ids);
+    for (std::string id; ids >> id;) classes.emplace(id, code.cls);
+  }
+  for (const auto& [id, cls] : classes) {
+    EXPECT_TRUE(cls == asked[id].cls || !asked[id].reason.empty()) << id;
+  }
 }
 
 TEST(GoldenFiles, OneChannelAloneGivesThePathOfAProgramAlone) {

@@ -675,7 +675,7 @@ file 0 main.nc
 1 N1: rapid to 1 0 0 t0.004
 2: rapid to 2 0 0 t0.004
 1 N1: rapid to 1 0 0 t0.004
-main.nc:2:1: error[nct-block-limit]: 1000 blocks executed without an end, chords of curves included: endless loop? (the limit is a setting)
+main.nc:2:1: error[nct-block-limit]: 1000 blocks executed without an end, chords of curves included: an endless loop in lines 1 to 3? [simulation] max_blocks of the job sets the limit
     X2
     ^~
 block limit: 1000 blocks, 667 motions, 1 errors, 0 warnings

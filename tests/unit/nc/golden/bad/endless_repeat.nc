@@ -207,7 +207,7 @@ file 0 main.nc
 1: rapid to 50 0 -1 t0.004
 1: feed to 50 0 -2 F100 t0.6
 1: rapid to 50 0 0 t0.008
-main.nc:1:1: error[nct-block-limit]: 50 blocks executed without an end, chords of curves included: endless loop? (the limit is a setting)
+main.nc:1:1: error[nct-block-limit]: 50 blocks executed without an end, chords of curves included: an endless loop in line 1? [simulation] max_blocks of the job sets the limit
     G91 G81 X1 Z-1 R-1 F100 L99999999
     ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 block limit: 1 blocks, 200 motions, 1 errors, 0 warnings

@@ -7,7 +7,7 @@ M30
 main.nc:1:1: error[nct-block-limit]
 === expect
 file 0 main.nc
-main.nc:1:1: error[nct-block-limit]: 50 blocks executed without an end, chords of curves included: endless loop? (the limit is a setting)
+main.nc:1:1: error[nct-block-limit]: 50 blocks executed without an end, chords of curves included: an endless loop in line 1? [simulation] max_blocks of the job sets the limit
     N1 GOTO1
     ^~~~~~~~
 block limit: 50 blocks, 0 motions, 1 errors, 0 warnings

@@ -38,7 +38,7 @@ file 0 main.nc
 3 N10: feed to 23 0 0 F100 t0.6
 3 N10: feed to 24 0 0 F100 t0.6
 3 N10: feed to 25 0 0 F100 t0.6
-main.nc:4:1: error[wl4-block-limit]: 50 blocks executed without an end: endless loop? (the limit is a setting)
+main.nc:4:1: error[wl4-block-limit]: 50 blocks executed without an end: an endless loop in lines 2 to 4? [simulation] max_blocks of the job sets the limit
     N20 N10
     ^~~~~~~
 block limit: 50 blocks, 25 motions, 1 errors, 0 warnings

@@ -1,0 +1,57 @@
+// Rows of the flexnc manual: chapter, class and names, in the manual's order. An id is "fnc-CHAPTER-NAME".
+#include "core/nc/specification/specification_text.h"
+
+namespace proveout::specification_text {
+
+// clang-format off: as generated from the list of rows
+const char* const kFlexnc =
+    "0 SIM coord\n"
+    "0 STATE decimal\n"
+    "1.1 SIM G00\n"
+    "1.2 SIM G01\n"
+    "1.3 SIM G02 G03\n"
+    "1.3 STATE G17 G18 G19\n"
+    "1.4 TIME G04\n"
+    "1.5 SIM G52\n"
+    "1.5b SIM G40 G41 G42 intro inner outer\n"
+    "1.5b TIME feed\n"
+    "1.6 TIME G86 G87\n"
+    "1.7 SIM G90 G91\n"
+    "1.8 TIME G98 G99\n"
+    "1.x STATE persist\n"
+    "2 TIME F S\n"
+    "2 SIM D T\n"
+    "2 HOST M01\n"
+    "2 STATE M02 M03 M04 M05\n"
+    "2 SIM M06\n"
+    "2 STATE M08 M09 M19\n"
+    "3.1 SIM P C B V K C5 rough contour\n"
+    "3.2 SIM G3.1 G12 G13 G77 G77.1 G77.2 G77.3 G13.1 G13.2 G13.5 G12.1 G12.2 G12.3 G12.5 G22.1 G22.2\n"
+    "3.2 SIM G22.3 G23.1 G23.2 G23.3 G23.4 G8.1\n"
+    "3.3 SIM G12 G13 G77 G77.1 G77.2 G77.3 G13.1 G13.2 G12.1 G12.2 G12.3 G12.5 G22.1 G22.2 G22.3 G23.1\n"
+    "3.3 SIM G23.2 G23.3 G23.4\n"
+    "3.4 SIM G3.1 G12 G13 G77 G77.1 G77.2 G77.3 G13.1 G13.2 G13.5 G12.1 G12.2 G12.3 G12.5 G22.1 G22.2\n"
+    "3.4 SIM G22.3 G23.1 G23.2 G23.3 G23.4 G8.1\n"
+    "3.5 SIM G12 G13 G77 G77.1 G77.2 G77.3 G13.1 G13.2 G12.1 G12.2 G12.3 G12.5 G22.1 G22.2 G22.3 G23.1\n"
+    "3.5 SIM G23.2 G23.3 G23.4\n"
+    "3.5 REJECT none\n"
+    "3.6 SIM G79 G5 start G81 G81.1 G81.3 G81.2 REPEAT\n"
+    "3.6 STATE N\n"
+    "3.6 SIM GOSUB RET\n"
+    "3.6 STATE G80\n"
+    "3.6 REJECT Yaxis\n"
+    "3.6 SIM G79.2 G79.1 G76a G76b G30\n"
+    "4.2 REJECT tmpl\n"
+    "4.2 SIM param arith trig pvar\n"
+    "4.2 HOST comment add\n"
+    "4.2 STATE need\n"
+    "4.2 HOST help ui\n"
+    "4.2 REJECT G92\n"
+    "4.3 HOST quick\n"
+    "4.4 STATE order\n"
+    "4.5 REJECT tmps\n"
+    "4.5 SIM pmc\n"
+    "4.5 HOST ui\n";
+// clang-format on
+
+}  // namespace proveout::specification_text

@@ -1,0 +1,25 @@
+=== about
+G96 to the axis with nothing that limits the spindle is told once.
+=== settings
+control = wl4-lathe
+=== main
+%1
+G54 G95 G96 F0.2 S100 M3
+G0 X100 Z0
+G1 X0
+G0 X100 Z-1
+G1 X0
+M2
+%
+=== expect
+file 0 main.nc
+main.nc:2:1: warning[wl4-surface-speed]: G96 to the axis without a limit of the spindle's speed: speed and time there are those of no real machine; give G51 S in the program or MAX_SPEED in [control.wl4-mill] or [control.wl4-lathe]
+    G54 G95 G96 F0.2 S100 M3
+    ^~~~~~~~~~~~~~~~~~~~~~~~
+2: event spindle rpm=31830988.618379068 direction="cw"
+3: rapid from 0 0 0 to 50 0 0 t0.2
+4: feed to 0 0 0 F127.324 t23.5619
+5: rapid to 50 0 -1 t0.2
+6: feed to 0 0 -1 F127.324 t23.5619
+7: event end code="M2"
+end of program: 6 blocks, 4 motions, 0 errors, 1 warnings
