@@ -121,6 +121,10 @@ bool names(const Cause& cause, const Defect& defect, const Planted& planted) {
 Told judge(const RunResult& run, const Toolpath& right, const Defect& defect, const Planted& planted) {
   Told told;
   const std::set<std::uint32_t> changed = changedLines(right, run.setups[0].interpreted.path, defect);
+  // Of a contour cycle the findings name the contour's block, and inside it the cycle that moved.
+  const auto changesIn = [&](const std::optional<BlockRef>& block) {
+    return block && changed.contains(block->line);
+  };
   for (const Finding& f : run.findings) {
     told.undecided = told.undecided || f.kind == "undecided";
     if (f.severity != Severity::kError) continue;
@@ -132,7 +136,7 @@ Told judge(const RunResult& run, const Toolpath& right, const Defect& defect, co
     }
     const bool uncut = std::any_of(f.causes.begin(), f.causes.end(),
                                    [](const Cause& c) { return c.what == "no motion cuts here"; });
-    told.block = told.block || (f.source && changed.contains(f.source->line)) || (defect.missing && uncut) ||
+    told.block = told.block || changesIn(f.source) || changesIn(f.inside) || (defect.missing && uncut) ||
                  f.kind == "alarm";
     for (std::size_t i = 0; i < f.causes.size(); ++i) {
       if (!names(f.causes[i], defect, planted)) continue;
