@@ -75,7 +75,7 @@ constexpr auto kRows = std::to_array<CoverageIdRow>({
     {"wl4-5.13-G95", "TIME", "done", "wl4/good/wl4_arc_lathe.nc"},
     {"wl4-5.14-G96", "TIME", "done", "wl4/bad/wl4_feed_and_speed.nc"},
     {"wl4-5.14-G97", "TIME", "done", "wl4/good/wl4_times.nc"},
-    {"wl4-6.1-wp", "SIM", "done", "wl4/good/wl4_nose_radius.nc"},
+    {"wl4-6.1-wp", "SIM", "done", "wl4/good/wl4_working_point.nc"},
     {"wl4-6.1-Rt", "SIM", "done", "wl4/good/wl4_nose_radius.nc"},
     {"wl4-6.2-G40", "SIM", "done", "wl4/good/wl4_comp.nc"},
     {"wl4-6.2-G41", "SIM", "done", "wl4/good/wl4_comp.nc"},

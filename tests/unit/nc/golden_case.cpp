@@ -164,6 +164,11 @@ void setLine(ControlSettings& s, const std::string& line) {
     s.radius_offsets[row] = {value(), 0.0};
   } else if (key[0] == 'G' && row >= 54 && row <= 59) {
     s.work_offsets[static_cast<std::size_t>(row - 54)] = vectorOf(in, line);
+  } else if (key.starts_with("insert")) {
+    InsertMount mount;
+    in >> mount.nose_center.x() >> mount.nose_center.y();
+    if (Vec2 gauge; in >> gauge.x() >> gauge.y()) mount.gauge = gauge;
+    s.inserts[std::stoi(key.substr(6))] = mount;
   } else if (key.starts_with("gauge")) {
     s.gauge_lengths[std::stoi(key.substr(5))] = value();
   } else if (key.starts_with("reference")) {

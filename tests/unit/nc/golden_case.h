@@ -2,6 +2,7 @@
 //
 //   === about        free text; "proves: id id ..." names coverage ids
 //   === settings     one a line: H1 = 10, D1 = 5, G54 = 1 2 3, start = 0 0 50, N1339 = 0.01, skip = 1,
+//                    insert2 = NX NZ [GX GZ] (nose centre and gauge seen from the touch-off point),
 //                    axis = C 6 rotary rapid 3600 limit -360 360, ...; of the person at the machine:
 //                    answer107 = 2, plc_bit3 = 1, plc_number1 = 2.5, date, time, test_mode; main_name =
 //                    O0012.nc;

@@ -1,6 +1,6 @@
 === about
 The nose centre keeps Rt + D off the contour; the path is told at the touch-off point, tip 3: 0.8 below the centre in X and Z.
-proves: wl4-6.1-Rt wl4-6.1-wp wl4-7.3-T wl4-7.3-T0 wl4-9.2-121
+proves: wl4-6.1-Rt wl4-7.3-T wl4-7.3-T0 wl4-9.2-121
 === settings
 control = wl4-lathe
 param.RT.1 = 0.8
