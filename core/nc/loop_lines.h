@@ -11,6 +11,11 @@
 
 namespace proveout::nc {
 
+/// Blocks without a motion that a program may execute: a loop of calculations has an end sooner.
+constexpr std::uint64_t idleLimit(std::uint64_t block_limit) {
+  return std::max<std::uint64_t>(block_limit / 20, 1'000'000);
+}
+
 /// Fed with the blocks executed last; the loop is where the calls were least deep.
 class LoopLines {
  public:
@@ -24,10 +29,14 @@ class LoopLines {
     first_ = std::min(first_, line);
     last_ = std::max(last_, line);
   }
+  /// "line 3", "lines 3 to 5"; indices.
+  static std::string named(std::size_t first, std::size_t last) {
+    return first == last ? fmt::format("line {}", first + 1)
+                         : fmt::format("lines {} to {}", first + 1, last + 1);
+  }
   /// "an endless loop in lines 3 to 5?" and how to go on.
   std::string question() const {
-    const std::string lines = first_ == last_ ? fmt::format("line {}", first_ + 1)
-                                              : fmt::format("lines {} to {}", first_ + 1, last_ + 1);
+    const std::string lines = named(first_, last_);
     return fmt::format("an endless loop in {}? [simulation] max_blocks of the job sets the limit", lines);
   }
 

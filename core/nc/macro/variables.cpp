@@ -31,7 +31,7 @@ VariableStore::VariableStore() {
 bool VariableStore::enter(const Arguments& arguments) {
   if (level_ + 1 >= kLevels) return false;
   ++level_;
-  std::copy(arguments.v.begin(), arguments.v.end(), locals_.begin() + static_cast<std::ptrdiff_t>(local(0)));
+  for (int k = 0; k <= kLocalCount; ++k) put(locals_[local(k)], arguments.v[static_cast<std::size_t>(k)]);
   return true;
 }
 
@@ -109,6 +109,7 @@ VariableStatus VariableStore::readOther(int number, Value& out) {
     return kVariableRead;
   }
   VariableBank* bank = bankOf(number);
+  ++bank_accesses_;
   return bank == nullptr ? kUnknownVariable : bank->read(number, out);
 }
 
@@ -117,10 +118,11 @@ VariableStatus VariableStore::writeOther(int number, const Value& value) {
   if (number >= kFirstGlobal && number <= kLastGlobal) {
     const bool locked = number >= kFirstKept && number >= protect_first_ && number <= protect_last_;
     if (locked) return kReadOnlyVariable;
-    global(number) = value;
+    put(global(number), value);
     return kVariableRead;
   }
   VariableBank* bank = bankOf(number);
+  ++bank_accesses_;
   return bank == nullptr ? kUnknownVariable : bank->write(number, value);
 }
 

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/nc/intern_table.h"
 #include "core/nc/macro/value.h"
 
 namespace proveout::nc {
@@ -65,11 +68,14 @@ class VariableStore {
   }
   VariableStatus write(int number, const Value& value) {
     if (number >= 1 && number <= kLocalCount) {
-      locals_[local(number)] = value;
+      put(locals_[local(number)], value);
       return kVariableRead;
     }
     return writeOther(number, value);
   }
+  /// The same while all variables have the same values and no bank is asked: what a bank tells may change by
+  /// itself.
+  std::uint64_t fingerprint() const { return values_ + bank_accesses_ * 0x9E3779B97F4A7C15u; }
 
   /// The value of a local or global variable; false: it is another one. For messages.
   bool peek(int number, Value& out) const {
@@ -111,6 +117,16 @@ class VariableStore {
   const VariableSymbol* symbolAt(std::string_view text, std::size_t& length) const;
 
  private:
+  void put(Value& place, const Value& value) {
+    if (!(place.number == value.number && place.vacant == value.vacant)) {
+      const auto at = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(&place));
+      values_ += hashOf(at, value) - hashOf(at, place);
+    }
+    place = value;
+  }
+  static std::uint64_t hashOf(std::uint64_t place, const Value& value) {
+    return mixBits(place ^ mixBits(std::bit_cast<std::uint64_t>(value.number) + (value.vacant ? 1 : 0)));
+  }
   std::size_t local(int number) const {
     return static_cast<std::size_t>(level_ * (kLocalCount + 1) + number);
   }
@@ -130,6 +146,7 @@ class VariableStore {
     VariableBank* bank;
   };
   int level_ = 0;
+  std::uint64_t values_ = 0, bank_accesses_ = 0;  ///< values_: sum over what is in all places
   int protect_first_ = 1, protect_last_ = 0;
   std::array<Value, static_cast<std::size_t>(kLevels) * (kLocalCount + 1)> locals_;
   std::array<Value, kLastGlobal - kFirstGlobal + 1> globals_;

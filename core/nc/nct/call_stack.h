@@ -49,6 +49,7 @@ struct CallFrame {
       -1;                  ///< the code that parameters turned into this call (see system_calls.h), or -1
   bool interrupt = false;  ///< opened by the interrupt signal
   FlowRequest waiting;     ///< to be done when the calls that the block put off are done
+  std::uint64_t run = 0;   ///< number of the call, from 1; 0: the main program
   Arguments args;
 };
 

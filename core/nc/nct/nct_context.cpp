@@ -70,6 +70,7 @@ bool NctContext::openCall(const CallFrame& frame) {
   }
   origins.openCall();
   calls.push(frame);
+  calls.top().run = ++calls_opened;
   enterProgram();
   last_called = frame.text;
   return true;
@@ -106,6 +107,7 @@ bool WorkGuard::over() {
   const std::uint64_t made = summary_.motions - motions_;
   motions_ = summary_.motions;
   work_ += 1 + (made > kFreeMotions ? made - kFreeMotions : 0);
+  idle_ = made > 0 ? 0 : idle_ + 1;
   if (work_ >= checked_ && progress_ != nullptr) {
     checked_ = work_ + kBlocksPerCheck;
     const CallFrame& main = calls_.main();
@@ -116,11 +118,23 @@ bool WorkGuard::over() {
       return true;
     }
   }
-  if (work_ + LoopLines::kWatched > settings_.block_limit) loop_.note(calls_.depth(), calls_.lineIndex());
-  if (work_ <= settings_.block_limit) return false;
+  const std::uint64_t idle_limit = idleLimit(settings_.block_limit);
+  if (work_ + LoopLines::kWatched > settings_.block_limit || idle_ + LoopLines::kWatched > idle_limit)
+    loop_.note(calls_.depth(), calls_.lineIndex());
+  if (work_ <= settings_.block_limit && idle_ <= idle_limit) return false;
   alarms_.fail("nct-block-limit",
-               fmt::format("{} blocks executed without an end, chords of curves included: {}",
-                           settings_.block_limit, loop_.question()));
+               work_ > settings_.block_limit
+                   ? fmt::format("{} blocks executed without an end, chords of curves included: {}",
+                                 settings_.block_limit, loop_.question())
+                   : fmt::format("{} blocks executed without a motion: {}", idle_limit, loop_.question()));
+  summary_.end = ProgramEnd::kBlockLimit;
+  return true;
+}
+
+bool WorkGuard::endless(const LoopWatch& loop) {
+  alarms_.fail("nct-endless-loop",
+               fmt::format("an endless loop: the program comes back to {} with nothing changed",
+                           LoopLines::named(loop.first(), loop.last())));
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }

@@ -14,6 +14,7 @@
 #include "core/nc/frames.h"
 #include "core/nc/interpreter.h"
 #include "core/nc/loop_lines.h"
+#include "core/nc/loop_watch.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/nct/call_stack.h"
@@ -96,6 +97,8 @@ class WorkGuard {
       : settings_(settings), progress_(progress), calls_(calls), alarms_(alarms), summary_(summary) {}
   /// One more piece of work. True: stop; summary.end says why.
   bool over();
+  /// The block in hand runs in a loop that can have no end: reported.
+  bool endless(const LoopWatch& loop);
 
  private:
   const ControlSettings& settings_;
@@ -103,7 +106,7 @@ class WorkGuard {
   const CallStack& calls_;
   AlarmReporter& alarms_;
   InterpretSummary& summary_;
-  std::uint64_t work_ = 0, checked_ = 0, motions_ = 0;
+  std::uint64_t work_ = 0, checked_ = 0, motions_ = 0, idle_ = 0;
   LoopLines loop_;
 };
 
@@ -159,7 +162,8 @@ struct NctContext {
   DataInput data_input = nullptr;           ///< set: blocks are data until G11
   OutputFile output;
   std::optional<InterruptedBlock> interrupted;  ///< while an interrupt macro runs
-  const SourceText* last_called = nullptr;      ///< the program that was called last; null: none yet
+  std::uint64_t calls_opened = 0;
+  const SourceText* last_called = nullptr;  ///< the program that was called last; null: none yet
   std::unique_ptr<SystemVariables> system_variables;
   ChannelSet channels;  ///< of the run; empty: it has one
   WaitingPoint waiting;

@@ -106,6 +106,21 @@ bool NctControl::loadMain() {
   return true;
 }
 
+/// Whether the program is in a loop without an end: reported then. Other channels and a tool whose life
+/// runs out may end a loop that changes nothing itself.
+bool NctControl::goesRound(const CallFrame& frame, std::size_t line) {
+  NctContext& c = context_;
+  ChannelSet alone;
+  alone.add(c.channel());
+  const bool others = !c.channels.empty() && !(c.channels == alone);
+  if (others || c.state.tool_row > 0) return false;
+  const std::uint64_t run = frame.run << 24 | static_cast<std::uint64_t>(frame.done);
+  const bool endless = loop_.comesBack(
+      run, c.calls.depth(), line, c.variables.fingerprint(),
+      {LoopWatch::bytesOf(c.state), LoopWatch::bytesOf(c.position), LoopWatch::bytesOf(c.machine)});
+  return endless && c.work.endless(loop_);
+}
+
 NctControl::Go NctControl::step() {
   NctContext& c = context_;
   if (c.calls.hasDeferred()) {
@@ -140,7 +155,7 @@ NctControl::Go NctControl::step() {
     until_hit_ = until_hit_ || reachedUntil();
     return Go::kOn;
   }
-  if (c.work.over()) return Go::kStop;
+  if (c.work.over() || goesRound(frame, line)) return Go::kStop;
   ++summary_.blocks;
   if (!good) return alarm();
   if (calls) return callMacro(call);

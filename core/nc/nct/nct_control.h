@@ -43,6 +43,7 @@ class NctControl {
   // nct_control.cpp
   bool loadMain();
   Go step();
+  bool goesRound(const CallFrame& frame, std::size_t line);
   Go endOfText();
   Go execute();
   bool openDeferred();
@@ -121,6 +122,7 @@ class NctControl {
   InterpretSummary summary_;
   ControlSettings settings_;
   NctContext context_;
+  LoopWatch loop_;
   Lexer lexer_;
   mutable std::map<const SourceText*, std::size_t> leaders_;  ///< lines in front of the % of a text
   std::array<SubprogramWord, 8> subprograms_;

@@ -77,7 +77,7 @@ bool Wl4Control::start() {
 }
 
 Wl4Control::Go Wl4Control::runProgram(const Wl4Program& program) {
-  levels_.push_back({&program, program.first, -1});
+  levels_.push_back({&program, program.first, -1, runs_++});
   if (program.label_count > Wl4Programs::kMostLabels) {
     fail("wl4-labels", fmt::format("{} labels in a program: at most {} are allowed", program.label_count,
                                    Wl4Programs::kMostLabels));
@@ -127,7 +127,7 @@ Wl4Control::Go Wl4Control::block(std::size_t& next_line) {
     until_hit_ = until_hit_ || reachedUntil();
     return Go::kOn;
   }
-  if (workOver()) return Go::kStop;
+  if (workOver() || goesRound()) return Go::kStop;
   ++summary_.blocks;
   if (!good) {
     variables_.takeBack();
@@ -236,10 +236,28 @@ bool Wl4Control::workOver() {
       return true;
     }
   }
-  if (work_ + LoopLines::kWatched > settings_.block_limit) loop_.note(levels_.size(), levels_.back().line);
-  if (work_ <= settings_.block_limit) return false;
+  idle_ = summary_.motions != motions_ ? 0 : idle_ + 1;
+  motions_ = summary_.motions;
+  const std::uint64_t idle_limit = idleLimit(settings_.block_limit);
+  if (work_ + LoopLines::kWatched > settings_.block_limit || idle_ + LoopLines::kWatched > idle_limit)
+    loop_.note(levels_.size(), levels_.back().line);
+  if (work_ <= settings_.block_limit && idle_ <= idle_limit) return false;
   fail("wl4-block-limit",
-       fmt::format("{} blocks executed without an end: {}", settings_.block_limit, loop_.question()));
+       work_ > settings_.block_limit
+           ? fmt::format("{} blocks executed without an end: {}", settings_.block_limit, loop_.question())
+           : fmt::format("{} blocks executed without a motion: {}", idle_limit, loop_.question()));
+  summary_.end = ProgramEnd::kBlockLimit;
+  return true;
+}
+
+/// Whether the program is in a loop without an end: reported then.
+bool Wl4Control::goesRound() {
+  const Level& level = levels_.back();
+  const bool endless = watch_.comesBack(level.run, levels_.size(), level.line, variables_.fingerprint(),
+                                        {LoopWatch::bytesOf(state_), LoopWatch::bytesOf(machine_)});
+  if (!endless) return false;
+  fail("wl4-endless-loop", fmt::format("an endless loop: the program comes back to {} with nothing changed",
+                                       LoopLines::named(watch_.first(), watch_.last())));
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }

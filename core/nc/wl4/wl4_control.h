@@ -14,6 +14,7 @@
 #include "core/nc/contour_stage.h"
 #include "core/nc/interpreter.h"
 #include "core/nc/loop_lines.h"
+#include "core/nc/loop_watch.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/origin_recorder.h"
 #include "core/nc/services/arcs.h"
@@ -44,6 +45,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
     const Wl4Program* program = nullptr;
     std::size_t line = 0;  ///< of the block in hand
     std::int64_t number = -1;
+    std::uint64_t run = 0;  ///< number of the call
   };
   /// What a block does. `next` is the state behind it.
   struct Plan {
@@ -67,6 +69,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   Go failed();
   Go finish(const std::string& code, ProgramEnd end);
   bool workOver();
+  bool goesRound();
   bool reachedUntil() const;
   Go call(const std::string& name, int times);
   Go jump(std::int64_t label, std::size_t& next_line);
@@ -236,7 +239,10 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   /// of G32 begins a sequence. Other motions, exact stops, dwells and the spindle's functions end one.
   std::optional<double> thread_angle_;
   std::uint64_t work_ = 0;
+  std::uint64_t idle_ = 0, motions_ = 0;  ///< blocks since the last motion
   LoopLines loop_;
+  LoopWatch watch_;
+  std::uint64_t runs_ = 0;                                                     ///< programs opened
   std::array<double, 9> touch_machine_{}, touch_system_{}, touch_distance_{};  ///< G38, by axis
   std::set<std::string, std::less<>> told_;
 };

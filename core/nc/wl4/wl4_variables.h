@@ -27,14 +27,25 @@ class Wl4Variables {
 
   explicit Wl4Variables(const Wl4System& system) : system_(system), levels_(1) {}
 
-  void open() { levels_.push_back(levels_.back()); }
-  void close() { levels_.pop_back(); }
+  void open() {
+    levels_.push_back(levels_.back());
+    levels_values_.push_back(levels_values_.back());
+  }
+  void close() {
+    levels_.pop_back();
+    levels_values_.pop_back();
+  }
 
   std::optional<double> read(int number) const;
   /// Number of the word that a variable was assigned by, or that a system variable tells of; 0: none.
   std::uint32_t originOf(int number) const;
   /// False: the variable cannot be written. `origin`: number of the assignment.
   bool write(int number, double value, std::uint32_t origin = 0);
+
+  /// The same while all variables have the same values and no system variable is read.
+  std::uint64_t fingerprint() const {
+    return globals_values_ + levels_values_.back() + system_reads_ * 0x9E3779B97F4A7C15u;
+  }
 
   /// Writes since the last mark can be taken back.
   void mark() { undo_.clear(); }
@@ -50,6 +61,8 @@ class Wl4Variables {
     return number <= kLocals ? levels_.back()[n] : globals_[n];
   }
 
+  void put(int number, const Held& held);
+
   struct Undo {
     int number;
     Held held;
@@ -58,6 +71,10 @@ class Wl4Variables {
   std::vector<std::array<Held, kLocals + 1>> levels_;
   std::array<Held, kGlobals + 1> globals_{};
   std::vector<Undo> undo_;
+  /// Sums over the values in all places.
+  std::vector<std::uint64_t> levels_values_{0};
+  std::uint64_t globals_values_ = 0;
+  mutable std::uint64_t system_reads_ = 0;
 };
 
 }  // namespace proveout::nc
