@@ -97,7 +97,7 @@ TEST(Pipeline, AnEndlessLoopWithMotionsStopsBeforeItFillsTheMemory) {
   Job job = ringJob();
   job.simulation.max_memory_gb = 0.05;
   const Result<RunResult> result =
-      run(job, "N10 G21 G90 T1 M6\nS1000 M3\nG1 X1 F100\nX2\nM99 P10\n", progress);
+      run(job, "N10 G21 G91 T1 M6\nS1000 M3\nG1 X0.001 F100\nX0.002\nM99 P10\n", progress);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().kind, ErrorKind::kResourceLimit);
   EXPECT_EQ(result.error().message.rfind("ring.nc:", 0), 0u) << result.error().message;
