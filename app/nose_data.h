@@ -26,8 +26,8 @@ void addNoseData(const SetupRun& setup, double least_mm, const RecordingSource& 
 std::optional<Cause> noseCause(const SetupRun& setup, MotionId motion, const Vec3& where, const Vec3& outward,
                                double beyond_mm);
 
-/// Takes the warnings of uncompensated noses away that a comparison with nothing to object has refuted: the
-/// program has the nose in its coordinates.
+/// What a comparison with nothing to object says of such findings: uncompensated noses are in the program's
+/// coordinates and no longer told, wrong data of tools have done no harm and are warnings.
 void dropRefuted(const Comparison& comparison, std::vector<Finding>& findings);
 
 }  // namespace proveout

@@ -56,6 +56,14 @@ std::string shiftText(const DataInForce& data, const Tool& tool) {
                      tool.gauge_length);
 }
 
+/// What moves the tool by what the operator has measured: a wear is meant.
+Vec3 measuredOffset(const DataInForce& data) {
+  Vec3 offset = data.length_offset + data.tool_offset;
+  const double sign = data.length_offset.z() * data.length.value() < 0.0 ? -1.0 : 1.0;  // G44
+  if (data.length.row > 0) offset.z() -= sign * data.length.wear;
+  return offset;
+}
+
 std::vector<LengthError> lengthErrors(const SetupRun& setup) {
   std::vector<LengthError> errors;
   std::set<std::pair<int, const DataInForce*>> seen;
@@ -64,8 +72,8 @@ std::vector<LengthError> lengthErrors(const SetupRun& setup) {
     const Tool* tool = data == nullptr ? nullptr : toolOf(setup, id);
     if (tool == nullptr || !isGauged(*tool) || !cuts(setup, id)) continue;
     if (!seen.emplace(tool->number, data).second) continue;
-    errors.push_back({id, data->length_offset + data->tool_offset - gaugeOf(*tool), data->length.row > 0,
-                      shiftText(*data, *tool)});
+    errors.push_back(
+        {id, measuredOffset(*data) - gaugeOf(*tool), data->length.row > 0, shiftText(*data, *tool)});
   }
   return errors;
 }
