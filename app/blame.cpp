@@ -3,9 +3,7 @@
 #include "core/path/origin_query.h"
 
 namespace proveout {
-namespace {
-
-BlockRef placeOf(const ResolvedOrigin& word, const Toolpath& path, const RecordingSource& texts) {
+BlockRef blockRef(const Toolpath& path, const ResolvedOrigin& word, const RecordingSource& texts) {
   SourceRef ref;
   ref.file = word.file;
   ref.line = word.line;
@@ -13,6 +11,8 @@ BlockRef placeOf(const ResolvedOrigin& word, const Toolpath& path, const Recordi
   ref.depth = word.depth;
   return blockRef(path, ref, texts);
 }
+
+namespace {
 
 /// The innermost call from a program that the user wrote.
 std::optional<BlockRef> userCall(const Toolpath& path, MotionId motion, const RecordingSource& texts,
@@ -24,7 +24,7 @@ std::optional<BlockRef> userCall(const Toolpath& path, MotionId motion, const Re
     call = outer;
   }
   if (!call) return std::nullopt;
-  return placeOf(*call, path, texts);
+  return blockRef(path, *call, texts);
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ WrittenBlock writtenBlock(const Toolpath& path, MotionId motion, const Recording
   const LineText text = lineText(path, texts);
   std::optional<BlockRef> wanted;
   if (const auto contour = originOf(path, motion, OriginKind::kContour, text)) {
-    if (contour->line != own.line || contour->file != own.file) wanted = placeOf(*contour, path, texts);
+    if (contour->line != own.line || contour->file != own.file) wanted = blockRef(path, *contour, texts);
   } else if (!texts.has(written.block.file)) {
     wanted = userCall(path, motion, texts, text);
   }

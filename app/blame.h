@@ -8,6 +8,9 @@
 
 namespace proveout {
 
+/// The block that a word stands in.
+BlockRef blockRef(const Toolpath& path, const ResolvedOrigin& word, const RecordingSource& texts);
+
 /// The block of the user's program that a motion was made for.
 struct WrittenBlock {
   BlockRef block;

@@ -391,14 +391,7 @@ class Diagnosis {
       return cause;
     }
     const ResolvedOrigin& word = *candidate.word;
-    const auto place = [&](const ResolvedOrigin& w) {
-      SourceRef ref;
-      ref.file = w.file;
-      ref.line = w.line;
-      ref.block = w.block;
-      ref.depth = w.depth;
-      return blockRef(path, ref, texts);
-    };
+    const auto place = [&](const ResolvedOrigin& w) { return blockRef(path, w, texts); };
     cause.what = originKindName(word.kind);
     cause.value = word.text;
     cause.source = place(word);
