@@ -7,6 +7,7 @@
 
 #include "app/job_setup.h"
 #include "app/turning.h"
+#include "core/tool/tool_table.h"
 
 namespace proveout {
 namespace {
@@ -106,11 +107,10 @@ void placeMachine(const Job& job, const Box3& blank, ControlSettings& settings) 
   }
   settings.start_by_default = !job.start;
   if (settings.limits[2]) start.z() = std::min(start.z(), settings.limits[2]->max - originHeight(settings));
-  const auto named = std::find_if(job.tools.begin(), job.tools.end(),
-                                  [&](const Tool& tool) { return tool.number == settings.tool; });
+  const Tool* named = findTool(job.tools, settings.tool);
   if (settings.tool == 0) {
     start -= settings.unnamed_gauge;
-  } else if (named != job.tools.end()) {
+  } else if (named != nullptr) {
     start -= gaugeOf(*named);
   }
   settings.start = job.start.value_or(start);

@@ -5,6 +5,7 @@
 #include "app/blame.h"
 #include "app/diagnosis.h"
 #include "app/provenance.h"
+#include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
 
 namespace proveout {
@@ -21,10 +22,8 @@ double spotGap(const RunResult& run, const SurfaceMaker& a, const SurfaceMaker& 
   if (numberOf(a) != numberOf(b) || a.motion >= motions.size() || b.motion >= motions.size()) return -1.0;
   const int tool = motions[a.motion].tool;
   if (motions[b.motion].tool != tool) return -1.0;
-  for (const Tool& t : setup.job.tools) {
-    if (t.number == tool) return t.insert ? 2.0 * t.insert->nose_radius : t.diameter;
-  }
-  return -1.0;
+  const Tool* t = findTool(setup.job.tools, tool);
+  return t == nullptr ? -1.0 : t->insert ? 2.0 * t->insert->nose_radius : t->diameter;
 }
 
 /// Names who made the last finding.

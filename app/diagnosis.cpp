@@ -14,6 +14,7 @@
 #include "app/nose_data.h"
 #include "app/provenance.h"
 #include "core/base/parallel_for.h"
+#include "core/tool/tool_table.h"
 
 namespace proveout {
 namespace {
@@ -264,10 +265,10 @@ class Diagnosis {
     const Vec3 way = m.to - m.from;
     const double length = way.norm();
     if (m.arc >= 0 || !(length > 0.0)) return {1.0, m.arc >= 0 ? 1.0 : 0.0};
-    double radius = 0.0;
-    for (const Tool& tool : setup.job.tools) {
-      if (tool.number == m.tool) radius = tool.insert ? tool.insert->nose_radius : 0.5 * tool.diameter;
-    }
+    const Tool* tool = findTool(setup.job.tools, m.tool);
+    const double radius = tool == nullptr ? 0.0
+                          : tool->insert  ? tool->insert->nose_radius
+                                          : 0.5 * tool->diameter;
     return {std::clamp((p.p - m.from).dot(way) / (length * length), 0.0, 1.0), radius / length};
   }
 

@@ -71,10 +71,7 @@ std::vector<LeftEdge> leftEdges(const SetupRun& setup) {
 }
 
 const Insert& insertOf(const SetupRun& setup, MotionId motion) {
-  const int number = setup.interpreted.path.motions[motion].tool;
-  return *std::find_if(setup.job.tools.begin(), setup.job.tools.end(), [&](const Tool& tool) {
-            return tool.number == number;
-          })->insert;
+  return *findTool(setup.job.tools, setup.interpreted.path.motions[motion].tool)->insert;
 }
 
 /// How far an uncompensated nose cuts beyond the line that the programmed point draws, mm; below 0: how much

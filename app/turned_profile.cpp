@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/turning.h"
+#include "core/tool/tool_table.h"
 #include "io/half_section.h"
 
 namespace proveout {
@@ -61,11 +62,9 @@ struct InsertWay {
 std::optional<InsertWay> insertOn(const SetupRun& setup, std::size_t id) {
   const Toolpath& path = setup.interpreted.path;
   if (id >= path.motions.size()) return std::nullopt;
-  for (const Tool& tool : setup.job.tools) {
-    if (tool.number == path.motions[id].tool && tool.insert)
-      return InsertWay{path, path.motions[id], insertOutline(*tool.insert)};
-  }
-  return std::nullopt;
+  const Tool* tool = findTool(setup.job.tools, path.motions[id].tool);
+  if (tool == nullptr || !tool->insert) return std::nullopt;
+  return InsertWay{path, path.motions[id], insertOutline(*tool->insert)};
 }
 
 /// The tool where it first has `place` on it or in it, else where it comes nearest.

@@ -11,6 +11,7 @@
 #include "app/stopwatch.h"
 #include "core/geometry/plane.h"
 #include "core/nc/interpreter.h"
+#include "core/tool/tool_table.h"
 #include "removal/turning/revolve.h"
 #include "removal/turning/turned_stock.h"
 
@@ -269,9 +270,9 @@ void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::v
     finding.volume_mm3 = setup.bodies[k].volume_mm3;  // with its threads
     const Box3& bounds = setup.bodies[k].bounds;
     finding.where = Vec3(0.0, 0.0, 0.5 * (bounds.min.z() + bounds.max.z()));
-    finding.message =
-        fmt::format("{} of {:.4g} mm3, Z{:.3f} to Z{:.3f}, is cut off here; nothing cuts it any more",
-                    k == 0 ? "the part" : "a piece", setup.bodies[k].volume_mm3, bounds.min.z(), bounds.max.z());
+    finding.message = fmt::format(
+        "{} of {:.4g} mm3, Z{:.3f} to Z{:.3f}, is cut off here; nothing cuts it any more",
+        k == 0 ? "the part" : "a piece", setup.bodies[k].volume_mm3, bounds.min.z(), bounds.max.z());
     blame(finding, body.parted_by, path, texts);
     findings.push_back(std::move(finding));
   }
@@ -282,10 +283,6 @@ Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, con
   const auto fail = [&](const Error& error) -> Result<std::optional<double>> {
     failure_ = error;
     return error;
-  };
-  const auto defined = [&](int number) {
-    return std::find_if(tools_.begin(), tools_.end(),
-                        [&](const Tool& tool) { return tool.number == number; });
   };
   Toolpath so_far;
   so_far.files = path_.files;
@@ -299,7 +296,7 @@ Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, con
                            })->number;
   for (Motion& motion : so_far.motions) {
     if (motion.tool == 0) motion.tool = lowest;  // as assignTools does
-    if (defined(motion.tool) == tools_.end())
+    if (findTool(tools_, motion.tool) == nullptr)
       return fail(
           inputError(fmt::format("tool {} is not defined; give it as [[tool]] in the job", motion.tool)));
   }
@@ -310,7 +307,7 @@ Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, con
   Result<TurnedStock> stock = TurnedStock::create(blank_);
   if (!stock) return fail(stock.error());
   if (const auto cut = stock->remove(so_far, tools_, progress_); !cut) return fail(cut.error());
-  return stock->firstContact(asked, arc, *defined(asked.tool));
+  return stock->firstContact(asked, arc, *findTool(tools_, asked.tool));
 }
 
 Workload turningWork(const SetupRun& setup, const Blank& blank) {
