@@ -3,6 +3,7 @@
 #include "core/path/origin_query.h"
 
 namespace proveout {
+
 BlockRef blockRef(const Toolpath& path, const ResolvedOrigin& word, const RecordingSource& texts) {
   SourceRef ref;
   ref.file = word.file;

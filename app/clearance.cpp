@@ -24,13 +24,6 @@ bool anyGaugeLength(const std::vector<Tool>& tools) {
   return std::any_of(tools.begin(), tools.end(), [](const Tool& tool) { return tool.gauge_length != 0.0; });
 }
 
-/// From a tool's control point to what the machine counts from, mm.
-Vec3 gaugeOf(const Tool& tool) {
-  if (!tool.insert) return {0.0, 0.0, tool.gauge_length};
-  const Vec2 gauge = tool.insert->gauge.value_or(Vec2::Zero());
-  return {gauge.x(), 0.0, gauge.y()};
-}
-
 /// How far inserts reach in front of what the machine counts from, along X and Z.
 Vec3 insertGauges(const std::vector<Tool>& tools) {
   Vec3 most = Vec3::Zero();

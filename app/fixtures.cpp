@@ -6,6 +6,7 @@
 #include "removal/turning/turned_stock.h"
 
 namespace proveout {
+
 Result<std::vector<FixtureStock>> makeFixtures(const Job& setup, double resolution_mm, Progress& progress) {
   std::vector<FixtureStock> fixtures;
   for (const FixtureSpec& spec : setup.fixtures) {

@@ -84,11 +84,9 @@ double beyondLine(const Insert& insert, bool programs_center, const LeftEdge& ed
   return insert.nose_radius * (1.0 - tip.dot(edge.inward));
 }
 
-}  // namespace
-
-void addUncompensated(const SetupRun& setup, double least_mm, const RecordingSource& texts,
-                      std::vector<Finding>& findings) {
-  if (!setup.turned || setup.turned->bodies.empty()) return;
+/// Slopes and arcs of the part's surface that an insert left without compensation of its nose.
+void addUncompensated(const SetupRun& setup, const std::vector<LeftEdge>& edges, double least_mm,
+                      const RecordingSource& texts, std::vector<Finding>& findings) {
   const Toolpath& path = setup.interpreted.path;
   struct Worst {
     double beyond = 0.0;
@@ -96,7 +94,6 @@ void addUncompensated(const SetupRun& setup, double least_mm, const RecordingSou
     std::set<MotionId> motions;
   };
   std::map<int, Worst> tools;
-  const std::vector<LeftEdge> edges = leftEdges(setup);
   for (const LeftEdge& edge : edges) {
     const Motion& motion = path.motions[edge.motion];
     const Insert& insert = insertOf(setup, edge.motion);
@@ -127,8 +124,6 @@ void addUncompensated(const SetupRun& setup, double least_mm, const RecordingSou
   }
 }
 
-namespace {
-
 /// The nose that the control had in mind.
 struct ControlNose {
   int tool = 0, row = 0, tip = 0, corrector_row = 0;
@@ -145,22 +140,22 @@ ControlNose noseOf(const Motion& motion, const DataInForce& data) {
           data.nose_radius, data.radius.value(), data.at_center};
 }
 
+/// From the nose centre to the control point, as tipDirection().
+Vec2 ownTip(const Insert& insert) {
+  return insert.at_center ? Vec2(Vec2::Zero()) : tipDirection(insert.orientation);
+}
+
 /// How far the insert cuts beyond where the control wants it, mm: circles on the centres that both know.
 double beyondContour(const ControlNose& control, const Insert& insert, const Vec2& inward) {
-  const double centers =
-      control.at_center ? 0.0
-                        : (control.radius * tipDirection(control.tip) -
-                           (insert.at_center ? 0.0 : insert.nose_radius) * tipDirection(insert.orientation))
-                              .dot(inward);
-  return centers + insert.nose_radius - control.radius;
+  const Vec2 centers = control.radius * tipDirection(control.tip) - insert.nose_radius * ownTip(insert);
+  const double between = control.at_center ? 0.0 : centers.dot(inward);
+  return between + insert.nose_radius - control.radius;
 }
 
 int tipOf(const Insert& insert) { return insert.at_center ? 9 : insert.orientation; }
 
 bool sameTip(const ControlNose& control, const Insert& insert) {
-  if (control.at_center) return true;
-  const Vec2 own = insert.at_center ? Vec2(Vec2::Zero()) : tipDirection(insert.orientation);
-  return tipDirection(control.tip) == own;
+  return control.at_center || tipDirection(control.tip) == ownTip(insert);
 }
 
 /// Whether there is nothing but an allowance between them.
@@ -209,14 +204,11 @@ std::string effectText(const Effect& effect) {
   return text.empty() ? "no surface of the part is off because of it" : "surfaces of the part are " + text;
 }
 
-}  // namespace
-
-void addNoseData(const SetupRun& setup, double least_mm, const RecordingSource& texts,
-                 std::vector<Finding>& findings) {
-  if (!setup.turned || setup.turned->bodies.empty()) return;
+void addNoseData(const SetupRun& setup, const std::vector<LeftEdge>& edges, double least_mm,
+                 const RecordingSource& texts, std::vector<Finding>& findings) {
   const Toolpath& path = setup.interpreted.path;
   std::map<ControlNose, Effect> noses;
-  for (const LeftEdge& edge : leftEdges(setup)) {
+  for (const LeftEdge& edge : edges) {
     const DataInForce* data = dataOf(path, edge.motion);
     const Motion& motion = path.motions[edge.motion];
     if (data == nullptr || !motion.compensated) continue;
@@ -240,6 +232,16 @@ void addNoseData(const SetupRun& setup, double least_mm, const RecordingSource& 
     blame(finding, effect.worst, path, texts);
     findings.push_back(std::move(finding));
   }
+}
+
+}  // namespace
+
+void addNoseFindings(const SetupRun& setup, double least_mm, const RecordingSource& texts,
+                     std::vector<Finding>& findings) {
+  if (!setup.turned || setup.turned->bodies.empty()) return;
+  const std::vector<LeftEdge> edges = leftEdges(setup);
+  addUncompensated(setup, edges, least_mm, texts, findings);
+  addNoseData(setup, edges, least_mm, texts, findings);
 }
 
 std::optional<Cause> noseCause(const SetupRun& setup, MotionId motion, const Vec3& where, const Vec3& outward,

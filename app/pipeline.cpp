@@ -287,8 +287,7 @@ void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>
     addOutcome(setup.initial_mm3, setup.surface.volume_mm3, bodies, findings);
     const NominalSpec tolerance = setup.job.nominal.value_or(NominalSpec{});
     const double least_mm = std::min(tolerance.gouge_mm, tolerance.excess_mm);
-    addUncompensated(setup, least_mm, source, findings);
-    addNoseData(setup, least_mm, source, findings);
+    addNoseFindings(setup, least_mm, source, findings);
     addToolOffsets(setup, least_mm, source, findings);
     addImplausible(setup, source, findings);
     addPartedBodies(setup, source, findings);

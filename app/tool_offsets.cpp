@@ -39,11 +39,6 @@ bool isGauged(const Tool& tool) {
   return tool.insert ? tool.insert->gauge.has_value() : tool.gauge_length != 0.0;
 }
 
-Vec3 gaugeOf(const Tool& tool) {
-  if (!tool.insert) return {0.0, 0.0, tool.gauge_length};
-  return {tool.insert->gauge->x(), 0.0, tool.insert->gauge->y()};
-}
-
 std::string shiftText(const DataInForce& data, const Tool& tool) {
   if (data.nose_tool > 0) {
     const Vec3 gauge = gaugeOf(tool);

@@ -41,8 +41,9 @@ struct Contact {
   MotionId last = kNoMotion;    ///< last one
   Vec3 where = Vec3::Zero();    ///< the deepest point of the part, mm
   /// How far that point lies below the surface of the stock as it was when the motion began: the distance to
-  /// the nearest surface, so that a wall which the tool goes right through counts with half its thickness. To
-  /// a micrometre, but where an earlier clamping or a mesh made a curved surface: there to the chords of the
+  /// the nearest surface, so that a wall which the tool goes right through counts with half its thickness; of
+  /// turned parts also how far the old surface was from what is left (contactDepth), if that is more. To a
+  /// micrometre, but where an earlier clamping or a mesh made a curved surface: there to the chords of the
   /// grid.
   double depth_mm = 0.0;
   double volume_mm3 = 0.0;  ///< stock that was in the way, counted in grid cells; 0 for less than one

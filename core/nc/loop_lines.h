@@ -11,11 +11,6 @@
 
 namespace proveout::nc {
 
-/// Blocks without a motion that a program may execute: a loop of calculations has an end sooner.
-constexpr std::uint64_t idleLimit(std::uint64_t block_limit) {
-  return std::max<std::uint64_t>(block_limit / 20, 1'000'000);
-}
-
 /// Fed with the blocks executed last; the loop is where the calls were least deep.
 class LoopLines {
  public:

@@ -1,12 +1,17 @@
 // Finds loops that can have no end: a program that comes back to a line with everything as it was before.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
 #include <span>
+#include <string>
 #include <vector>
+
+#include "core/nc/loop_lines.h"
 
 namespace proveout::nc {
 
@@ -23,7 +28,7 @@ class LoopWatch {
   /// `state`: the objects that the next blocks depend on, the same ones each time; `fingerprint`: of the
   /// variables, and another one where something was asked that changes by itself (clocks, tables, the person
   /// at the machine). States are compared by their bytes: padding may hide a loop, but never makes one up.
-  /// True: the program goes round without end, in lines first() to last().
+  /// True: the program goes round without end; message() names the lines.
   bool comesBack(std::uint64_t run, std::size_t depth, std::size_t line, std::uint64_t fingerprint,
                  std::initializer_list<Bytes> state) {
     if (known_ && (depth < depth_ || (depth == depth_ && run != run_))) forget();
@@ -45,8 +50,10 @@ class LoopWatch {
     take(run, depth, line, fingerprint, state);
     return false;
   }
-  std::size_t first() const { return first_; }
-  std::size_t last() const { return furthest_; }
+  std::string message() const {
+    return fmt::format("an endless loop: the program comes back to {} with nothing changed",
+                       LoopLines::named(first_, furthest_));
+  }
 
  private:
   void forget() {

@@ -308,13 +308,6 @@ ConvexOutline insertOutline(const Insert& insert) {
   return insert.at_center ? shifted(outline, -centerFromP(insert)) : outline;
 }
 
-Vec2 tipDirection(int orientation) {
-  constexpr int kTips[10][2] = {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1},
-                                {0, 1}, {1, 0}, {0, -1}, {-1, 0},  {0, 0}};
-  const auto& tip = kTips[orientation];
-  return {tip[0], tip[1]};
-}
-
 Vec2 noseCenter(const Insert& insert) { return insert.at_center ? Vec2(Vec2::Zero()) : centerFromP(insert); }
 
 std::vector<ConvexOutline> holderPieces(const Insert& insert) {

@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/geometry/types.h"
 #include "core/tool/convex_outline.h"
+#include "core/tool/tip.h"
 
 namespace proveout {
 
@@ -56,8 +57,6 @@ ConvexOutline insertOutline(const Insert& insert);
 /// Centre of the nose (groove: of the corner that the orientation names; thread with a flat: the middle of
 /// the flat) seen from the control point, mm. Zero for tools with `at_center`.
 Vec2 noseCenter(const Insert& insert);
-/// (x, z): -1, 0 or 1 each, from the nose centre to the touch-off point of an orientation of 0 to 9.
-Vec2 tipDirection(int orientation);
 
 /// The holder as convex pieces.
 std::vector<ConvexOutline> holderPieces(const Insert& insert);

@@ -5,6 +5,10 @@
 #include <limits>
 #include <queue>
 
+#include "core/geometry/plane.h"
+
+#include "core/geometry/plane.h"
+
 namespace proveout {
 namespace {
 
@@ -12,20 +16,13 @@ namespace {
 /// end.
 constexpr int kMostSquares = 4000;
 
-double distance(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const Vec2 way = b - a;
-  const double length2 = way.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * way).norm();
-}
-
 /// Distance to the outline, negative outside.
 double inside(const std::vector<Vec2>& outline, const Vec2& p) {
   double nearest = std::numeric_limits<double>::infinity();
   bool within = false;
   for (std::size_t i = 0, k = outline.size() - 1; i < outline.size(); k = i++) {
     const Vec2 &a = outline[k], &b = outline[i], way = b - a;
-    nearest = std::min(nearest, distance(a, b, p));
+    nearest = std::min(nearest, distanceToSegment(p, a, b));
     if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / way.y() * way.x())
       within = !within;
   }
@@ -99,7 +96,8 @@ SectionDepth contactDepth(const SectionArea& area, const std::vector<Vec2>& outl
     for (int k = 0; k < kParts; ++k) {
       const Vec2 p = outline[i] + (next(i) - outline[i]) * k / kParts;
       double nearest = std::numeric_limits<double>::infinity();
-      for (const std::size_t j : new_edges) nearest = std::min(nearest, distance(outline[j], next(j), p));
+      for (const std::size_t j : new_edges)
+        nearest = std::min(nearest, distanceToSegment(p, outline[j], next(j)));
       if (nearest > best.depth_mm) best = {nearest, p};
     }
   }

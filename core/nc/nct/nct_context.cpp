@@ -104,12 +104,10 @@ constexpr std::uint64_t kBlocksPerCheck = 1024;
 
 bool WorkGuard::over() {
   constexpr std::uint64_t kFreeMotions = 100;
-  const std::uint64_t made = summary_.motions - motions_;
-  motions_ = summary_.motions;
-  work_ += 1 + (made > kFreeMotions ? made - kFreeMotions : 0);
-  idle_ = made > 0 ? 0 : idle_ + 1;
-  if (work_ >= checked_ && progress_ != nullptr) {
-    checked_ = work_ + kBlocksPerCheck;
+  const std::uint64_t made = budget_.newMotions(summary_.motions);
+  budget_.spend(1 + (made > kFreeMotions ? made - kFreeMotions : 0), made > 0);
+  if (budget_.work() >= checked_ && progress_ != nullptr) {
+    checked_ = budget_.work() + kBlocksPerCheck;
     const CallFrame& main = calls_.main();
     progress_->report("interpreting",
                       static_cast<double>(main.line) / static_cast<double>(main.text->lines().size()));
@@ -118,23 +116,14 @@ bool WorkGuard::over() {
       return true;
     }
   }
-  const std::uint64_t idle_limit = idleLimit(settings_.block_limit);
-  if (work_ + LoopLines::kWatched > settings_.block_limit || idle_ + LoopLines::kWatched > idle_limit)
-    loop_.note(calls_.depth(), calls_.lineIndex());
-  if (work_ <= settings_.block_limit && idle_ <= idle_limit) return false;
-  alarms_.fail("nct-block-limit",
-               work_ > settings_.block_limit
-                   ? fmt::format("{} blocks executed without an end, chords of curves included: {}",
-                                 settings_.block_limit, loop_.question())
-                   : fmt::format("{} blocks executed without a motion: {}", idle_limit, loop_.question()));
+  if (!budget_.over(calls_.depth(), calls_.lineIndex())) return false;
+  alarms_.fail("nct-block-limit", budget_.message(", chords of curves included"));
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }
 
 bool WorkGuard::endless(const LoopWatch& loop) {
-  alarms_.fail("nct-endless-loop",
-               fmt::format("an endless loop: the program comes back to {} with nothing changed",
-                           LoopLines::named(loop.first(), loop.last())));
+  alarms_.fail("nct-endless-loop", loop.message());
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/nc/block_budget.h"
 #include "core/nc/channels.h"
 #include "core/nc/frames.h"
 #include "core/nc/interpreter.h"
-#include "core/nc/loop_lines.h"
 #include "core/nc/loop_watch.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/motion_pipe.h"
@@ -94,20 +94,23 @@ class WorkGuard {
  public:
   WorkGuard(const ControlSettings& settings, Progress* progress, const CallStack& calls,
             AlarmReporter& alarms, InterpretSummary& summary)
-      : settings_(settings), progress_(progress), calls_(calls), alarms_(alarms), summary_(summary) {}
+      : progress_(progress),
+        calls_(calls),
+        alarms_(alarms),
+        summary_(summary),
+        budget_(settings.block_limit) {}
   /// One more piece of work. True: stop; summary.end says why.
   bool over();
   /// The block in hand runs in a loop that can have no end: reported.
   bool endless(const LoopWatch& loop);
 
  private:
-  const ControlSettings& settings_;
   Progress* progress_;
   const CallStack& calls_;
   AlarmReporter& alarms_;
   InterpretSummary& summary_;
-  std::uint64_t work_ = 0, checked_ = 0, motions_ = 0, idle_ = 0;
-  LoopLines loop_;
+  std::uint64_t checked_ = 0;
+  BlockBudget budget_;
 };
 
 struct NctContext {

@@ -1,11 +1,11 @@
 // G96, G97, G92 S: constant surface speed (manual 11.5).
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_words.h"
+#include "core/nc/services/surface_speed.h"
 
 namespace proveout::nc {
 namespace {
@@ -13,13 +13,9 @@ namespace {
 /// What stands for the top speed of a spindle without ranges and without G92 S, 1/min.
 constexpr double kNoTopSpeed = 1e6;
 
-struct SpeedBounds {
-  double low, high;
-};
-
-SpeedBounds boundsOf(const NctContext& c, const NctState& state) {
+SpindleBounds boundsOf(const NctContext& c, const NctState& state) {
   const Spindles& all = c.registers.spindles;
-  SpeedBounds bounds{c.parameters[SpindleParam::kLeastSurfaceRpm], kNoTopSpeed};
+  SpindleBounds bounds{c.parameters[SpindleParam::kLeastSurfaceRpm], kNoTopSpeed};
   if (!c.settings.spindles.empty()) {
     const auto& ranges = c.settings.spindles[static_cast<std::size_t>(all.main)].ranges;
     const int gear = all.record[static_cast<std::size_t>(all.main)].gear;
@@ -56,17 +52,11 @@ bool surfaceSpeedRuns(const NctContext& c, const BlockPlan& plan) {
 }
 
 double surfaceRpm(const NctContext& c, const NctState& state, const AxisPoint& at) {
-  const SpeedBounds bounds = boundsOf(c, state);
-  const double radius = std::abs(at[state.surface_axis]);
-  const double product = speedTimesRadius(state);
-  return radius * bounds.high <= product ? bounds.high
-                                         : std::clamp(product / radius, bounds.low, bounds.high);
+  return surfaceRpm(speedTimesRadius(state), at[state.surface_axis], boundsOf(c, state));
 }
 
 double surfaceMeanRpm(NctContext& c, const BlockPlan& plan) {
-  // Time per length goes with 1 / rpm, which is linear in the radius between the bounds: the mean over the
-  // axis' way, exact on lines, in pieces between the points where a bound begins or the axis crosses 0.
-  const SpeedBounds bounds = boundsOf(c, plan.next);
+  const SpindleBounds bounds = boundsOf(c, plan.next);
   const double product = speedTimesRadius(plan.next);
   const int axis = plan.next.surface_axis;
   const double from = plan.start[axis], to = plan.motion.target[axis];
@@ -77,28 +67,7 @@ double surfaceMeanRpm(NctContext& c, const BlockPlan& plan) {
         "G96 to the axis without a limit of the spindle's speed: speed and time there are those of no real "
         "machine; give G92 S in the program or the ranges of [[machine.spindle]]");
   }
-  const auto slowness = [&](double x) {
-    const double radius = std::abs(x);
-    return radius * bounds.high <= product ? 1.0 / bounds.high
-                                           : 1.0 / std::clamp(product / radius, bounds.low, bounds.high);
-  };
-  if (from == to) return 1.0 / slowness(from);
-  std::array<double, 7> cuts{};  // the first is 0
-  std::size_t count = 1;
-  const double inner = product / bounds.high;
-  const double outer = bounds.low > 0.0 ? product / bounds.low : inner;
-  const double ahead = to > from ? 1.0 : -1.0;  // the places in the order in which the axis passes them
-  for (const double x : {-outer, -inner, 0.0, inner, outer}) {
-    const double u = (ahead * x - from) / (to - from);
-    if (u > 0.0 && u < 1.0) cuts[count++] = u;
-  }
-  cuts[count++] = 1.0;
-  double mean = 0.0;
-  for (std::size_t k = 1; k < count; ++k) {
-    const double a = slowness(from + cuts[k - 1] * (to - from)), b = slowness(from + cuts[k] * (to - from));
-    mean += 0.5 * (a + b) * (cuts[k] - cuts[k - 1]);
-  }
-  return 1.0 / mean;
+  return meanSurfaceRpm(product, from, to, bounds);
 }
 
 bool planSurfaceSpeed(NctContext& c, BlockPlan& plan) {

@@ -12,6 +12,7 @@ target_sources(proveout_core PRIVATE
   nc/services/plane_curves.cpp
   nc/services/rapid_overlap.cpp
   nc/services/speed_plan.cpp
+  nc/services/surface_speed.cpp
   nc/services/virtual_plane.cpp
   nc/services/zone_check.cpp)
 # These use a detail namespace as a whole, which must not leak into their neighbours of a unity batch.

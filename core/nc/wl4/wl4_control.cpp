@@ -33,7 +33,8 @@ Wl4Control::Wl4Control(bool lathe, const ProgramSource& source, const ControlSet
       corner_stage_(pipe_, *this),
       comp_stage_(pipe_, *this),
       frame_stage_(chain_),
-      emit_stage_(emitter_, settings_.tool_change_s) {
+      emit_stage_(emitter_, settings_.tool_change_s),
+      budget_(settings_.block_limit) {
   evaluator_.setOrigins(origins_);
   pipe_.link(frame_stage_);
   pipe_.link(emit_stage_);
@@ -227,7 +228,8 @@ Wl4Control::Go Wl4Control::finish(const std::string& code, ProgramEnd end) {
 }
 
 bool Wl4Control::workOver() {
-  if (work_++ % kWorkPerCheck == 0 && progress_ != nullptr) {
+  budget_.spend(1, budget_.newMotions(summary_.motions) > 0);
+  if ((budget_.work() - 1) % kWorkPerCheck == 0 && progress_ != nullptr) {
     const Level& main = levels_.front();
     progress_->report("interpreting", static_cast<double>(main.line - main.program->first) /
                                           static_cast<double>(main.program->last - main.program->first));
@@ -236,16 +238,8 @@ bool Wl4Control::workOver() {
       return true;
     }
   }
-  idle_ = summary_.motions != motions_ ? 0 : idle_ + 1;
-  motions_ = summary_.motions;
-  const std::uint64_t idle_limit = idleLimit(settings_.block_limit);
-  if (work_ + LoopLines::kWatched > settings_.block_limit || idle_ + LoopLines::kWatched > idle_limit)
-    loop_.note(levels_.size(), levels_.back().line);
-  if (work_ <= settings_.block_limit && idle_ <= idle_limit) return false;
-  fail("wl4-block-limit",
-       work_ > settings_.block_limit
-           ? fmt::format("{} blocks executed without an end: {}", settings_.block_limit, loop_.question())
-           : fmt::format("{} blocks executed without a motion: {}", idle_limit, loop_.question()));
+  if (!budget_.over(levels_.size(), levels_.back().line)) return false;
+  fail("wl4-block-limit", budget_.message());
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }
@@ -256,8 +250,7 @@ bool Wl4Control::goesRound() {
   const bool endless = watch_.comesBack(level.run, levels_.size(), level.line, variables_.fingerprint(),
                                         {LoopWatch::bytesOf(state_), LoopWatch::bytesOf(machine_)});
   if (!endless) return false;
-  fail("wl4-endless-loop", fmt::format("an endless loop: the program comes back to {} with nothing changed",
-                                       LoopLines::named(watch_.first(), watch_.last())));
+  fail("wl4-endless-loop", watch_.message());
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }

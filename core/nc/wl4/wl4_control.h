@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/nc/block_budget.h"
 #include "core/nc/contour_stage.h"
 #include "core/nc/interpreter.h"
-#include "core/nc/loop_lines.h"
 #include "core/nc/loop_watch.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/origin_recorder.h"
@@ -238,9 +238,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   /// Of the spindle where the next block of the sequence of threads (G32) begins, degrees; nothing: a block
   /// of G32 begins a sequence. Other motions, exact stops, dwells and the spindle's functions end one.
   std::optional<double> thread_angle_;
-  std::uint64_t work_ = 0;
-  std::uint64_t idle_ = 0, motions_ = 0;  ///< blocks since the last motion
-  LoopLines loop_;
+  BlockBudget budget_;
   LoopWatch watch_;
   std::uint64_t runs_ = 0;                                                     ///< programs opened
   std::array<double, 9> touch_machine_{}, touch_system_{}, touch_distance_{};  ///< G38, by axis

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/nc/services/surface_speed.h"
 #include "core/nc/tool_change.h"
 #include "core/nc/wl4/wl4_control.h"
 
@@ -52,18 +53,11 @@ double Wl4Control::topSpeed(const Wl4State& s) const {
   return top;
 }
 
-/// Speed with which feed per revolution takes as long as along a line between two signed diameters, mm: the
-/// time per length is 1 / rpm, which goes with the diameter and is constant where the speed is at its limit.
+/// Speed with which feed per revolution takes as long as along a line between two signed diameters, mm.
 double Wl4Control::meanRpm(const Wl4State& s, double from, double to) const {
-  if (s.speed_mode != 96 || !(s.speed > 0.0) || from == to) return rpm(s, to);
+  if (s.speed_mode != 96 || !(s.speed > 0.0)) return rpm(s, to);
   const double product = 1000.0 * s.speed / kPi;  // 1/min times mm of diameter
-  const double top = topSpeed(s) > 0.0 ? topSpeed(s) : product / kLeastDiameter;
-  const double limited = product / top;  // diameter below which the limit holds
-  const auto integral = [&](double diameter) {
-    const double d = std::abs(diameter), inner = std::min(d, limited);
-    return std::copysign(inner / top + (d * d - inner * inner) / (2.0 * product), diameter);
-  };
-  return (to - from) / (integral(to) - integral(from));
+  return meanSurfaceRpm(product, from, to, {0.0, topSpeed(s) > 0.0 ? topSpeed(s) : product / kLeastDiameter});
 }
 
 /// Constant surface speed that comes to the axis, with nothing that limits the spindle.

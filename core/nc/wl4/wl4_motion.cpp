@@ -8,6 +8,7 @@
 #include "core/nc/services/arcs.h"
 #include "core/nc/services/plane_curves.h"
 #include "core/nc/wl4/wl4_control.h"
+#include "core/tool/tip.h"
 
 namespace proveout::nc {
 
@@ -27,10 +28,8 @@ float turnedTo(double degrees) {
 Vec2 Wl4Control::tipOf(const Wl4State& s) const {
   const Wl4Parameters::Tool& tool = parameters_.tool(s.selected_tool);
   if (!lathe_ || tool.at_center) return Vec2::Zero();
-  constexpr std::array<std::array<double, 2>, 10> kTips = {
-      {{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}}};
-  const auto& t = kTips[static_cast<std::size_t>(std::clamp(tool.tip, 0, 9))];
-  return tool.nose_radius * Vec2(t[0], t[1]);
+  const Vec2 tip = tipDirection(tool.tip);
+  return tool.nose_radius * Vec2(tip.y(), tip.x());
 }
 
 PlaneFrame Wl4Control::plane(const Wl4State& s) const {
