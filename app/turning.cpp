@@ -13,6 +13,7 @@
 #include "core/nc/interpreter.h"
 #include "core/tool/tool_table.h"
 #include "removal/turning/revolve.h"
+#include "removal/turning/thread_mesh.h"
 #include "removal/turning/turned_stock.h"
 
 namespace proveout {
@@ -82,19 +83,29 @@ StockBody bodyOf(const SectionBody& section, const char* role) {
   return body;
 }
 
-/// The part on the 3-D grid, threads and all.
-Status gridSurface(const Job& job, const TurnedShape& part, RunResult& run, SetupRun& setup,
-                   Progress& progress) {
-  RemovalOptions options = removalOptions(job, run.resolution_mm);
+/// The part on the 3-D grid, threads and all, as `run.stock`.
+Status makeGrid(const Job& job, const TurnedShape& part, RunResult& run, Progress& progress) {
   const StockShape shape = TurnedStockShape{std::make_shared<const TurnedShape>(part)};
-  Result<Stock> stock = Stock::create(shape, options, progress);
+  Result<Stock> stock = Stock::create(shape, removalOptions(job, run.resolution_mm), progress);
   if (!stock) return stock.error();
   run.stock = std::move(*stock);
-  if (part.threads.empty()) return Done{};
-  SurfaceOptions surface_options;
-  surface_options.simplify_mm = simplification(job, run.resolution_mm);
-  surface_options.threads = job.simulation.threads;
-  Result<StockSurface> surface = run.stock->surface(surface_options, progress);
+  return Done{};
+}
+
+/// The surface of a part with threads: from its half sections, or where those do not go over into each other
+/// from the grid.
+Status threadSurface(const Job& job, const TurnedShape& part, RunResult& run, SetupRun& setup,
+                     Progress& progress) {
+  if (auto surface = threadedSurface(part.bodies.front(), part.threads, facetTolerance(job), progress)) {
+    setup.surface.mesh = std::move(surface->mesh);
+    setup.surface.volume_mm3 = surface->volume_mm3;
+    return Done{};
+  }
+  if (Status done = makeGrid(job, part, run, progress); !done) return done;
+  SurfaceOptions options;
+  options.simplify_mm = simplification(job, run.resolution_mm);
+  options.threads = job.simulation.threads;
+  Result<StockSurface> surface = run.stock->surface(options, progress);
   if (!surface) return surface.error();
   setup.surface = std::move(*surface);
   return Done{};
@@ -108,15 +119,6 @@ bool threadReaches(const TurnedShape& shape) {
                high = thread.from.cwiseMax(thread.to) + thread.outline->max();
     return low.y() < body.bounds.max.z() && high.y() > body.bounds.min.z() && low.x() < body.bounds.max.x();
   });
-}
-
-/// Of a body that is not the part, mm3: by the grid, as its surface is not asked for.
-Result<double> threadedVolume(const Job& job, const TurnedShape& shape, const RunResult& run,
-                              Progress& progress) {
-  const StockShape blank = TurnedStockShape{std::make_shared<const TurnedShape>(shape)};
-  Result<Stock> stock = Stock::create(blank, removalOptions(job, run.resolution_mm), progress);
-  if (!stock) return stock.error();
-  return stock->initialVolume();
 }
 
 }  // namespace
@@ -189,10 +191,14 @@ Status takePart(const Job& job, const TurnedStock& stock, const std::optional<Bo
   std::swap(all.bodies[0], all.bodies[partOf(all.bodies, nominal)]);
   TurnedShape part = all;
   part.bodies.resize(1);
-  setup.surface.mesh = revolved(part.bodies, facetTolerance(job));
-  setup.surface.volume_mm3 = part.bodies.front().volume_mm3;
-  if (grid || !part.threads.empty()) {
-    if (Status done = gridSurface(job, part, run, setup, progress); !done) return done;
+  if (part.threads.empty()) {
+    setup.surface.mesh = revolved(part.bodies, facetTolerance(job));
+    setup.surface.volume_mm3 = part.bodies.front().volume_mm3;
+  } else if (Status done = threadSurface(job, part, run, setup, progress); !done) {
+    return done;
+  }
+  if (grid && !run.stock) {
+    if (Status done = makeGrid(job, part, run, progress); !done) return done;
   }
   for (const SectionBody& body : all.bodies) setup.bodies.push_back(bodyOf(body, "loose"));
   setup.bodies.front().role = "part";
@@ -201,9 +207,7 @@ Status takePart(const Job& job, const TurnedStock& stock, const std::optional<Bo
     TurnedShape piece = all;
     piece.bodies = {all.bodies[k]};
     if (!threadReaches(piece)) continue;
-    const Result<double> volume = threadedVolume(job, piece, run, progress);
-    if (!volume) return volume.error();
-    setup.bodies[k].volume_mm3 = *volume;
+    setup.bodies[k].volume_mm3 = threadedVolume(piece.bodies.front(), piece.threads);
   }
   setup.turned = std::make_shared<const TurnedShape>(std::move(all));
   return Done{};

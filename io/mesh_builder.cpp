@@ -3,13 +3,12 @@
 #include <cstdlib>
 #include <vector>
 
+#include "core/geometry/ears.h"
 #include "io/mesh_formats.h"
 
 namespace proveout::mesh_formats {
 
 namespace {
-
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// A polygon in its own plane, counter-clockwise, with the indices of its corners.
 struct FlatPolygon {
@@ -82,22 +81,6 @@ bool crossesItself(const FlatPolygon& flat) {
   return false;
 }
 
-/// No other corner lies in or on the triangle at corner i.
-bool isEar(const FlatPolygon& flat, std::size_t i) {
-  if (flat.turn(i) <= 0.0) return false;
-  const std::size_t n = flat.size(), before = (i + n - 1) % n, after = (i + 1) % n;
-  const Vec2 &a = flat.points[before], &b = flat.points[i], &c = flat.points[after];
-  for (std::size_t j = 0; j < n; ++j) {
-    if (j == before || j == i || j == after) continue;
-    const Vec2& p = flat.points[j];
-    if (p == a || p == b || p == c) continue;
-    const bool inside =
-        cross2(b - a, p - a) >= 0.0 && cross2(c - b, p - b) >= 0.0 && cross2(a - c, p - c) >= 0.0;
-    if (inside) return false;
-  }
-  return true;
-}
-
 void addFan(TriMesh& mesh, std::span<const std::uint32_t> corners) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
     mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
@@ -108,7 +91,7 @@ void addFan(TriMesh& mesh, std::span<const std::uint32_t> corners) {
 bool cutEars(TriMesh& mesh, FlatPolygon& flat) {
   while (flat.size() > 3) {
     std::size_t ear = 0;
-    while (ear < flat.size() && !isEar(flat, ear)) ++ear;
+    while (ear < flat.size() && !isEar(flat.points, ear)) ++ear;
     if (ear == flat.size()) return false;
     const std::size_t n = flat.size();
     mesh.triangles.push_back(

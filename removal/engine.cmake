@@ -29,8 +29,12 @@ proveout_add_library(removal
   turning/section_depth.cpp
   turning/section_reach.cpp
   turning/section_window.cpp
+  turning/slice_faces.cpp
+  turning/slice_match.cpp
   turning/sweep_paths.cpp
   turning/thread_cover.cpp
+  turning/thread_mesh.cpp
+  turning/thread_slices.cpp
   turning/turned_stock.cpp
   turning/turning_tool.cpp
   level_cut.cpp

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "core/geometry/plane.h"
@@ -139,7 +140,7 @@ class Rings {
 
 }  // namespace
 
-SectionLoop simplified(const SectionLoop& loop, double tolerance) {
+std::vector<std::size_t> keptPoints(const SectionLoop& loop, double tolerance) {
   const std::size_t n = loop.points.size();
   std::vector<std::size_t> fixed = keptBorders(loop, tolerance);
   for (std::size_t i = 0; i < n; ++i) {
@@ -163,7 +164,18 @@ SectionLoop simplified(const SectionLoop& loop, double tolerance) {
   for (std::size_t i = 0; i < n; ++i) {
     if (keep[i]) kept.push_back(i);
   }
-  if (kept.size() < 3) return loop;
+  if (kept.size() >= 3) return kept;
+  kept.resize(n);
+  std::iota(kept.begin(), kept.end(), std::size_t{0});
+  return kept;
+}
+
+SectionLoop simplified(const SectionLoop& loop, double tolerance) {
+  return simplified(loop, keptPoints(loop, tolerance));
+}
+
+SectionLoop simplified(const SectionLoop& loop, const std::vector<std::size_t>& kept) {
+  const std::size_t n = loop.points.size();
   SectionLoop out;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     out.points.push_back(loop.points[kept[k]]);

@@ -12,6 +12,10 @@ namespace proveout {
 /// what both made is longer than 100 tolerances, 200 of a loop at most; an edge that stands for several has
 /// the motion that made most of it.
 SectionLoop simplified(const SectionLoop& loop, double tolerance);
+/// Their numbers, in order; all of them where fewer than 3 would do.
+std::vector<std::size_t> keptPoints(const SectionLoop& loop, double tolerance);
+/// The loop with these points alone.
+SectionLoop simplified(const SectionLoop& loop, const std::vector<std::size_t>& kept);
 
 /// The bodies turned about Z: closed and oriented. Corners are exact; rings are on the surface, and facets
 /// between them inside of it by at most `tolerance` mm (outer radii), sections simplified within as much.

@@ -14,7 +14,6 @@ namespace {
 
 using test::body;
 using test::Made;
-using test::make;
 using test::shapeOf;
 
 constexpr double kLead = 2.5, kRadius = 10.0, kDepth = 1.534, kTip = 0.3125, kHigh = 2.2;
@@ -122,10 +121,21 @@ double heightOf(double start_z, double lead, double phi, int k) {
   return start_z + lead * (phi / (2.0 * kPi) + k);
 }
 
-TEST(Thread, M20HasItsLeadAndDepth) {
+/// On a grid of 0.1 mm, and from half sections with facets within a micrometre.
+class Thread : public testing::TestWithParam<bool> {
+ protected:
+  static Made make(const std::shared_ptr<TurnedShape>& shape) {
+    return GetParam() ? test::makeFromSlices(shape, 1e-3) : test::make(shape, 0.1);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Surface, Thread, testing::Bool(),
+                         [](const auto& made) { return made.param ? "Slices" : "Grid"; });
+
+TEST_P(Thread, M20HasItsLeadAndDepth) {
   const auto shape = bar(12);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -17.5}, -9);
-  const Made made = make(shape, 0.1);
+  const Made made = make(shape);
   const auto at = [](double phi, int k) { return Vec2(kRadius - kDepth, heightOf(5, kLead, phi, k)); };
   EXPECT_LT(worstVertex(made.surface.mesh, -11.8, -0.2, at), 2e-3);
   double least = 100, most = 0;
@@ -150,25 +160,25 @@ TEST(Thread, M20HasItsLeadAndDepth) {
   }
 }
 
-TEST(Thread, RoundTip) {
+TEST_P(Thread, RoundTip) {
   const auto shape = bar(8);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -15}, -8, roundTooth());
   const auto at = [](double phi, int k) { return Vec2(kRadius - kDepth, heightOf(5, kLead, phi, k)); };
-  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -7.8, -0.2, at, roundValue), 2e-3);
+  EXPECT_LT(worstVertex(make(shape).surface.mesh, -7.8, -0.2, at, roundValue), 2e-3);
 }
 
-TEST(Thread, LeftHandedFromTheOtherEnd) {
+TEST_P(Thread, LeftHandedFromTheOtherEnd) {
   const auto shape = bar(8);
   addThread(*shape, {kRadius - kDepth, -12}, {kRadius - kDepth, 5.5}, -7);
   const auto at = [](double phi, int k) { return Vec2(kRadius - kDepth, heightOf(-12, -kLead, phi, k)); };
-  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -7.8, -0.2, at), 2e-3);
+  EXPECT_LT(worstVertex(make(shape).surface.mesh, -7.8, -0.2, at), 2e-3);
 }
 
-TEST(Thread, TwoStarts) {
+TEST_P(Thread, TwoStarts) {
   const auto shape = bar(10);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -15}, -4);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -15}, -4).start_rad = kPi;
-  const Made made = make(shape, 0.1);
+  const Made made = make(shape);
   const auto at = [](double phi, int k) { return Vec2(kRadius - kDepth, 5 + 5 * phi / (2 * kPi) + 2.5 * k); };
   EXPECT_LT(worstVertex(made.surface.mesh, -9.8, -0.2, at), 2e-3);
   bool first = false, second = false;
@@ -179,18 +189,18 @@ TEST(Thread, TwoStarts) {
   EXPECT_TRUE(first && second);
 }
 
-TEST(Thread, Taper) {
+TEST_P(Thread, Taper) {
   const auto shape = bar(10);
   addThread(*shape, {8.2, 5}, {9.2, -15}, -8);  // shallower towards the chuck
   const auto at = [](double phi, int k) {
     const double z = heightOf(5, kLead, phi, k);
     return Vec2(8.2 + (5 - z) / 20, z);
   };
-  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -9.8, -0.2, at), 2e-3);
+  EXPECT_LT(worstVertex(make(shape).surface.mesh, -9.8, -0.2, at), 2e-3);
 }
 
 /// Where the groove gets shallower than the grid its edges run between the samples.
-TEST(Thread, RunsOutOfThePart) {
+TEST_P(Thread, RunsOutOfThePart) {
   const auto shape = bar(14);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -5}, -4);
   ThreadSweep& out = addThread(*shape, {kRadius - kDepth, -5}, {kRadius + 0.5, -6.25}, -0.5);
@@ -201,10 +211,10 @@ TEST(Thread, RunsOutOfThePart) {
     const double beyond = std::max(0.0, turns - 4) / 0.5;
     return Vec2(kRadius - kDepth + beyond * (kDepth + 0.5), 5 - kLead * turns);
   };
-  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -13.8, -0.2, at), 4e-2);
+  EXPECT_LT(worstVertex(make(shape).surface.mesh, -13.8, -0.2, at), 4e-2);
 }
 
-TEST(Thread, GrowingLead) {
+TEST_P(Thread, GrowingLead) {
   const auto shape = bar(12);
   addThread(*shape, {kRadius - kDepth, 3}, {kRadius - kDepth, -15}, -6).bend = 0.3;
   const auto at = [](double phi, int k) -> std::optional<Vec2> {
@@ -212,14 +222,14 @@ TEST(Thread, GrowingLead) {
     if (t < 0 || t > 1) return std::nullopt;
     return Vec2(kRadius - kDepth, 3 - 18 * (t + 0.3 * (t * t - t)));
   };
-  EXPECT_LT(worstVertex(make(shape, 0.1).surface.mesh, -11.8, -0.2, at), 3e-3);
+  EXPECT_LT(worstVertex(make(shape).surface.mesh, -11.8, -0.2, at), 3e-3);
 }
 
 /// A tool that stops in the part leaves a flat wall where it stood.
-TEST(Thread, EndsInTheMaterial) {
+TEST_P(Thread, EndsInTheMaterial) {
   const auto shape = bar(12);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -5}, -4);
-  const Made made = make(shape, 0.1);
+  const Made made = make(shape);
   const double groove = kDepth * (kTip + kDepth * kTan30);
   // The wall is the half of the tooth's cross section that stands in the half-plane y = 0, x > 0.
   double area = 0.0;
@@ -234,7 +244,7 @@ TEST(Thread, EndsInTheMaterial) {
   EXPECT_NEAR(area, groove, 0.01 * groove);
 }
 
-TEST(Thread, InsideABore) {
+TEST_P(Thread, InsideABore) {
   // The tooth points away from the axis and is longer than the bore is wide: it reaches over the axis.
   std::vector<OutlineSide> sides(4);
   const std::vector<Vec2> corners{{0, -0.1}, {0, 0.1}, {-6, 3}, {-6, -3}};
@@ -244,7 +254,7 @@ TEST(Thread, InsideABore) {
   }
   const auto shape = shapeOf({body({{4, -8}, {9, -8}, {9, 0}, {4, 0}})});
   addThread(*shape, {4.8, 3}, {4.8, -12}, -6, std::make_shared<ConvexOutline>(sides));
-  const Made made = make(shape, 0.1);
+  const Made made = make(shape);
   double most = 0;
   for (const auto& p : made.surface.mesh.positions) {
     const double r = std::hypot(double{p.x()}, double{p.y()});
@@ -332,7 +342,8 @@ double mostMissed(const TriMesh& mesh) {
     std::array<Vec3, 3> c;
     for (std::size_t i = 0; i < 3; ++i) c[i] = mesh.positions[t[i]].cast<double>();
     const Vec3 middle = (c[0] + c[1] + c[2]) / 3;
-    if (middle.z() < -6.2 || std::hypot(middle.x(), middle.y()) < 7.8) continue;
+    const double top = std::max({c[0].z(), c[1].z(), c[2].z()});
+    if (top < -6.2 || std::hypot(middle.x(), middle.y()) < 3.0) continue;
     near[static_cast<std::size_t>(sectorOf(middle.x(), middle.y()))].push_back(c);
   }
   double most = 0.0;
@@ -342,10 +353,11 @@ double mostMissed(const TriMesh& mesh) {
       if (q.y() < -6) continue;
       const Vec3 p(q.x() * std::cos(phi), q.x() * std::sin(phi), q.y());
       double least = 1e9;
-      for (const int beside : {-3, -2, -1, 0, 1, 2, 3}) {
+      for (int beside = -5; beside <= 5; ++beside) {
         const int sector = (sectorOf(p.x(), p.y()) + beside + kSectors) % kSectors;
         for (const auto& t : near[static_cast<std::size_t>(sector)]) {
-          if (std::abs(t[0].z() - p.z()) < 0.5) least = std::min(least, distanceToTriangle(t, p));
+          const auto [low, high] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
+          if (low < p.z() + 0.5 && high > p.z() - 0.5) least = std::min(least, distanceToTriangle(t, p));
         }
       }
       most = std::max(most, least);
@@ -354,8 +366,8 @@ double mostMissed(const TriMesh& mesh) {
   return most;
 }
 
-TEST(Thread, FeatherEdgesAreSharp) {
-  const TriMesh mesh = make(featherPart(), 0.1).surface.mesh;
+TEST_P(Thread, FeatherEdgesAreSharp) {
+  const TriMesh mesh = make(featherPart()).surface.mesh;
   double vertex = 0.0, edge = 0.0, center = 0.0;
   for (const auto& t : mesh.triangles) {
     std::array<Vec3, 3> c;
@@ -375,18 +387,18 @@ TEST(Thread, FeatherEdgesAreSharp) {
   EXPECT_LT(mostMissed(mesh), 20e-3);
 }
 
-TEST(Thread, SharpenedTheSameForAnyNumberOfThreads) {
-  const TriMesh one = make(featherPart(), 0.2, 1).surface.mesh,
-                three = make(featherPart(), 0.2, 3).surface.mesh;
+TEST(ThreadOnGrid, SharpenedTheSameForAnyNumberOfThreads) {
+  const TriMesh one = test::make(featherPart(), 0.2, 1).surface.mesh,
+                three = test::make(featherPart(), 0.2, 3).surface.mesh;
   EXPECT_EQ(one.positions, three.positions);
   EXPECT_EQ(one.triangles, three.triangles);
   EXPECT_EQ(one.motion, three.motion);
 }
 
-TEST(Thread, SameForAnyNumberOfThreads) {
+TEST(ThreadOnGrid, SameForAnyNumberOfThreads) {
   const auto shape = bar(6);
   addThread(*shape, {kRadius - kDepth, 5}, {kRadius - kDepth, -5}, -4, roundTooth());
-  const TriMesh one = make(shape, 0.2, 1).surface.mesh, three = make(shape, 0.2, 3).surface.mesh;
+  const TriMesh one = test::make(shape, 0.2, 1).surface.mesh, three = test::make(shape, 0.2, 3).surface.mesh;
   ASSERT_GT(one.triangles.size(), 1000u);
   EXPECT_EQ(one.positions, three.positions);
   EXPECT_EQ(one.triangles, three.triangles);

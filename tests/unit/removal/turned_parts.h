@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "removal/stock.h"
+#include "removal/surface_intersections.h"
 #include "removal/turning/section.h"
+#include "removal/turning/thread_mesh.h"
 
 namespace proveout::test {
 
@@ -55,6 +57,20 @@ inline Made make(const std::shared_ptr<const TurnedShape>& shape, double resolut
   made.initial = stock->initialVolume();
   EXPECT_TRUE(analyseTopology(made.surface.mesh).closedManifold());
   EXPECT_EQ(made.surface.self_intersections, 0u);
+  return made;
+}
+
+/// The same from the half sections, with facets within `tolerance` mm.
+inline Made makeFromSlices(const std::shared_ptr<const TurnedShape>& shape, double tolerance) {
+  Made made;
+  auto surface = threadedSurface(shape->bodies.front(), shape->threads, tolerance, Progress());
+  EXPECT_TRUE(surface.has_value());
+  if (!surface) return made;
+  made.surface.mesh = std::move(surface->mesh);
+  made.surface.volume_mm3 = made.initial = surface->volume_mm3;
+  EXPECT_TRUE(analyseTopology(made.surface.mesh).closedManifold());
+  const std::vector<std::uint8_t> all(made.surface.mesh.positions.size(), 1);
+  EXPECT_EQ(findIntersections(made.surface.mesh, all).size(), 0u);
   return made;
 }
 

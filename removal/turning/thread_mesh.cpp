@@ -1,0 +1,332 @@
+#include "removal/turning/thread_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/parallel_for.h"
+#include "core/tool/convex_outline.h"
+#include "removal/turning/slice_faces.h"
+#include "removal/turning/slice_match.h"
+#include "removal/turning/thread_slices.h"
+
+namespace proveout {
+
+namespace {
+
+using namespace thread_detail;
+
+/// Half sections all round: at least; at most, before those at the ends of grooves; and at most in all.
+constexpr int kFewest = 24, kMost = 4096;
+constexpr std::size_t kMostSlices = 16384;
+/// Sections are this far apart at least, rad: below, what appears between them does so at once.
+constexpr double kLeastStep = 5e-4;
+constexpr double kFullTurn = 2.0 * kPi;
+
+/// A half section at its angle, in front of or behind some of the ends of passes there.
+struct Node {
+  double phi;
+  std::span<const PassEnd> ends;
+  std::size_t passed = 0;
+  Slice slice;
+};
+
+/// All half sections round the part, so close together that each goes over into the next.
+class SliceRing {
+ public:
+  SliceRing(const ThreadSlicer& slicer, double tolerance, const Progress& progress)
+      : slicer_(slicer), tolerance_(tolerance), progress_(progress) {}
+
+  /// False: the sections do not go over into each other, or the work was cancelled.
+  bool make(int steps) {
+    sample(steps);
+    while (!progress_.cancelled()) {
+      const std::vector<double> between = unclear();
+      if (failed_ || nodes_.size() + between.size() > kMostSlices) return false;
+      if (between.empty()) return true;
+      std::vector<Node> more;
+      for (const double phi : between) more.push_back({phi, {}, 0, {}});
+      fill(more);
+      nodes_.insert(nodes_.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+      std::stable_sort(nodes_.begin(), nodes_.end(),
+                       [](const Node& a, const Node& b) { return a.phi < b.phi; });
+    }
+    return false;
+  }
+
+  std::vector<Node>& nodes() { return nodes_; }
+  double deviation() const { return deviation_; }
+  /// Mean over the angle.
+  double volume() const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+      sum += step(k) * 0.5 * (nodes_[k].slice.volume_mm3 + after(k).slice.volume_mm3);
+    return sum / kFullTurn;
+  }
+  double step(std::size_t k) const {
+    return k + 1 < nodes_.size() ? nodes_[k + 1].phi - nodes_[k].phi
+                                 : kFullTurn - nodes_[k].phi + nodes_.front().phi;
+  }
+  const Node& after(std::size_t k) const { return nodes_[(k + 1) % nodes_.size()]; }
+  std::int32_t turnsTo(std::size_t k) const { return k + 1 < nodes_.size() ? 0 : 1; }
+
+  void sample(int steps) {
+    const std::vector<PassEnd>& ends = slicer_.ends();
+    for (std::size_t first = 0; first < ends.size();) {
+      std::size_t last = first;
+      while (last < ends.size() && ends[last].phi == ends[first].phi) ++last;
+      const std::span<const PassEnd> here(ends.data() + first, last - first);
+      for (std::size_t passed = 0; passed <= here.size(); ++passed)
+        nodes_.push_back({ends[first].phi, here, passed, {}});
+      first = last;
+    }
+    // Even steps, but for those that an end is near to.
+    const double step = kFullTurn / steps;
+    const std::size_t special = nodes_.size();
+    for (int j = 0; j < steps; ++j) {
+      const double phi = j * step;
+      const auto near = [&](const Node& node) {
+        return std::abs(std::remainder(node.phi - phi, kFullTurn)) < 0.25 * step;
+      };
+      if (std::none_of(nodes_.begin(), nodes_.begin() + static_cast<std::ptrdiff_t>(special), near))
+        nodes_.push_back({phi, {}, 0, {}});
+    }
+    std::stable_sort(nodes_.begin(), nodes_.end(),
+                     [](const Node& a, const Node& b) { return a.phi < b.phi; });
+    fill(nodes_);
+  }
+
+ private:
+  void fill(std::vector<Node>& nodes) {
+    parallelFor(std::size_t{0}, nodes.size(), [&](std::size_t k) {
+      if (!progress_.cancelled())
+        nodes[k].slice = slicer_.slice(nodes[k].phi, nodes[k].ends, nodes[k].passed);
+    });
+  }
+
+  /// Angles between sections that differ by more than the tolerance.
+  std::vector<double> unclear() {
+    std::vector<double> off(nodes_.size(), 0.0);
+    parallelFor(std::size_t{0}, nodes_.size(), [&](std::size_t k) {
+      if (step(k) <= 0.0) return;
+      const Slice &a = nodes_[k].slice, &b = after(k).slice;
+      const auto matches = matchSlices(a, b, turnsTo(k));
+      if (!matches) off[k] = -1.0;
+      for (const LoopMatch& match : matches ? *matches : std::vector<LoopMatch>{})
+        off[k] = std::max(off[k], mismatch(a.loops[match.a], b.loops[match.b], match));
+    });
+    std::vector<double> between;
+    deviation_ = 0.0;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      if (off[k] >= 0.0 && off[k] <= tolerance_) continue;
+      if (step(k) < 2.0 * kLeastStep) {
+        failed_ = failed_ || off[k] < 0.0;
+        deviation_ = std::max(deviation_, off[k]);
+        continue;
+      }
+      const double phi = nodes_[k].phi + 0.5 * step(k);
+      between.push_back(phi < kFullTurn ? phi : phi - kFullTurn);
+    }
+    return between;
+  }
+
+  const ThreadSlicer& slicer_;
+  double tolerance_;
+  const Progress& progress_;
+  std::vector<Node> nodes_;
+  double deviation_ = 0.0;
+  bool failed_ = false;
+};
+
+/// Joins half sections to a surface.
+class Stitcher {
+ public:
+  Stitcher(const ThreadSlicer& slicer, SliceRing& ring) : slicer_(slicer), ring_(ring) {}
+
+  /// False: two sections at one angle cross.
+  bool run() {
+    conform();
+    std::vector<Node>& nodes = ring_.nodes();
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const bool same = k > 0 && nodes[k - 1].phi == nodes[k].phi;
+      number(nodes[k], same ? &nodes[k - 1] : nullptr);
+    }
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      if (!(ring_.step(k) > 0.0 ? band(k) : face(k))) return false;
+    }
+    return true;
+  }
+
+  TriMesh mesh;
+
+ private:
+  /// Sections at one angle get each other's corners on their edges.
+  void conform() {
+    std::vector<Node>& nodes = ring_.nodes();
+    for (bool again = true; again;) {
+      again = false;
+      for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+        if (nodes[k].phi != nodes[k + 1].phi) continue;
+        again |= splitEdges(nodes[k].slice, nodes[k + 1].slice);
+        again |= splitEdges(nodes[k + 1].slice, nodes[k].slice);
+      }
+    }
+  }
+
+  void number(Node& node, const Node* same) {
+    std::vector<std::pair<double, const Corner*>> known;  // by height
+    if (same != nullptr) {
+      for (const CornerLoop& loop : same->slice.loops) {
+        for (const Corner& corner : loop) known.emplace_back(corner.at.y(), &corner);
+      }
+      std::sort(known.begin(), known.end());
+    }
+    const double c = std::cos(node.phi), s = std::sin(node.phi);
+    for (CornerLoop& loop : node.slice.loops) {
+      for (Corner& corner : loop) corner.vertex = vertexAt(corner.at, c, s, known);
+    }
+  }
+
+  std::uint32_t vertexAt(const Vec2& p, double c, double s,
+                         const std::vector<std::pair<double, const Corner*>>& known) {
+    const auto next = static_cast<std::uint32_t>(mesh.positions.size());
+    if (p.x() <= 0.0) {
+      const auto [it, is_new] = on_axis_.try_emplace(std::llround(p.y() / kOnePointMm), next);
+      if (!is_new) return it->second;
+    } else {
+      auto it = std::lower_bound(known.begin(), known.end(), p.y() - kOnePointMm,
+                                 [](const auto& corner, double z) { return corner.first < z; });
+      for (; it != known.end() && it->first <= p.y() + kOnePointMm; ++it) {
+        if (std::abs(it->second->at.x() - p.x()) <= kOnePointMm) return it->second->vertex;
+      }
+    }
+    mesh.positions.emplace_back(static_cast<float>(p.x() * c), static_cast<float>(p.x() * s),
+                                static_cast<float>(p.y()));
+    return next;
+  }
+
+  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, MotionId motion) {
+    if (a == b || b == c || c == a) return;  // at the axis
+    mesh.triangles.push_back({a, b, c});
+    mesh.motion.push_back(motion);
+  }
+
+  bool band(std::size_t k) {
+    const Slice &a = ring_.nodes()[k].slice, &b = ring_.after(k).slice;
+    const auto matches = matchSlices(a, b, ring_.turnsTo(k));
+    if (!matches) return false;
+    for (const LoopMatch& match : *matches) {
+      const CornerLoop &la = a.loops[match.a], &lb = b.loops[match.b];
+      for (std::size_t m = 0; m < match.corners.size(); ++m) {
+        const auto &from = match.corners[m], &to = match.corners[(m + 1) % match.corners.size()];
+        stretch(la, from.first, to.first, lb, from.second, to.second);
+      }
+    }
+    return true;
+  }
+
+  /// Corners of a loop from one to another, and how far along the way each is, 0 to 1.
+  struct Chain {
+    std::vector<const Corner*> corners;
+    std::vector<double> along;
+
+    Chain(const CornerLoop& loop, std::size_t first, std::size_t last) {
+      for (std::size_t i = first;; i = (i + 1) % loop.size()) {
+        const double step = corners.empty() ? 0.0 : (loop[i].at - corners.back()->at).norm();
+        along.push_back(along.empty() ? 0.0 : along.back() + step);
+        corners.push_back(&loop[i]);
+        if (i == last) break;
+      }
+      for (double& a : along) a /= std::max(along.back(), 1e-12);
+      along.back() = 1.0;
+    }
+    std::uint32_t vertex(std::size_t i) const { return corners[i]->vertex; }
+    std::size_t edges() const { return corners.size() - 1; }
+  };
+
+  void stretch(const CornerLoop& la, std::size_t a0, std::size_t a1, const CornerLoop& lb, std::size_t b0,
+               std::size_t b1) {
+    const Chain a(la, a0, a1), b(lb, b0, b1);
+    std::size_t i = 0, j = 0;
+    while (i < a.edges() || j < b.edges()) {
+      // The one that is less far along goes on; of one edge on either side the shorter diagonal is taken.
+      bool forth = i == a.edges();
+      if (i < a.edges() && j < b.edges()) {
+        const double ahead = b.along[j + 1] - a.along[i + 1];
+        forth = std::abs(ahead) > 1e-9 ? ahead < 0.0
+                                       : shorter(a.vertex(i), b.vertex(j + 1), a.vertex(i + 1), b.vertex(j));
+      }
+      if (forth) {
+        add(a.vertex(i), b.vertex(j), b.vertex(j + 1), slicer_.motionOf(b.corners[j]->out));
+        ++j;
+      } else {
+        add(a.vertex(i), b.vertex(j), a.vertex(i + 1), slicer_.motionOf(a.corners[i]->out));
+        ++i;
+      }
+    }
+  }
+
+  /// Whether the line a-b is no longer than c-d, within a thousandth.
+  bool shorter(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    return (mesh.positions[a] - mesh.positions[b]).squaredNorm() <=
+           1.002f * (mesh.positions[c] - mesh.positions[d]).squaredNorm();
+  }
+
+  bool face(std::size_t k) {
+    const Node &a = ring_.nodes()[k], &b = ring_.after(k);
+    const auto triangles = facesBetween(a.slice, b.slice);
+    if (!triangles) return false;
+    const PassEnd& end = a.ends[a.passed];
+    for (const auto& t : *triangles) add(t[0], t[1], t[2], slicer_.motionOf({end.sweep, end.turn, 0}));
+    return true;
+  }
+
+  const ThreadSlicer& slicer_;
+  SliceRing& ring_;
+  std::map<long long, std::uint32_t> on_axis_;
+};
+
+double largestRadius(const SectionBody& body) {
+  double radius = 0.0;
+  for (const Vec2& p : body.loops.front().points) radius = std::max(radius, p.x());
+  return radius;
+}
+
+/// Half sections for a volume alone.
+constexpr int kVolumeSteps = 128;
+
+int stepsFor(const SectionBody& body, double tolerance) {
+  return std::clamp(circleSteps(largestRadius(body), tolerance), kFewest, kMost);
+}
+
+}  // namespace
+
+std::optional<ThreadedSurface> threadedSurface(const SectionBody& body,
+                                               const std::vector<ThreadSweep>& threads, double tolerance,
+                                               const Progress& progress) {
+  const ThreadSlicer slicer(body, threads, tolerance);
+  SliceRing ring(slicer, tolerance, progress);
+  if (!ring.make(stepsFor(body, tolerance))) return std::nullopt;
+  ThreadedSurface surface;
+  surface.volume_mm3 = ring.volume();
+  surface.deviation_mm = std::max(2.0 * tolerance, ring.deviation());
+
+  Stitcher stitcher(slicer, ring);
+  if (!stitcher.run()) return std::nullopt;
+  surface.mesh = std::move(stitcher.mesh);
+  return surface;
+}
+
+double threadedVolume(const SectionBody& body, const std::vector<ThreadSweep>& threads) {
+  const ThreadSlicer slicer(body, threads, kSectionChordMm);
+  const Progress progress;
+  SliceRing ring(slicer, kSectionChordMm, progress);
+  ring.sample(kVolumeSteps);
+  return ring.volume();
+}
+
+}  // namespace proveout
