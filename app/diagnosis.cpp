@@ -438,8 +438,8 @@ class Diagnosis {
     const double beyond = patch.kind == DeviationKind::kGouge ? main->depth_mm : -main->depth_mm;
     const auto cause = noseCause(run_.setups[setup], main->maker.motion, to(main->where),
                                  to.rotation * main->normal, beyond);
-    constexpr double kLeastShare = 0.5;
-    if (cause && cause->explains >= kLeastShare) finding.causes.push_back(*cause);
+    constexpr double kMostOfIt = 0.5;
+    if (cause && cause->explains >= kMostOfIt) finding.causes.push_back(*cause);
   }
 
   /// What no shift of a motion explains was not cut at all: which motion came nearest?

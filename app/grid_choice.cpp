@@ -13,6 +13,8 @@ namespace {
 
 /// Cells to the width of a tool: its slots and corners are held by several samples.
 constexpr double kCellsToATool = 5.0;
+/// Samples to the lead of a thread.
+constexpr double kSamplesToALead = 5.0;
 /// Facets may leave a round wall by this share of the tolerance.
 constexpr double kChordShare = 0.5;
 /// Shares of the memory and seconds that nobody was asked for.
@@ -62,6 +64,18 @@ double chooseResolution(const Job& job, const RunResult& run, const Blank& blank
     if (next < 0.999 * finest || p.memory_mb > kMemoryShare * memory_mb || p.time_s > kMostSeconds) break;
     h = next;
   }
+  return h;
+}
+
+double threadResolution(const RunResult& run, double h) {
+  double lead = std::numeric_limits<double>::infinity();
+  for (const SetupRun& setup : run.setups) {
+    const Toolpath& path = setup.interpreted.path;
+    for (const Motion& m : path.motions) {
+      if (m.kind == MotionKind::kThread) lead = std::min(lead, (m.to - m.from).norm() / threadTurns(path, m));
+    }
+  }
+  while (h > kFinest && lead < kSamplesToALead * h) h = finerStep(h);
   return h;
 }
 

@@ -18,4 +18,8 @@ bool choosesGrid(const Job& job, const Blank& blank);
 double chooseResolution(const Job& job, const RunResult& run, const Blank& blank, const Workload& work,
                         double memory_mb);
 
+/// Of a turned part whose job gives none, mm: `h`, or finer, so that the shortest lead of its threads is held by five
+/// samples.
+double threadResolution(const RunResult& run, double h);
+
 }  // namespace proveout

@@ -220,10 +220,19 @@ double memoryLimitMb(const Job& job) {
   return job.simulation.max_memory_gb > 0 ? 1000.0 * job.simulation.max_memory_gb : availableMemoryMb();
 }
 
+}  // namespace
+
 Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
   const double limit_mb = memoryLimitMb(job);
   const double needed_mb = predict(work, resolution_mm).memory_mb;
   if (needed_mb <= limit_mb) return Done{};
+  if (!(work.surface_mm2 > 0.0)) {
+    return Error{
+        ErrorKind::kResourceLimit,
+        fmt::format("{} would need about {:.0f} MB, {:.0f} MB are allowed; {}allow more (--max-memory)",
+                    work.triangles > 0.0 ? "the mesh of the threads" : "the tool path", needed_mb, limit_mb,
+                    work.triangles > 0.0 ? "take a larger profile_resolution, or " : "")};
+  }
   const double fits = resolutionThatFits(work, resolution_mm, limit_mb);
   const std::string way = std::isfinite(fits)
                               ? fmt::format("a grid of {} mm would fit (--resolution)", resolutionText(fits))
@@ -234,6 +243,8 @@ Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
                   "(--max-memory)",
                   resolution_mm, needed_mb, limit_mb, way)};
 }
+
+namespace {
 
 /// Whether the blank can be made before it is known what is cut from it: its grid alone fits into the memory.
 bool makesBlankEarly(const Job& job, const Blank& blank) {
@@ -254,7 +265,10 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
     noteRepairs(*prepared.nominal, "nominal", run.setups.back().interpreted.path.diagnostics);
   if (run.alarm) return Done{};
   const Workload work = workOf(job, prepared);
-  if (choosesGrid(job, prepared.blank)) {
+  if (turnsPart(job) && !job.simulation.resolution_mm) {
+    prepared.blank.resolution_mm = threadResolution(run, prepared.blank.resolution_mm);
+    run.resolution_mm = prepared.blank.resolution_mm;
+  } else if (choosesGrid(job, prepared.blank)) {
     prepared.blank.resolution_mm = chooseResolution(job, run, prepared.blank, work, memoryLimitMb(job));
     run.resolution_mm = prepared.blank.resolution_mm;
   }

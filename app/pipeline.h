@@ -33,6 +33,8 @@ struct SetupRun {
   std::string mesh_sha256;                    ///< of the surface's mesh
   double initial_mm3 = 0.0;                   ///< before it: of the blank, or of the stock that came before
   std::shared_ptr<const TurnedShape> turned;  ///< of a turned part: its bodies, the part first
+  /// Of a turned part's mesh: how far it may leave the section and its threads, mm; 0: it comes from a grid.
+  double facet_error_mm = 0.0;
 };
 
 /// What a run makes. Stages that were not reached leave their part empty.
@@ -51,6 +53,9 @@ struct RunResult {
   const StockSurface& surface() const { return setups.back().surface; }
   const MeshTopology& topology() const { return setups.back().topology; }
 };
+
+/// Errors: a grid of that spacing would need more memory than the run may have; says which would fit.
+Status checkMemory(const Job& job, const Workload& work, double resolution_mm);
 
 /// The programs of a run, one source a clamping; they outlive the run.
 using RunSources = std::vector<const RecordingSource*>;

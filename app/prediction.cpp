@@ -14,11 +14,12 @@ namespace proveout {
 namespace {
 
 // Measured on the sample programs with two cores. A cell is a square of the grid on the surface.
-constexpr double kBaseMb = 20.0;                 ///< program, libraries, threads
-constexpr double kBytesPerCell = 57.0;           ///< leaves, crossings, mesh of flat faces
-constexpr double kBytesPerUnevenCell = 380.0;    ///< on top of that where triangles are not merged
-constexpr double kBytesPerMotion = 500.0;        ///< motion and its passes
-constexpr double kComparisonMb = 18.0;           ///< fixed part of a comparison
+constexpr double kBaseMb = 20.0;               ///< program, libraries, threads
+constexpr double kBytesPerCell = 57.0;         ///< leaves, crossings, mesh of flat faces
+constexpr double kBytesPerUnevenCell = 380.0;  ///< on top of that where triangles are not merged
+constexpr double kBytesPerTriangle = 75.0;  ///< of a mesh from half sections: the sections and the file, too
+constexpr double kBytesPerMotion = 500.0;   ///< motion and its passes
+constexpr double kComparisonMb = 18.0;      ///< fixed part of a comparison
 constexpr double kBytesPerComparedCell = 300.0;  ///< samples and search trees, both meshes
 constexpr double kBytesPerPixel = 20.0;          ///< a picture while it is drawn
 constexpr double kBytesPerDrawnCell = 60.0;      ///< the renderer's search tree
@@ -27,6 +28,7 @@ constexpr double kBaseS = 0.02;
 constexpr double kSecondsPerCell = 2.0e-7;          ///< blank, removal, crossings, mesh, files
 constexpr double kSecondsPerUnevenCell = 2.2e-6;    ///< on top of that where triangles are not merged
 constexpr double kSecondsPerSweptCell = 2e-9;       ///< removal, each motion counted
+constexpr double kSecondsPerTriangle = 1.1e-6;      ///< half sections, their mesh, its checks, files
 constexpr double kSecondsPerMotion = 2.5e-6;        ///< interpreter, culling
 constexpr double kSecondsPerComparedCell = 2.3e-6;  ///< comparison
 constexpr double kSecondsPerPixel = 8.5e-7;         ///< one picture
@@ -272,6 +274,7 @@ Workload together(const Workload& a, const Workload& b) {
   both.pixels = std::max(a.pixels, b.pixels);
   both.pictures = std::max(a.pictures, b.pictures);
   both.motions = a.motions + b.motions;
+  both.triangles = std::max(a.triangles, b.triangles);
   return both;
 }
 
@@ -282,16 +285,18 @@ Prediction predict(const Workload& work, double resolution_mm) {
   const double cells = work.surface_mm2 / h2, motions = static_cast<double>(work.motions);
   const double compared =
       work.nominal_mm2 > 0 ? std::min(cells + work.nominal_mm2 / h2, kMostComparedCells) : 0.0;
-  const double drawn = work.pixels > 0 ? cells : 0.0;
+  const double drawn = work.pixels > 0 ? cells + 0.5 * work.triangles : 0.0;
   Prediction p;
   // Comparison and pictures follow each other and give their memory back.
   const double comparing = compared > 0 ? 1e6 * kComparisonMb + compared * kBytesPerComparedCell : 0.0;
   const double drawing = drawn * kBytesPerDrawnCell + work.pixels * kBytesPerPixel;
   p.memory_mb = kBaseMb + 1e-6 * (cells * kBytesPerCell + work.uneven_mm2 / h2 * kBytesPerUnevenCell +
-                                  motions * kBytesPerMotion + std::max(comparing, drawing));
+                                  work.triangles * kBytesPerTriangle + motions * kBytesPerMotion +
+                                  std::max(comparing, drawing));
   p.time_s = kBaseS + cells * kSecondsPerCell + work.uneven_mm2 / h2 * kSecondsPerUnevenCell +
              work.swept_mm2 / h2 * kSecondsPerSweptCell + motions * kSecondsPerMotion +
-             compared * kSecondsPerComparedCell + work.pixels * work.pictures * kSecondsPerPixel;
+             work.triangles * kSecondsPerTriangle + compared * kSecondsPerComparedCell +
+             work.pixels * work.pictures * kSecondsPerPixel;
   return p;
 }
 

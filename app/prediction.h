@@ -19,6 +19,7 @@ struct Workload {
   double pixels = 0.0;       ///< of one picture; 0: none is drawn
   int pictures = 0;
   std::uint64_t motions = 0;
+  double triangles = 0.0;  ///< of a mesh that needs no grid
 };
 
 struct Prediction {

@@ -114,24 +114,24 @@ ReportStock reportStock(const RunResult& run) {
 
 ErrorTerm gridTerm(const RunResult& run, double bound_mm) {
   if (run.setups.back().turned) {
-    return {"grid", bound_mm,
-            fmt::format("facets of the mesh between exact crossings of a {:g} mm grid, at most h^2/(8r) at the "
-                        "smallest radius; of the mesh alone: the part is compared as its section and threads",
-                        run.resolution_mm)};
+    return {
+        "grid", bound_mm,
+        fmt::format("facets of the mesh between exact crossings of a {:g} mm grid, at most h^2/(8r) at the "
+                    "smallest radius; of the mesh alone: the part is compared as its section and threads",
+                    run.resolution_mm)};
   }
-  return {
-      "grid", bound_mm,
-      fmt::format("facets of the mesh between exact crossings of a {:g} mm grid: flat faces are exact, walls as curved "
-                  "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be "
-                  "lost",
-                  run.resolution_mm)};
+  return {"grid", bound_mm,
+          fmt::format("facets of the mesh between exact crossings of a {:g} mm grid: flat faces are exact, "
+                      "walls as curved "
+                      "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be "
+                      "lost",
+                      run.resolution_mm)};
 }
 
 /// Spacing that the mesh was made with: of the grid, or of the profile of a part that was only turned.
 double meshResolution(const RunResult& run) {
   const SetupRun& last = run.setups.back();
-  const bool revolved = last.turned && last.turned->threads.empty();
-  return revolved ? last.job.simulation.profile_resolution_mm : run.resolution_mm;
+  return last.facet_error_mm > 0.0 ? last.job.simulation.profile_resolution_mm : run.resolution_mm;
 }
 
 std::vector<ErrorTerm> errorBudget(const RunResult& run) {
@@ -143,12 +143,13 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
         {"section", kSectionChordMm,
          "the half section is made of chords within 0.0001 mm of its arcs, rounded to nanometres"});
   }
-  if (turned && turned->threads.empty()) {
+  if (run.setups.back().facet_error_mm > 0.0) {
     terms.push_back(
         {"facets", grid,
-         fmt::format("rings and sections of the mesh stay within a tenth of the profile resolution of "
-                     "{:g} mm each",
-                     run.setups.back().job.simulation.profile_resolution_mm)});
+         fmt::format(
+             "the mesh stays within a tenth of the profile resolution of {:g} mm, around and along the "
+             "section or the thread, each",
+             run.setups.back().job.simulation.profile_resolution_mm)});
   } else {
     terms.push_back(gridTerm(run, grid));
   }
@@ -166,9 +167,10 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
   if (run.comparison) {
     terms.push_back({"nominal", run.comparison->nominal_chord_mm,
                      "chord height of the nominal's facets, estimated from neighbouring facets"});
-    terms.push_back({"deviations", run.comparison->largest_bound_mm,
-                     "largest bound of a deviation near a tolerance; they are measured on the exact part, not on "
-                     "the facets of its mesh"});
+    terms.push_back(
+        {"deviations", run.comparison->largest_bound_mm,
+         "largest bound of a deviation near a tolerance; they are measured on the exact part, not on "
+         "the facets of its mesh"});
   }
   return terms;
 }

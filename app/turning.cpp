@@ -92,15 +92,25 @@ Status makeGrid(const Job& job, const TurnedShape& part, RunResult& run, Progres
   return Done{};
 }
 
+/// On the grid it is round everywhere: hardly a cell is merged.
+Workload gridWork(const Blank& blank) {
+  Workload work;
+  work.surface_mm2 = work.uneven_mm2 = blankArea(blank.shape, blank.bounds);
+  return work;
+}
+
 /// The surface of a part with threads: from its half sections, or where those do not go over into each other
 /// from the grid.
-Status threadSurface(const Job& job, const TurnedShape& part, RunResult& run, SetupRun& setup,
-                     Progress& progress) {
+Status threadSurface(const Job& job, const TurnedShape& part, const Blank& blank, RunResult& run,
+                     SetupRun& setup, Progress& progress) {
   if (auto surface = threadedSurface(part.bodies.front(), part.threads, facetTolerance(job), progress)) {
     setup.surface.mesh = std::move(surface->mesh);
     setup.surface.volume_mm3 = surface->volume_mm3;
+    setup.facet_error_mm = surface->deviation_mm;
     return Done{};
   }
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  if (Status enough = checkMemory(job, gridWork(blank), run.resolution_mm); !enough) return enough;
   if (Status done = makeGrid(job, part, run, progress); !done) return done;
   SurfaceOptions options;
   options.simplify_mm = simplification(job, run.resolution_mm);
@@ -108,6 +118,7 @@ Status threadSurface(const Job& job, const TurnedShape& part, RunResult& run, Se
   Result<StockSurface> surface = run.stock->surface(options, progress);
   if (!surface) return surface.error();
   setup.surface = std::move(*surface);
+  setup.facet_error_mm = 0.0;
   return Done{};
 }
 
@@ -181,9 +192,11 @@ struct Clamped {
 };
 
 /// Fills the surface and the bodies of a clamping from what is left of its stock; the part comes first.
-Status takePart(const Job& job, const TurnedStock& stock, const std::optional<Box3>& nominal, bool grid,
-                RunResult& run, SetupRun& setup, Progress& progress) {
+Status takePart(const Job& job, const TurnedStock& stock, const Blank& blank,
+                const std::optional<Box3>& nominal, bool grid, RunResult& run, SetupRun& setup,
+                Progress& progress) {
   TurnedShape all = stock.shape();
+  setup.facet_error_mm = 2.0 * facetTolerance(job);
   if (all.bodies.empty()) {
     setup.turned = std::make_shared<const TurnedShape>(std::move(all));
     return Done{};
@@ -194,7 +207,7 @@ Status takePart(const Job& job, const TurnedStock& stock, const std::optional<Bo
   if (part.threads.empty()) {
     setup.surface.mesh = revolved(part.bodies, facetTolerance(job));
     setup.surface.volume_mm3 = part.bodies.front().volume_mm3;
-  } else if (Status done = threadSurface(job, part, run, setup, progress); !done) {
+  } else if (Status done = threadSurface(job, part, blank, run, setup, progress); !done) {
     return done;
   }
   if (grid && !run.stock) {
@@ -213,13 +226,14 @@ Status takePart(const Job& job, const TurnedStock& stock, const std::optional<Bo
   return Done{};
 }
 
-Status machineOne(const Job& job, Clamped& clamped, const std::optional<Box3>& nominal, bool last,
-                  RunResult& run, SetupRun& setup, Progress& progress) {
+Status machineOne(const Job& job, const Blank& blank, Clamped& clamped, const std::optional<Box3>& nominal,
+                  bool last, RunResult& run, SetupRun& setup, Progress& progress) {
   Stopwatch watch;
   Result<RemovalSummary> removal = clamped.stock.remove(setup.interpreted.path, setup.job.tools, progress);
   if (!removal) return removal.error();
   run.performance.remove_s += watch.lap();
-  if (Status done = takePart(job, clamped.stock, nominal, last && needsGrid(job), run, setup, progress);
+  if (Status done =
+          takePart(job, clamped.stock, blank, nominal, last && needsGrid(job), run, setup, progress);
       !done)
     return done;
   run.performance.mesh_s += watch.lap();
@@ -253,7 +267,8 @@ Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal,
       for (StockBody& body : clamped.apart) body.bounds = setup.from_previous(body.bounds);
     }
     const bool last = k + 1 == run.setups.size();
-    if (Status done = machineOne(job, clamped, nominalIn(job, nominal, k), last, run, setup, progress); !done)
+    if (Status done = machineOne(job, blank, clamped, nominalIn(job, nominal, k), last, run, setup, progress);
+        !done)
       return done;
     if (setup.bodies.empty() || setup.surface.mesh.triangles.empty()) {
       run.setups.resize(k + 1);  // there is nothing to clamp again
@@ -314,22 +329,31 @@ Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, con
   return stock->firstContact(asked, arc, *findTool(tools_, asked.tool));
 }
 
+namespace {
+
+/// Of the mesh of a thread, with two sides, root and crest between half sections all round.
+double threadTriangles(const SetupRun& setup, const Motion& motion, const Box3& blank) {
+  const double length = std::abs(motion.to.z() - motion.from.z()),
+               inside = std::min(length, blank.size().z()), share = length > 0.0 ? inside / length : 1.0;
+  const double corners = 4.0 * threadTurns(setup.interpreted.path, motion) * share;
+  return 2.0 * corners * circleSteps(blank.max.x(), facetTolerance(setup.job));
+}
+
+}  // namespace
+
 Workload turningWork(const SetupRun& setup, const Blank& blank) {
   Workload work;
   const auto& motions = setup.interpreted.path.motions;
   work.motions = motions.size();
-  const bool threads = std::any_of(motions.begin(), motions.end(),
-                                   [](const Motion& m) { return m.kind == MotionKind::kThread; });
-  if (threads || needsGrid(setup.job)) {
-    work.surface_mm2 = blankArea(blank.shape, blank.bounds);
-    work.uneven_mm2 = work.surface_mm2;  // round everywhere: hardly a cell is merged
+  for (const Motion& m : motions) {
+    if (m.kind == MotionKind::kThread)
+      work.triangles = std::max(work.triangles, threadTriangles(setup, m, blank.bounds));
   }
-  return work;
+  return needsGrid(setup.job) ? together(work, gridWork(blank)) : work;
 }
 
 double turnedUncertainty(const SetupRun& setup, double resolution_mm) {
-  if (!setup.turned || setup.turned->threads.empty())
-    return 2.0 * facetTolerance(setup.job) + kSectionChordMm;
+  if (setup.facet_error_mm > 0.0) return setup.facet_error_mm + kSectionChordMm;
   double most = 0.0;
   const auto add = [&](double radius) {
     // A chord of the grid leaves a circle by h^2 / (8 r), but never by more than its radius.

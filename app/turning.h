@@ -24,7 +24,8 @@ inline constexpr double kTurningClearanceMm = 10.0;
 Vec3 turningStart(const Box3& blank);
 
 /// Cuts all clampings, one after the other, and fills everything of them but topology and findings.
-/// `run.stock` is made where threads were cut or a grid is to be saved. `nominal`: null, or what tells which
+/// `run.stock` is made where a grid is to be saved, or the half sections of a thread do not go over into
+/// each other. `nominal`: null, or what tells which
 /// of several bodies is the part.
 Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal, RunResult& run,
                      Progress& progress);
@@ -57,7 +58,7 @@ class TurningProbe : public Probe {
   std::optional<Error> failure_;
 };
 
-/// Work of a turned job: the grid counts only where threads are cut.
+/// Work of a turned job: the grid counts only where one is to be saved.
 Workload turningWork(const SetupRun& setup, const Blank& blank);
 
 /// How far a turned surface may be off, mm: of the part's mesh.

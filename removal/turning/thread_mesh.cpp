@@ -10,6 +10,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/tool/convex_outline.h"
+#include "removal/surface_intersections.h"
 #include "removal/turning/slice_faces.h"
 #include "removal/turning/slice_match.h"
 #include "removal/turning/thread_slices.h"
@@ -25,6 +26,8 @@ constexpr int kFewest = 24, kMost = 4096;
 constexpr std::size_t kMostSlices = 16384;
 /// Sections are this far apart at least, rad: below, what appears between them does so at once.
 constexpr double kLeastStep = 5e-4;
+/// What still appears at once may be this large, in tolerances.
+constexpr double kMostJump = 5.0;
 constexpr double kFullTurn = 2.0 * kPi;
 
 /// A half section at its angle, in front of or behind some of the ends of passes there.
@@ -310,7 +313,7 @@ std::optional<ThreadedSurface> threadedSurface(const SectionBody& body,
                                                const Progress& progress) {
   const ThreadSlicer slicer(body, threads, tolerance);
   SliceRing ring(slicer, tolerance, progress);
-  if (!ring.make(stepsFor(body, tolerance))) return std::nullopt;
+  if (!ring.make(stepsFor(body, tolerance)) || ring.deviation() > kMostJump * tolerance) return std::nullopt;
   ThreadedSurface surface;
   surface.volume_mm3 = ring.volume();
   surface.deviation_mm = std::max(2.0 * tolerance, ring.deviation());
@@ -318,6 +321,8 @@ std::optional<ThreadedSurface> threadedSurface(const SectionBody& body,
   Stitcher stitcher(slicer, ring);
   if (!stitcher.run()) return std::nullopt;
   surface.mesh = std::move(stitcher.mesh);
+  const std::vector<std::uint8_t> all(surface.mesh.positions.size(), 1);
+  if (!findIntersections(surface.mesh, all).empty()) return std::nullopt;
   return surface;
 }
 

@@ -18,7 +18,7 @@ struct ThreadedSurface {
 /// A body turned about Z less what the thread tools sweep through. Edges along the helices and about Z are
 /// exact at every half section; between two of them facets are off by at most `tolerance` mm, and so are
 /// borders and outlines. Nothing where the sections do not go over into each other, as when a thread cuts a
-/// piece free, or would be too many; or the work was cancelled.
+/// piece free, or would be too many, or the mesh would meet itself at a feather; or the work was cancelled.
 std::optional<ThreadedSurface> threadedSurface(const SectionBody& body,
                                                const std::vector<ThreadSweep>& threads, double tolerance,
                                                const Progress& progress);

@@ -87,8 +87,8 @@ const Turning kTurnings[] = {
     {"arc_across_the_plane", job(), program("G0 X50 Z5\nG17\nG2 X36 Y0 R20 F0.1\n"), "", 2, "part.nc:7:"},
     {"pitch_of_nothing", job(), program("G0 X38 Z5\nG33 Z-40 F0.001\nG0 X50\n"), "", 2, "turns"},
     {"until_never", job(), program(kCut), "--until N99", 2, "not reached"},
-    {"grid_too_fine", job(), program(kThread), "--resolution 0.001", 3, "would fit"},
-    {"memory_too_small", job(), program(kThread), "--resolution 0.05 --max-memory 0.1", 3,
+    {"grid_too_fine", job(), program(kThread), "--resolution 0.001 --format vdb", 3, "would fit"},
+    {"memory_too_small", job(), program(kThread), "--resolution 0.05 --max-memory 0.1 --format vdb", 3,
      "100 MB are allowed"},
     {"drill_off_the_axis", job(), program("G0 X10 Z5\nG1 Z-20 F0.1\nG0 Z5\n", 2), "", 1,
      "error[axis_crossing]"},
@@ -118,7 +118,7 @@ TEST(BadTurning, StopsWithoutFilesWhenInterrupted) {
   const Workbench bench;
   bench.write("part.nc", program(kThread));
   bench.write("job.toml", job());
-  const Outcome outcome = bench.run("run job.toml --out out --resolution 0.02 --max-memory 100",
+  const Outcome outcome = bench.run("run job.toml --out out --resolution 0.02 --max-memory 100 --format vdb",
                                     "timeout --preserve-status --kill-after=60 --signal=INT 1");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   EXPECT_TRUE(bench.files("out").empty());

@@ -95,13 +95,14 @@ class RandomThread {
 /// and of what appears between two sections.
 TEST(ThreadMesh, RandomThreadsLieOnTheField) {
   int made = 0;
-  for (int seed = 1; seed <= 60; ++seed) {
+  for (int seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(seed);
     const RandomThread part(seed);
     const auto surface =
         threadedSurface(part.shape->bodies.front(), part.shape->threads, kTolerance, Progress());
     if (!surface) continue;
     ++made;
+    EXPECT_LE(surface->deviation_mm, 5 * kTolerance);
     const TriMesh& mesh = surface->mesh;
     EXPECT_TRUE(analyseTopology(mesh).closedManifold());
     const std::vector<std::uint8_t> all(mesh.positions.size(), 1);
@@ -123,7 +124,7 @@ TEST(ThreadMesh, RandomThreadsLieOnTheField) {
     EXPECT_LT(vertex, 1.5e-3) << "vertices";
     EXPECT_LT(middle, 4 * kTolerance) << "middles";
   }
-  EXPECT_GE(made, 58);
+  EXPECT_GE(made, 29);
 }
 
 }  // namespace
