@@ -29,7 +29,7 @@ std::string_view contactText(ContactKind kind) {
     case ContactKind::kFixture:
       return "the tool runs into a fixture";
     case ContactKind::kInsertBack:
-      return "a side of the insert that does not cut here runs into the part";
+      return "a side of the insert that does not cut here, or what lies behind its edge, runs into the part";
     case ContactKind::kAxis:
       return "the tool cuts beyond the spindle axis (a drill or mill: off it)";
     case ContactKind::kPartedOff:

@@ -310,6 +310,27 @@ ConvexOutline insertOutline(const Insert& insert) {
 
 Vec2 noseCenter(const Insert& insert) { return insert.at_center ? Vec2(Vec2::Zero()) : centerFromP(insert); }
 
+std::optional<ConvexOutline> endOfEdge(const Insert& insert) {
+  if (insert.shape != InsertShape::kGroove && insert.shape != InsertShape::kThread) return std::nullopt;
+  constexpr double kStripMm = 0.05;
+  const ConvexOutline outline = insertOutline(insert);
+  const Vec2 front = frontDirection(insert);
+  const int along = front.x() != 0.0 ? 0 : 1, across = 1 - along;
+  Vec2 low = outline.min(), high = outline.max();
+  low[across] -= kStripMm;
+  high[across] += kStripMm;
+  if (front[along] < 0.0) {
+    low[along] = high[along];
+    high[along] += kStripMm;
+  } else {
+    high[along] = low[along];
+    low[along] -= kStripMm;
+  }
+  const Vec2 a(high.x(), low.y()), b(low.x(), high.y());
+  return ConvexOutline({line(low, a, SideUse::kBack), line(a, high, SideUse::kBack),
+                        line(high, b, SideUse::kBack), line(b, low, SideUse::kBack)});
+}
+
 std::vector<ConvexOutline> holderPieces(const Insert& insert) {
   std::vector<ConvexOutline> outlines;
   if (insert.holder.empty()) return outlines;

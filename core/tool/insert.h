@@ -60,5 +60,9 @@ Vec2 noseCenter(const Insert& insert);
 
 /// The holder as convex pieces.
 std::vector<ConvexOutline> holderPieces(const Insert& insert);
+/// Of grooving and thread inserts, a thin strip where the edge ends, a little wider than the insert: what
+/// holds the edge begins there, so that it must stay out of material. Nothing for others, whose backs are
+/// sides.
+std::optional<ConvexOutline> endOfEdge(const Insert& insert);
 
 }  // namespace proveout

@@ -242,6 +242,7 @@ class Turning {
       // What a rapid motion touches is told as such already.
       if (const auto backs = rapid ? std::vector<SectionPath>{} : tool.sweptBacks(way); area_.mayMeet(backs))
         contact(ContactKind::kInsertBack, id, backs, tool.sweptEdges(way));
+      if (!rapid) endOfEdge(id, tool, way);
     } else if (std::max(std::abs(way.from.x()), std::abs(way.to.x())) > kTouch) {
       contact(ContactKind::kAxis, id, sweeps, {});
     }
@@ -283,11 +284,18 @@ class Turning {
       return;
     }
     if (area_.common(tool.swept(way)).empty()) return;
+    endOfEdge(id, tool, way);
     if (std::find(outlines_.begin(), outlines_.end(), tool.thread) == outlines_.end())
       outlines_.push_back(tool.thread);
     if (planes_.empty()) makePlanes();
     threads_.push_back(sweep);
     removed_[id] += static_cast<float>(takeThread(sweep));
+  }
+
+  /// A blade or a tooth that is in deeper than its edge is long.
+  void endOfEdge(MotionId id, const TurningTool& tool, const PlaneWay& way) {
+    if (const auto ends = tool.sweptEndOfEdge(way); area_.mayMeet(ends))
+      contact(ContactKind::kInsertBack, id, ends, tool.swept(way));
   }
 
   void makePlanes() {

@@ -54,6 +54,7 @@ TurningTool::TurningTool(const Tool& tool) {
   thread = std::make_shared<const ConvexOutline>(insertOutline(*tool.insert));
   cutters.push_back(*thread);
   holder = holderPieces(*tool.insert);
+  end_of_edge = endOfEdge(*tool.insert);
   const int o = tool.insert->orientation;
   points_r = tipDirection(o).x();
   nose_mm = tool.insert->nose_radius;
@@ -79,6 +80,7 @@ TurningTool TurningTool::mirrored() const {
     for (ConvexOutline& outline : *outlines) outline = proveout::mirrored(outline, 0);
   }
   if (thread) other.thread = std::make_shared<const ConvexOutline>(proveout::mirrored(*thread, 0));
+  if (end_of_edge) other.end_of_edge = proveout::mirrored(*end_of_edge, 0);
   other.points_r = -points_r;
   return other;
 }
@@ -87,6 +89,10 @@ std::vector<SectionPath> TurningTool::swept(const PlaneWay& way) const {
   std::vector<SectionPath> paths;
   for (const ConvexOutline& outline : cutters) append(paths, sweptPaths(outline, way));
   return paths;
+}
+
+std::vector<SectionPath> TurningTool::sweptEndOfEdge(const PlaneWay& way) const {
+  return end_of_edge ? sweptPaths(*end_of_edge, way) : std::vector<SectionPath>{};
 }
 
 std::vector<SectionPath> TurningTool::sweptBacks(const PlaneWay& way) const {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/tool/tool.h"
@@ -21,6 +22,7 @@ struct TurningTool {
   double lead_z =
       0.0;  ///< of a corner insert: sign of the Z direction that its leading edge looks to; 0: none
   std::shared_ptr<const ConvexOutline> thread;  ///< of inserts: the outline, for threads
+  std::optional<ConvexOutline> end_of_edge;     ///< see endOfEdge()
   double nose_mm = 0.0;                         ///< of inserts: nose radius
   double points_r = 0.0;                        ///< of inserts: sign of the X direction that they point to
 
@@ -32,6 +34,8 @@ struct TurningTool {
 
   /// All that cuts on the way.
   std::vector<SectionPath> swept(const PlaneWay& way) const;
+  /// Where the edge of a blade or a tooth ends, on the way.
+  std::vector<SectionPath> sweptEndOfEdge(const PlaneWay& way) const;
   /// Sides that must stay clear on the way, and what the cutting edges take on it.
   std::vector<SectionPath> sweptBacks(const PlaneWay& way) const;
   std::vector<SectionPath> sweptEdges(const PlaneWay& way) const;

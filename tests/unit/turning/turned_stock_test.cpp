@@ -227,6 +227,53 @@ TEST(TurnedStock, TrailingEdgeMustStayClear) {
   EXPECT_GT(steep.summary.contacts[0].depth_mm, 0.2);
 }
 
+/// Contacts of a blade of 3 x 5 that goes in to a radius, in steps.
+std::vector<Contact> plunge(double radius, double step, double relief_deg = 0.0) {
+  Insert blade;
+  blade.shape = InsertShape::kGroove;
+  blade.width = 3.0;
+  blade.nose_radius = 0.1;
+  blade.edge_length = 5.0;
+  blade.side_relief_deg = relief_deg;
+  blade.orientation = 3;
+  TurningPath path({40, -20});
+  path.rapid(31, -20);
+  for (double r = 30.0 - step; r > radius - 1e-9; r -= step) path.feed(r, -20).rapid(31, -20);
+  return turn(bar(30, 60), path, {insertTool(1, blade)}).summary.contacts;
+}
+
+TEST(TurnedStock, ABladeGoesInNoDeeperThanItsEdge) {
+  EXPECT_TRUE(plunge(25.01, 4.99).empty());
+  EXPECT_TRUE(plunge(25.1, 0.7, 2.0).empty());
+  for (const double step : {8.0, 1.0}) {
+    const std::vector<Contact> deep = plunge(22.0, step, 2.0);
+    ASSERT_FALSE(deep.empty());
+    for (const Contact& contact : deep) EXPECT_EQ(contact.kind, ContactKind::kInsertBack);
+    EXPECT_GT(deep.back().depth_mm, 0.01);
+  }
+}
+
+TEST(TurnedStock, AToothInsideAShoulderIsAContact) {
+  Insert tooth;
+  tooth.shape = InsertShape::kThread;
+  tooth.insert_angle_deg = 60.0;
+  tooth.tip_flat = 0.1;
+  tooth.edge_length = 1.8;
+  tooth.orientation = 8;
+  const auto contacts = [&](double end) {
+    TurningPath path({40, 5});
+    path.tool(2).rapid(31, 2).tool(1).feed(10, 2).feed(10, -20).feed(31, -20).rapid(31, 8);
+    path.tool(2).rapid(8.5, 8).thread(8.5, end, (8 - end) / 2.5).rapid(31, end);
+    std::vector<Contact> all =
+        turn(bar(20, 60), path, {insertTool(1, turningInsert(0.4)), insertTool(2, tooth)}).summary.contacts;
+    std::erase_if(all, [](const Contact& c) { return c.kind != ContactKind::kInsertBack || c.motion != 6; });
+    return all;
+  };
+  EXPECT_TRUE(contacts(-18.0).empty());
+  ASSERT_EQ(contacts(-30.0).size(), 1u);
+  EXPECT_GT(contacts(-30.0)[0].depth_mm, 0.01);
+}
+
 TEST(TurnedStock, FacingPastTheAxisIsFineCuttingBeyondIsNot) {
   TurningPath face({40, 5});
   face.rapid(31, -1).feed(-0.8, -1).rapid(-0.8, 5);

@@ -91,7 +91,7 @@ inline Insert grooveInsert(double width, double corner_radius) {
   insert.orientation = 3;
   insert.width = width;
   insert.nose_radius = corner_radius;
-  insert.edge_length = 25.0;
+  insert.edge_length = 35.0;
   return insert;
 }
 
