@@ -73,8 +73,13 @@ void addMeetings(const std::vector<ChainLoop>& area, const ClipperLib::Path& pol
       for (std::size_t i = 1; i < points.size(); ++i) {
         const IntPoint &a = points[i - 1], &b = points[i];
         if (whole.misses(a, b)) continue;
-        const Box part = partIn({std::min(a.X, b.X), std::min(a.Y, b.Y)},
-                                {std::max(a.X, b.X), std::max(a.Y, b.Y)}, polygon);
+        const IntPoint low(std::min(a.X, b.X), std::min(a.Y, b.Y)),
+            high(std::max(a.X, b.X), std::max(a.Y, b.Y));
+        // What lies within the meetings adds nothing to them.
+        if (meetings.holds({low.X - kSlack, low.Y - kSlack}) &&
+            meetings.holds({high.X + kSlack, high.Y + kSlack}))
+          continue;
+        const Box part = partIn(low, high, polygon);
         if (part.empty()) continue;
         meetings.extend(part.low());
         meetings.extend(part.high());
