@@ -63,11 +63,11 @@ class SliceRing {
 
   std::vector<Node>& nodes() { return nodes_; }
   double deviation() const { return deviation_; }
-  /// Mean over the angle.
-  double volume() const {
+  /// What the threads take, mm3: the mean over the angle.
+  double taken() const {
     double sum = 0.0;
     for (std::size_t k = 0; k < nodes_.size(); ++k)
-      sum += step(k) * 0.5 * (nodes_[k].slice.volume_mm3 + after(k).slice.volume_mm3);
+      sum += step(k) * 0.5 * (nodes_[k].slice.taken_mm3 + after(k).slice.taken_mm3);
     return sum / kFullTurn;
   }
   double step(std::size_t k) const {
@@ -293,6 +293,12 @@ class Stitcher {
   std::map<long long, std::uint32_t> on_axis_;
 };
 
+double sectionVolume(const SectionBody& body) {
+  double volume = 0.0;
+  for (const SectionLoop& loop : body.loops) volume += revolvedVolume(loop.points);
+  return volume;
+}
+
 double largestRadius(const SectionBody& body) {
   double radius = 0.0;
   for (const Vec2& p : body.loops.front().points) radius = std::max(radius, p.x());
@@ -315,7 +321,7 @@ std::optional<ThreadedSurface> threadedSurface(const SectionBody& body,
   SliceRing ring(slicer, tolerance, progress);
   if (!ring.make(stepsFor(body, tolerance)) || ring.deviation() > kMostJump * tolerance) return std::nullopt;
   ThreadedSurface surface;
-  surface.volume_mm3 = ring.volume();
+  surface.volume_mm3 = sectionVolume(body) - ring.taken();
   surface.deviation_mm = std::max(2.0 * tolerance, ring.deviation());
 
   Stitcher stitcher(slicer, ring);
@@ -331,7 +337,7 @@ double threadedVolume(const SectionBody& body, const std::vector<ThreadSweep>& t
   const Progress progress;
   SliceRing ring(slicer, kSectionChordMm, progress);
   ring.sample(kVolumeSteps);
-  return ring.volume();
+  return sectionVolume(body) - ring.taken();
 }
 
 }  // namespace proveout

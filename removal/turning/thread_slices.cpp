@@ -193,6 +193,7 @@ EdgeName ThreadSlicer::nameOf(const Vec2& middle, std::int32_t number, const std
 }
 
 Slice ThreadSlicer::slice(double phi, std::span<const PassEnd> ends, std::size_t passed) const {
+  Slice out;
   SectionArea area = section_;
   std::vector<std::vector<Pass>> all(sweeps_.size());
   for (std::size_t s = 0; s < sweeps_.size(); ++s) {
@@ -202,12 +203,10 @@ Slice ThreadSlicer::slice(double phi, std::span<const PassEnd> ends, std::size_t
       SectionPath& polygon = polygons.emplace_back(sweeps_[s].outline);
       for (Vec2& p : polygon) p += all[s][k].at;
       if (polygons.size() < kTurnsAtOnce && k + 1 < all[s].size()) continue;
-      area.subtract(polygons, kSweepLabel + static_cast<MotionId>(s));
+      out.taken_mm3 += area.subtract(polygons, kSweepLabel + static_cast<MotionId>(s));
       polygons.clear();
     }
   }
-  Slice out;
-  out.volume_mm3 = area.volume();
   for (const SectionBody& body : area.bodies()) {
     for (const SectionLoop& loop : body.loops) {
       std::vector<Vec2> points = loop.points;

@@ -30,8 +30,8 @@ using CornerLoop = std::vector<Corner>;  ///< material on its left
 
 struct Slice {
   std::vector<CornerLoop> loops;
-  double volume_mm3 = 0.0;  ///< of the solid of revolution of this section
-  bool sound = true;        ///< false: a loop has too few corners to make a surface of
+  double taken_mm3 = 0.0;  ///< by the threads, of the solid of revolution that has this section
+  bool sound = true;       ///< false: a loop has too few corners to make a surface of
 };
 
 /// An angle at which a tool stands where its way begins or ends: beyond it a pass is there or is not.
