@@ -7,8 +7,11 @@
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/findings.h"
+#include "app/input_files.h"
 #include "app/interpretation.h"
 #include "app/job_setup.h"
+#include "app/thread_supply.h"
+#include "core/base/printable.h"
 #include "io/path_writer.h"
 
 namespace proveout {
@@ -79,6 +82,7 @@ struct Interpretation {
 
 Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_errors, MotionSink* sink,
                                      Progress& progress) {
+  const ThreadSupply threads(job.simulation.threads);
   const Result<ControlId> control = findControl(job.control);
   if (!control) return control.error();
   Result<ControlSettings> settings = settingsOf(job, setup, progress);
@@ -107,6 +111,13 @@ std::optional<Job> jobOrPrint(const ProgramOptions& options, Console& console) {
   Diagnostics diagnostics;
   std::optional<Job> job = setUpJob(options, diagnostics);
   printDiagnostics(console, diagnostics.all());
+  if (!job) return job;
+  OutputGuard guard;
+  protectAll(namedInputs(*job), guard);
+  if (const Status apart = guard.checkStandardOutput(); !apart) {
+    printError(console, apart.error());
+    return std::nullopt;
+  }
   return job;
 }
 
@@ -165,10 +176,12 @@ Result<Checked> checkSetup(const Job& job, std::size_t setup, Progress& progress
 
 std::string checkText(const Checked& checked) {
   const InterpretSummary& summary = checked.done.summary;
-  return fmt::format("{}{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}{}\n",
-                     checked.setup.empty() ? "" : "setup " + checked.setup + ": ", checked.program,
-                     summary.blocks, summary.motions, summary.cycle_s, checked.errors, summary.warnings,
-                     checked.until.empty() ? "" : ", partial: only up to " + checked.until);
+  const std::string line =
+      fmt::format("{}{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}{}",
+                  checked.setup.empty() ? "" : "setup " + checked.setup + ": ", checked.program,
+                  summary.blocks, summary.motions, summary.cycle_s, checked.errors, summary.warnings,
+                  checked.until.empty() ? "" : ", partial: only up to " + checked.until);
+  return printable(line) + "\n";
 }
 
 nlohmann::ordered_json checkJson(const Checked& checked) {
@@ -219,7 +232,9 @@ int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress&
     console.out << checkText(checked);
   }
   if (options.json) {
-    console.out << checkDocument(*job, programs).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+    const std::string text =
+        checkDocument(*job, programs).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    console.out << jsonPrintable(text)
                 << "\n";
   }
   return code;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/exit_codes.h"
+#include "core/base/printable.h"
 
 namespace proveout {
 
@@ -74,7 +75,7 @@ void ConsoleProgress::clear() {
 
 int printError(Console& console, const Error& error) {
   const char* what = error.kind == ErrorKind::kInternal ? "internal error" : "error";
-  console.err << "proveout: " << what << ": " << error.message << "\n";
+  console.err << "proveout: " << what << ": " << printable(error.message) << "\n";
   return exitCodeOf(error.kind);
 }
 

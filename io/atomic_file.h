@@ -49,6 +49,9 @@ Status checkRegularFile(const std::string& path);
 /// Reads a whole regular file. Errors: missing, a folder or device, unreadable, larger than `max_bytes`.
 Result<std::string> readWholeFile(const std::string& path, std::size_t max_bytes);
 
+/// "PATH: WHAT: the system's reason"; a full disk is a limit of the machine. `error`: errno.
+Error folderError(const std::string& path, const std::string& what, int error);
+
 /// Makes `path` and the folders above it, where they do not exist. Error: names the one that cannot be made.
 Status makeFolders(const std::string& path);
 
