@@ -12,6 +12,7 @@
 #include "app/stopwatch.h"
 #include "app/summary.h"
 #include "app/thread_supply.h"
+#include "app/time_limit.h"
 #include "io/program_files.h"
 #include "io/sha256.h"
 
@@ -150,11 +151,13 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
 }  // namespace
 
 int compareCommand(const CompareCommandOptions& options, Console& console, ConsoleProgress& progress) {
+  TimeLimit limit(progress);
+  limit.set(options.max_time_s.value_or(0.0));
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
   OutputFailures failures;
   const Result<Report> report = compareFiles(options, failures, progress);
   progress.clear();
-  if (!report) return printError(console, report.error());
+  if (!report) return printError(console, limit.told(report.error()));
   printResult(console, *report, options.quiet, options.json, options.out.value_or(""));
   return exitCodeOf(*report, failures);
 }

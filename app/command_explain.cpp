@@ -14,6 +14,7 @@
 #include "app/job_setup.h"
 #include "app/provenance.h"
 #include "app/thread_supply.h"
+#include "app/time_limit.h"
 #include "core/base/printable.h"
 #include "io/atomic_file.h"
 #include "io/report_text.h"
@@ -152,6 +153,8 @@ Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgr
 }  // namespace
 
 int explainCommand(const ExplainOptions& options, Console& console, ConsoleProgress& progress) {
+  TimeLimit limit(progress);
+  limit.set(options.max_time_s.value_or(0.0));
   const Result<Vec3> place = parsePoint(options.at);
   if (!place) return printError(console, place.error());
   const Result<RunOptions> command = commandOf(options.report);
@@ -163,10 +166,11 @@ int explainCommand(const ExplainOptions& options, Console& console, ConsoleProgr
     printDiagnostics(console, diagnostics.all(), Severity::kError);
     return kExitInput;
   }
+  limit.set(job->simulation.max_time_s);
   progress.show(options.progress || console.err_is_terminal);
   const Status done = explain(*job, *place, console, progress);
   progress.clear();
-  return done ? kExitOk : printError(console, done.error());
+  return done ? kExitOk : printError(console, limit.told(done.error()));
 }
 
 }  // namespace proveout

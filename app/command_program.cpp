@@ -11,6 +11,7 @@
 #include "app/interpretation.h"
 #include "app/job_setup.h"
 #include "app/thread_supply.h"
+#include "app/time_limit.h"
 #include "core/base/printable.h"
 #include "io/path_writer.h"
 
@@ -131,15 +132,18 @@ nlohmann::ordered_json toJson(const Diagnostic& d) {
 }  // namespace
 
 int pathCommand(const PathOptions& options, Console& console, ConsoleProgress& progress) {
+  TimeLimit limit(progress);
+  limit.set(options.program.max_time_s.value_or(0.0));
   const std::optional<Job> job = jobOrPrint(options.program, console);
   if (!job) return kExitInput;
+  limit.set(job->simulation.max_time_s);
   if (job->setups.size() > 1 && !options.program.setup) {
     return printError(console, inputError("the job has several setups: --setup NAME says whose path it is"));
   }
   Result<std::unique_ptr<MotionSink>> writer = makePathWriter(options.format, console.out, job->control);
   if (!writer) return printError(console, writer.error());
   const Result<Interpretation> done = interpretInto(*job, setupCount(*job) - 1, 1, writer->get(), progress);
-  if (!done) return printError(console, done.error());
+  if (!done) return printError(console, limit.told(done.error()));
   printDiagnostics(console, done->diagnostics.all());
   return exitCodeOf(*done);
 }
@@ -216,12 +220,15 @@ nlohmann::ordered_json checkDocument(const Job& job, const std::vector<Checked>&
 }  // namespace
 
 int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress& progress) {
+  TimeLimit limit(progress);
+  limit.set(options.program.max_time_s.value_or(0.0));
   const std::optional<Job> job = jobOrPrint(options.program, console);
   if (!job) return kExitInput;
+  limit.set(job->simulation.max_time_s);
   std::vector<Checked> programs;
   for (std::size_t k = options.program.setup ? setupCount(*job) - 1 : 0; k < setupCount(*job); ++k) {
     Result<Checked> checked = checkSetup(*job, k, progress);
-    if (!checked) return printError(console, checked.error());
+    if (!checked) return printError(console, limit.told(checked.error()));
     programs.push_back(std::move(*checked));
   }
   int code = kExitOk;

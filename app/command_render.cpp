@@ -10,6 +10,7 @@
 #include "app/pictures.h"
 #include "app/pipeline.h"
 #include "app/thread_supply.h"
+#include "app/time_limit.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/output_guard.h"
@@ -181,10 +182,12 @@ int renderCommand(const RenderCommandOptions& options, Console& console, Console
   }
   const std::string output =
       options.output.empty() ? fs::path(options.mesh).stem().string() + ".png" : options.output;
+  TimeLimit limit(progress);
+  limit.set(options.max_time_s.value_or(0.0));
   progress.show(console.err_is_terminal);
   const Status done = renderToFile(options, output, progress);
   progress.clear();
-  if (!done) return printError(console, done.error());
+  if (!done) return printError(console, limit.told(done.error()));
   return kExitOk;
 }
 

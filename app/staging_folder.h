@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "io/atomic_file.h"
 #include "io/output_guard.h"
 
 namespace proveout {
@@ -60,6 +61,7 @@ class StagingFolder {
   FolderLock in_use_;              ///< says that the folder aside belongs to a process that lives
   const OutputGuard* guard_ = nullptr;
   const Progress* progress_ = nullptr;
+  UnfinishedFile unfinished_;
 };
 
 }  // namespace proveout

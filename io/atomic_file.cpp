@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -38,6 +39,16 @@ Error folderError(const std::string& path, const std::string& what, int error) {
   const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
   return {full ? ErrorKind::kResourceLimit : ErrorKind::kInput, path + ": " + what + ": " + reason(error)};
 }
+
+namespace {
+
+std::atomic<int> unfinished_files{0};
+
+}  // namespace
+
+UnfinishedFile::UnfinishedFile() noexcept { ++unfinished_files; }
+UnfinishedFile::~UnfinishedFile() { --unfinished_files; }
+bool UnfinishedFile::any() noexcept { return unfinished_files.load() > 0; }
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
   if (path.empty()) return inputError("an output file has no name");
