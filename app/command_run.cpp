@@ -79,16 +79,6 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
   return staging->commit();
 }
 
-/// Refuses what is out of proportion before it is begun: predictions are good to a factor of two.
-Status checkTime(const Prediction& prediction, const TimeLimit& limit) {
-  constexpr double kDoubt = 2.0;
-  if (limit.limit() <= 0.0 || prediction.time_s <= kDoubt * limit.limit()) return Done{};
-  return Error{ErrorKind::kResourceLimit,
-               fmt::format("this run would take about {:.0f} s, {:g} s are allowed; take a coarser grid "
-                           "(--resolution), or allow more (--max-time, max_time_s)",
-                           prediction.time_s, limit.limit())};
-}
-
 /// A run's report and what of its outputs is missing.
 struct Written {
   Report report;
@@ -96,7 +86,7 @@ struct Written {
 };
 
 Result<Written> runJob(const Job& job, const std::vector<std::string>& command, const std::string& folder,
-                       const TimeLimit& limit, ConsoleProgress& progress) {
+                       ConsoleProgress& progress) {
   Stopwatch wall, watch;
   const ThreadSupply threads(job.simulation.threads);
   const JobSources sources(job);
@@ -107,10 +97,7 @@ Result<Written> runJob(const Job& job, const std::vector<std::string>& command, 
   if (!prepared) return prepared.error();
   if (const Status free = checkPrograms(prepared->run, sources.all(), job, target); !free)
     return free.error();
-  if (!prepared->run.alarm) {
-    if (const Status fits = checkTime(prepared->run.prediction, limit); !fits) return fits.error();
-    progress.expect(prepared->run.prediction);
-  }
+  if (!prepared->run.alarm) progress.expect(prepared->run.prediction);
   Result<RunResult> run = finishRun(job, sources.all(), std::move(*prepared), progress);
   if (!run) return run.error();
   watch.lap();
@@ -141,9 +128,10 @@ int runCommand(const RunOptions& options, Console& console, ConsoleProgress& pro
   printDiagnostics(console, diagnostics.all(), options.quiet ? Severity::kError : Severity::kNote);
   if (!good) return kExitInput;
   limit.set(job->simulation.max_time_s);
+  job->simulation.max_time_s = limit.limit();
   const std::string folder = outputFolder(options, *job);
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
-  const Result<Written> written = runJob(*job, decidingArguments(options), folder, limit, progress);
+  const Result<Written> written = runJob(*job, decidingArguments(options), folder, progress);
   progress.clear();
   if (!written) return printError(console, limit.told(written.error()));
   printResult(console, written->report, options.quiet, options.json, folder);

@@ -96,6 +96,7 @@ StagingFolder::StagingFolder(StagingFolder&& other) noexcept
     : target_(std::move(other.target_)),
       aside_(std::exchange(other.aside_, {})),
       names_(std::move(other.names_)),
+      missing_(std::move(other.missing_)),
       made_(std::exchange(other.made_, {})),
       in_use_(std::move(other.in_use_)),
       guard_(other.guard_),
@@ -120,6 +121,7 @@ Status StagingFolder::write(const std::string& name,
     return Error{done.error().kind, asTarget(done.error().message)};
   if (Status done = make(aside.string()); !done) {
     fs::remove(aside, error);
+    missing_.push_back(name);
     return Error{done.error().kind, asTarget(done.error().message)};
   }
   names_.push_back(name);
@@ -145,6 +147,10 @@ Status StagingFolder::move(const std::string& name) const {
 
 Status StagingFolder::commit() {
   if (progress_ != nullptr && progress_->cancelled()) return kStopped;
+  if (std::find(missing_.begin(), missing_.end(), kReportName) != missing_.end()) {
+    return Error{ErrorKind::kResourceLimit,
+                 target_ + ": nothing was written there: report.json, which tells what the rest is, cannot be"};
+  }
   FolderLock alone;
   if (alone.take(target_, kPatienceS) == FolderLock::Outcome::kBusy)
     return inputError(target_ + ": another run has been writing into this folder for too long: end it, or "
@@ -156,6 +162,9 @@ Status StagingFolder::commit() {
   std::error_code ignored;
   if (report != names.end()) fs::remove(fs::path(target_) / kReportName, ignored);
   Status first = Done{};
+  for (const std::string& name : missing_) {  // an earlier run's must not pass for this one's
+    if (!fs::is_directory(fs::path(target_) / name, ignored)) fs::remove(fs::path(target_) / name, ignored);
+  }
   for (const std::string& name : names) {
     if (!first && isReport(name)) break;
     if (Status done = move(name); first && !done) first = std::move(done);

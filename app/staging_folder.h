@@ -46,8 +46,9 @@ class StagingFolder {
   /// Errors: those of `make`; a folder stands in the target under that name; the guard forbids it.
   Status write(const std::string& name, const std::function<Status(const std::string& path)>& make);
   /// Moves every file into the target, report.json last: where one stands in the folder, everything that it
-  /// names is there. Waits for another run that is at it. Call once, when all are complete. The error is that
-  /// of the first file that cannot be moved; the others are, but for report.json.
+  /// names is there. Waits for another run that is at it. Of files that could not be made, those of an earlier
+  /// run are removed; if report.json is one of them nothing is moved. Call once, when all are complete. The
+  /// error is that of the first file that cannot be moved; the others are, but for report.json.
   Status commit();
 
  private:
@@ -57,6 +58,7 @@ class StagingFolder {
 
   std::string target_, aside_;
   std::vector<std::string> names_;
+  std::vector<std::string> missing_;  ///< what could not be made
   std::vector<std::string> made_;  ///< folders that were not there, the innermost first
   FolderLock in_use_;              ///< says that the folder aside belongs to a process that lives
   const OutputGuard* guard_ = nullptr;

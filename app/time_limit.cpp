@@ -20,7 +20,7 @@ namespace {
 /// So much of the limit is kept for stopping: a share, and at most so many seconds.
 constexpr double kStoppingShare = 0.1, kStoppingS = 1.0;
 constexpr std::string_view kEnded =
-    "\nproveout: error: the time limit (--max-time, max_time_s) is over: the command was ended\n";
+    "proveout: error: the time limit (--max-time, max_time_s) is over: the command was ended\n";
 
 // What the signal handler sees.
 std::atomic<ConsoleProgress*> limited{nullptr};
