@@ -56,9 +56,9 @@ CLI::Validator notEmpty() {
       [](std::string& text) { return text.empty() ? std::string("an empty text") : std::string(); }, "");
 }
 
-void addMaxTime(CLI::App& app, std::optional<double>& seconds) {
-  app.add_option("--max-time", seconds,
-                 "End the command within this time, exit 3; default: a job's max_time_s, else\nwithout limit")
+/// `other`: what the limit is without the option.
+void addMaxTime(CLI::App& app, std::optional<double>& seconds, const std::string& other = "none") {
+  app.add_option("--max-time", seconds, "End the command within this time, exit 3; default: " + other)
       ->type_name("SECONDS")
       ->check(numberIn(0, 1e9, "a time in seconds above 0"));
 }
@@ -78,7 +78,7 @@ void addProgramOptions(CLI::App& app, ProgramOptions& options) {
   app.add_option("--until", options.until, "Stop after this line (120) or block (N70) of the main program")
       ->type_name("LINE|Nn");
   app.add_flag("--lenient", options.lenient, "Unsupported codes that are safe to skip become warnings");
-  addMaxTime(app, options.max_time_s);
+  addMaxTime(app, options.max_time_s, "the job's, or none");
 }
 
 void addRun(CLI::App& root, RunOptions& o) {
@@ -144,7 +144,7 @@ void addExplain(CLI::App& root, ExplainOptions& o) {
   app->add_option("REPORT", o.report, "report.json of a run, or its folder; its inputs must be unchanged")
       ->required();
   app->add_option("--at", o.at, "A point, mm, as findings give it: X,Y,Z")->required()->type_name("X,Y,Z");
-  addMaxTime(*app, o.max_time_s);
+  addMaxTime(*app, o.max_time_s, "the job's, or none");
   app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");
   app->footer(kFooter);
 }
