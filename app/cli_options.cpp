@@ -107,7 +107,8 @@ void addRun(CLI::App& root, RunOptions& o) {
       ->type_name("MM")
       ->check(positiveMm());
   app->add_option("--resolution", o.resolution_mm,
-                  "Grid spacing; default: longest side of the blank / 400, rounded up;\nwith a nominal as fine as tolerance and tools ask for")
+                  "Grid spacing; default: longest side of the blank / 400, rounded up;\nwith a nominal as "
+                  "fine as tolerance and tools ask for")
       ->type_name("MM")
       ->check(positiveMm());
   app->add_option("--threads", o.threads,

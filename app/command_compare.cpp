@@ -141,7 +141,8 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   report->performance.compare_s = watch.lap();
   report->performance.wall_s = wall.lap();
   if (options.out) {
-    if (const Status done = writeResults(options, *pair, *comparison, *size, guard, *report, failures, progress);
+    if (const Status done =
+            writeResults(options, *pair, *comparison, *size, guard, *report, failures, progress);
         !done)
       return done.error();
   }

@@ -241,8 +241,7 @@ int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress&
   if (options.json) {
     const std::string text =
         checkDocument(*job, programs).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
-    console.out << jsonPrintable(text)
-                << "\n";
+    console.out << jsonPrintable(text) << "\n";
   }
   return code;
 }

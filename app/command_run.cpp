@@ -57,8 +57,7 @@ Status checkPrograms(const RunResult& run, const RunSources& sources, const Job&
   for (const RecordingSource* source : sources) protectAll(programsRead(*source), target.guard);
   std::vector<std::string> names = outputNames(job);
   for (const SetupRun& setup : run.setups) {
-    for (const auto& file : setup.interpreted.files)
-      names.push_back(programFileName(setup.name, file.first));
+    for (const auto& file : setup.interpreted.files) names.push_back(programFileName(setup.name, file.first));
   }
   return checkNames(names, target.folder, target.guard);
 }

@@ -45,7 +45,8 @@ Result<std::string> saveHashed(const Stock& stock, const std::string& path) {
 /// Name of the mesh file, or of the saved stock, of this format.
 std::string meshFileName(const Job& job, OutputFormat format) {
   const bool second_stl = format == OutputFormat::kStlAscii && job.output.formats.size() > 1;
-  return fmt::format("{}{}.{}", fileName(job.name), second_stl ? "-ascii" : "", outputFormatExtension(format));
+  return fmt::format("{}{}.{}", fileName(job.name), second_stl ? "-ascii" : "",
+                     outputFormatExtension(format));
 }
 
 bool needsModule(const Job& job) {
@@ -83,7 +84,8 @@ std::vector<std::string> outputNames(const Job& job) {
 }
 
 std::vector<std::string> comparisonOutputNames() {
-  std::vector<std::string> names = {"report.json", "report.html", "junit.xml", "deviation.png", "findings.png"};
+  std::vector<std::string> names = {"report.json", "report.html", "junit.xml", "deviation.png",
+                                    "findings.png"};
   for (const std::string& view : PictureRequest().views) names.push_back(view + ".png");
   return names;
 }

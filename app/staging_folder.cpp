@@ -34,7 +34,8 @@ const Error kStopped{ErrorKind::kInterrupted, "interrupted"};
 void removeAbandoned(const std::string& folder) {
   std::error_code error;
   std::vector<fs::path> found;
-  for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
+  for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator();
+       at.increment(error)) {
     if (at->path().filename().string().starts_with(kAsidePrefix)) found.push_back(at->path());
   }
   for (const fs::path& aside : found) {
@@ -148,13 +149,15 @@ Status StagingFolder::move(const std::string& name) const {
 Status StagingFolder::commit() {
   if (progress_ != nullptr && progress_->cancelled()) return kStopped;
   if (std::find(missing_.begin(), missing_.end(), kReportName) != missing_.end()) {
-    return Error{ErrorKind::kResourceLimit,
-                 target_ + ": nothing was written there: report.json, which tells what the rest is, cannot be"};
+    return Error{
+        ErrorKind::kResourceLimit,
+        target_ + ": nothing was written there: report.json, which tells what the rest is, cannot be"};
   }
   FolderLock alone;
   if (alone.take(target_, kPatienceS) == FolderLock::Outcome::kBusy)
-    return inputError(target_ + ": another run has been writing into this folder for too long: end it, or "
-                                "write to another folder");
+    return inputError(target_ +
+                      ": another run has been writing into this folder for too long: end it, or "
+                      "write to another folder");
   std::vector<std::string> names = names_;
   const auto isReport = [](const std::string& name) { return name == kReportName; };
   const auto report =

@@ -34,8 +34,9 @@ class FolderLock {
 /// that were made for it and are empty. What killed runs left aside in the target is removed when it is made.
 class StagingFolder {
  public:
-  /// Makes `target` and a new folder in it. `guard`: nothing is written over its files; `progress`: once it is
-  /// cancelled nothing is written any more and commit() does nothing. Both may be null, and must outlive this.
+  /// Makes `target` and a new folder in it. `guard`: nothing is written over its files; `progress`: once it
+  /// is cancelled nothing is written any more and commit() does nothing. Both may be null, and must outlive
+  /// this.
   static Result<StagingFolder> create(const std::string& target, const OutputGuard* guard = nullptr,
                                       const Progress* progress = nullptr);
   StagingFolder(StagingFolder&& other) noexcept;
@@ -46,9 +47,9 @@ class StagingFolder {
   /// Errors: those of `make`; a folder stands in the target under that name; the guard forbids it.
   Status write(const std::string& name, const std::function<Status(const std::string& path)>& make);
   /// Moves every file into the target, report.json last: where one stands in the folder, everything that it
-  /// names is there. Waits for another run that is at it. Of files that could not be made, those of an earlier
-  /// run are removed; if report.json is one of them nothing is moved. Call once, when all are complete. The
-  /// error is that of the first file that cannot be moved; the others are, but for report.json.
+  /// names is there. Waits for another run that is at it. Of files that could not be made, those of an
+  /// earlier run are removed; if report.json is one of them nothing is moved. Call once, when all are
+  /// complete. The error is that of the first file that cannot be moved; the others are, but for report.json.
   Status commit();
 
  private:
@@ -59,8 +60,8 @@ class StagingFolder {
   std::string target_, aside_;
   std::vector<std::string> names_;
   std::vector<std::string> missing_;  ///< what could not be made
-  std::vector<std::string> made_;  ///< folders that were not there, the innermost first
-  FolderLock in_use_;              ///< says that the folder aside belongs to a process that lives
+  std::vector<std::string> made_;     ///< folders that were not there, the innermost first
+  FolderLock in_use_;                 ///< says that the folder aside belongs to a process that lives
   const OutputGuard* guard_ = nullptr;
   const Progress* progress_ = nullptr;
   UnfinishedFile unfinished_;

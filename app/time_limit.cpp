@@ -77,10 +77,11 @@ void TimeLimit::set(double seconds) {
 Error TimeLimit::told(const Error& error) const {
   if (error.kind != ErrorKind::kInterrupted || !progress_.expired()) return error;
   const std::string phase = progress_.phase();
-  return {ErrorKind::kResourceLimit,
-          fmt::format("stopped by the time limit of {:g} s (--max-time, max_time_s){}: allow more time, or ask "
-                      "for less, by a coarser grid or a part of the program",
-                      limit_s_, phase.empty() ? "" : " while " + phase)};
+  return {
+      ErrorKind::kResourceLimit,
+      fmt::format("stopped by the time limit of {:g} s (--max-time, max_time_s){}: allow more time, or ask "
+                  "for less, by a coarser grid or a part of the program",
+                  limit_s_, phase.empty() ? "" : " while " + phase)};
 }
 
 }  // namespace proveout

@@ -5,10 +5,11 @@
 
 namespace proveout {
 
-/// Ends the command within a time, counted from the making of this object. A little before it is over (a tenth
-/// of it, a second at most) the work is asked to stop, as by an interrupt, so that nothing is left behind; what
-/// does not stop is ended with the process, exit code 3, when it is over, and files that are just being written
-/// are finished or removed first. Uses the process's interval timer and SIGALRM: one object at a time.
+/// Ends the command within a time, counted from the making of this object. A little before it is over (a
+/// tenth of it, a second at most) the work is asked to stop, as by an interrupt, so that nothing is left
+/// behind; what does not stop is ended with the process, exit code 3, when it is over, and files that are
+/// just being written are finished or removed first. Uses the process's interval timer and SIGALRM: one
+/// object at a time.
 class TimeLimit {
  public:
   explicit TimeLimit(ConsoleProgress& progress);

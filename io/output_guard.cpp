@@ -15,7 +15,8 @@ namespace proveout {
 
 namespace fs = std::filesystem;
 
-/// The folder as it is without links, "." and ".."; folders that are not there yet count as they will be made.
+/// The folder as it is without links, "." and ".."; folders that are not there yet count as they will be
+/// made.
 std::string OutputGuard::placeOf(const std::string& path) {
   const fs::path given(path);
   const fs::path folder = given.has_parent_path() ? given.parent_path() : fs::path(".");
@@ -40,8 +41,8 @@ const OutputGuard::Input* OutputGuard::find(const Identity& file) const {
 }
 
 Error OutputGuard::refusal(const std::string& output, const Input& input) const {
-  return inputError(fmt::format("{}: would be written over the {}, {}: write to another folder or name", output,
-                                input.role, input.path));
+  return inputError(fmt::format("{}: would be written over the {}, {}: write to another folder or name",
+                                output, input.role, input.path));
 }
 
 Status OutputGuard::check(const std::string& path) const {

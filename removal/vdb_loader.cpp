@@ -19,9 +19,10 @@ constexpr int kModuleThreads = 8;
 
 Result<const VdbSupport*> loadModule() {
   if (startableThreads(kModuleThreads) < kModuleThreads) {
-    return Error{ErrorKind::kResourceLimit,
-                 "no threads may be started, and what reads and writes .vdb files and mesh blanks needs some: "
-                 "allow more processes (ulimit -u), or do without .vdb files and meshes as blank or fixture"};
+    return Error{
+        ErrorKind::kResourceLimit,
+        "no threads may be started, and what reads and writes .vdb files and mesh blanks needs some: "
+        "allow more processes (ulimit -u), or do without .vdb files and meshes as blank or fixture"};
   }
   const char* kName = "libproveout_vdb.so";
   std::error_code ignored;
@@ -37,10 +38,10 @@ Result<const VdbSupport*> loadModule() {
     }
     if (const char* error = dlerror()) reason = error;
   }
-  return inputError(
-               fmt::format("{}, which reads and writes .vdb files and mesh blanks, cannot be loaded ({}); install proveout "
-                           "with its lib/proveout folder",
-                           kName, reason));
+  return inputError(fmt::format(
+      "{}, which reads and writes .vdb files and mesh blanks, cannot be loaded ({}); install proveout "
+      "with its lib/proveout folder",
+      kName, reason));
 }
 
 }  // namespace

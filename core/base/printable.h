@@ -8,8 +8,8 @@
 
 namespace proveout {
 
-/// Length of the UTF-8 sequence at the start of `text`, or 0 if it is not well formed (RFC 3629, section 4) or
-/// `text` is empty.
+/// Length of the UTF-8 sequence at the start of `text`, or 0 if it is not well formed (RFC 3629, section 4)
+/// or `text` is empty.
 std::size_t utf8Length(std::string_view text);
 
 /// Whether the well-formed sequence is a character that acts instead of being shown: C0 and C1 controls, DEL,
@@ -29,8 +29,8 @@ std::string masked(std::string_view text);
 /// The field of a table with commas between them (RFC 4180): printable, in quotes where it needs them.
 std::string csvField(std::string_view text);
 
-/// A JSON string with its quotes. Control characters of every kind are written as "\u009b", bytes that are not
-/// UTF-8 as U+FFFD.
+/// A JSON string with its quotes. Control characters of every kind are written as "\u009b", bytes that are
+/// not UTF-8 as U+FFFD.
 std::string jsonQuoted(std::string_view text);
 
 /// A JSON document in which the controls that JSON does not forbid in strings are written as "\u009b" too.

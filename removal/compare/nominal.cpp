@@ -34,9 +34,10 @@ std::optional<Error> findBadElements(const TriMesh& mesh, const std::string& nam
   const Box3 box = meshBounds(mesh);
   const double most = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
   if (most > kLargestMm) {
-    return inputError(fmt::format("{}: the mesh reaches as far as {:.4g} mm, and coordinates go up to {:g} mm: "
-                                  "is its unit right?",
-                                  name, most, kLargestMm));
+    return inputError(
+        fmt::format("{}: the mesh reaches as far as {:.4g} mm, and coordinates go up to {:g} mm: "
+                    "is its unit right?",
+                    name, most, kLargestMm));
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (triangleIsProper(mesh.triangles[i], mesh.positions.size())) continue;

@@ -79,7 +79,8 @@ int open(const char* path, int flags, ...) {
 
 std::size_t fwrite(const void* data, std::size_t size, std::size_t count, std::FILE* file) {
   step();
-  return next<std::size_t(const void*, std::size_t, std::size_t, std::FILE*)>("fwrite")(data, size, count, file);
+  return next<std::size_t(const void*, std::size_t, std::size_t, std::FILE*)>("fwrite")(data, size, count,
+                                                                                        file);
 }
 
 int fclose(std::FILE* file) {

@@ -40,11 +40,13 @@ std::string flaw(const std::string& folder) {
     if (!has(png, "IEND")) return image["path"].get<std::string>() + " is cut short";
   }
   for (const auto& table : report["outputs"]["tables"]) {
-    if (readFile(folder + "/" + table.get<std::string>()).empty()) return table.get<std::string>() + " is empty";
+    if (readFile(folder + "/" + table.get<std::string>()).empty())
+      return table.get<std::string>() + " is empty";
   }
   const bool page = !report["outputs"]["html"].is_null() && report["outputs"]["html"] != "";
   if (page && !has(readFile(folder + "/report.html"), "</html>")) return "report.html is cut short";
-  if (fs::exists(folder + "/junit.xml") && !has(readFile(folder + "/junit.xml"), "</testsuites>")) return "junit.xml is cut short";
+  if (fs::exists(folder + "/junit.xml") && !has(readFile(folder + "/junit.xml"), "</testsuites>"))
+    return "junit.xml is cut short";
   return {};
 }
 
@@ -83,9 +85,9 @@ TEST_F(Faults, AKillAtAnyMoment) {
     ASSERT_LT(at, 5000);
     fs::remove_all(out());
     fs::copy(bench.path("kept"), out());
-    const Outcome outcome = bench.run(
-        kNew + "--threads 1",
-        "timeout 100 env PROVEOUT_KILL_AT=" + std::to_string(at) + " LD_PRELOAD=" PROVEOUT_FAULT_SHIM);
+    const Outcome outcome =
+        bench.run(kNew + "--threads 1", "timeout 100 env PROVEOUT_KILL_AT=" + std::to_string(at) +
+                                            " LD_PRELOAD=" PROVEOUT_FAULT_SHIM);
     if (outcome.exit_code == 0) break;
     ASSERT_EQ(outcome.exit_code, 137) << outcome.err;
     ++kills;
@@ -115,8 +117,8 @@ TEST_F(Faults, AKilledPictureLeavesTheEarlierOne) {
   for (int at = 1;; ++at) {
     ASSERT_LT(at, 100);
     const Outcome outcome =
-        bench.run("render a.obj --size 64x64",
-                  "timeout 100 env PROVEOUT_KILL_AT=" + std::to_string(at) + " LD_PRELOAD=" PROVEOUT_FAULT_SHIM);
+        bench.run("render a.obj --size 64x64", "timeout 100 env PROVEOUT_KILL_AT=" + std::to_string(at) +
+                                                   " LD_PRELOAD=" PROVEOUT_FAULT_SHIM);
     if (outcome.exit_code == 0) break;
     ASSERT_EQ(outcome.exit_code, 137);
     EXPECT_EQ(readFile(bench.path("a.png")), "earlier") << at;
@@ -136,13 +138,13 @@ class SmallDisk : public Faults {
   Outcome runOn(const std::string& size, const std::string& before, const std::string& arguments,
                 const std::string& mount = "") const {
     fs::remove_all(bench.path("left"));
-    bench.write("inside.sh", "set -e\nmount -t tmpfs -o size=" + size + " none full\n" + before + "\n" + mount +
-                                 "\nset +e\ntimeout 100 \"$1\" " + arguments +
+    bench.write("inside.sh", "set -e\nmount -t tmpfs -o size=" + size + " none full\n" + before + "\n" +
+                                 mount + "\nset +e\ntimeout 100 \"$1\" " + arguments +
                                  "\ncode=$?\ncp -a full/. left\nexit $code\n");
     fs::create_directory(bench.path("left"));
     const Workbench& own = bench;
-    const std::string command = "cd '" + own.path() + "' && unshare -rm sh inside.sh '" + own.program +
-                                "' >.out 2>.err";
+    const std::string command =
+        "cd '" + own.path() + "' && unshare -rm sh inside.sh '" + own.program + "' >.out 2>.err";
     const int status = std::system(command.c_str());
     Outcome outcome;
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -160,7 +162,8 @@ TEST_F(SmallDisk, FullAtEveryWriter) {
   for (int pages = 30; pages <= 400; pages = pages * 9 / 8 + 1) {
     const std::string size = std::to_string(4 * pages) + "k";
     for (const bool earlier : {false, true}) {
-      const Outcome outcome = runOn(size, earlier ? "cp -a out full/out 2>/dev/null" : ":", kOther + kOnto + "full/out");
+      const Outcome outcome =
+          runOn(size, earlier ? "cp -a out full/out 2>/dev/null" : ":", kOther + kOnto + "full/out");
       if (earlier && outcome.exit_code == 1) continue;  // the earlier result did not fit
       codes.insert(outcome.exit_code);
       ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << size << outcome.err;
@@ -210,8 +213,8 @@ TEST_F(SmallDisk, ThatCannotBeWritten) {
   ASSERT_EQ(bench.run(kOld).exit_code, 0);
   const std::string report = readFile(bench.path("out/report.json"));
   for (const std::string& arguments :
-       {kOther + kOnto + "full/out", kOther + kOnto + "full/other", std::string("compare a.obj a.obj --out full/out"),
-        std::string("render a.obj -o full/a.png")}) {
+       {kOther + kOnto + "full/out", kOther + kOnto + "full/other",
+        std::string("compare a.obj a.obj --out full/out"), std::string("render a.obj -o full/a.png")}) {
     const Outcome outcome = runOn("4m", "cp -a out full/out", arguments, "mount -o remount,ro full");
     EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.err;
     EXPECT_TRUE(has(outcome.err, "Read-only file system")) << outcome.err;
@@ -230,8 +233,8 @@ TEST_F(Faults, FilesThatMayNotGrow) {
     fs::remove_all(out());
     fs::copy(bench.path("kept"), out());
     // stdout goes into a file as well.
-    const Outcome outcome = bench.runInto(
-        "/dev/null", kNew + "--quiet", "ulimit -f " + std::to_string(blocks) + " && timeout 100");
+    const Outcome outcome = bench.runInto("/dev/null", kNew + "--quiet",
+                                          "ulimit -f " + std::to_string(blocks) + " && timeout 100");
     ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << blocks << outcome.err;
     EXPECT_EQ(flaw(out()), "") << blocks;
     EXPECT_EQ(leftovers(out()), (std::set<std::string>{})) << blocks;
@@ -249,9 +252,9 @@ TEST_F(Faults, ClosedStreams) {
   ASSERT_EQ(bench.run(kNew).exit_code, 0);
   const std::string mesh = readFile(bench.path("out/ring.ply"));
   for (const std::string closed : {"&-", "/dev/full"}) {
-    for (const std::string& arguments : {kNew, std::string("compare a.obj a.obj"), std::string("coverage"),
-                                         std::string("check ring.nc --control nct"),
-                                         std::string("path ring.nc --control nct")}) {
+    for (const std::string& arguments :
+         {kNew, std::string("compare a.obj a.obj"), std::string("coverage"),
+          std::string("check ring.nc --control nct"), std::string("path ring.nc --control nct")}) {
       fs::remove_all(out());
       const Outcome outcome = bench.runInto(closed, arguments);
       EXPECT_EQ(outcome.exit_code, 2) << closed << arguments;

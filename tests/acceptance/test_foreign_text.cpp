@@ -13,7 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Escape, bell, a C1 control (CSI), one that turns the direction of writing, DEL and a byte that is no text.
-const std::string kEvil = "a\x1b[31m\x07\xC2\x9B" "2J\xE2\x80\xAE\x7F\xFFz";
+const std::string kEvil =
+    "a\x1b[31m\x07\xC2\x9B"
+    "2J\xE2\x80\xAE\x7F\xFFz";
 /// The same as far as a TOML text can hold it, written as one.
 constexpr const char* kEvilToml = "a\\u001b[31m\\u0007\\u009b2J\\u202e\\u007fz";
 
@@ -112,14 +114,15 @@ TEST_F(ForeignText, NamesInJobs) {
   const std::string evil = kEvilToml;
   bench.write("ring.nc", kRing);
   bench.write("nominal" + kEvil.substr(0, 7) + ".obj", boxObj(0, 0, -10, 20, 20, 0));
-  bench.write("job.toml",
-              "schema = \"proveout.job/1\"\nname = \"" + evil + "\"\ncontrol = \"nct\"\n[stock]\nshape = \"box\"\n" +
-                  "min = [0, 0, -10]\nmax = [20, 20, 0]\n[nominal]\nmesh = \"nominala\\u001b[31m\\u0007.obj\"\n" +
-                  "[[nominal.ignore]]\nname = \"" + evil + "\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n" +
-                  "[[tool]]\nnumber = 1\nname = \"" + evil + "\"\ntype = \"flat\"\ndiameter = 4\n" +
-                  "[[setup]]\nname = \"" + evil + "\"\nprogram = \"ring.nc\"\n[[setup.fixture]]\nname = \"" + evil +
-                  "\"\nshape = \"box\"\nmin = [4, 4, -10]\nmax = [16, 16, 1]\n[simulation]\nresolution = 0.5\n" +
-                  "[output]\nformats = [\"stl-ascii\", \"obj\"]\ncsv = true\nsize = [160, 120]\n");
+  bench.write(
+      "job.toml",
+      "schema = \"proveout.job/1\"\nname = \"" + evil + "\"\ncontrol = \"nct\"\n[stock]\nshape = \"box\"\n" +
+          "min = [0, 0, -10]\nmax = [20, 20, 0]\n[nominal]\nmesh = \"nominala\\u001b[31m\\u0007.obj\"\n" +
+          "[[nominal.ignore]]\nname = \"" + evil + "\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\n" +
+          "[[tool]]\nnumber = 1\nname = \"" + evil + "\"\ntype = \"flat\"\ndiameter = 4\n" +
+          "[[setup]]\nname = \"" + evil + "\"\nprogram = \"ring.nc\"\n[[setup.fixture]]\nname = \"" + evil +
+          "\"\nshape = \"box\"\nmin = [4, 4, -10]\nmax = [16, 16, 1]\n[simulation]\nresolution = 0.5\n" +
+          "[output]\nformats = [\"stl-ascii\", \"obj\"]\ncsv = true\nsize = [160, 120]\n");
   clean("run job.toml --out out", 1);
   cleanFiles("out");
   clean("run job.toml --out out --json", 1);
@@ -135,7 +138,8 @@ TEST_F(ForeignText, CommandLines) {
   const std::string evil = quoted(kEvil), options = std::string(kRingOptions);
   for (const std::string& wrong :
        {evil, "run " + evil, "run --" + evil, "run ring.nc --control " + evil,
-        "run ring.nc --threads " + evil + options, "run ring.nc --stock " + evil + " --control nct --tool 1=flat:4",
+        "run ring.nc --threads " + evil + options,
+        "run ring.nc --stock " + evil + " --control nct --tool 1=flat:4",
         "run ring.nc --view " + evil + options, "run ring.nc --until " + evil + options,
         "run ring.nc --format " + evil + options, "coverage --control " + evil, "render " + evil,
         "render ring.nc --view " + evil, "compare " + evil + " " + evil, "explain " + evil + " --at 1,2,3",

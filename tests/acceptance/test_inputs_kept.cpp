@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kJob =
     "schema = \"proveout.job/1\"\nname = \"part\"\ncontrol = \"nct\"\nprogram = \"ring.nc\"\n"
-    "subprograms = [\"subs\"]\n[machine]\nfile = \"machine.toml\"\n[stock]\nshape = \"box\"\nmin = [0, 0, -10]\n"
+    "subprograms = [\"subs\"]\n[machine]\nfile = \"machine.toml\"\n[stock]\nshape = \"box\"\nmin = [0, 0, "
+    "-10]\n"
     "max = [20, 20, 0]\n[nominal]\nmesh = \"part.obj\"\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 4\n"
     "[simulation]\nresolution = 1\n[output]\nformats = [\"obj\"]\nviews = []\n";
 
@@ -87,7 +88,8 @@ TEST_F(InputsKept, ProgramsJobsBlanksAndFixtures) {
   refused("run report.json --stock box:0,0,-10:20,20,0" + tool, "report.json", "the program");
   bench.write("ring.obj", boxObj(0, 0, -10, 20, 20, 0));
   refused("run ring.nc --format obj --stock mesh:ring.obj" + tool, "ring.obj", "the stock");
-  ASSERT_EQ(bench.run("run ring.nc --no-render --format vdb --stock box:0,0,-10:20,20,0" + tool).exit_code, 0);
+  ASSERT_EQ(bench.run("run ring.nc --no-render --format vdb --stock box:0,0,-10:20,20,0" + tool).exit_code,
+            0);
   refused("run ring.nc --format vdb --stock vdb:ring.vdb" + tool, "ring.vdb", "the stock");
   fs::rename(bench.path("job.toml"), bench.path("junit.toml"));
   fs::remove(bench.path("junit.xml"));

@@ -98,7 +98,8 @@ TEST_F(Limits, AnEarlierResultStays) {
 TEST_F(Limits, TheJobHasAKeyForIt) {
   const std::string job =
       "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"endless.nc\"\n[stock]\nshape = \"box\"\n"
-      "min = [0, 0, -10]\nmax = [20, 20, 0]\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 4\n[simulation]\n";
+      "min = [0, 0, -10]\nmax = [20, 20, 0]\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = "
+      "4\n[simulation]\n";
   bench.write("job.toml", job + "max_time_s = 0.5\n");
   for (const char* command : {"check", "path", "run"}) stopped(std::string(command) + " job.toml", 0.5);
   // The command line has the last word, also where it allows more.
@@ -108,7 +109,8 @@ TEST_F(Limits, TheJobHasAKeyForIt) {
   bench.write("wrong.toml", job + "max_time_s = 0\n");
   EXPECT_EQ(bench.run("check wrong.toml").exit_code, 2);
   for (const char* wrong : {"0", "-1", "x", "nan", "1e12"})
-    EXPECT_EQ(bench.run("check ring.nc --control nct --max-time " + std::string(wrong)).exit_code, 2) << wrong;
+    EXPECT_EQ(bench.run("check ring.nc --control nct --max-time " + std::string(wrong)).exit_code, 2)
+        << wrong;
   EXPECT_EQ(bench.run("check ring.nc --control nct --max-time 1e8").exit_code, 0);
 }
 
@@ -165,14 +167,16 @@ TEST_F(Limits, WithoutThreadsOneDoes) {
     EXPECT_EQ(readFile(bench.path("with/iso.png")), readFile(bench.path("without/iso.png")));
   }
   for (const char* command :
-       {"check ring.nc --control nct", "path ring.nc --control nct", "render with/ring.obj --size 160x120 -o a.png",
+       {"check ring.nc --control nct", "path ring.nc --control nct",
+        "render with/ring.obj --size 160x120 -o a.png",
         "compare with/ring.obj without/ring.obj --size 160x120 --out c", "explain with --at 5,5,-2"}) {
     const Outcome outcome = bench.run(command, without);
     EXPECT_EQ(outcome.exit_code, 0) << command << outcome.err;
   }
   // Where OpenVDB is needed, whose logger must have threads, that is said before anything is done.
   for (const char* more : {"--format vdb", "--stock mesh:with/ring.obj"}) {
-    std::string run = "run ring.nc --control nct --tool 1=flat:4 --resolution 0.5 --out v " + std::string(more);
+    std::string run =
+        "run ring.nc --control nct --tool 1=flat:4 --resolution 0.5 --out v " + std::string(more);
     if (!has(more, "--stock")) run += " --stock box:0,0,-10:20,20,0";
     const Outcome outcome = bench.run(run, without);
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
@@ -188,8 +192,9 @@ TEST_F(Limits, FilesThatAProgramOpens) {
   };
   bench.write("many.nc", writer(100000));
   bench.write("some.nc", writer(1000));
-  for (const std::string command : {"check many.nc --control nct", "path many.nc --control nct",
-                                    "run many.nc --out out --control nct --stock box:0,0,-10:20,20,0 --tool 1=flat:4"}) {
+  for (const std::string command :
+       {"check many.nc --control nct", "path many.nc --control nct",
+        "run many.nc --out out --control nct --stock box:0,0,-10:20,20,0 --tool 1=flat:4"}) {
     Outcome outcome;
     const double took = secondsOf([&] { outcome = bench.run(command); });
     EXPECT_EQ(outcome.exit_code, 2) << command << outcome.err;

@@ -105,13 +105,15 @@ TEST(StagingFolder, WithoutItsReportNothingIsMoved) {
   {
     Result<StagingFolder> staging = StagingFolder::create(folder.path());
     ASSERT_TRUE(staging.ok());
-    EXPECT_TRUE(staging->write("mesh.stl", [](const std::string& path) {
-      std::ofstream(path) << "of the new run";
-      return Status(Done{});
-    }).ok());
-    EXPECT_FALSE(staging->write("report.json", [](const std::string&) {
-      return Status(inputError("no room"));
-    }).ok());
+    EXPECT_TRUE(staging
+                    ->write("mesh.stl",
+                            [](const std::string& path) {
+                              std::ofstream(path) << "of the new run";
+                              return Status(Done{});
+                            })
+                    .ok());
+    EXPECT_FALSE(
+        staging->write("report.json", [](const std::string&) { return Status(inputError("no room")); }).ok());
     EXPECT_FALSE(staging->commit().ok());
   }
   EXPECT_EQ(fs::file_size(folder.path("mesh.stl")), 3u);

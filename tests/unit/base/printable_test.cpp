@@ -8,7 +8,8 @@ namespace proveout {
 namespace {
 
 TEST(Printable, LeavesTextAlone) {
-  for (const char* text : {"", "bracket.nc", "C:\\parts\\x.nc", "деталь «1».nc", "部品.nc", "a, \"b\"", "\xF0\x9F\x94\xA7"}) {
+  for (const char* text :
+       {"", "bracket.nc", "C:\\parts\\x.nc", "деталь «1».nc", "部品.nc", "a, \"b\"", "\xF0\x9F\x94\xA7"}) {
     EXPECT_EQ(printable(text), text);
     EXPECT_EQ(masked(text), text);
   }
@@ -19,15 +20,19 @@ TEST(Printable, WritesOutWhatActs) {
   EXPECT_EQ(printable("a\r\n\tb"), "a\\r\\n\\tb");
   EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a\\x00b");
   EXPECT_EQ(printable("\x7F"), "\\x7f");
-  EXPECT_EQ(printable("\xC2\x9B" "2J"), "\\u009b2J");              // CSI as one character
-  EXPECT_EQ(printable("\xE2\x80\xAE" "cn.x"), "\\u202ecn.x");      // right to left from here
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "2J"),
+            "\\u009b2J");  // CSI as one character
+  EXPECT_EQ(printable("\xE2\x80\xAE"
+                      "cn.x"),
+            "\\u202ecn.x");  // right to left from here
   EXPECT_EQ(printable("\xE2\x80\xA8\xE2\x81\xA6\xD8\x9C"), "\\u2028\\u2066\\u061c");
 }
 
 TEST(Printable, WritesOutWhatIsNoText) {
-  EXPECT_EQ(printable("\x9B"), "\\x9b");          // CSI of one byte
-  EXPECT_EQ(printable("\xC3"), "\\xc3");          // cut short
-  EXPECT_EQ(printable("\xC0\x9B"), "\\xc0\\x9b");  // overlong
+  EXPECT_EQ(printable("\x9B"), "\\x9b");                    // CSI of one byte
+  EXPECT_EQ(printable("\xC3"), "\\xc3");                    // cut short
+  EXPECT_EQ(printable("\xC0\x9B"), "\\xc0\\x9b");           // overlong
   EXPECT_EQ(printable("\xED\xA0\x80"), "\\xed\\xa0\\x80");  // a surrogate
   EXPECT_EQ(printable("\xF4\x90\x80\x80x"), "\\xf4\\x90\\x80\\x80x");
 }
@@ -49,13 +54,17 @@ TEST(Printable, HoldsForEveryCharacter) {
     EXPECT_EQ(printable(text) == text, !acts) << code;
     EXPECT_EQ(masked(text).size(), text.size()) << code;
     EXPECT_EQ(acts, code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x61C || code == 0x200E ||
-                        code == 0x200F || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069))
+                        code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
+                        (code >= 0x2066 && code <= 0x2069))
         << code;
   }
 }
 
 TEST(Printable, KeepsColumnsAndTabsWhereTheyCount) {
-  EXPECT_EQ(masked("a\tb\x1b" "c\xC2\x9B" "d\xFF"), "a\tb?c??d?");
+  EXPECT_EQ(masked("a\tb\x1b"
+                   "c\xC2\x9B"
+                   "d\xFF"),
+            "a\tb?c??d?");
   EXPECT_EQ(printableLines("one\ntwo\x1b\r\n"), "one\ntwo\\x1b\\r\n");
 }
 
@@ -68,7 +77,8 @@ TEST(Printable, FieldsOfTables) {
 
 TEST(Printable, Json) {
   EXPECT_EQ(jsonQuoted("a\"\\b"), "\"a\\\"\\\\b\"");
-  EXPECT_EQ(jsonQuoted("\x1b\n\x7F\xC2\x9B\xE2\x80\xAE\xFF"), "\"\\u001b\\u000a\\u007f\\u009b\\u202e\\ufffd\"");
+  EXPECT_EQ(jsonQuoted("\x1b\n\x7F\xC2\x9B\xE2\x80\xAE\xFF"),
+            "\"\\u001b\\u000a\\u007f\\u009b\\u202e\\ufffd\"");
   EXPECT_EQ(jsonPrintable("{\n\t\"a\": \"\x7F\xC2\x9Bж\"\n}"), "{\n\t\"a\": \"\\u007f\\u009bж\"\n}");
 }
 

@@ -37,21 +37,21 @@ TEST_F(Guarded, KnowsLinksOfBothKinds) {
   fs::create_hard_link(folder.path("part.stl"), folder.path("hard"));
   fs::create_symlink("part.stl", folder.path("soft"));
   fs::create_symlink("soft", folder.path("softer"));
-  for (const char* name : {"hard", "soft", "softer"}) EXPECT_FALSE(guard.check(folder.path(name)).ok()) << name;
+  for (const char* name : {"hard", "soft", "softer"})
+    EXPECT_FALSE(guard.check(folder.path(name)).ok()) << name;
   EXPECT_TRUE(guard.check(folder.path("other")).ok());
 }
 
 TEST_F(Guarded, KnowsFoldersBehindLinksAndThoseThatAreNotThereYet) {
   fs::create_directory_symlink(folder.path(), folder.path("way"));
-  for (const char* path : {"way/part.stl", "way/way/part.stl", "none/../part.stl", "way/none/deeper/../../part.stl"})
+  for (const char* path :
+       {"way/part.stl", "way/way/part.stl", "none/../part.stl", "way/none/deeper/../../part.stl"})
     EXPECT_FALSE(guard.check(folder.path(path)).ok()) << path;
   for (const char* path : {"none/part.stl", "way/none/part.stl", "part.stl.txt"})
     EXPECT_TRUE(guard.check(folder.path(path)).ok()) << path;
 }
 
-TEST_F(Guarded, KnowsNamesThatDifferInCaseOnly) {
-  EXPECT_FALSE(guard.check(folder.path("Part.STL")).ok());
-}
+TEST_F(Guarded, KnowsNamesThatDifferInCaseOnly) { EXPECT_FALSE(guard.check(folder.path("Part.STL")).ok()); }
 
 TEST_F(Guarded, InputsThatAreNotThereKeepTheirPlace) {
   guard.protect("subprogram", folder.path("O0007.nc"));
