@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kFooter =
     "Exit codes: 0 done, nothing over tolerance; 1 done, with findings of severity error;\n"
-    "2 input error (bad file, program alarm, bad usage); 3 resource limit; 130 interrupted.";
+    "2 input error (bad file, program alarm, bad usage); 3 limit of memory or time; 130 interrupted.";
 
 /// CLI11 keeps pointers to what it fills: the options live here while it parses.
 struct Parsed {
@@ -56,6 +56,13 @@ CLI::Validator notEmpty() {
       [](std::string& text) { return text.empty() ? std::string("an empty text") : std::string(); }, "");
 }
 
+/// `other`: what the limit is without the option.
+void addMaxTime(CLI::App& app, std::optional<double>& seconds, const std::string& other = "none") {
+  app.add_option("--max-time", seconds, "End the command within this time, exit 3; default: " + other)
+      ->type_name("SECONDS")
+      ->check(numberIn(0, 1e9, "a time in seconds above 0"));
+}
+
 void addProgramOptions(CLI::App& app, ProgramOptions& options) {
   app.add_option("INPUT", options.input, "Job file (*.toml) or NC program")->required()->check(notEmpty());
   app.add_option("--control", options.control,
@@ -71,6 +78,7 @@ void addProgramOptions(CLI::App& app, ProgramOptions& options) {
   app.add_option("--until", options.until, "Stop after this line (120) or block (N70) of the main program")
       ->type_name("LINE|Nn");
   app.add_flag("--lenient", options.lenient, "Unsupported codes that are safe to skip become warnings");
+  addMaxTime(app, options.max_time_s, "the job's, or none");
 }
 
 void addRun(CLI::App& root, RunOptions& o) {
@@ -99,7 +107,8 @@ void addRun(CLI::App& root, RunOptions& o) {
       ->type_name("MM")
       ->check(positiveMm());
   app->add_option("--resolution", o.resolution_mm,
-                  "Grid spacing; default: longest side of the blank / 400, rounded up;\nwith a nominal as fine as tolerance and tools ask for")
+                  "Grid spacing; default: longest side of the blank / 400, rounded up;\nwith a nominal as "
+                  "fine as tolerance and tools ask for")
       ->type_name("MM")
       ->check(positiveMm());
   app->add_option("--threads", o.threads,
@@ -136,6 +145,7 @@ void addExplain(CLI::App& root, ExplainOptions& o) {
   app->add_option("REPORT", o.report, "report.json of a run, or its folder; its inputs must be unchanged")
       ->required();
   app->add_option("--at", o.at, "A point, mm, as findings give it: X,Y,Z")->required()->type_name("X,Y,Z");
+  addMaxTime(*app, o.max_time_s, "the job's, or none");
   app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");
   app->footer(kFooter);
 }
@@ -176,6 +186,7 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
   app->add_option("--threads", o.threads, "Worker threads; default: all cores")
       ->type_name("N")
       ->check(threadCount());
+  addMaxTime(*app, o.max_time_s);
   app->add_option("--out", o.out,
                   "Write report.json, junit.xml, report.html and deviation.png into this folder")
       ->type_name("DIR")
@@ -201,6 +212,7 @@ void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptio
   app->add_option("--threads", o.threads, "Worker threads; default: all cores")
       ->type_name("N")
       ->check(threadCount());
+  addMaxTime(*app, o.max_time_s);
   app->footer(kFooter);
   app = root.add_subcommand("coverage", "What each control supports, from the tables that execute");
   app->add_option("--control", coverage.control, "This control only; default: all that are built")

@@ -16,6 +16,7 @@ struct ProgramOptions {
   std::vector<std::string> subprograms;
   std::optional<std::string> setup;  ///< name of a clamping of the job
   std::optional<std::string> until;  ///< "120" (line) or "N70" (block number)
+  std::optional<double> max_time_s;
   bool lenient = false;
 };
 
@@ -46,6 +47,7 @@ std::vector<std::string> decidingArguments(const RunOptions& options);
 struct ExplainOptions {
   std::string report;  ///< a report.json, or the folder that holds it
   std::string at;      ///< "x,y,z"
+  std::optional<double> max_time_s;
   bool progress = false;
 };
 
@@ -66,6 +68,7 @@ struct CompareCommandOptions {
   double gouge_mm = 0.02, excess_mm = 0.05;
   double resolution_mm = 0.2;
   std::optional<int> threads;
+  std::optional<double> max_time_s;
   std::optional<std::string> out;
   std::string size = "1200x900";
   bool json = false;
@@ -81,6 +84,7 @@ struct RenderCommandOptions {
   std::string size = "1200x900";
   std::optional<std::string> heatmap;
   std::optional<int> threads;
+  std::optional<double> max_time_s;
 };
 
 struct CoverageOptions {

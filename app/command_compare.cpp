@@ -11,6 +11,8 @@
 #include "app/run_report.h"
 #include "app/stopwatch.h"
 #include "app/summary.h"
+#include "app/thread_supply.h"
+#include "app/time_limit.h"
 #include "io/program_files.h"
 #include "io/sha256.h"
 
@@ -93,7 +95,8 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
 }
 
 Status writeResults(const CompareCommandOptions& options, const Pair& pair, const Comparison& comparison,
-                    ImageSize size, Report& report, OutputFailures& failures, Progress& progress) {
+                    ImageSize size, const OutputGuard& guard, Report& report, OutputFailures& failures,
+                    Progress& progress) {
   PictureRequest request;
   request.size = size;
   request.name = report.name;
@@ -102,22 +105,33 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
   request.findings = &report.findings;
   Result<std::vector<Picture>> pictures = drawPictures(pair.machined.mesh, request, failures, progress);
   if (!pictures) return pictures.error();
-  Result<StagingFolder> staging = StagingFolder::create(*options.out);
+  Result<StagingFolder> staging = StagingFolder::create(*options.out, &guard, &progress);
   if (!staging) return staging.error();
   writeReport(*pictures, *staging, report, failures);
   return staging->commit();
 }
 
+/// Fills the guard with the two files, and checks that the results can be written beside them.
+Status checkTarget(const CompareCommandOptions& options, OutputGuard& guard) {
+  guard.protect("machined mesh", options.machined);
+  guard.protect("nominal", options.nominal);
+  if (Status streams = guard.checkStandardOutput(); !streams) return streams;
+  if (!options.out) return Done{};
+  if (Status free = checkNames(comparisonOutputNames(), *options.out, guard); !free) return free;
+  const Result<StagingFolder> proof = StagingFolder::create(*options.out);
+  return proof ? Status(Done{}) : Status(proof.error());
+}
+
 Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures& failures,
                             Progress& progress) {
   Stopwatch wall, watch;
+  const ThreadSupply threads(options.threads.value_or(0));
   const Result<ImageSize> size = parseImageSize(options.size);
   if (!size) return size.error();
   const Result<PairUnits> units = unitsOf(options);
   if (!units) return units.error();
-  if (options.out) {
-    if (const Result<StagingFolder> proof = StagingFolder::create(*options.out); !proof) return proof.error();
-  }
+  OutputGuard guard;
+  if (const Status possible = checkTarget(options, guard); !possible) return possible.error();
   const Result<Pair> pair = loadPair(options, *units);
   if (!pair) return pair.error();
   const Result<Comparison> comparison = comparePair(options, *pair, progress);
@@ -127,7 +141,8 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   report->performance.compare_s = watch.lap();
   report->performance.wall_s = wall.lap();
   if (options.out) {
-    if (const Status done = writeResults(options, *pair, *comparison, *size, *report, failures, progress);
+    if (const Status done =
+            writeResults(options, *pair, *comparison, *size, guard, *report, failures, progress);
         !done)
       return done.error();
   }
@@ -137,11 +152,13 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
 }  // namespace
 
 int compareCommand(const CompareCommandOptions& options, Console& console, ConsoleProgress& progress) {
+  TimeLimit limit(progress);
+  limit.set(options.max_time_s.value_or(0.0));
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
   OutputFailures failures;
   const Result<Report> report = compareFiles(options, failures, progress);
   progress.clear();
-  if (!report) return printError(console, report.error());
+  if (!report) return printError(console, limit.told(report.error()));
   printResult(console, *report, options.quiet, options.json, options.out.value_or(""));
   return exitCodeOf(*report, failures);
 }

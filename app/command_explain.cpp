@@ -10,12 +10,15 @@
 #include "app/comparison.h"
 #include "app/diagnosis.h"
 #include "app/exit_codes.h"
+#include "app/input_files.h"
 #include "app/job_setup.h"
 #include "app/provenance.h"
+#include "app/thread_supply.h"
+#include "app/time_limit.h"
+#include "core/base/printable.h"
 #include "io/atomic_file.h"
 #include "io/report_text.h"
 #include "io/sha256.h"
-#include "removal/threads.h"
 
 namespace proveout {
 namespace {
@@ -68,7 +71,7 @@ Result<RunOptions> commandOf(const std::string& name) {
 }
 
 void say(Console& console, const char* what, const std::string& text) {
-  console.out << fmt::format("{:<12}{}\n", what, text);
+  console.out << fmt::format("{:<12}{}\n", what, printable(text));
 }
 
 std::string pointText(const Vec3& p) { return fmt::format("X{:.3f} Y{:.3f} Z{:.3f}", p.x(), p.y(), p.z()); }
@@ -104,7 +107,10 @@ void sayDeviation(Console& console, const Vec3& place, const SettledPoint& at, c
 }
 
 Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgress& progress) {
-  const ThreadLimit limit(job.simulation.threads);
+  OutputGuard guard;
+  protectAll(namedInputs(job), guard);
+  if (const Status streams = guard.checkStandardOutput(); !streams) return streams;
+  const ThreadSupply threads(job.simulation.threads);
   const JobSources sources(job);
   Result<PreparedRun> prepared = prepareRun(job, sources.all(), progress);
   if (!prepared) return prepared.error();
@@ -147,6 +153,8 @@ Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgr
 }  // namespace
 
 int explainCommand(const ExplainOptions& options, Console& console, ConsoleProgress& progress) {
+  TimeLimit limit(progress);
+  limit.set(options.max_time_s.value_or(0.0));
   const Result<Vec3> place = parsePoint(options.at);
   if (!place) return printError(console, place.error());
   const Result<RunOptions> command = commandOf(options.report);
@@ -158,10 +166,11 @@ int explainCommand(const ExplainOptions& options, Console& console, ConsoleProgr
     printDiagnostics(console, diagnostics.all(), Severity::kError);
     return kExitInput;
   }
+  limit.set(job->simulation.max_time_s);
   progress.show(options.progress || console.err_is_terminal);
   const Status done = explain(*job, *place, console, progress);
   progress.clear();
-  return done ? kExitOk : printError(console, done.error());
+  return done ? kExitOk : printError(console, limit.told(done.error()));
 }
 
 }  // namespace proveout

@@ -7,8 +7,12 @@
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/findings.h"
+#include "app/input_files.h"
 #include "app/interpretation.h"
 #include "app/job_setup.h"
+#include "app/thread_supply.h"
+#include "app/time_limit.h"
+#include "core/base/printable.h"
 #include "io/path_writer.h"
 
 namespace proveout {
@@ -79,6 +83,7 @@ struct Interpretation {
 
 Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_errors, MotionSink* sink,
                                      Progress& progress) {
+  const ThreadSupply threads(job.simulation.threads);
   const Result<ControlId> control = findControl(job.control);
   if (!control) return control.error();
   Result<ControlSettings> settings = settingsOf(job, setup, progress);
@@ -107,6 +112,13 @@ std::optional<Job> jobOrPrint(const ProgramOptions& options, Console& console) {
   Diagnostics diagnostics;
   std::optional<Job> job = setUpJob(options, diagnostics);
   printDiagnostics(console, diagnostics.all());
+  if (!job) return job;
+  OutputGuard guard;
+  protectAll(namedInputs(*job), guard);
+  if (const Status apart = guard.checkStandardOutput(); !apart) {
+    printError(console, apart.error());
+    return std::nullopt;
+  }
   return job;
 }
 
@@ -120,15 +132,18 @@ nlohmann::ordered_json toJson(const Diagnostic& d) {
 }  // namespace
 
 int pathCommand(const PathOptions& options, Console& console, ConsoleProgress& progress) {
+  TimeLimit limit(progress);
+  limit.set(options.program.max_time_s.value_or(0.0));
   const std::optional<Job> job = jobOrPrint(options.program, console);
   if (!job) return kExitInput;
+  limit.set(job->simulation.max_time_s);
   if (job->setups.size() > 1 && !options.program.setup) {
     return printError(console, inputError("the job has several setups: --setup NAME says whose path it is"));
   }
   Result<std::unique_ptr<MotionSink>> writer = makePathWriter(options.format, console.out, job->control);
   if (!writer) return printError(console, writer.error());
   const Result<Interpretation> done = interpretInto(*job, setupCount(*job) - 1, 1, writer->get(), progress);
-  if (!done) return printError(console, done.error());
+  if (!done) return printError(console, limit.told(done.error()));
   printDiagnostics(console, done->diagnostics.all());
   return exitCodeOf(*done);
 }
@@ -165,10 +180,12 @@ Result<Checked> checkSetup(const Job& job, std::size_t setup, Progress& progress
 
 std::string checkText(const Checked& checked) {
   const InterpretSummary& summary = checked.done.summary;
-  return fmt::format("{}{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}{}\n",
-                     checked.setup.empty() ? "" : "setup " + checked.setup + ": ", checked.program,
-                     summary.blocks, summary.motions, summary.cycle_s, checked.errors, summary.warnings,
-                     checked.until.empty() ? "" : ", partial: only up to " + checked.until);
+  const std::string line =
+      fmt::format("{}{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}{}",
+                  checked.setup.empty() ? "" : "setup " + checked.setup + ": ", checked.program,
+                  summary.blocks, summary.motions, summary.cycle_s, checked.errors, summary.warnings,
+                  checked.until.empty() ? "" : ", partial: only up to " + checked.until);
+  return printable(line) + "\n";
 }
 
 nlohmann::ordered_json checkJson(const Checked& checked) {
@@ -203,12 +220,15 @@ nlohmann::ordered_json checkDocument(const Job& job, const std::vector<Checked>&
 }  // namespace
 
 int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress& progress) {
+  TimeLimit limit(progress);
+  limit.set(options.program.max_time_s.value_or(0.0));
   const std::optional<Job> job = jobOrPrint(options.program, console);
   if (!job) return kExitInput;
+  limit.set(job->simulation.max_time_s);
   std::vector<Checked> programs;
   for (std::size_t k = options.program.setup ? setupCount(*job) - 1 : 0; k < setupCount(*job); ++k) {
     Result<Checked> checked = checkSetup(*job, k, progress);
-    if (!checked) return printError(console, checked.error());
+    if (!checked) return printError(console, limit.told(checked.error()));
     programs.push_back(std::move(*checked));
   }
   int code = kExitOk;
@@ -219,8 +239,9 @@ int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress&
     console.out << checkText(checked);
   }
   if (options.json) {
-    console.out << checkDocument(*job, programs).dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
-                << "\n";
+    const std::string text =
+        checkDocument(*job, programs).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    console.out << jsonPrintable(text) << "\n";
   }
   return code;
 }

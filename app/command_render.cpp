@@ -9,8 +9,11 @@
 #include "app/exit_codes.h"
 #include "app/pictures.h"
 #include "app/pipeline.h"
+#include "app/thread_supply.h"
+#include "app/time_limit.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
+#include "io/output_guard.h"
 #include "io/png.h"
 #include "render/render.h"
 
@@ -109,13 +112,31 @@ bool isTurned(const TriMesh& mesh) {
   return leaning <= kLean * area;
 }
 
+/// Errors: the picture would be written over what it is made of.
+Status checkOutput(const RenderCommandOptions& options, const std::string& output,
+                   const std::optional<HeatMapSource>& colours) {
+  OutputGuard guard;
+  guard.protect("mesh", options.mesh);
+  if (options.heatmap) guard.protect("report", *options.heatmap);
+  if (colours) guard.protect("nominal", colours->nominal.mesh.path);
+  return guard.check(output);
+}
+
 Status renderToFile(const RenderCommandOptions& options, const std::string& output, Progress& progress) {
+  const ThreadSupply threads(options.threads.value_or(0));
   Result<View> view = findView(options.view);
   if (!view) return view.error();
   const Result<ImageSize> size = parseImageSize(options.size);
   if (!size) return size.error();
   const Result<MeshUnit> unit = parseMeshUnit(options.unit);
   if (!unit) return inputError("--unit: " + unit.error().message);
+  std::optional<HeatMapSource> colours;
+  if (options.heatmap) {
+    Result<HeatMapSource> source = readHeatMapSource(*options.heatmap);
+    if (!source) return source.error();
+    colours = std::move(*source);
+  }
+  if (Status free = checkOutput(options, output, colours); !free) return free;
   MeshLoadOptions loading;
   loading.unit = *unit;
   Result<TriMesh> mesh = loadMesh(options.mesh, loading);
@@ -124,13 +145,11 @@ Status renderToFile(const RenderCommandOptions& options, const std::string& outp
     if (Status closed = checkForSection(*mesh, options.mesh); !closed) return closed;
   }
   std::optional<Comparison> comparison;
-  if (options.heatmap) {
-    const Result<HeatMapSource> source = readHeatMapSource(*options.heatmap);
-    if (!source) return source.error();
+  if (colours) {
     Result<PreparedMesh> solid = prepareNominal(*mesh, options.mesh);
     if (!solid) return solid.error();
     *mesh = std::move(solid->mesh);
-    Result<Comparison> done = compareForHeatMap(*mesh, *source, options.threads.value_or(0), progress);
+    Result<Comparison> done = compareForHeatMap(*mesh, *colours, options.threads.value_or(0), progress);
     if (!done) return done.error();
     comparison = std::move(*done);
   }
@@ -163,10 +182,12 @@ int renderCommand(const RenderCommandOptions& options, Console& console, Console
   }
   const std::string output =
       options.output.empty() ? fs::path(options.mesh).stem().string() + ".png" : options.output;
+  TimeLimit limit(progress);
+  limit.set(options.max_time_s.value_or(0.0));
   progress.show(console.err_is_terminal);
   const Status done = renderToFile(options, output, progress);
   progress.clear();
-  if (!done) return printError(console, done.error());
+  if (!done) return printError(console, limit.told(done.error()));
   return kExitOk;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
+#include "app/input_files.h"
 #include "app/job_setup.h"
 #include "app/outputs.h"
 #include "app/pictures.h"
@@ -10,8 +11,9 @@
 #include "app/run_report.h"
 #include "app/stopwatch.h"
 #include "app/summary.h"
+#include "app/thread_supply.h"
+#include "app/time_limit.h"
 #include "app/turning.h"
-#include "removal/threads.h"
 
 namespace proveout {
 namespace {
@@ -43,10 +45,27 @@ Result<std::vector<Picture>> drawRun(const Job& job, const RunResult& run, Outpu
   return drawPictures(run.surface().mesh, request, failures, progress);
 }
 
+/// Where a run writes, and what it must not write over.
+struct Target {
+  std::string folder;
+  OutputGuard guard;
+};
+
+/// Takes in what was called, and errors where a file that a program wrote would go over an input: known only
+/// when the programs have run.
+Status checkPrograms(const RunResult& run, const RunSources& sources, const Job& job, Target& target) {
+  for (const RecordingSource* source : sources) protectAll(programsRead(*source), target.guard);
+  std::vector<std::string> names = outputNames(job);
+  for (const SetupRun& setup : run.setups) {
+    for (const auto& file : setup.interpreted.files) names.push_back(programFileName(setup.name, file.first));
+  }
+  return checkNames(names, target.folder, target.guard);
+}
+
 /// Errors: the folder cannot be written at all. What else fails is kept and told by the report.
 Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>& pictures,
-                const std::string& folder, Report& report, OutputFailures& failures) {
-  Result<StagingFolder> staging = StagingFolder::create(folder);
+                const Target& target, Progress& progress, Report& report, OutputFailures& failures) {
+  Result<StagingFolder> staging = StagingFolder::create(target.folder, &target.guard, &progress);
   if (!staging) return staging.error();
   if (!run.alarm) {
     for (const SetupRun& setup : run.setups)
@@ -68,11 +87,15 @@ struct Written {
 Result<Written> runJob(const Job& job, const std::vector<std::string>& command, const std::string& folder,
                        ConsoleProgress& progress) {
   Stopwatch wall, watch;
-  const ThreadLimit limit(job.simulation.threads);
+  const ThreadSupply threads(job.simulation.threads);
   const JobSources sources(job);
-  if (const Status possible = checkOutputs(job, folder); !possible) return possible.error();
+  Target target{folder, {}};
+  protectAll(namedInputs(job), target.guard);
+  if (const Status possible = checkOutputs(job, folder, target.guard); !possible) return possible.error();
   Result<PreparedRun> prepared = prepareRun(job, sources.all(), progress);
   if (!prepared) return prepared.error();
+  if (const Status free = checkPrograms(prepared->run, sources.all(), job, target); !free)
+    return free.error();
   if (!prepared->run.alarm) progress.expect(prepared->run.prediction);
   Result<RunResult> run = finishRun(job, sources.all(), std::move(*prepared), progress);
   if (!run) return run.error();
@@ -87,7 +110,8 @@ Result<Written> runJob(const Job& job, const std::vector<std::string>& command, 
   report->performance.wall_s = wall.lap();
   written.report = std::move(*report);
   written.report.command = command;
-  if (const Status done = writeAll(job, *run, *pictures, folder, written.report, written.failures); !done)
+  if (const Status done = writeAll(job, *run, *pictures, target, progress, written.report, written.failures);
+      !done)
     return done.error();
   return written;
 }
@@ -95,16 +119,20 @@ Result<Written> runJob(const Job& job, const std::vector<std::string>& command, 
 }  // namespace
 
 int runCommand(const RunOptions& options, Console& console, ConsoleProgress& progress) {
+  TimeLimit limit(progress);
+  limit.set(options.program.max_time_s.value_or(0.0));
   Diagnostics diagnostics;
   std::optional<Job> job = setUpJob(options.program, diagnostics);
   const bool good = job && applyRunOptions(options, *job, diagnostics);
   printDiagnostics(console, diagnostics.all(), options.quiet ? Severity::kError : Severity::kNote);
   if (!good) return kExitInput;
+  limit.set(job->simulation.max_time_s);
+  job->simulation.max_time_s = limit.limit();
   const std::string folder = outputFolder(options, *job);
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
   const Result<Written> written = runJob(*job, decidingArguments(options), folder, progress);
   progress.clear();
-  if (!written) return printError(console, written.error());
+  if (!written) return printError(console, limit.told(written.error()));
   printResult(console, written->report, options.quiet, options.json, folder);
   return exitCodeOf(written->report, written->failures);
 }

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "app/exit_codes.h"
+#include "core/base/printable.h"
 
 namespace proveout {
 namespace {
@@ -38,7 +39,7 @@ int runGuarded(const CommandOptions& command, Console& console, ConsoleProgress&
 int runCommandLine(const std::vector<std::string>& arguments, Console& console, ConsoleProgress& progress) {
   const CommandLine line = parseCommandLine(arguments);
   console.out << line.output;
-  console.err << line.errors;
+  console.err << printableLines(line.errors);
   int code = line.exit_code;
   if (line.command) code = runGuarded(*line.command, console, progress);
   console.out.flush();

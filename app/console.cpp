@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/exit_codes.h"
+#include "core/base/printable.h"
 
 namespace proveout {
 
@@ -51,8 +52,10 @@ std::string ConsoleProgress::timeLeft(double now_s, double done) const {
 }
 
 void ConsoleProgress::report(std::string_view phase, double done) {
-  if (!shown_.load(std::memory_order_relaxed)) return;
   const int percent = static_cast<int>(std::clamp(done, 0.0, 1.0) * 100.0);
+  now_.store(phase.data(), std::memory_order_relaxed);
+  now_percent_.store(percent, std::memory_order_relaxed);
+  if (!shown_.load(std::memory_order_relaxed)) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (phase == phase_ && percent <= percent_) return;
   const double now_s = clock_();
@@ -62,6 +65,16 @@ void ConsoleProgress::report(std::string_view phase, double done) {
   const std::string line = fmt::format("{} {} %{}", phase, percent, timeLeft(now_s, 0.01 * percent));
   width_ = std::max(width_, line.size());
   err_ << fmt::format("\r{:<{}}", line, width_) << std::flush;
+}
+
+void ConsoleProgress::expire() noexcept {
+  expired_.store(true);
+  cancel();
+}
+
+std::string ConsoleProgress::phase() const {
+  const char* const phase = now_.load();
+  return phase == nullptr ? std::string() : fmt::format("{}, {} % done", phase, now_percent_.load());
 }
 
 void ConsoleProgress::clear() {
@@ -74,7 +87,7 @@ void ConsoleProgress::clear() {
 
 int printError(Console& console, const Error& error) {
   const char* what = error.kind == ErrorKind::kInternal ? "internal error" : "error";
-  console.err << "proveout: " << what << ": " << error.message << "\n";
+  console.err << "proveout: " << what << ": " << printable(error.message) << "\n";
   return exitCodeOf(error.kind);
 }
 

@@ -29,13 +29,20 @@ class ConsoleProgress : public Progress {
   void report(std::string_view phase, double done) override;
   /// Tells what the run will take, where progress is shown; the time left counts from here.
   void expect(const Prediction& prediction);
+  /// Asks the work to stop because its time is over; async-signal-safe.
+  void expire() noexcept;
+  bool expired() const noexcept { return expired_.load(); }
+  /// What is being done, with how much of it: "removing, 40 % done"; empty: nothing was told.
+  std::string phase() const;
   /// Takes the line away; call before anything else is printed.
   void clear();
 
  private:
   std::ostream& err_;
   std::mutex mutex_;
-  std::atomic<bool> shown_{false};
+  std::atomic<bool> shown_{false}, expired_{false};
+  std::atomic<const char*> now_{nullptr};  ///< the phases are texts of the program's own
+  std::atomic<int> now_percent_{0};
   std::string timeLeft(double now_s, double done) const;
 
   Clock clock_;

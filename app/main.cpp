@@ -1,4 +1,5 @@
 // The `proveout` program: streams and signals; everything else is in runCommandLine.
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -21,9 +22,20 @@ extern "C" void onSignal(int signal) {
   }
 }
 
+/// Where standard streams are closed a file would get their number, and messages would be written into it. A
+/// stand-in that cannot be written to makes them fail instead.
+void keepStandardStreams() {
+  int descriptor = 0;
+  do {
+    descriptor = ::open("/dev/null", O_RDONLY);
+  } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  if (descriptor > STDERR_FILENO) ::close(descriptor);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepStandardStreams();
   std::ios::sync_with_stdio(false);
   proveout::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) == 1};
   proveout::ConsoleProgress progress(std::cerr);

@@ -1,7 +1,6 @@
 #include "app/outputs.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -9,6 +8,7 @@
 
 #include "app/exit_codes.h"
 #include "app/job_setup.h"
+#include "app/turning.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
@@ -42,73 +42,12 @@ Result<std::string> saveHashed(const Stock& stock, const std::string& path) {
   return sha256OfFile(path);
 }
 
-}  // namespace
-
-Result<StagingFolder> StagingFolder::create(const std::string& target) {
-  StagingFolder staging;
-  std::error_code error;
-  for (fs::path above = fs::path(target).lexically_normal(); !above.empty() && !fs::exists(above, error);
-       above = above.parent_path())
-    staging.made_.push_back(above.string());
-  if (const Status made = makeFolders(target); !made) return made.error();
-  std::string pattern = (fs::path(target) / (".proveout-" + std::string(6, 'X'))).string();
-  if (mkdtemp(pattern.data()) == nullptr) {
-    return inputError(fmt::format("{}: cannot write into this folder: {}", target,
-                                  std::error_code(errno, std::generic_category()).message()));
-  }
-  staging.target_ = target;
-  staging.aside_ = pattern;
-  return staging;
+/// Name of the mesh file, or of the saved stock, of this format.
+std::string meshFileName(const Job& job, OutputFormat format) {
+  const bool second_stl = format == OutputFormat::kStlAscii && job.output.formats.size() > 1;
+  return fmt::format("{}{}.{}", fileName(job.name), second_stl ? "-ascii" : "",
+                     outputFormatExtension(format));
 }
-
-StagingFolder::StagingFolder(StagingFolder&& other) noexcept
-    : target_(std::move(other.target_)),
-      aside_(std::exchange(other.aside_, {})),
-      names_(std::move(other.names_)),
-      made_(std::exchange(other.made_, {})) {}
-
-StagingFolder::~StagingFolder() {
-  std::error_code ignored;
-  if (!aside_.empty()) fs::remove_all(aside_, ignored);
-  for (const std::string& folder : made_) fs::remove(folder, ignored);  // where nothing came into it
-}
-
-Status StagingFolder::write(const std::string& name,
-                            const std::function<Status(const std::string& path)>& make) {
-  const fs::path target = fs::path(target_) / name, aside = fs::path(aside_) / name;
-  std::error_code error;
-  if (fs::is_directory(target, error)) return inputError(target.string() + ": is a folder, not a file");
-  if (Status done = makeFolders(aside.parent_path().string()); !done) return done;
-  if (Status done = make(aside.string()); !done) {
-    fs::remove(aside, error);
-    return Error{done.error().kind, asTarget(done.error().message)};
-  }
-  names_.push_back(name);
-  return Done{};
-}
-
-/// A message about a file aside, for the reader of the target.
-std::string StagingFolder::asTarget(std::string message) const {
-  const std::string aside = (fs::path(aside_) / "").string(), target = (fs::path(target_) / "").string();
-  for (std::size_t at = 0; (at = message.find(aside, at)) != std::string::npos; at += target.size())
-    message.replace(at, aside.size(), target);
-  return message;
-}
-
-Status StagingFolder::commit() {
-  Status first = Done{};
-  for (const std::string& name : names_) {
-    const fs::path target = fs::path(target_) / name;
-    Status done = makeFolders(target.parent_path().string());
-    std::error_code error;
-    if (done) fs::rename(fs::path(aside_) / name, target, error);
-    if (error) done = inputError(fmt::format("{}: cannot be written: {}", target.string(), error.message()));
-    if (first && !done) first = done;
-  }
-  return first;
-}
-
-namespace {
 
 bool needsModule(const Job& job) {
   const auto isMesh = [](const StockSpec& spec) { return std::holds_alternative<MeshFile>(spec); };
@@ -134,25 +73,54 @@ Status writeText(const std::string& name, const std::string& text, StagingFolder
 
 }  // namespace
 
-Status checkOutputs(const Job& job, const std::string& folder) {
+std::vector<std::string> outputNames(const Job& job) {
+  std::vector<std::string> names = {"report.json", "report.html", "junit.xml"};
+  for (const OutputFormat format : job.output.formats) names.push_back(meshFileName(job, format));
+  for (const std::string& view : job.output.views) names.push_back(view + ".png");
+  if (!job.output.views.empty()) names.insert(names.end(), {"deviation.png", "findings.png"});
+  if (job.output.csv) names.insert(names.end(), {"blocks.csv", "mrr.svg"});
+  if (turnsPart(job)) names.emplace_back("profile.svg");
+  return names;
+}
+
+std::vector<std::string> comparisonOutputNames() {
+  std::vector<std::string> names = {"report.json", "report.html", "junit.xml", "deviation.png",
+                                    "findings.png"};
+  for (const std::string& view : PictureRequest().views) names.push_back(view + ".png");
+  return names;
+}
+
+Status checkNames(const std::vector<std::string>& names, const std::string& folder,
+                  const OutputGuard& guard) {
+  for (const std::string& name : names) {
+    if (Status allowed = guard.check((fs::path(folder) / name).string()); !allowed) return allowed;
+  }
+  return Done{};
+}
+
+Status checkOutputs(const Job& job, const std::string& folder, const OutputGuard& guard) {
+  if (Status allowed = checkNames(outputNames(job), folder, guard); !allowed) return allowed;
+  if (Status streams = guard.checkStandardOutput(); !streams) return streams;
   // The only proof that a folder can be made and written; it goes at once.
   if (const Result<StagingFolder> proof = StagingFolder::create(folder); !proof) return proof.error();
   return needsModule(job) ? checkStockFiles() : Status(Done{});
 }
 
+std::string programFileName(const std::string& setup, const std::string& name) {
+  return (setup.empty() ? "files/" : "files/" + fileName(setup) + "/") + name;
+}
+
 void writeProgramFiles(const std::map<std::string, std::string>& files, const std::string& setup,
                        StagingFolder& staging, OutputFailures& failures) {
-  const std::string folder = setup.empty() ? "files/" : "files/" + fileName(setup) + "/";
-  for (const auto& [name, bytes] : files) keep(writeText(folder + name, bytes, staging), failures);
+  for (const auto& [name, bytes] : files)
+    keep(writeText(programFileName(setup, name), bytes, staging), failures);
 }
 
 void writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, StagingFolder& staging,
                  Report& report, OutputFailures& failures) {
   for (const OutputFormat format : job.output.formats) {
     if (format == OutputFormat::kVdb && stock == nullptr) continue;  // turning left nothing to make a grid of
-    const bool second_stl = format == OutputFormat::kStlAscii && job.output.formats.size() > 1;
-    const std::string file =
-        fmt::format("{}{}.{}", fileName(job.name), second_stl ? "-ascii" : "", outputFormatExtension(format));
+    const std::string file = meshFileName(job, format);
     std::string hash;
     const Status written = staging.write(file, [&](const std::string& path) -> Status {
       Result<std::string> made = format == OutputFormat::kVdb

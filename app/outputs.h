@@ -1,14 +1,13 @@
-// The files of a run. They are made in a folder aside and moved into place together at the end, so that a run
-// that fails or is interrupted leaves earlier results alone.
+// The files of a run: what they are called and how they are written. They are made in a StagingFolder.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "app/accounting.h"
 #include "app/pictures.h"
+#include "app/staging_folder.h"
 #include "core/base/result.h"
 #include "io/job.h"
 #include "io/profile_chart.h"
@@ -17,38 +16,23 @@
 
 namespace proveout {
 
-/// A folder inside the target that is removed with what is left in it when the object goes; so are folders
-/// that were made for it and are empty.
-class StagingFolder {
- public:
-  /// Makes `target` and a new folder in it.
-  static Result<StagingFolder> create(const std::string& target);
-  StagingFolder(StagingFolder&& other) noexcept;
-  StagingFolder(const StagingFolder&) = delete;
-  ~StagingFolder();
-
-  /// Lets `make` write the file that will be called `name` to a path aside. A file that fails is left out.
-  /// Errors: those of `make`; a folder stands in the target under that name.
-  Status write(const std::string& name, const std::function<Status(const std::string& path)>& make);
-  /// Moves every file into the target. Call once, when all are complete. The error is that of the first one
-  /// that cannot be moved; the others are.
-  Status commit();
-
- private:
-  StagingFolder() = default;
-  std::string asTarget(std::string message) const;
-
-  std::string target_, aside_;
-  std::vector<std::string> names_;
-  std::vector<std::string> made_;  ///< folders that were not there, the innermost first
-};
-
 /// What could not be written of the outputs of a run; the others are there.
 using OutputFailures = std::vector<Error>;
 
-/// Checks before a run that its outputs can be made and its files be read: the folder, and the module that
-/// .vdb files and meshes as stock or fixtures need.
-Status checkOutputs(const Job& job, const std::string& folder);
+/// Names of all files that a run of the job may write into its folder, but for those that its programs write.
+std::vector<std::string> outputNames(const Job& job);
+/// Names of all files that a comparison of two meshes may write.
+std::vector<std::string> comparisonOutputNames();
+
+/// Errors: one of the names would be written over an input.
+Status checkNames(const std::vector<std::string>& names, const std::string& folder, const OutputGuard& guard);
+
+/// Checks before a run that its outputs can be made and its files be read: that no input is in their way, the
+/// folder, and the module that .vdb files and meshes as stock or fixtures need.
+Status checkOutputs(const Job& job, const std::string& folder, const OutputGuard& guard);
+
+/// Where a file that a program wrote is put, below the folder of the results. `setup`: of the clamping.
+std::string programFileName(const std::string& setup, const std::string& name);
 
 /// Writes the files that a program wrote, in "files", those of clampings in a folder of their name in it.
 void writeProgramFiles(const std::map<std::string, std::string>& files, const std::string& setup,

@@ -246,6 +246,17 @@ Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
 
 namespace {
 
+/// Refuses what is out of proportion before it is begun: predictions are good to a factor of two.
+Status checkTime(const Job& job, const Prediction& prediction) {
+  constexpr double kDoubt = 2.0;
+  const double allowed_s = job.simulation.max_time_s;
+  if (allowed_s <= 0.0 || prediction.time_s <= kDoubt * allowed_s) return Done{};
+  return Error{ErrorKind::kResourceLimit,
+               fmt::format("this run would take about {:.0f} s, {:g} s are allowed; take a coarser grid "
+                           "(--resolution), or allow more (--max-time, max_time_s)",
+                           prediction.time_s, allowed_s)};
+}
+
 /// Whether the blank can be made before it is known what is cut from it: its grid alone fits into the memory.
 bool makesBlankEarly(const Job& job, const Blank& blank) {
   if (turnsPart(job) || blank.stock || choosesGrid(job, blank)) return false;
@@ -273,7 +284,8 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
     run.resolution_mm = prepared.blank.resolution_mm;
   }
   run.prediction = predict(work, run.resolution_mm);
-  return checkMemory(job, work, run.resolution_mm);
+  if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits;
+  return checkTime(job, run.prediction);
 }
 
 /// Volume of the blank: of a saved stock, what is left in it; its own figure is that of its first blank.

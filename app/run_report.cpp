@@ -214,6 +214,7 @@ Result<std::vector<FileHash>> hashInputs(const Job& job, const RunSources& sourc
     if (sha) hashes.push_back({role, path, error ? 0 : static_cast<std::uint64_t>(bytes), *sha});
   };
   if (!job.path.empty()) add("job", job.path);
+  if (!job.machine_file.empty()) add("machine", job.machine_file);
   for (const RecordingSource* source : sources) {
     const std::size_t channels = source->channels().size();
     for (const ProgramText& text : source->texts()) {

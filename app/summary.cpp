@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/findings.h"
+#include "core/base/printable.h"
 #include "io/report_text.h"
 
 namespace proveout {
@@ -51,10 +52,10 @@ std::string partText(const ReportStock& stock) {
 
 std::string summaryText(const Report& report, const std::string& folder) {
   const std::string& until = report.program.until;
-  std::string text = fmt::format("{}: {}{}\n", report.name, verdictName(report.verdict),
-                                 until.empty() ? "" : ", partial: only up to " + until);
+  std::string text = fmt::format("{}: {}{}\n", printable(report.name), verdictName(report.verdict),
+                                 until.empty() ? "" : ", partial: only up to " + printable(until));
   const auto row = [&](const char* what, const std::string& value) {
-    text += fmt::format("  {:<10} {}\n", what, value);
+    text += fmt::format("  {:<10} {}\n", what, printable(value));
   };
   if (!report.program.files.empty()) {
     row("program", fmt::format("{} ({}), {}, {}", report.program.files.front(), report.program.control,

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -18,12 +19,7 @@ namespace {
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// A file that cannot be written; a full disk is a limit of the machine.
-Error writeError(const std::string& path, int error) {
-  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
-  return {full ? ErrorKind::kResourceLimit : ErrorKind::kInput,
-          path + ": cannot be written: " + reason(error)};
-}
+Error writeError(const std::string& path, int error) { return folderError(path, "cannot be written", error); }
 
 /// Creates a file next to `target` that did not exist. The name carries the process id, so that two runs that
 /// write to one folder do not share it.
@@ -38,6 +34,21 @@ std::FILE* createAside(const std::string& target, std::string& aside) {
 }
 
 }  // namespace
+
+Error folderError(const std::string& path, const std::string& what, int error) {
+  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
+  return {full ? ErrorKind::kResourceLimit : ErrorKind::kInput, path + ": " + what + ": " + reason(error)};
+}
+
+namespace {
+
+std::atomic<int> unfinished_files{0};
+
+}  // namespace
+
+UnfinishedFile::UnfinishedFile() noexcept { ++unfinished_files; }
+UnfinishedFile::~UnfinishedFile() { --unfinished_files; }
+bool UnfinishedFile::any() noexcept { return unfinished_files.load() > 0; }
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
   if (path.empty()) return inputError("an output file has no name");
@@ -154,9 +165,8 @@ Status makeFolders(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return Done{};
   fs::create_directories(path, error);
-  if (error || !fs::is_directory(path)) {
-    return inputError(path + ": the folder cannot be made: " + (error ? error.message() : "it is a file"));
-  }
+  if (error) return folderError(path, "the folder cannot be made", error.value());
+  if (!fs::is_directory(path, error)) return inputError(path + ": the folder cannot be made: it is a file");
   return Done{};
 }
 

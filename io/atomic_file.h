@@ -10,6 +10,16 @@
 
 namespace proveout {
 
+/// Lives while a file is in the making that must be finished or removed before the process may end itself.
+class UnfinishedFile {
+ public:
+  UnfinishedFile() noexcept;
+  UnfinishedFile(const UnfinishedFile&) noexcept : UnfinishedFile() {}
+  UnfinishedFile& operator=(const UnfinishedFile&) = default;
+  ~UnfinishedFile();
+  static bool any() noexcept;  ///< of any thread; async-signal-safe
+};
+
 /// Writes aside, to a new file in the folder of `path`, and renames on commit(). Without a commit the file
 /// aside is removed and what stood at `path` is left alone. A symbolic link at `path` is followed; a device
 /// (/dev/null) or pipe is written directly. Not thread-safe.
@@ -38,6 +48,7 @@ class AtomicFile {
   std::string target_;  ///< what is replaced
   std::string aside_;   ///< empty: writing to the target directly
   int error_ = 0;       ///< errno of the first failed write
+  UnfinishedFile unfinished_;
 };
 
 /// Writes `bytes` to `path`, whole or not at all.
@@ -48,6 +59,9 @@ Status checkRegularFile(const std::string& path);
 
 /// Reads a whole regular file. Errors: missing, a folder or device, unreadable, larger than `max_bytes`.
 Result<std::string> readWholeFile(const std::string& path, std::size_t max_bytes);
+
+/// "PATH: WHAT: the system's reason"; a full disk is a limit of the machine. `error`: errno.
+Error folderError(const std::string& path, const std::string& what, int error);
 
 /// Makes `path` and the folders above it, where they do not exist. Error: names the one that cannot be made.
 Status makeFolders(const std::string& path);

@@ -1,25 +1,12 @@
 // blocks.csv: what every block did, for spreadsheets. Commas between columns, points in numbers.
 #include <fmt/format.h>
 
+#include "core/base/printable.h"
 #include "io/report.h"
 
 namespace proveout {
 
 namespace {
-
-/// Only texts from outside need it: file names.
-void appendQuoted(std::string_view text, std::string& out) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    out += text;
-    return;
-  }
-  out += '"';
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  out += '"';
-}
 
 void appendNumber(const std::optional<double>& value, std::string& out) {
   out += ',';
@@ -45,9 +32,9 @@ std::string blockCsvHeader() {
 }
 
 void appendBlockCsv(const BlockFigures& row, std::string& out) {
-  appendQuoted(row.setup, out);
+  out += csvField(row.setup);
   out += ',';
-  appendQuoted(row.file, out);
+  out += csvField(row.file);
   fmt::format_to(std::back_inserter(out), ",{},", row.line);
   if (row.block >= 0) fmt::format_to(std::back_inserter(out), "N{}", row.block);
   fmt::format_to(std::back_inserter(out), ",{},{},{}", row.depth, row.tool, row.kind);

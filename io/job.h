@@ -45,6 +45,7 @@ struct SimulationSpec {
   double profile_resolution_mm = 0.01;  ///< of turned parts: facets leave the surface by a tenth of it
   int threads = 0;                      ///< 0: all cores
   double max_memory_gb = 0.0;           ///< 0: what the machine has free
+  double max_time_s = 0.0;              ///< the command ends itself within so many seconds; 0: without limit
 };
 
 enum class OutputFormat : std::uint8_t { kStl, kStlAscii, kObj, kPly, kVdb };
@@ -92,6 +93,7 @@ struct Job {
   std::string path;                      ///< of the job file; empty for a job made on the command line
   std::string name;                      ///< defaults to the job file's name without extension
   std::string control;                   ///< name; see JobNames
+  std::string machine_file;              ///< path of `[machine] file`; empty: none
   std::string program;                   ///< path of the main program
   std::vector<std::string> subprograms;  ///< paths of files and folders
   /// Clampings in their order. Empty: one, which is what the fields of the job itself say. Else `program` and

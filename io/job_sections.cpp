@@ -347,7 +347,10 @@ void readMachine(ConfigTable& root, Job& job) {
   auto machine = root.table("machine");
   if (!machine) return;
   // Keys of the job come after those of the file, so that a job can change one of them.
-  if (const auto file = machine->path("file")) readMachineFile(*file, root.document(), job);
+  if (const auto file = machine->path("file")) {
+    job.machine_file = *file;
+    readMachineFile(*file, root.document(), job);
+  }
   readMachineKeys(*machine, job);
 }
 
@@ -535,6 +538,7 @@ void readSimulation(ConfigTable& root, Job& job) {
   if (const auto memory = table->number("max_memory_gb", {0.0, 1e6, true})) {
     job.simulation.max_memory_gb = *memory;
   }
+  if (const auto time = table->number("max_time_s", {0.0, 1e9, true})) job.simulation.max_time_s = *time;
   if (const auto blocks = table->integer("max_blocks", 1, std::numeric_limits<std::int64_t>::max())) {
     job.settings.block_limit = static_cast<std::uint64_t>(*blocks);
   }

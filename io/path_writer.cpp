@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <iterator>
 
+#include "core/base/printable.h"
+
 namespace proveout {
 namespace {
 
@@ -69,20 +71,7 @@ void putVector(Buffer& b, const Vec3& v) {
   b.push_back(']');
 }
 
-void putString(Buffer& b, std::string_view text) {
-  b.push_back('"');
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      b.push_back('\\');
-      b.push_back(c);
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      fmt::format_to(std::back_inserter(b), "\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      b.push_back(c);
-    }
-  }
-  b.push_back('"');
-}
+void putString(Buffer& b, std::string_view text) { put(b, jsonQuoted(text)); }
 
 void send(Buffer& b, std::ostream& out) {
   out.write(b.view().data(), static_cast<std::streamsize>(b.size()));
@@ -295,13 +284,7 @@ void CsvPathWriter::flush() {
 
 void CsvPathWriter::file(std::uint32_t index, const std::string& name) {
   if (files_.size() <= index) files_.resize(index + 1);
-  if (name.find_first_of(",\"\r\n") == std::string::npos) {
-    files_[index] = name;
-    return;
-  }
-  std::string quoted = "\"";
-  for (const char c : name) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  files_[index] = quoted + '"';
+  files_[index] = csvField(name);
 }
 
 void CsvPathWriter::motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep*) {

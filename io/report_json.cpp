@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/printable.h"
 #include "io/report.h"
 
 namespace proveout {
@@ -265,7 +266,7 @@ std::string reportJson(const Report& report, const ReportOptions& options) {
   out["outputs"] = outputsJson(report.outputs);
   if (options.with_performance) out["performance"] = performanceJson(report.performance);
   // A program's text may be in any encoding; bytes that are not UTF-8 become U+FFFD instead of an exception.
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonPrintable(out.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace proveout

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/printable.h"
+
 namespace proveout {
 
 std::string_view verdictName(Verdict verdict) {
@@ -39,28 +41,11 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// Length of the UTF-8 sequence at the start of `text`, or 0 if it is not well formed (RFC 3629, section 4).
-std::size_t sequenceLength(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const auto tail = [&](std::size_t i) { return (byte(i) & 0xC0) == 0x80; };
-  const unsigned first = byte(0);
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first <= 0xDF) return tail(1) ? 2 : 0;
-  if (first >= 0xE0 && first <= 0xEF) {
-    const bool overlong = first == 0xE0 && byte(1) < 0xA0, surrogate = first == 0xED && byte(1) > 0x9F;
-    return tail(1) && tail(2) && !overlong && !surrogate ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    const bool overlong = first == 0xF0 && byte(1) < 0x90, too_high = first == 0xF4 && byte(1) > 0x8F;
-    return tail(1) && tail(2) && tail(3) && !overlong && !too_high ? 4 : 0;
-  }
-  return 0;
-}
-
-/// Characters outside the Char production of XML 1.0.
+/// Characters outside the Char production of XML 1.0, and those that act on a terminal that shows the file.
 bool forbidden(std::string_view sequence) {
-  const auto c = static_cast<unsigned char>(sequence[0]);
-  if (c < 0x20) return c != '\t' && c != '\n' && c != '\r';
+  const char c = sequence[0];
+  if (c == '\t' || c == '\n' || c == '\r') return false;
+  if (isControlCharacter(sequence)) return true;
   return sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF";
 }
 
@@ -87,7 +72,7 @@ std::string escape(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   while (!text.empty()) {
-    const std::size_t length = sequenceLength(text);
+    const std::size_t length = utf8Length(text);
     const std::string_view sequence = text.substr(0, std::max<std::size_t>(1, length));
     if (length == 0 || forbidden(sequence)) {
       out += kReplacement;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/base/startable_threads.h"
 #include "removal/vdb_support.h"
 
 namespace proveout {
@@ -13,7 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// OpenVDB's logger starts five threads when it is loaded, and ends the process where it cannot.
+constexpr int kModuleThreads = 8;
+
 Result<const VdbSupport*> loadModule() {
+  if (startableThreads(kModuleThreads) < kModuleThreads) {
+    return Error{
+        ErrorKind::kResourceLimit,
+        "no threads may be started, and what reads and writes .vdb files and mesh blanks needs some: "
+        "allow more processes (ulimit -u), or do without .vdb files and meshes as blank or fixture"};
+  }
   const char* kName = "libproveout_vdb.so";
   std::error_code ignored;
   const fs::path prefix = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
@@ -28,10 +38,10 @@ Result<const VdbSupport*> loadModule() {
     }
     if (const char* error = dlerror()) reason = error;
   }
-  return inputError(
-               fmt::format("{}, which reads and writes .vdb files and mesh blanks, cannot be loaded ({}); install proveout "
-                           "with its lib/proveout folder",
-                           kName, reason));
+  return inputError(fmt::format(
+      "{}, which reads and writes .vdb files and mesh blanks, cannot be loaded ({}); install proveout "
+      "with its lib/proveout folder",
+      kName, reason));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/printable.h"
+
 namespace proveout {
 
 std::string_view severityName(Severity severity) {
@@ -47,10 +49,7 @@ Excerpt excerptOf(const std::string& line, int column, int column_end) {
   const int shift = static_cast<int>(lead.size()) - first;
   Excerpt out{lead + line.substr(first, last - first), column + shift,
               std::min(column_end, last + 1) + shift};
-  for (char& c : out.text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 && c != '\t') || byte == 0x7F) c = '?';
-  }
+  out.text = masked(out.text);
   if (last < size) out.text += "...";
   return out;
 }
@@ -75,21 +74,21 @@ std::string caretLine(const Excerpt& shown) {
 
 std::string formatDiagnostic(const Diagnostic& d) {
   std::string out;
-  if (!d.where.file.empty()) out += d.where.file + ":";
+  if (!d.where.file.empty()) out += printable(d.where.file) + ":";
   if (d.where.line > 0) {
     out += std::to_string(d.where.line) + ":";
     if (d.where.column > 0) out += std::to_string(d.where.column) + ":";
   }
   if (!out.empty()) out += ' ';
   out += severityName(d.severity);
-  if (!d.code.empty()) out += "[" + d.code + "]";
-  out += ": " + d.message + "\n";
+  if (!d.code.empty()) out += "[" + printable(d.code) + "]";
+  out += ": " + printable(d.message) + "\n";
   if (!d.source_line.empty() && d.where.line > 0) {
     const Excerpt shown = excerptOf(d.source_line, d.where.column, d.where.column_end);
     out += "    " + shown.text + "\n";
     if (d.where.column > 0) out += "    " + caretLine(shown) + "\n";
   }
-  for (const std::string& note : d.notes) out += "    note: " + note + "\n";
+  for (const std::string& note : d.notes) out += "    note: " + printable(note) + "\n";
   return out;
 }
 

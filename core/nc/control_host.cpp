@@ -4,7 +4,18 @@
 
 namespace proveout {
 
+namespace {
+
+/// More names than this are no measuring records: a loop counts them up.
+constexpr std::size_t kMostFiles = 1000;
+
+}  // namespace
+
 Status MemoryOutput::open(const std::string& name, bool append) {
+  if (files_.size() >= kMostFiles && !exists(name)) {
+    return Error{ErrorKind::kResourceLimit,
+                 fmt::format("the program writes more than {} files: {} is one too many", kMostFiles, name)};
+  }
   open_ = &files_[name];
   if (!append) {
     size_ -= open_->size();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/printable.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -32,20 +34,7 @@ double arcLength(double radius_start, double radius_end, double sweep_rad, doubl
 
 std::string jsonNumber(double value) { return fmt::format("{}", value == 0.0 ? 0.0 : value); }
 
-std::string jsonString(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
+std::string jsonString(std::string_view text) { return jsonQuoted(text); }
 
 PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes, MotionSink& sink,
                          InterpretSummary& summary)

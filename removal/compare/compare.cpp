@@ -28,6 +28,9 @@ namespace compare_detail {
 
 /// Samples of one surface, at most: a second or two of work and a few hundred megabytes.
 constexpr std::size_t kMaxSampleTriangles = 2'000'000;
+/// The same where the meshes cannot be of one part: seen from far off all of a surface is about equally near,
+/// so that a sample costs what the whole mesh does, and more of them tell nothing new.
+constexpr std::size_t kMaxOddSampleTriangles = 20'000;
 
 Status checkOptions(const CompareOptions& o) {
   const auto bad = [](double v) { return !std::isfinite(v) || v < 0.0; };
@@ -41,6 +44,15 @@ Status checkOptions(const CompareOptions& o) {
     return inputError(fmt::format("comparison spacing must be above 0, not {} mm", o.resolution_mm));
   }
   return Done{};
+}
+
+/// Whether one could be the other, well or badly made: sizes and places are alike.
+bool alike(const Box3& a, const Box3& b) {
+  constexpr double kLargestRatio = 8.0;
+  const double small = std::min(a.size().norm(), b.size().norm()),
+               large = std::max(a.size().norm(), b.size().norm());
+  const Vec3 gap = (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(Vec3::Zero());
+  return large <= kLargestRatio * small && gap.norm() <= large;
 }
 
 Status checkClosed(const TriMesh& mesh, const std::string& name) {
@@ -199,9 +211,11 @@ double largestBound(const BothSides& sides, double tolerance) {
 Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, const CompareOptions& o,
                            Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "comparison interrupted"};
+  const std::size_t samples =
+      alike(meshBounds(machined), meshBounds(nominal)) ? kMaxSampleTriangles : kMaxOddSampleTriangles;
   // Meshes of a grid have edges up to about 1.5 spacings long: those are sampled by their corners.
-  SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, kMaxSampleTriangles);
-  const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, kMaxSampleTriangles);
+  SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, samples);
+  const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, samples);
   const auto shared_model = std::make_shared<const NominalModel>(nominal, 0.5 * o.resolution_mm);
   const NominalModel& model = *shared_model;
   BothSides sides = measureSides(part, goal, model, o, progress);

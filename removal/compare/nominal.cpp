@@ -17,12 +17,27 @@
 
 namespace proveout {
 
+namespace {
+
+/// The range of the job's own lengths, 1 km: beyond it a float is good to 0.06 mm at best.
+constexpr double kLargestMm = 1e6;
+
+}  // namespace
+
 std::optional<Error> findBadElements(const TriMesh& mesh, const std::string& name) {
   if (mesh.triangles.empty()) return inputError(name + ": the mesh has no triangles");
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     if (mesh.positions[i].allFinite()) continue;
     return inputError(
         fmt::format("{}: vertex {} is not a finite number; export the mesh again", name, i + 1));
+  }
+  const Box3 box = meshBounds(mesh);
+  const double most = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
+  if (most > kLargestMm) {
+    return inputError(
+        fmt::format("{}: the mesh reaches as far as {:.4g} mm, and coordinates go up to {:g} mm: "
+                    "is its unit right?",
+                    name, most, kLargestMm));
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (triangleIsProper(mesh.triangles[i], mesh.positions.size())) continue;

@@ -17,8 +17,8 @@ struct OpenEdges {
 };
 OpenEdges findOpenEdges(const TriMesh& mesh);
 
-/// What makes a mesh unusable before its edges are looked at: empty, not finite, bad index, two equal
-/// indices.
+/// What makes a mesh unusable before its edges are looked at: empty, not finite, beyond 1 km, bad index, two
+/// equal indices.
 std::optional<Error> findBadElements(const TriMesh& mesh, const std::string& name);
 
 }  // namespace proveout

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/printable.h"
 #include "core/nc/nct/nct_perform.h"
 
 namespace proveout::nc {
@@ -322,6 +323,7 @@ std::string outputName(std::string_view written) {
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7F ||
            std::string_view(":*?\"<>|").find(c) != std::string_view::npos;
   };
+  if (masked(name) != name) return {};  // characters that act on terminals, bytes that are no text
   return std::any_of(name.begin(), name.end(), bad) ? std::string() : name;
 }
 

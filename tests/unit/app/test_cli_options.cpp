@@ -29,7 +29,7 @@ TEST(CommandLine, RunTakesEveryOption) {
        "--threads",     "2",        "--max-memory", "1.5",      "--until",     "N70",
        "--format",      "stl,obj",  "--view",       "iso",      "--view",      "top",
        "--size",        "64x48",    "--json",       "--quiet",  "--lenient",   "--progress",
-       "--subprograms", "subs"});
+       "--subprograms", "subs",     "--max-time",   "2.5"});
   EXPECT_EQ(o.program.input, "a.nc");
   EXPECT_EQ(o.program.control, "nct");
   EXPECT_EQ(o.program.until, "N70");
@@ -40,6 +40,7 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_DOUBLE_EQ(*o.resolution_mm, 0.25);
   EXPECT_DOUBLE_EQ(*o.tolerance_mm, 0.01);
   EXPECT_DOUBLE_EQ(*o.max_memory_gb, 1.5);
+  EXPECT_DOUBLE_EQ(*o.program.max_time_s, 2.5);
   EXPECT_EQ(o.threads, 2);
   EXPECT_EQ(o.views, (std::vector<std::string>{"iso", "top"}));
   EXPECT_TRUE(o.json && o.quiet && o.progress);
@@ -53,6 +54,11 @@ TEST(CommandLine, ToolDoesNotSwallowThePositional) {
 }
 
 TEST(CommandLine, OtherCommands) {
+  EXPECT_EQ(parsed<CheckOptions>({"check", "a.nc", "--max-time", "3"}).program.max_time_s, 3.0);
+  EXPECT_EQ(parsed<RenderCommandOptions>({"render", "a.stl", "--max-time", "3"}).max_time_s, 3.0);
+  EXPECT_EQ(parsed<CompareCommandOptions>({"compare", "a.stl", "b.stl", "--max-time", "3"}).max_time_s, 3.0);
+  EXPECT_EQ(parsed<ExplainOptions>({"explain", "out", "--at", "0,0,0", "--max-time", "3"}).max_time_s, 3.0);
+  EXPECT_FALSE(parsed<PathOptions>({"path", "a.nc"}).program.max_time_s);
   EXPECT_EQ(parsed<PathOptions>({"path", "a.nc", "--control", "nct", "--format", "csv"}).format, "csv");
   EXPECT_TRUE(parsed<CheckOptions>({"check", "job.toml", "--json"}).json);
   const auto compare = parsed<CompareCommandOptions>({"compare", "a.stl", "b.stl", "--gouge", "0.1"});

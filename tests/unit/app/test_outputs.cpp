@@ -63,6 +63,82 @@ TEST(StagingFolder, FilesOfProgramsComeWithTheirFolders) {
   EXPECT_EQ(entries(folder.path("files")), 3u);
 }
 
+TEST(StagingFolder, WhatKilledRunsLeftIsRemovedAndWhatLivesIsNot) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder.path(".proveout-run-abcdef/files"));
+  fs::create_directories(folder.path(".proveout-of-another-kind"));
+  Result<StagingFolder> first = StagingFolder::create(folder.path());
+  ASSERT_TRUE(first.ok());
+  EXPECT_FALSE(fs::exists(folder.path(".proveout-run-abcdef")));
+  EXPECT_TRUE(first->write("a.txt", writeNew).ok());
+  {
+    Result<StagingFolder> second = StagingFolder::create(folder.path());
+    ASSERT_TRUE(second.ok());
+    EXPECT_EQ(entries(folder.path()), 3u);
+  }
+  EXPECT_TRUE(first->commit().ok());
+  EXPECT_TRUE(fs::exists(folder.path("a.txt")));
+  EXPECT_TRUE(fs::exists(folder.path(".proveout-of-another-kind")));
+}
+
+TEST(StagingFolder, AnEarlierFileDoesNotStandForOneThatCouldNotBeMade) {
+  const test::TemporaryFolder folder;
+  folder.write("mesh.stl", "old");
+  folder.write("report.json", "old");
+  const auto fails = [](const std::string&) { return Status(inputError("no room")); };
+  {
+    Result<StagingFolder> staging = StagingFolder::create(folder.path());
+    ASSERT_TRUE(staging.ok());
+    EXPECT_FALSE(staging->write("mesh.stl", fails).ok());
+    EXPECT_TRUE(staging->write("report.json", writeNew).ok());
+    EXPECT_EQ(entries(folder.path()), 3u);
+    EXPECT_TRUE(staging->commit().ok());
+  }
+  EXPECT_FALSE(fs::exists(folder.path("mesh.stl")));
+  EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+TEST(StagingFolder, WithoutItsReportNothingIsMoved) {
+  const test::TemporaryFolder folder;
+  folder.write("mesh.stl", "old");
+  folder.write("report.json", "old");
+  {
+    Result<StagingFolder> staging = StagingFolder::create(folder.path());
+    ASSERT_TRUE(staging.ok());
+    EXPECT_TRUE(staging
+                    ->write("mesh.stl",
+                            [](const std::string& path) {
+                              std::ofstream(path) << "of the new run";
+                              return Status(Done{});
+                            })
+                    .ok());
+    EXPECT_FALSE(
+        staging->write("report.json", [](const std::string&) { return Status(inputError("no room")); }).ok());
+    EXPECT_FALSE(staging->commit().ok());
+  }
+  EXPECT_EQ(fs::file_size(folder.path("mesh.stl")), 3u);
+  EXPECT_EQ(entries(folder.path()), 2u);
+}
+
+TEST(StagingFolder, IsAskedOfItsGuardAndOfItsProgress) {
+  const test::TemporaryFolder folder;
+  const std::string input = folder.write("part.stl", "input");
+  OutputGuard guard;
+  guard.protect("nominal", input);
+  Progress progress;
+  {
+    Result<StagingFolder> staging = StagingFolder::create(folder.path(), &guard, &progress);
+    ASSERT_TRUE(staging.ok());
+    EXPECT_FALSE(staging->write("part.stl", writeNew).ok());
+    EXPECT_TRUE(staging->write("b.txt", writeNew).ok());
+    progress.cancel();
+    EXPECT_EQ(staging->write("c.txt", writeNew).error().kind, ErrorKind::kInterrupted);
+    EXPECT_EQ(staging->commit().error().kind, ErrorKind::kInterrupted);
+  }
+  EXPECT_EQ(fs::file_size(folder.path("part.stl")), 5u);
+  EXPECT_EQ(entries(folder.path()), 1u);
+}
+
 TEST(StagingFolder, AFileInTheWayIsAnError) {
   const test::TemporaryFolder folder;
   const std::string file = folder.write("file", "x");

@@ -93,6 +93,7 @@ optional_stop = true
 resolution = 0.1
 threads = 2
 max_memory_gb = 1.5
+max_time_s = 90
 max_blocks = 5000
 lenient = true
 [output]
@@ -159,6 +160,7 @@ size = [800, 600]
   EXPECT_EQ(job->simulation.resolution_mm, 0.1);
   EXPECT_EQ(job->simulation.threads, 2);
   EXPECT_EQ(job->simulation.max_memory_gb, 1.5);
+  EXPECT_EQ(job->simulation.max_time_s, 90.0);
   EXPECT_THAT(job->output.formats, ElementsAre(OutputFormat::kStl, OutputFormat::kObj, OutputFormat::kVdb));
   EXPECT_THAT(job->output.views, ElementsAre("top"));
   EXPECT_EQ(job->output.width, 800);

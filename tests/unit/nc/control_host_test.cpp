@@ -19,6 +19,17 @@ TEST(MemoryOutput, EmptiesOrGoesOn) {
   EXPECT_EQ(out.files().at("a"), "");
 }
 
+TEST(MemoryOutput, RefusesMoreFilesThanAnyoneMeasures) {
+  MemoryOutput out;
+  for (int k = 0; k < 1000; ++k) ASSERT_TRUE(out.open(std::to_string(k), false).ok()) << k;
+  const Status more = out.open("1000", false);
+  ASSERT_FALSE(more.ok());
+  EXPECT_EQ(more.error().kind, ErrorKind::kResourceLimit);
+  EXPECT_NE(more.error().message.find("1000 files"), std::string::npos) << more.error().message;
+  EXPECT_TRUE(out.open("999", true).ok());  // those that are there can be gone on with
+  EXPECT_EQ(out.files().size(), 1000u);
+}
+
 TEST(MemoryOutput, RefusesToGrowBeyondItsLimit) {
   MemoryOutput out(8);
   ASSERT_TRUE(out.open("a", false).ok());

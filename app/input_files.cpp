@@ -1,0 +1,59 @@
+#include "app/input_files.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace proveout {
+namespace {
+
+class Collector {
+ public:
+  void add(const char* role, const std::string& path) {
+    const auto same = [&](const InputFile& other) { return other.path == path && other.role == role; };
+    if (!path.empty() && std::none_of(files.begin(), files.end(), same)) files.push_back({role, path});
+  }
+  void addShape(const char* role, const StockSpec& shape) {
+    if (const auto* mesh = std::get_if<MeshFile>(&shape)) add(role, mesh->path);
+    if (const auto* saved = std::get_if<SavedStock>(&shape)) add(role, saved->path);
+  }
+  void addPrograms(const std::string& program, const std::vector<std::string>& subprograms) {
+    add("program", program);
+    std::error_code error;
+    for (const std::string& path : subprograms) {
+      if (!std::filesystem::is_directory(path, error)) add("subprogram", path);
+    }
+  }
+  std::vector<InputFile> files;
+};
+
+}  // namespace
+
+std::vector<InputFile> namedInputs(const Job& job) {
+  Collector found;
+  found.add("job", job.path);
+  found.add("machine", job.machine_file);
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    const Job part = jobOfSetup(job, k);
+    found.addPrograms(part.program, part.subprograms);
+    for (const ChannelSpec& channel : part.channels) found.addPrograms(channel.program, channel.subprograms);
+    for (const FixtureSpec& fixture : part.fixtures) found.addShape("fixture", fixture.shape);
+  }
+  if (job.stock) found.addShape("stock", *job.stock);
+  if (job.nominal) found.add("nominal", job.nominal->mesh.path);
+  return std::move(found.files);
+}
+
+void protectAll(const std::vector<InputFile>& files, OutputGuard& guard) {
+  for (const InputFile& file : files) guard.protect(file.role, file.path);
+}
+
+std::vector<InputFile> programsRead(const RecordingSource& source) {
+  Collector found;
+  // The main programs of all channels are loaded before anything is called.
+  const std::size_t channels = source.channels().size();
+  for (std::size_t i = 0; i < source.texts().size(); ++i)
+    found.add(i < channels ? "program" : "subprogram", source.texts()[i].path);
+  return std::move(found.files);
+}
+
+}  // namespace proveout

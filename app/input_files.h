@@ -1,0 +1,26 @@
+// The files that a job reads, with what they are to it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/interpretation.h"
+#include "io/job.h"
+#include "io/output_guard.h"
+
+namespace proveout {
+
+struct InputFile {
+  std::string role;  ///< "job", "machine", "program", "subprogram", "stock", "fixture", "nominal"
+  std::string path;  ///< as it is opened
+};
+
+/// What the job names, known before anything is read. Folders of subprograms are not among them.
+std::vector<InputFile> namedInputs(const Job& job);
+
+void protectAll(const std::vector<InputFile>& files, OutputGuard& guard);
+
+/// The programs that were read of a clamping, the main programs of its channels first.
+std::vector<InputFile> programsRead(const RecordingSource& source);
+
+}  // namespace proveout

@@ -1,0 +1,20 @@
+// Worker threads where the system may not give any.
+#pragma once
+
+#include <optional>
+
+#include "removal/threads.h"
+
+namespace proveout {
+
+/// Limits work to `threads` threads (0: all cores), and to those that can be started, while it lives. The
+/// results do not depend on their number.
+class ThreadSupply {
+ public:
+  explicit ThreadSupply(int threads);
+
+ private:
+  std::optional<ThreadLimit> limit_;
+};
+
+}  // namespace proveout
