@@ -262,12 +262,14 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
   return checkMemory(job, work, run.resolution_mm);
 }
 
-/// Volume of the blank: of a saved stock, what is left in it; its own figure is that of its first blank.
-Result<double> volumeOf(const Stock& stock, const Blank& blank, const Job& job, Progress& progress) {
-  if (!std::holds_alternative<SavedStock>(blank.shape)) return stock.initialVolume();
-  const Result<StockSurface> surface = stock.surface(job.simulation.threads, progress);
-  if (!surface) return surface.error();
-  return surface->volume_mm3;
+/// Part of the volume up to which the integral over the grid's crossings is the closed form but for rounding.
+constexpr double kSameVolume = 1e-6;
+
+/// Volume of what a run starts with: what the grid holds of it, as all volumes behind it are integrals over
+/// that grid. Where the blank's own volume is the same but for rounding, that.
+double startVolume(const Blank& blank, double own_mm3, double held_mm3) {
+  const bool same = std::abs(held_mm3 - own_mm3) <= kSameVolume * own_mm3;
+  return same && !std::holds_alternative<SavedStock>(blank.shape) ? own_mm3 : held_mm3;
 }
 
 /// What a clamping made, looked at: topology, bodies, findings.
@@ -306,9 +308,8 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
   Stopwatch watch;
   Result<Stock> stock = takeStock(blank, job, progress);
   if (!stock) return stock.error();
-  Result<double> volume = volumeOf(*stock, blank, job, progress);
-  if (!volume) return volume.error();
   run.performance.remove_s += watch.lap();
+  double left_mm3 = 0.0;
   for (std::size_t k = 0; k < run.setups.size(); ++k) {
     SetupRun& setup = run.setups[k];
     Result<std::vector<FixtureStock>> fixtures = makeFixtures(setup.job, run.resolution_mm, progress);
@@ -319,8 +320,13 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
       if (!stock) return stock.error();
       run.performance.remove_s += watch.lap();
     }
-    if (Status done = machineSetup(*stock, *volume, setup, run.performance, progress); !done) return done;
-    volume = setup.surface.volume_mm3;
+    const Result<double> held = stock->volume(job.simulation.threads, progress);
+    if (!held) return held.error();
+    run.performance.remove_s += watch.lap();
+    const double initial_mm3 = k == 0 ? startVolume(blank, stock->initialVolume(), *held) : left_mm3;
+    if (Status done = machineSetup(*stock, initial_mm3, *held, setup, run.performance, progress); !done)
+      return done;
+    left_mm3 = setup.surface.volume_mm3;
     std::vector<Finding> touched;
     if (Status done = addFixtureContacts(*fixtures, setup, *sources[k], touched, progress); !done)
       return done;
@@ -335,8 +341,8 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
 
 }  // namespace
 
-Status machineSetup(Stock& stock, double initial_mm3, SetupRun& setup, ReportPerformance& performance,
-                    Progress& progress) {
+Status machineSetup(Stock& stock, double initial_mm3, double held_mm3, SetupRun& setup,
+                    ReportPerformance& performance, Progress& progress) {
   Stopwatch watch;
   const RemovalOptions options = removalOptions(setup.job, stock.resolution());
   Result<RemovalSummary> removal = stock.remove(setup.interpreted.path, setup.job.tools, options, progress);
@@ -348,7 +354,11 @@ Status machineSetup(Stock& stock, double initial_mm3, SetupRun& setup, ReportPer
   Result<StockSurface> surface = stock.surface(surface_options, progress);
   if (!surface) return surface.error();
   performance.mesh_s += watch.lap();
-  fitRemovedVolume(*removal, initial_mm3 - surface->volume_mm3);
+  // Of one grid, so that what no tool reached cancels.
+  double removed_mm3 = held_mm3 - surface->volume_mm3;
+  if (surface->mesh.triangles.empty()) removed_mm3 = initial_mm3;  // whatever moves and rounding made of it
+  surface->volume_mm3 = initial_mm3 - removed_mm3;
+  fitRemovedVolume(*removal, removed_mm3);
   setup.removal = std::move(*removal);
   setup.surface = std::move(*surface);
   setup.initial_mm3 = initial_mm3;

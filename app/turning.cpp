@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "app/blame.h"
@@ -209,9 +210,18 @@ Status takePart(const Job& job, const TurnedStock& stock, const std::optional<Bo
   return Done{};
 }
 
+/// Of the sections alone; the same, bit for bit, for the same bodies in any order.
+double sectionVolume(const TurnedShape& shape) {
+  std::vector<double> volumes;
+  for (const SectionBody& body : shape.bodies) volumes.push_back(body.volume_mm3);
+  std::sort(volumes.begin(), volumes.end());
+  return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+}
+
 Status machineOne(const Job& job, Clamped& clamped, const std::optional<Box3>& nominal, bool last,
                   RunResult& run, SetupRun& setup, Progress& progress) {
   Stopwatch watch;
+  const double held_mm3 = sectionVolume(clamped.stock.shape());
   Result<RemovalSummary> removal = clamped.stock.remove(setup.interpreted.path, setup.job.tools, progress);
   if (!removal) return removal.error();
   run.performance.remove_s += watch.lap();
@@ -224,6 +234,9 @@ Status machineOne(const Job& job, Clamped& clamped, const std::optional<Box3>& n
   for (const StockBody& body : clamped.apart) setup.initial_mm3 += body.volume_mm3;
   setup.surface.volume_mm3 = 0.0;
   for (const StockBody& body : setup.bodies) setup.surface.volume_mm3 += body.volume_mm3;
+  // Sections that nothing was taken from are the same to the last digit; sums and moves of them are not.
+  if (setup.turned->threads.empty())
+    setup.surface.volume_mm3 = setup.initial_mm3 - (held_mm3 - sectionVolume(*setup.turned));
   fitRemovedVolume(*removal, setup.initial_mm3 - setup.surface.volume_mm3);
   setup.removal = std::move(*removal);
   return Done{};

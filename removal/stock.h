@@ -119,6 +119,9 @@ class Stock {
   Result<StockSurface> surface(const SurfaceOptions& options, Progress& progress) const;
   /// With the default tolerance.
   Result<StockSurface> surface(int threads, Progress& progress) const;
+  /// StockSurface::volume_mm3 alone, mm3. What a path took is this before it less this after it: exactly 0
+  /// where it took nothing. `threads` as in SurfaceOptions. Errors: as surface.
+  Result<double> volume(int threads, Progress& progress) const;
 
   /// The stock at another place, as a blank on a grid of the same spacing; which motion made a surface is not
   /// known any more. Exact where movesExactly; else it is built anew from the surface's mesh: a curved wall
@@ -131,7 +134,9 @@ class Stock {
   /// a grid of 0.2 mm on faces with radii below two cells.
   Status save(const std::string& path) const;
 
-  double initialVolume() const;  ///< mm3, of the blank
+  /// Of the blank's own shape, mm3: by its closed form, or of its mesh; volume() differs by what the grid
+  /// cannot hold. Of a saved stock that of its first blank.
+  double initialVolume() const;
   double resolution() const;     ///< mm
   Box3 bounds() const;           ///< of the blank, mm
 
