@@ -309,7 +309,8 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
   Result<Stock> stock = takeStock(blank, job, progress);
   if (!stock) return stock.error();
   run.performance.remove_s += watch.lap();
-  double left_mm3 = 0.0;
+  // What is clamped: as the report tells it, and by its own shape.
+  double left_mm3 = 0.0, own_mm3 = stock->initialVolume();
   for (std::size_t k = 0; k < run.setups.size(); ++k) {
     SetupRun& setup = run.setups[k];
     Result<std::vector<FixtureStock>> fixtures = makeFixtures(setup.job, run.resolution_mm, progress);
@@ -323,10 +324,15 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
     const Result<double> held = stock->volume(job.simulation.threads, progress);
     if (!held) return held.error();
     run.performance.remove_s += watch.lap();
-    const double initial_mm3 = k == 0 ? startVolume(blank, stock->initialVolume(), *held) : left_mm3;
+    if (k > 0 || !std::holds_alternative<SavedStock>(blank.shape))
+      inSetup(run, setup, [&](std::vector<Finding>& findings) {
+        addGridVolume(own_mm3, *held, run.resolution_mm, findings);
+      });
+    const double initial_mm3 = k == 0 ? startVolume(blank, own_mm3, *held) : left_mm3;
     if (Status done = machineSetup(*stock, initial_mm3, *held, setup, run.performance, progress); !done)
       return done;
     left_mm3 = setup.surface.volume_mm3;
+    own_mm3 = *held - (initial_mm3 - left_mm3);
     std::vector<Finding> touched;
     if (Status done = addFixtureContacts(*fixtures, setup, *sources[k], touched, progress); !done)
       return done;

@@ -236,7 +236,8 @@ Status machineOne(const Job& job, Clamped& clamped, const std::optional<Box3>& n
   for (const StockBody& body : setup.bodies) setup.surface.volume_mm3 += body.volume_mm3;
   // Sections that nothing was taken from are the same to the last digit; sums and moves of them are not.
   if (setup.turned->threads.empty())
-    setup.surface.volume_mm3 = setup.initial_mm3 - (held_mm3 - sectionVolume(*setup.turned));
+    setup.surface.volume_mm3 =
+        setup.bodies.empty() ? 0.0 : setup.initial_mm3 - (held_mm3 - sectionVolume(*setup.turned));
   fitRemovedVolume(*removal, setup.initial_mm3 - setup.surface.volume_mm3);
   setup.removal = std::move(*removal);
   return Done{};

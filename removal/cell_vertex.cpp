@@ -233,7 +233,7 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   if (known) exactly.emplace(*exact, faces);
   VertexRefiner* refiner = exactly ? &*exactly : nullptr;
   Vec3 apex;
-  if (findApex(points, mean, apex) && (count == 1 || spanSpace(points)))
+  if (spanSpace(points) && findApex(points, mean, apex))
     return apexVertex(points, mean, sum, refiner, apex);
   if (count == 1 || alike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
   findSurfaces(points, faces);

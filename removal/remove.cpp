@@ -81,6 +81,7 @@ class Remover {
   std::vector<Crossing> findCrossings(const CutLeaf& leaf, const LeafEdges& edges,
                                       const std::vector<Crossing>& before);
   void addLost(RemovalSummary& out) const;
+  void countCrossings(std::vector<float>& removed_mm3, float unit_mm3) const;
 
   Stock::Impl& impl_;
   const Toolpath& path_;
@@ -360,6 +361,15 @@ void Remover::addLost(RemovalSummary& out) const {
   out.lost_film_mm2 = static_cast<double>(edges) * impl_.h * impl_.h;
 }
 
+/// What goes through between the samples leaves crossings alone: each counts for the motion that made it.
+void Remover::countCrossings(std::vector<float>& removed_mm3, float unit_mm3) const {
+  for (const StockLeaf& leaf : impl_.leaves) {
+    for (const Crossing& c : leaf.crossings) {
+      if (c.motion < removed_mm3.size()) removed_mm3[c.motion] += unit_mm3;
+    }
+  }
+}
+
 RemovalSummary Remover::summary() const {
   RemovalSummary out;
   addLost(out);
@@ -367,8 +377,12 @@ RemovalSummary Remover::summary() const {
   out.voxel_evaluations = evaluations_;
   const double unit = kVolumeUnit * impl_.h * impl_.h * impl_.h;
   out.removed_mm3.reserve(removed_.size());
-  for (const auto& r : removed_)
+  bool any = false;
+  for (const auto& r : removed_) {
+    any = any || r.load() > 0;
     out.removed_mm3.push_back(static_cast<float>(static_cast<double>(r.load()) * unit));
+  }
+  if (!any) countCrossings(out.removed_mm3, static_cast<float>(unit));
 
   out.contacts = found_contacts_;
   return out;

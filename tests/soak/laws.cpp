@@ -84,6 +84,7 @@ Broken closed(const LawCase& c) {
 
 Broken meshVolumes(const LawCase& c) {
   const SetupRun& last = c.whole.setups.back();
+  if (last.surface.mesh.triangles.empty()) return std::nullopt;
   const double part = last.turned ? (last.bodies.empty() ? 0.0 : last.bodies.front().volume_mm3) : finalOf(c.whole);
   const double area = meshArea(last.surface.mesh), mesh = last.extent.volume_mm3;
   const double within = last.turned ? 0.1 * last.job.simulation.profile_resolution_mm * 2 : c.whole.resolution_mm * 0.1;
