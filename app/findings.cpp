@@ -246,7 +246,7 @@ void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface,
     finding.where = surface.first_thin_cell;
     finding.area_mm2 = static_cast<double>(surface.thin_cells) * resolution_mm * resolution_mm;
     finding.message = fmt::format(
-        "a wall or gap thinner than the grid of {:g} mm runs through {} of its cells and is not exact there; "
+        "a wall, gap or ridge thinner than the grid of {:g} mm runs through {} of its cells and is not exact there; "
         "take a "
         "finer resolution",
         resolution_mm, surface.thin_cells);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "app/clearance.h"
@@ -262,6 +263,13 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
   return checkMemory(job, work, run.resolution_mm);
 }
 
+SurfaceOptions surfaceOptions(const Job& setup, double resolution_mm) {
+  SurfaceOptions options;
+  options.simplify_mm = simplification(setup, resolution_mm);
+  options.threads = setup.simulation.threads;
+  return options;
+}
+
 /// Part of the volume up to which the integral over the grid's crossings is the closed form but for rounding.
 constexpr double kSameVolume = 1e-6;
 
@@ -321,7 +329,7 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
       if (!stock) return stock.error();
       run.performance.remove_s += watch.lap();
     }
-    const Result<double> held = stock->volume(job.simulation.threads, progress);
+    const Result<double> held = stock->volume(surfaceOptions(setup.job, stock->resolution()), progress);
     if (!held) return held.error();
     run.performance.remove_s += watch.lap();
     if (k > 0 || !std::holds_alternative<SavedStock>(blank.shape))
@@ -345,6 +353,15 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
   return Done{};
 }
 
+/// What a path took, mm3: by the integrals over one grid before and after it, so that what no tool reached
+/// cancels. Where walls share cells these may be off by more than little cuts take, even below 0; then what
+/// the columns of the grid count stands.
+double removedVolume(const RemovalSummary& removal, double before_mm3, double after_mm3) {
+  if (after_mm3 <= before_mm3) return before_mm3 - after_mm3;
+  const double counted = std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
+  return std::min(counted, before_mm3);
+}
+
 }  // namespace
 
 Status machineSetup(Stock& stock, double initial_mm3, double held_mm3, SetupRun& setup,
@@ -354,15 +371,12 @@ Status machineSetup(Stock& stock, double initial_mm3, double held_mm3, SetupRun&
   Result<RemovalSummary> removal = stock.remove(setup.interpreted.path, setup.job.tools, options, progress);
   if (!removal) return removal.error();
   performance.remove_s += watch.lap();
-  SurfaceOptions surface_options;
-  surface_options.simplify_mm = simplification(setup.job, stock.resolution());
-  surface_options.threads = setup.job.simulation.threads;
-  Result<StockSurface> surface = stock.surface(surface_options, progress);
+  Result<StockSurface> surface = stock.surface(surfaceOptions(setup.job, stock.resolution()), progress);
   if (!surface) return surface.error();
   performance.mesh_s += watch.lap();
-  // Of one grid, so that what no tool reached cancels.
-  double removed_mm3 = held_mm3 - surface->volume_mm3;
-  if (surface->mesh.triangles.empty()) removed_mm3 = initial_mm3;  // whatever moves and rounding made of it
+  const double removed_mm3 = surface->mesh.triangles.empty()
+                                 ? initial_mm3  // whatever moves and rounding made of it
+                                 : removedVolume(*removal, held_mm3, surface->volume_mm3);
   surface->volume_mm3 = initial_mm3 - removed_mm3;
   fitRemovedVolume(*removal, removed_mm3);
   setup.removal = std::move(*removal);

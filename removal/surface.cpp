@@ -654,6 +654,7 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   if (!grid_.build(progress)) return hole;
   if (progress.cancelled()) return interrupted;
   unfoldVertices(grid_);
+  grid_.countThin();
   merger_.mergeLeaves();
   merger_.assign();
   progress.report("meshing", 0.4);
@@ -678,6 +679,14 @@ Result<StockSurface> Extractor::run(Progress& progress) {
 
 }  // namespace
 
+namespace {
+
+double toleranceOf(const Stock::Impl& impl, const SurfaceOptions& options) {
+  return options.simplify_mm < 0.0 ? kDefaultTolerance * impl.h : options.simplify_mm;
+}
+
+}  // namespace
+
 Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOptions& options,
                                     Progress& progress) {
   // A crossing each has two triangles at most, and vertices fewer: far from what 31 bits can number.
@@ -687,12 +696,11 @@ Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOption
     return Error{ErrorKind::kResourceLimit,
                  "the surface has more vertices than a mesh can number; take a coarser resolution"};
   }
-  const double tolerance = options.simplify_mm < 0.0 ? kDefaultTolerance * impl.h : options.simplify_mm;
-  return Extractor(impl, tolerance).run(progress);
+  return Extractor(impl, toleranceOf(impl, options)).run(progress);
 }
 
-Result<double> measureVolume(const Stock::Impl& impl, Progress& progress) {
-  return Extractor(impl, 0.0).volume(progress);
+Result<double> measureVolume(const Stock::Impl& impl, const SurfaceOptions& options, Progress& progress) {
+  return Extractor(impl, toleranceOf(impl, options)).volume(progress);
 }
 
 Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& progress) const {
@@ -706,10 +714,10 @@ Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& pro
   }
 }
 
-Result<double> Stock::volume(int threads, Progress& progress) const {
-  const ThreadLimit limit(threads);
+Result<double> Stock::volume(const SurfaceOptions& options, Progress& progress) const {
+  const ThreadLimit limit(options.threads);
   try {
-    return measureVolume(*impl_, progress);
+    return measureVolume(*impl_, options, progress);
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::kResourceLimit, "not enough memory for the volume; take a coarser resolution"};
   } catch (const std::exception& e) {
