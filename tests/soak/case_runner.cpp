@@ -38,7 +38,8 @@ Result<RunResult> CaseRunner::run(const std::string& job, const RunOptions& opti
   loaded.simulation.threads = options.threads;
   loaded.output.views.clear();
   if (options.until > 0)
-    (loaded.setups.empty() ? loaded.settings : loaded.setups.back().settings).until = UntilBlock{options.until, std::nullopt};
+    (loaded.setups.empty() ? loaded.settings : loaded.setups.back().settings).until =
+        UntilBlock{options.until, std::nullopt};
   const JobSources sources(loaded);
   Progress progress;
   Result<RunResult> result = runPipeline(loaded, sources.all(), progress);

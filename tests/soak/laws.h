@@ -26,7 +26,7 @@ struct Law {
 const std::vector<Law>& laws();
 
 struct Judged {
-  bool ran = false;              ///< false: the job was refused, with `why`
+  bool ran = false;  ///< false: the job was refused, with `why`
   std::string why;
   std::vector<std::string> broken;  ///< "law: what is wrong"
 };

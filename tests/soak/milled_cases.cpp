@@ -70,8 +70,10 @@ Blank roundBlank(Random& random, Bounds b, double least_wall) {
 /// A prism over a polygon that is turned about all axes, as OBJ.
 std::string prismObj(Random& random, const Bounds& b) {
   const int n = random.whole(3, 9);
-  const double radius = 0.5 * std::min({b.size(0), b.size(1), b.size(2)}), half = radius * random.number(0.3, 1.0);
-  const double a = random.chance(0.4) ? 0.0 : random.number(0, 6.2), t = random.chance(0.4) ? 0.0 : random.number(0, 3.1);
+  const double radius = 0.5 * std::min({b.size(0), b.size(1), b.size(2)}),
+               half = radius * random.number(0.3, 1.0);
+  const double a = random.chance(0.4) ? 0.0 : random.number(0, 6.2),
+               t = random.chance(0.4) ? 0.0 : random.number(0, 3.1);
   const bool star = random.chance(0.3);
   std::string text;
   for (const double z : {-half, half}) {
@@ -79,16 +81,17 @@ std::string prismObj(Random& random, const Bounds& b) {
       const double w = 2 * std::numbers::pi * i / n, r = radius * (star && i % 2 == 1 ? 0.55 : 0.95);
       const double x = r * std::cos(w), y = r * std::sin(w);
       const double y1 = y * std::cos(t) - z * std::sin(t), z1 = y * std::sin(t) + z * std::cos(t);
-      text += fmt::format("v {:.5f} {:.5f} {:.5f}\n", 0.5 * (b.min[0] + b.max[0]) + x * std::cos(a) - y1 * std::sin(a),
-                          0.5 * (b.min[1] + b.max[1]) + x * std::sin(a) + y1 * std::cos(a),
-                          0.5 * (b.min[2] + b.max[2]) + z1);
+      text += fmt::format(
+          "v {:.5f} {:.5f} {:.5f}\n", 0.5 * (b.min[0] + b.max[0]) + x * std::cos(a) - y1 * std::sin(a),
+          0.5 * (b.min[1] + b.max[1]) + x * std::sin(a) + y1 * std::cos(a), 0.5 * (b.min[2] + b.max[2]) + z1);
     }
   }
   // Caps as fans about their middles, which lie inside a star too.
   for (const double z : {-half, half}) {
-    text += fmt::format("v {:.5f} {:.5f} {:.5f}\n", 0.5 * (b.min[0] + b.max[0]) + z * std::sin(t) * std::sin(a),
-                        0.5 * (b.min[1] + b.max[1]) - z * std::sin(t) * std::cos(a),
-                        0.5 * (b.min[2] + b.max[2]) + z * std::cos(t));
+    text +=
+        fmt::format("v {:.5f} {:.5f} {:.5f}\n", 0.5 * (b.min[0] + b.max[0]) + z * std::sin(t) * std::sin(a),
+                    0.5 * (b.min[1] + b.max[1]) - z * std::sin(t) * std::cos(a),
+                    0.5 * (b.min[2] + b.max[2]) + z * std::cos(t));
   }
   for (int i = 0; i < n; ++i) {
     const int k = (i + 1) % n;
@@ -115,13 +118,16 @@ std::string randomTool(Random& random, int number, double size) {
       return text + fmt::format("type = \"drill\"\ndiameter = {:.4f}\npoint_angle = {:.1f}\n", d,
                                 random.number(60, 150));
     case 6:
-      return text + fmt::format("type = \"cone\"\ndiameter = {:.4f}\ncone_angle = {:.1f}\ntip_diameter = {:.4f}\n", d,
-                                random.number(30, 120), random.chance(0.5) ? 0.0 : random.number(0.05, 0.6) * d);
+      return text +
+             fmt::format("type = \"cone\"\ndiameter = {:.4f}\ncone_angle = {:.1f}\ntip_diameter = {:.4f}\n",
+                         d, random.number(30, 120), random.chance(0.5) ? 0.0 : random.number(0.05, 0.6) * d);
     case 7:
-      return text + fmt::format("type = \"tslot\"\ndiameter = {:.4f}\nthickness = {:.4f}\nneck_diameter = {:.4f}\n",
-                                d, 0.4 * d, 0.4 * d);
+      return text +
+             fmt::format("type = \"tslot\"\ndiameter = {:.4f}\nthickness = {:.4f}\nneck_diameter = {:.4f}\n",
+                         d, 0.4 * d, 0.4 * d);
     default:
-      return text + fmt::format("type = \"lollipop\"\ndiameter = {:.4f}\nneck_diameter = {:.4f}\n", d, 0.5 * d);
+      return text +
+             fmt::format("type = \"lollipop\"\ndiameter = {:.4f}\nneck_diameter = {:.4f}\n", d, 0.5 * d);
   }
 }
 
@@ -157,7 +163,9 @@ class ProgramWriter {
 
  private:
   double safe() const { return b_.max[2] + 5.0; }
-  double level(int axis) { return random_.number(b_.min[axis] - 0.1 * b_.size(axis), b_.max[axis] + 0.1 * b_.size(axis)); }
+  double level(int axis) {
+    return random_.number(b_.min[axis] - 0.1 * b_.size(axis), b_.max[axis] + 0.1 * b_.size(axis));
+  }
   double height() { return random_.number(b_.min[2] - 0.05 * b_.size(2), b_.max[2] + 0.15 * b_.size(2)); }
   void goTo(bool deep) {
     at_ = {level(0), level(1), deep ? height() : b_.max[2] - 0.2 * b_.size(2) * random_.unit()};
@@ -177,7 +185,8 @@ class ProgramWriter {
     at_ = to;
   }
   void arc(bool helix) {
-    const double radius = random_.number(0.05, 0.5) * std::max(b_.size(0), b_.size(1)), from = random_.number(0, 6.28);
+    const double radius = random_.number(0.05, 0.5) * std::max(b_.size(0), b_.size(1)),
+                 from = random_.number(0, 6.28);
     const double i = radius * std::cos(from), j = radius * std::sin(from);
     const bool full = random_.chance(0.4);
     Point to = at_;
@@ -188,8 +197,8 @@ class ProgramWriter {
     if (helix) to[2] = height();
     // Several turns: L on the block of the arc.
     const std::string turns = helix && random_.chance(0.5) ? fmt::format(" L{}", random_.whole(2, 12)) : "";
-    out_.add(fmt::format("G{} X{:.4f} Y{:.4f} Z{:.4f} I{:.4f} J{:.4f}{}", random_.whole(2, 3), to[0], to[1], to[2], i, j,
-                         turns));
+    out_.add(fmt::format("G{} X{:.4f} Y{:.4f} Z{:.4f} I{:.4f} J{:.4f}{}", random_.whole(2, 3), to[0], to[1],
+                         to[2], i, j, turns));
     at_ = to;
     out_.add("G1 F300");
   }
@@ -202,8 +211,8 @@ class ProgramWriter {
 };
 
 std::string idleProgram(const Bounds& b) {
-  return fmt::format("G21 G90 G17\nT1 M6\nS1000 M3\nG0 X{:.3f} Y{:.3f} Z{:.3f}\nG1 X{:.3f} F300\nM30\n", b.min[0], b.min[1],
-                     b.max[2] + 5, b.max[0]);
+  return fmt::format("G21 G90 G17\nT1 M6\nS1000 M3\nG0 X{:.3f} Y{:.3f} Z{:.3f}\nG1 X{:.3f} F300\nM30\n",
+                     b.min[0], b.min[1], b.max[2] + 5, b.max[0]);
 }
 
 std::string clampToml(Random& random, const Bounds& b, double grid, const std::string& table) {
@@ -213,8 +222,9 @@ std::string clampToml(Random& random, const Bounds& b, double grid, const std::s
     return fmt::format("[[{}]]\nname = \"clamp\"\nshape = \"box\"\nmin = {}\nmax = {}\n", table,
                        triple({x, b.min[1], b.min[2]}), triple({x + wide, b.max[1], b.max[2] + 2}));
   }
-  return fmt::format("[[{}]]\nname = \"pin\"\nshape = \"cylinder\"\nbase = {}\nlength = {:.4f}\nradius = {:.4f}\n", table,
-                     triple({x, b.min[1], b.min[2]}), b.size(2) + 2.1 * grid, wide);
+  return fmt::format(
+      "[[{}]]\nname = \"pin\"\nshape = \"cylinder\"\nbase = {}\nlength = {:.4f}\nradius = {:.4f}\n", table,
+      triple({x, b.min[1], b.min[2]}), b.size(2) + 2.1 * grid, wide);
 }
 
 /// Where a box is after a turn by the degrees of a fixed Z, or over X.
@@ -257,7 +267,8 @@ void writeSetups(Random& random, const Blank& blank, double grid, const Heads& h
       const bool flip = random.chance(0.5);
       const Point shift{random.number(-5, 5), random.number(-5, 5), random.number(-5, 5)};
       b = turned(b, deg, flip, shift);
-      transform = fmt::format("[setup.transform]\nrotate = [{}, 0, {:g}]\ntranslate = {}\n", flip ? 180 : 0, deg, triple(shift));
+      transform = fmt::format("[setup.transform]\nrotate = [{}, 0, {:g}]\ntranslate = {}\n", flip ? 180 : 0,
+                              deg, triple(shift));
     }
     const std::string fixture = random.chance(0.3) ? clampToml(random, b, grid, "setup.fixture") : "";
     job += text + program + "\"\n" + transform + fixture;
@@ -293,17 +304,20 @@ void makeMilled(Random& random, SoakCase& out) {
   for (int tool = 1; tool <= heads.tool_count; ++tool) heads.tools += randomTool(random, tool, size);
   if (out.kind == Kind::kSetups) return writeSetups(random, blank, grid, heads, out);
 
-  const Program program = ProgramWriter(random, blank.bounds, out.kind == Kind::kHelix).write(heads.tool_count);
+  const Program program =
+      ProgramWriter(random, blank.bounds, out.kind == Kind::kHelix).write(heads.tool_count);
   out.files["part.nc"] = program.text;
   out.files["idle.nc"] = idleProgram(blank.bounds);
   out.stops = program.stops;
   std::string stock = blank.toml, rest = heads.tools + heads.simulation;
   const std::string part = "program = \"part.nc\"\n", idle = "program = \"idle.nc\"\n";
-  if (out.kind == Kind::kFixtures || random.chance(0.15)) rest += clampToml(random, blank.bounds, grid, "fixture");
+  if (out.kind == Kind::kFixtures || random.chance(0.15))
+    rest += clampToml(random, blank.bounds, grid, "fixture");
   if (out.kind == Kind::kSavedStock) {
     const Program before = ProgramWriter(random, blank.bounds, false).write(1);
     out.files["before.nc"] = before.text;
-    out.files["before.toml"] = heads.top + "program = \"before.nc\"\n" + stock + heads.tools + heads.simulation;
+    out.files["before.toml"] =
+        heads.top + "program = \"before.nc\"\n" + stock + heads.tools + heads.simulation;
     stock = "[stock]\nshape = \"vdb\"\nfile = \"before.vdb\"\n";
     rest = heads.tools;
   }

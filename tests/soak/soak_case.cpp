@@ -13,9 +13,9 @@ SoakCase makeCase(std::uint64_t seed) {
   out.seed = seed;
   Random random(seed);
   // Thin blanks and several clampings are where faults were: they come twice as often.
-  constexpr Kind kOrder[] = {Kind::kMill,      Kind::kThinBlank,  Kind::kSetups,   Kind::kFixtures,
+  constexpr Kind kOrder[] = {Kind::kMill,       Kind::kThinBlank, Kind::kSetups,    Kind::kFixtures,
                              Kind::kSavedStock, Kind::kMeshBlank, Kind::kThinBlank, Kind::kSetups,
-                             Kind::kHelix,     Kind::kLathe,      Kind::kLathe,    Kind::kLatheSetups};
+                             Kind::kHelix,      Kind::kLathe,     Kind::kLathe,     Kind::kLatheSetups};
   out.kind = kOrder[random.whole(0, static_cast<int>(std::size(kOrder)) - 1)];
   out.turns = out.kind == Kind::kLathe || out.kind == Kind::kLatheSetups;
   if (out.turns) {

@@ -28,7 +28,17 @@ class Random {
   std::uint64_t state_;
 };
 
-enum class Kind { kMill, kSetups, kFixtures, kSavedStock, kMeshBlank, kThinBlank, kHelix, kLathe, kLatheSetups };
+enum class Kind {
+  kMill,
+  kSetups,
+  kFixtures,
+  kSavedStock,
+  kMeshBlank,
+  kThinBlank,
+  kHelix,
+  kLathe,
+  kLatheSetups
+};
 inline constexpr int kKinds = 9;
 const char* kindName(Kind kind);
 
@@ -39,8 +49,8 @@ struct SoakCase {
   std::map<std::string, std::string> files;
   /// The same job with programs that stay away from the blank: job file "idle.toml".
   bool turns = false;
-  std::vector<int> stops;      ///< lines of the last program at which a run may stop, growing
-  std::string last_setup;      ///< name of the last clamping; empty without setups
+  std::vector<int> stops;  ///< lines of the last program at which a run may stop, growing
+  std::string last_setup;  ///< name of the last clamping; empty without setups
 };
 
 /// The case of a seed.

@@ -41,7 +41,8 @@ bool parse(int argc, char** argv, Arguments& out) {
 }
 
 void printCase(std::uint64_t seed) {
-  for (const auto& [name, text] : proveout::soak::makeCase(seed).files) std::printf("=== %s\n%s", name.c_str(), text.c_str());
+  for (const auto& [name, text] : proveout::soak::makeCase(seed).files)
+    std::printf("=== %s\n%s", name.c_str(), text.c_str());
 }
 
 }  // namespace
@@ -75,9 +76,10 @@ int main(int argc, char** argv) {
     if (seconds > 5.0) std::printf("seed %llu took %.1f s\n", static_cast<unsigned long long>(seed), seconds);
     std::fflush(stdout);
   }
-  for (const auto& [why, times] : reasons) std::printf("%6llu refused: %s\n", static_cast<unsigned long long>(times), why.c_str());
-  std::printf("%llu jobs from seed %llu, %llu refused, %llu break a law\n", static_cast<unsigned long long>(runs),
-              static_cast<unsigned long long>(arguments.first), static_cast<unsigned long long>(refused),
-              static_cast<unsigned long long>(bad));
+  for (const auto& [why, times] : reasons)
+    std::printf("%6llu refused: %s\n", static_cast<unsigned long long>(times), why.c_str());
+  std::printf("%llu jobs from seed %llu, %llu refused, %llu break a law\n",
+              static_cast<unsigned long long>(runs), static_cast<unsigned long long>(arguments.first),
+              static_cast<unsigned long long>(refused), static_cast<unsigned long long>(bad));
   return bad == 0 ? 0 : 1;
 }

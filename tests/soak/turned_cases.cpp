@@ -1,4 +1,5 @@
-// Random turned jobs for the wl4-lathe control; X words are diameters. No threads: their parts are laws of their own.
+// Random turned jobs for the wl4-lathe control; X words are diameters. No threads: their parts are laws of
+// their own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +16,9 @@ struct Bar {
 };
 
 std::string barToml(const Bar& bar) {
-  std::string text = fmt::format("[stock]\nshape = \"{}\"\nbase = [0, 0, {:.4f}]\nlength = {:.4f}\nradius = {:.4f}\n",
-                                 bar.bore > 0 ? "tube" : "cylinder", -bar.length, bar.length + 1, bar.radius);
+  std::string text =
+      fmt::format("[stock]\nshape = \"{}\"\nbase = [0, 0, {:.4f}]\nlength = {:.4f}\nradius = {:.4f}\n",
+                  bar.bore > 0 ? "tube" : "cylinder", -bar.length, bar.length + 1, bar.radius);
   if (bar.bore > 0) text += fmt::format("inner_radius = {:.4f}\n", bar.bore);
   return text;
 }
@@ -32,8 +34,9 @@ std::string tools(Random& random, const Bar& bar) {
       "[[tool]]\nnumber = 2\ntype = \"insert\"\nshape = \"groove\"\nwidth = {:.3f}\nnose_radius = {:.3f}\n"
       "orientation = 3\nedge_length = {:.2f}\nside_relief = 1\n",
       random.number(1.0, 4.0), random.chance(0.3) ? 0.0 : 0.2, bar.radius + 2);
-  text += fmt::format("[[tool]]\nnumber = 3\ntype = \"insert\"\nshape = \"round\"\nnose_radius = {:.3f}\norientation = 8\n",
-                      ball);
+  text += fmt::format(
+      "[[tool]]\nnumber = 3\ntype = \"insert\"\nshape = \"round\"\nnose_radius = {:.3f}\norientation = 8\n",
+      ball);
   text += fmt::format("[[tool]]\nnumber = 4\ntype = \"drill\"\ndiameter = {:.3f}\npoint_angle = {:.1f}\n",
                       random.number(0.2, 1.2) * bar.radius, random.number(90, 140));
   return text;
@@ -97,7 +100,8 @@ class ProgramWriter {
     } else if (style == 2) {
       arc();
     } else if (style == 3) {  // a layer as thin as rounding leaves it
-      out_.add(fmt::format("G1 X{:.4f} Z{:.4f} F0.1", x_ += random_.number(-0.01, 0.01), z_ += random_.number(-1, 1)));
+      out_.add(fmt::format("G1 X{:.4f} Z{:.4f} F0.1", x_ += random_.number(-0.01, 0.01),
+                           z_ += random_.number(-1, 1)));
     } else {
       out_.add(fmt::format("G1 X{:.4f} Z{:.4f} F0.1", x_ = x, z_ = z));
     }
@@ -127,8 +131,10 @@ void makeTurned(Random& random, SoakCase& out) {
   const std::string top = "schema = \"proveout.job/1\"\n[control]\nname = \"wl4-lathe\"\n";
   const std::string head = "schema = \"proveout.job/1\"\n", control = "[control]\nname = \"wl4-lathe\"\n";
   std::string rest = tools(random, bar);
-  if (random.chance(0.5)) rest += fmt::format("[simulation]\nprofile_resolution = {:g}\n", random.chance(0.5) ? 0.05 : 0.02);
-  const std::string idle = fmt::format("G54 G90 G95\nT1 M6\nG97 S800 M3\nG0 X{:.4f} Z6\nG1 Z-1 F0.2\nM2\n", 2 * bar.radius + 10);
+  if (random.chance(0.5))
+    rest += fmt::format("[simulation]\nprofile_resolution = {:g}\n", random.chance(0.5) ? 0.05 : 0.02);
+  const std::string idle =
+      fmt::format("G54 G90 G95\nT1 M6\nG97 S800 M3\nG0 X{:.4f} Z6\nG1 Z-1 F0.2\nM2\n", 2 * bar.radius + 10);
   std::string job = head, stay = head;
   const int setups = out.kind == Kind::kLatheSetups ? 2 : 1;
   std::string clampings, idle_clampings;
