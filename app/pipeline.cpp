@@ -362,6 +362,12 @@ double removedVolume(const RemovalSummary& removal, double before_mm3, double af
   return std::min(counted, before_mm3);
 }
 
+/// What was found on the part comes before what the grid could not hold.
+void tellThinFeaturesLast(std::vector<Finding>& findings) {
+  std::stable_partition(findings.begin(), findings.end(),
+                        [](const Finding& finding) { return finding.kind != "thin_feature"; });
+}
+
 }  // namespace
 
 Status machineSetup(Stock& stock, double initial_mm3, double held_mm3, SetupRun& setup,
@@ -446,7 +452,10 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   tellWordsInForce(sources, run);
   addMeshDefects(run.topology(), run.surface(), run.findings);
   if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
-  if (!prepared.nominal || run.surface().mesh.triangles.empty()) return std::move(run);
+  if (!prepared.nominal || run.surface().mesh.triangles.empty()) {
+    tellThinFeaturesLast(run.findings);
+    return std::move(run);
+  }
 
   if (!prepared.placement_told) noteMisplaced(job, *prepared.nominal, run);
   Stopwatch watch;
@@ -455,6 +464,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   if (run.comparison) dropRefuted(*run.comparison, run.findings);
   if (turnsPart(job)) run.nominal = std::move(prepared.nominal->mesh);
   run.performance.compare_s = watch.lap();
+  tellThinFeaturesLast(run.findings);
   return std::move(run);
 }
 

@@ -175,7 +175,7 @@ std::optional<Box3> nominalIn(const Job& job, const TriMesh* nominal, std::size_
 /// What one clamping is cut from.
 struct Clamped {
   TurnedStock stock;
-  double initial_mm3 = 0.0;      ///< of the stock
+  double initial_mm3 = 0.0;      ///< of the stock and of what fell off before
   std::vector<StockBody> apart;  ///< what fell off before, in this frame
 };
 
@@ -231,7 +231,6 @@ Status machineOne(const Job& job, Clamped& clamped, const std::optional<Box3>& n
   run.performance.mesh_s += watch.lap();
   setup.bodies.insert(setup.bodies.end(), clamped.apart.begin(), clamped.apart.end());
   setup.initial_mm3 = clamped.initial_mm3;
-  for (const StockBody& body : clamped.apart) setup.initial_mm3 += body.volume_mm3;
   setup.surface.volume_mm3 = 0.0;
   for (const StockBody& body : setup.bodies) setup.surface.volume_mm3 += body.volume_mm3;
   // Sections that nothing was taken from are the same to the last digit; sums and moves of them are not.
@@ -258,7 +257,7 @@ Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal,
       Result<TurnedStock> moved = clamped.stock.moved(before.turned->bodies.front(), setup.from_previous);
       if (!moved) return moved.error();
       clamped.stock = std::move(*moved);
-      clamped.initial_mm3 = before.bodies.front().volume_mm3;
+      clamped.initial_mm3 = before.surface.volume_mm3;
       clamped.apart.assign(before.bodies.begin() + 1, before.bodies.end());
       for (StockBody& body : clamped.apart) body.bounds = setup.from_previous(body.bounds);
     }

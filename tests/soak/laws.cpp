@@ -21,6 +21,10 @@ constexpr double kRounding = 1e-9;
 /// grid: such walls are lost and, cut again, may come back.
 constexpr double kThinShare = 0.02;
 
+/// How far a vertex of a milled part may be off without a word, in cells: where two floors with a step lower than
+/// a cell between them share a cell, its vertex lies halfway.
+constexpr double kPlaceCells = 0.5;
+
 double initialOf(const RunResult& run) { return run.setups.front().initial_mm3; }
 double finalOf(const RunResult& run) { return run.surface().volume_mm3; }
 
@@ -122,7 +126,7 @@ Broken places(const LawCase& c) {
     const double off = std::abs((*part)->at(p, 2.0).value);
     if (off > worst) worst = off, where = p;
   }
-  const double within = c.whole.setups.back().turned ? 0.01 : 0.25 * c.whole.resolution_mm;
+  const double within = c.whole.setups.back().turned ? 0.01 : kPlaceCells * c.whole.resolution_mm;
   if (worst <= within) return std::nullopt;
   return fmt::format("a vertex is {:.4f} mm off its place (grid {}) at X{:.3f} Y{:.3f} Z{:.3f}", worst,
                      c.whole.resolution_mm, where.x(), where.y(), where.z());

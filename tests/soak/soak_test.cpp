@@ -7,7 +7,7 @@ namespace proveout::soak {
 namespace {
 
 /// Cases a test; ten tests share the slice so that they run side by side.
-constexpr std::uint64_t kCases = 8;
+constexpr std::uint64_t kCases = 3;
 
 class Soak : public testing::TestWithParam<int> {};
 
