@@ -209,7 +209,8 @@ void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::v
   finding.severity = Severity::kWarning;
   finding.volume_mm3 = std::abs(off_mm3);
   finding.message = fmt::format(
-      "the grid of {:g} mm holds {:.5g} mm3 of what is clamped, which has {:.5g} mm3: it is too thin for the grid "
+      "the grid of {:g} mm holds {:.5g} mm3 of what is clamped, which has {:.5g} mm3: it is too thin for the "
+      "grid "
       "somewhere, and volumes are off by as much; take a finer resolution",
       resolution_mm, held_mm3, own_mm3);
   findings.push_back(std::move(finding));
@@ -246,7 +247,8 @@ void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface,
     finding.where = surface.first_thin_cell;
     finding.area_mm2 = static_cast<double>(surface.thin_cells) * resolution_mm * resolution_mm;
     finding.message = fmt::format(
-        "a wall, gap or ridge thinner than the grid of {:g} mm runs through {} of its cells and is not exact there; "
+        "a wall, gap or ridge thinner than the grid of {:g} mm runs through {} of its cells and is not exact "
+        "there; "
         "take a "
         "finer resolution",
         resolution_mm, surface.thin_cells);

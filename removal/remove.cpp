@@ -168,11 +168,12 @@ void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched, 
   addChords(pass, part.columns, m, arc);
 }
 
-/// Chords of a curve. Those of a helix about z lie under each other, turn by turn: where the lower ones cover all
-/// of the blank that the upper ones do, these are left out.
+/// Chords of a curve. Those of a helix about z lie under each other, turn by turn: where the lower ones cover
+/// all of the blank that the upper ones do, these are left out.
 void Remover::addChords(Pass pass, const ColumnSolid& columns, const Motion& m, const ArcGeometry& arc) {
   const ArcFrame frame = arcFrame(m.from, m.to, arc);
-  const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}), sweep = std::abs(arc.sweep_rad);
+  const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}),
+               sweep = std::abs(arc.sweep_rad);
   const double within = pass.part == ToolPart::kCutter ? kChordMm : kContactChordMm;
   const double step = std::sqrt(8.0 * std::min(within, radius) / radius), turn = 2.0 * kPi;
   const bool stacked = sweep > turn && !pass.watched && pass.part == ToolPart::kCutter &&
@@ -190,8 +191,8 @@ void Remover::addChords(Pass pass, const ColumnSolid& columns, const Motion& m, 
     const Vec3 to = i + 1 == chords ? m.to : arcPoint(frame, arc, (i + 1) * angle / sweep);
     pass.columns = columnLine(columns, from, to);
     from = to;
-    const bool has_lower = per_turn > 0 && !pass.columns.solid->round_top &&
-                           (falls ? i + per_turn + 1 < chords : i >= per_turn);
+    const bool has_lower =
+        per_turn > 0 && !pass.columns.solid->round_top && (falls ? i + per_turn + 1 < chords : i >= per_turn);
     pass.lower = has_lower ? (falls ? per_turn : -per_turn) : 0;
     if (has_lower && lowestTop(pass) - pitch >= blank_top) continue;
     table_.passes.push_back(pass);

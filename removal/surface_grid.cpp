@@ -17,7 +17,8 @@ constexpr double kThinReach = 0.1;
 /// Vertices this far (in cells) outside the blank are put back: more than the rounding of its crossings.
 constexpr double kBlankSlack = 1e-4;
 constexpr double kNoLimit = 1e12;
-/// Vertices farther off the surface, in cells, are told of: ridges and walls there are lost between the samples.
+/// Vertices farther off the surface, in cells, are told of: ridges and walls there are lost between the
+/// samples.
 constexpr double kOffBy = 0.2;
 /// Sheets of one cell keep their vertices this far apart (in cells), as seen from one to the other.
 constexpr double kSheetGap = 0.01;
@@ -253,7 +254,9 @@ class LeafPlacer {
 
   /// Whether a vertex is off the surface: on none of the faces whose crossings it has, or where another tool
   /// took what is there. Near to a crossing it is not.
+  /// Vertices of a blank whose faces are known are put onto them.
   bool isOff(const Vec3& p, int count) {
+    if (exact_.ofBlank()) return false;
     double nearest2 = kNoLimit, plane = kNoLimit;
     for (int i = 0; i < count; ++i) {
       const Vec3 from = p - points_[i].p;

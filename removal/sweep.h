@@ -9,8 +9,8 @@
 // Method: the distance to a convex solid is convex in the solid's position, so along a line its minimum over
 // time is found by closed form (level moves) or by Newton's method, which stops on a proven bound; along an
 // arc spans are bounded below by the chord's convexity less the sagitta, and split until the bound meets the
-// value. Curves of many turns are halved by the boxes around their parts, so that a point meets the turns near
-// it only (sweep_curve.cpp).
+// value. Curves of many turns are halved by the boxes around their parts, so that a point meets the turns
+// near it only (sweep_curve.cpp).
 #pragma once
 
 #include <array>

@@ -21,8 +21,8 @@ constexpr double kRounding = 1e-9;
 /// grid: such walls are lost and, cut again, may come back.
 constexpr double kThinShare = 0.02;
 
-/// How far a vertex of a milled part may be off without a word, in cells: where two floors with a step lower than
-/// a cell between them share a cell, its vertex lies halfway.
+/// How far a vertex of a milled part may be off without a word, in cells: where two floors with a step lower
+/// than a cell between them share a cell, its vertex lies halfway.
 constexpr double kPlaceCells = 0.5;
 
 double initialOf(const RunResult& run) { return run.setups.front().initial_mm3; }
