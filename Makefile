@@ -3,13 +3,16 @@ JOBS ?= $(shell nproc)
 DEMO ?= parts/bracket
 DEMO_OUT ?= out/$(notdir $(DEMO))
 BENCH ?=
+MINUTES ?= 5
+SEED ?= 1
 PROVEOUT := build/release/bin/proveout
 
-.PHONY: help deps build demo test bench asan tsan clean
+.PHONY: help deps build demo test soak bench asan tsan clean
 
 help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
 	@echo 'make test   the same build, then the whole test suite'
+	@echo 'make soak   random whole jobs against the laws of tests/soak; MINUTES=$(MINUTES) SEED=$(SEED)'
 	@echo 'make build  build alone: $(PROVEOUT)'
 	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well'
 	@echo 'make asan   the test suite under the address and undefined-behaviour sanitizers'
@@ -33,6 +36,9 @@ demo: build
 
 test: build
 	ctest --preset release -j $(JOBS) --output-on-failure
+
+soak: build
+	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED)
 
 bench: build
 	build/release/bin/bench_programs $(BENCH)

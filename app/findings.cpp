@@ -17,6 +17,9 @@ using report_text::figure;
 /// Share of the blank below which nothing was cut: rounding of the volume sums stays far under it.
 constexpr double kNothingCut = 1e-9;
 
+/// Part of a volume that a grid may miss without a word: a round blank four cells thick stays within it.
+constexpr double kHeldShare = 1e-3;
+
 /// A cut that is this many grid steps wide holds a sample wherever it runs: more than the diagonal of a
 /// square.
 constexpr double kCellsInAWidth = 1.5;
@@ -198,6 +201,21 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
   findings.push_back(std::move(finding));
 }
 
+void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::vector<Finding>& findings) {
+  const double off_mm3 = held_mm3 - own_mm3;
+  if (std::abs(off_mm3) <= kHeldShare * own_mm3) return;
+  Finding finding;
+  finding.kind = "thin_feature";
+  finding.severity = Severity::kWarning;
+  finding.volume_mm3 = std::abs(off_mm3);
+  finding.message = fmt::format(
+      "the grid of {:g} mm holds {:.5g} mm3 of what is clamped, which has {:.5g} mm3: it is too thin for the "
+      "grid "
+      "somewhere, and volumes are off by as much; take a finer resolution",
+      resolution_mm, held_mm3, own_mm3);
+  findings.push_back(std::move(finding));
+}
+
 void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,
                      const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
   Finding finding;
@@ -229,7 +247,8 @@ void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface,
     finding.where = surface.first_thin_cell;
     finding.area_mm2 = static_cast<double>(surface.thin_cells) * resolution_mm * resolution_mm;
     finding.message = fmt::format(
-        "a wall or gap thinner than the grid of {:g} mm runs through {} of its cells and is not exact there; "
+        "a wall, gap or ridge thinner than the grid of {:g} mm runs through {} of its cells and is not exact "
+        "there; "
         "take a "
         "finer resolution",
         resolution_mm, surface.thin_cells);

@@ -39,6 +39,10 @@ void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& com
 void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBody>& bodies,
                 std::vector<Finding>& findings);
 
+/// A blank, or a stock from the clamping before, that the grid does not hold: its volume there (`held_mm3`)
+/// is off its own by more than 0.1 % (a warning).
+void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::vector<Finding>& findings);
+
 /// Walls and films thinner than the grid can hold: what it lost, and where sheets of the surface share a cell
 /// (warnings).
 void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,

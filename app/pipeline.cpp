@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "app/clearance.h"
@@ -288,12 +289,21 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
   return checkTime(job, run.prediction);
 }
 
-/// Volume of the blank: of a saved stock, what is left in it; its own figure is that of its first blank.
-Result<double> volumeOf(const Stock& stock, const Blank& blank, const Job& job, Progress& progress) {
-  if (!std::holds_alternative<SavedStock>(blank.shape)) return stock.initialVolume();
-  const Result<StockSurface> surface = stock.surface(job.simulation.threads, progress);
-  if (!surface) return surface.error();
-  return surface->volume_mm3;
+SurfaceOptions surfaceOptions(const Job& setup, double resolution_mm) {
+  SurfaceOptions options;
+  options.simplify_mm = simplification(setup, resolution_mm);
+  options.threads = setup.simulation.threads;
+  return options;
+}
+
+/// Part of the volume up to which the integral over the grid's crossings is the closed form but for rounding.
+constexpr double kSameVolume = 1e-6;
+
+/// Volume of what a run starts with: what the grid holds of it, as all volumes behind it are integrals over
+/// that grid. Where the blank's own volume is the same but for rounding, that.
+double startVolume(const Blank& blank, double own_mm3, double held_mm3) {
+  const bool same = std::abs(held_mm3 - own_mm3) <= kSameVolume * own_mm3;
+  return same && !std::holds_alternative<SavedStock>(blank.shape) ? own_mm3 : held_mm3;
 }
 
 /// What a clamping made, looked at: topology, bodies, findings.
@@ -332,9 +342,9 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
   Stopwatch watch;
   Result<Stock> stock = takeStock(blank, job, progress);
   if (!stock) return stock.error();
-  Result<double> volume = volumeOf(*stock, blank, job, progress);
-  if (!volume) return volume.error();
   run.performance.remove_s += watch.lap();
+  // What is clamped: as the report tells it, and by its own shape.
+  double left_mm3 = 0.0, own_mm3 = stock->initialVolume();
   for (std::size_t k = 0; k < run.setups.size(); ++k) {
     SetupRun& setup = run.setups[k];
     Result<std::vector<FixtureStock>> fixtures = makeFixtures(setup.job, run.resolution_mm, progress);
@@ -345,8 +355,18 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
       if (!stock) return stock.error();
       run.performance.remove_s += watch.lap();
     }
-    if (Status done = machineSetup(*stock, *volume, setup, run.performance, progress); !done) return done;
-    volume = setup.surface.volume_mm3;
+    const Result<double> held = stock->volume(surfaceOptions(setup.job, stock->resolution()), progress);
+    if (!held) return held.error();
+    run.performance.remove_s += watch.lap();
+    if (k > 0 || !std::holds_alternative<SavedStock>(blank.shape))
+      inSetup(run, setup, [&](std::vector<Finding>& findings) {
+        addGridVolume(own_mm3, *held, run.resolution_mm, findings);
+      });
+    const double initial_mm3 = k == 0 ? startVolume(blank, own_mm3, *held) : left_mm3;
+    if (Status done = machineSetup(*stock, initial_mm3, *held, setup, run.performance, progress); !done)
+      return done;
+    left_mm3 = setup.surface.volume_mm3;
+    own_mm3 = *held - (initial_mm3 - left_mm3);
     std::vector<Finding> touched;
     if (Status done = addFixtureContacts(*fixtures, setup, *sources[k], touched, progress); !done)
       return done;
@@ -359,22 +379,38 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
   return Done{};
 }
 
+/// What a path took, mm3: by the integrals over one grid before and after it, so that what no tool reached
+/// cancels. Where walls share cells these may be off by more than little cuts take, even below 0; then what
+/// the columns of the grid count stands.
+double removedVolume(const RemovalSummary& removal, double before_mm3, double after_mm3) {
+  if (after_mm3 <= before_mm3) return before_mm3 - after_mm3;
+  const double counted = std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
+  return std::min(counted, before_mm3);
+}
+
+/// What was found on the part comes before what the grid could not hold.
+void tellThinFeaturesLast(std::vector<Finding>& findings) {
+  std::stable_partition(findings.begin(), findings.end(),
+                        [](const Finding& finding) { return finding.kind != "thin_feature"; });
+}
+
 }  // namespace
 
-Status machineSetup(Stock& stock, double initial_mm3, SetupRun& setup, ReportPerformance& performance,
-                    Progress& progress) {
+Status machineSetup(Stock& stock, double initial_mm3, double held_mm3, SetupRun& setup,
+                    ReportPerformance& performance, Progress& progress) {
   Stopwatch watch;
   const RemovalOptions options = removalOptions(setup.job, stock.resolution());
   Result<RemovalSummary> removal = stock.remove(setup.interpreted.path, setup.job.tools, options, progress);
   if (!removal) return removal.error();
   performance.remove_s += watch.lap();
-  SurfaceOptions surface_options;
-  surface_options.simplify_mm = simplification(setup.job, stock.resolution());
-  surface_options.threads = setup.job.simulation.threads;
-  Result<StockSurface> surface = stock.surface(surface_options, progress);
+  Result<StockSurface> surface = stock.surface(surfaceOptions(setup.job, stock.resolution()), progress);
   if (!surface) return surface.error();
   performance.mesh_s += watch.lap();
-  fitRemovedVolume(*removal, initial_mm3 - surface->volume_mm3);
+  const double removed_mm3 = surface->mesh.triangles.empty()
+                                 ? initial_mm3  // whatever moves and rounding made of it
+                                 : removedVolume(*removal, held_mm3, surface->volume_mm3);
+  surface->volume_mm3 = initial_mm3 - removed_mm3;
+  fitRemovedVolume(*removal, removed_mm3);
   setup.removal = std::move(*removal);
   setup.surface = std::move(*surface);
   setup.initial_mm3 = initial_mm3;
@@ -442,7 +478,10 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   tellWordsInForce(sources, run);
   addMeshDefects(run.topology(), run.surface(), run.findings);
   if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
-  if (!prepared.nominal || run.surface().mesh.triangles.empty()) return std::move(run);
+  if (!prepared.nominal || run.surface().mesh.triangles.empty()) {
+    tellThinFeaturesLast(run.findings);
+    return std::move(run);
+  }
 
   if (!prepared.placement_told) noteMisplaced(job, *prepared.nominal, run);
   Stopwatch watch;
@@ -451,6 +490,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   if (run.comparison) dropRefuted(*run.comparison, run.findings);
   if (turnsPart(job)) run.nominal = std::move(prepared.nominal->mesh);
   run.performance.compare_s = watch.lap();
+  tellThinFeaturesLast(run.findings);
   return std::move(run);
 }
 

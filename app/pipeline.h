@@ -26,7 +26,9 @@ struct SetupRun {
   RigidTransform from_previous;
   Interpreted interpreted;
   RemovalSummary removal;  ///< volumes fitted: their sum is initial less final
-  StockSurface surface;    ///< after it, in its frame
+  /// After it, in its frame. Its volume is initial_mm3 less what was removed: a move into another clamping
+  /// that is not exact changes the grid's own volume, and no tool has taken that.
+  StockSurface surface;
   std::vector<StockBody> bodies;
   MeshTopology topology;                      ///< of the surface's mesh
   MeshExtent extent;                          ///< of the surface's mesh
@@ -65,9 +67,10 @@ using RunSources = std::vector<const RecordingSource*>;
 double simplification(const Job& job, double resolution_mm);
 
 /// Cuts the path of a clamping into the stock and fills removal, surface and volume. The stock comes from the
-/// blank, or from the clamping before.
-Status machineSetup(Stock& stock, double initial_mm3, SetupRun& setup, ReportPerformance& performance,
-                    Progress& progress);
+/// blank, or from the clamping before. `initial_mm3`: its volume as the report tells it, `held_mm3`: as
+/// Stock::volume tells it now; what is left is the first less what the second falls by.
+Status machineSetup(Stock& stock, double initial_mm3, double held_mm3, SetupRun& setup,
+                    ReportPerformance& performance, Progress& progress);
 
 /// Adds what was repaired in a mesh as warnings with the given code.
 void noteRepairs(const PreparedMesh& mesh, const std::string& code, Diagnostics& diagnostics);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "app/blame.h"
@@ -187,7 +188,7 @@ std::optional<Box3> nominalIn(const Job& job, const TriMesh* nominal, std::size_
 /// What one clamping is cut from.
 struct Clamped {
   TurnedStock stock;
-  double initial_mm3 = 0.0;      ///< of the stock
+  double initial_mm3 = 0.0;      ///< of the stock and of what fell off before
   std::vector<StockBody> apart;  ///< what fell off before, in this frame
 };
 
@@ -226,9 +227,32 @@ Status takePart(const Job& job, const TurnedStock& stock, const Blank& blank,
   return Done{};
 }
 
+/// Of the sections alone; the same, bit for bit, for the same bodies in any order.
+double sectionVolume(const TurnedShape& shape) {
+  std::vector<double> volumes;
+  for (const SectionBody& body : shape.bodies) volumes.push_back(body.volume_mm3);
+  std::sort(volumes.begin(), volumes.end());
+  return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+}
+
+/// What is left of a clamping's stock, mm3. Sections that nothing was taken from are the same to the last
+/// digit; sums and moves of them are not, and neither are means over the angle where there are threads.
+double volumeLeft(const SetupRun& setup, const RemovalSummary& removal, double held_mm3) {
+  if (setup.bodies.empty()) return 0.0;
+  const double taken_mm3 = held_mm3 - sectionVolume(*setup.turned);
+  if (setup.turned->threads.empty()) return setup.initial_mm3 - taken_mm3;
+  const bool nothing = taken_mm3 == 0.0 && std::all_of(removal.removed_mm3.begin(), removal.removed_mm3.end(),
+                                                       [](float removed) { return removed == 0.0f; });
+  if (nothing) return setup.initial_mm3;
+  double sum = 0.0;
+  for (const StockBody& body : setup.bodies) sum += body.volume_mm3;
+  return std::min(sum, setup.initial_mm3);
+}
+
 Status machineOne(const Job& job, const Blank& blank, Clamped& clamped, const std::optional<Box3>& nominal,
                   bool last, RunResult& run, SetupRun& setup, Progress& progress) {
   Stopwatch watch;
+  const double held_mm3 = sectionVolume(clamped.stock.shape());
   Result<RemovalSummary> removal = clamped.stock.remove(setup.interpreted.path, setup.job.tools, progress);
   if (!removal) return removal.error();
   run.performance.remove_s += watch.lap();
@@ -239,9 +263,7 @@ Status machineOne(const Job& job, const Blank& blank, Clamped& clamped, const st
   run.performance.mesh_s += watch.lap();
   setup.bodies.insert(setup.bodies.end(), clamped.apart.begin(), clamped.apart.end());
   setup.initial_mm3 = clamped.initial_mm3;
-  for (const StockBody& body : clamped.apart) setup.initial_mm3 += body.volume_mm3;
-  setup.surface.volume_mm3 = 0.0;
-  for (const StockBody& body : setup.bodies) setup.surface.volume_mm3 += body.volume_mm3;
+  setup.surface.volume_mm3 = volumeLeft(setup, *removal, held_mm3);
   fitRemovedVolume(*removal, setup.initial_mm3 - setup.surface.volume_mm3);
   setup.removal = std::move(*removal);
   return Done{};
@@ -262,7 +284,7 @@ Status machineTurned(const Job& job, const Blank& blank, const TriMesh* nominal,
       Result<TurnedStock> moved = clamped.stock.moved(before.turned->bodies.front(), setup.from_previous);
       if (!moved) return moved.error();
       clamped.stock = std::move(*moved);
-      clamped.initial_mm3 = before.bodies.front().volume_mm3;
+      clamped.initial_mm3 = before.surface.volume_mm3;
       clamped.apart.assign(before.bodies.begin() + 1, before.bodies.end());
       for (StockBody& body : clamped.apart) body.bounds = setup.from_previous(body.bounds);
     }

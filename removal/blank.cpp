@@ -142,7 +142,7 @@ Status buildTurned(Stock::Impl& impl, const TurnedStockShape& turned, const Remo
   impl.field = field;
   impl.initial_volume = field->volume();
   if (turned.shape->threads.empty()) return Done{};
-  const Result<double> volume = measureVolume(impl, progress);
+  const Result<double> volume = measureVolume(impl, {}, progress);
   if (!volume) return volume.error();
   impl.initial_volume = *volume;
   return Done{};

@@ -220,18 +220,19 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   }
   mean /= static_cast<double>(points.size());
   Faces all;
-  // Where the bodies are known, they tell whether one face bends or breaks.
   const bool one_face =
       std::all_of(points.begin(), points.end(), [&](auto& s) { return s.face == points[0].face; });
   const bool known = exact != nullptr && exact->active();
-  const int count = collectFaces(points, known && one_face ? kBentCos : kSameFaceCos, all);
+  // Where its body is known, that tells whether one face bends or breaks. Faces of bodies that are not known
+  // are read alike before and after a path that does not reach them.
+  const bool body_tells = known && one_face && exact->source(points[0].face).body != ExactFaces::kNoBody;
+  const int count = collectFaces(points, body_tells ? kBentCos : kSameFaceCos, all);
   const std::span<CellFace> faces(all.data(), static_cast<std::size_t>(count));
   std::optional<VertexRefiner> exactly;
   if (known) exactly.emplace(*exact, faces);
   VertexRefiner* refiner = exactly ? &*exactly : nullptr;
   Vec3 apex;
-  if (findApex(points, mean, apex) && (count == 1 || spanSpace(points)))
-    return apexVertex(points, mean, sum, refiner, apex);
+  if (spanSpace(points) && findApex(points, mean, apex)) return apexVertex(points, mean, sum, refiner, apex);
   if (count == 1 || alike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
   findSurfaces(points, faces);
   Vec3 x = creaseNear(faces, mean);

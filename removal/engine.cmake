@@ -1,5 +1,6 @@
 proveout_add_library(removal
   sweep.cpp
+  sweep_curve.cpp
   stock_depth.cpp
   blank_field.cpp
   blank.cpp

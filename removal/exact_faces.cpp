@@ -127,6 +127,15 @@ bool ExactFaces::isReachedByOthers(std::int64_t body, const Vec3& q) {
   });
 }
 
+bool ExactFaces::isCovered(const Vec3& q, double depth) {
+  if (record_ == nullptr) return false;
+  if (!neighbours_known_) findNeighbours();
+  const Vec3 p = corner_ + h_ * q;
+  return std::any_of(neighbours_.begin(), neighbours_.end(), [&](std::int64_t body) {
+    return bodyOf(body).sweep.distance(p, -depth * h_) < -depth * h_;
+  });
+}
+
 bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) {
   const int element = static_cast<int>(face & 0xFFFF);
   if (element < ConvexProfile::kEdgeIds) return foot.element == element;

@@ -47,6 +47,8 @@ class ExactFaces {
   double blankValue(const Vec3& q) const;
   /// Whether a body other than this, with surface in the leaves around, reaches to `q`.
   bool isReachedByOthers(std::int64_t body, const Vec3& q);
+  /// Whether a body with surface in the leaves around holds `q`, this deep (in units of the cell).
+  bool isCovered(const Vec3& q, double depth);
   /// Whether a point of the body that made `face` can be of that face: the same element of the tool, and its
   /// rim where that made the face. Round elements are not told apart from their ends.
   static bool isOf(const Foot& foot, std::uint64_t face);

@@ -19,6 +19,9 @@ struct Pass {
   std::int32_t curve = -1;  ///< number of the exact sweep of a curved motion, or -1 for lines
   ToolPart part = ToolPart::kCutter;
   bool watched = false;  ///< contact with stock is a finding
+  /// Of a helix about z: how far on in the table the pass over the same place one turn lower is; 0: there is
+  /// none, or it does not cover all that this one does below its own top.
+  std::int32_t lower = 0;
 
   /// The solid along this line or chord. Not for level arcs.
   Sweep lineSweep() const;
@@ -36,5 +39,7 @@ using ReachList = std::vector<Reach>;
 bool holdsEdges(const Pass& pass, double h);
 /// Height that the solid nowhere reaches above on its way, mm.
 double highestReach(const Pass& pass);
+/// Height up to which the columns under the solid are covered all along its way, mm. Requires a level top.
+double lowestTop(const Pass& pass);
 
 }  // namespace proveout

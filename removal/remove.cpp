@@ -60,6 +60,7 @@ class Remover {
 
  private:
   void addPasses(MotionId id, const ToolParts::Part& part, bool watched, std::int32_t curve);
+  void addChords(Pass pass, const ColumnSolid& columns, const Motion& m, const ArcGeometry& arc);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
   bool inBlank(const Coord& origin, int size) const;
   void visit(const Coord& origin, int size, const ReachList& passes);
@@ -81,6 +82,7 @@ class Remover {
   std::vector<Crossing> findCrossings(const CutLeaf& leaf, const LeafEdges& edges,
                                       const std::vector<Crossing>& before);
   void addLost(RemovalSummary& out) const;
+  void countCrossings(std::vector<float>& removed_mm3, float unit_mm3) const;
 
   Stock::Impl& impl_;
   const Toolpath& path_;
@@ -163,18 +165,37 @@ void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched, 
     table_.passes.push_back(pass);
     return;
   }
+  addChords(pass, part.columns, m, arc);
+}
+
+/// Chords of a curve. Those of a helix about z lie under each other, turn by turn: where the lower ones cover
+/// all of the blank that the upper ones do, these are left out.
+void Remover::addChords(Pass pass, const ColumnSolid& columns, const Motion& m, const ArcGeometry& arc) {
   const ArcFrame frame = arcFrame(m.from, m.to, arc);
-  const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6});
-  const double within = part.part == ToolPart::kCutter ? kChordMm : kContactChordMm;
-  const double step = std::sqrt(8.0 * std::min(within, radius) / radius);
-  const int chords =
-      static_cast<int>(std::clamp(std::ceil(std::abs(arc.sweep_rad) / step), 1.0, kMostChords));
+  const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}),
+               sweep = std::abs(arc.sweep_rad);
+  const double within = pass.part == ToolPart::kCutter ? kChordMm : kContactChordMm;
+  const double step = std::sqrt(8.0 * std::min(within, radius) / radius), turn = 2.0 * kPi;
+  const bool stacked = sweep > turn && !pass.watched && pass.part == ToolPart::kCutter &&
+                       arc.normal.head<2>().squaredNorm() < 1e-24 && frame.rise != 0.0 &&
+                       std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm;
+  const double wanted = std::min(stacked ? turn / std::ceil(turn / step) : step, sweep);
+  const int chords = static_cast<int>(std::clamp(std::ceil(sweep / wanted - 1e-9), 1.0, kMostChords));
+  const bool exact = chords < kMostChords;  // else they are longer than wanted
+  const double angle = stacked && exact ? wanted : sweep / chords;
+  const int per_turn = stacked && exact ? static_cast<int>(std::lround(turn / angle)) : 0;
+  const bool falls = frame.n.z() * frame.rise < 0.0;
+  const double blank_top = impl_.blank.max.z() + impl_.h, pitch = std::abs(frame.rise) * turn / sweep;
   Vec3 from = m.from;
-  for (int i = 1; i <= chords; ++i) {
-    const Vec3 to = i == chords ? m.to : arcPoint(frame, arc, static_cast<double>(i) / chords);
-    pass.columns = columnLine(part.columns, from, to);
-    table_.passes.push_back(pass);
+  for (int i = 0; i < chords; ++i) {
+    const Vec3 to = i + 1 == chords ? m.to : arcPoint(frame, arc, (i + 1) * angle / sweep);
+    pass.columns = columnLine(columns, from, to);
     from = to;
+    const bool has_lower =
+        per_turn > 0 && !pass.columns.solid->round_top && (falls ? i + per_turn + 1 < chords : i >= per_turn);
+    pass.lower = has_lower ? (falls ? per_turn : -per_turn) : 0;
+    if (has_lower && lowestTop(pass) - pitch >= blank_top) continue;
+    table_.passes.push_back(pass);
   }
 }
 
@@ -305,16 +326,20 @@ void Remover::share(const ReachList& passes, int size, std::array<Children, 4>& 
     boxes.z_low[i] = low.z();
     boxes.z_high[i] = in_lower[i] || in_upper[i] ? low.z() + 2.0 * size * impl_.h : -kNowhere;
   }
-  const double middle = impl_.position(columns[0].origin).z() + size * impl_.h;
+  const double middle = impl_.position(columns[0].origin).z() + size * impl_.h, top = middle + size * impl_.h;
   const ReachKernel reach_kernel = columnKernels().reach;
   for (const Reach& candidate : passes) {
     const Pass& pass = table_.passes[candidate.pass];
+    // The block of a leaf reaches one step beyond its samples.
+    const double covered_to = pass.lower == 0 ? -kNowhere : lowestTop(*(&pass + pass.lower)) - impl_.h;
+    const bool lower_covers = covered_to >= middle, all_covered = covered_to >= top;
+    if (all_covered) continue;
     double low[4];
     reach_kernel(pass.columns, boxes, low);
     for (int i = 0; i < 4; ++i) {
       if (low[i] >= boxes.z_high[i]) continue;
       const Reach reach{candidate.pass, roundedDown(low[i])};
-      if (in_lower[i] && low[i] < middle) columns[i].lower.push_back(reach);
+      if (in_lower[i] && !lower_covers && low[i] < middle) columns[i].lower.push_back(reach);
       if (in_upper[i] && highestReach(pass) > middle) columns[i].upper.push_back(reach);
     }
   }
@@ -360,6 +385,15 @@ void Remover::addLost(RemovalSummary& out) const {
   out.lost_film_mm2 = static_cast<double>(edges) * impl_.h * impl_.h;
 }
 
+/// What goes through between the samples leaves crossings alone: each counts for the motion that made it.
+void Remover::countCrossings(std::vector<float>& removed_mm3, float unit_mm3) const {
+  for (const StockLeaf& leaf : impl_.leaves) {
+    for (const Crossing& c : leaf.crossings) {
+      if (c.motion < removed_mm3.size()) removed_mm3[c.motion] += unit_mm3;
+    }
+  }
+}
+
 RemovalSummary Remover::summary() const {
   RemovalSummary out;
   addLost(out);
@@ -367,8 +401,12 @@ RemovalSummary Remover::summary() const {
   out.voxel_evaluations = evaluations_;
   const double unit = kVolumeUnit * impl_.h * impl_.h * impl_.h;
   out.removed_mm3.reserve(removed_.size());
-  for (const auto& r : removed_)
+  bool any = false;
+  for (const auto& r : removed_) {
+    any = any || r.load() > 0;
     out.removed_mm3.push_back(static_cast<float>(static_cast<double>(r.load()) * unit));
+  }
+  if (!any) countCrossings(out.removed_mm3, static_cast<float>(unit));
 
   out.contacts = found_contacts_;
   return out;

@@ -84,8 +84,9 @@ struct SurfaceOptions {
 struct StockSurface {
   TriMesh mesh;             ///< with `motion` per triangle
   double volume_mm3 = 0.0;  ///< integrated from the exact crossings; the same however the mesh is simplified
-  /// Grid cells in which more than one sheet of surface runs: walls or gaps there are thinner than the grid
-  /// resolves, and the mesh is less exact. `first_thin_cell`: middle of the first, mm.
+  /// Grid cells in which more than one sheet of surface runs, or whose vertex is off the surface by more than
+  /// a fifth of a cell: walls, gaps or ridges there are thinner than the grid resolves, and the mesh is less
+  /// exact. `first_thin_cell`: middle of the first, mm.
   std::size_t thin_cells = 0;
   Vec3 first_thin_cell = Vec3::Zero();
   /// Pairs of triangles that run through each other and could not be parted.
@@ -119,6 +120,9 @@ class Stock {
   Result<StockSurface> surface(const SurfaceOptions& options, Progress& progress) const;
   /// With the default tolerance.
   Result<StockSurface> surface(int threads, Progress& progress) const;
+  /// StockSurface::volume_mm3 alone, mm3. What a path took is this before it less this after it, with the
+  /// same options: exactly 0 where it took nothing. Errors: as surface.
+  Result<double> volume(const SurfaceOptions& options, Progress& progress) const;
 
   /// The stock at another place, as a blank on a grid of the same spacing; which motion made a surface is not
   /// known any more. Exact where movesExactly; else it is built anew from the surface's mesh: a curved wall
@@ -131,7 +135,9 @@ class Stock {
   /// a grid of 0.2 mm on faces with radii below two cells.
   Status save(const std::string& path) const;
 
-  double initialVolume() const;  ///< mm3, of the blank
+  /// Of the blank's own shape, mm3: by its closed form, or of its mesh; volume() differs by what the grid
+  /// cannot hold. Of a saved stock that of its first blank.
+  double initialVolume() const;
   double resolution() const;     ///< mm
   Box3 bounds() const;           ///< of the blank, mm
 

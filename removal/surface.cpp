@@ -87,7 +87,11 @@ class Extractor {
   void eachLeaf(Progress& progress, Body&& body);
   Polygon polygon(const std::array<std::uint32_t, 4>& v) const;
   void measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const;
-  bool measureLevel(const SurfaceLeaf& leaf, LeafOutput& out) const;
+  bool levelCorners(const SurfaceLeaf& leaf, std::array<const SurfaceLeaf*, 4>& corners) const;
+  double levelVolume(const SurfaceLeaf& leaf) const;
+  bool countLevel(const SurfaceLeaf& leaf, const std::array<const SurfaceLeaf*, 4>& corners,
+                  LeafOutput& out) const;
+  double volumeOfLeaves() const;
   void countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, const std::array<int, 4>& at,
                  LeafOutput& out) const;
   bool isFan(const Quad& quad) const;
@@ -181,34 +185,52 @@ void Extractor::countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Cross
   out.cuts.push_back(static_cast<std::uint8_t>((cut.at02 ? kAt02 : 0) | (cut.poor ? kPoor : 0)));
 }
 
-/// What measureLeaf does where all quads of the leaf are of one level face, and merged whole or not at all. False
-/// where they are not.
-bool Extractor::measureLevel(const SurfaceLeaf& leaf, LeafOutput& out) const {
+/// Whether all quads of the leaf are of one level face, and the leaves that their corners are in.
+bool Extractor::levelCorners(const SurfaceLeaf& leaf, std::array<const SurfaceLeaf*, 4>& corners) const {
   if (!grid_.isLevel(leaf, leaf.lower)) return false;
   const int axis = leaf.level.axis, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
-  std::array<std::uint32_t, 4> corners;
   for (int i = 0; i < 4; ++i) {
     const int place = (kRing[i][0] ? u : 0) | (kRing[i][1] ? v : 0);
-    const SurfaceLeaf& there = grid_.leaves()[static_cast<std::size_t>(leaf.lower[place])];
-    if (!there.all_level || (merger_.active() && !there.clusters.eight)) return false;
-    corners[i] = there.base;
+    corners[i] = &grid_.leaves()[static_cast<std::size_t>(leaf.lower[place])];
+    if (!corners[i]->all_level) return false;
   }
+  return true;
+}
+
+/// The same, bit for bit, whatever is merged.
+double Extractor::levelVolume(const SurfaceLeaf& leaf) const {
+  const int axis = leaf.level.axis;
   const double height = leaf.level.layer + static_cast<double>(leaf.level.crossing.t);
   const double from = height - (impl_.blank.center()[axis] - impl_.position(leaf.stock->origin)[axis]) / impl_.h;
-  for (int i = 0; i < 64; ++i) out.volume += (leaf.level.material_below ? 2.0 : -2.0) * from / 6.0;
+  double volume = 0.0;
+  for (int i = 0; i < 64; ++i) volume += (leaf.level.material_below ? 2.0 : -2.0) * from / 6.0;
+  return volume;
+}
+
+/// Counts the triangles of such a leaf. False where its quads are not merged whole or not at all.
+bool Extractor::countLevel(const SurfaceLeaf& leaf, const std::array<const SurfaceLeaf*, 4>& corners,
+                           LeafOutput& out) const {
+  std::array<std::uint32_t, 4> base;
+  for (int i = 0; i < 4; ++i) {
+    if (merger_.active() && !corners[i]->clusters.eight) return false;
+    base[i] = corners[i]->base;
+  }
   out.cuts.assign(64, merger_.active() ? kMerged : kAt02);
   out.triangles = 128;
   if (!merger_.active()) return true;
   // Four vertices stand for all; only where they meet is there anything left of a quad.
-  if (!leaf.level.material_below) std::reverse(corners.begin(), corners.end());
-  const int count = polygon(corners).count;
+  if (!leaf.level.material_below) std::reverse(base.begin(), base.end());
+  const int count = polygon(base).count;
   out.triangles = count > 0 ? static_cast<std::uint32_t>(count - 2) : 0;
   return true;
 }
 
 /// The volume does not depend on what is merged.
 void Extractor::measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
-  if (measureLevel(leaf, out)) return;
+  std::array<const SurfaceLeaf*, 4> corners;
+  const bool level = levelCorners(leaf, corners);
+  if (level) out.volume = levelVolume(leaf);
+  if (level && countLevel(leaf, corners, out)) return;
   const Vec3 center = (impl_.blank.center() - impl_.position(leaf.stock->origin)) / impl_.h;
   QuadReader reader(grid_);
   reader.load(leaf);
@@ -219,9 +241,16 @@ void Extractor::measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
       out.hole = true;
       return;
     }
-    out.volume += quadVolume(quad.p, quad.middle, quad.normal, center);
+    if (!level) out.volume += quadVolume(quad.p, quad.middle, quad.normal, center);
     countQuad(leaf, quad, c, {axis, x, y, z}, out);
   });
+}
+
+/// mm3; the same, bit for bit, for the same leaves.
+double Extractor::volumeOfLeaves() const {
+  double sum = 0.0;
+  for (const LeafOutput& out : outputs_) sum += out.volume;
+  return sum * (impl_.h * impl_.h * impl_.h);
 }
 
 void Extractor::countLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
@@ -608,15 +637,14 @@ bool Extractor::repair(StockSurface& surface, Progress& progress) {
 Result<double> Extractor::volume(Progress& progress) {
   const Error hole{ErrorKind::kInternal, "the stock's grid has a hole; please report this job"};
   if (!grid_.build(progress)) return hole;
+  if (!progress.cancelled()) unfoldVertices(grid_);
   outputs_.resize(grid_.leaves().size());
   eachLeaf(progress, [&](const SurfaceLeaf& leaf, LeafOutput& out) { measureLeaf(leaf, out); });
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  double sum = 0.0;
   for (const LeafOutput& out : outputs_) {
     if (out.hole) return hole;
-    sum += out.volume;
   }
-  return sum * impl_.h * impl_.h * impl_.h;
+  return volumeOfLeaves();
 }
 
 Result<StockSurface> Extractor::run(Progress& progress) {
@@ -626,6 +654,7 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   if (!grid_.build(progress)) return hole;
   if (progress.cancelled()) return interrupted;
   unfoldVertices(grid_);
+  grid_.countThin();
   merger_.mergeLeaves();
   merger_.assign();
   progress.report("meshing", 0.4);
@@ -635,9 +664,8 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   StockSurface surface;
   for (const LeafOutput& out : outputs_) {
     if (out.hole) return hole;
-    surface.volume_mm3 += out.volume;
   }
-  surface.volume_mm3 *= impl_.h * impl_.h * impl_.h;
+  surface.volume_mm3 = volumeOfLeaves();
   surface.thin_cells = grid_.thinCells();
   surface.first_thin_cell = grid_.firstThinCell();
   progress.report("meshing", 0.7);
@@ -651,6 +679,14 @@ Result<StockSurface> Extractor::run(Progress& progress) {
 
 }  // namespace
 
+namespace {
+
+double toleranceOf(const Stock::Impl& impl, const SurfaceOptions& options) {
+  return options.simplify_mm < 0.0 ? kDefaultTolerance * impl.h : options.simplify_mm;
+}
+
+}  // namespace
+
 Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOptions& options,
                                     Progress& progress) {
   // A crossing each has two triangles at most, and vertices fewer: far from what 31 bits can number.
@@ -660,12 +696,11 @@ Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOption
     return Error{ErrorKind::kResourceLimit,
                  "the surface has more vertices than a mesh can number; take a coarser resolution"};
   }
-  const double tolerance = options.simplify_mm < 0.0 ? kDefaultTolerance * impl.h : options.simplify_mm;
-  return Extractor(impl, tolerance).run(progress);
+  return Extractor(impl, toleranceOf(impl, options)).run(progress);
 }
 
-Result<double> measureVolume(const Stock::Impl& impl, Progress& progress) {
-  return Extractor(impl, 0.0).volume(progress);
+Result<double> measureVolume(const Stock::Impl& impl, const SurfaceOptions& options, Progress& progress) {
+  return Extractor(impl, toleranceOf(impl, options)).volume(progress);
 }
 
 Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& progress) const {
@@ -676,6 +711,17 @@ Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& pro
     return Error{ErrorKind::kResourceLimit, "not enough memory for the surface; take a coarser resolution"};
   } catch (const std::exception& e) {
     return Error{ErrorKind::kInternal, fmt::format("extracting the surface failed: {}", e.what())};
+  }
+}
+
+Result<double> Stock::volume(const SurfaceOptions& options, Progress& progress) const {
+  const ThreadLimit limit(options.threads);
+  try {
+    return measureVolume(*impl_, options, progress);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorKind::kResourceLimit, "not enough memory for the volume; take a coarser resolution"};
+  } catch (const std::exception& e) {
+    return Error{ErrorKind::kInternal, fmt::format("measuring the stock failed: {}", e.what())};
   }
 }
 

@@ -17,6 +17,9 @@ constexpr double kThinReach = 0.1;
 /// Vertices this far (in cells) outside the blank are put back: more than the rounding of its crossings.
 constexpr double kBlankSlack = 1e-4;
 constexpr double kNoLimit = 1e12;
+/// Vertices farther off the surface, in cells, are told of: ridges and walls there are lost between the
+/// samples.
+constexpr double kOffBy = 0.2;
 /// Sheets of one cell keep their vertices this far apart (in cells), as seen from one to the other.
 constexpr double kSheetGap = 0.01;
 /// Below this lean of the normals from their mean (2 degrees), the crossings place the vertex of any smooth
@@ -164,9 +167,10 @@ class LeafPlacer {
       out.p = (origin + (sheets == 1 ? v.p : thin)).cast<float>();
       out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
       if (sheets > 1) continue;
+      if (!v.smooth && isOff(v.p, count)) out.traits |= CellTraits::kOff;
       if (v.outside) {
-        leaf_.outside.push_back(
-            {static_cast<std::uint16_t>(z << 6 | bit), (origin + v.inside).cast<float>()});
+        leaf_.outside.push_back({static_cast<std::uint16_t>(z << 6 | bit), (origin + v.inside).cast<float>(),
+                                 !v.smooth && isOff(v.inside, count)});
         out.traits |= CellTraits::kOutside;
       } else if (patch_ != nullptr && bendsLittle(count, n)) {
         keepGentle(bit, z, rank, faces, out.p, n);
@@ -246,6 +250,21 @@ class LeafPlacer {
       s.face = c->face();
     }
     return count;
+  }
+
+  /// Whether a vertex is off the surface: on none of the faces whose crossings it has, or where another tool
+  /// took what is there. Near to a crossing it is not.
+  /// Vertices of a blank whose faces are known are put onto them.
+  bool isOff(const Vec3& p, int count) {
+    if (exact_.ofBlank()) return false;
+    double nearest2 = kNoLimit, plane = kNoLimit;
+    for (int i = 0; i < count; ++i) {
+      const Vec3 from = p - points_[i].p;
+      nearest2 = std::min(nearest2, from.squaredNorm());
+      plane = std::min(plane, std::abs(points_[i].n.dot(from)));
+    }
+    if (nearest2 < kOffBy * kOffBy) return false;
+    return plane > kOffBy || exact_.isCovered(p, kOffBy);
   }
 
   /// Where a wall narrower than the cell ends, two sheets are cut off at one place; their vertices change
@@ -433,14 +452,18 @@ void SurfaceGrid::numberExtras() {
   for (SurfaceLeaf& leaf : leaves_) {
     leaf.extra_base = static_cast<std::uint32_t>(cell_count_ + extra_count_);
     extra_count_ += leaf.extra.size();
-    std::uint16_t last = 0xFFFF;
-    for (const ExtraVertex& e : leaf.extra) {
-      if (e.cell != last && thin_cells_++ == 0) {
-        const int place = leaf.placeOf(e.cell);
-        first_thin_cell_ = impl_.position(leaf.stock->origin) +
-                           impl_.h * Vec3((place >> 3 & 7) + 0.5, (place & 7) + 0.5, (place >> 6) + 0.5);
-      }
-      last = e.cell;
+  }
+}
+
+void SurfaceGrid::countThin() {
+  constexpr std::uint16_t kThin = CellTraits::kManySheets | CellTraits::kOff;
+  thin_cells_ = 0;
+  for (const SurfaceLeaf& leaf : leaves_) {
+    for (int cell = 0; cell < leaf.cells; ++cell) {
+      if ((traits_[leaf.base + static_cast<std::uint32_t>(cell)] & kThin) == 0 || thin_cells_++ > 0) continue;
+      const int place = leaf.placeOf(cell);
+      first_thin_cell_ = impl_.position(leaf.stock->origin) +
+                         impl_.h * Vec3((place >> 3 & 7) + 0.5, (place & 7) + 0.5, (place >> 6) + 0.5);
     }
   }
 }
@@ -482,8 +505,9 @@ std::uint32_t SurfaceGrid::cellOf(std::uint32_t vertex) const {
   return leaf.base + leaf.extra[vertex - leaf.extra_base].cell;
 }
 
-bool SurfaceGrid::putInside(std::uint32_t cell, const Eigen::Vector3f& p) {
+bool SurfaceGrid::putInside(std::uint32_t cell, const Eigen::Vector3f& p, bool off) {
   if (!(traits_[cell] & CellTraits::kFolds)) return false;
+  if (off) traits_[cell] |= CellTraits::kOff;
   traits_[cell] &= static_cast<std::uint16_t>(~(CellTraits::kFolds | CellTraits::kOutside));
   vertices_[cell] = p;
   return true;

@@ -28,6 +28,7 @@ struct ExtraVertex {
 struct OutsideVertex {
   std::uint16_t place = 0;  ///< of the cell: z * 64 + leafBit(x, y)
   Eigen::Vector3f inside;   ///< where it goes if it folds the surface; leaf units
+  bool off = false;         ///< and is off the surface there
 };
 
 /// That all surface of a leaf is a level piece of one face: one layer of crossings across an axis, all alike.
@@ -75,6 +76,7 @@ struct CellTraits {
   static constexpr std::uint16_t kSmooth = 0x80;
   static constexpr std::uint16_t kOutside = 0x100;  ///< its vertex is outside the cell
   static constexpr std::uint16_t kFolds = 0x200;    ///< and folds the surface
+  static constexpr std::uint16_t kOff = 0x400;      ///< its vertex is off the surface
 };
 
 /// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each
@@ -99,8 +101,8 @@ class SurfaceGrid {
   /// Of a cell's first sheet; leaf units.
   const Eigen::Vector3f& vertex(std::uint32_t cell) const { return vertices_[cell]; }
   void markFolding(std::uint32_t cell) { traits_[cell] |= CellTraits::kFolds; }
-  /// Moves a vertex that was marked; false if it was not.
-  bool putInside(std::uint32_t cell, const Eigen::Vector3f& p);
+  /// Moves a vertex that was marked; false if it was not. `off`: it is off the surface there.
+  bool putInside(std::uint32_t cell, const Eigen::Vector3f& p, bool off);
   /// Number of the leaf of a cell.
   std::size_t leafOf(std::uint32_t cell) const;
   /// The cell of a vertex, which may be of a further sheet.
@@ -108,7 +110,8 @@ class SurfaceGrid {
   /// Material corners of a cell as bits; see cell_cycles.h.
   std::uint8_t pattern(std::uint32_t cell) const { return patterns_[cell]; }
   std::uint16_t traits(std::uint32_t cell) const { return traits_[cell]; }
-  /// Cells with more than one sheet, in all leaves.
+  /// Counts cells with more than one sheet, or whose vertex is off the surface, in all leaves.
+  void countThin();
   std::size_t thinCells() const { return thin_cells_; }
   /// Middle of the first, mm.
   const Vec3& firstThinCell() const { return first_thin_cell_; }

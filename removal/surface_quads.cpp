@@ -297,7 +297,7 @@ void unfoldVertices(SurfaceGrid& grid) {
       std::erase_if(leaf.outside, [&](const OutsideVertex& o) {
         const std::uint32_t cell =
             leaf.base + static_cast<std::uint32_t>(leaf.rank(o.place >> 3 & 7, o.place & 7, o.place >> 6));
-        const bool put = grid.putInside(cell, o.inside);
+        const bool put = grid.putInside(cell, o.inside, o.off);
         if (put) moved[i].push_back(o.place);
         return put;
       });

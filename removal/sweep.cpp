@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace proveout {
@@ -29,12 +28,9 @@ constexpr double kAtEnd = 1e-6;
 constexpr double kMargin = 1e-6;
 /// Rounds after which a search gives its best value; a bracketed search on doubles needs fewer.
 constexpr int kMaxLineRounds = 80;
-constexpr int kMaxCurveSpans = 4000;
 /// Growth of the radius a radian, by the radius, up to which a level spiral has one nearest point a turn
 /// close to the circle's.
 constexpr double kNearCircle = 0.05;
-/// Away from the surface the search along curves may stop this much (relative) above the least value.
-constexpr double kFarTolerance = 1e-4;
 
 }  // namespace
 
@@ -58,10 +54,10 @@ Sweep::Sweep(const ConvexProfile& profile, const Vec3& from, const Vec3& to, con
     const double dr = frame_.radius_end - frame_.radius_start;
     curvature_bound_ =
         std::max(frame_.radius_start, frame_.radius_end) * sweep * sweep + 2.0 * std::abs(dr) * sweep;
-    const bool vertical = arc_.normal.head<2>().squaredNorm() < 1e-24;
+    vertical_ = arc_.normal.head<2>().squaredNorm() < 1e-24;
     const bool level = std::abs(frame_.rise) < kPointMoveMm &&
                        std::abs(dr) <= kNearCircle * sweep * std::min(frame_.radius_start, frame_.radius_end);
-    kind_ = vertical && level ? Kind::kLevelArc : Kind::kCurve;
+    kind_ = vertical_ && level ? Kind::kLevelArc : Kind::kCurve;
     Toolpath one;
     one.arcs.push_back(arc_);
     Motion motion;
@@ -271,75 +267,6 @@ Sweep::Place Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance,
     helps = !helps || std::abs(now.at.slope) < kHelps * before;
   }
   return now;
-}
-
-Sweep::Place Sweep::minimiseCurve(const Vec3& p, double cutoff, double& bound) const {
-  struct End {
-    double value;
-    Vec3 gradient, at;
-  };
-  const auto end = [&](double t) {
-    const At e = evaluate(p, t);
-    return End{e.value, e.gradient, position(t)};
-  };
-  // Lower bound on a span: convexity along the chord less the arc's distance from the chord.
-  const auto lowerBound = [&](double a, const End& ea, double b, const End& eb) {
-    const Vec3 chord = eb.at - ea.at;
-    const double sa = -ea.gradient.dot(chord), sb = -eb.gradient.dot(chord);
-    double low;
-    if (sa >= 0.0) {
-      low = ea.value;
-    } else if (sb <= 0.0) {
-      low = eb.value;
-    } else {
-      low = ea.value + sa * (eb.value - sb - ea.value) / (sa - sb);  // where the two support lines meet
-    }
-    return low - curvature_bound_ * (b - a) * (b - a) / 8.0;
-  };
-  struct Piece {
-    double a, b;
-    End ea, eb;
-    double low;
-  };
-  std::array<Piece, 128> stack;
-  int size = 0;
-  double best = std::numeric_limits<double>::infinity(), best_t = 0.0;
-  bound = best;
-  const auto consider = [&](double t, const End& e) {
-    if (e.value < best) {
-      best = e.value;
-      best_t = t;
-    }
-  };
-  // Start with spans of at most 30 degrees, from the end back so that the first is on top.
-  const int spans = std::clamp(static_cast<int>(std::ceil(std::abs(arc_.sweep_rad) / degToRad(30.0))), 1, 96);
-  End right = end(1.0);
-  consider(1.0, right);
-  for (int i = spans - 1; i >= 0; --i) {
-    const double a = static_cast<double>(i) / spans, b = static_cast<double>(i + 1) / spans;
-    const End left = end(a);
-    consider(a, left);
-    stack[size++] = {a, b, left, right, lowerBound(a, left, b, right)};
-    right = left;
-  }
-  for (int count = 0; size > 0 && count < kMaxCurveSpans; ++count) {
-    const Piece piece = stack[--size];
-    const double goal = std::min(best - 0.5 * kSweepToleranceMm - kFarTolerance * std::abs(best), cutoff);
-    if (piece.low >= goal || size + 2 > static_cast<int>(stack.size())) {
-      bound = std::min(bound, piece.low);
-      continue;
-    }
-    const double middle = 0.5 * (piece.a + piece.b);
-    const End em = end(middle);
-    consider(middle, em);
-    const Piece first{piece.a, middle, piece.ea, em, lowerBound(piece.a, piece.ea, middle, em)};
-    const Piece second{middle, piece.b, em, piece.eb, lowerBound(middle, em, piece.b, piece.eb)};
-    const bool first_better = first.low < second.low;  // the better one is looked at first
-    stack[size++] = first_better ? second : first;
-    stack[size++] = first_better ? first : second;
-  }
-  bound = std::min(bound, best);
-  return {best_t, evaluateCurve(p, best_t)};
 }
 
 Sweep::Place Sweep::minimise(const Vec3& p, double cutoff, double tolerance, double& bound,

@@ -9,8 +9,11 @@
 // Method: the distance to a convex solid is convex in the solid's position, so along a line its minimum over
 // time is found by closed form (level moves) or by Newton's method, which stops on a proven bound; along an
 // arc spans are bounded below by the chord's convexity less the sagitta, and split until the bound meets the
-// value.
+// value. Curves of many turns are halved by the boxes around their parts, so that a point meets the turns
+// near it only (sweep_curve.cpp).
 #pragma once
+
+#include <array>
 
 #include "core/geometry/types.h"
 #include "core/path/toolpath.h"
@@ -83,6 +86,10 @@ class Sweep {
   double stepToEdge(const Vec3& p, const Place& from) const;
   double newtonStep(const Vec3& p, const Place& from) const;
   Place minimiseCurve(const Vec3& p, double cutoff, double& bound) const;
+  Box3 wayBounds(double a, double b) const;
+  double boxBound(const Vec3& p, double a, double b) const;
+  double flankBound(const Vec3& p) const;
+  std::array<double, 2> turnsNear(const Vec3& p) const;
   void slantedColumn(double x, double y, double z0, double dz, int count, const double* cutoff,
                      double* out) const;
   double horizontalGap(double x, double y) const;
@@ -93,6 +100,7 @@ class Sweep {
   double level_length2_ = 0.0, length2_ = 0.0;
   ArcGeometry arc_;
   ArcFrame frame_;
+  bool vertical_ = false;         // the arc turns about z
   double curvature_bound_ = 0.0;  // upper bound of |c''(t)|, mm
   Box3 bounds_;
 };

@@ -1,0 +1,123 @@
+// One integral before and after a path; thin blanks; helices of many turns.
+#include <algorithm>
+#include <cmath>
+
+#include "core/tool/tool_solid.h"
+#include "removal/sweep.h"
+#include "tests/unit/removal/cut_fixture.h"
+
+namespace proveout::test {
+namespace {
+
+Result<Stock> make(const StockShape& shape, double grid) {
+  RemovalOptions options;
+  options.resolution_mm = grid;
+  Progress progress;
+  return Stock::create(shape, options, progress);
+}
+
+/// A path beside the blank leaves the same volume to the last bit, and surface() tells it as volume() does.
+TEST(StockVolume, IsTheSameWhereNothingIsCut) {
+  const std::vector<StockShape> shapes = {
+      BoxShape{{0.13, 0.2, -7.77}, {20.1, 15.3, 0}}, CylinderShape{0, {1.2, 3.4, 5.6}, 1.1, 0.0, 9.7},
+      CylinderShape{2, {1.2, 3.4, 5.6}, 6.1, 4.9, 9.7}, CylinderShape{1, {0, 0, 0}, 2.3, 0.0, 1.3}};
+  PathMaker path;
+  path.line({-90, -90, 60}, {90, -90, 60}).line({-90, -90, 60}, {90, -90, 60}, MotionKind::kRapid);
+  Progress progress;
+  for (const double grid : {0.3, 0.5}) {
+    for (const StockShape& shape : shapes) {
+      Result<Stock> stock = make(shape, grid);
+      ASSERT_TRUE(stock.ok());
+      RemovalOptions options;
+      options.resolution_mm = grid;
+      for (const double simplify_mm : {-1.0, 0.0, 1e-5, 0.2}) {
+        SurfaceOptions surface;
+        surface.simplify_mm = simplify_mm;
+        const double before = *stock->volume(surface, progress);
+        ASSERT_TRUE(stock->remove(path.path(), {tool("1=ball:4")}, options, progress).ok());
+        EXPECT_EQ(stock->surface(surface, progress)->volume_mm3, before);
+        EXPECT_EQ(*stock->volume(surface, progress), before);
+      }
+    }
+  }
+}
+
+/// Two tangent planes of a thin cylinder meet in a line, which is no apex of it.
+TEST(StockVolume, ThinCylindersAreNotHeavierThanTheyAre) {
+  Progress progress;
+  for (const double radius : {1.5, 1.75, 2.0, 2.3, 3.0}) {
+    for (int i = 0; i < 12; ++i) {
+      const CylinderShape shape{i % 3, Vec3(0.13, 0.37, 0.71) * i, radius, 0.0, 6.0 + 0.31 * i};
+      const Result<Stock> stock = make(shape, 1.0);
+      ASSERT_TRUE(stock.ok());
+      const double off = *stock->volume({}, progress) / stock->initialVolume() - 1.0;
+      EXPECT_LT(std::abs(off), radius < 2.0 ? 4e-3 : 1.5e-3) << radius << " case " << i;
+    }
+  }
+}
+
+/// What passes between all columns of samples counts for the motion that did it.
+TEST(StockVolume, CutsBetweenTheSamplesBelongToTheirMotion) {
+  PathMaker path;
+  path.line({-20, -20, 5}, {-10, -20, 5}).line({-20, 11.4, -8}, {40, 11.4, -8});
+  const Cut c = cut(BoxShape{{0, 0, -10}, {20, 10, 0}}, path.path(), {tool("1=flat:3")}, 1.0);
+  EXPECT_NEAR(c.initial - c.volume, 0.1 * 20 * 8, 0.15);
+  ASSERT_EQ(c.summary.removed_mm3.size(), 2u);
+  EXPECT_EQ(c.summary.removed_mm3[0], 0.0f);
+  EXPECT_GT(c.summary.removed_mm3[1], 0.0f);
+}
+
+Cut bore(int turns, const std::string& option) {
+  PathMaker path;
+  path.arc({10, 0, 0}, {0, 0, 0}, {0, 0, 1}, 360.0 * turns, -20.0);
+  return cut(BoxShape{{-20, -20, -25}, {20, 20, 0}}, path.path(), {tool(option)}, 0.5);
+}
+
+TEST(ManyTurns, CostAsMuchAsFew) {
+  const Cut few = bore(4, "1=flat:8"), many = bore(400, "1=flat:8");
+  EXPECT_LT(many.summary.voxel_evaluations, 2 * few.summary.voxel_evaluations);
+  // The ring down to the last turn, whose floor rises by a pitch of 0.05 mm once around.
+  const double area = kPi * (14.0 * 14.0 - 6.0 * 6.0);
+  EXPECT_NEAR(many.initial - many.volume, area * (20.0 - 0.025), 0.5e-3 * area * 20.0);
+}
+
+/// The ball leaves its tracks in the wall only under the last turn.
+TEST(ManyTurns, LeaveTheSameWallAsFew) {
+  const Cut ball = bore(100, "1=ball:8");
+  const double ring = kPi * (14.0 * 14.0 - 6.0 * 6.0) * 16.0, half = 2.0 * kPi * 10.0 * 0.5 * kPi * 16.0;
+  EXPECT_NEAR(ball.initial - ball.volume, ring + half, 0.02 * (ring + half));
+}
+
+/// The distance to a helix of many turns is the least of those to its single turns.
+TEST(ManyTurns, DistanceIsThatOfTheNearestTurn) {
+  const int turns = 60;
+  const double pitch = 0.4, radius = 7.0;
+  const Tool cutter = tool("1=bull:5:1");
+  const ToolSolid solid = makeToolSolid(cutter);
+  const ConvexProfile& profile = solid.cutter.front();
+  ArcGeometry arc;
+  arc.center = {1, 2, 0};
+  arc.normal = {0, 0, 1};
+  const auto at = [&](double t) {
+    return Vec3(1 + radius * std::cos(t), 2 + radius * std::sin(t), -pitch * t / (2 * kPi));
+  };
+  const auto sweep = [&](double a, double b) {
+    ArcGeometry part = arc;
+    part.sweep_rad = b - a;
+    part.center.z() = at(a).z();
+    return Sweep(profile, at(a), at(b), &part);
+  };
+  const Sweep whole = sweep(0.0, 2 * kPi * turns);
+  std::vector<Sweep> quarters;
+  for (int i = 0; i < 4 * turns; ++i) quarters.push_back(sweep(0.5 * kPi * i, 0.5 * kPi * (i + 1)));
+  for (int i = 0; i < 400; ++i) {
+    const double angle = 0.37 * i, r = radius + 3.5 * std::sin(1.7 * i);
+    const Vec3 p(1 + r * std::cos(angle), 2 + r * std::sin(angle), 4.0 - 30.0 * std::fmod(0.618 * i, 1.0));
+    double least = 1e300;
+    for (const Sweep& quarter : quarters) least = std::min(least, quarter.distance(p, 1e300));
+    EXPECT_NEAR(whole.distance(p, 1e300), least, 1e-6 + 2e-4 * std::abs(least)) << i;
+  }
+}
+
+}  // namespace
+}  // namespace proveout::test
