@@ -20,6 +20,8 @@ constexpr double kNoLimit = 1e12;
 /// Vertices farther off the surface, in cells, are told of: ridges and walls there are lost between the
 /// samples.
 constexpr double kOffBy = 0.2;
+/// And those that stand out of the middle of their crossings by less are not, as tools are larger than cells.
+constexpr double kStandsOut = 0.15;
 /// Sheets of one cell keep their vertices this far apart (in cells), as seen from one to the other.
 constexpr double kSheetGap = 0.01;
 /// Below this lean of the normals from their mean (2 degrees), the crossings place the vertex of any smooth
@@ -258,13 +260,20 @@ class LeafPlacer {
   bool isOff(const Vec3& p, int count) {
     if (exact_.ofBlank()) return false;
     double nearest2 = kNoLimit, plane = kNoLimit;
+    Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
     for (int i = 0; i < count; ++i) {
+      middle += points_[i].p;
+      normal += points_[i].n;
       const Vec3 from = p - points_[i].p;
       nearest2 = std::min(nearest2, from.squaredNorm());
       plane = std::min(plane, std::abs(points_[i].n.dot(from)));
     }
     if (nearest2 < kOffBy * kOffBy) return false;
-    return plane > kOffBy || exact_.isCovered(p, kOffBy);
+    if (plane > kOffBy) return true;
+    // A tool that takes the vertex and none of the crossings has it stand out from among them; asking all
+    // tools is dear.
+    const double height = std::abs((p - middle / count).dot(normal));
+    return height > kStandsOut * normal.norm() && exact_.isCovered(p, kOffBy);
   }
 
   /// Where a wall narrower than the cell ends, two sheets are cut off at one place; their vertices change
@@ -400,7 +409,8 @@ void SurfaceGrid::placeLevel(SurfaceLeaf& leaf) {
   const std::uint8_t low = kLowCorners[static_cast<std::size_t>(axis)];
   const auto pattern = static_cast<std::uint8_t>(material_below ? low : ~low);
   const auto traits = static_cast<std::uint16_t>(oneSheetFaces()[pattern] | CellTraits::kSmooth);
-  const float height = 0.25f * (c.t + c.t + c.t + c.t) + static_cast<float>(layer);  // rounded as for any cell
+  const float height =
+      0.25f * (c.t + c.t + c.t + c.t) + static_cast<float>(layer);  // rounded as for any cell
   std::size_t number = leaf.base;
   for (int z = 0; z < 8; ++z) {
     for (std::uint64_t rest = leaf.mixed[z]; rest != 0; rest &= rest - 1, ++number) {
