@@ -74,6 +74,7 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
     if (turnsPart(job)) writeTurnedProfile(job, run, *staging, report, failures);
     if (job.output.csv) writeTables(cutPaths(run), *staging, report, failures);
   }
+  report.performance.peak_memory_mb = peakMemoryMb();  // files take more than the run that they are of
   writeReport(pictures, *staging, report, failures);
   return staging->commit();
 }

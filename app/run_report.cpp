@@ -338,7 +338,6 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
   report.performance.predicted_s = run.prediction.time_s;
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   report.performance.threads = job.simulation.threads > 0 ? job.simulation.threads : cores;
-  report.performance.peak_memory_mb = peakMemoryMb();
   report.verdict = verdictOf(report);
   return report;
 }

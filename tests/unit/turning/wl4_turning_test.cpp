@@ -190,7 +190,9 @@ void leavesTheAllowance(const Example& example, double nose) {
   for (const Vec2& p : points) {
     const double off = example.contour.distance(p);
     EXPECT_GT(off, 0.5 - 1e-3) << p.transpose();
-    if (example.contour.fromJoint(p) > 1.0) EXPECT_LT(off, 0.5 + 1e-3) << p.transpose();
+    if (example.contour.fromJoint(p) > 1.0) {
+      EXPECT_LT(off, 0.5 + 1e-3) << p.transpose();
+    }
   }
 }
 
