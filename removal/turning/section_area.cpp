@@ -176,27 +176,42 @@ class EdgeLabels {
   MotionId of(const IntPoint& a, const IntPoint& b, MotionId motion) const {
     const auto found = known_.find({a, b});
     if (found != known_.end()) return found->second;
+    if (lines_.empty()) makeLines();
     const double x = 0.5 * static_cast<double>(a.X + b.X), y = 0.5 * static_cast<double>(a.Y + b.Y);
     const double dx = static_cast<double>(b.X - a.X), dy = static_cast<double>(b.Y - a.Y);
-    for (const Loop& loop : old_) {
-      for (std::size_t i = 0; i < loop.points.size(); ++i) {
-        const IntPoint &p = loop.points[i], &q = loop.points[(i + 1) % loop.points.size()];
-        if (x < static_cast<double>(std::min(p.X, q.X)) - 2 ||
-            x > static_cast<double>(std::max(p.X, q.X)) + 2 ||
-            y < static_cast<double>(std::min(p.Y, q.Y)) - 2 ||
-            y > static_cast<double>(std::max(p.Y, q.Y)) + 2)
-          continue;
-        const double ex = static_cast<double>(q.X - p.X), ey = static_cast<double>(q.Y - p.Y);
-        // The same way round, and not just touched in a point.
-        if (dx * ex + dy * ey <= 0.0) continue;
-        if (distance2(x, y, p, q) <= kNear * kNear) return loop.motion[i];
-      }
+    for (const Line& line : lines_) {
+      if (x < line.low_x || x > line.high_x || y < line.low_y || y > line.high_y) continue;
+      const double ex = static_cast<double>(line.to->X - line.from->X),
+                   ey = static_cast<double>(line.to->Y - line.from->Y);
+      // The same way round, and not just touched in a point.
+      if (dx * ex + dy * ey <= 0.0) continue;
+      if (distance2(x, y, *line.from, *line.to) <= kNear * kNear) return line.motion;
     }
     return motion;
   }
 
  private:
+  /// An old edge and where points on it may be, units.
+  struct Line {
+    double low_x, high_x, low_y, high_y;
+    const IntPoint *from, *to;
+    MotionId motion;
+  };
+  void makeLines() const {
+    constexpr double kSlack = 2.0;
+    for (const Loop& loop : old_) {
+      for (std::size_t i = 0; i < loop.points.size(); ++i) {
+        const IntPoint &p = loop.points[i], &q = loop.points[loop.after(i)];
+        lines_.push_back({static_cast<double>(std::min(p.X, q.X)) - kSlack,
+                          static_cast<double>(std::max(p.X, q.X)) + kSlack,
+                          static_cast<double>(std::min(p.Y, q.Y)) - kSlack,
+                          static_cast<double>(std::max(p.Y, q.Y)) + kSlack, &p, &q, loop.motion[i]});
+      }
+    }
+  }
+
   const std::vector<Loop>& old_;
+  mutable std::vector<Line> lines_;  ///< made when first needed
   std::unordered_map<Edge, MotionId, EdgeHash> known_;
 };
 
