@@ -93,6 +93,13 @@ double simplification(const Job& job, double resolution_mm) {
   return kShare * within;
 }
 
+SurfaceOptions surfaceOptions(const Job& setup, double resolution_mm) {
+  SurfaceOptions options;
+  options.simplify_mm = simplification(setup, resolution_mm);
+  options.threads = setup.simulation.threads;
+  return options;
+}
+
 void noteRepairs(const PreparedMesh& mesh, const std::string& code, Diagnostics& diagnostics) {
   for (const std::string& note : mesh.notes) {
     Diagnostic diagnostic;
@@ -287,13 +294,6 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
   run.prediction = predict(work, run.resolution_mm);
   if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits;
   return checkTime(job, run.prediction);
-}
-
-SurfaceOptions surfaceOptions(const Job& setup, double resolution_mm) {
-  SurfaceOptions options;
-  options.simplify_mm = simplification(setup, resolution_mm);
-  options.threads = setup.simulation.threads;
-  return options;
 }
 
 /// Part of the volume up to which the integral over the grid's crossings is the closed form but for rounding.

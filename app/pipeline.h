@@ -65,6 +65,8 @@ using RunSources = std::vector<const RecordingSource*>;
 /// How far the mesh may leave the surface to save triangles, mm: a tenth of the grid, but where the part is
 /// compared no more than a tenth of what is tolerated.
 double simplification(const Job& job, double resolution_mm);
+/// With that, and the job's threads.
+SurfaceOptions surfaceOptions(const Job& setup, double resolution_mm);
 
 /// Cuts the path of a clamping into the stock and fills removal, surface and volume. The stock comes from the
 /// blank, or from the clamping before. `initial_mm3`: its volume as the report tells it, `held_mm3`: as

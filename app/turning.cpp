@@ -113,10 +113,7 @@ Status threadSurface(const Job& job, const TurnedShape& part, const Blank& blank
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   if (Status enough = checkMemory(job, gridWork(blank), run.resolution_mm); !enough) return enough;
   if (Status done = makeGrid(job, part, run, progress); !done) return done;
-  SurfaceOptions options;
-  options.simplify_mm = simplification(job, run.resolution_mm);
-  options.threads = job.simulation.threads;
-  Result<StockSurface> surface = run.stock->surface(options, progress);
+  Result<StockSurface> surface = run.stock->surface(surfaceOptions(job, run.resolution_mm), progress);
   if (!surface) return surface.error();
   setup.surface = std::move(*surface);
   setup.facet_error_mm = 0.0;

@@ -105,11 +105,8 @@ bool cutEars(TriMesh& mesh, FlatPolygon& flat) {
 
 /// What is left has no area to speak of: corners on a line, as CAD systems write them along an edge.
 bool isSliver(const FlatPolygon& flat, double whole_area2) {
-  double area2 = 0.0;
-  for (std::size_t i = 0; i < flat.size(); ++i) {
-    area2 += cross2(flat.points[i], flat.points[(i + 1) % flat.size()]);
-  }
-  return std::abs(area2) <= 1e-6 * whole_area2;  // single-precision corners carry about 1e-7
+  return std::abs(signedArea2(flat.points)) <=
+         1e-6 * whole_area2;  // single-precision corners carry about 1e-7
 }
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }

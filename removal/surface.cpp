@@ -201,7 +201,8 @@ bool Extractor::levelCorners(const SurfaceLeaf& leaf, std::array<const SurfaceLe
 double Extractor::levelVolume(const SurfaceLeaf& leaf) const {
   const int axis = leaf.level.axis;
   const double height = leaf.level.layer + static_cast<double>(leaf.level.crossing.t);
-  const double from = height - (impl_.blank.center()[axis] - impl_.position(leaf.stock->origin)[axis]) / impl_.h;
+  const double from =
+      height - (impl_.blank.center()[axis] - impl_.position(leaf.stock->origin)[axis]) / impl_.h;
   double volume = 0.0;
   for (int i = 0; i < 64; ++i) volume += (leaf.level.material_below ? 2.0 : -2.0) * from / 6.0;
   return volume;
@@ -676,10 +677,6 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   progress.report("meshing", 1.0);
   return surface;
 }
-
-}  // namespace
-
-namespace {
 
 double toleranceOf(const Stock::Impl& impl, const SurfaceOptions& options) {
   return options.simplify_mm < 0.0 ? kDefaultTolerance * impl.h : options.simplify_mm;

@@ -1,4 +1,4 @@
-// Corners that can be cut off a polygon.
+// Area of a polygon, and corners that can be cut off it.
 #pragma once
 
 #include <vector>
@@ -6,6 +6,13 @@
 #include "core/geometry/plane.h"
 
 namespace proveout {
+
+/// Twice the area of a polygon, above 0 counter-clockwise.
+inline double signedArea2(const std::vector<Vec2>& points) {
+  double area2 = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) area2 += cross2(points[i], points[(i + 1) % points.size()]);
+  return area2;
+}
 
 /// Whether the polygon, counter-clockwise, turns left at point i and no other point lies in or on the
 /// triangle there; points that are equal to its corners are allowed.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/plane.h"
+#include "core/geometry/ears.h"
 
 namespace proveout {
 
@@ -34,9 +34,7 @@ class EarClipping {
  public:
   explicit EarClipping(const std::vector<Vec2>& points) : p_(points) {
     for (std::size_t k = 0; k < p_.size(); ++k) rest_.push_back(k);
-    double area = 0.0;
-    for (std::size_t k = 0; k < p_.size(); ++k) area += cross2(p_[k], p_[(k + 1) % p_.size()]);
-    if (area < 0.0) std::reverse(rest_.begin(), rest_.end());
+    if (signedArea2(p_) < 0.0) std::reverse(rest_.begin(), rest_.end());
   }
 
   /// False: rounding leaves no ear.

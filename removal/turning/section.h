@@ -41,6 +41,18 @@ struct ThreadSweep {
   /// - t). 0 for constant lead; above 0 the lead grows.
   double bend = 0.0;
   MotionId motion = kNoMotion;
+
+  /// The control point when the part `t` of the turns is done, 0..1.
+  Vec2 at(double t) const { return from + (t + bend * (t * t - t)) * (to - from); }
+  /// What reaches over the axis stands on the other side of it, half a turn on: there the sweep of the
+  /// outline mirrored in r, which is for the caller to set.
+  ThreadSweep acrossAxis() const {
+    ThreadSweep across = *this;
+    across.from.x() = -from.x();
+    across.to.x() = -to.x();
+    across.start_rad += kPi;
+    return across;
+  }
 };
 
 /// What turning made of a blank: the section, and threads that are cut into it.

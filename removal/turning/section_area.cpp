@@ -313,6 +313,17 @@ double SectionArea::subtract(const std::vector<SectionPath>& sweeps, MotionId mo
   return whole.taken_mm3;
 }
 
+double SectionArea::subtractMany(const std::vector<SectionPath>& sweeps, MotionId motion) {
+  constexpr std::size_t kAtOnce = 32;
+  double taken = 0.0;
+  for (std::size_t i = 0; i < sweeps.size(); i += kAtOnce) {
+    const auto from = sweeps.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto count = static_cast<std::ptrdiff_t>(std::min(kAtOnce, sweeps.size() - i));
+    taken += subtract({from, from + count}, motion);
+  }
+  return taken;
+}
+
 bool SectionArea::mayMeet(const std::vector<SectionPath>& sweeps) const {
   return reachOf(impl_->loops, toPaths(sweeps)).has_value();
 }

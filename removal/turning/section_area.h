@@ -40,6 +40,8 @@ class SectionArea {
   /// rounding and stays.
   double subtract(const std::vector<SectionPath>& sweeps, MotionId motion,
                   const std::vector<SectionPath>& spared = {});
+  /// The same for many sweeps, a few at a time: sets of overlapping polygons cost the square of their number.
+  double subtractMany(const std::vector<SectionPath>& sweeps, MotionId motion);
   /// False where the sweeps surely have nothing in common with the area; quicker than common().
   bool mayMeet(const std::vector<SectionPath>& sweeps) const;
   /// What the union of `sweeps`, less the union of `spared`, has in common with the area.

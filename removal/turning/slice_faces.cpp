@@ -80,9 +80,7 @@ class OpenEdges {
 /// In the order of the polygon's corners. False: it crosses itself.
 bool cutIntoTriangles(Polygon corners, std::vector<Vec2> points,
                       std::vector<std::array<std::uint32_t, 3>>& out) {
-  double area = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) area += cross2(points[i], points[(i + 1) % points.size()]);
-  const bool clockwise = area < 0.0;
+  const bool clockwise = signedArea2(points) < 0.0;
   if (clockwise) {
     std::reverse(corners.begin(), corners.end());
     std::reverse(points.begin(), points.end());

@@ -131,12 +131,8 @@ ThreadField::ThreadField(const std::vector<ThreadSweep>& threads, const Vec2& lo
       outline = outlines_.emplace_back(std::make_unique<ThreadOutline>(*s.outline)).get();
       mirror = outlines_.emplace_back(std::make_unique<ThreadOutline>(mirrored(*s.outline, 0))).get();
     }
-    // What reaches over the axis stands on the other side of it.
-    ThreadSweep across = s;
-    across.from.x() = -s.from.x();
-    across.to.x() = -s.to.x();
-    across.start_rad += kPi;
-    for (const HelixSweep& sweep : {HelixSweep(s, *outline, number), HelixSweep(across, *mirror, number)}) {
+    const HelixSweep across(s.acrossAxis(), *mirror, number);
+    for (const HelixSweep& sweep : {HelixSweep(s, *outline, number), across}) {
       if (sweep.max().x() > 0.0 && (sweep.min().array() < high.array()).all() &&
           (sweep.max().array() > low.array()).all())
         sweeps_.push_back(sweep);

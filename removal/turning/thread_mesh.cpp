@@ -36,6 +36,9 @@ struct Node {
   std::span<const PassEnd> ends;
   std::size_t passed = 0;
   Slice slice;
+  /// How far the section behind it is off this one, mm; below 0: they do not go over into each other. Nothing
+  /// where that has not been looked at.
+  std::optional<double> off;
 };
 
 /// All half sections round the part, so close together that each goes over into the next.
@@ -52,7 +55,7 @@ class SliceRing {
       if (failed_ || nodes_.size() + between.size() > kMostSlices) return false;
       if (between.empty()) return true;
       std::vector<Node> more;
-      for (const double phi : between) more.push_back({phi, {}, 0, {}});
+      for (const double phi : between) more.push_back({phi, {}, 0, {}, {}});
       fill(more);
       nodes_.insert(nodes_.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
       std::stable_sort(nodes_.begin(), nodes_.end(),
@@ -84,7 +87,7 @@ class SliceRing {
       while (last < ends.size() && ends[last].phi == ends[first].phi) ++last;
       const std::span<const PassEnd> here(ends.data() + first, last - first);
       for (std::size_t passed = 0; passed <= here.size(); ++passed)
-        nodes_.push_back({ends[first].phi, here, passed, {}});
+        nodes_.push_back({ends[first].phi, here, passed, {}, {}});
       first = last;
     }
     // Even steps, but for those that an end is near to.
@@ -96,7 +99,7 @@ class SliceRing {
         return std::abs(std::remainder(node.phi - phi, kFullTurn)) < 0.25 * step;
       };
       if (std::none_of(nodes_.begin(), nodes_.begin() + static_cast<std::ptrdiff_t>(special), near))
-        nodes_.push_back({phi, {}, 0, {}});
+        nodes_.push_back({phi, {}, 0, {}, {}});
     }
     std::stable_sort(nodes_.begin(), nodes_.end(),
                      [](const Node& a, const Node& b) { return a.phi < b.phi; });
@@ -111,26 +114,33 @@ class SliceRing {
     });
   }
 
+  double gap(std::size_t k) const {
+    if (step(k) <= 0.0) return 0.0;
+    const Slice &a = nodes_[k].slice, &b = after(k).slice;
+    const auto matches = matchSlices(a, b, turnsTo(k));
+    if (!matches) return -1.0;
+    double most = 0.0;
+    for (const LoopMatch& match : *matches)
+      most = std::max(most, mismatch(a.loops[match.a], b.loops[match.b], match));
+    return most;
+  }
+
   /// Angles between sections that differ by more than the tolerance.
   std::vector<double> unclear() {
-    std::vector<double> off(nodes_.size(), 0.0);
     parallelFor(std::size_t{0}, nodes_.size(), [&](std::size_t k) {
-      if (step(k) <= 0.0) return;
-      const Slice &a = nodes_[k].slice, &b = after(k).slice;
-      const auto matches = matchSlices(a, b, turnsTo(k));
-      if (!matches) off[k] = -1.0;
-      for (const LoopMatch& match : matches ? *matches : std::vector<LoopMatch>{})
-        off[k] = std::max(off[k], mismatch(a.loops[match.a], b.loops[match.b], match));
+      if (!nodes_[k].off) nodes_[k].off = gap(k);
     });
     std::vector<double> between;
     deviation_ = 0.0;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      if (off[k] >= 0.0 && off[k] <= tolerance_) continue;
+      const double off = *nodes_[k].off;
+      if (off >= 0.0 && off <= tolerance_) continue;
       if (step(k) < 2.0 * kLeastStep) {
-        failed_ = failed_ || off[k] < 0.0;
-        deviation_ = std::max(deviation_, off[k]);
+        failed_ = failed_ || off < 0.0;
+        deviation_ = std::max(deviation_, off);
         continue;
       }
+      nodes_[k].off.reset();
       const double phi = nodes_[k].phi + 0.5 * step(k);
       between.push_back(phi < kFullTurn ? phi : phi - kFullTurn);
     }

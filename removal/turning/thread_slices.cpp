@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/plane.h"
+#include "core/geometry/ears.h"
 #include "removal/turning/revolve.h"
 
 namespace proveout::thread_detail {
@@ -13,8 +13,6 @@ namespace {
 
 /// Edges from this label on were made by thread sweeps.
 constexpr MotionId kSweepLabel = 0x40000000;
-/// Turns that are cut at once: sets of overlapping polygons cost the square of their number.
-constexpr std::size_t kTurnsAtOnce = 32;
 /// Ends of passes this near to each other have one angle, rad: no slices so thin between them.
 constexpr double kSameAngle = 1e-4;
 /// Edges shorter than this are none: float coordinates of a mesh could not tell their ends apart, mm.
@@ -56,13 +54,6 @@ void dropShort(std::vector<Vec2>& points, std::vector<EdgeName>& names) {
   }
 }
 
-double areaOf(const std::vector<Vec2>& points) {
-  double area = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    area += 0.5 * cross2(points[i], points[(i + 1) % points.size()]);
-  return area;
-}
-
 }  // namespace
 
 ThreadSlicer::ThreadSlicer(const SectionBody& body, const std::vector<ThreadSweep>& threads,
@@ -78,14 +69,12 @@ ThreadSlicer::ThreadSlicer(const SectionBody& body, const std::vector<ThreadSwee
   }
   section_ = SectionArea(loops);
   for (const ThreadSweep& thread : threads) {
-    addSweep(thread, *thread.outline, tolerance);
+    addSweep(thread, tolerance);
     if (std::min(thread.from.x(), thread.to.x()) + thread.outline->min().x() >= 0.0) continue;
-    // What reaches over the axis stands on the other side of it.
-    ThreadSweep across = thread;
-    across.from.x() = -thread.from.x();
-    across.to.x() = -thread.to.x();
-    across.start_rad += kPi;
-    addSweep(across, mirrored(*thread.outline, 0), tolerance);
+    const ConvexOutline mirror = mirrored(*thread.outline, 0);
+    ThreadSweep across = thread.acrossAxis();
+    across.outline = &mirror;
+    addSweep(across, tolerance);
   }
   std::sort(ends_.begin(), ends_.end(), [](const PassEnd& a, const PassEnd& b) { return a.phi < b.phi; });
   for (std::size_t k = 1; k < ends_.size(); ++k) {
@@ -97,18 +86,11 @@ ThreadSlicer::ThreadSlicer(const SectionBody& body, const std::vector<ThreadSwee
   });
 }
 
-void ThreadSlicer::addSweep(const ThreadSweep& thread, const ConvexOutline& outline, double tolerance) {
+void ThreadSlicer::addSweep(const ThreadSweep& thread, double tolerance) {
   if (thread.turns == 0.0) return;
-  Sweep sweep{thread.from,
-              thread.to - thread.from,
-              0.0,
-              2.0 * kPi * thread.turns,
-              thread.bend,
-              thread.motion,
-              {},
-              {},
-              outline.min(),
-              outline.max()};
+  const ConvexOutline& outline = *thread.outline;
+  Sweep sweep{thread, 0.0, 2.0 * kPi * thread.turns, {}, {}, outline.min(), outline.max()};
+  sweep.thread.outline = nullptr;  // it is not kept; its chords are
   sweep.start = thread.start_rad - 2.0 * kPi * std::floor(thread.start_rad / (2.0 * kPi));
   outline.chain(0.0, 2.0 * kPi, kSectionChordMm, sweep.outline);
   while (sweep.outline.size() > 1 && (sweep.outline.front() - sweep.outline.back()).norm() < kOnEdge)
@@ -124,7 +106,7 @@ void ThreadSlicer::addSweep(const ThreadSweep& thread, const ConvexOutline& outl
 void ThreadSlicer::addEnds(std::int32_t number) {
   const Sweep& sweep = sweeps_[static_cast<std::size_t>(number)];
   for (const bool last : {false, true}) {
-    if (!reaches(sweep, sweep.at(last ? 1.0 : 0.0))) continue;
+    if (!reaches(sweep, sweep.thread.at(last ? 1.0 : 0.0))) continue;
     const double angle = sweep.start + (last ? sweep.turn : 0.0);
     double turns = std::floor(angle / (2.0 * kPi));
     double phi = angle - 2.0 * kPi * turns;
@@ -155,7 +137,7 @@ std::vector<ThreadSlicer::Pass> ThreadSlicer::passes(std::int32_t number, double
     for (std::size_t k = 0; k < ends.size(); ++k) {
       if (ends[k].sweep == number && ends[k].turn == turn) there = (k < passed) == ends[k].appears;
     }
-    const Vec2 at = sweep.at(std::clamp(t, 0.0, 1.0));
+    const Vec2 at = sweep.thread.at(std::clamp(t, 0.0, 1.0));
     if (there && reaches(sweep, at)) out.push_back({turn, at});
   }
   return out;
@@ -199,13 +181,11 @@ Slice ThreadSlicer::slice(double phi, std::span<const PassEnd> ends, std::size_t
   for (std::size_t s = 0; s < sweeps_.size(); ++s) {
     all[s] = passes(static_cast<std::int32_t>(s), phi, ends, passed);
     std::vector<SectionPath> polygons;
-    for (std::size_t k = 0; k < all[s].size(); ++k) {
+    for (const Pass& pass : all[s]) {
       SectionPath& polygon = polygons.emplace_back(sweeps_[s].outline);
-      for (Vec2& p : polygon) p += all[s][k].at;
-      if (polygons.size() < kTurnsAtOnce && k + 1 < all[s].size()) continue;
-      out.taken_mm3 += area.subtract(polygons, kSweepLabel + static_cast<MotionId>(s));
-      polygons.clear();
+      for (Vec2& p : polygon) p += pass.at;
     }
+    out.taken_mm3 += area.subtractMany(polygons, kSweepLabel + static_cast<MotionId>(s));
   }
   for (const SectionBody& body : area.bodies()) {
     for (const SectionLoop& loop : body.loops) {
@@ -230,7 +210,7 @@ Slice ThreadSlicer::slice(double phi, std::span<const PassEnd> ends, std::size_t
       }
       if (corners.size() > 2)
         out.loops.push_back(std::move(corners));
-      else if (std::abs(areaOf(points)) > kShortest * kShortest)
+      else if (std::abs(signedArea2(points)) > 2.0 * kShortest * kShortest)
         out.sound = false;
     }
   }
@@ -239,7 +219,7 @@ Slice ThreadSlicer::slice(double phi, std::span<const PassEnd> ends, std::size_t
 
 MotionId ThreadSlicer::motionOf(const EdgeName& name) const {
   return name.sweep == EdgeName::kSection ? of_run_[static_cast<std::size_t>(name.run)]
-                                          : sweeps_[static_cast<std::size_t>(name.sweep)].motion;
+                                          : sweeps_[static_cast<std::size_t>(name.sweep)].thread.motion;
 }
 
 }  // namespace proveout::thread_detail

@@ -55,23 +55,20 @@ class ThreadSlicer {
 
  private:
   struct Sweep {
-    Vec2 from, way;
-    double start, turn;  ///< rad
-    double bend;
-    MotionId motion;
+    ThreadSweep thread;
+    double start, turn;             ///< rad
     std::vector<Vec2> outline;      ///< chords, counter-clockwise
     std::vector<std::int32_t> run;  ///< of the chord from a point to the next
     Vec2 low, high;                 ///< of the outline
 
     double partAt(double phi, std::int32_t turns) const { return (phi + 2.0 * kPi * turns - start) / turn; }
-    Vec2 at(double t) const { return from + (t + bend * (t * t - t)) * way; }
   };
   struct Pass {
     std::int32_t turn;
     Vec2 at;
   };
 
-  void addSweep(const ThreadSweep& thread, const ConvexOutline& outline, double tolerance);
+  void addSweep(const ThreadSweep& thread, double tolerance);
   void addEnds(std::int32_t sweep);
   bool reaches(const Sweep& sweep, const Vec2& at) const;
   std::vector<Pass> passes(std::int32_t sweep, double phi, std::span<const PassEnd> ends,

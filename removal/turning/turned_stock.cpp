@@ -24,8 +24,6 @@ constexpr double kOff = 1e-6;
 constexpr int kThreadPlanes = 4;
 /// A thread of more turns is a slip in the program, and would take minutes.
 constexpr double kMostTurns = 2000.0;
-/// Turns that are cut into a plane at once: sets of overlapping polygons cost the square of their number.
-constexpr std::size_t kTurnsAtOnce = 32;
 
 Vec2 inPlane(const Vec3& p) { return {p.x(), p.z()}; }
 
@@ -62,9 +60,8 @@ std::vector<SectionPath> passesThrough(const ThreadSweep& thread, double angle) 
   double turn = std::remainder(angle - thread.start_rad, 2.0 * kPi);
   if (turn * total < 0.0) turn += std::copysign(2.0 * kPi, total);
   for (; std::abs(turn) <= std::abs(total); turn += std::copysign(2.0 * kPi, total)) {
-    const double t = turn / total, s = t + thread.bend * (t * t - t);
     PlaneWay still;
-    still.from = still.to = thread.from + s * (thread.to - thread.from);
+    still.from = still.to = thread.at(turn / total);
     for (SectionPath& path : sweptPaths(*thread.outline, still)) paths.push_back(std::move(path));
   }
   return paths;
@@ -308,12 +305,7 @@ class Turning {
     double sum = 0.0;
     for (int k = 0; k < kThreadPlanes; ++k) {
       const double angle = 2.0 * kPi * k / kThreadPlanes;
-      const std::vector<SectionPath> passes = passesThrough(sweep, angle);
-      for (std::size_t i = 0; i < passes.size(); i += kTurnsAtOnce) {
-        const auto from = passes.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto count = static_cast<std::ptrdiff_t>(std::min(kTurnsAtOnce, passes.size() - i));
-        sum += planes_[static_cast<std::size_t>(k)].subtract({from, from + count}, sweep.motion);
-      }
+      sum += planes_[static_cast<std::size_t>(k)].subtractMany(passesThrough(sweep, angle), sweep.motion);
     }
     return sum / kThreadPlanes;
   }

@@ -131,17 +131,6 @@ std::string randomTool(Random& random, int number, double size) {
   }
 }
 
-/// A program and the lines at which it may stop.
-struct Program {
-  std::string text;
-  int lines = 0;
-  std::vector<int> stops;
-  void add(const std::string& line) {
-    text += line + "\n";
-    ++lines;
-  }
-};
-
 class ProgramWriter {
  public:
   ProgramWriter(Random& random, const Bounds& b, bool helices) : random_(random), b_(b), helices_(helices) {}

@@ -53,6 +53,17 @@ struct SoakCase {
   std::string last_setup;  ///< name of the last clamping; empty without setups
 };
 
+/// A program and the lines at which it may stop.
+struct Program {
+  std::string text;
+  int lines = 0;
+  std::vector<int> stops;
+  void add(const std::string& line) {
+    text += line + "\n";
+    ++lines;
+  }
+};
+
 /// The case of a seed.
 SoakCase makeCase(std::uint64_t seed);
 

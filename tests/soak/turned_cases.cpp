@@ -42,16 +42,6 @@ std::string tools(Random& random, const Bar& bar) {
   return text;
 }
 
-struct Program {
-  std::string text;
-  int lines = 0;
-  std::vector<int> stops;
-  void add(const std::string& line) {
-    text += line + "\n";
-    ++lines;
-  }
-};
-
 class ProgramWriter {
  public:
   ProgramWriter(Random& random, const Bar& bar) : random_(random), bar_(bar) {}
