@@ -29,7 +29,7 @@ class FieldBlank {
       : impl_(impl), field_(field), progress_(progress), limit_bytes_(limit_bytes) {}
 
   Status build() {
-    const Box3 box = field_.bounds();
+    const Box3& box = impl_.blank;
     const auto index = [&](const Vec3& p, int axis) {
       return static_cast<int>(std::floor((p[axis] - impl_.origin[axis]) / impl_.h));
     };

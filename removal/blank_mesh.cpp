@@ -79,8 +79,8 @@ class MeshBlank {
     nearest_ = openvdb::Int32Grid::create(-1);
     const auto unit = openvdb::math::Transform::createLinearTransform(1.0);
     // Distances come in voxels: the adapter works in index space and the transform is the identity.
-    grid_ = openvdb::tools::meshToVolume<openvdb::FloatGrid>(MeshAdapter(mesh_, impl_), *unit, kBand, kBand, 0,
-                                                             nearest_.get());
+    grid_ = openvdb::tools::meshToVolume<openvdb::FloatGrid>(MeshAdapter(mesh_, impl_), *unit, kBand, kBand,
+                                                             0, nearest_.get());
     copyTiles();
     std::vector<LeafChange> changes;
     for (auto it = grid_->tree().cbeginLeaf(); it; ++it) {
@@ -165,19 +165,8 @@ class MeshBlank {
 }  // namespace
 
 Status rasteriseMesh(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options) {
-  const MeshTopology topology = analyseTopology(shape.mesh);
-  const std::string name = shape.name.empty() ? "stock mesh" : "stock mesh " + shape.name;
-  if (shape.mesh.triangles.empty()) return inputError(name + ": no triangles");
-  if (!topology.closedManifold()) {
-    return inputError(fmt::format(
-        "{}: not closed (open edges {}, non-manifold edges {}, inconsistent edges {}), first defect near "
-        "X{:.3f} Y{:.3f} Z{:.3f}; close it in CAD and export it again",
-        name, topology.boundary_edges, topology.non_manifold_edges, topology.misoriented_edges,
-        topology.first_defect.x(), topology.first_defect.y(), topology.first_defect.z()));
-  }
+  if (Status solid = checkSolid(shape); !solid) return solid;
   impl.initial_volume = meshVolume(shape.mesh);
-  if (impl.initial_volume <= 0.0)
-    return inputError(name + ": inside out or without volume; turn its normals round");
   const double leaves = meshArea(shape.mesh) / (impl.h * impl.h * 64.0) * 3.0;
   if (const double bytes = 3.0 * leafBytes(leaves), limit = memoryLimit(options); bytes > limit) {
     return memoryError(bytes, limit, impl.h);

@@ -50,18 +50,12 @@ constexpr double kMaxVoxelsPerSide = 1 << 24;
 /// coordinates do not coincide with grid points.
 const Vec3 kGridShift(0.38197, 0.41421, 0.44721);
 
-Box3 shapeBounds(const StockShape& shape) {
-  if (const auto* box = std::get_if<BoxShape>(&shape)) return {box->min, box->max};
-  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshBounds(mesh->mesh);
-  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) return turnedBounds(turned->shape.get());
-  Box3 bounds;
-  if (const auto* round = std::get_if<CylinderShape>(&shape)) {
-    bounds.extend(round->base - Vec3::Constant(round->radius));
-    bounds.extend(round->base + Vec3::Constant(round->radius));
-    bounds.min[round->axis] = round->base[round->axis];
-    bounds.max[round->axis] = round->base[round->axis] + round->length;
-  }
-  return bounds;
+/// What is built of a shape with these bounds; see RemovalOptions::window.
+Box3 windowed(const StockShape& shape, const Box3& bounds, const std::optional<Box3>& window) {
+  const bool closed_form =
+      std::holds_alternative<BoxShape>(shape) || std::holds_alternative<CylinderShape>(shape);
+  if (!window || !closed_form || !bounds.overlaps(*window)) return bounds;
+  return {bounds.min.cwiseMax(window->min), bounds.max.cwiseMin(window->max)};
 }
 
 Status checkGrid(const Box3& bounds, double resolution) {
@@ -83,6 +77,34 @@ Status checkGrid(const Box3& bounds, double resolution) {
 }
 
 }  // namespace
+
+Box3 shapeBounds(const StockShape& shape) {
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return {box->min, box->max};
+  if (const auto* round = std::get_if<CylinderShape>(&shape)) {
+    Vec3 reach = Vec3::Constant(round->radius);
+    reach[round->axis] = 0.0;
+    return {round->base - reach, round->base + reach + Vec3::Unit(round->axis) * round->length};
+  }
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshBounds(mesh->mesh);
+  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) return turnedBounds(turned->shape.get());
+  return {};
+}
+
+Status checkSolid(const MeshShape& shape) {
+  const std::string name = shape.name.empty() ? "stock mesh" : "stock mesh " + shape.name;
+  if (shape.mesh.triangles.empty()) return inputError(name + ": no triangles");
+  const MeshTopology topology = analyseTopology(shape.mesh);
+  if (!topology.closedManifold()) {
+    return inputError(fmt::format(
+        "{}: not closed (open edges {}, non-manifold edges {}, inconsistent edges {}), first defect near "
+        "X{:.3f} Y{:.3f} Z{:.3f}; close it in CAD and export it again",
+        name, topology.boundary_edges, topology.non_manifold_edges, topology.misoriented_edges,
+        topology.first_defect.x(), topology.first_defect.y(), topology.first_defect.z()));
+  }
+  if (meshVolume(shape.mesh) <= 0.0)
+    return inputError(name + ": inside out or without volume; turn its normals round");
+  return Done{};
+}
 
 double leafBytes(double leaves) { return leaves * kBytesPerLeaf; }
 
@@ -208,7 +230,7 @@ Result<Stock> Stock::create(const StockShape& shape, const RemovalOptions& optio
     if (Status status = checkGrid(bounds, options.resolution_mm); !status) return status.error();
     stock.impl_->h = options.resolution_mm;
     stock.impl_->origin = kGridShift * options.resolution_mm;
-    stock.impl_->blank = bounds;
+    stock.impl_->blank = windowed(shape, bounds, options.window);
     if (const double bytes = indexBytes(*stock.impl_), most = memoryLimit(options); bytes > most)
       return memoryError(bytes, most, options.resolution_mm);
     makeIndex(*stock.impl_);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct RemovalOptions {
   int threads = 0;             ///< 0: all cores
   double max_memory_gb = 0.0;  ///< refuse above it (exit 3); 0: what the machine has free
   bool watch_all = false;  ///< every touch of the stock is a contact, in feed too (the stock is a fixture)
+  /// Of boxes and cylinders only what lies in here is built, mm: for a stock that is only asked about
+  /// touches, by what stays a few cells off the borders. Its surface and volumes are not to be asked for.
+  std::optional<Box3> window = {};
 };
 
 /// kInsertBack: a side of a lathe insert that has to stay clear; kAxis: a lathe tool cuts beyond the axis.
@@ -138,8 +142,8 @@ class Stock {
   /// Of the blank's own shape, mm3: by its closed form, or of its mesh; volume() differs by what the grid
   /// cannot hold. Of a saved stock that of its first blank.
   double initialVolume() const;
-  double resolution() const;     ///< mm
-  Box3 bounds() const;           ///< of the blank, mm
+  double resolution() const;  ///< mm
+  Box3 bounds() const;        ///< of the blank, mm
 
   struct Impl;  ///< removal/stock_impl.h
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "core/base/result.h"
 #include "core/geometry/types.h"
 #include "core/mesh/tri_mesh.h"
 
@@ -36,5 +37,11 @@ struct TurnedStockShape {
   std::shared_ptr<const TurnedShape> shape;
 };
 using StockShape = std::variant<BoxShape, CylinderShape, MeshShape, SavedStock, TurnedStockShape>;
+
+/// Empty for a saved stock.
+Box3 shapeBounds(const StockShape& shape);
+
+/// Whether the mesh bounds a volume. Errors: no triangles, not closed (names the place), inside out.
+Status checkSolid(const MeshShape& shape);
 
 }  // namespace proveout

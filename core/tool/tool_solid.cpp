@@ -157,4 +157,16 @@ ToolSolid makeToolSolid(const Tool& tool) {
   return solid;
 }
 
+Box3 boundsOf(const ToolSolid& solid) {
+  Box3 box;
+  for (const auto* parts : {&solid.cutter, &solid.shank, &solid.holder}) {
+    for (const ConvexProfile& part : *parts) {
+      const double r = part.maxRadius();
+      box.extend(Vec3(-r, -r, part.zMin()));
+      box.extend(Vec3(r, r, part.zMax()));
+    }
+  }
+  return box;
+}
+
 }  // namespace proveout

@@ -20,4 +20,7 @@ struct ToolSolid {
 /// Requires validateTool(tool) and another type than ToolType::kInsert.
 ToolSolid makeToolSolid(const Tool& tool);
 
+/// Of all parts, mm.
+Box3 boundsOf(const ToolSolid& solid);
+
 }  // namespace proveout
