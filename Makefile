@@ -43,6 +43,7 @@ soak: build
 bench: build
 	build/release/bin/bench_programs $(BENCH)
 	build/release/bin/bench_sweeps
+	build/release/bin/bench_prediction
 
 asan tsan: deps
 	cmake --preset $@

@@ -6,30 +6,12 @@
 #include <limits>
 
 #include "app/job_setup.h"
-#include "removal/turning/turned_field.h"
 
 namespace proveout {
 namespace {
 
 /// So many cells a blank must be thick: a thinner one falls between the grid's points and is lost.
 constexpr double kLeastCells = 2.0;
-
-Box3 cylinderBounds(const CylinderShape& shape) {
-  Vec3 reach = Vec3::Constant(shape.radius);
-  reach[shape.axis] = 0;
-  Vec3 top = shape.base;
-  top[shape.axis] += shape.length;
-  return {shape.base - reach, top + reach};
-}
-
-/// Empty for a saved stock.
-Box3 boundsOf(const StockShape& shape) {
-  if (const auto* box = std::get_if<BoxShape>(&shape)) return {box->min, box->max};
-  if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) return cylinderBounds(*cylinder);
-  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshBounds(mesh->mesh);
-  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) return turnedBounds(turned->shape.get());
-  return {};
-}
 
 /// The thinnest extent of a blank, mm: a side of its bounds, or a tube's wall.
 double thinnest(const StockShape& shape, const Box3& bounds) {
@@ -71,7 +53,7 @@ Result<Blank> openBlank(const Job& job, Progress& progress) {
   if (!shape) return shape.error();
   Blank blank;
   blank.shape = std::move(*shape);
-  blank.bounds = boundsOf(blank.shape);
+  blank.bounds = shapeBounds(blank.shape);
   if (std::holds_alternative<SavedStock>(blank.shape)) {
     if (job.simulation.resolution_mm) {
       return inputError("a saved stock has its own grid: leave the resolution away");
@@ -109,7 +91,7 @@ Box3 movedBounds(const Job& job, Box3 bounds, std::size_t moves) {
 }
 
 Status checkThickness(const StockShape& shape, double resolution_mm) {
-  const double thin = thinnest(shape, boundsOf(shape));
+  const double thin = thinnest(shape, shapeBounds(shape));
   if (!(thin > 0) || resolution_mm <= thin / kLeastCells) return Done{};
   return inputError(
       fmt::format("a grid of {:g} mm is too coarse for what is {:g} mm thin; take a resolution of {:.3g} mm "

@@ -12,8 +12,17 @@ struct FixtureStock {
   std::string name;
   Stock stock;
 };
-/// Errors: a mesh that cannot be read or is not closed, a fixture thinner than two cells of the grid.
-Result<std::vector<FixtureStock>> makeFixtures(const Job& setup, double resolution_mm, Progress& progress);
+/// Those that a tool comes near to on its way; no more of them is built than that. Errors: a mesh that cannot
+/// be read or is not closed, a fixture thinner than two cells of the grid.
+Result<std::vector<FixtureStock>> makeFixtures(const SetupRun& setup, double resolution_mm,
+                                               Progress& progress);
+
+/// Surface of what makeFixtures builds, mm2; what cannot be read counts as none.
+struct FixtureAreas {
+  double solids_mm2 = 0.0;  ///< boxes, cylinders and tubes
+  double meshes_mm2 = 0.0;
+};
+FixtureAreas fixtureAreas(const SetupRun& setup);
 
 /// Runs the path of a clamping through its fixtures; every touch, by cutter, shank or holder, in rapid or in
 /// feed, is a finding of kind "fixture_contact". What a cutter takes out of a fixture is not met again by the

@@ -21,6 +21,7 @@
 #include "app/stopwatch.h"
 #include "app/tool_offsets.h"
 #include "app/turning.h"
+#include "app/turning_work.h"
 #include "core/base/parallel_for.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
@@ -215,7 +216,22 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
     work = together(work, turnsPart(job) ? turningWork(setup, prepared.blank)
                                          : workloadOf(setup.interpreted.path, setup.job.tools,
                                                       movedBounds(job, prepared.blank.bounds, k), area));
+    if (turnsPart(job)) continue;
+    const FixtureAreas fixtures = fixtureAreas(setup);
+    work.fixture_mm2 = std::max(work.fixture_mm2, fixtures.solids_mm2 + fixtures.meshes_mm2);
+    work.fixture_mesh_mm2 = std::max(work.fixture_mesh_mm2, fixtures.meshes_mm2);
   }
+  if (const auto* mesh = std::get_if<MeshShape>(&prepared.blank.shape))
+    work.blank_triangles = static_cast<double>(mesh->mesh.triangles.size());
+  work.reads_grid = std::holds_alternative<SavedStock>(prepared.blank.shape);
+  const auto& formats = job.output.formats;
+  const auto writes = [&](OutputFormat format) {
+    return std::find(formats.begin(), formats.end(), format) != formats.end() ? 1 : 0;
+  };
+  work.writes_grid = writes(OutputFormat::kVdb) > 0;
+  work.text_files = writes(OutputFormat::kStlAscii) + writes(OutputFormat::kObj);
+  for (std::size_t k = 1; k < setupCount(job) && !turnsPart(job); ++k)
+    work.mesh_moves += movesExactly(job.setups[k].from_previous) ? 0 : 1;
   if (prepared.nominal) work.nominal_mm2 = meshArea(prepared.nominal->mesh);
   if (!job.output.views.empty()) {
     work.pixels = static_cast<double>(job.output.width) * job.output.height;
@@ -238,7 +254,7 @@ Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
     return Error{
         ErrorKind::kResourceLimit,
         fmt::format("{} would need about {:.0f} MB, {:.0f} MB are allowed; {}allow more (--max-memory)",
-                    work.triangles > 0.0 ? "the mesh of the threads" : "the tool path", needed_mb, limit_mb,
+                    work.triangles > 0.0 ? "the mesh" : "the tool path", needed_mb, limit_mb,
                     work.triangles > 0.0 ? "take a larger profile_resolution, or " : "")};
   }
   const double fits = resolutionThatFits(work, resolution_mm, limit_mb);
@@ -347,7 +363,7 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
   double left_mm3 = 0.0, own_mm3 = stock->initialVolume();
   for (std::size_t k = 0; k < run.setups.size(); ++k) {
     SetupRun& setup = run.setups[k];
-    Result<std::vector<FixtureStock>> fixtures = makeFixtures(setup.job, run.resolution_mm, progress);
+    Result<std::vector<FixtureStock>> fixtures = makeFixtures(setup, run.resolution_mm, progress);
     if (!fixtures) return fixtures.error();
     if (k > 0) {
       watch.lap();

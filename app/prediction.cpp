@@ -13,25 +13,47 @@
 namespace proveout {
 namespace {
 
-// Measured on the sample programs with two cores. A cell is a square of the grid on the surface.
+// Measured with tests/bench/bench_prediction on two cores. A cell is a square of the grid on the surface.
 constexpr double kBaseMb = 20.0;               ///< program, libraries, threads
-constexpr double kBytesPerCell = 57.0;         ///< leaves, crossings, mesh of flat faces
-constexpr double kBytesPerUnevenCell = 380.0;  ///< on top of that where triangles are not merged
+constexpr double kBytesPerCell = 50.0;         ///< leaves, crossings, mesh of flat faces
+constexpr double kBytesPerCutCell = 60.0;      ///< on top of that: round walls
+constexpr double kBytesPerUnevenCell = 260.0;  ///< and where triangles are not merged
 constexpr double kBytesPerTriangle = 75.0;  ///< of a mesh from half sections: the sections and the file, too
-constexpr double kBytesPerMotion = 500.0;   ///< motion and its passes
-constexpr double kComparisonMb = 18.0;      ///< fixed part of a comparison
-constexpr double kBytesPerComparedCell = 300.0;  ///< samples and search trees, both meshes
-constexpr double kBytesPerPixel = 20.0;          ///< a picture while it is drawn
-constexpr double kBytesPerDrawnCell = 60.0;      ///< the renderer's search tree
-constexpr double kMostComparedCells = 1.8e6;     ///< the comparison widens its samples on huge meshes
+constexpr double kBytesPerThreadedCell = 380.0;   ///< the same of a part with threads
+constexpr double kBytesPerMotion = 500.0;         ///< motion and its passes
+constexpr double kBytesPerTurnedMotion = 600.0;   ///< its edges in the half section
+constexpr double kBytesPerFixtureCell = 28.0;     ///< leaves and crossings alone
+constexpr double kModuleMb = 30.0;                ///< OpenVDB, for saved stocks and meshes
+constexpr double kBytesPerSavedCell = 250.0;      ///< reading or writing a saved stock
+constexpr double kBytesPerBlankTriangle = 170.0;  ///< of a mesh that a stock is made from
+constexpr double kBytesPerMeshedCell = 170.0;     ///< making a stock from a mesh
+constexpr double kComparisonMb = 18.0;            ///< fixed part of a comparison
+constexpr double kBytesPerComparedCell = 300.0;   ///< samples and search trees, both meshes
+constexpr double kBytesPerPixel = 20.0;           ///< a picture while it is drawn
+constexpr double kBytesPerDrawnCell = 90.0;       ///< the renderer's search tree
+constexpr double kBytesPerDrawnTriangle = 140.0;
+constexpr double kMostComparedCells = 1.8e6;  ///< the comparison widens its samples on huge meshes
+
 constexpr double kBaseS = 0.02;
-constexpr double kSecondsPerCell = 2.0e-7;          ///< blank, removal, crossings, mesh, files
-constexpr double kSecondsPerUnevenCell = 2.2e-6;    ///< on top of that where triangles are not merged
-constexpr double kSecondsPerSweptCell = 2e-9;       ///< removal, each motion counted
-constexpr double kSecondsPerTriangle = 1.1e-6;      ///< half sections, their mesh, its checks, files
-constexpr double kSecondsPerMotion = 2.5e-6;        ///< interpreter, culling
-constexpr double kSecondsPerComparedCell = 2.3e-6;  ///< comparison
-constexpr double kSecondsPerPixel = 8.5e-7;         ///< one picture
+constexpr double kSecondsPerCell = 1.6e-7;           ///< blank, removal, crossings, mesh, files
+constexpr double kSecondsPerCarriedCell = 2e-7;      ///< into the next clamping, grid line to grid line
+constexpr double kSecondsPerCutCell = 1.2e-6;        ///< on top of that
+constexpr double kSecondsPerUnevenCell = 1.1e-6;     ///< and where triangles are not merged
+constexpr double kSecondsPerSweptCell = 8e-9;        ///< removal, each motion counted
+constexpr double kSecondsPerTriangle = 1.1e-6;       ///< half sections, their mesh, its checks, files
+constexpr double kSecondsPerMotion = 2.0e-6;         ///< interpreter, culling
+constexpr double kSecondsPerTurnedMotion = 4e-5;     ///< out of the half section
+constexpr double kSecondsPerFixtureCell = 1.0e-7;    ///< leaves and crossings alone
+constexpr double kSecondsPerThreadedCell = 5e-6;     ///< a part with threads on a grid
+constexpr double kSecondsPerReadCell = 6e-7;         ///< of a saved stock
+constexpr double kSecondsPerWrittenCell = 1.3e-6;    ///< as a saved stock
+constexpr double kSecondsPerTextCell = 1.2e-6;       ///< cut cells in one mesh file as text
+constexpr double kSecondsPerBlankTriangle = 4.5e-6;  ///< a stock from a mesh
+constexpr double kSecondsPerMeshedCell = 2.1e-6;     ///< the same, and its cells
+constexpr double kSecondsPerMovedCell = 3.5e-6;      ///< a stock from that of the clamping before
+constexpr double kSecondsPerComparedCell = 2.6e-6;   ///< comparison
+constexpr double kSecondsPerPixel = 1.25e-6;         ///< one picture of flat faces
+constexpr double kMoreSecondsCut = 1.0;              ///< so much more where nothing is level
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
 constexpr int kMapSide = 256;
@@ -91,6 +113,21 @@ class HeightMap {
         added += area * (z > blank_.min.z() ? slope - 1.0 : slope - 3.0);
       }
       return added;
+    });
+  }
+
+  /// What is cut but level floors: slopes and walls, mm2.
+  double cutArea() const {
+    return overColumns(0, nx_, [&](int x) {
+      double cut = 0.0;
+      for (int y = 0; y < ny_; ++y) {
+        const double z = height_[index(x, y)], zx = x + 1 < nx_ ? height_[index(x + 1, y)] : z,
+                     zy = y + 1 < ny_ ? height_[index(x, y + 1)] : z;
+        if (zx == z && zy == z) continue;
+        const double dx = (zx - z) / cell_, dy = (zy - z) / cell_, slope = std::sqrt(1.0 + dx * dx + dy * dy);
+        cut += cell_ * cell_ * (z > blank_.min.z() ? slope : slope - 1.0);
+      }
+      return cut;
     });
   }
 
@@ -254,6 +291,7 @@ Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const 
                     double blank_mm2) {
   const Strokes strokes(path, radii(tools), blank);
   Workload work;
+  work.clampings = 1;
   work.motions = path.motions.size();
   work.swept_mm2 = strokes.swept_mm2();
   double cell = std::max(blank.size().x(), blank.size().y()) / kMapSide;
@@ -261,43 +299,105 @@ Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const 
   HeightMap map(blank, cell);
   parallelFor(0, HeightMap::kBands, [&](int band) { strokes.lower(map, band); });
   work.surface_mm2 = std::max(blank_mm2 + map.addedArea(), 0.1 * blank_mm2);
+  work.cut_mm2 = std::min(map.cutArea(), work.surface_mm2);
   work.uneven_mm2 = std::min(map.unevenArea(), work.surface_mm2);
   return work;
 }
 
 Workload together(const Workload& a, const Workload& b) {
-  Workload both;
-  both.surface_mm2 = std::max(a.surface_mm2, b.surface_mm2);
-  both.uneven_mm2 = std::max(a.uneven_mm2, b.uneven_mm2);
-  both.swept_mm2 = a.swept_mm2 + b.swept_mm2;
-  both.nominal_mm2 = std::max(a.nominal_mm2, b.nominal_mm2);
-  both.pixels = std::max(a.pixels, b.pixels);
+  Workload both = a;
+  const auto larger = [&](double Workload::*member) { both.*member = std::max(a.*member, b.*member); };
+  for (double Workload::*member :
+       {&Workload::surface_mm2, &Workload::cut_mm2, &Workload::uneven_mm2, &Workload::nominal_mm2,
+        &Workload::fixture_mm2, &Workload::fixture_mesh_mm2, &Workload::pixels, &Workload::triangles,
+        &Workload::thread_triangles, &Workload::threaded_mm2, &Workload::blank_triangles})
+    larger(member);
+  both.swept_mm2 += b.swept_mm2;
   both.pictures = std::max(a.pictures, b.pictures);
-  both.motions = a.motions + b.motions;
-  both.triangles = std::max(a.triangles, b.triangles);
+  both.motions += b.motions;
+  both.turned_motions += b.turned_motions;
+  both.reads_grid |= b.reads_grid;
+  both.writes_grid |= b.writes_grid;
+  both.text_files = std::max(a.text_files, b.text_files);
+  both.clampings += b.clampings;
+  both.mesh_moves += b.mesh_moves;
   return both;
 }
 
 double availableMemoryMb() { return 1e-6 * availableMemoryBytes(); }
 
+namespace {
+
+/// A workload on one grid.
+struct Cells {
+  double surface, cut, uneven, swept, threaded, fixture, fixture_mesh, compared;
+};
+
+Cells cellsOf(const Workload& work, double resolution_mm) {
+  const double h2 = resolution_mm * resolution_mm, surface = work.surface_mm2 / h2;
+  return {surface,
+          work.cut_mm2 / h2,
+          work.uneven_mm2 / h2,
+          work.swept_mm2 / h2,
+          work.threaded_mm2 / h2,
+          work.fixture_mm2 / h2,
+          work.fixture_mesh_mm2 / h2,
+          work.nominal_mm2 > 0.0 ? std::min(surface + work.nominal_mm2 / h2, kMostComparedCells) : 0.0};
+}
+
+/// What reading, writing and making a stock from a mesh take on top of the stock, bytes; one after the other.
+double moduleBytes(const Workload& work, const Cells& cells) {
+  const double meshed =
+      std::max(work.blank_triangles > 0.0 || work.mesh_moves > 0 ? cells.surface : 0.0, cells.fixture_mesh);
+  const double saved = work.reads_grid || work.writes_grid ? cells.surface * kBytesPerSavedCell : 0.0;
+  const double made = std::max(work.blank_triangles * kBytesPerBlankTriangle, meshed * kBytesPerMeshedCell);
+  return saved + made > 0.0 ? 1e6 * kModuleMb + std::max(saved, made) : 0.0;
+}
+
+double memoryMb(const Workload& work, const Cells& cells) {
+  const double comparing =
+      cells.compared > 0.0 ? 1e6 * kComparisonMb + cells.compared * kBytesPerComparedCell : 0.0;
+  const double drawing = work.pixels > 0.0
+                             ? (cells.cut + cells.uneven + cells.threaded) * kBytesPerDrawnCell +
+                                   work.triangles * kBytesPerDrawnTriangle + work.pixels * kBytesPerPixel
+                             : 0.0;
+  const double stock = cells.surface * kBytesPerCell + cells.cut * kBytesPerCutCell +
+                       cells.uneven * kBytesPerUnevenCell + cells.threaded * kBytesPerThreadedCell +
+                       cells.fixture * kBytesPerFixtureCell;
+  // Comparison, pictures and files follow each other and give their memory back.
+  return kBaseMb + 1e-6 * (stock + work.triangles * kBytesPerTriangle +
+                           static_cast<double>(work.motions) * kBytesPerMotion +
+                           static_cast<double>(work.turned_motions) * kBytesPerTurnedMotion +
+                           std::max({comparing, drawing, moduleBytes(work, cells)}));
+}
+
+double timeS(const Workload& work, const Cells& cells) {
+  const double clampings = std::max(1, work.clampings);
+  const double each = clampings * kSecondsPerCell + (clampings - 1.0) * kSecondsPerCarriedCell;
+  const double stock = cells.surface * each + cells.cut * kSecondsPerCutCell +
+                       cells.uneven * kSecondsPerUnevenCell + cells.swept * kSecondsPerSweptCell +
+                       cells.fixture * kSecondsPerFixtureCell + cells.fixture_mesh * kSecondsPerMeshedCell;
+  const double turned = cells.threaded * kSecondsPerThreadedCell +
+                        work.thread_triangles * kSecondsPerTriangle +
+                        static_cast<double>(work.turned_motions) * kSecondsPerTurnedMotion;
+  const double from_mesh = work.blank_triangles > 0.0 ? work.blank_triangles * kSecondsPerBlankTriangle +
+                                                            cells.surface * kSecondsPerMeshedCell
+                                                      : 0.0;
+  const double moved = work.mesh_moves * cells.surface * kSecondsPerMovedCell;
+  const double files = (work.reads_grid ? cells.surface * kSecondsPerReadCell : 0.0) +
+                       (work.writes_grid ? cells.surface * kSecondsPerWrittenCell : 0.0) +
+                       work.text_files * cells.cut * kSecondsPerTextCell;
+  const double cut_share = cells.surface > 0.0 ? std::min(1.0, cells.cut / cells.surface) : 0.0;
+  const double drawing = work.pixels * work.pictures * kSecondsPerPixel * (1.0 + kMoreSecondsCut * cut_share);
+  return kBaseS + stock + turned + from_mesh + moved + files + drawing +
+         static_cast<double>(work.motions) * kSecondsPerMotion + cells.compared * kSecondsPerComparedCell;
+}
+
+}  // namespace
+
 Prediction predict(const Workload& work, double resolution_mm) {
-  const double h2 = resolution_mm * resolution_mm;
-  const double cells = work.surface_mm2 / h2, motions = static_cast<double>(work.motions);
-  const double compared =
-      work.nominal_mm2 > 0 ? std::min(cells + work.nominal_mm2 / h2, kMostComparedCells) : 0.0;
-  const double drawn = work.pixels > 0 ? cells + 0.5 * work.triangles : 0.0;
-  Prediction p;
-  // Comparison and pictures follow each other and give their memory back.
-  const double comparing = compared > 0 ? 1e6 * kComparisonMb + compared * kBytesPerComparedCell : 0.0;
-  const double drawing = drawn * kBytesPerDrawnCell + work.pixels * kBytesPerPixel;
-  p.memory_mb = kBaseMb + 1e-6 * (cells * kBytesPerCell + work.uneven_mm2 / h2 * kBytesPerUnevenCell +
-                                  work.triangles * kBytesPerTriangle + motions * kBytesPerMotion +
-                                  std::max(comparing, drawing));
-  p.time_s = kBaseS + cells * kSecondsPerCell + work.uneven_mm2 / h2 * kSecondsPerUnevenCell +
-             work.swept_mm2 / h2 * kSecondsPerSweptCell + motions * kSecondsPerMotion +
-             work.triangles * kSecondsPerTriangle + compared * kSecondsPerComparedCell +
-             work.pixels * work.pictures * kSecondsPerPixel;
-  return p;
+  const Cells cells = cellsOf(work, resolution_mm);
+  return {memoryMb(work, cells), timeS(work, cells)};
 }
 
 double resolutionThatFits(const Workload& work, double resolution_mm, double limit_mb) {

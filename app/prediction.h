@@ -1,5 +1,6 @@
 // What a run will take, before it is started: memory and time from the size of the surface on the grid and of
-// what the tools sweep. Good to a factor of about 1.5 on the sample programs; the coefficients are measured.
+// what the tools sweep. Over jobs of many kinds memory is good to a factor of 1.5, time to one of 2
+// (tests/bench/bench_prediction); the coefficients are measured.
 #pragma once
 
 #include <vector>
@@ -13,13 +14,26 @@ namespace proveout {
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {
   double surface_mm2 = 0.0;  ///< of the part: what is left of the blank's surface and what is cut
-  double uneven_mm2 = 0.0;   ///< of that, in plan view: neither flat nor a wall; its triangles are not merged
-  double swept_mm2 = 0.0;    ///< plan area that the tools pass over, each motion counted
-  double nominal_mm2 = 0.0;  ///< of the model that the part is compared with; 0: no comparison
-  double pixels = 0.0;       ///< of one picture; 0: none is drawn
+  double cut_mm2 = 0.0;      ///< of that what is cut, but level floors
+  double uneven_mm2 =
+      0.0;  ///< of the part, in plan view: neither flat nor a wall; its triangles are not merged
+  double swept_mm2 = 0.0;         ///< plan area that the tools pass over, each motion counted
+  double nominal_mm2 = 0.0;       ///< of the model that the part is compared with; 0: no comparison
+  double fixture_mm2 = 0.0;       ///< of fixtures that tools come near to
+  double fixture_mesh_mm2 = 0.0;  ///< of those that are meshes
+  double pixels = 0.0;            ///< of one picture; 0: none is drawn
   int pictures = 0;
   std::uint64_t motions = 0;
-  double triangles = 0.0;  ///< of a mesh that needs no grid
+  std::uint64_t turned_motions = 0;  ///< of those, cuts of parts that turn
+  double triangles = 0.0;            ///< of a mesh that needs no grid
+  double thread_triangles = 0.0;     ///< of those, of threads
+  double threaded_mm2 = 0.0;         ///< surface of a part with threads that goes to a grid
+  double blank_triangles = 0.0;      ///< of a mesh that the blank is made from
+  bool reads_grid = false;           ///< from a saved stock
+  bool writes_grid = false;          ///< as a saved stock
+  int text_files = 0;                ///< meshes written as text
+  int clampings = 0;
+  int mesh_moves = 0;  ///< clampings whose stock is made anew from its mesh
 };
 
 struct Prediction {

@@ -345,7 +345,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
 double peakMemoryMb() {
   struct rusage usage {};
   if (getrusage(RUSAGE_SELF, &usage) != 0) return 0.0;
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;  // Linux counts in KiB
+  return 1.024e-3 * static_cast<double>(usage.ru_maxrss);  // Linux counts in KiB
 }
 
 std::string versionText() { return PROVEOUT_VERSION; }

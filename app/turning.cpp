@@ -10,6 +10,7 @@
 
 #include "app/blame.h"
 #include "app/stopwatch.h"
+#include "app/turning_work.h"
 #include "core/geometry/plane.h"
 #include "core/nc/interpreter.h"
 #include "core/tool/tool_table.h"
@@ -20,17 +21,8 @@
 namespace proveout {
 namespace {
 
-/// Share of the profile's resolution that facets may leave the surface by.
-constexpr double kFacetShare = 0.1;
 /// Chords that turn by less belong to an arc, radians; those of a corner radius of 0.1 mm turn by 0.09.
 constexpr double kArcTurn = 0.1;
-
-bool needsGrid(const Job& job) {
-  const auto& formats = job.output.formats;
-  return std::find(formats.begin(), formats.end(), OutputFormat::kVdb) != formats.end();
-}
-
-double facetTolerance(const Job& job) { return kFacetShare * job.simulation.profile_resolution_mm; }
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -93,13 +85,6 @@ Status makeGrid(const Job& job, const TurnedShape& part, RunResult& run, Progres
   return Done{};
 }
 
-/// On the grid it is round everywhere: hardly a cell is merged.
-Workload gridWork(const Blank& blank) {
-  Workload work;
-  work.surface_mm2 = work.uneven_mm2 = blankArea(blank.shape, blank.bounds);
-  return work;
-}
-
 /// The surface of a part with threads: from its half sections, or where those do not go over into each other
 /// from the grid.
 Status threadSurface(const Job& job, const TurnedShape& part, const Blank& blank, RunResult& run,
@@ -111,7 +96,7 @@ Status threadSurface(const Job& job, const TurnedShape& part, const Blank& blank
     return Done{};
   }
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  if (Status enough = checkMemory(job, gridWork(blank), run.resolution_mm); !enough) return enough;
+  if (Status enough = checkMemory(job, turnedGridWork(blank), run.resolution_mm); !enough) return enough;
   if (Status done = makeGrid(job, part, run, progress); !done) return done;
   Result<StockSurface> surface = run.stock->surface(surfaceOptions(job, run.resolution_mm), progress);
   if (!surface) return surface.error();
@@ -346,29 +331,6 @@ Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, con
   if (!stock) return fail(stock.error());
   if (const auto cut = stock->remove(so_far, tools_, progress_); !cut) return fail(cut.error());
   return stock->firstContact(asked, arc, *findTool(tools_, asked.tool));
-}
-
-namespace {
-
-/// Of the mesh of a thread, with two sides, root and crest between half sections all round.
-double threadTriangles(const SetupRun& setup, const Motion& motion, const Box3& blank) {
-  const double length = std::abs(motion.to.z() - motion.from.z()),
-               inside = std::min(length, blank.size().z()), share = length > 0.0 ? inside / length : 1.0;
-  const double corners = 4.0 * threadTurns(setup.interpreted.path, motion) * share;
-  return 2.0 * corners * circleSteps(blank.max.x(), facetTolerance(setup.job));
-}
-
-}  // namespace
-
-Workload turningWork(const SetupRun& setup, const Blank& blank) {
-  Workload work;
-  const auto& motions = setup.interpreted.path.motions;
-  work.motions = motions.size();
-  for (const Motion& m : motions) {
-    if (m.kind == MotionKind::kThread)
-      work.triangles = std::max(work.triangles, threadTriangles(setup, m, blank.bounds));
-  }
-  return needsGrid(setup.job) ? together(work, gridWork(blank)) : work;
 }
 
 double turnedUncertainty(const SetupRun& setup, double resolution_mm) {

@@ -58,9 +58,6 @@ class TurningProbe : public Probe {
   std::optional<Error> failure_;
 };
 
-/// Work of a turned job: the grid counts only where one is to be saved.
-Workload turningWork(const SetupRun& setup, const Blank& blank);
-
 /// How far a turned surface may be off, mm: of the part's mesh.
 double turnedUncertainty(const SetupRun& setup, double resolution_mm);
 

@@ -62,16 +62,52 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return fs::path(test.param.file).stem().string(); });
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+/// Predicted over taken is within a factor of 1.5.
+void expectPredicted(const Workbench& bench, const std::string& arguments) {
+  const Outcome outcome = bench.run("run " + arguments + " --no-render --out out");
+  ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err;
+  const json figures = json::parse(readFile(bench.path("out/report.json")))["performance"];
+  const double ratio = figures["predicted_memory_mb"].get<double>() / figures["peak_memory_mb"].get<double>();
+  EXPECT_LT(ratio, 1.5) << arguments;
+  EXPECT_GT(ratio, 1 / 1.5) << arguments;
+}
+
+TEST(Prediction, MemoryIsThatOfTheRunWhateverItIsMadeFrom) {
+  const Workbench bench;
+  bench.write("slant.nc",
+              "T1 M6\nS1000 M3\nG0 X-30 Y0\nZ5\nG1 Z-4 F500\nG1 X30 Y12\nX-20 Y-20\nG0 Z50\nM30\n");
+  bench.write("blank.obj", boxObj(-40, -30, -20, 40, 30, 0));
+  const std::string rest = " --control nct --tool 1=flat:10";
+  expectPredicted(bench, "slant.nc --stock mesh:blank.obj --resolution 0.12" + rest);
+  expectPredicted(bench,
+                  "slant.nc --stock box:-40,-30,-20:40,30,0 --resolution 0.12 --format stl,vdb" + rest);
+  fs::rename(bench.path("out"), bench.path("before"));
+  expectPredicted(bench, "slant.nc --stock vdb:before/slant.vdb" + rest);
+  const std::string
+      head = "schema = \"proveout.job/1\"\ncontrol = \"nct\"\n",
+      stock =
+          "[stock]\nshape = \"box\"\nmin = [-40, -30, -20]\nmax = [40, 30, 0]\n[[tool]]\nnumber = 1\n"
+          "type = \"flat\"\ndiameter = 10\n[simulation]\nresolution = ";
+  bench.write("turned.toml", head +
+                                 "[[setup]]\nname = \"a\"\nprogram = \"slant.nc\"\n[[setup]]\nname = \"b\"\n"
+                                 "program = \"slant.nc\"\n[setup.transform]\nrotate = [0, 0, 33]\n" +
+                                 stock + "0.15\n");
+  expectPredicted(bench, "turned.toml");
+  const std::string plate =
+      "[[fixture]]\nname = \"plate\"\nshape = \"box\"\nmin = [-200, -200, -60]\nmax = [200, 200, -20]\n";
+  bench.write("plate.toml", head + "program = \"slant.nc\"\n" + plate + stock + "0.15\n");
+  expectPredicted(bench, "plate.toml");
+  bench.write("vise.obj", boxObj(-60, 15.5, -40, 60, 60, -3));
+  bench.write("vise.toml", head +
+                               "program = \"slant.nc\"\n[[fixture]]\nname = \"vise\"\nmesh = \"vise.obj\"\n" +
+                               stock + "0.15\n");
+  expectPredicted(bench, "vise.toml");
+}
+
 TEST(Prediction, MemoryIsThatOfTheRunWithinAFactorOfOneAndAHalf) {
   const auto expectRatio = [](const std::string& arguments) {
     const Workbench bench;
-    const Outcome outcome = bench.run("run " + arguments + " --no-render --out out");
-    ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err;
-    const json figures = json::parse(readFile(bench.path("out/report.json")))["performance"];
-    const double ratio =
-        figures["predicted_memory_mb"].get<double>() / figures["peak_memory_mb"].get<double>();
-    EXPECT_LT(ratio, 1.5) << arguments;
-    EXPECT_GT(ratio, 1 / 1.5) << arguments;
+    expectPredicted(bench, arguments);
   };
   for (const char* part : {"bracket", "circle_diamond_square", "freeform_patch"}) {
     const fs::path job = fs::path(PROVEOUT_SOURCE_DIR) / "parts" / part / "job.toml";
@@ -167,7 +203,8 @@ TEST(TurnedShaft, PassesAndTellsWhatPartsIt) {
     }
   }
   // The bar is not the part.
-  EXPECT_NE(outcome.out.find("Z-100.000..0.000, beside 1 other piece of 528"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Z-100.000..0.000, beside 1 other piece of 528"), std::string::npos)
+      << outcome.out;
   // Besides, the chords of its nominal are told.
   for (const json& f : findings) EXPECT_EQ(f["severity"], "note") << f;
   EXPECT_TRUE(fs::exists(bench.path("out/profile.svg")));

@@ -8,20 +8,18 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tests/bench/child_process.h"
 #include "tests/bench/generated_programs.h"
+#include "tests/bench/workplace.h"
 
 namespace proveout::bench {
 namespace {
@@ -47,11 +45,6 @@ struct Options {
 
 constexpr const char* kShared = PROVEOUT_SHARED_PROGRAMS;
 constexpr const char* kShaft = PROVEOUT_PARTS "/wl4_shaft";
-
-std::string readFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::vector<Case> samplePrograms() {
   const Case bear{.name = "bear", .file = "bear.nc", .stock = "box:0,0,-20:80,80,0", .tool = "1=ball:3.175"};
@@ -146,34 +139,6 @@ std::vector<Case> turnedCases() {
            .grid_mm = 0.1,
            .job_file = "passes.toml",
            .job = [] { return threadJob("passes.nc", 60); }}};
-}
-
-/// The folder in which everything happens; it goes with the object.
-class Workplace {
- public:
-  Workplace() {
-    std::string pattern = (fs::temp_directory_path() / ("proveout-bench-" + std::string(6, 'X'))).string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = pattern;
-  }
-  Workplace(const Workplace&) = delete;
-  ~Workplace() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
- private:
-  fs::path folder_;
-};
-
-std::string programPath() {
-  std::error_code error;
-  return (fs::read_symlink("/proc/self/exe", error).parent_path() / "proveout").string();
 }
 
 /// Removal time of each case that ran, for the lines below the table.

@@ -92,6 +92,33 @@ TEST(Prediction, GrowsWithTheSquareOfTheGridAndWithTheWork) {
   EXPECT_EQ(both.motions, 1000000u);
 }
 
+TEST(Prediction, EveryPartOfTheWorkCounts) {
+  Workload plain;
+  plain.surface_mm2 = plain.cut_mm2 = 1e5;
+  plain.clampings = 1;
+  const Prediction base = predict(plain, 0.2);
+  const auto expectMore = [&](const char* name, bool memory, const auto& change) {
+    Workload more = plain;
+    change(more);
+    EXPECT_GT(predict(more, 0.2).time_s, base.time_s) << name;
+    EXPECT_EQ(predict(more, 0.2).memory_mb > base.memory_mb, memory) << name;
+    const Workload both = together(plain, more);
+    EXPECT_GE(predict(both, 0.2).time_s, predict(more, 0.2).time_s) << name;
+    EXPECT_DOUBLE_EQ(predict(both, 0.2).memory_mb, predict(more, 0.2).memory_mb) << name;
+  };
+  expectMore("mesh blank", true, [](Workload& w) { w.blank_triangles = 1e5; });
+  expectMore("saved stock", true, [](Workload& w) { w.reads_grid = true; });
+  expectMore("stock to save", true, [](Workload& w) { w.writes_grid = true; });
+  expectMore("text", false, [](Workload& w) { w.text_files = 1; });
+  expectMore("second clamping", false, [](Workload& w) { w.clampings = 2; });
+  expectMore("turned clamping", true, [](Workload& w) { w.mesh_moves = 1; });
+  expectMore("fixture", true, [](Workload& w) { w.fixture_mm2 = 1e5; });
+  expectMore("mesh as fixture", true, [](Workload& w) { w.fixture_mesh_mm2 = 1e5; });
+  expectMore("turned lines", true, [](Workload& w) { w.turned_motions = 10000; });
+  expectMore("threads", true, [](Workload& w) { w.triangles = w.thread_triangles = 1e5; });
+  expectMore("threads on a grid", true, [](Workload& w) { w.threaded_mm2 = 1e4; });
+}
+
 TEST(Prediction, FindsTheGridThatFits) {
   Workload work;
   work.surface_mm2 = 1e6;

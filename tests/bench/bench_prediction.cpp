@@ -1,0 +1,113 @@
+// What `proveout run` predicts of itself beside what it takes, over jobs of many kinds: memory is to be
+// within 1.5 times, time within 2, both ways. Ends with 1 where it is not.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/bench/child_process.h"
+#include "tests/bench/prediction_jobs.h"
+#include "tests/bench/workplace.h"
+
+namespace proveout::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMemoryFactor = 1.5, kTimeFactor = 2.0;
+/// A run that takes less than this is over before anybody asks how long it takes.
+constexpr double kShortS = 0.25;
+constexpr double kLimitS = 300.0;
+
+struct Outcome {
+  double memory = 1.0, time = 1.0;  ///< taken over predicted
+  bool ran = false;
+};
+
+double off(double ratio) { return std::max(ratio, 1.0 / ratio); }
+
+Outcome printLine(const PredictedJob& job, const nlohmann::json& report, const ChildOutcome& child) {
+  const nlohmann::json& performance = report.at("performance");
+  const auto figure = [&](const char* name) { return performance.at(name).get<double>(); };
+  // The grid's memory and the child's are both counted in MB of 1e6 bytes.
+  const double taken_mb = child.peak_mb * 1.048576;
+  Outcome outcome{taken_mb / figure("predicted_memory_mb"),
+                  std::max(child.wall_s, kShortS) / std::max(figure("predicted_s"), kShortS), true};
+  fmt::print("{:<32} {:>9.0f} {:>9.0f} {:>7.2f}{} {:>9.2f} {:>9.2f} {:>9.2f} {:>7.2f}{}\n", job.name,
+             figure("predicted_memory_mb"), taken_mb, outcome.memory,
+             off(outcome.memory) > kMemoryFactor ? '!' : ' ', figure("predicted_s"), child.wall_s,
+             child.cpu_s, outcome.time, off(outcome.time) > kTimeFactor ? '!' : ' ');
+  return outcome;
+}
+
+Outcome runJob(const PredictedJob& job) {
+  const Workplace work;
+  for (const auto& [name, text] : job.files) work.write(name, text());
+  const auto started = [&](const std::vector<std::string>& words, const std::string& out) {
+    std::vector<std::string> command{programPath(), "run"};
+    command.insert(command.end(), words.begin(), words.end());
+    command.insert(command.end(), {"--out", out});
+    return runChild(command, work.path("errors"), kLimitS);
+  };
+  const fs::path home = fs::current_path();
+  fs::current_path(work.path("."));
+  if (!job.before.empty()) started(job.before, "before");
+  const ChildOutcome child = started(job.run, "out");
+  fs::current_path(home);
+  const std::string report = readFile(work.path("out/report.json"));
+  Outcome outcome;
+  if (child.ended && child.exit_code <= 1 && !report.empty()) {
+    outcome = printLine(job, nlohmann::json::parse(report), child);
+  } else {
+    const std::string said = readFile(work.path("errors"));
+    fmt::print("{:<32} ended with code {} after {:.1f} s: {}\n", job.name, child.exit_code, child.wall_s,
+               said.substr(0, said.find('\n')));
+  }
+  std::fflush(stdout);
+  return outcome;
+}
+
+int run(const std::string& filter) {
+  const std::string shared = PROVEOUT_SHARED_PROGRAMS;
+  const bool there = fs::exists(shared + "/bear.nc");
+  if (!there) fmt::print("the sample programs are not beside this checkout: their jobs are left out\n");
+  fmt::print("{:<32} {:>9} {:>9} {:>8} {:>9} {:>9} {:>9} {:>8}\n", "job", "MB said", "MB", "ratio", "s said",
+             "s", "cpu s", "ratio");
+  int jobs = 0, off_memory = 0, off_time = 0, failed = 0;
+  Outcome worst;
+  for (const PredictedJob& job : predictedJobs(there ? shared : "", PROVEOUT_PARTS)) {
+    if (job.name.find(filter) == std::string::npos) continue;
+    const Outcome outcome = runJob(job);
+    ++jobs;
+    if (!outcome.ran) ++failed;
+    if (off(outcome.memory) > kMemoryFactor) ++off_memory;
+    if (off(outcome.time) > kTimeFactor) ++off_time;
+    worst.memory = std::max(worst.memory, off(outcome.memory));
+    worst.time = std::max(worst.time, off(outcome.time));
+  }
+  fmt::print(
+      "{} jobs: memory off by at most {:.2f}, more than {:g} in {}; time off by at most {:.2f}, more than "
+      "{:g} in {}; {} did not run\n",
+      jobs, worst.memory, kMemoryFactor, off_memory, worst.time, kTimeFactor, off_time, failed);
+  return off_memory + off_time + failed > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace proveout::bench
+
+int main(int argc, char** argv) {
+  std::string filter;
+  if (argc == 3 && std::string_view(argv[1]) == "--only") {
+    filter = argv[2];
+  } else if (argc != 1) {
+    fmt::print(stderr, "usage: {} [--only PART-OF-NAME]\n", argv[0]);
+    return 2;
+  }
+  return proveout::bench::run(filter);
+}

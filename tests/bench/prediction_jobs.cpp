@@ -1,0 +1,260 @@
+#include "tests/bench/prediction_jobs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "tests/bench/generated_programs.h"
+
+namespace proveout::bench {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr const char* kSlotStock = "box:0,0,-20:100,50,0";
+
+Words milling(const std::string& program, const std::string& stock, const std::string& tool, double grid_mm) {
+  return {program,   "--control",    "nct",
+          "--stock", stock,          "--tool",
+          tool,      "--resolution", fmt::format("{:g}", grid_mm)};
+}
+
+Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+const Words kNoPictures{"--no-render"};
+
+/// The same circle again and again.
+std::string onePlaceProgram(int passes) {
+  std::string text = "T1 M6\nS1000 M3\nG0 X40 Y25\nZ1\nG1 Z-3 F500\n";
+  for (int i = 0; i < passes; ++i) text += i % 2 == 0 ? "G1 X60 F1000\n" : "G1 X40\n";
+  return text + "G0 Z50\nM30\n";
+}
+
+std::string helixProgram(int turns) {
+  return fmt::format("T1 M6\nS1000 M3\nG0 X35 Y25\nZ1\nG2 X35 Y25 I15 J0 Z-16 L{} F1000\nG0 Z50\nM30\n",
+                     turns);
+}
+
+/// Holes 6 deep, in rows of 40.
+std::string holesProgram(int holes) {
+  std::string text = "T1 M6\nS1000 M3\nG0 X0 Y0\nZ2\n";
+  for (int i = 0; i < holes; ++i) {
+    fmt::format_to(std::back_inserter(text), "G0 X{:.2f} Y{:.2f}\nG1 Z-6 F300\nG0 Z2\n", 4.0 + 4.8 * (i % 40),
+                   4.0 + 4.8 * (i / 40));
+  }
+  return text + "G0 Z50\nM30\n";
+}
+
+/// A ball over rolling ground in `lines` lines.
+std::string groundProgram(int lines) { return finishingProgram(lines, 200); }
+
+/// Square pockets on a 33 degree slant, for a part that was turned.
+std::string slantedProgram() {
+  return "T1 M6\nS1000 M3\nG0 X-30 Y0\nZ5\nG1 Z-4 F500\nG1 X30 Y12\nX20 Y20\nX-20 Y-20\nG0 Z50\nM30\n";
+}
+
+/// A ball of `steps` rings, radius 30, as ASCII STL.
+std::string ballStl(int steps) {
+  const auto at = [&](int ring, int step) {
+    const double v = std::numbers::pi * ring / steps, u = std::numbers::pi * step / steps;
+    return fmt::format("vertex {:.6f} {:.6f} {:.6f}\n", 30 * std::sin(v) * std::cos(u),
+                       30 * std::sin(v) * std::sin(u), 30 * std::cos(v));
+  };
+  std::string text = "solid ball\n";
+  const auto facet = [&](const std::string& a, const std::string& b, const std::string& c) {
+    text += "facet normal 0 0 0\nouter loop\n" + a + b + c + "endloop\nendfacet\n";
+  };
+  for (int ring = 0; ring < steps; ++ring) {
+    for (int step = 0; step < 2 * steps; ++step) {
+      const int next = (step + 1) % (2 * steps);
+      if (ring + 1 < steps) facet(at(ring, step), at(ring + 1, step), at(ring + 1, next));
+      if (ring > 0) facet(at(ring, step), at(ring + 1, next), at(ring, next));
+    }
+  }
+  return text + "endsolid ball\n";
+}
+
+/// A block with slanting sides in 12 triangles.
+std::string wedgeObj() {
+  return "v -40 -25 -30\nv 40 -25 -30\nv 40 25 -30\nv -40 25 -30\nv -35 -20 0\nv 35 -20 -2\nv 35 20 -4\n"
+         "v -35 20 -2\nf 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\n"
+         "f 3 8 7\nf 4 1 5\nf 4 5 8\n";
+}
+
+std::string job(const std::string& rest, double grid_mm) {
+  return fmt::format("schema = \"proveout.job/1\"\ncontrol = \"nct\"\n{}\n[simulation]\nresolution = {:g}\n",
+                     rest, grid_mm);
+}
+
+constexpr const char* kBlock = "[stock]\nshape = \"box\"\nmin = [0, 0, -20]\nmax = [100, 50, 0]\n";
+constexpr const char* kMiddleBlock = "[stock]\nshape = \"box\"\nmin = [-50, -30, -20]\nmax = [50, 30, 0]\n";
+constexpr const char* kFlat10 = "[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 10\n";
+
+std::string turnedSetupsJob() {
+  return job(std::string("[[setup]]\nname = \"first\"\nprogram = \"slant.nc\"\n[[setup]]\nname = \"second\"\n"
+                         "program = \"slant.nc\"\n[setup.transform]\nrotate = [0, 0, 33]\n") +
+                 kMiddleBlock + kFlat10,
+             0.2);
+}
+
+std::string tiltedSetupsJob() {
+  return job(std::string("[[setup]]\nname = \"first\"\nprogram = \"slant.nc\"\n[[setup]]\nname = \"second\"\n"
+                         "program = \"slant.nc\"\n[setup.transform]\nrotate = [21, 0, 33]\n") +
+                 kMiddleBlock + kFlat10,
+             0.3);
+}
+
+std::string fixtureJob() {
+  return job(
+      std::string("program = \"slot.nc\"\n") + kBlock + kFlat10 +
+          "[[fixture]]\nname = \"plate\"\nshape = \"box\"\nmin = [-200, -200, -60]\nmax = [300, 250, -20]\n"
+          "[[fixture]]\nname = \"stop\"\nshape = \"box\"\nmin = [-200, 60, -20]\nmax = [300, 90, 10]\n",
+      0.1);
+}
+
+/// Lines of the sample shaft's job that ask for another file.
+std::string withFormat(std::string job, const std::string& format) {
+  return job + fmt::format("\n[output]\nformats = [\"{}\"]\n", format);
+}
+
+void addSamples(const std::string& shared, const std::string& parts, std::vector<PredictedJob>& jobs) {
+  if (!shared.empty()) {
+    const std::string bear = shared + "/bear.nc", stock = "box:0,0,-20:80,80,0", ball = "1=ball:3.175";
+    jobs.push_back({"bear 0.25", {}, {}, milling(bear, stock, ball, 0.25) + kNoPictures});
+    jobs.push_back({"bear 0.1", {}, {}, milling(bear, stock, ball, 0.1) + kNoPictures});
+    jobs.push_back({"bear 0.2, 4 pictures",
+                    {},
+                    {},
+                    milling(bear, stock, ball, 0.2) +
+                        Words{"--view", "iso", "--view", "top", "--view", "front", "--view", "left"}});
+    jobs.push_back(
+        {"bear 0.25, all formats",
+         {},
+         {},
+         milling(bear, stock, ball, 0.25) + kNoPictures + Words{"--format", "stl,stl-ascii,obj,ply,vdb"}});
+    jobs.push_back({"bear on a saved stock",
+                    {},
+                    milling(bear, stock, ball, 0.2) + kNoPictures + Words{"--format", "vdb"},
+                    Words{bear, "--control", "nct", "--stock", "vdb:before/bear.vdb", "--tool", "1=ball:2"} +
+                        kNoPictures});
+    jobs.push_back({"flower mold 0.1",
+                    {},
+                    {},
+                    milling(shared + "/flower_mold.nc", "box:-3.92956,-3.92829,-9.95121:61.0796,61.0529,0",
+                            "1=flat:1", 0.1) +
+                        kNoPictures});
+  }
+  for (const char* name : {"bracket", "circle_diamond_square", "freeform_patch", "gouged_plate",
+                           "macro_plate", "polar_boss", "two_sides", "wl4_plate", "wl4_shaft"})
+    jobs.push_back({name, {}, {}, Words{parts + "/" + name + "/job.toml"}});
+}
+
+void addMilled(std::vector<PredictedJob>& jobs) {
+  jobs.push_back({"slot 0.1, pictures",
+                  {{"slot.nc", slotProgram}},
+                  {},
+                  milling("slot.nc", kSlotStock, "1=flat:10", 0.1)});
+  jobs.push_back(
+      {"slot 0.05, vdb",
+       {{"slot.nc", slotProgram}},
+       {},
+       milling("slot.nc", kSlotStock, "1=flat:10", 0.05) + kNoPictures + Words{"--format", "vdb"}});
+  jobs.push_back(
+      {"slot from a saved stock",
+       {{"slot.nc", slotProgram}},
+       milling("slot.nc", kSlotStock, "1=flat:10", 0.1) + kNoPictures + Words{"--format", "vdb"},
+       Words{"slot.nc", "--control", "nct", "--stock", "vdb:before/slot.vdb", "--tool", "1=flat:14"} +
+           kNoPictures});
+  jobs.push_back({"ground 0.25",
+                  {{"ground.nc", [] { return groundProgram(250); }}},
+                  {},
+                  milling("ground.nc", "box:0,0,-20:200,200,0", "1=ball:6", 0.25) + kNoPictures});
+  jobs.push_back({"finishing 500k moves",
+                  {{"fine.nc", [] { return finishingProgram(250, 2000); }}},
+                  {},
+                  milling("fine.nc", "box:0,0,-20:200,200,0", "1=ball:6", 0.2) + kNoPictures});
+  jobs.push_back({"4,000 passes over one place",
+                  {{"place.nc", [] { return onePlaceProgram(4000); }}},
+                  {},
+                  milling("place.nc", kSlotStock, "1=ball:10", 0.25) + kNoPictures});
+  for (const int turns : {50, 400}) {
+    jobs.push_back({fmt::format("helix of {} turns", turns),
+                    {{"helix.nc", [turns] { return helixProgram(turns); }}},
+                    {},
+                    milling("helix.nc", kSlotStock, "1=flat:8", 0.2) + kNoPictures});
+  }
+  jobs.push_back({"1,200 holes, drill",
+                  {{"holes.nc", [] { return holesProgram(1200); }}},
+                  {},
+                  milling("holes.nc", "box:0,0,-20:200,152,0", "1=drill:3", 0.2) + kNoPictures});
+  jobs.push_back({"1,200 holes, flat",
+                  {{"holes.nc", [] { return holesProgram(1200); }}},
+                  {},
+                  milling("holes.nc", "box:0,0,-20:200,152,0", "1=flat:3", 0.25) + kNoPictures});
+  jobs.push_back({"large fixtures",
+                  {{"slot.nc", slotProgram}, {"job.toml", fixtureJob}},
+                  {},
+                  Words{"job.toml"} + kNoPictures});
+}
+
+void addMeshes(std::vector<PredictedJob>& jobs) {
+  jobs.push_back({"mesh blank of 80,000 triangles",
+                  {{"slant.nc", slantedProgram}, {"ball.stl", [] { return ballStl(142); }}},
+                  {},
+                  milling("slant.nc", "mesh:ball.stl", "1=flat:10", 0.3) + kNoPictures});
+  jobs.push_back({"mesh blank of 640,000 triangles",
+                  {{"slant.nc", slantedProgram}, {"ball.stl", [] { return ballStl(400); }}},
+                  {},
+                  milling("slant.nc", "mesh:ball.stl", "1=flat:10", 0.3) + kNoPictures});
+  jobs.push_back({"mesh blank of 12 triangles",
+                  {{"slant.nc", slantedProgram}, {"wedge.obj", wedgeObj}},
+                  {},
+                  milling("slant.nc", "mesh:wedge.obj", "1=flat:10", 0.1) + kNoPictures});
+  jobs.push_back({"setups turned by 33 degrees",
+                  {{"slant.nc", slantedProgram}, {"job.toml", turnedSetupsJob}},
+                  {},
+                  Words{"job.toml"} + kNoPictures});
+  jobs.push_back({"setups tilted",
+                  {{"slant.nc", slantedProgram}, {"job.toml", tiltedSetupsJob}},
+                  {},
+                  Words{"job.toml"} + kNoPictures});
+}
+
+void addTurned(std::vector<PredictedJob>& jobs) {
+  jobs.push_back({"20,000 short lines",
+                  {{"lines.nc", shortLinesProgram}, {"job.toml", [] { return shortLinesJob("lines.nc"); }}},
+                  {},
+                  Words{"job.toml"} + kNoPictures});
+  jobs.push_back({"thread of 400 turns",
+                  {{"turns.nc", longThreadProgram}, {"job.toml", [] { return threadJob("turns.nc", 420); }}},
+                  {},
+                  Words{"job.toml"} + kNoPictures});
+  jobs.push_back({"30 thread passes",
+                  {{"passes.nc", manyPassesProgram}, {"job.toml", [] { return threadJob("passes.nc", 60); }}},
+                  {},
+                  Words{"job.toml"}});
+  jobs.push_back({"30 thread passes, vdb",
+                  {{"passes.nc", manyPassesProgram},
+                   {"job.toml", [] { return withFormat(threadJob("passes.nc", 60), "vdb"); }}},
+                  {},
+                  Words{"job.toml", "--resolution", "0.2"} + kNoPictures});
+}
+
+}  // namespace
+
+std::vector<PredictedJob> predictedJobs(const std::string& shared, const std::string& parts) {
+  std::vector<PredictedJob> jobs;
+  addSamples(shared, parts, jobs);
+  addMilled(jobs);
+  addMeshes(jobs);
+  addTurned(jobs);
+  return jobs;
+}
+
+}  // namespace proveout::bench
