@@ -59,7 +59,12 @@ class CrossingFinder {
   void cutEdges(const Group& group, const std::vector<std::uint32_t>& passes);
   void tryPass(std::uint32_t number, std::size_t first, std::size_t count);
   void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
+  void tryCurve(std::uint32_t number, const Sweep& curve, const Group& group);
+  void giveUntaken(const std::vector<std::uint32_t>& passes, int quarter);
+  void moveCrossing(std::uint32_t number, std::uint32_t edge, double cut);
   void dropCovered(const Pass& pass);
+  template <typename Covers>
+  void dropBatch(std::size_t first, std::size_t count, std::size_t& kept, Covers&& covers);
   Crossing crossing(const Edge& edge, const std::vector<Crossing>& before) const;
 
   const Stock::Impl& impl_;
@@ -77,7 +82,9 @@ class CrossingFinder {
   std::vector<std::uint32_t> tag_;  ///< of points that are asked who covers them: their numbers
   std::vector<Vec3> beyond_;        ///< places beside lost edges
   std::array<double, kMaxColumns> lo_, hi_;
-  std::array<std::vector<std::uint32_t>, 4> passes_;  ///< of each group: those that may touch it
+  /// Of each group: those that may touch it; of the chords of a curve one.
+  std::array<std::vector<std::uint32_t>, 4> passes_;
+  ReachList united_;  ///< see uniteChords
   bool moved_ = false;  ///< a crossing was taken over
 };
 

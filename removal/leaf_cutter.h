@@ -31,7 +31,17 @@ struct PassTable {
     return pass.columns.kind == ColumnSweep::Kind::kArc ? &curves[static_cast<std::size_t>(pass.curve)]
                                                         : nullptr;
   }
+  /// Exact sweep of the curved motion that a pass is a chord of; null for lines and level arcs.
+  const Sweep* curveOf(const Pass& pass) const {
+    return pass.curve >= 0 && pass.columns.kind != ColumnSweep::Kind::kArc
+               ? &curves[static_cast<std::size_t>(pass.curve)]
+               : nullptr;
+  }
 };
+
+/// Fills `out` with one entry for all chords of a curve that follow each other in `list`, and one for every
+/// other cutting pass.
+void uniteChords(const PassTable& table, std::span<const Reach> list, ReachList& out);
 
 /// Volumes per motion are summed as whole numbers of this part of a voxel, so that the sum does not depend on
 /// threads.
@@ -79,6 +89,7 @@ class LeafCutter {
  private:
   void start(const LeafChange& change);
   void startTops(const LeafChange& change);
+  std::size_t applyCurve(std::span<const Reach> list);
   void apply(std::uint32_t number);
   double applyQuarter(std::uint32_t number, int quarter);
   void cover(int quarter);
@@ -105,6 +116,7 @@ class LeafCutter {
   ColumnWords initial_{};                ///< material before the first pass
   ColumnWords joined_x_{}, joined_y_{};  ///< edges that one pass covered whole
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
+  ReachList lowest_first_;  ///< chords of one curve
   std::vector<ContactSample> contacts_;
   std::uint64_t evaluations_ = 0;
 };

@@ -89,6 +89,8 @@ double enterCapsule(const ColumnSweep& line, const Ray& ray, double z, double ra
   return best;
 }
 
+}  // namespace
+
 double searchCut(const Sweep& sweep, const Vec3& a, const Vec3& direction, double inside) {
   const auto f = [&](double s) { return sweep.distance(a + s * direction, kNever); };
   const double at_a = f(0.0), at_inside = f(inside);
@@ -96,8 +98,6 @@ double searchCut(const Sweep& sweep, const Vec3& a, const Vec3& direction, doubl
   if (at_inside >= 0.0) return inside;  // touched within rounding
   return edgeRoot(f, 0.0, at_a, inside, at_inside, 1e-9);
 }
-
-}  // namespace
 
 double levelCut(const Pass& pass, const Vec3& a, double dx, double dy, double inside, const Sweep* exact) {
   const ColumnSweep& c = pass.columns;
