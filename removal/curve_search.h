@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "removal/sweep.h"
 
@@ -49,11 +50,13 @@ struct Sweep::CurveSearch {
       : sweep(s), p(point), cutoff(above), tolerance(within), angle(std::abs(s.arc_.sweep_rad)) {}
 
   double goal() const { return std::min(best - tolerance - kFarTolerance * std::abs(best), cutoff); }
-  void consider(double t, double value) {
-    if (value < best) {
-      best = value;
-      best_t = t;
+  At consider(double t) {
+    const At at = sweep.evaluateCurve(p, t);
+    if (at.value < best) {
+      best = at.value;
+      place = {t, at};
     }
+    return at;
   }
   End end(double t);
   double chordBound(double a, const End& ea, double b, const End& eb) const;
@@ -81,12 +84,21 @@ struct Sweep::CurveSearch {
   const Sweep& sweep;
   const Vec3 p;
   double cutoff, tolerance;
-  double angle;  ///< of the whole way, radians
-  double best = std::numeric_limits<double>::infinity(), best_t = 0.0;
+  double angle;                                           ///< of the whole way, radians
+  double best = std::numeric_limits<double>::infinity();  ///< the value at `place`
+  Place place{0.0, {}};
   double bound = std::numeric_limits<double>::infinity();
   double off_axis = 0.0;  ///< level distance of the point from the axis of the way, mm
-  std::array<Piece, 128> stack;
+  static constexpr int kMostPieces = 128;
+  /// Made only as far as it is used: most searches need none of it.
+  union Stack {
+    Stack() {}
+    ~Stack() {}
+    std::array<Piece, kMostPieces> pieces;
+  };
+  Stack stack;
   int size = 0;
+  void add(const Piece& piece) { std::construct_at(&stack.pieces[static_cast<std::size_t>(size++)], piece); }
 };
 
 }  // namespace proveout

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "removal/level_cut.h"
 #include "removal/pass_surface.h"
@@ -40,11 +41,11 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
     if (pass.part != ToolPart::kCutter) continue;
     double low[4];
     reach_(pass.columns, boxes, low);
-    const Sweep* curve = table_.curveOf(pass);
+    const Sweep* curve = table_.helixOf(pass);
     for (std::size_t q = 0; q < 4; ++q) {
       if (low[q] >= boxes.z_high[q]) continue;
       const bool known = curve != nullptr && !passes_[q].empty() &&
-                         table_.curveOf(table_.passes[passes_[q].back()]) == curve;
+                         table_.helixOf(table_.passes[passes_[q].back()]) == curve;
       if (!known) passes_[q].push_back(reach.pass);
     }
   }
@@ -62,11 +63,14 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
 /// and over, until each has seen the last crossing that moved.
 void CrossingFinder::cutEdges(const Group& group, const std::vector<std::uint32_t>& passes) {
   std::size_t asked = 0;  // since a crossing moved
+  moves_ = 0;
+  asked_.assign(passes.size(), -1);
   for (int round = 0; round < kMostRounds; ++round) {
-    for (const std::uint32_t pass : passes) {
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+      const std::uint32_t pass = passes[k];
       moved_ = false;
-      if (const Sweep* curve = table_.curveOf(table_.passes[pass])) {
-        tryCurve(pass, *curve, group);
+      if (const Sweep* curve = table_.helixOf(table_.passes[pass])) {
+        tryCurve(pass, *curve, group, std::exchange(asked_[k], moves_));
       } else {
         for (std::size_t first = group.first; first < group.last; first += kMaxColumns)
           tryPass(pass, first, std::min<std::size_t>(kMaxColumns, group.last - first));
@@ -169,9 +173,10 @@ void CrossingFinder::dropBatch(std::size_t first, std::size_t count, std::size_t
 void CrossingFinder::dropCovered(const Pass& pass) {
   std::size_t kept = 0;
   const std::size_t size = tag_.size();
-  if (const Sweep* curve = table_.curveOf(pass)) {
-    dropBatch(0, size, kept,
-              [&](std::size_t i) { return curve->distance({x_[i], y_[i], z_[i]}, 0.0) < 0.0; });
+  if (const Sweep* curve = table_.helixOf(pass)) {
+    dropBatch(0, size, kept, [&](std::size_t i) {
+      return curve->distance({x_[i], y_[i], z_[i]}, 0.0) < 0.0;
+    });
   } else {
     for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize((size + 7) & ~std::size_t{7});
     for (std::size_t first = 0; first < size; first += kMaxColumns) {
@@ -285,11 +290,12 @@ void CrossingFinder::tryEdge(std::uint32_t number, std::size_t probe, double lo,
   moveCrossing(number, index, cut);
 }
 
-/// The whole curve at once: it is convex nowhere, and may cut several pieces out of an edge.
-void CrossingFinder::tryCurve(std::uint32_t number, const Sweep& curve, const Group& group) {
+/// The whole curve at once: it is convex nowhere, and may cut several pieces out of an edge. Edges are asked
+/// that have moved after the first `since` moves; below 0: all.
+void CrossingFinder::tryCurve(std::uint32_t number, const Sweep& curve, const Group& group, int since) {
   for (std::size_t i = group.first; i < group.last; ++i) {
     const Edge& e = edges_[probes_[i].edge];
-    if (probes_[i].kind == Probe::kEnd && e.pass == number) continue;
+    if (e.moved <= since || (probes_[i].kind == Probe::kEnd && e.pass == number)) continue;
     const Vec3 p(x_[i], y_[i], z_[i]);
     if (curve.distance(p, 0.0) >= 0.0) continue;
     const double inside = std::abs(p[e.axis] - e.a[e.axis]);
@@ -307,7 +313,7 @@ void CrossingFinder::giveUntaken(const std::vector<std::uint32_t>& passes, int q
     double least = impl_.h;
     std::uint32_t nearest = kOld;
     for (const std::uint32_t number : passes) {
-      const Sweep* curve = table_.curveOf(table_.passes[number]);
+      const Sweep* curve = table_.helixOf(table_.passes[number]);
       const double distance = curve != nullptr ? curve->distance(gone, least) : least;
       if (distance < least) least = distance, nearest = number;
     }
@@ -321,6 +327,7 @@ void CrossingFinder::moveCrossing(std::uint32_t number, std::uint32_t index, dou
   if (s >= e.s - kShorter && !(e.pass == kOld && e.old < 0)) return;
   e.s = s;
   e.pass = number;
+  e.moved = ++moves_;
   moved_ = true;
   for (const std::int32_t moved : probes_of_edge_[index]) {
     if (moved >= 0) placeProbe(static_cast<std::size_t>(moved));

@@ -48,7 +48,7 @@ void uniteChords(const PassTable& table, std::span<const Reach> list, ReachList&
   for (const Reach& reach : list) {
     const Pass& pass = table.passes[reach.pass];
     if (pass.part != ToolPart::kCutter) continue;
-    const Sweep* curve = table.curveOf(pass);
+    const Sweep* curve = table.helixOf(pass);
     if (curve != nullptr && curve == last) {
       out.back().low = std::min(out.back().low, reach.low);
     } else {
@@ -77,10 +77,9 @@ void LeafCutter::cut(LeafChange& change, std::span<const Reach> list) {
 /// are one motion, so that their order does not count: those that reach lowest leave nothing to most others.
 std::size_t LeafCutter::applyCurve(std::span<const Reach> list) {
   const Pass& first = table_.passes[list[0].pass];
-  const Sweep* curve = table_.curveOf(first);
-  if (curve == nullptr || first.watched || first.part != ToolPart::kCutter) return 0;
+  if (first.curve < 0 || first.watched || first.part != ToolPart::kCutter) return 0;
   std::size_t count = 1;
-  while (count < list.size() && table_.curveOf(table_.passes[list[count].pass]) == curve) ++count;
+  while (count < list.size() && table_.passes[list[count].pass].curve == first.curve) ++count;
   lowest_first_.assign(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
   std::stable_sort(lowest_first_.begin(), lowest_first_.end(),
                    [](const Reach& a, const Reach& b) { return a.low < b.low; });

@@ -31,15 +31,16 @@ struct PassTable {
     return pass.columns.kind == ColumnSweep::Kind::kArc ? &curves[static_cast<std::size_t>(pass.curve)]
                                                         : nullptr;
   }
-  /// Exact sweep of the curved motion that a pass is a chord of; null for lines and level arcs.
-  const Sweep* curveOf(const Pass& pass) const {
-    return pass.curve >= 0 && pass.columns.kind != ColumnSweep::Kind::kArc
-               ? &curves[static_cast<std::size_t>(pass.curve)]
-               : nullptr;
+  /// Exact sweep of the helix about z that a pass is a chord of, which is asked in place of its many chords;
+  /// else null.
+  const Sweep* helixOf(const Pass& pass) const {
+    if (pass.curve < 0 || pass.columns.kind == ColumnSweep::Kind::kArc) return nullptr;
+    const Sweep& curve = curves[static_cast<std::size_t>(pass.curve)];
+    return curve.isHelix() ? &curve : nullptr;
   }
 };
 
-/// Fills `out` with one entry for all chords of a curve that follow each other in `list`, and one for every
+/// Fills `out` with one entry for all chords of a helix that follow each other in `list`, and one for every
 /// other cutting pass.
 void uniteChords(const PassTable& table, std::span<const Reach> list, ReachList& out);
 
@@ -109,7 +110,7 @@ class LeafCutter {
   std::array<std::uint32_t, 2> takers_{};  ///< as in LeafChange
   double most_sunk_ = 0.0;                 ///< of one pass, mm of column height
   LeafColumns columns_{};
-  unsigned covered_ = 0;                   ///< quarters (bits) whose columns_.covered is that of the last pass
+  unsigned covered_ = 0;  ///< quarters (bits) whose columns_.covered is that of the last pass
   /// Columns in the order of LeafColumns, eight a word.
   using ColumnWords = std::array<std::uint64_t, 8>;
   static void pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords& y);

@@ -51,7 +51,8 @@ double enterStadium(const ColumnSweep& line, const Ray& ray, double first, doubl
   return best;
 }
 
-/// The stretch of the way on which a level disc between heights `low` and `high` above the tip holds height z.
+/// The stretch of the way on which a level disc between heights `low` and `high` above the tip holds height
+/// z.
 void discStretch(const ColumnSweep& line, double z, double low, double high, double& first, double& last) {
   first = 0.0;
   last = line.length;
@@ -78,7 +79,8 @@ double enterCapsule(const ColumnSweep& line, const Ray& ray, double z, double ra
   const Vec3 e = way / length, d(ray.dx, ray.dy, 0.0), q = Vec3(ray.x, ray.y, z) - center;
   const double along = q.dot(e), step = d.dot(e);
   const Vec3 q_across = q - along * e, d_across = d - step * e;
-  const double a = d_across.squaredNorm(), b = q_across.dot(d_across), c = q_across.squaredNorm() - radius * radius;
+  const double a = d_across.squaredNorm(), b = q_across.dot(d_across),
+               c = q_across.squaredNorm() - radius * radius;
   const double root2 = b * b - a * c;
   if (c > 0.0 && b < 0.0 && root2 > 0.0) {
     const double s = c / (-b + std::sqrt(root2));

@@ -54,6 +54,10 @@ class Sweep {
   /// Distances at the `count` points (x, y, z0 + k * dz), each with its own cutoff as in distance().
   void column(double x, double y, double z0, double dz, int count, const double* cutoff, double* out) const;
 
+  /// The way is a helix about z (its radius changes by no more than rounding): then the distance is found
+  /// about as fast as on a line.
+  bool isHelix() const { return kind_ == Kind::kCurve && round_turns_; }
+
   /// Bounds of the swept volume, mm.
   const Box3& bounds() const { return bounds_; }
 

@@ -1,5 +1,5 @@
-// The nearest place of a solid on a spiral or tilted arc, and on what is left of helices: branch and bound over
-// the path parameter.
+// The nearest place of a solid on a spiral or tilted arc, and on what is left of helices: branch and bound
+// over the path parameter.
 #include "removal/curve_search.h"
 
 namespace proveout {
@@ -44,8 +44,7 @@ double Sweep::boxBound(const Vec3& p, double a, double b) const {
 }
 
 Sweep::CurveSearch::End Sweep::CurveSearch::end(double t) {
-  const At e = sweep.evaluateCurve(p, t);
-  consider(t, e.value);
+  const At e = consider(t);
   return {e.value, e.gradient, sweep.position(t)};
 }
 
@@ -66,10 +65,10 @@ double Sweep::CurveSearch::chordBound(double a, const End& ea, double b, const E
 
 /// Values from a to b are at least `low`: that settles them, or they are left to be divided.
 void Sweep::CurveSearch::leave(double a, double b, double low) {
-  if (low >= goal() || b <= a || size == static_cast<int>(stack.size())) {
+  if (low >= goal() || b <= a || size == kMostPieces) {
     bound = std::min(bound, low);
   } else {
-    stack[size++] = {a, b, low, false, {}, {}};
+    add({a, b, low, false, {}, {}});
   }
 }
 
@@ -77,22 +76,21 @@ void Sweep::CurveSearch::leave(double a, double b, double low) {
 void Sweep::CurveSearch::push(const Piece& first, const Piece& second) {
   const bool falls = sweep.frame_.n.z() * sweep.frame_.rise < 0.0;
   const bool first_better = first.low != second.low ? first.low < second.low : !falls;
-  stack[size++] = first_better ? second : first;
-  stack[size++] = first_better ? first : second;
+  add(first_better ? second : first);
+  add(first_better ? first : second);
 }
 
 void Sweep::CurveSearch::divide() {
   for (int count = 0; size > 0; ++count) {
-    Piece piece = stack[--size];
-    if (piece.low >= goal() || count >= kMostSpans || size + 2 > static_cast<int>(stack.size())) {
+    Piece piece = stack.pieces[static_cast<std::size_t>(--size)];
+    if (piece.low >= goal() || count >= kMostSpans || size + 2 > kMostPieces) {
       bound = std::min(bound, piece.low);
       continue;
     }
     const double middle = 0.5 * (piece.a + piece.b);
     if (angle * (piece.b - piece.a) > kSpan) {
-      push(
-          {piece.a, middle, std::max(piece.low, sweep.boxBound(p, piece.a, middle)), false, {}, {}},
-          {middle, piece.b, std::max(piece.low, sweep.boxBound(p, middle, piece.b)), false, {}, {}});
+      push({piece.a, middle, std::max(piece.low, sweep.boxBound(p, piece.a, middle)), false, {}, {}},
+           {middle, piece.b, std::max(piece.low, sweep.boxBound(p, middle, piece.b)), false, {}, {}});
       continue;
     }
     if (!piece.known) {
@@ -100,7 +98,7 @@ void Sweep::CurveSearch::divide() {
       piece.eb = end(piece.b);
       piece.known = true;
       piece.low = std::max(piece.low, chordBound(piece.a, piece.ea, piece.b, piece.eb));
-      stack[size++] = piece;
+      add(piece);
       continue;
     }
     const End em = end(middle);
@@ -121,7 +119,7 @@ Sweep::Place Sweep::minimiseCurve(const Vec3& p, double cutoff, double tolerance
     search.divide();
   }
   bound = std::min(search.bound, search.best);
-  return {search.best_t, evaluateCurve(p, search.best_t)};
+  return search.place;
 }
 
 }  // namespace proveout

@@ -31,9 +31,10 @@ void Sweep::CurveSearch::Bracket::add(const Place& place) {
 double Sweep::CurveSearch::Bracket::support() {
   const double w = width();
   if (both()) {
-    const double rise = high.at.slope - low.at.slope;
-    const double step = rise > 0.0 ? (low.at.value - high.at.value + high.at.slope * w) / rise : 0.0;
-    between = low.at.value + low.at.slope * step - 0.125 * bend * w * w;
+    // With bend / 2 (t - low) (t - high), which is 0 at both and below 0 between them, the values are convex.
+    const double fall = low.at.slope - 0.5 * bend * w, rise = high.at.slope + 0.5 * bend * w;
+    const double step = rise > fall ? (low.at.value - high.at.value + rise * w) / (rise - fall) : 0.0;
+    between = low.at.value + fall * step;
     return low.t + step;
   }
   const Place& from = low_known ? low : high;
@@ -60,8 +61,7 @@ void Sweep::CurveSearch::walk(Place from, double end, double bend) {
     const double reach = (rise + std::sqrt(rise * rise + 2.0 * bend * (from.at.value - goal()))) / bend;
     bound = std::min(bound, goal());
     const double t = from.t + side * std::min(reach, left);
-    from = {t, sweep.evaluateCurve(p, t)};
-    consider(t, from.at.value);
+    from = {t, consider(t)};
     left = std::abs(end - t);
     low = from.at.value - (std::abs(from.at.slope) + 0.5 * bend * left) * left;
   }
@@ -75,8 +75,7 @@ void Sweep::CurveSearch::newton(double a, double b, double start, double bend) {
   double t = std::clamp(start, a, b), before = std::numeric_limits<double>::infinity();
   bool helps = true;
   for (int round = 0; round < kMostRounds; ++round) {
-    const Place now{t, sweep.evaluateCurve(p, t)};
-    consider(t, now.at.value);
+    const Place now{t, consider(t)};
     bracket.add(now);
     const double slope = now.at.slope, steep = std::abs(slope);
     helps = round == 0 || !helps || steep < kHelps * before;
@@ -110,8 +109,7 @@ double Sweep::CurveSearch::levelGap() const {
 /// by the height of the tool.
 double Sweep::CurveSearch::heightBound(double gap, double a, double b, double& slope) const {
   const double rise = sweep.frame_.n.z() * sweep.frame_.rise;
-  const ProfileSample s =
-      sweep.profile_->sample(gap, p.z() - sweep.arc_.center.z() - 0.5 * (a + b) * rise);
+  const ProfileSample s = sweep.profile_->sample(gap, p.z() - sweep.arc_.center.z() - 0.5 * (a + b) * rise);
   slope = -s.gz;
   return s.value - std::abs(s.gz * 0.5 * (b - a) * rise) - kBoundSlackMm;
 }
@@ -148,7 +146,8 @@ void Sweep::CurveSearch::searchSide(const Turn& turn, int side) {
   const auto at = [&](double off) { return std::clamp(turn.middle + side * off / angle, 0.0, 1.0); };
   const auto gap = [&](double off) {
     const double r = turn.radius, d = off_axis;
-    return std::max(0.0, std::sqrt(std::max(0.0, r * r + d * d - 2.0 * r * d * std::cos(off))) - turn.slack_mm);
+    return std::max(0.0,
+                    std::sqrt(std::max(0.0, r * r + d * d - 2.0 * r * d * std::cos(off))) - turn.slack_mm);
   };
   // The way may begin farther off.
   double from = std::max(inner, side * ((side > 0 ? 0.0 : 1.0) - turn.middle) * angle);
@@ -170,7 +169,8 @@ void Sweep::CurveSearch::searchSide(const Turn& turn, int side) {
 void Sweep::CurveSearch::searchTurn(double middle, double start) {
   const Turn turn = turnAt(middle);
   const double near = std::max(turn.convex_rad, kNearSpan);
-  const double a = std::clamp(middle - near / angle, 0.0, 1.0), b = std::clamp(middle + near / angle, 0.0, 1.0);
+  const double a = std::clamp(middle - near / angle, 0.0, 1.0),
+               b = std::clamp(middle + near / angle, 0.0, 1.0);
   if (a < b) newton(a, b, start >= a && start <= b ? start : middle, bendBound(turn, near));
   searchSide(turn, -1);
   searchSide(turn, 1);
@@ -186,11 +186,7 @@ double Sweep::CurveSearch::firstTurn(double near, double last, double start) {
   };
   if (start >= 0.0) return nearest(start);
   if (last - near < 0.5 * turn) return near;
-  const auto value = [&](double t) {
-    const double within = std::clamp(t, 0.0, 1.0), found = sweep.evaluateCurve(p, within).value;
-    consider(within, found);
-    return found;
-  };
+  const auto value = [&](double t) { return consider(std::clamp(t, 0.0, 1.0)).value; };
   const double level = rise != 0.0 ? (p.z() - sweep.from_.z()) / rise : 0.0;
   const double lowest = rise < 0.0 ? last : near, beside = nearest(level + (rise < 0.0 ? 0.5 : -0.5) * turn);
   return value(beside) < value(lowest) ? beside : lowest;
@@ -200,10 +196,15 @@ void Sweep::CurveSearch::turns(double start) {
   const ArcFrame& f = sweep.frame_;
   const Vec3 from = p - sweep.arc_.center;
   off_axis = from.head<2>().norm();
-  double place = std::atan2(from.dot(f.v), from.dot(f.u));
-  if (sweep.arc_.sweep_rad < 0.0) place = -place;
+  double slope;
+  if (const double all = heightBound(levelGap(), 0.0, 1.0, slope); all > cutoff) {
+    bound = all;
+    return;
+  }
+  double around = std::atan2(from.dot(f.v), from.dot(f.u));
+  if (sweep.arc_.sweep_rad < 0.0) around = -around;
   // Turns reach half a turn to both sides of their nearest places.
-  const double turn = 2.0 * kPi / angle, any = place / angle;
+  const double turn = 2.0 * kPi / angle, any = around / angle;
   const double near = any + std::ceil(-any / turn - 0.5) * turn;
   const double last = near + std::max(0.0, std::floor((1.0 - near) / turn + 0.5)) * turn;
   const double first = firstTurn(near, last, start);
@@ -212,8 +213,8 @@ void Sweep::CurveSearch::turns(double start) {
   for (const int way : {1, -1}) {
     for (double middle = first + way * turn; middle > near - 0.5 * turn && middle < last + 0.5 * turn;
          middle += way * turn) {
-      double slope;
-      const double a = std::clamp(middle - 0.5 * turn, 0.0, 1.0), b = std::clamp(middle + 0.5 * turn, 0.0, 1.0);
+      const double a = std::clamp(middle - 0.5 * turn, 0.0, 1.0),
+                   b = std::clamp(middle + 0.5 * turn, 0.0, 1.0);
       const double low = heightBound(gap, a, b, slope);
       if (low < goal()) {
         searchTurn(middle, kAnywhere);

@@ -132,7 +132,7 @@ void ThinWallFinder::drop(std::size_t first, std::size_t count) {
 
 /// False when nothing is open any more.
 bool ThinWallFinder::dropCovered(const Pass& pass, std::size_t first, std::size_t count) {
-  if (const Sweep* curve = table_.curveOf(pass)) return dropHeld(*curve, first, count);
+  if (const Sweep* curve = table_.helixOf(pass)) return dropHeld(*curve, first, count);
   kernel_(pass.columns, x_.data(), y_.data(), static_cast<int>(2 * count), lo_.data(), hi_.data());
   unsigned any = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -155,7 +155,8 @@ bool ThinWallFinder::dropHeld(const Sweep& curve, std::size_t first, std::size_t
     Stack& stack = stacks_[first + i];
     for (unsigned left = stack.open; left != 0; left &= left - 1) {
       const int z = std::countr_zero(left);
-      const Vec3 a(x_[2 * i], y_[2 * i], z_[z]), b(x_[2 * i + 1], y_[2 * i + 1], z_[z + (stack.axis == 2 ? 1 : 0)]);
+      const Vec3 a(x_[2 * i], y_[2 * i], z_[z]),
+          b(x_[2 * i + 1], y_[2 * i + 1], z_[z + (stack.axis == 2 ? 1 : 0)]);
       if (curve.holds(a, b)) stack.open &= static_cast<std::uint8_t>(~(1u << z));
     }
     any |= stack.open;
@@ -180,15 +181,14 @@ void ThinWallFinder::askPoints(const Stack& stack, LostFilm& lost) {
   for (const Reach& reach : list_) {
     if (reach.low >= z_[8]) continue;
     const Pass& pass = table_.passes[reach.pass];
-    const Sweep* curve = table_.curveOf(pass);
+    const Sweep* curve = table_.helixOf(pass);
     if (curve == nullptr) kernel_(pass.columns, x_.data(), y_.data(), columns, lo_.data(), hi_.data());
     for (int z = 0; z < 8; ++z) {
       for (std::uint64_t left = bare[z]; left != 0; left &= left - 1) {
         const int i = std::countr_zero(left), column = stack.axis == 2 ? 0 : i;
         const double at = z_[z] + (stack.axis == 2 ? along(i) : 0.0);
-        const bool covered = curve != nullptr
-                                 ? curve->distance({x_[column], y_[column], at}, 0.0) < 0.0
-                                 : lo_[column] < at && at < hi_[column];
+        const bool covered = curve != nullptr ? curve->distance({x_[column], y_[column], at}, 0.0) < 0.0
+                                              : lo_[column] < at && at < hi_[column];
         if (covered) bare[z] &= ~(1ull << i);
       }
     }
