@@ -1,6 +1,7 @@
 proveout_add_library(removal
   sweep.cpp
   sweep_curve.cpp
+  sweep_helix.cpp
   stock_depth.cpp
   blank_field.cpp
   blank.cpp

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "removal/level_cut.h"
 #include "removal/pass_surface.h"
@@ -40,11 +41,18 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
     if (pass.part != ToolPart::kCutter) continue;
     double low[4];
     reach_(pass.columns, boxes, low);
+    const Sweep* curve = table_.helixOf(pass);
     for (std::size_t q = 0; q < 4; ++q) {
-      if (low[q] < boxes.z_high[q]) passes_[q].push_back(reach.pass);
+      if (low[q] >= boxes.z_high[q]) continue;
+      const bool known = curve != nullptr && !passes_[q].empty() &&
+                         table_.helixOf(table_.passes[passes_[q].back()]) == curve;
+      if (!known) passes_[q].push_back(reach.pass);
     }
   }
-  for (std::size_t q = 0; q < 4; ++q) cutEdges(groups[q], passes_[q]);
+  for (int q = 0; q < 4; ++q) {
+    cutEdges(groups[q], passes_[q]);
+    giveUntaken(passes_[q], q);
+  }
   std::vector<Crossing> out;
   out.reserve(edges_.size());
   for (const Edge& edge : edges_) out.push_back(crossing(edge, before));
@@ -55,11 +63,17 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
 /// and over, until each has seen the last crossing that moved.
 void CrossingFinder::cutEdges(const Group& group, const std::vector<std::uint32_t>& passes) {
   std::size_t asked = 0;  // since a crossing moved
+  moves_ = 0;
+  asked_.assign(passes.size(), -1);
   for (int round = 0; round < kMostRounds; ++round) {
-    for (const std::uint32_t pass : passes) {
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+      const std::uint32_t pass = passes[k];
       moved_ = false;
-      for (std::size_t first = group.first; first < group.last; first += kMaxColumns) {
-        tryPass(pass, first, std::min<std::size_t>(kMaxColumns, group.last - first));
+      if (const Sweep* curve = table_.helixOf(table_.passes[pass])) {
+        tryCurve(pass, *curve, group, std::exchange(asked_[k], moves_));
+      } else {
+        for (std::size_t first = group.first; first < group.last; first += kMaxColumns)
+          tryPass(pass, first, std::min<std::size_t>(kMaxColumns, group.last - first));
       }
       asked = moved_ ? 1 : asked + 1;
       if (asked >= passes.size()) return;
@@ -132,31 +146,44 @@ std::vector<char> CrossingFinder::barePoints(const std::vector<Vec3>& points, st
     z_.push_back(points[i].z());
     tag_.push_back(i);
   }
-  for (const Reach& reach : list) {
+  if (!points.empty()) uniteChords(table_, list, united_);
+  for (const Reach& reach : united_) {
     if (tag_.empty()) break;
-    const Pass& pass = table_.passes[reach.pass];
-    if (pass.part == ToolPart::kCutter) dropCovered(pass);
+    dropCovered(table_.passes[reach.pass]);
   }
   std::vector<char> bare(points.size(), 0);
   for (const std::uint32_t i : tag_) bare[i] = 1;
   return bare;
 }
 
-/// Takes the points that the pass covers out of the lists.
+/// Moves the points that are not covered to the front, behind those that are kept. `covers`: of a number
+/// from 0 to count - 1.
+template <typename Covers>
+void CrossingFinder::dropBatch(std::size_t first, std::size_t count, std::size_t& kept, Covers&& covers) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (covers(i)) continue;
+    x_[kept] = x_[first + i];
+    y_[kept] = y_[first + i];
+    tag_[kept] = tag_[first + i];
+    z_[kept++] = z_[first + i];
+  }
+}
+
+/// Takes the points that the pass, or the curve that it is a chord of, covers out of the lists.
 void CrossingFinder::dropCovered(const Pass& pass) {
   std::size_t kept = 0;
   const std::size_t size = tag_.size();
-  for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize((size + 7) & ~std::size_t{7});
-  for (std::size_t first = 0; first < size; first += kMaxColumns) {
-    const std::size_t count = std::min<std::size_t>(kMaxColumns, size - first);
-    kernel_(pass.columns, &x_[first], &y_[first], static_cast<int>(count), lo_.data(), hi_.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      const double z = z_[first + i];
-      if (lo_[i] < z && z < hi_[i]) continue;
-      x_[kept] = x_[first + i];
-      y_[kept] = y_[first + i];
-      tag_[kept] = tag_[first + i];
-      z_[kept++] = z;
+  if (const Sweep* curve = table_.helixOf(pass)) {
+    dropBatch(0, size, kept, [&](std::size_t i) {
+      return curve->distance({x_[i], y_[i], z_[i]}, 0.0) < 0.0;
+    });
+  } else {
+    for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize((size + 7) & ~std::size_t{7});
+    for (std::size_t first = 0; first < size; first += kMaxColumns) {
+      const std::size_t count = std::min<std::size_t>(kMaxColumns, size - first);
+      kernel_(pass.columns, &x_[first], &y_[first], static_cast<int>(count), lo_.data(), hi_.data());
+      dropBatch(first, count, kept,
+                [&](std::size_t i) { return lo_[i] < z_[first + i] && z_[first + i] < hi_[i]; });
     }
   }
   for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize(kept);
@@ -260,10 +287,47 @@ void CrossingFinder::tryEdge(std::uint32_t number, std::size_t probe, double lo,
     cut = levelCut(pass, e.a, e.axis == 0 ? e.forward : 0.0, e.axis == 1 ? e.forward : 0.0, inside,
                    table_.levelArc(pass));
   }
+  moveCrossing(number, index, cut);
+}
+
+/// The whole curve at once: it is convex nowhere, and may cut several pieces out of an edge. Edges are asked
+/// that have moved after the first `since` moves; below 0: all.
+void CrossingFinder::tryCurve(std::uint32_t number, const Sweep& curve, const Group& group, int since) {
+  for (std::size_t i = group.first; i < group.last; ++i) {
+    const Edge& e = edges_[probes_[i].edge];
+    if (e.moved <= since || (probes_[i].kind == Probe::kEnd && e.pass == number)) continue;
+    const Vec3 p(x_[i], y_[i], z_[i]);
+    if (curve.distance(p, 0.0) >= 0.0) continue;
+    const double inside = std::abs(p[e.axis] - e.a[e.axis]);
+    moveCrossing(number, probes_[i].edge, searchCut(curve, e.a, e.forward * Vec3::Unit(e.axis), inside));
+  }
+}
+
+/// Chords lie off their curve, so that a sample may be gone to which the curve does not quite reach: its
+/// edges end there.
+void CrossingFinder::giveUntaken(const std::vector<std::uint32_t>& passes, int quarter) {
+  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+    const Edge& e = edges_[i];
+    if (e.quarter != quarter || e.pass != kOld || e.old >= 0) continue;
+    const Vec3 gone = e.a + e.forward * impl_.h * Vec3::Unit(e.axis);
+    double least = impl_.h;
+    std::uint32_t nearest = kOld;
+    for (const std::uint32_t number : passes) {
+      const Sweep* curve = table_.helixOf(table_.passes[number]);
+      const double distance = curve != nullptr ? curve->distance(gone, least) : least;
+      if (distance < least) least = distance, nearest = number;
+    }
+    if (nearest != kOld) moveCrossing(nearest, i, impl_.h);
+  }
+}
+
+void CrossingFinder::moveCrossing(std::uint32_t number, std::uint32_t index, double cut) {
+  Edge& e = edges_[index];
   const double s = std::clamp(cut / impl_.h, 0.0, 1.0);
   if (s >= e.s - kShorter && !(e.pass == kOld && e.old < 0)) return;
   e.s = s;
   e.pass = number;
+  e.moved = ++moves_;
   moved_ = true;
   for (const std::int32_t moved : probes_of_edge_[index]) {
     if (moved >= 0) placeProbe(static_cast<std::size_t>(moved));

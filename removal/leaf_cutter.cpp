@@ -42,15 +42,52 @@ std::int64_t volumeUnits(double voxels) { return std::llround(voxels / kVolumeUn
 
 }  // namespace
 
+void uniteChords(const PassTable& table, std::span<const Reach> list, ReachList& out) {
+  out.clear();
+  const Sweep* last = nullptr;
+  for (const Reach& reach : list) {
+    const Pass& pass = table.passes[reach.pass];
+    if (pass.part != ToolPart::kCutter) continue;
+    const Sweep* curve = table.helixOf(pass);
+    if (curve != nullptr && curve == last) {
+      out.back().low = std::min(out.back().low, reach.low);
+    } else {
+      out.push_back(reach);
+    }
+    last = curve;
+  }
+}
+
 void LeafCutter::cut(LeafChange& change, std::span<const Reach> list) {
   start(change);
   if (columns_.layers == 0) return;
-  for (const Reach& reach : list) {
-    if (reach.low < highest_) apply(reach.pass);
-    if (columns_.layers == 0) break;
+  for (std::size_t i = 0; i < list.size() && columns_.layers != 0;) {
+    if (const std::size_t chords = applyCurve(list.subspan(i))) {
+      i += chords;
+      continue;
+    }
+    if (list[i].low < highest_) apply(list[i].pass);
+    ++i;
   }
   columnsToLayers(columns_.material, change.material);
   change.takers = takers_;
+}
+
+/// Applies the chords of a curve at the front of the list, if there are any, and returns their number. They
+/// are one motion, so that their order does not count: those that reach lowest leave nothing to most others.
+std::size_t LeafCutter::applyCurve(std::span<const Reach> list) {
+  const Pass& first = table_.passes[list[0].pass];
+  if (first.curve < 0 || first.watched || first.part != ToolPart::kCutter) return 0;
+  std::size_t count = 1;
+  while (count < list.size() && table_.passes[list[count].pass].curve == first.curve) ++count;
+  lowest_first_.assign(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
+  std::stable_sort(lowest_first_.begin(), lowest_first_.end(),
+                   [](const Reach& a, const Reach& b) { return a.low < b.low; });
+  for (const Reach& reach : lowest_first_) {
+    if (reach.low >= highest_ || columns_.layers == 0) break;
+    apply(reach.pass);
+  }
+  return count;
 }
 
 void LeafCutter::start(const LeafChange& change) {

@@ -31,7 +31,18 @@ struct PassTable {
     return pass.columns.kind == ColumnSweep::Kind::kArc ? &curves[static_cast<std::size_t>(pass.curve)]
                                                         : nullptr;
   }
+  /// Exact sweep of the helix about z that a pass is a chord of, which is asked in place of its many chords;
+  /// else null.
+  const Sweep* helixOf(const Pass& pass) const {
+    if (pass.curve < 0 || pass.columns.kind == ColumnSweep::Kind::kArc) return nullptr;
+    const Sweep& curve = curves[static_cast<std::size_t>(pass.curve)];
+    return curve.isHelix() ? &curve : nullptr;
+  }
 };
+
+/// Fills `out` with one entry for all chords of a helix that follow each other in `list`, and one for every
+/// other cutting pass.
+void uniteChords(const PassTable& table, std::span<const Reach> list, ReachList& out);
 
 /// Volumes per motion are summed as whole numbers of this part of a voxel, so that the sum does not depend on
 /// threads.
@@ -79,6 +90,7 @@ class LeafCutter {
  private:
   void start(const LeafChange& change);
   void startTops(const LeafChange& change);
+  std::size_t applyCurve(std::span<const Reach> list);
   void apply(std::uint32_t number);
   double applyQuarter(std::uint32_t number, int quarter);
   void cover(int quarter);
@@ -98,13 +110,14 @@ class LeafCutter {
   std::array<std::uint32_t, 2> takers_{};  ///< as in LeafChange
   double most_sunk_ = 0.0;                 ///< of one pass, mm of column height
   LeafColumns columns_{};
-  unsigned covered_ = 0;                   ///< quarters (bits) whose columns_.covered is that of the last pass
+  unsigned covered_ = 0;  ///< quarters (bits) whose columns_.covered is that of the last pass
   /// Columns in the order of LeafColumns, eight a word.
   using ColumnWords = std::array<std::uint64_t, 8>;
   static void pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords& y);
   ColumnWords initial_{};                ///< material before the first pass
   ColumnWords joined_x_{}, joined_y_{};  ///< edges that one pass covered whole
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
+  ReachList lowest_first_;  ///< chords of one curve
   std::vector<ContactSample> contacts_;
   std::uint64_t evaluations_ = 0;
 };

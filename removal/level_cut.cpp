@@ -51,7 +51,8 @@ double enterStadium(const ColumnSweep& line, const Ray& ray, double first, doubl
   return best;
 }
 
-/// The stretch of the way on which a level disc between heights `low` and `high` above the tip holds height z.
+/// The stretch of the way on which a level disc between heights `low` and `high` above the tip holds height
+/// z.
 void discStretch(const ColumnSweep& line, double z, double low, double high, double& first, double& last) {
   first = 0.0;
   last = line.length;
@@ -78,7 +79,8 @@ double enterCapsule(const ColumnSweep& line, const Ray& ray, double z, double ra
   const Vec3 e = way / length, d(ray.dx, ray.dy, 0.0), q = Vec3(ray.x, ray.y, z) - center;
   const double along = q.dot(e), step = d.dot(e);
   const Vec3 q_across = q - along * e, d_across = d - step * e;
-  const double a = d_across.squaredNorm(), b = q_across.dot(d_across), c = q_across.squaredNorm() - radius * radius;
+  const double a = d_across.squaredNorm(), b = q_across.dot(d_across),
+               c = q_across.squaredNorm() - radius * radius;
   const double root2 = b * b - a * c;
   if (c > 0.0 && b < 0.0 && root2 > 0.0) {
     const double s = c / (-b + std::sqrt(root2));
@@ -89,6 +91,8 @@ double enterCapsule(const ColumnSweep& line, const Ray& ray, double z, double ra
   return best;
 }
 
+}  // namespace
+
 double searchCut(const Sweep& sweep, const Vec3& a, const Vec3& direction, double inside) {
   const auto f = [&](double s) { return sweep.distance(a + s * direction, kNever); };
   const double at_a = f(0.0), at_inside = f(inside);
@@ -96,8 +100,6 @@ double searchCut(const Sweep& sweep, const Vec3& a, const Vec3& direction, doubl
   if (at_inside >= 0.0) return inside;  // touched within rounding
   return edgeRoot(f, 0.0, at_a, inside, at_inside, 1e-9);
 }
-
-}  // namespace
 
 double levelCut(const Pass& pass, const Vec3& a, double dx, double dy, double inside, const Sweep* exact) {
   const ColumnSweep& c = pass.columns;

@@ -26,8 +26,10 @@ namespace proveout {
 namespace {
 
 /// Curved motions are cut as chords that lie this close to them, mm: far below the smallest error that the
-/// surface has elsewhere. Level arcs of one radius have a closed form and need none.
-constexpr double kChordMm = 5e-5;
+/// surface has elsewhere. On helices about z, whose crossings are those of the curve itself, chords decide
+/// samples only, and a crossing that lies that close to one may be off by as much: there this share of the
+/// grid will do. Level arcs of one radius have a closed form and need none.
+constexpr double kChordShare = 1e-3, kChordMm = 5e-5;
 /// The same for parts of the tool that do not cut: below what counts as contact.
 constexpr double kContactChordMm = 5e-4;
 constexpr double kMostChords = 1e6;
@@ -174,7 +176,10 @@ void Remover::addChords(Pass pass, const ColumnSolid& columns, const Motion& m, 
   const ArcFrame frame = arcFrame(m.from, m.to, arc);
   const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}),
                sweep = std::abs(arc.sweep_rad);
-  const double within = pass.part == ToolPart::kCutter ? kChordMm : kContactChordMm;
+  const double within = pass.part != ToolPart::kCutter ? kContactChordMm
+                        : table_.curves[static_cast<std::size_t>(pass.curve)].isHelix()
+                            ? std::max(kChordMm, kChordShare * impl_.h)
+                            : kChordMm;
   const double step = std::sqrt(8.0 * std::min(within, radius) / radius), turn = 2.0 * kPi;
   const bool stacked = sweep > turn && !pass.watched && pass.part == ToolPart::kCutter &&
                        arc.normal.head<2>().squaredNorm() < 1e-24 && frame.rise != 0.0 &&

@@ -31,6 +31,8 @@ constexpr int kMaxLineRounds = 80;
 /// Growth of the radius a radian, by the radius, up to which a level spiral has one nearest point a turn
 /// close to the circle's.
 constexpr double kNearCircle = 0.05;
+/// The same of the whole way, by the radius, up to which a curve's turns count as round.
+constexpr double kRounded = 1e-3;
 
 }  // namespace
 
@@ -55,6 +57,7 @@ Sweep::Sweep(const ConvexProfile& profile, const Vec3& from, const Vec3& to, con
     curvature_bound_ =
         std::max(frame_.radius_start, frame_.radius_end) * sweep * sweep + 2.0 * std::abs(dr) * sweep;
     vertical_ = arc_.normal.head<2>().squaredNorm() < 1e-24;
+    round_turns_ = vertical_ && std::abs(dr) <= kRounded * std::min(frame_.radius_start, frame_.radius_end);
     const bool level = std::abs(frame_.rise) < kPointMoveMm &&
                        std::abs(dr) <= kNearCircle * sweep * std::min(frame_.radius_start, frame_.radius_end);
     kind_ = vertical_ && level ? Kind::kLevelArc : Kind::kCurve;
@@ -84,6 +87,16 @@ Vec3 spaceGradient(const ProfileSample& s, const Vec3& q, double r) {
   return {0.0, 0.0, s.gz};
 }
 
+/// At::bend of a solid that moves with this velocity, for an offset q whose level length is r > 0.
+double bendOf(const ProfileSample& s, const Vec3& q, double r, const Vec3& velocity) {
+  // The point's place in the half-plane moves at (dr, dz); r is a hyperbola. The square of a distance from
+  // a point is far more like a parabola than the distance.
+  const double dr = -(q.x() * velocity.x() + q.y() * velocity.y()) / r, dz = -velocity.z();
+  double bend = s.gr * (velocity.head<2>().squaredNorm() - dr * dr) / r;
+  if (s.radius > 0.0) bend += (dr * dr + dz * dz) / s.radius;
+  return bend;
+}
+
 }  // namespace
 
 Sweep::At Sweep::evaluate(const Vec3& p, double t) const {
@@ -103,7 +116,14 @@ Sweep::At Sweep::evaluateCurve(const Vec3& p, double t) const {
   const double r = std::sqrt(q.x() * q.x() + q.y() * q.y());
   const ProfileSample sample = profile_->sample(r, q.z());
   const Vec3 gradient = spaceGradient(sample, q, r);
-  return {sample.value, -gradient.dot(velocity), sample.element, gradient};
+  At out{sample.value, -gradient.dot(velocity), sample.element, gradient};
+  if (r > 0.0) {
+    const double w = arc_.sweep_rad;
+    const Vec3 acceleration = frame_.u * (-radius * w * w * c - 2.0 * dr * w * s) +
+                              frame_.v * (-radius * w * w * s + 2.0 * dr * w * c);
+    out.bend = bendOf(sample, q, r, velocity) - gradient.dot(acceleration);
+  }
+  return out;
 }
 
 Sweep::At Sweep::evaluateLine(const Vec3& p, double t) const {
@@ -112,13 +132,7 @@ Sweep::At Sweep::evaluateLine(const Vec3& p, double t) const {
   const ProfileSample s = profile_->sample(r, q.z());
   const Vec3 gradient = spaceGradient(s, q, r);
   At out{s.value, -gradient.dot(delta_), s.element, gradient};
-  if (r > 0.0) {
-    // The point's place in the half-plane moves at (dr, dz); r is a hyperbola. The square of a distance from
-    // a point is far more like a parabola than the distance.
-    const double dr = -(q.x() * delta_.x() + q.y() * delta_.y()) / r, dz = -delta_.z();
-    out.bend = s.gr * (level_length2_ - dr * dr) / r;
-    if (s.radius > 0.0) out.bend += (dr * dr + dz * dz) / s.radius;
-  }
+  if (r > 0.0) out.bend = bendOf(s, q, r, delta_);
   return out;
 }
 
@@ -272,7 +286,7 @@ Sweep::Place Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance,
 Sweep::Place Sweep::minimise(const Vec3& p, double cutoff, double tolerance, double& bound,
                              double start) const {
   if (kind_ == Kind::kLine) return minimiseLine(p, cutoff, tolerance, bound, start);
-  if (kind_ == Kind::kCurve) return minimiseCurve(p, cutoff, bound);
+  if (kind_ == Kind::kCurve) return minimiseCurve(p, cutoff, tolerance, bound, start);
   const double t = kind_ == Kind::kPoint ? 0.0 : levelParameter(p.x(), p.y());
   const Place place{t, evaluate(p, t)};
   bound = place.at.value;
@@ -285,10 +299,21 @@ double Sweep::distance(const Vec3& p, double cutoff) const {
   return bound > cutoff ? bound : place.at.value;
 }
 
+bool Sweep::holds(const Vec3& a, const Vec3& b) const {
+  for (const Vec3& p : {Vec3(0.5 * (a + b)), a, b}) {
+    double bound = 0.0;
+    const Place place = minimise(p, 0.0, kLineToleranceMm, bound);
+    if (bound >= 0.0 || place.at.value >= 0.0) return false;
+    if (evaluate(a, place.t).value < 0.0 && evaluate(b, place.t).value < 0.0) return true;
+  }
+  return false;
+}
+
 SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance, double& start) const {
   double bound = 0.0;
   const auto [t, at] = minimise(p, std::numeric_limits<double>::infinity(), tolerance, bound, start);
   if (kind_ == Kind::kLine) start = t == guessOnLine(p) ? kAnywhere : t;
+  if (kind_ == Kind::kCurve) start = t;
   const ConvexProfile::Element& e = profile_->element(at.element - profile_->firstElementId());
   const bool at_end = !e.arc && std::abs(at.gradient.z() + e.dr) > kFaceSlack;
   return {at.value, at.gradient, at_end ? ConvexProfile::kEdgeIds + at.element : at.element};

@@ -9,11 +9,10 @@
 // Method: the distance to a convex solid is convex in the solid's position, so along a line its minimum over
 // time is found by closed form (level moves) or by Newton's method, which stops on a proven bound; along an
 // arc spans are bounded below by the chord's convexity less the sagitta, and split until the bound meets the
-// value. Curves of many turns are halved by the boxes around their parts, so that a point meets the turns
-// near it only (sweep_curve.cpp).
+// value. On a helix about z the level distance from the tool's axis is convex over much of each turn, and the
+// distance with it: there Newton's method serves as on lines, and the other turns are left out by bounds
+// (sweep_curve.cpp).
 #pragma once
-
-#include <array>
 
 #include "core/geometry/types.h"
 #include "core/path/toolpath.h"
@@ -43,14 +42,21 @@ class Sweep {
   /// Distance at `p`. Values above `cutoff` may be returned as any lower bound above `cutoff`.
   double distance(const Vec3& p, double cutoff) const;
   SweepSample sample(const Vec3& p) const;
+  /// Whether the solid holds both points, and so all between them, at one place of its way; false also where
+  /// no place is found.
+  bool holds(const Vec3& a, const Vec3& b) const;
   /// The same for a point outside, where the distance has no kinks, to within `tolerance` > 0, mm, on lines;
   /// cheaper. An element from kEdgeIds on: an end of that straight element is nearest, not its face. `start`:
-  /// where on the path (0 to 1) the search on a line sets out, or kAnywhere; becomes a good start for
-  /// points nearby.
+  /// where on the path (0 to 1) the search on a line or helix sets out, or kAnywhere; becomes a good start
+  /// for points nearby.
   SweepSample sampleOutside(const Vec3& p, double tolerance, double& start) const;
 
   /// Distances at the `count` points (x, y, z0 + k * dz), each with its own cutoff as in distance().
   void column(double x, double y, double z0, double dz, int count, const double* cutoff, double* out) const;
+
+  /// The way is a helix about z (its radius changes by no more than rounding): then the distance is found
+  /// about as fast as on a line.
+  bool isHelix() const { return kind_ == Kind::kCurve && round_turns_; }
 
   /// Bounds of the swept volume, mm.
   const Box3& bounds() const { return bounds_; }
@@ -61,8 +67,8 @@ class Sweep {
     double value, slope;  ///< slope: derivative of the value by the path parameter
     int element;
     Vec3 gradient;
-    /// On lines: minus slope over Newton's step to the least value of the distance, or of its square where
-    /// that is a distance from a point.
+    /// Minus slope over Newton's step to the least value of the distance, or of its square where that is a
+    /// distance from a point.
     double bend = 0.0;
   };
   /// A place on the path.
@@ -85,11 +91,10 @@ class Sweep {
   double guessOnLine(const Vec3& p) const;
   double stepToEdge(const Vec3& p, const Place& from) const;
   double newtonStep(const Vec3& p, const Place& from) const;
-  Place minimiseCurve(const Vec3& p, double cutoff, double& bound) const;
+  Place minimiseCurve(const Vec3& p, double cutoff, double tolerance, double& bound, double start) const;
+  struct CurveSearch;
   Box3 wayBounds(double a, double b) const;
   double boxBound(const Vec3& p, double a, double b) const;
-  double flankBound(const Vec3& p) const;
-  std::array<double, 2> turnsNear(const Vec3& p) const;
   void slantedColumn(double x, double y, double z0, double dz, int count, const double* cutoff,
                      double* out) const;
   double horizontalGap(double x, double y) const;
@@ -101,6 +106,7 @@ class Sweep {
   ArcGeometry arc_;
   ArcFrame frame_;
   bool vertical_ = false;         // the arc turns about z
+  bool round_turns_ = false;      // and its radius is one, but for the rounding of a program's digits
   double curvature_bound_ = 0.0;  // upper bound of |c''(t)|, mm
   Box3 bounds_;
 };

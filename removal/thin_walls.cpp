@@ -42,11 +42,12 @@ LostFilm ThinWallFinder::find(const LeafChange& change, const LeafEdges& edges, 
                               std::span<const Reach> list) {
   LostFilm lost;
   collect(change, edges, open);
+  if (!stacks_.empty()) uniteChords(table_, list, list_);
   for (std::size_t first = 0; first < stacks_.size(); first += kBatch) {
-    drop(list, first, std::min(kBatch, stacks_.size() - first));
+    drop(first, std::min(kBatch, stacks_.size() - first));
   }
   for (const Stack& stack : stacks_) {
-    if (stack.open != 0) askPoints(stack, list, lost);
+    if (stack.open != 0) askPoints(stack, lost);
   }
   return lost;
 }
@@ -104,7 +105,7 @@ bool ThinWallFinder::besideMaterial(const Coord& origin, int axis, int x, int y,
 
 /// Takes out what one pass covers whole: first those that took much. Passes in the middle of the list are
 /// likely to be those right over the leaf.
-void ThinWallFinder::drop(std::span<const Reach> list, std::size_t first, std::size_t count) {
+void ThinWallFinder::drop(std::size_t first, std::size_t count) {
   double highest = z_[0];
   for (std::size_t i = 0; i < count; ++i) {
     const Stack& stack = stacks_[first + i];
@@ -119,19 +120,19 @@ void ThinWallFinder::drop(std::span<const Reach> list, std::size_t first, std::s
     if (taker == kNoPass || !holdsEdges(table_.passes[taker], impl_.h)) continue;
     if (!dropCovered(table_.passes[taker], first, count)) return;
   }
-  const std::size_t size = list.size();
+  const std::size_t size = list_.size();
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t step = (i + 1) / 2, middle = size / 2;
-    const Reach& reach = list[i % 2 == 1 ? middle - step : middle + step];
+    const Reach& reach = list_[i % 2 == 1 ? middle - step : middle + step];
     if (reach.low >= highest) continue;
     const Pass& pass = table_.passes[reach.pass];
-    if (pass.part == ToolPart::kCutter && holdsEdges(pass, impl_.h) && !dropCovered(pass, first, count))
-      return;
+    if (holdsEdges(pass, impl_.h) && !dropCovered(pass, first, count)) return;
   }
 }
 
 /// False when nothing is open any more.
 bool ThinWallFinder::dropCovered(const Pass& pass, std::size_t first, std::size_t count) {
+  if (const Sweep* curve = table_.helixOf(pass)) return dropHeld(*curve, first, count);
   kernel_(pass.columns, x_.data(), y_.data(), static_cast<int>(2 * count), lo_.data(), hi_.data());
   unsigned any = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -147,11 +148,27 @@ bool ThinWallFinder::dropCovered(const Pass& pass, std::size_t first, std::size_
   return any != 0;
 }
 
+/// The same for a whole curve: edges that the tool holds at one place of it.
+bool ThinWallFinder::dropHeld(const Sweep& curve, std::size_t first, std::size_t count) {
+  unsigned any = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Stack& stack = stacks_[first + i];
+    for (unsigned left = stack.open; left != 0; left &= left - 1) {
+      const int z = std::countr_zero(left);
+      const Vec3 a(x_[2 * i], y_[2 * i], z_[z]),
+          b(x_[2 * i + 1], y_[2 * i + 1], z_[z + (stack.axis == 2 ? 1 : 0)]);
+      if (curve.holds(a, b)) stack.open &= static_cast<std::uint8_t>(~(1u << z));
+    }
+    any |= stack.open;
+  }
+  return any != 0;
+}
+
 Vec3 ThinWallFinder::start(const Stack& stack) const {
   return impl_.position(origin_.offsetBy(stack.x, stack.y, 0));
 }
 
-void ThinWallFinder::askPoints(const Stack& stack, std::span<const Reach> list, LostFilm& lost) {
+void ThinWallFinder::askPoints(const Stack& stack, LostFilm& lost) {
   const Vec3 a = start(stack);
   const auto along = [&](int i) { return (i + 0.5) / kPoints * impl_.h; };
   const int columns = stack.axis == 2 ? 1 : kPoints;
@@ -161,15 +178,18 @@ void ThinWallFinder::askPoints(const Stack& stack, std::span<const Reach> list, 
   }
   std::array<std::uint64_t, 8> bare{};  // points that no pass covers
   for (int z = 0; z < 8; ++z) bare[z] = (stack.open >> z & 1) != 0 ? (1ull << kPoints) - 1 : 0;
-  for (const Reach& reach : list) {
+  for (const Reach& reach : list_) {
+    if (reach.low >= z_[8]) continue;
     const Pass& pass = table_.passes[reach.pass];
-    if (pass.part != ToolPart::kCutter || reach.low >= z_[8]) continue;
-    kernel_(pass.columns, x_.data(), y_.data(), columns, lo_.data(), hi_.data());
+    const Sweep* curve = table_.helixOf(pass);
+    if (curve == nullptr) kernel_(pass.columns, x_.data(), y_.data(), columns, lo_.data(), hi_.data());
     for (int z = 0; z < 8; ++z) {
       for (std::uint64_t left = bare[z]; left != 0; left &= left - 1) {
         const int i = std::countr_zero(left), column = stack.axis == 2 ? 0 : i;
         const double at = z_[z] + (stack.axis == 2 ? along(i) : 0.0);
-        if (lo_[column] < at && at < hi_[column]) bare[z] &= ~(1ull << i);
+        const bool covered = curve != nullptr ? curve->distance({x_[column], y_[column], at}, 0.0) < 0.0
+                                              : lo_[column] < at && at < hi_[column];
+        if (covered) bare[z] &= ~(1ull << i);
       }
     }
   }

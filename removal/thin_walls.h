@@ -35,9 +35,10 @@ class ThinWallFinder {
 
   void collect(const LeafChange& change, const LeafEdges& edges, const OpenEdges* open);
   bool besideMaterial(const Coord& origin, int axis, int x, int y, int z) const;
-  void drop(std::span<const Reach> list, std::size_t first, std::size_t count);
+  void drop(std::size_t first, std::size_t count);
   bool dropCovered(const Pass& pass, std::size_t first, std::size_t count);
-  void askPoints(const Stack& stack, std::span<const Reach> list, LostFilm& lost);
+  bool dropHeld(const Sweep& curve, std::size_t first, std::size_t count);
+  void askPoints(const Stack& stack, LostFilm& lost);
   Vec3 start(const Stack& stack) const;
 
   const Stock::Impl& impl_;
@@ -48,6 +49,7 @@ class ThinWallFinder {
   std::array<std::uint32_t, 2> takers_{};  ///< as in LeafChange
   std::array<double, 9> z_{};              ///< heights of the leaf's samples
   std::vector<Stack> stacks_;
+  ReachList list_;  ///< see uniteChords
   std::array<double, kMaxColumns> x_{}, y_{}, lo_{}, hi_{};
 };
 

@@ -36,6 +36,11 @@ BENCHMARK_CAPTURE(run, bull_slanted, "1=bull:6:1", Vec3(5, 1, -3), nullptr);
 BENCHMARK_CAPTURE(run, flat_level_arc, "1=flat:6", Vec3(4.546487, 7.080734, -2), &kArc);
 BENCHMARK_CAPTURE(run, flat_helix, "1=flat:6", Vec3(4.546487, 7.080734, -3), &kArc);
 
+// Tools without a level bottom or top, on curves whose turns pass near every point.
+const ArcGeometry kTurns{{0, 5, -2}, {0, 0, 1}, 126.0};
+BENCHMARK_CAPTURE(run, cone_helix_20_turns, "1=cone:6:0:60", Vec3(1.649954, 0.280079, -12), &kTurns);
+BENCHMARK_CAPTURE(run, ball_helix_20_turns, "1=ball:6", Vec3(1.649954, 0.280079, -12), &kTurns);
+
 }  // namespace
 }  // namespace proveout
 

@@ -188,6 +188,62 @@ TEST(SweepField, ArcsHelicesAndSpiralsMatchSampledMinimum) {
   }
 }
 
+/// Helices about z, narrower and wider than the tool, of parts of a turn and of many, flat and steep; the
+/// radius is one, or off by the rounding of a program. Points lie near the surface, above the way and on its
+/// axis.
+TEST(SweepField, HelicesAboutZMatchSampledMinimumNearTheSurface) {
+  int near = 0, held = 0;
+  for (unsigned seed = 0; seed < 48; ++seed) {
+    Cases cases(seed + 7000);
+    std::mt19937 random(seed);
+    const auto number = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    Case c;
+    c.arc = true;
+    c.from = cases.point();
+    c.geometry.normal = Vec3(0, 0, seed % 2 == 0 ? 1 : -1);
+    const double radius = seed % 3 == 0 ? number(0.05, 1.0) : number(1.0, 12.0);
+    c.geometry.center = c.from - Vec3(radius, 0, 0);
+    c.geometry.sweep_rad = (seed % 4 < 2 ? 1 : -1) * number(0.2, seed % 5 == 0 ? 40.0 : 7.0);
+    const double off = seed % 2 == 0 ? 0.0 : number(-1e-4, 1e-4), rise = number(-12, 12);
+    c.to = c.geometry.center +
+           Eigen::AngleAxisd(c.geometry.sweep_rad, c.geometry.normal) * Vec3(radius + off, 0, 0) +
+           Vec3(0, 0, rise);
+    for (const auto& [name, profile] : sampleParts()) {
+      const Sweep sweep(profile, c.from, c.to, &c.geometry);
+      SlowSweep slow(profile, c);
+      const Vec3 any = cases.point(), on_way = positionAt(c, number(0, 1)) + Vec3(0, 0, number(-9, 1));
+      const Vec3 on_axis = c.geometry.center + Vec3(1e-7, 0, number(-9, 9));
+      for (Vec3 p : {any, on_way, on_axis}) {
+        for (int step = 0; step < 3; ++step) {  // to the surface, the last time to 0.001 mm outside of it
+          const SweepSample s = sweep.sample(p);
+          const double least = slow.distance(p), within = kSweepToleranceMm + 1e-4 * std::abs(least);
+          ASSERT_NEAR(s.value, least, within) << "seed " << seed << " tool " << name << " step " << step;
+          ASSERT_EQ(sweep.distance(p, 0.0) < 0.0, s.value < 0.0)
+              << "seed " << seed << " tool " << name << " step " << step << " distance " << s.value;
+          double start = number(0, 1);
+          if (least > 1e-4) {
+            ASSERT_NEAR(sweep.sampleOutside(p, 1e-5, start).value, least, 1e-5 + within)
+                << "seed " << seed << " tool " << name;
+          }
+          const Vec3 other = p + 0.3 * cases.point().normalized();
+          if (sweep.holds(p, other)) {
+            ++held;
+            for (const double at : {0.0, 0.25, 0.5, 0.75, 1.0})
+              ASSERT_LT(slow.distance(p + at * (other - p)), kSweepToleranceMm)
+                  << "seed " << seed << " tool " << name;
+          }
+          near += std::abs(least) < 0.01;
+          p -= (s.value - 0.001) * s.gradient;
+        }
+      }
+    }
+  }
+  EXPECT_GT(near, 1000);
+  EXPECT_GT(held, 300);
+}
+
 /// From a point in the material, near the surface or far, and from wherever the search sets out: the nearest
 /// point is on the surface.
 TEST(SweepField, NearestPointsAreOnTheSurfaceWhateverTheStart) {
