@@ -64,6 +64,8 @@ Box3 shapeBounds(const StockShape& shape) {
   return bounds;
 }
 
+}  // namespace
+
 Status checkGrid(const Box3& bounds, double resolution) {
   if (!std::isfinite(resolution) || resolution <= 0.0) {
     return inputError(fmt::format("resolution must be above 0 mm, not {}", resolution));
@@ -81,8 +83,6 @@ Status checkGrid(const Box3& bounds, double resolution) {
   }
   return Done{};
 }
-
-}  // namespace
 
 double leafBytes(double leaves) { return leaves * kBytesPerLeaf; }
 
@@ -201,7 +201,7 @@ Result<Stock> Stock::create(const StockShape& shape, const RemovalOptions& optio
   stock.impl_ = std::make_unique<Impl>();
   try {
     if (const auto* saved = std::get_if<SavedStock>(&shape)) {
-      if (Status status = loadStock(*stock.impl_, saved->path); !status) return status.error();
+      if (Status status = loadStock(*stock.impl_, saved->path, options); !status) return status.error();
       return stock;
     }
     const Box3 bounds = shapeBounds(shape);
