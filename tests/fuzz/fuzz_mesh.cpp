@@ -21,7 +21,7 @@ using namespace proveout;
 /// CGAL joins bodies that overlap; larger meshes take it too long for a fuzzer.
 constexpr std::size_t kMostTriangles = 64;
 /// Cells along the longest side of a blank.
-constexpr double kCells = 12.0;
+constexpr double kCells = 8.0;
 
 bool sameCorners(const TriMesh& a, const TriMesh& b) {
   if (a.triangles.size() != b.triangles.size()) return false;
