@@ -224,7 +224,10 @@ void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptio
 }  // namespace
 
 std::vector<std::string> decidingArguments(const RunOptions& o) {
-  std::vector<std::string> out = {"run", o.program.input};
+  const std::string& input = o.program.input;
+  const bool dashed = input.starts_with('-');  // would be read as an option
+  std::vector<std::string> out = {"run"};
+  if (!dashed) out.push_back(input);
   const auto add = [&](const char* name, const std::optional<std::string>& value) {
     if (value) out.insert(out.end(), {name, *value});
   };
@@ -243,6 +246,7 @@ std::vector<std::string> decidingArguments(const RunOptions& o) {
   add("--unit", o.unit);
   addNumber("--tolerance", o.tolerance_mm);
   addNumber("--resolution", o.resolution_mm);
+  if (dashed) out.insert(out.end(), {"--", input});
   return out;
 }
 

@@ -5,6 +5,10 @@
 
 // The library is used without exceptions: a bad document is an expected failure.
 #define TOML_EXCEPTIONS 0
+// Its assertions fail on some bad documents (`[[ = 1`), whose faults it reports behind them, and would end the program.
+// With NDEBUG it would take what they say for granted.
+#undef NDEBUG
+#define TOML_ASSERT(expression) static_cast<void>(0)
 #include <toml++/toml.h>
 
 namespace proveout {
@@ -85,6 +89,80 @@ class TreeBuilder {
   const ConfigText& text_;
 };
 
+/// As deep as the library lets lists nest.
+constexpr std::size_t kMaxDepth = TOML_MAX_NESTED_VALUES;
+
+/// Finds what the library is not to be given. Each part of a dotted key is a table, and whoever walks the tree, or
+/// frees it, needs stack for each level; the library limits lists and tables in braces only. Characters beyond ASCII
+/// are allowed in texts and comments only; of some that stand elsewhere it says what it holds for impossible.
+class TextCheck {
+ public:
+  explicit TextCheck(std::string_view toml) : rest_(toml) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (rest_.starts_with(kByteOrderMark)) take(kByteOrderMark.size());
+  }
+
+  /// What is wrong first, or "". The place is the one at which the search has ended.
+  std::string find() {
+    while (!rest_.empty()) {
+      if (static_cast<unsigned char>(rest_.front()) >= 0x80)
+        return "a character that is not ASCII: texts and keys with such stand in quotes";
+      step();
+      if (depth_ > kMaxDepth)
+        return "a key with more than " + std::to_string(kMaxDepth) + " dots: tables do not go so deep";
+    }
+    return {};
+  }
+  ConfigPlace place() const { return {line_, static_cast<int>(column_), static_cast<int>(column_) + 1}; }
+
+ private:
+  void step() {
+    if (rest_.starts_with(R"(""")") || rest_.starts_with("'''")) return skipString(rest_.substr(0, 3));
+    const char c = rest_.front();
+    if (c == '"' || c == '\'') return skipString(rest_.substr(0, 1));
+    if (c == '#') return take(std::min(rest_.find('\n'), rest_.size()));
+    if (c == '.') ++open_.back();
+    if (c == '.') ++depth_;
+    if (c == ',' || (c == '\n' && open_.size() == 1)) endKey();
+    if (c == '[' || c == '{') open_.push_back(0);
+    if ((c == ']' || c == '}') && open_.size() > 1) {
+      endKey();
+      open_.pop_back();
+    }
+    take(1);
+  }
+
+  void skipString(std::string_view quotes) {
+    take(quotes.size());
+    while (!rest_.empty() && !rest_.starts_with(quotes) && (quotes.size() == 3 || rest_.front() != '\n'))
+      take(rest_.front() == '\\' && quotes.front() == '"' ? 2 : 1);
+    take(quotes.size());
+    // Before the closing quotes of a text of several lines there may be two that belong to it.
+    while (quotes.size() == 3 && rest_.starts_with(quotes.front())) take(1);
+  }
+
+  void endKey() {
+    depth_ -= open_.back();
+    open_.back() = 0;
+  }
+
+  void take(std::size_t count) {
+    for (const char c : rest_.substr(0, count)) {
+      ++column_;
+      if (c != '\n') continue;
+      ++line_;
+      column_ = 1;
+    }
+    rest_.remove_prefix(std::min(count, rest_.size()));
+  }
+
+  std::string_view rest_;
+  int line_ = 1;
+  std::size_t column_ = 1;
+  std::vector<std::size_t> open_ = {0};  ///< dots of the key at hand, in each bracket that is open
+  std::size_t depth_ = 0;                ///< their sum
+};
+
 }  // namespace
 
 std::string_view configTypeName(ConfigValue::Type type) {
@@ -133,6 +211,11 @@ void addConfigError(Diagnostics& diagnostics, const ConfigText& text, const Conf
 
 std::optional<ConfigValue> parseToml(std::string_view toml, const ConfigText& text,
                                      Diagnostics& diagnostics) {
+  TextCheck check(toml);
+  if (std::string wrong = check.find(); !wrong.empty()) {
+    addConfigError(diagnostics, text, check.place(), "job-syntax", std::move(wrong));
+    return std::nullopt;
+  }
   const toml::parse_result result = toml::parse(toml);
   const TreeBuilder builder(text);
   if (!result) {

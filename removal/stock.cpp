@@ -58,6 +58,8 @@ Box3 windowed(const StockShape& shape, const Box3& bounds, const std::optional<B
   return {bounds.min.cwiseMax(window->min), bounds.max.cwiseMin(window->max)};
 }
 
+}  // namespace
+
 Status checkGrid(const Box3& bounds, double resolution) {
   if (!std::isfinite(resolution) || resolution <= 0.0) {
     return inputError(fmt::format("resolution must be above 0 mm, not {}", resolution));
@@ -75,8 +77,6 @@ Status checkGrid(const Box3& bounds, double resolution) {
   }
   return Done{};
 }
-
-}  // namespace
 
 Box3 shapeBounds(const StockShape& shape) {
   if (const auto* box = std::get_if<BoxShape>(&shape)) return {box->min, box->max};
@@ -223,7 +223,7 @@ Result<Stock> Stock::create(const StockShape& shape, const RemovalOptions& optio
   stock.impl_ = std::make_unique<Impl>();
   try {
     if (const auto* saved = std::get_if<SavedStock>(&shape)) {
-      if (Status status = loadStock(*stock.impl_, saved->path); !status) return status.error();
+      if (Status status = loadStock(*stock.impl_, saved->path, options); !status) return status.error();
       return stock;
     }
     const Box3 bounds = shapeBounds(shape);

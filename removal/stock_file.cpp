@@ -30,6 +30,7 @@ struct FullDisk : std::runtime_error {
 
 constexpr char kSchema[] = "proveout.stock/2";
 constexpr const char* kAxisName[3] = {"x", "y", "z"};
+constexpr char kOutOfBlank[] = "it reaches out of its blank";
 
 struct CrossingGrids {
   openvdb::FloatGrid::Ptr t;
@@ -109,24 +110,54 @@ typename Grid::Ptr readGrid(openvdb::io::File& file, const std::string& name) {
   return grid;
 }
 
+/// A distance of 0 has a sign, too: a crossing whose normal is square to its edge leaves one.
+bool isMaterial(float distance) { return std::signbit(distance); }
+
 void unpackDistance(const openvdb::FloatGrid& grid, Stock::Impl& impl) {
   makeIndex(impl);
   for (auto it = grid.cbeginValueAll(); it; ++it) {
     if (!std::isfinite(it.getValue())) throw std::runtime_error("a distance is not a finite number");
-    if (it.getLevel() == 0 || it.getValue() >= 0.0f) continue;
+    if (it.getLevel() == 0 || !isMaterial(it.getValue())) continue;
     openvdb::CoordBBox box;
     it.getBoundingBox(box);
-    impl.index.fill(leafCoord(fromVdb(box.min())), leafCoord(fromVdb(box.max())), LeafIndex::kInside);
+    const Coord low = leafCoord(fromVdb(box.min())), high = leafCoord(fromVdb(box.max()));
+    if (!impl.index.holds(low) || !impl.index.holds(high)) throw std::runtime_error(kOutOfBlank);
+    impl.index.fill(low, high, LeafIndex::kInside);
   }
   for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
     StockLeaf& out = impl.leaves.emplace_back();
     out.origin = fromVdb(leaf->origin());
-    if (!impl.index.holds(leafCoord(out.origin))) throw std::runtime_error("it reaches out of its blank");
+    if (!impl.index.holds(leafCoord(out.origin))) throw std::runtime_error(kOutOfBlank);
     for (int v = 0; v < 512; ++v) {
-      if (leaf->getValue(v) < 0.0f) out.material[v & 7] |= 1ull << (v >> 3);
+      if (isMaterial(leaf->getValue(v))) out.material[v & 7] |= 1ull << (v >> 3);
     }
   }
   orderLeaves(impl);
+}
+
+/// Whether samples low..high (both included) lie in the blank, to rounding.
+bool inBlank(const Stock::Impl& impl, const Coord& low, const Coord& high) {
+  const Vec3 slack = Vec3::Constant(1e-3 * impl.h);
+  const Vec3 first = impl.position(low), last = impl.position(high);
+  return (first.array() >= (impl.blank.min - slack).array()).all() &&
+         (last.array() <= (impl.blank.max + slack).array()).all();
+}
+
+/// No material lies outside of the blank.
+void checkPlaces(const Stock::Impl& impl) {
+  const auto check = [&](const Coord& low, const Coord& high) {
+    if (!inBlank(impl, low, high)) throw std::runtime_error(kOutOfBlank);
+  };
+  impl.index.forEachBox(LeafIndex::kInside, [&](const Coord& low, const Coord& high) {
+    check({8 * low.x(), 8 * low.y(), 8 * low.z()}, {8 * high.x() + 7, 8 * high.y() + 7, 8 * high.z() + 7});
+  });
+  for (const StockLeaf& leaf : impl.leaves) {
+    if (inBlank(impl, leaf.origin, leaf.origin.offsetBy(7))) continue;
+    for (int v = 0; v < 512; ++v) {
+      const Coord at = leaf.origin.offsetBy(v >> 6, v >> 3 & 7, v & 7);
+      if (leafSample(leaf.material, v >> 6, v >> 3 & 7, v & 7)) check(at, at);
+    }
+  }
 }
 
 struct CrossingReader {
@@ -141,11 +172,14 @@ struct CrossingReader {
     Crossing c;
     c.t = t->getConstUnsafeAccessor().getValue(at);
     const auto v = normal->getConstUnsafeAccessor().getValue(at);
-    if (!(c.t >= 0.0f && c.t <= 1.0f) || !(v.lengthSqr() < 2.0f))
-      throw std::runtime_error("a crossing is missing or out of range");
+    const std::int32_t face = element->getConstUnsafeAccessor().getValue(at);
+    constexpr float kLeast = 0.5f * kEdgeMargin;  // 1 - t of a turned stock is rounded
+    bool good = c.t >= kLeast && c.t <= 1.0f - kLeast && face >= 0 && face <= 0xFFFF;
+    for (int i = 0; i < 3; ++i) good = good && std::abs(v[i]) <= 1.0f;
+    if (!good) throw std::runtime_error("a crossing is missing or out of range");
     c.setNormal(Vec3(v[0], v[1], v[2]));
     c.motion = static_cast<std::uint32_t>(motion->getConstUnsafeAccessor().getValue(at));
-    c.element = static_cast<std::uint16_t>(element->getConstUnsafeAccessor().getValue(at));
+    c.element = static_cast<std::uint16_t>(face);
     return c;
   }
 
@@ -162,6 +196,35 @@ void unpackCrossings(openvdb::io::File& file, Stock::Impl& impl) {
       leaf.crossings.push_back(axes[axis].read(leaf.origin.offsetBy(x, y, z)));
     });
   }
+}
+
+/// A leaf stands wherever samples of both sides meet, and nowhere else: without one the surface would have a hole.
+void checkLeaves(const Stock::Impl& impl) {
+  const auto refuse = [](bool bad) {
+    if (bad) throw std::runtime_error("its surface has a hole");
+  };
+  const LeafReader reader(impl);
+  for (const StockLeaf& leaf : impl.leaves) {
+    refuse(!isMixed(reader, leaf.origin));
+    for (int n = 1; n < 8; ++n) {  // whose blocks reach into this leaf
+      const Coord below = leaf.origin.offsetBy(n & 1 ? -8 : 0, n & 2 ? -8 : 0, n & 4 ? -8 : 0);
+      refuse(reader.leaf(below) == nullptr && isMixed(reader, below));
+    }
+  }
+  impl.index.forEachBox(LeafIndex::kInside, [&](const Coord& low, const Coord& high) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      Coord at;
+      for (at[u] = low[u]; at[u] <= high[u]; ++at[u]) {
+        for (at[v] = low[v]; at[v] <= high[v]; ++at[v]) {
+          for (const int beside : {low[axis] - 1, high[axis] + 1}) {
+            at[axis] = beside;
+            refuse(impl.index.get(at) == LeafIndex::kOutside);
+          }
+        }
+      }
+    }
+  });
 }
 
 /// Behind the grids stand this mark and the checksum (FNV-1a, 64 bits) of everything before. OpenVDB does not
@@ -289,8 +352,32 @@ Status writeStockFile(const Stock::Impl& impl, const std::string& path) {
   return Done{};
 }
 
-Status readStockFile(Stock::Impl& impl, const std::string& path) {
+namespace {
+
+/// What the grid is, before anything is made of its size.
+void readFrame(const openvdb::MetaMap& meta, Stock::Impl& impl) {
+  impl.h = meta.metaValue<double>("resolution");
+  impl.initial_volume = meta.metaValue<double>("initial_volume");
+  impl.origin = readVector(meta, "origin");
+  impl.blank = {readVector(meta, "blank_min"), readVector(meta, "blank_max")};
+  // Voxels count from the origin, which a stock takes along when it is moved.
+  const bool good = impl.origin.allFinite() && std::isfinite(impl.initial_volume) && impl.initial_volume > 0.0 &&
+                    checkGrid(impl.blank, impl.h).ok() &&
+                    checkGrid({impl.blank.min - impl.origin, impl.blank.max - impl.origin}, impl.h).ok();
+  if (!good) throw std::runtime_error("its metadata are out of range");
+}
+
+Error tooLarge(const std::string& path, double limit_bytes) {
+  return {ErrorKind::kResourceLimit,
+          fmt::format("{}: the stock needs more than the {:.3g} GB of memory allowed; allow more (--max-memory)", path,
+                      limit_bytes / 1e9)};
+}
+
+}  // namespace
+
+Status readStockFile(Stock::Impl& impl, const std::string& path, const RemovalOptions& options) {
   if (!std::filesystem::is_regular_file(path)) return inputError(path + ": no such stock file");
+  const double limit = memoryLimit(options);
   try {
     openvdb::initialize();
     checkTrailer(path);
@@ -299,16 +386,18 @@ Status readStockFile(Stock::Impl& impl, const std::string& path) {
     const auto meta = file.getMetadata();
     const auto schema = (*meta)["schema"];
     if (!schema || schema->str() != kSchema) throw std::runtime_error("it was not saved by proveout");
-    impl.h = meta->metaValue<double>("resolution");
-    impl.initial_volume = meta->metaValue<double>("initial_volume");
-    impl.origin = readVector(*meta, "origin");
-    impl.blank = {readVector(*meta, "blank_min"), readVector(*meta, "blank_max")};
-    if (!(impl.h > 0.0) || !impl.origin.allFinite() || impl.blank.empty())
-      throw std::runtime_error("its metadata are out of range");
-    unpackDistance(*readGrid<openvdb::FloatGrid>(file, "distance"), impl);
+    readFrame(*meta, impl);
+    if (indexBytes(impl) > limit) return tooLarge(path, limit);
+    const auto distance = readGrid<openvdb::FloatGrid>(file, "distance");
+    if (leafBytes(static_cast<double>(distance->tree().leafCount())) > limit) return tooLarge(path, limit);
+    unpackDistance(*distance, impl);
+    checkPlaces(impl);
+    checkLeaves(impl);
     unpackCrossings(file, impl);
     file.close();
     numberFaces(impl);
+  } catch (const std::bad_alloc&) {
+    return tooLarge(path, limit);
   } catch (const std::exception& e) {
     return inputError(fmt::format("{}: not a readable stock: {}", path, e.what()));
   }

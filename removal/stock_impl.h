@@ -149,8 +149,10 @@ Status buildBlank(Stock::Impl& impl, const StockShape& shape, const RemovalOptio
 /// The same for a closed mesh. Errors: open, inside out or empty (names the place), too large.
 Status buildMeshBlank(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options);
 
-/// Reads what Stock::save wrote.
-Status loadStock(Stock::Impl& impl, const std::string& path);
+/// Reads what Stock::save wrote. Errors: as VdbSupport::load.
+Status loadStock(Stock::Impl& impl, const std::string& path, const RemovalOptions& options);
+/// Errors: bounds without volume, numbers that are not finite, more voxels along a side than are counted.
+Status checkGrid(const Box3& bounds, double resolution);
 
 /// An empty index with room for the blank; h, origin and blank must be set.
 void makeIndex(Stock::Impl& impl);

@@ -57,10 +57,10 @@ Status checkStockFiles() {
   return Done{};
 }
 
-Status loadStock(Stock::Impl& impl, const std::string& path) {
+Status loadStock(Stock::Impl& impl, const std::string& path, const RemovalOptions& options) {
   const Result<const VdbSupport*> support = vdbSupport();
   if (!support) return support.error();
-  return (*support)->load(impl, path);
+  return (*support)->load(impl, path, options);
 }
 
 Status buildMeshBlank(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options) {

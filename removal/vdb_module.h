@@ -8,7 +8,7 @@
 namespace proveout {
 
 Status writeStockFile(const Stock::Impl& impl, const std::string& path);
-Status readStockFile(Stock::Impl& impl, const std::string& path);
+Status readStockFile(Stock::Impl& impl, const std::string& path, const RemovalOptions& options);
 Status rasteriseMesh(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options);
 
 }  // namespace proveout

@@ -11,8 +11,9 @@ namespace proveout {
 struct VdbSupport {
   /// Writes grid, crossings and provenance; whole file or none.
   Status (*save)(const Stock::Impl& impl, const std::string& path);
-  /// Reads what save wrote into an empty Impl.
-  Status (*load)(Stock::Impl& impl, const std::string& path);
+  /// Reads what save wrote into an empty Impl. Errors: no such file, damaged, not a stock that save could have written
+  /// (says what is wrong), more memory than is allowed.
+  Status (*load)(Stock::Impl& impl, const std::string& path, const RemovalOptions& options);
   /// Fills an empty Impl (h, origin and blank set, index made) with a closed mesh. Errors: open, inside out or empty
   /// (names the place), too large.
   Status (*mesh_blank)(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options);

@@ -58,9 +58,12 @@ class Checker {
   std::string message_;
 };
 
+/// The cutting part reaches `height`, which its shape takes, with the flutes or the tool as long as they are.
 void checkFluteCovers(const Tool& tool, double height, std::string_view what, Checker& check) {
-  check.require(tool.flute_length == 0.0 || tool.flute_length >= height,
-                fmt::format("flute_length is shorter than {}", what));
+  std::string why = fmt::format("flute_length is needed: {} is longer than {} mm", what, kUnlimitedFluteMm);
+  if (tool.overall_length > 0.0) why = fmt::format("overall_length is shorter than {}", what);
+  if (tool.flute_length > 0.0) why = fmt::format("flute_length is shorter than {}", what);
+  check.require(cutterTop(tool) >= height, why);
 }
 
 void checkTaperBall(const Tool& tool, Checker& check) {

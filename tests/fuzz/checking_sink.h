@@ -1,10 +1,15 @@
 // A sink for any program: nothing that it gets may be infinite, leap or be without text.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "core/nc/interpreter.h"
 
@@ -12,20 +17,42 @@ namespace proveout {
 
 class CheckingSink : public MotionSink {
  public:
-  void file(std::uint32_t, const std::string&) override {}
+  void file(std::uint32_t index, const std::string& name) override {
+    if (!files_.insert(index).second) std::abort();  // of several channels not in the order of their numbers
+    add(name);
+  }
   void motion(const Motion& m, const ArcGeometry* arc, const AxisSweep*) override {
     const bool finite = m.from.allFinite() && m.to.allFinite() && std::isfinite(m.feed) &&
                         std::isfinite(m.time_s) &&
                         (arc == nullptr || (arc->center.allFinite() && std::isfinite(arc->sweep_rad)));
     if (m.source.origins < 0 || static_cast<std::uint32_t>(m.source.origins) >= sets_) std::abort();
     if (!finite || m.time_s < 0.0 || m.feed < 0.0) std::abort();
-    if (seen_ && (m.from - last_).norm() > 1e-6 * (1.0 + last_.norm())) std::abort();
-    seen_ = true;
-    last_ = m.to;
+    if (m.channel > kMaxChannels || !files_.contains(m.source.file)) std::abort();
+    Channel& channel = channels_[m.channel];
+    if (channel.seen && (m.from - channel.last).norm() > 1e-6 * (1.0 + channel.last.norm())) std::abort();
+    // Of several channels in order of start times; the sums are rounded.
+    if (channel.now_s < latest_start_s_ - 1e-6 * (1.0 + latest_start_s_)) std::abort();
+    latest_start_s_ = std::max(latest_start_s_, channel.now_s);
+    channel.seen = true;
+    channel.last = m.to;
+    channel.now_s += m.time_s;
+    for (const double value : {m.to.x(), m.to.y(), m.to.z(), m.feed, m.time_s}) add(value);
+    add(static_cast<double>(m.source.line));
   }
-  void event(const PathEvent&) override {}
+  void event(const PathEvent& event) override {
+    if (event.event.empty() || !std::isfinite(event.time_s) || event.time_s < 0.0) std::abort();
+    if (event.channel > kMaxChannels) std::abort();
+    channels_[event.channel].now_s += event.time_s;
+    add(event.event);
+    for (const auto& [key, value] : event.data) {
+      add(key);
+      add(value);
+    }
+  }
   void diagnostic(const Diagnostic& d) override {
-    if (formatDiagnostic(d).empty()) std::abort();
+    const std::string text = formatDiagnostic(d);
+    if (text.empty()) std::abort();
+    add(text);
   }
   // Origins refer to what has come before.
   void originWord(const WordOrigin& word) override {
@@ -47,14 +74,33 @@ class CheckingSink : public MotionSink {
     ++sets_;
   }
 
+  /// Sum over everything that came, in its order, without the channels' numbers.
+  std::size_t sum() const { return sum_; }
+  /// When the last channel ended, s.
+  double end_s() const {
+    double end = 0.0;
+    for (const Channel& channel : channels_) end = std::max(end, channel.now_s);
+    return end;
+  }
+
  private:
+  struct Channel {
+    bool seen = false;
+    Vec3 last = Vec3::Zero();
+    double now_s = 0.0;
+  };
+
+  void add(std::string_view text) { sum_ = 31 * sum_ + std::hash<std::string_view>()(text); }
+  void add(double value) { sum_ = 31 * sum_ + std::hash<double>()(value); }
   void check(OriginCode code) const {
     if (code.isWord() && code.number() > words_) std::abort();
   }
 
   std::uint32_t words_ = 0, data_ = 0, modal_ = 0, sets_ = 0;
-  bool seen_ = false;
-  Vec3 last_;
+  std::set<std::uint32_t> files_;
+  std::array<Channel, kMaxChannels + 1> channels_;
+  double latest_start_s_ = 0.0;
+  std::size_t sum_ = 0;
 };
 
 }  // namespace proveout

@@ -129,6 +129,26 @@ TEST(CommandLine, HelpIsAsRecorded) {
   }
 }
 
+TEST(CommandLine, WordsThatAReportKeepsMeanTheSame) {
+  const std::vector<std::vector<std::string>> commands = {
+      {"run", "a.nc", "--control", "nct", "--stock", "box:0,0,-1:2,3,0", "--tool", "1=flat:3", "--lenient"},
+      {"run", "--resolution", "0.25", "--", "-a.nc"},
+      {"run", "--", "--tool"},
+      {"run", "--until=-5", "--setup=--lenient", "-"},
+  };
+  for (const std::vector<std::string>& words : commands) {
+    const auto options = parsed<RunOptions>(words);
+    const auto again = parsed<RunOptions>(decidingArguments(options));
+    EXPECT_EQ(again.program.input, options.program.input);
+    EXPECT_EQ(again.program.until, options.program.until);
+    EXPECT_EQ(again.program.setup, options.program.setup);
+    EXPECT_EQ(again.program.lenient, options.program.lenient);
+    EXPECT_EQ(again.stock, options.stock);
+    EXPECT_EQ(again.tools, options.tools);
+    EXPECT_EQ(again.resolution_mm, options.resolution_mm);
+  }
+}
+
 TEST(ExitCodes, FollowTheContract) {
   EXPECT_EQ(exitCodeOf(ErrorKind::kInput), 2);
   EXPECT_EQ(exitCodeOf(ErrorKind::kInternal), 2);

@@ -320,6 +320,60 @@ TEST(BadJob, MachineFilesAreCheckedToo) {
   EXPECT_THAT(text, HasSubstr("m.toml:2:1: error[job-unknown-key]: the machine file has no key 'file'"));
 }
 
+TEST(BadJob, TablesWithoutAnEnd) {
+  const auto dotted = [](std::size_t dots) {
+    std::string key = "a";
+    for (std::size_t i = 0; i < dots; ++i) key += ".a";
+    return key;
+  };
+  // Each table takes stack where the document is read and freed; 200 kB of dots took more than there is.
+  for (const std::size_t dots : {300u, 200'000u}) {
+    EXPECT_THAT(refused(dotted(dots) + " = 1\n"),
+                HasSubstr("job.toml:1:515: error[job-syntax]: a key with more"));
+    EXPECT_THAT(refused("x = 1\n[ " + dotted(dots) + " ]\n"), HasSubstr("job.toml:2:517: error[job-syntax]"));
+    EXPECT_THAT(refused("[[" + dotted(dots) + "]]\n"), HasSubstr("more than 256 dots"));
+    EXPECT_THAT(refused("x = [1.5, {" + dotted(dots) + " = 1}]\n"), HasSubstr("more than 256 dots"));
+  }
+  std::string braces;
+  for (int i = 0; i < 200; ++i) braces += "{" + dotted(200) + " = ";
+  EXPECT_THAT(refused("x = " + braces), HasSubstr("more than 256 dots"));
+}
+
+TEST(BadJob, BrokenDocumentsDoNotEndTheProgram) {
+  // Assertions of the TOML library.
+  EXPECT_THAT(refused(kSmallJob + "[[ = 4\n"), HasSubstr("job.toml:12:4: error[job-syntax]"));
+  EXPECT_THAT(refused(kSmallJob + "[ = 4\n"), HasSubstr("job.toml:12:3: error[job-syntax]"));
+  // Points of it that are never reached, it says: among them are e acute, all Cyrillic letters and U+FEE7.
+  for (const std::string letter : {"\u00e9", "\u0431", "\u3001", "\ufee7", "\U0001f600", "\xff"}) {
+    const std::string said = "job.toml:12:3: error[job-syntax]: a character that is not ASCII";
+    EXPECT_THAT(refused(kSmallJob + "ab" + letter + " = 1\n"), HasSubstr(said)) << letter;
+    EXPECT_THAT(refused(kSmallJob + "x=" + letter + "\n"), HasSubstr(said)) << letter;
+    EXPECT_THAT(refused(kSmallJob + "[a" + letter + "]\n"), HasSubstr(said)) << letter;
+    EXPECT_THAT(refused(kSmallJob + "{ " + letter), HasSubstr(said)) << letter;
+  }
+}
+
+TEST(BadJob, TextsAndCommentsHoldAnyLetters) {
+  for (const std::string line : {"name = '\u0431\u00e9'", "name = \"\u0431\"  # \u00e9", "# \ufee7",
+                                 "name = \"\"\"\n\u0431\n\"\"\"", "\ufeff"}) {
+    JobFolder folder;
+    EXPECT_TRUE(folder.load(line + "\n" + kSmallJob).has_value()) << folder.text();
+  }
+}
+
+TEST(BadJob, DotsThatAreNoTables) {
+  std::string numbers, text(1000, '.');
+  for (int i = 0; i < 400; ++i) numbers += "[0.5, 1.5],\n";
+  // A text of several lines may end with quotes of its own.
+  for (const std::string& line : {"name = '" + text + "'", "name = \"\\\"" + text + "\"",
+                                  "name = \"\"\"\n" + text + "\n\"\"\"\"\"", "name = '''a''''  # " + text}) {
+    JobFolder folder;
+    EXPECT_TRUE(folder.load(line + "\n" + kSmallJob).has_value()) << folder.text();
+  }
+  EXPECT_THAT(refusedEnd("[x]\ny = [\n" + numbers + "]"), HasSubstr("has no key 'x'"));
+  EXPECT_THAT(refusedEnd("[x]\nz = ['''a'''']\ny = [\n" + numbers + "]"), HasSubstr("has no key 'x'"));
+}
+
 TEST(BadJob, Syntax) {
   EXPECT_THAT(refused(kSmallJob + "x = = 1\n"),
               AllOf(HasSubstr("job.toml:12:5: error[job-syntax]:"), HasSubstr("    x = = 1\n        ^")));

@@ -78,6 +78,30 @@ TEST(ToolCheck, TaperBallsAndDovetailsThatDoNotFit) {
   EXPECT_THAT(refusal("dovetail", [](Tool& t) { t.flute_length = 4; }), says("has no flute_length"));
 }
 
+TEST(ToolCheck, ToolsShorterThanTheirEnds) {
+  const auto said = [](const std::string& option, double overall_length, double flute_length) {
+    Tool tool = *parseToolOption(option);
+    tool.overall_length = overall_length;
+    tool.flute_length = flute_length;
+    const Status status = validateTool(tool);
+    return status.ok() ? "" : status.error().message;
+  };
+  // Ball and corner by their radius, the drill's point 10 / tan 59 deg = 6.0086, the taper's ball 2 (1 - sin
+  // 5 deg).
+  for (const auto& [option, height] : std::initializer_list<std::pair<const char*, double>>{
+           {"1=ball:20", 10.0}, {"1=bull:20:4", 4.0}, {"1=drill:20", 6.0087}, {"1=taper:4:5:10", 1.8257}}) {
+    EXPECT_EQ(said(option, 0.0, 0.0), "");
+    EXPECT_EQ(said(option, height, 0.0), "") << option;
+    EXPECT_EQ(said(option, 30.0, height), "") << option;
+    EXPECT_THAT(said(option, height - 0.001, 0.0), HasSubstr("overall_length is shorter than the")) << option;
+    EXPECT_THAT(said(option, 30.0, height - 0.001), HasSubstr("flute_length is shorter than the")) << option;
+  }
+  // Without any length flutes are 2 m long.
+  for (const char* option : {"1=drill:58000", "1=drill:100:1", "1=ball:4001"})
+    EXPECT_THAT(parseToolOption(option).error().message, HasSubstr("flute_length is needed")) << option;
+  EXPECT_TRUE(parseToolOption("1=ball:4000").ok());
+}
+
 TEST(ToolCheck, NecksAndShanksThatDoNotFit) {
   EXPECT_THAT(refusal("T-slot", [](Tool& t) { t.neck_diameter = 12; }), says("below the diameter"));
   EXPECT_THAT(refusal("T-slot", [](Tool& t) { t.neck_diameter = 0; }),
