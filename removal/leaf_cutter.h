@@ -32,9 +32,10 @@ struct PassTable {
                                                         : nullptr;
   }
   /// Exact sweep of the helix about z that a pass is a chord of, which is asked in place of its many chords;
-  /// else null.
+  /// else null. Flat and ball ends have closed forms on chords, which are faster.
   const Sweep* helixOf(const Pass& pass) const {
     if (pass.curve < 0 || pass.columns.kind == ColumnSweep::Kind::kArc) return nullptr;
+    if (pass.columns.solid->flat || pass.columns.solid->ball) return nullptr;
     const Sweep& curve = curves[static_cast<std::size_t>(pass.curve)];
     return curve.isHelix() ? &curve : nullptr;
   }

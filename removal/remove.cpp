@@ -176,10 +176,10 @@ void Remover::addChords(Pass pass, const ColumnSolid& columns, const Motion& m, 
   const ArcFrame frame = arcFrame(m.from, m.to, arc);
   const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}),
                sweep = std::abs(arc.sweep_rad);
-  const double within = pass.part != ToolPart::kCutter ? kContactChordMm
-                        : table_.curves[static_cast<std::size_t>(pass.curve)].isHelix()
-                            ? std::max(kChordMm, kChordShare * impl_.h)
-                            : kChordMm;
+  pass.columns.solid = &columns;
+  const double within = pass.part != ToolPart::kCutter    ? kContactChordMm
+                        : table_.helixOf(pass) != nullptr ? std::max(kChordMm, kChordShare * impl_.h)
+                                                          : kChordMm;
   const double step = std::sqrt(8.0 * std::min(within, radius) / radius), turn = 2.0 * kPi;
   const bool stacked = sweep > turn && !pass.watched && pass.part == ToolPart::kCutter &&
                        arc.normal.head<2>().squaredNorm() < 1e-24 && frame.rise != 0.0 &&
