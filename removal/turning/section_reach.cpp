@@ -33,17 +33,28 @@ class Box {
   IntPoint high_{std::numeric_limits<cInt>::min(), std::numeric_limits<cInt>::min()};
 };
 
-/// Bounds of a polygon between two levels of Y, up to kSlack.
-Box strip(const ClipperLib::Path& polygon, cInt low, cInt high) {
+/// A side of a polygon.
+struct Side {
+  IntPoint a, b;
+  bool between(cInt low, cInt high) const { return std::max(a.Y, b.Y) >= low && std::min(a.Y, b.Y) <= high; }
+};
+
+std::vector<Side> sidesOf(const ClipperLib::Path& polygon) {
+  std::vector<Side> sides;
+  sides.reserve(polygon.size());
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sides.push_back({polygon[i > 0 ? i - 1 : polygon.size() - 1], polygon[i]});
+  return sides;
+}
+
+/// Bounds of a polygon between two levels of Y, up to kSlack. `sides`: at least those that come there.
+Box strip(const std::vector<Side>& sides, cInt low, cInt high) {
   Box box;
-  const IntPoint* a = &polygon.back();
-  for (const IntPoint& b : polygon) {
-    const IntPoint& from = *a;
-    a = &b;
-    if (std::max(from.Y, b.Y) < low || std::min(from.Y, b.Y) > high) continue;
-    const double slope =
-        from.Y == b.Y ? 0.0 : static_cast<double>(b.X - from.X) / static_cast<double>(b.Y - from.Y);
-    for (const IntPoint& end : {from, b}) {
+  for (const Side& side : sides) {
+    if (!side.between(low, high)) continue;
+    const IntPoint &a = side.a, &b = side.b;
+    const double slope = a.Y == b.Y ? 0.0 : static_cast<double>(b.X - a.X) / static_cast<double>(b.Y - a.Y);
+    for (const IntPoint& end : {a, b}) {
       const cInt y = std::clamp(end.Y, low, high);
       box.extend({end.X + static_cast<cInt>(slope * static_cast<double>(y - end.Y)), y});
     }
@@ -51,9 +62,9 @@ Box strip(const ClipperLib::Path& polygon, cInt low, cInt high) {
   return box;
 }
 
-/// The part of the box from `low` to `high` in which a polygon may be; empty: none.
-Box partIn(const IntPoint& low, const IntPoint& high, const ClipperLib::Path& polygon) {
-  const Box at = strip(polygon, low.Y - kSlack, high.Y + kSlack);
+/// The part of the box from `low` to `high` in which a polygon may be; empty: none. `sides`: as in strip().
+Box partIn(const IntPoint& low, const IntPoint& high, const std::vector<Side>& sides) {
+  const Box at = strip(sides, low.Y - kSlack, high.Y + kSlack);
   Box part;
   const cInt left = std::max(at.low().X, low.X) - kSlack, right = std::min(at.high().X, high.X) + kSlack;
   if (at.empty() || left > right) return part;
@@ -66,9 +77,16 @@ Box partIn(const IntPoint& low, const IntPoint& high, const ClipperLib::Path& po
 void addMeetings(const std::vector<ChainLoop>& area, const ClipperLib::Path& polygon, Box& meetings) {
   Box whole;
   for (const IntPoint& p : polygon) whole.extend(p);
+  const std::vector<Side> sides = sidesOf(polygon);
+  std::vector<Side> near;  // those at the height of a piece
   for (const ChainLoop& loop : area) {
     for (const Piece& piece : loop) {
-      if (!piece.near(whole.low(), whole.high()) || partIn(piece.low, piece.high, polygon).empty()) continue;
+      if (!piece.near(whole.low(), whole.high())) continue;
+      near.clear();
+      for (const Side& side : sides) {
+        if (side.between(piece.low.Y - kSlack, piece.high.Y + kSlack)) near.push_back(side);
+      }
+      if (partIn(piece.low, piece.high, near).empty()) continue;
       const ClipperLib::Path& points = piece.chain->points;
       for (std::size_t i = 1; i < points.size(); ++i) {
         const IntPoint &a = points[i - 1], &b = points[i];
@@ -79,7 +97,7 @@ void addMeetings(const std::vector<ChainLoop>& area, const ClipperLib::Path& pol
         if (meetings.holds({low.X - kSlack, low.Y - kSlack}) &&
             meetings.holds({high.X + kSlack, high.Y + kSlack}))
           continue;
-        const Box part = partIn(low, high, polygon);
+        const Box part = partIn(low, high, near);
         if (part.empty()) continue;
         meetings.extend(part.low());
         meetings.extend(part.high());
