@@ -49,10 +49,12 @@ Result<std::vector<FixtureStock>> makeFixtures(const SetupRun& setup, double res
     const Result<StockShape> shape = loadStockShape(spec.shape);
     if (!shape) return inFixture(shape.error());
     if (const Status fits = checkThickness(*shape, resolution_mm); !fits) return inFixture(fits.error());
-    if (const auto* mesh = std::get_if<MeshShape>(&*shape)) {
-      if (const Status solid = checkSolid(*mesh); !solid) return inFixture(solid.error());
+    if (!shapeBounds(*shape).overlaps(*options.window)) {
+      const auto* mesh = std::get_if<MeshShape>(&*shape);
+      if (const Status solid = mesh ? checkSolid(*mesh) : Status(Done{}); !solid)
+        return inFixture(solid.error());
+      continue;
     }
-    if (!shapeBounds(*shape).overlaps(*options.window)) continue;
     Result<Stock> stock = Stock::create(*shape, options, progress);
     if (!stock) return inFixture(stock.error());
     fixtures.push_back({spec.name, std::move(*stock)});

@@ -17,6 +17,11 @@ namespace proveout {
 
 namespace fs = std::filesystem;
 
+bool savesStock(const Job& job) {
+  const auto& formats = job.output.formats;
+  return std::find(formats.begin(), formats.end(), OutputFormat::kVdb) != formats.end();
+}
+
 namespace {
 
 /// So much of a table is gathered before it is written.
@@ -51,8 +56,7 @@ std::string meshFileName(const Job& job, OutputFormat format) {
 
 bool needsModule(const Job& job) {
   const auto isMesh = [](const StockSpec& spec) { return std::holds_alternative<MeshFile>(spec); };
-  const auto& formats = job.output.formats;
-  if (std::find(formats.begin(), formats.end(), OutputFormat::kVdb) != formats.end()) return true;
+  if (savesStock(job)) return true;
   if (job.stock && (isMesh(*job.stock) || std::holds_alternative<SavedStock>(*job.stock))) return true;
   for (std::size_t k = 0; k < setupCount(job); ++k) {
     for (const FixtureSpec& fixture : jobOfSetup(job, k).fixtures) {

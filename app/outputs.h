@@ -19,6 +19,9 @@ namespace proveout {
 /// What could not be written of the outputs of a run; the others are there.
 using OutputFailures = std::vector<Error>;
 
+/// Whether the job asks for a .vdb file, which only a grid gives.
+bool savesStock(const Job& job);
+
 /// Names of all files that a run of the job may write into its folder, but for those that its programs write.
 std::vector<std::string> outputNames(const Job& job);
 /// Names of all files that a comparison of two meshes may write.

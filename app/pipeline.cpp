@@ -14,6 +14,7 @@
 #include "app/fixtures.h"
 #include "app/grid_choice.h"
 #include "app/nose_data.h"
+#include "app/outputs.h"
 #include "app/placement_hint.h"
 #include "app/plausibility.h"
 #include "app/run_report.h"
@@ -213,23 +214,24 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
   Workload work;
   for (std::size_t k = 0; k < prepared.run.setups.size(); ++k) {
     const SetupRun& setup = prepared.run.setups[k];
-    work = together(work, turnsPart(job) ? turningWork(setup, prepared.blank)
-                                         : workloadOf(setup.interpreted.path, setup.job.tools,
-                                                      movedBounds(job, prepared.blank.bounds, k), area));
-    if (turnsPart(job)) continue;
+    if (turnsPart(job)) {
+      work = together(work, turningWork(setup, prepared.blank));
+      continue;
+    }
+    Workload part =
+        workloadOf(setup.interpreted.path, setup.job.tools, movedBounds(job, prepared.blank.bounds, k), area);
     const FixtureAreas fixtures = fixtureAreas(setup);
-    work.fixture_mm2 = std::max(work.fixture_mm2, fixtures.solids_mm2 + fixtures.meshes_mm2);
-    work.fixture_mesh_mm2 = std::max(work.fixture_mesh_mm2, fixtures.meshes_mm2);
+    part.fixture_mm2 = fixtures.solids_mm2 + fixtures.meshes_mm2;
+    part.fixture_mesh_mm2 = fixtures.meshes_mm2;
+    work = together(work, part);
   }
   if (const auto* mesh = std::get_if<MeshShape>(&prepared.blank.shape))
     work.blank_triangles = static_cast<double>(mesh->mesh.triangles.size());
   work.reads_grid = std::holds_alternative<SavedStock>(prepared.blank.shape);
-  const auto& formats = job.output.formats;
-  const auto writes = [&](OutputFormat format) {
-    return std::find(formats.begin(), formats.end(), format) != formats.end() ? 1 : 0;
-  };
-  work.writes_grid = writes(OutputFormat::kVdb) > 0;
-  work.text_files = writes(OutputFormat::kStlAscii) + writes(OutputFormat::kObj);
+  work.writes_grid = savesStock(job);
+  work.text_files = static_cast<int>(std::count_if(
+      job.output.formats.begin(), job.output.formats.end(),
+      [](OutputFormat format) { return format == OutputFormat::kStlAscii || format == OutputFormat::kObj; }));
   for (std::size_t k = 1; k < setupCount(job) && !turnsPart(job); ++k)
     work.mesh_moves += movesExactly(job.setups[k].from_previous) ? 0 : 1;
   if (prepared.nominal) work.nominal_mm2 = meshArea(prepared.nominal->mesh);

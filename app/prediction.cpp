@@ -306,12 +306,11 @@ Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const 
 
 Workload together(const Workload& a, const Workload& b) {
   Workload both = a;
-  const auto larger = [&](double Workload::*member) { both.*member = std::max(a.*member, b.*member); };
   for (double Workload::*member :
        {&Workload::surface_mm2, &Workload::cut_mm2, &Workload::uneven_mm2, &Workload::nominal_mm2,
         &Workload::fixture_mm2, &Workload::fixture_mesh_mm2, &Workload::pixels, &Workload::triangles,
         &Workload::thread_triangles, &Workload::threaded_mm2, &Workload::blank_triangles})
-    larger(member);
+    both.*member = std::max(a.*member, b.*member);
   both.swept_mm2 += b.swept_mm2;
   both.pictures = std::max(a.pictures, b.pictures);
   both.motions += b.motions;

@@ -239,7 +239,7 @@ Status machineOne(const Job& job, const Blank& blank, Clamped& clamped, const st
   if (!removal) return removal.error();
   run.performance.remove_s += watch.lap();
   if (Status done =
-          takePart(job, clamped.stock, blank, nominal, last && needsGrid(job), run, setup, progress);
+          takePart(job, clamped.stock, blank, nominal, last && savesStock(job), run, setup, progress);
       !done)
     return done;
   run.performance.mesh_s += watch.lap();

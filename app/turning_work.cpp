@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "app/outputs.h"
 #include "core/tool/convex_outline.h"
 #include "core/tool/tool_table.h"
 
@@ -102,11 +103,6 @@ double threadTriangles(const SetupRun& setup, const Motion& motion, const Box3& 
 
 double facetTolerance(const Job& job) { return kFacetShare * job.simulation.profile_resolution_mm; }
 
-bool needsGrid(const Job& job) {
-  const auto& formats = job.output.formats;
-  return std::find(formats.begin(), formats.end(), OutputFormat::kVdb) != formats.end();
-}
-
 Workload turnedGridWork(const Blank& blank) {
   Workload work;
   work.surface_mm2 = work.uneven_mm2 = work.threaded_mm2 = blankArea(blank.shape, blank.bounds);
@@ -124,7 +120,7 @@ Workload turningWork(const SetupRun& setup, const Blank& blank) {
       work.thread_triangles = std::max(work.thread_triangles, threadTriangles(setup, m, blank.bounds));
   }
   work.triangles = profileTriangles(setup, blank.bounds) + work.thread_triangles;
-  if (!needsGrid(setup.job)) return work;
+  if (!savesStock(setup.job)) return work;
   Workload grid = turnedGridWork(blank);
   if (work.thread_triangles == 0.0) grid.threaded_mm2 = 0.0;
   return together(work, grid);

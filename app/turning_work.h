@@ -14,7 +14,4 @@ Workload turnedGridWork(const Blank& blank);
 /// How far the facets of a turned mesh may lie off the part, mm.
 double facetTolerance(const Job& job);
 
-/// Whether the job asks for files that only a grid gives.
-bool needsGrid(const Job& job);
-
 }  // namespace proveout

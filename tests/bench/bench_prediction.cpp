@@ -1,7 +1,6 @@
 // What `proveout run` predicts of itself beside what it takes, over jobs of many kinds: memory is to be
 // within 1.5 times, time within 2, both ways. Ends with 1 where it is not.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -35,7 +34,7 @@ double off(double ratio) { return std::max(ratio, 1.0 / ratio); }
 Outcome printLine(const PredictedJob& job, const nlohmann::json& report, const ChildOutcome& child) {
   const nlohmann::json& performance = report.at("performance");
   const auto figure = [&](const char* name) { return performance.at(name).get<double>(); };
-  // The grid's memory and the child's are both counted in MB of 1e6 bytes.
+  // The report counts MB of 1e6 bytes, the child MiB.
   const double taken_mb = child.peak_mb * 1.048576;
   Outcome outcome{taken_mb / figure("predicted_memory_mb"),
                   std::max(child.wall_s, kShortS) / std::max(figure("predicted_s"), kShortS), true};

@@ -96,18 +96,13 @@ constexpr const char* kBlock = "[stock]\nshape = \"box\"\nmin = [0, 0, -20]\nmax
 constexpr const char* kMiddleBlock = "[stock]\nshape = \"box\"\nmin = [-50, -30, -20]\nmax = [50, 30, 0]\n";
 constexpr const char* kFlat10 = "[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 10\n";
 
-std::string turnedSetupsJob() {
-  return job(std::string("[[setup]]\nname = \"first\"\nprogram = \"slant.nc\"\n[[setup]]\nname = \"second\"\n"
-                         "program = \"slant.nc\"\n[setup.transform]\nrotate = [0, 0, 33]\n") +
-                 kMiddleBlock + kFlat10,
-             0.2);
-}
-
-std::string tiltedSetupsJob() {
-  return job(std::string("[[setup]]\nname = \"first\"\nprogram = \"slant.nc\"\n[[setup]]\nname = \"second\"\n"
-                         "program = \"slant.nc\"\n[setup.transform]\nrotate = [21, 0, 33]\n") +
-                 kMiddleBlock + kFlat10,
-             0.3);
+/// Two clampings, the second turned by these angles.
+std::string setupsJob(const std::string& angles_deg, double grid_mm) {
+  return job(
+      "[[setup]]\nname = \"first\"\nprogram = \"slant.nc\"\n[[setup]]\nname = \"second\"\n"
+      "program = \"slant.nc\"\n[setup.transform]\nrotate = [" +
+          angles_deg + "]\n" + kMiddleBlock + kFlat10,
+      grid_mm);
 }
 
 std::string fixtureJob() {
@@ -217,11 +212,11 @@ void addMeshes(std::vector<PredictedJob>& jobs) {
                   {},
                   milling("slant.nc", "mesh:wedge.obj", "1=flat:10", 0.1) + kNoPictures});
   jobs.push_back({"setups turned by 33 degrees",
-                  {{"slant.nc", slantedProgram}, {"job.toml", turnedSetupsJob}},
+                  {{"slant.nc", slantedProgram}, {"job.toml", [] { return setupsJob("0, 0, 33", 0.2); }}},
                   {},
                   Words{"job.toml"} + kNoPictures});
   jobs.push_back({"setups tilted",
-                  {{"slant.nc", slantedProgram}, {"job.toml", tiltedSetupsJob}},
+                  {{"slant.nc", slantedProgram}, {"job.toml", [] { return setupsJob("21, 0, 33", 0.3); }}},
                   {},
                   Words{"job.toml"} + kNoPictures});
 }

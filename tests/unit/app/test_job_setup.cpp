@@ -4,7 +4,7 @@
 #include "app/blank.h"
 #include "app/interpretation.h"
 #include "app/job_setup.h"
-#include "temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace proveout {
 namespace {

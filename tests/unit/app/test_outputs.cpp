@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/outputs.h"
-#include "temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace proveout {
 namespace {

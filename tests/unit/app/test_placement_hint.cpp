@@ -2,7 +2,7 @@
 
 #include "app/pipeline.h"
 #include "app/placement_hint.h"
-#include "temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace proveout {
 namespace {
