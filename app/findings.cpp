@@ -19,6 +19,7 @@ constexpr double kNothingCut = 1e-9;
 
 /// Part of a volume that a grid may miss without a word: a round blank four cells thick stays within it.
 constexpr double kHeldShare = 1e-3;
+constexpr double kErrorShare = 2e-3;
 
 /// A cut that is this many grid steps wide holds a sample wherever it runs: more than the diagonal of a
 /// square.
@@ -213,6 +214,20 @@ void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::v
       "grid "
       "somewhere, and volumes are off by as much; take a finer resolution",
       resolution_mm, held_mm3, own_mm3);
+  findings.push_back(std::move(finding));
+}
+
+void addVolumeError(double removed_mm3, double error_mm3, double resolution_mm,
+                    std::vector<Finding>& findings) {
+  if (error_mm3 <= kErrorShare * removed_mm3) return;
+  Finding finding;
+  finding.kind = "thin_feature";
+  finding.severity = Severity::kWarning;
+  finding.volume_mm3 = error_mm3;
+  finding.message = fmt::format(
+      "the grid of {:g} mm is coarse for what was cut: the removed volume of {:.4g} mm3 may be off by {:.2g} "
+      "mm3; take a finer resolution",
+      resolution_mm, removed_mm3, error_mm3);
   findings.push_back(std::move(finding));
 }
 

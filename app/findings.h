@@ -43,6 +43,11 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
 /// is off its own by more than 0.1 % (a warning).
 void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::vector<Finding>& findings);
 
+/// A removed volume that may be off by more than 0.2 % of itself (a warning): small tools or a thin blank on
+/// a coarse grid.
+void addVolumeError(double removed_mm3, double error_mm3, double resolution_mm,
+                    std::vector<Finding>& findings);
+
 /// Walls and films thinner than the grid can hold: what it lost, and where sheets of the surface share a cell
 /// (warnings).
 void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,

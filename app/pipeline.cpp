@@ -348,6 +348,8 @@ void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>
     if (!setup.turned)
       addSpindleDirection(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source,
                           findings);
+    addVolumeError(setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_error_mm3,
+                   run.resolution_mm, findings);
     addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, source,
                     findings);
     addPartial(setup.interpreted.summary.end, setup.job.settings, findings);
@@ -373,18 +375,18 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
       if (!stock) return stock.error();
       run.performance.remove_s += watch.lap();
     }
-    const Result<double> held = stock->volume(surfaceOptions(setup.job, stock->resolution()), progress);
+    const Result<StockVolume> held = stock->volume(surfaceOptions(setup.job, stock->resolution()), progress);
     if (!held) return held.error();
     run.performance.remove_s += watch.lap();
     if (k > 0 || !std::holds_alternative<SavedStock>(blank.shape))
       inSetup(run, setup, [&](std::vector<Finding>& findings) {
-        addGridVolume(own_mm3, *held, run.resolution_mm, findings);
+        addGridVolume(own_mm3, held->mm3, run.resolution_mm, findings);
       });
-    const double initial_mm3 = k == 0 ? startVolume(blank, own_mm3, *held) : left_mm3;
+    const double initial_mm3 = k == 0 ? startVolume(blank, own_mm3, held->mm3) : left_mm3;
     if (Status done = machineSetup(*stock, initial_mm3, *held, setup, run.performance, progress); !done)
       return done;
     left_mm3 = setup.surface.volume_mm3;
-    own_mm3 = *held - (initial_mm3 - left_mm3);
+    own_mm3 = held->mm3 - (initial_mm3 - left_mm3);
     std::vector<Finding> touched;
     if (Status done = addFixtureContacts(*fixtures, setup, *sources[k], touched, progress); !done)
       return done;
@@ -414,7 +416,7 @@ void tellThinFeaturesLast(std::vector<Finding>& findings) {
 
 }  // namespace
 
-Status machineSetup(Stock& stock, double initial_mm3, double held_mm3, SetupRun& setup,
+Status machineSetup(Stock& stock, double initial_mm3, const StockVolume& held, SetupRun& setup,
                     ReportPerformance& performance, Progress& progress) {
   Stopwatch watch;
   const RemovalOptions options = removalOptions(setup.job, stock.resolution());
@@ -426,8 +428,10 @@ Status machineSetup(Stock& stock, double initial_mm3, double held_mm3, SetupRun&
   performance.mesh_s += watch.lap();
   const double removed_mm3 = surface->mesh.triangles.empty()
                                  ? initial_mm3  // whatever moves and rounding made of it
-                                 : removedVolume(*removal, held_mm3, surface->volume_mm3);
+                                 : removedVolume(*removal, held.mm3, surface->volume_mm3);
   surface->volume_mm3 = initial_mm3 - removed_mm3;
+  // Faces that no tool reached are as wrong before as after.
+  surface->volume_error_mm3 = std::abs(surface->volume_error_mm3 - held.error_mm3);
   fitRemovedVolume(*removal, removed_mm3);
   setup.removal = std::move(*removal);
   setup.surface = std::move(*surface);

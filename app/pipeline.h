@@ -69,9 +69,10 @@ double simplification(const Job& job, double resolution_mm);
 SurfaceOptions surfaceOptions(const Job& setup, double resolution_mm);
 
 /// Cuts the path of a clamping into the stock and fills removal, surface and volume. The stock comes from the
-/// blank, or from the clamping before. `initial_mm3`: its volume as the report tells it, `held_mm3`: as
-/// Stock::volume tells it now; what is left is the first less what the second falls by.
-Status machineSetup(Stock& stock, double initial_mm3, double held_mm3, SetupRun& setup,
+/// blank, or from the clamping before. `initial_mm3`: its volume as the report tells it, `held`: as
+/// Stock::volume tells it now; what is left is the first less what the second falls by. The surface's error
+/// is that of what was removed.
+Status machineSetup(Stock& stock, double initial_mm3, const StockVolume& held, SetupRun& setup,
                     ReportPerformance& performance, Progress& progress);
 
 /// Adds what was repaired in a mesh as warnings with the given code.

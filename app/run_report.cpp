@@ -104,6 +104,7 @@ ReportStock reportStock(const RunResult& run) {
   stock.initial_mm3 = run.setups.front().initial_mm3;
   stock.final_mm3 = run.surface().volume_mm3;
   stock.removed_mm3 = stock.initial_mm3 - stock.final_mm3;
+  for (const SetupRun& setup : run.setups) stock.error_mm3 += setup.surface.volume_error_mm3;
   stock.mesh_mm3 = run.setups.back().extent.volume_mm3;
   stock.bodies = run.setups.back().bodies;
   stock.triangles = run.surface().mesh.triangles.size();

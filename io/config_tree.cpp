@@ -5,8 +5,8 @@
 
 // The library is used without exceptions: a bad document is an expected failure.
 #define TOML_EXCEPTIONS 0
-// Its assertions fail on some bad documents (`[[ = 1`), whose faults it reports behind them, and would end the program.
-// With NDEBUG it would take what they say for granted.
+// Its assertions fail on some bad documents (`[[ = 1`), whose faults it reports behind them, and would end
+// the program. With NDEBUG it would take what they say for granted.
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_cast<void>(0)
 #include <toml++/toml.h>
@@ -92,9 +92,10 @@ class TreeBuilder {
 /// As deep as the library lets lists nest.
 constexpr std::size_t kMaxDepth = TOML_MAX_NESTED_VALUES;
 
-/// Finds what the library is not to be given. Each part of a dotted key is a table, and whoever walks the tree, or
-/// frees it, needs stack for each level; the library limits lists and tables in braces only. Characters beyond ASCII
-/// are allowed in texts and comments only; of some that stand elsewhere it says what it holds for impossible.
+/// Finds what the library is not to be given. Each part of a dotted key is a table, and whoever walks the
+/// tree, or frees it, needs stack for each level; the library limits lists and tables in braces only.
+/// Characters beyond ASCII are allowed in texts and comments only; of some that stand elsewhere it says what
+/// it holds for impossible.
 class TextCheck {
  public:
   explicit TextCheck(std::string_view toml) : rest_(toml) {
@@ -117,9 +118,10 @@ class TextCheck {
 
  private:
   void step() {
-    if (rest_.starts_with(R"(""")") || rest_.starts_with("'''")) return skipString(rest_.substr(0, 3));
+    if ((rest_.starts_with(R"(""")") || rest_.starts_with("'''")) && mayBeginText())
+      return skipString(rest_.substr(0, 3));
     const char c = rest_.front();
-    if (c == '"' || c == '\'') return skipString(rest_.substr(0, 1));
+    if ((c == '"' || c == '\'') && mayBeginText()) return skipString(rest_.substr(0, 1));
     if (c == '#') return take(std::min(rest_.find('\n'), rest_.size()));
     if (c == '.') ++open_.back();
     if (c == '.') ++depth_;
@@ -130,6 +132,11 @@ class TextCheck {
       open_.pop_back();
     }
     take(1);
+  }
+
+  /// Quotes within a word begin no text: `x = 99"` is a word to its end.
+  bool mayBeginText() const {
+    return last_ == 0 || std::string_view(" \t\r\n=[]{},.").find(last_) != std::string_view::npos;
   }
 
   void skipString(std::string_view quotes) {
@@ -153,10 +160,13 @@ class TextCheck {
       ++line_;
       column_ = 1;
     }
-    rest_.remove_prefix(std::min(count, rest_.size()));
+    count = std::min(count, rest_.size());
+    if (count > 0) last_ = rest_[count - 1];
+    rest_.remove_prefix(count);
   }
 
   std::string_view rest_;
+  char last_ = 0;  ///< before the rest; 0 at the beginning
   int line_ = 1;
   std::size_t column_ = 1;
   std::vector<std::size_t> open_ = {0};  ///< dots of the key at hand, in each bracket that is open

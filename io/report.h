@@ -165,7 +165,8 @@ struct StockBody {
 
 struct ReportStock {
   double initial_mm3 = 0.0, removed_mm3 = 0.0, final_mm3 = 0.0;  ///< integrated from exact surface crossings
-  double mesh_mm3 = 0.0;                                         ///< enclosed by the exported facets
+  double error_mm3 = 0.0;  ///< by how much removed and final may be off, about
+  double mesh_mm3 = 0.0;   ///< enclosed by the exported facets
   std::vector<StockBody> bodies;
   std::uint64_t triangles = 0, vertices = 0;
   bool closed = false;  ///< the exported mesh is a closed, oriented 2-manifold

@@ -141,6 +141,7 @@ Json stockJson(const ReportStock& stock) {
   return {{"initial_mm3", number(stock.initial_mm3)},
           {"removed_mm3", number(stock.removed_mm3)},
           {"final_mm3", number(stock.final_mm3)},
+          {"error_mm3", number(stock.error_mm3)},
           {"mesh_mm3", number(stock.mesh_mm3)},
           {"triangles", stock.triangles},
           {"vertices", stock.vertices},

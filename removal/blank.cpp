@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "core/base/parallel_for.h"
+#include "core/mesh/triangle_tree.h"
 #include "removal/blank_field.h"
 #include "removal/leaf_changes.h"
 #include "removal/stock_impl.h"
@@ -142,9 +143,20 @@ Status buildTurned(Stock::Impl& impl, const TurnedStockShape& turned, const Remo
   impl.field = field;
   impl.initial_volume = field->volume();
   if (turned.shape->threads.empty()) return Done{};
-  const Result<double> volume = measureVolume(impl, {}, progress);
+  const Result<StockVolume> volume = measureVolume(impl, {}, progress);
   if (!volume) return volume.error();
-  impl.initial_volume = *volume;
+  impl.initial_volume = volume->mm3;
+  return Done{};
+}
+
+/// Most triangles of a mesh that is kept for questions about places between its crossings, 15 MB: those of
+/// larger ones are mostly smaller than the cells.
+constexpr std::size_t kMostKeptTriangles = 100'000;
+
+Status buildFromMesh(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options) {
+  if (Status built = buildMeshBlank(impl, shape, options); !built) return built;
+  if (shape.mesh.triangles.size() <= kMostKeptTriangles)
+    impl.blank_mesh = std::make_shared<const TriangleTree>(toSurface(shape.mesh));
   return Done{};
 }
 
@@ -159,7 +171,7 @@ Status buildBlank(Stock::Impl& impl, const StockShape& shape, const RemovalOptio
   }
   if (const auto* turned = std::get_if<TurnedStockShape>(&shape))
     return buildTurned(impl, *turned, options, progress);
-  return buildMeshBlank(impl, std::get<MeshShape>(shape), options);
+  return buildFromMesh(impl, std::get<MeshShape>(shape), options);
 }
 
 }  // namespace proveout

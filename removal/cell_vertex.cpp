@@ -29,6 +29,9 @@ constexpr double kOutsideSlack = 0.05;
 /// How far vertices may be off the blank, in cells: at a wall of the cell, and on a chord below a sharp edge.
 constexpr double kNearBy = 0.2, kFarOff = 0.7;
 
+/// Normals of a sphere or round cylinder are within 72 degrees of their mean: it is smooth, however small.
+constexpr double kFacesAlong = 0.3;
+
 /// Normals of one face that differ by more than 25 degrees may be those of two planes.
 constexpr double kBentCos = 0.906;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
@@ -163,6 +166,12 @@ Vec3 insteadOfCrease(std::span<const CellFace> faces, const Vec3& mean, const Ve
   return clampToCell(meetPlanesInside({planes.data(), faces.size()}, mean));
 }
 
+/// Whether no normal of a round face points against their sum, as those of the two sides of a narrow cut do.
+bool turnsGently(std::span<const SheetPoint> points, const Vec3& sum) {
+  const double least = kFacesAlong * sum.norm();
+  return std::all_of(points.begin(), points.end(), [&](const SheetPoint& s) { return s.n.dot(sum) > least; });
+}
+
 /// Whether the normals point in more than two directions of a plane.
 bool spanSpace(std::span<const SheetPoint> points) {
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
@@ -226,13 +235,15 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   // Where its body is known, that tells whether one face bends or breaks. Faces of bodies that are not known
   // are read alike before and after a path that does not reach them.
   const bool body_tells = known && one_face && exact->source(points[0].face).body != ExactFaces::kNoBody;
-  const int count = collectFaces(points, body_tells ? kBentCos : kSameFaceCos, all);
+  const bool round = body_tells && exact->source(points[0].face).bend > 0.0 && turnsGently(points, sum);
+  const int count = collectFaces(points, round ? -1.0 : body_tells ? kBentCos : kSameFaceCos, all);
   const std::span<CellFace> faces(all.data(), static_cast<std::size_t>(count));
   std::optional<VertexRefiner> exactly;
   if (known) exactly.emplace(*exact, faces);
   VertexRefiner* refiner = exactly ? &*exactly : nullptr;
   Vec3 apex;
-  if (spanSpace(points) && findApex(points, mean, apex)) return apexVertex(points, mean, sum, refiner, apex);
+  if (!round && spanSpace(points) && findApex(points, mean, apex))
+    return apexVertex(points, mean, sum, refiner, apex);
   if (count == 1 || alike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
   findSurfaces(points, faces);
   Vec3 x = creaseNear(faces, mean);

@@ -1,7 +1,9 @@
 #include "removal/exact_faces.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "core/mesh/triangle_tree.h"
 #include "removal/blank_field.h"
 
 namespace proveout {
@@ -10,6 +12,9 @@ namespace {
 
 /// Of distances, in cells: a hundredth of a micrometre on a grid of 0.2 mm.
 constexpr double kFootTolerance = 5e-5;
+
+/// Least radius of a wall, mm.
+constexpr double kLeastRadius = 1e-9;
 
 /// A body this near, in cells, reaches to a point.
 constexpr double kTouch = 1e-3;
@@ -26,14 +31,19 @@ bool holds(const ConvexProfile& profile, int element) {
          element < profile.firstElementId() + ConvexProfile::kMaxElements;
 }
 
-bool isSimple(const Pass& pass, std::uint64_t face) {
-  if ((face & 0xFFFF) >= ConvexProfile::kEdgeIds) return false;
+/// Largest curvature (1/mm) of a face that is part of a plane, a sphere or a round cylinder; else nothing.
+std::optional<double> simpleBend(const Pass& pass, std::uint64_t face) {
+  if ((face & 0xFFFF) >= ConvexProfile::kEdgeIds) return std::nullopt;
   const int element = elementOf(face) - pass.profile->firstElementId();
-  if (element >= pass.profile->elementCount()) return false;
+  if (element >= pass.profile->elementCount()) return std::nullopt;
   const ConvexProfile::Element& e = pass.profile->element(element);
   const bool line = pass.curve < 0, level_arc = pass.columns.kind == ColumnSweep::Kind::kArc;
-  if (e.arc) return e.cr == 0.0 && line;
-  return (e.dr == 0.0 || e.dz == 0.0) && (line || level_arc);
+  if (!line && (e.arc || !level_arc)) return std::nullopt;
+  if (e.arc) return e.cr == 0.0 ? std::optional(1.0 / e.radius) : std::nullopt;
+  if (e.dz == 0.0) return 0.0;
+  if (e.dr != 0.0) return std::nullopt;
+  const double inner = line ? e.ar : std::abs(static_cast<double>(pass.columns.arc_radius) - e.ar);
+  return 1.0 / std::max(std::min(e.ar, inner), kLeastRadius);
 }
 
 }  // namespace
@@ -51,7 +61,8 @@ ExactFaces::Source ExactFaces::findSource(std::uint64_t face) const {
   if (blank_ != nullptr) return {static_cast<std::int64_t>(face), blank_->isSimple(face)};
   const Pass* pass = passOf(face);
   if (pass == nullptr) return {kNoBody, true};
-  return {pass - record_->table.passes.data(), isSimple(*pass, face)};
+  const std::optional<double> bend = simpleBend(*pass, face);
+  return {pass - record_->table.passes.data(), bend.has_value(), h_ * bend.value_or(0.0)};
 }
 
 ExactFaces::Source ExactFaces::source(std::uint64_t face) {
@@ -134,6 +145,12 @@ bool ExactFaces::isCovered(const Vec3& q, double depth) {
   return std::any_of(neighbours_.begin(), neighbours_.end(), [&](std::int64_t body) {
     return bodyOf(body).sweep.distance(p, -depth * h_) < -depth * h_;
   });
+}
+
+bool ExactFaces::isOffMesh(const Vec3& q, double by) const {
+  if (impl_.blank_mesh == nullptr) return false;
+  return impl_.blank_mesh->nearest(corner_ + h_ * q, TriangleTree::kNone, by * h_).triangle ==
+         TriangleTree::kNone;
 }
 
 bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) {

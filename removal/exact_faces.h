@@ -24,9 +24,10 @@ class ExactFaces {
   struct Source {
     std::int64_t
         body;  ///< number of the swept body, equal for faces of one body; kNoBody where no pass made it
-    /// The face is part of a plane, a sphere or a round cylinder, which the crossings and their normals show
-    /// exactly. True for faces that no pass made.
+    /// The face is part of a plane, a sphere or a round cylinder, which several crossings and their normals
+    /// show exactly. True for faces that no pass made.
     bool simple;
+    double bend = 0.0;  ///< largest curvature of a simple face, by cell; 0 where it is not known
   };
   static constexpr std::int64_t kNoBody = -1;
   /// `face`: Crossing::face().
@@ -49,6 +50,9 @@ class ExactFaces {
   bool isReachedByOthers(std::int64_t body, const Vec3& q);
   /// Whether a body with surface in the leaves around holds `q`, this deep (in units of the cell).
   bool isCovered(const Vec3& q, double depth);
+  /// Whether a place that should be on the blank is farther off it than this (in units of the cell). False
+  /// where that is not known.
+  bool isOffMesh(const Vec3& q, double by) const;
   /// Whether a point of the body that made `face` can be of that face: the same element of the tool, and its
   /// rim where that made the face. Round elements are not told apart from their ends.
   static bool isOf(const Foot& foot, std::uint64_t face);

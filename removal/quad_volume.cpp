@@ -14,25 +14,33 @@ constexpr double kFlatSlope = 6e-5;
 constexpr double kOpen = 1e-4;
 /// A surface that bends more than this inside a cell is not smooth there; rather no bulge than a wrong one.
 constexpr double kSteepest = 0.7;
+/// By which a sum of errors is multiplied: found on 100 random jobs against grids four times as fine, where
+/// without any other word the volume was off by 0.2 % or more of what was removed.
+constexpr double kErrorFactor = 2.0;
 
 }  // namespace
 
-double quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
-                  const Vec3& apex) {
+QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
+                      const Vec3& apex) {
   std::array<Vec3, 4> d;
   std::array<double, 4> height;
-  bool flat = true, steep = false;
+  bool flat = true;
+  double slope2 = 0.0, between = 0.0;
   for (int i = 0; i < 4; ++i) {
     d[i] = corners[i] - crossing;
     height[i] = normal.dot(d[i]);
     const double length2 = d[i].squaredNorm(), height2 = height[i] * height[i];
     flat = flat && height2 <= kFlatSlope * kFlatSlope * length2;
-    steep = steep || height2 > kSteepest * kSteepest * length2;
+    if (height2 > slope2 * length2) slope2 = height2 / length2;
+    between += 0.25 * std::abs(height[i]);
   }
   const Vec3 from = crossing - apex;
   const Vec3 area = (d[2] - d[0]).cross(d[3] - d[1]);  // twice that of the four triangles
   const double cones = from.dot(area) / 6.0;
-  if (flat || steep) return cones;
+  if (flat) return {cones, 0.0};
+  const bool steep = slope2 > kSteepest * kSteepest;
+  const double error = kErrorFactor * between * 0.5 * area.norm() * (steep ? 1.0 : slope2);
+  if (steep) return {cones, error};
 
   // q = (xx, xy, yy) of twice the height, from the four corners by least squares: the normal equations by
   // hand, since this is done for every quad.
@@ -72,7 +80,7 @@ double quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, cons
     const double twice_area = x[i] * y[k] - y[i] * x[k];
     bulge -= twice_area * (at[i] + at[k] + bend(x[k] - x[i], y[k] - y[i])) / 48.0;
   }
-  return cones + bulge;
+  return {cones + bulge, error};
 }
 
 }  // namespace proveout

@@ -7,12 +7,18 @@
 
 namespace proveout {
 
-/// Signed volume of the cone from `apex` to the piece of surface around a crossing: the four triangles from
-/// the crossing to the corners (CCW from outside, all on the surface), and what the surface bulges out of
-/// them. The curvature follows from the corners' heights over the tangent plane at the crossing; it is
-/// quadratic, so that what is left goes with the fourth power of the quad's size. Flat: exact.
-/// `normal` is the surface's at the crossing, unit to 1e-4. Any unit of length.
-double quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
-                  const Vec3& apex);
+struct QuadVolume {
+  double volume = 0.0;  ///< signed, of the cone from the apex to the piece of surface
+  double error = 0.0;   ///< by how much it may be off, about; at least 0
+};
+
+/// The cone from `apex` to the piece of surface around a crossing: the four triangles from the crossing to
+/// the corners (CCW from outside, all on the surface), and what the surface bulges out of them. The curvature
+/// follows from the corners' heights over the tangent plane at the crossing; it is quadratic, so that what is
+/// left goes with the fourth power of the quad's size. Flat: exact. The error is what lies between the
+/// corners and that plane, by the square of the slope to them: whole where the surface breaks between the
+/// crossing and a corner. `normal` is the surface's at the crossing, unit to 1e-4. Any unit of length.
+QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
+                      const Vec3& apex);
 
 }  // namespace proveout

@@ -84,10 +84,19 @@ struct SurfaceOptions {
   int threads = 0;  ///< 0: all cores
 };
 
+/// Integrated from the exact edge crossings.
+struct StockVolume {
+  double mm3 = 0.0;
+  /// By how much it may be off, about: where the surface bends or breaks between crossings. Not in it is what
+  /// no crossing shows.
+  double error_mm3 = 0.0;
+};
+
 /// Surface of the stock as a closed 2-manifold, and the volume from the exact edge crossings.
 struct StockSurface {
-  TriMesh mesh;             ///< with `motion` per triangle
-  double volume_mm3 = 0.0;  ///< integrated from the exact crossings; the same however the mesh is simplified
+  TriMesh mesh;                   ///< with `motion` per triangle
+  double volume_mm3 = 0.0;        ///< see StockVolume; the same however the mesh is simplified
+  double volume_error_mm3 = 0.0;  ///< see StockVolume
   /// Grid cells in which more than one sheet of surface runs, or whose vertex is off the surface by more than
   /// a fifth of a cell: walls, gaps or ridges there are thinner than the grid resolves, and the mesh is less
   /// exact. `first_thin_cell`: middle of the first, mm.
@@ -124,9 +133,9 @@ class Stock {
   Result<StockSurface> surface(const SurfaceOptions& options, Progress& progress) const;
   /// With the default tolerance.
   Result<StockSurface> surface(int threads, Progress& progress) const;
-  /// StockSurface::volume_mm3 alone, mm3. What a path took is this before it less this after it, with the
-  /// same options: exactly 0 where it took nothing. Errors: as surface.
-  Result<double> volume(const SurfaceOptions& options, Progress& progress) const;
+  /// That of the surface alone. What a path took is this before it less this after it, with the same options:
+  /// exactly 0 where it took nothing. Errors: as surface.
+  Result<StockVolume> volume(const SurfaceOptions& options, Progress& progress) const;
 
   /// The stock at another place, as a blank on a grid of the same spacing; which motion made a surface is not
   /// known any more. Exact where movesExactly; else it is built anew from the surface's mesh: a curved wall

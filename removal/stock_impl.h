@@ -18,16 +18,17 @@ namespace proveout {
 /// collapse.
 inline constexpr float kEdgeMargin = 1e-4f;
 
-/// Numbers of motions from here on are those of paths before the last one: told apart, but not known any more.
+/// Numbers of motions from here on are those of paths before the last one: told apart, but not known any
+/// more.
 inline constexpr std::uint32_t kEarlierMotions = 0x80000000u;
 inline MotionId knownMotion(std::uint32_t motion) { return motion < kEarlierMotions ? motion : kNoMotion; }
 
 /// Where the surface crosses a grid edge.
 struct Crossing {
-  float t = 0.5f;                    ///< fraction of the edge, 0 at its start
-  std::uint32_t motion = kNoMotion;  ///< motion that made the surface; see knownMotion
+  float t = 0.5f;                          ///< fraction of the edge, 0 at its start
+  std::uint32_t motion = kNoMotion;        ///< motion that made the surface; see knownMotion
   std::int16_t normal[3] = {0, 0, 32767};  ///< out of the material, length kNormalScale to rounding
-  std::uint16_t element = 0;         ///< face of the blank, or element of the cutter's profile
+  std::uint16_t element = 0;               ///< face of the blank, or element of the cutter's profile
 
   static constexpr std::int16_t kNormalScale = 32767;
   /// Unit; off by at most 3e-5.
@@ -45,15 +46,15 @@ static_assert(sizeof(Crossing) == 16);
 /// A leaf whose block of 9x9x9 samples (its own and the first layer of its upper neighbours) is not all one
 /// side. Edge (axis, x, y, z) runs from that sample of the leaf to the next along the axis.
 struct StockLeaf {
-  Coord origin;             ///< voxel of its first sample, a multiple of 8
+  Coord origin;  ///< voxel of its first sample, a multiple of 8
   LeafBits material{};
-  std::vector<Crossing> crossings;   ///< one an edge that is crossed, sorted by axis, then z, then leafBit
+  std::vector<Crossing> crossings;  ///< one an edge that is crossed, sorted by axis, then z, then leafBit
 };
 
 /// Which edges of a leaf are crossed, and where their crossings stand in the list.
 struct LeafEdges {
-  std::array<LeafBits, 3> crossed{};                  ///< [axis][z], bit leafBit(x, y)
-  std::array<std::array<std::uint16_t, 8>, 3> first{};///< [axis][z]: index of the layer's first crossing
+  std::array<LeafBits, 3> crossed{};                    ///< [axis][z], bit leafBit(x, y)
+  std::array<std::array<std::uint16_t, 8>, 3> first{};  ///< [axis][z]: index of the layer's first crossing
   std::uint16_t count = 0;
 
   bool isCrossed(int axis, int x, int y, int z) const { return leafSample(crossed[axis], x, y, z); }
@@ -82,11 +83,12 @@ LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& n
 
 struct CutRecord;
 class BlankField;
+class TriangleTree;
 
 struct Stock::Impl {
-  double h = 0.0;               ///< grid spacing, mm
-  Vec3 origin = Vec3::Zero();   ///< position of voxel (0, 0, 0), mm
-  LeafIndex index;              ///< numbers in `leaves`
+  double h = 0.0;                 ///< grid spacing, mm
+  Vec3 origin = Vec3::Zero();     ///< position of voxel (0, 0, 0), mm
+  LeafIndex index;                ///< numbers in `leaves`
   std::vector<StockLeaf> leaves;  ///< sorted by origin
   double initial_volume = 0.0;    ///< mm3
   Box3 blank;
@@ -95,6 +97,8 @@ struct Stock::Impl {
   std::shared_ptr<const BlankField> field;
   /// The closed form of a box or cylinder from which nothing has been cut; else null.
   std::shared_ptr<const BlankField> uncut;
+  /// Of a blank from a mesh of few triangles; else null. Faces that the path did not make are of it.
+  std::shared_ptr<const TriangleTree> blank_mesh;
 
   Vec3 position(const Coord& c) const {
     return {origin.x() + c.x() * h, origin.y() + c.y() * h, origin.z() + c.z() * h};
@@ -102,18 +106,14 @@ struct Stock::Impl {
 };
 
 /// Voxel of the index that stands for the leaf at `origin`.
-inline Coord leafCoord(const Coord& origin) {
-  return {origin.x() >> 3, origin.y() >> 3, origin.z() >> 3};
-}
+inline Coord leafCoord(const Coord& origin) { return {origin.x() >> 3, origin.y() >> 3, origin.z() >> 3}; }
 
 /// Reads leaves by their place.
 class LeafReader {
  public:
   explicit LeafReader(const Stock::Impl& impl) : impl_(impl) {}
   /// `origin`: voxel of the leaf's first sample.
-  std::int32_t state(const Coord& origin) const {
-    return impl_.index.get(leafCoord(origin));
-  }
+  std::int32_t state(const Coord& origin) const { return impl_.index.get(leafCoord(origin)); }
   const StockLeaf* leaf(const Coord& origin) const {
     const std::int32_t s = state(origin);
     return s >= 0 ? &impl_.leaves[static_cast<std::size_t>(s)] : nullptr;
@@ -124,10 +124,13 @@ class LeafReader {
     return s == LeafIndex::kInside ? kAllInside : kAllOutside;
   }
   /// The sample at a voxel of the whole grid.
-  bool isMaterial(const Coord& at) const { return leafSample(bits(at & ~7), at.x() & 7, at.y() & 7, at.z() & 7); }
+  bool isMaterial(const Coord& at) const {
+    return leafSample(bits(at & ~7), at.x() & 7, at.y() & 7, at.z() & 7);
+  }
   LeafEdges edges(const StockLeaf& leaf) const {
-    return leafEdges(leaf.material, {&bits(leaf.origin.offsetBy(8, 0, 0)), &bits(leaf.origin.offsetBy(0, 8, 0)),
-                                     &bits(leaf.origin.offsetBy(0, 0, 8))});
+    return leafEdges(leaf.material,
+                     {&bits(leaf.origin.offsetBy(8, 0, 0)), &bits(leaf.origin.offsetBy(0, 8, 0)),
+                      &bits(leaf.origin.offsetBy(0, 0, 8))});
   }
 
  private:

@@ -49,7 +49,8 @@ constexpr double kPoorAgreement = 0.5;
 enum QuadState : std::uint8_t { kAt02 = 1, kPoor = 2, kMerged = 4, kApart = 8 };
 
 struct LeafOutput {
-  double volume = 0.0;  ///< of the cones from the centre, grid steps^3
+  double volume = 0.0;        ///< of the cones from the centre, grid steps^3
+  double volume_error = 0.0;  ///< see QuadVolume, grid steps^3
   std::uint32_t triangles = 0, vertices = 0;
   std::size_t first_triangle = 0;
   std::uint32_t first_vertex = 0;
@@ -80,7 +81,7 @@ class Extractor {
         simplify_mm_(simplify_mm) {}
 
   Result<StockSurface> run(Progress& progress);
-  Result<double> volume(Progress& progress);
+  Result<StockVolume> volume(Progress& progress);
 
  private:
   template <typename Body>
@@ -91,7 +92,7 @@ class Extractor {
   double levelVolume(const SurfaceLeaf& leaf) const;
   bool countLevel(const SurfaceLeaf& leaf, const std::array<const SurfaceLeaf*, 4>& corners,
                   LeafOutput& out) const;
-  double volumeOfLeaves() const;
+  StockVolume volumeOfLeaves() const;
   void countQuad(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, const std::array<int, 4>& at,
                  LeafOutput& out) const;
   bool isFan(const Quad& quad) const;
@@ -242,16 +243,24 @@ void Extractor::measureLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
       out.hole = true;
       return;
     }
-    if (!level) out.volume += quadVolume(quad.p, quad.middle, quad.normal, center);
+    if (!level) {
+      const QuadVolume cone = quadVolume(quad.p, quad.middle, quad.normal, center);
+      out.volume += cone.volume;
+      out.volume_error += cone.error;
+    }
     countQuad(leaf, quad, c, {axis, x, y, z}, out);
   });
 }
 
-/// mm3; the same, bit for bit, for the same leaves.
-double Extractor::volumeOfLeaves() const {
-  double sum = 0.0;
-  for (const LeafOutput& out : outputs_) sum += out.volume;
-  return sum * (impl_.h * impl_.h * impl_.h);
+/// The same, bit for bit, for the same leaves.
+StockVolume Extractor::volumeOfLeaves() const {
+  StockVolume sum;
+  for (const LeafOutput& out : outputs_) {
+    sum.mm3 += out.volume;
+    sum.error_mm3 += out.volume_error;
+  }
+  const double cell = impl_.h * impl_.h * impl_.h;
+  return {sum.mm3 * cell, sum.error_mm3 * cell};
 }
 
 void Extractor::countLeaf(const SurfaceLeaf& leaf, LeafOutput& out) const {
@@ -635,7 +644,7 @@ bool Extractor::repair(StockSurface& surface, Progress& progress) {
   }
 }
 
-Result<double> Extractor::volume(Progress& progress) {
+Result<StockVolume> Extractor::volume(Progress& progress) {
   const Error hole{ErrorKind::kInternal, "the stock's grid has a hole; please report this job"};
   if (!grid_.build(progress)) return hole;
   if (!progress.cancelled()) unfoldVertices(grid_);
@@ -666,7 +675,9 @@ Result<StockSurface> Extractor::run(Progress& progress) {
   for (const LeafOutput& out : outputs_) {
     if (out.hole) return hole;
   }
-  surface.volume_mm3 = volumeOfLeaves();
+  const StockVolume volume = volumeOfLeaves();
+  surface.volume_mm3 = volume.mm3;
+  surface.volume_error_mm3 = volume.error_mm3;
   surface.thin_cells = grid_.thinCells();
   surface.first_thin_cell = grid_.firstThinCell();
   progress.report("meshing", 0.7);
@@ -696,7 +707,8 @@ Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOption
   return Extractor(impl, toleranceOf(impl, options)).run(progress);
 }
 
-Result<double> measureVolume(const Stock::Impl& impl, const SurfaceOptions& options, Progress& progress) {
+Result<StockVolume> measureVolume(const Stock::Impl& impl, const SurfaceOptions& options,
+                                  Progress& progress) {
   return Extractor(impl, toleranceOf(impl, options)).volume(progress);
 }
 
@@ -711,7 +723,7 @@ Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& pro
   }
 }
 
-Result<double> Stock::volume(const SurfaceOptions& options, Progress& progress) const {
+Result<StockVolume> Stock::volume(const SurfaceOptions& options, Progress& progress) const {
   const ThreadLimit limit(options.threads);
   try {
     return measureVolume(*impl_, options, progress);

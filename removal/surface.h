@@ -12,6 +12,6 @@ namespace proveout {
 Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOptions& options,
                                     Progress& progress);
 /// Its volume alone, mm3. Errors: the same.
-Result<double> measureVolume(const Stock::Impl& impl, const SurfaceOptions& options, Progress& progress);
+Result<StockVolume> measureVolume(const Stock::Impl& impl, const SurfaceOptions& options, Progress& progress);
 
 }  // namespace proveout

@@ -260,16 +260,22 @@ class LeafPlacer {
   bool isOff(const Vec3& p, int count) {
     if (exact_.ofBlank()) return false;
     double nearest2 = kNoLimit, plane = kNoLimit;
+    bool on_blank = false;  // the nearest plane is the blank's
     Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
     for (int i = 0; i < count; ++i) {
       middle += points_[i].p;
       normal += points_[i].n;
       const Vec3 from = p - points_[i].p;
       nearest2 = std::min(nearest2, from.squaredNorm());
-      plane = std::min(plane, std::abs(points_[i].n.dot(from)));
+      const double off = std::abs(points_[i].n.dot(from));
+      if (off < plane) {
+        plane = off;
+        on_blank = exact_.source(points_[i].face).body == ExactFaces::kNoBody;
+      }
     }
     if (nearest2 < kOffBy * kOffBy) return false;
     if (plane > kOffBy) return true;
+    if (on_blank && exact_.isOffMesh(p, kOffBy)) return true;
     // A tool that takes the vertex and none of the crossings has it stand out from among them; asking all
     // tools is dear.
     const double height = std::abs((p - middle / count).dot(normal));

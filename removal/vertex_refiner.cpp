@@ -20,6 +20,11 @@ constexpr int kRounds = 8;
 /// The rules on crossings are good to 2e-3 cells for any face whose normals differ by less than this (1
 /// degree).
 constexpr double kFlatSpread = 0.02;
+/// Crossings that show how a face bends; fewer lie in one direction, across which it may bend as it likes.
+constexpr int kShowing = 3;
+/// Half a cell off its crossings a surface leaves their plane by 0.0075 cells where it bends as much, by cell
+/// (a radius of 17 cells).
+constexpr double kMostBend = 0.06;
 /// A vertex at rest is seen on its faces within this.
 constexpr double kSeenAt = 0.03;
 /// The same, looked at against the normals of the crossings.
@@ -27,8 +32,8 @@ constexpr double kSeenOver = 0.08;
 constexpr int kLooks = 3;
 /// A body must face the vertex as the crossings do, to 60 degrees: else it shows another of its faces.
 constexpr double kSameFacing = 0.5;
-/// How far (in radians) faces with several crossings, and with one, may turn up to the vertex.
-constexpr double kSlackTurn = 0.1, kMostTurn = 1.0, kTurnOfOne = 0.5;
+/// How far (in radians) faces with many crossings, and with few, may turn up to the vertex.
+constexpr double kSlackTurn = 0.1, kMostTurn = 1.0, kTurnOfFew = 0.5;
 /// A surface that meets the walls at which a vertex lies at less than 3 degrees is not followed along them.
 constexpr double kFlatWall = 0.05;
 /// A crease or corner this far off the blank, in cells, is none.
@@ -40,21 +45,25 @@ constexpr double kSideStep = 0.05, kStays = 0.4;
 /// Edges that run along a face, to 12 degrees, have no certain place where they meet it.
 constexpr double kGrazing = 0.2;
 
-/// A face must be seen to turn not much more than between its crossings; else another one of the body is
-/// seen.
-double leastFacing(const CellFace& f) {
-  return f.count > 1 ? std::cos(std::min(kMostTurn, kSlackTurn + 2.0 * f.spread)) : std::cos(kTurnOfOne);
-}
-
 }  // namespace
+
+/// A face must be seen to turn not much more than between its crossings; else another one of the body is
+/// seen. A round one only shows its other side.
+double VertexRefiner::leastFacing(std::size_t face) const {
+  const CellFace& f = faces_[face];
+  if (round_[face]) return kSameFacing;
+  return f.count >= kShowing ? std::cos(std::min(kMostTurn, kSlackTurn + 2.0 * f.spread))
+                             : std::cos(kTurnOfFew);
+}
 
 VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
     : exact_(exact), faces_(faces) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const ExactFaces::Source source = exact.source(faces[i].id);
-    const bool flat = faces[i].count > 1 && faces[i].spread < kFlatSpread;
+    const bool flat = faces[i].count >= kShowing && faces[i].spread < kFlatSpread;
     body_[i] = source.body;
-    exact_already_ = exact_already_ && (source.simple || flat);
+    round_[i] = source.simple && source.bend > 0.0;
+    exact_already_ = exact_already_ && (source.simple ? source.bend < kMostBend : flat);
   }
 }
 
@@ -85,7 +94,9 @@ bool VertexRefiner::planeNear(int face, const Vec3& x, Vec3& from, Plane& plane,
     return true;
   }
   const ExactFaces::Foot foot = exact_.foot(body_[face], x - kLookFrom * from);
-  if (foot.normal.dot(f.normal) < leastFacing(f) || !ExactFaces::isOf(foot, f.id)) return false;
+  if (foot.normal.dot(f.normal) < leastFacing(static_cast<std::size_t>(face)) ||
+      !ExactFaces::isOf(foot, f.id))
+    return false;
   from = foot.normal;
   plane = {foot.normal, foot.normal.dot(foot.p - x)};
   off = (foot.p - x).norm();
@@ -187,7 +198,9 @@ bool VertexRefiner::isBetweenFaces(const Vec3& x) {
     for (int look = 0; look < kLooks; ++look) {  // curved faces have other normals than at their crossings
       const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
       if ((foot.p - x).squaredNorm() < kSeenOver * kSeenOver) return true;
-      if (foot.normal.dot(f.normal) < leastFacing(f) || !ExactFaces::isOf(foot, f.id)) return false;
+      if (foot.normal.dot(f.normal) < leastFacing(static_cast<std::size_t>(&f - faces_.data())) ||
+          !ExactFaces::isOf(foot, f.id))
+        return false;
       n = foot.normal;
     }
     return false;

@@ -35,6 +35,7 @@ class VertexRefiner {
   bool isOffBlank(const Vec3& x) const;
 
  private:
+  double leastFacing(std::size_t face) const;
   bool oneBody() const;
   Vec3 meanNormal() const;
   int bodyWithEdge() const;
@@ -49,7 +50,8 @@ class VertexRefiner {
   ExactFaces& exact_;
   std::span<const CellFace> faces_;
   std::array<std::int64_t, 12> body_;
-  bool exact_already_ = true;  ///< crossings and normals show all faces exactly, each for itself
+  std::array<bool, 12> round_;  ///< part of a sphere or round cylinder
+  bool exact_already_ = true;   ///< crossings and normals show all faces exactly, each for itself
 };
 
 }  // namespace proveout

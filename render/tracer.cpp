@@ -294,7 +294,7 @@ PixelSums gatherAround(const Band& band, int x, int y, float slope_limit) {
 
 Result<Image> trace(const TraceInput& input, Progress& progress) {
   const Tracer tracer(input);
-  const auto [width, height] = input.size;
+  const int width = input.size.width, height = input.size.height;
   Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
   const SrgbTable srgb;
   const Vec3f background = srgb.toLinear(input.options.background);

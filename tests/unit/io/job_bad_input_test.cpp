@@ -348,6 +348,10 @@ TEST(BadJob, BrokenDocumentsDoNotEndTheProgram) {
     const std::string said = "job.toml:12:3: error[job-syntax]: a character that is not ASCII";
     EXPECT_THAT(refused(kSmallJob + "ab" + letter + " = 1\n"), HasSubstr(said)) << letter;
     EXPECT_THAT(refused(kSmallJob + "x=" + letter + "\n"), HasSubstr(said)) << letter;
+    EXPECT_THAT(refused(kSmallJob + "x=99\"" + letter + "''\n"), HasSubstr("a character that is not ASCII"))
+        << letter;
+    EXPECT_THAT(refused(kSmallJob + "x=\"a\"'" + letter + "'\n"), HasSubstr("a character that is not ASCII"))
+        << letter;
     EXPECT_THAT(refused(kSmallJob + "[a" + letter + "]\n"), HasSubstr(said)) << letter;
     EXPECT_THAT(refused(kSmallJob + "{ " + letter), HasSubstr(said)) << letter;
   }

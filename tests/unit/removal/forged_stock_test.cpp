@@ -102,7 +102,7 @@ TEST_F(ForgedStock, UnchangedItIsTaken) {
   const Result<Stock> stock = load([](Contents&) {});
   ASSERT_TRUE(stock.ok()) << stock.error().message;
   Progress progress;
-  EXPECT_NEAR(stock->volume({}, progress).value(), 20 * 15 * 10, 1e-3);
+  EXPECT_NEAR(stock->volume({}, progress)->mm3, 20 * 15 * 10, 1e-3);
 }
 
 TEST_F(ForgedStock, MetadataMustBeThoseOfAGrid) {
