@@ -114,22 +114,22 @@ Shells splitShells(const TriMesh& mesh) {
   return out;
 }
 
-TriMesh shellMesh(const Shells& shells, std::uint32_t shell) {
-  TriMesh out;
-  std::vector<std::uint32_t> vertex_of(shells.mesh.positions.size(), kNone);
+std::vector<TriMesh> shellMeshes(const Shells& shells) {
+  std::vector<TriMesh> out(shells.count);
+  std::vector<std::uint32_t> vertex_of(shells.mesh.positions.size(), kNone);  // each is of one shell
   for (std::size_t t = 0; t < shells.shell_of.size(); ++t) {
-    if (shells.shell_of[t] != shell) continue;
+    TriMesh& shell = out[shells.shell_of[t]];
     std::array<std::uint32_t, 3> triangle;
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t old = shells.mesh.triangles[t][c];
       if (vertex_of[old] == kNone) {
-        vertex_of[old] = static_cast<std::uint32_t>(out.positions.size());
-        out.positions.push_back(shells.mesh.positions[old]);
+        vertex_of[old] = static_cast<std::uint32_t>(shell.positions.size());
+        shell.positions.push_back(shells.mesh.positions[old]);
       }
       triangle[c] = vertex_of[old];
     }
-    out.triangles.push_back(triangle);
-    if (!shells.mesh.motion.empty()) out.motion.push_back(shells.mesh.motion[t]);
+    shell.triangles.push_back(triangle);
+    if (!shells.mesh.motion.empty()) shell.motion.push_back(shells.mesh.motion[t]);
   }
   return out;
 }

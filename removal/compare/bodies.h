@@ -20,8 +20,8 @@ struct Shells {
 /// come apart. Order of triangles and `motion` stay.
 Shells splitShells(const TriMesh& mesh);
 
-/// One shell as a mesh of its own.
-TriMesh shellMesh(const Shells& shells, std::uint32_t shell);
+/// Each shell as a mesh of its own.
+std::vector<TriMesh> shellMeshes(const Shells& shells);
 
 /// Appends a mesh; motions go along where both have them.
 void append(TriMesh& mesh, const TriMesh& more);

@@ -11,11 +11,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <exception>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/geometry/box_tree.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/surface_mesh.h"
 #include "core/mesh/triangle_tree.h"
@@ -68,12 +71,17 @@ TriMesh fromCgal(Exact& mesh) {
 /// A solid, with its voids, and what is asked of it.
 struct Body {
   explicit Body(TriMesh m)
-      : mesh(std::move(m)), surface(toSurface(mesh)), tree(surface), box(meshBounds(mesh)) {}
+      : mesh(std::move(m)),
+        surface(toSurface(mesh)),
+        tree(surface),
+        box(meshBounds(mesh)),
+        volume(meshVolume(mesh)) {}
   Body(const Body&) = delete;
   TriMesh mesh;
   SurfaceMesh surface;
   TriangleTree tree;
   Box3 box;
+  double volume;  ///< mm3
 };
 
 /// A place of a's surface, with material of b right in front of it. Looked for in the middles of the
@@ -94,9 +102,25 @@ std::optional<Vec3> faceInside(const Body& a, const Body& b) {
   return found;
 }
 
+/// Without triangles whose corners lie on one line: their neighbours hold all their points, and CGAL asks
+/// for proper ones.
+TriMesh properTriangles(const Body& body) {
+  TriMesh out;
+  out.positions = body.mesh.positions;
+  for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
+    const auto& v = body.mesh.triangles[t];
+    const auto point = [&](int i) {
+      const Vec3& p = body.surface.points[v[static_cast<std::size_t>(i)]];
+      return Plain::Point(p.x(), p.y(), p.z());
+    };
+    if (!CGAL::collinear(point(0), point(1), point(2))) out.triangles.push_back(v);
+  }
+  return out;
+}
+
 bool meet(const Body& a, const Body& b) {
   if (!a.box.inflated(kSameMm).overlaps(b.box)) return false;
-  const auto one = toCgal<Plain>(a.mesh), other = toCgal<Plain>(b.mesh);
+  const auto one = toCgal<Plain>(properTriangles(a)), other = toCgal<Plain>(properTriangles(b));
   return pmp::do_intersect(one, other) || faceInside(a, b) || faceInside(b, a);
 }
 
@@ -136,34 +160,36 @@ class Joiner {
  public:
   Joiner(const Shells& shells, const std::string& name) : name_(name) {
     std::vector<TriMesh> voids;
-    for (std::uint32_t s = 0; s < shells.count; ++s) {
-      TriMesh shell = shellMesh(shells, s);
+    for (TriMesh& shell : shellMeshes(shells)) {
       if (meshVolume(shell) < 0.0) {
         voids.push_back(std::move(shell));
       } else {
         bodies_.push_back(std::make_unique<Body>(std::move(shell)));
       }
     }
-    for (const TriMesh& hollow : voids) giveVoid(hollow);
+    near_ = BoxTree(boxes());
+    giveVoids(voids);
+    near_ = BoxTree(boxes());
   }
 
   Result<JoinedBodies> run() {
     JoinedBodies out;
     // Each body is joined with what came before; what that reaches may reach further bodies.
-    while (!bodies_.empty()) {
-      std::unique_ptr<Body> body = std::move(bodies_.back());
-      bodies_.pop_back();
-      for (std::size_t i = 0; i < bodies_.size();) {
-        Result<std::unique_ptr<Body>> both = joinPair(*body, *bodies_[i]);
-        if (!both) return both.error();
-        if (*both == nullptr) {
-          ++i;
-          continue;
+    for (std::size_t last = bodies_.size(); last-- > 0;) {
+      if (bodies_[last] == nullptr) continue;
+      std::unique_ptr<Body> body = std::move(bodies_[last]);
+      for (bool grew = true; grew;) {
+        grew = false;
+        for (const std::size_t i : bodiesNear(body->box)) {
+          Result<std::unique_ptr<Body>> both = joinPair(*body, *bodies_[i]);
+          if (!both) return both.error();
+          if (*both == nullptr) continue;
+          out.joined += out.joined == 0 ? 2 : 1;
+          body = std::move(*both);
+          bodies_[i] = nullptr;
+          grew = true;
+          break;
         }
-        out.joined += out.joined == 0 ? 2 : 1;
-        body = std::move(*both);
-        bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(i));
-        i = 0;
       }
       append(out.mesh, body->mesh);
     }
@@ -171,21 +197,42 @@ class Joiner {
   }
 
  private:
-  /// To the smallest body around it.
-  void giveVoid(const TriMesh& hollow) {
-    const Vec3 probe = hollow.positions.front().cast<double>();
-    std::unique_ptr<Body>* around = nullptr;
-    for (std::unique_ptr<Body>& body : bodies_) {
-      if (body->tree.windingNumber(probe) <= 0.5) continue;
-      if (around == nullptr || meshVolume(body->mesh) < meshVolume((*around)->mesh)) around = &body;
+  std::vector<Box3> boxes() const {
+    std::vector<Box3> out;
+    for (const auto& body : bodies_) out.push_back(body->box);
+    return out;
+  }
+
+  /// Those left that may touch the box, in their order.
+  std::vector<std::size_t> bodiesNear(const Box3& box) const {
+    std::vector<std::size_t> out;
+    near_.forEachPlace(box.inflated(2.0 * kSameMm), [&](std::uint32_t place) {
+      const std::size_t i = near_.order()[place];
+      if (bodies_[i] != nullptr) out.push_back(i);
+    });
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+  /// To the smallest body around each; a void that none is around stays alone.
+  void giveVoids(const std::vector<TriMesh>& voids) {
+    std::map<std::size_t, TriMesh> whole;
+    std::vector<std::unique_ptr<Body>> alone;
+    for (const TriMesh& hollow : voids) {
+      const Vec3 probe = hollow.positions.front().cast<double>();
+      std::optional<std::size_t> around;
+      for (const std::size_t i : bodiesNear({probe, probe})) {
+        if (bodies_[i]->tree.windingNumber(probe) <= 0.5) continue;
+        if (!around || bodies_[i]->volume < bodies_[*around]->volume) around = i;
+      }
+      if (around) {
+        append(whole.try_emplace(*around, bodies_[*around]->mesh).first->second, hollow);
+      } else {
+        alone.push_back(std::make_unique<Body>(TriMesh(hollow)));
+      }
     }
-    TriMesh whole = around ? (*around)->mesh : TriMesh();
-    append(whole, hollow);
-    if (around) {
-      *around = std::make_unique<Body>(std::move(whole));
-    } else {
-      bodies_.push_back(std::make_unique<Body>(std::move(whole)));
-    }
+    for (auto& [body, mesh] : whole) bodies_[body] = std::make_unique<Body>(std::move(mesh));
+    std::move(alone.begin(), alone.end(), std::back_inserter(bodies_));
   }
 
   /// Null: they need not be one.
@@ -210,7 +257,8 @@ class Joiner {
   }
 
   std::string name_;
-  std::vector<std::unique_ptr<Body>> bodies_;
+  std::vector<std::unique_ptr<Body>> bodies_;  ///< null: joined with another, or done
+  BoxTree near_;                               ///< of their boxes
 };
 
 /// Faces within the material of a single surface that runs through itself; a few thousand triangles are

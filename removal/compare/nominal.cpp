@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/geometry/box_tree.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/surface_mesh.h"
 #include "core/mesh/triangle_tree.h"
@@ -231,11 +232,15 @@ struct ShellProbe {
 /// Shells at even depth shall enclose material, those at odd depth a void. Returns how many were turned.
 std::size_t orientShells(Shells& shells) {
   std::vector<ShellProbe> probes;
-  for (std::uint32_t s = 0; s < shells.count; ++s) probes.emplace_back(shellMesh(shells, s));
+  std::vector<Box3> boxes;
+  for (const TriMesh& shell : shellMeshes(shells)) boxes.push_back(probes.emplace_back(shell).box);
+  const BoxTree near(boxes);
   std::vector<char> turn(shells.count, 0);
   for (std::uint32_t s = 0; s < shells.count; ++s) {
-    const auto around = std::count_if(probes.begin(), probes.end(), [&](const ShellProbe& other) {
-      return &other != &probes[s] && other.encloses(probes[s]);
+    int around = 0;
+    near.forEachPlace(boxes[s], [&](std::uint32_t place) {
+      const std::uint32_t other = near.order()[place];
+      if (other != s && probes[other].encloses(probes[s])) ++around;
     });
     turn[s] = around % 2 == 1 ? probes[s].volume > 0.0 : probes[s].volume < 0.0;
   }

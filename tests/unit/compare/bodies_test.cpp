@@ -52,8 +52,8 @@ TEST(Bodies, ShellsComeApartAtCommonFacesEdgesAndVertices) {
     const Shells shells = splitShells(weldVertices(soup(together(a, other))));
     ASSERT_EQ(shells.count, 2u);
     EXPECT_TRUE(analyseTopology(shells.mesh).closedManifold());
-    EXPECT_NEAR(meshVolume(shellMesh(shells, 0)), 1000.0, 1e-3);
-    EXPECT_NEAR(meshVolume(shellMesh(shells, 1)), meshVolume(other), 1e-3);
+    EXPECT_NEAR(meshVolume(shellMeshes(shells)[0]), 1000.0, 1e-3);
+    EXPECT_NEAR(meshVolume(shellMeshes(shells)[1]), meshVolume(other), 1e-3);
   }
 }
 
@@ -77,6 +77,51 @@ TEST(Bodies, OverlapsAreJoinedInChains) {
   const auto cross = [](int i, int j, int k) { return k == 1 || (i == 1 && j == 1); };
   expectEqualTo(together(box({0, 0, 0}, {30, 30, 5}), box({10, 10, -8}, {20, 20, 12})),
                 shapes::blocks({0, 10, 20, 30}, {0, 10, 20, 30}, {-8, 0, 5, 12}, cross));
+}
+
+/// The triangle beside the first edge of the first one in two, and one without area between them.
+TriMesh withFlatTriangle(TriMesh mesh) {
+  const auto [u, v, w] = mesh.triangles[0];
+  const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.push_back(0.5f * (mesh.positions[u] + mesh.positions[v]));
+  for (std::size_t t = 1; t < mesh.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      if (mesh.triangles[t][i] != v || mesh.triangles[t][(i + 1) % 3] != u) continue;
+      const std::uint32_t x = mesh.triangles[t][(i + 2) % 3];
+      mesh.triangles[t] = {v, middle, x};
+      mesh.triangles.push_back({middle, u, x});
+      mesh.triangles.push_back({v, u, middle});
+      return mesh;
+    }
+  }
+  ADD_FAILURE() << "the mesh is open";
+  return mesh;
+}
+
+TEST(Bodies, TrianglesWithoutAreaAreNoObstacle) {
+  const TriMesh a = withFlatTriangle(box({0, 0, 0}, {20, 20, 20})),
+                b = withFlatTriangle(box({10, 0, 0}, {40, 20, 20}));
+  for (const TriMesh& other : {b, box({10, 0, 0}, {40, 20, 20})}) {
+    const auto both = prepareNominal(together(a, other), "part.stl");
+    if (!both) {
+      EXPECT_THAT(both.error().message, HasSubstr("cannot be joined"));
+      continue;
+    }
+    EXPECT_NEAR(meshVolume(both->mesh), 16000.0, 1e-2);
+  }
+  EXPECT_NEAR(meshVolume(prepared(together(a, box({30, 0, 0}, {40, 20, 20}))).mesh), 12000.0, 1e-2);
+}
+
+TEST(Bodies, ManyLooseBodiesAreReadInTimeThatGrowsWithTheirNumber) {
+  TriMesh all;
+  constexpr int kSide = 24;
+  for (int i = 0; i < kSide * kSide * kSide; ++i) {
+    const Vec3 at(2.0 * (i % kSide), 2.0 * (i / kSide % kSide), 2.0 * (i / kSide / kSide));
+    append(all, box(at, at + Vec3::Constant(1)));
+  }
+  const PreparedMesh p = prepared(all);
+  EXPECT_NEAR(meshVolume(p.mesh), kSide * kSide * kSide, 1.0);
+  EXPECT_TRUE(p.notes.empty());
 }
 
 TEST(Bodies, GapsAsWideAsRoundingAreClosed) {
