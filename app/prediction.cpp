@@ -1,6 +1,7 @@
 #include "app/prediction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -35,11 +36,18 @@ constexpr double kBytesPerDrawnTriangle = 140.0;
 constexpr double kMostComparedCells = 1.8e6;  ///< the comparison widens its samples on huge meshes
 
 constexpr double kBaseS = 0.02;
-constexpr double kSecondsPerCell = 1.6e-7;           ///< blank, removal, crossings, mesh, files
-constexpr double kSecondsPerCarriedCell = 2e-7;      ///< into the next clamping, grid line to grid line
-constexpr double kSecondsPerCutCell = 1.2e-6;        ///< on top of that
-constexpr double kSecondsPerUnevenCell = 1.1e-6;     ///< and where triangles are not merged
-constexpr double kSecondsPerSweptCell = 8e-9;        ///< removal, each motion counted
+constexpr double kSecondsPerCell = 1.6e-7;        ///< blank, removal, crossings, mesh, files
+constexpr double kSecondsPerCarriedCell = 2e-7;   ///< into the next clamping, grid line to grid line
+constexpr double kSecondsPerCutCell = 1.2e-6;     ///< on top of that
+constexpr double kSecondsPerUnevenCell = 1.1e-6;  ///< and where triangles are not merged
+constexpr double kSecondsPerSweptCell = 8e-9;     ///< removal, each motion counted
+/// A column under a chord, by CurveKind.
+constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {6e-8, 8e-8, 4.5e-8, 4e-7};
+/// Of helices with tools that are not undercut: the lower turns hold what the upper ones cut.
+constexpr double kTurnsThatCount = 3.0;
+constexpr double kBytesPerChord = 1000.0;  ///< a pass, and its numbers in lists
+/// Chords of helices with undercut tools may be farther off: this part of the grid, instead of this, mm.
+constexpr double kHelixChordShare = 1e-3, kChordMm = 5e-5;
 constexpr double kSecondsPerTriangle = 1.1e-6;       ///< half sections, their mesh, its checks, files
 constexpr double kSecondsPerMotion = 2.0e-6;         ///< interpreter, culling
 constexpr double kSecondsPerTurnedMotion = 4e-5;     ///< out of the half section
@@ -177,13 +185,20 @@ class HeightMap {
 /// Arcs as this many chords a turn: enough for a coarse map.
 constexpr double kChordsPerTurn = 24.0;
 
+void add(CurveWork& sum, const CurveWork& more) {
+  sum.chords += more.chords;
+  sum.columns_mm2 += more.columns_mm2;
+}
+
+int segmentsOf(const Toolpath& path, const Motion& motion) {
+  if (motion.arc < 0) return 1;
+  const double turns = std::abs(path.arcs[static_cast<std::size_t>(motion.arc)].sweep_rad) / (2 * kPi);
+  return static_cast<int>(std::clamp(std::ceil(turns * kChordsPerTurn), 1.0, 10000.0));
+}
+
 template <typename Use>
 void forEachSegment(const Toolpath& path, const Motion& motion, const Use& use) {
-  int chords = 1;
-  if (motion.arc >= 0) {
-    const double turns = std::abs(path.arcs[static_cast<std::size_t>(motion.arc)].sweep_rad) / (2 * kPi);
-    chords = static_cast<int>(std::clamp(std::ceil(turns * kChordsPerTurn), 1.0, 10000.0));
-  }
+  const int chords = segmentsOf(path, motion);
   Vec3 from = motion.from;
   for (int i = 1; i <= chords; ++i) {
     const Vec3 to = i == chords ? motion.to : path.pointAt(motion, static_cast<double>(i) / chords);
@@ -202,23 +217,41 @@ bool reaches(const Box3& blank, const Vec3& a, const Vec3& b, double radius) {
   return box.overlaps(blank);
 }
 
-std::map<int, double> radii(const std::vector<Tool>& tools) {
-  std::map<int, double> out;
-  for (const Tool& tool : tools) out[tool.number] = 0.5 * tool.diameter;
+struct CutterSize {
+  double radius = 0.0;    ///< mm
+  bool undercut = false;  ///< wider below than above somewhere
+};
+
+std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
+  std::map<int, CutterSize> out;
+  for (const Tool& tool : tools) {
+    const bool undercut = tool.type == ToolType::kDovetail || tool.type == ToolType::kTSlot ||
+                          tool.type == ToolType::kLollipop || tool.type == ToolType::kThreadMill ||
+                          tool.type == ToolType::kForm;
+    out[tool.number] = {0.5 * tool.diameter, undercut};
+  }
   return out;
 }
 
 /// The motions that come to the blank.
 class Strokes {
  public:
-  Strokes(const Toolpath& path, const std::map<int, double>& radius_of, const Box3& blank)
+  Strokes(const Toolpath& path, const std::map<int, CutterSize>& cutters, const Box3& blank)
       : path_(path), blank_(blank), parts_((path.motions.size() + kPart - 1) / kPart) {
-    parallelFor(std::size_t{0}, parts_.size(), [&](std::size_t i) { collect(i, radius_of); });
+    parallelFor(std::size_t{0}, parts_.size(), [&](std::size_t i) { collect(i, cutters); });
   }
 
   double swept_mm2() const {
     return std::accumulate(parts_.begin(), parts_.end(), 0.0,
                            [](double sum, const Part& part) { return sum + part.swept_mm2; });
+  }
+
+  std::array<CurveWork, kCurveKinds> curves() const {
+    std::array<CurveWork, kCurveKinds> sum;
+    for (const Part& part : parts_) {
+      for (int kind = 0; kind < kCurveKinds; ++kind) add(sum[kind], part.curves[kind]);
+    }
+    return sum;
   }
 
   void lower(HeightMap& map, int band) const {
@@ -240,7 +273,25 @@ class Strokes {
   struct Part {
     std::vector<Stroke> strokes;
     double swept_mm2 = 0.0;
+    std::array<CurveWork, kCurveKinds> curves;
   };
+
+  /// The chords of a curve of which `segments` of forEachSegment come to the blank.
+  void addChords(const Motion& motion, const CutterSize& cutter, double segments, Part& part) const {
+    const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(motion.arc)];
+    const bool about_z = arc.normal.head<2>().squaredNorm() < 1e-24;
+    if (segments == 0.0 || (about_z && motion.from.z() == motion.to.z())) return;
+    const double radius = std::max((motion.from - arc.center).norm(), kChordMm);
+    double angle = std::abs(arc.sweep_rad) * segments / segmentsOf(path_, motion);
+    if (about_z && !cutter.undercut) angle = std::min(angle, kTurnsThatCount * 2 * kPi);
+    const double chords = angle / std::sqrt(8.0 * kChordMm / radius);
+    const Vec3 size = blank_.size();
+    const double plan = std::min(kPi * cutter.radius * cutter.radius, size.x() * size.y());
+    const CurveKind kind = about_z           ? cutter.undercut ? CurveKind::kUndercutHelix : CurveKind::kHelix
+                           : cutter.undercut ? CurveKind::kUndercutOther
+                                             : CurveKind::kOther;
+    add(part.curves[static_cast<std::size_t>(kind)], {chords, chords * plan});
+  }
 
   template <typename Use>
   void eachSegment(const Motion& motion, double radius, const Use& use) const {
@@ -249,22 +300,26 @@ class Strokes {
     });
   }
 
-  void collect(std::size_t number, const std::map<int, double>& radius_of) {
+  void collect(std::size_t number, const std::map<int, CutterSize>& cutters) {
     Part& part = parts_[number];
     const double most_x = blank_.size().x(), most_y = blank_.size().y();
     const std::size_t last = std::min(path_.motions.size(), (number + 1) * kPart);
     for (std::size_t i = number * kPart; i < last; ++i) {
       const Motion& motion = path_.motions[i];
-      const auto found = radius_of.find(motion.tool);
-      const double radius = found == radius_of.end() ? 0.0 : found->second;
+      const auto found = cutters.find(motion.tool);
+      const CutterSize cutter = found == cutters.end() ? CutterSize{} : found->second;
+      const double radius = cutter.radius;
+      double segments = 0.0;
       Stroke stroke{static_cast<MotionId>(i), radius, std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};
       eachSegment(motion, radius, [&](const Vec3& a, const Vec3& b) {
         const double length = std::min((b - a).norm(), most_x + most_y);
+        ++segments;
         part.swept_mm2 += (length + 2 * radius) * std::min(2 * radius, std::max(most_x, most_y));
         stroke.x_min = std::min(stroke.x_min, std::min(a.x(), b.x()) - radius);
         stroke.x_max = std::max(stroke.x_max, std::max(a.x(), b.x()) + radius);
       });
+      if (motion.arc >= 0) addChords(motion, cutter, segments, part);
       if (stroke.x_min <= stroke.x_max) part.strokes.push_back(stroke);
     }
   }
@@ -289,11 +344,12 @@ double blankArea(const StockShape& shape, const Box3& bounds) {
 
 Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const Box3& blank,
                     double blank_mm2) {
-  const Strokes strokes(path, radii(tools), blank);
+  const Strokes strokes(path, cutterSizes(tools), blank);
   Workload work;
   work.clampings = 1;
   work.motions = path.motions.size();
   work.swept_mm2 = strokes.swept_mm2();
+  work.curves = strokes.curves();
   double cell = std::max(blank.size().x(), blank.size().y()) / kMapSide;
   cell = std::max(cell, std::sqrt(work.swept_mm2 / kMapWork));
   HeightMap map(blank, cell);
@@ -312,6 +368,7 @@ Workload together(const Workload& a, const Workload& b) {
         &Workload::thread_triangles, &Workload::threaded_mm2, &Workload::blank_triangles})
     both.*member = std::max(a.*member, b.*member);
   both.swept_mm2 += b.swept_mm2;
+  for (int kind = 0; kind < kCurveKinds; ++kind) add(both.curves[kind], b.curves[kind]);
   both.pictures = std::max(a.pictures, b.pictures);
   both.motions += b.motions;
   both.turned_motions += b.turned_motions;
@@ -370,6 +427,26 @@ double memoryMb(const Workload& work, const Cells& cells) {
                            std::max({comparing, drawing, moduleBytes(work, cells)}));
 }
 
+/// Of a curve's chords, how many are made on this grid.
+double chordShare(int kind, double resolution_mm) {
+  if (kind != static_cast<int>(CurveKind::kUndercutHelix)) return 1.0;
+  return std::sqrt(kChordMm / std::max(kChordMm, kHelixChordShare * resolution_mm));
+}
+
+double curveBytes(const Workload& work, double resolution_mm) {
+  double bytes = 0.0;
+  for (int kind = 0; kind < kCurveKinds; ++kind)
+    bytes += work.curves[kind].chords * chordShare(kind, resolution_mm) * kBytesPerChord;
+  return bytes;
+}
+
+double curveS(const Workload& work, double resolution_mm) {
+  double seconds = 0.0;
+  for (int kind = 0; kind < kCurveKinds; ++kind)
+    seconds += work.curves[kind].columns_mm2 * chordShare(kind, resolution_mm) * kSecondsPerChordColumn[kind];
+  return seconds / (resolution_mm * resolution_mm);
+}
+
 double timeS(const Workload& work, const Cells& cells) {
   const double clampings = std::max(1, work.clampings);
   const double each = clampings * kSecondsPerCell + (clampings - 1.0) * kSecondsPerCarriedCell;
@@ -396,7 +473,8 @@ double timeS(const Workload& work, const Cells& cells) {
 
 Prediction predict(const Workload& work, double resolution_mm) {
   const Cells cells = cellsOf(work, resolution_mm);
-  return {memoryMb(work, cells), timeS(work, cells)};
+  return {memoryMb(work, cells) + 1e-6 * curveBytes(work, resolution_mm),
+          timeS(work, cells) + curveS(work, resolution_mm)};
 }
 
 double resolutionThatFits(const Workload& work, double resolution_mm, double limit_mb) {

@@ -3,6 +3,8 @@
 // (tests/bench/bench_prediction); the coefficients are measured.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/path/toolpath.h"
@@ -11,13 +13,22 @@
 
 namespace proveout {
 
+/// Curves that are cut as chords: all but level arcs.
+struct CurveWork {
+  double chords = 0.0;       ///< near the blank, each within 0.05 micrometres of its curve
+  double columns_mm2 = 0.0;  ///< sum of what they cover in plan view
+};
+enum class CurveKind { kHelix, kUndercutHelix, kOther, kUndercutOther };  ///< helices: about z
+inline constexpr int kCurveKinds = 4;
+
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {
   double surface_mm2 = 0.0;  ///< of the part: what is left of the blank's surface and what is cut
   double cut_mm2 = 0.0;      ///< of that what is cut, but level floors
   double uneven_mm2 =
       0.0;  ///< of the part, in plan view: neither flat nor a wall; its triangles are not merged
-  double swept_mm2 = 0.0;         ///< plan area that the tools pass over, each motion counted
+  double swept_mm2 = 0.0;  ///< plan area that the tools pass over, each motion counted
+  std::array<CurveWork, kCurveKinds> curves;
   double nominal_mm2 = 0.0;       ///< of the model that the part is compared with; 0: no comparison
   double fixture_mm2 = 0.0;       ///< of fixtures that tools come near to
   double fixture_mesh_mm2 = 0.0;  ///< of those that are meshes
