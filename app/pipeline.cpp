@@ -401,11 +401,13 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
 
 /// What a path took, mm3: by the integrals over one grid before and after it, so that what no tool reached
 /// cancels. Where walls share cells these may be off by more than little cuts take, even below 0; then what
-/// the columns of the grid count stands.
-double removedVolume(const RemovalSummary& removal, double before_mm3, double after_mm3) {
-  if (after_mm3 <= before_mm3) return before_mm3 - after_mm3;
+/// the columns of the grid count stands. `initial_mm3`: as the report tells it; a move onto another grid may
+/// have made more of it than there was, and then what is left is what the grid holds.
+double removedVolume(const RemovalSummary& removal, double initial_mm3, double before_mm3, double after_mm3) {
   const double counted = std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
-  return std::min(counted, before_mm3);
+  const double removed_mm3 = after_mm3 <= before_mm3 ? before_mm3 - after_mm3 : std::min(counted, before_mm3);
+  if (removed_mm3 <= initial_mm3) return removed_mm3;
+  return initial_mm3 - std::clamp(after_mm3, 0.0, initial_mm3);
 }
 
 /// What was found on the part comes before what the grid could not hold.
@@ -428,7 +430,7 @@ Status machineSetup(Stock& stock, double initial_mm3, const StockVolume& held, S
   performance.mesh_s += watch.lap();
   const double removed_mm3 = surface->mesh.triangles.empty()
                                  ? initial_mm3  // whatever moves and rounding made of it
-                                 : removedVolume(*removal, held.mm3, surface->volume_mm3);
+                                 : removedVolume(*removal, initial_mm3, held.mm3, surface->volume_mm3);
   surface->volume_mm3 = initial_mm3 - removed_mm3;
   // Faces that no tool reached are as wrong before as after.
   surface->volume_error_mm3 = std::abs(surface->volume_error_mm3 - held.error_mm3);

@@ -38,6 +38,8 @@ constexpr int kRounds = 8;
 constexpr std::size_t kMostTrials = 100000, kGroupTrials = 5000;
 /// Triangles that one task looks at.
 constexpr std::size_t kPart = 8192;
+/// How far a vertex is shifted away from a neighbour at most, by their distance.
+constexpr float kMostBack = 0.2f;
 constexpr std::uint32_t kGone = 0xFFFFFFFFu;
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
@@ -253,13 +255,20 @@ class Mender {
 
   struct Choice {
     Edit edit;
-    std::size_t gain = 0;     ///< pairs fewer
-    double moved = 0.0;       ///< between old and new surface
+    std::size_t gain = 0;  ///< pairs fewer
+    double moved = 0.0;    ///< between old and new surface
   };
 
   struct Near {
     std::uint32_t triangle = 0;
     Box3 box;
+  };
+
+  /// What was found out, and where: as long as no triangle in there changes it holds.
+  template <typename T>
+  struct Found {
+    Box3 box;
+    T what;
   };
 
   Points points(std::uint32_t t) const { return cornersOf(mesh_, t); }
@@ -276,9 +285,11 @@ class Mender {
   void apply(const Edit& edit, const std::vector<std::uint32_t>& triangles, Undo& undo);
   void undo(const Undo& undo);
   double apart(const std::vector<Points>& from, const std::vector<Points>& to, double limit) const;
-  std::vector<Edit> editsFor(const Pair& pair, bool moves) const;
+  Box3 boxOfStar(std::uint32_t v) const;
+  Box3 boxOfEdits(std::uint32_t a) const;
+  std::vector<Edit> editsAt(std::uint32_t a, bool moves) const;
   std::optional<Choice> tryEdit(const Edit& edit);
-  const std::vector<Choice>& choicesFor(const Pair& pair, bool moves);
+  const std::vector<Choice>& choicesAt(std::uint32_t a, bool moves);
   bool meets(const Pair& pair) const;
   bool mend(const Pair& pair, double reach);
   std::vector<Pair> pairsLeft();
@@ -292,11 +303,11 @@ class Mender {
   std::vector<std::uint32_t>& seen_;  ///< number of the last search that met a triangle
   std::uint32_t search_ = 0;
   std::vector<Near> near_;
-  std::unordered_map<std::uint32_t, std::vector<Pair>>
+  std::unordered_map<std::uint32_t, Found<std::vector<Pair>>>
       pairs_at_;  ///< of the triangles at a vertex, as they are
   std::vector<Pair> turned_pairs_;
-  /// Changes that help a pair, at any reach, and whether vertices are moved: as all is now.
-  std::map<std::pair<Pair, bool>, std::vector<Choice>> choices_;
+  /// Changes at a vertex that help, at any reach, and whether vertices are moved: as all is now.
+  std::map<std::pair<std::uint32_t, bool>, Found<std::vector<Choice>>> choices_;
   Lost lost_;
   std::size_t trials_ = 0, most_trials_;
 };
@@ -368,9 +379,10 @@ std::size_t Mender::findPairs(const std::vector<std::uint32_t>& triangles, std::
 const std::vector<Pair>& Mender::pairsBefore(const Edit& edit, const std::vector<std::uint32_t>& triangles) {
   const bool star = edit.kind != Edit::kTurn;
   if (star) {
-    if (const auto known = pairs_at_.find(edit.a); known != pairs_at_.end()) return known->second;
+    if (const auto known = pairs_at_.find(edit.a); known != pairs_at_.end()) return known->second.what;
   }
-  std::vector<Pair>& pairs = star ? pairs_at_[edit.a] : turned_pairs_;
+  if (star) pairs_at_[edit.a].box = boxOfStar(edit.a).inflated(kReaches.back() * cell_);
+  std::vector<Pair>& pairs = star ? pairs_at_[edit.a].what : turned_pairs_;
   pairs.clear();
   findPairs(triangles, kAll, &pairs);
   return pairs;
@@ -496,35 +508,43 @@ double Mender::apart(const std::vector<Points>& from, const std::vector<Points>&
   return std::sqrt(farthest);
 }
 
-std::vector<Edit> Mender::editsFor(const Pair& pair, bool moves) const {
-  std::vector<std::uint32_t> vertices;
-  for (const std::uint32_t t : pair) {
-    for (const std::uint32_t v : mesh_.triangles[t]) {
-      if (whole(v) && std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
-    }
+Box3 Mender::boxOfStar(std::uint32_t v) const {
+  Box3 box;
+  for (const std::uint32_t t : stars_.at(v)) box.extend(boxOf(points(t)));
+  return box;
+}
+
+/// Where changes at a vertex change triangles or look at some: around its neighbours, and as far beyond as it
+/// is shifted.
+Box3 Mender::boxOfEdits(std::uint32_t a) const {
+  Box3 box;
+  for (const std::uint32_t t : stars_.at(a)) {
+    for (const std::uint32_t v : mesh_.triangles[t]) box.extend(boxOfStar(v));
   }
+  return box.inflated(kReaches.back() * cell_ + kMostBack * box.size().maxCoeff());
+}
+
+std::vector<Edit> Mender::editsAt(std::uint32_t a, bool moves) const {
   std::vector<Edit> edits;
-  for (const std::uint32_t a : vertices) {
-    const Star& star = stars_.at(a);
-    const Eigen::Vector3f& from = mesh_.positions[a];
-    const auto move = [&](const Eigen::Vector3f& way, float part) {
-      edits.push_back({Edit::kMove, a, a, from + part * (way - from)});
-    };
-    Eigen::Vector3f middle = Eigen::Vector3f::Zero();
-    for (const std::uint32_t t : star) {
-      const std::uint32_t b = following(mesh_.triangles[t], a, 1);
-      middle += mesh_.positions[b] / static_cast<float>(star.size());
-      if (moves) {
-        for (const float part : {0.05f, 0.2f, 0.5f, -0.05f, -0.2f}) move(mesh_.positions[b], part);
-      } else if (whole(b)) {
-        edits.push_back({Edit::kTurn, a, b});
-        edits.push_back({Edit::kJoin, a, b});
-        edits.push_back({Edit::kJoin, b, a});
-      }
+  const Star& star = stars_.at(a);
+  const Eigen::Vector3f& from = mesh_.positions[a];
+  const auto move = [&](const Eigen::Vector3f& way, float part) {
+    edits.push_back({Edit::kMove, a, a, from + part * (way - from)});
+  };
+  Eigen::Vector3f middle = Eigen::Vector3f::Zero();
+  for (const std::uint32_t t : star) {
+    const std::uint32_t b = following(mesh_.triangles[t], a, 1);
+    middle += mesh_.positions[b] / static_cast<float>(star.size());
+    if (moves) {
+      for (const float part : {0.05f, 0.2f, 0.5f, -0.05f, -kMostBack}) move(mesh_.positions[b], part);
+    } else if (whole(b)) {
+      edits.push_back({Edit::kTurn, a, b});
+      edits.push_back({Edit::kJoin, a, b});
+      edits.push_back({Edit::kJoin, b, a});
     }
-    if (!moves) continue;
-    for (const float part : {0.1f, 0.5f, 1.0f}) move(middle, part);
   }
+  if (!moves) return edits;
+  for (const float part : {0.1f, 0.5f, 1.0f}) move(middle, part);
   return edits;
 }
 
@@ -558,33 +578,49 @@ std::optional<Mender::Choice> Mender::tryEdit(const Edit& edit) {
   return choice;
 }
 
-const std::vector<Mender::Choice>& Mender::choicesFor(const Pair& pair, bool moves) {
-  const auto [known, fresh] = choices_.try_emplace({pair, moves});
+/// Many pairs have a vertex in common.
+const std::vector<Mender::Choice>& Mender::choicesAt(std::uint32_t a, bool moves) {
+  const auto [known, fresh] = choices_.try_emplace({a, moves});
+  Found<std::vector<Choice>>& found = known->second;
   if (fresh) {
-    for (const Edit& edit : editsFor(pair, moves)) {
-      if (const auto choice = tryEdit(edit)) known->second.push_back(*choice);
+    found.box = boxOfEdits(a);
+    for (const Edit& edit : editsAt(a, moves)) {
+      if (const auto choice = tryEdit(edit)) found.what.push_back(*choice);
     }
   }
-  return known->second;
+  return found.what;
 }
 
 /// Makes the best change for a pair that still meets; vertices are moved only where nothing else helps. False
 /// if there is none.
 bool Mender::mend(const Pair& pair, double reach) {
+  std::vector<std::uint32_t> vertices;
+  for (const std::uint32_t t : pair) {
+    for (const std::uint32_t v : mesh_.triangles[t]) {
+      if (whole(v) && std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
+    }
+  }
   Choice best;
   for (const bool moves : {false, true}) {
     if (best.gain > 0 || trials_ > most_trials_) break;
-    for (const Choice& choice : choicesFor(pair, moves)) {
-      if (choice.moved > reach || choice.gain < best.gain) continue;
-      if (choice.gain > best.gain || choice.moved < best.moved) best = choice;
+    for (const std::uint32_t a : vertices) {
+      for (const Choice& choice : choicesAt(a, moves)) {
+        if (choice.moved > reach || choice.gain < best.gain) continue;
+        if (choice.gain > best.gain || choice.moved < best.moved) best = choice;
+      }
     }
   }
   if (best.gain == 0) return false;
-  pairs_at_.clear();
-  choices_.clear();
   const std::vector<std::uint32_t> triangles = affected(best.edit);
+  Box3 changed;
+  for (const std::uint32_t t : triangles) changed.extend(boxOf(points(t)));
   Undo none;
   apply(best.edit, triangles, none);
+  for (const std::uint32_t t : triangles) {
+    if (!gone(t)) changed.extend(boxOf(points(t)));
+  }
+  std::erase_if(pairs_at_, [&](const auto& found) { return found.second.box.overlaps(changed); });
+  std::erase_if(choices_, [&](const auto& found) { return found.second.box.overlaps(changed); });
   for (const std::uint32_t t : triangles) {
     if (gone(t)) {
       lost_.triangles.push_back(t);

@@ -357,6 +357,13 @@ TEST(BadJob, BrokenDocumentsDoNotEndTheProgram) {
   }
 }
 
+TEST(BadJob, LettersBehindABackslashDoNotEndTheProgram) {
+  for (const std::string letter : {"\u00e9", "\u0431", "\u3001", "\ufeef", "\U0001f600"})
+    EXPECT_THAT(refused(kSmallJob + "x = \"\"\"\nMov\\" + letter + "\n\"\"\"\n"),
+                HasSubstr("error[job-syntax]"))
+        << letter;
+}
+
 TEST(BadJob, TextsAndCommentsHoldAnyLetters) {
   for (const std::string line : {"name = '\u0431\u00e9'", "name = \"\u0431\"  # \u00e9", "# \ufee7",
                                  "name = \"\"\"\n\u0431\n\"\"\"", "\ufeff"}) {
