@@ -12,6 +12,7 @@
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/job_setup.h"
+#include "app/pipeline.h"
 #include "app/provenance.h"
 #include "app/thread_supply.h"
 #include "app/time_limit.h"

@@ -7,8 +7,8 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
+#include "app/nominal_mesh.h"
 #include "app/pictures.h"
-#include "app/pipeline.h"
 #include "app/thread_supply.h"
 #include "app/time_limit.h"
 #include "io/atomic_file.h"

@@ -4,7 +4,10 @@
 
 #include "app/blame.h"
 #include "app/diagnosis.h"
+#include "app/findings.h"
 #include "app/provenance.h"
+#include "app/run_limits.h"
+#include "app/uncertainty.h"
 #include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
 

@@ -7,6 +7,7 @@
 
 #include "app/job_setup.h"
 #include "app/turning.h"
+#include "app/uncertainty.h"
 
 namespace proveout {
 namespace {

@@ -1,7 +1,7 @@
 // The grid of a run whose job does not give one.
 #pragma once
 
-#include "app/pipeline.h"
+#include "app/run_result.h"
 #include "app/prediction.h"
 
 namespace proveout {

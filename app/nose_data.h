@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/pipeline.h"
+#include "app/run_result.h"
 
 namespace proveout {
 

@@ -3,20 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <set>
 
 #include "app/clearance.h"
 #include "app/comparison.h"
 #include "app/contact_findings.h"
 #include "app/diagnosis.h"
+#include "app/findings.h"
 #include "app/fixtures.h"
 #include "app/grid_choice.h"
+#include "app/nominal_mesh.h"
 #include "app/nose_data.h"
 #include "app/outputs.h"
 #include "app/placement_hint.h"
 #include "app/plausibility.h"
+#include "app/run_limits.h"
 #include "app/run_report.h"
 #include "app/spindle_direction.h"
 #include "app/stopwatch.h"
@@ -24,7 +25,6 @@
 #include "app/turning.h"
 #include "app/turning_work.h"
 #include "core/base/parallel_for.h"
-#include "io/mesh_io.h"
 #include "io/sha256.h"
 
 namespace proveout {
@@ -68,81 +68,6 @@ Error outgrown(const Interpreted& interpreted) {
                            "allow more (--max-memory)",
                            at.file < interpreted.path.files.size() ? interpreted.path.files[at.file] : "",
                            at.line, interpreted.path.motions.size())};
-}
-
-}  // namespace
-
-double smallestRadius(const Tool& tool) {
-  // Corners of bull noses, dovetails and T-slot cutters; the arcs of a profile; the ball of a taper.
-  if (tool.corner_radius > 0) return std::min(tool.corner_radius, tool.diameter / 2);
-  if (tool.type == ToolType::kTaperBall) return tool.tip_diameter / 2;
-  if (tool.type == ToolType::kForm) {
-    double radius = tool.diameter / 2;
-    for (const OutlinePoint& p : tool.outline) {
-      if (p.arc_radius != 0) radius = std::min(radius, std::abs(p.arc_radius));
-      if (p.r > 0) radius = std::min(radius, p.r);
-    }
-    return radius;
-  }
-  if (tool.type == ToolType::kCone) return std::max(tool.tip_diameter, 0.1 * tool.diameter) / 2;
-  return tool.diameter / 2;
-}
-
-double simplification(const Job& job, double resolution_mm) {
-  constexpr double kShare = 0.1;
-  double within = resolution_mm;
-  if (job.nominal) within = std::min({within, job.nominal->gouge_mm, job.nominal->excess_mm});
-  return kShare * within;
-}
-
-SurfaceOptions surfaceOptions(const Job& setup, double resolution_mm) {
-  SurfaceOptions options;
-  options.simplify_mm = simplification(setup, resolution_mm);
-  options.threads = setup.simulation.threads;
-  return options;
-}
-
-void noteRepairs(const PreparedMesh& mesh, const std::string& code, Diagnostics& diagnostics) {
-  for (const std::string& note : mesh.notes) {
-    Diagnostic diagnostic;
-    diagnostic.severity = Severity::kWarning;
-    diagnostic.code = code;
-    diagnostic.message = note;
-    diagnostics.add(std::move(diagnostic));
-  }
-}
-
-Result<PreparedMesh> loadNominal(const NominalSpec& nominal) {
-  MeshLoadOptions options;
-  options.unit = nominal.mesh.unit;
-  const Result<TriMesh> mesh = loadMesh(nominal.mesh.path, options);
-  if (!mesh) return mesh.error();
-  return prepareNominal(*mesh, nominal.mesh.path);
-}
-
-double surfaceUncertainty(const Toolpath& path, const std::vector<Tool>& tools, double resolution_mm) {
-  std::set<int> used, measuring;
-  for (const Motion& motion : path.motions) {
-    if (motion.kind == MotionKind::kProbe) measuring.insert(motion.tool);
-  }
-  for (const Motion& motion : path.motions) {
-    const bool moves_only = motion.kind == MotionKind::kProbe || motion.kind == MotionKind::kRapid;
-    if (!moves_only || !measuring.contains(motion.tool)) used.insert(motion.tool);
-  }
-  double radius = std::numeric_limits<double>::infinity();
-  for (const Tool& tool : tools) {
-    if (used.contains(tool.number)) radius = std::min(radius, smallestRadius(tool));
-  }
-  if (!std::isfinite(radius)) return 0.0;
-  return std::min(resolution_mm * resolution_mm / (8 * radius), resolution_mm / 2);
-}
-
-namespace {
-
-/// Rounded up to two digits, so that it fits as it is printed.
-std::string resolutionText(double mm) {
-  const double digit = std::pow(10.0, std::floor(std::log10(mm)) - 1.0);
-  return fmt::format("{:.2g}", std::ceil(mm / digit - 1e-9) * digit);
 }
 
 /// Calls `add`, which adds findings to `run`, and puts the name of the clamping into them.
@@ -242,47 +167,6 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
   return work;
 }
 
-double memoryLimitMb(const Job& job) {
-  return job.simulation.max_memory_gb > 0 ? 1000.0 * job.simulation.max_memory_gb : availableMemoryMb();
-}
-
-}  // namespace
-
-Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
-  const double limit_mb = memoryLimitMb(job);
-  const double needed_mb = predict(work, resolution_mm).memory_mb;
-  if (needed_mb <= limit_mb) return Done{};
-  if (!(work.surface_mm2 > 0.0)) {
-    return Error{
-        ErrorKind::kResourceLimit,
-        fmt::format("{} would need about {:.0f} MB, {:.0f} MB are allowed; {}allow more (--max-memory)",
-                    work.triangles > 0.0 ? "the mesh" : "the tool path", needed_mb, limit_mb,
-                    work.triangles > 0.0 ? "take a larger profile_resolution, or " : "")};
-  }
-  const double fits = resolutionThatFits(work, resolution_mm, limit_mb);
-  const std::string way = std::isfinite(fits)
-                              ? fmt::format("a grid of {} mm would fit (--resolution)", resolutionText(fits))
-                              : std::string("no grid would fit");
-  return Error{
-      ErrorKind::kResourceLimit,
-      fmt::format("a grid of {:g} mm would need about {:.0f} MB, {:.0f} MB are allowed; {}, or allow more "
-                  "(--max-memory)",
-                  resolution_mm, needed_mb, limit_mb, way)};
-}
-
-namespace {
-
-/// Refuses what is out of proportion before it is begun: predictions are good to a factor of two.
-Status checkTime(const Job& job, const Prediction& prediction) {
-  constexpr double kDoubt = 2.0;
-  const double allowed_s = job.simulation.max_time_s;
-  if (allowed_s <= 0.0 || prediction.time_s <= kDoubt * allowed_s) return Done{};
-  return Error{ErrorKind::kResourceLimit,
-               fmt::format("this run would take about {:.0f} s, {:g} s are allowed; take a coarser grid "
-                           "(--resolution), or allow more (--max-time, max_time_s)",
-                           prediction.time_s, allowed_s)};
-}
-
 /// Whether the blank can be made before it is known what is cut from it: its grid alone fits into the memory.
 bool makesBlankEarly(const Job& job, const Blank& blank) {
   if (turnsPart(job) || blank.stock || choosesGrid(job, blank)) return false;
@@ -356,6 +240,44 @@ void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>
   });
 }
 
+/// What a path took, mm3: by the integrals over one grid before and after it, so that what no tool reached
+/// cancels. Where walls share cells these may be off by more than little cuts take, even below 0; then what
+/// the columns of the grid count stands. `initial_mm3`: as the report tells it; a move onto another grid may
+/// have made more of it than there was, and then what is left is what the grid holds.
+double removedVolume(const RemovalSummary& removal, double initial_mm3, double before_mm3, double after_mm3) {
+  const double counted = std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
+  const double removed_mm3 = after_mm3 <= before_mm3 ? before_mm3 - after_mm3 : std::min(counted, before_mm3);
+  if (removed_mm3 <= initial_mm3) return removed_mm3;
+  return initial_mm3 - std::clamp(after_mm3, 0.0, initial_mm3);
+}
+
+/// Cuts the path of a clamping into the stock and fills removal, surface and volume. The stock comes from the
+/// blank, or from the clamping before. `initial_mm3`: its volume as the report tells it, `held`: as
+/// Stock::volume tells it now; what is left is the first less what the second falls by. The surface's error
+/// is that of what was removed.
+Status machineSetup(Stock& stock, double initial_mm3, const StockVolume& held, SetupRun& setup,
+                    ReportPerformance& performance, Progress& progress) {
+  Stopwatch watch;
+  const RemovalOptions options = removalOptions(setup.job, stock.resolution());
+  Result<RemovalSummary> removal = stock.remove(setup.interpreted.path, setup.job.tools, options, progress);
+  if (!removal) return removal.error();
+  performance.remove_s += watch.lap();
+  Result<StockSurface> surface = stock.surface(surfaceOptions(setup.job, stock.resolution()), progress);
+  if (!surface) return surface.error();
+  performance.mesh_s += watch.lap();
+  const double removed_mm3 = surface->mesh.triangles.empty()
+                                 ? initial_mm3  // whatever moves and rounding made of it
+                                 : removedVolume(*removal, initial_mm3, held.mm3, surface->volume_mm3);
+  surface->volume_mm3 = initial_mm3 - removed_mm3;
+  // Faces that no tool reached are as wrong before as after.
+  surface->volume_error_mm3 = std::abs(surface->volume_error_mm3 - held.error_mm3);
+  fitRemovedVolume(*removal, removed_mm3);
+  setup.removal = std::move(*removal);
+  setup.surface = std::move(*surface);
+  setup.initial_mm3 = initial_mm3;
+  return Done{};
+}
+
 /// Cuts all clampings, one after the other.
 Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunResult& run,
                   Progress& progress) {
@@ -399,17 +321,6 @@ Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunRe
   return Done{};
 }
 
-/// What a path took, mm3: by the integrals over one grid before and after it, so that what no tool reached
-/// cancels. Where walls share cells these may be off by more than little cuts take, even below 0; then what
-/// the columns of the grid count stands. `initial_mm3`: as the report tells it; a move onto another grid may
-/// have made more of it than there was, and then what is left is what the grid holds.
-double removedVolume(const RemovalSummary& removal, double initial_mm3, double before_mm3, double after_mm3) {
-  const double counted = std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
-  const double removed_mm3 = after_mm3 <= before_mm3 ? before_mm3 - after_mm3 : std::min(counted, before_mm3);
-  if (removed_mm3 <= initial_mm3) return removed_mm3;
-  return initial_mm3 - std::clamp(after_mm3, 0.0, initial_mm3);
-}
-
 /// What was found on the part comes before what the grid could not hold.
 void tellThinFeaturesLast(std::vector<Finding>& findings) {
   std::stable_partition(findings.begin(), findings.end(),
@@ -417,29 +328,6 @@ void tellThinFeaturesLast(std::vector<Finding>& findings) {
 }
 
 }  // namespace
-
-Status machineSetup(Stock& stock, double initial_mm3, const StockVolume& held, SetupRun& setup,
-                    ReportPerformance& performance, Progress& progress) {
-  Stopwatch watch;
-  const RemovalOptions options = removalOptions(setup.job, stock.resolution());
-  Result<RemovalSummary> removal = stock.remove(setup.interpreted.path, setup.job.tools, options, progress);
-  if (!removal) return removal.error();
-  performance.remove_s += watch.lap();
-  Result<StockSurface> surface = stock.surface(surfaceOptions(setup.job, stock.resolution()), progress);
-  if (!surface) return surface.error();
-  performance.mesh_s += watch.lap();
-  const double removed_mm3 = surface->mesh.triangles.empty()
-                                 ? initial_mm3  // whatever moves and rounding made of it
-                                 : removedVolume(*removal, initial_mm3, held.mm3, surface->volume_mm3);
-  surface->volume_mm3 = initial_mm3 - removed_mm3;
-  // Faces that no tool reached are as wrong before as after.
-  surface->volume_error_mm3 = std::abs(surface->volume_error_mm3 - held.error_mm3);
-  fitRemovedVolume(*removal, removed_mm3);
-  setup.removal = std::move(*removal);
-  setup.surface = std::move(*surface);
-  setup.initial_mm3 = initial_mm3;
-  return Done{};
-}
 
 Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progress& progress) {
   PreparedRun prepared;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "app/pipeline.h"
+#include "app/run_result.h"
 
 namespace proveout {
 

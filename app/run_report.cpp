@@ -10,6 +10,8 @@
 #include <map>
 #include <thread>
 
+#include "app/findings.h"
+#include "app/uncertainty.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
 

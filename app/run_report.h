@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/accounting.h"
-#include "app/pipeline.h"
+#include "app/run_result.h"
 #include "io/report.h"
 
 namespace proveout {

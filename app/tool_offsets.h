@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/pipeline.h"
+#include "app/run_result.h"
 
 namespace proveout {
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/blame.h"
+#include "app/run_limits.h"
 #include "app/stopwatch.h"
 #include "app/turning_work.h"
 #include "core/geometry/plane.h"

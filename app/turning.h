@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/outputs.h"
-#include "app/pipeline.h"
+#include "app/run_result.h"
 #include "removal/turning/section.h"
 
 namespace proveout {

@@ -1,7 +1,7 @@
 // What turning will take, for the prediction: the mesh goes round the profile that the path leaves.
 #pragma once
 
-#include "app/pipeline.h"
+#include "app/run_result.h"
 
 namespace proveout {
 

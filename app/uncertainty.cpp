@@ -1,10 +1,47 @@
-// How far the part's surface may lie off the true one after several clampings.
-#include <algorithm>
+#include "app/uncertainty.h"
 
-#include "app/pipeline.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
 #include "app/turning.h"
 
 namespace proveout {
+
+double smallestRadius(const Tool& tool) {
+  // Corners of bull noses, dovetails and T-slot cutters; the arcs of a profile; the ball of a taper.
+  if (tool.corner_radius > 0) return std::min(tool.corner_radius, tool.diameter / 2);
+  if (tool.type == ToolType::kTaperBall) return tool.tip_diameter / 2;
+  if (tool.type == ToolType::kForm) {
+    double radius = tool.diameter / 2;
+    for (const OutlinePoint& p : tool.outline) {
+      if (p.arc_radius != 0) radius = std::min(radius, std::abs(p.arc_radius));
+      if (p.r > 0) radius = std::min(radius, p.r);
+    }
+    return radius;
+  }
+  if (tool.type == ToolType::kCone) return std::max(tool.tip_diameter, 0.1 * tool.diameter) / 2;
+  return tool.diameter / 2;
+}
+
+double surfaceUncertainty(const Toolpath& path, const std::vector<Tool>& tools, double resolution_mm) {
+  std::set<int> used, measuring;
+  for (const Motion& motion : path.motions) {
+    if (motion.kind == MotionKind::kProbe) measuring.insert(motion.tool);
+  }
+  for (const Motion& motion : path.motions) {
+    const bool moves_only = motion.kind == MotionKind::kProbe || motion.kind == MotionKind::kRapid;
+    if (!moves_only || !measuring.contains(motion.tool)) used.insert(motion.tool);
+  }
+  double radius = std::numeric_limits<double>::infinity();
+  for (const Tool& tool : tools) {
+    if (used.contains(tool.number)) radius = std::min(radius, smallestRadius(tool));
+  }
+  if (!std::isfinite(radius)) return 0.0;
+  return std::min(resolution_mm * resolution_mm / (8 * radius), resolution_mm / 2);
+}
+
 namespace {
 
 /// Error of what a clamping cut, mm: by chords of the part's mesh, and of the meshes that moves were made

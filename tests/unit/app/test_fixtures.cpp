@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/fixtures.h"
+#include "app/pipeline.h"
 
 namespace proveout {
 namespace {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/pipeline.h"
+#include "app/uncertainty.h"
 #include "app/run_report.h"
 
 namespace proveout {

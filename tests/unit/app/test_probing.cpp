@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/pipeline.h"
+#include "app/uncertainty.h"
 #include "app/run_report.h"
 
 namespace proveout {

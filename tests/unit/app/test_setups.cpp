@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "app/pipeline.h"
+#include "app/uncertainty.h"
 #include "app/provenance.h"
 #include "app/run_report.h"
 
