@@ -10,7 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/channel_program.h"
+#include "core/nc/run_summary.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {

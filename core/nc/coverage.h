@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/control_info.h"
 
 namespace proveout {
 

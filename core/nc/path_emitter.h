@@ -11,8 +11,8 @@
 
 #include "core/nc/axes.h"
 #include "core/nc/control_settings.h"
-#include "core/nc/interpreter.h"
 #include "core/nc/rotary_kinematics.h"
+#include "core/nc/run_summary.h"
 #include "core/nc/time_stage.h"
 #include "core/path/toolpath.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/nc/feed_limits.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/run_summary.h"
 #include "core/nc/services/bell_profile.h"
 #include "core/nc/services/speed_plan.h"
 #include "core/path/toolpath.h"

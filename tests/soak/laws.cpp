@@ -17,6 +17,8 @@ using Broken = std::optional<std::string>;
 
 /// Rounding of sums, by the blank's volume.
 constexpr double kRounding = 1e-9;
+/// And where nothing is told, of what was removed.
+constexpr double kQuietShare = 1e-4;
 /// By how much of the blank the removed volume may fall where the run tells that walls are thinner than its
 /// grid: such walls are lost and, cut again, may come back.
 constexpr double kThinShare = 0.02;
@@ -52,7 +54,9 @@ Broken balance(const LawCase& c) {
     if (setup.surface.volume_mm3 < 0.0) return fmt::format("{} mm3 are left", setup.surface.volume_mm3);
     double motions = 0.0;
     for (const float volume : setup.removal.removed_mm3) motions += static_cast<double>(volume);
-    if (std::abs(motions - removed) > 1e-5 * setup.initial_mm3)
+    // What a move onto another grid lost no motion has removed.
+    const bool lost = setup.surface.mesh.triangles.empty() && tells(c.whole, "thin_feature");
+    if (std::abs(motions - removed) > 1e-5 * setup.initial_mm3 && !lost)
       return fmt::format("motions remove {}, the setup {} of {} mm3", motions, removed, setup.initial_mm3);
   }
   const double off = initialOf(c.whole) - sum - finalOf(c.whole);
@@ -63,7 +67,7 @@ Broken balance(const LawCase& c) {
 /// How far the removed volume may be off, as the run tells.
 double slackOf(const RunResult& run) {
   if (tells(run, "thin_feature")) return kThinShare * initialOf(run);
-  double slack = kRounding * initialOf(run);
+  double slack = kRounding * initialOf(run) + kQuietShare * (initialOf(run) - finalOf(run));
   for (const SetupRun& setup : run.setups) slack += setup.surface.volume_error_mm3;
   return slack;
 }

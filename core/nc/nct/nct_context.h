@@ -10,10 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/nc/block_budget.h"
 #include "core/nc/channels.h"
+#include "core/nc/control_host.h"
+#include "core/nc/control_settings.h"
 #include "core/nc/frames.h"
-#include "core/nc/interpreter.h"
 #include "core/nc/loop_watch.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/motion_pipe.h"
@@ -40,8 +42,11 @@
 #include "core/nc/nct/virtual_stage.h"
 #include "core/nc/origin_recorder.h"
 #include "core/nc/path_emitter.h"
+#include "core/nc/program_source.h"
 #include "core/nc/rapid_overlap_stage.h"
+#include "core/nc/run_summary.h"
 #include "core/nc/services/drilling.h"
+#include "core/path/toolpath.h"
 
 namespace proveout::nc {
 

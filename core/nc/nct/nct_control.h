@@ -10,10 +10,15 @@
 #include <string_view>
 #include <utility>
 
-#include "core/nc/interpreter.h"
+#include "core/base/progress.h"
+#include "core/nc/control_host.h"
+#include "core/nc/control_settings.h"
 #include "core/nc/lexer.h"
 #include "core/nc/nct/nct_context.h"
 #include "core/nc/nct/system_calls.h"
+#include "core/nc/program_source.h"
+#include "core/nc/run_summary.h"
+#include "core/path/toolpath.h"
 
 namespace proveout::nc {
 

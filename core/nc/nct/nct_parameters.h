@@ -12,52 +12,24 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/control_info.h"
+#include "core/nc/nct/parameters/axis.h"
+#include "core/nc/nct/parameters/comp.h"
+#include "core/nc/nct/parameters/cycles.h"
+#include "core/nc/nct/parameters/data.h"
+#include "core/nc/nct/parameters/feeds.h"
+#include "core/nc/nct/parameters/functions.h"
+#include "core/nc/nct/parameters/machine.h"
+#include "core/nc/nct/parameters/macro.h"
+#include "core/nc/nct/parameters/motion.h"
+#include "core/nc/nct/parameters/parameter_types.h"
+#include "core/nc/nct/parameters/program.h"
+#include "core/nc/nct/parameters/safety.h"
+#include "core/nc/nct/parameters/spindle.h"
+#include "core/nc/nct/parameters/tools.h"
 
 namespace proveout::nc {
 
-/// What a parameter belongs to. Axis and spindle parameters have a value for each number.
-enum class ParamScope : std::uint8_t { kGlobal, kChannel, kAxis, kSpindle };
-inline constexpr int kParamAxes = 32;      ///< axis numbers 1..32
-inline constexpr int kParamSpindles = 16;  ///< spindle numbers 1..16
-
-inline constexpr int kWholeParam = -1;  ///< ParamInfo::bit: the parameter is a number
-inline constexpr int kNamedBit = -2;    ///< ParamInfo::bit: a bit whose number the manual does not print
-
-struct ParamInfo {
-  std::string_view name;  ///< "N1339", "N1337.SEC"
-  int number;             ///< 1339
-  int bit;                ///< 0..7, kWholeParam or kNamedBit
-  ParamScope scope;
-  double default_value, min, max;  ///< lengths mm
-  std::string_view meaning;
-  bool restart = false;  ///< takes effect at power-on only: programs cannot change it
-  bool noted = false;    ///< accepted, without effect in the simulation; a note says so
-};
-
-/// The chapters of the parameter table. Each has a header with an enumeration in the order of its rows and a
-/// function paramId() for it.
-enum class ParamChapter : std::uint8_t {
-  kMotion,
-  kMachine,
-  kComp,
-  kCycles,
-  kMacro,
-  kFeeds,
-  kData,
-  kAxis,
-  kTools,
-  kSpindle,
-  kFunctions,
-  kProgram,
-  kSafety,
-  kCount
-};
-/// A row of the table.
-struct ParamId {
-  ParamChapter chapter;
-  std::uint16_t row;
-};
 /// The rows of a chapter, in the order of its enumeration.
 std::span<const ParamInfo> paramTable(ParamChapter chapter);
 
@@ -136,26 +108,7 @@ class NctParameters {
   std::vector<std::size_t> by_number_;  ///< rows by number and bit
 };
 
-/// Slots that a parameter of the scope takes.
-constexpr int scopeCount(ParamScope scope) {
-  return scope == ParamScope::kAxis ? kParamAxes : scope == ParamScope::kSpindle ? kParamSpindles : 1;
-}
-
 /// All rows, for the job reader.
 std::vector<ParameterInfo> nctParameterTable();
 
 }  // namespace proveout::nc
-
-#include "core/nc/nct/parameters/axis.h"
-#include "core/nc/nct/parameters/comp.h"
-#include "core/nc/nct/parameters/cycles.h"
-#include "core/nc/nct/parameters/data.h"
-#include "core/nc/nct/parameters/feeds.h"
-#include "core/nc/nct/parameters/functions.h"
-#include "core/nc/nct/parameters/machine.h"
-#include "core/nc/nct/parameters/macro.h"
-#include "core/nc/nct/parameters/motion.h"
-#include "core/nc/nct/parameters/program.h"
-#include "core/nc/nct/parameters/safety.h"
-#include "core/nc/nct/parameters/spindle.h"
-#include "core/nc/nct/parameters/tools.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/nc/control_info.h"
 #include "core/nc/coverage.h"
-#include "core/nc/interpreter.h"
 
 namespace proveout::nc {
 

@@ -11,12 +11,16 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/nc/block_budget.h"
 #include "core/nc/contour_stage.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/control_host.h"
+#include "core/nc/control_settings.h"
 #include "core/nc/loop_watch.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/origin_recorder.h"
+#include "core/nc/program_source.h"
+#include "core/nc/run_summary.h"
 #include "core/nc/services/arcs.h"
 #include "core/nc/wl4/wl4_block.h"
 #include "core/nc/wl4/wl4_codes.h"
@@ -25,6 +29,7 @@
 #include "core/nc/wl4/wl4_programs.h"
 #include "core/nc/wl4/wl4_state.h"
 #include "core/nc/wl4/wl4_variables.h"
+#include "core/path/toolpath.h"
 
 namespace proveout::nc {
 

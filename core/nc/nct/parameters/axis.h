@@ -1,7 +1,7 @@
 // Axes: names, kinds, diameters, turns; smoothing.
 #pragma once
 
-#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/parameters/parameter_types.h"
 
 namespace proveout::nc {
 

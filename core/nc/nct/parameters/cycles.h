@@ -1,7 +1,7 @@
 // Drilling cycles.
 #pragma once
 
-#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/parameters/parameter_types.h"
 
 namespace proveout::nc {
 

@@ -1,7 +1,7 @@
 // Offset tables, system variables, output of programs.
 #pragma once
 
-#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/parameters/parameter_types.h"
 
 namespace proveout::nc {
 

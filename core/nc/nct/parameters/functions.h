@@ -1,7 +1,7 @@
 // Functions of the machine: groups of M codes, auxiliary functions.
 #pragma once
 
-#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/parameters/parameter_types.h"
 
 namespace proveout::nc {
 

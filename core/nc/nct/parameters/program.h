@@ -1,7 +1,7 @@
 // Program organisation: reset of modal codes, functions that end look-ahead, waiting points of channels.
 #pragma once
 
-#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/parameters/parameter_types.h"
 
 namespace proveout::nc {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/parameters/parameter_types.h"
 
 namespace proveout::nc::param_rows {
 

@@ -1,7 +1,7 @@
 // Measuring moves and areas that the axes must not enter (manual chapters 21 and 22).
 #pragma once
 
-#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/parameters/parameter_types.h"
 
 namespace proveout::nc {
 

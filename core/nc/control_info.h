@@ -1,0 +1,48 @@
+// The virtual controls by name: what each supports.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace proveout {
+
+enum class ControlId { kNct, kWl4Mill, kWl4Lathe, kFlexNc, kWedm, kRs274Ngc };
+
+struct ControlInfo {
+  ControlId id;
+  std::string_view name;     ///< "nct", "wl4-mill", ...
+  std::string_view summary;  ///< one line for people
+  bool built;                ///< false: known, but this version cannot run it
+  bool turns = false;        ///< the part turns about Z: X of the path is a radius
+};
+/// All controls that the program knows by name.
+const std::vector<ControlInfo>& controls();
+/// The control of that name. Error: unknown name (lists the known ones) or a control that is not built yet.
+Result<ControlId> findControl(std::string_view name);
+
+/// One row of what a control supports, taken from the tables that execute.
+struct CoverageRow {
+  std::string code;     ///< "G2", "M98", "F"
+  int group = -1;       ///< modal group, 0 one-shot, -1 none
+  std::string cls;      ///< "SIM", "TIME", "STATE", "HOST", "REJECT"
+  std::string status;   ///< "simulated", "timed", "tracked", "noted", "refused"
+  std::string ids;      ///< coverage ids that it serves, separated by blanks
+  std::string meaning;  ///< one line
+};
+/// Error: the control is not built.
+Result<std::vector<CoverageRow>> coverageTable(ControlId control);
+
+/// A parameter that ControlSettings::parameters may set.
+struct ParameterInfo {
+  std::string_view name;
+  double default_value;
+  double min, max;
+  std::string_view meaning;
+  int count = 0;  ///< > 0: axis or spindle parameter; NAME.1 to NAME.count, NAME alone means all
+};
+std::vector<ParameterInfo> parameterTable(ControlId control);
+
+}  // namespace proveout

@@ -1,0 +1,126 @@
+// Who includes whom: no header includes itself by a detour, no folder one that stands above it, and no large
+// knot of rooms (a source with its header) that need each other.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace proveout {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Graph = std::map<std::string, std::set<std::string>>;
+
+/// From the lowest.
+const std::vector<std::string> kFolders = {"core", "removal", "io", "render", "app"};
+/// Rooms of the largest knot: that of the nct control, around its context. 12 are wanted.
+constexpr std::size_t kLargestKnot = 21;
+
+/// The files of the product with the files of it that they include.
+const Graph& includes() {
+  static const Graph kGraph = [] {
+    Graph graph;
+    const fs::path root(PROVEOUT_SOURCE_DIR);
+    for (const std::string& folder : kFolders) {
+      for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+        const std::string extension = entry.path().extension().string();
+        if (extension == ".h" || extension == ".cpp")
+          graph[fs::relative(entry.path(), root).generic_string()];
+      }
+    }
+    for (auto& [file, included] : graph) {
+      std::ifstream in(root / file);
+      for (std::string line; std::getline(in, line);) {
+        if (!line.starts_with("#include \"")) continue;
+        const std::string name = line.substr(10, line.find('"', 10) - 10);
+        if (graph.contains(name)) included.insert(name);
+      }
+    }
+    return graph;
+  }();
+  return kGraph;
+}
+
+/// Strongly connected parts of more than one node, the largest first (R. Tarjan, 1972).
+std::vector<std::vector<std::string>> knots(const Graph& graph) {
+  std::map<std::string, std::size_t> number, low;
+  std::vector<std::string> open;
+  std::set<std::string> is_open;
+  std::vector<std::vector<std::string>> out;
+  const std::function<void(const std::string&)> visit = [&](const std::string& at) {
+    number[at] = low[at] = number.size();
+    open.push_back(at);
+    is_open.insert(at);
+    for (const std::string& next : graph.at(at)) {
+      if (!number.contains(next)) visit(next);
+      if (is_open.contains(next)) low[at] = std::min(low[at], low[next]);
+    }
+    if (low[at] != number[at]) return;
+    std::vector<std::string> knot;
+    do {
+      knot.push_back(open.back());
+      is_open.erase(open.back());
+      open.pop_back();
+    } while (knot.back() != at);
+    std::sort(knot.begin(), knot.end());
+    if (knot.size() > 1) out.push_back(std::move(knot));
+  };
+  for (const auto& [node, next] : graph) {
+    if (!number.contains(node)) visit(node);
+  }
+  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return out;
+}
+
+std::string text(const std::vector<std::string>& knot) {
+  std::ostringstream out;
+  for (const std::string& node : knot) out << "\n  " << node;
+  return out.str();
+}
+
+std::string roomOf(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
+TEST(IncludeGraph, NoHeaderIncludesItself) {
+  Graph headers;
+  for (const auto& [file, included] : includes()) {
+    if (!file.ends_with(".h")) continue;
+    headers[file] = included;
+  }
+  ASSERT_GT(headers.size(), 100u);
+  for (const auto& knot : knots(headers)) ADD_FAILURE() << "headers that include each other:" << text(knot);
+}
+
+TEST(IncludeGraph, FoldersIncludeWhatIsBelow) {
+  const auto floorOf = [](const std::string& file) {
+    return std::find(kFolders.begin(), kFolders.end(), file.substr(0, file.find('/'))) - kFolders.begin();
+  };
+  for (const auto& [file, included] : includes()) {
+    for (const std::string& other : included)
+      EXPECT_LE(floorOf(other), floorOf(file)) << file << ": " << other;
+  }
+}
+
+TEST(IncludeGraph, KnotsOfRoomsAreSmall) {
+  Graph rooms;
+  for (const auto& [file, included] : includes()) {
+    auto& others = rooms[roomOf(file)];
+    for (const std::string& other : included) {
+      if (roomOf(other) != roomOf(file)) others.insert(roomOf(other));
+    }
+  }
+  const auto found = knots(rooms);
+  ASSERT_FALSE(found.empty());
+  EXPECT_LE(found.front().size(), kLargestKnot) << text(found.front());
+  EXPECT_GE(found.front().size() + 2, kLargestKnot) << "the limit may be lower now";
+}
+
+}  // namespace
+}  // namespace proveout
