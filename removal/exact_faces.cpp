@@ -1,6 +1,7 @@
 #include "removal/exact_faces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/mesh/triangle_tree.h"
@@ -147,7 +148,8 @@ bool ExactFaces::isCovered(const Vec3& q, double depth) {
   });
 }
 
-bool ExactFaces::isOffMesh(const Vec3& q, double by) const {
+bool ExactFaces::isOffCutBlank(const Vec3& q, double by) const {
+  if (impl_.cut_blank != nullptr) return std::abs(impl_.cut_blank->value(corner_ + h_ * q)) > by * h_;
   if (impl_.blank_mesh == nullptr) return false;
   return impl_.blank_mesh->nearest(corner_ + h_ * q, TriangleTree::kNone, by * h_).triangle ==
          TriangleTree::kNone;

@@ -52,7 +52,7 @@ class ExactFaces {
   bool isCovered(const Vec3& q, double depth);
   /// Whether a place that should be on the blank is farther off it than this (in units of the cell). False
   /// where that is not known.
-  bool isOffMesh(const Vec3& q, double by) const;
+  bool isOffCutBlank(const Vec3& q, double by) const;
   /// Whether a point of the body that made `face` can be of that face: the same element of the tool, and its
   /// rim where that made the face. Round elements are not told apart from their ends.
   static bool isOf(const Foot& foot, std::uint64_t face);

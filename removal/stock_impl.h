@@ -97,7 +97,9 @@ struct Stock::Impl {
   std::shared_ptr<const BlankField> field;
   /// The closed form of a box or cylinder from which nothing has been cut; else null.
   std::shared_ptr<const BlankField> uncut;
-  /// Of a blank from a mesh of few triangles; else null. Faces that the path did not make are of it.
+  /// What the last path cut: a box or cylinder, or a mesh of few triangles; else null. Faces that the path
+  /// did not make are of it.
+  std::shared_ptr<const BlankField> cut_blank;
   std::shared_ptr<const TriangleTree> blank_mesh;
 
   Vec3 position(const Coord& c) const {

@@ -275,7 +275,7 @@ class LeafPlacer {
     }
     if (nearest2 < kOffBy * kOffBy) return false;
     if (plane > kOffBy) return true;
-    if (on_blank && exact_.isOffMesh(p, kOffBy)) return true;
+    if (on_blank && exact_.isOffCutBlank(p, kOffBy)) return true;
     // A tool that takes the vertex and none of the crossings has it stand out from among them; asking all
     // tools is dear.
     const double height = std::abs((p - middle / count).dot(normal));
