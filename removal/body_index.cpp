@@ -13,6 +13,12 @@ double distanceTo(const Box3& box, const Vec3& p) {
   return (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero()).norm();
 }
 
+/// Below 0 inside: what is in the box is no deeper.
+double signedDistanceTo(const Box3& box, const Vec3& p) {
+  const Vec3 out = (box.min - p).cwiseMax(p - box.max);
+  return out.maxCoeff() < 0.0 ? out.maxCoeff() : out.cwiseMax(Vec3::Zero()).norm();
+}
+
 }  // namespace
 
 Sweep wholeSweep(const PassTable& table, const Pass& pass) {
@@ -101,6 +107,27 @@ CutterIndex::Near CutterIndex::nearest(const Vec3& p, MotionId end, double cutof
     }
   }
   return best;
+}
+
+bool CutterIndex::comesTo(const Vec3& p, double within, std::uint32_t except) const {
+  if (nodes_.empty()) return false;
+  std::array<std::uint32_t, 64> stack;
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t number = stack[--size];
+    const Node& node = nodes_[number];
+    if (signedDistanceTo(node.box, p) >= within) continue;
+    if (node.right != 0) {
+      stack[size++] = node.right;
+      stack[size++] = number + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      if (bodies_[i].pass != except && bodies_[i].sweep(table_).distance(p, within) < within) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace proveout

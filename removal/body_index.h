@@ -33,6 +33,10 @@ class CutterIndex {
   };
   /// `hint`: looked at first, null: none is; for many points near each other the one that was found last.
   Near nearest(const Vec3& p, MotionId end, double cutoff, const SweptCutter* hint = nullptr) const;
+  /// Whether a cutter other than that of pass `except` is nearer to `p` than `within`, mm; below 0: holds it
+  /// deeper than that.
+  bool comesTo(const Vec3& p, double within, std::uint32_t except = kNoPass) const;
+  static constexpr std::uint32_t kNoPass = ~0u;
 
  private:
   struct Node {

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/tool/tool_solid.h"
+#include "removal/body_index.h"
 #include "removal/leaf_cutter.h"
 
 namespace proveout {
@@ -36,6 +39,16 @@ struct ToolParts {
 struct CutRecord {
   std::map<int, ToolParts> tools;
   PassTable table;
+
+  /// All cutters; made when first asked for, which any thread may do once the table is whole.
+  const CutterIndex& cutters() const {
+    std::call_once(indexed_, [&] { index_ = std::make_unique<CutterIndex>(table, kNoMotion); });
+    return *index_;
+  }
+
+ private:
+  mutable std::once_flag indexed_;
+  mutable std::unique_ptr<CutterIndex> index_;
 };
 
 }  // namespace proveout

@@ -99,53 +99,13 @@ ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
 
 double ExactFaces::blankValue(const Vec3& q) const { return blank_->value(corner_ + h_ * q) / h_; }
 
-void ExactFaces::findNeighbours() {
-  neighbours_known_ = true;
-  const LeafReader read(impl_);
-  std::vector<MotionId> motions;
-  const auto add = [&](int dx, int dy, int dz) {
-    const StockLeaf* leaf = read.leaf(origin_.offsetBy(dx, dy, dz));
-    if (leaf == nullptr) return;
-    for (const Crossing& c : leaf->crossings) {
-      if (c.motion != kNoMotion && (motions.empty() || motions.back() != c.motion))
-        motions.push_back(c.motion);
-    }
-  };
-  for (int i = 0; i < 8; ++i) {
-    const int dx = (i & 1) * 8, dy = (i >> 1 & 1) * 8, dz = (i >> 2) * 8;
-    add(dx, dy, dz);
-    if (i > 0 && i < 7) add(-dx, -dy, -dz);
-  }
-  std::sort(motions.begin(), motions.end());
-  motions.erase(std::unique(motions.begin(), motions.end()), motions.end());
-  const PassTable& table = record_->table;
-  for (const MotionId motion : motions) {
-    const ConvexProfile* last = nullptr;  // the chords of one curve are one body
-    for (const Pass& pass : table.of(motion)) {
-      if (pass.part == ToolPart::kCutter && pass.profile != last)
-        neighbours_.push_back(&pass - table.passes.data());
-      last = pass.profile;
-    }
-  }
-}
-
 bool ExactFaces::isReachedByOthers(std::int64_t body, const Vec3& q) {
-  if (blank_ != nullptr) return false;
-  if (!neighbours_known_) findNeighbours();
-  const Vec3 p = corner_ + h_ * q;
-  const double touch = kTouch * h_;
-  return std::any_of(neighbours_.begin(), neighbours_.end(), [&](std::int64_t other) {
-    return other != body && bodyOf(other).sweep.distance(p, touch) <= touch;
-  });
+  return record_ != nullptr &&
+         record_->cutters().comesTo(corner_ + h_ * q, kTouch * h_, static_cast<std::uint32_t>(body));
 }
 
 bool ExactFaces::isCovered(const Vec3& q, double depth) {
-  if (record_ == nullptr) return false;
-  if (!neighbours_known_) findNeighbours();
-  const Vec3 p = corner_ + h_ * q;
-  return std::any_of(neighbours_.begin(), neighbours_.end(), [&](std::int64_t body) {
-    return bodyOf(body).sweep.distance(p, -depth * h_) < -depth * h_;
-  });
+  return record_ != nullptr && record_->cutters().comesTo(corner_ + h_ * q, -depth * h_);
 }
 
 bool ExactFaces::isOffCutBlank(const Vec3& q, double by) const {

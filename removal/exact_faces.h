@@ -46,9 +46,9 @@ class ExactFaces {
   bool ofBlank() const { return blank_ != nullptr; }
   /// Signed value of the blank at `q` (in units of the cell), below 0 in the material. Requires ofBlank.
   double blankValue(const Vec3& q) const;
-  /// Whether a body other than this, with surface in the leaves around, reaches to `q`.
+  /// Whether a body other than this reaches to `q`.
   bool isReachedByOthers(std::int64_t body, const Vec3& q);
-  /// Whether a body with surface in the leaves around holds `q`, this deep (in units of the cell).
+  /// Whether a body holds `q`, this deep (in units of the cell).
   bool isCovered(const Vec3& q, double depth);
   /// Whether a place that should be on the blank is farther off it than this (in units of the cell). False
   /// where that is not known.
@@ -60,7 +60,6 @@ class ExactFaces {
  private:
   const Pass* passOf(std::uint64_t face) const;
   Source findSource(std::uint64_t face) const;
-  void findNeighbours();
 
   static constexpr std::size_t kKept = 8;
   struct Body {
@@ -76,8 +75,6 @@ class ExactFaces {
   const BlankField* blank_;  ///< each of its faces is a body of its own
   double h_;
   Vec3 corner_ = Vec3::Zero();
-  std::vector<std::int64_t> neighbours_;  ///< bodies with surface in the leaves around; found when asked for
-  bool neighbours_known_ = false;
   struct KnownFace {
     std::uint64_t face = ~0ull;  ///< no face has this number
     Source source{kNoBody, true};

@@ -150,6 +150,10 @@ class LeafPlacer {
       const int count = gather(cell, at, sheet);
       CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, &exact_);
       const Vec3 origin(x, y, z);
+      if (v.outside && !v.smooth && exact_.isCovered(v.p, kOffBy)) {  // a tool took what is there
+        v.p = v.inside;
+        v.outside = false;
+      }
       keepInBlank(origin, v.p);
       keepInBlank(origin, v.inside);
       // Beside another sheet a vertex only leaves its cell by little.

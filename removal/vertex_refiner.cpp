@@ -48,10 +48,9 @@ constexpr double kGrazing = 0.2;
 }  // namespace
 
 /// A face must be seen to turn not much more than between its crossings; else another one of the body is
-/// seen. A round one only shows its other side.
+/// seen.
 double VertexRefiner::leastFacing(std::size_t face) const {
   const CellFace& f = faces_[face];
-  if (round_[face]) return kSameFacing;
   return f.count >= kShowing ? std::cos(std::min(kMostTurn, kSlackTurn + 2.0 * f.spread))
                              : std::cos(kTurnOfFew);
 }
@@ -62,7 +61,6 @@ VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
     const ExactFaces::Source source = exact.source(faces[i].id);
     const bool flat = faces[i].count >= kShowing && faces[i].spread < kFlatSpread;
     body_[i] = source.body;
-    round_[i] = source.simple && source.bend > 0.0;
     exact_already_ = exact_already_ && (source.simple ? source.bend < kMostBend : flat);
   }
 }

@@ -50,8 +50,7 @@ class VertexRefiner {
   ExactFaces& exact_;
   std::span<const CellFace> faces_;
   std::array<std::int64_t, 12> body_;
-  std::array<bool, 12> round_;  ///< part of a sphere or round cylinder
-  bool exact_already_ = true;   ///< crossings and normals show all faces exactly, each for itself
+  bool exact_already_ = true;  ///< crossings and normals show all faces exactly, each for itself
 };
 
 }  // namespace proveout

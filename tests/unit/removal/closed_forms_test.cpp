@@ -129,6 +129,40 @@ TEST(SlantedSlot, BallCapsule) {
   expectRemoved(c, expected, kPi * R * L, R, 3e-4);
 }
 
+/// How deep, mm, the deepest vertex is in a ball of radius `r` on the way through `centers`.
+double deepestInBall(const TriMesh& mesh, const std::vector<Vec3>& centers, double r) {
+  double deepest = 0.0;
+  for (const auto& position : mesh.positions) {
+    const Vec3 p = position.cast<double>();
+    for (std::size_t i = 1; i < centers.size(); ++i) {
+      const Vec3 way = centers[i] - centers[i - 1];
+      const double along = std::clamp((p - centers[i - 1]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      deepest = std::max(deepest, r - (p - centers[i - 1] - along * way).norm());
+    }
+  }
+  return deepest;
+}
+
+/// Two grooves leave a peak at the blank's wall; an earlier pass, whose surface is gone all around, took its
+/// tip within one cell, where it meets no edge of the grid.
+TEST(BallGrooves, NoTipStandsWhereAnEarlierPassTookIt) {
+  const double R = 1.99635, grid = 0.3;
+  const std::vector<Vec3> tips = {{-2.9096, -0.1499, -0.9602},
+                                  {-2.6481, -4.1798, -2.9023},
+                                  {-4.7659, -5.1584, -2.9023},
+                                  {0.1658, -2.3426, -2.9023},
+                                  {-3.0131, 0.5215, -2.9023}};
+  PathMaker path;
+  std::vector<Vec3> centers;
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    if (i > 0) path.line(tips[i - 1], tips[i]);
+    centers.push_back(tips[i] + R * Vec3::UnitZ());
+  }
+  const Cut c = cut(BoxShape{{-2.8134, -4.3012, -4.0}, {4.4682, 0.5843, -0.8161}}, path.path(),
+                    {tool("1=ball:3.9927")}, grid);
+  EXPECT_LT(deepestInBall(c.mesh, centers, R), 0.5 * grid);
+}
+
 TEST(Ring, FlatFullCircle) {
   const Cut c = cut(kBlank, PathMaker().arc({22, 2, -3}, {10, 2, -3}, {0, 0, 1}, 360).path(),
                     {tool("1=flat:5")}, kGrid);
