@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/job_setup.h"
-#include "app/turning.h"
+#include "app/process/process.h"
 #include "core/tool/tool_table.h"
 
 namespace proveout {
@@ -88,13 +87,13 @@ double toolReach(const std::vector<Tool>& tools) {
 }
 
 void placeMachine(const Job& job, const Box3& blank, ControlSettings& settings) {
-  const bool turns = turnsPart(job);
+  const Process& process = processOf(job.control);
   const double reach = toolReach(job.tools);
   settings.unnamed_gauge = firstGauge(job.tools);
-  Vec3 start = turns ? turningStart(blank) : defaultStart(blank);
+  Vec3 start = process.start(blank);
   start.z() += reach;
   start += insertGauges(job.tools);
-  if (!settings.tool_change.any() && (!turns || anyGaugeLength(job.tools))) {
+  if (!settings.tool_change.any() && (process.always_changes_tool || anyGaugeLength(job.tools))) {
     settings.tool_change.z = start.z() + originHeight(settings);
     settings.tool_change.by_default = true;
   }

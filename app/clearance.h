@@ -11,6 +11,9 @@
 
 namespace proveout {
 
+/// Distance of a lathe's start from the blank along X and along Z, mm.
+inline constexpr double kTurningClearanceMm = 10.0;
+
 /// How far the longest of the tools stands out below the point that the machine counts from, mm, not
 /// negative: its gauge length. Where any tool has one, the overall length of a longer tool counts too; where
 /// none has, the machine counts from the tips. Of inserts on bars that bore backwards: how far these reach

@@ -9,10 +9,10 @@
 #include "app/outputs.h"
 #include "app/placement_hint.h"
 #include "app/run_report.h"
-#include "app/stopwatch.h"
 #include "app/summary.h"
 #include "app/thread_supply.h"
 #include "app/time_limit.h"
+#include "core/base/stopwatch.h"
 #include "io/program_files.h"
 #include "io/sha256.h"
 

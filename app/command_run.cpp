@@ -9,11 +9,11 @@
 #include "app/pipeline.h"
 #include "app/provenance.h"
 #include "app/run_report.h"
-#include "app/stopwatch.h"
 #include "app/summary.h"
 #include "app/thread_supply.h"
 #include "app/time_limit.h"
-#include "app/turning.h"
+#include "app/turned_profile.h"
+#include "core/base/stopwatch.h"
 
 namespace proveout {
 namespace {
@@ -41,7 +41,7 @@ Result<std::vector<Picture>> drawRun(const Job& job, const RunResult& run, Outpu
   request.comparison = run.comparison ? &*run.comparison : nullptr;
   const std::vector<Finding> findings = findingsInLastFrame(run);
   request.findings = &findings;
-  if (turnsPart(job)) request.turned_axis = Vec2::Zero();
+  if (run.setups.back().turned) request.turned_axis = Vec2::Zero();
   return drawPictures(run.surface().mesh, request, failures, progress);
 }
 
@@ -71,7 +71,7 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
     for (const SetupRun& setup : run.setups)
       writeProgramFiles(setup.interpreted.files, setup.name, *staging, failures);
     writeMeshes(run.surface().mesh, run.stock ? &*run.stock : nullptr, job, *staging, report, failures);
-    if (turnsPart(job)) writeTurnedProfile(job, run, *staging, report, failures);
+    writeTurnedProfile(job, run, *staging, report, failures);
     if (job.output.csv) writeTables(cutPaths(run), *staging, report, failures);
   }
   report.performance.peak_memory_mb = peakMemoryMb();  // files take more than the run that they are of

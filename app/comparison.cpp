@@ -10,6 +10,7 @@
 #include "app/uncertainty.h"
 #include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
+#include "removal/turning/section.h"
 
 namespace proveout {
 namespace {
@@ -43,6 +44,18 @@ void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResul
   run.findings.back().setup = setup.name;
 }
 
+/// `first`, then `then`.
+RigidTransform after(const RigidTransform& then, const RigidTransform& first) {
+  return {then.rotation * first.rotation, then(first.translation)};
+}
+
+/// The part that a clamping turned, without what fell off.
+std::shared_ptr<const TurnedShape> turnedPart(const SetupRun& setup) {
+  TurnedShape part = *setup.turned;
+  part.bodies.resize(1);  // the part itself comes first
+  return std::make_shared<const TurnedShape>(std::move(part));
+}
+
 void addFindings(const RunSources& sources, const ExactPart* part, RunResult& run) {
   std::vector<PatchFinding> told;
   for (const DeviationPatch& patch : run.comparison->patches) {
@@ -60,20 +73,27 @@ void addFindings(const RunSources& sources, const ExactPart* part, RunResult& ru
 }  // namespace
 
 Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const RunResult& run) {
-  if (run.setups.back().turned) {
-    TurnedShape part = *run.setups.back().turned;
-    part.bodies.resize(1);  // the part itself comes first
-    return makeTurnedPart(std::make_shared<const TurnedShape>(std::move(part)));
-  }
+  if (run.setups.back().turned) return makeTurnedPart(turnedPart(run.setups.back()));
+  // Frames of clampings that turned the part hold what they left: it is the blank of those behind them.
+  static const Toolpath kNothing;
+  StockShape start = blank;
+  std::uint32_t turned_by = 0;
+  RigidTransform to_first;
   std::vector<ClampedCut> cuts(run.setups.size());
+  for (std::size_t k = 0; k < run.setups.size(); ++k) {
+    const SetupRun& setup = run.setups[k];
+    if (k > 0) to_first = after(to_first, setup.from_previous.inverse());
+    if (!setup.turned) continue;
+    start = TurnedStockShape{turnedPart(setup), to_first};
+    turned_by = static_cast<std::uint32_t>(k);
+  }
   RigidTransform from_last;
   for (std::size_t k = run.setups.size(); k-- > 0;) {
     const SetupRun& setup = run.setups[k];
-    cuts[k] = {&setup.interpreted.path, &setup.job.tools, from_last};
-    const RigidTransform back = setup.from_previous.inverse();
-    from_last = {back.rotation * from_last.rotation, back(from_last.translation)};
+    cuts[k] = {setup.turned ? &kNothing : &setup.interpreted.path, &setup.job.tools, from_last};
+    from_last = after(setup.from_previous.inverse(), from_last);
   }
-  return makeSweptPart(blank, cuts);
+  return makeSweptPart(start, cuts, turned_by);
 }
 
 Status compareRun(const Job& job, const RunSources& sources, const Blank& blank, const PreparedMesh& nominal,

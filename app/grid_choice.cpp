@@ -6,7 +6,7 @@
 #include <set>
 
 #include "app/job_setup.h"
-#include "app/turning.h"
+#include "app/process/process.h"
 #include "app/uncertainty.h"
 
 namespace proveout {
@@ -34,6 +34,7 @@ double wantedSpacing(const Job& job, const RunResult& run) {
   const double chord = kChordShare * std::min(job.nominal->gouge_mm, job.nominal->excess_mm);
   double wanted = std::numeric_limits<double>::infinity();
   for (const SetupRun& setup : run.setups) {
+    if (!processOf(setup.job.control).on_grid) continue;
     std::set<int> used;
     for (const Motion& m : setup.interpreted.path.motions) {
       if (m.kind == MotionKind::kFeed || m.kind == MotionKind::kThread) used.insert(m.tool);
@@ -50,7 +51,7 @@ double wantedSpacing(const Job& job, const RunResult& run) {
 }  // namespace
 
 bool choosesGrid(const Job& job, const Blank& blank) {
-  return job.nominal && !job.simulation.resolution_mm && !turnsPart(job) &&
+  return job.nominal && !job.simulation.resolution_mm && needsGrid(job) &&
          !std::holds_alternative<SavedStock>(blank.shape);
 }
 

@@ -1,8 +1,8 @@
 // The grid of a run whose job does not give one.
 #pragma once
 
-#include "app/run_result.h"
 #include "app/prediction.h"
+#include "app/run_result.h"
 
 namespace proveout {
 

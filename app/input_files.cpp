@@ -34,6 +34,7 @@ std::vector<InputFile> namedInputs(const Job& job) {
   found.add("machine", job.machine_file);
   for (std::size_t k = 0; k < setupCount(job); ++k) {
     const Job part = jobOfSetup(job, k);
+    if (k < job.setups.size()) found.add("machine", job.setups[k].machine_file);
     found.addPrograms(part.program, part.subprograms);
     for (const ChannelSpec& channel : part.channels) found.addPrograms(channel.program, channel.subprograms);
     for (const FixtureSpec& fixture : part.fixtures) found.addShape("fixture", fixture.shape);

@@ -12,7 +12,7 @@
 
 #include "app/clearance.h"
 #include "app/job_setup.h"
-#include "app/turning.h"
+#include "app/process/process.h"
 #include "core/nc/source_text.h"
 #include "io/program_files.h"
 
@@ -174,10 +174,12 @@ namespace {
 
 /// Why the control cannot work with the job's tools; empty: it can. Checked before anything is made of them.
 std::string toolRefusalOf(const Job& job) {
-  if (turnsPart(job)) return {};
+  const Process& process = processOf(job.control);
   for (const Tool& tool : job.tools) {
-    if (tool.type == ToolType::kInsert)
-      return fmt::format("tool {} is a lathe insert; control {} mills", tool.number, job.control);
+    if (!process.holds(tool))
+      return fmt::format("tool {} is {}; control {} {}", tool.number,
+                         tool.type == ToolType::kInsert ? "a lathe insert" : "a rotating tool", job.control,
+                         process.verb);
   }
   return {};
 }
@@ -204,20 +206,12 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
   ControlHost host;
   host.output = &output;
   host.person = job.person;
-  std::optional<StockProbe> probe;
-  // The motions of several channels come when their order is settled: later than a measuring move asks.
-  std::optional<TurningProbe> turning;
-  if (stock != nullptr && turnsPart(job)) {
-    // Behind another clamping nothing answers, and the control says so.
-    if (stock->blank != nullptr)
-      host.probe = &turning.emplace(*stock->blank, stock->tools, result.path, progress);
-  } else if (stock != nullptr && job.channels.size() < 2) {
-    host.probe = &probe.emplace(*stock, result.path, progress);
-  }
+  std::unique_ptr<PieceProbe> probe;
+  if (stock != nullptr) probe = processOf(job.control).probe(job, *stock, result.path, progress);
+  host.probe = probe.get();
   result.summary = interpretJob(job, *control, source, settings, builder, progress, host);
   if (probe) result.probe_failure = probe->failure();
-  if (turning) result.probe_failure = turning->failure();
-  if (probe && probe->used() && !job.fixtures.empty()) {
+  if (probe && probe->passedFixtures() && !job.fixtures.empty()) {
     Diagnostic note;
     note.severity = Severity::kNote;
     note.code = "probe";

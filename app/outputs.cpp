@@ -8,7 +8,7 @@
 
 #include "app/exit_codes.h"
 #include "app/job_setup.h"
-#include "app/turning.h"
+#include "app/process/process.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
@@ -83,7 +83,7 @@ std::vector<std::string> outputNames(const Job& job) {
   for (const std::string& view : job.output.views) names.push_back(view + ".png");
   if (!job.output.views.empty()) names.insert(names.end(), {"deviation.png", "findings.png"});
   if (job.output.csv) names.insert(names.end(), {"blocks.csv", "mrr.svg"});
-  if (turnsPart(job)) names.emplace_back("profile.svg");
+  if (processOf(job, setupCount(job) - 1).part_turns) names.emplace_back("profile.svg");
   return names;
 }
 

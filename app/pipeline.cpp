@@ -3,28 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "app/clearance.h"
 #include "app/comparison.h"
 #include "app/contact_findings.h"
 #include "app/diagnosis.h"
 #include "app/findings.h"
-#include "app/fixtures.h"
 #include "app/grid_choice.h"
 #include "app/nominal_mesh.h"
 #include "app/nose_data.h"
 #include "app/outputs.h"
+#include "app/parted_bodies.h"
 #include "app/placement_hint.h"
 #include "app/plausibility.h"
+#include "app/process/process.h"
 #include "app/run_limits.h"
 #include "app/run_report.h"
 #include "app/spindle_direction.h"
-#include "app/stopwatch.h"
 #include "app/tool_offsets.h"
-#include "app/turning.h"
 #include "app/turning_work.h"
 #include "core/base/parallel_for.h"
+#include "core/base/stopwatch.h"
 #include "io/sha256.h"
 
 namespace proveout {
@@ -78,7 +77,7 @@ void inSetup(RunResult& run, const SetupRun& setup, const Add& add) {
   for (std::size_t i = before; i < run.findings.size(); ++i) run.findings[i].setup = setup.name;
 }
 
-/// The stock that the program behind the clampings in `before` starts with, cut by their programs.
+/// The stock that the program of a clamping starts with, cut by those in `before`.
 ProbedStock probedStock(const Job& job, const SetupRun& setup, const Blank& blank,
                         const std::vector<SetupRun>& before) {
   ProbedStock probed;
@@ -86,16 +85,18 @@ ProbedStock probedStock(const Job& job, const SetupRun& setup, const Blank& blan
   probed.tools = setup.job.tools;
   if (before.empty()) probed.blank = &blank.shape;
   probed.make = [&job, &setup, &blank, &before](Progress& progress) -> Result<Stock> {
-    const RemovalOptions options = removalOptions(job, blank.resolution_mm);
-    Result<Stock> stock = Stock::create(blank.shape, options, progress);
-    for (std::size_t k = 0; stock && k < before.size(); ++k) {
-      const Result<RemovalSummary> cut =
-          stock->remove(before[k].interpreted.path, before[k].job.tools, options, progress);
+    PieceOptions options;
+    options.grid = removalOptions(job, blank.resolution_mm);
+    Blank fresh{blank.shape, blank.bounds, blank.resolution_mm, std::nullopt};
+    Result<std::unique_ptr<Workpiece>> piece = processOf(job, 0).make(fresh, job, progress);
+    for (std::size_t k = 0; piece && k < before.size(); ++k) {
+      const Status cut = (*piece)->cut(before[k].interpreted.path, before[k].job.tools, options, progress);
       if (!cut) return cut.error();
       const RigidTransform& move = k + 1 < before.size() ? before[k + 1].from_previous : setup.from_previous;
-      stock = stock->moved(move, options, progress);
+      piece = (*piece)->become(processOf(job, k + 1).kind, move, options, progress);
     }
-    return stock;
+    if (!piece) return piece.error();
+    return std::move(*(*piece)->takeGrid());
   };
   return probed;
 }
@@ -135,21 +136,9 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
 }
 
 Workload workOf(const Job& job, const PreparedRun& prepared) {
-  const double area = blankArea(prepared.blank.shape, prepared.blank.bounds);
   Workload work;
-  for (std::size_t k = 0; k < prepared.run.setups.size(); ++k) {
-    const SetupRun& setup = prepared.run.setups[k];
-    if (turnsPart(job)) {
-      work = together(work, turningWork(setup, prepared.blank));
-      continue;
-    }
-    Workload part =
-        workloadOf(setup.interpreted.path, setup.job.tools, movedBounds(job, prepared.blank.bounds, k), area);
-    const FixtureAreas fixtures = fixtureAreas(setup);
-    part.fixture_mm2 = fixtures.solids_mm2 + fixtures.meshes_mm2;
-    part.fixture_mesh_mm2 = fixtures.meshes_mm2;
-    work = together(work, part);
-  }
+  for (std::size_t k = 0; k < prepared.run.setups.size(); ++k)
+    work = together(work, processOf(job, k).work(job, prepared.run, k, prepared.blank));
   if (const auto* mesh = std::get_if<MeshShape>(&prepared.blank.shape))
     work.blank_triangles = static_cast<double>(mesh->mesh.triangles.size());
   work.reads_grid = std::holds_alternative<SavedStock>(prepared.blank.shape);
@@ -157,8 +146,6 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
   work.text_files = static_cast<int>(std::count_if(
       job.output.formats.begin(), job.output.formats.end(),
       [](OutputFormat format) { return format == OutputFormat::kStlAscii || format == OutputFormat::kObj; }));
-  for (std::size_t k = 1; k < setupCount(job) && !turnsPart(job); ++k)
-    work.mesh_moves += movesExactly(job.setups[k].from_previous) ? 0 : 1;
   if (prepared.nominal) work.nominal_mm2 = meshArea(prepared.nominal->mesh);
   if (!job.output.views.empty()) {
     work.pixels = static_cast<double>(job.output.width) * job.output.height;
@@ -169,7 +156,7 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
 
 /// Whether the blank can be made before it is known what is cut from it: its grid alone fits into the memory.
 bool makesBlankEarly(const Job& job, const Blank& blank) {
-  if (turnsPart(job) || blank.stock || choosesGrid(job, blank)) return false;
+  if (!processOf(job, 0).on_grid || blank.stock || choosesGrid(job, blank)) return false;
   Workload uncut;
   uncut.surface_mm2 = blankArea(blank.shape, blank.bounds);
   return predict(uncut, blank.resolution_mm).memory_mb <= memoryLimitMb(job);
@@ -186,42 +173,51 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
     noteRepairs(*prepared.nominal, "nominal", run.setups.back().interpreted.path.diagnostics);
   if (run.alarm) return Done{};
   const Workload work = workOf(job, prepared);
-  if (turnsPart(job) && !job.simulation.resolution_mm) {
-    prepared.blank.resolution_mm = threadResolution(run, prepared.blank.resolution_mm);
-    run.resolution_mm = prepared.blank.resolution_mm;
-  } else if (choosesGrid(job, prepared.blank)) {
-    prepared.blank.resolution_mm = chooseResolution(job, run, prepared.blank, work, memoryLimitMb(job));
-    run.resolution_mm = prepared.blank.resolution_mm;
-  }
+  double& resolution_mm = prepared.blank.resolution_mm;
+  if (!processOf(job, 0).on_grid && !job.simulation.resolution_mm)
+    resolution_mm = threadResolution(run, resolution_mm);
+  if (choosesGrid(job, prepared.blank))
+    resolution_mm = chooseResolution(job, run, prepared.blank, work, memoryLimitMb(job));
+  run.resolution_mm = resolution_mm;
   run.prediction = predict(work, run.resolution_mm);
   if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits;
   return checkTime(job, run.prediction);
 }
 
-/// Part of the volume up to which the integral over the grid's crossings is the closed form but for rounding.
-constexpr double kSameVolume = 1e-6;
-
-/// Volume of what a run starts with: what the grid holds of it, as all volumes behind it are integrals over
-/// that grid. Where the blank's own volume is the same but for rounding, that.
-double startVolume(const Blank& blank, double own_mm3, double held_mm3) {
-  const bool same = std::abs(held_mm3 - own_mm3) <= kSameVolume * own_mm3;
-  return same && !std::holds_alternative<SavedStock>(blank.shape) ? own_mm3 : held_mm3;
-}
-
-/// What a clamping made, looked at: topology, bodies, findings.
-void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>&& touched, RunResult& run) {
+/// Takes over what a clamping made of its workpiece. Returns how many of its bodies are to be told of: not
+/// what fell off before, and of turned parts not what is told by what parted it.
+std::size_t keep(Machined&& made, SetupRun& setup, ReportPerformance& performance) {
+  performance.remove_s += made.remove_s;
+  performance.mesh_s += made.mesh_s;
+  setup.initial_mm3 = made.initial_mm3;
+  setup.removal = std::move(made.removal);
+  setup.surface = std::move(made.surface);
+  setup.turned = std::move(made.turned);
+  setup.facet_error_mm = made.facet_error_mm;
   parallelFor(0, 3, [&setup](int part) {
     if (part == 0) setup.topology = analyseTopology(setup.surface.mesh);
     if (part == 1) setup.mesh_sha256 = sha256OfMesh(setup.surface.mesh);
     if (part == 2) setup.extent = meshExtent(setup.surface.mesh);
   });
-  if (!setup.turned) setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent);
+  if (made.bodies) {
+    setup.bodies = std::move(*made.bodies);
+    return std::min<std::size_t>(setup.bodies.size(), 1);
+  }
+  setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent);
+  const std::size_t told = setup.bodies.size();
+  setup.bodies.insert(setup.bodies.end(), made.apart.begin(), made.apart.end());
+  return told;
+}
+
+/// Findings on what a clamping made. `touched`: those of its fixtures.
+void lookAt(const SetupRun& setup, std::size_t told_bodies, const RecordingSource& source,
+            std::vector<Finding>&& touched, RunResult& run) {
   inSetup(run, setup, [&](std::vector<Finding>& findings) {
     addContacts(setup.removal.contacts, setup.job.simulation.contact_mm, setup.turned != nullptr,
                 setup.interpreted.path, source, findings);
     findings.insert(findings.end(), touched.begin(), touched.end());
     std::vector<StockBody> bodies = setup.bodies;
-    if (setup.turned && bodies.size() > 1) bodies.resize(1);  // the others are told of by what parted them
+    bodies.resize(told_bodies);
     addOutcome(setup.initial_mm3, setup.surface.volume_mm3, bodies, findings);
     const NominalSpec tolerance = setup.job.nominal.value_or(NominalSpec{});
     const double least_mm = std::min(tolerance.gouge_mm, tolerance.excess_mm);
@@ -229,7 +225,7 @@ void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>
     addToolOffsets(setup, least_mm, source, findings);
     addImplausible(setup, source, findings);
     addPartedBodies(setup, source, findings);
-    if (!setup.turned)
+    if (!processOf(setup.job.control).part_turns)
       addSpindleDirection(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source,
                           findings);
     addVolumeError(setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_error_mm3,
@@ -240,84 +236,62 @@ void lookAt(SetupRun& setup, const RecordingSource& source, std::vector<Finding>
   });
 }
 
-/// What a path took, mm3: by the integrals over one grid before and after it, so that what no tool reached
-/// cancels. Where walls share cells these may be off by more than little cuts take, even below 0; then what
-/// the columns of the grid count stands. `initial_mm3`: as the report tells it; a move onto another grid may
-/// have made more of it than there was, and then what is left is what the grid holds.
-double removedVolume(const RemovalSummary& removal, double initial_mm3, double before_mm3, double after_mm3) {
-  const double counted = std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
-  const double removed_mm3 = after_mm3 <= before_mm3 ? before_mm3 - after_mm3 : std::min(counted, before_mm3);
-  if (removed_mm3 <= initial_mm3) return removed_mm3;
-  return initial_mm3 - std::clamp(after_mm3, 0.0, initial_mm3);
+/// Bounds of the nominal in the frame of a clamping.
+Box3 nominalIn(const Job& job, const TriMesh& nominal, std::size_t setup) {
+  Box3 bounds = meshBounds(nominal);
+  for (std::size_t k = setupCount(job); k-- > setup + 1;)
+    bounds = job.setups[k].from_previous.inverse()(bounds);
+  return bounds;
 }
 
-/// Cuts the path of a clamping into the stock and fills removal, surface and volume. The stock comes from the
-/// blank, or from the clamping before. `initial_mm3`: its volume as the report tells it, `held`: as
-/// Stock::volume tells it now; what is left is the first less what the second falls by. The surface's error
-/// is that of what was removed.
-Status machineSetup(Stock& stock, double initial_mm3, const StockVolume& held, SetupRun& setup,
-                    ReportPerformance& performance, Progress& progress) {
-  Stopwatch watch;
-  const RemovalOptions options = removalOptions(setup.job, stock.resolution());
-  Result<RemovalSummary> removal = stock.remove(setup.interpreted.path, setup.job.tools, options, progress);
-  if (!removal) return removal.error();
-  performance.remove_s += watch.lap();
-  Result<StockSurface> surface = stock.surface(surfaceOptions(setup.job, stock.resolution()), progress);
-  if (!surface) return surface.error();
-  performance.mesh_s += watch.lap();
-  const double removed_mm3 = surface->mesh.triangles.empty()
-                                 ? initial_mm3  // whatever moves and rounding made of it
-                                 : removedVolume(*removal, initial_mm3, held.mm3, surface->volume_mm3);
-  surface->volume_mm3 = initial_mm3 - removed_mm3;
-  // Faces that no tool reached are as wrong before as after.
-  surface->volume_error_mm3 = std::abs(surface->volume_error_mm3 - held.error_mm3);
-  fitRemovedVolume(*removal, removed_mm3);
-  setup.removal = std::move(*removal);
-  setup.surface = std::move(*surface);
-  setup.initial_mm3 = initial_mm3;
-  return Done{};
+PieceOptions pieceOptions(const Job& job, const PreparedRun& prepared, std::size_t k) {
+  const SetupRun& setup = prepared.run.setups[k];
+  PieceOptions options;
+  options.grid = removalOptions(setup.job, prepared.run.resolution_mm);
+  options.surface = surfaceOptions(setup.job, prepared.run.resolution_mm);
+  options.facet_mm = facetTolerance(setup.job);
+  options.keeps_grid = k + 1 == setupCount(job) && savesStock(job);
+  if (prepared.nominal && processOf(job, k).part_turns)
+    options.part = nominalIn(job, prepared.nominal->mesh, k);
+  options.grid_fits = [&job, &prepared] {
+    return checkMemory(job, turnedGridWork(prepared.blank), prepared.run.resolution_mm);
+  };
+  return options;
 }
 
-/// Cuts all clampings, one after the other.
-Status machineAll(Blank& blank, const Job& job, const RunSources& sources, RunResult& run,
-                  Progress& progress) {
+/// Machines the workpiece in all clampings, one after the other.
+Status machineAll(const Job& job, const RunSources& sources, PreparedRun& prepared, Progress& progress) {
+  RunResult& run = prepared.run;
   Stopwatch watch;
-  Result<Stock> stock = takeStock(blank, job, progress);
-  if (!stock) return stock.error();
-  run.performance.remove_s += watch.lap();
-  // What is clamped: as the report tells it, and by its own shape.
-  double left_mm3 = 0.0, own_mm3 = stock->initialVolume();
+  std::unique_ptr<Workpiece> piece;
   for (std::size_t k = 0; k < run.setups.size(); ++k) {
     SetupRun& setup = run.setups[k];
-    Result<std::vector<FixtureStock>> fixtures = makeFixtures(setup, run.resolution_mm, progress);
+    const Process& process = processOf(job, k);
+    const PieceOptions options = pieceOptions(job, prepared, k);
+    Result<std::unique_ptr<Fixtures>> fixtures = process.fixtures(setup, run.resolution_mm, progress);
     if (!fixtures) return fixtures.error();
-    if (k > 0) {
-      watch.lap();
-      stock = stock->moved(setup.from_previous, removalOptions(job, blank.resolution_mm), progress);
-      if (!stock) return stock.error();
-      run.performance.remove_s += watch.lap();
-    }
-    const Result<StockVolume> held = stock->volume(surfaceOptions(setup.job, stock->resolution()), progress);
-    if (!held) return held.error();
+    watch.lap();
+    Result<std::unique_ptr<Workpiece>> clamped =
+        k == 0 ? process.make(prepared.blank, job, progress)
+               : piece->become(process.kind, setup.from_previous, options, progress);
+    if (!clamped) return clamped.error();
+    piece = std::move(*clamped);
     run.performance.remove_s += watch.lap();
-    if (k > 0 || !std::holds_alternative<SavedStock>(blank.shape))
+    Result<Machined> made = piece->machine(setup.interpreted.path, setup.job.tools, options, progress);
+    if (!made) return made.error();
+    if (made->holding)
       inSetup(run, setup, [&](std::vector<Finding>& findings) {
-        addGridVolume(own_mm3, held->mm3, run.resolution_mm, findings);
+        addGridVolume(made->holding->own_mm3, made->holding->held_mm3, run.resolution_mm, findings);
       });
-    const double initial_mm3 = k == 0 ? startVolume(blank, own_mm3, held->mm3) : left_mm3;
-    if (Status done = machineSetup(*stock, initial_mm3, *held, setup, run.performance, progress); !done)
-      return done;
-    left_mm3 = setup.surface.volume_mm3;
-    own_mm3 = held->mm3 - (initial_mm3 - left_mm3);
+    const std::size_t told_bodies = keep(std::move(*made), setup, run.performance);
     std::vector<Finding> touched;
-    if (Status done = addFixtureContacts(*fixtures, setup, *sources[k], touched, progress); !done)
-      return done;
-    lookAt(setup, *sources[k], std::move(touched), run);
+    if (Status done = (*fixtures)->addContacts(setup, *sources[k], touched, progress); !done) return done;
+    lookAt(setup, told_bodies, *sources[k], std::move(touched), run);
     if (setup.surface.mesh.triangles.empty()) {
       run.setups.resize(k + 1);  // there is nothing to clamp again
     }
   }
-  run.stock = std::move(*stock);
+  run.stock = piece->takeGrid();
   return Done{};
 }
 
@@ -336,9 +310,7 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
   if (!blank) return blank.error();
   if (const Status start = checkStart(jobOfSetup(job, 0), *blank); !start) return start.error();
   if (const Status place = checkToolChange(jobOfSetup(job, 0), *blank); !place) return place.error();
-  if (turnsPart(job)) {
-    if (const Status possible = checkTurning(job, *blank); !possible) return possible.error();
-  }
+  if (const Status possible = checkProcesses(job, *blank); !possible) return possible.error();
   prepared.blank = std::move(*blank);
   const Box3& bounds = prepared.blank.bounds;
   if (job.nominal) {
@@ -374,19 +346,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
                             Progress& progress) {
   RunResult& run = prepared.run;
   if (run.alarm) return std::move(run);
-  if (turnsPart(job)) {
-    const TriMesh* const nominal = prepared.nominal ? &prepared.nominal->mesh : nullptr;
-    if (const Status done = machineTurned(job, prepared.blank, nominal, run, progress); !done)
-      return done.error();
-    for (std::size_t k = 0; k < run.setups.size(); ++k) {
-      std::vector<Finding> touched;
-      if (const Status done = addTurnedFixtureContacts(run.setups[k], *sources[k], touched, progress); !done)
-        return done.error();
-      lookAt(run.setups[k], *sources[k], std::move(touched), run);
-    }
-  } else if (const Status done = machineAll(prepared.blank, job, sources, run, progress); !done) {
-    return done.error();
-  }
+  if (const Status done = machineAll(job, sources, prepared, progress); !done) return done.error();
   tellWordsInForce(sources, run);
   addMeshDefects(run.topology(), run.surface(), run.findings);
   if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
@@ -400,7 +360,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   if (const Status done = compareRun(job, sources, prepared.blank, *prepared.nominal, run, progress); !done)
     return done.error();
   if (run.comparison) dropRefuted(*run.comparison, run.findings);
-  if (turnsPart(job)) run.nominal = std::move(prepared.nominal->mesh);
+  if (run.setups.back().turned) run.nominal = std::move(prepared.nominal->mesh);
   run.performance.compare_s = watch.lap();
   tellThinFeaturesLast(run.findings);
   return std::move(run);

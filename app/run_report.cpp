@@ -12,6 +12,7 @@
 
 #include "app/findings.h"
 #include "app/uncertainty.h"
+#include "core/tool/tool_table.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
 
@@ -39,11 +40,26 @@ std::string describe(const Tool& tool) {
   return text;
 }
 
-/// Adds what the motions of one clamping did.
-void addUses(const SetupRun& run, std::map<int, ToolUse>& uses) {
+/// Tools of one number may differ from clamping to clamping.
+using ToolUses = std::map<std::pair<int, std::string>, ToolUse>;
+
+/// Adds what the motions of one clamping did. `tools`: those that the job names for it.
+void addUses(const SetupRun& run, const std::vector<Tool>& tools, ToolUses& uses) {
+  std::map<int, ToolUse*> of_number;
+  const auto useOf = [&](int number) -> ToolUse& {
+    ToolUse*& use = of_number[number];
+    if (use != nullptr) return *use;
+    const Tool* tool = findTool(tools, number);
+    const std::string description = tool == nullptr ? "" : describe(*tool);
+    use = &uses[{number, description}];
+    use->number = number;
+    use->description = description;
+    if (tool != nullptr) use->name = tool->name;
+    return *use;
+  };
   const auto& motions = run.interpreted.path.motions;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    ToolUse& use = uses[motions[i].tool];
+    ToolUse& use = useOf(motions[i].tool);
     (motions[i].kind == MotionKind::kRapid ? use.rapid_s : use.cutting_s) += motions[i].time_s;
     if (i < run.removal.removed_mm3.size())
       use.removed_mm3 += static_cast<double>(run.removal.removed_mm3[i]);
@@ -53,29 +69,34 @@ void addUses(const SetupRun& run, std::map<int, ToolUse>& uses) {
 
 ReportTime reportTime(const Job& job, const RunResult& run) {
   ReportTime time;
-  std::map<int, ToolUse> uses;
-  for (const SetupRun& setup : run.setups) {
+  ToolUses uses;
+  for (std::size_t k = 0; k < run.setups.size(); ++k) {
+    const SetupRun& setup = run.setups[k];
     const InterpretSummary& summary = setup.interpreted.summary;
     time.cycle_s += summary.cycle_s;
     time.cutting_s += summary.cutting_s;
     time.rapid_s += summary.rapid_s;
-    addUses(setup, uses);
+    addUses(setup, jobOfSetup(job, k).tools, uses);
   }
-  for (auto& [number, use] : uses) {
-    use.number = number;
-    for (const Tool& tool : job.tools) {
-      if (tool.number != number) continue;
-      use.name = tool.name;
-      use.description = describe(tool);
-    }
-    time.per_tool.push_back(use);
-  }
+  for (auto& [key, use] : uses) time.per_tool.push_back(use);
   return time;
+}
+
+/// The controls of the clampings, each once.
+std::vector<std::string> controlsOf(const Job& job) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    const std::string& own = k < job.setups.size() ? job.setups[k].control : std::string();
+    const std::string& name = own.empty() ? job.control : own;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
 }
 
 ReportProgram reportProgram(const Job& job, const RunResult& run) {
   ReportProgram program;
-  program.control = job.control;
+  for (const std::string& control : controlsOf(job))
+    program.control += (program.control.empty() ? "" : ", ") + control;
   for (const SetupRun& setup : run.setups) {
     const Toolpath& path = setup.interpreted.path;
     for (const std::string& file : path.files) {
@@ -96,7 +117,8 @@ std::vector<ReportSetup> reportSetups(const Job& job, const RunResult& run) {
     const Toolpath& path = setup.interpreted.path;
     setups.push_back({setup.name, path.files.empty() ? "" : path.files.front(), path.blocks,
                       path.motions.size(), setup.interpreted.summary.cycle_s,
-                      setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_mm3});
+                      setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_mm3,
+                      controlsOf(job).size() > 1 ? setup.job.control : ""});
   }
   return setups;
 }
@@ -141,7 +163,8 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
   const double moves = movesUncertainty(run), grid = std::max(0.0, partUncertainty(run) - moves);
   std::vector<ErrorTerm> terms;
   const std::shared_ptr<const TurnedShape>& turned = run.setups.back().turned;
-  if (turned) {
+  const bool turned_first = run.setups.front().turned != nullptr;
+  if (turned_first) {
     terms.push_back(
         {"section", kSectionChordMm,
          "the half section is made of chords within 0.0001 mm of its arcs, rounded to nanometres"});
@@ -176,6 +199,17 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
          "the facets of its mesh"});
   }
   return terms;
+}
+
+/// Whether the settings limit the travel of an axis.
+bool checksTravel(const ControlSettings& settings) {
+  bool limited = std::any_of(settings.limits.begin(), settings.limits.end(),
+                             [](const auto& limit) { return limit.has_value(); });
+  for (const char* stroke : {"N1002", "N1003", "N1004", "N1005"}) {  // of the nct control
+    const auto given = settings.parameters.lower_bound(stroke);
+    limited |= given != settings.parameters.end() && given->first.starts_with(stroke);
+  }
+  return limited;
 }
 
 /// A closed shell of the surface.
@@ -218,6 +252,9 @@ Result<std::vector<FileHash>> hashInputs(const Job& job, const RunSources& sourc
   };
   if (!job.path.empty()) add("job", job.path);
   if (!job.machine_file.empty()) add("machine", job.machine_file);
+  for (const SetupSpec& setup : job.setups) {
+    if (!setup.machine_file.empty()) add("machine", setup.machine_file);
+  }
   for (const RecordingSource* source : sources) {
     const std::size_t channels = source->channels().size();
     for (const ProgramText& text : source->texts()) {
@@ -318,11 +355,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
   for (const SetupRun& setup : run.setups)
     report.checks.fixtures |= !run.alarm && !setup.job.fixtures.empty();
   report.checks.comparison = run.comparison.has_value();
-  for (const auto& limit : job.settings.limits) report.checks.travel_limits |= limit.has_value();
-  for (const char* stroke : {"N1002", "N1003", "N1004", "N1005"}) {  // of the nct control
-    const auto given = job.settings.parameters.lower_bound(stroke);
-    report.checks.travel_limits |= given != job.settings.parameters.end() && given->first.starts_with(stroke);
-  }
+  for (const SetupRun& setup : run.setups) report.checks.travel_limits |= checksTravel(setup.job.settings);
   if (!run.alarm) {
     report.stock = reportStock(run);
     report.accounting = accountFor(cutPaths(run));

@@ -22,10 +22,19 @@ struct ProbedStock {
   std::vector<Tool> tools;
 };
 
+/// Asks the workpiece as the program has cut it so far.
+class PieceProbe : public Probe {
+ public:
+  /// Why the workpiece could not answer.
+  virtual const std::optional<Error>& failure() const = 0;
+  /// Whether something was asked that fixtures, which do not answer, may have stood in the way of.
+  virtual bool passedFixtures() const { return false; }
+};
+
 /// Cuts the path known so far into a new stock when a measuring move asks and something may have been cut
 /// since the last time. The run cuts everything again afterwards: what it makes does not depend on who asked
 /// in between.
-class StockProbe : public Probe {
+class StockProbe final : public PieceProbe {
  public:
   /// `path` gets what the control does and must hold everything before the move that is asked about.
   StockProbe(const ProbedStock& stock, const Toolpath& path, Progress& progress)
@@ -35,10 +44,8 @@ class StockProbe : public Probe {
   /// cancelled.
   Result<std::optional<double>> firstContact(const Motion& move, const ArcGeometry* arc,
                                              const AxisSweep* axis) override;
-  /// Whether anything was asked.
-  bool used() const { return query_ != nullptr; }
-  /// Why the stock could not answer.
-  const std::optional<Error>& failure() const { return failure_; }
+  const std::optional<Error>& failure() const override { return failure_; }
+  bool passedFixtures() const override { return query_ != nullptr; }
 
  private:
   Status cutSoFar();

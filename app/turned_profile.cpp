@@ -1,4 +1,5 @@
-// The profile chart of a run: what of the blank, the findings and the tools it shows.
+#include "app/turned_profile.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +7,6 @@
 #include <limits>
 #include <map>
 
-#include "app/turning.h"
 #include "core/tool/tool_table.h"
 #include "io/half_section.h"
 

@@ -109,6 +109,15 @@ Workload turnedGridWork(const Blank& blank) {
   return work;
 }
 
+Workload ontoGridWork(const SetupRun& turned, const Blank& blank) {
+  Workload grid = turnedGridWork(blank);
+  const auto& motions = turned.interpreted.path.motions;
+  const bool threads = std::any_of(motions.begin(), motions.end(),
+                                   [](const Motion& m) { return m.kind == MotionKind::kThread; });
+  if (!threads) grid.threaded_mm2 = 0.0;
+  return grid;
+}
+
 Workload turningWork(const SetupRun& setup, const Blank& blank) {
   Workload work;
   const auto& motions = setup.interpreted.path.motions;
@@ -120,10 +129,7 @@ Workload turningWork(const SetupRun& setup, const Blank& blank) {
       work.thread_triangles = std::max(work.thread_triangles, threadTriangles(setup, m, blank.bounds));
   }
   work.triangles = profileTriangles(setup, blank.bounds) + work.thread_triangles;
-  if (!savesStock(setup.job)) return work;
-  Workload grid = turnedGridWork(blank);
-  if (work.thread_triangles == 0.0) grid.threaded_mm2 = 0.0;
-  return together(work, grid);
+  return savesStock(setup.job) ? together(work, ontoGridWork(setup, blank)) : work;
 }
 
 }  // namespace proveout

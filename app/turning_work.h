@@ -11,6 +11,9 @@ Workload turningWork(const SetupRun& setup, const Blank& blank);
 /// Of a part with threads that goes to the grid: it is round everywhere, hardly a cell is merged.
 Workload turnedGridWork(const Blank& blank);
 
+/// Of a turned part that another process goes on with on the grid.
+Workload ontoGridWork(const SetupRun& turned, const Blank& blank);
+
 /// How far the facets of a turned mesh may lie off the part, mm.
 double facetTolerance(const Job& job);
 

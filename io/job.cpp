@@ -55,6 +55,8 @@ Job jobOfSetup(const Job& job, std::size_t index) {
   part.setups.clear();
   if (job.setups.empty()) return part;
   const SetupSpec& setup = job.setups[index];
+  if (!setup.control.empty()) part.control = setup.control;
+  if (!setup.tools.empty()) part.tools = setup.tools;
   part.program = setup.program;
   part.subprograms = setup.subprograms;
   part.settings = setup.settings;
@@ -84,7 +86,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   readSimulation(root, job);
   readOutput(root, names, job);
   readFixtures(root, job);
-  readSetups(root, job);
+  readSetups(root, names, job);
   readChannels(root, names, job);
   root.refuseOthers();
   if (diagnostics.errorCount() != errors_before) return std::nullopt;

@@ -72,10 +72,14 @@ struct FixtureSpec {
 /// One clamping of the workpiece, with the program that is run in it.
 struct SetupSpec {
   std::string name;                      ///< not empty; names differ
+  std::string control;                   ///< name; empty: the job's
+  std::string machine_file;              ///< as Job::machine_file, of a setup with a control of its own
+  std::vector<Tool> tools;               ///< empty: the job's
   std::string program;                   ///< path
   std::vector<std::string> subprograms;  ///< paths
-  ControlSettings settings;              ///< the job's, with what the setup changes
-  std::optional<Vec3> start;             ///< in the setup's workpiece frame
+  /// The job's, with what the setup changes; with a control of its own the setup's alone.
+  ControlSettings settings;
+  std::optional<Vec3> start;  ///< in the setup's workpiece frame
   /// Takes the workpiece from its place in the setup before into this one's workpiece frame.
   RigidTransform from_previous;
   std::vector<FixtureSpec> fixtures;
@@ -123,8 +127,8 @@ struct Job {
 std::string programNames(const Job& job);
 /// Number of clampings, at least 1.
 std::size_t setupCount(const Job& job);
-/// The job as it is in one clamping: program, subprograms, settings, start and fixtures are the setup's and
-/// there are no further setups. `index` below setupCount.
+/// The job as it is in one clamping: control, tools, program, subprograms, settings, start and fixtures are
+/// the setup's and there are no further setups. `index` below setupCount.
 Job jobOfSetup(const Job& job, std::size_t index);
 
 /// A parameter of a control that `[control.NAME]` may set.

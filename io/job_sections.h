@@ -29,7 +29,7 @@ std::optional<StockSpec> readShape(ConfigTable& table, const std::vector<std::st
 /// The file that `key` names, with `unit`.
 std::optional<StockSpec> readMeshFile(ConfigTable& table, const std::string& key);
 /// [[setup]]; call after everything that setups may change.
-void readSetups(ConfigTable& root, Job& job);
+void readSetups(ConfigTable& root, const JobNames& names, Job& job);
 void readOutput(ConfigTable& root, const JobNames& names, Job& job);
 
 }  // namespace proveout

@@ -42,16 +42,27 @@ void readTransform(ConfigTable& setup, bool first, SetupSpec& spec) {
 }
 
 /// What a setup says of its program, on top of what the job says.
-SetupSpec readSetup(ConfigTable& table, bool first, const Job& job) {
+SetupSpec readSetup(ConfigTable& table, bool first, const JobNames& names, const Job& job) {
   Job part;
-  part.settings = job.settings;
-  part.start = job.start;
+  if (table.find("control") != nullptr) {  // another machine: nothing of the job's own is its
+    readControl(table, names, part);
+    readMachine(table, part);
+  } else {
+    if (table.find("machine") != nullptr)
+      table.error("machine", "job-value", "a setup has a machine of its own only with a control of its own");
+    part.settings = job.settings;
+    part.start = job.start;
+  }
+  readTools(table, part);
   readProgram(table, part);
   readOffsets(table, part);
   readPanel(table, part);
   readFixtures(table, part);
   if (const auto start = table.point("start")) part.start = *start;
   SetupSpec spec;
+  spec.control = std::move(part.control);
+  spec.machine_file = std::move(part.machine_file);
+  spec.tools = std::move(part.tools);
   spec.program = std::move(part.program);
   spec.subprograms = std::move(part.subprograms);
   spec.settings = std::move(part.settings);
@@ -88,7 +99,7 @@ void readFixtures(ConfigTable& root, Job& job) {
   }
 }
 
-void readSetups(ConfigTable& root, Job& job) {
+void readSetups(ConfigTable& root, const JobNames& names, Job& job) {
   std::vector<ConfigTable> tables = root.tables("setup");
   if (tables.empty() && root.find("setup") != nullptr) {
     root.error("setup", "job-value", "setup must hold at least one table, [[setup]]");
@@ -97,9 +108,11 @@ void readSetups(ConfigTable& root, Job& job) {
     if (tables.empty() || root.find(key) == nullptr) continue;
     root.error(key, "job-value", fmt::format("with [[setup]], {} belongs to the setups", key));
   }
+  if (tables.empty() && job.tools.empty()) root.require("tool");
   for (ConfigTable& table : tables) {
+    if (job.tools.empty() && table.find("tool") == nullptr) root.require("tool");
     const std::string name = table.text("name").value_or(fmt::format("{}", job.setups.size() + 1));
-    SetupSpec spec = readSetup(table, job.setups.empty(), job);
+    SetupSpec spec = readSetup(table, job.setups.empty(), names, job);
     spec.name = name;
     const auto same = [&](const SetupSpec& other) { return other.name == name; };
     if (std::any_of(job.setups.begin(), job.setups.end(), same)) {

@@ -402,7 +402,6 @@ void readRows(ConfigTable& offsets, const std::string& key, std::map<int, Offset
 }  // namespace
 
 void readTools(ConfigTable& root, Job& job) {
-  root.require("tool");
   for (ConfigTable& table : root.tables("tool")) readTool(table, job);
 }
 

@@ -12,6 +12,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/geometry/types.h"
+#include "removal/process/stock_body.h"
 
 namespace proveout {
 
@@ -80,6 +81,7 @@ struct ReportSetup {
   std::uint64_t blocks = 0, motions = 0;
   double cycle_s = 0.0;
   double removed_mm3 = 0.0, final_mm3 = 0.0;
+  std::string control;  ///< empty: the control of all setups
 };
 
 struct ReportProgram {
@@ -155,12 +157,6 @@ struct BlockFigures {
   std::string_view kind;  ///< "rapid", "feed", "thread", "mixed", "event"
   double start_s = 0.0;   ///< since the program's start
   CutFigures figures;
-};
-
-struct StockBody {
-  double volume_mm3 = 0.0;
-  Box3 bounds;
-  std::string role;  ///< "part", "slug", "loose"
 };
 
 struct ReportStock {

@@ -243,8 +243,8 @@ class Page {
       add("<tr><td data-label=\"Setup\">{}</td><td data-label=\"Program\">{}</td><td class=\"num\" "
           "data-label=\"Time\">{}</td><td class=\"num\" data-label=\"Motions\">{}</td><td class=\"num\" "
           "data-label=\"Removed mm³\">{}</td><td class=\"num\" data-label=\"Left mm³\">{}</td></tr>\n",
-          escape(s.name), escape(s.program), duration(s.cycle_s), s.motions, grouped(s.removed_mm3, 1),
-          grouped(s.final_mm3, 1));
+          escape(s.name), escape(s.control.empty() ? s.program : s.program + " (" + s.control + ")"),
+          duration(s.cycle_s), s.motions, grouped(s.removed_mm3, 1), grouped(s.final_mm3, 1));
     }
     out_ += "</tbody></table></div>\n</section>\n";
   }

@@ -87,6 +87,7 @@ Json setupsJson(const std::vector<ReportSetup>& setups) {
                    {"cycle_s", number(setup.cycle_s)},
                    {"removed_mm3", number(setup.removed_mm3)},
                    {"final_mm3", number(setup.final_mm3)}});
+    if (!setup.control.empty()) out.back()["control"] = setup.control;
   }
   return out;
 }

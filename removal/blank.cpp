@@ -8,6 +8,7 @@
 #include "core/mesh/triangle_tree.h"
 #include "removal/blank_field.h"
 #include "removal/leaf_changes.h"
+#include "removal/placed_field.h"
 #include "removal/stock_impl.h"
 #include "removal/surface.h"
 #include "removal/turning/turned_field.h"
@@ -137,7 +138,7 @@ Status buildTurned(Stock::Impl& impl, const TurnedStockShape& turned, const Remo
                    Progress& progress) {
   Result<std::unique_ptr<BlankField>> made = makeTurnedField(turned.shape);
   if (!made) return made.error();
-  const std::shared_ptr<const BlankField> field = std::move(*made);
+  const std::shared_ptr<const BlankField> field = placeField(std::move(*made), turned.place);
   if (Status status = FieldBlank(impl, *field, progress, memoryLimit(options)).build(); !status)
     return status;
   impl.field = field;

@@ -4,6 +4,9 @@ proveout_add_library(removal
   sweep_helix.cpp
   stock_depth.cpp
   blank_field.cpp
+  placed_field.cpp
+  process/milled_piece.cpp
+  process/turned_piece.cpp
   blank.cpp
   stock.cpp
   vdb_loader.cpp

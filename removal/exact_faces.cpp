@@ -32,6 +32,16 @@ bool holds(const ConvexProfile& profile, int element) {
          element < profile.firstElementId() + ConvexProfile::kMaxElements;
 }
 
+/// Bodies below ExactFaces::kNoBody stand for faces of the blank, with the motions that it knows them by.
+std::int64_t bodyOfFace(std::uint64_t face) {
+  const MotionId motion = motionOf(face);
+  const MotionId known = motion == kNoMotion ? kNoMotion : motion - kEarlierMotions;
+  return ExactFaces::kNoBody - 1 - static_cast<std::int64_t>(std::uint64_t{known} << 16 | (face & 0xFFFF));
+}
+std::uint64_t faceOfBody(std::int64_t body) {
+  return static_cast<std::uint64_t>(ExactFaces::kNoBody - 1 - body);
+}
+
 /// Largest curvature (1/mm) of a face that is part of a plane, a sphere or a round cylinder; else nothing.
 std::optional<double> simpleBend(const Pass& pass, std::uint64_t face) {
   if ((face & 0xFFFF) >= ConvexProfile::kEdgeIds) return std::nullopt;
@@ -61,6 +71,7 @@ const Pass* ExactFaces::passOf(std::uint64_t face) const {
 ExactFaces::Source ExactFaces::findSource(std::uint64_t face) const {
   if (blank_ != nullptr) return {static_cast<std::int64_t>(face), blank_->isSimple(face)};
   const Pass* pass = passOf(face);
+  if (pass == nullptr && cut_ != nullptr) return {bodyOfFace(face), cut_->isSimple(face)};
   if (pass == nullptr) return {kNoBody, true};
   const std::optional<double> bend = simpleBend(*pass, face);
   return {pass - record_->table.passes.data(), bend.has_value(), h_ * bend.value_or(0.0)};
@@ -85,13 +96,16 @@ ExactFaces::Body& ExactFaces::bodyOf(std::int64_t number) {
   return b = body;
 }
 
+ExactFaces::Foot ExactFaces::footOnField(std::uint64_t face, const Vec3& q) const {
+  const BlankField& field = blank_ != nullptr ? *blank_ : *cut_;
+  const auto at = field.facePoint(face, corner_ + h_ * q, kBlankReach * h_);
+  if (!at) return {q, Vec3::Zero(), 0};  // faces nothing
+  return {(at->p - corner_) / h_, at->normal, static_cast<int>(face & 0xFFFF)};
+}
+
 ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
-  if (blank_ != nullptr) {
-    const auto face = static_cast<std::uint64_t>(body);
-    const auto at = blank_->facePoint(face, corner_ + h_ * q, kBlankReach * h_);
-    if (!at) return {q, Vec3::Zero(), 0};  // faces nothing
-    return {(at->p - corner_) / h_, at->normal, static_cast<int>(face & 0xFFFF)};
-  }
+  if (blank_ != nullptr) return footOnField(static_cast<std::uint64_t>(body), q);
+  if (body < kNoBody) return footOnField(faceOfBody(body), q);
   Body& b = bodyOf(body);
   const SweepSample s = b.sweep.sampleOutside(corner_ + h_ * q, kFootTolerance * h_, b.start);
   return {q - s.gradient * (s.value / h_), -s.gradient, s.element};

@@ -14,7 +14,12 @@ class ExactFaces {
  public:
   /// For the cells of the leaf at `origin`. Knows nothing where it is not known what cut the stock.
   ExactFaces(const Stock::Impl& impl, const Coord& origin)
-      : impl_(impl), origin_(origin), record_(impl.cut.get()), blank_(impl.field.get()), h_(impl.h) {}
+      : impl_(impl),
+        origin_(origin),
+        record_(impl.cut.get()),
+        blank_(impl.field.get()),
+        cut_(impl.cut_field.get()),
+        h_(impl.h) {}
 
   bool active() const { return record_ != nullptr || blank_ != nullptr; }
   /// The cell's lowest corner, mm.
@@ -29,7 +34,7 @@ class ExactFaces {
     bool simple;
     double bend = 0.0;  ///< largest curvature of a simple face, by cell; 0 where it is not known
   };
-  static constexpr std::int64_t kNoBody = -1;
+  static constexpr std::int64_t kNoBody = -1;  ///< below it: faces of a blank whose faces are known
   /// `face`: Crossing::face().
   Source source(std::uint64_t face);
 
@@ -59,6 +64,7 @@ class ExactFaces {
 
  private:
   const Pass* passOf(std::uint64_t face) const;
+  Foot footOnField(std::uint64_t face, const Vec3& q) const;
   Source findSource(std::uint64_t face) const;
 
   static constexpr std::size_t kKept = 8;
@@ -73,6 +79,7 @@ class ExactFaces {
   Coord origin_;  ///< voxel of the leaf's first sample
   const CutRecord* record_;
   const BlankField* blank_;  ///< each of its faces is a body of its own
+  const BlankField* cut_;    ///< the same, of a blank that passes have cut
   double h_;
   Vec3 corner_ = Vec3::Zero();
   struct KnownFace {

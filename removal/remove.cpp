@@ -243,7 +243,8 @@ Status Remover::preparePasses() {
 Status Remover::run() {
   renumberEarlier(impl_);
   if (impl_.cut != nullptr) impl_.blank_mesh = nullptr;  // faces may be of the path before
-  impl_.cut_blank = impl_.uncut;
+  impl_.cut_field = impl_.field;
+  impl_.cut_blank = impl_.uncut != nullptr ? impl_.uncut : impl_.field;
   impl_.cut = nullptr;
   impl_.field = impl_.uncut = nullptr;
   Coord low, high;

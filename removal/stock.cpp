@@ -10,6 +10,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
+#include "removal/placed_field.h"
 #include "removal/stock_impl.h"
 #include "removal/threads.h"
 #include "removal/turning/turned_field.h"
@@ -86,7 +87,10 @@ Box3 shapeBounds(const StockShape& shape) {
     return {round->base - reach, round->base + reach + Vec3::Unit(round->axis) * round->length};
   }
   if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshBounds(mesh->mesh);
-  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) return turnedBounds(turned->shape.get());
+  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) {
+    const Box3 bounds = turnedBounds(turned->shape.get());
+    return staysInPlace(turned->place) ? bounds : turned->place(bounds);
+  }
   return {};
 }
 

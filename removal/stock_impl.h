@@ -100,6 +100,8 @@ struct Stock::Impl {
   /// What the last path cut: a box or cylinder, or a mesh of few triangles; else null. Faces that the path
   /// did not make are of it.
   std::shared_ptr<const BlankField> cut_blank;
+  /// As `field`, where the last path has cut it: tells its faces, whose motions count from kEarlierMotions now.
+  std::shared_ptr<const BlankField> cut_field;
   std::shared_ptr<const TriangleTree> blank_mesh;
 
   Vec3 position(const Coord& c) const {

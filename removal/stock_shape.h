@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/base/result.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/geometry/types.h"
 #include "core/mesh/tri_mesh.h"
 
@@ -32,9 +33,10 @@ struct MeshShape {
 struct SavedStock {
   std::string path;
 };
-/// What turning left of a bar: removal/turning/section.h. Z is the spindle axis.
+/// What turning left of a bar: removal/turning/section.h.
 struct TurnedStockShape {
-  std::shared_ptr<const TurnedShape> shape;
+  std::shared_ptr<const TurnedShape> shape;  ///< Z is the spindle axis
+  RigidTransform place = {};                 ///< from there into the workpiece frame
 };
 using StockShape = std::variant<BoxShape, CylinderShape, MeshShape, SavedStock, TurnedStockShape>;
 

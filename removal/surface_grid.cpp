@@ -274,7 +274,7 @@ class LeafPlacer {
       const double off = std::abs(points_[i].n.dot(from));
       if (off < plane) {
         plane = off;
-        on_blank = exact_.source(points_[i].face).body == ExactFaces::kNoBody;
+        on_blank = exact_.source(points_[i].face).body <= ExactFaces::kNoBody;
       }
     }
     if (nearest2 < kOffBy * kOffBy) return false;

@@ -24,6 +24,10 @@ foreach(folder core/base core/geometry core/path core/tool core/nc)
 endforeach()
 install(FILES core/mesh/tri_mesh.h core/mesh/image.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/core/mesh)
 install(FILES removal/stock.h removal/stock_shape.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal)
+install(DIRECTORY removal/process/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/process
+        FILES_MATCHING PATTERN "*.h")
+install(FILES removal/turning/section.h removal/turning/turned_stock.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/turning)
 install(FILES removal/compare/compare.h removal/compare/exact_part.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/compare)
 foreach(folder io render)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/path/process_kind.h"
 
 namespace proveout {
 
@@ -16,7 +17,7 @@ struct ControlInfo {
   std::string_view name;     ///< "nct", "wl4-mill", ...
   std::string_view summary;  ///< one line for people
   bool built;                ///< false: known, but this version cannot run it
-  bool turns = false;        ///< the part turns about Z: X of the path is a radius
+  ProcessKind process = ProcessKind::kMilling;
 };
 /// All controls that the program knows by name.
 const std::vector<ControlInfo>& controls();

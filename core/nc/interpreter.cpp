@@ -57,7 +57,7 @@ const std::vector<ControlInfo>& controls() {
   static const std::vector<ControlInfo> kControls{
       {ControlId::kNct, "nct", "NCT 2xx/3xx, milling channel", true},
       {ControlId::kWl4Mill, "wl4-mill", "WL4, milling", true},
-      {ControlId::kWl4Lathe, "wl4-lathe", "WL4, turning", true, true},
+      {ControlId::kWl4Lathe, "wl4-lathe", "WL4, turning", true, ProcessKind::kTurning},
       {ControlId::kFlexNc, "flexnc", "FlexNC, milling", false},
       {ControlId::kWedm, "wedm", "wire EDM", false},
       {ControlId::kRs274Ngc, "rs274ngc", "RS274/NGC, milling", false},

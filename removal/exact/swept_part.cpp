@@ -8,7 +8,7 @@
 #include "core/geometry/box_tree.h"
 #include "core/mesh/signed_distance.h"
 #include "core/tool/tool_solid.h"
-#include "removal/blank_field.h"
+#include "removal/placed_field.h"
 #include "removal/sweep.h"
 #include "removal/turning/section.h"
 #include "removal/turning/section_field.h"
@@ -173,7 +173,11 @@ class MeshField final : public BlankField {
 Result<std::unique_ptr<BlankField>> fieldOf(const StockShape& shape) {
   if (const auto* box = std::get_if<BoxShape>(&shape)) return makeBlankField(*box);
   if (const auto* round = std::get_if<CylinderShape>(&shape)) return makeBlankField(*round);
-  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) return makeTurnedField(turned->shape);
+  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) {
+    Result<std::unique_ptr<BlankField>> field = makeTurnedField(turned->shape);
+    if (field) *field = placeField(std::move(*field), turned->place);
+    return field;
+  }
   if (const auto* mesh = std::get_if<MeshShape>(&shape))
     return std::unique_ptr<BlankField>(std::make_unique<MeshField>(mesh->mesh));
   return std::unique_ptr<BlankField>();
@@ -181,14 +185,14 @@ Result<std::unique_ptr<BlankField>> fieldOf(const StockShape& shape) {
 
 class SweptPart final : public ExactPart {
  public:
-  SweptPart(std::unique_ptr<BlankField> blank, const std::vector<ClampedCut>& cuts)
-      : blank_(std::move(blank)), to_first_(cuts.front().from_last) {
+  SweptPart(std::unique_ptr<BlankField> blank, const std::vector<ClampedCut>& cuts, std::uint32_t blank_setup)
+      : blank_(std::move(blank)), blank_setup_(blank_setup), to_first_(cuts.front().from_last) {
     for (const ClampedCut& cut : cuts) cuts_.emplace_back(cut);
   }
 
   Sample at(const Vec3& p, double reach) const override {
     const BlankSample outer = blank_->sample(to_first_(p));
-    Sample out{std::clamp(outer.value, -reach, reach), Vec3::UnitZ(), {0, kNoMotion}};
+    Sample out{std::clamp(outer.value, -reach, reach), Vec3::UnitZ(), {blank_setup_, outer.motion}};
     // Only what is nearer than the blank's surface, or covers the point deeper than that is off, counts.
     double within = std::min(reach, -outer.value);
     const CutBodies* by = nullptr;
@@ -213,6 +217,7 @@ class SweptPart final : public ExactPart {
 
  private:
   std::unique_ptr<BlankField> blank_;
+  std::uint32_t blank_setup_;
   RigidTransform to_first_;
   std::deque<CutBodies> cuts_;
 };
@@ -272,12 +277,12 @@ class TurnedPart final : public ExactPart {
 
 }  // namespace
 
-Result<std::unique_ptr<ExactPart>> makeSweptPart(const StockShape& blank,
-                                                 const std::vector<ClampedCut>& cuts) {
+Result<std::unique_ptr<ExactPart>> makeSweptPart(const StockShape& blank, const std::vector<ClampedCut>& cuts,
+                                                 std::uint32_t blank_setup) {
   Result<std::unique_ptr<BlankField>> field = fieldOf(blank);
   if (!field) return field.error();
   if (*field == nullptr) return std::unique_ptr<ExactPart>();
-  return std::unique_ptr<ExactPart>(std::make_unique<SweptPart>(std::move(*field), cuts));
+  return std::unique_ptr<ExactPart>(std::make_unique<SweptPart>(std::move(*field), cuts, blank_setup));
 }
 
 Result<std::unique_ptr<ExactPart>> makeTurnedPart(const std::shared_ptr<const TurnedShape>& shape) {

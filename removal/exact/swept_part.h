@@ -21,9 +21,10 @@ struct ClampedCut {
 
 /// Paths and tools must outlive the part. Feed and rapid take material, measuring moves do not; cutting parts
 /// of tools do, shanks and holders do not: as Stock::remove. Null for blanks whose faces are not known (a
-/// stock from a file). Errors: as makeBlankField.
-Result<std::unique_ptr<ExactPart>> makeSweptPart(const StockShape& blank,
-                                                 const std::vector<ClampedCut>& cuts);
+/// stock from a file). `blank_setup`: number of the clamping whose motions made the blank's faces, where such
+/// did. Errors: as makeBlankField.
+Result<std::unique_ptr<ExactPart>> makeSweptPart(const StockShape& blank, const std::vector<ClampedCut>& cuts,
+                                                 std::uint32_t blank_setup = 0);
 
 /// A part that only turned: its section, with threads. Errors: as makeTurnedField.
 Result<std::unique_ptr<ExactPart>> makeTurnedPart(const std::shared_ptr<const TurnedShape>& shape);

@@ -6,7 +6,7 @@
 
 #include "app/clearance.h"
 #include "app/pipeline.h"
-#include "app/turning.h"
+#include "app/process/process.h"
 
 namespace proveout {
 namespace {
@@ -335,7 +335,7 @@ TEST(ToolChange, ABarThatBoresBackwardsStartsClear) {
   EXPECT_NEAR(controlSettings(job, blank).start.z(), 90, 1e-9);
   job.tools[0].insert->orientation = 3;
   job.tools[0].insert->holder.clear();
-  EXPECT_EQ(controlSettings(job, blank).start, turningStart(blank));
+  EXPECT_EQ(controlSettings(job, blank).start, kTurningProcess.start(blank));
 }
 
 TEST(ToolChange, ChannelsHaveItsHeightInTheirOwnFrames) {

@@ -1,0 +1,99 @@
+#include "removal/process/milled_piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/stopwatch.h"
+
+namespace proveout {
+namespace {
+
+/// Part of the volume up to which the integral over the grid's crossings is the closed form but for rounding.
+constexpr double kSameVolume = 1e-6;
+
+/// What a path took, mm3: by the integrals over one grid before and after it, so that what no tool reached
+/// cancels. Where walls share cells these may be off by more than little cuts take, even below 0; then what
+/// the columns of the grid count stands. `initial_mm3`: as the report tells it; a move onto another grid may
+/// have made more of it than there was, and then what is left is what the grid holds.
+double removedVolume(const RemovalSummary& removal, double initial_mm3, double before_mm3, double after_mm3) {
+  const double counted = std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
+  const double removed_mm3 = after_mm3 <= before_mm3 ? before_mm3 - after_mm3 : std::min(counted, before_mm3);
+  if (removed_mm3 <= initial_mm3) return removed_mm3;
+  return initial_mm3 - std::clamp(after_mm3, 0.0, initial_mm3);
+}
+
+/// What an earlier clamping made has numbers of its own path.
+void forgetEarlier(const Toolpath& path, TriMesh& mesh) {
+  for (MotionId& motion : mesh.motion) {
+    if (motion >= path.motions.size()) motion = kNoMotion;
+  }
+}
+
+}  // namespace
+
+MilledPiece::MilledPiece(Stock stock, bool saved)
+    : stock_(std::move(stock)), saved_(saved), own_mm3_(stock_.initialVolume()) {}
+
+MilledPiece::MilledPiece(Stock stock, double left_mm3, double own_mm3, std::vector<StockBody> apart)
+    : stock_(std::move(stock)),
+      first_(false),
+      left_mm3_(left_mm3),
+      own_mm3_(own_mm3),
+      apart_(std::move(apart)) {}
+
+/// Volume of what a run starts with: what the grid holds of it, as all volumes behind it are integrals over
+/// that grid. Where the blank's own volume is the same but for rounding, that.
+double MilledPiece::startVolume(double held_mm3) const {
+  const bool same = std::abs(held_mm3 - own_mm3_) <= kSameVolume * own_mm3_;
+  return same && !saved_ ? own_mm3_ : held_mm3;
+}
+
+Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<Tool>& tools,
+                                      const PieceOptions& options, Progress& progress) {
+  Stopwatch watch;
+  Machined out;
+  const Result<StockVolume> held = stock_.volume(options.surface, progress);
+  if (!held) return held.error();
+  if (!first_ || !saved_) out.holding = {own_mm3_, held->mm3};
+  out.initial_mm3 = first_ ? startVolume(held->mm3) : left_mm3_;
+  Result<RemovalSummary> removal = stock_.remove(path, tools, options.grid, progress);
+  if (!removal) return removal.error();
+  out.remove_s = watch.lap();
+  Result<StockSurface> surface = stock_.surface(options.surface, progress);
+  if (!surface) return surface.error();
+  out.mesh_s = watch.lap();
+  const double removed_mm3 = surface->mesh.triangles.empty()
+                                 ? out.initial_mm3  // whatever moves and rounding made of it
+                                 : removedVolume(*removal, out.initial_mm3, held->mm3, surface->volume_mm3);
+  surface->volume_mm3 = out.initial_mm3 - removed_mm3;
+  // Faces that no tool reached are as wrong before as after.
+  surface->volume_error_mm3 = std::abs(surface->volume_error_mm3 - held->error_mm3);
+  fitRemovedVolume(*removal, removed_mm3);
+  if (!first_) forgetEarlier(path, surface->mesh);
+  out.removal = std::move(*removal);
+  out.surface = std::move(*surface);
+  out.apart = apart_;
+  left_mm3_ = out.surface.volume_mm3;
+  own_mm3_ = held->mm3 - removed_mm3;
+  return out;
+}
+
+Status MilledPiece::cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
+                        Progress& progress) {
+  const Result<RemovalSummary> removal = stock_.remove(path, tools, options.grid, progress);
+  return removal ? Status(Done{}) : Status(removal.error());
+}
+
+Result<std::unique_ptr<Workpiece>> MilledPiece::become(ProcessKind next, const RigidTransform& move,
+                                                       const PieceOptions& options, Progress& progress) {
+  if (next != ProcessKind::kMilling)
+    return inputError("what was milled cannot be turned: only bars, tubes and what is still round can");
+  Result<Stock> moved = stock_.moved(move, options.grid, progress);
+  if (!moved) return moved.error();
+  for (StockBody& body : apart_) body.bounds = move(body.bounds);
+  return std::unique_ptr<Workpiece>(
+      std::make_unique<MilledPiece>(std::move(*moved), left_mm3_, own_mm3_, std::move(apart_)));
+}
+
+}  // namespace proveout

@@ -1,0 +1,224 @@
+#include "removal/process/turned_piece.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "core/base/stopwatch.h"
+#include "removal/process/milled_piece.h"
+#include "removal/turning/revolve.h"
+#include "removal/turning/thread_mesh.h"
+
+namespace proveout {
+namespace {
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+};
+
+Extent extentOf(const SectionBody& body) {
+  Extent extent;
+  for (const Vec2& p : body.loops.front().points) {
+    extent.low = std::min(extent.low, p.y());
+    extent.high = std::max(extent.high, p.y());
+  }
+  return extent;
+}
+
+/// The body whose extent along Z fits best.
+std::size_t bodyLike(const std::vector<SectionBody>& bodies, const Box3& wanted) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Extent extent = extentOf(bodies[k]);
+    const double off = std::abs(extent.low - wanted.min.z()) + std::abs(extent.high - wanted.max.z());
+    if (off >= least) continue;
+    least = off;
+    best = k;
+  }
+  return best;
+}
+
+/// Which of the bodies is the part: the one like the nominal; without one the largest that was parted off
+/// whole, in front of what the chuck holds; else that. Slugs and rings lie beside what is held.
+std::size_t partOf(const std::vector<SectionBody>& bodies, const std::optional<Box3>& nominal) {
+  if (bodies.size() < 2) return 0;
+  if (nominal) return bodyLike(bodies, *nominal);
+  std::size_t best = 0;
+  const double held_to = extentOf(bodies.front()).high;
+  for (std::size_t k = 1; k < bodies.size(); ++k) {
+    if (extentOf(bodies[k]).low < held_to - 1e-6) continue;
+    if (best == 0 || bodies[k].volume_mm3 > bodies[best].volume_mm3) best = k;
+  }
+  return best;
+}
+
+StockBody bodyOf(const SectionBody& section, const char* role) {
+  StockBody body;
+  body.volume_mm3 = section.volume_mm3;
+  body.role = role;
+  for (const Vec2& p : section.loops.front().points) {
+    body.bounds.extend(Vec3(-p.x(), -p.x(), p.y()));
+    body.bounds.extend(Vec3(p.x(), p.x(), p.y()));
+  }
+  return body;
+}
+
+/// Whether a thread comes to the heights and radii of the first body.
+bool threadReaches(const TurnedShape& shape) {
+  const StockBody body = bodyOf(shape.bodies.front(), "");
+  return std::any_of(shape.threads.begin(), shape.threads.end(), [&](const ThreadSweep& thread) {
+    const Vec2 low = thread.from.cwiseMin(thread.to) + thread.outline->min(),
+               high = thread.from.cwiseMax(thread.to) + thread.outline->max();
+    return low.y() < body.bounds.max.z() && high.y() > body.bounds.min.z() && low.x() < body.bounds.max.x();
+  });
+}
+
+/// Of the sections alone; the same, bit for bit, for the same bodies in any order.
+double sectionVolume(const TurnedShape& shape) {
+  std::vector<double> volumes;
+  for (const SectionBody& body : shape.bodies) volumes.push_back(body.volume_mm3);
+  std::sort(volumes.begin(), volumes.end());
+  return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+}
+
+/// The body alone, with all threads.
+TurnedShape alone(const TurnedShape& all, std::size_t body) {
+  TurnedShape one = all;
+  one.bodies = {all.bodies[body]};
+  return one;
+}
+
+/// The bodies of the shape, the part first, with their threads.
+std::vector<StockBody> bodiesOf(const TurnedShape& all, double part_mm3) {
+  std::vector<StockBody> bodies;
+  for (const SectionBody& body : all.bodies) bodies.push_back(bodyOf(body, "loose"));
+  bodies.front().role = "part";
+  bodies.front().volume_mm3 = part_mm3;
+  for (std::size_t k = 1; k < all.bodies.size(); ++k) {
+    const TurnedShape piece = alone(all, k);
+    if (!threadReaches(piece)) continue;
+    bodies[k].volume_mm3 = threadedVolume(piece.bodies.front(), piece.threads);
+  }
+  return bodies;
+}
+
+/// What is left of a clamping's stock, mm3. Sections that nothing was taken from are the same to the last
+/// digit; sums and moves of them are not, and neither are means over the angle where there are threads.
+double volumeLeft(const Machined& made, const RemovalSummary& removal, double held_mm3) {
+  if (made.bodies->empty()) return 0.0;
+  const double taken_mm3 = held_mm3 - sectionVolume(*made.turned);
+  if (made.turned->threads.empty()) return made.initial_mm3 - taken_mm3;
+  const bool nothing = taken_mm3 == 0.0 && std::all_of(removal.removed_mm3.begin(), removal.removed_mm3.end(),
+                                                       [](float removed) { return removed == 0.0f; });
+  if (nothing) return made.initial_mm3;
+  double sum = 0.0;
+  for (const StockBody& body : *made.bodies) sum += body.volume_mm3;
+  return std::min(sum, made.initial_mm3);
+}
+
+}  // namespace
+
+TurnedPiece::TurnedPiece(TurnedStock stock) : stock_(std::move(stock)), left_mm3_(stock_.initialVolume()) {}
+
+Status TurnedPiece::makeGrid(const TurnedShape& part, const PieceOptions& options, Progress& progress) {
+  const StockShape shape = TurnedStockShape{std::make_shared<const TurnedShape>(part), {}};
+  Result<Stock> stock = Stock::create(shape, options.grid, progress);
+  if (!stock) return stock.error();
+  grid_ = std::move(*stock);
+  return Done{};
+}
+
+/// The surface of a part with threads: from its half sections, or where those do not go over into each other
+/// from the grid.
+Status TurnedPiece::threadSurface(const TurnedShape& part, const PieceOptions& options, Machined& out,
+                                  Progress& progress) {
+  if (auto surface = threadedSurface(part.bodies.front(), part.threads, 0.5 * out.facet_error_mm, progress)) {
+    out.surface.mesh = std::move(surface->mesh);
+    out.surface.volume_mm3 = surface->volume_mm3;
+    out.facet_error_mm = surface->deviation_mm;
+    return Done{};
+  }
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  if (options.grid_fits) {
+    if (Status enough = options.grid_fits(); !enough) return enough;
+  }
+  if (Status done = makeGrid(part, options, progress); !done) return done;
+  Result<StockSurface> surface = grid_->surface(options.surface, progress);
+  if (!surface) return surface.error();
+  out.surface = std::move(*surface);
+  out.facet_error_mm = 0.0;
+  return Done{};
+}
+
+/// Fills the surface and the bodies from what is left; the part comes first.
+Status TurnedPiece::takePart(const PieceOptions& options, Machined& out, Progress& progress) {
+  TurnedShape all = stock_.shape();
+  out.facet_error_mm = 2.0 * options.facet_mm;
+  out.bodies.emplace();
+  if (!all.bodies.empty()) {
+    std::swap(all.bodies[0], all.bodies[partOf(all.bodies, options.part)]);
+    const TurnedShape part = alone(all, 0);
+    if (part.threads.empty()) {
+      out.surface.mesh = revolved(part.bodies, options.facet_mm);
+      out.surface.volume_mm3 = part.bodies.front().volume_mm3;
+    } else if (Status done = threadSurface(part, options, out, progress); !done) {
+      return done;
+    }
+    if (options.keeps_grid && !grid_) {
+      if (Status done = makeGrid(part, options, progress); !done) return done;
+    }
+    out.bodies = bodiesOf(all, out.surface.volume_mm3);
+  }
+  out.turned = std::make_shared<const TurnedShape>(std::move(all));
+  return Done{};
+}
+
+Result<Machined> TurnedPiece::machine(const Toolpath& path, const std::vector<Tool>& tools,
+                                      const PieceOptions& options, Progress& progress) {
+  Stopwatch watch;
+  const double held_mm3 = sectionVolume(stock_.shape());
+  Result<RemovalSummary> removal = stock_.remove(path, tools, progress);
+  if (!removal) return removal.error();
+  Machined out;
+  out.remove_s = watch.lap();
+  if (Status done = takePart(options, out, progress); !done) return done.error();
+  out.mesh_s = watch.lap();
+  if (!out.bodies->empty()) part_mm3_ = out.bodies->front().volume_mm3;
+  out.bodies->insert(out.bodies->end(), apart_.begin(), apart_.end());
+  out.initial_mm3 = left_mm3_;
+  out.surface.volume_mm3 = volumeLeft(out, *removal, held_mm3);
+  fitRemovedVolume(*removal, out.initial_mm3 - out.surface.volume_mm3);
+  out.removal = std::move(*removal);
+  left_mm3_ = out.surface.volume_mm3;
+  made_ = out.turned;
+  if (!out.bodies->empty()) apart_.assign(out.bodies->begin() + 1, out.bodies->end());
+  return out;
+}
+
+Status TurnedPiece::cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
+                        Progress& progress) {
+  const Result<Machined> made = machine(path, tools, options, progress);
+  return made ? Status(Done{}) : Status(made.error());
+}
+
+Result<std::unique_ptr<Workpiece>> TurnedPiece::become(ProcessKind next, const RigidTransform& move,
+                                                       const PieceOptions& options, Progress& progress) {
+  if (made_ == nullptr || made_->bodies.empty()) return inputError("nothing is left to be clamped");
+  for (StockBody& body : apart_) body.bounds = move(body.bounds);
+  if (next == ProcessKind::kTurning) {
+    Result<TurnedStock> moved = stock_.moved(made_->bodies.front(), move);
+    if (!moved) return moved.error();
+    auto piece = std::make_unique<TurnedPiece>(std::move(*moved));
+    piece->left_mm3_ = left_mm3_;
+    piece->apart_ = std::move(apart_);
+    return std::unique_ptr<Workpiece>(std::move(piece));
+  }
+  const StockShape shape = TurnedStockShape{std::make_shared<const TurnedShape>(alone(*made_, 0)), move};
+  Result<Stock> stock = Stock::create(shape, options.grid, progress);
+  if (!stock) return stock.error();
+  return std::unique_ptr<Workpiece>(
+      std::make_unique<MilledPiece>(std::move(*stock), left_mm3_, part_mm3_, std::move(apart_)));
+}
+
+}  // namespace proveout
