@@ -7,13 +7,14 @@ MINUTES ?= 5
 SEED ?= 1
 PROVEOUT := build/release/bin/proveout
 
-.PHONY: help deps build demo test soak bench asan tsan clean
+.PHONY: help deps program build demo test soak bench asan tsan clean
 
 help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
 	@echo 'make test   the same build, then the whole test suite'
 	@echo 'make soak   random whole jobs against the laws of tests/soak; MINUTES=$(MINUTES) SEED=$(SEED)'
-	@echo 'make build  build alone: $(PROVEOUT)'
+	@echo 'make program build the program alone: $(PROVEOUT)'
+	@echo 'make build  build everything, the tests among it'
 	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well'
 	@echo 'make asan   the test suite under the address and undefined-behaviour sanitizers'
 	@echo 'make tsan   the test suite under the thread sanitizer'
@@ -22,11 +23,15 @@ help:
 deps:
 	@.ci/install-deps
 
+program: deps
+	cmake --preset release
+	cmake --build --preset release --target proveout -j $(JOBS)
+
 build: deps
 	cmake --preset release
 	cmake --build --preset release -j $(JOBS)
 
-demo: build
+demo: program
 	@test -f $(DEMO)/job.toml || { echo 'no job file $(DEMO)/job.toml' >&2; exit 2; }
 	@mkdir -p $(DEMO_OUT)
 	@status=0; $(PROVEOUT) run $(DEMO)/job.toml --out $(DEMO_OUT) || status=$$?; \

@@ -5,16 +5,16 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/blame.h"
 #include "app/commands.h"
-#include "app/comparison.h"
-#include "app/diagnosis.h"
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/job_setup.h"
-#include "app/pipeline.h"
-#include "app/provenance.h"
-#include "app/thread_supply.h"
+#include "app/session/blame.h"
+#include "app/session/comparison.h"
+#include "app/session/diagnosis.h"
+#include "app/session/provenance.h"
+#include "app/session/session.h"
+#include "app/session/thread_supply.h"
 #include "app/time_limit.h"
 #include "core/base/printable.h"
 #include "io/atomic_file.h"

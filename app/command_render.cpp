@@ -7,9 +7,9 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
-#include "app/nominal_mesh.h"
 #include "app/pictures.h"
-#include "app/thread_supply.h"
+#include "app/session/nominal_mesh.h"
+#include "app/session/thread_supply.h"
 #include "app/time_limit.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/interpretation.h"
+#include "app/session/interpretation.h"
 #include "io/job.h"
 #include "io/output_guard.h"
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "app/console.h"
+#include "app/session/job_defaults.h"
 #include "core/nc/interpreter.h"
 #include "io/atomic_file.h"
 #include "render/camera.h"
@@ -18,10 +19,6 @@ namespace proveout {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Height of the default start above the blank, mm: above any clamp and any clearance plane that programs
-/// use.
-constexpr double kStartClearance = 100.0;
 
 std::optional<UntilBlock> parseUntil(const std::string& text) {
   const bool by_number = !text.empty() && (text[0] == 'N' || text[0] == 'n');
@@ -186,14 +183,7 @@ void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) 
 }  // namespace
 
 JobNames knownJobNames() {
-  JobNames names;
-  for (const ControlInfo& control : controls()) {
-    names.controls.emplace_back(control.name);
-    if (!control.built) continue;
-    auto& ranges = names.parameters[std::string(control.name)];
-    for (const ParameterInfo& p : parameterTable(control.id))
-      ranges.push_back({std::string(p.name), p.min, p.max, p.count});
-  }
+  JobNames names = jobNames();
   names.views = viewNames();
   return names;
 }
@@ -253,23 +243,6 @@ std::string outputFolder(const RunOptions& options, const Job& job) {
   if (options.out) return *options.out;
   const fs::path beside = job.path.empty() ? fs::path() : fs::path(job.path).parent_path();
   return (beside / (fileName(job.name) + "-out")).string();
-}
-
-double defaultResolution(const Box3& blank) {
-  const double wanted = blank.size().maxCoeff() / 400.0;
-  if (!(wanted > 0) || !std::isfinite(wanted)) return 0.2;
-  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (wanted <= step * decade * (1 + 1e-9)) return step * decade;
-  }
-  return 10.0 * decade;
-}
-
-Vec3 defaultStart(const Box3& blank) {
-  const bool zero_above =
-      blank.min.x() <= 0 && blank.max.x() >= 0 && blank.min.y() <= 0 && blank.max.y() >= 0;
-  const Vec3 center = blank.center();
-  return {zero_above ? 0.0 : center.x(), zero_above ? 0.0 : center.y(), blank.max.z() + kStartClearance};
 }
 
 std::string fileName(const std::string& name) {

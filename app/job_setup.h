@@ -10,7 +10,7 @@
 
 namespace proveout {
 
-/// Names and parameter ranges that job files are checked against.
+/// Names and parameter ranges that job files are checked against, those of pictures among them.
 JobNames knownJobNames();
 
 /// True for the names of job files: *.toml.
@@ -28,13 +28,5 @@ std::string outputFolder(const RunOptions& options, const Job& job);
 
 /// `name` as a file name: letters, digits, dots, dashes and bytes beyond ASCII stay, all else becomes '_'.
 std::string fileName(const std::string& name);
-
-/// Grid spacing where nobody gives one: the longest side / 400, rounded up to 1, 2 or 5 times a power of ten,
-/// mm.
-double defaultResolution(const Box3& blank);
-
-/// Where the tool starts if the job does not say: above X0 Y0 where that lies over the blank, else above its
-/// centre; clear of its top.
-Vec3 defaultStart(const Box3& blank);
 
 }  // namespace proveout

@@ -8,7 +8,7 @@
 
 #include "app/exit_codes.h"
 #include "app/job_setup.h"
-#include "app/process/process.h"
+#include "app/session/process/process.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
@@ -16,11 +16,6 @@
 namespace proveout {
 
 namespace fs = std::filesystem;
-
-bool savesStock(const Job& job) {
-  const auto& formats = job.output.formats;
-  return std::find(formats.begin(), formats.end(), OutputFormat::kVdb) != formats.end();
-}
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/accounting.h"
 #include "app/pictures.h"
+#include "app/session/accounting.h"
 #include "app/staging_folder.h"
 #include "core/base/result.h"
 #include "io/job.h"
@@ -18,9 +18,6 @@ namespace proveout {
 
 /// What could not be written of the outputs of a run; the others are there.
 using OutputFailures = std::vector<Error>;
-
-/// Whether the job asks for a .vdb file, which only a grid gives.
-bool savesStock(const Job& job);
 
 /// Names of all files that a run of the job may write into its folder, but for those that its programs write.
 std::vector<std::string> outputNames(const Job& job);

@@ -1,8 +1,8 @@
-// The report of a run, from what the pipeline made.
+// The report of a run, from what it made.
 #pragma once
 
-#include "app/accounting.h"
-#include "app/run_result.h"
+#include "app/session/accounting.h"
+#include "app/session/run_result.h"
 #include "io/report.h"
 
 namespace proveout {
@@ -12,11 +12,6 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
 
 /// Paths and removed volumes of all clampings, in their order. Point into `run`.
 std::vector<CutPath> cutPaths(const RunResult& run);
-
-/// Connected pieces of the stock: the largest is the part, others fell off. A closed hollow counts against
-/// the piece around it.
-std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology,
-                                   const MeshExtent& extent);
 
 ReportComparison reportComparison(const Comparison& comparison, const std::string& nominal);
 

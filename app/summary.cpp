@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/findings.h"
+#include "app/session/findings.h"
 #include "core/base/printable.h"
 #include "io/report_text.h"
 

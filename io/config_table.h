@@ -19,6 +19,7 @@ struct ConfigDocument {
   ConfigText text;
   std::string folder;  ///< what relative paths are resolved against
   Diagnostics* diagnostics = nullptr;
+  bool programs_in_memory = false;  ///< programs are names, not files that must be there
 
   void error(const ConfigPlace& place, std::string code, std::string message) const {
     addConfigError(*diagnostics, text, place, std::move(code), std::move(message));

@@ -32,7 +32,9 @@ void readHead(ConfigTable& root, Job& job) {
 }  // namespace
 
 void readProgram(ConfigTable& table, Job& job) {
-  if (const auto program = table.must("program").path("program")) job.program = *program;
+  table.require("program");
+  const bool named = table.document().programs_in_memory;
+  if (const auto program = named ? table.text("program") : table.path("program")) job.program = *program;
   const ConfigValue* subprograms = table.find("subprograms");
   if (subprograms == nullptr || !isList(table.document(), *subprograms, "subprograms")) return;
   for (const ConfigValue& item : subprograms->items) {
@@ -46,6 +48,11 @@ std::string programNames(const Job& job) {
   std::string names;
   for (const ChannelSpec& channel : job.channels) names += (names.empty() ? "" : ", ") + channel.program;
   return names;
+}
+
+bool savesStock(const Job& job) {
+  const auto& formats = job.output.formats;
+  return std::find(formats.begin(), formats.end(), OutputFormat::kVdb) != formats.end();
 }
 
 std::size_t setupCount(const Job& job) { return job.setups.empty() ? 1 : job.setups.size(); }
@@ -68,7 +75,8 @@ Job jobOfSetup(const Job& job, std::size_t index) {
 std::optional<Job> parseJob(std::string_view text, const std::string& text_name, const std::string& folder,
                             const JobNames& names, Diagnostics& diagnostics) {
   const int errors_before = diagnostics.errorCount();
-  const ConfigDocument document{splitConfigText(text_name, text), folder, &diagnostics};
+  const ConfigDocument document{splitConfigText(text_name, text), folder, &diagnostics,
+                                names.programs_in_memory};
   const std::optional<ConfigValue> tree = parseToml(text, document.text, diagnostics);
   if (!tree) return std::nullopt;
 

@@ -123,6 +123,8 @@ struct Job {
   OutputSpec output;
 };
 
+/// Whether the job asks for a .vdb file, which only a grid gives.
+bool savesStock(const Job& job);
 /// The main programs of the job, of a clamping or of its channels: "left.nc, right.nc".
 std::string programNames(const Job& job);
 /// Number of clampings, at least 1.
@@ -144,6 +146,9 @@ struct JobNames {
   std::vector<std::string> views;     ///< of the renderer
   /// By control. A control without an entry has its parameters checked by the interpreter alone.
   std::map<std::string, std::vector<ParameterRange>> parameters;
+  /// `program` is a name for diagnostics, not a file: the programs come from elsewhere. Subprograms are
+  /// files.
+  bool programs_in_memory = false;
 };
 
 /// Reads a job file. Relative paths in it are resolved against its folder; every named file must exist.

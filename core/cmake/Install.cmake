@@ -1,11 +1,11 @@
-# Install tree and package config: find_package(proveout), then link proveout::core, ::removal, ::compare, ::io or ::render.
+# Install tree and package config: find_package(proveout), then link proveout::core, ::removal, ::compare, ::io, ::render or ::session.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(PROVEOUT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/proveout)
 set(PROVEOUT_EXPORTED proveout_options)
 set_target_properties(proveout_options PROPERTIES EXPORT_NAME options)
-foreach(library core removal compare io render)
+foreach(library core removal compare io render session)
   if(TARGET proveout_${library})
     list(APPEND PROVEOUT_EXPORTED proveout_${library})
   endif()
@@ -28,10 +28,14 @@ install(DIRECTORY removal/process/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/prove
         FILES_MATCHING PATTERN "*.h")
 install(FILES removal/turning/section.h removal/turning/turned_stock.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/turning)
-install(FILES removal/compare/compare.h removal/compare/exact_part.h
+install(FILES removal/compare/compare.h removal/compare/exact_part.h removal/compare/nominal.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/compare)
 foreach(folder io render)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
+endforeach()
+
+foreach(header blank interpretation job_defaults prediction run_result session)
+  install(FILES app/session/${header}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/app/session)
 endforeach()
 
 install(EXPORT proveoutTargets NAMESPACE proveout:: DESTINATION ${PROVEOUT_PACKAGE_DIR})

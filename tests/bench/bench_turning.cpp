@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "app/job_setup.h"
-#include "app/pipeline.h"
+#include "app/session/session.h"
 #include "removal/turning/revolve.h"
 #include "removal/turning/turned_stock.h"
 

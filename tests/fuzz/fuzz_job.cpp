@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/interpretation.h"
+#include "app/session/interpretation.h"
 #include "app/job_setup.h"
 #include "core/tool/insert.h"
 #include "core/tool/tool_solid.h"

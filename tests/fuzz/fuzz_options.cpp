@@ -9,6 +9,7 @@
 
 #include "app/cli_options.h"
 #include "app/job_setup.h"
+#include "app/session/job_defaults.h"
 #include "core/base/printable.h"
 #include "core/tool/tool_solid.h"
 #include "io/job.h"

@@ -42,7 +42,7 @@ Result<RunResult> CaseRunner::run(const std::string& job, const RunOptions& opti
         UntilBlock{options.until, std::nullopt};
   const JobSources sources(loaded);
   Progress progress;
-  Result<RunResult> result = runPipeline(loaded, sources.all(), progress);
+  Result<RunResult> result = runRecorded(loaded, sources.all(), progress);
   if (!result || !result->alarm) return result;
   std::string why = "alarm:";
   for (const Finding& finding : result->findings) why += " " + finding.message;

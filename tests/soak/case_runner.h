@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/pipeline.h"
+#include "app/session/session.h"
 #include "tests/acceptance/program_runner.h"
 #include "tests/soak/soak_case.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/comparison.h"
+#include "app/session/comparison.h"
 #include "core/mesh/tri_mesh.h"
 #include "removal/compare/exact_part.h"
 

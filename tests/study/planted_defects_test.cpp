@@ -10,7 +10,7 @@
 #include <iostream>
 
 #include "app/job_setup.h"
-#include "app/pipeline.h"
+#include "app/session/session.h"
 #include "io/job.h"
 #include "io/mesh_io.h"
 #include "tests/study/planted.h"
@@ -52,7 +52,7 @@ class Bench {
     const MemoryProgramSource memory("p.nc", planted.program);
     const RecordingSource source(memory, TextEncoding::kAuto);
     Progress progress;
-    return runPipeline(*job, {&source}, progress);
+    return runRecorded(*job, {&source}, progress);
   }
 
  private:

@@ -2,8 +2,8 @@
 
 #include <numeric>
 
-#include "app/accounting.h"
-#include "app/pipeline.h"
+#include "app/session/accounting.h"
+#include "app/session/session.h"
 #include "app/run_report.h"
 
 namespace proveout {
@@ -156,7 +156,7 @@ TEST(AccountingOfASlot, HasTheRateOfItsClosedForm) {
                                    "N60 X60\nN70 X90\nN80 X10\nG0 Z5\nM30\n");
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
-  const Result<RunResult> run = runPipeline(job, {&source}, progress);
+  const Result<RunResult> run = runRecorded(job, {&source}, progress);
   ASSERT_TRUE(run.ok()) << run.error().message;
   const CutPath cut = cutPaths(*run).front();
   std::vector<BlockFigures> rows;

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/accounting.h"
-#include "app/pipeline.h"
+#include "app/session/accounting.h"
+#include "app/session/session.h"
 #include "app/run_report.h"
 
 namespace proveout {
@@ -40,7 +40,7 @@ Result<RunResult> run(const Job& job, const std::vector<std::string>& programs) 
   RecordingSource source(*memory.front(), TextEncoding::kAuto);
   for (std::size_t k = 1; k < memory.size(); ++k) source.addChannel(*memory[k]);
   Progress progress;
-  return runPipeline(job, {&source}, progress);
+  return runRecorded(job, {&source}, progress);
 }
 
 const char* const kLeft = "M3 S1000\nG0 X10 Y-10\nZ-4\nG1 Y50 F600\nG0 Z20\nM30\n";

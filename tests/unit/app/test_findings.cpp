@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "app/contact_findings.h"
-#include "app/findings.h"
+#include "app/session/contact_findings.h"
+#include "app/session/findings.h"
 #include "app/run_report.h"
+#include "app/session/stock_bodies.h"
 
 namespace proveout {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "app/fixtures.h"
-#include "app/pipeline.h"
+#include "app/session/fixtures.h"
+#include "app/session/session.h"
 
 namespace proveout {
 namespace {
@@ -28,7 +28,7 @@ Result<RunResult> run(const Job& job, const std::string& program) {
   const MemoryProgramSource memory("part.nc", "G21 G90 T1 M6\nS1000 M3\n" + program + "M30\n");
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
-  return runPipeline(job, {&source}, progress);
+  return runRecorded(job, {&source}, progress);
 }
 
 std::vector<Finding> contacts(const RunResult& result) {

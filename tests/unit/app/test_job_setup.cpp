@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/blank.h"
-#include "app/interpretation.h"
+#include "app/session/blank.h"
+#include "app/session/interpretation.h"
 #include "app/job_setup.h"
+#include "app/session/job_defaults.h"
 #include "tests/support/temporary_folder.h"
 
 namespace proveout {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "app/pipeline.h"
-#include "app/uncertainty.h"
+#include "app/session/session.h"
+#include "app/session/uncertainty.h"
 #include "app/run_report.h"
 
 namespace proveout {
@@ -28,7 +28,7 @@ Job ringJob() {
 Result<RunResult> run(const Job& job, const std::string& program, Progress& progress) {
   const MemoryProgramSource memory("ring.nc", program);
   const RecordingSource source(memory, TextEncoding::kAuto);
-  return runPipeline(job, {&source}, progress);
+  return runRecorded(job, {&source}, progress);
 }
 
 TEST(Pipeline, RingHasItsVolumeAndNoFindings) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "app/pipeline.h"
-#include "app/placement_hint.h"
+#include "app/session/session.h"
+#include "app/session/placement_hint.h"
 #include "tests/support/temporary_folder.h"
 
 namespace proveout {
@@ -88,7 +88,7 @@ std::string toldOf(const Box3& nominal, const StockSpec& stock = BoxShape{{0, 0,
       "G0 Z5\nM30\n");
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
-  const Result<RunResult> run = runPipeline(job, {&source}, progress);
+  const Result<RunResult> run = runRecorded(job, {&source}, progress);
   if (!run.ok()) return "refused: " + run.error().message;
   std::string told;
   for (const Diagnostic& d : run->setups.back().interpreted.path.diagnostics.all()) {

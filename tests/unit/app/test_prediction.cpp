@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "app/console.h"
-#include "app/prediction.h"
+#include "app/session/prediction.h"
 
 namespace proveout {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/pipeline.h"
-#include "app/uncertainty.h"
+#include "app/session/session.h"
+#include "app/session/uncertainty.h"
 #include "app/run_report.h"
 
 namespace proveout {
@@ -32,7 +32,7 @@ Result<RunResult> run(const Job& job, const std::string& program) {
   const MemoryProgramSource memory("part.nc", "G21 G90 G94 T1 M6\n" + program + "M30\n");
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
-  return runPipeline(job, {&source}, progress);
+  return runRecorded(job, {&source}, progress);
 }
 
 /// A pocket X8 to X32, Y7 to Y22, 5 deep, corners of 4.
@@ -127,7 +127,7 @@ TEST(Probing, TheSecondClampingMeasuresWhatTheFirstLeft) {
       "Y18\nZ-10\nG31 Y40\nG0 Y18\nG31 Y0\nG0 Y18\nZ50\nM30\n");
   const RecordingSource a(top, TextEncoding::kAuto), b(bottom, TextEncoding::kAuto);
   Progress progress;
-  const Result<RunResult> result = runPipeline(job, {&a, &b}, progress);
+  const Result<RunResult> result = runRecorded(job, {&a, &b}, progress);
   ASSERT_TRUE(result.ok()) << result.error().message;
   ASSERT_FALSE(result->alarm);
   std::vector<Vec3> ends;
@@ -170,7 +170,7 @@ TEST(Zones, AForbiddenAreaIsAFindingWithItsBlockInTheReport) {
       "part.nc", "G21 G90 G94 T1 M6\nG22 X100 Y100 Z500 I-100 J-100 K-500 P1\nG0 X50\nN40 G0 X150\nM30\n");
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
-  const Result<RunResult> result = runPipeline(job, {&source}, progress);
+  const Result<RunResult> result = runRecorded(job, {&source}, progress);
   ASSERT_TRUE(result.ok()) << result.error().message;
   EXPECT_TRUE(result->alarm);
   const auto kinds = [&](const std::string& kind) {

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "app/comparison.h"
+#include "app/session/comparison.h"
 #include "app/job_setup.h"
-#include "app/pipeline.h"
-#include "app/process/process.h"
-#include "app/uncertainty.h"
+#include "app/session/session.h"
+#include "app/session/process/process.h"
+#include "app/session/uncertainty.h"
 #include "io/mesh_io.h"
 #include "tests/support/temporary_folder.h"
 
@@ -59,7 +59,7 @@ struct ShaftJob {
     if (!load()) return inputError(messages);
     const JobSources sources(job);
     Progress progress;
-    return runPipeline(job, sources.all(), progress);
+    return runRecorded(job, sources.all(), progress);
   }
 };
 

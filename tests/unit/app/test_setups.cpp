@@ -3,9 +3,9 @@
 
 #include <numeric>
 
-#include "app/pipeline.h"
-#include "app/uncertainty.h"
-#include "app/provenance.h"
+#include "app/session/session.h"
+#include "app/session/uncertainty.h"
+#include "app/session/provenance.h"
 #include "app/run_report.h"
 
 namespace proveout {
@@ -65,7 +65,7 @@ Result<RunResult> run(const Job& job, const std::vector<std::string>& programs) 
     all.push_back(sources.back().get());
   }
   Progress progress;
-  return runPipeline(job, all, progress);
+  return runRecorded(job, all, progress);
 }
 
 std::string hole(double x, double y, double z) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "app/pipeline.h"
-#include "app/spindle_direction.h"
+#include "app/session/session.h"
+#include "app/session/spindle_direction.h"
 
 namespace proveout {
 namespace {
@@ -27,7 +27,7 @@ std::vector<Finding> told(const Job& job, const std::string& program,
   const MemoryProgramSource memory("part.nc", program);
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
-  const Result<RunResult> run = runPipeline(job, {&source}, progress);
+  const Result<RunResult> run = runRecorded(job, {&source}, progress);
   EXPECT_TRUE(run.ok() && !run->alarm);
   std::vector<Finding> found;
   if (!run.ok()) return found;

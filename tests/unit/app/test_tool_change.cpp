@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "app/clearance.h"
-#include "app/pipeline.h"
-#include "app/process/process.h"
+#include "app/session/clearance.h"
+#include "app/session/session.h"
+#include "app/session/process/process.h"
 
 namespace proveout {
 namespace {
@@ -40,7 +40,7 @@ Result<RunResult> run(const Job& job, const std::string& program) {
   const MemoryProgramSource memory("long.nc", program);
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
-  return runPipeline(job, {&source}, progress);
+  return runRecorded(job, {&source}, progress);
 }
 
 std::string toldBy(const Job& job, const std::string& program) {

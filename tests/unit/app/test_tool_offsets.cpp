@@ -1,7 +1,7 @@
 // What the operator entered for milling tools, held against the tools of the job.
 #include <gtest/gtest.h>
 
-#include "app/pipeline.h"
+#include "app/session/session.h"
 
 namespace proveout {
 namespace {
@@ -32,7 +32,7 @@ struct Milling {
                                      "M3\nG0 X-10 Y25\nZ-1\nG41 D2 G1 X0 Y20 F500\nX50\nG40 G0 Z50\nM30\n");
     const RecordingSource source(memory, TextEncoding::kAuto);
     Progress progress;
-    const Result<RunResult> result = runPipeline(job, {&source}, progress);
+    const Result<RunResult> result = runRecorded(job, {&source}, progress);
     std::vector<Finding> found;
     if (!result) {
       ADD_FAILURE() << result.error().message;

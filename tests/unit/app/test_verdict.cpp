@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "app/pipeline.h"
+#include "app/session/session.h"
 #include "io/mesh_io.h"
 #include "tests/support/lofts.h"
 #include "tests/unit/compare/shapes.h"
@@ -51,7 +51,7 @@ class Verdict : public testing::Test {
     const MemoryProgramSource memory("p.nc", program);
     const RecordingSource source(memory, TextEncoding::kAuto);
     Progress progress;
-    return runPipeline(job_, {&source}, progress);
+    return runRecorded(job_, {&source}, progress);
   }
 
   static std::vector<Finding> of(const RunResult& run, const std::string& kind) {

@@ -1,0 +1,122 @@
+#include "app/session/comparison.h"
+
+#include <algorithm>
+
+#include "app/session/blame.h"
+#include "app/session/diagnosis.h"
+#include "app/session/findings.h"
+#include "app/session/provenance.h"
+#include "app/session/run_limits.h"
+#include "app/session/uncertainty.h"
+#include "core/tool/tool_table.h"
+#include "removal/exact/swept_part.h"
+#include "removal/turning/section.h"
+
+namespace proveout {
+namespace {
+
+/// Spots that one tool leaves side by side, as crests between its passes, are one finding: nearer to each
+/// other than it is wide.
+double spotGap(const RunResult& run, const SurfaceMaker& a, const SurfaceMaker& b) {
+  const auto numberOf = [&](const SurfaceMaker& m) {
+    return std::min<std::size_t>(m.setup, run.setups.size() - 1);
+  };
+  const SetupRun& setup = run.setups[numberOf(a)];
+  const std::vector<Motion>& motions = setup.interpreted.path.motions;
+  if (numberOf(a) != numberOf(b) || a.motion >= motions.size() || b.motion >= motions.size()) return -1.0;
+  const int tool = motions[a.motion].tool;
+  if (motions[b.motion].tool != tool) return -1.0;
+  const Tool* t = findTool(setup.job.tools, tool);
+  return t == nullptr ? -1.0 : t->insert ? 2.0 * t->insert->nose_radius : t->diameter;
+}
+
+/// Names who made the last finding.
+void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResult& run) {
+  const std::size_t last = run.setups.size() - 1;
+  const SurfaceMaker maker = mainMaker(patch);
+  MadeBy made{maker.setup == SurfaceMaker::kLastSetup ? last : maker.setup, maker.motion};
+  if (made.motion == kNoMotion) {
+    const double within = patch.depth_mm + 2.0 * run.resolution_mm;
+    made = madeEarlier(run, patch.where, within).value_or(MadeBy{last, kNoMotion});
+  }
+  const SetupRun& setup = run.setups[made.setup];
+  blame(run.findings.back(), made.motion, setup.interpreted.path, *sources[made.setup]);
+  run.findings.back().setup = setup.name;
+}
+
+/// `first`, then `then`.
+RigidTransform after(const RigidTransform& then, const RigidTransform& first) {
+  return {then.rotation * first.rotation, then(first.translation)};
+}
+
+/// The part that a clamping turned, without what fell off.
+std::shared_ptr<const TurnedShape> turnedPart(const SetupRun& setup) {
+  TurnedShape part = *setup.turned;
+  part.bodies.resize(1);  // the part itself comes first
+  return std::make_shared<const TurnedShape>(std::move(part));
+}
+
+void addFindings(const RunSources& sources, const ExactPart* part, RunResult& run) {
+  std::vector<PatchFinding> told;
+  for (const DeviationPatch& patch : run.comparison->patches) {
+    addDeviation(patch, *run.comparison, run.findings);
+    told.push_back({run.findings.size() - 1, &patch});
+    blamePatch(patch, sources, run);
+  }
+  if (const DeviationPatch* worst = addUndecided(*run.comparison, run.findings)) {
+    told.push_back({run.findings.size() - 1, worst});
+    blamePatch(*worst, sources, run);
+  }
+  diagnoseDeviations(sources, part, told, run);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const RunResult& run) {
+  if (run.setups.back().turned) return makeTurnedPart(turnedPart(run.setups.back()));
+  // Frames of clampings that turned the part hold what they left: it is the blank of those behind them.
+  static const Toolpath kNothing;
+  StockShape start = blank;
+  std::uint32_t turned_by = 0;
+  RigidTransform to_first;
+  std::vector<ClampedCut> cuts(run.setups.size());
+  for (std::size_t k = 0; k < run.setups.size(); ++k) {
+    const SetupRun& setup = run.setups[k];
+    if (k > 0) to_first = after(to_first, setup.from_previous.inverse());
+    if (!setup.turned) continue;
+    start = TurnedStockShape{turnedPart(setup), to_first};
+    turned_by = static_cast<std::uint32_t>(k);
+  }
+  RigidTransform from_last;
+  for (std::size_t k = run.setups.size(); k-- > 0;) {
+    const SetupRun& setup = run.setups[k];
+    cuts[k] = {setup.turned ? &kNothing : &setup.interpreted.path, &setup.job.tools, from_last};
+    from_last = after(setup.from_previous.inverse(), from_last);
+  }
+  return makeSweptPart(start, cuts, turned_by);
+}
+
+Status compareRun(const Job& job, const RunSources& sources, const Blank& blank, const PreparedMesh& nominal,
+                  RunResult& run, Progress& progress) {
+  Result<std::unique_ptr<ExactPart>> part = makeExactPart(blank.shape, run);
+  if (!part) return part.error();
+  CompareOptions options;
+  options.gouge_mm = job.nominal->gouge_mm;
+  options.excess_mm = job.nominal->excess_mm;
+  options.resolution_mm = run.resolution_mm;
+  options.uncertainty_mm = partUncertainty(run) + simplification(job, run.resolution_mm);
+  options.part = std::move(*part);
+  options.spot_gap = [&run](const SurfaceMaker& a, const SurfaceMaker& b) { return spotGap(run, a, b); };
+  options.threads = job.simulation.threads;
+  options.ignored = job.nominal->ignored;
+  progress.report("comparing", 0.0);
+  Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
+  if (!comparison) return comparison.error();
+  run.comparison = std::move(*comparison);
+  addCoarseNominal(*run.comparison, run.findings);
+  addIgnored(job.nominal->ignored, *run.comparison, run.findings);
+  addFindings(sources, options.part.get(), run);
+  return Done{};
+}
+
+}  // namespace proveout

@@ -1,0 +1,20 @@
+// The part of a run against its nominal: what is compared, and whose fault a deviation is.
+#pragma once
+
+#include <memory>
+
+#include "app/session/run_result.h"
+#include "removal/compare/exact_part.h"
+
+namespace proveout {
+
+/// The machined part without a grid. Null where the blank's faces are not known (a stock from a file).
+Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const RunResult& run);
+
+/// Fills `comparison` of the run and adds its findings. The surface is measured on the mesh and, where that
+/// could be off, on the exact part (removal/exact): blank and swept volumes of all clampings, or the section
+/// of a turned part. A stock from a file has none.
+Status compareRun(const Job& job, const RunSources& sources, const Blank& blank, const PreparedMesh& nominal,
+                  RunResult& run, Progress& progress);
+
+}  // namespace proveout

@@ -1,0 +1,360 @@
+#include "app/session/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/session/blame.h"
+#include "io/report_text.h"
+
+namespace proveout {
+namespace {
+
+using report_text::figure;
+
+/// Share of the blank below which nothing was cut: rounding of the volume sums stays far under it.
+constexpr double kNothingCut = 1e-9;
+
+/// Part of a volume that a grid may miss without a word: a round blank four cells thick stays within it.
+constexpr double kHeldShare = 1e-3;
+constexpr double kErrorShare = 2e-3;
+
+/// A cut that is this many grid steps wide holds a sample wherever it runs: more than the diagonal of a
+/// square.
+constexpr double kCellsInAWidth = 1.5;
+
+double toleranceFor(const DeviationPatch& patch, const Comparison& comparison) {
+  return patch.kind == DeviationKind::kGouge ? comparison.gouge_tolerance_mm : comparison.excess_tolerance_mm;
+}
+
+std::string deviationText(const DeviationPatch& patch, const Comparison& comparison) {
+  std::string text =
+      fmt::format("{} mm {} nominal over {} mm2", figure(patch.depth_mm),
+                  patch.kind == DeviationKind::kGouge ? "below" : "above", figure(patch.area_mm2));
+  if (patch.spots > 1) text += fmt::format(" in {} spots", patch.spots);
+  return text + fmt::format(" (allowed {:g} mm)", toleranceFor(patch, comparison));
+}
+
+Finding patchFinding(const DeviationPatch& patch) {
+  Finding finding;
+  finding.where = patch.where;
+  finding.depth_mm = patch.depth_mm;
+  finding.area_mm2 = patch.area_mm2;
+  finding.volume_mm3 = patch.volume_mm3;
+  finding.bound_mm = patch.bound_mm;
+  finding.spots = patch.spots;
+  return finding;
+}
+
+/// The coarsest grid that decides all of them; 0: none does.
+double decidingResolution(const std::vector<DeviationPatch>& undecided) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const DeviationPatch& patch : undecided) least = std::min(least, patch.deciding_resolution_mm);
+  return std::isfinite(least) ? least : 0.0;
+}
+
+std::string dataText(const PathEvent& event, const std::string& key) {
+  for (const auto& [name, json] : event.data) {
+    if (name != key) continue;
+    const bool quoted = json.size() >= 2 && json.front() == '"';
+    return quoted ? json.substr(1, json.size() - 2) : json;
+  }
+  return "?";
+}
+
+}  // namespace
+
+void addAlarms(const Toolpath& path, std::vector<Finding>& findings) {
+  for (const Diagnostic& diagnostic : path.diagnostics.all()) {
+    if (diagnostic.severity != Severity::kError) continue;
+    Finding finding;
+    finding.kind = "alarm";
+    finding.message = diagnostic.message;
+    if (diagnostic.where.line > 0) {
+      finding.source = BlockRef{diagnostic.where.file, static_cast<std::uint32_t>(diagnostic.where.line), -1,
+                                0, diagnostic.source_line};
+    }
+    findings.push_back(std::move(finding));
+  }
+}
+
+void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
+  for (const Toolpath::EventAt& at : path.events) {
+    if (at.event.event != "overtravel") continue;
+    Finding finding;
+    finding.kind = "overtravel";
+    finding.source = blockRef(path, at.event.source, texts);
+    // The event precedes its motion.
+    if (at.before < path.motions.size()) {
+      finding.motion = at.before;
+      finding.tool = path.motions[at.before].tool;
+      finding.where = path.motions[at.before].to;
+    }
+    finding.message =
+        fmt::format("{} goes to {} mm, past its limit of {} mm (machine frame)", dataText(at.event, "axis"),
+                    dataText(at.event, "value"), dataText(at.event, "limit"));
+    findings.push_back(std::move(finding));
+  }
+}
+
+void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
+  for (const Toolpath::EventAt& at : path.events) {
+    if (at.event.event != "forbidden_zone") continue;
+    Finding finding;
+    finding.kind = "forbidden_zone";
+    finding.source = blockRef(path, at.event.source, texts);
+    // The motion up to the border follows, unless the tool stood there already.
+    const Motion* motion = at.before < path.motions.size() ? &path.motions[at.before] : nullptr;
+    if (motion != nullptr && motion->source.file == at.event.source.file &&
+        motion->source.line == at.event.source.line) {
+      finding.motion = at.before;
+      finding.tool = motion->tool;
+      finding.where = motion->to;
+    }
+    finding.message = fmt::format("{} (alarm {} of the control)", dataText(at.event, "message"),
+                                  dataText(at.event, "alarm"));
+    findings.push_back(std::move(finding));
+  }
+}
+
+void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std::vector<Finding>& findings) {
+  Finding finding = patchFinding(patch);
+  finding.kind = patch.kind == DeviationKind::kGouge ? "gouge" : "excess";
+  finding.message = deviationText(patch, comparison);
+  findings.push_back(std::move(finding));
+}
+
+const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Finding>& findings) {
+  const std::vector<DeviationPatch>& all = comparison.undecided;
+  if (all.empty()) return nullptr;
+  const auto most = [&](const DeviationPatch& p) {
+    return p.depth_mm + p.bound_mm - toleranceFor(p, comparison);
+  };
+  const DeviationPatch& worst = *std::max_element(
+      all.begin(), all.end(), [&](const auto& a, const auto& b) { return most(a) < most(b); });
+  Finding finding = patchFinding(worst);
+  finding.kind = "undecided";
+  finding.severity = Severity::kWarning;
+  finding.message = deviationText(worst, comparison) +
+                    fmt::format("; this is good to {:.2g} mm and cannot be decided", worst.bound_mm);
+  if (all.size() > 1) finding.message += fmt::format(", nor can {} other places", all.size() - 1);
+  if (const double grid = decidingResolution(all); grid > 0.0)
+    finding.message += fmt::format("; --resolution {:.2g} could", grid);
+  findings.push_back(std::move(finding));
+  return &worst;
+}
+
+void addCoarseNominal(const Comparison& comparison, std::vector<Finding>& findings) {
+  constexpr double kNoted = 0.2, kWanted = 0.1;  // of the smaller tolerance
+  const double least = std::min(comparison.gouge_tolerance_mm, comparison.excess_tolerance_mm);
+  if (comparison.nominal_chord_mm <= kNoted * least) return;
+  Finding finding;
+  finding.kind = "coarse_nominal";
+  finding.severity = comparison.nominal_chord_mm > least ? Severity::kWarning : Severity::kNote;
+  finding.where = comparison.nominal_chord_at;
+  finding.message = fmt::format(
+      "the nominal is coarse: its facets leave the curved faces that they stand for by up to {} mm; what "
+      "lies between the two is no deviation; export it with chords of {:.2g} mm",
+      figure(comparison.nominal_chord_mm), kWanted * least);
+  findings.push_back(std::move(finding));
+}
+
+void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& comparison,
+                std::vector<Finding>& findings) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    Finding finding;
+    finding.kind = "not_compared";
+    finding.severity = Severity::kNote;
+    finding.area_mm2 = comparison.ignored_mm2[i];
+    finding.message =
+        fmt::format("region '{}', {} mm2 of the part's surface, is not compared with the nominal",
+                    regions[i].name, figure(comparison.ignored_mm2[i]));
+    findings.push_back(std::move(finding));
+  }
+}
+
+void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBody>& bodies,
+                std::vector<Finding>& findings) {
+  Finding finding;
+  if (bodies.empty()) {
+    finding.kind = "no_part";
+    finding.message = "nothing of the blank is left; check its place, the offsets and the tools";
+    findings.push_back(std::move(finding));
+    return;
+  }
+  if (initial_mm3 - final_mm3 <= kNothingCut * initial_mm3) {
+    finding.kind = "nothing_cut";
+    finding.severity = Severity::kWarning;
+    finding.message = "the program cuts nothing; check the place of the blank and the offsets";
+    findings.push_back(finding);
+  }
+  if (bodies.size() < 2) return;
+  double loose_mm3 = 0;
+  for (std::size_t i = 1; i < bodies.size(); ++i) loose_mm3 += bodies[i].volume_mm3;
+  finding.kind = "loose_piece";
+  finding.severity = Severity::kWarning;
+  finding.where = bodies[1].bounds.center();
+  finding.volume_mm3 = loose_mm3;
+  finding.message = fmt::format("the stock is in {} pieces: {:.4g} mm3 are not held by the largest",
+                                bodies.size(), loose_mm3);
+  findings.push_back(std::move(finding));
+}
+
+void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::vector<Finding>& findings) {
+  const double off_mm3 = held_mm3 - own_mm3;
+  if (std::abs(off_mm3) <= kHeldShare * own_mm3) return;
+  Finding finding;
+  finding.kind = "thin_feature";
+  finding.severity = Severity::kWarning;
+  finding.volume_mm3 = std::abs(off_mm3);
+  finding.message = fmt::format(
+      "the grid of {:g} mm holds {:.5g} mm3 of what is clamped, which has {:.5g} mm3: it is too thin for the "
+      "grid "
+      "somewhere, and volumes are off by as much; take a finer resolution",
+      resolution_mm, held_mm3, own_mm3);
+  findings.push_back(std::move(finding));
+}
+
+void addVolumeError(double removed_mm3, double error_mm3, double resolution_mm,
+                    std::vector<Finding>& findings) {
+  if (error_mm3 <= kErrorShare * removed_mm3) return;
+  Finding finding;
+  finding.kind = "thin_feature";
+  finding.severity = Severity::kWarning;
+  finding.volume_mm3 = error_mm3;
+  finding.message = fmt::format(
+      "the grid of {:g} mm is coarse for what was cut: the removed volume of {:.4g} mm3 may be off by {:.2g} "
+      "mm3; take a finer resolution",
+      resolution_mm, removed_mm3, error_mm3);
+  findings.push_back(std::move(finding));
+}
+
+void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,
+                     const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
+  Finding finding;
+  finding.kind = "thin_feature";
+  finding.severity = Severity::kWarning;
+  if (removal.lost_film_mm2 > 0) {
+    finding.where = removal.lost_film_at;
+    finding.area_mm2 = removal.lost_film_mm2;
+    finding.message = fmt::format(
+        "about {:.3g} mm2 of stock are left thinner than the grid of {:g} mm and are not in the mesh; take a "
+        "finer "
+        "resolution",
+        removal.lost_film_mm2, resolution_mm);
+    findings.push_back(finding);
+  }
+  for (const NarrowCut& cut : removal.narrow_cuts) {
+    Finding narrow = finding;
+    narrow.where = cut.where;
+    narrow.area_mm2 = cut.area_mm2;
+    blame(narrow, cut.motion, path, texts);
+    narrow.message = fmt::format(
+        "cuts {:.2g} mm wide, over {:.3g} mm of path, pass between the samples of the grid of {:g} mm and "
+        "are not in the "
+        "mesh; --resolution {:.2g} could hold them",
+        cut.width_mm, cut.length_mm, resolution_mm, cut.width_mm / kCellsInAWidth);
+    findings.push_back(std::move(narrow));
+  }
+  if (surface.thin_cells > 0) {
+    finding.where = surface.first_thin_cell;
+    finding.area_mm2 = static_cast<double>(surface.thin_cells) * resolution_mm * resolution_mm;
+    finding.message = fmt::format(
+        "a wall, gap or ridge thinner than the grid of {:g} mm runs through {} of its cells and is not exact "
+        "there; "
+        "take a "
+        "finer resolution",
+        resolution_mm, surface.thin_cells);
+    findings.push_back(finding);
+  }
+}
+
+void addPartial(ProgramEnd end, const ControlSettings& settings, std::vector<Finding>& findings) {
+  if (end != ProgramEnd::kUntil) return;
+  Finding finding;
+  finding.kind = "partial";
+  finding.severity = Severity::kWarning;
+  finding.message =
+      fmt::format("only the program up to {} was run: what follows was not checked", untilText(settings));
+  findings.push_back(std::move(finding));
+}
+
+void addUnrunSetups(const std::string& last_name, std::vector<Finding>& findings) {
+  Finding finding;
+  finding.kind = "partial";
+  finding.severity = Severity::kWarning;
+  finding.setup = last_name;
+  finding.message = fmt::format(
+      "only the setups up to '{}' were run: what follows was not checked, nor the part against its nominal",
+      last_name);
+  findings.push_back(std::move(finding));
+}
+
+std::string untilText(const ControlSettings& settings) {
+  if (!settings.until) return {};
+  if (settings.until->block) return fmt::format("N{}", *settings.until->block);
+  return fmt::format("line {}", settings.until->line.value_or(0));
+}
+
+void addMeshDefects(const MeshTopology& topology, const StockSurface& surface,
+                    std::vector<Finding>& findings) {
+  Finding finding;
+  if (surface.self_intersections > 0) {
+    finding.kind = "mesh";
+    finding.severity = Severity::kWarning;
+    finding.message =
+        fmt::format("{} pairs of the mesh's triangles run through each other; take another resolution",
+                    surface.self_intersections);
+    findings.push_back(finding);
+  }
+  if (topology.closedManifold()) return;
+  finding.severity = Severity::kError;
+  finding.kind = "mesh";
+  finding.where = topology.first_defect;
+  finding.message = fmt::format(
+      "the mesh is not closed and 2-manifold: {} border edges, {} edges with more than two faces, {} "
+      "misoriented, {} "
+      "vertices with more than one fan, {} degenerate triangles",
+      topology.boundary_edges, topology.non_manifold_edges, topology.misoriented_edges,
+      topology.non_manifold_vertices, topology.degenerate_triangles);
+  findings.push_back(std::move(finding));
+}
+
+namespace {
+
+std::string blockText(const BlockRef& block) {
+  return fmt::format("{}{}{}", report_text::place(block), block.text.empty() ? "" : ": ", block.text);
+}
+
+}  // namespace
+
+Diagnostic findingDiagnostic(const Finding& finding) {
+  Diagnostic diagnostic;
+  diagnostic.severity = finding.severity;
+  diagnostic.code = finding.kind;
+  diagnostic.message = finding.message;
+  if (finding.source) {
+    diagnostic.where = {finding.source->file, static_cast<int>(finding.source->line), 0, 0};
+    diagnostic.source_line = finding.source->text;
+  }
+  std::string place;
+  if (finding.where) {
+    place =
+        fmt::format("at X{:.3f} Y{:.3f} Z{:.3f}", finding.where->x(), finding.where->y(), finding.where->z());
+  }
+  if (finding.tool) place += fmt::format("{}tool {}", place.empty() ? "" : ", ", *finding.tool);
+  if (!finding.setup.empty()) place += fmt::format("{}setup {}", place.empty() ? "" : ", ", finding.setup);
+  if (!place.empty()) diagnostic.notes.push_back(place);
+  if (finding.inside) diagnostic.notes.push_back("moved by " + blockText(*finding.inside));
+  if (finding.last_source) diagnostic.notes.push_back("the last one: " + blockText(*finding.last_source));
+  constexpr std::size_t kBlocks = 4, kCauses = 3;
+  if (finding.blocks.size() > 1)
+    diagnostic.notes.push_back("made by " + report_text::blocksLine(finding, kBlocks));
+  for (std::size_t i = 0; i < std::min(kCauses, finding.causes.size()); ++i)
+    diagnostic.notes.push_back(report_text::causeNote(finding.causes[i]));
+  return diagnostic;
+}
+
+}  // namespace proveout

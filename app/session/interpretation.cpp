@@ -1,0 +1,364 @@
+#include "app/session/interpretation.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "app/session/clearance.h"
+#include "app/session/job_defaults.h"
+#include "app/session/process/process.h"
+#include "app/session/stock_probe.h"
+#include "core/nc/source_text.h"
+#include "io/program_files.h"
+
+namespace proveout {
+namespace {
+
+/// What a kept event takes with its texts, bytes: a generous estimate.
+constexpr std::size_t kEventBytes = 512;
+
+/// Bytes that the tool path may take: the job's limit, else half of the machine's memory.
+double pathMemory(const Job& job) {
+  if (job.simulation.max_memory_gb > 0) return job.simulation.max_memory_gb * 1e9;
+  return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// Builds the path and stops the interpretation before the path outgrows the memory: an endless loop would
+/// reach that long before the limit of blocks.
+class GuardedBuilder : public ToolpathBuilder {
+ public:
+  GuardedBuilder(Toolpath& path, double most_bytes, Progress& progress)
+      : ToolpathBuilder(path), most_bytes_(most_bytes), progress_(progress) {}
+  void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) override {
+    ToolpathBuilder::motion(motion, arc, axis);
+    // Twice: a growing vector holds its old half as long as it copies.
+    add(2 * (sizeof(Motion) + (arc ? sizeof(ArcGeometry) : 0) + (axis ? sizeof(AxisSweep) : 0)),
+        motion.source);
+  }
+  void event(const PathEvent& event) override {
+    ToolpathBuilder::event(event);
+    add(kEventBytes, event.source);
+  }
+  void originWord(const WordOrigin& word) override {
+    ToolpathBuilder::originWord(word);
+    bytes_ += 2.0 * static_cast<double>(sizeof(WordOrigin) + word.from.size() * sizeof(word.from.front()));
+  }
+  void originData(const DataInForce& data) override {
+    ToolpathBuilder::originData(data);
+    bytes_ += 2.0 * sizeof(DataInForce);
+  }
+  void originModal(const ModalOrigins& modal) override {
+    ToolpathBuilder::originModal(modal);
+    bytes_ += 2.0 * sizeof(ModalOrigins);
+  }
+  void originSet(const OriginSet& set) override {
+    ToolpathBuilder::originSet(set);
+    bytes_ += 2.0 * sizeof(OriginSet);
+  }
+  /// The block that went over the limit.
+  const std::optional<SourceRef>& outgrownAt() const { return outgrown_at_; }
+
+ private:
+  void add(std::size_t bytes, const SourceRef& source) {
+    bytes_ += static_cast<double>(bytes);
+    if (bytes_ <= most_bytes_ || outgrown_at_) return;
+    outgrown_at_ = source;
+    progress_.cancel();
+  }
+
+  double bytes_ = 0.0, most_bytes_;
+  Progress& progress_;
+  std::optional<SourceRef> outgrown_at_;
+};
+
+}  // namespace
+
+Result<ProgramText> RecordingSource::keep(Result<ProgramText> text) const {
+  if (!text) return text;
+  const auto same = [&](const ProgramText& known) { return known.path == text->path; };
+  if (std::none_of(texts_.begin(), texts_.end(), same)) texts_.push_back(*text);
+  return text;
+}
+
+Result<ProgramText> RecordingSource::mainProgram() const { return keep(inner_.mainProgram()); }
+
+Result<ProgramText> RecordingSource::subprogram(const SubprogramQuery& query) const {
+  return keep(inner_.subprogram(query));
+}
+
+void RecordingSource::addChannel(const ProgramSource& inner) {
+  channels_.push_back(std::make_unique<Channel>(*this, inner));
+}
+
+std::vector<const ProgramSource*> RecordingSource::channels() const {
+  std::vector<const ProgramSource*> all{this};
+  for (const auto& channel : channels_) all.push_back(channel.get());
+  return all;
+}
+
+std::string RecordingSource::line(const std::string& file, std::uint32_t number) const {
+  auto found = lines_.find(file);
+  if (found == lines_.end()) {
+    found = lines_.emplace(file, std::vector<std::string>()).first;
+    const auto named = [&](const ProgramText& text) { return text.name == file; };
+    const auto text = std::find_if(texts_.begin(), texts_.end(), named);
+    if (text != texts_.end()) {
+      if (const Result<std::string> utf8 = nc::decodeText(text->bytes, encoding_); utf8) {
+        const nc::SourceText source(text->name, text->path, *utf8);
+        found->second.assign(source.lines().begin(), source.lines().end());
+      }
+    }
+  }
+  return number >= 1 && number <= found->second.size() ? found->second[number - 1] : std::string();
+}
+
+bool RecordingSource::has(const std::string& file) const {
+  return std::any_of(texts_.begin(), texts_.end(),
+                     [&](const ProgramText& text) { return text.name == file; });
+}
+
+JobSources::JobSources(const Job& job) {
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    const Job part = jobOfSetup(job, k);
+    files_.push_back(std::make_unique<FileProgramSource>(part.program, part.subprograms));
+    sources_.push_back(std::make_unique<RecordingSource>(*files_.back(), part.settings.encoding));
+    for (std::size_t i = 1; i < part.channels.size(); ++i) {
+      files_.push_back(
+          std::make_unique<FileProgramSource>(part.channels[i].program, part.channels[i].subprograms));
+      sources_.back()->addChannel(*files_.back());
+    }
+    all_.push_back(sources_.back().get());
+  }
+}
+
+ControlSettings controlSettings(const Job& job, const Box3& blank) {
+  ControlSettings settings = job.settings;
+  for (const Tool& tool : job.tools) {
+    if (tool.gauge_length != 0.0) settings.gauge_lengths[tool.number] = tool.gauge_length;
+    if (tool.insert) settings.inserts[tool.number] = {noseCenter(*tool.insert), tool.insert->gauge};
+  }
+  placeMachine(job, blank, settings);
+  return settings;
+}
+
+InterpretSummary interpretJob(const Job& job, ControlId control, const RecordingSource& source,
+                              const ControlSettings& settings, MotionSink& sink, Progress& progress,
+                              const ControlHost& host) {
+  if (job.channels.empty()) return interpret(control, source, settings, sink, &progress, host);
+  const std::vector<const ProgramSource*> sources = source.channels();
+  std::vector<ChannelProgram> programs;
+  for (std::size_t k = 0; k < job.channels.size(); ++k) {
+    ControlSettings own = job.channels[k].settings;
+    own.start = job.channels[k].start.value_or(settings.start);
+    own.start_by_default = settings.start_by_default && !job.channels[k].start;
+    own.gauge_lengths = settings.gauge_lengths;
+    own.inserts = settings.inserts;
+    own.unnamed_gauge = settings.unnamed_gauge;
+    own.tool_change = placeInChannel(settings, own);
+    own.max_errors = settings.max_errors;
+    own.lenient = settings.lenient;
+    if (k == 0) own.until = settings.until;
+    programs.push_back({sources[k], std::move(own)});
+  }
+  if (programs.size() == 1)
+    return interpret(control, source, programs.front().settings, sink, &progress, host);
+  return interpretChannels(control, programs, sink, &progress, host);
+}
+
+namespace {
+
+/// Why the control cannot work with the job's tools; empty: it can. Checked before anything is made of them.
+std::string toolRefusalOf(const Job& job) {
+  const Process& process = processOf(job.control);
+  for (const Tool& tool : job.tools) {
+    if (!process.holds(tool))
+      return fmt::format("tool {} is {}; control {} {}", tool.number,
+                         tool.type == ToolType::kInsert ? "a lathe insert" : "a rotating tool", job.control,
+                         process.verb);
+  }
+  return {};
+}
+
+}  // namespace
+
+Interpreted interpretProgram(const Job& job, const RecordingSource& source, const ControlSettings& settings,
+                             Progress& progress, const ProbedStock* stock) {
+  Interpreted result;
+  GuardedBuilder builder(result.path, pathMemory(job), progress);
+  const Result<ControlId> control = findControl(job.control);
+  const std::string refusal = !control ? control.error().message : toolRefusalOf(job);
+  if (!refusal.empty()) {
+    Diagnostic diagnostic;
+    diagnostic.code = control ? "tool" : "control";
+    diagnostic.message = refusal;
+    result.path.diagnostics.add(diagnostic);
+    result.summary.end = ProgramEnd::kAlarm;
+    result.summary.errors = 1;
+    return result;
+  }
+  progress.report("interpreting", 0.0);
+  MemoryOutput output;
+  ControlHost host;
+  host.output = &output;
+  host.person = job.person;
+  std::unique_ptr<PieceProbe> probe;
+  if (stock != nullptr) probe = processOf(job.control).probe(job, *stock, result.path, progress);
+  host.probe = probe.get();
+  result.summary = interpretJob(job, *control, source, settings, builder, progress, host);
+  if (probe) result.probe_failure = probe->failure();
+  if (probe && probe->passedFixtures() && !job.fixtures.empty()) {
+    Diagnostic note;
+    note.severity = Severity::kNote;
+    note.code = "probe";
+    note.message = "measuring moves stop at the stock, not at the fixtures";
+    result.path.diagnostics.add(std::move(note));
+  }
+  result.files = output.files();
+  result.path.blocks = result.summary.blocks;
+  result.outgrown_at = builder.outgrownAt();
+  return result;
+}
+
+BlockRef blockRef(const Toolpath& path, const SourceRef& source, const RecordingSource& texts) {
+  BlockRef ref;
+  if (source.file < path.files.size()) ref.file = path.files[source.file];
+  ref.line = source.line;
+  ref.block = source.block;
+  ref.depth = source.depth;
+  ref.text = texts.line(ref.file, ref.line);
+  return ref;
+}
+
+LineText lineText(const Toolpath& path, const RecordingSource& texts) {
+  return [&path, &texts](std::uint32_t file, std::uint32_t line) {
+    return file < path.files.size() ? texts.line(path.files[file], line) : std::string();
+  };
+}
+
+bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source) {
+  for (const Motion& motion : path.motions) {
+    if (motion.axis < 0) continue;
+    const AxisSweep& axis = path.axes[static_cast<std::size_t>(motion.axis)];
+    std::string why;
+    if (!axis.alongZ()) why = "a tool axis other than +z";
+    for (int k = 0; k < axis.rotary_count; ++k) {
+      const RotaryPosition& rotary = axis.rotary[static_cast<std::size_t>(k)];
+      if (!rotary.in_path && (rotary.from != 0.0 || rotary.to != 0.0))
+        why = fmt::format("rotary axis {}", rotary.name.data());
+    }
+    if (why.empty()) continue;
+    const BlockRef block = blockRef(path, motion.source, source);
+    Diagnostic diagnostic;
+    diagnostic.code = "rotary-motion";
+    diagnostic.message = fmt::format(
+        "this motion uses {}: this version can write such a path but not remove material with it", why);
+    diagnostic.where = {block.file, static_cast<int>(block.line), 0, 0};
+    diagnostic.source_line = block.text;
+    path.diagnostics.add(std::move(diagnostic));
+    return false;
+  }
+  return true;
+}
+
+namespace {
+
+/// The number that an event tells under `key`; NaN: none.
+double numberOf(const PathEvent& event, std::string_view key) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [name, text] : event.data) {
+    if (name == key) std::from_chars(text.data(), text.data() + text.size(), value);
+  }
+  return value;
+}
+
+}  // namespace
+
+void addOffsetTools(Toolpath& path, std::vector<Tool>& tools) {
+  std::set<int> defined;
+  for (const Tool& tool : tools) defined.insert(tool.number);
+  for (const auto& [before, event] : path.events) {
+    if (event.event != "tool_shape") continue;
+    Tool tool;
+    tool.number = static_cast<int>(numberOf(event, "tool"));
+    tool.diameter = numberOf(event, "diameter");
+    const double radius = 0.5 * tool.diameter, corner = numberOf(event, "corner_radius");
+    if (tool.number <= 0 || !(radius > 0.0) || !(corner >= 0.0 && corner <= radius)) continue;
+    if (!defined.insert(tool.number).second) continue;
+    tool.type = corner == 0.0 ? ToolType::kFlat : corner == radius ? ToolType::kBall : ToolType::kBull;
+    if (tool.type == ToolType::kBull) tool.corner_radius = corner;
+    tool.name = fmt::format("offset row {}", numberOf(event, "d"));
+    Diagnostic note;
+    note.severity = Severity::kNote;
+    note.code = "tool";
+    note.message = fmt::format(
+        "tool {} is not in the job: its shape is that of offset row {}, diameter {} and corner radius {} mm",
+        tool.number, numberOf(event, "d"), tool.diameter, corner);
+    path.diagnostics.add(std::move(note));
+    tools.push_back(std::move(tool));
+  }
+}
+
+bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const RecordingSource& source) {
+  if (path.motions.empty()) return true;
+  std::set<int> defined, missing;
+  for (const Tool& tool : tools) defined.insert(tool.number);
+  const auto diagnose = [&](Severity severity, const Motion& motion, std::string code, std::string message) {
+    const BlockRef block = blockRef(path, motion.source, source);
+    Diagnostic diagnostic;
+    diagnostic.severity = severity;
+    diagnostic.code = std::move(code);
+    diagnostic.message = std::move(message);
+    diagnostic.where = {block.file, static_cast<int>(block.line), 0, 0};
+    diagnostic.source_line = block.text;
+    path.diagnostics.add(std::move(diagnostic));
+  };
+  if (defined.empty()) {
+    diagnose(Severity::kError, path.motions.front(), "tool", "the job defines no tool");
+    return false;
+  }
+  const int lowest = *defined.begin();
+  std::map<int, MotionId> first_change;  // by channel
+  for (const Toolpath::EventAt& e : path.events) {
+    if (e.event.event == "tool") first_change.emplace(e.event.channel, e.before);
+  }
+  int known = lowest;  // the last tool that was found
+  bool told = false, good = true;
+  for (Motion& motion : path.motions) {
+    if (motion.tool == known) continue;
+    if (motion.tool == 0 && !defined.contains(0)) {
+      const auto changed = first_change.find(motion.channel);
+      const bool emptied = changed != first_change.end() &&
+                           static_cast<MotionId>(&motion - path.motions.data()) >= changed->second;
+      if (emptied && motion.kind != MotionKind::kRapid) {
+        diagnose(Severity::kError, motion, "tool", "a feed motion with the spindle emptied by T0 M6");
+        return false;
+      }
+      if (!told) {
+        diagnose(
+            Severity::kNote, motion, "tool",
+            fmt::format("no tool is changed in up to here; tool {} is taken to be in the spindle", lowest));
+      }
+      told = true;
+      motion.tool = lowest;
+      continue;
+    }
+    if (defined.contains(motion.tool)) {
+      known = motion.tool;
+      continue;
+    }
+    if (!missing.insert(motion.tool).second) continue;
+    good = false;
+    diagnose(Severity::kError, motion, "tool",
+             fmt::format("tool {} is not defined; give it as [[tool]] in the job or as --tool {}=SHAPE",
+                         motion.tool, motion.tool));
+  }
+  return good;
+}
+
+}  // namespace proveout

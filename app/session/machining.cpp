@@ -1,0 +1,136 @@
+#include "app/session/machining.h"
+
+#include <algorithm>
+
+#include "app/session/contact_findings.h"
+#include "app/session/findings.h"
+#include "app/session/nose_data.h"
+#include "app/session/parted_bodies.h"
+#include "app/session/plausibility.h"
+#include "app/session/process/process.h"
+#include "app/session/run_limits.h"
+#include "app/session/setup_findings.h"
+#include "app/session/spindle_direction.h"
+#include "app/session/stock_bodies.h"
+#include "app/session/tool_offsets.h"
+#include "app/session/turning_work.h"
+#include "core/base/parallel_for.h"
+#include "core/base/stopwatch.h"
+#include "io/sha256.h"
+
+namespace proveout {
+namespace {
+
+/// Takes over what a clamping made of its workpiece. Returns how many of its bodies are to be told of: not
+/// what fell off before, and of turned parts not what is told by what parted it.
+std::size_t keep(Machined&& made, SetupRun& setup, ReportPerformance& performance) {
+  performance.remove_s += made.remove_s;
+  performance.mesh_s += made.mesh_s;
+  setup.initial_mm3 = made.initial_mm3;
+  setup.removal = std::move(made.removal);
+  setup.surface = std::move(made.surface);
+  setup.turned = std::move(made.turned);
+  setup.facet_error_mm = made.facet_error_mm;
+  parallelFor(0, 3, [&setup](int part) {
+    if (part == 0) setup.topology = analyseTopology(setup.surface.mesh);
+    if (part == 1) setup.mesh_sha256 = sha256OfMesh(setup.surface.mesh);
+    if (part == 2) setup.extent = meshExtent(setup.surface.mesh);
+  });
+  if (made.bodies) {
+    setup.bodies = std::move(*made.bodies);
+    return std::min<std::size_t>(setup.bodies.size(), 1);
+  }
+  setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent);
+  const std::size_t told = setup.bodies.size();
+  setup.bodies.insert(setup.bodies.end(), made.apart.begin(), made.apart.end());
+  return told;
+}
+
+/// Findings on what a clamping made. `touched`: those of its fixtures.
+void lookAt(const SetupRun& setup, std::size_t told_bodies, const RecordingSource& source,
+            std::vector<Finding>&& touched, RunResult& run) {
+  inSetup(run, setup, [&](std::vector<Finding>& findings) {
+    addContacts(setup.removal.contacts, setup.job.simulation.contact_mm, setup.turned != nullptr,
+                setup.interpreted.path, source, findings);
+    findings.insert(findings.end(), touched.begin(), touched.end());
+    std::vector<StockBody> bodies = setup.bodies;
+    bodies.resize(told_bodies);
+    addOutcome(setup.initial_mm3, setup.surface.volume_mm3, bodies, findings);
+    const NominalSpec tolerance = setup.job.nominal.value_or(NominalSpec{});
+    const double least_mm = std::min(tolerance.gouge_mm, tolerance.excess_mm);
+    addNoseFindings(setup, least_mm, source, findings);
+    addToolOffsets(setup, least_mm, source, findings);
+    addImplausible(setup, source, findings);
+    addPartedBodies(setup, source, findings);
+    if (!processOf(setup.job.control).part_turns)
+      addSpindleDirection(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source,
+                          findings);
+    addVolumeError(setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_error_mm3,
+                   run.resolution_mm, findings);
+    addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, source,
+                    findings);
+    addPartial(setup.interpreted.summary.end, setup.job.settings, findings);
+  });
+}
+
+/// Bounds of the nominal in the frame of a clamping.
+Box3 nominalIn(const Job& job, const TriMesh& nominal, std::size_t setup) {
+  Box3 bounds = meshBounds(nominal);
+  for (std::size_t k = setupCount(job); k-- > setup + 1;)
+    bounds = job.setups[k].from_previous.inverse()(bounds);
+  return bounds;
+}
+
+PieceOptions pieceOptions(const Job& job, const PreparedRun& prepared, std::size_t k) {
+  const SetupRun& setup = prepared.run.setups[k];
+  PieceOptions options;
+  options.grid = removalOptions(setup.job, prepared.run.resolution_mm);
+  options.surface = surfaceOptions(setup.job, prepared.run.resolution_mm);
+  options.facet_mm = facetTolerance(setup.job);
+  options.keeps_grid = k + 1 == setupCount(job) && savesStock(job);
+  if (prepared.nominal && processOf(job, k).part_turns)
+    options.part = nominalIn(job, prepared.nominal->mesh, k);
+  options.grid_fits = [&job, &prepared] {
+    return checkMemory(job, turnedGridWork(prepared.blank), prepared.run.resolution_mm);
+  };
+  return options;
+}
+
+}  // namespace
+
+Status machineAll(const Job& job, const RunSources& sources, PreparedRun& prepared, Progress& progress) {
+  RunResult& run = prepared.run;
+  Stopwatch watch;
+  std::unique_ptr<Workpiece> piece;
+  for (std::size_t k = 0; k < run.setups.size(); ++k) {
+    SetupRun& setup = run.setups[k];
+    const Process& process = processOf(job, k);
+    const PieceOptions options = pieceOptions(job, prepared, k);
+    Result<std::unique_ptr<Fixtures>> fixtures = process.fixtures(setup, run.resolution_mm, progress);
+    if (!fixtures) return fixtures.error();
+    watch.lap();
+    Result<std::unique_ptr<Workpiece>> clamped =
+        k == 0 ? process.make(prepared.blank, job, progress)
+               : piece->become(process.kind, setup.from_previous, options, progress);
+    if (!clamped) return clamped.error();
+    piece = std::move(*clamped);
+    run.performance.remove_s += watch.lap();
+    Result<Machined> made = piece->machine(setup.interpreted.path, setup.job.tools, options, progress);
+    if (!made) return made.error();
+    if (made->holding)
+      inSetup(run, setup, [&](std::vector<Finding>& findings) {
+        addGridVolume(made->holding->own_mm3, made->holding->held_mm3, run.resolution_mm, findings);
+      });
+    const std::size_t told_bodies = keep(std::move(*made), setup, run.performance);
+    std::vector<Finding> touched;
+    if (Status done = (*fixtures)->addContacts(setup, *sources[k], touched, progress); !done) return done;
+    lookAt(setup, told_bodies, *sources[k], std::move(touched), run);
+    if (setup.surface.mesh.triangles.empty()) {
+      run.setups.resize(k + 1);  // there is nothing to clamp again
+    }
+  }
+  run.stock = piece->takeGrid();
+  return Done{};
+}
+
+}  // namespace proveout

@@ -1,0 +1,56 @@
+#include "app/session/process/process.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/nc/control_info.h"
+
+namespace proveout {
+namespace {
+
+constexpr std::array kProcesses = {&kMillingProcess, &kTurningProcess};
+
+/// What a workpiece may become, see Workpiece::become.
+bool mayFollow(const Process& before, const Process& next) {
+  return next.kind == before.kind || (before.kind == ProcessKind::kTurning && next.on_grid);
+}
+
+}  // namespace
+
+const Process& processOf(std::string_view control) {
+  const auto& all = controls();
+  const auto info =
+      std::find_if(all.begin(), all.end(), [&](const ControlInfo& known) { return known.name == control; });
+  const ProcessKind kind = info == all.end() ? ProcessKind::kMilling : info->process;
+  return **std::find_if(kProcesses.begin(), kProcesses.end(),
+                        [&](const Process* process) { return process->kind == kind; });
+}
+
+const Process& processOf(const Job& job, std::size_t setup) {
+  const bool own = setup < job.setups.size() && !job.setups[setup].control.empty();
+  return processOf(own ? job.setups[setup].control : job.control);
+}
+
+Status checkProcesses(const Job& job, const Blank& blank) {
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    const Process& process = processOf(job, k);
+    if (k > 0 && !mayFollow(processOf(job, k - 1), process))
+      return inputError(fmt::format(
+          "setup '{}': control {} {}, and what was clamped before cannot go on so: only bars, tubes and what "
+          "was turned can be turned; give the turned clampings first",
+          job.setups[k].name, jobOfSetup(job, k).control, process.verb));
+    if (Status possible = process.check(job, k, blank); !possible) return possible;
+  }
+  return Done{};
+}
+
+bool needsGrid(const Job& job) {
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    if (processOf(job, k).on_grid) return true;
+  }
+  return false;
+}
+
+}  // namespace proveout

@@ -1,0 +1,157 @@
+// Turning: the workpiece is a half section until a thread or a saved grid needs more.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/session/clearance.h"
+#include "app/session/fixtures.h"
+#include "app/session/process/process.h"
+#include "app/session/run_result.h"
+#include "app/session/turning_work.h"
+#include "core/tool/tool_table.h"
+#include "removal/process/turned_piece.h"
+#include "removal/turning/turned_stock.h"
+
+namespace proveout {
+namespace {
+
+Status checkFixtures(const Job& setup) {
+  for (const FixtureSpec& fixture : setup.fixtures) {
+    const Result<StockShape> round = loadStockShape(fixture.shape);
+    if (!round) return round.error();
+    if (!TurnedStock::create(*round))
+      return inputError(fmt::format(
+          "fixture '{}': while the part turns a fixture must be a cylinder or tube about Z at X0 Y0",
+          fixture.name));
+  }
+  return Done{};
+}
+
+/// Blanks and fixtures are round about Z, clampings keep the axis, tools stay in the plane of the axis.
+Status check(const Job& job, std::size_t k, const Blank& blank) {
+  const Result<TurnedStock> stock = TurnedStock::create(blank.shape);
+  if (!stock) return stock.error();
+  const Job setup = jobOfSetup(job, k);
+  const Vec3 origin = setup.settings.work_offsets[0] + setup.settings.common_offset;
+  if (const auto& y = setup.settings.tool_change.y; y && *y != origin.y())
+    return inputError(fmt::format(
+        "the tool change has Y{:g} (machine frame): a lathe's tools move in the plane Y0, here Y{:g}", *y,
+        origin.y()));
+  if (setup.start && setup.start->y() != 0.0)
+    return inputError(
+        fmt::format("the start point has Y{:g}: a lathe's tools move in the plane Y0", setup.start->y()));
+  if (Status round = checkFixtures(setup); !round) return round;
+  if (k == 0) return Done{};
+  const auto moved = stock->moved(stock->shape().bodies.front(), job.setups[k].from_previous);
+  if (!moved) return inputError(fmt::format("setup '{}': {}", job.setups[k].name, moved.error().message));
+  return Done{};
+}
+
+/// Of the touch-off point: outside of the blank and in front of it.
+Vec3 start(const Box3& blank) {
+  return {blank.max.x() + kTurningClearanceMm, 0.0, blank.max.z() + kTurningClearanceMm};
+}
+
+bool holds(const Tool& /*tool*/) { return true; }
+
+/// Measuring moves against the part as it has been turned so far.
+class TurningProbe final : public PieceProbe {
+ public:
+  /// `path` gets what the control does and must hold everything before the move that is asked about.
+  TurningProbe(const StockShape& blank, const std::vector<Tool>& tools, const Toolpath& path,
+               Progress& progress)
+      : blank_(blank), tools_(tools), path_(path), progress_(progress) {}
+  /// Errors: a tool that the job does not define, a way out of the plane of the spindle axis, cancelled.
+  Result<std::optional<double>> firstContact(const Motion& move, const ArcGeometry* arc,
+                                             const AxisSweep* axis) override;
+  const std::optional<Error>& failure() const override { return failure_; }
+
+ private:
+  const StockShape& blank_;
+  const std::vector<Tool>& tools_;
+  const Toolpath& path_;
+  Progress& progress_;
+  std::optional<Error> failure_;
+};
+
+Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, const ArcGeometry* arc,
+                                                         const AxisSweep* axis) {
+  const auto fail = [&](const Error& error) -> Result<std::optional<double>> {
+    failure_ = error;
+    return error;
+  };
+  Toolpath so_far;
+  so_far.files = path_.files;
+  so_far.motions = path_.motions;
+  so_far.arcs = path_.arcs;
+  so_far.axes = path_.axes;
+  so_far.motions.push_back(move);
+  const int lowest =
+      tools_.empty() ? 0 : std::min_element(tools_.begin(), tools_.end(), [](const auto& a, const auto& b) {
+                             return a.number < b.number;
+                           })->number;
+  for (Motion& motion : so_far.motions) {
+    if (motion.tool == 0) motion.tool = lowest;  // as assignTools does
+    if (findTool(tools_, motion.tool) == nullptr)
+      return fail(
+          inputError(fmt::format("tool {} is not defined; give it as [[tool]] in the job", motion.tool)));
+  }
+  const Motion asked = so_far.motions.back();
+  so_far.motions.pop_back();
+  if (const char* obstacle = turningObstacle(asked, arc, axis))
+    return fail(inputError(fmt::format("{}: a part that turns cannot be measured so", obstacle)));
+  Result<TurnedStock> stock = TurnedStock::create(blank_);
+  if (!stock) return fail(stock.error());
+  if (const auto cut = stock->remove(so_far, tools_, progress_); !cut) return fail(cut.error());
+  return stock->firstContact(asked, arc, *findTool(tools_, asked.tool));
+}
+
+std::unique_ptr<PieceProbe> probe(const Job& /*setup*/, const ProbedStock& stock, const Toolpath& path,
+                                  Progress& progress) {
+  // Behind another clamping nothing answers, and the control says so.
+  if (stock.blank == nullptr) return nullptr;
+  return std::make_unique<TurningProbe>(*stock.blank, stock.tools, path, progress);
+}
+
+Workload work(const Job& /*job*/, const RunResult& run, std::size_t k, const Blank& blank) {
+  return turningWork(run.setups[k], blank);
+}
+
+Result<std::unique_ptr<Workpiece>> make(Blank& blank, const Job& /*job*/, Progress& /*progress*/) {
+  Result<TurnedStock> stock = TurnedStock::create(blank.shape);
+  if (!stock) return stock.error();
+  return std::unique_ptr<Workpiece>(std::make_unique<TurnedPiece>(std::move(*stock)));
+}
+
+/// Fixtures that are round about the spindle axis.
+class RoundFixtures final : public Fixtures {
+ public:
+  Status addContacts(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings,
+                     Progress& progress) override {
+    return addTurnedFixtureContacts(setup, texts, findings, progress);
+  }
+};
+
+Result<std::unique_ptr<Fixtures>> fixtures(const SetupRun& /*setup*/, double /*resolution_mm*/,
+                                           Progress& /*progress*/) {
+  return std::unique_ptr<Fixtures>(std::make_unique<RoundFixtures>());
+}
+
+}  // namespace
+
+const Process kTurningProcess{
+    .kind = ProcessKind::kTurning,
+    .verb = "turns the part",
+    .part_turns = true,
+    .on_grid = false,
+    .always_changes_tool = false,
+    .check = check,
+    .start = start,
+    .holds = holds,
+    .probe = probe,
+    .work = work,
+    .make = make,
+    .fixtures = fixtures,
+};
+
+}  // namespace proveout

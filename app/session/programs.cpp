@@ -1,0 +1,82 @@
+#include "app/session/programs.h"
+
+#include <fmt/format.h>
+
+#include "app/session/clearance.h"
+#include "app/session/findings.h"
+#include "app/session/process/process.h"
+#include "app/session/stock_probe.h"
+#include "app/session/setup_findings.h"
+
+namespace proveout {
+namespace {
+
+Error outgrown(const Interpreted& interpreted) {
+  const SourceRef& at = *interpreted.outgrown_at;
+  return Error{ErrorKind::kResourceLimit,
+               fmt::format("{}:{}: the tool path outgrows the memory after {} motions: an endless loop? else "
+                           "allow more (--max-memory)",
+                           at.file < interpreted.path.files.size() ? interpreted.path.files[at.file] : "",
+                           at.line, interpreted.path.motions.size())};
+}
+
+/// The stock that the program of a clamping starts with, cut by those in `before`.
+ProbedStock probedStock(const Job& job, const SetupRun& setup, const Blank& blank,
+                        const std::vector<SetupRun>& before) {
+  ProbedStock probed;
+  probed.options = removalOptions(setup.job, blank.resolution_mm);
+  probed.tools = setup.job.tools;
+  if (before.empty()) probed.blank = &blank.shape;
+  probed.make = [&job, &setup, &blank, &before](Progress& progress) -> Result<Stock> {
+    PieceOptions options;
+    options.grid = removalOptions(job, blank.resolution_mm);
+    Blank fresh{blank.shape, blank.bounds, blank.resolution_mm, std::nullopt};
+    Result<std::unique_ptr<Workpiece>> piece = processOf(job, 0).make(fresh, job, progress);
+    for (std::size_t k = 0; piece && k < before.size(); ++k) {
+      const Status cut = (*piece)->cut(before[k].interpreted.path, before[k].job.tools, options, progress);
+      if (!cut) return cut.error();
+      const RigidTransform& move = k + 1 < before.size() ? before[k + 1].from_previous : setup.from_previous;
+      piece = (*piece)->become(processOf(job, k + 1).kind, move, options, progress);
+    }
+    if (!piece) return piece.error();
+    return std::move(*(*piece)->takeGrid());
+  };
+  return probed;
+}
+
+}  // namespace
+
+Status interpretAll(const Job& job, const RunSources& sources, const Blank& blank, RunResult& run,
+                    Progress& progress) {
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    SetupRun setup;
+    if (!job.setups.empty()) {
+      setup.name = job.setups[k].name;
+      setup.from_previous = job.setups[k].from_previous;
+    }
+    setup.job = jobOfSetup(job, k);
+    const ControlSettings settings = controlSettings(setup.job, movedBounds(job, blank.bounds, k));
+    const ProbedStock stock = probedStock(job, setup, blank, run.setups);
+    setup.interpreted = interpretProgram(setup.job, *sources[k], settings, progress, &stock);
+    if (setup.interpreted.outgrown_at) return outgrown(setup.interpreted);
+    if (setup.interpreted.summary.end == ProgramEnd::kCancelled || progress.cancelled())
+      return Error{ErrorKind::kInterrupted, "interrupted"};
+    const std::optional<Error>& failure = setup.interpreted.probe_failure;
+    if (failure && failure->kind != ErrorKind::kInput) return *failure;
+    Toolpath& path = setup.interpreted.path;
+    noteLowToolChange(setup.job, movedBounds(job, blank.bounds, k), path.diagnostics);
+    addOffsetTools(path, setup.job.tools);
+    const bool good = setup.interpreted.summary.ok() && refuseRotaryMotion(path, *sources[k]) &&
+                      assignTools(path, setup.job.tools, *sources[k]);
+    if (!good) run.alarm = true;
+    inSetup(run, setup, [&](std::vector<Finding>& findings) {
+      addAlarms(path, findings);
+      addOvertravel(path, *sources[k], findings);
+      addForbiddenZones(path, *sources[k], findings);
+    });
+    run.setups.push_back(std::move(setup));
+  }
+  return Done{};
+}
+
+}  // namespace proveout

@@ -1,0 +1,70 @@
+#include "app/session/run_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace proveout {
+namespace {
+
+/// Rounded up to two digits, so that it fits as it is printed.
+std::string resolutionText(double mm) {
+  const double digit = std::pow(10.0, std::floor(std::log10(mm)) - 1.0);
+  return fmt::format("{:.2g}", std::ceil(mm / digit - 1e-9) * digit);
+}
+
+}  // namespace
+
+double memoryLimitMb(const Job& job) {
+  return job.simulation.max_memory_gb > 0 ? 1000.0 * job.simulation.max_memory_gb : availableMemoryMb();
+}
+
+Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
+  const double limit_mb = memoryLimitMb(job);
+  const double needed_mb = predict(work, resolution_mm).memory_mb;
+  if (needed_mb <= limit_mb) return Done{};
+  if (!(work.surface_mm2 > 0.0)) {
+    return Error{
+        ErrorKind::kResourceLimit,
+        fmt::format("{} would need about {:.0f} MB, {:.0f} MB are allowed; {}allow more (--max-memory)",
+                    work.triangles > 0.0 ? "the mesh" : "the tool path", needed_mb, limit_mb,
+                    work.triangles > 0.0 ? "take a larger profile_resolution, or " : "")};
+  }
+  const double fits = resolutionThatFits(work, resolution_mm, limit_mb);
+  const std::string way = std::isfinite(fits)
+                              ? fmt::format("a grid of {} mm would fit (--resolution)", resolutionText(fits))
+                              : std::string("no grid would fit");
+  return Error{
+      ErrorKind::kResourceLimit,
+      fmt::format("a grid of {:g} mm would need about {:.0f} MB, {:.0f} MB are allowed; {}, or allow more "
+                  "(--max-memory)",
+                  resolution_mm, needed_mb, limit_mb, way)};
+}
+
+Status checkTime(const Job& job, const Prediction& prediction) {
+  constexpr double kDoubt = 2.0;
+  const double allowed_s = job.simulation.max_time_s;
+  if (allowed_s <= 0.0 || prediction.time_s <= kDoubt * allowed_s) return Done{};
+  return Error{ErrorKind::kResourceLimit,
+               fmt::format("this run would take about {:.0f} s, {:g} s are allowed; take a coarser grid "
+                           "(--resolution), or allow more (--max-time, max_time_s)",
+                           prediction.time_s, allowed_s)};
+}
+
+double simplification(const Job& job, double resolution_mm) {
+  constexpr double kShare = 0.1;
+  double within = resolution_mm;
+  if (job.nominal) within = std::min({within, job.nominal->gouge_mm, job.nominal->excess_mm});
+  return kShare * within;
+}
+
+SurfaceOptions surfaceOptions(const Job& setup, double resolution_mm) {
+  SurfaceOptions options;
+  options.simplify_mm = simplification(setup, resolution_mm);
+  options.threads = setup.simulation.threads;
+  return options;
+}
+
+}  // namespace proveout

@@ -1,0 +1,205 @@
+#include "app/session/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/session/clearance.h"
+#include "app/session/comparison.h"
+#include "app/session/diagnosis.h"
+#include "app/session/findings.h"
+#include "app/session/grid_choice.h"
+#include "app/session/machining.h"
+#include "app/session/nominal_mesh.h"
+#include "app/session/nose_data.h"
+#include "app/session/placement_hint.h"
+#include "app/session/process/process.h"
+#include "app/session/programs.h"
+#include "app/session/run_limits.h"
+#include "app/session/thread_supply.h"
+#include "core/base/parallel_for.h"
+#include "core/base/stopwatch.h"
+
+namespace proveout {
+namespace {
+
+/// A nominal that the blank cannot hold, or whose bounds agree with the blank's in another unit or at another
+/// place (`placement`).
+std::optional<std::string> misplaced(const Job& job, const Box3& nominal, const Box3& blank,
+                                     const std::optional<Placement>& placement) {
+  const double out = std::max((blank.min - nominal.min).maxCoeff(), (nominal.max - blank.max).maxCoeff());
+  if (out <= job.nominal->gouge_mm && !placement) return std::nullopt;
+  const std::string bounds =
+      fmt::format("X{:g} Y{:g} Z{:g} to X{:g} Y{:g} Z{:g}", nominal.min.x(), nominal.min.y(), nominal.min.z(),
+                  nominal.max.x(), nominal.max.y(), nominal.max.z());
+  std::string text = out > job.nominal->gouge_mm
+                         ? fmt::format("the nominal reaches {:.4g} mm out of the blank ({})", out, bounds)
+                         : fmt::format("the nominal is much smaller than the blank ({})", bounds);
+  if (!placement) return text + "; check its unit and its place";
+  text += "; " + placementText(*placement, job.nominal->mesh.unit, "the blank");
+  const auto* mesh = job.stock ? std::get_if<MeshFile>(&*job.stock) : nullptr;
+  if (mesh != nullptr && placement->scale != 1.0)
+    text += fmt::format("; or the blank is wrong, which was read with unit \"{}\"", meshUnitName(mesh->unit));
+  return text;
+}
+
+/// The same for a nominal whose bounds agree with those of what was machined.
+void noteMisplaced(const Job& job, const PreparedMesh& nominal, RunResult& run) {
+  const auto placement = evidentPlacement(meshBounds(nominal.mesh), meshBounds(run.surface().mesh));
+  if (!placement) return;
+  Diagnostic warning;
+  warning.severity = Severity::kWarning;
+  warning.code = "nominal";
+  warning.message = "the nominal: " + placementText(*placement, job.nominal->mesh.unit, "the machined part");
+  run.setups.back().interpreted.path.diagnostics.add(std::move(warning));
+}
+
+Workload workOf(const Job& job, const PreparedRun& prepared) {
+  Workload work;
+  for (std::size_t k = 0; k < prepared.run.setups.size(); ++k)
+    work = together(work, processOf(job, k).work(job, prepared.run, k, prepared.blank));
+  if (const auto* mesh = std::get_if<MeshShape>(&prepared.blank.shape))
+    work.blank_triangles = static_cast<double>(mesh->mesh.triangles.size());
+  work.reads_grid = std::holds_alternative<SavedStock>(prepared.blank.shape);
+  work.writes_grid = savesStock(job);
+  work.text_files = static_cast<int>(std::count_if(
+      job.output.formats.begin(), job.output.formats.end(),
+      [](OutputFormat format) { return format == OutputFormat::kStlAscii || format == OutputFormat::kObj; }));
+  if (prepared.nominal) work.nominal_mm2 = meshArea(prepared.nominal->mesh);
+  if (!job.output.views.empty()) {
+    work.pixels = static_cast<double>(job.output.width) * job.output.height;
+    work.pictures = static_cast<int>(job.output.views.size()) + (prepared.nominal ? 1 : 0);
+  }
+  return work;
+}
+
+/// Whether the blank can be made before it is known what is cut from it: its grid alone fits into the memory.
+bool makesBlankEarly(const Job& job, const Blank& blank) {
+  if (!processOf(job, 0).on_grid || blank.stock || choosesGrid(job, blank)) return false;
+  Workload uncut;
+  uncut.surface_mm2 = blankArea(blank.shape, blank.bounds);
+  return predict(uncut, blank.resolution_mm).memory_mb <= memoryLimitMb(job);
+}
+
+/// Reads the programs, and predicts the run if they are good.
+Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRun& prepared,
+                           Progress& progress) {
+  RunResult& run = prepared.run;
+  Stopwatch watch;
+  if (Status done = interpretAll(job, sources, prepared.blank, run, progress); !done) return done;
+  run.performance.interpret_s = watch.lap();
+  if (prepared.nominal)
+    noteRepairs(*prepared.nominal, "nominal", run.setups.back().interpreted.path.diagnostics);
+  if (run.alarm) return Done{};
+  const Workload work = workOf(job, prepared);
+  double& resolution_mm = prepared.blank.resolution_mm;
+  if (!processOf(job, 0).on_grid && !job.simulation.resolution_mm)
+    resolution_mm = threadResolution(run, resolution_mm);
+  if (choosesGrid(job, prepared.blank))
+    resolution_mm = chooseResolution(job, run, prepared.blank, work, memoryLimitMb(job));
+  run.resolution_mm = resolution_mm;
+  run.prediction = predict(work, run.resolution_mm);
+  if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits;
+  return checkTime(job, run.prediction);
+}
+
+/// What was found on the part comes before what the grid could not hold.
+void tellThinFeaturesLast(std::vector<Finding>& findings) {
+  std::stable_partition(findings.begin(), findings.end(),
+                        [](const Finding& finding) { return finding.kind != "thin_feature"; });
+}
+
+}  // namespace
+
+Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progress& progress) {
+  PreparedRun prepared;
+  RunResult& run = prepared.run;
+  Result<Blank> blank = openBlank(job, progress);
+  if (!blank) return blank.error();
+  if (const Status start = checkStart(jobOfSetup(job, 0), *blank); !start) return start.error();
+  if (const Status place = checkToolChange(jobOfSetup(job, 0), *blank); !place) return place.error();
+  if (const Status possible = checkProcesses(job, *blank); !possible) return possible.error();
+  prepared.blank = std::move(*blank);
+  const Box3& bounds = prepared.blank.bounds;
+  if (job.nominal) {
+    Result<PreparedMesh> nominal = loadNominal(*job.nominal);
+    if (!nominal) return nominal.error();
+    const Box3 wanted = movedBounds(job, bounds, sources.size() - 1), given = meshBounds(nominal->mesh);
+    const auto placement = evidentPlacement(given, wanted);
+    if (auto note = misplaced(job, given, wanted, placement)) nominal->notes.push_back(std::move(*note));
+    prepared.placement_told = placement.has_value();
+    prepared.nominal = std::move(*nominal);
+  }
+  run.resolution_mm = prepared.blank.resolution_mm;
+  // Programs are read on one thread; another makes the blank meanwhile.
+  Status done = Done{};
+  std::optional<Stock> early;
+  Progress making(&progress);
+  parallelFor(0, makesBlankEarly(job, prepared.blank) ? 2 : 1, [&](int part) {
+    if (part == 0) {
+      done = interpretAndPredict(job, sources, prepared, progress);
+      if (!done || run.alarm) making.cancel();
+    } else {
+      const RemovalOptions options = removalOptions(job, run.resolution_mm);
+      Result<Stock> stock = Stock::create(prepared.blank.shape, options, making);
+      if (stock) early = std::move(*stock);  // else it fails again where it is needed
+    }
+  });
+  if (!done) return done.error();
+  if (early) prepared.blank.stock = std::move(early);
+  return prepared;
+}
+
+Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedRun prepared,
+                            Progress& progress) {
+  RunResult& run = prepared.run;
+  if (run.alarm) return std::move(run);
+  if (const Status done = machineAll(job, sources, prepared, progress); !done) return done.error();
+  tellWordsInForce(sources, run);
+  addMeshDefects(run.topology(), run.surface(), run.findings);
+  if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
+  if (!prepared.nominal || run.surface().mesh.triangles.empty()) {
+    tellThinFeaturesLast(run.findings);
+    return std::move(run);
+  }
+
+  if (!prepared.placement_told) noteMisplaced(job, *prepared.nominal, run);
+  Stopwatch watch;
+  if (const Status done = compareRun(job, sources, prepared.blank, *prepared.nominal, run, progress); !done)
+    return done.error();
+  if (run.comparison) dropRefuted(*run.comparison, run.findings);
+  if (run.setups.back().turned) run.nominal = std::move(prepared.nominal->mesh);
+  run.performance.compare_s = watch.lap();
+  tellThinFeaturesLast(run.findings);
+  return std::move(run);
+}
+
+Result<RunResult> runRecorded(const Job& job, const RunSources& sources, Progress& progress) {
+  Result<PreparedRun> prepared = prepareRun(job, sources, progress);
+  if (!prepared) return prepared.error();
+  return finishRun(job, sources, std::move(*prepared), progress);
+}
+
+Result<RunResult> runJob(const Job& job, Progress& progress) {
+  const ThreadSupply threads(job.simulation.threads);
+  const JobSources sources(job);
+  return runRecorded(job, sources.all(), progress);
+}
+
+Result<RunResult> runJob(const Job& job, const std::vector<const ProgramSource*>& programs,
+                         Progress& progress) {
+  if (programs.size() != setupCount(job))
+    return inputError(
+        fmt::format("the job has {} clampings, and there are {} programs", setupCount(job), programs.size()));
+  if (job.channels.size() > 1) return inputError("programs in memory are for jobs with one channel");
+  const ThreadSupply threads(job.simulation.threads);
+  std::vector<std::unique_ptr<RecordingSource>> recorded;
+  RunSources sources;
+  for (std::size_t k = 0; k < programs.size(); ++k) {
+    recorded.push_back(std::make_unique<RecordingSource>(*programs[k], jobOfSetup(job, k).settings.encoding));
+    sources.push_back(recorded.back().get());
+  }
+  return runRecorded(job, sources, progress);
+}
+
+}  // namespace proveout

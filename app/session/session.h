@@ -1,0 +1,40 @@
+// A run as a library: job in, RunResult out. No command line, no streams, no files written.
+//
+// The main path: job -> tool path (programs.h) -> machined workpiece (machining.h) -> comparison
+// (comparison.h) -> findings.
+#pragma once
+
+#include <optional>
+
+#include "app/session/blank.h"
+#include "app/session/run_result.h"
+#include "removal/compare/nominal.h"
+
+namespace proveout {
+
+/// Runs a job whose programs are files. Reports progress to `progress` and stops when that is cancelled. An
+/// error of a program is not an Error: it is in the result, with `alarm` set and as findings. Errors: files
+/// that cannot be read, a start inside the blank, limits of memory or time that the run would not keep,
+/// cancelled (ErrorKind::kInterrupted).
+Result<RunResult> runJob(const Job& job, Progress& progress);
+/// The same with programs from elsewhere, one source a clamping; see MemoryProgramSource.
+Result<RunResult> runJob(const Job& job, const std::vector<const ProgramSource*>& programs,
+                         Progress& progress);
+
+/// A run before anything is cut: programs interpreted, files read, memory and time predicted.
+struct PreparedRun {
+  RunResult run;
+  Blank blank;
+  std::optional<PreparedMesh> nominal;
+  bool placement_told = false;  ///< what would bring the nominal onto the blank
+};
+
+/// The first part of a run, for those who want to know what it will take. Errors: as runJob.
+Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progress& progress);
+/// The second part. Does nothing after an alarm.
+Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedRun prepared,
+                            Progress& progress);
+/// Both.
+Result<RunResult> runRecorded(const Job& job, const RunSources& sources, Progress& progress);
+
+}  // namespace proveout

@@ -1,0 +1,81 @@
+#include "app/session/spindle_direction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "app/session/accounting.h"
+#include "app/session/blame.h"
+
+namespace proveout {
+namespace {
+
+/// The event that gave the spindle its direction, by channel.
+class SpindleStarts {
+ public:
+  explicit SpindleStarts(const Toolpath& path) : path_(path) {}
+
+  /// What stands before a motion; motions in their order. Null: the program has not started the spindle.
+  const PathEvent* before(MotionId id) {
+    for (; next_ < path_.events.size() && path_.events[next_].before <= id; ++next_) {
+      const PathEvent& event = path_.events[next_].event;
+      if (event.event != "spindle") continue;
+      const auto direction = std::find_if(event.data.begin(), event.data.end(),
+                                          [](const auto& entry) { return entry.first == "direction"; });
+      if (direction == event.data.end()) continue;
+      Start& start = starts_[event.channel];
+      if (start.direction == direction->second) continue;  // another speed
+      start = {direction->second, &event};
+    }
+    return starts_[path_.motions[id].channel].event;
+  }
+
+ private:
+  struct Start {
+    std::string direction;
+    const PathEvent* event = nullptr;
+  };
+  const Toolpath& path_;
+  std::size_t next_ = 0;
+  std::map<int, Start> starts_;
+};
+
+bool turnsBackwards(const Motion& motion, const Tool& tool) {
+  return tool.left_hand ? motion.spindle > 0.0 : motion.spindle < 0.0;
+}
+
+}  // namespace
+
+void addSpindleDirection(const Toolpath& path, const std::vector<float>& removed_mm3,
+                         const std::vector<Tool>& tools, const RecordingSource& texts,
+                         std::vector<Finding>& findings) {
+  std::map<int, const Tool*> by_number;
+  for (const Tool& tool : tools) by_number.emplace(tool.number, &tool);
+  SpindleStarts starts(path);
+  std::set<std::pair<int, const PathEvent*>> told;
+  for (MotionId id = 0; id < path.motions.size() && id < removed_mm3.size(); ++id) {
+    const Motion& motion = path.motions[id];
+    const PathEvent* const start = starts.before(id);
+    const auto tool = by_number.find(motion.tool);
+    if (motion.kind != MotionKind::kFeed || tool == by_number.end() || tool->second->insert) continue;
+    if (!turnsBackwards(motion, *tool->second) || !isChip(removed_mm3[id], path.length(motion))) continue;
+    if (!told.emplace(motion.tool, start).second) continue;
+    Finding finding;
+    finding.kind = "spindle_direction";
+    blame(finding, id, path, texts);
+    finding.where = motion.to;
+    const std::string cut =
+        finding.source ? fmt::format("{}:{}", finding.source->file, finding.source->line) : std::string();
+    if (start != nullptr) finding.source = blockRef(path, start->source, texts);
+    finding.message = fmt::format(
+        "the spindle turns {} here, and tool {}, which is a {}-hand cutter, cuts with it from {} on",
+        motion.spindle < 0.0 ? "counter-clockwise (M4)" : "clockwise (M3)", motion.tool,
+        tool->second->left_hand ? "left" : "right", cut);
+    findings.push_back(std::move(finding));
+  }
+}
+
+}  // namespace proveout

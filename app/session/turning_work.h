@@ -1,0 +1,20 @@
+// What turning will take, for the prediction: the mesh goes round the profile that the path leaves.
+#pragma once
+
+#include "app/session/run_result.h"
+
+namespace proveout {
+
+/// Work of a turned job: the grid counts only where one is to be saved.
+Workload turningWork(const SetupRun& setup, const Blank& blank);
+
+/// Of a part with threads that goes to the grid: it is round everywhere, hardly a cell is merged.
+Workload turnedGridWork(const Blank& blank);
+
+/// Of a turned part that another process goes on with on the grid.
+Workload ontoGridWork(const SetupRun& turned, const Blank& blank);
+
+/// How far the facets of a turned mesh may lie off the part, mm.
+double facetTolerance(const Job& job);
+
+}  // namespace proveout
