@@ -34,7 +34,7 @@ class DiagnosticsTap : public MotionSink {
     if (next_) next_->motion(motion, arc, axis);
   }
   void event(const PathEvent& event) override {
-    if (event.event == "overtravel" || event.event == "forbidden_zone")
+    if (event.as<event::Overtravel>() != nullptr || event.as<event::ForbiddenZone>() != nullptr)
       overtravels.events.push_back({kNoMotion, event});
     if (next_) next_->event(event);
   }

@@ -73,6 +73,18 @@ void putVector(Buffer& b, const Vec3& v) {
 
 void putString(Buffer& b, std::string_view text) { put(b, jsonQuoted(text)); }
 
+/// A value of an event; -0 is 0.
+template <typename Value>
+void putValue(Buffer& b, const Value& value) {
+  if constexpr (std::is_same_v<Value, std::string>) {
+    putString(b, value);
+  } else if constexpr (std::is_same_v<Value, double>) {
+    put(b, fmt::format("{}", value == 0.0 ? 0.0 : value));
+  } else {
+    put(b, fmt::format("{}", value));
+  }
+}
+
 void send(Buffer& b, std::ostream& out) {
   out.write(b.view().data(), static_cast<std::streamsize>(b.size()));
   b.clear();
@@ -217,16 +229,16 @@ void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc, c
 
 void JsonLinesPathWriter::event(const PathEvent& event) {
   put(buffer_, R"({"type":"event","event":)");
-  putString(buffer_, event.event);
+  putString(buffer_, eventName(event.what));
   put(buffer_, R"(,"data":{)");
   bool first = true;
-  for (const auto& [key, value] : event.data) {
+  forEachField(event.what, [&](std::string_view key, const auto& value) {
     if (!first) buffer_.push_back(',');
     first = false;
     putString(buffer_, key);
     buffer_.push_back(':');
-    put(buffer_, value);
-  }
+    putValue(buffer_, value);
+  });
   buffer_.push_back('}');
   if (event.time_s > 0.0) {
     put(buffer_, R"(,"time_s":)");

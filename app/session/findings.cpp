@@ -55,15 +55,6 @@ double decidingResolution(const std::vector<DeviationPatch>& undecided) {
   return std::isfinite(least) ? least : 0.0;
 }
 
-std::string dataText(const PathEvent& event, const std::string& key) {
-  for (const auto& [name, json] : event.data) {
-    if (name != key) continue;
-    const bool quoted = json.size() >= 2 && json.front() == '"';
-    return quoted ? json.substr(1, json.size() - 2) : json;
-  }
-  return "?";
-}
-
 }  // namespace
 
 void addAlarms(const Toolpath& path, std::vector<Finding>& findings) {
@@ -82,7 +73,8 @@ void addAlarms(const Toolpath& path, std::vector<Finding>& findings) {
 
 void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
   for (const Toolpath::EventAt& at : path.events) {
-    if (at.event.event != "overtravel") continue;
+    const auto* overtravel = at.event.as<event::Overtravel>();
+    if (overtravel == nullptr) continue;
     Finding finding;
     finding.kind = "overtravel";
     finding.source = blockRef(path, at.event.source, texts);
@@ -92,16 +84,16 @@ void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vect
       finding.tool = path.motions[at.before].tool;
       finding.where = path.motions[at.before].to;
     }
-    finding.message =
-        fmt::format("{} goes to {} mm, past its limit of {} mm (machine frame)", dataText(at.event, "axis"),
-                    dataText(at.event, "value"), dataText(at.event, "limit"));
+    finding.message = fmt::format("{} goes to {} mm, past its limit of {} mm (machine frame)",
+                                  overtravel->axis, overtravel->value + 0.0, overtravel->limit + 0.0);
     findings.push_back(std::move(finding));
   }
 }
 
 void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
   for (const Toolpath::EventAt& at : path.events) {
-    if (at.event.event != "forbidden_zone") continue;
+    const auto* zone = at.event.as<event::ForbiddenZone>();
+    if (zone == nullptr) continue;
     Finding finding;
     finding.kind = "forbidden_zone";
     finding.source = blockRef(path, at.event.source, texts);
@@ -113,8 +105,7 @@ void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::
       finding.tool = motion->tool;
       finding.where = motion->to;
     }
-    finding.message = fmt::format("{} (alarm {} of the control)", dataText(at.event, "message"),
-                                  dataText(at.event, "alarm"));
+    finding.message = fmt::format("{} (alarm {} of the control)", zone->message, zone->alarm);
     findings.push_back(std::move(finding));
   }
 }

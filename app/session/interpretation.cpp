@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <set>
@@ -266,39 +265,27 @@ bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source) {
   return true;
 }
 
-namespace {
-
-/// The number that an event tells under `key`; NaN: none.
-double numberOf(const PathEvent& event, std::string_view key) {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& [name, text] : event.data) {
-    if (name == key) std::from_chars(text.data(), text.data() + text.size(), value);
-  }
-  return value;
-}
-
-}  // namespace
-
 void addOffsetTools(Toolpath& path, std::vector<Tool>& tools) {
   std::set<int> defined;
   for (const Tool& tool : tools) defined.insert(tool.number);
   for (const auto& [before, event] : path.events) {
-    if (event.event != "tool_shape") continue;
+    const auto* shape = event.as<event::ToolShape>();
+    if (shape == nullptr) continue;
     Tool tool;
-    tool.number = static_cast<int>(numberOf(event, "tool"));
-    tool.diameter = numberOf(event, "diameter");
-    const double radius = 0.5 * tool.diameter, corner = numberOf(event, "corner_radius");
+    tool.number = shape->tool;
+    tool.diameter = shape->diameter;
+    const double radius = 0.5 * tool.diameter, corner = shape->corner_radius;
     if (tool.number <= 0 || !(radius > 0.0) || !(corner >= 0.0 && corner <= radius)) continue;
     if (!defined.insert(tool.number).second) continue;
     tool.type = corner == 0.0 ? ToolType::kFlat : corner == radius ? ToolType::kBall : ToolType::kBull;
     if (tool.type == ToolType::kBull) tool.corner_radius = corner;
-    tool.name = fmt::format("offset row {}", numberOf(event, "d"));
+    tool.name = fmt::format("offset row {}", shape->d);
     Diagnostic note;
     note.severity = Severity::kNote;
     note.code = "tool";
     note.message = fmt::format(
         "tool {} is not in the job: its shape is that of offset row {}, diameter {} and corner radius {} mm",
-        tool.number, numberOf(event, "d"), tool.diameter, corner);
+        tool.number, shape->d, tool.diameter, corner);
     path.diagnostics.add(std::move(note));
     tools.push_back(std::move(tool));
   }
@@ -325,7 +312,7 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
   const int lowest = *defined.begin();
   std::map<int, MotionId> first_change;  // by channel
   for (const Toolpath::EventAt& e : path.events) {
-    if (e.event.event == "tool") first_change.emplace(e.event.channel, e.before);
+    if (e.event.as<event::ToolChange>() != nullptr) first_change.emplace(e.event.channel, e.before);
   }
   int known = lowest;  // the last tool that was found
   bool told = false, good = true;

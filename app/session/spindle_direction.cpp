@@ -22,13 +22,11 @@ class SpindleStarts {
   const PathEvent* before(MotionId id) {
     for (; next_ < path_.events.size() && path_.events[next_].before <= id; ++next_) {
       const PathEvent& event = path_.events[next_].event;
-      if (event.event != "spindle") continue;
-      const auto direction = std::find_if(event.data.begin(), event.data.end(),
-                                          [](const auto& entry) { return entry.first == "direction"; });
-      if (direction == event.data.end()) continue;
+      const auto* spindle = event.as<event::Spindle>();
+      if (spindle == nullptr) continue;
       Start& start = starts_[event.channel];
-      if (start.direction == direction->second) continue;  // another speed
-      start = {direction->second, &event};
+      if (start.direction == spindle->direction) continue;  // another speed
+      start = {spindle->direction, &event};
     }
     return starts_[path_.motions[id].channel].event;
   }

@@ -75,7 +75,7 @@ void ChannelMerge::Channel::event(const PathEvent& event) {
   item.channel = told();
   item.source = mapped(event.source);
   // A channel that waited knows of it when it goes on: only then the event is in order.
-  const double start = event.event == "wait" ? now_s + event.time_s : now_s;
+  const double start = event.as<event::Wait>() != nullptr ? now_s + event.time_s : now_s;
   waiting.push_back({start, std::move(item)});
   now_s += event.time_s;
 }
@@ -105,7 +105,7 @@ void ChannelMerge::pass(const Item& item) {
     (motion->motion.kind == MotionKind::kRapid ? total_.rapid_s : total_.cutting_s) += time;
   } else if (const auto* event = std::get_if<PathEvent>(&item.what)) {
     sink_.event(*event);
-    time = event->event == "wait" ? 0.0 : event->time_s;
+    time = event->as<event::Wait>() != nullptr ? 0.0 : event->time_s;
   } else if (const auto* file = std::get_if<FileItem>(&item.what)) {
     sink_.file(file->index, file->name);
   } else {

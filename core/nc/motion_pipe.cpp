@@ -112,27 +112,25 @@ void EmitStage::function(PathItem& item) {
     case PathItem::Kind::kSpindle: {
       const double ramp_s = emitter_.spindleRamp(item.value);
       emitter_.setSpindle(item.value);
-      PathEmitter::EventData data{{"rpm", jsonNumber(std::abs(item.value))},
-                                  {"direction", jsonString(spindleName(item.spindle))}};
-      if (item.event) data.insert(data.end(), item.event->data.begin(), item.event->data.end());
-      emitter_.event("spindle", std::move(data), ramp_s, item.source);
+      event::Spindle spindle = item.event ? std::get<event::Spindle>(*item.event) : event::Spindle{};
+      spindle.rpm = std::abs(item.value);
+      spindle.direction = spindleName(item.spindle);
+      emitter_.event(std::move(spindle), ramp_s, item.source);
       break;
     }
     case PathItem::Kind::kToolChange: {
       const int tool = static_cast<int>(item.value);
       emitter_.setTool(tool);
-      PathEmitter::EventData data{{"tool", fmt::format("{}", tool)}};
-      if (item.event) data.insert(data.end(), item.event->data.begin(), item.event->data.end());
-      emitter_.event("tool", std::move(data), tool_change_s_, item.source);
+      event::ToolChange change = item.event ? std::get<event::ToolChange>(*item.event) : event::ToolChange{};
+      change.tool = tool;
+      emitter_.event(std::move(change), tool_change_s_, item.source);
       break;
     }
     case PathItem::Kind::kDwell:
-      emitter_.event("dwell", {{"seconds", jsonNumber(item.value)}}, item.value, item.source);
+      emitter_.event(event::Dwell{item.value}, item.value, item.source);
       break;
     default:
-      if (item.event) {
-        emitter_.event(std::move(item.event->name), std::move(item.event->data), item.value, item.source);
-      }
+      if (item.event) emitter_.event(std::move(*item.event), item.value, item.source);
       break;
   }
 }

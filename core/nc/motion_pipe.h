@@ -87,13 +87,9 @@ enum class SpindleState : std::uint8_t { kStopped, kClockwise, kCounterClockwise
 
 /// One thing on its way to the path: a motion or a function.
 struct PathItem : PathMotion {
-  struct Event {
-    std::string name;
-    PathEmitter::EventData data;
-  };
   double value = 0.0;  ///< kSpindle: rpm, signed; kDwell, kEvent: s; kToolChange: number
   SpindleState spindle = SpindleState::kStopped;
-  std::unique_ptr<Event> event;  ///< kEvent; kToolChange, kSpindle: what else its event tells
+  std::unique_ptr<EventKind> event;  ///< kEvent; kToolChange, kSpindle: what else its event tells
   SourceRef source;
   std::uint32_t record =
       0;                  ///< what the control remembers of the block for alarms that come late; 0: nothing

@@ -32,10 +32,6 @@ double arcLength(double radius_start, double radius_end, double sweep_rad, doubl
   return std::abs((primitive(radius_end) - primitive(radius_start)) / k);
 }
 
-std::string jsonNumber(double value) { return fmt::format("{}", value == 0.0 ? 0.0 : value); }
-
-std::string jsonString(std::string_view text) { return jsonQuoted(text); }
-
 PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes, MotionSink& sink,
                          InterpretSummary& summary)
     : settings_(settings),
@@ -325,15 +321,13 @@ void PathEmitter::checkFurtherTravel(const AxisPoint& to, const SourceRef& sourc
 }
 
 void PathEmitter::overtravel(int axis, double value, double limit, const SourceRef& source) {
-  event(
-      "overtravel",
-      {{"axis", jsonString(axes_.at(axis).name)}, {"value", jsonNumber(value)}, {"limit", jsonNumber(limit)}},
-      0.0, source);
+  event(event::Overtravel{axes_.at(axis).name, value, limit, {}}, 0.0, source);
 }
 
-void PathEmitter::event(std::string name, EventData data, double time_s, const SourceRef& source) {
-  const bool stands = name != "overtravel" && name != "output";
-  time_.event({std::move(name), std::move(data), time_s, source}, stands);
+void PathEmitter::event(EventKind what, double time_s, const SourceRef& source) {
+  const bool stands =
+      !std::holds_alternative<event::Overtravel>(what) && !std::holds_alternative<event::Output>(what);
+  time_.event({std::move(what), time_s, source}, stands);
 }
 
 void PathEmitter::diagnostic(const Diagnostic& diagnostic) {

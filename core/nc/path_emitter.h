@@ -103,9 +103,8 @@ class PathEmitter {
   /// turns nothing.
   double polarError(const PolarPlane& plane) const;
 
-  using EventData = std::vector<std::pair<std::string, std::string>>;
   /// The axes stand still for all events but those that only tell something.
-  void event(std::string name, EventData data, double time_s, const SourceRef& source);
+  void event(EventKind what, double time_s, const SourceRef& source);
   void diagnostic(const Diagnostic& diagnostic);
 
   /// The machine counts from the nose centres of these inserts, where they have no gauge: the path tells of
@@ -178,10 +177,5 @@ class PathEmitter {
 
 /// Length of an arc, helix, spiral or cone, mm; closed form (Simpson where the radii nearly agree).
 double arcLength(double radius_start, double radius_end, double sweep_rad, double rise);
-
-/// JSON text of a number: shortest form that reads back equal; -0 is 0.
-std::string jsonNumber(double value);
-/// JSON text of a string with quotes and escapes.
-std::string jsonString(std::string_view text);
 
 }  // namespace proveout::nc

@@ -17,6 +17,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/geometry/types.h"
+#include "core/path/path_event.h"
 #include "core/path/word_origin.h"
 
 namespace proveout {
@@ -29,15 +30,6 @@ std::string_view motionKindName(MotionKind kind);  ///< "rapid", "feed", "thread
 /// Index of a motion in the tool path (`Toolpath::motions`). Also the "id" of the path stream.
 using MotionId = std::uint32_t;
 inline constexpr MotionId kNoMotion = 0xFFFFFFFFu;
-
-/// Where a motion comes from in the program.
-struct SourceRef {
-  std::uint32_t file = 0;     ///< index into Toolpath::files
-  std::uint32_t line = 0;     ///< from 1
-  std::int64_t block = -1;    ///< N number of the block, or -1
-  std::uint16_t depth = 0;    ///< 0 in the main program, +1 per subprogram level
-  std::int32_t origins = -1;  ///< index into OriginTables::sets: the words in force; -1: not recorded
-};
 
 /// Arc, helix, spiral or conical helix about an axis with constant direction.
 /// Position at parameter u in 0..1: angle a = u * sweep about `normal` (right-hand rule) from the start;
@@ -90,18 +82,6 @@ struct Motion {
   float thread_pitch_change = 0.0F;
 
   MotionShape shape() const { return arc < 0 ? MotionShape::kLine : MotionShape::kArc; }
-};
-
-/// Something that happens between motions.
-struct PathEvent {
-  std::string event;  ///< "tool", "spindle", "coolant", "stop", "optional_stop", "dwell", "end", "message",
-                      ///< "overtravel", "forbidden_zone", "wait", "probe" (end of a measuring move: "contact"
-                      ///< true or false)
-  /// Key and JSON value text (already valid JSON: `12`, `"M8"`, `true`).
-  std::vector<std::pair<std::string, std::string>> data;
-  double time_s = 0.0;  ///< time that it takes (dwell, tool change, waiting)
-  SourceRef source;
-  std::uint8_t channel = 0;  ///< as Motion::channel
 };
 
 /// Receives what a virtual control does, in program order; of several channels in order of start times.

@@ -40,14 +40,18 @@ class CheckingSink : public MotionSink {
     add(static_cast<double>(m.source.line));
   }
   void event(const PathEvent& event) override {
-    if (event.event.empty() || !std::isfinite(event.time_s) || event.time_s < 0.0) std::abort();
+    if (!std::isfinite(event.time_s) || event.time_s < 0.0) std::abort();
     if (event.channel > kMaxChannels) std::abort();
     channels_[event.channel].now_s += event.time_s;
-    add(event.event);
-    for (const auto& [key, value] : event.data) {
+    add(std::string(eventName(event.what)));
+    forEachField(event.what, [this](const char* key, const auto& value) {
       add(key);
-      add(value);
-    }
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
+        add(value);
+      } else {
+        add(static_cast<double>(value));
+      }
+    });
   }
   void diagnostic(const Diagnostic& d) override {
     const std::string text = formatDiagnostic(d);

@@ -187,7 +187,7 @@ void NctChannels::watchStanding(Channel& channel) {
   c.rapid_stage.flush(FlushReason::kBuffer);
   c.emitter.time().flush();
   channel.now_s = c.emitter.time().reached_s();
-  if (others > channel.now_s) c.emitter.event("wait", {}, others - channel.now_s, c.here());
+  if (others > channel.now_s) c.emitter.event(event::Wait{}, others - channel.now_s, c.here());
   channel.now_s = c.emitter.time().reached_s();
 }
 

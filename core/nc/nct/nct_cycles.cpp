@@ -469,9 +469,7 @@ bool cycleFunction(NctContext& c, BlockPlan& plan, const DrillStep& step) {
     case DrillStepKind::kCloseLoop:
       return closeMainLoop(c, false);
     case DrillStepKind::kProgramStop:
-      return sendEvent(
-          c, "stop",
-          {{"code", jsonString("M0")}, {"reason", jsonString("manual intervention in the cycle")}});
+      return sendEvent(c, event::Stop{"M0", "manual intervention in the cycle"});
   }
   return true;
 }

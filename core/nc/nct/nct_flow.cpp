@@ -58,7 +58,7 @@ NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
     c.fail("nct-until", "the program ends here; the block to stop after was not reached");
     return stopAtAlarm();
   }
-  c.emitter.event("end", {{"code", jsonString(code)}}, 0.0, c.here());
+  c.emitter.event(event::End{code}, 0.0, c.here());
   if (end == ProgramEnd::kEndOfProgram && code != "M99") resetAtEnd(c);
   return Go::kStop;
 }

@@ -82,7 +82,7 @@ bool performAuxiliary(NctContext& c, const BlockPlan& plan) {
     if (!plan.auxiliary[index]) continue;
     const std::string code = fmt::format("{}{}", addressText(auxiliaryAddress(c.parameters, k)),
                                          static_cast<std::int64_t>(plan.next.last.auxiliary[index]));
-    if (!sendEvent(c, "function", {{"code", jsonString(code)}})) return false;
+    if (!sendEvent(c, event::Function{code, {}})) return false;
   }
   return true;
 }

@@ -104,9 +104,7 @@ bool ask(NctContext& c, const AxisPoint& to, std::optional<AxisPoint>& stop) {
   return true;
 }
 
-bool tellProbe(NctContext& c, bool touched) {
-  return sendEvent(c, "probe", {{"contact", touched ? "true" : "false"}});
-}
+bool tellProbe(NctContext& c, bool touched) { return sendEvent(c, event::Probe{touched}); }
 
 /// What the skip position is counted by, as the block leaves it.
 void takeFrames(NctContext& c, const BlockPlan& plan) {

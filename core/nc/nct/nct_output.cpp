@@ -82,9 +82,7 @@ bool closeFile(NctContext& c) {
   OutputFile& file = c.output;
   file.open = false;
   if (file.name.empty()) return true;
-  const bool good =
-      accepted(c, target(c).close()) &&
-      sendEvent(c, "output", {{"file", jsonString(file.name)}, {"bytes", fmt::format("{}", file.bytes)}});
+  const bool good = accepted(c, target(c).close()) && sendEvent(c, event::Output{file.name, file.bytes});
   file.name.clear();
   return good;
 }

@@ -58,9 +58,9 @@ PathItem functionItem(const NctContext& c, PathItem::Kind kind, const NctState& 
   return item;
 }
 
-bool sendEvent(NctContext& c, std::string name, PathEmitter::EventData data, double time_s) {
+bool sendEvent(NctContext& c, EventKind what, double time_s) {
   PathItem item = functionItem(c, PathItem::Kind::kEvent, c.state);
-  item.event = std::make_unique<PathItem::Event>(PathItem::Event{std::move(name), std::move(data)});
+  item.event = std::make_unique<EventKind>(std::move(what));
   item.value = time_s;
   return c.pipe.push(item);
 }
@@ -71,9 +71,9 @@ namespace {
 void nameSpindle(const NctContext& c, PathItem& item) {
   const auto& all = c.settings.spindles;
   if (all.size() < 2) return;
-  item.event = std::make_unique<PathItem::Event>();
-  const int number = all[static_cast<std::size_t>(c.registers.spindles.main)].number;
-  item.event->data = {{"spindle", fmt::format("{}", number)}};
+  event::Spindle spindle;
+  spindle.spindle = all[static_cast<std::size_t>(c.registers.spindles.main)].number;
+  item.event = std::make_unique<EventKind>(std::move(spindle));
 }
 
 }  // namespace
@@ -98,8 +98,8 @@ bool sendStanding(NctContext& c, SpindleState how) {
   nameSpindle(c, item);
   const double code = c.parameters.value(SpindleParam::kLoopCode, mainNumber(c));
   if (how == SpindleState::kPositionLoop && code > 0.0) {  // what the machine is told
-    if (!item.event) item.event = std::make_unique<PathItem::Event>();
-    item.event->data.emplace_back("code", jsonString(fmt::format("M{:.0f}", code)));
+    if (!item.event) item.event = std::make_unique<EventKind>(event::Spindle{});
+    std::get<event::Spindle>(*item.event).code = fmt::format("M{:.0f}", code);
   }
   return c.pipe.push(item);
 }
@@ -124,18 +124,17 @@ bool function(NctContext& c, const BlockPlan& plan, int m) {
       break;
   }
   // Functions that only tell something: stops, coolant, gears, the machine builder's.
-  const std::string code = jsonString(fmt::format("M{}", m));
+  const std::string code = fmt::format("M{}", m);
   switch (m) {
     case 0:
-      return sendEvent(c, "stop", {{"code", code}});
+      return sendEvent(c, event::Stop{code, ""});
     case 1:
-      return sendEvent(c, "optional_stop",
-                       {{"code", code}, {"active", c.settings.optional_stop ? "true" : "false"}});
+      return sendEvent(c, event::OptionalStop{code, c.settings.optional_stop});
     case 8:
     case 9:
-      return sendEvent(c, "coolant", {{"code", code}, {"on", m == 8 ? "true" : "false"}});
+      return sendEvent(c, event::Coolant{code, m == 8});
     default:
-      return sendEvent(c, "function", {{"code", code}});
+      return sendEvent(c, event::Function{code, {}});
   }
 }
 

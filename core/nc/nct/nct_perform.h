@@ -16,7 +16,7 @@ bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase);
 /// A function of the block in hand, for the pipe: where it runs, its source, the compensation of `state`.
 PathItem functionItem(const NctContext& c, PathItem::Kind kind, const NctState& state);
 /// An event of the path in its turn, and the time that it takes.
-bool sendEvent(NctContext& c, std::string name, PathEmitter::EventData data, double time_s = 0.0);
+bool sendEvent(NctContext& c, EventKind what, double time_s = 0.0);
 /// The spindle from here on; the direction in force becomes `direction`.
 bool sendSpindle(NctContext& c, int direction, double rpm);
 /// The spindle stops oriented.

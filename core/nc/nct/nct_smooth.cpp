@@ -24,26 +24,29 @@ std::string axisNames(const NctContext& c) {
   return names;
 }
 
+/// A sum of parameters without the rounding of its last digits.
+double nineDigits(double value) { return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr); }
+
 bool performSmooth(NctContext& c, BlockPlan& plan) {
   const int mode = plan.payload.as<Smoothing>().mode;
   c.state.axes.smooth_axes = plan.next.axes.smooth_axes;
-  PathEmitter::EventData data{{"mode", fmt::format("{}", mode)}};
+  event::Smoothing told;
+  told.mode = mode;
   if (mode >= 2) {
-    const auto number = [&](const char* key, AxisParam p) {
-      if (c.parameters[p] != 0.0) data.emplace_back(key, jsonNumber(c.parameters[p]));
+    const auto tell = [&](std::optional<double>& field, AxisParam p) {
+      if (c.parameters[p] != 0.0) field = c.parameters[p];
     };
     const AxisParam deviation = mode == 2 ? AxisParam::kSmoothDeviationMax : AxisParam::kFineTolerance;
-    data.emplace_back("axes", jsonString(axisNames(c)));
-    data.emplace_back("tolerance",
-                      fmt::format("{:.9g}", c.parameters[deviation] + c.parameters[AxisParam::kSmoothMerge]));
-    number("longest", AxisParam::kSmoothBlockMax);
-    number("shortest", AxisParam::kSmoothBlockMin);
-    number("angle", AxisParam::kSmoothAngle);
-    number("joined", AxisParam::kSmoothMerge);
-    if (mode == 2) number("least", AxisParam::kSmoothDeviationMin);
-    if (mode == 3) number("any_angle_below", AxisParam::kFineBlockMin);
+    told.axes = axisNames(c);
+    told.tolerance = nineDigits(c.parameters[deviation] + c.parameters[AxisParam::kSmoothMerge]);
+    tell(told.longest, AxisParam::kSmoothBlockMax);
+    tell(told.shortest, AxisParam::kSmoothBlockMin);
+    tell(told.angle, AxisParam::kSmoothAngle);
+    tell(told.joined, AxisParam::kSmoothMerge);
+    if (mode == 2) tell(told.least, AxisParam::kSmoothDeviationMin);
+    if (mode == 3) tell(told.any_angle_below, AxisParam::kFineBlockMin);
   }
-  return sendEvent(c, "smoothing", std::move(data));
+  return sendEvent(c, std::move(told));
 }
 
 }  // namespace

@@ -275,11 +275,13 @@ int spindleWithCode(const NctContext& c, int SpindleSettings::*member, int m) {
   return -1;
 }
 
-/// Data of a spindle event; the number where there are several.
-PathEmitter::EventData eventData(const NctContext& c, int index, double rpm, const char* direction) {
-  PathEmitter::EventData data{{"rpm", jsonNumber(rpm)}, {"direction", jsonString(direction)}};
-  if (spindleCount(c) > 1) data.emplace_back("spindle", fmt::format("{}", numberOf(c, index)));
-  return data;
+/// The number is told where there are several.
+event::Spindle spindleEvent(const NctContext& c, int index, double rpm, const char* direction) {
+  event::Spindle told;
+  told.rpm = rpm;
+  told.direction = direction;
+  if (spindleCount(c) > 1) told.spindle = numberOf(c, index);
+  return told;
 }
 
 const char* directionName(int direction) { return direction > 0 ? "cw" : direction < 0 ? "ccw" : "stop"; }
@@ -291,7 +293,7 @@ bool turn(NctContext& c, int index, int direction, double rpm) {
   record.rpm = rpm;
   record.direction = direction;
   if (index == c.registers.spindles.main) return sendSpindle(c, direction, rpm);
-  return sendEvent(c, "spindle", eventData(c, index, direction == 0 ? 0.0 : rpm, directionName(direction)));
+  return sendEvent(c, spindleEvent(c, index, direction == 0 ? 0.0 : rpm, directionName(direction)));
 }
 
 bool closeLoop(NctContext& c, int index, bool orient) {
@@ -301,18 +303,18 @@ bool closeLoop(NctContext& c, int index, bool orient) {
   const bool loop = c.parameters.flag(MachineParam::kSpindleIndexes, numberOf(c, index));
   record.mode = !loop ? SpindleMode::kSpeed : orient ? SpindleMode::kOriented : SpindleMode::kLoop;
   if (index == c.registers.spindles.main) return orient ? sendOriented(c) : sendPositionLoop(c);
-  return sendEvent(c, "spindle", eventData(c, index, 0.0, orient ? "oriented" : "position loop"));
+  return sendEvent(c, spindleEvent(c, index, 0.0, orient ? "oriented" : "position loop"));
 }
 
 bool turnBy(NctContext& c, int index, double degrees) {
   SpindleRecord& record = recordOf(c, index);
   const double angle = record.angle_deg + degrees;
   record.angle_deg = angle - 360.0 * std::floor(angle / 360.0);
-  PathEmitter::EventData data = eventData(c, index, 0.0, "positioned");
-  data.emplace_back("angle", jsonNumber(record.angle_deg));
-  data.emplace_back("turn", jsonNumber(degrees));
+  event::Spindle told = spindleEvent(c, index, 0.0, "positioned");
+  told.angle_deg = record.angle_deg;
+  told.turn_deg = degrees;
   const double turns = std::abs(degrees) / 360.0;
-  return sendEvent(c, "spindle", std::move(data), 60.0 * turns / settingsOf(c, index).positioning_rpm);
+  return sendEvent(c, std::move(told), 60.0 * turns / settingsOf(c, index).positioning_rpm);
 }
 
 bool indexBy(NctContext& c, int step) {
@@ -338,7 +340,7 @@ bool makeMain(NctContext& c, int index) {
   const SpindleRecord& record = recordOf(c, index);
   c.state.spindle_rpm = record.rpm;
   c.emitter.setSpindleAcceleration(settingsOf(c, index).acceleration);
-  return sendEvent(c, "function", {{"main_spindle", fmt::format("{}", numberOf(c, index))}}) &&
+  return sendEvent(c, event::Function{"", numberOf(c, index)}) &&
          sendSpindle(c, record.direction, record.rpm);
 }
 
@@ -360,13 +362,10 @@ bool synchronise(NctContext& c, bool shifted) {
   record.mode = SpindleMode::kSlave;
   record.rpm = rpm;
   record.direction = c.state.spindle_direction;
-  PathEmitter::EventData data = eventData(c, slave, rpm, "synchronous");
-  data.emplace_back("to", fmt::format("{}", numberOf(c, master)));
-  if (shifted) {
-    data.emplace_back("shift_pulses",
-                      jsonNumber(c.parameters.value(SpindleParam::kPhaseShift, numberOf(c, slave))));
-  }
-  return sendEvent(c, "spindle", std::move(data));
+  event::Spindle told = spindleEvent(c, slave, rpm, "synchronous");
+  told.to = numberOf(c, master);
+  if (shifted) told.shift_pulses = c.parameters.value(SpindleParam::kPhaseShift, numberOf(c, slave));
+  return sendEvent(c, std::move(told));
 }
 
 bool becomeAxis(NctContext& c, int index) {
@@ -374,9 +373,9 @@ bool becomeAxis(NctContext& c, int index) {
   if (index == c.registers.spindles.main && !sendSpindle(c, 0, 0.0)) return false;
   record.mode = SpindleMode::kAxis;
   record.direction = 0;
-  PathEmitter::EventData data = eventData(c, index, 0.0, "axis");
-  data.emplace_back("axis", jsonString(settingsOf(c, index).axis));
-  return sendEvent(c, "spindle", std::move(data));
+  event::Spindle told = spindleEvent(c, index, 0.0, "axis");
+  told.axis = settingsOf(c, index).axis;
+  return sendEvent(c, std::move(told));
 }
 
 }  // namespace

@@ -19,10 +19,7 @@ struct ThreadStart {
 
 bool performThread(NctContext& c, BlockPlan& plan) {
   const ThreadStart& start = plan.payload.as<ThreadStart>();
-  if (start.tell &&
-      !sendEvent(c, "thread", {{"lead", jsonNumber(start.lead)}, {"angle", jsonNumber(start.angle_deg)}})) {
-    return false;
-  }
+  if (start.tell && !sendEvent(c, event::Thread{start.lead, start.angle_deg})) return false;
   return performMove(c, plan);
 }
 

@@ -132,11 +132,7 @@ bool offsetRowOfTool(NctContext& c, const Word& w, std::int64_t& row) {
 
 bool sendToolShape(NctContext& c) {
   const double corner = c.registers.offsets.effective(OffsetColumn::kCorner, c.state.d);
-  return sendEvent(c, "tool_shape",
-                   {{"tool", fmt::format("{}", c.state.tool)},
-                    {"d", fmt::format("{}", c.state.d)},
-                    {"diameter", jsonNumber(2.0 * std::abs(c.state.d_radius))},
-                    {"corner_radius", jsonNumber(corner)}});
+  return sendEvent(c, event::ToolShape{c.state.tool, c.state.d, 2.0 * std::abs(c.state.d_radius), corner});
 }
 
 bool sendToolChange(NctContext& c, int type, int row) {
@@ -152,8 +148,7 @@ bool sendToolChange(NctContext& c, int type, int row) {
   PathItem item = functionItem(c, PathItem::Kind::kToolChange, c.state);
   item.value = type;
   if (row > 0) {
-    item.event = std::make_unique<PathItem::Event>();
-    item.event->data = {{"row", fmt::format("{}", row)}};
+    item.event = std::make_unique<EventKind>(event::ToolChange{type, row});
   }
   return c.pipe.push(item);
 }

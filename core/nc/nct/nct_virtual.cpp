@@ -63,13 +63,12 @@ bool performMode(NctContext& c, BlockPlan& plan) {
   const VirtualMode named = off ? c.state.axes.mode : next.mode;
   const int linear = off ? c.state.axes.linear : next.linear,
             rotary = off ? c.state.axes.rotary : next.rotary;
-  PathEmitter::EventData data{{"code", jsonString(modeName(named))},
-                              {"on", off ? "false" : "true"},
-                              {"axes", jsonString(c.axes.at(linear).name + " " + c.axes.at(rotary).name)}};
-  if (named == VirtualMode::kCylinder && !off) data.emplace_back("radius", jsonNumber(next.cylinder_mm));
+  event::VirtualPlane told{
+      modeName(named), !off, c.axes.at(linear).name + " " + c.axes.at(rotary).name, {}, {}};
+  if (named == VirtualMode::kCylinder && !off) told.radius = next.cylinder_mm;
   const double aside = c.parameters.value(AxisParam::kPolarOffset, c.axes.at(rotary).number);
-  if (named == VirtualMode::kPolar && !off && aside != 0.0) data.emplace_back("offset", jsonNumber(aside));
-  if (!sendEvent(c, "virtual_plane", std::move(data))) return false;
+  if (named == VirtualMode::kPolar && !off && aside != 0.0) told.offset = aside;
+  if (!sendEvent(c, std::move(told))) return false;
   if (off) {
     const AxisPoint machine = c.virtual_stage.machine();
     c.virtual_stage.end();

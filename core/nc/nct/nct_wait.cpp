@@ -90,9 +90,7 @@ bool performWait(NctContext& c, const BlockPlan& plan) {
 
 void endWait(NctContext& c, double idle_s) {
   const WaitingPoint at = std::exchange(c.waiting, {});
-  PathEmitter::EventData data{{"code", jsonString(fmt::format("M{}", at.code))},
-                              {"channels", jsonString(at.whom.text())}};
-  c.emitter.event("wait", std::move(data), idle_s, c.here());
+  c.emitter.event(event::Wait{fmt::format("M{}", at.code), at.whom.text()}, idle_s, c.here());
 }
 
 }  // namespace proveout::nc

@@ -196,18 +196,11 @@ bool ZoneStage::stop(PathItem& item, const Found& found, const ZonePath& path, b
     const double limit = found.hit.above ? watched.zone.high[axis] : watched.zone.low[axis];
     const double end = path.end()[axis];
     const bool beyond = found.hit.above ? end > limit : end < limit;
-    c_.emitter.event("overtravel",
-                     {{"axis", jsonString(axisName(found.hit))},
-                      {"value", jsonNumber(beyond ? end : limit)},
-                      {"limit", jsonNumber(limit)},
-                      {"alarm", fmt::format("{}", found.alarm)}},
-                     0.0, item.source);
+    c_.emitter.event(event::Overtravel{axisName(found.hit), beyond ? end : limit, limit, found.alarm}, 0.0,
+                     item.source);
   } else {
-    c_.emitter.event("forbidden_zone",
-                     {{"zone", watched.area == Area::kSecond ? "2" : "3"},
-                      {"alarm", fmt::format("{}", found.alarm)},
-                      {"message", jsonString(message)}},
-                     0.0, item.source);
+    c_.emitter.event(event::ForbiddenZone{watched.area == Area::kSecond ? 2 : 3, found.alarm, message}, 0.0,
+                     item.source);
   }
   if (moves && found.hit.t > 0.0) {
     PathItem part = item.copyMotion();

@@ -223,7 +223,7 @@ Wl4Control::Go Wl4Control::finish(const std::string& code, ProgramEnd end) {
     return Go::kStop;
   }
   summary_.end = end;
-  emitter_.event("end", {{"code", jsonString(code)}}, 0.0, here());
+  emitter_.event(event::End{code}, 0.0, here());
   return Go::kStop;
 }
 

@@ -131,7 +131,7 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
   double meanRpm(const Wl4State& s, double from, double to) const;
   void warnOfUnlimitedSpeed(const Wl4State& s, double from, double to);
   PathItem functionItem(PathItem::Kind kind) const;
-  bool sendEvent(std::string name, PathEmitter::EventData data, double time_s = 0.0);
+  bool sendEvent(EventKind what, double time_s = 0.0);
 
   // wl4_cycles.cpp: open cycles and contour cycles
   struct CycleGeometry {

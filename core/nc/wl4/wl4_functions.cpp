@@ -30,9 +30,9 @@ PathItem Wl4Control::functionItem(PathItem::Kind kind) const {
   return item;
 }
 
-bool Wl4Control::sendEvent(std::string name, PathEmitter::EventData data, double time_s) {
+bool Wl4Control::sendEvent(EventKind what, double time_s) {
   PathItem item = functionItem(PathItem::Kind::kEvent);
-  item.event = std::make_unique<PathItem::Event>(PathItem::Event{std::move(name), std::move(data)});
+  item.event = std::make_unique<EventKind>(std::move(what));
   item.value = time_s;
   return pipe_.push(item);
 }
@@ -84,8 +84,9 @@ bool Wl4Control::spindle(const Wl4State& s) {
                                    : SpindleState::kStopped;
   const auto orients = [](const Wl4Block::Code& m) { return m.number == 19; };
   if (s.spindle == 19 && block_.has('P') && std::any_of(block_.m.begin(), block_.m.end(), orients)) {
-    item.event = std::make_unique<PathItem::Event>();
-    item.event->data = {{"angle", jsonNumber(block_.value('P'))}};
+    event::Spindle spindle;
+    spindle.angle_deg = block_.value('P');
+    item.event = std::make_unique<EventKind>(std::move(spindle));
   }
   return pipe_.push(item);
 }
@@ -105,14 +106,13 @@ bool Wl4Control::functions(Plan& p, Wl4Phase phase) {
 }
 
 bool Wl4Control::function(Plan& p, int m) {
-  const std::string code = jsonString(fmt::format("M{}", m));
+  const std::string code = fmt::format("M{}", m);
   if (m <= 1) thread_angle_.reset();
   switch (m) {
     case 0:
-      return sendEvent("stop", {{"code", code}});
+      return sendEvent(event::Stop{code, ""});
     case 1:
-      return sendEvent("optional_stop",
-                       {{"code", code}, {"active", settings_.optional_stop ? "true" : "false"}});
+      return sendEvent(event::OptionalStop{code, settings_.optional_stop});
     case 2:
     case 30:
     case 99:
@@ -140,13 +140,13 @@ bool Wl4Control::function(Plan& p, int m) {
     case 8:
     case 9:
       state_.coolant = p.next.coolant = m;
-      return sendEvent("coolant", {{"code", code}, {"on", m == 9 ? "false" : "true"}});
+      return sendEvent(event::Coolant{code, m != 9});
     default:
       if (m >= 40 && m <= 48) {
         state_.gear = p.next.gear = m;
         if (!block_.hasCode(51)) p.next.speed_limit = 0.0;  // a limit holds for one gear
       }
-      return sendEvent("function", {{"code", code}});
+      return sendEvent(event::Function{code, {}});
   }
 }
 

@@ -396,8 +396,7 @@ bool Wl4Control::thereAndBack(const Plan& p, PathItem& item, double part, bool t
     touch_system_[i] = unit * p.next.sign(k) * (to[k] - p.next.acting[k]);
     touch_distance_[i] = unit * p.next.sign(k) * (to[k] - from[k]);
   }
-  return pipe_.push(item) && sendEvent("probe", {{"contact", touched ? "true" : "false"}}) &&
-         pipe_.push(back);
+  return pipe_.push(item) && sendEvent(event::Probe{touched}) && pipe_.push(back);
 }
 
 }  // namespace proveout::nc

@@ -2,9 +2,9 @@
 
 #include <numeric>
 
+#include "app/run_report.h"
 #include "app/session/accounting.h"
 #include "app/session/session.h"
-#include "app/run_report.h"
 
 namespace proveout {
 namespace {
@@ -21,7 +21,7 @@ Motion line(double length, double time_s, MotionKind kind, std::uint32_t source_
 
 Toolpath::EventAt event(MotionId before, double time_s, std::uint32_t source_line) {
   PathEvent event;
-  event.event = "dwell";
+  event.what = event::Dwell{time_s};
   event.time_s = time_s;
   event.source = {0, source_line, -1, 0};
   return {before, event};

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "app/run_report.h"
 #include "app/session/contact_findings.h"
 #include "app/session/findings.h"
-#include "app/run_report.h"
 #include "app/session/stock_bodies.h"
 
 namespace proveout {
@@ -61,8 +61,8 @@ TEST_F(Fixture, ContactsOfOneMistakeAreOneFinding) {
     return Contact{ContactKind::kRapid, motion, motion, {x, 0, 0}, depth, 2.0};
   };
   // Blocks that follow each other; the next layer beside them; another place; what is less than is asked for.
-  addContacts({at(1, 0, 0.2), at(2, 0, 0.5), at(40, 2, 0.3), at(80, 50, 0.1), at(90, 90, 0.005)}, kLeast, false,
-              path, source, findings);
+  addContacts({at(1, 0, 0.2), at(2, 0, 0.5), at(40, 2, 0.3), at(80, 50, 0.1), at(90, 90, 0.005)}, kLeast,
+              false, path, source, findings);
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_EQ(findings[0].spots, 3u);
   EXPECT_EQ(findings[0].motion, 1u);
@@ -168,8 +168,7 @@ TEST_F(Fixture, DeviationsAndUndecided) {
 
 TEST_F(Fixture, OvertravelAndAlarms) {
   PathEvent event;
-  event.event = "overtravel";
-  event.data = {{"axis", "\"X\""}, {"value", "412.5"}, {"limit", "400"}};
+  event.what = event::Overtravel{"X", 412.5, 400.0, {}};
   event.source = {0, 2, 20, 0};
   path.events.push_back({1, event});
   Diagnostic alarm;
@@ -186,8 +185,7 @@ TEST_F(Fixture, OvertravelAndAlarms) {
 
 TEST_F(Fixture, AForbiddenZoneNamesItsBlockAndPlace) {
   PathEvent event;
-  event.event = "forbidden_zone";
-  event.data = {{"zone", "2"}, {"alarm", "3042"}, {"message", "\"inner forbidden zone 2\""}};
+  event.what = event::ForbiddenZone{2, 3042, "inner forbidden zone 2"};
   event.source = {0, 2, 20, 0};
   path.events.push_back({1, event});
   event.source = {0, 1, 10, 0};

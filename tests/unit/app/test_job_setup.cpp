@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "app/job_setup.h"
 #include "app/session/blank.h"
 #include "app/session/interpretation.h"
-#include "app/job_setup.h"
 #include "app/session/job_defaults.h"
 #include "tests/support/temporary_folder.h"
 
@@ -135,11 +135,7 @@ TEST(Interpretation, ToolsThatTheJobLacksTakeTheShapeOfTheirOffsetRow) {
   Toolpath path;
   const auto shape = [&](int tool, double diameter, double corner) {
     PathEvent event;
-    event.event = "tool_shape";
-    event.data = {{"tool", fmt::format("{}", tool)},
-                  {"d", "1"},
-                  {"diameter", fmt::format("{}", diameter)},
-                  {"corner_radius", fmt::format("{}", corner)}};
+    event.what = event::ToolShape{tool, 1, diameter, corner};
     path.events.push_back({0, event});
   };
   shape(1, 10, 2);

@@ -186,7 +186,7 @@ TEST(ToolChange, ItsTimeIsTheEventsAndThatOfTheWay) {
   ASSERT_EQ(path.motions.size(), 2u);
   EXPECT_NEAR(path.motions[1].time_s, (100 + 210 - 60 - 5) / 100.0, 1e-9);
   for (const auto& at : path.events) {
-    EXPECT_TRUE(at.event.event != "tool" || at.event.time_s == 7.0);
+    EXPECT_TRUE(at.event.as<event::ToolChange>() == nullptr || at.event.time_s == 7.0);
   }
 }
 

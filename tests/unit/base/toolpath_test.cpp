@@ -118,7 +118,7 @@ TEST(Toolpath, LinesAreStraight) {
   ToolpathBuilder builder(path);
   builder.file(1, "sub");
   builder.file(0, "main");
-  builder.event({"dwell", {}, 2.0, {}});
+  builder.event({event::Dwell{2.0}, 2.0, {}});
   builder.motion(m, nullptr);
   EXPECT_EQ(path.motions[0].shape(), MotionShape::kLine);
   EXPECT_DOUBLE_EQ(path.length(path.motions[0]), 5.0);

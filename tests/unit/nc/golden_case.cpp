@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/base/printable.h"
 #include "core/nc/source_text.h"
 
 namespace proveout::test {
@@ -54,9 +55,16 @@ class TextSink : public MotionSink {
     text += "\n";
   }
   void event(const PathEvent& event) override {
-    text += channel(event.channel) + place(event.source) + "event " + event.event;
-    for (const auto& [key, value] : event.data) text += " " + key + "=" + value;
-    if (event.event == "wait") text += " t" + number(event.time_s);
+    text += channel(event.channel) + place(event.source) + "event " + std::string(eventName(event.what));
+    forEachField(event.what, [&](const char* key, const auto& value) {
+      text += fmt::format(" {}=", key);
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
+        text += jsonQuoted(value);
+      } else {
+        text += fmt::format("{}", value);
+      }
+    });
+    if (event.as<event::Wait>() != nullptr) text += " t" + number(event.time_s);
     text += "\n";
   }
   void diagnostic(const Diagnostic& diagnostic) override { text += formatDiagnostic(diagnostic); }

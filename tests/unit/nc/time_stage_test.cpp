@@ -23,7 +23,7 @@ class Recorder : public MotionSink {
     motions.push_back(m);
     order += 'm';
   }
-  void event(const PathEvent& e) override { order += e.event == "end" ? '.' : 'e'; }
+  void event(const PathEvent& e) override { order += e.as<event::End>() != nullptr ? '.' : 'e'; }
   void diagnostic(const Diagnostic& d) override { order += d.severity == Severity::kError ? '!' : '?'; }
   double sum() const {
     double s = 0.0;

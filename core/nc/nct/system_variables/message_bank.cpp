@@ -91,12 +91,9 @@ VariableStatus MessageBank::raise(int number, const std::string& text) {
 
 VariableStatus MessageBank::send(const char* kind, int number, std::string code, const std::string& text,
                                  int answer) {
-  PathEmitter::EventData data{{"kind", jsonString(kind)},
-                              {"number", fmt::format("{}", number)},
-                              {"code", jsonString(code)},
-                              {"text", jsonString(text)}};
-  if (answer >= 0) data.push_back({"answer", fmt::format("{}", answer)});
-  return sendEvent(c_, "message", std::move(data)) ? kVariableRead : kVariableReported;
+  event::Message told{kind, number, std::move(code), text, {}};
+  if (answer >= 0) told.answer = answer;
+  return sendEvent(c_, std::move(told)) ? kVariableRead : kVariableReported;
 }
 
 }  // namespace proveout::nc
