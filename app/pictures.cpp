@@ -115,14 +115,6 @@ bool isDeviation(const Finding& finding) {
   return finding.kind == "gouge" || finding.kind == "excess" || finding.kind == "undecided";
 }
 
-std::vector<Marker> findingMarkers(const std::vector<Finding>& findings) {
-  std::vector<Marker> markers = markersOf(findings, true);
-  for (Marker& marker : markersOf(findings, false)) {
-    if (markers.size() < kMaxMarkers) markers.push_back(std::move(marker));
-  }
-  return markers;
-}
-
 void addHeatMap(const Comparison& comparison, RenderScene& scene) {
   scene.field.per = ScalarField::Per::kVertex;
   scene.field.values = comparison.vertex_deviation;

@@ -39,9 +39,6 @@ struct PictureRequest {
 Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequest& request,
                                           std::vector<Error>& failures, Progress& progress);
 
-/// The markers of the first findings that have a place; numbers are positions in `findings`, from 1.
-std::vector<Marker> findingMarkers(const std::vector<Finding>& findings);
-
 /// Puts the deviations and their legend into the scene.
 void addHeatMap(const Comparison& comparison, RenderScene& scene);
 

@@ -140,4 +140,4 @@ target_sources(proveout_core PRIVATE
   nc/nct/tables/transforms.cpp
   nc/nct/tables/turning.cpp
   nc/nct/transform_stage.cpp)
-include(nc/services/sources.cmake OPTIONAL)
+include(nc/services/sources.cmake)

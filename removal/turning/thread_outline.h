@@ -42,7 +42,6 @@ class ThreadOutline {
 
   Vec2 min() const { return min_; }  ///< of the bounds
   Vec2 max() const { return max_; }
-  int sideCount() const { return static_cast<int>(sides_.size()); }
 
  private:
   struct Side {

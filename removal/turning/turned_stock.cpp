@@ -495,7 +495,6 @@ TurnedShape TurnedStock::shape() const {
   return shape;
 }
 
-bool TurnedStock::hasThreads() const { return !impl_->threads.empty(); }
 double TurnedStock::initialVolume() const { return impl_->initial_volume; }
 Box3 TurnedStock::bounds() const { return impl_->bounds; }
 

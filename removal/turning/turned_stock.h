@@ -49,7 +49,6 @@ class TurnedStock {
 
   /// What is left: first the body that the chuck holds, then what was parted from it, in that order.
   TurnedShape shape() const;
-  bool hasThreads() const;
   double initialVolume() const;  ///< mm3, of the blank
   Box3 bounds() const;           ///< of the blank, mm
 

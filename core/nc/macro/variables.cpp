@@ -39,11 +39,6 @@ void VariableStore::leave() {
   if (level_ > 0) --level_;
 }
 
-void VariableStore::clearLocals() {
-  level_ = 0;
-  std::fill_n(locals_.begin(), kLocalCount + 1, Value::none());
-}
-
 void VariableStore::clearGlobals() {
   std::fill_n(globals_.begin(), kFirstKept - kFirstGlobal, Value::none());
 }

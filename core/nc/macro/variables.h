@@ -90,8 +90,6 @@ class VariableStore {
   /// Closes the level; the caller's locals are in force again. Level 0 stays.
   void leave();
   int level() const { return level_; }
-  /// Level 0 is vacant again (end of the program).
-  void clearLocals();
   /// #100-#499 vacant again (power-off).
   void clearGlobals();
 

@@ -91,7 +91,6 @@ struct NctState {
     return g == 410 ? d_radius : g == 420 ? -d_radius : 0.0;
   }
   bool compOn() const { return active[kGroupRadiusComp] != 400; }
-  double signedSpindle() const { return spindle_rpm * spindle_direction; }
 };
 
 }  // namespace proveout::nc

@@ -1,1 +1,0 @@
-target_sources(proveout_io PRIVATE path_writer.cpp)
