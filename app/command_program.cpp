@@ -84,7 +84,7 @@ struct Interpretation {
 Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_errors, MotionSink* sink,
                                      Progress& progress) {
   const ThreadSupply threads(job.simulation.threads);
-  const Result<ControlId> control = findControl(job.control);
+  const Result<ControlId> control = findControl(jobOfSetup(job, setup).control);
   if (!control) return control.error();
   Result<ControlSettings> settings = settingsOf(job, setup, progress);
   if (!settings) return settings.error();
@@ -140,7 +140,8 @@ int pathCommand(const PathOptions& options, Console& console, ConsoleProgress& p
   if (job->setups.size() > 1 && !options.program.setup) {
     return printError(console, inputError("the job has several setups: --setup NAME says whose path it is"));
   }
-  Result<std::unique_ptr<MotionSink>> writer = makePathWriter(options.format, console.out, job->control);
+  Result<std::unique_ptr<MotionSink>> writer =
+      makePathWriter(options.format, console.out, jobOfSetup(*job, setupCount(*job) - 1).control);
   if (!writer) return printError(console, writer.error());
   const Result<Interpretation> done = interpretInto(*job, setupCount(*job) - 1, 1, writer->get(), progress);
   if (!done) return printError(console, limit.told(done.error()));
@@ -207,7 +208,8 @@ nlohmann::ordered_json checkJson(const Checked& checked) {
 
 /// One program stands in the document itself, those of several setups in a list.
 nlohmann::ordered_json checkDocument(const Job& job, const std::vector<Checked>& programs) {
-  nlohmann::ordered_json root = {{"schema", "proveout.check/1"}, {"control", job.control}};
+  nlohmann::ordered_json root = {{"schema", "proveout.check/1"},
+                                 {"control", fmt::format("{}", fmt::join(controlsOf(job), ", "))}};
   if (programs.size() == 1) {
     root.update(checkJson(programs.front()));
     return root;

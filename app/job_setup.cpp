@@ -201,9 +201,11 @@ std::optional<Job> setUpJob(const ProgramOptions& options, Diagnostics& diagnost
     job = jobFromProgram(options, diagnostics);
   }
   if (!job) return std::nullopt;
-  if (const Result<ControlId> control = findControl(job->control); !control) {
-    diagnostics.add(usageError(control.error().message));
-    return std::nullopt;
+  for (const std::string& name : controlsOf(*job)) {
+    if (const Result<ControlId> control = findControl(name); !control) {
+      diagnostics.add(usageError(control.error().message));
+      return std::nullopt;
+    }
   }
   if (options.lenient) {
     job->settings.lenient = true;

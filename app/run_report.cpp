@@ -82,21 +82,9 @@ ReportTime reportTime(const Job& job, const RunResult& run) {
   return time;
 }
 
-/// The controls of the clampings, each once.
-std::vector<std::string> controlsOf(const Job& job) {
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < setupCount(job); ++k) {
-    const std::string& own = k < job.setups.size() ? job.setups[k].control : std::string();
-    const std::string& name = own.empty() ? job.control : own;
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
-  return names;
-}
-
 ReportProgram reportProgram(const Job& job, const RunResult& run) {
   ReportProgram program;
-  for (const std::string& control : controlsOf(job))
-    program.control += (program.control.empty() ? "" : ", ") + control;
+  program.control = fmt::format("{}", fmt::join(controlsOf(job), ", "));
   for (const SetupRun& setup : run.setups) {
     const Toolpath& path = setup.interpreted.path;
     for (const std::string& file : path.files) {

@@ -57,6 +57,16 @@ bool savesStock(const Job& job) {
 
 std::size_t setupCount(const Job& job) { return job.setups.empty() ? 1 : job.setups.size(); }
 
+std::vector<std::string> controlsOf(const Job& job) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    const bool own = k < job.setups.size() && !job.setups[k].control.empty();
+    const std::string& name = own ? job.setups[k].control : job.control;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
 Job jobOfSetup(const Job& job, std::size_t index) {
   Job part = job;
   part.setups.clear();

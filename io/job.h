@@ -129,6 +129,8 @@ bool savesStock(const Job& job);
 std::string programNames(const Job& job);
 /// Number of clampings, at least 1.
 std::size_t setupCount(const Job& job);
+/// The controls of the clampings, each once.
+std::vector<std::string> controlsOf(const Job& job);
 /// The job as it is in one clamping: control, tools, program, subprograms, settings, start and fixtures are
 /// the setup's and there are no further setups. `index` below setupCount.
 Job jobOfSetup(const Job& job, std::size_t index);

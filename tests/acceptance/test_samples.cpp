@@ -210,6 +210,35 @@ TEST(TurnedShaft, PassesAndTellsWhatPartsIt) {
   EXPECT_TRUE(fs::exists(bench.path("out/profile.svg")));
 }
 
+/// Slot and flat of the sample by integration over the plane: chords of the shaft of 20 mm above Z6.5 and Z7,
+/// the chamfer of 1 mm taken off.
+constexpr double kKeySlotMm3 = 417.142, kFlatMm3 = 266.216;
+
+/// One job, two controls: every command takes each setup's own.
+TEST(KeyedShaft, IsTurnedAndMilledInOneJob) {
+  const fs::path job = fs::path(PROVEOUT_SOURCE_DIR) / "parts/keyed_shaft/job.toml";
+  const Workbench bench;
+  const Outcome check = bench.run("check '" + job.string() + "' --json");
+  EXPECT_EQ(check.exit_code, 0) << check.out;
+  const json checked = json::parse(check.out);
+  EXPECT_EQ(checked["control"], "wl4-lathe, nct");
+  ASSERT_EQ(checked["setups"].size(), 2u);
+  EXPECT_EQ(checked["setups"][1]["errors"], 0);
+  const Outcome path = bench.run("path '" + job.string() + "' --setup mill");
+  EXPECT_EQ(path.exit_code, 0) << path.err;
+  EXPECT_EQ(json::parse(path.out.substr(0, path.out.find('\n')))["control"], "nct");
+
+  const Outcome outcome = bench.run("run '" + job.string() + "' --resolution 0.4 --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  EXPECT_EQ(report["verdict"], "pass");
+  EXPECT_EQ(report["setups"][0]["control"], "wl4-lathe");
+  EXPECT_EQ(report["setups"][1]["control"], "nct");
+  EXPECT_NEAR(report["setups"][1]["removed_mm3"].get<double>(), kKeySlotMm3 + kFlatMm3, 1.0);
+  const Outcome why = bench.run("explain out --at=-20,0,6.5");
+  EXPECT_NE(why.out.find("mill: mill.nc:8"), std::string::npos) << why.out << why.err;
+}
+
 TEST(TurnedShaft, FailsWithAWrongNoseAndNamesTheBlocks) {
   const Workbench bench;
   const Outcome outcome =
