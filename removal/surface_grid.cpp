@@ -150,7 +150,7 @@ class LeafPlacer {
       const int count = gather(cell, at, sheet);
       CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, &exact_);
       const Vec3 origin(x, y, z);
-      if (v.outside && !v.smooth && exact_.isCovered(v.p, kOffBy)) {  // a tool took what is there
+      if (v.outside && !v.smooth && isTaken(v.p, count)) {
         v.p = v.inside;
         v.outside = false;
       }
@@ -265,10 +265,7 @@ class LeafPlacer {
     if (exact_.ofBlank()) return false;
     double nearest2 = kNoLimit, plane = kNoLimit;
     bool on_blank = false;  // the nearest plane is the blank's
-    Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
     for (int i = 0; i < count; ++i) {
-      middle += points_[i].p;
-      normal += points_[i].n;
       const Vec3 from = p - points_[i].p;
       nearest2 = std::min(nearest2, from.squaredNorm());
       const double off = std::abs(points_[i].n.dot(from));
@@ -280,8 +277,18 @@ class LeafPlacer {
     if (nearest2 < kOffBy * kOffBy) return false;
     if (plane > kOffBy) return true;
     if (on_blank && exact_.isOffCutBlank(p, kOffBy)) return true;
-    // A tool that takes the vertex and none of the crossings has it stand out from among them; asking all
-    // tools is dear.
+    return isTaken(p, count);
+  }
+
+  /// Whether a tool took what is at a vertex and none of its crossings: it stands out from among them. Asking
+  /// all tools is dear.
+  bool isTaken(const Vec3& p, int count) {
+    Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
+    for (int i = 0; i < count; ++i) {
+      if ((p - points_[i].p).squaredNorm() < kOffBy * kOffBy) return false;
+      middle += points_[i].p;
+      normal += points_[i].n;
+    }
     const double height = std::abs((p - middle / count).dot(normal));
     return height > kStandsOut * normal.norm() && exact_.isCovered(p, kOffBy);
   }

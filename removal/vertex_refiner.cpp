@@ -49,10 +49,13 @@ constexpr double kGrazing = 0.2;
 
 /// A face must be seen to turn not much more than between its crossings; else another one of the body is
 /// seen.
-double VertexRefiner::leastFacing(std::size_t face) const {
-  const CellFace& f = faces_[face];
-  return f.count >= kShowing ? std::cos(std::min(kMostTurn, kSlackTurn + 2.0 * f.spread))
-                             : std::cos(kTurnOfFew);
+double VertexRefiner::leastFacing(std::size_t face) {
+  if (facing_[face] == 0.0) {
+    const CellFace& f = faces_[face];
+    facing_[face] =
+        std::cos(f.count >= kShowing ? std::min(kMostTurn, kSlackTurn + 2.0 * f.spread) : kTurnOfFew);
+  }
+  return facing_[face];
 }
 
 VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
@@ -61,6 +64,7 @@ VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
     const ExactFaces::Source source = exact.source(faces[i].id);
     const bool flat = faces[i].count >= kShowing && faces[i].spread < kFlatSpread;
     body_[i] = source.body;
+    facing_[i] = 0.0;
     exact_already_ = exact_already_ && (source.simple ? source.bend < kMostBend : flat);
   }
 }

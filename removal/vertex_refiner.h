@@ -35,7 +35,7 @@ class VertexRefiner {
   bool isOffBlank(const Vec3& x) const;
 
  private:
-  double leastFacing(std::size_t face) const;
+  double leastFacing(std::size_t face);
   bool oneBody() const;
   Vec3 meanNormal() const;
   int bodyWithEdge() const;
@@ -50,7 +50,8 @@ class VertexRefiner {
   ExactFaces& exact_;
   std::span<const CellFace> faces_;
   std::array<std::int64_t, 12> body_;
-  bool exact_already_ = true;  ///< crossings and normals show all faces exactly, each for itself
+  std::array<double, 12> facing_;  ///< as leastFacing tells; 0: not asked for yet
+  bool exact_already_ = true;      ///< crossings and normals show all faces exactly, each for itself
 };
 
 }  // namespace proveout
