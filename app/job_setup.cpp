@@ -248,13 +248,12 @@ std::string outputFolder(const RunOptions& options, const Job& job) {
 }
 
 std::string fileName(const std::string& name) {
-  std::string file = name;
-  for (char& c : file) {
+  std::string file = name.empty() || name.front() == '.' ? "_" : "";
+  for (const char c : name) {
     const bool plain =
         std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-' || (c & 0x80);
-    if (!plain) c = '_';
+    file += plain ? c : '_';
   }
-  if (file.empty() || file.front() == '.') file.insert(0, "_");
   return file;
 }
 

@@ -22,4 +22,5 @@ function(proveout_add_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/proveout>)
   target_link_libraries(proveout_${name} PRIVATE $<BUILD_INTERFACE:proveout_warnings>
                                          PUBLIC proveout_options)
+  proveout_precompile(proveout_${name})
 endfunction()

@@ -1,0 +1,26 @@
+# Headers of other people that most sources read: parsed once a target, not once a source.
+#   PROVEOUT_PRECOMPILED_HEADERS  off in the presets dev, asan and tsan, so that they tell a source that forgets an include.
+# A source with flags of its own (SIMD levels, CGAL's rounding) must not use them: SKIP_PRECOMPILE_HEADERS.
+option(PROVEOUT_PRECOMPILED_HEADERS "Parse the headers of other libraries once a target" ON)
+set(PROVEOUT_PRECOMPILED
+  <algorithm> <array> <bit> <charconv> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map> <memory>
+  <numeric> <optional> <set> <span> <string> <string_view> <unordered_map> <utility> <variant> <vector>
+  <Eigen/Geometry> <fmt/format.h>)
+# With it GCC's output tells ccache what the precompiled header holds.
+if(PROVEOUT_PRECOMPILED_HEADERS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(proveout_options INTERFACE $<BUILD_INTERFACE:-fpch-preprocess>)
+endif()
+
+# proveout_precompile(TARGET [<header>...] [FROM OTHER]): its own precompiled headers with some more, or those of a target
+# with the same flags.
+function(proveout_precompile target)
+  cmake_parse_arguments(ARG "" "FROM" "" ${ARGN})
+  if(NOT PROVEOUT_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  if(ARG_FROM)
+    target_precompile_headers(${target} REUSE_FROM ${ARG_FROM})
+  else()
+    target_precompile_headers(${target} PRIVATE ${PROVEOUT_PRECOMPILED} ${ARG_UNPARSED_ARGUMENTS})
+  endif()
+endfunction()
