@@ -12,7 +12,7 @@
 #include "io/job.h"
 #include "io/profile_chart.h"
 #include "io/report.h"
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 
 namespace proveout {
 

@@ -19,7 +19,7 @@
 #include "core/tool/tool.h"
 #include "io/mesh_io.h"
 #include "removal/compare/compare.h"
-#include "removal/stock_shape.h"
+#include "removal/grid/stock_shape.h"
 
 namespace proveout {
 

@@ -6,7 +6,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "io/job.h"
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 
 namespace proveout {
 

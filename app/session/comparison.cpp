@@ -11,6 +11,7 @@
 #include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
 #include "removal/turning/section.h"
+#include "removal/turning/turned_field.h"
 
 namespace proveout {
 namespace {
@@ -84,7 +85,7 @@ Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const 
     const SetupRun& setup = run.setups[k];
     if (k > 0) to_first = after(to_first, setup.from_previous.inverse());
     if (!setup.turned) continue;
-    start = TurnedStockShape{turnedPart(setup), to_first};
+    start = turnedStock(turnedPart(setup), to_first);
     turned_by = static_cast<std::uint32_t>(k);
   }
   RigidTransform from_last;

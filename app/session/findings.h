@@ -7,7 +7,7 @@
 #include "app/session/interpretation.h"
 #include "io/report.h"
 #include "removal/compare/compare.h"
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 
 namespace proveout {
 

@@ -338,7 +338,7 @@ double blankArea(const StockShape& shape, const Box3& bounds) {
     return 2 * kPi * ((r + inner) * round->length + r * r - inner * inner);
   }
   const Vec3 s = bounds.size();
-  if (std::holds_alternative<TurnedStockShape>(shape)) return kPi * s.x() * (0.5 * s.x() + s.z());
+  if (const auto* known = std::get_if<FieldShape>(&shape)) return known->body->aboutArea();
   return 2 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
 }
 

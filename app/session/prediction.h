@@ -9,7 +9,7 @@
 
 #include "core/path/toolpath.h"
 #include "core/tool/tool.h"
-#include "removal/stock_shape.h"
+#include "removal/grid/stock_shape.h"
 
 namespace proveout {
 

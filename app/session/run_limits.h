@@ -4,7 +4,7 @@
 #include "app/session/prediction.h"
 #include "core/base/result.h"
 #include "io/job.h"
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 
 namespace proveout {
 

@@ -11,10 +11,12 @@
 #include "io/job.h"
 #include "io/report.h"
 #include "removal/compare/compare.h"
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 #include "removal/turning/section.h"
 
 namespace proveout {
+
+struct TurnedShape;
 
 /// One clamping of a run. Stages that were not reached leave their part empty.
 struct SetupRun {

@@ -8,8 +8,8 @@
 
 #include "core/nc/control_host.h"
 #include "core/tool/tool.h"
-#include "removal/contact_query.h"
-#include "removal/stock.h"
+#include "removal/contact/contact_query.h"
+#include "removal/grid/stock.h"
 
 namespace proveout {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "removal/threads.h"
+#include "core/base/thread_limit.h"
 
 namespace proveout {
 

@@ -23,7 +23,8 @@ foreach(folder core/base core/geometry core/path core/tool core/nc)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(FILES core/mesh/tri_mesh.h core/mesh/image.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/core/mesh)
-install(FILES removal/stock.h removal/stock_shape.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal)
+install(FILES removal/grid/stock.h removal/grid/stock_shape.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/grid)
 install(DIRECTORY removal/process/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/process
         FILES_MATCHING PATTERN "*.h")
 install(FILES removal/turning/section.h removal/turning/turned_stock.h

@@ -8,8 +8,8 @@
 #include "core/geometry/box_tree.h"
 #include "core/mesh/signed_distance.h"
 #include "core/tool/tool_solid.h"
-#include "removal/placed_field.h"
-#include "removal/sweep.h"
+#include "removal/grid/placed_field.h"
+#include "removal/sweep/sweep.h"
 #include "removal/turning/section.h"
 #include "removal/turning/section_field.h"
 #include "removal/turning/turned_field.h"
@@ -173,9 +173,9 @@ class MeshField final : public BlankField {
 Result<std::unique_ptr<BlankField>> fieldOf(const StockShape& shape) {
   if (const auto* box = std::get_if<BoxShape>(&shape)) return makeBlankField(*box);
   if (const auto* round = std::get_if<CylinderShape>(&shape)) return makeBlankField(*round);
-  if (const auto* turned = std::get_if<TurnedStockShape>(&shape)) {
-    Result<std::unique_ptr<BlankField>> field = makeTurnedField(turned->shape);
-    if (field) *field = placeField(std::move(*field), turned->place);
+  if (const auto* known = std::get_if<FieldShape>(&shape)) {
+    Result<std::unique_ptr<BlankField>> field = known->body->field();
+    if (field) *field = placeField(std::move(*field), known->place);
     return field;
   }
   if (const auto* mesh = std::get_if<MeshShape>(&shape))

@@ -8,9 +8,11 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/tool/tool.h"
 #include "removal/compare/exact_part.h"
-#include "removal/stock_shape.h"
+#include "removal/grid/stock_shape.h"
 
 namespace proveout {
+
+struct TurnedShape;
 
 /// What one clamping cut.
 struct ClampedCut {

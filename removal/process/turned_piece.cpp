@@ -8,6 +8,7 @@
 #include "removal/process/milled_piece.h"
 #include "removal/turning/revolve.h"
 #include "removal/turning/thread_mesh.h"
+#include "removal/turning/turned_field.h"
 
 namespace proveout {
 namespace {
@@ -122,7 +123,7 @@ double volumeLeft(const Machined& made, const RemovalSummary& removal, double he
 TurnedPiece::TurnedPiece(TurnedStock stock) : stock_(std::move(stock)), left_mm3_(stock_.initialVolume()) {}
 
 Status TurnedPiece::makeGrid(const TurnedShape& part, const PieceOptions& options, Progress& progress) {
-  const StockShape shape = TurnedStockShape{std::make_shared<const TurnedShape>(part), {}};
+  const StockShape shape = turnedStock(std::make_shared<const TurnedShape>(part));
   Result<Stock> stock = Stock::create(shape, options.grid, progress);
   if (!stock) return stock.error();
   grid_ = std::move(*stock);
@@ -214,7 +215,7 @@ Result<std::unique_ptr<Workpiece>> TurnedPiece::become(ProcessKind next, const R
     piece->apart_ = std::move(apart_);
     return std::unique_ptr<Workpiece>(std::move(piece));
   }
-  const StockShape shape = TurnedStockShape{std::make_shared<const TurnedShape>(alone(*made_, 0)), move};
+  const StockShape shape = turnedStock(std::make_shared<const TurnedShape>(alone(*made_, 0)), move);
   Result<Stock> stock = Stock::create(shape, options.grid, progress);
   if (!stock) return stock.error();
   return std::unique_ptr<Workpiece>(

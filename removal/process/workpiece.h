@@ -12,11 +12,13 @@
 #include "core/path/process_kind.h"
 #include "core/path/toolpath.h"
 #include "core/tool/tool.h"
+#include "removal/grid/stock.h"
 #include "removal/process/stock_body.h"
-#include "removal/stock.h"
 #include "removal/turning/section.h"
 
 namespace proveout {
+
+struct TurnedShape;
 
 /// How a workpiece is machined and its surface made.
 struct PieceOptions {

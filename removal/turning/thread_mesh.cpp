@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/parallel_for.h"
+#include "core/mesh/intersections.h"
 #include "core/tool/convex_outline.h"
-#include "removal/surface_intersections.h"
 #include "removal/turning/slice_faces.h"
 #include "removal/turning/slice_match.h"
 #include "removal/turning/thread_slices.h"

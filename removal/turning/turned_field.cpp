@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "removal/edge_root.h"
+#include "removal/grid/edge_root.h"
 #include "removal/turning/section_field.h"
 #include "removal/turning/thread_field.h"
 
@@ -357,6 +357,30 @@ Box3 turnedBounds(const TurnedShape* shape) {
     }
   }
   return box;
+}
+
+namespace {
+
+class TurnedBody final : public FieldBody {
+ public:
+  explicit TurnedBody(std::shared_ptr<const TurnedShape> shape) : shape_(std::move(shape)) {}
+
+  Result<std::unique_ptr<BlankField>> field() const override { return makeTurnedField(shape_); }
+  Box3 bounds() const override { return turnedBounds(shape_.get()); }
+  double aboutArea() const override {
+    const Vec3 size = bounds().size();
+    return kPi * size.x() * (0.5 * size.x() + size.z());
+  }
+  bool volumeIsExact() const override { return shape_->threads.empty(); }
+
+ private:
+  std::shared_ptr<const TurnedShape> shape_;
+};
+
+}  // namespace
+
+FieldShape turnedStock(std::shared_ptr<const TurnedShape> shape, const RigidTransform& place) {
+  return {std::make_shared<const TurnedBody>(std::move(shape)), place};
 }
 
 }  // namespace proveout

@@ -3,7 +3,8 @@
 
 #include <memory>
 
-#include "removal/blank_field.h"
+#include "removal/grid/blank_field.h"
+#include "removal/grid/stock_shape.h"
 #include "removal/turning/section.h"
 
 namespace proveout {
@@ -12,6 +13,9 @@ namespace proveout {
 /// their edges and sweeps. volume() is that of the section alone. `shape` is not needed any more afterwards.
 /// Errors: no body, a loop or a sweep that is not sound (says which and why).
 Result<std::unique_ptr<BlankField>> makeTurnedField(const std::shared_ptr<const TurnedShape>& shape);
+
+/// The part as a blank; Z is the spindle axis. `place`: from there into the workpiece frame.
+FieldShape turnedStock(std::shared_ptr<const TurnedShape> shape, const RigidTransform& place = {});
 
 /// Bounds of the section turned about Z; empty for null or without bodies.
 Box3 turnedBounds(const TurnedShape* shape);

@@ -13,8 +13,8 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/path/toolpath.h"
 #include "core/tool/tool.h"
-#include "removal/stock.h"
-#include "removal/stock_shape.h"
+#include "removal/grid/stock.h"
+#include "removal/grid/stock_shape.h"
 #include "removal/turning/section.h"
 
 namespace proveout {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/tool/tool_solid.h"
-#include "removal/sweep.h"
+#include "removal/sweep/sweep.h"
 
 namespace proveout {
 namespace {

@@ -1,7 +1,7 @@
 // Cuts one slot into a block and prints the volume that is left.
 #include <cstdio>
 
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 
 int main() {
   using namespace proveout;

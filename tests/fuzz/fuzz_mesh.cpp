@@ -11,7 +11,7 @@
 #include "core/mesh/tri_mesh.h"
 #include "io/mesh_io.h"
 #include "removal/compare/compare.h"
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 #include "tests/fuzz/laws.h"
 
 namespace {

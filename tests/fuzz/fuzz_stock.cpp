@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 #include "tests/fuzz/laws.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/path/toolpath.h"
-#include "removal/stock_shape.h"
+#include "removal/grid/stock_shape.h"
 
 namespace proveout::accuracy {
 

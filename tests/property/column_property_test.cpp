@@ -1,5 +1,6 @@
-// The column kernels against the exact swept distance: just above the lower end of an interval a point is inside,
-// just below it is outside, and where no interval is found nothing is inside. Every SIMD level gives the same bits.
+// The column kernels against the exact swept distance: just above the lower end of an interval a point is
+// inside, just below it is outside, and where no interval is found nothing is inside. Every SIMD level gives
+// the same bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 #include <vector>
 
 #include "core/tool/tool_solid.h"
-#include "removal/column_sweep.h"
-#include "removal/sweep.h"
+#include "removal/sweep/column_sweep.h"
+#include "removal/sweep/sweep.h"
 #include "tests/property/random_moves.h"
 
 namespace proveout {
@@ -19,7 +20,8 @@ namespace {
 /// Stated bound of the kernels with room for the reference's own (kSweepToleranceMm), mm.
 constexpr double kStep = 1e-5;
 
-/// Flat, ball, bull, cone and drill, and convex profiles that only unions are made of: undercut, round on top.
+/// Flat, ball, bull, cone and drill, and convex profiles that only unions are made of: undercut, round on
+/// top.
 std::vector<ConvexProfile> profiles() {
   std::vector<ConvexProfile> out;
   for (const char* text : {"1=flat:6", "2=ball:6", "3=bull:8:1.5", "4=cone:6:0.4:60", "5=drill:5:118",
@@ -123,7 +125,8 @@ std::vector<ColumnKernels> levels() {
   std::vector<ColumnKernels> out = {baselineKernels()};
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2")) out.push_back(avx2Kernels());
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
     out.push_back(avx512Kernels());
 #endif
   return out;
@@ -157,8 +160,10 @@ TEST_F(Columns, EveryLevelGivesTheSameBits) {
         LeafColumns other = start;
         EXPECT_EQ(std::bit_cast<std::uint64_t>(all(level, other)), std::bit_cast<std::uint64_t>(sunk));
         for (int i = 0; i < 64; ++i) {
-          ASSERT_EQ(std::bit_cast<std::uint64_t>(other.lo[i]), std::bit_cast<std::uint64_t>(first.lo[i])) << level.name;
-          ASSERT_EQ(std::bit_cast<std::uint64_t>(other.hi[i]), std::bit_cast<std::uint64_t>(first.hi[i])) << level.name;
+          ASSERT_EQ(std::bit_cast<std::uint64_t>(other.lo[i]), std::bit_cast<std::uint64_t>(first.lo[i]))
+              << level.name;
+          ASSERT_EQ(std::bit_cast<std::uint64_t>(other.hi[i]), std::bit_cast<std::uint64_t>(first.hi[i]))
+              << level.name;
           ASSERT_EQ(other.covered[i], first.covered[i]) << level.name;
         }
       }

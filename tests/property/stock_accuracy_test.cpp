@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 #include "tests/property/accuracy_cases.h"
 
 namespace proveout::accuracy {

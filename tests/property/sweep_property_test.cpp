@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/tool/tool_solid.h"
-#include "removal/sweep.h"
+#include "removal/sweep/sweep.h"
 #include "tests/unit/tool/drawings.h"
 
 namespace proveout {

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/tool/tool.h"
-#include "removal/cell_cycles.h"
-#include "removal/cell_vertex.h"
+#include "removal/surface/cell_cycles.h"
+#include "removal/surface/cell_vertex.h"
 
 namespace proveout {
 namespace {

@@ -1,10 +1,10 @@
-#include "removal/contact_query.h"
+#include "removal/contact/contact_query.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "removal/convex_cast.h"
+#include "removal/sweep/convex_cast.h"
 
 namespace proveout {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 
 namespace proveout::test {
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "removal/stock_impl.h"
+#include "removal/grid/stock_impl.h"
 
 namespace proveout::test {
 

@@ -13,7 +13,7 @@
 #include <iterator>
 #include <limits>
 
-#include "removal/stock.h"
+#include "removal/grid/stock.h"
 
 namespace proveout {
 namespace {

@@ -1,11 +1,11 @@
 // Meshes with triangles that run through each other, mended or left as they were.
-#include "removal/surface_mend.h"
+#include "removal/surface/surface_mend.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "removal/surface_intersections.h"
+#include "core/mesh/intersections.h"
 
 namespace proveout {
 namespace {

@@ -1,15 +1,15 @@
 // The surface against closed forms, on grids that are not aligned with the features.
-#include "removal/surface.h"
+#include "removal/surface/surface.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <random>
 
+#include "core/base/thread_limit.h"
+#include "core/mesh/intersections.h"
 #include "core/mesh/tri_mesh.h"
 #include "field_stock.h"
-#include "removal/surface_intersections.h"
-#include "removal/threads.h"
 
 namespace proveout {
 namespace {

@@ -114,7 +114,7 @@ TEST(TurnedField, FacesNameTheirMotions) {
 TEST(TurnedField, RefusesWhatIsNoPart) {
   Progress progress;
   const auto refused = [&](const std::shared_ptr<const TurnedShape>& shape) {
-    const auto stock = Stock::create(TurnedStockShape{shape}, RemovalOptions{}, progress);
+    const auto stock = Stock::create(turnedStock(shape), RemovalOptions{}, progress);
     return !stock.ok();
   };
   EXPECT_TRUE(refused(nullptr));

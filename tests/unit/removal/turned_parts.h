@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "removal/stock.h"
-#include "removal/surface_intersections.h"
+#include "core/mesh/intersections.h"
+#include "removal/grid/stock.h"
 #include "removal/turning/section.h"
+#include "removal/turning/turned_field.h"
 #include "removal/turning/thread_mesh.h"
 
 namespace proveout::test {
@@ -44,7 +45,7 @@ inline Made make(const std::shared_ptr<const TurnedShape>& shape, double resolut
   options.resolution_mm = resolution;
   options.threads = threads;
   Progress progress;
-  auto stock = Stock::create(TurnedStockShape{shape}, options, progress);
+  auto stock = Stock::create(turnedStock(shape), options, progress);
   EXPECT_TRUE(stock.ok()) << stock.error().message;
   if (!stock) return made;
   SurfaceOptions fine;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/tool/tool_solid.h"
-#include "removal/sweep.h"
+#include "removal/sweep/sweep.h"
 #include "tests/unit/removal/cut_fixture.h"
 
 namespace proveout::test {

@@ -1,0 +1,27 @@
+// Triangles of a mesh that run through each other.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/mesh/tri_mesh.h"
+
+namespace proveout {
+
+/// Pairs of triangles that meet elsewhere than in their common corners, at least one of them with a corner
+/// that is a suspect (a flag for each vertex). Each pair once, the lower number first, in order. In double
+/// precision: triangles that touch within rounding may be told either way. Fast where triangles with
+/// following numbers are close together.
+std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
+                                                            std::span<const std::uint8_t> suspect);
+
+/// Corners of a triangle, for exacter sums than its floats allow.
+std::array<Vec3, 3> cornersOf(const TriMesh& mesh, std::uint32_t t);
+/// Whether two triangles of the mesh meet elsewhere than in their common corners; s < t.
+bool trianglesMeet(const TriMesh& mesh, std::uint32_t s, std::uint32_t t);
+/// Whether a triangle is a line, as good as.
+bool isNeedle(const TriMesh& mesh, std::uint32_t t);
+
+}  // namespace proveout

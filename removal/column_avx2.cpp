@@ -1,7 +1,0 @@
-#include "removal/column_kernel_body.h"
-
-namespace proveout {
-
-ColumnKernels avx2Kernels() { return {columns, leafColumns, cover, reachFour, "avx2"}; }
-
-}  // namespace proveout

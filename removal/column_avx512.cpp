@@ -1,7 +1,0 @@
-#include "removal/column_kernel_body.h"
-
-namespace proveout {
-
-ColumnKernels avx512Kernels() { return {columns, leafColumns, cover, reachFour, "avx512"}; }
-
-}  // namespace proveout

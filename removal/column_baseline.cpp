@@ -1,7 +1,0 @@
-#include "removal/column_kernel_body.h"
-
-namespace proveout {
-
-ColumnKernels baselineKernels() { return {columns, leafColumns, cover, reachFour, "baseline"}; }
-
-}  // namespace proveout

@@ -1,0 +1,28 @@
+// Contacts of a path with the stock, from what its watched passes met in the leaves.
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "removal/cut/cut_record.h"
+#include "removal/grid/blank_field.h"
+#include "removal/grid/stock_impl.h"
+
+namespace proveout {
+
+/// What contacts are told of. The stock is as it was before the path.
+struct ContactScene {
+  const Stock::Impl& stock;
+  const BlankField* blank;  ///< see StockDepth
+  const Toolpath& path;
+  const PassTable& table;
+  bool fixture = false;  ///< the stock is a fixture: every touch counts
+};
+
+/// One contact for each unbroken run of motions with the same kind, tool and block, in program order, with
+/// the deepest point of what the tool's part sweeps. The order of `samples` does not count; a cancelled run
+/// leaves contacts away.
+std::vector<Contact> gatherContacts(const ContactScene& scene, std::vector<ContactSample> samples,
+                                    Progress& progress);
+
+}  // namespace proveout

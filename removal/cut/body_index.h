@@ -1,0 +1,52 @@
+// Finds the swept cutters near a point: a tree of boxes over them.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "removal/cut/pass.h"
+
+namespace proveout {
+
+/// A cutting part of a tool on the whole of one motion: the chords of a curve are one body.
+struct SweptCutter {
+  MotionId motion = kNoMotion;
+  std::uint32_t pass = 0;  ///< its first one
+
+  Sweep sweep(const PassTable& table) const;
+};
+
+class CutterIndex {
+ public:
+  /// Cutters of motions below `end`. `table` must outlive the index.
+  CutterIndex(const PassTable& table, MotionId end);
+
+  /// The nearest cutter of a motion below `end` and its signed distance from `p`, mm; of those that hold `p`
+  /// any. None, and `cutoff`, where none is nearer.
+  struct Near {
+    double distance;
+    const SweptCutter* body = nullptr;  ///< null: none
+  };
+  /// `hint`: looked at first, null: none is; for many points near each other the one that was found last.
+  Near nearest(const Vec3& p, MotionId end, double cutoff, const SweptCutter* hint = nullptr) const;
+  /// Whether a cutter other than that of pass `except` is nearer to `p` than `within`, mm; below 0: holds it
+  /// deeper than that.
+  bool comesTo(const Vec3& p, double within, std::uint32_t except = kNoPass) const;
+  static constexpr std::uint32_t kNoPass = ~0u;
+
+ private:
+  struct Node {
+    Box3 box;
+    MotionId first_motion = kNoMotion;  ///< the lowest below it
+    std::uint32_t begin = 0, end = 0;   ///< of a leaf: its bodies
+    std::uint32_t right = 0;            ///< the other child; the left one follows. 0: a leaf
+  };
+  std::uint32_t build(std::vector<Box3>& boxes, std::uint32_t begin, std::uint32_t end);
+
+  const PassTable& table_;
+  std::vector<SweptCutter> bodies_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace proveout

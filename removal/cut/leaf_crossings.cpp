@@ -1,0 +1,351 @@
+#include "removal/cut/leaf_crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace proveout {
+
+namespace {
+
+/// A later pass takes a crossing over only if it cuts the edge shorter by this fraction: equal cuts belong to
+/// the first pass that made them.
+constexpr double kShorter = 1e-7;
+
+/// Chains of passes on one edge that are followed; more than any tool's parts within a cell.
+constexpr int kMostRounds = 64;
+/// How far behind an old crossing material is looked for, as a fraction of the edge: thinner films are not
+/// spoken of.
+constexpr double kFilm = 0.02;
+
+}  // namespace
+
+std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafEdges& edges,
+                                           const std::vector<Crossing>& before, std::span<const Reach> list) {
+  if (edges.count == 0) return {};
+  collect(change, edges, before);
+  probes_.clear();
+  probes_of_edge_.assign(edges_.size(), {-1, -1});
+  std::array<Group, 4> groups;
+  FourBlocks boxes{};  // of the probes, which move along their edges only
+  for (int q = 0; q < 4; ++q) groups[q] = addGroup(change, q, boxes);
+  const double highest = *std::max_element(boxes.z_high, boxes.z_high + 4);
+  for (std::vector<std::uint32_t>& passes : passes_) passes.clear();
+  for (const Reach& reach : list) {
+    if (reach.low >= highest) continue;
+    const Pass& pass = table_.passes[reach.pass];
+    if (!pass.cuts()) continue;
+    double low[4];
+    reach_(pass.body.columns(), boxes, low);
+    const Sweep* curve = pass.body.helix();
+    for (std::size_t q = 0; q < 4; ++q) {
+      if (low[q] >= boxes.z_high[q]) continue;
+      const bool known =
+          curve != nullptr && !passes_[q].empty() && table_.passes[passes_[q].back()].body.helix() == curve;
+      if (!known) passes_[q].push_back(reach.pass);
+    }
+  }
+  for (int q = 0; q < 4; ++q) {
+    cutEdges(groups[q], passes_[q]);
+    giveUntaken(passes_[q], q);
+  }
+  std::vector<Crossing> out;
+  out.reserve(edges_.size());
+  for (const Edge& edge : edges_) out.push_back(crossing(edge, before));
+  return out;
+}
+
+/// A pass may cover the rest of an edge only after a later one moved the crossing to it: all are asked, over
+/// and over, until each has seen the last crossing that moved.
+void CrossingFinder::cutEdges(const Group& group, const std::vector<std::uint32_t>& passes) {
+  std::size_t asked = 0;  // since a crossing moved
+  moves_ = 0;
+  asked_.assign(passes.size(), -1);
+  for (int round = 0; round < kMostRounds; ++round) {
+    for (std::size_t k = 0; k < passes.size(); ++k) {
+      const std::uint32_t pass = passes[k];
+      moved_ = false;
+      if (const Sweep* curve = table_.passes[pass].body.helix()) {
+        tryCurve(pass, *curve, group, std::exchange(asked_[k], moves_));
+      } else {
+        for (std::size_t first = group.first; first < group.last; first += kMaxColumns)
+          tryPass(pass, first, std::min<std::size_t>(kMaxColumns, group.last - first));
+      }
+      asked = moved_ ? 1 : asked + 1;
+      if (asked >= passes.size()) return;
+    }
+  }
+}
+
+/// Where the surface that an edge crossed goes on over an edge beside it, and nothing is left on the other
+/// side, what is left on this one is the corner of solid material and no film. Adds the places on the other
+/// side.
+void CrossingFinder::addBeyond(const Coord& start, int axis, bool material_first, const Vec3& p) {
+  const LeafReader read(impl_);
+  for (int other = 0; other < 3; ++other) {
+    for (const int step : {-1, 1}) {
+      if (other == axis) continue;
+      Coord at = start;
+      at[other] += step;
+      Coord end = at;
+      ++end[axis];
+      if (read.isMaterial(at) != material_first || read.isMaterial(end) == material_first) continue;
+      Vec3 beyond = p;
+      beyond[other] -= step * impl_.h;
+      beyond_.push_back(beyond);
+    }
+  }
+}
+
+LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edges,
+                                  const std::vector<Crossing>& before, std::span<const Reach> list) {
+  struct Film {
+    Vec3 p;
+    std::size_t beyond, beyond_end;  ///< into beyond_
+  };
+  std::vector<Film> films;
+  std::vector<Vec3> points;
+  beyond_.clear();
+  std::size_t next = 0;
+  forEachEdge(change.before, [&](int axis, int x, int y, int z) {
+    const Crossing& old = before[next++];
+    if (edges.isCrossed(axis, x, y, z) || leafSample(change.material, x, y, z)) return;
+    const Coord start = change.origin.offsetBy(x, y, z);
+    const bool material_first = old.normal[axis] > 0;
+    Film film{impl_.position(start), beyond_.size(), 0};
+    film.p[axis] += (material_first ? std::max(0.0, old.t - kFilm) : std::min(1.0, old.t + kFilm)) * impl_.h;
+    addBeyond(start, axis, material_first, film.p);
+    film.beyond_end = beyond_.size();
+    films.push_back(film);
+    points.push_back(film.p);
+  });
+  const std::vector<char> bare = barePoints(points, list), bare_beyond = barePoints(beyond_, list);
+  LostFilm lost;
+  for (std::size_t i = 0; i < films.size(); ++i) {
+    bool film = bare[i] != 0;
+    for (std::size_t k = films[i].beyond; film && k < films[i].beyond_end; ++k)
+      film = bare_beyond[k] != 0 && impl_.blank.overlaps({beyond_[k], beyond_[k]});
+    if (film && lost.edges++ == 0) lost.where = films[i].p;
+  }
+  return lost;
+}
+
+/// Of each point whether no cutter of the list covers it.
+std::vector<char> CrossingFinder::barePoints(const std::vector<Vec3>& points, std::span<const Reach> list) {
+  x_.clear();
+  y_.clear();
+  z_.clear();
+  tag_.clear();
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    x_.push_back(points[i].x());
+    y_.push_back(points[i].y());
+    z_.push_back(points[i].z());
+    tag_.push_back(i);
+  }
+  if (!points.empty()) uniteChords(table_, list, united_);
+  for (const Reach& reach : united_) {
+    if (tag_.empty()) break;
+    dropCovered(table_.passes[reach.pass]);
+  }
+  std::vector<char> bare(points.size(), 0);
+  for (const std::uint32_t i : tag_) bare[i] = 1;
+  return bare;
+}
+
+/// Moves the points that are not covered to the front, behind those that are kept. `covers`: of a number
+/// from 0 to count - 1.
+template <typename Covers>
+void CrossingFinder::dropBatch(std::size_t first, std::size_t count, std::size_t& kept, Covers&& covers) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (covers(i)) continue;
+    x_[kept] = x_[first + i];
+    y_[kept] = y_[first + i];
+    tag_[kept] = tag_[first + i];
+    z_[kept++] = z_[first + i];
+  }
+}
+
+/// Takes the points that the pass, or the curve that it is a chord of, covers out of the lists.
+void CrossingFinder::dropCovered(const Pass& pass) {
+  std::size_t kept = 0;
+  const std::size_t size = tag_.size();
+  if (const Sweep* curve = pass.body.helix()) {
+    dropBatch(0, size, kept, [&](std::size_t i) {
+      return curve->distance({x_[i], y_[i], z_[i]}, 0.0) < 0.0;
+    });
+  } else {
+    for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize((size + 7) & ~std::size_t{7});
+    for (std::size_t first = 0; first < size; first += kMaxColumns) {
+      const std::size_t count = std::min<std::size_t>(kMaxColumns, size - first);
+      kernel_(pass.body.columns(), &x_[first], &y_[first], static_cast<int>(count), lo_.data(), hi_.data());
+      dropBatch(first, count, kept,
+                [&](std::size_t i) { return lo_[i] < z_[first + i] && z_[first + i] < hi_[i]; });
+    }
+  }
+  for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize(kept);
+  tag_.resize(kept);
+}
+
+void CrossingFinder::collect(const LeafChange& change, const LeafEdges& edges,
+                             const std::vector<Crossing>& before) {
+  edges_.clear();
+  forEachEdge(edges, [&](int axis, int x, int y, int z) {
+    Edge e;
+    e.axis = static_cast<std::int8_t>(axis);
+    e.quarter = static_cast<std::uint8_t>((x >> 2) << 1 | y >> 2);
+    const bool start_in = leafSample(change.material, x, y, z);
+    e.forward = start_in ? 1 : -1;
+    Coord at = change.origin.offsetBy(x, y, z);
+    if (!start_in) ++at[axis];
+    e.a = impl_.position(at);
+    if (change.before.isCrossed(axis, x, y, z)) {
+      e.old = change.before.indexOf(axis, x, y, z);
+      const double t = before[static_cast<std::size_t>(e.old)].t;
+      e.s = start_in ? t : 1.0 - t;
+    }
+    edges_.push_back(e);
+  });
+}
+
+CrossingFinder::Group CrossingFinder::addGroup(const LeafChange& change, int quarter, FourBlocks& boxes) {
+  Group group;
+  group.first = probes_.size();
+  addProbes(quarter);
+  group.last = probes_.size();
+  boxes.z_high[quarter] = -std::numeric_limits<double>::infinity();
+  if (group.first == group.last) return group;
+  // An edge may end one step beyond the quarter.
+  const Vec3 low = impl_.position(change.origin);
+  const double half = 2.0 * impl_.h;
+  boxes.half_width = half;
+  boxes.x[quarter] = low.x() + half + (quarter >> 1) * 2.0 * half;
+  boxes.y[quarter] = low.y() + half + (quarter & 1) * 2.0 * half;
+  const auto [least, most] = std::minmax_element(z_.begin() + static_cast<std::ptrdiff_t>(group.first),
+                                                 z_.begin() + static_cast<std::ptrdiff_t>(group.last));
+  boxes.z_low[quarter] = *least - impl_.h;
+  boxes.z_high[quarter] = *most + kShorter * impl_.h;
+  for (std::size_t i = group.first; i < group.last; ++i) {
+    // Material above the cut: the probe may rise to the end in the material.
+    const Edge& e = edges_[probes_[i].edge];
+    if (e.axis == 2 && e.forward < 0) boxes.z_high[quarter] = std::max(boxes.z_high[quarter], e.a.z());
+  }
+  return group;
+}
+
+/// The probe at the crossing found so far meets every pass that cuts the edge shorter, as long as the pass
+/// covers the rest of the edge; the one in the middle meets most of those that cut a piece out of the edge.
+void CrossingFinder::addProbes(int quarter) {
+  const std::size_t first = probes_.size();
+  const auto add = [&](std::size_t edge, Probe kind) {
+    probes_of_edge_[edge][kind == Probe::kEnd ? 0 : 1] = static_cast<std::int32_t>(probes_.size());
+    probes_.push_back({static_cast<std::uint32_t>(edge), kind});
+  };
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (edges_[i].quarter != quarter) continue;
+    add(i, Probe::kEnd);
+    if (edges_[i].axis != 2) add(i, Probe::kMiddle);
+  }
+  // Kernels read whole eights from wherever a group starts.
+  const std::size_t padded = probes_.size() + 7;
+  for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize(padded, 0.0);
+  for (std::size_t i = first; i < probes_.size(); ++i) placeProbe(i);
+}
+
+void CrossingFinder::placeProbe(std::size_t i) {
+  const Edge& e = edges_[probes_[i].edge];
+  const double s =
+      probes_[i].kind == Probe::kEnd ? (e.s < 1.0 ? std::max(0.0, e.s - kShorter) : 1.0) : 0.5 * e.s;
+  Vec3 p = e.a;
+  p[e.axis] += e.forward * s * impl_.h;
+  x_[i] = p.x();
+  y_[i] = p.y();
+  z_[i] = p.z();
+}
+
+void CrossingFinder::tryPass(std::uint32_t number, std::size_t first, std::size_t count) {
+  kernel_(table_.passes[number].body.columns(), &x_[first], &y_[first], static_cast<int>(count), lo_.data(),
+          hi_.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (lo_[i] < z_[first + i] && z_[first + i] < hi_[i]) tryEdge(number, first + i, lo_[i], hi_[i]);
+  }
+}
+
+void CrossingFinder::tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi) {
+  const std::uint32_t index = probes_[probe].edge;
+  Edge& e = edges_[index];
+  if (e.pass == number) return;  // by its other probe; this one has moved since lo and hi were asked
+  double cut;
+  if (e.axis == 2) {
+    cut = e.forward > 0 ? lo - e.a.z() : e.a.z() - hi;
+  } else {
+    const double inside = std::abs(e.axis == 0 ? x_[probe] - e.a.x() : y_[probe] - e.a.y());
+    cut = table_.passes[number].body.levelCut(e.a, e.axis == 0 ? e.forward : 0.0,
+                                              e.axis == 1 ? e.forward : 0.0, inside);
+  }
+  moveCrossing(number, index, cut);
+}
+
+/// The whole curve at once: it is convex nowhere, and may cut several pieces out of an edge. Edges are asked
+/// that have moved after the first `since` moves; below 0: all.
+void CrossingFinder::tryCurve(std::uint32_t number, const Sweep& curve, const Group& group, int since) {
+  for (std::size_t i = group.first; i < group.last; ++i) {
+    const Edge& e = edges_[probes_[i].edge];
+    if (e.moved <= since || (probes_[i].kind == Probe::kEnd && e.pass == number)) continue;
+    const Vec3 p(x_[i], y_[i], z_[i]);
+    if (curve.distance(p, 0.0) >= 0.0) continue;
+    const double inside = std::abs(p[e.axis] - e.a[e.axis]);
+    moveCrossing(number, probes_[i].edge, searchCut(curve, e.a, e.forward * Vec3::Unit(e.axis), inside));
+  }
+}
+
+/// Chords lie off their curve, so that a sample may be gone to which the curve does not quite reach: its
+/// edges end there.
+void CrossingFinder::giveUntaken(const std::vector<std::uint32_t>& passes, int quarter) {
+  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+    const Edge& e = edges_[i];
+    if (e.quarter != quarter || e.pass != kOld || e.old >= 0) continue;
+    const Vec3 gone = e.a + e.forward * impl_.h * Vec3::Unit(e.axis);
+    double least = impl_.h;
+    std::uint32_t nearest = kOld;
+    for (const std::uint32_t number : passes) {
+      const Sweep* curve = table_.passes[number].body.helix();
+      const double distance = curve != nullptr ? curve->distance(gone, least) : least;
+      if (distance < least) least = distance, nearest = number;
+    }
+    if (nearest != kOld) moveCrossing(nearest, i, impl_.h);
+  }
+}
+
+void CrossingFinder::moveCrossing(std::uint32_t number, std::uint32_t index, double cut) {
+  Edge& e = edges_[index];
+  const double s = std::clamp(cut / impl_.h, 0.0, 1.0);
+  if (s >= e.s - kShorter && !(e.pass == kOld && e.old < 0)) return;
+  e.s = s;
+  e.pass = number;
+  e.moved = ++moves_;
+  moved_ = true;
+  for (const std::int32_t moved : probes_of_edge_[index]) {
+    if (moved >= 0) placeProbe(static_cast<std::size_t>(moved));
+  }
+}
+
+Crossing CrossingFinder::crossing(const Edge& e, const std::vector<Crossing>& before) const {
+  if (e.pass == kOld && e.old >= 0) return before[static_cast<std::size_t>(e.old)];
+  Crossing c;
+  c.setPosition(e.forward > 0 ? e.s : 1.0 - e.s);
+  Vec3 p = e.a;
+  p[e.axis] += e.forward * e.s * impl_.h;
+  if (e.pass == kOld) {  // not expected: the sample was cut by a pass that is not in the list
+    c.setNormal(Vec3::Unit(e.axis) * e.forward);
+    return c;
+  }
+  const Pass& pass = table_.passes[e.pass];
+  c.motion = pass.motion;
+  const SweptSurface surface = pass.body.surface(p, e.axis, e.forward > 0);
+  c.setNormal(-surface.normal);
+  c.element = static_cast<std::uint16_t>(surface.element);
+  return c;
+}
+
+}  // namespace proveout

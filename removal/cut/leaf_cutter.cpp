@@ -1,0 +1,273 @@
+#include "removal/cut/leaf_cutter.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace proveout {
+
+namespace {
+
+/// Transposes an 8x8 matrix of bits: bit y of byte z becomes bit z of byte y.
+std::uint64_t transposeBits(std::uint64_t x) {
+  std::uint64_t t = (x ^ x >> 7) & 0x00AA00AA00AA00AAull;
+  x ^= t ^ t << 7;
+  t = (x ^ x >> 14) & 0x0000CCCC0000CCCCull;
+  x ^= t ^ t << 14;
+  t = (x ^ x >> 28) & 0x00000000F0F0F0F0ull;
+  return x ^ t ^ t << 28;
+}
+
+void layersToColumns(const LeafBits& layers, unsigned char* columns) {
+  for (int x = 0; x < 8; ++x) {
+    std::uint64_t rows = 0;
+    for (int z = 0; z < 8; ++z) rows |= (layers[z] >> 8 * x & 0xFF) << 8 * z;
+    const std::uint64_t bytes = transposeBits(rows);
+    for (int y = 0; y < 8; ++y) columns[leafColumn(x, y)] = static_cast<unsigned char>(bytes >> 8 * y);
+  }
+}
+
+void columnsToLayers(const unsigned char* columns, LeafBits& layers) {
+  layers = {};
+  for (int x = 0; x < 8; ++x) {
+    std::uint64_t bytes = 0;
+    for (int y = 0; y < 8; ++y) bytes |= static_cast<std::uint64_t>(columns[leafColumn(x, y)]) << 8 * y;
+    const std::uint64_t rows = transposeBits(bytes);
+    for (int z = 0; z < 8; ++z) layers[z] |= (rows >> 8 * z & 0xFF) << 8 * x;
+  }
+}
+
+std::int64_t volumeUnits(double voxels) { return std::llround(voxels / kVolumeUnit); }
+
+}  // namespace
+
+void LeafCutter::cut(LeafChange& change, std::span<const Reach> list) {
+  start(change);
+  if (columns_.layers == 0) return;
+  for (std::size_t i = 0; i < list.size() && columns_.layers != 0;) {
+    if (const std::size_t chords = applyCurve(list.subspan(i))) {
+      i += chords;
+      continue;
+    }
+    if (list[i].low < highest_) apply(list[i].pass);
+    ++i;
+  }
+  columnsToLayers(columns_.material, change.material);
+  change.takers = takers_;
+}
+
+/// Applies the chords of a curve at the front of the list, if there are any, and returns their number. They
+/// are one motion, so that their order does not count: those that reach lowest leave nothing to most others.
+std::size_t LeafCutter::applyCurve(std::span<const Reach> list) {
+  const Pass& first = table_.passes[list[0].pass];
+  if (first.body.isLine() || first.watched || !first.cuts()) return 0;
+  std::size_t count = 1;
+  while (count < list.size() && table_.passes[list[count].pass].body.isOneCurveWith(first.body)) ++count;
+  lowest_first_.assign(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
+  std::stable_sort(lowest_first_.begin(), lowest_first_.end(),
+                   [](const Reach& a, const Reach& b) { return a.low < b.low; });
+  for (const Reach& reach : lowest_first_) {
+    if (reach.low >= highest_ || columns_.layers == 0) break;
+    apply(reach.pass);
+  }
+  return count;
+}
+
+void LeafCutter::start(const LeafChange& change) {
+  origin_ = change.origin;
+  removed_.clear();
+  contacts_.clear();
+  evaluations_ = 0;
+  covered_ = 0;
+  LeafColumns& l = columns_;
+  l.h = impl_.h;
+  l.layers = 0;
+  for (int z = 0; z < 8; ++z) {
+    l.z[z] = impl_.position(origin_.offsetBy(0, 0, z)).z();
+    if (change.material[z] != 0) l.layers = z + 1;
+  }
+  if (l.layers == 0) return;
+  layersToColumns(change.material, l.material);
+  std::memcpy(initial_.data(), l.material, sizeof(initial_));
+  joined_x_ = joined_y_ = {};
+  l.undercut = false;
+  takers_ = {kNoPass, kNoPass};
+  most_sunk_ = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 at = impl_.position(origin_.offsetBy(i, i, 0));
+    for (int k = 0; k < 8; ++k) {
+      l.x[leafColumn(i, k)] = at.x();
+      l.y[leafColumn(k, i)] = at.y();
+    }
+  }
+  startTops(change);
+  const Vec3 low = impl_.position(origin_);
+  const double half = quarters_.half_width = 1.5 * l.h;
+  for (int q = 0; q < 4; ++q) {
+    quarters_.x[q] = low.x() + half + (q >> 1) * 4 * l.h;
+    quarters_.y[q] = low.y() + half + (q & 1) * 4 * l.h;
+    quarters_.z_low[q] = l.z[0];
+    setQuarterTop(q);
+  }
+}
+
+/// Of each column and the next along x and y: what both have.
+void LeafCutter::pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords& y) {
+  constexpr std::uint64_t kLastY = 0xFF000000FF000000;
+  for (int q = 0; q < 4; ++q) {  // a word: two rows of four columns along y
+    const std::uint64_t a = columns[2 * q], b = columns[2 * q + 1];
+    const std::uint64_t beyond_x = q < 2 ? columns[2 * q + 4] : 0;
+    x[2 * q] = a & (a >> 32 | b << 32);
+    x[2 * q + 1] = b & (b >> 32 | beyond_x << 32);
+    const std::uint64_t beyond_a = q % 2 == 0 ? columns[2 * q + 2] : 0,
+                        beyond_b = q % 2 == 0 ? columns[2 * q + 3] : 0;
+    y[2 * q] = a & ((a >> 8 & ~kLastY) | (beyond_a << 24 & kLastY));
+    y[2 * q + 1] = b & ((b >> 8 & ~kLastY) | (beyond_b << 24 & kLastY));
+  }
+}
+
+/// Notes the edges that the last pass covered whole; `quarters` (bits) are those that it went through.
+void LeafCutter::join(unsigned quarters) {
+  ColumnWords covered, x, y;
+  for (int q = 0; q < 4; ++q) {
+    if ((quarters >> q & 1) != 0) cover(q);
+  }
+  std::memcpy(covered.data(), columns_.covered, sizeof(covered));
+  for (unsigned q = 0; q < 4; ++q) {
+    if ((quarters >> q & 1) == 0) covered[2 * q] = covered[2 * q + 1] = 0;
+  }
+  pairUp(covered, x, y);
+  for (int i = 0; i < 8; ++i) {
+    joined_x_[i] |= x[i];
+    joined_y_[i] |= y[i];
+  }
+}
+
+std::unique_ptr<OpenEdges> LeafCutter::openEdges() const {
+  ColumnWords taken, x, y;
+  std::memcpy(taken.data(), columns_.material, sizeof(taken));
+  for (int i = 0; i < 8; ++i) taken[i] = initial_[i] & ~taken[i];
+  pairUp(taken, x, y);
+  std::uint64_t any = 0;
+  for (int i = 0; i < 8; ++i) {
+    x[i] &= ~joined_x_[i];
+    y[i] &= ~joined_y_[i];
+    any |= x[i] | y[i];
+  }
+  if (any == 0 && !columns_.undercut) return nullptr;
+  auto open = std::make_unique<OpenEdges>();
+  columnsToLayers(reinterpret_cast<const unsigned char*>(x.data()), open->level[0]);
+  columnsToLayers(reinterpret_cast<const unsigned char*>(y.data()), open->level[1]);
+  open->undercut = columns_.undercut;
+  return open;
+}
+
+void LeafCutter::setQuarterTop(int quarter) {
+  const double* top = columns_.top + quarter * kQuarter;
+  const double* all = quarters_.z_high;
+  double most[4] = {top[0], top[1], top[2], top[3]};
+  for (int i = 4; i < kQuarter; i += 4) {
+    for (int k = 0; k < 4; ++k) most[k] = std::max(most[k], top[i + k]);
+  }
+  quarters_.z_high[quarter] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+  highest_ = *std::max_element(all, all + 4);
+}
+
+/// Heights that the removed volume is counted from: the crossing above the highest sample, or the next leaf.
+void LeafCutter::startTops(const LeafChange& change) {
+  const StockLeaf* leaf = reader_.leaf(origin_);
+  LeafColumns& l = columns_;
+  for (int x = 0; x < 8; ++x) {
+    for (int y = 0; y < 8; ++y) {
+      const int c = leafColumn(x, y);
+      const int highest = std::bit_width(static_cast<unsigned>(l.material[c])) - 1;
+      l.top[c] = highest < 0 ? l.z[0] : l.z[highest] + l.h;
+      if (highest < 0 || leaf == nullptr || !change.before.isCrossed(2, x, y, highest)) continue;
+      l.top[c] = l.z[highest] + leaf->crossings[change.before.indexOf(2, x, y, highest)].t * l.h;
+    }
+  }
+}
+
+void LeafCutter::apply(std::uint32_t number) {
+  const Pass& pass = table_.passes[number];
+  double sunk = 0.0, low[4];
+  reach_(pass.body.columns(), quarters_, low);
+  unsigned quarters = 0;
+  for (int q = 0; q < 4; ++q) {
+    if (low[q] >= quarters_.z_high[q]) continue;
+    sunk += applyQuarter(number, q);
+    quarters |= 1u << q;
+  }
+  if (sunk <= 0.0) return;
+  if (pass.body.holdsEdges(impl_.h)) join(quarters);
+  takers_[1] = number;
+  if (sunk > most_sunk_) {
+    most_sunk_ = sunk;
+    takers_[0] = number;
+  }
+  removed_.emplace_back(pass.motion, volumeUnits(sunk / columns_.h));
+  unsigned any = 0;
+  for (int c = 0; c < 64; ++c) any |= columns_.material[c];
+  columns_.layers = std::bit_width(any);
+}
+
+void LeafCutter::cover(int quarter) {
+  if ((covered_ >> quarter & 1) != 0) return;
+  cover_(columns_, quarter);
+  covered_ |= 1u << quarter;
+}
+
+/// Height of columns that the pass takes away, mm; 0 for parts that do not cut.
+double LeafCutter::applyQuarter(std::uint32_t number, int quarter) {
+  const Pass& pass = table_.passes[number];
+  LeafColumns& l = columns_;
+  const int first = quarter * kQuarter;
+  const bool cutter = pass.cuts(), watched = pass.watched || !cutter;
+  double top[kQuarter];
+  if (watched) std::copy_n(l.top + first, kQuarter, top);
+  const double sunk = kernel_(pass.body.columns(), l, quarter);
+  covered_ &= ~(1u << quarter);
+  evaluations_ += kQuarter;
+  if (watched) {
+    cover(quarter);
+    contact(number, quarter, top);
+  }
+  if (!cutter) {
+    std::copy_n(top, kQuarter, l.top + first);
+    return 0.0;
+  }
+  if (sunk <= 0.0) return 0.0;
+  cover(quarter);
+  for (int c = first; c < first + kQuarter; ++c) l.material[c] &= static_cast<unsigned char>(~l.covered[c]);
+  setQuarterTop(quarter);
+  return sunk;
+}
+
+/// How deep the solid reaches below the tops (`top`: before the pass) and below samples of a quarter.
+void LeafCutter::contact(std::uint32_t number, int quarter, const double* top) {
+  const Pass& pass = table_.passes[number];
+  const LeafColumns& l = columns_;
+  ContactSample found{number, 0.0, Vec3::Zero(), 0};
+  double height = 0.0;
+  const Sweep sweep = pass.body.sweep();
+  const auto look = [&](int c, double z) {
+    const Vec3 at(l.x[c], l.y[c], z);
+    const double depth = -sweep.distance(at, 0.0);
+    if (depth > found.depth) found.depth = depth, found.where = at;
+  };
+  for (int i = 0; i < kQuarter; ++i) {
+    const int c = quarter * kQuarter + i;
+    const unsigned touched = l.covered[c] & l.material[c];
+    if (l.top[c] < top[i]) look(c, top[i]);
+    for (int z = 0; z < 8; ++z) {
+      if (touched >> z & 1) look(c, l.z[z]);
+    }
+    height += l.top[c] < top[i] ? top[i] - l.top[c] : l.h * countBits(touched);
+  }
+  if (found.depth <= kContactToleranceMm) return;
+  found.volume = volumeUnits(height / l.h);
+  contacts_.push_back(found);
+}
+
+}  // namespace proveout

@@ -1,0 +1,96 @@
+// Samples of one leaf while its passes go through it, in program order.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "removal/cut/pass.h"
+#include "removal/grid/leaf_changes.h"
+#include "removal/grid/stock_impl.h"
+
+namespace proveout {
+
+/// Volumes per motion are summed as whole numbers of this part of a voxel, so that the sum does not depend on
+/// threads.
+inline constexpr double kVolumeUnit = 1.0 / 65536.0;
+
+/// Penetration that counts as contact, mm: below any gauge on a shop floor.
+inline constexpr double kContactToleranceMm = 1e-3;
+
+struct ContactSample {
+  std::uint32_t pass;
+  double depth;  ///< mm, of a sample of the stock below the surface of the solid
+  Vec3 where;
+  std::int64_t volume;  ///< kVolumeUnit
+};
+
+/// Edges of a leaf, between two samples that are gone, that no pass is known to have covered whole: material
+/// may have stood in between.
+struct OpenEdges {
+  std::array<LeafBits, 2> level{};  ///< along x and y, within the leaf
+  bool undercut = false;            ///< vertical edges must be looked at, too
+};
+
+/// Cuts leaves; one object a thread, used again and again.
+class LeafCutter {
+ public:
+  LeafCutter(const Stock::Impl& impl, const PassTable& table)
+      : impl_(impl),
+        table_(table),
+        reader_(impl),
+        kernel_(columnKernels().leaf),
+        cover_(columnKernels().cover),
+        reach_(columnKernels().reach) {}
+
+  /// Takes `list` (what reaches into the leaf's block of 9x9x9 samples, in program order) through the samples
+  /// of change.material.
+  void cut(LeafChange& change, std::span<const Reach> list);
+
+  // What the last cut found.
+  const std::vector<std::pair<MotionId, std::int64_t>>& removed() const { return removed_; }  ///< kVolumeUnit
+  const std::vector<ContactSample>& contacts() const { return contacts_; }
+  std::uint64_t evaluations() const { return evaluations_; }
+  /// Null where nothing is open.
+  std::unique_ptr<OpenEdges> openEdges() const;
+
+ private:
+  void start(const LeafChange& change);
+  void startTops(const LeafChange& change);
+  std::size_t applyCurve(std::span<const Reach> list);
+  void apply(std::uint32_t number);
+  double applyQuarter(std::uint32_t number, int quarter);
+  void cover(int quarter);
+  void setQuarterTop(int quarter);
+  void join(unsigned quarters);
+  void contact(std::uint32_t number, int quarter, const double* top);
+
+  const Stock::Impl& impl_;
+  const PassTable& table_;
+  LeafReader reader_;
+  LeafKernel kernel_;
+  CoverKernel cover_;
+  ReachKernel reach_;
+  Coord origin_;
+  double highest_ = 0.0;                   ///< highest top, mm
+  FourBlocks quarters_{};                  ///< up to the highest top of each quarter
+  std::array<std::uint32_t, 2> takers_{};  ///< as in LeafChange
+  double most_sunk_ = 0.0;                 ///< of one pass, mm of column height
+  LeafColumns columns_{};
+  unsigned covered_ = 0;  ///< quarters (bits) whose columns_.covered is that of the last pass
+  /// Columns in the order of LeafColumns, eight a word.
+  using ColumnWords = std::array<std::uint64_t, 8>;
+  static void pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords& y);
+  ColumnWords initial_{};                ///< material before the first pass
+  ColumnWords joined_x_{}, joined_y_{};  ///< edges that one pass covered whole
+  std::vector<std::pair<MotionId, std::int64_t>> removed_;
+  ReachList lowest_first_;  ///< chords of one curve
+  std::vector<ContactSample> contacts_;
+  std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace proveout

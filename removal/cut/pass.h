@@ -1,0 +1,56 @@
+// What the motions of a path sweep through, body by body, in the order of the program.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "core/path/toolpath.h"
+#include "removal/sweep/swept_body.h"
+
+namespace proveout {
+
+enum class ToolPart : std::uint8_t { kCutter, kShank, kHolder };
+
+/// One convex part of a tool on one motion, or on one chord of a curved motion.
+struct Pass {
+  SweptBody body;
+  MotionId motion = kNoMotion;
+  /// Of a helix about z: how far on in the table the pass over the same place one turn lower is; 0: there is
+  /// none, or it does not cover all that this one does below its own top.
+  std::int32_t lower = 0;
+  ToolPart part = ToolPart::kCutter;
+  bool watched = false;  ///< contact with stock is a finding
+
+  bool cuts() const { return part == ToolPart::kCutter; }
+};
+
+/// The passes of a run and the exact sweeps of its curved motions.
+struct PassTable {
+  std::vector<Pass> passes;          ///< in the order of their motions
+  std::vector<std::uint32_t> first;  ///< for each motion, and the end: number of its first pass
+  std::deque<Sweep> curves;          ///< stay where they are: the bodies know them by place
+
+  std::span<const Pass> of(MotionId motion) const {
+    if (std::size_t{motion} + 1 >= first.size()) return {};
+    return {passes.data() + first[motion], passes.data() + first[motion + 1]};
+  }
+  /// Whether a pass is a chord of the same curve as the one before it.
+  bool goesOn(std::uint32_t number) const {
+    return number > 0 && passes[number].body.isOneCurveWith(passes[number - 1].body);
+  }
+};
+
+/// A pass that reaches into a block, and the height below which it does not (a lower bound), mm.
+struct Reach {
+  std::uint32_t pass;
+  float low;
+};
+using ReachList = std::vector<Reach>;
+
+/// Fills `out` with one entry for all chords of a helix that follow each other in `list`, and one for every
+/// other cutting pass.
+void uniteChords(const PassTable& table, std::span<const Reach> list, ReachList& out);
+
+}  // namespace proveout

@@ -1,0 +1,97 @@
+#include "removal/grid/leaf_changes.h"
+
+#include <utility>
+
+namespace proveout {
+
+LeafChange readLeaf(const LeafReader& reader, const Coord& origin) {
+  LeafChange change;
+  change.origin = origin;
+  change.material = reader.bits(origin);
+  change.first_before = change.material[0] & 1;
+  if (const StockLeaf* leaf = reader.leaf(origin)) change.before = reader.edges(*leaf);
+  return change;
+}
+
+LeafBits samplesBefore(const LeafChange& change) {
+  const std::array<LeafBits, 3>& crossed = change.before.crossed;
+  // A sample is on the other side than the one before it where the edge between them is crossed.
+  std::uint64_t row = change.first_before, layer = 0;
+  for (int y = 0; y < 7; ++y) row |= ((row ^ crossed[1][0]) >> y & 1) << (y + 1);
+  for (int x = 0; x < 8; ++x) {
+    layer |= row << 8 * x;
+    row ^= crossed[0][0] >> 8 * x & 0xFF;
+  }
+  LeafBits out;
+  for (int z = 0; z < 8; ++z) {
+    out[z] = layer;
+    layer ^= crossed[2][z];
+  }
+  return out;
+}
+
+namespace {
+
+constexpr std::uint32_t kNoRecord = 0xFFFFFFFFu;
+
+std::uint32_t addRecord(Stock::Impl& impl, const LeafChange& change) {
+  const auto number = static_cast<std::uint32_t>(impl.leaves.size());
+  impl.leaves.push_back({change.origin, change.material, {}});
+  impl.index.set(leafCoord(change.origin), static_cast<std::int32_t>(number));
+  return number;
+}
+
+/// Records of the changed leaves that have one or whose 9x9x9 block may hold both sides: those that are all
+/// one side, like most that are cut, only where a neighbour differs.
+std::vector<std::uint32_t> installChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes) {
+  std::vector<std::uint32_t> record(changes.size(), kNoRecord);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const LeafChange& change = *changes[i];
+    const Coord at = leafCoord(change.origin);
+    const bool inside = change.material == kAllInside;
+    if (const std::int32_t number = impl.index.get(at); number >= 0) {
+      record[i] = static_cast<std::uint32_t>(number);
+    } else if (inside || change.material == kAllOutside) {
+      impl.index.set(at, inside ? LeafIndex::kInside : LeafIndex::kOutside);
+    } else {
+      record[i] = addRecord(impl, change);
+    }
+  }
+  std::vector<std::uint8_t> beside(changes.size(), 0);
+  parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
+    if (record[i] != kNoRecord) impl.leaves[record[i]].material = changes[i]->material;
+  });
+  parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
+    beside[i] = record[i] == kNoRecord && isMixed(LeafReader(impl), changes[i]->origin);
+  });
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (beside[i] != 0) record[i] = addRecord(impl, *changes[i]);
+  }
+  return record;
+}
+
+}  // namespace
+
+void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find) {
+  // Every changed leaf is installed before neighbours read each other's new samples.
+  const std::vector<std::uint32_t> record = installChanges(impl, changes);
+  parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
+    if (record[i] == kNoRecord) {
+      find(i, LeafEdges{}, {});
+      return;
+    }
+    const LeafReader reader(impl);
+    StockLeaf& leaf = impl.leaves[record[i]];
+    const bool mixed = isMixed(reader, leaf.origin);
+    leaf.crossings = find(i, mixed ? reader.edges(leaf) : LeafEdges{}, leaf.crossings);
+    if (!mixed) leaf.origin = kNoLeaf;
+  });
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (record[i] == kNoRecord || impl.leaves[record[i]].origin != kNoLeaf) continue;
+    const bool inside = changes[i]->material[0] & 1;
+    impl.index.set(leafCoord(changes[i]->origin), inside ? LeafIndex::kInside : LeafIndex::kOutside);
+  }
+  orderLeaves(impl);
+}
+
+}  // namespace proveout

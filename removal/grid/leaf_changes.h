@@ -1,0 +1,55 @@
+// New samples for leaves of the stock: installed first, then every changed leaf gets the crossings of its new
+// edges, which reach into its neighbours.
+#pragma once
+
+#include <tbb/concurrent_vector.h>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/parallel_for.h"
+#include "removal/grid/stock_impl.h"
+
+namespace proveout {
+
+inline constexpr std::uint32_t kNoPass = 0xFFFFFFFFu;
+
+struct LeafChange {
+  Coord origin;
+  LeafBits material{};        ///< new samples
+  LeafEdges before;           ///< crossed edges until now
+  bool first_before = false;  ///< the first sample until now
+  /// The pass that took most and the last that took something; kNoPass where none did.
+  std::array<std::uint32_t, 2> takers{kNoPass, kNoPass};
+};
+
+/// Reads what a leaf is now: a change with equal samples.
+LeafChange readLeaf(const LeafReader& reader, const Coord& origin);
+
+/// Samples until now.
+LeafBits samplesBefore(const LeafChange& change);
+
+/// Writes the changes into the stock. `changes` must hold, once, every leaf of whose 9x9x9 block a sample
+/// changes. `find(i, edges, before)` is called in parallel for every changed leaf and returns the crossings
+/// of `edges` in order (none for a leaf that is not mixed any more); `before` are the crossings of
+/// changes[i]->before. The result does not depend on the order of `changes`.
+using FindCrossings = std::function<std::vector<Crossing>(std::size_t i, const LeafEdges& edges,
+                                                          const std::vector<Crossing>& before)>;
+void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find);
+
+/// All threads add to it. Its memory is the program's, in huge pages (docs/decisions/008), and not TBB's own.
+template <typename T>
+using ConcurrentList = tbb::concurrent_vector<T, std::allocator<T>>;
+
+/// Where the elements of a list stand, for commitChanges.
+template <typename List>
+std::vector<const LeafChange*> addressesOf(const List& changes) {
+  std::vector<const LeafChange*> out;
+  out.reserve(changes.size());
+  for (const LeafChange& change : changes) out.push_back(&change);
+  return out;
+}
+
+}  // namespace proveout

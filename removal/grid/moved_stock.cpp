@@ -1,0 +1,174 @@
+// The stock in another clamping: quarter turns exactly, sample by sample; other turns by way of the mesh.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "removal/grid/face_numbers.h"
+#include "removal/grid/leaf_changes.h"
+#include "removal/grid/stock_impl.h"
+
+namespace proveout {
+
+namespace {
+
+/// A turn that takes grid lines to grid lines: new axis a is old axis from[a], turned round where sign[a] is
+/// -1. Sample i of an axis that is turned round becomes sample -1 - i, so that leaves stay leaves.
+struct AxisMap {
+  int from[3] = {0, 1, 2};
+  int sign[3] = {1, 1, 1};
+
+  /// Of samples and of leaves (in leaf coordinates) alike.
+  Coord operator()(const Coord& old) const {
+    Coord now;
+    for (int a = 0; a < 3; ++a) now[a] = sign[a] > 0 ? old[from[a]] : -1 - old[from[a]];
+    return now;
+  }
+  Coord back(const Coord& now) const {
+    Coord old;
+    for (int a = 0; a < 3; ++a) old[from[a]] = sign[a] > 0 ? now[a] : -1 - now[a];
+    return old;
+  }
+};
+
+/// None where the rotation is not one of the 24 that are exactly so.
+std::optional<AxisMap> axisMap(const Eigen::Matrix3d& rotation) {
+  AxisMap map;
+  for (int a = 0; a < 3; ++a) {
+    int found = 0;
+    for (int b = 0; b < 3; ++b) {
+      const double entry = rotation(a, b);
+      if (entry == 0.0) continue;
+      if (std::abs(entry) != 1.0) return std::nullopt;
+      ++found;
+      map.from[a] = b;
+      map.sign[a] = entry > 0 ? 1 : -1;
+    }
+    if (found != 1) return std::nullopt;
+  }
+  return map;
+}
+
+class ExactMove {
+ public:
+  ExactMove(const Stock::Impl& old, const AxisMap& map, const RigidTransform& move) : old_(old), map_(map) {
+    now_.h = old.h;
+    now_.initial_volume = old.initial_volume;
+    now_.blank = move(old.blank);
+    for (int a = 0; a < 3; ++a) {
+      const double origin = old.origin[map.from[a]];
+      now_.origin[a] = move.translation[a] + (map.sign[a] > 0 ? origin : old.h - origin);
+    }
+  }
+
+  Stock::Impl run() {
+    makeIndex(now_);
+    fillInside();
+    const std::vector<LeafChange> changes = movedLeaves();
+    commitChanges(now_, addressesOf(changes), [&](std::size_t i, const LeafEdges& edges, const auto&) {
+      return crossings(changes[i].origin, edges);
+    });
+    numberFaces(now_);
+    return std::move(now_);
+  }
+
+ private:
+  void fillInside() {
+    old_.index.forEachBox(LeafIndex::kInside, [&](const Coord& low, const Coord& high) {
+      const Coord a = map_(low), b = map_(high);
+      Coord first, last;
+      for (int axis = 0; axis < 3; ++axis) {
+        first[axis] = std::min(a[axis], b[axis]);
+        last[axis] = std::max(a[axis], b[axis]);
+      }
+      now_.index.fill(first, last, LeafIndex::kInside);
+    });
+  }
+
+  /// The leaves with surface, and those below them: whether a leaf counts as mixed depends on its upper
+  /// neighbours, and up may be down now.
+  std::vector<LeafChange> movedLeaves() const {
+    std::set<Coord> places;
+    for (const StockLeaf& leaf : old_.leaves) {
+      const Coord at = map_(leafCoord(leaf.origin));
+      for (int n = 0; n < 27; ++n) {
+        const Coord place = at.offsetBy(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        if (now_.index.holds(place)) places.insert(place);
+      }
+    }
+    const LeafReader reader(old_);
+    std::vector<LeafChange> changes;
+    changes.reserve(places.size());
+    for (const Coord& place : places) {
+      LeafChange& change = changes.emplace_back();
+      change.origin = Coord(place.x() * 8, place.y() * 8, place.z() * 8);
+      const Coord from = map_.back(place);
+      const LeafBits& bits = reader.bits(Coord(from.x() * 8, from.y() * 8, from.z() * 8));
+      for (int v = 0; v < 512; ++v) {
+        const Coord sample = map_.back(change.origin.offsetBy(v >> 6, v >> 3 & 7, v & 7));
+        if (leafSample(bits, sample.x() & 7, sample.y() & 7, sample.z() & 7))
+          change.material[v & 7] |= 1ull << leafBit(v >> 6, v >> 3 & 7);
+      }
+    }
+    return changes;
+  }
+
+  std::vector<Crossing> crossings(const Coord& origin, const LeafEdges& edges) const {
+    const LeafReader reader(old_);
+    std::vector<Crossing> out;
+    out.reserve(edges.count);
+    forEachEdge(edges, [&](int axis, int x, int y, int z) {
+      const Coord start = origin.offsetBy(x, y, z), end = start.offsetBy(axis == 0, axis == 1, axis == 2);
+      const bool turned = map_.sign[axis] < 0;
+      out.push_back(moved(crossingAt(reader, map_.back(turned ? end : start), map_.from[axis]), turned));
+    });
+    return out;
+  }
+
+  static const Crossing& crossingAt(const LeafReader& reader, const Coord& at, int axis) {
+    const StockLeaf& leaf = *reader.leaf(at & ~7);
+    const LeafEdges edges = reader.edges(leaf);
+    return leaf.crossings[static_cast<std::size_t>(edges.indexOf(axis, at.x() & 7, at.y() & 7, at.z() & 7))];
+  }
+
+  Crossing moved(const Crossing& old, bool turned) const {
+    Crossing now = old;
+    if (turned) now.t = 1.0f - old.t;
+    for (int a = 0; a < 3; ++a) {
+      now.normal[a] = static_cast<std::int16_t>(map_.sign[a] * old.normal[map_.from[a]]);
+    }
+    return now;
+  }
+
+  const Stock::Impl& old_;
+  AxisMap map_;
+  Stock::Impl now_;
+};
+
+}  // namespace
+
+bool movesExactly(const RigidTransform& move) { return axisMap(move.rotation).has_value(); }
+
+Result<Stock> Stock::moved(const RigidTransform& move, const RemovalOptions& options,
+                           Progress& progress) const {
+  if (impl_->leaves.empty()) return inputError("nothing is left of the stock that could be moved");
+  if (const auto map = axisMap(move.rotation)) {
+    Stock stock;
+    stock.impl_ = std::make_unique<Impl>(ExactMove(*impl_, *map, move).run());
+    return stock;
+  }
+  Result<StockSurface> surface = this->surface(options.threads, progress);
+  if (!surface) return surface.error();
+  MeshShape shape;
+  shape.name = "the stock of the clamping before";
+  shape.mesh = std::move(surface->mesh);
+  shape.mesh.motion.clear();
+  for (Eigen::Vector3f& p : shape.mesh.positions) p = move(p.cast<double>()).cast<float>();
+  RemovalOptions at_own_grid = options;
+  at_own_grid.resolution_mm = resolution();
+  return Stock::create(shape, at_own_grid, progress);
+}
+
+}  // namespace proveout

@@ -1,0 +1,442 @@
+// Cutting a tool path into the stock: blocks of the grid are halved down to leaves, each with the passes that
+// can touch it; a leaf's samples see its passes in program order; then the crossings of all changed leaves
+// are found.
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "core/base/parallel_for.h"
+#include "core/base/thread_limit.h"
+#include "removal/contact/contacts.h"
+#include "removal/cut/cut_record.h"
+#include "removal/cut/leaf_crossings.h"
+#include "removal/cut/narrow_cuts.h"
+#include "removal/cut/thin_walls.h"
+
+namespace proveout {
+
+namespace {
+
+/// Curved motions are cut as chords that lie this close to them, mm: far below the smallest error that the
+/// surface has elsewhere. On helices about z, whose crossings are those of the curve itself, chords decide
+/// samples only, and a crossing that lies that close to one may be off by as much: there this share of the
+/// grid will do. Level arcs of one radius have a closed form and need none.
+constexpr double kChordShare = 1e-3, kChordMm = 5e-5;
+/// The same for parts of the tool that do not cut: below what counts as contact.
+constexpr double kContactChordMm = 5e-4;
+constexpr double kMostChords = 1e6;
+/// Level arcs whose radius and height change by less than this are circles, mm.
+constexpr double kSameRadiusMm = 1e-7;
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
+class Remover {
+ public:
+  Remover(Stock::Impl& impl, const Toolpath& path, const std::vector<Tool>& tools,
+          const RemovalOptions& options, Progress& progress)
+      : impl_(impl),
+        path_(path),
+        progress_(progress),
+        limit_bytes_(memoryLimit(options)),
+        watch_all_(options.watch_all),
+        blank_(impl.uncut),
+        record_(std::make_shared<CutRecord>()),
+        table_(record_->table),
+        removed_(path.motions.size()),
+        cutters_([this] { return LeafCutter(impl_, table_); }),
+        finders_([this] { return CrossingFinder(impl_, table_); }),
+        walls_([this] { return ThinWallFinder(impl_, table_); }) {
+    for (const Tool& tool : tools) record_->tools.try_emplace(tool.number, tool);
+  }
+
+  Status preparePasses();
+  Status run();
+  RemovalSummary summary() const;
+
+ private:
+  void addPasses(MotionId id, const ToolParts::Part& part, bool watched);
+  void addChords(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
+  bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
+  bool inBlank(const Coord& origin, int size) const;
+  void visit(const Coord& origin, int size, const ReachList& passes);
+  /// Two blocks, one above the other, and what reaches into them.
+  struct Children {
+    Coord origin;
+    ReachList lower, upper;
+  };
+  void share(const ReachList& passes, int size, std::array<Children, 4>& columns) const;
+  void visitColumn(Children& column, int size);
+  void leaf(const Coord& origin, const ReachList& passes);
+  /// A leaf that passes reach into, as they leave it.
+  struct CutLeaf {
+    LeafChange change;
+    ReachList passes;
+    std::unique_ptr<OpenEdges> open;
+  };
+  void commit();
+  std::vector<Crossing> findCrossings(const CutLeaf& leaf, const LeafEdges& edges,
+                                      const std::vector<Crossing>& before);
+  void addLost(RemovalSummary& out) const;
+  void countCrossings(std::vector<float>& removed_mm3, float unit_mm3) const;
+
+  Stock::Impl& impl_;
+  const Toolpath& path_;
+  Progress& progress_;
+  double limit_bytes_;
+  bool watch_all_;
+  std::shared_ptr<const BlankField> blank_;  ///< as Impl::uncut, before the path
+  std::shared_ptr<CutRecord> record_;
+  PassTable& table_;
+  std::vector<std::atomic<std::int64_t>> removed_;
+  tbb::enumerable_thread_specific<LeafCutter> cutters_;
+  tbb::enumerable_thread_specific<CrossingFinder> finders_;
+  tbb::enumerable_thread_specific<ThinWallFinder> walls_;
+  ConcurrentList<ContactSample> contacts_;
+  std::vector<Contact> found_contacts_;
+  ConcurrentList<LostFilm> lost_;
+  ConcurrentList<CutLeaf> cut_;
+  std::atomic<std::uint64_t> evaluations_{0};
+  std::atomic<double> bytes_{0.0}, done_{0.0};
+  double total_blocks_ = 1.0;
+  std::atomic<bool> over_limit_{false};
+};
+
+/// Gives motions of earlier paths numbers that those of this path do not have.
+void renumberEarlier(Stock::Impl& impl) {
+  std::atomic<std::uint32_t> base{kEarlierMotions};
+  std::atomic<bool> any_known{false};
+  parallelFor(std::size_t{0}, impl.leaves.size(), [&](std::size_t i) {
+    bool known = false;
+    std::uint32_t above = kEarlierMotions;
+    for (const Crossing& c : impl.leaves[i].crossings) {
+      if (c.motion == kNoMotion) continue;
+      known = known || c.motion < kEarlierMotions;
+      above = std::max(above, c.motion + 1);
+    }
+    if (known) any_known = true;
+    for (std::uint32_t old = base; above > old && !base.compare_exchange_weak(old, above);) {
+    }
+  });
+  if (!any_known) return;
+  parallelFor(std::size_t{0}, impl.leaves.size(), [&](std::size_t i) {
+    for (Crossing& c : impl.leaves[i].crossings) {
+      if (c.motion < kEarlierMotions) c.motion += base;
+    }
+  });
+}
+
+void addTo(std::atomic<double>& sum, double value) {
+  for (double old = sum.load(); !sum.compare_exchange_weak(old, old + value);) {
+  }
+}
+
+float roundedDown(double value) {
+  return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
+}
+
+bool Remover::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
+  const ArcFrame frame = arcFrame(motion.from, motion.to, arc);
+  return arc.normal.head<2>().squaredNorm() < 1e-24 && std::abs(frame.rise) < kSameRadiusMm &&
+         std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm &&
+         frame.radius_start > kSameRadiusMm;
+}
+
+void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched) {
+  const Motion& m = path_.motions[id];
+  Pass pass;
+  pass.motion = id;
+  pass.part = part.part;
+  pass.watched = watched;
+  if (m.arc < 0) {
+    pass.body = SweptBody(*part.profile, part.columns, m.from, m.to);
+    table_.passes.push_back(pass);
+    return;
+  }
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const Sweep& curve = table_.curves.emplace_back(*part.profile, m.from, m.to, &arc);
+  if (isLevelArc(m, arc)) {
+    pass.body = SweptBody(*part.profile, part.columns, m.from, m.to, arc, curve);
+    table_.passes.push_back(pass);
+    return;
+  }
+  addChords(pass, part, m, curve);
+}
+
+/// Chords of a curve. Those of a helix about z lie under each other, turn by turn: where the lower ones cover
+/// all of the blank that the upper ones do, these are left out.
+void Remover::addChords(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const ArcFrame frame = arcFrame(m.from, m.to, arc);
+  const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}),
+               sweep = std::abs(arc.sweep_rad);
+  pass.body = SweptBody(*part.profile, part.columns, m.from, m.to, &curve);
+  const double within = !pass.cuts()                   ? kContactChordMm
+                        : pass.body.helix() != nullptr ? std::max(kChordMm, kChordShare * impl_.h)
+                                                       : kChordMm;
+  const double step = std::sqrt(8.0 * std::min(within, radius) / radius), turn = 2.0 * kPi;
+  const bool stacked = sweep > turn && !pass.watched && pass.cuts() &&
+                       arc.normal.head<2>().squaredNorm() < 1e-24 && frame.rise != 0.0 &&
+                       std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm;
+  const double wanted = std::min(stacked ? turn / std::ceil(turn / step) : step, sweep);
+  const int chords = static_cast<int>(std::clamp(std::ceil(sweep / wanted - 1e-9), 1.0, kMostChords));
+  const bool exact = chords < kMostChords;  // else they are longer than wanted
+  const double angle = stacked && exact ? wanted : sweep / chords;
+  const int per_turn = stacked && exact ? static_cast<int>(std::lround(turn / angle)) : 0;
+  const bool falls = frame.n.z() * frame.rise < 0.0;
+  const double blank_top = impl_.blank.max.z() + impl_.h, pitch = std::abs(frame.rise) * turn / sweep;
+  Vec3 from = m.from;
+  for (int i = 0; i < chords; ++i) {
+    const Vec3 to = i + 1 == chords ? m.to : arcPoint(frame, arc, (i + 1) * angle / sweep);
+    pass.body = SweptBody(*part.profile, part.columns, from, to, &curve);
+    from = to;
+    const bool has_lower =
+        per_turn > 0 && !part.columns.round_top && (falls ? i + per_turn + 1 < chords : i >= per_turn);
+    pass.lower = has_lower ? (falls ? per_turn : -per_turn) : 0;
+    if (has_lower && pass.body.lowestTop() - pitch >= blank_top) continue;
+    table_.passes.push_back(pass);
+  }
+}
+
+Status Remover::preparePasses() {
+  table_.passes.reserve(path_.motions.size());
+  table_.first.reserve(path_.motions.size() + 1);
+  for (MotionId id = 0; id < path_.motions.size(); ++id) {
+    table_.first.push_back(static_cast<std::uint32_t>(table_.passes.size()));
+    const Motion& m = path_.motions[id];
+    if (!m.from.allFinite() || !m.to.allFinite()) {
+      return Error{ErrorKind::kInternal,
+                   fmt::format("motion {} has a coordinate that is not a finite number", id)};
+    }
+    const auto found = record_->tools.find(m.tool);
+    if (found == record_->tools.end()) {
+      const std::string file = m.source.file < path_.files.size() ? path_.files[m.source.file] : "";
+      return inputError(fmt::format(
+          "{}:{}: tool {} is not described; give it in the job ([[tool]]) or with --tool {}=SHAPE:...", file,
+          m.source.line, m.tool, m.tool));
+    }
+    // A measuring move ends where it touches and takes nothing; a fixture it must not run into.
+    if (m.kind == MotionKind::kProbe && !watch_all_) continue;
+    const bool watched = watch_all_ || m.kind == MotionKind::kRapid || m.spindle == 0.0;
+    for (const ToolParts::Part& part : found->second.parts) {
+      addPasses(id, part, watched || part.part != ToolPart::kCutter);
+    }
+    if (static_cast<double>(table_.passes.size() * sizeof(Pass)) > limit_bytes_) {
+      return memoryError(2.0 * limit_bytes_, limit_bytes_, impl_.h);
+    }
+  }
+  table_.first.push_back(static_cast<std::uint32_t>(table_.passes.size()));
+  return Done{};
+}
+
+Status Remover::run() {
+  renumberEarlier(impl_);
+  if (impl_.cut != nullptr) impl_.blank_mesh = nullptr;  // faces may be of the path before
+  impl_.cut_field = impl_.field;
+  impl_.cut_blank = impl_.uncut != nullptr ? impl_.uncut : impl_.field;
+  impl_.cut = nullptr;
+  impl_.field = impl_.uncut = nullptr;
+  Coord low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] =
+        (static_cast<int>(std::floor((impl_.blank.min[axis] - impl_.origin[axis]) / impl_.h)) - 1) & ~7;
+    high[axis] = static_cast<int>(std::ceil((impl_.blank.max[axis] - impl_.origin[axis]) / impl_.h)) + 1;
+  }
+  int size = 8;
+  while (size <= std::max({high.x() - low.x(), high.y() - low.y(), high.z() - low.z()})) size *= 2;
+  ReachList all;
+  for (std::uint32_t i = 0; i < table_.passes.size(); ++i) all.push_back({i, -static_cast<float>(kNowhere)});
+  total_blocks_ = std::pow(size / 8.0, 3);
+  if (!all.empty()) visit(low, size, all);
+  if (over_limit_) return memoryError(bytes_ * 1.5, limit_bytes_, impl_.h);
+  if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  found_contacts_ = gatherContacts({impl_, blank_.get(), path_, table_, watch_all_},
+                                   {contacts_.begin(), contacts_.end()}, progress_);
+  commit();
+  if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  impl_.cut = record_;
+  return Done{};
+}
+
+void Remover::commit() {
+  std::vector<const LeafChange*> changes;
+  for (const CutLeaf& leaf : cut_) changes.push_back(&leaf.change);
+  commitChanges(impl_, changes, [this](std::size_t i, const LeafEdges& edges, const auto& before) {
+    CutLeaf& leaf = cut_[i];
+    std::vector<Crossing> found = findCrossings(leaf, edges, before);
+    ReachList().swap(leaf.passes);
+    leaf.open.reset();
+    return found;
+  });
+}
+
+std::vector<Crossing> Remover::findCrossings(const CutLeaf& leaf, const LeafEdges& edges,
+                                             const std::vector<Crossing>& before) {
+  if (progress_.cancelled()) return {};
+  CrossingFinder& finder = finders_.local();
+  for (const LostFilm& lost : {finder.findLost(leaf.change, edges, before, leaf.passes),
+                               walls_.local().find(leaf.change, edges, leaf.open.get(), leaf.passes)}) {
+    if (lost.edges > 0) lost_.push_back(lost);
+  }
+  return finder.find(leaf.change, edges, before, leaf.passes);
+}
+
+bool Remover::inBlank(const Coord& origin, int size) const {
+  const Vec3 low = impl_.position(origin);
+  return Box3{low, low + Vec3::Constant(size * impl_.h)}.overlaps(impl_.blank.inflated(impl_.h));
+}
+
+/// `passes`: what reaches into the block.
+void Remover::visit(const Coord& origin, int size, const ReachList& passes) {
+  if (over_limit_ || progress_.cancelled()) return;
+  if (size == 8) {
+    leaf(origin, passes);
+    return;
+  }
+  const int half = size / 2;
+  std::array<Children, 4> columns;
+  for (int i = 0; i < 4; ++i) columns[i].origin = origin.offsetBy(i & 1 ? half : 0, i & 2 ? half : 0, 0);
+  share(passes, half, columns);
+  const auto child = [&](int i) { visitColumn(columns[i], half); };
+  if (size >= 32) {
+    parallelFor(0, 4, child);
+  } else {
+    for (int i = 0; i < 4; ++i) child(i);
+  }
+  if (size == 64) addTo(done_, std::pow(size / 8.0, 3));
+  if (size >= 64) progress_.report("removing", done_.load() / total_blocks_);
+}
+
+/// Gives each pass to the blocks that it reaches into; where it reaches is asked once for two above each
+/// other.
+void Remover::share(const ReachList& passes, int size, std::array<Children, 4>& columns) const {
+  FourBlocks boxes;
+  boxes.half_width = 0.5 * size * impl_.h;
+  std::array<bool, 4> in_lower, in_upper;
+  for (int i = 0; i < 4; ++i) {
+    const Coord& at = columns[i].origin;
+    const Vec3 low = impl_.position(at);
+    in_lower[i] = inBlank(at, size);
+    in_upper[i] = inBlank(at.offsetBy(0, 0, size), size);
+    boxes.x[i] = low.x() + boxes.half_width;
+    boxes.y[i] = low.y() + boxes.half_width;
+    boxes.z_low[i] = low.z();
+    boxes.z_high[i] = in_lower[i] || in_upper[i] ? low.z() + 2.0 * size * impl_.h : -kNowhere;
+  }
+  const double middle = impl_.position(columns[0].origin).z() + size * impl_.h, top = middle + size * impl_.h;
+  const ReachKernel reach_kernel = columnKernels().reach;
+  for (const Reach& candidate : passes) {
+    const Pass& pass = table_.passes[candidate.pass];
+    // The block of a leaf reaches one step beyond its samples.
+    const double covered_to = pass.lower == 0 ? -kNowhere : (&pass + pass.lower)->body.lowestTop() - impl_.h;
+    const bool lower_covers = covered_to >= middle, all_covered = covered_to >= top;
+    if (all_covered) continue;
+    double low[4];
+    reach_kernel(pass.body.columns(), boxes, low);
+    for (int i = 0; i < 4; ++i) {
+      if (low[i] >= boxes.z_high[i]) continue;
+      const Reach reach{candidate.pass, roundedDown(low[i])};
+      if (in_lower[i] && !lower_covers && low[i] < middle) columns[i].lower.push_back(reach);
+      if (in_upper[i] && pass.body.highestReach() > middle) columns[i].upper.push_back(reach);
+    }
+  }
+}
+
+void Remover::visitColumn(Children& column, int size) {
+  Coord above = column.origin.offsetBy(0, 0, size);
+  for (const auto& [at, list] :
+       {std::pair{&column.origin, &column.lower}, std::pair{&above, &column.upper}}) {
+    if (!list->empty()) {
+      visit(*at, size, *list);
+      ReachList().swap(*list);
+    } else if (size >= 64) {
+      addTo(done_, std::pow(size / 8.0, 3));
+    }
+  }
+}
+
+void Remover::leaf(const Coord& origin, const ReachList& passes) {
+  const LeafReader reader(impl_);
+  LeafChange change = readLeaf(reader, origin);
+  if (change.material[0] == 0 && !isMixed(reader, origin)) return;  // empty already
+  LeafCutter& cutter = cutters_.local();
+  cutter.cut(change, passes);
+  for (const auto& [motion, volume] : cutter.removed())
+    removed_[motion].fetch_add(volume, std::memory_order_relaxed);
+  for (const ContactSample& c : cutter.contacts()) contacts_.push_back(c);
+  evaluations_.fetch_add(cutter.evaluations(), std::memory_order_relaxed);
+  addTo(bytes_, leafBytes(1.0) + static_cast<double>(sizeof(LeafChange) + passes.size() * sizeof(Reach)));
+  if (bytes_ > limit_bytes_) over_limit_ = true;
+  cut_.push_back({change, passes, cutter.openEdges()});
+}
+
+void Remover::addLost(RemovalSummary& out) const {
+  const auto before = [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  std::uint64_t edges = 0;
+  for (const LostFilm& lost : lost_) {
+    if (edges == 0 || before(lost.where, out.lost_film_at)) out.lost_film_at = lost.where;
+    edges += static_cast<std::uint64_t>(lost.edges);
+  }
+  out.lost_film_mm2 = static_cast<double>(edges) * impl_.h * impl_.h;
+}
+
+/// What goes through between the samples leaves crossings alone: each counts for the motion that made it.
+void Remover::countCrossings(std::vector<float>& removed_mm3, float unit_mm3) const {
+  for (const StockLeaf& leaf : impl_.leaves) {
+    for (const Crossing& c : leaf.crossings) {
+      if (c.motion < removed_mm3.size()) removed_mm3[c.motion] += unit_mm3;
+    }
+  }
+}
+
+RemovalSummary Remover::summary() const {
+  RemovalSummary out;
+  addLost(out);
+  out.narrow_cuts = findNarrowCuts(impl_, table_, path_);
+  out.voxel_evaluations = evaluations_;
+  const double unit = kVolumeUnit * impl_.h * impl_.h * impl_.h;
+  out.removed_mm3.reserve(removed_.size());
+  bool any = false;
+  for (const auto& r : removed_) {
+    any = any || r.load() > 0;
+    out.removed_mm3.push_back(static_cast<float>(static_cast<double>(r.load()) * unit));
+  }
+  if (!any) countCrossings(out.removed_mm3, static_cast<float>(unit));
+
+  out.contacts = found_contacts_;
+  return out;
+}
+
+}  // namespace
+
+void fitRemovedVolume(RemovalSummary& summary, double exact_total_mm3) {
+  double sum = 0.0;
+  for (const float r : summary.removed_mm3) sum += r;
+  if (sum <= 0.0) return;
+  for (float& r : summary.removed_mm3) r = static_cast<float>(r * (exact_total_mm3 / sum));
+}
+
+Result<RemovalSummary> Stock::remove(const Toolpath& path, const std::vector<Tool>& tools,
+                                     const RemovalOptions& options, Progress& progress) {
+  const ThreadLimit limit(options.threads);
+  try {
+    Remover remover(*impl_, path, tools, options, progress);
+    if (Status status = remover.preparePasses(); !status) return status.error();
+    if (Status status = remover.run(); !status) return status.error();
+    return remover.summary();
+  } catch (const std::bad_alloc&) {
+    return memoryError(2.0 * memoryLimit(options), memoryLimit(options), impl_->h);
+  } catch (const std::exception& e) {
+    return Error{ErrorKind::kInternal, fmt::format("removing material failed: {}", e.what())};
+  }
+}
+
+}  // namespace proveout

@@ -1,0 +1,258 @@
+#include "removal/surface/cell_vertex.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "removal/surface/vertex_refiner.h"
+
+namespace proveout {
+
+namespace {
+
+/// Faces whose normals differ by less than this are one smooth surface in a cell (2 degrees): a ridge so flat
+/// is under a hundredth of a cell high.
+const double kSmoothCos = std::cos(degToRad(2.0));
+/// Pull towards the mean where the planes leave a direction free; biases the vertex by less than 1e-4 cells
+/// at creases of more than 10 degrees.
+constexpr double kNearness = 1e-6;
+
+/// Faces that meet at less than 40 degrees, as scallops do, are mostly curved: where they meet farther
+/// outside than the slack (in cells) is uncertain, and cutting the ridge between neighbours costs little.
+const double kSoftCos = std::cos(degToRad(40.0));
+constexpr double kOutsideSlack = 0.05;
+
+/// How far vertices may be off the blank, in cells: at a wall of the cell, and on a chord below a sharp edge.
+constexpr double kNearBy = 0.2, kFarOff = 0.7;
+
+/// Normals of a sphere or round cylinder are within 72 degrees of their mean: it is smooth, however small.
+constexpr double kFacesAlong = 0.3;
+
+/// Normals of one face that differ by more than 25 degrees may be those of two planes.
+constexpr double kBentCos = 0.906;
+/// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
+const double kApexCos = std::cos(degToRad(30.0));
+constexpr double kApexMiss = 2e-3;
+
+/// Whether no two faces meet at more than the angle of this cosine.
+bool alike(std::span<const CellFace> faces, double cosine) {
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (faces[i].normal.dot(faces[j].normal) < cosine) return false;
+    }
+  }
+  return true;
+}
+
+/// Point of the cell that minimises the distances to the faces' planes; where they leave it free, the one
+/// nearest to `from`. Each coordinate is free or at a wall; the best of the 27 cases that stays inside is the
+/// minimum, since the function is convex.
+Vec3 meetPlanesInside(std::span<const Plane> planes, const Vec3& from) {
+  Eigen::Matrix3d a = Eigen::Matrix3d::Identity() * kNearness;
+  Vec3 b = Vec3::Zero();
+  for (const Plane& p : planes) {
+    a += p.n * p.n.transpose();
+    b += p.n * p.d;
+  }
+  Vec3 best = from;
+  double least = std::numeric_limits<double>::infinity();
+  for (int state = 0; state < 27; ++state) {
+    const std::array<int, 3> at = {state % 3, state / 3 % 3, state / 9};
+    Eigen::Matrix3d m = a;
+    Vec3 rhs = b;
+    for (int k = 0; k < 3; ++k) {
+      if (at[k] == 0) continue;
+      m.row(k) = Vec3::Unit(k).transpose();
+      rhs[k] = at[k] - 1.0 - from[k];
+    }
+    const Vec3 x = m.inverse() * rhs;
+    const double value = x.dot(a * x) - 2.0 * x.dot(b);
+    if (outsideBy(from + x) <= 1e-9 && value < least) {
+      least = value;
+      best = from + x;
+    }
+  }
+  return best;
+}
+
+/// The face of two on which the surface lies above or below `mean`: the lower one on a ridge, the higher one
+/// in a valley. Always on the surface, off the crease.
+Vec3 besideCrease(std::span<const CellFace> faces, const Vec3& mean, const Vec3& n) {
+  const CellFace &a = faces[0], &b = faces[1];
+  const Vec3 between = b.point - a.point;
+  const bool ridge = between.dot(a.normal) - between.dot(b.normal) < 0.0;
+  std::array<double, 2> up;
+  for (int i = 0; i < 2; ++i) {
+    const Plane p = planeAt(faces[i], mean);
+    const double c = p.n.dot(n);
+    if (c < 0.1) return mean;
+    up[i] = p.d / c;
+  }
+  return mean + n * (ridge ? std::min(up[0], up[1]) : std::max(up[0], up[1]));
+}
+
+/// The point where the tangent planes of one face meet, if they lean widely and do meet in one.
+bool findApex(std::span<const SheetPoint> points, const Vec3& mean, Vec3& apex) {
+  double least = 1.0;
+  std::array<Plane, 12> planes;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].face != points[0].face) return false;
+    least = std::min(least, points[0].n.dot(points[i].n));
+    planes[i] = {points[i].n, points[i].n.dot(points[i].p - mean)};
+  }
+  if (least > kApexCos || points.size() < 4) return false;
+  const std::span<const Plane> used(planes.data(), points.size());
+  const Vec3 x = meetAny(used);
+  for (const Plane& p : used) {
+    if (std::abs(p.n.dot(x) - p.d) > kApexMiss) return false;
+  }
+  apex = mean + x;
+  return outsideBy(apex) <= kVertexReach;
+}
+
+CellVertex smoothVertex(std::span<const SheetPoint> points, const Vec3& mean, const Vec3& sum,
+                        VertexRefiner* refiner) {
+  CellVertex out;
+  out.smooth = true;
+  const double length = sum.norm();
+  if (length < 1e-6 * static_cast<double>(points.size())) {
+    out.p = out.inside = clampToCell(mean);
+    return out;
+  }
+  const Vec3 n = sum / length;
+  out.p = out.inside = clampToCell(mean - n * heightAbove(points, mean, n, nullptr));
+  if (refiner == nullptr || !refiner->needed(true)) return out;
+  if (refiner->toSurface(n, 0.0, out.p)) {
+    out.inside = out.p;
+    return out;
+  }
+  // The surface bows out of the cell between its crossings.
+  out.inside = out.p;
+  out.outside = refiner->toSurface(n, kOutsideSlack, out.p);
+  if (!out.outside) out.p = out.inside;
+  return out;
+}
+
+/// Makes quadratic surfaces of the faces.
+void findSurfaces(std::span<const SheetPoint> points, std::span<CellFace> faces) {
+  for (CellFace& f : faces) {  // tangent planes touch the surface, not the chord
+    if (f.count > 1) f.point -= f.normal * heightAbove(points, f.point, f.normal, &f);
+    findCurvature(points, f);
+  }
+}
+
+/// Where the faces' surfaces meet nearest to `start`.
+Vec3 creaseNear(std::span<const CellFace> faces, const Vec3& start) {
+  const bool curved = std::any_of(faces.begin(), faces.end(), [](const CellFace& f) { return f.curved; });
+  Vec3 x = start;
+  std::array<Plane, 12> planes;
+  for (int round = 0; round < (curved ? 3 : 1); ++round) {
+    for (std::size_t i = 0; i < faces.size(); ++i) planes[i] = planeAt(faces[i], x);
+    x += meetPlanes({planes.data(), faces.size()});
+    if (!(outsideBy(x) < 2.0)) break;
+  }
+  return x;
+}
+
+/// The vertex of a cell whose crease or corner lies outside.
+Vec3 insteadOfCrease(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum) {
+  if (faces.size() == 2) return clampToCell(besideCrease(faces, mean, sum.normalized()));
+  std::array<Plane, 12> planes;
+  for (std::size_t i = 0; i < faces.size(); ++i) planes[i] = planeAt(faces[i], mean);
+  return clampToCell(meetPlanesInside({planes.data(), faces.size()}, mean));
+}
+
+/// Whether no normal of a round face points against their sum, as those of the two sides of a narrow cut do.
+bool turnsGently(std::span<const SheetPoint> points, const Vec3& sum) {
+  const double least = kFacesAlong * sum.norm();
+  return std::all_of(points.begin(), points.end(), [&](const SheetPoint& s) { return s.n.dot(sum) > least; });
+}
+
+/// Whether the normals point in more than two directions of a plane.
+bool spanSpace(std::span<const SheetPoint> points) {
+  Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+  for (const SheetPoint& s : points) m += s.n * s.n.transpose();
+  return m.determinant() > 1e-3;
+}
+
+/// The vertex at an apex. Outside, it is this cell's only if it pokes through one wall: into a cell that does
+/// not see it.
+CellVertex apexVertex(std::span<const SheetPoint> points, const Vec3& mean, const Vec3& sum,
+                      VertexRefiner* refiner, const Vec3& apex) {
+  CellVertex out;
+  out.p = apex;
+  if (refiner != nullptr && refiner->needed(false)) refiner->toCrease(out.p);
+  const Vec3 kept = clampToCell(out.p);
+  const int walls = static_cast<int>((kept.array() != out.p.array()).count());
+  out.outside = walls == 1;
+  out.inside = walls == 0 ? out.p : smoothVertex(points, mean, sum, refiner).inside;
+  if (walls > 1) out.p = out.inside;
+  return out;
+}
+
+/// The vertex of a cell whose crease or corner is at `x`, in the cell or not.
+CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum,
+                        VertexRefiner* refiner, const Vec3& x) {
+  CellVertex out;
+  if (refiner != nullptr && refiner->isOffBlank(x)) {
+    out.p = clampToCell(mean);
+    refiner->toBlank(sum.normalized(), kFarOff, out.p);
+    out.inside = out.p;
+    return out;
+  }
+  const double beyond = outsideBy(x);
+  if (beyond <= -kWallGap) {
+    out.p = out.inside = x;
+    return out;
+  }
+  const bool refine = refiner != nullptr && refiner->needed(false);
+  out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
+  if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
+  if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
+  const double reach = alike(faces, kSoftCos) ? kOutsideSlack : kVertexReach;
+  out.outside = beyond <= reach;
+  out.p = out.outside ? x : out.inside;
+  return out;
+}
+
+}  // namespace
+
+CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
+  Vec3 mean = Vec3::Zero(), sum = Vec3::Zero();
+  for (const SheetPoint& s : points) {
+    mean += s.p;
+    sum += s.n;
+  }
+  mean /= static_cast<double>(points.size());
+  Faces all;
+  const bool one_face =
+      std::all_of(points.begin(), points.end(), [&](auto& s) { return s.face == points[0].face; });
+  const bool known = exact != nullptr && exact->active();
+  // Where its body is known, that tells whether one face bends or breaks. Faces of bodies that are not known
+  // are read alike before and after a path that does not reach them.
+  const bool body_tells = known && one_face && exact->source(points[0].face).body != ExactFaces::kNoBody;
+  const bool round = body_tells && exact->source(points[0].face).bend > 0.0 && turnsGently(points, sum);
+  const int count = collectFaces(points, round ? -1.0 : body_tells ? kBentCos : kSameFaceCos, all);
+  const std::span<CellFace> faces(all.data(), static_cast<std::size_t>(count));
+  std::optional<VertexRefiner> exactly;
+  if (known) exactly.emplace(*exact, faces);
+  VertexRefiner* refiner = exactly ? &*exactly : nullptr;
+  Vec3 apex;
+  if (!round && spanSpace(points) && findApex(points, mean, apex))
+    return apexVertex(points, mean, sum, refiner, apex);
+  if (count == 1 || alike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
+  findSurfaces(points, faces);
+  Vec3 x = creaseNear(faces, mean);
+  const bool refine = refiner != nullptr && refiner->needed(false);
+  if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
+  if (refine && outsideBy(x) <= kVertexReach && !refiner->toCrease(x) && one_face) {
+    return smoothVertex(points, mean, sum, refiner);  // beside an apex, where a face turns as if it broke
+  }
+  return creaseVertex(faces, mean, sum, refiner, x);
+}
+
+}  // namespace proveout

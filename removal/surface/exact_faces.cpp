@@ -1,0 +1,121 @@
+#include "removal/surface/exact_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/mesh/triangle_tree.h"
+#include "removal/grid/blank_field.h"
+
+namespace proveout {
+
+namespace {
+
+/// Of distances, in cells: a hundredth of a micrometre on a grid of 0.2 mm.
+constexpr double kFootTolerance = 5e-5;
+
+/// A body this near, in cells, reaches to a point.
+constexpr double kTouch = 1e-3;
+
+/// How far, in cells, a face of the blank is looked for.
+constexpr double kBlankReach = 3.0;
+
+MotionId motionOf(std::uint64_t face) { return static_cast<MotionId>(face >> 16); }
+/// Number of the profile's element, also of the one that a rim belongs to.
+int elementOf(std::uint64_t face) { return static_cast<int>(face & (ConvexProfile::kEdgeIds - 1)); }
+
+bool holds(const ConvexProfile& profile, int element) {
+  return element >= profile.firstElementId() &&
+         element < profile.firstElementId() + ConvexProfile::kMaxElements;
+}
+
+/// Bodies below ExactFaces::kNoBody stand for faces of the blank, with the motions that it knows them by.
+std::int64_t bodyOfFace(std::uint64_t face) {
+  const MotionId motion = motionOf(face);
+  const MotionId known = motion == kNoMotion ? kNoMotion : motion - kEarlierMotions;
+  return ExactFaces::kNoBody - 1 - static_cast<std::int64_t>(std::uint64_t{known} << 16 | (face & 0xFFFF));
+}
+std::uint64_t faceOfBody(std::int64_t body) {
+  return static_cast<std::uint64_t>(ExactFaces::kNoBody - 1 - body);
+}
+
+}  // namespace
+
+const Pass* ExactFaces::passOf(std::uint64_t face) const {
+  if (record_ == nullptr) return nullptr;
+  const int element = elementOf(face);
+  for (const Pass& pass : record_->table.of(motionOf(face))) {
+    if (pass.cuts() && holds(pass.body.profile(), element)) return &pass;
+  }
+  return nullptr;
+}
+
+ExactFaces::Source ExactFaces::findSource(std::uint64_t face) const {
+  if (blank_ != nullptr) return {static_cast<std::int64_t>(face), blank_->isSimple(face)};
+  const Pass* pass = passOf(face);
+  if (pass == nullptr && cut_ != nullptr) return {bodyOfFace(face), cut_->isSimple(face)};
+  if (pass == nullptr) return {kNoBody, true};
+  const std::optional<double> bend = pass->body.simpleBend(static_cast<int>(face & 0xFFFF));
+  return {pass - record_->table.passes.data(), bend.has_value(), h_ * bend.value_or(0.0)};
+}
+
+ExactFaces::Source ExactFaces::source(std::uint64_t face) {
+  KnownFace& known = known_[(face ^ face >> 16) % known_.size()];  // motion and element
+  if (known.face != face) known = {face, findSource(face)};
+  return known.source;
+}
+
+ExactFaces::Body& ExactFaces::bodyOf(std::int64_t number) {
+  for (Body& b : kept_) {
+    if (b.number == number) return b;
+  }
+  const Pass& pass = record_->table.passes[static_cast<std::size_t>(number)];
+  const Body body{number, pass.body.wholeSweep()};
+  if (kept_.size() < kKept) return kept_.emplace_back(body);
+  Body& b = kept_[oldest_];
+  oldest_ = (oldest_ + 1) % kKept;
+  return b = body;
+}
+
+ExactFaces::Foot ExactFaces::footOnField(std::uint64_t face, const Vec3& q) const {
+  const BlankField& field = blank_ != nullptr ? *blank_ : *cut_;
+  const auto at = field.facePoint(face, corner_ + h_ * q, kBlankReach * h_);
+  if (!at) return {q, Vec3::Zero(), 0};  // faces nothing
+  return {(at->p - corner_) / h_, at->normal, static_cast<int>(face & 0xFFFF)};
+}
+
+ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
+  if (blank_ != nullptr) return footOnField(static_cast<std::uint64_t>(body), q);
+  if (body < kNoBody) return footOnField(faceOfBody(body), q);
+  Body& b = bodyOf(body);
+  const SweepSample s = b.sweep.sampleOutside(corner_ + h_ * q, kFootTolerance * h_, b.start);
+  return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
+}
+
+double ExactFaces::blankValue(const Vec3& q) const { return blank_->value(corner_ + h_ * q) / h_; }
+
+bool ExactFaces::isReachedByOthers(std::int64_t body, const Vec3& q) {
+  return record_ != nullptr &&
+         record_->cutters().comesTo(corner_ + h_ * q, kTouch * h_, static_cast<std::uint32_t>(body));
+}
+
+bool ExactFaces::isCovered(const Vec3& q, double depth) {
+  return record_ != nullptr && record_->cutters().comesTo(corner_ + h_ * q, -depth * h_);
+}
+
+bool ExactFaces::isOffCutBlank(const Vec3& q, double by) const {
+  if (impl_.cut_blank != nullptr) return std::abs(impl_.cut_blank->value(corner_ + h_ * q)) > by * h_;
+  if (impl_.blank_mesh == nullptr) return false;
+  return impl_.blank_mesh->nearest(corner_ + h_ * q, TriangleTree::kNone, by * h_).triangle ==
+         TriangleTree::kNone;
+}
+
+bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) {
+  const int element = static_cast<int>(face & 0xFFFF);
+  if (element < ConvexProfile::kEdgeIds) return foot.element == element;
+  // A rim is named after the first of the two elements that meet there.
+  const int end = foot.element & ~ConvexProfile::kEdgeIds, first = element & ~ConvexProfile::kEdgeIds;
+  return end == first || end == first + 1;
+}
+
+}  // namespace proveout

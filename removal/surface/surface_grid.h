@@ -1,0 +1,141 @@
+// The cells that the surface runs through: one vertex a cell and sheet.
+//
+// A cell belongs to the leaf of its lowest corner and has that corner's place. Inside a leaf, lengths are in
+// grid steps from the leaf's first sample ("leaf units").
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "removal/grid/stock_impl.h"
+#include "removal/surface/cell_vertex.h"
+#include "removal/surface/surface_clusters.h"
+
+namespace proveout {
+
+/// Vertex of a further sheet of a cell; the first sheet's is in the cell's own place.
+struct ExtraVertex {
+  std::uint16_t cell = 0;  ///< rank of the cell in its leaf
+  std::uint8_t sheet = 1;
+  Eigen::Vector3f p;  ///< leaf units
+};
+
+/// A vertex that left its cell.
+struct OutsideVertex {
+  std::uint16_t place = 0;  ///< of the cell: z * 64 + leafBit(x, y)
+  Eigen::Vector3f inside;   ///< where it goes if it folds the surface; leaf units
+  bool off = false;         ///< and is off the surface there
+};
+
+/// That all surface of a leaf is a level piece of one face: one layer of crossings across an axis, all alike.
+struct LevelFace {
+  std::int8_t axis = -1, layer = 0;  ///< -1: it is not
+  bool material_below = false;
+  Crossing crossing;
+  bool operator==(const LevelFace&) const = default;
+};
+
+struct SurfaceLeaf {
+  const StockLeaf* stock = nullptr;
+  LeafEdges edges;
+  LeafBits mixed{};                           ///< cells with surface
+  std::array<std::uint16_t, 8> first_cell{};  ///< rank of the layer's first such cell
+  std::uint16_t cells = 0;
+  /// Numbers of the leaves around, -1 where none: bit 0 of the place: one step along x, 1: y, 2: z.
+  std::array<std::int32_t, 8> upper{}, lower{};
+  std::uint32_t base = 0;        ///< vertex number of its first cell
+  std::uint32_t extra_base = 0;  ///< vertex number of its first extra vertex
+  std::vector<ExtraVertex> extra;
+  std::vector<OutsideVertex> outside;
+  LeafClusters clusters;
+  LevelFace level;
+  bool all_level = false;  ///< the vertices of all cells are on the level face, in the middle of their cells
+
+  /// Number of the cell among those of the leaf.
+  int rank(int x, int y, int z) const {
+    return first_cell[z] + countBits(mixed[z] & ((1ull << leafBit(x, y)) - 1));
+  }
+  /// The place (z * 64 + leafBit(x, y)) of a cell.
+  int placeOf(int cell_rank) const {
+    int z = 7;
+    while (first_cell[z] > cell_rank) --z;
+    std::uint64_t rest = mixed[z];
+    for (int k = first_cell[z]; k < cell_rank; ++k) rest &= rest - 1;
+    return z << 6 | std::countr_zero(rest);
+  }
+};
+
+/// What is known of a cell besides its vertex.
+struct CellTraits {
+  static constexpr std::uint16_t kOneSheetFaces = 0x3F;  ///< see oneSheetFaces
+  static constexpr std::uint16_t kManySheets = 0x40;
+  static constexpr std::uint16_t kSmooth = 0x80;
+  static constexpr std::uint16_t kOutside = 0x100;  ///< its vertex is outside the cell
+  static constexpr std::uint16_t kFolds = 0x200;    ///< and folds the surface
+  static constexpr std::uint16_t kOff = 0x400;      ///< its vertex is off the surface
+};
+
+/// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each
+/// pattern of material corners.
+const std::array<std::uint8_t, 256>& oneSheetFaces();
+
+class SurfaceGrid {
+ public:
+  /// `flatness`: range of heights over a plane (grid steps) up to which cells may be merged; 0: none.
+  SurfaceGrid(const Stock::Impl& impl, double flatness) : impl_(impl), flatness_(flatness) {}
+
+  /// Finds the cells, places their vertices and finds which may be merged. Stops early when cancelled. False
+  /// if crossings are missing, which no sound stock has.
+  bool build(Progress& progress);
+
+  const Stock::Impl& impl() const { return impl_; }
+  const std::vector<SurfaceLeaf>& leaves() const { return leaves_; }
+  std::vector<SurfaceLeaf>& leaves() { return leaves_; }
+  /// Vertices of leaves, first those of the cells, then the extra ones.
+  std::size_t vertexCount() const { return cell_count_ + extra_count_; }
+  std::size_t cellCount() const { return cell_count_; }
+  /// Of a cell's first sheet; leaf units.
+  const Eigen::Vector3f& vertex(std::uint32_t cell) const { return vertices_[cell]; }
+  void markFolding(std::uint32_t cell) { traits_[cell] |= CellTraits::kFolds; }
+  /// Moves a vertex that was marked; false if it was not. `off`: it is off the surface there.
+  bool putInside(std::uint32_t cell, const Eigen::Vector3f& p, bool off);
+  /// Number of the leaf of a cell.
+  std::size_t leafOf(std::uint32_t cell) const;
+  /// The cell of a vertex, which may be of a further sheet.
+  std::uint32_t cellOf(std::uint32_t vertex) const;
+  /// Material corners of a cell as bits; see cell_cycles.h.
+  std::uint8_t pattern(std::uint32_t cell) const { return patterns_[cell]; }
+  std::uint16_t traits(std::uint32_t cell) const { return traits_[cell]; }
+  /// Counts cells with more than one sheet, or whose vertex is off the surface, in all leaves.
+  void countThin();
+  std::size_t thinCells() const { return thin_cells_; }
+  /// Middle of the first, mm.
+  const Vec3& firstThinCell() const { return first_thin_cell_; }
+
+  /// Whether the level face of a leaf goes on in those beside it (SurfaceLeaf::upper or lower).
+  bool isLevel(const SurfaceLeaf& leaf, const std::array<std::int32_t, 8>& beside) const;
+  /// Samples of a leaf and its upper neighbours.
+  std::array<const LeafBits*, 8> blockBits(const SurfaceLeaf& leaf) const;
+
+ private:
+  void linkLeaf(SurfaceLeaf& leaf, std::size_t number);
+  void placeLeaf(SurfaceLeaf& leaf);
+  void placeLevel(SurfaceLeaf& leaf);
+  void numberExtras();
+
+  const Stock::Impl& impl_;
+  double flatness_;
+  std::vector<SurfaceLeaf> leaves_;
+  std::size_t cell_count_ = 0, extra_count_ = 0, thin_cells_ = 0;
+  Vec3 first_thin_cell_ = Vec3::Zero();
+  // A cell each; not cleared, so that the threads that write them also touch their pages first.
+  std::unique_ptr<Eigen::Vector3f[]> vertices_;
+  std::unique_ptr<std::uint8_t[]> patterns_;
+  std::unique_ptr<std::uint16_t[]> traits_;
+};
+
+}  // namespace proveout

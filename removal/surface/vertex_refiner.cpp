@@ -1,0 +1,319 @@
+#include "removal/surface/vertex_refiner.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "removal/grid/edge_root.h"
+
+namespace proveout {
+
+namespace {
+
+/// How far into the material a vertex is looked at from: farther than it is off.
+constexpr double kLookFrom = 0.25;
+/// A vertex is not moved farther than this, and rests when a step is shorter than that: Newton's method
+/// leaves the step's square then.
+constexpr double kMostMoved = 0.35, kRest = 0.01;
+constexpr int kRounds = 8;
+/// The rules on crossings are good to 2e-3 cells for any face whose normals differ by less than this (1
+/// degree).
+constexpr double kFlatSpread = 0.02;
+/// Crossings that show how a face bends; fewer lie in one direction, across which it may bend as it likes.
+constexpr int kShowing = 3;
+/// Half a cell off its crossings a surface leaves their plane by 0.0075 cells where it bends as much, by cell
+/// (a radius of 17 cells).
+constexpr double kMostBend = 0.06;
+/// A vertex at rest is seen on its faces within this.
+constexpr double kSeenAt = 0.03;
+/// The same, looked at against the normals of the crossings.
+constexpr double kSeenOver = 0.08;
+constexpr int kLooks = 3;
+/// A body must face the vertex as the crossings do, to 60 degrees: else it shows another of its faces.
+constexpr double kSameFacing = 0.5;
+/// How far (in radians) faces with many crossings, and with few, may turn up to the vertex.
+constexpr double kSlackTurn = 0.1, kMostTurn = 1.0, kTurnOfFew = 0.5;
+/// A surface that meets the walls at which a vertex lies at less than 3 degrees is not followed along them.
+constexpr double kFlatWall = 0.05;
+/// A crease or corner this far off the blank, in cells, is none.
+constexpr double kOffBlank = 0.01;
+/// A vertex this near is on the surface.
+constexpr double kOnSurface = 1e-3;
+/// How far to either side an edge is looked at, and how much less it moves than a smooth surface.
+constexpr double kSideStep = 0.05, kStays = 0.4;
+/// Edges that run along a face, to 12 degrees, have no certain place where they meet it.
+constexpr double kGrazing = 0.2;
+
+}  // namespace
+
+/// A face must be seen to turn not much more than between its crossings; else another one of the body is
+/// seen.
+double VertexRefiner::leastFacing(std::size_t face) {
+  if (facing_[face] == 0.0) {
+    const CellFace& f = faces_[face];
+    facing_[face] =
+        std::cos(f.count >= kShowing ? std::min(kMostTurn, kSlackTurn + 2.0 * f.spread) : kTurnOfFew);
+  }
+  return facing_[face];
+}
+
+VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
+    : exact_(exact), faces_(faces) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const ExactFaces::Source source = exact.source(faces[i].id);
+    const bool flat = faces[i].count >= kShowing && faces[i].spread < kFlatSpread;
+    body_[i] = source.body;
+    facing_[i] = 0.0;
+    exact_already_ = exact_already_ && (source.simple ? source.bend < kMostBend : flat);
+  }
+}
+
+bool VertexRefiner::needed(bool smooth) const {
+  if (!exact_already_) return true;
+  bool one_element = true, cut = false;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    cut = cut || body_[i] != ExactFaces::kNoBody;
+    one_element = one_element && (faces_[i].id & 0xFFFF) == (faces_[0].id & 0xFFFF);
+  }
+  return cut && !one_element && (smooth || oneBody());
+}
+
+bool VertexRefiner::oneBody() const {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (body_[i] == ExactFaces::kNoBody || body_[i] != body_[0]) return false;
+  }
+  return true;
+}
+
+/// `from`: the normal against which the face is looked at; becomes the one that is seen. `off`: how far the
+/// point that is seen is from `x`.
+bool VertexRefiner::planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off) {
+  off = 0.0;
+  const CellFace& f = faces_[static_cast<std::size_t>(face)];
+  if (body_[face] == ExactFaces::kNoBody) {
+    plane = planeAt(f, x);
+    return true;
+  }
+  const ExactFaces::Foot foot = exact_.foot(body_[face], x - kLookFrom * from);
+  if (foot.normal.dot(f.normal) < leastFacing(static_cast<std::size_t>(face)) ||
+      !ExactFaces::isOf(foot, f.id))
+    return false;
+  from = foot.normal;
+  plane = {foot.normal, foot.normal.dot(foot.p - x)};
+  off = (foot.p - x).norm();
+  return true;
+}
+
+Vec3 VertexRefiner::meanNormal() const {
+  Vec3 n = Vec3::Zero();
+  for (const CellFace& f : faces_) n += f.normal * f.count;
+  return n.normalized();
+}
+
+/// From a point of a face, one looked at against the mean normal is nearer to the edge.
+bool VertexRefiner::ontoBody(Vec3& x) {
+  const Vec3 n = meanNormal();
+  for (int round = 0; round < kRounds; ++round) {
+    // A point or edge may face any way between its faces.
+    const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
+    if (foot.normal.dot(n) <= 0.0) return false;
+    const double step2 = (foot.p - x).squaredNorm();
+    x = foot.p;
+    if (step2 < kRest * kRest) break;
+  }
+  return true;
+}
+
+/// The first of the faces of the one body that shows two, if there is just one other face; or -1.
+int VertexRefiner::bodyWithEdge() const {
+  if (faces_.size() != 3) return -1;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (body_[i] != ExactFaces::kNoBody && body_[i] == body_[j] && body_[k] != body_[i]) return i;
+  }
+  return -1;
+}
+
+/// Where the edge between faces `first` and the next meets the one after.
+bool VertexRefiner::ontoEdge(int first, Vec3& x) {
+  const CellFace &a = faces_[static_cast<std::size_t>(first)],
+                 &b = faces_[static_cast<std::size_t>((first + 1) % 3)];
+  const Vec3 n = (a.normal + b.normal).normalized();
+  const Vec3 along = a.normal.cross(b.normal).normalized();
+  const int third = (first + 2) % 3;
+  Vec3 from = faces_[static_cast<std::size_t>(third)].normal;
+  for (int round = 0; round < kRounds; ++round) {
+    const ExactFaces::Foot foot = exact_.foot(body_[first], x - kLookFrom * n);
+    Plane other;
+    double off;
+    if (foot.normal.dot(n) < kSameFacing || !planeNear(third, foot.p, from, other, off)) return false;
+    const double slope = other.n.dot(along);
+    if (std::abs(slope) < kGrazing) return false;
+    const Vec3 next = foot.p + along * (other.d / slope);
+    const double step = (next - x).norm();
+    if (!(step < 1.0)) return false;
+    x = next;
+    if (step < kRest) return off < kSeenAt;
+  }
+  return false;
+}
+
+/// Where faces of different bodies meet: Newton's method on their tangent planes.
+bool VertexRefiner::ontoFaces(Vec3& x) {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (body_[i] != ExactFaces::kNoBody && body_[i] == body_[j]) return false;
+    }
+  }
+  std::array<Plane, 12> planes;
+  std::array<Vec3, 12> from;
+  for (std::size_t i = 0; i < faces_.size(); ++i) from[i] = faces_[i].normal;
+  for (int round = 0; round < kRounds; ++round) {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      double off;
+      if (!planeNear(static_cast<int>(i), x, from[i], planes[i], off)) return false;
+      farthest = std::max(farthest, off);
+    }
+    const Vec3 step = meetPlanes({planes.data(), faces_.size()});
+    if (!(step.squaredNorm() < 1.0)) return false;
+    x += step;
+    // Where a face ends, another part of its body is seen, farther off.
+    if (step.squaredNorm() < kRest * kRest) return farthest < kSeenAt;
+  }
+  return false;
+}
+
+/// Whether the body has an edge or a point at `x`: seen from several places it stays where it is.
+bool VertexRefiner::isSharp(const Vec3& n, const Vec3& across, const Vec3& x) {
+  const ExactFaces::Foot left = exact_.foot(body_[0], x - kLookFrom * n - kSideStep * across),
+                         right = exact_.foot(body_[0], x - kLookFrom * n + kSideStep * across);
+  return (right.p - left.p).norm() < kStays * 2.0 * kSideStep;
+}
+
+/// Whether two of the faces of the one body come to `x`. Between them may be another that a later pass cut
+/// away.
+bool VertexRefiner::isBetweenFaces(const Vec3& x) {
+  const auto comesTo = [&](const CellFace& f) {
+    Vec3 n = f.normal;
+    for (int look = 0; look < kLooks; ++look) {  // curved faces have other normals than at their crossings
+      const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
+      if ((foot.p - x).squaredNorm() < kSeenOver * kSeenOver) return true;
+      if (foot.normal.dot(f.normal) < leastFacing(static_cast<std::size_t>(&f - faces_.data())) ||
+          !ExactFaces::isOf(foot, f.id))
+        return false;
+      n = foot.normal;
+    }
+    return false;
+  };
+  return std::count_if(faces_.begin(), faces_.end(), comesTo) >= 2;
+}
+
+bool VertexRefiner::isSmooth(const Vec3& x) {
+  Vec3 at = x;
+  if (!oneBody() || !ontoBody(at)) return false;
+  const ExactFaces::Foot foot = exact_.foot(body_[0], at - kLookFrom * meanNormal());
+  const auto isOf = [&](const CellFace& f) { return ExactFaces::isOf(foot, f.id); };
+  if (std::none_of(faces_.begin(), faces_.end(), isOf)) return false;
+  Vec3 across = Vec3::Zero();  // where the surface turns most
+  for (std::size_t i = 1; i < faces_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec3 turn = faces_[i].normal - faces_[j].normal;
+      if (turn.squaredNorm() > across.squaredNorm()) across = turn;
+    }
+  }
+  return !isSharp(meanNormal(), across.normalized(), at);
+}
+
+bool VertexRefiner::toCrease(Vec3& x) {
+  Vec3 at = x;
+  bool rests;
+  if (oneBody()) {
+    // Between the faces may be another one of the body; or another body, where they went on once.
+    rests = ontoBody(at) && (isBetweenFaces(at) || !exact_.isReachedByOthers(body_[0], x));
+  } else if (const int edge = bodyWithEdge(); edge >= 0) {
+    rests = ontoEdge(edge, at);
+  } else {
+    rests = ontoFaces(at);
+  }
+  if (!rests || (at - x).squaredNorm() >= kMostMoved * kMostMoved) return false;
+  x = at;
+  return true;
+}
+
+/// The tangent plane of the body that is nearest to the material at `x`: the surface of them all.
+bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Plane& plane) {
+  double least = std::numeric_limits<double>::infinity();
+  const Vec3 from = x - kLookFrom * n;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (body_[i] == ExactFaces::kNoBody) {
+      const Plane p = planeAt(faces_[i], x);
+      if (p.d + kLookFrom < least) {
+        least = p.d + kLookFrom;
+        plane = p;
+      }
+      continue;
+    }
+    bool seen = false;
+    for (std::size_t j = 0; j < i; ++j) seen = seen || body_[j] == body_[i];
+    if (seen) continue;
+    const ExactFaces::Foot foot = exact_.foot(body_[i], from);
+    const double distance = (foot.p - from).dot(foot.normal);
+    if (distance >= least) continue;
+    bool known = false;  // else another body goes on where this face ends
+    for (std::size_t j = i; j < faces_.size(); ++j) {
+      known = known || (body_[j] == body_[i] && ExactFaces::isOf(foot, faces_[j].id));
+    }
+    if (!known) return false;
+    least = distance;
+    plane = {foot.normal, foot.normal.dot(foot.p - x)};
+  }
+  return plane.n.dot(n) > kSameFacing;
+}
+
+void VertexRefiner::toBlank(const Vec3& n, double reach, Vec3& x) const {
+  if (!exact_.ofBlank()) return;
+  Vec3 way = n;
+  for (int k = 0; k < 3; ++k) {
+    if (x[k] <= kWallGap || x[k] >= 1.0 - kWallGap) way[k] = 0.0;
+  }
+  if (way.squaredNorm() < kFlatWall * kFlatWall) return;
+  way.normalize();
+  const auto point = [&](double s) { return Vec3(x + s * way); };
+  const auto value = [&](double s) { return exact_.blankValue(point(s)); };
+  const double inside = value(-reach), outside = value(reach);
+  if (!(inside < 0.0 && outside >= 0.0)) return;
+  const double at = edgeRoot(value, reach, outside, -reach, inside, 1e-6);
+  x = clampToCell(point(at));
+}
+
+bool VertexRefiner::isOffBlank(const Vec3& x) const {
+  return exact_.ofBlank() && std::abs(exact_.blankValue(x)) > kOffBlank;
+}
+
+bool VertexRefiner::toSurface(const Vec3& n, double beyond, Vec3& x) {
+  const double low = kWallGap - beyond, high = 1.0 - kWallGap + beyond;
+  Vec3 at = x;
+  Plane plane;
+  for (int round = 0; round < kRounds; ++round) {
+    if (!nearestPlane(n, at, plane)) return false;
+    Vec3 way = plane.n * (plane.d < 0.0 ? -1.0 : 1.0);
+    for (int k = 0; k < 3; ++k) {  // not through the walls that it lies at
+      if ((at[k] <= low && way[k] < 0.0) || (at[k] >= high && way[k] > 0.0)) way[k] = 0.0;
+    }
+    if (way.squaredNorm() < kFlatWall * kFlatWall) break;
+    const Vec3 next = (at + way * (std::abs(plane.d) / way.squaredNorm()))
+                          .cwiseMax(Vec3::Constant(low))
+                          .cwiseMin(Vec3::Constant(high));
+    const double step2 = (next - at).squaredNorm();
+    at = next;
+    if (step2 < kRest * kRest) break;
+  }
+  if ((at - x).squaredNorm() >= kMostMoved * kMostMoved) return false;
+  x = at;
+  const bool held = at.minCoeff() <= low || at.maxCoeff() >= high;
+  return !held || (nearestPlane(n, at, plane) && std::abs(plane.d) < kOnSurface);
+}
+
+}  // namespace proveout

@@ -1,0 +1,57 @@
+// Puts a vertex onto the swept volumes behind the faces of its cell. Lengths in units of the cell.
+#pragma once
+
+#include <array>
+
+#include "removal/surface/cell_faces.h"
+#include "removal/surface/exact_faces.h"
+
+namespace proveout {
+
+/// For the faces of one cell. A point is looked at from a little inside the material, where the distance to a
+/// swept volume is exact and its nearest point on an edge is on the edge.
+class VertexRefiner {
+ public:
+  /// `exact` is set to the cell.
+  VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces);
+
+  /// Whether crossings and normals do not show the surface exactly. `smooth`: the faces are one smooth
+  /// surface.
+  bool needed(bool smooth) const;
+
+  /// Whether the faces near `x` are one smooth surface although their normals differ.
+  bool isSmooth(const Vec3& x);
+  /// Moves `x`, near a crease or corner, to it. False where that finds no rest nearby: `x` stays then.
+  bool toCrease(Vec3& x);
+  /// Moves `x` in the cell onto the smooth surface, without leaving the cell by more than `beyond`. `n`: out
+  /// of the material. False if it is not on the surface then.
+  bool toSurface(const Vec3& n, double beyond, Vec3& x);
+  /// Moves `x` in the cell onto the blank's surface along `n`, out of the material, by `reach` at most and
+  /// without leaving a wall that it lies at. It stays where the surface is not near or the surface is not the
+  /// blank's.
+  void toBlank(const Vec3& n, double reach, Vec3& x) const;
+  /// Whether the surface is the blank's and `x` is off it: a face between those of the cell meets none of its
+  /// edges.
+  bool isOffBlank(const Vec3& x) const;
+
+ private:
+  double leastFacing(std::size_t face);
+  bool oneBody() const;
+  Vec3 meanNormal() const;
+  int bodyWithEdge() const;
+  bool ontoBody(Vec3& x);
+  bool ontoEdge(int first, Vec3& x);
+  bool ontoFaces(Vec3& x);
+  bool planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off);
+  bool isBetweenFaces(const Vec3& x);
+  bool isSharp(const Vec3& n, const Vec3& across, const Vec3& x);
+  bool nearestPlane(const Vec3& n, const Vec3& x, Plane& plane);
+
+  ExactFaces& exact_;
+  std::span<const CellFace> faces_;
+  std::array<std::int64_t, 12> body_;
+  std::array<double, 12> facing_;  ///< as leastFacing tells; 0: not asked for yet
+  bool exact_already_ = true;      ///< crossings and normals show all faces exactly, each for itself
+};
+
+}  // namespace proveout

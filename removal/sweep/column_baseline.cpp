@@ -1,0 +1,7 @@
+#include "removal/sweep/column_kernel_body.h"
+
+namespace proveout {
+
+ColumnKernels baselineKernels() { return {columns, leafColumns, cover, reachFour, "baseline"}; }
+
+}  // namespace proveout

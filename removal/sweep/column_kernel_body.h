@@ -1,0 +1,364 @@
+// Body of the column kernels; compiled once for each SIMD level inside a namespace of its own.
+// Plain loops over arrays that the compiler vectorises. No function with external linkage is used, so that
+// code for one level can never be taken for another; no operation may be contracted or reassociated.
+#pragma once
+
+#include "removal/sweep/column_types.h"
+
+namespace {
+
+using proveout::ColumnBoundary;
+using proveout::ColumnSweep;
+using proveout::kQuarter;
+
+constexpr int kArray = proveout::kMaxColumns;
+constexpr double kNothing = __builtin_inf();
+/// Halvings of the bracket of a stationary point: its error is squared in the value.
+constexpr int kHalvings = 26;
+
+inline double least(double a, double b) { return a < b ? a : b; }
+inline double most(double a, double b) { return a > b ? a : b; }
+inline double root(double a) { return __builtin_sqrt(a > 0.0 ? a : 0.0); }
+
+/// out = L(r), for r in range.
+inline void boundaryHeight(const ColumnBoundary& boundary, const double* __restrict r, int n,
+                           double* __restrict out) {
+  for (int p = 0; p < boundary.count; ++p) {
+    const ColumnBoundary::Piece& piece = boundary.piece[p];
+    const double ra = piece.ra, za = piece.za, slope = piece.slope;
+    const double rc = piece.rc, zc = piece.zc, radius2 = piece.radius * piece.radius;
+    const bool first = p == 0;
+    if (piece.kind == ColumnBoundary::Kind::kArc) {
+      for (int i = 0; i < n; ++i) {
+        const double d = r[i] - rc;
+        const double z = zc - root(radius2 - d * d);
+        out[i] = first || r[i] >= ra ? z : out[i];
+      }
+    } else {
+      for (int i = 0; i < n; ++i) {
+        const double z = za + slope * (r[i] - ra);
+        out[i] = first || r[i] >= ra ? z : out[i];
+      }
+    }
+  }
+}
+
+/// The |s| in [sa, sb] at which L(sqrt(p2 + s^2)) - steep * |s| is least on an arc piece.
+inline void arcStationary(const ColumnBoundary::Piece& piece, double steep, const double* __restrict p2,
+                          int n, const double* __restrict sa, const double* __restrict sb,
+                          double* __restrict s) {
+  const double rc = piece.rc, radius2 = piece.radius * piece.radius;
+  double low[kArray], high[kArray];
+  for (int i = 0; i < n; ++i) low[i] = sa[i], high[i] = sb[i];
+  for (int round = 0; round < kHalvings; ++round) {
+    for (int i = 0; i < n; ++i) {
+      const double t = 0.5 * (low[i] + high[i]);
+      const double r = root(p2[i] + t * t);
+      const double d = r - rc;
+      // L' t / r < steep, without division
+      const bool falling = d * t < steep * r * root(radius2 - d * d);
+      low[i] = falling ? t : low[i];
+      high[i] = falling ? high[i] : t;
+    }
+  }
+  for (int i = 0; i < n; ++i) s[i] = 0.5 * (low[i] + high[i]);
+}
+
+/// out = least of slope * (s + along) + L(sqrt(p2 + s^2)) for s in [a0, a1]; along shifts the value only.
+inline void leastOnLine(const ColumnBoundary& boundary, double slope, const double* __restrict along,
+                        const double* __restrict p2, const double* __restrict a0, const double* __restrict a1,
+                        int n, double* __restrict out) {
+  const double steep = slope < 0.0 ? -slope : slope, side = slope > 0.0 ? -1.0 : 1.0;
+  double best[kArray], at[kArray], sa[kArray], sb[kArray], s[kArray], r[kArray], z[kArray];
+  for (int i = 0; i < n; ++i) best[i] = kNothing, at[i] = 0.0;
+  for (int p = 0; p < boundary.count; ++p) {
+    const ColumnBoundary::Piece& piece = boundary.piece[p];
+    const double ra2 = piece.ra * piece.ra, rb2 = piece.rb * piece.rb;
+    for (int i = 0; i < n; ++i) sa[i] = root(ra2 - p2[i]), sb[i] = root(rb2 - p2[i]);
+    if (piece.kind == ColumnBoundary::Kind::kArc) {
+      arcStationary(piece, steep, p2, n, sa, sb, s);
+    } else if (steep >= piece.slope && steep > 0.0) {
+      for (int i = 0; i < n; ++i) s[i] = sb[i];
+    } else {
+      const double k = piece.slope > 0.0 ? steep / root(piece.slope * piece.slope - steep * steep) : 0.0;
+      for (int i = 0; i < n; ++i) s[i] = least(most(k * root(p2[i]), sa[i]), sb[i]);
+    }
+    const double ra = piece.ra, za = piece.za, rise = piece.slope;
+    const double rc = piece.rc, zc = piece.zc, radius2 = piece.radius * piece.radius;
+    const bool arc = piece.kind == ColumnBoundary::Kind::kArc;
+    for (int i = 0; i < n; ++i) {
+      const double radial = root(p2[i] + s[i] * s[i]), d = radial - rc;
+      const double height = arc ? zc - root(radius2 - d * d) : za + rise * (radial - ra);
+      const double value = height - steep * s[i];
+      const bool better = p2[i] <= rb2 && value < best[i];
+      best[i] = better ? value : best[i];
+      at[i] = better ? side * s[i] : at[i];
+    }
+  }
+  const double radius = boundary.piece[boundary.count - 1].rb;
+  for (int i = 0; i < n; ++i) {
+    s[i] = least(most(at[i], a0[i]), a1[i]);
+    r[i] = least(root(p2[i] + s[i] * s[i]), radius);
+  }
+  boundaryHeight(boundary, r, n, z);
+  for (int i = 0; i < n; ++i) out[i] = slope * (s[i] + along[i]) + z[i];
+}
+
+/// Level moves of cylinders: no root is needed.
+inline void levelFlatColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+                             int n, double* __restrict lo, double* __restrict hi) {
+  const double fx = sweep.x, fy = sweep.y, ux = sweep.ux, uy = sweep.uy, length = sweep.length;
+  const double radius2 = sweep.solid->radius * sweep.solid->radius;
+  const double low = sweep.z + sweep.solid->z_min, high = sweep.z + sweep.solid->z_max;
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - fx, qy = y[i] - fy;
+    const double along = qx * ux + qy * uy;
+    const double across = qx * uy - qy * ux;
+    const double beyond = along - least(most(along, 0.0), length);
+    const bool over = across * across + beyond * beyond < radius2;
+    lo[i] = over ? low : kNothing;
+    hi[i] = over ? high : -kNothing;
+  }
+}
+
+/// Cylinders and ball ends with a level top.
+template <bool kBall>
+inline void plainColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+                         int n, double* __restrict lo, double* __restrict hi) {
+  const double fx = sweep.x, fy = sweep.y, fz = sweep.z, ux = sweep.ux, uy = sweep.uy;
+  const double length = sweep.length, slope = sweep.slope, lean = sweep.lean;
+  const proveout::ColumnSolid& tool = *sweep.solid;
+  const double radius2 = tool.radius * tool.radius, lift = fz + tool.radius, z_min = tool.z_min,
+               z_max = tool.z_max;
+  const bool rises = slope > 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - fx, qy = y[i] - fy;
+    const double along = qx * ux + qy * uy;
+    const double across = qx * uy - qy * ux;
+    const double w2 = radius2 - across * across, w = root(w2);
+    const double a0 = most(-along, -w), a1 = least(length - along, w);
+    const double s = least(most(lean * w, a0), a1);
+    const double low = kBall ? lift + slope * (s + along) - root(w2 - s * s)
+                             : fz + slope * ((rises ? a0 : a1) + along) + z_min;
+    const double high = fz + slope * ((rises ? a1 : a0) + along) + z_max;
+    const bool over = w2 > 0.0 && a0 <= a1;
+    lo[i] = over ? low : kNothing;
+    hi[i] = over ? high : -kNothing;
+  }
+}
+
+inline void lineColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+                        int n, double* __restrict lo, double* __restrict hi) {
+  if (sweep.solid->flat && sweep.slope == 0.0) return levelFlatColumns(sweep, x, y, n, lo, hi);
+  if (sweep.solid->flat) return plainColumns<false>(sweep, x, y, n, lo, hi);
+  if (sweep.solid->ball && !sweep.solid->round_top) return plainColumns<true>(sweep, x, y, n, lo, hi);
+  const double fx = sweep.x, fy = sweep.y, fz = sweep.z;
+  const double ux = sweep.ux, uy = sweep.uy, length = sweep.length, slope = sweep.slope;
+  const proveout::ColumnSolid& tool = *sweep.solid;
+  const double radius2 = tool.radius * tool.radius;
+  double along[kArray], p2[kArray], w2[kArray], w[kArray], a0[kArray], a1[kArray];
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - fx, qy = y[i] - fy;
+    along[i] = qx * ux + qy * uy;
+    const double across = qx * uy - qy * ux;
+    p2[i] = across * across;
+    w2[i] = radius2 - p2[i];
+    w[i] = root(w2[i]);
+    a0[i] = most(-along[i], -w[i]);
+    a1[i] = least(length - along[i], w[i]);
+  }
+  if (tool.ball) {
+    const double lean = sweep.lean, lift = fz + tool.radius;
+    for (int i = 0; i < n; ++i) {
+      const double s = least(most(lean * w[i], a0[i]), a1[i]);
+      lo[i] = lift + slope * (s + along[i]) - root(w2[i] - s * s);
+    }
+  } else {
+    leastOnLine(tool.lower, slope, along, p2, a0, a1, n, lo);
+    for (int i = 0; i < n; ++i) lo[i] += fz;
+  }
+  if (tool.round_top) {
+    leastOnLine(tool.upper, -slope, along, p2, a0, a1, n, hi);
+    for (int i = 0; i < n; ++i) hi[i] = fz - hi[i];
+  } else {
+    for (int i = 0; i < n; ++i) hi[i] = fz + slope * ((slope > 0.0 ? a1[i] : a0[i]) + along[i]) + tool.z_max;
+  }
+  for (int i = 0; i < n; ++i) {
+    const bool over = w2[i] > 0.0 && a0[i] <= a1[i];
+    lo[i] = over ? lo[i] : kNothing;
+    hi[i] = over ? hi[i] : -kNothing;
+  }
+}
+
+/// Level distance from the tool axis at its nearest position on a level arc.
+inline void arcDistance(const ColumnSweep& s, const double* __restrict x, const double* __restrict y, int n,
+                        double* __restrict r) {
+  const double cx = s.x, cy = s.y, inverse = 1.0 / s.arc_radius;
+  const double ux = (s.start_x - cx) * inverse, uy = (s.start_y - cy) * inverse;
+  const double vx = -uy * s.turn, vy = ux * s.turn;
+  const double c = s.cos_sweep, sn = s.sin_sweep, arc = s.arc_radius;
+  const bool wide = s.wide, full = s.full;
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - cx, qy = y[i] - cy;
+    const double pu = qx * ux + qy * uy, pv = qx * vx + qy * vy;
+    const double past = pv * c - pu * sn;  // above 0: behind the end
+    const bool narrow_in = pv >= 0.0 && past <= 0.0, wide_in = !(pv < 0.0 && past > 0.0);
+    const bool in = full || (wide ? wide_in : narrow_in);
+    const double d = root(qx * qx + qy * qy) - arc;
+    const double ax = x[i] - s.start_x, ay = y[i] - s.start_y, bx = x[i] - s.end_x, by = y[i] - s.end_y;
+    const double ends = root(least(ax * ax + ay * ay, bx * bx + by * by));
+    r[i] = in ? (d < 0.0 ? -d : d) : ends;
+  }
+}
+
+inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+                          int n, double* __restrict lo, double* __restrict hi) {
+  const proveout::ColumnSolid& tool = *sweep.solid;
+  double r[kArray], inside[kArray];
+  if (sweep.kind == ColumnSweep::Kind::kArc) {
+    arcDistance(sweep, x, y, n, r);
+  } else {
+    const double fx = sweep.x, fy = sweep.y;
+    for (int i = 0; i < n; ++i) {
+      const double qx = x[i] - fx, qy = y[i] - fy;
+      r[i] = root(qx * qx + qy * qy);
+    }
+  }
+  const double radius = tool.radius;
+  for (int i = 0; i < n; ++i) inside[i] = least(r[i], radius);
+  boundaryHeight(tool.lower, inside, n, lo);
+  boundaryHeight(tool.upper, inside, n, hi);
+  const double low = sweep.z + least(sweep.rise, 0.0), high = sweep.z + most(sweep.rise, 0.0);
+  for (int i = 0; i < n; ++i) {
+    const bool over = r[i] < radius;
+    lo[i] = over ? low + lo[i] : kNothing;
+    hi[i] = over ? high - hi[i] : -kNothing;
+  }
+}
+
+void columns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
+  const int n = (count + 7) & ~7;
+  if (sweep.kind == ColumnSweep::Kind::kLine) {
+    lineColumns(sweep, x, y, n, lo, hi);
+  } else {
+    radialColumns(sweep, x, y, n, lo, hi);
+  }
+}
+
+// Loops of fixed length are kept whole for the vectoriser.
+void cover(proveout::LeafColumns& leaf, int quarter) {
+  const int first = quarter * kQuarter;
+  const double* __restrict lo = leaf.lo + first;
+  const double* __restrict hi = leaf.hi + first;
+  double bits[kQuarter];
+#pragma GCC unroll 1
+  for (int c = 0; c < kQuarter; ++c) bits[c] = 0.0;
+  double bit = 1.0;
+  for (int z = 0; z < leaf.layers; ++z, bit *= 2.0) {
+    const double at = leaf.z[z];
+#pragma GCC unroll 1
+    for (int c = 0; c < kQuarter; ++c) {
+      const double above = lo[c] < at ? bit : 0.0;
+      bits[c] += at < hi[c] ? above : 0.0;
+    }
+  }
+  int whole[kQuarter];
+#pragma GCC unroll 1
+  for (int c = 0; c < kQuarter; ++c) whole[c] = static_cast<int>(bits[c]);
+  for (int c = 0; c < kQuarter; ++c) leaf.covered[first + c] = static_cast<unsigned char>(whole[c]);
+}
+
+inline double lowerTops(proveout::LeafColumns& leaf, int quarter) {
+  const int first = quarter * kQuarter;
+  const double bottom = leaf.z[0];
+  double* __restrict top = leaf.top + first;
+  const double* __restrict lo = leaf.lo + first;
+  const double* __restrict hi = leaf.hi + first;
+  double sunk[kQuarter], below[kQuarter];
+#pragma GCC unroll 1
+  for (int c = 0; c < kQuarter; ++c) {
+    const double low = most(lo[c], bottom), old = top[c];
+    const double next = hi[c] >= old ? least(low, old) : old;
+    const double buried = hi[c] < old ? 1.0 : 0.0;
+    below[c] = lo[c] < hi[c] ? buried : 0.0;
+    sunk[c] = old - next;
+    top[c] = next;
+  }
+  double sum[8] = {0, 0, 0, 0, 0, 0, 0, 0}, deep = 0.0;
+  for (int c = 0; c < kQuarter; c += 8) {
+    for (int i = 0; i < 8; ++i) sum[i] += sunk[c + i];
+  }
+  for (int c = 0; c < kQuarter; ++c) deep += below[c];
+  double total = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+  if (deep > 0.0) {  // cut out below the top: whole voxels
+    leaf.undercut = true;
+    cover(leaf, quarter);
+    for (int c = 0; c < kQuarter; ++c) {
+      const unsigned cut = leaf.covered[first + c] & leaf.material[first + c];
+      if (below[c] > 0.0) total += leaf.h * __builtin_popcount(cut);
+    }
+  }
+  return total;
+}
+
+double leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, int quarter) {
+  const int first = quarter * kQuarter;
+  columns(sweep, leaf.x + first, leaf.y + first, kQuarter, leaf.lo + first, leaf.hi + first);
+  return lowerTops(leaf, quarter);
+}
+
+/// Squared level distance of the tool's axis from the middles of the blocks, and the range of the tip's rise
+/// while it can be over them.
+inline void approach(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double reach,
+                     double* __restrict gap2, double* __restrict rise_low, double* __restrict rise_high) {
+  const double fx = sweep.x, fy = sweep.y;
+  if (sweep.kind == ColumnSweep::Kind::kLine) {
+    const double ux = sweep.ux, uy = sweep.uy, length = sweep.length, slope = sweep.slope;
+    for (int i = 0; i < 4; ++i) {
+      const double qx = blocks.x[i] - fx, qy = blocks.y[i] - fy;
+      const double along = qx * ux + qy * uy, across = qx * uy - qy * ux;
+      const double over = along - least(most(along, 0.0), length);
+      gap2[i] = over * over + across * across;
+      const double first = slope * least(most(along - reach, 0.0), length),
+                   last = slope * least(most(along + reach, 0.0), length);
+      rise_low[i] = least(first, last);
+      rise_high[i] = most(first, last);
+    }
+    return;
+  }
+  for (int i = 0; i < 4; ++i) {
+    const double qx = blocks.x[i] - fx, qy = blocks.y[i] - fy;
+    const double gap = root(qx * qx + qy * qy) - sweep.arc_radius;
+    gap2[i] = gap * gap;
+    rise_low[i] = least(sweep.rise, 0.0);
+    rise_high[i] = most(sweep.rise, 0.0);
+  }
+}
+
+void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double* __restrict low) {
+  constexpr double kDiagonal = 1.4142135623730951, kSlack = proveout::kCullSlackMm;
+  const proveout::ColumnSolid& tool = *sweep.solid;
+  const double corner = kDiagonal * blocks.half_width, radius = tool.radius, reach = corner + radius + kSlack;
+  double gap2[4], rise_low[4], rise_high[4], radial[4], edge[4];
+  approach(sweep, blocks, reach, gap2, rise_low, rise_high);
+  for (int i = 0; i < 4; ++i) low[i] = kNothing;
+  if (least(least(gap2[0], gap2[1]), least(gap2[2], gap2[3])) > reach * reach) return;
+  if (tool.flat) {
+    for (int i = 0; i < 4; ++i) edge[i] = tool.z_min;
+  } else {
+    for (int i = 0; i < 4; ++i) radial[i] = least(most(root(gap2[i]) - corner, 0.0), radius);
+    if (tool.ball) {
+      for (int i = 0; i < 4; ++i) edge[i] = radius - root(radius * radius - radial[i] * radial[i]);
+    } else {
+      boundaryHeight(tool.lower, radial, 4, edge);
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    const double at = sweep.z + rise_low[i], highest = sweep.z + rise_high[i] + tool.z_max + kSlack;
+    const double lowest = at + edge[i] - kSlack;
+    const bool in = gap2[i] <= reach * reach && lowest < blocks.z_high[i] && highest > blocks.z_low[i];
+    low[i] = in ? lowest : kNothing;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,33 @@
+// Where a moving tool covers vertical lines of the grid: for each column (x, y) the interval of z that the
+// swept volume of a convex solid of revolution about z holds.
+//
+// A swept convex solid along a line is convex, so it meets a vertical line in one interval, whose ends are
+// the least of (height of the tool + lower boundary) and the greatest of (height + upper boundary) over the
+// time in which the tool is over the column. Both are found in closed form (flat ends, cones, balls) or by
+// bisection (torus corners); level arcs have their nearest position in closed form. The same operations run
+// for every SIMD level, so that the results are equal bit for bit.
+#pragma once
+
+#include "core/geometry/types.h"
+#include "core/path/toolpath.h"
+#include "core/tool/profile.h"
+#include "removal/sweep/column_types.h"
+
+namespace proveout {
+
+ColumnSolid columnSolid(const ConvexProfile& profile);
+
+/// `solid` must outlive the sweep.
+ColumnSweep columnLine(const ColumnSolid& solid, const Vec3& from, const Vec3& to);
+/// Requires a vertical axis, one radius and no rise.
+ColumnSweep columnArc(const ColumnSolid& solid, const Vec3& from, const Vec3& to, const ArcGeometry& arc);
+
+inline Vec3 sweepStart(const ColumnSweep& s) { return {s.x, s.y, s.z}; }
+/// From start to end of a line.
+inline Vec3 sweepWay(const ColumnSweep& s) { return {s.ux * s.length, s.uy * s.length, s.rise}; }
+
+/// The kernels of the widest SIMD level that the machine has; PROVEOUT_SIMD=baseline|avx2|avx512 asks for a
+/// narrower one.
+const ColumnKernels& columnKernels();
+
+}  // namespace proveout

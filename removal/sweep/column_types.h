@@ -1,0 +1,106 @@
+// What the column kernels work on: plain numbers. They are compiled for several SIMD levels, so nothing that
+// has inline functions of its own may be included here (see column_kernel_body.h).
+#pragma once
+
+namespace proveout {
+
+/// Lower or (mirrored at z = 0) upper boundary of a solid as a convex, non-decreasing function L(r).
+struct ColumnBoundary {
+  enum class Kind : unsigned char { kLevel, kCone, kArc };
+  struct Piece {
+    Kind kind;
+    double ra, rb;          ///< range of r, mm
+    double za, slope;       ///< kLevel, kCone: L = za + slope * (r - ra)
+    double rc, zc, radius;  ///< kArc: L = zc - sqrt(radius^2 - (r - rc)^2)
+  };
+  static constexpr int kMaxPieces = 8;
+  int count = 0;
+  Piece piece[kMaxPieces];
+
+  double height(double r) const;  ///< L(r), mm; requires 0 <= r <= the last rb
+};
+
+struct ColumnSolid {
+  double radius = 0.0;  ///< largest, mm
+  double z_min = 0.0, z_max = 0.0;
+  bool flat = false;            ///< a cylinder
+  bool ball = false;            ///< a lower half sphere of the full radius with a cylinder on it
+  bool round_top = false;       ///< the upper boundary is not one level disc of the full radius
+  ColumnBoundary lower, upper;  ///< upper: mirrored
+};
+
+/// A solid's motion along a line or level arc.
+struct ColumnSweep {
+  enum class Kind : unsigned char { kVertical, kLine, kArc };
+  Kind kind = Kind::kVertical;
+  bool wide = false;  ///< arc: sweep above half a turn
+  bool full = false;  ///< arc: a whole turn or more
+  const ColumnSolid* solid = nullptr;
+  double x = 0.0, y = 0.0, z = 0.0;  ///< tip at the start, mm; arcs: centre, at the height of the tip
+  double rise = 0.0;                 ///< mm, from start to end
+  double ux = 1.0, uy = 0.0, length = 0.0, slope = 0.0;  ///< line: level direction, level length, rise a mm
+  double lean = 0.0;                                     ///< -slope / sqrt(1 + slope^2)
+  // Arc; its frame turns with the motion, so that the sweep is positive.
+  double start_x = 0.0, start_y = 0.0, end_x = 0.0, end_y = 0.0, arc_radius = 0.0;
+  double turn = 1.0;  ///< +1 counter-clockwise, -1 clockwise
+  double cos_sweep = 1.0, sin_sweep = 0.0;
+};
+
+/// Columns that one call takes; arrays must have this size rounded up to a multiple of 8.
+inline constexpr int kMaxColumns = 128;
+
+/// lo and hi of the open interval that is covered, mm; lo = +infinity, hi = -infinity where there is none.
+/// `count` <= kMaxColumns; reads and writes up to the next multiple of 8. Error below 1e-10 mm.
+using ColumnKernel = void (*)(const ColumnSweep& sweep, const double* x, const double* y, int count,
+                              double* lo, double* hi);
+
+/// The 64 columns of a leaf while it is cut, in quarters of 4x4: column x, y stands at leafColumn(x, y).
+inline constexpr int leafColumn(int x, int y) {
+  return (x >> 2) << 5 | (y >> 2) << 4 | (x & 3) << 2 | (y & 3);
+}
+inline constexpr int kQuarter = 16;
+
+struct LeafColumns {
+  double x[64], y[64];
+  double top[64];  ///< height of the material, from the lowest sample to one step above the highest, mm
+  double z[8];     ///< heights of the samples
+  double h;        ///< mm
+  unsigned char material[64];  ///< bit z
+  unsigned char covered[64];   ///< samples that the last pass covers
+  double lo[64], hi[64];       ///< of the last pass
+  int layers;                  ///< layers up to the highest with material
+  bool undercut;               ///< a pass covered a part of a column below its top
+};
+
+/// For one quarter: finds lo and hi; lowers the tops to lo where the pass covers them; returns the sum of
+/// what the tops sink by and of the covered material below tops that stay, in mm of column height.
+using LeafKernel = double (*)(const ColumnSweep& sweep, LeafColumns& leaf, int quarter);
+/// For one quarter: finds `covered` from lo and hi.
+using CoverKernel = void (*)(LeafColumns& leaf, int quarter);
+
+/// Four blocks of the grid as culling sees them: squares of one size, with a range of z each.
+struct FourBlocks {
+  double x[4], y[4];  ///< of their middles, mm
+  double half_width;  ///< mm
+  double z_low[4], z_high[4];
+};
+/// Culling never decides within rounding, mm.
+inline constexpr double kCullSlackMm = 1e-6;
+
+/// For each block the height below which the sweep does not reach inside its square, mm (a lower bound);
+/// +infinity where it misses the block.
+using ReachKernel = void (*)(const ColumnSweep& sweep, const FourBlocks& blocks, double* low);
+
+struct ColumnKernels {
+  ColumnKernel columns;
+  LeafKernel leaf;
+  CoverKernel cover;
+  ReachKernel reach;
+  const char* name;
+};
+
+ColumnKernels baselineKernels();
+ColumnKernels avx2Kernels();
+ColumnKernels avx512Kernels();
+
+}  // namespace proveout

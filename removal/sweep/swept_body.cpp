@@ -1,0 +1,54 @@
+#include "removal/sweep/swept_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace proveout {
+
+namespace {
+
+/// Least radius of a wall, mm.
+constexpr double kLeastRadius = 1e-9;
+
+}  // namespace
+
+SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSolid& solid, const Vec3& from, const Vec3& to,
+                     const Sweep* curve)
+    : columns_(columnLine(solid, from, to)), profile_(&profile), curve_(curve) {}
+
+SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSolid& solid, const Vec3& from, const Vec3& to,
+                     const ArcGeometry& arc, const Sweep& curve)
+    : columns_(columnArc(solid, from, to, arc)), profile_(&profile), curve_(&curve) {}
+
+Sweep SweptBody::sweep() const {
+  if (isLevelArc()) return *curve_;
+  const Vec3 from = sweepStart(columns_);
+  return Sweep(*profile_, from, from + sweepWay(columns_), nullptr);
+}
+
+bool SweptBody::holdsEdges(double h) const {
+  if (!isLevelArc() || !(columns_.wide || columns_.full)) return true;
+  const double pillar = columns_.arc_radius - solid().radius;
+  return pillar <= 0.0 || pillar >= h;
+}
+
+std::optional<double> SweptBody::simpleBend(int element) const {
+  if (element >= ConvexProfile::kEdgeIds) return std::nullopt;
+  const int number = element - profile_->firstElementId();
+  if (number >= profile_->elementCount()) return std::nullopt;
+  const ConvexProfile::Element& e = profile_->element(number);
+  if (!isLine() && (e.arc || !isLevelArc())) return std::nullopt;
+  if (e.arc) return e.cr == 0.0 ? std::optional(1.0 / e.radius) : std::nullopt;
+  if (e.dz == 0.0) return 0.0;
+  if (e.dr != 0.0) return std::nullopt;
+  const double inner = isLine() ? e.ar : std::abs(columns_.arc_radius - e.ar);
+  return 1.0 / std::max(std::min(e.ar, inner), kLeastRadius);
+}
+
+SweptSurface SweptBody::surface(const Vec3& p, int axis, bool below) const {
+  if (const auto closed = closedSurface(p, axis, below)) return *closed;
+  const SweepSample sample = curve_ != nullptr ? curve_->sample(p) : sweep().sample(p);
+  return {sample.gradient, sample.element};
+}
+
+}  // namespace proveout

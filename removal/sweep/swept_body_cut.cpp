@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "removal/grid/edge_root.h"
+#include "removal/sweep/swept_body.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+struct Ray {
+  double x, y, dx, dy;
+};
+
+double enterDisc(const Ray& ray, double cx, double cy, double radius2) {
+  const double qx = ray.x - cx, qy = ray.y - cy;
+  const double b = qx * ray.dx + qy * ray.dy, c = qx * qx + qy * qy - radius2;
+  const double d = b * b - c;
+  if (c <= 0.0) return 0.0;
+  if (d <= 0.0 || b >= 0.0) return kNever;
+  return c / (-b + std::sqrt(d));  // the nearer root, without cancellation
+}
+
+/// Narrows [enter, leave] to where low <= p + s * d <= high.
+void slab(double p, double d, double low, double high, double& enter, double& leave) {
+  if (d == 0.0) {
+    if (p < low || p > high) leave = -kNever;
+    return;
+  }
+  const double s0 = (low - p) / d, s1 = (high - p) / d;
+  enter = std::max(enter, std::min(s0, s1));
+  leave = std::min(leave, std::max(s0, s1));
+}
+
+/// All points within `radius` of the stretch first..last of the line's level projection.
+double enterStadium(const ColumnSweep& line, const Ray& ray, double first, double last, double radius) {
+  if (first > last) return kNever;
+  const auto disc = [&](double s) {
+    return enterDisc(ray, line.x + s * line.ux, line.y + s * line.uy, radius * radius);
+  };
+  double best = std::min(disc(first), disc(last));
+  const double qx = ray.x - line.x, qy = ray.y - line.y;
+  double enter = 0.0, leave = best;
+  slab(qx * line.ux + qy * line.uy, ray.dx * line.ux + ray.dy * line.uy, first, last, enter, leave);
+  slab(qx * line.uy - qy * line.ux, ray.dx * line.uy - ray.dy * line.ux, -radius, radius, enter, leave);
+  if (enter <= leave) best = enter;
+  return best;
+}
+
+/// The stretch of the way on which a level disc between heights `low` and `high` above the tip holds height
+/// z.
+void discStretch(const ColumnSweep& line, double z, double low, double high, double& first, double& last) {
+  first = 0.0;
+  last = line.length;
+  const double below = z - line.z - low, above = z - line.z - high;
+  if (line.slope == 0.0) {
+    if (below < 0.0 || above > 0.0) last = -1.0;
+    return;
+  }
+  const double s0 = above / line.slope, s1 = below / line.slope;
+  first = std::max(first, std::min(s0, s1));
+  last = std::min(last, std::max(s0, s1));
+}
+
+/// Capsule of the ball's centre; the ray is level.
+double enterCapsule(const ColumnSweep& line, const Ray& ray, double z, double radius) {
+  const Vec3 way = sweepWay(line);
+  const double length = way.norm();
+  const Vec3 center = sweepStart(line) + Vec3(0, 0, radius);
+  const auto ball = [&](const Vec3& c) {
+    const double dz = z - c.z(), radius2 = radius * radius - dz * dz;
+    return radius2 > 0.0 ? enterDisc(ray, c.x(), c.y(), radius2) : kNever;
+  };
+  double best = std::min(ball(center), ball(center + way));
+  const Vec3 e = way / length, d(ray.dx, ray.dy, 0.0), q = Vec3(ray.x, ray.y, z) - center;
+  const double along = q.dot(e), step = d.dot(e);
+  const Vec3 q_across = q - along * e, d_across = d - step * e;
+  const double a = d_across.squaredNorm(), b = q_across.dot(d_across),
+               c = q_across.squaredNorm() - radius * radius;
+  const double root2 = b * b - a * c;
+  if (c > 0.0 && b < 0.0 && root2 > 0.0) {
+    const double s = c / (-b + std::sqrt(root2));
+    const double at = along + s * step;
+    if (at >= 0.0 && at <= length) best = std::min(best, s);
+  }
+  if (c <= 0.0 && along >= 0.0 && along <= length) best = 0.0;
+  return best;
+}
+
+}  // namespace
+
+double searchCut(const Sweep& sweep, const Vec3& a, const Vec3& direction, double inside) {
+  const auto f = [&](double s) { return sweep.distance(a + s * direction, kNever); };
+  const double at_a = f(0.0), at_inside = f(inside);
+  if (at_a <= 0.0) return 0.0;
+  if (at_inside >= 0.0) return inside;  // touched within rounding
+  return edgeRoot(f, 0.0, at_a, inside, at_inside, 1e-9);
+}
+
+double SweptBody::levelCut(const Vec3& a, double dx, double dy, double inside) const {
+  const ColumnSweep& c = columns_;
+  const ColumnSolid& tool = solid();
+  const Ray ray{a.x(), a.y(), dx, dy};
+  if (c.kind == ColumnSweep::Kind::kLine && tool.flat) {
+    double first, last;
+    discStretch(c, a.z(), tool.z_min, tool.z_max, first, last);
+    return std::min(inside, enterStadium(c, ray, first, last, tool.radius));
+  }
+  // The whole ball stands for its lower half where the flank above covers the rest.
+  if (c.kind == ColumnSweep::Kind::kLine && tool.ball && !tool.round_top && tool.z_max >= 2.0 * tool.radius) {
+    double first, last;
+    discStretch(c, a.z(), tool.radius, tool.z_max, first, last);
+    const double flank = enterStadium(c, ray, first, last, tool.radius);
+    return std::min({inside, flank, enterCapsule(c, ray, a.z(), tool.radius)});
+  }
+  const Vec3 direction(dx, dy, 0.0);
+  if (isLevelArc()) return searchCut(*curve_, a, direction, inside);
+  return searchCut(sweep(), a, direction, inside);
+}
+
+}  // namespace proveout

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "removal/sweep/swept_body.h"
+
+namespace proveout {
+
+namespace {
+
+/// Elements of the profile of a flat end.
+enum FlatElement { kBottom, kFlank, kTop, kFlatElements };
+
+/// The sphere, below its centre; the flank above it is left to others.
+std::optional<SweptSurface> ballSurface(const SweptBody& body, const Vec3& p) {
+  const ColumnSweep& c = body.columns();
+  const Vec3 way = sweepWay(c);
+  const Vec3 q = p - sweepStart(c) - Vec3(0, 0, c.solid->radius);
+  const double length2 = way.squaredNorm();
+  const double t = length2 > 0.0 ? std::clamp(q.dot(way) / length2, 0.0, 1.0) : 0.0;
+  const Vec3 normal = q - t * way;
+  if (normal.z() > 0.0) return std::nullopt;
+  return SweptSurface{normal.normalized(), body.profile().firstElementId()};
+}
+
+/// A cylinder on a line, as seen from one point in plan view.
+class FlatSweep {
+ public:
+  FlatSweep(const SweptBody& body, const Vec3& p)
+      : c_(body.columns()), first_(body.profile().firstElementId()), z_(p.z()) {
+    const double qx = p.x() - c_.x, qy = p.y() - c_.y;
+    along_ = qx * c_.ux + qy * c_.uy;
+    across_ = qx * c_.uy - qy * c_.ux;
+    half_ = std::sqrt(std::max(0.0, c_.solid->radius * c_.solid->radius - across_ * across_));
+    beyond_ = along_ - std::clamp(along_, 0.0, c_.length);
+  }
+
+  /// The end face, or the surface that its rim sweeps; `side` -1: the lower, +1: the upper.
+  SweptSurface end(int side) const {
+    const bool at_start = startsOver(side);
+    const bool rim = c_.slope != 0.0 && (at_start ? half_ < along_ : half_ < c_.length - along_);
+    if (!rim) return {Vec3(0, 0, side), first_ + (side < 0 ? kBottom : kTop)};
+    // At right angles to the rim and to the motion.
+    const double radius = c_.solid->radius, steep = std::abs(c_.slope) / radius;
+    const Vec2 out = level(at_start ? half_ : -half_, across_);
+    const Vec3 normal(steep * out.x(), steep * out.y(), side * half_ / radius);
+    return {normal.normalized(), ConvexProfile::kEdgeIds + first_ + (side < 0 ? kBottom : kFlank)};
+  }
+
+  SweptSurface flank() const {
+    const Vec2 out = level(beyond_, across_).normalized();
+    return {Vec3(out.x(), out.y(), 0), first_ + kFlank};
+  }
+
+  double missesFlank() const { return std::abs(std::hypot(beyond_, across_) - c_.solid->radius); }
+  double missesEnd(int side) const {
+    const double from = std::max(-along_, -half_), to = std::min(c_.length - along_, half_);
+    if (from > to) return std::numeric_limits<double>::infinity();
+    const double at = along_ + (startsOver(side) ? from : to);
+    return std::abs(c_.z + c_.slope * at + (side < 0 ? c_.solid->z_min : c_.solid->z_max) - z_);
+  }
+
+ private:
+  /// Whether the end bounds the sweep where the tool comes to be over the point, not where it leaves it.
+  bool startsOver(int side) const { return c_.slope * side < 0.0; }
+  Vec2 level(double along, double across) const {
+    return {along * c_.ux + across * c_.uy, along * c_.uy - across * c_.ux};
+  }
+
+  const ColumnSweep& c_;
+  int first_;
+  double z_, along_, across_, half_, beyond_;  ///< half_: of the chord on which the tool is over the point
+};
+
+SweptSurface flatSurface(const SweptBody& body, const Vec3& p, int axis, bool below) {
+  const FlatSweep sweep(body, p);
+  if (axis == 2) return sweep.end(below ? -1 : 1);
+  if (body.columns().slope == 0.0) return sweep.flank();
+  const double flank = sweep.missesFlank(), lower = sweep.missesEnd(-1), upper = sweep.missesEnd(1);
+  if (flank <= std::min(lower, upper)) return sweep.flank();
+  return sweep.end(lower <= upper ? -1 : 1);
+}
+
+}  // namespace
+
+std::optional<SweptSurface> SweptBody::closedSurface(const Vec3& p, int axis, bool below) const {
+  if (!isLine()) return std::nullopt;
+  if (solid().ball) return ballSurface(*this, p);
+  if (solid().flat && profile_->elementCount() == kFlatElements) return flatSurface(*this, p, axis, below);
+  return std::nullopt;
+}
+
+}  // namespace proveout

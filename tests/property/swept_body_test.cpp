@@ -1,0 +1,119 @@
+// The closed forms of the surfaces that flat and ball ends leave on grid edges, against the exact swept
+// distance: a swept convex solid is convex, so that a step along the normal is as far from it as the step is
+// long.
+#include "removal/sweep/swept_body.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "core/tool/tool_solid.h"
+#include "tests/property/random_moves.h"
+
+namespace proveout {
+namespace {
+
+constexpr double kStepMm = 1e-3, kWithinMm = 1e-8;
+
+class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
+ protected:
+  SweptBodySurfaces() {
+    Tool tool = parseToolOption(GetParam()).value();
+    tool.flute_length = 15.0;
+    profile_ = makeToolSolid(tool).cutter.front();
+    profile_.setFirstElementId(7);
+    solid_ = columnSolid(profile_);
+  }
+
+  double random(double low, double high) { return moves_.number(low, high); }
+
+  SweptBody body(int style) {
+    auto [from, to] = moves_.line(style);
+    if (style == 4) to.z() = from.z() + 1e-5 * (to.z() - from.z());  // nearly level
+    return SweptBody(profile_, solid_, from, to);
+  }
+
+  void check(const SweptBody& body, const Vec3& p, int axis, bool below) {
+    const auto surface = body.closedSurface(p, axis, below);
+    if (!surface) {  // the flank of a ball
+      EXPECT_TRUE(solid_.ball);
+      return;
+    }
+    ++known_;
+    const Sweep exact = body.sweep();
+    EXPECT_NEAR(surface->normal.norm(), 1.0, 1e-12);
+    double anywhere = Sweep::kAnywhere;
+    const SweepSample seen = exact.sampleOutside(p + kStepMm * surface->normal, 1e-10, anywhere);
+    EXPECT_NEAR(seen.value, kStepMm, kWithinMm) << "axis " << axis;
+    // An end of one element is one of the next, too.
+    const int element = surface->element % ConvexProfile::kEdgeIds,
+              other = seen.element % ConvexProfile::kEdgeIds;
+    const bool rim = surface->element >= ConvexProfile::kEdgeIds, at_end = seen.element != other;
+    EXPECT_TRUE(other == element || ((rim || at_end) && std::abs(other - element) == 1))
+        << surface->element << " " << seen.element;
+    rims_ += rim ? 1 : 0;
+  }
+
+  /// Where the vertical through a random point enters and leaves the sweep; false if it misses.
+  bool column(const SweptBody& body, Vec3& low, Vec3& high) {
+    std::array<double, 8> x{}, y{}, lo{}, hi{};
+    const Vec3 end = sweepStart(body.columns()) + random(0, 1) * sweepWay(body.columns());
+    x[0] = end.x() + random(-3, 3), y[0] = end.y() + random(-3, 3);
+    columnKernels().columns(body.columns(), x.data(), y.data(), 1, lo.data(), hi.data());
+    low = {x[0], y[0], lo[0]};
+    high = {x[0], y[0], hi[0]};
+    return lo[0] < hi[0];
+  }
+
+  ConvexProfile profile_;
+  ColumnSolid solid_;
+  test::RandomMoves moves_{5};
+  int known_ = 0, rims_ = 0;
+};
+
+TEST_P(SweptBodySurfaces, NormalsAreThoseOfTheSweep) {
+  for (int i = 0; i < 20000; ++i) {
+    const SweptBody one = body(i % 8);
+    Vec3 low, high;
+    if (!column(one, low, high)) continue;
+    check(one, low, 2, true);
+    if (!solid_.ball) check(one, high, 2, false);
+    // A level ray from far away to a point on the vertical.
+    const Vec3 inside = low + random(0.01, 0.99) * (high - low);
+    const int axis = i / 8 % 2;
+    const double side = i / 16 % 2 == 0 ? 1.0 : -1.0, far = 40.0;
+    Vec3 from = inside;
+    from[axis] -= side * far;
+    const double cut = one.levelCut(from, axis == 0 ? side : 0.0, axis == 1 ? side : 0.0, far);
+    from[axis] += side * cut;
+    check(one, from, axis, false);
+    if (HasFailure()) FAIL() << "case " << i;
+  }
+  EXPECT_GT(known_, 20000);
+  if (!solid_.ball) {
+    EXPECT_GT(rims_, 5000);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ends, SweptBodySurfaces, ::testing::Values("1=flat:6", "2=ball:6"),
+                         [](const auto& param) { return param.index == 0 ? "Flat" : "Ball"; });
+
+TEST(SweptBodySurface, OtherToolsAndArcsHaveNone) {
+  Tool tool = parseToolOption("1=bull:8:1.5").value();
+  const ConvexProfile bull = makeToolSolid(tool).cutter.front();
+  const ColumnSolid solid = columnSolid(bull);
+  const SweptBody round(bull, solid, Vec3::Zero(), Vec3(5, 0, 1));
+  EXPECT_FALSE(round.closedSurface(Vec3(2, 0, 0.4), 2, true));
+  const ConvexProfile flat = makeToolSolid(parseToolOption("1=flat:8").value()).cutter.front();
+  const ColumnSolid cylinder = columnSolid(flat);
+  const Vec3 from = Vec3::Zero(), to(5, 0, 0);
+  EXPECT_TRUE(SweptBody(flat, cylinder, from, to).closedSurface(Vec3(2, 0, 0), 2, true));
+  // A chord of a curve, which is known exactly.
+  const Sweep curve(flat, from, to, nullptr);
+  EXPECT_FALSE(SweptBody(flat, cylinder, from, to, &curve).closedSurface(Vec3(2, 0, 0), 2, true));
+}
+
+}  // namespace
+}  // namespace proveout
