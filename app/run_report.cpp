@@ -189,15 +189,10 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
   return terms;
 }
 
-/// Whether the settings limit the travel of an axis.
-bool checksTravel(const ControlSettings& settings) {
-  bool limited = std::any_of(settings.limits.begin(), settings.limits.end(),
-                             [](const auto& limit) { return limit.has_value(); });
-  for (const char* stroke : {"N1002", "N1003", "N1004", "N1005"}) {  // of the nct control
-    const auto given = settings.parameters.lower_bound(stroke);
-    limited |= given != settings.parameters.end() && given->first.starts_with(stroke);
-  }
-  return limited;
+/// Whether a clamping's job limits the travel of an axis.
+bool checksTravel(const Job& job) {
+  const Result<ControlId> control = findControl(job.control);
+  return control && limitsTravel(*control, job.settings);
 }
 
 Result<std::vector<FileHash>> hashInputs(const Job& job, const RunSources& sources) {
@@ -289,7 +284,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
   for (const SetupRun& setup : run.setups)
     report.checks.fixtures |= !run.alarm && !setup.job.fixtures.empty();
   report.checks.comparison = run.comparison.has_value();
-  for (const SetupRun& setup : run.setups) report.checks.travel_limits |= checksTravel(setup.job.settings);
+  for (const SetupRun& setup : run.setups) report.checks.travel_limits |= checksTravel(setup.job);
   if (!run.alarm) {
     report.stock = reportStock(run);
     report.accounting = accountFor(cutPaths(run));

@@ -10,6 +10,8 @@
 
 namespace proveout {
 
+struct ControlSettings;
+
 enum class ControlId { kNct, kWl4Mill, kWl4Lathe, kFlexNc, kWedm, kRs274Ngc };
 
 struct ControlInfo {
@@ -45,5 +47,8 @@ struct ParameterInfo {
   int count = 0;  ///< > 0: axis or spindle parameter; NAME.1 to NAME.count, NAME alone means all
 };
 std::vector<ParameterInfo> parameterTable(ControlId control);
+
+/// Whether the settings limit the travel of X, Y or Z, or the control's own parameters that of an axis.
+bool limitsTravel(ControlId control, const ControlSettings& settings);
 
 }  // namespace proveout

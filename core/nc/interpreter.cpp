@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "core/nc/nct/nct_channels.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_control.h"
@@ -115,6 +117,13 @@ std::vector<ParameterInfo> parameterTable(ControlId control) {
   if (isWl4(control)) return nc::wl4ParameterTable(control == ControlId::kWl4Lathe);
   if (control != ControlId::kNct) return {};
   return nc::nctParameterTable();
+}
+
+bool limitsTravel(ControlId control, const ControlSettings& settings) {
+  const auto& limits = settings.limits;
+  if (std::any_of(limits.begin(), limits.end(), [](const auto& limit) { return limit.has_value(); }))
+    return true;
+  return control == ControlId::kNct && nc::givesStroke(settings.parameters);
 }
 
 }  // namespace proveout

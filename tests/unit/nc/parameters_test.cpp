@@ -1,6 +1,7 @@
 // Parameters of the nct control: by name from the job, by number from the program.
 #include <gtest/gtest.h>
 
+#include "core/nc/control_settings.h"
 #include "core/nc/nct/nct_parameters.h"
 
 namespace proveout::nc {
@@ -70,6 +71,22 @@ TEST(Parameters, ProgramsReachThemByNumberAndBit) {
   EXPECT_EQ(value, 1);
   EXPECT_EQ(parameters.read(9999, kWholeParam, 0, value), ParamStatus::kUnknown);
   EXPECT_EQ(parameters.read(1339, 3, 0, value), ParamStatus::kUnknown);
+}
+
+TEST(Parameters, EndsOfTheStrokeLimitTheTravel) {
+  ControlSettings settings;
+  const auto limited = [&](std::map<std::string, double> values, ControlId control = ControlId::kNct) {
+    settings.parameters = std::move(values);
+    return limitsTravel(control, settings);
+  };
+  EXPECT_FALSE(limited({}));
+  EXPECT_FALSE(limited({{"N1001.CBM", 1}, {"N1006.1", 5}}));
+  for (const char* name : {"N1002", "N1003", "N1004", "N1005", "N1002.3", "N1005.1"})
+    EXPECT_TRUE(limited({{"N1001.CBM", 1}, {name, 0}})) << name;
+  EXPECT_FALSE(limited({{"N1002", 1}}, ControlId::kWl4Mill)) << "a parameter of nct";
+  settings.limits[1] = AxisLimit{-10, 10};
+  EXPECT_TRUE(limited({}));
+  EXPECT_TRUE(limited({}, ControlId::kWl4Mill));
 }
 
 }  // namespace

@@ -41,4 +41,15 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(SafetyParam::kCount)> k
 
 std::span<const ParamInfo> safetyParams() { return kRows; }
 
+bool givesStroke(const std::map<std::string, double>& values) {
+  for (const SafetyParam end : {SafetyParam::kStrokeAHigh, SafetyParam::kStrokeALow,
+                                SafetyParam::kStrokeBHigh, SafetyParam::kStrokeBLow}) {
+    // No other parameter's name begins with one of these.
+    const std::string name(kRows[static_cast<std::size_t>(end)].name);
+    const auto given = values.lower_bound(name);
+    if (given != values.end() && given->first.starts_with(name)) return true;
+  }
+  return false;
+}
+
 }  // namespace proveout::nc

@@ -1,6 +1,9 @@
 // Measuring moves and areas that the axes must not enter (manual chapters 21 and 22).
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "core/nc/nct/parameters/parameter_types.h"
 
 namespace proveout::nc {
@@ -33,5 +36,8 @@ enum class SafetyParam : std::uint16_t {
 };
 constexpr ParamId paramId(SafetyParam p) { return {ParamChapter::kSafety, static_cast<std::uint16_t>(p)}; }
 std::span<const ParamInfo> safetyParams();
+
+/// Whether values by name, as jobs give them, have an end of the stroke of an axis: "N1002", "N1003.2".
+bool givesStroke(const std::map<std::string, double>& values);
 
 }  // namespace proveout::nc
