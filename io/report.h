@@ -12,12 +12,10 @@
 
 #include "core/base/diagnostics.h"
 #include "core/geometry/types.h"
+#include "io/verdict.h"
 #include "removal/process/stock_body.h"
 
 namespace proveout {
-
-enum class Verdict : std::uint8_t { kPass, kFail, kError };
-std::string_view verdictName(Verdict verdict);  ///< "pass", "fail", "error"
 
 /// The block of the program that is to blame.
 struct BlockRef {
@@ -255,10 +253,6 @@ struct Report {
   ReportOutputs outputs;
   ReportPerformance performance;
 };
-
-/// "error" if the program raised an alarm (a finding of kind "alarm" or an error among the diagnostics),
-/// "fail" if a finding has severity error or the comparison is undecided, else "pass".
-Verdict verdictOf(const Report& report);
 
 struct ReportOptions {
   /// false leaves out `performance` (and times in junit.xml), so that equal inputs give equal bytes.

@@ -132,29 +132,5 @@ TEST(ReportJson, SurvivesOddValues) {
   EXPECT_EQ(text.back(), '\n');
 }
 
-TEST(Verdict, FollowsFindingsAndDiagnostics) {
-  Report r;
-  EXPECT_EQ(verdictOf(r), Verdict::kPass);
-  Finding f;
-  f.kind = "gouge";
-  f.severity = Severity::kWarning;
-  r.findings = {f};
-  EXPECT_EQ(verdictOf(r), Verdict::kPass);
-  r.findings[0].severity = Severity::kError;
-  EXPECT_EQ(verdictOf(r), Verdict::kFail);
-  r.findings.clear();
-  r.comparison = ReportComparison();
-  EXPECT_EQ(verdictOf(r), Verdict::kPass);
-  r.comparison->decided = false;
-  EXPECT_EQ(verdictOf(r), Verdict::kFail);
-  f.kind = "alarm";
-  f.severity = Severity::kError;
-  r.findings = {f};
-  EXPECT_EQ(verdictOf(r), Verdict::kError);
-  r.findings.clear();
-  r.diagnostics = {Diagnostic{}};
-  EXPECT_EQ(verdictOf(r), Verdict::kError);
-}
-
 }  // namespace
 }  // namespace proveout

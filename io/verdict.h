@@ -1,0 +1,18 @@
+// What a report comes to in one word.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace proveout {
+
+struct Report;
+
+enum class Verdict : std::uint8_t { kPass, kFail, kError };
+std::string_view verdictName(Verdict verdict);  ///< "pass", "fail", "error"
+
+/// kError if the program raised an alarm (a finding of kind "alarm" or an error among the diagnostics), kFail
+/// if a finding has severity error or the comparison is undecided, else kPass.
+Verdict verdictOf(const Report& report);
+
+}  // namespace proveout
