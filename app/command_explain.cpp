@@ -12,6 +12,7 @@
 #include "app/session/blame.h"
 #include "app/session/comparison.h"
 #include "app/session/diagnosis.h"
+#include "app/session/findings.h"
 #include "app/session/provenance.h"
 #include "app/session/session.h"
 #include "app/session/thread_supply.h"
@@ -87,7 +88,7 @@ Finding findingAt(const Vec3& place, const SettledPoint& at, double deviation, c
   patch.bounds.extend(place);
   patch.maker = at.maker;
   patch.makers = {{at.maker, 1.0, patch.depth_mm, place, Vec3::UnitZ()}};
-  run.findings.emplace_back();
+  run.findings.emplace_back(deviationFinding(patch));
   diagnoseDeviations(sources, &part, {{run.findings.size() - 1, &patch}}, run);
   return run.findings.back();
 }
@@ -135,11 +136,10 @@ Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgr
   const Toolpath& path = setup.interpreted.path;
   const bool made = at.maker.motion < path.motions.size();
   if (made) {
-    Finding named;
-    blame(named, at.maker.motion, path, *sources.all()[number]);
-    named.setup = setup.name;
+    const BlockRef block = writtenBlock(path, at.maker.motion, *sources.all()[number]).block;
     say(console, "made by",
-        fmt::format("{}: {}, tool {}", report_text::place(named), named.source->text, *named.tool));
+        fmt::format("{}: {}, tool {}", report_text::place(setup.name, block), block.text,
+                    path.motions[at.maker.motion].tool));
   } else {
     say(console, "made by", "nothing: it is the blank's own surface");
   }

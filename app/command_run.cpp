@@ -22,7 +22,7 @@ namespace {
 std::vector<Finding> findingsInLastFrame(const RunResult& run) {
   std::vector<Finding> findings = run.findings;
   for (Finding& finding : findings) {
-    if (!finding.where || isDeviation(finding)) continue;
+    if (!finding.where || isDeviation(finding.kind)) continue;
     for (std::size_t k = 0; k < run.setups.size(); ++k) {
       if (run.setups[k].name == finding.setup) finding.where = inLastFrame(run, k, *finding.where);
     }

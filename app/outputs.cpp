@@ -187,8 +187,7 @@ void writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, R
   std::size_t told = 0;
   const auto tell = [&] {
     for (; told < failures.size(); ++told) {
-      Finding finding;
-      finding.kind = "output";
+      Finding finding(FindingKind::kOutput);
       finding.message = failures[told].message;
       report.findings.push_back(std::move(finding));
     }

@@ -54,7 +54,7 @@ void writeProfileChart(const std::vector<std::vector<Vec2>>& machined, const Tri
                        OutputFailures& failures);
 
 /// Writes pictures, report.html, junit.xml and report.json; records the pictures. What failed before, and
-/// fails here, is told by those that come behind it, as findings of kind "output".
+/// fails here, is told by those that come behind it, as findings of kind kOutput.
 void writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report,
                  OutputFailures& failures);
 

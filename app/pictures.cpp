@@ -70,7 +70,7 @@ class PictureMaker {
     scene.markers = markers;
     const std::size_t located = static_cast<std::size_t>(std::count_if(
         request_.findings->begin(), request_.findings->end(),
-        [](const Finding& finding) { return finding.where.has_value() && !isDeviation(finding); }));
+        [](const Finding& finding) { return finding.where.has_value() && !isDeviation(finding.kind); }));
     scene.caption =
         fmt::format("{}: {} {}{}", ascii(request_.name), located, located == 1 ? "finding" : "findings",
                     located > markers.size() ? fmt::format(", the first {} shown", markers.size()) : "");
@@ -103,17 +103,13 @@ class PictureMaker {
 std::vector<Marker> markersOf(const std::vector<Finding>& findings, bool deviations) {
   std::vector<Marker> markers;
   for (std::size_t i = 0; i < findings.size() && markers.size() < kMaxMarkers; ++i) {
-    if (!findings[i].where || isDeviation(findings[i]) != deviations) continue;
+    if (!findings[i].where || isDeviation(findings[i].kind) != deviations) continue;
     markers.push_back({*findings[i].where, fmt::format("{}", i + 1), findings[i].severity});
   }
   return markers;
 }
 
 }  // namespace
-
-bool isDeviation(const Finding& finding) {
-  return finding.kind == "gouge" || finding.kind == "excess" || finding.kind == "undecided";
-}
 
 void addHeatMap(const Comparison& comparison, RenderScene& scene) {
   scene.field.per = ScalarField::Per::kVertex;

@@ -20,9 +20,6 @@ struct Picture {
   std::string png;    ///< bytes of the file
 };
 
-/// A finding of the comparison with nominal: its place is on the finished part.
-bool isDeviation(const Finding& finding);
-
 struct PictureRequest {
   std::string name;  ///< of the part, for captions
   std::vector<std::string> views = {"iso"};

@@ -94,7 +94,8 @@ void printFindings(Console& console, const Report& report, Severity least) {
   };
   for (const Diagnostic& diagnostic : report.diagnostics) print(diagnostic);
   for (const Finding& finding : report.findings) {
-    if (finding.kind != "alarm") print(findingDiagnostic(finding));  // alarms are diagnostics already
+    if (finding.kind != FindingKind::kAlarm)
+      print(findingDiagnostic(finding));  // alarms are diagnostics already
   }
   if (left > 0) console.err << fmt::format("proveout: {} more, see the report\n", left);
 }

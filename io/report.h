@@ -12,6 +12,7 @@
 
 #include "core/base/diagnostics.h"
 #include "core/geometry/types.h"
+#include "io/finding_kind.h"
 #include "io/verdict.h"
 #include "removal/process/stock_body.h"
 
@@ -50,11 +51,13 @@ struct Cause {
 /// `what` of the cause of material that no motion reaches.
 inline constexpr std::string_view kUncut = "no motion cuts here";
 
-/// Kinds of findings: "gouge", "excess", "undecided", "rapid_contact", "holder_contact", "shank_contact",
-/// "fixture_contact", "spindle_off", "overtravel", "alarm", "mesh". Others are allowed and shown as they are.
+/// Something that was found, at one place or over the blocks that made the same mistake.
 struct Finding {
-  std::string kind;
-  Severity severity = Severity::kError;
+  /// With the severity that its kind has as a rule.
+  explicit Finding(FindingKind what) : kind(what), severity(findingKindInfo(what).severity) {}
+
+  FindingKind kind;
+  Severity severity;
   std::optional<Vec3> where;
   std::optional<double> depth_mm, area_mm2, volume_mm3;
   std::optional<BlockRef> source;       ///< of several the first

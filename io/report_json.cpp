@@ -52,7 +52,7 @@ Json blockShareJson(const BlockShare& b) {
 }
 
 Json findingJson(const Finding& f) {
-  Json out = {{"kind", f.kind}, {"severity", severityName(f.severity)}};
+  Json out = {{"kind", findingKindName(f.kind)}, {"severity", severityName(f.severity)}};
   if (f.where) out["where"] = pointJson(*f.where);
   if (f.depth_mm) out["depth_mm"] = number(*f.depth_mm);
   if (f.bound_mm) out["bound_mm"] = number(*f.bound_mm);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "io/report.h"
 #include "io/report_text.h"
@@ -13,29 +14,52 @@ namespace {
 
 using report_text::escape;
 
-/// A check, and the kinds of findings that make it fail.
-struct Check {
+/// A test case: one of the checks of every run, or a kind's own.
+struct Case {
+  JunitCheck check = JunitCheck::kOwn;
   std::string_view name;
-  std::vector<std::string_view> kinds;
   bool made = false;
   std::string_view skipped_because;
 };
 
-std::vector<Check> checksOf(const Report& report) {
-  const ReportChecks& made = report.checks;
-  constexpr std::string_view kNoRemoval = "no stock was cut";
-  constexpr std::string_view kNoNominal = "no nominal was compared";
-  return {{"program", {"alarm", "forbidden_zone"}, made.interpreted, "the program was not run"},
-          {"overtravel", {"overtravel"}, made.travel_limits, "the job gives no travel limits"},
-          {"rapid contact", {"rapid_contact"}, made.removal, kNoRemoval},
-          {"shank contact", {"shank_contact"}, made.removal, kNoRemoval},
-          {"holder contact", {"holder_contact"}, made.removal, kNoRemoval},
-          {"fixture contact", {"fixture_contact"}, made.fixtures, "the job has no fixtures"},
-          {"spindle", {"spindle_off", "spindle_direction"}, made.removal, kNoRemoval},
-          {"gouge", {"gouge"}, made.comparison, kNoNominal},
-          {"excess", {"excess"}, made.comparison, kNoNominal},
-          {"resolution", {"undecided"}, made.comparison, kNoNominal},
-          {"mesh closed", {"mesh"}, made.mesh, "no mesh was made"}};
+/// Which look at the job makes a check, and what is said where that was not taken.
+struct CheckRow {
+  JunitCheck check;
+  bool ReportChecks::*made;
+  std::string_view skipped_because;
+};
+
+constexpr std::string_view kNoRemoval = "no stock was cut";
+constexpr std::string_view kNoNominal = "no nominal was compared";
+constexpr std::array<CheckRow, static_cast<std::size_t>(JunitCheck::kOwn)> kChecks{{
+    {JunitCheck::kProgram, &ReportChecks::interpreted, "the program was not run"},
+    {JunitCheck::kOvertravel, &ReportChecks::travel_limits, "the job gives no travel limits"},
+    {JunitCheck::kRapidContact, &ReportChecks::removal, kNoRemoval},
+    {JunitCheck::kShankContact, &ReportChecks::removal, kNoRemoval},
+    {JunitCheck::kHolderContact, &ReportChecks::removal, kNoRemoval},
+    {JunitCheck::kFixtureContact, &ReportChecks::fixtures, "the job has no fixtures"},
+    {JunitCheck::kSpindle, &ReportChecks::removal, kNoRemoval},
+    {JunitCheck::kGouge, &ReportChecks::comparison, kNoNominal},
+    {JunitCheck::kExcess, &ReportChecks::comparison, kNoNominal},
+    {JunitCheck::kResolution, &ReportChecks::comparison, kNoNominal},
+    {JunitCheck::kMeshClosed, &ReportChecks::mesh, "no mesh was made"},
+}};
+
+/// The cases that every run has.
+std::vector<Case> casesOf(const ReportChecks& checks) {
+  std::vector<Case> cases;
+  for (const CheckRow& row : kChecks)
+    cases.push_back({row.check, checkName(row.check), checks.*row.made, row.skipped_because});
+  return cases;
+}
+
+/// The place of the kind's case. A kind that has none yet gets one, so that no finding is lost.
+std::size_t caseOf(FindingKind kind, std::vector<Case>& cases) {
+  const std::string_view name = checkName(kind);
+  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; });
+  const auto at = static_cast<std::size_t>(found - cases.begin());
+  if (found == cases.end()) cases.push_back({JunitCheck::kOwn, name, true, {}});
+  return at;
 }
 
 struct Outcome {
@@ -61,35 +85,35 @@ void addFinding(const Finding& finding, Outcome& outcome) {
 }
 
 /// What a check finds beyond the findings of its kinds.
-void addOwn(const Report& report, const Check& check, Outcome& outcome) {
-  if (check.name == "program") {
+void addOwn(const Report& report, const Case& test, Outcome& outcome) {
+  if (test.check == JunitCheck::kProgram) {
     for (const Diagnostic& d : report.diagnostics) {
       if (d.severity == Severity::kError) outcome.fail(report_text::diagnosticLine(d));
     }
   }
-  if (check.name == "resolution" && report.comparison && !report.comparison->decided) {
+  if (test.check == JunitCheck::kResolution && report.comparison && !report.comparison->decided) {
     const auto& grid = report.comparison->deciding_resolution_mm;
     outcome.fail(grid ? fmt::format("the grid cannot decide these tolerances; a grid of {:.4g} mm can", *grid)
                       : "the grid cannot decide these tolerances");
   }
-  if (check.name == "mesh closed" && report.stock && !report.stock->closed) {
+  if (test.check == JunitCheck::kMeshClosed && report.stock && !report.stock->closed) {
     outcome.fail("the exported mesh is not a closed, oriented 2-manifold");
   }
 }
 
-std::string caseXml(const Report& report, const Check& check, const Outcome& outcome) {
+std::string caseXml(const Report& report, const Case& test, const Outcome& outcome) {
   std::string out = fmt::format("    <testcase classname=\"proveout.{}\" name=\"{}\"",
-                                escape(report.name.empty() ? "job" : report.name), escape(check.name));
-  if (!check.made && outcome.failures == 0) {
-    return out + fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n",
-                             escape(check.skipped_because));
+                                escape(report.name.empty() ? "job" : report.name), escape(test.name));
+  if (!test.made && outcome.failures == 0) {
+    return out +
+           fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n", escape(test.skipped_because));
   }
   if (outcome.failures == 0 && outcome.notes.empty()) return out + "/>\n";
   out += ">\n";
   if (outcome.failures > 0) {
     const std::string more = outcome.failures > 1 ? fmt::format(" (and {} more)", outcome.failures - 1) : "";
     out += fmt::format("      <failure message=\"{}\" type=\"{}\">{}</failure>\n",
-                       escape(outcome.summary + more), escape(check.name), escape(outcome.details));
+                       escape(outcome.summary + more), escape(test.name), escape(outcome.details));
   }
   if (!outcome.notes.empty())
     out += fmt::format("      <system-out>{}</system-out>\n", escape(outcome.notes));
@@ -99,39 +123,31 @@ std::string caseXml(const Report& report, const Check& check, const Outcome& out
 }  // namespace
 
 std::string reportJunit(const Report& report, const ReportOptions& options) {
-  std::vector<Check> checks = checksOf(report);
-  std::vector<Outcome> outcomes(checks.size());
+  std::vector<Case> cases = casesOf(report.checks);
+  std::vector<Outcome> outcomes(cases.size());
   for (const Finding& finding : report.findings) {
-    std::size_t at = 0;
-    const auto names = [&](const Check& check) {
-      return std::find(check.kinds.begin(), check.kinds.end(), finding.kind) != check.kinds.end();
-    };
-    while (at < checks.size() && !names(checks[at])) ++at;
-    if (at == checks.size()) {
-      // A kind that has no check of its own gets one, so that no finding is lost.
-      checks.push_back({finding.kind, {finding.kind}, true, {}});
-      outcomes.emplace_back();
-    }
+    const std::size_t at = caseOf(finding.kind, cases);
+    outcomes.resize(cases.size());
     addFinding(finding, outcomes[at]);
   }
-  std::string cases;
+  std::string text;
   int failed = 0, skipped = 0;
-  for (std::size_t i = 0; i < checks.size(); ++i) {
-    addOwn(report, checks[i], outcomes[i]);
-    cases += caseXml(report, checks[i], outcomes[i]);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    addOwn(report, cases[i], outcomes[i]);
+    text += caseXml(report, cases[i], outcomes[i]);
     if (outcomes[i].failures > 0) ++failed;
-    if (outcomes[i].failures == 0 && !checks[i].made) ++skipped;
+    if (outcomes[i].failures == 0 && !cases[i].made) ++skipped;
   }
   const std::string time = options.with_performance
                                ? fmt::format(" time=\"{}\"", report_text::fixed(report.performance.wall_s, 3))
                                : "";
   const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\"{}",
-                                         checks.size(), failed, skipped, time);
+                                         cases.size(), failed, skipped, time);
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n  <testsuite name=\"proveout {1}\" "
       "{0}>\n{2}"
       "  </testsuite>\n</testsuites>\n",
-      counts, escape(report.name), cases);
+      counts, escape(report.name), text);
 }
 
 }  // namespace proveout

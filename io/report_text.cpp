@@ -97,8 +97,8 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min {:02} s", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-std::string spoken(std::string_view kind) {
-  std::string out(kind);
+std::string spoken(FindingKind kind) {
+  std::string out(findingKindName(kind));
   std::replace(out.begin(), out.end(), '_', ' ');
   return out;
 }
@@ -109,17 +109,13 @@ std::string place(const BlockRef& block) {
   return out;
 }
 
-namespace {
-
-std::string placeIn(const std::string& setup, const BlockRef& block) {
+std::string place(const std::string& setup, const BlockRef& block) {
   return setup.empty() ? place(block) : fmt::format("{}: {}", setup, place(block));
 }
 
-}  // namespace
-
 std::string place(const Finding& finding) {
   if (!finding.source) return {};
-  const std::string first = placeIn(finding.setup, *finding.source);
+  const std::string first = place(finding.setup, *finding.source);
   return finding.last_source ? first + " to " + place(*finding.last_source) : first;
 }
 
@@ -148,7 +144,7 @@ std::string blocksLine(const Finding& finding, std::size_t most) {
   std::string out;
   for (std::size_t i = 0; i < std::min(most, finding.blocks.size()); ++i) {
     const BlockShare& b = finding.blocks[i];
-    out += fmt::format("{}{} {:.0f} %", out.empty() ? "" : ", ", placeIn(b.setup, b.block), 100.0 * b.share);
+    out += fmt::format("{}{} {:.0f} %", out.empty() ? "" : ", ", place(b.setup, b.block), 100.0 * b.share);
   }
   if (finding.blocks.size() > most) out += fmt::format(" and {} more", finding.blocks.size() - most);
   return out;

@@ -20,10 +20,12 @@ std::string figure(double value);
 std::string grouped(double value, int decimals);
 /// "1 h 02 min 03 s", "2 min 03 s", "3.2 s".
 std::string duration(double seconds);
-/// "rapid_contact" -> "rapid contact".
-std::string spoken(std::string_view kind);
+/// The kind's name with blanks: "rapid contact".
+std::string spoken(FindingKind kind);
 /// "O0100:12 (N70)".
 std::string place(const BlockRef& block);
+/// The same with its clamping, "top: O0100:12"; `setup` is empty in a job without setups.
+std::string place(const std::string& setup, const BlockRef& block);
 /// "O0100:12 (N70)", of a job with setups "top: O0100:12", of several blocks "O0100:12 (N70) to O0100:30"; ""
 /// without a source.
 std::string place(const Finding& finding);

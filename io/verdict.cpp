@@ -24,7 +24,7 @@ Verdict verdictOf(const Report& report) {
   bool failed = report.comparison && !report.comparison->decided;
   for (const Finding& finding : report.findings) {
     if (finding.severity != Severity::kError) continue;
-    if (finding.kind == "alarm") return Verdict::kError;
+    if (finding.kind == FindingKind::kAlarm) return Verdict::kError;
     failed = true;
   }
   return failed ? Verdict::kFail : Verdict::kPass;

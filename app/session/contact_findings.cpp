@@ -16,26 +16,35 @@ using report_text::figure;
 constexpr MotionId kFewMotions = 4;
 constexpr double kBeside = 3.0;
 
-std::string_view contactText(ContactKind kind) {
+/// What a contact of a kind is found as, and what is said of it.
+struct ContactTerms {
+  FindingKind kind;
+  std::string_view text;
+};
+
+ContactTerms termsOf(ContactKind kind) {
   switch (kind) {
     case ContactKind::kRapid:
-      return "rapid motion cuts into the stock";
+      break;
     case ContactKind::kShank:
-      return "the tool's shank runs into the stock";
+      return {FindingKind::kShankContact, "the tool's shank runs into the stock"};
     case ContactKind::kHolder:
-      return "the tool holder runs into the stock";
+      return {FindingKind::kHolderContact, "the tool holder runs into the stock"};
     case ContactKind::kSpindleOff:
-      return "the tool cuts while the spindle stands still";
+      return {FindingKind::kSpindleOff, "the tool cuts while the spindle stands still"};
     case ContactKind::kFixture:
-      return "the tool runs into a fixture";
+      return {FindingKind::kFixtureContact, "the tool runs into a fixture"};
     case ContactKind::kInsertBack:
-      return "a side of the insert that does not cut here, or what lies behind its edge, runs into the part";
+      return {
+          FindingKind::kInsertContact,
+          "a side of the insert that does not cut here, or what lies behind its edge, runs into the part"};
     case ContactKind::kAxis:
-      return "the tool cuts beyond the spindle axis (a drill or mill: off it)";
+      return {FindingKind::kAxisCrossing, "the tool cuts beyond the spindle axis (a drill or mill: off it)"};
     case ContactKind::kPartedOff:
-      return "the tool is to cut a piece that was cut off before and is not held any more";
+      return {FindingKind::kCutOffPiece,
+              "the tool is to cut a piece that was cut off before and is not held any more"};
   }
-  return "contact with the stock";
+  return {FindingKind::kRapidContact, "rapid motion cuts into the stock"};
 }
 
 std::string_view partName(ContactKind kind) {
@@ -92,9 +101,8 @@ class Grouping {
   std::vector<Group> groups_;
 };
 
-Finding findingOf(const Group& group, const Toolpath& path, const RecordingSource& texts) {
-  Finding finding;
-  finding.kind = contactKindName(group.deepest.kind);
+Finding findingOf(FindingKind kind, const Group& group, const Toolpath& path, const RecordingSource& texts) {
+  Finding finding(kind);
   finding.where = group.deepest.where;
   finding.depth_mm = group.deepest.depth_mm;
   finding.volume_mm3 = group.deepest.volume_mm3;
@@ -131,8 +139,7 @@ void addContacts(const std::vector<Contact>& contacts, double least_mm, bool tur
     }
     if (manual_spindle_told) continue;
     manual_spindle_told = true;
-    Finding finding;
-    finding.kind = contactKindName(contact.kind);
+    Finding finding(FindingKind::kSpindleOff);
     finding.severity = Severity::kWarning;
     finding.where = contact.where;
     finding.depth_mm = contact.depth_mm;
@@ -142,8 +149,9 @@ void addContacts(const std::vector<Contact>& contacts, double least_mm, bool tur
     findings.push_back(std::move(finding));
   }
   for (const Group& group : grouping.groups()) {
-    Finding finding = findingOf(group, path, texts);
-    finding.message = fmt::format("{}: {}", contactText(group.deepest.kind), figures(group));
+    const ContactTerms terms = termsOf(group.deepest.kind);
+    Finding finding = findingOf(terms.kind, group, path, texts);
+    finding.message = fmt::format("{}: {}", terms.text, figures(group));
     findings.push_back(std::move(finding));
   }
 }
@@ -155,8 +163,7 @@ void addFixtureContacts(const std::vector<Contact>& contacts, const std::string&
     if (contact.depth_mm >= least_mm) grouping.add(contact);
   }
   for (const Group& group : grouping.groups()) {
-    Finding finding = findingOf(group, path, texts);
-    finding.kind = "fixture_contact";
+    Finding finding = findingOf(FindingKind::kFixtureContact, group, path, texts);
     finding.message =
         fmt::format("{} runs into fixture '{}': {}", partName(group.deepest.kind), fixture, figures(group));
     findings.push_back(std::move(finding));

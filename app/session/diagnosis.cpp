@@ -516,7 +516,7 @@ std::vector<Cause> behindMotion(const SetupRun& setup, const RecordingSource& te
 void tellWordsInForce(const RunSources& sources, RunResult& run) {
   for (Finding& finding : run.findings) {
     if (!finding.motion || !finding.causes.empty() || finding.depth_mm == std::nullopt) continue;
-    if (finding.kind == "tool_data") continue;  // says the cause itself
+    if (finding.kind == FindingKind::kToolData) continue;  // says the cause itself
     const auto setup = std::find_if(run.setups.begin(), run.setups.end(),
                                     [&](const SetupRun& s) { return s.name == finding.setup; });
     if (setup == run.setups.end()) continue;

@@ -37,8 +37,8 @@ std::string deviationText(const DeviationPatch& patch, const Comparison& compari
   return text + fmt::format(" (allowed {:g} mm)", toleranceFor(patch, comparison));
 }
 
-Finding patchFinding(const DeviationPatch& patch) {
-  Finding finding;
+Finding patchFinding(FindingKind kind, const DeviationPatch& patch) {
+  Finding finding(kind);
   finding.where = patch.where;
   finding.depth_mm = patch.depth_mm;
   finding.area_mm2 = patch.area_mm2;
@@ -60,8 +60,7 @@ double decidingResolution(const std::vector<DeviationPatch>& undecided) {
 void addAlarms(const Toolpath& path, std::vector<Finding>& findings) {
   for (const Diagnostic& diagnostic : path.diagnostics.all()) {
     if (diagnostic.severity != Severity::kError) continue;
-    Finding finding;
-    finding.kind = "alarm";
+    Finding finding(FindingKind::kAlarm);
     finding.message = diagnostic.message;
     if (diagnostic.where.line > 0) {
       finding.source = BlockRef{diagnostic.where.file, static_cast<std::uint32_t>(diagnostic.where.line), -1,
@@ -75,8 +74,7 @@ void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vect
   for (const Toolpath::EventAt& at : path.events) {
     const auto* overtravel = at.event.as<event::Overtravel>();
     if (overtravel == nullptr) continue;
-    Finding finding;
-    finding.kind = "overtravel";
+    Finding finding(FindingKind::kOvertravel);
     finding.source = blockRef(path, at.event.source, texts);
     // The event precedes its motion.
     if (at.before < path.motions.size()) {
@@ -94,8 +92,7 @@ void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::
   for (const Toolpath::EventAt& at : path.events) {
     const auto* zone = at.event.as<event::ForbiddenZone>();
     if (zone == nullptr) continue;
-    Finding finding;
-    finding.kind = "forbidden_zone";
+    Finding finding(FindingKind::kForbiddenZone);
     finding.source = blockRef(path, at.event.source, texts);
     // The motion up to the border follows, unless the tool stood there already.
     const Motion* motion = at.before < path.motions.size() ? &path.motions[at.before] : nullptr;
@@ -110,9 +107,12 @@ void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::
   }
 }
 
+FindingKind deviationFinding(const DeviationPatch& patch) {
+  return patch.kind == DeviationKind::kGouge ? FindingKind::kGouge : FindingKind::kExcess;
+}
+
 void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std::vector<Finding>& findings) {
-  Finding finding = patchFinding(patch);
-  finding.kind = patch.kind == DeviationKind::kGouge ? "gouge" : "excess";
+  Finding finding = patchFinding(deviationFinding(patch), patch);
   finding.message = deviationText(patch, comparison);
   findings.push_back(std::move(finding));
 }
@@ -125,9 +125,7 @@ const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Fin
   };
   const DeviationPatch& worst = *std::max_element(
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return most(a) < most(b); });
-  Finding finding = patchFinding(worst);
-  finding.kind = "undecided";
-  finding.severity = Severity::kWarning;
+  Finding finding = patchFinding(FindingKind::kUndecided, worst);
   finding.message = deviationText(worst, comparison) +
                     fmt::format("; this is good to {:.2g} mm and cannot be decided", worst.bound_mm);
   if (all.size() > 1) finding.message += fmt::format(", nor can {} other places", all.size() - 1);
@@ -141,8 +139,7 @@ void addCoarseNominal(const Comparison& comparison, std::vector<Finding>& findin
   constexpr double kNoted = 0.2, kWanted = 0.1;  // of the smaller tolerance
   const double least = std::min(comparison.gouge_tolerance_mm, comparison.excess_tolerance_mm);
   if (comparison.nominal_chord_mm <= kNoted * least) return;
-  Finding finding;
-  finding.kind = "coarse_nominal";
+  Finding finding(FindingKind::kCoarseNominal);
   finding.severity = comparison.nominal_chord_mm > least ? Severity::kWarning : Severity::kNote;
   finding.where = comparison.nominal_chord_at;
   finding.message = fmt::format(
@@ -155,9 +152,7 @@ void addCoarseNominal(const Comparison& comparison, std::vector<Finding>& findin
 void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& comparison,
                 std::vector<Finding>& findings) {
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    Finding finding;
-    finding.kind = "not_compared";
-    finding.severity = Severity::kNote;
+    Finding finding(FindingKind::kNotCompared);
     finding.area_mm2 = comparison.ignored_mm2[i];
     finding.message =
         fmt::format("region '{}', {} mm2 of the part's surface, is not compared with the nominal",
@@ -168,24 +163,21 @@ void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& com
 
 void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBody>& bodies,
                 std::vector<Finding>& findings) {
-  Finding finding;
   if (bodies.empty()) {
-    finding.kind = "no_part";
+    Finding finding(FindingKind::kNoPart);
     finding.message = "nothing of the blank is left; check its place, the offsets and the tools";
     findings.push_back(std::move(finding));
     return;
   }
   if (initial_mm3 - final_mm3 <= kNothingCut * initial_mm3) {
-    finding.kind = "nothing_cut";
-    finding.severity = Severity::kWarning;
+    Finding finding(FindingKind::kNothingCut);
     finding.message = "the program cuts nothing; check the place of the blank and the offsets";
-    findings.push_back(finding);
+    findings.push_back(std::move(finding));
   }
   if (bodies.size() < 2) return;
   double loose_mm3 = 0;
   for (std::size_t i = 1; i < bodies.size(); ++i) loose_mm3 += bodies[i].volume_mm3;
-  finding.kind = "loose_piece";
-  finding.severity = Severity::kWarning;
+  Finding finding(FindingKind::kLoosePiece);
   finding.where = bodies[1].bounds.center();
   finding.volume_mm3 = loose_mm3;
   finding.message = fmt::format("the stock is in {} pieces: {:.4g} mm3 are not held by the largest",
@@ -196,9 +188,7 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
 void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::vector<Finding>& findings) {
   const double off_mm3 = held_mm3 - own_mm3;
   if (std::abs(off_mm3) <= kHeldShare * own_mm3) return;
-  Finding finding;
-  finding.kind = "thin_feature";
-  finding.severity = Severity::kWarning;
+  Finding finding(FindingKind::kThinFeature);
   finding.volume_mm3 = std::abs(off_mm3);
   finding.message = fmt::format(
       "the grid of {:g} mm holds {:.5g} mm3 of what is clamped, which has {:.5g} mm3: it is too thin for the "
@@ -211,9 +201,7 @@ void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::v
 void addVolumeError(double removed_mm3, double error_mm3, double resolution_mm,
                     std::vector<Finding>& findings) {
   if (error_mm3 <= kErrorShare * removed_mm3) return;
-  Finding finding;
-  finding.kind = "thin_feature";
-  finding.severity = Severity::kWarning;
+  Finding finding(FindingKind::kThinFeature);
   finding.volume_mm3 = error_mm3;
   finding.message = fmt::format(
       "the grid of {:g} mm is coarse for what was cut: the removed volume of {:.4g} mm3 may be off by {:.2g} "
@@ -224,9 +212,7 @@ void addVolumeError(double removed_mm3, double error_mm3, double resolution_mm,
 
 void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface, double resolution_mm,
                      const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
-  Finding finding;
-  finding.kind = "thin_feature";
-  finding.severity = Severity::kWarning;
+  Finding finding(FindingKind::kThinFeature);
   if (removal.lost_film_mm2 > 0) {
     finding.where = removal.lost_film_at;
     finding.area_mm2 = removal.lost_film_mm2;
@@ -264,18 +250,14 @@ void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface,
 
 void addPartial(ProgramEnd end, const ControlSettings& settings, std::vector<Finding>& findings) {
   if (end != ProgramEnd::kUntil) return;
-  Finding finding;
-  finding.kind = "partial";
-  finding.severity = Severity::kWarning;
+  Finding finding(FindingKind::kPartial);
   finding.message =
       fmt::format("only the program up to {} was run: what follows was not checked", untilText(settings));
   findings.push_back(std::move(finding));
 }
 
 void addUnrunSetups(const std::string& last_name, std::vector<Finding>& findings) {
-  Finding finding;
-  finding.kind = "partial";
-  finding.severity = Severity::kWarning;
+  Finding finding(FindingKind::kPartial);
   finding.setup = last_name;
   finding.message = fmt::format(
       "only the setups up to '{}' were run: what follows was not checked, nor the part against its nominal",
@@ -291,18 +273,16 @@ std::string untilText(const ControlSettings& settings) {
 
 void addMeshDefects(const MeshTopology& topology, const StockSurface& surface,
                     std::vector<Finding>& findings) {
-  Finding finding;
   if (surface.self_intersections > 0) {
-    finding.kind = "mesh";
+    Finding finding(FindingKind::kMesh);
     finding.severity = Severity::kWarning;
     finding.message =
         fmt::format("{} pairs of the mesh's triangles run through each other; take another resolution",
                     surface.self_intersections);
-    findings.push_back(finding);
+    findings.push_back(std::move(finding));
   }
   if (topology.closedManifold()) return;
-  finding.severity = Severity::kError;
-  finding.kind = "mesh";
+  Finding finding(FindingKind::kMesh);
   finding.where = topology.first_defect;
   finding.message = fmt::format(
       "the mesh is not closed and 2-manifold: {} border edges, {} edges with more than two faces, {} "
@@ -324,7 +304,7 @@ std::string blockText(const BlockRef& block) {
 Diagnostic findingDiagnostic(const Finding& finding) {
   Diagnostic diagnostic;
   diagnostic.severity = finding.severity;
-  diagnostic.code = finding.kind;
+  diagnostic.code = findingKindName(finding.kind);
   diagnostic.message = finding.message;
   if (finding.source) {
     diagnostic.where = {finding.source->file, static_cast<int>(finding.source->line), 0, 0};

@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-/// Errors of the interpreter (and of tool assignment) as findings of kind "alarm".
+/// Errors of the interpreter (and of tool assignment) as findings of kind kAlarm.
 void addAlarms(const Toolpath& path, std::vector<Finding>& findings);
 
 /// Travel past the job's limits.
@@ -19,6 +19,9 @@ void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vect
 
 /// Areas that the control forbids: where its alarm stopped a motion.
 void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings);
+
+/// What a patch over tolerance is.
+FindingKind deviationFinding(const DeviationPatch& patch);
 
 /// A gouge or excess: an error. Nobody is blamed yet.
 void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std::vector<Finding>& findings);

@@ -25,7 +25,7 @@ struct FixtureAreas {
 FixtureAreas fixtureAreas(const SetupRun& setup);
 
 /// Runs the path of a clamping through its fixtures; every touch, by cutter, shank or holder, in rapid or in
-/// feed, is a finding of kind "fixture_contact". What a cutter takes out of a fixture is not met again by the
+/// feed, is a finding of kind kFixtureContact. What a cutter takes out of a fixture is not met again by the
 /// motions that follow.
 Status addFixtureContacts(std::vector<FixtureStock>& fixtures, const SetupRun& setup,
                           const RecordingSource& texts, std::vector<Finding>& findings, Progress& progress);

@@ -108,9 +108,7 @@ void addUncompensated(const SetupRun& setup, const std::vector<LeftEdge>& edges,
     worst.edge = &edge;
   }
   for (const auto& [tool, worst] : tools) {
-    Finding finding;
-    finding.kind = "nose_deviation";
-    finding.severity = Severity::kWarning;
+    Finding finding(FindingKind::kNoseDeviation);
     finding.where = Vec3(worst.edge->at.x(), 0.0, worst.edge->at.y());
     finding.depth_mm = std::abs(worst.beyond);
     finding.spots = worst.motions.size();
@@ -220,8 +218,7 @@ void addNoseData(const SetupRun& setup, const std::vector<LeftEdge>& edges, doub
   for (const auto& [control, effect] : noses) {
     const bool matters = std::max(effect.deep, effect.proud) > least_mm;
     const Insert& insert = insertOf(setup, effect.worst);
-    Finding finding;
-    finding.kind = "tool_data";
+    Finding finding(FindingKind::kToolData);
     finding.severity = !matters                    ? Severity::kNote
                        : sameNose(control, insert) ? Severity::kWarning
                                                    : Severity::kError;
@@ -268,9 +265,9 @@ std::optional<Cause> noseCause(const SetupRun& setup, MotionId motion, const Vec
 
 void dropRefuted(const Comparison& comparison, std::vector<Finding>& findings) {
   if (!comparison.pass()) return;
-  std::erase_if(findings, [](const Finding& finding) { return finding.kind == "nose_deviation"; });
+  std::erase_if(findings, [](const Finding& finding) { return finding.kind == FindingKind::kNoseDeviation; });
   for (Finding& finding : findings) {
-    if (finding.kind == "tool_data" && finding.severity == Severity::kError)
+    if (finding.kind == FindingKind::kToolData && finding.severity == Severity::kError)
       finding.severity = Severity::kWarning;
   }
 }

@@ -12,9 +12,7 @@ void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::v
   for (std::size_t k = 0; k < setup.turned->bodies.size(); ++k) {
     const SectionBody& body = setup.turned->bodies[k];
     if (body.parted_by == kNoMotion) continue;
-    Finding finding;
-    finding.kind = "part_off";
-    finding.severity = Severity::kNote;
+    Finding finding(FindingKind::kPartOff);
     finding.volume_mm3 = setup.bodies[k].volume_mm3;  // with its threads
     const Box3& bounds = setup.bodies[k].bounds;
     finding.where = Vec3(0.0, 0.0, 0.5 * (bounds.min.z() + bounds.max.z()));

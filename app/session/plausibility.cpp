@@ -26,10 +26,8 @@ FeedLimit feedLimit(const Tool& tool) {
   return {tool.insert->nose_radius, "its nose radius"};
 }
 
-Finding warning(const char* kind, MotionId motion, const SetupRun& setup, const RecordingSource& texts) {
-  Finding finding;
-  finding.kind = kind;
-  finding.severity = Severity::kWarning;
+Finding findingAt(FindingKind kind, MotionId motion, const SetupRun& setup, const RecordingSource& texts) {
+  Finding finding(kind);
   finding.where = setup.interpreted.path.motions[motion].to;
   blame(finding, motion, setup.interpreted.path, texts);
   return finding;
@@ -54,7 +52,7 @@ void addFeed(const SetupRun& setup, const Tool& tool, const RecordingSource& tex
     worst = id;
   }
   if (worst == kNoMotion) return;
-  Finding finding = warning("feed_rate", worst, setup, texts);
+  Finding finding = findingAt(FindingKind::kFeedRate, worst, setup, texts);
   finding.spots = count;
   finding.message = fmt::format("the feed of {} mm a turn is more than {} of {:g} mm ({} such motions)",
                                 report_text::figure(most), limit.what, limit.mm, count);
@@ -69,7 +67,8 @@ void addTimes(const SetupRun& setup, const RecordingSource& texts, std::vector<F
   double sum = 0.0;
   for (const Motion& motion : motions) sum += motion.time_s;
   if (longest->time_s <= kLongMotion && sum <= kLongProgram) return;
-  Finding finding = warning("cycle_time", static_cast<MotionId>(longest - motions.begin()), setup, texts);
+  Finding finding =
+      findingAt(FindingKind::kCycleTime, static_cast<MotionId>(longest - motions.begin()), setup, texts);
   finding.message =
       fmt::format("this motion alone takes {}, the motions of the program {}: is the feed right?",
                   report_text::duration(longest->time_s), report_text::duration(sum));

@@ -106,7 +106,7 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
 /// What was found on the part comes before what the grid could not hold.
 void tellThinFeaturesLast(std::vector<Finding>& findings) {
   std::stable_partition(findings.begin(), findings.end(),
-                        [](const Finding& finding) { return finding.kind != "thin_feature"; });
+                        [](const Finding& finding) { return finding.kind != FindingKind::kThinFeature; });
 }
 
 }  // namespace

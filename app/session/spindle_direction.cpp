@@ -61,8 +61,7 @@ void addSpindleDirection(const Toolpath& path, const std::vector<float>& removed
     if (motion.kind != MotionKind::kFeed || tool == by_number.end() || tool->second->insert) continue;
     if (!turnsBackwards(motion, *tool->second) || !isChip(removed_mm3[id], path.length(motion))) continue;
     if (!told.emplace(motion.tool, start).second) continue;
-    Finding finding;
-    finding.kind = "spindle_direction";
+    Finding finding(FindingKind::kSpindleDirection);
     blame(finding, id, path, texts);
     finding.where = motion.to;
     const std::string cut =

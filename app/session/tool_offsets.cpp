@@ -115,8 +115,7 @@ void addLengths(const SetupRun& setup, double least_mm, const RecordingSource& t
     const int tool = path.motions[error.motion].tool;
     if (off.norm() <= least_mm || mayBeMeant(errors, error, setup.turned != nullptr)) continue;
     if (!told.insert(tool).second) continue;
-    Finding finding;
-    finding.kind = "tool_data";
+    Finding finding(FindingKind::kToolData);
     finding.where = path.motions[error.motion].to;
     finding.depth_mm = off.norm();
     finding.message =
@@ -135,8 +134,7 @@ void addUngaugedShifts(const SetupRun& setup, const RecordingSource& texts, std:
     if (data == nullptr || data->tool_offset.isZero() || !cuts(setup, id)) continue;
     const Tool* tool = toolOf(setup, id);
     if (tool == nullptr || isGauged(*tool) || !told.insert(tool->number).second) continue;
-    Finding finding;
-    finding.kind = "tool_data";
+    Finding finding(FindingKind::kToolData);
     finding.severity = Severity::kNote;
     finding.where = path.motions[id].to;
     finding.message = fmt::format(
@@ -169,8 +167,7 @@ void addCorrectors(const SetupRun& setup, const RecordingSource& texts, std::vec
     if (!told.emplace(tool->number, data->radius.row).second) continue;
     const std::string fault = correctorFault(data->radius.value(), 0.5 * tool->diameter);
     if (fault.empty()) continue;
-    Finding finding;
-    finding.kind = "tool_data";
+    Finding finding(FindingKind::kToolData);
     finding.severity = Severity::kWarning;
     finding.where = path.motions[id].to;
     finding.message =

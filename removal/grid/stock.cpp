@@ -16,28 +16,6 @@
 
 namespace proveout {
 
-std::string_view contactKindName(ContactKind kind) {
-  switch (kind) {
-    case ContactKind::kRapid:
-      return "rapid_contact";
-    case ContactKind::kShank:
-      return "shank_contact";
-    case ContactKind::kHolder:
-      return "holder_contact";
-    case ContactKind::kSpindleOff:
-      return "spindle_off";
-    case ContactKind::kInsertBack:
-      return "insert_contact";
-    case ContactKind::kAxis:
-      return "axis_crossing";
-    case ContactKind::kPartedOff:
-      return "cut_off_piece";
-    case ContactKind::kFixture:
-      return "fixture_contact";
-  }
-  return "rapid_contact";
-}
-
 namespace {
 
 /// Measured on the sample programs: bits, crossings, the list of motions while cutting.

@@ -33,9 +33,6 @@ struct RemovalOptions {
 /// kInsertBack: a side of a lathe insert that has to stay clear; kAxis: a lathe tool cuts beyond the axis.
 enum class ContactKind { kRapid, kShank, kHolder, kSpindleOff, kFixture, kInsertBack, kAxis, kPartedOff };
 inline constexpr std::size_t kContactKinds = 8;
-std::string_view contactKindName(
-    ContactKind kind);  ///< "rapid_contact", "shank_contact", "holder_contact", "spindle_off",
-                        ///< "fixture_contact", "insert_contact", "axis_crossing", "cut_off_piece"
 
 /// The tool touched stock where it must not. One per unbroken run of motions with the same kind, tool and
 /// program block.

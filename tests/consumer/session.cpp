@@ -66,7 +66,8 @@ int main() {
     return 2;
   }
   for (const Finding& f : result->findings)
-    std::printf("%s in N%lld\n", f.kind.c_str(), f.source ? static_cast<long long>(f.source->block) : -1);
+    std::printf("%s in N%lld\n", std::string(findingKindName(f.kind)).c_str(),
+                f.source ? static_cast<long long>(f.source->block) : -1);
   std::printf("volume %.1f mm3, closed %d, progress %d\n", meshVolume(result->surface().mesh),
               result->topology().closedManifold(), watcher.reports > 0);
   const Result<RunResult> cancelled = run(impatient);

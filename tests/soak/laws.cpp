@@ -30,7 +30,7 @@ constexpr double kPlaceCells = 0.5;
 double initialOf(const RunResult& run) { return run.setups.front().initial_mm3; }
 double finalOf(const RunResult& run) { return run.surface().volume_mm3; }
 
-bool tells(const RunResult& run, const std::string& kind) {
+bool tells(const RunResult& run, FindingKind kind) {
   return std::any_of(run.findings.begin(), run.findings.end(),
                      [&](const Finding& finding) { return finding.kind == kind; });
 }
@@ -55,7 +55,7 @@ Broken balance(const LawCase& c) {
     double motions = 0.0;
     for (const float volume : setup.removal.removed_mm3) motions += static_cast<double>(volume);
     // What a move onto another grid lost no motion has removed.
-    const bool lost = setup.surface.mesh.triangles.empty() && tells(c.whole, "thin_feature");
+    const bool lost = setup.surface.mesh.triangles.empty() && tells(c.whole, FindingKind::kThinFeature);
     const double slack = 1e-5 * setup.initial_mm3 + setup.surface.volume_error_mm3;
     if (std::abs(motions - removed) > slack && !lost)
       return fmt::format("motions remove {}, the setup {} of {} mm3", motions, removed, setup.initial_mm3);
@@ -69,7 +69,7 @@ Broken balance(const LawCase& c) {
 double slackOf(const RunResult& run) {
   double stated = 0.0;
   for (const SetupRun& setup : run.setups) stated += setup.surface.volume_error_mm3;
-  if (tells(run, "thin_feature")) return std::max(stated, kThinShare * initialOf(run));
+  if (tells(run, FindingKind::kThinFeature)) return std::max(stated, kThinShare * initialOf(run));
   return kRounding * initialOf(run) + kQuietShare * (initialOf(run) - finalOf(run)) + stated;
 }
 
@@ -89,7 +89,7 @@ Broken growing(const LawCase& c) {
       return fmt::format(
           "up to line {} {} mm3 are removed, up to line {} {} ({:.3g} less) of {} mm3, grid {}{}", line,
           before, stop, removed, before - removed, initialOf(at), at.resolution_mm,
-          tells(at, "thin_feature") ? ", thin_feature" : "");
+          tells(at, FindingKind::kThinFeature) ? ", thin_feature" : "");
     before = removed;
     slack_before = slack;
     line = stop;
@@ -114,14 +114,16 @@ Broken meshVolumes(const LawCase& c) {
   const double area = meshArea(last.surface.mesh), mesh = last.extent.volume_mm3;
   const double within =
       last.turned ? 0.1 * last.job.simulation.profile_resolution_mm * 2 : c.whole.resolution_mm * 0.1;
-  if (std::abs(part - mesh) <= within * area || tells(c.whole, "thin_feature")) return std::nullopt;
+  if (std::abs(part - mesh) <= within * area || tells(c.whole, FindingKind::kThinFeature))
+    return std::nullopt;
   return fmt::format("the mesh has {} mm3, the part {}: {:.2g} %, {:.4f} mm over its {} mm2 (grid {}){}",
                      mesh, part, 100 * (mesh / part - 1), (mesh - part) / area, area, c.whole.resolution_mm,
-                     tells(c.whole, "thin_feature") ? ", thin_feature" : "");
+                     tells(c.whole, FindingKind::kThinFeature) ? ", thin_feature" : "");
 }
 
 Broken places(const LawCase& c) {
-  if (tells(c.whole, "thin_feature") || c.whole.surface().mesh.triangles.empty()) return std::nullopt;
+  if (tells(c.whole, FindingKind::kThinFeature) || c.whole.surface().mesh.triangles.empty())
+    return std::nullopt;
   if (c.runner.made().kind == Kind::kSetups) return std::nullopt;
   std::string error;
   const Job job = c.runner.load("job.toml", error);

@@ -126,10 +126,10 @@ Told judge(const RunResult& run, const Toolpath& right, const Defect& defect, co
     return block && changed.contains(block->line);
   };
   for (const Finding& f : run.findings) {
-    told.undecided = told.undecided || f.kind == "undecided";
+    told.undecided = told.undecided || f.kind == FindingKind::kUndecided;
     if (f.severity != Severity::kError) continue;
     told.fails = true;
-    const bool deviation = f.kind == "gouge" || f.kind == "excess";
+    const bool deviation = f.kind == FindingKind::kGouge || f.kind == FindingKind::kExcess;
     if (deviation && f.depth_mm.value_or(0) > told.depth) {
       told.depth = *f.depth_mm;
       told.bound = f.bound_mm.value_or(0);
@@ -137,13 +137,13 @@ Told judge(const RunResult& run, const Toolpath& right, const Defect& defect, co
     const bool uncut = std::any_of(f.causes.begin(), f.causes.end(),
                                    [](const Cause& c) { return c.what == "no motion cuts here"; });
     told.block = told.block || changesIn(f.source) || changesIn(f.inside) || (defect.missing && uncut) ||
-                 f.kind == "alarm";
+                 f.kind == FindingKind::kAlarm;
     for (std::size_t i = 0; i < f.causes.size(); ++i) {
       if (!names(f.causes[i], defect, planted)) continue;
       told.named = true;
       told.first = told.first || i == 0;
     }
-    if (f.kind == "alarm") told.named = true;
+    if (f.kind == FindingKind::kAlarm) told.named = true;
   }
   told.found = told.fails;
   return told;
@@ -165,10 +165,10 @@ std::string shortOf(const RunResult& run) {
   std::string out;
   for (const Finding& f : run.findings) {
     if (f.severity == Severity::kNote) continue;
-    out += fmt::format("\n      {} line {} X{:.3f} Y{:.3f} Z{:.3f} depth {:.4f} bound {:.4f} {}", f.kind,
-                       f.source ? f.source->line : 0, f.where.value_or(Vec3::Zero()).x(),
-                       f.where.value_or(Vec3::Zero()).y(), f.where.value_or(Vec3::Zero()).z(),
-                       f.depth_mm.value_or(0), f.bound_mm.value_or(0), f.message);
+    out += fmt::format(
+        "\n      {} line {} X{:.3f} Y{:.3f} Z{:.3f} depth {:.4f} bound {:.4f} {}", findingKindName(f.kind),
+        f.source ? f.source->line : 0, f.where.value_or(Vec3::Zero()).x(), f.where.value_or(Vec3::Zero()).y(),
+        f.where.value_or(Vec3::Zero()).z(), f.depth_mm.value_or(0), f.bound_mm.value_or(0), f.message);
     for (const Cause& c : f.causes)
       out += fmt::format("\n        {} {} line {} {} {:.3f} explains {:.2f}", c.what, c.value,
                          c.source ? c.source->line : 0, c.along, c.off_mm.value_or(0), c.explains);
@@ -234,7 +234,7 @@ void runRight(const StudyPart& part, const Bench& bench, int count, double chord
     bool failed = !run.ok() || run->alarm, undecided = false;
     for (const Finding& f : run.ok() ? run->findings : std::vector<Finding>()) {
       failed = failed || f.severity == Severity::kError;
-      undecided = undecided || f.kind == "undecided";
+      undecided = undecided || f.kind == FindingKind::kUndecided;
     }
     study.right_failed += failed;
     study.right_undecided += undecided;

@@ -21,7 +21,7 @@ class Fixtures {
  public:
   virtual ~Fixtures() = default;
   /// Runs the path of the clamping through them; every touch, by cutter, shank or holder, in rapid or in
-  /// feed, is a finding of kind "fixture_contact".
+  /// feed, is a finding of kind kFixtureContact.
   virtual Status addContacts(const SetupRun& setup, const RecordingSource& texts,
                              std::vector<Finding>& findings, Progress& progress) = 0;
 };

@@ -47,8 +47,7 @@ TEST(Summary, CountsWhatItDoesNotPrint) {
   Console console{out, err};
   Report report;
   for (int i = 0; i < 25; ++i) {
-    Finding finding;
-    finding.kind = "gouge";
+    Finding finding(FindingKind::kGouge);
     finding.message = "deep";
     report.findings.push_back(finding);
   }
@@ -61,10 +60,9 @@ TEST(Summary, QuietPrintsErrorsOnly) {
   std::ostringstream out, err;
   Console console{out, err};
   Report report;
-  Finding warning;
-  warning.severity = Severity::kWarning;
+  Finding warning(FindingKind::kThinFeature);
   warning.message = "not so bad";
-  Finding error;
+  Finding error(FindingKind::kGouge);
   error.message = "really bad";
   report.findings = {warning, error};
   printFindings(console, report, Severity::kError);

@@ -29,7 +29,7 @@ TEST_F(Fixture, ContactNamesBlockToolAndPlace) {
   path.motions[1].spindle = 1000;
   addContacts({{ContactKind::kHolder, 1, 1, {1, 2, 3}, 0.25, 7.0}}, kLeast, false, path, source, findings);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].kind, "holder_contact");
+  EXPECT_EQ(findings[0].kind, FindingKind::kHolderContact);
   EXPECT_EQ(findings[0].severity, Severity::kError);
   EXPECT_EQ(findings[0].source->block, 20);
   EXPECT_EQ(findings[0].tool, 4);
@@ -74,7 +74,7 @@ TEST_F(Fixture, ContactsOfOneMistakeAreOneFinding) {
 TEST_F(Fixture, AnEmptyPartIsAnError) {
   addOutcome(4000, 0, {}, findings);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].kind, "no_part");
+  EXPECT_EQ(findings[0].kind, FindingKind::kNoPart);
   EXPECT_EQ(findings[0].severity, Severity::kError);
 }
 
@@ -85,11 +85,11 @@ TEST_F(Fixture, NothingCutAndLoosePiecesAreWarnings) {
   EXPECT_TRUE(findings.empty());
   addOutcome(3000, 3000, {part}, findings);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].kind, "nothing_cut");
+  EXPECT_EQ(findings[0].kind, FindingKind::kNothingCut);
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
   addOutcome(4000, 3200, {part, chip}, findings);
   ASSERT_EQ(findings.size(), 2u);
-  EXPECT_EQ(findings[1].kind, "loose_piece");
+  EXPECT_EQ(findings[1].kind, FindingKind::kLoosePiece);
   EXPECT_EQ(findings[1].severity, Severity::kWarning);
   EXPECT_DOUBLE_EQ(*findings[1].volume_mm3, 200);
 }
@@ -104,7 +104,7 @@ TEST_F(Fixture, WhatIsThinnerThanTheGridIsAWarning) {
   surface.thin_cells = 4;
   addThinFeatures(removal, surface, 0.5, path, source, findings);
   ASSERT_EQ(findings.size(), 2u);
-  EXPECT_EQ(findings[0].kind, "thin_feature");
+  EXPECT_EQ(findings[0].kind, FindingKind::kThinFeature);
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
   EXPECT_EQ(*findings[0].where, Vec3(1, 2, 3));
   EXPECT_DOUBLE_EQ(*findings[0].area_mm2, 12);
@@ -116,7 +116,7 @@ TEST_F(Fixture, ACutNarrowerThanTheGridNamesToolBlockAndGrid) {
   removal.narrow_cuts = {{1, {4, 5, 6}, 0.15, 20, 3}};
   addThinFeatures(removal, {}, 0.5, path, source, findings);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].kind, "thin_feature");
+  EXPECT_EQ(findings[0].kind, FindingKind::kThinFeature);
   EXPECT_EQ(findings[0].tool, 4);
   EXPECT_EQ(findings[0].source->block, 20);
   EXPECT_EQ(*findings[0].where, Vec3(4, 5, 6));
@@ -131,7 +131,7 @@ TEST_F(Fixture, AnEarlyStopIsSaid) {
   EXPECT_TRUE(findings.empty());
   addPartial(ProgramEnd::kUntil, settings, findings);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].kind, "partial");
+  EXPECT_EQ(findings[0].kind, FindingKind::kPartial);
   EXPECT_NE(findings[0].message.find("up to N120"), std::string::npos);
 }
 
@@ -154,8 +154,8 @@ TEST_F(Fixture, DeviationsAndUndecided) {
   addDeviation(gouge, comparison, findings);
   EXPECT_EQ(addUndecided(comparison, findings), &comparison.undecided[1]);
   ASSERT_EQ(findings.size(), 2u);
-  EXPECT_EQ(findings[0].kind, "gouge");
-  EXPECT_EQ(findings[1].kind, "undecided");
+  EXPECT_EQ(findings[0].kind, FindingKind::kGouge);
+  EXPECT_EQ(findings[1].kind, FindingKind::kUndecided);
   EXPECT_EQ(findings[1].severity, Severity::kWarning);
   EXPECT_FALSE(findings[1].source.has_value());
   EXPECT_NE(findings[1].message.find("0.055 mm above"), std::string::npos);
@@ -178,7 +178,7 @@ TEST_F(Fixture, OvertravelAndAlarms) {
   addAlarms(path, findings);
   addOvertravel(path, source, findings);
   ASSERT_EQ(findings.size(), 2u);
-  EXPECT_EQ(findings[0].kind, "alarm");
+  EXPECT_EQ(findings[0].kind, FindingKind::kAlarm);
   EXPECT_EQ(findings[1].message, "X goes to 412.5 mm, past its limit of 400 mm (machine frame)");
   EXPECT_EQ(findings[1].motion, 1u);
 }

@@ -34,7 +34,7 @@ Result<RunResult> run(const Job& job, const std::string& program) {
 std::vector<Finding> contacts(const RunResult& result) {
   std::vector<Finding> found;
   for (const Finding& f : result.findings) {
-    if (f.kind == "fixture_contact") found.push_back(f);
+    if (f.kind == FindingKind::kFixtureContact) found.push_back(f);
   }
   return found;
 }

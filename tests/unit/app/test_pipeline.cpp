@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "app/run_report.h"
 #include "app/session/session.h"
 #include "app/session/uncertainty.h"
-#include "app/run_report.h"
 
 namespace proveout {
 namespace {
@@ -51,7 +51,7 @@ TEST(Pipeline, RapidIntoTheStockIsBlamedOnItsBlock) {
   ASSERT_TRUE(result.ok());
   ASSERT_FALSE(result->findings.empty());
   const Finding& finding = result->findings.front();
-  EXPECT_EQ(finding.kind, "rapid_contact");
+  EXPECT_EQ(finding.kind, FindingKind::kRapidContact);
   EXPECT_EQ(finding.source->block, 40);
   EXPECT_EQ(finding.source->text, "N40 G0 Z-3");
   EXPECT_EQ(finding.tool, 1);
@@ -64,7 +64,7 @@ TEST(Pipeline, ProgramAlarmLeavesTheStockAlone) {
   EXPECT_TRUE(result->alarm);
   EXPECT_FALSE(result->stock.has_value());
   ASSERT_FALSE(result->findings.empty());
-  EXPECT_EQ(result->findings.front().kind, "alarm");
+  EXPECT_EQ(result->findings.front().kind, FindingKind::kAlarm);
 }
 
 TEST(Pipeline, APartCutAwayNeverPassesItsNominal) {
@@ -75,7 +75,7 @@ TEST(Pipeline, APartCutAwayNeverPassesItsNominal) {
       run(job, "G21 G90 T1 M6\nS1000 M3\nG0 X-50 Y10 Z5\nZ-11\nG1 X70 F500\nM30\n", progress);
   ASSERT_TRUE(result.ok()) << result.error().message;
   ASSERT_EQ(result->findings.size(), 1u);
-  EXPECT_EQ(result->findings[0].kind, "no_part");
+  EXPECT_EQ(result->findings[0].kind, FindingKind::kNoPart);
 }
 
 TEST(Pipeline, AGridTooCoarseForTheBlankIsRefused) {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/run_report.h"
 #include "app/session/session.h"
 #include "app/session/uncertainty.h"
-#include "app/run_report.h"
 
 namespace proveout {
 namespace {
@@ -74,13 +74,14 @@ TEST(Probing, FacesOfTheBlockAndOfThePocketJustMilled) {
 }
 
 TEST(Probing, APocketIsCutWhereTheMeasuredOneIsAndResultsArePrinted) {
-  const Result<RunResult> result = run(
-      probingJob(),
-      std::string(kPocket) +
-          "F100\nG0 X20 Y15\nZ-4\nG31 X50\n#100=#5061\nG0 X20\nG31 X-20\n#101=#5061\nG0 X20\nG31 Y50\n"
-          "#102=#5062\nG0 Y15\nG31 Y-20\n#103=#5062\nG0 Y15\nZ50\nFOPEN2 <measured.txt>\nDPRNT[X#100[33]Y#103[33]]\nFCLOS\n"
-          "T1 M6\nS1000 M3\nG0 X[[#100+#101]/2] Y[[#102+#103]/2]\nG1 Z-8 F300\nG0 Z50\n"
-          "M5\nT2 M6\nG31 Z-20 F100\nG0 Z50\n");
+  const Result<RunResult> result =
+      run(probingJob(),
+          std::string(kPocket) +
+              "F100\nG0 X20 Y15\nZ-4\nG31 X50\n#100=#5061\nG0 X20\nG31 X-20\n#101=#5061\nG0 X20\nG31 Y50\n"
+              "#102=#5062\nG0 Y15\nG31 Y-20\n#103=#5062\nG0 Y15\nZ50\nFOPEN2 "
+              "<measured.txt>\nDPRNT[X#100[33]Y#103[33]]\nFCLOS\n"
+              "T1 M6\nS1000 M3\nG0 X[[#100+#101]/2] Y[[#102+#103]/2]\nG1 Z-8 F300\nG0 Z50\n"
+              "M5\nT2 M6\nG31 Z-20 F100\nG0 Z50\n");
   ASSERT_TRUE(result.ok()) << result.error().message;
   ASSERT_FALSE(result->alarm);
   const std::vector<Vec3> ends = probed(result);
@@ -104,7 +105,7 @@ TEST(Probing, FixturesAreNotMeasuredAndSaidSo) {
   for (const Diagnostic& d : result->setups[0].interpreted.path.diagnostics.all())
     told = told || d.code == "probe";
   for (const Finding& f : result->findings)
-    met = met || (f.kind == "fixture_contact" && f.source->block == 40);
+    met = met || (f.kind == FindingKind::kFixtureContact && f.source->block == 40);
   EXPECT_TRUE(told);
   EXPECT_TRUE(met);
 }
@@ -173,12 +174,12 @@ TEST(Zones, AForbiddenAreaIsAFindingWithItsBlockInTheReport) {
   const Result<RunResult> result = runRecorded(job, {&source}, progress);
   ASSERT_TRUE(result.ok()) << result.error().message;
   EXPECT_TRUE(result->alarm);
-  const auto kinds = [&](const std::string& kind) {
+  const auto kinds = [&](FindingKind kind) {
     return std::count_if(result->findings.begin(), result->findings.end(),
                          [&](const Finding& f) { return f.kind == kind; });
   };
-  EXPECT_EQ(kinds("alarm"), 1);
-  ASSERT_EQ(kinds("forbidden_zone"), 1);
+  EXPECT_EQ(kinds(FindingKind::kAlarm), 1);
+  ASSERT_EQ(kinds(FindingKind::kForbiddenZone), 1);
   const Result<Report> report = makeReport(job, *result, {&source});
   ASSERT_TRUE(report.ok());
   const std::string json = reportJson(*report);

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "app/session/comparison.h"
 #include "app/job_setup.h"
-#include "app/session/session.h"
+#include "app/session/comparison.h"
 #include "app/session/process/process.h"
+#include "app/session/session.h"
 #include "app/session/uncertainty.h"
 #include "io/mesh_io.h"
 #include "tests/support/temporary_folder.h"
@@ -18,7 +18,8 @@ namespace {
 constexpr double kGrid = 0.25;
 
 const char* const kTurn =
-    "%S\nG54 G90 G95\nN1 T1 M6\nN2 G97 S1000 M3\nN3 G0 X{:.3f} Z5\nN4 G1 Z-30 F0.2\nN5 G1 X26\nN6 G0 X60 Z20\nN7 "
+    "%S\nG54 G90 G95\nN1 T1 M6\nN2 G97 S1000 M3\nN3 G0 X{:.3f} Z5\nN4 G1 Z-30 F0.2\nN5 G1 X26\nN6 G0 X60 "
+    "Z20\nN7 "
     "M30\n";
 /// A flat at Z = {} over the end of the shaft, whose axis is X.
 const char* const kMill =
@@ -165,7 +166,8 @@ TEST(Processes, WhatFellOffOnTheLatheIsCounted) {
   EXPECT_EQ(mill.bodies[1].role, "loose");
   EXPECT_DOUBLE_EQ(mill.bodies[1].volume_mm3, lathe.bodies[1].volume_mm3);
   EXPECT_DOUBLE_EQ(mill.initial_mm3, lathe.surface.volume_mm3);
-  for (const Finding& finding : run->findings) EXPECT_NE(finding.kind, "loose_body") << finding.message;
+  for (const Finding& finding : run->findings)
+    EXPECT_NE(finding.kind, FindingKind::kLoosePiece) << finding.message;
 }
 
 TEST(Processes, ThreadsStayOnWhatIsMilled) {
@@ -205,7 +207,7 @@ TEST(Processes, ADeviationIsBlamedOnTheClampingThatMadeIt) {
     const Result<RunResult> run = shaft.run();
     ASSERT_TRUE(run.ok()) << run.error().message;
     const auto gouge = std::find_if(run->findings.begin(), run->findings.end(),
-                                    [](const Finding& f) { return f.kind == "gouge"; });
+                                    [](const Finding& f) { return f.kind == FindingKind::kGouge; });
     ASSERT_NE(gouge, run->findings.end()) << c.setup;
     EXPECT_EQ(gouge->setup, c.setup);
     ASSERT_TRUE(gouge->source.has_value());

@@ -3,10 +3,10 @@
 
 #include <numeric>
 
+#include "app/run_report.h"
+#include "app/session/provenance.h"
 #include "app/session/session.h"
 #include "app/session/uncertainty.h"
-#include "app/session/provenance.h"
-#include "app/run_report.h"
 
 namespace proveout {
 namespace {
@@ -203,7 +203,7 @@ TEST(Setups, FindingsNameTheirSetup) {
   const Result<RunResult> result = run(job, {crash, hole(5, 5, -1)});
   ASSERT_TRUE(result.ok());
   ASSERT_EQ(result->findings.size(), 1u) << result->findings[1].message;
-  EXPECT_EQ(result->findings[0].kind, "rapid_contact");
+  EXPECT_EQ(result->findings[0].kind, FindingKind::kRapidContact);
   EXPECT_EQ(result->findings[0].setup, "top");
   EXPECT_EQ(result->findings[0].source->block, 40);
 }
@@ -225,7 +225,7 @@ TEST(Setups, NothingLeftEndsTheRun) {
   ASSERT_TRUE(result.ok()) << result.error().message;
   EXPECT_EQ(result->setups.size(), 1u);
   ASSERT_EQ(result->findings.size(), 1u);
-  EXPECT_EQ(result->findings[0].kind, "no_part");
+  EXPECT_EQ(result->findings[0].kind, FindingKind::kNoPart);
 }
 
 }  // namespace

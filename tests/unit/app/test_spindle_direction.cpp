@@ -23,7 +23,7 @@ Job twoToolsJob() {
 }
 
 std::vector<Finding> told(const Job& job, const std::string& program,
-                          const std::string& kind = "spindle_direction") {
+                          FindingKind kind = FindingKind::kSpindleDirection) {
   const MemoryProgramSource memory("part.nc", program);
   const RecordingSource source(memory, TextEncoding::kAuto);
   Progress progress;
@@ -102,11 +102,11 @@ TEST(SpindleDirection, RigidTapsTurnTheSpindleThemselves) {
     for (const std::string tap : {"G84.2", "G84.3"}) {
       const std::string program =
           "G21 G90 T2 M6\nS500 M3\nG0 X20 Y15 Z5\n" + tap + " X20 Y15 Z-8 R3 F500\nX30\nG80\n";
-      EXPECT_TRUE(told(job, program + "G0 Z20\nM30\n", "spindle_off").empty()) << tap << orients;
+      EXPECT_TRUE(told(job, program + "G0 Z20\nM30\n", FindingKind::kSpindleOff).empty()) << tap << orients;
       // Behind the cycle it stands until M3.
       const std::string drill = "G0 X10\nG1 Z-5 F100\nG0 Z20\nM30\n";
-      EXPECT_EQ(told(job, program + drill, "spindle_off").size(), 1u) << tap << orients;
-      EXPECT_TRUE(told(job, program + "M3\n" + drill, "spindle_off").empty()) << tap << orients;
+      EXPECT_EQ(told(job, program + drill, FindingKind::kSpindleOff).size(), 1u) << tap << orients;
+      EXPECT_TRUE(told(job, program + "M3\n" + drill, FindingKind::kSpindleOff).empty()) << tap << orients;
     }
   }
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/session/clearance.h"
-#include "app/session/session.h"
 #include "app/session/process/process.h"
+#include "app/session/session.h"
 
 namespace proveout {
 namespace {
@@ -47,7 +47,10 @@ std::string toldBy(const Job& job, const std::string& program) {
   const Result<RunResult> result = run(job, program);
   if (!result.ok()) return "refused: " + result.error().message;
   std::string told;
-  for (const Finding& finding : result->findings) told += finding.kind + ": " + finding.message + "\n";
+  for (const Finding& finding : result->findings) {
+    told += findingKindName(finding.kind);
+    told += ": " + finding.message + "\n";
+  }
   return told;
 }
 
@@ -97,7 +100,7 @@ TEST(ToolChange, ForgottenLengthsAreCaught) {
                               "N50 Z-3\nN60 G1 Y100 F800\nN70 G0 Z50\nM30\n");
   ASSERT_TRUE(result.ok());
   ASSERT_FALSE(result->findings.empty());
-  EXPECT_EQ(result->findings[0].kind, "rapid_contact");
+  EXPECT_EQ(result->findings[0].kind, FindingKind::kRapidContact);
   EXPECT_EQ(result->findings[0].source->block, 40);
 }
 
@@ -107,7 +110,7 @@ TEST(ToolChange, TheWrongRowIsCaught) {
       run(longToolsJob(), std::string(kHead) + "T1 M6\nS4000 M3\nG0 X50 Y40\nN40 G43 H2 Z50\nG0 Z60\nM30\n");
   ASSERT_TRUE(result.ok());
   ASSERT_FALSE(result->findings.empty());
-  EXPECT_EQ(result->findings[0].kind, "rapid_contact");
+  EXPECT_EQ(result->findings[0].kind, FindingKind::kRapidContact);
   EXPECT_EQ(result->findings[0].source->block, 40);
 }
 
@@ -116,7 +119,7 @@ TEST(ToolChange, ARapidIntoThePartIsCaught) {
       longToolsJob(), std::string(kHead) + "T3 M6\nS4000 M3\nG0 X50 Y40\nG43 H3 Z50\nN50 G0 Z-3\nZ50\nM30\n");
   ASSERT_TRUE(result.ok());
   ASSERT_EQ(result->findings.size(), 1u);
-  EXPECT_EQ(result->findings[0].kind, "rapid_contact");
+  EXPECT_EQ(result->findings[0].kind, FindingKind::kRapidContact);
   EXPECT_EQ(result->findings[0].source->block, 50);
   EXPECT_NEAR(*result->findings[0].depth_mm, 3.0, 1e-3);
 }

@@ -39,7 +39,7 @@ struct Milling {
       return found;
     }
     for (const Finding& finding : result->findings) {
-      if (finding.kind == "tool_data") found.push_back(finding);
+      if (finding.kind == FindingKind::kToolData) found.push_back(finding);
     }
     return found;
   }

@@ -54,7 +54,7 @@ class Verdict : public testing::Test {
     return runRecorded(job_, {&source}, progress);
   }
 
-  static std::vector<Finding> of(const RunResult& run, const std::string& kind) {
+  static std::vector<Finding> of(const RunResult& run, FindingKind kind) {
     std::vector<Finding> out;
     for (const Finding& f : run.findings) {
       if (f.kind == kind) out.push_back(f);
@@ -64,7 +64,7 @@ class Verdict : public testing::Test {
 
   static bool passes(const RunResult& run) {
     return std::none_of(run.findings.begin(), run.findings.end(), [](const Finding& f) {
-      return f.severity == Severity::kError || f.kind == "undecided";
+      return f.severity == Severity::kError || f.kind == FindingKind::kUndecided;
     });
   }
 
@@ -100,8 +100,8 @@ TEST_F(Verdict, AFlatFloorIsDecidedHoweverRoundItsWallsAre) {
     for (const double sign : {1.0, -1.0}) {
       const Result<RunResult> result = run(kStart + slotAndSink(-4 + sign * off), nominal, 0.05);
       ASSERT_TRUE(result.ok());
-      EXPECT_TRUE(of(*result, "undecided").empty()) << off;
-      const auto found = of(*result, sign > 0 ? "excess" : "gouge");
+      EXPECT_TRUE(of(*result, FindingKind::kUndecided).empty()) << off;
+      const auto found = of(*result, sign > 0 ? FindingKind::kExcess : FindingKind::kGouge);
       ASSERT_EQ(found.size(), off > 0.05 ? 1u : 0u) << off;
       if (found.empty()) continue;
       EXPECT_NEAR(*found[0].depth_mm, off, 1e-5);
@@ -121,12 +121,12 @@ TEST_F(Verdict, CrestsBetweenPassesAreOneFindingAndNoThinFeature) {
   const Result<RunResult> result =
       run(program + "G0 Z5\nM30\n", shapes::box({0, 0, -10}, {40, 30, -3}), 0.05);
   ASSERT_TRUE(result.ok());
-  const auto crests = of(*result, "excess");
+  const auto crests = of(*result, FindingKind::kExcess);
   ASSERT_EQ(crests.size(), 1u);
   EXPECT_GT(crests[0].spots, 10u);
   EXPECT_NEAR(*crests[0].depth_mm, height, *crests[0].bound_mm + 1e-4);
-  EXPECT_TRUE(of(*result, "thin_feature").empty());
-  EXPECT_TRUE(of(*result, "gouge").empty());
+  EXPECT_TRUE(of(*result, FindingKind::kThinFeature).empty());
+  EXPECT_TRUE(of(*result, FindingKind::kGouge).empty());
 }
 
 TEST_F(Verdict, TheWordIsNamedThatSetTheModalDepth) {
@@ -138,7 +138,7 @@ TEST_F(Verdict, TheWordIsNamedThatSetTheModalDepth) {
       run("G21 G90 G17 T1 M6\nS3000 M3\nG0 X15 Y15 Z5\nG1 Z-3.3 F300\nX18\nG3 I-3 J0\nG1 X15\nG0 Z5\nM30\n",
           nominal, 0.05);
   ASSERT_TRUE(result.ok());
-  const auto found = of(*result, "gouge");
+  const auto found = of(*result, FindingKind::kGouge);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_FALSE(found[0].blocks.empty());
   EXPECT_EQ(found[0].blocks[0].block.line, 6u);
@@ -155,7 +155,7 @@ TEST_F(Verdict, TheRadiusOfTheOperatorIsNamed) {
   job_.tools[0].diameter = 6.4;
   const Result<RunResult> result = run(kStart + slotAndSink(-4), nominal, 0.05);
   ASSERT_TRUE(result.ok());
-  const auto found = of(*result, "gouge");
+  const auto found = of(*result, FindingKind::kGouge);
   ASSERT_EQ(found.size(), 1u);
   const auto named = [](const Cause& c) { return c.what == "tools.1.diameter"; };
   EXPECT_TRUE(std::any_of(found[0].causes.begin(), found[0].causes.end(), named));
@@ -168,7 +168,7 @@ TEST_F(Verdict, WhatWasNotCutIsToldSo) {
   const Result<RunResult> result =
       run(kStart + slotAndSink(-4), lofts::plateWith(plate_, holes, 0.002), 0.05);
   ASSERT_TRUE(result.ok());
-  const auto found = of(*result, "excess");
+  const auto found = of(*result, FindingKind::kExcess);
   ASSERT_EQ(found.size(), 1u);
   ASSERT_FALSE(found[0].causes.empty());
   EXPECT_EQ(found[0].causes[0].what, "no motion cuts here");
@@ -188,7 +188,7 @@ TEST_F(Verdict, ADeviationOnAStockFromAFileIsBlamedToo) {
   const Result<RunResult> again =
       run(kStart + std::string("G1 Z-4.5 F300\nX30\nG0 Z5\nM30\n"), nominal, 0.05);
   ASSERT_TRUE(again.ok()) << again.error().message;
-  const auto found = of(*again, "gouge");
+  const auto found = of(*again, FindingKind::kGouge);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(*found[0].depth_mm, 0.5, *found[0].bound_mm);
   EXPECT_EQ(found[0].source->line, 5u);
@@ -202,7 +202,7 @@ TEST_F(Verdict, ACoarseNominalIsToldAndFailsNothing) {
       run(kStart + slotAndSink(-4), lofts::plateWith(plate_, kSlotAndSink, 0.05), 0.02);
   ASSERT_TRUE(result.ok());
   EXPECT_TRUE(passes(*result));
-  const auto coarse = of(*result, "coarse_nominal");
+  const auto coarse = of(*result, FindingKind::kCoarseNominal);
   ASSERT_EQ(coarse.size(), 1u);
   EXPECT_EQ(coarse[0].severity, Severity::kWarning);
 }

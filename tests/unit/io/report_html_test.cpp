@@ -75,7 +75,7 @@ TEST(ReportHtml, EscapesEverything) {
   Report r = io_test::sampleReport();
   const std::string evil = "<script>alert(\"1\")</script>&";
   r.name = r.version = r.program.control = evil;
-  r.findings[0].kind = r.findings[0].message = r.findings[0].source->file = r.findings[0].source->text = evil;
+  r.findings[0].message = r.findings[0].source->file = r.findings[0].source->text = evil;
   r.time.per_tool[0].name = r.time.per_tool[0].description = evil;
   r.stock->bodies[0].role = r.comparison->nominal = evil;
   r.error_budget[0].source = r.error_budget[0].statement = evil;

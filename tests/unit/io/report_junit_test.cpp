@@ -94,13 +94,13 @@ TEST(ReportJunit, FailsOnAlarmsOpenMeshesAndUndecidedComparisons) {
 
 TEST(ReportJunit, NoFindingIsLost) {
   Report r = io_test::sampleReport();
-  r.findings[0].kind = "no_part";
+  r.findings[0].kind = FindingKind::kNoPart;
   const std::string xml = reportJunit(r);
   EXPECT_THAT(xml, HasSubstr("tests=\"12\""));
   EXPECT_THAT(xml, HasSubstr("name=\"no_part\""));
   // An error of a check that was not made is still a failure.
   r.checks.comparison = false;
-  r.findings[0].kind = "excess";
+  r.findings[0].kind = FindingKind::kExcess;
   EXPECT_THAT(reportJunit(r), HasSubstr("type=\"excess\""));
 }
 

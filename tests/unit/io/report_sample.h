@@ -34,8 +34,7 @@ inline Report sampleReport() {
   stock.closed = true;
   r.stock = stock;
   r.resolution_mm = 0.25;
-  Finding gouge;
-  gouge.kind = "gouge";
+  Finding gouge(FindingKind::kGouge);
   gouge.where = Vec3(20.125, 31.5, -5.25);
   gouge.depth_mm = 0.25;
   gouge.area_mm2 = 30.5;
@@ -44,15 +43,13 @@ inline Report sampleReport() {
   gouge.motion = 815;
   gouge.tool = 1;
   gouge.message = "0.250 mm below nominal over 30.5 mm2";
-  Finding rapid;
-  rapid.kind = "rapid_contact";
+  Finding rapid(FindingKind::kRapidContact);
   rapid.where = Vec3(1, 2, -0.0);
   rapid.depth_mm = 1.5;
   rapid.source = BlockRef{"bracket.nc", 40, -1, 0, "G0 Z-1.5"};
   rapid.tool = 2;
   rapid.message = "tool 2 touches stock in rapid";
-  Finding note;
-  note.kind = "spindle_off";
+  Finding note(FindingKind::kSpindleOff);
   note.severity = Severity::kWarning;
   note.message = "cut without spindle";
   r.findings = {gouge, rapid, note};

@@ -10,8 +10,7 @@ namespace {
 TEST(Verdict, FollowsFindingsAndDiagnostics) {
   Report r;
   EXPECT_EQ(verdictOf(r), Verdict::kPass);
-  Finding f;
-  f.kind = "gouge";
+  Finding f(FindingKind::kGouge);
   f.severity = Severity::kWarning;
   r.findings = {f};
   EXPECT_EQ(verdictOf(r), Verdict::kPass);
@@ -22,7 +21,7 @@ TEST(Verdict, FollowsFindingsAndDiagnostics) {
   EXPECT_EQ(verdictOf(r), Verdict::kPass);
   r.comparison->decided = false;
   EXPECT_EQ(verdictOf(r), Verdict::kFail);
-  f.kind = "alarm";
+  f.kind = FindingKind::kAlarm;
   f.severity = Severity::kError;
   r.findings = {f};
   EXPECT_EQ(verdictOf(r), Verdict::kError);

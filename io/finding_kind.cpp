@@ -1,0 +1,97 @@
+#include "io/finding_kind.h"
+
+#include <array>
+
+namespace proveout {
+
+namespace {
+
+constexpr std::size_t kKinds = static_cast<std::size_t>(FindingKind::kCount);
+
+using enum FindingKind;
+using enum Severity;
+using Check = JunitCheck;
+
+constexpr std::array<FindingKindInfo, kKinds> kRows{{
+    {kGouge, "gouge", kError, Check::kGouge, true, "the part lies below nominal by more than its tolerance"},
+    {kExcess, "excess", kError, Check::kExcess, true,
+     "the part lies above nominal by more than its tolerance"},
+    {kUndecided, "undecided", kWarning, Check::kResolution, true,
+     "a deviation so close to its tolerance that the grid cannot tell"},
+    {kRapidContact, "rapid_contact", kError, Check::kRapidContact, false, "the tool touched stock in rapid"},
+    {kShankContact, "shank_contact", kError, Check::kShankContact, false, "the shank touched stock"},
+    {kHolderContact, "holder_contact", kError, Check::kHolderContact, false, "the holder touched stock"},
+    {kFixtureContact, "fixture_contact", kError, Check::kFixtureContact, false,
+     "the tool, its shank or its holder touched a fixture"},
+    {kSpindleOff, "spindle_off", kError, Check::kSpindle, false, "stock was cut with a standing spindle"},
+    {kSpindleDirection, "spindle_direction", kError, Check::kSpindle, false,
+     "a cutter was turned against its hand"},
+    {kInsertContact, "insert_contact", kError, Check::kOwn, false,
+     "a side of a lathe insert that does not cut in that direction ran into the part, or a blade or a tooth "
+     "went in deeper than its `edge_length`"},
+    {kAxisCrossing, "axis_crossing", kError, Check::kOwn, false,
+     "an insert went past the spindle axis and took material on the other side, or a drill or mill cut a "
+     "turning part off the axis"},
+    {kCutOffPiece, "cut_off_piece", kError, Check::kOwn, false,
+     "a feed motion met a body that was cut off before and is not held any more"},
+    {kNoseDeviation, "nose_deviation", kWarning, Check::kOwn, false,
+     "the nose of an insert is not compensated"},
+    {kToolData, "tool_data", kError, Check::kOwn, false, "what the operator entered is not the tool"},
+    {kFeedRate, "feed_rate", kWarning, Check::kOwn, false,
+     "a feed per revolution above the nose radius of the insert, or the width of the blade"},
+    {kCycleTime, "cycle_time", kWarning, Check::kOwn, false,
+     "a single motion takes more than half an hour, or the motions of a program more than a day"},
+    {kPartOff, "part_off", kNote, Check::kOwn, false, "a motion cut a body off"},
+    {kCoarseNominal, "coarse_nominal", kNote, Check::kOwn, false,
+     "the facets of the nominal leave its curved faces by more than a fifth of the smaller tolerance"},
+    {kNotCompared, "not_compared", kNote, Check::kOwn, false,
+     "a region that the job leaves out of the comparison"},
+    {kOvertravel, "overtravel", kError, Check::kOvertravel, false, "an axis left its limits"},
+    {kForbiddenZone, "forbidden_zone", kError, Check::kProgram, false,
+     "an axis would enter an area that the control forbids"},
+    {kAlarm, "alarm", kError, Check::kProgram, false, "the control refused the program"},
+    {kNoPart, "no_part", kError, Check::kOwn, false, "nothing of the blank is left"},
+    {kThinFeature, "thin_feature", kWarning, Check::kOwn, false, "what the grid cannot hold"},
+    {kNothingCut, "nothing_cut", kWarning, Check::kOwn, false, "the program cut nothing"},
+    {kLoosePiece, "loose_piece", kWarning, Check::kOwn, false, "the stock is in several pieces"},
+    {kPartial, "partial", kWarning, Check::kOwn, false,
+     "only a part of the program or of the setups was run"},
+    {kMesh, "mesh", kError, Check::kMeshClosed, false, "the exported mesh is not a closed 2-manifold"},
+    {kOutput, "output", kError, Check::kOwn, false,
+     "a mesh, picture, table or another file of the report could not be written"},
+}};
+
+/// Rows are found by their place.
+constexpr bool inOrder() {
+  for (std::size_t i = 0; i < kKinds; ++i) {
+    if (static_cast<std::size_t>(kRows[i].kind) != i || kRows[i].name.empty()) return false;
+  }
+  return true;
+}
+static_assert(inOrder());
+
+constexpr std::array<std::string_view, static_cast<std::size_t>(Check::kOwn)> kChecks{
+    "program", "overtravel", "rapid contact", "shank contact", "holder contact", "fixture contact",
+    "spindle", "gouge",      "excess",        "resolution",    "mesh closed"};
+static_assert(!kChecks.back().empty());
+
+}  // namespace
+
+std::span<const FindingKindInfo> findingKinds() { return kRows; }
+
+const FindingKindInfo& findingKindInfo(FindingKind kind) { return kRows[static_cast<std::size_t>(kind)]; }
+
+std::string_view findingKindName(FindingKind kind) { return findingKindInfo(kind).name; }
+
+bool isDeviation(FindingKind kind) { return findingKindInfo(kind).deviation; }
+
+std::string_view checkName(JunitCheck check) {
+  return check == JunitCheck::kOwn ? std::string_view() : kChecks[static_cast<std::size_t>(check)];
+}
+
+std::string_view checkName(FindingKind kind) {
+  const FindingKindInfo& info = findingKindInfo(kind);
+  return info.check == JunitCheck::kOwn ? info.name : checkName(info.check);
+}
+
+}  // namespace proveout

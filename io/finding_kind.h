@@ -1,0 +1,84 @@
+// The kinds of findings, and all that is told of a kind as such: one table, which the written reports, the
+// checks of junit.xml and the documentation follow.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/base/diagnostics.h"
+
+namespace proveout {
+
+/// In the order of their rows in docs/reference/report.md.
+enum class FindingKind : std::uint8_t {
+  kGouge,
+  kExcess,
+  kUndecided,
+  kRapidContact,
+  kShankContact,
+  kHolderContact,
+  kFixtureContact,
+  kSpindleOff,
+  kSpindleDirection,
+  kInsertContact,
+  kAxisCrossing,
+  kCutOffPiece,
+  kNoseDeviation,
+  kToolData,
+  kFeedRate,
+  kCycleTime,
+  kPartOff,
+  kCoarseNominal,
+  kNotCompared,
+  kOvertravel,
+  kForbiddenZone,
+  kAlarm,
+  kNoPart,
+  kThinFeature,
+  kNothingCut,
+  kLoosePiece,
+  kPartial,
+  kMesh,
+  kOutput,
+  kCount
+};
+
+/// The checks of a run, in the order of their test cases in junit.xml. kOwn: the kind has a case of its own
+/// behind them, in runs where it was found.
+enum class JunitCheck : std::uint8_t {
+  kProgram,
+  kOvertravel,
+  kRapidContact,
+  kShankContact,
+  kHolderContact,
+  kFixtureContact,
+  kSpindle,
+  kGouge,
+  kExcess,
+  kResolution,
+  kMeshClosed,
+  kOwn
+};
+
+struct FindingKindInfo {
+  FindingKind kind;
+  std::string_view name;     ///< in report.json: "rapid_contact"
+  Severity severity;         ///< where the finding has no reason for another one
+  JunitCheck check;          ///< that a finding of severity error fails
+  bool deviation;            ///< it comes from the comparison with nominal: its place is on the finished part
+  std::string_view meaning;  ///< with these words its row in docs/reference/report.md begins
+};
+
+/// A row a kind, in the order of the enumeration.
+std::span<const FindingKindInfo> findingKinds();
+const FindingKindInfo& findingKindInfo(FindingKind kind);
+std::string_view findingKindName(FindingKind kind);  ///< "gouge", "rapid_contact", ...
+bool isDeviation(FindingKind kind);
+
+/// The name of a check's test case, "rapid contact"; "" for kOwn.
+std::string_view checkName(JunitCheck check);
+/// The name of the test case that the kind belongs to: of kOwn the kind's own name.
+std::string_view checkName(FindingKind kind);
+
+}  // namespace proveout
