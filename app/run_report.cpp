@@ -49,7 +49,7 @@ void addUses(const SetupRun& run, const std::vector<Tool>& tools, ToolUses& uses
   const auto useOf = [&](int number) -> ToolUse& {
     ToolUse*& use = of_number[number];
     if (use != nullptr) return *use;
-    const Tool* tool = findTool(tools, number);
+    const Tool* tool = ToolTable(tools).find(number);
     const std::string description = tool == nullptr ? "" : describe(*tool);
     use = &uses[{number, description}];
     use->number = number;

@@ -62,7 +62,7 @@ struct InsertWay {
 std::optional<InsertWay> insertOn(const SetupRun& setup, std::size_t id) {
   const Toolpath& path = setup.interpreted.path;
   if (id >= path.motions.size()) return std::nullopt;
-  const Tool* tool = findTool(setup.job.tools, path.motions[id].tool);
+  const Tool* tool = ToolTable(setup.job.tools).find(path.motions[id].tool);
   if (tool == nullptr || !tool->insert) return std::nullopt;
   return InsertWay{path, path.motions[id], insertOutline(*tool->insert)};
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/tool/tool_table.h"
+
 namespace proveout {
 namespace {
 
@@ -156,35 +158,33 @@ class Collector {
 
   void addTool() {
     const int number = s_.path.motions[motion_].tool;
-    for (const Tool& tool : s_.tools) {
-      if (tool.number != number) continue;
-      const std::string key = fmt::format("tools.{}.", number);
-      if (tool.insert) {
-        const DataInForce* data = dataOf(s_.path, motion_);
-        for (const auto& [shift, key_of_shift, mm] :
-             {std::tuple(CutShift::kX, "DXW", data->tool_offset.x()),
-              std::tuple(CutShift::kZ, "DZW", data->tool_offset.z())}) {
-          if (mm != 0.0)
-            addDatum(shift, kTool, fmt::format("control.{}.{}.{}", s_.control, key_of_shift, data->nose_tool),
-                     mm, 0);
-        }
-        for (const CutShift shift : {CutShift::kX, CutShift::kZ, CutShift::kRadial}) {
-          addDatum(shift, kTool, key + "nose_radius", tool.insert->nose_radius, 0);
-          if (data->nose_radius > 0.0)  // what the operator entered
-            addDatum(shift, kTool, fmt::format("control.{}.RT.{}", s_.control, data->nose_tool),
-                     data->nose_radius, 0);
-        }
-        return;
+    const Tool* const tool = ToolTable(s_.tools).find(number);
+    if (tool == nullptr) return;
+    const std::string key = fmt::format("tools.{}.", number);
+    if (tool->insert) {
+      const DataInForce* data = dataOf(s_.path, motion_);
+      for (const auto& [shift, key_of_shift, mm] : {std::tuple(CutShift::kX, "DXW", data->tool_offset.x()),
+                                                    std::tuple(CutShift::kZ, "DZW", data->tool_offset.z())}) {
+        if (mm != 0.0)
+          addDatum(shift, kTool, fmt::format("control.{}.{}.{}", s_.control, key_of_shift, data->nose_tool),
+                   mm, 0);
       }
-      addDatum(CutShift::kRadial, kTool, key + "diameter", tool.diameter, 0);
-      if (tool.gauge_length > 0.0) addDatum(CutShift::kZ, kTool, key + "gauge_length", tool.gauge_length, 0);
-      if (tool.type == ToolType::kDrill)
-        addDatum(CutShift::kZ, kTool, key + "point_angle", tool.point_angle_deg, 0);
-      if (tool.type == ToolType::kCone)
-        addDatum(CutShift::kRadial, kTool, key + "cone_angle", tool.cone_angle_deg, 0);
-      if (tool.corner_radius > 0.0)
-        addDatum(CutShift::kZ, kTool, key + "corner_radius", tool.corner_radius, 0);
+      for (const CutShift shift : {CutShift::kX, CutShift::kZ, CutShift::kRadial}) {
+        addDatum(shift, kTool, key + "nose_radius", tool->insert->nose_radius, 0);
+        if (data->nose_radius > 0.0)  // what the operator entered
+          addDatum(shift, kTool, fmt::format("control.{}.RT.{}", s_.control, data->nose_tool),
+                   data->nose_radius, 0);
+      }
+      return;
     }
+    addDatum(CutShift::kRadial, kTool, key + "diameter", tool->diameter, 0);
+    if (tool->gauge_length > 0.0) addDatum(CutShift::kZ, kTool, key + "gauge_length", tool->gauge_length, 0);
+    if (tool->type == ToolType::kDrill)
+      addDatum(CutShift::kZ, kTool, key + "point_angle", tool->point_angle_deg, 0);
+    if (tool->type == ToolType::kCone)
+      addDatum(CutShift::kRadial, kTool, key + "cone_angle", tool->cone_angle_deg, 0);
+    if (tool->corner_radius > 0.0)
+      addDatum(CutShift::kZ, kTool, key + "corner_radius", tool->corner_radius, 0);
   }
 
   void addVectors(const DataInForce& data) {

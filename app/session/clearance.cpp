@@ -32,13 +32,6 @@ Vec3 insertGauges(const std::vector<Tool>& tools) {
   return most;
 }
 
-/// The gauge of the tool that is taken to be in the spindle where the program has named none.
-Vec3 firstGauge(const std::vector<Tool>& tools) {
-  const auto lowest = std::min_element(tools.begin(), tools.end(),
-                                       [](const Tool& a, const Tool& b) { return a.number < b.number; });
-  return lowest == tools.end() ? Vec3(Vec3::Zero()) : gaugeOf(*lowest);
-}
-
 const Tool* longestTool(const std::vector<Tool>& tools) {
   const auto longest = std::max_element(tools.begin(), tools.end(), [](const Tool& a, const Tool& b) {
     return a.gauge_length < b.gauge_length;
@@ -89,7 +82,9 @@ double toolReach(const std::vector<Tool>& tools) {
 void placeMachine(const Job& job, const Box3& blank, ControlSettings& settings) {
   const Process& process = processOf(job.control);
   const double reach = toolReach(job.tools);
-  settings.unnamed_gauge = firstGauge(job.tools);
+  const ToolTable tools(job.tools);
+  const Tool* unnamed = tools.unnamed();
+  settings.unnamed_gauge = unnamed == nullptr ? Vec3(Vec3::Zero()) : gaugeOf(*unnamed);
   Vec3 start = process.start(blank);
   start.z() += reach;
   start += insertGauges(job.tools);
@@ -99,7 +94,7 @@ void placeMachine(const Job& job, const Box3& blank, ControlSettings& settings) 
   }
   settings.start_by_default = !job.start;
   if (settings.limits[2]) start.z() = std::min(start.z(), settings.limits[2]->max - originHeight(settings));
-  const Tool* named = findTool(job.tools, settings.tool);
+  const Tool* named = tools.find(settings.tool);
   if (settings.tool == 0) {
     start -= settings.unnamed_gauge;
   } else if (named != nullptr) {

@@ -27,7 +27,7 @@ double spotGap(const RunResult& run, const SurfaceMaker& a, const SurfaceMaker& 
   if (numberOf(a) != numberOf(b) || a.motion >= motions.size() || b.motion >= motions.size()) return -1.0;
   const int tool = motions[a.motion].tool;
   if (motions[b.motion].tool != tool) return -1.0;
-  const Tool* t = findTool(setup.job.tools, tool);
+  const Tool* t = ToolTable(setup.job.tools).find(tool);
   return t == nullptr ? -1.0 : t->insert ? 2.0 * t->insert->nose_radius : t->diameter;
 }
 

@@ -265,7 +265,7 @@ class Diagnosis {
     const Vec3 way = m.to - m.from;
     const double length = way.norm();
     if (m.arc >= 0 || !(length > 0.0)) return {1.0, m.arc >= 0 ? 1.0 : 0.0};
-    const Tool* tool = findTool(setup.job.tools, m.tool);
+    const Tool* tool = ToolTable(setup.job.tools).find(m.tool);
     const double radius = tool == nullptr ? 0.0
                           : tool->insert  ? tool->insert->nose_radius
                                           : 0.5 * tool->diameter;

@@ -14,6 +14,7 @@
 #include "app/session/process/process.h"
 #include "app/session/stock_probe.h"
 #include "core/nc/source_text.h"
+#include "core/tool/tool_table.h"
 #include "io/program_files.h"
 
 namespace proveout {
@@ -293,8 +294,8 @@ void addOffsetTools(Toolpath& path, std::vector<Tool>& tools) {
 
 bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const RecordingSource& source) {
   if (path.motions.empty()) return true;
-  std::set<int> defined, missing;
-  for (const Tool& tool : tools) defined.insert(tool.number);
+  const ToolTable table(tools);
+  std::set<int> missing;
   const auto diagnose = [&](Severity severity, const Motion& motion, std::string code, std::string message) {
     const BlockRef block = blockRef(path, motion.source, source);
     Diagnostic diagnostic;
@@ -305,20 +306,21 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
     diagnostic.source_line = block.text;
     path.diagnostics.add(std::move(diagnostic));
   };
-  if (defined.empty()) {
+  const Tool* const unnamed = table.unnamed();
+  if (unnamed == nullptr) {
     diagnose(Severity::kError, path.motions.front(), "tool", "the job defines no tool");
     return false;
   }
-  const int lowest = *defined.begin();
   std::map<int, MotionId> first_change;  // by channel
   for (const Toolpath::EventAt& e : path.events) {
     if (e.event.as<event::ToolChange>() != nullptr) first_change.emplace(e.event.channel, e.before);
   }
-  int known = lowest;  // the last tool that was found
+  int known = unnamed->number;  // the last tool that was found
   bool told = false, good = true;
   for (Motion& motion : path.motions) {
     if (motion.tool == known) continue;
-    if (motion.tool == 0 && !defined.contains(0)) {
+    const Tool* const tool = table.ofMotion(motion.tool);
+    if (tool != nullptr && tool->number != motion.tool) {  // it names none
       const auto changed = first_change.find(motion.channel);
       const bool emptied = changed != first_change.end() &&
                            static_cast<MotionId>(&motion - path.motions.data()) >= changed->second;
@@ -327,15 +329,15 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
         return false;
       }
       if (!told) {
-        diagnose(
-            Severity::kNote, motion, "tool",
-            fmt::format("no tool is changed in up to here; tool {} is taken to be in the spindle", lowest));
+        diagnose(Severity::kNote, motion, "tool",
+                 fmt::format("no tool is changed in up to here; tool {} is taken to be in the spindle",
+                             tool->number));
       }
       told = true;
-      motion.tool = lowest;
+      motion.tool = tool->number;
       continue;
     }
-    if (defined.contains(motion.tool)) {
+    if (tool != nullptr) {
       known = motion.tool;
       continue;
     }

@@ -71,7 +71,7 @@ std::vector<LeftEdge> leftEdges(const SetupRun& setup) {
 }
 
 const Insert& insertOf(const SetupRun& setup, MotionId motion) {
-  return *findTool(setup.job.tools, setup.interpreted.path.motions[motion].tool)->insert;
+  return *ToolTable(setup.job.tools).find(setup.interpreted.path.motions[motion].tool)->insert;
 }
 
 /// How far an uncompensated nose cuts beyond the line that the programmed point draws, mm; below 0: how much
@@ -247,7 +247,7 @@ std::optional<Cause> noseCause(const SetupRun& setup, MotionId motion, const Vec
   const DataInForce* data = motion < path.motions.size() ? dataOf(path, motion) : nullptr;
   if (!setup.turned || data == nullptr || !path.motions[motion].compensated) return std::nullopt;
   const ControlNose control = noseOf(path.motions[motion], *data);
-  const Tool* tool = findTool(setup.job.tools, control.tool);
+  const Tool* tool = ToolTable(setup.job.tools).find(control.tool);
   if (tool == nullptr || !tool->insert || sameNose(control, *tool->insert)) return std::nullopt;
   const Vec2 radial = where.head<2>().normalized();
   const Vec2 inward(-outward.head<2>().dot(radial), -outward.z());

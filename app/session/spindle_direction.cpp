@@ -9,6 +9,7 @@
 
 #include "app/session/accounting.h"
 #include "app/session/blame.h"
+#include "core/tool/tool_table.h"
 
 namespace proveout {
 namespace {
@@ -50,16 +51,15 @@ bool turnsBackwards(const Motion& motion, const Tool& tool) {
 void addSpindleDirection(const Toolpath& path, const std::vector<float>& removed_mm3,
                          const std::vector<Tool>& tools, const RecordingSource& texts,
                          std::vector<Finding>& findings) {
-  std::map<int, const Tool*> by_number;
-  for (const Tool& tool : tools) by_number.emplace(tool.number, &tool);
+  const ToolTable table(tools);
   SpindleStarts starts(path);
   std::set<std::pair<int, const PathEvent*>> told;
   for (MotionId id = 0; id < path.motions.size() && id < removed_mm3.size(); ++id) {
     const Motion& motion = path.motions[id];
     const PathEvent* const start = starts.before(id);
-    const auto tool = by_number.find(motion.tool);
-    if (motion.kind != MotionKind::kFeed || tool == by_number.end() || tool->second->insert) continue;
-    if (!turnsBackwards(motion, *tool->second) || !isChip(removed_mm3[id], path.length(motion))) continue;
+    const Tool* const tool = table.find(motion.tool);
+    if (motion.kind != MotionKind::kFeed || tool == nullptr || tool->insert) continue;
+    if (!turnsBackwards(motion, *tool) || !isChip(removed_mm3[id], path.length(motion))) continue;
     if (!told.emplace(motion.tool, start).second) continue;
     Finding finding(FindingKind::kSpindleDirection);
     blame(finding, id, path, texts);
@@ -70,7 +70,7 @@ void addSpindleDirection(const Toolpath& path, const std::vector<float>& removed
     finding.message = fmt::format(
         "the spindle turns {} here, and tool {}, which is a {}-hand cutter, cuts with it from {} on",
         motion.spindle < 0.0 ? "counter-clockwise (M4)" : "clockwise (M3)", motion.tool,
-        tool->second->left_hand ? "left" : "right", cut);
+        tool->left_hand ? "left" : "right", cut);
     findings.push_back(std::move(finding));
   }
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/tool/tool_table.h"
+
 namespace proveout {
 namespace {
 
@@ -26,25 +28,19 @@ bool standsStraight(const AxisSweep& axis) {
 
 }  // namespace
 
-const Tool* StockProbe::toolOf(int number) const {
-  const Tool* lowest = nullptr;
-  for (const Tool& tool : stock_.tools) {
-    if (tool.number == number) return &tool;
-    if (lowest == nullptr || tool.number < lowest->number) lowest = &tool;
-  }
-  return number == 0 ? lowest : nullptr;  // as assignTools takes motions without a tool
+Error undefinedTool(int number) {
+  return inputError(fmt::format("tool {} is not defined; give it as [[tool]] in the job", number));
 }
 
 /// Motions that came since the last time, with the tools that they are cut with.
 Status StockProbe::takeMotions() {
+  const ToolTable tools(stock_.tools);
   for (; read_ < path_.motions.size(); ++read_) {
     Motion motion = path_.motions[read_];
     if (motion.axis >= 0 && !standsStraight(path_.axes[static_cast<std::size_t>(motion.axis)]))
       return turned();
-    const Tool* tool = toolOf(motion.tool);
-    if (tool == nullptr) {
-      return inputError(fmt::format("tool {} is not defined; give it as [[tool]] in the job", motion.tool));
-    }
+    const Tool* tool = tools.ofMotion(motion.tool);
+    if (tool == nullptr) return undefinedTool(motion.tool);
     motion.tool = tool->number;
     if (motion.arc >= 0) {
       cut_.arcs.push_back(path_.arcs[static_cast<std::size_t>(motion.arc)]);
@@ -59,6 +55,7 @@ Status StockProbe::takeMotions() {
 /// Whether one of the motions from `first` on runs into the stock of the query.
 bool StockProbe::mayHaveCut(std::size_t first) const {
   if (cut_.motions.size() - first > kMostAsked) return true;
+  const ToolTable tools(stock_.tools);
   for (std::size_t i = first; i < cut_.motions.size(); ++i) {
     const Motion& motion = cut_.motions[i];
     if (motion.kind == MotionKind::kProbe) continue;
@@ -66,7 +63,7 @@ bool StockProbe::mayHaveCut(std::size_t first) const {
     const double length = (motion.to - motion.from).norm();
     if (length <= kLeaveMm) continue;
     const Vec3 from = motion.from + (kLeaveMm / length) * (motion.to - motion.from);
-    if (query_->firstContact(*toolOf(motion.tool), from, motion.to)) return true;
+    if (query_->firstContact(*tools.find(motion.tool), from, motion.to)) return true;
   }
   return false;
 }
@@ -92,10 +89,8 @@ Status StockProbe::cutSoFar() {
 Result<std::optional<double>> StockProbe::firstContact(const Motion& move, const ArcGeometry* arc,
                                                        const AxisSweep* axis) {
   if (arc != nullptr || (axis != nullptr && !standsStraight(*axis))) return turned();
-  const Tool* tool = toolOf(move.tool);
-  if (tool == nullptr) {
-    return inputError(fmt::format("tool {} is not defined; give it as [[tool]] in the job", move.tool));
-  }
+  const Tool* tool = ToolTable(stock_.tools).ofMotion(move.tool);
+  if (tool == nullptr) return undefinedTool(move.tool);
   if (Status done = cutSoFar(); !done) {
     failure_ = done.error();
     return done.error();

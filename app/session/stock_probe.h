@@ -31,6 +31,9 @@ class PieceProbe : public Probe {
   virtual bool passedFixtures() const { return false; }
 };
 
+/// Says that a motion names a tool which the job does not have.
+Error undefinedTool(int number);
+
 /// Cuts the path known so far into a new stock when a measuring move asks and something may have been cut
 /// since the last time. The run cuts everything again afterwards: what it makes does not depend on who asked
 /// in between.
@@ -50,7 +53,6 @@ class StockProbe final : public PieceProbe {
  private:
   Status cutSoFar();
   bool mayHaveCut(std::size_t first) const;
-  const Tool* toolOf(int number) const;
   Status takeMotions();
 
   const ProbedStock& stock_;

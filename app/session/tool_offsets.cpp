@@ -18,7 +18,7 @@ namespace {
 using report_text::figure;
 
 const Tool* toolOf(const SetupRun& setup, MotionId motion) {
-  return findTool(setup.job.tools, setup.interpreted.path.motions[motion].tool);
+  return ToolTable(setup.job.tools).find(setup.interpreted.path.motions[motion].tool);
 }
 
 bool cuts(const SetupRun& setup, MotionId id) {

@@ -52,7 +52,7 @@ class LowestRadius {
 };
 
 double noseRadius(const std::vector<Tool>& tools, int number) {
-  const Tool* tool = findTool(tools, number);
+  const Tool* tool = ToolTable(tools).find(number);
   return tool != nullptr && tool->insert ? tool->insert->nose_radius : 0.0;
 }
 

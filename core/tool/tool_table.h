@@ -1,25 +1,32 @@
 // Tools by number, and how they stand in the machine.
 #pragma once
 
-#include <algorithm>
-#include <vector>
+#include <span>
 
 #include "core/tool/tool.h"
 
 namespace proveout {
 
-/// The tool with that number; null: there is none.
-inline const Tool* findTool(const std::vector<Tool>& tools, int number) {
-  const auto found =
-      std::find_if(tools.begin(), tools.end(), [&](const Tool& tool) { return tool.number == number; });
-  return found == tools.end() ? nullptr : &*found;
-}
+/// The tools of a clamping by their numbers: a view, to be made where it is asked. The list must outlive it.
+/// Of tools with one number the first counts.
+class ToolTable {
+ public:
+  explicit ToolTable(std::span<const Tool> tools) : tools_(tools) {}
+
+  /// The tool with that number; null: there is none.
+  const Tool* find(int number) const;
+  /// What is taken to be in the spindle where nobody has named a tool: the one with the lowest number. Null:
+  /// there are no tools.
+  const Tool* unnamed() const;
+  /// The tool that a motion is cut with which names `number`: 0, where no tool has it, stands for unnamed().
+  /// Null: there is none.
+  const Tool* ofMotion(int number) const;
+
+ private:
+  std::span<const Tool> tools_;
+};
 
 /// From a tool's control point to what the machine counts from, mm: what its offsets have to make up for.
-inline Vec3 gaugeOf(const Tool& tool) {
-  if (!tool.insert) return {0.0, 0.0, tool.gauge_length};
-  const Vec2 gauge = tool.insert->gauge.value_or(Vec2::Zero());
-  return {gauge.x(), 0.0, gauge.y()};
-}
+Vec3 gaugeOf(const Tool& tool);
 
 }  // namespace proveout

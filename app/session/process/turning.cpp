@@ -1,8 +1,6 @@
 // Turning: the workpiece is a half section until a thread or a saved grid needs more.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/session/clearance.h"
 #include "app/session/fixtures.h"
 #include "app/session/process/process.h"
@@ -67,12 +65,34 @@ class TurningProbe final : public PieceProbe {
   const std::optional<Error>& failure() const override { return failure_; }
 
  private:
+  Status takeMotions();
+
   const StockShape& blank_;
   const std::vector<Tool>& tools_;
   const Toolpath& path_;
   Progress& progress_;
+  Toolpath cut_;  ///< of path_: what has been read
   std::optional<Error> failure_;
 };
+
+/// Motions that came since the last time, with the tools that they are cut with.
+Status TurningProbe::takeMotions() {
+  const auto takeNew = [](const auto& from, auto& to) {
+    to.insert(to.end(), from.begin() + std::ssize(to), from.end());
+  };
+  cut_.files = path_.files;
+  takeNew(path_.arcs, cut_.arcs);
+  takeNew(path_.axes, cut_.axes);
+  const ToolTable tools(tools_);
+  while (cut_.motions.size() < path_.motions.size()) {
+    Motion motion = path_.motions[cut_.motions.size()];
+    const Tool* tool = tools.ofMotion(motion.tool);
+    if (tool == nullptr) return undefinedTool(motion.tool);
+    motion.tool = tool->number;
+    cut_.motions.push_back(motion);
+  }
+  return Done{};
+}
 
 Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, const ArcGeometry* arc,
                                                          const AxisSweep* axis) {
@@ -80,30 +100,17 @@ Result<std::optional<double>> TurningProbe::firstContact(const Motion& move, con
     failure_ = error;
     return error;
   };
-  Toolpath so_far;
-  so_far.files = path_.files;
-  so_far.motions = path_.motions;
-  so_far.arcs = path_.arcs;
-  so_far.axes = path_.axes;
-  so_far.motions.push_back(move);
-  const int lowest =
-      tools_.empty() ? 0 : std::min_element(tools_.begin(), tools_.end(), [](const auto& a, const auto& b) {
-                             return a.number < b.number;
-                           })->number;
-  for (Motion& motion : so_far.motions) {
-    if (motion.tool == 0) motion.tool = lowest;  // as assignTools does
-    if (findTool(tools_, motion.tool) == nullptr)
-      return fail(
-          inputError(fmt::format("tool {} is not defined; give it as [[tool]] in the job", motion.tool)));
-  }
-  const Motion asked = so_far.motions.back();
-  so_far.motions.pop_back();
+  if (Status done = takeMotions(); !done) return fail(done.error());
+  const Tool* tool = ToolTable(tools_).ofMotion(move.tool);
+  if (tool == nullptr) return fail(undefinedTool(move.tool));
+  Motion asked = move;
+  asked.tool = tool->number;
   if (const char* obstacle = turningObstacle(asked, arc, axis))
     return fail(inputError(fmt::format("{}: a part that turns cannot be measured so", obstacle)));
   Result<TurnedStock> stock = TurnedStock::create(blank_);
   if (!stock) return fail(stock.error());
-  if (const auto cut = stock->remove(so_far, tools_, progress_); !cut) return fail(cut.error());
-  return stock->firstContact(asked, arc, *findTool(tools_, asked.tool));
+  if (const auto cut = stock->remove(cut_, tools_, progress_); !cut) return fail(cut.error());
+  return stock->firstContact(asked, arc, *tool);
 }
 
 std::unique_ptr<PieceProbe> probe(const Job& /*setup*/, const ProbedStock& stock, const Toolpath& path,
