@@ -1,11 +1,12 @@
-# Install tree and package config: find_package(proveout), then link proveout::core, ::removal, ::compare, ::io, ::render or ::session.
+# Install tree and package config: find_package(proveout), then link proveout::core, ::removal, ::vdb_grids, ::compare, ::io,
+# ::render or ::session.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(PROVEOUT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/proveout)
 set(PROVEOUT_EXPORTED proveout_options)
 set_target_properties(proveout_options PROPERTIES EXPORT_NAME options)
-foreach(library core removal compare io render session)
+foreach(library core removal vdb_grids compare io render session)
   if(TARGET proveout_${library})
     list(APPEND PROVEOUT_EXPORTED proveout_${library})
   endif()
@@ -23,8 +24,9 @@ foreach(folder core/base core/geometry core/path core/tool core/nc)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(FILES core/mesh/tri_mesh.h core/mesh/image.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/core/mesh)
-install(FILES removal/grid/stock.h removal/grid/stock_shape.h
+install(FILES removal/grid/stock.h removal/grid/stock_shape.h removal/grid/vdb_tree.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/grid)
+install(FILES removal/vdb/vdb_grids.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/vdb)
 install(DIRECTORY removal/process/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/process
         FILES_MATCHING PATTERN "*.h")
 install(FILES removal/turning/section.h removal/turning/turned_stock.h

@@ -81,8 +81,8 @@ void CrossingFinder::cutEdges(const Group& group, const std::vector<std::uint32_
 /// Where the surface that an edge crossed goes on over an edge beside it, and nothing is left on the other
 /// side, what is left on this one is the corner of solid material and no film. Adds the places on the other
 /// side.
-void CrossingFinder::addBeyond(const Coord& start, int axis, bool material_first, const Vec3& p) {
-  const LeafReader read(impl_);
+void CrossingFinder::addBeyond(SampleReader& read, const Coord& start, int axis, bool material_first,
+                               const Vec3& p) {
   for (int other = 0; other < 3; ++other) {
     for (const int step : {-1, 1}) {
       if (other == axis) continue;
@@ -107,6 +107,7 @@ LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edg
   std::vector<Film> films;
   std::vector<Vec3> points;
   beyond_.clear();
+  SampleReader read(impl_);
   std::size_t next = 0;
   forEachEdge(change.before, [&](int axis, int x, int y, int z) {
     const Crossing& old = before[next++];
@@ -115,7 +116,7 @@ LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edg
     const bool material_first = old.normal[axis] > 0;
     Film film{impl_.position(start), beyond_.size(), 0};
     film.p[axis] += (material_first ? std::max(0.0, old.t - kFilm) : std::min(1.0, old.t + kFilm)) * impl_.h;
-    addBeyond(start, axis, material_first, film.p);
+    addBeyond(read, start, axis, material_first, film.p);
     film.beyond_end = beyond_.size();
     films.push_back(film);
     points.push_back(film.p);

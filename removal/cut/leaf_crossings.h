@@ -34,7 +34,7 @@ class CrossingFinder {
                     std::span<const Reach> list);
 
  private:
-  void addBeyond(const Coord& start, int axis, bool material_first, const Vec3& p);
+  void addBeyond(SampleReader& read, const Coord& start, int axis, bool material_first, const Vec3& p);
   std::vector<char> barePoints(const std::vector<Vec3>& points, std::span<const Reach> list);
 
   static constexpr std::uint32_t kOld = 0xFFFFFFFFu;

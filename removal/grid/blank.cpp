@@ -85,7 +85,7 @@ class FieldBlank {
   void fillInside(const Coord& origin, int size) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const Coord first = leafCoord(origin);
-    impl_.index.fill(first, first.offsetBy(size / 8 - 1), LeafIndex::kInside);
+    impl_.tree.fillInside(first, first.offsetBy(size / 8 - 1));
   }
 
   std::vector<Crossing> crossings(const LeafChange& leaf, const LeafEdges& edges) const {

@@ -36,8 +36,7 @@ constexpr std::uint32_t kNoRecord = 0xFFFFFFFFu;
 
 std::uint32_t addRecord(Stock::Impl& impl, const LeafChange& change) {
   const auto number = static_cast<std::uint32_t>(impl.leaves.size());
-  impl.leaves.push_back({change.origin, change.material, {}});
-  impl.index.set(leafCoord(change.origin), static_cast<std::int32_t>(number));
+  *addLeaf(impl, change.origin).samples = change.material;
   return number;
 }
 
@@ -49,17 +48,17 @@ std::vector<std::uint32_t> installChanges(Stock::Impl& impl, std::span<const Lea
     const LeafChange& change = *changes[i];
     const Coord at = leafCoord(change.origin);
     const bool inside = change.material == kAllInside;
-    if (const std::int32_t number = impl.index.get(at); number >= 0) {
+    if (const std::int32_t number = impl.tree.get(at); number >= 0) {
       record[i] = static_cast<std::uint32_t>(number);
     } else if (inside || change.material == kAllOutside) {
-      impl.index.set(at, inside ? LeafIndex::kInside : LeafIndex::kOutside);
+      impl.tree.setUniform(at, inside);
     } else {
       record[i] = addRecord(impl, change);
     }
   }
   std::vector<std::uint8_t> beside(changes.size(), 0);
   parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
-    if (record[i] != kNoRecord) impl.leaves[record[i]].material = changes[i]->material;
+    if (record[i] != kNoRecord) *impl.leaves[record[i]].samples = changes[i]->material;
   });
   parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
     beside[i] = record[i] == kNoRecord && isMixed(LeafReader(impl), changes[i]->origin);
@@ -88,8 +87,7 @@ void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes
   });
   for (std::size_t i = 0; i < changes.size(); ++i) {
     if (record[i] == kNoRecord || impl.leaves[record[i]].origin != kNoLeaf) continue;
-    const bool inside = changes[i]->material[0] & 1;
-    impl.index.set(leafCoord(changes[i]->origin), inside ? LeafIndex::kInside : LeafIndex::kOutside);
+    impl.tree.setUniform(leafCoord(changes[i]->origin), (changes[i]->material[0] & 1) != 0);
   }
   orderLeaves(impl);
 }

@@ -64,7 +64,7 @@ class ExactMove {
   }
 
   Stock::Impl run() {
-    makeIndex(now_);
+    makeTree(now_);
     fillInside();
     const std::vector<LeafChange> changes = movedLeaves();
     commitChanges(now_, addressesOf(changes), [&](std::size_t i, const LeafEdges& edges, const auto&) {
@@ -76,14 +76,14 @@ class ExactMove {
 
  private:
   void fillInside() {
-    old_.index.forEachBox(LeafIndex::kInside, [&](const Coord& low, const Coord& high) {
+    old_.tree.forEachInside([&](const Coord& low, const Coord& high) {
       const Coord a = map_(low), b = map_(high);
       Coord first, last;
       for (int axis = 0; axis < 3; ++axis) {
         first[axis] = std::min(a[axis], b[axis]);
         last[axis] = std::max(a[axis], b[axis]);
       }
-      now_.index.fill(first, last, LeafIndex::kInside);
+      now_.tree.fillInside(first, last);
     });
   }
 
@@ -95,7 +95,7 @@ class ExactMove {
       const Coord at = map_(leafCoord(leaf.origin));
       for (int n = 0; n < 27; ++n) {
         const Coord place = at.offsetBy(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-        if (now_.index.holds(place)) places.insert(place);
+        if (now_.tree.holds(place)) places.insert(place);
       }
     }
     const LeafReader reader(old_);

@@ -133,9 +133,10 @@ LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& n
 bool isMixed(const LeafReader& reader, const Coord& origin) {
   // Own samples, and of each upper neighbour the layer, row or corner that belongs to the block.
   constexpr std::uint64_t kRowX = 0xFF, kRowY = 0x0101010101010101;
-  const std::uint64_t side = reader.bits(origin)[0] & 1 ? ~0ull : 0;
+  const std::array<const LeafBits*, 8> beside = reader.bitsBeside(origin);
+  const std::uint64_t side = (*beside[0])[0] & 1 ? ~0ull : 0;
   for (int n = 0; n < 8; ++n) {
-    const LeafBits& bits = reader.bits(origin.offsetBy(n & 1 ? 8 : 0, n & 2 ? 8 : 0, n & 4 ? 8 : 0));
+    const LeafBits& bits = *beside[static_cast<std::size_t>(n)];
     const std::uint64_t mask = (n & 1 ? kRowX : ~0ull) & (n & 2 ? kRowY : ~0ull);
     for (int z = 0; z < (n & 4 ? 1 : 8); ++z) {
       if ((bits[z] ^ side) & mask) return true;
@@ -147,7 +148,7 @@ bool isMixed(const LeafReader& reader, const Coord& origin) {
 namespace {
 
 /// Leaves that hold the blank, with room for the layers around it that the block of a leaf reaches into.
-std::pair<Coord, Coord> indexRoom(const Stock::Impl& impl) {
+std::pair<Coord, Coord> treeRoom(const Stock::Impl& impl) {
   Coord low, high;
   for (int axis = 0; axis < 3; ++axis) {
     low[axis] = static_cast<int>(std::floor((impl.blank.min[axis] - impl.origin[axis]) / impl.h)) / 8 - 3;
@@ -158,14 +159,20 @@ std::pair<Coord, Coord> indexRoom(const Stock::Impl& impl) {
 
 }  // namespace
 
-void makeIndex(Stock::Impl& impl) {
-  const auto [low, high] = indexRoom(impl);
-  impl.index.reset(low, high);
+void makeTree(Stock::Impl& impl) {
+  const auto [low, high] = treeRoom(impl);
+  impl.tree.reset(low, high);
 }
 
-double indexBytes(const Stock::Impl& impl) {
-  const auto [low, high] = indexRoom(impl);
-  return LeafIndex::bytesFor(low, high);
+double treeBytes(const Stock::Impl& impl) {
+  const auto [low, high] = treeRoom(impl);
+  return StockTree::bytesFor(low, high);
+}
+
+StockLeaf& addLeaf(Stock::Impl& impl, const Coord& origin) {
+  LeafBits* samples = impl.tree.number(leafCoord(origin), static_cast<std::int32_t>(impl.leaves.size()));
+  impl.leaves.push_back({origin, samples, {}});
+  return impl.leaves.back();
 }
 
 void orderLeaves(Stock::Impl& impl) {
@@ -188,9 +195,9 @@ void orderLeaves(Stock::Impl& impl) {
   parallelFor(std::size_t{0}, places.size(),
               [&](std::size_t i) { leaves[i] = std::move(impl.leaves[places[i].number]); });
   impl.leaves = std::move(leaves);
-  for (std::size_t i = 0; i < impl.leaves.size(); ++i) {
-    impl.index.set(leafCoord(impl.leaves[i].origin), static_cast<std::int32_t>(i));
-  }
+  parallelFor(std::size_t{0}, impl.leaves.size(), [&](std::size_t i) {
+    impl.tree.number(leafCoord(impl.leaves[i].origin), static_cast<std::int32_t>(i));
+  });
 }
 
 Stock::Stock() = default;
@@ -212,9 +219,9 @@ Result<Stock> Stock::create(const StockShape& shape, const RemovalOptions& optio
     stock.impl_->h = options.resolution_mm;
     stock.impl_->origin = kGridShift * options.resolution_mm;
     stock.impl_->blank = windowed(shape, bounds, options.window);
-    if (const double bytes = indexBytes(*stock.impl_), most = memoryLimit(options); bytes > most)
+    if (const double bytes = treeBytes(*stock.impl_), most = memoryLimit(options); bytes > most)
       return memoryError(bytes, most, options.resolution_mm);
-    makeIndex(*stock.impl_);
+    makeTree(*stock.impl_);
     if (Status status = buildBlank(*stock.impl_, shape, options, progress); !status) return status.error();
     if (const auto* known = std::get_if<FieldShape>(&shape);
         known != nullptr && !known->body->volumeIsExact()) {

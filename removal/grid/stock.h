@@ -152,6 +152,7 @@ class Stock {
   Box3 bounds() const;        ///< of the blank, mm
 
   struct Impl;  ///< removal/grid/stock_impl.h
+  const Impl& inside() const { return *impl_; }
 
  private:
   std::unique_ptr<Impl> impl_;

@@ -9,8 +9,8 @@
 
 #include "removal/grid/coord.h"
 #include "removal/grid/leaf_bits.h"
-#include "removal/grid/leaf_index.h"
 #include "removal/grid/stock.h"
+#include "removal/grid/stock_tree.h"
 
 namespace proveout {
 
@@ -46,8 +46,9 @@ static_assert(sizeof(Crossing) == 16);
 /// A leaf whose block of 9x9x9 samples (its own and the first layer of its upper neighbours) is not all one
 /// side. Edge (axis, x, y, z) runs from that sample of the leaf to the next along the axis.
 struct StockLeaf {
-  Coord origin;  ///< voxel of its first sample, a multiple of 8
-  LeafBits material{};
+  Coord origin;                 ///< voxel of its first sample, a multiple of 8
+  LeafBits* samples = nullptr;  ///< in the tree
+  const LeafBits& material() const { return *samples; }
   std::vector<Crossing> crossings;  ///< one an edge that is crossed, sorted by axis, then z, then leafBit
 };
 
@@ -88,7 +89,7 @@ class TriangleTree;
 struct Stock::Impl {
   double h = 0.0;                 ///< grid spacing, mm
   Vec3 origin = Vec3::Zero();     ///< position of voxel (0, 0, 0), mm
-  LeafIndex index;                ///< numbers in `leaves`
+  StockTree tree;                 ///< the samples; numbers in `leaves`
   std::vector<StockLeaf> leaves;  ///< sorted by origin
   double initial_volume = 0.0;    ///< mm3
   Box3 blank;
@@ -110,7 +111,7 @@ struct Stock::Impl {
   }
 };
 
-/// Voxel of the index that stands for the leaf at `origin`.
+/// Leaf coordinates of the leaf at `origin`.
 inline Coord leafCoord(const Coord& origin) { return {origin.x() >> 3, origin.y() >> 3, origin.z() >> 3}; }
 
 /// Reads leaves by their place.
@@ -118,28 +119,50 @@ class LeafReader {
  public:
   explicit LeafReader(const Stock::Impl& impl) : impl_(impl) {}
   /// `origin`: voxel of the leaf's first sample.
-  std::int32_t state(const Coord& origin) const { return impl_.index.get(leafCoord(origin)); }
+  std::int32_t state(const Coord& origin) const { return impl_.tree.get(leafCoord(origin)); }
   const StockLeaf* leaf(const Coord& origin) const {
     const std::int32_t s = state(origin);
     return s >= 0 ? &impl_.leaves[static_cast<std::size_t>(s)] : nullptr;
   }
-  const LeafBits& bits(const Coord& origin) const {
-    const std::int32_t s = state(origin);
-    if (s >= 0) return impl_.leaves[static_cast<std::size_t>(s)].material;
-    return s == LeafIndex::kInside ? kAllInside : kAllOutside;
-  }
+  const LeafBits& bits(const Coord& origin) const { return impl_.tree.bits(leafCoord(origin)); }
   /// The sample at a voxel of the whole grid.
   bool isMaterial(const Coord& at) const {
     return leafSample(bits(at & ~7), at.x() & 7, at.y() & 7, at.z() & 7);
   }
   LeafEdges edges(const StockLeaf& leaf) const {
-    return leafEdges(leaf.material,
-                     {&bits(leaf.origin.offsetBy(8, 0, 0)), &bits(leaf.origin.offsetBy(0, 8, 0)),
-                      &bits(leaf.origin.offsetBy(0, 0, 8))});
+    const auto beside = impl_.tree.bitsBeside(leafCoord(leaf.origin));
+    return leafEdges(leaf.material(), {beside[1], beside[2], beside[4]});
+  }
+  /// As StockTree::getBeside and bitsBeside.
+  std::array<std::int32_t, 8> statesBeside(const Coord& origin, int step) const {
+    return impl_.tree.getBeside(leafCoord(origin), step);
+  }
+  std::array<const LeafBits*, 8> bitsBeside(const Coord& origin) const {
+    return impl_.tree.bitsBeside(leafCoord(origin));
   }
 
  private:
   const Stock::Impl& impl_;
+};
+
+/// Reads samples that follow each other nearby: asks the tree once a leaf. For one thread.
+class SampleReader {
+ public:
+  explicit SampleReader(const Stock::Impl& impl) : impl_(impl) {}
+  /// The sample at a voxel of the whole grid.
+  bool isMaterial(const Coord& at) {
+    const Coord origin = at & ~7;
+    if (bits_ == nullptr || origin != origin_) {
+      origin_ = origin;
+      bits_ = &impl_.tree.bits(leafCoord(origin));
+    }
+    return leafSample(*bits_, at.x() & 7, at.y() & 7, at.z() & 7);
+  }
+
+ private:
+  const Stock::Impl& impl_;
+  Coord origin_;
+  const LeafBits* bits_ = nullptr;
 };
 
 /// Whether the 9x9x9 block of the leaf at `origin` holds both sides.
@@ -147,7 +170,9 @@ bool isMixed(const LeafReader& reader, const Coord& origin);
 
 /// Origin of a leaf that is to be left out by orderLeaves; no leaf of any stock has it.
 inline constexpr Coord kNoLeaf(1 << 30, 1 << 30, 1 << 30);
-/// Sorts `leaves` by origin, without those at kNoLeaf, and writes their numbers into the index.
+/// Adds a leaf that has none yet; its samples are all outside.
+StockLeaf& addLeaf(Stock::Impl& impl, const Coord& origin);
+/// Sorts `leaves` by origin, without those at kNoLeaf, and writes their numbers into the tree.
 void orderLeaves(Stock::Impl& impl);
 
 /// Fills an empty Impl with the blank. `impl` has h, origin and blank set.
@@ -162,10 +187,10 @@ Status loadStock(Stock::Impl& impl, const std::string& path, const RemovalOption
 /// Errors: bounds without volume, numbers that are not finite, more voxels along a side than are counted.
 Status checkGrid(const Box3& bounds, double resolution);
 
-/// An empty index with room for the blank; h, origin and blank must be set.
-void makeIndex(Stock::Impl& impl);
-/// Bytes that this index takes at the least.
-double indexBytes(const Stock::Impl& impl);
+/// An empty tree with room for the blank; h, origin and blank must be set.
+void makeTree(Stock::Impl& impl);
+/// Bytes that this room takes at the least.
+double treeBytes(const Stock::Impl& impl);
 
 /// Bytes that `leaves` leaves take in memory, with crossings and bookkeeping (measured: see
 /// docs/architecture.md).

@@ -364,7 +364,7 @@ LevelFace levelFace(const SurfaceLeaf& leaf) {
   out.crossing = crossings.front();
   std::array<int, 3> place{};
   place[axis] = layer;
-  out.material_below = leafSample(leaf.stock->material, place[0], place[1], place[2]);
+  out.material_below = leafSample(leaf.stock->material(), place[0], place[1], place[2]);
   return out;
 }
 
@@ -379,14 +379,11 @@ void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
   const LeafReader read(impl_);
   leaf.stock = &impl_.leaves[number];
   const Coord& at = leaf.stock->origin;
-  leaf.upper[0] = leaf.lower[0] = static_cast<std::int32_t>(number);
-  for (int i = 1; i < 8; ++i) {
-    const int dx = (i & 1) * 8, dy = (i >> 1 & 1) * 8, dz = (i >> 2) * 8;
-    leaf.upper[i] = read.state(at.offsetBy(dx, dy, dz));
-    leaf.lower[i] = i == 7 ? -1 : read.state(at.offsetBy(-dx, -dy, -dz));
-  }
-  const BlockBits bits = blockBits(leaf);
-  leaf.edges = leafEdges(leaf.stock->material, {bits[1], bits[2], bits[4]});
+  leaf.upper = read.statesBeside(at, 1);
+  leaf.lower = read.statesBeside(at, -1);
+  leaf.lower[7] = -1;  // nobody reads it
+  const BlockBits bits = read.bitsBeside(at);
+  leaf.edges = leafEdges(leaf.stock->material(), {bits[1], bits[2], bits[4]});
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
   for (int z = 0; z < 8; ++z) {
     const std::array<std::uint64_t, 4> high = cornerLayer(bits, z + 1);
@@ -412,8 +409,8 @@ BlockBits SurfaceGrid::blockBits(const SurfaceLeaf& leaf) const {
   BlockBits bits;
   for (int i = 0; i < 8; ++i) {
     const std::int32_t n = leaf.upper[i];
-    bits[i] = n >= 0 ? &impl_.leaves[static_cast<std::size_t>(n)].material
-                     : (n == LeafIndex::kInside ? &kAllInside : &kAllOutside);
+    bits[i] = n >= 0 ? &impl_.leaves[static_cast<std::size_t>(n)].material()
+                     : (n == StockTree::kInside ? &kAllInside : &kAllOutside);
   }
   return bits;
 }

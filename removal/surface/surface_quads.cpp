@@ -161,7 +161,7 @@ void QuadReader::readCorners(int axis, int x, int y, int z, Quad& quad) const {
 /// Takes the sheets that the edge belongs to, and brings the corners into the quad's order.
 void QuadReader::arrange(int axis, int x, int y, int z, Quad& quad) const {
   quad.split = 0;
-  const bool start_in = leafSample(leaf_->stock->material, x, y, z);
+  const bool start_in = leafSample(leaf_->stock->material(), x, y, z);
   if ((quad.traits & (CellTraits::kManySheets | CellTraits::kOneSheetFaces)) != 0) {
     pickSheets(axis, x, y, z, start_in, quad);
   }

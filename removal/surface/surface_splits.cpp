@@ -67,7 +67,7 @@ SplitQuad splitQuad(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, 
   middle[axis] += std::clamp<double>(c.t, kEndGap, 1.0 - kEndGap);
   SplitQuad out{
       quad.v, knownMotion(c.motion), (impl.position(leaf.stock->origin) + impl.h * middle).cast<float>(), {}};
-  const bool start_in = leafSample(leaf.stock->material, x, y, z);
+  const bool start_in = leafSample(leaf.stock->material(), x, y, z);
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   for (int after = 0; after < 4; ++after) {
     if (!(quad.split >> after & 1)) continue;

@@ -103,7 +103,7 @@ class MeshBlank {
       if (it.getLevel() == 0 || it.getValue() >= 0.0f) continue;
       openvdb::CoordBBox box;
       it.getBoundingBox(box);
-      impl_.index.fill(leafCoord(fromVdb(box.min())), leafCoord(fromVdb(box.max())), LeafIndex::kInside);
+      impl_.tree.fillInside(leafCoord(fromVdb(box.min())), leafCoord(fromVdb(box.max())));
     }
   }
 

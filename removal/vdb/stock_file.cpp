@@ -71,7 +71,7 @@ CrossingGrids packAxis(const Stock::Impl& impl, int axis) {
 openvdb::FloatGrid::Ptr packDistance(const Stock::Impl& impl) {
   const auto band = static_cast<float>(impl.h);
   auto grid = openvdb::FloatGrid::create(band);
-  impl.index.forEachBox(LeafIndex::kInside, [&](const Coord& low, const Coord& high) {
+  impl.tree.forEachInside([&](const Coord& low, const Coord& high) {
     grid->fill(openvdb::CoordBBox(openvdb::Coord(low.x() * 8, low.y() * 8, low.z() * 8),
                                   openvdb::Coord(high.x() * 8 + 7, high.y() * 8 + 7, high.z() * 8 + 7)),
                -band, false);
@@ -80,7 +80,7 @@ openvdb::FloatGrid::Ptr packDistance(const Stock::Impl& impl) {
   for (const StockLeaf& leaf : impl.leaves) {
     auto* node = grid->tree().touchLeaf(toVdb(leaf.origin));
     for (int v = 0; v < 512; ++v)
-      node->setValueOff(v, leafSample(leaf.material, v >> 6, v >> 3 & 7, v & 7) ? -band : band);
+      node->setValueOff(v, leafSample(leaf.material(), v >> 6, v >> 3 & 7, v & 7) ? -band : band);
   }
   const LeafReader reader(impl);
   const auto bring = [&](const Coord& voxel, float distance) {
@@ -116,22 +116,22 @@ typename Grid::Ptr readGrid(openvdb::io::File& file, const std::string& name) {
 bool isMaterial(float distance) { return std::signbit(distance); }
 
 void unpackDistance(const openvdb::FloatGrid& grid, Stock::Impl& impl) {
-  makeIndex(impl);
+  makeTree(impl);
   for (auto it = grid.cbeginValueAll(); it; ++it) {
     if (!std::isfinite(it.getValue())) throw std::runtime_error("a distance is not a finite number");
     if (it.getLevel() == 0 || !isMaterial(it.getValue())) continue;
     openvdb::CoordBBox box;
     it.getBoundingBox(box);
     const Coord low = leafCoord(fromVdb(box.min())), high = leafCoord(fromVdb(box.max()));
-    if (!impl.index.holds(low) || !impl.index.holds(high)) throw std::runtime_error(kOutOfBlank);
-    impl.index.fill(low, high, LeafIndex::kInside);
+    if (!impl.tree.holds(low) || !impl.tree.holds(high)) throw std::runtime_error(kOutOfBlank);
+    impl.tree.fillInside(low, high);
   }
   for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf) {
-    StockLeaf& out = impl.leaves.emplace_back();
-    out.origin = fromVdb(leaf->origin());
-    if (!impl.index.holds(leafCoord(out.origin))) throw std::runtime_error(kOutOfBlank);
+    const Coord origin = fromVdb(leaf->origin());
+    if (!impl.tree.holds(leafCoord(origin))) throw std::runtime_error(kOutOfBlank);
+    LeafBits& samples = *addLeaf(impl, origin).samples;
     for (int v = 0; v < 512; ++v) {
-      if (isMaterial(leaf->getValue(v))) out.material[v & 7] |= 1ull << (v >> 3);
+      if (isMaterial(leaf->getValue(v))) samples[v & 7] |= 1ull << (v >> 3);
     }
   }
   orderLeaves(impl);
@@ -150,14 +150,14 @@ void checkPlaces(const Stock::Impl& impl) {
   const auto check = [&](const Coord& low, const Coord& high) {
     if (!inBlank(impl, low, high)) throw std::runtime_error(kOutOfBlank);
   };
-  impl.index.forEachBox(LeafIndex::kInside, [&](const Coord& low, const Coord& high) {
+  impl.tree.forEachInside([&](const Coord& low, const Coord& high) {
     check({8 * low.x(), 8 * low.y(), 8 * low.z()}, {8 * high.x() + 7, 8 * high.y() + 7, 8 * high.z() + 7});
   });
   for (const StockLeaf& leaf : impl.leaves) {
     if (inBlank(impl, leaf.origin, leaf.origin.offsetBy(7))) continue;
     for (int v = 0; v < 512; ++v) {
       const Coord at = leaf.origin.offsetBy(v >> 6, v >> 3 & 7, v & 7);
-      if (leafSample(leaf.material, v >> 6, v >> 3 & 7, v & 7)) check(at, at);
+      if (leafSample(leaf.material(), v >> 6, v >> 3 & 7, v & 7)) check(at, at);
     }
   }
 }
@@ -214,7 +214,7 @@ void checkLeaves(const Stock::Impl& impl) {
       refuse(reader.leaf(below) == nullptr && isMixed(reader, below));
     }
   }
-  impl.index.forEachBox(LeafIndex::kInside, [&](const Coord& low, const Coord& high) {
+  impl.tree.forEachInside([&](const Coord& low, const Coord& high) {
     for (int axis = 0; axis < 3; ++axis) {
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
       Coord at;
@@ -222,7 +222,7 @@ void checkLeaves(const Stock::Impl& impl) {
         for (at[v] = low[v]; at[v] <= high[v]; ++at[v]) {
           for (const int beside : {low[axis] - 1, high[axis] + 1}) {
             at[axis] = beside;
-            refuse(impl.index.get(at) == LeafIndex::kOutside);
+            refuse(impl.tree.get(at) == StockTree::kOutside);
           }
         }
       }
@@ -392,7 +392,7 @@ Status readStockFile(Stock::Impl& impl, const std::string& path, const RemovalOp
     const auto schema = (*meta)["schema"];
     if (!schema || schema->str() != kSchema) throw std::runtime_error("it was not saved by proveout");
     readFrame(*meta, impl);
-    if (indexBytes(impl) > limit) return tooLarge(path, limit);
+    if (treeBytes(impl) > limit) return tooLarge(path, limit);
     const auto distance = readGrid<openvdb::FloatGrid>(file, "distance");
     if (leafBytes(static_cast<double>(distance->tree().leafCount())) > limit) return tooLarge(path, limit);
     unpackDistance(*distance, impl);

@@ -121,7 +121,7 @@ inline void addCrossings(const Stock::Impl& impl, const Field& field, StockLeaf&
         Coord next = at;
         ++next[axis];
         leaf.crossings.push_back(crossingOn(field, impl.position(at), impl.position(next),
-                                            leafSample(leaf.material, bit >> 3, bit & 7, z)));
+                                            leafSample(leaf.material(), bit >> 3, bit & 7, z)));
       }
     }
   }
@@ -136,7 +136,7 @@ inline void fillStock(Stock::Impl& impl, const Field& field, const Box3& bounds,
   impl.h = h;
   impl.origin = origin;
   impl.blank = bounds;
-  makeIndex(impl);
+  makeTree(impl);
   Coord low, high;
   for (int i = 0; i < 3; ++i) {
     low[i] = static_cast<int>(std::floor((bounds.min[i] - origin[i]) / h / 8.0)) - 1;
@@ -145,23 +145,23 @@ inline void fillStock(Stock::Impl& impl, const Field& field, const Box3& bounds,
   for (int x = low.x(); x <= high.x(); ++x) {
     for (int y = low.y(); y <= high.y(); ++y) {
       for (int z = low.z(); z <= high.z(); ++z) {
-        if (!impl.index.holds(Coord(x, y, z))) continue;
-        StockLeaf leaf;
-        leaf.origin = Coord(x * 8, y * 8, z * 8);
-        const FieldSample middle = field(impl.position(leaf.origin) + Vec3::Constant(4.0 * h));
+        if (!impl.tree.holds(Coord(x, y, z))) continue;
+        const Coord first(x * 8, y * 8, z * 8);
+        const FieldSample middle = field(impl.position(first) + Vec3::Constant(4.0 * h));
         if (std::abs(middle.value) > 4.5 * 1.7321 * h) {
-          if (middle.value < 0.0) impl.index.set(Coord(x, y, z), LeafIndex::kInside);
+          if (middle.value < 0.0) impl.tree.setUniform(Coord(x, y, z), true);
           continue;
         }
+        LeafBits samples{};
         int inside = 0;
         for (int i = 0; i < 729; ++i) {
           const int sx = i / 81, sy = i / 9 % 9, sz = i % 9;
-          if (field(impl.position(leaf.origin.offsetBy(sx, sy, sz))).value >= 0.0) continue;
+          if (field(impl.position(first.offsetBy(sx, sy, sz))).value >= 0.0) continue;
           ++inside;
-          if (sx < 8 && sy < 8 && sz < 8) leaf.material[sz] |= 1ull << leafBit(sx, sy);
+          if (sx < 8 && sy < 8 && sz < 8) samples[sz] |= 1ull << leafBit(sx, sy);
         }
-        if (inside > 0 && inside < 729) impl.leaves.push_back(leaf);
-        if (inside == 729) impl.index.set(Coord(x, y, z), LeafIndex::kInside);
+        if (inside > 0 && inside < 729) *addLeaf(impl, first).samples = samples;
+        if (inside == 729) impl.tree.setUniform(Coord(x, y, z), true);
       }
     }
   }
