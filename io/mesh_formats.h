@@ -1,9 +1,9 @@
 // Readers of mesh files, one a format. Strict: a file that does not follow its format to the last byte is
 // refused, since a nominal that was cut short would pass for another part.
 //
-// They are our own. The Open Asset Import Library (5.2, as in Debian 12) reads these formats too, but takes NaN
-// coordinates, lines among the faces, and an ASCII PLY that lacks its last face without a word. The tests read
-// our files back with it.
+// They are our own. The Open Asset Import Library (5.2, as in Debian 12) reads these formats too, but takes
+// NaN coordinates, lines among the faces, and an ASCII PLY that lacks its last face without a word. The tests
+// read our files back with it.
 #pragma once
 
 #include <charconv>

@@ -5,8 +5,8 @@
 #include "app/session/clearance.h"
 #include "app/session/findings.h"
 #include "app/session/process/process.h"
-#include "app/session/stock_probe.h"
 #include "app/session/setup_findings.h"
+#include "app/session/stock_probe.h"
 
 namespace proveout {
 namespace {

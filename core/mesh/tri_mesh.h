@@ -11,25 +11,26 @@
 namespace proveout {
 
 struct TriMesh {
-  std::vector<Eigen::Vector3f> positions;                 ///< mm, workpiece frame
-  std::vector<std::array<std::uint32_t, 3>> triangles;    ///< indices into positions, CCW seen from outside
-  /// Motion that made the triangle's surface, kNoMotion where it is the blank's own. Empty or one per triangle.
+  std::vector<Eigen::Vector3f> positions;               ///< mm, workpiece frame
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices into positions, CCW seen from outside
+  /// Motion that made the triangle's surface, kNoMotion where it is the blank's own. Empty or one per
+  /// triangle.
   std::vector<std::uint32_t> motion;
 };
 
 /// What a mesh is topologically. Edges are judged by vertex index.
 struct MeshTopology {
-  std::size_t boundary_edges = 0;      ///< used by one triangle only
-  std::size_t non_manifold_edges = 0;  ///< used by more than two triangles
-  std::size_t misoriented_edges = 0;   ///< used by two triangles in the same direction
+  std::size_t boundary_edges = 0;         ///< used by one triangle only
+  std::size_t non_manifold_edges = 0;     ///< used by more than two triangles
+  std::size_t misoriented_edges = 0;      ///< used by two triangles in the same direction
   std::size_t non_manifold_vertices = 0;  ///< whose triangles form more than one fan
   std::size_t degenerate_triangles = 0;   ///< with two equal indices, or an index out of range
   std::size_t non_finite_positions = 0;
-  std::size_t components = 0;             ///< connected through shared edges
-  Vec3 first_defect = Vec3::Zero();       ///< a place of the first defect, where `closedManifold()` is false
+  std::size_t components = 0;        ///< connected through shared edges
+  Vec3 first_defect = Vec3::Zero();  ///< a place of the first defect, where `closedManifold()` is false
   bool closedManifold() const {
-    return boundary_edges + non_manifold_edges + misoriented_edges + non_manifold_vertices + degenerate_triangles +
-               non_finite_positions ==
+    return boundary_edges + non_manifold_edges + misoriented_edges + non_manifold_vertices +
+               degenerate_triangles + non_finite_positions ==
            0;
   }
 };

@@ -9,8 +9,8 @@
 
 namespace proveout::nc {
 
-/// Axes that a channel may have: X, Y, Z are 0, 1, 2. As many as there are letters for axes; points of all axes
-/// are copied in every block, so that each one more costs time.
+/// Axes that a channel may have: X, Y, Z are 0, 1, 2. As many as there are letters for axes; points of all
+/// axes are copied in every block, so that each one more costs time.
 inline constexpr int kMaxAxes = 9;
 inline constexpr int kMainAxes = 3;
 

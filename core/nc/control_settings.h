@@ -86,8 +86,8 @@ struct InsertMount {
   std::optional<Vec2> gauge;
 };
 
-/// Where the machine goes for a tool change, machine frame, mm: first up to `z`, never down, then level to `x`
-/// and `y`. Axes without a value stay where they are.
+/// Where the machine goes for a tool change, machine frame, mm: first up to `z`, never down, then level to
+/// `x` and `y`. Axes without a value stay where they are.
 struct ToolChangePlace {
   std::optional<double> x, y, z;
   bool by_default = false;  ///< nobody named it: it ends at the limits of travel instead of passing them
@@ -112,10 +112,10 @@ struct ControlSettings {
   std::array<std::optional<AxisLimit>, 3> limits;  ///< X, Y, Z, machine frame, mm
   /// Ends of the axes, "Z+", at which the machine's PLC has chosen range B of the control's stroke limits.
   std::vector<std::string> stroke_range_b;
-  std::vector<AxisSettings> axes;                  ///< besides X, Y, Z
-  std::vector<SpindleSettings> spindles;           ///< none: one without limits, called by S
-  Vec3 start = Vec3(0, 0, 100);                    ///< where the tool is at power-on, workpiece frame, mm
-  bool start_by_default = false;  ///< nobody named it: it keeps below the ends of travel
+  std::vector<AxisSettings> axes;         ///< besides X, Y, Z
+  std::vector<SpindleSettings> spindles;  ///< none: one without limits, called by S
+  Vec3 start = Vec3(0, 0, 100);           ///< where the tool is at power-on, workpiece frame, mm
+  bool start_by_default = false;          ///< nobody named it: it keeps below the ends of travel
 
   /// Work offsets G54..G59 in the machine frame, mm, and their basic rotation angles about X, Y, Z (deg).
   std::array<Vec3, 6> work_offsets{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
@@ -133,16 +133,16 @@ struct ControlSettings {
   std::map<int, OffsetValue> radius_offsets;  ///< D rows, mm (radius)
   std::map<int, double> gauge_lengths;        ///< by tool number, mm; 0 for tools not listed
   std::map<int, InsertMount> inserts;         ///< by tool number
-  Vec3 unnamed_gauge = Vec3::Zero();  ///< of what is in the spindle at power-on where `tool` is 0, mm
+  Vec3 unnamed_gauge = Vec3::Zero();          ///< of what is in the spindle at power-on where `tool` is 0, mm
 
   std::uint64_t block_limit = 100'000'000;  ///< executed blocks; more is an alarm (endless loop)
   std::array<bool, 9> skip_switches{};      ///< [0] is the switch of `/` and `/1`, [8] of `/9`
   bool optional_stop = false;               ///< M1 stops
   /// N numbers of the main program at whose end the signal comes that starts the interrupt macro (M96).
   std::vector<std::int64_t> interrupt_blocks;
-  bool lenient = false;                     ///< unsupported codes that are safe to skip become warnings
-  double tool_change_s = 5.0;               ///< duration of a tool change, s
-  ToolChangePlace tool_change;              ///< no axis: the machine stays where the program has left it
+  bool lenient = false;                 ///< unsupported codes that are safe to skip become warnings
+  double tool_change_s = 5.0;           ///< duration of a tool change, s
+  ToolChangePlace tool_change;          ///< no axis: the machine stays where the program has left it
   double default_spindle_rpm = 1000.0;  ///< timing of G95 motions and dwells while the spindle stands still
   int max_errors = 1;                   ///< interpretation goes on behind bad blocks until so many errors
   std::optional<UntilBlock> until;

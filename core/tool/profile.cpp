@@ -32,7 +32,7 @@ void ConvexProfile::start(double r, double z) {
 }
 
 bool ConvexProfile::isCylinder() const {
-  const auto &[bottom, flank, top] = std::tie(elements_[0], elements_[1], elements_[2]);
+  const auto& [bottom, flank, top] = std::tie(elements_[0], elements_[1], elements_[2]);
   return !bottom.arc && bottom.ar == 0.0 && bottom.dr == 1.0 && !flank.arc && flank.dz == 1.0 && !top.arc &&
          top.br == 0.0 && top.dr == -1.0;
 }

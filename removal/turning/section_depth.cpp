@@ -7,8 +7,6 @@
 
 #include "core/geometry/plane.h"
 
-#include "core/geometry/plane.h"
-
 namespace proveout {
 namespace {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string>
 
-#include "app/session/interpretation.h"
 #include "app/job_setup.h"
+#include "app/session/interpretation.h"
 #include "core/tool/insert.h"
 #include "core/tool/tool_solid.h"
 #include "io/job.h"

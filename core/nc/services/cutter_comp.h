@@ -54,11 +54,12 @@ struct CutterCompPolicy {
   bool interference_alarm = false;  ///< true: always alarm; false: leave out blocks where that mends it
   int extra_look_ahead = 0;         ///< 0..8 further elements seen by the interference check
   /// mm; what the cutter does not reach of the contour by no more than this, or would cut in to reach it, is
-  /// rounding of coordinates and no interference: the path goes past it, blocks that the cutter does not touch
-  /// have no motion. Points rounded to a decimal q are up to q / sqrt(2) off on either side, hence 2 q. 0: off.
+  /// rounding of coordinates and no interference: the path goes past it, blocks that the cutter does not
+  /// touch have no motion. Points rounded to a decimal q are up to q / sqrt(2) off on either side, hence 2 q.
+  /// 0: off.
   double rounding_tolerance = 0.002;
-  double min_step = 0.001;          ///< mm, neighbouring corner points closer than this in u and v are merged
-  int max_pass_through = 100;       ///< blocks without plane motion in a row
+  double min_step = 0.001;     ///< mm, neighbouring corner points closer than this in u and v are merged
+  int max_pass_through = 100;  ///< blocks without plane motion in a row
 };
 
 /// One programmed block.

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "app/run_report.h"
 #include "app/session/accounting.h"
 #include "app/session/session.h"
-#include "app/run_report.h"
 
 namespace proveout {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "app/session/session.h"
 #include "app/session/placement_hint.h"
+#include "app/session/session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace proveout {

@@ -15,7 +15,9 @@ namespace {
 SurfaceMesh randomSoup(int triangles, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  const auto point = [&](double reach) { return Vec3(reach * Vec3(unit(random), unit(random), unit(random))); };
+  const auto point = [&](double reach) {
+    return Vec3(reach * Vec3(unit(random), unit(random), unit(random)));
+  };
   SurfaceMesh mesh;
   for (int t = 0; t < triangles; ++t) {
     const Vec3 at = point(50.0);

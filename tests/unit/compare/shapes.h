@@ -6,8 +6,8 @@
 #include <functional>
 #include <map>
 
-#include "core/mesh/tri_mesh.h"
 #include "core/mesh/signed_distance.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace proveout::shapes {
 

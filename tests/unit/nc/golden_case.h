@@ -13,8 +13,8 @@
 //   === channel N [KEY = VALUE;...]  the program of channel N, 2 to 8, and settings of its own; the main
 //                    program is that of channel 1, subprograms are there for all
 //   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg] [F feed]
-//                    [t seconds] [S spindle] [T tool] [ch channel] [rotary ends] [at part-of-the-way x y z]...; * is
-//                    anything
+//                    [t seconds] [S spindle] [T tool] [ch channel] [rotary ends] [at part-of-the-way x y
+//                    z]...; * is anything
 //   === says         what the text must hold, in this order: alarms, events, files written
 //   === expect       what the interpreter says; rewritten with PROVEOUT_UPDATE_GOLDEN=1
 #pragma once

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/geometry/degrees.h"
-#include "core/geometry/degrees.h"
 #include "core/nc/macro/expression.h"
 #include "core/nc/macro/loop_index.h"
 

@@ -71,7 +71,8 @@ TEST(ThreadCover, OfPassesWithInfeedAlongAFlankTheEndsStay) {
   ASSERT_EQ(shape.threads.size(), 20u);
   double all = 0.0;
   for (const ThreadSweep& thread : shape.threads) all += std::abs(thread.turns);
-  // The last pass is whole; of each other one what it turns on after the next one's end, and a little overlap.
+  // The last pass is whole; of each other one what it turns on after the next one's end, and a little
+  // overlap.
   const double ends = 19 * (0.06 * std::tan(kPi / 6) / 2.5 + 0.05);
   EXPECT_NEAR(all, (35 - 1.2 * std::tan(kPi / 6)) / 2.5 + ends, 1e-6);
 }

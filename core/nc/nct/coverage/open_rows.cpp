@@ -1,4 +1,5 @@
-// Rows of the manual that this control does not serve yet, and why. A row leaves this list when a test proves it.
+// Rows of the manual that this control does not serve yet, and why. A row leaves this list when a test proves
+// it.
 #include "core/nc/nct/nct_rows.h"
 
 namespace proveout::nc {

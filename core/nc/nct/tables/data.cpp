@@ -67,7 +67,8 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
      "axes are referenced from the start; nothing moves by hand"},
     {"axis swap", kHost, "nct-2.3-swap", "axes stay with the channel that the job gives them to"},
     {"limit switches", kHost, "nct-22.1-switch",
-     "3018, 3019 never come: the simulated machine has no switches, travel beyond its limits is told as such"},
+     "3018, 3019 never come: the simulated machine has no switches, travel beyond its limits is told as "
+     "such"},
     {"PRM", kSim, "nct-24.2-PRM", "value of a parameter in formulas"},
     {"POPEN", kHost,
      "nct-23.2.13-POPEN nct-23.2.13-PCLOS nct-23.2.13-FOPEN nct-23.2.13-FCLOS nct-23.2.13-BPRNT "
