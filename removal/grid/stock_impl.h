@@ -192,8 +192,7 @@ void makeTree(Stock::Impl& impl);
 /// Bytes that this room takes at the least.
 double treeBytes(const Stock::Impl& impl);
 
-/// Bytes that `leaves` leaves take in memory, with crossings and bookkeeping (measured: see
-/// docs/architecture.md).
+/// Bytes that `leaves` leaves take in memory, with crossings and bookkeeping: see docs/design/removal.md.
 double leafBytes(double leaves);
 /// Limit in bytes from the options: max_memory_gb, or what the machine has free.
 double memoryLimit(const RemovalOptions& options);
