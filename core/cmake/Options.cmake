@@ -23,4 +23,5 @@ function(proveout_add_library name)
   target_link_libraries(proveout_${name} PRIVATE $<BUILD_INTERFACE:proveout_warnings>
                                          PUBLIC proveout_options)
   proveout_precompile(proveout_${name})
+  set_target_properties(proveout_${name} PROPERTIES UNITY_BUILD ${PROVEOUT_UNITY} UNITY_BUILD_BATCH_SIZE 6)
 endfunction()

@@ -1,7 +1,10 @@
-# Headers of other people that most sources read: parsed once a target, not once a source.
-#   PROVEOUT_PRECOMPILED_HEADERS  off in the presets dev, asan and tsan, so that they tell a source that forgets an include.
+# What makes a clean build short. Both are off in the presets dev, asan and tsan, which so tell a source that forgets an
+# include, and have all of the compiler's warnings.
+#   PROVEOUT_PRECOMPILED_HEADERS  headers of other people that most sources read: parsed once a target, not once a source
+#   PROVEOUT_UNITY                the sources of a library by sixes: the templates that they share are compiled once
 # A source with flags of its own (SIMD levels, CGAL's rounding) must not use them: SKIP_PRECOMPILE_HEADERS.
 option(PROVEOUT_PRECOMPILED_HEADERS "Parse the headers of other libraries once a target" ON)
+option(PROVEOUT_UNITY "Compile the sources of a library by sixes" ON)
 set(PROVEOUT_PRECOMPILED
   <algorithm> <array> <bit> <charconv> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map> <memory>
   <numeric> <optional> <set> <span> <string> <string_view> <unordered_map> <utility> <variant> <vector>
@@ -23,4 +26,11 @@ function(proveout_precompile target)
   else()
     target_precompile_headers(${target} PRIVATE ${PROVEOUT_PRECOMPILED} ${ARG_UNPARSED_ARGUMENTS})
   endif()
+  # GCC 12 doubts operations of strings whose source it has read from a precompiled header.
+  target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+endfunction()
+
+# proveout_apart(SOURCES...): compiled alone in a unity build, since they use names that others have for themselves, too.
+function(proveout_apart)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -1,4 +1,4 @@
-// The stock: what is left of the blank. A narrow-band level set on a regular grid together with the exact
+// The stock: what is left of the blank. Samples on a regular grid, inside or outside, together with the exact
 // crossings of the grid's edges with the surface, their normals and the motion that made each.
 //
 // Its own inside is stock_impl.h; remove() is in process/, surface() and volume() are in surface/.

@@ -34,8 +34,8 @@ struct Wl4State {
   double sign(int axis) const { return mirrored[static_cast<std::size_t>(axis)] ? -1.0 : 1.0; }
   double offset(int axis) const {
     if (axis >= 3) return system_offset[axis];
-    const auto k = static_cast<std::size_t>(axis);
-    return system_offset[axis] + length_offset[k] + tool_offset[k];
+    const auto of_axis = static_cast<std::size_t>(axis);
+    return system_offset[axis] + length_offset[of_axis] + tool_offset[of_axis];
   }
 };
 
