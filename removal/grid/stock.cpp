@@ -19,7 +19,7 @@ namespace proveout {
 namespace {
 
 /// Measured on the sample programs: bits, crossings, the list of motions while cutting.
-constexpr double kBytesPerLeaf = sizeof(StockLeaf) + 64 * sizeof(Crossing) + 200;
+constexpr double kBytesPerLeaf = sizeof(StockLeaf) + 80 + 64 * sizeof(Crossing) + 200;
 
 /// Voxel indices stay far inside 32 bits.
 constexpr double kMaxVoxelsPerSide = 1 << 24;

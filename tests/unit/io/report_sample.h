@@ -12,7 +12,7 @@ inline Report sampleReport() {
   r.name = "bracket <A&B>";
   r.version = "0.1.0";
   r.checks = {true, true, true, true, true, true};
-  r.program = {"nct", {"bracket.nc", "O0100.nc"}, 1204, 15159};
+  r.program = {"nct", {"bracket.nc", "O0100.nc"}, 1204, 15159, ""};
   r.time = {431.24,
             380.5,
             40.74,
