@@ -27,7 +27,8 @@ function(proveout_precompile target)
     target_precompile_headers(${target} PRIVATE ${PROVEOUT_PRECOMPILED} ${ARG_UNPARSED_ARGUMENTS})
   endif()
   # GCC 12 doubts operations of strings whose source it has read from a precompiled header.
-  target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+  target_compile_options(${target} PRIVATE
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>")
 endfunction()
 
 # proveout_apart(SOURCES...): compiled alone in a unity build, since they use names that others have for themselves, too.

@@ -173,11 +173,7 @@ class MeshField final : public BlankField {
 Result<std::unique_ptr<BlankField>> fieldOf(const StockShape& shape) {
   if (const auto* box = std::get_if<BoxShape>(&shape)) return makeBlankField(*box);
   if (const auto* round = std::get_if<CylinderShape>(&shape)) return makeBlankField(*round);
-  if (const auto* known = std::get_if<FieldShape>(&shape)) {
-    Result<std::unique_ptr<BlankField>> field = known->body->field();
-    if (field) *field = placeField(std::move(*field), known->place);
-    return field;
-  }
+  if (const auto* known = std::get_if<FieldShape>(&shape)) return placedField(*known);
   if (const auto* mesh = std::get_if<MeshShape>(&shape))
     return std::unique_ptr<BlankField>(std::make_unique<MeshField>(mesh->mesh));
   return std::unique_ptr<BlankField>();

@@ -133,9 +133,9 @@ Status buildField(Stock::Impl& impl, Result<std::unique_ptr<BlankField>> field, 
 
 Status buildFromField(Stock::Impl& impl, const FieldShape& shape, const RemovalOptions& options,
                       Progress& progress) {
-  Result<std::unique_ptr<BlankField>> made = shape.body->field();
+  Result<std::unique_ptr<BlankField>> made = placedField(shape);
   if (!made) return made.error();
-  const std::shared_ptr<const BlankField> field = placeField(std::move(*made), shape.place);
+  const std::shared_ptr<const BlankField> field = std::move(*made);
   if (Status status = FieldBlank(impl, *field, progress, memoryLimit(options)).build(); !status)
     return status;
   impl.field = field;

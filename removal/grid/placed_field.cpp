@@ -39,4 +39,10 @@ std::unique_ptr<BlankField> placeField(std::unique_ptr<BlankField> field, const 
   return std::make_unique<PlacedField>(std::move(field), place);
 }
 
+Result<std::unique_ptr<BlankField>> placedField(const FieldShape& shape) {
+  Result<std::unique_ptr<BlankField>> field = shape.body->field();
+  if (field) *field = placeField(std::move(*field), shape.place);
+  return field;
+}
+
 }  // namespace proveout

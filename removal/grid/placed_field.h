@@ -14,4 +14,7 @@ bool staysInPlace(const RigidTransform& move);
 /// `field` moved by `place`; itself where that moves nothing.
 std::unique_ptr<BlankField> placeField(std::unique_ptr<BlankField> field, const RigidTransform& place);
 
+/// The field of a body at its place. Errors: as FieldBody::field.
+Result<std::unique_ptr<BlankField>> placedField(const FieldShape& shape);
+
 }  // namespace proveout

@@ -101,6 +101,11 @@ void refresh(StockTree::Nodes& nodes, int x, int y, int z) {
   block.inside = block.node == nullptr && nodes.tree.isValueOn(at);
 }
 
+void refreshBlockOf(StockTree::Nodes& nodes, const Coord& leaf) {
+  refresh(nodes, (leaf.x() - nodes.low.x()) >> 4, (leaf.y() - nodes.low.y()) >> 4,
+          (leaf.z() - nodes.low.z()) >> 4);
+}
+
 }  // namespace
 
 StockTree::StockTree() : nodes_(std::make_unique<Nodes>()) {}
@@ -162,7 +167,7 @@ LeafBits* StockTree::number(const Coord& leaf, std::int32_t number) {
       place.block->node->addLeaf(node);
     } else {
       n.tree.addLeaf(node);
-      refresh(n, (leaf.x() - n.low.x()) >> 4, (leaf.y() - n.low.y()) >> 4, (leaf.z() - n.low.z()) >> 4);
+      refreshBlockOf(n, leaf);
     }
   }
   node->setTransientData(static_cast<openvdb::Index32>(number));
@@ -178,7 +183,7 @@ void StockTree::setUniform(const Coord& leaf, bool inside) {
     place.block->node->addTile(place.offset, inside, inside);
   } else {
     n.tree.addTile(1, n.indexOf(leaf), inside, inside);
-    refresh(n, (leaf.x() - n.low.x()) >> 4, (leaf.y() - n.low.y()) >> 4, (leaf.z() - n.low.z()) >> 4);
+    refreshBlockOf(n, leaf);
   }
 }
 

@@ -707,11 +707,6 @@ Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOption
   return Extractor(impl, toleranceOf(impl, options)).run(progress);
 }
 
-Result<StockVolume> measureVolume(const Stock::Impl& impl, const SurfaceOptions& options,
-                                  Progress& progress) {
-  return Extractor(impl, toleranceOf(impl, options)).volume(progress);
-}
-
 Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& progress) const {
   const ThreadLimit limit(options.threads);
   try {
@@ -726,7 +721,7 @@ Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& pro
 Result<StockVolume> Stock::volume(const SurfaceOptions& options, Progress& progress) const {
   const ThreadLimit limit(options.threads);
   try {
-    return measureVolume(*impl_, options, progress);
+    return Extractor(*impl_, toleranceOf(*impl_, options)).volume(progress);
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::kResourceLimit, "not enough memory for the volume; take a coarser resolution"};
   } catch (const std::exception& e) {

@@ -11,7 +11,5 @@ namespace proveout {
 /// grid with a hole (a bug).
 Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOptions& options,
                                     Progress& progress);
-/// Its volume alone, mm3. Errors: the same.
-Result<StockVolume> measureVolume(const Stock::Impl& impl, const SurfaceOptions& options, Progress& progress);
 
 }  // namespace proveout

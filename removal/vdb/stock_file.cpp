@@ -15,8 +15,8 @@
 
 #include "removal/grid/face_numbers.h"
 #include "removal/grid/stock_impl.h"
-#include "removal/vdb/vdb_coord.h"
 #include "removal/vdb/vdb_module.h"
+#include "removal/vdb/vdb_pack.h"
 
 namespace proveout {
 
@@ -37,8 +37,6 @@ struct CrossingGrids {
   openvdb::Int32Grid::Ptr motion, element;
 };
 
-Coord edgeEnd(const Coord& at, int axis) { return at.offsetBy(axis == 0, axis == 1, axis == 2); }
-
 CrossingGrids packAxis(const Stock::Impl& impl, int axis) {
   CrossingGrids g{openvdb::FloatGrid::create(-1.0f), openvdb::Vec3SGrid::create(),
                   openvdb::Int32Grid::create(-1), openvdb::Int32Grid::create(0)};
@@ -46,20 +44,15 @@ CrossingGrids packAxis(const Stock::Impl& impl, int axis) {
   auto normal = g.normal->getAccessor();
   auto motion = g.motion->getAccessor();
   auto element = g.element->getAccessor();
-  const LeafReader reader(impl);
-  for (const StockLeaf& leaf : impl.leaves) {
-    std::size_t next = 0;
-    forEachEdge(reader.edges(leaf), [&](int edge_axis, int x, int y, int z) {
-      const Crossing& c = leaf.crossings[next++];
-      if (edge_axis != axis) return;
-      const openvdb::Coord at = toVdb(leaf.origin.offsetBy(x, y, z));
-      t.setValue(at, c.t);
-      normal.setValue(at,
-                      openvdb::Vec3s(c.normal[0], c.normal[1], c.normal[2]) / float{Crossing::kNormalScale});
-      motion.setValue(at, static_cast<std::int32_t>(c.motion));
-      element.setValue(at, c.element);
-    });
-  }
+  forEachCrossing(impl, [&](const Crossing& c, int edge_axis, const Coord& start, const Coord&) {
+    if (edge_axis != axis) return;
+    const openvdb::Coord at = toVdb(start);
+    t.setValue(at, c.t);
+    normal.setValue(at,
+                    openvdb::Vec3s(c.normal[0], c.normal[1], c.normal[2]) / float{Crossing::kNormalScale});
+    motion.setValue(at, static_cast<std::int32_t>(c.motion));
+    element.setValue(at, c.element);
+  });
   g.t->setName(fmt::format("crossing_{}_t", kAxisName[axis]));
   g.normal->setName(fmt::format("crossing_{}_normal", kAxisName[axis]));
   g.motion->setName(fmt::format("crossing_{}_motion", kAxisName[axis]));
@@ -70,18 +63,8 @@ CrossingGrids packAxis(const Stock::Impl& impl, int axis) {
 /// Distances near the surface are those to the tangent planes of the crossings next to a sample.
 openvdb::FloatGrid::Ptr packDistance(const Stock::Impl& impl) {
   const auto band = static_cast<float>(impl.h);
-  auto grid = openvdb::FloatGrid::create(band);
-  impl.tree.forEachInside([&](const Coord& low, const Coord& high) {
-    grid->fill(openvdb::CoordBBox(openvdb::Coord(low.x() * 8, low.y() * 8, low.z() * 8),
-                                  openvdb::Coord(high.x() * 8 + 7, high.y() * 8 + 7, high.z() * 8 + 7)),
-               -band, false);
-  });
+  const openvdb::FloatGrid::Ptr grid = sidesOf(impl, band);
   auto write = grid->getAccessor();
-  for (const StockLeaf& leaf : impl.leaves) {
-    auto* node = grid->tree().touchLeaf(toVdb(leaf.origin));
-    for (int v = 0; v < 512; ++v)
-      node->setValueOff(v, leafSample(leaf.material(), v >> 6, v >> 3 & 7, v & 7) ? -band : band);
-  }
   const LeafReader reader(impl);
   const auto bring = [&](const Coord& voxel, float distance) {
     if (reader.leaf(voxel & ~7) == nullptr) return;  // a leaf in the file is a leaf of the stock
@@ -90,16 +73,11 @@ openvdb::FloatGrid::Ptr packDistance(const Stock::Impl& impl) {
     if (distance < std::abs(old) || !write.isValueOn(at))
       write.setValue(at, old < 0.0f ? -distance : distance);
   };
-  for (const StockLeaf& leaf : impl.leaves) {
-    std::size_t next = 0;
-    forEachEdge(reader.edges(leaf), [&](int axis, int x, int y, int z) {
-      const Crossing& c = leaf.crossings[next++];
-      const Coord at = leaf.origin.offsetBy(x, y, z);
-      const float across = static_cast<float>(std::abs(c.unitNormal()[axis])) * band;
-      bring(at, c.t * across);
-      bring(edgeEnd(at, axis), (1.0f - c.t) * across);
-    });
-  }
+  forEachCrossing(impl, [&](const Crossing& c, int axis, const Coord& at, const Coord& next) {
+    const float across = static_cast<float>(std::abs(c.unitNormal()[axis])) * band;
+    bring(at, c.t * across);
+    bring(next, (1.0f - c.t) * across);
+  });
   grid->setName("distance");
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
   return grid;
@@ -316,12 +294,6 @@ Vec3 readVector(const openvdb::MetaMap& meta, const char* name) {
   return {v.x(), v.y(), v.z()};
 }
 
-void setTransform(openvdb::GridBase& grid, const Stock::Impl& impl) {
-  auto transform = openvdb::math::Transform::createLinearTransform(impl.h);
-  transform->postTranslate(openvdb::Vec3d(impl.origin.x(), impl.origin.y(), impl.origin.z()));
-  grid.setTransform(transform);
-}
-
 }  // namespace
 
 Status writeStockFile(const Stock::Impl& impl, const std::string& path) {
@@ -339,7 +311,7 @@ Status writeStockFile(const Stock::Impl& impl, const std::string& path) {
         grids.push_back(grid);
       }
     }
-    for (const auto& grid : grids) setTransform(*grid, impl);
+    for (const auto& grid : grids) grid->setTransform(gridTransform(impl));
     openvdb::io::File file(aside);
     file.write(grids, metadata(impl));
     file.close();

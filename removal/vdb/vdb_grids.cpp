@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "core/mesh/signed_distance.h"
-#include "removal/grid/stock_impl.h"
 #include "removal/grid/stock_nodes.h"
-#include "removal/vdb/vdb_coord.h"
+#include "removal/vdb/vdb_pack.h"
 
 namespace proveout {
 
@@ -19,54 +18,17 @@ namespace {
 
 constexpr double kMostHalfWidth = 100.0;
 
-openvdb::math::Transform::Ptr gridTransform(const Stock::Impl& impl) {
-  auto transform = openvdb::math::Transform::createLinearTransform(impl.h);
-  transform->postTranslate(openvdb::Vec3d(impl.origin.x(), impl.origin.y(), impl.origin.z()));
-  return transform;
-}
-
-/// Calls body(crossing, sample, other sample) for every edge that the surface crosses.
-template <typename Body>
-void forEachCrossing(const Stock::Impl& impl, Body&& body) {
-  const LeafReader reader(impl);
-  for (const StockLeaf& leaf : impl.leaves) {
-    std::size_t next = 0;
-    forEachEdge(reader.edges(leaf), [&](int axis, int x, int y, int z) {
-      const Coord at = leaf.origin.offsetBy(x, y, z);
-      body(leaf.crossings[next++], at, at.offsetBy(axis == 0, axis == 1, axis == 2));
-    });
-  }
-}
-
 /// The samples that are nearer to the surface than `half_width`, and more.
 openvdb::MaskTree bandOf(const Stock::Impl& impl, double half_width) {
   openvdb::MaskTree band;
   openvdb::tree::ValueAccessor<openvdb::MaskTree> write(band);
-  forEachCrossing(impl, [&](const Crossing&, const Coord& a, const Coord& b) {
+  forEachCrossing(impl, [&](const Crossing&, int, const Coord& a, const Coord& b) {
     write.setValueOn(toVdb(a));
     write.setValueOn(toVdb(b));
   });
   openvdb::tools::dilateActiveValues(band, static_cast<int>(std::ceil(half_width)),
                                      openvdb::tools::NN_FACE_EDGE_VERTEX, openvdb::tools::EXPAND_TILES);
   return band;
-}
-
-/// The background on either side, from the samples; no voxel is active.
-openvdb::FloatGrid::Ptr sidesOf(const Stock::Impl& impl, float background) {
-  auto grid = openvdb::FloatGrid::create(background);
-  impl.tree.forEachInside([&](const Coord& low, const Coord& high) {
-    grid->fill({openvdb::Coord(low.x() * 8, low.y() * 8, low.z() * 8),
-                openvdb::Coord(high.x() * 8 + 7, high.y() * 8 + 7, high.z() * 8 + 7)},
-               -background, false);
-  });
-  for (const StockLeaf& leaf : impl.leaves) {
-    auto* node = grid->tree().touchLeaf(toVdb(leaf.origin));
-    for (int v = 0; v < 512; ++v) {
-      const bool inside = leafSample(leaf.material(), v >> 6, v >> 3 & 7, v & 7);
-      node->setValueOff(static_cast<openvdb::Index>(v), inside ? -background : background);
-    }
-  }
-  return grid;
 }
 
 }  // namespace
@@ -122,9 +84,8 @@ openvdb::Int32Grid::Ptr provenance(const Stock& stock) {
   auto nearest = openvdb::FloatGrid::create(2.0f);
   auto write = grid->getAccessor();
   auto distance = nearest->getAccessor();
-  forEachCrossing(impl, [&](const Crossing& c, const Coord& a, const Coord& b) {
-    const auto across =
-        static_cast<float>(c.unitNormal().cwiseAbs().dot(Vec3(b.x() - a.x(), b.y() - a.y(), b.z() - a.z())));
+  forEachCrossing(impl, [&](const Crossing& c, int axis, const Coord& a, const Coord& b) {
+    const auto across = static_cast<float>(std::abs(c.unitNormal()[axis]));
     const MotionId motion = knownMotion(c.motion);
     for (const auto& [sample, part] : {std::pair{a, c.t}, std::pair{b, 1.0f - c.t}}) {
       const openvdb::Coord at = toVdb(sample);
