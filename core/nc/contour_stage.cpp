@@ -109,14 +109,14 @@ bool CrossingStage::release() {
   PathItem item = std::move(held_);
   if (item.meet == Meet::kOpen) {
     return report_.contourError(
-        "nct-contour", "a line given by ,A alone needs a block behind it whose line or circle meets it",
-        item);
+        SharedAlarm::kContour,
+        "a line given by ,A alone needs a block behind it whose line or circle meets it", {}, item);
   }
   if (crosses(item) && item.kind == Kind::kArc) {
     const Vec2 end = planeEnd(item);
     if (std::abs((end - item.center.head<2>()).norm() - item.radius) > kOnCircle) {
-      return report_.contourError(
-          "nct-2012", "circle radius difference error: the end is not on the circle of I, J, K and R", item);
+      return report_.contourError(SharedAlarm::kCircleRadius, {},
+                                  "the end is not on the circle of I, J, K and R", item);
     }
     endArc(item, end);
   }
@@ -126,14 +126,16 @@ bool CrossingStage::release() {
 bool CrossingStage::cross(PathItem& item) {
   if (!holds_) {
     return report_.contourError(
-        "nct-contour", "an over-determined block needs a G1, G2 or G3 block before it, in G41 or G42", item);
+        SharedAlarm::kContour, "an over-determined block needs a G1, G2 or G3 block before it, in G41 or G42",
+        {}, item);
   }
   const PlaneCurve first = curveOf(held_), second = curveOf(item);
   const auto choice = item.meet == Meet::kSecond ? CrossingChoice::kSecond : CrossingChoice::kFirst;
   std::optional<Vec2> corner;
   if (first.direction.allFinite()) corner = crossingPoint(first, second, held_.start, choice);
   if (!corner || !corner->allFinite()) {
-    return report_.contourError("nct-contour", "the block and the one before it have no common point", item);
+    return report_.contourError(SharedAlarm::kContour, "the block and the one before it have no common point",
+                                {}, item);
   }
   if (held_.kind == Kind::kArc) {
     endArc(held_, *corner);
@@ -174,8 +176,7 @@ void CornerStage::clear() {
 bool CornerStage::flush(FlushReason reason) {
   if (!holds_ || reason == FlushReason::kTransform) return true;
   holds_ = false;
-  return report_.contourError(
-      "nct-2085", "illegal chamfer or rounding: no G1, G2 or G3 block in the plane follows", held_);
+  return report_.contourError(SharedAlarm::kCorner, {}, "no G1, G2 or G3 block in the plane follows", held_);
 }
 
 Vec3 CornerStage::sentUntil(const Vec3& otherwise) const {
@@ -183,15 +184,15 @@ Vec3 CornerStage::sentUntil(const Vec3& otherwise) const {
 }
 
 bool CornerStage::join(PathItem& item) {
-  const auto refuse = [&](const char* code, const char* message) {
-    return report_.contourError(code, message, held_);
+  const auto refuse = [&](SharedAlarm alarm, const char* why) {
+    return report_.contourError(alarm, {}, why, held_);
   };
   holds_ = false;
   if (item.space != PathItem::Space::kWork || !feedsInPlane(item)) {
-    return refuse("nct-2085", "illegal chamfer or rounding: no G1, G2 or G3 block in the plane follows");
+    return refuse(SharedAlarm::kCorner, "no G1, G2 or G3 block in the plane follows");
   }
   if (!held_.level || !item.level || held_.plane.u != item.plane.u || held_.plane.v != item.plane.v) {
-    return refuse("nct-2085", "illegal chamfer or rounding: both blocks have to lie in the selected plane");
+    return refuse(SharedAlarm::kCorner, "both blocks have to lie in the selected plane");
   }
   item.start = planeEnd(held_);
   CornerJoin join;
@@ -200,10 +201,10 @@ bool CornerStage::join(PathItem& item) {
                                 ? chamferCorner(first, second, held_.join_size, join)
                                 : roundCorner(first, second, held_.join_size, join);
   if (error == CornerError::kNoDirection) {
-    return refuse("nct-2085", "illegal chamfer or rounding: a block does not move in the plane");
+    return refuse(SharedAlarm::kCorner, "a block does not move in the plane");
   }
   if (error == CornerError::kTooLarge) {
-    return refuse("nct-corner-too-large", "chamfer or rounding too large: it does not fit the two blocks");
+    return refuse(SharedAlarm::kCornerTooLarge, "it does not fit the two blocks");
   }
   return sendJoined(item, join);
 }

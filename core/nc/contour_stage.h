@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <deque>
+#include <string_view>
 
+#include "core/nc/alarms.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/services/contour_corner.h"
 #include "core/nc/services/plane_curves.h"
@@ -15,7 +17,8 @@ class ContourReport {
  public:
   virtual ~ContourReport() = default;
   /// An error at a block that has gone by. Always false.
-  virtual bool contourError(const char* code, const char* message, const PathItem& at) = 0;
+  virtual bool contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
+                            const PathItem& at) = 0;
 };
 
 /// A motion block and the functions behind it, kept back until the next motion is known.

@@ -35,6 +35,13 @@ struct CoverageRow {
   std::string ids;      ///< coverage ids that it serves, separated by blanks
   std::string meaning;  ///< one line
 };
+/// One row of the control's manual that is asked for.
+struct CoverageIdRow {
+  std::string_view id;      ///< "nct-4.3-G2"
+  std::string_view cls;     ///< as in CoverageRow
+  std::string_view status;  ///< "done", "partly", "missing", "deferred"
+  std::string_view proof;   ///< the test that names it; empty: none
+};
 /// Error: the control is not built.
 Result<std::vector<CoverageRow>> coverageTable(ControlId control);
 

@@ -5,45 +5,10 @@
 #include <map>
 #include <sstream>
 
-#include "core/nc/nct/nct_rows.h"
-#include "core/nc/specification/specification_text.h"
-#include "core/nc/wl4/wl4_codes.h"
+#include "core/nc/controls.h"
 
 namespace proveout {
 namespace {
-
-struct Specification {
-  const char* prefix = "";
-  const char* text = "";
-};
-
-Specification specificationOf(ControlId control) {
-  switch (control) {
-    case ControlId::kNct:
-      return {"nct", specification_text::kNct};
-    case ControlId::kWl4Mill:
-    case ControlId::kWl4Lathe:
-      return {"wl4", specification_text::kWl4};
-    case ControlId::kFlexNc:
-      return {"fnc", specification_text::kFlexnc};
-    case ControlId::kWedm:
-      return {"wedm", specification_text::kWedm};
-    case ControlId::kRs274Ngc:
-      break;
-  }
-  return {};
-}
-
-/// Why rows are open, by id.
-std::map<std::string, std::string_view> openReasons(ControlId control) {
-  std::map<std::string, std::string_view> reasons;
-  if (control != ControlId::kNct) return reasons;
-  for (const nc::OpenRows& open : nc::nctOpenRows()) {
-    std::istringstream ids{std::string(open.ids)};
-    for (std::string id; ids >> id;) reasons[id] = open.reason;
-  }
-  return reasons;
-}
 
 /// A code has one class for all rows that it serves.
 std::map<std::string, const CoverageRow*> servedBy(const std::vector<CoverageRow>& codes) {
@@ -61,7 +26,8 @@ std::map<std::string, const CoverageRow*> servedBy(const std::vector<CoverageRow
 /// What the control says about its rows.
 class Claims {
  public:
-  explicit Claims(ControlId control) : reasons_(openReasons(control)) {
+  explicit Claims(ControlId control) {
+    if (const auto reasons = nc::rowOf(control).open_reasons) reasons_ = reasons();
     if (Result<std::vector<CoverageIdRow>> rows = coverageIds(control)) {
       for (const CoverageIdRow& row : *rows) claims_.emplace(row.id, row);
       built_ = true;
@@ -102,27 +68,21 @@ class Claims {
 }  // namespace
 
 Result<std::vector<CoverageIdRow>> coverageIds(ControlId control) {
-  if (control == ControlId::kWl4Mill || control == ControlId::kWl4Lathe) return nc::wl4CoverageIds();
-  if (control != ControlId::kNct)
-    return inputError("this control is known but this version cannot run it yet");
-  std::vector<CoverageIdRow> rows;
-  for (const nc::CoverageId& row : nc::nctRows()) {
-    rows.push_back({row.id, codeClassName(row.cls), rowStatusName(row.status), row.proof});
-  }
-  return rows;
+  if (const auto ids = nc::rowOf(control).coverage_ids) return ids();
+  return inputError("this control is known but this version cannot run it yet");
 }
 
 std::vector<SpecificationRow> specificationRows(ControlId control) {
-  const Specification list = specificationOf(control);
+  const nc::ManualRows& manual = nc::rowOf(control).manual;
   const Claims claims(control);
   std::vector<SpecificationRow> rows;
-  std::istringstream lines{std::string(list.text)};
+  std::istringstream lines{std::string(manual.text)};
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     SpecificationRow row;
     words >> row.chapter >> row.cls;
     for (std::string name; words >> name;) {
-      row.id = fmt::format("{}-{}-{}", list.prefix, row.chapter, name);
+      row.id = fmt::format("{}-{}-{}", manual.prefix, row.chapter, name);
       row.reason.clear();
       row.proof = {};
       claims.judge(row);

@@ -20,8 +20,6 @@ constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
 /// Digits that an exact 64-bit integer mantissa and one exact division turn into the nearest double.
 constexpr int kExactDigits = 15;
 
-constexpr const char* kSyntaxError = "nct-2064";
-
 std::string shown(char c) {
   const auto u = static_cast<unsigned char>(c);
   if (u >= 0x20 && u < 0x7F) return fmt::format("'{}'", c);
@@ -30,9 +28,16 @@ std::string shown(char c) {
 
 }  // namespace
 
-bool Lexer::fail(const char* code, std::string message, std::size_t begin, std::size_t end) {
-  error_ = {code, std::move(message), {static_cast<int>(begin) + 1, static_cast<int>(end) + 1}};
+bool Lexer::fail(SharedAlarm alarm, std::string_view subject, std::string_view detail, std::size_t begin,
+                 std::size_t end) {
+  error_ = {alarms_.code(alarm),
+            alarms_.message(alarm, subject, detail),
+            {static_cast<int>(begin) + 1, static_cast<int>(end) + 1}};
   return false;
+}
+
+bool Lexer::syntax(std::string_view detail, std::size_t begin, std::size_t end) {
+  return fail(SharedAlarm::kSyntax, {}, detail, begin, end);
 }
 
 namespace {
@@ -122,7 +127,7 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
       if (!lexFile(line, i, block)) return false;
     } else if (c == '%') {
       if (!block.empty() || block.number >= 0) {
-        return fail("nct-2064", "syntax error: % stands alone at the start of a line", i, i + 1);
+        return syntax("% stands alone at the start of a line", i, i + 1);
       }
       block.percent = true;
       const std::size_t name = line.find_first_not_of(" \t", i + 1);
@@ -131,9 +136,9 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
       if (name != std::string_view::npos && line[name] != '(' && line[name] != '%' && !number) return true;
       ++i;
     } else if ((c == '#' || c == '[') && rules_.expressions == nullptr) {
-      return fail("nct-2123", "function not implemented: macro variables and expressions", i, line.size());
+      return fail(SharedAlarm::kNotImplemented, "macro variables and expressions", {}, i, line.size());
     } else {
-      return fail("nct-2064", "syntax error: " + shown(c) + " does not start a word", i, i + 1);
+      return syntax(shown(c) + " does not start a word", i, i + 1);
     }
   }
   return true;
@@ -144,10 +149,10 @@ bool Lexer::lexSkip(std::string_view line, std::size_t& i, Block& block) {
   int n = 1;
   if (i < line.size() && isDigit(line[i])) n = line[i++] - '0';
   if (n == 0 || (i < line.size() && isDigit(line[i]))) {
-    return fail("nct-2002", "/ data out of range: optional skip is /1 to /9", begin, i + 1);
+    return fail(SharedAlarm::kOutOfRange, "/", "optional skip is /1 to /9", begin, i + 1);
   }
   if (!block.empty() || block.number >= 0 || block.program >= 0 || block.skip != 0) {
-    return fail("nct-2064", "syntax error: optional skip must stand at the start of the block", begin, i);
+    return syntax("optional skip must stand at the start of the block", begin, i);
   }
   block.skip = n;
   return true;
@@ -156,9 +161,8 @@ bool Lexer::lexSkip(std::string_view line, std::size_t& i, Block& block) {
 bool Lexer::lexFile(std::string_view line, std::size_t& i, Block& block) {
   const std::size_t begin = i;
   const std::size_t close = line.find('>', i);
-  if (close == std::string_view::npos)
-    return fail("nct-2064", "syntax error: '<' without '>'", begin, line.size());
-  if (block.has_file) return fail("nct-2064", "syntax error: two file names in one block", begin, close + 1);
+  if (close == std::string_view::npos) return syntax("'<' without '>'", begin, line.size());
+  if (block.has_file) return syntax("two file names in one block", begin, close + 1);
   block.has_file = true;
   block.file_arg = line.substr(begin + 1, close - begin - 1);
   block.file_columns = {static_cast<int>(begin) + 1, static_cast<int>(close) + 2};
@@ -176,7 +180,7 @@ bool Lexer::lexAddress(std::string_view line, std::size_t& i, Word& word) {
   while (i < line.size() && isBlank(line[i])) ++i;
   const char c = i < line.size() ? upper(line[i]) : '\0';
   if (!rules_.comma_addresses || (c != 'C' && c != 'R' && c != 'A')) {
-    return fail("nct-2064", "syntax error: a comma must be followed by C, R or A", begin, i);
+    return syntax("a comma must be followed by C, R or A", begin, i);
   }
   word.address = c == 'C' ? kCommaChamfer : c == 'R' ? kCommaRounding : kCommaDirection;
   ++i;
@@ -192,13 +196,13 @@ bool Lexer::lexAxisByNumber(std::string_view line, std::size_t& i, Word& word) {
       !value.vacant && value.number == std::floor(value.number) && std::abs(value.number) < 1e6;
   const int axis = whole ? rules_.names->axisByNumber(static_cast<int>(value.number)) : -1;
   if (axis < 0) {
-    return fail("nct-2018", fmt::format("wrong physical axis number {}", value.number), begin, i);
+    return fail(SharedAlarm::kAxisNumber, fmt::format("{}", value.number), {}, begin, i);
   }
   word.axis = static_cast<std::int8_t>(axis);
   word.address = rules_.names->addressOf(axis);
   while (i < line.size() && isBlank(line[i])) ++i;
   if (i >= line.size() || line[i] != '=') {
-    return fail("nct-2064", "syntax error: AX[number] is followed by '='", begin, i);
+    return syntax("AX[number] is followed by '='", begin, i);
   }
   ++i;
   return true;
@@ -260,9 +264,9 @@ bool Lexer::lexWord(std::string_view line, std::size_t& i, Block& block) {
 
 bool Lexer::keepMinus(const Word& word, Block& block) {
   if (!rules_.keep_repeats || word.address == 'O' || (word.address == 'N' && block.number < 0)) {
-    return fail(
-        "nct-2002", fmt::format("{} data out of range: no minus sign here", addressText(word.address)),
-        static_cast<std::size_t>(word.columns.begin - 1), static_cast<std::size_t>(word.columns.end - 1));
+    return fail(SharedAlarm::kOutOfRange, addressText(word.address), "no minus sign here",
+                static_cast<std::size_t>(word.columns.begin - 1),
+                static_cast<std::size_t>(word.columns.end - 1));
   }
   if (block.negative.empty()) block.negative_at = word.columns;
   block.negative.add(word.address);
@@ -280,31 +284,28 @@ bool Lexer::noWord(std::string_view line, std::size_t value) {
     if (!isBlank(line[k])) name += upper(line[k]);
   }
   if (name.starts_with("PRM")) {
-    return fail("nct-2017",
-                "illegal address PRM: parameters are read on the right of an assignment only; G10 L52 writes "
+    return fail(SharedAlarm::kIllegalAddress, "PRM",
+                "parameters are read on the right of an assignment only; G10 L52 writes "
                 "them",
                 begin, end);
   }
   for (const std::string_view statement : {"GOTO", "IF", "THEN", "WHILE", "DO", "END"}) {
     if (name != statement) continue;
-    return fail(kSyntaxError, fmt::format("syntax error: {} cannot stand behind other words", name), begin,
-                end);
+    return syntax(fmt::format("{} cannot stand behind other words", name), begin, end);
   }
-  return fail(
-      kSyntaxError,
-      fmt::format("syntax error: {} is no word: a word is a letter with a number, text stands in ( )", name),
-      begin, end);
+  return syntax(fmt::format("{} is no word: a word is a letter with a number, text stands in ( )", name),
+                begin, end);
 }
 
 bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& vacant) {
   const std::size_t begin = i;
   if (word.address == 'N' && mode_ == LexMode::kBlock) {
-    return fail("nct-2064", "syntax error: a block number is a plain number", begin, i + 1);
+    return syntax("a block number is a plain number", begin, i + 1);
   }
   Value value;
   error_ = {};
   if (!rules_.expressions->evaluate(line, i, value, error_)) {
-    if (isLetter(line[begin]) && error_.code == kSyntaxError &&
+    if (isLetter(line[begin]) && error_.code == alarms_.code(SharedAlarm::kSyntax) &&
         error_.columns.begin == static_cast<int>(begin) + 1) {
       return noWord(line, begin);
     }
@@ -320,7 +321,7 @@ bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& va
   if (vacant) return true;
   const auto name = addressText(word.address);
   if (!(std::abs(word.value) <= kMaxValue)) {
-    return fail("nct-2002", fmt::format("{} data out of range", name), begin, i);
+    return fail(SharedAlarm::kOutOfRange, name, {}, begin, i);
   }
   return true;
 }
@@ -342,22 +343,19 @@ bool Lexer::lexValue(std::string_view line, std::size_t& i, Word& word, bool& va
   const auto name = addressText(word.address);
   if (c == '#' || c == '[') {
     if (rules_.expressions == nullptr) {
-      return fail("nct-2123", "function not implemented: macro variables and expressions", begin,
-                  line.size());
+      return fail(SharedAlarm::kNotImplemented, "macro variables and expressions", {}, begin, line.size());
     }
   }
   if (rules_.expressions != nullptr && !isDigit(c) && startsExpression(line, i)) {
     return evaluate(line, i, word, vacant);
   }
   if (c == '=') {
-    return fail(
-        "nct-2064",
-        fmt::format("syntax error: '=' after {}: no axis or spindle of that name is configured", name), begin,
-        i + 1);
+    return syntax(fmt::format("'=' after {}: no axis or spindle of that name is configured", name), begin,
+                  i + 1);
   }
   if (!lexNumber(line, i, word)) return false;
   if (i < line.size() && line[i] == '=') {
-    return fail("nct-2064", "syntax error: '=': no axis or spindle of that name is configured", begin, i + 1);
+    return syntax("'=': no axis or spindle of that name is configured", begin, i + 1);
   }
   return true;
 }
@@ -374,8 +372,7 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
   for (; i < line.size(); ++i) {
     const char c = line[i];
     if (c == '.') {
-      if (point)
-        return fail("nct-2064", fmt::format("syntax error: {}: second decimal point", name), begin, i + 1);
+      if (point) return syntax(fmt::format("{}: second decimal point", name), begin, i + 1);
       point = true;
       continue;
     }
@@ -385,11 +382,9 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
     if (significant > 0 || c != '0') ++significant;
     if (significant <= kExactDigits) mantissa = mantissa * 10 + static_cast<unsigned>(c - '0');
   }
-  if (digits == 0)
-    return fail("nct-2064", fmt::format("syntax error: {} has no value", name), begin,
-                std::max(i, begin + 1));
+  if (digits == 0) return syntax(fmt::format("{} has no value", name), begin, std::max(i, begin + 1));
   if (significant - fraction > kExactDigits) {
-    return fail("nct-2002", fmt::format("{} data out of range: more than 15 digits", name), begin, i);
+    return fail(SharedAlarm::kOutOfRange, name, "more than 15 digits", begin, i);
   }
   if (significant <= kExactDigits && fraction <= kExactDigits) {
     word.value = static_cast<double>(mantissa) / kPowersOfTen[fraction];
@@ -397,7 +392,7 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
     const char* first = line.data() + digits_begin;
     std::from_chars(first, line.data() + i, word.value, std::chars_format::fixed);
   }
-  if (word.value > kMaxValue) return fail("nct-2002", fmt::format("{} data out of range", name), begin, i);
+  if (word.value > kMaxValue) return fail(SharedAlarm::kOutOfRange, name, {}, begin, i);
   word.minus = negative;
   if (negative && word.value != 0.0) word.value = -word.value;
   return true;
@@ -429,16 +424,16 @@ bool Lexer::store(const Word& word, Block& block) {
       return true;
     }
     if (!integer(99999999))
-      return fail("nct-2002", "N data out of range: block numbers are integers up to 99999999", begin, end);
-    if (block.number >= 0) return fail("nct-2064", "syntax error: two N words in one block", begin, end);
+      return fail(SharedAlarm::kOutOfRange, "N", "block numbers are integers up to 99999999", begin, end);
+    if (block.number >= 0) return syntax("two N words in one block", begin, end);
     block.number = static_cast<std::int64_t>(word.value);
     block.number_columns = word.columns;
     return true;
   }
   if (word.address == 'O') {
     if (!integer(99999999))
-      return fail("nct-2002", "O data out of range: program numbers are integers up to 99999999", begin, end);
-    if (block.program >= 0) return fail("nct-2064", "syntax error: two O words in one block", begin, end);
+      return fail(SharedAlarm::kOutOfRange, "O", "program numbers are integers up to 99999999", begin, end);
+    if (block.program >= 0) return syntax("two O words in one block", begin, end);
     block.program = static_cast<std::int64_t>(word.value);
     block.program_columns = word.columns;
     return true;
@@ -450,8 +445,7 @@ bool Lexer::store(const Word& word, Block& block) {
       if (block.repeated.empty()) block.repeated_at = word.columns;
       block.repeated.add(word.address);
     } else {
-      return fail("nct-duplicate-word", fmt::format("two {} in one block", wordName(word, block)), begin,
-                  end);
+      return fail(SharedAlarm::kDuplicateWord, wordName(word, block), {}, begin, end);
     }
   }
   block.present.add(word.address);

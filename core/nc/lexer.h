@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/nc/alarms.h"
 #include "core/nc/block.h"
 #include "core/nc/lex_names.h"
 #include "core/nc/macro/value.h"
@@ -56,7 +57,8 @@ inline constexpr double kMaxValue = 1e9;
 
 class Lexer {
  public:
-  explicit Lexer(const LexRules& rules) : rules_(rules) {}
+  /// `alarms` must outlive the lexer.
+  Lexer(const LexRules& rules, const AlarmTable& alarms) : rules_(rules), alarms_(alarms) {}
   /// Fills `block` with the words of `line`. False: error() says why. Comments may go on from line to line.
   /// What stands behind % is a name and no words, but for comments and a program number.
   bool lex(std::string_view line, Block& block);
@@ -83,9 +85,12 @@ class Lexer {
   bool evaluate(std::string_view line, std::size_t& i, Word& word, bool& vacant);
   bool keepMinus(const Word& word, Block& block);
   bool store(const Word& word, Block& block);
-  bool fail(const char* code, std::string message, std::size_t begin, std::size_t end);
+  bool fail(SharedAlarm alarm, std::string_view subject, std::string_view detail, std::size_t begin,
+            std::size_t end);
+  bool syntax(std::string_view detail, std::size_t begin, std::size_t end);
 
   LexRules rules_;
+  const AlarmTable& alarms_;
   LexError error_;
   bool in_comment_ = false;
   bool* plain_ = nullptr;  ///< of the block in hand

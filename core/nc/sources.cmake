@@ -1,6 +1,8 @@
 target_sources(proveout_core PRIVATE
+  nc/alarms.cpp
   nc/axes.cpp
   nc/control_host.cpp
+  nc/controls.cpp
   nc/compensation_stage.cpp
   nc/contour_stage.cpp
   nc/channels.cpp
@@ -41,6 +43,7 @@ target_sources(proveout_core PRIVATE
   nc/wl4/wl4_plan.cpp
   nc/wl4/wl4_programs.cpp
   nc/wl4/wl4_report.cpp
+  nc/wl4/wl4_row.cpp
   nc/wl4/wl4_variables.cpp
   nc/macro/expression.cpp
   nc/macro/functions.cpp
@@ -84,6 +87,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_pocket.cpp
   nc/nct/nct_planes.cpp
   nc/nct/nct_reset.cpp
+  nc/nct/nct_row.cpp
   nc/nct/nct_rows.cpp
   nc/nct/nct_statements.cpp
   nc/nct/nct_spindle.cpp

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "core/nc/macro/functions.h"
-#include "core/nc/nct/nct_alarms.h"
 
 namespace proveout::nc {
 namespace {
@@ -21,7 +20,6 @@ constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c
 constexpr bool isLetter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
 
 constexpr int kMaxDepth = 64;
-constexpr int kSyntax = 2064, kBracket = 2121, kDivision = 2093;
 
 struct FunctionName {
   std::string_view text;
@@ -81,8 +79,15 @@ bool related(Relation relation, const Value& left, const Value& right) {
 class Parser {
  public:
   Parser(std::string_view text, std::size_t pos, VariableStore& variables,
-         const MacroEnvironment& environment, LexError& error, std::vector<std::uint32_t>& reads)
-      : i(pos), text_(text), variables_(variables), environment_(environment), error_(error), reads_(reads) {
+         const MacroEnvironment& environment, const AlarmTable& alarms, LexError& error,
+         std::vector<std::uint32_t>& reads)
+      : i(pos),
+        text_(text),
+        variables_(variables),
+        environment_(environment),
+        alarms_(alarms),
+        error_(error),
+        reads_(reads) {
     reads_.clear();
   }
 
@@ -120,24 +125,22 @@ class Parser {
     ++i;
     return true;
   }
-  bool fail(std::string code, std::string message, std::size_t begin) {
+  bool alarm(SharedAlarm what, std::string_view subject, std::string_view detail, std::size_t begin) {
     const std::size_t end = std::max(begin + 1, i);
-    error_ = {std::move(code), std::move(message), {static_cast<int>(begin) + 1, static_cast<int>(end) + 1}};
+    error_ = {alarms_.code(what),
+              alarms_.message(what, subject, detail),
+              {static_cast<int>(begin) + 1, static_cast<int>(end) + 1}};
     return false;
   }
-  bool alarm(int number, std::string_view subject, std::string_view detail, std::size_t begin) {
-    std::string message = alarmText(number, subject);
-    if (!detail.empty()) {
-      message += ": ";
-      message += detail;
-    }
-    return fail(fmt::format("nct-{}", number), std::move(message), begin);
+  bool syntax(std::string_view detail, std::size_t begin) {
+    return alarm(SharedAlarm::kSyntax, {}, detail, begin);
   }
   bool accessed(VariableStatus status, int number, std::size_t begin);
 
   std::string_view text_;
   VariableStore& variables_;
   const MacroEnvironment& environment_;
+  const AlarmTable& alarms_;
   LexError& error_;
   std::vector<std::uint32_t>& reads_;
   int depth_ = 0;
@@ -145,7 +148,7 @@ class Parser {
 
 bool Parser::finite(double value, std::size_t begin, Value& out) {
   if (!std::isfinite(value)) {
-    return fail("nct-2092", "value limit exceeded: the result is beyond 1.7E308", begin);
+    return alarm(SharedAlarm::kValueLimit, {}, "the result is beyond 1.7E308", begin);
   }
   out = {value, false};
   return true;
@@ -153,8 +156,8 @@ bool Parser::finite(double value, std::size_t begin, Value& out) {
 
 bool Parser::logic(LogicOperator op, Value& left, const Value& right, std::size_t begin) {
   double out = 0.0;
-  if (const int number = applyLogic(op, left.number, right.number, out)) {
-    return alarm(number, {}, "an operand is beyond 32 bits", begin);
+  if (const auto refused = applyLogic(op, left.number, right.number, out)) {
+    return alarm(*refused, {}, "an operand is beyond 32 bits", begin);
   }
   left = {out, false};
   return true;
@@ -200,7 +203,7 @@ bool Parser::product(Value& out) {
     } else if (c == '/' || (c == 'M' && at("MOD"))) {
       i += c == '/' ? 1 : 3;
       if (!unary(right)) return false;
-      if (right.number == 0.0) return alarm(kDivision, {}, {}, begin);
+      if (right.number == 0.0) return alarm(SharedAlarm::kDivision, {}, {}, begin);
       const double value = c == '/' ? out.number / right.number : std::fmod(out.number, right.number);
       if (!finite(value, begin, out)) return false;
     } else if (c == 'A' && at("AND")) {
@@ -222,7 +225,7 @@ bool Parser::unary(Value& out) {
     any = true;
     i = skipBlanks(text_, i + 1);
   }
-  if (depth_ == kMaxDepth) return alarm(kSyntax, {}, "the formula is nested too deep", begin);
+  if (depth_ == kMaxDepth) return syntax("the formula is nested too deep", begin);
   ++depth_;
   const bool good = primary(out);
   --depth_;
@@ -257,8 +260,8 @@ bool Parser::primary(Value& out) {
   }
   if (c == '[') return bracket(out);
   if (isLetter(c)) return named(out);
-  if (c == '\0') return alarm(kSyntax, {}, "the formula ends where a value is expected", i);
-  return alarm(kSyntax, {}, "a number, a variable, a function or '[' is expected", i);
+  if (c == '\0') return syntax("the formula ends where a value is expected", i);
+  return syntax("a number, a variable, a function or '[' is expected", i);
 }
 
 bool Parser::number(double& out) {
@@ -271,7 +274,7 @@ bool Parser::number(double& out) {
   for (; i < text_.size(); ++i) {
     const char c = text_[i];
     if (c == '.') {
-      if (point) return alarm(kSyntax, {}, "second decimal point", begin);
+      if (point) return syntax("second decimal point", begin);
       point = true;
     } else if (isDigit(c)) {
       if (digits < kTens.size()) mantissa = mantissa * 10 + static_cast<unsigned>(c - '0');
@@ -281,13 +284,13 @@ bool Parser::number(double& out) {
       break;
     }
   }
-  if (digits == 0) return alarm(kSyntax, {}, "a number without digits", begin);
+  if (digits == 0) return syntax("a number without digits", begin);
   if (digits < kTens.size()) {
     out = static_cast<double>(mantissa) / kTens[fraction];
     return true;
   }
   const auto read = std::from_chars(text_.data() + begin, text_.data() + i, out, std::chars_format::fixed);
-  if (read.ec != std::errc()) return alarm(kSyntax, {}, "a number beyond 1.7E308", begin);
+  if (read.ec != std::errc()) return syntax("a number beyond 1.7E308", begin);
   return true;
 }
 
@@ -296,8 +299,8 @@ bool Parser::bracket(Value& out) {
   if (!sum(out)) return false;
   i = skipBlanks(text_, i);
   if (take(']')) return true;
-  if (i >= text_.size()) return alarm(kBracket, {}, {}, begin);
-  return alarm(kSyntax, {}, "an operator or ']' is expected", i);
+  if (i >= text_.size()) return alarm(SharedAlarm::kRightBracket, {}, {}, begin);
+  return syntax("an operator or ']' is expected", i);
 }
 
 bool Parser::named(Value& out) {
@@ -308,9 +311,8 @@ bool Parser::named(Value& out) {
   if (at("PRM")) return parameter(out);
   const std::size_t begin = i;
   while (isLetter(peek())) ++i;
-  return alarm(kSyntax, {},
-               fmt::format("a value is expected, and {} is no function", text_.substr(begin, i - begin)),
-               begin);
+  return syntax(fmt::format("a value is expected, and {} is no function", text_.substr(begin, i - begin)),
+                begin);
 }
 
 bool Parser::apply(const FunctionName& name, Value& out) {
@@ -319,8 +321,8 @@ bool Parser::apply(const FunctionName& name, Value& out) {
   Value argument;
   if (!unary(argument)) return false;
   double value = 0.0;
-  if (const int number = applyFunction(name.function, argument.number, value)) {
-    return alarm(number, {}, fmt::format("{} of {}", name.text, argument.number), begin);
+  if (const auto refused = applyFunction(name.function, argument.number, value)) {
+    return alarm(*refused, {}, fmt::format("{} of {}", name.text, argument.number), begin);
   }
   return finite(value, begin, out);
 }
@@ -328,7 +330,7 @@ bool Parser::apply(const FunctionName& name, Value& out) {
 bool Parser::axisNumber(Value& out) {
   const std::size_t begin = i;
   i = skipBlanks(text_, i + 5);
-  if (!take('[')) return alarm(kSyntax, {}, "AXNUM is followed by [name of an axis]", begin);
+  if (!take('[')) return syntax("AXNUM is followed by [name of an axis]", begin);
   i = skipBlanks(text_, i);
   std::array<char, 4> name{};
   std::size_t length = 0;
@@ -336,11 +338,11 @@ bool Parser::axisNumber(Value& out) {
   i = skipBlanks(text_, i);
   const std::string_view shown(name.data(), length);
   if (!take(']')) {
-    return i >= text_.size() ? alarm(kBracket, {}, {}, begin)
-                             : alarm(kSyntax, {}, "AXNUM is followed by [name of an axis]", begin);
+    return i >= text_.size() ? alarm(SharedAlarm::kRightBracket, {}, {}, begin)
+                             : syntax("AXNUM is followed by [name of an axis]", begin);
   }
   const int number = environment_.axisNumber(shown);
-  if (number < 0) return alarm(2017, shown, "the channel has no such axis", begin);
+  if (number < 0) return alarm(SharedAlarm::kIllegalAddress, shown, "the channel has no such axis", begin);
   out = {static_cast<double>(number), false};
   return true;
 }
@@ -358,19 +360,20 @@ bool Parser::parameter(Value& out) {
   const std::size_t begin = i;
   if (!in_assignment) {
     i += 3;
-    return alarm(2017, "PRM", "parameters are read on the right of an assignment only", begin);
+    return alarm(SharedAlarm::kIllegalAddress, "PRM",
+                 "parameters are read on the right of an assignment only", begin);
   }
   i = skipBlanks(text_, i + 3);
   int number = -1, bit = -1, index = 0;
-  if (!take('[')) return alarm(kSyntax, {}, "PRM is followed by [number]", begin);
+  if (!take('[')) return syntax("PRM is followed by [number]", begin);
   i = skipBlanks(text_, i);
-  if (peek() == ']' || peek() == ',') return alarm(kSyntax, {}, "PRM without a number", begin);
+  if (peek() == ']' || peek() == ',') return syntax("PRM without a number", begin);
   if (!parameterArgument(-1, number)) return false;
-  if (number < 0) return alarm(kSyntax, {}, "PRM without a number", begin);
+  if (number < 0) return syntax("PRM without a number", begin);
   i = skipBlanks(text_, i);
   if (take(',') && !parameterArgument(-1, bit)) return false;
   i = skipBlanks(text_, i);
-  if (!take(']')) return alarm(kBracket, {}, {}, begin);
+  if (!take(']')) return alarm(SharedAlarm::kRightBracket, {}, {}, begin);
   const std::size_t slash = skipBlanks(text_, i);
   if (slash < text_.size() && text_[slash] == '/') {
     const std::size_t open = skipBlanks(text_, slash + 1);
@@ -378,11 +381,11 @@ bool Parser::parameter(Value& out) {
       i = open + 1;
       if (!parameterArgument(0, index)) return false;
       i = skipBlanks(text_, i);
-      if (!take(']')) return alarm(kBracket, {}, {}, begin);
+      if (!take(']')) return alarm(SharedAlarm::kRightBracket, {}, {}, begin);
     }
   }
   const MacroEnvironment::ParameterAnswer answer = environment_.parameter(number, bit, index);
-  if (answer.alarm != 0) return alarm(answer.alarm, answer.subject, fmt::format("N{}", number), begin);
+  if (answer.alarm) return alarm(*answer.alarm, answer.subject, fmt::format("N{}", number), begin);
   out = {answer.value, false};
   return true;
 }
@@ -391,16 +394,16 @@ bool Parser::wholeNumber(const Value& value, std::size_t begin, int& out) {
   constexpr double kNear = 1e-6;
   const double whole = std::round(value.number);
   if (!(std::abs(whole) <= 1e9) || std::abs(whole - value.number) > kNear) {
-    return fail("nct-2002", fmt::format("# data out of range: {} is no whole number in range", value.number),
-                begin);
+    return alarm(SharedAlarm::kOutOfRange, "#", fmt::format("{} is no whole number in range", value.number),
+                 begin);
   }
   out = static_cast<int>(whole);
   return true;
 }
 
 bool Parser::accessed(VariableStatus status, int number, std::size_t begin) {
-  if (status == kVariableRead) return true;
-  if (status == kVariableReported) {
+  if (status == VariableStatus::kDone) return true;
+  if (status == VariableStatus::kReported) {
     error_.code.clear();
     return false;
   }
@@ -408,10 +411,11 @@ bool Parser::accessed(VariableStatus status, int number, std::size_t begin) {
   const std::string_view written = text_.substr(begin, i - begin);
   const std::string name =
       number <= kLastWritten ? fmt::format("#{}", number) : std::string(written.substr(0, written.find('=')));
-  if (status == kUnknownVariable) {
-    return fail("nct-variable", fmt::format("the control has no variable {}", name), begin);
+  if (status == VariableStatus::kUnknown) {
+    return alarm(SharedAlarm::kVariable, fmt::format("the control has no variable {}", name), {}, begin);
   }
-  return alarm(status, name, {}, begin);
+  const bool locked = status == VariableStatus::kReadOnly;
+  return alarm(locked ? SharedAlarm::kReadOnly : SharedAlarm::kValueLimit, name, {}, begin);
 }
 
 bool Parser::variableNumber(int& number) {
@@ -421,17 +425,17 @@ bool Parser::variableNumber(int& number) {
     constexpr std::size_t kMaxDigits = 9;
     number = 0;
     for (; isDigit(peek()); ++i) {
-      if (i - begin > kMaxDigits) return fail("nct-variable", "the control has no such variable", begin);
+      if (i - begin > kMaxDigits)
+        return alarm(SharedAlarm::kVariable, "the control has no such variable", {}, begin);
       number = number * 10 + (text_[i] - '0');
     }
     return true;
   }
   if (c == '_') return symbol(number);
-  if (c != '[') return alarm(kSyntax, {}, "'#' is followed by a number, a name or '['", begin);
+  if (c != '[') return syntax("'#' is followed by a number, a name or '['", begin);
   Value value;
   ++depth_;  // the recursion goes round by way of primary()
-  const bool good =
-      depth_ < kMaxDepth ? bracket(value) : alarm(kSyntax, {}, "the formula is nested too deep", begin);
+  const bool good = depth_ < kMaxDepth ? bracket(value) : syntax("the formula is nested too deep", begin);
   --depth_;
   return good && wholeNumber(value, begin, number);
 }
@@ -442,19 +446,20 @@ bool Parser::symbol(int& number) {
   const VariableSymbol* found = variables_.symbolAt(text_.substr(++i), length);
   if (found == nullptr) {
     while (isLetter(peek()) || isDigit(peek()) || peek() == '_') ++i;
-    return fail("nct-variable", fmt::format("the control has no variable {}", text_.substr(begin, i - begin)),
-                begin);
+    return alarm(SharedAlarm::kVariable,
+                 fmt::format("the control has no variable {}", text_.substr(begin, i - begin)), {}, begin);
   }
   i += length;
   number = found->number;
   if (found->count == 0) return true;
   Value index;
   int at_index = 0;
-  if (peek() != '[') return alarm(kSyntax, {}, fmt::format("#_{} needs an index", found->name), begin);
+  if (peek() != '[') return syntax(fmt::format("#_{} needs an index", found->name), begin);
   if (!bracket(index) || !wholeNumber(index, begin, at_index)) return false;
   const int offset = at_index - found->first_index;
   if (offset < 0 || offset >= found->count) {
-    return fail("nct-variable", fmt::format("#_{} has no index {}", found->name, at_index), begin);
+    return alarm(SharedAlarm::kVariable, fmt::format("#_{} has no index {}", found->name, at_index), {},
+                 begin);
   }
   number += offset;
   return true;
@@ -468,22 +473,22 @@ bool Parser::relation(Relation& out) {
     out = name.relation;
     return true;
   }
-  if (peek() == '=') return fail("nct-2121", "wrong terminator: = (EQ compares)", i);
-  if (i >= text_.size()) return alarm(kBracket, {}, {}, i);
-  return alarm(kSyntax, {}, "a condition has the form [value EQ value]", i);
+  if (peek() == '=') return alarm(SharedAlarm::kTerminator, "= (EQ compares)", {}, i);
+  if (i >= text_.size()) return alarm(SharedAlarm::kRightBracket, {}, {}, i);
+  return syntax("a condition has the form [value EQ value]", i);
 }
 
 bool Parser::condition(bool& holds) {
   i = skipBlanks(text_, i);
   const std::size_t begin = i;
-  if (!take('[')) return alarm(kSyntax, {}, "a condition in brackets is expected", begin);
+  if (!take('[')) return syntax("a condition in brackets is expected", begin);
   Value left, right;
   Relation relation_between = Relation::kEq;
   if (!sum(left) || !relation(relation_between) || !sum(right)) return false;
   i = skipBlanks(text_, i);
   if (!take(']')) {
-    return i >= text_.size() ? alarm(kBracket, {}, {}, begin)
-                             : alarm(kSyntax, {}, "']' is expected: a condition has one relation", i);
+    return i >= text_.size() ? alarm(SharedAlarm::kRightBracket, {}, {}, begin)
+                             : syntax("']' is expected: a condition has one relation", i);
   }
   holds = related(relation_between, left, right);
   return true;
@@ -495,7 +500,7 @@ bool Parser::assignment() {
   if (!variableNumber(number)) return false;
   reads_.clear();
   i = skipBlanks(text_, i);
-  if (!take('=')) return alarm(kSyntax, {}, "'=' is expected", i);
+  if (!take('=')) return syntax("'=' is expected", i);
   in_assignment = true;
   Value value = Value::none();
   const std::size_t first = text_.find_first_not_of(" \t", i);
@@ -538,7 +543,7 @@ bool keywordAt(std::string_view text, std::size_t pos, std::string_view word) {
 }
 
 bool MacroEvaluator::evaluate(std::string_view text, std::size_t& pos, Value& value, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error, reads_);
+  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
   const bool good = parser.signedOperand(value);
   pos = parser.i;
   value.origin = origins_ != nullptr ? origins_->listOf(reads_) : 0;
@@ -546,21 +551,21 @@ bool MacroEvaluator::evaluate(std::string_view text, std::size_t& pos, Value& va
 }
 
 bool MacroEvaluator::formula(std::string_view text, std::size_t& pos, Value& value, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error, reads_);
+  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
   const bool good = parser.sum(value);
   pos = parser.i;
   return good;
 }
 
 bool MacroEvaluator::condition(std::string_view text, std::size_t& pos, bool& holds, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error, reads_);
+  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
   const bool good = parser.condition(holds);
   pos = parser.i;
   return good;
 }
 
 bool MacroEvaluator::assign(std::string_view text, std::size_t& pos, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error, reads_);
+  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
   parser.origins = origins_;
   const bool good = parser.assignment();
   pos = parser.i;
@@ -568,7 +573,7 @@ bool MacroEvaluator::assign(std::string_view text, std::size_t& pos, LexError& e
 }
 
 bool MacroEvaluator::variable(std::string_view text, std::size_t& pos, int& number, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, error, reads_);
+  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
   const bool good = parser.variableNumber(number);
   pos = parser.i;
   return good;

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "core/nc/alarms.h"
 #include "core/nc/lexer.h"
 #include "core/nc/macro/value.h"
 #include "core/nc/macro/variables.h"
@@ -21,20 +23,21 @@ class MacroEnvironment {
   virtual int axisNumber(std::string_view name) const = 0;
 
   struct ParameterAnswer {
-    int alarm = 0;             ///< 0, or the number of the alarm
-    std::string_view subject;  ///< of the alarm
+    std::optional<SharedAlarm> alarm;  ///< nothing: the value is good
+    std::string_view subject;          ///< of the alarm
     double value = 0.0;
   };
   /// PRM: `bit` -1 and `index` 0 where the program gives none.
   virtual ParameterAnswer parameter(int number, int bit, int index) const = 0;
 };
 
-/// Evaluates formulas against the variables. Errors carry the manual's number, its text and the columns; a
-/// result that is no finite number is alarm 2092. Brackets and functions nest 64 deep at most (2064).
+/// Evaluates formulas against the variables. Errors carry the control's alarm and the columns; a result that
+/// is no finite number is kValueLimit. Brackets and functions nest 64 deep at most (kSyntax).
 class MacroEvaluator : public ExpressionHook {
  public:
-  MacroEvaluator(VariableStore& variables, const MacroEnvironment& environment)
-      : variables_(variables), environment_(environment) {}
+  /// What is handed in must outlive the evaluator.
+  MacroEvaluator(VariableStore& variables, const MacroEnvironment& environment, const AlarmTable& alarms)
+      : variables_(variables), environment_(environment), alarms_(alarms) {}
   /// `origins` must outlive the evaluator. Without, values have no origins.
   void setOrigins(ValueOrigins& origins) { origins_ = &origins; }
 
@@ -55,6 +58,7 @@ class MacroEvaluator : public ExpressionHook {
  private:
   VariableStore& variables_;
   const MacroEnvironment& environment_;
+  const AlarmTable& alarms_;
   ValueOrigins* origins_ = nullptr;
   std::vector<std::uint32_t> reads_;  ///< origins of the variables of the formula in hand
 };

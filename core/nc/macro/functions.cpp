@@ -9,15 +9,14 @@
 namespace proveout::nc {
 namespace {
 
-constexpr int kTanAlarm = 2116, kArcAlarm = 2117, kLnAlarm = 2118, kRootAlarm = 2122, kLogicAlarm = 2129;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-int tanDegrees(double x, double& out) {
+Refusal tanDegrees(double x, double& out) {
   constexpr double kNear = 1e-12;
   const double r = std::remainder(x, 180.0);
-  if (std::abs(std::abs(r) - 90.0) <= kNear) return kTanAlarm;
+  if (std::abs(std::abs(r) - 90.0) <= kNear) return SharedAlarm::kTangent;
   out = std::abs(r) == 45.0 ? std::copysign(1.0, r) : std::tan(r * kDegree);
-  return 0;
+  return {};
 }
 
 /// The low 32 bits of an operand.
@@ -31,62 +30,62 @@ bool bitsOf(double x, std::uint32_t& bits) {
 
 double asNumber(std::uint32_t bits) { return static_cast<double>(static_cast<std::int32_t>(bits)); }
 
-int complement(double x, double& out) {
+Refusal complement(double x, double& out) {
   std::uint32_t bits = 0;
-  if (!bitsOf(x, bits)) return kLogicAlarm;
+  if (!bitsOf(x, bits)) return SharedAlarm::kBits;
   out = asNumber(~bits);
-  return 0;
+  return {};
 }
 
 }  // namespace
 
-int applyFunction(MacroFunction function, double x, double& out) {
+Refusal applyFunction(MacroFunction function, double x, double& out) {
   switch (function) {
     case MacroFunction::kSqrt:
-      if (x < 0.0) return kRootAlarm;
+      if (x < 0.0) return SharedAlarm::kRoot;
       out = std::sqrt(x);
-      return 0;
+      return {};
     case MacroFunction::kSin:
       out = sinDegrees(x);
-      return 0;
+      return {};
     case MacroFunction::kCos:
       out = cosDegrees(x);
-      return 0;
+      return {};
     case MacroFunction::kTan:
       return tanDegrees(x, out);
     case MacroFunction::kAsin:
     case MacroFunction::kAcos:
-      if (!(std::abs(x) <= 1.0)) return kArcAlarm;
+      if (!(std::abs(x) <= 1.0)) return SharedAlarm::kArcFunction;
       out = (function == MacroFunction::kAsin ? std::asin(x) : std::acos(x)) / kDegree;
-      return 0;
+      return {};
     case MacroFunction::kAtan:
       out = std::atan(x) / kDegree;
-      return 0;
+      return {};
     case MacroFunction::kExp:
       out = std::exp(x);
-      return 0;
+      return {};
     case MacroFunction::kLn:
-      if (!(x > 0.0)) return kLnAlarm;
+      if (!(x > 0.0)) return SharedAlarm::kLogarithm;
       out = std::log(x);
-      return 0;
+      return {};
     case MacroFunction::kAbs:
       out = std::abs(x);
-      return 0;
+      return {};
     case MacroFunction::kFix:
       out = std::trunc(x);
-      return 0;
+      return {};
     case MacroFunction::kFup:
       out = x < 0.0 ? std::floor(x) : std::ceil(x);
-      return 0;
+      return {};
     case MacroFunction::kNot:
       return complement(x, out);
   }
-  return 0;
+  return {};
 }
 
-int applyLogic(LogicOperator op, double a, double b, double& out) {
+Refusal applyLogic(LogicOperator op, double a, double b, double& out) {
   std::uint32_t x = 0, y = 0;
-  if (!bitsOf(a, x) || !bitsOf(b, y)) return kLogicAlarm;
+  if (!bitsOf(a, x) || !bitsOf(b, y)) return SharedAlarm::kBits;
   switch (op) {
     case LogicOperator::kOr:
       out = asNumber(x | y);
@@ -98,7 +97,7 @@ int applyLogic(LogicOperator op, double a, double b, double& out) {
       out = asNumber(x & y);
       break;
   }
-  return 0;
+  return {};
 }
 
 }  // namespace proveout::nc

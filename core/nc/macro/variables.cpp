@@ -101,24 +101,24 @@ VariableStatus VariableStore::readOther(int number, Value& out) {
     out = number == kPiConstant      ? Value{std::numbers::pi}
           : number == kEulerConstant ? Value{std::numbers::e}
                                      : Value::none();
-    return kVariableRead;
+    return VariableStatus::kDone;
   }
   VariableBank* bank = bankOf(number);
   ++bank_accesses_;
-  return bank == nullptr ? kUnknownVariable : bank->read(number, out);
+  return bank == nullptr ? VariableStatus::kUnknown : bank->read(number, out);
 }
 
 VariableStatus VariableStore::writeOther(int number, const Value& value) {
-  if (isConstant(number)) return kReadOnlyVariable;
+  if (isConstant(number)) return VariableStatus::kReadOnly;
   if (number >= kFirstGlobal && number <= kLastGlobal) {
     const bool locked = number >= kFirstKept && number >= protect_first_ && number <= protect_last_;
-    if (locked) return kReadOnlyVariable;
+    if (locked) return VariableStatus::kReadOnly;
     put(global(number), value);
-    return kVariableRead;
+    return VariableStatus::kDone;
   }
   VariableBank* bank = bankOf(number);
   ++bank_accesses_;
-  return bank == nullptr ? kUnknownVariable : bank->write(number, value);
+  return bank == nullptr ? VariableStatus::kUnknown : bank->write(number, value);
 }
 
 }  // namespace proveout::nc

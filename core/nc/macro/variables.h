@@ -20,13 +20,14 @@ struct Arguments {
   Arguments() { v.fill(Value::none()); }
 };
 
-/// How an access went: 0, the manual's alarm number, or kUnknownVariable.
-using VariableStatus = int;
-inline constexpr VariableStatus kVariableRead = 0;
-inline constexpr VariableStatus kUnknownVariable = -1;   ///< the control has no variable of that number
-inline constexpr VariableStatus kVariableReported = -2;  ///< an error was reported already
-inline constexpr VariableStatus kReadOnlyVariable = 2161;
-inline constexpr VariableStatus kVariableLimit = 2092;
+/// How an access went.
+enum class VariableStatus : std::uint8_t {
+  kDone,
+  kUnknown,   ///< the control has no variable of that number
+  kReadOnly,  ///< it may not be written
+  kLimit,     ///< it does not take such a value
+  kReported   ///< it failed, and the error was reported already
+};
 
 /// A range of system variables. Numbers handed in lie in the range that the bank was added with.
 class VariableBank {
@@ -58,18 +59,18 @@ class VariableStore {
   VariableStatus read(int number, Value& out) {
     if (number >= 1 && number <= kLocalCount) {
       out = locals_[local(number)];
-      return kVariableRead;
+      return VariableStatus::kDone;
     }
     if (number >= kFirstGlobal && number <= kLastGlobal) {
       out = global(number);
-      return kVariableRead;
+      return VariableStatus::kDone;
     }
     return readOther(number, out);
   }
   VariableStatus write(int number, const Value& value) {
     if (number >= 1 && number <= kLocalCount) {
       put(locals_[local(number)], value);
-      return kVariableRead;
+      return VariableStatus::kDone;
     }
     return writeOther(number, value);
   }

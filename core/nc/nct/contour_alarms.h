@@ -11,7 +11,8 @@ struct NctContext;
 class ContourAlarms final : public ContourReport {
  public:
   explicit ContourAlarms(NctContext& context) : c_(context) {}
-  bool contourError(const char* code, const char* message, const PathItem& at) override;
+  bool contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
+                    const PathItem& at) override;
 
  private:
   NctContext& c_;

@@ -80,35 +80,60 @@ constexpr auto kAlarms = std::to_array<Alarm>({
 
 }  // namespace
 
-std::span<const Alarm> nctAlarms() { return kAlarms; }
+std::span<const Alarm> nctAlarmTexts() { return kAlarms; }
+
+namespace {
+
+/// The n-th text of that number; empty: the table lacks it.
+std::string_view textOf(int number, std::ptrdiff_t n = 0) {
+  const auto found = std::lower_bound(kAlarms.begin(), kAlarms.end(), number,
+                                      [](const Alarm& a, int wanted) { return a.number < wanted; });
+  const bool there = kAlarms.end() - found > n && (found + n)->number == number;
+  return there ? (found + n)->text : std::string_view();
+}
+
+std::string codeOf(int number) { return fmt::format("nct-{}", number); }
+
+AlarmTable::Row row(SharedAlarm alarm, int number) { return {alarm, codeOf(number), textOf(number)}; }
+
+}  // namespace
+
+const AlarmTable& nctAlarms() {
+  static const AlarmTable kTable{
+      row(SharedAlarm::kSyntax, 2064),
+      row(SharedAlarm::kOutOfRange, 2002),
+      row(SharedAlarm::kIllegalAddress, 2017),
+      row(SharedAlarm::kAxisNumber, 2018),
+      row(SharedAlarm::kNotImplemented, 2123),
+      row(SharedAlarm::kRightBracket, 2121),
+      {SharedAlarm::kTerminator, codeOf(2121), textOf(2121, 1)},
+      row(SharedAlarm::kReadOnly, 2161),
+      row(SharedAlarm::kValueLimit, 2092),
+      row(SharedAlarm::kDivision, 2093),
+      row(SharedAlarm::kTangent, 2116),
+      row(SharedAlarm::kArcFunction, 2117),
+      row(SharedAlarm::kLogarithm, 2118),
+      row(SharedAlarm::kRoot, 2122),
+      row(SharedAlarm::kBits, 2129),
+      row(SharedAlarm::kParameterMissing, 2194),
+      row(SharedAlarm::kCircleRadius, 2012),
+      row(SharedAlarm::kCorner, 2085),
+      {SharedAlarm::kCornerTooLarge, "nct-corner-too-large", "chamfer or rounding too large"},
+      {SharedAlarm::kDuplicateWord, "nct-duplicate-word", "two {} in one block"},
+      {SharedAlarm::kVariable, "nct-variable", "{}"},
+      {SharedAlarm::kContour, "nct-contour", "{}"},
+  };
+  return kTable;
+}
 
 std::string alarmText(int number, std::string_view subject) {
-  const auto found = std::lower_bound(kAlarms.begin(), kAlarms.end(), number,
-                                      [](const Alarm& a, int n) { return a.number < n; });
-  if (found == kAlarms.end() || found->number != number) {
-    return subject.empty() ? "alarm of the program" : fmt::format("alarm of the program {}", subject);
-  }
-  const std::string_view text = found->text;
-  const std::size_t mark = text.find("{}");
-  if (mark == std::string_view::npos) return std::string(text);
-  std::string out(text.substr(0, mark));
-  out += subject;
-  std::string_view rest = text.substr(mark + 2);
-  if (subject.empty()) {
-    if (!out.empty() && out.back() == ' ') out.pop_back();
-    if (out.empty() && !rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
-    if (!out.empty() && out.back() == ':') out.pop_back();
-  }
-  return out + std::string(rest);
+  const std::string_view text = textOf(number);
+  if (!text.empty()) return withSubject(text, subject);
+  return subject.empty() ? "alarm of the program" : fmt::format("alarm of the program {}", subject);
 }
 
 bool AlarmReporter::alarm(int number, std::string_view subject, std::string_view detail, Columns at) {
-  std::string message = alarmText(number, subject);
-  if (!detail.empty()) {
-    message += ": ";
-    message += detail;
-  }
-  return fail(fmt::format("nct-{}", number), std::move(message), at);
+  return fail(codeOf(number), withDetail(alarmText(number, subject), detail), at);
 }
 
 bool AlarmReporter::alarm(int number, const Word& word, std::string_view detail) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/nc/alarms.h"
 #include "core/nc/block.h"
 #include "core/nc/nct/call_stack.h"
 #include "core/nc/nct/program_store.h"
@@ -23,7 +24,9 @@ struct Alarm {
   std::string_view text;
 };
 /// Sorted by number.
-std::span<const Alarm> nctAlarms();
+std::span<const Alarm> nctAlarmTexts();
+/// What the shared rooms refuse, as alarms of this control.
+const AlarmTable& nctAlarms();
 /// The text of an alarm with its subject filled in; without a subject the mark and the blank before it go.
 /// Numbers that the table lacks give "alarm of the program".
 std::string alarmText(int number, std::string_view subject);

@@ -20,7 +20,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       emitter(control_settings, axes, sink, run_summary),
       programs(source, control_settings.encoding, sink),
       environment(axes, parameters),
-      macro(variables, environment),
+      macro(variables, environment, nctAlarms()),
       origins(sink),
       alarms(calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),

@@ -165,8 +165,11 @@ bool planCornerArc(NctContext& c, BlockPlan& plan) {
   return feedStyle(c, plan, plan.motion.feed);
 }
 
-bool ContourAlarms::contourError(const char* code, const char* message, const PathItem& at) {
-  c_.alarms.sendLate(Severity::kError, code, message, at.source, at.record);
+bool ContourAlarms::contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
+                                 const PathItem& at) {
+  const AlarmTable& table = nctAlarms();
+  c_.alarms.sendLate(Severity::kError, table.code(alarm), table.message(alarm, subject, detail), at.source,
+                     at.record);
   recover(c_);
   return false;
 }

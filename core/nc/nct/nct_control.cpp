@@ -32,7 +32,7 @@ NctControl::NctControl(const ProgramSource& source, const ControlSettings& setti
                        Progress* progress, const ControlHost& host)
     : settings_(withAxisParameters(settings)),
       context_(source, settings_, sink, progress, host, summary_),
-      lexer_(lexRules(context_)) {}
+      lexer_(lexRules(context_), nctAlarms()) {}
 
 InterpretSummary NctControl::run() {
   if (!start()) {

@@ -15,13 +15,13 @@ MacroEnvironment::ParameterAnswer NctMacroEnvironment::parameter(int number, int
       break;
     case ParamStatus::kUnknown:
     case ParamStatus::kOutOfRange:
-      return {2002, "N", 0.0};
+      return {SharedAlarm::kOutOfRange, "N", 0.0};
     case ParamStatus::kNeedsBit:
-      return {2194, "2.", 0.0};
+      return {SharedAlarm::kParameterMissing, "2.", 0.0};
     case ParamStatus::kBadIndex:
-      return {2002, "PRM", 0.0};
+      return {SharedAlarm::kOutOfRange, "PRM", 0.0};
     case ParamStatus::kNeedsIndex:
-      return {2194, "3.", 0.0};
+      return {SharedAlarm::kParameterMissing, "3.", 0.0};
   }
   return answer;
 }

@@ -175,7 +175,7 @@ bool variableAt(NctContext& c, std::string_view text, std::size_t& i, Value& val
   const std::size_t begin = i;
   int number = 0;
   if (!c.macro.variable(text, i, number, error)) return c.fail(error.code, error.message);
-  if (c.variables.read(number, value) == kVariableRead) return true;
+  if (c.variables.read(number, value) == VariableStatus::kDone) return true;
   return c.fail("nct-variable", fmt::format("{} cannot be read", text.substr(begin, i - begin)));
 }
 

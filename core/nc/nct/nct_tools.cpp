@@ -161,13 +161,13 @@ VariableStatus ToolBank::read(int number, Value& out) {
   constexpr int kFirstUser = 8431;
   if (number == 8400) {
     out = Value{static_cast<double>(magazine_)};
-    return kVariableRead;
+    return VariableStatus::kDone;
   }
   if (magazine_ == spindlePlace(c_).magazine) countTime(c_);
   const int row = c_.registers.tools().at({magazine_, 1});
   const ToolRow* tool = std::as_const(c_.registers.tools()).row(row);
   out = number == 8401 ? Value{tool ? static_cast<double>(row) : 0.0} : Value::none();
-  if (tool == nullptr || number == 8401) return kVariableRead;
+  if (tool == nullptr || number == 8401) return VariableStatus::kDone;
   const std::array<double, 13> columns{static_cast<double>(tool->type),
                                        tool->counter,
                                        tool->limit,
@@ -186,18 +186,18 @@ VariableStatus ToolBank::read(int number, Value& out) {
   } else if (number - kFirstUser < static_cast<int>(c_.parameters[ToolParam::kUserColumns])) {
     out = Value{tool->user[static_cast<std::size_t>(number - kFirstUser)]};
   }
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 VariableStatus ToolBank::write(int number, const Value& value) {
-  if (number != 8400) return kReadOnlyVariable;
+  if (number != 8400) return VariableStatus::kReadOnly;
   const double magazine = value.vacant ? 0.0 : value.number;
   // Spindle magazines are 10, 20, ... 90, the waiting ones 11, 21, ... 91.
   const bool known = magazine >= 10 && magazine <= 91 && magazine == std::floor(magazine) &&
                      std::fmod(magazine, 10.0) <= 1.0;
-  if (!known) return kVariableLimit;
+  if (!known) return VariableStatus::kLimit;
   magazine_ = static_cast<int>(magazine);
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 }  // namespace proveout::nc

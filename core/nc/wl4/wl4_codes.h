@@ -10,7 +10,6 @@
 
 #include "core/base/result.h"
 #include "core/nc/control_info.h"
-#include "core/nc/coverage.h"
 
 namespace proveout::nc {
 

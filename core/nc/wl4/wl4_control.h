@@ -197,7 +197,8 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
                           Columns columns) const;
   SourceRef here() const;
   SourceRef place() const;  ///< the same without the words in force
-  bool contourError(const char* code, const char* message, const PathItem& at) override;
+  bool contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
+                    const PathItem& at) override;
   void compError(const char* code, const std::string& message, const SourceRef& at) override;
   void recover();
 

@@ -63,8 +63,14 @@ void Wl4Control::warnOnce(const std::string& key, std::string code, std::string 
   if (told_.insert(key).second) warn(std::move(code), std::move(message), at);
 }
 
-bool Wl4Control::contourError(const char*, const char* message, const PathItem& at) {
-  emitter_.diagnostic(diagnosticAt(Severity::kError, "wl4-chamfer", message, at.source, {}));
+bool Wl4Control::contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
+                              const PathItem& at) {
+  static const AlarmTable kTable{
+      {SharedAlarm::kCorner, "wl4-chamfer", "illegal chamfer or rounding"},
+      {SharedAlarm::kCornerTooLarge, "wl4-chamfer", "chamfer or rounding too large"},
+  };
+  emitter_.diagnostic(diagnosticAt(Severity::kError, kTable.code(alarm),
+                                   kTable.message(alarm, subject, detail), at.source, {}));
   return false;
 }
 

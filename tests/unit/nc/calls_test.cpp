@@ -10,14 +10,14 @@ namespace {
 
 double number(VariableStore& store, int n) {
   Value value;
-  EXPECT_EQ(store.read(n, value), kVariableRead);
+  EXPECT_EQ(store.read(n, value), VariableStatus::kDone);
   return value.vacant ? -999 : value.number;
 }
 
 TEST(Variables, LocalsBelongToTheirLevel) {
   VariableStore store;
   EXPECT_EQ(number(store, 1), -999) << "vacant at first";
-  EXPECT_EQ(store.write(1, {5}), kVariableRead);
+  EXPECT_EQ(store.write(1, {5}), VariableStatus::kDone);
   Arguments arguments;
   arguments.v[24] = {7};
   ASSERT_TRUE(store.enter(arguments));
@@ -46,7 +46,7 @@ TEST(Variables, ChannelsShareTheFirstGlobalsOfEachKind) {
   VariableStore first, second;
   second.share(first, 40, 30);
   for (const int n : {100, 139, 500, 529}) {
-    EXPECT_EQ(second.write(n, {n + 0.5}), kVariableRead);
+    EXPECT_EQ(second.write(n, {n + 0.5}), VariableStatus::kDone);
     EXPECT_EQ(number(first, n), n + 0.5);
     first.write(n, {1});
     EXPECT_EQ(number(second, n), 1);
@@ -62,16 +62,16 @@ TEST(Variables, TheEmptyConstantAndProtectedOnesCannotBeWritten) {
   VariableStore store;
   for (const int n : {0, 3100}) {
     EXPECT_EQ(number(store, n), -999);
-    EXPECT_EQ(store.write(n, {1}), kReadOnlyVariable);
+    EXPECT_EQ(store.write(n, {1}), VariableStatus::kReadOnly);
   }
   store.protect(530, 540);
-  EXPECT_EQ(store.write(530, {1}), kReadOnlyVariable);
-  EXPECT_EQ(store.write(540, {1}), kReadOnlyVariable);
-  EXPECT_EQ(store.write(541, {1}), kVariableRead);
+  EXPECT_EQ(store.write(530, {1}), VariableStatus::kReadOnly);
+  EXPECT_EQ(store.write(540, {1}), VariableStatus::kReadOnly);
+  EXPECT_EQ(store.write(541, {1}), VariableStatus::kDone);
   for (const int n : {34, 99, 1000, -1}) {
     Value value;
-    EXPECT_EQ(store.read(n, value), kUnknownVariable) << n;
-    EXPECT_EQ(store.write(n, {1}), kUnknownVariable) << n;
+    EXPECT_EQ(store.read(n, value), VariableStatus::kUnknown) << n;
+    EXPECT_EQ(store.write(n, {1}), VariableStatus::kUnknown) << n;
   }
   store.write(499, {1});
   store.clearGlobals();
@@ -83,9 +83,9 @@ class Doubling : public VariableBank {
  public:
   VariableStatus read(int n, Value& out) override {
     out = {2.0 * n};
-    return kVariableRead;
+    return VariableStatus::kDone;
   }
-  VariableStatus write(int, const Value&) override { return kVariableLimit; }
+  VariableStatus write(int, const Value&) override { return VariableStatus::kLimit; }
 };
 
 TEST(Variables, BanksServeTheirRange) {
@@ -95,9 +95,9 @@ TEST(Variables, BanksServeTheirRange) {
   store.addBank(2000, 2000, low);
   EXPECT_EQ(number(store, 5010), 10020);
   EXPECT_EQ(number(store, 2000), 4000);
-  EXPECT_EQ(store.write(5000, {1}), kVariableLimit);
+  EXPECT_EQ(store.write(5000, {1}), VariableStatus::kLimit);
   Value value;
-  for (const int n : {1999, 2001, 4999, 5011}) EXPECT_EQ(store.read(n, value), kUnknownVariable) << n;
+  for (const int n : {1999, 2001, 4999, 5011}) EXPECT_EQ(store.read(n, value), VariableStatus::kUnknown) << n;
 }
 
 TEST(CallStack, CallsPutOffRunInOrderAtTheirOwnLevel) {
@@ -130,7 +130,7 @@ TEST(Alarms, TextsTakeTheirSubject) {
   EXPECT_EQ(alarmText(2123, "G777"), "function not implemented: G777");
   EXPECT_EQ(alarmText(4711, "x"), "alarm of the program x");
   int last = 0;
-  for (const Alarm& alarm : nctAlarms()) {
+  for (const Alarm& alarm : nctAlarmTexts()) {
     EXPECT_GE(alarm.number, last);
     last = alarm.number;
   }

@@ -248,7 +248,7 @@ TEST(GoldenFiles, EveryOriginStandsInItsText) {
 /// Does a message begin with a text of the manual's alarm of that number?
 bool saysAlarm(int number, const std::string& message) {
   bool known = false;
-  for (const nc::Alarm& alarm : nc::nctAlarms()) {
+  for (const nc::Alarm& alarm : nc::nctAlarmTexts()) {
     if (alarm.number != number) continue;
     known = true;
     const std::string_view text = alarm.text;

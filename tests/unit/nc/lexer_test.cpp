@@ -4,11 +4,13 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_alarms.h"
+
 namespace proveout::nc {
 namespace {
 
 TEST(Lexer, SplitsWordsWithoutBlanks) {
-  Lexer lexer{LexRules{}};
+  Lexer lexer{LexRules{}, nctAlarms()};
   Block block;
   ASSERT_TRUE(lexer.lex("n120g1x-12.5y+.75z7", block));
   EXPECT_EQ(block.number, 120);
@@ -21,7 +23,7 @@ TEST(Lexer, SplitsWordsWithoutBlanks) {
 }
 
 TEST(Lexer, ReadsFifteenDigitsExactly) {
-  Lexer lexer{LexRules{}};
+  Lexer lexer{LexRules{}, nctAlarms()};
   Block block;
   ASSERT_TRUE(lexer.lex("X0.123456789012345 Y123456.789012345 Z0.1", block));
   EXPECT_EQ(block.find('X')->value, 0.123456789012345);
@@ -30,7 +32,7 @@ TEST(Lexer, ReadsFifteenDigitsExactly) {
 }
 
 TEST(Lexer, RoundsLongerFractionsToTheNearestDouble) {
-  Lexer lexer{LexRules{}};
+  Lexer lexer{LexRules{}, nctAlarms()};
   Block block;
   ASSERT_TRUE(lexer.lex("X1.2345678901234567890123 Y.00000000000000000001", block));
   EXPECT_EQ(block.find('X')->value, 1.2345678901234567890123);
@@ -38,14 +40,14 @@ TEST(Lexer, RoundsLongerFractionsToTheNearestDouble) {
 }
 
 TEST(Lexer, MinusZeroIsZero) {
-  Lexer lexer{LexRules{}};
+  Lexer lexer{LexRules{}, nctAlarms()};
   Block block;
   ASSERT_TRUE(lexer.lex("X-0.000", block));
   EXPECT_FALSE(std::signbit(block.find('X')->value));
 }
 
 TEST(Lexer, OperatorIBelongsToTheAddressBeforeIt) {
-  Lexer lexer{LexRules{}};
+  Lexer lexer{LexRules{}, nctAlarms()};
   Block block;
   ASSERT_TRUE(lexer.lex("XI-40 I30", block));
   EXPECT_TRUE(block.find('X')->incremental);
@@ -54,7 +56,7 @@ TEST(Lexer, OperatorIBelongsToTheAddressBeforeIt) {
 }
 
 TEST(Lexer, CommaAddressesAreTheirOwn) {
-  Lexer lexer{LexRules{}};
+  Lexer lexer{LexRules{}, nctAlarms()};
   Block block;
   ASSERT_TRUE(lexer.lex("G1 X1 R5 ,R2 , C3,A-30", block));
   EXPECT_EQ(block.find('R')->value, 5);
@@ -64,7 +66,7 @@ TEST(Lexer, CommaAddressesAreTheirOwn) {
 }
 
 TEST(Lexer, CommentsGoOnOverLines) {
-  Lexer lexer{LexRules{}};
+  Lexer lexer{LexRules{}, nctAlarms()};
   Block block;
   ASSERT_TRUE(lexer.lex("X1 (from here", block));
   EXPECT_EQ(block.words.size(), 1u);
@@ -75,7 +77,7 @@ TEST(Lexer, CommentsGoOnOverLines) {
 }
 
 TEST(Lexer, ErrorsNameTheColumns) {
-  Lexer lexer{LexRules{}};
+  Lexer lexer{LexRules{}, nctAlarms()};
   Block block;
   EXPECT_FALSE(lexer.lex("G0 X1 Y$", block));
   EXPECT_EQ(lexer.error().code, "nct-2064");
@@ -111,7 +113,7 @@ TEST(Lexer, ExpressionHookGivesValues) {
   FixedExpression hook;
   LexRules rules;
   rules.expressions = &hook;
-  Lexer lexer(rules);
+  Lexer lexer(rules, nctAlarms());
   Block block;
   ASSERT_TRUE(lexer.lex("G1 X#21 Y3", block));
   EXPECT_EQ(block.find('X')->value, 42);
@@ -124,7 +126,7 @@ TEST(Lexer, AVacantValueLeavesTheWordOut) {
   FixedExpression hook;
   LexRules rules;
   rules.expressions = &hook;
-  Lexer lexer(rules);
+  Lexer lexer(rules, nctAlarms());
   Block block;
   ASSERT_TRUE(lexer.lex("G90 X20 Y#0", block));
   EXPECT_EQ(block.find('Y'), nullptr);
@@ -163,7 +165,7 @@ TEST(Lexer, TellsStatementsFromBlocks) {
   FixedExpression hook;
   LexRules rules;
   rules.expressions = &hook;
-  Lexer lexer(rules);
+  Lexer lexer(rules, nctAlarms());
   Block block;
   ASSERT_TRUE(lexer.lex("/2 N30 (note) IF[#1EQ2] X5 (open", block));
   EXPECT_EQ(block.kind, kIf);
@@ -188,7 +190,7 @@ TEST(Lexer, TheLongestConfiguredNameWins) {
   LexRules rules;
   rules.expressions = &hook;
   rules.names = &names;
-  Lexer lexer(rules);
+  Lexer lexer(rules, nctAlarms());
   Block block;
   ASSERT_TRUE(lexer.lex("XI40 xde127.81 Z1=87.257 S1=8700 S50 CI-3", block)) << lexer.error().message;
   EXPECT_TRUE(block.find('X')->incremental);
@@ -214,7 +216,7 @@ TEST(Lexer, TheLongestConfiguredNameWins) {
 TEST(Lexer, RepeatsAreKeptForCalls) {
   LexRules rules;
   rules.keep_repeats = true;
-  Lexer lexer(rules);
+  Lexer lexer(rules, nctAlarms());
   Block block;
   ASSERT_TRUE(lexer.lex("N1 I1 J2 I3 N4", block));
   EXPECT_EQ(block.number, 1);
@@ -238,7 +240,7 @@ TEST(Lexer, NoLineCrashesIt) {
   full.expressions = &hook;
   full.names = &names;
   full.keep_repeats = true;
-  Lexer plain{LexRules{}}, rich{full};
+  Lexer plain{LexRules{}, nctAlarms()}, rich{full, nctAlarms()};
   Block block;
   unsigned seed = 12345;
   for (int round = 0; round < 20000; ++round) {

@@ -10,6 +10,7 @@
 
 #include "core/nc/interpreter.h"
 #include "core/nc/macro/expression.h"
+#include "core/nc/nct/nct_alarms.h"
 #include "core/path/toolpath.h"
 
 namespace proveout {
@@ -23,7 +24,7 @@ using nc::VariableStore;
 class NoEnvironment : public nc::MacroEnvironment {
  public:
   int axisNumber(std::string_view) const override { return -1; }
-  ParameterAnswer parameter(int, int, int) const override { return {2002, "N", 0.0}; }
+  ParameterAnswer parameter(int, int, int) const override { return {nc::SharedAlarm::kOutOfRange, "N", 0.0}; }
 };
 
 /// A formula as text with the brackets that it needs and no more, and its value.
@@ -111,9 +112,9 @@ class FormulaMaker {
 TEST(MacroProperties, RandomFormulasHaveTheirValue) {
   FormulaMaker maker(20);
   VariableStore store;
-  for (int n = 1; n <= 33; ++n) ASSERT_EQ(store.write(n, {maker.variables()[n]}), nc::kVariableRead);
+  for (int n = 1; n <= 33; ++n) ASSERT_EQ(store.write(n, {maker.variables()[n]}), nc::VariableStatus::kDone);
   const NoEnvironment environment;
-  MacroEvaluator macro(store, environment);
+  MacroEvaluator macro(store, environment, nc::nctAlarms());
   for (int k = 0; k < 20000; ++k) {
     const Formula formula = maker.make(5);
     Value value;

@@ -11,6 +11,7 @@
 #include "core/geometry/degrees.h"
 #include "core/nc/macro/expression.h"
 #include "core/nc/macro/loop_index.h"
+#include "core/nc/nct/nct_alarms.h"
 
 namespace proveout::nc {
 namespace {
@@ -21,8 +22,8 @@ class Environment : public MacroEnvironment {
     return name == "X" ? 1 : name == "Y" ? 2 : name == "Z" ? 3 : name == "C" ? 6 : -1;
   }
   ParameterAnswer parameter(int number, int bit, int index) const override {
-    if (number == 107 && bit < 0) return {2194, "2. parameter missing", 0.0};
-    return {0, {}, number + 1000.0 * bit + 1e6 * index};
+    if (number == 107 && bit < 0) return {SharedAlarm::kParameterMissing, "2. parameter missing", 0.0};
+    return {{}, {}, number + 1000.0 * bit + 1e6 * index};
   }
 };
 
@@ -58,13 +59,13 @@ class MacroFormulas : public testing::Test {
   }
   double variable(int number) {
     Value out;
-    EXPECT_EQ(store_.read(number, out), kVariableRead) << number;
+    EXPECT_EQ(store_.read(number, out), VariableStatus::kDone) << number;
     return out.vacant ? -1e99 : out.number;
   }
 
   VariableStore store_;
   Environment environment_;
-  MacroEvaluator macro_{store_, environment_};
+  MacroEvaluator macro_{store_, environment_, nctAlarms()};
   LexError error_;
 };
 

@@ -30,7 +30,7 @@ class SystemVariablesTest : public testing::Test {
   }
   double read(int number) {
     Value out;
-    EXPECT_EQ(context_->variables.read(number, out), kVariableRead) << number;
+    EXPECT_EQ(context_->variables.read(number, out), VariableStatus::kDone) << number;
     return out.vacant ? -1e99 : out.number;
   }
   NctContext& c() { return *context_; }

@@ -11,8 +11,6 @@
 namespace proveout::nc {
 namespace {
 
-// Low numbers have room for 20 axes, high ones for 50.
-constexpr int kLowAxes = 20, kHighAxes = 50;
 constexpr int kBasicLow = 5201, kBasicHigh = 100301;        // common, G54 to G59
 constexpr int kExtendedLow = 7001, kExtendedHigh = 101001;  // G54.1 P1...
 constexpr int kBasicSystems = 7, kLowExtended = 48, kHighExtended = 99;
@@ -101,7 +99,7 @@ VariableStatus FrameBank::read(int number, Value& out) {
   out = {};
   switch (cell.kind) {
     case Cell::Kind::kNone:
-      return kUnknownVariable;
+      return VariableStatus::kUnknown;
     case Cell::Kind::kNothing:
       break;
     case Cell::Kind::kOffset:
@@ -117,20 +115,20 @@ VariableStatus FrameBank::read(int number, Value& out) {
       out.number = dynamic_[static_cast<std::size_t>(cell.system)][cell.axis] / unitOf(c_, cell.axis);
       break;
   }
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 VariableStatus FrameBank::write(int number, const Value& value) {
   const Cell cell = find(number);
-  if (cell.kind == Cell::Kind::kNone) return kUnknownVariable;
-  if (cell.kind == Cell::Kind::kNothing) return kReadOnlyVariable;
-  if (!(std::abs(value.number) <= kMaxValue)) return kVariableLimit;
+  if (cell.kind == Cell::Kind::kNone) return VariableStatus::kUnknown;
+  if (cell.kind == Cell::Kind::kNothing) return VariableStatus::kReadOnly;
+  if (!(std::abs(value.number) <= kMaxValue)) return VariableStatus::kLimit;
   const double amount = value.vacant ? 0.0 : value.number;
   if (cell.kind == Cell::Kind::kDynamic) {
     dynamic_[static_cast<std::size_t>(cell.system)][cell.axis] = amount * unitOf(c_, cell.axis);
-    return kVariableRead;
+    return VariableStatus::kDone;
   }
-  if (!flushPipe(c_)) return kVariableReported;
+  if (!flushPipe(c_)) return VariableStatus::kReported;
   WorkSystem& system = c_.registers.frames.system(cell.system);
   if (cell.kind == Cell::Kind::kRotation) {
     system.angles_deg[cell.axis] = amount;
@@ -143,7 +141,7 @@ VariableStatus FrameBank::write(int number, const Value& value) {
   c_.position = c_.chain.programOf(c_.machine);
   recordFrames(c_, c_.state);
   rebasePipe(c_);
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 }  // namespace proveout::nc

@@ -32,9 +32,9 @@ void MessageBank::addTo(VariableStore& store) {
 }
 
 VariableStatus MessageBank::read(int number, Value& out) {
-  if (number != kBox) return kUnknownVariable;  // written only
+  if (number != kBox) return VariableStatus::kUnknown;  // written only
   out = {static_cast<double>(answer_)};
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 /// The text between brackets; with values, `\n` breaks lines and #n[cd] is a value as DPRNT writes it.
@@ -57,16 +57,16 @@ bool MessageBank::textOf(std::string_view note, bool with_values, std::string& o
 
 VariableStatus MessageBank::write(int variable, const Value& value) {
   const double whole = std::round(value.vacant ? 0.0 : value.number);
-  if (!(whole >= 0.0 && whole <= kMaxNumber)) return kVariableLimit;
+  if (!(whole >= 0.0 && whole <= kMaxNumber)) return VariableStatus::kLimit;
   const int number = static_cast<int>(whole);
-  if (variable == kBox && (number < kFirstBox || number > kLastBox)) return kVariableLimit;
+  if (variable == kBox && (number < kFirstBox || number > kLastBox)) return VariableStatus::kLimit;
   std::string text;
-  if (!textOf(c_.variables.note(), variable == kBox, text)) return kVariableReported;
+  if (!textOf(c_.variables.note(), variable == kBox, text)) return VariableStatus::kReported;
   switch (variable) {
     case kAlarm:
       return raise(number, text);
     case kStop:
-      if (!flushPipe(c_)) return kVariableReported;
+      if (!flushPipe(c_)) return VariableStatus::kReported;
       return send("stop", number, shown(5000 + number), text, -1);
     case kMessage:
       return send("message", number, fmt::format("MSG{:03}", number), text, -1);
@@ -77,7 +77,7 @@ VariableStatus MessageBank::write(int variable, const Value& value) {
   answer_ = told != c_.host.person.message_answers.end() ? told->second
             : number < kFirstQuestion                    ? kOk
                                                          : kYes;
-  if (!flushPipe(c_)) return kVariableReported;
+  if (!flushPipe(c_)) return VariableStatus::kReported;
   return send("box", number, shown(6000 + number), text, answer_);
 }
 
@@ -86,14 +86,14 @@ VariableStatus MessageBank::raise(int number, const std::string& text) {
   const std::string detail = text.empty() ? "alarm of the program" : text;
   c_.fail(fmt::format("nct-{}", 4000 + number), fmt::format("{} ({})", detail, shown(4000 + number)));
   c_.summary.end = ProgramEnd::kAlarm;
-  return kVariableReported;
+  return VariableStatus::kReported;
 }
 
 VariableStatus MessageBank::send(const char* kind, int number, std::string code, const std::string& text,
                                  int answer) {
   event::Message told{kind, number, std::move(code), text, {}};
   if (answer >= 0) told.answer = answer;
-  return sendEvent(c_, std::move(told)) ? kVariableRead : kVariableReported;
+  return sendEvent(c_, std::move(told)) ? VariableStatus::kDone : VariableStatus::kReported;
 }
 
 }  // namespace proveout::nc

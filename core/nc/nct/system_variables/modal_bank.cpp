@@ -137,7 +137,7 @@ VariableStatus ModalBank::read(int number, Value& out) {
   out = {};
   if (number == kProgrammed) {
     out.number = programNumber(c_.calls.main().text->name());
-    return kVariableRead;
+    return VariableStatus::kDone;
   }
   const int base = number >= kInterrupted ? kInterrupted : number >= kExecuting ? kExecuting : kProgrammed;
   const int index = number - base;
@@ -162,10 +162,10 @@ VariableStatus ModalBank::read(int number, Value& out) {
     const auto kind = kindOf(word);
     if (kind && !interrupted) out.origin = c_.origins.wordOf(*kind);
   }
-  if (!known) return kUnknownVariable;
+  if (!known) return VariableStatus::kUnknown;
   out.vacant = interrupted && !c_.interrupted;
   if (out.vacant) out.number = 0.0;
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 }  // namespace proveout::nc

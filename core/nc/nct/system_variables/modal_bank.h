@@ -15,7 +15,7 @@ class ModalBank : public VariableBank {
   explicit ModalBank(const NctContext& context) : c_(context) {}
   void addTo(VariableStore& store);
   VariableStatus read(int number, Value& out) override;
-  VariableStatus write(int, const Value&) override { return kReadOnlyVariable; }
+  VariableStatus write(int, const Value&) override { return VariableStatus::kReadOnly; }
 
  private:
   const NctContext& c_;

@@ -41,27 +41,27 @@ VariableStatus PlcBank::read(int number, Value& out) {
   } else {
     out = {port.numbers[static_cast<std::size_t>(index - kWord - 1)]};
   }
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 VariableStatus PlcBank::write(int number, const Value& value) {
-  if (number < kOutputs) return kReadOnlyVariable;
+  if (number < kOutputs) return VariableStatus::kReadOnly;
   const int index = number - kOutputs;
   const double amount = value.vacant ? 0.0 : value.number;
   if (index < kBits) {
     bool bit = false;
-    if (!bitValue(value, bit)) return kVariableLimit;
+    if (!bitValue(value, bit)) return VariableStatus::kLimit;
     const std::uint32_t mask = 1u << static_cast<unsigned>(index);
     out_.bits = bit ? out_.bits | mask : out_.bits & ~mask;
   } else if (index == kWord) {
     constexpr double kModulus = 4294967296.0;
     const double whole = std::round(amount);
-    if (!(std::abs(whole) < kModulus)) return kVariableLimit;
+    if (!(std::abs(whole) < kModulus)) return VariableStatus::kLimit;
     out_.bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(whole));  // negative ones modulo 2^32
   } else {
     out_.numbers[static_cast<std::size_t>(index - kWord - 1)] = amount;
   }
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 }  // namespace proveout::nc

@@ -35,7 +35,6 @@ constexpr auto kRows = std::to_array<Row>({
     {-1, 151000, Reading::kSkip, nullptr},
     {-1, 151100, Reading::kSkipMachine, nullptr},
 });
-constexpr int kLowAxes = 20, kHighAxes = 50;
 
 /// The coordinates of work space without (`tip`) or with the length offset.
 CoordinateChain chainOf(const NctContext& c, bool tip) {
@@ -104,15 +103,15 @@ VariableStatus PositionBank::read(int number, Value& out) {
     const bool low = row.low >= 0 && number > row.low && number <= row.low + kLowAxes;
     if (!low && (number <= row.high || number > row.high + kHighAxes)) continue;
     const int axis = c_.axes.byNumber(number - (low ? row.low : row.high));
-    if (axis < 0) return kUnknownVariable;
+    if (axis < 0) return VariableStatus::kUnknown;
     const double value = pointOf(c_, row.reading)[axis];
     const double shown = row.reading == Reading::kLength ? value : shownPosition(c_, axis, value);
     out = {shown / unitOfReading(c_, row.reading, axis)};
     const bool programmed = row.reading == Reading::kBlockEnd || row.reading == Reading::kPresent;
     if (programmed) out.origin = c_.origins.wordOf(axisKind(c_.axes.at(axis).name));
-    return kVariableRead;
+    return VariableStatus::kDone;
   }
-  return kUnknownVariable;
+  return VariableStatus::kUnknown;
 }
 
 }  // namespace proveout::nc

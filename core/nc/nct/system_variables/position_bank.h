@@ -16,7 +16,7 @@ class PositionBank : public VariableBank {
   explicit PositionBank(NctContext& context) : c_(context) {}
   void addTo(VariableStore& store);
   VariableStatus read(int number, Value& out) override;
-  VariableStatus write(int, const Value&) override { return kReadOnlyVariable; }
+  VariableStatus write(int, const Value&) override { return VariableStatus::kReadOnly; }
 
  private:
   NctContext& c_;

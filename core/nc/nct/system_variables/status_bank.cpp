@@ -150,31 +150,31 @@ VariableStatus StatusBank::read(int number, Value& out) {
       out = Value::none();
       break;
   }
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 VariableStatus StatusBank::writeCount(double& count, const Value& value) {
   const double whole = std::round(value.vacant ? 0.0 : value.number);
   constexpr double kMaxCount = 99'999'999;
-  if (!(whole >= 0.0 && whole <= kMaxCount)) return kVariableLimit;
+  if (!(whole >= 0.0 && whole <= kMaxCount)) return VariableStatus::kLimit;
   count = whole;
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 VariableStatus StatusBank::writeBits(int number, const Value& value) {
   AutomaticBits& bits = c_.state.automatic;
   bool bit = false;
   if (number != kControl1 && number != kControl2) {
-    if (!bitValue(value, bit)) return kVariableLimit;
+    if (!bitValue(value, bit)) return VariableStatus::kLimit;
     (number == kNoSingleBlock ? bits.no_single_block
      : number == kNoStop      ? bits.no_stop
      : number == kNoOverride  ? bits.no_override
                               : bits.no_exact_stop) = bit;
-    return kVariableRead;
+    return VariableStatus::kDone;
   }
   const double whole = std::round(value.vacant ? 0.0 : value.number);
   constexpr double kMostBits = 7;
-  if (!(whole >= 0.0 && whole <= kMostBits)) return kVariableLimit;
+  if (!(whole >= 0.0 && whole <= kMostBits)) return VariableStatus::kLimit;
   const auto set = static_cast<unsigned>(whole);
   if (number == kControl1) {
     bits.no_single_block = (set & 1u) != 0;
@@ -183,7 +183,7 @@ VariableStatus StatusBank::writeBits(int number, const Value& value) {
     bits.no_override = (set & 2u) != 0;
     bits.no_exact_stop = (set & 4u) != 0;
   }
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 VariableStatus StatusBank::write(int number, const Value& value) {
@@ -191,10 +191,10 @@ VariableStatus StatusBank::write(int number, const Value& value) {
   switch (number) {
     case kClock:
       clock_start_ms_ = c_.clock.now_s() * 1000.0 - amount;
-      return kVariableRead;
+      return VariableStatus::kDone;
     case kCutting:
       cutting_start_ms_ = c_.clock.cutting_s() * 1000.0 - amount;
-      return kVariableRead;
+      return VariableStatus::kDone;
     case kControl1:
     case kControl2:
     case kNoSingleBlock:
@@ -207,12 +207,12 @@ VariableStatus StatusBank::write(int number, const Value& value) {
     case kPartsWanted:
       return writeCount(c_.registers.parts_wanted, value);
     case kPalletPlace:
-      if (amount != 10.0 && amount != 11.0) return kVariableLimit;
+      if (amount != 10.0 && amount != 11.0) return VariableStatus::kLimit;
       pallet_place_ = static_cast<int>(amount);
       tellPallets();
-      return kVariableRead;
+      return VariableStatus::kDone;
     default:
-      return kReadOnlyVariable;
+      return VariableStatus::kReadOnly;
   }
 }
 

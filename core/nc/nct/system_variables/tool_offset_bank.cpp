@@ -62,28 +62,28 @@ bool ToolOffsetBank::find(int number, Cell& cell) const {
 
 VariableStatus ToolOffsetBank::read(int number, Value& out) {
   Cell cell;
-  if (!find(number, cell)) return kUnknownVariable;
+  if (!find(number, cell)) return VariableStatus::kUnknown;
   const OffsetTables& offsets = c_.registers.offsets;
   const OffsetValue& value = offsets.value(cell.column, cell.row);
   out = {cell.tip ? offsets.tip(cell.row) : (cell.wear ? value.wear : value.geometry) / c_.state.unitScale()};
   const OffsetTables::SetBy& by = offsets.setBy(cell.column, cell.row);
   if (!cell.tip) out.origin = cell.wear ? by.wear : by.geometry;
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 VariableStatus ToolOffsetBank::write(int number, const Value& value) {
   Cell cell;
-  if (!find(number, cell)) return kUnknownVariable;
+  if (!find(number, cell)) return VariableStatus::kUnknown;
   const double amount = value.vacant ? 0.0 : value.number;
-  if (!(std::abs(amount) <= kMaxValue)) return kVariableLimit;
+  if (!(std::abs(amount) <= kMaxValue)) return VariableStatus::kLimit;
   if (!cell.tip) {
     c_.registers.offsets.set(cell.column, cell.row, cell.wear, amount * c_.state.unitScale(), value.origin);
-    return kVariableRead;
+    return VariableStatus::kDone;
   }
   const double code = std::round(amount);
-  if (code < 0.0 || code > 9.0) return kVariableLimit;
+  if (code < 0.0 || code > 9.0) return VariableStatus::kLimit;
   c_.registers.offsets.setTip(cell.row, static_cast<int>(code));
-  return kVariableRead;
+  return VariableStatus::kDone;
 }
 
 }  // namespace proveout::nc

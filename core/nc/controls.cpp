@@ -1,0 +1,98 @@
+#include "core/nc/controls.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/nc/nct/nct_row.h"
+#include "core/nc/specification/specification_text.h"
+#include "core/nc/wl4/wl4_row.h"
+
+namespace proveout {
+namespace nc {
+namespace {
+
+const ControlRow& flexNcRow() {
+  static const ControlRow kRow{
+      .id = ControlId::kFlexNc,
+      .name = "flexnc",
+      .summary = "FlexNC, milling",
+      .manual = {"fnc", specification_text::kFlexnc},
+  };
+  return kRow;
+}
+const ControlRow& wedmRow() {
+  static const ControlRow kRow{
+      .id = ControlId::kWedm,
+      .name = "wedm",
+      .summary = "wire EDM",
+      .manual = {"wedm", specification_text::kWedm},
+  };
+  return kRow;
+}
+const ControlRow& rs274NgcRow() {
+  static const ControlRow kRow{
+      .id = ControlId::kRs274Ngc,
+      .name = "rs274ngc",
+      .summary = "RS274/NGC, milling",
+  };
+  return kRow;
+}
+
+}  // namespace
+
+std::span<const ControlRow* const> controlRows() {
+  static const std::array kRows{&nctRow(),    &wl4MillRow(), &wl4LatheRow(),
+                                &flexNcRow(), &wedmRow(),    &rs274NgcRow()};
+  return kRows;
+}
+
+const ControlRow& rowOf(ControlId control) {
+  const auto rows = controlRows();
+  return **std::find_if(rows.begin(), rows.end(), [&](const ControlRow* row) { return row->id == control; });
+}
+
+}  // namespace nc
+
+const std::vector<ControlInfo>& controls() {
+  static const std::vector<ControlInfo> kControls = [] {
+    std::vector<ControlInfo> all;
+    for (const nc::ControlRow* row : nc::controlRows())
+      all.push_back({row->id, row->name, row->summary, row->run != nullptr, row->process});
+    return all;
+  }();
+  return kControls;
+}
+
+Result<ControlId> findControl(std::string_view name) {
+  std::string known;
+  for (const ControlInfo& control : controls()) {
+    if (control.name == name) {
+      if (control.built) return control.id;
+      return inputError(fmt::format("control {} is known but this version cannot run it yet", name));
+    }
+    known += (known.empty() ? "" : ", ") + std::string(control.name);
+  }
+  return inputError(fmt::format("unknown control {} (known: {})", name, known));
+}
+
+Result<std::vector<CoverageRow>> coverageTable(ControlId control) {
+  if (const auto table = nc::rowOf(control).coverage) return table();
+  return inputError("this control is known but this version cannot run it yet");
+}
+
+std::vector<ParameterInfo> parameterTable(ControlId control) {
+  const auto table = nc::rowOf(control).parameters;
+  return table != nullptr ? table() : std::vector<ParameterInfo>{};
+}
+
+bool limitsTravel(ControlId control, const ControlSettings& settings) {
+  const auto& limits = settings.limits;
+  if (std::any_of(limits.begin(), limits.end(), [](const auto& limit) { return limit.has_value(); }))
+    return true;
+  const auto by_parameters = nc::rowOf(control).limits_travel;
+  return by_parameters != nullptr && by_parameters(settings.parameters);
+}
+
+}  // namespace proveout

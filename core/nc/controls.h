@@ -1,0 +1,14 @@
+// The list of controls. A new control is a row of its own folder, named in controls.cpp.
+#pragma once
+
+#include <span>
+
+#include "core/nc/control_row.h"
+
+namespace proveout::nc {
+
+/// All of them, in the order of ControlId.
+std::span<const ControlRow* const> controlRows();
+const ControlRow& rowOf(ControlId control);
+
+}  // namespace proveout::nc
