@@ -19,27 +19,6 @@
 namespace proveout {
 namespace {
 
-std::string describe(const Tool& tool) {
-  if (tool.insert) {
-    const Insert& insert = *tool.insert;
-    std::string text = fmt::format("insert {}", insertShapeName(insert.shape));
-    if (insert.insert_angle_deg > 0) text += fmt::format(" {:g} deg", insert.insert_angle_deg);
-    if (insert.width > 0) text += fmt::format(" {:g} wide", insert.width);
-    return text + fmt::format(" r{:g}", insert.nose_radius);
-  }
-  std::string text = fmt::format("{} {:g}", toolTypeName(tool.type), tool.diameter);
-  if (tool.corner_radius > 0 || tool.type == ToolType::kBull)
-    text += fmt::format(" r{:g}", tool.corner_radius);
-  if (tool.type == ToolType::kCone)
-    text += fmt::format(" tip {:g} {:g} deg", tool.tip_diameter, tool.cone_angle_deg);
-  if (tool.type == ToolType::kTaperBall)
-    text += fmt::format(" ball {:g} {:g} deg", tool.tip_diameter, tool.cone_angle_deg);
-  if (tool.type == ToolType::kDovetail) text += fmt::format(" {:g} deg", tool.dovetail_angle_deg);
-  if (tool.type == ToolType::kThreadMill) text += fmt::format(" pitch {:g} x{}", tool.pitch, tool.teeth);
-  if (tool.type == ToolType::kDrill) text += fmt::format(" {:g} deg", tool.point_angle_deg);
-  return text;
-}
-
 /// Tools of one number may differ from clamping to clamping.
 using ToolUses = std::map<std::pair<int, std::string>, ToolUse>;
 

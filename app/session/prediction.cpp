@@ -225,10 +225,7 @@ struct CutterSize {
 std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
   std::map<int, CutterSize> out;
   for (const Tool& tool : tools) {
-    const bool undercut = tool.type == ToolType::kDovetail || tool.type == ToolType::kTSlot ||
-                          tool.type == ToolType::kLollipop || tool.type == ToolType::kThreadMill ||
-                          tool.type == ToolType::kForm;
-    out[tool.number] = {0.5 * tool.diameter, undercut};
+    out[tool.number] = {0.5 * tool.diameter, hasNeck(tool.type)};
   }
   return out;
 }

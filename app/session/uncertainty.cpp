@@ -10,22 +10,6 @@
 
 namespace proveout {
 
-double smallestRadius(const Tool& tool) {
-  // Corners of bull noses, dovetails and T-slot cutters; the arcs of a profile; the ball of a taper.
-  if (tool.corner_radius > 0) return std::min(tool.corner_radius, tool.diameter / 2);
-  if (tool.type == ToolType::kTaperBall) return tool.tip_diameter / 2;
-  if (tool.type == ToolType::kForm) {
-    double radius = tool.diameter / 2;
-    for (const OutlinePoint& p : tool.outline) {
-      if (p.arc_radius != 0) radius = std::min(radius, std::abs(p.arc_radius));
-      if (p.r > 0) radius = std::min(radius, p.r);
-    }
-    return radius;
-  }
-  if (tool.type == ToolType::kCone) return std::max(tool.tip_diameter, 0.1 * tool.diameter) / 2;
-  return tool.diameter / 2;
-}
-
 double surfaceUncertainty(const Toolpath& path, const std::vector<Tool>& tools, double resolution_mm) {
   std::set<int> used, measuring;
   for (const Motion& motion : path.motions) {

@@ -7,9 +7,6 @@
 
 namespace proveout {
 
-/// Smallest radius that a tool's cutting surface has, mm: of its corner, or of the wall that it leaves.
-double smallestRadius(const Tool& tool);
-
 /// How far the exported surface may lie off the true one: chords of the grid on a wall as curved as the
 /// smallest radius of the tools used, h^2 / (8 r), at most half a cell. Flat surfaces are exact. mm.
 double surfaceUncertainty(const Toolpath& path, const std::vector<Tool>& tools, double resolution_mm);

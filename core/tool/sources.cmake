@@ -1,2 +1,21 @@
 target_sources(proveout_core PRIVATE
-  tool/convex_outline.cpp tool/insert.cpp tool/insert_holder.cpp tool/outline.cpp tool/profile.cpp tool/tool.cpp tool/tool_option.cpp tool/tool_solid.cpp tool/tool_table.cpp)
+  tool/convex_outline.cpp
+  tool/insert.cpp
+  tool/insert_holder.cpp
+  tool/outline.cpp
+  tool/profile.cpp
+  tool/tool.cpp
+  tool/tool_check.cpp
+  tool/tool_option.cpp
+  tool/tool_solid.cpp
+  tool/tool_table.cpp
+  tool/tool_type.cpp
+  tool/types/dovetail.cpp
+  tool/types/drill.cpp
+  tool/types/end_mills.cpp
+  tool/types/form.cpp
+  tool/types/insert.cpp
+  tool/types/lollipop.cpp
+  tool/types/t_slot.cpp
+  tool/types/tapers.cpp
+  tool/types/thread_mill.cpp)

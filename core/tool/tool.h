@@ -77,6 +77,12 @@ double cutterTop(const Tool& tool);
 /// Length of flutes that stands for "without limit", mm.
 inline constexpr double kUnlimitedFluteMm = 2000.0;
 
+/// Of the surface that it leaves, mm: of a corner or a tip, else of the diameter. 0 for inserts.
+double smallestRadius(const Tool& tool);
+
+/// For lists: "bull 10 r2", "drill 5 118 deg".
+std::string describe(const Tool& tool);
+
 /// Outline of a thread mill's teeth from the tip up: `teeth` rings, a pitch apart, the lowest on the tip.
 /// Requires validateTool(tool).
 std::vector<OutlinePoint> threadOutline(const Tool& tool);

@@ -17,7 +17,7 @@ struct ToolSolid {
   std::vector<ConvexProfile> holder;  ///< one per section of the polyline
 };
 
-/// Requires validateTool(tool) and another type than ToolType::kInsert.
+/// Requires validateTool(tool) and a type that rotates.
 ToolSolid makeToolSolid(const Tool& tool);
 
 /// Of all parts, mm.
