@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/nc/intern_table.h"
 #include "core/nc/kind_set.h"
+#include "core/nc/origin_sets.h"
 #include "core/nc/origin_words.h"
 #include "core/path/toolpath.h"
 
@@ -104,7 +104,7 @@ class OriginRecorder final : public ValueOrigins {
   bool any(KindSet kinds) const { return !(present_ & kinds).empty(); }
 
   /// The tables' rows in force.
-  const DataInForce& data() const { return data_; }
+  const DataInForce& data() const { return sets_.data(); }
   void setData(const DataInForce& data);
 
   /// The set in force in the block, for SourceRef::origins.
@@ -133,10 +133,7 @@ class OriginRecorder final : public ValueOrigins {
   void writeRepeated();
   std::int32_t update();
   OriginCode farCode(OriginKind kind);
-  void setCode(std::size_t kind, OriginCode code);
   void materialize(OriginKind kind, Slot& slot);
-  void internModal();
-  void internSet();
 
   MotionSink& sink_;
   std::shared_ptr<OriginWords> words_;
@@ -159,19 +156,10 @@ class OriginRecorder final : public ValueOrigins {
   bool ready_ = false;  ///< a block of such words changes no code
   bool due_ = true;     ///< the index may have changed
 
-  std::array<OriginCode, kOriginKinds> codes_{};  ///< at the last update
-  OriginSet set_;
-  ModalOrigins modal_;
-  std::uint64_t modal_hash_ = 0;
-  bool modal_new_ = true, set_new_ = true;
+  OriginSets sets_;  ///< as of the last update
   std::uint32_t told_line_ = 0, told_frame_ = 0;
   std::int32_t index_ = -1;
-  DataInForce data_;
-  bool data_new_ = true;
   std::vector<std::uint32_t> calls_;  ///< numbers of the words of the open calls
-  InternTable<DataInForce> data_rows_;
-  InternTable<ModalOrigins> modal_rows_;
-  InternTable<OriginSet> sets_;
 };
 
 }  // namespace proveout::nc

@@ -18,6 +18,7 @@ target_sources(proveout_core PRIVATE
   nc/lexer.cpp
   nc/motion_pipe.cpp
   nc/origin_recorder.cpp
+  nc/origin_sets.cpp
   nc/origin_words.cpp
   nc/path_emitter.cpp
   nc/path_emitter_curves.cpp
