@@ -90,6 +90,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_surface_speed.cpp
   nc/nct/nct_tool_data.cpp
   nc/nct/nct_tools.cpp
+  nc/nct/nct_sends.cpp
   nc/nct/nct_smooth.cpp
   nc/nct/nct_tape.cpp
   nc/nct/nct_taps.cpp
@@ -102,6 +103,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/offset_tables.cpp
   nc/nct/virtual_stage.cpp
   nc/nct/nct_zones.cpp
+  nc/nct/zone_stage.cpp
   nc/nct/parameters/axis.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "core/nc/nct/nct_feed.h"
-#include "core/nc/nct/nct_perform.h"
-
 namespace proveout::nc {
 namespace {
 
@@ -65,26 +62,30 @@ std::string describe(CompWarning warning) {
 /// Arcs about one point have the same centre but for rounding, mm; those about corners have others.
 constexpr double kSameCentre = 1e-6;
 
-}  // namespace
+/// Part of the feed on an arc that cutter compensation has made smaller (manual 6.4): 1 where it has not.
+double insideArcFactor(const NctParameters& parameters, double programmed_radius, double radius) {
+  if (!(radius < programmed_radius)) return 1.0;
+  return std::max(radius / programmed_radius, parameters[FeedParam::kInsideArcLeast]);
+}
 
-CompStage::CompStage(NctContext& context) : CompensationStage(context.pipe), c_(context) {}
+}  // namespace
 
 void CompStage::engage(const Vec3& start) {
   CutterCompPolicy policy;
-  policy.interference_check = c_.parameters.flag(CompParam::kInterferenceCheck);
-  policy.interference_alarm = c_.parameters.flag(CompParam::kInterferenceAlarm);
-  policy.extra_look_ahead = static_cast<int>(c_.parameters[CompParam::kExtraLookAhead]);
-  policy.min_step = c_.parameters[CompParam::kMinCompStep];
+  policy.interference_check = parameters_.flag(CompParam::kInterferenceCheck);
+  policy.interference_alarm = parameters_.flag(CompParam::kInterferenceAlarm);
+  policy.extra_look_ahead = static_cast<int>(parameters_[CompParam::kExtraLookAhead]);
+  policy.min_step = parameters_[CompParam::kMinCompStep];
   begin(policy, start);
 }
 
 void CompStage::report(Severity severity, const char* code, const std::string& message, std::uint64_t tag) {
   const PathItem* item = waiting(tag);
-  if (item != nullptr) return c_.alarms.sendLate(severity, code, message, item->source, item->record);
+  if (item != nullptr) return alarms_.sendLate(severity, code, message, item->source, item->record);
   if (severity == Severity::kError) {
-    c_.fail(code, message);
+    alarms_.fail(code, message);
   } else {
-    c_.warn(code, message);
+    alarms_.warn(code, message);
   }
 }
 
@@ -94,7 +95,7 @@ void CompStage::note(const CompNote& told) {
 
 void CompStage::failed(const CompStatus& status) {
   report(Severity::kError, codeOf(status.error), describe(status.error), status.tag);
-  recover(c_);
+  recovery_.recover();
 }
 
 bool CompStage::send(const CompPiece& piece, const PathItem& item, PathItem& out) {
@@ -102,7 +103,7 @@ bool CompStage::send(const CompPiece& piece, const PathItem& item, PathItem& out
   if (item.kind == PathItem::Kind::kArc && concentric) {
     const Vec3 programmed = item.plane.of(item.to) - item.center;
     const Vec3 corrected = piece.to - out.center;
-    out.feed.feed *= insideArcFactor(c_.parameters, programmed.head<2>().norm(), corrected.head<2>().norm());
+    out.feed.feed *= insideArcFactor(parameters_, programmed.head<2>().norm(), corrected.head<2>().norm());
   }
   if (out.feed.join.inside != 0) out.feed.join.inside = item.offset < 0.0 ? -1 : 1;
   return pass(out);

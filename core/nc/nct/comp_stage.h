@@ -4,15 +4,17 @@
 #include <string>
 
 #include "core/nc/compensation_stage.h"
+#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/stage_recovery.h"
 
 namespace proveout::nc {
-
-struct NctContext;
 
 /// Says what is wrong, and slows feeds at arcs inside.
 class CompStage final : public CompensationStage {
  public:
-  explicit CompStage(NctContext& context);
+  CompStage(MotionPipe& pipe, const NctParameters& parameters, AlarmReporter& alarms, StageRecovery& recovery)
+      : CompensationStage(pipe), parameters_(parameters), alarms_(alarms), recovery_(recovery) {}
 
   /// Compensation begins with the next item; the last one ended at `start`, (u, v, w).
   void engage(const Vec3& start);
@@ -23,7 +25,9 @@ class CompStage final : public CompensationStage {
   bool send(const CompPiece& piece, const PathItem& item, PathItem& out) override;
   void report(Severity severity, const char* code, const std::string& message, std::uint64_t tag);
 
-  NctContext& c_;
+  const NctParameters& parameters_;
+  AlarmReporter& alarms_;
+  StageRecovery& recovery_;
 };
 
 }  // namespace proveout::nc

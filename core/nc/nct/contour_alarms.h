@@ -2,19 +2,24 @@
 #pragma once
 
 #include "core/nc/contour_stage.h"
+#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/nct/stage_recovery.h"
 
 namespace proveout::nc {
-
-struct NctContext;
 
 /// Errors of the contour stages become alarms.
 class ContourAlarms final : public ContourReport {
  public:
-  explicit ContourAlarms(NctContext& context) : c_(context) {}
-  bool contourError(const char* code, const char* message, const PathItem& at) override;
+  ContourAlarms(AlarmReporter& alarms, StageRecovery& recovery) : alarms_(alarms), recovery_(recovery) {}
+  bool contourError(const char* code, const char* message, const PathItem& at) override {
+    alarms_.sendLate(Severity::kError, code, message, at.source, at.record);
+    recovery_.recover();
+    return false;
+  }
 
  private:
-  NctContext& c_;
+  AlarmReporter& alarms_;
+  StageRecovery& recovery_;
 };
 
 }  // namespace proveout::nc

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_functions.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_planes.h"

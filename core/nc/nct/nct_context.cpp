@@ -2,13 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
-#include "core/nc/nct/nct_spindle.h"
-#include "core/nc/nct/nct_tools.h"
-#include "core/nc/nct/nct_words.h"
-#include "core/nc/nct/system_variables/system_variables.h"
-
 namespace proveout::nc {
 
 NctContext::NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
@@ -26,23 +19,20 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
       clock(emitter.time(), rapid_stage),
-      contour_alarms(*this),
+      contour_alarms(alarms, *this),
       crossing_stage(pipe, contour_alarms),
-      transform_stage(*this),
+      transform_stage(chain, map, alarms),
       corner_stage(pipe, contour_alarms),
-      comp_stage(*this),
-      virtual_stage(*this),
+      comp_stage(pipe, parameters, alarms, *this),
+      virtual_stage(pipe, chain, registers.frames, axes),
       frame_stage(chain),
       rapid_stage(emitter, settings, axes),
-      zone_stage(*this),
+      zone_stage({settings, axes, parameters, registers.program_zone, calls, emitter, pipe, alarms, *this}),
       emit_stage(emitter, control_settings.tool_change_s) {
   macro.setOrigins(origins);
   pipe.link(transform_stage);
   pipe.link(frame_stage);
   pipe.link(emit_stage);
-  tool_bank = std::make_unique<ToolBank>(*this);
-  variables.addBank(8400, 8414, *tool_bank);
-  variables.addBank(8431, 8450, *tool_bank);
   registers.offsets = OffsetTables(settings);
   WorkFrames& frames = registers.frames;
   frames.more_axes = axes.moreCount();
@@ -51,10 +41,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
     frames.basic[i] = {settings.work_offsets[i], settings.work_rotations_deg[i]};
   }
   for (const auto& [p, offset] : settings.extended_offsets) frames.extended[p].offset = offset;
-  system_variables = std::make_unique<SystemVariables>(*this);
 }
-
-NctContext::~NctContext() = default;
 
 void NctContext::shareWith(NctContext& owner) {
   const auto count = [&](auto parameter) { return static_cast<int>(owner.parameters[parameter]); };
@@ -62,6 +49,22 @@ void NctContext::shareWith(NctContext& owner) {
   registers.offsets.share(owner.registers.offsets, count(DataParam::kCommonToolOffsets));
   registers.shared_tools = owner.registers.shared_tools;
   origins.shareWords(owner.origins, channel());
+}
+
+void NctContext::settle(const AxisPoint& at) {
+  machine = virtual_stage.linked() ? virtual_stage.adopt(at) : at;
+  position = chain.programOf(machine);
+}
+
+bool NctContext::flushPipe() {
+  if (!pipe.flush(FlushReason::kBuffer)) return false;
+  rebasePipe();
+  return true;
+}
+
+void NctContext::recover() {
+  pipe.clear();
+  settle(emitter.machine());
 }
 
 bool NctContext::openCall(const CallFrame& frame) {

@@ -27,19 +27,20 @@
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_macro_environment.h"
-#include "core/nc/nct/nct_output.h"
 #include "core/nc/nct/nct_parameters.h"
 #include "core/nc/nct/nct_plan.h"
 #include "core/nc/nct/nct_state.h"
-#include "core/nc/nct/nct_zones.h"
 #include "core/nc/nct/offset_tables.h"
+#include "core/nc/nct/output_file.h"
 #include "core/nc/nct/program_store.h"
 #include "core/nc/nct/run_clock.h"
 #include "core/nc/nct/spindles.h"
+#include "core/nc/nct/stage_recovery.h"
 #include "core/nc/nct/system_calls.h"
 #include "core/nc/nct/tool_tables.h"
 #include "core/nc/nct/transform_stage.h"
 #include "core/nc/nct/virtual_stage.h"
+#include "core/nc/nct/zone_stage.h"
 #include "core/nc/origin_recorder.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/program_source.h"
@@ -87,7 +88,6 @@ struct WaitingPoint {
 };
 
 struct NctContext;
-class SystemVariables;
 /// What becomes of a block between G10 L... and G11; the words are those of data blocks, N among them. False:
 /// an error was reported.
 using DataInput = bool (*)(NctContext&);
@@ -118,11 +118,10 @@ class WorkGuard {
   BlockBudget budget_;
 };
 
-struct NctContext {
+struct NctContext final : StageRecovery {
   NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
              Progress* progress, const ControlHost& control_host, InterpretSummary& run_summary);
   NctContext(const NctContext&) = delete;
-  ~NctContext();
   NctContext& operator=(const NctContext&) = delete;
 
   const ControlSettings& settings;
@@ -166,14 +165,12 @@ struct NctContext {
   ZoneStage zone_stage;
   EmitStage emit_stage;
   std::vector<DrillStep> drill_steps;
-  std::unique_ptr<VariableBank> tool_bank;  ///< #8400 to #8450
-  DataInput data_input = nullptr;           ///< set: blocks are data until G11
+  DataInput data_input = nullptr;  ///< set: blocks are data until G11
   OutputFile output;
   std::optional<InterruptedBlock> interrupted;  ///< while an interrupt macro runs
   std::uint64_t calls_opened = 0;
   const SourceText* last_called = nullptr;  ///< the program that was called last; null: none yet
-  std::unique_ptr<SystemVariables> system_variables;
-  ChannelSet channels;  ///< of the run; empty: it has one
+  ChannelSet channels;                      ///< of the run; empty: it has one
   WaitingPoint waiting;
 
   /// Number of this channel, 1 to 8.
@@ -188,8 +185,6 @@ struct NctContext {
   /// Another program is in hand.
   void enterProgram();
 
-  /// Power-on: modal codes, frames and position.
-  void reset();
   /// From here on the rows and variables that all channels share (N1401, N1700, N1701) are those of `owner`,
   /// and so are the tools.
   void shareWith(NctContext& owner);
@@ -198,6 +193,15 @@ struct NctContext {
   CoordinateChain chainOf(const NctState& s) const {
     return registers.frames.chain(programMap(s.transforms, axes), s.work_system, s.length);
   }
+
+  /// The machine stands at `at` by other means than a programmed motion.
+  void settle(const AxisPoint& at);
+  /// Lets go what the pipe holds; what comes then starts anew from where the machine is. False: an error was
+  /// reported.
+  bool flushPipe();
+  /// Tells the pipe that the machine or its frames have changed.
+  void rebasePipe() { pipe.rebase(chain.workOf(position), state.workPlane()); }
+  void recover() override;
 
   /// Index of the line that runs from here on, and its N number.
   void setBlock(std::size_t line_index, std::int64_t number) {

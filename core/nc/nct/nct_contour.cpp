@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
 #include "core/nc/nct/nct_unused_words.h"
@@ -163,12 +164,6 @@ bool planCornerArc(NctContext& c, BlockPlan& plan) {
     return pushMotion(context, planned, PathItem::Kind::kCornerArc);
   };
   return feedStyle(c, plan, plan.motion.feed);
-}
-
-bool ContourAlarms::contourError(const char* code, const char* message, const PathItem& at) {
-  c_.alarms.sendLate(Severity::kError, code, message, at.source, at.record);
-  recover(c_);
-  return false;
 }
 
 }  // namespace proveout::nc

@@ -11,6 +11,7 @@
 #include "core/nc/nct/nct_functions.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_reset.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_wait.h"
 
@@ -32,6 +33,7 @@ NctControl::NctControl(const ProgramSource& source, const ControlSettings& setti
                        Progress* progress, const ControlHost& host)
     : settings_(withAxisParameters(settings)),
       context_(source, settings_, sink, progress, host, summary_),
+      system_variables_(context_),
       lexer_(lexRules(context_)) {}
 
 InterpretSummary NctControl::run() {
@@ -78,12 +80,12 @@ bool NctControl::start() {
     return c.fail("nct-settings", bad);
   if (!checkAuxiliary(c) || !checkWaitCodes(c)) return false;
   if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("nct-settings", bad);
-  c.reset();
+  powerOn(c);
   configureFeeds(c);
   if (!c.zone_stage.configure()) return false;
   if (settings.start_by_default) {
     c.emitter.lowerStart(c.zone_stage.ceiling(2));
-    settle(c, c.emitter.machine());
+    c.settle(c.emitter.machine());
   }
   return loadMain();
 }
@@ -168,7 +170,7 @@ NctControl::Go NctControl::step() {
 bool NctControl::skipKeepsLookAhead() {
   NctContext& c = context_;
   // CBB = 0: the switch is read when the block before is done.
-  return c.parameters.flag(MotionParam::kSkipKeepsLookAhead) || flushPipe(c);
+  return c.parameters.flag(MotionParam::kSkipKeepsLookAhead) || c.flushPipe();
 }
 
 bool NctControl::openDeferred() {

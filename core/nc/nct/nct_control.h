@@ -16,6 +16,7 @@
 #include "core/nc/lexer.h"
 #include "core/nc/nct/nct_context.h"
 #include "core/nc/nct/system_calls.h"
+#include "core/nc/nct/system_variables/system_variables.h"
 #include "core/nc/program_source.h"
 #include "core/nc/run_summary.h"
 #include "core/path/toolpath.h"
@@ -127,6 +128,7 @@ class NctControl {
   InterpretSummary summary_;
   ControlSettings settings_;
   NctContext context_;
+  SystemVariables system_variables_;
   LoopWatch loop_;
   Lexer lexer_;
   mutable std::map<const SourceText*, std::size_t> leaders_;  ///< lines in front of the % of a text

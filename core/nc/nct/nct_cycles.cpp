@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_contour.h"
+#include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_origins.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_taps.h"
 #include "core/nc/nct/nct_words.h"

@@ -1,6 +1,8 @@
 #include "core/nc/nct/nct_feed.h"
 
-#include <algorithm>
+#include <fmt/core.h>
+
+#include "core/nc/nct/nct_spindle.h"
 
 namespace proveout::nc {
 namespace {
@@ -68,9 +70,45 @@ MotionJoin joinOf(const BlockPlan& plan) {
   return join;
 }
 
-double insideArcFactor(const NctParameters& parameters, double programmed_radius, double radius) {
-  if (!(radius < programmed_radius)) return 1.0;
-  return std::max(radius / programmed_radius, parameters[FeedParam::kInsideArcLeast]);
+double turnsPerMinute(NctContext& c, const BlockPlan& plan) {
+  if (surfaceSpeedRuns(c, plan)) return surfaceMeanRpm(c, plan);
+  const double rpm = plan.next.spindle_rpm;
+  bool turning = plan.next.spindle_direction != 0 && rpm > 0.0;
+  for (int i = 0; i < plan.m_count; ++i)
+    turning = turning || ((plan.m_value[i] == 3 || plan.m_value[i] == 4) && rpm > 0.0);
+  // A rigid tap turns the spindle itself, with S, however it stands before.
+  const int cycle = plan.next.active[kGroupCycle];
+  turning = turning || (rpm > 0.0 && (cycle == 842 || cycle == 843) && plan.governor != nullptr &&
+                        plan.governor->code10 == cycle);
+  if (turning) return rpm;
+  if (c.firstTime("spindle-stopped")) {
+    c.warn("nct-spindle-stopped",
+           fmt::format("feed or dwell per turn while the spindle stands still: {} rpm is taken for the time",
+                       c.settings.default_spindle_rpm));
+  }
+  return c.settings.default_spindle_rpm;
+}
+
+namespace {
+
+/// Direction of the main spindle behind M3 and M4 of the block.
+int directionOf(const NctContext& c, const BlockPlan& plan) {
+  for (int i = 0; i < plan.m_count; ++i) {
+    const int m = plan.m_value[static_cast<std::size_t>(i)];
+    if (m == 3 || m == 4) return m == 3 ? 1 : -1;
+  }
+  return c.state.spindle_direction;
+}
+
+}  // namespace
+
+bool feedStyle(NctContext& c, BlockPlan& plan, FeedStyle& style) {
+  if (plan.next.feed <= 0.0) return c.fail("nct-feed", "no feed is programmed: a feed motion needs F");
+  style.feed = plan.next.feed * plan.next.unitScale();
+  if (plan.next.perTurn()) style.feed *= turnsPerMinute(c, plan);
+  style.join = joinOf(plan);
+  style.spindle = surfaceSpeedRuns(c, plan) ? directionOf(c, plan) * surfaceMeanRpm(c, plan) : 0.0;
+  return true;
 }
 
 }  // namespace proveout::nc

@@ -1,4 +1,5 @@
-// Feeds of the nct control: limits from parameters, how blocks join (manual chapters 6 and 7).
+// Feeds of the nct control: limits from parameters, the feed in force, how blocks join (manual chapters 6 and
+// 7).
 #pragma once
 
 #include "core/nc/nct/nct_context.h"
@@ -11,7 +12,9 @@ void configureFeeds(NctContext& c);
 /// How a motion of the block in hand joins its neighbours: G9, G61 to G64.
 MotionJoin joinOf(const BlockPlan& plan);
 
-/// Part of the feed on an arc that cutter compensation has made smaller (manual 6.4): 1 where it has not.
-double insideArcFactor(const NctParameters& parameters, double programmed_radius, double radius);
+/// Spindle speed for feeds and dwells per turn, 1/min; warns once if the spindle stands still.
+double turnsPerMinute(NctContext& c, const BlockPlan& plan);
+/// The feed in force. False: none is programmed.
+bool feedStyle(NctContext& c, BlockPlan& plan, FeedStyle& style);
 
 }  // namespace proveout::nc

@@ -5,7 +5,6 @@
 
 #include "core/nc/nct/nct_control.h"
 #include "core/nc/nct/nct_output.h"
-#include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_reset.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/system_variables/status_bank.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {

@@ -6,7 +6,6 @@
 
 #include "core/nc/nct/nct_control.h"
 #include "core/nc/nct/nct_origins.h"
-#include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/system_variables/modal_bank.h"
 
@@ -118,7 +117,7 @@ bool NctControl::endInterrupt(bool restore) {
   const NctState resumed = *std::exchange(c.interrupt.resumed, std::nullopt);
   c.interrupted.reset();
   if (!restore) return true;
-  if (!flushPipe(c)) return false;
+  if (!c.flushPipe()) return false;
   const NctState now = std::exchange(c.state, resumed);
   c.state.spindle_direction = now.spindle_direction;  // what the machine does is no modal
   c.state.tool = now.tool;
@@ -127,7 +126,7 @@ bool NctControl::endInterrupt(bool restore) {
   c.map = programMap(c.state.transforms, c.axes);
   c.chain = c.chainOf(c.state);
   c.position = c.chain.programOf(c.machine);
-  rebasePipe(c);
+  c.rebasePipe();
   return true;
 }
 

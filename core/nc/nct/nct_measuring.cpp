@@ -6,8 +6,8 @@
 
 #include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_origins.h"
-#include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/nct/parameters/safety.h"
 #include "core/nc/nct/system_variables/position_bank.h"
@@ -76,7 +76,7 @@ bool send(NctContext& c, const AxisPoint& to, const FeedStyle* feed) {
   item.to = to;
   item.source = c.here();
   if (!c.pipe.push(item)) return false;
-  settle(c, to);
+  c.settle(to);
   return true;
 }
 

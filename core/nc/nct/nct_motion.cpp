@@ -8,6 +8,7 @@
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_planes.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_unused_words.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/tool_change.h"
@@ -245,7 +246,7 @@ bool performMachineMove(NctContext& c, BlockPlan& plan) {
   const MachineMove& move = plan.payload.as<MachineMove>();
   if (move.has_via && !sendMachineRapid(c, move.via)) return false;
   if (!sendMachineRapid(c, move.to)) return false;
-  settle(c, move.to);
+  c.settle(move.to);
   return true;
 }
 

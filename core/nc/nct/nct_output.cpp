@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "core/base/printable.h"
-#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_context.h"
+#include "core/nc/nct/nct_sends.h"
 
 namespace proveout::nc {
 namespace {

@@ -5,20 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/nc/control_host.h"
-
 namespace proveout::nc {
 
 struct NctContext;
-
-/// The file that a program has open, and where its bytes go.
-struct OutputFile {
-  MemoryOutput unkept;     ///< takes the bytes where the host has no output
-  bool open = false;       ///< between an opening and a closing statement
-  bool periphery = false;  ///< opened by POPEN: the first DPRNT is the name of the file
-  std::string name;        ///< empty: not named yet
-  std::size_t bytes = 0;   ///< written since it was opened
-};
 
 /// Carries out the output statement of the block in hand. False: an error was reported.
 bool outputStatement(NctContext& c);

@@ -7,6 +7,7 @@
 
 #include "core/nc/nct/nct_functions.h"
 #include "core/nc/nct/nct_origins.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/nct_words.h"
@@ -32,11 +33,11 @@ bool perform(NctContext& c, BlockPlan& plan) {
     c.chain = *plan.new_chain;
     c.position = plan.start;
   }
-  if (plan.frames_changed) rebasePipe(c);
+  if (plan.frames_changed) c.rebasePipe();
   c.state.takePlane(plan.next);  // arcs and pieces are turned by it
   const bool done = plan.perform ? plan.perform(c, plan) : switchCompInPlace(c, plan);
   if (!done) return false;
-  if (plan.rebases) rebasePipe(c);
+  if (plan.rebases) c.rebasePipe();
   // Functions changed these while the block ran.
   plan.next.spindle_direction = c.state.spindle_direction;
   plan.next.tool = c.state.tool;
@@ -46,68 +47,6 @@ bool perform(NctContext& c, BlockPlan& plan) {
          (!plan.tool_shape || c.state.tool == 0 || sendToolShape(c)) &&
          performFunctions(c, plan, MPhase::kStop);
 }
-
-PathItem functionItem(const NctContext& c, PathItem::Kind kind, const NctState& state) {
-  PathItem item;
-  item.kind = kind;
-  item.plane = c.state.workPlane();
-  item.to = c.position;
-  item.comp_on = state.compOn();
-  item.offset = state.compOffset();
-  item.source = c.here();
-  return item;
-}
-
-bool sendEvent(NctContext& c, EventKind what, double time_s) {
-  PathItem item = functionItem(c, PathItem::Kind::kEvent, c.state);
-  item.event = std::make_unique<EventKind>(std::move(what));
-  item.value = time_s;
-  return c.pipe.push(item);
-}
-
-namespace {
-
-/// Of several spindles the event tells which one it is.
-void nameSpindle(const NctContext& c, PathItem& item) {
-  const auto& all = c.settings.spindles;
-  if (all.size() < 2) return;
-  event::Spindle spindle;
-  spindle.spindle = all[static_cast<std::size_t>(c.registers.spindles.main)].number;
-  item.event = std::make_unique<EventKind>(std::move(spindle));
-}
-
-}  // namespace
-
-bool sendSpindle(NctContext& c, int direction, double rpm) {
-  c.state.spindle_direction = direction;
-  PathItem item = functionItem(c, PathItem::Kind::kSpindle, c.state);
-  item.value = rpm * direction;
-  item.spindle = direction > 0   ? SpindleState::kClockwise
-                 : direction < 0 ? SpindleState::kCounterClockwise
-                                 : SpindleState::kStopped;
-  nameSpindle(c, item);
-  return c.pipe.push(item);
-}
-
-namespace {
-
-bool sendStanding(NctContext& c, SpindleState how) {
-  c.state.spindle_direction = 0;
-  PathItem item = functionItem(c, PathItem::Kind::kSpindle, c.state);
-  item.spindle = how;
-  nameSpindle(c, item);
-  const double code = c.parameters.value(SpindleParam::kLoopCode, mainNumber(c));
-  if (how == SpindleState::kPositionLoop && code > 0.0) {  // what the machine is told
-    if (!item.event) item.event = std::make_unique<EventKind>(event::Spindle{});
-    std::get<event::Spindle>(*item.event).code = fmt::format("M{:.0f}", code);
-  }
-  return c.pipe.push(item);
-}
-
-}  // namespace
-
-bool sendOriented(NctContext& c) { return sendStanding(c, SpindleState::kOriented); }
-bool sendPositionLoop(NctContext& c) { return sendStanding(c, SpindleState::kPositionLoop); }
 
 namespace {
 
@@ -243,34 +182,6 @@ bool performMove(NctContext& c, BlockPlan& plan) {
   c.position = motion.target;
   c.machine = c.chain.machineOf(motion.target);
   return c.pipe.push(item);
-}
-
-bool sendMachineRapid(NctContext& c, const AxisPoint& to) {
-  PathItem item;
-  item.kind = PathItem::Kind::kLine;
-  item.space = PathItem::Space::kMachine;
-  item.rapid = true;
-  item.to = to;
-  item.source = c.here();
-  return c.pipe.push(item);
-}
-
-void settle(NctContext& c, const AxisPoint& machine) {
-  c.machine = c.virtual_stage.linked() ? c.virtual_stage.adopt(machine) : machine;
-  c.position = c.chain.programOf(c.machine);
-}
-
-bool flushPipe(NctContext& c) {
-  if (!c.pipe.flush(FlushReason::kBuffer)) return false;
-  rebasePipe(c);
-  return true;
-}
-
-void rebasePipe(NctContext& c) { c.pipe.rebase(c.chain.workOf(c.position), c.state.workPlane()); }
-
-void recover(NctContext& c) {
-  c.pipe.clear();
-  settle(c, c.emitter.machine());
 }
 
 }  // namespace proveout::nc

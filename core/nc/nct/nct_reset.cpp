@@ -77,22 +77,22 @@ NctState powerOnState(const NctContext& c) {
   return s;
 }
 
-void NctContext::reset() {
-  modals.clear();
-  interrupt = InterruptMacro();
-  const int first = static_cast<int>(parameters[MacroParam::kProtectFirst]);
-  const int last = static_cast<int>(parameters[MacroParam::kProtectLast]);
-  variables.protect(first == 0 ? 1 : first, first == 0 ? 0 : last);
-  state = powerOnState(*this);
-  resetSpindles(*this);
-  map = ProgramMap();
-  chain = chainOf(state);
-  machine = emitter.machine();
-  position = chain.programOf(machine);
+void powerOn(NctContext& c) {
+  c.modals.clear();
+  c.interrupt = InterruptMacro();
+  const int first = static_cast<int>(c.parameters[MacroParam::kProtectFirst]);
+  const int last = static_cast<int>(c.parameters[MacroParam::kProtectLast]);
+  c.variables.protect(first == 0 ? 1 : first, first == 0 ? 0 : last);
+  c.state = powerOnState(c);
+  resetSpindles(c);
+  c.map = ProgramMap();
+  c.chain = c.chainOf(c.state);
+  c.machine = c.emitter.machine();
+  c.position = c.chain.programOf(c.machine);
   DataInForce data;
-  data.tool = state.tool;
-  origins.setData(data);
-  recordFrames(*this, state);
+  data.tool = c.state.tool;
+  c.origins.setData(data);
+  recordFrames(c, c.state);
 }
 
 void resetAtEnd(NctContext& c) {

@@ -2,8 +2,8 @@
 // from it by the tolerance that the event tells.
 #include <fmt/core.h>
 
-#include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
@@ -238,6 +238,50 @@ bool planSpindle(NctContext& c, BlockPlan& plan) {
   }
   return planSpeed(c, plan, *s, index) && planSurfaceSpeed(c, plan);
 }
+
+namespace {
+
+/// Of several spindles the event tells which one it is.
+void nameSpindle(const NctContext& c, PathItem& item) {
+  const auto& all = c.settings.spindles;
+  if (all.size() < 2) return;
+  event::Spindle spindle;
+  spindle.spindle = all[static_cast<std::size_t>(c.registers.spindles.main)].number;
+  item.event = std::make_unique<EventKind>(std::move(spindle));
+}
+
+}  // namespace
+
+bool sendSpindle(NctContext& c, int direction, double rpm) {
+  c.state.spindle_direction = direction;
+  PathItem item = functionItem(c, PathItem::Kind::kSpindle, c.state);
+  item.value = rpm * direction;
+  item.spindle = direction > 0   ? SpindleState::kClockwise
+                 : direction < 0 ? SpindleState::kCounterClockwise
+                                 : SpindleState::kStopped;
+  nameSpindle(c, item);
+  return c.pipe.push(item);
+}
+
+namespace {
+
+bool sendStanding(NctContext& c, SpindleState how) {
+  c.state.spindle_direction = 0;
+  PathItem item = functionItem(c, PathItem::Kind::kSpindle, c.state);
+  item.spindle = how;
+  nameSpindle(c, item);
+  const double code = c.parameters.value(SpindleParam::kLoopCode, mainNumber(c));
+  if (how == SpindleState::kPositionLoop && code > 0.0) {  // what the machine is told
+    if (!item.event) item.event = std::make_unique<EventKind>(event::Spindle{});
+    std::get<event::Spindle>(*item.event).code = fmt::format("M{:.0f}", code);
+  }
+  return c.pipe.push(item);
+}
+
+}  // namespace
+
+bool sendOriented(NctContext& c) { return sendStanding(c, SpindleState::kOriented); }
+bool sendPositionLoop(NctContext& c) { return sendStanding(c, SpindleState::kPositionLoop); }
 
 namespace {
 

@@ -28,6 +28,12 @@ bool closeMainLoop(NctContext& c, bool orient);
 double mainAcceleration(const NctContext& c);
 /// Number by which programs call the main spindle.
 int mainNumber(const NctContext& c);
+/// The main spindle from here on; the direction in force becomes `direction`. False: an error was reported.
+bool sendSpindle(NctContext& c, int direction, double rpm);
+/// The main spindle stops oriented. False: an error was reported.
+bool sendOriented(NctContext& c);
+/// The main spindle stops and its position loop closes where it stands. False: an error was reported.
+bool sendPositionLoop(NctContext& c);
 /// What S and spindle positions of the block do before its motion.
 bool performSpindle(NctContext& c, const BlockPlan& plan);
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_spindle.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/services/surface_speed.h"

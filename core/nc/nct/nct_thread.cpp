@@ -3,8 +3,10 @@
 
 #include <cmath>
 
+#include "core/nc/nct/nct_feed.h"
 #include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {

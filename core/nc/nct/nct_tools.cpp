@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_origins.h"
-#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_words.h"
 #include "core/nc/tool_change.h"
 
@@ -59,7 +59,7 @@ bool goToToolChange(NctContext& c) {
     if (!sendMachineRapid(c, to)) return false;
   }
   if (c.virtual_stage.linked()) {
-    settle(c, way.back());
+    c.settle(way.back());
   } else {
     // Beside cutter compensation the programmed point is not the machine's: axes that stayed keep it.
     AxisPoint programmed = c.machine;
@@ -67,9 +67,9 @@ bool goToToolChange(NctContext& c) {
     programmed[2] = way.back()[2];
     if (place.x) programmed[0] = *place.x;
     if (place.y) programmed[1] = *place.y;
-    settle(c, programmed);
+    c.settle(programmed);
   }
-  rebasePipe(c);
+  c.rebasePipe();
   return true;
 }
 
@@ -155,6 +155,11 @@ bool sendToolChange(NctContext& c, int type, int row) {
 
 void countToolCall(NctContext& c, const BlockPlan& plan) {
   if (plan.next.next_row > 0 && countsAtT(c)) countUse(c, plan.next.next_row);
+}
+
+void ToolBank::addTo(VariableStore& store) {
+  store.addBank(8400, 8414, *this);
+  store.addBank(8431, 8450, *this);
 }
 
 VariableStatus ToolBank::read(int number, Value& out) {

@@ -1,8 +1,6 @@
 // Tools of the nct control: T, M6, tool management (manual chapter 12).
 #pragma once
 
-#include <memory>
-
 #include "core/nc/nct/nct_context.h"
 
 namespace proveout::nc {
@@ -26,10 +24,11 @@ bool isPlaceCode(const NctContext& c, int m);
 /// G10 L75, L76, L77.
 bool planToolInput(NctContext& c, BlockPlan& plan);
 
-/// #8400 to #8414, #8431 to #8450: the tool in the spindle. Belongs to the context.
+/// #8400 to #8414, #8431 to #8450: the tool in the spindle.
 class ToolBank final : public VariableBank {
  public:
   explicit ToolBank(NctContext& c) : c_(c), magazine_(10 * c.channel()) {}
+  void addTo(VariableStore& store);
   VariableStatus read(int number, Value& out) override;
   VariableStatus write(int number, const Value& value) override;
 

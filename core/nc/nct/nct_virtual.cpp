@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_plans.h"
+#include "core/nc/nct/nct_sends.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {
@@ -57,7 +57,7 @@ bool readyForMode(NctContext& c, const BlockPlan& plan, const char* name) {
 }
 
 bool performMode(NctContext& c, BlockPlan& plan) {
-  if (!flushPipe(c)) return false;
+  if (!c.flushPipe()) return false;
   const AxisModal& next = plan.next.axes;
   const bool off = next.mode == VirtualMode::kOff;
   const VirtualMode named = off ? c.state.axes.mode : next.mode;
@@ -72,10 +72,10 @@ bool performMode(NctContext& c, BlockPlan& plan) {
   if (off) {
     const AxisPoint machine = c.virtual_stage.machine();
     c.virtual_stage.end();
-    settle(c, machine);
+    c.settle(machine);
   } else {
-    c.virtual_stage.begin(next);
-    settle(c, c.machine);
+    c.virtual_stage.begin(next, c.position, c.machine);
+    c.settle(c.machine);
     const double error = c.emitter.polarError(c.virtual_stage.plane());
     if (named == VirtualMode::kPolar && error > kZero) {
       c.warn("nct-polar-center",

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/nct_words.h"
 
 namespace proveout::nc {

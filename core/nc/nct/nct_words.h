@@ -33,10 +33,6 @@ double shownPosition(const NctContext& c, int axis, double value);
 bool ownBlock(NctContext& c, std::string_view name);
 /// Axes whose words are diameters at power-on.
 AxisSet diameterAxes(const NctContext& c);
-/// Spindle speed for feeds and dwells per turn, 1/min; warns once if the spindle stands still.
-double turnsPerMinute(NctContext& c, const BlockPlan& plan);
-/// The feed in force. False: none is programmed.
-bool feedStyle(NctContext& c, BlockPlan& plan, FeedStyle& style);
 
 /// The plane of arcs and compensation.
 inline WorkPlane planeOf(const NctState& state) { return state.workPlane(); }

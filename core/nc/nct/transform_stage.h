@@ -2,16 +2,18 @@
 #pragma once
 
 #include "core/nc/motion_pipe.h"
+#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/program_transforms.h"
 
 namespace proveout::nc {
-
-struct NctContext;
 
 /// Takes what the program wrote through mirroring, scaling, rotation and the local shift. Under reflection
 /// arcs turn the other way and cutter compensation changes its side; its radius stays.
 class TransformStage final : public PathStage {
  public:
-  explicit TransformStage(NctContext& context) : PathStage(StageSlot::kTransform), c_(context) {}
+  /// `chain` and `map` are those in force when an item comes.
+  TransformStage(const CoordinateChain& chain, const ProgramMap& map, AlarmReporter& alarms)
+      : PathStage(StageSlot::kTransform), chain_(chain), map_(map), alarms_(alarms) {}
   bool push(PathItem& item) override;
 
  private:
@@ -19,7 +21,9 @@ class TransformStage final : public PathStage {
   bool transformArc(PathItem& item);
   bool rebuildArc(PathItem& item, double radius, const Vec3& center);
 
-  NctContext& c_;
+  const CoordinateChain& chain_;
+  const ProgramMap& map_;
+  AlarmReporter& alarms_;
 };
 
 }  // namespace proveout::nc

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/nct/nct_context.h"
 #include "core/nc/services/virtual_plane.h"
 
 namespace proveout::nc {
@@ -14,26 +13,25 @@ constexpr double kCenterMm = 1e-9;
 
 }  // namespace
 
-void VirtualStage::begin(const AxisModal& modal) {
+void VirtualStage::begin(const AxisModal& modal, const AxisPoint& position, const AxisPoint& machine) {
   modal_ = modal;
   plane_.linear = modal.linear;
   plane_.rotary = modal.rotary;
-  place(c_.chain.workOf(c_.position));
-  plane_.sign = c_.machine[plane_.linear] < plane_.zero ? -1.0 : 1.0;
-  c_.pipe.link(*this);
+  place(chain_.workOf(position));
+  plane_.sign = machine[plane_.linear] < plane_.zero ? -1.0 : 1.0;
+  pipe_.link(*this);
 }
 
-void VirtualStage::end() { c_.pipe.unlink(*this); }
+void VirtualStage::end() { pipe_.unlink(*this); }
 
 /// Finds the plane's origin for motions in the frames in force.
 void VirtualStage::place(const AxisPoint& work) {
-  const WorkFrames& frames = c_.registers.frames;
-  work_zero_ = frames.shift52[plane_.linear] + frames.shift92[plane_.linear];
-  work_zero_deg_ = frames.shift52[plane_.rotary] + frames.shift92[plane_.rotary];
+  work_zero_ = frames_.shift52[plane_.linear] + frames_.shift92[plane_.linear];
+  work_zero_deg_ = frames_.shift52[plane_.rotary] + frames_.shift92[plane_.rotary];
   AxisPoint origin = work;
   origin[plane_.linear] = work_zero_;
   origin[plane_.rotary] = work_zero_deg_;
-  c_.chain.moveToMachine(origin);
+  chain_.moveToMachine(origin);
   plane_.zero = origin[plane_.linear];
   plane_.zero_deg = origin[plane_.rotary];
 }
@@ -54,7 +52,7 @@ AxisPoint VirtualStage::shown(const AxisPoint& machine) const {
 AxisPoint VirtualStage::adopt(const AxisPoint& machine) {
   machine_ = machine;
   const AxisPoint counted = shown(machine);
-  last_ = c_.chain.workOf(c_.chain.programOf(counted));
+  last_ = chain_.workOf(chain_.programOf(counted));
   return counted;
 }
 
@@ -80,7 +78,7 @@ bool VirtualStage::pushPolar(PathItem& item) {
   }
   item.to[plane_.linear] = work_zero_ + plane_.sign * to.norm();
   item.to[plane_.rotary] = work_zero_deg_ + angle;
-  c_.chain.moveToMachine(item.to);
+  chain_.moveToMachine(item.to);
   item.space = PathItem::Space::kMachine;
   item.in_polar = true;
   item.polar = plane_;
@@ -93,7 +91,7 @@ bool VirtualStage::pushCylinder(PathItem& item) {
   last_ = to;
   const auto distance = [&](const AxisPoint& a, const AxisPoint& b) {
     double sum = 0.0;
-    for (int k = 0; k < c_.axes.count(); ++k) sum += (b[k] - a[k]) * (b[k] - a[k]);
+    for (int k = 0; k < axes_.count(); ++k) sum += (b[k] - a[k]) * (b[k] - a[k]);
     return std::sqrt(sum);
   };
   if (item.kind == PathItem::Kind::kLine) return sendUnrolled(item, distance(from, to));
@@ -108,7 +106,7 @@ bool VirtualStage::pushCylinder(PathItem& item) {
   const auto chord = [&](double t) {
     AxisPoint point = to;
     if (t < 1.0) {
-      for (int k = 0; k < c_.axes.count(); ++k) point[k] = from[k] + (to[k] - from[k]) * t;
+      for (int k = 0; k < axes_.count(); ++k) point[k] = from[k] + (to[k] - from[k]) * t;
       const Vec3 p = at(t);
       point[plane.u] = p.x();
       point[plane.v] = p.y();
@@ -127,7 +125,7 @@ bool VirtualStage::pushCylinder(PathItem& item) {
 bool VirtualStage::sendUnrolled(PathItem& item, double paced) {
   item.to[plane_.rotary] = work_zero_deg_ + (item.to[plane_.rotary] - work_zero_deg_) / modal_.mmPerDegree();
   item.feed.paced_mm = paced;
-  c_.chain.moveToMachine(item.to);
+  chain_.moveToMachine(item.to);
   item.space = PathItem::Space::kMachine;
   machine_ = item.to;
   return pass(item);

@@ -7,15 +7,16 @@
 
 namespace proveout::nc {
 
-struct NctContext;
-
 /// Linked while G12.1 or G7.1 is in force. In front of it the rotary axis counts in mm of the plane.
 class VirtualStage final : public PathStage {
  public:
-  explicit VirtualStage(NctContext& context) : PathStage(StageSlot::kVirtual), c_(context) {}
+  /// `chain` and `frames` are those in force when an item comes.
+  VirtualStage(MotionPipe& pipe, const CoordinateChain& chain, const WorkFrames& frames,
+               const AxisTable& axes)
+      : PathStage(StageSlot::kVirtual), pipe_(pipe), chain_(chain), frames_(frames), axes_(axes) {}
 
-  /// The mode begins where the machine is.
-  void begin(const AxisModal& modal);
+  /// The mode begins where the machine is: `position` in the chain, and `machine`.
+  void begin(const AxisModal& modal, const AxisPoint& position, const AxisPoint& machine);
   void end();
   const PolarPlane& plane() const { return plane_; }
   /// Where the machine's own axes are.
@@ -34,7 +35,10 @@ class VirtualStage final : public PathStage {
   bool pushCylinder(PathItem& item);
   bool sendUnrolled(PathItem& item, double paced);
 
-  NctContext& c_;
+  MotionPipe& pipe_;
+  const CoordinateChain& chain_;
+  const WorkFrames& frames_;
+  const AxisTable& axes_;
   AxisModal modal_;
   AxisPoint machine_;  ///< end of the last item
   PolarPlane plane_;

@@ -5,14 +5,11 @@
 #include <cmath>
 
 #include "core/nc/nct/nct_origins.h"
-#include "core/nc/nct/nct_perform.h"
 #include "core/nc/nct/system_variables/units.h"
 
 namespace proveout::nc {
 namespace {
 
-// Low numbers have room for 20 axes, high ones for 50.
-constexpr int kLowAxes = 20, kHighAxes = 50;
 constexpr int kBasicLow = 5201, kBasicHigh = 100301;        // common, G54 to G59
 constexpr int kExtendedLow = 7001, kExtendedHigh = 101001;  // G54.1 P1...
 constexpr int kBasicSystems = 7, kLowExtended = 48, kHighExtended = 99;
@@ -130,7 +127,7 @@ VariableStatus FrameBank::write(int number, const Value& value) {
     dynamic_[static_cast<std::size_t>(cell.system)][cell.axis] = amount * unitOf(c_, cell.axis);
     return kVariableRead;
   }
-  if (!flushPipe(c_)) return kVariableReported;
+  if (!c_.flushPipe()) return kVariableReported;
   WorkSystem& system = c_.registers.frames.system(cell.system);
   if (cell.kind == Cell::Kind::kRotation) {
     system.angles_deg[cell.axis] = amount;
@@ -142,7 +139,7 @@ VariableStatus FrameBank::write(int number, const Value& value) {
   c_.chain = c_.chainOf(c_.state);
   c_.position = c_.chain.programOf(c_.machine);
   recordFrames(c_, c_.state);
-  rebasePipe(c_);
+  c_.rebasePipe();
   return kVariableRead;
 }
 

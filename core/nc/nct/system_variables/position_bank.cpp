@@ -35,7 +35,6 @@ constexpr auto kRows = std::to_array<Row>({
     {-1, 151000, Reading::kSkip, nullptr},
     {-1, 151100, Reading::kSkipMachine, nullptr},
 });
-constexpr int kLowAxes = 20, kHighAxes = 50;
 
 /// The coordinates of work space without (`tip`) or with the length offset.
 CoordinateChain chainOf(const NctContext& c, bool tip) {

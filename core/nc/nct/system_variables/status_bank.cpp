@@ -8,7 +8,7 @@
 namespace proveout::nc {
 namespace {
 
-enum Number : int {
+enum StatusNumber : int {
   kClock = 3001,
   kCutting = 3002,
   kControl1 = 3003,

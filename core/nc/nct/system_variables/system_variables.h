@@ -1,6 +1,7 @@
 // The system variables of a channel.
 #pragma once
 
+#include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/system_variables/frame_bank.h"
 #include "core/nc/nct/system_variables/message_bank.h"
 #include "core/nc/nct/system_variables/modal_bank.h"
@@ -11,12 +12,14 @@
 
 namespace proveout::nc {
 
-/// All banks, known to the variables of the context by number and by name.
+/// All banks, known to the variables of the context by number and by name. One a channel; while it lives the
+/// context does.
 class SystemVariables {
  public:
   explicit SystemVariables(NctContext& context);
 
  private:
+  ToolBank tools_;
   ModalBank modal_;
   FrameBank frames_;
   ToolOffsetBank offsets_;

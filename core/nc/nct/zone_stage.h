@@ -7,18 +7,31 @@
 #include <vector>
 
 #include "core/nc/motion_pipe.h"
+#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/stage_recovery.h"
 #include "core/nc/services/zone_check.h"
 
 namespace proveout::nc {
-
-struct NctContext;
 
 /// Watches machine coordinates; linked while there is an area. A motion into one goes up to its border, the
 /// alarm follows. On a machine only a person could move the axes out: an area that gave its alarm is not
 /// watched any more.
 class ZoneStage final : public PathStage {
  public:
-  explicit ZoneStage(NctContext& c) : PathStage(StageSlot::kZones), c_(c) {}
+  /// What it knows of its channel.
+  struct Channel {
+    const ControlSettings& settings;
+    const AxisTable& axes;
+    const NctParameters& parameters;
+    const std::optional<Zone>& program_zone;  ///< of G22
+    const CallStack& calls;
+    PathEmitter& emitter;
+    MotionPipe& pipe;
+    AlarmReporter& alarms;
+    StageRecovery& recovery;
+  };
+  explicit ZoneStage(const Channel& channel) : PathStage(StageSlot::kZones), c_(channel) {}
   bool push(PathItem& item) override;
 
   /// Takes over parameters and the limits of G22. False: they contradict themselves, reported.
@@ -49,11 +62,15 @@ class ZoneStage final : public PathStage {
   bool stop(PathItem& item, const Found& found, const ZonePath& path, bool moves);
   std::string axisName(const ZoneHit& hit) const;
 
-  NctContext& c_;
+  Channel c_;
   std::vector<Watched> watched_;
   bool check_before_ = false;  ///< N1001.CBM
 };
 
+/// An area without limits yet; with `outside` what lies outside of it is forbidden.
+Zone endlessZone(bool outside);
+/// Its limits along an axis.
+void boundZone(Zone& zone, int axis, double low, double high);
 /// Why the choice of stroke ranges cannot be: no such axis, no sign. Empty: it can.
 std::string checkRangeB(const ControlSettings& settings, const AxisTable& axes);
 
