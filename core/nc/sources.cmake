@@ -54,6 +54,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/coverage/rows_3.cpp
   nc/nct/coverage/rows_4.cpp
   nc/nct/coverage/rows_5.cpp
+  nc/nct/m_index.cpp
   nc/nct/nct_alarms.cpp
   nc/nct/nct_arguments.cpp
   nc/nct/nct_axis_setup.cpp

@@ -16,7 +16,6 @@
 #include "core/nc/nct/nct_virtual.h"
 #include "core/nc/nct/nct_wait.h"
 #include "core/nc/nct/nct_words.h"
-#include "core/nc/nct/tables/rows.h"
 
 namespace proveout::nc {
 namespace {
@@ -96,58 +95,63 @@ bool sharedWord(NctContext& c, const BlockPlan& plan, AddressSet words, const st
   return c.alarm(2017, *word, fmt::format("it would belong to {} and to another code", code));
 }
 
-/// Codes of one group exclude each other in a block; 0: the code is of none.
-int exclusiveGroup(const NctContext& c, const MCode* code, int m) {
-  if (code != nullptr) return code->exclusive;
-  return isExclusiveSpindleCode(c, m) ? rows::kSpindleCodes : 0;
+/// Whether the code may stand beside those of the block so far. False: reported.
+bool goesTogether(NctContext& c, const BlockPlan& plan, const Word& w, int number, const MFunction& found) {
+  const int programmed = c.registers.spindles.programmed;
+  const int exclusive = found.exclusive(programmed);
+  for (int i = 0; i < plan.m_count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const MFunction& other = *plan.m[k];
+    const bool both = (exclusive > 0 && exclusive == other.exclusive(programmed)) ||
+                      (found.group > 0 && found.group == other.group);
+    if (!both && plan.m_value[k] != number) continue;
+    return c.failWord("nct-contradictory-m",
+                      fmt::format("contradictory M codes: M{} and M{}", plan.m_value[k], number), w);
+  }
+  return true;
+}
+
+/// What one of the control's own codes does to the plan. False: reported.
+bool takeOwnM(NctContext& c, BlockPlan& plan, const MCode& code) {
+  if (!(plan.claimed & code.words & c.block.present).empty())
+    return sharedWord(c, plan, code.words, fmt::format("M{}", code.code));
+  plan.claimed = plan.claimed | code.words;
+  if (code.phase == MPhase::kCall || code.phase == MPhase::kEnd) plan.flow = &code;
+  const bool change = code.code == 6;
+  plan.flush = plan.flush || code.phase == MPhase::kStop || code.phase == MPhase::kEnd || change;
+  plan.tool_change = plan.tool_change || change;
+  return true;
+}
+
+bool takeM(NctContext& c, BlockPlan& plan, const Word& w) {
+  std::int64_t value = 0;
+  if (!integerWord(c, w, 0, 99999999, value)) return false;
+  if (plan.m_count == 8) return c.failWord("nct-m-count", "more than 8 M functions in one block", w);
+  const auto number = static_cast<int>(value);
+  const MFunction& found = c.m_index.find(number);
+  if (found.waits) return planWait(c, plan, w);
+  if (!goesTogether(c, plan, w, number, found)) return false;
+  plan.flush = plan.flush || found.ends_look_ahead;
+  const bool known = found.interrupt != InterruptSwitch::kNone || found.of_place ||
+                     found.ofSpindle(c.registers.spindles.programmed);
+  if (found.own == nullptr && !known) {
+    c.warnOnce(
+        fmt::format("M{}", number), "nct-m-function",
+        fmt::format("M{} is a function of the machine builder: it has no effect in the simulation", number),
+        w.columns);
+  }
+  if (found.own != nullptr && !takeOwnM(c, plan, *found.own)) return false;
+  plan.m[static_cast<std::size_t>(plan.m_count)] = &found;
+  plan.m_value[static_cast<std::size_t>(plan.m_count++)] = number;
+  plan.next.last.m = number;
+  return true;
 }
 
 bool collectM(NctContext& c, BlockPlan& plan) {
   if (!c.block.present.has('M')) return true;
+  c.m_index.update(c.parameters);
   for (const Word& w : c.block.words) {
-    if (w.address != 'M') continue;
-    std::int64_t value = 0;
-    if (!integerWord(c, w, 0, 99999999, value)) return false;
-    if (plan.m_count == 8) return c.failWord("nct-m-count", "more than 8 M functions in one block", w);
-    if (isWaitCode(c, static_cast<int>(value))) {
-      if (!planWait(c, plan, w)) return false;
-      continue;
-    }
-    const MCode* code = c.codes.m(static_cast<int>(value));
-    const int group = exclusiveGroup(c, code, static_cast<int>(value));
-    for (int i = 0; i < plan.m_count; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const int own_group = mGroup(c.parameters, plan.m_value[k]);
-      const bool both = (group > 0 && group == exclusiveGroup(c, plan.m[k], plan.m_value[k])) ||
-                        (own_group > 0 && own_group == mGroup(c.parameters, static_cast<int>(value)));
-      if (both || plan.m_value[static_cast<std::size_t>(i)] == value) {
-        return c.failWord("nct-contradictory-m",
-                          fmt::format("contradictory M codes: M{} and M{}",
-                                      plan.m_value[static_cast<std::size_t>(i)], value),
-                          w);
-      }
-    }
-    const int number = static_cast<int>(value);
-    plan.flush = plan.flush || endsLookAhead(c.parameters, number);
-    const bool of_interrupt = interruptSwitch(c.parameters, w) != InterruptSwitch::kNone;
-    if (code == nullptr && !of_interrupt && !isPlaceCode(c, number) && !isSpindleCode(c, number)) {
-      c.warnOnce(
-          fmt::format("M{}", value), "nct-m-function",
-          fmt::format("M{} is a function of the machine builder: it has no effect in the simulation", value),
-          w.columns);
-    } else if (code != nullptr) {
-      if (!(plan.claimed & code->words & c.block.present).empty()) {
-        return sharedWord(c, plan, code->words, fmt::format("M{}", value));
-      }
-      plan.claimed = plan.claimed | code->words;
-      if (code->phase == MPhase::kCall || code->phase == MPhase::kEnd) plan.flow = code;
-      plan.flush =
-          plan.flush || code->phase == MPhase::kStop || code->phase == MPhase::kEnd || code->code == 6;
-      plan.tool_change = plan.tool_change || code->code == 6;
-    }
-    plan.m[static_cast<std::size_t>(plan.m_count)] = code;
-    plan.m_value[static_cast<std::size_t>(plan.m_count++)] = static_cast<int>(value);
-    plan.next.last.m = static_cast<int>(value);
+    if (w.address == 'M' && !takeM(c, plan, w)) return false;
   }
   return true;
 }

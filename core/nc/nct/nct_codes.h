@@ -66,6 +66,9 @@ struct GCode {
 /// Where in a block an M function acts (digest nct-2, 1.5).
 enum class MPhase { kBefore, kAfter, kStop, kCall, kEnd };
 
+/// Groups of M codes that exclude each other in a block.
+inline constexpr int kSpindleCodes = 1, kFlowCodes = 2, kCoolantCodes = 3, kGearCodes = 4;
+
 struct MCode {
   int code;
   MPhase phase;

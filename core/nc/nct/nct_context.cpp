@@ -15,6 +15,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       environment(axes, parameters),
       macro(variables, environment),
       origins(sink),
+      m_index(codes, control_settings),
       alarms(calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),

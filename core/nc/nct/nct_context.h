@@ -23,6 +23,7 @@
 #include "core/nc/nct/comp_stage.h"
 #include "core/nc/nct/contour_alarms.h"
 #include "core/nc/nct/interrupt_macro.h"
+#include "core/nc/nct/m_index.h"
 #include "core/nc/nct/modal_calls.h"
 #include "core/nc/nct/nct_alarms.h"
 #include "core/nc/nct/nct_codes.h"
@@ -140,6 +141,7 @@ struct NctContext final : StageRecovery {
   WordPatterns word_patterns;
   ModalCalls modals;
   SystemCalls systems;
+  MIndex m_index;
   InterruptMacro interrupt;
   Block block;
   AlarmReporter alarms;

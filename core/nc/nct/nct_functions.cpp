@@ -19,25 +19,6 @@ Address auxiliaryAddress(const NctParameters& parameters, int k) {
 
 }  // namespace
 
-int mGroup(const NctParameters& parameters, int m) {
-  for (int k = 0; k < kMGroups; ++k) {
-    const double low = parameters.value(FunctionParam::kGroupLow1 + k);
-    if (low > 0.0 && m >= low && m <= parameters.value(FunctionParam::kGroupHigh1 + k)) return k + 1;
-  }
-  return 0;
-}
-
-bool endsLookAhead(const NctParameters& parameters, int m) {
-  for (int k = 0; k < kBufferCodes; ++k) {
-    if (m > 0 && parameters.value(ProgramParam::kBufferCode1 + k) == m) return true;
-  }
-  for (int k = 0; k < kBufferGroups; ++k) {
-    const double low = parameters.value(ProgramParam::kBufferLow1 + k);
-    if (low > 0.0 && m >= low && m <= parameters.value(ProgramParam::kBufferHigh1 + k)) return true;
-  }
-  return false;
-}
-
 bool checkAuxiliary(NctContext& c) {
   for (int k = 0; k < kAuxiliaryCount; ++k) {
     const Address address = auxiliaryAddress(c.parameters, k);

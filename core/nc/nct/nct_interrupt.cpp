@@ -10,28 +10,22 @@
 #include "core/nc/nct/system_variables/modal_bank.h"
 
 namespace proveout::nc {
-InterruptSwitch interruptSwitch(const NctParameters& parameters, const Word& w) {
-  if (w.address != 'M' || !parameters.flag(MacroParam::kInterrupts)) return InterruptSwitch::kNone;
-  const bool own_codes = parameters.flag(MacroParam::kInterruptOwnCodes);
-  const int on = own_codes ? static_cast<int>(parameters[MacroParam::kInterruptOn]) : 96;
-  const int off = own_codes ? static_cast<int>(parameters[MacroParam::kInterruptOff]) : 97;
-  const std::int32_t m = mNumber(w);
-  return m == on ? InterruptSwitch::kOn : m == off ? InterruptSwitch::kOff : InterruptSwitch::kNone;
-}
 
 /// Takes the program of M96 out of the block. False: it was not found, reported.
 bool NctControl::takeInterruptWords() {
   NctContext& c = context_;
   interrupt_switch_ = InterruptSwitch::kNone;
   if (!c.block.present.has('M')) return true;
+  c.m_index.update(c.parameters);
   const bool off = !c.parameters.flag(MacroParam::kInterrupts);
   for (const Word& w : c.block.words) {
-    if (off && w.address == 'M' && (w.value == 96.0 || w.value == 97.0)) {
+    if (w.address != 'M') continue;
+    if (off && (w.value == 96.0 || w.value == 97.0)) {
       c.warnOnce("interrupts-off", "nct-interrupt",
                  "M96 and M97 are functions of the machine builder: interrupt macros are off (N1758.USD = 0)",
                  w.columns);
     }
-    const InterruptSwitch wanted = interruptSwitch(c.parameters, w);
+    const InterruptSwitch wanted = c.m_index.find(mNumber(w)).interrupt;
     if (wanted != InterruptSwitch::kNone) interrupt_switch_ = wanted;
   }
   if (interrupt_switch_ != InterruptSwitch::kOn) return true;

@@ -50,9 +50,9 @@ bool perform(NctContext& c, BlockPlan& plan) {
 
 namespace {
 
-bool function(NctContext& c, const BlockPlan& plan, int m) {
+bool function(NctContext& c, const BlockPlan& plan, const MFunction& found, int m) {
   bool handled = false;
-  if (!spindleFunction(c, plan, m, handled)) return false;
+  if (!spindleFunction(c, plan, found, m, handled)) return false;
   if (handled) return true;
   switch (m) {
     case 6:
@@ -85,10 +85,9 @@ bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
   bool spindle_done = false;
   for (int i = 0; i < plan.m_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const MPhase at = plan.m[k] ? plan.m[k]->phase : MPhase::kAfter;
-    if (at != phase) continue;
+    if (plan.m[k]->phase() != phase) continue;
     // In a drilling block M functions run at the first hole, behind the positioning (manual 18.2).
-    if (!function(c, plan, plan.m_value[k])) return false;
+    if (!function(c, plan, *plan.m[k], plan.m_value[k])) return false;
     countPart(c, plan.m_value[k]);
     spindle_done = spindle_done || plan.m_value[k] == 3 || plan.m_value[k] == 4;
   }

@@ -22,6 +22,7 @@
 namespace proveout::nc {
 
 struct BlockPlan;
+struct MFunction;
 struct NctContext;
 
 /// Carries a planned block out. False: an error was reported.
@@ -111,7 +112,7 @@ struct BlockPlan {
   bool any_group = false;                            ///< one of them at least is there
   KindSet code_kinds;                                ///< what these codes are for
   AddressSet claimed;                                ///< words that some code of the block owns
-  std::array<const MCode*, 8> m{};
+  std::array<const MFunction*, 8> m{};               ///< rows of the M index
   std::array<int, 8> m_value{};
   int m_count = 0;
   const MCode* flow = nullptr;  ///< M98, M99, M2, M30

@@ -285,40 +285,6 @@ bool sendPositionLoop(NctContext& c) { return sendStanding(c, SpindleState::kPos
 
 namespace {
 
-bool inBlock(double first, double count, int m) {
-  return first > 0.0 && count > 0.0 && m >= first && m < first + count;
-}
-
-bool isOptional(const NctContext& c, int m) {
-  const double low = c.parameters[SpindleParam::kOptionalLow];
-  const double high = c.parameters[SpindleParam::kOptionalHigh];
-  return inBlock(low, high - low + 1, m);
-}
-
-/// Code that closes the position loop of the spindle programmed last.
-bool isLoopCode(const NctContext& c, int m) {
-  const double code =
-      c.parameters.value(SpindleParam::kLoopCode, numberOf(c, c.registers.spindles.programmed));
-  return code > 0.0 && m == static_cast<int>(code);
-}
-
-/// Which of the angles of the spindle programmed last the code turns by: 1, 2, ...; 0: it is no such code.
-int indexStep(const NctContext& c, int m) {
-  const int number = numberOf(c, c.registers.spindles.programmed);
-  const double first = c.parameters.value(SpindleParam::kIndexFirst, number);
-  const double count = c.parameters.value(SpindleParam::kIndexCount, number);
-  return inBlock(first, count, m) ? m - static_cast<int>(first) + 1 : 0;
-}
-
-/// The spindle whose settings name the code at `member`, or -1.
-int spindleWithCode(const NctContext& c, int SpindleSettings::*member, int m) {
-  const auto& all = c.settings.spindles;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].*member == m && m > 0) return static_cast<int>(k);
-  }
-  return -1;
-}
-
 /// The number is told where there are several.
 event::Spindle spindleEvent(const NctContext& c, int index, double rpm, const char* direction) {
   event::Spindle told;
@@ -361,7 +327,8 @@ bool turnBy(NctContext& c, int index, double degrees) {
   return sendEvent(c, std::move(told), 60.0 * turns / settingsOf(c, index).positioning_rpm);
 }
 
-bool indexBy(NctContext& c, int step) {
+/// By the angles of the spindle programmed last: once with its first code, twice with the next one.
+bool indexBy(NctContext& c, int m) {
   const int index = c.registers.spindles.programmed;
   const SpindleMode mode = recordOf(c, index).mode;
   if (mode != SpindleMode::kOriented && mode != SpindleMode::kLoop) {
@@ -369,6 +336,7 @@ bool indexBy(NctContext& c, int step) {
                   "a spindle is indexed only with its position loop closed: program M19 before");
   }
   const int number = numberOf(c, index);
+  const int step = m - static_cast<int>(c.parameters.value(SpindleParam::kIndexFirst, number)) + 1;
   const double sign = c.parameters.flag(SpindleParam::kIndexBackwards, number) ? -1.0 : 1.0;
   return turnBy(c, index, sign * step * c.parameters.value(SpindleParam::kIndexAngle, number));
 }
@@ -422,19 +390,23 @@ bool becomeAxis(NctContext& c, int index) {
   return sendEvent(c, std::move(told));
 }
 
-}  // namespace
-
-bool isSpindleCode(const NctContext& c, int m) {
-  return isOptional(c, m) || isLoopCode(c, m) || indexStep(c, m) > 0 ||
-         spindleWithCode(c, &SpindleSettings::main_code, m) >= 0 ||
-         spindleWithCode(c, &SpindleSettings::sync_code, m) >= 0 ||
-         spindleWithCode(c, &SpindleSettings::shift_code, m) >= 0 ||
-         spindleWithCode(c, &SpindleSettings::axis_code, m) >= 0;
+/// A code that parameters or settings give to the spindles. False: reported.
+bool configuredFunction(NctContext& c, const MFunction& found, int m, bool& handled) {
+  const int index = c.registers.spindles.programmed;
+  const auto at = static_cast<std::size_t>(index);
+  if (found.closes_loop[at]) return closeLoop(c, index, false);
+  if (found.indexes[at]) return indexBy(c, m);
+  if (found.main >= 0) return makeMain(c, found.main);
+  if (found.axis >= 0 && !settingsOf(c, found.axis).axis.empty()) return becomeAxis(c, found.axis);
+  if (found.sync >= 0) return synchronise(c, false);
+  if (found.shift >= 0) return synchronise(c, true);
+  handled = false;
+  return true;
 }
 
-bool isExclusiveSpindleCode(const NctContext& c, int m) { return isOptional(c, m) || isLoopCode(c, m); }
+}  // namespace
 
-bool spindleFunction(NctContext& c, const BlockPlan& plan, int m, bool& handled) {
+bool spindleFunction(NctContext& c, const BlockPlan& plan, const MFunction& found, int m, bool& handled) {
   Spindles& all = c.registers.spindles;
   const int index = all.programmed;
   handled = true;
@@ -453,15 +425,7 @@ bool spindleFunction(NctContext& c, const BlockPlan& plan, int m, bool& handled)
     }
     return closeLoop(c, index, true);
   }
-  if (isLoopCode(c, m)) return closeLoop(c, index, false);
-  if (const int step = indexStep(c, m); step > 0) return indexBy(c, step);
-  if (const int k = spindleWithCode(c, &SpindleSettings::main_code, m); k >= 0) return makeMain(c, k);
-  const int axis = spindleWithCode(c, &SpindleSettings::axis_code, m);
-  if (axis >= 0 && !settingsOf(c, axis).axis.empty()) return becomeAxis(c, axis);
-  if (spindleWithCode(c, &SpindleSettings::sync_code, m) >= 0) return synchronise(c, false);
-  if (spindleWithCode(c, &SpindleSettings::shift_code, m) >= 0) return synchronise(c, true);
-  handled = false;
-  return true;
+  return configuredFunction(c, found, m, handled);
 }
 
 bool turnMain(NctContext& c, int direction, double rpm) {

@@ -12,13 +12,9 @@ std::string checkSpindles(const ControlSettings& settings, const AxisTable& axes
 
 /// S, spindle names and G92 S of the block in hand. False: reported.
 bool planSpindle(NctContext& c, BlockPlan& plan);
-/// Whether an M number of the machine's configuration belongs to the spindles.
-bool isSpindleCode(const NctContext& c, int m);
-/// Whether such a number, or a spindle code of the control, excludes the others in its block.
-bool isExclusiveSpindleCode(const NctContext& c, int m);
-/// Carries out M3, M4, M5, M11 to M19 and the configured codes. `handled`: it was one of them. False:
-/// reported.
-bool spindleFunction(NctContext& c, const BlockPlan& plan, int m, bool& handled);
+/// Carries out M3, M4, M5, M11 to M19 and the configured codes; `found` is the row of `m`. `handled`: it was
+/// one of them. False: reported.
+bool spindleFunction(NctContext& c, const BlockPlan& plan, const MFunction& found, int m, bool& handled);
 /// The main spindle turns by speed from here on: direction +1 M3, -1 M4, 0 M5. False: reported.
 bool turnMain(NctContext& c, int direction, double rpm);
 /// The main spindle stops and its position loop closes: at angle 0 (M19), or where it came to stand. It stays

@@ -17,9 +17,9 @@ ToolPlace spindlePlace(const NctContext& c) { return {10 * c.channel(), 1}; }
 /// M62 T10012: magazine 1, pocket 12.
 constexpr int kPocketsPerMagazine = 10000;
 
-bool hasCode(const BlockPlan& plan, int m) {
+bool namesPlace(const BlockPlan& plan) {
   for (int i = 0; i < plan.m_count; ++i) {
-    if (plan.m_value[static_cast<std::size_t>(i)] == m) return true;
+    if (plan.m[static_cast<std::size_t>(i)]->of_place) return true;
   }
   return false;
 }
@@ -77,19 +77,13 @@ bool countsAtT(const NctContext& c) { return c.parameters.flag(ToolParam::kLifeA
 
 }  // namespace
 
-bool isPlaceCode(const NctContext& c, int m) {
-  const auto code = static_cast<int>(c.parameters[ToolParam::kPlaceCode]);
-  return code > 0 && m == code;
-}
-
 bool planTool(NctContext& c, BlockPlan& plan, const Word& t) {
   std::int64_t number = 0;
   if (!integerWord(c, t, 0, 99999999, number)) return false;
   const auto type = static_cast<int>(number);
   NctState& next = plan.next;
   const ToolTables& tools = c.registers.tools();
-  const auto code = static_cast<int>(c.parameters[ToolParam::kPlaceCode]);
-  if (code > 0 && hasCode(plan, code)) {
+  if (namesPlace(plan)) {
     const ToolPlace place{type / kPocketsPerMagazine, type % kPocketsPerMagazine};
     const int row = tools.at(place);
     const ToolRow* tool = tools.row(row);

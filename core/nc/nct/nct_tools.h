@@ -18,8 +18,6 @@ bool sendToolChange(NctContext& c, int type, int row);
 bool sendToolShape(NctContext& c);
 /// T with life counting at T (N2901.TLC): one more use of the tool called.
 void countToolCall(NctContext& c, const BlockPlan& plan);
-/// Whether M numbers of the machine configuration belong to the tools: M62 or another one (N2924).
-bool isPlaceCode(const NctContext& c, int m);
 
 /// G10 L75, L76, L77.
 bool planToolInput(NctContext& c, BlockPlan& plan);

@@ -38,11 +38,6 @@ bool checkChannels(NctContext& c, const Word& p, const WaitingPoint& at) {
 
 }  // namespace
 
-bool isWaitCode(const NctContext& c, int m) {
-  const double low = c.parameters[ProgramParam::kWaitLow];
-  return low > 0.0 && m >= low && m <= c.parameters[ProgramParam::kWaitHigh];
-}
-
 bool checkWaitCodes(NctContext& c) {
   const double low = c.parameters[ProgramParam::kWaitLow], high = c.parameters[ProgramParam::kWaitHigh];
   const bool good = low == 0.0 ? high == 0.0 : high >= low && high - low < kMostCodes;

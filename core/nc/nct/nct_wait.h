@@ -5,8 +5,6 @@
 
 namespace proveout::nc {
 
-/// Is the M code one of N2201 to N2202?
-bool isWaitCode(const NctContext& c, int m);
 /// Refuses ranges that cannot be waiting codes.
 bool checkWaitCodes(NctContext& c);
 /// Plans a block with a waiting code: it and P alone, P the digits of the channels that meet. False: an error

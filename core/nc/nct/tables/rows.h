@@ -16,9 +16,6 @@ constexpr CodeClass kReject = CodeClass::kReject;
 
 constexpr AddressSet kAxes = "XYZUVW";
 
-/// Groups of M codes that exclude each other in a block.
-constexpr int kSpindleCodes = 1, kFlowCodes = 2, kCoolantCodes = 3, kGearCodes = 4;
-
 /// What a code is for motions.
 constexpr KindSet kindsOf(int code10, std::int8_t group) {
   using enum OriginKind;
