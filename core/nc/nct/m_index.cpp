@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/nc/nct/code_names.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -53,8 +55,8 @@ template <class Visit>
 void visitInterrupts(const NctParameters& p, const Visit& visit) {
   if (!p.flag(MacroParam::kInterrupts)) return;
   const bool own = p.flag(MacroParam::kInterruptOwnCodes);
-  const double on = own ? std::floor(p[MacroParam::kInterruptOn]) : 96;
-  const double off = own ? std::floor(p[MacroParam::kInterruptOff]) : 97;
+  const double on = own ? std::floor(p[MacroParam::kInterruptOn]) : mcode::kInterruptOn;
+  const double off = own ? std::floor(p[MacroParam::kInterruptOff]) : mcode::kInterruptOff;
   visit(MRange(off, off), [](MFunction& f) { f.interrupt = InterruptSwitch::kOff; });
   visit(MRange(on, on), [](MFunction& f) { f.interrupt = InterruptSwitch::kOn; });  // of the same code
 }

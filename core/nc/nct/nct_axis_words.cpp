@@ -107,7 +107,7 @@ bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target, WordsAre word
   target = plan.start;
   if (!c.anyAxisWord()) return true;
   const AxisModal& modal = plan.next.axes;
-  const bool polar = words == WordsAre::kModal && plan.next.active[kGroupPolarData] == 160;
+  const bool polar = words == WordsAre::kModal && plan.next.active[kGroupPolarData] == gcode::kPolarData;
   PolarWord radius, angle;
   for (const Word& w : c.block.words) {
     AxisWord word;

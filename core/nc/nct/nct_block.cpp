@@ -47,7 +47,7 @@ bool acceptG(NctContext& c, BlockPlan& plan, const Word& w) {
     plan.claimed = plan.claimed | code->words;  // a lenient run leaves the code and its words out
     return true;
   }
-  const bool exact_stop = code10 == 90;
+  const bool exact_stop = code10 == gcode::kExactStop;
   auto& slot = plan.by_group[static_cast<std::size_t>(code->group)];
   if (code->group == kOneShot) {
     if (exact_stop) {  // may stand with any motion
@@ -117,7 +117,7 @@ bool takeOwnM(NctContext& c, BlockPlan& plan, const MCode& code) {
     return sharedWord(c, plan, code.words, fmt::format("M{}", code.code));
   plan.claimed = plan.claimed | code.words;
   if (code.phase == MPhase::kCall || code.phase == MPhase::kEnd) plan.flow = &code;
-  const bool change = code.code == 6;
+  const bool change = code.code == mcode::kToolChange;
   plan.flush = plan.flush || code.phase == MPhase::kStop || code.phase == MPhase::kEnd || change;
   plan.tool_change = plan.tool_change || change;
   return true;
@@ -160,7 +160,7 @@ bool planModal(NctContext& c, BlockPlan& plan) {
   NctState& next = plan.next;
   const GCode* motion = plan.by_group[kGroupMotion];
   const GCode* cycle = plan.by_group[kGroupCycle];
-  if (motion && cycle && cycle->code10 != 800) {
+  if (motion && cycle && cycle->code10 != gcode::kCycleCancel) {
     return c.fail("nct-group-clash", fmt::format("{} and {} cannot stand in one block", gName(motion->code10),
                                                  gName(cycle->code10)));
   }
@@ -169,21 +169,23 @@ bool planModal(NctContext& c, BlockPlan& plan) {
     if (code == nullptr) continue;
     next.active[g] = code->code10;
     if (g == kOneShot || g == kGroupMotion || g == kGroupCycle) continue;
-    const bool governs = code->plan != nullptr && (code->code10 != 501 || c.anyAxisWord());
+    const bool governs = code->plan != nullptr && (code->code10 != gcode::kMirrorOff || c.anyAxisWord());
     if (governs ? !takeAxisWords(c, plan, *code) : !claim(c, plan, *code)) return false;
   }
   if (plan.by_group[kGroupPlane] && !planPlane(c, plan)) return false;
   next.axes.threading = false;
-  if (next.active[kGroupPolarData] == 160 && c.state.active[kGroupPolarData] != 160)
+  if (next.active[kGroupPolarData] == gcode::kPolarData &&
+      c.state.active[kGroupPolarData] != gcode::kPolarData)
     next.axes.polar.known = false;
   if (plan.by_group[kGroupUnits] && next.active[kGroupUnits] != c.state.active[kGroupUnits] &&
       c.state.feed > 0.0 && !c.block.present.has('F')) {
     c.warn("nct-feed-unit", "the unit changes: the modal feed keeps its number and takes the new unit");
   }
   // A group-1 code ends the cycle mode; ending it restores G98 (manual 18.1.4).
-  if (motion) next.active[kGroupCycle] = 800;
+  if (motion) next.active[kGroupCycle] = gcode::kCycleCancel;
   if (!next.inCycle()) {
-    if (c.state.inCycle() && plan.by_group[kGroupReturn] == nullptr) next.active[kGroupReturn] = 980;
+    if (c.state.inCycle() && plan.by_group[kGroupReturn] == nullptr)
+      next.active[kGroupReturn] = gcode::kReturnToInitial;
     next.cycle = CycleWords{};
   }
   return true;
@@ -204,7 +206,7 @@ bool takeAxisWords(NctContext& c, BlockPlan& plan, const GCode& code) {
 bool claim(NctContext& c, BlockPlan& plan, const GCode& code) {
   const int motion = plan.next.active[kGroupMotion];
   // In a circular block I, J, K are the centre, not the vector of a change of side.
-  const bool arc = motion == 20 || motion == 30;
+  const bool arc = motion == gcode::kArcClockwise || motion == gcode::kArcCounterClockwise;
   if (code.group == kGroupRadiusComp && (arc || plan.next.inCycle())) return true;
   if (!(plan.claimed & code.words & c.block.present).empty()) {
     return sharedWord(c, plan, code.words, gName(code.code10));
@@ -215,17 +217,19 @@ bool claim(NctContext& c, BlockPlan& plan, const GCode& code) {
 
 bool planNumbers(NctContext& c, BlockPlan& plan) {
   // The lead of a thread is not the feed of other blocks.
-  const bool thread = plan.next.active[kGroupMotion] == 330 && !plan.next.inCycle();
+  const bool thread = plan.next.active[kGroupMotion] == gcode::kThread && !plan.next.inCycle();
   if (const Word* f = c.word('F'); f && !thread) {
     if (f->value <= 0.0) return c.failWord("nct-feed", "F must be greater than 0", *f);
     if (f->value < kMinFeed) return c.failWord("nct-2002", "F data out of range: at least 0.000001", *f);
     plan.next.feed = f->value;
   }
   const bool spindle = c.block.present.has('S') || c.block.present.has(kNamedWord) ||
-                       plan.next.active[kGroupSurfaceSpeed] == 960 || c.registers.spindles.has_axes;
+                       plan.next.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed ||
+                       c.registers.spindles.has_axes;
   if (spindle && !planSpindle(c, plan)) return false;
   if (c.block.present.has('S') && c.parameters.flag(ProgramParam::kBufferS)) plan.flush = true;
-  const bool left = c.state.active[kGroupSurfaceSpeed] == 960 && plan.next.active[kGroupSurfaceSpeed] != 960;
+  const bool left = c.state.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed &&
+                    plan.next.active[kGroupSurfaceSpeed] != gcode::kSurfaceSpeed;
   plan.spindle_changed = plan.spindle_changed || left;  // the speed is the last one of G96
   if (const Word* t = c.word('T')) {
     if (!planTool(c, plan, *t)) return false;
@@ -270,7 +274,7 @@ bool planOffsetsHD(NctContext& c, BlockPlan& plan) {
 bool planWorkSystem(NctContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupWorkSystem];
   if (code == nullptr) return true;
-  if (code->code10 == 541) {
+  if (code->code10 == gcode::kExtendedWorkSystem) {
     const Word* p = c.word('P');
     std::int64_t number = 0;
     if (p == nullptr) return c.alarm(2004, "P", "G54.1 needs P1 to P99");
@@ -278,7 +282,7 @@ bool planWorkSystem(NctContext& c, BlockPlan& plan) {
     plan.next.work_system = kFirstExtended + static_cast<int>(number) - 1;
     plan.next.last.extended_system = static_cast<int>(number);
   } else {
-    plan.next.work_system = code->code10 / 10 - 53;
+    plan.next.work_system = (code->code10 - gcode::kWorkSystem1) / 10 + 1;
   }
   plan.frames_changed = true;
   return true;
@@ -288,17 +292,17 @@ bool planLength(NctContext& c, BlockPlan& plan) {
   NctState& next = plan.next;
   const GCode* code = plan.by_group[kGroupLengthComp];
   const int mode = next.active[kGroupLengthComp];
-  if (next.axes.smoothing == 3 && (code || (mode != 490 && c.block.present.has('H')))) {
+  if (next.axes.smoothing == 3 && (code || (mode != gcode::kLengthOff && c.block.present.has('H')))) {
     return c.alarm(2188, code ? gName(code->code10) : "H");
   }
-  if (code && mode == 490) {
+  if (code && mode == gcode::kLengthOff) {
     next.length = AxisPoint();
     plan.frames_changed = true;
-  } else if (mode == 437 && (code || c.block.present.has('H'))) {
+  } else if (mode == gcode::kLengthTurning && (code || c.block.present.has('H'))) {
     if (!planTurningLength(c, plan)) return false;
-  } else if (mode != 490 && (code || c.block.present.has('H'))) {
-    if (c.state.active[kGroupLengthComp] == 437) next.length = AxisPoint();
-    const double value = mode == 430 ? next.h_value : -next.h_value;
+  } else if (mode != gcode::kLengthOff && (code || c.block.present.has('H'))) {
+    if (c.state.active[kGroupLengthComp] == gcode::kLengthTurning) next.length = AxisPoint();
+    const double value = mode == gcode::kLengthPlus ? next.h_value : -next.h_value;
     const bool always_z = c.parameters.flag(CompParam::kLengthAlwaysZ);
     const bool by_plane = !always_z && c.parameters.flag(CompParam::kLengthByPlane);
     const auto set = [&](int axis) {
@@ -336,13 +340,13 @@ bool planComp(NctContext& c, BlockPlan& plan) {
                   "drilling cycles cannot run while cutter compensation (G41, G42) is on: program G40 first");
   }
   const GCode* one_shot = plan.by_group[kOneShot];
-  if (one_shot && one_shot->code10 == 380 && !(was_on && plan.next.compOn())) {
+  if (one_shot && one_shot->code10 == gcode::kKeepVector && !(was_on && plan.next.compOn())) {
     return c.fail("nct-cutter-comp", "G38 and G39 need G41 or G42");
   }
   if (code == nullptr) return true;
   if (plan.next.compOn() && !planeOfLines(c, plan, 2088, "G41 and G42 need linear axes")) return false;
   const int motion = plan.next.active[kGroupMotion];
-  if (motion == 20 || motion == 30) {
+  if (motion == gcode::kArcClockwise || motion == gcode::kArcCounterClockwise) {
     if (!plan.next.compOn() && was_on) return c.fail("nct-2043", "G40 in circular interpolation");
     if (plan.next.compOn() && !was_on)
       return c.fail("nct-comp-start-arc", "G41, G42 cannot be switched on in a G2 or G3 block");
@@ -367,7 +371,7 @@ bool planComp(NctContext& c, BlockPlan& plan) {
   }
   const Vec3 in_plane = frame.toPlane(vector);
   if (given) plan.motion.direction = in_plane.head<2>();
-  plan.motion.rapid = motion == 0;
+  plan.motion.rapid = motion == gcode::kRapid;
   // Without axis words the block may still move the tool onto or off its offset path.
   const bool in_place = !c.anyAxisWord() && (was_on || plan.next.compOn());
   return !in_place || plan.motion.rapid || feedStyle(c, plan, plan.motion.feed);
@@ -402,7 +406,7 @@ bool checkWords(NctContext& c, const BlockPlan& plan) {
                         w);
     }
   }
-  const bool call = plan.flow && plan.flow->code == 98;
+  const bool call = plan.flow && plan.flow->code == mcode::kCall;
   if (c.block.has_file && !call)
     return c.fail("nct-2017", "illegal address <>: a file name belongs to M98", c.block.file_columns);
   tellUnusedWords(c, plan, kCommonWords);

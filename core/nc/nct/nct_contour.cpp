@@ -133,7 +133,8 @@ bool planOverdeterminedArc(NctContext& c, BlockPlan& plan) {
   motion.arc.start = plane.of(plan.start);
   motion.arc.center = {lengthOf(plan, *c.ownWord(plan, "IJK"[letters.u()])),
                        lengthOf(plan, *c.ownWord(plan, "IJK"[letters.v()]))};
-  motion.arc.sweep_rad = plan.next.active[kGroupMotion] == 30 ? 1.0 : -1.0;  // the stage knows how much
+  motion.arc.sweep_rad =
+      plan.next.active[kGroupMotion] == gcode::kArcCounterClockwise ? 1.0 : -1.0;  // the stage knows how much
   return true;
 }
 

@@ -232,7 +232,7 @@ NctControl::Go NctControl::endOfText() {
   if (no_return_told_.insert(c.calls.top().file).second)
     c.warn("nct-no-m99", "the subprogram ends without M99: taken as M99");
   c.block.clear();
-  return returnFrom(FlowRequest{.code = 99});
+  return returnFrom(FlowRequest{.code = mcode::kReturn});
 }
 
 NctControl::Go NctControl::execute() {

@@ -94,7 +94,7 @@ class NctControl {
   struct MacroCall {
     static constexpr std::int32_t kSystem = -1;
     const Word* word = nullptr;        ///< that calls
-    std::int32_t code10 = kSystem;     ///< 650, 660, 661, or kSystem
+    std::int32_t code10 = kSystem;     ///< G65, G66, G66.1, or kSystem
     SystemCall system;                 ///< with kSystem
     const CallFrame* modal = nullptr;  ///< the active G66.1 macro that takes the block as arguments
   };

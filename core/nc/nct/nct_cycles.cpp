@@ -99,8 +99,10 @@ bool checkCoding(NctContext& c, const BlockPlan& plan) {
   if (code == nullptr) return true;
   const bool special = c.parameters.flag(CycleParam::kSpecialCodes);
   const int code10 = code->code10;
-  const bool usual_code = code10 == 730 || code10 == 740 || code10 == 760;
-  const bool special_code = code10 == 831 || code10 == 841 || code10 == 861;
+  const bool usual_code =
+      code10 == gcode::kChipBreak || code10 == gcode::kTapLeft || code10 == gcode::kFineBore;
+  const bool special_code = code10 == gcode::kChipBreakBesideTurning ||
+                            code10 == gcode::kTapLeftBesideTurning || code10 == gcode::kFineBoreBesideTurning;
   if (!(special ? usual_code : special_code)) return true;
   return c.fail("nct-cycle-coding",
                 fmt::format("{} is no drilling cycle with N1503.CSM = {}", gName(code10), special ? 1 : 0));
@@ -191,7 +193,7 @@ bool planCycle(NctContext& c, BlockPlan& plan) {
     }
   }
   if (c.block.present.has(kCommaDirection)) directedHoles(plan, holes);
-  if (plan.next.active[kGroupPolarData] == 160) polarHoles(c, plan, holes);
+  if (plan.next.active[kGroupPolarData] == gcode::kPolarData) polarHoles(c, plan, holes);
   if (const Word* r = c.ownWord(plan, 'R')) {
     words.r = lengthOf(plan, *r);
     words.r_incremental = r->incremental || plan.next.incremental();
@@ -307,7 +309,7 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
   cycle.r = holes.work_r = height(holes.r);
   cycle.bottom = holes.work_bottom =
       height(words.bottom_incremental ? holes.r + *words.bottom : *words.bottom);
-  cycle.return_to_r = plan.next.active[kGroupReturn] == 990;
+  cycle.return_to_r = plan.next.active[kGroupReturn] == gcode::kReturnToR;
   cycle.peck = words.peck;
   const bool rigid = isRigid(cycle.code);
   cycle.tap_returns_to_r = rigid && c.parameters.flag(CycleParam::kTapReturnsToR);

@@ -64,9 +64,10 @@ void configureFeeds(NctContext& c) {
 MotionJoin joinOf(const BlockPlan& plan) {
   MotionJoin join;
   const int mode = plan.next.active[kGroupCutting];
-  join.stops = (plan.exact_stop || mode == 610) && !plan.next.automatic.no_exact_stop;
-  join.unbroken = mode == 630;
-  if (mode == 620 && plan.next.compOn()) join.inside = plan.next.compOffset() < 0.0 ? -1 : 1;
+  join.stops = (plan.exact_stop || mode == gcode::kExactStopMode) && !plan.next.automatic.no_exact_stop;
+  join.unbroken = mode == gcode::kNoOverride;
+  if (mode == gcode::kSlowInsideCorners && plan.next.compOn())
+    join.inside = plan.next.compOffset() < 0.0 ? -1 : 1;
   return join;
 }
 
@@ -74,12 +75,11 @@ double turnsPerMinute(NctContext& c, const BlockPlan& plan) {
   if (surfaceSpeedRuns(c, plan)) return surfaceMeanRpm(c, plan);
   const double rpm = plan.next.spindle_rpm;
   bool turning = plan.next.spindle_direction != 0 && rpm > 0.0;
-  for (int i = 0; i < plan.m_count; ++i)
-    turning = turning || ((plan.m_value[i] == 3 || plan.m_value[i] == 4) && rpm > 0.0);
+  for (int i = 0; i < plan.m_count; ++i) turning = turning || (mcode::turns(plan.m_value[i]) && rpm > 0.0);
   // A rigid tap turns the spindle itself, with S, however it stands before.
   const int cycle = plan.next.active[kGroupCycle];
-  turning = turning || (rpm > 0.0 && (cycle == 842 || cycle == 843) && plan.governor != nullptr &&
-                        plan.governor->code10 == cycle);
+  turning = turning || (rpm > 0.0 && (cycle == gcode::kRigidTap || cycle == gcode::kRigidTapLeft) &&
+                        plan.governor != nullptr && plan.governor->code10 == cycle);
   if (turning) return rpm;
   if (c.firstTime("spindle-stopped")) {
     c.warn("nct-spindle-stopped",
@@ -95,7 +95,7 @@ namespace {
 int directionOf(const NctContext& c, const BlockPlan& plan) {
   for (int i = 0; i < plan.m_count; ++i) {
     const int m = plan.m_value[static_cast<std::size_t>(i)];
-    if (m == 3 || m == 4) return m == 3 ? 1 : -1;
+    if (mcode::turns(m)) return m == mcode::kClockwise ? 1 : -1;
   }
   return c.state.spindle_direction;
 }

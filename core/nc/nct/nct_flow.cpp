@@ -30,11 +30,11 @@ constexpr std::size_t kMaxFileArgument = 60;
 
 NctControl::Go NctControl::flow(const BlockPlan& plan) {
   NctContext& c = context_;
-  if (plan.flow->code == 98) return call();
+  if (plan.flow->code == mcode::kCall) return call();
   FlowRequest request;
   request.code = plan.flow->code;
   // A jump that fails leaves nowhere to go on: it always stops the run.
-  if (request.code == 99 && !returnWords(request)) return stopAtAlarm();
+  if (request.code == mcode::kReturn && !returnWords(request)) return stopAtAlarm();
   if (!c.calls.hasDeferred()) return flow(request);
   request.line = c.calls.lineIndex();
   request.number = c.block.number;
@@ -43,7 +43,7 @@ NctControl::Go NctControl::flow(const BlockPlan& plan) {
 }
 
 NctControl::Go NctControl::flow(const FlowRequest& request) {
-  if (request.code == 99) return returnFrom(request);
+  if (request.code == mcode::kReturn) return returnFrom(request);
   countPart(context_, request.code);
   return finish(fmt::format("M{}", request.code), ProgramEnd::kEndOfProgram);
 }

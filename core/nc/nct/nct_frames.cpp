@@ -19,7 +19,8 @@ struct FrameChange {
 /// The words of the block set what they name; G92 in a turned system all of the shift.
 void recordSetters(NctContext& c, const BlockPlan& plan, const FrameChange& change) {
   WorkFrames& frames = c.registers.frames;
-  const bool turned = plan.governor->code10 == 920 && !programMap(plan.next.transforms, c.axes).identity;
+  const bool turned =
+      plan.governor->code10 == gcode::kSetPosition && !programMap(plan.next.transforms, c.axes).identity;
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (change.id > 0 && w.address >= 'I' && w.address <= 'K') {

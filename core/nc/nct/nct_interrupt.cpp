@@ -20,7 +20,7 @@ bool NctControl::takeInterruptWords() {
   const bool off = !c.parameters.flag(MacroParam::kInterrupts);
   for (const Word& w : c.block.words) {
     if (w.address != 'M') continue;
-    if (off && (w.value == 96.0 || w.value == 97.0)) {
+    if (off && (w.value == mcode::kInterruptOn || w.value == mcode::kInterruptOff)) {
       c.warnOnce("interrupts-off", "nct-interrupt",
                  "M96 and M97 are functions of the machine builder: interrupt macros are off (N1758.USD = 0)",
                  w.columns);
@@ -86,7 +86,7 @@ NctControl::Go NctControl::followInterrupts() {
 NctControl::Go NctControl::breakInterruptOff() {
   NctContext& c = context_;
   while (c.calls.depth() > 2 && !c.calls.top().interrupt) c.closeCall();
-  return c.calls.top().interrupt ? returnFrom(FlowRequest{.code = 99}) : Go::kOn;
+  return c.calls.top().interrupt ? returnFrom(FlowRequest{.code = mcode::kReturn}) : Go::kOn;
 }
 
 namespace {

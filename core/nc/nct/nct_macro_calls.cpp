@@ -12,8 +12,6 @@
 namespace proveout::nc {
 namespace {
 
-constexpr std::int32_t kOneShotCall = 650, kAfterMotion = 660, kFromBlock = 661, kCancel = 670;
-
 /// May an assigned code call here (manual 23.3.4-23.3.8)? Inside the program that it started it may not;
 /// inside other system programs only where N1755 ENC says so, and never a G code inside one of a G code.
 bool mayCall(const NctContext& c, std::int32_t code) {
@@ -30,8 +28,8 @@ bool mayCall(const NctContext& c, std::int32_t code) {
 /// Is it a block that runs as itself while G66.1 is active: M98, M99, or G67, which ends the mode?
 bool runsItself(const Block& block) {
   return std::any_of(block.words.begin(), block.words.end(), [](const Word& w) {
-    return (w.address == 'M' && (w.value == 98.0 || w.value == 99.0)) ||
-           (w.address == 'G' && code10Of(w) == kCancel);
+    return (w.address == 'M' && (w.value == mcode::kCall || w.value == mcode::kReturn)) ||
+           (w.address == 'G' && code10Of(w) == gcode::kMacroCancel);
   });
 }
 
@@ -49,7 +47,8 @@ bool NctControl::findCall(bool statement, MacroCall& call) {
   for (const Word& w : block.words) {
     if (w.address != 'G') continue;
     const std::int32_t code10 = code10Of(w);
-    const bool explicit_call = code10 == kOneShotCall || code10 == kAfterMotion || code10 == kFromBlock;
+    const bool explicit_call =
+        code10 == gcode::kMacroCall || code10 == gcode::kMacroAfterMotions || code10 == gcode::kMacroOfBlocks;
     if (!explicit_call && !(any_g && c.systems.g(code10, call.system) && mayCall(c, call.system.code)))
       continue;
     call.word = &w;
@@ -88,7 +87,8 @@ NctControl::Go NctControl::callMacro(const MacroCall& call) {
     c.fail("nct-nesting", fmt::format("more than {} modal macros are active", kMaxNesting));
     return alarm();
   }
-  c.state.active[kGroupMacro] = frame.kind == CallKind::kModalMacro ? kAfterMotion : kFromBlock;
+  c.state.active[kGroupMacro] =
+      frame.kind == CallKind::kModalMacro ? gcode::kMacroAfterMotions : gcode::kMacroOfBlocks;
   return frame.kind == CallKind::kModalMacro ? Go::kOn : open(c.modals.last());
 }
 
@@ -101,7 +101,7 @@ bool NctControl::explicitFrame(const MacroCall& call, CallFrame& frame) {
   NctContext& c = context_;
   const Word* l = c.word('L');
   if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return false;
-  if (c.block.has_file && call.code10 != kOneShotCall) {
+  if (c.block.has_file && call.code10 != gcode::kMacroCall) {
     return c.fail("nct-2017", fmt::format("illegal address <>: {} calls by number only", gName(call.code10)),
                   c.block.file_columns);
   }
@@ -109,11 +109,11 @@ bool NctControl::explicitFrame(const MacroCall& call, CallFrame& frame) {
   rules.call = call.word;
   rules.weak = "GPL";
   if (!collectArguments(c, rules, frame.args)) return false;
-  frame.kind = call.code10 == kOneShotCall   ? CallKind::kMacro
-               : call.code10 == kAfterMotion ? CallKind::kModalMacro
-                                             : CallKind::kBlockMacro;
+  frame.kind = call.code10 == gcode::kMacroCall           ? CallKind::kMacro
+               : call.code10 == gcode::kMacroAfterMotions ? CallKind::kModalMacro
+                                                          : CallKind::kBlockMacro;
   const Word* p = c.word('P');
-  if (call.code10 == kOneShotCall && p != nullptr && p->value == kPocketProgram && !c.block.has_file &&
+  if (call.code10 == gcode::kMacroCall && p != nullptr && p->value == kPocketProgram && !c.block.has_file &&
       c.programs.byNumber(c.calls.top().file, kPocketProgram).text == nullptr) {
     return pocketFrame(c, frame);
   }
@@ -156,9 +156,9 @@ void NctControl::deferCalls(const BlockPlan& plan) {
   if (plan.by_group[kGroupMacro] != nullptr) {  // G67
     c.modals.cancel();
     const bool any = !c.modals.none();
-    c.state.active[kGroupMacro] = !any                                            ? kCancel
-                                  : c.modals.last().kind == CallKind::kModalMacro ? kAfterMotion
-                                                                                  : kFromBlock;
+    c.state.active[kGroupMacro] = !any                                            ? gcode::kMacroCancel
+                                  : c.modals.last().kind == CallKind::kModalMacro ? gcode::kMacroAfterMotions
+                                                                                  : gcode::kMacroOfBlocks;
   }
   if (!c.modals.none() && moves(plan)) {
     if (const CallFrame* modal = c.modals.find(CallKind::kModalMacro, c.calls)) c.calls.defer(*modal);
@@ -215,7 +215,9 @@ bool NctControl::takeSubprogramWords() {
 bool NctControl::moves(const BlockPlan& plan) {
   if (plan.perform == nullptr || plan.governor == nullptr) return false;
   if (plan.governor->group != kOneShot) return true;
-  constexpr std::array<std::int32_t, 6> kMoving{280, 300, 310, 330, 370, 530};
+  constexpr std::array<std::int32_t, 6> kMoving{gcode::kReference,     gcode::kNumberedReference,
+                                                gcode::kSkip,          gcode::kThread,
+                                                gcode::kMeasureLength, gcode::kMachineMove};
   return std::find(kMoving.begin(), kMoving.end(), plan.governor->code10) != kMoving.end();
 }
 

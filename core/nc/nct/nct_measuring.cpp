@@ -26,8 +26,9 @@ int codeInTheWay(const NctState& s, bool any_compensation) {
     int code10;
   };
   for (const Needed& need :
-       {Needed{kGroupPolarData, 150}, Needed{kGroupScaling, 500}, Needed{kGroupMirror, 501},
-        Needed{kGroupRotation, 690}, Needed{kGroupFeedMode, 940}}) {
+       {Needed{kGroupPolarData, gcode::kPolarDataOff}, Needed{kGroupScaling, gcode::kScalingOff},
+        Needed{kGroupMirror, gcode::kMirrorOff}, Needed{kGroupRotation, gcode::kRotationOff},
+        Needed{kGroupFeedMode, gcode::kFeedPerMinute}}) {
     if (s.active[need.group] != need.code10) return s.active[need.group];
   }
   return !any_compensation && s.compOn() ? s.active[kGroupRadiusComp] : 0;
@@ -200,7 +201,7 @@ bool performLength(NctContext& c, BlockPlan& plan) {
   }
   constexpr double kNone = 1e-9;
   if (std::abs(difference) <= kNone) return true;
-  const bool by_turning = plan.next.active[kGroupLengthComp] == 437;
+  const bool by_turning = plan.next.active[kGroupLengthComp] == gcode::kLengthTurning;
   const OffsetColumn column = by_turning && move.axis == 0   ? OffsetColumn::kX
                               : by_turning && move.axis == 1 ? OffsetColumn::kY
                                                              : OffsetColumn::kLength;
@@ -218,7 +219,7 @@ bool checkLengthMode(NctContext& c, const BlockPlan& plan) {
   if (!(allowed > 0.0 && rapid > allowed)) {
     return c.fail("nct-parameter", "G37: N3004 must be above N3005, and N3005 above 0");
   }
-  if (plan.next.active[kGroupLengthComp] == 490)
+  if (plan.next.active[kGroupLengthComp] == gcode::kLengthOff)
     return c.alarm(2055, "G49", "G37 corrects the offset in force");
   return plan.next.h > 0 || c.alarm(2004, "H", "G37 corrects the row of the H in force");
 }

@@ -101,7 +101,7 @@ bool arcRequest(NctContext& c, const BlockPlan& plan, ArcRequest& request) {
       others[static_cast<std::size_t>(plane.u)] || others[static_cast<std::size_t>(plane.v)];
   others.reset(static_cast<std::size_t>(plane.u)).reset(static_cast<std::size_t>(plane.v));
   request.has_other_axis = others.any();
-  request.counter_clockwise = plan.next.active[kGroupMotion] == 30;
+  request.counter_clockwise = plan.next.active[kGroupMotion] == gcode::kArcCounterClockwise;
   for (int axis = 0; axis < 3; ++axis) {
     const Word* w = c.ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
@@ -284,7 +284,7 @@ bool planMachineMove(NctContext& c, BlockPlan& plan) {
 
 bool planReference(NctContext& c, BlockPlan& plan) {
   std::int64_t point = 1;
-  if (plan.by_group[kOneShot]->code10 == 300) {
+  if (plan.by_group[kOneShot]->code10 == gcode::kNumberedReference) {
     const Word* p = c.ownWord(plan, 'P');
     if (p == nullptr) return c.alarm(2004, "P", "G30 needs the number of the reference point");
     if (!integerWord(c, *p, 1, 4, point)) return false;

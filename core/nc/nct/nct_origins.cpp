@@ -11,21 +11,21 @@ constexpr OriginKind kNothing = OriginKind::kVariable;
 /// Do the axis words of a code say where the tool goes?
 bool goesThere(const GCode& code) {
   if (code.group == kGroupMotion) return true;
-  if (code.group == kGroupCycle) return code.code10 != 800;
+  if (code.group == kGroupCycle) return code.code10 != gcode::kCycleCancel;
   if (code.group != kOneShot) return false;
   switch (code.code10) {
-    case 280:
-    case 300:
-    case 310:
-    case 370:
-    case 530:
+    case gcode::kReference:
+    case gcode::kNumberedReference:
+    case gcode::kSkip:
+    case gcode::kMeasureLength:
+    case gcode::kMachineMove:
       return true;
     default:
       return false;
   }
 }
 
-bool turnsSpindle(int m) { return m == 3 || m == 4 || m == 5 || m == 19; }
+bool turnsSpindle(int m) { return mcode::turns(m) || m == mcode::kSpindleStop || m == mcode::kOrient; }
 
 /// What the letters of a block are for.
 class BlockWords {
@@ -34,11 +34,12 @@ class BlockWords {
       : c_(c),
         plan_(plan),
         goes_(goesThere(*plan.governor)),
-        arc_(plan.governor->code10 == 20 || plan.governor->code10 == 30),
+        arc_(plan.governor->code10 == gcode::kArcClockwise ||
+             plan.governor->code10 == gcode::kArcCounterClockwise),
         cycle_(goes_ && plan.governor->group == kGroupCycle),
         drills_(cycle_ && c.anyAxisWord()),
-        thread_(plan.next.active[kGroupMotion] == 330 && !plan.next.inCycle()),
-        inch_(plan.next.active[kGroupUnits] == 200) {}
+        thread_(plan.next.active[kGroupMotion] == gcode::kThread && !plan.next.inCycle()),
+        inch_(plan.next.active[kGroupUnits] == gcode::kInch) {}
 
   bool cycle() const { return cycle_; }
   void record();
@@ -72,7 +73,8 @@ OriginKind BlockWords::kindOfLetter(Address address) const {
     case 'E':
       return thread_ && goes_ ? OriginKind::kThreadLead : kNothing;
     case 'S':
-      return plan_.governor->code10 == 920 ? kNothing : OriginKind::kSpindle;  // there it is a limit
+      return plan_.governor->code10 == gcode::kSetPosition ? kNothing
+                                                           : OriginKind::kSpindle;  // there it is a limit
     case 'T':
       return OriginKind::kNextTool;
     case 'H':
@@ -147,7 +149,8 @@ void BlockWords::record() {
   }
   if (by_text) {
     KindSet codes = plan_.code_kinds;
-    if (!goes_ && plan_.governor->code10 == 920 && !c_.anyAxisWord()) codes.remove(OriginKind::kShift);
+    if (!goes_ && plan_.governor->code10 == gcode::kSetPosition && !c_.anyAxisWord())
+      codes.remove(OriginKind::kShift);
     for (int i = 0; i < plan_.m_count; ++i) {
       if (turnsSpindle(plan_.m_value[static_cast<std::size_t>(i)])) codes.add(OriginKind::kSpindleDirection);
     }
@@ -164,7 +167,7 @@ void BlockWords::recordCodes() {
       c_.origins.word(OriginKind::kSpindleDirection, w.columns, w.value, w.reads, {});
     if (w.address != 'G') continue;
     const GCode* code = c_.codes.g(code10Of(w));
-    if (code == nullptr || (code->code10 == 920 && !c_.anyAxisWord())) continue;
+    if (code == nullptr || (code->code10 == gcode::kSetPosition && !c_.anyAxisWord())) continue;
     (code->kinds & plan_.code_kinds).each([&](OriginKind kind) {
       c_.origins.word(kind, w.columns, w.value, w.reads, {});
     });

@@ -55,7 +55,7 @@ bool function(NctContext& c, const BlockPlan& plan, const MFunction& found, int 
   if (!spindleFunction(c, plan, found, m, handled)) return false;
   if (handled) return true;
   switch (m) {
-    case 6:
+    case mcode::kToolChange:
       if (plan.next.next_tool >= 0) return sendToolChange(c, plan.next.next_tool, plan.next.next_row);
       c.warn("nct-no-t", "M6 without T: the tool stays");
       return sendToolChange(c, c.state.tool, c.state.tool_row);
@@ -65,13 +65,13 @@ bool function(NctContext& c, const BlockPlan& plan, const MFunction& found, int 
   // Functions that only tell something: stops, coolant, gears, the machine builder's.
   const std::string code = fmt::format("M{}", m);
   switch (m) {
-    case 0:
+    case mcode::kStop:
       return sendEvent(c, event::Stop{code, ""});
-    case 1:
+    case mcode::kOptionalStop:
       return sendEvent(c, event::OptionalStop{code, c.settings.optional_stop});
-    case 8:
-    case 9:
-      return sendEvent(c, event::Coolant{code, m == 8});
+    case mcode::kCoolantOn:
+    case mcode::kCoolantOff:
+      return sendEvent(c, event::Coolant{code, m == mcode::kCoolantOn});
     default:
       return sendEvent(c, event::Function{code, {}});
   }
@@ -89,7 +89,7 @@ bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
     // In a drilling block M functions run at the first hole, behind the positioning (manual 18.2).
     if (!function(c, plan, *plan.m[k], plan.m_value[k])) return false;
     countPart(c, plan.m_value[k]);
-    spindle_done = spindle_done || plan.m_value[k] == 3 || plan.m_value[k] == 4;
+    spindle_done = spindle_done || mcode::turns(plan.m_value[k]);
   }
   if (phase == MPhase::kBefore && plan.spindle_changed && !spindle_done && c.state.spindle_direction != 0) {
     return sendSpindle(c, c.state.spindle_direction, plan.next.spindle_rpm);
@@ -167,7 +167,7 @@ bool performMove(NctContext& c, BlockPlan& plan) {
   item.in_plane = motion.named[static_cast<std::size_t>(item.plane.u)] ||
                   motion.named[static_cast<std::size_t>(item.plane.v)];
   const GCode* one_shot = plan.by_group[kOneShot];
-  item.keep_vector = one_shot != nullptr && one_shot->code10 == 380;
+  item.keep_vector = one_shot != nullptr && one_shot->code10 == gcode::kKeepVector;
   if (motion.is_arc) {
     item.center = {motion.arc.center.x(), motion.arc.center.y(), motion.arc.start.z()};
     item.start = motion.arc.start.head<2>();

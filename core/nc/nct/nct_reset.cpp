@@ -12,29 +12,31 @@ namespace {
 void setCodes(const NctContext& c, NctState& s) {
   const auto flag = [&](MotionParam p) { return c.parameters.flag(p); };
   s.active.fill(0);
-  s.active[kGroupMotion] = flag(MotionParam::kDefaultG1) ? 10 : 0;
-  s.active[kGroupPlane] = flag(MotionParam::kDefaultG18) ? 180 : flag(MotionParam::kDefaultG19) ? 190 : 170;
-  s.active[kGroupDistance] = flag(MotionParam::kDefaultG91) ? 910 : 900;
-  s.active[kGroupZones] = 230;
-  s.active[kGroupFeedMode] = flag(MotionParam::kDefaultG95) ? 950 : 940;
-  s.active[kGroupUnits] = flag(MotionParam::kDefaultG20) ? 200 : 210;
-  s.active[kGroupRadiusComp] = 400;
-  s.active[kGroupLengthComp] = flag(MotionParam::kDefaultG43)   ? 430
-                               : flag(MotionParam::kDefaultG44) ? 440
-                                                                : 490;
-  s.active[kGroupCycle] = 800;
-  s.active[kGroupReturn] = 980;
-  s.active[kGroupScaling] = 500;
-  s.active[kGroupMacro] = 670;
-  s.active[kGroupSurfaceSpeed] = 970;
-  s.active[kGroupWorkSystem] = 540;
-  s.active[kGroupCutting] = 640;
-  s.active[kGroupRotation] = 690;
-  s.active[kGroupPolarData] = 150;
-  s.active[kGroupTilt] = 691;
-  s.active[kGroupPolarInterpolation] = 131;
-  s.active[kGroupMirror] = 501;
-  s.active[kGroupGear] = 808;
+  s.active[kGroupMotion] = flag(MotionParam::kDefaultG1) ? gcode::kLine : gcode::kRapid;
+  s.active[kGroupPlane] = flag(MotionParam::kDefaultG18)   ? gcode::kPlaneZX
+                          : flag(MotionParam::kDefaultG19) ? gcode::kPlaneYZ
+                                                           : gcode::kPlaneXY;
+  s.active[kGroupDistance] = flag(MotionParam::kDefaultG91) ? gcode::kIncremental : gcode::kAbsolute;
+  s.active[kGroupZones] = gcode::kZoneOff;
+  s.active[kGroupFeedMode] = flag(MotionParam::kDefaultG95) ? gcode::kFeedPerTurn : gcode::kFeedPerMinute;
+  s.active[kGroupUnits] = flag(MotionParam::kDefaultG20) ? gcode::kInch : gcode::kMetric;
+  s.active[kGroupRadiusComp] = gcode::kCompOff;
+  s.active[kGroupLengthComp] = flag(MotionParam::kDefaultG43)   ? gcode::kLengthPlus
+                               : flag(MotionParam::kDefaultG44) ? gcode::kLengthMinus
+                                                                : gcode::kLengthOff;
+  s.active[kGroupCycle] = gcode::kCycleCancel;
+  s.active[kGroupReturn] = gcode::kReturnToInitial;
+  s.active[kGroupScaling] = gcode::kScalingOff;
+  s.active[kGroupMacro] = gcode::kMacroCancel;
+  s.active[kGroupSurfaceSpeed] = gcode::kSurfaceSpeedOff;
+  s.active[kGroupWorkSystem] = gcode::kWorkSystem1;
+  s.active[kGroupCutting] = gcode::kContinuousCutting;
+  s.active[kGroupRotation] = gcode::kRotationOff;
+  s.active[kGroupPolarData] = gcode::kPolarDataOff;
+  s.active[kGroupTilt] = gcode::kTiltOff;
+  s.active[kGroupPolarInterpolation] = gcode::kPolarOff;
+  s.active[kGroupMirror] = gcode::kMirrorOff;
+  s.active[kGroupGear] = gcode::kGearOff;
 }
 
 /// Whether a group keeps its code at the end of a program.
@@ -111,7 +113,7 @@ void resetAtEnd(NctContext& c) {
   s.automatic = AutomaticBits();
   c.interrupt = InterruptMacro();
   c.registers.frames.shift52 = c.registers.frames.shift92 = AxisPoint();
-  if (s.active[kGroupZones] == 230 && c.registers.program_zone) {
+  if (s.active[kGroupZones] == gcode::kZoneOff && c.registers.program_zone) {
     c.registers.program_zone.reset();
     c.zone_stage.configure();
   }

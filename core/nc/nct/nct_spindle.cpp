@@ -43,8 +43,8 @@ bool hasCode(const BlockPlan& plan, int m) {
 
 /// Range 1 to 8 that M11 to M18 of the block choose, or 0.
 int rangeCode(const BlockPlan& plan) {
-  for (int m = 11; m <= 18; ++m) {
-    if (hasCode(plan, m)) return m - 10;
+  for (int m = mcode::kFirstRange; m <= mcode::kLastRange; ++m) {
+    if (hasCode(plan, m)) return m - mcode::kFirstRange + 1;
   }
   return 0;
 }
@@ -68,7 +68,7 @@ bool fitToRange(NctContext& c, BlockPlan& plan, int index, double& rpm) {
     if (fitting > 0) {
       return c.fail("nct-spindle-range",
                     fmt::format("S{} lies in the ranges {} and {}: M{} or M{} must choose", rpm, fitting, k,
-                                fitting + 10, k + 10));
+                                fitting - 1 + mcode::kFirstRange, k - 1 + mcode::kFirstRange));
     }
     fitting = k;
   }
@@ -219,12 +219,12 @@ bool planSpindle(NctContext& c, BlockPlan& plan) {
   }
   if (s == nullptr) return planSurfaceSpeed(c, plan);
   const GCode* one_shot = plan.by_group[kOneShot];
-  if (one_shot && one_shot->code10 == 920) {
+  if (one_shot && one_shot->code10 == gcode::kSetPosition) {
     if (!(s->value >= 0.0 && s->value <= kMaxSpeed)) return c.alarm(2002, *s, "from 0 to 99999999");
     plan.next.speed_limit = s->value;
     return planSurfaceSpeed(c, plan);
   }
-  if (plan.next.active[kGroupSurfaceSpeed] == 960) return planSurfaceSpeed(c, plan);
+  if (plan.next.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed) return planSurfaceSpeed(c, plan);
   int index = std::max(0, indexOf(c, static_cast<std::int64_t>(c.parameters[SpindleParam::kDefault])));
   if (plan.by_group[kGroupSurfaceSpeed] != nullptr) index = all.main;  // G97 S
   const Word* p = c.block.find('P');
@@ -410,16 +410,16 @@ bool spindleFunction(NctContext& c, const BlockPlan& plan, const MFunction& foun
   Spindles& all = c.registers.spindles;
   const int index = all.programmed;
   handled = true;
-  if (m >= 3 && m <= 5) {
+  if (mcode::turns(m) || m == mcode::kSpindleStop) {
     const double rpm = index == all.main ? plan.next.spindle_rpm : recordOf(c, index).rpm;
-    return turn(c, index, m == 3 ? 1 : m == 4 ? -1 : 0, rpm);
+    return turn(c, index, m == mcode::kClockwise ? 1 : m == mcode::kCounterClockwise ? -1 : 0, rpm);
   }
-  if (m >= 11 && m <= 18) {
-    recordOf(c, index).gear = m - 10;
+  if (m >= mcode::kFirstRange && m <= mcode::kLastRange) {
+    recordOf(c, index).gear = m - mcode::kFirstRange + 1;
     handled = false;
     return true;
   }
-  if (m == 19) {
+  if (m == mcode::kOrient) {
     if (!c.parameters.flag(MachineParam::kSpindleOrients, numberOf(c, index))) {
       return c.alarm(2137, "", "the spindle has no orientation (N0607.ORI = 0)");
     }
@@ -449,7 +449,7 @@ bool performSpindle(NctContext& c, const BlockPlan& plan) {
   record.rpm = own.rpm;
   if (record.mode == SpindleMode::kSlave) record.mode = SpindleMode::kSpeed;
   if (own.index == all.main || record.direction == 0) return true;
-  for (const int m : {3, 4, 5, 19}) {
+  for (const int m : {mcode::kClockwise, mcode::kCounterClockwise, mcode::kSpindleStop, mcode::kOrient}) {
     if (hasCode(plan, m)) return true;
   }
   return turn(c, own.index, record.direction, own.rpm);

@@ -7,6 +7,7 @@
 
 #include "core/nc/axes.h"
 #include "core/nc/frames.h"
+#include "core/nc/nct/code_names.h"
 #include "core/nc/nct/nct_axis_modal.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/program_transforms.h"
@@ -79,18 +80,18 @@ struct NctState {
   /// The main plane: letters of centres, direction of drilling.
   Plane plane() const {
     const int g = active[kGroupPlane];
-    return g == 180 ? Plane::kZX : g == 190 ? Plane::kYZ : Plane::kXY;
+    return g == gcode::kPlaneZX ? Plane::kZX : g == gcode::kPlaneYZ ? Plane::kYZ : Plane::kXY;
   }
-  bool incremental() const { return active[kGroupDistance] == 910; }
-  bool perTurn() const { return active[kGroupFeedMode] == 950; }
-  double unitScale() const { return active[kGroupUnits] == 200 ? 25.4 : 1.0; }
-  bool inCycle() const { return active[kGroupCycle] != 800; }
+  bool incremental() const { return active[kGroupDistance] == gcode::kIncremental; }
+  bool perTurn() const { return active[kGroupFeedMode] == gcode::kFeedPerTurn; }
+  double unitScale() const { return active[kGroupUnits] == gcode::kInch ? 25.4 : 1.0; }
+  bool inCycle() const { return active[kGroupCycle] != gcode::kCycleCancel; }
   /// Signed offset of cutter compensation: > 0 left of the path.
   double compOffset() const {
     const int g = active[kGroupRadiusComp];
-    return g == 410 ? d_radius : g == 420 ? -d_radius : 0.0;
+    return g == gcode::kCompLeft ? d_radius : g == gcode::kCompRight ? -d_radius : 0.0;
   }
-  bool compOn() const { return active[kGroupRadiusComp] != 400; }
+  bool compOn() const { return active[kGroupRadiusComp] != gcode::kCompOff; }
 };
 
 }  // namespace proveout::nc

@@ -33,19 +33,19 @@ SpindleBounds boundsOf(const NctContext& c, const NctState& state) {
 
 /// Turns a minute times the radius in mm.
 double speedTimesRadius(const NctState& state) {
-  const double mm_min =
-      state.active[kGroupUnits] == 200 ? state.surface_speed * 12.0 * 25.4 : state.surface_speed * 1000.0;
+  const double mm_min = state.active[kGroupUnits] == gcode::kInch ? state.surface_speed * 12.0 * 25.4
+                                                                  : state.surface_speed * 1000.0;
   return mm_min / (2.0 * kPi);
 }
 
 }  // namespace
 
 bool surfaceSpeedRuns(const NctContext& c, const BlockPlan& plan) {
-  if (plan.next.active[kGroupSurfaceSpeed] != 960) return false;
+  if (plan.next.active[kGroupSurfaceSpeed] != gcode::kSurfaceSpeed) return false;
   bool turning = c.state.spindle_direction != 0;
   for (int i = 0; i < plan.m_count; ++i) {
     const int m = plan.m_value[static_cast<std::size_t>(i)];
-    turning = turning || m == 3 || m == 4;
+    turning = turning || mcode::turns(m);
   }
   return turning;
 }
@@ -71,7 +71,7 @@ double surfaceMeanRpm(NctContext& c, const BlockPlan& plan) {
 
 bool planSurfaceSpeed(NctContext& c, BlockPlan& plan) {
   NctState& next = plan.next;
-  if (next.active[kGroupSurfaceSpeed] != 960) return true;
+  if (next.active[kGroupSurfaceSpeed] != gcode::kSurfaceSpeed) return true;
   const GCode* code = plan.by_group[kGroupSurfaceSpeed];
   const Word* p = code != nullptr ? c.word('P') : nullptr;
   if (p != nullptr) {
@@ -82,7 +82,7 @@ bool planSurfaceSpeed(NctContext& c, BlockPlan& plan) {
     next.surface_axis = axis;
   }
   const GCode* one_shot = plan.by_group[kOneShot];
-  const bool limit = one_shot != nullptr && one_shot->code10 == 920;
+  const bool limit = one_shot != nullptr && one_shot->code10 == gcode::kSetPosition;
   if (const Word* s = c.word('S'); s && !limit) {
     if (!(s->value > 0.0 && s->value <= 1e6))
       return c.alarm(2002, *s, "surface speed: above 0, up to 1000000");

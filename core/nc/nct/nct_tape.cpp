@@ -28,7 +28,7 @@ bool endsProgram(std::string_view line) {
     while (k < line.size() && line[k] == ' ') ++k;
     int code = -1;
     for (; digitAt(line, k) && code < 1000; ++k) code = 10 * std::max(code, 0) + (line[k] - '0');
-    if (code == 2 || code == 30 || code == 99) return true;
+    if (code == mcode::kEnd || code == mcode::kEndAndRewind || code == mcode::kReturn) return true;
   }
   return false;
 }

@@ -42,14 +42,14 @@ bool threadLead(NctContext& c, BlockPlan& plan) {
 
 bool planThread(NctContext& c, BlockPlan& plan) {
   AxisModal& modal = plan.next.axes;
-  modal.threading = c.state.axes.threading && c.state.active[kGroupMotion] == 330;
+  modal.threading = c.state.axes.threading && c.state.active[kGroupMotion] == gcode::kThread;
   if (!axisTarget(c, plan, plan.motion.target)) return false;
   if ((c.block.present.has('F') || c.block.present.has('E') || c.anyAxisWord()) && !threadLead(c, plan)) {
     return false;
   }
   if (!c.anyAxisWord()) return true;
   if (plan.motion.named.count() > 2) return c.alarm(2017, "", "G33 moves one axis or two");
-  if (plan.next.active[kGroupSurfaceSpeed] == 960) {
+  if (plan.next.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed) {
     return c.fail("nct-thread-surface-speed",
                   "G33 cannot run with constant surface speed: program G97 first");
   }

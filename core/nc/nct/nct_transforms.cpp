@@ -61,7 +61,8 @@ bool noMirrorHere(NctContext& c, const BlockPlan& plan) {
 bool endMirrors(NctContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupMirror];
   Transforms& t = plan.next.transforms;
-  if (code == nullptr || code->code10 != 501 || c.anyAxisWord() || t.mirrored.none()) return true;
+  if (code == nullptr || code->code10 != gcode::kMirrorOff || c.anyAxisWord() || t.mirrored.none())
+    return true;
   if (!noMirrorHere(c, plan)) return false;
   t.mirrored.reset();
   plan.transforms_changed = true;
@@ -81,11 +82,11 @@ bool planTransformsOff(NctContext& c, BlockPlan& plan) {
   Transforms& t = plan.next.transforms;
   const AxisModal& modal = plan.next.axes;
   const bool same_plane = modal.plane_u == t.rotation_u && modal.plane_v == t.rotation_v;
-  if (t.rotates && plan.next.active[kGroupRotation] != 690 && !same_plane) {
+  if (t.rotates && plan.next.active[kGroupRotation] != gcode::kRotationOff && !same_plane) {
     return c.fail("nct-plane-in-rotation", "the plane cannot change while a rotation (G68) is on");
   }
-  const bool rotation = t.rotates && plan.next.active[kGroupRotation] == 690;
-  const bool scaling = t.scales && plan.next.active[kGroupScaling] == 500;
+  const bool rotation = t.rotates && plan.next.active[kGroupRotation] == gcode::kRotationOff;
+  const bool scaling = t.scales && plan.next.active[kGroupScaling] == gcode::kScalingOff;
   if (rotation != scaling && outer(t, rotation)) return overlaps(c, rotation ? "G69" : "G50");
   if (rotation) t.rotates = false;
   if (scaling) t.scales = false;
@@ -170,7 +171,7 @@ bool planMirrorOff(NctContext& c, BlockPlan& plan) {
   AxisSet named;
   if (!centerWords(c, plan, values, named)) return false;
   t.mirrored &= ~named;
-  if (t.mirrored.any()) plan.next.active[kGroupMirror] = 511;
+  if (t.mirrored.any()) plan.next.active[kGroupMirror] = gcode::kMirror;
   renewChain(c, plan);
   return true;
 }

@@ -18,18 +18,18 @@ const char* modeName(VirtualMode mode) { return mode == VirtualMode::kPolar ? "G
 
 bool forbidden(const GCode& code, VirtualMode mode) {
   switch (code.code10) {
-    case 520:
-    case 530:
-    case 920:
-    case 280:  // not in the manual's list of G7.1, but they leave the surface that it counts on
-    case 300:
-    case 310:
+    case gcode::kLocalShift:
+    case gcode::kMachineMove:
+    case gcode::kSetPosition:
+    case gcode::kReference:  // not in the manual's list of G7.1, but they leave the surface that it counts on
+    case gcode::kNumberedReference:
+    case gcode::kSkip:
       return true;
     default:
       break;
   }
   if (code.group == kGroupPlane || code.group == kGroupWorkSystem) return true;
-  return mode == VirtualMode::kCylinder && code.group == kGroupCycle && code.code10 != 800;
+  return mode == VirtualMode::kCylinder && code.group == kGroupCycle && code.code10 != gcode::kCycleCancel;
 }
 
 /// Linear and rotary axis of the plane.

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/nc/nct/code_names.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -92,7 +94,8 @@ void SystemCalls::rebuild(const NctParameters& parameters) {
     }
   }
   SystemCall call;
-  for (const std::int32_t code10 : {650, 660, 661, 670}) {
+  for (const std::int32_t code10 :
+       {gcode::kMacroCall, gcode::kMacroAfterMotions, gcode::kMacroOfBlocks, gcode::kMacroCancel}) {
     if (g(code10, call)) fault_ = "G65, G66, G66.1 and G67 cannot call system macros (N1704 to N1719)";
   }
 }
