@@ -64,21 +64,6 @@ Tap tapOf(const BlockPlan& plan) {
 
 bool isRigid(DrillCode code) { return code == DrillCode::kRigidTap || code == DrillCode::kRigidTapLeft; }
 
-/// The holes of a block. Heights of the drill axis are in work space: transforms apply to points of the
-/// program, not to pecks, clearances and shifts.
-struct Holes {
-  AxisPoint step;       ///< position or step per axis, mm
-  AxisSet incremental;  ///< axes with a step
-  std::int64_t repeat = 1;
-  bool polar = false;                       ///< G16: plan.motion.target is the first hole
-  bool from_hole = false;                   ///< the radius counts from hole to hole
-  double radius = 0.0;                      ///< mm
-  double angle_step = 0.0;                  ///< degrees from hole to hole
-  double initial = 0.0, r = 0.0;            ///< program space
-  double work_initial = 0.0, work_r = 0.0;  ///< the same in work space
-  double work_bottom = 0.0;
-};
-
 bool planCycleWords(NctContext& c, BlockPlan& plan);
 AddressSet wordsOf(const NctContext& c, const BlockPlan& plan, DrillCode code);
 bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code);
@@ -207,7 +192,7 @@ namespace {
 
 bool planCycleWords(NctContext& c, BlockPlan& plan) {
   CycleWords& words = plan.next.cycle;
-  Holes& holes = plan.payload.as<Holes>();
+  Holes& holes = std::get<Holes>(plan.payload);
   const int code10 = plan.next.active[kGroupCycle];
   const DrillCode code = drillCode(code10);
   const auto positive = [&](const Word& w, double& out, double scale) {
@@ -291,7 +276,7 @@ bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code) {
 
 bool expandCycle(NctContext& c, BlockPlan& plan) {
   const CycleWords& words = plan.next.cycle;
-  Holes& holes = plan.payload.as<Holes>();
+  Holes& holes = std::get<Holes>(plan.payload);
   const auto height = [&](double value) {
     AxisPoint p = plan.start;
     p[words.drill_axis] = value;
@@ -348,7 +333,7 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
 
 /// The next hole in polar data; the angle goes on from the block's own.
 void polarHole(BlockPlan& plan, const AxisPoint& last, bool first, AxisPoint& hole) {
-  const Holes& holes = plan.payload.as<Holes>();
+  const Holes& holes = std::get<Holes>(plan.payload);
   const WorkPlane plane = planeOf(plan.next);
   PolarData& polar = plan.next.axes.polar;
   if (first) {
@@ -367,7 +352,7 @@ void polarHole(BlockPlan& plan, const AxisPoint& last, bool first, AxisPoint& ho
 
 bool performCycle(NctContext& c, BlockPlan& plan) {
   AxisPoint hole = c.position;
-  const Holes& holes = plan.payload.as<Holes>();
+  const Holes& holes = std::get<Holes>(plan.payload);
   for (std::int64_t k = 0; k < holes.repeat; ++k) {
     const AxisPoint last = hole;
     for (int axis = 0; axis < c.axes.count(); ++axis) {
@@ -397,7 +382,7 @@ bool cycleMove(NctContext& c, const AxisPoint& at, const FeedStyle* feed = nullp
 }
 
 bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first) {
-  const Holes& holes = plan.payload.as<Holes>();
+  const Holes& holes = std::get<Holes>(plan.payload);
   const int drill = plan.next.cycle.drill_axis;
   const double height = c.position[drill];
   c.position = hole;
@@ -417,7 +402,7 @@ bool cycleHole(NctContext& c, BlockPlan& plan, const AxisPoint& hole, bool first
 
 /// The word that a level of the drill axis is from.
 OriginKind levelOf(const NctContext& c, BlockPlan& plan, double position) {
-  const Holes& holes = plan.payload.as<Holes>();
+  const Holes& holes = std::get<Holes>(plan.payload);
   if (position == holes.work_bottom) return OriginKind::kCycleDepth;
   if (position == holes.work_r) return OriginKind::kCyclePlane;
   if (position == holes.work_initial) return OriginKind::kCycleReturn;
@@ -439,7 +424,7 @@ bool cycleStep(NctContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint&
     return cycleMove(c, at);
   }
   if (step.kind == DrillStepKind::kFeed) {
-    const Holes& holes = plan.payload.as<Holes>();
+    const Holes& holes = std::get<Holes>(plan.payload);
     const bool inwards = (step.position < at[drill]) == (holes.work_bottom < holes.work_r);
     at[drill] = step.position;
     FeedStyle style = plan.motion.feed;

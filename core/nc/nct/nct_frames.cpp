@@ -9,13 +9,6 @@ namespace proveout::nc {
 
 namespace {
 
-/// New values of the shifts and of one work system.
-struct FrameChange {
-  AxisPoint shift52, shift92;
-  WorkSystemId id = -1;  ///< -1: no work system changes
-  WorkSystem system;
-};
-
 /// The words of the block set what they name; G92 in a turned system all of the shift.
 void recordSetters(NctContext& c, const BlockPlan& plan, const FrameChange& change) {
   WorkFrames& frames = c.registers.frames;
@@ -37,7 +30,7 @@ void recordSetters(NctContext& c, const BlockPlan& plan, const FrameChange& chan
 }
 
 bool performFrames(NctContext& c, BlockPlan& plan) {
-  const FrameChange& change = plan.payload.as<FrameChange>();
+  const FrameChange& change = std::get<FrameChange>(plan.payload);
   WorkFrames& frames = c.registers.frames;
   frames.shift52 = change.shift52;
   frames.shift92 = change.shift92;

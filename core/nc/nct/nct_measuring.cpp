@@ -113,14 +113,10 @@ void takeFrames(NctContext& c, const BlockPlan& plan) {
   c.state.work_system = plan.next.work_system;
 }
 
-struct SkipMove {
-  AxisPoint to;  ///< machine
-};
-
 bool performSkip(NctContext& c, BlockPlan& plan) {
   takeFrames(c, plan);
   std::optional<AxisPoint> stop;
-  const AxisPoint to = plan.payload.as<SkipMove>().to;
+  const AxisPoint to = std::get<SkipMove>(plan.payload).to;
   if (!ask(c, to, stop) || !send(c, stop.value_or(to), &plan.motion.feed)) return false;
   recordSkip(c, c.machine);
   return tellProbe(c, stop.has_value());
@@ -160,12 +156,6 @@ bool planSkip(NctContext& c, BlockPlan& plan) {
 
 namespace {
 
-/// G37: rapid to `approach`, then at feed towards the gauge. Programmed coordinates, mm.
-struct LengthMove {
-  AxisPoint approach, gauge, furthest, beyond;
-  int axis = 0;
-};
-
 /// Where the tool touches; without an answer at the gauge itself. False: reported.
 bool measureLength(NctContext& c, BlockPlan& plan, const LengthMove& move) {
   std::optional<AxisPoint> stop;
@@ -190,7 +180,7 @@ bool measureLength(NctContext& c, BlockPlan& plan, const LengthMove& move) {
 
 bool performLength(NctContext& c, BlockPlan& plan) {
   takeFrames(c, plan);
-  const LengthMove& move = plan.payload.as<LengthMove>();
+  const LengthMove& move = std::get<LengthMove>(plan.payload);
   if (!measureLength(c, plan, move)) return false;
   recordSkip(c, c.machine);
   const double difference = move.gauge[move.axis] - c.position[move.axis];

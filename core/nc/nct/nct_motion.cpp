@@ -206,13 +206,9 @@ bool planArc(NctContext& c, BlockPlan& plan) {
 
 namespace {
 
-struct Dwell {
-  double seconds = 0.0;
-};
-
 bool performDwell(NctContext& c, BlockPlan& plan) {
   PathItem item = functionItem(c, PathItem::Kind::kDwell, plan.next);
-  item.value = plan.payload.as<Dwell>().seconds;
+  item.value = std::get<Dwell>(plan.payload).seconds;
   return c.pipe.push(item);
 }
 
@@ -235,15 +231,8 @@ bool planDwell(NctContext& c, BlockPlan& plan) {
 
 namespace {
 
-/// Rapids to machine points: G53 has one, G28 and G30 have an intermediate point before it.
-struct MachineMove {
-  bool has_via = false;
-  AxisPoint via;  ///< machine
-  AxisPoint to;   ///< machine
-};
-
 bool performMachineMove(NctContext& c, BlockPlan& plan) {
-  const MachineMove& move = plan.payload.as<MachineMove>();
+  const MachineMove& move = std::get<MachineMove>(plan.payload);
   if (move.has_via && !sendMachineRapid(c, move.via)) return false;
   if (!sendMachineRapid(c, move.to)) return false;
   c.settle(move.to);

@@ -8,22 +8,8 @@
 namespace proveout::nc {
 namespace {
 
-/// New values of one row.
-struct OffsetChange {
-  struct Cell {
-    OffsetColumn column;
-    double value;
-    Address word;  ///< that says it
-  };
-  int row = 0;
-  bool wear = false;
-  std::array<Cell, 4> cells{};
-  std::size_t count = 0;
-  int tip = -1;  ///< -1: stays
-};
-
 bool performOffset(NctContext& c, BlockPlan& plan) {
-  const OffsetChange& change = plan.payload.as<OffsetChange>();
+  const OffsetChange& change = std::get<OffsetChange>(plan.payload);
   OffsetTables& offsets = c.registers.offsets;
   for (std::size_t k = 0; k < change.count; ++k) {
     const OffsetChange::Cell& cell = change.cells[k];

@@ -3,18 +3,23 @@
 
 #include <array>
 #include <bitset>
-#include <cassert>
-#include <cstddef>
 #include <cstdint>
-#include <new>
 #include <optional>
 #include <type_traits>
+#include <variant>
 
 #include "core/nc/block.h"
 #include "core/nc/channels.h"
 #include "core/nc/motion_pipe.h"
+#include "core/nc/nct/cycle_plan.h"
+#include "core/nc/nct/frame_plan.h"
+#include "core/nc/nct/measuring_plan.h"
+#include "core/nc/nct/motion_plan.h"
 #include "core/nc/nct/nct_codes.h"
 #include "core/nc/nct/nct_state.h"
+#include "core/nc/nct/offset_plan.h"
+#include "core/nc/nct/tool_plan.h"
+#include "core/nc/nct/zone_plan.h"
 #include "core/nc/origin_recorder.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/services/arcs.h"
@@ -28,41 +33,10 @@ struct NctContext;
 /// Carries a planned block out. False: an error was reported.
 using PerformFunction = bool (*)(NctContext&, BlockPlan&);
 
-/// What a plan function leaves for its perform function: one small value of any type without a destructor.
-class PlanPayload {
- public:
-  static constexpr std::size_t kBytes = 640;
-  PlanPayload() = default;
-  PlanPayload(const PlanPayload&) = delete;
-  PlanPayload& operator=(const PlanPayload&) = delete;
-
-  template <class T>
-  T& emplace() {
-    static_assert(std::is_trivially_destructible_v<T>);
-    static_assert(sizeof(T) <= kBytes && alignof(T) <= alignof(std::max_align_t));
-    type_ = typeMark<T>();
-    return *new (bytes_) T();
-  }
-  /// The value; it must be the last one emplaced.
-  template <class T>
-  T& as() {
-    assert(type_ == typeMark<T>());
-    return *std::launder(reinterpret_cast<T*>(bytes_));
-  }
-  template <class T>
-  bool holds() const {
-    return type_ == typeMark<T>();
-  }
-
- private:
-  template <class T>
-  static const void* typeMark() {
-    static constexpr char kMark = 0;
-    return &kMark;
-  }
-  const void* type_ = nullptr;
-  alignas(std::max_align_t) std::byte bytes_[kBytes];
-};
+/// What a plan function leaves for its perform function. A chapter adds its struct, which owns no memory.
+using PlanPayload = std::variant<std::monostate, Dwell, MachineMove, ThreadStart, Smoothing, SkipMove,
+                                 LengthMove, Holes, ZoneChange, OffsetChange, FrameChange, ToolTableInput>;
+static_assert(std::is_trivially_destructible_v<PlanPayload>);
 
 /// What the motion codes share: axisTarget() fills target and named, the rest belongs to the motion.
 struct PlannedMotion {
@@ -99,6 +73,10 @@ struct WordPatterns {
 };
 
 struct BlockPlan {
+  BlockPlan() = default;
+  BlockPlan(const BlockPlan&) = delete;  // `chain` may point into it
+  BlockPlan& operator=(const BlockPlan&) = delete;
+
   NctState next;
   bool frames_changed = false;
   bool transforms_changed = false;  ///< mirroring, scaling, rotation

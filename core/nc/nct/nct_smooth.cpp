@@ -9,10 +9,6 @@
 namespace proveout::nc {
 namespace {
 
-struct Smoothing {
-  int mode = 0;
-};
-
 std::string axisNames(const NctContext& c) {
   std::string names;
   const AxisSet set = c.state.axes.smooth_axes;
@@ -28,7 +24,7 @@ std::string axisNames(const NctContext& c) {
 double nineDigits(double value) { return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr); }
 
 bool performSmooth(NctContext& c, BlockPlan& plan) {
-  const int mode = plan.payload.as<Smoothing>().mode;
+  const int mode = std::get<Smoothing>(plan.payload).mode;
   c.state.axes.smooth_axes = plan.next.axes.smooth_axes;
   event::Smoothing told;
   told.mode = mode;

@@ -12,15 +12,8 @@
 namespace proveout::nc {
 namespace {
 
-/// Where a chain of threading blocks starts.
-struct ThreadStart {
-  bool tell = false;
-  double lead = 0.0;       ///< mm/turn
-  double angle_deg = 0.0;  ///< of the spindle
-};
-
 bool performThread(NctContext& c, BlockPlan& plan) {
-  const ThreadStart& start = plan.payload.as<ThreadStart>();
+  const ThreadStart& start = std::get<ThreadStart>(plan.payload);
   if (start.tell && !sendEvent(c, event::Thread{start.lead, start.angle_deg})) return false;
   return performMove(c, plan);
 }

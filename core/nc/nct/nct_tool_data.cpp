@@ -173,9 +173,9 @@ const InputForm* formOf(std::int64_t l, std::int64_t p) {
 }
 
 bool openToolInput(NctContext& c, BlockPlan& plan) {
-  const InputForm* form = plan.payload.as<const InputForm*>();
-  c.registers.tool_input = {0, form->p == 1};
-  c.data_input = form->block;
+  const ToolTableInput& input = std::get<ToolTableInput>(plan.payload);
+  c.registers.tool_input = {0, input.clears};
+  c.data_input = input.block;
   return true;
 }
 
@@ -191,7 +191,7 @@ bool planToolInput(NctContext& c, BlockPlan& plan) {
   if (form == nullptr) return c.alarm(2002, *p, "L75 has P1, P2 and P3, L76 has P1, L77 has P6");
   if (c.block.words.size() > 3)
     return c.alarm(2017, c.block.words[3], "tool data are opened by a block alone");
-  plan.payload.emplace<const InputForm*>() = form;
+  plan.payload = ToolTableInput{form->p == 1, form->block};
   plan.perform = openToolInput;
   return true;
 }

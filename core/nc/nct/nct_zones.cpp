@@ -11,14 +11,8 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// Limits of G22; nothing: G23.
-struct ZoneChange {
-  bool on = false;
-  Zone zone;
-};
-
 bool performZone(NctContext& c, BlockPlan& plan) {
-  const ZoneChange& change = plan.payload.as<ZoneChange>();
+  const ZoneChange& change = std::get<ZoneChange>(plan.payload);
   c.registers.program_zone.reset();
   if (change.on) c.registers.program_zone = change.zone;
   return c.zone_stage.configure();
