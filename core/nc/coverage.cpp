@@ -5,7 +5,7 @@
 #include <map>
 #include <sstream>
 
-#include "core/nc/nct/nct_rows.h"
+#include "core/nc/nct/coverage/coverage_rows.h"
 #include "core/nc/specification/specification_text.h"
 #include "core/nc/wl4/wl4_codes.h"
 

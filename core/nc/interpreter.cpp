@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/nc/nct/nct_channels.h"
-#include "core/nc/nct/nct_codes.h"
-#include "core/nc/nct/nct_control.h"
-#include "core/nc/nct/nct_parameters.h"
+#include "core/nc/nct/channels/channels.h"
+#include "core/nc/nct/parameters/parameters.h"
+#include "core/nc/nct/program/control.h"
+#include "core/nc/nct/tables/codes.h"
 #include "core/nc/wl4/wl4_codes.h"
 #include "core/nc/wl4/wl4_control.h"
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/nc/macro/functions.h"
-#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/nct/program/alarms.h"
 
 namespace proveout::nc {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/nc/nct/nct_output.h"
-#include "core/nc/nct/nct_sends.h"
+#include "core/nc/nct/block/sends.h"
+#include "core/nc/nct/macro/output.h"
 
 namespace proveout::nc {
 namespace {

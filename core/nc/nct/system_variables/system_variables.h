@@ -1,7 +1,6 @@
 // The system variables of a channel.
 #pragma once
 
-#include "core/nc/nct/nct_tools.h"
 #include "core/nc/nct/system_variables/frame_bank.h"
 #include "core/nc/nct/system_variables/message_bank.h"
 #include "core/nc/nct/system_variables/modal_bank.h"
@@ -9,6 +8,7 @@
 #include "core/nc/nct/system_variables/position_bank.h"
 #include "core/nc/nct/system_variables/status_bank.h"
 #include "core/nc/nct/system_variables/tool_offset_bank.h"
+#include "core/nc/nct/tools/tools.h"
 
 namespace proveout::nc {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <utility>
 
-#include "core/nc/nct/code_names.h"
-#include "core/nc/nct/nct_codes.h"
+#include "core/nc/nct/tables/code_names.h"
+#include "core/nc/nct/tables/codes.h"
 
 namespace proveout::nc::rows {
 
