@@ -12,8 +12,8 @@
 
 namespace proveout::nc {
 
-/// All banks, known to the variables of the context by number and by name. One a channel; while it lives the
-/// context does.
+/// All banks, known to the variables of the context by number and by name. One a channel; the context
+/// must outlive it.
 class SystemVariables {
  public:
   explicit SystemVariables(NctContext& context);
