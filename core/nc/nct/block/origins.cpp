@@ -232,7 +232,7 @@ void recordPlainMove(NctContext& c, const BlockPlan& plan) {
   }
   patterns.last = &entry;
   if (c.origins.any(kBlockKinds)) c.origins.clear(kBlockKinds);
-  c.origins.literals(entry.kinds, entry.steps, pattern.units == 200);
+  c.origins.literals(entry.kinds, entry.steps, pattern.units == gcode::kInch);
 }
 
 }  // namespace
