@@ -29,7 +29,6 @@ target_sources(proveout_core PRIVATE
   nc/wl4/wl4_block.cpp
   nc/wl4/wl4_codes.cpp
   nc/wl4/wl4_comp_stage.cpp
-  nc/wl4/wl4_contour.cpp
   nc/wl4/wl4_control.cpp
   nc/wl4/wl4_coverage.cpp
   nc/wl4/wl4_cycles.cpp

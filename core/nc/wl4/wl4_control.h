@@ -22,10 +22,11 @@
 #include "core/nc/program_source.h"
 #include "core/nc/run_summary.h"
 #include "core/nc/services/arcs.h"
+#include "core/nc/services/contour_offset.h"
+#include "core/nc/services/contour_passes.h"
 #include "core/nc/wl4/wl4_block.h"
 #include "core/nc/wl4/wl4_codes.h"
 #include "core/nc/wl4/wl4_comp_stage.h"
-#include "core/nc/wl4/wl4_contour.h"
 #include "core/nc/wl4/wl4_programs.h"
 #include "core/nc/wl4/wl4_state.h"
 #include "core/nc/wl4/wl4_variables.h"
@@ -135,21 +136,20 @@ class Wl4Control final : private Wl4System, private ContourReport, private Wl4Co
 
   // wl4_cycles.cpp: open cycles and contour cycles
   struct CycleGeometry {
-    Vec2 from;           ///< A
-    Wl4Contour contour;  ///< as programmed
-    double side;         ///< +1: tool and allowance left of it in (u, v)
-    double nose;         ///< radius of the nose, where compensation is on
+    Vec2 from;             ///< A
+    PlaneContour contour;  ///< as programmed
+    double side;           ///< +1: tool and allowance left of it in (u, v)
+    double nose;           ///< radius of the nose, where compensation is on
   };
   Go openCycle(const Plan& p);
   bool contourCycle(Plan& p);
   bool cutContour(Plan& p, bool sided);
-  bool allowed(const CycleGeometry& cycle, double equidistant, const Vec2& linear, Wl4Contour& out);
-  bool passes(const Plan& p, const Wl4Block& b, const CycleGeometry& cycle, std::vector<Wl4Pass>& moves);
-  bool approachPasses(const Wl4Block& b, const CycleGeometry& cycle, std::vector<Wl4Pass>& moves);
-  bool runPasses(Plan& p, const Wl4Block& b, bool sided, const std::vector<Wl4Pass>& moves);
-  bool readContour(const Plan& p, Wl4Contour& contour);
-  bool contourBlock(Wl4Contour& contour, std::vector<double>& chamfers);
-  bool cutChamfers(Wl4Contour& contour, const std::vector<double>& chamfers);
+  bool allowed(const CycleGeometry& cycle, const ContourAllowance& allowance, PlaneContour& out);
+  bool passes(const Plan& p, const Wl4Block& b, const CycleGeometry& cycle, std::vector<ContourMove>& moves);
+  bool approachPasses(const Wl4Block& b, const CycleGeometry& cycle, std::vector<ContourMove>& moves);
+  bool runPasses(Plan& p, const Wl4Block& b, bool sided, const std::vector<ContourMove>& moves);
+  bool readContour(const Plan& p, PlaneContour& contour);
+  bool contourBlock(PlaneContour& contour, std::vector<double>& chamfers);
 
   // wl4_origins.cpp: where words were written
   /// Words that gave the end of a piece of a contour, and the block that has it.

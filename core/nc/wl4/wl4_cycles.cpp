@@ -12,7 +12,6 @@ namespace proveout::nc {
 namespace {
 
 constexpr std::size_t kMostContourBlocks = 200;
-constexpr std::size_t kMostPasses = 5000;  ///< each is a level of recursion
 
 bool allowedInContour(int g) {
   return (g >= 0 && g <= 3) || g == 12 || g == 13 || (g >= 40 && g <= 42) || g == 90 || g == 91;
@@ -58,7 +57,7 @@ bool Wl4Control::contourCycle(Plan& p) {
 
 bool Wl4Control::cutContour(Plan& p, bool sided) {
   const Wl4Block& b = block_;
-  Wl4Contour contour;
+  PlaneContour contour;
   if (!readContour(p, contour)) return false;
   const WorkPlane w(plane(p.next));
   // Passes are the way of the nose centre, which stands off the working point all the time.
@@ -67,41 +66,41 @@ bool Wl4Control::cutContour(Plan& p, bool sided) {
   CycleGeometry cycle{from, contour, sided ? side : 1.0, sided ? compRadius(p.next) : 0.0};
   if (sided && cycle.nose < 0.0)
     return fail("wl4-contour", "the nose radius and the corrector D are negative together");
-  std::vector<Wl4Pass> moves;
+  std::vector<ContourMove> moves;
   if (!passes(p, b, cycle, moves)) return false;
   p.next.radius = 40;
   return runPasses(p, b, sided, moves);
 }
 
-bool Wl4Control::allowed(const CycleGeometry& cycle, double equidistant, const Vec2& linear,
-                         Wl4Contour& out) {
+bool Wl4Control::allowed(const CycleGeometry& cycle, const ContourAllowance& allowance, PlaneContour& out) {
   bool fits = true;
-  Result<Wl4Contour> contour = offsetContour(cycle.contour, cycle.side * (cycle.nose + equidistant), fits);
+  Result<PlaneContour> contour =
+      offsetContour(cycle.contour, cycle.side * (cycle.nose + allowance.offset), fits);
   if (!contour) return fail("wl4-negative-radius", contour.error().message);
   if (!fits) {
     warnOnce(
         "fits", "wl4-contour",
         "tool and allowance do not fit into the contour everywhere: blocks are left out or come too near");
   }
-  shiftContour(*contour, linear);
+  shiftContour(*contour, allowance.shift);
   out = std::move(*contour);
   return true;
 }
 
 bool Wl4Control::passes(const Plan& p, const Wl4Block& b, const CycleGeometry& cycle,
-                        std::vector<Wl4Pass>& moves) {
+                        std::vector<ContourMove>& moves) {
   // In (u, v) = (Z, X).
   const double r = b.find('R').value_or(0.0);
   const Vec2 linear(b.find('K').value_or(0.0), b.find('I').value_or(0.0));
   const int depth_axis = p.deed == 78 ? 0 : 1;
   if (p.deed == 76) return approachPasses(b, cycle, moves);
-  Wl4Contour contour;
-  if (!allowed(cycle, r, linear, contour)) return false;
+  PlaneContour contour;
+  if (!allowed(cycle, {r, linear}, contour)) return false;
   const Vec2 way = contour.front().from - cycle.contour.front().from;
   if (way[depth_axis] * (cycle.from - cycle.contour.front().from)[depth_axis] < 0.0) {
     warn("wl4-allowance", "the allowance lies on the side away from the tool: is it G41 for G42?");
   }
-  if (!isMonotone(contour, depth_axis)) {
+  if (!goesOneWay(contour, 1 - depth_axis)) {
     warn("wl4-monotone",
          fmt::format("the contour of G{} turns back along {}", p.deed, depth_axis == 1 ? "Z" : "X"));
   }
@@ -110,37 +109,37 @@ bool Wl4Control::passes(const Plan& p, const Wl4Block& b, const CycleGeometry& c
     return true;
   }
   const double reach = std::abs(cycle.from[depth_axis]) + std::abs(contour.front().from[depth_axis]);
-  if (reach / b.value('E') > static_cast<double>(kMostPasses)) {
-    return fail("wl4-contour", fmt::format("E{} makes more than {} passes", b.value('E'), kMostPasses));
+  if (reach / b.value('E') > kMostRoughingPasses) {
+    return fail("wl4-contour",
+                fmt::format("E{} makes more than {} passes", b.value('E'), kMostRoughingPasses));
   }
   moves = roughingPasses(contour, {depth_axis, cycle.from, b.value('E')});
   return true;
 }
 
-bool Wl4Control::approachPasses(const Wl4Block& b, const CycleGeometry& cycle, std::vector<Wl4Pass>& moves) {
+bool Wl4Control::approachPasses(const Wl4Block& b, const CycleGeometry& cycle,
+                                std::vector<ContourMove>& moves) {
   const Vec2 linear(b.find('K').value_or(0.0), b.find('I').value_or(0.0));
-  const Vec2 stock(b.find('W').value_or(0.0), b.find('U').value_or(0.0));
-  const double r = b.find('R').value_or(0.0), c = b.find('C').value_or(r), depth = b.find('E').value_or(1.0);
-  const bool equidistant = b.has('C');
-  const Vec2 way = stock - linear;
-  const double length = !b.has('E') ? 0.0 : equidistant ? c - r : way.norm();
-  if (b.has('E') && !(length > 0.0))
+  const ContourAllowance finish{b.find('R').value_or(0.0), linear};
+  ContourAllowance stock = finish;
+  if (b.has('C')) {
+    stock.offset = b.value('C');
+  } else if (b.has('E')) {
+    stock.shift = Vec2(b.find('W').value_or(0.0), b.find('U').value_or(0.0));
+  }
+  const double thickness = allowanceDepth(stock, finish), depth = b.find('E').value_or(1.0);
+  if (b.has('E') && !(thickness > 0.0))
     return fail("wl4-contour", "the stock of G76 is not above the allowance");
-  const double count = std::max(1.0, std::ceil(length / depth - 1e-9));
-  if (count > static_cast<double>(kMostPasses)) return fail("wl4-contour", "E makes too many passes");
-  for (int k = 1; k <= static_cast<int>(count); ++k) {
-    const double cut = std::min(k * depth, length);
-    const double offset = equidistant ? std::max(c - k * depth, r) : r;
-    Vec2 shift = linear;
-    if (b.has('E') && !equidistant) shift = stock - way * (cut / length);
-    Wl4Contour contour;
-    if (!allowed(cycle, offset, shift, contour)) return false;
+  if (thickness / depth - 1e-9 > kMostRoughingPasses) return fail("wl4-contour", "E makes too many passes");
+  for (const ContourAllowance& layer : contourLayers(stock, finish, depth)) {
+    PlaneContour contour;
+    if (!allowed(cycle, layer, contour)) return false;
     addApproachPass(contour, cycle.from, moves);
   }
   return true;
 }
 
-bool Wl4Control::runPasses(Plan& p, const Wl4Block& b, bool sided, const std::vector<Wl4Pass>& moves) {
+bool Wl4Control::runPasses(Plan& p, const Wl4Block& b, bool sided, const std::vector<ContourMove>& moves) {
   const AxisPoint from = machine_;
   const WorkPlane w(plane(p.next));
   // The contour is the way of the nose centre; the path is told of the working point.
@@ -151,22 +150,22 @@ bool Wl4Control::runPasses(Plan& p, const Wl4Block& b, bool sided, const std::ve
   p.named.set(static_cast<std::size_t>(w.v));
   const bool rapid_infeed = p.next.motion == 0;
   const ContourWords before = wordsInPlane(w);
-  for (const Wl4Pass& pass : moves) {
+  for (const ContourMove& pass : moves) {
     if (workOver()) return false;
     const Vec2 to = pass.element.to + tip;
     p.target = from;
     p.target[w.u] = to.x();
     p.target[w.v] = to.y();
     const int source = pass.element.source;
-    recordPass(w, source >= 0                             ? contour_words_[static_cast<std::size_t>(source)]
-                  : pass.speed == Wl4Pass::Speed::kInfeed ? contour_start_
-                                                          : before);
+    recordPass(w, source >= 0 ? contour_words_[static_cast<std::size_t>(source)]
+                  : pass.speed == ContourMove::Speed::kInfeed ? contour_start_
+                                                              : before);
     PathItem item;
     item.kind = pass.element.arc ? PathItem::Kind::kArc : PathItem::Kind::kLine;
     fill(p, item);
     item.feed.compensated = sided;
-    item.rapid =
-        pass.speed == Wl4Pass::Speed::kRapid || (pass.speed == Wl4Pass::Speed::kInfeed && rapid_infeed);
+    item.rapid = pass.speed == ContourMove::Speed::kRapid ||
+                 (pass.speed == ContourMove::Speed::kInfeed && rapid_infeed);
     item.center = Vec3(pass.element.center.x() + tip.x(), pass.element.center.y() + tip.y(), machine_[w.w]);
     item.sweep = pass.element.sweep;
     if (item.rapid ? false : !feedOf(p, item.feed)) return false;
@@ -177,7 +176,7 @@ bool Wl4Control::runPasses(Plan& p, const Wl4Block& b, bool sided, const std::ve
   return true;
 }
 
-bool Wl4Control::readContour(const Plan& p, Wl4Contour& contour) {
+bool Wl4Control::readContour(const Plan& p, PlaneContour& contour) {
   const Wl4Block cycle = block_;
   const Wl4State state = state_;
   const AxisPoint machine = machine_;
@@ -211,7 +210,8 @@ bool Wl4Control::readContour(const Plan& p, Wl4Contour& contour) {
     levels_.back().line = k;
     good = contourBlock(contour, chamfers);
   }
-  good = good && cutChamfers(contour, chamfers);
+  if (good && cutChamfers(contour, chamfers) != CornerError::kNone)
+    good = fail("wl4-chamfer", "a chamfer of the contour does not fit its blocks");
   if (good && contour.empty()) good = fail("wl4-contour", "the contour has no motion");
   origins_.restore(words, {});
   block_ = cycle;
@@ -222,7 +222,7 @@ bool Wl4Control::readContour(const Plan& p, Wl4Contour& contour) {
   return good;
 }
 
-bool Wl4Control::contourBlock(Wl4Contour& contour, std::vector<double>& chamfers) {
+bool Wl4Control::contourBlock(PlaneContour& contour, std::vector<double>& chamfers) {
   const std::string_view line = levels_.back().program->line(levels_.back().line);
   beginBlock(line);
   if (!reader_.read(line, block_))
@@ -267,37 +267,6 @@ bool Wl4Control::contourBlock(Wl4Contour& contour, std::vector<double>& chamfers
   }
   state_ = q.next;
   machine_ = q.target;
-  return true;
-}
-
-bool Wl4Control::cutChamfers(Wl4Contour& contour, const std::vector<double>& chamfers) {
-  Wl4Contour cut;
-  for (std::size_t k = 0; k < contour.size(); ++k) {
-    if (chamfers[k] <= 0.0 || k + 1 == contour.size()) {
-      cut.push_back(contour[k]);
-      continue;
-    }
-    CornerJoin join;
-    if (chamferCorner(contour[k], contour[k + 1], chamfers[k], join) != CornerError::kNone) {
-      return fail("wl4-chamfer", "a chamfer of the contour does not fit its blocks");
-    }
-    ContourElement first = contour[k], &second = contour[k + 1];
-    if (join.none) {
-      cut.push_back(first);
-      continue;
-    }
-    if (first.arc) first.sweep -= std::copysign(sweepFrom(first, join.leave), first.sweep);
-    if (second.arc) second.sweep -= std::copysign(sweepUntil(second, join.enter), second.sweep);
-    first.to = join.leave;
-    second.from = join.enter;
-    ContourElement between;
-    between.source = first.source;
-    between.from = join.leave;
-    between.to = join.enter;
-    cut.push_back(first);
-    cut.push_back(between);
-  }
-  contour = std::move(cut);
   return true;
 }
 

@@ -1,5 +1,5 @@
-// Passes of the WL4 contour cycles against the contour itself, on random contours.
-#include "core/nc/wl4/wl4_contour.h"
+// Passes over contours against the contour itself, on random contours.
+#include "core/nc/services/contour_passes.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,10 @@
 #include <cmath>
 #include <random>
 
-namespace proveout::nc {
+#include "core/nc/services/contour_offset.h"
+#include "core/nc/services/contour_profile.h"
+
+namespace proveout {
 namespace {
 
 ContourElement lineTo(const Vec2& from, const Vec2& to) {
@@ -37,7 +40,7 @@ Vec2 pointOf(const ContourElement& e, double t) {
 }
 
 /// Height of the contour over u, where it goes to smaller u only: the lowest and the highest of steps.
-void heightsAt(const Wl4Contour& contour, double u, double& low, double& high) {
+void heightsAt(const PlaneContour& contour, double u, double& low, double& high) {
   low = 1e300;
   high = -1e300;
   for (const ContourElement& e : contour) {
@@ -71,9 +74,9 @@ double distanceTo(const ContourElement& e, const Vec2& p) {
 }
 
 /// From (0, v) towards smaller u: lines, level stretches, walls and arcs.
-Wl4Contour randomContour(std::mt19937& random) {
+PlaneContour randomContour(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  Wl4Contour contour;
+  PlaneContour contour;
   Vec2 at(0.0, 5.0 + 10.0 * unit(random));
   for (int k = 0; k < 8; ++k) {
     const double choice = unit(random);
@@ -98,16 +101,16 @@ Wl4Contour randomContour(std::mt19937& random) {
 }
 
 /// Roughing never cuts into the contour, and cuts all of it: no steps stay (digest wl4, 10.3).
-TEST(Wl4Roughing, KeepsOffTheContourAndFollowsAllOfIt) {
+TEST(ContourPasses, KeepsOffTheContourAndFollowsAllOfIt) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int trial = 0; trial < 300; ++trial) {
-    const Wl4Contour contour = randomContour(random);
-    ASSERT_TRUE(isMonotone(contour, 1)) << trial;
-    const Wl4RoughingRules rules{1, Vec2(2.0, 20.0 + 5.0 * unit(random)), 0.5 + 4.0 * unit(random)};
-    const std::vector<Wl4Pass> passes = roughingPasses(contour, rules);
+    const PlaneContour contour = randomContour(random);
+    ASSERT_TRUE(goesOneWay(contour, 0)) << trial;
+    const RoughingRules rules{1, Vec2(2.0, 20.0 + 5.0 * unit(random)), 0.5 + 4.0 * unit(random)};
+    const std::vector<ContourMove> passes = roughingPasses(contour, rules);
     Vec2 at = rules.from;
-    for (const Wl4Pass& pass : passes) {
+    for (const ContourMove& pass : passes) {
       ASSERT_LT((pass.element.from - at).norm(), 1e-6) << trial;  // no gaps
       at = pass.element.to;
       for (double t = 0.0; t <= 1.0; t += 0.05) {
@@ -122,8 +125,8 @@ TEST(Wl4Roughing, KeepsOffTheContourAndFollowsAllOfIt) {
       for (double t = 0.02; t < 1.0; t += 0.05) {
         const Vec2 p = pointOf(e, t);
         double least = 1e300;
-        for (const Wl4Pass& pass : passes) {
-          if (pass.speed != Wl4Pass::Speed::kRapid) least = std::min(least, distanceTo(pass.element, p));
+        for (const ContourMove& pass : passes) {
+          if (pass.speed != ContourMove::Speed::kRapid) least = std::min(least, distanceTo(pass.element, p));
         }
         ASSERT_LT(least, 1e-6) << trial << " at " << p.transpose();
       }
@@ -132,22 +135,22 @@ TEST(Wl4Roughing, KeepsOffTheContourAndFollowsAllOfIt) {
 }
 
 /// No pass is deeper than E below what was cut before.
-TEST(Wl4Roughing, CutsNoDeeperThanAPass) {
+TEST(ContourPasses, CutsNoDeeperThanAPass) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 100; ++trial) {
-    const Wl4Contour contour = randomContour(random);
-    const Wl4RoughingRules rules{1, Vec2(2.0, 21.0), 1.5};
+    const PlaneContour contour = randomContour(random);
+    const RoughingRules rules{1, Vec2(2.0, 21.0), 1.5};
     constexpr int kColumns = 400;
     const double first = contour.front().from.x(), last = contour.back().to.x();
     std::vector<double> top(kColumns, rules.from.y());
-    for (const Wl4Pass& pass : roughingPasses(contour, rules)) {
+    for (const ContourMove& pass : roughingPasses(contour, rules)) {
       std::vector<double> now = top;
       for (int k = 0; k <= 2000; ++k) {
         const Vec2 p = pointOf(pass.element, k / 2000.0);
         const int column = static_cast<int>((first - p.x()) / (first - last) * kColumns);
         if (column < 0 || column >= kColumns) continue;
         const auto c = static_cast<std::size_t>(column);
-        if (pass.speed == Wl4Pass::Speed::kRapid) {
+        if (pass.speed == ContourMove::Speed::kRapid) {
           ASSERT_GT(p.y(), top[c] - 0.2) << trial;  // a column is as wide as a wall's step
         } else {
           ASSERT_GT(p.y(), top[c] - rules.depth - 0.2) << trial;
@@ -159,11 +162,11 @@ TEST(Wl4Roughing, CutsNoDeeperThanAPass) {
   }
 }
 
-TEST(Wl4Offset, KeepsItsDistance) {
+TEST(ContourOffset, KeepsItsDistance) {
   std::mt19937 random(3);
   int made = 0;
   for (int trial = 0; trial < 300; ++trial) {
-    const Wl4Contour contour = randomContour(random);
+    const PlaneContour contour = randomContour(random);
     const double offset = -0.4;  // towards larger v on the way to smaller u
     bool fits = true;
     const auto moved = offsetContour(contour, offset, fits);
@@ -181,5 +184,37 @@ TEST(Wl4Offset, KeepsItsDistance) {
   EXPECT_GT(made, 60);
 }
 
+TEST(ContourOffset, LayersEndWithTheFinish) {
+  const ContourAllowance finish{0.5, Vec2(0.1, 0.2)};
+  const auto thick = contourLayers({3.0, finish.shift}, finish, 1.0);
+  ASSERT_EQ(thick.size(), 3u);
+  EXPECT_DOUBLE_EQ(thick[0].offset, 2.0);
+  EXPECT_DOUBLE_EQ(thick[2].offset, finish.offset);
+  EXPECT_EQ(thick[0].shift, finish.shift);
+  const auto shifted = contourLayers({0.5, Vec2(0.1, 4.2)}, finish, 3.0);
+  ASSERT_EQ(shifted.size(), 2u);
+  EXPECT_LT((shifted[0].shift - Vec2(0.1, 1.2)).norm(), 1e-12);
+  EXPECT_LT((shifted[1].shift - finish.shift).norm(), 1e-12);
+  // A whole number of cuts, but for rounding, and nothing to cut.
+  EXPECT_EQ(contourLayers({0.3 + 0.1 + 0.2, Vec2::Zero()}, {0.0, Vec2::Zero()}, 0.1).size(), 6u);
+  EXPECT_EQ(contourLayers(finish, finish, 1.0).size(), 1u);
+  EXPECT_EQ(contourLayers({0.2, finish.shift}, finish, 1.0).size(), 1u);
+}
+
+/// A bore's step and cone, the tool inside: larger diameters are deeper.
+TEST(ContourProfile, TellsWhereALevelMeetsTheContour) {
+  const PlaneContour contour = {lineTo({0, 20}, {-5, 20}), lineTo({-5, 20}, {-20, 5})};
+  const ContourProfile profile(contour, 1, -1.0);
+  const auto zones = profile.zonesBelow({0.0, profile.length()}, -12.5);
+  ASSERT_EQ(zones.size(), 1u);
+  EXPECT_EQ(zones[0].a, 0.0);
+  EXPECT_LT((profile.at(zones[0].b) - Vec2(-12.5, 12.5)).norm(), 1e-9);
+  EXPECT_EQ(profile.lowest({0.0, profile.length()}), -20.0);
+  const PlaneContour below = profile.between(zones[0].a, zones[0].b);
+  ASSERT_EQ(below.size(), 2u);
+  EXPECT_LT((below[1].to - Vec2(-12.5, 12.5)).norm(), 1e-9);
+  EXPECT_TRUE(profile.zonesBelow({0.0, profile.length()}, -20.0).empty());
+}
+
 }  // namespace
-}  // namespace proveout::nc
+}  // namespace proveout
