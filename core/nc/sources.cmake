@@ -37,6 +37,7 @@ target_sources(proveout_core PRIVATE
   nc/wl4/wl4_motion.cpp
   nc/wl4/wl4_origins.cpp
   nc/wl4/wl4_own_programs.cpp
+  nc/wl4/wl4_parameters.cpp
   nc/wl4/wl4_plan.cpp
   nc/wl4/wl4_programs.cpp
   nc/wl4/wl4_report.cpp
