@@ -26,22 +26,33 @@ target_sources(proveout_core PRIVATE
   nc/source_text.cpp
   nc/time_stage.cpp
   nc/tool_change.cpp
+  nc/wl4/wl4_arcs.cpp
+  nc/wl4/wl4_axis_words.cpp
   nc/wl4/wl4_block.cpp
-  nc/wl4/wl4_codes.cpp
   nc/wl4/wl4_comp_stage.cpp
+  nc/wl4/wl4_context.cpp
+  nc/wl4/wl4_contour.cpp
   nc/wl4/wl4_control.cpp
   nc/wl4/wl4_coverage.cpp
   nc/wl4/wl4_cycles.cpp
   nc/wl4/wl4_expression.cpp
   nc/wl4/wl4_functions.cpp
+  nc/wl4/wl4_measuring.cpp
   nc/wl4/wl4_motion.cpp
   nc/wl4/wl4_origins.cpp
+  nc/wl4/wl4_output.cpp
   nc/wl4/wl4_own_programs.cpp
   nc/wl4/wl4_parameters.cpp
   nc/wl4/wl4_plan.cpp
   nc/wl4/wl4_programs.cpp
   nc/wl4/wl4_report.cpp
+  nc/wl4/wl4_setup.cpp
+  nc/wl4/wl4_speeds.cpp
+  nc/wl4/wl4_system.cpp
+  nc/wl4/wl4_table.cpp
+  nc/wl4/wl4_thread.cpp
   nc/wl4/wl4_variables.cpp
+  nc/wl4/wl4_watch.cpp
   nc/macro/expression.cpp
   nc/macro/functions.cpp
   nc/macro/loop_index.cpp
