@@ -479,17 +479,18 @@ void SurfaceGrid::numberExtras() {
   }
 }
 
-void SurfaceGrid::countThin() {
+ThinCells SurfaceGrid::countThin() const {
   constexpr std::uint16_t kThin = CellTraits::kManySheets | CellTraits::kOff;
-  thin_cells_ = 0;
+  ThinCells out;
   for (const SurfaceLeaf& leaf : leaves_) {
     for (int cell = 0; cell < leaf.cells; ++cell) {
-      if ((traits_[leaf.base + static_cast<std::uint32_t>(cell)] & kThin) == 0 || thin_cells_++ > 0) continue;
+      if ((traits_[leaf.base + static_cast<std::uint32_t>(cell)] & kThin) == 0 || out.count++ > 0) continue;
       const int place = leaf.placeOf(cell);
-      first_thin_cell_ = impl_.position(leaf.stock->origin) +
-                         impl_.h * Vec3((place >> 3 & 7) + 0.5, (place & 7) + 0.5, (place >> 6) + 0.5);
+      out.first = impl_.position(leaf.stock->origin) +
+                  impl_.h * Vec3((place >> 3 & 7) + 0.5, (place & 7) + 0.5, (place >> 6) + 0.5);
     }
   }
+  return out;
 }
 
 bool SurfaceGrid::build(Progress& progress) {
@@ -534,6 +535,28 @@ bool SurfaceGrid::putInside(std::uint32_t cell, const Eigen::Vector3f& p, bool o
   if (off) traits_[cell] |= CellTraits::kOff;
   traits_[cell] &= static_cast<std::uint16_t>(~(CellTraits::kFolds | CellTraits::kOutside));
   vertices_[cell] = p;
+  return true;
+}
+
+bool verticesInReach(const SurfaceGrid& grid) {
+  constexpr double kRounding = 1e-4;
+  const auto outside = [](const SurfaceLeaf& leaf, int rank, const Eigen::Vector3f& p) {
+    const int place = leaf.placeOf(rank);
+    return outsideBy(p.cast<double>() - Vec3(place >> 3 & 7, place & 7, place >> 6));
+  };
+  for (const SurfaceLeaf& leaf : grid.leaves()) {
+    for (int rank = 0; rank < leaf.cells; ++rank) {
+      const std::uint32_t cell = leaf.base + static_cast<std::uint32_t>(rank);
+      const std::uint16_t traits = grid.traits(cell);
+      const double reach = traits & CellTraits::kOutside      ? kVertexReach
+                           : traits & CellTraits::kManySheets ? kThinReach + kSheetGap
+                                                              : 0.0;
+      if (!(outside(leaf, rank, grid.vertex(cell)) <= reach + kRounding)) return false;
+    }
+    for (const ExtraVertex& extra : leaf.extra) {
+      if (!(outside(leaf, extra.cell, extra.p) <= kThinReach + kSheetGap + kRounding)) return false;
+    }
+  }
   return true;
 }
 
