@@ -1,19 +1,20 @@
 // The triangles around each vertex of a mesh that changes.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
 
 namespace proveout {
 
-/// Fans that change are kept apart, so that the first state can be had back.
+/// Fans that change are kept apart from those of a whole mesh, which lie in one list.
 class VertexFans {
  public:
+  /// Of all triangles.
   explicit VertexFans(const TriMesh& mesh)
       : start_(mesh.positions.size() + 1, 0), all_(3 * mesh.triangles.size()) {
     for (const auto& t : mesh.triangles) {
@@ -25,38 +26,33 @@ class VertexFans {
       for (const std::uint32_t v : mesh.triangles[t]) all_[next[v]++] = t;
     }
   }
+  /// Of some triangles, in their order: takes no memory for the others.
+  VertexFans(const TriMesh& mesh, std::span<const std::uint32_t> triangles) {
+    for (const std::uint32_t t : triangles) {
+      for (const std::uint32_t v : mesh.triangles[t]) changed_[v].push_back(t);
+    }
+  }
+
+  /// None of a vertex that has no triangles here. Valid until the fan changes.
   std::span<const std::uint32_t> operator[](std::uint32_t v) const {
     const auto it = changed_.find(v);
     if (it != changed_.end()) return it->second;
+    if (v + 1 >= start_.size()) return {};
     return {all_.data() + start_[v], all_.data() + start_[v + 1]};
   }
-  /// Of a vertex, new ones too. Valid until reset().
+  /// Of a vertex, new ones too.
   std::vector<std::uint32_t>& change(std::uint32_t v) {
     auto it = changed_.find(v);
     if (it == changed_.end()) {
       it = changed_.try_emplace(v).first;
       if (v + 1 < start_.size()) it->second = {all_.begin() + start_[v], all_.begin() + start_[v + 1]};
     }
-    before_.emplace_back(v, it->second);
     return it->second;
-  }
-  /// What was changed is not to be taken back any more.
-  void keep() { before_.clear(); }
-  /// To how they were at keep().
-  void takeBack() {
-    for (auto it = before_.rbegin(); it != before_.rend(); ++it) changed_[it->first] = it->second;
-    before_.clear();
-  }
-  /// To the first state.
-  void reset() {
-    changed_.clear();
-    before_.clear();
   }
 
  private:
   std::vector<std::uint32_t> start_, all_;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> changed_;
-  std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> before_;  ///< since keep()
 };
 
 }  // namespace proveout
