@@ -5,6 +5,8 @@
 #include <limits>
 #include <string_view>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -139,6 +141,7 @@ void OriginRecorder::openCall() {
 }
 
 void OriginRecorder::closeCall() {
+  PROVEOUT_ASSERT(!calls_.empty());
   calls_.pop_back();
   modal_.call = calls_.empty() ? 0 : calls_.back();
   modal_new_ = true;
