@@ -230,6 +230,7 @@ void MeshWriter::writeFans(const std::vector<LeafQuads>& quads) {
           ring.push_back(it->second);
         }
       }
+      PROVEOUT_ASSERT(next == split.faces.size());  // they are in the order of the corners
       const std::uint32_t middle = newVertex(split.middle);
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const std::uint32_t a = ring[i], b = ring[(i + 1) % ring.size()];

@@ -1,7 +1,9 @@
 #include "removal/surface/surface_grid.h"
 
 #include <algorithm>
+#include <tuple>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "removal/grid/leaf_layers.h"
 #include "removal/surface/cell_cycles.h"
@@ -382,6 +384,7 @@ void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
   leaf.upper = read.statesBeside(at, 1);
   leaf.lower = read.statesBeside(at, -1);
   leaf.lower[7] = -1;  // nobody reads it
+  PROVEOUT_ASSERT(leaf.upper[0] == static_cast<std::int32_t>(number) && leaf.lower[0] == leaf.upper[0]);
   const BlockBits bits = read.bitsBeside(at);
   leaf.edges = leafEdges(leaf.stock->material(), {bits[1], bits[2], bits[4]});
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
@@ -466,6 +469,11 @@ void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
     }
     low = high;
   }
+  PROVEOUT_ASSERT(rank == leaf.cells);
+  PROVEOUT_ASSERT_DEAR(
+      std::is_sorted(leaf.extra.begin(), leaf.extra.end(), [](const ExtraVertex& a, const ExtraVertex& b) {
+        return std::tie(a.cell, a.sheet) < std::tie(b.cell, b.sheet);
+      }));
   if (flatness_ > 0.0) {
     patch.faces = crossedFaces(bits);
     leaf.clusters = findClusters(leaf, patch, flatness);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "removal/grid/leaf_layers.h"
 
@@ -226,6 +227,14 @@ std::uint32_t VertexMerger::middleOf(const std::vector<std::int32_t>& leaves) co
   return best;
 }
 
+/// Whether each vertex that stands for others stands for itself as well.
+bool VertexMerger::standForThemselves() const {
+  for (std::uint32_t cell = 0; cell < count_; ++cell) {
+    if (standIn(standIn(cell)) != standIn(cell)) return false;
+  }
+  return true;
+}
+
 /// Chooses the vertex of each cube of these leaves.
 void VertexMerger::assign(const std::vector<std::int32_t>& changed) {
   auto& leaves = grid_.leaves();
@@ -245,6 +254,7 @@ void VertexMerger::assign(const std::vector<std::int32_t>& changed) {
       std::fill_n(stand_in_.get() + leaf.base, leaf.cells, middle);
     }
   });
+  PROVEOUT_ASSERT_DEAR(standForThemselves());
 }
 
 std::vector<std::int32_t> VertexMerger::giveUp() {
@@ -259,6 +269,7 @@ void VertexMerger::takeCellApart(std::uint32_t cell, std::vector<std::int32_t>& 
   auto& leaves = grid_.leaves();
   const std::size_t number = grid_.leafOf(cell);
   SurfaceLeaf& leaf = leaves[number];
+  PROVEOUT_ASSERT(cell >= leaf.base && cell - leaf.base < leaf.cells);
   changed.push_back(static_cast<std::int32_t>(number));
   if (const int level = leaf.clusters.above; level > 0) {
     forEachLeafOfCube(LeafReader(grid_.impl()), leaf.stock->origin, level, [&](std::int32_t n) {

@@ -38,6 +38,7 @@ class VertexMerger {
   void mergeLeaves();
   void assign(const std::vector<std::int32_t>& leaves);
   std::vector<std::int32_t> allLeaves() const;
+  bool standForThemselves() const;
   void takeCellApart(std::uint32_t cell, std::vector<std::int32_t>& changed);
   void assignLeaf(const SurfaceLeaf& leaf);
   void assignCube(const SurfaceLeaf& leaf, const CellCube& cube);
