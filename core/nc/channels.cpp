@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 
 std::string ChannelSet::text() const {
@@ -26,8 +28,11 @@ void ChannelMerge::Channel::file(std::uint32_t index, const std::string& name) {
 
 SourceRef ChannelMerge::Channel::mapped(SourceRef source) const {
   if (source.file < files.size()) source.file = files[source.file];
-  if (source.origins >= 0)
-    source.origins = static_cast<std::int32_t>(sets[static_cast<std::size_t>(source.origins)]);
+  if (source.origins >= 0) {
+    const auto set = static_cast<std::size_t>(source.origins);
+    PROVEOUT_ASSERT(set < sets.size());  // a row comes before what refers to it
+    source.origins = static_cast<std::int32_t>(sets[set]);
+  }
   return source;
 }
 
@@ -44,6 +49,7 @@ void ChannelMerge::Channel::originData(const DataInForce& row) {
 
 void ChannelMerge::Channel::originModal(const ModalOrigins& row) {
   ModalOrigins mapped_row = row;
+  PROVEOUT_ASSERT(row.data < data.size());
   mapped_row.data = data[row.data];
   modal.push_back(merge.modal_++);
   merge.sink_.originModal(mapped_row);
@@ -51,6 +57,7 @@ void ChannelMerge::Channel::originModal(const ModalOrigins& row) {
 
 void ChannelMerge::Channel::originSet(const OriginSet& row) {
   OriginSet mapped_row = row;
+  PROVEOUT_ASSERT(row.modal < modal.size());
   mapped_row.modal = modal[row.modal];
   sets.push_back(merge.sets_++);
   merge.sink_.originSet(mapped_row);

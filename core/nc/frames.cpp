@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "core/base/assert.h"
 #include "core/geometry/degrees.h"
 
 namespace proveout::nc {
@@ -123,6 +124,7 @@ Mat3 basicRotation(const Vec3& angles_deg) {
 WorkSystem& WorkFrames::system(WorkSystemId id) {
   if (id == 0) return common;
   if (id >= kFirstExtended) return extended[id - kFirstExtended + 1];
+  PROVEOUT_ASSERT(id > 0 && static_cast<std::size_t>(id) <= basic.size());
   return basic[static_cast<std::size_t>(id - 1)];
 }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -26,14 +28,18 @@ const char* spindleName(SpindleState state) {
 }  // namespace
 
 void MotionPipe::link(PathStage& stage) {
-  stages_[static_cast<std::size_t>(stage.slot_)] = &stage;
+  PathStage*& slot = stages_[static_cast<std::size_t>(stage.slot_)];
+  PROVEOUT_ASSERT(slot == nullptr || slot == &stage);
+  slot = &stage;
   stage.linked_ = true;
   join();
 }
 
 void MotionPipe::unlink(PathStage& stage) {
   if (!stage.linked_) return;
-  stages_[static_cast<std::size_t>(stage.slot_)] = nullptr;
+  PathStage*& slot = stages_[static_cast<std::size_t>(stage.slot_)];
+  PROVEOUT_ASSERT(slot == &stage);
+  slot = nullptr;
   stage.linked_ = false;  // keeps its way on: it may be in the middle of passing items
   join();
 }

@@ -3,6 +3,8 @@
 #include <limits>
 #include <string_view>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 
 OriginKind axisKind(std::string_view name) {
@@ -93,6 +95,7 @@ void OriginRecorder::openCall() {
 }
 
 void OriginRecorder::closeCall() {
+  PROVEOUT_ASSERT(!calls_.empty());
   calls_.pop_back();
   sets_.setCall(calls_.empty() ? 0 : calls_.back());
   touch();

@@ -29,84 +29,82 @@ target_sources(proveout_core PRIVATE
   nc/source_text.cpp
   nc/time_stage.cpp
   nc/tool_change.cpp
+  nc/wl4/wl4_arcs.cpp
+  nc/wl4/wl4_axis_words.cpp
   nc/wl4/wl4_block.cpp
-  nc/wl4/wl4_codes.cpp
   nc/wl4/wl4_comp_stage.cpp
+  nc/wl4/wl4_context.cpp
   nc/wl4/wl4_contour.cpp
   nc/wl4/wl4_control.cpp
   nc/wl4/wl4_coverage.cpp
   nc/wl4/wl4_cycles.cpp
   nc/wl4/wl4_expression.cpp
   nc/wl4/wl4_functions.cpp
+  nc/wl4/wl4_measuring.cpp
   nc/wl4/wl4_motion.cpp
   nc/wl4/wl4_origins.cpp
+  nc/wl4/wl4_output.cpp
   nc/wl4/wl4_own_programs.cpp
+  nc/wl4/wl4_parameters.cpp
   nc/wl4/wl4_plan.cpp
   nc/wl4/wl4_programs.cpp
   nc/wl4/wl4_report.cpp
   nc/wl4/wl4_row.cpp
+  nc/wl4/wl4_setup.cpp
+  nc/wl4/wl4_speeds.cpp
+  nc/wl4/wl4_system.cpp
+  nc/wl4/wl4_table.cpp
+  nc/wl4/wl4_thread.cpp
   nc/wl4/wl4_variables.cpp
+  nc/wl4/wl4_watch.cpp
   nc/macro/expression.cpp
   nc/macro/functions.cpp
   nc/macro/loop_index.cpp
   nc/macro/variables.cpp
-  nc/nct/call_stack.cpp
-  nc/nct/comp_stage.cpp
+  nc/nct/nct_row.cpp
+  nc/nct/block/auxiliary.cpp
+  nc/nct/block/axis_words.cpp
+  nc/nct/block/origins.cpp
+  nc/nct/block/perform.cpp
+  nc/nct/block/plan_block.cpp
+  nc/nct/block/sends.cpp
+  nc/nct/block/unused_words.cpp
+  nc/nct/block/words.cpp
+  nc/nct/channels/channels.cpp
+  nc/nct/channels/context.cpp
+  nc/nct/channels/wait.cpp
+  nc/nct/coverage/coverage_rows.cpp
   nc/nct/coverage/open_rows.cpp
   nc/nct/coverage/rows_1.cpp
   nc/nct/coverage/rows_2.cpp
   nc/nct/coverage/rows_3.cpp
   nc/nct/coverage/rows_4.cpp
   nc/nct/coverage/rows_5.cpp
-  nc/nct/nct_alarms.cpp
-  nc/nct/nct_arguments.cpp
-  nc/nct/nct_axis_setup.cpp
-  nc/nct/nct_axis_words.cpp
-  nc/nct/nct_block.cpp
-  nc/nct/nct_channels.cpp
-  nc/nct/nct_codes.cpp
-  nc/nct/nct_context.cpp
-  nc/nct/nct_contour.cpp
-  nc/nct/nct_control.cpp
-  nc/nct/nct_cycles.cpp
-  nc/nct/nct_data_input.cpp
-  nc/nct/nct_feed.cpp
-  nc/nct/nct_diameter.cpp
-  nc/nct/nct_flow.cpp
-  nc/nct/nct_frames.cpp
-  nc/nct/nct_functions.cpp
-  nc/nct/nct_macro_environment.cpp
-  nc/nct/nct_interrupt.cpp
-  nc/nct/nct_macro_calls.cpp
-  nc/nct/nct_motion.cpp
-  nc/nct/nct_measuring.cpp
-  nc/nct/nct_offsets.cpp
-  nc/nct/nct_origins.cpp
-  nc/nct/nct_output.cpp
-  nc/nct/nct_parameters.cpp
-  nc/nct/nct_perform.cpp
-  nc/nct/nct_pocket.cpp
-  nc/nct/nct_planes.cpp
-  nc/nct/nct_reset.cpp
-  nc/nct/nct_row.cpp
-  nc/nct/nct_rows.cpp
-  nc/nct/nct_statements.cpp
-  nc/nct/nct_spindle.cpp
-  nc/nct/nct_surface_speed.cpp
-  nc/nct/nct_tool_data.cpp
-  nc/nct/nct_tools.cpp
-  nc/nct/nct_smooth.cpp
-  nc/nct/nct_tape.cpp
-  nc/nct/nct_taps.cpp
-  nc/nct/nct_thread.cpp
-  nc/nct/nct_virtual.cpp
-  nc/nct/nct_unused_words.cpp
-  nc/nct/nct_wait.cpp
-  nc/nct/nct_transforms.cpp
-  nc/nct/nct_words.cpp
-  nc/nct/offset_tables.cpp
-  nc/nct/virtual_stage.cpp
-  nc/nct/nct_zones.cpp
+  nc/nct/cycles/cycles.cpp
+  nc/nct/cycles/pocket.cpp
+  nc/nct/cycles/taps.cpp
+  nc/nct/frames/frames.cpp
+  nc/nct/frames/transform_stage.cpp
+  nc/nct/frames/transforms.cpp
+  nc/nct/macro/arguments.cpp
+  nc/nct/macro/calls.cpp
+  nc/nct/macro/environment.cpp
+  nc/nct/macro/interrupt.cpp
+  nc/nct/macro/output.cpp
+  nc/nct/macro/statements.cpp
+  nc/nct/macro/system_calls.cpp
+  nc/nct/motion/axis_setup.cpp
+  nc/nct/motion/comp_stage.cpp
+  nc/nct/motion/contour.cpp
+  nc/nct/motion/diameter.cpp
+  nc/nct/motion/feed.cpp
+  nc/nct/motion/measuring.cpp
+  nc/nct/motion/motion.cpp
+  nc/nct/motion/planes.cpp
+  nc/nct/motion/smooth.cpp
+  nc/nct/motion/thread.cpp
+  nc/nct/motion/virtual_plane.cpp
+  nc/nct/motion/virtual_stage.cpp
   nc/nct/parameters/axis.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp
@@ -116,12 +114,21 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/machine.cpp
   nc/nct/parameters/macro.cpp
   nc/nct/parameters/motion.cpp
+  nc/nct/parameters/parameters.cpp
   nc/nct/parameters/program.cpp
   nc/nct/parameters/safety.cpp
   nc/nct/parameters/spindle.cpp
   nc/nct/parameters/tools.cpp
-  nc/nct/program_store.cpp
-  nc/nct/system_calls.cpp
+  nc/nct/program/alarms.cpp
+  nc/nct/program/call_stack.cpp
+  nc/nct/program/control.cpp
+  nc/nct/program/data_input.cpp
+  nc/nct/program/flow.cpp
+  nc/nct/program/program_store.cpp
+  nc/nct/program/reset.cpp
+  nc/nct/program/tape.cpp
+  nc/nct/spindle/spindle.cpp
+  nc/nct/spindle/surface_speed.cpp
   nc/nct/system_variables/frame_bank.cpp
   nc/nct/system_variables/message_bank.cpp
   nc/nct/system_variables/modal_bank.cpp
@@ -130,11 +137,12 @@ target_sources(proveout_core PRIVATE
   nc/nct/system_variables/status_bank.cpp
   nc/nct/system_variables/system_variables.cpp
   nc/nct/system_variables/tool_offset_bank.cpp
-  nc/nct/tool_tables.cpp
+  nc/nct/tables/codes.cpp
   nc/nct/tables/comp.cpp
   nc/nct/tables/cycles.cpp
   nc/nct/tables/data.cpp
   nc/nct/tables/frames.cpp
+  nc/nct/tables/m_index.cpp
   nc/nct/tables/macro.cpp
   nc/nct/tables/measuring.cpp
   nc/nct/tables/motion.cpp
@@ -144,5 +152,11 @@ target_sources(proveout_core PRIVATE
   nc/nct/tables/tools.cpp
   nc/nct/tables/transforms.cpp
   nc/nct/tables/turning.cpp
-  nc/nct/transform_stage.cpp)
+  nc/nct/tools/offset_tables.cpp
+  nc/nct/tools/offsets.cpp
+  nc/nct/tools/tool_data.cpp
+  nc/nct/tools/tool_tables.cpp
+  nc/nct/tools/tools.cpp
+  nc/nct/zones/zone_stage.cpp
+  nc/nct/zones/zones.cpp)
 include(nc/services/sources.cmake)

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -128,13 +130,16 @@ const std::vector<SpeedElement>& TimeStage::elements() const {
 
 /// Plans what waits, to a stand at its end, and sends the first motions.
 void TimeStage::emit(std::size_t motions) {
+  PROVEOUT_ASSERT(motions <= waiting_.size());
   planStretches();
+  PROVEOUT_ASSERT(speeds_.size() == stretches_.size() + 1);
   const std::size_t used = timeByPlan(motions);
   if (limits_.bell_time_s > 0.0) timeByBell(motions);
   send(motions);
   entry_ = speeds_[used];
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(motions));
   stretches_.erase(stretches_.begin(), stretches_.begin() + static_cast<std::ptrdiff_t>(used));
+  PROVEOUT_ASSERT(stretches_.empty() || stretches_.front().motion >= motions);
   for (Stretch& s : stretches_) s.motion -= static_cast<std::uint32_t>(motions);
 }
 
@@ -263,11 +268,13 @@ void TimeStage::send(std::size_t motions) {
     least_s_ = 0.0;
   }
   asides_.erase(asides_.begin(), asides_.begin() + static_cast<std::ptrdiff_t>(aside));
+  PROVEOUT_ASSERT(asides_.empty() || asides_.front().before >= motions);
   for (Aside& a : asides_) a.before -= motions;
 }
 
 void TimeStage::flush() {
   if (!waiting_.empty()) emit(waiting_.size());
+  PROVEOUT_ASSERT(waiting_.empty() && stretches_.empty() && asides_.empty());
   entry_ = 0.0;
   slow_left_ = 0.0;
   moving_ = false;

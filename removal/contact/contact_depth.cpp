@@ -4,6 +4,8 @@
 #include <cmath>
 #include <queue>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace {
 
@@ -38,6 +40,7 @@ struct Ellipsoid {
   /// there. Requires gain < reach(gradient).
   void cut(const Vec3& gradient, double gain) {
     constexpr double n = 3.0;
+    PROVEOUT_ASSERT_DEAR(gain < reach(gradient));
     const double length = reach(gradient), alpha = std::max(0.0, gain / length);
     const Vec3 step = shape * gradient / length;
     middle += (1.0 + n * alpha) / (n + 1.0) * step;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/assert.h"
 #include "removal/sweep/convex_cast.h"
 
 namespace proveout {
@@ -44,6 +45,7 @@ ContactQuery::ContactQuery(StockSurface surface, const Toolpath& path, const std
     : surface_(std::move(surface)), path_(path), blank_(roundBlank(blank)), h_(resolution_mm) {
   for (const Tool& tool : tools) solids_.emplace(tool.number, makeToolSolid(tool));
   const TriMesh& mesh = surface_.mesh;
+  PROVEOUT_ASSERT(mesh.motion.size() == mesh.triangles.size());
   edges_.reserve(3 * mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) edges_.push_back({edgeOf(mesh, i, k), static_cast<std::uint32_t>(i)});
@@ -218,6 +220,7 @@ void ContactSearch::findCreases(Piece& piece) {
 }
 
 void ContactSearch::push(const ConvexProfile& part, Piece piece, double within) {
+  PROVEOUT_ASSERT(piece.depth <= kMaxDepth);
   const auto bound = castAgainst(part, from_, to_, piece.t, within);
   if (!bound || *bound >= best_ - slack_) return;
   piece.bound = *bound;

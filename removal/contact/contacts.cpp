@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "removal/contact/contact_depth.h"
 
@@ -35,6 +36,8 @@ bool startsSpindle(const Toolpath& path) {
 }
 
 std::vector<Met> groups(const ContactScene& scene, const std::vector<ContactSample>& samples) {
+  PROVEOUT_ASSERT_DEAR(std::is_sorted(samples.begin(), samples.end(),
+                                      [](const auto& a, const auto& b) { return a.pass < b.pass; }));
   const bool every_cut = !startsSpindle(scene.path);  // then one block stands for all
   bool cut_told = false;
   const double h = scene.stock.h, unit = kVolumeUnit * h * h * h;
@@ -217,6 +220,7 @@ std::vector<Contact> gatherContacts(const ContactScene& scene, std::vector<Conta
   });
   std::vector<Contact> contacts;
   for (const Met& m : met) {
+    PROVEOUT_ASSERT(m.contact.motion <= m.contact.last && m.contact.last < end);
     if (m.contact.depth_mm > kContactToleranceMm) contacts.push_back(m.contact);
   }
   return contacts;

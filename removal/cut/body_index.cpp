@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace {
 
@@ -37,6 +39,7 @@ CutterIndex::CutterIndex(const PassTable& table, MotionId end) : table_(table) {
 
 /// Number of the node over the bodies begin..end-1.
 std::uint32_t CutterIndex::build(std::vector<Box3>& boxes, std::uint32_t begin, std::uint32_t end) {
+  PROVEOUT_ASSERT(begin < end);
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
   Node node;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 
 namespace {
@@ -53,6 +55,7 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   std::vector<Crossing> out;
   out.reserve(edges_.size());
   for (const Edge& edge : edges_) out.push_back(crossing(edge, before));
+  PROVEOUT_ASSERT(out.size() == edges.count);
   return out;
 }
 
@@ -104,6 +107,7 @@ LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edg
     Vec3 p;
     std::size_t beyond, beyond_end;  ///< into beyond_
   };
+  PROVEOUT_ASSERT(before.size() == change.before.count);
   std::vector<Film> films;
   std::vector<Vec3> points;
   beyond_.clear();

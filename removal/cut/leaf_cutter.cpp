@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 
 namespace {
@@ -43,6 +45,8 @@ std::int64_t volumeUnits(double voxels) { return std::llround(voxels / kVolumeUn
 }  // namespace
 
 void LeafCutter::cut(LeafChange& change, std::span<const Reach> list) {
+  PROVEOUT_ASSERT_DEAR(std::is_sorted(list.begin(), list.end(),
+                                      [](const Reach& a, const Reach& b) { return a.pass < b.pass; }));
   start(change);
   if (columns_.layers == 0) return;
   for (std::size_t i = 0; i < list.size() && columns_.layers != 0;) {
@@ -53,8 +57,18 @@ void LeafCutter::cut(LeafChange& change, std::span<const Reach> list) {
     if (list[i].low < highest_) apply(list[i].pass);
     ++i;
   }
+  PROVEOUT_ASSERT(onlyTook());
   columnsToLayers(columns_.material, change.material);
   change.takers = takers_;
+}
+
+/// Whether no sample has become material.
+bool LeafCutter::onlyTook() const {
+  ColumnWords now;
+  std::memcpy(now.data(), columns_.material, sizeof(now));
+  std::uint64_t more = 0;
+  for (int i = 0; i < 8; ++i) more |= now[i] & ~initial_[i];
+  return more == 0;
 }
 
 /// Applies the chords of a curve at the front of the list, if there are any, and returns their number. They

@@ -60,6 +60,7 @@ class LeafCutter {
 
  private:
   void start(const LeafChange& change);
+  bool onlyTook() const;
   void startTops(const LeafChange& change);
   std::size_t applyCurve(std::span<const Reach> list);
   void apply(std::uint32_t number);

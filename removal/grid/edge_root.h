@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 
 /// Root of `f` in [a, b] where f(a) >= 0 > f(b): regula falsi with the Illinois rule. `tolerance` is on the
 /// parameter.
 template <typename F>
 double edgeRoot(F&& f, double a, double fa, double b, double fb, double tolerance) {
+  PROVEOUT_ASSERT_DEAR(fa >= 0.0 && fb < 0.0);
   int side = 0;
   for (int i = 0; i < 100 && std::abs(b - a) > tolerance; ++i) {
     double t = (fa * b - fb * a) / (fa - fb);

@@ -1,6 +1,9 @@
 #include "removal/grid/leaf_changes.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "core/base/assert.h"
 
 namespace proveout {
 
@@ -12,6 +15,30 @@ LeafChange readLeaf(const LeafReader& reader, const Coord& origin) {
   if (const StockLeaf* leaf = reader.leaf(origin)) change.before = reader.edges(*leaf);
   return change;
 }
+
+namespace {
+
+/// Whether the edges inside of the leaf are crossed just where samples beside each other differ.
+bool agree(const LeafBits& samples, const std::array<LeafBits, 3>& crossed) {
+  constexpr std::uint64_t kLastX = 0xFFull << 56, kLastY = 0x8080808080808080ull;
+  for (int z = 0; z < 8; ++z) {
+    const std::uint64_t m = samples[z];
+    if (((m ^ m >> 8 ^ crossed[0][z]) & ~kLastX) != 0 || ((m ^ m >> 1 ^ crossed[1][z]) & ~kLastY) != 0)
+      return false;
+    if (z < 7 && (m ^ samples[z + 1]) != crossed[2][z]) return false;
+  }
+  return true;
+}
+
+/// Whether no leaf is changed twice.
+bool differ(std::span<const LeafChange* const> changes) {
+  std::vector<Coord> places;
+  for (const LeafChange* change : changes) places.push_back(change->origin);
+  std::sort(places.begin(), places.end());
+  return std::adjacent_find(places.begin(), places.end()) == places.end();
+}
+
+}  // namespace
 
 LeafBits samplesBefore(const LeafChange& change) {
   const std::array<LeafBits, 3>& crossed = change.before.crossed;
@@ -27,6 +54,7 @@ LeafBits samplesBefore(const LeafChange& change) {
     out[z] = layer;
     layer ^= crossed[2][z];
   }
+  PROVEOUT_ASSERT_DEAR(agree(out, crossed));
   return out;
 }
 
@@ -72,6 +100,7 @@ std::vector<std::uint32_t> installChanges(Stock::Impl& impl, std::span<const Lea
 }  // namespace
 
 void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find) {
+  PROVEOUT_ASSERT_DEAR(differ(changes));
   // Every changed leaf is installed before neighbours read each other's new samples.
   const std::vector<std::uint32_t> record = installChanges(impl, changes);
   parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
@@ -82,7 +111,9 @@ void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes
     const LeafReader reader(impl);
     StockLeaf& leaf = impl.leaves[record[i]];
     const bool mixed = isMixed(reader, leaf.origin);
-    leaf.crossings = find(i, mixed ? reader.edges(leaf) : LeafEdges{}, leaf.crossings);
+    const LeafEdges edges = mixed ? reader.edges(leaf) : LeafEdges{};
+    leaf.crossings = find(i, edges, leaf.crossings);
+    PROVEOUT_ASSERT(leaf.crossings.size() == edges.count || leaf.crossings.empty());  // when cancelled
     if (!mixed) leaf.origin = kNoLeaf;
   });
   for (std::size_t i = 0; i < changes.size(); ++i) {

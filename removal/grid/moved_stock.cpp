@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/assert.h"
 #include "removal/grid/face_numbers.h"
 #include "removal/grid/leaf_changes.h"
 #include "removal/grid/stock_impl.h"
@@ -128,9 +129,12 @@ class ExactMove {
   }
 
   static const Crossing& crossingAt(const LeafReader& reader, const Coord& at, int axis) {
-    const StockLeaf& leaf = *reader.leaf(at & ~7);
-    const LeafEdges edges = reader.edges(leaf);
-    return leaf.crossings[static_cast<std::size_t>(edges.indexOf(axis, at.x() & 7, at.y() & 7, at.z() & 7))];
+    const StockLeaf* const leaf = reader.leaf(at & ~7);
+    PROVEOUT_ASSERT(leaf != nullptr);
+    const LeafEdges edges = reader.edges(*leaf);
+    const int x = at.x() & 7, y = at.y() & 7, z = at.z() & 7;
+    PROVEOUT_ASSERT(edges.isCrossed(axis, x, y, z));
+    return leaf->crossings[static_cast<std::size_t>(edges.indexOf(axis, x, y, z))];
   }
 
   Crossing moved(const Crossing& old, bool turned) const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "core/base/thread_limit.h"
@@ -105,11 +106,13 @@ Error memoryError(double needed_bytes, double limit_bytes, double resolution_mm)
 }
 
 void Crossing::setNormal(const Vec3& n) {
+  PROVEOUT_ASSERT_DEAR(std::abs(n.squaredNorm() - 1.0) < 1e-6);
   for (int i = 0; i < 3; ++i)
     normal[i] = static_cast<std::int16_t>(n[i] * kNormalScale + (n[i] < 0.0 ? -0.5 : 0.5));
 }
 
 void Crossing::setPosition(double from_start) {
+  PROVEOUT_ASSERT_DEAR(from_start >= -1e-6 && from_start <= 1.0 + 1e-6);
   t = std::clamp(static_cast<float>(from_start), kEdgeMargin, 1.0f - kEdgeMargin);
 }
 
@@ -171,6 +174,7 @@ double treeBytes(const Stock::Impl& impl) {
 }
 
 StockLeaf& addLeaf(Stock::Impl& impl, const Coord& origin) {
+  PROVEOUT_ASSERT(origin == (origin & ~7) && origin != kNoLeaf);
   LeafBits* samples = impl.tree.number(leafCoord(origin), static_cast<std::int32_t>(impl.leaves.size()));
   impl.leaves.push_back({origin, samples, {}});
   return impl.leaves.back();
@@ -192,12 +196,17 @@ void orderLeaves(Stock::Impl& impl) {
 #else
   tbb::parallel_sort(places.begin(), places.end(), before);
 #endif
+  PROVEOUT_ASSERT_DEAR(std::adjacent_find(places.begin(), places.end(), [&](const Place& a, const Place& b) {
+                         return !before(a, b);
+                       }) == places.end());  // one leaf at a place
   std::vector<StockLeaf> leaves(places.size());
   parallelFor(std::size_t{0}, places.size(),
               [&](std::size_t i) { leaves[i] = std::move(impl.leaves[places[i].number]); });
   impl.leaves = std::move(leaves);
   parallelFor(std::size_t{0}, impl.leaves.size(), [&](std::size_t i) {
-    impl.tree.number(leafCoord(impl.leaves[i].origin), static_cast<std::int32_t>(i));
+    const LeafBits* const samples =
+        impl.tree.number(leafCoord(impl.leaves[i].origin), static_cast<std::int32_t>(i));
+    PROVEOUT_ASSERT(samples == impl.leaves[i].samples);
   });
 }
 

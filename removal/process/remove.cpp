@@ -13,6 +13,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/base/thread_limit.h"
 #include "removal/contact/contacts.h"
@@ -204,6 +205,18 @@ void Remover::addChords(Pass pass, const ToolParts::Part& part, const Motion& m,
   }
 }
 
+/// Whether the passes of a motion are where the table says, and those one turn lower are of the same motion.
+bool inOrder(const PassTable& table) {
+  for (MotionId id = 0; id + 1 < table.first.size(); ++id) {
+    for (std::size_t i = table.first[id]; i < table.first[id + 1]; ++i) {
+      const Pass& pass = table.passes[i];
+      if (pass.motion != id || table.passes[i + static_cast<std::size_t>(pass.lower)].motion != id)
+        return false;
+    }
+  }
+  return table.first.back() == table.passes.size();
+}
+
 Status Remover::preparePasses() {
   table_.passes.reserve(path_.motions.size());
   table_.first.reserve(path_.motions.size() + 1);
@@ -232,6 +245,7 @@ Status Remover::preparePasses() {
     }
   }
   table_.first.push_back(static_cast<std::uint32_t>(table_.passes.size()));
+  PROVEOUT_ASSERT_DEAR(inOrder(table_));
   return Done{};
 }
 

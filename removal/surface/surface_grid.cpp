@@ -1,7 +1,9 @@
 #include "removal/surface/surface_grid.h"
 
 #include <algorithm>
+#include <tuple>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "removal/grid/leaf_layers.h"
 #include "removal/surface/cell_cycles.h"
@@ -382,6 +384,7 @@ void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
   leaf.upper = read.statesBeside(at, 1);
   leaf.lower = read.statesBeside(at, -1);
   leaf.lower[7] = -1;  // nobody reads it
+  PROVEOUT_ASSERT(leaf.upper[0] == static_cast<std::int32_t>(number) && leaf.lower[0] == leaf.upper[0]);
   const BlockBits bits = read.bitsBeside(at);
   leaf.edges = leafEdges(leaf.stock->material(), {bits[1], bits[2], bits[4]});
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
@@ -466,6 +469,11 @@ void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
     }
     low = high;
   }
+  PROVEOUT_ASSERT(rank == leaf.cells);
+  PROVEOUT_ASSERT_DEAR(
+      std::is_sorted(leaf.extra.begin(), leaf.extra.end(), [](const ExtraVertex& a, const ExtraVertex& b) {
+        return std::tie(a.cell, a.sheet) < std::tie(b.cell, b.sheet);
+      }));
   if (flatness_ > 0.0) {
     patch.faces = crossedFaces(bits);
     leaf.clusters = findClusters(leaf, patch, flatness);
@@ -479,17 +487,18 @@ void SurfaceGrid::numberExtras() {
   }
 }
 
-void SurfaceGrid::countThin() {
+ThinCells SurfaceGrid::countThin() const {
   constexpr std::uint16_t kThin = CellTraits::kManySheets | CellTraits::kOff;
-  thin_cells_ = 0;
+  ThinCells out;
   for (const SurfaceLeaf& leaf : leaves_) {
     for (int cell = 0; cell < leaf.cells; ++cell) {
-      if ((traits_[leaf.base + static_cast<std::uint32_t>(cell)] & kThin) == 0 || thin_cells_++ > 0) continue;
+      if ((traits_[leaf.base + static_cast<std::uint32_t>(cell)] & kThin) == 0 || out.count++ > 0) continue;
       const int place = leaf.placeOf(cell);
-      first_thin_cell_ = impl_.position(leaf.stock->origin) +
-                         impl_.h * Vec3((place >> 3 & 7) + 0.5, (place & 7) + 0.5, (place >> 6) + 0.5);
+      out.first = impl_.position(leaf.stock->origin) +
+                  impl_.h * Vec3((place >> 3 & 7) + 0.5, (place & 7) + 0.5, (place >> 6) + 0.5);
     }
   }
+  return out;
 }
 
 bool SurfaceGrid::build(Progress& progress) {
@@ -534,6 +543,28 @@ bool SurfaceGrid::putInside(std::uint32_t cell, const Eigen::Vector3f& p, bool o
   if (off) traits_[cell] |= CellTraits::kOff;
   traits_[cell] &= static_cast<std::uint16_t>(~(CellTraits::kFolds | CellTraits::kOutside));
   vertices_[cell] = p;
+  return true;
+}
+
+bool verticesInReach(const SurfaceGrid& grid) {
+  constexpr double kRounding = 1e-4;
+  const auto outside = [](const SurfaceLeaf& leaf, int rank, const Eigen::Vector3f& p) {
+    const int place = leaf.placeOf(rank);
+    return outsideBy(p.cast<double>() - Vec3(place >> 3 & 7, place & 7, place >> 6));
+  };
+  for (const SurfaceLeaf& leaf : grid.leaves()) {
+    for (int rank = 0; rank < leaf.cells; ++rank) {
+      const std::uint32_t cell = leaf.base + static_cast<std::uint32_t>(rank);
+      const std::uint16_t traits = grid.traits(cell);
+      const double reach = traits & CellTraits::kOutside      ? kVertexReach
+                           : traits & CellTraits::kManySheets ? kThinReach + kSheetGap
+                                                              : 0.0;
+      if (!(outside(leaf, rank, grid.vertex(cell)) <= reach + kRounding)) return false;
+    }
+    for (const ExtraVertex& extra : leaf.extra) {
+      if (!(outside(leaf, extra.cell, extra.p) <= kThinReach + kSheetGap + kRounding)) return false;
+    }
+  }
   return true;
 }
 

@@ -83,6 +83,12 @@ struct CellTraits {
 /// pattern of material corners.
 const std::array<std::uint8_t, 256>& oneSheetFaces();
 
+/// Cells with more than one sheet, or whose vertex is off the surface.
+struct ThinCells {
+  std::size_t count = 0;
+  Vec3 first = Vec3::Zero();  ///< middle of the first, mm
+};
+
 class SurfaceGrid {
  public:
   /// `flatness`: range of heights over a plane (grid steps) up to which cells may be merged; 0: none.
@@ -110,11 +116,8 @@ class SurfaceGrid {
   /// Material corners of a cell as bits; see cell_cycles.h.
   std::uint8_t pattern(std::uint32_t cell) const { return patterns_[cell]; }
   std::uint16_t traits(std::uint32_t cell) const { return traits_[cell]; }
-  /// Counts cells with more than one sheet, or whose vertex is off the surface, in all leaves.
-  void countThin();
-  std::size_t thinCells() const { return thin_cells_; }
-  /// Middle of the first, mm.
-  const Vec3& firstThinCell() const { return first_thin_cell_; }
+  /// In all leaves.
+  ThinCells countThin() const;
 
   /// Whether the level face of a leaf goes on in those beside it (SurfaceLeaf::upper or lower).
   bool isLevel(const SurfaceLeaf& leaf, const std::array<std::int32_t, 8>& beside) const;
@@ -130,12 +133,15 @@ class SurfaceGrid {
   const Stock::Impl& impl_;
   double flatness_;
   std::vector<SurfaceLeaf> leaves_;
-  std::size_t cell_count_ = 0, extra_count_ = 0, thin_cells_ = 0;
-  Vec3 first_thin_cell_ = Vec3::Zero();
+  std::size_t cell_count_ = 0, extra_count_ = 0;
   // A cell each; not cleared, so that the threads that write them also touch their pages first.
   std::unique_ptr<Eigen::Vector3f[]> vertices_;
   std::unique_ptr<std::uint8_t[]> patterns_;
   std::unique_ptr<std::uint16_t[]> traits_;
 };
+
+/// Whether each vertex is where its cell may put it: inside, or as far outside as its traits allow. Looks at
+/// all of a grid whose surface is unfolded.
+bool verticesInReach(const SurfaceGrid& grid);
 
 }  // namespace proveout

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "removal/grid/leaf_layers.h"
 
@@ -126,8 +127,22 @@ bool VertexMerger::isDisk(const std::vector<std::int32_t>& leaves, int level) co
   return euler == 1 && parts == 1;
 }
 
-void VertexMerger::mergeLeaves() {
+VertexMerger::VertexMerger(SurfaceGrid& grid, double flatness) : grid_(grid), flatness_(flatness) {
   if (!active()) return;
+  mergeLeaves();
+  count_ = static_cast<std::uint32_t>(grid_.cellCount());
+  stand_in_ = std::make_unique_for_overwrite<std::uint32_t[]>(count_);
+  assign(allLeaves());
+}
+
+std::vector<std::int32_t> VertexMerger::allLeaves() const {
+  std::vector<std::int32_t> all(grid_.leaves().size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+/// Merges whole leaves to larger cubes.
+void VertexMerger::mergeLeaves() {
   auto& leaves = grid_.leaves();
   for (int level = 1; level <= kLevels; ++level) {
     std::vector<std::vector<std::int32_t>> cubes(leaves.size());
@@ -212,19 +227,16 @@ std::uint32_t VertexMerger::middleOf(const std::vector<std::int32_t>& leaves) co
   return best;
 }
 
-void VertexMerger::assign() {
-  if (!active()) return;
-  if (count_ == 0) {
-    count_ = static_cast<std::uint32_t>(grid_.cellCount());
-    stand_in_ = std::make_unique_for_overwrite<std::uint32_t[]>(count_);
+/// Whether each vertex that stands for others stands for itself as well.
+bool VertexMerger::standForThemselves() const {
+  for (std::uint32_t cell = 0; cell < count_; ++cell) {
+    if (standIn(standIn(cell)) != standIn(cell)) return false;
   }
-  std::vector<std::int32_t> all(grid_.leaves().size());
-  std::iota(all.begin(), all.end(), 0);
-  assign(all);
+  return true;
 }
 
+/// Chooses the vertex of each cube of these leaves.
 void VertexMerger::assign(const std::vector<std::int32_t>& changed) {
-  if (!active()) return;
   auto& leaves = grid_.leaves();
   const auto eachLeaf = [&](auto&& body) {
     parallelFor(std::size_t{0}, changed.size(),
@@ -242,42 +254,55 @@ void VertexMerger::assign(const std::vector<std::int32_t>& changed) {
       std::fill_n(stand_in_.get() + leaf.base, leaf.cells, middle);
     }
   });
+  PROVEOUT_ASSERT_DEAR(standForThemselves());
 }
 
-void VertexMerger::giveUp() {
+std::vector<std::int32_t> VertexMerger::giveUp() {
   for (SurfaceLeaf& leaf : grid_.leaves()) leaf.clusters = LeafClusters{};
+  std::vector<std::int32_t> all = allLeaves();
+  assign(all);
+  return all;
 }
 
-void VertexMerger::takeApart(std::vector<std::uint32_t> cells, std::vector<std::int32_t>& changed) {
+/// Adds the leaves that it changed, maybe repeatedly.
+void VertexMerger::takeCellApart(std::uint32_t cell, std::vector<std::int32_t>& changed) {
   auto& leaves = grid_.leaves();
+  const std::size_t number = grid_.leafOf(cell);
+  SurfaceLeaf& leaf = leaves[number];
+  PROVEOUT_ASSERT(cell >= leaf.base && cell - leaf.base < leaf.cells);
+  changed.push_back(static_cast<std::int32_t>(number));
+  if (const int level = leaf.clusters.above; level > 0) {
+    forEachLeafOfCube(LeafReader(grid_.impl()), leaf.stock->origin, level, [&](std::int32_t n) {
+      leaves[static_cast<std::size_t>(n)].clusters.above = static_cast<std::uint8_t>(level - 1);
+      changed.push_back(n);
+      return true;
+    });
+    return;
+  }
+  if (leaf.clusters.eight) {
+    leaf.clusters.eight = false;
+    return;
+  }
+  const int place = leaf.placeOf(static_cast<int>(cell - leaf.base));
+  const int x = place >> 3 & 7, y = place & 7, z = place >> 6;
+  const int four = 1 << (z / 4 * 4 + x / 4 * 2 + y / 4);
+  if ((leaf.clusters.four & four) != 0) {
+    leaf.clusters.four &= static_cast<std::uint8_t>(~four);
+  } else {
+    leaf.clusters.two &= ~(1ull << (z / 2 * 16 + x / 2 * 4 + y / 2));
+  }
+}
+
+std::vector<std::int32_t> VertexMerger::takeApart(std::vector<std::uint32_t> cells) {
   for (std::uint32_t& cell : cells) cell = standIn(cell);
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  for (const std::uint32_t cell : cells) {
-    const std::size_t number = grid_.leafOf(cell);
-    SurfaceLeaf& leaf = leaves[number];
-    changed.push_back(static_cast<std::int32_t>(number));
-    if (const int level = leaf.clusters.above; level > 0) {
-      forEachLeafOfCube(LeafReader(grid_.impl()), leaf.stock->origin, level, [&](std::int32_t n) {
-        leaves[static_cast<std::size_t>(n)].clusters.above = static_cast<std::uint8_t>(level - 1);
-        changed.push_back(n);
-        return true;
-      });
-      continue;
-    }
-    if (leaf.clusters.eight) {
-      leaf.clusters.eight = false;
-      continue;
-    }
-    const int place = leaf.placeOf(static_cast<int>(cell - leaf.base));
-    const int x = place >> 3 & 7, y = place & 7, z = place >> 6;
-    const int four = 1 << (z / 4 * 4 + x / 4 * 2 + y / 4);
-    if ((leaf.clusters.four & four) != 0) {
-      leaf.clusters.four &= static_cast<std::uint8_t>(~four);
-    } else {
-      leaf.clusters.two &= ~(1ull << (z / 2 * 16 + x / 2 * 4 + y / 2));
-    }
-  }
+  std::vector<std::int32_t> changed;
+  for (const std::uint32_t cell : cells) takeCellApart(cell, changed);
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  assign(changed);
+  return changed;
 }
 
 }  // namespace proveout

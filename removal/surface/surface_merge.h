@@ -13,25 +13,20 @@ namespace proveout {
 /// cells, so that it is on the surface as they are.
 class VertexMerger {
  public:
-  /// `flatness`: as for SurfaceGrid; 0: nothing is merged.
-  VertexMerger(SurfaceGrid& grid, double flatness) : grid_(grid), flatness_(flatness) {}
+  /// Merges what may be merged. `grid`: built and unfolded; it must outlive this. `flatness`: as for
+  /// SurfaceGrid; 0: nothing is merged.
+  VertexMerger(SurfaceGrid& grid, double flatness);
 
   bool active() const { return flatness_ > 0.0; }
-  /// Merges whole leaves to larger cubes.
-  void mergeLeaves();
-  /// Chooses the vertex of each cube.
-  void assign();
-  /// The same where cubes were taken apart.
-  void assign(const std::vector<std::int32_t>& leaves);
-  /// The vertex that stands for a vertex. Requires assign.
+  /// The vertex that stands for a vertex.
   std::uint32_t standIn(std::uint32_t v) const { return v < count_ ? stand_in_[v] & ~kMerged : v; }
   /// Whether a vertex is one of several cells that are merged.
   bool merged(std::uint32_t v) const { return v < count_ && (stand_in_[v] & kMerged) != 0; }
-  /// Takes the cubes of these cells apart to the next smaller ones. Adds the leaves that it changed, maybe
-  /// repeatedly; call assign with them afterwards.
-  void takeApart(std::vector<std::uint32_t> cells, std::vector<std::int32_t>& changed);
-  /// Merges nothing any more. Call assign afterwards.
-  void giveUp();
+  /// Takes the cubes of these cells apart to the next smaller ones. Returns the leaves that it changed,
+  /// ascending.
+  std::vector<std::int32_t> takeApart(std::vector<std::uint32_t> cells);
+  /// Merges nothing any more. Returns all leaves.
+  std::vector<std::int32_t> giveUp();
 
  private:
   static constexpr std::uint32_t kMerged = 0x80000000u;
@@ -40,6 +35,11 @@ class VertexMerger {
   bool isFlat(const std::vector<std::int32_t>& leaves, int level) const;
   bool isDisk(const std::vector<std::int32_t>& leaves, int level) const;
   std::uint32_t middleOf(const std::vector<std::int32_t>& leaves) const;
+  void mergeLeaves();
+  void assign(const std::vector<std::int32_t>& leaves);
+  std::vector<std::int32_t> allLeaves() const;
+  bool standForThemselves() const;
+  void takeCellApart(std::uint32_t cell, std::vector<std::int32_t>& changed);
   void assignLeaf(const SurfaceLeaf& leaf);
   void assignCube(const SurfaceLeaf& leaf, const CellCube& cube);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "removal/surface/cell_cycles.h"
 
@@ -203,6 +204,7 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
     const auto it = std::find_if(leaf.extra.begin(), leaf.extra.end(), [&](const ExtraVertex& e) {
       return e.cell == cell - leaf.base && e.sheet == sheet;
     });
+    PROVEOUT_ASSERT(it != leaf.extra.end());
     quad.v[i] = leaf.extra_base + static_cast<std::uint32_t>(it - leaf.extra.begin());
     const Eigen::Vector3f shift(at.x() < 0 ? -8.0f : 0.0f, at.y() < 0 ? -8.0f : 0.0f,
                                 at.z() < 0 ? -8.0f : 0.0f);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace {
 
@@ -134,11 +136,13 @@ std::optional<double> castAgainst(const ConvexProfile& profile, const Vec3& from
     // A corner that comes again would only make the simplex flat.
     const bool known = std::any_of(simplex.p.begin(), simplex.p.begin() + simplex.count,
                                    [&](const Vec3& q) { return q == p; });
+    PROVEOUT_ASSERT(simplex.count < 4);
     if (!known) simplex.p[static_cast<std::size_t>(simplex.count++)] = p;
     if (known && !(gap > 0.0)) break;
     v = x - nearest(simplex, x);
     if (simplex.count == 4) break;  // in the set
   }
+  PROVEOUT_ASSERT_DEAR(t >= 0.0 && t <= 1.0);
   return t;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/base/assert.h"
 #include "removal/sweep/sweep.h"
 
 namespace proveout {
@@ -98,7 +99,10 @@ struct Sweep::CurveSearch {
   };
   Stack stack;
   int size = 0;
-  void add(const Piece& piece) { std::construct_at(&stack.pieces[static_cast<std::size_t>(size++)], piece); }
+  void add(const Piece& piece) {
+    PROVEOUT_ASSERT_DEAR(size < kMostPieces && piece.a <= piece.b);
+    std::construct_at(&stack.pieces[static_cast<std::size_t>(size++)], piece);
+  }
 };
 
 }  // namespace proveout

@@ -4,6 +4,7 @@
 // to acos(min(r / d, d / r)) to both sides of its least value, and grows beyond; the distance from a convex
 // solid of revolution does not fall with it. So the distance is convex around the nearest place of each turn,
 // has a bound for its bend beyond, and for all of a turn a bound from the least level distance.
+#include "core/base/assert.h"
 #include "removal/sweep/curve_search.h"
 
 namespace proveout {
@@ -25,6 +26,7 @@ constexpr double kNear = 1000.0, kOvershoot = 1.1, kHelps = 0.5, kMargin = 1e-6;
 void Sweep::CurveSearch::Bracket::add(const Place& place) {
   if (place.at.slope <= 0.0) low = place, low_known = true;
   if (place.at.slope >= 0.0) high = place, high_known = true;
+  PROVEOUT_ASSERT_DEAR(low.t <= high.t);
 }
 
 /// Sets `between` from the support lines at the places that are known; where they meet.
@@ -71,6 +73,7 @@ void Sweep::CurveSearch::walk(Place from, double end, double bend) {
 /// Newton's method on a span whose values have a second derivative of at least -bend, until two places prove
 /// that no value between them is better than the best. What they do not prove is left.
 void Sweep::CurveSearch::newton(double a, double b, double start, double bend) {
+  PROVEOUT_ASSERT_DEAR(a <= b && bend >= 0.0);
   Bracket bracket{a, b, bend, {a, {}}, {b, {}}};
   double t = std::clamp(start, a, b), before = std::numeric_limits<double>::infinity();
   bool helps = true;

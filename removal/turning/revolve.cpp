@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 
 namespace proveout {
@@ -176,6 +177,7 @@ SectionLoop simplified(const SectionLoop& loop, double tolerance) {
 
 SectionLoop simplified(const SectionLoop& loop, const std::vector<std::size_t>& kept) {
   const std::size_t n = loop.points.size();
+  PROVEOUT_ASSERT(kept.size() >= 3 && std::is_sorted(kept.begin(), kept.end()) && kept.back() < n);
   SectionLoop out;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     out.points.push_back(loop.points[kept[k]]);

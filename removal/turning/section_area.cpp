@@ -5,6 +5,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "core/base/assert.h"
 #include "removal/turning/section_reach.h"
 #include "removal/turning/section_window.h"
 
@@ -133,6 +134,7 @@ struct SectionArea::Impl {
     points = 0;
     bool first = true;
     for (const ChainLoop& loop : loops) {
+      PROVEOUT_ASSERT_DEAR(section_detail::isClosed(loop));
       for (const Piece& piece : loop) {
         volume += piece.volume_mm3;
         points += piece.edges();
@@ -229,6 +231,7 @@ SectionArea& SectionArea::operator=(SectionArea&&) noexcept = default;
 
 SectionArea::SectionArea(const std::vector<SectionLoop>& loops) : SectionArea() {
   for (const SectionLoop& from : loops) {
+    PROVEOUT_ASSERT(from.motion.size() == from.points.size());
     Loop loop;
     for (const Vec2& p : from.points) loop.points.push_back(toUnits(p));
     loop.motion = from.motion;
@@ -389,6 +392,7 @@ std::vector<SectionBody> SectionArea::bodies() const {
   std::stable_sort(borders.begin(), borders.end(),
                    [&](const Loop* a, const Loop* b) { return lowest(a) < lowest(b); });
   for (const Loop* border : borders) {
+    PROVEOUT_ASSERT(border->motion.size() == border->points.size());
     SectionBody body;
     body.loops.push_back(take(*border));
     body.volume_mm3 = volumeUnder(border->points);

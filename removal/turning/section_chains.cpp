@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+
 namespace proveout::section_detail {
 
 namespace {
@@ -15,6 +17,7 @@ double inMm(cInt v) { return kUnit * static_cast<double>(v); }
 }  // namespace
 
 Piece::Piece(Chain&& edges) : low(edges.points.front()), high(low) {
+  PROVEOUT_ASSERT(edges.points.size() >= 2 && edges.motion.size() + 1 == edges.points.size());
   double cones = 0.0;
   for (std::size_t i = 0; i < edges.points.size(); ++i) {
     const IntPoint& p = edges.points[i];
@@ -31,6 +34,7 @@ Piece::Piece(Chain&& edges) : low(edges.points.front()), high(low) {
 }
 
 void append(Chain&& run, ChainLoop& loop) {
+  PROVEOUT_ASSERT(loop.empty() || loop.back().back() == run.points.front());
   if (!loop.empty() && loop.back().edges() + run.motion.size() <= kMostEdges) {
     Chain joined = *loop.back().chain;
     joined.points.insert(joined.points.end(), run.points.begin() + 1, run.points.end());
@@ -55,6 +59,13 @@ ChainLoop chained(const Loop& loop) {
   ChainLoop out;
   append(std::move(run), out);
   return out;
+}
+
+bool isClosed(const ChainLoop& loop) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (!(loop[i].back() == loop[(i + 1) % loop.size()].front())) return false;
+  }
+  return !loop.empty();
 }
 
 Loop flat(const ChainLoop& loop) {

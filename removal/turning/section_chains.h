@@ -43,6 +43,8 @@ ChainLoop chained(const Loop& loop);
 /// Cuts an open run of edges into pieces, at the end of `loop`; a short one is joined with the last piece.
 void append(Chain&& run, ChainLoop& loop);
 Loop flat(const ChainLoop& loop);
+/// Whether each piece ends where the next one begins.
+bool isClosed(const ChainLoop& loop);
 
 /// Sum over the pieces: above 0 for outer borders, square units.
 double areaOf(const ChainLoop& loop);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 
 namespace proveout {
@@ -54,6 +55,7 @@ SectionField::SectionField(const std::vector<SectionBody>& bodies) {
 void SectionField::addLoop(const SectionLoop& loop) {
   std::vector<Edge> edges;
   const std::size_t n = loop.points.size();
+  PROVEOUT_ASSERT(loop.motion.size() == n);
   for (std::size_t i = 0; i < n; ++i) {
     Edge e;
     e.from = loop.points[i];

@@ -5,11 +5,11 @@
 #include <sstream>
 #include <utility>
 
-#include "core/nc/nct/nct_channels.h"
-#include "core/nc/nct/nct_codes.h"
-#include "core/nc/nct/nct_control.h"
-#include "core/nc/nct/nct_parameters.h"
-#include "core/nc/nct/nct_rows.h"
+#include "core/nc/nct/channels/channels.h"
+#include "core/nc/nct/tables/codes.h"
+#include "core/nc/nct/program/control.h"
+#include "core/nc/nct/parameters/parameters.h"
+#include "core/nc/nct/coverage/coverage_rows.h"
 #include "core/nc/specification/specification_text.h"
 
 namespace proveout::nc {

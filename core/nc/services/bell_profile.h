@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/nc/services/speed_plan.h"
 
 namespace proveout::nc {
@@ -23,7 +24,10 @@ class BellProfile {
   void stand(double duration) { addStep(duration, 0.0, 0.0); }
   /// Elements so far; cut() goes back to fewer of them.
   std::size_t size() const { return steps_.size(); }
-  void cut(std::size_t size) { steps_.resize(size); }
+  void cut(std::size_t size) {
+    PROVEOUT_ASSERT(size <= steps_.size());
+    steps_.resize(size);
+  }
   /// End of what was added so far, in the plan: mm and s.
   double way() const { return steps_.empty() ? 0.0 : steps_.back().endWay(); }
   double time() const { return steps_.empty() ? 0.0 : steps_.back().end(); }

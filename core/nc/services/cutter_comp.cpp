@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/nc/services/cutter_comp_corner.h"
 
 namespace proveout {
@@ -142,6 +143,7 @@ Vec2 CutterComp::frontStart() const {
 }
 
 const CutterComp::Corner& CutterComp::cornerAfter(std::size_t index) {
+  PROVEOUT_ASSERT(index < elements_.size());
   Element& e = elements_[index];
   if (!e.corner) {
     Vec2 from = frontStart();
@@ -151,6 +153,7 @@ const CutterComp::Corner& CutterComp::cornerAfter(std::size_t index) {
     }
     const Element* next = index + 1 < elements_.size() ? &elements_[index + 1] : nullptr;
     e.corner = makeCorner(e, next, from, policy_);
+    PROVEOUT_ASSERT(e.corner->error != CompError::kNone || !e.corner->points.empty());
   }
   return *e.corner;
 }
@@ -179,6 +182,7 @@ void CutterComp::emitFront(CompOutput& out) {
   if (front.phase == ElementPhase::kCancel) {
     emitLine(front.p1, Role::kOwn, front.tag, out);
   } else {
+    PROVEOUT_ASSERT(front.corner && !front.corner->points.empty());
     const Corner& corner = *front.corner;
     if (front.perpendicular_start) {
       const Vec2 start = frontStart();

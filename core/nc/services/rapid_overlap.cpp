@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -121,6 +123,7 @@ class Chords {
   }
 
   void send() {
+    PROVEOUT_ASSERT(!run_.empty());
     tell_(run_.back().at, run_.back().time - start_.time);
     start_ = run_.back();
     run_.clear();

@@ -3,6 +3,10 @@ target_sources(proveout_core PRIVATE
   nc/services/bell_profile.cpp
   nc/services/contour_corner.cpp
   nc/services/contour_crossing.cpp
+  nc/services/contour_elements.cpp
+  nc/services/contour_offset.cpp
+  nc/services/contour_passes.cpp
+  nc/services/contour_profile.cpp
   nc/services/cutter_comp.cpp
   nc/services/cutter_comp_check.cpp
   nc/services/cutter_comp_corner.cpp

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 
 void planSpeeds(std::span<const SpeedElement> elements, double entry, std::vector<double>& speeds) {
@@ -22,6 +24,7 @@ void planSpeeds(std::span<const SpeedElement> elements, double entry, std::vecto
     speeds[i + 1] =
         std::min(speeds[i + 1], std::sqrt(speeds[i] * speeds[i] + 2.0 * e.acceleration * e.length));
   }
+  PROVEOUT_ASSERT_DEAR(std::all_of(speeds.begin(), speeds.end(), [](double speed) { return speed >= 0.0; }));
 }
 
 double elementTime(const SpeedElement& e, double from, double to) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -42,6 +44,7 @@ class Search {
       hit->t = a;
       return hit;
     }
+    PROVEOUT_ASSERT_DEAR(a <= b);
     ZoneHit here;
     if (isFree(pa, pb, b - a, here)) return std::nullopt;
     here.t = a;

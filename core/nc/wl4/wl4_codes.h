@@ -1,17 +1,23 @@
-// Tables of the WL4 control: codes, functions, parameters (digest wl4, 4.1, 6 and 12).
+// The codes of the WL4 control as data: what executes is what `proveout coverage` prints (digest wl4, 4.1
+// and 6).
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/base/result.h"
+#include "core/nc/block.h"
 #include "core/nc/control_info.h"
+#include "core/nc/wl4/wl4_parameters.h"
+#include "core/path/word_origin.h"
 
 namespace proveout::nc {
+
+struct Wl4BlockPlan;
+struct Wl4Context;
+struct Wl4State;
 
 /// Of two codes of one group in a block the last one counts.
 enum class Wl4Group : std::uint8_t {
@@ -29,47 +35,60 @@ enum class Wl4Group : std::uint8_t {
   kFlag  ///< one-shot: several may stand in a block
 };
 
+/// A part of what a code does to a block. False: an error was reported.
+using Wl4Step = bool (*)(Wl4Context&, Wl4BlockPlan&);
+/// What an M function does, by its number. False: an error was reported.
+using Wl4Function = bool (*)(Wl4Context&, Wl4BlockPlan&, int);
+
 struct Wl4GCode {
   int code;
   Wl4Group group;
+  int Wl4State::*mode;             ///< what becomes the code; null: nothing, it is one-shot
+  bool Wl4BlockPlan::*flag;        ///< what becomes true of the block; null: nothing
+  Wl4Step plan;                    ///< plans the words of the axes; null: another code does
+  Wl4Step perform;                 ///< of deeds and motions; null: nothing is left to do
+  std::string_view program;        ///< called behind the block, if `perform` has not done it; empty: none
+  AddressSet words;                ///< of E I J K P Q R those that it takes by itself
+  std::optional<OriginKind> kind;  ///< of its word for motions; nothing: they do not depend on it
   std::string_view cls, ids, meaning;
 };
+
+/// When an M function acts in its block.
+enum class Wl4Phase : std::uint8_t { kStart, kEnd };
+/// What an M function does to the run.
+enum class Wl4Flow : std::uint8_t {
+  kOn,
+  kEnd,    ///< of the program
+  kReturn  ///< from a subprogram
+};
+
+struct Wl4MCode {
+  int first, last;  ///< numbers of which a later row does not say otherwise
+  Wl4Phase phase;
+  Wl4Function perform;  ///< null: only the flow
+  Wl4Flow flow;
+  AddressSet words;                ///< as in Wl4GCode
+  std::optional<OriginKind> kind;  ///< as in Wl4GCode
+  std::string_view cls, ids, meaning;
+};
+
+/// What is neither a G nor an M code: the reader and the run loop do it.
+struct Wl4Feature {
+  std::string_view code, cls, ids, meaning;
+};
+
+/// The rows, by number.
+std::span<const Wl4GCode> wl4GCodes();
+std::span<const Wl4MCode> wl4MCodes();
+std::span<const Wl4Feature> wl4Features();
+
 /// Null: the control has no such code.
 const Wl4GCode* wl4GCode(int code);
-
-enum class Wl4Phase : std::uint8_t { kStart, kEnd };
-/// When an M function acts in its block.
-Wl4Phase wl4Phase(int m);
+/// `m`: 0 to 99, of which every number has a row.
+const Wl4MCode& wl4MCode(int m);
 
 /// What the code supports, and the rows of the manual.
 std::vector<CoverageRow> wl4Coverage();
 std::vector<CoverageIdRow> wl4CoverageIds();
-
-std::vector<ParameterInfo> wl4ParameterTable(bool lathe);
-
-/// Values of the parameters.
-class Wl4Parameters {
- public:
-  /// Error: an unknown name or a value out of range.
-  Status set(const std::map<std::string, double>& given, bool lathe);
-
-  bool g18_zx = false;         ///< G18 looks at Z to the right and X up (ISO), else X to the right and Z up
-  bool conditional = false;    ///< blocks with `/` are executed
-  double arc_threshold = 0.0;  ///< Delt_L, mm
-  double max_feed = 65000.0;   ///< mm/min
-  double max_speed = 0.0;      ///< 1/min; 0: no limit
-  static constexpr int kTools = 127;
-  struct Tool {
-    double nose_radius = 0.0;   ///< Rt, mm
-    bool at_center = false;     ///< working point S, the nose centre, else P
-    int tip = 0;                ///< where P is seen from S, 1 to 8 as usual on lathes; 0, 9: at S
-    double dx = 0.0, dz = 0.0;  ///< dXw, dZw, added to programmed coordinates, X as a radius, mm
-  };
-  const Tool& tool(int number) const;
-  const std::map<int, Tool>& tools() const { return tools_; }
-
- private:
-  std::map<int, Tool> tools_;
-};
 
 }  // namespace proveout::nc

@@ -4,84 +4,71 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <cstdlib>
+#include <string_view>
+
+#include "core/nc/wl4/wl4_codes.h"
+#include "core/nc/wl4/wl4_functions.h"
+#include "core/nc/wl4/wl4_motion.h"
+#include "core/nc/wl4/wl4_plan.h"
 
 namespace proveout::nc {
 
 namespace {
 
 constexpr std::size_t kMostNested = 5;  ///< subprograms below the main program
-constexpr std::uint64_t kWorkPerCheck = 4096;
 constexpr std::size_t kLongestBlock = 80;
 
 }  // namespace
 
 Wl4Control::Wl4Control(bool lathe, const ProgramSource& source, const ControlSettings& settings,
                        MotionSink& sink, Progress* progress, const ControlHost& host)
-    : lathe_(lathe),
-      settings_(settings),
-      progress_(progress),
-      host_(host),
-      axes_(settings_),
-      emitter_(settings_, axes_, sink, summary_),
-      programs_(source, settings_.encoding, sink),
-      variables_(*this),
-      evaluator_(variables_),
-      reader_(evaluator_),
-      origins_(sink),
-      corner_stage_(pipe_, *this),
-      comp_stage_(pipe_, *this),
-      frame_stage_(chain_),
-      emit_stage_(emitter_, settings_.tool_change_s),
-      budget_(settings_.block_limit) {
-  evaluator_.setOrigins(origins_);
-  pipe_.link(frame_stage_);
-  pipe_.link(emit_stage_);
-}
+    : c_(lathe, source, settings, sink, progress, host) {}
 
 InterpretSummary Wl4Control::run() {
-  summary_.end = ProgramEnd::kAlarm;
+  c_.summary.end = ProgramEnd::kAlarm;
   if (start()) {
-    const Result<const Wl4Program*> main = programs_.main();
+    const Result<const Wl4Program*> main = c_.programs.main();
     if (!main) {
-      fail("wl4-program", main.error().message);
+      c_.report.fail("wl4-program", main.error().message);
     } else {
       runProgram(**main);
     }
   }
-  emitter_.time().flush();
-  return summary_;
+  c_.emitter.time().flush();
+  return c_.summary;
 }
 
 bool Wl4Control::start() {
-  if (const Status known = parameters_.set(settings_.parameters, lathe_); !known.ok()) {
-    return fail("wl4-parameter", known.error().message);
+  Wl4Setup& setup = c_.setup;
+  const ControlSettings& settings = setup.settings;
+  if (const Status known = setup.parameters.set(settings.parameters, setup.lathe); !known.ok()) {
+    return c_.report.fail("wl4-parameter", known.error().message);
   }
-  if (!(settings_.rapid_mm_min.minCoeff() > 0.0) || !settings_.start.allFinite()) {
-    return fail("wl4-settings", "rapid rates must be above 0 and the start position finite");
+  if (!(settings.rapid_mm_min.minCoeff() > 0.0) || !settings.start.allFinite()) {
+    return c_.report.fail("wl4-settings", "rapid rates must be above 0 and the start position finite");
   }
-  if (const std::string bad = checkAxes(settings_); !bad.empty()) return fail("wl4-settings", bad);
+  if (const std::string bad = checkAxes(settings); !bad.empty()) return c_.report.fail("wl4-settings", bad);
   MotionLimits limits;
-  for (int k = 0; k < axes_.count(); ++k) {
-    limits.axes[static_cast<std::size_t>(k)].acceleration = axes_.at(k).acceleration;
-    limits.accelerations = limits.accelerations || axes_.at(k).acceleration > 0.0;
+  for (int k = 0; k < setup.axes.count(); ++k) {
+    limits.axes[static_cast<std::size_t>(k)].acceleration = setup.axes.at(k).acceleration;
+    limits.accelerations = limits.accelerations || setup.axes.at(k).acceleration > 0.0;
   }
-  limits.bell_time_s = settings_.bell_time_s;
-  emitter_.time().configure(limits, axes_.count());
-  for (const auto& [number, tool] : parameters_.tools()) {
-    if (tool.at_center) emitter_.countFromNose(number);
+  limits.bell_time_s = settings.bell_time_s;
+  c_.emitter.time().configure(limits, setup.axes.count());
+  for (const auto& [number, tool] : setup.parameters.tools()) {
+    if (tool.at_center) c_.emitter.countFromNose(number);
   }
-  machine_ = emitter_.machine();
-  state_.plane = lathe_ ? 18 : 17;
+  c_.machine = c_.emitter.machine();
+  c_.state.plane = setup.lathe ? 18 : 17;
   return true;
 }
 
 Wl4Control::Go Wl4Control::runProgram(const Wl4Program& program) {
-  levels_.push_back({&program, program.first, -1, runs_++});
+  c_.levels.push_back({&program, program.first, -1, runs_++});
   if (program.label_count > Wl4Programs::kMostLabels) {
-    fail("wl4-labels", fmt::format("{} labels in a program: at most {} are allowed", program.label_count,
-                                   Wl4Programs::kMostLabels));
+    c_.report.fail("wl4-labels", fmt::format("{} labels in a program: at most {} are allowed",
+                                             program.label_count, Wl4Programs::kMostLabels));
     return Go::kStop;
   }
   Go go = Go::kOn;
@@ -90,230 +77,235 @@ Wl4Control::Go Wl4Control::runProgram(const Wl4Program& program) {
       go = endOfText(program);
       break;
     }
-    levels_.back().line = line++;
-    levels_.back().number = -1;
+    c_.levels.back().line = line++;
+    c_.levels.back().number = -1;
     go = block(line);
-    if (go == Go::kOn && until_hit_ && levels_.size() == 1) go = finish("until", ProgramEnd::kUntil);
+    if (go == Go::kOn && until_hit_ && c_.levels.size() == 1) go = finish("until", ProgramEnd::kUntil);
   }
-  levels_.pop_back();
+  c_.levels.pop_back();
   return go;
 }
 
 Wl4Control::Go Wl4Control::endOfText(const Wl4Program& program) {
-  if (program.last > program.first) levels_.back().line = program.last - 1;
-  if (levels_.size() > 1) {
-    warnOnce("no M99 " + program.name, "wl4-no-m99", "the subprogram ends without M99: taken as M99");
+  if (program.last > program.first) c_.levels.back().line = program.last - 1;
+  if (c_.levels.size() > 1) {
+    c_.report.warnOnce("no M99 " + program.name, "wl4-no-m99",
+                       "the subprogram ends without M99: taken as M99");
     return Go::kReturn;
   }
-  warn("wl4-no-end", "the program ends without M2 or M30: is the file cut short?");
+  c_.report.warn("wl4-no-end", "the program ends without M2 or M30: is the file cut short?");
   return finish("end of text", ProgramEnd::kEndOfProgram);
 }
 
 Wl4Control::Go Wl4Control::block(std::size_t& next_line) {
-  const std::string_view line = levels_.back().program->line(levels_.back().line);
+  const std::string_view line = c_.levels.back().program->line(c_.levels.back().line);
   const std::size_t first = behindBlanks(line, 0);
-  if (line.substr(first, 1) == "/" && !parameters_.conditional) return Go::kOn;
+  if (line.substr(first, 1) == "/" && !c_.setup.parameters.conditional) return Go::kOn;
   // The text is UTF-8: bytes that go on with a character are none.
   const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
   const auto length = static_cast<std::size_t>(std::count_if(line.begin(), line.end(), begins));
   if (length > kLongestBlock) {
-    warnOnce("long", "wl4-long-block",
-             fmt::format("the block has {} characters: the control takes {}", length, kLongestBlock));
+    c_.report.warnOnce(
+        "long", "wl4-long-block",
+        fmt::format("the block has {} characters: the control takes {}", length, kLongestBlock));
   }
-  variables_.mark();
-  beginBlock(line);
-  const bool good = reader_.read(line, block_);
-  levels_.back().number = block_.number;
-  if (good && block_.empty()) {
+  c_.variables.mark();
+  c_.origins.beginBlock(line);
+  const bool good = c_.reader.read(line, c_.block);
+  c_.levels.back().number = c_.block.number;
+  if (good && c_.block.empty()) {
     until_hit_ = until_hit_ || reachedUntil();
     return Go::kOn;
   }
-  if (workOver() || goesRound()) return Go::kStop;
-  ++summary_.blocks;
+  if (c_.watch.workOver() || endless()) return Go::kStop;
+  ++c_.summary.blocks;
   if (!good) {
-    variables_.takeBack();
-    fail("wl4-syntax", reader_.error().message, reader_.error().columns);
+    c_.variables.takeBack();
+    c_.report.fail("wl4-syntax", c_.reader.error().message, c_.reader.error().columns);
     return failed();
   }
-  if (evaluator_.mixedPower()) {
-    warnOnce("power", "wl4-power", "** beside * / MOD without parentheses: they go from left to right");
+  if (c_.evaluator.mixedPower()) {
+    c_.report.warnOnce("power", "wl4-power",
+                       "** beside * / MOD without parentheses: they go from left to right");
   }
-  if (isOwnError(levels_.back().line)) {
-    const std::string text(block_.comment.empty() ? std::string_view("the program stops itself")
-                                                  : block_.comment);
-    fail(fmt::format("wl4-err-N{}", block_.number), text);
-    summary_.end = ProgramEnd::kAlarm;
+  if (isOwnError(c_.levels.back().line)) {
+    const std::string text(c_.block.comment.empty() ? std::string_view("the program stops itself")
+                                                    : c_.block.comment);
+    c_.report.fail(fmt::format("wl4-err-N{}", c_.block.number), text);
+    c_.summary.end = ProgramEnd::kAlarm;
     return Go::kStop;
   }
   return execute(next_line);
 }
 
+/// Whether the program is in a loop without an end: reported then.
+bool Wl4Control::endless() {
+  return c_.watch.goesRound(c_.variables.fingerprint(),
+                            {LoopWatch::bytesOf(c_.state), LoopWatch::bytesOf(c_.machine)});
+}
+
 /// `N010 M0 N10 .text`: a program reports an error by stopping for ever.
 bool Wl4Control::isOwnError(std::size_t here) const {
-  if (!block_.jump) return false;
-  const auto& labels = levels_.back().program->labels;
-  const auto target = labels.find(*block_.jump);
+  if (!c_.block.jump) return false;
+  const auto& labels = c_.levels.back().program->labels;
+  const auto target = labels.find(*c_.block.jump);
   if (target == labels.end() || target->second != here) return false;
-  return std::any_of(block_.m.begin(), block_.m.end(), [](const auto& m) { return m.number == 0; });
+  return std::any_of(c_.block.m.begin(), c_.block.m.end(), [](const auto& m) { return m.number == 0; });
 }
 
 Wl4Control::Go Wl4Control::execute(std::size_t& next_line) {
-  Plan p;
-  if (!goToToolChange() || !plan(p)) {
-    variables_.takeBack();
+  Wl4BlockPlan p;
+  if (!goToToolChange(c_) || !planBlock(c_, p)) {
+    c_.variables.takeBack();
     return failed();
   }
   const bool reached = reachedUntil();
-  recordWords(p);
-  if (!functions(p, Wl4Phase::kStart) || !carryOut(p)) return failed();
-  const bool open_cycle = p.deed == 31 || (p.deed >= 70 && p.deed <= 79);
-  p.next.spindle = state_.spindle;
-  p.next.coolant = state_.coolant;
-  p.next.gear = state_.gear;
-  p.next.tool = state_.tool;
-  state_ = p.next;
-  Go go = Go::kOn;
-  if (open_cycle && !isContourCycle(p.deed)) go = openCycle(p);
-  if (go == Go::kOn && p.deed == 0 && p.named.any() && state_.cycle != 80 && !in_cycle_) {
-    in_cycle_ = true;
-    recordFixedCycle();
-    go = call(fmt::format("{}", state_.cycle), 1);
-    in_cycle_ = false;
-  }
+  c_.origins.recordWords(p);
+  if (!performFunctions(c_, p, Wl4Phase::kStart) || !carryOut(p)) return failed();
+  commit(p);
+  Go go = cycles(p);
   if (go != Go::kOn) return go;
-  if (!functions(p, Wl4Phase::kEnd)) return failed();
-  if (block_.has('L')) go = subprograms();
+  if (!performFunctions(c_, p, Wl4Phase::kEnd)) return failed();
+  if (c_.block.has('L')) go = subprograms();
   if (go != Go::kOn) return go;
   until_hit_ = until_hit_ || reached;
-  for (const Wl4Block::Code& m : block_.m) {
-    if (m.number == 99 && levels_.size() > 1) return Go::kReturn;
-    if (m.number == 99)
-      warn("wl4-main-m99", "M99 in the main program: taken as its end", {}, Severity::kNote);
-    if (m.number == 2 || m.number == 30 || m.number == 99) {
-      return finish(fmt::format("M{}", m.number), ProgramEnd::kEndOfProgram);
-    }
-  }
-  return block_.jump ? jump(*block_.jump, next_line) : Go::kOn;
+  return flow(next_line);
 }
 
 /// The deed of the block, or its motion.
-bool Wl4Control::carryOut(Plan& p) {
-  if (p.deed == 4) return dwell();
-  if (p.deed == 36) return referenceMove(p);
-  if (isContourCycle(p.deed)) return contourCycle(p);
-  return p.deed != 0 || !p.moves || move(p);
+bool Wl4Control::carryOut(Wl4BlockPlan& p) {
+  if (p.deed == nullptr) return !p.moves || performMotion(c_, p);
+  return p.deed->perform == nullptr || p.deed->perform(c_, p);
+}
+
+/// The plan's state is that of the run; what functions of the block have set stays.
+void Wl4Control::commit(Wl4BlockPlan& p) {
+  p.next.spindle = c_.state.spindle;
+  p.next.coolant = c_.state.coolant;
+  p.next.gear = c_.state.gear;
+  p.next.tool = c_.state.tool;
+  c_.state = p.next;
+}
+
+/// The program of the deed, or of the fixed cycle in force behind a motion.
+Wl4Control::Go Wl4Control::cycles(const Wl4BlockPlan& p) {
+  if (p.deed != nullptr) {
+    if (p.deed->program.empty() || p.contour) return Go::kOn;
+    c_.state.open_cycle = p.deed->code;
+    const OriginRecorder::Slot fixed_cycle = c_.recorder.slot(OriginKind::kCycle);
+    c_.origins.recordOpenCycle(p);
+    const Go go = call(std::string(p.deed->program), 1);
+    c_.recorder.put(OriginKind::kCycle, fixed_cycle);
+    return go;
+  }
+  if (c_.state.cycle == 80 || in_cycle_ || !p.named.any()) return Go::kOn;
+  in_cycle_ = true;
+  c_.origins.recordFixedCycle();
+  const Go go = call(std::string(wl4GCode(c_.state.cycle)->program), 1);
+  in_cycle_ = false;
+  return go;
+}
+
+/// Ends, returns and jumps of the block.
+Wl4Control::Go Wl4Control::flow(std::size_t& next_line) {
+  for (const Wl4Block::Code& m : c_.block.m) {
+    const Wl4Flow flow = wl4MCode(m.number).flow;
+    if (flow == Wl4Flow::kOn) continue;
+    if (flow == Wl4Flow::kReturn) {
+      if (c_.levels.size() > 1) return Go::kReturn;
+      c_.report.warn("wl4-main-m99", "M99 in the main program: taken as its end", {}, Severity::kNote);
+    }
+    return finish(fmt::format("M{}", m.number), ProgramEnd::kEndOfProgram);
+  }
+  return c_.block.jump ? jump(*c_.block.jump, next_line) : Go::kOn;
 }
 
 Wl4Control::Go Wl4Control::failed() {
-  if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
-  recover();
-  if (summary_.errors < settings_.max_errors) return Go::kOn;
-  summary_.end = ProgramEnd::kAlarm;
+  if (c_.summary.end == ProgramEnd::kCancelled || c_.summary.end == ProgramEnd::kBlockLimit) return Go::kStop;
+  c_.pipe.clear();
+  c_.machine = c_.emitter.machine();
+  if (c_.summary.errors < c_.setup.settings.max_errors) return Go::kOn;
+  c_.summary.end = ProgramEnd::kAlarm;
   return Go::kStop;
 }
 
 Wl4Control::Go Wl4Control::finish(const std::string& code, ProgramEnd end) {
-  if (!pipe_.flush(FlushReason::kEnd)) {
-    summary_.end = ProgramEnd::kAlarm;
+  if (!c_.pipe.flush(FlushReason::kEnd)) {
+    c_.summary.end = ProgramEnd::kAlarm;
     return Go::kStop;
   }
-  if (settings_.until && !until_hit_) {
-    fail("wl4-until", "the program ends here; the block to stop after was not reached");
-    summary_.end = ProgramEnd::kAlarm;
+  if (c_.setup.settings.until && !until_hit_) {
+    c_.report.fail("wl4-until", "the program ends here; the block to stop after was not reached");
+    c_.summary.end = ProgramEnd::kAlarm;
     return Go::kStop;
   }
-  summary_.end = end;
-  emitter_.event(event::End{code}, 0.0, here());
+  c_.summary.end = end;
+  c_.emitter.event(event::End{code}, 0.0, c_.report.here());
   return Go::kStop;
 }
 
-bool Wl4Control::workOver() {
-  budget_.spend(1, budget_.newMotions(summary_.motions) > 0);
-  if ((budget_.work() - 1) % kWorkPerCheck == 0 && progress_ != nullptr) {
-    const Level& main = levels_.front();
-    progress_->report("interpreting", static_cast<double>(main.line - main.program->first) /
-                                          static_cast<double>(main.program->last - main.program->first));
-    if (progress_->cancelled()) {
-      summary_.end = ProgramEnd::kCancelled;
-      return true;
-    }
-  }
-  if (!budget_.over(levels_.size(), levels_.back().line)) return false;
-  fail("wl4-block-limit", budget_.message());
-  summary_.end = ProgramEnd::kBlockLimit;
-  return true;
-}
-
-/// Whether the program is in a loop without an end: reported then.
-bool Wl4Control::goesRound() {
-  const Level& level = levels_.back();
-  const bool endless = watch_.comesBack(level.run, levels_.size(), level.line, variables_.fingerprint(),
-                                        {LoopWatch::bytesOf(state_), LoopWatch::bytesOf(machine_)});
-  if (!endless) return false;
-  fail("wl4-endless-loop", watch_.message());
-  summary_.end = ProgramEnd::kBlockLimit;
-  return true;
-}
-
 bool Wl4Control::reachedUntil() const {
-  if (!settings_.until || levels_.size() != 1) return false;
-  const UntilBlock& until = *settings_.until;
-  if (until.block && levels_.back().number == *until.block) return true;
-  return until.line && static_cast<int>(levels_.back().line) + 1 >= *until.line;
+  if (!c_.setup.settings.until || c_.levels.size() != 1) return false;
+  const UntilBlock& until = *c_.setup.settings.until;
+  if (until.block && c_.levels.back().number == *until.block) return true;
+  return until.line && static_cast<int>(c_.levels.back().line) + 1 >= *until.line;
 }
 
 Wl4Control::Go Wl4Control::subprograms() {
   // By digits: two for the program, the rest are repetitions; the value has lost leading zeros.
-  const Columns at = block_.at('L');
-  const std::string_view text =
-      block_.text.substr(static_cast<std::size_t>(at.begin), static_cast<std::size_t>(at.end - at.begin) - 1);
+  const Columns at = c_.block.at('L');
+  const std::string_view text = c_.block.text.substr(static_cast<std::size_t>(at.begin),
+                                                     static_cast<std::size_t>(at.end - at.begin) - 1);
   std::string digits(text);
   if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) {
-    const int value = static_cast<int>(block_.value('L'));
+    const int value = static_cast<int>(c_.block.value('L'));
     digits = value < 100 ? fmt::format("{:02}", value) : fmt::format("{:04}", value);
   }
   if (digits.size() == 1) digits.insert(0, "0");
   const std::string name = digits.substr(0, 2);
   const int times = digits.size() > 2 ? std::atoi(digits.c_str() + 2) : 1;
   if (times == 0) {
-    warn("wl4-no-repetition",
-         fmt::format("L{} calls program {} no time: the digits behind the first two are repetitions", digits,
-                     name),
-         block_.at('L'));
+    c_.report.warn(
+        "wl4-no-repetition",
+        fmt::format("L{} calls program {} no time: the digits behind the first two are repetitions", digits,
+                    name),
+        c_.block.at('L'));
   }
   return call(name, times);
 }
 
 Wl4Control::Go Wl4Control::call(const std::string& name, int times) {
-  if (levels_.size() > kMostNested) {
-    fail("wl4-nesting", fmt::format("program {} is the sixth level of calls: five are allowed", name));
+  if (c_.levels.size() > kMostNested) {
+    c_.report.fail("wl4-nesting",
+                   fmt::format("program {} is the sixth level of calls: five are allowed", name));
     return failed();
   }
-  const Result<const Wl4Program*> program = programs_.find(name);
+  const Result<const Wl4Program*> program = c_.programs.find(name);
   if (!program) {
-    fail("wl4-program", program.error().message);
+    c_.report.fail("wl4-program", program.error().message);
     return failed();
   }
-  const Wl4Block caller = block_;  // the program reads its own
+  const Wl4Block caller = c_.block;  // the program reads its own
   for (int k = 0; k < times; ++k) {
-    if (workOver()) return Go::kStop;  // the program may be empty
-    variables_.open();
-    origins_.openCall();
+    if (c_.watch.workOver()) return Go::kStop;  // the program may be empty
+    c_.variables.open();
+    c_.recorder.openCall();
     const Go go = runProgram(**program);
-    origins_.closeCall();
-    variables_.close();
+    c_.recorder.closeCall();
+    c_.variables.close();
     if (go == Go::kStop) return go;
-    block_ = caller;
-    beginBlock(block_.text);
+    c_.block = caller;
+    c_.origins.beginBlock(c_.block.text);
   }
   return Go::kOn;
 }
 
 Wl4Control::Go Wl4Control::jump(std::int64_t label, std::size_t& next_line) {
-  const auto& labels = levels_.back().program->labels;
+  const auto& labels = c_.levels.back().program->labels;
   const auto target = labels.find(label);
   if (target == labels.end()) {
-    fail("wl4-label", fmt::format("there is no label N0{} in this program", label), block_.jump_columns);
+    c_.report.fail("wl4-label", fmt::format("there is no label N0{} in this program", label),
+                   c_.block.jump_columns);
     return failed();
   }
   next_line = target->second;

@@ -1,5 +1,9 @@
-// Rows of the WL4 manual, in the order of the rows' list.
+// What the WL4 control supports: from the codes that execute, and the rows of the manual in the order of the
+// rows' list.
+#include <fmt/core.h>
+
 #include <array>
+#include <string>
 
 #include "core/nc/wl4/wl4_codes.h"
 
@@ -214,7 +218,44 @@ constexpr auto kRows = std::to_array<CoverageIdRow>({
 });
 // clang-format on
 
+/// A code that does nothing is refused, whatever its class.
+std::string statusOf(std::string_view cls, bool served) {
+  if (!served) return "refused";
+  return cls == "SIM"     ? "simulated"
+         : cls == "TIME"  ? "timed"
+         : cls == "STATE" ? "tracked"
+         : cls == "HOST"  ? "noted"
+                          : "refused";
+}
+
+bool isServed(const Wl4GCode& g) {
+  return g.mode != nullptr || g.flag != nullptr || g.perform != nullptr || !g.program.empty();
+}
+
+bool isServed(const Wl4MCode& m) { return m.perform != nullptr || m.flow != Wl4Flow::kOn; }
+
+std::string nameOf(const Wl4MCode& m) {
+  return m.first == m.last ? fmt::format("M{}", m.first) : fmt::format("M{}-M{}", m.first, m.last);
+}
+
 }  // namespace
+
+std::vector<CoverageRow> wl4Coverage() {
+  std::vector<CoverageRow> rows;
+  for (const Wl4GCode& g : wl4GCodes()) {
+    rows.push_back({fmt::format("G{}", g.code), static_cast<int>(g.group), std::string(g.cls),
+                    statusOf(g.cls, isServed(g)), std::string(g.ids), std::string(g.meaning)});
+  }
+  for (const Wl4MCode& m : wl4MCodes()) {
+    rows.push_back({nameOf(m), -1, std::string(m.cls), statusOf(m.cls, isServed(m)), std::string(m.ids),
+                    std::string(m.meaning)});
+  }
+  for (const Wl4Feature& f : wl4Features()) {
+    rows.push_back({std::string(f.code), -1, std::string(f.cls), statusOf(f.cls, true), std::string(f.ids),
+                    std::string(f.meaning)});
+  }
+  return rows;
+}
 
 std::vector<CoverageIdRow> wl4CoverageIds() { return {kRows.begin(), kRows.end()}; }
 

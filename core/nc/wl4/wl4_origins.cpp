@@ -1,48 +1,16 @@
-// Where the words of a WL4 program were written: told to the recorder, block by block.
+#include "core/nc/wl4/wl4_origins.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "core/nc/wl4/wl4_control.h"
+#include "core/nc/wl4/wl4_codes.h"
 
 namespace proveout::nc {
 
 namespace {
 
 using Slot = OriginRecorder::Slot;
-
-/// The kind of word that a G code is; nothing: no motion depends on it, or it is told elsewhere.
-std::optional<OriginKind> kindOf(const Wl4GCode& code) {
-  switch (code.group) {
-    case Wl4Group::kMotion:
-      return OriginKind::kMotionCode;
-    case Wl4Group::kPlane:
-      return OriginKind::kPlane;
-    case Wl4Group::kRadius:
-      return OriginKind::kCompensation;
-    case Wl4Group::kLength:
-      return OriginKind::kLengthCode;
-    case Wl4Group::kSystem:
-      return OriginKind::kWorkOffset;
-    case Wl4Group::kCycle:
-      return OriginKind::kCycle;
-    case Wl4Group::kDistance:
-      return OriginKind::kDistance;
-    case Wl4Group::kFeed:
-      return OriginKind::kFeedMode;
-    case Wl4Group::kSpeed:
-      return OriginKind::kSpindleMode;
-    case Wl4Group::kDeed:
-      if (code.code == 92) return OriginKind::kWorkOffset;
-      return std::nullopt;
-    case Wl4Group::kFlag:
-      if (code.code == 50 || code.code == 51) return OriginKind::kMirror;
-      return std::nullopt;
-    case Wl4Group::kStop:
-      return std::nullopt;
-  }
-  return std::nullopt;
-}
 
 Slot slotOf(std::uint32_t word) {
   Slot slot;
@@ -67,45 +35,51 @@ constexpr std::string_view kIncrements = "UVW";
 
 }  // namespace
 
-void Wl4Control::beginBlock(std::string_view line) {
-  const SourceRef at = place();
-  origins_.enter(at.file, at.depth, !levels_.back().program->text->builtIn());
-  origins_.begin(at.line, blockNumberOf(line));
+void Wl4Origins::beginBlock(std::string_view line) {
+  const SourceRef at = placeOf(levels_);
+  recorder_.enter(at.file, at.depth, !levels_.back().program->text->builtIn());
+  recorder_.begin(at.line, blockNumberOf(line));
 }
 
-bool Wl4Control::shownByText() const { return block_.plain && origins_.byText(); }
+bool Wl4Origins::shownByText() const { return block_.plain && recorder_.byText(); }
 
-void Wl4Control::recordLetter(char letter, OriginKind kind, bool step, bool by_text) {
+void Wl4Origins::recordLetter(char letter, OriginKind kind, bool step, bool by_text) {
   if (!block_.has(letter)) return;
   if (by_text && shownByText()) {
     plain_words_.kinds.add(kind);
     if (step) plain_words_.steps.add(kind);
   } else {
-    origins_.word(kind, block_.at(letter), block_.value(letter), block_.readsOf(letter), {step, false});
+    recorder_.word(kind, block_.at(letter), block_.value(letter), block_.readsOf(letter), {step, false});
   }
 }
 
-void Wl4Control::recordCode(const Wl4Block::Code& code, OriginKind kind) {
+void Wl4Origins::recordCode(const Wl4Block::Code& code, OriginKind kind) {
   if (shownByText()) {
     plain_words_.kinds.add(kind);
   } else {
-    origins_.word(kind, code.columns, code.number, code.reads, {});
+    recorder_.word(kind, code.columns, code.number, code.reads, {});
+  }
+}
+
+void Wl4Origins::recordCodesOf(int number, OriginKind kind) {
+  for (const Wl4Block::Code& word : block_.g) {
+    if (word.number == number) recordCode(word, kind);
   }
 }
 
 /// Plain words of the block take effect all at once: blocks that are alike then cost next to nothing.
-void Wl4Control::tellPlainWords() {
+void Wl4Origins::tellPlainWords() {
   told_shape_.reset();
   const PlainWords words = std::exchange(plain_words_, {});
-  if (words.kinds.empty() || (words == told_words_ && origins_.again())) return;
-  origins_.literals(words.kinds, words.steps, false);
+  if (words.kinds.empty() || (words == told_words_ && recorder_.again())) return;
+  recorder_.literals(words.kinds, words.steps, false);
   told_words_ = words;
 }
 
 /// Nothing: other words or modes may change with the block.
-std::optional<Wl4Control::BlockShape> Wl4Control::shapeOf(const Plan& p) const {
+std::optional<Wl4Origins::BlockShape> Wl4Origins::shapeOf(const Wl4BlockPlan& p) const {
   constexpr AddressSet kLetters = "XYZABCIJKRF";
-  if (!block_.plain || p.deed != 0 || block_.g.count > 1 || block_.m.count > 0 ||
+  if (!block_.plain || p.deed != nullptr || block_.g.count > 1 || block_.m.count > 0 ||
       !block_.present.without(kLetters).empty())
     return std::nullopt;
   const int g = block_.g.count == 1 ? block_.g.at[0].number : -1;
@@ -113,29 +87,26 @@ std::optional<Wl4Control::BlockShape> Wl4Control::shapeOf(const Plan& p) const {
   return BlockShape{block_.present, p.named, g, p.next.motion, p.next.distance, p.chamfer > 0.0};
 }
 
-void Wl4Control::recordWords(const Plan& p) {
+void Wl4Origins::recordWords(const Wl4BlockPlan& p) {
   const std::optional<BlockShape> shape = shapeOf(p);
-  if (shape && shape == told_shape_ && origins_.again()) return;
+  if (shape && shape == told_shape_ && recorder_.again()) return;
   recordBlock(p);
   told_shape_ = shape;
 }
 
-void Wl4Control::recordBlock(const Plan& p) {
-  const bool contour = isContourCycle(p.deed);
-  const bool thread = p.deed == 31 || block_.hasCode(32) || block_.hasCode(33);
-  const bool arc = p.deed == 0 && (p.next.motion == 2 || p.next.motion == 3);
-  origins_.clear(kBlockKinds);
-  recordCodes(contour);
+void Wl4Origins::recordBlock(const Wl4BlockPlan& p) {
+  recorder_.clear(kBlockKinds);
+  recordCodes(p);
   recordLetter('T', OriginKind::kNextTool);
   recordLetter('D', OriginKind::kRadiusOffset);
   if (p.next.length != 49) recordLetter('H', OriginKind::kLengthOffset);
-  if (!block_.hasCode(51)) recordLetter('S', OriginKind::kSpindle);  // there it is a limit
-  if (!contour) {
+  if (!p.mirror) recordLetter('S', OriginKind::kSpindle);  // there it is a limit
+  if (!p.contour) {
     recordLetter('F', OriginKind::kFeed);
-    if (thread) recordLetter('F', OriginKind::kThreadLead);
+    if (p.thread) recordLetter('F', OriginKind::kThreadLead);
     recordAxes(p);
   }
-  if (arc) {
+  if (p.arc()) {
     recordLetter('I', OriginKind::kI);
     recordLetter('J', OriginKind::kJ);
     recordLetter('K', OriginKind::kK);
@@ -143,32 +114,30 @@ void Wl4Control::recordBlock(const Plan& p) {
   }
   if (p.chamfer > 0.0) recordLetter('B', OriginKind::kCorner);
   tellPlainWords();
-  const bool data = block_.has('T') || block_.has('D') || block_.has('H') || p.deed == 92 ||
+  const bool data = block_.has('T') || block_.has('D') || block_.has('H') || p.sets_system ||
                     p.next.length != state_.length || p.next.system != state_.system || !data_told_;
   if (data) recordData(p);
 }
 
-void Wl4Control::recordCodes(bool contour) {
+void Wl4Origins::recordCodes(const Wl4BlockPlan& p) {
   for (const Wl4Block::Code& word : block_.g) {
     const Wl4GCode& code = *wl4GCode(word.number);
-    const std::optional<OriginKind> kind = kindOf(code);
-    if (code.code == 80) origins_.clear(kCycleKinds);
-    if (!kind || code.code == 80) continue;
-    if (contour && *kind == OriginKind::kCompensation) continue;           // on during the cycle alone
+    if (code.code == 80) recorder_.clear(kCycleKinds);
+    if (!code.kind || code.code == 80) continue;
+    if (p.contour && *code.kind == OriginKind::kCompensation) continue;    // on during the cycle alone
     if (code.code == 51 && (block_.present & "XYZABC").empty()) continue;  // a limit of the speed
-    recordCode(word, *kind);
+    recordCode(word, *code.kind);
   }
   for (const Wl4Block::Code& word : block_.m) {
-    if (word.number == 3 || word.number == 4 || word.number == 5 || word.number == 19)
-      recordCode(word, OriginKind::kSpindleDirection);
+    if (const Wl4MCode& code = wl4MCode(word.number); code.kind) recordCode(word, *code.kind);
   }
 }
 
 /// Words of the axes that the block names as positions.
-void Wl4Control::recordAxes(const Plan& p) {
-  for (int axis = 0; axis < axes_.count(); ++axis) {
+void Wl4Origins::recordAxes(const Wl4BlockPlan& p) {
+  for (int axis = 0; axis < setup_.axes.count(); ++axis) {
     if (!p.named[static_cast<std::size_t>(axis)]) continue;
-    const std::string& name = axes_.at(axis).name;
+    const std::string& name = setup_.axes.at(axis).name;
     const char absolute = name[0];
     const char incremental = axis < 3 ? kIncrements[static_cast<std::size_t>(axis)] : '\0';
     const bool both = block_.has(absolute) && incremental != '\0' && block_.has(incremental);
@@ -178,16 +147,16 @@ void Wl4Control::recordAxes(const Plan& p) {
   }
 }
 
-void Wl4Control::recordData(const Plan& p) {
+void Wl4Origins::recordData(const Wl4BlockPlan& p) {
   const Wl4State& s = p.next;
   data_told_ = true;
-  DataInForce data = origins_.data();
+  DataInForce data = recorder_.data();
   data.tool = s.tool;
-  data.length = s.length == 49 ? OffsetInForce() : rowInForce(settings_.length_offsets, s.h);
+  data.length = s.length == 49 ? OffsetInForce() : rowInForce(setup_.settings.length_offsets, s.h);
   data.length_offset = Vec3(s.length_offset[0], s.length_offset[1], s.length_offset[2]);
-  data.radius = rowInForce(settings_.radius_offsets, s.d);
-  if (lathe_) {
-    const Wl4Parameters::Tool& tool = parameters_.tool(s.selected_tool);
+  data.radius = rowInForce(setup_.settings.radius_offsets, s.d);
+  if (setup_.lathe) {
+    const Wl4Parameters::Tool& tool = setup_.parameters.tool(s.selected_tool);
     data.nose_tool = s.selected_tool;
     data.nose_radius = tool.nose_radius;
     data.tip = tool.tip;
@@ -199,103 +168,86 @@ void Wl4Control::recordData(const Plan& p) {
   data.common_offset = {};
   data.work_offset = {};
   if (from_job) {
-    data.common_offset.value = settings_.common_offset;
-    data.work_offset.value = settings_.work_offsets[static_cast<std::size_t>(s.system - 54)];
+    data.common_offset.value = setup_.settings.common_offset;
+    data.work_offset.value = setup_.settings.work_offsets[static_cast<std::size_t>(s.system - 54)];
   } else if (s.system == 92) {
     data.work_offset.value = s.system_offset.xyz;
-    if (p.deed == 92) recordSetters();
+    if (p.sets_system) recordSetters();
     data.work_offset.set_by = system_by_;
   }
-  origins_.setData(data);
+  recorder_.setData(data);
 }
 
 /// The words of G92.
-void Wl4Control::recordSetters() {
+void Wl4Origins::recordSetters() {
   if (state_.system != 92) system_by_ = {};
   for (std::size_t k = 0; k < 3; ++k) {
     const char letter = "XYZ"[k];
     if (!block_.has(letter)) continue;
-    system_by_[k] =
-        origins_.numberOf(OriginKind::kData, block_.at(letter), block_.value(letter), block_.readsOf(letter));
+    system_by_[k] = recorder_.numberOf(OriginKind::kData, block_.at(letter), block_.value(letter),
+                                       block_.readsOf(letter));
   }
 }
 
-void Wl4Control::recordToolChange() {
-  origins_.put(OriginKind::kTool, origins_.slot(OriginKind::kNextTool));
-  DataInForce data = origins_.data();
+void Wl4Origins::recordToolChange() {
+  recorder_.put(OriginKind::kTool, recorder_.slot(OriginKind::kNextTool));
+  DataInForce data = recorder_.data();
   data.tool = state_.tool;
-  origins_.setData(data);
+  recorder_.setData(data);
 }
 
-/// What the programs %81 to %89 take from variables.
-void Wl4Control::recordFixedCycle() {
-  origins_.put(OriginKind::kCyclePlane, slotOf(variables_.originOf(2)));
-  origins_.put(OriginKind::kCycleDepth, slotOf(variables_.originOf(3)));
-  origins_.put(OriginKind::kCycleStep, slotOf(state_.cycle == 83 ? variables_.originOf(5) : 0));
+void Wl4Origins::recordFixedCycle() {
+  recorder_.put(OriginKind::kCyclePlane, slotOf(variables_.originOf(2)));
+  recorder_.put(OriginKind::kCycleDepth, slotOf(variables_.originOf(3)));
+  recorder_.put(OriginKind::kCycleStep, slotOf(state_.cycle == 83 ? variables_.originOf(5) : 0));
 }
 
-/// Words of the block of G76 to G78 that all passes share.
-void Wl4Control::recordContourCycle(const Plan& p) {
+void Wl4Origins::recordOpenCycle(const Wl4BlockPlan& p) {
+  recordCodesOf(p.deed->code, OriginKind::kCycle);
+  tellPlainWords();
+}
+
+void Wl4Origins::recordContourCycle(const Wl4BlockPlan& p) {
   const auto tell = [&](char letter, OriginKind kind) { recordLetter(letter, kind, false, false); };
   for (const char letter : {'R', 'I', 'K'}) tell(letter, OriginKind::kAllowance);
-  if (p.deed == 76) {
+  if (p.deed->code == 76) {  // the stock
     for (const char letter : {'U', 'W', 'C'}) tell(letter, OriginKind::kCycleDepth);
   }
   tell('E', OriginKind::kCycleStep);
   tell('F', OriginKind::kFeed);
   for (const Wl4Block::Code& word : block_.g) {
-    if (word.number == p.deed) recordCode(word, OriginKind::kCycle);
+    if (word.number == p.deed->code) recordCode(word, OriginKind::kCycle);
     if (word.number == 41 || word.number == 42) recordCode(word, OriginKind::kCompensation);
   }
   tellPlainWords();
 }
 
-Wl4Control::ContourWords Wl4Control::wordsInPlane(const WorkPlane& plane) const {
-  ContourWords words;
-  words.u = origins_.slot(axisKind(axes_.at(plane.u).name));
-  words.v = origins_.slot(axisKind(axes_.at(plane.v).name));
+Wl4ContourWords Wl4Origins::wordsInPlane(const WorkPlane& plane) const {
+  Wl4ContourWords words;
+  words.u = recorder_.slot(axisKind(setup_.axes.at(plane.u).name));
+  words.v = recorder_.slot(axisKind(setup_.axes.at(plane.v).name));
   return words;
 }
 
-/// The whole block of a contour, and what gave the end of its element.
-Wl4Control::ContourWords Wl4Control::recordContourBlock(const WorkPlane& plane) {
-  ContourWords words = wordsInPlane(plane);
+void Wl4Origins::recordContourAxes(const Wl4BlockPlan& p) {
+  recordAxes(p);
+  tellPlainWords();
+}
+
+Wl4ContourWords Wl4Origins::recordContourBlock(const WorkPlane& plane) {
+  Wl4ContourWords words = wordsInPlane(plane);
   const std::size_t first = block_.text.find_first_not_of(" \t");
   const std::size_t last = block_.text.find_last_not_of(" \t\r");
   const Columns whole{static_cast<int>(first) + 1, static_cast<int>(last) + 2};
   words.block =
-      slotOf(origins_.numberOf(OriginKind::kContour, whole, std::numeric_limits<double>::quiet_NaN(), 0));
+      slotOf(recorder_.numberOf(OriginKind::kContour, whole, std::numeric_limits<double>::quiet_NaN(), 0));
   return words;
 }
 
-void Wl4Control::recordPass(const WorkPlane& plane, const ContourWords& words) {
-  origins_.put(axisKind(axes_.at(plane.u).name), words.u);
-  origins_.put(axisKind(axes_.at(plane.v).name), words.v);
-  origins_.put(OriginKind::kContour, words.block);
-}
-
-std::uint32_t Wl4Control::systemOrigin(int number) const {
-  switch (number) {
-    case 120:
-      return origins_.wordOf(OriginKind::kSpindle);
-    case 121:
-      return origins_.wordOf(OriginKind::kNextTool);
-    case 130:
-    case 131:
-      return origins_.wordOf(OriginKind::kX);
-    case 132:
-    case 133:
-      return origins_.wordOf(OriginKind::kY);
-    case 134:
-    case 135:
-      return origins_.wordOf(OriginKind::kZ);
-    case 139:
-      return origins_.wordOf(OriginKind::kFeed);
-    case 141:
-      return origins_.wordOf(OriginKind::kRadiusOffset);
-    default:
-      return 0;
-  }
+void Wl4Origins::recordPass(const WorkPlane& plane, const Wl4ContourWords& words) {
+  recorder_.put(axisKind(setup_.axes.at(plane.u).name), words.u);
+  recorder_.put(axisKind(setup_.axes.at(plane.v).name), words.v);
+  recorder_.put(OriginKind::kContour, words.block);
 }
 
 }  // namespace proveout::nc

@@ -1,31 +1,19 @@
-// Diagnostics of the WL4 control.
+#include "core/nc/wl4/wl4_report.h"
+
 #include <fmt/core.h>
 
 #include <utility>
 
-#include "core/nc/wl4/wl4_control.h"
-
 namespace proveout::nc {
 
-SourceRef Wl4Control::here() const {
-  SourceRef at = place();
-  at.origins = origins_.index();
+SourceRef Wl4Report::here() {
+  SourceRef at = placeOf(levels_);
+  at.origins = recorder_.index();
   return at;
 }
 
-SourceRef Wl4Control::place() const {
-  SourceRef at;
-  if (levels_.empty()) return at;
-  const Level& level = levels_.back();
-  at.file = level.program->file;
-  at.line = static_cast<std::uint32_t>(level.line + 1);
-  at.block = level.number;
-  at.depth = static_cast<decltype(at.depth)>(levels_.size() - 1);
-  return at;
-}
-
-Diagnostic Wl4Control::diagnosticAt(Severity severity, std::string code, std::string message,
-                                    const SourceRef& at, Columns columns) const {
+Diagnostic Wl4Report::diagnosticAt(Severity severity, std::string code, std::string message,
+                                   const SourceRef& at, Columns columns) const {
   Diagnostic d;
   d.severity = severity;
   d.code = std::move(code);
@@ -33,13 +21,13 @@ Diagnostic Wl4Control::diagnosticAt(Severity severity, std::string code, std::st
   if (levels_.empty() || at.line == 0) return d;
   placeIn(programs_.text(at.file), at, columns, d);
   for (std::size_t level = levels_.size(); level-- > 1;) {
-    const Level& caller = levels_[level - 1];
+    const Wl4Level& caller = levels_[level - 1];
     d.notes.push_back(fmt::format("called from {}:{}", caller.program->text->name(), caller.line + 1));
   }
   return d;
 }
 
-bool Wl4Control::fail(std::string code, std::string message, Columns at) {
+bool Wl4Report::fail(std::string code, std::string message, Columns at) {
   Diagnostic d = diagnosticAt(Severity::kError, std::move(code), std::move(message), here(), at);
   std::string values;
   for (char letter = 'A'; letter <= 'Z' && !levels_.empty(); ++letter) {
@@ -55,15 +43,15 @@ bool Wl4Control::fail(std::string code, std::string message, Columns at) {
   return false;
 }
 
-void Wl4Control::warn(std::string code, std::string message, Columns at, Severity severity) {
+void Wl4Report::warn(std::string code, std::string message, Columns at, Severity severity) {
   emitter_.diagnostic(diagnosticAt(severity, std::move(code), std::move(message), here(), at));
 }
 
-void Wl4Control::warnOnce(const std::string& key, std::string code, std::string message, Columns at) {
+void Wl4Report::warnOnce(const std::string& key, std::string code, std::string message, Columns at) {
   if (told_.insert(key).second) warn(std::move(code), std::move(message), at);
 }
 
-bool Wl4Control::contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
+bool Wl4Report::contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
                               const PathItem& at) {
   static const AlarmTable kTable{
       {SharedAlarm::kCorner, "wl4-chamfer", "illegal chamfer or rounding"},
@@ -74,13 +62,8 @@ bool Wl4Control::contourError(SharedAlarm alarm, std::string_view subject, std::
   return false;
 }
 
-void Wl4Control::compError(const char* code, const std::string& message, const SourceRef& at) {
+void Wl4Report::compError(const char* code, const std::string& message, const SourceRef& at) {
   emitter_.diagnostic(diagnosticAt(Severity::kError, code, message, at, {}));
-}
-
-void Wl4Control::recover() {
-  pipe_.clear();
-  machine_ = emitter_.machine();
 }
 
 }  // namespace proveout::nc

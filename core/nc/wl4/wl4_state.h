@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/nc/axes.h"
+#include "core/nc/services/plane_frame.h"
 
 namespace proveout::nc {
 
@@ -30,6 +31,9 @@ struct Wl4State {
   int open_cycle = 0;                           ///< #108
   std::array<double, 3> target{}, increment{};  ///< #130 to #135, X in diameter on lathes
 
+  PlaneFrame frame() const {
+    return PlaneFrame(plane == 17 ? Plane::kXY : plane == 18 ? Plane::kZX : Plane::kYZ);
+  }
   bool turns() const { return spindle == 3 || spindle == 4; }
   double sign(int axis) const { return mirrored[static_cast<std::size_t>(axis)] ? -1.0 : 1.0; }
   double offset(int axis) const {

@@ -27,8 +27,8 @@ const std::vector<std::string> kFloors = {
     "removal/cut", "removal/surface", "removal/contact", "removal/turning",
     "removal/vdb", "removal/compare", "removal/exact",   "removal/process",
     "io",          "app/session",     "render",          "app"};
-/// Rooms of the largest knot: that of the nct control, around its context. 12 are wanted.
-constexpr std::size_t kLargestKnot = 21;
+/// Rooms of the largest knot: that around removal/compare/compare.
+constexpr std::size_t kLargestKnot = 9;
 
 /// The files of the product with the files of it that they include.
 const Graph& includes() {

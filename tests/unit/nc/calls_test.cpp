@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/nc/macro/variables.h"
-#include "core/nc/nct/call_stack.h"
-#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/nct/program/alarms.h"
+#include "core/nc/nct/program/call_stack.h"
 
 namespace proveout::nc {
 namespace {

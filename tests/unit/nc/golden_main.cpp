@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "core/nc/coverage.h"
-#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/nct/program/alarms.h"
 #include "core/path/origin_query.h"
 #include "golden_case.h"
 

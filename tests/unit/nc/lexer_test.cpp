@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/nct/program/alarms.h"
 
 namespace proveout::nc {
 namespace {

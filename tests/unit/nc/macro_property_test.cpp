@@ -10,7 +10,7 @@
 
 #include "core/nc/interpreter.h"
 #include "core/nc/macro/expression.h"
-#include "core/nc/nct/nct_alarms.h"
+#include "core/nc/nct/program/alarms.h"
 #include "core/path/toolpath.h"
 
 namespace proveout {

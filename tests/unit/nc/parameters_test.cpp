@@ -1,8 +1,9 @@
 // Parameters of the nct control: by name from the job, by number from the program.
+#include "core/nc/nct/parameters/parameters.h"
+
 #include <gtest/gtest.h>
 
 #include "core/nc/control_settings.h"
-#include "core/nc/nct/nct_parameters.h"
 
 namespace proveout::nc {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "core/nc/nct/nct_control.h"
+#include "core/nc/nct/program/control.h"
 
 namespace proveout::nc {
 namespace {

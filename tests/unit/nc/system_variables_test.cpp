@@ -9,8 +9,10 @@
 #include <memory>
 #include <string>
 
-#include "core/nc/nct/nct_context.h"
-#include "core/nc/nct/offset_tables.h"
+#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/macro/output.h"
+#include "core/nc/nct/program/reset.h"
+#include "core/nc/nct/tools/offset_tables.h"
 
 namespace proveout::nc {
 namespace {
@@ -21,12 +23,13 @@ class SystemVariablesTest : public testing::Test {
     settings_.start = Vec3::Zero();
     settings_.work_offsets[0] = Vec3(0, 0, 20);
     context_ = std::make_unique<NctContext>(source_, settings_, sink_, nullptr, ControlHost{}, summary_);
+    variables_ = std::make_unique<SystemVariables>(*context_);
     CallFrame frame;
     const ProgramStore::Loaded main = context_->programs.main();
     frame.text = main.text;
     frame.file = main.file;
     context_->calls.push(frame);
-    context_->reset();
+    powerOn(*context_);
   }
   double read(int number) {
     Value out;
@@ -41,6 +44,7 @@ class SystemVariablesTest : public testing::Test {
   ToolpathBuilder sink_;
   InterpretSummary summary_;
   std::unique_ptr<NctContext> context_;
+  std::unique_ptr<SystemVariables> variables_;
 };
 
 constexpr double kVacant = -1e99;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/nc/interpreter.h"
+#include "core/nc/wl4/wl4_codes.h"
 #include "core/nc/wl4/wl4_programs.h"
 
 namespace proveout {
@@ -331,6 +332,31 @@ TEST(Wl4Threads, MotionsStayAsSmallAsTheyWere) {
     std::uint8_t channel;
   };
   EXPECT_EQ(sizeof(Motion), sizeof(WithoutThreads));
+}
+
+TEST(Wl4Codes, EveryRowNamesWhatExecutesIt) {
+  for (const nc::Wl4GCode& g : nc::wl4GCodes()) {
+    SCOPED_TRACE(g.code);
+    EXPECT_EQ(nc::wl4GCode(g.code), &g);
+    EXPECT_NE(g.group == nc::Wl4Group::kFlag || g.group == nc::Wl4Group::kDeed, g.mode != nullptr);
+    EXPECT_TRUE(g.group != nc::Wl4Group::kMotion || (g.plan != nullptr && g.perform != nullptr));
+    if (g.group == nc::Wl4Group::kDeed) {
+      EXPECT_NE(g.plan, nullptr);
+      EXPECT_TRUE(g.perform != nullptr || !g.program.empty() || g.code == 92);  // G92 only sets the state
+    }
+    EXPECT_TRUE(g.group != nc::Wl4Group::kFlag || g.flag != nullptr);
+    EXPECT_TRUE(g.program.empty() || !nc::wl4OwnProgram(g.program).empty());
+  }
+  for (int m = 0; m < 100; ++m) {
+    const nc::Wl4MCode& code = nc::wl4MCode(m);
+    EXPECT_TRUE(code.first <= m && m <= code.last) << m;
+    EXPECT_NE(code.perform != nullptr, code.flow != nc::Wl4Flow::kOn) << m;
+  }
+  EXPECT_EQ(nc::wl4MCode(19).first, 19);
+  EXPECT_EQ(nc::wl4MCode(44).first, 40);
+  EXPECT_EQ(nc::wl4GCode(5), nullptr);
+  EXPECT_EQ(nc::wl4GCode(100), nullptr);
+  EXPECT_EQ(nc::wl4GCode(-1), nullptr);
 }
 
 }  // namespace

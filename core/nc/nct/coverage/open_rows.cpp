@@ -1,6 +1,6 @@
 // Rows of the manual that this control does not serve yet, and why. A row leaves this list when a test proves
 // it.
-#include "core/nc/nct/nct_rows.h"
+#include "core/nc/nct/coverage/coverage_rows.h"
 
 namespace proveout::nc {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/nc/nct/nct_rows.h"
+#include "core/nc/nct/coverage/coverage_rows.h"
 
 namespace proveout::nc::coverage_rows {
 

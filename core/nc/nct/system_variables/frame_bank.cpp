@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "core/nc/nct/nct_origins.h"
-#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/block/origins.h"
 #include "core/nc/nct/system_variables/units.h"
 
 namespace proveout::nc {
@@ -128,7 +127,7 @@ VariableStatus FrameBank::write(int number, const Value& value) {
     dynamic_[static_cast<std::size_t>(cell.system)][cell.axis] = amount * unitOf(c_, cell.axis);
     return VariableStatus::kDone;
   }
-  if (!flushPipe(c_)) return VariableStatus::kReported;
+  if (!c_.flushPipe()) return VariableStatus::kReported;
   WorkSystem& system = c_.registers.frames.system(cell.system);
   if (cell.kind == Cell::Kind::kRotation) {
     system.angles_deg[cell.axis] = amount;
@@ -140,7 +139,7 @@ VariableStatus FrameBank::write(int number, const Value& value) {
   c_.chain = c_.chainOf(c_.state);
   c_.position = c_.chain.programOf(c_.machine);
   recordFrames(c_, c_.state);
-  rebasePipe(c_);
+  c_.rebasePipe();
   return VariableStatus::kDone;
 }
 

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "core/nc/nct/nct_output.h"
-#include "core/nc/nct/nct_perform.h"
+#include "core/nc/nct/block/sends.h"
+#include "core/nc/nct/macro/output.h"
 
 namespace proveout::nc {
 namespace {
 
-enum Number : int { kAlarm = 3000, kStop = 3006, kMessage = 3106, kBox = 3107 };
+enum MessageNumber : int { kAlarm = 3000, kStop = 3006, kMessage = 3106, kBox = 3107 };
 constexpr int kMaxNumber = 999;
 /// Boxes 100 to 199 ask for OK, 200 to 299 for yes or no.
 constexpr int kFirstBox = 100, kFirstQuestion = 200, kLastBox = 299;
@@ -66,7 +66,7 @@ VariableStatus MessageBank::write(int variable, const Value& value) {
     case kAlarm:
       return raise(number, text);
     case kStop:
-      if (!flushPipe(c_)) return VariableStatus::kReported;
+      if (!c_.flushPipe()) return VariableStatus::kReported;
       return send("stop", number, shown(5000 + number), text, -1);
     case kMessage:
       return send("message", number, fmt::format("MSG{:03}", number), text, -1);
@@ -77,12 +77,12 @@ VariableStatus MessageBank::write(int variable, const Value& value) {
   answer_ = told != c_.host.person.message_answers.end() ? told->second
             : number < kFirstQuestion                    ? kOk
                                                          : kYes;
-  if (!flushPipe(c_)) return VariableStatus::kReported;
+  if (!c_.flushPipe()) return VariableStatus::kReported;
   return send("box", number, shown(6000 + number), text, answer_);
 }
 
 VariableStatus MessageBank::raise(int number, const std::string& text) {
-  flushPipe(c_);  // the program is carried out up to the block before
+  c_.flushPipe();  // the program is carried out up to the block before
   const std::string detail = text.empty() ? "alarm of the program" : text;
   c_.fail(fmt::format("nct-{}", 4000 + number), fmt::format("{} ({})", detail, shown(4000 + number)));
   c_.summary.end = ProgramEnd::kAlarm;

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "core/nc/nct/nct_context.h"
+#include "core/nc/nct/channels/context.h"
 #include "core/nc/nct/system_variables/plc_bank.h"
 
 namespace proveout::nc {
 namespace {
 
-enum Number : int {
+enum StatusNumber : int {
   kClock = 3001,
   kCutting = 3002,
   kControl1 = 3003,
@@ -223,7 +223,8 @@ void StatusBank::tellPallets() {
 
 void countPart(NctContext& c, int m) {
   const int chosen = static_cast<int>(c.parameters[DataParam::kPartCountM]);
-  if (chosen == 0 ? m == 2 || m == 30 : m == chosen) c.registers.parts_made += 1.0;
+  if (chosen == 0 ? m == mcode::kEnd || m == mcode::kEndAndRewind : m == chosen)
+    c.registers.parts_made += 1.0;
 }
 
 }  // namespace proveout::nc

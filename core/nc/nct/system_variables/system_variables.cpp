@@ -1,11 +1,12 @@
 #include "core/nc/nct/system_variables/system_variables.h"
 
-#include "core/nc/nct/nct_context.h"
+#include "core/nc/nct/channels/context.h"
 
 namespace proveout::nc {
 
 SystemVariables::SystemVariables(NctContext& context)
-    : modal_(context),
+    : tools_(context),
+      modal_(context),
       frames_(context),
       offsets_(context),
       positions_(context),
@@ -13,6 +14,7 @@ SystemVariables::SystemVariables(NctContext& context)
       status_(context),
       messages_(context) {
   VariableStore& store = context.variables;
+  tools_.addTo(store);
   modal_.addTo(store);
   frames_.addTo(store);
   offsets_.addTo(store);

@@ -8,15 +8,18 @@
 #include "core/nc/nct/system_variables/position_bank.h"
 #include "core/nc/nct/system_variables/status_bank.h"
 #include "core/nc/nct/system_variables/tool_offset_bank.h"
+#include "core/nc/nct/tools/tools.h"
 
 namespace proveout::nc {
 
-/// All banks, known to the variables of the context by number and by name.
+/// All banks, known to the variables of the context by number and by name. One a channel; the context
+/// must outlive it.
 class SystemVariables {
  public:
   explicit SystemVariables(NctContext& context);
 
  private:
+  ToolBank tools_;
   ModalBank modal_;
   FrameBank frames_;
   ToolOffsetBank offsets_;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/nc/nct/nct_context.h"
+#include "core/nc/nct/channels/context.h"
 
 namespace proveout::nc {
 namespace {

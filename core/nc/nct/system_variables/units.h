@@ -1,11 +1,11 @@
-// What the variables of axes have in common: their units and how many there are.
+// What the variables of axes have in common: their places and units.
 #pragma once
 
-#include "core/nc/nct/nct_context.h"
+#include "core/nc/nct/channels/context.h"
 
 namespace proveout::nc {
 
-/// Low numbers of variables have room for 20 axes, high ones for 50.
+/// Low numbers have room for 20 axes, high ones for 50.
 inline constexpr int kLowAxes = 20, kHighAxes = 50;
 
 /// What one unit of a value of that axis is in mm or degrees. Positions and offsets of an axis in diameter

@@ -4,7 +4,8 @@
 #include <array>
 #include <utility>
 
-#include "core/nc/nct/nct_codes.h"
+#include "core/nc/nct/tables/code_names.h"
+#include "core/nc/nct/tables/codes.h"
 
 namespace proveout::nc::rows {
 
@@ -16,16 +17,13 @@ constexpr CodeClass kReject = CodeClass::kReject;
 
 constexpr AddressSet kAxes = "XYZUVW";
 
-/// Groups of M codes that exclude each other in a block.
-constexpr int kSpindleCodes = 1, kFlowCodes = 2, kCoolantCodes = 3, kGearCodes = 4;
-
 /// What a code is for motions.
 constexpr KindSet kindsOf(int code10, std::int8_t group) {
   using enum OriginKind;
   if (group == kOneShot) {
-    if (code10 == 520 || code10 == 920) return kShift;
-    if (code10 == 71) return kVirtualPlane;
-    return code10 == 109 ? KindSet(kDiameter) : KindSet();
+    if (code10 == gcode::kLocalShift || code10 == gcode::kSetPosition) return kShift;
+    if (code10 == gcode::kCylinder) return kVirtualPlane;
+    return code10 == gcode::kDiameter ? KindSet(kDiameter) : KindSet();
   }
   constexpr std::array<std::pair<NctGroup, OriginKind>, 16> kGroups{
       {{kGroupMotion, kMotionCode},
@@ -45,7 +43,7 @@ constexpr KindSet kindsOf(int code10, std::int8_t group) {
        {kGroupPolarInterpolation, kVirtualPlane},
        {kGroupMirror, kMirror}}};
   for (const auto& [of_group, kind] : kGroups) {
-    if (of_group == group && code10 != 800) return kind;  // G80 ends the words of a cycle
+    if (of_group == group && code10 != gcode::kCycleCancel) return kind;  // G80 ends the words of a cycle
   }
   return {};
 }

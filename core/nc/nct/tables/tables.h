@@ -1,7 +1,7 @@
-// The chapters of the code table. Each has a file of its own; nct_codes.cpp lists them.
+// The chapters of the code table. Each has a file of its own; tables/codes.cpp lists them.
 #pragma once
 
-#include "core/nc/nct/nct_codes.h"
+#include "core/nc/nct/tables/codes.h"
 
 namespace proveout::nc {
 

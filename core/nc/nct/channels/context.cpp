@@ -1,0 +1,135 @@
+#include "core/nc/nct/channels/context.h"
+
+#include <fmt/core.h>
+
+namespace proveout::nc {
+
+NctContext::NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
+                       Progress* progress, const ControlHost& control_host, InterpretSummary& run_summary)
+    : settings(control_settings),
+      summary(run_summary),
+      codes(nctCodes()),
+      axes(control_settings),
+      emitter(control_settings, axes, sink, run_summary),
+      programs(source, control_settings.encoding, sink),
+      environment(axes, parameters),
+      macro(variables, environment, nctAlarms()),
+      origins(sink),
+      m_index(codes, control_settings),
+      alarms(calls, programs, block, variables, emitter),
+      work(control_settings, progress, calls, alarms, run_summary),
+      host(control_host),
+      clock(emitter.time(), rapid_stage),
+      contour_alarms(alarms, *this),
+      crossing_stage(pipe, contour_alarms),
+      transform_stage(chain, map, alarms),
+      corner_stage(pipe, contour_alarms),
+      comp_stage(pipe, parameters, alarms, *this),
+      virtual_stage(pipe, chain, registers.frames, axes),
+      frame_stage(chain),
+      rapid_stage(emitter, settings, axes),
+      zone_stage({settings, axes, parameters, registers.program_zone, calls, emitter, pipe, alarms, *this}),
+      emit_stage(emitter, control_settings.tool_change_s) {
+  macro.setOrigins(origins);
+  pipe.link(transform_stage);
+  pipe.link(frame_stage);
+  pipe.link(emit_stage);
+  registers.offsets = OffsetTables(settings);
+  WorkFrames& frames = registers.frames;
+  frames.more_axes = axes.moreCount();
+  frames.common.offset = settings.common_offset;
+  for (std::size_t i = 0; i < frames.basic.size(); ++i) {
+    frames.basic[i] = {settings.work_offsets[i], settings.work_rotations_deg[i]};
+  }
+  for (const auto& [p, offset] : settings.extended_offsets) frames.extended[p].offset = offset;
+}
+
+void NctContext::shareWith(NctContext& owner) {
+  const auto count = [&](auto parameter) { return static_cast<int>(owner.parameters[parameter]); };
+  variables.share(owner.variables, count(MacroParam::kCommonLow), count(MacroParam::kCommonKept));
+  registers.offsets.share(owner.registers.offsets, count(DataParam::kCommonToolOffsets));
+  registers.shared_tools = owner.registers.shared_tools;
+  origins.shareWords(owner.origins, channel());
+}
+
+void NctContext::settle(const AxisPoint& at) {
+  machine = virtual_stage.linked() ? virtual_stage.adopt(at) : at;
+  position = chain.programOf(machine);
+}
+
+bool NctContext::flushPipe() {
+  if (!pipe.flush(FlushReason::kBuffer)) return false;
+  rebasePipe();
+  return true;
+}
+
+void NctContext::recover() {
+  pipe.clear();
+  settle(emitter.machine());
+}
+
+bool NctContext::openCall(const CallFrame& frame) {
+  if (calls.depth() > kMaxNesting || (opensLocals(frame.kind) && !variables.enter(frame.args))) {
+    return fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
+  }
+  origins.openCall();
+  calls.push(frame);
+  calls.top().run = ++calls_opened;
+  enterProgram();
+  last_called = frame.text;
+  return true;
+}
+
+void NctContext::openMain(const CallFrame& frame) {
+  calls.push(frame);
+  enterProgram();
+}
+
+void NctContext::enterProgram() {
+  const SourceRef& at = calls.here();
+  origins.enter(at.file, at.depth, !calls.top().text->builtIn());
+  origins.begin(at.line, at.block);
+  word_patterns.last = nullptr;
+}
+
+void NctContext::closeCall() {
+  if (opensLocals(calls.top().kind)) variables.leave();
+  calls.pop();
+  origins.closeCall();
+  enterProgram();
+}
+
+namespace {
+
+/// How often cancellation is looked at and progress told, in blocks.
+constexpr std::uint64_t kBlocksPerCheck = 1024;
+
+}  // namespace
+
+bool WorkGuard::over() {
+  constexpr std::uint64_t kFreeMotions = 100;
+  const std::uint64_t made = budget_.newMotions(summary_.motions);
+  budget_.spend(1 + (made > kFreeMotions ? made - kFreeMotions : 0), made > 0);
+  if (budget_.work() >= checked_ && progress_ != nullptr) {
+    checked_ = budget_.work() + kBlocksPerCheck;
+    const CallFrame& main = calls_.main();
+    progress_->report("interpreting",
+                      static_cast<double>(main.line) / static_cast<double>(main.text->lines().size()));
+    if (progress_->cancelled()) {
+      summary_.end = ProgramEnd::kCancelled;
+      return true;
+    }
+  }
+  if (!budget_.over(calls_.depth(), calls_.lineIndex())) return false;
+  alarms_.fail("nct-block-limit", budget_.message(", chords of curves included"));
+  summary_.end = ProgramEnd::kBlockLimit;
+  return true;
+}
+
+bool WorkGuard::endless(const LoopWatch& loop) {
+  alarms_.fail("nct-endless-loop", loop.message());
+  summary_.end = ProgramEnd::kBlockLimit;
+  return true;
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,224 @@
+// Calls of macros: G65, G66, G66.1, G67 and the codes that parameters turn into calls (manual 23.3).
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "core/nc/nct/block/origins.h"
+#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/cycles/pocket.h"
+#include "core/nc/nct/macro/arguments.h"
+#include "core/nc/nct/program/control.h"
+
+namespace proveout::nc {
+namespace {
+
+/// May an assigned code call here (manual 23.3.4-23.3.8)? Inside the program that it started it may not;
+/// inside other system programs only where N1755 ENC says so, and never a G code inside one of a G code.
+bool mayCall(const NctContext& c, std::int32_t code) {
+  bool inside = false;
+  for (std::size_t level = c.calls.depth(); level-- > 1;) {
+    const std::int32_t caller = c.calls.at(level).system_code;
+    if (caller < 0) continue;
+    if (caller == code || (isSystemG(caller) && isSystemG(code))) return false;
+    inside = true;
+  }
+  return !inside || c.parameters.flag(MacroParam::kCallsInSystemPrograms);
+}
+
+/// Is it a block that runs as itself while G66.1 is active: M98, M99, or G67, which ends the mode?
+bool runsItself(const Block& block) {
+  return std::any_of(block.words.begin(), block.words.end(), [](const Word& w) {
+    return (w.address == 'M' && (w.value == mcode::kCall || w.value == mcode::kReturn)) ||
+           (w.address == 'G' && code10Of(w) == gcode::kMacroCancel);
+  });
+}
+
+}  // namespace
+
+/// What the block in hand calls instead of being executed; kNone: nothing. `statement` tells that it stands
+/// behind IF.
+bool NctControl::findCall(bool statement, MacroCall& call) {
+  NctContext& c = context_;
+  const Block& block = c.block;
+  if (block.kind != LineKind::kBlock || c.data_input != nullptr) return false;
+  c.systems.update(c.parameters);
+  call = MacroCall();
+  const bool any_g = c.systems.anyG();
+  for (const Word& w : block.words) {
+    if (w.address != 'G') continue;
+    const std::int32_t code10 = code10Of(w);
+    const bool explicit_call =
+        code10 == gcode::kMacroCall || code10 == gcode::kMacroAfterMotions || code10 == gcode::kMacroOfBlocks;
+    if (!explicit_call && !(any_g && c.systems.g(code10, call.system) && mayCall(c, call.system.code)))
+      continue;
+    call.word = &w;
+    call.code10 = explicit_call ? code10 : MacroCall::kSystem;
+    return true;
+  }
+  if (c.systems.anyMMacro() && !block.words.empty() && findMMacro(call)) return true;
+  if (c.modals.none() || statement || block.empty() || runsItself(block)) return false;
+  call.modal = c.modals.find(CallKind::kBlockMacro, c.calls);
+  return call.modal != nullptr && !anySubprogramWord();
+}
+
+bool NctControl::findMMacro(MacroCall& call) {
+  NctContext& c = context_;
+  const Word& first = c.block.words.front();
+  if (first.address != 'M' || !c.systems.mMacro(mNumber(first), call.system) || !mayCall(c, call.system.code))
+    return false;
+  call.word = &first;
+  call.code10 = MacroCall::kSystem;
+  return true;
+}
+
+NctControl::Go NctControl::callMacro(const MacroCall& call) {
+  NctContext& c = context_;
+  until_hit_ = until_hit_ || reachedUntil();
+  if (!c.systems.fault().empty()) {
+    c.fail("nct-parameter", c.systems.fault());
+    return alarm();
+  }
+  if (call.modal != nullptr) return callFromBlock(*call.modal);
+  CallFrame frame;
+  const bool good = call.code10 == MacroCall::kSystem ? systemFrame(call, frame) : explicitFrame(call, frame);
+  if (!good) return alarm();
+  if (frame.kind == CallKind::kMacro || frame.kind == CallKind::kSystem) return open(frame);
+  if (!c.modals.activate(frame)) {
+    c.fail("nct-nesting", fmt::format("more than {} modal macros are active", kMaxNesting));
+    return alarm();
+  }
+  c.state.active[kGroupMacro] =
+      frame.kind == CallKind::kModalMacro ? gcode::kMacroAfterMotions : gcode::kMacroOfBlocks;
+  return frame.kind == CallKind::kModalMacro ? Go::kOn : open(c.modals.last());
+}
+
+NctControl::Go NctControl::open(const CallFrame& frame) {
+  return context_.openCall(frame) ? Go::kOn : alarm();
+}
+
+/// The frame of G65, G66 and G66.1.
+bool NctControl::explicitFrame(const MacroCall& call, CallFrame& frame) {
+  NctContext& c = context_;
+  const Word* l = c.word('L');
+  if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return false;
+  if (c.block.has_file && call.code10 != gcode::kMacroCall) {
+    return c.fail("nct-2017", fmt::format("illegal address <>: {} calls by number only", gName(call.code10)),
+                  c.block.file_columns);
+  }
+  ArgumentRules rules;
+  rules.call = call.word;
+  rules.weak = "GPL";
+  if (!collectArguments(c, rules, frame.args)) return false;
+  frame.kind = call.code10 == gcode::kMacroCall           ? CallKind::kMacro
+               : call.code10 == gcode::kMacroAfterMotions ? CallKind::kModalMacro
+                                                          : CallKind::kBlockMacro;
+  const Word* p = c.word('P');
+  if (call.code10 == gcode::kMacroCall && p != nullptr && p->value == kPocketProgram && !c.block.has_file &&
+      c.programs.byNumber(c.calls.top().file, kPocketProgram).text == nullptr) {
+    return pocketFrame(c, frame);
+  }
+  return loadCalled(frame, gName(call.code10), c.calls.top().file);
+}
+
+/// The frame of a G or M code that parameters turn into a call.
+bool NctControl::systemFrame(const MacroCall& call, CallFrame& frame) {
+  NctContext& c = context_;
+  ArgumentRules rules;
+  rules.call = call.word;
+  const bool is_g = isSystemG(call.system.code);
+  if (is_g) rules.weak = "G";
+  if (c.block.has_file)
+    return c.fail("nct-2017", "illegal address <>: a file name belongs to M98 and G65", c.block.file_columns);
+  if (!collectArguments(c, rules, frame.args)) return false;
+  frame.system_code = call.system.code;
+  frame.kind = !call.system.modal                                   ? CallKind::kSystem
+               : c.parameters.flag(MacroParam::kModalFromEachBlock) ? CallKind::kBlockMacro
+                                                                    : CallKind::kModalMacro;
+  return take(c.programs.system(call.system.program, c.channel()), frame);
+}
+
+/// G66.1 is active: the block is a list of arguments.
+NctControl::Go NctControl::callFromBlock(const CallFrame& modal) {
+  NctContext& c = context_;
+  CallFrame frame = modal;
+  frame.args = Arguments();
+  if (c.block.has_file) {
+    c.fail("nct-2017", "illegal address <>: a file name is no argument", c.block.file_columns);
+    return alarm();
+  }
+  return collectArguments(c, ArgumentRules(), frame.args) ? open(frame) : alarm();
+}
+
+/// Puts off the calls that the block brings along: the modal macro after a motion, then the subprograms that
+/// stand in it as M codes or letters.
+void NctControl::deferCalls(const BlockPlan& plan) {
+  NctContext& c = context_;
+  if (plan.by_group[kGroupMacro] != nullptr) {  // G67
+    c.modals.cancel();
+    const bool any = !c.modals.none();
+    c.state.active[kGroupMacro] = !any                                            ? gcode::kMacroCancel
+                                  : c.modals.last().kind == CallKind::kModalMacro ? gcode::kMacroAfterMotions
+                                                                                  : gcode::kMacroOfBlocks;
+  }
+  if (!c.modals.none() && moves(plan)) {
+    if (const CallFrame* modal = c.modals.find(CallKind::kModalMacro, c.calls)) c.calls.defer(*modal);
+  }
+  for (std::size_t k = 0; k < subprogram_count_; ++k) {
+    const SubprogramWord& word = subprograms_[k];
+    if (word.variable > 0) c.variables.write(word.variable, word.value);
+    c.calls.defer(word.frame);
+  }
+}
+
+/// Does a word of the block call a subprogram?
+bool NctControl::anySubprogramWord() {
+  NctContext& c = context_;
+  if (!c.systems.anySubprogram()) return false;
+  SystemCall call;
+  return std::any_of(c.block.words.begin(), c.block.words.end(),
+                     [&](const Word& w) { return subprogramOf(w, call); });
+}
+
+bool NctControl::subprogramOf(const Word& w, SystemCall& call) const {
+  const NctContext& c = context_;
+  const bool found =
+      w.address == 'M' ? c.systems.mSubprogram(mNumber(w), call) : c.systems.letter(w.address, call);
+  return found && mayCall(c, call.code);
+}
+
+/// Takes the words that call subprograms out of the block. False: a program was not found, reported.
+bool NctControl::takeSubprogramWords() {
+  NctContext& c = context_;
+  subprogram_count_ = 0;
+  if (!c.systems.anySubprogram()) return true;
+  if (!c.systems.fault().empty()) return c.fail("nct-parameter", c.systems.fault());
+  std::vector<Word>& words = c.block.words;
+  SystemCall call;
+  for (const Word& w : words) {
+    if (!subprogramOf(w, call)) continue;
+    if (subprogram_count_ == subprograms_.size())
+      return c.failWord("nct-m-count", "too many subprograms are called in one block", w);
+    SubprogramWord& taken = subprograms_[subprogram_count_++];
+    const std::uint32_t origin = call.variable > 0 ? numberOf(c, w, OriginKind::kArgument) : 0;
+    taken = {CallFrame(), {w.value, false, origin}, call.variable};
+    taken.frame.kind = CallKind::kSubprogram;
+    taken.frame.system_code = call.code;
+    if (!take(c.programs.system(call.program, c.channel()), taken.frame)) return false;
+  }
+  if (subprogram_count_ == 0) return true;
+  std::erase_if(words, [&](const Word& w) { return subprogramOf(w, call); });
+  c.block.present = {};
+  for (const Word& w : words) c.block.present.add(w.address);
+  return true;
+}
+
+bool NctControl::moves(const BlockPlan& plan) {
+  if (plan.perform == nullptr || plan.governor == nullptr) return false;
+  if (plan.governor->group != kOneShot) return true;
+  constexpr std::array<std::int32_t, 6> kMoving{gcode::kReference,     gcode::kNumberedReference,
+                                                gcode::kSkip,          gcode::kThread,
+                                                gcode::kMeasureLength, gcode::kMachineMove};
+  return std::find(kMoving.begin(), kMoving.end(), plan.governor->code10) != kMoving.end();
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,33 @@
+// Cutter compensation of nct as a stage of the motion pipe.
+#pragma once
+
+#include <string>
+
+#include "core/nc/compensation_stage.h"
+#include "core/nc/nct/motion/stage_recovery.h"
+#include "core/nc/nct/parameters/parameters.h"
+#include "core/nc/nct/program/alarms.h"
+
+namespace proveout::nc {
+
+/// Says what is wrong, and slows feeds at arcs inside.
+class CompStage final : public CompensationStage {
+ public:
+  CompStage(MotionPipe& pipe, const NctParameters& parameters, AlarmReporter& alarms, StageRecovery& recovery)
+      : CompensationStage(pipe), parameters_(parameters), alarms_(alarms), recovery_(recovery) {}
+
+  /// Compensation begins with the next item; the last one ended at `start`, (u, v, w).
+  void engage(const Vec3& start);
+
+ private:
+  void note(const CompNote& told) override;
+  void failed(const CompStatus& status) override;
+  bool send(const CompPiece& piece, const PathItem& item, PathItem& out) override;
+  void report(Severity severity, const char* code, const std::string& message, std::uint64_t tag);
+
+  const NctParameters& parameters_;
+  AlarmReporter& alarms_;
+  StageRecovery& recovery_;
+};
+
+}  // namespace proveout::nc

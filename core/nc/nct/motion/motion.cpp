@@ -1,0 +1,309 @@
+// Plans of the codes that move: G0 G1 G2 G3 G4 G28 G30 G53.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "core/nc/nct/block/perform.h"
+#include "core/nc/nct/block/plans.h"
+#include "core/nc/nct/block/sends.h"
+#include "core/nc/nct/block/unused_words.h"
+#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/motion/contour.h"
+#include "core/nc/nct/motion/feed.h"
+#include "core/nc/nct/motion/planes.h"
+#include "core/nc/tool_change.h"
+
+namespace proveout::nc {
+
+namespace {
+
+/// A block that switches cutter compensation on or off and names an axis of the plane, without a way in it:
+/// the tool goes onto its offset, or off it, by feed even under G0 (manual 15.5.1; 15.5.3 does not say it of
+/// the end).
+bool stepsAside(const NctContext& c, const BlockPlan& plan) {
+  if (plan.next.compOn() == c.state.compOn()) return false;
+  const WorkPlane plane = plan.next.workPlane();
+  const AxisPoint &from = plan.start, &to = plan.motion.target;
+  const bool named = plan.motion.named[static_cast<std::size_t>(plane.u)] ||
+                     plan.motion.named[static_cast<std::size_t>(plane.v)];
+  return named && from[plane.u] == to[plane.u] && from[plane.v] == to[plane.v];
+}
+
+}  // namespace
+
+bool planRapid(NctContext& c, BlockPlan& plan) {
+  if (!axisTarget(c, plan, plan.motion.target) || !planDirection(c, plan)) return false;
+  if (!c.anyAxisWord()) return true;
+  plan.perform = performMove;
+  if (stepsAside(c, plan) && (plan.next.compOffset() != 0.0 || c.state.compOffset() != 0.0)) {
+    plan.motion.rapid = plan.next.feed <= 0.0;
+    if (!plan.motion.rapid) return feedStyle(c, plan, plan.motion.feed);
+    c.warn("nct-feed",
+           "onto the offset or off it the tool goes by feed here, and there is no F: rapid is taken");
+  }
+  plan.motion.rapid = true;
+  plan.motion.feed.join.stops = joinOf(plan).stops;
+  return true;
+}
+
+bool planLine(NctContext& c, BlockPlan& plan) {
+  if (!axisTarget(c, plan, plan.motion.target)) return false;
+  if (hasContourWords(c.block) ? !planLineContour(c, plan) : !refuseChoice(c, plan)) return false;
+  if (!c.anyAxisWord() && plan.motion.meet == PathItem::Meet::kNo) return true;
+  plan.perform = performMove;
+  plan.motion.rapid = false;
+  return feedStyle(c, plan, plan.motion.feed);
+}
+
+namespace {
+
+struct ArcFailure {
+  const char* code;
+  const char* message;
+};
+
+ArcFailure describe(ArcError error) {
+  switch (error) {
+    case ArcError::kNoDefinition:
+      return {"nct-2015", "circle definition error: neither R nor I, J, K is given"};
+    case ArcError::kCenterOutsidePlane:
+      return {"nct-2015", "circle definition error: a centre word does not belong to the selected plane"};
+    case ArcError::kRadiusWithoutEnd:
+      return {"nct-2015", "circle definition error: R needs an end point in the plane"};
+    case ArcError::kZeroRadius:
+      return {"nct-2015", "circle definition error: the radius is 0"};
+    case ArcError::kRadiusDifference:
+      return {"nct-2012", "circle radius difference error"};
+    case ArcError::kBadTurns:
+      return {"nct-2002", "L data out of range: the number of turns is an integer from 1"};
+    case ArcError::kNotFinite:
+    case ArcError::kNone:
+      break;
+  }
+  return {"nct-2002", "circle data out of range"};
+}
+
+}  // namespace
+
+namespace {
+
+/// A difference of radii that controls usually let through, mm: beyond it a job that does not give N1339 is
+/// told.
+constexpr double kUsualDifferenceMm = 0.01;
+
+bool arcRequest(NctContext& c, const BlockPlan& plan, ArcRequest& request) {
+  const PlaneFrame frame(plan.next.plane());  // of the letters I, J, K
+  const WorkPlane plane = plan.next.workPlane();
+  request.start = plane.of(plan.start);
+  request.end = plane.of(plan.motion.target);
+  AxisSet others = plan.motion.named;
+  request.has_plane_end =
+      others[static_cast<std::size_t>(plane.u)] || others[static_cast<std::size_t>(plane.v)];
+  others.reset(static_cast<std::size_t>(plane.u)).reset(static_cast<std::size_t>(plane.v));
+  request.has_other_axis = others.any();
+  request.counter_clockwise = plan.next.active[kGroupMotion] == gcode::kArcCounterClockwise;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Word* w = c.ownWord(plan, "IJK"[axis]);
+    if (w == nullptr) continue;
+    if (plan.next.axes.mode == VirtualMode::kCylinder) {
+      return c.alarm(2017, *w, "arcs during G7.1 are given by R");
+    }
+    double value = lengthOf(plan, *w);
+    if (c.parameters.flag(MotionParam::kAbsoluteCentre)) {
+      value -= plan.start[axis == frame.u() ? plane.u : axis == frame.v() ? plane.v : axis];
+    }
+    if (axis == frame.w()) request.center_word_outside_plane = true;
+    if (axis == frame.u()) request.center_u = value;
+    if (axis == frame.v()) request.center_v = value;
+  }
+  if (const Word* r = c.ownWord(plan, 'R')) request.radius = lengthOf(plan, *r);
+  if (const Word* l = c.ownWord(plan, 'L')) {
+    std::int64_t turns = 0;
+    if (!integerWord(c, *l, 1, 99999999, turns)) return false;
+    request.turns = turns;
+  }
+  return true;
+}
+
+bool failArc(NctContext& c, const ArcResolution& resolved) {
+  const ArcFailure failure = describe(resolved.error);
+  std::string message = failure.message;
+  if (resolved.error == ArcError::kRadiusDifference) {
+    message += fmt::format(": {:.6g} mm between start and end radius, {:.6g} allowed",
+                           resolved.radius_difference, c.parameters[MotionParam::kRadiusDifference]);
+  }
+  return c.fail(failure.code, std::move(message));
+}
+
+/// G16: an angle beyond a turn makes so many turns where the pole is the centre (manual 5.4).
+void takePolarTurns(BlockPlan& plan, const ArcRequest& request) {
+  constexpr double kSamePoleMm = 1e-3;
+  const double turn = plan.motion.polar_turn_deg;
+  PlaneArc& arc = plan.motion.arc;
+  const bool agrees = request.counter_clockwise ? turn > 360.0 : turn < -360.0;
+  const bool bounded = std::abs(turn) <= 3.6e8;
+  if (agrees && bounded && !request.turns && arc.center.norm() <= kSamePoleMm) arc.sweep_rad = degToRad(turn);
+}
+
+/// Arcs that are no helices in the part go along chords: so many turns would not fit any memory.
+bool checkTurns(NctContext& c, const BlockPlan& plan) {
+  constexpr double kMostRad = 200.0 * kPi;
+  if (std::abs(plan.motion.arc.sweep_rad) <= kMostRad) return true;
+  const WorkPlane plane = plan.next.workPlane();
+  bool odd = plane.u >= kMainAxes || plane.v >= kMainAxes;
+  for (int axis = kMainAxes; axis < c.axes.count(); ++axis) {
+    odd = odd || plan.motion.named[static_cast<std::size_t>(axis)];
+  }
+  return !odd || c.alarm(2002, "L", "more than 100 turns with parallel or rotary axes are not simulated");
+}
+
+}  // namespace
+
+bool planArc(NctContext& c, BlockPlan& plan) {
+  if (!axisTarget(c, plan, plan.motion.target)) return false;
+  const bool arc_word = !(c.block.present & AddressSet("IJKR")).without(plan.claimed).empty();
+  if (!c.anyAxisWord() && !arc_word) return refuseChoice(c, plan) && planJoin(c, plan);  // F, M or nothing
+  if (!planeOfLines(c, plan, 2015, "circles need linear axes")) return false;
+  if (overdeterminedArc(c, plan)) {
+    plan.perform = performMove;
+    return planOverdeterminedArc(c, plan) && planJoin(c, plan) && feedStyle(c, plan, plan.motion.feed);
+  }
+  ArcRequest request;
+  if (!refuseChoice(c, plan) || !arcRequest(c, plan, request)) return false;
+  ArcPolicy policy;
+  policy.radius_tolerance = c.parameters[MotionParam::kRadiusDifference];
+  const ArcResolution resolved = resolveArc(request, policy);
+  if (!resolved.ok()) return failArc(c, resolved);
+  const bool open = !c.parameters.given(MotionParam::kRadiusDifference);
+  if (!request.turns && open && resolved.radius_difference > kUsualDifferenceMm) {
+    c.warn("nct-2012",
+           fmt::format(
+               "start and end radius differ by {:.6g} mm: run as a spiral, because the job does not give "
+               "N1339; a control with a smaller N1339 stops here with alarm 2012",
+               resolved.radius_difference));
+  }
+  if (resolved.center_ignored) c.warn("nct-arc-both", "R and I, J, K in one block: R counts");
+  if (resolved.no_motion) {
+    plan.motion.target = plan.start;
+    if (const Word* r = c.ownWord(plan, 'R')) {
+      tellUnused(c, *r, gName(plan.next.active[kGroupMotion]),
+                 "the arc ends where it starts; a full circle needs I, J or K");
+    }
+    return planJoin(c, plan);
+  }
+  plan.perform = performMove;
+  plan.motion.is_arc = true;
+  plan.motion.arc = resolved.arc;
+  takePolarTurns(plan, request);
+  if (!checkTurns(c, plan)) return false;
+  if (!planJoin(c, plan) || !feedStyle(c, plan, plan.motion.feed)) return false;
+  const bool spiral = resolved.radius_difference > 1e-9;
+  plan.motion.feed.along = c.parameters.flag(MotionParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace
+                           : spiral && !request.turns                      ? FeedStyle::Along::kStartRadius
+                                                                           : FeedStyle::Along::kPlane;
+  return true;
+}
+
+namespace {
+
+bool performDwell(NctContext& c, BlockPlan& plan) {
+  PathItem item = functionItem(c, PathItem::Kind::kDwell, plan.next);
+  item.value = std::get<Dwell>(plan.payload).seconds;
+  return c.pipe.push(item);
+}
+
+}  // namespace
+
+bool planDwell(NctContext& c, BlockPlan& plan) {
+  plan.perform = performDwell;
+  Dwell& dwell = plan.payload.emplace<Dwell>();
+  plan.motion.target = plan.start;
+  const Word* p = c.ownWord(plan, 'P');
+  if (p == nullptr) {
+    c.warn("nct-2004", "G4 without P: no dwell");
+    return true;
+  }
+  if (p->value < 0.0) return c.failWord("nct-2002", "P data out of range: a dwell is not negative", *p);
+  const bool turns = plan.next.perTurn() && !c.parameters.flag(MotionParam::kDwellSeconds);
+  dwell.seconds = turns ? p->value * 60.0 / turnsPerMinute(c, plan) : p->value;
+  return true;
+}
+
+namespace {
+
+bool performMachineMove(NctContext& c, BlockPlan& plan) {
+  const MachineMove& move = std::get<MachineMove>(plan.payload);
+  if (move.has_via && !sendMachineRapid(c, move.via)) return false;
+  if (!sendMachineRapid(c, move.to)) return false;
+  c.settle(move.to);
+  return true;
+}
+
+/// The reference point that nobody named: where the machine starts, no lower than where it changes tools.
+Vec3 homeOf(const NctContext& c) {
+  Vec3 home = c.emitter.home();
+  const auto way = toolChangeWay(c.settings, AxisPoint(home), c.zone_stage.ceiling(2));
+  if (!way.empty()) home.z() = way.front()[2];
+  return home;
+}
+
+}  // namespace
+
+bool planMachineMove(NctContext& c, BlockPlan& plan) {
+  MachineMove& move = plan.payload.emplace<MachineMove>();
+  move.to = c.machine;
+  if (!c.anyAxisWord()) return true;  // G53 alone only empties the buffer
+  for (const Word& w : c.block.words) {
+    AxisWord word;
+    if (!axisWord(plan, w, word)) continue;
+    if (word.own_step) return c.alarm(2097, w, "G53 is always absolute");
+    const double value = axisValue(c, plan, word, w);
+    double& to = move.to[word.axis];
+    const bool rotary = word.axis >= kMainAxes && c.axes.at(word.axis).rotary();
+    to = rotary ? to + rotaryTravel(c, word.axis, to, value, false) : value;
+  }
+  if (!c.settings.reference_points[0]) {
+    c.warnOnce("machine-zero", "nct-machine-zero",
+               "G53: the job gives no reference point, so machine zero is only as good as its work offsets");
+  }
+  plan.perform = performMachineMove;
+  plan.rebases = true;
+  return true;
+}
+
+bool planReference(NctContext& c, BlockPlan& plan) {
+  std::int64_t point = 1;
+  if (plan.by_group[kOneShot]->code10 == gcode::kNumberedReference) {
+    const Word* p = c.ownWord(plan, 'P');
+    if (p == nullptr) return c.alarm(2004, "P", "G30 needs the number of the reference point");
+    if (!integerWord(c, *p, 1, 4, point)) return false;
+  }
+  AxisPoint via = plan.start;
+  if (!axisTarget(c, plan, via, WordsAre::kRectangular)) return false;
+  if (!c.anyAxisWord()) {
+    c.warn("nct-2004", "no axis is named: no motion");
+    return true;
+  }
+  const auto& given = c.settings.reference_points[static_cast<std::size_t>(point - 1)];
+  AxisPoint reference(given.value_or(homeOf(c)));
+  for (const AxisSettings& axis : c.settings.axes) {
+    if (const int k = c.axes.find(axis.name); k >= kMainAxes) reference[k] = axis.reference;
+  }
+  if (!given) {
+    c.warnOnce(fmt::format("reference{}", point), "nct-reference",
+               fmt::format("the job does not give reference point {}: the start position is taken", point));
+  }
+  // Machine position after the intermediate point, then the named axes at the reference point.
+  MachineMove& move = plan.payload.emplace<MachineMove>();
+  move.has_via = true;
+  move.via = plan.chain->machineOf(via);
+  move.to = move.via;
+  for (int axis = 0; axis < c.axes.count(); ++axis) {
+    if (plan.motion.named[static_cast<std::size_t>(axis)]) move.to[axis] = reference[axis];
+  }
+  plan.perform = performMachineMove;
+  plan.rebases = true;
+  return true;
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,264 @@
+// The run loop: lines, header, end of text.
+#include "core/nc/nct/program/control.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/nc/nct/block/auxiliary.h"
+#include "core/nc/nct/block/perform.h"
+#include "core/nc/nct/block/plans.h"
+#include "core/nc/nct/channels/wait.h"
+#include "core/nc/nct/motion/axis_setup.h"
+#include "core/nc/nct/motion/feed.h"
+#include "core/nc/nct/program/reset.h"
+#include "core/nc/nct/spindle/spindle.h"
+
+namespace proveout::nc {
+
+namespace {
+
+LexRules lexRules(NctContext& c) {
+  LexRules rules;
+  rules.expressions = &c.macro;
+  rules.names = &c.axes.names();
+  rules.keep_repeats = true;
+  return rules;
+}
+
+}  // namespace
+
+NctControl::NctControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
+                       Progress* progress, const ControlHost& host)
+    : settings_(withAxisParameters(settings)),
+      context_(source, settings_, sink, progress, host, summary_),
+      system_variables_(context_),
+      lexer_(lexRules(context_), nctAlarms()) {}
+
+InterpretSummary NctControl::run() {
+  if (!start()) {
+    summary_.end = ProgramEnd::kAlarm;
+    return summary_;
+  }
+  while (advance() == Turn::kOn) {
+  }
+  return summary_;
+}
+
+NctControl::Turn NctControl::advance() {
+  const Go go = step();
+  if (go == Go::kOn) return Turn::kOn;
+  if (go == Go::kWait) return Turn::kWaits;
+  context_.rapid_stage.flush(FlushReason::kEnd);  // behind an alarm too: the axes come to a stand
+  context_.emitter.time().flush();
+  return Turn::kEnded;
+}
+
+bool NctControl::start() {
+  NctContext& c = context_;
+  const ControlSettings& settings = c.settings;
+  const Status known = c.parameters.set(settings.parameters);
+  if (!known.ok()) return c.fail("nct-parameter", known.error().message);
+  if (settings.units == LengthUnit::kInch && !c.parameters.given(MotionParam::kDefaultG20)) {
+    c.parameters.write(1300, 3, 0, 1.0, false);  // N1300.G20: programs read what is in force
+  }
+  for (const std::string_view name : c.parameters.notedNames()) {
+    c.warn("nct-noted", fmt::format("parameter {} has no effect in the simulation", name), {},
+           Severity::kNote);
+  }
+  c.systems.update(c.parameters);
+  if (!c.systems.fault().empty()) return c.fail("nct-parameter", c.systems.fault());
+  if (!(settings.rapid_mm_min.minCoeff() > 0.0) || !settings.start.allFinite()) {
+    return c.fail("nct-settings", "rapid rates must be above 0 and the start position finite");
+  }
+  if (!(settings.bell_time_s >= 0.0 && settings.bell_time_s <= 100.0)) {
+    return c.fail("nct-settings", "the time of the acceleration's rise must be 0 to 100 s");
+  }
+  if (const std::string bad = checkAxes(settings); !bad.empty()) return c.fail("nct-settings", bad);
+  if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty())
+    return c.fail("nct-settings", bad);
+  if (!checkAuxiliary(c) || !checkWaitCodes(c)) return false;
+  if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("nct-settings", bad);
+  powerOn(c);
+  configureFeeds(c);
+  if (!c.zone_stage.configure()) return false;
+  if (settings.start_by_default) {
+    c.emitter.lowerStart(c.zone_stage.ceiling(2));
+    c.settle(c.emitter.machine());
+  }
+  return loadMain();
+}
+
+bool NctControl::loadMain() {
+  NctContext& c = context_;
+  const ProgramStore::Loaded main = c.programs.main();
+  if (main.text == nullptr) {
+    const bool missing = main.failure == ProgramStore::Failure::kNotFound;
+    return c.fail(missing ? "nct-2132" : "nct-encoding", main.message);
+  }
+  CallFrame frame;
+  frame.text = main.text;
+  frame.file = main.file;
+  c.openMain(frame);
+  bool any = false;
+  for (const auto line : frame.text->lines())
+    any = any || line.find_first_not_of(" \t%") != std::string_view::npos;
+  if (!any) return c.fail("nct-empty", frame.text->name() + ": the program is empty");
+  return true;
+}
+
+/// Whether the program is in a loop without an end: reported then. Other channels and a tool whose life
+/// runs out may end a loop that changes nothing itself.
+bool NctControl::goesRound(const CallFrame& frame, std::size_t line) {
+  NctContext& c = context_;
+  ChannelSet alone;
+  alone.add(c.channel());
+  const bool others = !c.channels.empty() && !(c.channels == alone);
+  if (others || c.state.tool_row > 0) return false;
+  const std::uint64_t run = frame.run << 24 | static_cast<std::uint64_t>(frame.done);
+  const bool endless = loop_.comesBack(
+      run, c.calls.depth(), line, c.variables.fingerprint(),
+      {LoopWatch::bytesOf(c.state), LoopWatch::bytesOf(c.position), LoopWatch::bytesOf(c.machine)});
+  return endless && c.work.endless(loop_);
+}
+
+NctControl::Go NctControl::step() {
+  NctContext& c = context_;
+  if (c.calls.hasDeferred()) {
+    if (!openDeferred()) return alarm();
+  } else if (c.calls.top().waiting.code != 0) {
+    const FlowRequest request = std::exchange(c.calls.top().waiting, {});
+    c.setBlock(request.line, request.number);
+    return flow(request);
+  } else if (until_hit_ && c.calls.depth() == 1) {
+    return finish("until", ProgramEnd::kUntil);
+  }
+  CallFrame& frame = c.calls.top();
+  if (frame.line >= frame.text->lines().size()) return endOfText();
+  if (frame.line == 0) skipLeader(frame);
+  const std::size_t line = frame.line++;
+  Block& block = c.block;
+  lexer_.setMode(c.data_input ? LexMode::kData : LexMode::kBlock);
+  const bool lexed = lexer_.lex(frame.text->lines()[line], block);
+  c.setBlock(line, block.number);
+  if (block.skip > 0 && !skipKeepsLookAhead()) return alarm();
+  if (block.skip > 0 && c.settings.skip_switches[static_cast<std::size_t>(block.skip - 1)]) return Go::kOn;
+  bool good = lexed || c.fail(lexer_.error().code, lexer_.error().message, lexer_.error().columns);
+  if (good && block.percent) {
+    if (!onlyHeaderAbove()) return endOfText();
+    noteName();
+    if (block.empty()) return Go::kOn;
+  }
+  MacroCall call;
+  const bool calls = good && findCall(false, call);
+  good = good && (calls || (checkRepeats() && checkHeader()));
+  if (good && block.empty()) {
+    until_hit_ = until_hit_ || reachedUntil();
+    return Go::kOn;
+  }
+  if (c.work.over() || goesRound(frame, line)) return Go::kStop;
+  ++summary_.blocks;
+  if (!good) return alarm();
+  if (calls) return callMacro(call);
+  if (block.kind != LineKind::kBlock) return statement();
+  if (c.data_input == nullptr) return execute();
+  until_hit_ = until_hit_ || reachedUntil();
+  return dataBlock(c) ? Go::kOn : alarm();
+}
+
+bool NctControl::skipKeepsLookAhead() {
+  NctContext& c = context_;
+  // CBB = 0: the switch is read when the block before is done.
+  return c.parameters.flag(MotionParam::kSkipKeepsLookAhead) || c.flushPipe();
+}
+
+bool NctControl::openDeferred() {
+  CallFrame frame;
+  return context_.calls.takeDeferred(frame) && context_.openCall(frame);
+}
+
+bool NctControl::checkRepeats() {
+  const Block& block = context_.block;
+  if (!block.negative.empty()) {
+    const auto at = std::find_if(block.words.begin(), block.words.end(),
+                                 [&](const Word& w) { return w.columns.begin == block.negative_at.begin; });
+    return context_.fail("nct-2002",
+                         fmt::format("{} data out of range: no minus sign here", addressText(at->address)),
+                         block.negative_at);
+  }
+  if (block.repeated.empty()) return true;
+  const auto at = std::find_if(block.words.begin(), block.words.end(),
+                               [&](const Word& w) { return w.columns.begin == block.repeated_at.begin; });
+  if (at->address == 'N')
+    return context_.fail("nct-2064", "syntax error: two N words in one block", block.repeated_at);
+  return context_.fail("nct-duplicate-word", fmt::format("two {} in one block", addressText(at->address)),
+                       block.repeated_at);
+}
+
+bool NctControl::onlyHeaderAbove() const {
+  const CallStack& calls = context_.calls;
+  for (std::size_t k = leaderOf(*calls.top().text); k < calls.lineIndex(); ++k) {
+    const auto line = calls.top().text->lines()[k];
+    const auto first = line.find_first_not_of(" \t");
+    if (first != std::string_view::npos && line[first] != '%' && line[first] != '(') return false;
+  }
+  return true;
+}
+
+bool NctControl::checkHeader() {
+  // Only in front of everything else: a second O word would start another program in the same text.
+  const Block& block = context_.block;
+  if (block.program < 0 || onlyHeaderAbove()) return true;
+  return context_.alarm(2017, "O",
+                        "a program number stands at the head of the text; subprograms are files of their own",
+                        block.program_columns);
+}
+
+NctControl::Go NctControl::endOfText() {
+  NctContext& c = context_;
+  const SourceText& text = *c.calls.top().text;
+  if (lexer_.inComment()) {
+    lexer_.setInComment(false);
+    c.setBlock(text.lines().empty() ? 0 : text.lines().size() - 1, c.block.number);
+    c.fail("nct-open-comment", "the text ends inside a comment: ')' is missing");
+    return stopAtAlarm();
+  }
+  if (c.calls.depth() == 1) {
+    c.warn("nct-no-end", "the program ends without M2 or M30: is the file cut short?");
+    return finish("end of text", ProgramEnd::kEndOfProgram);
+  }
+  if (c.work.over()) return Go::kStop;  // an empty text may be repeated without end
+  if (no_return_told_.insert(c.calls.top().file).second)
+    c.warn("nct-no-m99", "the subprogram ends without M99: taken as M99");
+  c.block.clear();
+  return returnFrom(FlowRequest{.code = mcode::kReturn});
+}
+
+NctControl::Go NctControl::execute() {
+  NctContext& c = context_;
+  BlockPlan plan;
+  const bool reached = reachedUntil();  // before the block opens a program of its own
+  const bool good = takeSubprogramWords() && takeInterruptWords() && planBlock(c, plan) && perform(c, plan);
+  if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
+  if (!good) return alarm();
+  until_hit_ = until_hit_ || reached;  // a called subprogram still runs
+  deferCalls(plan);
+  if (plan.wait_code != 0) {
+    if (!performWait(c, plan)) return alarm();
+    if (c.waiting.code != 0) return Go::kWait;
+  }
+  if (plan.flow == nullptr) return followInterrupts();
+  switchInterrupt();
+  return flow(plan);
+}
+
+bool NctControl::reachedUntil() const {
+  const NctContext& c = context_;
+  if (!c.settings.until || c.calls.depth() != 1) return false;
+  const UntilBlock& until = *c.settings.until;
+  if (until.block && c.block.number == *until.block) return true;
+  return until.line && static_cast<int>(c.calls.lineIndex()) + 1 >= *until.line;
+}
+
+}  // namespace proveout::nc

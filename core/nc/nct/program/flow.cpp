@@ -1,0 +1,177 @@
+// Program flow: M98, M99, M2, M30, jumps (manual 14.4).
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/macro/output.h"
+#include "core/nc/nct/program/control.h"
+#include "core/nc/nct/program/reset.h"
+#include "core/nc/nct/system_variables/status_bank.h"
+
+namespace proveout::nc {
+namespace {
+
+/// "\sub\part.nc" or "..\x.nc" as the program writes it -> with '/', without a leading one (manual 14.4.2:
+/// a leading separator is relative to the caller's folder as well).
+std::string callPath(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  std::string path(text);
+  std::replace(path.begin(), path.end(), '\\', '/');
+  const auto first = path.find_first_not_of('/');
+  return first == std::string::npos ? std::string() : path.substr(first);
+}
+
+/// File name argument of M98 (manual 14.4.2).
+constexpr std::size_t kMaxFileArgument = 60;
+
+}  // namespace
+
+NctControl::Go NctControl::flow(const BlockPlan& plan) {
+  NctContext& c = context_;
+  if (plan.flow->code == mcode::kCall) return call();
+  FlowRequest request;
+  request.code = plan.flow->code;
+  // A jump that fails leaves nowhere to go on: it always stops the run.
+  if (request.code == mcode::kReturn && !returnWords(request)) return stopAtAlarm();
+  if (!c.calls.hasDeferred()) return flow(request);
+  request.line = c.calls.lineIndex();
+  request.number = c.block.number;
+  c.calls.top().waiting = request;
+  return Go::kOn;
+}
+
+NctControl::Go NctControl::flow(const FlowRequest& request) {
+  if (request.code == mcode::kReturn) return returnFrom(request);
+  countPart(context_, request.code);
+  return finish(fmt::format("M{}", request.code), ProgramEnd::kEndOfProgram);
+}
+
+NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
+  NctContext& c = context_;
+  summary_.end = end;
+  if (!c.pipe.flush(FlushReason::kEnd) || !endOutput(c)) return stopAtAlarm();
+  c.state.automatic = {};
+  if (c.settings.until && !until_hit_) {
+    c.fail("nct-until", "the program ends here; the block to stop after was not reached");
+    return stopAtAlarm();
+  }
+  c.emitter.event(event::End{code}, 0.0, c.here());
+  if (end == ProgramEnd::kEndOfProgram && code != "M99") resetAtEnd(c);
+  return Go::kStop;
+}
+
+NctControl::Go NctControl::stopAtAlarm() {
+  summary_.end = ProgramEnd::kAlarm;
+  return Go::kStop;
+}
+
+NctControl::Go NctControl::alarm() {
+  return summary_.errors < context_.settings.max_errors ? Go::kOn : stopAtAlarm();
+}
+
+bool NctControl::take(const ProgramStore::Loaded& loaded, CallFrame& frame) {
+  if (loaded.failure == ProgramStore::Failure::kEncoding)
+    return context_.fail("nct-encoding", loaded.message);
+  if (loaded.text == nullptr) return context_.alarm(2147, "", loaded.message);
+  frame.text = loaded.text;
+  frame.file = loaded.file;
+  return true;
+}
+
+bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller) {
+  NctContext& c = context_;
+  const Word* p = c.word('P');
+  if (c.block.has_file) {
+    if (p) return c.alarm(2017, *p, fmt::format("{} takes P or a file name", code));
+    const std::string path = callPath(c.block.file_arg);
+    if (path.empty() || c.block.file_arg.size() > kMaxFileArgument) {
+      return c.fail("nct-2002", fmt::format("file name data out of range: {} takes 1 to 60 characters", code),
+                    c.block.file_columns);
+    }
+    return take(c.programs.byPath(caller, path), frame);
+  }
+  std::int64_t number = 0;
+  if (p == nullptr) {
+    const bool by_file = code[0] == 'M' || code == "G65";
+    return c.alarm(2004, "P",
+                   fmt::format("{} needs a program number{}", code, by_file ? " or a file name" : ""));
+  }
+  if (!integerWord(c, *p, 1, 99999999, number)) return false;
+  return take(c.programs.byNumber(caller, number), frame);
+}
+
+NctControl::Go NctControl::call() {
+  NctContext& c = context_;
+  CallFrame frame;
+  frame.kind = CallKind::kSubprogram;
+  const Word* l = c.word('L');
+  if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return alarm();
+  if (!loadCalled(frame, "M98", c.calls.top().file)) return alarm();
+  if (!c.calls.hasDeferred()) return open(frame);
+  c.calls.defer(frame);
+  return Go::kOn;
+}
+
+bool NctControl::jump(CallFrame& frame, std::int64_t block, std::size_t from) {
+  NctContext& c = context_;
+  const SourceText::Label label = frame.text->label(block, from);
+  if (label.line_index == SourceText::kNoLabel) {
+    return c.fail("nct-2125", fmt::format("block N{} not found: {}", block, frame.text->name()));
+  }
+  if (label.repeated) warnRepeated(frame, block, from);
+  frame.line = static_cast<std::size_t>(label.line_index);
+  lexer_.setInComment(false);
+  return true;
+}
+
+void NctControl::warnRepeated(const CallFrame& frame, std::int64_t block, std::size_t from) {
+  NctContext& c = context_;
+  if (!repeated_told_.insert({frame.file, block}).second) return;
+  c.warn("nct-repeated-n", fmt::format("block number N{} occurs more than once: the {} one is taken", block,
+                                       from == 0 ? "first" : "next"));
+}
+
+/// P and L of M99.
+bool NctControl::returnWords(FlowRequest& request) {
+  NctContext& c = context_;
+  const Word* p = c.word('P');
+  const Word* l = c.word('L');
+  if (p && !integerWord(c, *p, 1, 99999999, request.block)) return false;
+  if (l && !integerWord(c, *l, 0, 99999999, request.count)) return false;
+  if (l && c.calls.depth() == 1) return c.alarm(2017, *l, "M99 of a main program takes P only");
+  return true;
+}
+
+NctControl::Go NctControl::returnFrom(const FlowRequest& request) {
+  NctContext& c = context_;
+  CallFrame& frame = c.calls.top();
+  if (c.calls.depth() == 1) {
+    if (request.block >= 0) return jump(frame, request.block) ? Go::kOn : stopAtAlarm();
+    c.warn("nct-main-m99", "M99 in the main program starts it again: one pass is simulated", {},
+           Severity::kNote);
+    return finish("M99", ProgramEnd::kEndOfProgram);
+  }
+  if (request.count >= 0) frame.total = request.count + 1;
+  if (request.block >= 0) frame.return_block = request.block;
+  if (++frame.done < frame.total) {
+    repeat(frame);
+    return Go::kOn;
+  }
+  const std::int64_t back = frame.return_block;
+  if (frame.interrupt && !endInterrupt(back < 0)) return stopAtAlarm();
+  if (back >= 0 && !jump(c.calls.at(c.calls.depth() - 2), back)) return stopAtAlarm();
+  c.closeCall();
+  return Go::kOn;
+}
+
+/// The program from its start again; a macro with its arguments anew.
+void NctControl::repeat(CallFrame& frame) {
+  frame.line = 0;
+  if (!opensLocals(frame.kind)) return;
+  context_.variables.leave();
+  context_.variables.enter(frame.args);
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,37 @@
+// How much a program of the WL4 control may run.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/progress.h"
+#include "core/nc/block_budget.h"
+#include "core/nc/loop_watch.h"
+#include "core/nc/run_summary.h"
+#include "core/nc/wl4/wl4_levels.h"
+#include "core/nc/wl4/wl4_report.h"
+
+namespace proveout::nc {
+
+/// Sets the end of the run in the summary where it says that it is over.
+class Wl4Watch {
+ public:
+  /// All must outlive the watch; without `progress` the run cannot be cancelled.
+  Wl4Watch(Wl4Report& report, InterpretSummary& summary, const Wl4Levels& levels, Progress* progress,
+           std::uint64_t block_limit)
+      : report_(report), summary_(summary), levels_(levels), progress_(progress), budget_(block_limit) {}
+
+  /// Counts a block, or a move of a cycle. True: the run was cancelled, or the limit of blocks, reported.
+  bool workOver();
+  /// Whether the program is in a loop without an end: reported then. `state`: what the next blocks depend on.
+  bool goesRound(std::uint64_t variables, std::initializer_list<LoopWatch::Bytes> state);
+
+ private:
+  Wl4Report& report_;
+  InterpretSummary& summary_;
+  const Wl4Levels& levels_;
+  Progress* progress_;
+  BlockBudget budget_;
+  LoopWatch loops_;
+};
+
+}  // namespace proveout::nc

@@ -1,0 +1,24 @@
+// Writes the mesh, and again as long as what is merged or placed spoils it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "removal/surface/leaf_quads.h"
+
+namespace proveout {
+
+struct RepairedMesh {
+  TriMesh mesh;  ///< closed and 2-manifold, with motions
+  /// Pairs of triangles that run through each other and could not be parted.
+  std::size_t self_intersections = 0;
+};
+
+/// Takes merged cells apart where they spoil the mesh, and changes the mesh where that does not help.
+/// `quads`: one a leaf, as `planner` plans them with what `merger` has merged. None if cancelled.
+std::optional<RepairedMesh> repairedMesh(const SurfaceGrid& grid, VertexMerger& merger,
+                                         const QuadPlanner& planner, std::vector<LeafQuads> quads,
+                                         Progress& progress);
+
+}  // namespace proveout
