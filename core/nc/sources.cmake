@@ -92,6 +92,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/macro/interrupt.cpp
   nc/nct/macro/output.cpp
   nc/nct/macro/statements.cpp
+  nc/nct/macro/subprogram_words.cpp
   nc/nct/macro/system_calls.cpp
   nc/nct/motion/axis_setup.cpp
   nc/nct/motion/comp_stage.cpp

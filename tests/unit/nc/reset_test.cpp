@@ -152,7 +152,7 @@ TEST(Reset, ShiftsAndModesGoWhateverTheTablesSay) {
   EXPECT_EQ(smooth.c().state.axes.smoothing, 0);
   Ended cylinder("G18 X0 C0\nG7.1 C20\nM30\n", keep_all);
   EXPECT_EQ(cylinder.c().state.axes.mode, VirtualMode::kOff);
-  EXPECT_FALSE(cylinder.c().virtual_stage.linked());
+  EXPECT_FALSE(cylinder.c().stages.virtual_plane.linked());
 }
 
 TEST(Reset, WordsTablesAndTheToolStay) {

@@ -126,8 +126,8 @@ void fillContour(NctContext& c, const BlockPlan& plan, PathItem& item) {
   item.meet = motion.meet;
   item.angle = motion.angle;
   item.radius = motion.radius;
-  if (item.join != PathItem::Join::kSharp) c.corner_stage.announce();
-  if (!c.corner_stage.linked()) return;
+  if (item.join != PathItem::Join::kSharp) c.stages.corner.announce();
+  if (!c.stages.corner.linked()) return;
   AxisPoint level = c.position;
   level[item.plane.u] = item.to[item.plane.u];
   level[item.plane.v] = item.to[item.plane.v];
@@ -135,15 +135,15 @@ void fillContour(NctContext& c, const BlockPlan& plan, PathItem& item) {
 }
 
 void engageComp(NctContext& c, const BlockPlan& plan) {
-  if (c.comp_stage.linked() || !plan.next.compOn()) return;
-  c.comp_stage.engage(c.corner_stage.sentUntil(planeOf(plan.next).of(c.chain.workOf(c.position))));
-  c.pipe.link(c.crossing_stage);
+  if (c.stages.comp.linked() || !plan.next.compOn()) return;
+  c.stages.comp.engage(c.stages.corner.sentUntil(planeOf(plan.next).of(c.chain.workOf(c.position))));
+  c.pipe.link(c.stages.crossing);
 }
 
 /// A block without motion may still start or end cutter compensation on the spot, and so move the tool.
 bool switchCompInPlace(NctContext& c, BlockPlan& plan) {
   engageComp(c, plan);
-  if (!c.comp_stage.linked() || plan.by_group[kGroupRadiusComp] == nullptr) return true;
+  if (!c.stages.comp.linked() || plan.by_group[kGroupRadiusComp] == nullptr) return true;
   plan.motion.target = c.position;
   return pushMotion(c, plan, PathItem::Kind::kStay);
 }
@@ -154,7 +154,7 @@ bool pushMotion(NctContext& c, BlockPlan& plan, PathItem::Kind kind) {
   PathItem item;
   item.kind = kind;
   fillMotion(c, plan, item);
-  if (c.comp_stage.linked()) item.record = c.alarms.remember();
+  if (c.stages.comp.linked()) item.record = c.alarms.remember();
   return c.pipe.push(item);
 }
 
@@ -174,7 +174,7 @@ bool performMove(NctContext& c, BlockPlan& plan) {
     item.sweep = motion.arc.sweep_rad;
   }
   const bool contour = item.comp_on || motion.join != PathItem::Join::kSharp;
-  if (contour || c.corner_stage.linked()) {
+  if (contour || c.stages.corner.linked()) {
     fillContour(c, plan, item);
     item.record = c.alarms.remember();
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace proveout::nc {
@@ -35,6 +36,24 @@ bool integerWord(NctContext& c, const Word& w, std::int64_t min, std::int64_t ma
   }
   out = static_cast<std::int64_t>(value);
   return true;
+}
+
+bool checkRepeats(NctContext& c) {
+  const Block& block = c.block;
+  if (!block.negative.empty()) {
+    const auto at = std::find_if(block.words.begin(), block.words.end(),
+                                 [&](const Word& w) { return w.columns.begin == block.negative_at.begin; });
+    return c.fail("nct-2002",
+                  fmt::format("{} data out of range: no minus sign here", addressText(at->address)),
+                  block.negative_at);
+  }
+  if (block.repeated.empty()) return true;
+  const auto at = std::find_if(block.words.begin(), block.words.end(),
+                               [&](const Word& w) { return w.columns.begin == block.repeated_at.begin; });
+  if (at->address == 'N')
+    return c.fail("nct-2064", "syntax error: two N words in one block", block.repeated_at);
+  return c.fail("nct-duplicate-word", fmt::format("two {} in one block", addressText(at->address)),
+                block.repeated_at);
 }
 
 }  // namespace proveout::nc

@@ -63,4 +63,7 @@ inline double axisValue(const NctContext& c, const BlockPlan& plan, const AxisWo
   return modal.diameter[static_cast<std::size_t>(word.axis)] ? 0.5 * lengthOf(plan, w) : lengthOf(plan, w);
 }
 
+/// False: a word of the block stands there twice, or has a minus sign, where it may not; reported.
+bool checkRepeats(NctContext& c);
+
 }  // namespace proveout::nc

@@ -184,7 +184,7 @@ void NctChannels::watchStanding(Channel& channel) {
   if (others == kNever) return;  // nobody is left to end the loop: the limit of blocks does
   channel.polls = true;
   NctContext& c = channel.control->context();
-  c.rapid_stage.flush(FlushReason::kBuffer);
+  c.stages.rapid.flush(FlushReason::kBuffer);
   c.emitter.time().flush();
   channel.now_s = c.emitter.time().reached_s();
   if (others > channel.now_s) c.emitter.event(event::Wait{}, others - channel.now_s, c.here());
@@ -276,7 +276,7 @@ InterpretSummary NctChannels::finish() {
   if (good_) total_.end = ProgramEnd::kEndOfProgram;
   for (Channel& channel : channels_) {
     NctContext& c = channel.control->context();
-    c.rapid_stage.flush(FlushReason::kEnd);
+    c.stages.rapid.flush(FlushReason::kEnd);
     c.emitter.time().flush();
   }
   if (stopped_by_ != nullptr) {

@@ -4,6 +4,19 @@
 
 namespace proveout::nc {
 
+NctStages::NctStages(NctContext& c)
+    : contour_alarms(c.alarms, c),
+      crossing(c.pipe, contour_alarms),
+      transform(c.chain, c.map, c.alarms),
+      corner(c.pipe, contour_alarms),
+      comp(c.pipe, c.parameters, c.alarms, c),
+      virtual_plane(c.pipe, c.chain, c.registers.frames, c.axes),
+      frame(c.chain),
+      rapid(c.emitter, c.settings, c.axes),
+      zone({c.settings, c.axes, c.parameters, c.registers.program_zone, c.calls, c.emitter, c.pipe, c.alarms,
+            c}),
+      emit(c.emitter, c.settings.tool_change_s) {}
+
 NctContext::NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
                        Progress* progress, const ControlHost& control_host, InterpretSummary& run_summary)
     : settings(control_settings),
@@ -19,21 +32,12 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       alarms(calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
-      clock(emitter.time(), rapid_stage),
-      contour_alarms(alarms, *this),
-      crossing_stage(pipe, contour_alarms),
-      transform_stage(chain, map, alarms),
-      corner_stage(pipe, contour_alarms),
-      comp_stage(pipe, parameters, alarms, *this),
-      virtual_stage(pipe, chain, registers.frames, axes),
-      frame_stage(chain),
-      rapid_stage(emitter, settings, axes),
-      zone_stage({settings, axes, parameters, registers.program_zone, calls, emitter, pipe, alarms, *this}),
-      emit_stage(emitter, control_settings.tool_change_s) {
+      clock(emitter.time(), stages.rapid),
+      stages(*this) {
   macro.setOrigins(origins);
-  pipe.link(transform_stage);
-  pipe.link(frame_stage);
-  pipe.link(emit_stage);
+  pipe.link(stages.transform);
+  pipe.link(stages.frame);
+  pipe.link(stages.emit);
   registers.offsets = OffsetTables(settings);
   WorkFrames& frames = registers.frames;
   frames.more_axes = axes.moreCount();
@@ -53,7 +57,7 @@ void NctContext::shareWith(NctContext& owner) {
 }
 
 void NctContext::settle(const AxisPoint& at) {
-  machine = virtual_stage.linked() ? virtual_stage.adopt(at) : at;
+  machine = stages.virtual_plane.linked() ? stages.virtual_plane.adopt(at) : at;
   position = chain.programOf(machine);
 }
 

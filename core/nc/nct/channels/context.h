@@ -119,7 +119,51 @@ class WorkGuard {
   BlockBudget budget_;
 };
 
-struct NctContext final : StageRecovery {
+/// The reports of a context by their short names; see AlarmReporter. `Context` has it as `alarms`.
+template <class Context>
+class AlarmCalls {
+ public:
+  bool alarm(int number, std::string_view subject, std::string_view detail = {}, Columns at = {}) {
+    return reporter().alarm(number, subject, detail, at);
+  }
+  bool alarm(int number, const Word& at, std::string_view detail = {}) {
+    return reporter().alarm(number, at, detail);
+  }
+  bool fail(std::string code, std::string message, Columns at = {}) {
+    return reporter().fail(std::move(code), std::move(message), at);
+  }
+  bool failWord(std::string code, std::string message, const Word& at) {
+    return reporter().fail(std::move(code), std::move(message), at.columns);
+  }
+  void warn(std::string code, std::string message, Columns at = {}, Severity severity = Severity::kWarning) {
+    reporter().warn(std::move(code), std::move(message), at, severity);
+  }
+  bool firstTime(std::string_view key) { return reporter().firstTime(key); }
+  /// A warning that is told once for each key. Where a loop may come by, ask firstTime() before formatting.
+  void warnOnce(std::string_view key, std::string code, std::string message, Columns at = {}) {
+    if (firstTime(key)) warn(std::move(code), std::move(message), at);
+  }
+
+ private:
+  AlarmReporter& reporter() { return static_cast<Context*>(this)->alarms; }
+};
+
+/// What the pipe runs through; each is linked while it has something to do.
+struct NctStages {
+  explicit NctStages(NctContext& c);
+  ContourAlarms contour_alarms;
+  CrossingStage crossing;
+  TransformStage transform;
+  CornerStage corner;
+  CompStage comp;
+  VirtualStage virtual_plane;
+  FrameStage frame;
+  RapidOverlapStage rapid;
+  ZoneStage zone;
+  EmitStage emit;
+};
+
+struct NctContext final : StageRecovery, AlarmCalls<NctContext> {
   NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
              Progress* progress, const ControlHost& control_host, InterpretSummary& run_summary);
   NctContext(const NctContext&) = delete;
@@ -155,17 +199,8 @@ struct NctContext final : StageRecovery {
   ProgramMap map;         ///< the transforms in it
   AxisPoint position;     ///< programmed, in chain
   AxisPoint machine;      ///< programmed point in machine coordinates, without cutter compensation
-  MotionPipe pipe;        ///< everything that becomes path goes through it; its stages are the next members
-  ContourAlarms contour_alarms;
-  CrossingStage crossing_stage;
-  TransformStage transform_stage;
-  CornerStage corner_stage;
-  CompStage comp_stage;
-  VirtualStage virtual_stage;
-  FrameStage frame_stage;
-  RapidOverlapStage rapid_stage;
-  ZoneStage zone_stage;
-  EmitStage emit_stage;
+  MotionPipe pipe;        ///< everything that becomes path goes through it
+  NctStages stages;
   std::vector<DrillStep> drill_steps;
   DataInput data_input = nullptr;  ///< set: blocks are data until G11
   OutputFile output;
@@ -227,28 +262,6 @@ struct NctContext final : StageRecovery {
     return plan.claimed.has(a) ? nullptr : word(a);
   }
   bool anyAxisWord() const { return !(block.present & axes.addresses()).empty(); }
-
-  // Reports, see AlarmReporter.
-  bool alarm(int number, std::string_view subject, std::string_view detail = {}, Columns at = {}) {
-    return alarms.alarm(number, subject, detail, at);
-  }
-  bool alarm(int number, const Word& at, std::string_view detail = {}) {
-    return alarms.alarm(number, at, detail);
-  }
-  bool fail(std::string code, std::string message, Columns at = {}) {
-    return alarms.fail(std::move(code), std::move(message), at);
-  }
-  bool failWord(std::string code, std::string message, const Word& at) {
-    return alarms.fail(std::move(code), std::move(message), at.columns);
-  }
-  void warn(std::string code, std::string message, Columns at = {}, Severity severity = Severity::kWarning) {
-    alarms.warn(std::move(code), std::move(message), at, severity);
-  }
-  bool firstTime(std::string_view key) { return alarms.firstTime(key); }
-  /// A warning that is told once for each key. Where a loop may come by, ask firstTime() before formatting.
-  void warnOnce(std::string_view key, std::string code, std::string message, Columns at = {}) {
-    if (firstTime(key)) warn(std::move(code), std::move(message), at);
-  }
 };
 
 }  // namespace proveout::nc

@@ -7,23 +7,11 @@
 #include "core/nc/nct/block/words.h"
 #include "core/nc/nct/cycles/pocket.h"
 #include "core/nc/nct/macro/arguments.h"
+#include "core/nc/nct/macro/subprogram_words.h"
 #include "core/nc/nct/program/control.h"
 
 namespace proveout::nc {
 namespace {
-
-/// May an assigned code call here (manual 23.3.4-23.3.8)? Inside the program that it started it may not;
-/// inside other system programs only where N1755 ENC says so, and never a G code inside one of a G code.
-bool mayCall(const NctContext& c, std::int32_t code) {
-  bool inside = false;
-  for (std::size_t level = c.calls.depth(); level-- > 1;) {
-    const std::int32_t caller = c.calls.at(level).system_code;
-    if (caller < 0) continue;
-    if (caller == code || (isSystemG(caller) && isSystemG(code))) return false;
-    inside = true;
-  }
-  return !inside || c.parameters.flag(MacroParam::kCallsInSystemPrograms);
-}
 
 /// Is it a block that runs as itself while G66.1 is active: M98, M99, or G67, which ends the mode?
 bool runsItself(const Block& block) {
@@ -31,6 +19,16 @@ bool runsItself(const Block& block) {
     return (w.address == 'M' && (w.value == mcode::kCall || w.value == mcode::kReturn)) ||
            (w.address == 'G' && code10Of(w) == gcode::kMacroCancel);
   });
+}
+
+/// Is it a motion, behind which modal macros are called?
+bool moves(const BlockPlan& plan) {
+  if (plan.perform == nullptr || plan.governor == nullptr) return false;
+  if (plan.governor->group != kOneShot) return true;
+  constexpr std::array<std::int32_t, 6> kMoving{gcode::kReference,     gcode::kNumberedReference,
+                                                gcode::kSkip,          gcode::kThread,
+                                                gcode::kMeasureLength, gcode::kMachineMove};
+  return std::find(kMoving.begin(), kMoving.end(), plan.governor->code10) != kMoving.end();
 }
 
 }  // namespace
@@ -58,7 +56,7 @@ bool NctControl::findCall(bool statement, MacroCall& call) {
   if (c.systems.anyMMacro() && !block.words.empty() && findMMacro(call)) return true;
   if (c.modals.none() || statement || block.empty() || runsItself(block)) return false;
   call.modal = c.modals.find(CallKind::kBlockMacro, c.calls);
-  return call.modal != nullptr && !anySubprogramWord();
+  return call.modal != nullptr && !SubprogramWords::any(c);
 }
 
 bool NctControl::findMMacro(MacroCall& call) {
@@ -134,7 +132,7 @@ bool NctControl::systemFrame(const MacroCall& call, CallFrame& frame) {
   frame.kind = !call.system.modal                                   ? CallKind::kSystem
                : c.parameters.flag(MacroParam::kModalFromEachBlock) ? CallKind::kBlockMacro
                                                                     : CallKind::kModalMacro;
-  return take(c.programs.system(call.system.program, c.channel()), frame);
+  return takeProgram(c, c.programs.system(call.system.program, c.channel()), frame);
 }
 
 /// G66.1 is active: the block is a list of arguments.
@@ -163,62 +161,7 @@ void NctControl::deferCalls(const BlockPlan& plan) {
   if (!c.modals.none() && moves(plan)) {
     if (const CallFrame* modal = c.modals.find(CallKind::kModalMacro, c.calls)) c.calls.defer(*modal);
   }
-  for (std::size_t k = 0; k < subprogram_count_; ++k) {
-    const SubprogramWord& word = subprograms_[k];
-    if (word.variable > 0) c.variables.write(word.variable, word.value);
-    c.calls.defer(word.frame);
-  }
-}
-
-/// Does a word of the block call a subprogram?
-bool NctControl::anySubprogramWord() {
-  NctContext& c = context_;
-  if (!c.systems.anySubprogram()) return false;
-  SystemCall call;
-  return std::any_of(c.block.words.begin(), c.block.words.end(),
-                     [&](const Word& w) { return subprogramOf(w, call); });
-}
-
-bool NctControl::subprogramOf(const Word& w, SystemCall& call) const {
-  const NctContext& c = context_;
-  const bool found =
-      w.address == 'M' ? c.systems.mSubprogram(mNumber(w), call) : c.systems.letter(w.address, call);
-  return found && mayCall(c, call.code);
-}
-
-/// Takes the words that call subprograms out of the block. False: a program was not found, reported.
-bool NctControl::takeSubprogramWords() {
-  NctContext& c = context_;
-  subprogram_count_ = 0;
-  if (!c.systems.anySubprogram()) return true;
-  if (!c.systems.fault().empty()) return c.fail("nct-parameter", c.systems.fault());
-  std::vector<Word>& words = c.block.words;
-  SystemCall call;
-  for (const Word& w : words) {
-    if (!subprogramOf(w, call)) continue;
-    if (subprogram_count_ == subprograms_.size())
-      return c.failWord("nct-m-count", "too many subprograms are called in one block", w);
-    SubprogramWord& taken = subprograms_[subprogram_count_++];
-    const std::uint32_t origin = call.variable > 0 ? numberOf(c, w, OriginKind::kArgument) : 0;
-    taken = {CallFrame(), {w.value, false, origin}, call.variable};
-    taken.frame.kind = CallKind::kSubprogram;
-    taken.frame.system_code = call.code;
-    if (!take(c.programs.system(call.program, c.channel()), taken.frame)) return false;
-  }
-  if (subprogram_count_ == 0) return true;
-  std::erase_if(words, [&](const Word& w) { return subprogramOf(w, call); });
-  c.block.present = {};
-  for (const Word& w : words) c.block.present.add(w.address);
-  return true;
-}
-
-bool NctControl::moves(const BlockPlan& plan) {
-  if (plan.perform == nullptr || plan.governor == nullptr) return false;
-  if (plan.governor->group != kOneShot) return true;
-  constexpr std::array<std::int32_t, 6> kMoving{gcode::kReference,     gcode::kNumberedReference,
-                                                gcode::kSkip,          gcode::kThread,
-                                                gcode::kMeasureLength, gcode::kMachineMove};
-  return std::find(kMoving.begin(), kMoving.end(), plan.governor->code10) != kMoving.end();
+  subprograms_.defer(c);
 }
 
 }  // namespace proveout::nc

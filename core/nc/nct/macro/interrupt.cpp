@@ -38,7 +38,8 @@ bool NctControl::takeInterruptWords() {
   std::int64_t number = 0;
   const Word* p = c.word('P');
   if (c.parameters.flag(MacroParam::kInterruptFromSystem) && p != nullptr && !c.block.has_file) {
-    if (!integerWord(c, *p, 1, 9999, number) || !take(c.programs.system(number, c.channel()), frame))
+    if (!integerWord(c, *p, 1, 9999, number) ||
+        !takeProgram(c, c.programs.system(number, c.channel()), frame))
       return false;
   } else if (!loadCalled(frame, "M96", c.calls.main().file)) {
     return false;

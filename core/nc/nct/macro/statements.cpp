@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/nc/nct/block/words.h"
 #include "core/nc/nct/macro/output.h"
 #include "core/nc/nct/program/control.h"
 
@@ -10,18 +11,52 @@ namespace proveout::nc {
 
 // A statement that decides where to go on and fails leaves nowhere to go on: it always stops the run.
 
-bool NctControl::failStatement(const LexError& error) {
-  return !error.code.empty() && context_.fail(error.code, error.message, error.columns);
+namespace {
+
+bool failStatement(NctContext& c, const LexError& error) {
+  return !error.code.empty() && c.fail(error.code, error.message, error.columns);
 }
 
 /// Nothing but comments may stand behind a statement.
-bool NctControl::endStatement(std::size_t pos) {
-  const std::string_view text = context_.block.text;
+bool endStatement(NctContext& c, std::size_t pos) {
+  const std::string_view text = c.block.text;
   pos = skipBlanks(text, pos);
   if (pos >= text.size() || text[pos] == '(') return true;
-  return context_.alarm(2064, "", "nothing may follow the statement",
-                        {static_cast<int>(pos) + 1, static_cast<int>(text.size()) + 1});
+  return c.alarm(2064, "", "nothing may follow the statement",
+                 {static_cast<int>(pos) + 1, static_cast<int>(text.size()) + 1});
 }
+
+/// The loop mark of the line in hand, whose loop number stands at `pos`. Null: a fault, reported.
+const LoopIndex::Mark* loopMark(NctContext& c, std::size_t pos) {
+  const std::string_view text = c.block.text;
+  const bool is_end = c.block.kind == LineKind::kEnd;
+  const int number = loopNumber(text, pos);
+  if (number < 0) {
+    c.alarm(2002, is_end ? "END" : "DO", "loops have the numbers 1 to 3");
+    return nullptr;
+  }
+  const LoopIndex::Mark* mark = c.calls.top().text->loops().find(c.calls.lineIndex());
+  if (mark == nullptr) {
+    c.alarm(2064, "", "a loop starts and ends with a line of its own");
+    return nullptr;
+  }
+  switch (mark->fault) {
+    case LoopIndex::Fault::kNone:
+      return endStatement(c, pos + 1) ? mark : nullptr;
+    case LoopIndex::Fault::kDoubled:
+      c.alarm(2064, "", fmt::format("DO{0} inside DO{0}", number));
+      return nullptr;
+    case LoopIndex::Fault::kNoEnd:
+      c.alarm(2125, fmt::format("END{}", number), "loops end in pairs and do not overlap");
+      return nullptr;
+    case LoopIndex::Fault::kNoDo:
+      c.alarm(2125, fmt::format("DO{}", number), "loops start in pairs and do not overlap");
+      return nullptr;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 NctControl::Go NctControl::statement() {
   NctContext& c = context_;
@@ -31,10 +66,10 @@ NctControl::Go NctControl::statement() {
     case LineKind::kAssignment: {
       LexError error;
       if (!c.macro.assign(c.block.text, pos, error)) {
-        failStatement(error);
+        failStatement(c, error);
         return summary_.end == ProgramEnd::kAlarm ? Go::kStop : alarm();  // #3000 ends the run
       }
-      return endStatement(pos) ? Go::kOn : alarm();
+      return endStatement(c, pos) ? Go::kOn : alarm();
     }
     case LineKind::kIf:
       return behindIf();
@@ -60,7 +95,7 @@ NctControl::Go NctControl::behindIf() {
   LexError error;
   std::size_t pos = block.statement + 2;
   if (!c.macro.condition(block.text, pos, holds, error)) {
-    failStatement(error);
+    failStatement(c, error);
     return stopAtAlarm();
   }
   if (!holds) return Go::kOn;
@@ -78,7 +113,7 @@ NctControl::Go NctControl::behindIf() {
   const bool numbered = block.number >= 0;
   const int skip = block.skip;
   if (!lexer_.lexRest(pos, block)) {
-    failStatement(lexer_.error());
+    failStatement(c, lexer_.error());
     return alarm();
   }
   if (block.skip != skip || block.program >= 0 || block.percent || (!numbered && block.number >= 0)) {
@@ -87,7 +122,7 @@ NctControl::Go NctControl::behindIf() {
   }
   MacroCall call;
   if (findCall(true, call)) return callMacro(call);
-  return checkRepeats() ? execute() : alarm();
+  return checkRepeats(c) ? execute() : alarm();
 }
 
 NctControl::Go NctControl::goTo(std::size_t pos) {
@@ -97,7 +132,7 @@ NctControl::Go NctControl::goTo(std::size_t pos) {
   const std::size_t begin = pos;
   pos = skipBlanks(c.block.text, pos + 4);
   if (!c.macro.evaluate(c.block.text, pos, target, error)) {
-    failStatement(error);
+    failStatement(c, error);
     return stopAtAlarm();
   }
   const double number = std::round(target.number);
@@ -108,40 +143,9 @@ NctControl::Go NctControl::goTo(std::size_t pos) {
            {static_cast<int>(begin) + 1, static_cast<int>(pos) + 1});
     return stopAtAlarm();
   }
-  if (!endStatement(pos)) return stopAtAlarm();
+  if (!endStatement(c, pos)) return stopAtAlarm();
   CallFrame& frame = c.calls.top();
   return jump(frame, static_cast<std::int64_t>(number), frame.line) ? Go::kOn : stopAtAlarm();
-}
-
-/// The loop mark of the line in hand, whose loop number stands at `pos`. Null: a fault, reported.
-const LoopIndex::Mark* NctControl::loopMark(std::size_t pos) {
-  NctContext& c = context_;
-  const std::string_view text = c.block.text;
-  const bool is_end = c.block.kind == LineKind::kEnd;
-  const int number = loopNumber(text, pos);
-  if (number < 0) {
-    c.alarm(2002, is_end ? "END" : "DO", "loops have the numbers 1 to 3");
-    return nullptr;
-  }
-  const LoopIndex::Mark* mark = c.calls.top().text->loops().find(c.calls.lineIndex());
-  if (mark == nullptr) {
-    c.alarm(2064, "", "a loop starts and ends with a line of its own");
-    return nullptr;
-  }
-  switch (mark->fault) {
-    case LoopIndex::Fault::kNone:
-      return endStatement(pos + 1) ? mark : nullptr;
-    case LoopIndex::Fault::kDoubled:
-      c.alarm(2064, "", fmt::format("DO{0} inside DO{0}", number));
-      return nullptr;
-    case LoopIndex::Fault::kNoEnd:
-      c.alarm(2125, fmt::format("END{}", number), "loops end in pairs and do not overlap");
-      return nullptr;
-    case LoopIndex::Fault::kNoDo:
-      c.alarm(2125, fmt::format("DO{}", number), "loops start in pairs and do not overlap");
-      return nullptr;
-  }
-  return nullptr;
 }
 
 NctControl::Go NctControl::enterLoop(std::size_t pos) {
@@ -152,7 +156,7 @@ NctControl::Go NctControl::enterLoop(std::size_t pos) {
     LexError error;
     pos += 5;
     if (!c.macro.condition(text, pos, holds, error)) {
-      failStatement(error);
+      failStatement(c, error);
       return stopAtAlarm();
     }
     pos = skipBlanks(text, pos);
@@ -161,7 +165,7 @@ NctControl::Go NctControl::enterLoop(std::size_t pos) {
       return stopAtAlarm();
     }
   }
-  const LoopIndex::Mark* mark = loopMark(skipBlanks(text, pos + 2));
+  const LoopIndex::Mark* mark = loopMark(c, skipBlanks(text, pos + 2));
   if (mark == nullptr) return stopAtAlarm();
   if (!holds) {
     c.calls.top().line = mark->partner + 1;
@@ -172,7 +176,7 @@ NctControl::Go NctControl::enterLoop(std::size_t pos) {
 
 NctControl::Go NctControl::endLoop() {
   NctContext& c = context_;
-  const LoopIndex::Mark* mark = loopMark(skipBlanks(c.block.text, c.block.statement + 3));
+  const LoopIndex::Mark* mark = loopMark(c, skipBlanks(c.block.text, c.block.statement + 3));
   if (mark == nullptr) return stopAtAlarm();
   c.calls.top().line = mark->partner;
   lexer_.setInComment(false);

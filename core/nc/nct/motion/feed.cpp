@@ -26,7 +26,7 @@ AxisMotionLimits axisLimits(const NctContext& c, int axis) {
 
 void configureRapids(NctContext& c, const MotionLimits& limits) {
   const NctParameters& p = c.parameters;
-  RapidOverlapStage& stage = c.rapid_stage;
+  RapidOverlapStage& stage = c.stages.rapid;
   stage.flush(FlushReason::kBuffer);
   c.pipe.unlink(stage);
   if (!p.flag(FeedParam::kRapidOverlap)) return;

@@ -94,7 +94,7 @@ bool ask(NctContext& c, const AxisPoint& to, std::optional<AxisPoint>& stop) {
                "there is no stock here that a measuring move could touch: it goes to its end");
     return true;
   }
-  if (!c.rapid_stage.flush(FlushReason::kBuffer)) return false;  // the tool stands where it measures from
+  if (!c.stages.rapid.flush(FlushReason::kBuffer)) return false;  // the tool stands where it measures from
   c.emitter.time().flush();  // everything before is part of the stock that answers
   const auto line = c.emitter.lineOf(to, c.here());
   if (!line) return c.fail("nct-probe-turn", "a measuring move that turns a table is not simulated");

@@ -242,7 +242,7 @@ bool performMachineMove(NctContext& c, BlockPlan& plan) {
 /// The reference point that nobody named: where the machine starts, no lower than where it changes tools.
 Vec3 homeOf(const NctContext& c) {
   Vec3 home = c.emitter.home();
-  const auto way = toolChangeWay(c.settings, AxisPoint(home), c.zone_stage.ceiling(2));
+  const auto way = toolChangeWay(c.settings, AxisPoint(home), c.stages.zone.ceiling(2));
   if (!way.empty()) home.z() = way.front()[2];
   return home;
 }

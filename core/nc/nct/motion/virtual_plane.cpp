@@ -70,13 +70,13 @@ bool performMode(NctContext& c, BlockPlan& plan) {
   if (named == VirtualMode::kPolar && !off && aside != 0.0) told.offset = aside;
   if (!sendEvent(c, std::move(told))) return false;
   if (off) {
-    const AxisPoint machine = c.virtual_stage.machine();
-    c.virtual_stage.end();
+    const AxisPoint machine = c.stages.virtual_plane.machine();
+    c.stages.virtual_plane.end();
     c.settle(machine);
   } else {
-    c.virtual_stage.begin(next, c.position, c.machine);
+    c.stages.virtual_plane.begin(next, c.position, c.machine);
     c.settle(c.machine);
-    const double error = c.emitter.polarError(c.virtual_stage.plane());
+    const double error = c.emitter.polarError(c.stages.virtual_plane.plane());
     if (named == VirtualMode::kPolar && error > kZero) {
       c.warn("nct-polar-center",
              fmt::format(

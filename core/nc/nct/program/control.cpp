@@ -9,6 +9,7 @@
 #include "core/nc/nct/block/auxiliary.h"
 #include "core/nc/nct/block/perform.h"
 #include "core/nc/nct/block/plans.h"
+#include "core/nc/nct/block/words.h"
 #include "core/nc/nct/channels/wait.h"
 #include "core/nc/nct/motion/axis_setup.h"
 #include "core/nc/nct/motion/feed.h"
@@ -50,7 +51,7 @@ NctControl::Turn NctControl::advance() {
   const Go go = step();
   if (go == Go::kOn) return Turn::kOn;
   if (go == Go::kWait) return Turn::kWaits;
-  context_.rapid_stage.flush(FlushReason::kEnd);  // behind an alarm too: the axes come to a stand
+  context_.stages.rapid.flush(FlushReason::kEnd);  // behind an alarm too: the axes come to a stand
   context_.emitter.time().flush();
   return Turn::kEnded;
 }
@@ -82,9 +83,9 @@ bool NctControl::start() {
   if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("nct-settings", bad);
   powerOn(c);
   configureFeeds(c);
-  if (!c.zone_stage.configure()) return false;
+  if (!c.stages.zone.configure()) return false;
   if (settings.start_by_default) {
-    c.emitter.lowerStart(c.zone_stage.ceiling(2));
+    c.emitter.lowerStart(c.stages.zone.ceiling(2));
     c.settle(c.emitter.machine());
   }
   return loadMain();
@@ -126,7 +127,8 @@ bool NctControl::goesRound(const CallFrame& frame, std::size_t line) {
 NctControl::Go NctControl::step() {
   NctContext& c = context_;
   if (c.calls.hasDeferred()) {
-    if (!openDeferred()) return alarm();
+    CallFrame deferred;
+    if (!c.calls.takeDeferred(deferred) || !c.openCall(deferred)) return alarm();
   } else if (c.calls.top().waiting.code != 0) {
     const FlowRequest request = std::exchange(c.calls.top().waiting, {});
     c.setBlock(request.line, request.number);
@@ -136,23 +138,25 @@ NctControl::Go NctControl::step() {
   }
   CallFrame& frame = c.calls.top();
   if (frame.line >= frame.text->lines().size()) return endOfText();
-  if (frame.line == 0) skipLeader(frame);
+  if (frame.line == 0) tape_.skipLeader(c, frame);
   const std::size_t line = frame.line++;
   Block& block = c.block;
   lexer_.setMode(c.data_input ? LexMode::kData : LexMode::kBlock);
   const bool lexed = lexer_.lex(frame.text->lines()[line], block);
   c.setBlock(line, block.number);
-  if (block.skip > 0 && !skipKeepsLookAhead()) return alarm();
+  // CBB = 0: the switch is read when the block before is done.
+  const bool now = block.skip > 0 && !c.parameters.flag(MotionParam::kSkipKeepsLookAhead);
+  if (now && !c.flushPipe()) return alarm();
   if (block.skip > 0 && c.settings.skip_switches[static_cast<std::size_t>(block.skip - 1)]) return Go::kOn;
   bool good = lexed || c.fail(lexer_.error().code, lexer_.error().message, lexer_.error().columns);
   if (good && block.percent) {
-    if (!onlyHeaderAbove()) return endOfText();
-    noteName();
+    if (!tape_.onlyHeaderAbove(c.calls)) return endOfText();
+    noteTapeName(c);
     if (block.empty()) return Go::kOn;
   }
   MacroCall call;
   const bool calls = good && findCall(false, call);
-  good = good && (calls || (checkRepeats() && checkHeader()));
+  good = good && (calls || (checkRepeats(c) && tape_.checkHeader(c)));
   if (good && block.empty()) {
     until_hit_ = until_hit_ || reachedUntil();
     return Go::kOn;
@@ -165,54 +169,6 @@ NctControl::Go NctControl::step() {
   if (c.data_input == nullptr) return execute();
   until_hit_ = until_hit_ || reachedUntil();
   return dataBlock(c) ? Go::kOn : alarm();
-}
-
-bool NctControl::skipKeepsLookAhead() {
-  NctContext& c = context_;
-  // CBB = 0: the switch is read when the block before is done.
-  return c.parameters.flag(MotionParam::kSkipKeepsLookAhead) || c.flushPipe();
-}
-
-bool NctControl::openDeferred() {
-  CallFrame frame;
-  return context_.calls.takeDeferred(frame) && context_.openCall(frame);
-}
-
-bool NctControl::checkRepeats() {
-  const Block& block = context_.block;
-  if (!block.negative.empty()) {
-    const auto at = std::find_if(block.words.begin(), block.words.end(),
-                                 [&](const Word& w) { return w.columns.begin == block.negative_at.begin; });
-    return context_.fail("nct-2002",
-                         fmt::format("{} data out of range: no minus sign here", addressText(at->address)),
-                         block.negative_at);
-  }
-  if (block.repeated.empty()) return true;
-  const auto at = std::find_if(block.words.begin(), block.words.end(),
-                               [&](const Word& w) { return w.columns.begin == block.repeated_at.begin; });
-  if (at->address == 'N')
-    return context_.fail("nct-2064", "syntax error: two N words in one block", block.repeated_at);
-  return context_.fail("nct-duplicate-word", fmt::format("two {} in one block", addressText(at->address)),
-                       block.repeated_at);
-}
-
-bool NctControl::onlyHeaderAbove() const {
-  const CallStack& calls = context_.calls;
-  for (std::size_t k = leaderOf(*calls.top().text); k < calls.lineIndex(); ++k) {
-    const auto line = calls.top().text->lines()[k];
-    const auto first = line.find_first_not_of(" \t");
-    if (first != std::string_view::npos && line[first] != '%' && line[first] != '(') return false;
-  }
-  return true;
-}
-
-bool NctControl::checkHeader() {
-  // Only in front of everything else: a second O word would start another program in the same text.
-  const Block& block = context_.block;
-  if (block.program < 0 || onlyHeaderAbove()) return true;
-  return context_.alarm(2017, "O",
-                        "a program number stands at the head of the text; subprograms are files of their own",
-                        block.program_columns);
 }
 
 NctControl::Go NctControl::endOfText() {
@@ -239,7 +195,7 @@ NctControl::Go NctControl::execute() {
   NctContext& c = context_;
   BlockPlan plan;
   const bool reached = reachedUntil();  // before the block opens a program of its own
-  const bool good = takeSubprogramWords() && takeInterruptWords() && planBlock(c, plan) && perform(c, plan);
+  const bool good = subprograms_.take(c) && takeInterruptWords() && planBlock(c, plan) && perform(c, plan);
   if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
   if (!good) return alarm();
   until_hit_ = until_hit_ || reached;  // a called subprogram still runs

@@ -15,7 +15,9 @@
 #include "core/nc/control_settings.h"
 #include "core/nc/lexer.h"
 #include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/macro/subprogram_words.h"
 #include "core/nc/nct/macro/system_calls.h"
+#include "core/nc/nct/program/tape.h"
 #include "core/nc/nct/system_variables/system_variables.h"
 #include "core/nc/program_source.h"
 #include "core/nc/run_summary.h"
@@ -52,14 +54,6 @@ class NctControl {
   bool goesRound(const CallFrame& frame, std::size_t line);
   Go endOfText();
   Go execute();
-  bool openDeferred();
-  bool checkRepeats();
-  bool checkHeader();
-  bool onlyHeaderAbove() const;
-  std::size_t leaderOf(const SourceText& text) const;
-  void skipLeader(CallFrame& frame);
-  void noteName();
-  bool skipKeepsLookAhead();
   bool reachedUntil() const;
 
   // program/flow.cpp
@@ -69,7 +63,6 @@ class NctControl {
   Go call();
   /// The program of P or <file> of the block, as seen from file `caller`.
   bool loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller);
-  bool take(const ProgramStore::Loaded& loaded, CallFrame& frame);
   Go returnFrom(const FlowRequest& request);
   void repeat(CallFrame& frame);
   Go alarm();
@@ -82,12 +75,9 @@ class NctControl {
   // macro/statements.cpp
   Go statement();
   Go behindIf();
-  bool endStatement(std::size_t pos);
-  bool failStatement(const LexError& error);
   Go goTo(std::size_t pos);
   Go enterLoop(std::size_t pos);
   Go endLoop();
-  const LoopIndex::Mark* loopMark(std::size_t pos);
 
   // macro/calls.cpp
   /// What a block calls instead of being executed.
@@ -106,10 +96,6 @@ class NctControl {
   bool systemFrame(const MacroCall& call, CallFrame& frame);
   Go callFromBlock(const CallFrame& modal);
   void deferCalls(const BlockPlan& plan);
-  bool anySubprogramWord();
-  bool subprogramOf(const Word& w, SystemCall& call) const;
-  bool takeSubprogramWords();
-  static bool moves(const BlockPlan& plan);
 
   // macro/interrupt.cpp
   bool takeInterruptWords();
@@ -118,22 +104,14 @@ class NctControl {
   Go breakInterruptOff();
   bool endInterrupt(bool restore);
 
-  /// A word of the block that calls a subprogram, taken out of it.
-  struct SubprogramWord {
-    CallFrame frame;
-    Value value;
-    int variable = 0;  ///< the global that gets the value; 0: none
-  };
-
   InterpretSummary summary_;
   ControlSettings settings_;
   NctContext context_;
   SystemVariables system_variables_;
   LoopWatch loop_;
   Lexer lexer_;
-  mutable std::map<const SourceText*, std::size_t> leaders_;  ///< lines in front of the % of a text
-  std::array<SubprogramWord, 8> subprograms_;
-  std::size_t subprogram_count_ = 0;
+  TapeFrames tape_;
+  SubprogramWords subprograms_;                                ///< of the block in hand
   InterruptSwitch interrupt_switch_ = InterruptSwitch::kNone;  ///< of the block in hand
   CallFrame interrupt_frame_;                                  ///< with kOn
   bool until_hit_ = false;

@@ -5,6 +5,7 @@
 
 #include "core/nc/nct/block/words.h"
 #include "core/nc/nct/macro/output.h"
+#include "core/nc/nct/macro/subprogram_words.h"
 #include "core/nc/nct/program/control.h"
 #include "core/nc/nct/program/reset.h"
 #include "core/nc/nct/system_variables/status_bank.h"
@@ -71,15 +72,6 @@ NctControl::Go NctControl::alarm() {
   return summary_.errors < context_.settings.max_errors ? Go::kOn : stopAtAlarm();
 }
 
-bool NctControl::take(const ProgramStore::Loaded& loaded, CallFrame& frame) {
-  if (loaded.failure == ProgramStore::Failure::kEncoding)
-    return context_.fail("nct-encoding", loaded.message);
-  if (loaded.text == nullptr) return context_.alarm(2147, "", loaded.message);
-  frame.text = loaded.text;
-  frame.file = loaded.file;
-  return true;
-}
-
 bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller) {
   NctContext& c = context_;
   const Word* p = c.word('P');
@@ -90,7 +82,7 @@ bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32
       return c.fail("nct-2002", fmt::format("file name data out of range: {} takes 1 to 60 characters", code),
                     c.block.file_columns);
     }
-    return take(c.programs.byPath(caller, path), frame);
+    return takeProgram(c, c.programs.byPath(caller, path), frame);
   }
   std::int64_t number = 0;
   if (p == nullptr) {
@@ -99,7 +91,7 @@ bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32
                    fmt::format("{} needs a program number{}", code, by_file ? " or a file name" : ""));
   }
   if (!integerWord(c, *p, 1, 99999999, number)) return false;
-  return take(c.programs.byNumber(caller, number), frame);
+  return takeProgram(c, c.programs.byNumber(caller, number), frame);
 }
 
 NctControl::Go NctControl::call() {

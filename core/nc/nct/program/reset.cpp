@@ -115,9 +115,9 @@ void resetAtEnd(NctContext& c) {
   c.registers.frames.shift52 = c.registers.frames.shift92 = AxisPoint();
   if (s.active[kGroupZones] == gcode::kZoneOff && c.registers.program_zone) {
     c.registers.program_zone.reset();
-    c.zone_stage.configure();
+    c.stages.zone.configure();
   }
-  if (c.virtual_stage.linked()) c.virtual_stage.end();
+  if (c.stages.virtual_plane.linked()) c.stages.virtual_plane.end();
   c.pipe.clear();
   c.map = programMap(s.transforms, c.axes);
   c.chain = c.chainOf(s);

@@ -1,9 +1,11 @@
-// The frame of a program tape (ISO 6983): text of the leader, %, a name, blocks, %.
+#include "core/nc/nct/program/tape.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 
-#include "core/nc/nct/program/control.h"
+#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/tables/code_names.h"
 
 namespace proveout::nc {
 namespace {
@@ -63,14 +65,13 @@ std::size_t leaderLines(const std::vector<std::string_view>& lines) {
 
 }  // namespace
 
-std::size_t NctControl::leaderOf(const SourceText& text) const {
+std::size_t TapeFrames::leaderOf(const SourceText& text) {
   const auto known = leaders_.find(&text);
   if (known != leaders_.end()) return known->second;
   return leaders_.emplace(&text, leaderLines(text.lines())).first->second;
 }
 
-void NctControl::skipLeader(CallFrame& frame) {
-  NctContext& c = context_;
+void TapeFrames::skipLeader(NctContext& c, CallFrame& frame) {
   const std::size_t leader = leaderOf(*frame.text);
   frame.line = leader;
   std::size_t first = leader, block = leader;
@@ -89,8 +90,24 @@ void NctControl::skipLeader(CallFrame& frame) {
   }
 }
 
-void NctControl::noteName() {
-  NctContext& c = context_;
+bool TapeFrames::onlyHeaderAbove(const CallStack& calls) {
+  for (std::size_t k = leaderOf(*calls.top().text); k < calls.lineIndex(); ++k) {
+    const auto line = calls.top().text->lines()[k];
+    const auto first = line.find_first_not_of(" \t");
+    if (first != std::string_view::npos && line[first] != '%' && line[first] != '(') return false;
+  }
+  return true;
+}
+
+bool TapeFrames::checkHeader(NctContext& c) {
+  // Only in front of everything else: a second O word would start another program in the same text.
+  if (c.block.program < 0 || onlyHeaderAbove(c.calls)) return true;
+  return c.alarm(2017, "O",
+                 "a program number stands at the head of the text; subprograms are files of their own",
+                 c.block.program_columns);
+}
+
+void noteTapeName(NctContext& c) {
   const std::string_view text = c.block.text;
   const std::size_t begin = text.find_first_not_of(" \t", text.find('%') + 1);
   const bool name =

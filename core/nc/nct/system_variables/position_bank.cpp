@@ -42,13 +42,14 @@ CoordinateChain chainOf(const NctContext& c, bool tip) {
 }
 
 AxisPoint standing(const NctContext& c) {
-  return c.state.compOn() || c.virtual_stage.linked() ? c.emitter.machine() : c.machine;
+  return c.state.compOn() || c.stages.virtual_plane.linked() ? c.emitter.machine() : c.machine;
 }
 
 /// Where the machine is, in program coordinates; during G12.1 and G7.1 those of the plane.
 AxisPoint present(const NctContext& c, bool tip) {
   const AxisPoint machine = standing(c);
-  return chainOf(c, tip).programOf(c.virtual_stage.linked() ? c.virtual_stage.shown(machine) : machine);
+  return chainOf(c, tip).programOf(c.stages.virtual_plane.linked() ? c.stages.virtual_plane.shown(machine)
+                                                                   : machine);
 }
 
 /// What one unit of a value tells. In the plane of G12.1 and G7.1 the rotary axis counts as its words do.
@@ -65,7 +66,7 @@ AxisPoint pointOf(const NctContext& c, Reading reading) {
     case Reading::kBlockEnd:
       return c.position;
     case Reading::kMachine:  // of the machine's own axes during G12.1 and G7.1 too
-      return c.state.axes.mode == VirtualMode::kOff ? standing(c) : c.virtual_stage.machine();
+      return c.state.axes.mode == VirtualMode::kOff ? standing(c) : c.stages.virtual_plane.machine();
     case Reading::kPresent:
       return present(c, tip);
     case Reading::kSkip:

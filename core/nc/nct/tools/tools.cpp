@@ -52,13 +52,13 @@ void countUse(NctContext& c, int row) {
 bool goToToolChange(NctContext& c) {
   if (!c.settings.tool_change.any()) return true;
   if (!c.pipe.flush(FlushReason::kBuffer)) return false;
-  const auto way = toolChangeWay(c.settings, c.emitter.machine(), c.zone_stage.ceiling(2));
+  const auto way = toolChangeWay(c.settings, c.emitter.machine(), c.stages.zone.ceiling(2));
   if (way.empty()) return true;
   c.origins.clear(unsaidBehind(c.settings.tool_change));
   for (const AxisPoint& to : way) {
     if (!sendMachineRapid(c, to)) return false;
   }
-  if (c.virtual_stage.linked()) {
+  if (c.stages.virtual_plane.linked()) {
     c.settle(way.back());
   } else {
     // Beside cutter compensation the programmed point is not the machine's: axes that stayed keep it.

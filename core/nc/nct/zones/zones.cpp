@@ -15,7 +15,7 @@ bool performZone(NctContext& c, BlockPlan& plan) {
   const ZoneChange& change = std::get<ZoneChange>(plan.payload);
   c.registers.program_zone.reset();
   if (change.on) c.registers.program_zone = change.zone;
-  return c.zone_stage.configure();
+  return c.stages.zone.configure();
 }
 
 bool ownBlockOf(NctContext& c, std::string_view name, AddressSet words) {
