@@ -17,8 +17,8 @@ inline constexpr bool kDearAssertions = false;
 #endif
 }  // namespace proveout
 
-/// The same for what would slow a run down, as a look at a whole mesh does: compiled always, run in the presets
-/// dev and asan (PROVEOUT_DEAR_ASSERTIONS).
+/// The same for what would slow a run down, as a look at a whole mesh does: compiled always, run in the
+/// presets dev and asan (PROVEOUT_DEAR_ASSERTIONS).
 #define PROVEOUT_ASSERT_DEAR(condition)                                    \
   do {                                                                     \
     if constexpr (::proveout::kDearAssertions) PROVEOUT_ASSERT(condition); \
