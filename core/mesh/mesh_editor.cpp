@@ -10,6 +10,9 @@ namespace proveout {
 
 namespace {
 
+/// In place of the motion of a triangle, in meshes without.
+constexpr std::uint32_t kUnmarked = 0;
+
 bool contains(const std::array<std::uint32_t, 3>& corners, std::uint32_t v) {
   return corners[0] == v || corners[1] == v || corners[2] == v;
 }
@@ -79,7 +82,7 @@ bool MeshEditor::canCollapse(const MeshWing& w) const {
 }
 
 void MeshEditor::save(std::uint32_t t) {
-  const std::uint32_t motion = mesh_.motion.empty() ? kNoMotion : mesh_.motion[t];
+  const std::uint32_t motion = mesh_.motion.empty() ? kUnmarked : mesh_.motion[t];
   done_.push_back({Step::kTriangle, t, motion, 0, mesh_.triangles[t]});
 }
 
@@ -149,7 +152,7 @@ std::uint32_t MeshEditor::split(const MeshWing& w, const Eigen::Vector3f& p) {
   save(w.bad);
   mesh_.triangles[w.abc] = {w.a, x, w.c};
   mesh_.triangles[w.bad] = {w.b, x, w.d};
-  const auto motionOf = [&](std::uint32_t t) { return mesh_.motion.empty() ? kNoMotion : mesh_.motion[t]; };
+  const auto motionOf = [&](std::uint32_t t) { return mesh_.motion.empty() ? kUnmarked : mesh_.motion[t]; };
   const std::uint32_t xbc = addTriangle({x, w.b, w.c}, motionOf(w.abc)),
                       xad = addTriangle({x, w.a, w.d}, motionOf(w.bad));
   for (const std::uint32_t t : {w.abc, w.bad, xbc, xad}) joinFan(x, t);

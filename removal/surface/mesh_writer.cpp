@@ -120,12 +120,12 @@ void MeshWriter::copyVertices(std::size_t number) {
 }
 
 void MeshWriter::writeLeaf(const SurfaceLeaf& leaf, const LeafQuads& quads, std::size_t number) {
-  if (quads.triangles == 0) return;
-  const std::size_t first = now_.parts[number].first_triangle;
-  std::size_t next = first;
   LeafFlaws& flaws = now_.flaws[number];
   flaws.faults.clear();
   flaws.poor.clear();
+  if (quads.triangles == 0) return;
+  const std::size_t first = now_.parts[number].first_triangle;
+  std::size_t next = first;
   QuadReader reader(grid_);
   reader.load(leaf);
   const std::uint8_t* of_quad = quads.states.data();
