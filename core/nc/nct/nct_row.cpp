@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/nc/nct/channels/channels.h"
-#include "core/nc/nct/tables/codes.h"
-#include "core/nc/nct/program/control.h"
-#include "core/nc/nct/parameters/parameters.h"
 #include "core/nc/nct/coverage/coverage_rows.h"
+#include "core/nc/nct/parameters/parameters.h"
+#include "core/nc/nct/program/control.h"
+#include "core/nc/nct/tables/codes.h"
 #include "core/nc/specification/specification_text.h"
 
 namespace proveout::nc {

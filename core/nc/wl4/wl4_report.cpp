@@ -52,7 +52,7 @@ void Wl4Report::warnOnce(const std::string& key, std::string code, std::string m
 }
 
 bool Wl4Report::contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
-                              const PathItem& at) {
+                             const PathItem& at) {
   static const AlarmTable kTable{
       {SharedAlarm::kCorner, "wl4-chamfer", "illegal chamfer or rounding"},
       {SharedAlarm::kCornerTooLarge, "wl4-chamfer", "chamfer or rounding too large"},
