@@ -20,6 +20,7 @@ constexpr double kSamplesToALead = 5.0;
 constexpr double kChordShare = 0.5;
 /// Shares of the memory and seconds that nobody was asked for.
 constexpr double kMemoryShare = 0.5, kMostSeconds = 30.0;
+/// The finest that is chosen, as a share of what the blank asks for.
 constexpr double kFinest = 0.1;
 
 /// The next finer of 1, 2, 5 times powers of ten.
@@ -77,7 +78,8 @@ double threadResolution(const RunResult& run, double h) {
       if (m.kind == MotionKind::kThread) lead = std::min(lead, (m.to - m.from).norm() / threadTurns(path, m));
     }
   }
-  while (h > kFinest && lead < kSamplesToALead * h) h = finerStep(h);
+  const double finest = kFinest * h * (1.0 + 1e-9);
+  while (h > finest && lead < kSamplesToALead * h) h = finerStep(h);
   return h;
 }
 

@@ -20,7 +20,7 @@ double chooseResolution(const Job& job, const RunResult& run, const Blank& blank
                         double memory_mb);
 
 /// Of a turned part whose job gives none, mm: `h`, or finer, so that the shortest lead of its threads is held
-/// by five samples.
+/// by five samples; at most to a tenth.
 double threadResolution(const RunResult& run, double h);
 
 }  // namespace proveout

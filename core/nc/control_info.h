@@ -55,7 +55,7 @@ struct ParameterInfo {
 };
 std::vector<ParameterInfo> parameterTable(ControlId control);
 
-/// Whether the settings limit the travel of X, Y or Z, or the control's own parameters that of an axis.
+/// Whether the settings, or the control's own parameters among them, limit the travel of an axis.
 bool limitsTravel(ControlId control, const ControlSettings& settings);
 
 }  // namespace proveout

@@ -89,7 +89,9 @@ std::vector<ParameterInfo> parameterTable(ControlId control) {
 
 bool limitsTravel(ControlId control, const ControlSettings& settings) {
   const auto& limits = settings.limits;
-  if (std::any_of(limits.begin(), limits.end(), [](const auto& limit) { return limit.has_value(); }))
+  const auto& axes = settings.axes;
+  if (std::any_of(limits.begin(), limits.end(), [](const auto& limit) { return limit.has_value(); }) ||
+      std::any_of(axes.begin(), axes.end(), [](const AxisSettings& axis) { return axis.limit.has_value(); }))
     return true;
   const auto by_parameters = nc::rowOf(control).limits_travel;
   return by_parameters != nullptr && by_parameters(settings.parameters);

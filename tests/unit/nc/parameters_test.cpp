@@ -85,6 +85,10 @@ TEST(Parameters, EndsOfTheStrokeLimitTheTravel) {
   for (const char* name : {"N1002", "N1003", "N1004", "N1005", "N1002.3", "N1005.1"})
     EXPECT_TRUE(limited({{"N1001.CBM", 1}, {name, 0}})) << name;
   EXPECT_FALSE(limited({{"N1002", 1}}, ControlId::kWl4Mill)) << "a parameter of nct";
+  settings.axes.emplace_back().limit = AxisLimit{-90, 90};
+  EXPECT_TRUE(limited({})) << "a rotary axis";
+  settings.axes.clear();
+  EXPECT_FALSE(limited({}));
   settings.limits[1] = AxisLimit{-10, 10};
   EXPECT_TRUE(limited({}));
   EXPECT_TRUE(limited({}, ControlId::kWl4Mill));
