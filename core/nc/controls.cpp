@@ -79,7 +79,7 @@ Result<ControlId> findControl(std::string_view name) {
 
 Result<std::vector<CoverageRow>> coverageTable(ControlId control) {
   if (const auto table = nc::rowOf(control).coverage) return table();
-  return inputError("this control is known but this version cannot run it yet");
+  return inputError(nc::kNotBuilt);
 }
 
 std::vector<ParameterInfo> parameterTable(ControlId control) {

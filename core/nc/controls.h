@@ -11,4 +11,7 @@ namespace proveout::nc {
 std::span<const ControlRow* const> controlRows();
 const ControlRow& rowOf(ControlId control);
 
+/// What is said where a row lacks what only a built control has.
+inline constexpr const char* kNotBuilt = "this control is known but this version cannot run it yet";
+
 }  // namespace proveout::nc

@@ -69,7 +69,7 @@ class Claims {
 
 Result<std::vector<CoverageIdRow>> coverageIds(ControlId control) {
   if (const auto ids = nc::rowOf(control).coverage_ids) return ids();
-  return inputError("this control is known but this version cannot run it yet");
+  return inputError(nc::kNotBuilt);
 }
 
 std::vector<SpecificationRow> specificationRows(ControlId control) {

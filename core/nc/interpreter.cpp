@@ -18,7 +18,7 @@ InterpretSummary refused(MotionSink& sink, const char* why) {
 InterpretSummary interpret(ControlId control, const ProgramSource& source, const ControlSettings& settings,
                            MotionSink& sink, Progress* progress, const ControlHost& host) {
   if (const auto run = nc::rowOf(control).run) return run(source, settings, sink, progress, host);
-  return refused(sink, "this control is known but this version cannot run it yet");
+  return refused(sink, nc::kNotBuilt);
 }
 
 InterpretSummary interpretChannels(ControlId control, const std::vector<ChannelProgram>& channels,

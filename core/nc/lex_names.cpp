@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "core/base/characters.h"
+
 namespace proveout::nc {
 namespace {
-
-constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
 
 bool standsAt(std::string_view name, std::string_view text, std::size_t pos) {
   if (pos + name.size() > text.size()) return false;

@@ -7,13 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/characters.h"
+
 namespace proveout::nc {
 namespace {
-
-constexpr bool isBlank(char c) { return c == ' ' || c == '\t'; }
-constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
-constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
-constexpr bool isLetter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
 
 constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                    1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

@@ -7,13 +7,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/characters.h"
+
 namespace proveout {
 namespace {
-
-constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
-constexpr bool isLetter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
-constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 /// The words of a line, one by one.
 class Scanner {

@@ -10,14 +10,11 @@
 #include <string>
 #include <utility>
 
+#include "core/base/characters.h"
 #include "core/nc/macro/functions.h"
 
 namespace proveout::nc {
 namespace {
-
-constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
-constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
-constexpr bool isLetter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
 
 constexpr int kMaxDepth = 64;
 

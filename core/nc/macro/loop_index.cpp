@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "core/base/characters.h"
 #include "core/nc/macro/expression.h"
 
 namespace proveout::nc {
 namespace {
-
-constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Behind the bracket that opens at text[pos]; npos: it stays open.
 std::size_t behindBracket(std::string_view text, std::size_t pos) {

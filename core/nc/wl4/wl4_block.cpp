@@ -6,11 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/characters.h"
+
 namespace proveout::nc {
 
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 constexpr std::int64_t kMaxBlockNumber = 65535;
 
 /// The range that the control takes at an address (digest wl4, table 2).

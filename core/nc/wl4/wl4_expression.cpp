@@ -9,14 +9,14 @@
 #include <span>
 #include <utility>
 
+#include "core/base/characters.h"
 #include "core/geometry/types.h"
 
 namespace proveout::nc {
 
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return c >= 'A' && c <= 'Z'; }
+bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
 
 /// Whether `word` stands at `pos`; if so, `pos` goes behind it.
 bool take(std::string_view text, std::size_t& pos, std::string_view word) {
@@ -178,7 +178,7 @@ bool Wl4Evaluator::unsignedOperand(std::string_view text, std::size_t& pos, doub
   if (c == '#') return variable(text, pos, out);
   if (c == '(') return parenthesis(text, pos, out);
   if (isDigit(c) || c == '.') return number(text, pos, out);
-  if (isLetter(c)) return function(text, pos, out);
+  if (isCapital(c)) return function(text, pos, out);
   return fail("a number, a variable, a function or a parenthesis is missing here", pos, pos + 1);
 }
 
@@ -261,7 +261,7 @@ bool Wl4Evaluator::variable(std::string_view text, std::size_t& pos, double& out
 
 bool Wl4Evaluator::function(std::string_view text, std::size_t& pos, double& out) {
   std::size_t end = pos;
-  while (end < text.size() && isLetter(text[end])) ++end;
+  while (end < text.size() && isCapital(text[end])) ++end;
   const std::string_view name = text.substr(pos, end - pos);
   for (const Function& f : kFunctions) {
     if (f.name != name) continue;

@@ -76,15 +76,12 @@ bool refuseG(NctContext& c, const Word& w, const GCode* code) {
   const std::string name =
       std::string(c.block.text.substr(static_cast<std::size_t>(w.columns.begin - 1),
                                       static_cast<std::size_t>(w.columns.end - w.columns.begin)));
-  if (code == nullptr)
-    return c.failWord("nct-2123",
-                      fmt::format("function not implemented: {} is not a code of this control", name), w);
+  if (code == nullptr) return c.alarm(2123, name + " is not a code of this control", {}, w.columns);
   if (c.settings.lenient && code->skippable) {
     c.warn("nct-2123", fmt::format("{} ({}) is not supported and left out", name, code->meaning), w.columns);
     return true;
   }
-  return c.failWord(
-      "nct-2123", fmt::format("function not implemented: {} ({}) is not supported", name, code->meaning), w);
+  return c.alarm(2123, fmt::format("{} ({}) is not supported", name, code->meaning), {}, w.columns);
 }
 
 /// The words of a code belong to another code of the block already. Always false.
@@ -220,7 +217,7 @@ bool planNumbers(NctContext& c, BlockPlan& plan) {
   const bool thread = plan.next.active[kGroupMotion] == gcode::kThread && !plan.next.inCycle();
   if (const Word* f = c.word('F'); f && !thread) {
     if (f->value <= 0.0) return c.failWord("nct-feed", "F must be greater than 0", *f);
-    if (f->value < kMinFeed) return c.failWord("nct-2002", "F data out of range: at least 0.000001", *f);
+    if (f->value < kMinFeed) return c.alarm(2002, *f, "at least 0.000001");
     plan.next.feed = f->value;
   }
   const bool spindle = c.block.present.has('S') || c.block.present.has(kNamedWord) ||
@@ -347,7 +344,7 @@ bool planComp(NctContext& c, BlockPlan& plan) {
   if (plan.next.compOn() && !planeOfLines(c, plan, 2088, "G41 and G42 need linear axes")) return false;
   const int motion = plan.next.active[kGroupMotion];
   if (motion == gcode::kArcClockwise || motion == gcode::kArcCounterClockwise) {
-    if (!plan.next.compOn() && was_on) return c.fail("nct-2043", "G40 in circular interpolation");
+    if (!plan.next.compOn() && was_on) return c.alarm(2043, "");
     if (plan.next.compOn() && !was_on)
       return c.fail("nct-comp-start-arc", "G41, G42 cannot be switched on in a G2 or G3 block");
     return true;
@@ -408,7 +405,7 @@ bool checkWords(NctContext& c, const BlockPlan& plan) {
   }
   const bool call = plan.flow && plan.flow->code == mcode::kCall;
   if (c.block.has_file && !call)
-    return c.fail("nct-2017", "illegal address <>: a file name belongs to M98", c.block.file_columns);
+    return c.alarm(2017, "<>", "a file name belongs to M98", c.block.file_columns);
   tellUnusedWords(c, plan, kCommonWords);
   return true;
 }

@@ -29,10 +29,8 @@ bool integerWord(NctContext& c, const Word& w, std::int64_t min, std::int64_t ma
   const double value = w.from_expression ? std::round(w.value) : w.value;
   const bool whole = w.is_integer || w.from_expression;
   if (!whole || value < static_cast<double>(min) || value > static_cast<double>(max)) {
-    return c.failWord("nct-2002",
-                      fmt::format("{} data out of range: an integer from {} to {} is expected",
-                                  addressText(w.address), min, max),
-                      w);
+    return c.alarm(2002, addressText(w.address),
+                   fmt::format("an integer from {} to {} is expected", min, max), w.columns);
   }
   out = static_cast<std::int64_t>(value);
   return true;
@@ -43,17 +41,15 @@ bool checkRepeats(NctContext& c) {
   if (!block.negative.empty()) {
     const auto at = std::find_if(block.words.begin(), block.words.end(),
                                  [&](const Word& w) { return w.columns.begin == block.negative_at.begin; });
-    return c.fail("nct-2002",
-                  fmt::format("{} data out of range: no minus sign here", addressText(at->address)),
-                  block.negative_at);
+    return c.alarm(2002, addressText(at->address), "no minus sign here", block.negative_at);
   }
   if (block.repeated.empty()) return true;
   const auto at = std::find_if(block.words.begin(), block.words.end(),
                                [&](const Word& w) { return w.columns.begin == block.repeated_at.begin; });
-  if (at->address == 'N')
-    return c.fail("nct-2064", "syntax error: two N words in one block", block.repeated_at);
-  return c.fail("nct-duplicate-word", fmt::format("two {} in one block", addressText(at->address)),
-                block.repeated_at);
+  if (at->address == 'N') return c.alarm(2064, "", "two N words in one block", block.repeated_at);
+  const AlarmTable& alarms = nctAlarms();
+  return c.fail(alarms.code(SharedAlarm::kDuplicateWord),
+                alarms.message(SharedAlarm::kDuplicateWord, addressText(at->address)), block.repeated_at);
 }
 
 }  // namespace proveout::nc

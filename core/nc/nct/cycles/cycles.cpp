@@ -154,7 +154,7 @@ bool planCycle(NctContext& c, BlockPlan& plan) {
   if (!axisTarget(c, plan, plan.motion.target) || !planDirection(c, plan)) return false;
   if (entry) {
     if (c.state.inCycle() && !c.block.present.has('R')) {
-      return c.fail("nct-2053", "no bottom point or R point: a new drill axis needs R");
+      return c.alarm(2053, "", "a new drill axis needs R");
     }
     words.bottom.reset();
     words.r.reset();
@@ -183,8 +183,7 @@ bool planCycle(NctContext& c, BlockPlan& plan) {
     words.r = lengthOf(plan, *r);
     words.r_incremental = r->incremental || plan.next.incremental();
   }
-  if (!words.bottom || !words.r)
-    return c.fail("nct-2053", "no bottom point or R point: the cycle needs both");
+  if (!words.bottom || !words.r) return c.alarm(2053, "", "the cycle needs both");
   return planCycleWords(c, plan);
 }
 
@@ -196,9 +195,7 @@ bool planCycleWords(NctContext& c, BlockPlan& plan) {
   const int code10 = plan.next.active[kGroupCycle];
   const DrillCode code = drillCode(code10);
   const auto positive = [&](const Word& w, double& out, double scale) {
-    if (w.value < 0.0)
-      return c.failWord("nct-2002",
-                        fmt::format("{} data out of range: must not be negative", addressText(w.address)), w);
+    if (w.value < 0.0) return c.alarm(2002, addressText(w.address), "must not be negative", w.columns);
     out = w.value * scale;
     return true;
   };
@@ -248,7 +245,7 @@ bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code) {
     const Word* w = c.ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
     if (percent && axis == 0) {
-      if (w->value <= 0.0) return c.failWord("nct-2002", "I data out of range: a percentage above 0", *w);
+      if (w->value <= 0.0) return c.alarm(2002, *w, "a percentage above 0");
       words.retract_percent = w->value;
     } else {
       words.shift[static_cast<std::size_t>(axis)] = lengthOf(plan, *w);
@@ -259,17 +256,17 @@ bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code) {
 
 bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code) {
   if (code == DrillCode::kFineBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
-    return c.fail("nct-2137", "G76, G87: the spindle cannot be oriented, N0607.ORI = 0");
+    return c.alarm(2137, "", "the spindle cannot be oriented, N0607.ORI = 0");
   }
   if (isRigid(code) && !c.parameters.flag(MachineParam::kSpindleIndexes, mainNumber(c))) {
-    return c.fail("nct-2138", "spindle cannot be indexed: N0607.INX = 0");
+    return c.alarm(2138, "", "N0607.INX = 0");
   }
   if (isRigid(code) && c.parameters.flag(CycleParam::kTapOrient) &&
       !c.parameters.flag(MachineParam::kSpindleOrients, mainNumber(c))) {
     return c.alarm(2137, "", "N1503.TSC = 1 orients the spindle before the tap, N0607.ORI = 0");
   }
   if ((code == DrillCode::kPeck || code == DrillCode::kChipBreak) && plan.next.cycle.peck <= 0.0) {
-    return c.fail("nct-2004", "missing data Q: G73 and G83 need the peck depth");
+    return c.alarm(2004, "Q", "G73 and G83 need the peck depth");
   }
   return true;
 }

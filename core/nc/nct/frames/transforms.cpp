@@ -134,7 +134,7 @@ bool planScaling(NctContext& c, BlockPlan& plan) {
   if (!centerWords(c, plan, center, named)) return false;
   t.factors = Vec3::Constant(p ? p->value : 1.0);
   if (p && !usableFactor(p->value)) {
-    return c.failWord("nct-2002", "P data out of range: a factor from 0.000001 to 1000000", *p);
+    return c.alarm(2002, *p, "a factor from 0.000001 to 1000000");
   }
   for (int axis = 0; axis < 3; ++axis) {
     const Word* w = c.word("IJK"[axis]);

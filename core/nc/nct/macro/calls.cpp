@@ -100,8 +100,7 @@ bool NctControl::explicitFrame(const MacroCall& call, CallFrame& frame) {
   const Word* l = c.word('L');
   if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return false;
   if (c.block.has_file && call.code10 != gcode::kMacroCall) {
-    return c.fail("nct-2017", fmt::format("illegal address <>: {} calls by number only", gName(call.code10)),
-                  c.block.file_columns);
+    return c.alarm(2017, "<>", gName(call.code10) + " calls by number only", c.block.file_columns);
   }
   ArgumentRules rules;
   rules.call = call.word;
@@ -126,7 +125,7 @@ bool NctControl::systemFrame(const MacroCall& call, CallFrame& frame) {
   const bool is_g = isSystemG(call.system.code);
   if (is_g) rules.weak = "G";
   if (c.block.has_file)
-    return c.fail("nct-2017", "illegal address <>: a file name belongs to M98 and G65", c.block.file_columns);
+    return c.alarm(2017, "<>", "a file name belongs to M98 and G65", c.block.file_columns);
   if (!collectArguments(c, rules, frame.args)) return false;
   frame.system_code = call.system.code;
   frame.kind = !call.system.modal                                   ? CallKind::kSystem
@@ -141,7 +140,7 @@ NctControl::Go NctControl::callFromBlock(const CallFrame& modal) {
   CallFrame frame = modal;
   frame.args = Arguments();
   if (c.block.has_file) {
-    c.fail("nct-2017", "illegal address <>: a file name is no argument", c.block.file_columns);
+    c.alarm(2017, "<>", "a file name is no argument", c.block.file_columns);
     return alarm();
   }
   return collectArguments(c, ArgumentRules(), frame.args) ? open(frame) : alarm();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/characters.h"
 #include "core/base/printable.h"
 #include "core/nc/nct/block/sends.h"
 #include "core/nc/nct/channels/context.h"
@@ -18,8 +19,6 @@ constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::size_t kMaxName = 60;
 constexpr int kMaxDigits = 15;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
 char at(std::string_view text, std::size_t i) { return i < text.size() ? text[i] : '\0'; }
 
 /// Columns of text[i] of the block's line.

@@ -223,7 +223,7 @@ bool planDwell(NctContext& c, BlockPlan& plan) {
     c.warn("nct-2004", "G4 without P: no dwell");
     return true;
   }
-  if (p->value < 0.0) return c.failWord("nct-2002", "P data out of range: a dwell is not negative", *p);
+  if (p->value < 0.0) return c.alarm(2002, *p, "a dwell is not negative");
   const bool turns = plan.next.perTurn() && !c.parameters.flag(MotionParam::kDwellSeconds);
   dwell.seconds = turns ? p->value * 60.0 / turnsPerMinute(c, plan) : p->value;
   return true;

@@ -107,7 +107,7 @@ bool planDataInput(NctContext& c, BlockPlan& plan) {
   const auto form =
       std::find_if(kForms.begin(), kForms.end(), [&](const InputForm& f) { return f.l == kind; });
   if (form != kForms.end()) return form->plan(c, plan);
-  return c.failWord("nct-2123", fmt::format("function not implemented: G10 L{} is not supported", kind), *l);
+  return c.alarm(2123, fmt::format("G10 L{} is not supported", kind), {}, l->columns);
 }
 
 bool planEndOfData(NctContext&, BlockPlan&) { return true; }

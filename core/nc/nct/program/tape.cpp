@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/characters.h"
 #include "core/nc/nct/channels/context.h"
 #include "core/nc/nct/tables/code_names.h"
 
@@ -16,9 +17,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-bool digitAt(std::string_view text, std::size_t i) {
-  return i < text.size() && text[i] >= '0' && text[i] <= '9';
-}
+bool digitAt(std::string_view text, std::size_t i) { return i < text.size() && isDigit(text[i]); }
 
 /// Is there an M2, M30 or M99 outside of comments?
 bool endsProgram(std::string_view line) {
