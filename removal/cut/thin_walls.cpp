@@ -7,7 +7,6 @@ namespace proveout {
 
 namespace {
 
-constexpr std::uint64_t kLastX = 0xFF00000000000000, kLastY = 0x8080808080808080;
 /// Every fourth edge into the next leaf.
 constexpr std::uint64_t kSomeY = 0x2222222222222222, kSomeX = 0x0000FF000000FF00;
 /// And that in every other leaf, like the black squares of a chess board.
@@ -68,7 +67,7 @@ void ThinWallFinder::collect(const LeafChange& change, const LeafEdges& edges, c
     for (int z = 0; z < 8; ++z) {
       // Neither crossed before nor now: both ends were material, and both are gone.
       std::uint64_t left = taken[z] & ~(change.before.crossed[axis][z] | edges.crossed[axis][z]) & ~beside[z];
-      const std::uint64_t last = !isAsked(origin_) ? 0 : axis == 0 ? kLastX & kSomeY : kLastY & kSomeX;
+      const std::uint64_t last = !isAsked(origin_) ? 0 : axis == 0 ? kColumnX7 & kSomeY : kColumnY7 & kSomeX;
       if (axis < 2) left &= last | (open != nullptr ? open->level[axis][z] : 0);
       some |= left;
       for (; left != 0; left &= left - 1)

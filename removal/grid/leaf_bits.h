@@ -11,6 +11,9 @@ namespace proveout {
 using LeafBits = std::array<std::uint64_t, 8>;
 inline constexpr LeafBits kAllOutside{};
 inline constexpr LeafBits kAllInside{~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
+/// Of a layer, the samples of the first and of the last place in x and in y.
+inline constexpr std::uint64_t kColumnX0 = 0xFF, kColumnX7 = kColumnX0 << 56;
+inline constexpr std::uint64_t kColumnY0 = 0x0101010101010101ull, kColumnY7 = kColumnY0 << 7;
 inline constexpr int leafBit(int x, int y) { return x * 8 + y; }
 /// Bits that are set. std::popcount calls a function of the compiler's library where the processor that is
 /// compiled for is not known to have an instruction for it.

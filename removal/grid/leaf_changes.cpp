@@ -20,10 +20,9 @@ namespace {
 
 /// Whether the edges inside of the leaf are crossed just where samples beside each other differ.
 bool agree(const LeafBits& samples, const std::array<LeafBits, 3>& crossed) {
-  constexpr std::uint64_t kLastX = 0xFFull << 56, kLastY = 0x8080808080808080ull;
   for (int z = 0; z < 8; ++z) {
     const std::uint64_t m = samples[z];
-    if (((m ^ m >> 8 ^ crossed[0][z]) & ~kLastX) != 0 || ((m ^ m >> 1 ^ crossed[1][z]) & ~kLastY) != 0)
+    if (((m ^ m >> 8 ^ crossed[0][z]) & ~kColumnX7) != 0 || ((m ^ m >> 1 ^ crossed[1][z]) & ~kColumnY7) != 0)
       return false;
     if (z < 7 && (m ^ samples[z + 1]) != crossed[2][z]) return false;
   }

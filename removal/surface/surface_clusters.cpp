@@ -14,7 +14,6 @@ namespace {
 constexpr float kConeCos = 0.978f;
 /// Cells of one plane: heights (grid steps) and normals agree to this. Normals are stored to 3e-5.
 constexpr float kSamePlane = 2e-4f;
-constexpr std::uint64_t kColumnY0 = 0x0101010101010101ull;
 
 bool occupied(const LeafBits& cells, const CellCube& cube) {
   std::uint64_t any = 0;

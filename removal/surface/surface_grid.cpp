@@ -31,8 +31,6 @@ constexpr double kSheetGap = 0.01;
 constexpr float kBentCos = 0.9994f;
 constexpr float kNormalUnit = 1.0f / Crossing::kNormalScale;
 
-constexpr std::uint64_t kColumnX0 = 0xFF, kColumnY0 = 0x0101010101010101ull;
-
 /// The crossings that the cells of a leaf touch, by the start of their edge (0..8 in each coordinate). Only
 /// entries of crossed edges are valid.
 class CrossingTable {

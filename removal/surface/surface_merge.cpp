@@ -14,8 +14,6 @@ namespace {
 constexpr int kLevels = 3;  ///< cubes of 16, 32 and 64 cells
 /// Leaves of one cube have their mean normals within 6 degrees of the cube's.
 constexpr float kLeafConeCos = 0.9945f;
-constexpr std::uint64_t kColumnX0 = 0xFF, kColumnX7 = kColumnX0 << 56;
-constexpr std::uint64_t kColumnY0 = 0x0101010101010101ull, kColumnY7 = kColumnY0 << 7;
 
 Coord cubeOrigin(const Coord& at, int level) {
   const int mask = ~((8 << level) - 1);

@@ -29,8 +29,6 @@ constexpr double kSliverMargin = 1e-6;
 constexpr double kPoorFacing = 0.5;
 constexpr int kUnfoldRounds = 8;
 
-constexpr std::uint64_t kColumnX7 = 0xFFull << 56, kColumnY7 = 0x8080808080808080ull;
-
 }  // namespace
 
 QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal,

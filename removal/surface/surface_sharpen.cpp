@@ -19,8 +19,6 @@ namespace proveout {
 
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
 constexpr double kOff = 0.03;  ///< in cells: what counts as off the blank at least
 /// Vertices at which the mesh turns by less than 6 degrees are not looked at.
 constexpr float kFlatCos = 0.995f;
@@ -30,7 +28,7 @@ constexpr double kLeastLength = 0.04;  ///< in cells: how near to a vertex a new
 constexpr int kTries = 4;
 /// Rounds of changes; in the first of them edges and ridges count that the mesh misses, which may put other
 /// parts of it off the blank until the next round.
-constexpr int kRounds = 16, kSearchRounds = 12;
+constexpr int kChangeRounds = 16, kSearchRounds = 12;
 /// Triangles on a face of the blank, their middle within 0.01 cells, lean by 60 degrees from it and no more;
 /// those that cut across an edge may stand upright on it. They are at least this high for their length.
 constexpr double kOnFace = 0.01, kLeastFacing = 0.5, kLeastAcross = 0.0, kLeastHeight = 0.01;
@@ -117,7 +115,7 @@ std::vector<std::uint32_t> Sharpener::bentTriangles() const {
     });
   };
   chunks(triangles_, [&](std::size_t t) {
-    const Triangle& v = mesh_.triangles[t];
+    const auto& v = mesh_.triangles[t];
     const Eigen::Vector3f &a = mesh_.positions[v[0]], &b = mesh_.positions[v[1]], &c = mesh_.positions[v[2]];
     normal[t] = (b - a).cross(c - a).normalized();
   });
@@ -129,7 +127,7 @@ std::vector<std::uint32_t> Sharpener::bentTriangles() const {
   });
   std::vector<std::uint32_t> out;
   for (std::uint32_t t = 0; t < triangles_; ++t) {
-    const Triangle& v = mesh_.triangles[t];
+    const auto& v = mesh_.triangles[t];
     if (bent[v[0]] && bent[v[1]] && bent[v[2]]) out.push_back(t);
   }
   return out;
@@ -137,7 +135,7 @@ std::vector<std::uint32_t> Sharpener::bentTriangles() const {
 
 /// Each edge is looked at in one of its triangles, each vertex in its first.
 void Sharpener::collect(std::uint32_t t, std::vector<Fault>& faults) const {
-  const Triangle& v = mesh_.triangles[t];
+  const auto& v = mesh_.triangles[t];
   const double center = off((at(v[0]) + at(v[1]) + at(v[2])) / 3.0);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t a = v[i], b = v[(i + 1) % 3];
@@ -181,7 +179,7 @@ std::vector<std::uint32_t> Sharpener::around(const std::vector<std::uint32_t>& t
 void Sharpener::addEdges(const std::vector<std::uint32_t>& triangles, std::vector<Fault>& faults) const {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const std::uint32_t t : triangles) {
-    const Triangle& v = mesh_.triangles[t];
+    const auto& v = mesh_.triangles[t];
     for (std::size_t i = 0; i < 3; ++i) edges.push_back(std::minmax(v[i], v[(i + 1) % 3]));
   }
   std::sort(edges.begin(), edges.end());
@@ -190,7 +188,7 @@ void Sharpener::addEdges(const std::vector<std::uint32_t>& triangles, std::vecto
 }
 
 void Sharpener::sharpen(std::vector<std::uint32_t> triangles) {
-  for (int round = 0; round < kRounds && !triangles.empty(); ++round) {
+  for (int round = 0; round < kChangeRounds && !triangles.empty(); ++round) {
     changed_.clear();
     settled_ = 0;
     std::vector<Fault> faults = findFaults(triangles);
@@ -252,7 +250,7 @@ Sharpener::Cost Sharpener::splitCost(const Wing& w, const Vec3& x, double limit)
 Sharpener::Cost Sharpener::moveCost(std::uint32_t v, const Vec3& x, double limit) const {
   double most = off(x);
   for (const std::uint32_t t : edit_.fan(v)) {
-    const Triangle& c = mesh_.triangles[t];
+    const auto& c = mesh_.triangles[t];
     const std::size_t i = c[0] == v ? 0 : c[1] == v ? 1 : 2;
     const Vec3 b = at(c[(i + 1) % 3]), d = at(c[(i + 2) % 3]);
     if ((b - x).squaredNorm() < kLeastLength * kLeastLength * h_ * h_) return std::nullopt;
@@ -266,7 +264,7 @@ Sharpener::Cost Sharpener::moveCost(std::uint32_t v, const Vec3& x, double limit
 
 /// To be called for each triangle that is new or has other corners or a corner elsewhere.
 void Sharpener::noteChange(std::uint32_t t) {
-  const Triangle& v = mesh_.triangles[t];
+  const auto& v = mesh_.triangles[t];
   edit_.setMotion(t, field_.sample((at(v[0]) + at(v[1]) + at(v[2])) / 3.0).motion);
   changed_.push_back(t);
 }

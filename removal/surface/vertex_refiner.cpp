@@ -16,7 +16,7 @@ constexpr double kLookFrom = 0.25;
 /// A vertex is not moved farther than this, and rests when a step is shorter than that: Newton's method
 /// leaves the step's square then.
 constexpr double kMostMoved = 0.35, kRest = 0.01;
-constexpr int kRounds = 8;
+constexpr int kNewtonRounds = 8;
 /// The rules on crossings are good to 2e-3 cells for any face whose normals differ by less than this (1
 /// degree).
 constexpr double kFlatSpread = 0.02;
@@ -114,7 +114,7 @@ Vec3 VertexRefiner::meanNormal() const {
 /// From a point of a face, one looked at against the mean normal is nearer to the edge.
 bool VertexRefiner::ontoBody(Vec3& x) {
   const Vec3 n = meanNormal();
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kNewtonRounds; ++round) {
     // A point or edge may face any way between its faces.
     const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
     if (foot.normal.dot(n) <= 0.0) return false;
@@ -143,7 +143,7 @@ bool VertexRefiner::ontoEdge(int first, Vec3& x) {
   const Vec3 along = a.normal.cross(b.normal).normalized();
   const int third = (first + 2) % 3;
   Vec3 from = faces_[static_cast<std::size_t>(third)].normal;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kNewtonRounds; ++round) {
     const ExactFaces::Foot foot = exact_.foot(body_[first], x - kLookFrom * n);
     Plane other;
     double off;
@@ -169,7 +169,7 @@ bool VertexRefiner::ontoFaces(Vec3& x) {
   std::array<Plane, 12> planes;
   std::array<Vec3, 12> from;
   for (std::size_t i = 0; i < faces_.size(); ++i) from[i] = faces_[i].normal;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kNewtonRounds; ++round) {
     double farthest = 0.0;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       double off;
@@ -296,7 +296,7 @@ bool VertexRefiner::toSurface(const Vec3& n, double beyond, Vec3& x) {
   const double low = kWallGap - beyond, high = 1.0 - kWallGap + beyond;
   Vec3 at = x;
   Plane plane;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kNewtonRounds; ++round) {
     if (!nearestPlane(n, at, plane)) return false;
     Vec3 way = plane.n * (plane.d < 0.0 ? -1.0 : 1.0);
     for (int k = 0; k < 3; ++k) {  // not through the walls that it lies at

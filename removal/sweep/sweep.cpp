@@ -19,9 +19,6 @@ const double kRimCos = std::cos(degToRad(10.0));
 constexpr double kLineToleranceMm = 0.01 * kSweepToleranceMm;
 /// Height of normals of a straight element of the profile, within rounding.
 constexpr double kFaceSlack = 1e-6;
-/// What a step of Newton's method promises to gain, in tolerances, when it goes this much farther; and how
-/// much of the slope it has to take away.
-constexpr double kNear = 1000.0, kOvershoot = 1.1, kHelps = 0.5;
 /// A place this near to an end of the way is that end.
 constexpr double kAtEnd = 1e-6;
 /// A search does not come nearer to a place that it knows than this part of what is left.

@@ -92,6 +92,10 @@ class Sweep {
   double stepToEdge(const Vec3& p, const Place& from) const;
   double newtonStep(const Vec3& p, const Place& from) const;
   Place minimiseCurve(const Vec3& p, double cutoff, double tolerance, double& bound, double start) const;
+  /// Newton's method: a step that promises to gain so many tolerances goes this much farther, and has to take
+  /// away this much of the slope.
+  static constexpr double kNear = 1000.0, kOvershoot = 1.1, kHelps = 0.5;
+
   struct CurveSearch;
   Box3 wayBounds(double a, double b) const;
   double boxBound(const Vec3& p, double a, double b) const;

@@ -14,12 +14,11 @@ namespace {
 /// Newton's method is tried on this span about the nearest place of a turn at least, and on spans of this
 /// size beyond.
 const double kNearSpan = degToRad(20.0), kFarSpan = degToRad(30.0);
-/// Rounds of Newton's method; what it promises to gain, in tolerances, when it goes this much farther; how
-/// much of the slope it has to take away; how near (share of what is left) it comes to known places.
+/// Rounds of Newton's method; how near (share of what is left) it comes to known places.
 constexpr int kMostRounds = 60;
+constexpr double kKnownMargin = 1e-6;
 /// Steps after which what is left of a span is halved instead.
 constexpr int kMostSteps = 24;
-constexpr double kNear = 1000.0, kOvershoot = 1.1, kHelps = 0.5, kMargin = 1e-6;
 
 }  // namespace
 
@@ -95,7 +94,7 @@ void Sweep::CurveSearch::newton(double a, double b, double start, double bend) {
       if (next > bracket.low.t && next < bracket.high.t) t = next;
     }
     if (!bracket.both()) continue;
-    const double margin = kMargin * bracket.width();
+    const double margin = kKnownMargin * bracket.width();
     t = std::clamp(t, bracket.low.t + margin, bracket.high.t - margin);
     if (!(t > bracket.low.t && t < bracket.high.t)) break;
   }

@@ -304,7 +304,7 @@ std::optional<BlankField::FacePoint> TurnedField::threadPoint(std::uint64_t face
 }
 
 /// No lathe turns so often in one cut; the columns of the grid ask every turn that is near.
-constexpr double kMostTurns = 1e5;
+constexpr double kMostTurnsOnGrid = 1e5;
 
 Status checkLoop(const SectionLoop& loop) {
   if (loop.points.size() < 3) return inputError("turned part: a loop of its section has less than 3 points");
@@ -321,8 +321,8 @@ Status checkThread(const ThreadSweep& s) {
   const bool finite = s.from.allFinite() && s.to.allFinite() && std::isfinite(s.start_rad) &&
                       std::isfinite(s.turns) && std::isfinite(s.bend);
   if (s.outline == nullptr || !finite) return inputError("turned part: a thread without tool or way");
-  if (std::abs(s.turns) > kMostTurns)
-    return inputError(fmt::format("turned part: a thread of more than {:g} turns", kMostTurns));
+  if (std::abs(s.turns) > kMostTurnsOnGrid)
+    return inputError(fmt::format("turned part: a thread of more than {:g} turns", kMostTurnsOnGrid));
   if (s.turns == 0.0) return inputError("turned part: a thread during which the part does not turn");
   if (std::abs(s.bend) > 1.0) return inputError("turned part: a thread whose lead changes its sign");
   return Done{};

@@ -7,7 +7,7 @@ namespace {
 using namespace coverage_rows;
 
 // clang-format off: one row a line
-constexpr auto kRows = std::to_array<CoverageId>({
+constexpr auto kRows3 = std::to_array<CoverageId>({
     {"nct-15.1-H", kSim, kDone, "good/length_axes_named.nc"},
     {"nct-15.1-D", kSim, kDone, "good/comp_square.nc"},
     {"nct-15.1-table-mill", kSim, kDone, "good/sysvar_tool_offsets.nc"},
@@ -162,6 +162,6 @@ constexpr auto kRows = std::to_array<CoverageId>({
 
 }  // namespace
 
-std::span<const CoverageId> coverage3() { return kRows; }
+std::span<const CoverageId> coverage3() { return kRows3; }
 
 }  // namespace proveout::nc

@@ -7,7 +7,7 @@ namespace {
 
 using namespace param_rows;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(AxisParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(AxisParam::kCount)> kAxisRows{{
     atPowerOn(number("N0100", 100, kAxis, 0, 0, 90,
                      "first character of the axis' name, as its ASCII code; 0: as the job says")),
     atPowerOn(number("N0101", 101, kAxis, 0, 0, 90, "second character of the name; 0: none")),
@@ -37,6 +37,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(AxisParam::kCount)> kRo
 
 }  // namespace
 
-std::span<const ParamInfo> axisParams() { return kRows; }
+std::span<const ParamInfo> axisParams() { return kAxisRows; }
 
 }  // namespace proveout::nc

@@ -7,7 +7,7 @@ namespace {
 
 using namespace param_rows;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(CompParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(CompParam::kCount)> kCompRows{{
     number("N1400", 1400, kChannel, 999, 1, 999, "rows of the offset table"),
     bit("N1403.IEN", 1403, 0, kChannel, 1, "interference check of cutter compensation"),
     bit("N1403.AAL", 1403, 1, kChannel, 0,
@@ -21,6 +21,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(CompParam::kCount)> kRo
 
 }  // namespace
 
-std::span<const ParamInfo> compParams() { return kRows; }
+std::span<const ParamInfo> compParams() { return kCompRows; }
 
 }  // namespace proveout::nc

@@ -7,7 +7,7 @@ namespace {
 
 using namespace param_rows;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(CycleParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(CycleParam::kCount)> kCyclesRows{{
     number("N1500", 1500, kChannel, 1, 0, 1e3, "G73 pull-back, mm"),
     number("N1501", 1501, kChannel, 1, 0, 1e3, "G83 clearance, mm"),
     number("N1502", 1502, kChannel, 100, 1, 1000, "G85, G89 feed out, % of the feed in"),
@@ -28,6 +28,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(CycleParam::kCount)> kR
 
 }  // namespace
 
-std::span<const ParamInfo> cyclesParams() { return kRows; }
+std::span<const ParamInfo> cyclesParams() { return kCyclesRows; }
 
 }  // namespace proveout::nc

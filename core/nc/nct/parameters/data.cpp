@@ -7,7 +7,7 @@ namespace {
 
 using namespace param_rows;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(DataParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(DataParam::kCount)> kDataRows{{
     atPowerOn(
         number("N1401", 1401, kGlobal, 0, 0, 999, "first rows of the offset tables that all channels share")),
     noted(bit("N1402.DIA", 1402, 0, kChannel, 0, "the control's table shows cutters by their diameter")),
@@ -22,6 +22,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(DataParam::kCount)> kRo
 
 }  // namespace
 
-std::span<const ParamInfo> dataParams() { return kRows; }
+std::span<const ParamInfo> dataParams() { return kDataRows; }
 
 }  // namespace proveout::nc

@@ -7,7 +7,7 @@ namespace {
 
 using namespace param_rows;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(FeedParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(FeedParam::kCount)> kFeedsRows{{
     number("N0305", 305, kAxis, 0, 0, 1e7, "highest feed of the axis, mm/min or deg/min; 0: no limit"),
     bit("N0306.FDF", 306, 0, kChannel, 1, "corners: 1 by the change of the axes' speeds, 0 by their angle"),
     number("N0307", 307, kChannel, 0, 0, 180,
@@ -40,6 +40,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(FeedParam::kCount)> kRo
 
 }  // namespace
 
-std::span<const ParamInfo> feedParams() { return kRows; }
+std::span<const ParamInfo> feedParams() { return kFeedsRows; }
 
 }  // namespace proveout::nc

@@ -7,7 +7,7 @@ namespace {
 
 using namespace param_rows;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(FunctionParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(FunctionParam::kCount)> kFunctionsRows{{
     number("N1333", 1333, kChannel, 0, 0, 90,
            "address of auxiliary function 1 as its character code (65 A, 66 B, 67 C, 85 U, 86 V, 87 W); 0: "
            "none"),
@@ -53,6 +53,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(FunctionParam::kCount)>
 
 }  // namespace
 
-std::span<const ParamInfo> functionParams() { return kRows; }
+std::span<const ParamInfo> functionParams() { return kFunctionsRows; }
 
 }  // namespace proveout::nc

@@ -7,7 +7,7 @@ namespace {
 
 using namespace param_rows;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(MacroParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(MacroParam::kCount)> kMacroRows{{
     bit("N1301.MBM", 1301, 6, kChannel, 1,
         "blocks are read ahead; the simulation runs them in order either way, with the same path"),
     atPowerOn(number("N1700", 1700, kGlobal, 0, 0, 399, "variables from #100 on that all channels share")),
@@ -104,6 +104,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(MacroParam::kCount)> kR
 
 }  // namespace
 
-std::span<const ParamInfo> macroParams() { return kRows; }
+std::span<const ParamInfo> macroParams() { return kMacroRows; }
 
 }  // namespace proveout::nc

@@ -7,7 +7,7 @@ namespace {
 
 using namespace param_rows;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(MotionParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(MotionParam::kCount)> kMotionRows{{
     number("N0300", 300, kChannel, 0, 0, 1e6,
            "feed at power-on in G94, units of length a minute; 0: a feed must be programmed"),
     number("N0301", 301, kChannel, 0, 0, 1e3,
@@ -32,6 +32,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(MotionParam::kCount)> k
 
 }  // namespace
 
-std::span<const ParamInfo> motionParams() { return kRows; }
+std::span<const ParamInfo> motionParams() { return kMotionRows; }
 
 }  // namespace proveout::nc

@@ -10,7 +10,7 @@ using namespace param_rows;
 /// The manual names these without a number: programs cannot reach them.
 constexpr int kNoNumber = -1;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(ProgramParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(ProgramParam::kCount)> kProgramRows{{
     atPowerOn(
         number("N2201", 2201, kGlobal, 0, 0, 99999999, "first waiting code of channels; 0: there are none")),
     atPowerOn(
@@ -102,6 +102,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(ProgramParam::kCount)> 
 
 }  // namespace
 
-std::span<const ParamInfo> programParams() { return kRows; }
+std::span<const ParamInfo> programParams() { return kProgramRows; }
 
 }  // namespace proveout::nc

@@ -9,7 +9,7 @@ using namespace param_rows;
 
 // The manual names N1006 and N1007; the ends of the stroke and zone 3 have the numbers around these.
 // The manual prints no values for the distances of G37: those here suit setting gauges of usual size.
-constexpr std::array<ParamInfo, static_cast<std::size_t>(SafetyParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(SafetyParam::kCount)> kSafetyRows{{
     bit("N3001.SKF", 3001, 0, kChannel, 0, "G31 goes with the feed N0311; 0: with F"),
     number("N0311", 311, kChannel, 0, 0, 1e6, "feed of G31, mm/min"),
     bit("N3003.TLF", 3003, 0, kChannel, 0, "G37 goes with the feed N0312; 0: with F"),
@@ -39,13 +39,13 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(SafetyParam::kCount)> k
 
 }  // namespace
 
-std::span<const ParamInfo> safetyParams() { return kRows; }
+std::span<const ParamInfo> safetyParams() { return kSafetyRows; }
 
 bool givesStroke(const std::map<std::string, double>& values) {
   for (const SafetyParam end : {SafetyParam::kStrokeAHigh, SafetyParam::kStrokeALow,
                                 SafetyParam::kStrokeBHigh, SafetyParam::kStrokeBLow}) {
     // No other parameter's name begins with one of these.
-    const std::string name(kRows[static_cast<std::size_t>(end)].name);
+    const std::string name(kSafetyRows[static_cast<std::size_t>(end)].name);
     const auto given = values.lower_bound(name);
     if (given != values.end() && given->first.starts_with(name)) return true;
   }

@@ -15,7 +15,7 @@ constexpr ParamInfo tapping(std::string_view name, int no) {
       "otherwise");
 }
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(SpindleParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(SpindleParam::kCount)> kSpindleRows{{
     atPowerOn(number("N0604", 604, kChannel, 1, 1, 16, "spindle of plain S, the main one at power-on")),
     number("N0685", 685, kSpindle, 0, -1e6, 1e6, "shift of phase behind the main spindle, pulses"),
     number("N0686", 686, kChannel, 0, 0, 1e6, "surface speed of G96 at power-on; 0: S must be programmed"),
@@ -50,6 +50,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(SpindleParam::kCount)> 
 
 }  // namespace
 
-std::span<const ParamInfo> spindleParams() { return kRows; }
+std::span<const ParamInfo> spindleParams() { return kSpindleRows; }
 
 }  // namespace proveout::nc

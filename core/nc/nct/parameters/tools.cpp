@@ -7,7 +7,7 @@ namespace {
 
 using namespace param_rows;
 
-constexpr std::array<ParamInfo, static_cast<std::size_t>(ToolParam::kCount)> kRows{{
+constexpr std::array<ParamInfo, static_cast<std::size_t>(ToolParam::kCount)> kToolsRows{{
     bit("N2901.TLC", 2901, 1, kGlobal, 0, "the life of counted tools counts at T instead of the tool change"),
     number("N2902", 2902, kGlobal, 999, 1, 9999, "rows of the tool management table"),
     number("N2903", 2903, kGlobal, 20, 0, 20, "columns of user values in the tool management table"),
@@ -19,6 +19,6 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(ToolParam::kCount)> kRo
 
 }  // namespace
 
-std::span<const ParamInfo> toolParams() { return kRows; }
+std::span<const ParamInfo> toolParams() { return kToolsRows; }
 
 }  // namespace proveout::nc

@@ -8,7 +8,7 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kCompGCodes = std::to_array<GCode>({
     modal(380, kOneShot, kSim, "nct-3-G38 nct-15.5.5-G38", "keep the compensation vector"),
     action(390, kOneShot, kSim, "IJK", planCornerArc, false, "nct-3-G39 nct-15.5.6-G39", "corner arc"),
     modal(400, kGroupRadiusComp, kSim,
@@ -29,7 +29,7 @@ constexpr auto kG = std::to_array<GCode>({
     modal(490, kGroupLengthComp, kSim, "nct-3-G49 nct-15.3-G49", "length compensation off", {}, true),
 });
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kCompFeatures = std::to_array<FeatureRow>({
     {"H", kSim, "nct-1.1-HD nct-15.1-H nct-15.1-cornerradius nct-15.1-row0 nct-15.3-H-modal",
      "length offset row, read when programmed"},
     {"D", kSim, "nct-15.1-D nct-15.5-D0 nct-15.5-negR nct-15.5.2-newD",
@@ -55,6 +55,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable compTable() { return {kG, {}, kFeatures}; }
+CodeTable compTable() { return {kCompGCodes, {}, kCompFeatures}; }
 
 }  // namespace proveout::nc

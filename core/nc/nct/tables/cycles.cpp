@@ -12,7 +12,7 @@ constexpr GCode cycle(int code10, std::string_view ids, std::string_view meaning
   return action(code10, kGroupCycle, kSim, "XYZUVWIJKRQEPLa", planCycle, false, ids, meaning);
 }
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kCyclesGCodes = std::to_array<GCode>({
     cycle(730, "nct-3-G73 nct-18.1.1-G73", "high-speed peck drilling"),
     cycle(740, "nct-3-G74 nct-18.1.2-G74", "left tapping, floating holder"),
     cycle(760, "nct-3-G76 nct-18.1.3-G76", "fine boring, oriented retract"),
@@ -36,7 +36,7 @@ constexpr auto kG = std::to_array<GCode>({
     modal(990, kGroupReturn, kSim, "nct-3-G99 nct-18-G99", "cycles return to point R"),
 });
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kCyclesFeatures = std::to_array<FeatureRow>({
     {"tap times", kTime, "nct-18.1.9-EAE nct-18.1.10-ROE", "acceleration and returns of rigid taps"},
     {"cycle words", kSim,
      "nct-18-ops nct-18-axis nct-18-init nct-18-hole nct-18-bottom nct-18-R nct-18-IJK nct-18-Q nct-18-E "
@@ -54,6 +54,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable cyclesTable() { return {kG, {}, kFeatures}; }
+CodeTable cyclesTable() { return {kCyclesGCodes, {}, kCyclesFeatures}; }
 
 }  // namespace proveout::nc

@@ -7,7 +7,7 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kDataFeatures = std::to_array<FeatureRow>({
     {"#_NAME", kState, "nct-23.1.5-notation", "system variables by number and by name"},
     {"#1000", kState, "nct-23.1.7-in", "inputs of the PLC"},
     {"#1100", kState, "nct-23.1.7-out", "outputs of the PLC"},
@@ -78,6 +78,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable dataTable() { return {{}, {}, kFeatures}; }
+CodeTable dataTable() { return {{}, {}, kDataFeatures}; }
 
 }  // namespace proveout::nc

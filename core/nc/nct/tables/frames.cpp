@@ -8,7 +8,7 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kFramesGCodes = std::to_array<GCode>({
     action(100, kOneShot, kSim, "LPXYZUVWIJKRQ", planDataInput, false,
            "nct-3-G10 nct-10.2.4-G10L2 nct-10.2.5-G10L20 nct-15.2-G10-L10 nct-15.2-G10-L11 nct-15.2-G10-L12 "
            "nct-15.2-G10-L13 nct-15.2-G10-L110 nct-15.2-G10-L111 nct-15.2-G10-L200 nct-15.2-G10-L201 "
@@ -33,7 +33,7 @@ constexpr auto kG = std::to_array<GCode>({
            "coordinates of the present position"),
 });
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kFramesFeatures = std::to_array<FeatureRow>({
     {"work offsets", kSim, "nct-10.2.1-common nct-10.2.3-rotation nct-1.3-WCS",
      "common offset, basic rotation"},
     {"offset table", kSim,
@@ -44,6 +44,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable framesTable() { return {kG, {}, kFeatures}; }
+CodeTable framesTable() { return {kFramesGCodes, {}, kFramesFeatures}; }
 
 }  // namespace proveout::nc

@@ -8,14 +8,14 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kMacroGCodes = std::to_array<GCode>({
     modal(650, kOneShot, kSim, "nct-3-G65 nct-23.3.1-G65", "macro call"),
     modal(660, kGroupMacro, kSim, "nct-3-G66 nct-23.3.2-G66", "modal macro call after each motion"),
     modal(661, kGroupMacro, kSim, "nct-3-G66.1 nct-23.3.3-G66.1", "modal macro call from each block"),
     modal(670, kGroupMacro, kSim, "nct-3-G67 nct-23.3.2-G67", "modal macro call off"),
 });
 
-constexpr auto kM = std::to_array<MCode>({
+constexpr auto kMacroMCodes = std::to_array<MCode>({
     {0, MPhase::kStop, kFlowCodes, kHost, {}, "nct-13.1-M0", "programmed stop"},
     {1, MPhase::kStop, kFlowCodes, kHost, {}, "nct-13.1-M1", "optional stop"},
     {2, MPhase::kEnd, kFlowCodes, kState, {}, "nct-13.1-M2", "end of program"},
@@ -30,7 +30,7 @@ constexpr auto kM = std::to_array<MCode>({
      "return from a subprogram, jump in the main program"},
 });
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kMacroFeatures = std::to_array<FeatureRow>({
     {"word", kState, "nct-1.1-word nct-1.1-block nct-3-zero nct-5.5-decimals",
      "address and number, decimal point optional"},
     {"N", kState, "nct-1.1-N nct-14.1-N", "block number, jump label"},
@@ -79,6 +79,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable macroTable() { return {kG, kM, kFeatures}; }
+CodeTable macroTable() { return {kMacroGCodes, kMacroMCodes, kMacroFeatures}; }
 
 }  // namespace proveout::nc

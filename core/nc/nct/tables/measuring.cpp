@@ -8,7 +8,7 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kMeasuringGCodes = std::to_array<GCode>({
     action(220, kGroupZones, kSim, "XYZIJKP", planZoneOn, true, "nct-3-G22 nct-22.2-G22",
            "working-area limit of the program"),
     action(230, kGroupZones, kSim, {}, planZoneOff, true, "nct-3-G23 nct-22.2-G23",
@@ -19,7 +19,7 @@ constexpr auto kG = std::to_array<GCode>({
            "tool length measurement"),
 });
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kMeasuringFeatures = std::to_array<FeatureRow>({
     {"stroke limits", kSim, "nct-22.1-stroke", "ranges A and B of the parameters N1002 to N1005: 3010, 3011"},
     {"zone 2", kSim, "nct-22.2-param", "working-area limit of the parameters N1006, N1007: 3040 to 3042"},
     {"zone 3", kSim, "nct-22.3-zone3", "inner forbidden area of the parameters N1008, N1009: 3043"},
@@ -28,6 +28,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable measuringTable() { return {kG, {}, kFeatures}; }
+CodeTable measuringTable() { return {kMeasuringGCodes, {}, kMeasuringFeatures}; }
 
 }  // namespace proveout::nc

@@ -10,7 +10,7 @@ using namespace rows;
 
 constexpr AddressSet kArcWords = "XYZUVWIJKRLQcr";
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kMotionGCodes = std::to_array<GCode>({
     action(0, kGroupMotion, kSim, "XYZUVWa", planRapid, false, "nct-4.1-G0 nct-6.1-rapid",
            "rapid positioning"),
     action(10, kGroupMotion, kSim, "XYZUVWQacr", planLine, false, "nct-4.2-G1", "linear interpolation"),
@@ -55,7 +55,7 @@ constexpr auto kG = std::to_array<GCode>({
     modal(950, kGroupFeedMode, kTime, "nct-3-G95 nct-6.2.1-G95", "feed per turn"),
 });
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kMotionFeatures = std::to_array<FeatureRow>({
     {"acceleration", kTime,
      "nct-7-acc nct-7.1-corner nct-7.2-normal nct-7.3-jump nct-4.5-N0305 nct-4.1.2-ROL nct-4.1.2-N0422 "
      "nct-4.1.1-PCH nct-4.1.1-N0516 nct-4.1.1-N1340 nct-6.4-inside-arc",
@@ -102,6 +102,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable motionTable() { return {kG, {}, kFeatures}; }
+CodeTable motionTable() { return {kMotionGCodes, {}, kMotionFeatures}; }
 
 }  // namespace proveout::nc

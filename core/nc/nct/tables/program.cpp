@@ -7,7 +7,7 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kProgramFeatures = std::to_array<FeatureRow>({
     {"channels", kHost, "nct-1.2-channel nct-1.2-sync",
      "up to 8 milling channels, each with its program, on one time axis and one stock"},
     {"offsets of channels", kState, "nct-10.2-channels", "tables of their own; common rows by N1401"},
@@ -20,6 +20,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable programTable() { return {{}, {}, kFeatures}; }
+CodeTable programTable() { return {{}, {}, kProgramFeatures}; }
 
 }  // namespace proveout::nc

@@ -8,7 +8,7 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kRotaryGCodes = std::to_array<GCode>({
     refused(431, kGroupLengthComp, kSim, "nct-3-G43.1", "length compensation along the tool axis"),
     refused(434, kGroupLengthComp, kSim, "nct-3-G43.4", "tool centre point control 1"),
     refused(435, kGroupLengthComp, kSim, "nct-3-G43.5", "tool centre point control 2"),
@@ -25,6 +25,6 @@ constexpr auto kG = std::to_array<GCode>({
 
 }  // namespace
 
-CodeTable rotaryTable() { return {kG, {}, {}}; }
+CodeTable rotaryTable() { return {kRotaryGCodes, {}, {}}; }
 
 }  // namespace proveout::nc

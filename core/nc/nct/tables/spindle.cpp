@@ -8,13 +8,13 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kSpindleGCodes = std::to_array<GCode>({
     modal(960, kGroupSurfaceSpeed, kTime, "nct-3-G96 nct-11.5.1-G96 nct-11.5.3-G96P",
           "constant surface speed", "P"),
     modal(970, kGroupSurfaceSpeed, kTime, "nct-3-G97 nct-11.5.1-G97", "constant surface speed off"),
 });
 
-constexpr auto kM = std::to_array<MCode>({
+constexpr auto kSpindleMCodes = std::to_array<MCode>({
     {3, MPhase::kBefore, kSpindleCodes, kState, {}, "nct-11.2-M3", "spindle clockwise"},
     {4, MPhase::kBefore, kSpindleCodes, kState, {}, "nct-11.2-M4", "spindle counter-clockwise"},
     {5, MPhase::kAfter, kSpindleCodes, kState, {}, "nct-11.2-M5", "spindle stop"},
@@ -29,7 +29,7 @@ constexpr auto kM = std::to_array<MCode>({
     {19, MPhase::kAfter, kSpindleCodes, kState, {}, "nct-11.7.1-M19", "spindle orientation"},
 });
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kSpindleFeatures = std::to_array<FeatureRow>({
     {"S", kState, "nct-1.1-S nct-11.1-S nct-11.1.1-SP nct-11.1.1-Sname nct-11.1.2-channel", "spindle speed"},
     {"G92 S", kTime, "nct-11.5.2-G92S", "speed limit of G96"},
     {"main spindle", kState, "nct-11.4-main", "M codes of the machine's configuration"},
@@ -42,6 +42,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable spindleTable() { return {kG, kM, kFeatures}; }
+CodeTable spindleTable() { return {kSpindleGCodes, kSpindleMCodes, kSpindleFeatures}; }
 
 }  // namespace proveout::nc

@@ -8,13 +8,13 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kM = std::to_array<MCode>({
+constexpr auto kToolsMCodes = std::to_array<MCode>({
     {6, MPhase::kAfter, 0, kSim, {}, "nct-12.2-M6 nct-12.1-T", "tool change"},
     {8, MPhase::kBefore, kCoolantCodes, kState, {}, "nct-13.1-M8", "coolant on"},
     {9, MPhase::kAfter, kCoolantCodes, kState, {}, "nct-13.1-M9", "coolant off"},
 });
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kToolsFeatures = std::to_array<FeatureRow>({
     {"T", kSim, "nct-1.1-T nct-12.1-T nct-12.2-manual", "tool number"},
     {"tool management", kState,
      "nct-12.3.1-table nct-12.3.1-select nct-12.3.1-warning nct-12.3.2-location nct-12.3.3-shape "
@@ -36,6 +36,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable toolsTable() { return {{}, kM, kFeatures}; }
+CodeTable toolsTable() { return {{}, kToolsMCodes, kToolsFeatures}; }
 
 }  // namespace proveout::nc

@@ -8,7 +8,7 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kTransformsGCodes = std::to_array<GCode>({
     modal(500, kGroupScaling, kSim, "nct-3-G50 nct-16.2-G50", "scaling off"),
     action(501, kGroupMirror, kSim, kAxes, planMirrorOff, false, "nct-3-G50.1 nct-16.3-G50.1",
            "mirroring off"),
@@ -20,7 +20,7 @@ constexpr auto kG = std::to_array<GCode>({
     modal(690, kGroupRotation, kSim, "nct-3-G69 nct-16.1-G69", "rotation off"),
 });
 
-constexpr auto kFeatures = std::to_array<FeatureRow>({
+constexpr auto kTransformsFeatures = std::to_array<FeatureRow>({
     {"transforms", kSim, "nct-16.4-order", "nesting of mirroring, scaling and rotation"},
     {"2001", kReject, "nct-16.3-2001", "mirroring switched in G51 or G68"},
     {",C", kSim, "nct-1.1-commaC nct-17.1-C", "chamfer between two blocks"},
@@ -36,6 +36,6 @@ constexpr auto kFeatures = std::to_array<FeatureRow>({
 
 }  // namespace
 
-CodeTable transformsTable() { return {kG, {}, kFeatures}; }
+CodeTable transformsTable() { return {kTransformsGCodes, {}, kTransformsFeatures}; }
 
 }  // namespace proveout::nc

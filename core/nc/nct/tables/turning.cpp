@@ -8,7 +8,7 @@ namespace {
 
 using namespace rows;
 
-constexpr auto kG = std::to_array<GCode>({
+constexpr auto kTurningGCodes = std::to_array<GCode>({
     refused(707, kOneShot, kSim, "nct-3-G70.7", "turning: finishing cycle"),
     refused(717, kOneShot, kSim, "nct-3-G71.7", "turning: roughing cycle"),
     refused(727, kOneShot, kSim, "nct-3-G72.7", "turning: face roughing cycle"),
@@ -23,6 +23,6 @@ constexpr auto kG = std::to_array<GCode>({
 
 }  // namespace
 
-CodeTable turningTable() { return {kG, {}, {}}; }
+CodeTable turningTable() { return {kTurningGCodes, {}, {}}; }
 
 }  // namespace proveout::nc
