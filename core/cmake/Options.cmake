@@ -16,15 +16,25 @@ endif()
 add_library(proveout_warnings INTERFACE)
 target_compile_options(proveout_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
 
-# proveout_add_library(NAME SOURCES...) makes target proveout_NAME and alias proveout::NAME.
+# proveout_add_library(NAME [OWN_FLAGS] [BATCH n] SOURCES...) makes target proveout_NAME and alias proveout::NAME.
+#   OWN_FLAGS  it gets compiler flags that others do not have
+#   BATCH      so many sources are compiled together in a unity build
 function(proveout_add_library name)
-  add_library(proveout_${name} STATIC ${ARGN})
+  cmake_parse_arguments(ARG "OWN_FLAGS" "BATCH" "" ${ARGN})
+  if(NOT ARG_BATCH)
+    set(ARG_BATCH 10)
+  endif()
+  add_library(proveout_${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
   add_library(proveout::${name} ALIAS proveout_${name})
   set_target_properties(proveout_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(proveout_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/proveout>)
   target_link_libraries(proveout_${name} PRIVATE $<BUILD_INTERFACE:proveout_warnings>
                                          PUBLIC proveout_options)
-  proveout_precompile(proveout_${name})
-  set_target_properties(proveout_${name} PROPERTIES UNITY_BUILD ${PROVEOUT_UNITY} UNITY_BUILD_BATCH_SIZE 6)
+  if(ARG_OWN_FLAGS)
+    proveout_precompile(proveout_${name})
+  else()
+    proveout_precompile(proveout_${name} FROM proveout_precompiled)
+  endif()
+  set_target_properties(proveout_${name} PROPERTIES UNITY_BUILD ${PROVEOUT_UNITY} UNITY_BUILD_BATCH_SIZE ${ARG_BATCH})
 endfunction()

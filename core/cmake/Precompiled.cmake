@@ -31,6 +31,14 @@ function(proveout_precompile target)
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow>")
 endfunction()
 
+# Precompiled headers for all libraries without flags of their own.
+if(PROVEOUT_PRECOMPILED_HEADERS)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
+  add_library(proveout_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(proveout_precompiled PRIVATE proveout_warnings proveout_options Eigen3::Eigen fmt::fmt)
+  proveout_precompile(proveout_precompiled)
+endif()
+
 # proveout_apart(SOURCES...): compiled alone in a unity build, since they use names that others have for themselves, too.
 function(proveout_apart)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

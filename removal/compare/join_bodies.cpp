@@ -1,16 +1,9 @@
 #include "removal/compare/join_bodies.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/intersection.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh.h>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <exception>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -22,51 +15,17 @@
 #include "core/mesh/edge_table.h"
 #include "core/mesh/surface_mesh.h"
 #include "core/mesh/triangle_tree.h"
+#include "removal/compare/mesh_boolean.h"
 
 namespace proveout {
 
 namespace join_detail {
-
-namespace pmp = CGAL::Polygon_mesh_processing;
-using Exact = CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>;
-using Plain = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
 /// Faces of two bodies nearer than this are one face to whoever made them: some roundings of float
 /// coordinates, mm.
 constexpr double kSameMm = 1e-4;
 /// Bodies with such a gap are made larger by this before they are joined, mm.
 constexpr double kGrowMm = 6e-5;
-
-template <typename Mesh>
-Mesh toCgal(const TriMesh& mesh) {
-  Mesh out;
-  using Point = typename Mesh::Point;
-  for (const auto& p : mesh.positions) out.add_vertex(Point(p.x(), p.y(), p.z()));
-  for (const auto& t : mesh.triangles) {
-    using Vertex = typename Mesh::Vertex_index;
-    out.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
-  }
-  return out;
-}
-
-TriMesh fromCgal(Exact& mesh) {
-  pmp::triangulate_faces(mesh);
-  mesh.collect_garbage();
-  TriMesh out;
-  for (const auto v : mesh.vertices()) {
-    const auto& p = mesh.point(v);
-    out.positions.emplace_back(static_cast<float>(CGAL::to_double(p.x())),
-                               static_cast<float>(CGAL::to_double(p.y())),
-                               static_cast<float>(CGAL::to_double(p.z())));
-  }
-  for (const auto f : mesh.faces()) {
-    std::array<std::uint32_t, 3> t{};
-    std::size_t corner = 0;
-    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) t[corner++] = v;
-    out.triangles.push_back(t);
-  }
-  return out;
-}
 
 /// A solid, with its voids, and what is asked of it.
 struct Body {
@@ -102,26 +61,9 @@ std::optional<Vec3> faceInside(const Body& a, const Body& b) {
   return found;
 }
 
-/// Without triangles whose corners lie on one line: their neighbours hold all their points, and CGAL asks
-/// for proper ones.
-TriMesh properTriangles(const Body& body) {
-  TriMesh out;
-  out.positions = body.mesh.positions;
-  for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
-    const auto& v = body.mesh.triangles[t];
-    const auto point = [&](int i) {
-      const Vec3& p = body.surface.points[v[static_cast<std::size_t>(i)]];
-      return Plain::Point(p.x(), p.y(), p.z());
-    };
-    if (!CGAL::collinear(point(0), point(1), point(2))) out.triangles.push_back(v);
-  }
-  return out;
-}
-
 bool meet(const Body& a, const Body& b) {
   if (!a.box.inflated(kSameMm).overlaps(b.box)) return false;
-  const auto one = toCgal<Plain>(properTriangles(a)), other = toCgal<Plain>(properTriangles(b));
-  return pmp::do_intersect(one, other) || faceInside(a, b) || faceInside(b, a);
+  return surfacesMeet(a.mesh, b.mesh) || faceInside(a, b) || faceInside(b, a);
 }
 
 /// Moves vertices that lie near the other body outwards, so that a gap as wide as rounding closes.
@@ -141,19 +83,6 @@ TriMesh grown(const Body& body, const Body& towards) {
     mesh.positions[v] = (body.surface.points[v] + kGrowMm * out[v].normalized()).cast<float>();
   }
   return mesh;
-}
-
-std::optional<TriMesh> united(const TriMesh& a, const TriMesh& b) {
-  try {
-    Exact one = toCgal<Exact>(a), other = toCgal<Exact>(b), sum;
-    if (one.number_of_faces() != a.triangles.size() || other.number_of_faces() != b.triangles.size())
-      return std::nullopt;  // voids that touch along an edge
-    if (!pmp::corefine_and_compute_union(one, other, sum, CGAL::parameters::throw_on_self_intersection(true)))
-      return std::nullopt;
-    return fromCgal(sum);
-  } catch (const std::exception&) {
-    return std::nullopt;  // one of them runs through itself
-  }
 }
 
 class Joiner {
@@ -238,11 +167,11 @@ class Joiner {
   /// Null: they need not be one.
   Result<std::unique_ptr<Body>> joinPair(const Body& a, const Body& b) const {
     if (!meet(a, b)) return std::unique_ptr<Body>();
-    std::optional<TriMesh> sum = united(a.mesh, b.mesh);
+    std::optional<TriMesh> sum = booleanOf(a.mesh, b.mesh, BooleanKind::kUnion);
     if (sum && isClean(*sum)) return std::make_unique<Body>(std::move(*sum));
     const auto at = faceInside(a, b) ? faceInside(a, b) : faceInside(b, a);
     if (!at) return std::unique_ptr<Body>();  // they touch along an edge or at a vertex
-    sum = united(grown(a, b), grown(b, a));
+    sum = booleanOf(grown(a, b), grown(b, a), BooleanKind::kUnion);
     if (sum && isClean(*sum)) return std::make_unique<Body>(std::move(*sum));
     return inputError(
         fmt::format("{}: bodies overlap at X{:.3f} Y{:.3f} Z{:.3f} mm and cannot be joined; export the model "

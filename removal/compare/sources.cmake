@@ -6,6 +6,7 @@ proveout_add_library(compare
   compare/deviation_statistics.cpp
   compare/difference_volume.cpp
   compare/exact_part.cpp
+  compare/join_bodies.cpp
   compare/measured_sides.cpp
   compare/nominal.cpp
   compare/nominal_shape.cpp
@@ -13,10 +14,10 @@ proveout_add_library(compare
   compare/sample_mesh.cpp
   compare/spots.cpp)
 # CGAL::CGAL carries -frounding-math, which would keep other code from being vectorised: one source has it.
-add_library(proveout_join OBJECT compare/join_bodies.cpp)
-target_include_directories(proveout_join PRIVATE ${PROJECT_SOURCE_DIR})
+add_library(proveout_boolean OBJECT compare/mesh_boolean.cpp)
+target_include_directories(proveout_boolean PRIVATE ${PROJECT_SOURCE_DIR})
 # CGAL's own headers make the compiler doubt.
-target_compile_options(proveout_join PRIVATE -Wno-maybe-uninitialized)
-target_link_libraries(proveout_join PRIVATE proveout_warnings proveout_options Eigen3::Eigen CGAL::CGAL fmt::fmt)
-target_sources(proveout_compare PRIVATE $<TARGET_OBJECTS:proveout_join>)
+target_compile_options(proveout_boolean PRIVATE -Wno-maybe-uninitialized)
+target_link_libraries(proveout_boolean PRIVATE proveout_warnings proveout_options Eigen3::Eigen CGAL::CGAL)
+target_sources(proveout_compare PRIVATE $<TARGET_OBJECTS:proveout_boolean>)
 target_link_libraries(proveout_compare PUBLIC proveout::core PRIVATE $<LINK_ONLY:CGAL::CGAL> TBB::tbb fmt::fmt)

@@ -1,6 +1,5 @@
 // A plate with a boss, pockets, holes, slots and countersinks: cut under NCT with six tools.
 #include "tests/study/planted.h"
-#include "tests/support/booleans.h"
 #include "tests/support/lofts.h"
 
 namespace proveout::study {
@@ -246,7 +245,8 @@ TriMesh plate(double chord) {
   };
   TriMesh mesh = booleanOf(box({0, 0, -16}, {60, 40, -6}),
                            lofts::solid(Profile().line(5, -8).line(5, 0), {20, 10}, chord, {30, 20}),
-                           BooleanKind::kUnion);
+                           BooleanKind::kUnion)
+                     .value();
   const double tip = 2.5 / std::tan(degToRad(59.0));
   const Profile through = Profile().line(2.5, -20).line(2.5, 3);
   std::vector<Hole> holes = {{Profile().line(3, -4).line(3, 3), {22, 20}, {5, 2}}};

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
-#include "tests/support/booleans.h"
+#include "removal/compare/mesh_boolean.h"
 
 namespace proveout::lofts {
 
@@ -139,7 +139,7 @@ struct Hole {
 inline TriMesh plateWith(const TriMesh& plate, const std::vector<Hole>& holes, double chord) {
   TriMesh mesh = plate;
   for (const Hole& h : holes)
-    mesh = booleanOf(mesh, solid(h.profile, h.half, chord, h.center), BooleanKind::kDifference);
+    mesh = booleanOf(mesh, solid(h.profile, h.half, chord, h.center), BooleanKind::kDifference).value();
   return mesh;
 }
 

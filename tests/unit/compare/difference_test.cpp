@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "removal/compare/compare.h"
-#include "tests/support/booleans.h"
 #include "tests/support/lofts.h"
 #include "tests/unit/compare/shapes.h"
 
@@ -20,8 +19,8 @@ struct Difference {
   double volume = 0.0, area = 0.0;
 };
 Difference differenceOf(const TriMesh& a, const TriMesh& b) {
-  const TriMesh rest = booleanOf(a, b, BooleanKind::kDifference),
-                common = booleanOf(a, b, BooleanKind::kIntersection);
+  const TriMesh rest = booleanOf(a, b, BooleanKind::kDifference).value(),
+                common = booleanOf(a, b, BooleanKind::kIntersection).value();
   // The rest is bounded by a's surface outside of b and b's inside of a; the common part by the other pieces.
   return {meshVolume(rest), 0.5 * (meshArea(rest) + meshArea(a) - meshArea(common))};
 }
@@ -115,7 +114,7 @@ TEST(Difference, MissingFeaturesHaveTheirWholeVolume) {
   const TriMesh ball = shapes::insideOut(shapes::sphere({0, 0, -5}, 3.5, 5));
   const TriMesh hollow = shapes::together(plate, ball);
   EXPECT_NEAR(volumeOf(plate, hollow), -meshVolume(ball), -0.005 * meshVolume(ball));  // a cavity
-  const TriMesh rib = booleanOf(plate, shapes::box({-20, -0.1, -1}, {20, 0.1, 8}), BooleanKind::kUnion);
+  const TriMesh rib = booleanOf(plate, shapes::box({-20, -0.1, -1}, {20, 0.1, 8}), BooleanKind::kUnion).value();
   EXPECT_NEAR(volumeOf(plate, rib), 40 * 0.2 * 8, 0.01 * 40 * 0.2 * 8);
 }
 
