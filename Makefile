@@ -7,12 +7,13 @@ MINUTES ?= 5
 SEED ?= 1
 PROVEOUT := build/release/bin/proveout
 
-.PHONY: help deps program build demo test soak bench asan tsan clean
+.PHONY: help deps program build demo test soak study bench asan tsan clean
 
 help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
 	@echo 'make test   the same build, then the whole test suite'
 	@echo 'make soak   random whole jobs against the laws of tests/soak; MINUTES=$(MINUTES) SEED=$(SEED)'
+	@echo 'make study  all planted defects of tests/study (make test plants a tenth of them): a quarter of an hour'
 	@echo 'make program build the program alone: $(PROVEOUT)'
 	@echo 'make build  build everything, the tests among it'
 	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well'
@@ -44,6 +45,9 @@ test: build
 
 soak: build
 	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED)
+
+study: build
+	PROVEOUT_STUDY_WHOLE=1 build/release/bin/planted_defects
 
 bench: build
 	build/release/bin/bench_programs $(BENCH)

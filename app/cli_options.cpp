@@ -1,10 +1,13 @@
 #include "app/cli_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <sstream>
 
 #include "app/exit_codes.h"
+#include "io/job.h"
 
 namespace proveout {
 namespace {
@@ -57,7 +60,8 @@ CLI::Validator notEmpty() {
 }
 
 /// `other`: what the limit is without the option.
-void addMaxTime(CLI::App& app, std::optional<double>& seconds, const std::string& other = "none") {
+void addMaxTime(CLI::App& app, std::optional<double>& seconds,
+                const std::string& other = fmt::format("{:g}", kDefaultMaxTimeS)) {
   app.add_option("--max-time", seconds, "End the command within this time, exit 3; default: " + other)
       ->type_name("SECONDS")
       ->check(numberIn(0, 1e9, "a time in seconds above 0"));
@@ -78,7 +82,7 @@ void addProgramOptions(CLI::App& app, ProgramOptions& options) {
   app.add_option("--until", options.until, "Stop after this line (120) or block (N70) of the main program")
       ->type_name("LINE|Nn");
   app.add_flag("--lenient", options.lenient, "Unsupported codes that are safe to skip become warnings");
-  addMaxTime(app, options.max_time_s, "the job's, or none");
+  addMaxTime(app, options.max_time_s, fmt::format("the job's, or {:g}", kDefaultMaxTimeS));
 }
 
 void addRun(CLI::App& root, RunOptions& o) {
@@ -145,7 +149,7 @@ void addExplain(CLI::App& root, ExplainOptions& o) {
   app->add_option("REPORT", o.report, "report.json of a run, or its folder; its inputs must be unchanged")
       ->required();
   app->add_option("--at", o.at, "A point, mm, as findings give it: X,Y,Z")->required()->type_name("X,Y,Z");
-  addMaxTime(*app, o.max_time_s, "the job's, or none");
+  addMaxTime(*app, o.max_time_s, fmt::format("the job's, or {:g}", kDefaultMaxTimeS));
   app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");
   app->footer(kFooter);
 }

@@ -153,7 +153,7 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
 
 int compareCommand(const CompareCommandOptions& options, Console& console, ConsoleProgress& progress) {
   TimeLimit limit(progress);
-  limit.set(options.max_time_s.value_or(0.0));
+  limit.set(options.max_time_s.value_or(kDefaultMaxTimeS));
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
   OutputFailures failures;
   const Result<Report> report = compareFiles(options, failures, progress);

@@ -183,7 +183,7 @@ int renderCommand(const RenderCommandOptions& options, Console& console, Console
   const std::string output =
       options.output.empty() ? fs::path(options.mesh).stem().string() + ".png" : options.output;
   TimeLimit limit(progress);
-  limit.set(options.max_time_s.value_or(0.0));
+  limit.set(options.max_time_s.value_or(kDefaultMaxTimeS));
   progress.show(console.err_is_terminal);
   const Status done = renderToFile(options, output, progress);
   progress.clear();

@@ -39,13 +39,17 @@ struct NominalSpec {
   std::vector<IgnoredRegion> ignored;  ///< not compared; names differ and are not empty
 };
 
+/// What a command may take where nobody says more, s: programs that do not end are told, and nobody waits all
+/// night.
+inline constexpr double kDefaultMaxTimeS = 3600.0;
+
 struct SimulationSpec {
-  std::optional<double> resolution_mm;  ///< grid spacing; none: chosen from the stock
-  double contact_mm = 0.01;             ///< touches of the stock that are less deep are not told
-  double profile_resolution_mm = 0.01;  ///< of turned parts: facets leave the surface by a tenth of it
-  int threads = 0;                      ///< 0: all cores
-  double max_memory_gb = 0.0;           ///< 0: what the machine has free
-  double max_time_s = 0.0;              ///< the command ends itself within so many seconds; 0: without limit
+  std::optional<double> resolution_mm;   ///< grid spacing; none: chosen from the stock
+  double contact_mm = 0.01;              ///< touches of the stock that are less deep are not told
+  double profile_resolution_mm = 0.01;   ///< of turned parts: facets leave the surface by a tenth of it
+  int threads = 0;                       ///< 0: all cores
+  double max_memory_gb = 0.0;            ///< 0: what the machine has free
+  double max_time_s = kDefaultMaxTimeS;  ///< the command ends itself within so many seconds
 };
 
 enum class OutputFormat : std::uint8_t { kStl, kStlAscii, kObj, kPly, kVdb };

@@ -124,6 +124,13 @@ TEST_F(Limits, WorkOutOfProportionIsToldBeforeItIsBegun) {
   EXPECT_TRUE(has(outcome.err, "this run would take about")) << outcome.err;
   EXPECT_LT(took, 2.0);
   EXPECT_FALSE(bench.exists("out"));
+  // An hour is allowed where nobody says more.
+  outcome = bench.run(
+      "run ring.nc --control nct --stock box:0,0,-10:20,20,0 --tool 1=ball:4 --resolution 0.0002 --out out "
+      "--max-memory 1e6");
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "3600 s are allowed")) << outcome.err;
+  EXPECT_FALSE(bench.exists("out"));
 }
 
 TEST_F(Limits, MeshesBeyondMeasureAreRefused) {
