@@ -48,6 +48,11 @@ inline void arcStationary(const ColumnBoundary::Piece& piece, double steep, cons
                           int n, const double* __restrict sa, const double* __restrict sb,
                           double* __restrict s) {
   const double rc = piece.rc, radius2 = piece.radius * piece.radius;
+  if (rc == 0.0) {  // of a sphere about the axis: L is convex in s as well
+    const double lean = steep / __builtin_sqrt(1.0 + steep * steep);
+    for (int i = 0; i < n; ++i) s[i] = least(most(lean * root(radius2 - p2[i]), sa[i]), sb[i]);
+    return;
+  }
   double low[kArray], high[kArray];
   for (int i = 0; i < n; ++i) low[i] = sa[i], high[i] = sb[i];
   for (int round = 0; round < kHalvings; ++round) {
