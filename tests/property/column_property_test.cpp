@@ -25,7 +25,7 @@ constexpr double kStep = 1e-5;
 std::vector<ConvexProfile> profiles() {
   std::vector<ConvexProfile> out;
   for (const char* text : {"1=flat:6", "2=ball:6", "3=bull:8:1.5", "4=cone:6:0.4:60", "5=drill:5:118",
-                           "6=cone:8:0:120", "7=bull:6:3"}) {
+                           "6=cone:8:0:120", "7=bull:6:3", "8=lollipop:6:3"}) {
     Tool tool = parseToolOption(text).value();
     tool.flute_length = 15.0;
     for (const ConvexProfile& p : makeToolSolid(tool).cutter) out.push_back(p);
