@@ -1,10 +1,10 @@
 # What makes a clean build short. Both are off in the presets dev, asan and tsan, which so tell a source that forgets an
 # include, and have all of the compiler's warnings.
 #   PROVEOUT_PRECOMPILED_HEADERS  headers of other people that most sources read: parsed once a target, not once a source
-#   PROVEOUT_UNITY                the sources of a library by sixes: the templates that they share are compiled once
+#   PROVEOUT_UNITY                the sources of a library or test in batches: the templates that they share are compiled once
 # A source with flags of its own (SIMD levels, CGAL's rounding) must not use them: SKIP_PRECOMPILE_HEADERS.
 option(PROVEOUT_PRECOMPILED_HEADERS "Parse the headers of other libraries once a target" ON)
-option(PROVEOUT_UNITY "Compile the sources of a library by sixes" ON)
+option(PROVEOUT_UNITY "Compile sources in batches" ON)
 set(PROVEOUT_PRECOMPILED
   <algorithm> <array> <bit> <charconv> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map> <memory>
   <numeric> <optional> <set> <span> <string> <string_view> <unordered_map> <utility> <variant> <vector>
