@@ -13,8 +13,12 @@ using proveout::kQuarter;
 
 constexpr int kArray = proveout::kMaxColumns;
 constexpr double kNothing = __builtin_inf();
-/// Halvings of the bracket of a stationary point: its error is squared in the value.
-constexpr int kHalvings = 26;
+/// Newton's method for a stationary point halves its bracket where it would leave it, and every third time
+/// behind so many rounds. Of 1.6 million random columns none took more than 10 rounds on slopes up to 3, nor
+/// more than 27 on steeper ones. It stops behind a step this small, mm: the error of what follows is its
+/// square, and that of the value the square of that.
+constexpr int kNewtonRounds = 16, kMostRounds = 150;
+constexpr double kStationaryMm = 1e-6;
 
 inline double least(double a, double b) { return a < b ? a : b; }
 inline double most(double a, double b) { return a > b ? a : b; }
@@ -43,7 +47,8 @@ inline void boundaryHeight(const ColumnBoundary& boundary, const double* __restr
   }
 }
 
-/// The |s| in [sa, sb] at which L(sqrt(p2 + s^2)) - steep * |s| is least on an arc piece.
+/// The |s| in [sa, sb] at which L(sqrt(p2 + s^2)) - steep * |s| is least on an arc piece. Columns do not
+/// depend on each other.
 inline void arcStationary(const ColumnBoundary::Piece& piece, double steep, const double* __restrict p2,
                           int n, const double* __restrict sa, const double* __restrict sb,
                           double* __restrict s) {
@@ -53,20 +58,40 @@ inline void arcStationary(const ColumnBoundary::Piece& piece, double steep, cons
     for (int i = 0; i < n; ++i) s[i] = least(most(lean * root(radius2 - p2[i]), sa[i]), sb[i]);
     return;
   }
-  double low[kArray], high[kArray];
-  for (int i = 0; i < n; ++i) low[i] = sa[i], high[i] = sb[i];
-  for (int round = 0; round < kHalvings; ++round) {
-    for (int i = 0; i < n; ++i) {
-      const double t = 0.5 * (low[i] + high[i]);
-      const double r = root(p2[i] + t * t);
-      const double d = r - rc;
-      // L' t / r < steep, without division
-      const bool falling = d * t < steep * r * root(radius2 - d * d);
-      low[i] = falling ? t : low[i];
-      high[i] = falling ? high[i] : t;
-    }
+  double low[kArray], high[kArray], open[kArray];
+  const double steep_rc = steep * rc;
+  for (int i = 0; i < n; ++i) {
+    // With the normal that belongs to the piece's inner end, or, beyond it, with that at s = 0.
+    const double lean = steep_rc / root(sa[i] * sa[i] + steep_rc * steep_rc);
+    const double r = rc + piece.radius * lean, p = root(p2[i]), d = p - rc;
+    const double across = root(r * r - p2[i]), beyond = steep * p * root(radius2 - d * d) / d;
+    const double guess = sa[i] > 0.0 ? across : beyond;
+    low[i] = sa[i], high[i] = sb[i], open[i] = 1.0;
+    s[i] = guess > sa[i] && guess < sb[i] ? guess : 0.5 * (sa[i] + sb[i]);
   }
-  for (int i = 0; i < n; ++i) s[i] = 0.5 * (low[i] + high[i]);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const bool halve = round >= kNewtonRounds && round % 3 == 0;
+    double left = 0.0;
+    for (int i = 0; i < n; ++i) {
+      const double t = s[i], r = root(p2[i] + t * t), d = r - rc, q = root(radius2 - d * d);
+      // L' t / r - steep, times r q: no division near the rim
+      const double value = d * t - steep * r * q;
+      const double slope = d + t * t / r - steep * t * (q / r - d / q);
+      const double from = value < 0.0 ? t : low[i], to = value < 0.0 ? high[i] : t;
+      const double newton = t - value / slope, step = newton < t ? t - newton : newton - t;
+      const bool in = newton > from && newton < to && !halve;
+      const double next = in ? newton : 0.5 * (from + to);
+      const double near = in ? step : to - from;
+      // What is done stays, whatever the columns beside it need.
+      const bool going = open[i] > 0.0;
+      low[i] = going ? from : low[i];
+      high[i] = going ? to : high[i];
+      s[i] = going ? next : t;
+      open[i] = going && near > kStationaryMm ? 1.0 : 0.0;
+    }
+    for (int i = 0; i < n; ++i) left = most(left, open[i]);
+    if (left == 0.0) return;
+  }
 }
 
 /// out = least of slope * (s + along) + L(sqrt(p2 + s^2)) for s in [a0, a1]; along shifts the value only.
