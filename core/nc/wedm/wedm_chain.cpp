@@ -25,13 +25,13 @@ class RecordSender {
     pace.slow_end = false;
     Vec2 main = tracks.main.to, second = tracks.second.to;
     const std::size_t rows = std::max(tracks.main_behind.size(), tracks.second_behind.size());
-    const bool dwells = record.overcut_dwell > 0.0 && record.overcut > 0.0;
+    const bool dwells = record.overcut_dwell > 0.0 && record.overcut > 0.0 && tracks.spikes > 0;
     if (dwells) dwell(record);
     for (std::size_t k = 0; k < rows; ++k) {
       const ContourElement m = elementAt(tracks.main_behind, k, main);
       const ContourElement s = elementAt(tracks.second_behind, k, second);
       if (!move(record, m, s, pace)) return false;
-      if (dwells && k == 0 && tracks.spikes > 0) dwell(record);
+      if (dwells && k == 0) dwell(record);
       main = m.to;
       second = s.to;
     }

@@ -1,6 +1,7 @@
 // Paths of the wire EDM control for tests: run a text, look at the tracks.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
