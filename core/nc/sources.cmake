@@ -34,6 +34,7 @@ target_sources(proveout_core PRIVATE
   nc/wedm/wedm_contours.cpp
   nc/wedm/wedm_control.cpp
   nc/wedm/wedm_coverage.cpp
+  nc/wedm/wedm_elements.cpp
   nc/wedm/wedm_motion.cpp
   nc/wedm/wedm_output.cpp
   nc/wedm/wedm_parameters.cpp

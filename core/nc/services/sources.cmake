@@ -8,6 +8,7 @@ target_sources(proveout_core PRIVATE
   nc/services/contour_offset.cpp
   nc/services/contour_passes.cpp
   nc/services/contour_profile.cpp
+  nc/services/contour_shift.cpp
   nc/services/cutter_comp.cpp
   nc/services/cutter_comp_check.cpp
   nc/services/cutter_comp_corner.cpp

@@ -6,7 +6,7 @@
 
 #include "core/geometry/plane.h"
 #include "core/nc/services/contour_elements.h"
-#include "core/nc/services/wire_offset.h"
+#include "core/nc/services/contour_shift.h"
 
 namespace proveout {
 

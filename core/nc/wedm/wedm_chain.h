@@ -56,7 +56,7 @@ class WedmChain {
 
  private:
   /// More would fill the memory.
-  static constexpr std::size_t kMostKept = 1'000'000;
+  static constexpr std::size_t kMostKept = 300'000;
 
   WedmOutput& output_;
   WedmReport& report_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/nc/services/contour_elements.h"
+#include "core/nc/services/contour_shift.h"
 
 namespace proveout::nc {
 

@@ -83,12 +83,13 @@ WedmControl::Go WedmControl::block(std::size_t index) {
   c_.recorder.begin(place.line + 1, -1);
   const bool good = c_.reader.read(c_.program.line(index), place.begin, place.end, c_.block);
   level.number = c_.block.number;
+  // Blocks that do nothing count: loops of them must have an end.
+  if (workOver()) return Go::kStop;
   if (c_.block.skip && c_.state.skip == 11) return Go::kOn;
   if (good && c_.block.empty()) {
     until_hit_ = until_hit_ || reachedUntil();
     return Go::kOn;
   }
-  if (workOver()) return Go::kStop;
   ++c_.summary.blocks;
   c_.recorder.begin(place.line + 1, c_.block.number);
   c_.recorder.clear(KindSet::of(OriginKind::kI, OriginKind::kJ));

@@ -159,7 +159,11 @@ bool planOffset(WedmContext& c, WedmPlan& p) {
 bool planTaper(WedmContext& c, WedmPlan& p) {
   const WedmWord* const a = c.block.find('A');
   if (p.has(50)) p.next.angle_deg = 0.0;
-  if (a == nullptr) return true;
+  if (a == nullptr) {
+    if (p.next.taper != 50 && c.state.taper == 50)
+      c.report.warnOnce("wedm-5.7-upright", "G51 or G52 without A: the wire stays upright until A is given");
+    return true;
+  }
   const double angle = a->terms.front().number;
   if (p.next.taper == 50)
     return (p.has(50) && angle == 0.0) || c.report.fail("wedm-5.7-A", "A needs G51 or G52", a->columns);
@@ -223,6 +227,7 @@ bool planWedmBlock(WedmContext& c, WedmPlan& p) {
     return false;
   if (!planCall(c, p) || (p.has(92) && !planWedmPoint(c, p)) || !planOffset(c, p) || !planTaper(c, p))
     return false;
+  if (p.has(61) && c.state.shape == 60) p.next.upper_motion = p.next.motion;
   return checkModes(c, p) && planWedmMotion(c, p);
 }
 
