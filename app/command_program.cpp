@@ -33,6 +33,9 @@ class DiagnosticsTap : public MotionSink {
   void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) override {
     if (next_) next_->motion(motion, arc, axis);
   }
+  void wireMotion(const Motion& motion, const WireSweep& wire) override {
+    if (next_) next_->wireMotion(motion, wire);
+  }
   void event(const PathEvent& event) override {
     if (event.as<event::Overtravel>() != nullptr || event.as<event::ForbiddenZone>() != nullptr)
       overtravels.events.push_back({kNoMotion, event});

@@ -227,6 +227,55 @@ void JsonLinesPathWriter::motion(const Motion& motion, const ArcGeometry* arc, c
   source(motion.source);
 }
 
+namespace {
+
+const char* wireKind(const Motion& motion) { return motion.kind == MotionKind::kRapid ? "rapid" : "cut"; }
+
+void putPlanePoint(Buffer& b, const Vec2& p) {
+  b.push_back('[');
+  putNumber(b, p.x());
+  b.push_back(',');
+  putNumber(b, p.y());
+  b.push_back(']');
+}
+
+}  // namespace
+
+void JsonLinesPathWriter::track(std::string_view name, const WireTrack& track) {
+  Buffer& b = buffer_;
+  put(b, R"(,")");
+  put(b, name);
+  put(b, R"(":{"from":)");
+  putPlanePoint(b, track.from);
+  put(b, R"(,"to":)");
+  putPlanePoint(b, track.to);
+  if (track.sweep_rad != 0.0) {
+    put(b, R"(,"center":)");
+    putPlanePoint(b, track.center);
+    put(b, R"(,"sweep_deg":)");
+    putNumber(b, radToDeg(track.sweep_rad));
+  }
+  b.push_back('}');
+}
+
+void JsonLinesPathWriter::wireMotion(const Motion& motion, const WireSweep& wire) {
+  Buffer& b = buffer_;
+  put(b, R"({"type":"motion","id":)");
+  putInteger(b, next_id_++);
+  put(b, R"(,"kind":")");
+  put(b, wireKind(motion));
+  put(b, R"(","z":)");
+  putPlanePoint(b, {wire.z_low, wire.z_high});
+  track("lower", wire.lower);
+  track("upper", wire.upper);
+  put(b, R"(,"feed":)");
+  putNumber(b, motion.feed);
+  put(b, R"(,"time_s":)");
+  putNumber(b, motion.time_s);
+  putChannel(b, motion.channel);
+  source(motion.source);
+}
+
 void JsonLinesPathWriter::event(const PathEvent& event) {
   put(buffer_, R"({"type":"event","event":)");
   putString(buffer_, eventName(event.what));
@@ -300,6 +349,25 @@ void CsvPathWriter::file(std::uint32_t index, const std::string& name) {
 }
 
 void CsvPathWriter::motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep*) {
+  row(motion, motionKindName(motion.kind), arc);
+  ++next_id_;
+}
+
+void CsvPathWriter::wireMotion(const Motion& motion, const WireSweep& wire) {
+  const auto track = [&](const WireTrack& t, double z) {
+    const auto at = [z](const Vec2& p) { return Vec3(p.x(), p.y(), z); };
+    Motion point = motion;
+    point.from = at(t.from);
+    point.to = at(t.to);
+    const ArcGeometry arc{at(t.center), Vec3::UnitZ(), t.sweep_rad};
+    row(point, wireKind(motion), t.sweep_rad != 0.0 ? &arc : nullptr);
+  };
+  track(wire.lower, wire.z_low);
+  track(wire.upper, wire.z_high);
+  ++next_id_;
+}
+
+void CsvPathWriter::row(const Motion& motion, std::string_view kind, const ArcGeometry* arc) {
   Buffer& b = buffer_;
   const auto number = [&](double value) {
     putNumber(b, value);
@@ -310,9 +378,9 @@ void CsvPathWriter::motion(const Motion& motion, const ArcGeometry* arc, const A
   };
   channels_ = channels_ || (!headed_ && motion.channel > 0);
   head();
-  putInteger(b, next_id_++);
+  putInteger(b, next_id_);
   b.push_back(',');
-  put(b, motionKindName(motion.kind));
+  put(b, kind);
   put(b, arc ? ",arc," : ",line,");
   vector(motion.from);
   vector(motion.to);

@@ -17,7 +17,8 @@ namespace proveout {
 /// mm/min, angles degrees; numbers rounded to 1e-9 with no trailing zeros, -0 as 0. `block` is "" where the
 /// block has no N. "axis_from" and "axis_to" stand where the tool is not along +z, "rotary" where the machine
 /// has rotary axes: {"C":[from,to]}, degrees; "channel" of motions and events where the control has several:
-/// motions are then in order of start times.
+/// motions are then in order of start times. Motions of a wire are of kind "cut" or "rapid" and have "z", the
+/// heights of "lower" and "upper", each with "from", "to" and, on arcs, "center" and "sweep_deg".
 class JsonLinesPathWriter : public MotionSink {
  public:
   /// Writes the header at once. `out` must outlive the writer; its state tells of write errors.
@@ -25,6 +26,7 @@ class JsonLinesPathWriter : public MotionSink {
   ~JsonLinesPathWriter() override;
   void file(std::uint32_t index, const std::string& name) override;
   void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) override;
+  void wireMotion(const Motion& motion, const WireSweep& wire) override;
   void event(const PathEvent& event) override;
   void diagnostic(const Diagnostic& diagnostic) override;
   void flush();
@@ -33,6 +35,7 @@ class JsonLinesPathWriter : public MotionSink {
   void endLine();
   void point(const Vec3& p);
   void technology(const Motion& motion);
+  void track(std::string_view name, const WireTrack& track);
   void source(const SourceRef& source);
 
   std::ostream& out_;
@@ -46,19 +49,22 @@ class JsonLinesPathWriter : public MotionSink {
 };
 
 /// A table of the motions, with a header line. Events and diagnostics have no row, rotary axes no column. The
-/// last column is the channel where the control has several.
+/// last column is the channel where the control has several. A motion of a wire has a row for its lower point
+/// and behind it one, of the same id, for its upper point: kind "cut" or "rapid".
 class CsvPathWriter : public MotionSink {
  public:
   explicit CsvPathWriter(std::ostream& out);
   ~CsvPathWriter() override;
   void file(std::uint32_t index, const std::string& name) override;
   void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) override;
+  void wireMotion(const Motion& motion, const WireSweep& wire) override;
   void event(const PathEvent& event) override;
   void diagnostic(const Diagnostic& diagnostic) override;
   void flush();
 
  private:
   void head();
+  void row(const Motion& motion, std::string_view kind, const ArcGeometry* arc);
 
   std::ostream& out_;
   TextBuffer buffer_;

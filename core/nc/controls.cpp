@@ -7,6 +7,7 @@
 
 #include "core/nc/nct/nct_row.h"
 #include "core/nc/specification/specification_text.h"
+#include "core/nc/wedm/wedm_row.h"
 #include "core/nc/wl4/wl4_row.h"
 
 namespace proveout {
@@ -19,15 +20,6 @@ const ControlRow& flexNcRow() {
       .name = "flexnc",
       .summary = "FlexNC, milling",
       .manual = {"fnc", specification_text::kFlexnc},
-  };
-  return kRow;
-}
-const ControlRow& wedmRow() {
-  static const ControlRow kRow{
-      .id = ControlId::kWedm,
-      .name = "wedm",
-      .summary = "wire EDM",
-      .manual = {"wedm", specification_text::kWedm},
   };
   return kRow;
 }

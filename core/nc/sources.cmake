@@ -29,6 +29,21 @@ target_sources(proveout_core PRIVATE
   nc/source_text.cpp
   nc/time_stage.cpp
   nc/tool_change.cpp
+  nc/wedm/wedm_block.cpp
+  nc/wedm/wedm_chain.cpp
+  nc/wedm/wedm_contours.cpp
+  nc/wedm/wedm_control.cpp
+  nc/wedm/wedm_coverage.cpp
+  nc/wedm/wedm_elements.cpp
+  nc/wedm/wedm_motion.cpp
+  nc/wedm/wedm_output.cpp
+  nc/wedm/wedm_parameters.cpp
+  nc/wedm/wedm_plan.cpp
+  nc/wedm/wedm_program.cpp
+  nc/wedm/wedm_report.cpp
+  nc/wedm/wedm_row.cpp
+  nc/wedm/wedm_table.cpp
+  nc/wedm/wedm_values.cpp
   nc/wl4/wl4_arcs.cpp
   nc/wl4/wl4_axis_words.cpp
   nc/wl4/wl4_block.cpp

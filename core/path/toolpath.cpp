@@ -180,6 +180,14 @@ void ToolpathBuilder::motion(const Motion& motion, const ArcGeometry* arc, const
   }
 }
 
+void ToolpathBuilder::wireMotion(const Motion& motion, const WireSweep& wire) {
+  path_.motions.push_back(motion);
+  Motion& kept = path_.motions.back();
+  kept.arc = kept.axis = -1;
+  kept.wire = static_cast<std::int32_t>(path_.wires.size());
+  path_.wires.push_back(wire);
+}
+
 void ToolpathBuilder::event(const PathEvent& event) {
   path_.events.push_back({static_cast<MotionId>(path_.motions.size()), event});
 }

@@ -59,6 +59,21 @@ struct AxisSweep {
   bool alongZ() const { return from == Vec3::UnitZ() && to == Vec3::UnitZ(); }
 };
 
+/// Where one point of a wire goes at its height, mm, workpiece frame: along a line, or a circular arc.
+struct WireTrack {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+  Vec2 center = Vec2::Zero();  ///< arcs
+  double sweep_rad = 0.0;      ///< signed, counterclockwise seen from +z; 0: a line
+};
+
+/// A motion of a wire: a straight line through a point of the lower and one of the upper track, both at the same share of
+/// their way (length on a line, angle on an arc). On an arc whose ends are not equally far from the center the radius
+/// goes linearly with the angle.
+struct WireSweep {
+  double z_low = 0.0, z_high = 0.0;  ///< heights of the tracks, mm, z_low < z_high; the wire is longer
+  WireTrack lower, upper;
+};
+
 struct Motion {
   Vec3 from = Vec3::Zero();  ///< mm, workpiece frame
   Vec3 to = Vec3::Zero();    ///< mm, workpiece frame
@@ -68,6 +83,7 @@ struct Motion {
   std::int32_t tool = 0;     ///< number of the tool in the spindle; 0: none named by the program
   std::int32_t arc = -1;     ///< index into Toolpath::arcs, or -1 for a line
   std::int32_t axis = -1;    ///< index into Toolpath::axes, or -1: tool along +z, no rotary axis
+  std::int32_t wire = -1;    ///< index into Toolpath::wires, or -1: no wire; from and to are ends of its lower track
   /// kThread: angle of the spindle at the start, degrees, 0 <= angle < 360, counted from the marker pulse in
   /// the direction in which the spindle turns during this motion (the sign of `spindle`): k turns
   /// after the start the part stands at sign(spindle) * (thread_start_deg + 360 * k).
@@ -93,6 +109,8 @@ class MotionSink {
   /// Called before the first motion of a file is sent. `index` counts from 0.
   virtual void file(std::uint32_t index, const std::string& name) = 0;
   virtual void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) = 0;
+  /// A motion of a wire, in place of motion(). Sinks that know no wires leave it out.
+  virtual void wireMotion(const Motion& /*motion*/, const WireSweep& /*wire*/) {}
   virtual void event(const PathEvent& event) = 0;
   virtual void diagnostic(const Diagnostic& diagnostic) = 0;
 
@@ -109,6 +127,7 @@ struct Toolpath {
   std::vector<Motion> motions;
   std::vector<ArcGeometry> arcs;
   std::vector<AxisSweep> axes;
+  std::vector<WireSweep> wires;
   struct EventAt {
     MotionId before;  ///< index of the motion that follows the event
     PathEvent event;
@@ -136,6 +155,7 @@ class ToolpathBuilder : public MotionSink {
   explicit ToolpathBuilder(Toolpath& path) : path_(path) {}
   void file(std::uint32_t index, const std::string& name) override;
   void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis = nullptr) override;
+  void wireMotion(const Motion& motion, const WireSweep& wire) override;
   void event(const PathEvent& event) override;
   void diagnostic(const Diagnostic& diagnostic) override;
   void originWord(const WordOrigin& word) override;

@@ -86,8 +86,21 @@ TEST(Commands, CoverageListsTheControls) {
   }
   EXPECT_EQ(found, 5);
   EXPECT_TRUE(has(bench.run("coverage --control nct").out, "rows of the specification"));
-  EXPECT_TRUE(has(bench.run("coverage --control wedm").out, "all         95     0    95"));
+  EXPECT_TRUE(has(bench.run("coverage --control wedm").out, "all         95    93     2"));
+  EXPECT_TRUE(has(bench.run("coverage --control flexnc").out, "all        163     0   163"));
   EXPECT_EQ(bench.run("coverage --control siemens").exit_code, 2);
+}
+
+TEST(Commands, WireEdmIsCheckedAndWrittenButNotRun) {
+  const Workbench bench;
+  bench.write("hole.nc", "T84T86;\nC001;\nG92X0Y0;\nG01X5.;\nG02X-5.I-5.;\nX5.I5.;\nG01X0;\nM02;\n");
+  EXPECT_EQ(bench.run("check hole.nc --control wedm").exit_code, 0);
+  const Outcome path = bench.run("path hole.nc --control wedm");
+  EXPECT_EQ(path.exit_code, 0);
+  EXPECT_TRUE(has(path.out, R"("kind":"cut","z":[0,20],"lower":{"from":[5,0],"to":[-5,0],"center":[0,0],)"));
+  const Outcome run = bench.run("run hole.nc --control wedm --stock box:-9,-9,0:9,9,20 --tool 1=flat:1");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(has(run.err, "does not remove material with it yet")) << run.err;
 }
 
 TEST(Commands, CompareMeasuresABox) {

@@ -39,6 +39,20 @@ class CheckingSink : public MotionSink {
     for (const double value : {m.to.x(), m.to.y(), m.to.z(), m.feed, m.time_s}) add(value);
     add(static_cast<double>(m.source.line));
   }
+  void wireMotion(const Motion& m, const WireSweep& wire) override {
+    motion(m, nullptr, nullptr);
+    for (const WireTrack* track : {&wire.lower, &wire.upper}) {
+      if (!track->from.allFinite() || !track->to.allFinite() || !track->center.allFinite()) std::abort();
+      add(track->to.x());
+      add(track->to.y());
+      add(track->sweep_rad);
+    }
+    if (!std::isfinite(wire.upper.sweep_rad + wire.lower.sweep_rad) || !(wire.z_low < wire.z_high))
+      std::abort();
+    if (wire_seen_ && (wire.upper.from - upper_).norm() > 1e-6 * (1.0 + upper_.norm())) std::abort();
+    wire_seen_ = true;
+    upper_ = wire.upper.to;
+  }
   void event(const PathEvent& event) override {
     if (!std::isfinite(event.time_s) || event.time_s < 0.0) std::abort();
     if (event.channel > kMaxChannels) std::abort();
@@ -104,6 +118,8 @@ class CheckingSink : public MotionSink {
   std::set<std::uint32_t> files_;
   std::array<Channel, kMaxChannels + 1> channels_;
   double latest_start_s_ = 0.0;
+  bool wire_seen_ = false;
+  Vec2 upper_ = Vec2::Zero();  ///< where the upper point of the wire stands
   std::size_t sum_ = 0;
 };
 

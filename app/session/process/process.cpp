@@ -10,7 +10,7 @@
 namespace proveout {
 namespace {
 
-constexpr std::array kProcesses = {&kMillingProcess, &kTurningProcess};
+constexpr std::array kProcesses = {&kMillingProcess, &kTurningProcess, &kWireEdmProcess};
 
 /// What a workpiece may become, see Workpiece::become.
 bool mayFollow(const Process& before, const Process& next) {

@@ -66,5 +66,6 @@ bool needsGrid(const Job& job);
 // The rows.
 extern const Process kMillingProcess;
 extern const Process kTurningProcess;
+extern const Process kWireEdmProcess;
 
 }  // namespace proveout

@@ -1,12 +1,14 @@
 target_sources(proveout_core PRIVATE
   nc/services/arcs.cpp
   nc/services/bell_profile.cpp
+  nc/services/contour_clearance.cpp
   nc/services/contour_corner.cpp
   nc/services/contour_crossing.cpp
   nc/services/contour_elements.cpp
   nc/services/contour_offset.cpp
   nc/services/contour_passes.cpp
   nc/services/contour_profile.cpp
+  nc/services/contour_shift.cpp
   nc/services/cutter_comp.cpp
   nc/services/cutter_comp_check.cpp
   nc/services/cutter_comp_corner.cpp
@@ -18,6 +20,8 @@ target_sources(proveout_core PRIVATE
   nc/services/speed_plan.cpp
   nc/services/surface_speed.cpp
   nc/services/virtual_plane.cpp
+  nc/services/wire_offset.cpp
+  nc/services/wire_taper.cpp
   nc/services/zone_check.cpp)
 # These use a detail namespace as a whole, which must not leak into their neighbours of a unity batch.
 set_source_files_properties(

@@ -54,6 +54,12 @@ class TextSink : public MotionSink {
     if (m.thread_pitch_change != 0.0F) text += " change " + number(m.thread_pitch_change);
     text += "\n";
   }
+  void wireMotion(const Motion& m, const WireSweep& wire) override {
+    text += place(m.source) + (m.kind == MotionKind::kRapid ? "rapid wire" : "cut wire");
+    track(" lower", wire.lower, wire.z_low);
+    track(" upper", wire.upper, wire.z_high);
+    text += " F" + number(m.feed) + " t" + number(m.time_s) + "\n";
+  }
   void event(const PathEvent& event) override {
     text += channel(event.channel) + place(event.source) + "event " + std::string(eventName(event.what));
     forEachField(event.what, [&](const char* key, const auto& value) {
@@ -72,6 +78,14 @@ class TextSink : public MotionSink {
   std::string text;
 
  private:
+  void track(const char* name, const WireTrack& t, double z) {
+    text += name;
+    text += t.sweep_rad == 0.0 ? " to " : " arc to ";
+    text += point({t.to.x(), t.to.y(), z});
+    if (t.sweep_rad == 0.0) return;
+    text += " center " + number(t.center.x()) + " " + number(t.center.y()) + " sweep " +
+            number(radToDeg(t.sweep_rad));
+  }
   static std::string channel(int number) { return number == 0 ? "" : fmt::format("[{}] ", number); }
   static std::string place(const SourceRef& s) {
     std::string out = s.file == 0 ? "" : fmt::format("{}/", s.file);

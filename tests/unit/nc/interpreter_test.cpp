@@ -154,11 +154,11 @@ TEST(Interpreter, ABadBlockChangesNothing) {
 
 TEST(Interpreter, ControlsAreKnownByName) {
   EXPECT_TRUE(findControl("nct").ok());
-  ASSERT_FALSE(findControl("wedm").ok());
-  EXPECT_NE(findControl("wedm").error().message.find("yet"), std::string::npos);
+  ASSERT_FALSE(findControl("flexnc").ok());
+  EXPECT_NE(findControl("flexnc").error().message.find("yet"), std::string::npos);
   ASSERT_FALSE(findControl("fanuc").ok());
   EXPECT_NE(findControl("fanuc").error().message.find("nct"), std::string::npos);
-  EXPECT_FALSE(coverageTable(ControlId::kWedm).ok());
+  EXPECT_FALSE(coverageTable(ControlId::kFlexNc).ok());
 }
 
 TEST(Interpreter, CoverageTableIsSound) {

@@ -114,5 +114,35 @@ TEST(PathWriter, UnknownFormat) {
   ASSERT_FALSE(makePathWriter("xml", out, "nct").ok());
 }
 
+WireSweep leaningSweep() {
+  WireSweep sweep;
+  sweep.z_high = 20;
+  sweep.lower = {{1, 0}, {0, 1}, {0, 0}, kPi / 2};
+  sweep.upper.to = Vec2(3, 4);
+  return sweep;
+}
+
+TEST(PathWriter, WiresHaveTwoTracks) {
+  std::ostringstream jsonl, csv;
+  Motion cut;
+  cut.kind = MotionKind::kFeed;
+  cut.feed = 3;
+  {
+    JsonLinesPathWriter writer(jsonl, "wedm");
+    writer.wireMotion(cut, leaningSweep());
+    CsvPathWriter table(csv);
+    table.wireMotion(cut, leaningSweep());
+    table.wireMotion(cut, leaningSweep());
+  }
+  EXPECT_NE(
+      jsonl.str().find(R"("id":0,"kind":"cut","z":[0,20],"lower":{"from":[1,0],"to":[0,1],"center":[0,0],)"
+                       R"("sweep_deg":90},"upper":{"from":[0,0],"to":[3,4]},"feed":3)"),
+      std::string::npos)
+      << jsonl.str();
+  EXPECT_NE(csv.str().find("\n0,cut,arc,1,0,0,0,1,0,"), std::string::npos) << csv.str();
+  EXPECT_NE(csv.str().find("\n0,cut,line,0,0,20,3,4,20,"), std::string::npos) << csv.str();
+  EXPECT_NE(csv.str().find("\n1,cut,arc,"), std::string::npos) << csv.str();
+}
+
 }  // namespace
 }  // namespace proveout

@@ -1,0 +1,105 @@
+#include "core/nc/services/contour_clearance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/geometry/box_tree.h"
+#include "core/geometry/plane.h"
+#include "core/nc/services/contour_elements.h"
+#include "core/nc/services/plane_curves.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr double kOnElement = 1e-7;  ///< mm; points nearer than this are on an element
+constexpr double kPointLike = 1e-12;
+
+PlaneCurve wholeCurve(const ContourElement& e) {
+  PlaneCurve curve;
+  curve.circle = e.arc;
+  curve.point = e.arc ? e.center : e.from;
+  curve.direction = (e.to - e.from).normalized();
+  curve.radius = e.arc ? (e.from - e.center).norm() : 0.0;
+  return curve;
+}
+
+bool isPoint(const ContourElement& e) { return !e.arc && (e.to - e.from).norm() < kPointLike; }
+
+double awayFrom(const ContourElement& e, const Vec2& p) {
+  return isPoint(e) ? (p - e.from).norm() : distanceFrom(e, p);
+}
+
+/// Distance of `b` from the points of the arc `a` in that direction from its centre, both ways.
+double fromArcAlong(const ContourElement& a, const Vec2& direction, const ContourElement& b) {
+  const double length = direction.norm();
+  double least = INFINITY;
+  if (length < kPointLike) return least;
+  for (const double side : {-1.0, 1.0}) {
+    const Vec2 p = a.center + side * (a.from - a.center).norm() / length * direction;
+    if (awayFrom(a, p) < kOnElement) least = std::min(least, awayFrom(b, p));
+  }
+  return least;
+}
+
+/// From the points of `a` that may be nearest to `b`: its ends and where its way is parallel to that of `b`.
+double fromPointsOf(const ContourElement& a, const ContourElement& b) {
+  double least = std::min(awayFrom(b, a.from), awayFrom(b, a.to));
+  if (a.arc) {
+    const Vec2 toward = b.arc ? Vec2(b.center - a.center) : leftOf(b.to - b.from);
+    least = std::min(least, fromArcAlong(a, toward, b));
+  } else if (b.arc) {
+    least = std::min(least, awayFrom(b, nearestOnSegment(b.center, a.from, a.to)));
+  }
+  return least;
+}
+
+bool crosses(const ContourElement& a, const ContourElement& b) {
+  if (isPoint(a) || isPoint(b)) return false;
+  const Meeting common = meet(wholeCurve(a), wholeCurve(b));
+  for (std::size_t k = 0; k < common.count; ++k) {
+    const Vec2& p = common.points[k];
+    if (awayFrom(a, p) < kOnElement && awayFrom(b, p) < kOnElement) return true;
+  }
+  return false;
+}
+
+Box3 boxOf(const ContourElement& e) {
+  Box3 box;
+  const auto add = [&](const Vec2& p) { box.extend(Vec3(p.x(), p.y(), 0.0)); };
+  add(e.from);
+  add(e.to);
+  if (e.arc) {
+    const double radius = (e.from - e.center).norm();
+    add(e.center - Vec2::Constant(radius));
+    add(e.center + Vec2::Constant(radius));
+  }
+  return box;
+}
+
+}  // namespace
+
+double distanceBetween(const ContourElement& a, const ContourElement& b) {
+  return crosses(a, b) ? 0.0 : std::min(fromPointsOf(a, b), fromPointsOf(b, a));
+}
+
+std::optional<NearPass> firstNearPass(const std::vector<ContourElement>& path,
+                                      const std::vector<ContourElement>& contour, double least) {
+  if (contour.empty()) return std::nullopt;
+  std::vector<Box3> boxes;
+  for (const ContourElement& e : contour) boxes.push_back(boxOf(e));
+  const BoxTree tree(boxes);
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    std::optional<NearPass> pass;
+    tree.forEachPlace(boxOf(path[k]).inflated(least), [&](std::uint32_t place) {
+      const std::size_t other = tree.order()[place];
+      const double distance = distanceBetween(path[k], contour[other]);
+      if (distance < least && (!pass || distance < pass->distance)) pass = NearPass{k, other, distance};
+    });
+    if (pass) return pass;
+  }
+  return std::nullopt;
+}
+
+}  // namespace proveout

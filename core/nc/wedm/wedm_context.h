@@ -1,0 +1,89 @@
+// What a run of the wire EDM control is made of. Free functions plan and perform over it.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/nc/block_budget.h"
+#include "core/nc/origin_recorder.h"
+#include "core/nc/wedm/wedm_chain.h"
+#include "core/nc/wedm/wedm_codes.h"
+#include "core/nc/wedm/wedm_parameters.h"
+#include "core/nc/wedm/wedm_program.h"
+#include "core/nc/wedm/wedm_report.h"
+#include "core/nc/wedm/wedm_state.h"
+
+namespace proveout::nc {
+
+/// The variables H, mm.
+class WedmVariables {
+ public:
+  void start(const std::array<double, kWedmOffsets>& values) { values_ = values; }
+  double value(int h) const { return values_[static_cast<std::size_t>(h)]; }
+  bool assigned(int h) const { return assigned_[static_cast<std::size_t>(h)] || value(h) != 0.0; }
+  void assign(int h, double value) {
+    const auto k = static_cast<std::size_t>(h);
+    undo_.push_back({k, values_[k], assigned_[k]});
+    values_[k] = value;
+    assigned_[k] = true;
+  }
+  /// From here on takeBack() restores.
+  void mark() { undo_.clear(); }
+  void takeBack() {
+    for (auto it = undo_.rbegin(); it != undo_.rend(); ++it) {
+      values_[it->h] = it->value;
+      assigned_[it->h] = it->assigned;
+    }
+    undo_.clear();
+  }
+
+ private:
+  struct Old {
+    std::size_t h;
+    double value;
+    bool assigned;
+  };
+  std::array<double, kWedmOffsets> values_{};
+  std::bitset<kWedmOffsets> assigned_;
+  std::vector<Old> undo_;
+};
+
+struct WedmContext {
+  /// What is referred to must outlive the context; `progress` may be null.
+  WedmContext(const ProgramSource& source_in, const ControlSettings& settings_in, MotionSink& sink_in,
+              Progress* progress_in)
+      : source(source_in),
+        settings(settings_in),
+        sink(sink_in),
+        progress(progress_in),
+        recorder(sink_in),
+        report(sink_in, summary, program, levels, recorder),
+        output(sink_in, summary, settings, parameters),
+        chain(output, report, parameters),
+        budget(settings_in.block_limit) {}
+  WedmContext(const WedmContext&) = delete;
+  WedmContext& operator=(const WedmContext&) = delete;
+
+  const ProgramSource& source;
+  const ControlSettings settings;
+  MotionSink& sink;
+  Progress* progress;
+  InterpretSummary summary;
+  WedmParameters parameters;
+  WedmProgram program;
+  std::vector<WedmLevel> levels;
+  WedmState state;
+  WedmVariables variables;
+  WedmReader reader;
+  WedmBlock block;
+  OriginRecorder recorder;
+  WedmReport report;
+  WedmOutput output;
+  WedmChain chain;
+  BlockBudget budget;
+};
+
+}  // namespace proveout::nc

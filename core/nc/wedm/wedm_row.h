@@ -1,0 +1,10 @@
+// The wire EDM control in the list of controls.
+#pragma once
+
+#include "core/nc/control_row.h"
+
+namespace proveout::nc {
+
+const ControlRow& wedmRow();
+
+}  // namespace proveout::nc

@@ -1,0 +1,56 @@
+// Paths of the wire EDM control for tests: run a text, look at the tracks.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/nc/interpreter.h"
+
+namespace proveout::test {
+
+struct WedmPath {
+  Toolpath path;
+  InterpretSummary summary;
+
+  explicit WedmPath(const std::string& text, const ControlSettings& settings = {}) {
+    ToolpathBuilder builder(path);
+    summary = interpret(ControlId::kWedm, MemoryProgramSource("main.nc", text), settings, builder);
+  }
+  const WireSweep& wire(std::size_t k) const {
+    return path.wires.at(static_cast<std::size_t>(path.motions.at(k).wire));
+  }
+  std::size_t count() const { return path.motions.size(); }
+  /// Where the lower, or the upper, track ends.
+  std::vector<Vec2> ends(bool upper = false) const {
+    std::vector<Vec2> points;
+    for (std::size_t k = 0; k < count(); ++k) points.push_back(upper ? wire(k).upper.to : wire(k).lower.to);
+    return points;
+  }
+  /// The first diagnostic of that severity, or an empty one.
+  Diagnostic first(Severity severity) const {
+    for (const Diagnostic& d : path.diagnostics.all()) {
+      if (d.severity == severity) return d;
+    }
+    return {};
+  }
+  std::string error() const { return first(Severity::kError).code; }
+  bool warns(const std::string& code) const {
+    for (const Diagnostic& d : path.diagnostics.all()) {
+      if (d.severity == Severity::kWarning && d.code == code) return true;
+    }
+    return false;
+  }
+};
+
+inline double wireTrackLength(const WireTrack& t) {
+  return t.sweep_rad == 0.0 ? (t.to - t.from).norm() : (t.from - t.center).norm() * std::abs(t.sweep_rad);
+}
+inline Vec2 wireTrackPoint(const WireTrack& t, double f) {
+  if (t.sweep_rad == 0.0) return t.from + f * (t.to - t.from);
+  const Vec2 arm = t.from - t.center;
+  const double c = std::cos(f * t.sweep_rad), s = std::sin(f * t.sweep_rad);
+  return t.center + Vec2(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y());
+}
+
+}  // namespace proveout::test
