@@ -8,6 +8,7 @@ namespace proveout {
 enum class ProcessKind : std::uint8_t {
   kMilling,  ///< the tool turns, the workpiece stands
   kTurning,  ///< the workpiece turns about Z: X of the path is a radius
+  kWire,     ///< a wire goes through the whole height of the workpiece
 };
 
 }  // namespace proveout
