@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/tool/tool_type.h"
 #include "io/job_sections.h"
 
 namespace proveout {
@@ -215,6 +216,11 @@ void readInsert(ConfigTable& table, Tool& tool) {
   readInsertHolder(table, insert);
 }
 
+void readWire(ConfigTable& table, Tool& tool) {
+  needed(table, "diameter", kToolLength, tool.diameter);
+  optional(table, "spark_gap", kToolLengthOrZero, tool.spark_gap);
+}
+
 struct TypeReader {
   const char* name;
   ToolType type;
@@ -235,9 +241,8 @@ constexpr TypeReader kTypes[] = {
     {"thread-mill", ToolType::kThreadMill, readThreadMill, false},
     {"form", ToolType::kForm, readForm, true},
     {"insert", ToolType::kInsert, readInsert, true},
+    {"wire", ToolType::kWire, readWire, true},
 };
-/// Types that job files name and that this version does not simulate.
-const char* const kRefusedTypes[] = {"wire"};
 
 void readShape(ConfigTable& table, const TypeReader& type, Tool& tool) {
   tool.type = type.type;
@@ -270,16 +275,7 @@ void readHolder(ConfigTable& table, Tool& tool) {
 const TypeReader* readType(ConfigTable& table) {
   std::vector<std::string> types;
   for (const TypeReader& type : kTypes) types.emplace_back(type.name);
-  const auto text = table.must("type").text("type");
-  if (!text) return nullptr;
-  for (const char* refused : kRefusedTypes) {
-    if (*text != refused) continue;
-    table.error("type", "job-unsupported",
-                fmt::format("tools of type '{}' cannot be simulated by this version; there are {}", *text,
-                            fmt::join(types, ", ")));
-    return nullptr;
-  }
-  const auto name = table.choice("type", types);
+  const auto name = table.must("type").choice("type", types);
   if (!name) return nullptr;
   const auto at = std::find(types.begin(), types.end(), *name);
   return &kTypes[at - types.begin()];
@@ -293,7 +289,7 @@ void readTool(ConfigTable& table, Job& job) {
   const int errors_before = table.document().diagnostics->errorCount();
   readShape(table, *type, tool);
   if (const auto name = table.text("name")) tool.name = *name;
-  if (tool.type != ToolType::kInsert) {
+  if (rowOf(tool.type).rotates) {
     assign(tool.overall_length, table.number("overall_length", kToolLength));
     assign(tool.shank_diameter, table.number("shank_diameter", kToolLength));
     assign(tool.gauge_length, table.number("gauge_length", {-1e5, 1e5, false}));

@@ -8,6 +8,7 @@
 #include "app/session/contact_findings.h"
 #include "app/session/prediction.h"
 #include "core/tool/tool_solid.h"
+#include "core/tool/tool_type.h"
 #include "removal/turning/turned_stock.h"
 
 namespace proveout {
@@ -21,7 +22,7 @@ constexpr double kWindowCells = 16.0;
 Box3 reachOfTools(const SetupRun& setup) {
   std::map<int, Box3> bounds;
   for (const Tool& tool : setup.job.tools) {
-    if (tool.type != ToolType::kInsert) bounds.try_emplace(tool.number, boundsOf(makeToolSolid(tool)));
+    if (rowOf(tool.type).rotates) bounds.try_emplace(tool.number, boundsOf(makeToolSolid(tool)));
   }
   Box3 reach;
   for (const Motion& motion : setup.interpreted.path.motions) {

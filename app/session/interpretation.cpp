@@ -183,8 +183,10 @@ std::string toolRefusalOf(const Job& job) {
   for (const Tool& tool : job.tools) {
     if (!process.holds(tool))
       return fmt::format("tool {} is {}; control {} {}", tool.number,
-                         tool.type == ToolType::kInsert ? "a lathe insert" : "a rotating tool", job.control,
-                         process.verb);
+                         tool.type == ToolType::kInsert ? "a lathe insert"
+                         : tool.type == ToolType::kWire ? "a wire"
+                                                        : "a rotating tool",
+                         job.control, process.verb);
   }
   return {};
 }

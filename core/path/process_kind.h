@@ -8,7 +8,7 @@ namespace proveout {
 enum class ProcessKind : std::uint8_t {
   kMilling,  ///< the tool turns, the workpiece stands
   kTurning,  ///< the workpiece turns about Z: X of the path is a radius
-  kWireEdm,  ///< a wire cuts through the workpiece: the path is of wire motions
+  kWire,     ///< a wire cuts through the workpiece: the path is of wire motions
 };
 
 }  // namespace proveout

@@ -18,4 +18,5 @@ target_sources(proveout_core PRIVATE
   tool/types/lollipop.cpp
   tool/types/t_slot.cpp
   tool/types/tapers.cpp
-  tool/types/thread_mill.cpp)
+  tool/types/thread_mill.cpp
+  tool/types/wire.cpp)

@@ -25,7 +25,8 @@ enum class ToolType {
   kLollipop,    ///< ball on a neck
   kThreadMill,  ///< rings of thread teeth, without lead
   kForm,        ///< free outline
-  kInsert       ///< lathe insert: no solid of revolution
+  kInsert,      ///< lathe insert: no solid of revolution
+  kWire         ///< of wire erosion: no solid of revolution
 };
 std::string_view toolTypeName(ToolType type);  ///< "flat", "ball", ...: as in job files
 std::optional<ToolType> toolTypeOf(std::string_view name);
@@ -35,7 +36,8 @@ struct Tool {
   int number = 0;
   std::string name;
   ToolType type = ToolType::kFlat;
-  double diameter = 0.0;  ///< > 0, the largest of the cutting part; form: see outlineDiameter()
+  double diameter =
+      0.0;  ///< > 0, the largest of the cutting part; form: see outlineDiameter(); wire: its own
   double corner_radius =
       0.0;  ///< bull nose, dovetail (bottom), T-slot (bottom and top); 0 <= r <= diameter / 2
   double tip_diameter = 0.0;        ///< cone: flat tip, taper ball: the ball; 0 <= tip_diameter < diameter
@@ -51,6 +53,7 @@ struct Tool {
       0.0;  ///< thread mill: between the teeth; 0: where the flanks of teeth a pitch apart meet
   std::vector<OutlinePoint> outline;  ///< form
   std::optional<Insert> insert;       ///< insert; none of the lengths and diameters here has a meaning then
+  double spark_gap = 0.0;             ///< wire: from its surface to what it leaves, >= 0
   double flute_length = 0.0;    ///< from the tip; 0: as long as the tool, or without limit if that is 0 too.
                                 ///< Types with a neck and forms cut over their own height instead.
   double overall_length = 0.0;  ///< tip to gauge line; 0: not given

@@ -9,8 +9,8 @@ namespace proveout {
 namespace {
 
 using namespace tool_types;
-constexpr std::array kToolTypes{&kFlat,     &kBall,  &kBull,     &kCone,       &kDrill, &kTaperBall,
-                                &kDovetail, &kTSlot, &kLollipop, &kThreadMill, &kForm,  &kInsert};
+constexpr std::array kToolTypes{&kFlat,  &kBall,     &kBull,       &kCone, &kDrill,  &kTaperBall, &kDovetail,
+                                &kTSlot, &kLollipop, &kThreadMill, &kForm, &kInsert, &kWire};
 
 }  // namespace
 

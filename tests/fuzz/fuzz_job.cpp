@@ -46,6 +46,10 @@ void checkTool(const Tool& tool) {
     holderPieces(*tool.insert);
     return;
   }
+  if (tool.type == ToolType::kWire) {
+    require(tool.diameter > 0.0 && tool.spark_gap >= 0.0, "a wire cuts");
+    return;
+  }
   const ToolSolid solid = makeToolSolid(tool);
   require(!solid.cutter.empty(), "a tool cuts");
   for (const auto* parts : {&solid.cutter, &solid.shank, &solid.holder}) {

@@ -4,6 +4,7 @@
 #include "app/session/process/process.h"
 #include "app/session/run_result.h"
 #include "app/session/turning_work.h"
+#include "core/tool/tool_type.h"
 #include "removal/process/milled_piece.h"
 
 namespace proveout {
@@ -11,7 +12,7 @@ namespace {
 
 Status check(const Job& /*job*/, std::size_t /*setup*/, const Blank& /*blank*/) { return Done{}; }
 
-bool holds(const Tool& tool) { return tool.type != ToolType::kInsert; }
+bool holds(const Tool& tool) { return rowOf(tool.type).rotates; }
 
 std::unique_ptr<PieceProbe> probe(const Job& setup, const ProbedStock& stock, const Toolpath& path,
                                   Progress& progress) {

@@ -50,7 +50,7 @@ Vec3 start(const Box3& blank) {
   return {blank.max.x() + kTurningClearanceMm, 0.0, blank.max.z() + kTurningClearanceMm};
 }
 
-bool holds(const Tool& /*tool*/) { return true; }
+bool holds(const Tool& tool) { return tool.type != ToolType::kWire; }
 
 /// Measuring moves against the part as it has been turned so far.
 class TurningProbe final : public PieceProbe {

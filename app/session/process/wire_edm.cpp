@@ -41,7 +41,7 @@ Result<std::unique_ptr<Fixtures>> fixtures(const SetupRun& /*setup*/, double /*r
 }  // namespace
 
 const Process kWireEdmProcess{
-    .kind = ProcessKind::kWireEdm,
+    .kind = ProcessKind::kWire,
     .verb = "cuts with a wire",
     .part_turns = false,
     .on_grid = false,

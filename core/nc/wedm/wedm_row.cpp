@@ -19,7 +19,7 @@ const ControlRow& wedmRow() {
       .id = ControlId::kWedm,
       .name = "wedm",
       .summary = "wire EDM",
-      .process = ProcessKind::kWireEdm,
+      .process = ProcessKind::kWire,
       .manual = {"wedm", specification_text::kWedm},
       .run = runWedm,
       .coverage = wedmCoverage,

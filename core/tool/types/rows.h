@@ -14,5 +14,6 @@ extern const ToolTypeRow kLollipop;
 extern const ToolTypeRow kThreadMill;
 extern const ToolTypeRow kForm;
 extern const ToolTypeRow kInsert;
+extern const ToolTypeRow kWire;
 
 }  // namespace proveout::tool_types

@@ -21,12 +21,13 @@ using Graph = std::map<std::string, std::set<std::string>>;
 
 const std::vector<std::string> kFolders = {"core", "removal", "io", "render", "app"};
 /// From the lowest. The run as a library knows neither pictures nor the program around it.
-const std::vector<std::string> kFloors = {
-    "core/base",   "core/geometry",   "core/mesh",       "core/path",
-    "core/tool",   "core/nc",         "removal/grid",    "removal/sweep",
-    "removal/cut", "removal/surface", "removal/contact", "removal/turning",
-    "removal/vdb", "removal/compare", "removal/exact",   "removal/process",
-    "io",          "app/session",     "render",          "app"};
+const std::vector<std::string> kFloors = {"core/base",       "core/geometry",   "core/mesh",
+                                          "core/path",       "core/tool",       "core/nc",
+                                          "removal/grid",    "removal/sweep",   "removal/cut",
+                                          "removal/surface", "removal/contact", "removal/turning",
+                                          "removal/wire",    "removal/vdb",     "removal/compare",
+                                          "removal/exact",   "removal/process", "io",
+                                          "app/session",     "render",          "app"};
 /// Rooms of the largest knot: that around removal/compare/compare.
 constexpr std::size_t kLargestKnot = 9;
 

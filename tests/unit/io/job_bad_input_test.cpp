@@ -255,11 +255,9 @@ TEST(BadJob, Inserts) {
               HasSubstr("error[job-tool]: tool 2: insert_angle must be above 0 and below 85 degrees"));
 }
 
-TEST(BadJob, WhatThisVersionCannotSimulate) {
-  // Keys of such tools are not called unknown: the type is what is wrong.
-  const std::string text = refusedTool("type = 'wire'\nnose_radius = 0.4");
-  EXPECT_THAT(text, HasSubstr("tools of type 'wire' cannot be simulated by this version"));
-  EXPECT_THAT(text, Not(HasSubstr("unknown-key")));
+TEST(BadJob, ToolTypes) {
+  EXPECT_THAT(refusedTool("type = 'wire'\ndiameter = 0.25\nnose_radius = 0.4"), HasSubstr("unknown-key"));
+  EXPECT_THAT(refusedTool("type = 'wire'\ndiameter = 0.25\nspark_gap = -0.01"), HasSubstr("spark_gap"));
   EXPECT_THAT(refusedTool("type = 'bal'\ndiameter = 3"),
               HasSubstr("type 'bal' is not known, did you mean 'ball'?"));
 }

@@ -1,0 +1,25 @@
+// What the wire covers on stretches that follow each other, as one polygon. Only for the .cpp files of
+// sections: pulls in Clipper.
+#pragma once
+
+#include <polyclipping/clipper.hpp>
+#include <span>
+
+#include "removal/wire/wire_stretch.h"
+
+namespace proveout::wire_detail {
+
+inline constexpr double kUnit = 1e-6;         ///< mm: a nanometre, the unit of integer points
+inline constexpr double kKerfChordMm = 1e-4;  ///< chords leave arcs by no more
+
+ClipperLib::IntPoint toUnits(const Vec2& p);
+Vec2 toMm(const ClipperLib::IntPoint& p);
+
+/// Whether `next` goes on where `before` ends, with the same kerf.
+bool follows(const WireStretch& before, const WireStretch& next);
+
+/// A closed polygon whose points with a winding above 0 are the kerf; none winds below 0. `run`: stretches
+/// that follow each other, one or more.
+ClipperLib::Path kerfOutline(std::span<const WireStretch> run);
+
+}  // namespace proveout::wire_detail

@@ -1,0 +1,51 @@
+// What one motion of an upright wire covers of a level plane, by its middle line: straight lines and arcs of
+// circles.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/geometry/types.h"
+#include "core/path/toolpath.h"
+
+namespace proveout {
+
+/// The middle of the wire on its way, or on a part of it; mm, workpiece frame.
+struct WireStretch {
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+  Vec2 center = Vec2::Zero();  ///< of arcs
+  double sweep_rad = 0.0;      ///< signed, counter-clockwise seen from +z; 0: a straight line
+  double kerf_mm = 0.0;        ///< what is nearer to it is taken: radius of the wire and spark gap, > 0
+  MotionId motion = kNoMotion;
+
+  bool isArc() const { return sweep_rad != 0.0; }
+  double radius() const { return (from - center).norm(); }  ///< of arcs
+  /// Unit vector of travel; of a standstill +x.
+  Vec2 directionAtStart() const;
+  Vec2 directionAtEnd() const;
+  Vec2 at(double t) const;  ///< 0..1
+  double length() const;    ///< mm
+};
+
+/// What of a stretch is nearest to a point.
+enum class StretchPart : std::uint8_t { kFrom, kMiddle, kTo };
+struct StretchDistance {
+  double mm = 0.0;
+  StretchPart part = StretchPart::kMiddle;
+};
+StretchDistance distanceTo(const WireStretch& stretch, const Vec2& p);
+
+/// Bounds of the middle line at z = 0, exact for arcs.
+Box3 boundsOf(const WireStretch& stretch);
+
+/// Tracks of a wire that stands upright differ by no more, mm.
+inline constexpr double kUprightMm = 1e-6;
+/// Whether the wire stands upright all along the motion.
+bool isUpright(const WireSweep& wire);
+
+/// Adds the stretches of an upright motion. Arcs whose radius changes become arcs of circles that leave it by
+/// no more than 0.00001 mm.
+void addStretches(const WireTrack& track, double kerf_mm, MotionId motion, std::vector<WireStretch>& out);
+
+}  // namespace proveout

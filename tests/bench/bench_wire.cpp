@@ -1,0 +1,61 @@
+// Time of a wire's section alone: closed contours of 20,000 short motions, and the mesh of what is left.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "removal/wire/kerf_section.h"
+#include "removal/wire/prism_mesh.h"
+
+namespace proveout {
+namespace {
+
+constexpr int kMotions = 20000;
+constexpr double kKerf = 0.15;
+
+/// A wavy circle; `rounded`: to micrometres, as in programs.
+std::vector<WireStretch> contour(double radius, int waves, bool rounded) {
+  std::vector<Vec2> corners;
+  for (int i = 0; i < kMotions; ++i) {
+    const double angle = 2 * kPi * i / kMotions, r = radius * (1 + 0.05 * std::sin(waves * angle));
+    Vec2 p(r * std::cos(angle), r * std::sin(angle));
+    if (rounded) p = Vec2(std::round(1e3 * p.x()) / 1e3, std::round(1e3 * p.y()) / 1e3);
+    if (corners.empty() || p != corners.back()) corners.push_back(p);
+  }
+  std::vector<WireStretch> way(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    way[i].from = corners[i];
+    way[i].to = corners[(i + 1) % corners.size()];
+    way[i].kerf_mm = kKerf;
+    way[i].motion = static_cast<MotionId>(i);
+  }
+  return way;
+}
+
+std::vector<PlaneLoop> plate() { return {rectangleLoop({-60, -60}, {60, 60})}; }
+
+void section(benchmark::State& state, double radius, int waves, bool rounded) {
+  const std::vector<WireStretch> way = contour(radius, waves, rounded);
+  for (auto _ : state) benchmark::DoNotOptimize(cutSection(plate(), way));
+  state.counters["motions"] = static_cast<double>(way.size());
+}
+
+void mesh(benchmark::State& state) {
+  const std::vector<PlaneBody> bodies = cutSection(plate(), contour(50, 200, false));
+  std::size_t triangles = 0;
+  for (auto _ : state) triangles = prismMesh(bodies, 0.0, 20.0, 1e-3).triangles.size();
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+
+BENCHMARK_CAPTURE(section, steps_of_15_micrometres, 50, 12, false)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(section, narrow_waves, 50, 200, false)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(section, rough_steps_of_5_micrometres, 16, 12, true)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(mesh)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace proveout
+
+BENCHMARK_MAIN();
