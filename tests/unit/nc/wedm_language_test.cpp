@@ -2,6 +2,7 @@
 // that it proves.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -149,6 +150,15 @@ TEST(WedmLanguage, LoopsOfEmptySubprogramsEnd) {
   EXPECT_EQ(run.error(), "wedm-block-limit");
 }
 
+TEST(WedmLanguage, LoopsOfBlocksThatDoNothingEnd) {
+  ControlSettings settings;
+  settings.block_limit = 10'000;
+  std::string blanks;
+  for (int k = 0; k < 1000; ++k) blanks += ";";
+  const WedmPath run(kBefore + std::string("M98 P1 L999; M02; N1;") + blanks + "M99;", settings);
+  EXPECT_EQ(run.error(), "wedm-block-limit");
+}
+
 // Rows: wedm-9-C wedm-5-G04 wedm-5.5.4-G34 wedm-5.5.4-G35 wedm-5.5.5-G37T wedm-5.2-G01
 TEST(WedmLanguage, Times) {
   ControlSettings settings;
@@ -224,6 +234,37 @@ TEST(WedmLanguage, LeanAndTravelAreLimited) {
   EXPECT_EQ(told(far), "X");
   settings.parameters["MAX_TILT"] = 0;
   EXPECT_EQ(told(WedmPath(head + "G00U-11.;M02;", settings)), "U");
+}
+
+TEST(WedmLanguage, TheMainPlaneMayBeTheUpperOne) {
+  ControlSettings settings;
+  settings.parameters = {{"T", 20}, {"ZM", 20}, {"ZS", 0}};
+  const std::string head = "T84T86;C001;G92X-5.Y0;";
+  const WedmPath cone(head + "G52A2.5G01X0;X10.;G03X14.Y4.J4.;G01Y9.;G50X20.;M02;", settings);
+  ASSERT_EQ(cone.error(), "") << cone.first(Severity::kError).message;
+  const WireSweep& arc = cone.wire(2);
+  EXPECT_NEAR((arc.upper.from - arc.upper.center).norm(), 4.0, 1e-9);
+  EXPECT_NEAR((arc.lower.from - arc.lower.center).norm(), 4.0 - 20 * std::tan(degToRad(2.5)), 1e-9)
+      << "leans to the right going up, outward";
+  const WedmPath shapes(head + "G01X0;G61;X5.:X7.;G60;M02;", settings);
+  EXPECT_EQ(shapes.ends()[1], Vec2(5, 0));
+  EXPECT_EQ(shapes.ends(true)[1], Vec2(7, 0));
+  EXPECT_TRUE(shapes.warns("wedm-5.9-G60"));
+}
+
+TEST(WedmLanguage, TheJobChoosesWhatTheManualLeavesOpen) {
+  ControlSettings settings;
+  settings.parameters = {{"G29_TANGENT", 1}, {"TAPER_ARC", 1}, {"H.1", 1}, {"T", 20}};
+  const std::string head = "T84T86;C001;G92X0Y-5.;";
+  const WedmPath corner(head + "G29G42H001G01Y0;X10.;Y9.;G40X20.;M02;", settings);
+  ASSERT_EQ(corner.error(), "");
+  const double e = std::tan(kPi / 8);
+  EXPECT_LT((corner.ends()[2] - Vec2(10 + e, -1)).norm(), 1e-9);
+  EXPECT_LT((corner.ends()[3] - Vec2(11, -e)).norm(), 1e-9);
+  const WedmPath taper(head + "G52A3.G01Y0;X10.;Y9.;G50X20.;M02;", settings);
+  ASSERT_EQ(taper.error(), "");
+  EXPECT_NEAR(taper.wire(2).upper.sweep_rad, kPi / 2, 1e-9);
+  EXPECT_EQ(taper.wire(2).lower.from, taper.wire(2).lower.to);
 }
 
 TEST(WedmLanguage, BadSettingsAreErrors) {
