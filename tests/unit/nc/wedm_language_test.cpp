@@ -78,7 +78,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadBlock{"M98 P0009;", "wedm-10-P"}, BadBlock{"M98 P0009 X1.;", "wedm-8.3-M98"},
         BadBlock{"P0001;", "wedm-10-P"}, BadBlock{"M99;", "wedm-8.4-M99"},
         BadBlock{"M98 P1 L1000;", "wedm-syntax"}, BadBlock{"M50; G01 X1.;", "wedm-8.5-M50"},
-        BadBlock{"R1.;", "wedm-14-R"}, BadBlock{"G51 A1.; G92 X0;", "wedm-5.11-taper"}));
+        BadBlock{"R1.;", "wedm-14-R"}, BadBlock{"G41 H000 G01 X5. R9.; Y1.;", "wedm-14-R"},
+        BadBlock{"G51 A0 G01 X5.; G51 A3. G03 X10. Y5. J5.; G50 G01 X20.;", "wedm-7.5-error"},
+        BadBlock{"H001=1.2; G41 H001 G01 X5.; G03 X5. J1.; G40 G01 X9.;", "wedm-5.6.7-overcut"},
+        BadBlock{"G52 A3. G01 X5.; X10.; X0 Y.5; G50 X-9.;", "wedm-7.3-joins"},
+        BadBlock{"G51 A1.; G92 X0;", "wedm-5.11-taper"}));
 
 // Row: wedm-2.1-block
 TEST(WedmLanguage, ABadBlockChangesNothing) {
