@@ -2,6 +2,7 @@
 // that it proves.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -77,7 +78,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadBlock{"M98 P0009;", "wedm-10-P"}, BadBlock{"M98 P0009 X1.;", "wedm-8.3-M98"},
         BadBlock{"P0001;", "wedm-10-P"}, BadBlock{"M99;", "wedm-8.4-M99"},
         BadBlock{"M98 P1 L1000;", "wedm-syntax"}, BadBlock{"M50; G01 X1.;", "wedm-8.5-M50"},
-        BadBlock{"R1.;", "wedm-14-R"}, BadBlock{"G51 A1.; G92 X0;", "wedm-5.11-taper"}));
+        BadBlock{"R1.;", "wedm-14-R"}, BadBlock{"G41 H000 G01 X5. R9.; Y1.;", "wedm-14-R"},
+        BadBlock{"G51 A0 G01 X5.; G51 A3. G03 X10. Y5. J5.; G50 G01 X20.;", "wedm-7.5-error"},
+        BadBlock{"H001=1.2; G41 H001 G01 X5.; G03 X5. J1.; G40 G01 X9.;", "wedm-5.6.7-overcut"},
+        BadBlock{"G52 A3. G01 X5.; X10.; X0 Y.5; G50 X-9.;", "wedm-7.3-joins"},
+        BadBlock{"G51 A1.; G92 X0;", "wedm-5.11-taper"}));
 
 // Row: wedm-2.1-block
 TEST(WedmLanguage, ABadBlockChangesNothing) {
@@ -146,6 +151,15 @@ TEST(WedmLanguage, LoopsOfEmptySubprogramsEnd) {
     subs += "N" + std::to_string(k) + ";M98 P" + std::to_string(k + 1) + " L999;M99;";
   const WedmPath run(kBefore + std::string("M98 P1 L999; M02;") + subs + "N9;M99;", settings);
   EXPECT_EQ(run.summary.end, ProgramEnd::kBlockLimit);
+  EXPECT_EQ(run.error(), "wedm-block-limit");
+}
+
+TEST(WedmLanguage, LoopsOfBlocksThatDoNothingEnd) {
+  ControlSettings settings;
+  settings.block_limit = 10'000;
+  std::string blanks;
+  for (int k = 0; k < 1000; ++k) blanks += ";";
+  const WedmPath run(kBefore + std::string("M98 P1 L999; M02; N1;") + blanks + "M99;", settings);
   EXPECT_EQ(run.error(), "wedm-block-limit");
 }
 
@@ -224,6 +238,37 @@ TEST(WedmLanguage, LeanAndTravelAreLimited) {
   EXPECT_EQ(told(far), "X");
   settings.parameters["MAX_TILT"] = 0;
   EXPECT_EQ(told(WedmPath(head + "G00U-11.;M02;", settings)), "U");
+}
+
+TEST(WedmLanguage, TheMainPlaneMayBeTheUpperOne) {
+  ControlSettings settings;
+  settings.parameters = {{"T", 20}, {"ZM", 20}, {"ZS", 0}};
+  const std::string head = "T84T86;C001;G92X-5.Y0;";
+  const WedmPath cone(head + "G52A2.5G01X0;X10.;G03X14.Y4.J4.;G01Y9.;G50X20.;M02;", settings);
+  ASSERT_EQ(cone.error(), "") << cone.first(Severity::kError).message;
+  const WireSweep& arc = cone.wire(2);
+  EXPECT_NEAR((arc.upper.from - arc.upper.center).norm(), 4.0, 1e-9);
+  EXPECT_NEAR((arc.lower.from - arc.lower.center).norm(), 4.0 - 20 * std::tan(degToRad(2.5)), 1e-9)
+      << "leans to the right going up, outward";
+  const WedmPath shapes(head + "G01X0;G61;X5.:X7.;G60;M02;", settings);
+  EXPECT_EQ(shapes.ends()[1], Vec2(5, 0));
+  EXPECT_EQ(shapes.ends(true)[1], Vec2(7, 0));
+  EXPECT_TRUE(shapes.warns("wedm-5.9-G60"));
+}
+
+TEST(WedmLanguage, TheJobChoosesWhatTheManualLeavesOpen) {
+  ControlSettings settings;
+  settings.parameters = {{"G29_TANGENT", 1}, {"TAPER_ARC", 1}, {"H.1", 1}, {"T", 20}};
+  const std::string head = "T84T86;C001;G92X0Y-5.;";
+  const WedmPath corner(head + "G29G42H001G01Y0;X10.;Y9.;G40X20.;M02;", settings);
+  ASSERT_EQ(corner.error(), "");
+  const double e = std::tan(kPi / 8);
+  EXPECT_LT((corner.ends()[2] - Vec2(10 + e, -1)).norm(), 1e-9);
+  EXPECT_LT((corner.ends()[3] - Vec2(11, -e)).norm(), 1e-9);
+  const WedmPath taper(head + "G52A3.G01Y0;X10.;Y9.;G50X20.;M02;", settings);
+  ASSERT_EQ(taper.error(), "");
+  EXPECT_NEAR(taper.wire(2).upper.sweep_rad, kPi / 2, 1e-9);
+  EXPECT_EQ(taper.wire(2).lower.from, taper.wire(2).lower.to);
 }
 
 TEST(WedmLanguage, BadSettingsAreErrors) {

@@ -71,6 +71,8 @@ TEST(WedmMutations, PathsOfDamagedProgramsAreSound) {
     const std::string text = damaged(random);
     ControlSettings settings;
     settings.block_limit = 2000;
+    if (trial % 5 == 0)
+      settings.parameters = {{"ZM", 20}, {"ZS", 0}, {"UV_UPPER", 1}, {"TAPER_ARC", 1}, {"H.1", 0.3}};
     settings.max_errors = 1 + trial % 3;
     const test::WedmPath run(text, settings);
     errors += run.summary.errors > 0;
