@@ -41,6 +41,10 @@ class GuardedBuilder : public ToolpathBuilder {
     add(2 * (sizeof(Motion) + (arc ? sizeof(ArcGeometry) : 0) + (axis ? sizeof(AxisSweep) : 0)),
         motion.source);
   }
+  void wireMotion(const Motion& motion, const WireSweep& wire) override {
+    ToolpathBuilder::wireMotion(motion, wire);
+    add(2 * (sizeof(Motion) + sizeof(WireSweep)), motion.source);
+  }
   void event(const PathEvent& event) override {
     ToolpathBuilder::event(event);
     add(kEventBytes, event.source);

@@ -27,6 +27,7 @@ const ControlRow& wedmRow() {
       .id = ControlId::kWedm,
       .name = "wedm",
       .summary = "wire EDM",
+      .process = ProcessKind::kWire,
       .manual = {"wedm", specification_text::kWedm},
   };
   return kRow;
