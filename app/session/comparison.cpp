@@ -75,6 +75,8 @@ void addFindings(const RunSources& sources, const ExactPart* part, RunResult& ru
 
 Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const RunResult& run) {
   if (run.setups.back().turned) return makeTurnedPart(turnedPart(run.setups.back()));
+  if (run.setups.back().facet_error_mm > 0.0)
+    return std::unique_ptr<ExactPart>();  // the mesh is nearly exact
   // Frames of clampings that turned the part hold what they left: it is the blank of those behind them.
   static const Toolpath kNothing;
   StockShape start = blank;

@@ -62,7 +62,7 @@ void lookAt(const SetupRun& setup, std::size_t told_bodies, const RecordingSourc
     addToolOffsets(setup, least_mm, source, findings);
     addImplausible(setup, source, findings);
     addPartedBodies(setup, source, findings);
-    if (!processOf(setup.job.control).part_turns)
+    if (processOf(setup.job.control).tool_turns)
       addSpindleDirection(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source,
                           findings);
     addVolumeError(setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_error_mm3,
@@ -88,7 +88,7 @@ PieceOptions pieceOptions(const Job& job, const PreparedRun& prepared, std::size
   options.surface = surfaceOptions(setup.job, prepared.run.resolution_mm);
   options.facet_mm = facetTolerance(setup.job);
   options.keeps_grid = k + 1 == setupCount(job) && savesStock(job);
-  if (prepared.nominal && processOf(job, k).part_turns)
+  if (prepared.nominal && !processOf(job, k).on_grid)
     options.part = nominalIn(job, prepared.nominal->mesh, k);
   options.grid_fits = [&job, &prepared] {
     return checkMemory(job, turnedGridWork(prepared.blank), prepared.run.resolution_mm);

@@ -116,7 +116,9 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
   RunResult& run = prepared.run;
   Result<Blank> blank = openBlank(job, progress);
   if (!blank) return blank.error();
-  if (const Status start = checkStart(jobOfSetup(job, 0), *blank); !start) return start.error();
+  const Status start =
+      processOf(job, 0).starts_outside ? checkStart(jobOfSetup(job, 0), *blank) : Status(Done{});
+  if (!start) return start.error();
   if (const Status place = checkToolChange(jobOfSetup(job, 0), *blank); !place) return place.error();
   if (const Status possible = checkProcesses(job, *blank); !possible) return possible.error();
   prepared.blank = std::move(*blank);

@@ -72,7 +72,9 @@ Chords chordsOf(const RunResult& run, std::size_t setup) {
     chords.once = turnedUncertainty(made, run.resolution_mm, gridded);
     if (!gridded) return chords;
   } else {
-    chords.once = surfaceUncertainty(made.interpreted.path, made.job.tools, run.resolution_mm);
+    chords.once = made.facet_error_mm > 0.0
+                      ? made.facet_error_mm
+                      : surfaceUncertainty(made.interpreted.path, made.job.tools, run.resolution_mm);
   }
   for (std::size_t k = setup + 1; k < run.setups.size(); ++k) {
     if (!run.setups[k - 1].turned && !movesExactly(run.setups[k].from_previous))

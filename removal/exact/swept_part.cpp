@@ -8,6 +8,7 @@
 #include "core/geometry/box_tree.h"
 #include "core/mesh/signed_distance.h"
 #include "core/tool/tool_solid.h"
+#include "core/tool/tool_type.h"
 #include "removal/grid/placed_field.h"
 #include "removal/sweep/sweep.h"
 #include "removal/turning/section.h"
@@ -44,7 +45,7 @@ class CutBodies {
  public:
   explicit CutBodies(const ClampedCut& cut) : path_(*cut.path), from_last_(cut.from_last) {
     for (const Tool& tool : *cut.tools) {
-      if (tool.type != ToolType::kInsert) solids_.try_emplace(tool.number, makeToolSolid(tool));
+      if (rowOf(tool.type).rotates) solids_.try_emplace(tool.number, makeToolSolid(tool));
     }
     for (MotionId id = 0; id < path_.motions.size(); ++id) add(id);
     tree_ = BoxTree(boxes_);

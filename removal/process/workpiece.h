@@ -42,7 +42,7 @@ struct Machined {
   std::optional<std::vector<StockBody>> bodies;
   std::vector<StockBody> apart;
   std::shared_ptr<const TurnedShape> turned;  ///< of a part that only turned: its bodies, the part first
-  /// Of a turned part's mesh: how far it may leave the section and its threads, mm; 0: it comes from a grid.
+  /// Of a mesh from a section: how far it may leave that and its threads, mm; 0: it comes from a grid.
   double facet_error_mm = 0.0;
   /// What the grid holds of what was clamped, mm3, and what that has by itself; none where they are the same.
   struct Holding {

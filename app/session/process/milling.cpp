@@ -67,6 +67,8 @@ const Process kMillingProcess{
     .part_turns = false,
     .on_grid = true,
     .always_changes_tool = true,
+    .tool_turns = true,
+    .starts_outside = true,
     .check = check,
     .start = defaultStart,
     .holds = holds,

@@ -10,7 +10,7 @@
 namespace proveout {
 namespace {
 
-constexpr std::array kProcesses = {&kMillingProcess, &kTurningProcess, &kWireEdmProcess};
+constexpr std::array kProcesses = {&kMillingProcess, &kTurningProcess, &kWireProcess};
 
 /// What a workpiece may become, see Workpiece::become.
 bool mayFollow(const Process& before, const Process& next) {
@@ -38,9 +38,11 @@ Status checkProcesses(const Job& job, const Blank& blank) {
     const Process& process = processOf(job, k);
     if (k > 0 && !mayFollow(processOf(job, k - 1), process))
       return inputError(fmt::format(
-          "setup '{}': control {} {}, and what was clamped before cannot go on so: only bars, tubes and what "
-          "was turned can be turned; give the turned clampings first",
-          job.setups[k].name, jobOfSetup(job, k).control, process.verb));
+          "setup '{}': control {} {}, and what was clamped before cannot go on so: {}", job.setups[k].name,
+          jobOfSetup(job, k).control, process.verb,
+          process.part_turns
+              ? "only bars, tubes and what was turned can be turned; give the turned clampings first"
+              : "only turned parts go over to another process, and only to milling"));
     if (Status possible = process.check(job, k, blank); !possible) return possible;
   }
   return Done{};

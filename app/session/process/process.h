@@ -32,6 +32,8 @@ struct Process {
   bool part_turns;           ///< the path lies in the plane of the spindle axis, its X is a radius
   bool on_grid;              ///< the workpiece is a grid
   bool always_changes_tool;  ///< at a place that clears the blank, even where tools have no length
+  bool tool_turns;           ///< the spindle has to turn by the hand of the tool
+  bool starts_outside;       ///< of the blank; else the tool may stand in a start hole
 
   /// Refuses what the process cannot start from or hold: blank, fixtures, start, place of the tool change of
   /// clamping `setup`, which is the first of the job or follows one of the same process.
@@ -66,6 +68,6 @@ bool needsGrid(const Job& job);
 // The rows.
 extern const Process kMillingProcess;
 extern const Process kTurningProcess;
-extern const Process kWireEdmProcess;
+extern const Process kWireProcess;
 
 }  // namespace proveout

@@ -152,6 +152,8 @@ const Process kTurningProcess{
     .part_turns = true,
     .on_grid = false,
     .always_changes_tool = false,
+    .tool_turns = false,
+    .starts_outside = true,
     .check = check,
     .start = start,
     .holds = holds,

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/job_setup.h"
@@ -10,6 +11,7 @@
 #include "app/session/session.h"
 #include "app/session/uncertainty.h"
 #include "io/mesh_io.h"
+#include "removal/wire/prism_mesh.h"
 #include "tests/support/temporary_folder.h"
 
 namespace proveout {
@@ -106,6 +108,116 @@ TEST(Processes, AreThoseOfTheControls) {
   EXPECT_EQ(processOf("nct").kind, ProcessKind::kMilling);
   EXPECT_EQ(processOf("wl4-mill").kind, ProcessKind::kMilling);
   EXPECT_EQ(processOf("wl4-lathe").kind, ProcessKind::kTurning);
+  EXPECT_EQ(processOf("wedm").kind, ProcessKind::kWire);
+}
+
+/// A plate of 40 x 40 x 20 from which a wire cuts a square of 10; the path is made here.
+struct WireJob {
+  Job job;
+  test::TemporaryFolder folder;
+  PreparedRun prepared;
+
+  WireJob() {
+    job.control = "wedm";
+    job.program = folder.write("wire.nc", "G01 X0 Y0\n");
+    job.stock = BoxShape{{-20, -20, 0}, {20, 20, 20}};
+    Tool wire;
+    wire.number = 1;
+    wire.type = ToolType::kWire;
+    wire.diameter = 0.2;
+    job.tools.push_back(wire);
+    SetupRun setup;
+    setup.job = job;
+    ToolpathBuilder builder(setup.interpreted.path);
+    builder.file(0, "wire.nc");
+    Vec2 at(-6, 0);
+    for (const Vec2& to : {Vec2(-5, 0), Vec2(-5, -5), Vec2(5, -5), Vec2(5, 5), Vec2(-5, 5), Vec2(-5, 0)})
+      add(builder, at, to, MotionKind::kFeed);
+    add(builder, at, {-5, 15}, MotionKind::kRapid);
+    prepared.run.setups.push_back(std::move(setup));
+    prepared.run.resolution_mm = 0.2;
+    prepared.blank = {
+        BoxShape{{-20, -20, 0}, {20, 20, 20}}, {{-20, -20, 0}, {20, 20, 20}}, 0.2, std::nullopt};
+  }
+  static void add(ToolpathBuilder& builder, Vec2& at, const Vec2& to, MotionKind kind) {
+    Motion motion;
+    motion.kind = kind;
+    motion.source.line = 1;
+    motion.from = Vec3(at.x(), at.y(), 0);
+    motion.to = Vec3(to.x(), to.y(), 0);
+    WireSweep sweep;
+    sweep.z_high = 20;
+    sweep.lower.from = at;
+    sweep.lower.to = to;
+    sweep.upper = sweep.lower;
+    builder.wireMotion(motion, sweep);
+    at = to;
+  }
+  /// Of the square that is left.
+  PreparedMesh punch(double side) const {
+    const Vec2 half(side / 2, side / 2);
+    PlaneBody body;
+    body.loops.push_back(rectangleLoop(-half, half));
+    PreparedMesh nominal;
+    nominal.mesh = prismMesh({body}, 0, 20, 1e-3);
+    return nominal;
+  }
+  Result<RunResult> run() {
+    const JobSources sources(job);
+    Progress progress;
+    return finishRun(job, sources.all(), std::move(prepared), progress);
+  }
+};
+
+std::size_t countOf(const RunResult& run, FindingKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(run.findings.begin(), run.findings.end(),
+                    [&](const Finding& finding) { return finding.kind == kind; }));
+}
+
+TEST(Processes, AWireCutsAPunchAndItsDie) {
+  WireJob wire;
+  const Result<RunResult> run = wire.run();
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  const SetupRun& setup = run->setups.front();
+  ASSERT_EQ(setup.bodies.size(), 2u);
+  EXPECT_EQ(setup.bodies[0].role, "part");
+  EXPECT_EQ(setup.bodies[1].role, "slug");
+  EXPECT_NEAR(setup.bodies[1].volume_mm3, 20 * 9.8 * 9.8, 1e-4);
+  EXPECT_TRUE(run->topology().closedManifold());
+  EXPECT_EQ(run->topology().components, 2u);
+  EXPECT_EQ(countOf(*run, FindingKind::kRapidContact), 1u);
+  EXPECT_EQ(countOf(*run, FindingKind::kSpindleOff), 0u);
+}
+
+TEST(Processes, APunchIsComparedWithItsNominal) {
+  for (const double side : {9.8, 9.9}) {
+    WireJob wire;
+    wire.job.nominal = NominalSpec{};
+    wire.job.nominal->gouge_mm = wire.job.nominal->excess_mm = 0.02;
+    wire.prepared.run.setups.front().job.nominal = wire.job.nominal;
+    wire.prepared.nominal = wire.punch(side);
+    const Result<RunResult> run = wire.run();
+    ASSERT_TRUE(run.ok()) << run.error().message;
+    EXPECT_NEAR(run->setups.front().bodies[0].volume_mm3, 20 * 9.8 * 9.8, 1e-4);
+    ASSERT_TRUE(run->comparison.has_value());
+    EXPECT_EQ(run->comparison->patches.empty(), side == 9.8);
+  }
+}
+
+TEST(Processes, WiresRefuseOtherBlanksAndTools) {
+  const Job job = WireJob().job;
+  const Process& wire = processOf(job, 0);
+  const Blank lying{CylinderShape{0, Vec3::Zero(), 5, 0, 10}, {{0, -5, -5}, {10, 5, 5}}, 0.2, std::nullopt};
+  EXPECT_FALSE(wire.check(job, 0, lying).ok());
+  EXPECT_TRUE(wire.holds(job.tools.front()));
+  EXPECT_FALSE(processOf("nct").holds(job.tools.front()));
+  EXPECT_FALSE(processOf("wl4-lathe").holds(job.tools.front()));
+  Job fixed = job;
+  fixed.fixtures.emplace_back();
+  const Blank plate{BoxShape{Vec3::Zero(), Vec3::Ones()}, {Vec3::Zero(), Vec3::Ones()}, 0.2, std::nullopt};
+  EXPECT_TRUE(wire.check(job, 0, plate).ok());
+  EXPECT_FALSE(wire.check(fixed, 0, plate).ok());
 }
 
 TEST(Processes, ATurnedShaftIsMilled) {

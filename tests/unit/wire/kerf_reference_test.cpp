@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "core/base/thread_limit.h"
 #include "removal/wire/prism_mesh.h"
 #include "tests/unit/wire/wire_fixture.h"
 
@@ -89,6 +90,17 @@ TEST_P(KerfReference, PointsAndMesh) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, KerfReference, testing::Range(1u, 41u));
+
+TEST(KerfReferenceThreads, SameForOneAndMany) {
+  std::mt19937 random(7);
+  const std::vector<WireStretch> way = randomWay(random);
+  const TriMesh many = prismMesh(cutSection(kPlate, way), 0.0, 10.0, 1e-3);
+  const ThreadLimit alone(1);
+  const TriMesh one = prismMesh(cutSection(kPlate, way), 0.0, 10.0, 1e-3);
+  EXPECT_EQ(one.triangles, many.triangles);
+  EXPECT_EQ(one.motion, many.motion);
+  EXPECT_TRUE(one.positions == many.positions);
+}
 
 /// A contour whose corners are rounded to micrometres, a few micrometres apart: offsets turn over themselves.
 TEST(KerfReferenceDense, ShortRoughMotions) {

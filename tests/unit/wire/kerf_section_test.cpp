@@ -96,6 +96,21 @@ TEST(KerfSection, WaysGoneTwiceCountOnceForTheFirst) {
   for (const PlaneEdge& edge : bodies[0].loops[1].edges) EXPECT_EQ(edge.motion, 0u);
 }
 
+/// A circle that is closed with an overlap, whose chords are others, and a finishing cut the other way round.
+TEST(KerfSection, OverlapOfACircleLeavesTwoCircles) {
+  const Vec2 start(4, 0);
+  std::vector<WireStretch> way = {arcWay(start, {0, 0}, 2 * kPi, kKerf, 0),
+                                  arcWay(start, {0, 0}, 0.3, kKerf, 1)};
+  way.push_back(arcWay(way.back().to, {0, 0}, -2 * kPi, kKerf, 2));
+  const std::vector<PlaneBody> bodies = cutSection(kPlate, way);
+  ASSERT_EQ(bodies.size(), 2u);
+  EXPECT_NEAR(bodies[1].area_mm2, kPi * 3.9 * 3.9, 1e-6);
+  ASSERT_EQ(bodies[1].loops.size(), 1u);
+  ASSERT_EQ(bodies[1].loops[0].edges.size(), 1u);
+  EXPECT_EQ(bodies[1].loops[0].edges[0].motion, 0u);
+  EXPECT_EQ(bodies[0].loops[1].edges.size(), 1u);
+}
+
 TEST(KerfSection, BridgesKeepThePiecesOne) {
   std::vector<WireStretch> way = closedWay(kSquare, kKerf);
   way.back().to = {-5, -4.5};  // 0.3 mm are left

@@ -1,0 +1,83 @@
+// Cutting with a wire: the workpiece is a section of lines and arcs.
+#include <fmt/format.h>
+
+#include "app/session/process/process.h"
+#include "app/session/run_result.h"
+#include "removal/process/wire_piece.h"
+
+namespace proveout {
+namespace {
+
+/// Blanks have upright walls, and are clamped once, without fixtures.
+Status check(const Job& job, std::size_t k, const Blank& blank) {
+  if (const Result<PrismBlank> prism = prismOf(blank.shape); !prism) return prism.error();
+  if (k > 0)
+    return inputError(
+        fmt::format("setup '{}': what a wire has cut cannot be clamped again: that is not built yet",
+                    job.setups[k].name));
+  if (!jobOfSetup(job, k).fixtures.empty())
+    return inputError("fixtures beside a wire are not built yet: leave them out");
+  if (savesStock(job)) return inputError("what a wire cuts has no grid to be saved: leave vdb out");
+  return Done{};
+}
+
+/// The control says itself where the wire is threaded.
+Vec3 start(const Box3& blank) { return {0.0, 0.0, blank.min.z()}; }
+
+bool holds(const Tool& tool) { return tool.type == ToolType::kWire; }
+
+std::unique_ptr<PieceProbe> probe(const Job& /*setup*/, const ProbedStock& /*stock*/,
+                                  const Toolpath& /*path*/, Progress& /*progress*/) {
+  return nullptr;
+}
+
+/// Walls have two triangles a motion on either side of the kerf, faces as many.
+Workload work(const Job& /*job*/, const RunResult& run, std::size_t k, const Blank& /*blank*/) {
+  constexpr double kTrianglesOfAMotion = 16.0;
+  Workload work;
+  work.clampings = 1;
+  work.motions = run.setups[k].interpreted.path.motions.size();
+  work.triangles = kTrianglesOfAMotion * static_cast<double>(work.motions);
+  return work;
+}
+
+Result<std::unique_ptr<Workpiece>> make(Blank& blank, const Job& /*job*/, Progress& /*progress*/) {
+  Result<PrismBlank> prism = prismOf(blank.shape);
+  if (!prism) return prism.error();
+  return std::unique_ptr<Workpiece>(std::make_unique<WirePiece>(WireStock(std::move(*prism))));
+}
+
+/// There are none, see check().
+class NoFixtures final : public Fixtures {
+ public:
+  Status addContacts(const SetupRun& /*setup*/, const RecordingSource& /*texts*/,
+                     std::vector<Finding>& /*findings*/, Progress& /*progress*/) override {
+    return Done{};
+  }
+};
+
+Result<std::unique_ptr<Fixtures>> fixtures(const SetupRun& /*setup*/, double /*resolution_mm*/,
+                                           Progress& /*progress*/) {
+  return std::unique_ptr<Fixtures>(std::make_unique<NoFixtures>());
+}
+
+}  // namespace
+
+const Process kWireProcess{
+    .kind = ProcessKind::kWire,
+    .verb = "cuts with a wire",
+    .part_turns = false,
+    .on_grid = false,
+    .always_changes_tool = false,
+    .tool_turns = false,
+    .starts_outside = false,
+    .check = check,
+    .start = start,
+    .holds = holds,
+    .probe = probe,
+    .work = work,
+    .make = make,
+    .fixtures = fixtures,
+};
+
+}  // namespace proveout
