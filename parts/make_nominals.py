@@ -268,6 +268,15 @@ def gouged_plate():
     s.finish("gouged_plate/plate.stl", volume, 1.0)
 
 
+def wire_punch():
+    s = Solid()
+    outline = rounded_rectangle(-10, -6, 10, 6, 2)
+    s.face(outline, [], 20, True)
+    s.wall(outline, 0, 20, True)
+    s.face(outline, [], 0, False)
+    s.finish("wire_punch/punch.stl", 20 * rounded_area(20, 12, 2), 1.0)
+
+
 def circle_diamond_square():
     s = Solid()
     stock, square = rectangle(-40, -40, 40, 40), rectangle(-38, -38, 38, 38)
@@ -546,6 +555,7 @@ def patch_program():
 if __name__ == "__main__":
     bracket()
     gouged_plate()
+    wire_punch()
     circle_diamond_square()
     two_sides()
     macro_plate()

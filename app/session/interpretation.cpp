@@ -334,7 +334,7 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
         diagnose(Severity::kError, motion, "tool", "a feed motion with the spindle emptied by T0 M6");
         return false;
       }
-      if (!told) {
+      if (!told && motion.wire < 0) {  // a wire is in the machine, no program calls it
         diagnose(Severity::kNote, motion, "tool",
                  fmt::format("no tool is changed in up to here; tool {} is taken to be in the spindle",
                              tool->number));

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "program_runner.h"
 
@@ -91,16 +92,39 @@ TEST(Commands, CoverageListsTheControls) {
   EXPECT_EQ(bench.run("coverage --control siemens").exit_code, 2);
 }
 
-TEST(Commands, WireEdmIsCheckedAndWrittenButNotRun) {
+TEST(Commands, WireEdmCutsUprightWalls) {
   const Workbench bench;
   bench.write("hole.nc", "T84T86;\nC001;\nG92X0Y0;\nG01X5.;\nG02X-5.I-5.;\nX5.I5.;\nG01X0;\nM02;\n");
   EXPECT_EQ(bench.run("check hole.nc --control wedm").exit_code, 0);
   const Outcome path = bench.run("path hole.nc --control wedm");
   EXPECT_EQ(path.exit_code, 0);
   EXPECT_TRUE(has(path.out, R"("kind":"cut","z":[0,20],"lower":{"from":[5,0],"to":[-5,0],"center":[0,0],)"));
-  const Outcome run = bench.run("run hole.nc --control wedm --stock box:-9,-9,0:9,9,20 --tool 1=flat:1");
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_TRUE(has(run.err, "does not remove material with it yet")) << run.err;
+  const std::string job =
+      "schema = \"proveout.job/1\"\ncontrol = \"wedm\"\nprogram = \"PROGRAM\"\n[stock]\nshape = \"box\"\n"
+      "min = [-9, -9, 0]\nmax = [9, 9, 20]\n[[tool]]\nnumber = 1\ntype = \"wire\"\ndiameter = 0.2\n"
+      "spark_gap = 0.01\n";
+  const auto jobOf = [&](const std::string& program) {
+    return std::string(job).replace(job.find("PROGRAM"), 7, program);
+  };
+  bench.write("hole.toml", jobOf("hole.nc"));
+  const Outcome run = bench.run("run hole.toml --no-render --out out");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json report = nlohmann::json::parse(readFile(bench.path("out/report.json")));
+  const auto& bodies = report["stock"]["bodies"];
+  ASSERT_EQ(bodies.size(), 2u);
+  EXPECT_EQ(bodies[0]["role"], "part");
+  EXPECT_NEAR(bodies[0]["volume_mm3"].get<double>(), 20 * (18.0 * 18 - std::numbers::pi * 5.11 * 5.11), 0.5);
+  EXPECT_EQ(bodies[1]["role"], "slug");
+  // A wire that leans is refused with its block.
+  bench.write("taper.nc",
+              "T84T86;\nC001;\nG92X0Y0;\nG51A2.;\nG01X5.;\nG02X-5.I-5.;\nX5.I5.;\nG50G01X0;\nM02;\n");
+  bench.write("taper.toml", jobOf("taper.nc"));
+  EXPECT_EQ(bench.run("check taper.toml").exit_code, 0);
+  const Outcome leans = bench.run("run taper.toml --no-render --out lean");
+  EXPECT_EQ(leans.exit_code, 2);
+  EXPECT_TRUE(has(leans.err, "not built yet")) << leans.err;
+  EXPECT_TRUE(has(leans.err, "taper.nc:")) << leans.err;
+  EXPECT_FALSE(bench.exists("lean"));
 }
 
 TEST(Commands, CompareMeasuresABox) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <ostream>
 #include <set>
 
@@ -178,6 +179,23 @@ double partVolume(const json& report) {
     if (body["role"] == "part") volume = body["volume_mm3"].get<double>();
   }
   return volume;
+}
+
+// 20 x 12 x 20 mm with corners of 2 mm.
+TEST(WirePunch, PassesAndFailsWithoutItsOffset) {
+  const Workbench bench;
+  const fs::path from = fs::path(PROVEOUT_SOURCE_DIR) / "parts" / "wire_punch";
+  for (const char* name : {"job.toml", "punch.nc", "punch.stl"}) fs::copy(from / name, bench.path(name));
+  const Outcome right = bench.run("run job.toml --no-render --out out");
+  EXPECT_EQ(right.exit_code, 0) << right.err;
+  EXPECT_EQ(right.err, "");
+  const double exact = 20.0 * (20.0 * 12.0 - (4.0 - std::numbers::pi) * 4.0);
+  EXPECT_NEAR(partVolume(json::parse(readFile(bench.path("out/report.json")))), exact, 1e-5 * exact);
+  std::string program = readFile(bench.path("punch.nc"));
+  bench.write("punch.nc", program.replace(program.find("G41 H001"), 8, "G40 H001"));
+  const Outcome wrong = bench.run("run job.toml --no-render --out wrong");
+  EXPECT_EQ(wrong.exit_code, 1) << wrong.err;
+  EXPECT_TRUE(has(wrong.err, "gouge")) << wrong.err;
 }
 
 fs::path shaft(const char* job) { return fs::path(PROVEOUT_SOURCE_DIR) / "parts/wl4_shaft" / job; }

@@ -139,8 +139,8 @@ std::vector<CoverageIdRow> wedmCoverageIds() { return {kWedmRows.begin(), kWedmR
 
 std::map<std::string, std::string_view> wedmOpenReasons() {
   return {
-      {"wedm-x-kerf", "the wire removes no material yet"},
-      {"wedm-x-slug", "the wire removes no material yet"},
+      {"wedm-x-kerf", "an upright wire cuts; a run with one that leans is refused"},
+      {"wedm-x-slug", "pieces are told; whether a slug falls out, and what holds it, is not"},
   };
 }
 

@@ -19,8 +19,6 @@ constexpr auto kWedmParameterRows = std::to_array<ParameterInfo>({
     {"ZS", 20, -kHighest, kHighest, "mm, height of the secondary plane: taper, upper shape; default ZB + T"},
     {"ZL", -20, -kHighest, kHighest, "mm, height of the lower guide; default ZB - 20"},
     {"ZU", 40, -kHighest, kHighest, "mm, height of the upper guide; default ZB + T + 20"},
-    {"WIRE", 0.2, 0.001, 10, "mm, diameter of the wire"},
-    {"GAP", 0.01, 0, 1, "mm, spark gap to one side"},
     {"H0", 0, -99999.999, 99999.999, "mm, value of H000 at the start"},
     {"H", 0, -99999.999, 99999.999, "mm, value of Hn at the start", 99},
     {"FEED", 3, 1e-6, 1e6, "mm/min, speed of condition Cn along the path", kWedmConditions},
