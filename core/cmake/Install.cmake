@@ -31,6 +31,8 @@ install(DIRECTORY removal/process/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/prove
         FILES_MATCHING PATTERN "*.h")
 install(FILES removal/turning/section.h removal/turning/turned_stock.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/turning)
+install(FILES removal/wire/plane_region.h removal/wire/wire_stock.h removal/wire/wire_stretch.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/wire)
 install(FILES removal/compare/compare.h removal/compare/exact_part.h removal/compare/nominal.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/compare)
 foreach(folder io render)
