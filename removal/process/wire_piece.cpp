@@ -2,28 +2,24 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "core/base/stopwatch.h"
-#include "removal/wire/prism_mesh.h"
 
 namespace proveout {
 namespace {
 
-Box3 boundsOfBody(const PlaneBody& body, const PrismBlank& blank) {
-  Box3 bounds = boundsOf(body.loops.front());
-  bounds.min.z() = blank.z_low;
-  bounds.max.z() = blank.z_high;
-  return bounds;
-}
+/// Walls of leaning wires leave their ruled surfaces by this much of what facets may: the wire's path and its
+/// round ends are chords as well.
+constexpr double kShareOfFacet = 0.5;
 
 /// The largest, which comes first, or the one whose bounds fit best.
-std::size_t partAmong(const std::vector<PlaneBody>& bodies, const PrismBlank& blank,
-                      const std::optional<Box3>& wanted) {
+std::size_t partAmong(const std::vector<WireBody>& bodies, const std::optional<Box3>& wanted) {
   if (!wanted) return 0;
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Box3 bounds = boundsOfBody(bodies[k], blank);
+    const Box3& bounds = bodies[k].bounds;
     const double off = (bounds.min - wanted->min).head<2>().cwiseAbs().sum() +
                        (bounds.max - wanted->max).head<2>().cwiseAbs().sum();
     if (off >= least) continue;
@@ -42,23 +38,23 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
   Stopwatch watch;
   Machined out;
   out.initial_mm3 = stock_.volume();
-  Result<RemovalSummary> removal = stock_.remove(path, tools, progress);
+  Result<RemovalSummary> removal = stock_.remove(path, tools, kShareOfFacet * options.facet_mm, progress);
   if (!removal) return removal.error();
   out.remove_s = watch.lap();
-  const PrismBlank& blank = stock_.blank();
-  std::vector<PlaneBody> bodies = stock_.bodies();
-  out.bodies.emplace();
-  if (!bodies.empty()) {
-    const auto part = bodies.begin() + static_cast<std::ptrdiff_t>(partAmong(bodies, blank, options.part));
-    std::rotate(bodies.begin(), part, part + 1);
+  std::vector<std::size_t> order(stock_.bodies().size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (!order.empty()) {
+    const auto part = order.begin() + static_cast<std::ptrdiff_t>(partAmong(stock_.bodies(), options.part));
+    std::rotate(order.begin(), part, part + 1);
   }
-  for (const PlaneBody& body : bodies) {
-    out.bodies->push_back({body.area_mm2 * (blank.z_high - blank.z_low), boundsOfBody(body, blank),
-                           out.bodies->empty() ? "part" : "slug"});
+  out.bodies.emplace();
+  for (const std::size_t k : order) {
+    const WireBody& body = stock_.bodies()[k];
+    out.bodies->push_back({body.volume_mm3, body.bounds, out.bodies->empty() ? "part" : "slug"});
   }
   // A nominal is that of the part alone.
-  if (options.part && bodies.size() > 1) bodies.resize(1);
-  out.surface.mesh = prismMesh(bodies, blank.z_low, blank.z_high, options.facet_mm);
+  if (options.part && order.size() > 1) order.resize(1);
+  out.surface.mesh = stock_.mesh(order, options.facet_mm);
   out.surface.volume_mm3 = stock_.volume();
   out.facet_error_mm = options.facet_mm;
   fitRemovedVolume(*removal, out.initial_mm3 - out.surface.volume_mm3);
@@ -67,9 +63,10 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
   return out;
 }
 
-Status WirePiece::cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& /*options*/,
+Status WirePiece::cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
                       Progress& progress) {
-  const Result<RemovalSummary> removal = stock_.remove(path, tools, progress);
+  const Result<RemovalSummary> removal =
+      stock_.remove(path, tools, kShareOfFacet * options.facet_mm, progress);
   return removal ? Status(Done{}) : Status(removal.error());
 }
 

@@ -6,18 +6,9 @@
 #include "core/base/progress.h"
 #include "removal/grid/stock.h"
 #include "removal/wire/wire_stock.h"
+#include "removal/wire/wire_work.h"
 
 namespace proveout {
-
-/// What a path does with its wire: stretches that cut, in program order, and rapid ones between them.
-struct WireWork {
-  std::vector<WireStretch> cuts;
-  struct Rapid {
-    WireStretch stretch;
-    std::uint32_t after;  ///< stretches of `cuts` that come before it
-  };
-  std::vector<Rapid> rapids;
-};
 
 /// The body that is still held when others have fallen: the largest that has some of the blank's own border;
 /// without one the largest. Requires bodies.

@@ -1,70 +1,42 @@
 #include "removal/wire/wire_stock.h"
 
-#include <fmt/format.h>
-
+#include <map>
+#include <numeric>
 #include <variant>
 
-#include "core/tool/tool_table.h"
 #include "removal/wire/kerf_section.h"
+#include "removal/wire/prism_mesh.h"
 #include "removal/wire/wire_contacts.h"
 
 namespace proveout {
 namespace {
 
-std::string placeOf(const Toolpath& path, const Motion& motion) {
-  const std::string file =
-      motion.source.file < path.files.size() ? path.files[motion.source.file] : std::string("the program");
-  const std::string block = motion.source.block >= 0 ? fmt::format(" (N{})", motion.source.block) : "";
-  return fmt::format("{}:{}{}", file, motion.source.line, block);
-}
-
-/// Why a motion's wire cannot be followed; empty: it can.
-Status checkMotion(const Toolpath& path, const Motion& motion, const Tool* tool) {
-  if (tool == nullptr)
-    return inputError(fmt::format("{}: the job does not define tool {}", placeOf(path, motion), motion.tool));
-  if (tool->type != ToolType::kWire)
-    return inputError(
-        fmt::format("{}: tool {} is no wire; give it type = \"wire\"", placeOf(path, motion), tool->number));
-  if (!isUpright(path.wires[static_cast<std::size_t>(motion.wire)]))
-    return inputError(fmt::format("{}: the wire leans here; cutting with a wire that leans is not built yet",
-                                  placeOf(path, motion)));
-  return Done{};
-}
-
-/// Leaves out stretches that go nowhere, if others join them.
-void addMoving(const WireStretch& stretch, std::vector<WireStretch>& out) {
-  const bool still = !stretch.isArc() && (stretch.to - stretch.from).norm() == 0.0;
-  if (still && !out.empty() && (out.back().to - stretch.from).norm() == 0.0) return;
-  out.push_back(stretch);
-}
-
-Result<WireWork> workOf(const Toolpath& path, const std::vector<Tool>& tools) {
-  const ToolTable table(tools);
-  WireWork work;
-  std::vector<WireStretch> stretches;
-  for (MotionId id = 0; id < path.motions.size(); ++id) {
-    const Motion& motion = path.motions[id];
-    if (motion.wire < 0) continue;  // the wire is not threaded
-    const Tool* tool = table.ofMotion(motion.tool);
-    if (const Status good = checkMotion(path, motion, tool); !good) return good.error();
-    stretches.clear();
-    addStretches(path.wires[static_cast<std::size_t>(motion.wire)].lower,
-                 0.5 * tool->diameter + tool->spark_gap, id, stretches);
-    for (const WireStretch& stretch : stretches) {
-      if (motion.kind == MotionKind::kFeed)
-        addMoving(stretch, work.cuts);
-      else if (motion.kind == MotionKind::kRapid)
-        work.rapids.push_back({stretch, static_cast<std::uint32_t>(work.cuts.size())});
+/// Of several heights the contacts of one motion are one.
+std::vector<Contact> contactsAtHeights(const PrismBlank& blank, const LeanWork& work, Progress& progress) {
+  const HeightSpan span{blank.z_low, blank.z_high};
+  std::map<MotionId, Contact> found;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const double z = span.low + share * span.length();
+    for (Contact contact : rapidContacts(blank, work.atHeight(span, z), progress)) {
+      contact.where.z() = z;
+      contact.volume_mm3 *= share == 0.5 ? 4.0 / 6.0 : 1.0 / 6.0;
+      const auto [known, is_new] = found.emplace(contact.motion, contact);
+      if (is_new) continue;
+      const double volume = known->second.volume_mm3 + contact.volume_mm3;
+      if (contact.depth_mm > known->second.depth_mm) known->second = contact;
+      known->second.volume_mm3 = volume;
     }
   }
-  return work;
+  std::vector<Contact> out;
+  for (const auto& [motion, contact] : found) out.push_back(contact);
+  return out;
 }
 
-/// Of a rapid only the wire itself counts, not its sparks.
-void takeSparksAway(const Toolpath& path, const std::vector<Tool>& tools, WireWork& work) {
-  const ToolTable table(tools);
-  for (WireWork::Rapid& rapid : work.rapids)
-    rapid.stretch.kerf_mm = 0.5 * table.ofMotion(path.motions[rapid.stretch.motion].tool)->diameter;
+/// What the motions took, estimated from a section.
+void addRemoved(const PrismBlank& blank, const std::vector<WireStretch>& cuts, RemovalSummary& summary) {
+  const std::vector<double> areas = removedAreas(blank, cuts);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    summary.removed_mm3[cuts[i].motion] += static_cast<float>(areas[i] * blank.height());
 }
 
 }  // namespace
@@ -88,32 +60,75 @@ Result<PrismBlank> prismOf(const StockShape& shape) {
   return blank;
 }
 
-WireStock::WireStock(PrismBlank blank) : blank_(std::move(blank)) { bodies_ = cutSection(blank_.loops, {}); }
+WireStock::WireStock(PrismBlank blank) : blank_(std::move(blank)) {
+  setSections(cutSection(blank_.loops, {}));
+}
 
 Result<RemovalSummary> WireStock::remove(const Toolpath& path, const std::vector<Tool>& tools,
-                                         Progress& progress) {
-  Result<WireWork> work = workOf(path, tools);
-  if (!work) return work.error();
-  takeSparksAway(path, tools, *work);
+                                         double tolerance, Progress& progress) {
   progress.report("removing", 0.0);
   RemovalSummary summary;
   summary.removed_mm3.assign(path.motions.size(), 0.0F);
-  const std::vector<double> areas = removedAreas(blank_, work->cuts);
-  for (std::size_t i = 0; i < areas.size(); ++i)
-    summary.removed_mm3[work->cuts[i].motion] +=
-        static_cast<float>(areas[i] * (blank_.z_high - blank_.z_low));
-  summary.contacts = rapidContacts(blank_, *work, progress);
-  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  bodies_ = cutSection(blank_.loops, work->cuts);
+  if (standsUpright(path)) {
+    const Result<WireWork> work = wireWork(path, tools);
+    if (!work) return work.error();
+    addRemoved(blank_, work->cuts, summary);
+    summary.contacts = rapidContacts(blank_, *work, progress);
+    if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+    setSections(cutSection(blank_.loops, work->cuts));
+    return summary;
+  }
+  const HeightSpan span{blank_.z_low, blank_.z_high};
+  const Result<LeanWork> work = leanWork(path, tools, span, tolerance);
+  if (!work) return work.error();
+  addRemoved(blank_, work->atHeight(span, 0.5 * (span.low + span.high)).cuts, summary);
+  summary.contacts = contactsAtHeights(blank_, *work, progress);
+  Result<LeanSolid> solid = leanSolid(blank_.loops, span, work->cuts, tolerance, progress);
+  if (!solid) return solid.error();
+  setSolid(std::move(*solid));
   return summary;
 }
 
-double WireStock::initialVolume() const { return areaOf(blank_.loops) * (blank_.z_high - blank_.z_low); }
+void WireStock::setSections(std::vector<PlaneBody> sections) {
+  sections_ = std::move(sections);
+  bodies_.clear();
+  for (const PlaneBody& section : sections_) {
+    Box3 bounds = boundsOf(section.loops.front());
+    bounds.min.z() = blank_.z_low;
+    bounds.max.z() = blank_.z_high;
+    bodies_.push_back({section.area_mm2 * blank_.height(), bounds});
+  }
+}
+
+void WireStock::setSolid(LeanSolid solid) {
+  solid_ = std::move(solid);
+  sections_.clear();
+  bodies_.clear();
+  for (const LeanBody& body : solid_->bodies) bodies_.push_back({body.volume_mm3, meshBounds(body.mesh)});
+}
+
+TriMesh WireStock::mesh(const std::vector<std::size_t>& bodies, double tolerance) const {
+  TriMesh out;
+  if (!solid_) {
+    std::vector<PlaneBody> sections;
+    for (const std::size_t body : bodies) sections.push_back(sections_[body]);
+    return prismMesh(sections, blank_.z_low, blank_.z_high, tolerance);
+  }
+  for (const std::size_t body : bodies) {
+    const TriMesh& shell = solid_->bodies[body].mesh;
+    const auto first = static_cast<std::uint32_t>(out.positions.size());
+    out.positions.insert(out.positions.end(), shell.positions.begin(), shell.positions.end());
+    out.motion.insert(out.motion.end(), shell.motion.begin(), shell.motion.end());
+    for (const auto& [a, b, c] : shell.triangles) out.triangles.push_back({first + a, first + b, first + c});
+  }
+  return out;
+}
+
+double WireStock::initialVolume() const { return areaOf(blank_.loops) * blank_.height(); }
 
 double WireStock::volume() const {
-  double area = 0.0;
-  for (const PlaneBody& body : bodies_) area += body.area_mm2;
-  return area * (blank_.z_high - blank_.z_low);
+  return std::accumulate(bodies_.begin(), bodies_.end(), 0.0,
+                         [](double sum, const WireBody& body) { return sum + body.volume_mm3; });
 }
 
 }  // namespace proveout
