@@ -29,6 +29,11 @@ std::size_t partAmong(const std::vector<WireBody>& bodies, const std::optional<B
   return best;
 }
 
+const char* wayOut(const BodyExit& exit) {
+  if (exit.down) return exit.up ? "both" : "down";
+  return exit.up ? "up" : "none";
+}
+
 }  // namespace
 
 WirePiece::WirePiece(WireStock stock) : stock_(std::move(stock)) {}
@@ -50,7 +55,10 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
   out.bodies.emplace();
   for (const std::size_t k : order) {
     const WireBody& body = stock_.bodies()[k];
-    out.bodies->push_back({body.volume_mm3, body.bounds, out.bodies->empty() ? "part" : "slug"});
+    if (out.bodies->empty())
+      out.bodies->push_back({body.volume_mm3, body.bounds, "part", ""});
+    else
+      out.bodies->push_back({body.volume_mm3, body.bounds, "slug", wayOut(stock_.exit(k, order.front()))});
   }
   // A nominal is that of the part alone.
   if (options.part && order.size() > 1) order.resize(1);

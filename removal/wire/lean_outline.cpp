@@ -18,15 +18,15 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 
 /// Ends nearer to each other are one, mm; shorter stretches stand.
-constexpr double kJoined = 1e-7;
+constexpr double kLeanJoined = 1e-7;
 /// Inner corners that turn by more go by way of the corner itself.
-constexpr double kSharpTurn = 0.5;
+constexpr double kLeanSharpTurn = 0.5;
 /// Turns by less are none, radians.
-constexpr double kStraight = 1e-9;
+constexpr double kLeanStraight = 1e-9;
 /// Ellipses that differ by less are one, mm.
 constexpr double kSameEllipse = 1e-6;
 
-bool stands(const LevelStretch& s) { return s.length() <= kJoined; }
+bool stands(const LevelStretch& s) { return s.length() <= kLeanJoined; }
 
 /// By how much the ellipses at both ends of a stretch differ, at most, about.
 double ellipseChange(const LevelStretch& s) {
@@ -101,7 +101,7 @@ class LeanOutline {
 
   void joint(std::size_t k, bool right) {
     const double turn = turnAt(k);
-    if (std::abs(turn) <= kStraight) return;
+    if (std::abs(turn) <= kLeanStraight) return;
     if (const std::optional<Vec2> corner = trimmed(k, right))
       add(*corner);
     else if ((turn > 0.0) == right)
@@ -116,7 +116,7 @@ class LeanOutline {
   std::optional<Vec2> trimmed(std::size_t k, bool right) const {
     if (k == 0 || k == run_.size()) return std::nullopt;
     const double turn = turnAt(k);
-    if (std::abs(turn) > kSharpTurn || std::abs(turn) <= kStraight || (turn > 0.0) == right)
+    if (std::abs(turn) > kLeanSharpTurn || std::abs(turn) <= kLeanStraight || (turn > 0.0) == right)
       return std::nullopt;
     const LevelStretch &before = run_[k - 1], &next = run_[k];
     const double trim = next.reach() * std::tan(0.5 * std::abs(turn));
@@ -160,7 +160,7 @@ std::vector<Batch> batchesOf(const std::vector<LevelStretch>& stretches) {
         !batches.empty() && !batches.back().run.empty() &&
         batches.back().run.size() + batches.back().ellipses.size() < kOutlineStretches &&
         batches.back().run.back().radius_mm == s.radius_mm &&
-        (batches.back().run.back().to - s.from).norm() <= kJoined &&
+        (batches.back().run.back().to - s.from).norm() <= kLeanJoined &&
         (batches.back().run.back().lean_to - s.lean_from).norm() * s.radius_mm <= kSameEllipse;
     if (!goes_on) batches.emplace_back();
     Batch& batch = batches.back();

@@ -13,8 +13,6 @@
 namespace proveout {
 namespace {
 
-Vec2 asFloat(const Vec2& p) { return p.cast<float>().cast<double>(); }
-
 /// All bodies as one mesh. What bounds one body is found by members: the loops of all levels, then the points
 /// of all steps.
 class SolidWriter {

@@ -9,6 +9,7 @@
 #include "core/geometry/box_tree.h"
 #include "core/geometry/plane.h"
 #include "removal/wire/edge_curves.h"
+#include "removal/wire/kerf_outline.h"
 #include "removal/wire/kerf_union.h"
 #include "removal/wire/lean_outline.h"
 #include "removal/wire/stretch_index.h"
@@ -19,13 +20,13 @@ namespace {
 using namespace wire_detail;
 
 /// An edge lies off its curve by its chord and rounding, mm; looked for somewhat farther.
-constexpr double kReach = 3e-4;
+constexpr double kNameReach = 3e-4;
 /// The blank's chords leave its arcs by no more, mm.
 constexpr double kBlankChord = 2e-5;
 /// Distances that differ by less are equal, mm: the same way, gone twice.
-constexpr double kEqual = 1e-8;
+constexpr double kOneDistance = 1e-8;
 /// Straight edges of one name are one where their corner is nearer to the line than this, mm.
-constexpr double kStraight = 2e-6;
+constexpr double kOnLine = 2e-6;
 /// Edges that are named by one task.
 constexpr std::size_t kNamesATask = 512;
 
@@ -64,7 +65,7 @@ class KerfNames {
       const std::uint32_t i = tree_.order()[k];
       const Place here = placeOf(stretches_[i], p);
       const double gain = least - here.off;
-      if (gain < -kEqual || (gain <= kEqual && i >= best)) return;
+      if (gain < -kOneDistance || (gain <= kOneDistance && i >= best)) return;
       best = i;
       place = here;
       least = std::min(least, here.off);
@@ -112,7 +113,7 @@ class EdgeNamer {
       : kerf_(stretches), sides_(sidesOf(blank)), blank_(sides_) {}
 
   Named of(const Vec2& middle) const {
-    for (double reach = kReach;; reach *= 16.0) {
+    for (double reach = kNameReach;; reach *= 16.0) {
       const std::optional<Named> old = ofBlank(middle, reach), cut = kerf_.at(middle, reach);
       if (old && (!cut || old->off_mm <= cut->off_mm)) return *old;
       if (cut) return *cut;
@@ -165,7 +166,7 @@ class LoopTidier {
       }
       const Vec2& next = in.points[(i + 1) % in.points.size()];
       if (out.names.back() == in.names[i] && straight_[i] &&
-          distanceToSegment(p, out.points.back(), next) <= kStraight)
+          distanceToSegment(p, out.points.back(), next) <= kOnLine)
         return;
     }
     out.points.push_back(p);

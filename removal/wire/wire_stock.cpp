@@ -124,6 +124,10 @@ TriMesh WireStock::mesh(const std::vector<std::size_t>& bodies, double tolerance
   return out;
 }
 
+BodyExit WireStock::exit(std::size_t body, std::size_t past) const {
+  return solid_ ? exitOf(*solid_, body, past) : BodyExit{};
+}
+
 double WireStock::initialVolume() const { return areaOf(blank_.loops) * blank_.height(); }
 
 double WireStock::volume() const {

@@ -12,6 +12,7 @@
 #include "core/tool/tool.h"
 #include "removal/grid/stock.h"
 #include "removal/grid/stock_shape.h"
+#include "removal/wire/body_exit.h"
 #include "removal/wire/lean_solid.h"
 #include "removal/wire/plane_region.h"
 
@@ -49,6 +50,8 @@ class WireStock {
   const std::vector<WireBody>& bodies() const { return bodies_; }
   /// Of the bodies named, a shell each. Of upright walls chords leave arcs by no more than `tolerance` mm.
   TriMesh mesh(const std::vector<std::size_t>& bodies, double tolerance) const;
+  /// Whether a body can leave past another.
+  BodyExit exit(std::size_t body, std::size_t past) const;
   const PrismBlank& blank() const { return blank_; }
   double initialVolume() const;  ///< mm3, of the blank
   double volume() const;         ///< mm3, of what is left

@@ -208,8 +208,8 @@ json passedReport(const char* part) {
   return json::parse(readFile(bench.path("out/report.json")));
 }
 
-/// A plate less what opens by 2 degrees below a rounded rectangle of 20 x 12; offsets are told level, the wire
-/// leans.
+/// A plate less what opens by 2 degrees below a rounded rectangle of 20 x 12; offsets are told level, the
+/// wire leans.
 TEST(WireDie, HasItsTaper) {
   const json report = passedReport("wire_die");
   const auto area = [](double out) {
@@ -217,7 +217,8 @@ TEST(WireDie, HasItsTaper) {
   };
   const double angle = 2.0 * std::numbers::pi / 180.0, q = 20.0 * std::tan(angle);
   const double wider = 0.11 * (1.0 / std::cos(angle) - 1.0);
-  const double exact = 20.0 * 40.0 * 30.0 - 20.0 / 6.0 * (area(wider) + 4.0 * area(0.5 * q + wider) + area(q + wider));
+  const double exact =
+      20.0 * 40.0 * 30.0 - 20.0 / 6.0 * (area(wider) + 4.0 * area(0.5 * q + wider) + area(q + wider));
   EXPECT_NEAR(partVolume(report), exact, 1e-6 * exact);
   EXPECT_LE(report["comparison"]["max_gouge_mm"].get<double>(), 0.002);
 }

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/geometry/plane.h"
+#include "removal/wire/body_exit.h"
 #include "removal/wire/wire_stretch.h"
 #include "tests/unit/wire/wire_fixture.h"
 
@@ -101,6 +102,22 @@ TEST(LeanSolid, FrustumOfASquare) {
                          [&](const Vec2& p) { return p.cwiseAbs().maxCoeff() - 0.5 * side(z / 20.0); }),
               1e-5);
   }
+}
+
+/// Wider above: it leaves upwards. Turned about its axis on the way: not at all.
+TEST(LeanSolid, WhichWaySlugsLeave) {
+  const LeanSolid wedge = solidOf(polygons(square(5), square(6)), 0.1);
+  ASSERT_EQ(wedge.bodies.size(), 2u);
+  const BodyExit up = exitOf(wedge, 1, 0);
+  EXPECT_TRUE(up.up);
+  EXPECT_FALSE(up.down);
+  // By less than the kerf either way.
+  const BodyExit both = exitOf(solidOf(polygons(square(5), square(5.1)), 0.1), 1, 0);
+  EXPECT_TRUE(both.up && both.down);
+  std::vector<Vec2> turned;
+  for (const Vec2& p : square(5)) turned.push_back(turnedBy(p, 0.2));
+  const BodyExit none = exitOf(solidOf(polygons(square(5), turned), 0.1), 1, 0);
+  EXPECT_FALSE(none.up || none.down);
 }
 
 /// Digest wedm EX-16: a rounded square of 20 with taper 2.5 degrees outwards, kerf radius 0.1.
