@@ -135,6 +135,7 @@ void addRun(CLI::App& root, RunOptions& o) {
       ->allow_extra_args(false);
   app->add_option("--size", o.size, "Size of the pictures; default: 1280x960")->type_name("WxH");
   app->add_flag("--no-render", o.no_render, "No pictures");
+  app->add_flag("--bodies", o.bodies, "Write a mesh file for each piece that a wire cut free: slugs/");
   app->add_flag("--csv", o.csv,
                 "Write blocks.csv (what each block removed) and mrr.svg (its rate over time)");
   app->add_flag("--json", o.json, "Print report.json on stdout instead of the summary");

@@ -36,6 +36,7 @@ struct RunOptions {
   std::optional<std::string> size;
   bool no_render = false;
   bool csv = false;
+  bool bodies = false;
   bool json = false;
   bool quiet = false;
   bool progress = false;

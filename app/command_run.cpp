@@ -41,6 +41,7 @@ Result<std::vector<Picture>> drawRun(const Job& job, const RunResult& run, Outpu
   request.comparison = run.comparison ? &*run.comparison : nullptr;
   const std::vector<Finding> findings = findingsInLastFrame(run);
   request.findings = &findings;
+  request.freed = &run.setups.back().freed;
   if (run.setups.back().turned) request.turned_axis = Vec2::Zero();
   return drawPictures(run.surface().mesh, request, failures, progress);
 }
@@ -59,6 +60,9 @@ Status checkPrograms(const RunResult& run, const RunSources& sources, const Job&
   for (const SetupRun& setup : run.setups) {
     for (const auto& file : setup.interpreted.files) names.push_back(programFileName(setup.name, file.first));
   }
+  for (std::size_t k = 0; job.output.bodies && k < run.setups.back().freed.size(); ++k) {
+    for (const OutputFormat format : job.output.formats) names.push_back(bodyFileName(job, format, k + 1));
+  }
   return checkNames(names, target.folder, target.guard);
 }
 
@@ -71,6 +75,8 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
     for (const SetupRun& setup : run.setups)
       writeProgramFiles(setup.interpreted.files, setup.name, *staging, failures);
     writeMeshes(run.surface().mesh, run.stock ? &*run.stock : nullptr, job, *staging, report, failures);
+    if (job.output.bodies) writeBodies(run.setups.back().freed, job, *staging, report, failures);
+    writeSections(run.surface().mesh, run.setups.back().freed, job, *staging, report, failures);
     writeTurnedProfile(job, run, *staging, report, failures);
     if (job.output.csv) writeTables(cutPaths(run), *staging, report, failures);
   }

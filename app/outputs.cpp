@@ -9,8 +9,10 @@
 #include "app/exit_codes.h"
 #include "app/job_setup.h"
 #include "app/session/process/process.h"
+#include "core/mesh/level_cut.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
+#include "io/section_chart.h"
 #include "io/sha256.h"
 
 namespace proveout {
@@ -76,8 +78,9 @@ std::vector<std::string> outputNames(const Job& job) {
   std::vector<std::string> names = {"report.json", "report.html", "junit.xml"};
   for (const OutputFormat format : job.output.formats) names.push_back(meshFileName(job, format));
   for (const std::string& view : job.output.views) names.push_back(view + ".png");
-  if (!job.output.views.empty()) names.insert(names.end(), {"deviation.png", "findings.png"});
+  if (!job.output.views.empty()) names.insert(names.end(), {"deviation.png", "findings.png", "apart.png"});
   if (job.output.csv) names.insert(names.end(), {"blocks.csv", "mrr.svg"});
+  for (const double z : job.output.sections) names.push_back(sectionFileName(z));
   if (processOf(job, setupCount(job) - 1).part_turns) names.emplace_back("profile.svg");
   return names;
 }
@@ -115,22 +118,74 @@ void writeProgramFiles(const std::map<std::string, std::string>& files, const st
     keep(writeText(programFileName(setup, name), bytes, staging), failures);
 }
 
+namespace {
+
+/// Errors: it cannot be written. The hash of the file.
+Result<std::string> writeOne(const TriMesh& mesh, const Stock* stock, OutputFormat format,
+                             const std::string& file, StagingFolder& staging) {
+  std::string hash;
+  const Status written = staging.write(file, [&](const std::string& path) -> Status {
+    Result<std::string> made = format == OutputFormat::kVdb ? saveHashed(*stock, path)
+                                                            : writeMeshHashed(mesh, path, meshFormat(format));
+    if (!made) return made.error();
+    hash = std::move(*made);
+    return Done{};
+  });
+  if (!written) return written.error();
+  return hash;
+}
+
+}  // namespace
+
 void writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, StagingFolder& staging,
                  Report& report, OutputFailures& failures) {
   for (const OutputFormat format : job.output.formats) {
     if (format == OutputFormat::kVdb && stock == nullptr) continue;  // turning left nothing to make a grid of
     const std::string file = meshFileName(job, format);
-    std::string hash;
-    const Status written = staging.write(file, [&](const std::string& path) -> Status {
-      Result<std::string> made = format == OutputFormat::kVdb
-                                     ? saveHashed(*stock, path)
-                                     : writeMeshHashed(mesh, path, meshFormat(format));
-      if (!made) return made.error();
-      hash = std::move(*made);
-      return Done{};
-    });
+    const Result<std::string> hash = writeOne(mesh, stock, format, file, staging);
+    if (hash)
+      report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), *hash});
+    else
+      failures.push_back(hash.error());
+  }
+}
+
+std::string bodyFileName(const Job& job, OutputFormat format, std::size_t number) {
+  return fmt::format("slugs/{}-{}", number, meshFileName(job, format));
+}
+
+void writeBodies(const std::vector<TriMesh>& bodies, const Job& job, StagingFolder& staging, Report& report,
+                 OutputFailures& failures) {
+  for (const OutputFormat format : job.output.formats) {
+    if (format == OutputFormat::kVdb) continue;
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      const std::string file = bodyFileName(job, format, k + 1);
+      const Result<std::string> hash = writeOne(bodies[k], nullptr, format, file, staging);
+      if (hash)
+        report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), *hash});
+      else
+        failures.push_back(hash.error());
+    }
+  }
+}
+
+std::string sectionFileName(double z) { return fmt::format("section-z{:g}.svg", z); }
+
+void writeSections(const TriMesh& part, const std::vector<TriMesh>& freed, const Job& job,
+                   StagingFolder& staging, Report& report, OutputFailures& failures) {
+  for (const double z : job.output.sections) {
+    const SectionPolygons polygons = cutAtHeight(part, z);
+    std::vector<SectionPolygons> pieces;
+    for (const TriMesh& piece : freed) pieces.push_back(cutAtHeight(piece, z));
+    const std::string svg = sectionSvgFile(
+        fmt::format("{}, z = {:g} mm: {:.4f} mm2", job.name, z, areaOf(polygons)), polygons, pieces);
+    if (svg.empty()) {
+      failures.push_back(inputError(fmt::format("sections: there is no material at the height {:g}", z)));
+      continue;
+    }
+    const Status written = writeText(sectionFileName(z), svg, staging);
     keep(written, failures);
-    if (written) report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), hash});
+    if (written) report.outputs.tables.push_back(sectionFileName(z));
   }
 }
 

@@ -42,6 +42,18 @@ void writeProgramFiles(const std::map<std::string, std::string>& files, const st
 void writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, StagingFolder& staging,
                  Report& report, OutputFailures& failures);
 
+/// File of a piece that was cut free, numbered from 1.
+std::string bodyFileName(const Job& job, OutputFormat format, std::size_t number);
+/// Writes pieces that were cut free in all mesh formats of the job, and records them as writeMeshes does.
+void writeBodies(const std::vector<TriMesh>& bodies, const Job& job, StagingFolder& staging, Report& report,
+                 OutputFailures& failures);
+
+/// Writes a drawing of the part's section, and of pieces beside it, at each height that the job asks for. A
+/// height without material is a failure.
+std::string sectionFileName(double z);
+void writeSections(const TriMesh& part, const std::vector<TriMesh>& freed, const Job& job,
+                   StagingFolder& staging, Report& report, OutputFailures& failures);
+
 /// Writes blocks.csv and, where something was cut, mrr.svg; records them in the report.
 void writeTables(const std::vector<CutPath>& paths, StagingFolder& staging, Report& report,
                  OutputFailures& failures);

@@ -20,6 +20,40 @@ std::string ascii(const std::string& text) {
   return result;
 }
 
+/// By how much of their height freed pieces are lifted.
+constexpr float kLift = 1.3f;
+
+/// The mesh with pieces lifted out of it. It has them as shells of its own, or not at all: a shell whose
+/// bounds are those of a piece is that piece.
+TriMesh lifted(const TriMesh& mesh, const std::vector<TriMesh>& pieces) {
+  std::vector<Box3> bounds;
+  for (const TriMesh& piece : pieces) bounds.push_back(meshBounds(piece));
+  std::uint32_t count = 0;
+  const std::vector<std::uint32_t> shell = meshComponents(mesh, count);
+  std::vector<Box3> shell_bounds(count);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::uint32_t corner : mesh.triangles[t])
+      shell_bounds[shell[t]].extend(mesh.positions[corner].cast<double>());
+  }
+  const auto isPiece = [&](const Box3& box) {
+    return std::any_of(bounds.begin(), bounds.end(),
+                       [&](const Box3& b) { return b.min == box.min && b.max == box.max; });
+  };
+  TriMesh out;
+  out.positions = mesh.positions;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!isPiece(shell_bounds[shell[t]])) out.triangles.push_back(mesh.triangles[t]);
+  }
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const auto first = static_cast<std::uint32_t>(out.positions.size());
+    const Eigen::Vector3f lift(0.0f, 0.0f, kLift * static_cast<float>(bounds[k].size().z()));
+    for (const Eigen::Vector3f& p : pieces[k].positions) out.positions.push_back(p + lift);
+    for (const auto& [a, b, c] : pieces[k].triangles)
+      out.triangles.push_back({first + a, first + b, first + c});
+  }
+  return out;
+}
+
 class PictureMaker {
  public:
   PictureMaker(const TriMesh& mesh, const PictureRequest& request, std::vector<Error>& failures,
@@ -48,6 +82,13 @@ class PictureMaker {
       if (Status done = add(RenderScene(mesh_), view, view + ".png", view); !done) return done;
     }
     return Done{};
+  }
+
+  /// The part, which is what of the mesh is no freed piece, with those pieces lifted by their height and
+  /// more.
+  Status addApart() {
+    TriMesh apart = lifted(mesh_, *request_.freed);
+    return add(RenderScene(apart), request_.views.front(), "apart.png", "bodies apart");
   }
 
   Status addDeviation(const std::vector<Marker>& markers) {
@@ -131,6 +172,9 @@ Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequ
   if (const Status done = maker.addViews(); !done) return done.error();
   static const std::vector<Finding> kNone;
   const std::vector<Finding>& findings = request.findings ? *request.findings : kNone;
+  if (request.freed != nullptr && !request.freed->empty()) {
+    if (const Status done = maker.addApart(); !done) return done.error();
+  }
   if (request.comparison) {
     if (const Status done = maker.addDeviation(markersOf(findings, true)); !done) return done.error();
   }

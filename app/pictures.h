@@ -25,14 +25,16 @@ struct PictureRequest {
   std::vector<std::string> views = {"iso"};
   ImageSize size;
   int threads = 0;
-  std::optional<Vec2> turned_axis;         ///< (x, y) of a turned part's axis, mm: sections cut about it
-  const Comparison* comparison = nullptr;  ///< null: no deviation map
+  std::optional<Vec2> turned_axis;              ///< (x, y) of a turned part's axis, mm: sections cut about it
+  const Comparison* comparison = nullptr;       ///< null: no deviation map
+  const std::vector<TriMesh>* freed = nullptr;  ///< pieces beside the mesh, which may hold them; null: none
   const std::vector<Finding>* findings = nullptr;  ///< numbered from 1 as in the report; null: none
 };
 
-/// One picture a view; deviation.png where there is a comparison; findings.png where findings have a place. A
-/// mesh without triangles (everything was cut away) gives no picture. What cannot be drawn goes to `failures`
-/// with its file, and the others are there; errors: interrupted.
+/// One picture a view; apart.png where pieces came free: they are lifted out of the part; deviation.png where
+/// there is a comparison; findings.png where findings have a place. A mesh without triangles (everything was
+/// cut away) gives no picture. What cannot be drawn goes to `failures` with its file, and the others are
+/// there; errors: interrupted.
 Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequest& request,
                                           std::vector<Error>& failures, Progress& progress);
 

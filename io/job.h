@@ -65,6 +65,8 @@ struct OutputSpec {
   std::vector<std::string> views = {"iso"};  ///< names; see JobNames
   int width = 1280, height = 960;            ///< pixels, 16..8192
   bool csv = false;                          ///< blocks.csv and mrr.svg
+  std::vector<double> sections;              ///< heights of section drawings, mm, frame of the last setup
+  bool bodies = false;                       ///< a mesh file for each piece that was cut free
 };
 
 /// Something beside the workpiece that no part of a tool may touch. Workpiece frame.

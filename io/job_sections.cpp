@@ -546,6 +546,28 @@ void readSimulation(ConfigTable& root, Job& job) {
   table->refuseOthers();
 }
 
+namespace {
+
+/// Heights of section drawings: at most 100.
+void readSections(ConfigTable& root, ConfigTable& output, Job& job) {
+  constexpr std::size_t kMostSections = 100;
+  const ConfigValue* list = output.find("sections");
+  if (list == nullptr || !isList(root.document(), *list, "sections")) return;
+  for (const ConfigValue& height : list->items) {
+    const bool number = height.type == Type::kInteger || height.type == Type::kNumber;
+    if (number && std::isfinite(height.number)) {
+      job.output.sections.push_back(height.number);
+      continue;
+    }
+    output.error("sections", "job-type", "sections must be a list of heights in mm, like [0.5, 10]");
+    return;
+  }
+  if (list->items.size() > kMostSections)
+    output.error("sections", "job-range", fmt::format("at most {} sections are drawn", kMostSections));
+}
+
+}  // namespace
+
 void readOutput(ConfigTable& root, const JobNames& names, Job& job) {
   auto output = root.table("output");
   if (!output) return;
@@ -580,6 +602,8 @@ void readOutput(ConfigTable& root, const JobNames& names, Job& job) {
     }
   }
   if (const auto csv = output->flag("csv")) job.output.csv = *csv;
+  readSections(root, *output, job);
+  if (const auto bodies = output->flag("bodies")) job.output.bodies = *bodies;
   const ConfigValue* size = output->find("size");
   if (size != nullptr && isList(root.document(), *size, "size")) {
     const auto side = [](const ConfigValue& v) {

@@ -77,6 +77,10 @@ Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const 
   if (run.setups.back().turned) return makeTurnedPart(turnedPart(run.setups.back()));
   if (run.setups.back().facet_error_mm > 0.0)
     return std::unique_ptr<ExactPart>();  // the mesh is nearly exact
+  const bool wire_cut = std::any_of(run.setups.begin(), run.setups.end(), [](const SetupRun& setup) {
+    return !setup.interpreted.path.wires.empty();
+  });
+  if (wire_cut) return std::unique_ptr<ExactPart>();  // cutters' bodies alone are known
   // Frames of clampings that turned the part hold what they left: it is the blank of those behind them.
   static const Toolpath kNothing;
   StockShape start = blank;

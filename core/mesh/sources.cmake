@@ -1,6 +1,7 @@
 target_sources(proveout_core PRIVATE
   geometry/box_tree.cpp
   mesh/intersections.cpp
+  mesh/level_cut.cpp
   mesh/mesh_editor.cpp
   mesh/mesh_topology.cpp
   mesh/signed_distance.cpp

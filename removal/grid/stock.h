@@ -140,6 +140,10 @@ class Stock {
   /// left of the stock, not enough memory.
   Result<Stock> moved(const RigidTransform& move, const RemovalOptions& options, Progress& progress) const;
 
+  /// Takes away what lies outside of a closed mesh, whose motions the new surface gets; walls and gaps of the
+  /// mesh that are thinner than the grid are lost. Errors: as checkSolid; the stock is as before.
+  Status keepWithin(const MeshShape& body);
+
   /// Writes grid, crossings and provenance; whole file or none. The swept volumes are not written: the
   /// surface of a loaded stock has its vertices from the crossings alone, off by up to some 30 micrometres on
   /// a grid of 0.2 mm on faces with radii below two cells.

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/stopwatch.h"
+#include "removal/process/wire_grid_piece.h"
 
 namespace proveout {
 namespace {
@@ -87,13 +88,10 @@ Status MilledPiece::cut(const Toolpath& path, const std::vector<Tool>& tools, co
 
 Result<std::unique_ptr<Workpiece>> MilledPiece::become(ProcessKind next, const RigidTransform& move,
                                                        const PieceOptions& options, Progress& progress) {
-  if (next != ProcessKind::kMilling)
-    return inputError("what was milled cannot be turned: only bars, tubes and what is still round can");
   Result<Stock> moved = stock_.moved(move, options.grid, progress);
   if (!moved) return moved.error();
   for (StockBody& body : apart_) body.bounds = move(body.bounds);
-  return std::unique_ptr<Workpiece>(
-      std::make_unique<MilledPiece>(std::move(*moved), left_mm3_, own_mm3_, std::move(apart_)));
+  return pieceOnGrid(next, std::move(*moved), left_mm3_, own_mm3_, std::move(apart_));
 }
 
 }  // namespace proveout

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "core/base/stopwatch.h"
-#include "removal/process/milled_piece.h"
+#include "removal/process/wire_grid_piece.h"
 #include "removal/turning/revolve.h"
 #include "removal/turning/thread_mesh.h"
 #include "removal/turning/turned_field.h"
@@ -218,8 +218,7 @@ Result<std::unique_ptr<Workpiece>> TurnedPiece::become(ProcessKind next, const R
   const StockShape shape = turnedStock(std::make_shared<const TurnedShape>(alone(*made_, 0)), move);
   Result<Stock> stock = Stock::create(shape, options.grid, progress);
   if (!stock) return stock.error();
-  return std::unique_ptr<Workpiece>(
-      std::make_unique<MilledPiece>(std::move(*stock), left_mm3_, part_mm3_, std::move(apart_)));
+  return pieceOnGrid(next, std::move(*stock), left_mm3_, part_mm3_, std::move(apart_));
 }
 
 }  // namespace proveout

@@ -1,10 +1,11 @@
 #include "removal/process/wire_piece.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "core/base/stopwatch.h"
+#include "removal/process/wire_bodies.h"
+#include "removal/process/wire_grid_piece.h"
 
 namespace proveout {
 namespace {
@@ -13,21 +14,8 @@ namespace {
 /// round ends are chords as well.
 constexpr double kShareOfFacet = 0.5;
 
-/// The largest, which comes first, or the one whose bounds fit best.
-std::size_t partAmong(const std::vector<WireBody>& bodies, const std::optional<Box3>& wanted) {
-  if (!wanted) return 0;
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Box3& bounds = bodies[k].bounds;
-    const double off = (bounds.min - wanted->min).head<2>().cwiseAbs().sum() +
-                       (bounds.max - wanted->max).head<2>().cwiseAbs().sum();
-    if (off >= least) continue;
-    least = off;
-    best = k;
-  }
-  return best;
-}
+/// mm.
+constexpr double kAroundPart = 1.0;
 
 const char* wayOut(const BodyExit& exit) {
   if (exit.down) return exit.up ? "both" : "down";
@@ -49,7 +37,9 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
   std::vector<std::size_t> order(stock_.bodies().size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (!order.empty()) {
-    const auto part = order.begin() + static_cast<std::ptrdiff_t>(partAmong(stock_.bodies(), options.part));
+    std::vector<Box3> bounds;
+    for (const WireBody& body : stock_.bodies()) bounds.push_back(body.bounds);
+    const auto part = order.begin() + static_cast<std::ptrdiff_t>(bodyLike(bounds, options.part));
     std::rotate(order.begin(), part, part + 1);
   }
   out.bodies.emplace();
@@ -60,6 +50,10 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
     else
       out.bodies->push_back({body.volume_mm3, body.bounds, "slug", wayOut(stock_.exit(k, order.front()))});
   }
+  if (!order.empty()) part_ = order.front();
+  apart_.assign(out.bodies->begin() + (out.bodies->empty() ? 0 : 1), out.bodies->end());
+  for (std::size_t k = 1; k < order.size(); ++k)
+    out.freed.push_back(stock_.mesh({order[k]}, options.facet_mm));
   // A nominal is that of the part alone.
   if (options.part && order.size() > 1) order.resize(1);
   out.surface.mesh = stock_.mesh(order, options.facet_mm);
@@ -78,10 +72,23 @@ Status WirePiece::cut(const Toolpath& path, const std::vector<Tool>& tools, cons
   return removal ? Status(Done{}) : Status(removal.error());
 }
 
-Result<std::unique_ptr<Workpiece>> WirePiece::become(ProcessKind /*next*/, const RigidTransform& /*move*/,
-                                                     const PieceOptions& /*options*/,
-                                                     Progress& /*progress*/) {
-  return inputError("what a wire has cut cannot be clamped again: that is not built yet");
+Result<std::unique_ptr<Workpiece>> WirePiece::become(ProcessKind next, const RigidTransform& move,
+                                                     const PieceOptions& options, Progress& progress) {
+  if (!part_) return inputError("nothing is left to be clamped");
+  std::vector<StockBody> apart = std::move(apart_);
+  for (StockBody& body : apart) body.bounds = move(body.bounds);
+  MeshShape shape{stock_.mesh({*part_}, options.facet_mm), "what the wire left"};
+  shape.mesh.motion.clear();
+  for (Eigen::Vector3f& p : shape.mesh.positions) p = move(p.cast<double>()).cast<float>();
+  if (next == ProcessKind::kTurning)
+    return inputError("what a wire has cut cannot be turned: only bars, tubes and what is still round can");
+  // Out of a box somewhat larger: the grid then has the crossings of the mesh alone.
+  const Box3 about = meshBounds(shape.mesh).inflated(kAroundPart);
+  Result<Stock> stock = Stock::create(BoxShape{about.min, about.max}, options.grid, progress);
+  if (!stock) return stock.error();
+  if (const Status kept = stock->keepWithin(shape); !kept) return kept.error();
+  return pieceOnGrid(next, std::move(*stock), stock_.volume(), stock_.bodies()[*part_].volume_mm3,
+                     std::move(apart));
 }
 
 }  // namespace proveout

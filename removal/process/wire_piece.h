@@ -16,13 +16,15 @@ class WirePiece final : public Workpiece {
                            Progress& progress) override;
   Status cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
              Progress& progress) override;
-  /// Error, always: it cannot be clamped again.
+  /// The part goes onto the grid from its mesh: to milling, or to a wire again.
   Result<std::unique_ptr<Workpiece>> become(ProcessKind next, const RigidTransform& move,
                                             const PieceOptions& options, Progress& progress) override;
   std::optional<Stock> takeGrid() override { return std::nullopt; }
 
  private:
   WireStock stock_;
+  std::optional<std::size_t> part_;  ///< among its bodies, once it is cut
+  std::vector<StockBody> apart_;     ///< the others
 };
 
 }  // namespace proveout

@@ -12,7 +12,7 @@ constexpr std::size_t kLookAhead = 512;
 
 /// Edges of a loop that follow each other and have one name.
 struct Run {
-  EdgeName name;
+  WallName name;
   std::uint32_t first, count;  ///< from point `first` on, `count` edges
 };
 
@@ -32,7 +32,7 @@ std::vector<Run> runsOf(const LevelLoop& loop) {
   return runs;
 }
 
-using Places = std::unordered_map<EdgeName, std::vector<std::size_t>>;
+using Places = std::unordered_map<WallName, std::vector<std::size_t>>;
 Places placesOf(const std::vector<Run>& runs) {
   Places places;
   for (std::size_t i = 0; i < runs.size(); ++i) places[runs[i].name].push_back(i);
@@ -164,7 +164,7 @@ std::uint32_t edgesBetween(std::uint32_t from, std::uint32_t to, const LevelLoop
 }  // namespace
 
 LoopPairs pairLoops(const LevelSection& lower, const LevelSection& upper) {
-  std::unordered_map<EdgeName, std::vector<std::uint32_t>> upper_of;
+  std::unordered_map<WallName, std::vector<std::uint32_t>> upper_of;
   for (std::uint32_t k = 0; k < upper.loops.size(); ++k) {
     for (const Run& run : runsOf(upper.loops[k])) {
       std::vector<std::uint32_t>& loops = upper_of[run.name];

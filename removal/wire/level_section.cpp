@@ -32,12 +32,12 @@ constexpr std::size_t kNamesATask = 512;
 
 /// Names: the number of the stretch, and which part of it.
 constexpr int kPartBits = 2;
-constexpr EdgeName kLeft = 0, kRight = 1, kEnd = 2;
-constexpr EdgeName kBlankName = EdgeName{1} << 63;
-bool isSide(EdgeName name) { return (name & kBlankName) != 0 || (name & 3) != kEnd; }
+constexpr WallName kLeft = 0, kRight = 1, kEnd = 2;
+constexpr WallName kBlankName = WallName{1} << 63;
+bool isSide(WallName name) { return (name & kBlankName) != 0 || (name & 3) != kEnd; }
 
 struct Named {
-  EdgeName name = 0;
+  WallName name = 0;
   MotionId motion = kNoMotion;
   double off_mm = 0.0;  ///< from the curve
 };
@@ -97,19 +97,19 @@ class KerfNames {
   }
 
   /// Ends are numbered by the stretch that begins there: the end of one is the start of the next.
-  static EdgeName nameOf(std::uint32_t i, const Place& place) {
+  static WallName nameOf(std::uint32_t i, const Place& place) {
     if (place.share == 0.0 || place.share == 1.0)
-      return ((EdgeName{i} + (place.share == 1.0 ? 1 : 0)) << kPartBits) | kEnd;
-    return (EdgeName{i} << kPartBits) | (place.left ? kLeft : kRight);
+      return ((WallName{i} + (place.share == 1.0 ? 1 : 0)) << kPartBits) | kEnd;
+    return (WallName{i} << kPartBits) | (place.left ? kLeft : kRight);
   }
 
   const std::vector<LevelStretch>& stretches_;
   BoxTree tree_;
 };
 
-class EdgeNamer {
+class WallNamer {
  public:
-  EdgeNamer(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches)
+  WallNamer(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches)
       : kerf_(stretches), sides_(sidesOf(blank)), blank_(sides_) {}
 
   Named of(const Vec2& middle) const {
@@ -177,7 +177,7 @@ class LoopTidier {
   const std::vector<bool>& straight_;  ///< by edge
 };
 
-LevelLoop loopOf(const ClipperLib::Path& path, const EdgeNamer& namer) {
+LevelLoop loopOf(const ClipperLib::Path& path, const WallNamer& namer) {
   const std::size_t n = path.size(), tasks = (n + kNamesATask - 1) / kNamesATask;
   LevelLoop loop;
   for (const ClipperLib::IntPoint& p : path) loop.points.push_back(toMm(p));
@@ -207,7 +207,7 @@ double areaOf(const LevelLoop& loop) {
 
 LevelSection levelSection(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches,
                           double z) {
-  const EdgeNamer namer(blank, stretches);
+  const WallNamer namer(blank, stretches);
   LevelSection section;
   section.z = z;
   for (const PathRegion& paths : regionsLeft(pathsOf(blank, kBlankChord), leanKerf(stretches))) {

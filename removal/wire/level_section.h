@@ -11,12 +11,12 @@ namespace proveout {
 
 /// Says where an edge of a section comes from, the same at all heights: a side of a stretch, its end, or a
 /// side of the blank.
-using EdgeName = std::uint64_t;
+using WallName = std::uint64_t;
 
 /// A closed polygon, the region on its left.
 struct LevelLoop {
   std::vector<Vec2> points;
-  std::vector<EdgeName> names;    ///< of the edge from points[i] to the next
+  std::vector<WallName> names;    ///< of the edge from points[i] to the next
   std::vector<MotionId> motions;  ///< that made it; kNoMotion: it is the blank's own
 };
 

@@ -115,16 +115,19 @@ TEST(Commands, WireEdmCutsUprightWalls) {
   EXPECT_EQ(bodies[0]["role"], "part");
   EXPECT_NEAR(bodies[0]["volume_mm3"].get<double>(), 20 * (18.0 * 18 - std::numbers::pi * 5.11 * 5.11), 0.5);
   EXPECT_EQ(bodies[1]["role"], "slug");
-  // A wire that leans is refused with its block.
+  // With taper the hole is a cone.
   bench.write("taper.nc",
               "T84T86;\nC001;\nG92X0Y0;\nG51A2.;\nG01X5.;\nG02X-5.I-5.;\nX5.I5.;\nG50G01X0;\nM02;\n");
   bench.write("taper.toml", jobOf("taper.nc"));
   EXPECT_EQ(bench.run("check taper.toml").exit_code, 0);
   const Outcome leans = bench.run("run taper.toml --no-render --out lean");
-  EXPECT_EQ(leans.exit_code, 2);
-  EXPECT_TRUE(has(leans.err, "not built yet")) << leans.err;
-  EXPECT_TRUE(has(leans.err, "taper.nc:")) << leans.err;
-  EXPECT_FALSE(bench.exists("lean"));
+  EXPECT_EQ(leans.exit_code, 0) << leans.err;
+  const nlohmann::json cone = nlohmann::json::parse(readFile(bench.path("lean/report.json")));
+  const double angle = 2.0 * std::numbers::pi / 180.0, low = 5.0 + 0.11 / std::cos(angle),
+               high = low + 20.0 * std::tan(angle);
+  const double frame = 20.0 * (18.0 * 18.0 - std::numbers::pi * (low * low + low * high + high * high) / 3.0);
+  EXPECT_NEAR(cone["stock"]["bodies"][0]["volume_mm3"].get<double>(), frame, 1e-5 * frame);
+  EXPECT_EQ(cone["stock"]["bodies"][1]["leaves"], "up");
 }
 
 TEST(Commands, CompareMeasuresABox) {

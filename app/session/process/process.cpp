@@ -14,7 +14,7 @@ constexpr std::array kProcesses = {&kMillingProcess, &kTurningProcess, &kWirePro
 
 /// What a workpiece may become, see Workpiece::become.
 bool mayFollow(const Process& before, const Process& next) {
-  return next.kind == before.kind || (before.kind == ProcessKind::kTurning && next.on_grid);
+  return next.kind == before.kind || !next.part_turns;
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ Status checkProcesses(const Job& job, const Blank& blank) {
           jobOfSetup(job, k).control, process.verb,
           process.part_turns
               ? "only bars, tubes and what was turned can be turned; give the turned clampings first"
-              : "only turned parts go over to another process, and only to milling"));
+              : "no process goes over to this one"));
     if (Status possible = process.check(job, k, blank); !possible) return possible;
   }
   return Done{};
@@ -50,7 +50,7 @@ Status checkProcesses(const Job& job, const Blank& blank) {
 
 bool needsGrid(const Job& job) {
   for (std::size_t k = 0; k < setupCount(job); ++k) {
-    if (processOf(job, k).on_grid) return true;
+    if (processOf(job, k).on_grid || (k > 0 && !processOf(job, k).part_turns)) return true;
   }
   return false;
 }

@@ -3,21 +3,21 @@
 
 #include "app/session/process/process.h"
 #include "app/session/run_result.h"
+#include "app/session/turning_work.h"
 #include "removal/process/wire_piece.h"
 
 namespace proveout {
 namespace {
 
-/// Blanks have upright walls, and are clamped once, without fixtures.
+/// Blanks have upright walls; what was clamped before may be anything. There are no fixtures.
 Status check(const Job& job, std::size_t k, const Blank& blank) {
-  if (const Result<PrismBlank> prism = prismOf(blank.shape); !prism) return prism.error();
-  if (k > 0)
-    return inputError(
-        fmt::format("setup '{}': what a wire has cut cannot be clamped again: that is not built yet",
-                    job.setups[k].name));
+  if (k == 0) {
+    if (const Result<PrismBlank> prism = prismOf(blank.shape); !prism) return prism.error();
+  }
   if (!jobOfSetup(job, k).fixtures.empty())
     return inputError("fixtures beside a wire are not built yet: leave them out");
-  if (savesStock(job)) return inputError("what a wire cuts has no grid to be saved: leave vdb out");
+  if (savesStock(job) && setupCount(job) == 1)
+    return inputError("what a wire cuts has no grid to be saved: leave vdb out");
   return Done{};
 }
 
@@ -32,13 +32,18 @@ std::unique_ptr<PieceProbe> probe(const Job& /*setup*/, const ProbedStock& /*sto
 }
 
 /// Walls have two triangles a motion on either side of the kerf, faces as many.
-Workload work(const Job& /*job*/, const RunResult& run, std::size_t k, const Blank& /*blank*/) {
+/// Behind another clamping each body is cut out of the grid.
+Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& blank) {
   constexpr double kTrianglesOfAMotion = 16.0;
   Workload work;
   work.clampings = 1;
   work.motions = run.setups[k].interpreted.path.motions.size();
   work.triangles = kTrianglesOfAMotion * static_cast<double>(work.motions);
-  return work;
+  if (k == 0) return work;
+  constexpr double kCopies = 3.0;
+  work.surface_mm2 = kCopies * blankArea(blank.shape, movedBounds(job, blank.bounds, k));
+  work.mesh_moves = movesExactly(run.setups[k].from_previous) ? 0 : 1;
+  return processOf(job, k - 1).on_grid ? work : together(work, ontoGridWork(run.setups[k - 1], blank));
 }
 
 Result<std::unique_ptr<Workpiece>> make(Blank& blank, const Job& /*job*/, Progress& /*progress*/) {

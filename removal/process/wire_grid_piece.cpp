@@ -1,0 +1,250 @@
+#include "removal/process/wire_grid_piece.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/stopwatch.h"
+#include "core/geometry/plane.h"
+#include "removal/grid/stock_impl.h"
+#include "removal/process/milled_piece.h"
+#include "removal/process/wire_bodies.h"
+#include "removal/wire/stretch_index.h"
+#include "removal/wire/wire_stock.h"
+#include "removal/wire/wire_work.h"
+
+namespace proveout {
+namespace {
+
+/// The box about a workpiece reaches beyond it by so much, mm: faces of both do not coincide.
+constexpr double kAround = 1.0;
+/// Places along a motion, at most, and across its kerf, at which is asked what it meets.
+constexpr int kMostStations = 256, kAcross = 3;
+/// Heights at which is asked.
+constexpr int kHeights = 9;
+
+PrismBlank boxAbout(const Box3& bounds) {
+  PrismBlank blank;
+  blank.loops.push_back(rectangleLoop(bounds.min.head<2>() - Vec2::Constant(kAround),
+                                      bounds.max.head<2>() + Vec2::Constant(kAround)));
+  blank.z_low = bounds.min.z() - kAround;
+  blank.z_high = bounds.max.z() + kAround;
+  return blank;
+}
+
+/// Asks the grid what motions of the wire meet, each with what those before it left.
+class GridWireMeeting {
+ public:
+  GridWireMeeting(const Stock& stock, const LeanWork& work, const HeightSpan& span)
+      : stock_(stock.inside()), reader_(stock_), span_(span) {
+    const Box3 bounds = stock.bounds();
+    for (int k = 0; k < kHeights; ++k) {
+      heights_.push_back(bounds.min.z() + (k + 0.5) / kHeights * (bounds.max.z() - bounds.min.z()));
+      works_.push_back(std::make_unique<WireWork>(work.atHeight(span, heights_.back())));
+      indices_.push_back(std::make_unique<StretchIndex>(works_.back()->cuts));
+    }
+    slice_mm_ = (bounds.max.z() - bounds.min.z()) / kHeights;
+  }
+
+  /// mm3, about.
+  double takenBy(std::uint32_t cut) { return volumeOf(&WireWork::cuts, cut, cut, nullptr); }
+  /// The contact of a rapid, if it meets material.
+  std::optional<Contact> contactOf(std::size_t rapid, std::uint32_t after) {
+    Contact contact;
+    for (int k = 0; k < kHeights; ++k)
+      contact.volume_mm3 += volumeAt(k, works_[k]->rapids[rapid].stretch, after, &contact.where);
+    if (contact.volume_mm3 <= 0.0) return std::nullopt;
+    const WireStretch& stretch = works_.front()->rapids[rapid].stretch;
+    contact.motion = contact.last = stretch.motion;
+    contact.depth_mm = 2.0 * stretch.kerf_mm;
+    return contact;
+  }
+
+ private:
+  double volumeOf(std::vector<WireStretch> WireWork::*list, std::size_t i, std::uint32_t before,
+                  Vec3* where) {
+    double sum = 0.0;
+    for (int k = 0; k < kHeights; ++k) sum += volumeAt(k, ((*works_[k]).*list)[i], before, where);
+    return sum;
+  }
+
+  double volumeAt(int height, const WireStretch& s, std::uint32_t before, Vec3* where) {
+    const int stations = std::clamp(static_cast<int>(s.length() / stock_.h), 1, kMostStations);
+    const Vec2 along = s.to - s.from,
+               left = along.norm() > 0.0 ? Vec2(leftOf(along.normalized())) : Vec2::UnitY();
+    int met = 0;
+    for (int k = 0; k < stations; ++k) {
+      for (int a = 0; a < kAcross; ++a) {
+        const Vec2 p = s.at((k + 0.5) / stations) + left * (s.kerf_mm * (2.0 * (a + 0.5) / kAcross - 1.0));
+        const Vec3 at(p.x(), p.y(), heights_[height]);
+        if (!isMaterial(at) || indices_[height]->nearest(p, 0.0, before).stretch != StretchIndex::kNone)
+          continue;
+        if (where != nullptr) *where = at;
+        ++met;
+      }
+    }
+    return 2.0 * s.kerf_mm * s.length() * slice_mm_ * met / (stations * kAcross);
+  }
+
+  bool isMaterial(const Vec3& p) {
+    const Vec3 at = (p - stock_.origin) / stock_.h;
+    return reader_.isMaterial(Coord(static_cast<int>(std::lround(at.x())),
+                                    static_cast<int>(std::lround(at.y())),
+                                    static_cast<int>(std::lround(at.z()))));
+  }
+
+  const Stock::Impl& stock_;
+  SampleReader reader_;
+  HeightSpan span_;
+  std::vector<double> heights_;
+  std::vector<std::unique_ptr<WireWork>> works_;  ///< by height; the indices hold on to them
+  std::vector<std::unique_ptr<StretchIndex>> indices_;
+  double slice_mm_ = 0.0;
+};
+
+/// What the motions take and meet, estimated at the grid's points.
+Result<RemovalSummary> meetingOf(const Stock& stock, const Toolpath& path, const std::vector<Tool>& tools,
+                                 const HeightSpan& span, double tolerance) {
+  const Result<LeanWork> work = leanWork(path, tools, span, tolerance);
+  if (!work) return work.error();
+  RemovalSummary summary;
+  summary.removed_mm3.assign(path.motions.size(), 0.0F);
+  GridWireMeeting meeting(stock, *work, span);
+  for (std::uint32_t i = 0; i < work->cuts.size(); ++i)
+    summary.removed_mm3[work->cuts[i].motion] += static_cast<float>(meeting.takenBy(i));
+  for (std::size_t i = 0; i < work->rapids.size(); ++i) {
+    if (const auto contact = meeting.contactOf(i, work->rapids[i].after))
+      summary.contacts.push_back(*contact);
+  }
+  return summary;
+}
+
+/// A copy: quarter turns, none here, are exact.
+Result<Stock> copyOf(const Stock& stock, const RemovalOptions& options, Progress& progress) {
+  return stock.moved(RigidTransform{}, options, progress);
+}
+
+struct GridBody {
+  Stock stock;
+  StockSurface surface;
+  Box3 bounds;
+};
+
+/// What each body of the box has of the workpiece, the largest first.
+Result<std::vector<GridBody>> bodiesOf(const Stock& stock, const WireStock& box, const PieceOptions& options,
+                                       Progress& progress) {
+  std::vector<GridBody> out;
+  for (std::size_t k = 0; k < box.bodies().size(); ++k) {
+    if (!box.bodies()[k].bounds.overlaps(stock.bounds())) continue;
+    Result<Stock> own = copyOf(stock, options.grid, progress);
+    if (!own) return own.error();
+    const MeshShape shape{box.mesh({k}, options.facet_mm), "what the wire leaves"};
+    if (const Status kept = own->keepWithin(shape); !kept) return kept.error();
+    Result<StockSurface> surface = own->surface(options.surface, progress);
+    if (!surface) return surface.error();
+    if (surface->mesh.triangles.empty()) continue;
+    const Box3 bounds = meshBounds(surface->mesh);
+    out.push_back({std::move(*own), std::move(*surface), bounds});
+  }
+  std::stable_sort(out.begin(), out.end(), [](const GridBody& a, const GridBody& b) {
+    return a.surface.volume_mm3 > b.surface.volume_mm3;
+  });
+  return out;
+}
+
+/// Kerfs that the grid cannot hold.
+void tellNarrow(const Toolpath& path, const std::vector<Tool>& tools, double h, RemovalSummary& summary) {
+  for (MotionId id = 0; id < path.motions.size(); ++id) {
+    const Motion& motion = path.motions[id];
+    if (motion.wire < 0 || motion.kind != MotionKind::kFeed || summary.removed_mm3[id] <= 0.0F) continue;
+    const auto tool =
+        std::find_if(tools.begin(), tools.end(), [&](const Tool& t) { return t.number == motion.tool; });
+    if (tool == tools.end()) continue;
+    const double width = tool->diameter + 2.0 * tool->spark_gap, length = path.length(motion);
+    if (width >= h) continue;
+    if (summary.narrow_cuts.empty()) summary.narrow_cuts.push_back({id, motion.from, width, 0.0, 0.0});
+    summary.narrow_cuts.back().length_mm += length;
+    summary.narrow_cuts.back().area_mm2 += length * width;
+  }
+}
+
+}  // namespace
+
+WireGridPiece::WireGridPiece(Stock stock, double left_mm3, double own_mm3, std::vector<StockBody> apart)
+    : stock_(std::move(stock)), left_mm3_(left_mm3), own_mm3_(own_mm3), apart_(std::move(apart)) {}
+
+Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<Tool>& tools,
+                                        const PieceOptions& options, Progress& progress) {
+  Stopwatch watch;
+  const Result<StockVolume> held = stock_.volume(options.surface, progress);
+  if (!held) return held.error();
+  Machined out;
+  out.initial_mm3 = left_mm3_;
+  out.holding = {own_mm3_, held->mm3};
+  const PrismBlank about = boxAbout(stock_.bounds());
+  const HeightSpan span{about.z_low, about.z_high};
+  WireStock box(about);
+  if (const Result<RemovalSummary> cut = box.remove(path, tools, 0.5 * options.facet_mm, progress); !cut)
+    return cut.error();
+  Result<RemovalSummary> met = meetingOf(stock_, path, tools, span, options.facet_mm);
+  if (!met) return met.error();
+  tellNarrow(path, tools, stock_.resolution(), *met);
+  out.remove_s = watch.lap();
+  Result<std::vector<GridBody>> bodies = bodiesOf(stock_, box, options, progress);
+  if (!bodies) return bodies.error();
+  out.mesh_s = watch.lap();
+  double after_mm3 = 0.0;
+  for (const GridBody& body : *bodies) after_mm3 += body.surface.volume_mm3;
+  const double removed_mm3 = std::clamp(held->mm3 - after_mm3, 0.0, out.initial_mm3);
+  out.bodies.emplace();
+  if (!bodies->empty()) {
+    std::vector<Box3> bounds;
+    for (const GridBody& body : *bodies) bounds.push_back(body.bounds);
+    const auto part = bodies->begin() + static_cast<std::ptrdiff_t>(bodyLike(bounds, options.part));
+    std::rotate(bodies->begin(), part, part + 1);
+    for (const GridBody& body : *bodies)
+      out.bodies->push_back({body.surface.volume_mm3, body.bounds, out.bodies->empty() ? "part" : "slug"});
+    for (std::size_t k = 1; k < bodies->size(); ++k) out.freed.push_back(std::move((*bodies)[k].surface.mesh));
+    stock_ = std::move(bodies->front().stock);
+    out.surface = std::move(bodies->front().surface);
+  }
+  own_mm3_ = out.surface.volume_mm3;
+  out.bodies->insert(out.bodies->end(), apart_.begin(), apart_.end());
+  apart_.assign(out.bodies->begin() + (out.bodies->empty() ? 0 : 1), out.bodies->end());
+  out.surface.volume_mm3 = out.initial_mm3 - removed_mm3;
+  left_mm3_ = out.surface.volume_mm3;
+  fitRemovedVolume(*met, removed_mm3);
+  out.removal = std::move(*met);
+  return out;
+}
+
+Status WireGridPiece::cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
+                          Progress& progress) {
+  const Result<Machined> made = machine(path, tools, options, progress);
+  return made ? Status(Done{}) : Status(made.error());
+}
+
+Result<std::unique_ptr<Workpiece>> WireGridPiece::become(ProcessKind next, const RigidTransform& move,
+                                                         const PieceOptions& options, Progress& progress) {
+  Result<Stock> moved = stock_.moved(move, options.grid, progress);
+  if (!moved) return moved.error();
+  for (StockBody& body : apart_) body.bounds = move(body.bounds);
+  return pieceOnGrid(next, std::move(*moved), left_mm3_, own_mm3_, std::move(apart_));
+}
+
+Result<std::unique_ptr<Workpiece>> pieceOnGrid(ProcessKind next, Stock stock, double left_mm3, double own_mm3,
+                                               std::vector<StockBody> apart) {
+  if (next == ProcessKind::kWire)
+    return std::unique_ptr<Workpiece>(
+        std::make_unique<WireGridPiece>(std::move(stock), left_mm3, own_mm3, std::move(apart)));
+  if (next == ProcessKind::kMilling)
+    return std::unique_ptr<Workpiece>(
+        std::make_unique<MilledPiece>(std::move(stock), left_mm3, own_mm3, std::move(apart)));
+  return inputError(
+      "what was milled or cut with a wire cannot be turned: only bars, tubes and what is still "
+      "round can");
+}
+
+}  // namespace proveout
