@@ -12,7 +12,7 @@ PROVEOUT := build/release/bin/proveout
 help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
 	@echo 'make test   the same build, then the whole test suite'
-	@echo 'make soak   random whole jobs against the laws of tests/soak; MINUTES=$(MINUTES) SEED=$(SEED)'
+	@echo 'make soak   random whole jobs against the laws of tests/soak, then some of a wire; MINUTES=$(MINUTES) each, SEED=$(SEED)'
 	@echo 'make study  all planted defects of tests/study (make test plants a tenth of them): a quarter of an hour'
 	@echo 'make program build the program alone: $(PROVEOUT)'
 	@echo 'make build  build everything, the tests among it'
@@ -45,6 +45,7 @@ test: build
 
 soak: build
 	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED)
+	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED) --wire
 
 study: build
 	PROVEOUT_STUDY_WHOLE=1 build/release/bin/planted_defects
