@@ -7,15 +7,15 @@ MINUTES ?= 5
 SEED ?= 1
 PROVEOUT := build/release/bin/proveout
 
-.PHONY: help deps program build demo test soak study bench asan tsan clean
+.PHONY: help deps configure program build demo test soak study bench asan tsan clean
 
 help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
-	@echo 'make test   the same build, then the whole test suite'
-	@echo 'make soak   random whole jobs against the laws of tests/soak; MINUTES=$(MINUTES) SEED=$(SEED)'
-	@echo 'make study  all planted defects of tests/study (make test plants a tenth of them): a quarter of an hour'
+	@echo 'make test   build the program and the tests, then run the whole test suite'
+	@echo 'make soak   random whole jobs against the laws of tests/soak, then some of a wire; MINUTES=$(MINUTES) each, SEED=$(SEED)'
+	@echo 'make study  all planted defects of tests/study (make test plants some of them): a quarter of an hour'
 	@echo 'make program build the program alone: $(PROVEOUT)'
-	@echo 'make build  build everything, the tests among it'
+	@echo 'make build  build everything, with the tests, the benchmarks and the soak'
 	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well'
 	@echo 'make asan   the test suite under the address and undefined-behaviour sanitizers'
 	@echo 'make tsan   the test suite under the thread sanitizer'
@@ -28,9 +28,11 @@ program: deps
 	cmake --preset release
 	cmake --build --preset release --target proveout -j $(JOBS)
 
-build: deps
+configure: deps
 	cmake --preset release
-	cmake --build --preset release -j $(JOBS)
+
+build: configure
+	cmake --build --preset release --target all benches soak -j $(JOBS)
 
 demo: program
 	@test -f $(DEMO)/job.toml || { echo 'no job file $(DEMO)/job.toml' >&2; exit 2; }
@@ -40,16 +42,21 @@ demo: program
 	echo; echo 'Results in $(DEMO_OUT):'; ls -1 $(DEMO_OUT) | sed 's/^/  /'; \
 	echo 'Start with $(DEMO_OUT)/report.html'
 
-test: build
+test: configure
+	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS) --output-on-failure
 
-soak: build
+soak: configure
+	cmake --build --preset release --target soak -j $(JOBS)
 	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED)
+	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED) --wire
 
-study: build
+study: configure
+	cmake --build --preset release --target planted_defects -j $(JOBS)
 	PROVEOUT_STUDY_WHOLE=1 build/release/bin/planted_defects
 
-bench: build
+bench: configure
+	cmake --build --preset release --target benches -j $(JOBS)
 	build/release/bin/bench_programs $(BENCH)
 	build/release/bin/bench_sweeps
 	build/release/bin/bench_prediction

@@ -99,6 +99,12 @@ struct ToolChangePlace {
 struct UntilBlock {
   std::optional<int> line;
   std::optional<std::int64_t> block;
+
+  /// By a block with that N number (below 0: none), on the line of that index.
+  bool reachedBy(std::int64_t number, std::size_t line_index) const {
+    if (block && number == *block) return true;
+    return line && static_cast<int>(line_index) + 1 >= *line;
+  }
 };
 
 struct ControlSettings {

@@ -255,16 +255,23 @@ void SourceText::indexLabels() {
   std::sort(labels_.begin(), labels_.end());
 }
 
-void placeIn(const SourceText& text, const SourceRef& at, Columns columns, Diagnostic& diagnostic) {
-  diagnostic.where.file = text.name();
-  diagnostic.where.line = static_cast<int>(at.line);
-  if (at.line <= text.lines().size()) diagnostic.source_line = std::string(text.lines()[at.line - 1]);
-  diagnostic.where.column = columns.begin;
-  diagnostic.where.column_end = columns.end;
-  const std::string& line = diagnostic.source_line;
-  if (columns.begin != 0 || line.empty()) return;
-  diagnostic.where.column = static_cast<int>(line.find_first_not_of(" \t")) + 1;
-  diagnostic.where.column_end = static_cast<int>(line.find_last_not_of(" \t")) + 2;
+Diagnostic diagnosticAt(const SourceText* text, const SourceRef& at, Columns columns, Severity severity,
+                        std::string code, std::string message) {
+  Diagnostic d;
+  d.severity = severity;
+  d.code = std::move(code);
+  d.message = std::move(message);
+  if (text == nullptr || at.line == 0) return d;
+  d.where = {text->name(), static_cast<int>(at.line), columns.begin, columns.end};
+  if (at.line <= text->lines().size()) d.source_line = std::string(text->lines()[at.line - 1]);
+  if (columns.begin != 0 || d.source_line.empty()) return d;
+  d.where.column = static_cast<int>(d.source_line.find_first_not_of(" \t")) + 1;
+  d.where.column_end = static_cast<int>(d.source_line.find_last_not_of(" \t")) + 2;
+  return d;
+}
+
+std::string calledFrom(const SourceText& text, std::size_t line) {
+  return fmt::format("called from {}:{}", text.name(), line);
 }
 
 }  // namespace proveout::nc

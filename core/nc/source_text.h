@@ -70,7 +70,11 @@ class SourceText {
   std::unique_ptr<const LoopIndex> loops_;
 };
 
-/// Puts a diagnostic on a line of the text; without columns on all that the line says.
-void placeIn(const SourceText& text, const SourceRef& at, Columns columns, Diagnostic& diagnostic);
+/// A diagnostic on a line of the text, without columns on all that the line says; without a text or a line
+/// (0) it names no place.
+Diagnostic diagnosticAt(const SourceText* text, const SourceRef& at, Columns columns, Severity severity,
+                        std::string code, std::string message);
+/// A note of a diagnostic: the line, from 1, that calls the program in hand.
+std::string calledFrom(const SourceText& text, std::size_t line);
 
 }  // namespace proveout::nc

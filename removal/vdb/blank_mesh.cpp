@@ -10,6 +10,7 @@
 #include "removal/grid/leaf_changes.h"
 #include "removal/grid/stock_impl.h"
 #include "removal/vdb/vdb_coord.h"
+#include "removal/vdb/vdb_extern.h"
 #include "removal/vdb/vdb_module.h"
 
 namespace proveout {

@@ -15,6 +15,7 @@
 
 #include "removal/grid/face_numbers.h"
 #include "removal/grid/stock_impl.h"
+#include "removal/vdb/vdb_extern.h"
 #include "removal/vdb/vdb_module.h"
 #include "removal/vdb/vdb_pack.h"
 

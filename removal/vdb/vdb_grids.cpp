@@ -10,6 +10,7 @@
 
 #include "core/mesh/signed_distance.h"
 #include "removal/grid/stock_nodes.h"
+#include "removal/vdb/vdb_extern.h"
 #include "removal/vdb/vdb_pack.h"
 
 namespace proveout {

@@ -17,6 +17,7 @@
 
 #include "core/mesh/tri_mesh.h"
 #include "removal/grid/stock.h"
+#include "removal/vdb/vdb_extern.h"
 #include "tests/fuzz/laws.h"
 
 namespace {

@@ -49,13 +49,16 @@ Result<RunResult> CaseRunner::run(const std::string& job, const RunOptions& opti
   return Error{ErrorKind::kInput, why};
 }
 
-std::string CaseRunner::partHash(const std::string& simd_level, int threads) {
+std::optional<CaseRunner::Reported> CaseRunner::report(const std::string& simd_level, int threads) {
   const test::Outcome outcome =
       bench_.run("run job.toml --no-render --quiet --out out --threads " + std::to_string(threads),
                  "env PROVEOUT_SIMD=" + simd_level + " timeout 100");
-  if (outcome.exit_code != 0 && outcome.exit_code != 1) return {};
+  if (outcome.exit_code != 0 && outcome.exit_code != 1) return std::nullopt;
   const auto report = nlohmann::json::parse(test::readFile(bench_.path("out/report.json")), nullptr, false);
-  return report.is_object() ? report["hashes"].value("part_sha256", std::string()) : std::string();
+  if (!report.is_object()) return std::nullopt;
+  const nlohmann::json& performance = report["performance"];
+  return Reported{report["hashes"].value("part_sha256", std::string()),
+                  performance.value("peak_memory_mb", 0.0), performance.value("predicted_memory_mb", 0.0)};
 }
 
 }  // namespace proveout::soak

@@ -23,8 +23,12 @@ class CaseRunner {
   const SoakCase& made() const { return made_; }
   /// Errors: the job or a program of it is refused.
   Result<RunResult> run(const std::string& job, const RunOptions& options = {});
-  /// SHA-256 of the part that the program makes of job.toml at this SIMD level; empty where it fails.
-  std::string partHash(const std::string& simd_level, int threads);
+  /// What the program reports of job.toml at this SIMD level. Nothing: it fails.
+  struct Reported {
+    std::string part_sha256;
+    double peak_mb = 0.0, predicted_mb = 0.0;  ///< of memory
+  };
+  std::optional<Reported> report(const std::string& simd_level, int threads);
   Job load(const std::string& job, std::string& error) const;
 
  private:

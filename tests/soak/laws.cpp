@@ -112,8 +112,9 @@ Broken meshVolumes(const LawCase& c) {
   const double part =
       last.turned ? (last.bodies.empty() ? 0.0 : last.bodies.front().volume_mm3) : finalOf(c.whole);
   const double area = meshArea(last.surface.mesh), mesh = last.extent.volume_mm3;
+  const bool section = last.turned || c.runner.made().cutsWithWire();
   const double within =
-      last.turned ? 0.1 * last.job.simulation.profile_resolution_mm * 2 : c.whole.resolution_mm * 0.1;
+      section ? 0.1 * last.job.simulation.profile_resolution_mm * 2 : c.whole.resolution_mm * 0.1;
   if (std::abs(part - mesh) <= within * area || tells(c.whole, FindingKind::kThinFeature))
     return std::nullopt;
   return fmt::format("the mesh has {} mm3, the part {}: {:.2g} %, {:.4f} mm over its {} mm2 (grid {}){}",
@@ -162,12 +163,23 @@ Broken sameForThreads(const LawCase& c) {
 Broken sameForSimd(const LawCase& c) {
   std::string first;
   for (const char* level : {"baseline", "avx2", "avx512"}) {
-    const std::string hash = c.runner.partHash(level, 2);
-    if (hash.empty()) return fmt::format("{}: the program fails", level);
-    if (first.empty()) first = hash;
-    if (hash != first) return fmt::format("{} makes another part than baseline", level);
+    const auto made = c.runner.report(level, 2);
+    if (!made || made->part_sha256.empty()) return fmt::format("{}: the program fails", level);
+    if (first.empty()) first = made->part_sha256;
+    if (made->part_sha256 != first) return fmt::format("{} makes another part than baseline", level);
   }
   return std::nullopt;
+}
+
+/// Of wires only: tests/bench/bench_prediction measures the others, over jobs large enough to matter.
+Broken memoryAsPredicted(const LawCase& c) {
+  constexpr double kFactor = 1.5;
+  if (!c.runner.made().cutsWithWire()) return std::nullopt;
+  const auto made = c.runner.report("baseline", 2);
+  if (!made) return "the program fails";
+  const double ratio = made->peak_mb / made->predicted_mb;
+  if (ratio < kFactor && ratio > 1.0 / kFactor) return std::nullopt;
+  return fmt::format("{:.0f} MB taken, {:.0f} predicted", made->peak_mb, made->predicted_mb);
 }
 
 }  // namespace
@@ -180,8 +192,10 @@ const std::vector<Law>& laws() {
       {"closed 2-manifold", 1, closed},
       {"the mesh encloses the part", 1, meshVolumes},
       {"vertices in their places", 1, places},
+      {"walls beside the wire's way", 1, wallsBesideTheWire},
       {"the same for any number of threads", 4, sameForThreads},
       {"the same for any SIMD level", 16, sameForSimd},
+      {"memory as predicted", 16, memoryAsPredicted},
   };
   return kLaws;
 }

@@ -25,6 +25,10 @@ struct Law {
 
 const std::vector<Law>& laws();
 
+/// A law of wires: the mesh has the material that no wire came near to, and its walls where one passed or
+/// where the blank ends. Other jobs keep it.
+std::optional<std::string> wallsBesideTheWire(const LawCase& c);
+
 struct Judged {
   bool ran = false;  ///< false: the job was refused, with `why`
   std::string why;

@@ -3,8 +3,9 @@
 namespace proveout::soak {
 
 const char* kindName(Kind kind) {
-  constexpr const char* kNames[kKinds] = {"mill",       "setups", "fixtures", "saved stock", "mesh blank",
-                                          "thin blank", "helix",  "lathe",    "lathe setups"};
+  constexpr const char* kNames[kKinds] = {"mill",         "setups",     "fixtures",    "saved stock",
+                                          "mesh blank",   "thin blank", "helix",       "lathe",
+                                          "lathe setups", "wire",       "tapered wire"};
   return kNames[static_cast<int>(kind)];
 }
 
@@ -12,6 +13,11 @@ SoakCase makeCase(std::uint64_t seed) {
   SoakCase out;
   out.seed = seed;
   Random random(seed);
+  if (seed >= kFirstWireSeed) {
+    out.kind = random.chance(0.25) ? Kind::kTaperedWire : Kind::kWire;
+    makeWire(random, out);
+    return out;
+  }
   // Thin blanks and several clampings are where faults were: they come twice as often.
   constexpr Kind kOrder[] = {Kind::kMill,       Kind::kThinBlank, Kind::kSetups,    Kind::kFixtures,
                              Kind::kSavedStock, Kind::kMeshBlank, Kind::kThinBlank, Kind::kSetups,

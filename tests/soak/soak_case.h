@@ -37,10 +37,14 @@ enum class Kind {
   kThinBlank,
   kHelix,
   kLathe,
-  kLatheSetups
+  kLatheSetups,
+  kWire,
+  kTaperedWire
 };
-inline constexpr int kKinds = 9;
+inline constexpr int kKinds = 11;
 const char* kindName(Kind kind);
+/// From here on seeds make jobs of a wire; below they make the others.
+inline constexpr std::uint64_t kFirstWireSeed = 4'000'000'000;
 
 struct SoakCase {
   std::uint64_t seed = 0;
@@ -51,6 +55,8 @@ struct SoakCase {
   bool turns = false;
   std::vector<int> stops;  ///< lines of the last program at which a run may stop, growing
   std::string last_setup;  ///< name of the last clamping; empty without setups
+
+  bool cutsWithWire() const { return kind == Kind::kWire || kind == Kind::kTaperedWire; }
 };
 
 /// A program and the lines at which it may stop.
@@ -67,8 +73,9 @@ struct Program {
 /// The case of a seed.
 SoakCase makeCase(std::uint64_t seed);
 
-/// Parts of it: what is common to milled jobs, and turned jobs.
+/// Parts of it: what is common to milled jobs, turned jobs, jobs of a wire.
 void makeMilled(Random& random, SoakCase& out);
 void makeTurned(Random& random, SoakCase& out);
+void makeWire(Random& random, SoakCase& out);
 
 }  // namespace proveout::soak

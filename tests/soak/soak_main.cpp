@@ -1,4 +1,4 @@
-// Random whole jobs for as long as is asked: soak [--minutes M] [--seed FIRST] [--count N] [--keep FOLDER]
+// Random whole jobs for as long as is asked: soak [--minutes M] [--seed FIRST] [--count N] [--wire] [--print]
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -15,14 +15,15 @@ using Clock = std::chrono::steady_clock;
 struct Arguments {
   double minutes = 5.0;
   std::uint64_t first = 1, count = ~0ull;
+  bool wire = false;   ///< jobs of a wire: `first` counts from their first seed
   bool print = false;  ///< the files of the first case, and nothing else
 };
 
 bool parse(int argc, char** argv, Arguments& out) {
   for (int i = 1; i < argc; ++i) {
     const std::string name = argv[i];
-    if (name == "--print") {
-      out.print = true;
+    if (name == "--print" || name == "--wire") {
+      (name == "--print" ? out.print : out.wire) = true;
       continue;
     }
     if (i + 1 >= argc) return false;
@@ -37,6 +38,7 @@ bool parse(int argc, char** argv, Arguments& out) {
       return false;
     }
   }
+  if (out.wire && out.first < proveout::soak::kFirstWireSeed) out.first += proveout::soak::kFirstWireSeed;
   return out.minutes > 0.0;
 }
 
@@ -50,7 +52,7 @@ void printCase(std::uint64_t seed) {
 int main(int argc, char** argv) {
   Arguments arguments;
   if (!parse(argc, argv, arguments)) {
-    std::fprintf(stderr, "usage: soak [--minutes M] [--seed FIRST] [--count N] [--print]\n");
+    std::fprintf(stderr, "usage: soak [--minutes M] [--seed FIRST] [--count N] [--wire] [--print]\n");
     return 2;
   }
   if (arguments.print) {

@@ -26,6 +26,18 @@ TEST_P(Soak, LawsHoldForRandomJobs) {
 
 INSTANTIATE_TEST_SUITE_P(Slice, Soak, testing::Range(0, 10));
 
+TEST(Soak, LawsHoldForRandomJobsOfAWire) {
+  constexpr int kWireCases = 16;
+  int ran = 0;
+  for (int i = 0; i < kWireCases; ++i) {
+    const Judged judged = judge(kFirstWireSeed + static_cast<std::uint64_t>(i));
+    ran += judged.ran ? 1 : 0;
+    for (const std::string& broken : judged.broken)
+      ADD_FAILURE() << broken << "; `soak --wire --seed " << i << " --print` shows the job";
+  }
+  EXPECT_GT(ran, kWireCases / 2) << "most of the jobs are refused";
+}
+
 /// Cases in which a law was broken once: a thin cylinder heavier than its blank, cuts beside all samples, a
 /// vertex inside of a wedge, stocks of several clampings that weighed less than nothing was taken from,
 /// grooves of tools of two cells, a vertex off a blank from a mesh, a last clamping that leaves less than
@@ -42,6 +54,9 @@ TEST(Soak, LawsHoldWhereTheyDidNot) {
 TEST(Soak, ACaseIsTheSameForItsSeed) {
   EXPECT_EQ(makeCase(7).files, makeCase(7).files);
   EXPECT_NE(makeCase(7).files, makeCase(8).files);
+  EXPECT_EQ(makeCase(kFirstWireSeed).files, makeCase(kFirstWireSeed).files);
+  EXPECT_TRUE(makeCase(kFirstWireSeed).cutsWithWire());
+  EXPECT_FALSE(makeCase(kFirstWireSeed - 1).cutsWithWire());
 }
 
 }  // namespace

@@ -176,12 +176,9 @@ std::string shortOf(const RunResult& run) {
   return out;
 }
 
-void plant(const StudyPart& part, const Bench& bench, int count, double chord, Study& study) {
+void plant(const StudyPart& part, const Bench& bench, const Toolpath& right_path, int count, double chord,
+           Study& study) {
   std::mt19937 random(kSeed);
-  const Planted good = part.write({}, 0);
-  const Result<RunResult> right = bench.run(good);
-  ASSERT_TRUE(right.ok()) << right.error().message;
-  const Toolpath& right_path = right->setups[0].interpreted.path;
   for (int i = 0; i < count; ++i) {
     const Defect defect = part.defect(random);
     // One of them alone, for a closer look.
@@ -227,9 +224,11 @@ void plant(const StudyPart& part, const Bench& bench, int count, double chord, S
   }
 }
 
-void runRight(const StudyPart& part, const Bench& bench, int count, double chord, Study& study) {
+/// `path`: of the program that defects are planted in.
+void runRight(const StudyPart& part, const Bench& bench, int count, double chord, Study& study,
+              Toolpath& path) {
   for (int habit = 0; habit < count; ++habit) {
-    const Result<RunResult> run = bench.run(part.write({}, habit));
+    Result<RunResult> run = bench.run(part.write({}, habit));
     ++study.right;
     bool failed = !run.ok() || run->alarm, undecided = false;
     for (const Finding& f : run.ok() ? run->findings : std::vector<Finding>()) {
@@ -241,6 +240,9 @@ void runRight(const StudyPart& part, const Bench& bench, int count, double chord
     if (failed || undecided)
       study.complaints.push_back(fmt::format("{} {} right #{}: {}", part.name, chord, habit,
                                              run.ok() ? shortOf(*run) : run.error().message));
+    if (habit > 0) continue;
+    ASSERT_TRUE(run.ok()) << run.error().message;
+    path = std::move(run->setups[0].interpreted.path);
   }
 }
 
@@ -274,16 +276,21 @@ TEST_P(PlantedDefects, AreFoundMeasuredAndNamed) {
   Study study;
   const auto examine = [&](const StudyPart& part, int defects, int right) {
     const Bench bench(part, chord);
-    ASSERT_NO_FATAL_FAILURE(runRight(part, bench, right, chord, study));
-    ASSERT_NO_FATAL_FAILURE(plant(part, bench, defects, chord, study));
+    Toolpath path;
+    ASSERT_NO_FATAL_FAILURE(runRight(part, bench, right, chord, study, path));
+    ASSERT_NO_FATAL_FAILURE(plant(part, bench, path, defects, chord, study));
   };
   // The first of them, as many as `make test` has time for; all of them on a fine nominal with `make study`.
   const bool fine = chord < 0.003, whole = std::getenv("PROVEOUT_STUDY_WHOLE") != nullptr;
-  const int times = whole ? (fine ? 20 : 2) : (fine ? 2 : 1);
-  examine(milledPart(), countOf("PROVEOUT_STUDY_MILLED", 10 * times),
-          countOf("PROVEOUT_STUDY_RIGHT", std::max(2, 2 * times - 5)));
-  examine(turnedPart(), countOf("PROVEOUT_STUDY_TURNED", fine && whole ? 50 : 3 * times),
-          countOf("PROVEOUT_STUDY_RIGHT", std::max(2, times - 5)));
+  struct Counts {
+    int milled, turned, right_milled, right_turned;
+  };
+  const Counts counts = whole ? (fine ? Counts{200, 50, 35, 15} : Counts{20, 6, 2, 2})
+                              : (fine ? Counts{8, 3, 1, 1} : Counts{4, 2, 1, 1});
+  examine(milledPart(), countOf("PROVEOUT_STUDY_MILLED", counts.milled),
+          countOf("PROVEOUT_STUDY_RIGHT", counts.right_milled));
+  examine(turnedPart(), countOf("PROVEOUT_STUDY_TURNED", counts.turned),
+          countOf("PROVEOUT_STUDY_RIGHT", counts.right_turned));
   print(fmt::format("planted defects, nominal with chords of {} mm", chord), study);
   Row sum;
   for (const auto& [kind, r] : study.rows) {

@@ -15,6 +15,14 @@ ContourElement lineElement(const Vec2& from, const Vec2& to) {
   return e;
 }
 
+ContourElement arcElement(const Vec2& center, const Vec2& from, const Vec2& to, double sweep) {
+  ContourElement e = lineElement(from, to);
+  e.arc = true;
+  e.center = center;
+  e.sweep = sweep;
+  return e;
+}
+
 Vec2 pointOn(const ContourElement& e, double t) {
   if (t <= 0.0) return e.from;
   if (t >= 1.0) return e.to;

@@ -11,6 +11,8 @@ namespace proveout {
 using PlaneContour = std::vector<ContourElement>;
 
 ContourElement lineElement(const Vec2& from, const Vec2& to);
+/// `sweep`: radians, above 0 counter-clockwise, and such that the arc ends at `to`.
+ContourElement arcElement(const Vec2& center, const Vec2& from, const Vec2& to, double sweep);
 /// The point at the part `t` of the way, 0 to 1.
 Vec2 pointOn(const ContourElement& e, double t);
 /// Unit vector of the way at the start or at the end.

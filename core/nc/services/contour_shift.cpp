@@ -11,6 +11,7 @@ namespace proveout {
 namespace {
 
 constexpr double kPointRadius = 1e-9;  ///< mm; smaller arcs are points
+constexpr double kNothing = 1e-9;      ///< mm on lines, radians on arcs
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * kPi); }
 
@@ -51,6 +52,23 @@ ContourElement cutTo(const ContourElement& element, const Vec2& from, const Vec2
     cut.source = element.source;
   }
   return cut;
+}
+
+bool runsBack(const ContourElement& element, const ContourElement& cut) {
+  if (cut.arc) return (element.sweep > 0.0 ? cut.sweep : -cut.sweep) < -kNothing;
+  return (cut.to - cut.from).dot(directionOn(element, true)) < -kNothing;
+}
+
+CornerError roundBetween(ContourElement& a, ContourElement& b, double radius,
+                         std::optional<ContourElement>& arc) {
+  arc.reset();
+  CornerJoin join;
+  const CornerError error = roundCorner(a, b, radius, join);
+  if (error != CornerError::kNone || join.none) return error;
+  a = cutTo(a, a.from, join.leave);
+  b = cutTo(b, join.enter, b.to);
+  arc = arcElement(join.center, join.leave, join.enter, join.sweep);
+  return CornerError::kNone;
 }
 
 std::optional<Vec2> nearestMeeting(const PlaneCurve& a, const PlaneCurve& b, const Vec2& near) {

@@ -24,16 +24,6 @@ double offsetOn(const OffsetPiece& piece) {
   return piece.starts || std::abs(piece.offset) < kNoOffset ? 0.0 : piece.offset;
 }
 
-ContourElement arcAbout(const Vec2& center, const Vec2& from, const Vec2& to, double sweep) {
-  ContourElement arc;
-  arc.arc = true;
-  arc.center = center;
-  arc.from = from;
-  arc.to = to;
-  arc.sweep = sweep;
-  return arc;
-}
-
 /// Where two pieces meet: how the first one ends, and the second one begins.
 class OffsetJoint {
  public:
@@ -120,7 +110,7 @@ class OffsetJoint {
     const bool straight = a_.outer != OuterJoin::kArc || (a_.overcut > 0.0 && acute);
     const double r = std::abs(before_);
     if (!straight) {
-      join.push_back(arcAbout(a_.element.to, end, start, turn_));
+      join.push_back(arcElement(a_.element.to, end, start, turn_));
       return std::nullopt;
     }
     const double extension =
@@ -141,13 +131,6 @@ class OffsetJoint {
   double tangent_, before_, after_, turn_ = 0.0;
   Vec2 t1_, t2_;
 };
-
-/// Is anything of the element left between the ends of its track?
-bool isReversed(const OffsetPiece& piece, const OffsetTrack& track) {
-  if (track.slanted || offsetOn(piece) == 0.0) return false;
-  if (track.track.arc) return track.track.sweep * (piece.element.sweep > 0.0 ? 1.0 : -1.0) < -kStraightOn;
-  return (track.track.to - track.track.from).dot(directionOn(piece.element, true)) < -kNoLength;
-}
 
 class Offsetting {
  public:
@@ -191,7 +174,8 @@ class Offsetting {
     if (piece.starts && piece.element.arc) return fail(OffsetKind::kArcStart, k, piece.element.from);
     track.track = track.slanted ? lineElement(start, end) : cutTo(piece.element, start, end);
     track.track.source = piece.element.source;
-    if (isReversed(piece, track)) return fail(OffsetKind::kReversed, k, end);
+    if (!track.slanted && offset != 0.0 && runsBack(piece.element, track.track))
+      return fail(OffsetKind::kReversed, k, end);
     if (piece.extension > 0.0 && !piece.element.arc) extend(piece, track);
     out_.tracks.push_back(std::move(track));
     start = next;

@@ -79,13 +79,7 @@ class TaperCorner {
   std::optional<TaperKind> outer() {
     const bool arc = a_.element.arc || b_.element.arc || rules_.arc_corners;
     if (!arc || a_.rounded) return intersection(TaperKind::kMiter);
-    ContourElement about;
-    about.arc = true;
-    about.center = a_.element.to;
-    about.from = end;
-    about.to = start;
-    about.sweep = turnOf(t1_, t2_);
-    transition = about;
+    transition = arcElement(a_.element.to, end, start, turnOf(t1_, t2_));
     return std::nullopt;
   }
 
@@ -164,10 +158,7 @@ class Tapering {
     const double lean = piece.on ? piece.lean : 0.0;
     if (!slanted && lean != 0.0) {
       if (!shiftedCurve(piece.element, lean)) return fail(TaperKind::kRadius, k);
-      const Vec2 t = directionOn(piece.element, true);
-      const bool reversed = element.arc ? element.sweep * (piece.element.sweep > 0.0 ? 1.0 : -1.0) < -kUpright
-                                        : (element.to - element.from).dot(t) < -kUpright;
-      if (reversed) return fail(TaperKind::kReversed, k);
+      if (runsBack(piece.element, element)) return fail(TaperKind::kReversed, k);
     }
     out_.elements.push_back({element, k, false, false});
   }
@@ -197,17 +188,10 @@ class Tapering {
   /// The corner between the last element and the next one.
   void roundCornerBehind(double radius, TaperedElement& b) {
     TaperedElement& a = out_.elements.back();
-    CornerJoin join;
-    if (roundCorner(a.element, b.element, radius, join) != CornerError::kNone)
+    std::optional<ContourElement> arc;
+    if (roundBetween(a.element, b.element, radius, arc) != CornerError::kNone)
       return fail(TaperKind::kRound, a.piece);
-    if (join.none) return;
-    a.element = cutTo(a.element, a.element.from, join.leave);
-    b.element = cutTo(b.element, join.enter, b.element.to);
-    ContourElement arc = lineElement(join.leave, join.enter);
-    arc.arc = true;
-    arc.center = join.center;
-    arc.sweep = join.sweep;
-    out_.elements.push_back({arc, a.piece, true, false});
+    if (arc) out_.elements.push_back({*arc, a.piece, true, false});
   }
 
   const std::vector<TaperPiece>& pieces_;

@@ -3,15 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <utility>
+
+#include "core/base/characters.h"
 
 namespace proveout::nc {
 
 namespace {
-
-bool isDigitChar(char c) { return c >= '0' && c <= '9'; }
 
 /// How the number of an address is written.
 struct WedmAddress {
@@ -55,7 +54,7 @@ void WedmReader::skipBlanks() {
     if (line_[at_] == '(') {
       const std::size_t close = line_.find(')', at_);
       at_ = close == std::string_view::npos ? end_ : close + 1;
-    } else if (line_[at_] == ' ' || line_[at_] == '\t') {
+    } else if (isBlank(line_[at_])) {
       ++at_;
     } else {
       return;
@@ -87,7 +86,7 @@ bool WedmReader::read(std::string_view line, std::size_t begin, std::size_t end,
 
 bool WedmReader::word(WedmBlock& block) {
   const std::size_t from = at_;
-  const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(peek())));
+  const char letter = upper(peek());
   if (letter == ':') {
     if (block.colon) return fail("a block has one ':' at most", from, from + 1);
     block.colon = true;
@@ -105,7 +104,7 @@ bool WedmReader::word(WedmBlock& block) {
     while (at_ < end_ && (static_cast<unsigned char>(line_[at_]) & 0xC0U) == 0x80U) ++at_;
     return fail(fmt::format("'{}' is no address of this control", line_.substr(from, at_ - from)), from, at_);
   }
-  if (peek() == ' ' || peek() == '\t')
+  if (isBlank(peek()))
     return fail(fmt::format("no blank may stand between {} and its number", letter), from, at_ + 1);
   WedmWord word;
   word.address = letter;
@@ -142,7 +141,7 @@ bool WedmReader::number(WedmBlock& block, int number, std::size_t from) {
 bool WedmReader::whole(WedmWord& word, std::size_t from) {
   const WedmAddress& address = *addressOf(word.address);
   const std::size_t first = at_;
-  while (isDigitChar(peek())) ++at_;
+  while (isDigit(peek())) ++at_;
   const auto digits = static_cast<int>(at_ - first);
   if (digits < address.least || digits > address.most) {
     const std::string many = address.least == address.most
@@ -155,8 +154,7 @@ bool WedmReader::whole(WedmWord& word, std::size_t from) {
 }
 
 bool WedmReader::threeDigits(int& out) {
-  if (!isDigitChar(peek()) || !isDigitChar(peek(1)) || !isDigitChar(peek(2)) || isDigitChar(peek(3)))
-    return false;
+  if (!isDigit(peek()) || !isDigit(peek(1)) || !isDigit(peek(2)) || isDigit(peek(3))) return false;
   std::from_chars(line_.data() + at_, line_.data() + at_ + 3, out);
   at_ += 3;
   return true;
@@ -199,16 +197,16 @@ bool WedmReader::term(WedmTerm& out, bool expression, char address, std::size_t 
   double sign = 1.0;
   if (peek() == '+' || peek() == '-') sign = line_[at_++] == '-' ? -1.0 : 1.0;
   const auto is_h = [&](std::size_t ahead) {
-    return std::toupper(static_cast<unsigned char>(peek(ahead))) == 'H' && isDigitChar(peek(ahead + 1)) &&
-           isDigitChar(peek(ahead + 2)) && isDigitChar(peek(ahead + 3));
+    return upper(peek(ahead)) == 'H' && isDigit(peek(ahead + 1)) && isDigit(peek(ahead + 2)) &&
+           isDigit(peek(ahead + 3));
   };
-  if (expression && (is_h(0) || (isDigitChar(peek()) && is_h(1)))) {
-    out.number = sign * (isDigitChar(peek()) ? line_[at_++] - '0' : 1);
+  if (expression && (is_h(0) || (isDigit(peek()) && is_h(1)))) {
+    out.number = sign * (isDigit(peek()) ? line_[at_++] - '0' : 1);
     ++at_;
     if (!threeDigits(out.h)) return fail("H needs 3 digits, H001", begin, at_ + 4);
   } else {
     const std::size_t first = at_;
-    while (isDigitChar(peek()) || peek() == '.') out.point = (line_[at_++] == '.') || out.point;
+    while (isDigit(peek()) || peek() == '.') out.point = (line_[at_++] == '.') || out.point;
     const std::string_view text = line_.substr(first, at_ - first);
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out.number);
     if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size())

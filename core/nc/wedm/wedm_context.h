@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/nc/block_budget.h"
+#include "core/nc/block_watch.h"
 #include "core/nc/origin_recorder.h"
 #include "core/nc/wedm/wedm_chain.h"
 #include "core/nc/wedm/wedm_codes.h"
@@ -54,23 +54,21 @@ class WedmVariables {
 struct WedmContext {
   /// What is referred to must outlive the context; `progress` may be null.
   WedmContext(const ProgramSource& source_in, const ControlSettings& settings_in, MotionSink& sink_in,
-              Progress* progress_in)
+              Progress* progress)
       : source(source_in),
         settings(settings_in),
         sink(sink_in),
-        progress(progress_in),
         recorder(sink_in),
         report(sink_in, summary, program, levels, recorder),
         output(sink_in, summary, settings, parameters),
         chain(output, report, parameters),
-        budget(settings_in.block_limit) {}
+        watch(summary, progress, settings_in.block_limit) {}
   WedmContext(const WedmContext&) = delete;
   WedmContext& operator=(const WedmContext&) = delete;
 
   const ProgramSource& source;
   const ControlSettings settings;
   MotionSink& sink;
-  Progress* progress;
   InterpretSummary summary;
   WedmParameters parameters;
   WedmProgram program;
@@ -83,7 +81,7 @@ struct WedmContext {
   WedmReport report;
   WedmOutput output;
   WedmChain chain;
-  BlockBudget budget;
+  BlockWatch watch;
 };
 
 }  // namespace proveout::nc

@@ -97,18 +97,8 @@ class PairedContours {
   std::optional<ContourElement> roundedBy(std::size_t k, ContourElement& a, ContourElement& b) {
     static constexpr WedmFailureText kRound{"wedm-14-R",
                                             "the corner radius R does not fit this element and the next"};
-    CornerJoin join;
-    if (roundCorner(a, b, records_[k].round, join) != CornerError::kNone) {
-      fail(k, kRound);
-      return std::nullopt;
-    }
-    if (join.none) return std::nullopt;
-    a = cutTo(a, a.from, join.leave);
-    b = cutTo(b, join.enter, b.to);
-    ContourElement arc = lineElement(join.leave, join.enter);
-    arc.arc = true;
-    arc.center = join.center;
-    arc.sweep = join.sweep;
+    std::optional<ContourElement> arc;
+    if (roundBetween(a, b, records_[k].round, arc) != CornerError::kNone) fail(k, kRound);
     return arc;
   }
 

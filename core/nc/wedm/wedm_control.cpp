@@ -7,7 +7,6 @@ namespace proveout::nc {
 namespace {
 
 constexpr std::size_t kMostNestedCalls = 9;
-constexpr std::uint64_t kBlocksPerLook = 4096;  ///< at whether the run was cancelled
 
 }  // namespace
 
@@ -60,20 +59,11 @@ WedmControl::Go WedmControl::endOfText() {
 }
 
 bool WedmControl::workOver() {
-  c_.budget.spend(1, c_.budget.newMotions(c_.summary.motions) > 0);
-  if ((c_.budget.work() - 1) % kBlocksPerLook == 0 && c_.progress != nullptr) {
-    c_.progress->report("interpreting", static_cast<double>(c_.levels.front().block) /
-                                            static_cast<double>(c_.program.count()));
-    if (c_.progress->cancelled()) {
-      c_.summary.end = ProgramEnd::kCancelled;
-      return true;
-    }
-  }
+  const double done = static_cast<double>(c_.levels.front().block) / static_cast<double>(c_.program.count());
   const std::size_t line = c_.program.place(c_.levels.back().block).line;
-  if (!c_.budget.over(c_.levels.size(), line)) return false;
-  c_.report.fail("wedm-block-limit", c_.budget.message());
-  c_.summary.end = ProgramEnd::kBlockLimit;
-  return true;
+  const BlockWatch::Over over = c_.watch.count({done, c_.levels.size(), line});
+  if (over == BlockWatch::Over::kLimit) c_.report.fail("wedm-block-limit", c_.watch.message());
+  return over != BlockWatch::Over::kNo;
 }
 
 WedmControl::Go WedmControl::block(std::size_t index) {
@@ -199,9 +189,8 @@ WedmControl::Go WedmControl::failed() {
 
 bool WedmControl::reachedUntil() const {
   if (!c_.settings.until || c_.levels.size() != 1) return false;
-  const UntilBlock& until = *c_.settings.until;
-  if (until.block && c_.levels.back().number == *until.block) return true;
-  return until.line && static_cast<int>(c_.program.place(c_.levels.back().block).line) + 1 >= *until.line;
+  const WedmLevel& main = c_.levels.back();
+  return c_.settings.until->reachedBy(main.number, c_.program.place(main.block).line);
 }
 
 }  // namespace proveout::nc

@@ -22,6 +22,8 @@ ContourElement shiftedEnds(ContourElement e, const Vec2& from, const Vec2& to) {
   return e;
 }
 
+bool stands(const ContourElement& e) { return !e.arc && (e.to - e.from).norm() < kSamePoint; }
+
 /// Lower and upper shape (G61).
 bool planShapes(WedmContext& c, WedmPlan& p, WedmRecord& record) {
   if (hasWordOf(c.block.words, "UVR") || hasWordOf(c.block.upper, "UVRA"))
@@ -48,7 +50,6 @@ bool planShapes(WedmContext& c, WedmPlan& p, WedmRecord& record) {
   record.second = up ? *upper : *lower;
   s.main = record.main.to;
   s.second = record.second.to;
-  const auto stands = [](const ContourElement& e) { return !e.arc && (e.to - e.from).norm() < kSamePoint; };
   if (s.offsetToLeft() != 0.0 && stands(record.main) != stands(record.second))
     return c.report.fail("wedm-5.9-stands",
                          "one shape stands still while the offset is on: its side is not known; "
@@ -209,7 +210,6 @@ bool planWedmMotion(WedmContext& c, WedmPlan& p) {
   takeModes(c, s, record);
   if (!(s.shape == 61 ? planShapes(c, p, record) : planAxes(c, p, record)) || !planRound(c, s, record))
     return false;
-  const auto stands = [](const ContourElement& e) { return !e.arc && (e.to - e.from).norm() < kSamePoint; };
   if (stands(record.main) && stands(record.second)) return true;
   if (!record.pace.rapid && !checkCutting(c, s)) return false;
   if (s.placed == 0)

@@ -1,7 +1,5 @@
 #include "core/nc/wedm/wedm_report.h"
 
-#include <fmt/core.h>
-
 #include <utility>
 
 namespace proveout::nc {
@@ -27,17 +25,10 @@ Columns WedmReport::blockColumns() const {
 
 void WedmReport::tell(Severity severity, const SourceRef& at, Columns columns, std::string code,
                       std::string message) {
-  Diagnostic d;
-  d.severity = severity;
-  d.code = std::move(code);
-  d.message = std::move(message);
-  if (!levels_.empty() && at.line > 0) {
-    placeIn(program_.text(), at, columns, d);
-    for (std::size_t level = levels_.size(); level-- > 1;) {
-      d.notes.push_back(fmt::format("called from {}:{}", program_.text().name(),
-                                    program_.place(levels_[level - 1].block).line + 1));
-    }
-  }
+  const SourceText* const text = levels_.empty() ? nullptr : &program_.text();
+  Diagnostic d = diagnosticAt(text, at, columns, severity, std::move(code), std::move(message));
+  for (std::size_t level = levels_.size(); level-- > 1 && at.line > 0;)
+    d.notes.push_back(calledFrom(*text, program_.place(levels_[level - 1].block).line + 1));
   if (severity == Severity::kError) ++summary_.errors;
   if (severity == Severity::kWarning) ++summary_.warnings;
   sink_.diagnostic(d);

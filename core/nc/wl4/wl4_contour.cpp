@@ -102,7 +102,7 @@ bool elementOf(Wl4Context& c, const Wl4BlockPlan& q, const WorkPlane& plane, Con
     PlaneArc arc;
     bool moves = false;
     if (!resolveBlockArc(c, q, arc, moves)) return false;
-    if (moves) e = {true, arc.start.head<2>(), arc.end.head<2>(), arc.center, arc.sweep_rad};
+    if (moves) e = arcElement(arc.center, arc.start.head<2>(), arc.end.head<2>(), arc.sweep_rad);
   } else if (motion == 12 || motion == 13) {
     if (!resolveQuarter(c, q, e.center, e.sweep)) return false;
     e.arc = true;

@@ -246,9 +246,7 @@ Wl4Control::Go Wl4Control::finish(const std::string& code, ProgramEnd end) {
 
 bool Wl4Control::reachedUntil() const {
   if (!c_.setup.settings.until || c_.levels.size() != 1) return false;
-  const UntilBlock& until = *c_.setup.settings.until;
-  if (until.block && c_.levels.back().number == *until.block) return true;
-  return until.line && static_cast<int>(c_.levels.back().line) + 1 >= *until.line;
+  return c_.setup.settings.until->reachedBy(c_.levels.back().number, c_.levels.back().line);
 }
 
 Wl4Control::Go Wl4Control::subprograms() {

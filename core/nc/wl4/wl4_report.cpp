@@ -14,16 +14,10 @@ SourceRef Wl4Report::here() {
 
 Diagnostic Wl4Report::diagnosticAt(Severity severity, std::string code, std::string message,
                                    const SourceRef& at, Columns columns) const {
-  Diagnostic d;
-  d.severity = severity;
-  d.code = std::move(code);
-  d.message = std::move(message);
-  if (levels_.empty() || at.line == 0) return d;
-  placeIn(programs_.text(at.file), at, columns, d);
-  for (std::size_t level = levels_.size(); level-- > 1;) {
-    const Wl4Level& caller = levels_[level - 1];
-    d.notes.push_back(fmt::format("called from {}:{}", caller.program->text->name(), caller.line + 1));
-  }
+  const SourceText* const text = levels_.empty() ? nullptr : &programs_.text(at.file);
+  Diagnostic d = nc::diagnosticAt(text, at, columns, severity, std::move(code), std::move(message));
+  for (std::size_t level = levels_.size(); level-- > 1 && at.line > 0;)
+    d.notes.push_back(calledFrom(*levels_[level - 1].program->text, levels_[level - 1].line + 1));
   return d;
 }
 

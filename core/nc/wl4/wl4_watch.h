@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/base/progress.h"
-#include "core/nc/block_budget.h"
+#include "core/nc/block_watch.h"
 #include "core/nc/loop_watch.h"
 #include "core/nc/run_summary.h"
 #include "core/nc/wl4/wl4_levels.h"
@@ -18,7 +18,7 @@ class Wl4Watch {
   /// All must outlive the watch; without `progress` the run cannot be cancelled.
   Wl4Watch(Wl4Report& report, InterpretSummary& summary, const Wl4Levels& levels, Progress* progress,
            std::uint64_t block_limit)
-      : report_(report), summary_(summary), levels_(levels), progress_(progress), budget_(block_limit) {}
+      : report_(report), summary_(summary), levels_(levels), blocks_(summary, progress, block_limit) {}
 
   /// Counts a block, or a move of a cycle. True: the run was cancelled, or the limit of blocks, reported.
   bool workOver();
@@ -29,8 +29,7 @@ class Wl4Watch {
   Wl4Report& report_;
   InterpretSummary& summary_;
   const Wl4Levels& levels_;
-  Progress* progress_;
-  BlockBudget budget_;
+  BlockWatch blocks_;
   LoopWatch loops_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/nc/interpreter.h"
@@ -107,6 +108,23 @@ TEST(WedmExamples, HalfCircles) {
   expectPoints(run.ends(), {{10, 0}, {5, 0}, {0, 0}});
   EXPECT_NEAR(lengthOf(run), 31.415927, kDigits);
   EXPECT_NEAR(areaAt(run, 0.0, 0, 3), -39.269908, 1e-5);
+}
+
+// EX-4. Rows: wedm-5.1-G00 wedm-5.2-G01
+TEST(WedmExamples, SingleMotions) {
+  for (const auto& [block, end, kind] : {std::tuple{"G00 X10.;", Vec2(10, 0), MotionKind::kRapid},
+                                         {"G00 X10. Y20.;", {10, 20}, MotionKind::kRapid},
+                                         {"C001; G01 X10.;", {10, 0}, MotionKind::kFeed},
+                                         {"C001; G01 X70. Y60.;", {70, 60}, MotionKind::kFeed}}) {
+    const WedmPath run(std::string("T84 T86; G92 X0 Y0; ") + block + " M02;");
+    EXPECT_EQ(run.error(), "") << block;
+    ASSERT_EQ(run.count(), 1u) << block;
+    EXPECT_EQ(run.path.motions[0].kind, kind) << block;
+    for (const WireTrack& track : {run.wire(0).lower, run.wire(0).upper}) {
+      EXPECT_EQ(track.from, Vec2(0, 0)) << block;
+      EXPECT_EQ(track.to, end) << block;
+    }
+  }
 }
 
 // EX-5
@@ -283,6 +301,19 @@ TEST(WedmExamples, AbsoluteAndIncremental) {
   EXPECT_NEAR(lengthOf(WedmPath(steps)), 112.831853, kDigits);
 }
 
+// EX-15. Rows: wedm-5.11-G92 wedm-1.4-units
+TEST(WedmExamples, TheFirstPointSaysWhereTheWireStands) {
+  const auto start = [](const std::string& point) {
+    const WedmPath run(point + " G91 G00 X1. Y2.; M02;");
+    EXPECT_EQ(run.error(), "") << point;
+    EXPECT_EQ(run.wire(0).lower.from, run.wire(0).upper.from) << "upright";
+    EXPECT_LT((run.ends()[0] - run.wire(0).lower.from - Vec2(1, 2)).norm(), kDigits);
+    return run.wire(0).lower.from;
+  };
+  EXPECT_EQ(start("G92 X0 Y0 U0 V0;"), Vec2(0, 0));
+  EXPECT_LT((start("G92 X10 Y0;") - Vec2(0.010, 0)).norm(), 1e-12) << "least increments";
+}
+
 constexpr const char* kRoundedSquare =
     "H000=0;\nG90 G92 X-18.Y0.U0.V0.;\nC001;\nG42H000;\nG52A0.;\nG01 "
     "X-10.Y0.;\nG42H000;\nG52A2.5;\nX-10.Y-6.;\n"
@@ -342,6 +373,33 @@ TEST(WedmConstructed, RoundedCornersOfBothPlanes) {
   EXPECT_LT((arcs("R1.R2.").upper.center - Vec2(3.698415, 3.698415)).norm(), kDigits);
   EXPECT_LT((arcs("R1.R1.698415").upper.center - Vec2(4, 4)).norm(), kDigits);
   EXPECT_LT((arcs("R1.").upper.center - Vec2(4, 4)).norm(), kDigits) << "a cone";
+}
+
+/// What happens, in order: "rapid 50", "M00", "cut 10" with the X that a motion ends at.
+std::string courseOf(const WedmPath& run) {
+  std::string course;
+  std::size_t event = 0;
+  for (std::size_t k = 0; k <= run.count(); ++k) {
+    for (; event < run.path.events.size() && run.path.events[event].before <= k; ++event) {
+      const PathEvent& what = run.path.events[event].event;
+      if (const auto* c = what.as<event::Coolant>()) course += c->code + (c->on ? " on; " : " off; ");
+      if (const auto* s = what.as<event::Stop>()) course += s->code + "; ";
+      if (const auto* e = what.as<event::End>()) course += e->code;
+    }
+    if (k == run.count()) break;
+    course += run.path.motions[k].kind == MotionKind::kRapid ? "rapid " : "cut ";
+    course += std::to_string(std::lround(run.wire(k).lower.to.x())) + "; ";
+  }
+  return course;
+}
+
+// EX-18, EX-20. Rows: wedm-8.1-M00 wedm-15-T85 wedm-15-T87 wedm-8.2-M02
+TEST(WedmExamples, StopAndEnd) {
+  EXPECT_EQ(courseOf(WedmPath("G92 X0 Y0; G00 X50.; M00; C001; G01 X10.; M02;")),
+            "rapid 50; M00; cut 10; M02");
+  EXPECT_EQ(
+      courseOf(WedmPath("G92 X9. Y0; C001; T84 T86; G41 H000; G01 X5.; G40 G01 X0;  T85 T87;  M02; X7.;")),
+      "T84 on; T86 on; cut 5; cut 0; T85 off; T87 off; M02");
 }
 
 // EX-19. Rows: wedm-11-expr wedm-12-H wedm-5.6.1-H

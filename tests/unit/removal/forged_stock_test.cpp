@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "removal/grid/stock.h"
+#include "removal/vdb/vdb_extern.h"
 
 namespace proveout {
 namespace {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/mesh/tri_mesh.h"
+#include "removal/vdb/vdb_extern.h"
 #include "tests/unit/removal/cut_fixture.h"
 
 namespace proveout::test {

@@ -103,31 +103,14 @@ void NctContext::closeCall() {
   enterProgram();
 }
 
-namespace {
-
-/// How often cancellation is looked at and progress told, in blocks.
-constexpr std::uint64_t kBlocksPerCheck = 1024;
-
-}  // namespace
-
 bool WorkGuard::over() {
   constexpr std::uint64_t kFreeMotions = 100;
-  const std::uint64_t made = budget_.newMotions(summary_.motions);
-  budget_.spend(1 + (made > kFreeMotions ? made - kFreeMotions : 0), made > 0);
-  if (budget_.work() >= checked_ && progress_ != nullptr) {
-    checked_ = budget_.work() + kBlocksPerCheck;
-    const CallFrame& main = calls_.main();
-    progress_->report("interpreting",
-                      static_cast<double>(main.line) / static_cast<double>(main.text->lines().size()));
-    if (progress_->cancelled()) {
-      summary_.end = ProgramEnd::kCancelled;
-      return true;
-    }
-  }
-  if (!budget_.over(calls_.depth(), calls_.lineIndex())) return false;
-  alarms_.fail("nct-block-limit", budget_.message(", chords of curves included"));
-  summary_.end = ProgramEnd::kBlockLimit;
-  return true;
+  const CallFrame& main = calls_.main();
+  const double done = static_cast<double>(main.line) / static_cast<double>(main.text->lines().size());
+  const BlockWatch::Over over = blocks_.count({done, calls_.depth(), calls_.lineIndex()}, kFreeMotions);
+  if (over == BlockWatch::Over::kLimit)
+    alarms_.fail("nct-block-limit", blocks_.message(", chords of curves included"));
+  return over != BlockWatch::Over::kNo;
 }
 
 bool WorkGuard::endless(const LoopWatch& loop) {

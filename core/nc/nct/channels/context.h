@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/nc/block_budget.h"
+#include "core/nc/block_watch.h"
 #include "core/nc/channels.h"
 #include "core/nc/control_host.h"
 #include "core/nc/control_settings.h"
@@ -94,29 +94,22 @@ struct NctContext;
 using DataInput = bool (*)(NctContext&);
 
 /// Counts blocks and whatever else a program can make many of, against the block limit; of the motions of a
-/// block those that go beyond 100. Looks at the wish to
-/// stop and tells progress now and then.
+/// block those that go beyond 100.
 class WorkGuard {
  public:
   WorkGuard(const ControlSettings& settings, Progress* progress, const CallStack& calls,
             AlarmReporter& alarms, InterpretSummary& summary)
-      : progress_(progress),
-        calls_(calls),
-        alarms_(alarms),
-        summary_(summary),
-        budget_(settings.block_limit) {}
+      : calls_(calls), alarms_(alarms), summary_(summary), blocks_(summary, progress, settings.block_limit) {}
   /// One more piece of work. True: stop; summary.end says why.
   bool over();
   /// The block in hand runs in a loop that can have no end: reported.
   bool endless(const LoopWatch& loop);
 
  private:
-  Progress* progress_;
   const CallStack& calls_;
   AlarmReporter& alarms_;
   InterpretSummary& summary_;
-  std::uint64_t checked_ = 0;
-  BlockBudget budget_;
+  BlockWatch blocks_;
 };
 
 /// The reports of a context by their short names; see AlarmReporter. `Context` has it as `alarms`.

@@ -182,13 +182,8 @@ void AlarmReporter::sendLate(Severity severity, std::string code, std::string me
 
 Diagnostic AlarmReporter::diagnosticAt(Severity severity, std::string code, std::string message,
                                        const SourceRef& at, Columns columns) const {
-  Diagnostic d;
-  d.severity = severity;
-  d.code = std::move(code);
-  d.message = std::move(message);
-  if (calls_.empty() || at.line == 0) return d;
-  placeIn(programs_.text(at.file), at, columns, d);
-  return d;
+  const SourceText* const text = calls_.empty() ? nullptr : &programs_.text(at.file);
+  return nc::diagnosticAt(text, at, columns, severity, std::move(code), std::move(message));
 }
 
 namespace {
@@ -206,8 +201,7 @@ void AlarmReporter::addCalls(Notes& notes) const {
   for (std::size_t level = calls_.depth(); level-- > 1;) {
     const CallFrame& caller = calls_.at(level - 1);
     const CallFrame& called = calls_.at(level);
-    std::string note =
-        fmt::format("called from {}:{} by {}", caller.text->name(), caller.line, callName(called));
+    std::string note = calledFrom(*caller.text, caller.line) + " by " + callName(called);
     if (opensLocals(called.kind)) {
       for (std::size_t n = 1; n < called.args.v.size(); ++n) {
         if (!called.args.v[n].vacant) note += fmt::format(" #{}={}", n, called.args.v[n].number);

@@ -212,9 +212,7 @@ NctControl::Go NctControl::execute() {
 bool NctControl::reachedUntil() const {
   const NctContext& c = context_;
   if (!c.settings.until || c.calls.depth() != 1) return false;
-  const UntilBlock& until = *c.settings.until;
-  if (until.block && c.block.number == *until.block) return true;
-  return until.line && static_cast<int>(c.calls.lineIndex()) + 1 >= *until.line;
+  return c.settings.until->reachedBy(c.block.number, c.calls.lineIndex());
 }
 
 }  // namespace proveout::nc
