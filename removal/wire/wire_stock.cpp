@@ -7,6 +7,7 @@
 #include "core/tool/tool_table.h"
 #include "removal/wire/kerf_section.h"
 #include "removal/wire/wire_contacts.h"
+#include "removal/wire/wire_handling.h"
 
 namespace proveout {
 namespace {
@@ -44,7 +45,7 @@ Result<WireWork> workOf(const Toolpath& path, const std::vector<Tool>& tools) {
   std::vector<WireStretch> stretches;
   for (MotionId id = 0; id < path.motions.size(); ++id) {
     const Motion& motion = path.motions[id];
-    if (motion.wire < 0) continue;  // the wire is not threaded
+    if (motion.wire < 0 || !path.wires[static_cast<std::size_t>(motion.wire)].state.threaded) continue;
     const Tool* tool = table.ofMotion(motion.tool);
     if (const Status good = checkMotion(path, motion, tool); !good) return good.error();
     stretches.clear();
@@ -98,13 +99,21 @@ Result<RemovalSummary> WireStock::remove(const Toolpath& path, const std::vector
   progress.report("removing", 0.0);
   RemovalSummary summary;
   summary.removed_mm3.assign(path.motions.size(), 0.0F);
-  const std::vector<double> areas = removedAreas(blank_, work->cuts);
+  std::vector<PlaneBody> last = cutSection(blank_.loops, work->cuts);
+  const WireHolding holding(blank_.held_at, last);
+  WireFalls falls = findFalls(blank_.loops, work->cuts, std::move(last), holding);
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  const std::vector<double> areas = removedAreas(blank_, work->cuts, falls.pieces);
   for (std::size_t i = 0; i < areas.size(); ++i)
     summary.removed_mm3[work->cuts[i].motion] +=
         static_cast<float>(areas[i] * (blank_.z_high - blank_.z_low));
-  summary.contacts = rapidContacts(blank_, *work, progress);
+  summary.contacts = rapidContacts(blank_, *work, holding, progress);
+  tellByHand(path, summary.contacts);
+  const std::vector<ThreadingPlace> places = threadingPlaces(path, tools, *work, summary.contacts);
+  summary.threading = threadingFaults(blank_, *work, places, holding, progress);
+  summary.fallen = fallenPieces(path, *work, blank_.z_high - blank_.z_low, falls.pieces);
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  bodies_ = cutSection(blank_.loops, work->cuts);
+  bodies_ = std::move(falls.bodies);
   return summary;
 }
 
