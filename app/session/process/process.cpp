@@ -17,6 +17,21 @@ bool mayFollow(const Process& before, const Process& next) {
   return next.kind == before.kind || (before.kind == ProcessKind::kTurning && next.on_grid);
 }
 
+/// What only a wire needs of a job.
+Status checkThreading(const Job& job, const Process& process) {
+  if (process.cuts_through) return Done{};
+  if (!job.start_holes.empty())
+    return inputError(
+        fmt::format("start holes are for a wire, and control {} {}: leave [[stock.start_hole]] out",
+                    job.control, process.verb));
+  if (job.part_point)
+    return inputError(
+        fmt::format("part_point tells which body is the part where a wire leaves several, and control {} {}: "
+                    "leave it out",
+                    job.control, process.verb));
+  return Done{};
+}
+
 }  // namespace
 
 const Process& processOf(std::string_view control) {
@@ -43,6 +58,7 @@ Status checkProcesses(const Job& job, const Blank& blank) {
           process.part_turns
               ? "only bars, tubes and what was turned can be turned; give the turned clampings first"
               : "only turned parts go over to another process, and only to milling"));
+    if (Status threads = checkThreading(jobOfSetup(job, k), process); !threads) return threads;
     if (Status possible = process.check(job, k, blank); !possible) return possible;
   }
   return Done{};
