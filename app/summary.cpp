@@ -34,6 +34,18 @@ std::string findingCounts(const Report& report) {
                      counted(others, "warning or note", "warnings or notes"));
 }
 
+/// Of slugs that taper holds.
+std::string heldText(const std::vector<StockBody>& bodies) {
+  std::string text;
+  for (const auto& [leaves, what] : {std::pair("up", "only upwards"), std::pair("down", "only downwards"),
+                                     std::pair("none", "neither up nor down")}) {
+    const auto count = std::count_if(bodies.begin(), bodies.end(),
+                                     [&](const StockBody& body) { return body.leaves == leaves; });
+    if (count > 0) text += fmt::format(", {} {} {}", count, count == 1 ? "leaves" : "leave", what);
+  }
+  return text;
+}
+
 /// The part alone: a bar or a slug beside it is told as such.
 std::string partText(const ReportStock& stock) {
   const auto part = std::find_if(stock.bodies.begin(), stock.bodies.end(),
@@ -43,9 +55,11 @@ std::string partText(const ReportStock& stock) {
   std::string text = fmt::format("{:.2f} mm3, X{:.3f}..{:.3f} Y{:.3f}..{:.3f} Z{:.3f}..{:.3f}",
                                  part->volume_mm3, low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
   if (stock.bodies.size() == 1) return text + ", in 1 piece";
-  return text + fmt::format(", beside {} of {:.2f} mm3",
-                            counted(stock.bodies.size() - 1, "other piece", "other pieces"),
-                            stock.final_mm3 - part->volume_mm3);
+  return text +
+         fmt::format(", beside {} of {:.2f} mm3",
+                     counted(stock.bodies.size() - 1, "other piece", "other pieces"),
+                     stock.final_mm3 - part->volume_mm3) +
+         heldText(stock.bodies);
 }
 
 }  // namespace

@@ -138,6 +138,7 @@ Json stockJson(const ReportStock& stock) {
   for (const StockBody& body : stock.bodies) {
     const Json bounds = {{"min", pointJson(body.bounds.min)}, {"max", pointJson(body.bounds.max)}};
     bodies.push_back({{"volume_mm3", number(body.volume_mm3)}, {"bounds", bounds}, {"role", body.role}});
+    if (!body.leaves.empty()) bodies.back()["leaves"] = body.leaves;
   }
   return {{"initial_mm3", number(stock.initial_mm3)},
           {"removed_mm3", number(stock.removed_mm3)},

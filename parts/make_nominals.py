@@ -185,6 +185,22 @@ class Solid:
                 quad = [quad[1], quad[0], quad[3], quad[2]]
             self.triangles += [(quad[0], quad[1], quad[2]), (quad[0], quad[2], quad[3])]
 
+    def ruled_wall(self, lower, upper, low, high, material_inside, levels=1):
+        """Between loops with as many points each: straight lines join equal numbers."""
+        def at(k):
+            w = k / levels
+            return [tuple((1 - w) * p + w * q for p, q in zip(a, b)) for a, b in zip(lower, upper)]
+
+        for k in range(levels):
+            below, above = at(k), at(k + 1)
+            z0, z1 = (low + (high - low) * j / levels for j in (k, k + 1))
+            for i in range(len(below)):
+                j = (i + 1) % len(below)
+                quad = [(*below[i], z0), (*below[j], z0), (*above[j], z1), (*above[i], z1)]
+                if not material_inside:
+                    quad = [quad[1], quad[0], quad[3], quad[2]]
+                self.triangles += [(quad[0], quad[1], quad[2]), (quad[0], quad[2], quad[3])]
+
     def drill_point(self, loop, z, tip):
         for i, a in enumerate(loop):
             b = loop[(i + 1) % len(loop)]
@@ -275,6 +291,56 @@ def wire_punch():
     s.wall(outline, 0, 20, True)
     s.face(outline, [], 0, False)
     s.finish("wire_punch/punch.stl", 20 * rounded_area(20, 12, 2), 1.0)
+
+
+def wire_die():
+    """The opening is that of the punch at the top, 2 degrees wider below."""
+    s = Solid()
+    q = 20 * math.tan(math.radians(2))
+    n = segments(2 + q, math.pi / 2)
+
+    def opening(radius):
+        return [
+            (cx + radius * math.cos(start + math.pi / 2 * i / n), cy + radius * math.sin(start + math.pi / 2 * i / n))
+            for cx, cy, start in ((8, -4, -math.pi / 2), (8, 4, 0), (-8, 4, math.pi / 2), (-8, -4, math.pi))
+            for i in range(n + 1)
+        ]
+
+    plate, top, bottom = rectangle(-20, -15, 20, 15), opening(2), opening(2 + q)
+    s.face(plate, [top], 20, True)
+    s.wall(plate, 0, 20, True)
+    s.ruled_wall(bottom, top, 0, 20, False)
+    s.face(plate, [bottom], 0, False)
+
+    def area(w):
+        return rounded_area(20 + 2 * w * q, 12 + 2 * w * q, 2 + w * q)
+
+    s.finish("wire_die/die.stl", 20 * 40 * 30 - 20 / 6 * (area(0) + 4 * area(0.5) + area(1)), 1.0)
+
+
+def wire_ruled():
+    """A circle below, a square above; equal shares of arcs and lines belong together."""
+    s = Solid()
+    n = segments(8, math.pi / 4) * 2
+    circle_points, square_points = [], []
+    for k in range(8):
+        a, b = (((x > 1e-9) - (x < -1e-9), (y > 1e-9) - (y < -1e-9)) for x, y in (
+            (math.cos(math.pi / 4 * j), math.sin(math.pi / 4 * j)) for j in (k, k + 1)))
+        for i in range(n):
+            angle = math.pi / 4 * (k + i / n)
+            circle_points.append((8 * math.cos(angle), 8 * math.sin(angle)))
+            square_points.append(tuple(8 * (p + (q - p) * i / n) for p, q in zip(a, b)))
+    s.face(square_points, [], 20, True)
+    s.ruled_wall(circle_points, square_points, 0, 20, True, 32)
+    s.face(circle_points, [], 0, False)
+
+    def middle(t):
+        """Of the section half way, 0 <= t <= 1 from the middle of the side x = 8 to its corner."""
+        return (4 * math.cos(math.pi / 4 * t) + 4, 4 * math.sin(math.pi / 4 * t) + 4 * t)
+
+    steps = 20000
+    half = 8 * sum(cross((0, 0), middle(i / steps), middle((i + 1) / steps)) / 2 for i in range(steps))
+    s.finish("wire_ruled/ruled.stl", 20 / 6 * (64 * math.pi + 4 * half + 256), 0.5)
 
 
 def circle_diamond_square():
@@ -556,6 +622,8 @@ if __name__ == "__main__":
     bracket()
     gouged_plate()
     wire_punch()
+    wire_die()
+    wire_ruled()
     circle_diamond_square()
     two_sides()
     macro_plate()

@@ -85,7 +85,7 @@ struct WireState {
 struct WireSweep {
   double z_low = 0.0, z_high = 0.0;  ///< heights of the tracks, mm, z_low < z_high; the wire is longer
   WireTrack lower, upper;
-  WireState state;
+  WireState state = {};
 };
 
 struct Motion {

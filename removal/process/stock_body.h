@@ -11,6 +11,9 @@ struct StockBody {
   double volume_mm3 = 0.0;
   Box3 bounds;       ///< mm, frame of its clamping
   std::string role;  ///< "part", "slug", "loose"
+  /// Of slugs that a wire cut free: which way they can leave the part, along Z: "both", "down", "up", "none";
+  /// else empty.
+  std::string leaves = {};
 };
 
 }  // namespace proveout

@@ -29,6 +29,8 @@ bool passes(const PlaneEdge& edge, const Vec2& direction) {
 
 }  // namespace
 
+Vec2 asFloat(const Vec2& p) { return p.cast<float>().cast<double>(); }
+
 Vec2 turnedBy(const Vec2& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};

@@ -49,6 +49,8 @@ bool surrounds(const std::vector<Vec2>& polygon, const Vec2& p);
 /// Exact for arcs, z = 0.
 Box3 boundsOf(const PlaneLoop& loop);
 
+/// As meshes hold it: rounded to floats.
+Vec2 asFloat(const Vec2& p);
 /// By an angle, counter-clockwise.
 Vec2 turnedBy(const Vec2& v, double angle);
 

@@ -13,8 +13,6 @@ struct Ribbon {
   std::vector<MotionId> motion;  ///< of the edge to the next
 };
 
-Vec2 asFloat(const Vec2& p) { return p.cast<float>().cast<double>(); }
-
 Ribbon ribbonOf(const PlaneLoop& loop, double tolerance) {
   const ChordLoop chords = chordsOf(loop, tolerance);
   Ribbon ribbon;

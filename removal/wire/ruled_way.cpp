@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "removal/wire/plane_region.h"
 #include "removal/wire/wire_stretch.h"
 
 namespace proveout {
 namespace {
 
-/// On an arc the radius goes linearly with the angle.
 Vec2 placeOnTrack(const WireTrack& track, double t) {
-  if (track.sweep_rad == 0.0) return track.from + t * (track.to - track.from);
-  const Vec2 start = track.from - track.center;
-  const double radius = start.norm(), end = (track.to - track.center).norm();
-  if (!(radius > 0.0)) return track.from + t * (track.to - track.from);
-  return track.center + turnedBy(start, t * track.sweep_rad) * ((radius + t * (end - radius)) / radius);
+  return track.sweep_rad == 0.0 ? Vec2(track.from + t * (track.to - track.from)) : pointOnArc(track, t);
 }
 
 double speedOf(const WireTrack& track) {

@@ -16,6 +16,7 @@ constexpr double kEqual = 1e-8;
 
 int piecesOf(const WireStretch& s) {
   if (s.isArc()) return std::max(1, static_cast<int>(std::ceil(std::abs(s.sweep_rad) / kArcPiece)));
+  if (s.kerf_mm <= 0.0) return 1;
   const Vec2 d = (s.to - s.from).cwiseAbs();
   return std::clamp(static_cast<int>(d.minCoeff() / (kLongLine * s.kerf_mm)), 1, kMostPieces);
 }

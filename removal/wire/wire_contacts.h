@@ -9,18 +9,9 @@
 #include "removal/wire/wire_falls.h"
 #include "removal/wire/wire_holding.h"
 #include "removal/wire/wire_stock.h"
+#include "removal/wire/wire_work.h"
 
 namespace proveout {
-
-/// What a path does with its wire: stretches that cut, in program order, and rapid ones between them.
-struct WireWork {
-  std::vector<WireStretch> cuts;
-  struct Rapid {
-    WireStretch stretch;
-    std::uint32_t after;  ///< stretches of `cuts` that come before it
-  };
-  std::vector<Rapid> rapids;
-};
 
 /// A contact for each rapid that meets what is held then. Touches thinner than 0.001 mm are left out.
 std::vector<Contact> rapidContacts(const PrismBlank& blank, const WireWork& work, const WireHolding& holding,

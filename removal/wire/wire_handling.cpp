@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/tool/tool_table.h"
+#include "removal/wire/ruled_way.h"
 
 namespace proveout {
 namespace {
@@ -68,14 +69,15 @@ void tellByHand(const Toolpath& path, std::vector<Contact>& contacts) {
 }
 
 std::vector<ThreadingPlace> threadingPlaces(const Toolpath& path, const std::vector<Tool>& tools,
-                                            const WireWork& work, const std::vector<Contact>& contacts) {
+                                            const WireWork& work, const std::vector<Contact>& contacts,
+                                            double z) {
   const ToolTable table(tools);
   std::vector<ThreadingPlace> places;
   for (const MotionId id : threadedBefore(path, contacts)) {
     const WireSweep* wire = wireOf(path, id);
     const Tool* tool = table.ofMotion(path.motions[id].tool);
     if (wire == nullptr || tool == nullptr) continue;
-    places.push_back({wire->lower.from, tool->diameter, cutsBefore(work, id), id});
+    places.push_back({RuledWay(*wire).at(0.0, z).head<2>(), tool->diameter, cutsBefore(work, id), id});
   }
   return places;
 }

@@ -17,7 +17,8 @@ void tellByHand(const Toolpath& path, std::vector<Contact>& contacts);
 /// that met material and before which the operator had to cut it (`contacts`, see tellByHand). `tools` must
 /// have the wires of the path.
 std::vector<ThreadingPlace> threadingPlaces(const Toolpath& path, const std::vector<Tool>& tools,
-                                            const WireWork& work, const std::vector<Contact>& contacts);
+                                            const WireWork& work, const std::vector<Contact>& contacts,
+                                            double z);
 
 /// The pieces that fell, with the motions that go through where they may lie: until a stop, or until the wire
 /// is cut.

@@ -46,9 +46,9 @@ bool bordersMeet(const std::vector<Vec2>& polygon, const std::vector<Vec2>& loop
 
 bool touchesRegion(const std::vector<Vec2>& polygon, const PlanePolygons& region) {
   if (holds(region, polygon.front())) return true;
-  if (surrounds(polygon, region.front().front())) return true;
-  return std::any_of(region.begin(), region.end(),
-                     [&](const std::vector<Vec2>& loop) { return bordersMeet(polygon, loop); });
+  return std::any_of(region.begin(), region.end(), [&](const std::vector<Vec2>& loop) {
+    return surrounds(polygon, loop.front()) || bordersMeet(polygon, loop);
+  });
 }
 
 std::vector<Vec2> middlesOf(const PlanePolygons& region) {
@@ -91,22 +91,43 @@ std::size_t heldBody(const std::vector<PlaneBody>& bodies) {
   return 0;
 }
 
-WireHolding::WireHolding(PlanePolygons fixtures, const std::vector<PlaneBody>& last)
-    : fixtures_(std::move(fixtures)) {
-  by_fixtures_ = std::any_of(last.begin(), last.end(), [&](const PlaneBody& body) { return touched(body); });
-  if (!by_fixtures_ && !last.empty()) held_ = placeIn(last[heldBody(last)]);
-}
-
-bool WireHolding::touched(const PlaneBody& body) const {
-  if (fixtures_.empty()) return false;
-  const PlanePolygons region = polygonsOf(body.loops, kBodyChordMm);
-  const Box3 reach = boxOf(region.front()).inflated(kHeldWithinMm);
-  return std::any_of(fixtures_.begin(), fixtures_.end(), [&](const std::vector<Vec2>& polygon) {
+bool anyTouches(const PlanePolygons& fixtures, const PlanePolygons& region) {
+  Box3 reach;
+  for (const std::vector<Vec2>& loop : region) reach.extend(boxOf(loop));
+  reach = reach.inflated(kHeldWithinMm);
+  return std::any_of(fixtures.begin(), fixtures.end(), [&](const std::vector<Vec2>& polygon) {
     return boxOf(polygon).overlaps(reach) && touchesRegion(polygon, region);
   });
 }
 
+WireHolding::WireHolding(PlanePolygons fixtures, const std::vector<PlaneBody>& last)
+    : fixtures_(std::move(fixtures)) {
+  settle(last);
+}
+
+WireHolding::WireHolding(PlanePolygons fixtures, std::function<std::vector<PlaneBody>()> last)
+    : fixtures_(std::move(fixtures)), last_(std::move(last)) {}
+
+void WireHolding::settle(const std::vector<PlaneBody>& last) const {
+  by_fixtures_ = std::any_of(last.begin(), last.end(), [&](const PlaneBody& body) { return touched(body); });
+  if (!by_fixtures_ && !last.empty()) held_ = placeIn(last[heldBody(last)]);
+}
+
+void WireHolding::settle() const {
+  if (last_) settle(std::exchange(last_, nullptr)());
+}
+
+bool WireHolding::touched(const PlaneBody& body) const {
+  return !fixtures_.empty() && anyTouches(fixtures_, polygonsOf(body.loops, kBodyChordMm));
+}
+
+bool WireHolding::byFixtures() const {
+  settle();
+  return by_fixtures_;
+}
+
 bool WireHolding::keeps(const PlaneBody& body) const {
+  settle();
   if (by_fixtures_) return touched(body);
   return held_ && holds(polygonsOf(body.loops, kBodyChordMm), *held_);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,19 +28,27 @@ class WireHolding {
   /// `last`: the bodies after all cuts. The bodies that fixtures touch are held; where they touch none, that
   /// which in the end is the largest with some of the blank's own border, without one the largest.
   WireHolding(PlanePolygons fixtures, const std::vector<PlaneBody>& last);
+  /// The same with bodies that are made when they are first needed; not for several threads.
+  WireHolding(PlanePolygons fixtures, std::function<std::vector<PlaneBody>()> last);
 
   /// Whether a fixture touches any of the last bodies.
-  bool byFixtures() const { return by_fixtures_; }
+  bool byFixtures() const;
   /// Of a body at any time.
   bool keeps(const PlaneBody& body) const;
 
  private:
   bool touched(const PlaneBody& body) const;
+  void settle(const std::vector<PlaneBody>& last) const;
+  void settle() const;
 
   PlanePolygons fixtures_;
-  bool by_fixtures_ = false;
-  std::optional<Vec2> held_;  ///< a place in the held body
+  mutable std::function<std::vector<PlaneBody>()> last_;  ///< null: settled
+  mutable bool by_fixtures_ = false;
+  mutable std::optional<Vec2> held_;  ///< a place in the held body
 };
+
+/// Whether any of the fixtures comes within kHeldWithinMm of a region.
+bool anyTouches(const PlanePolygons& fixtures, const PlanePolygons& region);
 
 /// The largest body that has some of the blank's own border; without one the largest. Requires bodies.
 std::size_t heldBody(const std::vector<PlaneBody>& bodies);

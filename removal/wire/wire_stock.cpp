@@ -1,71 +1,65 @@
 #include "removal/wire/wire_stock.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
 #include <variant>
 
-#include "core/tool/tool_table.h"
 #include "removal/wire/kerf_section.h"
+#include "removal/wire/prism_mesh.h"
 #include "removal/wire/wire_contacts.h"
 #include "removal/wire/wire_handling.h"
 
 namespace proveout {
 namespace {
 
-std::string placeOf(const Toolpath& path, const Motion& motion) {
-  const std::string file =
-      motion.source.file < path.files.size() ? path.files[motion.source.file] : std::string("the program");
-  const std::string block = motion.source.block >= 0 ? fmt::format(" (N{})", motion.source.block) : "";
-  return fmt::format("{}:{}{}", file, motion.source.line, block);
+/// Of several heights the contacts of one motion are one.
+void addContact(Contact contact, double z, double share, std::map<MotionId, Contact>& found) {
+  contact.where.z() = z;
+  contact.volume_mm3 *= share;
+  const auto [known, is_new] = found.emplace(contact.motion, contact);
+  if (is_new) return;
+  const double volume = known->second.volume_mm3 + contact.volume_mm3;
+  if (contact.depth_mm > known->second.depth_mm) known->second = contact;
+  known->second.volume_mm3 = volume;
 }
 
-/// Why a motion's wire cannot be followed; empty: it can.
-Status checkMotion(const Toolpath& path, const Motion& motion, const Tool* tool) {
-  if (tool == nullptr)
-    return inputError(fmt::format("{}: the job does not define tool {}", placeOf(path, motion), motion.tool));
-  if (tool->type != ToolType::kWire)
-    return inputError(
-        fmt::format("{}: tool {} is no wire; give it type = \"wire\"", placeOf(path, motion), tool->number));
-  if (!isUpright(path.wires[static_cast<std::size_t>(motion.wire)]))
-    return inputError(fmt::format("{}: the wire leans here; cutting with a wire that leans is not built yet",
-                                  placeOf(path, motion)));
-  return Done{};
-}
+/// What a leaning wire does besides cutting, seen at its bottom, half way and at its top.
+class LeanHandling {
+ public:
+  LeanHandling(const PrismBlank& blank, const Toolpath& path, const std::vector<Tool>& tools)
+      : blank_(blank), path_(path), tools_(tools) {}
 
-/// Leaves out stretches that go nowhere, if others join them.
-void addMoving(const WireStretch& stretch, std::vector<WireStretch>& out) {
-  const bool still = !stretch.isArc() && (stretch.to - stretch.from).norm() == 0.0;
-  if (still && !out.empty() && (out.back().to - stretch.from).norm() == 0.0) return;
-  out.push_back(stretch);
-}
-
-Result<WireWork> workOf(const Toolpath& path, const std::vector<Tool>& tools) {
-  const ToolTable table(tools);
-  WireWork work;
-  std::vector<WireStretch> stretches;
-  for (MotionId id = 0; id < path.motions.size(); ++id) {
-    const Motion& motion = path.motions[id];
-    if (motion.wire < 0 || !path.wires[static_cast<std::size_t>(motion.wire)].state.threaded) continue;
-    const Tool* tool = table.ofMotion(motion.tool);
-    if (const Status good = checkMotion(path, motion, tool); !good) return good.error();
-    stretches.clear();
-    addStretches(path.wires[static_cast<std::size_t>(motion.wire)].lower,
-                 0.5 * tool->diameter + tool->spark_gap, id, stretches);
-    for (const WireStretch& stretch : stretches) {
-      if (motion.kind == MotionKind::kFeed)
-        addMoving(stretch, work.cuts);
-      else if (motion.kind == MotionKind::kRapid)
-        work.rapids.push_back({stretch, static_cast<std::uint32_t>(work.cuts.size())});
-    }
+  void look(const WireWork& work, double z, double share, Progress& progress) {
+    const WireHolding holding(blank_.held_at, [&] { return cutSection(blank_.loops, work.cuts); });
+    std::vector<Contact> contacts = rapidContacts(blank_, work, holding, progress);
+    tellByHand(path_, contacts);
+    const std::vector<ThreadingPlace> places = threadingPlaces(path_, tools_, work, contacts, z);
+    for (const ThreadingFault& fault : threadingFaults(blank_, work, places, holding, progress))
+      faults_.emplace(fault.next, fault);
+    for (const Contact& contact : contacts) addContact(contact, z, share, contacts_);
   }
-  return work;
-}
 
-/// Of a rapid only the wire itself counts, not its sparks.
-void takeSparksAway(const Toolpath& path, const std::vector<Tool>& tools, WireWork& work) {
-  const ToolTable table(tools);
-  for (WireWork::Rapid& rapid : work.rapids)
-    rapid.stretch.kerf_mm = 0.5 * table.ofMotion(path.motions[rapid.stretch.motion].tool)->diameter;
+  void tell(RemovalSummary& summary) const {
+    for (const auto& [motion, contact] : contacts_) summary.contacts.push_back(contact);
+    for (const auto& [motion, fault] : faults_) summary.threading.push_back(fault);
+  }
+
+ private:
+  const PrismBlank& blank_;
+  const Toolpath& path_;
+  const std::vector<Tool>& tools_;
+  std::map<MotionId, Contact> contacts_;
+  std::map<MotionId, ThreadingFault> faults_;
+};
+
+/// What the motions took, estimated from a section.
+void addRemoved(const PrismBlank& blank, const std::vector<WireStretch>& cuts,
+                const std::vector<FreePiece>& fallen, RemovalSummary& summary) {
+  const std::vector<double> areas = removedAreas(blank, cuts, fallen);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    summary.removed_mm3[cuts[i].motion] += static_cast<float>(areas[i] * blank.height());
 }
 
 }  // namespace
@@ -89,40 +83,132 @@ Result<PrismBlank> prismOf(const StockShape& shape) {
   return blank;
 }
 
-WireStock::WireStock(PrismBlank blank) : blank_(std::move(blank)) { bodies_ = cutSection(blank_.loops, {}); }
+WireStock::WireStock(PrismBlank blank) : blank_(std::move(blank)) {
+  setSections(cutSection(blank_.loops, {}));
+}
 
 Result<RemovalSummary> WireStock::remove(const Toolpath& path, const std::vector<Tool>& tools,
-                                         Progress& progress) {
-  Result<WireWork> work = workOf(path, tools);
-  if (!work) return work.error();
-  takeSparksAway(path, tools, *work);
+                                         double tolerance, Progress& progress) {
   progress.report("removing", 0.0);
   RemovalSummary summary;
   summary.removed_mm3.assign(path.motions.size(), 0.0F);
-  std::vector<PlaneBody> last = cutSection(blank_.loops, work->cuts);
-  const WireHolding holding(blank_.held_at, last);
-  WireFalls falls = findFalls(blank_.loops, work->cuts, std::move(last), holding);
+  const Status done = standsUpright(path) ? removeUpright(path, tools, summary, progress)
+                                          : removeLeaning(path, tools, tolerance, summary, progress);
+  if (!done) return done.error();
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  const std::vector<double> areas = removedAreas(blank_, work->cuts, falls.pieces);
-  for (std::size_t i = 0; i < areas.size(); ++i)
-    summary.removed_mm3[work->cuts[i].motion] +=
-        static_cast<float>(areas[i] * (blank_.z_high - blank_.z_low));
-  summary.contacts = rapidContacts(blank_, *work, holding, progress);
-  tellByHand(path, summary.contacts);
-  const std::vector<ThreadingPlace> places = threadingPlaces(path, tools, *work, summary.contacts);
-  summary.threading = threadingFaults(blank_, *work, places, holding, progress);
-  summary.fallen = fallenPieces(path, *work, blank_.z_high - blank_.z_low, falls.pieces);
-  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  bodies_ = std::move(falls.bodies);
   return summary;
 }
 
-double WireStock::initialVolume() const { return areaOf(blank_.loops) * (blank_.z_high - blank_.z_low); }
+Status WireStock::removeUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary& summary,
+                                Progress& progress) {
+  const Result<WireWork> work = wireWork(path, tools);
+  if (!work) return work.error();
+  std::vector<PlaneBody> last = cutSection(blank_.loops, work->cuts);
+  const WireHolding holding(blank_.held_at, last);
+  WireFalls falls = findFalls(blank_.loops, work->cuts, std::move(last), holding);
+  if (progress.cancelled()) return Done{};
+  addRemoved(blank_, work->cuts, falls.pieces, summary);
+  summary.contacts = rapidContacts(blank_, *work, holding, progress);
+  tellByHand(path, summary.contacts);
+  const std::vector<ThreadingPlace> places =
+      threadingPlaces(path, tools, *work, summary.contacts, blank_.z_low);
+  summary.threading = threadingFaults(blank_, *work, places, holding, progress);
+  summary.fallen = fallenPieces(path, *work, blank_.height(), falls.pieces);
+  setSections(std::move(falls.bodies));
+  return Done{};
+}
+
+Status WireStock::removeLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
+                                RemovalSummary& summary, Progress& progress) {
+  const HeightSpan span{blank_.z_low, blank_.z_high};
+  const Result<LeanWork> work = leanWork(path, tools, span, tolerance);
+  if (!work) return work.error();
+  LeanHandling handling(blank_, path, tools);
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const double z = span.low + share * span.length();
+    const WireWork level = work->atHeight(span, z);
+    handling.look(level, z, share == 0.5 ? 4.0 / 6.0 : 1.0 / 6.0, progress);
+    if (share != 0.5) continue;
+    addRemoved(blank_, level.cuts, {}, summary);
+    std::vector<PlaneBody> last = cutSection(blank_.loops, level.cuts);
+    const WireHolding holding(blank_.held_at, last);
+    const WireFalls falls = findFalls(blank_.loops, level.cuts, std::move(last), holding);
+    summary.fallen = fallenPieces(path, level, blank_.height(), falls.pieces);
+  }
+  handling.tell(summary);
+  if (progress.cancelled()) return Done{};
+  Result<LeanSolid> solid = leanSolid(blank_.loops, span, work->cuts, tolerance, progress);
+  if (!solid) return solid.error();
+  setSolid(std::move(*solid));
+  return Done{};
+}
+
+std::vector<PlanePolygons> WireStock::outlinesAt(double z) const {
+  constexpr double kOutlineChordMm = 1e-4;
+  std::vector<PlanePolygons> out(bodies_.size());
+  if (z < blank_.z_low || z > blank_.z_high) return out;
+  if (!solid_) {
+    for (std::size_t k = 0; k < sections_.size(); ++k)
+      out[k] = polygonsOf(sections_[k].loops, kOutlineChordMm);
+    return out;
+  }
+  const std::vector<LevelSection>& levels = solid_->levels;
+  const auto nearest = std::min_element(levels.begin(), levels.end(), [&](const auto& a, const auto& b) {
+    return std::abs(a.z - z) < std::abs(b.z - z);
+  });
+  const std::vector<std::uint32_t>& body_of =
+      solid_->body_of[static_cast<std::size_t>(nearest - levels.begin())];
+  for (std::size_t region = 0; region < nearest->regions.size(); ++region) {
+    for (const std::uint32_t loop : nearest->regions[region].loops)
+      out[body_of[region]].push_back(nearest->loops[loop].points);
+  }
+  return out;
+}
+
+void WireStock::setSections(std::vector<PlaneBody> sections) {
+  sections_ = std::move(sections);
+  bodies_.clear();
+  for (const PlaneBody& section : sections_) {
+    Box3 bounds = boundsOf(section.loops.front());
+    bounds.min.z() = blank_.z_low;
+    bounds.max.z() = blank_.z_high;
+    bodies_.push_back({section.area_mm2 * blank_.height(), bounds});
+  }
+}
+
+void WireStock::setSolid(LeanSolid solid) {
+  solid_ = std::move(solid);
+  sections_.clear();
+  bodies_.clear();
+  for (const LeanBody& body : solid_->bodies) bodies_.push_back({body.volume_mm3, meshBounds(body.mesh)});
+}
+
+TriMesh WireStock::mesh(const std::vector<std::size_t>& bodies, double tolerance) const {
+  TriMesh out;
+  if (!solid_) {
+    std::vector<PlaneBody> sections;
+    for (const std::size_t body : bodies) sections.push_back(sections_[body]);
+    return prismMesh(sections, blank_.z_low, blank_.z_high, tolerance);
+  }
+  for (const std::size_t body : bodies) {
+    const TriMesh& shell = solid_->bodies[body].mesh;
+    const auto first = static_cast<std::uint32_t>(out.positions.size());
+    out.positions.insert(out.positions.end(), shell.positions.begin(), shell.positions.end());
+    out.motion.insert(out.motion.end(), shell.motion.begin(), shell.motion.end());
+    for (const auto& [a, b, c] : shell.triangles) out.triangles.push_back({first + a, first + b, first + c});
+  }
+  return out;
+}
+
+BodyExit WireStock::exit(std::size_t body, std::size_t past) const {
+  return solid_ ? exitOf(*solid_, body, past) : BodyExit{};
+}
+
+double WireStock::initialVolume() const { return areaOf(blank_.loops) * blank_.height(); }
 
 double WireStock::volume() const {
-  double area = 0.0;
-  for (const PlaneBody& body : bodies_) area += body.area_mm2;
-  return area * (blank_.z_high - blank_.z_low);
+  return std::accumulate(bodies_.begin(), bodies_.end(), 0.0,
+                         [](double sum, const WireBody& body) { return sum + body.volume_mm3; });
 }
 
 }  // namespace proveout

@@ -1,7 +1,9 @@
-// A stock with upright walls that a wire cuts all through, kept as a section of lines and arcs: exact but for
-// rounding to nanometres, without a grid.
+// A stock with upright walls that a wire cuts all through, without a grid: where the wire always stands
+// upright one section of lines and arcs, exact but for rounding to nanometres; where it leans sections at
+// many heights.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -10,8 +12,10 @@
 #include "core/tool/tool.h"
 #include "removal/grid/stock.h"
 #include "removal/grid/stock_shape.h"
+#include "removal/wire/body_exit.h"
+#include "removal/wire/lean_solid.h"
 #include "removal/wire/plane_region.h"
-#include "removal/wire/wire_stretch.h"
+#include "removal/wire/wire_holding.h"
 
 namespace proveout {
 
@@ -20,34 +24,62 @@ struct PrismBlank {
   std::vector<PlaneLoop> loops;  ///< borders and start holes that do not cross
   double z_low = 0.0, z_high = 0.0;
   /// Where fixtures reach between these heights, as convex polygons seen from +z: see footprintOf.
-  std::vector<std::vector<Vec2>> held_at;
+  PlanePolygons held_at;
+
+  double height() const { return z_high - z_low; }
 };
 
 /// Boxes, and cylinders and tubes along Z. Errors: other shapes.
 Result<PrismBlank> prismOf(const StockShape& shape);
 
+/// A connected piece of what a wire left.
+struct WireBody {
+  double volume_mm3 = 0.0;
+  Box3 bounds;  ///< mm
+};
+
 class WireStock {
  public:
   explicit WireStock(PrismBlank blank);
 
+  /// Before remove: where fixtures hold the blank, see PrismBlank.
+  void holdAt(PlanePolygons polygons) { blank_.held_at = std::move(polygons); }
+
   /// Cuts the path; once. Feed motions with a threaded wire cut by its radius and its spark gap, wherever the
-  /// blank is. A piece that nothing holds falls as soon as it is free: nothing cuts it any more. Rapids that
-  /// meet what is held then are contacts (kRapid, kByHand), and places where the wire is threaded into it are
-  /// told. What a motion removed is estimated at stations along it. Errors: a wire that leans, a tool that is
-  /// no wire or is missing, cancelled.
-  Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools, Progress& progress);
+  /// blank is. Rapids that meet what is held then are contacts (kRapid, kByHand), and places where the wire
+  /// is threaded into it are told: of leaning wires at the bottom, at the top or half way. A piece that
+  /// nothing holds falls as soon as it is free; where no wire leans nothing cuts it any more. What a motion
+  /// removed is estimated at stations along it. Where a wire leans, triangles of mesh() leave the surface by
+  /// no more than `tolerance` mm (> 0). Errors: a tool that is no wire or is missing, cancelled, see
+  /// leanSolid().
+  Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
+                                Progress& progress);
 
   /// What is left, the largest first.
-  const std::vector<PlaneBody>& bodies() const { return bodies_; }
+  const std::vector<WireBody>& bodies() const { return bodies_; }
+  /// By body what it covers at a height, seen from +z: upright walls with chords within 0.0001 mm, leaning
+  /// ones at the nearest section that was made. Empty polygons: it does not reach there.
+  std::vector<PlanePolygons> outlinesAt(double z) const;
+  /// Of the bodies named, a shell each. Of upright walls chords leave arcs by no more than `tolerance` mm.
+  TriMesh mesh(const std::vector<std::size_t>& bodies, double tolerance) const;
+  /// Whether a body can leave past another.
+  BodyExit exit(std::size_t body, std::size_t past) const;
   const PrismBlank& blank() const { return blank_; }
-  /// Before remove: where fixtures hold the blank, see PrismBlank.
-  void holdAt(std::vector<std::vector<Vec2>> polygons) { blank_.held_at = std::move(polygons); }
   double initialVolume() const;  ///< mm3, of the blank
   double volume() const;         ///< mm3, of what is left
 
  private:
+  Status removeUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary& summary,
+                       Progress& progress);
+  Status removeLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
+                       RemovalSummary& summary, Progress& progress);
+  void setSections(std::vector<PlaneBody> sections);
+  void setSolid(LeanSolid solid);
+
   PrismBlank blank_;
-  std::vector<PlaneBody> bodies_;
+  std::vector<PlaneBody> sections_;  ///< by body, where no wire leaned
+  std::optional<LeanSolid> solid_;   ///< where one did
+  std::vector<WireBody> bodies_;
 };
 
 }  // namespace proveout

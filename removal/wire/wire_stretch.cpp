@@ -27,12 +27,6 @@ double angleAlong(const WireStretch& arc, const Vec2& p) {
   return angle < 0.0 ? angle + 2.0 * kPi : angle;
 }
 
-Vec2 onTrack(const WireTrack& track, double t) {
-  const Vec2 start = track.from - track.center;
-  const double first = start.norm(), last = (track.to - track.center).norm();
-  return track.center + turnedBy(start, t * track.sweep_rad) * ((first + t * (last - first)) / first);
-}
-
 /// The circle through three points; nothing where they lie on a line.
 bool circleThrough(const Vec2& a, const Vec2& b, const Vec2& c, Vec2& center) {
   const Vec2 ab = b - a, ac = c - a;
@@ -52,8 +46,8 @@ void addSpiral(const WireTrack& track, WireStretch stretch, std::vector<WireStre
   const int count = std::max(1, static_cast<int>(std::ceil(sweep / (2.0 * half))));
   for (int i = 0; i < count; ++i) {
     stretch.from = i == 0 ? track.from : out.back().to;
-    stretch.to = i + 1 == count ? track.to : onTrack(track, (i + 1.0) / count);
-    const Vec2 middle = onTrack(track, (i + 0.5) / count);
+    stretch.to = i + 1 == count ? track.to : pointOnArc(track, (i + 1.0) / count);
+    const Vec2 middle = pointOnArc(track, (i + 0.5) / count);
     if (circleThrough(stretch.from, middle, stretch.to, stretch.center)) {
       const Vec2 u = stretch.from - stretch.center, v = stretch.to - stretch.center;
       stretch.sweep_rad = std::atan2(cross2(u, v), u.dot(v));
@@ -118,6 +112,16 @@ Box3 boundsOf(const WireStretch& s) {
 }
 
 bool isUpright(const WireSweep& wire) { return sameTrack(wire.lower, wire.upper); }
+
+Vec2 pointOnArc(const WireTrack& track, double t) {
+  const Vec2 start = track.from - track.center, end = track.to - track.center;
+  const double first = start.norm(), last = end.norm();
+  const double radius = first + t * (last - first);
+  if (first >= last)
+    return first > 0.0 ? Vec2(track.center + turnedBy(start, t * track.sweep_rad) * (radius / first))
+                       : track.center;
+  return track.center + turnedBy(end, (t - 1.0) * track.sweep_rad) * (radius / last);
+}
 
 void addStretches(const WireTrack& track, double kerf_mm, MotionId motion, std::vector<WireStretch>& out) {
   WireStretch stretch;

@@ -198,6 +198,39 @@ TEST(WirePunch, PassesAndFailsWithoutItsOffset) {
   EXPECT_TRUE(has(wrong.err, "gouge")) << wrong.err;
 }
 
+/// Runs a sample of a leaning wire; true where it passes without a finding.
+json passedReport(const char* part) {
+  const Workbench bench;
+  const fs::path job = fs::path(PROVEOUT_SOURCE_DIR) / "parts" / part / "job.toml";
+  const Outcome outcome = bench.run("run '" + job.string() + "' --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  return json::parse(readFile(bench.path("out/report.json")));
+}
+
+/// A plate less what opens by 2 degrees below a rounded rectangle of 20 x 12; offsets are told level, the
+/// wire leans.
+TEST(WireDie, HasItsTaper) {
+  const json report = passedReport("wire_die");
+  const auto area = [](double out) {
+    return (20 + 2 * out) * (12 + 2 * out) - (4.0 - std::numbers::pi) * (2 + out) * (2 + out);
+  };
+  const double angle = 2.0 * std::numbers::pi / 180.0, q = 20.0 * std::tan(angle);
+  const double wider = 0.11 * (1.0 / std::cos(angle) - 1.0);
+  const double exact =
+      20.0 * 40.0 * 30.0 - 20.0 / 6.0 * (area(wider) + 4.0 * area(0.5 * q + wider) + area(q + wider));
+  EXPECT_NEAR(partVolume(report), exact, 1e-6 * exact);
+  EXPECT_LE(report["comparison"]["max_gouge_mm"].get<double>(), 0.002);
+}
+
+/// Between the contours the wire comes nearer than its offset: by less than 0.011 mm.
+TEST(WireRuled, IsRuledBetweenItsContours) {
+  const json report = passedReport("wire_ruled");
+  EXPECT_NEAR(partVolume(report), 4583.619, 3.0);
+  EXPECT_NEAR(report["comparison"]["max_gouge_mm"].get<double>(), 0.0106, 0.001);
+  EXPECT_LE(report["comparison"]["max_excess_mm"].get<double>(), 0.002);
+}
+
 fs::path shaft(const char* job) { return fs::path(PROVEOUT_SOURCE_DIR) / "parts/wl4_shaft" / job; }
 
 TEST(TurnedShaft, PassesAndTellsWhatPartsIt) {

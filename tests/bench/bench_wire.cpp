@@ -1,9 +1,11 @@
-// Time of a wire's section alone: closed contours of 20,000 short motions, and the mesh of what is left.
+// Time of a wire's sections alone: closed contours of 20,000 short motions, upright and with taper, and the
+// mesh of what is left.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
 #include "removal/wire/kerf_section.h"
+#include "removal/wire/lean_solid.h"
 #include "removal/wire/prism_mesh.h"
 
 namespace proveout {
@@ -46,6 +48,41 @@ void mesh(benchmark::State& state) {
   state.counters["triangles"] = static_cast<double>(triangles);
 }
 
+/// With 2 degrees of taper in a plate of 60 mm: every height has another contour.
+void taper(benchmark::State& state, double radius, int waves, bool rounded) {
+  constexpr HeightSpan kSpan{0.0, 60.0};
+  const std::vector<WireStretch> low = contour(radius, waves, rounded);
+  const double out = kSpan.high * std::tan(2.0 * kPi / 180.0);
+  const auto above = [&](const Vec2& p) { return Vec2(p * (1.0 + out / p.norm())); };
+  std::size_t triangles = 0, levels = 0;
+  for (auto _ : state) {
+    std::vector<LeanStretch> way;
+    for (const WireStretch& s : low) {
+      WireSweep sweep{kSpan.low, kSpan.high, {}, {}};
+      sweep.lower.from = s.from;
+      sweep.lower.to = s.to;
+      sweep.upper.from = above(s.from);
+      sweep.upper.to = above(s.to);
+      addLeanStretches(sweep, kSpan, kKerf, 5e-4, s.motion, way);
+    }
+    Progress progress;
+    const Result<LeanSolid> solid = leanSolid(plate(), kSpan, way, 5e-4, progress);
+    if (!solid) return state.SkipWithError(solid.error().message.c_str());
+    levels = solid->levels.size();
+    triangles = 0;
+    for (const LeanBody& body : solid->bodies) triangles += body.mesh.triangles.size();
+  }
+  state.counters["levels"] = static_cast<double>(levels);
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+
+BENCHMARK_CAPTURE(taper, steps_of_15_micrometres, 50, 12, false)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(taper, narrow_waves, 50, 200, false)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(taper, rough_steps_of_5_micrometres, 16, 12, true)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(section, steps_of_15_micrometres, 50, 12, false)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/session/process/process.h"
 #include "app/session/session.h"
@@ -317,6 +318,33 @@ TEST(WireRuns, AForgottenOffsetIsTheCause) {
       EXPECT_TRUE(gouge.causes[0].source.has_value());
     }
   }
+}
+
+TEST(WireRuns, LeaningWiresAreHandledAtAllHeights) {
+  Job job = plateJob();
+  const std::string taper = kStart + "G51A2.;\nG01X5.;\nG02X-5.I-5.;\nX5.I5.;\nM00;\nG50G01X0;\n";
+  // The wire is upright where it is threaded.
+  EXPECT_EQ(found(run(job, taper + "M02;\n"), FindingKind::kThreading).size(), 1u);
+  job.start_holes = {{{0, 0}, 1.0}};
+  const Result<RunResult> result = run(job, taper + "M02;\n");
+  EXPECT_TRUE(errors(result).empty()) << firstText(errors(result));
+  EXPECT_EQ(result->setups.front().bodies.size(), 2u);
+  // 5.4 mm from the axis there is the slug at the top, and the die at the bottom.
+  const auto partVolume = [&](double z) {
+    job.part_point = Vec3(-5.4 * std::sqrt(0.5), 5.4 * std::sqrt(0.5), z);
+    const Result<RunResult> chosen = run(job, taper + "M02;\n");
+    return chosen.ok() ? chosen->setups.front().bodies.front().volume_mm3 : 0.0;
+  };
+  EXPECT_LT(partVolume(19.9), 2500.0);
+  EXPECT_GT(partVolume(0.1), 20000.0);
+  EXPECT_EQ(partVolume(21.0), 0.0);
+  job.part_point.reset();
+  job.fixtures = {{"magnet", CylinderShape{2, {-2, 2, 20}, 1, 0, 5}}};
+  EXPECT_LT(run(job, taper + "M02;\n")->setups.front().bodies.front().volume_mm3, 2500.0);
+  // A rapid with the wire that leans.
+  EXPECT_EQ(
+      found(run(job, kStart + "G51A2.;\nG01X5.;\nY2.;\nG00Y8.;\nM02;\n"), FindingKind::kRapidContact).size(),
+      1u);
 }
 
 TEST(WireRuns, LeaningTooFarIsAnAlarm) {

@@ -162,19 +162,6 @@ TEST(WirePiece, RapidOverAFallenSlugIsNone) {
   EXPECT_TRUE(made->removal.contacts.empty());
 }
 
-TEST(WirePiece, RefusesALeaningWireWithItsBlock) {
-  Cut cut;
-  cut.line({5, 0});
-  WireSweep sweep = cut.sweepTo({5, 5});
-  sweep.upper.to = {5.1, 5};
-  cut.move(sweep, MotionKind::kFeed);
-  const Result<Machined> made = cut.machine();
-  ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.error().kind, ErrorKind::kInput);
-  EXPECT_NE(made.error().message.find("wire.nc:2 (N20)"), std::string::npos) << made.error().message;
-  EXPECT_NE(made.error().message.find("not built yet"), std::string::npos);
-}
-
 TEST(WirePiece, RefusesOtherToolsAndStocks) {
   Cut mill;
   mill.tools[0].type = ToolType::kFlat;

@@ -1,0 +1,281 @@
+#include "removal/wire/lean_solid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/mesh/edge_table.h"
+#include "removal/wire/face_triangles.h"
+#include "removal/wire/lean_levels.h"
+#include "removal/wire/level_step.h"
+
+namespace proveout {
+namespace {
+
+/// All bodies as one mesh. What bounds one body is found by members: the loops of all levels, then the points
+/// of all steps.
+class SolidWriter {
+ public:
+  /// By slab.
+  using Steps = std::vector<std::optional<LevelStep>>;
+
+  SolidWriter(const LeanLevels& levels, const Steps& steps) : levels_(levels), steps_(steps) {
+    for (const LevelSection& level : levels.levels) {
+      first_loop_.push_back(static_cast<std::uint32_t>(first_point_.size()));
+      for (const LevelLoop& loop : level.loops) {
+        first_point_.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
+        for (const Vec2& p : loop.points)
+          mesh_.positions.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()),
+                                       static_cast<float>(level.z));
+      }
+    }
+    for (const std::optional<LevelStep>& step : steps) {
+      first_step_.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
+      if (!step) continue;
+      for (const Vec2& p : step->points)
+        mesh_.positions.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()),
+                                     static_cast<float>(step->z));
+    }
+  }
+
+  void write() {
+    faces(0, false);
+    for (std::size_t k = 0; k < levels_.slabs.size(); ++k) {
+      for (const Ribbon& ribbon : levels_.slabs[k].ribbons) wall(levels_.slabs[k], ribbon);
+      if (steps_[k]) step(k);
+    }
+    faces(static_cast<std::uint32_t>(levels_.levels.size()) - 1, true);
+  }
+
+  std::size_t loops() const { return first_point_.size(); }
+  std::size_t members() const { return loops() + mesh_.positions.size() - first_step_.front(); }
+  std::uint32_t loop(std::uint32_t level, std::uint32_t k) const { return first_loop_[level] + k; }
+  const TriMesh& mesh() const { return mesh_; }
+  std::uint32_t stepPoint(std::size_t slab, std::uint32_t point) const {
+    return static_cast<std::uint32_t>(loops()) + first_step_[slab] - first_step_.front() + point;
+  }
+  /// By triangle, one of the members that bound its body.
+  const std::vector<std::uint32_t>& memberOfTriangle() const { return member_of_; }
+
+ private:
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, MotionId motion, std::uint32_t member) {
+    mesh_.triangles.push_back({a, b, c});
+    mesh_.motion.push_back(motion);
+    member_of_.push_back(member);
+  }
+
+  void faces(std::uint32_t level, bool up) {
+    const LevelSection& section = levels_.levels[level];
+    for (const LevelRegion& region : section.regions) {
+      std::vector<std::vector<Vec2>> loops;
+      std::vector<std::uint32_t> corner;
+      for (const std::uint32_t k : region.loops) {
+        std::vector<Vec2>& points = loops.emplace_back();
+        for (std::uint32_t i = 0; i < section.loops[k].points.size(); ++i) {
+          points.push_back(asFloat(section.loops[k].points[i]));
+          corner.push_back(first_point_[loop(level, k)] + i);
+        }
+      }
+      for (const auto& [a, b, c] : faceTriangles(loops)) {
+        triangle(corner[a], corner[up ? b : c], corner[up ? c : b], kNoMotion,
+                 loop(level, region.loops.front()));
+      }
+    }
+  }
+
+  void wall(const LevelSlab& slab, const Ribbon& ribbon) {
+    const std::uint32_t low = loop(slab.lower, ribbon.lower_loop), high = loop(slab.upper, ribbon.upper_loop);
+    const LevelLoop& lower = levels_.levels[slab.lower].loops[ribbon.lower_loop];
+    const LevelLoop& upper = levels_.levels[slab.upper].loops[ribbon.upper_loop];
+    for (std::size_t k = 0; k < ribbon.rungs.size(); ++k) {
+      const auto [i, j] = ribbon.rungs[k];
+      const auto [next_i, next_j] = ribbon.rungs[(k + 1) % ribbon.rungs.size()];
+      const std::uint32_t a = first_point_[low], b = first_point_[high];
+      if (next_i != i)
+        triangle(a + i, a + next_i, b + j, lower.motions[i], low);
+      else
+        triangle(a + i, b + next_j, b + j, upper.motions[j], low);
+    }
+  }
+
+  /// The face, and the walls that end at it and begin there.
+  void step(std::size_t k) {
+    const LevelStep& step = *steps_[k];
+    const LevelSlab& slab = levels_.slabs[k];
+    const std::uint32_t first = first_step_[k];
+    for (const auto& [a, b, c] : step.triangles)
+      triangle(first + a, first + b, first + c, kNoMotion, stepPoint(k, a));
+    for (std::size_t i = 0; i < step.lower.size(); ++i)
+      stepWall(step.lower[i], first, slab.lower, slab.lower_alone[i], false);
+    for (std::size_t i = 0; i < step.upper.size(); ++i)
+      stepWall(step.upper[i], first, slab.upper, slab.upper_alone[i], true);
+  }
+
+  void stepWall(const LevelStep::Chains& chains, std::uint32_t first, std::uint32_t level, std::uint32_t k,
+                bool above) {
+    const LevelLoop& loop_at = levels_.levels[level].loops[k];
+    const std::uint32_t member = loop(level, k), base = first_point_[member];
+    for (std::uint32_t i = 0; i < chains.size(); ++i) {
+      const std::uint32_t a = base + i, b = base + (i + 1) % static_cast<std::uint32_t>(chains.size());
+      const std::vector<std::uint32_t>& chain = chains[i];
+      for (std::size_t j = 0; j + 1 < chain.size(); ++j) {
+        const std::uint32_t u = first + chain[above ? j : j + 1], v = first + chain[above ? j + 1 : j];
+        triangle(a, u, v, loop_at.motions[i], member);
+      }
+      const std::uint32_t end = first + chain.back();
+      triangle(end, above ? b : a, above ? a : b, loop_at.motions[i], member);
+    }
+  }
+
+  const LeanLevels& levels_;
+  const Steps& steps_;
+  TriMesh mesh_;
+  std::vector<std::uint32_t> first_loop_;   ///< by level
+  std::vector<std::uint32_t> first_point_;  ///< by loop of all levels
+  std::vector<std::uint32_t> first_step_;   ///< by slab
+  std::vector<std::uint32_t> member_of_;
+};
+
+/// Which members bound one body.
+class Bodies {
+ public:
+  Bodies(const LeanLevels& levels, const SolidWriter::Steps& steps, const SolidWriter& writer)
+      : sets_(writer.members()) {
+    for (std::uint32_t level = 0; level < levels.levels.size(); ++level) {
+      for (const LevelRegion& region : levels.levels[level].regions) {
+        for (const std::uint32_t k : region.loops)
+          sets_.join(writer.loop(level, region.loops.front()), writer.loop(level, k));
+      }
+    }
+    for (const LevelSlab& slab : levels.slabs) {
+      for (const Ribbon& ribbon : slab.ribbons)
+        sets_.join(writer.loop(slab.lower, ribbon.lower_loop), writer.loop(slab.upper, ribbon.upper_loop));
+    }
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      if (!steps[k]) continue;
+      const LevelSlab& slab = levels.slabs[k];
+      join(writer, k, steps[k]->lower, slab.lower, slab.lower_alone);
+      join(writer, k, steps[k]->upper, slab.upper, slab.upper_alone);
+      for (const auto& [a, b, c] : steps[k]->triangles) {
+        sets_.join(writer.stepPoint(k, a), writer.stepPoint(k, b));
+        sets_.join(writer.stepPoint(k, a), writer.stepPoint(k, c));
+      }
+    }
+  }
+  /// A loop: they come first.
+  std::uint32_t of(std::uint32_t member) { return sets_.find(member); }
+
+ private:
+  void join(const SolidWriter& writer, std::size_t slab, const std::vector<LevelStep::Chains>& loops,
+            std::uint32_t level, const std::vector<std::uint32_t>& alone) {
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      for (const std::vector<std::uint32_t>& chain : loops[i]) {
+        for (const std::uint32_t p : chain)
+          sets_.join(writer.loop(level, alone[i]), writer.stepPoint(slab, p));
+      }
+    }
+  }
+
+  DisjointSets sets_;
+};
+
+/// The triangles of one body, its vertices in their order.
+class BodyPicker {
+ public:
+  explicit BodyPicker(const TriMesh& whole) : whole_(whole), number_(whole.positions.size(), kNone) {}
+
+  void add(std::size_t t, TriMesh& mesh) {
+    std::array<std::uint32_t, 3> corners;
+    for (int c = 0; c < 3; ++c) {
+      std::uint32_t& number = number_[whole_.triangles[t][c]];
+      if (number == kNone) {
+        number = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(whole_.positions[whole_.triangles[t][c]]);
+      }
+      corners[c] = number;
+    }
+    mesh.triangles.push_back(corners);
+    mesh.motion.push_back(whole_.motion[t]);
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+  const TriMesh& whole_;
+  std::vector<std::uint32_t> number_;  ///< a vertex belongs to one body
+};
+
+Result<SolidWriter::Steps> stepsOf(const LeanLevels& levels) {
+  SolidWriter::Steps steps(levels.slabs.size());
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const LevelSlab& slab = levels.slabs[k];
+    if (slab.lower_alone.empty() && slab.upper_alone.empty()) continue;
+    const LevelSection &lower = levels.levels[slab.lower], &upper = levels.levels[slab.upper];
+    steps[k] = levelStep(lower, slab.lower_alone, upper, slab.upper_alone);
+    if (steps[k]) continue;
+    const Vec2 at = slab.lower_alone.empty() ? upper.loops[slab.upper_alone.front()].points.front()
+                                             : lower.loops[slab.lower_alone.front()].points.front();
+    return inputError(
+        fmt::format("walls of the leaning wire's cut meet at the height z = {:.3f}, near x = {:.3f} "
+                    "y = {:.3f}, so that no closed surface could be made",
+                    lower.z, at.x(), at.y()));
+  }
+  return steps;
+}
+
+/// By member: what its body has.
+std::vector<double> volumesOf(const LeanLevels& levels, const SolidWriter& writer, Bodies& bodies) {
+  std::vector<double> volume(writer.loops());
+  for (const LevelSlab& slab : levels.slabs) {
+    for (std::size_t k = 0; k < slab.ribbons.size(); ++k)
+      volume[bodies.of(writer.loop(slab.lower, slab.ribbons[k].lower_loop))] += slab.volumes[k];
+    const auto add = [&](std::uint32_t level, const std::vector<std::uint32_t>& alone) {
+      const double half = 0.5 * (levels.levels[slab.upper].z - levels.levels[slab.lower].z);
+      for (const std::uint32_t k : alone)
+        volume[bodies.of(writer.loop(level, k))] += half * areaOf(levels.levels[level].loops[k]);
+    };
+    add(slab.lower, slab.lower_alone);
+    add(slab.upper, slab.upper_alone);
+  }
+  return volume;
+}
+
+}  // namespace
+
+Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpan& span,
+                            const std::vector<LeanStretch>& stretches, double tolerance, Progress& progress) {
+  Result<LeanLevels> levels =
+      leanLevels([&](double z) { return levelSection(blank, atHeight(stretches, span, z), z); }, span.low,
+                 span.high, tolerance, progress);
+  if (!levels) return levels.error();
+  const Result<SolidWriter::Steps> steps = stepsOf(*levels);
+  if (!steps) return steps.error();
+  SolidWriter writer(*levels, *steps);
+  writer.write();
+  Bodies bodies(*levels, *steps, writer);
+  const std::vector<double> volume = volumesOf(*levels, writer, bodies);
+  std::vector<std::uint32_t> roots;
+  for (std::uint32_t loop = 0; loop < writer.loops(); ++loop) {
+    if (bodies.of(loop) == loop) roots.push_back(loop);
+  }
+  std::stable_sort(roots.begin(), roots.end(), [&](auto a, auto b) { return volume[a] > volume[b]; });
+  std::vector<std::uint32_t> number(writer.loops());
+  LeanSolid out;
+  for (const std::uint32_t root : roots) {
+    number[root] = static_cast<std::uint32_t>(out.bodies.size());
+    out.bodies.emplace_back().volume_mm3 = volume[root];
+    out.volume_mm3 += volume[root];
+  }
+  BodyPicker picker(writer.mesh());
+  for (std::size_t t = 0; t < writer.mesh().triangles.size(); ++t)
+    picker.add(t, out.bodies[number[bodies.of(writer.memberOfTriangle()[t])]].mesh);
+  for (std::uint32_t level = 0; level < levels->levels.size(); ++level) {
+    std::vector<std::uint32_t>& of = out.body_of.emplace_back();
+    for (const LevelRegion& region : levels->levels[level].regions)
+      of.push_back(number[bodies.of(writer.loop(level, region.loops.front()))]);
+  }
+  out.levels = std::move(levels->levels);
+  return out;
+}
+
+}  // namespace proveout

@@ -1,0 +1,35 @@
+// What a leaning wire leaves of a blank: sections at as many heights as it takes, joined by triangles.
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/tri_mesh.h"
+#include "removal/wire/lean_stretch.h"
+#include "removal/wire/level_section.h"
+
+namespace proveout {
+
+/// A connected piece.
+struct LeanBody {
+  double volume_mm3 = 0.0;  ///< Simpson's rule over exact sections
+  TriMesh mesh;             ///< closed, one shell
+};
+
+struct LeanSolid {
+  std::vector<LeanBody> bodies;  ///< the largest first
+  /// From below; body_of[level][region] counts as `bodies`.
+  std::vector<LevelSection> levels;
+  std::vector<std::vector<std::uint32_t>> body_of;
+  double volume_mm3 = 0.0;
+};
+
+/// The blank less the kerfs. Between two levels the triangles leave the section by no more than
+/// `tolerance` mm, as the section half way says, but where walls meet or part within 0.001 mm of height. Does
+/// not depend on the number of threads. Errors: cancelled; walls that meet or part so that no surface could
+/// be made.
+Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpan& span,
+                            const std::vector<LeanStretch>& stretches, double tolerance, Progress& progress);
+
+}  // namespace proveout

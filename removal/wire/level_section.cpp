@@ -1,0 +1,228 @@
+#include "removal/wire/level_section.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/base/parallel_for.h"
+#include "core/geometry/box_tree.h"
+#include "core/geometry/plane.h"
+#include "removal/wire/edge_curves.h"
+#include "removal/wire/kerf_outline.h"
+#include "removal/wire/kerf_union.h"
+#include "removal/wire/lean_outline.h"
+#include "removal/wire/stretch_index.h"
+
+namespace proveout {
+namespace {
+
+using namespace wire_detail;
+
+/// An edge lies off its curve by its chord and rounding, mm; looked for somewhat farther.
+constexpr double kNameReach = 3e-4;
+/// The blank's chords leave its arcs by no more, mm.
+constexpr double kBlankChord = 2e-5;
+/// Distances that differ by less are equal, mm: the same way, gone twice.
+constexpr double kOneDistance = 1e-8;
+/// Straight edges of one name are one where their corner is nearer to the line than this, mm.
+constexpr double kOnLine = 2e-6;
+/// Edges that are named by one task.
+constexpr std::size_t kNamesATask = 512;
+
+/// Names: the number of the stretch, and which part of it.
+constexpr int kPartBits = 2;
+constexpr EdgeName kLeft = 0, kRight = 1, kEnd = 2;
+constexpr EdgeName kBlankName = EdgeName{1} << 63;
+bool isSide(EdgeName name) { return (name & kBlankName) != 0 || (name & 3) != kEnd; }
+
+struct Named {
+  EdgeName name = 0;
+  MotionId motion = kNoMotion;
+  double off_mm = 0.0;  ///< from the curve
+};
+
+/// Finds the stretch whose kerf's border a point lies on.
+class KerfNames {
+ public:
+  explicit KerfNames(const std::vector<LevelStretch>& stretches) : stretches_(stretches) {
+    std::vector<Box3> boxes;
+    boxes.reserve(stretches.size());
+    for (const LevelStretch& s : stretches) {
+      Box3 box;
+      for (const Vec2& p : {s.from, s.to}) box.extend(Vec3(p.x(), p.y(), 0.0));
+      boxes.push_back(box.inflated(s.reach()));
+    }
+    tree_ = BoxTree(boxes);
+  }
+
+  std::optional<Named> at(const Vec2& p, double reach) const {
+    const Box3 box = Box3{Vec3(p.x(), p.y(), 0.0), Vec3(p.x(), p.y(), 0.0)}.inflated(reach);
+    std::uint32_t best = kNone;
+    Place place;
+    double least = reach;
+    tree_.forEachPlace(box, [&](std::uint32_t k) {
+      const std::uint32_t i = tree_.order()[k];
+      const Place here = placeOf(stretches_[i], p);
+      const double gain = least - here.off;
+      if (gain < -kOneDistance || (gain <= kOneDistance && i >= best)) return;
+      best = i;
+      place = here;
+      least = std::min(least, here.off);
+    });
+    if (best == kNone) return std::nullopt;
+    return Named{nameOf(best, place), stretches_[best].motion, std::abs(place.off)};
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+  struct Place {
+    double off = 0.0;  ///< from the border, inside below 0
+    double share = 0.0;
+    bool left = false;
+  };
+
+  /// By the distance to the middle line of the wire in space.
+  static Place placeOf(const LevelStretch& s, const Vec2& p) {
+    const Vec2 lean = 0.5 * (s.lean_from + s.lean_to);
+    const double less = 1.0 / (1.0 + lean.squaredNorm());
+    const auto product = [&](const Vec2& a, const Vec2& b) {
+      return a.dot(b) - less * a.dot(lean) * b.dot(lean);
+    };
+    const Vec2 way = s.to - s.from, d = p - s.from;
+    const double length2 = product(way, way);
+    const double share = length2 > 0.0 ? std::clamp(product(d, way) / length2, 0.0, 1.0) : 0.0;
+    const Vec2 off = d - share * way;
+    return {std::sqrt(std::max(0.0, product(off, off))) - s.radius_mm, share, cross2(way, d) > 0.0};
+  }
+
+  /// Ends are numbered by the stretch that begins there: the end of one is the start of the next.
+  static EdgeName nameOf(std::uint32_t i, const Place& place) {
+    if (place.share == 0.0 || place.share == 1.0)
+      return ((EdgeName{i} + (place.share == 1.0 ? 1 : 0)) << kPartBits) | kEnd;
+    return (EdgeName{i} << kPartBits) | (place.left ? kLeft : kRight);
+  }
+
+  const std::vector<LevelStretch>& stretches_;
+  BoxTree tree_;
+};
+
+class EdgeNamer {
+ public:
+  EdgeNamer(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches)
+      : kerf_(stretches), sides_(sidesOf(blank)), blank_(sides_) {}
+
+  Named of(const Vec2& middle) const {
+    for (double reach = kNameReach;; reach *= 16.0) {
+      const std::optional<Named> old = ofBlank(middle, reach), cut = kerf_.at(middle, reach);
+      if (old && (!cut || old->off_mm <= cut->off_mm)) return *old;
+      if (cut) return *cut;
+    }
+  }
+
+ private:
+  std::optional<Named> ofBlank(const Vec2& p, double reach) const {
+    const StretchIndex::Found found = blank_.nearest(p, reach);
+    if (found.stretch == StretchIndex::kNone) return std::nullopt;
+    return Named{kBlankName | found.stretch, sides_[found.stretch].motion, found.off_mm};
+  }
+
+  KerfNames kerf_;
+  std::vector<WireStretch> sides_;
+  StretchIndex blank_;
+};
+
+/// Leaves out points that are one as floats, and those inside straight runs of one name.
+class LoopTidier {
+ public:
+  explicit LoopTidier(const std::vector<bool>& straight) : straight_(straight) {}
+
+  LevelLoop tidy(const LevelLoop& in) const {
+    const std::size_t n = in.points.size();
+    std::size_t start = 0;
+    while (start < n && in.names[start] == in.names[(start + n - 1) % n]) ++start;
+    if (start == n) start = 0;
+    LevelLoop out;
+    for (std::size_t k = 0; k < n; ++k) add(in, (start + k) % n, out);
+    while (out.points.size() > 1 && same(out.points.front(), out.points.back())) drop(out);
+    return out;
+  }
+
+ private:
+  static bool same(const Vec2& p, const Vec2& q) { return p.cast<float>() == q.cast<float>(); }
+  static void drop(LevelLoop& out) {
+    out.points.pop_back();
+    out.names.pop_back();
+    out.motions.pop_back();
+  }
+
+  void add(const LevelLoop& in, std::size_t i, LevelLoop& out) const {
+    const Vec2& p = in.points[i];
+    if (!out.points.empty()) {
+      if (same(out.points.back(), p)) {
+        out.names.back() = in.names[i];
+        out.motions.back() = in.motions[i];
+        return;
+      }
+      const Vec2& next = in.points[(i + 1) % in.points.size()];
+      if (out.names.back() == in.names[i] && straight_[i] &&
+          distanceToSegment(p, out.points.back(), next) <= kOnLine)
+        return;
+    }
+    out.points.push_back(p);
+    out.names.push_back(in.names[i]);
+    out.motions.push_back(in.motions[i]);
+  }
+
+  const std::vector<bool>& straight_;  ///< by edge
+};
+
+LevelLoop loopOf(const ClipperLib::Path& path, const EdgeNamer& namer) {
+  const std::size_t n = path.size(), tasks = (n + kNamesATask - 1) / kNamesATask;
+  LevelLoop loop;
+  for (const ClipperLib::IntPoint& p : path) loop.points.push_back(toMm(p));
+  std::vector<Named> named(n);
+  parallelFor(std::size_t{0}, tasks, [&](std::size_t task) {
+    for (std::size_t i = task * kNamesATask; i < std::min(n, (task + 1) * kNamesATask); ++i)
+      named[i] = namer.of(0.5 * (loop.points[i] + loop.points[(i + 1) % n]));
+  });
+  std::vector<bool> straight(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    loop.names.push_back(named[i].name);
+    loop.motions.push_back(named[i].motion);
+    straight[i] = isSide(named[i].name);
+  }
+  return LoopTidier(straight).tidy(loop);
+}
+
+}  // namespace
+
+double areaOf(const LevelLoop& loop) {
+  const std::size_t n = loop.points.size();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+    sum += 0.5 * cross2(loop.points[i] - loop.points[0], loop.points[(i + 1) % n] - loop.points[0]);
+  return sum;
+}
+
+LevelSection levelSection(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches,
+                          double z) {
+  const EdgeNamer namer(blank, stretches);
+  LevelSection section;
+  section.z = z;
+  for (const PathRegion& paths : regionsLeft(pathsOf(blank, kBlankChord), leanKerf(stretches))) {
+    LevelRegion region;
+    for (const ClipperLib::Path& path : paths) {
+      LevelLoop loop = loopOf(path, namer);
+      const bool flat = loop.points.size() < 3;
+      if (flat && region.loops.empty()) break;
+      if (flat) continue;
+      region.loops.push_back(static_cast<std::uint32_t>(section.loops.size()));
+      section.loops.push_back(std::move(loop));
+    }
+    if (!region.loops.empty()) section.regions.push_back(std::move(region));
+  }
+  return section;
+}
+
+}  // namespace proveout
