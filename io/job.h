@@ -19,6 +19,7 @@
 #include "core/tool/tool.h"
 #include "io/mesh_io.h"
 #include "removal/compare/compare.h"
+#include "removal/grid/start_hole.h"
 #include "removal/grid/stock_shape.h"
 
 namespace proveout {
@@ -121,7 +122,9 @@ struct Job {
   Operator person;  ///< what the person at the machine answers
   std::optional<Vec3>
       start;  ///< control point before the first block, workpiece frame; none: above the stock
-  std::optional<StockSpec> stock;  ///< always there in a job that was loaded from a file
+  std::optional<StockSpec> stock;      ///< always there in a job that was loaded from a file
+  std::vector<StartHole> start_holes;  ///< in the stock, its frame; for controls that cut with a wire
+  std::optional<Vec3> part_point;      ///< in the part, frame of the stock; for controls that cut with a wire
   std::optional<NominalSpec> nominal;
   std::vector<FixtureSpec> fixtures;  ///< of a job without setups
   std::vector<Tool> tools;            ///< validated, numbers differ; in the order of the file

@@ -377,6 +377,8 @@ void readStock(ConfigTable& root, Job& job) {
   auto stock = root.table("stock");
   if (!stock) return;
   job.stock = readShape(*stock, {"box", "cylinder", "tube", "mesh", "vdb"});
+  readStartHoles(*stock, job);
+  job.part_point = stock->point("part_point");
   stock->refuseOthers();
 }
 

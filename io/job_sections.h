@@ -13,6 +13,8 @@ void readMachine(ConfigTable& root, Job& job);
 /// `program` and `subprograms`.
 void readProgram(ConfigTable& table, Job& job);
 void readStock(ConfigTable& root, Job& job);
+/// [[stock.start_hole]]
+void readStartHoles(ConfigTable& stock, Job& job);
 void readNominal(ConfigTable& root, Job& job);
 void readTools(ConfigTable& root, Job& job);
 void readOffsets(ConfigTable& root, Job& job);

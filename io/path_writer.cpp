@@ -258,6 +258,19 @@ void JsonLinesPathWriter::track(std::string_view name, const WireTrack& track) {
   b.push_back('}');
 }
 
+/// What is as usual is not told: a threaded wire that can cut, without an offset.
+void JsonLinesPathWriter::wireState(const Motion& motion, const WireState& state) {
+  const auto tell = [&](bool unusual, std::string_view text) {
+    if (unusual) put(buffer_, text);
+  };
+  tell(motion.compensated, R"(,"offset":true)");
+  tell(!state.threaded, R"(,"threaded":false)");
+  tell(state.by_hand, R"(,"by_hand":true)");
+  tell(!state.runs, R"(,"runs":false)");
+  tell(!state.fluid, R"(,"fluid":false)");
+  tell(!state.condition, R"(,"condition":false)");
+}
+
 void JsonLinesPathWriter::wireMotion(const Motion& motion, const WireSweep& wire) {
   Buffer& b = buffer_;
   put(b, R"({"type":"motion","id":)");
@@ -268,6 +281,7 @@ void JsonLinesPathWriter::wireMotion(const Motion& motion, const WireSweep& wire
   putPlanePoint(b, {wire.z_low, wire.z_high});
   track("lower", wire.lower);
   track("upper", wire.upper);
+  wireState(motion, wire.state);
   put(b, R"(,"feed":)");
   putNumber(b, motion.feed);
   put(b, R"(,"time_s":)");

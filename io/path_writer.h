@@ -18,7 +18,10 @@ namespace proveout {
 /// block has no N. "axis_from" and "axis_to" stand where the tool is not along +z, "rotary" where the machine
 /// has rotary axes: {"C":[from,to]}, degrees; "channel" of motions and events where the control has several:
 /// motions are then in order of start times. Motions of a wire are of kind "cut" or "rapid" and have "z", the
-/// heights of "lower" and "upper", each with "from", "to" and, on arcs, "center" and "sweep_deg".
+/// heights of "lower" and "upper", each with "from", "to" and, on arcs, "center" and "sweep_deg";
+/// "offset":true where an offset keeps the wire off the contour, "threaded":false where it is cut off,
+/// "by_hand":true for rapids behind a stop, and "runs":false, "fluid":false, "condition":false for what
+/// cutting lacks.
 class JsonLinesPathWriter : public MotionSink {
  public:
   /// Writes the header at once. `out` must outlive the writer; its state tells of write errors.
@@ -36,6 +39,7 @@ class JsonLinesPathWriter : public MotionSink {
   void point(const Vec3& p);
   void technology(const Motion& motion);
   void track(std::string_view name, const WireTrack& track);
+  void wireState(const Motion& motion, const WireState& state);
   void source(const SourceRef& source);
 
   std::ostream& out_;

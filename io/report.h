@@ -50,6 +50,8 @@ struct Cause {
 
 /// `what` of the cause of material that no motion reaches.
 inline constexpr std::string_view kUncut = "no motion cuts here";
+/// The same of a contour along which the middle of the wire went.
+inline constexpr std::string_view kNoOffset = "cut without offset (G40 or a value of 0)";
 
 /// Something that was found, at one place or over the blocks that made the same mistake.
 struct Finding {

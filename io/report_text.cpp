@@ -119,10 +119,13 @@ std::string place(const Finding& finding) {
   return finding.last_source ? first + " to " + place(*finding.last_source) : first;
 }
 
+/// Of causes that say what is wrong; others name a word or a datum that may be.
+bool isStatement(const Cause& cause) { return cause.what == kUncut || cause.what == kNoOffset; }
+
 std::string causeLine(const Cause& cause) {
   std::string out = cause.what;
   if (cause.source) {
-    if (!cause.value.empty()) out += (cause.what == kUncut ? "; " : " ") + cause.value;
+    if (!cause.value.empty()) out += (isStatement(cause) ? "; " : " ") + cause.value;
     out += " (" + place(*cause.source) + ")";
   } else if (!cause.value.empty()) {
     out += " = " + cause.value;
@@ -137,7 +140,7 @@ std::string causeLine(const Cause& cause) {
 }
 
 std::string causeNote(const Cause& cause) {
-  return (cause.what == kUncut ? "" : "could be ") + causeLine(cause);
+  return (isStatement(cause) ? "" : "could be ") + causeLine(cause);
 }
 
 std::string blocksLine(const Finding& finding, std::size_t most) {

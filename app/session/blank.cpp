@@ -54,6 +54,7 @@ Result<Blank> openBlank(const Job& job, Progress& progress) {
   Blank blank;
   blank.shape = std::move(*shape);
   blank.bounds = shapeBounds(blank.shape);
+  blank.start_holes = job.start_holes;
   if (std::holds_alternative<SavedStock>(blank.shape)) {
     if (job.simulation.resolution_mm) {
       return inputError("a saved stock has its own grid: leave the resolution away");

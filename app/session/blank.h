@@ -16,6 +16,7 @@ struct Blank {
   double resolution_mm = 0.0;  ///< grid spacing that the run uses
   /// Already made: where only the grid knows the bounds (a saved stock), or early.
   std::optional<Stock> stock;
+  std::vector<StartHole> start_holes = {};  ///< of the job
 };
 
 /// Reads the blank's files and settles the grid. The job must have a stock.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/session/blame.h"
 #include "io/report_text.h"
@@ -20,6 +21,7 @@ constexpr double kBeside = 3.0;
 struct ContactTerms {
   FindingKind kind;
   std::string_view text;
+  std::optional<Severity> severity = {};  ///< none: that of the kind
 };
 
 ContactTerms termsOf(ContactKind kind) {
@@ -43,6 +45,13 @@ ContactTerms termsOf(ContactKind kind) {
     case ContactKind::kPartedOff:
       return {FindingKind::kCutOffPiece,
               "the tool is to cut a piece that was cut off before and is not held any more"};
+    case ContactKind::kWire:
+      return {FindingKind::kFixtureContact, "the wire runs into a fixture"};
+    case ContactKind::kByHand:
+      return {FindingKind::kRapidContact,
+              "the way leads through the stock: the operator has to cut the wire at the stop before it and "
+              "thread it again behind it",
+              Severity::kNote};
   }
   return {FindingKind::kRapidContact, "rapid motion cuts into the stock"};
 }
@@ -50,6 +59,7 @@ ContactTerms termsOf(ContactKind kind) {
 std::string_view partName(ContactKind kind) {
   if (kind == ContactKind::kShank) return "the tool's shank";
   if (kind == ContactKind::kHolder) return "the tool holder";
+  if (kind == ContactKind::kWire) return "the wire";
   return "the tool";
 }
 
@@ -151,6 +161,7 @@ void addContacts(const std::vector<Contact>& contacts, double least_mm, bool tur
   for (const Group& group : grouping.groups()) {
     const ContactTerms terms = termsOf(group.deepest.kind);
     Finding finding = findingOf(terms.kind, group, path, texts);
+    if (terms.severity) finding.severity = *terms.severity;
     finding.message = fmt::format("{}: {}", terms.text, figures(group));
     findings.push_back(std::move(finding));
   }

@@ -13,6 +13,7 @@
 #include "app/session/cause_candidates.h"
 #include "app/session/nose_data.h"
 #include "app/session/provenance.h"
+#include "app/session/wire_offset.h"
 #include "core/base/parallel_for.h"
 #include "core/tool/tool_table.h"
 
@@ -72,6 +73,7 @@ class Diagnosis {
     Finding& finding = run_.findings[patch.finding];
     tellBlocks(*patch.patch, finding);
     tellNose(*patch.patch, finding);
+    tellNoOffset(*patch.patch, finding);
     const std::vector<double> local = localShares(*patch.patch);
     std::vector<std::pair<double, std::uint32_t>> ranked;
     for (std::uint32_t h = 0; h < hypotheses_.size(); ++h) {
@@ -440,6 +442,32 @@ class Diagnosis {
                                  to.rotation * main->normal, beyond);
     constexpr double kMostOfIt = 0.5;
     if (cause && cause->explains >= kMostOfIt) finding.causes.push_back(*cause);
+  }
+
+  /// A contour that the middle of a wire has followed is off by half of its kerf all along.
+  void tellNoOffset(const DeviationPatch& patch, Finding& finding) const {
+    const MakerShare* first = nullptr;
+    double share = 0.0;
+    for (const MakerShare& m : patch.makers) {
+      if (m.maker.motion == kNoMotion) continue;
+      const SetupRun& setup = run_.setups[setupOf(m.maker)];
+      if (!followsContour(setup.interpreted.path, setup.job.tools, m.maker.motion, m.depth_mm)) continue;
+      share += m.share;
+      if (first == nullptr || m.maker.motion < first->maker.motion) first = &m;
+    }
+    constexpr double kMostOfIt = 0.5;
+    if (first == nullptr || share < kMostOfIt) return;
+    const std::uint32_t setup = setupOf(first->maker);
+    const Toolpath& path = run_.setups[setup].interpreted.path;
+    const double kerf = halfKerf(path, run_.setups[setup].job.tools, first->maker.motion).value_or(0.0);
+    Cause cause;
+    cause.what = kNoOffset;
+    cause.value = fmt::format("the wire's kerf is {:g} mm to each side", kerf);
+    cause.source = writtenBlock(path, first->maker.motion, *sources_[setup]).block;
+    cause.along = "radius";
+    cause.off_mm = patch.kind == DeviationKind::kGouge ? -kerf : kerf;
+    cause.explains = std::min(share, 1.0);
+    finding.causes.push_back(std::move(cause));
   }
 
   /// What no shift of a motion explains was not cut at all: which motion came nearest?

@@ -63,7 +63,9 @@ void lookAt(const SetupRun& setup, std::size_t told_bodies, const RecordingSourc
     addToolOffsets(setup, least_mm, source, findings);
     addImplausible(setup, source, findings);
     addPartedBodies(setup, source, findings);
-    if (processOf(setup.job.control).tool_turns)
+    const Process& process = processOf(setup.job.control);
+    if (process.look != nullptr) process.look(setup, source, findings);
+    if (process.tool_turns)
       addSpindleDirection(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source,
                           findings);
     addVolumeError(setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_error_mm3,
@@ -91,6 +93,7 @@ PieceOptions pieceOptions(const Job& job, const PreparedRun& prepared, std::size
   options.keeps_grid = k + 1 == setupCount(job) && savesStock(job);
   if (prepared.nominal && !processOf(job, k).on_grid)
     options.part = nominalIn(job, prepared.nominal->mesh, k);
+  options.part_point = job.part_point;
   options.grid_fits = [&job, &prepared] {
     return checkMemory(job, turnedGridWork(prepared.blank), prepared.run.resolution_mm);
   };
@@ -106,9 +109,10 @@ Status machineAll(const Job& job, const RunSources& sources, PreparedRun& prepar
   for (std::size_t k = 0; k < run.setups.size(); ++k) {
     SetupRun& setup = run.setups[k];
     const Process& process = processOf(job, k);
-    const PieceOptions options = pieceOptions(job, prepared, k);
+    PieceOptions options = pieceOptions(job, prepared, k);
     Result<std::unique_ptr<Fixtures>> fixtures = process.fixtures(setup, run.resolution_mm, progress);
     if (!fixtures) return fixtures.error();
+    (*fixtures)->hold(prepared.blank, options);
     watch.lap();
     Result<std::unique_ptr<Workpiece>> clamped =
         k == 0 ? process.make(prepared.blank, job, progress)

@@ -30,7 +30,7 @@ ProbedStock probedStock(const Job& job, const SetupRun& setup, const Blank& blan
   probed.make = [&job, &setup, &blank, &before](Progress& progress) -> Result<Stock> {
     PieceOptions options;
     options.grid = removalOptions(job, blank.resolution_mm);
-    Blank fresh{blank.shape, blank.bounds, blank.resolution_mm, std::nullopt};
+    Blank fresh{blank.shape, blank.bounds, blank.resolution_mm, std::nullopt, blank.start_holes};
     Result<std::unique_ptr<Workpiece>> piece = processOf(job, 0).make(fresh, job, progress);
     for (std::size_t k = 0; piece && k < before.size(); ++k) {
       const Status cut = (*piece)->cut(before[k].interpreted.path, before[k].job.tools, options, progress);

@@ -55,6 +55,11 @@ struct Message {
   std::string text;
   std::optional<int> answer;  ///< to a box
 };
+/// The wire is cut off, or threaded where it stands.
+struct Wire {
+  std::string code;
+  bool threaded = false;
+};
 /// An axis beyond its limits, machine frame; the motion follows.
 struct Overtravel {
   std::string axis;
@@ -111,9 +116,9 @@ struct Function {
 
 using EventKind =
     std::variant<event::ToolChange, event::Spindle, event::Coolant, event::Stop, event::OptionalStop,
-                 event::Dwell, event::End, event::Message, event::Overtravel, event::ForbiddenZone,
-                 event::Wait, event::Probe, event::Thread, event::Smoothing, event::Output,
-                 event::VirtualPlane, event::ToolShape, event::Function>;
+                 event::Dwell, event::End, event::Message, event::Wire, event::Overtravel,
+                 event::ForbiddenZone, event::Wait, event::Probe, event::Thread, event::Smoothing,
+                 event::Output, event::VirtualPlane, event::ToolShape, event::Function>;
 
 struct PathEvent {
   EventKind what;
@@ -180,6 +185,10 @@ struct Fields {
     visit("code", e.code);
     visit("text", e.text);
     some("answer", e.answer);
+  }
+  void operator()(const event::Wire& e) {
+    visit("code", e.code);
+    visit("threaded", e.threaded);
   }
   void operator()(const event::Overtravel& e) {
     visit("axis", e.axis);

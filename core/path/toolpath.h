@@ -66,12 +66,26 @@ struct WireTrack {
   double sweep_rad = 0.0;      ///< signed, counterclockwise seen from +z; 0: a line
 };
 
-/// A motion of a wire: a straight line through a point of the lower and one of the upper track, both at the same share of
-/// their way (length on a line, angle on an arc). On an arc whose ends are not equally far from the center the radius
-/// goes linearly with the angle.
+/// What the machine does with its wire during a motion.
+struct WireState {
+  bool threaded = true;  ///< false: it is cut off; the motion removes nothing and touches nothing
+  /// A rapid between a stop and the next cut: the operator may cut the wire before it and thread it behind.
+  bool by_hand = false;
+  bool runs = true;       ///< it is drawn off, so that it does not burn through
+  bool fluid = true;      ///< the gap is flushed
+  bool condition = true;  ///< the generator has a cutting condition
+
+  /// Whether it can cut without breaking.
+  bool supplied() const { return runs && fluid && condition; }
+};
+
+/// A motion of a wire: a straight line through a point of the lower and one of the upper track, both at the
+/// same share of their way (length on a line, angle on an arc). On an arc whose ends are not equally far from
+/// the center the radius goes linearly with the angle.
 struct WireSweep {
   double z_low = 0.0, z_high = 0.0;  ///< heights of the tracks, mm, z_low < z_high; the wire is longer
   WireTrack lower, upper;
+  WireState state = {};
 };
 
 struct Motion {
@@ -83,7 +97,8 @@ struct Motion {
   std::int32_t tool = 0;     ///< number of the tool in the spindle; 0: none named by the program
   std::int32_t arc = -1;     ///< index into Toolpath::arcs, or -1 for a line
   std::int32_t axis = -1;    ///< index into Toolpath::axes, or -1: tool along +z, no rotary axis
-  std::int32_t wire = -1;    ///< index into Toolpath::wires, or -1: no wire; from and to are ends of its lower track
+  std::int32_t wire =
+      -1;  ///< index into Toolpath::wires, or -1: no wire; from and to are ends of its lower track
   /// kThread: angle of the spindle at the start, degrees, 0 <= angle < 360, counted from the marker pulse in
   /// the direction in which the spindle turns during this motion (the sign of `spindle`): k turns
   /// after the start the part stands at sign(spindle) * (thread_start_deg + 360 * k).

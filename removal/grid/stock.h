@@ -31,8 +31,20 @@ struct RemovalOptions {
 };
 
 /// kInsertBack: a side of a lathe insert that has to stay clear; kAxis: a lathe tool cuts beyond the axis.
-enum class ContactKind { kRapid, kShank, kHolder, kSpindleOff, kFixture, kInsertBack, kAxis, kPartedOff };
-inline constexpr std::size_t kContactKinds = 8;
+/// kWire: a wire; kByHand: a rapid of one that the operator may have cut before it.
+enum class ContactKind {
+  kRapid,
+  kShank,
+  kHolder,
+  kSpindleOff,
+  kFixture,
+  kInsertBack,
+  kAxis,
+  kPartedOff,
+  kWire,
+  kByHand
+};
+inline constexpr std::size_t kContactKinds = 10;
 
 /// The tool touched stock where it must not. One per unbroken run of motions with the same kind, tool and
 /// program block.
@@ -59,6 +71,23 @@ struct NarrowCut {
   double area_mm2 = 0.0;        ///< length times width
 };
 
+/// A place where a wire is to be threaded and touches material.
+struct ThreadingFault {
+  MotionId next = kNoMotion;      ///< motion behind it
+  Vec3 where = Vec3::Zero();      ///< mm
+  double wire_mm = 0.0;           ///< diameter of the wire
+  double needs_mm = 0.0;          ///< a hole about its place must be wider than this
+  std::optional<double> hole_mm;  ///< diameter of the start hole in which it is; none: it is in none
+};
+
+/// A piece that a wire cut free and that fell.
+struct FallenPiece {
+  MotionId motion = kNoMotion;   ///< that closed the cut
+  MotionId through = kNoMotion;  ///< first cut before the next stop that goes where the piece may still lie
+  Vec3 where = Vec3::Zero();     ///< in it, mm
+  double volume_mm3 = 0.0;
+};
+
 struct RemovalSummary {
   std::vector<float> removed_mm3;  ///< per motion, counted in parts of grid cells; see fitRemovedVolume
   /// In program order. Of a path that never starts the spindle the first cut stands for all of them
@@ -67,7 +96,9 @@ struct RemovalSummary {
   /// Stock left thinner than a grid cell, which the grid cannot hold: about its area (0: none) and one place.
   double lost_film_mm2 = 0.0;
   Vec3 lost_film_at = Vec3::Zero();
-  std::vector<NarrowCut> narrow_cuts;  ///< by number of the tool
+  std::vector<NarrowCut> narrow_cuts;     ///< by number of the tool
+  std::vector<ThreadingFault> threading;  ///< in program order
+  std::vector<FallenPiece> fallen;        ///< in the order of their fall
   std::uint64_t voxel_evaluations = 0;
 };
 

@@ -10,7 +10,7 @@
 #include "core/geometry/plane.h"
 #include "removal/grid/stock_impl.h"
 #include "removal/process/milled_piece.h"
-#include "removal/process/wire_bodies.h"
+#include "removal/process/wire_part.h"
 #include "removal/wire/stretch_index.h"
 #include "removal/wire/wire_stock.h"
 #include "removal/wire/wire_work.h"
@@ -32,6 +32,13 @@ PrismBlank boxAbout(const Box3& bounds) {
   blank.z_low = bounds.min.z() - kAround;
   blank.z_high = bounds.max.z() + kAround;
   return blank;
+}
+
+/// The sample nearest to a point.
+Coord sampleAt(const Stock::Impl& stock, const Vec3& p) {
+  const Vec3 at = (p - stock.origin) / stock.h;
+  return Coord(static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())),
+               static_cast<int>(std::lround(at.z())));
 }
 
 /// Asks the grid what motions of the wire meet, each with what those before it left.
@@ -88,12 +95,7 @@ class GridWireMeeting {
     return 2.0 * s.kerf_mm * s.length() * slice_mm_ * met / (stations * kAcross);
   }
 
-  bool isMaterial(const Vec3& p) {
-    const Vec3 at = (p - stock_.origin) / stock_.h;
-    return reader_.isMaterial(Coord(static_cast<int>(std::lround(at.x())),
-                                    static_cast<int>(std::lround(at.y())),
-                                    static_cast<int>(std::lround(at.z()))));
-  }
+  bool isMaterial(const Vec3& p) { return reader_.isMaterial(sampleAt(stock_, p)); }
 
   const Stock::Impl& stock_;
   SampleReader reader_;
@@ -154,6 +156,24 @@ Result<std::vector<GridBody>> bodiesOf(const Stock& stock, const WireStock& box,
   return out;
 }
 
+/// The body that holds the point, is most like the nominal, or is the largest.
+Result<std::size_t> partOf(const std::vector<GridBody>& bodies, const PieceOptions& options) {
+  if (options.part_point) {
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      SampleReader reader(bodies[k].stock.inside());
+      if (reader.isMaterial(sampleAt(bodies[k].stock.inside(), *options.part_point))) return k;
+    }
+    const Vec3& p = *options.part_point;
+    return inputError(
+        fmt::format("the point of the part (part_point) X{:g} Y{:g} Z{:g} lies in no body that is left",
+                    p.x(), p.y(), p.z()));
+  }
+  if (!options.part) return std::size_t{0};
+  std::vector<Box3> bounds;
+  for (const GridBody& body : bodies) bounds.push_back(body.bounds);
+  return bodyLike(bounds, *options.part);
+}
+
 /// Kerfs that the grid cannot hold.
 void tellNarrow(const Toolpath& path, const std::vector<Tool>& tools, double h, RemovalSummary& summary) {
   for (MotionId id = 0; id < path.motions.size(); ++id) {
@@ -200,13 +220,14 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   const double removed_mm3 = std::clamp(held->mm3 - after_mm3, 0.0, out.initial_mm3);
   out.bodies.emplace();
   if (!bodies->empty()) {
-    std::vector<Box3> bounds;
-    for (const GridBody& body : *bodies) bounds.push_back(body.bounds);
-    const auto part = bodies->begin() + static_cast<std::ptrdiff_t>(bodyLike(bounds, options.part));
+    const Result<std::size_t> chosen = partOf(*bodies, options);
+    if (!chosen) return chosen.error();
+    const auto part = bodies->begin() + static_cast<std::ptrdiff_t>(*chosen);
     std::rotate(bodies->begin(), part, part + 1);
     for (const GridBody& body : *bodies)
       out.bodies->push_back({body.surface.volume_mm3, body.bounds, out.bodies->empty() ? "part" : "slug"});
-    for (std::size_t k = 1; k < bodies->size(); ++k) out.freed.push_back(std::move((*bodies)[k].surface.mesh));
+    for (std::size_t k = 1; k < bodies->size(); ++k)
+      out.freed.push_back(std::move((*bodies)[k].surface.mesh));
     stock_ = std::move(bodies->front().stock);
     out.surface = std::move(bodies->front().surface);
   }

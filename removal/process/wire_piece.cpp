@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "core/base/stopwatch.h"
-#include "removal/process/wire_bodies.h"
 #include "removal/process/wire_grid_piece.h"
+#include "removal/process/wire_part.h"
 
 namespace proveout {
 namespace {
@@ -31,15 +31,16 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
   Stopwatch watch;
   Machined out;
   out.initial_mm3 = stock_.volume();
+  stock_.holdAt(options.held_at);
   Result<RemovalSummary> removal = stock_.remove(path, tools, kShareOfFacet * options.facet_mm, progress);
   if (!removal) return removal.error();
   out.remove_s = watch.lap();
   std::vector<std::size_t> order(stock_.bodies().size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (!order.empty()) {
-    std::vector<Box3> bounds;
-    for (const WireBody& body : stock_.bodies()) bounds.push_back(body.bounds);
-    const auto part = order.begin() + static_cast<std::ptrdiff_t>(bodyLike(bounds, options.part));
+    const Result<std::size_t> chosen = partAmong(stock_, options);
+    if (!chosen) return chosen.error();
+    const auto part = order.begin() + static_cast<std::ptrdiff_t>(*chosen);
     std::rotate(order.begin(), part, part + 1);
   }
   out.bodies.emplace();
@@ -67,6 +68,7 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
 
 Status WirePiece::cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
                       Progress& progress) {
+  stock_.holdAt(options.held_at);
   const Result<RemovalSummary> removal =
       stock_.remove(path, tools, kShareOfFacet * options.facet_mm, progress);
   return removal ? Status(Done{}) : Status(removal.error());

@@ -10,7 +10,7 @@ class WirePiece final : public Workpiece {
  public:
   explicit WirePiece(WireStock stock);
 
-  /// Of several bodies the part is the one like options.part, without it the largest; the others are slugs.
+  /// Of several bodies the part is that which partAmong tells; the others are slugs.
   /// The mesh is that of the part alone where options.part is given, else it has all bodies, each a shell.
   Result<Machined> machine(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
                            Progress& progress) override;

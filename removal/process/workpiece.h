@@ -28,6 +28,10 @@ struct PieceOptions {
   bool keeps_grid = false;  ///< Workpiece::takeGrid will be asked for
   std::optional<Box3>
       part;  ///< where the part is among several bodies, frame of the clamping; none: not known
+  std::optional<Vec3> part_point;  ///< in the part, of which bodies there may be several; goes before `part`
+  /// Where fixtures reach between the heights of a workpiece that a wire cuts, as convex polygons seen from
+  /// +z: what they touch is held. None: nobody knows what is held.
+  std::vector<std::vector<Vec2>> held_at;
   std::function<Status()>
       grid_fits;  ///< asked before a grid is made that a turned part needs; null: it may be
 };

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 
 #include "core/base/parallel_for.h"
 #include "core/geometry/plane.h"
+#include "removal/grid/start_hole.h"
 #include "removal/wire/edge_curves.h"
-#include "removal/wire/face_triangles.h"
 #include "removal/wire/kerf_section.h"
 #include "removal/wire/stretch_index.h"
 
@@ -24,37 +25,16 @@ constexpr int kMostStations = 32, kAcross = 6;
 /// Places along a rapid whose depth is looked at.
 constexpr int kDepthStations = 64;
 
-using Polygons = std::vector<std::vector<Vec2>>;
-
-Polygons polygonsOf(const std::vector<PlaneLoop>& loops, double tolerance) {
-  Polygons out;
-  for (const PlaneLoop& loop : loops) out.push_back(chordsOf(loop, tolerance).points);
-  return out;
-}
-
-bool holds(const Polygons& region, const Vec2& p) {
-  const auto around = [&](const std::vector<Vec2>& polygon) { return surrounds(polygon, p); };
-  return std::count_if(region.begin(), region.end(), around) % 2 == 1;
-}
-
-/// The middle of the largest triangle of a polygon.
-Vec2 placeIn(const std::vector<Vec2>& polygon) {
-  Vec2 best = polygon.front();
-  double largest = 0.0;
-  for (const auto& [a, b, c] : faceTriangles({polygon})) {
-    const double twice = cross2(polygon[b] - polygon[a], polygon[c] - polygon[a]);
-    if (twice <= largest) continue;
-    largest = twice;
-    best = (polygon[a] + polygon[b] + polygon[c]) / 3.0;
-  }
-  return best;
-}
-
-/// Looks at rapids one after the other; sections are made only for those that meet something.
-class RapidCheck {
+/// Looks at ways and places of the wire one after the other; sections are made only for those that meet
+/// something.
+class MaterialCheck {
  public:
-  RapidCheck(const PrismBlank& blank, const WireWork& work)
-      : blank_(blank), work_(work), index_(work.cuts), sides_(wire_detail::sidesOf(blank.loops)) {}
+  MaterialCheck(const PrismBlank& blank, const WireWork& work, const WireHolding& holding)
+      : blank_(blank),
+        work_(work),
+        holding_(holding),
+        index_(work.cuts),
+        sides_(wire_detail::sidesOf(blank.loops)) {}
 
   std::optional<Contact> of(const WireWork::Rapid& rapid) {
     std::vector<WireStretch> earlier;
@@ -63,10 +43,13 @@ class RapidCheck {
     Contact contact;
     contact.motion = contact.last = rapid.stretch.motion;
     for (const std::vector<Vec2>& piece : metBy(rapid.stretch, blank_.loops, earlier, kTouch)) {
-      const Vec2 at = placeIn(piece);
-      if (!isHeld(at, rapid.after)) continue;
+      // A polygon is told without its hollows.
+      const std::vector<Vec2> places = placesIn(piece);
+      const auto at =
+          std::find_if(places.begin(), places.end(), [&](const Vec2& p) { return isHeld(p, rapid.after); });
+      if (at == places.end()) continue;
       contact.volume_mm3 += std::abs(areaOfPolygon(piece)) * (blank_.z_high - blank_.z_low);
-      deepen(at, rapid, contact);
+      deepen(*at, rapid, contact);
     }
     if (contact.volume_mm3 <= 0.0) return std::nullopt;
     for (int k = 0; k <= kDepthStations; ++k)
@@ -87,7 +70,12 @@ class RapidCheck {
     if (!held_ || held_at_ != cuts) {
       const std::vector<WireStretch> done(work_.cuts.begin(), work_.cuts.begin() + cuts);
       const std::vector<PlaneBody> bodies = cutSection(blank_.loops, done);
-      held_ = bodies.empty() ? Polygons{} : polygonsOf(bodies[heldBody(bodies)].loops, kTouch);
+      held_.emplace();
+      for (const PlaneBody& body : bodies) {
+        if (!holding_.keeps(body)) continue;
+        PlanePolygons loops = polygonsOf(body.loops, kTouch);
+        std::move(loops.begin(), loops.end(), std::back_inserter(*held_));
+      }
       held_at_ = cuts;
     }
     return holds(*held_, p);
@@ -106,27 +94,38 @@ class RapidCheck {
 
   const PrismBlank& blank_;
   const WireWork& work_;
+  const WireHolding& holding_;
   StretchIndex index_;
   std::vector<WireStretch> sides_;
-  std::optional<Polygons> held_;  ///< before the motion behind held_at_ cuts
+  std::optional<PlanePolygons> held_;  ///< before the motion behind held_at_ cuts
   std::uint32_t held_at_ = 0;
 };
 
-}  // namespace
-
-std::size_t heldBody(const std::vector<PlaneBody>& bodies) {
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const std::vector<PlaneEdge>& border = bodies[k].loops.front().edges;
-    if (std::any_of(border.begin(), border.end(), [](const PlaneEdge& e) { return e.motion == kNoMotion; }))
-      return k;
+/// The round hollow of the blank in which a point lies.
+std::optional<StartHole> holeAt(const PrismBlank& blank, const Vec2& p) {
+  for (const PlaneLoop& loop : blank.loops) {
+    const PlaneEdge& edge = loop.edges.front();
+    const double radius = (edge.from - edge.center).norm();
+    const bool hollow = loop.edges.size() == 1 && edge.sweep_rad < 0.0;
+    if (hollow && (p - edge.center).norm() < radius) return StartHole{edge.center, 2.0 * radius};
   }
-  return 0;
+  return std::nullopt;
 }
 
-std::vector<Contact> rapidContacts(const PrismBlank& blank, const WireWork& work, Progress& progress) {
+/// Pieces that had fallen are cut no more.
+bool hasFallen(const std::vector<FreePiece>& fallen, std::uint32_t cut, const Vec2& p) {
+  return std::any_of(fallen.begin(), fallen.end(), [&](const FreePiece& piece) {
+    return piece.passed_over && piece.cuts <= cut && holds(piece.region, p);
+  });
+}
+
+}  // namespace
+
+std::vector<Contact> rapidContacts(const PrismBlank& blank, const WireWork& work, const WireHolding& holding,
+                                   Progress& progress) {
   std::vector<Contact> contacts;
   if (work.rapids.empty()) return contacts;
-  RapidCheck check(blank, work);
+  MaterialCheck check(blank, work, holding);
   for (const WireWork::Rapid& rapid : work.rapids) {
     if (progress.cancelled()) break;
     if (const std::optional<Contact> contact = check.of(rapid)) contacts.push_back(*contact);
@@ -134,8 +133,33 @@ std::vector<Contact> rapidContacts(const PrismBlank& blank, const WireWork& work
   return contacts;
 }
 
-std::vector<double> removedAreas(const PrismBlank& blank, const std::vector<WireStretch>& cuts) {
-  const Polygons region = polygonsOf(blank.loops, kCoarse);
+std::vector<ThreadingFault> threadingFaults(const PrismBlank& blank, const WireWork& work,
+                                            const std::vector<ThreadingPlace>& places,
+                                            const WireHolding& holding, Progress& progress) {
+  std::vector<ThreadingFault> faults;
+  MaterialCheck check(blank, work, holding);
+  for (const ThreadingPlace& place : places) {
+    if (progress.cancelled()) break;
+    WireStretch standing;
+    standing.from = standing.to = place.at;
+    standing.kerf_mm = 0.5 * place.wire_mm;
+    if (!check.of({standing, place.after})) continue;
+    ThreadingFault fault;
+    fault.next = place.next;
+    fault.where = Vec3(place.at.x(), place.at.y(), blank.z_high);
+    fault.wire_mm = fault.needs_mm = place.wire_mm;
+    if (const auto hole = holeAt(blank, place.at)) {
+      fault.hole_mm = hole->diameter;
+      fault.needs_mm = 2.0 * (place.at - hole->at).norm() + place.wire_mm;
+    }
+    faults.push_back(fault);
+  }
+  return faults;
+}
+
+std::vector<double> removedAreas(const PrismBlank& blank, const std::vector<WireStretch>& cuts,
+                                 const std::vector<FreePiece>& fallen) {
+  const PlanePolygons region = polygonsOf(blank.loops, kCoarse);
   const StretchIndex index(cuts);
   std::vector<double> areas(cuts.size());
   parallelFor(std::uint32_t{0}, static_cast<std::uint32_t>(cuts.size()), [&](std::uint32_t i) {
@@ -149,7 +173,9 @@ std::vector<double> removedAreas(const PrismBlank& blank, const std::vector<Wire
       const Vec2 left = to.norm() > 0.0 ? Vec2(leftOf(to) / to.norm()) : leftOf(s.directionAtStart());
       for (int a = 0; a < kAcross; ++a) {
         const Vec2 p = at + left * (s.kerf_mm * (2.0 * (a + 0.5) / kAcross - 1.0));
-        if (holds(region, p) && index.nearest(p, 0.0, i).stretch == StretchIndex::kNone) ++taken;
+        if (holds(region, p) && index.nearest(p, 0.0, i).stretch == StretchIndex::kNone &&
+            !hasFallen(fallen, i, p))
+          ++taken;
       }
     }
     areas[i] = 2.0 * s.kerf_mm * s.length() * taken / (stations * kAcross);

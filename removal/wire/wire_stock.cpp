@@ -1,5 +1,7 @@
 #include "removal/wire/wire_stock.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <variant>
@@ -7,34 +9,55 @@
 #include "removal/wire/kerf_section.h"
 #include "removal/wire/prism_mesh.h"
 #include "removal/wire/wire_contacts.h"
+#include "removal/wire/wire_handling.h"
 
 namespace proveout {
 namespace {
 
 /// Of several heights the contacts of one motion are one.
-std::vector<Contact> contactsAtHeights(const PrismBlank& blank, const LeanWork& work, Progress& progress) {
-  const HeightSpan span{blank.z_low, blank.z_high};
-  std::map<MotionId, Contact> found;
-  for (const double share : {0.0, 0.5, 1.0}) {
-    const double z = span.low + share * span.length();
-    for (Contact contact : rapidContacts(blank, work.atHeight(span, z), progress)) {
-      contact.where.z() = z;
-      contact.volume_mm3 *= share == 0.5 ? 4.0 / 6.0 : 1.0 / 6.0;
-      const auto [known, is_new] = found.emplace(contact.motion, contact);
-      if (is_new) continue;
-      const double volume = known->second.volume_mm3 + contact.volume_mm3;
-      if (contact.depth_mm > known->second.depth_mm) known->second = contact;
-      known->second.volume_mm3 = volume;
-    }
-  }
-  std::vector<Contact> out;
-  for (const auto& [motion, contact] : found) out.push_back(contact);
-  return out;
+void addContact(Contact contact, double z, double share, std::map<MotionId, Contact>& found) {
+  contact.where.z() = z;
+  contact.volume_mm3 *= share;
+  const auto [known, is_new] = found.emplace(contact.motion, contact);
+  if (is_new) return;
+  const double volume = known->second.volume_mm3 + contact.volume_mm3;
+  if (contact.depth_mm > known->second.depth_mm) known->second = contact;
+  known->second.volume_mm3 = volume;
 }
 
+/// What a leaning wire does besides cutting, seen at its bottom, half way and at its top.
+class LeanHandling {
+ public:
+  LeanHandling(const PrismBlank& blank, const Toolpath& path, const std::vector<Tool>& tools)
+      : blank_(blank), path_(path), tools_(tools) {}
+
+  void look(const WireWork& work, double z, double share, Progress& progress) {
+    const WireHolding holding(blank_.held_at, [&] { return cutSection(blank_.loops, work.cuts); });
+    std::vector<Contact> contacts = rapidContacts(blank_, work, holding, progress);
+    tellByHand(path_, contacts);
+    const std::vector<ThreadingPlace> places = threadingPlaces(path_, tools_, work, contacts, z);
+    for (const ThreadingFault& fault : threadingFaults(blank_, work, places, holding, progress))
+      faults_.emplace(fault.next, fault);
+    for (const Contact& contact : contacts) addContact(contact, z, share, contacts_);
+  }
+
+  void tell(RemovalSummary& summary) const {
+    for (const auto& [motion, contact] : contacts_) summary.contacts.push_back(contact);
+    for (const auto& [motion, fault] : faults_) summary.threading.push_back(fault);
+  }
+
+ private:
+  const PrismBlank& blank_;
+  const Toolpath& path_;
+  const std::vector<Tool>& tools_;
+  std::map<MotionId, Contact> contacts_;
+  std::map<MotionId, ThreadingFault> faults_;
+};
+
 /// What the motions took, estimated from a section.
-void addRemoved(const PrismBlank& blank, const std::vector<WireStretch>& cuts, RemovalSummary& summary) {
-  const std::vector<double> areas = removedAreas(blank, cuts);
+void addRemoved(const PrismBlank& blank, const std::vector<WireStretch>& cuts,
+                const std::vector<FreePiece>& fallen, RemovalSummary& summary) {
+  const std::vector<double> areas = removedAreas(blank, cuts, fallen);
   for (std::size_t i = 0; i < areas.size(); ++i)
     summary.removed_mm3[cuts[i].motion] += static_cast<float>(areas[i] * blank.height());
 }
@@ -69,24 +92,77 @@ Result<RemovalSummary> WireStock::remove(const Toolpath& path, const std::vector
   progress.report("removing", 0.0);
   RemovalSummary summary;
   summary.removed_mm3.assign(path.motions.size(), 0.0F);
-  if (standsUpright(path)) {
-    const Result<WireWork> work = wireWork(path, tools);
-    if (!work) return work.error();
-    addRemoved(blank_, work->cuts, summary);
-    summary.contacts = rapidContacts(blank_, *work, progress);
-    if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-    setSections(cutSection(blank_.loops, work->cuts));
-    return summary;
-  }
+  const Status done = standsUpright(path) ? removeUpright(path, tools, summary, progress)
+                                          : removeLeaning(path, tools, tolerance, summary, progress);
+  if (!done) return done.error();
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  return summary;
+}
+
+Status WireStock::removeUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary& summary,
+                                Progress& progress) {
+  const Result<WireWork> work = wireWork(path, tools);
+  if (!work) return work.error();
+  std::vector<PlaneBody> last = cutSection(blank_.loops, work->cuts);
+  const WireHolding holding(blank_.held_at, last);
+  WireFalls falls = findFalls(blank_.loops, work->cuts, std::move(last), holding);
+  if (progress.cancelled()) return Done{};
+  addRemoved(blank_, work->cuts, falls.pieces, summary);
+  summary.contacts = rapidContacts(blank_, *work, holding, progress);
+  tellByHand(path, summary.contacts);
+  const std::vector<ThreadingPlace> places =
+      threadingPlaces(path, tools, *work, summary.contacts, blank_.z_low);
+  summary.threading = threadingFaults(blank_, *work, places, holding, progress);
+  summary.fallen = fallenPieces(path, *work, blank_.height(), falls.pieces);
+  setSections(std::move(falls.bodies));
+  return Done{};
+}
+
+Status WireStock::removeLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
+                                RemovalSummary& summary, Progress& progress) {
   const HeightSpan span{blank_.z_low, blank_.z_high};
   const Result<LeanWork> work = leanWork(path, tools, span, tolerance);
   if (!work) return work.error();
-  addRemoved(blank_, work->atHeight(span, 0.5 * (span.low + span.high)).cuts, summary);
-  summary.contacts = contactsAtHeights(blank_, *work, progress);
+  LeanHandling handling(blank_, path, tools);
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const double z = span.low + share * span.length();
+    const WireWork level = work->atHeight(span, z);
+    handling.look(level, z, share == 0.5 ? 4.0 / 6.0 : 1.0 / 6.0, progress);
+    if (share != 0.5) continue;
+    addRemoved(blank_, level.cuts, {}, summary);
+    std::vector<PlaneBody> last = cutSection(blank_.loops, level.cuts);
+    const WireHolding holding(blank_.held_at, last);
+    const WireFalls falls = findFalls(blank_.loops, level.cuts, std::move(last), holding);
+    summary.fallen = fallenPieces(path, level, blank_.height(), falls.pieces);
+  }
+  handling.tell(summary);
+  if (progress.cancelled()) return Done{};
   Result<LeanSolid> solid = leanSolid(blank_.loops, span, work->cuts, tolerance, progress);
   if (!solid) return solid.error();
   setSolid(std::move(*solid));
-  return summary;
+  return Done{};
+}
+
+std::vector<PlanePolygons> WireStock::outlinesAt(double z) const {
+  constexpr double kOutlineChordMm = 1e-4;
+  std::vector<PlanePolygons> out(bodies_.size());
+  if (z < blank_.z_low || z > blank_.z_high) return out;
+  if (!solid_) {
+    for (std::size_t k = 0; k < sections_.size(); ++k)
+      out[k] = polygonsOf(sections_[k].loops, kOutlineChordMm);
+    return out;
+  }
+  const std::vector<LevelSection>& levels = solid_->levels;
+  const auto nearest = std::min_element(levels.begin(), levels.end(), [&](const auto& a, const auto& b) {
+    return std::abs(a.z - z) < std::abs(b.z - z);
+  });
+  const std::vector<std::uint32_t>& body_of =
+      solid_->body_of[static_cast<std::size_t>(nearest - levels.begin())];
+  for (std::size_t region = 0; region < nearest->regions.size(); ++region) {
+    for (const std::uint32_t loop : nearest->regions[region].loops)
+      out[body_of[region]].push_back(nearest->loops[loop].points);
+  }
+  return out;
 }
 
 void WireStock::setSections(std::vector<PlaneBody> sections) {

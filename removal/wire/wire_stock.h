@@ -15,6 +15,7 @@
 #include "removal/wire/body_exit.h"
 #include "removal/wire/lean_solid.h"
 #include "removal/wire/plane_region.h"
+#include "removal/wire/wire_holding.h"
 
 namespace proveout {
 
@@ -22,6 +23,9 @@ namespace proveout {
 struct PrismBlank {
   std::vector<PlaneLoop> loops;  ///< borders and start holes that do not cross
   double z_low = 0.0, z_high = 0.0;
+  /// Where fixtures reach between these heights, as convex polygons seen from +z: see footprintOf.
+  PlanePolygons held_at;
+
   double height() const { return z_high - z_low; }
 };
 
@@ -38,16 +42,24 @@ class WireStock {
  public:
   explicit WireStock(PrismBlank blank);
 
-  /// Cuts the path; once. Feed motions cut by the wire's radius and its spark gap, wherever the blank is,
-  /// pieces that fell out included; rapids that meet what is held then are contacts (kRapid): of leaning
-  /// wires at the bottom, at the top or half way. What a motion removed is estimated at stations along it.
-  /// Where a wire leans, triangles of mesh() leave the surface by no more than `tolerance` mm (> 0). Errors:
-  /// a tool that is no wire or is missing, cancelled, see leanSolid().
+  /// Before remove: where fixtures hold the blank, see PrismBlank.
+  void holdAt(PlanePolygons polygons) { blank_.held_at = std::move(polygons); }
+
+  /// Cuts the path; once. Feed motions with a threaded wire cut by its radius and its spark gap, wherever the
+  /// blank is. Rapids that meet what is held then are contacts (kRapid, kByHand), and places where the wire
+  /// is threaded into it are told: of leaning wires at the bottom, at the top or half way. A piece that
+  /// nothing holds falls as soon as it is free; where no wire leans nothing cuts it any more. What a motion
+  /// removed is estimated at stations along it. Where a wire leans, triangles of mesh() leave the surface by
+  /// no more than `tolerance` mm (> 0). Errors: a tool that is no wire or is missing, cancelled, see
+  /// leanSolid().
   Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
                                 Progress& progress);
 
   /// What is left, the largest first.
   const std::vector<WireBody>& bodies() const { return bodies_; }
+  /// By body what it covers at a height, seen from +z: upright walls with chords within 0.0001 mm, leaning
+  /// ones at the nearest section that was made. Empty polygons: it does not reach there.
+  std::vector<PlanePolygons> outlinesAt(double z) const;
   /// Of the bodies named, a shell each. Of upright walls chords leave arcs by no more than `tolerance` mm.
   TriMesh mesh(const std::vector<std::size_t>& bodies, double tolerance) const;
   /// Whether a body can leave past another.
@@ -57,6 +69,10 @@ class WireStock {
   double volume() const;         ///< mm3, of what is left
 
  private:
+  Status removeUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary& summary,
+                       Progress& progress);
+  Status removeLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
+                       RemovalSummary& summary, Progress& progress);
   void setSections(std::vector<PlaneBody> sections);
   void setSolid(LeanSolid solid);
 

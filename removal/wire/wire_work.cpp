@@ -22,7 +22,7 @@ Status forEachWireMotion(const Toolpath& path, const std::vector<Tool>& tools, c
   const ToolTable table(tools);
   for (MotionId id = 0; id < path.motions.size(); ++id) {
     const Motion& motion = path.motions[id];
-    if (motion.wire < 0) continue;
+    if (motion.wire < 0 || !path.wires[static_cast<std::size_t>(motion.wire)].state.threaded) continue;
     const Tool* tool = table.ofMotion(motion.tool);
     if (tool == nullptr)
       return inputError(
@@ -68,7 +68,9 @@ WireWork LeanWork::atHeight(const HeightSpan& span, double z) const {
 
 bool standsUpright(const Toolpath& path) {
   return std::all_of(path.motions.begin(), path.motions.end(), [&](const Motion& motion) {
-    return motion.wire < 0 || isUpright(path.wires[static_cast<std::size_t>(motion.wire)]);
+    if (motion.wire < 0) return true;
+    const WireSweep& wire = path.wires[static_cast<std::size_t>(motion.wire)];
+    return !wire.state.threaded || isUpright(wire);
   });
 }
 

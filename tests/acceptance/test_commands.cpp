@@ -92,7 +92,7 @@ TEST(Commands, CoverageListsTheControls) {
   EXPECT_EQ(bench.run("coverage --control siemens").exit_code, 2);
 }
 
-TEST(Commands, WireEdmCutsUprightWalls) {
+TEST(Commands, WireEdmCutsUprightAndLeaningWalls) {
   const Workbench bench;
   bench.write("hole.nc", "T84T86;\nC001;\nG92X0Y0;\nG01X5.;\nG02X-5.I-5.;\nX5.I5.;\nG01X0;\nM02;\n");
   EXPECT_EQ(bench.run("check hole.nc --control wedm").exit_code, 0);
@@ -101,7 +101,8 @@ TEST(Commands, WireEdmCutsUprightWalls) {
   EXPECT_TRUE(has(path.out, R"("kind":"cut","z":[0,20],"lower":{"from":[5,0],"to":[-5,0],"center":[0,0],)"));
   const std::string job =
       "schema = \"proveout.job/1\"\ncontrol = \"wedm\"\nprogram = \"PROGRAM\"\n[stock]\nshape = \"box\"\n"
-      "min = [-9, -9, 0]\nmax = [9, 9, 20]\n[[tool]]\nnumber = 1\ntype = \"wire\"\ndiameter = 0.2\n"
+      "min = [-9, -9, 0]\nmax = [9, 9, 20]\nstart_hole = [{ at = [0, 0], diameter = 1 }]\n[[tool]]\nnumber = "
+      "1\ntype = \"wire\"\ndiameter = 0.2\n"
       "spark_gap = 0.01\n";
   const auto jobOf = [&](const std::string& program) {
     return std::string(job).replace(job.find("PROGRAM"), 7, program);
@@ -115,9 +116,16 @@ TEST(Commands, WireEdmCutsUprightWalls) {
   EXPECT_EQ(bodies[0]["role"], "part");
   EXPECT_NEAR(bodies[0]["volume_mm3"].get<double>(), 20 * (18.0 * 18 - std::numbers::pi * 5.11 * 5.11), 0.5);
   EXPECT_EQ(bodies[1]["role"], "slug");
+  // Without the hole there is nothing to thread the wire through.
+  std::string solid = jobOf("hole.nc");
+  solid.replace(solid.find("start_hole"), solid.find("[[tool]]") - solid.find("start_hole"), "");
+  bench.write("solid.toml", solid);
+  const Outcome blind = bench.run("run solid.toml --no-render --out blind");
+  EXPECT_EQ(blind.exit_code, 1);
+  EXPECT_TRUE(has(blind.err, "hole.nc:4: error[threading]: there is no hole")) << blind.err;
   // With taper the hole is a cone.
   bench.write("taper.nc",
-              "T84T86;\nC001;\nG92X0Y0;\nG51A2.;\nG01X5.;\nG02X-5.I-5.;\nX5.I5.;\nG50G01X0;\nM02;\n");
+              "T84T86;\nC001;\nG92X0Y0;\nG51A2.;\nG01X5.;\nG02X-5.I-5.;\nX5.I5.;\nM00;\nG50G01X0;\nM02;\n");
   bench.write("taper.toml", jobOf("taper.nc"));
   EXPECT_EQ(bench.run("check taper.toml").exit_code, 0);
   const Outcome leans = bench.run("run taper.toml --no-render --out lean");
@@ -128,6 +136,22 @@ TEST(Commands, WireEdmCutsUprightWalls) {
   const double frame = 20.0 * (18.0 * 18.0 - std::numbers::pi * (low * low + low * high + high * high) / 3.0);
   EXPECT_NEAR(cone["stock"]["bodies"][0]["volume_mm3"].get<double>(), frame, 1e-5 * frame);
   EXPECT_EQ(cone["stock"]["bodies"][1]["leaves"], "up");
+}
+
+TEST(Commands, WireEdmLeanLimit) {
+  const Workbench bench;
+  bench.write("taper.nc",
+              "T84T86;\nC001;\nG92X0Y0;\nG51A2.;\nG01X5.;\nG02X-5.I-5.;\nX5.I5.;\nG50G01X0;\nM02;\n");
+  bench.write("taper.toml",
+              "schema = \"proveout.job/1\"\nprogram = \"taper.nc\"\n[control]\nname = \"wedm\"\n"
+              "[control.wedm]\nMAX_TILT = 1.5\n[stock]\nshape = \"box\"\nmin = [-9, -9, 0]\n"
+              "max = [9, 9, 20]\n[[tool]]\nnumber = 1\ntype = \"wire\"\ndiameter = 0.2\n");
+  for (const char* command : {"check taper.toml", "run taper.toml --no-render --out out"}) {
+    const Outcome outcome = bench.run(command);
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+    EXPECT_TRUE(has(outcome.err, "taper.nc:5:") && has(outcome.err, "[wedm-tilt]")) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "the machine's limit is 1.5 (MAX_TILT of the job)")) << outcome.err;
+  }
 }
 
 TEST(Commands, CompareMeasuresABox) {

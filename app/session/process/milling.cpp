@@ -69,6 +69,7 @@ const Process kMillingProcess{
     .always_changes_tool = true,
     .tool_turns = true,
     .starts_outside = true,
+    .cuts_through = false,
     .check = check,
     .start = defaultStart,
     .holds = holds,
@@ -76,6 +77,7 @@ const Process kMillingProcess{
     .work = work,
     .make = make,
     .fixtures = fixtures,
+    .look = nullptr,
 };
 
 }  // namespace proveout

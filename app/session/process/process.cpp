@@ -17,6 +17,23 @@ bool mayFollow(const Process& before, const Process& next) {
   return next.kind == before.kind || !next.part_turns;
 }
 
+/// What only a wire needs of a job.
+Status checkThreading(const Job& job) {
+  const Process& first = processOf(job, 0);
+  if (!job.start_holes.empty() && !first.cuts_through)
+    return inputError(
+        fmt::format("start holes are for a wire, and control {} {}: leave [[stock.start_hole]] out",
+                    jobOfSetup(job, 0).control, first.verb));
+  bool any = false;
+  for (std::size_t k = 0; k < setupCount(job); ++k) any = any || processOf(job, k).cuts_through;
+  if (job.part_point && !any)
+    return inputError(
+        fmt::format("part_point tells which body is the part where a wire leaves several, and control {} {}: "
+                    "leave it out",
+                    jobOfSetup(job, 0).control, first.verb));
+  return Done{};
+}
+
 }  // namespace
 
 const Process& processOf(std::string_view control) {
@@ -34,6 +51,7 @@ const Process& processOf(const Job& job, std::size_t setup) {
 }
 
 Status checkProcesses(const Job& job, const Blank& blank) {
+  if (Status threads = checkThreading(job); !threads) return threads;
   for (std::size_t k = 0; k < setupCount(job); ++k) {
     const Process& process = processOf(job, k);
     if (k > 0 && !mayFollow(processOf(job, k - 1), process))

@@ -20,6 +20,8 @@ namespace proveout {
 class Fixtures {
  public:
   virtual ~Fixtures() = default;
+  /// Tells the workpiece how they hold it.
+  virtual void hold(const Blank& /*blank*/, PieceOptions& /*options*/) const {}
   /// Runs the path of the clamping through them; every touch, by cutter, shank or holder, in rapid or in
   /// feed, is a finding of kind kFixtureContact.
   virtual Status addContacts(const SetupRun& setup, const RecordingSource& texts,
@@ -34,6 +36,7 @@ struct Process {
   bool always_changes_tool;  ///< at a place that clears the blank, even where tools have no length
   bool tool_turns;           ///< the spindle has to turn by the hand of the tool
   bool starts_outside;       ///< of the blank; else the tool may stand in a start hole
+  bool cuts_through;  ///< into bodies: the blank may have start holes, the job may say which is the part
 
   /// Refuses what the process cannot start from or hold: blank, fixtures, start, place of the tool change of
   /// clamping `setup`, which is the first of the job or follows one of the same process.
@@ -52,6 +55,8 @@ struct Process {
   /// Those that tools come near to. Errors: a fixture that cannot be made.
   Result<std::unique_ptr<Fixtures>> (*fixtures)(const SetupRun& setup, double resolution_mm,
                                                 Progress& progress);
+  /// Findings of its own on what a clamping made; null: none.
+  void (*look)(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings);
 };
 
 /// The process that a control drives; milling for names of no control.

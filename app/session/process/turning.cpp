@@ -154,6 +154,7 @@ const Process kTurningProcess{
     .always_changes_tool = false,
     .tool_turns = false,
     .starts_outside = true,
+    .cuts_through = false,
     .check = check,
     .start = start,
     .holds = holds,
@@ -161,6 +162,7 @@ const Process kTurningProcess{
     .work = work,
     .make = make,
     .fixtures = fixtures,
+    .look = nullptr,
 };
 
 }  // namespace proveout

@@ -4,18 +4,27 @@
 #include "app/session/process/process.h"
 #include "app/session/run_result.h"
 #include "app/session/turning_work.h"
+#include "app/session/wire_findings.h"
+#include "app/session/wire_fixtures.h"
 #include "removal/process/wire_piece.h"
+#include "removal/wire/start_holes.h"
 
 namespace proveout {
 namespace {
 
-/// Blanks have upright walls; what was clamped before may be anything. There are no fixtures.
+/// The blank with its start holes. Errors: another shape, holes that are not inside of it.
+Result<PrismBlank> prismWithHoles(const Blank& blank) {
+  Result<PrismBlank> prism = prismOf(blank.shape);
+  if (!prism) return prism.error();
+  if (const Status holes = addStartHoles(*prism, blank.start_holes); !holes) return holes.error();
+  return prism;
+}
+
+/// First blanks have upright walls; what was clamped before may be anything.
 Status check(const Job& job, std::size_t k, const Blank& blank) {
   if (k == 0) {
-    if (const Result<PrismBlank> prism = prismOf(blank.shape); !prism) return prism.error();
+    if (const Result<PrismBlank> prism = prismWithHoles(blank); !prism) return prism.error();
   }
-  if (!jobOfSetup(job, k).fixtures.empty())
-    return inputError("fixtures beside a wire are not built yet: leave them out");
   if (savesStock(job) && setupCount(job) == 1)
     return inputError("what a wire cuts has no grid to be saved: leave vdb out");
   return Done{};
@@ -47,23 +56,16 @@ Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& 
 }
 
 Result<std::unique_ptr<Workpiece>> make(Blank& blank, const Job& /*job*/, Progress& /*progress*/) {
-  Result<PrismBlank> prism = prismOf(blank.shape);
+  Result<PrismBlank> prism = prismWithHoles(blank);
   if (!prism) return prism.error();
   return std::unique_ptr<Workpiece>(std::make_unique<WirePiece>(WireStock(std::move(*prism))));
 }
 
-/// There are none, see check().
-class NoFixtures final : public Fixtures {
- public:
-  Status addContacts(const SetupRun& /*setup*/, const RecordingSource& /*texts*/,
-                     std::vector<Finding>& /*findings*/, Progress& /*progress*/) override {
-    return Done{};
-  }
-};
-
-Result<std::unique_ptr<Fixtures>> fixtures(const SetupRun& /*setup*/, double /*resolution_mm*/,
+Result<std::unique_ptr<Fixtures>> fixtures(const SetupRun& setup, double /*resolution_mm*/,
                                            Progress& /*progress*/) {
-  return std::unique_ptr<Fixtures>(std::make_unique<NoFixtures>());
+  Result<WireFixtures> made = WireFixtures::create(setup.job.fixtures);
+  if (!made) return made.error();
+  return std::unique_ptr<Fixtures>(std::make_unique<WireFixtures>(std::move(*made)));
 }
 
 }  // namespace
@@ -76,6 +78,7 @@ const Process kWireProcess{
     .always_changes_tool = false,
     .tool_turns = false,
     .starts_outside = false,
+    .cuts_through = true,
     .check = check,
     .start = start,
     .holds = holds,
@@ -83,6 +86,7 @@ const Process kWireProcess{
     .work = work,
     .make = make,
     .fixtures = fixtures,
+    .look = addWireFindings,
 };
 
 }  // namespace proveout

@@ -125,8 +125,9 @@ bool WedmControl::perform(WedmPlan& p) {
   }
   if (p.dwell_s) c_.chain.event(event::Dwell{*p.dwell_s}, *p.dwell_s, here);
   for (const int code : {50, 60}) {
-    if (p.has('M', code)) c_.chain.event(event::Function{fmt::format("M{}", code), {}}, 0.0, here);
+    if (p.has('M', code)) c_.chain.event(event::Wire{fmt::format("M{}", code), code == 60}, 0.0, here);
   }
+  if (p.has('M', 60)) p.next.by_hand = 0;
   if (p.has('M', 0)) c_.chain.event(event::Stop{"M00", ""}, 0.0, here);
   return true;
 }

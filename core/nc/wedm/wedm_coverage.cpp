@@ -140,7 +140,9 @@ std::vector<CoverageIdRow> wedmCoverageIds() { return {kWedmRows.begin(), kWedmR
 std::map<std::string, std::string_view> wedmOpenReasons() {
   return {
       {"wedm-x-kerf", "an upright wire cuts; a run with one that leans is refused"},
-      {"wedm-x-slug", "pieces are told; whether a slug falls out, and what holds it, is not"},
+      {"wedm-x-slug",
+       "pieces of an upright wire fall where no clamp holds them; slugs with leaning walls, which wedge, are "
+       "not built"},
   };
 }
 

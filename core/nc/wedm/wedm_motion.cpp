@@ -137,6 +137,8 @@ void takeModes(WedmContext& c, const WedmState& s, WedmRecord& record) {
   record.pace.rapid = s.motion == 0;
   record.pace.slow_end = s.slow == 34 && s.motion != 0;
   record.pace.condition = s.condition;
+  record.pace.wire = {s.threaded != 0, c.state.by_hand != 0 && record.pace.rapid, s.wire_runs != 0,
+                      s.fluid != 0, s.condition != 0};
   if (s.overcut <= 0.0 || s.motion == 0) return;
   if (record.offset == 0.0)
     c.report.warnOnce("wedm-5.5.5-offset", "the corner overcut G37 has no effect without an offset");
@@ -215,6 +217,7 @@ bool planWedmMotion(WedmContext& c, WedmPlan& p) {
   if (s.placed == 0)
     c.report.warnOnce("wedm-5.11-G92", "motion without a G92 before it: the wire is taken to start at X0 Y0");
   s.moved = 1;
+  if (!record.pace.rapid) s.by_hand = p.has('M', 0) ? 1 : 0;
   p.motion = std::move(record);
   return true;
 }

@@ -100,6 +100,7 @@ void WedmOutput::move(const ContourElement& main, const ContourElement& second, 
   sweep.z_high = std::max(parameters_.z_main, parameters_.z_second);
   sweep.lower = trackOf(up ? main : second);
   sweep.upper = trackOf(up ? second : main);
+  sweep.state = pace.wire;
   Motion motion;
   motion.from = Vec3(sweep.lower.from.x(), sweep.lower.from.y(), sweep.z_low);
   motion.to = Vec3(sweep.lower.to.x(), sweep.lower.to.y(), sweep.z_low);

@@ -14,6 +14,7 @@ struct WedmPace {
   bool rapid = false;
   bool slow_end = false;  ///< G34: slower in the last 3 mm
   bool compensated = false;
+  WireState wire;
   int condition = 0;
   SourceRef source;
 };

@@ -33,6 +33,7 @@ struct WedmState {
   int condition = 0;             ///< C, 0: none yet
   int fluid = 0, wire_runs = 0;  ///< T84, T86: 1 on
   int threaded = 1;
+  int by_hand = 0;  ///< M00 was there, and no cut since: the operator may cut and thread the wire
 
   Vec2 main = Vec2::Zero();    ///< programmed point in the main plane, workpiece frame, mm
   Vec2 second = Vec2::Zero();  ///< in the secondary plane

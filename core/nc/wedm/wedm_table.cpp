@@ -70,7 +70,7 @@ constexpr auto kWedmG = std::to_array<WedmGCode>({
 });
 
 constexpr auto kWedmFunctions = std::to_array<WedmFunction>({
-    {'M', 0, nullptr, 0, "STATE", "wedm-8.1-M00", "stop"},
+    {'M', 0, &WS::by_hand, 1, "STATE", "wedm-8.1-M00", "stop"},
     {'M', 2, nullptr, 0, "STATE", "wedm-8.2-M02", "end and reset"},
     {'M', 50, &WS::threaded, 0, "SIM", "wedm-8.5-M50", "cut the wire"},
     {'M', 60, &WS::threaded, 1, "SIM", "wedm-8.6-M60", "thread the wire"},

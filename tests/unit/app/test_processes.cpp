@@ -213,11 +213,12 @@ TEST(Processes, WiresRefuseOtherBlanksAndTools) {
   EXPECT_TRUE(wire.holds(job.tools.front()));
   EXPECT_FALSE(processOf("nct").holds(job.tools.front()));
   EXPECT_FALSE(processOf("wl4-lathe").holds(job.tools.front()));
-  Job fixed = job;
-  fixed.fixtures.emplace_back();
-  const Blank plate{BoxShape{Vec3::Zero(), Vec3::Ones()}, {Vec3::Zero(), Vec3::Ones()}, 0.2, std::nullopt};
+  Blank plate{BoxShape{Vec3::Zero(), Vec3::Ones()}, {Vec3::Zero(), Vec3::Ones()}, 0.2, std::nullopt};
   EXPECT_TRUE(wire.check(job, 0, plate).ok());
-  EXPECT_FALSE(wire.check(fixed, 0, plate).ok());
+  plate.start_holes = {{{0.5, 0.5}, 0.5}};
+  EXPECT_TRUE(wire.check(job, 0, plate).ok());
+  plate.start_holes = {{{0.5, 0.5}, 1.5}};
+  EXPECT_FALSE(wire.check(job, 0, plate).ok());
 }
 
 TEST(Processes, ATurnedShaftIsMilled) {

@@ -28,14 +28,16 @@ TEST(FindingKinds, HaveTheNamesOfTheSchema) {
   std::string all;
   for (const FindingKindInfo& info : findingKinds())
     all += std::string(info.name) + " " + std::string(severityName(info.severity)) + "\n";
-  EXPECT_EQ(all,
-            "gouge error\nexcess error\nundecided warning\nrapid_contact error\nshank_contact error\n"
-            "holder_contact error\nfixture_contact error\nspindle_off error\nspindle_direction error\n"
-            "insert_contact error\naxis_crossing error\ncut_off_piece error\nnose_deviation warning\n"
-            "tool_data error\nfeed_rate warning\ncycle_time warning\npart_off note\ncoarse_nominal note\n"
-            "not_compared note\novertravel error\nforbidden_zone error\nalarm error\nno_part error\n"
-            "thin_feature warning\nnothing_cut warning\nloose_piece warning\npartial warning\nmesh error\n"
-            "output error\n");
+  EXPECT_EQ(
+      all,
+      "gouge error\nexcess error\nundecided warning\nrapid_contact error\nshank_contact error\n"
+      "holder_contact error\nfixture_contact error\nspindle_off error\nspindle_direction error\n"
+      "insert_contact error\naxis_crossing error\ncut_off_piece error\nthreading error\nwire_supply error\n"
+      "free_slug warning\nnose_deviation warning\ntool_data error\nfeed_rate warning\ncycle_time "
+      "warning\npart_off note\ncoarse_nominal note\n"
+      "not_compared note\novertravel error\nforbidden_zone error\nalarm error\nno_part error\n"
+      "thin_feature warning\nnothing_cut warning\nloose_piece warning\npartial warning\nmesh error\n"
+      "output error\n");
 }
 
 TEST(FindingKinds, HaveANameAMeaningAndACheckEach) {

@@ -32,6 +32,22 @@ TEST(BadJob, UnknownKeyNamesTheNearestAndShowsTheLine) {
           "    diamter = 10\n    ^~~~~~~\n");
 }
 
+TEST(BadJob, StartHoles) {
+  const auto refusedHole = [](const std::string& keys) {
+    return refused(withStock(kSmallStock + "start_hole = [{ " + keys + " }]"));
+  };
+  EXPECT_THAT(refusedHole("diameter = 1"), HasSubstr("[[start_hole]] 1 needs the key 'at'"));
+  EXPECT_THAT(refusedHole("at = [1, 2]"), HasSubstr("[[start_hole]] 1 needs the key 'diameter'"));
+  EXPECT_THAT(refusedHole("at = [1, 2], diameter = 0"), HasSubstr("diameter must be above 0"));
+  EXPECT_THAT(refusedHole("at = [1, 2], diameter = -1"), HasSubstr("diameter must be above 0"));
+  EXPECT_THAT(refusedHole("at = [1, 2, 3], diameter = 1"), HasSubstr("at must be a list of two numbers"));
+  EXPECT_THAT(refusedHole("at = 1, diameter = 1"), HasSubstr("at must be a list of two numbers"));
+  EXPECT_THAT(refusedHole("at = [1, 'x'], diameter = 1"), HasSubstr("at y must be a number"));
+  EXPECT_THAT(refusedHole("at = [1, 2], diamter = 1"), HasSubstr("did you mean 'diameter'?"));
+  EXPECT_THAT(refused(withStock(kSmallStock + "start_holes = []")), HasSubstr("did you mean 'start_hole'?"));
+  EXPECT_THAT(refused(withStock(kSmallStock + "part_point = [1, 2]")), HasSubstr("part_point"));
+}
+
 TEST(BadJob, UnknownKeysAtEveryLevel) {
   EXPECT_THAT(
       refused("nmae = 'x'\n" + kSmallJob),

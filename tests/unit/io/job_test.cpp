@@ -433,6 +433,22 @@ TEST(Job, ReadsEveryStock) {
   EXPECT_EQ(std::get<SavedStock>(stock("shape = 'vdb'\nfile = 'blank.vdb'")).path, folder.path("blank.vdb"));
 }
 
+TEST(Job, ReadsStartHolesAndThePointOfThePart) {
+  JobFolder folder;
+  const auto job = folder.load(
+      withStock(kSmallStock + "part_point = [1, 2, -3]\n[[stock.start_hole]]\nat = [10, 20]\ndiameter = 3\n"
+                              "[[stock.start_hole]]\nat = [30, 20.5]\ndiameter = 0.8"));
+  ASSERT_TRUE(job) << folder.text();
+  ASSERT_EQ(job->start_holes.size(), 2u);
+  EXPECT_EQ(job->start_holes[1].at, Vec2(30, 20.5));
+  EXPECT_EQ(job->start_holes[1].diameter, 0.8);
+  EXPECT_EQ(job->part_point, Vec3(1, 2, -3));
+  const auto plain = folder.load(kSmallJob);
+  ASSERT_TRUE(plain);
+  EXPECT_TRUE(plain->start_holes.empty());
+  EXPECT_FALSE(plain->part_point);
+}
+
 TEST(Job, ReadsControlParameters) {
   JobFolder folder;
   folder.names.parameters["nct"] = {{"N1339", 0, 10}, {"N1337.SEC", 0, 1}};

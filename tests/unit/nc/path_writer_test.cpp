@@ -139,6 +139,19 @@ TEST(PathWriter, WiresHaveTwoTracks) {
                        R"("sweep_deg":90},"upper":{"from":[0,0],"to":[3,4]},"feed":3)"),
       std::string::npos)
       << jsonl.str();
+  std::ostringstream unusual;
+  {
+    JsonLinesPathWriter writer(unusual, "wedm");
+    WireSweep sweep = leaningSweep();
+    sweep.state = {false, true, false, false, false};
+    Motion rapid;
+    rapid.compensated = true;
+    writer.wireMotion(rapid, sweep);
+  }
+  EXPECT_NE(unusual.str().find(R"("to":[3,4]},"offset":true,"threaded":false,"by_hand":true,"runs":false,)"
+                               R"("fluid":false,"condition":false,"feed":0)"),
+            std::string::npos)
+      << unusual.str();
   EXPECT_NE(csv.str().find("\n0,cut,arc,1,0,0,0,1,0,"), std::string::npos) << csv.str();
   EXPECT_NE(csv.str().find("\n0,cut,line,0,0,20,3,4,20,"), std::string::npos) << csv.str();
   EXPECT_NE(csv.str().find("\n1,cut,arc,"), std::string::npos) << csv.str();

@@ -188,13 +188,40 @@ TEST(WedmLanguage, FunctionsAreEvents) {
   for (const Toolpath::EventAt& at : run.path.events) {
     if (const auto* c = at.event.as<event::Coolant>()) told += c->code + (c->on ? "+ " : "- ");
     if (const auto* f = at.event.as<event::Function>()) told += f->code + " ";
+    if (const auto* w = at.event.as<event::Wire>()) told += w->code + (w->threaded ? "+ " : "- ");
     if (const auto* s = at.event.as<event::Stop>()) told += s->code + " ";
     if (const auto* e = at.event.as<event::End>()) told += e->code;
   }
-  EXPECT_EQ(told, "T84+ T86+ C001 M00 M50 M60 T85- T87- M02");
+  EXPECT_EQ(told, "T84+ T86+ C001 M00 M50- M60+ T85- T87- M02");
   EXPECT_EQ(run.count(), 3u) << "nothing behind M02 is executed";
   EXPECT_FALSE(run.warns("wedm-15-T84"));
   EXPECT_TRUE(WedmPath("G92X0Y0;G01X1.;M02;").warns("wedm-15-T84"));
+}
+
+// Rows: wedm-8.1-M00 wedm-8.5-M50 wedm-8.6-M60 wedm-9-C wedm-15-T84 wedm-15-T85 wedm-15-T86 wedm-15-T87
+TEST(WedmLanguage, MotionsTellTheStateOfTheWire) {
+  const WedmPath run(
+      "G92X0Y0;G01X1.;T84;X2.;T86C001;X3.;M50;G00X4.;M60;X5.;M00;X6.;X7.;G01X8.;G00X9.;T87;G01X10.M00;G00X11."
+      ";"
+      "M00;M60;X12.;T85;G01X13.;M02;");
+  std::string told;
+  for (std::size_t k = 0; k < run.count(); ++k) {
+    const WireState& s = run.wire(k).state;
+    told += s.threaded ? "" : "off";
+    told += s.by_hand ? "hand" : "";
+    told += std::string(s.runs ? "r" : "") + (s.fluid ? "f" : "") + (s.condition ? "c " : " ");
+  }
+  EXPECT_EQ(told, " f rfc offrfc rfc handrfc handrfc rfc rfc fc handfc fc c ");
+  EXPECT_TRUE(run.wire(2).state.supplied());
+  EXPECT_FALSE(run.wire(1).state.supplied());
+}
+
+// Rows: wedm-5.6-G40 wedm-5.6-G41 wedm-5.6.4-H0
+TEST(WedmLanguage, MotionsTellWhetherAnOffsetIsOn) {
+  const WedmPath run("T84T86;C001;H001=.1;G92X0Y0;G01X1.;G41H001X2.;X5.;Y5.;G40X9.;G41H000X12.;M02;");
+  std::string told;
+  for (const Motion& motion : run.path.motions) told += motion.compensated ? "1" : "0";
+  EXPECT_EQ(told, "011100") << "the start-up with it, the cancel without";
 }
 
 // Rows: wedm-13-init wedm-5.5.3-G31X0

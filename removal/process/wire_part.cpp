@@ -1,0 +1,99 @@
+#include "removal/process/wire_part.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/geometry/plane.h"
+
+namespace proveout {
+namespace {
+
+/// So many bodies are named where a point is in none.
+constexpr std::size_t kMostNamed = 3;
+
+/// From a point to the border of a region, mm; infinite without one.
+double borderDistance(const PlanePolygons& region, const Vec2& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Vec2>& loop : region) {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      least = std::min(least, distanceToSegment(p, loop[i], loop[(i + 1) % loop.size()]));
+  }
+  return least;
+}
+
+Error inNoBody(const WireStock& stock, const Vec3& p) {
+  const PrismBlank& blank = stock.blank();
+  const bool beside = p.z() < blank.z_low || p.z() > blank.z_high;
+  const std::vector<PlanePolygons> outlines = stock.outlinesAt(std::clamp(p.z(), blank.z_low, blank.z_high));
+  std::vector<std::pair<double, std::size_t>> near;
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    const bool inside = holds(outlines[k], p.head<2>());
+    near.emplace_back(inside ? 0.0 : borderDistance(outlines[k], p.head<2>()), k);
+  }
+  std::sort(near.begin(), near.end());
+  near.resize(std::min(near.size(), kMostNamed));
+  std::string text =
+      fmt::format("the point of the part (part_point) X{:g} Y{:g} Z{:g} lies in no body that is left", p.x(),
+                  p.y(), p.z());
+  if (beside) text += fmt::format(": the stock is between Z{:g} and Z{:g}", blank.z_low, blank.z_high);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const WireBody& body = stock.bodies()[near[i].second];
+    text += fmt::format("{} a body of {:.6g} mm3, X{:.3f} Y{:.3f} to X{:.3f} Y{:.3f}, {}",
+                        i == 0 ? "; the nearest:" : ";", body.volume_mm3, body.bounds.min.x(),
+                        body.bounds.min.y(), body.bounds.max.x(), body.bounds.max.y(),
+                        near[i].first > 0.0 ? fmt::format("{:.3g} mm away", near[i].first)
+                                            : std::string("above or below the point"));
+  }
+  return inputError(text);
+}
+
+Result<std::size_t> bodyOfPoint(const WireStock& stock, const Vec3& p) {
+  const std::vector<PlanePolygons> outlines = stock.outlinesAt(p.z());
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    if (holds(outlines[k], p.head<2>())) return k;
+  }
+  return inNoBody(stock, p);
+}
+
+/// The largest that a fixture touches at the bottom, half way or at the top; 0 without one.
+std::size_t firstHeld(const WireStock& stock, const PlanePolygons& fixtures) {
+  const PrismBlank& blank = stock.blank();
+  std::size_t best = stock.bodies().size();
+  for (const double z : {blank.z_low, 0.5 * (blank.z_low + blank.z_high), blank.z_high}) {
+    const std::vector<PlanePolygons> outlines = stock.outlinesAt(z);
+    for (std::size_t k = 0; k < best; ++k) {
+      if (anyTouches(fixtures, outlines[k])) best = k;
+    }
+  }
+  return best < stock.bodies().size() ? best : 0;
+}
+
+}  // namespace
+
+std::size_t bodyLike(const std::vector<Box3>& bounds, const Box3& wanted) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < bounds.size(); ++k) {
+    const double off = (bounds[k].min - wanted.min).head<2>().cwiseAbs().sum() +
+                       (bounds[k].max - wanted.max).head<2>().cwiseAbs().sum();
+    if (off >= least) continue;
+    least = off;
+    best = k;
+  }
+  return best;
+}
+
+Result<std::size_t> partAmong(const WireStock& stock, const PieceOptions& options) {
+  if (options.part_point) return bodyOfPoint(stock, *options.part_point);
+  if (options.part) {
+    std::vector<Box3> bounds;
+    for (const WireBody& body : stock.bodies()) bounds.push_back(body.bounds);
+    return bodyLike(bounds, *options.part);
+  }
+  return options.held_at.empty() ? std::size_t{0} : firstHeld(stock, options.held_at);
+}
+
+}  // namespace proveout

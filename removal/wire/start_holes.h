@@ -1,0 +1,19 @@
+// Start holes in a blank with upright walls.
+#pragma once
+
+#include <vector>
+
+#include "core/base/result.h"
+#include "removal/grid/start_hole.h"
+#include "removal/wire/wire_stock.h"
+
+namespace proveout {
+
+/// Walls between holes, and between a hole and the border, are thicker than this, mm.
+inline constexpr double kLeastWallMm = 1e-3;
+
+/// Adds the holes to the hollows of the blank. Errors: a hole that is not all inside of the blank, or that
+/// comes to another one.
+Status addStartHoles(PrismBlank& blank, const std::vector<StartHole>& holes);
+
+}  // namespace proveout

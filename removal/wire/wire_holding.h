@@ -1,0 +1,56 @@
+// What holds the bodies that a wire leaves: others fall.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "removal/wire/plane_region.h"
+
+namespace proveout {
+
+/// Polygons seen from +z, mm.
+using PlanePolygons = std::vector<std::vector<Vec2>>;
+
+/// Loops with their arcs as chords.
+PlanePolygons polygonsOf(const std::vector<PlaneLoop>& loops, double tolerance_mm);
+/// Whether the region that loops bound holds a point.
+bool holds(const PlanePolygons& region, const Vec2& p);
+/// A point well inside of a body.
+Vec2 placeIn(const PlaneBody& body);
+/// The middles of the triangles that fill a polygon, that of the largest first.
+std::vector<Vec2> placesIn(const std::vector<Vec2>& polygon);
+
+class WireHolding {
+ public:
+  /// `fixtures`: where fixtures reach between the heights of the workpiece, convex polygons (footprintOf).
+  /// `last`: the bodies after all cuts. The bodies that fixtures touch are held; where they touch none, that
+  /// which in the end is the largest with some of the blank's own border, without one the largest.
+  WireHolding(PlanePolygons fixtures, const std::vector<PlaneBody>& last);
+  /// The same with bodies that are made when they are first needed; not for several threads.
+  WireHolding(PlanePolygons fixtures, std::function<std::vector<PlaneBody>()> last);
+
+  /// Whether a fixture touches any of the last bodies.
+  bool byFixtures() const;
+  /// Of a body at any time.
+  bool keeps(const PlaneBody& body) const;
+
+ private:
+  bool touched(const PlaneBody& body) const;
+  void settle(const std::vector<PlaneBody>& last) const;
+  void settle() const;
+
+  PlanePolygons fixtures_;
+  mutable std::function<std::vector<PlaneBody>()> last_;  ///< null: settled
+  mutable bool by_fixtures_ = false;
+  mutable std::optional<Vec2> held_;  ///< a place in the held body
+};
+
+/// Whether any of the fixtures comes within kHeldWithinMm of a region.
+bool anyTouches(const PlanePolygons& fixtures, const PlanePolygons& region);
+
+/// The largest body that has some of the blank's own border; without one the largest. Requires bodies.
+std::size_t heldBody(const std::vector<PlaneBody>& bodies);
+
+}  // namespace proveout
