@@ -115,7 +115,8 @@ TEST(Difference, MissingFeaturesHaveTheirWholeVolume) {
   const TriMesh ball = shapes::insideOut(shapes::sphere({0, 0, -5}, 3.5, 5));
   const TriMesh hollow = shapes::together(plate, ball);
   EXPECT_NEAR(volumeOf(plate, hollow), -meshVolume(ball), -0.005 * meshVolume(ball));  // a cavity
-  const TriMesh rib = booleanOf(plate, shapes::box({-20, -0.1, -1}, {20, 0.1, 8}), BooleanKind::kUnion).value();
+  const TriMesh rib =
+      booleanOf(plate, shapes::box({-20, -0.1, -1}, {20, 0.1, 8}), BooleanKind::kUnion).value();
   EXPECT_NEAR(volumeOf(plate, rib), 40 * 0.2 * 8, 0.01 * 40 * 0.2 * 8);
 }
 
