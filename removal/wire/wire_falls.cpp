@@ -133,13 +133,15 @@ class FallFinder {
 
   /// The body at that place after so many cuts, where it is held.
   std::optional<PlaneBody> heldAt(const Look& look, std::uint32_t cuts) const {
+    if (!look.box) return heldIn(blank_, {cuts_.begin(), cuts_.begin() + cuts}, look.at);
     std::vector<WireStretch> done;
-    if (look.box) {
-      for (const std::uint32_t i : index_.near(*look.box, cuts)) done.push_back(cuts_[i]);
-    } else {
-      done.assign(cuts_.begin(), cuts_.begin() + cuts);
+    for (const std::uint32_t i : index_.near(*look.box, cuts)) done.push_back(cuts_[i]);
+    // Hollows elsewhere cut nothing off here.
+    std::vector<PlaneLoop> region;
+    for (const PlaneLoop& loop : blank_) {
+      if (areaOf(loop) > 0.0 || boundsOf(loop).overlaps(*look.box)) region.push_back(loop);
     }
-    return heldIn(blank_, done, look.at);
+    return heldIn(region, done, look.at);
   }
 
   /// The same of a region less some cuts.
