@@ -60,17 +60,40 @@ class FallFinder {
     const std::optional<MotionId> maker = lastMaker(loose[k]);
     if (!maker) return std::nullopt;
     const Look look{placeIn(loose[k]), neighbourhood(k)};
-    std::size_t free = numberOf(*maker), held = 0;
-    if (free == 0 || !isFree(look, ends_[free - 1])) return ends_[free];
-    --free;
-    while (held < free) {
+    std::size_t free = numberOf(*maker), held = shortlyBefore(free);
+    if (free == 0) return ends_[0];
+    // Small motions close a cut before the last of them: the kerf's front meets it from some way off.
+    if (const auto body = heldAt(look, ends_[held])) {
+      const std::uint32_t base = ends_[held];
+      while (free - held > 1) {
+        const std::size_t middle = held + (free - held) / 2;
+        const bool still =
+            heldIn(body->loops, {cuts_.begin() + base, cuts_.begin() + ends_[middle]}, look.at).has_value();
+        (still ? held : free) = middle;
+      }
+      return ends_[free];
+    }
+    // The body is what later motions left of a piece that was free long before.
+    for (free = held, held = 0; held < free;) {
       const std::size_t middle = held + (free - held) / 2;
-      if (isFree(look, ends_[middle]))
-        free = middle;
-      else
+      if (heldAt(look, ends_[middle]))
         held = middle + 1;
+      else
+        free = middle;
     }
     return ends_[free];
+  }
+
+  /// The last motion that ends some kerfs of way before motion `number`.
+  std::size_t shortlyBefore(std::size_t number) const {
+    constexpr double kKerfs = 8.0;
+    double way = 0.0;
+    std::size_t at = number;
+    while (at > 0 && (at == number || way < kKerfs * cuts_.front().kerf_mm)) {
+      --at;
+      for (std::uint32_t i = at > 0 ? ends_[at - 1] : 0; i < ends_[at]; ++i) way += cuts_[i].length();
+    }
+    return at;
   }
 
   static std::optional<MotionId> lastMaker(const PlaneBody& body) {
@@ -102,29 +125,33 @@ class FallFinder {
     return static_cast<std::size_t>(at - ends_.begin());
   }
 
-  static const PlaneBody* bodyAt(const std::vector<PlaneBody>& bodies, const Vec2& p) {
-    for (const PlaneBody& body : bodies) {
-      if (holds(polygonsOf(body.loops, kPieceChordMm), p)) return &body;
-    }
-    return nullptr;
-  }
-
   /// A place in a body, and where what may have cut it off is; none: everywhere.
   struct Look {
     Vec2 at;
     std::optional<Box3> box;
   };
 
-  bool isFree(const Look& look, std::uint32_t cuts) const {
+  /// The body at that place after so many cuts, where it is held.
+  std::optional<PlaneBody> heldAt(const Look& look, std::uint32_t cuts) const {
+    if (!look.box) return heldIn(blank_, {cuts_.begin(), cuts_.begin() + cuts}, look.at);
     std::vector<WireStretch> done;
-    if (look.box) {
-      for (const std::uint32_t i : index_.near(*look.box, cuts)) done.push_back(cuts_[i]);
-    } else {
-      done.assign(cuts_.begin(), cuts_.begin() + cuts);
+    for (const std::uint32_t i : index_.near(*look.box, cuts)) done.push_back(cuts_[i]);
+    // Hollows elsewhere cut nothing off here.
+    std::vector<PlaneLoop> region;
+    for (const PlaneLoop& loop : blank_) {
+      if (areaOf(loop) > 0.0 || boundsOf(loop).overlaps(*look.box)) region.push_back(loop);
     }
-    const std::vector<PlaneBody> bodies = cutSection(blank_, done);
-    const PlaneBody* body = bodyAt(bodies, look.at);
-    return body != nullptr && !holding_.keeps(*body);
+    return heldIn(region, done, look.at);
+  }
+
+  /// The same of a region less some cuts.
+  std::optional<PlaneBody> heldIn(const std::vector<PlaneLoop>& region, const std::vector<WireStretch>& cuts,
+                                  const Vec2& p) const {
+    for (PlaneBody& body : cutSection(region, cuts)) {
+      if (holds(polygonsOf(body.loops, kPieceChordMm), p))
+        return holding_.keeps(body) ? std::optional(std::move(body)) : std::nullopt;
+    }
+    return std::nullopt;
   }
 
   /// What fell at once. Where the motions behind left the bodies alone they are as they fell.
