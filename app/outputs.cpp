@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/exit_codes.h"
+#include "app/freed_pieces.h"
 #include "app/job_setup.h"
 #include "app/session/process/process.h"
 #include "core/mesh/level_cut.h"
@@ -171,8 +172,10 @@ void writeBodies(const std::vector<TriMesh>& bodies, const Job& job, StagingFold
 
 std::string sectionFileName(double z) { return fmt::format("section-z{:g}.svg", z); }
 
-void writeSections(const TriMesh& part, const std::vector<TriMesh>& freed, const Job& job,
+void writeSections(const TriMesh& mesh, const std::vector<TriMesh>& freed, const Job& job,
                    StagingFolder& staging, Report& report, OutputFailures& failures) {
+  if (job.output.sections.empty()) return;
+  const TriMesh part = withoutPieces(mesh, freed);
   for (const double z : job.output.sections) {
     const SectionPolygons polygons = cutAtHeight(part, z);
     std::vector<SectionPolygons> pieces;

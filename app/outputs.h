@@ -51,7 +51,7 @@ void writeBodies(const std::vector<TriMesh>& bodies, const Job& job, StagingFold
 /// Writes a drawing of the part's section, and of pieces beside it, at each height that the job asks for. A
 /// height without material is a failure.
 std::string sectionFileName(double z);
-void writeSections(const TriMesh& part, const std::vector<TriMesh>& freed, const Job& job,
+void writeSections(const TriMesh& mesh, const std::vector<TriMesh>& freed, const Job& job,
                    StagingFolder& staging, Report& report, OutputFailures& failures);
 
 /// Writes blocks.csv and, where something was cut, mrr.svg; records them in the report.

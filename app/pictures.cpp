@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/freed_pieces.h"
 #include "io/png.h"
 
 namespace proveout {
@@ -23,33 +24,13 @@ std::string ascii(const std::string& text) {
 /// By how much of their height freed pieces are lifted.
 constexpr float kLift = 1.3f;
 
-/// The mesh with pieces lifted out of it. It has them as shells of its own, or not at all: a shell whose
-/// bounds are those of a piece is that piece.
 TriMesh lifted(const TriMesh& mesh, const std::vector<TriMesh>& pieces) {
-  std::vector<Box3> bounds;
-  for (const TriMesh& piece : pieces) bounds.push_back(meshBounds(piece));
-  std::uint32_t count = 0;
-  const std::vector<std::uint32_t> shell = meshComponents(mesh, count);
-  std::vector<Box3> shell_bounds(count);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const std::uint32_t corner : mesh.triangles[t])
-      shell_bounds[shell[t]].extend(mesh.positions[corner].cast<double>());
-  }
-  const auto isPiece = [&](const Box3& box) {
-    return std::any_of(bounds.begin(), bounds.end(),
-                       [&](const Box3& b) { return b.min == box.min && b.max == box.max; });
-  };
-  TriMesh out;
-  out.positions = mesh.positions;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!isPiece(shell_bounds[shell[t]])) out.triangles.push_back(mesh.triangles[t]);
-  }
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
+  TriMesh out = withoutPieces(mesh, pieces);
+  for (const TriMesh& piece : pieces) {
     const auto first = static_cast<std::uint32_t>(out.positions.size());
-    const Eigen::Vector3f lift(0.0f, 0.0f, kLift * static_cast<float>(bounds[k].size().z()));
-    for (const Eigen::Vector3f& p : pieces[k].positions) out.positions.push_back(p + lift);
-    for (const auto& [a, b, c] : pieces[k].triangles)
-      out.triangles.push_back({first + a, first + b, first + c});
+    const Eigen::Vector3f lift(0.0f, 0.0f, kLift * static_cast<float>(meshBounds(piece).size().z()));
+    for (const Eigen::Vector3f& p : piece.positions) out.positions.push_back(p + lift);
+    for (const auto& [a, b, c] : piece.triangles) out.triangles.push_back({first + a, first + b, first + c});
   }
   return out;
 }

@@ -15,6 +15,10 @@ constexpr double kJoined = 1e-7;
 constexpr double kStraight = 1e-12;
 /// Inner corners that turn by more go by way of the corner itself.
 constexpr double kSharpTurn = 0.5;
+/// Kerfs that reach beyond the center of an arc by no more do not reach it, mm: the corner of the contour that
+/// the control rounds with just the kerf. Ended at the center, strips would leave a slit of rounding there that
+/// opens to the outside.
+constexpr double kBeyondCenter = 2e-5;
 
 /// The outline is that of a sum of pieces, each wound counter-clockwise: the strip beside each stretch on
 /// both sides, the pie at the outer side of each joint, half a disc at both ends. Where two pieces share an
@@ -58,7 +62,7 @@ class OutlineMaker {
 
   /// Where the kerf reaches beyond the center of an arc, the strip on that side ends there.
   bool reachesCenter(const WireStretch& s, bool right) const {
-    return s.isArc() && (s.sweep_rad < 0.0) == right && s.radius() <= kerf_;
+    return s.isArc() && (s.sweep_rad < 0.0) == right && s.radius() <= kerf_ - kBeyondCenter;
   }
 
   /// The side of a stretch: right ones in the direction of travel, left ones against it.
