@@ -17,19 +17,20 @@ bool mayFollow(const Process& before, const Process& next) {
   return next.kind == before.kind || (before.kind == ProcessKind::kTurning && next.on_grid);
 }
 
-/// What only a wire needs of a job.
-Status checkThreading(const Job& job, const Process& process) {
-  if (process.cuts_through) return Done{};
-  if (!job.start_holes.empty())
+/// What only a wire needs of a job: start holes are those of the first clamping's blank.
+Status checkThreading(const Job& job) {
+  const Process& first = processOf(job, 0);
+  if (!job.start_holes.empty() && !first.cuts_through)
     return inputError(
         fmt::format("start holes are for a wire, and control {} {}: leave [[stock.start_hole]] out",
-                    job.control, process.verb));
-  if (job.part_point)
-    return inputError(
-        fmt::format("part_point tells which body is the part where a wire leaves several, and control {} {}: "
-                    "leave it out",
-                    job.control, process.verb));
-  return Done{};
+                    jobOfSetup(job, 0).control, first.verb));
+  bool cuts_through = false;
+  for (std::size_t k = 0; k < setupCount(job); ++k) cuts_through |= processOf(job, k).cuts_through;
+  if (!job.part_point || cuts_through) return Done{};
+  return inputError(
+      fmt::format("part_point tells which body is the part where a wire leaves several, and control {} {}: "
+                  "leave it out",
+                  jobOfSetup(job, 0).control, first.verb));
 }
 
 }  // namespace
@@ -49,6 +50,7 @@ const Process& processOf(const Job& job, std::size_t setup) {
 }
 
 Status checkProcesses(const Job& job, const Blank& blank) {
+  if (Status threads = checkThreading(job); !threads) return threads;
   for (std::size_t k = 0; k < setupCount(job); ++k) {
     const Process& process = processOf(job, k);
     if (k > 0 && !mayFollow(processOf(job, k - 1), process))
@@ -58,7 +60,6 @@ Status checkProcesses(const Job& job, const Blank& blank) {
           process.part_turns
               ? "only bars, tubes and what was turned can be turned; give the turned clampings first"
               : "only turned parts go over to another process, and only to milling"));
-    if (Status threads = checkThreading(jobOfSetup(job, k), process); !threads) return threads;
     if (Status possible = process.check(job, k, blank); !possible) return possible;
   }
   return Done{};
