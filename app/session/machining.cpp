@@ -94,6 +94,8 @@ PieceOptions pieceOptions(const Job& job, const PreparedRun& prepared, std::size
   if (prepared.nominal && !processOf(job, k).on_grid)
     options.part = nominalIn(job, prepared.nominal->mesh, k);
   options.part_point = job.part_point;
+  for (std::size_t i = 1; options.part_point && i <= k; ++i)
+    options.part_point = job.setups[i].from_previous(*options.part_point);
   options.grid_fits = [&job, &prepared] {
     return checkMemory(job, turnedGridWork(prepared.blank), prepared.run.resolution_mm);
   };
@@ -112,7 +114,7 @@ Status machineAll(const Job& job, const RunSources& sources, PreparedRun& prepar
     PieceOptions options = pieceOptions(job, prepared, k);
     Result<std::unique_ptr<Fixtures>> fixtures = process.fixtures(setup, run.resolution_mm, progress);
     if (!fixtures) return fixtures.error();
-    (*fixtures)->hold(prepared.blank, options);
+    (*fixtures)->hold(movedBounds(job, prepared.blank.bounds, k), options);
     watch.lap();
     Result<std::unique_ptr<Workpiece>> clamped =
         k == 0 ? process.make(prepared.blank, job, progress)

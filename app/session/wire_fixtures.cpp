@@ -27,8 +27,8 @@ Result<WireFixtures> WireFixtures::create(const std::vector<FixtureSpec>& specs)
   return out;
 }
 
-void WireFixtures::hold(const Blank& blank, PieceOptions& options) const {
-  const Box3 near = blank.bounds.inflated(kHeldWithinMm);
+void WireFixtures::hold(const Box3& blank, PieceOptions& options) const {
+  const Box3 near = blank.inflated(kHeldWithinMm);
   for (const Solid& solid : solids_) {
     for (std::vector<Vec2>& polygon : footprintOf(solid.surface, near.min.z(), near.max.z())) {
       Box3 box;

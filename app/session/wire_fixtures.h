@@ -15,7 +15,7 @@ class WireFixtures final : public Fixtures {
   static Result<WireFixtures> create(const std::vector<FixtureSpec>& specs);
 
   /// Where they reach between the heights of the blank: what they touch there is held.
-  void hold(const Blank& blank, PieceOptions& options) const override;
+  void hold(const Box3& blank, PieceOptions& options) const override;
   /// Whether the wire cuts or not; it does not cut a fixture.
   Status addContacts(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings,
                      Progress& progress) override;

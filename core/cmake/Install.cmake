@@ -31,7 +31,9 @@ install(DIRECTORY removal/process/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/prove
         FILES_MATCHING PATTERN "*.h")
 install(FILES removal/turning/section.h removal/turning/turned_stock.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/turning)
-install(FILES removal/wire/plane_region.h removal/wire/wire_stock.h removal/wire/wire_stretch.h
+install(FILES removal/wire/body_exit.h removal/wire/lean_solid.h removal/wire/lean_stretch.h
+              removal/wire/level_section.h removal/wire/plane_region.h removal/wire/wire_holding.h
+              removal/wire/wire_stock.h removal/wire/wire_stretch.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/wire)
 install(FILES removal/compare/compare.h removal/compare/exact_part.h removal/compare/nominal.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/compare)

@@ -17,21 +17,20 @@ bool mayFollow(const Process& before, const Process& next) {
   return next.kind == before.kind || !next.part_turns;
 }
 
-/// What only a wire needs of a job.
+/// What only a wire needs of a job: start holes are those of the first clamping's blank.
 Status checkThreading(const Job& job) {
   const Process& first = processOf(job, 0);
   if (!job.start_holes.empty() && !first.cuts_through)
     return inputError(
         fmt::format("start holes are for a wire, and control {} {}: leave [[stock.start_hole]] out",
                     jobOfSetup(job, 0).control, first.verb));
-  bool any = false;
-  for (std::size_t k = 0; k < setupCount(job); ++k) any = any || processOf(job, k).cuts_through;
-  if (job.part_point && !any)
-    return inputError(
-        fmt::format("part_point tells which body is the part where a wire leaves several, and control {} {}: "
-                    "leave it out",
-                    jobOfSetup(job, 0).control, first.verb));
-  return Done{};
+  bool cuts_through = false;
+  for (std::size_t k = 0; k < setupCount(job); ++k) cuts_through |= processOf(job, k).cuts_through;
+  if (!job.part_point || cuts_through) return Done{};
+  return inputError(
+      fmt::format("part_point tells which body is the part where a wire leaves several, and control {} {}: "
+                  "leave it out",
+                  jobOfSetup(job, 0).control, first.verb));
 }
 
 }  // namespace

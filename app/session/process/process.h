@@ -20,8 +20,8 @@ namespace proveout {
 class Fixtures {
  public:
   virtual ~Fixtures() = default;
-  /// Tells the workpiece how they hold it.
-  virtual void hold(const Blank& /*blank*/, PieceOptions& /*options*/) const {}
+  /// Tells the workpiece how they hold it; `blank`: its bounds in this clamping.
+  virtual void hold(const Box3& /*blank*/, PieceOptions& /*options*/) const {}
   /// Runs the path of the clamping through them; every touch, by cutter, shank or holder, in rapid or in
   /// feed, is a finding of kind kFixtureContact.
   virtual Status addContacts(const SetupRun& setup, const RecordingSource& texts,
