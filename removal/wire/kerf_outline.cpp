@@ -15,9 +15,9 @@ constexpr double kJoined = 1e-7;
 constexpr double kStraight = 1e-12;
 /// Inner corners that turn by more go by way of the corner itself.
 constexpr double kSharpTurn = 0.5;
-/// Kerfs that reach beyond the center of an arc by no more do not reach it, mm: the corner of the contour that
-/// the control rounds with just the kerf. Ended at the center, strips would leave a slit of rounding there that
-/// opens to the outside.
+/// Kerfs that reach beyond the center of an arc by no more do not reach it, mm: the corner of the contour
+/// that the control rounds with just the kerf. Ended at the center, strips would leave a slit of rounding
+/// there that opens to the outside.
 constexpr double kBeyondCenter = 2e-5;
 
 /// The outline is that of a sum of pieces, each wound counter-clockwise: the strip beside each stretch on

@@ -53,97 +53,186 @@ class LevelMaker {
   Result<LeanLevels> make(double low, double high) {
     sections_[low] = section_(low);
     sections_[high] = section_(high);
-    std::vector<Span> open{{low, high}};
+    std::vector<Task> open{{low, high, allOf(sections_[low]), allOf(sections_[high])}};
     double done = 0.0;
     while (!open.empty()) {
       if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
       std::vector<Try> tries(open.size());
       parallelFor(std::size_t{0}, open.size(), [&](std::size_t k) { tries[k] = attempt(open[k]); });
-      std::vector<Span> next;
+      std::vector<Task> next;
       for (std::size_t k = 0; k < open.size(); ++k) {
-        const auto [from, to] = open[k];
-        if (tries[k].good) {
-          slabs_[from] = std::move(tries[k].slab);
-          done += to - from;
-          continue;
-        }
-        const double middle = tries[k].middle.z;
-        sections_[middle] = std::move(tries[k].middle);
-        next.emplace_back(from, middle);
-        next.emplace_back(middle, to);
+        if (tries[k].lower_left.empty() && tries[k].upper_left.empty() && tries[k].middle_left.empty())
+          done += open[k].to - open[k].from;
+        else
+          divide(open[k], tries[k], next);
+        keep(open[k], std::move(tries[k]));
       }
       open = std::move(next);
       progress_.report("removing", done / (high - low));
     }
-    return take(high);
+    return take();
   }
 
  private:
-  using Span = std::pair<double, double>;
+  using Loops = std::vector<bool>;  ///< of a section: those that are asked about
+  struct Task {
+    double from, to;
+    Loops lower, upper;
+  };
   struct Try {
-    bool good = false;
     LevelSlab slab;
     LevelSection middle;
+    struct Pass {
+      std::uint32_t loop;  ///< of the middle
+      double z;            ///< of the other
+      std::uint32_t other;
+    };
+    std::vector<Pass> passed;
+    /// Loops whose walls need the middle.
+    std::vector<std::uint32_t> lower_left, upper_left, middle_left;
   };
 
-  Try attempt(const Span& span) const {
-    const LevelSection &lower = sections_.at(span.first), &upper = sections_.at(span.second);
-    const bool thin = span.second - span.first < 2.0 * kThinnest;
+  static Loops allOf(const LevelSection& section) { return Loops(section.loops.size(), true); }
+  static Loops only(std::size_t count, const std::vector<std::uint32_t>& loops) {
+    Loops out(count, false);
+    for (const std::uint32_t k : loops) out[k] = true;
+    return out;
+  }
+
+  /// Pairs and loops alone among those that are asked about.
+  static LoopPairs among(const LevelSection& a, const Loops& in_a, const LevelSection& b, const Loops& in_b) {
+    LoopPairs all = pairLoops(a, b), out;
+    for (const auto& [i, k] : all.pairs) {
+      if (in_a[i] && in_b[k]) {
+        out.pairs.emplace_back(i, k);
+        continue;
+      }
+      if (in_a[i]) out.lower_alone.push_back(i);
+      if (in_b[k]) out.upper_alone.push_back(k);
+    }
+    for (const std::uint32_t i : all.lower_alone)
+      if (in_a[i]) out.lower_alone.push_back(i);
+    for (const std::uint32_t k : all.upper_alone)
+      if (in_b[k]) out.upper_alone.push_back(k);
+    return out;
+  }
+
+  Try attempt(const Task& task) const {
+    const LevelSection &lower = sections_.at(task.from), &upper = sections_.at(task.to);
+    const bool thin = task.to - task.from < 2.0 * kThinnest;
     Try out;
-    out.middle = section_(0.5 * (span.first + span.second));
-    const LoopPairs ends = pairLoops(lower, upper), half = pairLoops(lower, out.middle);
-    bool good = ends.lower_alone.empty() && ends.upper_alone.empty() && half.upper_alone.empty() &&
-                half.lower_alone.empty();
-    if (!good && !thin) return out;
+    out.middle = section_(0.5 * (task.from + task.to));
+    const LoopPairs ends = among(lower, task.lower, upper, task.upper);
+    const LoopPairs half = among(lower, task.lower, out.middle, allOf(out.middle));
+    const bool whole = ends.lower_alone.empty() && ends.upper_alone.empty();
     std::vector<std::uint32_t> middle_of(lower.loops.size(), kNone);
     for (const auto& [i, m] : half.pairs) middle_of[i] = m;
-    out.slab.lower_alone = ends.lower_alone;
-    out.slab.upper_alone = ends.upper_alone;
-    const double height = span.second - span.first;
+    out.lower_left = ends.lower_alone;
+    out.upper_left = ends.upper_alone;
+    Loops passed(out.middle.loops.size(), false);
     for (const auto& [i, k] : ends.pairs) {
       std::optional<Ribbon> ribbon = ribbonBetween(lower, i, upper, k);
       const std::uint32_t m = middle_of[i];
       const bool near = ribbon && m != kNone &&
                         areNear(middleOf(*ribbon, lower, upper), out.middle.loops[m].points, tolerance_);
-      if (!near && !thin) return out;
-      if (!near && !(good && ribbon)) {
-        out.slab.lower_alone.push_back(i);
-        out.slab.upper_alone.push_back(k);
+      if (!near && !(thin && whole && ribbon)) {
+        out.lower_left.push_back(i);
+        out.upper_left.push_back(k);
         continue;
+      }
+      if (m != kNone) {
+        passed[m] = true;
+        out.passed.push_back({m, task.from, i});
       }
       const double a = areaOf(lower.loops[i]), b = areaOf(upper.loops[k]);
       const double half_way = m != kNone ? areaOf(out.middle.loops[m]) : 0.5 * (a + b);
       out.slab.ribbons.push_back(std::move(*ribbon));
-      out.slab.volumes.push_back(height / 6.0 * (a + 4.0 * half_way + b));
+      out.slab.volumes.push_back((task.to - task.from) / 6.0 * (a + 4.0 * half_way + b));
     }
-    out.good = true;
+    if (thin) {
+      out.slab.lower_alone = std::move(out.lower_left);
+      out.slab.upper_alone = std::move(out.upper_left);
+      out.lower_left.clear();
+      out.upper_left.clear();
+      return out;
+    }
+    passElsewhere(task, lower, upper, passed, out);
+    for (std::uint32_t m = 0; m < out.middle.loops.size(); ++m)
+      if (!passed[m]) out.middle_left.push_back(m);
     return out;
   }
 
-  Result<LeanLevels> take(double high) {
+  /// Finds loops of the middle whose walls were settled before, over more height.
+  static void passElsewhere(const Task& task, const LevelSection& lower, const LevelSection& upper,
+                            Loops& passed, Try& out) {
+    const auto look = [&](const LevelSection& section, const Loops& asked, double z) {
+      if (std::all_of(asked.begin(), asked.end(), [](bool in) { return in; })) return;
+      for (const auto& [i, m] : pairLoops(section, out.middle).pairs) {
+        if (asked[i] || passed[m]) continue;
+        passed[m] = true;
+        out.passed.push_back({m, z, i});
+      }
+    };
+    look(lower, task.lower, task.from);
+    look(upper, task.upper, task.to);
+  }
+
+  void divide(const Task& task, const Try& tried, std::vector<Task>& next) {
+    const double middle = tried.middle.z;
+    const Loops in_middle = only(tried.middle.loops.size(), tried.middle_left);
+    next.push_back({task.from, middle, only(task.lower.size(), tried.lower_left), in_middle});
+    next.push_back({middle, task.to, in_middle, only(task.upper.size(), tried.upper_left)});
+  }
+
+  void keep(const Task& task, Try&& tried) {
+    const double middle = tried.middle.z;
+    for (const auto& [loop, z, other] : tried.passed) passed_.push_back({middle, loop, z, other});
+    if (!tried.middle_left.empty() || !tried.lower_left.empty() || !tried.upper_left.empty())
+      sections_[middle] = std::move(tried.middle);
+    LevelSlab& slab = tried.slab;
+    if (slab.ribbons.empty() && slab.lower_alone.empty() && slab.upper_alone.empty()) return;
+    slabs_.push_back({task.from, task.to, std::move(slab)});
+  }
+
+  Result<LeanLevels> take() {
     LeanLevels out;
     std::map<double, std::uint32_t> number;
-    std::vector<double> heights;
-    for (const auto& [from, slab] : slabs_) heights.push_back(from);
-    heights.push_back(high);
-    for (const double z : heights) {
+    for (auto& [z, section] : sections_) {
       number[z] = static_cast<std::uint32_t>(out.levels.size());
-      out.levels.push_back(std::move(sections_.at(z)));
+      out.levels.push_back(std::move(section));
     }
-    for (auto& [from, slab] : slabs_) {
-      slab.lower = number.at(from);
-      slab.upper = slab.lower + 1;
-      out.slabs.push_back(std::move(slab));
+    std::sort(slabs_.begin(), slabs_.end(), [](const Placed& a, const Placed& b) {
+      return a.from != b.from ? a.from < b.from : a.to < b.to;
+    });
+    for (Placed& placed : slabs_) {
+      placed.slab.lower = number.at(placed.from);
+      placed.slab.upper = number.at(placed.to);
+      out.slabs.push_back(std::move(placed.slab));
+    }
+    for (const Passed& p : passed_) {
+      const auto level = number.find(p.z);
+      if (level != number.end()) out.passed.push_back({level->second, p.loop, number.at(p.other_z), p.other});
     }
     return out;
   }
 
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+  struct Placed {
+    double from, to;
+    LevelSlab slab;
+  };
+  struct Passed {
+    double z;
+    std::uint32_t loop;
+    double other_z;
+    std::uint32_t other;
+  };
   const std::function<LevelSection(double z)>& section_;
   double tolerance_;
   Progress& progress_;
   std::map<double, LevelSection> sections_;
-  std::map<double, LevelSlab> slabs_;  ///< by their lower height
+  std::vector<Placed> slabs_;
+  std::vector<Passed> passed_;
 };
 
 }  // namespace

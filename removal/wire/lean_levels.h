@@ -10,7 +10,7 @@
 
 namespace proveout {
 
-/// Between two levels that follow each other.
+/// Between two levels: the walls that need none between these, and where walls meet or end.
 struct LevelSlab {
   std::uint32_t lower = 0, upper = 0;  ///< levels
   std::vector<Ribbon> ribbons;
@@ -19,13 +19,20 @@ struct LevelSlab {
   std::vector<std::uint32_t> lower_alone, upper_alone;
 };
 
-struct LeanLevels {
-  std::vector<LevelSection> levels;  ///< from below
-  std::vector<LevelSlab> slabs;      ///< from below, all of the height
+/// A loop through which a wall goes straight on, without points there.
+struct PassedLoop {
+  std::uint32_t level = 0, loop = 0;
+  std::uint32_t other_level = 0, other_loop = 0;  ///< of the same wall; may be passed as well
 };
 
-/// Halves the height until the walls between neighbouring levels leave the section half way by no more than
-/// `tolerance` mm. Errors: cancelled.
+struct LeanLevels {
+  std::vector<LevelSection> levels;  ///< from below
+  std::vector<LevelSlab> slabs;      ///< each loop of a level ends one wall and begins one, or is passed
+  std::vector<PassedLoop> passed;
+};
+
+/// Halves the height of each wall until its triangles leave the section half way by no more than `tolerance`
+/// mm. Errors: cancelled.
 Result<LeanLevels> leanLevels(const std::function<LevelSection(double z)>& section, double low, double high,
                               double tolerance, Progress& progress);
 

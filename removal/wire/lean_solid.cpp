@@ -9,6 +9,7 @@
 #include "removal/wire/face_triangles.h"
 #include "removal/wire/lean_levels.h"
 #include "removal/wire/level_step.h"
+#include "removal/wire/part_fans.h"
 
 namespace proveout {
 namespace {
@@ -152,6 +153,8 @@ class Bodies {
       for (const Ribbon& ribbon : slab.ribbons)
         sets_.join(writer.loop(slab.lower, ribbon.lower_loop), writer.loop(slab.upper, ribbon.upper_loop));
     }
+    for (const PassedLoop& p : levels.passed)
+      sets_.join(writer.loop(p.level, p.loop), writer.loop(p.other_level, p.other_loop));
     for (std::size_t k = 0; k < steps.size(); ++k) {
       if (!steps[k]) continue;
       const LevelSlab& slab = levels.slabs[k];
@@ -269,6 +272,11 @@ Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpa
   BodyPicker picker(writer.mesh());
   for (std::size_t t = 0; t < writer.mesh().triangles.size(); ++t)
     picker.add(t, out.bodies[number[bodies.of(writer.memberOfTriangle()[t])]].mesh);
+  // Only steps share vertices.
+  const bool stepped = std::any_of(steps->begin(), steps->end(), [](const auto& s) { return s.has_value(); });
+  for (LeanBody& body : out.bodies) {
+    if (stepped) partFans(body.mesh);
+  }
   for (std::uint32_t level = 0; level < levels->levels.size(); ++level) {
     std::vector<std::uint32_t>& of = out.body_of.emplace_back();
     for (const LevelRegion& region : levels->levels[level].regions)

@@ -228,6 +228,10 @@ std::optional<Ribbon> ribbonBetween(const LevelSection& lower, std::uint32_t low
   zip({a, at_a, edgesBetween(at_a, first_a.first, a)}, {b, at_b, edgesBetween(at_b, first_b.first, b)},
       ribbon);
   if (ribbon.rungs.size() > 1 && ribbon.rungs.back() == ribbon.rungs.front()) ribbon.rungs.pop_back();
+  // A rung twice: all of a loop closed up to one point.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted = ribbon.rungs;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return std::nullopt;
   return ribbon;
 }
 

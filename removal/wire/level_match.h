@@ -24,7 +24,7 @@ struct Ribbon {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> rungs;
 };
 /// Rungs join what has one name; what has none at the other height closes up between. None: the loops have no
-/// name in common.
+/// name in common, or nothing but a point would be left of one of them.
 std::optional<Ribbon> ribbonBetween(const LevelSection& lower, std::uint32_t lower_loop,
                                     const LevelSection& upper, std::uint32_t upper_loop);
 

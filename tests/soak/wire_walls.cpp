@@ -96,6 +96,12 @@ class Walls {
  public:
   Walls(const StockShape& blank, const SetupRun& setup) : blank_(blank), cuts_(cutsOf(setup)) {}
 
+  /// Half width of the widest kerf, mm.
+  double kerf() const {
+    double most = 0.0;
+    for (const Cut& cut : cuts_) most = std::max(most, cut.kerf);
+    return most;
+  }
   /// Above 0 in the material that is left: the distance to the nearest wall.
   double materialAt(const Vec3& p) const {
     double least = depthIn(blank_, p);
@@ -139,8 +145,38 @@ std::optional<std::string> verticesOnWalls(const Walls& walls, const TriMesh& me
   return std::nullopt;
 }
 
+/// The shells of a mesh: those of pieces that fell while the program went on, which later cuts do not reach,
+/// and the others.
+struct Shells {
+  TriMesh fallen, others;
+};
+/// Crumbs, which fall untold, are counted among them.
+Shells shellsOf(const TriMesh& mesh, const std::vector<FallenPiece>& fallen, double z_low, double crumb_mm3) {
+  std::uint32_t count = 0;
+  const std::vector<std::uint32_t> shell = meshComponents(mesh, count);
+  std::vector<TriMesh> all(count);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    TriMesh& one = all[shell[t]];
+    const auto first = static_cast<std::uint32_t>(one.positions.size());
+    for (const std::uint32_t corner : mesh.triangles[t]) one.positions.push_back(mesh.positions[corner]);
+    one.triangles.push_back({first, first + 1, first + 2});
+  }
+  Shells out;
+  for (const TriMesh& one : all) {
+    const bool fell = meshVolume(one) < crumb_mm3 ||
+                      std::any_of(fallen.begin(), fallen.end(), [&](const FallenPiece& piece) {
+                        return coveredAt(one, Vec3(piece.where.x(), piece.where.y(), z_low));
+                      });
+    TriMesh& to = fell ? out.fallen : out.others;
+    const auto first = static_cast<std::uint32_t>(to.positions.size());
+    to.positions.insert(to.positions.end(), one.positions.begin(), one.positions.end());
+    for (const auto& [a, b, c] : one.triangles) to.triangles.push_back({first + a, first + b, first + c});
+  }
+  return out;
+}
+
 /// Points of the lower and the upper face.
-std::optional<std::string> facesAreWhatIsLeft(const Walls& walls, const TriMesh& mesh, const Box3& bounds,
+std::optional<std::string> facesAreWhatIsLeft(const Walls& walls, const Shells& mesh, const Box3& bounds,
                                               double within, std::uint64_t seed) {
   constexpr int kPoints = 200;
   Random random(seed);
@@ -149,7 +185,8 @@ std::optional<std::string> facesAreWhatIsLeft(const Walls& walls, const TriMesh&
                  k % 2 == 0 ? bounds.min.z() : bounds.max.z());
     const double material = walls.materialAt(p);
     if (std::abs(material) < within) continue;
-    if (coveredAt(mesh, p) != (material > 0.0))
+    if (coveredAt(mesh.fallen, p)) continue;
+    if (coveredAt(mesh.others, p) != (material > 0.0))
       return fmt::format("X{:.3f} Y{:.3f} Z{:.3f} is {:.5f} mm {} the part's walls, which the mesh denies",
                          p.x(), p.y(), p.z(), std::abs(material),
                          material > 0.0 ? "inside of" : "outside of");
@@ -169,8 +206,9 @@ std::optional<std::string> wallsBesideTheWire(const LawCase& c) {
   const SetupRun& setup = c.whole.setups.back();
   const Walls walls(blank->shape, setup);
   const double within = kWithin + setup.facet_error_mm;
-  const TriMesh& mesh = setup.surface.mesh;
-  if (const auto broken = verticesOnWalls(walls, mesh, within)) return broken;
+  const Shells mesh = shellsOf(setup.surface.mesh, setup.removal.fallen, blank->bounds.min.z(),
+                               kPi * walls.kerf() * walls.kerf() * blank->bounds.size().z());
+  if (const auto broken = verticesOnWalls(walls, mesh.others, within)) return broken;
   return facesAreWhatIsLeft(walls, mesh, blank->bounds, within, c.runner.made().seed);
 }
 
