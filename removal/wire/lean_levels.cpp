@@ -34,11 +34,28 @@ std::vector<WireStretch> segmentsOf(const Outline& points) {
   return sides;
 }
 
+/// By how much a corner may be off: the tip of a needle, of material or of a gap, moves fast with the height,
+/// and may be missing as far as the needle is thinner than the tolerance.
+double allowedAt(const Outline& points, std::size_t i, double tolerance) {
+  const std::size_t n = points.size();
+  const Vec2 u = points[(i + n - 1) % n] - points[i], v = points[(i + 1) % n] - points[i];
+  const double lengths = u.norm() * v.norm();
+  if (lengths == 0.0) return tolerance;
+  const double cosine = std::clamp(u.dot(v) / lengths, -1.0, 1.0);
+  const double half_tangent = std::sqrt((1.0 - cosine) / (1.0 + cosine + 1e-12));
+  const double needle = tolerance / (2.0 * half_tangent + 1e-9);
+  return std::max(tolerance, std::min(needle, 0.5 * std::min(u.norm(), v.norm())));
+}
+
 bool staysBy(const Outline& points, const std::vector<WireStretch>& sides, double tolerance) {
   const StretchIndex index(sides);
-  return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
-    return index.nearest(p, tolerance).stretch != StretchIndex::kNone;
-  });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (index.nearest(points[i], tolerance).stretch != StretchIndex::kNone) continue;
+    const double allowed = allowedAt(points, i, tolerance);
+    if (allowed <= tolerance || index.nearest(points[i], allowed).stretch == StretchIndex::kNone)
+      return false;
+  }
+  return true;
 }
 
 bool areNear(const Outline& a, const Outline& b, double tolerance) {

@@ -185,17 +185,43 @@ double partVolume(const json& report) {
 TEST(WirePunch, PassesAndFailsWithoutItsOffset) {
   const Workbench bench;
   const fs::path from = fs::path(PROVEOUT_SOURCE_DIR) / "parts" / "wire_punch";
-  for (const char* name : {"job.toml", "punch.nc", "punch.stl"}) fs::copy(from / name, bench.path(name));
+  for (const char* name : {"job.toml", "punch.nc", "punch.stl", "forgotten.toml", "forgotten.nc"})
+    fs::copy(from / name, bench.path(name));
   const Outcome right = bench.run("run job.toml --no-render --out out");
   EXPECT_EQ(right.exit_code, 0) << right.err;
   EXPECT_EQ(right.err, "");
   const double exact = 20.0 * (20.0 * 12.0 - (4.0 - std::numbers::pi) * 4.0);
   EXPECT_NEAR(partVolume(json::parse(readFile(bench.path("out/report.json")))), exact, 1e-5 * exact);
-  std::string program = readFile(bench.path("punch.nc"));
-  bench.write("punch.nc", program.replace(program.find("G41 H001"), 8, "G40 H001"));
-  const Outcome wrong = bench.run("run job.toml --no-render --out wrong");
+  const Outcome wrong = bench.run("run forgotten.toml --no-render --out wrong");
   EXPECT_EQ(wrong.exit_code, 1) << wrong.err;
   EXPECT_TRUE(has(wrong.err, "gouge")) << wrong.err;
+  EXPECT_TRUE(has(wrong.err, "cut without offset")) << wrong.err;
+}
+
+/// Slugs as files, sections at heights, of a die with taper.
+TEST(WireDie, WritesItsSlugAndSections) {
+  const Workbench bench;
+  const fs::path from = fs::path(PROVEOUT_SOURCE_DIR) / "parts" / "wire_die";
+  for (const char* name : {"die.nc", "die.stl"}) fs::copy(from / name, bench.path(name));
+  std::string job = readFile(from / "job.toml");
+  bench.write("job.toml", job + "\n[output]\nsections = [0.5, 10]\n");
+  const Outcome outcome = bench.run("run job.toml --no-render --bodies --out out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  const Result<TriMesh> slug = loadMesh(bench.path("out/slugs/1-wire_die.stl"));
+  ASSERT_TRUE(slug) << outcome.out;
+  const double told = report["stock"]["bodies"][1]["volume_mm3"].get<double>();
+  EXPECT_NEAR(meshVolume(*slug), told, 1e-4 * told);
+  // 20 x 12 with corners of 2 at the top; 19.5 mm below 2 degrees wider.
+  const double out = 19.5 * std::tan(2.0 * std::numbers::pi / 180.0);
+  const double hole = (20 + 2 * out) * (12 + 2 * out) - (4.0 - std::numbers::pi) * (2 + out) * (2 + out);
+  const std::string drawing = readFile(bench.path("out/section-z0.5.svg"));
+  const std::size_t at = drawing.find("z = 0.5 mm: ");
+  ASSERT_NE(at, std::string::npos) << drawing.substr(0, 400);
+  EXPECT_NEAR(std::stod(drawing.substr(at + 12)), 1200.0 - hole, 0.02);
+  EXPECT_TRUE(fs::exists(bench.path("out/section-z10.svg")));
+  EXPECT_EQ(bench.run("run job.toml --no-render --out none").exit_code, 0);
+  EXPECT_FALSE(fs::exists(bench.path("none/slugs")));
 }
 
 /// Runs a sample of a leaning wire; true where it passes without a finding.

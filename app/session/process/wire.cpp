@@ -8,6 +8,7 @@
 #include "app/session/wire_fixtures.h"
 #include "removal/process/wire_piece.h"
 #include "removal/wire/start_holes.h"
+#include "removal/wire/wire_work.h"
 
 namespace proveout {
 namespace {
@@ -40,17 +41,28 @@ std::unique_ptr<PieceProbe> probe(const Job& /*setup*/, const ProbedStock& /*sto
   return nullptr;
 }
 
-/// Walls have two triangles a motion on either side of the kerf, faces as many.
-/// Behind another clamping each body is cut out of the grid.
+/// Of a wire that leans: some walls take many heights, of programs of any length.
+double leanTriangles(const Job& job, const Toolpath& path, const Box3& bounds) {
+  constexpr double kAPiece = 36.0, kRefinedPieces = 2000.0, kARefinedPiece = 2000.0;
+  const auto pieces =
+      static_cast<double>(leanPieces(path, {bounds.min.z(), bounds.max.z()}, facetTolerance(job)));
+  return kAPiece * pieces + kARefinedPiece * std::min(pieces, kRefinedPieces);
+}
+
+/// Walls have two triangles a motion on either side of the kerf, faces as many. Behind another clamping each
+/// body is cut out of the grid.
 Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& blank) {
   constexpr double kTrianglesOfAMotion = 16.0;
   Workload work;
   work.clampings = 1;
   work.motions = run.setups[k].interpreted.path.motions.size();
-  work.triangles = kTrianglesOfAMotion * static_cast<double>(work.motions);
+  const Toolpath& path = run.setups[k].interpreted.path;
+  const Box3 bounds = movedBounds(job, blank.bounds, k);
+  work.triangles = standsUpright(path) ? kTrianglesOfAMotion * static_cast<double>(work.motions)
+                                       : leanTriangles(run.setups[k].job, path, bounds);
   if (k == 0) return work;
   constexpr double kCopies = 3.0;
-  work.surface_mm2 = kCopies * blankArea(blank.shape, movedBounds(job, blank.bounds, k));
+  work.surface_mm2 = kCopies * blankArea(blank.shape, bounds);
   work.mesh_moves = movesExactly(run.setups[k].from_previous) ? 0 : 1;
   return processOf(job, k - 1).on_grid ? work : together(work, ontoGridWork(run.setups[k - 1], blank));
 }

@@ -35,9 +35,9 @@ file 0 main.nc
 15 depth 1: cut wire lower arc to -5 0 0 center 0 0 sweep -180 upper arc to -5 0 20 center 0 0 sweep -180 F3 t314.1593
 16 depth 1: cut wire lower arc to 5 0 0 center 0 0 sweep -180 upper arc to 5 0 20 center 0 0 sweep -180 F3 t314.1593
 17 depth 1: cut wire lower to 0 0 0 upper to 0 0 20 F3 t100
-4: event function code="M50"
+4: event wire code="M50" threaded=false
 5: rapid wire lower to 50 0 0 upper to 50 0 20 F0 t0.2
-6: event function code="M60"
+6: event wire code="M60" threaded=true
 14 depth 1: cut wire lower to 55 0 0 upper to 55 0 20 F3 t100
 15 depth 1: cut wire lower arc to 45 0 0 center 50 0 sweep -180 upper arc to 45 0 20 center 50 0 sweep -180 F3 t314.1593
 16 depth 1: cut wire lower arc to 55 0 0 center 50 0 sweep -180 upper arc to 55 0 20 center 50 0 sweep -180 F3 t314.1593
