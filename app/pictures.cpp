@@ -21,14 +21,17 @@ std::string ascii(const std::string& text) {
   return result;
 }
 
-/// By how much of their height freed pieces are lifted.
+/// By how much of their height freed pieces are moved.
 constexpr float kLift = 1.3f;
 
-TriMesh lifted(const TriMesh& mesh, const std::vector<TriMesh>& pieces) {
+/// The part, slugs above it, and frames, which are larger than the part, below.
+TriMesh takenApart(const TriMesh& mesh, const std::vector<TriMesh>& pieces) {
   TriMesh out = withoutPieces(mesh, pieces);
+  const double part_mm3 = meshVolume(out);
   for (const TriMesh& piece : pieces) {
     const auto first = static_cast<std::uint32_t>(out.positions.size());
-    const Eigen::Vector3f lift(0.0f, 0.0f, kLift * static_cast<float>(meshBounds(piece).size().z()));
+    const float up = meshVolume(piece) <= part_mm3 ? kLift : -kLift;
+    const Eigen::Vector3f lift(0.0f, 0.0f, up * static_cast<float>(meshBounds(piece).size().z()));
     for (const Eigen::Vector3f& p : piece.positions) out.positions.push_back(p + lift);
     for (const auto& [a, b, c] : piece.triangles) out.triangles.push_back({first + a, first + b, first + c});
   }
@@ -65,10 +68,8 @@ class PictureMaker {
     return Done{};
   }
 
-  /// The part, which is what of the mesh is no freed piece, with those pieces lifted by their height and
-  /// more.
   Status addApart() {
-    TriMesh apart = lifted(mesh_, *request_.freed);
+    TriMesh apart = takenApart(mesh_, *request_.freed);
     return add(RenderScene(apart), request_.views.front(), "apart.png", "bodies apart");
   }
 

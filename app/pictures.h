@@ -31,10 +31,10 @@ struct PictureRequest {
   const std::vector<Finding>* findings = nullptr;  ///< numbered from 1 as in the report; null: none
 };
 
-/// One picture a view; apart.png where pieces came free: they are lifted out of the part; deviation.png where
-/// there is a comparison; findings.png where findings have a place. A mesh without triangles (everything was
-/// cut away) gives no picture. What cannot be drawn goes to `failures` with its file, and the others are
-/// there; errors: interrupted.
+/// One picture a view; apart.png where pieces came free: the part with them above it, or below if they are
+/// larger; deviation.png where there is a comparison; findings.png where findings have a place. A mesh
+/// without triangles (everything was cut away) gives no picture. What cannot be drawn goes to `failures` with
+/// its file, and the others are there; errors: interrupted.
 Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequest& request,
                                           std::vector<Error>& failures, Progress& progress);
 

@@ -19,6 +19,9 @@ constexpr double kSharpTurn = 0.5;
 /// that the control rounds with just the kerf. Ended at the center, strips would leave a slit of rounding
 /// there that opens to the outside.
 constexpr double kBeyondCenter = 2e-5;
+/// By how much strips lap over each other at the center of an arc, and how far it is moved for that at most,
+/// mm.
+constexpr double kLap = 3e-6, kMostLap = 2e-4;
 
 /// The outline is that of a sum of pieces, each wound counter-clockwise: the strip beside each stretch on
 /// both sides, the pie at the outer side of each joint, half a disc at both ends. Where two pieces share an
@@ -65,13 +68,22 @@ class OutlineMaker {
     return s.isArc() && (s.sweep_rad < 0.0) == right && s.radius() <= kerf_ - kBeyondCenter;
   }
 
+  /// The center of an arc, moved away from it so far that what ends there laps over the strips beside in
+  /// spite of rounding; else slits would be left between them, which may open to the outside.
+  static Vec2 behindCenter(const WireStretch& s) {
+    const double half = 0.5 * std::abs(s.sweep_rad);
+    const double shift = std::min(kMostLap, kLap / std::max(std::sin(half), 1e-9));
+    const Vec2 to_middle = turnedBy(s.from - s.center, 0.5 * s.sweep_rad) / s.radius();
+    return s.center - shift * to_middle;
+  }
+
   /// The side of a stretch: right ones in the direction of travel, left ones against it.
   void side(std::size_t k, bool right) {
     const WireStretch& s = run_[k];
     const Vec2 &from = right ? s.from : s.to, &to = right ? s.to : s.from;
     if (reachesCenter(s, right)) {
       add(from);
-      add(s.center);
+      add(behindCenter(s));
       add(to);
       return;
     }

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -47,6 +49,7 @@ class FanParter {
       i = end;
     }
     renumber();
+    divideShared();
   }
 
  private:
@@ -71,6 +74,7 @@ class FanParter {
         if (around[other].second->forward || used[other]) continue;
         used[other] = true;
         join(*around[k].second, *around[other].second);
+        of_several_.push_back({*around[k].second, *around[other].second});
         break;
       }
     }
@@ -91,6 +95,47 @@ class FanParter {
     };
     corners_.join(corner(a, true), corner(b, true));
     corners_.join(corner(a, false), corner(b, false));
+  }
+
+  /// Two triangles that meet at an edge where there are more.
+  struct Pair {
+    Side a, b;
+  };
+
+  /// Where one fan passes an edge twice its vertices stay: there each pair of triangles gets a vertex of its
+  /// own on the edge.
+  void divideShared() {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
+    for (const Pair& pair : of_several_) {
+      const std::uint32_t from = mesh_.triangles[pair.a.triangle][pair.a.corner],
+                          to = mesh_.triangles[pair.a.triangle][(pair.a.corner + 1) % 3];
+      if (!taken.insert({std::min(from, to), std::max(from, to)}).second) shared_.push_back({pair, from, to});
+    }
+    for (const SharedEdge& edge : shared_) {
+      const auto middle = static_cast<std::uint32_t>(mesh_.positions.size());
+      const Eigen::Vector3f p = mesh_.positions[edge.from], q = mesh_.positions[edge.to];
+      mesh_.positions.push_back(0.5f * (p + q));
+      divide(edge.pair.a.triangle, edge.from, edge.to, middle);
+      divide(edge.pair.b.triangle, edge.to, edge.from, middle);
+    }
+  }
+
+  /// Of a triangle, or of what it was divided into, the one with the edge from `a` to `b`.
+  void divide(std::uint32_t triangle, std::uint32_t a, std::uint32_t b, std::uint32_t middle) {
+    std::vector<std::uint32_t>& pieces = pieces_.try_emplace(triangle, 1, triangle).first->second;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        auto& corners = mesh_.triangles[pieces[i]];
+        if (corners[k] != a || corners[(k + 1) % 3] != b) continue;
+        const std::uint32_t c = corners[(k + 2) % 3];
+        corners = {a, middle, c};
+        const auto added = static_cast<std::uint32_t>(mesh_.triangles.size());
+        mesh_.triangles.push_back({middle, b, c});
+        if (!mesh_.motion.empty()) mesh_.motion.push_back(mesh_.motion[pieces[i]]);
+        pieces.push_back(added);
+        return;
+      }
+    }
   }
 
   /// The first fan of a vertex keeps it.
@@ -114,8 +159,16 @@ class FanParter {
     }
   }
 
+  struct SharedEdge {
+    Pair pair;
+    std::uint32_t from, to;  ///< as the first triangle has it
+  };
+
   TriMesh& mesh_;
   DisjointSets corners_;
+  std::vector<Pair> of_several_;
+  std::vector<SharedEdge> shared_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> pieces_;
 };
 
 }  // namespace

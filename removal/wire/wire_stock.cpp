@@ -74,7 +74,7 @@ Result<PrismBlank> prismOf(const StockShape& shape) {
   }
   const auto* cylinder = std::get_if<CylinderShape>(&shape);
   if (cylinder == nullptr || cylinder->axis != 2)
-    return inputError("a wire cuts boxes, and cylinders and tubes along Z: no other stock");
+    return inputError("start holes are for boxes, and cylinders and tubes along Z");
   blank.loops.push_back(circleLoop(cylinder->base.head<2>(), cylinder->radius, false));
   if (cylinder->inner_radius > 0.0)
     blank.loops.push_back(circleLoop(cylinder->base.head<2>(), cylinder->inner_radius, true));

@@ -6,6 +6,7 @@
 #include "app/session/turning_work.h"
 #include "app/session/wire_findings.h"
 #include "app/session/wire_fixtures.h"
+#include "removal/process/wire_grid_piece.h"
 #include "removal/process/wire_piece.h"
 #include "removal/wire/start_holes.h"
 #include "removal/wire/wire_work.h"
@@ -21,12 +22,15 @@ Result<PrismBlank> prismWithHoles(const Blank& blank) {
   return prism;
 }
 
-/// First blanks have upright walls; what was clamped before may be anything.
+/// Whether the blank goes without a grid; others, and what was clamped before, may be anything.
+bool isPrism(const Blank& blank) { return prismOf(blank.shape).ok(); }
+
+/// Start holes are for blanks with upright walls.
 Status check(const Job& job, std::size_t k, const Blank& blank) {
-  if (k == 0) {
+  if (k == 0 && (isPrism(blank) || !blank.start_holes.empty())) {
     if (const Result<PrismBlank> prism = prismWithHoles(blank); !prism) return prism.error();
   }
-  if (savesStock(job) && setupCount(job) == 1)
+  if (savesStock(job) && setupCount(job) == 1 && isPrism(blank))
     return inputError("what a wire cuts has no grid to be saved: leave vdb out");
   return Done{};
 }
@@ -60,14 +64,26 @@ Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& 
   const Box3 bounds = movedBounds(job, blank.bounds, k);
   work.triangles = standsUpright(path) ? kTrianglesOfAMotion * static_cast<double>(work.motions)
                                        : leanTriangles(run.setups[k].job, path, bounds);
-  if (k == 0) return work;
+  if (k == 0 && isPrism(blank)) return work;
   constexpr double kCopies = 3.0;
   work.surface_mm2 = kCopies * blankArea(blank.shape, bounds);
+  if (k == 0) return work;
   work.mesh_moves = movesExactly(run.setups[k].from_previous) ? 0 : 1;
   return processOf(job, k - 1).on_grid ? work : together(work, ontoGridWork(run.setups[k - 1], blank));
 }
 
-Result<std::unique_ptr<Workpiece>> make(Blank& blank, const Job& /*job*/, Progress& /*progress*/) {
+Result<std::unique_ptr<Workpiece>> make(Blank& blank, const Job& job, Progress& progress) {
+  if (!isPrism(blank)) {
+    Result<Stock> stock = takeStock(blank, job, progress);
+    if (!stock) return stock.error();
+    double volume_mm3 = stock->initialVolume();
+    if (std::holds_alternative<SavedStock>(blank.shape)) {  // that is of its first blank
+      const Result<StockVolume> held = stock->volume(SurfaceOptions{}, progress);
+      if (!held) return held.error();
+      volume_mm3 = held->mm3;
+    }
+    return pieceOnGrid(ProcessKind::kWire, std::move(*stock), volume_mm3, volume_mm3, {});
+  }
   Result<PrismBlank> prism = prismWithHoles(blank);
   if (!prism) return prism.error();
   return std::unique_ptr<Workpiece>(std::make_unique<WirePiece>(WireStock(std::move(*prism))));
