@@ -138,6 +138,36 @@ TEST(Commands, WireEdmCutsUprightAndLeaningWalls) {
   EXPECT_EQ(cone["stock"]["bodies"][1]["leaves"], "up");
 }
 
+/// A slot of 6 x 2 is milled along a plate, then a punch of 20 x 12 with corners of 2 cut out of it.
+TEST(Commands, AWireCutsWhatWasMilled) {
+  const Workbench bench;
+  bench.write("punch.nc", readFile(std::string(PROVEOUT_SOURCE_DIR) + "/parts/wire_punch/punch.nc"));
+  bench.write("slot.nc",
+              "%\nO0001\nN1 G90 G21 G17 G54\nN2 T2 M6\nN3 S3000 M3\nN4 G0 X-25 Y0 Z25\nN5 G0 Z18\n"
+              "N6 G1 X25 F500\nN7 G0 Z30\nN8 M30\n%\n");
+  const std::string mill =
+      "[[setup]]\nname = \"mill\"\nprogram = \"slot.nc\"\n[setup.control]\nname = \"nct\"\n"
+      "[[setup.tool]]\nnumber = 2\ntype = \"flat\"\ndiameter = 6\n";
+  const std::string wire =
+      "[[setup]]\nname = \"wire\"\nprogram = \"punch.nc\"\n[setup.control]\nname = \"wedm\"\n"
+      "[[setup.tool]]\nnumber = 1\ntype = \"wire\"\ndiameter = 0.2\nspark_gap = 0.01\n";
+  const std::string stock =
+      "schema = \"proveout.job/1\"\ncontrol = \"nct\"\n[stock]\nshape = \"box\"\nmin = [-15, -12, 0]\n"
+      "max = [15, 12, 20]\npart_point = [0, 0, 5]\n[simulation]\nresolution = 0.2\n";
+  const double exact = 20.0 * (240.0 - (4.0 - std::numbers::pi) * 4.0) - 240.0;
+  for (const std::string& setups : {mill + wire, wire + mill}) {
+    bench.write("job.toml", stock + setups);
+    const Outcome outcome = bench.run("run job.toml --no-render --out out");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json report = json::parse(readFile(bench.path("out/report.json")));
+    const auto& bodies = report["stock"]["bodies"];
+    ASSERT_EQ(bodies.size(), 2u) << setups;
+    EXPECT_EQ(bodies[0]["role"], "part");
+    EXPECT_NEAR(bodies[0]["volume_mm3"].get<double>(), exact, 1e-3 * exact) << setups;
+    EXPECT_TRUE(report["stock"]["closed"].get<bool>());
+  }
+}
+
 TEST(Commands, WireEdmLeanLimit) {
   const Workbench bench;
   bench.write("taper.nc",

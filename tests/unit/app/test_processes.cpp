@@ -205,10 +205,12 @@ TEST(Processes, APunchIsComparedWithItsNominal) {
   }
 }
 
-TEST(Processes, WiresRefuseOtherBlanksAndTools) {
+TEST(Processes, WiresTakeAnyBlankButHolesNeedUprightWalls) {
   const Job job = WireJob().job;
   const Process& wire = processOf(job, 0);
-  const Blank lying{CylinderShape{0, Vec3::Zero(), 5, 0, 10}, {{0, -5, -5}, {10, 5, 5}}, 0.2, std::nullopt};
+  Blank lying{CylinderShape{0, Vec3::Zero(), 5, 0, 10}, {{0, -5, -5}, {10, 5, 5}}, 0.2, std::nullopt};
+  EXPECT_TRUE(wire.check(job, 0, lying).ok());
+  lying.start_holes = {{{5.0, 0.0}, 0.5}};
   EXPECT_FALSE(wire.check(job, 0, lying).ok());
   EXPECT_TRUE(wire.holds(job.tools.front()));
   EXPECT_FALSE(processOf("nct").holds(job.tools.front()));

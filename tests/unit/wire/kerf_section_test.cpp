@@ -156,5 +156,35 @@ TEST(KerfSection, ChangingRadiusIsFollowedWithinATenthOfAMicrometre) {
   }
 }
 
+/// Corners that the control rounds with an offset of about the kerf: the strips meet at the center of the
+/// arc, and rounding must leave no slit there.
+TEST(KerfSection, ArcsAsLargeAsTheKerf) {
+  constexpr double kHalfKerf = 0.132005;
+  const std::vector<PlaneLoop> plate = {rectangleLoop({-15, -15}, {15, 15})};
+  for (const double less : {-1e-3, -2.5e-5, -5e-6, 0.0, 5e-6, 2.5e-5, 1e-4, 1e-3, 0.05}) {
+    for (const double degrees : {1.0, 9.227, 30.0, 90.0, 170.0, 250.0}) {
+      const double radius = kHalfKerf - less, sweep = -degrees * kPi / 180.0;
+      for (int turn = 0; turn < 12; ++turn) {
+        const auto at = [&](const Vec2& p) {
+          return Vec2(turnedBy(p, 0.517 * turn) + Vec2(0.7183, -1.3141));
+        };
+        const Vec2 start = at({0, 0}), center = at({0, -radius});
+        std::vector<WireStretch> way = {lineWay(at({-10, 0}), start, kHalfKerf, 0),
+                                        arcWay(start, center, sweep, kHalfKerf, 1)};
+        way.push_back(lineWay(way[1].to, way[1].to + 9.0 * way[1].directionAtEnd(), kHalfKerf, 2));
+        for (const PlaneBody& body : cutSection(plate, way)) {
+          for (const PlaneLoop& loop : body.loops) {
+            for (const Vec2& p : chordsOf(loop, 1e-4).points) {
+              for (const WireStretch& s : way)
+                ASSERT_GE(distanceTo(s, p).mm, kHalfKerf - 3e-4)
+                    << less << " " << degrees << " turn " << turn;
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace proveout
