@@ -121,9 +121,9 @@ void writeProgramFiles(const std::map<std::string, std::string>& files, const st
 
 namespace {
 
-/// Errors: it cannot be written. The hash of the file.
-Result<std::string> writeOne(const TriMesh& mesh, const Stock* stock, OutputFormat format,
-                             const std::string& file, StagingFolder& staging) {
+/// Writes one mesh, or the grid, and records it.
+void writeMesh(const TriMesh& mesh, const Stock* stock, OutputFormat format, const std::string& file,
+               StagingFolder& staging, Report& report, OutputFailures& failures) {
   std::string hash;
   const Status written = staging.write(file, [&](const std::string& path) -> Status {
     Result<std::string> made = format == OutputFormat::kVdb ? saveHashed(*stock, path)
@@ -132,8 +132,8 @@ Result<std::string> writeOne(const TriMesh& mesh, const Stock* stock, OutputForm
     hash = std::move(*made);
     return Done{};
   });
-  if (!written) return written.error();
-  return hash;
+  keep(written, failures);
+  if (written) report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), hash});
 }
 
 }  // namespace
@@ -142,12 +142,7 @@ void writeMeshes(const TriMesh& mesh, const Stock* stock, const Job& job, Stagin
                  Report& report, OutputFailures& failures) {
   for (const OutputFormat format : job.output.formats) {
     if (format == OutputFormat::kVdb && stock == nullptr) continue;  // turning left nothing to make a grid of
-    const std::string file = meshFileName(job, format);
-    const Result<std::string> hash = writeOne(mesh, stock, format, file, staging);
-    if (hash)
-      report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), *hash});
-    else
-      failures.push_back(hash.error());
+    writeMesh(mesh, stock, format, meshFileName(job, format), staging, report, failures);
   }
 }
 
@@ -159,14 +154,8 @@ void writeBodies(const std::vector<TriMesh>& bodies, const Job& job, StagingFold
                  OutputFailures& failures) {
   for (const OutputFormat format : job.output.formats) {
     if (format == OutputFormat::kVdb) continue;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      const std::string file = bodyFileName(job, format, k + 1);
-      const Result<std::string> hash = writeOne(bodies[k], nullptr, format, file, staging);
-      if (hash)
-        report.outputs.meshes.push_back({file, std::string(outputFormatName(format)), *hash});
-      else
-        failures.push_back(hash.error());
-    }
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      writeMesh(bodies[k], nullptr, format, bodyFileName(job, format, k + 1), staging, report, failures);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/freed_pieces.h"
+#include "core/mesh/shells.h"
 #include "io/png.h"
 
 namespace proveout {
@@ -28,12 +29,11 @@ constexpr float kLift = 1.3f;
 TriMesh takenApart(const TriMesh& mesh, const std::vector<TriMesh>& pieces) {
   TriMesh out = withoutPieces(mesh, pieces);
   const double part_mm3 = meshVolume(out);
-  for (const TriMesh& piece : pieces) {
-    const auto first = static_cast<std::uint32_t>(out.positions.size());
+  for (TriMesh piece : pieces) {
     const float up = meshVolume(piece) <= part_mm3 ? kLift : -kLift;
     const Eigen::Vector3f lift(0.0f, 0.0f, up * static_cast<float>(meshBounds(piece).size().z()));
-    for (const Eigen::Vector3f& p : piece.positions) out.positions.push_back(p + lift);
-    for (const auto& [a, b, c] : piece.triangles) out.triangles.push_back({first + a, first + b, first + c});
+    for (Eigen::Vector3f& p : piece.positions) p += lift;
+    append(out, piece);
   }
   return out;
 }

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "core/geometry/plane.h"
+#include "core/geometry/polygon.h"
 
 namespace proveout {
 namespace {
@@ -56,9 +56,7 @@ std::vector<std::vector<Vec2>> cutAtHeight(const TriMesh& mesh, double z) {
 
 double areaOf(const std::vector<std::vector<Vec2>>& polygons) {
   double sum = 0.0;
-  for (const std::vector<Vec2>& p : polygons) {
-    for (std::size_t i = 0; i < p.size(); ++i) sum += 0.5 * cross2(p[i] - p[0], p[(i + 1) % p.size()] - p[0]);
-  }
+  for (const std::vector<Vec2>& polygon : polygons) sum += polygonArea(polygon);
   return sum;
 }
 

@@ -4,6 +4,7 @@ target_sources(proveout_core PRIVATE
   mesh/level_cut.cpp
   mesh/mesh_editor.cpp
   mesh/mesh_topology.cpp
+  mesh/shells.cpp
   mesh/signed_distance.cpp
   mesh/tri_mesh.cpp
   mesh/triangle_tree.cpp)

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "removal/compare/bodies.h"
+#include "core/mesh/shells.h"
 
 namespace proveout {
 

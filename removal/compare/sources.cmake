@@ -1,5 +1,4 @@
 proveout_add_library(compare
-  compare/bodies.cpp
   compare/compare.cpp
   compare/deepest_point.cpp
   compare/deviation_patches.cpp

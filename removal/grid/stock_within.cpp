@@ -5,18 +5,13 @@
 #include <set>
 
 #include "core/base/assert.h"
+#include "removal/grid/face_numbers.h"
 #include "removal/grid/leaf_changes.h"
 #include "removal/grid/mesh_rows.h"
 #include "removal/grid/stock_impl.h"
 
 namespace proveout {
 namespace {
-
-/// Groups triangles of one flat face: the normal in steps of about a degree.
-std::uint16_t flatFaceOf(const Vec3& n) {
-  const auto q = [](double v) { return static_cast<unsigned>(std::lround((v + 1.0) * 60.0)); };
-  return static_cast<std::uint16_t>((q(n.x()) * 121u + q(n.y())) * 121u + q(n.z()));
-}
 
 /// The samples of the stock and of the body; where an edge leaves both the crossing nearer to the material
 /// counts.

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/stopwatch.h"
 #include "core/geometry/plane.h"
+#include "core/tool/tool_table.h"
 #include "removal/grid/stock_impl.h"
 #include "removal/process/milled_piece.h"
 #include "removal/process/wire_part.h"
@@ -45,7 +45,7 @@ Coord sampleAt(const Stock::Impl& stock, const Vec3& p) {
 class GridWireMeeting {
  public:
   GridWireMeeting(const Stock& stock, const LeanWork& work, const HeightSpan& span)
-      : stock_(stock.inside()), reader_(stock_), span_(span) {
+      : stock_(stock.inside()), reader_(stock_) {
     const Box3 bounds = stock.bounds();
     for (int k = 0; k < kHeights; ++k) {
       heights_.push_back(bounds.min.z() + (k + 0.5) / kHeights * (bounds.max.z() - bounds.min.z()));
@@ -56,7 +56,11 @@ class GridWireMeeting {
   }
 
   /// mm3, about.
-  double takenBy(std::uint32_t cut) { return volumeOf(&WireWork::cuts, cut, cut, nullptr); }
+  double takenBy(std::uint32_t cut) {
+    double sum = 0.0;
+    for (int k = 0; k < kHeights; ++k) sum += volumeAt(k, works_[k]->cuts[cut], cut, nullptr);
+    return sum;
+  }
   /// The contact of a rapid, if it meets material.
   std::optional<Contact> contactOf(std::size_t rapid, std::uint32_t after) {
     Contact contact;
@@ -70,13 +74,6 @@ class GridWireMeeting {
   }
 
  private:
-  double volumeOf(std::vector<WireStretch> WireWork::*list, std::size_t i, std::uint32_t before,
-                  Vec3* where) {
-    double sum = 0.0;
-    for (int k = 0; k < kHeights; ++k) sum += volumeAt(k, ((*works_[k]).*list)[i], before, where);
-    return sum;
-  }
-
   double volumeAt(int height, const WireStretch& s, std::uint32_t before, Vec3* where) {
     const int stations = std::clamp(static_cast<int>(s.length() / stock_.h), 1, kMostStations);
     const Vec2 along = s.to - s.from,
@@ -99,7 +96,6 @@ class GridWireMeeting {
 
   const Stock::Impl& stock_;
   SampleReader reader_;
-  HeightSpan span_;
   std::vector<double> heights_;
   std::vector<std::unique_ptr<WireWork>> works_;  ///< by height; the indices hold on to them
   std::vector<std::unique_ptr<StretchIndex>> indices_;
@@ -176,12 +172,12 @@ Result<std::size_t> partOf(const std::vector<GridBody>& bodies, const PieceOptio
 
 /// Kerfs that the grid cannot hold.
 void tellNarrow(const Toolpath& path, const std::vector<Tool>& tools, double h, RemovalSummary& summary) {
+  const ToolTable table(tools);
   for (MotionId id = 0; id < path.motions.size(); ++id) {
     const Motion& motion = path.motions[id];
     if (motion.wire < 0 || motion.kind != MotionKind::kFeed || summary.removed_mm3[id] <= 0.0F) continue;
-    const auto tool =
-        std::find_if(tools.begin(), tools.end(), [&](const Tool& t) { return t.number == motion.tool; });
-    if (tool == tools.end()) continue;
+    const Tool* tool = table.ofMotion(motion.tool);
+    if (tool == nullptr) continue;
     const double width = tool->diameter + 2.0 * tool->spark_gap, length = path.length(motion);
     if (width >= h) continue;
     if (summary.narrow_cuts.empty()) summary.narrow_cuts.push_back({id, motion.from, width, 0.0, 0.0});
@@ -206,8 +202,7 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   const PrismBlank about = boxAbout(stock_.bounds());
   const HeightSpan span{about.z_low, about.z_high};
   WireStock box(about);
-  if (const Result<RemovalSummary> cut = box.remove(path, tools, 0.5 * options.facet_mm, progress); !cut)
-    return cut.error();
+  if (const Status cut = box.cut(path, tools, 0.5 * options.facet_mm, progress); !cut) return cut.error();
   Result<RemovalSummary> met = meetingOf(stock_, path, tools, span, options.facet_mm);
   if (!met) return met.error();
   tellNarrow(path, tools, stock_.resolution(), *met);

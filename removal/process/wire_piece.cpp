@@ -69,9 +69,7 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
 Status WirePiece::cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
                       Progress& progress) {
   stock_.holdAt(options.held_at);
-  const Result<RemovalSummary> removal =
-      stock_.remove(path, tools, kShareOfFacet * options.facet_mm, progress);
-  return removal ? Status(Done{}) : Status(removal.error());
+  return stock_.cut(path, tools, kShareOfFacet * options.facet_mm, progress);
 }
 
 Result<std::unique_ptr<Workpiece>> WirePiece::become(ProcessKind next, const RigidTransform& move,

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "removal/grid/face_numbers.h"
 #include "removal/grid/leaf_changes.h"
 #include "removal/grid/stock_impl.h"
 #include "removal/vdb/vdb_coord.h"
@@ -45,12 +46,6 @@ Vec3 triangleNormal(const TriMesh& mesh, int triangle) {
   const Vec3 n = (mesh.positions[t[1]].cast<double>() - a).cross(mesh.positions[t[2]].cast<double>() - a);
   const double length = n.norm();
   return length > 0.0 ? Vec3(n / length) : Vec3(Vec3::UnitZ());
-}
-
-/// Groups triangles of one flat face: the normal in steps of about a degree.
-std::uint16_t faceOf(const Vec3& n) {
-  const auto q = [](double v) { return static_cast<unsigned>(std::lround((v + 1.0) * 60.0)); };
-  return static_cast<std::uint16_t>((q(n.x()) * 121u + q(n.y())) * 121u + q(n.z()));
 }
 
 /// Parameter at which start + t * step, 0 <= t <= 1, meets the triangle, or -1.
@@ -151,7 +146,7 @@ class MeshBlank {
     }
     const Vec3 n =
         triangle >= 0 ? triangleNormal(mesh_, triangle) : Vec3(Vec3::Unit(axis) * (d0 < d1 ? 1.0 : -1.0));
-    c.element = faceOf(n);
+    c.element = flatFaceOf(n);
     c.setPosition(best);
     c.setNormal(n);
     return c;

@@ -4,7 +4,6 @@
 #include <polyclipping/clipper.hpp>
 #include <vector>
 
-#include "removal/wire/kerf_outline.h"
 #include "removal/wire/kerf_union.h"
 
 namespace proveout {
@@ -20,10 +19,8 @@ Paths sectionOf(const LeanSolid& solid, std::size_t level, std::size_t body) {
   Paths paths;
   for (std::size_t k = 0; k < section.regions.size(); ++k) {
     if (solid.body_of[level][k] != body) continue;
-    for (const std::uint32_t loop : section.regions[k].loops) {
-      ClipperLib::Path& path = paths.emplace_back();
-      for (const Vec2& p : section.loops[loop].points) path.push_back(wire_detail::toUnits(p));
-    }
+    for (const std::uint32_t loop : section.regions[k].loops)
+      paths.push_back(wire_detail::pathOf(section.loops[loop].points));
   }
   return paths;
 }

@@ -44,15 +44,11 @@ class OutlineMaker {
       if (k > 0) joint(k, false);
     }
     pie(run_.front().from, leftOf(run_.front().directionAtStart()), kPi);
-    while (path_.size() > 1 && path_.front() == path_.back()) path_.pop_back();
-    return std::move(path_);
+    return path_.take();
   }
 
  private:
-  void add(const Vec2& p) {
-    const ClipperLib::IntPoint at = toUnits(p);
-    if (path_.empty() || !(path_.back() == at)) path_.push_back(at);
-  }
+  void add(const Vec2& p) { path_.add(p); }
 
   /// An arc about `center` from center + from * radius.
   void arc(const Vec2& center, const Vec2& from, double radius, double sweep) {
@@ -141,7 +137,7 @@ class OutlineMaker {
 
   std::span<const WireStretch> run_;
   double kerf_;
-  ClipperLib::Path path_;
+  OutlinePath path_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <polyclipping/clipper.hpp>
 #include <span>
+#include <utility>
 
 #include "removal/wire/wire_stretch.h"
 
@@ -14,6 +15,23 @@ inline constexpr double kKerfChordMm = 1e-4;  ///< chords leave arcs by no more
 
 ClipperLib::IntPoint toUnits(const Vec2& p);
 Vec2 toMm(const ClipperLib::IntPoint& p);
+
+/// Points as integers, without one twice in a row.
+class OutlinePath {
+ public:
+  void add(const Vec2& p) {
+    const ClipperLib::IntPoint at = toUnits(p);
+    if (path_.empty() || !(path_.back() == at)) path_.push_back(at);
+  }
+  /// The closed path.
+  ClipperLib::Path take() {
+    while (path_.size() > 1 && path_.front() == path_.back()) path_.pop_back();
+    return std::move(path_);
+  }
+
+ private:
+  ClipperLib::Path path_;
+};
 
 /// Whether `next` goes on where `before` ends, with the same kerf.
 bool follows(const WireStretch& before, const WireStretch& next);

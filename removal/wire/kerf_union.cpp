@@ -57,13 +57,16 @@ Paths unitedInLevels(std::vector<Paths> parts) {
   return all;
 }
 
+Path pathOf(const std::vector<Vec2>& points) {
+  Path path;
+  path.reserve(points.size());
+  for (const Vec2& p : points) path.push_back(toUnits(p));
+  return path;
+}
+
 Paths pathsOf(const std::vector<PlaneLoop>& loops, double tolerance) {
   Paths paths;
-  for (const PlaneLoop& loop : loops) {
-    Path path;
-    for (const Vec2& p : chordsOf(loop, tolerance).points) path.push_back(toUnits(p));
-    paths.push_back(std::move(path));
-  }
+  for (const PlaneLoop& loop : loops) paths.push_back(pathOf(chordsOf(loop, tolerance).points));
   return paths;
 }
 

@@ -19,6 +19,8 @@ ClipperLib::Paths united(const ClipperLib::Paths& paths);
 /// would take the square of their number.
 ClipperLib::Paths unitedInLevels(std::vector<ClipperLib::Paths> parts);
 
+/// A polygon as integers.
+ClipperLib::Path pathOf(const std::vector<Vec2>& points);
 /// Loops as polygons whose chords leave arcs by no more than `tolerance` mm.
 ClipperLib::Paths pathsOf(const std::vector<PlaneLoop>& loops, double tolerance);
 

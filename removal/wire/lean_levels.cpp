@@ -117,8 +117,8 @@ class LevelMaker {
   }
 
   /// Pairs and loops alone among those that are asked about.
-  static LoopPairs among(const LevelSection& a, const Loops& in_a, const LevelSection& b, const Loops& in_b) {
-    LoopPairs all = pairLoops(a, b), out;
+  static LoopPairs among(const LoopPairs& all, const Loops& in_a, const Loops& in_b) {
+    LoopPairs out;
     for (const auto& [i, k] : all.pairs) {
       if (in_a[i] && in_b[k]) {
         out.pairs.emplace_back(i, k);
@@ -139,8 +139,8 @@ class LevelMaker {
     const bool thin = task.to - task.from < 2.0 * kThinnest;
     Try out;
     out.middle = section_(0.5 * (task.from + task.to));
-    const LoopPairs ends = among(lower, task.lower, upper, task.upper);
-    const LoopPairs half = among(lower, task.lower, out.middle, allOf(out.middle));
+    const LoopPairs ends = among(pairLoops(lower, upper), task.lower, task.upper);
+    const LoopPairs half = pairLoops(lower, out.middle);
     const bool whole = ends.lower_alone.empty() && ends.upper_alone.empty();
     std::vector<std::uint32_t> middle_of(lower.loops.size(), kNone);
     for (const auto& [i, m] : half.pairs) middle_of[i] = m;
@@ -173,25 +173,26 @@ class LevelMaker {
       out.upper_left.clear();
       return out;
     }
-    passElsewhere(task, lower, upper, passed, out);
+    passElsewhere(half, task.lower, task.from, passed, out);
+    if (!isAll(task.upper)) passElsewhere(pairLoops(upper, out.middle), task.upper, task.to, passed, out);
     for (std::uint32_t m = 0; m < out.middle.loops.size(); ++m)
       if (!passed[m]) out.middle_left.push_back(m);
     return out;
   }
 
-  /// Finds loops of the middle whose walls were settled before, over more height.
-  static void passElsewhere(const Task& task, const LevelSection& lower, const LevelSection& upper,
-                            Loops& passed, Try& out) {
-    const auto look = [&](const LevelSection& section, const Loops& asked, double z) {
-      if (std::all_of(asked.begin(), asked.end(), [](bool in) { return in; })) return;
-      for (const auto& [i, m] : pairLoops(section, out.middle).pairs) {
-        if (asked[i] || passed[m]) continue;
-        passed[m] = true;
-        out.passed.push_back({m, z, i});
-      }
-    };
-    look(lower, task.lower, task.from);
-    look(upper, task.upper, task.to);
+  static bool isAll(const Loops& asked) {
+    return std::all_of(asked.begin(), asked.end(), [](bool in) { return in; });
+  }
+
+  /// Finds loops of the middle whose walls were settled before, over more height, by those of a section at
+  /// height z.
+  static void passElsewhere(const LoopPairs& to_middle, const Loops& asked, double z, Loops& passed,
+                            Try& out) {
+    for (const auto& [i, m] : to_middle.pairs) {
+      if (asked[i] || passed[m]) continue;
+      passed[m] = true;
+      out.passed.push_back({m, z, i});
+    }
   }
 
   void divide(const Task& task, const Try& tried, std::vector<Task>& next) {

@@ -59,15 +59,11 @@ class LeanOutline {
       if (k > 0) joint(k, false);
     }
     pie(first.from, first.lean_from, leftOf(first.direction()), kPi);
-    while (path_.size() > 1 && path_.front() == path_.back()) path_.pop_back();
-    return std::move(path_);
+    return path_.take();
   }
 
  private:
-  void add(const Vec2& p) {
-    const ClipperLib::IntPoint at = toUnits(p);
-    if (path_.empty() || !(path_.back() == at)) path_.push_back(at);
-  }
+  void add(const Vec2& p) { path_.add(p); }
 
   void pie(const Vec2& center, const Vec2& lean, const Vec2& from, double sweep) {
     const double radius = run_.front().radius_mm;
@@ -128,7 +124,7 @@ class LeanOutline {
   }
 
   std::span<const LevelStretch> run_;
-  Path path_;
+  OutlinePath path_;
 };
 
 /// All round the wire where it stands.
@@ -187,7 +183,5 @@ Paths leanKerf(const std::vector<LevelStretch>& stretches) {
   parallelFor(std::size_t{0}, batches.size(), [&](std::size_t i) { parts[i] = pathsOf(batches[i]); });
   return unitedInLevels(std::move(parts));
 }
-
-Paths leanKerf(const LevelStretch& stretch) { return leanKerf(std::vector<LevelStretch>{stretch}); }
 
 }  // namespace proveout::wire_detail

@@ -12,7 +12,4 @@ namespace proveout::wire_detail {
 /// The kerf of all stretches at their height: paths whose windings above 0 are the kerf.
 ClipperLib::Paths leanKerf(const std::vector<LevelStretch>& stretches);
 
-/// The kerf of one stretch.
-ClipperLib::Paths leanKerf(const LevelStretch& stretch);
-
 }  // namespace proveout::wire_detail

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/mesh/edge_table.h"
+#include "core/mesh/shells.h"
 #include "removal/wire/face_triangles.h"
 #include "removal/wire/lean_levels.h"
 #include "removal/wire/level_step.h"
@@ -52,7 +53,8 @@ class SolidWriter {
   std::size_t loops() const { return first_point_.size(); }
   std::size_t members() const { return loops() + mesh_.positions.size() - first_step_.front(); }
   std::uint32_t loop(std::uint32_t level, std::uint32_t k) const { return first_loop_[level] + k; }
-  const TriMesh& mesh() const { return mesh_; }
+  /// Once; members() are to be asked for before.
+  TriMesh takeMesh() { return std::move(mesh_); }
   std::uint32_t stepPoint(std::size_t slab, std::uint32_t point) const {
     return static_cast<std::uint32_t>(loops()) + first_step_[slab] - first_step_.front() + point;
   }
@@ -183,31 +185,6 @@ class Bodies {
   DisjointSets sets_;
 };
 
-/// The triangles of one body, its vertices in their order.
-class BodyPicker {
- public:
-  explicit BodyPicker(const TriMesh& whole) : whole_(whole), number_(whole.positions.size(), kNone) {}
-
-  void add(std::size_t t, TriMesh& mesh) {
-    std::array<std::uint32_t, 3> corners;
-    for (int c = 0; c < 3; ++c) {
-      std::uint32_t& number = number_[whole_.triangles[t][c]];
-      if (number == kNone) {
-        number = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(whole_.positions[whole_.triangles[t][c]]);
-      }
-      corners[c] = number;
-    }
-    mesh.triangles.push_back(corners);
-    mesh.motion.push_back(whole_.motion[t]);
-  }
-
- private:
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-  const TriMesh& whole_;
-  std::vector<std::uint32_t> number_;  ///< a vertex belongs to one body
-};
-
 Result<SolidWriter::Steps> stepsOf(const LeanLevels& levels) {
   SolidWriter::Steps steps(levels.slabs.size());
   for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -267,11 +244,14 @@ Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpa
   for (const std::uint32_t root : roots) {
     number[root] = static_cast<std::uint32_t>(out.bodies.size());
     out.bodies.emplace_back().volume_mm3 = volume[root];
-    out.volume_mm3 += volume[root];
   }
-  BodyPicker picker(writer.mesh());
-  for (std::size_t t = 0; t < writer.mesh().triangles.size(); ++t)
-    picker.add(t, out.bodies[number[bodies.of(writer.memberOfTriangle()[t])]].mesh);
+  Shells shells;
+  shells.count = static_cast<std::uint32_t>(out.bodies.size());
+  for (const std::uint32_t member : writer.memberOfTriangle())
+    shells.shell_of.push_back(number[bodies.of(member)]);
+  shells.mesh = writer.takeMesh();
+  std::vector<TriMesh> meshes = shellMeshes(shells);
+  for (std::size_t k = 0; k < meshes.size(); ++k) out.bodies[k].mesh = std::move(meshes[k]);
   // Only steps share vertices.
   const bool stepped = std::any_of(steps->begin(), steps->end(), [](const auto& s) { return s.has_value(); });
   for (LeanBody& body : out.bodies) {

@@ -22,7 +22,6 @@ struct LeanSolid {
   /// From below; body_of[level][region] counts as `bodies`.
   std::vector<LevelSection> levels;
   std::vector<std::vector<std::uint32_t>> body_of;
-  double volume_mm3 = 0.0;
 };
 
 /// The blank less the kerfs. Between two levels the triangles leave the section by no more than

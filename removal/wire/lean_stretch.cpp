@@ -72,7 +72,7 @@ class LeanWay {
  private:
   static Vec2 pointOf(const WireTrack& track, double t) {
     if (t == 0.0 || t == 1.0) return t == 0.0 ? track.from : track.to;
-    return track.sweep_rad == 0.0 ? Vec2(track.from + t * (track.to - track.from)) : pointOnArc(track, t);
+    return pointOnTrack(track, t);
   }
 
   const WireSweep& wire_;

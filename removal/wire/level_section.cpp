@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "core/base/parallel_for.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/plane.h"
+#include "core/geometry/polygon.h"
 #include "removal/wire/edge_curves.h"
 #include "removal/wire/kerf_outline.h"
 #include "removal/wire/kerf_union.h"
@@ -197,13 +197,7 @@ LevelLoop loopOf(const ClipperLib::Path& path, const WallNamer& namer) {
 
 }  // namespace
 
-double areaOf(const LevelLoop& loop) {
-  const std::size_t n = loop.points.size();
-  double sum = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
-    sum += 0.5 * cross2(loop.points[i] - loop.points[0], loop.points[(i + 1) % n] - loop.points[0]);
-  return sum;
-}
+double areaOf(const LevelLoop& loop) { return polygonArea(loop.points); }
 
 LevelSection levelSection(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches,
                           double z) {

@@ -10,6 +10,7 @@
 #include "core/geometry/plane.h"
 #include "removal/wire/face_triangles.h"
 #include "removal/wire/kerf_outline.h"
+#include "removal/wire/kerf_union.h"
 
 namespace proveout {
 namespace {
@@ -94,8 +95,7 @@ class EdgeRefiner {
 Paths pathsOf(const LevelSection& section, const std::vector<std::uint32_t>& loops, bool reversed) {
   Paths paths;
   for (const std::uint32_t k : loops) {
-    Path path;
-    for (const Vec2& p : section.loops[k].points) path.push_back(wire_detail::toUnits(p));
+    Path path = wire_detail::pathOf(section.loops[k].points);
     if (reversed) ClipperLib::ReversePath(path);
     paths.push_back(std::move(path));
   }

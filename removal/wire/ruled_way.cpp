@@ -8,10 +8,6 @@
 namespace proveout {
 namespace {
 
-Vec2 placeOnTrack(const WireTrack& track, double t) {
-  return track.sweep_rad == 0.0 ? Vec2(track.from + t * (track.to - track.from)) : pointOnArc(track, t);
-}
-
 double speedOf(const WireTrack& track) {
   if (track.sweep_rad == 0.0) return (track.to - track.from).norm();
   const double radius = (track.from - track.center).norm(), end = (track.to - track.center).norm();
@@ -22,7 +18,7 @@ double speedOf(const WireTrack& track) {
 
 Vec3 RuledWay::at(double t, double z) const {
   const double w = shareOf(z);
-  const Vec2 p = (1.0 - w) * placeOnTrack(wire_.lower, t) + w * placeOnTrack(wire_.upper, t);
+  const Vec2 p = (1.0 - w) * pointOnTrack(wire_.lower, t) + w * pointOnTrack(wire_.upper, t);
   return {p.x(), p.y(), z};
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/geometry/plane.h"
+#include "core/geometry/polygon.h"
 #include "removal/grid/start_hole.h"
 #include "removal/wire/edge_curves.h"
 #include "removal/wire/kerf_section.h"
@@ -48,7 +49,7 @@ class MaterialCheck {
       const auto at =
           std::find_if(places.begin(), places.end(), [&](const Vec2& p) { return isHeld(p, rapid.after); });
       if (at == places.end()) continue;
-      contact.volume_mm3 += std::abs(areaOfPolygon(piece)) * (blank_.z_high - blank_.z_low);
+      contact.volume_mm3 += std::abs(polygonArea(piece)) * (blank_.z_high - blank_.z_low);
       deepen(*at, rapid, contact);
     }
     if (contact.volume_mm3 <= 0.0) return std::nullopt;
@@ -58,13 +59,6 @@ class MaterialCheck {
   }
 
  private:
-  static double areaOfPolygon(const std::vector<Vec2>& points) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      sum += 0.5 * cross2(points[i] - points[0], points[(i + 1) % points.size()] - points[0]);
-    return sum;
-  }
-
   /// Whether the body there has not fallen before the rapid.
   bool isHeld(const Vec2& p, std::uint32_t cuts) {
     if (!held_ || held_at_ != cuts) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <variant>
 
+#include "core/mesh/shells.h"
 #include "removal/wire/kerf_section.h"
 #include "removal/wire/prism_mesh.h"
 #include "removal/wire/wire_contacts.h"
@@ -31,8 +32,7 @@ class LeanHandling {
   LeanHandling(const PrismBlank& blank, const Toolpath& path, const std::vector<Tool>& tools)
       : blank_(blank), path_(path), tools_(tools) {}
 
-  void look(const WireWork& work, double z, double share, Progress& progress) {
-    const WireHolding holding(blank_.held_at, [&] { return cutSection(blank_.loops, work.cuts); });
+  void look(const WireWork& work, const WireHolding& holding, double z, double share, Progress& progress) {
     std::vector<Contact> contacts = rapidContacts(blank_, work, holding, progress);
     tellByHand(path_, contacts);
     const std::vector<ThreadingPlace> places = threadingPlaces(path_, tools_, work, contacts, z);
@@ -92,55 +92,73 @@ Result<RemovalSummary> WireStock::remove(const Toolpath& path, const std::vector
   progress.report("removing", 0.0);
   RemovalSummary summary;
   summary.removed_mm3.assign(path.motions.size(), 0.0F);
-  const Status done = standsUpright(path) ? removeUpright(path, tools, summary, progress)
-                                          : removeLeaning(path, tools, tolerance, summary, progress);
+  const Status done = standsUpright(path) ? cutUpright(path, tools, &summary, progress)
+                                          : cutLeaning(path, tools, tolerance, &summary, progress);
   if (!done) return done.error();
-  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   return summary;
 }
 
-Status WireStock::removeUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary& summary,
-                                Progress& progress) {
+Status WireStock::cut(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
+                      Progress& progress) {
+  progress.report("removing", 0.0);
+  return standsUpright(path) ? cutUpright(path, tools, nullptr, progress)
+                             : cutLeaning(path, tools, tolerance, nullptr, progress);
+}
+
+Status WireStock::cutUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary* summary,
+                             Progress& progress) {
   const Result<WireWork> work = wireWork(path, tools);
   if (!work) return work.error();
   std::vector<PlaneBody> last = cutSection(blank_.loops, work->cuts);
   const WireHolding holding(blank_.held_at, last);
   WireFalls falls = findFalls(blank_.loops, work->cuts, std::move(last), holding);
-  if (progress.cancelled()) return Done{};
-  addRemoved(blank_, work->cuts, falls.pieces, summary);
-  summary.contacts = rapidContacts(blank_, *work, holding, progress);
-  tellByHand(path, summary.contacts);
-  const std::vector<ThreadingPlace> places =
-      threadingPlaces(path, tools, *work, summary.contacts, blank_.z_low);
-  summary.threading = threadingFaults(blank_, *work, places, holding, progress);
-  summary.fallen = fallenPieces(path, *work, blank_.height(), falls.pieces);
+  if (summary != nullptr && !progress.cancelled()) {
+    addRemoved(blank_, work->cuts, falls.pieces, *summary);
+    summary->contacts = rapidContacts(blank_, *work, holding, progress);
+    tellByHand(path, summary->contacts);
+    const std::vector<ThreadingPlace> places =
+        threadingPlaces(path, tools, *work, summary->contacts, blank_.z_low);
+    summary->threading = threadingFaults(blank_, *work, places, holding, progress);
+    summary->fallen = fallenPieces(path, *work, blank_.height(), falls.pieces);
+  }
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   setSections(std::move(falls.bodies));
   return Done{};
 }
 
-Status WireStock::removeLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
-                                RemovalSummary& summary, Progress& progress) {
+Status WireStock::cutLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
+                             RemovalSummary* summary, Progress& progress) {
   const HeightSpan span{blank_.z_low, blank_.z_high};
   const Result<LeanWork> work = leanWork(path, tools, span, tolerance);
   if (!work) return work.error();
-  LeanHandling handling(blank_, path, tools);
-  for (const double share : {0.0, 0.5, 1.0}) {
-    const double z = span.low + share * span.length();
-    const WireWork level = work->atHeight(span, z);
-    handling.look(level, z, share == 0.5 ? 4.0 / 6.0 : 1.0 / 6.0, progress);
-    if (share != 0.5) continue;
-    addRemoved(blank_, level.cuts, {}, summary);
-    std::vector<PlaneBody> last = cutSection(blank_.loops, level.cuts);
-    const WireHolding holding(blank_.held_at, last);
-    const WireFalls falls = findFalls(blank_.loops, level.cuts, std::move(last), holding);
-    summary.fallen = fallenPieces(path, level, blank_.height(), falls.pieces);
-  }
-  handling.tell(summary);
-  if (progress.cancelled()) return Done{};
+  if (summary != nullptr) handleLeaning(path, tools, *work, *summary, progress);
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   Result<LeanSolid> solid = leanSolid(blank_.loops, span, work->cuts, tolerance, progress);
   if (!solid) return solid.error();
   setSolid(std::move(*solid));
   return Done{};
+}
+
+void WireStock::handleLeaning(const Toolpath& path, const std::vector<Tool>& tools, const LeanWork& work,
+                              RemovalSummary& summary, Progress& progress) const {
+  const HeightSpan span{blank_.z_low, blank_.z_high};
+  LeanHandling handling(blank_, path, tools);
+  const auto edge = [&](double z) {
+    const WireWork level = work.atHeight(span, z);
+    const WireHolding holding(blank_.held_at, [&] { return cutSection(blank_.loops, level.cuts); });
+    handling.look(level, holding, z, 1.0 / 6.0, progress);
+  };
+  edge(span.low);
+  const double z = span.low + 0.5 * span.length();
+  const WireWork level = work.atHeight(span, z);
+  std::vector<PlaneBody> last = cutSection(blank_.loops, level.cuts);
+  const WireHolding holding(blank_.held_at, last);
+  handling.look(level, holding, z, 4.0 / 6.0, progress);
+  addRemoved(blank_, level.cuts, {}, summary);
+  const WireFalls falls = findFalls(blank_.loops, level.cuts, std::move(last), holding);
+  summary.fallen = fallenPieces(path, level, blank_.height(), falls.pieces);
+  edge(span.high);
+  handling.tell(summary);
 }
 
 std::vector<PlanePolygons> WireStock::outlinesAt(double z) const {
@@ -190,13 +208,7 @@ TriMesh WireStock::mesh(const std::vector<std::size_t>& bodies, double tolerance
     for (const std::size_t body : bodies) sections.push_back(sections_[body]);
     return prismMesh(sections, blank_.z_low, blank_.z_high, tolerance);
   }
-  for (const std::size_t body : bodies) {
-    const TriMesh& shell = solid_->bodies[body].mesh;
-    const auto first = static_cast<std::uint32_t>(out.positions.size());
-    out.positions.insert(out.positions.end(), shell.positions.begin(), shell.positions.end());
-    out.motion.insert(out.motion.end(), shell.motion.begin(), shell.motion.end());
-    for (const auto& [a, b, c] : shell.triangles) out.triangles.push_back({first + a, first + b, first + c});
-  }
+  for (const std::size_t body : bodies) append(out, solid_->bodies[body].mesh);
   return out;
 }
 

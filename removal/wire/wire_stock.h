@@ -19,6 +19,8 @@
 
 namespace proveout {
 
+struct LeanWork;
+
 /// A blank with upright walls; mm, workpiece frame.
 struct PrismBlank {
   std::vector<PlaneLoop> loops;  ///< borders and start holes that do not cross
@@ -54,6 +56,8 @@ class WireStock {
   /// leanSolid().
   Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
                                 Progress& progress);
+  /// In place of remove(): the bodies alone, without contacts and what each motion removed.
+  Status cut(const Toolpath& path, const std::vector<Tool>& tools, double tolerance, Progress& progress);
 
   /// What is left, the largest first.
   const std::vector<WireBody>& bodies() const { return bodies_; }
@@ -69,10 +73,13 @@ class WireStock {
   double volume() const;         ///< mm3, of what is left
 
  private:
-  Status removeUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary& summary,
-                       Progress& progress);
-  Status removeLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
-                       RemovalSummary& summary, Progress& progress);
+  // Without a summary nothing but the bodies is found.
+  Status cutUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary* summary,
+                    Progress& progress);
+  Status cutLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
+                    RemovalSummary* summary, Progress& progress);
+  void handleLeaning(const Toolpath& path, const std::vector<Tool>& tools, const LeanWork& work,
+                     RemovalSummary& summary, Progress& progress) const;
   void setSections(std::vector<PlaneBody> sections);
   void setSolid(LeanSolid solid);
 

@@ -46,8 +46,8 @@ void addSpiral(const WireTrack& track, WireStretch stretch, std::vector<WireStre
   const int count = std::max(1, static_cast<int>(std::ceil(sweep / (2.0 * half))));
   for (int i = 0; i < count; ++i) {
     stretch.from = i == 0 ? track.from : out.back().to;
-    stretch.to = i + 1 == count ? track.to : pointOnArc(track, (i + 1.0) / count);
-    const Vec2 middle = pointOnArc(track, (i + 0.5) / count);
+    stretch.to = i + 1 == count ? track.to : pointOnTrack(track, (i + 1.0) / count);
+    const Vec2 middle = pointOnTrack(track, (i + 0.5) / count);
     if (circleThrough(stretch.from, middle, stretch.to, stretch.center)) {
       const Vec2 u = stretch.from - stretch.center, v = stretch.to - stretch.center;
       stretch.sweep_rad = std::atan2(cross2(u, v), u.dot(v));
@@ -113,7 +113,8 @@ Box3 boundsOf(const WireStretch& s) {
 
 bool isUpright(const WireSweep& wire) { return sameTrack(wire.lower, wire.upper); }
 
-Vec2 pointOnArc(const WireTrack& track, double t) {
+Vec2 pointOnTrack(const WireTrack& track, double t) {
+  if (track.sweep_rad == 0.0) return track.from + t * (track.to - track.from);
   const Vec2 start = track.from - track.center, end = track.to - track.center;
   const double first = start.norm(), last = end.norm();
   const double radius = first + t * (last - first);

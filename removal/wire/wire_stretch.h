@@ -44,8 +44,8 @@ inline constexpr double kUprightMm = 1e-6;
 /// Whether the wire stands upright all along the motion.
 bool isUpright(const WireSweep& wire);
 
-/// Of a track that is an arc, 0 <= t <= 1.
-Vec2 pointOnArc(const WireTrack& track, double t);
+/// A point of a track, 0 <= t <= 1.
+Vec2 pointOnTrack(const WireTrack& track, double t);
 
 /// Adds the stretches of an upright motion. Arcs whose radius changes become arcs of circles that leave it by
 /// no more than 0.00001 mm.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/session/blank.h"
+#include "core/mesh/shells.h"
 #include "core/mesh/tri_mesh.h"
 #include "tests/soak/laws.h"
 
@@ -147,36 +148,24 @@ std::optional<std::string> verticesOnWalls(const Walls& walls, const TriMesh& me
 
 /// The shells of a mesh: those of pieces that fell while the program went on, which later cuts do not reach,
 /// and the others.
-struct Shells {
+struct Fallen {
   TriMesh fallen, others;
 };
 /// Crumbs, which fall untold, are counted among them.
-Shells shellsOf(const TriMesh& mesh, const std::vector<FallenPiece>& fallen, double z_low, double crumb_mm3) {
-  std::uint32_t count = 0;
-  const std::vector<std::uint32_t> shell = meshComponents(mesh, count);
-  std::vector<TriMesh> all(count);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    TriMesh& one = all[shell[t]];
-    const auto first = static_cast<std::uint32_t>(one.positions.size());
-    for (const std::uint32_t corner : mesh.triangles[t]) one.positions.push_back(mesh.positions[corner]);
-    one.triangles.push_back({first, first + 1, first + 2});
-  }
-  Shells out;
-  for (const TriMesh& one : all) {
+Fallen fallenOf(const TriMesh& mesh, const std::vector<FallenPiece>& fallen, double z_low, double crumb_mm3) {
+  Fallen out;
+  for (const TriMesh& one : shellMeshes(splitShells(mesh))) {
     const bool fell = meshVolume(one) < crumb_mm3 ||
                       std::any_of(fallen.begin(), fallen.end(), [&](const FallenPiece& piece) {
                         return coveredAt(one, Vec3(piece.where.x(), piece.where.y(), z_low));
                       });
-    TriMesh& to = fell ? out.fallen : out.others;
-    const auto first = static_cast<std::uint32_t>(to.positions.size());
-    to.positions.insert(to.positions.end(), one.positions.begin(), one.positions.end());
-    for (const auto& [a, b, c] : one.triangles) to.triangles.push_back({first + a, first + b, first + c});
+    append(fell ? out.fallen : out.others, one);
   }
   return out;
 }
 
 /// Points of the lower and the upper face.
-std::optional<std::string> facesAreWhatIsLeft(const Walls& walls, const Shells& mesh, const Box3& bounds,
+std::optional<std::string> facesAreWhatIsLeft(const Walls& walls, const Fallen& mesh, const Box3& bounds,
                                               double within, std::uint64_t seed) {
   constexpr int kPoints = 200;
   Random random(seed);
@@ -206,7 +195,7 @@ std::optional<std::string> wallsBesideTheWire(const LawCase& c) {
   const SetupRun& setup = c.whole.setups.back();
   const Walls walls(blank->shape, setup);
   const double within = kWithin + setup.facet_error_mm;
-  const Shells mesh = shellsOf(setup.surface.mesh, setup.removal.fallen, blank->bounds.min.z(),
+  const Fallen mesh = fallenOf(setup.surface.mesh, setup.removal.fallen, blank->bounds.min.z(),
                                kPi * walls.kerf() * walls.kerf() * blank->bounds.size().z());
   if (const auto broken = verticesOnWalls(walls, mesh.others, within)) return broken;
   return facesAreWhatIsLeft(walls, mesh, blank->bounds, within, c.runner.made().seed);

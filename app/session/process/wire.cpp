@@ -1,4 +1,4 @@
-// Cutting with a wire: the workpiece is a section of lines and arcs.
+// Cutting with a wire: the workpiece is sections, or on the grid where its blank is no prism.
 #include <fmt/format.h>
 
 #include "app/session/process/process.h"

@@ -1,5 +1,5 @@
 // Meshes of several bodies: taken apart, joined, or refused.
-#include "removal/compare/bodies.h"
+#include "core/mesh/shells.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -156,9 +156,7 @@ double materialAt(const std::vector<WireSweep>& sweeps, double rho, const Vec3& 
   double least = 20.0 - p.head<2>().cwiseAbs().maxCoeff();
   for (const WireSweep& sweep : sweeps) {
     const auto off = [&](double t) {
-      const auto on = [&](const WireTrack& track) {
-        return track.sweep_rad == 0.0 ? Vec2(track.from + t * (track.to - track.from)) : pointOnArc(track, t);
-      };
+      const auto on = [&](const WireTrack& track) { return pointOnTrack(track, t); };
       const Vec2 low = on(sweep.lower), high = on(sweep.upper);
       const Vec2 lean = (high - low) / (sweep.z_high - sweep.z_low);
       const Vec2 d = p.head<2>() - low - lean * (p.z() - sweep.z_low);
@@ -205,9 +203,7 @@ void expectMaterial(const LeanSolid& solid, const std::vector<WireSweep>& sweeps
     if (i % 2 == 0) {  // close to the wire
       const WireSweep& s = sweeps[random() % sweeps.size()];
       const double w = p.z() / 20.0, t = share(random);
-      const auto on = [&](const WireTrack& track) {
-        return track.sweep_rad == 0.0 ? Vec2(track.from + t * (track.to - track.from)) : pointOnArc(track, t);
-      };
+      const auto on = [&](const WireTrack& track) { return pointOnTrack(track, t); };
       p.head<2>() = (1 - w) * on(s.lower) + w * on(s.upper) + Vec2(near(random), near(random));
     }
     const double material = materialAt(sweeps, rho, p);

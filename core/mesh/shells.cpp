@@ -1,8 +1,9 @@
-#include "removal/compare/bodies.h"
+#include "core/mesh/shells.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/mesh/edge_table.h"
 
@@ -10,12 +11,12 @@ namespace proveout {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+constexpr std::uint32_t kNoVertex = 0xFFFFFFFFu;
 /// Faces at an edge that differ by less than this lie on each other, rad: what float coordinates can tell.
 constexpr double kSameAngle = 1e-5;
 
 /// A triangle at an edge of many.
-struct Leaf {
+struct EdgeLeaf {
   std::uint32_t half_edge;
   double angle;  ///< of the triangle about the edge, 0..2 pi
   bool upwards;  ///< uses the edge from the low to the high vertex: its material lies at lower angles
@@ -24,7 +25,7 @@ struct Leaf {
 /// Finds for each half-edge the one of the triangle that goes on behind its edge.
 class EdgePairs {
  public:
-  explicit EdgePairs(const TriMesh& mesh) : mesh_(mesh), partner_(3 * mesh.triangles.size(), kNone) {
+  explicit EdgePairs(const TriMesh& mesh) : mesh_(mesh), partner_(3 * mesh.triangles.size(), kNoPartner) {
     const EdgeTable edges(mesh.positions.size(), mesh.triangles);
     edges.forEachEdge([&](std::uint32_t low, const HalfEdge* first, const HalfEdge* last) {
       if (last - first == 2) {
@@ -34,7 +35,7 @@ class EdgePairs {
       }
     });
   }
-  std::uint32_t operator[](std::uint32_t half_edge) const { return partner_[half_edge]; }
+  std::vector<std::uint32_t> take() { return std::move(partner_); }
 
  private:
   void pair(std::uint32_t a, std::uint32_t b) {
@@ -48,13 +49,14 @@ class EdgePairs {
   void pairMany(std::uint32_t low, const HalfEdge* first, const HalfEdge* last) {
     const Vec3 origin = point(low), along = (point(first->other) - origin).normalized();
     const Vec3 u = along.unitOrthogonal(), v = along.cross(u);
-    std::vector<Leaf> leaves;
+    std::vector<EdgeLeaf> leaves;
     for (const HalfEdge* h = first; h < last; ++h) {
       const auto& t = mesh_.triangles[h->half_edge / 3];
       const Vec3 to = point(t[(h->half_edge + 2) % 3]) - origin;
       leaves.push_back({h->half_edge, std::atan2(to.dot(v), to.dot(u)), t[h->half_edge % 3] == low});
     }
-    std::sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.angle < b.angle; });
+    std::sort(leaves.begin(), leaves.end(),
+              [](const EdgeLeaf& a, const EdgeLeaf& b) { return a.angle < b.angle; });
     // Where two lie on each other, the material that ends there ends before the other begins.
     for (std::size_t i = 0; i + 1 < leaves.size(); ++i) {
       for (std::size_t j = i + 1; j < leaves.size() && leaves[j].angle - leaves[i].angle < kSameAngle; ++j) {
@@ -63,8 +65,8 @@ class EdgePairs {
     }
     std::vector<std::uint32_t> open;
     for (int round = 0; round < 2; ++round) {  // the second one closes what began at the end of the first
-      for (const Leaf& leaf : leaves) {
-        if (partner_[leaf.half_edge] != kNone) continue;
+      for (const EdgeLeaf& leaf : leaves) {
+        if (partner_[leaf.half_edge] != kNoPartner) continue;
         if (!leaf.upwards) {
           if (round == 0) open.push_back(leaf.half_edge);
         } else if (!open.empty()) {
@@ -81,14 +83,16 @@ class EdgePairs {
 
 }  // namespace
 
+std::vector<std::uint32_t> edgePartners(const TriMesh& mesh) { return EdgePairs(mesh).take(); }
+
 Shells splitShells(const TriMesh& mesh) {
-  const EdgePairs partner(mesh);
+  const std::vector<std::uint32_t> partner = edgePartners(mesh);
   const auto corners = static_cast<std::uint32_t>(3 * mesh.triangles.size());
   const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
   DisjointSets fans(corners), shells(mesh.triangles.size());
   for (std::uint32_t h = 0; h < corners; ++h) {
     const std::uint32_t other = partner[h];
-    if (other == kNone) continue;
+    if (other == kNoPartner) continue;
     // The start of one is the end of the other.
     fans.join(h, next(other));
     fans.join(next(h), other);
@@ -97,10 +101,10 @@ Shells splitShells(const TriMesh& mesh) {
   Shells out;
   out.mesh.motion = mesh.motion;
   out.mesh.triangles.resize(mesh.triangles.size());
-  std::vector<std::uint32_t> vertex_of(corners, kNone), number(mesh.triangles.size(), kNone);
+  std::vector<std::uint32_t> vertex_of(corners, kNoVertex), number(mesh.triangles.size(), kNoVertex);
   for (std::uint32_t h = 0; h < corners; ++h) {
     std::uint32_t& vertex = vertex_of[fans.find(h)];
-    if (vertex == kNone) {
+    if (vertex == kNoVertex) {
       vertex = static_cast<std::uint32_t>(out.mesh.positions.size());
       out.mesh.positions.push_back(mesh.positions[mesh.triangles[h / 3][h % 3]]);
     }
@@ -108,7 +112,7 @@ Shells splitShells(const TriMesh& mesh) {
   }
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     std::uint32_t& shell = number[shells.find(t)];
-    if (shell == kNone) shell = out.count++;
+    if (shell == kNoVertex) shell = out.count++;
     out.shell_of.push_back(shell);
   }
   return out;
@@ -116,13 +120,13 @@ Shells splitShells(const TriMesh& mesh) {
 
 std::vector<TriMesh> shellMeshes(const Shells& shells) {
   std::vector<TriMesh> out(shells.count);
-  std::vector<std::uint32_t> vertex_of(shells.mesh.positions.size(), kNone);  // each is of one shell
+  std::vector<std::uint32_t> vertex_of(shells.mesh.positions.size(), kNoVertex);  // each is of one shell
   for (std::size_t t = 0; t < shells.shell_of.size(); ++t) {
     TriMesh& shell = out[shells.shell_of[t]];
     std::array<std::uint32_t, 3> triangle;
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t old = shells.mesh.triangles[t][c];
-      if (vertex_of[old] == kNone) {
+      if (vertex_of[old] == kNoVertex) {
         vertex_of[old] = static_cast<std::uint32_t>(shell.positions.size());
         shell.positions.push_back(shells.mesh.positions[old]);
       }

@@ -8,6 +8,12 @@
 
 namespace proveout {
 
+inline constexpr std::uint32_t kNoPartner = 0xFFFFFFFFu;
+/// For each half-edge, 3 * triangle + corner, that of the triangle which goes on behind its edge; kNoPartner:
+/// there is none. At edges of more than two triangles those go with each other that have material between
+/// them.
+std::vector<std::uint32_t> edgePartners(const TriMesh& mesh);
+
 /// A mesh taken apart.
 struct Shells {
   TriMesh mesh;                         ///< 2-manifold: vertices stand once for each fan of triangles
