@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "app/freed_pieces.h"
 #include "core/mesh/shells.h"
@@ -44,6 +45,17 @@ class PictureMaker {
                Progress& progress)
       : mesh_(mesh), request_(request), failures_(failures), progress_(progress) {}
 
+  /// A scene of the run's mesh: all of them share what is known of it.
+  RenderScene sceneOfMesh() {
+    RenderScene scene(mesh_);
+    if (!drawn_) {
+      // What is wrong with the mesh the picture says as well.
+      if (auto drawn = prepareDrawing(mesh_, request_.threads)) drawn_ = std::move(*drawn);
+    }
+    scene.drawn = drawn_;
+    return scene;
+  }
+
   /// Errors: interrupted. Others are kept.
   Status add(RenderScene scene, const std::string& view_name, const std::string& file,
              const std::string& title) {
@@ -63,7 +75,7 @@ class PictureMaker {
 
   Status addViews() {
     for (const std::string& view : request_.views) {
-      if (Status done = add(RenderScene(mesh_), view, view + ".png", view); !done) return done;
+      if (Status done = add(sceneOfMesh(), view, view + ".png", view); !done) return done;
     }
     return Done{};
   }
@@ -75,7 +87,7 @@ class PictureMaker {
 
   Status addDeviation(const std::vector<Marker>& markers) {
     const Comparison& comparison = *request_.comparison;
-    RenderScene scene(mesh_);
+    RenderScene scene = sceneOfMesh();
     addHeatMap(comparison, scene);
     scene.show_legend = annotated();
     if (annotated()) {
@@ -89,7 +101,7 @@ class PictureMaker {
   }
 
   Status addFindings(const std::vector<Marker>& markers) {
-    RenderScene scene(mesh_);
+    RenderScene scene = sceneOfMesh();
     scene.markers = markers;
     const std::size_t located = static_cast<std::size_t>(std::count_if(
         request_.findings->begin(), request_.findings->end(),
@@ -118,6 +130,7 @@ class PictureMaker {
   }
 
   const TriMesh& mesh_;
+  std::shared_ptr<const DrawnMesh> drawn_;
   const PictureRequest& request_;
   std::vector<Error>& failures_;
   Progress& progress_;

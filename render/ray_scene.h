@@ -18,6 +18,24 @@
 
 namespace proveout::render_detail {
 
+/// Rays that are traced together. Lanes whose `active` is 0 are left alone.
+struct RayPack {
+  static constexpr int kRays = 8;
+  using Lane = std::array<float, kRays>;
+  alignas(32) std::array<Lane, 3> origin{};     ///< x, y, z, units
+  alignas(32) std::array<Lane, 3> direction{};  ///< unit vectors
+  alignas(32) std::array<int, kRays> active{};  ///< -1 or 0, as Embree has it
+
+  void set(int lane, const Eigen::Vector3f& from, const Eigen::Vector3f& towards) {
+    const auto k = static_cast<std::size_t>(lane);
+    for (int c = 0; c < 3; ++c) {
+      origin[static_cast<std::size_t>(c)][k] = from[c];
+      direction[static_cast<std::size_t>(c)][k] = towards[c];
+    }
+    active[k] = -1;
+  }
+};
+
 struct Hit {
   std::uint32_t triangle = 0;
   float u = 0, v = 0;  ///< weights of the second and third corner
@@ -28,12 +46,10 @@ struct Hit {
 /// Immutable after build(); queries may come from any thread.
 class RayScene {
  public:
-  RayScene();
-  ~RayScene();
-  RayScene(RayScene&&) noexcept;
-
   /// `mesh` has at least one triangle, valid indices and finite positions.
-  static Result<RayScene> build(const TriMesh& mesh, const std::optional<SectionCut>& section);
+  static Result<RayScene> build(const TriMesh& mesh);
+  /// The same mesh, without what `section` cuts away. Shares the search tree.
+  RayScene cut(const SectionCut& section) const;
 
   Eigen::Vector3f toUnit(const Vec3& p) const { return ((p - center_) / radius_).cast<float>(); }
   double radius() const { return radius_; }  ///< mm to one unit
@@ -45,29 +61,38 @@ class RayScene {
   /// Whether the point (mm) is in the quarter that is cut away.
   bool cutAway(const Vec3& p) const;
 
-  /// Nearest hit along a ray in units, or false.
-  bool intersect(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, Hit& hit) const;
+  /// Nearest hits along rays without end, units: one for each lane with a bit in the result.
+  std::uint32_t intersect(const RayPack& rays, std::array<Hit, RayPack::kRays>& hits) const;
+  /// Bits of the lanes that meet anything within `reach`, units.
+  std::uint32_t occluded(const RayPack& rays, float reach) const;
   bool occluded(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float reach) const;
 
  private:
+  RayScene() = default;
+
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::shared_ptr<const Impl> impl_;
   Vec3 center_ = Vec3::Zero();
   double radius_ = 1.0;
   float floor_ = 0.0F;
   bool has_cut_ = false;
   Eigen::Vector3f cut_at_ = Eigen::Vector3f::Zero();  ///< a point of the axis, units
-  std::array<Eigen::Vector3f, 2> cut_normals_;        ///< into the quarter
+  std::array<Eigen::Vector3f, 2> cut_normals_ = {Eigen::Vector3f::Zero(),
+                                                 Eigen::Vector3f::Zero()};  ///< into the quarter
 
   /// Where a ray is within the quarter: from `enter` to `leave`, out of it through cut face `face`.
   struct CutSpan {
     float enter = 0, leave = 0;
     int face = -1;  ///< -1: the ray stays in it
   };
-  bool cutSpan(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, CutSpan& span) const;
-  bool nearest(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float from, float to,
-               Hit& hit, bool& back_face) const;
-  bool anyHit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float from, float to) const;
+  bool cutSpan(const RayPack& rays, std::size_t lane, CutSpan& span) const;
+
+  using Lanes = std::array<float, RayPack::kRays>;
+  /// Those of the rays' lanes with a bit in `lanes`, from `from` to `to` along them. Bits of `back`: the hit
+  /// triangle shows its back.
+  std::uint32_t nearest(const RayPack& rays, std::uint32_t lanes, const Lanes& from, const Lanes& to,
+                        std::array<Hit, RayPack::kRays>& hits, std::uint32_t& back) const;
+  std::uint32_t anyHit(const RayPack& rays, std::uint32_t lanes, const Lanes& from, const Lanes& to) const;
 };
 
 }  // namespace proveout::render_detail

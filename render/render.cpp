@@ -8,8 +8,7 @@
 #include <cmath>
 
 #include "render/annotations.h"
-#include "render/ray_scene.h"
-#include "render/shading_normals.h"
+#include "render/drawn_mesh.h"
 #include "render/tracer.h"
 
 namespace proveout {
@@ -80,21 +79,37 @@ std::optional<SectionCut> sectionOf(const RenderScene& scene, const View& view) 
   return SectionCut{Vec2(middle.x(), middle.y()), view.back.x() < 0 ? -1 : 1, view.back.y() < 0 ? -1 : 1};
 }
 
+Result<std::shared_ptr<const DrawnMesh>> drawnMesh(const TriMesh& mesh) {
+  Result<RayScene> rays = RayScene::build(mesh);
+  if (!rays) return rays.error();
+  return std::shared_ptr<const DrawnMesh>(std::make_shared<DrawnMesh>(mesh, std::move(*rays)));
+}
+
+/// Calls `work` on so many threads, 0: all cores.
+template <typename Work>
+auto onThreads(int threads, const Work& work) {
+  // Embree limits TBB to the cores there are and would complain of a larger arena.
+  const int cores = tbb::info::default_concurrency();
+  return tbb::task_arena(threads > 0 ? std::min(threads, cores) : cores).execute(work);
+}
+
 Result<Image> draw(const RenderScene& scene, const View& view, ImageSize size, const RenderOptions& options,
                    Progress& progress) {
-  Result<RayScene> rays = RayScene::build(scene.mesh, sectionOf(scene, view));
-  if (!rays) return rays.error();
+  Result<std::shared_ptr<const DrawnMesh>> drawn = scene.drawn;
+  if (!scene.drawn) drawn = drawnMesh(scene.mesh);
+  if (!drawn) return drawn.error();
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted while drawing"};
-  const auto faces = render_detail::faceNormals(scene.mesh);
-  const auto corners = render_detail::cornerNormals(scene.mesh, faces);
+  const std::optional<SectionCut> section = sectionOf(scene, view);
+  const RayScene rays = section ? (*drawn)->rays().cut(*section) : (*drawn)->rays();
   const Camera camera = sceneCamera(scene, view, size);
-  Result<Image> image = render_detail::trace({scene, *rays, faces, corners, camera, size, options}, progress);
+  Result<Image> image =
+      render_detail::trace({scene, rays, (*drawn)->normals(), camera, size, options}, progress);
   if (!image) return image;
   const Eigen::Vector3f back = camera.back.cast<float>();
   const auto visible = [&](const Vec3& p) {
     constexpr float kSlack =
         0.01F;  // a finding lies on the nominal or in the middle of a patch, not on this mesh
-    return !rays->cutAway(p) && !rays->occluded(rays->toUnit(p) + back * kSlack, back, 4.0F);
+    return !rays.cutAway(p) && !rays.occluded(rays.toUnit(p) + back * kSlack, back, 4.0F);
   };
   render_detail::drawAnnotations(scene, render_detail::layoutPage(scene, size), camera, visible, *image);
   return image;
@@ -106,13 +121,15 @@ Camera sceneCamera(const RenderScene& scene, const View& view, ImageSize size) {
   return fitCamera(scene.mesh, view, render_detail::layoutPage(scene, size).part);
 }
 
+Result<std::shared_ptr<const DrawnMesh>> prepareDrawing(const TriMesh& mesh, int threads) {
+  if (const Status ok = checkMesh(mesh); !ok) return ok.error();
+  return onThreads(threads, [&] { return drawnMesh(mesh); });
+}
+
 Result<Image> renderMesh(const RenderScene& scene, const View& view, ImageSize size,
                          const RenderOptions& options, Progress& progress) {
   if (const Status ok = checkScene(scene, size, options); !ok) return ok.error();
-  // Embree limits TBB to the cores there are and would complain of a larger arena.
-  const int cores = tbb::info::default_concurrency();
-  const int threads = options.threads > 0 ? std::min(options.threads, cores) : cores;
-  return tbb::task_arena(threads).execute([&] { return draw(scene, view, size, options, progress); });
+  return onThreads(options.threads, [&] { return draw(scene, view, size, options, progress); });
 }
 
 Rgb toolTint(int tool) {

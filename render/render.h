@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,11 +58,16 @@ struct SectionCut {
   int side_x = 1, side_y = -1;  ///< 1 or -1; the quarter where these are the signs of x and y from the axis
 };
 
+class DrawnMesh;
+/// Of a mesh that several pictures show. `threads` as in RenderOptions. Errors as of renderMesh.
+Result<std::shared_ptr<const DrawnMesh>> prepareDrawing(const TriMesh& mesh, int threads);
+
 struct RenderScene {
   explicit RenderScene(const TriMesh& m) : mesh(m) {}
-  const TriMesh& mesh;               ///< must outlive the scene
-  ScalarField field;                 ///< deviation heat map; goes before `triangle_colors`
-  std::vector<Rgb> triangle_colors;  ///< empty or one per triangle (tint by tool or motion)
+  const TriMesh& mesh;                     ///< must outlive the scene
+  std::shared_ptr<const DrawnMesh> drawn;  ///< of this mesh; null: made for the picture alone
+  ScalarField field;                       ///< deviation heat map; goes before `triangle_colors`
+  std::vector<Rgb> triangle_colors;        ///< empty or one per triangle (tint by tool or motion)
   std::vector<Marker> markers;
   bool show_legend = false;  ///< needs a scalar field
   Legend legend;
@@ -73,7 +79,7 @@ struct RenderScene {
 
 struct RenderOptions {
   int threads = 0;     ///< 0: all cores
-  int samples = 4;     ///< rays through each pixel, 1..64; light and occlusion take as many each
+  int samples = 8;     ///< rays through each pixel that an edge crosses, 1..64
   bool ground = true;  ///< draw the shadow on a plane under the part, where the view looks down on it
   Rgb background{0.955F, 0.960F, 0.968F};  ///< sRGB, 0..1
 };

@@ -20,4 +20,11 @@ std::vector<Eigen::Vector3f> faceNormals(const TriMesh& mesh);
 std::vector<std::array<Eigen::Vector3f, 3>> cornerNormals(const TriMesh& mesh,
                                                           const std::vector<Eigen::Vector3f>& faces);
 
+/// Both of a mesh.
+struct MeshNormals {
+  explicit MeshNormals(const TriMesh& mesh) : faces(faceNormals(mesh)), corners(cornerNormals(mesh, faces)) {}
+  std::vector<Eigen::Vector3f> faces;                   ///< by triangle
+  std::vector<std::array<Eigen::Vector3f, 3>> corners;  ///< by corner of a triangle
+};
+
 }  // namespace proveout::render_detail

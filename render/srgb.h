@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "render/color_map.h"
 
@@ -29,16 +30,29 @@ class SrgbTable {
   }
   Eigen::Vector3f toLinear(const Rgb& c) const { return {toLinear(c[0]), toLinear(c[1]), toLinear(c[2])}; }
 
-  /// Linear light to the nearest sRGB byte; clamps.
-  static std::uint8_t toByte(float linear) {
-    const float l = std::clamp(linear, 0.0F, 1.0F);
-    const float s = l <= 0.0031308F ? 12.92F * l : 1.055F * std::pow(l, 1.0F / 2.4F) - 0.055F;
-    return static_cast<std::uint8_t>(std::lround(255.0F * s));
-  }
-
  private:
   static constexpr int kSteps = 1020;  ///< a multiple of 255: bytes map exactly
   std::array<float, kSteps + 1> to_linear_;
+};
+
+/// Linear light to the nearest sRGB byte; clamps.
+class LinearToByte {
+ public:
+  LinearToByte() : bytes_(kSteps + 1) {
+    for (int i = 0; i <= kSteps; ++i) {
+      const double l = static_cast<double>(i) / kSteps;
+      const double s = l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055;
+      bytes_[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(255.0 * s));
+    }
+  }
+  std::uint8_t operator()(float linear) const {
+    return bytes_[static_cast<std::size_t>(std::clamp(linear, 0.0F, 1.0F) * kSteps + 0.5F)];
+  }
+
+ private:
+  static constexpr int kSteps =
+      1 << 15;  ///< the steepest stretch, where it is dark, then moves by a tenth of a byte
+  std::vector<std::uint8_t> bytes_;
 };
 
 }  // namespace proveout::render_detail

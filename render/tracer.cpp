@@ -1,294 +1,173 @@
 #include "render/tracer.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "core/base/parallel_for.h"
+#include "render/light_grid.h"
 #include "render/srgb.h"
 
 namespace proveout::render_detail {
 namespace {
 
 using Vec3f = Eigen::Vector3f;
+using What = Seen::What;
 
-constexpr Rgb kPartColor{0.74F, 0.76F, 0.79F};       ///< sRGB, bare metal
-constexpr Rgb kCutColor{0.86F, 0.66F, 0.40F};        ///< sRGB, faces that a section cuts
-constexpr Rgb kCutColorInHeat{0.66F, 0.66F, 0.60F};  ///< between the scale's grey and that of "not measured"
-constexpr float kHatchPitch = 11.0F, kHatchWidth = 1.2F;  ///< pixels; half the width with its soft edge
-constexpr float kHatchDepth = 0.38F;
-constexpr float kKeyLight = 0.98F;                   ///< irradiance of the key light, facing it
-constexpr float kSkyLight = 0.36F;                   ///< irradiance of the sky, unoccluded
-constexpr float kHeatKey = 0.66F, kHeatSky = 0.50F;  ///< flatter, so that heat maps keep the legend's colours
-constexpr float kGloss = 0.10F;                      ///< height of the highlight
-constexpr float kGlossPower = 24.0F;
-constexpr float kLightRadius = 0.16F;  ///< of the light's disc at unit distance: soft shadows
-constexpr float kSkyReach = 0.45F;     ///< occluders farther than this (units) do not darken the sky
-constexpr float kRayOffset = 1e-4F;    ///< units; float positions and hits are good to about 1e-6
-constexpr float kSmooth = 0.02F;  ///< of the scale: vertices that differ by less tell the field between them
-constexpr float kSameFace = 0.999F;  ///< cosine between faces that are one for the eye
-constexpr float kGroundShadow = 0.34F, kGroundDirt = 0.42F;
-constexpr int kFilterRadius = 3;  ///< pixels
-constexpr int kBandRows = 192;    ///< rows traced at a time: bounds the memory
-
-/// Sums over the samples of a pixel.
-struct PixelSums {
-  Vec3f direct = Vec3f::Zero();  ///< colour under the unshadowed key light, linear
-  Vec3f sky = Vec3f::Zero();     ///< colour under the open sky, linear
-  Vec3f normal = Vec3f::Zero();
-  float depth = 0;                      ///< units along the view
-  float part = 0, light = 0, open = 0;  ///< samples on the part; of them lit; of them open to the sky
-  float ground = 0, ground_light = 0, ground_open = 0;
-};
-
-std::uint32_t hash(std::uint32_t x) {  // Bob Jenkins' style avalanche with multipliers by Ellis ("lowbias32")
-  x ^= x >> 16;
-  x *= 0x7feb352dU;
-  x ^= x >> 15;
-  x *= 0x846ca68bU;
-  return x ^ (x >> 16);
-}
-
-/// Point k of the additive sequence of the plastic number (Roberts' R2), shifted per pixel: even in the unit
-/// square for any count, and a function of pixel and index alone.
-Eigen::Vector2f evenPoint(std::uint32_t seed, std::uint32_t k) {
-  const std::uint32_t x = hash(seed) + (k + 1) * 3242174889U;
-  const std::uint32_t y = hash(seed ^ 0x9e3779b9U) + (k + 1) * 2447445414U;
-  return {static_cast<float>(x >> 8) * 0x1p-24F, static_cast<float>(y >> 8) * 0x1p-24F};
-}
-
-struct Basis {
-  Vec3f a, b;
-};
-Basis basisAround(const Vec3f& n) {
-  const Vec3f hint = std::abs(n.z()) < 0.9F ? Vec3f(0, 0, 1) : Vec3f(1, 0, 0);
-  const Vec3f a = hint.cross(n).normalized();
-  return {a, n.cross(a)};
-}
-
-/// Cosine-weighted direction about n.
-Vec3f hemisphere(const Vec3f& n, const Eigen::Vector2f& xi) {
-  const Basis basis = basisAround(n);
-  const float r = std::sqrt(xi.x()), angle = 2.0F * static_cast<float>(kPi) * xi.y();
-  return basis.a * (r * std::cos(angle)) + basis.b * (r * std::sin(angle)) +
-         n * std::sqrt(std::max(0.0F, 1 - xi.x()));
-}
+constexpr float kGroundGap = 1e-4F;  ///< units under the part
+constexpr std::size_t kBandBytes = std::size_t{16} << 20;
+constexpr int kBlock = 2;            ///< pixels
+constexpr float kEdgeBend = 0.003F;  ///< of a cosine between neighbours that an edge parts
+constexpr float kEdgeStep = 1.5F;    ///< pixels across the surface
+constexpr float kEdgeColor = 0.02F;  ///< linear
+constexpr float kNearPixels = 4.0F;  ///< see likeness
+constexpr float kSamePart = 0.9F;    ///< likeness of what one pixel shows: lit alike
 
 class Tracer {
  public:
   explicit Tracer(const TraceInput& in)
       : in_(in),
-        right_(in.camera.right.cast<float>()),
-        up_(in.camera.up.cast<float>()),
+        surfaces_(in.scene, in.rays, in.normals, in.camera),
+        lights_(in.camera, !in.scene.field.values.empty()),
         back_(in.camera.back.cast<float>()),
         pixel_(static_cast<float>(in.camera.mm_per_pixel / in.rays.radius())),
-        heat_(!in.scene.field.values.empty()),
+        background_(srgb_.toLinear(in.options.background)),
         ground_(in.options.ground && back_.z() > 0.05F) {
-    // From the upper left, over the viewer's shoulder; it follows the view, so that every view reads alike.
-    light_ = (right_ * -0.48F + up_ * 0.54F + back_ * 0.69F).normalized();
-    light_basis_ = basisAround(light_);
-    half_ = (light_ + back_).normalized();
-    sky_up_ = (up_ * 0.6F + Vec3f(0, 0, back_.z() < -0.5F ? -0.4F : 0.4F)).normalized();
+    // The picture's plane before the part, which lies within one unit of its centre.
+    const Vec3f corner = in.rays.toUnit(in.camera.unproject(Vec2::Zero()));
+    corner_ = corner + back_ * (2.0F - corner.dot(back_));
+    right_ = in.camera.right.cast<float>() * pixel_;
+    down_ = in.camera.up.cast<float>() * -pixel_;
   }
 
-  PixelSums pixel(int x, int y) const {
-    PixelSums sums;
-    Asked asked;
-    const auto pixel_seed =
-        hash(static_cast<std::uint32_t>(x) * 0x01000193U ^ hash(static_cast<std::uint32_t>(y)));
-    for (int s = 0; s < in_.options.samples; ++s) {
-      const auto k = static_cast<std::uint32_t>(s);
-      // The same offsets in every pixel: straight edges then step evenly.
-      const Eigen::Vector2f at =
-          evenPoint(17, k) + Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y));
-      sample(at, pixel_seed, k, asked, sums);
+  float nearUnits() const { return kNearPixels * pixel_; }
+  const Lights& lights() const { return lights_; }
+
+  /// Fills row y and the one below.
+  void seeRows(SeenBand& band, int y) const {
+    for (int below = 0; below < kBlock && y + below < band.first + band.rows; ++below) {
+      Seen* row = &band.seen[static_cast<std::size_t>(y + below - band.first) * band.width];
+      const Seen* first = row - static_cast<std::ptrdiff_t>(below) * band.width;
+      for (int x = 0; x < band.width; x += RayPack::kRays) {
+        const int count = std::min(RayPack::kRays, band.width - x);
+        Points at;
+        for (int n = 0; n < count; ++n)
+          at[static_cast<std::size_t>(n)] = {static_cast<float>(x + n) + 0.5F,
+                                             static_cast<float>(y + below) + 0.5F};
+        // Deviations are asked for at one pixel of a block; they were measured no closer.
+        const auto known = [&](int n) {
+          const int corner = n / kBlock * kBlock;
+          return below == 0 && corner == n ? nullptr : first + x + corner;
+        };
+        see(at, count, known, row + x);
+      }
     }
-    return sums;
   }
 
-  /// Linear colour of the pixel from its sums and the filtered shares of light.
-  Vec3f resolve(const PixelSums& sums, const PixelSums& around, const Vec3f& background) const {
-    const auto share = [](float part, float whole) { return whole > 0 ? part / whole : 1.0F; };
-    const auto count = static_cast<float>(in_.options.samples);
-    Vec3f color = sums.direct * share(around.light, around.part) + sums.sky * share(around.open, around.part);
-    const float shade = (1 - kGroundShadow * (1 - share(around.ground_light, around.ground))) *
-                        (1 - kGroundDirt * (1 - share(around.ground_open, around.ground)));
-    color += background * (sums.ground * shade + (count - sums.part - sums.ground));
-    return color / count;
+  /// Linear colour of a pixel.
+  Vec3f color(const SeenBand& band, const LightGrid& light, int x, int y) const {
+    const Seen& middle = band.at(x, y);
+    if (const Edge edge = edgeAt(band, x, y); edge != Edge::kNone)
+      return colorOfParts(middle, edge == Edge::kColor, light, x, y);
+    return middle.what == What::kNothing ? background_ : colorOf(middle, light.at(x, y, middle));
   }
 
  private:
-  /// The last value that was asked for in a pixel: rays through it that meet the same face ask once.
-  struct Asked {
-    std::uint32_t triangle = 0xFFFFFFFFU;
-    float value = 0;
-  };
+  using Points = std::array<Eigen::Vector2f, RayPack::kRays>;
 
-  void sample(const Eigen::Vector2f& at, std::uint32_t seed, std::uint32_t k, Asked& asked,
-              PixelSums& sums) const {
-    const Vec3 on_plane = in_.camera.unproject(at.cast<double>());
-    const Vec3f start = in_.rays.toUnit(on_plane);
-    const float lift = 2.0F - start.dot(back_);  // the part lies within one unit of its centre
-    const Vec3f origin = start + back_ * lift;
-    Hit hit;
-    if (in_.rays.intersect(origin, -back_, hit)) {
-      shadePart(origin - back_ * hit.distance, hit, seed, k, asked, sums);
-      return;
+  /// What is seen at the first `count` points of the picture (pixels). `known(n)`: see Surfaces::at.
+  template <typename Known>
+  void see(const Points& at, int count, const Known& known, Seen* out) const {
+    RayPack rays;
+    for (int n = 0; n < count; ++n) {
+      const Eigen::Vector2f& p = at[static_cast<std::size_t>(n)];
+      rays.set(n, corner_ + right_ * p.x() + down_ * p.y(), -back_);
     }
-    if (ground_) shadeGround(origin, seed, k, sums);
-  }
-
-  /// What the ray met: face normal, shading normal, colour.
-  struct Surface {
-    Vec3f face, normal, albedo;
-  };
-  Surface surfaceAt(const Vec3f& point, const Hit& hit, Asked& asked) const {
-    if (hit.cut_face >= 0) {
-      const Vec3f normal = in_.rays.cutNormal(hit.cut_face);
-      return {normal, normal, hatch(point, hit.cut_face)};
+    std::array<Hit, RayPack::kRays> hits;
+    const std::uint32_t met = in_.rays.intersect(rays, hits);
+    for (int n = 0; n < count; ++n) {
+      const auto k = static_cast<std::size_t>(n);
+      const Vec3f origin(rays.origin[0][k], rays.origin[1][k], rays.origin[2][k]);
+      if (met >> k & 1U) {
+        out[n] = surfaces_.at(origin - back_ * hits[k].distance, hits[k], known(n));
+      } else {
+        out[n] = ground_ ? groundBelow(origin) : Seen{};
+      }
     }
-    Vec3f face = in_.faces[hit.triangle];
-    const auto& corner = in_.corners[hit.triangle];
-    Vec3f normal = (corner[0] * (1 - hit.u - hit.v) + corner[1] * hit.u + corner[2] * hit.v).normalized();
-    if (face.dot(back_) < 0) {  // inside of an open mesh
-      face = -face;
-      normal = -normal;
+  }
+
+  Seen groundBelow(const Vec3f& origin) const {
+    Seen seen;
+    seen.what = What::kGround;
+    seen.face = seen.normal = Vec3f::UnitZ();
+    seen.point = origin - back_ * ((origin.z() - (in_.rays.floor() - kGroundGap)) / back_.z());
+    return seen;
+  }
+
+  enum class Edge { kNone, kShape, kColor };
+  Edge edgeBetween(const Seen& a, const Seen& b) const {
+    if (a.what != b.what) return Edge::kShape;
+    if (a.what != What::kPart) return Edge::kNone;
+    if (1.0F - a.normal.dot(b.normal) > kEdgeBend || a.hatched != b.hatched) return Edge::kShape;
+    if (std::abs(a.normal.dot(b.point - a.point)) > kEdgeStep * pixel_) return Edge::kShape;
+    return !a.hatched && (a.color - b.color).cwiseAbs().maxCoeff() > kEdgeColor ? Edge::kColor : Edge::kNone;
+  }
+
+  /// Towards the neighbours; kColor if any is.
+  Edge edgeAt(const SeenBand& band, int x, int y) const {
+    const Seen& own = band.at(x, y);
+    Edge edge = Edge::kNone;
+    const auto look = [&](int u, int v) {
+      if (u < 0 || u >= band.width || v < band.first || v >= band.first + band.rows) return;
+      edge = std::max(edge, edgeBetween(own, band.at(u, v)));
+    };
+    look(x - 1, y);
+    look(x + 1, y);
+    look(x, y - 1);
+    look(x, y + 1);
+    return edge;
+  }
+
+  Vec3f colorOf(const Seen& seen, const Lit& lit) const {
+    if (seen.what == What::kPart) return lights_.shade(seen.color, seen.normal, lit);
+    return seen.what == What::kGround ? Vec3f(background_ * Lights::onGround(lit)) : background_;
+  }
+
+  /// Of a pixel that shows more than one surface.
+  Vec3f colorOfParts(const Seen& middle, bool colors, const LightGrid& light, int x, int y) const {
+    Vec3f sum = Vec3f::Zero();
+    Seen last;
+    Lit lit;
+    for (int first = 0; first < in_.options.samples; first += RayPack::kRays) {
+      const int count = std::min(RayPack::kRays, in_.options.samples - first);
+      Points at;
+      std::array<Seen, RayPack::kRays> seen;
+      // The same offsets in every pixel: straight edges then step evenly.
+      for (int n = 0; n < count; ++n)
+        at[static_cast<std::size_t>(n)] = evenPoint(static_cast<std::uint32_t>(first + n)) +
+                                          Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y));
+      see(
+          at, count, [&](int) { return colors ? nullptr : &middle; }, seen.data());
+      for (int n = 0; n < count; ++n) {
+        const Seen& one = seen[static_cast<std::size_t>(n)];
+        if (one.what != What::kNothing && likeness(last, one, nearUnits()) < kSamePart)
+          lit = light.at(x, y, one);
+        last = one;
+        sum += colorOf(one, lit);
+      }
     }
-    return {face, normal, color(hit, asked)};
-  }
-
-  void shadePart(const Vec3f& point, const Hit& hit, std::uint32_t seed, std::uint32_t k, Asked& asked,
-                 PixelSums& sums) const {
-    const auto [face, normal, albedo] = surfaceAt(point, hit, asked);
-    const Vec3f origin = point + face * kRayOffset;
-    const float cosine = std::max(0.0F, normal.dot(light_));
-    const float gloss = heat_ ? 0.0F : kGloss * std::pow(std::max(0.0F, normal.dot(half_)), kGlossPower);
-    sums.direct += (albedo + Vec3f::Constant(gloss)) * ((heat_ ? kHeatKey : kKeyLight) * cosine);
-    sums.sky += albedo * ((heat_ ? kHeatSky : kSkyLight) * (0.78F + 0.22F * normal.dot(sky_up_)));
-    sums.normal += normal;
-    sums.depth += point.dot(back_);
-    sums.part += 1;
-    if (face.dot(light_) > 0 && !in_.rays.occluded(origin, lightRay(seed, k), 4.0F)) sums.light += 1;
-    Vec3f sky = hemisphere(normal, evenPoint(seed ^ 0x5bd1e995U, k));
-    if (const float below = sky.dot(face); below < 0) sky -= face * (2 * below);
-    if (!in_.rays.occluded(origin, sky, kSkyReach)) sums.open += 1;
-  }
-
-  void shadeGround(const Vec3f& origin, std::uint32_t seed, std::uint32_t k, PixelSums& sums) const {
-    const float distance = (origin.z() - (in_.rays.floor() - kRayOffset)) / back_.z();
-    const Vec3f point = origin - back_ * distance;
-    sums.ground += 1;
-    if (point.squaredNorm() > 9.0F) {  // nothing within reach can shade it
-      sums.ground_light += 1;
-      sums.ground_open += 1;
-      return;
-    }
-    if (!in_.rays.occluded(point, lightRay(seed, k), 6.0F)) sums.ground_light += 1;
-    const Vec3f sky = hemisphere(Vec3f::UnitZ(), evenPoint(seed ^ 0x5bd1e995U, k));
-    if (!in_.rays.occluded(point, sky, kSkyReach)) sums.ground_open += 1;
-  }
-
-  Vec3f lightRay(std::uint32_t seed, std::uint32_t k) const {
-    const Eigen::Vector2f xi = evenPoint(seed ^ 0x85ebca6bU, k);
-    const float r = kLightRadius * std::sqrt(xi.x()), angle = 2.0F * static_cast<float>(kPi) * xi.y();
-    return (light_ + light_basis_.a * (r * std::cos(angle)) + light_basis_.b * (r * std::sin(angle)))
-        .normalized();
-  }
-
-  /// Cut faces carry slanted lines, as on drawings, so that they differ from every colour of the deviations.
-  Vec3f hatch(const Vec3f& point, int cut_face) const {
-    const float across = cut_face == 0 ? point.y() : point.x();
-    const float phase = (across + point.z()) / (1.41421356F * kHatchPitch * pixel_);
-    const float from_line = std::abs(phase - std::round(phase)) * kHatchPitch;  // pixels
-    const float line = std::clamp(kHatchWidth - from_line, 0.0F, 1.0F);
-    return cut_color_ * (1.0F - kHatchDepth * line);
-  }
-
-  /// The field at a hit, mm.
-  float valueAt(const Hit& hit, Asked& asked) const {
-    const ScalarField& field = in_.scene.field;
-    if (field.per == ScalarField::Per::kTriangle) return field.values[hit.triangle];
-    const auto& t = in_.scene.mesh.triangles[hit.triangle];
-    const float a = field.values[t[0]], b = field.values[t[1]], c = field.values[t[2]];
-    const float between = a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
-    if (!field.at) return between;
-    const float spread = std::max({a, b, c}) - std::min({a, b, c});
-    if (spread < kSmooth * static_cast<float>(field.scale.limit) && longestEdge(t) <= field.largest_mm)
-      return between;
-    const bool known =
-        asked.triangle != 0xFFFFFFFFU && in_.faces[asked.triangle].dot(in_.faces[hit.triangle]) > kSameFace;
-    if (!known) asked = {hit.triangle, field.at(pointOf(t, hit))};
-    return asked.value;
-  }
-
-  /// Of the mesh in mm: exacter than the end of the ray.
-  Vec3 pointOf(const std::array<std::uint32_t, 3>& t, const Hit& hit) const {
-    const auto& p = in_.scene.mesh.positions;
-    const double u = hit.u, v = hit.v;
-    return (1.0 - u - v) * p[t[0]].cast<double>() + u * p[t[1]].cast<double>() + v * p[t[2]].cast<double>();
-  }
-
-  double longestEdge(const std::array<std::uint32_t, 3>& t) const {
-    const auto& p = in_.scene.mesh.positions;
-    return std::sqrt(std::max({(p[t[0]] - p[t[1]]).squaredNorm(), (p[t[1]] - p[t[2]]).squaredNorm(),
-                               (p[t[2]] - p[t[0]]).squaredNorm()}));
-  }
-
-  Vec3f color(const Hit& hit, Asked& asked) const {
-    if (heat_) return srgb_.toLinear(deviationColor(in_.scene.field.scale, valueAt(hit, asked)));
-    if (!in_.scene.triangle_colors.empty()) return srgb_.toLinear(in_.scene.triangle_colors[hit.triangle]);
-    return srgb_.toLinear(kPartColor);
+    return sum / static_cast<float>(in_.options.samples);
   }
 
   const TraceInput& in_;
-  Vec3f right_, up_, back_, light_, half_, sky_up_;
-  Basis light_basis_;
-  float pixel_;  ///< units
-  bool heat_, ground_;
-  SrgbTable srgb_;
-  Vec3f cut_color_ = srgb_.toLinear(heat_ ? kCutColorInHeat : kCutColor);
+  const Surfaces surfaces_;
+  const Lights lights_;
+  const Vec3f back_;
+  const float pixel_;  ///< units
+  const SrgbTable srgb_;
+  const Vec3f background_;  ///< linear
+  const bool ground_;
+  Vec3f corner_, right_, down_;  ///< of the picture's plane, units; a pixel's sides
 };
-
-/// Rows of sums with the reach of the filter above and below.
-struct Band {
-  int first = 0, rows = 0, width = 0;
-  std::vector<PixelSums> sums;
-  const PixelSums& at(int x, int y) const { return sums[static_cast<std::size_t>(y - first) * width + x]; }
-};
-
-/// Adds up the light that arrives at the neighbours that show the same smooth surface.
-PixelSums gatherAround(const Band& band, int x, int y, float slope_limit) {
-  const PixelSums& own = band.at(x, y);
-  const Vec3f normal = own.part > 0 ? Vec3f(own.normal / own.part) : Vec3f::Zero();
-  const float depth = own.part > 0 ? own.depth / own.part : 0.0F;
-  PixelSums around;
-  const int y0 = std::max(band.first, y - kFilterRadius),
-            y1 = std::min(band.first + band.rows - 1, y + kFilterRadius);
-  const int x0 = std::max(0, x - kFilterRadius), x1 = std::min(band.width - 1, x + kFilterRadius);
-  for (int v = y0; v <= y1; ++v) {
-    for (int u = x0; u <= x1; ++u) {
-      const PixelSums& other = band.at(u, v);
-      around.ground += other.ground;
-      around.ground_light += other.ground_light;
-      around.ground_open += other.ground_open;
-      if (own.part == 0 || other.part == 0) continue;
-      const float inverse = 1.0F / other.part;
-      const float bend = 1.0F - normal.dot(other.normal) * inverse;
-      const float step = std::abs(other.depth * inverse - depth);
-      const float weight = std::max(0.0F, 1.0F - 12.0F * bend) * std::max(0.0F, 1.0F - step / slope_limit);
-      around.part += weight * other.part;
-      around.light += weight * other.light;
-      around.open += weight * other.open;
-    }
-  }
-  if (around.part <= 0) {  // an edge pixel whose normals cancel: its own samples have to do
-    around.part = own.part;
-    around.light = own.light;
-    around.open = own.open;
-  }
-  return around;
-}
 
 }  // namespace
 
@@ -296,26 +175,26 @@ Result<Image> trace(const TraceInput& input, Progress& progress) {
   const Tracer tracer(input);
   const int width = input.size.width, height = input.size.height;
   Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
-  const SrgbTable srgb;
-  const Vec3f background = srgb.toLinear(input.options.background);
-  const float slope_limit = 8.0F * static_cast<float>(input.camera.mm_per_pixel / input.rays.radius());
-  for (int y0 = 0; y0 < height; y0 += kBandRows) {
-    const int y1 = std::min(height, y0 + kBandRows);
-    Band band{std::max(0, y0 - kFilterRadius), 0, width, {}};
-    band.rows = std::min(height, y1 + kFilterRadius) - band.first;
-    band.sums.resize(static_cast<std::size_t>(band.rows) * width);
-    parallelFor(0, band.rows, [&](int row) {
-      if (progress.cancelled()) return;
-      for (int x = 0; x < width; ++x) {
-        band.sums[static_cast<std::size_t>(row) * width + x] = tracer.pixel(x, band.first + row);
-      }
+  const LinearToByte to_byte;
+  const int band_rows = std::max(
+      4 * LightGrid::kReach, static_cast<int>(kBandBytes / (sizeof(Seen) * static_cast<std::size_t>(width))));
+  SeenBand band{0, 0, width, {}};  // one for all bands: memory that is new costs as much as the rays
+  for (int y0 = 0; y0 < height; y0 += band_rows) {
+    const int y1 = std::min(height, y0 + band_rows);
+    band.first = std::max(0, y0 - LightGrid::kReach);
+    band.rows = std::min(height, y1 + LightGrid::kReach) - band.first;
+    band.seen.resize(static_cast<std::size_t>(band.rows) * width);
+    const int pairs = (band.rows + kBlock - 1) / kBlock;
+    parallelFor(0, pairs, [&](int pair) {
+      if (!progress.cancelled()) tracer.seeRows(band, band.first + kBlock * pair);
     });
     if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted while drawing"};
+    const LightGrid light(band, input.rays, tracer.lights(), tracer.nearUnits());
     parallelFor(y0, y1, [&](int y) {
       for (int x = 0; x < width; ++x) {
-        const Vec3f color = tracer.resolve(band.at(x, y), gatherAround(band, x, y, slope_limit), background);
+        const Vec3f color = tracer.color(band, light, x, y);
         std::uint8_t* out = &image.rgb[(static_cast<std::size_t>(y) * width + x) * 3];
-        for (int c = 0; c < 3; ++c) out[c] = srgb.toByte(color[c]);
+        for (int c = 0; c < 3; ++c) out[c] = to_byte(color[c]);
       }
     });
     progress.report("drawing", static_cast<double>(y1) / height);

@@ -1,16 +1,19 @@
-// From rays to pixels.
+// From rays to pixels, a band of rows after the other.
 //
-// Every pixel takes `samples` rays; each hit takes one shadow ray towards a disc of light and one occlusion
-// ray. What is smooth by nature (the share of light that arrives, the share of sky seen) is then averaged
-// over the neighbouring pixels that show the same smooth surface, which removes the noise; colour and the
-// angle to the light stay per pixel, so edges and texture stay sharp.
+// 1. One ray through the middle of every pixel finds what it shows (Seen).
+// 2. Every second pixel of every second row takes one ray towards the key light and one to the sky.
+// Neighbours
+//    take other points of the lights, the same ones again after kPattern pixels; averaged over such a square
+//    of one smooth surface, every point of the lights counts once and there is no noise.
+// 3. Where a pixel shows another surface than the next one, more rays find what its parts show. Each part
+// takes
+//    the light of its own surface, so that corners inside do not darken what is beside them.
 #pragma once
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mesh/image.h"
-#include "render/ray_scene.h"
-#include "render/render.h"
+#include "render/surfaces.h"
 
 namespace proveout::render_detail {
 
@@ -18,8 +21,7 @@ namespace proveout::render_detail {
 struct TraceInput {
   const RenderScene& scene;
   const RayScene& rays;
-  const std::vector<Eigen::Vector3f>& faces;
-  const std::vector<std::array<Eigen::Vector3f, 3>>& corners;
+  const MeshNormals& normals;
   Camera camera;
   ImageSize size;
   RenderOptions options;

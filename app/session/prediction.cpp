@@ -30,7 +30,8 @@ constexpr double kBytesPerBlankTriangle = 170.0;  ///< of a mesh that a stock is
 constexpr double kBytesPerMeshedCell = 170.0;     ///< making a stock from a mesh
 constexpr double kComparisonMb = 18.0;            ///< fixed part of a comparison
 constexpr double kBytesPerComparedCell = 300.0;   ///< samples and search trees, both meshes
-constexpr double kBytesPerPixel = 20.0;           ///< a picture while it is drawn
+constexpr double kDrawnBandMb = 17.0;             ///< what the pixels of some rows show
+constexpr double kBytesPerPixel = 7.0;            ///< a picture, and its file
 constexpr double kBytesPerDrawnCell = 90.0;       ///< the renderer's search tree
 constexpr double kBytesPerDrawnTriangle = 140.0;
 constexpr double kMostComparedCells = 1.8e6;  ///< the comparison widens its samples on huge meshes
@@ -60,7 +61,8 @@ constexpr double kSecondsPerBlankTriangle = 4.5e-6;  ///< a stock from a mesh
 constexpr double kSecondsPerMeshedCell = 2.1e-6;     ///< the same, and its cells
 constexpr double kSecondsPerMovedCell = 3.5e-6;      ///< a stock from that of the clamping before
 constexpr double kSecondsPerComparedCell = 2.6e-6;   ///< comparison
-constexpr double kSecondsPerPixel = 1.25e-6;         ///< one picture of flat faces
+constexpr double kSecondsPerDrawnTriangle = 5e-7;    ///< search tree and normals, for all pictures
+constexpr double kSecondsPerPixel = 2.2e-7;          ///< one picture of flat faces
 constexpr double kMoreSecondsCut = 1.0;              ///< so much more where nothing is level
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
@@ -412,7 +414,8 @@ double memoryMb(const Workload& work, const Cells& cells) {
       cells.compared > 0.0 ? 1e6 * kComparisonMb + cells.compared * kBytesPerComparedCell : 0.0;
   const double drawing = work.pixels > 0.0
                              ? (cells.cut + cells.uneven + cells.threaded) * kBytesPerDrawnCell +
-                                   work.triangles * kBytesPerDrawnTriangle + work.pixels * kBytesPerPixel
+                                   work.triangles * kBytesPerDrawnTriangle + work.pixels * kBytesPerPixel +
+                                   1e6 * kDrawnBandMb
                              : 0.0;
   const double stock = cells.surface * kBytesPerCell + cells.cut * kBytesPerCutCell +
                        cells.uneven * kBytesPerUnevenCell + cells.threaded * kBytesPerThreadedCell +
@@ -461,7 +464,12 @@ double timeS(const Workload& work, const Cells& cells) {
                        (work.writes_grid ? cells.surface * kSecondsPerWrittenCell : 0.0) +
                        work.text_files * cells.cut * kSecondsPerTextCell;
   const double cut_share = cells.surface > 0.0 ? std::min(1.0, cells.cut / cells.surface) : 0.0;
-  const double drawing = work.pixels * work.pictures * kSecondsPerPixel * (1.0 + kMoreSecondsCut * cut_share);
+  const double drawn = cells.cut + cells.uneven + cells.threaded + work.triangles;
+  const double drawing = work.pixels > 0.0 && work.pictures > 0
+                             ? drawn * kSecondsPerDrawnTriangle + work.pixels * work.pictures *
+                                                                      kSecondsPerPixel *
+                                                                      (1.0 + kMoreSecondsCut * cut_share)
+                             : 0.0;
   return kBaseS + stock + turned + from_mesh + moved + files + drawing +
          static_cast<double>(work.motions) * kSecondsPerMotion + cells.compared * kSecondsPerComparedCell;
 }

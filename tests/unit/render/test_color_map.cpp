@@ -55,7 +55,8 @@ TEST(DeviationScale, LimitIsRoundAndTakesEverythingIn) {
 
 TEST(Srgb, BytesSurviveTheRoundTrip) {
   const render_detail::SrgbTable table;
-  for (int i = 0; i < 256; ++i) EXPECT_EQ(table.toByte(table.toLinear(static_cast<float>(i) / 255.0F)), i);
+  const render_detail::LinearToByte to_byte;
+  for (int i = 0; i < 256; ++i) EXPECT_EQ(to_byte(table.toLinear(static_cast<float>(i) / 255.0F)), i);
 }
 
 }  // namespace

@@ -147,6 +147,76 @@ TEST(Render, GroundShadowDarkensBesideThePartOnly) {
   EXPECT_GE(darkest(1), backgroundBytes()[0] - 3);
 }
 
+/// A prism of quads along y over an outline in x and z, counter-clockwise and convex but for its inner corners.
+TriMesh stairMesh(double length) {
+  // Two steps, each with an inner edge; turned so that no edge runs along the pixels.
+  const std::vector<Vec2> outline{{0, 0}, {30, 0}, {30, 6}, {20, 6}, {20, 12}, {10, 12}, {10, 18}, {0, 18}};
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  TriMesh mesh;
+  const Eigen::AngleAxisd turn(0.3, Vec3::UnitZ());
+  for (const double y : {0.0, length}) {
+    for (const Vec2& p : outline) mesh.positions.push_back((turn * Vec3(p.x(), y, p.y())).cast<float>());
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    mesh.triangles.push_back({i, i + n, j + n});
+    mesh.triangles.push_back({i, j + n, j});
+  }
+  for (const auto& [a, b, c] : std::vector<std::array<std::uint32_t, 3>>{
+           {0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {3, 4, 5}, {0, 5, 7}, {5, 6, 7}}) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a + n, c + n, b + n});
+  }
+  return mesh;
+}
+
+TEST(Render, InnerEdgesAreNoDarkerThanWhatIsBesideThem) {
+  const TriMesh stairs = stairMesh(25);
+  ASSERT_TRUE(analyseTopology(stairs).closedManifold());
+  const Image image = render(RenderScene(stairs), "iso", {640, 480});
+  for (int y = 2; y + 2 < image.height; ++y) {
+    for (int x = 2; x + 2 < image.width; ++x) {
+      // Between the lightest and the darkest of its neighbourhood, as far as noise goes.
+      int least = 255;
+      for (int v = -2; v <= 2; ++v) {
+        for (int u = -2; u <= 2; ++u) {
+          if (std::max(std::abs(u), std::abs(v)) == 2) least = std::min(least, pixel(image, x + u, y + v)[1]);
+        }
+      }
+      ASSERT_GE(pixel(image, x, y)[1], least - 12) << x << "," << y;
+    }
+  }
+}
+
+TEST(Render, FlatFacesAreWithoutNoise) {
+  // In the half shadow of the stairs tones change, but not from pixel to pixel.
+  const Image image = render(RenderScene(stairMesh(25)), "top", {640, 480});
+  int rough = 0, part = 0;
+  for (int y = 2; y + 2 < image.height; ++y) {
+    for (int x = 2; x + 2 < image.width; ++x) {
+      const int here = pixel(image, x, y)[1];
+      part += here < 235;
+      // A second difference that the next pixels do not share is noise; edges have one at either side.
+      const int across = pixel(image, x - 1, y)[1] + pixel(image, x + 1, y)[1] - 2 * here;
+      const int next = pixel(image, x, y)[1] + pixel(image, x + 2, y)[1] - 2 * pixel(image, x + 1, y)[1];
+      rough += std::abs(across) > 3 && std::abs(across) < 20 && across * next < 0;
+    }
+  }
+  EXPECT_GT(part, 20000);
+  EXPECT_LT(rough, part / 100);
+}
+
+TEST(Render, PicturesOfOneMeshShareWhatIsKnownOfIt) {
+  const TriMesh box = boxMesh({0, 0, 0}, {20, 20, 5});
+  RenderScene alone(box), shared(box);
+  const auto drawn = prepareDrawing(box, 1);
+  ASSERT_TRUE(drawn.ok());
+  shared.drawn = *drawn;
+  for (const char* view : {"iso", "section", "top"})
+    EXPECT_EQ(render(shared, view).rgb, render(alone, view).rgb) << view;
+  EXPECT_FALSE(prepareDrawing(TriMesh{}, 1).ok());
+}
+
 TEST(Render, HeatMapShowsTheScale) {
   const TriMesh box = boxMesh({0, 0, 0}, {20, 20, 5});
   RenderScene scene(box);
