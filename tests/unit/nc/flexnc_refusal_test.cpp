@@ -43,6 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{"G12X60R20Z10P1.5C2B0V0", "fnc-param-sign"},
                     Refusal{"G12X60R20Z10P1.5C2B2V-1", "fnc-param-sign"},
                     Refusal{"G77X60A0Y10Z0P3C2B2V0", "fnc-param-sign"},
+                    Refusal{"G12.2A0Y25Z0R12G45P2C-3B3V0", "fnc-param-sign"},
                     Refusal{"G12X60R20P1.5C2B2V0", "fnc-param-missing"},
                     Refusal{"G12X60R20Z10C2B2V0", "fnc-param-missing"},
                     Refusal{"G12X60R20Z10P1.5B2V0", "fnc-param-missing"},

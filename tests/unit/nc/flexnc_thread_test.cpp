@@ -97,6 +97,13 @@ TEST(FlexncThread, RunsOutAtTheEnd) {
   EXPECT_NEAR(passes[1].turn, 14.2 / 1.5 - 9.0, 1e-9);  // the spindle has gone on
 }
 
+TEST(FlexncThread, RunsOutInside) {
+  const std::vector<CycleMove> passes = passesOf(threaded("G76P001000Q0.1R0", "G76X30Z-20P1Q1R0F2", 24, 5));
+  ASSERT_EQ(passes.size(), 2U);
+  EXPECT_LT((passes[0].element.to - Vec2(-18.0, 15.0)).norm(), 1e-12);
+  EXPECT_LT((passes[1].element.to - Vec2(-20.0, 13.0)).norm(), 1e-12);
+}
+
 TEST(FlexncThread, TapersAndCutsInside) {
   const std::vector<CycleMove> taper = passesOf(threaded("G76P000000Q0.1R0", "G76X30Z-20P1Q1R2F2", 40, 5));
   EXPECT_EQ(taper.front().element.from, Vec2(5, 12));

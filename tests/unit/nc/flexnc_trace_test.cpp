@@ -82,6 +82,22 @@ TEST(FlexncTrace, RoughsBehindTheFace) {
             "X42.8; G00 Z-13; G01 X40; Z-15; X60 Z-25; G00 X64; Z-13");
 }
 
+// A cone of 45 degrees behind a concave arc, from diameter 8 to 16 and from in front of the start plane Z1 to
+// Z-2. Row: fnc-3.2-G13.5
+TEST(FlexncTrace, LeavesPassesInFrontOut) {
+  const CycleAnswer answer = test::flexncAnswer("G13.5X16A8R2G45Z2P0.5C1B1V0");
+  ASSERT_FALSE(answer.alarm);
+  // The arc rises by 2 - sqrt(2) over sqrt(2), the cone by what is left of 4 over as much.
+  const double length = 4.0 - (2.0 - std::sqrt(2.0)) + std::sqrt(2.0);
+  ASSERT_GT(length - 2.0, 1.0);
+  for (const CycleMove& move : answer.moves)
+    EXPECT_LE(move.element.to.x(), answer.moves.front().element.to.x());
+  EXPECT_EQ(answer.warnings.size(), 2U);
+  // On the cone r = 8 - (z + 2): passes at 7.5, 7, 6.5, 6 and 5.5 end behind Z1, where r is 5.
+  EXPECT_EQ(answer.passes, 6);
+  EXPECT_EQ(traced({answer.moves.end() - 4, answer.moves.end()}), "G01 X10; X16 Z-2; G00 X18; Z1");
+}
+
 /// A block, and behind it the next ones of its chain.
 std::vector<CycleAnswer> chained(const std::vector<std::string>& blocks, const Vec2& at, bool approached) {
   std::vector<CycleAnswer> answers;
@@ -111,6 +127,14 @@ TEST(FlexncTrace, ChainsContoursBehindAnApproach) {
 TEST(FlexncTrace, CutsAContourOfAHole) {
   const std::vector<CycleAnswer> answers = chained({"G12X9R14P0C-2K1"}, Vec2(0, 20), true);
   EXPECT_EQ(traced(answers[0].moves), "G01 X37; CW X9 Z-14 about X37 Z-14");
+}
+
+// The approach ends at Z0, the contour begins at the local face. Row: fnc-3.1-V
+TEST(FlexncTrace, BeginsContoursAtTheLocalFace) {
+  EXPECT_EQ(traced(chained({"G12X40R15P0C2V3K1"}, Vec2(0, 2), true)[0].moves),
+            "G01 X10 Z-3; CCW X40 Z-18 about X10 Z-18");
+  EXPECT_EQ(traced(chained({"G12X40R15Z1P0C2V3K1"}, Vec2(0, 2), true)[0].moves),
+            "G01 X10 Z-3; Z-4; CCW X40 Z-19 about X10 Z-19");
 }
 
 // Row: fnc-3.1-contour
