@@ -176,4 +176,5 @@ target_sources(proveout_core PRIVATE
   nc/nct/tools/tools.cpp
   nc/nct/zones/zone_stage.cpp
   nc/nct/zones/zones.cpp)
+include(nc/flexnc/sources.cmake)
 include(nc/services/sources.cmake)
