@@ -2,6 +2,23 @@ target_sources(proveout_core PRIVATE
   nc/flexnc/cycle_checks.cpp
   nc/flexnc/cycle_moves.cpp
   nc/flexnc/cycles.cpp
+  nc/flexnc/flexnc_block.cpp
+  nc/flexnc/flexnc_context.cpp
+  nc/flexnc/flexnc_control.cpp
+  nc/flexnc/flexnc_coverage.cpp
+  nc/flexnc/flexnc_cycles.cpp
+  nc/flexnc/flexnc_expression.cpp
+  nc/flexnc/flexnc_functions.cpp
+  nc/flexnc/flexnc_motion.cpp
+  nc/flexnc/flexnc_origins.cpp
+  nc/flexnc/flexnc_parameters.cpp
+  nc/flexnc/flexnc_program.cpp
+  nc/flexnc/flexnc_rapid_stage.cpp
+  nc/flexnc/flexnc_report.cpp
+  nc/flexnc/flexnc_row.cpp
+  nc/flexnc/flexnc_table.cpp
+  nc/flexnc/flexnc_watch.cpp
+  nc/flexnc/flexnc_words.cpp
   nc/flexnc/special_facing.cpp
   nc/flexnc/special_grooves.cpp
   nc/flexnc/special_thread.cpp
