@@ -148,7 +148,8 @@ Job jobOfSetup(const Job& job, std::size_t index);
 struct ParameterRange {
   std::string name;
   double min = 0.0, max = 0.0;
-  int count = 0;  ///< > 0: NAME.1 to NAME.count set one each, NAME alone sets all
+  int count = 0;                          ///< > 0: NAME.1 to NAME.count set one each, NAME alone sets all
+  std::vector<std::string> choices = {};  ///< words that the job gives in place of 0, 1, ...; none: a number
 };
 
 /// Names that a job may use and that io does not know itself; an empty list is not checked against.

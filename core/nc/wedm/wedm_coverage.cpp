@@ -107,17 +107,9 @@ constexpr auto kWedmRows = std::to_array<CoverageIdRow>({
 });
 // clang-format on
 
-std::string statusOfClass(std::string_view cls) {
-  return cls == "SIM"     ? "simulated"
-         : cls == "TIME"  ? "timed"
-         : cls == "STATE" ? "tracked"
-         : cls == "HOST"  ? "noted"
-                          : "refused";
-}
-
 CoverageRow wedmRowOf(std::string code, int group, std::string_view cls, std::string_view ids,
                       std::string_view meaning) {
-  return {std::move(code),     group, std::string(cls), statusOfClass(cls), std::string(ids),
+  return {std::move(code),     group, std::string(cls), std::string(coverageStatus(cls)), std::string(ids),
           std::string(meaning)};
 }
 

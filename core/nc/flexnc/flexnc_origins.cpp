@@ -1,0 +1,96 @@
+#include "core/nc/flexnc/flexnc_origins.h"
+
+#include "core/nc/flexnc/cycle_call.h"
+
+namespace proveout::nc {
+
+namespace {
+
+OffsetInForce radiusInForce(const FlexContext& c) {
+  OffsetInForce row;
+  const auto found = c.settings.radius_offsets.find(c.state.d);
+  if (c.state.d == 0 || found == c.settings.radius_offsets.end()) return row;
+  row.row = c.state.d;
+  row.geometry = found->second.geometry;
+  row.wear = found->second.wear;
+  return row;
+}
+
+}  // namespace
+
+void beginFlexLine(FlexContext& c) {
+  const FlexLevel& level = c.levels.back();
+  c.recorder.enter(0, static_cast<std::uint16_t>(c.levels.size() - 1), true);
+  c.recorder.begin(static_cast<std::uint32_t>(level.line + 1), level.number);
+  c.recorder.clear(kBlockKinds);
+}
+
+void recordFlexData(FlexContext& c) {
+  const FlexState& s = c.state;
+  const FlexParameters::Corrector& corrector = c.parameters.corrector(s.d);
+  DataInForce data = c.recorder.data();
+  data.tool = s.tool;
+  data.radius = radiusInForce(c);
+  data.nose_tool = s.d;
+  data.nose_radius = corrector.nose_radius;
+  data.tip = corrector.tip;
+  data.tool_offset = Vec3(s.corrector.x(), 0.0, s.corrector.y());
+  data.work_system = 1;
+  data.work_offset.value = c.settings.work_offsets[0];
+  data.common_offset.value = c.settings.common_offset;
+  data.shift.value = Vec3(s.shift.x(), 0.0, s.shift.y());
+  c.recorder.setData(data);
+}
+
+void recordFlexAxis(FlexContext& c, OriginKind kind, const FlexWord* word, bool step) {
+  if (word != nullptr) c.recorder.word(kind, word->columns, word->value, word->reads, {step, false});
+}
+
+void recordFlexShift(FlexContext& c, const std::array<const FlexWord*, 2>& axes) {
+  DataInForce data = c.recorder.data();
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    if (axes[k] == nullptr) continue;
+    data.shift.set_by[2 * k] =
+        c.recorder.numberOf(OriginKind::kData, axes[k]->columns, axes[k]->value, axes[k]->reads);
+  }
+  c.recorder.setData(data);
+  recordFlexData(c);
+}
+
+void recordFlexToolChange(FlexContext& c) {
+  c.recorder.put(OriginKind::kTool, c.recorder.slot(OriginKind::kNextTool));
+  recordFlexData(c);
+}
+
+FlexCycleOrigins::FlexCycleOrigins(FlexContext& c, std::size_t code)
+    : c_(c), file_(0), before_(c.recorder.slots()) {
+  const FlexWord& word = c.block.words[code];
+  const std::string name = cycleName(*cycleCode(word.tenths / 10.0));
+  file_ = c.program.cycleFile(name, c.levels.back().line, c.sink);
+  c.recorder.clear(KindSet::of(OriginKind::kX, OriginKind::kZ, OriginKind::kMotionCode));
+  c.recorder.word(OriginKind::kCycle, word.columns, word.value, word.reads, {});
+  for (std::size_t k = code + 1; k < c.block.words.size(); ++k) {
+    const FlexWord& argument = c.block.words[k];
+    if (argument.address == 'P' || argument.address == 'Q')
+      c.recorder.word(OriginKind::kCycleStep, argument.columns, argument.value, argument.reads, {});
+  }
+  c.recorder.openCall();
+  c.recorder.enter(file_, static_cast<std::uint16_t>(c.levels.size()), false);
+}
+
+FlexCycleOrigins::~FlexCycleOrigins() {
+  c_.report.inCycle({});
+  c_.recorder.closeCall();
+  c_.recorder.enter(0, static_cast<std::uint16_t>(c_.levels.size() - 1), true);
+  c_.recorder.begin(static_cast<std::uint32_t>(c_.levels.back().line + 1), c_.levels.back().number);
+  c_.recorder.restore(before_, {});
+  // Where the cycle has left the tool no word tells.
+  c_.recorder.clear(KindSet::of(OriginKind::kX, OriginKind::kZ));
+}
+
+void FlexCycleOrigins::move(std::uint32_t number) {
+  c_.recorder.begin(number, -1);
+  c_.report.inCycle({file_, number});
+}
+
+}  // namespace proveout::nc
