@@ -110,7 +110,7 @@ Status WireStock::cutUpright(const Toolpath& path, const std::vector<Tool>& tool
   const Result<WireWork> work = wireWork(path, tools);
   if (!work) return work.error();
   std::vector<PlaneBody> last = cutSection(blank_.loops, work->cuts);
-  const WireHolding holding(blank_.held_at, last);
+  const WireHolding holding(blank_.held_at, blank_.loops, last);
   WireFalls falls = findFalls(blank_.loops, work->cuts, std::move(last), holding);
   if (summary != nullptr && !progress.cancelled()) {
     addRemoved(blank_, work->cuts, falls.pieces, *summary);
@@ -145,14 +145,15 @@ void WireStock::handleLeaning(const Toolpath& path, const std::vector<Tool>& too
   LeanHandling handling(blank_, path, tools);
   const auto edge = [&](double z) {
     const WireWork level = work.atHeight(span, z);
-    const WireHolding holding(blank_.held_at, [&] { return cutSection(blank_.loops, level.cuts); });
+    const WireHolding holding(blank_.held_at, blank_.loops,
+                              [&] { return cutSection(blank_.loops, level.cuts); });
     handling.look(level, holding, z, 1.0 / 6.0, progress);
   };
   edge(span.low);
   const double z = span.low + 0.5 * span.length();
   const WireWork level = work.atHeight(span, z);
   std::vector<PlaneBody> last = cutSection(blank_.loops, level.cuts);
-  const WireHolding holding(blank_.held_at, last);
+  const WireHolding holding(blank_.held_at, blank_.loops, last);
   handling.look(level, holding, z, 4.0 / 6.0, progress);
   addRemoved(blank_, level.cuts, {}, summary);
   const WireFalls falls = findFalls(blank_.loops, level.cuts, std::move(last), holding);
