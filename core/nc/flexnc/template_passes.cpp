@@ -15,24 +15,23 @@ namespace {
 
 using Role = CycleMove::Role;
 
-constexpr double kSameRadius = 1e-9;     ///< mm; levels nearer to each other are one
+constexpr double kSame = 1e-9;           ///< mm
 constexpr double kSameDiameter = 0.001;  ///< mm; an increment that begins elsewhere is told
 
 /// Radii of the passes before the last one along the profile: steps of P, and the junctions themselves.
 std::vector<double> passLevels(const TemplateInput& in, const TemplateProfile& profile, double depth) {
-  std::vector<double> ends = profile.junctions;
-  const double start = profile.start().y();
-  ends.push_back(start);
   std::vector<double> levels;
   double before = profile.end().y();
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    const double zone = in.side * (before - ends[k]);
-    if (k + 1 < ends.size() && (zone < kSameRadius || in.side * (ends[k] - start) < kSameRadius)) continue;
-    const double steps = std::max(stepsOver(zone, depth) - 1.0, 0.0);
+  const auto stepTo = [&](double radius) {
+    const double steps = stepsOver(in.side * (before - radius), depth) - 1.0;
     for (double i = 1.0; i <= steps; i += 1.0) levels.push_back(before - in.side * i * depth);
-    if (k + 1 < ends.size()) levels.push_back(ends[k]);
-    before = ends[k];
+    before = radius;
+  };
+  for (const double junction : profile.junctions) {
+    stepTo(junction);
+    levels.push_back(junction);
   }
+  stepTo(profile.start().y());
   return levels;
 }
 
@@ -59,7 +58,7 @@ void cutLevels(const TemplateInput& in, const ContourProfile& profile, const std
   for (const double radius : levels) {
     const auto below = profile.zonesBelow({0.0, profile.length()}, profile.level(Vec2(0.0, radius)));
     const double z = profile.at(below.empty() ? 0.0 : below.back().b).x();
-    if (z >= plane) {
+    if (z > plane - kSame) {
       ++left_out;
       continue;
     }
@@ -109,7 +108,7 @@ namespace {
 
 /// Beyond the diameter that the contour begins at an approach would run along the face through the part.
 std::optional<CycleNote> checkApproach(const CycleCall& call, const TemplateInput& in, const Vec2& start) {
-  if (in.side * (call.at.y() - start.y()) <= kSameRadius) return std::nullopt;
+  if (in.side * (call.at.y() - start.y()) <= kSame) return std::nullopt;
   return CycleNote{
       "fnc-equi-x",
       fmt::format(
