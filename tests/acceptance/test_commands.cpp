@@ -97,11 +97,13 @@ TEST(Commands, FlexncReadsTheSwitchesOfItsMachine) {
   const Workbench bench;
   bench.write("arc.pmc", "S300M03\nG98F100\nG00X30Z0\nG02X20Z-10I0K-10\nM02\n");
   const auto checked = [&](const std::string& settings) {
-    bench.write("arc.toml",
-                "schema = \"proveout.job/1\"\nprogram = \"arc.pmc\"\n[control]\nname = \"flexnc\"\n"
-                "[control.flexnc]\n" +
-                    settings +
-                    "\n[stock]\nshape = \"cylinder\"\nbase = [0, 0, -50]\ndiameter = 60\nlength = 50\n");
+    bench.write(
+        "arc.toml",
+        "schema = \"proveout.job/1\"\nprogram = \"arc.pmc\"\n[control]\nname = \"flexnc\"\n"
+        "[control.flexnc]\n" +
+            settings +
+            "\n[stock]\nshape = \"cylinder\"\nbase = [0, 0, -50]\ndiameter = 60\nlength = 50\n"
+            "[[tool]]\nnumber = 1\ntype = \"insert\"\nshape = \"round\"\nnose_radius = 2\norientation = 3\n");
     return bench.run("path arc.toml");
   };
   EXPECT_TRUE(has(checked("arc_view = 'x_up'").out, "\"sweep_deg\":-90"));

@@ -321,6 +321,7 @@ TEST(FlexncParts, NameTheTemplateWithTheWrongParameter) {
     EXPECT_EQ(finding["source"]["line"], 21);
     EXPECT_EQ(finding["source"]["text"], "G77X20A16Y1.5P0C2K1");
     EXPECT_EQ(finding["inside"]["file"], "G77 of line 21");
+    EXPECT_EQ(finding["causes"][0]["value"], "A16");
   }
   EXPECT_GE(gouges, 1);
 }

@@ -80,10 +80,10 @@ bool sendMoves(FlexContext& c, std::size_t code, const std::vector<CycleMove>& m
   FlexCycleOrigins origins(c, code);
   std::uint32_t number = 0;
   for (const CycleMove& move : moves) {
-    origins.move(++number);
+    origins.move(++number, move);
     if (flexWorkOver(c) || !sendMove(c, move)) return false;
   }
-  origins.move(number + 1);
+  origins.place(number + 1);
   c.cycle.chain_source = c.report.here();
   return true;
 }

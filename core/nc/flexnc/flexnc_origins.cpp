@@ -1,5 +1,7 @@
 #include "core/nc/flexnc/flexnc_origins.h"
 
+#include <cmath>
+
 #include "core/nc/flexnc/cycle_call.h"
 
 namespace proveout::nc {
@@ -65,17 +67,30 @@ void recordFlexToolChange(FlexContext& c) {
 FlexCycleOrigins::FlexCycleOrigins(FlexContext& c, std::size_t code)
     : c_(c), file_(0), before_(c.recorder.slots()) {
   const FlexWord& word = c.block.words[code];
-  const std::string name = cycleName(*cycleCode(word.tenths / 10.0));
-  file_ = c.program.cycleFile(name, c.levels.back().line, c.sink);
+  const CycleCode cycle = *cycleCode(word.tenths / 10.0);
+  file_ = c.program.cycleFile(cycleName(cycle), c.levels.back().line, c.sink);
   c.recorder.clear(KindSet::of(OriginKind::kX, OriginKind::kZ, OriginKind::kMotionCode));
   c.recorder.word(OriginKind::kCycle, word.columns, word.value, word.reads, {});
-  for (std::size_t k = code + 1; k < c.block.words.size(); ++k) {
-    const FlexWord& argument = c.block.words[k];
-    if (argument.address == 'P' || argument.address == 'Q')
-      c.recorder.word(OriginKind::kCycleStep, argument.columns, argument.value, argument.reads, {});
-  }
+  record(OriginKind::kCycleStep, 'P', code);
+  record(OriginKind::kArcRadius, 'R', code);
+  record(OriginKind::kCorner, 'U', code);
+  record(OriginKind::kAngle, 'G', code);
+  x_ = record(OriginKind::kX, 'X', code);
+  a_ = record(OriginKind::kX, 'A', code);
+  if (isTemplate(cycle)) y_ = record(OriginKind::kZ, 'Y', code);
+  z_ = record(OriginKind::kZ, 'Z', code);
   c.recorder.openCall();
   c.recorder.enter(file_, static_cast<std::uint16_t>(c.levels.size()), false);
+}
+
+FlexCycleOrigins::Argument FlexCycleOrigins::record(OriginKind kind, char letter, std::size_t code) {
+  for (std::size_t k = code + 1; k < c_.block.words.size(); ++k) {
+    const FlexWord& word = c_.block.words[k];
+    if (word.address != letter) continue;
+    c_.recorder.word(kind, word.columns, word.value, word.reads, {});
+    return {word.value, c_.recorder.slot(kind)};
+  }
+  return {};
 }
 
 FlexCycleOrigins::~FlexCycleOrigins() {
@@ -88,9 +103,20 @@ FlexCycleOrigins::~FlexCycleOrigins() {
   c_.recorder.clear(KindSet::of(OriginKind::kX, OriginKind::kZ));
 }
 
-void FlexCycleOrigins::move(std::uint32_t number) {
+void FlexCycleOrigins::place(std::uint32_t number) {
   c_.recorder.begin(number, -1);
   c_.report.inCycle({file_, number});
+}
+
+void FlexCycleOrigins::move(std::uint32_t number, const CycleMove& move) {
+  place(number);
+  const double diameter = 2.0 * move.element.to.y();
+  const bool nearer_a = a_.slot && std::abs(diameter - a_.value) < std::abs(diameter - x_.value);
+  const std::optional<Slot>& across = !x_.slot || nearer_a ? a_.slot : x_.slot;
+  if (across) c_.recorder.put(OriginKind::kX, *across);
+  const bool cuts = move.role == CycleMove::Role::kContour || move.role == CycleMove::Role::kPass;
+  const std::optional<Slot>& along = cuts && y_.slot ? y_.slot : z_.slot;
+  if (along) c_.recorder.put(OriginKind::kZ, *along);
 }
 
 }  // namespace proveout::nc

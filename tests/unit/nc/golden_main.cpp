@@ -185,7 +185,7 @@ std::string_view lettersOf(OriginKind kind) {
     case OriginKind::kY:
       return "YVARQ";
     case OriginKind::kZ:
-      return "ZWARQ";
+      return "ZWARQY";
     case OriginKind::kCyclePlane:
       return "R#";
     case OriginKind::kTool:
