@@ -1,7 +1,5 @@
 #include "core/nc/flexnc/flexnc_origins.h"
 
-#include <cmath>
-
 #include "core/nc/flexnc/cycle_call.h"
 
 namespace proveout::nc {
@@ -75,22 +73,26 @@ FlexCycleOrigins::FlexCycleOrigins(FlexContext& c, std::size_t code)
   record(OriginKind::kArcRadius, 'R', code);
   record(OriginKind::kCorner, 'U', code);
   record(OriginKind::kAngle, 'G', code);
-  x_ = record(OriginKind::kX, 'X', code);
-  a_ = record(OriginKind::kX, 'A', code);
+  // Both diameters of a profile count for all of its moves.
+  if (!record(OriginKind::kX, 'X', code)) {
+    record(OriginKind::kX, 'A', code);
+  } else {
+    record(OriginKind::kCycleDepth, 'A', code);
+  }
   if (isTemplate(cycle)) y_ = record(OriginKind::kZ, 'Y', code);
   z_ = record(OriginKind::kZ, 'Z', code);
   c.recorder.openCall();
   c.recorder.enter(file_, static_cast<std::uint16_t>(c.levels.size()), false);
 }
 
-FlexCycleOrigins::Argument FlexCycleOrigins::record(OriginKind kind, char letter, std::size_t code) {
+std::optional<OriginRecorder::Slot> FlexCycleOrigins::record(OriginKind kind, char letter, std::size_t code) {
   for (std::size_t k = code + 1; k < c_.block.words.size(); ++k) {
     const FlexWord& word = c_.block.words[k];
     if (word.address != letter) continue;
     c_.recorder.word(kind, word.columns, word.value, word.reads, {});
-    return {word.value, c_.recorder.slot(kind)};
+    return c_.recorder.slot(kind);
   }
-  return {};
+  return std::nullopt;
 }
 
 FlexCycleOrigins::~FlexCycleOrigins() {
@@ -110,12 +112,8 @@ void FlexCycleOrigins::place(std::uint32_t number) {
 
 void FlexCycleOrigins::move(std::uint32_t number, const CycleMove& move) {
   place(number);
-  const double diameter = 2.0 * move.element.to.y();
-  const bool nearer_a = a_.slot && std::abs(diameter - a_.value) < std::abs(diameter - x_.value);
-  const std::optional<Slot>& across = !x_.slot || nearer_a ? a_.slot : x_.slot;
-  if (across) c_.recorder.put(OriginKind::kX, *across);
   const bool cuts = move.role == CycleMove::Role::kContour || move.role == CycleMove::Role::kPass;
-  const std::optional<Slot>& along = cuts && y_.slot ? y_.slot : z_.slot;
+  const std::optional<Slot>& along = cuts && y_ ? y_ : z_;
   if (along) c_.recorder.put(OriginKind::kZ, *along);
 }
 

@@ -34,18 +34,13 @@ class FlexCycleOrigins {
 
  private:
   using Slot = OriginRecorder::Slot;
-  /// An argument that says where moves end; without a slot the call has no such argument.
-  struct Argument {
-    double value = 0.0;
-    std::optional<Slot> slot;
-  };
-  /// Tells an argument of the block in hand, where there is one.
-  Argument record(OriginKind kind, char letter, std::size_t code);
+  /// Tells an argument of the block in hand; nothing: the call has no such argument.
+  std::optional<Slot> record(OriginKind kind, char letter, std::size_t code);
 
   FlexContext& c_;
   std::uint32_t file_;
   OriginRecorder::Slots before_;
-  Argument x_, a_, y_, z_;
+  std::optional<Slot> y_, z_;  ///< arguments along Z
 };
 
 }  // namespace proveout::nc
