@@ -164,12 +164,15 @@ bool performFlexCycle(FlexContext& c, FlexCursor& cursor, const FlexWord& word) 
 }
 
 bool goesOnWithContour(const FlexContext& c) {
-  const std::vector<FlexWord>& words = c.block.words;
-  if (words.empty() || words.front().address != 'G' || words.front().tenths < 0) return false;
-  const auto code = cycleCode(words.front().tenths / 10.0);
-  if (!code || !isTemplate(*code)) return false;
-  for (const FlexWord& word : words) {
-    if (word.address == 'K') return word.value == 0.0;
+  bool in_template = false;
+  for (const FlexWord& word : c.block.words) {
+    if (in_template && word.address == 'K') return word.value == 0.0;
+    if (in_template) continue;
+    if (word.address == 'X' || word.address == 'Z' || word.address == 'M') return false;
+    if (word.address != 'G' || word.tenths < 0) continue;
+    const auto code = cycleCode(word.tenths / 10.0);
+    if (code && !isTemplate(*code)) return false;
+    in_template = code.has_value();
   }
   return false;
 }
