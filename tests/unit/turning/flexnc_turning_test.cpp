@@ -53,16 +53,6 @@ Insert sharp(int orientation) {
   return insert;
 }
 
-/// mm^3 that the section's chords may have too much or too little: two thirds of their height, as that of a
-/// parabola is, over the faces that arcs make.
-double chordVolume(const PlaneContour& profile) {
-  double faces = 0.0;
-  for (const ContourElement& e : profile) {
-    if (e.arc) faces += kPi * (e.from.y() + e.to.y()) * std::abs(e.sweep) * (e.from - e.center).norm();
-  }
-  return 2.0 / 3.0 * kSectionChordMm * faces;
-}
-
 class FlexncTurned : public testing::TestWithParam<test::FlexncRoughingExample> {};
 
 // Rows: fnc-3.1-rough fnc-0-coord
@@ -78,9 +68,8 @@ TEST_P(FlexncTurned, TakesTheVolumeOfTheTable) {
   blank.base = Vec3(0.0, 0.0, end - 10.0);
   blank.length = face - blank.base.z();
   const double volume = taken(pathOf(example.block), blank, sharp(hole ? 2 : 3));
-  const double allowed = std::max(kShare * example.volume, chordVolume(profile));
-  EXPECT_NEAR(volume, test::removedVolume(profile, face), allowed);
-  EXPECT_NEAR(volume, example.volume, allowed + kPrinted);
+  EXPECT_NEAR(volume, test::removedVolume(profile, face), kShare * volume);
+  EXPECT_NEAR(volume, example.volume, kShare * volume + kPrinted);
 }
 
 // The contour block behind the roughing block takes nothing more: roughing has left its profile. Row:
