@@ -131,20 +131,18 @@ struct WormPass {
   double across, bottom;
 };
 
-/// The starts have as many passes each. All go from Z8 to Z-60.
+/// The starts have as many passes each, a third of a turn apart. All have the way from Z15, where the widest
+/// scan of 7 mm begins at Z8, to Z-60.
 std::vector<WormPass> wormPasses(const CycleAnswer& answer) {
   const std::vector<CycleMove> moves = passesOf(answer);
   std::vector<WormPass> passes;
   for (const CycleMove& move : moves) {
-    EXPECT_EQ(move.lead, 24.0);
-    EXPECT_EQ(move.element.from.x(), 8.0);
-    EXPECT_EQ(move.element.to.x(), -60.0);
-    EXPECT_EQ(move.element.from.y(), move.element.to.y());
-    EXPECT_TRUE(move.turn >= 0.0 && move.turn < 1.0);
     const std::size_t start = passes.size() * 3 / moves.size();
-    // A spindle that has turned further when the tool begins has the same angle where Z is larger.
-    const double turns = std::remainder(move.turn - static_cast<double>(start) / 3.0, 1.0);
-    passes.push_back({start, 24.0 * turns, move.element.to.y()});
+    EXPECT_EQ(move.lead, 24.0);
+    EXPECT_NEAR(move.turn, static_cast<double>(start) / 3.0, 1e-15);
+    EXPECT_GE(move.element.from.x(), 8.0 - 1e-12);
+    EXPECT_LT((move.element.to - move.element.from - Vec2(-75.0, 0.0)).norm(), 1e-12);
+    passes.push_back({start, move.element.to.x() + 60.0, move.element.to.y()});
   }
   return passes;
 }
