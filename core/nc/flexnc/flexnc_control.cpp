@@ -209,6 +209,11 @@ FlexControl::Go FlexControl::repeat(const FlexJump& jump, std::size_t& next_line
 
 FlexControl::Go FlexControl::finish(const char* code, ProgramEnd end) {
   c_.summary.end = ProgramEnd::kAlarm;
+  if (c_.state.comp != 40 && end == ProgramEnd::kEndOfProgram) {
+    c_.report.warn("fnc-comp-end",
+                   "the program ends while compensation is on: its last motion ends on the programmed point; "
+                   "put G40 with a motion, or G81, before M02");
+  }
   if (!endFlexContours(c_) || !c_.pipe.flush(FlushReason::kEnd)) return Go::kStop;
   if (c_.settings.until && !until_hit_) {
     if (!reachedUntil()) {

@@ -80,10 +80,10 @@ bool sendMoves(FlexContext& c, std::size_t code, const std::vector<CycleMove>& m
   FlexCycleOrigins origins(c, code);
   std::uint32_t number = 0;
   for (const CycleMove& move : moves) {
-    origins.move(++number);
+    origins.move(++number, move);
     if (flexWorkOver(c) || !sendMove(c, move)) return false;
   }
-  origins.move(number + 1);
+  origins.place(number + 1);
   c.cycle.chain_source = c.report.here();
   return true;
 }
@@ -164,12 +164,15 @@ bool performFlexCycle(FlexContext& c, FlexCursor& cursor, const FlexWord& word) 
 }
 
 bool goesOnWithContour(const FlexContext& c) {
-  const std::vector<FlexWord>& words = c.block.words;
-  if (words.empty() || words.front().address != 'G' || words.front().tenths < 0) return false;
-  const auto code = cycleCode(words.front().tenths / 10.0);
-  if (!code || !isTemplate(*code)) return false;
-  for (const FlexWord& word : words) {
-    if (word.address == 'K') return word.value == 0.0;
+  bool in_template = false;
+  for (const FlexWord& word : c.block.words) {
+    if (in_template && word.address == 'K') return word.value == 0.0;
+    if (in_template) continue;
+    if (word.address == 'X' || word.address == 'Z' || word.address == 'M') return false;
+    if (word.address != 'G' || word.tenths < 0) continue;
+    const auto code = cycleCode(word.tenths / 10.0);
+    if (code && !isTemplate(*code)) return false;
+    in_template = code.has_value();
   }
   return false;
 }

@@ -65,17 +65,34 @@ void recordFlexToolChange(FlexContext& c) {
 FlexCycleOrigins::FlexCycleOrigins(FlexContext& c, std::size_t code)
     : c_(c), file_(0), before_(c.recorder.slots()) {
   const FlexWord& word = c.block.words[code];
-  const std::string name = cycleName(*cycleCode(word.tenths / 10.0));
-  file_ = c.program.cycleFile(name, c.levels.back().line, c.sink);
+  const CycleCode cycle = *cycleCode(word.tenths / 10.0);
+  file_ = c.program.cycleFile(cycleName(cycle), c.levels.back().line, c.sink);
   c.recorder.clear(KindSet::of(OriginKind::kX, OriginKind::kZ, OriginKind::kMotionCode));
   c.recorder.word(OriginKind::kCycle, word.columns, word.value, word.reads, {});
-  for (std::size_t k = code + 1; k < c.block.words.size(); ++k) {
-    const FlexWord& argument = c.block.words[k];
-    if (argument.address == 'P' || argument.address == 'Q')
-      c.recorder.word(OriginKind::kCycleStep, argument.columns, argument.value, argument.reads, {});
+  record(OriginKind::kCycleStep, 'P', code);
+  record(OriginKind::kArcRadius, 'R', code);
+  record(OriginKind::kCorner, 'U', code);
+  record(OriginKind::kAngle, 'G', code);
+  // Both diameters of a profile count for all of its moves.
+  if (!record(OriginKind::kX, 'X', code)) {
+    record(OriginKind::kX, 'A', code);
+  } else {
+    record(OriginKind::kCycleDepth, 'A', code);
   }
+  if (isTemplate(cycle)) y_ = record(OriginKind::kZ, 'Y', code);
+  z_ = record(OriginKind::kZ, 'Z', code);
   c.recorder.openCall();
   c.recorder.enter(file_, static_cast<std::uint16_t>(c.levels.size()), false);
+}
+
+std::optional<OriginRecorder::Slot> FlexCycleOrigins::record(OriginKind kind, char letter, std::size_t code) {
+  for (std::size_t k = code + 1; k < c_.block.words.size(); ++k) {
+    const FlexWord& word = c_.block.words[k];
+    if (word.address != letter) continue;
+    c_.recorder.word(kind, word.columns, word.value, word.reads, {});
+    return c_.recorder.slot(kind);
+  }
+  return std::nullopt;
 }
 
 FlexCycleOrigins::~FlexCycleOrigins() {
@@ -88,9 +105,16 @@ FlexCycleOrigins::~FlexCycleOrigins() {
   c_.recorder.clear(KindSet::of(OriginKind::kX, OriginKind::kZ));
 }
 
-void FlexCycleOrigins::move(std::uint32_t number) {
+void FlexCycleOrigins::place(std::uint32_t number) {
   c_.recorder.begin(number, -1);
   c_.report.inCycle({file_, number});
+}
+
+void FlexCycleOrigins::move(std::uint32_t number, const CycleMove& move) {
+  place(number);
+  const bool cuts = move.role == CycleMove::Role::kContour || move.role == CycleMove::Role::kPass;
+  const std::optional<Slot>& along = cuts && y_ ? y_ : z_;
+  if (along) c_.recorder.put(OriginKind::kZ, *along);
 }
 
 }  // namespace proveout::nc

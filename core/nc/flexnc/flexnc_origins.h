@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/nc/flexnc/flexnc_context.h"
 
@@ -26,13 +27,20 @@ class FlexCycleOrigins {
   ~FlexCycleOrigins();
   FlexCycleOrigins(const FlexCycleOrigins&) = delete;
   FlexCycleOrigins& operator=(const FlexCycleOrigins&) = delete;
-  /// Number of the move that is sent next, from 1.
-  void move(std::uint32_t number);
+  /// Number of the place in the cycle that comes next, from 1.
+  void place(std::uint32_t number);
+  /// The same of a move, with the arguments that say where it ends.
+  void move(std::uint32_t number, const CycleMove& move);
 
  private:
+  using Slot = OriginRecorder::Slot;
+  /// Tells an argument of the block in hand; nothing: the call has no such argument.
+  std::optional<Slot> record(OriginKind kind, char letter, std::size_t code);
+
   FlexContext& c_;
   std::uint32_t file_;
   OriginRecorder::Slots before_;
+  std::optional<Slot> y_, z_;  ///< arguments along Z
 };
 
 }  // namespace proveout::nc

@@ -129,7 +129,6 @@ constexpr auto kFlexFeatures = std::to_array<FlexFeature>({
     {"GOSUB", "SIM", "fnc-3.6-GOSUB", "call of a subprogram"},
     {"RET", "SIM", "fnc-3.6-RET", "return"},
     {"Y", "REJECT", "fnc-3.6-Yaxis", "no Y axis"},
-    {"[name]", "SIM", "fnc-4.2-param", "parameter of a template's text"},
     {"+ - * / ( )", "SIM", "fnc-4.2-arith", "expressions"},
     {"SIN COS TAN", "SIM", "fnc-4.2-trig", "of degrees"},
     {"P", "SIM", "fnc-4.2-pvar", "variables P1100 to P8100"},

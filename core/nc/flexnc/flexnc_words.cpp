@@ -16,6 +16,8 @@ namespace proveout::nc {
 namespace {
 
 bool isCycle(int tenths) { return tenths >= 0 && cycleCode(tenths / 10.0).has_value(); }
+/// Codes behind which all words are arguments.
+bool takesTheRest(int tenths) { return isCycle(tenths) || (tenths >= 810 && tenths <= 813); }
 
 bool refuseCode(FlexContext& c, const FlexWord& word) {
   const auto from = static_cast<std::size_t>(word.columns.begin - 1);
@@ -139,7 +141,7 @@ bool performWord(FlexContext& c, FlexCursor& cursor, const FlexWord& word) {
 bool checkFlexWords(FlexContext& c) {
   for (const FlexWord& word : c.block.words) {
     if (word.address == 'G') {
-      if (isCycle(word.tenths)) return true;  // what follows are its arguments
+      if (takesTheRest(word.tenths)) return true;
       if (flexGCode(word.tenths) == nullptr) return refuseCode(c, word);
     } else if (word.address == 'M') {
       if (flexMCode(word.tenths) == nullptr) return refuseCode(c, word);
@@ -151,7 +153,7 @@ bool checkFlexWords(FlexContext& c) {
 }
 
 bool performFlexWords(FlexContext& c, FlexCursor& cursor) {
-  while (cursor.next < c.block.words.size()) {
+  while (cursor.next < c.block.words.size() && !cursor.ends) {
     const FlexWord& word = c.block.words[cursor.next++];
     if (!performWord(c, cursor, word)) return false;
   }

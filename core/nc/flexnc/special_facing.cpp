@@ -56,7 +56,7 @@ void faceEnd(const CycleCall& call, CycleAnswer& answer) {
     moves.beginPass();
     moves.feedToZ(k < passes ? allowance - k * depth : 0.0, Role::kInfeed);
     moves.feedToR(inside, Role::kPass);
-    moves.rapidToZ(moves.at().x() + clearance, Role::kRetract);
+    moves.feedToZ(moves.at().x() + clearance, Role::kRetract);
     moves.rapidToR(outside, Role::kRetract);
   }
   answer.passes = moves.pass();

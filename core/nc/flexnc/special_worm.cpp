@@ -91,13 +91,14 @@ void warnOfWorm(const Worm& w, CycleAnswer& answer) {
   }
 }
 
-/// Scans across the width of one layer of one start.
+/// Scans across the width of one layer of one start. All have the same way and turn, beside each other along
+/// Z; the one that is nearest to the chuck begins at L, so that none begins in the bar.
 void cutWormLayer(const Worm& w, double bottom, double turn, CycleMoves& moves) {
   const double half = halfWidth(w, bottom), scans = stepsOver(2.0 * half, w.step);
   for (double k = 0.0; k <= scans; k += 1.0) {
     const double across = std::min(-half + k * w.step, half);
     moves.beginPass();
-    moves.rapidToZ(w.start_z + across, Role::kInfeed);
+    moves.rapidToZ(w.start_z + (w.groove - w.tool) + across, Role::kInfeed);
     moves.rapidToR(bottom, Role::kInfeed);
     moves.threadTo(Vec2(across - w.length, bottom), w.lead, turn, Role::kPass);
     moves.rapidToR(w.start_r, Role::kRetract);

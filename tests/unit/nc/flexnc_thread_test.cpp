@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -125,55 +124,77 @@ TEST(FlexncThread, CutsFromLeftToRight) {
 
 constexpr const char* kWorm = "G30A30X50Z60R10Q3F24H0.5P1U56L8K3";
 
+/// A pass of the worm: which start it is of, how far its groove lies along Z from the start's middle, and the
+/// radius of its bottom.
+struct WormPass {
+  std::size_t start;
+  double across, bottom;
+};
+
+/// The starts have as many passes each, a third of a turn apart. All have the way from Z15, where the widest
+/// scan of 7 mm begins at Z8, to Z-60.
+std::vector<WormPass> wormPasses(const CycleAnswer& answer) {
+  const std::vector<CycleMove> moves = passesOf(answer);
+  std::vector<WormPass> passes;
+  for (const CycleMove& move : moves) {
+    const std::size_t start = passes.size() * 3 / moves.size();
+    EXPECT_EQ(move.lead, 24.0);
+    EXPECT_NEAR(move.turn, static_cast<double>(start) / 3.0, 1e-15);
+    EXPECT_GE(move.element.from.x(), 8.0 - 1e-12);
+    EXPECT_LT((move.element.to - move.element.from - Vec2(-75.0, 0.0)).norm(), 1e-12);
+    passes.push_back({start, move.element.to.x() + 60.0, move.element.to.y()});
+  }
+  return passes;
+}
+
 // Row: fnc-3.6-G30
 TEST(FlexncWorm, KeepsTheToolInTheGroove) {
   const CycleAnswer answer = test::flexncAnswer(kWorm);
   ASSERT_FALSE(answer.alarm);
   EXPECT_TRUE(answer.warnings.empty());
-  const Vec2 groove(0.0, 15.0 + 10.0);  // the middle of the section where z is that of the scan
-  double deepest = 100.0;
-  for (const CycleMove& pass : passesOf(answer)) {
-    EXPECT_EQ(pass.lead, 24.0);
-    const double across = pass.element.from.x() - 8.0, bottom = pass.element.to.y();
-    EXPECT_NEAR(pass.element.to.x(), across - 60.0, 1e-12);
-    EXPECT_EQ(pass.element.from.y(), bottom);
+  const Vec2 groove(0.0, 15.0 + 10.0);
+  double deepest = 100.0, widest = 0.0;
+  for (const WormPass& pass : wormPasses(answer)) {
     // What of the tool's circle lies below the crest is within the groove's circle.
     for (int k = 0; k < 90; ++k) {
       const double angle = kPi / 45.0 * k;
-      const Vec2 edge = Vec2(across, bottom + 3.0) + 3.0 * Vec2(std::cos(angle), std::sin(angle));
-      if (edge.y() < 25.0) {
-        EXPECT_LT((edge - groove).norm(), 10.0 + 1e-9);
-      }
+      const Vec2 edge = Vec2(pass.across, pass.bottom + 3.0) + 3.0 * Vec2(std::cos(angle), std::sin(angle));
+      if (edge.y() >= 25.0) continue;
+      EXPECT_LT((edge - groove).norm(), 10.0 + 1e-9);
+      widest = std::max(widest, std::abs(edge.x()));
     }
-    deepest = std::min(deepest, bottom);
+    deepest = std::min(deepest, pass.bottom);
   }
   EXPECT_EQ(deepest, 15.0);
+  EXPECT_GT(widest, 9.9);
   EXPECT_EQ(answer.moves.back().element.to, Vec2(8, 28));
 }
 
-// Starts one after the other, a third of a turn apart, each from the crest down; what they leave is the
-// groove but for scallops of a step. Row: fnc-3.6-G30
+// Starts one after the other, a third of a turn apart, each from the crest down and across. Row: fnc-3.6-G30
 TEST(FlexncWorm, CutsAllStartsInOrder) {
-  const std::vector<CycleMove> passes = passesOf(test::flexncAnswer(kWorm));
-  std::vector<double> turns, bottoms;
-  for (const CycleMove& pass : passes) {
-    if (turns.empty() || pass.turn != turns.back()) turns.push_back(pass.turn);
-    if (!bottoms.empty() && pass.turn == 0.0) {
-      EXPECT_LE(pass.element.to.y(), bottoms.back());
-    }
-    if (pass.turn == 0.0) bottoms.push_back(pass.element.to.y());
-  }
-  ASSERT_EQ(turns.size(), 3U);
-  EXPECT_NEAR(turns[1], 1.0 / 3.0, 1e-15);
-  EXPECT_NEAR(turns[2], 2.0 / 3.0, 1e-15);
-  EXPECT_EQ(passes.size() % 3, 0U);
-  EXPECT_EQ(std::set<double>(bottoms.begin(), bottoms.end()).size(), 10U);
+  const std::vector<WormPass> passes = wormPasses(test::flexncAnswer(kWorm));
   std::size_t wanted = 0;
   for (int layer = 1; layer <= 10; ++layer) {
-    const double below = std::min(25.0 - layer + 3.0 - 25.0, 0.0);
+    const double below = std::min(3.0 - layer, 0.0);  // of the tool's middle from the crest
     wanted += 1 + static_cast<std::size_t>(std::ceil(2.0 * std::sqrt(49.0 - below * below) / 0.5 - 1e-9));
   }
-  EXPECT_EQ(passes.size(), 3 * wanted);
+  ASSERT_EQ(passes.size(), 3 * wanted);
+  for (std::size_t k = 1; k < passes.size(); ++k) {
+    const WormPass &before = passes[k - 1], &pass = passes[k];
+    if (pass.start != before.start) {
+      EXPECT_EQ(before.bottom, 15.0);
+      EXPECT_EQ(pass.bottom, 24.0);
+    } else if (pass.bottom != before.bottom) {
+      EXPECT_NEAR(pass.bottom, before.bottom - 1.0, 1e-12);
+    } else {
+      EXPECT_GT(pass.across, before.across);
+      EXPECT_LT(pass.across, before.across + 0.5 + 1e-9);
+    }
+  }
+  for (std::size_t k = 0; k < wanted; ++k) {
+    EXPECT_NEAR(passes[k].across, passes[wanted + k].across, 1e-9);
+    EXPECT_EQ(passes[k].bottom, passes[2 * wanted + k].bottom);
+  }
 }
 
 TEST(FlexncWorm, TellsOddSizes) {

@@ -159,14 +159,14 @@ TEST(FlexncTrace, Faces) {
   const CycleAnswer answer = test::flexncAnswer("G79X22Y12Z6P1C2B2");
   std::string wanted = "G00 X26 Z8; G01 ";
   for (int z = 5; z >= 0; --z) {
-    wanted += fmt::format("Z{}; X12; G00 Z{}; X26; {}", z, z + 2, z > 0 ? "G01 " : "");
+    wanted += fmt::format("Z{}; X12; Z{}; G00 X26; {}", z, z + 2, z > 0 ? "G01 " : "");
   }
   EXPECT_EQ(traced(answer.moves), wanted + "Z8");
   EXPECT_EQ(answer.passes, 6);
   // One pass at 0 where the allowance is less than a pass, and a last pass that is thinner.
-  EXPECT_EQ(traced(test::flexncAnswer("G79X22Y0Z1P2C2B2").moves), "G00 X26 Z3; G01 Z0; X0; G00 Z2; X26; Z3");
+  EXPECT_EQ(traced(test::flexncAnswer("G79X22Y0Z1P2C2B2").moves), "G00 X26 Z3; G01 Z0; X0; Z2; G00 X26; Z3");
   EXPECT_EQ(traced(test::flexncAnswer("G79X22Y0Z3P2C2B2").moves),
-            "G00 X26 Z5; G01 Z1; X0; G00 Z3; X26; G01 Z0; X0; G00 Z2; X26; Z5");
+            "G00 X26 Z5; G01 Z1; X0; Z3; G00 X26; G01 Z0; X0; Z2; G00 X26; Z5");
 }
 
 // Row: fnc-3.6-G5

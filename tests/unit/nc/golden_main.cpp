@@ -61,7 +61,7 @@ struct Control {
 };
 const Control kControls[] = {{ControlId::kNct, "nct-", 692, 798},
                              {ControlId::kWl4Lathe, "wl4-", 202, 202},
-                             {ControlId::kFlexNc, "fnc-", 163, 163},
+                             {ControlId::kFlexNc, "fnc-", 162, 163},
                              {ControlId::kWedm, "wedm-", 93, 95}};
 
 /// Ids of a control after "proves:" in the about sections.
@@ -185,7 +185,7 @@ std::string_view lettersOf(OriginKind kind) {
     case OriginKind::kY:
       return "YVARQ";
     case OriginKind::kZ:
-      return "ZWARQ";
+      return "ZWARQY";
     case OriginKind::kCyclePlane:
       return "R#";
     case OriginKind::kTool:

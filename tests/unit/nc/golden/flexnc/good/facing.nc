@@ -45,27 +45,27 @@ file 1 G79 of line 4
 1/1 depth 1: rapid from 100 0 50 to 13 0 8 t0.348
 1/2 depth 1: feed to 13 0 5 F100 t1.8
 1/3 depth 1: feed to 6 0 5 F100 t4.2
-1/4 depth 1: rapid to 6 0 7 t0.008
+1/4 depth 1: feed to 6 0 7 F100 t1.2
 1/5 depth 1: rapid to 13 0 7 t0.028
 1/6 depth 1: feed to 13 0 4 F100 t1.8
 1/7 depth 1: feed to 6 0 4 F100 t4.2
-1/8 depth 1: rapid to 6 0 6 t0.008
+1/8 depth 1: feed to 6 0 6 F100 t1.2
 1/9 depth 1: rapid to 13 0 6 t0.028
 1/10 depth 1: feed to 13 0 3 F100 t1.8
 1/11 depth 1: feed to 6 0 3 F100 t4.2
-1/12 depth 1: rapid to 6 0 5 t0.008
+1/12 depth 1: feed to 6 0 5 F100 t1.2
 1/13 depth 1: rapid to 13 0 5 t0.028
 1/14 depth 1: feed to 13 0 2 F100 t1.8
 1/15 depth 1: feed to 6 0 2 F100 t4.2
-1/16 depth 1: rapid to 6 0 4 t0.008
+1/16 depth 1: feed to 6 0 4 F100 t1.2
 1/17 depth 1: rapid to 13 0 4 t0.028
 1/18 depth 1: feed to 13 0 1 F100 t1.8
 1/19 depth 1: feed to 6 0 1 F100 t4.2
-1/20 depth 1: rapid to 6 0 3 t0.008
+1/20 depth 1: feed to 6 0 3 F100 t1.2
 1/21 depth 1: rapid to 13 0 3 t0.028
 1/22 depth 1: feed to 13 0 0 F100 t1.8
 1/23 depth 1: feed to 6 0 0 F100 t4.2
-1/24 depth 1: rapid to 6 0 2 t0.008
+1/24 depth 1: feed to 6 0 2 F100 t1.2
 1/25 depth 1: rapid to 13 0 2 t0.028
 1/26 depth 1: rapid to 13 0 8 t0.024
 5: event spindle rpm=0 direction="stop"
