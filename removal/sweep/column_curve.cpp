@@ -50,6 +50,7 @@ struct TurnHeight {
   double steep;  ///< twice the rise a radian, away from v = 0
   bool climbs() const { return steep >= 0.0; }
   double value(double v) const { return steep * std::asin(std::min(v, 1.0)); }
+  double least(double a, double b) const { return value(steep < 0.0 ? b : a); }
   double slope(double v) const { return steep == 0.0 ? 0.0 : steep / root(1.0 - v * v); }
   double bend(double v) const {
     const double c = root(1.0 - v * v);
@@ -65,6 +66,7 @@ struct UprightHeight {
   static constexpr bool climbs() { return false; }
   double half(double x) const { return root((radius - x) * (radius + x)); }
   double value(double v) const { return side * half(at + way * v); }
+  double least(double a, double b) const { return side < 0.0 ? -radius : std::min(value(a), value(b)); }
   double slope(double v) const {
     const double x = at + way * v, q = half(x);
     return x == 0.0 ? 0.0 : -side * way * x / q;
@@ -88,12 +90,17 @@ class Least {
 
   double over(double from, double to) {
     if (height_.climbs()) to = from;
+    const double lowest = height_.least(from, to);
     for (int i = 0; i < boundary_.count; ++i) {
       piece_ = &boundary_.piece[i];
       const double ra = piece_->ra, rb = piece_->rb;
+      if (i + 1 < boundary_.count && p2_ > rb * rb) continue;
       const double a = i == 0 ? from : std::max(from, root((ra * ra - p2_) / k2_));
       const double b = i + 1 == boundary_.count ? to : std::min(to, root((rb * rb - p2_) / k2_));
-      if (a <= b && (i + 1 == boundary_.count || p2_ <= rb * rb)) overPiece(place(a), place(b));
+      if (a > b) continue;
+      // The boundary rises from piece to piece.
+      if (foot(radial(a)).value + lowest >= best_ - kSettledMm) break;
+      overPiece(a, b);
     }
     return best_;
   }
@@ -110,36 +117,47 @@ class Least {
     double r, slope, bend;
   };
   struct Boundary {
-    double value, slope, bend;
+    double value, slope;
   };
 
-  Radial radial(double v) const {
-    const double r = std::sqrt(p2_ + k2_ * v * v);
+  double radial(double v) const { return std::sqrt(p2_ + k2_ * v * v); }
+  Radial radialBend(double v) const {
+    const double r = radial(v);
     if (r == 0.0) return {0.0, std::sqrt(k2_), 0.0};
     return {r, k2_ * v / r, k2_ * p2_ / (r * r * r)};
   }
-  Boundary boundary(double r) const {
+  Boundary foot(double r) const {
     const double at = std::clamp(r, piece_->ra, piece_->rb);
     if (piece_->kind != PieceKind::kArc)
-      return {piece_->za + piece_->slope * (at - piece_->ra), piece_->slope, 0.0};
-    const double d = at - piece_->rc, radius2 = piece_->radius * piece_->radius, q = root(radius2 - d * d);
-    return {piece_->zc - q, d == 0.0 ? 0.0 : d / q, radius2 / (q * q * q)};
+      return {piece_->za + piece_->slope * (at - piece_->ra), piece_->slope};
+    const double d = at - piece_->rc, q = root(piece_->radius * piece_->radius - d * d);
+    return {piece_->zc - q, d == 0.0 ? 0.0 : d / q};
   }
+  double bendOfFoot(double r) const {
+    if (piece_->kind != PieceKind::kArc) return 0.0;
+    const double d = std::clamp(r, piece_->ra, piece_->rb) - piece_->rc;
+    const double radius2 = piece_->radius * piece_->radius, q = root(radius2 - d * d);
+    return radius2 / (q * q * q);
+  }
+  double value(double v) const { return foot(radial(v)).value + height_.value(v); }
   Place place(double v) const {
-    const Radial r = radial(v);
-    const Boundary b = boundary(r.r);
-    return {v, b.value, r.slope == 0.0 ? 0.0 : b.slope * r.slope, height_.value(v), height_.slope(v)};
+    const double r = radial(v), slope = r == 0.0 ? std::sqrt(k2_) : k2_ * v / r;
+    const Boundary b = foot(r);
+    return {v, b.value, slope == 0.0 ? 0.0 : b.slope * slope, height_.value(v), height_.slope(v)};
   }
   double footBend(double v) const {
-    const Radial r = radial(v);
-    const Boundary b = boundary(r.r);
-    return b.bend * r.slope * r.slope + b.slope * r.bend;
+    const Radial r = radialBend(v);
+    return bendOfFoot(r.r) * r.slope * r.slope + foot(r.r).slope * r.bend;
   }
 
-  void overPiece(const Place& from, const Place& to) {
-    best_ = std::min({best_, from.value(), to.value()});
-    Place first = from, last = to;
-    if (first.v == last.v || shrink(first, last)) return;
+  void overPiece(double from, double to) {
+    if (shrink(from, to)) {
+      best_ = std::min(best_, value(from));
+      return;
+    }
+    const Place first = place(from), last = place(to);
+    best_ = std::min({best_, first.value(), last.value()});
+    if (from == to) return;
     stretches_[0] = {first, last};
     for (int size = 1; size > 0;) {
       const auto [a, b] = stretches_[static_cast<std::size_t>(--size)];
@@ -168,20 +186,22 @@ class Least {
     return most > steep ? steep / k * std::sqrt(p2_ / left) : kNothing;
   }
 
-  /// Narrows the stretch to what may hold the least value; true if it is found.
-  bool shrink(Place& first, Place& last) {
+  /// Narrows the stretch to what may hold the least value; true if that is one place, `from`.
+  bool shrink(double& from, double& to) const {
+    if (from == to) return true;
     if (piece_->kind == PieceKind::kArc && piece_->rc != 0.0) return false;
+    double steep_from = -height_.slope(from), steep_to = -height_.slope(to);
     for (int round = 0; round < kMostShrinks; ++round) {
-      const double least = -std::max(first.height_slope, last.height_slope),
-                   most = -std::min(first.height_slope, last.height_slope);
-      const double a = least > 0.0 ? std::clamp(placeOf(least), first.v, last.v) : first.v;
-      const double b = most > 0.0 ? std::clamp(placeOf(most), a, last.v) : a;
-      const double before = last.v - first.v;
-      if (a > first.v) first = place(a);
-      if (b < last.v) last = place(b);
-      best_ = std::min({best_, first.value(), last.value()});
-      if ((b - a) * std::sqrt(k2_) < kStepMm) return true;
-      if (b - a > 0.5 * before) return false;
+      const double least = std::min(steep_from, steep_to), most = std::max(steep_from, steep_to);
+      const double a = least > 0.0 ? std::clamp(placeOf(least), from, to) : from;
+      const double b = most > 0.0 ? std::clamp(placeOf(most), a, to) : a;
+      const bool helps = b - a < 0.5 * (to - from);
+      if (a > from) steep_from = -height_.slope(a);
+      if (b < to) steep_to = -height_.slope(b);
+      from = a;
+      to = b;
+      if ((to - from) * std::sqrt(k2_) < kStepMm) return true;
+      if (!helps) return false;
     }
     return false;
   }
@@ -201,16 +221,15 @@ class Least {
     }
     if (low >= best_ - kSettledMm) return true;
     if (!bent_down) return false;
-    const Radial ra = radial(a.v), rb = radial(b.v);
-    const double most = boundary(rb.r).bend * rb.slope * rb.slope + boundary(rb.r).slope * ra.bend;
+    const Radial ra = radialBend(a.v), rb = radialBend(b.v);
+    const double most = bendOfFoot(rb.r) * rb.slope * rb.slope + foot(rb.r).slope * ra.bend;
     return most <= height_.leastBend(a.v, b.v);
   }
 
   bool isConvex(const Place& a, const Place& b) const {
     if (b.height_slope >= a.height_slope) return true;
-    const Radial ra = radial(a.v), rb = radial(b.v);
-    const Boundary inner = boundary(ra.r);
-    const double least = inner.bend * ra.slope * ra.slope + inner.slope * rb.bend;
+    const Radial ra = radialBend(a.v), rb = radialBend(b.v);
+    const double least = bendOfFoot(ra.r) * ra.slope * ra.slope + foot(ra.r).slope * rb.bend;
     return least >= std::max(std::abs(height_.bend(a.v)), std::abs(height_.bend(b.v)));
   }
 
@@ -284,7 +303,10 @@ Interval turnColumn(const ColumnSweep& s, double x, double y, bool rim) {
   if (gap >= radius && first < 0.0 && last > 0.0) return beside(*s.solid, gap - radius, base);
   const double p2 = gap * gap, k2 = std::max(4.0 * s.arc_radius * d, kLeastAcross);
   const double reach = std::min(1.0, root((radius * radius - p2) / k2));
-  const double start = std::sin(0.5 * first), end = std::sin(0.5 * last), u = std::clamp(0.0, start, end);
+  // The sine of half an angle of the half circle is no less than the angle by pi.
+  const double start = -first >= kPi * reach && !rim ? -reach : std::sin(0.5 * first),
+               end = last >= kPi * reach && !rim ? reach : std::sin(0.5 * last),
+               u = std::clamp(0.0, start, end);
   const double from = std::max(start, -reach), to = std::min(end, reach);
   const double beyond = std::sqrt(p2 + k2 * u * u) - radius;
   if (from >= to) return beside(*s.solid, beyond, base + 2.0 * s.slope * std::asin(u));
