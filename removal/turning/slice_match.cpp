@@ -140,12 +140,109 @@ double off(const CornerLoop& a, std::size_t a0, std::size_t a1, const CornerLoop
 
 }  // namespace
 
+Stretch::Stretch(const CornerLoop& loop, std::size_t first, std::size_t last) {
+  for (std::size_t i = first;; i = (i + 1) % loop.size()) {
+    const double step = corners.empty() ? 0.0 : (loop[i].at - corners.back()->at).norm();
+    along.push_back(along.empty() ? 0.0 : along.back() + step);
+    corners.push_back(&loop[i]);
+    if (i == last) break;
+  }
+  for (double& a : along) a /= std::max(along.back(), 1e-12);
+  along.back() = 1.0;
+}
+
+namespace {
+
+/// Whether both loops go straight from one common corner to the next.
+bool joined(const CornerLoop& a, const CornerLoop& b, const std::pair<std::size_t, std::size_t>& from,
+            const std::pair<std::size_t, std::size_t>& to) {
+  return (from.first + 1) % a.size() == to.first && (from.second + 1) % b.size() == to.second;
+}
+
+double distanceTo(const std::vector<Vec2>& chain, const Vec2& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+    least = std::min(least, distanceToSegment(p, chain[i], chain[i + 1]));
+  return least;
+}
+
+/// The largest distance of the corners of each chain from the other.
+double apart(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  double most = 0.0;
+  for (const Vec2& p : a) most = std::max(most, distanceTo(b, p));
+  for (const Vec2& p : b) most = std::max(most, distanceTo(a, p));
+  return most;
+}
+
+/// Where the triangles between two stretches are half way.
+std::vector<Vec2> halfWay(const Stretch& a, const Stretch& b) {
+  const auto half = [&](std::size_t i, std::size_t j) {
+    return Vec2(0.5 * (a.corners[i]->at + b.corners[j]->at));
+  };
+  std::vector<Vec2> chain{half(0, 0)};
+  zigzag(
+      a, b, [](std::size_t, std::size_t) { return true; },
+      [&](std::size_t i, std::size_t j, bool of_b) {
+        chain.push_back(of_b ? half(i, j + 1) : half(i + 1, j));
+      });
+  return chain;
+}
+
+}  // namespace
+
+double offMiddle(const Slice& a, const Slice& b, const std::vector<LoopMatch>& matches, const Slice& middle,
+                 std::int32_t turns) {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const auto to_middle = matchSlices(a, middle, turns);
+  if (!to_middle) return kUnknown;
+  double most = 0.0;
+  for (std::size_t l = 0; l < matches.size(); ++l) {  // both have the loops of `a` in their order
+    const LoopMatch &match = matches[l], &known = (*to_middle)[l];
+    const CornerLoop &la = a.loops[match.a], &lb = b.loops[match.b], &lm = middle.loops[known.b];
+    std::vector<std::size_t> in_middle(la.size(), kNone);
+    for (const auto& [corner, other] : known.corners) in_middle[corner] = other;
+    const std::size_t n = match.corners.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto &from = match.corners[k], &to = match.corners[(k + 1) % n];
+      if (joined(la, lb, from, to)) continue;
+      const std::size_t m0 = in_middle[from.first], m1 = in_middle[to.first];
+      if (m0 == kNone || m1 == kNone) return kUnknown;
+      const Stretch exact(lm, m0, m1);
+      std::vector<Vec2> chain;
+      for (const Corner* corner : exact.corners) chain.push_back(corner->at);
+      most = std::max(most, apart(halfWay({la, from.first, to.first}, {lb, from.second, to.second}), chain));
+    }
+  }
+  return most;
+}
+
+double thickness(const CornerLoop& a, const CornerLoop& b, const LoopMatch& match) {
+  double most = 0.0;
+  const std::size_t n = match.corners.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto &from = match.corners[k], &to = match.corners[(k + 1) % n];
+    if (joined(a, b, from, to)) continue;
+    const Stretch sa(a, from.first, to.first), sb(b, from.second, to.second);
+    double area = 0.0, around = 0.0;
+    zigzag(
+        sa, sb, [](std::size_t, std::size_t) { return true; },
+        [&](std::size_t i, std::size_t j, bool of_b) {
+          const Vec2 &p = sa.corners[i]->at, &q = sb.corners[j]->at,
+                     &next = of_b ? sb.corners[j + 1]->at : sa.corners[i + 1]->at;
+          area += 0.5 * std::abs((q - p).x() * (next - p).y() - (q - p).y() * (next - p).x());
+          around += (next - (of_b ? q : p)).norm();
+        });
+    most = std::max(most, 2.0 * area / std::max(around, 1e-12));
+  }
+  return most;
+}
+
 double mismatch(const CornerLoop& a, const CornerLoop& b, const LoopMatch& match) {
   double most = 0.0;
   const std::size_t n = match.corners.size();
   for (std::size_t k = 0; k < n; ++k) {
     const auto &from = match.corners[k], &to = match.corners[(k + 1) % n];
-    if ((from.first + 1) % a.size() == to.first && (from.second + 1) % b.size() == to.second) continue;
+    if (joined(a, b, from, to)) continue;
     most = std::max({most, off(a, from.first, to.first, b, from.second, to.second),
                      off(b, from.second, to.second, a, from.first, to.first)});
   }

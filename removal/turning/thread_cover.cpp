@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "removal/turning/thread_group.h"
+
 namespace proveout {
 
 namespace {
@@ -174,6 +176,29 @@ std::vector<ThreadSweep> leftOf(const std::vector<ThreadSweep>& threads, std::si
   return out;
 }
 
+/// Of passes that go together those that make what all of them take of the material. `radii`: of the material
+/// beside each pass.
+std::vector<std::size_t> withoutInner(const std::vector<ThreadSweep>& threads,
+                                      const std::vector<Range>& radii) {
+  std::vector<std::size_t> out;
+  for (const std::vector<std::size_t>& group : threadGroups(threads)) {
+    if (group.size() < 3) {
+      out.insert(out.end(), group.begin(), group.end());
+      continue;
+    }
+    Range band;
+    for (const std::size_t i : group) {
+      // The way leads the tool away from radii at the start: what is in the material somewhere counts.
+      const double away = threads[i].to.x() - threads[i].from.x();
+      band.extend(radii[i].low - std::max(0.0, away));
+      band.extend(radii[i].high - std::min(0.0, away));
+    }
+    for (const std::size_t k : passesThatCount(threads, group, band.low, band.high)) out.push_back(group[k]);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 }  // namespace
 
 bool coversThread(const ThreadSweep& deep, const ThreadSweep& shallow, double low, double high) {
@@ -201,10 +226,16 @@ std::vector<ThreadSweep> withoutCovered(const std::vector<ThreadSweep>& threads,
     kept.push_back(threads[i]);
     radii.push_back(material);
   }
+  std::vector<ThreadSweep> outer;
+  std::vector<Range> beside;
+  for (const std::size_t i : withoutInner(kept, radii)) {
+    outer.push_back(kept[i]);
+    beside.push_back(radii[i]);
+  }
   const Range heights = heightsOf(bodies);
   std::vector<ThreadSweep> out;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    for (ThreadSweep& left : leftOf(kept, i, radii[i], heights)) out.push_back(std::move(left));
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    for (ThreadSweep& left : leftOf(outer, i, beside[i], heights)) out.push_back(std::move(left));
   }
   return out;
 }

@@ -24,7 +24,8 @@ using namespace thread_detail;
 /// Half sections all round: at least; at most, before those at the ends of grooves; and at most in all.
 constexpr int kFewest = 24, kMost = 4096;
 constexpr std::size_t kMostSlices = 16384;
-/// Sections are this far apart at least, rad: below, what appears between them does so at once.
+/// Sections are this far apart at least, rad: below, what appears between them does so at once, and is
+/// measured by its thickness.
 constexpr double kLeastStep = 5e-4;
 /// What still appears at once may be this large, in tolerances.
 constexpr double kMostJump = 5.0;
@@ -39,6 +40,7 @@ struct Node {
   /// How far the section behind it is off this one, mm; below 0: they do not go over into each other. Nothing
   /// where that has not been looked at.
   std::optional<double> off;
+  std::vector<Node> middle = {};  ///< the section half way to that one, if it was made
 };
 
 /// All half sections round the part, so close together that each goes over into the next.
@@ -51,13 +53,11 @@ class SliceRing {
   bool make(int steps) {
     sample(steps);
     while (!progress_.cancelled()) {
-      const std::vector<double> between = unclear();
+      std::vector<Node> between = unclear();
       if (failed_ || nodes_.size() + between.size() > kMostSlices) return false;
-      if (between.empty()) return true;
-      std::vector<Node> more;
-      for (const double phi : between) more.push_back({phi, {}, 0, {}, {}});
-      fill(more);
-      nodes_.insert(nodes_.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+      if (between.empty()) return !progress_.cancelled();
+      nodes_.insert(nodes_.end(), std::make_move_iterator(between.begin()),
+                    std::make_move_iterator(between.end()));
       std::stable_sort(nodes_.begin(), nodes_.end(),
                        [](const Node& a, const Node& b) { return a.phi < b.phi; });
     }
@@ -87,7 +87,7 @@ class SliceRing {
       while (last < ends.size() && ends[last].phi == ends[first].phi) ++last;
       const std::span<const PassEnd> here(ends.data() + first, last - first);
       for (std::size_t passed = 0; passed <= here.size(); ++passed)
-        nodes_.push_back({ends[first].phi, here, passed, {}, {}});
+        nodes_.push_back({ends[first].phi, here, passed, {}, {}, {}});
       first = last;
     }
     // Even steps, but for those that an end is near to.
@@ -99,7 +99,7 @@ class SliceRing {
         return std::abs(std::remainder(node.phi - phi, kFullTurn)) < 0.25 * step;
       };
       if (std::none_of(nodes_.begin(), nodes_.begin() + static_cast<std::ptrdiff_t>(special), near))
-        nodes_.push_back({phi, {}, 0, {}, {}});
+        nodes_.push_back({phi, {}, 0, {}, {}, {}});
     }
     std::stable_sort(nodes_.begin(), nodes_.end(),
                      [](const Node& a, const Node& b) { return a.phi < b.phi; });
@@ -114,26 +114,45 @@ class SliceRing {
     });
   }
 
-  double gap(std::size_t k) const {
-    if (step(k) <= 0.0) return 0.0;
-    const Slice &a = nodes_[k].slice, &b = after(k).slice;
+  /// Looks at the surface between a section and the next one.
+  void look(std::size_t k) {
+    Node& node = nodes_[k];
+    node.off = 0.0;
+    if (step(k) <= 0.0) return;
+    const Slice &a = node.slice, &b = after(k).slice;
     const auto matches = matchSlices(a, b, turnsTo(k));
-    if (!matches) return -1.0;
-    double most = 0.0;
-    for (const LoopMatch& match : *matches)
-      most = std::max(most, mismatch(a.loops[match.a], b.loops[match.b], match));
-    return most;
+    if (!matches) node.off = -1.0;
+    const bool last = step(k) < 2.0 * kLeastStep;
+    double thick = 0.0;
+    for (std::size_t l = 0; matches && l < matches->size(); ++l) {
+      const LoopMatch& match = (*matches)[l];
+      const CornerLoop &la = a.loops[match.a], &lb = b.loops[match.b];
+      node.off = std::max(*node.off, mismatch(la, lb, match));
+      if (last) thick = std::max(thick, thickness(la, lb, match));
+    }
+    if (last && matches) node.off = std::min(*node.off, thick);
+    if (last || (*node.off >= 0.0 && *node.off <= tolerance_)) return;
+    // Corners that appear and vanish mostly do so within the surface: the section half way tells.
+    const double phi = node.phi + 0.5 * step(k);
+    const bool over = phi >= kFullTurn;
+    node.middle.push_back({over ? phi - kFullTurn : phi, {}, 0, {}, {}, {}});
+    node.middle.front().slice = slicer_.slice(node.middle.front().phi);
+    if (matches)
+      node.off = std::min(*node.off, offMiddle(a, b, *matches, node.middle.front().slice, over ? 1 : 0));
   }
 
-  /// Angles between sections that differ by more than the tolerance.
-  std::vector<double> unclear() {
+  /// Sections half way between those that differ by more than the tolerance.
+  std::vector<Node> unclear() {
     parallelFor(std::size_t{0}, nodes_.size(), [&](std::size_t k) {
-      if (!nodes_[k].off) nodes_[k].off = gap(k);
+      if (!nodes_[k].off && !progress_.cancelled()) look(k);
     });
-    std::vector<double> between;
+    std::vector<Node> between;
     deviation_ = 0.0;
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    for (const Node& node : nodes_) deviation_ = std::max(deviation_, node.slice.left_out_mm);
+    for (std::size_t k = 0; k < nodes_.size() && !progress_.cancelled(); ++k) {
       const double off = *nodes_[k].off;
+      std::vector<Node> middle = std::move(nodes_[k].middle);
+      nodes_[k].middle.clear();
       if (off >= 0.0 && off <= tolerance_) continue;
       if (step(k) < 2.0 * kLeastStep) {
         failed_ = failed_ || off < 0.0;
@@ -141,8 +160,7 @@ class SliceRing {
         continue;
       }
       nodes_[k].off.reset();
-      const double phi = nodes_[k].phi + 0.5 * step(k);
-      between.push_back(phi < kFullTurn ? phi : phi - kFullTurn);
+      between.push_back(std::move(middle.front()));
     }
     return between;
   }
@@ -242,45 +260,21 @@ class Stitcher {
     return true;
   }
 
-  /// Corners of a loop from one to another, and how far along the way each is, 0 to 1.
-  struct Chain {
-    std::vector<const Corner*> corners;
-    std::vector<double> along;
-
-    Chain(const CornerLoop& loop, std::size_t first, std::size_t last) {
-      for (std::size_t i = first;; i = (i + 1) % loop.size()) {
-        const double step = corners.empty() ? 0.0 : (loop[i].at - corners.back()->at).norm();
-        along.push_back(along.empty() ? 0.0 : along.back() + step);
-        corners.push_back(&loop[i]);
-        if (i == last) break;
-      }
-      for (double& a : along) a /= std::max(along.back(), 1e-12);
-      along.back() = 1.0;
-    }
-    std::uint32_t vertex(std::size_t i) const { return corners[i]->vertex; }
-    std::size_t edges() const { return corners.size() - 1; }
-  };
-
   void stretch(const CornerLoop& la, std::size_t a0, std::size_t a1, const CornerLoop& lb, std::size_t b0,
                std::size_t b1) {
-    const Chain a(la, a0, a1), b(lb, b0, b1);
-    std::size_t i = 0, j = 0;
-    while (i < a.edges() || j < b.edges()) {
-      // The one that is less far along goes on; of one edge on either side the shorter diagonal is taken.
-      bool forth = i == a.edges();
-      if (i < a.edges() && j < b.edges()) {
-        const double ahead = b.along[j + 1] - a.along[i + 1];
-        forth = std::abs(ahead) > 1e-9 ? ahead < 0.0
-                                       : shorter(a.vertex(i), b.vertex(j + 1), a.vertex(i + 1), b.vertex(j));
-      }
-      if (forth) {
-        add(a.vertex(i), b.vertex(j), b.vertex(j + 1), slicer_.motionOf(b.corners[j]->out));
-        ++j;
-      } else {
-        add(a.vertex(i), b.vertex(j), a.vertex(i + 1), slicer_.motionOf(a.corners[i]->out));
-        ++i;
-      }
-    }
+    const Stretch a(la, a0, a1), b(lb, b0, b1);
+    const auto of_a = [&](std::size_t i) { return a.corners[i]->vertex; };
+    const auto of_b = [&](std::size_t j) { return b.corners[j]->vertex; };
+    // Of one edge on either side the shorter diagonal is taken.
+    zigzag(
+        a, b,
+        [&](std::size_t i, std::size_t j) { return shorter(of_a(i), of_b(j + 1), of_a(i + 1), of_b(j)); },
+        [&](std::size_t i, std::size_t j, bool forth) {
+          if (forth)
+            add(of_a(i), of_b(j), of_b(j + 1), slicer_.motionOf(b.corners[j]->out));
+          else
+            add(of_a(i), of_b(j), of_a(i + 1), slicer_.motionOf(a.corners[i]->out));
+        });
   }
 
   /// Whether the line a-b is no longer than c-d, within a thousandth.
@@ -327,7 +321,7 @@ int stepsFor(const SectionBody& body, double tolerance) {
 std::optional<ThreadedSurface> threadedSurface(const SectionBody& body,
                                                const std::vector<ThreadSweep>& threads, double tolerance,
                                                const Progress& progress) {
-  const ThreadSlicer slicer(body, threads, tolerance);
+  const ThreadSlicer slicer(body, threads, tolerance, kMostJump * tolerance);
   SliceRing ring(slicer, tolerance, progress);
   if (!ring.make(stepsFor(body, tolerance)) || ring.deviation() > kMostJump * tolerance) return std::nullopt;
   ThreadedSurface surface;
@@ -343,7 +337,7 @@ std::optional<ThreadedSurface> threadedSurface(const SectionBody& body,
 }
 
 double threadedVolume(const SectionBody& body, const std::vector<ThreadSweep>& threads) {
-  const ThreadSlicer slicer(body, threads, kSectionChordMm);
+  const ThreadSlicer slicer(body, threads, kSectionChordMm, 0.0);
   const Progress progress;
   SliceRing ring(slicer, kSectionChordMm, progress);
   ring.sample(kVolumeSteps);

@@ -6,6 +6,7 @@
 
 #include "core/geometry/ears.h"
 #include "removal/turning/revolve.h"
+#include "removal/turning/thread_group.h"
 
 namespace proveout::thread_detail {
 
@@ -32,6 +33,19 @@ std::vector<std::int32_t> runsOf(const SectionLoop& loop, const std::vector<std:
   return run;
 }
 
+SectionLoop chordsOf(const ConvexOutline& outline, MotionId motion) {
+  SectionLoop loop;
+  outline.chain(0.0, 2.0 * kPi, kSectionChordMm, loop.points);
+  while (loop.points.size() > 1 && (loop.points.front() - loop.points.back()).norm() < kOnEdge)
+    loop.points.pop_back();
+  loop.motion.assign(loop.points.size(), motion);
+  return loop;
+}
+
+bool reachesOverAxis(const ThreadSweep& thread) {
+  return std::min(thread.from.x(), thread.to.x()) + thread.outline->min().x() < 0.0;
+}
+
 /// Points and the names of the edges behind them, without edges that are none. Points on the axis stay.
 void dropShort(std::vector<Vec2>& points, std::vector<EdgeName>& names) {
   const std::vector<Vec2> all = std::move(points);
@@ -56,8 +70,9 @@ void dropShort(std::vector<Vec2>& points, std::vector<EdgeName>& names) {
 
 }  // namespace
 
-ThreadSlicer::ThreadSlicer(const SectionBody& body, const std::vector<ThreadSweep>& threads,
-                           double tolerance) {
+ThreadSlicer::ThreadSlicer(const SectionBody& body, const std::vector<ThreadSweep>& threads, double tolerance,
+                           double thinnest)
+    : thinnest_(thinnest) {
   std::vector<SectionLoop> loops = body.loops;
   for (SectionLoop& loop : loops) {
     const std::vector<std::size_t> kept = keptPoints(loop, tolerance);
@@ -68,14 +83,7 @@ ThreadSlicer::ThreadSlicer(const SectionBody& body, const std::vector<ThreadSwee
     for (std::size_t i = 0; i < loop.points.size(); ++i) loop.motion[i] = number + static_cast<MotionId>(i);
   }
   section_ = SectionArea(loops);
-  for (const ThreadSweep& thread : threads) {
-    addSweep(thread, tolerance);
-    if (std::min(thread.from.x(), thread.to.x()) + thread.outline->min().x() >= 0.0) continue;
-    const ConvexOutline mirror = mirrored(*thread.outline, 0);
-    ThreadSweep across = thread.acrossAxis();
-    across.outline = &mirror;
-    addSweep(across, tolerance);
-  }
+  for (const std::vector<std::size_t>& group : threadGroups(threads)) addGroup(threads, group, tolerance);
   std::sort(ends_.begin(), ends_.end(), [](const PassEnd& a, const PassEnd& b) { return a.phi < b.phi; });
   for (std::size_t k = 1; k < ends_.size(); ++k) {
     if (ends_[k].phi - ends_[k - 1].phi < kSameAngle) ends_[k].phi = ends_[k - 1].phi;
@@ -86,19 +94,43 @@ ThreadSlicer::ThreadSlicer(const SectionBody& body, const std::vector<ThreadSwee
   });
 }
 
-void ThreadSlicer::addSweep(const ThreadSweep& thread, double tolerance) {
+void ThreadSlicer::addGroup(const std::vector<ThreadSweep>& threads, const std::vector<std::size_t>& group,
+                            double tolerance) {
+  const auto crosses = [&](std::size_t i) { return reachesOverAxis(threads[i]); };
+  if (group.size() > 1 && std::none_of(group.begin(), group.end(), crosses)) {
+    GroupOutline all(threads, group);
+    for (std::size_t k = 0; k < group.size(); ++k) all.add(k);
+    std::vector<SectionLoop> borders = all.borders();
+    if (borders.size() == 1) {
+      for (MotionId& made_by : borders.front().motion) made_by = threads[group[made_by]].motion;
+      addSweep(threads[group.front()], borders.front(), tolerance);
+      return;
+    }
+  }
+  for (const std::size_t i : group) addPass(threads[i], tolerance);
+}
+
+void ThreadSlicer::addPass(const ThreadSweep& thread, double tolerance) {
+  addSweep(thread, chordsOf(*thread.outline, thread.motion), tolerance);
+  if (!reachesOverAxis(thread)) return;
+  addSweep(thread.acrossAxis(), chordsOf(mirrored(*thread.outline, 0), thread.motion), tolerance);
+}
+
+void ThreadSlicer::addSweep(const ThreadSweep& thread, const SectionLoop& outline, double tolerance) {
   if (thread.turns == 0.0) return;
-  const ConvexOutline& outline = *thread.outline;
-  Sweep sweep{thread, 0.0, 2.0 * kPi * thread.turns, {}, {}, outline.min(), outline.max()};
+  Sweep sweep{thread, 0.0, 2.0 * kPi * thread.turns, outline.points, {}, {}, {}, {}};
   sweep.thread.outline = nullptr;  // it is not kept; its chords are
   sweep.start = thread.start_rad - 2.0 * kPi * std::floor(thread.start_rad / (2.0 * kPi));
-  outline.chain(0.0, 2.0 * kPi, kSectionChordMm, sweep.outline);
-  while (sweep.outline.size() > 1 && (sweep.outline.front() - sweep.outline.back()).norm() < kOnEdge)
-    sweep.outline.pop_back();
-  SectionLoop loop;
-  loop.points = sweep.outline;
-  loop.motion.assign(loop.points.size(), 0);
-  sweep.run = runsOf(loop, keptPoints(loop, tolerance), 0);
+  sweep.low = sweep.high = outline.points.front();
+  for (const Vec2& p : outline.points) {
+    sweep.low = sweep.low.cwiseMin(p);
+    sweep.high = sweep.high.cwiseMax(p);
+  }
+  SectionLoop beside = outline;  // off the axis, where all points are kept
+  for (Vec2& p : beside.points) p.x() += 1.0 - sweep.low.x();
+  const std::vector<std::size_t> kept = keptPoints(beside, tolerance);
+  sweep.run = runsOf(outline, kept, 0);
+  sweep.made_by = simplified(outline, kept).motion;
   sweeps_.push_back(std::move(sweep));
   addEnds(static_cast<std::int32_t>(sweeps_.size()) - 1);
 }
@@ -214,12 +246,36 @@ Slice ThreadSlicer::slice(double phi, std::span<const PassEnd> ends, std::size_t
         out.sound = false;
     }
   }
+  leaveOutThin(out);
   return out;
 }
 
+/// Ridges between passes stand alone for a moment where the face of a part cuts them.
+void ThreadSlicer::leaveOutThin(Slice& slice) const {
+  if (slice.loops.size() < 2) return;
+  std::vector<double> area, thick;
+  for (const CornerLoop& loop : slice.loops) {
+    double sum = 0.0, around = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2 &a = loop[i].at, &b = loop[(i + 1) % loop.size()].at;
+      sum += a.x() * b.y() - a.y() * b.x();
+      around += (b - a).norm();
+    }
+    area.push_back(0.5 * std::abs(sum));
+    thick.push_back(around > 0.0 ? std::abs(sum) / around : 0.0);
+  }
+  const auto largest = std::max_element(area.begin(), area.end()) - area.begin();
+  for (std::size_t l = slice.loops.size(); l-- > 0;) {
+    if (static_cast<std::ptrdiff_t>(l) == largest || thick[l] > thinnest_) continue;
+    slice.left_out_mm = std::max(slice.left_out_mm, thick[l]);
+    slice.loops.erase(slice.loops.begin() + static_cast<std::ptrdiff_t>(l));
+  }
+}
+
 MotionId ThreadSlicer::motionOf(const EdgeName& name) const {
-  return name.sweep == EdgeName::kSection ? of_run_[static_cast<std::size_t>(name.run)]
-                                          : sweeps_[static_cast<std::size_t>(name.sweep)].thread.motion;
+  if (name.sweep == EdgeName::kSection) return of_run_[static_cast<std::size_t>(name.run)];
+  const Sweep& sweep = sweeps_[static_cast<std::size_t>(name.sweep)];
+  return name.run < 0 ? sweep.thread.motion : sweep.made_by[static_cast<std::size_t>(name.run)];
 }
 
 }  // namespace proveout::thread_detail

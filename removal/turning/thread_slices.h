@@ -30,11 +30,13 @@ using CornerLoop = std::vector<Corner>;  ///< material on its left
 
 struct Slice {
   std::vector<CornerLoop> loops;
-  double taken_mm3 = 0.0;  ///< by the threads, of the solid of revolution that has this section
-  bool sound = true;       ///< false: a loop has too few corners to make a surface of
+  double taken_mm3 = 0.0;    ///< by the threads, of the solid of revolution that has this section
+  double left_out_mm = 0.0;  ///< thickness of the thickest loop that was left out
+  bool sound = true;         ///< false: a loop has too few corners to make a surface of
 };
 
-/// An angle at which a tool stands where its way begins or ends: beyond it a pass is there or is not.
+/// An angle at which a tool, or a group of passes, stands where its way begins or ends: beyond it a pass is
+/// there or is not.
 struct PassEnd {
   double phi;  ///< in [0, 2 pi), rad
   std::int32_t sweep, turn;
@@ -43,8 +45,10 @@ struct PassEnd {
 
 class ThreadSlicer {
  public:
-  /// `tolerance`: corners that a border or an outline does not need within as much are left out, mm.
-  ThreadSlicer(const SectionBody& body, const std::vector<ThreadSweep>& threads, double tolerance);
+  /// `tolerance`: corners that a border or an outline does not need within as much are left out, mm; loops
+  /// beside the largest one no thicker than `thinnest` mm (area over half of the perimeter) too.
+  ThreadSlicer(const SectionBody& body, const std::vector<ThreadSweep>& threads, double tolerance,
+               double thinnest);
 
   /// By angle; ends that lie together within 1e-4 rad have one angle.
   const std::vector<PassEnd>& ends() const { return ends_; }
@@ -54,11 +58,13 @@ class ThreadSlicer {
   MotionId motionOf(const EdgeName& name) const;
 
  private:
+  /// A pass, or passes that go together as one whose outline is the union of theirs.
   struct Sweep {
-    ThreadSweep thread;
+    ThreadSweep thread;             ///< the first pass; its outline is not kept
     double start, turn;             ///< rad
     std::vector<Vec2> outline;      ///< chords, counter-clockwise
     std::vector<std::int32_t> run;  ///< of the chord from a point to the next
+    std::vector<MotionId> made_by;  ///< by run
     Vec2 low, high;                 ///< of the outline
 
     double partAt(double phi, std::int32_t turns) const { return (phi + 2.0 * kPi * turns - start) / turn; }
@@ -68,8 +74,13 @@ class ThreadSlicer {
     Vec2 at;
   };
 
-  void addSweep(const ThreadSweep& thread, double tolerance);
+  void addGroup(const std::vector<ThreadSweep>& threads, const std::vector<std::size_t>& group,
+                double tolerance);
+  void addPass(const ThreadSweep& thread, double tolerance);
+  /// `outline`: seen from the control point of `thread`, counter-clockwise, with the motion of each chord.
+  void addSweep(const ThreadSweep& thread, const SectionLoop& outline, double tolerance);
   void addEnds(std::int32_t sweep);
+  void leaveOutThin(Slice& slice) const;
   bool reaches(const Sweep& sweep, const Vec2& at) const;
   std::vector<Pass> passes(std::int32_t sweep, double phi, std::span<const PassEnd> ends,
                            std::size_t passed) const;
@@ -79,6 +90,7 @@ class ThreadSlicer {
   };
   EdgeName nameOf(const Vec2& middle, std::int32_t sweep, const std::vector<Pass>& passes, Hint& hint) const;
 
+  double thinnest_;
   SectionArea section_;            ///< its edges are labelled by their numbers
   std::vector<std::int32_t> run_;  ///< of the edges, by number
   std::vector<MotionId> of_run_;   ///< motion of each run

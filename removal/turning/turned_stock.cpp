@@ -10,6 +10,7 @@
 #include "removal/turning/section_area.h"
 #include "removal/turning/section_depth.h"
 #include "removal/turning/thread_cover.h"
+#include "removal/turning/thread_sections.h"
 #include "removal/turning/turning_tool.h"
 
 namespace proveout {
@@ -51,21 +52,6 @@ PlaneWay partOfWay(const PlaneWay& way, double t) {
 }
 
 Vec3 inSpace(const Vec2& p) { return {p.x(), 0.0, p.y()}; }
-
-/// The outline wherever it passes the half-plane at `angle`.
-std::vector<SectionPath> passesThrough(const ThreadSweep& thread, double angle) {
-  std::vector<SectionPath> paths;
-  const double total = 2.0 * kPi * thread.turns;
-  if (total == 0.0) return paths;
-  double turn = std::remainder(angle - thread.start_rad, 2.0 * kPi);
-  if (turn * total < 0.0) turn += std::copysign(2.0 * kPi, total);
-  for (; std::abs(turn) <= std::abs(total); turn += std::copysign(2.0 * kPi, total)) {
-    PlaneWay still;
-    still.from = still.to = thread.at(turn / total);
-    for (SectionPath& path : sweptPaths(*thread.outline, still)) paths.push_back(std::move(path));
-  }
-  return paths;
-}
 
 /// What outlines sweep on both sides of the axis.
 std::vector<SectionPath> bothSides(const std::vector<ConvexOutline>& outlines, const PlaneWay& way) {
@@ -224,12 +210,16 @@ class Turning {
   void cut(MotionId id, const TurningTool& tool, const PlaneWay& way) {
     const Motion& motion = path_.motions[id];
     const bool rapid = motion.kind == MotionKind::kRapid;
-    const std::vector<SectionPath> sweeps = tool.swept(way);
+    std::vector<SectionPath> sweeps = tool.swept(way);
     // A thread tool that leaves its groove stands in it: the section knows no groove.
     std::vector<SectionPath> spared;
     if (thread_way_ && rapid) spared = tool.swept(*thread_way_);
     const std::vector<SectionPath> beyond = mirroredPaths(sweeps);
-    if (rapid && !rapidContact(id, tool, sweeps, spared) && beyond.empty()) return;
+    if (rapid) {
+      const std::vector<SectionPath> met = rapidContact(id, tool, sweeps, spared);
+      if (met.empty() && beyond.empty()) return;
+      if (thread_way_) sweeps = met;
+    }
     if (!rapid) {
       if (motion.spindle == 0.0) contact(ContactKind::kSpindleOff, id, sweeps, spared);
       for (const SectionArea& piece : parted_areas_)
@@ -254,6 +244,7 @@ class Turning {
   /// Cuts the section, and the planes that stand for threads if there are any. Returns the volume, mm3.
   double take(const std::vector<SectionPath>& sweeps, MotionId id, const std::vector<SectionPath>& spared) {
     const double taken = area_.subtract(sweeps, id, spared);
+    if (taken > 0.0) standing_.clear();
     if (planes_.empty()) return taken;
     double sum = 0.0;
     for (SectionArea& plane : planes_) sum += plane.subtract(sweeps, id, spared);
@@ -275,6 +266,7 @@ class Turning {
       sweep.bend = 0.5 * static_cast<double>(motion.thread_pitch_change) * turns * turns / along;
     sweep.motion = id;
     thread_way_ = way;
+    thread_end_rad_ = sweep.start_rad + 2.0 * kPi * sweep.turns;
     thread_tool_ = motion.tool;
     if (motion.spindle == 0.0) {
       contact(ContactKind::kSpindleOff, id, tool.swept(way), {});
@@ -317,17 +309,25 @@ class Turning {
     }
   }
 
-  /// Facing to X0 leaves a pip at the axis, smaller than the nose, which the tool takes along as it leaves.
-  bool rapidContact(MotionId id, const TurningTool& tool, const std::vector<SectionPath>& sweeps,
-                    const std::vector<SectionPath>& spared) {
+  /// What of the material is in the way. Facing to X0 leaves a pip at the axis, smaller than the nose, which
+  /// the tool takes along as it leaves. Behind a thread the grooves count where the tool stands: it leaves
+  /// through what the passes before have cut.
+  std::vector<SectionPath> rapidContact(MotionId id, const TurningTool& tool,
+                                        const std::vector<SectionPath>& sweeps,
+                                        const std::vector<SectionPath>& spared) {
     std::vector<SectionPiece> pieces = area_.common(sweeps, spared);
-    const bool any = !pieces.empty();
+    if (!pieces.empty() && thread_way_)
+      pieces = standing_.at(thread_end_rad_, area_, threads_).common(sweeps, spared);
+    std::vector<SectionPath> met;
+    for (const SectionPiece& piece : pieces) {
+      if (piece.thickness_mm >= kTouch || !thread_way_) met.push_back(piece.outline);
+    }
     std::erase_if(pieces, [&](const SectionPiece& piece) {
       return std::all_of(piece.outline.begin(), piece.outline.end(),
                          [&](const Vec2& p) { return p.x() <= tool.nose_mm + kTouch; });
     });
     contacts_.add(ContactKind::kRapid, id, area_, pieces);
-    return any;
+    return met;
   }
 
   /// False where there is none, not even by rounding.
@@ -348,6 +348,7 @@ class Turning {
       parted_.push_back(std::move(bodies[k]));
     }
     area_ = SectionArea(bodies.front().loops);
+    standing_.clear();
     std::vector<SectionPath> gone;
     for (std::size_t k = 1; k < bodies.size(); ++k)
       gone.push_back(parted_[parted_.size() - k].loops.front().points);
@@ -366,6 +367,8 @@ class Turning {
   std::vector<SectionArea> planes_;     ///< sections with their threads, once there is one
   std::optional<PlaneWay> thread_way_;  ///< of the thread that the tool stands at the end of
   int thread_tool_ = 0;
+  double thread_end_rad_ = 0.0;  ///< where about Z the tool stands there
+  ThreadSections standing_;
 };
 
 }  // namespace

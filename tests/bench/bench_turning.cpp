@@ -1,4 +1,5 @@
-// Time of turning alone: the path of the sample shaft cut into its bar, and the mesh of what is left.
+// Time of turning alone: the path of the sample shaft cut into its bar, and the mesh of what is left; worms
+// of some hundred passes.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -7,7 +8,9 @@
 #include "app/job_setup.h"
 #include "app/session/session.h"
 #include "removal/turning/revolve.h"
+#include "removal/turning/thread_mesh.h"
 #include "removal/turning/turned_stock.h"
+#include "tests/support/worm.h"
 
 namespace proveout {
 namespace {
@@ -60,6 +63,29 @@ void revolve(benchmark::State& state, double tolerance_mm) {
   state.counters["triangles"] = static_cast<double>(triangles);
 }
 
+/// From the bar to the mesh: processor time of all threads.
+void worm(benchmark::State& state, const test::Worm& worm) {
+  const TurningPath path = worm.path();
+  std::size_t kept = 0, triangles = 0;
+  for (auto _ : state) {
+    Result<TurnedStock> stock = TurnedStock::create(bar(worm.bar, 80.0));
+    Progress progress;
+    if (!stock || !stock->remove(path.path, {worm.tool()}, progress))
+      throw std::runtime_error("the worm cannot be cut");
+    const TurnedShape shape = stock->shape();
+    kept = shape.threads.size();
+    const auto surface = threadedSurface(shape.bodies.front(), shape.threads, 1e-3, progress);
+    triangles = surface ? surface->mesh.triangles.size() : 0;
+  }
+  state.counters["passes"] = worm.passes();
+  state.counters["kept"] = static_cast<double>(kept);
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+
+/// 64 passes a start.
+constexpr test::Worm kFourStarts{.layer = 0.3, .step = 0.45};
+
+BENCHMARK_CAPTURE(worm, four_starts, kFourStarts)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(remove, shaft, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(remove, shaft_without_thread, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(revolve, within_1_micrometre, 1e-3)->Unit(benchmark::kMillisecond);
