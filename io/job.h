@@ -45,10 +45,12 @@ struct NominalSpec {
 inline constexpr double kDefaultMaxTimeS = 3600.0;
 
 struct SimulationSpec {
-  std::optional<double> resolution_mm;   ///< grid spacing; none: chosen from the stock
-  double contact_mm = 0.01;              ///< touches of the stock that are less deep are not told
-  double profile_resolution_mm = 0.01;   ///< of turned parts: facets leave the surface by a tenth of it
-  int threads = 0;                       ///< 0: all cores
+  std::optional<double> resolution_mm;  ///< grid spacing; none: chosen from the stock
+  double contact_mm = 0.01;             ///< touches of the stock that are less deep are not told
+  double profile_resolution_mm = 0.01;  ///< of turned parts: facets leave the surface by a tenth of it
+  std::optional<double>
+      simplify_mm;  ///< how far the mesh may leave the surface; none: chosen from grid and tolerance
+  int threads = 0;  ///< 0: all cores
   double max_memory_gb = 0.0;            ///< 0: what the machine has free
   double max_time_s = kDefaultMaxTimeS;  ///< the command ends itself within so many seconds
 };

@@ -548,6 +548,7 @@ void readSimulation(ConfigTable& root, Job& job) {
   if (const auto mm = table->number("contact", {0.0, 10.0, false})) job.simulation.contact_mm = *mm;
   if (const auto mm = table->number("profile_resolution", {1e-3, 1.0, false}))
     job.simulation.profile_resolution_mm = *mm;
+  if (const auto mm = table->number("simplify", {0.0, 10.0, false})) job.simulation.simplify_mm = *mm;
   if (const auto threads = table->integer("threads", 0, 4096)) {
     job.simulation.threads = static_cast<int>(*threads);
   }
