@@ -282,6 +282,20 @@ void addTurned(const std::string& parts, std::vector<PredictedJob>& jobs) {
        Words{parts + "/wl4_shaft/job.toml", "--resolution", "0.2", "--format", "vdb"} + kNoPictures});
 }
 
+void addWired(std::vector<PredictedJob>& jobs) {
+  const auto add = [&](const std::string& name, const std::function<std::string()>& program) {
+    jobs.push_back({name,
+                    {{"wire.nc", program}, {"job.toml", [] { return gearJob("wire.nc"); }}},
+                    {},
+                    Words{"job.toml"} + kNoPictures});
+  };
+  add("wire, 20,000 blocks", [] { return gearProgram(20000, 2.5, 0.0); });
+  for (const int blocks : {500, 5000, 20000})
+    add(fmt::format("leaning wire, {} blocks", blocks), [blocks] { return gearProgram(blocks, 2.5, 2.0); });
+  add("leaning wire, 40 sharp teeth", [] { return starProgram(40, 3.0, 1.0); });
+  add("leaning wire, 300 sharp teeth", [] { return starProgram(300, 0.6, 0.5); });
+}
+
 }  // namespace
 
 std::vector<PredictedJob> predictedJobs(const std::string& shared, const std::string& parts) {
@@ -290,6 +304,7 @@ std::vector<PredictedJob> predictedJobs(const std::string& shared, const std::st
   addMilled(jobs);
   addMeshes(jobs);
   addTurned(parts, jobs);
+  addWired(jobs);
   return jobs;
 }
 
