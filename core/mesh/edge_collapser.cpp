@@ -23,7 +23,7 @@
 namespace proveout {
 namespace {
 
-constexpr float kNever = std::numeric_limits<float>::infinity();
+constexpr float kNotAgain = std::numeric_limits<float>::infinity();
 /// Needs of a vertex whose surroundings are in several blocks.
 constexpr float kNextRound = -1.0f;
 /// Edges of the blocks of a round, in edges of triangles; 0: all is one block.
@@ -168,7 +168,7 @@ void EdgeCollapser::simplifyBlock(std::vector<std::uint32_t> vertices, std::uint
 bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep) {
   constexpr int kMostTries = 3;
   VertexStar star;
-  needs_[v] = kNever;
+  needs_[v] = kNotAgain;
   if (!star.look(around_, v)) return false;
   if (!isInside(star, v)) {
     needs_[v] = kNextRound;
@@ -185,7 +185,7 @@ bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep)
       for (const std::uint32_t end : ways.border) {
         if (freedom_[v] == Freedom::kBorder) drift_[end] = std::max(drift_[end], ways.drift);
       }
-      needs_[v] = kNever;
+      needs_[v] = kNotAgain;
       collapse(star, ways.all[i].to, *change, sweep);
       return true;
     }
