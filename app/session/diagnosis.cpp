@@ -157,14 +157,15 @@ class Diagnosis {
                c = mesh.positions[v[2]].cast<double>(), n = 0.5 * (b - a).cross(c - a);
     const double area = n.norm(), cell = 4.0 * run_.resolution_mm * run_.resolution_mm;
     if (!(area > 0.0)) return;
-    // Where all corners are well within tolerance their mean does.
-    const std::vector<float>& at = run_.comparison->vertex_deviation;
-    const double mean = (static_cast<double>(at[v[0]]) + at[v[1]] + at[v[2]]) / 3.0;
-    const bool within =
-        std::all_of(v.begin(), v.end(), [&](std::uint32_t i) { return std::abs(at[i]) < least(); });
-    const double known = within ? mean : std::numeric_limits<double>::infinity();
     constexpr int kMostSplits = 8;
     const int splits = std::clamp(static_cast<int>(std::sqrt(area / cell)), 1, kMostSplits);
+    // Where all corners of a small one are well within tolerance their mean does.
+    const std::vector<float>& at = run_.comparison->vertex_deviation;
+    const double mean = (static_cast<double>(at[v[0]]) + at[v[1]] + at[v[2]]) / 3.0;
+    const bool within = splits == 1 && std::all_of(v.begin(), v.end(), [&](std::uint32_t i) {
+                          return std::abs(at[i]) < least();
+                        });
+    const double known = within ? mean : std::numeric_limits<double>::infinity();
     for (int i = 0; i < splits; ++i) {
       for (int j = 0; j < splits - i; ++j) {
         const double u = (i + 1.0 / 3.0) / splits, w = (j + 1.0 / 3.0) / splits;

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
-#include "core/base/parallel_for.h"
+#include "core/base/stretches.h"
 
 namespace proveout {
 
@@ -18,18 +18,15 @@ CornerTable::CornerTable(Triangles triangles, std::size_t vertices)
   for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
   std::vector<std::uint32_t> place(start.begin(), start.end() - 1);
   for (std::uint32_t h = 0; h < twin_.size(); ++h) leaving[place[from(h)]++] = h;
-  constexpr std::size_t kStretch = 1024;
-  parallelFor(std::size_t{0}, (vertices + kStretch - 1) / kStretch, [&](std::size_t stretch) {
-    const auto last = static_cast<std::uint32_t>(std::min(vertices, (stretch + 1) * kStretch));
-    for (auto v = static_cast<std::uint32_t>(stretch * kStretch); v < last; ++v) {
-      for (std::uint32_t i = start[v]; i < start[v + 1]; ++i) {
-        const std::uint32_t h = leaving[i], w = to(h);
-        for (std::uint32_t j = start[w]; j < start[w + 1]; ++j) {
-          if (to(leaving[j]) == v) twin_[h] = leaving[j];
-        }
+  forEachBelow(vertices, [&](std::size_t i) {
+    const auto v = static_cast<std::uint32_t>(i);
+    for (std::uint32_t k = start[v]; k < start[v + 1]; ++k) {
+      const std::uint32_t h = leaving[k], w = to(h);
+      for (std::uint32_t j = start[w]; j < start[w + 1]; ++j) {
+        if (to(leaving[j]) == v) twin_[h] = leaving[j];
       }
-      if (start[v] < start[v + 1]) out_[v] = leaving[start[v]];
     }
+    if (start[v] < start[v + 1]) out_[v] = leaving[start[v]];
   });
   PROVEOUT_ASSERT(std::ranges::find(twin_, kNone) == twin_.end());
 }

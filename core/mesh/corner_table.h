@@ -26,6 +26,8 @@ class CornerTable {
   /// A half-edge out of a vertex; kNone: it has no triangles.
   std::uint32_t outOf(std::uint32_t v) const { return out_[v]; }
   bool gone(std::uint32_t v) const { return out_[v] == kNone; }
+  /// The same edge in the other triangle.
+  std::uint32_t twin(std::uint32_t h) const { return twin_[h]; }
   /// The next half-edge out of the same vertex, counterclockwise seen from outside.
   std::uint32_t turned(std::uint32_t h) const { return twin_[previous(h)]; }
   /// Whether a vertex has three triangles.
@@ -49,7 +51,7 @@ class CornerTable {
   }
 
   Triangles triangles_;
-  std::vector<std::uint32_t> twin_;  ///< a half-edge: the same edge in the other triangle
+  std::vector<std::uint32_t> twin_;  ///< of a half-edge
   std::vector<std::uint32_t> out_;   ///< a vertex
 };
 

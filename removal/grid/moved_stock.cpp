@@ -163,7 +163,12 @@ Result<Stock> Stock::moved(const RigidTransform& move, const RemovalOptions& opt
     stock.impl_ = std::make_unique<Impl>(ExactMove(*impl_, *map, move).run());
     return stock;
   }
-  Result<StockSurface> surface = this->surface(options.threads, progress);
+  // What the mesh is off, all later clampings are.
+  constexpr double kShare = 0.02;
+  SurfaceOptions fine;
+  fine.simplify_mm = kShare * resolution();
+  fine.threads = options.threads;
+  Result<StockSurface> surface = this->surface(fine, progress);
   if (!surface) return surface.error();
   MeshShape shape;
   shape.name = "the stock of the clamping before";

@@ -70,7 +70,7 @@ TEST_F(Outputs, AFolderInTheWayOfAPictureOrATableLeavesTheOthers) {
 TEST_F(Outputs, AFullDiskLeavesWhatFits) {
   // The mesh of a ring on a fine grid takes more than 200 KB, the report less.
   const Outcome outcome = bench.run(
-      "run ring.nc --control nct --stock box:0,0,-10:20,20,0 --tool 1=ball:4 --resolution 0.1 --out out "
+      "run ring.nc --control nct --stock box:0,0,-10:20,20,0 --tool 1=ball:4 --resolution 0.1 --simplify 0 --out out "
       "--format stl,vdb --no-render",
       withFilesUpTo(400));
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;

@@ -29,7 +29,7 @@ TEST(CommandLine, RunTakesEveryOption) {
        "--threads",     "2",        "--max-memory", "1.5",      "--until",     "N70",
        "--format",      "stl,obj",  "--view",       "iso",      "--view",      "top",
        "--size",        "64x48",    "--json",       "--quiet",  "--lenient",   "--progress",
-       "--subprograms", "subs",     "--max-time",   "2.5"});
+       "--subprograms", "subs",     "--max-time",   "2.5",      "--simplify",  "0"});
   EXPECT_EQ(o.program.input, "a.nc");
   EXPECT_EQ(o.program.control, "nct");
   EXPECT_EQ(o.program.until, "N70");
@@ -39,6 +39,7 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_EQ(o.stock, "box:0,0,-1:2,3,0");
   EXPECT_DOUBLE_EQ(*o.resolution_mm, 0.25);
   EXPECT_DOUBLE_EQ(*o.tolerance_mm, 0.01);
+  EXPECT_EQ(o.simplify_mm, 0.0);
   EXPECT_DOUBLE_EQ(*o.max_memory_gb, 1.5);
   EXPECT_DOUBLE_EQ(*o.program.max_time_s, 2.5);
   EXPECT_EQ(o.threads, 2);
@@ -79,6 +80,8 @@ TEST(CommandLine, BadUsageIsExitTwoWithAMessage) {
       {"run", ""},
       {"run", "a", "b"},
       {"run", "a", "--resolution", "0"},
+      {"run", "a", "--simplify", "-0.1"},
+      {"run", "a", "--simplify", "11"},
       {"run", "a", "--resolution", "-0.1"},
       {"run", "a", "--resolution", "nan"},
       {"run", "a", "--resolution", "inf"},

@@ -51,7 +51,7 @@ struct ShaftJob {
     folder.write("mill.nc", mill);
     const std::string text = fmt::format(
         "schema = \"proveout.job/1\"\ncontrol = \"wl4-lathe\"\n[stock]\nshape = \"cylinder\"\n"
-        "base = [0, 0, -40]\ndiameter = 24\nlength = 40\n[simulation]\nresolution = {}\n{}{}{}",
+        "base = [0, 0, -40]\ndiameter = 24\nlength = 40\n[simulation]\nresolution = {}\nsimplify = 0\n{}{}{}",
         kGrid, kInsert, more, setups.empty() ? kLatheSetup + std::string(kMillSetup) + transform : setups);
     Diagnostics diagnostics;
     const std::string path = folder.write("job.toml", text);

@@ -91,6 +91,7 @@ test_mode = true
 optional_stop = true
 [simulation]
 resolution = 0.1
+simplify = 0.02
 threads = 2
 max_memory_gb = 1.5
 max_time_s = 90
@@ -158,6 +159,7 @@ size = [800, 600]
   EXPECT_TRUE(job->person.test_mode);
   EXPECT_EQ(s.block_limit, 5000u);
   EXPECT_EQ(job->simulation.resolution_mm, 0.1);
+  EXPECT_EQ(job->simulation.simplify_mm, 0.02);
   EXPECT_EQ(job->simulation.threads, 2);
   EXPECT_EQ(job->simulation.max_memory_gb, 1.5);
   EXPECT_EQ(job->simulation.max_time_s, 90.0);

@@ -1,0 +1,109 @@
+// Few triangles of what is cut, near to the surface of all cells.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+#include "core/base/thread_limit.h"
+#include "core/mesh/intersections.h"
+#include "core/mesh/mesh_simplifier.h"
+#include "core/mesh/triangle_tree.h"
+#include "tests/unit/removal/cut_fixture.h"
+
+namespace proveout::test {
+namespace {
+
+/// Largest distance of a mesh from another, at the corners and at points in each of its triangles.
+double farthest(const TriMesh& from, const TriMesh& to, std::mt19937& random) {
+  constexpr int kPoints = 6;
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  const SurfaceMesh surface = toSurface(from);
+  const TriangleTree tree(toSurface(to));
+  double most = 0.0;
+  const auto look = [&](const Vec3& p) { most = std::max(most, tree.nearest(p).squared); };
+  for (const Vec3& p : surface.points) look(p);
+  for (const auto& t : surface.triangles) {
+    const Vec3 &a = surface.points[t[0]], &b = surface.points[t[1]], &c = surface.points[t[2]];
+    for (int i = 0; i < kPoints; ++i) {
+      const double root = std::sqrt(part(random)), along = part(random);
+      look((1.0 - root) * a + root * ((1.0 - along) * b + along * c));
+    }
+  }
+  return std::sqrt(most);
+}
+
+std::size_t meetings(const TriMesh& mesh) {
+  return findIntersections(mesh, std::vector<std::uint8_t>(mesh.positions.size(), 1)).size();
+}
+
+TEST(LeanSurface, StraightSlotIsAFewTrianglesOnAnyGrid) {
+  PathMaker path;
+  path.line({-10, 25, -5}, {110, 25, -5});
+  for (const double grid : {1.0, 0.5, 0.25}) {
+    RemovalOptions options;
+    options.resolution_mm = grid;
+    Progress progress;
+    Result<Stock> stock = Stock::create(BoxShape{{0, 0, -20}, {100, 50, 0}}, options, progress);
+    ASSERT_TRUE(stock.ok());
+    ASSERT_TRUE(stock->remove(path.path(), {tool("1=flat:10")}, options, progress).ok());
+    const Result<StockSurface> surface = stock->surface(0, progress);
+    ASSERT_TRUE(surface.ok());
+    EXPECT_LE(surface->mesh.triangles.size(), 50u) << grid;
+    EXPECT_NEAR(meshVolume(surface->mesh), 95000.0, 0.1) << grid;
+    EXPECT_TRUE(analyseTopology(surface->mesh).closedManifold());
+  }
+}
+
+/// Random lines and arcs of one tool in a block of 20 x 20 x 8.
+Toolpath randomPath(std::mt19937& random) {
+  std::uniform_real_distribution<double> place(1.0, 19.0), depth(-5.0, -0.3), turn(40.0, 350.0);
+  PathMaker path;
+  Vec3 at(place(random), place(random), depth(random));
+  for (int i = 0; i < 8; ++i) {
+    if (i % 3 == 2) {
+      path.arc(at, at + Vec3(2.0, 1.0, 0.0), Vec3::UnitZ(), turn(random), -0.2);
+    } else {
+      const Vec3 to(place(random), place(random), depth(random));
+      path.line(at, to);
+      at = to;
+    }
+  }
+  return path.path();
+}
+
+TEST(LeanSurface, RandomPathsStayWithinTheTolerance) {
+  const std::vector<std::string> tools = {"1=flat:4", "1=ball:5", "1=bull:6:1", "1=cone:6:1:60"};
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const Toolpath path = randomPath(random);
+    const TriMesh fine =
+        cut(BoxShape{{0, 0, -8}, {20, 20, 0}}, path, {tool(tools[seed % tools.size()])}, 0.4).mesh;
+    const bool clean = meetings(fine) == 0;
+    for (const double tolerance : {0.005, 0.04}) {
+      TriMesh first;
+      for (const int threads : {1, 2, 4}) {
+        const ThreadLimit limit(threads);
+        Progress progress;
+        TriMesh lean = fine;
+        const auto done = simplifyMesh(lean, tolerance, progress);
+        ASSERT_TRUE(done.has_value());
+        if (threads == 1) {
+          first = lean;
+          EXPECT_LE(done->distance_mm, tolerance * (1 + 1e-6));
+          if (clean) EXPECT_EQ(meetings(lean), 0u);
+        }
+        EXPECT_TRUE(lean.positions == first.positions && lean.triangles == first.triangles &&
+                    lean.motion == first.motion)
+            << threads << " threads";
+      }
+      constexpr double kRounding = 1e-5;
+      EXPECT_LE(farthest(fine, first, random), tolerance + kRounding);
+      EXPECT_LE(farthest(first, fine, random), tolerance + kRounding);
+      EXPECT_TRUE(analyseTopology(first).closedManifold());
+      EXPECT_LT(first.triangles.size(), fine.triangles.size() / 3);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace proveout::test
