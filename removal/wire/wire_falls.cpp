@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -18,9 +19,8 @@ namespace {
 constexpr double kPieceChordMm = 1e-3;
 /// Ways that come less deep into the hull of a piece do not go through it, mm.
 constexpr double kIntoMm = 0.005;
-/// How far it is looked back from the last cut about a body for the one that closed it, and by how much
-/// farther each time it is in vain.
-constexpr double kLookBackKerfs = 8.0, kLookFarther = 8.0;
+/// How far it is looked back from the last cut about a body for the one that closed it.
+constexpr double kLookBackKerfs = 8.0;
 
 bool isIn(const Box3& box, const Vec2& p) {
   return (p.array() >= box.min.head<2>().array()).all() && (p.array() <= box.max.head<2>().array()).all();
@@ -59,8 +59,12 @@ class FallWindow {
 
   const Box3& box() const { return box_; }
 
-  /// Whether body `k` is one with a body that is kept, after so many cuts.
-  bool isHeld(std::uint32_t k, const std::vector<LastBody>& bodies, std::uint32_t cuts) const {
+  /// What body `k` is one with here, after so many cuts.
+  struct Company {
+    bool kept = false;   ///< a body that is kept
+    bool other = false;  ///< a loose one, that may be held by others
+  };
+  Company companyOf(std::uint32_t k, const std::vector<LastBody>& bodies, std::uint32_t cuts) const {
     DisjointSets sets(bodies.size());
     for (const PlanePolygons& region : after(cuts)) {
       std::optional<std::uint32_t> first;
@@ -70,10 +74,12 @@ class FallWindow {
         first = first.value_or(part.body);
       }
     }
+    Company company;
     for (std::uint32_t other = 0; other < bodies.size(); ++other) {
-      if (bodies[other].kept && sets.find(other) == sets.find(k)) return true;
+      if (other != k && sets.find(other) == sets.find(k))
+        (bodies[other].kept ? company.kept : company.other) = true;
     }
-    return false;
+    return company;
   }
 
   /// What the motions behind so many cuts take here of what is about body `k`, mm2.
@@ -177,26 +183,75 @@ class FallFinder {
     const std::optional<MotionId> maker = lastMaker(bodies_[k].body);
     if (!maker) return std::nullopt;
     if (!index_) index_.emplace(cuts_);
-    // Small motions close a cut before the last of them: the kerf's front meets it from some way off. And the
-    // body may be what later motions left of a piece that was free long before.
-    std::size_t free = numberOf(*maker);
-    for (double way = kLookBackKerfs * cuts_.front().kerf_mm; free > 0; way *= kLookFarther) {
-      std::size_t held = before(free, way);
-      const FallWindow window(blank_, cuts_, *index_, boxAbout(held, free), bodies_);
-      if (window.isHeld(k, bodies_, ends_[held])) {
-        while (free - held > 1) {
-          const std::size_t middle = held + (free - held) / 2;
-          (window.isHeld(k, bodies_, ends_[middle]) ? held : free) = middle;
-        }
-        return Fall{ends_[free], isCutBehind(k, ends_[free], window)};
-      }
+    // Small motions close a cut before the last of them: the kerf's front meets it from some way off.
+    std::size_t free = numberOf(*maker), held = shortlyBefore(free);
+    if (free == 0) return Fall{ends_[0], isCutBehind(k, ends_[0])};
+    const FallWindow window(blank_, cuts_, *index_, boxAbout(held, free), bodies_);
+    const FallWindow::Company before = window.companyOf(k, bodies_, ends_[held]);
+    if (!before.kept || before.other) return fallByAll(k, held, free);
+    while (free - held > 1) {
+      const std::size_t middle = held + (free - held) / 2;
+      (window.companyOf(k, bodies_, ends_[middle]).kept ? held : free) = middle;
+    }
+    return Fall{ends_[free], isCutBehind(k, ends_[free], window)};
+  }
+
+  /// The same from sections of all cuts about it, where the place of the last motion does not tell: the body
+  /// may be what later motions left of a piece that was free long before, or was held by one that fell later.
+  Fall fallByAll(std::uint32_t k, std::size_t held, std::size_t free) const {
+    const Look look{placeIn(bodies_[k].body), neighbourhood(k)};
+    if (!isHeldAt(look, ends_[held])) {
       free = held;
+      held = 0;
+      if (free == 0 || !isHeldAt(look, ends_[0])) return Fall{ends_[0], isCutBehind(k, ends_[0])};
+    }
+    while (free - held > 1) {
+      const std::size_t middle = held + (free - held) / 2;
+      (isHeldAt(look, ends_[middle]) ? held : free) = middle;
     }
     return Fall{ends_[free], isCutBehind(k, ends_[free])};
   }
 
-  /// The last motion that ends so much way before motion `number`.
-  std::size_t before(std::size_t number, double way) const {
+  /// What cuts off a body runs about it, unless another loose body is beside it, of which it may be a
+  /// fragment: then all cuts count.
+  std::optional<Box3> neighbourhood(std::uint32_t k) const {
+    const double beside = 3.0 * cuts_.front().kerf_mm;
+    const Box3 box = bodies_[k].box.inflated(beside);
+    for (std::uint32_t other = 0; other < bodies_.size(); ++other) {
+      const bool loose = !bodies_[other].kept && !isCrumb(bodies_[other].body);
+      if (other != k && loose && bodies_[other].box.inflated(beside).overlaps(box)) return std::nullopt;
+    }
+    return box.inflated(beside);
+  }
+
+  /// A place in a body, and where what may have cut it off is; none: everywhere.
+  struct Look {
+    Vec2 at;
+    std::optional<Box3> box;
+  };
+  /// Whether the body at that place is held after so many cuts.
+  bool isHeldAt(const Look& look, std::uint32_t cuts) const {
+    std::vector<WireStretch> done;
+    std::vector<PlaneLoop> region;
+    if (look.box) {
+      for (const std::uint32_t i : index_->near(*look.box, cuts)) done.push_back(cuts_[i]);
+      // Hollows elsewhere cut nothing off here.
+      std::copy_if(blank_.begin(), blank_.end(), std::back_inserter(region), [&](const PlaneLoop& loop) {
+        return areaOf(loop) > 0.0 || boundsOf(loop).overlaps(*look.box);
+      });
+    } else {
+      done.assign(cuts_.begin(), cuts_.begin() + cuts);
+      region = blank_;
+    }
+    for (const PlaneBody& body : cutSection(region, done)) {
+      if (holds(polygonsOf(body.loops, kPieceChordMm), look.at)) return holding_.keeps(body);
+    }
+    return false;
+  }
+
+  /// The last motion that ends some kerfs of way before motion `number`.
+  std::size_t shortlyBefore(std::size_t number) const {
+    const double way = kLookBackKerfs * cuts_.front().kerf_mm;
     double gone = 0.0;
     std::size_t at = number;
     while (at > 0 && (at == number || gone < way)) {

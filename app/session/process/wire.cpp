@@ -49,10 +49,11 @@ std::unique_ptr<PieceProbe> probe(const Job& /*setup*/, const ProbedStock& /*sto
 }
 
 /// Of a wire that leans, as triangles of a mesh from half sections: walls take more heights where steps are
-/// long, corners are sharp and the wire turns about its way (measured; see the jobs in tests/bench).
+/// long, corners are sharp, the wire turns about its way, and on ways to a contour and back (measured; see
+/// the jobs in tests/bench).
 double leanTriangles(const Job& job, const Toolpath& path, const Box3& bounds) {
-  constexpr double kAPiece = 60.0, kAMmOfPiece = 1000.0, kLongPiece = 2.0, kATurned = 500.0, kASharp = 4000.0,
-                   kTurn = 0.15, kSharp = 0.3;
+  constexpr double kAPiece = 60.0, kAMmOfPiece = 1000.0, kLongPiece = 2.0, kATurned = 650.0, kASharp = 6000.0,
+                   kALead = 50000.0, kTurn = 0.15, kSharp = 0.8;
   const HeightSpan span{bounds.min.z(), bounds.max.z()};
   const auto angle = [](const Vec2& u, const Vec2& v) {
     const double lengths = u.norm() * v.norm();
@@ -60,9 +61,12 @@ double leanTriangles(const Job& job, const Toolpath& path, const Box3& bounds) {
   };
   double sum = 0.0;
   Vec2 before = Vec2::Zero();
+  bool compensated = false;
   std::vector<LeanStretch> pieces;
   for (const Motion& motion : path.motions) {
     if (motion.wire < 0 || motion.kind != MotionKind::kFeed) continue;
+    if (motion.compensated != compensated) sum += kALead;
+    compensated = motion.compensated;
     pieces.clear();
     addLeanStretches(path.wires[static_cast<std::size_t>(motion.wire)], span, 1.0, facetTolerance(job), 0,
                      pieces);
@@ -86,10 +90,13 @@ Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& 
   work.motions = run.setups[k].interpreted.path.motions.size();
   const Toolpath& path = run.setups[k].interpreted.path;
   const Box3 bounds = movedBounds(job, blank.bounds, k);
-  if (standsUpright(path))
+  if (standsUpright(path)) {
     work.triangles = kTrianglesOfAMotion * static_cast<double>(work.motions);
-  else
-    work.triangles = work.thread_triangles = leanTriangles(run.setups[k].job, path, bounds);
+  } else {
+    constexpr double kShareOfTime = 0.7;  // walls are made on all threads
+    work.triangles = leanTriangles(run.setups[k].job, path, bounds);
+    work.thread_triangles = kShareOfTime * work.triangles;
+  }
   if (k == 0 && isPrism(blank)) return work;
   constexpr double kCopies = 3.0;
   work.surface_mm2 = kCopies * blankArea(blank.shape, bounds);

@@ -61,6 +61,20 @@ TEST(WireFalls, WhatFellIsNotCutAnyMore) {
   EXPECT_LT(falls.bodies[0].area_mm2, 1600 - hole - 2 * kKerf * 0.35);
 }
 
+/// The plate in three: the first piece hung on the second one, which falls later.
+TEST(WireFalls, APieceThatHungOnOneThatFellLater) {
+  const std::vector<WireStretch> way{lineWay({-21, 15}, {-18, 15}, kKerf, 0),
+                                     lineWay({-5, -21}, {-5, 21}, kKerf, 1),
+                                     lineWay({3, -21}, {3, 21}, kKerf, 2)};
+  const WireFalls falls = fallsOf(way);
+  ASSERT_EQ(falls.pieces.size(), 2u);
+  EXPECT_EQ(falls.pieces[0].cuts, 2u);
+  EXPECT_NEAR(falls.pieces[0].body.area_mm2, 40 * (15 - kKerf) - 4 * kKerf - 0.5 * kPi * kKerf * kKerf, 1e-6);
+  EXPECT_EQ(falls.pieces[1].cuts, 3u);
+  EXPECT_NEAR(falls.pieces[1].body.area_mm2, 40 * (8 - 2 * kKerf), 1e-6);
+  EXPECT_EQ(falls.bodies.size(), 3u);
+}
+
 TEST(WireFalls, ATrimmedPunchKeepsItsFirstCut) {
   std::vector<WireStretch> way;
   addSquare(way, {0, 0}, 5);
