@@ -25,6 +25,7 @@ struct Parsed {
   RenderCommandOptions render;
   CoverageOptions coverage;
   ExplainOptions explain;
+  TemplateOptions filled;
 };
 
 /// Strict: the whole text is a finite decimal number in (low, high].
@@ -155,6 +156,26 @@ void addExplain(CLI::App& root, ExplainOptions& o) {
   app->footer(kFooter);
 }
 
+void addTemplate(CLI::App& root, TemplateOptions& o) {
+  CLI::App* app = root.add_subcommand("template", "Fill a template in: the program, on stdout");
+  app->add_option("FILE", o.input, "Template (.tmpl), set of templates (.tmps) or program text (.pmc)")
+      ->required()
+      ->check(notEmpty());
+  app->add_option("--set", o.values, "Value of a parameter; repeatable")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  app->add_flag("--list", o.list, "Print the parameters instead, with meaning, range and default");
+  app->add_flag("--json", o.json, "With --list: as JSON");
+  app->add_option("--encoding", o.encoding,
+                  "Of the files: auto, utf-8, koi8-r, cp1251, gb18030; default: auto")
+      ->option_text("NAME")
+      ->check(CLI::IsMember({"auto", "utf-8", "koi8-r", "cp1251", "gb18030"}));
+  app->add_option("-o,--output", o.output, "Write the program into this file")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  app->footer(kFooter);
+}
+
 void addPathAndCheck(CLI::App& root, PathOptions& path, CheckOptions& check) {
   CLI::App* app = root.add_subcommand("path", "Interpret only: the motions, one a line, on stdout");
   addProgramOptions(*app, path.program);
@@ -268,6 +289,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   addPathAndCheck(app, parsed.path, parsed.check);
   addCompare(app, parsed.compare);
   addExplain(app, parsed.explain);
+  addTemplate(app, parsed.filled);
   addRenderAndCoverage(app, parsed.render, parsed.coverage);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
@@ -285,6 +307,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   if (app.got_subcommand("compare")) line.command = std::move(parsed.compare);
   if (app.got_subcommand("render")) line.command = std::move(parsed.render);
   if (app.got_subcommand("explain")) line.command = std::move(parsed.explain);
+  if (app.got_subcommand("template")) line.command = std::move(parsed.filled);
   if (app.got_subcommand("coverage")) line.command = std::move(parsed.coverage);
   return line;
 }

@@ -93,8 +93,17 @@ struct CoverageOptions {
   bool json = false;
 };
 
+struct TemplateOptions {
+  std::string input;                ///< .tmpl, .tmps or .pmc
+  std::vector<std::string> values;  ///< "D=40"
+  bool list = false;
+  bool json = false;  ///< of the list
+  std::string encoding = "auto";
+  std::optional<std::string> output;
+};
+
 using CommandOptions = std::variant<RunOptions, PathOptions, CheckOptions, CompareCommandOptions,
-                                    RenderCommandOptions, CoverageOptions, ExplainOptions>;
+                                    RenderCommandOptions, CoverageOptions, ExplainOptions, TemplateOptions>;
 
 /// What to do: a command, or a text to print and an exit code (--help, --version, bad usage).
 struct CommandLine {

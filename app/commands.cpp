@@ -17,6 +17,7 @@ struct Dispatch {
   int operator()(const CompareCommandOptions& o) const { return compareCommand(o, console, progress); }
   int operator()(const RenderCommandOptions& o) const { return renderCommand(o, console, progress); }
   int operator()(const ExplainOptions& o) const { return explainCommand(o, console, progress); }
+  int operator()(const TemplateOptions& o) const { return templateCommand(o, console, progress); }
   int operator()(const CoverageOptions& o) const { return coverageCommand(o, console, progress); }
 };
 

@@ -12,6 +12,7 @@ int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress&
 int compareCommand(const CompareCommandOptions& options, Console& console, ConsoleProgress& progress);
 int renderCommand(const RenderCommandOptions& options, Console& console, ConsoleProgress& progress);
 int explainCommand(const ExplainOptions& options, Console& console, ConsoleProgress& progress);
+int templateCommand(const TemplateOptions& options, Console& console, ConsoleProgress& progress);
 int coverageCommand(const CoverageOptions& options, Console& console, ConsoleProgress& progress);
 
 /// The whole program but for signals: parses, runs, flushes; a result that cannot be written to stdout is an

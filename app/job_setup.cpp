@@ -12,6 +12,7 @@
 #include "app/session/job_defaults.h"
 #include "core/nc/interpreter.h"
 #include "io/atomic_file.h"
+#include "io/template_files.h"
 #include "render/camera.h"
 
 namespace proveout {
@@ -57,6 +58,8 @@ std::optional<Job> jobFromProgram(const ProgramOptions& options, Diagnostics& di
     if (!fs::exists(path, error))
       diagnostics.add(usageError(fmt::format("{}: no such file or folder", path)));
   }
+  if (nc::isTemplateName(job.program) && !diagnostics.hasErrors())
+    fillWithDefaults(job.program, job, diagnostics);
   if (diagnostics.hasErrors()) return std::nullopt;
   return job;
 }

@@ -1,14 +1,30 @@
 #include "io/job.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "io/atomic_file.h"
 #include "io/config_table.h"
 #include "io/job_sections.h"
+#include "io/template_files.h"
 
 namespace proveout {
 
 namespace fs = std::filesystem;
+
+const std::vector<std::string>& encodingNames() {
+  static const std::vector<std::string> kNames = {"auto", "utf-8", "koi8-r", "cp1251", "gb18030"};
+  return kNames;
+}
+
+std::optional<TextEncoding> encodingNamed(std::string_view name) {
+  constexpr std::array kEncodings{TextEncoding::kAuto, TextEncoding::kUtf8, TextEncoding::kKoi8R,
+                                  TextEncoding::kCp1251, TextEncoding::kGb18030};
+  const auto& names = encodingNames();
+  const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  return at < names.size() ? std::optional(kEncodings[at]) : std::nullopt;
+}
 
 namespace {
 
@@ -17,13 +33,8 @@ constexpr std::size_t kMaxJobBytes = 16u << 20;
 void readHead(ConfigTable& root, Job& job) {
   root.must("schema").choice("schema", {"proveout.job/1"});
   if (const auto name = root.text("name")) job.name = *name;
-  const std::vector<std::string> encodings = {"auto", "utf-8", "koi8-r", "cp1251", "gb18030"};
-  if (const auto encoding = root.choice("encoding", encodings)) {
-    if (*encoding == "utf-8") job.settings.encoding = TextEncoding::kUtf8;
-    if (*encoding == "koi8-r") job.settings.encoding = TextEncoding::kKoi8R;
-    if (*encoding == "cp1251") job.settings.encoding = TextEncoding::kCp1251;
-    if (*encoding == "gb18030") job.settings.encoding = TextEncoding::kGb18030;
-  }
+  if (const auto encoding = root.choice("encoding", encodingNames()))
+    job.settings.encoding = *encodingNamed(*encoding);
   if (const auto units = root.choice("units", {"mm", "inch"})) {
     job.settings.units = *units == "inch" ? LengthUnit::kInch : LengthUnit::kMillimetre;
   }
@@ -32,9 +43,14 @@ void readHead(ConfigTable& root, Job& job) {
 }  // namespace
 
 void readProgram(ConfigTable& table, Job& job) {
-  table.require("program");
   const bool named = table.document().programs_in_memory;
-  if (const auto program = named ? table.text("program") : table.path("program")) job.program = *program;
+  if (table.find("template") != nullptr)
+    readTemplateUse(table, job);
+  else if (const auto program =
+               named ? table.must("program").text("program") : table.must("program").path("program"))
+    job.program = *program;
+  if (!job.filled && !named && nc::isTemplateName(job.program))
+    fillWithDefaults(job.program, job, *table.document().diagnostics);
   const ConfigValue* subprograms = table.find("subprograms");
   if (subprograms == nullptr || !isList(table.document(), *subprograms, "subprograms")) return;
   for (const ConfigValue& item : subprograms->items) {
@@ -75,6 +91,7 @@ Job jobOfSetup(const Job& job, std::size_t index) {
   if (!setup.control.empty()) part.control = setup.control;
   if (!setup.tools.empty()) part.tools = setup.tools;
   part.program = setup.program;
+  part.filled = setup.filled;
   part.subprograms = setup.subprograms;
   part.settings = setup.settings;
   part.start = setup.start;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/nearest_name.h"
 #include "core/base/result.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/types.h"
@@ -76,6 +77,12 @@ struct FixtureSpec {
   StockSpec shape;   ///< not a saved stock
 };
 
+/// A program that is a template: `program` names the file, these are the numbers in its fields.
+struct TemplateUse {
+  std::map<std::string, std::string> values;    ///< by parameter, as text
+  TextEncoding encoding = TextEncoding::kAuto;  ///< of the template; what comes out of it is UTF-8
+};
+
 /// One clamping of the workpiece, with the program that is run in it.
 struct SetupSpec {
   std::string name;                      ///< not empty; names differ
@@ -83,6 +90,7 @@ struct SetupSpec {
   std::string machine_file;              ///< as Job::machine_file, of a setup with a control of its own
   std::vector<Tool> tools;               ///< empty: the job's
   std::string program;                   ///< path
+  std::optional<TemplateUse> filled;     ///< `program` is a template
   std::vector<std::string> subprograms;  ///< paths
   /// The job's, with what the setup changes; with a control of its own the setup's alone.
   ControlSettings settings;
@@ -106,6 +114,7 @@ struct Job {
   std::string control;                   ///< name; see JobNames
   std::string machine_file;              ///< path of `[machine] file`; empty: none
   std::string program;                   ///< path of the main program
+  std::optional<TemplateUse> filled;     ///< `program` is a template
   std::vector<std::string> subprograms;  ///< paths of files and folders
   /// Clampings in their order. Empty: one, which is what the fields of the job itself say. Else `program` and
   /// `subprograms` of the job are empty; see jobOfSetup.
@@ -162,6 +171,10 @@ struct JobNames {
   bool programs_in_memory = false;
 };
 
+/// Names of encodings in job files: "auto", "utf-8", ...
+const std::vector<std::string>& encodingNames();
+std::optional<TextEncoding> encodingNamed(std::string_view name);
+
 /// Reads a job file. Relative paths in it are resolved against its folder; every named file must exist.
 /// Unknown keys, wrong types, values out of range and features that cannot be simulated are errors in
 /// `diagnostics`, each with its place. Returns a job only if there was no error.
@@ -179,8 +192,5 @@ Result<StockSpec> parseStockOption(const std::string& text);
 
 /// Reads a blank's or fixture's mesh, if it is one; other shapes pass through.
 Result<StockShape> loadStockShape(const StockSpec& spec);
-
-/// The candidate nearest to `word` in edit distance, or "" where none is near enough to be meant.
-std::string nearestName(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace proveout

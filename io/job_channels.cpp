@@ -31,6 +31,7 @@ ChannelSpec readChannel(ConfigTable& table, const JobNames& names, const Job& jo
   if (const auto number = table.must("number").integer("number", 1, kMostChannels))
     part.settings.channel = static_cast<int>(*number);
   readProgram(table, part);
+  if (part.filled) table.error("template", "job-unsupported", "a channel's program is no template");
   readOffsets(table, part);
   if (auto parameters = table.table("parameters")) readParameters(*parameters, names, part);
   part.settings.parameters.insert(job.settings.parameters.begin(), job.settings.parameters.end());
@@ -52,6 +53,8 @@ void readChannels(ConfigTable& root, const JobNames& names, Job& job) {
     if (root.find(key) != nullptr)
       root.error(key, "job-value", fmt::format("with [[channel]], {} belongs to the channels", key));
   }
+  if (root.find("template") != nullptr)
+    root.error("template", "job-unsupported", "a channel's program is no template");
   if (root.find("setup") != nullptr)
     root.error("channel", "job-unsupported", "a job has channels or setups; both together are not supported");
   for (ConfigTable& table : tables) {

@@ -12,6 +12,8 @@ void readControl(ConfigTable& root, const JobNames& names, Job& job);
 void readMachine(ConfigTable& root, Job& job);
 /// `program` and `subprograms`.
 void readProgram(ConfigTable& table, Job& job);
+/// `[template]`, in place of `program`.
+void readTemplateUse(ConfigTable& table, Job& job);
 void readStock(ConfigTable& root, Job& job);
 /// [[stock.start_hole]]
 void readStartHoles(ConfigTable& stock, Job& job);

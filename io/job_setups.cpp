@@ -64,6 +64,7 @@ SetupSpec readSetup(ConfigTable& table, bool first, const JobNames& names, const
   spec.machine_file = std::move(part.machine_file);
   spec.tools = std::move(part.tools);
   spec.program = std::move(part.program);
+  spec.filled = std::move(part.filled);
   spec.subprograms = std::move(part.subprograms);
   spec.settings = std::move(part.settings);
   spec.start = part.start;
@@ -104,7 +105,7 @@ void readSetups(ConfigTable& root, const JobNames& names, Job& job) {
   if (tables.empty() && root.find("setup") != nullptr) {
     root.error("setup", "job-value", "setup must hold at least one table, [[setup]]");
   }
-  for (const char* key : {"program", "subprograms", "fixture"}) {
+  for (const char* key : {"program", "template", "subprograms", "fixture"}) {
     if (tables.empty() || root.find(key) == nullptr) continue;
     root.error(key, "job-value", fmt::format("with [[setup]], {} belongs to the setups", key));
   }

@@ -16,6 +16,7 @@
 #include "core/nc/source_text.h"
 #include "core/tool/tool_table.h"
 #include "io/program_files.h"
+#include "io/template_files.h"
 
 namespace proveout {
 namespace {
@@ -130,7 +131,10 @@ bool RecordingSource::has(const std::string& file) const {
 JobSources::JobSources(const Job& job) {
   for (std::size_t k = 0; k < setupCount(job); ++k) {
     const Job part = jobOfSetup(job, k);
-    files_.push_back(std::make_unique<FileProgramSource>(part.program, part.subprograms));
+    if (part.filled)
+      files_.push_back(std::make_unique<TemplateProgramSource>(part.program, *part.filled, part.subprograms));
+    else
+      files_.push_back(std::make_unique<FileProgramSource>(part.program, part.subprograms));
     sources_.push_back(std::make_unique<RecordingSource>(*files_.back(), part.settings.encoding));
     for (std::size_t i = 1; i < part.channels.size(); ++i) {
       files_.push_back(

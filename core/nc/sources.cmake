@@ -28,6 +28,8 @@ target_sources(proveout_core PRIVATE
   nc/rapid_overlap_stage.cpp
   nc/rotary_kinematics.cpp
   nc/source_text.cpp
+  nc/template_set.cpp
+  nc/template_text.cpp
   nc/time_stage.cpp
   nc/tool_change.cpp
   nc/wedm/wedm_block.cpp

@@ -1,0 +1,52 @@
+#include "io/template_files.h"
+
+#include <filesystem>
+
+#include "io/atomic_file.h"
+
+namespace proveout {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Result<ProgramText> readText(const fs::path& path) {
+  Result<std::string> bytes = readWholeFile(path.string(), nc::kMaxTemplateBytes);
+  if (!bytes) return bytes.error();
+  return ProgramText{path.filename().string(), path.string(), std::move(*bytes)};
+}
+
+}  // namespace
+
+std::optional<nc::FilledProgram> fillFile(const std::string& path, const TemplateUse& use,
+                                          Diagnostics& diagnostics) {
+  const Result<ProgramText> main = readText(path);
+  if (!main) {
+    Diagnostic d;
+    d.code = "template";
+    d.message = main.error().message;
+    diagnostics.add(std::move(d));
+    return std::nullopt;
+  }
+  const fs::path folder = fs::path(path).parent_path();
+  const auto load = [&](const std::string& name) -> Result<ProgramText> {
+    // Names come from the text of a set: they must not lead out of its folder.
+    if (fs::path(name).filename() != fs::path(name))
+      return inputError("a set names templates in its own folder, without a path");
+    return readText(folder / name);
+  };
+  return nc::fillProgram(*main, use.values, load, use.encoding, diagnostics);
+}
+
+Result<ProgramText> TemplateProgramSource::mainProgram() const {
+  Diagnostics diagnostics;
+  const auto filled = fillFile(path_, use_, diagnostics);
+  if (!filled) {
+    const Diagnostic& first = diagnostics.all().front();
+    const std::string line = first.where.line > 0 ? ":" + std::to_string(first.where.line) : std::string();
+    return inputError(first.where.file + line + ": " + first.message);
+  }
+  return ProgramText{fs::path(path_).filename().string(), path_, filled->text()};
+}
+
+}  // namespace proveout
