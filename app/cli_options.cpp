@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 #include "app/exit_codes.h"
@@ -116,6 +117,12 @@ void addRun(CLI::App& root, RunOptions& o) {
                   "fine as tolerance and tools ask for")
       ->type_name("MM")
       ->check(positiveMm());
+  app->add_option(
+         "--simplify", o.simplify_mm,
+         "How far the mesh may leave the surface to have fewer triangles; 0: off;\ndefault: a tenth of "
+         "the grid, with a nominal at most a tenth of its tolerances")
+      ->type_name("MM")
+      ->check(numberIn(std::nextafter(0.0, -1.0), 10, "a length in mm from 0 to 10"));
   app->add_option("--threads", o.threads,
                   "Worker threads; the result does not depend on them; default: all cores")
       ->type_name("N")
@@ -272,6 +279,7 @@ std::vector<std::string> decidingArguments(const RunOptions& o) {
   add("--unit", o.unit);
   addNumber("--tolerance", o.tolerance_mm);
   addNumber("--resolution", o.resolution_mm);
+  addNumber("--simplify", o.simplify_mm);
   if (dashed) out.insert(out.end(), {"--", input});
   return out;
 }

@@ -28,6 +28,7 @@ struct RunOptions {
   std::optional<std::string> unit;  ///< of the meshes of `nominal` and `stock`
   std::optional<double> tolerance_mm;
   std::optional<double> resolution_mm;
+  std::optional<double> simplify_mm;
   std::optional<double> max_memory_gb;
   std::optional<int> threads;
   std::optional<std::string> out;

@@ -101,13 +101,17 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
   request.size = size;
   request.name = report.name;
   request.threads = options.threads.value_or(0);
-  request.comparison = &comparison;
-  request.findings = &report.findings;
-  Result<std::vector<Picture>> pictures = drawPictures(pair.machined.mesh, request, failures, progress);
-  if (!pictures) return pictures.error();
+  const TriMesh& mesh = pair.machined.mesh;
+  PictureMaker maker(std::move(request));
+  for (const Status& drawn :
+       {maker.drawViews(mesh, progress), maker.drawDeviation(mesh, comparison, report.findings, progress),
+        maker.drawFindings(mesh, report.findings, progress)}) {
+    if (!drawn) return drawn;
+  }
+  failures.insert(failures.end(), maker.failures.begin(), maker.failures.end());
   Result<StagingFolder> staging = StagingFolder::create(*options.out, &guard, &progress);
   if (!staging) return staging.error();
-  writeReport(*pictures, *staging, report, failures);
+  writeReport(maker.pictures, *staging, report, failures);
   return staging->commit();
 }
 

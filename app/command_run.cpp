@@ -30,21 +30,52 @@ std::vector<Finding> findingsInLastFrame(const RunResult& run) {
   return findings;
 }
 
-Result<std::vector<Picture>> drawRun(const Job& job, const RunResult& run, OutputFailures& failures,
-                                     Progress& progress) {
-  if (run.alarm) return std::vector<Picture>{};
-  PictureRequest request;
-  request.name = job.name;
-  request.views = job.output.views;
-  request.size = {job.output.width, job.output.height};
-  request.threads = job.simulation.threads;
-  request.comparison = run.comparison ? &*run.comparison : nullptr;
-  const std::vector<Finding> findings = findingsInLastFrame(run);
-  request.findings = &findings;
-  request.freed = &run.setups.back().freed;
-  if (run.setups.back().turned) request.turned_axis = Vec2::Zero();
-  return drawPictures(run.surface().mesh, request, failures, progress);
-}
+/// The pictures of a run: of the part while it is compared, of deviations and findings behind that.
+class RunPictures {
+ public:
+  explicit RunPictures(const Job& job) : maker_(requestOf(job)) {}
+
+  /// As WorkOnPart.
+  Status drawPart(const SetupRun& last, Progress& progress) {
+    Stopwatch watch;
+    if (last.turned) maker_.turnAbout(Vec2::Zero());
+    const TriMesh& mesh = last.surface.mesh;
+    Status done = maker_.drawViews(mesh, progress);
+    if (done) done = maker_.drawApart(mesh, last.freed, progress);
+    drawn_s_ += watch.lap();
+    return done;
+  }
+
+  Status drawFindings(const RunResult& run, Progress& progress) {
+    if (run.alarm) return Done{};
+    Stopwatch watch;
+    const std::vector<Finding> findings = findingsInLastFrame(run);
+    const TriMesh& mesh = run.surface().mesh;
+    Status done = Done{};
+    if (run.comparison) done = maker_.drawDeviation(mesh, *run.comparison, findings, progress);
+    if (done) done = maker_.drawFindings(mesh, findings, progress);
+    maker_.forgetMesh();
+    drawn_s_ += watch.lap();
+    return done;
+  }
+
+  double drawnS() const { return drawn_s_; }
+  const std::vector<Picture>& pictures() const { return maker_.pictures; }
+  const std::vector<Error>& failures() const { return maker_.failures; }
+
+ private:
+  static PictureRequest requestOf(const Job& job) {
+    PictureRequest request;
+    request.name = job.name;
+    request.views = job.output.views;
+    request.size = {job.output.width, job.output.height};
+    request.threads = job.simulation.threads;
+    return request;
+  }
+
+  PictureMaker maker_;
+  double drawn_s_ = 0.0;
+};
 
 /// Where a run writes, and what it must not write over.
 struct Target {
@@ -93,7 +124,7 @@ struct Written {
 
 Result<Written> runJob(const Job& job, const std::vector<std::string>& command, const std::string& folder,
                        ConsoleProgress& progress) {
-  Stopwatch wall, watch;
+  Stopwatch wall;
   const ThreadSupply threads(job.simulation.threads);
   const JobSources sources(job);
   Target target{folder, {}};
@@ -104,20 +135,21 @@ Result<Written> runJob(const Job& job, const std::vector<std::string>& command, 
   if (const Status free = checkPrograms(prepared->run, sources.all(), job, target); !free)
     return free.error();
   if (!prepared->run.alarm) progress.expect(prepared->run.prediction);
-  Result<RunResult> run = finishRun(job, sources.all(), std::move(*prepared), progress);
+  RunPictures pictures(job);
+  Result<RunResult> run =
+      finishRun(job, sources.all(), std::move(*prepared), progress,
+                [&](const SetupRun& last, Progress& drawing) { return pictures.drawPart(last, drawing); });
   if (!run) return run.error();
-  watch.lap();
-  Written written;
-  Result<std::vector<Picture>> pictures = drawRun(job, *run, written.failures, progress);
-  if (!pictures) return pictures.error();
-  run->performance.render_s = watch.lap();
+  if (const Status drawn = pictures.drawFindings(*run, progress); !drawn) return drawn.error();
+  run->performance.render_s = pictures.drawnS();
   Result<Report> report = makeReport(job, *run, sources.all());
   if (!report) return report.error();
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   report->performance.wall_s = wall.lap();
-  written.report = std::move(*report);
+  Written written{std::move(*report), pictures.failures()};
   written.report.command = command;
-  if (const Status done = writeAll(job, *run, *pictures, target, progress, written.report, written.failures);
+  if (const Status done =
+          writeAll(job, *run, pictures.pictures(), target, progress, written.report, written.failures);
       !done)
     return done.error();
   return written;

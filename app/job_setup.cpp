@@ -239,6 +239,7 @@ bool applyRunOptions(const RunOptions& options, Job& job, Diagnostics& diagnosti
     }
   }
   if (options.resolution_mm) job.simulation.resolution_mm = *options.resolution_mm;
+  if (options.simplify_mm) job.simulation.simplify_mm = *options.simplify_mm;
   if (options.threads) job.simulation.threads = *options.threads;
   if (options.max_memory_gb) job.simulation.max_memory_gb = *options.max_memory_gb;
   applyOutput(options, job, diagnostics);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
 #include "app/freed_pieces.h"
 #include "core/mesh/shells.h"
@@ -39,103 +38,6 @@ TriMesh takenApart(const TriMesh& mesh, const std::vector<TriMesh>& pieces) {
   return out;
 }
 
-class PictureMaker {
- public:
-  PictureMaker(const TriMesh& mesh, const PictureRequest& request, std::vector<Error>& failures,
-               Progress& progress)
-      : mesh_(mesh), request_(request), failures_(failures), progress_(progress) {}
-
-  /// A scene of the run's mesh: all of them share what is known of it.
-  RenderScene sceneOfMesh() {
-    RenderScene scene(mesh_);
-    if (!drawn_) {
-      // What is wrong with the mesh the picture says as well.
-      if (auto drawn = prepareDrawing(mesh_, request_.threads)) drawn_ = std::move(*drawn);
-    }
-    scene.drawn = drawn_;
-    return scene;
-  }
-
-  /// Errors: interrupted. Others are kept.
-  Status add(RenderScene scene, const std::string& view_name, const std::string& file,
-             const std::string& title) {
-    Result<std::string> png = draw(std::move(scene), view_name);
-    if (png) {
-      pictures.push_back({file, title, std::move(*png)});
-    } else if (png.error().kind == ErrorKind::kInterrupted) {
-      return png.error();
-    } else {
-      failures_.push_back({png.error().kind, file + ": " + png.error().message});
-    }
-    return Done{};
-  }
-
-  /// Annotations need a picture of some size; a thumbnail goes without.
-  bool annotated() const { return request_.size.width >= 160 && request_.size.height >= 120; }
-
-  Status addViews() {
-    for (const std::string& view : request_.views) {
-      if (Status done = add(sceneOfMesh(), view, view + ".png", view); !done) return done;
-    }
-    return Done{};
-  }
-
-  Status addApart() {
-    TriMesh apart = takenApart(mesh_, *request_.freed);
-    return add(RenderScene(apart), request_.views.front(), "apart.png", "bodies apart");
-  }
-
-  Status addDeviation(const std::vector<Marker>& markers) {
-    const Comparison& comparison = *request_.comparison;
-    RenderScene scene = sceneOfMesh();
-    addHeatMap(comparison, scene);
-    scene.show_legend = annotated();
-    if (annotated()) {
-      scene.markers = markers;
-      scene.caption =
-          fmt::format("{}: gouge {:.3g} mm (allowed {:g}), excess {:.3g} mm (allowed {:g})",
-                      ascii(request_.name), comparison.max_gouge_mm, comparison.gouge_tolerance_mm,
-                      comparison.max_excess_mm, comparison.excess_tolerance_mm);
-    }
-    return add(scene, request_.views.front(), "deviation.png", "deviation");
-  }
-
-  Status addFindings(const std::vector<Marker>& markers) {
-    RenderScene scene = sceneOfMesh();
-    scene.markers = markers;
-    const std::size_t located = static_cast<std::size_t>(std::count_if(
-        request_.findings->begin(), request_.findings->end(),
-        [](const Finding& finding) { return finding.where.has_value() && !isDeviation(finding.kind); }));
-    scene.caption =
-        fmt::format("{}: {} {}{}", ascii(request_.name), located, located == 1 ? "finding" : "findings",
-                    located > markers.size() ? fmt::format(", the first {} shown", markers.size()) : "");
-    return add(scene, request_.views.front(), "findings.png", "findings");
-  }
-
-  std::vector<Picture> pictures;
-
- private:
-  /// Bytes of the PNG file.
-  Result<std::string> draw(RenderScene scene, const std::string& view_name) {
-    const bool turned = request_.turned_axis.has_value();
-    const Result<View> view = turned ? findTurnedView(view_name) : findView(view_name);
-    if (!view) return view.error();
-    if (view->section && turned) scene.section = SectionCut{*request_.turned_axis, 1, 1};
-    RenderOptions options;
-    options.ground = !turned;  // the part lies on no table
-    options.threads = request_.threads;
-    const Result<Image> image = renderMesh(scene, *view, request_.size, options, progress_);
-    if (!image) return image.error();
-    return encodePng(*image);
-  }
-
-  const TriMesh& mesh_;
-  std::shared_ptr<const DrawnMesh> drawn_;
-  const PictureRequest& request_;
-  std::vector<Error>& failures_;
-  Progress& progress_;
-};
-
 std::vector<Marker> markersOf(const std::vector<Finding>& findings, bool deviations) {
   std::vector<Marker> markers;
   for (std::size_t i = 0; i < findings.size() && markers.size() < kMaxMarkers; ++i) {
@@ -160,24 +62,91 @@ void addHeatMap(const Comparison& comparison, RenderScene& scene) {
   scene.legend.title = "deviation";
 }
 
-Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequest& request,
-                                          std::vector<Error>& failures, Progress& progress) {
-  PictureMaker maker(mesh, request, failures, progress);
-  if (mesh.triangles.empty() || request.views.empty()) return std::move(maker.pictures);
-  if (const Status done = maker.addViews(); !done) return done.error();
-  static const std::vector<Finding> kNone;
-  const std::vector<Finding>& findings = request.findings ? *request.findings : kNone;
-  if (request.freed != nullptr && !request.freed->empty()) {
-    if (const Status done = maker.addApart(); !done) return done.error();
+/// Annotations need a picture of some size; a thumbnail goes without.
+bool PictureMaker::annotated() const { return request_.size.width >= 160 && request_.size.height >= 120; }
+
+/// Errors: interrupted. Others are kept.
+Status PictureMaker::add(RenderScene scene, const std::string& view_name, const std::string& file,
+                         const std::string& title, Progress& progress) {
+  Result<std::string> png = draw(std::move(scene), view_name, progress);
+  if (png) {
+    pictures.push_back({file, title, std::move(*png)});
+  } else if (png.error().kind == ErrorKind::kInterrupted) {
+    return png.error();
+  } else {
+    failures.push_back({png.error().kind, file + ": " + png.error().message});
   }
-  if (request.comparison) {
-    if (const Status done = maker.addDeviation(markersOf(findings, true)); !done) return done.error();
+  return Done{};
+}
+
+/// Bytes of the PNG file.
+Result<std::string> PictureMaker::draw(RenderScene scene, const std::string& view_name,
+                                       Progress& progress) const {
+  const bool turned = turned_axis_.has_value();
+  const Result<View> view = turned ? findTurnedView(view_name) : findView(view_name);
+  if (!view) return view.error();
+  if (view->section && turned) scene.section = SectionCut{*turned_axis_, 1, 1};
+  RenderOptions options;
+  options.ground = !turned;  // the part lies on no table
+  options.threads = request_.threads;
+  const Result<Image> image = renderMesh(scene, *view, request_.size, options, progress);
+  if (!image) return image.error();
+  return encodePng(*image);
+}
+
+RenderScene PictureMaker::sceneOf(const TriMesh& mesh) {
+  RenderScene scene(mesh);
+  if (!drawn_) {
+    // What is wrong with the mesh the picture says as well.
+    if (auto drawn = prepareDrawing(mesh, request_.threads)) drawn_ = std::move(*drawn);
   }
-  const std::vector<Marker> others = markersOf(findings, false);
-  if (!others.empty() && maker.annotated()) {
-    if (const Status done = maker.addFindings(others); !done) return done.error();
+  scene.drawn = drawn_;
+  return scene;
+}
+
+Status PictureMaker::drawViews(const TriMesh& mesh, Progress& progress) {
+  if (!drawsOf(mesh)) return Done{};
+  for (const std::string& view : request_.views) {
+    if (Status done = add(sceneOf(mesh), view, view + ".png", view, progress); !done) return done;
   }
-  return std::move(maker.pictures);
+  return Done{};
+}
+
+Status PictureMaker::drawApart(const TriMesh& mesh, const std::vector<TriMesh>& freed, Progress& progress) {
+  if (!drawsOf(mesh) || freed.empty()) return Done{};
+  const TriMesh apart = takenApart(mesh, freed);
+  return add(RenderScene(apart), request_.views.front(), "apart.png", "bodies apart", progress);
+}
+
+Status PictureMaker::drawDeviation(const TriMesh& mesh, const Comparison& comparison,
+                                   const std::vector<Finding>& findings, Progress& progress) {
+  if (!drawsOf(mesh)) return Done{};
+  RenderScene scene = sceneOf(mesh);
+  addHeatMap(comparison, scene);
+  scene.show_legend = annotated();
+  if (annotated()) {
+    scene.markers = markersOf(findings, true);
+    scene.caption = fmt::format("{}: gouge {:.3g} mm (allowed {:g}), excess {:.3g} mm (allowed {:g})",
+                                ascii(request_.name), comparison.max_gouge_mm, comparison.gouge_tolerance_mm,
+                                comparison.max_excess_mm, comparison.excess_tolerance_mm);
+  }
+  return add(std::move(scene), request_.views.front(), "deviation.png", "deviation", progress);
+}
+
+Status PictureMaker::drawFindings(const TriMesh& mesh, const std::vector<Finding>& findings,
+                                  Progress& progress) {
+  const std::vector<Marker> markers = markersOf(findings, false);
+  if (!drawsOf(mesh) || markers.empty() || !annotated()) return Done{};
+  RenderScene scene = sceneOf(mesh);
+  scene.markers = markers;
+  const std::size_t located =
+      static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), [](const Finding& finding) {
+        return finding.where.has_value() && !isDeviation(finding.kind);
+      }));
+  scene.caption =
+      fmt::format("{}: {} {}{}", ascii(request_.name), located, located == 1 ? "finding" : "findings",
+                  located > markers.size() ? fmt::format(", the first {} shown", markers.size()) : "");
+  return add(std::move(scene), request_.views.front(), "findings.png", "findings", progress);
 }
 
 }  // namespace proveout

@@ -1,6 +1,7 @@
 // The pictures of a run: named views, the deviation map, the findings.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,18 +26,49 @@ struct PictureRequest {
   std::vector<std::string> views = {"iso"};
   ImageSize size;
   int threads = 0;
-  std::optional<Vec2> turned_axis;              ///< (x, y) of a turned part's axis, mm: sections cut about it
-  const Comparison* comparison = nullptr;       ///< null: no deviation map
-  const std::vector<TriMesh>* freed = nullptr;  ///< pieces beside the mesh, which may hold them; null: none
-  const std::vector<Finding>* findings = nullptr;  ///< numbered from 1 as in the report; null: none
 };
 
-/// One picture a view; apart.png where pieces came free: the part with them above it, or below if they are
-/// larger; deviation.png where there is a comparison; findings.png where findings have a place. A mesh
-/// without triangles (everything was cut away) gives no picture. What cannot be drawn goes to `failures` with
-/// its file, and the others are there; errors: interrupted.
-Result<std::vector<Picture>> drawPictures(const TriMesh& mesh, const PictureRequest& request,
-                                          std::vector<Error>& failures, Progress& progress);
+/// Draws the pictures of one mesh, which each call is given: what all of them share is made once. None are
+/// drawn of a mesh without triangles (everything was cut away), nor where no view is asked for. What cannot
+/// be drawn is kept as failure with its file, and the others are there. Errors of all: interrupted.
+class PictureMaker {
+ public:
+  explicit PictureMaker(PictureRequest request) : request_(std::move(request)) {}
+
+  /// The part is a turned one with its axis at (x, y), mm: it lies as on a drawing, sections cut about the
+  /// axis.
+  void turnAbout(const Vec2& axis) { turned_axis_ = axis; }
+
+  /// One picture a view.
+  Status drawViews(const TriMesh& mesh, Progress& progress);
+  /// apart.png, where there are `freed` pieces beside the mesh, which may hold them: the part with them above
+  /// it, or below if they are larger.
+  Status drawApart(const TriMesh& mesh, const std::vector<TriMesh>& freed, Progress& progress);
+  /// deviation.png, with the places of deviations among the findings, numbered from 1 as in the report.
+  Status drawDeviation(const TriMesh& mesh, const Comparison& comparison,
+                       const std::vector<Finding>& findings, Progress& progress);
+  /// findings.png, where other findings have a place.
+  Status drawFindings(const TriMesh& mesh, const std::vector<Finding>& findings, Progress& progress);
+
+  /// Gives back what the pictures share; the next one makes it again.
+  void forgetMesh() { drawn_.reset(); }
+
+  /// In the order in which they were drawn.
+  std::vector<Picture> pictures;
+  std::vector<Error> failures;
+
+ private:
+  RenderScene sceneOf(const TriMesh& mesh);
+  Status add(RenderScene scene, const std::string& view_name, const std::string& file,
+             const std::string& title, Progress& progress);
+  Result<std::string> draw(RenderScene scene, const std::string& view_name, Progress& progress) const;
+  bool drawsOf(const TriMesh& mesh) const { return !mesh.triangles.empty() && !request_.views.empty(); }
+  bool annotated() const;
+
+  PictureRequest request_;
+  std::optional<Vec2> turned_axis_;
+  std::shared_ptr<const DrawnMesh> drawn_;  ///< null: not made yet
+};
 
 /// Puts the deviations and their legend into the scene.
 void addHeatMap(const Comparison& comparison, RenderScene& scene);

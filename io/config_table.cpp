@@ -43,6 +43,15 @@ std::optional<double> readNumber(const ConfigDocument& document, const ConfigVal
   return x;
 }
 
+void unknownChoice(const ConfigDocument& document, const ConfigPlace& place, const std::string& what,
+                   const std::string& text, const std::vector<std::string>& names) {
+  const std::string nearest = nearestName(text, names);
+  document.error(
+      place, "job-value",
+      fmt::format("{} '{}' is not known{}; there are {}", what, text,
+                  nearest.empty() ? "" : ", did you mean '" + nearest + "'?", fmt::join(names, ", ")));
+}
+
 bool isList(const ConfigDocument& document, const ConfigValue& value, const std::string& what) {
   if (value.type == Type::kArray) return true;
   wrongType(document, value, what, "a list");
@@ -159,10 +168,7 @@ std::optional<std::string> ConfigTable::choice(const std::string& key,
   const auto text = this->text(key);
   if (!text) return std::nullopt;
   if (std::find(names.begin(), names.end(), *text) != names.end()) return text;
-  const std::string nearest = nearestName(*text, names);
-  error(key, "job-value",
-        fmt::format("{} '{}' is not known{}; there are {}", key, *text,
-                    nearest.empty() ? "" : ", did you mean '" + nearest + "'?", fmt::join(names, ", ")));
+  unknownChoice(document_, placeOf(key), key, *text, names);
   return std::nullopt;
 }
 

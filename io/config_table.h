@@ -97,6 +97,9 @@ std::optional<std::string> readText(const ConfigDocument& document, const Config
                                     const std::string& what);
 std::optional<std::string> readPath(const ConfigDocument& document, const ConfigValue& value,
                                     const std::string& what, PathKind kind);
+/// Reports a text that is none of `names`, with the nearest one.
+void unknownChoice(const ConfigDocument& document, const ConfigPlace& place, const std::string& what,
+                   const std::string& text, const std::vector<std::string>& names);
 /// False, and an error, if the value is not a list.
 bool isList(const ConfigDocument& document, const ConfigValue& value, const std::string& what);
 

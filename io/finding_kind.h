@@ -27,6 +27,8 @@ enum class FindingKind : std::uint8_t {
   kThreading,
   kWireSupply,
   kFreeSlug,
+  kStuckSlug,
+  kBridge,
   kNoseDeviation,
   kToolData,
   kFeedRate,

@@ -46,10 +46,12 @@ struct NominalSpec {
 inline constexpr double kDefaultMaxTimeS = 3600.0;
 
 struct SimulationSpec {
-  std::optional<double> resolution_mm;   ///< grid spacing; none: chosen from the stock
-  double contact_mm = 0.01;              ///< touches of the stock that are less deep are not told
-  double profile_resolution_mm = 0.01;   ///< of turned parts: facets leave the surface by a tenth of it
-  int threads = 0;                       ///< 0: all cores
+  std::optional<double> resolution_mm;  ///< grid spacing; none: chosen from the stock
+  double contact_mm = 0.01;             ///< touches of the stock that are less deep are not told
+  double profile_resolution_mm = 0.01;  ///< of turned parts: facets leave the surface by a tenth of it
+  std::optional<double>
+      simplify_mm;  ///< how far the mesh may leave the surface; none: chosen from grid and tolerance
+  int threads = 0;  ///< 0: all cores
   double max_memory_gb = 0.0;            ///< 0: what the machine has free
   double max_time_s = kDefaultMaxTimeS;  ///< the command ends itself within so many seconds
 };
@@ -157,7 +159,8 @@ Job jobOfSetup(const Job& job, std::size_t index);
 struct ParameterRange {
   std::string name;
   double min = 0.0, max = 0.0;
-  int count = 0;  ///< > 0: NAME.1 to NAME.count set one each, NAME alone sets all
+  int count = 0;                          ///< > 0: NAME.1 to NAME.count set one each, NAME alone sets all
+  std::vector<std::string> choices = {};  ///< words that the job gives in place of 0, 1, ...; none: a number
 };
 
 /// Names that a job may use and that io does not know itself; an empty list is not checked against.

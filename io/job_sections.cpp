@@ -68,10 +68,23 @@ class ParameterReader {
                                   nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
       return;
     }
-    const auto number = readNumber(document_, entry.value, name, range);
+    const auto number = found != ranges_.end() && !found->choices.empty()
+                            ? readChoice(entry, name, found->choices)
+                            : readNumber(document_, entry.value, name, range);
     if (number && !job_.settings.parameters.emplace(name, *number).second) {
       document_.error(entry.place, "job-value", fmt::format("parameter '{}' is set twice", name));
     }
+  }
+
+  /// Index of the word.
+  std::optional<double> readChoice(const ConfigEntry& entry, const std::string& name,
+                                   const std::vector<std::string>& choices) const {
+    const auto text = readText(document_, entry.value, name);
+    if (!text) return std::nullopt;
+    const auto found = std::find(choices.begin(), choices.end(), *text);
+    if (found != choices.end()) return static_cast<double>(found - choices.begin());
+    unknownChoice(document_, entry.value.place, name, *text, choices);
+    return std::nullopt;
   }
 
   const ConfigDocument& document_;
@@ -122,6 +135,7 @@ void readRangeB(ConfigTable& machine, Job& job) {
 void readRapid(ConfigTable& machine, Job& job) {
   const ConfigValue* rapid = machine.find("rapid");
   if (rapid == nullptr) return;
+  job.settings.rapid_by_default = false;
   if (rapid->type == Type::kArray) {
     if (const auto rates = machine.point("rapid", kRate)) job.settings.rapid_mm_min = *rates;
   } else if (const auto rate = machine.number("rapid", kRate)) {
@@ -534,6 +548,7 @@ void readSimulation(ConfigTable& root, Job& job) {
   if (const auto mm = table->number("contact", {0.0, 10.0, false})) job.simulation.contact_mm = *mm;
   if (const auto mm = table->number("profile_resolution", {1e-3, 1.0, false}))
     job.simulation.profile_resolution_mm = *mm;
+  if (const auto mm = table->number("simplify", {0.0, 10.0, false})) job.simulation.simplify_mm = *mm;
   if (const auto threads = table->integer("threads", 0, 4096)) {
     job.simulation.threads = static_cast<int>(*threads);
   }

@@ -528,36 +528,102 @@ def threaded(lines, corners, top, bottom, angle, pitch, start, root, flat):
     return [(label, (cut(z), z)) for label, z in sorted(inner, key=lambda point: -point[1])]
 
 
+def thread_angles(pitch, start, corners, count=192):
+    """Angles of sections: where corners of the groove come and go, at the heights and distances from the middle of the
+    groove in `corners`, there is a section on either side of it."""
+    events = [(z - start + side * off) / pitch % 1.0 * 2 * math.pi
+              for z, offs in corners for off in offs for side in (-1, 1)]
+    angles = [2 * math.pi * k / count for k in range(count)]
+    angles = [a for a in angles if all(abs(a - e) > 1e-3 for e in events)]
+    return sorted(angles + [e + side * 2e-5 for e in events for side in (-1, 1)])
+
+
+def finish_threaded(sections, angles, path):
+    """Writes the solid of sections (labelled points) at angles about Z; its volume against that of the sections, with and
+    without what the chords between them cut off."""
+    s = Solid()
+    # At angle 2 pi the groove k of angle 0 is the one that is k - 1 there.
+    zip_sections(s, sections, angles,
+                 lambda label: (label[0], label[1] - 1) + label[2:] if label[0] in ("tip", "meet") else label)
+    volumes = [section_volume([p for _, p in section]) for section in sections]
+    steps = [(b - a) % (2 * math.pi) for a, b in zip(angles, angles[1:] + angles[:1])]
+    means = [(a + b) / 2 for a, b in zip(volumes, volumes[1:] + volumes[:1])]
+    inscribed = sum(v * math.sin(step) / (2 * math.pi) for v, step in zip(means, steps))
+    s.finish(path, inscribed, 1.0)
+    print(f"  without facets: {sum(v * step for v, step in zip(means, steps)) / (2 * math.pi):.2f} mm3")
+
+
+def rest_of(points):
+    return [(("rest", i), p) for i, p in enumerate(points)]
+
+
 def wl4_shaft():
     q = math.pi / 2
     rest = [(8.2, -26.0)] + sphere_arc(8.2, -26.2, 0.2, q, q, 6)[1:] + sphere_arc(8.2, -29.8, 0.2, 2 * q, q, 6)
     rest += [(12.0, -30.0), (16.0, -50.0)] + sphere_arc(20.0, -62.0, 4.0, 2 * q, q, 24)
     rest += sphere_arc(20.5, -68.0, 2.0, q, -q, 18) + [(22.5, -100.0), (0.0, -100.0)]
-    rest = [(("rest", i), p) for i, p in enumerate(rest)]
-    # Where corners of the groove come and go, there is a section on either side of it.
     meet = 0.2 + 1.5 * math.tan(math.radians(30))
-    events = [(z - 8.0 + side * off) / 2.5 % 1.0 * 2 * math.pi
-              for z, offs in ((-0.5, (0.2,)), (-2.0, (meet,)), (-26.0, (0.2, meet))) for off in offs for side in (-1, 1)]
-    angles = [2 * math.pi * k / 192 for k in range(192)]
-    angles = [a for a in angles if all(abs(a - e) > 1e-3 for e in events)]
-    angles = sorted(angles + [e + side * 2e-5 for e in events for side in (-1, 1)])
+    angles = thread_angles(2.5, 8.0, ((-0.5, (0.2,)), (-2.0, (meet,)), (-26.0, (0.2, meet))))
     lines, corners = [(10.0, 0.0), (8.0, -1.0)], [-2.0]
     sections = [
         [("front", (0.0, 0.0))]
-        + threaded(lines, corners, 0.0, -26.0, angle, 2.5, 8.0, 8.5, 0.4) + rest
+        + threaded(lines, corners, 0.0, -26.0, angle, 2.5, 8.0, 8.5, 0.4) + rest_of(rest)
         for angle in angles
     ]
-    s = Solid()
-    # At angle 2 pi the groove k of angle 0 is the one that is k - 1 there.
-    zip_sections(s, sections, angles,
-                 lambda label: (label[0], label[1] - 1) + label[2:] if label[0] in ("tip", "meet") else label)
-    # The sections' volume, with and without what the chords between them cut off.
-    volumes = [section_volume([p for _, p in section]) for section in sections]
-    steps = [(b - a) % (2 * math.pi) for a, b in zip(angles, angles[1:] + angles[:1])]
-    means = [(a + b) / 2 for a, b in zip(volumes, volumes[1:] + volumes[:1])]
-    inscribed = sum(v * math.sin(step) / (2 * math.pi) for v, step in zip(means, steps))
-    s.finish("wl4_shaft/shaft.stl", inscribed, 1.0)
-    print(f"  the shaft without facets: {sum(v * step for v, step in zip(means, steps)) / (2 * math.pi):.2f} mm3")
+    finish_threaded(sections, angles, "wl4_shaft/shaft.stl")
+
+
+def flexnc_shaft():
+    """Chamfer, cylinder 20 with M20 x 1.5 up to a groove, root radius 3 and cone of 30 degrees, cylinder, radii 2 and 3."""
+    q, thirty = math.pi / 2, math.radians(30)
+    # Corners of the blade in the groove, 16 in diameter and 5 wide.
+    rest = [(8.2, -18.0)] + sphere_arc(8.2, -18.2, 0.2, q, q, 6)[1:] + sphere_arc(8.2, -22.8, 0.2, 2 * q, q, 6)
+    rest += [(10.0, -23.0)] + sphere_arc(13.0, -26.5, 3.0, math.pi, thirty, 12)
+    neck = 10.0 + math.tan(thirty) * (15 - 3 * math.sin(thirty)) + 3 * (1 - math.cos(thirty))
+    rest += [(neck, -41.5)]
+    rise = 22.0 - neck
+    apart = math.sqrt(25.0 - rise * rise)  # of the centres of both radii, along Z
+    meet = math.atan2(apart, rise)
+    # The nose of 0.4 between cylinder and radius.
+    nose = -53.5 + math.sqrt(2.4**2 - 0.4**2)
+    angle = math.atan2(nose + 53.5, 0.4)
+    rest += sphere_arc(neck + 0.4, nose, 0.4, math.pi, angle, 10)
+    rest += sphere_arc(neck, -53.5, 2.0, angle, meet - angle, 16)[1:]
+    rest += sphere_arc(22.0, -53.5 + apart, 3.0, math.pi + meet, q - meet, 24)[1:]
+    rest += [(22.0, -80.0), (0.0, -80.0)]
+    meet = 0.15 + 0.92 * math.tan(thirty)
+    angles = thread_angles(1.5, 4.0, ((-0.58, (0.15,)), (-1.5, (meet,)), (-18.0, (0.15, meet))))
+    lines, corners = [(10.0, 0.0), (8.5, -1.0)], [-1.5]
+    sections = [
+        [("front", (0.0, 0.0))] + threaded(lines, corners, 0.0, -18.0, angle, 1.5, 4.0, 9.08, 0.3) + rest_of(rest)
+        for angle in angles
+    ]
+    finish_threaded(sections, angles, "flexnc_shaft/shaft.stl")
+
+
+def flexnc_bore():
+    """A ring: from the face a chamfer, cylinder 40 with a thread of major diameter 41.8 up to a groove, a radius of 11 down to
+    18; a ring groove in the face."""
+    q = math.pi / 2
+    ring = [(27.0, 0.0)] + sphere_arc(27.1, -2.9, 0.1, 2 * q, q, 6) + sphere_arc(30.9, -2.9, 0.1, -q, q, 6)
+    # The nose of 0.4 between cylinder and radius.
+    nose = -31.0 + math.sqrt(11.4**2 - 0.4**2)
+    angle = math.atan2(nose + 31.0, -0.4)
+    bottom = [(31.0, 0.0), (35.0, 0.0), (35.0, -40.0), (9.0, -40.0)]
+    bottom += sphere_arc(20.0, -31.0, 11.0, math.pi, angle - math.pi, 60)
+    bottom += sphere_arc(19.6, nose, 0.4, angle - math.pi, math.pi - angle, 10)
+    bottom += [(20.0, -17.0)] + sphere_arc(21.0, -16.8, 0.2, -q, q, 6) + sphere_arc(21.0, -13.2, 0.2, 0.0, q, 6)
+    meet = 0.1 + 0.9 * math.tan(math.radians(30))
+    angles = thread_angles(1.5, 4.0, ((-0.6, (0.1,)), (-1.5, (meet,)), (-13.0, (0.1, meet))))
+    lines, corners = [(-20.0, 0.0), (-21.5, -1.0)], [-1.5]
+
+    def section(angle):
+        # The thread inside is one outside with the radius counted the other way.
+        inside = threaded(lines, corners, 0.0, -13.0, angle, 1.5, 4.0, -20.9, 0.2)
+        points = rest_of(bottom) + [(label, (-r, z)) for label, (r, z) in reversed(inside)]
+        return points + [(("ring", i), p) for i, p in enumerate(ring + [(31.0, 0.0)])]
+
+    finish_threaded([section(angle) for angle in angles], angles, "flexnc_bore/bore.stl")
 
 
 def height(x, y):
@@ -629,5 +695,7 @@ if __name__ == "__main__":
     macro_plate()
     polar_boss()
     wl4_shaft()
+    flexnc_shaft()
+    flexnc_bore()
     patch_mesh()
     patch_program()

@@ -12,9 +12,10 @@ namespace {
 using Vec3f = Eigen::Vector3f;
 using What = Seen::What;
 
-constexpr float kRayOffset = 1e-4F;    ///< units; float positions and hits are good to about 1e-6
-constexpr float kShadow = 0.002F;      ///< shares this near to none or all are no half shadows
-constexpr int kRefinedReach = 1;       ///< points of the grid
+constexpr float kRayOffset = 1e-4F;  ///< units; float positions and hits are good to about 1e-6
+constexpr float kShadow = 0.002F;    ///< shares this near to none or all are no half shadows
+constexpr int kRefinedReach = 1;     ///< points of the grid
+constexpr int kRefinedPattern = 2 * kRefinedReach + 1;  ///< after which their points of the light repeat
 constexpr float kShadedWithin = 3.0F;  ///< units from the part's middle: the ground beyond is never shaded
 
 /// Number of the lights' points that a point of the grid asks: they repeat. Rows, columns and small squares
@@ -31,9 +32,9 @@ Eigen::Vector2f latticePoint(std::uint32_t k) {
   return {part(k), part(kGenerator * k)};
 }
 
-Eigen::Vector2f shifted(const Eigen::Vector2f& p, const Eigen::Vector2f& by) {
-  const Eigen::Vector2f sum = p + by;
-  return {sum.x() - std::floor(sum.x()), sum.y() - std::floor(sum.y())};
+/// The same of packs of the light's points: those of any square of a refined reach are all different.
+std::uint32_t packNumber(int i, int j) {
+  return static_cast<std::uint32_t>(kRefinedPattern * (j % kRefinedPattern) + i % kRefinedPattern);
 }
 
 }  // namespace
@@ -62,10 +63,17 @@ void LightGrid::refineShadows() {
   };
   parallelFor(row0_, row0_ + rows_, [&](int j) {
     for (int i = 0; i < columns_; ++i) {
-      if (half(i, j)) raw_[index(i, j)].key = keyShare(seenAt(i, j), latticePoint(patternNumber(i, j)));
+      if (half(i, j)) raw_[index(i, j)].key = keyShare(seenAt(i, j), packNumber(i, j));
     }
   });
+  // Once for the packs, and once more since the shadow has changed from one to the next.
   std::vector<Lit> refined = smooth_;
+  parallelFor(row0_, row0_ + rows_, [&](int j) {
+    for (int i = 0; i < columns_; ++i) {
+      if (half(i, j)) refined[index(i, j)].key = averageAround(raw_, i, j, kRefinedReach).key;
+    }
+  });
+  raw_ = refined;
   parallelFor(row0_, row0_ + rows_, [&](int j) {
     for (int i = 0; i < columns_; ++i) {
       if (half(i, j)) refined[index(i, j)].key = averageAround(raw_, i, j, kRefinedReach).key;
@@ -87,13 +95,13 @@ void LightGrid::smoothSky() {
   smooth_ = std::move(smoother);
 }
 
-/// Share of the key light from a pack of its points. `shift`: of the pack in the unit square.
-float LightGrid::keyShare(const Seen& seen, const Eigen::Vector2f& shift) const {
+/// Share of the key light from a pack of its points.
+float LightGrid::keyShare(const Seen& seen, std::uint32_t pack) const {
   if (!lights_.aboveFace(seen.face)) return 0.0F;
   RayPack rays;
-  for (int n = 0; n < RayPack::kRays; ++n) {
-    rays.set(n, seen.point + seen.face * kRayOffset,
-             lights_.towardsKey(shifted(evenPoint(static_cast<std::uint32_t>(n)), shift)));
+  for (std::uint32_t n = 0; n < RayPack::kRays; ++n) {
+    rays.set(static_cast<int>(n), seen.point + seen.face * kRayOffset,
+             lights_.towardsKey(evenPoint(RayPack::kRays * pack + n)));
   }
   return 1.0F - static_cast<float>(std::popcount(rays_.occluded(rays, Lights::kKeyReach))) / RayPack::kRays;
 }

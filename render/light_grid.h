@@ -46,7 +46,7 @@ class LightGrid {
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j - row0_) * columns_ + i; }
   void traceRow(int j);
   void refineShadows();
-  float keyShare(const Seen& seen, const Eigen::Vector2f& shift) const;
+  float keyShare(const Seen& seen, std::uint32_t pack) const;
   void smoothSky();
   Lit averageAround(const std::vector<Lit>& shares, int i, int j, int reach) const;
   Lit askAlone(const Seen& seen) const;

@@ -1,6 +1,7 @@
 #include "app/session/job_defaults.h"
 
 #include <cmath>
+#include <sstream>
 
 #include "core/nc/control_info.h"
 
@@ -19,8 +20,11 @@ JobNames jobNames() {
     names.controls.emplace_back(control.name);
     if (!control.built) continue;
     auto& ranges = names.parameters[std::string(control.name)];
-    for (const ParameterInfo& p : parameterTable(control.id))
+    for (const ParameterInfo& p : parameterTable(control.id)) {
       ranges.push_back({std::string(p.name), p.min, p.max, p.count});
+      std::istringstream words{std::string(p.choices)};
+      for (std::string word; words >> word;) ranges.back().choices.push_back(word);
+    }
   }
   return names;
 }

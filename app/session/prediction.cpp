@@ -20,19 +20,21 @@ constexpr double kBytesPerCell = 50.0;         ///< leaves, crossings, mesh of f
 constexpr double kBytesPerCutCell = 60.0;      ///< on top of that: round walls
 constexpr double kBytesPerUnevenCell = 260.0;  ///< and where triangles are not merged
 constexpr double kBytesPerTriangle = 75.0;  ///< of a mesh from half sections: the sections and the file, too
-constexpr double kBytesPerThreadedCell = 380.0;   ///< the same of a part with threads
-constexpr double kBytesPerMotion = 500.0;         ///< motion and its passes
-constexpr double kBytesPerTurnedMotion = 600.0;   ///< its edges in the half section
-constexpr double kBytesPerFixtureCell = 28.0;     ///< leaves and crossings alone
-constexpr double kModuleMb = 30.0;                ///< OpenVDB, for saved stocks and meshes
-constexpr double kBytesPerSavedCell = 250.0;      ///< reading or writing a saved stock
-constexpr double kBytesPerBlankTriangle = 170.0;  ///< of a mesh that a stock is made from
-constexpr double kBytesPerMeshedCell = 170.0;     ///< making a stock from a mesh
-constexpr double kComparisonMb = 18.0;            ///< fixed part of a comparison
-constexpr double kBytesPerComparedCell = 300.0;   ///< samples and search trees, both meshes
-constexpr double kDrawnBandMb = 17.0;             ///< what the pixels of some rows show
-constexpr double kBytesPerPixel = 7.0;            ///< a picture, and its file
-constexpr double kBytesPerDrawnCell = 90.0;       ///< the renderer's search tree
+constexpr double kBytesPerTurnedCell = 20.0;          ///< on top of kBytesPerCell: from a half section
+constexpr double kBytesPerThreadedCell = 160.0;       ///< and on top of that where threads run
+constexpr double kBytesPerMotion = 500.0;             ///< motion and its passes
+constexpr double kBytesPerTurnedMotion = 600.0;       ///< its edges in the half section
+constexpr double kBytesPerFixtureCell = 28.0;         ///< leaves and crossings alone
+constexpr double kModuleMb = 30.0;                    ///< OpenVDB, for saved stocks and meshes
+constexpr double kBytesPerSavedCell = 250.0;          ///< reading or writing a saved stock
+constexpr double kBytesPerSavedThreadedCell = 900.0;  ///< writing threads, on top of that
+constexpr double kBytesPerBlankTriangle = 170.0;      ///< of a mesh that a stock is made from
+constexpr double kBytesPerMeshedCell = 170.0;         ///< making a stock from a mesh
+constexpr double kComparisonMb = 18.0;                ///< fixed part of a comparison
+constexpr double kBytesPerComparedCell = 300.0;       ///< samples and search trees, both meshes
+constexpr double kDrawingMb = 45.0;                   ///< of pictures: rows of what pixels show, Embree
+constexpr double kBytesPerPixel = 7.0;                ///< a picture, and its file
+constexpr double kBytesPerDrawnCell = 120.0;          ///< the renderer's search tree and normals
 constexpr double kBytesPerDrawnTriangle = 140.0;
 constexpr double kMostComparedCells = 1.8e6;  ///< the comparison widens its samples on huge meshes
 
@@ -53,7 +55,8 @@ constexpr double kSecondsPerTriangle = 1.1e-6;       ///< half sections, their m
 constexpr double kSecondsPerMotion = 2.0e-6;         ///< interpreter, culling
 constexpr double kSecondsPerTurnedMotion = 4e-5;     ///< out of the half section
 constexpr double kSecondsPerFixtureCell = 1.0e-7;    ///< leaves and crossings alone
-constexpr double kSecondsPerThreadedCell = 5e-6;     ///< a part with threads on a grid
+constexpr double kSecondsPerTurnedCell = 4e-7;       ///< from a half section to the grid
+constexpr double kSecondsPerThreadedCell = 6e-6;     ///< on top of that where threads run
 constexpr double kSecondsPerReadCell = 6e-7;         ///< of a saved stock
 constexpr double kSecondsPerWrittenCell = 1.3e-6;    ///< as a saved stock
 constexpr double kSecondsPerTextCell = 1.2e-6;       ///< cut cells in one mesh file as text
@@ -61,8 +64,8 @@ constexpr double kSecondsPerBlankTriangle = 4.5e-6;  ///< a stock from a mesh
 constexpr double kSecondsPerMeshedCell = 2.1e-6;     ///< the same, and its cells
 constexpr double kSecondsPerMovedCell = 3.5e-6;      ///< a stock from that of the clamping before
 constexpr double kSecondsPerComparedCell = 2.6e-6;   ///< comparison
-constexpr double kSecondsPerDrawnTriangle = 5e-7;    ///< search tree and normals, for all pictures
-constexpr double kSecondsPerPixel = 2.2e-7;          ///< one picture of flat faces
+constexpr double kSecondsPerDrawnTriangle = 1.2e-6;  ///< search tree and normals, for all pictures
+constexpr double kSecondsPerPixel = 1.6e-7;          ///< one picture of flat faces
 constexpr double kMoreSecondsCut = 1.0;              ///< so much more where nothing is level
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
@@ -364,7 +367,8 @@ Workload together(const Workload& a, const Workload& b) {
   for (double Workload::*member :
        {&Workload::surface_mm2, &Workload::cut_mm2, &Workload::uneven_mm2, &Workload::nominal_mm2,
         &Workload::fixture_mm2, &Workload::fixture_mesh_mm2, &Workload::pixels, &Workload::triangles,
-        &Workload::thread_triangles, &Workload::threaded_mm2, &Workload::blank_triangles})
+        &Workload::thread_triangles, &Workload::turned_mm2, &Workload::threaded_mm2,
+        &Workload::blank_triangles})
     both.*member = std::max(a.*member, b.*member);
   both.swept_mm2 += b.swept_mm2;
   for (int kind = 0; kind < kCurveKinds; ++kind) add(both.curves[kind], b.curves[kind]);
@@ -385,7 +389,7 @@ namespace {
 
 /// A workload on one grid.
 struct Cells {
-  double surface, cut, uneven, swept, threaded, fixture, fixture_mesh, compared;
+  double surface, cut, uneven, swept, turned, threaded, fixture, fixture_mesh, compared;
 };
 
 Cells cellsOf(const Workload& work, double resolution_mm) {
@@ -394,6 +398,7 @@ Cells cellsOf(const Workload& work, double resolution_mm) {
           work.cut_mm2 / h2,
           work.uneven_mm2 / h2,
           work.swept_mm2 / h2,
+          work.turned_mm2 / h2,
           work.threaded_mm2 / h2,
           work.fixture_mm2 / h2,
           work.fixture_mesh_mm2 / h2,
@@ -404,7 +409,9 @@ Cells cellsOf(const Workload& work, double resolution_mm) {
 double moduleBytes(const Workload& work, const Cells& cells) {
   const double meshed =
       std::max(work.blank_triangles > 0.0 || work.mesh_moves > 0 ? cells.surface : 0.0, cells.fixture_mesh);
-  const double saved = work.reads_grid || work.writes_grid ? cells.surface * kBytesPerSavedCell : 0.0;
+  const double threads = work.writes_grid ? cells.threaded * kBytesPerSavedThreadedCell : 0.0;
+  const double saved =
+      work.reads_grid || work.writes_grid ? cells.surface * kBytesPerSavedCell + threads : 0.0;
   const double made = std::max(work.blank_triangles * kBytesPerBlankTriangle, meshed * kBytesPerMeshedCell);
   return saved + made > 0.0 ? 1e6 * kModuleMb + std::max(saved, made) : 0.0;
 }
@@ -415,16 +422,16 @@ double memoryMb(const Workload& work, const Cells& cells) {
   const double drawing = work.pixels > 0.0
                              ? (cells.cut + cells.uneven + cells.threaded) * kBytesPerDrawnCell +
                                    work.triangles * kBytesPerDrawnTriangle + work.pixels * kBytesPerPixel +
-                                   1e6 * kDrawnBandMb
+                                   1e6 * kDrawingMb
                              : 0.0;
   const double stock = cells.surface * kBytesPerCell + cells.cut * kBytesPerCutCell +
-                       cells.uneven * kBytesPerUnevenCell + cells.threaded * kBytesPerThreadedCell +
-                       cells.fixture * kBytesPerFixtureCell;
-  // Comparison, pictures and files follow each other and give their memory back.
+                       cells.uneven * kBytesPerUnevenCell + cells.turned * kBytesPerTurnedCell +
+                       cells.threaded * kBytesPerThreadedCell + cells.fixture * kBytesPerFixtureCell;
+  // Pictures are drawn while the part is compared; files come behind both, which give their memory back.
   return kBaseMb + 1e-6 * (stock + work.triangles * kBytesPerTriangle +
                            static_cast<double>(work.motions) * kBytesPerMotion +
                            static_cast<double>(work.turned_motions) * kBytesPerTurnedMotion +
-                           std::max({comparing, drawing, moduleBytes(work, cells)}));
+                           std::max(comparing + drawing, moduleBytes(work, cells)));
 }
 
 /// Of a curve's chords, how many are made on this grid.
@@ -453,7 +460,7 @@ double timeS(const Workload& work, const Cells& cells) {
   const double stock = cells.surface * each + cells.cut * kSecondsPerCutCell +
                        cells.uneven * kSecondsPerUnevenCell + cells.swept * kSecondsPerSweptCell +
                        cells.fixture * kSecondsPerFixtureCell + cells.fixture_mesh * kSecondsPerMeshedCell;
-  const double turned = cells.threaded * kSecondsPerThreadedCell +
+  const double turned = cells.turned * kSecondsPerTurnedCell + cells.threaded * kSecondsPerThreadedCell +
                         work.thread_triangles * kSecondsPerTriangle +
                         static_cast<double>(work.turned_motions) * kSecondsPerTurnedMotion;
   const double from_mesh = work.blank_triangles > 0.0 ? work.blank_triangles * kSecondsPerBlankTriangle +

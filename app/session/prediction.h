@@ -37,8 +37,9 @@ struct Workload {
   std::uint64_t motions = 0;
   std::uint64_t turned_motions = 0;  ///< of those, cuts of parts that turn
   double triangles = 0.0;            ///< of a mesh that needs no grid
-  double thread_triangles = 0.0;     ///< of those, of threads
-  double threaded_mm2 = 0.0;         ///< surface of a part with threads that goes to a grid
+  double thread_triangles = 0.0;     ///< of those, of threads and of walls of leaning wires
+  double turned_mm2 = 0.0;           ///< surface of a part from half sections that goes to a grid
+  double threaded_mm2 = 0.0;         ///< of that what threads run over
   double blank_triangles = 0.0;      ///< of a mesh that the blank is made from
   bool reads_grid = false;           ///< from a saved stock
   bool writes_grid = false;          ///< as a saved stock

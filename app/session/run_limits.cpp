@@ -54,6 +54,7 @@ Status checkTime(const Job& job, const Prediction& prediction) {
 }
 
 double simplification(const Job& job, double resolution_mm) {
+  if (job.simulation.simplify_mm) return *job.simulation.simplify_mm;
   constexpr double kShare = 0.1;
   double within = resolution_mm;
   if (job.nominal) within = std::min({within, job.nominal->gouge_mm, job.nominal->excess_mm});

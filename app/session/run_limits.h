@@ -17,8 +17,8 @@ Status checkMemory(const Job& job, const Workload& work, double resolution_mm);
 /// Refuses what is out of proportion before it is begun: predictions are good to a factor of two.
 Status checkTime(const Job& job, const Prediction& prediction);
 
-/// How far the mesh may leave the surface to save triangles, mm: a tenth of the grid, but where the part is
-/// compared no more than a tenth of what is tolerated.
+/// How far the mesh may leave the surface to save triangles, mm: what the job says, else a tenth of the grid,
+/// but where the part is compared no more than a tenth of what is tolerated.
 double simplification(const Job& job, double resolution_mm);
 /// With that, and the job's threads.
 SurfaceOptions surfaceOptions(const Job& setup, double resolution_mm);

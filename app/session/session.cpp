@@ -109,6 +109,34 @@ void tellThinFeaturesLast(std::vector<Finding>& findings) {
                         [](const Finding& finding) { return finding.kind != FindingKind::kThinFeature; });
 }
 
+/// Compares the finished part with its nominal.
+Status compareFinished(const Job& job, const RunSources& sources, const PreparedRun& prepared, RunResult& run,
+                       Progress& progress) {
+  if (!prepared.placement_told) noteMisplaced(job, *prepared.nominal, run);
+  Stopwatch watch;
+  if (Status done = compareRun(job, sources, prepared.blank, *prepared.nominal, run, progress); !done)
+    return done;
+  if (run.comparison) dropRefuted(*run.comparison, run.findings);
+  run.performance.compare_s = watch.lap();
+  return Done{};
+}
+
+/// The same, with `meanwhile` beside it. What fails first stops the other.
+Status compareAndWork(const Job& job, const RunSources& sources, const PreparedRun& prepared, RunResult& run,
+                      Progress& progress, const WorkOnPart& meanwhile) {
+  Status compared = Done{}, worked = Done{};
+  Progress working(&progress);
+  parallelFor(0, meanwhile ? 2 : 1, [&](int part) {
+    if (part == 0) {
+      compared = compareFinished(job, sources, prepared, run, progress);
+      if (!compared) working.cancel();
+    } else {
+      worked = meanwhile(run.setups.back(), working);
+    }
+  });
+  return compared ? worked : compared;
+}
+
 }  // namespace
 
 Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progress& progress) {
@@ -153,25 +181,22 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
 }
 
 Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedRun prepared,
-                            Progress& progress) {
+                            Progress& progress, const WorkOnPart& meanwhile) {
   RunResult& run = prepared.run;
   if (run.alarm) return std::move(run);
   if (const Status done = machineAll(job, sources, prepared, progress); !done) return done.error();
   tellWordsInForce(sources, run);
   addMeshDefects(run.topology(), run.surface(), run.findings);
   if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
-  if (!prepared.nominal || run.surface().mesh.triangles.empty()) {
-    tellThinFeaturesLast(run.findings);
-    return std::move(run);
+  const bool something = !run.surface().mesh.triangles.empty();
+  Status done = Done{};
+  if (something && prepared.nominal) {
+    done = compareAndWork(job, sources, prepared, run, progress, meanwhile);
+    if (run.setups.back().turned) run.nominal = std::move(prepared.nominal->mesh);
+  } else if (something && meanwhile) {
+    done = meanwhile(run.setups.back(), progress);
   }
-
-  if (!prepared.placement_told) noteMisplaced(job, *prepared.nominal, run);
-  Stopwatch watch;
-  if (const Status done = compareRun(job, sources, prepared.blank, *prepared.nominal, run, progress); !done)
-    return done.error();
-  if (run.comparison) dropRefuted(*run.comparison, run.findings);
-  if (run.setups.back().turned) run.nominal = std::move(prepared.nominal->mesh);
-  run.performance.compare_s = watch.lap();
+  if (!done) return done.error();
   tellThinFeaturesLast(run.findings);
   return std::move(run);
 }

@@ -4,6 +4,7 @@
 // (comparison.h) -> findings.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "app/session/blank.h"
@@ -31,9 +32,13 @@ struct PreparedRun {
 
 /// The first part of a run, for those who want to know what it will take. Errors: as runJob.
 Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progress& progress);
-/// The second part. Does nothing after an alarm.
+/// Work on the finished part that goes on while it is compared, on other threads, or alone where there is no
+/// comparison. It may read the last clamping's mesh, freed pieces and turned bodies. Ends soon after its
+/// `progress` is cancelled; its error ends the run.
+using WorkOnPart = std::function<Status(const SetupRun& last, Progress& progress)>;
+/// The second part. Does nothing after an alarm. `meanwhile`: not called where nothing is left of the part.
 Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedRun prepared,
-                            Progress& progress);
+                            Progress& progress, const WorkOnPart& meanwhile = {});
 /// Both.
 Result<RunResult> runRecorded(const Job& job, const RunSources& sources, Progress& progress);
 

@@ -98,22 +98,32 @@ double threadTriangles(const SetupRun& setup, const Motion& motion, const Box3& 
   return 2.0 * corners * circleSteps(blank.max.x(), facetTolerance(setup.job));
 }
 
+/// Of the cylinder about all threads, as far as it is within the blank, mm2.
+double threadedArea(const SetupRun& setup, const Box3& blank) {
+  double low = std::numeric_limits<double>::infinity(), high = -low, radius = 0.0;
+  for (const Motion& m : setup.interpreted.path.motions) {
+    if (m.kind != MotionKind::kThread) continue;
+    low = std::min({low, m.from.z(), m.to.z()});
+    high = std::max({high, m.from.z(), m.to.z()});
+    radius = std::max({radius, m.from.x(), m.to.x()});
+  }
+  const double length = std::min(high, blank.max.z()) - std::max(low, blank.min.z());
+  return length > 0.0 ? 2.0 * kPi * std::min(radius, blank.max.x()) * length : 0.0;
+}
+
 }  // namespace
 
 double facetTolerance(const Job& job) { return kFacetShare * job.simulation.profile_resolution_mm; }
 
 Workload turnedGridWork(const Blank& blank) {
   Workload work;
-  work.surface_mm2 = work.uneven_mm2 = work.threaded_mm2 = blankArea(blank.shape, blank.bounds);
+  work.surface_mm2 = work.turned_mm2 = work.threaded_mm2 = blankArea(blank.shape, blank.bounds);
   return work;
 }
 
 Workload ontoGridWork(const SetupRun& turned, const Blank& blank) {
   Workload grid = turnedGridWork(blank);
-  const auto& motions = turned.interpreted.path.motions;
-  const bool threads = std::any_of(motions.begin(), motions.end(),
-                                   [](const Motion& m) { return m.kind == MotionKind::kThread; });
-  if (!threads) grid.threaded_mm2 = 0.0;
+  grid.threaded_mm2 = std::min(grid.threaded_mm2, threadedArea(turned, blank.bounds));
   return grid;
 }
 

@@ -146,20 +146,54 @@ class SupplyCheck {
   bool told_never_ = false;
 };
 
-void addFreeSlugs(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings) {
+void addFreeSlug(const FallenPiece& piece, const SetupRun& setup, const RecordingSource& texts,
+                 std::vector<Finding>& findings) {
+  if (piece.through == kNoMotion) return;
   const Toolpath& path = setup.interpreted.path;
-  for (const FallenPiece& piece : setup.removal.fallen) {
-    if (piece.through == kNoMotion) continue;
-    const BlockRef through = writtenBlock(path, piece.through, texts).block;
-    Finding finding(FindingKind::kFreeSlug);
+  const BlockRef through = writtenBlock(path, piece.through, texts).block;
+  Finding finding(FindingKind::kFreeSlug);
+  finding.where = piece.where;
+  finding.volume_mm3 = piece.volume_mm3;
+  blame(finding, piece.motion, path, texts);
+  finding.message = fmt::format(
+      "slug of {} mm3 is free here, and {}:{} goes on through where it may still lie: put a stop before that "
+      "and take the slug out, or hold it with a fixture",
+      figure(piece.volume_mm3), through.file, through.line);
+  findings.push_back(std::move(finding));
+}
+
+void addFreeSlugs(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings) {
+  for (const FallenPiece& piece : setup.removal.fallen) addFreeSlug(piece, setup, texts, findings);
+  for (const FallenPiece& piece : setup.removal.stuck) addFreeSlug(piece, setup, texts, findings);
+}
+
+void addStuckSlugs(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings) {
+  for (const FallenPiece& piece : setup.removal.stuck) {
+    Finding finding(FindingKind::kStuckSlug);
     finding.where = piece.where;
     finding.volume_mm3 = piece.volume_mm3;
-    blame(finding, piece.motion, path, texts);
+    blame(finding, piece.motion, setup.interpreted.path, texts);
+    finding.message =
+        fmt::format("a piece of {} mm3 is free here, but its leaning walls keep it from falling out: {}",
+                    figure(piece.volume_mm3),
+                    piece.lifts ? "stop and lift it out upwards" : "it is locked in, up and down");
+    findings.push_back(std::move(finding));
+  }
+}
+
+void addBridges(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings) {
+  for (const UncutBridge& bridge : setup.removal.bridges) {
+    Finding finding(FindingKind::kBridge);
+    finding.where = bridge.where;
+    if (bridge.volume_mm3 > 0.0) finding.volume_mm3 = bridge.volume_mm3;
+    blame(finding, bridge.motion, setup.interpreted.path, texts);
+    const std::string piece = bridge.volume_mm3 > 0.0
+                                  ? fmt::format("a piece of {} mm3 still hangs on", figure(bridge.volume_mm3))
+                                  : std::string("a piece still hangs on, also");
     finding.message = fmt::format(
-        "slug of {} mm3 is free here, and {}:{} goes on through where it may still lie: put a stop before "
-        "that "
-        "and take the slug out, or hold it with a fixture",
-        figure(piece.volume_mm3), through.file, through.line);
+        "{} by a bridge of {:.3f} mm at X{:.3f} Y{:.3f}: the contour is not closed by {:.3f} mm of the "
+        "wire's way",
+        piece, bridge.width_mm, bridge.where.x(), bridge.where.y(), bridge.open_mm);
     findings.push_back(std::move(finding));
   }
 }
@@ -170,6 +204,8 @@ void addWireFindings(const SetupRun& setup, const RecordingSource& texts, std::v
   addThreading(setup, texts, findings);
   SupplyCheck(setup, texts, findings).run();
   addFreeSlugs(setup, texts, findings);
+  addStuckSlugs(setup, texts, findings);
+  addBridges(setup, texts, findings);
 }
 
 }  // namespace proveout

@@ -1,10 +1,13 @@
 target_sources(proveout_core PRIVATE
   geometry/box_tree.cpp
+  mesh/corner_table.cpp
   mesh/intersections.cpp
   mesh/level_cut.cpp
   mesh/mesh_editor.cpp
+  mesh/mesh_simplifier.cpp
   mesh/mesh_topology.cpp
   mesh/shells.cpp
   mesh/signed_distance.cpp
   mesh/tri_mesh.cpp
-  mesh/triangle_tree.cpp)
+  mesh/triangle_tree.cpp
+  mesh/vertex_star.cpp)

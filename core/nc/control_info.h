@@ -42,6 +42,8 @@ struct CoverageIdRow {
   std::string_view status;  ///< "done", "partly", "missing", "deferred"
   std::string_view proof;   ///< the test that names it; empty: none
 };
+/// "simulated" of SIM, and so on: the status of a class.
+std::string_view coverageStatus(std::string_view cls);
 /// Error: the control is not built.
 Result<std::vector<CoverageRow>> coverageTable(ControlId control);
 
@@ -52,6 +54,7 @@ struct ParameterInfo {
   double min, max;
   std::string_view meaning;
   int count = 0;  ///< > 0: axis or spindle parameter; NAME.1 to NAME.count, NAME alone means all
+  std::string_view choices = {};  ///< words that a job gives in place of 0, 1, ..., separated by blanks
 };
 std::vector<ParameterInfo> parameterTable(ControlId control);
 

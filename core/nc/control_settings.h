@@ -113,6 +113,7 @@ struct ControlSettings {
   LengthUnit units = LengthUnit::kMillimetre;   ///< power-on unit, where the program does not say (G20/G21)
   TextEncoding encoding = TextEncoding::kAuto;  ///< of the program files
   Vec3 rapid_mm_min = Vec3::Constant(15000.0);  ///< rapid rate of X, Y, Z; > 0
+  bool rapid_by_default = true;                 ///< nobody named these rates
   Vec3 acceleration_mm_s2 = Vec3::Zero();       ///< of X, Y, Z; 0: the axis reaches its speed at once
   double bell_time_s = 0.0;  ///< in which the acceleration along the path comes up; 0: at once
   std::array<std::optional<AxisLimit>, 3> limits;  ///< X, Y, Z, machine frame, mm

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/nc/flexnc/flexnc_row.h"
 #include "core/nc/nct/nct_row.h"
-#include "core/nc/specification/specification_text.h"
 #include "core/nc/wedm/wedm_row.h"
 #include "core/nc/wl4/wl4_row.h"
 
@@ -14,15 +14,6 @@ namespace proveout {
 namespace nc {
 namespace {
 
-const ControlRow& flexNcRow() {
-  static const ControlRow kRow{
-      .id = ControlId::kFlexNc,
-      .name = "flexnc",
-      .summary = "FlexNC, milling",
-      .manual = {"fnc", specification_text::kFlexnc},
-  };
-  return kRow;
-}
 const ControlRow& rs274NgcRow() {
   static const ControlRow kRow{
       .id = ControlId::kRs274Ngc,
@@ -36,7 +27,7 @@ const ControlRow& rs274NgcRow() {
 
 std::span<const ControlRow* const> controlRows() {
   static const std::array kRows{&nctRow(),    &wl4MillRow(), &wl4LatheRow(),
-                                &flexNcRow(), &wedmRow(),    &rs274NgcRow()};
+                                &flexncRow(), &wedmRow(),    &rs274NgcRow()};
   return kRows;
 }
 
@@ -67,6 +58,14 @@ Result<ControlId> findControl(std::string_view name) {
     known += (known.empty() ? "" : ", ") + std::string(control.name);
   }
   return inputError(fmt::format("unknown control {} (known: {})", name, known));
+}
+
+std::string_view coverageStatus(std::string_view cls) {
+  return cls == "SIM"     ? "simulated"
+         : cls == "TIME"  ? "timed"
+         : cls == "STATE" ? "tracked"
+         : cls == "HOST"  ? "noted"
+                          : "refused";
 }
 
 Result<std::vector<CoverageRow>> coverageTable(ControlId control) {

@@ -26,6 +26,7 @@ target_sources(proveout_core PRIVATE
   nc/program_transforms.cpp
   nc/program_source.cpp
   nc/rapid_overlap_stage.cpp
+  nc/rolling_comp_stage.cpp
   nc/rotary_kinematics.cpp
   nc/source_text.cpp
   nc/template_set.cpp
@@ -50,7 +51,6 @@ target_sources(proveout_core PRIVATE
   nc/wl4/wl4_arcs.cpp
   nc/wl4/wl4_axis_words.cpp
   nc/wl4/wl4_block.cpp
-  nc/wl4/wl4_comp_stage.cpp
   nc/wl4/wl4_context.cpp
   nc/wl4/wl4_contour.cpp
   nc/wl4/wl4_control.cpp
@@ -178,4 +178,5 @@ target_sources(proveout_core PRIVATE
   nc/nct/tools/tools.cpp
   nc/nct/zones/zone_stage.cpp
   nc/nct/zones/zones.cpp)
+include(nc/flexnc/sources.cmake)
 include(nc/services/sources.cmake)

@@ -1,6 +1,7 @@
 #include "core/nc/tool_change.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace proveout::nc {
 
@@ -28,6 +29,36 @@ KindSet unsaidBehind(const ToolChangePlace& place) {
   if (place.x) kinds.add(OriginKind::kX);
   if (place.y) kinds.add(OriginKind::kY);
   return kinds;
+}
+
+bool goToToolChange(const ControlSettings& settings, const ToolChangeParts& parts, const WorkPlane& plane,
+                    const SourceRef& source, AxisPoint& machine, bool& moves) {
+  const ToolChangePlace& place = settings.tool_change;
+  moves = false;
+  if (!place.any()) return true;
+  if (!parts.pipe.flush(FlushReason::kBuffer)) return false;
+  const auto way = toolChangeWay(settings, parts.emitter.machine(), std::numeric_limits<double>::infinity());
+  if (way.empty()) return true;
+  moves = true;
+  parts.recorder.clear(unsaidBehind(place));
+  for (const AxisPoint& to : way) {
+    PathItem item;
+    item.kind = PathItem::Kind::kLine;
+    item.space = PathItem::Space::kMachine;
+    item.rapid = true;
+    item.feed.join.stops = true;
+    item.plane = plane;
+    item.to = to;
+    item.source = source;
+    item.source.origins = parts.recorder.index();
+    if (!parts.pipe.push(item)) return false;
+  }
+  // Beside cutter compensation the programmed point is not the machine's: axes that stayed keep it.
+  machine[2] = way.back()[2];
+  if (place.x) machine[0] = *place.x;
+  if (place.y) machine[1] = *place.y;
+  parts.pipe.rebase(machine, plane);
+  return true;
 }
 
 }  // namespace proveout::nc

@@ -6,6 +6,8 @@
 #include "core/nc/axis_point.h"
 #include "core/nc/control_settings.h"
 #include "core/nc/kind_set.h"
+#include "core/nc/motion_pipe.h"
+#include "core/nc/origin_recorder.h"
 
 namespace proveout::nc {
 
@@ -15,5 +17,17 @@ std::vector<AxisPoint> toolChangeWay(const ControlSettings& settings, const Axis
 
 /// The coordinates that no word gives behind such a way: those of the axes that it may move.
 KindSet unsaidBehind(const ToolChangePlace& place);
+
+/// What takes part when a control sends the machine there.
+struct ToolChangeParts {
+  MotionPipe& pipe;
+  const PathEmitter& emitter;
+  OriginRecorder& recorder;
+};
+/// Sends the machine to where it changes tools, for controls without areas of their own. `plane` and `source`
+/// are those of the block in hand; `machine`, the programmed point, follows. `moves`: it was not there yet.
+/// False: a stage reported an error.
+bool goToToolChange(const ControlSettings& settings, const ToolChangeParts& parts, const WorkPlane& plane,
+                    const SourceRef& source, AxisPoint& machine, bool& moves);
 
 }  // namespace proveout::nc

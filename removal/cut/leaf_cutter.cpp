@@ -141,6 +141,12 @@ void LeafCutter::pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords&
   }
 }
 
+bool LeafCutter::holdsEdges(const Pass& pass) const {
+  if (pass.body.isLine()) return true;
+  const Vec3 low = impl_.position(origin_), high = impl_.position(origin_.offsetBy(8, 8, 8));
+  return pass.body.holdsEdges(impl_.h, 0.5 * (low + high).head<2>(), 6.0 * impl_.h);
+}
+
 /// Notes the edges that the last pass covered whole; `quarters` (bits) are those that it went through.
 void LeafCutter::join(unsigned quarters) {
   ColumnWords covered, x, y;
@@ -214,7 +220,7 @@ void LeafCutter::apply(std::uint32_t number) {
     quarters |= 1u << q;
   }
   if (sunk <= 0.0) return;
-  if (pass.body.holdsEdges(impl_.h)) join(quarters);
+  if (holdsEdges(pass)) join(quarters);
   takers_[1] = number;
   if (sunk > most_sunk_) {
     most_sunk_ = sunk;

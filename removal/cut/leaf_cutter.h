@@ -67,6 +67,7 @@ class LeafCutter {
   double applyQuarter(std::uint32_t number, int quarter);
   void cover(int quarter);
   void setQuarterTop(int quarter);
+  bool holdsEdges(const Pass& pass) const;
   void join(unsigned quarters);
   void contact(std::uint32_t number, int quarter, const double* top);
 

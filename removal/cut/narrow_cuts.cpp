@@ -165,11 +165,12 @@ bool Search::isLostAt(const Pass& pass, const Place& place, Vec3& where) const {
 
 double Search::follow(const Pass& pass, Vec3& first, double& width) const {
   const ColumnSweep& c = pass.body.columns();
-  const bool arc = pass.body.isLevelArc();
+  const bool arc = pass.body.isLevelArc(), part = pass.body.isCurvePart();
+  const Motion& motion = path_.motions[pass.motion];
   double turn = std::atan2(c.sin_sweep, c.cos_sweep);
   if (turn < 0.0) turn += 2.0 * kPi;
   if (c.full) turn = 2.0 * kPi;
-  const double length = arc ? turn * c.arc_radius : sweepWay(c).norm();
+  const double length = arc ? turn * c.arc_radius : part ? path_.length(motion) : sweepWay(c).norm();
   const int count = static_cast<int>(std::clamp(std::ceil(length / impl_.h), 1.0, kMostPoints));
   int lost = 0;
   for (int i = 0; i < count; ++i) {
@@ -179,6 +180,12 @@ double Search::follow(const Pass& pass, Vec3& first, double& width) const {
       const double a = t * turn * c.turn, dx = c.start_x - c.x, dy = c.start_y - c.y;
       const Vec2 out(dx * std::cos(a) - dy * std::sin(a), dx * std::sin(a) + dy * std::cos(a));
       place = {Vec3(c.x + out.x(), c.y + out.y(), c.z), Vec2(-out.y(), out.x()) / c.arc_radius};
+    }
+    if (part) {
+      const double step = 0.25 / count;
+      const Vec2 way = (path_.pointAt(motion, t + step) - path_.pointAt(motion, t - step)).head<2>();
+      const double level = way.norm();
+      place = {path_.pointAt(motion, t), level > 0.0 ? Vec2(way / level) : Vec2::UnitX()};
     }
     Vec3 where;
     if (!isLostAt(pass, place, where)) continue;
@@ -200,6 +207,7 @@ std::vector<NarrowCut> findNarrowCuts(const Stock::Impl& impl, const PassTable& 
   for (std::uint32_t i = 0; i < table.passes.size(); ++i) {
     const Pass& pass = table.passes[i];
     if (!pass.cuts()) continue;
+    if (pass.body.isCurvePart() && table.goesOn(i)) continue;  // followed from its first part on
     const auto [known, added] = narrow.try_emplace(&pass.body.solid());
     if (added) known->second = isNarrow(pass.body.solid(), impl.h);
     if (known->second) passes.push_back(i);

@@ -102,6 +102,12 @@ bool ThinWallFinder::besideMaterial(const Coord& origin, int axis, int x, int y,
   return false;
 }
 
+bool ThinWallFinder::holdsEdges(const Pass& pass) const {
+  if (pass.body.isLine()) return true;
+  const Vec3 low = impl_.position(origin_), high = impl_.position(origin_.offsetBy(8, 8, 8));
+  return pass.body.holdsEdges(impl_.h, 0.5 * (low + high).head<2>(), 6.0 * impl_.h);
+}
+
 /// Takes out what one pass covers whole: first those that took much. Passes in the middle of the list are
 /// likely to be those right over the leaf.
 void ThinWallFinder::drop(std::size_t first, std::size_t count) {
@@ -116,7 +122,7 @@ void ThinWallFinder::drop(std::size_t first, std::size_t count) {
     highest = std::max(highest, z_[std::bit_width(stack.open) - 1]);
   }
   for (const std::uint32_t taker : takers_) {
-    if (taker == kNoPass || !table_.passes[taker].body.holdsEdges(impl_.h)) continue;
+    if (taker == kNoPass || !holdsEdges(table_.passes[taker])) continue;
     if (!dropCovered(table_.passes[taker], first, count)) return;
   }
   const std::size_t size = list_.size();
@@ -125,7 +131,7 @@ void ThinWallFinder::drop(std::size_t first, std::size_t count) {
     const Reach& reach = list_[i % 2 == 1 ? middle - step : middle + step];
     if (reach.low >= highest) continue;
     const Pass& pass = table_.passes[reach.pass];
-    if (pass.body.holdsEdges(impl_.h) && !dropCovered(pass, first, count)) return;
+    if (holdsEdges(pass) && !dropCovered(pass, first, count)) return;
   }
 }
 

@@ -86,6 +86,16 @@ struct FallenPiece {
   MotionId through = kNoMotion;  ///< first cut before the next stop that goes where the piece may still lie
   Vec3 where = Vec3::Zero();     ///< in it, mm
   double volume_mm3 = 0.0;
+  bool lifts = true;  ///< of those that cannot fall: upwards it could leave
+};
+
+/// Material between the end of a wire's cut and what it has cut before, on which a piece hangs.
+struct UncutBridge {
+  MotionId motion = kNoMotion;  ///< whose cut ends there, or begins
+  Vec3 where = Vec3::Zero();    ///< its middle, mm
+  double width_mm = 0.0;        ///< of what is left, where it is narrowest
+  double open_mm = 0.0;         ///< way of the wire that would close the contour
+  double volume_mm3 = 0.0;      ///< of the piece; 0: several bridges hold it
 };
 
 struct RemovalSummary {
@@ -99,6 +109,8 @@ struct RemovalSummary {
   std::vector<NarrowCut> narrow_cuts;     ///< by number of the tool
   std::vector<ThreadingFault> threading;  ///< in program order
   std::vector<FallenPiece> fallen;        ///< in the order of their fall
+  std::vector<FallenPiece> stuck;         ///< those that came free and whose walls keep them from falling
+  std::vector<UncutBridge> bridges;
   std::uint64_t voxel_evaluations = 0;
 };
 

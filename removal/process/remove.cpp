@@ -36,6 +36,8 @@ constexpr double kContactChordMm = 5e-4;
 constexpr double kMostChords = 1e6;
 /// Level arcs whose radius and height change by less than this are circles, mm.
 constexpr double kSameRadiusMm = 1e-7;
+/// Curves with a smaller radius, mm, or angle are cut as chords.
+constexpr double kLeastCurve = 1e-3;
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 class Remover {
@@ -64,6 +66,7 @@ class Remover {
  private:
   void addPasses(MotionId id, const ToolParts::Part& part, bool watched);
   void addChords(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
+  bool addParts(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
   bool inBlank(const Coord& origin, int size) const;
   void visit(const Coord& origin, int size, const ReachList& passes);
@@ -167,7 +170,35 @@ void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched) 
     table_.passes.push_back(pass);
     return;
   }
-  addChords(pass, part, m, curve);
+  if (!addParts(pass, part, m, curve)) addChords(pass, part, m, curve);
+}
+
+/// Turns of a helix about z, or the two halves of an upright arc. Turns lie under each other: where a lower
+/// one covers all of the blank that the next does, this is left out. False for curves that have neither.
+bool Remover::addParts(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
+  if (pass.watched || !pass.cuts()) return false;
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const ArcFrame frame = arcFrame(m.from, m.to, arc);
+  const double growth = std::abs(frame.radius_end - frame.radius_start), sweep = std::abs(arc.sweep_rad);
+  if (growth > 2.0 * kChordMm || std::min(frame.radius_start, sweep) < kLeastCurve) return false;
+  if (sweep > 2.0 * kPi * kMostChords) return false;
+  const bool about_z = arc.normal.head<2>().squaredNorm() < 1e-24;
+  const bool upright = std::abs(arc.normal.z()) < 1e-12 && std::abs(frame.rise) < kSameRadiusMm;
+  if (!about_z && !upright) return false;
+  const std::vector<ColumnSweep> parts = about_z ? columnTurns(part.columns, m.from, m.to, arc)
+                                                 : columnUprights(part.columns, m.from, m.to, arc);
+  const double blank_top = impl_.blank.max.z() + impl_.h;
+  const bool falls = m.to.z() < m.from.z();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    pass.body = SweptBody(*part.profile, parts[i], curve);
+    const std::size_t below = falls ? i + 1 : i - 1;
+    const bool has_lower =
+        about_z && !part.columns.round_top && below < parts.size() && isWholeTurn(parts[below]);
+    pass.lower = has_lower ? (falls ? 1 : -1) : 0;
+    if (has_lower && SweptBody(*part.profile, parts[below], curve).lowestTop() >= blank_top) continue;
+    table_.passes.push_back(pass);
+  }
+  return true;
 }
 
 /// Chords of a curve. Those of a helix about z lie under each other, turn by turn: where the lower ones cover

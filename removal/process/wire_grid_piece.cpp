@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/stopwatch.h"
 #include "core/geometry/plane.h"
@@ -12,6 +13,7 @@
 #include "removal/process/milled_piece.h"
 #include "removal/process/wire_part.h"
 #include "removal/wire/stretch_index.h"
+#include "removal/wire/wire_handling.h"
 #include "removal/wire/wire_stock.h"
 #include "removal/wire/wire_work.h"
 
@@ -72,8 +74,38 @@ class GridWireMeeting {
     contact.depth_mm = 2.0 * stretch.kerf_mm;
     return contact;
   }
+  /// Where a wire that is threaded touches material, the first place of each motion behind it.
+  std::vector<ThreadingFault> threadingFaults(const Toolpath& path, const std::vector<Tool>& tools,
+                                              const std::vector<Contact>& contacts) {
+    std::map<MotionId, ThreadingFault> faults;
+    for (int k = kHeights - 1; k >= 0; --k) {
+      for (const ThreadingPlace& place : threadingPlaces(path, tools, *works_[k], contacts, heights_[k])) {
+        if (!touchesAt(k, place)) continue;
+        ThreadingFault fault;
+        fault.next = place.next;
+        fault.where = Vec3(place.at.x(), place.at.y(), heights_[k]);
+        fault.wire_mm = fault.needs_mm = place.wire_mm;
+        faults.emplace(place.next, fault);
+      }
+    }
+    std::vector<ThreadingFault> out;
+    for (const auto& [motion, fault] : faults) out.push_back(fault);
+    return out;
+  }
 
  private:
+  bool touchesAt(int height, const ThreadingPlace& place) {
+    constexpr int kSides = 8;
+    for (int k = 0; k <= kSides; ++k) {
+      const Vec2 off = turnedBy(Vec2(0.5 * place.wire_mm, 0.0), 2.0 * kPi * k / kSides);
+      const Vec2 p = k < kSides ? Vec2(place.at + off) : place.at;
+      if (isMaterial(Vec3(p.x(), p.y(), heights_[height])) &&
+          indices_[height]->nearest(p, 0.0, place.after).stretch == StretchIndex::kNone)
+        return true;
+    }
+    return false;
+  }
+
   double volumeAt(int height, const WireStretch& s, std::uint32_t before, Vec3* where) {
     const int stations = std::clamp(static_cast<int>(s.length() / stock_.h), 1, kMostStations);
     const Vec2 along = s.to - s.from,
@@ -116,6 +148,8 @@ Result<RemovalSummary> meetingOf(const Stock& stock, const Toolpath& path, const
     if (const auto contact = meeting.contactOf(i, work->rapids[i].after))
       summary.contacts.push_back(*contact);
   }
+  tellByHand(path, summary.contacts);
+  summary.threading = meeting.threadingFaults(path, tools, summary.contacts);
   return summary;
 }
 
@@ -170,6 +204,16 @@ Result<std::size_t> partOf(const std::vector<GridBody>& bodies, const PieceOptio
   return bodyLike(bounds, *options.part);
 }
 
+/// What came free and hangs on in the box is so in the workpiece, whose share of its height is `share`.
+void takePieces(RemovalSummary&& box, double share, RemovalSummary& summary) {
+  summary.fallen = std::move(box.fallen);
+  summary.stuck = std::move(box.stuck);
+  summary.bridges = std::move(box.bridges);
+  for (std::vector<FallenPiece>* pieces : {&summary.fallen, &summary.stuck})
+    for (FallenPiece& piece : *pieces) piece.volume_mm3 *= share;
+  for (UncutBridge& bridge : summary.bridges) bridge.volume_mm3 *= share;
+}
+
 /// Kerfs that the grid cannot hold.
 void tellNarrow(const Toolpath& path, const std::vector<Tool>& tools, double h, RemovalSummary& summary) {
   const ToolTable table(tools);
@@ -202,9 +246,13 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   const PrismBlank about = boxAbout(stock_.bounds());
   const HeightSpan span{about.z_low, about.z_high};
   WireStock box(about);
-  if (const Status cut = box.cut(path, tools, 0.5 * options.facet_mm, progress); !cut) return cut.error();
+  box.holdAt(options.held_at);
+  RemovalSummary pieces;
+  if (const Status cut = box.cut(path, tools, 0.5 * options.facet_mm, progress, &pieces); !cut)
+    return cut.error();
   Result<RemovalSummary> met = meetingOf(stock_, path, tools, span, options.facet_mm);
   if (!met) return met.error();
+  takePieces(std::move(pieces), stock_.bounds().size().z() / about.height(), *met);
   tellNarrow(path, tools, stock_.resolution(), *met);
   out.remove_s = watch.lap();
   Result<std::vector<GridBody>> bodies = bodiesOf(stock_, box, options, progress);

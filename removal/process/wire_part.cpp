@@ -14,16 +14,6 @@ namespace {
 /// So many bodies are named where a point is in none.
 constexpr std::size_t kMostNamed = 3;
 
-/// From a point to the border of a region, mm; infinite without one.
-double borderDistance(const PlanePolygons& region, const Vec2& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::vector<Vec2>& loop : region) {
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      least = std::min(least, distanceToSegment(p, loop[i], loop[(i + 1) % loop.size()]));
-  }
-  return least;
-}
-
 Error inNoBody(const WireStock& stock, const Vec3& p) {
   const PrismBlank& blank = stock.blank();
   const bool beside = p.z() < blank.z_low || p.z() > blank.z_high;

@@ -74,6 +74,9 @@ TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
       suspect[mesh.numberOf(leaf.extra_base + k)] = 1;
       suspect[mesh.numberOf(leaf.base + leaf.extra[k].cell)] = 1;
     }
+    for (const OutsideVertex& o : leaf.outside) {
+      if (grid.crowds(leaf, o.place)) suspect[mesh.numberOf(leaf.cellAt(o.place))] = 1;
+    }
   }
   // Fans start at their middle; those without places where sheets touch face like the surface.
   for (std::size_t t = mesh.firstFanTriangle(); t < all.triangles.size(); ++t) {
@@ -82,15 +85,24 @@ TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
   return findIntersections(all, suspect);
 }
 
-std::vector<std::uint32_t> mergedCellsOf(const LeafMesh& mesh, const SurfaceGrid& grid,
-                                         const VertexMerger& merger, std::uint32_t triangle) {
+std::vector<std::uint32_t> cornerCellsOf(const LeafMesh& mesh, const SurfaceGrid& grid,
+                                         std::uint32_t triangle) {
   std::vector<std::uint32_t> cells;
   for (const std::uint32_t v : mesh.mesh.triangles[triangle]) {
     if (v < mesh.kept) {
       cells.push_back(mesh.cellAt(v));
     } else if (v < mesh.firstOfFans()) {
       cells.push_back(grid.cellOf(v - mesh.kept + mesh.cells));
-    } else {
+    }
+  }
+  return cells;
+}
+
+std::vector<std::uint32_t> mergedCellsOf(const LeafMesh& mesh, const SurfaceGrid& grid,
+                                         const VertexMerger& merger, std::uint32_t triangle) {
+  std::vector<std::uint32_t> cells = cornerCellsOf(mesh, grid, triangle);
+  for (const std::uint32_t v : mesh.mesh.triangles[triangle]) {
+    if (v >= mesh.firstOfFans()) {
       for (const std::uint32_t corner : mesh.fanOf(v).v) cells.push_back(merger.standIn(grid.cellOf(corner)));
     }
   }

@@ -73,6 +73,10 @@ using TrianglePairs = std::vector<std::array<std::uint32_t, 2>>;
 TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
                            const std::vector<std::uint8_t>& unchecked);
 
+/// The cells of a triangle's corners.
+std::vector<std::uint32_t> cornerCellsOf(const LeafMesh& mesh, const SurfaceGrid& grid,
+                                         std::uint32_t triangle);
+
 /// Merged cells that a triangle depends on.
 std::vector<std::uint32_t> mergedCellsOf(const LeafMesh& mesh, const SurfaceGrid& grid,
                                          const VertexMerger& merger, std::uint32_t triangle);

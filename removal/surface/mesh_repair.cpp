@@ -1,6 +1,7 @@
 #include "removal/surface/mesh_repair.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -14,12 +15,12 @@ namespace {
 
 /// Rounds of taking merged cells apart where they spoil the mesh, before all merging is given up.
 constexpr int kRepairRounds = 12;
-/// Rounds of taking merged cells apart where triangles meet, before the mesh itself is changed.
-constexpr int kPartRounds = 16;
+/// Rounds of parting cells where triangles meet, before the mesh itself is changed.
+constexpr int kPartRounds = 32;
 
 class MeshRepair {
  public:
-  MeshRepair(const SurfaceGrid& grid, VertexMerger& merger, const QuadPlanner& planner,
+  MeshRepair(SurfaceGrid& grid, VertexMerger& merger, const QuadPlanner& planner,
              std::vector<LeafQuads> quads)
       : grid_(grid),
         merger_(merger),
@@ -33,9 +34,12 @@ class MeshRepair {
 
  private:
   std::vector<std::int32_t> partMeetings(const LeafMesh& mesh, const TrianglePairs& pairs);
+  void markUnchecked(const LeafMesh& mesh, const TrianglePairs& pairs);
+  bool anyWalled(const LeafMesh& mesh, const std::array<std::uint32_t, 2>& pair) const;
+  TrianglePairs pairsForWalls(const LeafMesh& mesh, const TrianglePairs& pairs, RepairedMesh& mended) const;
   void planAgain(const std::vector<std::int32_t>& taken_apart, Progress& progress);
 
-  const SurfaceGrid& grid_;
+  SurfaceGrid& grid_;
   VertexMerger& merger_;
   const QuadPlanner& planner_;
   std::vector<LeafQuads> quads_;
@@ -44,18 +48,32 @@ class MeshRepair {
   MeshWriter writer_;
 };
 
-/// Takes merged cells apart whose triangles meet others; returns the leaves that this changed, none if no
-/// cell is merged.
+/// Takes merged cells apart whose triangles meet others, and walls those in that are not merged; returns the
+/// leaves that this changed, none if nothing of both is left to do.
 std::vector<std::int32_t> MeshRepair::partMeetings(const LeafMesh& mesh, const TrianglePairs& pairs) {
   std::vector<std::uint32_t> merged;
+  std::vector<std::int32_t> changed;
   for (const auto& pair : pairs) {
+    const std::size_t before = merged.size();
     for (const std::uint32_t t : pair) {
       const std::vector<std::uint32_t> cells = mergedCellsOf(mesh, grid_, merger_, t);
       merged.insert(merged.end(), cells.begin(), cells.end());
     }
+    if (merged.size() > before) continue;
+    for (const std::uint32_t t : pair) {
+      for (const std::uint32_t cell : cornerCellsOf(mesh, grid_, t)) {
+        if (grid_.wall(cell)) changed.push_back(static_cast<std::int32_t>(grid_.leafOf(cell)));
+      }
+    }
   }
-  if (merged.empty()) return {};
-  // Triangles that meet and stay as they are must be found again.
+  if (merged.empty() && changed.empty()) return {};
+  const std::vector<std::int32_t> apart = merger_.takeApart(std::move(merged));
+  changed.insert(changed.end(), apart.begin(), apart.end());
+  return changed;
+}
+
+/// Triangles that meet and stay as they are must be found again.
+void MeshRepair::markUnchecked(const LeafMesh& mesh, const TrianglePairs& pairs) {
   const auto after = [](std::uint32_t t, const LeafPart& part) { return t < part.first_triangle; };
   for (const auto& pair : pairs) {
     for (const std::uint32_t t : pair) {
@@ -63,7 +81,31 @@ std::vector<std::int32_t> MeshRepair::partMeetings(const LeafMesh& mesh, const T
       unchecked_[static_cast<std::size_t>(next - mesh.parts.begin()) - 1] = 1;
     }
   }
-  return merger_.takeApart(std::move(merged));
+}
+
+bool MeshRepair::anyWalled(const LeafMesh& mesh, const std::array<std::uint32_t, 2>& pair) const {
+  for (const std::uint32_t t : pair) {
+    for (const std::uint32_t cell : cornerCellsOf(mesh, grid_, t)) {
+      if ((grid_.traits(cell) & CellTraits::kWalled) != 0) return true;
+    }
+  }
+  return false;
+}
+
+/// Those that only walls part, or merged cells: beside walls all; elsewhere what is left after small changes
+/// of the mesh, which are in `mended` then.
+TrianglePairs MeshRepair::pairsForWalls(const LeafMesh& mesh, const TrianglePairs& pairs,
+                                        RepairedMesh& mended) const {
+  TrianglePairs out;
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(out), [&](const auto& pair) {
+    const auto isMerged = [&](std::uint32_t t) { return !mergedCellsOf(mesh, grid_, merger_, t).empty(); };
+    return isMerged(pair[0]) || isMerged(pair[1]) || anyWalled(mesh, pair);
+  });
+  if (!out.empty()) return out;
+  mended.mesh = mesh.mesh;
+  out = mendIntersections(mended.mesh, pairs, grid_.impl().h);
+  mended.self_intersections = out.size();
+  return out;
 }
 
 /// Plans the leaves anew that these and the surface between them and their neighbours belong to.
@@ -94,14 +136,16 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
     }
     const TrianglePairs pairs = findMeetings(*written, grid_, unchecked_);
     std::fill(unchecked_.begin(), unchecked_.end(), 0);
-    if (!pairs.empty() && ++part_rounds <= kPartRounds) {
-      if (const auto taken_apart = partMeetings(*written, pairs); !taken_apart.empty()) {
+    RepairedMesh out;
+    if (const TrianglePairs left = pairs.empty() ? pairs : pairsForWalls(*written, pairs, out);
+        !left.empty() && ++part_rounds <= kPartRounds) {
+      if (const auto taken_apart = partMeetings(*written, left); !taken_apart.empty()) {
+        markUnchecked(*written, pairs);
         planAgain(taken_apart, progress);
         continue;
       }
     }
-    RepairedMesh out{std::move(written->mesh), 0};
-    if (!pairs.empty()) out.self_intersections = mendIntersections(out.mesh, pairs, grid_.impl().h);
+    if (out.mesh.triangles.empty()) out.mesh = std::move(written->mesh);
     PROVEOUT_ASSERT_DEAR(analyseTopology(out.mesh).closedManifold());
     return out;
   }
@@ -109,9 +153,8 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
 
 }  // namespace
 
-std::optional<RepairedMesh> repairedMesh(const SurfaceGrid& grid, VertexMerger& merger,
-                                         const QuadPlanner& planner, std::vector<LeafQuads> quads,
-                                         Progress& progress) {
+std::optional<RepairedMesh> repairedMesh(SurfaceGrid& grid, VertexMerger& merger, const QuadPlanner& planner,
+                                         std::vector<LeafQuads> quads, Progress& progress) {
   return MeshRepair(grid, merger, planner, std::move(quads)).run(progress);
 }
 

@@ -15,10 +15,10 @@ struct RepairedMesh {
   std::size_t self_intersections = 0;
 };
 
-/// Takes merged cells apart where they spoil the mesh, and changes the mesh where that does not help.
+/// Takes merged cells apart where they spoil the mesh, walls cells in whose triangles run through others, and
+/// changes the mesh where that does not help.
 /// `quads`: one a leaf, as `planner` plans them with what `merger` has merged. None if cancelled.
-std::optional<RepairedMesh> repairedMesh(const SurfaceGrid& grid, VertexMerger& merger,
-                                         const QuadPlanner& planner, std::vector<LeafQuads> quads,
-                                         Progress& progress);
+std::optional<RepairedMesh> repairedMesh(SurfaceGrid& grid, VertexMerger& merger, const QuadPlanner& planner,
+                                         std::vector<LeafQuads> quads, Progress& progress);
 
 }  // namespace proveout

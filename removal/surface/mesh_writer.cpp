@@ -194,13 +194,12 @@ std::size_t MeshWriter::writeMerged(const SurfaceLeaf& leaf, Quad& quad, const C
 
 /// The triangles of a leaf that did not change, with the vertices' new numbers.
 void MeshWriter::copyLeaf(std::size_t number) {
-  PROVEOUT_ASSERT(now_.number != nullptr);  // where nothing is merged nothing is written twice
   const LeafPart &part = now_.parts[number], &old = before_.parts[number];
   PROVEOUT_ASSERT(part.triangles == old.triangles);
   for (std::size_t k = 0; k < part.triangles; ++k) {
     auto t = before_.mesh.triangles[old.first_triangle + k];
     for (std::uint32_t& v : t)
-      v = v < before_.kept ? now_.number[before_.cell_at[v]] : v - before_.kept + now_.kept;
+      v = v < before_.kept ? now_.numberOf(before_.cellAt(v)) : v - before_.kept + now_.kept;
     now_.mesh.triangles[part.first_triangle + k] = t;
     now_.mesh.motion[part.first_triangle + k] = before_.mesh.motion[old.first_triangle + k];
   }

@@ -9,6 +9,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/thread_limit.h"
+#include "core/mesh/mesh_simplifier.h"
 #include "removal/surface/leaf_volume.h"
 #include "removal/surface/mesh_repair.h"
 #include "removal/surface/surface_sharpen.h"
@@ -22,6 +23,8 @@ constexpr double kFlatnessShare = 0.5;
 /// Part of it that edges between the vertices may be cut off by.
 constexpr double kSharpShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
+/// Part of the tolerance that merging cells may take; the rest is for the mesh made of them.
+constexpr double kMergingShare = 0.5;
 /// Quads are made finer where their crossing is off by half the tolerance, or by this part of the grid
 /// spacing.
 constexpr double kFanHeight = 0.005;
@@ -41,6 +44,7 @@ Result<SurfaceGrid> placedCells(const Stock::Impl& impl, double flatness, Progre
   return grid;
 }
 
+/// `simplify_mm`: what merging may take.
 Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "interrupted"};
   const double flatness = flatnessOf(impl, simplify_mm);
@@ -60,7 +64,6 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, Pr
     sharpenMesh(repaired->mesh, *impl.field, impl.h, kSharpShare * simplify_mm, progress);
   if (progress.cancelled()) return interrupted;
   PROVEOUT_ASSERT_DEAR(analyseTopology(repaired->mesh).closedManifold());
-  progress.report("meshing", 1.0);
   StockSurface surface;
   surface.mesh = std::move(repaired->mesh);
   surface.volume_mm3 = measured->volume.mm3;
@@ -69,6 +72,17 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, Pr
   surface.first_thin_cell = thin.first;
   surface.self_intersections = repaired->self_intersections;
   return surface;
+}
+
+/// Fewer triangles of the finished mesh. Error: cancelled.
+Status simplifySurface(StockSurface& surface, double tolerance_mm, Progress& progress) {
+  if (!(tolerance_mm > 0.0) || surface.mesh.triangles.empty()) return Done{};
+  progress.report("meshing", 0.9);
+  const std::optional<Simplification> done = simplifyMesh(surface.mesh, tolerance_mm, progress);
+  if (!done) return Error{ErrorKind::kInterrupted, "interrupted"};
+  surface.self_intersections = done->self_intersections;
+  PROVEOUT_ASSERT_DEAR(analyseTopology(surface.mesh).closedManifold());
+  return Done{};
 }
 
 double toleranceOf(const Stock::Impl& impl, const SurfaceOptions& options) {
@@ -86,7 +100,13 @@ Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOption
     return Error{ErrorKind::kResourceLimit,
                  "the surface has more vertices than a mesh can number; take a coarser resolution"};
   }
-  return meshSurface(impl, toleranceOf(impl, options), progress);
+  const double tolerance = toleranceOf(impl, options);
+  Result<StockSurface> surface = meshSurface(impl, kMergingShare * tolerance, progress);
+  if (!surface) return surface;
+  if (Status done = simplifySurface(*surface, (1.0 - kMergingShare) * tolerance, progress); !done)
+    return done.error();
+  progress.report("meshing", 1.0);
+  return surface;
 }
 
 Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& progress) const {
@@ -104,7 +124,7 @@ Result<StockVolume> Stock::volume(const SurfaceOptions& options, Progress& progr
   const ThreadLimit limit(options.threads);
   try {
     const Result<SurfaceGrid> grid =
-        placedCells(*impl_, flatnessOf(*impl_, toleranceOf(*impl_, options)), progress);
+        placedCells(*impl_, flatnessOf(*impl_, kMergingShare * toleranceOf(*impl_, options)), progress);
     return grid.ok() ? measureVolume(*grid, progress) : Result<StockVolume>(grid.error());
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::kResourceLimit, "not enough memory for the volume; take a coarser resolution"};

@@ -17,6 +17,12 @@
 
 namespace proveout {
 
+/// From one voxel or leaf to another, grid steps.
+inline Vec3 stepsBetween(const Coord& from, const Coord& to) {
+  return {static_cast<double>(to.x() - from.x()), static_cast<double>(to.y() - from.y()),
+          static_cast<double>(to.z() - from.z())};
+}
+
 /// Vertex of a further sheet of a cell; the first sheet's is in the cell's own place.
 struct ExtraVertex {
   std::uint16_t cell = 0;  ///< rank of the cell in its leaf
@@ -59,7 +65,11 @@ struct SurfaceLeaf {
   int rank(int x, int y, int z) const {
     return first_cell[z] + countBits(mixed[z] & ((1ull << leafBit(x, y)) - 1));
   }
-  /// The place (z * 64 + leafBit(x, y)) of a cell.
+  /// Number of the cell at a place (z * 64 + leafBit(x, y)).
+  std::uint32_t cellAt(int place) const {
+    return base + static_cast<std::uint32_t>(rank(place >> 3 & 7, place & 7, place >> 6));
+  }
+  /// The place of a cell.
   int placeOf(int cell_rank) const {
     int z = 7;
     while (first_cell[z] > cell_rank) --z;
@@ -74,9 +84,11 @@ struct CellTraits {
   static constexpr std::uint16_t kOneSheetFaces = 0x3F;  ///< see oneSheetFaces
   static constexpr std::uint16_t kManySheets = 0x40;
   static constexpr std::uint16_t kSmooth = 0x80;
-  static constexpr std::uint16_t kOutside = 0x100;  ///< its vertex is outside the cell
-  static constexpr std::uint16_t kFolds = 0x200;    ///< and folds the surface
-  static constexpr std::uint16_t kOff = 0x400;      ///< its vertex is off the surface
+  static constexpr std::uint16_t kOutside = 0x100;   ///< its vertex is outside the cell
+  static constexpr std::uint16_t kFolds = 0x200;     ///< and folds the surface
+  static constexpr std::uint16_t kOff = 0x400;       ///< its vertex is off the surface
+  static constexpr std::uint16_t kWalled = 0x800;    ///< its triangles stay in it; see SurfaceGrid::wall
+  static constexpr std::uint16_t kDrawnIn = 0x1000;  ///< and its sheets are in the middle of their crossings
 };
 
 /// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each
@@ -88,6 +100,10 @@ struct ThinCells {
   std::size_t count = 0;
   Vec3 first = Vec3::Zero();  ///< middle of the first, mm
 };
+
+/// Vertices on edges keep this far from the ends (in cells), so that those of several edges never coincide;
+/// those in walled cells from the walls.
+inline constexpr double kEndGap = 1e-3;
 
 class SurfaceGrid {
  public:
@@ -109,6 +125,14 @@ class SurfaceGrid {
   void markFolding(std::uint32_t cell) { traits_[cell] |= CellTraits::kFolds; }
   /// Moves a vertex that was marked; false if it was not. `off`: it is off the surface there.
   bool putInside(std::uint32_t cell, const Eigen::Vector3f& p, bool off);
+  /// Keeps what is in a cell from what is in others: its vertices go inside, and where its surface goes
+  /// through a face there will be a vertex. Triangles then lie each in one cell, as cones over closed lines
+  /// on its walls, and do not meet. Sheets of one cell are parted for sure when it is asked for again. False
+  /// if all is done already.
+  bool wall(std::uint32_t cell);
+  /// Whether the vertex of this cell, which is outside, may be in the way of other surface: it is out at an
+  /// edge, by more than soft creases are, or comes near to the vertex of the cell that it is in.
+  bool crowds(const SurfaceLeaf& leaf, int place) const;
   /// Number of the leaf of a cell.
   std::size_t leafOf(std::uint32_t cell) const;
   /// The cell of a vertex, which may be of a further sheet.
@@ -116,6 +140,10 @@ class SurfaceGrid {
   /// Material corners of a cell as bits; see cell_cycles.h.
   std::uint8_t pattern(std::uint32_t cell) const { return patterns_[cell]; }
   std::uint16_t traits(std::uint32_t cell) const { return traits_[cell]; }
+  /// Fraction of the edge along `axis` from voxel `at` (of the whole grid) at which it is crossed, kEndGap
+  /// off its ends at the least; its middle where it is not.
+  double crossingOn(int axis, const Coord& at) const;
+  bool isCrossed(int axis, const Coord& at) const;
   /// In all leaves.
   ThinCells countThin() const;
 
@@ -129,6 +157,7 @@ class SurfaceGrid {
   void placeLeaf(SurfaceLeaf& leaf);
   void placeLevel(SurfaceLeaf& leaf);
   void numberExtras();
+  void drawSheetsIn(SurfaceLeaf& leaf, std::uint32_t cell, const Coord& at);
 
   const Stock::Impl& impl_;
   double flatness_;

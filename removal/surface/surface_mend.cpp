@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -26,9 +25,9 @@ using Points = std::array<Vec3, 3>;
 constexpr std::array<double, 3> kReaches = {1e-3, 0.01, 0.05};
 /// Rounds over all pairs; each that changes something leaves fewer of them.
 constexpr int kRounds = 8;
-/// Changes that are tried at most, about two seconds, and what each group has of them at the least: what then
-/// is left is a surface that they cannot mend.
-constexpr std::size_t kMostTrials = 100000, kGroupTrials = 5000;
+/// Changes that are tried at most, about a tenth of a second, and what each group has of them at the least:
+/// what then is left is a surface that they cannot mend.
+constexpr std::size_t kMostTrials = 5000, kGroupTrials = 100;
 /// How far a vertex is shifted away from a neighbour at most, by their distance.
 constexpr float kMostBack = 0.2f;
 
@@ -52,8 +51,8 @@ class Mender {
         group_(group),
         most_trials_(most_trials) {}
 
-  /// Returns the number of pairs that are left.
-  std::size_t run();
+  /// Returns the pairs that are left.
+  std::vector<TrianglePair> run();
   const LostParts& lost() const { return lost_; }
 
  private:
@@ -301,7 +300,7 @@ bool Mender::mend(const TrianglePair& pair, double reach) {
   return true;
 }
 
-std::size_t Mender::run() {
+std::vector<TrianglePair> Mender::run() {
   std::vector<TrianglePair> pairs = group_.pairs;
   for (const double reach : kReaches) {
     for (int round = 0; round < kRounds && !pairs.empty(); ++round) {
@@ -313,18 +312,18 @@ std::size_t Mender::run() {
       pairs = pairs_.among(group_.triangles);
     }
   }
-  return pairs.size();
+  return pairs;
 }
 
 }  // namespace
 
-std::size_t mendIntersections(TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs,
-                              double cell_mm) {
-  if (pairs.empty()) return 0;
+std::vector<TrianglePair> mendIntersections(TriMesh& mesh, const std::vector<TrianglePair>& pairs,
+                                            double cell_mm) {
+  if (pairs.empty()) return {};
   const MendSurroundings around(mesh, cell_mm, pairs);
   const auto& groups = around.groups();
   std::vector<std::uint32_t> seen(mesh.triangles.size(), 0);
-  std::vector<std::size_t> left(groups.size());
+  std::vector<std::vector<TrianglePair>> left(groups.size());
   std::vector<LostParts> lost(groups.size());
   parallelFor(std::size_t{0}, groups.size(), [&](std::size_t i) {
     const std::size_t most_trials =
@@ -339,7 +338,9 @@ std::size_t mendIntersections(TriMesh& mesh, const std::vector<std::array<std::u
     all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
   }
   takeOut(mesh, std::move(all));
-  return std::accumulate(left.begin(), left.end(), std::size_t{0});
+  std::vector<TrianglePair> out;
+  for (const auto& list : left) out.insert(out.end(), list.begin(), list.end());
+  return out;
 }
 
 }  // namespace proveout

@@ -161,7 +161,7 @@ void QuadReader::readCorners(int axis, int x, int y, int z, Quad& quad) const {
 void QuadReader::arrange(int axis, int x, int y, int z, Quad& quad) const {
   quad.split = 0;
   const bool start_in = leafSample(leaf_->stock->material(), x, y, z);
-  if ((quad.traits & (CellTraits::kManySheets | CellTraits::kOneSheetFaces)) != 0) {
+  if ((quad.traits & (CellTraits::kManySheets | CellTraits::kOneSheetFaces | CellTraits::kWalled)) != 0) {
     pickSheets(axis, x, y, z, start_in, quad);
   }
   if (!start_in) {
@@ -187,10 +187,12 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::array<int, 4> corner;
   std::array<std::uint8_t, 4> faces;
+  std::array<bool, 4> walled;
   for (int i = 0; i < 4; ++i) {
     corner[i] = kRing[i][0] << u | kRing[i][1] << v;
     const std::uint32_t cell = quad.v[i];
     faces[i] = oneSheetFaces()[grid_.pattern(cell)];
+    walled[i] = (grid_.traits(cell) & CellTraits::kWalled) != 0;
     if (!(grid_.traits(cell) & CellTraits::kManySheets)) continue;
     const int sheet = cellCycles()[grid_.pattern(cell)].cycle_of_edge[edgeAt(axis, corner[i])];
     if (sheet <= 0) continue;
@@ -212,7 +214,8 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
     // Cells i and i + 1 share the face across `cross`.
     const int j = (i + 1) % 4, cross = kRing[i][0] != kRing[j][0] ? u : v;
     const int side = corner[i] >> cross & 1;
-    if (faces[i] >> (cross * 2 + side) & faces[j] >> (cross * 2 + 1 - side) & 1) {
+    const bool touch = faces[i] >> (cross * 2 + side) & faces[j] >> (cross * 2 + 1 - side) & 1;
+    if (touch || walled[i] || walled[j]) {
       quad.split |= static_cast<std::uint8_t>(1 << (start_in ? i : (6 - i) % 4));
     }
   }
@@ -295,9 +298,7 @@ void unfoldVertices(SurfaceGrid& grid) {
       SurfaceLeaf& leaf = leaves[i];
       moved[i].clear();
       std::erase_if(leaf.outside, [&](const OutsideVertex& o) {
-        const std::uint32_t cell =
-            leaf.base + static_cast<std::uint32_t>(leaf.rank(o.place >> 3 & 7, o.place & 7, o.place >> 6));
-        const bool put = grid.putInside(cell, o.inside, o.off);
+        const bool put = grid.putInside(leaf.cellAt(o.place), o.inside, o.off);
         if (put) moved[i].push_back(o.place);
         return put;
       });

@@ -6,56 +6,70 @@ namespace proveout {
 
 namespace {
 
-/// Vertices on edges keep this far from the ends (in cells), so that those of several edges never coincide.
-constexpr double kEndGap = 1e-3;
-
-/// Fraction of the edge along `axis` from voxel `at` (of the whole grid) at which it is crossed; its middle
-/// where it is not, which no sound stock has.
-double crossingOn(const SurfaceGrid& grid, int axis, const Coord& at) {
-  const std::int32_t number = LeafReader(grid.impl()).state(at & ~7);
-  if (number < 0) return 0.5;
-  const SurfaceLeaf& leaf = grid.leaves()[static_cast<std::size_t>(number)];
-  const int x = at.x() & 7, y = at.y() & 7, z = at.z() & 7;
-  if (!leaf.edges.isCrossed(axis, x, y, z)) return 0.5;
-  const auto i = static_cast<std::size_t>(leaf.edges.indexOf(axis, x, y, z));
-  return std::clamp<double>(leaf.stock->crossings[i].t, kEndGap, 1.0 - kEndGap);
-}
-
 /// A face of cells between two corners of a quad, and the quad's edge in it.
 struct Face {
   Coord at;         ///< voxel of its lowest corner
   int cross, axis;  ///< axis across it, and of the quad's edge
   int back;         ///< 1 where that edge is the farther of two along `axis`
   int material;     ///< 1 where the edge's far end is in material
+
+  int other() const { return 3 - cross - axis; }
 };
 
-/// Its place between the quad's crossing and the one that the surface leads to in the face, which is at the
-/// same material corner.
-FaceSplit splitFace(const SurfaceGrid& grid, const Face& face) {
-  const int other = 3 - face.cross - face.axis;
-  struct Edge {
-    int axis;
-    Coord at;
-    double t;
-  };
-  const auto edge = [&](int axis, int along, int far) {
-    Coord at = face.at;
-    at[along] += far;
-    return Edge{axis, at, crossingOn(grid, axis, at)};
-  };
-  const Edge own = edge(face.axis, other, face.back), end = edge(other, face.axis, face.material);
-  const auto place = [&](const Edge& e) {
-    Vec3 p(e.at.x() - face.at.x(), e.at.y() - face.at.y(), e.at.z() - face.at.z());
-    p[e.axis] += e.t;
+struct FaceEdge {
+  int axis;
+  Coord at;
+};
+
+/// An edge of the face: the one along `axis` that is the near or the far one (0, 1) along `along`.
+FaceEdge edgeOf(const Face& face, int axis, int along, int far) {
+  Coord at = face.at;
+  at[along] += far;
+  return {axis, at};
+}
+
+/// The edge that the surface leads to in the face: with four crossed edges the one at the same material
+/// corner.
+FaceEdge farEdge(const SurfaceGrid& grid, const Face& face, bool& sole) {
+  const int other = face.other();
+  const FaceEdge opposite = edgeOf(face, face.axis, other, 1 - face.back),
+                 at_material = edgeOf(face, other, face.axis, face.material),
+                 at_air = edgeOf(face, other, face.axis, 1 - face.material);
+  const auto crossed = [&](const FaceEdge& e) { return grid.isCrossed(e.axis, e.at); };
+  sole = !(crossed(opposite) && crossed(at_material) && crossed(at_air));
+  if (crossed(at_material)) return at_material;
+  return crossed(opposite) ? opposite : at_air;
+}
+
+/// Its place between the quad's crossing and the one that the surface leads to in the face, grid steps from
+/// the face's corner.
+FaceSplit splitFace(const SurfaceGrid& grid, const Face& face, Vec3& place) {
+  bool sole = false;
+  const FaceEdge own = edgeOf(face, face.axis, face.other(), face.back), end = farEdge(grid, face, sole);
+  const auto placeOn = [&](const FaceEdge& e) {
+    Vec3 p = stepsBetween(face.at, e.at);
+    p[e.axis] += grid.crossingOn(e.axis, e.at);
     return p;
   };
+  place = 0.5 * (placeOn(own) + placeOn(end));
   FaceSplit out;
   Coord corner = face.at;
-  corner[other] += face.back;
-  corner[face.axis] += face.material;
+  if (!sole) {
+    corner[face.other()] += face.back;
+    corner[face.axis] += face.material;
+  }
   out.key = {face.at.x(), face.at.y(), face.at.z(), face.cross, corner.x(), corner.y(), corner.z()};
-  out.p = (grid.impl().position(face.at) + grid.impl().h * 0.5 * (place(own) + place(end))).cast<float>();
   return out;
+}
+
+/// Where the line between the vertices of two cells goes through the face between them, in its reach; from
+/// the face's corner as they are.
+Vec3 passage(const Vec3& from, const Vec3& to, int cross) {
+  const double across = to[cross] - from[cross];
+  const double part = std::abs(across) < kEndGap ? 0.5 : std::clamp(-from[cross] / across, 0.0, 1.0);
+  Vec3 p = (from + part * (to - from)).cwiseMax(kEndGap).cwiseMin(1.0 - kEndGap);
+  p[cross] = 0.0;
+  return p;
 }
 
 }  // namespace
@@ -76,7 +90,16 @@ SplitQuad splitQuad(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, 
     const int back = other == u ? kRing[i][0] : kRing[i][1];
     Face face{leaf.stock->origin.offsetBy(x, y, z), cross, axis, back, start_in ? 0 : 1};
     face.at[other] -= back;
-    FaceSplit split = splitFace(grid, face);
+    Vec3 place;
+    FaceSplit split = splitFace(grid, face, place);
+    const std::array<std::uint32_t, 2> cells = {grid.cellOf(quad.v[after]),
+                                                grid.cellOf(quad.v[(after + 1) % 4])};
+    const auto traits = static_cast<std::uint16_t>(grid.traits(cells[0]) | grid.traits(cells[1]));
+    if ((traits & CellTraits::kManySheets) == 0 && (traits & CellTraits::kWalled) != 0) {
+      const Vec3 corner = stepsBetween(leaf.stock->origin, face.at);
+      place = passage(quad.p[after] - corner, quad.p[(after + 1) % 4] - corner, cross);
+    }
+    split.p = (impl.position(face.at) + impl.h * place).cast<float>();
     split.after = after;
     out.faces.push_back(split);
   }

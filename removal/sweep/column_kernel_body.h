@@ -3,7 +3,7 @@
 // code for one level can never be taken for another; no operation may be contracted or reassociated.
 #pragma once
 
-#include "removal/sweep/column_types.h"
+#include "removal/sweep/column_curve.h"
 
 namespace {
 
@@ -270,6 +270,8 @@ void columns(const ColumnSweep& sweep, const double* x, const double* y, int cou
   const int n = (count + 7) & ~7;
   if (sweep.kind == ColumnSweep::Kind::kLine) {
     lineColumns(sweep, x, y, n, lo, hi);
+  } else if (sweep.kind == ColumnSweep::Kind::kTurn || sweep.kind == ColumnSweep::Kind::kUpright) {
+    proveout::curveColumns(sweep, x, y, n, lo, hi);
   } else {
     radialColumns(sweep, x, y, n, lo, hi);
   }
@@ -366,6 +368,8 @@ inline void approach(const ColumnSweep& sweep, const proveout::FourBlocks& block
 }
 
 void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double* __restrict low) {
+  if (sweep.kind == ColumnSweep::Kind::kTurn || sweep.kind == ColumnSweep::Kind::kUpright)
+    return proveout::curveReach(sweep, blocks, low);
   constexpr double kDiagonal = 1.4142135623730951, kSlack = proveout::kCullSlackMm;
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double corner = kDiagonal * blocks.half_width, radius = tool.radius, reach = corner + radius + kSlack;

@@ -110,6 +110,87 @@ ColumnSweep columnArc(const ColumnSolid& solid, const Vec3& from, const Vec3& to
 
 namespace {
 
+/// Whether the columns of one turn see a part of a short way from behind, over the axis.
+bool reachesBehind(double radius, double arc_radius, double way_rad) {
+  const double off = kPi - 0.5 * way_rad;  // least angle between such places
+  return off <= 0.0 || radius > arc_radius * (off < 0.5 * kPi ? std::sin(off) : 1.0);
+}
+
+}  // namespace
+
+std::vector<ColumnSweep> columnTurns(const ColumnSolid& solid, const Vec3& from, const Vec3& to,
+                                     const ArcGeometry& arc) {
+  ColumnSweep s;
+  s.kind = ColumnSweep::Kind::kTurn;
+  s.solid = &solid;
+  s.x = arc.center.x();
+  s.y = arc.center.y();
+  const Vec2 out = (from - arc.center).head<2>();
+  s.ux = out.x() / out.norm();
+  s.uy = out.y() / out.norm();
+  s.arc_radius = 0.5 * (out.norm() + (to - arc.center).head<2>().norm());
+  s.turn = (arc.sweep_rad < 0.0) == (arc.normal.z() < 0.0) ? 1.0 : -1.0;
+  s.start_z = from.z();
+  s.way_rad = std::abs(arc.sweep_rad);
+  s.slope = (to.z() - from.z()) / s.way_rad;
+  // Where a way is short no column near it has its angles parted.
+  constexpr double kTurn = 2.0 * kPi;
+  s.cut_rad = std::min(0.5 * s.way_rad - kPi, 0.0);
+  const bool behind = reachesBehind(solid.radius, s.arc_radius, s.way_rad);
+  const int last = behind ? static_cast<int>(std::ceil((s.way_rad - s.cut_rad + kPi) / kTurn)) - 1 : 0;
+  std::vector<ColumnSweep> out_turns;
+  for (int k = behind ? -1 : 0; k <= last; ++k) {
+    s.turn_rad = k * kTurn;
+    const double begin = s.cut_rad + s.turn_rad - kPi;
+    const double first = std::max(begin, 0.0), end = std::min(begin + 2.0 * kTurn, s.way_rad);
+    if (first >= end) continue;
+    s.z = s.start_z + s.slope * first;
+    s.rise = s.slope * (end - first);
+    out_turns.push_back(s);
+  }
+  return out_turns;
+}
+
+bool isWholeTurn(const ColumnSweep& turn) {
+  const double begin = turn.cut_rad + turn.turn_rad - kPi;
+  return begin >= 0.0 && begin + 4.0 * kPi <= turn.way_rad;
+}
+
+std::vector<ColumnSweep> columnUprights(const ColumnSolid& solid, const Vec3& from, const Vec3& to,
+                                        const ArcGeometry& arc) {
+  ColumnSweep s;
+  s.kind = ColumnSweep::Kind::kUpright;
+  s.solid = &solid;
+  s.x = arc.center.x();
+  s.y = arc.center.y();
+  s.start_z = arc.center.z();
+  const Vec3 level = Vec3(-arc.normal.y(), arc.normal.x(), 0.0).normalized();
+  s.ux = level.x();
+  s.uy = level.y();
+  const ArcFrame frame = arcFrame(from, to, arc);
+  s.arc_radius = 0.5 * (frame.radius_start + frame.radius_end);
+  // Angles from the level direction upwards; the way turns back at whole multiples of pi.
+  const double start = std::atan2(frame.u.z(), frame.u.dot(level)), end = start + arc.sweep_rad;
+  std::vector<ColumnSweep> out;
+  double a = std::min(start, end);
+  for (const double last = std::max(start, end); a < last;) {
+    const double half = std::floor(a / kPi + 1e-12), b = std::min(last, (half + 1.0) * kPi);
+    s.side = std::fmod(half, 2.0) == 0.0 ? 1.0 : -1.0;
+    s.first_mm = s.arc_radius * std::min(std::cos(a), std::cos(b));
+    s.last_mm = s.arc_radius * std::max(std::cos(a), std::cos(b));
+    const double za = s.arc_radius * std::sin(a), zb = s.arc_radius * std::sin(b);
+    const bool over_top = s.first_mm < 0.0 && s.last_mm > 0.0;
+    const double far = over_top ? s.side * s.arc_radius : za;
+    s.z = s.start_z + std::min({za, zb, far});
+    s.rise = s.start_z + std::max({za, zb, far}) - s.z;
+    out.push_back(s);
+    a = b;
+  }
+  return out;
+}
+
+namespace {
+
 ColumnKernels pickLevel() {
   const char* wish = std::getenv("PROVEOUT_SIMD");
   const std::string_view level = wish != nullptr ? wish : "";

@@ -8,6 +8,8 @@
 // for every SIMD level, so that the results are equal bit for bit.
 #pragma once
 
+#include <vector>
+
 #include "core/geometry/types.h"
 #include "core/path/toolpath.h"
 #include "core/tool/profile.h"
@@ -21,6 +23,17 @@ ColumnSolid columnSolid(const ConvexProfile& profile);
 ColumnSweep columnLine(const ColumnSolid& solid, const Vec3& from, const Vec3& to);
 /// Requires a vertical axis, one radius and no rise.
 ColumnSweep columnArc(const ColumnSolid& solid, const Vec3& from, const Vec3& to, const ArcGeometry& arc);
+
+/// Turns of a helix about z, in the order of the motion; a circle may have no rise. Requires one radius: but
+/// for rounding of its ends it is their mean.
+std::vector<ColumnSweep> columnTurns(const ColumnSolid& solid, const Vec3& from, const Vec3& to,
+                                     const ArcGeometry& arc);
+/// Whether all of the turn is on the way, however far around a column stands.
+bool isWholeTurn(const ColumnSweep& turn);
+/// An arc in an upright plane, from where it turns back to where it does so again. Requires a level axis, no
+/// rise along it, and one radius as above.
+std::vector<ColumnSweep> columnUprights(const ColumnSolid& solid, const Vec3& from, const Vec3& to,
+                                        const ArcGeometry& arc);
 
 inline Vec3 sweepStart(const ColumnSweep& s) { return {s.x, s.y, s.z}; }
 /// From start to end of a line.

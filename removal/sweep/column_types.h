@@ -29,9 +29,11 @@ struct ColumnSolid {
   ColumnBoundary lower, upper;  ///< upper: mirrored
 };
 
-/// A solid's motion along a line or level arc.
+/// A solid's motion along a line or level arc, or on a part of a curve that meets every column in one
+/// interval (column_curve.h): a turn of a helix about z, or a part of an arc in an upright plane that does
+/// not turn back.
 struct ColumnSweep {
-  enum class Kind : unsigned char { kVertical, kLine, kArc };
+  enum class Kind : unsigned char { kVertical, kLine, kArc, kTurn, kUpright };
   Kind kind = Kind::kVertical;
   bool wide = false;  ///< arc: sweep above half a turn
   bool full = false;  ///< arc: a whole turn or more
@@ -44,6 +46,15 @@ struct ColumnSweep {
   double start_x = 0.0, start_y = 0.0, end_x = 0.0, end_y = 0.0, arc_radius = 0.0;
   double turn = 1.0;  ///< +1 counter-clockwise, -1 clockwise
   double cos_sweep = 1.0, sin_sweep = 0.0;
+  // Turn of a helix: x, y is its axis, slope the rise a radian, turn and arc_radius as of an arc, ux, uy the
+  // direction of the start from the axis. z is the height of the tip where the angle is least, rise up to
+  // where it is largest. Upright arc: x, y, start_z is its center, ux, uy the level direction in its plane.
+  double start_z = 0.0;                  ///< turn: height of the tip at the start of the whole way, mm
+  double way_rad = 0.0;                  ///< turn: angle of the whole way
+  double cut_rad = 0.0;                  ///< turn: angles of columns begin there
+  double turn_rad = 0.0;                 ///< turn: angle of the turns before it, from cut_rad
+  double first_mm = 0.0, last_mm = 0.0;  ///< upright: stretch of the way along (ux, uy) from the center
+  double side = 1.0;                     ///< upright: -1 on the lower half of the circle, +1 on the upper
 };
 
 /// Columns that one call takes; arrays must have this size rounded up to a multiple of 8.

@@ -20,14 +20,26 @@ SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSolid& solid, con
                      const ArcGeometry& arc, const Sweep& curve)
     : columns_(columnArc(solid, from, to, arc)), profile_(&profile), curve_(&curve) {}
 
+SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSweep& part, const Sweep& curve)
+    : columns_(part), profile_(&profile), curve_(&curve) {}
+
 Sweep SweptBody::sweep() const {
-  if (isLevelArc()) return *curve_;
+  if (isLevelArc() || isCurvePart()) return *curve_;
   const Vec3 from = sweepStart(columns_);
   return Sweep(*profile_, from, from + sweepWay(columns_), nullptr);
 }
 
-bool SweptBody::holdsEdges(double h) const {
-  if (!isLevelArc() || !(columns_.wide || columns_.full)) return true;
+bool SweptBody::holdsEdges(double h, const Vec2& middle, double reach) const {
+  if (columns_.kind == ColumnSweep::Kind::kTurn) {
+    const double c = std::cos(columns_.cut_rad), s = columns_.turn * std::sin(columns_.cut_rad);
+    const Vec2 u(columns_.ux, columns_.uy), cut(c * u.x() - s * u.y(), s * u.x() + c * u.y());
+    const Vec2 q = middle - Vec2(columns_.x, columns_.y);
+    const Vec2 nearest = std::max(0.0, q.dot(cut)) * cut;
+    if ((q - nearest).squaredNorm() < reach * reach) return false;
+    if (columns_.way_rad <= kPi) return true;
+  } else if (!isLevelArc() || !(columns_.wide || columns_.full)) {
+    return true;
+  }
   const double pillar = columns_.arc_radius - solid().radius;
   return pillar <= 0.0 || pillar >= h;
 }

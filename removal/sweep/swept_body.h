@@ -31,6 +31,9 @@ class SweptBody {
   SweptBody(const ConvexProfile& profile, const ColumnSolid& solid, const Vec3& from, const Vec3& to,
             const ArcGeometry& arc, const Sweep& curve);
 
+  /// A part of a helix or of an upright arc (see column_sweep.h); `curve`: the exact sweep of all of it.
+  SweptBody(const ConvexProfile& profile, const ColumnSweep& part, const Sweep& curve);
+
   const ConvexProfile& profile() const { return *profile_; }
   const ColumnSolid& solid() const { return *columns_.solid; }
   /// What the kernels of the columns take.
@@ -38,16 +41,20 @@ class SweptBody {
 
   bool isLine() const { return curve_ == nullptr; }
   bool isLevelArc() const { return columns_.kind == ColumnSweep::Kind::kArc; }
+  /// A part of a helix or of an upright arc that is no chord.
+  bool isCurvePart() const {
+    return columns_.kind == ColumnSweep::Kind::kTurn || columns_.kind == ColumnSweep::Kind::kUpright;
+  }
   /// Whether both are pieces of one curve.
   bool isOneCurveWith(const SweptBody& other) const { return curve_ != nullptr && curve_ == other.curve_; }
   /// The exact sweep of a helix about z that is asked in place of its many chords; else null. Flat and ball
   /// ends have closed forms on chords, which are faster.
   const Sweep* helix() const {
-    if (curve_ == nullptr || isLevelArc() || solid().flat || solid().ball) return nullptr;
+    if (curve_ == nullptr || isLevelArc() || isCurvePart() || solid().flat || solid().ball) return nullptr;
     return curve_->isHelix() ? curve_ : nullptr;
   }
 
-  /// Exact sweep of this line, chord or level arc.
+  /// Exact sweep of this line, chord or level arc; of the whole motion where this is a part of a curve.
   Sweep sweep() const;
   /// Exact sweep of the whole motion.
   Sweep wholeSweep() const { return curve_ != nullptr ? *curve_ : sweep(); }
@@ -58,9 +65,10 @@ class SweptBody {
   }
   /// Height up to which the columns under the solid are covered all along its way, mm. Requires a level top.
   double lowestTop() const { return columns_.z + std::min(columns_.rise, 0.0) + solid().z_max; }
-  /// Whether a grid edge of length `h` lies in the volume if both its ends do. All are convex, or bulky
-  /// enough for that, but arcs that turn around a pillar which is thinner than the grid.
-  bool holdsEdges(double h) const;
+  /// Whether a grid edge of length `h` that is no farther than `reach` from `middle` lies in the volume if
+  /// both its ends do. All are convex, or bulky enough for that, but arcs that turn around a pillar which is
+  /// thinner than the grid, and turns of a helix where their angles begin.
+  bool holdsEdges(double h, const Vec2& middle, double reach) const;
 
   /// Distance from `a` along the level unit direction (dx, dy) to where the edge enters the volume, mm.
   /// Requires `a` outside (within rounding) and the point at `inside` mm in the volume. Closed form for flat

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "removal/grid/edge_root.h"
+#include "removal/sweep/column_curve.h"
 #include "removal/sweep/swept_body.h"
 
 namespace proveout {
@@ -100,9 +101,22 @@ double searchCut(const Sweep& sweep, const Vec3& a, const Vec3& direction, doubl
   return edgeRoot(f, 0.0, at_a, inside, at_inside, 1e-9);
 }
 
+namespace {
+
+double curveCut(const ColumnSweep& part, const Vec3& a, double dx, double dy, double inside) {
+  const auto f = [&](double s) { return curveOutside(part, a.x() + s * dx, a.y() + s * dy, a.z()); };
+  const double at_a = f(0.0), at_inside = f(inside);
+  if (at_a <= 0.0) return 0.0;
+  if (at_inside >= 0.0) return inside;
+  return edgeRoot(f, 0.0, at_a, inside, at_inside, 1e-9);
+}
+
+}  // namespace
+
 double SweptBody::levelCut(const Vec3& a, double dx, double dy, double inside) const {
   const ColumnSweep& c = columns_;
   const ColumnSolid& tool = solid();
+  if (isCurvePart()) return curveCut(c, a, dx, dy, inside);
   const Ray ray{a.x(), a.y(), dx, dy};
   if (c.kind == ColumnSweep::Kind::kLine && tool.flat) {
     double first, last;

@@ -10,6 +10,9 @@ namespace proveout {
 namespace {
 
 constexpr double kQuarter = 0.5 * kPi;
+/// Of chords along the way of an arc. They lie on one side of it, so that the volume has all of their error:
+/// with those of an outline it was 2e-5 of an arc of radius 20 in a thin layer.
+constexpr double kWayChordMm = 0.25 * kSectionChordMm;
 
 Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -44,7 +47,7 @@ std::vector<double> arcSamples(const ConvexOutline& outline, const PlaneWay& way
   for (const OutlineSide& side : outline.sides()) round = std::max(round, side.arc ? side.radius : 0.0);
   const double radius = (way.from - way.center).norm() + round, sweep = std::abs(way.sweep_rad);
   const int steps =
-      std::max(2, static_cast<int>(std::ceil(sweep / (2.0 * kPi) * circleSteps(radius, kSectionChordMm))));
+      std::max(2, static_cast<int>(std::ceil(sweep / (2.0 * kPi) * circleSteps(radius, kWayChordMm))));
   std::vector<double> samples;
   for (int i = 0; i <= steps; ++i) samples.push_back(static_cast<double>(i) / steps);
   const double start = way.direction(0.0);

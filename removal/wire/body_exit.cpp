@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "removal/wire/kerf_union.h"
+#include "removal/wire/wire_holding.h"
 
 namespace proveout {
 namespace {
@@ -14,14 +15,9 @@ using ClipperLib::Paths;
 constexpr double kPasses = 1e-3;  ///< mm
 constexpr std::size_t kMostHeights = 9;
 
-Paths sectionOf(const LeanSolid& solid, std::size_t level, std::size_t body) {
-  const LevelSection& section = solid.levels[level];
+Paths pathsOf(const PlanePolygons& outline) {
   Paths paths;
-  for (std::size_t k = 0; k < section.regions.size(); ++k) {
-    if (solid.body_of[level][k] != body) continue;
-    for (const std::uint32_t loop : section.regions[k].loops)
-      paths.push_back(wire_detail::pathOf(section.loops[loop].points));
-  }
+  for (const std::vector<Vec2>& loop : outline) paths.push_back(wire_detail::pathOf(loop));
   return paths;
 }
 
@@ -38,13 +34,13 @@ bool overlap(const Paths& a, const Paths& b) {
 
 }  // namespace
 
-BodyExit exitOf(const LeanSolid& solid, std::size_t body, std::size_t past) {
+BodyExit exitOf(const LeanSolid& solid, std::size_t body, const LeanSolid& past_solid, std::size_t past) {
   const std::size_t levels = solid.levels.size(), count = std::min(levels, kMostHeights);
   std::vector<Paths> own, other;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t level = count > 1 ? k * (levels - 1) / (count - 1) : 0;
-    own.push_back(sectionOf(solid, level, body));
-    other.push_back(sectionOf(solid, level, past));
+    own.push_back(pathsOf(outlineOf(solid, body, solid.levels[level].z)));
+    other.push_back(pathsOf(outlineOf(past_solid, past, solid.levels[level].z)));
   }
   BodyExit exit;
   for (std::size_t low = 0; low < count; ++low) {

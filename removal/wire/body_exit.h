@@ -12,8 +12,8 @@ struct BodyExit {
   bool down = true, up = true;
 };
 
-/// Of one of the solid's bodies past another, by the sections at up to nine heights: what overlaps by less
-/// than 0.001 mm passes.
-BodyExit exitOf(const LeanSolid& solid, std::size_t body, std::size_t past);
+/// Of a body of one solid past one of the same or another one of the same blank, by the sections at up to
+/// nine heights: what overlaps by less than 0.001 mm passes.
+BodyExit exitOf(const LeanSolid& solid, std::size_t body, const LeanSolid& past_solid, std::size_t past);
 
 }  // namespace proveout

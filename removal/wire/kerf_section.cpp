@@ -42,10 +42,24 @@ Paths kerfOf(const std::vector<WireStretch>& stretches) {
   return unitedInLevels(std::move(parts));
 }
 
-PlaneLoop loopOf(const Path& path, const CurveFinder& finder) {
+Paths commonOf(const std::vector<PlaneLoop>& blank, const Path& path) {
+  Clipper meeting;
+  meeting.AddPaths(pathsOf(blank, kKerfChordMm), ClipperLib::ptSubject, true);
+  meeting.AddPath(path, ClipperLib::ptClip, true);
+  Paths met;
+  meeting.Execute(ClipperLib::ctIntersection, met, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return met;
+}
+
+std::vector<Vec2> pointsOf(const Path& path) {
   std::vector<Vec2> points;
   points.reserve(path.size());
   for (const ClipperLib::IntPoint& p : path) points.push_back(toMm(p));
+  return points;
+}
+
+PlaneLoop loopOf(const Path& path, const CurveFinder& finder) {
+  const std::vector<Vec2> points = pointsOf(path);
   const std::size_t n = points.size(), tasks = (n + kEdgesATask - 1) / kEdgesATask;
   std::vector<EdgeCurve> curves(n);
   parallelFor(std::size_t{0}, tasks, [&](std::size_t task) {
@@ -78,22 +92,30 @@ std::vector<PlaneBody> cutSection(const std::vector<PlaneLoop>& blank,
   return bodies;
 }
 
+std::vector<std::vector<std::vector<Vec2>>> regionsInside(const Box3& window,
+                                                          const std::vector<PlaneLoop>& blank,
+                                                          const std::vector<WireStretch>& stretches) {
+  const PlaneLoop border = rectangleLoop(window.min.head<2>(), window.max.head<2>());
+  std::vector<std::vector<std::vector<Vec2>>> regions;
+  for (const PathRegion& region :
+       regionsLeft(commonOf(blank, pathsOf({border}, kKerfChordMm).front()), kerfOf(stretches))) {
+    std::vector<std::vector<Vec2>>& loops = regions.emplace_back();
+    for (const Path& path : region) loops.push_back(pointsOf(path));
+  }
+  return regions;
+}
+
 std::vector<std::vector<Vec2>> metBy(const WireStretch& stretch, const std::vector<PlaneLoop>& blank,
                                      const std::vector<WireStretch>& earlier, double thickness_mm) {
-  Clipper meeting;
-  meeting.AddPaths(pathsOf(blank, kKerfChordMm), ClipperLib::ptSubject, true);
-  meeting.AddPath(kerfOutline({&stretch, 1}), ClipperLib::ptClip, true);
-  Paths met, left;
-  meeting.Execute(ClipperLib::ctIntersection, met, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  Paths left;
   Clipper less;
-  less.AddPaths(met, ClipperLib::ptSubject, true);
+  less.AddPaths(commonOf(blank, kerfOutline({&stretch, 1})), ClipperLib::ptSubject, true);
   less.AddPaths(kerfOf(earlier), ClipperLib::ptClip, true);
   less.Execute(ClipperLib::ctDifference, left, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
   std::vector<std::vector<Vec2>> out;
   for (const Path& path : left) {
     if (!ClipperLib::Orientation(path) || meanThickness(path) < thickness_mm) continue;
-    out.emplace_back();
-    for (const ClipperLib::IntPoint& p : path) out.back().push_back(toMm(p));
+    out.push_back(pointsOf(path));
   }
   return out;
 }

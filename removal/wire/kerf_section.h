@@ -18,6 +18,12 @@ inline constexpr double kThinRegionMm = 2e-4;
 std::vector<PlaneBody> cutSection(const std::vector<PlaneLoop>& blank,
                                   const std::vector<WireStretch>& stretches);
 
+/// What a rectangle holds of the blank less the kerfs, without exact arcs: connected regions, each its border
+/// first, then its hollows. Heights of `window` do not count.
+std::vector<std::vector<std::vector<Vec2>>> regionsInside(const Box3& window,
+                                                          const std::vector<PlaneLoop>& blank,
+                                                          const std::vector<WireStretch>& stretches);
+
 /// What `stretch` meets of the blank less the kerfs of `earlier`, without exact arcs: regions of `thickness`
 /// or more.
 std::vector<std::vector<Vec2>> metBy(const WireStretch& stretch, const std::vector<PlaneLoop>& blank,

@@ -266,4 +266,22 @@ Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpa
   return out;
 }
 
+std::size_t levelAt(const LeanSolid& solid, double z) {
+  const auto nearest =
+      std::min_element(solid.levels.begin(), solid.levels.end(),
+                       [&](const auto& a, const auto& b) { return std::abs(a.z - z) < std::abs(b.z - z); });
+  return static_cast<std::size_t>(nearest - solid.levels.begin());
+}
+
+std::vector<std::vector<Vec2>> outlineOf(const LeanSolid& solid, std::size_t body, double z) {
+  std::vector<std::vector<Vec2>> out;
+  const std::size_t level = levelAt(solid, z);
+  const LevelSection& section = solid.levels[level];
+  for (std::size_t region = 0; region < section.regions.size(); ++region) {
+    if (solid.body_of[level][region] != body) continue;
+    for (const std::uint32_t loop : section.regions[region].loops) out.push_back(section.loops[loop].points);
+  }
+  return out;
+}
+
 }  // namespace proveout

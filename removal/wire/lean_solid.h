@@ -31,4 +31,9 @@ struct LeanSolid {
 Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpan& span,
                             const std::vector<LeanStretch>& stretches, double tolerance, Progress& progress);
 
+/// The level nearest to a height.
+std::size_t levelAt(const LeanSolid& solid, double z);
+/// What a body covers there, as polygons; empty: nothing.
+std::vector<std::vector<Vec2>> outlineOf(const LeanSolid& solid, std::size_t body, double z);
+
 }  // namespace proveout

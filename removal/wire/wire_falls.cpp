@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "core/geometry/plane.h"
+#include "core/geometry/polygon.h"
+#include "core/mesh/edge_table.h"
 #include "removal/wire/kerf_section.h"
 #include "removal/wire/stretch_index.h"
 
@@ -16,13 +18,113 @@ namespace {
 constexpr double kPieceChordMm = 1e-3;
 /// Ways that come less deep into the hull of a piece do not go through it, mm.
 constexpr double kIntoMm = 0.005;
+/// How far it is looked back from the last cut about a body for the one that closed it, and by how much
+/// farther each time it is in vain.
+constexpr double kLookBackKerfs = 8.0, kLookFarther = 8.0;
+
+bool isIn(const Box3& box, const Vec2& p) {
+  return (p.array() >= box.min.head<2>().array()).all() && (p.array() <= box.max.head<2>().array()).all();
+}
+
+/// A body after all cuts.
+struct LastBody {
+  PlaneBody body;
+  Box3 box;              ///< of its border
+  PlanePolygons region;  ///< made when it is first asked for
+  bool kept = false;
+
+  bool holdsPoint(const Vec2& p) {
+    if (!isIn(box, p)) return false;
+    if (region.empty()) region = polygonsOf(body.loops, kPieceChordMm);
+    return holds(region, p);
+  }
+};
+
+/// A place about some motions, and what is there as more and more is cut. Between the first and the last of
+/// these motions bodies part nowhere else.
+class FallWindow {
+ public:
+  FallWindow(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
+             const StretchIndex& index, const Box3& box, std::vector<LastBody>& bodies)
+      : blank_(blank), cuts_(cuts), box_(box), near_(index.near(box, StretchIndex::kNone)) {
+    for (const PlanePolygons& region : after(static_cast<std::uint32_t>(cuts.size()))) {
+      const Vec2 at = placeIn(region);
+      for (std::uint32_t k = 0; k < bodies.size(); ++k) {
+        if (!bodies[k].holdsPoint(at)) continue;
+        parts_.push_back({at, k, areaOf(region)});
+        break;
+      }
+    }
+  }
+
+  const Box3& box() const { return box_; }
+
+  /// Whether body `k` is one with a body that is kept, after so many cuts.
+  bool isHeld(std::uint32_t k, const std::vector<LastBody>& bodies, std::uint32_t cuts) const {
+    DisjointSets sets(bodies.size());
+    for (const PlanePolygons& region : after(cuts)) {
+      std::optional<std::uint32_t> first;
+      for (const Part& part : parts_) {
+        if (!holds(region, part.at)) continue;
+        if (first) sets.join(*first, part.body);
+        first = first.value_or(part.body);
+      }
+    }
+    for (std::uint32_t other = 0; other < bodies.size(); ++other) {
+      if (bodies[other].kept && sets.find(other) == sets.find(k)) return true;
+    }
+    return false;
+  }
+
+  /// What the motions behind so many cuts take here of what is about body `k`, mm2.
+  double takenBehind(std::uint32_t k, std::uint32_t cuts) const {
+    double area = 0.0;
+    for (const PlanePolygons& region : after(cuts)) {
+      const bool own = std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
+        return part.body == k && holds(region, part.at);
+      });
+      if (own) area += areaOf(region);
+    }
+    for (const Part& part : parts_)
+      if (part.body == k) area -= part.area_mm2;
+    return area;
+  }
+
+ private:
+  /// What a body has of the window after all cuts.
+  struct Part {
+    Vec2 at;
+    std::uint32_t body;
+    double area_mm2;
+  };
+
+  static double areaOf(const PlanePolygons& region) {
+    double sum = 0.0;
+    for (const std::vector<Vec2>& loop : region) sum += polygonArea(loop);
+    return sum;
+  }
+
+  std::vector<PlanePolygons> after(std::uint32_t cuts) const {
+    std::vector<WireStretch> done;
+    for (const std::uint32_t i : near_) {
+      if (i < cuts) done.push_back(cuts_[i]);
+    }
+    return regionsInside(box_, blank_, done);
+  }
+
+  const std::vector<PlaneLoop>& blank_;
+  const std::vector<WireStretch>& cuts_;
+  Box3 box_;
+  std::vector<std::uint32_t> near_;
+  std::vector<Part> parts_;
+};
 
 /// Looks back from the end to when each body came free.
 class FallFinder {
  public:
   FallFinder(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
              const WireHolding& holding)
-      : blank_(blank), cuts_(cuts), holding_(holding), index_(cuts) {
+      : blank_(blank), cuts_(cuts), holding_(holding) {
     for (std::uint32_t i = 0; i < cuts.size(); ++i) {
       if (i + 1 == cuts.size() || cuts[i + 1].motion != cuts[i].motion) ends_.push_back(i + 1);
     }
@@ -30,18 +132,25 @@ class FallFinder {
 
   WireFalls of(std::vector<PlaneBody> last) {
     WireFalls falls;
-    std::vector<PlaneBody> loose;
-    for (PlaneBody& body : last)
-      (isCrumb(body) || holding_.keeps(body) ? falls.bodies : loose).push_back(std::move(body));
-    for (const PlaneBody& body : loose) boxes_.push_back(boundsOf(body.loops.front()));
-    std::map<std::uint32_t, std::vector<PlaneBody>> freed;  // by the cuts that were done
-    for (std::size_t k = 0; k < loose.size(); ++k) {
-      if (const auto cuts = fallOf(loose, k))
-        freed[*cuts].push_back(loose[k]);
-      else
-        falls.bodies.push_back(loose[k]);
+    std::vector<std::uint32_t> loose;
+    for (PlaneBody& body : last) {
+      const Box3 box = boundsOf(body.loops.front());
+      bodies_.push_back({std::move(body), box, {}, false});
+      bodies_.back().kept = holding_.keeps(bodies_.back().body);
+      if (!bodies_.back().kept && !isCrumb(bodies_.back().body))
+        loose.push_back(static_cast<std::uint32_t>(bodies_.size()) - 1);
     }
-    for (auto& [cuts, bodies] : freed) addPieces(cuts, std::move(bodies), falls);
+    std::map<std::uint32_t, std::vector<Freed>> freed;  // by the cuts that were done
+    for (const std::uint32_t k : loose) {
+      if (const auto fall = fallOf(k)) freed[fall->cuts].push_back({k, fall->goes_on});
+    }
+    std::vector<bool> fell(bodies_.size(), false);
+    for (auto& [cuts, bodies] : freed) {
+      for (const Freed& body : bodies) fell[body.number] = true;
+      addPieces(cuts, bodies, falls);
+    }
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+      if (!fell[k]) falls.bodies.push_back(std::move(bodies_[k].body));
     for (const FreePiece& piece : falls.pieces) falls.bodies.push_back(piece.body);
     std::stable_sort(falls.bodies.begin(), falls.bodies.end(),
                      [](const PlaneBody& a, const PlaneBody& b) { return a.area_mm2 > b.area_mm2; });
@@ -49,51 +158,63 @@ class FallFinder {
   }
 
  private:
+  struct Fall {
+    std::uint32_t cuts;
+    bool goes_on;  ///< what follows cuts more of it than a crumb
+  };
+  struct Freed {
+    std::uint32_t number;
+    bool goes_on;
+  };
+
+  double crumb() const { return cuts_.empty() ? 0.0 : kPi * cuts_.front().kerf_mm * cuts_.front().kerf_mm; }
   /// What is smaller than the kerf's circle.
-  bool isCrumb(const PlaneBody& body) const {
-    return !cuts_.empty() && body.area_mm2 < kPi * cuts_.front().kerf_mm * cuts_.front().kerf_mm;
-  }
+  bool isCrumb(const PlaneBody& body) const { return body.area_mm2 < crumb(); }
 
   /// The last motion that made an edge of the body closed its cut, unless it was free before that. None: a
   /// body that no motion has touched.
-  std::optional<std::uint32_t> fallOf(const std::vector<PlaneBody>& loose, std::size_t k) const {
-    const std::optional<MotionId> maker = lastMaker(loose[k]);
+  std::optional<Fall> fallOf(std::uint32_t k) {
+    const std::optional<MotionId> maker = lastMaker(bodies_[k].body);
     if (!maker) return std::nullopt;
-    const Look look{placeIn(loose[k]), neighbourhood(k)};
-    std::size_t free = numberOf(*maker), held = shortlyBefore(free);
-    if (free == 0) return ends_[0];
-    // Small motions close a cut before the last of them: the kerf's front meets it from some way off.
-    if (const auto body = heldAt(look, ends_[held])) {
-      const std::uint32_t base = ends_[held];
-      while (free - held > 1) {
-        const std::size_t middle = held + (free - held) / 2;
-        const bool still =
-            heldIn(body->loops, {cuts_.begin() + base, cuts_.begin() + ends_[middle]}, look.at).has_value();
-        (still ? held : free) = middle;
+    if (!index_) index_.emplace(cuts_);
+    // Small motions close a cut before the last of them: the kerf's front meets it from some way off. And the
+    // body may be what later motions left of a piece that was free long before.
+    std::size_t free = numberOf(*maker);
+    for (double way = kLookBackKerfs * cuts_.front().kerf_mm; free > 0; way *= kLookFarther) {
+      std::size_t held = before(free, way);
+      const FallWindow window(blank_, cuts_, *index_, boxAbout(held, free), bodies_);
+      if (window.isHeld(k, bodies_, ends_[held])) {
+        while (free - held > 1) {
+          const std::size_t middle = held + (free - held) / 2;
+          (window.isHeld(k, bodies_, ends_[middle]) ? held : free) = middle;
+        }
+        return Fall{ends_[free], isCutBehind(k, ends_[free], window)};
       }
-      return ends_[free];
+      free = held;
     }
-    // The body is what later motions left of a piece that was free long before.
-    for (free = held, held = 0; held < free;) {
-      const std::size_t middle = held + (free - held) / 2;
-      if (heldAt(look, ends_[middle]))
-        held = middle + 1;
-      else
-        free = middle;
-    }
-    return ends_[free];
+    return Fall{ends_[free], isCutBehind(k, ends_[free])};
   }
 
-  /// The last motion that ends some kerfs of way before motion `number`.
-  std::size_t shortlyBefore(std::size_t number) const {
-    constexpr double kKerfs = 8.0;
-    double way = 0.0;
+  /// The last motion that ends so much way before motion `number`.
+  std::size_t before(std::size_t number, double way) const {
+    double gone = 0.0;
     std::size_t at = number;
-    while (at > 0 && (at == number || way < kKerfs * cuts_.front().kerf_mm)) {
+    while (at > 0 && (at == number || gone < way)) {
       --at;
-      for (std::uint32_t i = at > 0 ? ends_[at - 1] : 0; i < ends_[at]; ++i) way += cuts_[i].length();
+      for (std::uint32_t i = at > 0 ? ends_[at - 1] : 0; i < ends_[at]; ++i) gone += cuts_[i].length();
     }
     return at;
+  }
+
+  /// About the motions behind `held` up to `free`, with what is beside them.
+  Box3 boxAbout(std::size_t held, std::size_t free) const {
+    constexpr double kBesideKerfs = 3.0;
+    Box3 box;
+    for (std::uint32_t i = ends_[held]; i < ends_[free]; ++i) {
+      box.extend(boundsOf(cuts_[i]).min);
+      box.extend(boundsOf(cuts_[i]).max);
+    }
+    return box.inflated(kBesideKerfs * cuts_[ends_[free] - 1].kerf_mm);
   }
 
   static std::optional<MotionId> lastMaker(const PlaneBody& body) {
@@ -106,17 +227,6 @@ class FallFinder {
     return maker;
   }
 
-  /// What cuts off a body runs about it, unless the body is a fragment of a larger one that fell before:
-  /// another loose body is then beside it, and all cuts count.
-  std::optional<Box3> neighbourhood(std::size_t k) const {
-    const double beside = 3.0 * cuts_.front().kerf_mm;
-    const Box3 box = boxes_[k].inflated(beside);
-    for (std::size_t other = 0; other < boxes_.size(); ++other) {
-      if (other != k && boxes_[other].inflated(beside).overlaps(box)) return std::nullopt;
-    }
-    return box.inflated(beside);
-  }
-
   /// The place of a motion in ends_.
   std::size_t numberOf(MotionId motion) const {
     const auto at = std::lower_bound(ends_.begin(), ends_.end(), motion, [&](std::uint32_t end, MotionId id) {
@@ -125,54 +235,41 @@ class FallFinder {
     return static_cast<std::size_t>(at - ends_.begin());
   }
 
-  /// A place in a body, and where what may have cut it off is; none: everywhere.
-  struct Look {
-    Vec2 at;
-    std::optional<Box3> box;
-  };
-
-  /// The body at that place after so many cuts, where it is held.
-  std::optional<PlaneBody> heldAt(const Look& look, std::uint32_t cuts) const {
-    if (!look.box) return heldIn(blank_, {cuts_.begin(), cuts_.begin() + cuts}, look.at);
-    std::vector<WireStretch> done;
-    for (const std::uint32_t i : index_.near(*look.box, cuts)) done.push_back(cuts_[i]);
-    // Hollows elsewhere cut nothing off here.
-    std::vector<PlaneLoop> region;
-    for (const PlaneLoop& loop : blank_) {
-      if (areaOf(loop) > 0.0 || boundsOf(loop).overlaps(*look.box)) region.push_back(loop);
-    }
-    return heldIn(region, done, look.at);
+  bool isMadeBehind(const PlaneEdge& edge, std::uint32_t cuts) const {
+    return edge.motion != kNoMotion && ends_[numberOf(edge.motion)] > cuts;
   }
 
-  /// The same of a region less some cuts.
-  std::optional<PlaneBody> heldIn(const std::vector<PlaneLoop>& region, const std::vector<WireStretch>& cuts,
-                                  const Vec2& p) const {
-    for (PlaneBody& body : cutSection(region, cuts)) {
-      if (holds(polygonsOf(body.loops, kPieceChordMm), p))
-        return holding_.keeps(body) ? std::optional(std::move(body)) : std::nullopt;
+  bool isCutBehind(std::uint32_t k, std::uint32_t cuts) const {
+    const std::vector<PlaneLoop>& loops = bodies_[k].body.loops;
+    return std::any_of(loops.begin(), loops.end(), [&](const PlaneLoop& loop) {
+      return std::any_of(loop.edges.begin(), loop.edges.end(),
+                         [&](const PlaneEdge& edge) { return isMadeBehind(edge, cuts); });
+    });
+  }
+  /// The same, but for less than a crumb where its cut was closed.
+  bool isCutBehind(std::uint32_t k, std::uint32_t cuts, const FallWindow& window) const {
+    bool within = false;
+    for (const PlaneLoop& loop : bodies_[k].body.loops) {
+      for (const PlaneEdge& edge : loop.edges) {
+        if (!isMadeBehind(edge, cuts)) continue;
+        if (!isIn(window.box(), edge.from)) return true;
+        within = true;
+      }
     }
-    return std::nullopt;
+    return within && window.takenBehind(k, cuts) >= crumb();
   }
 
   /// What fell at once. Where the motions behind left the bodies alone they are as they fell.
-  void addPieces(std::uint32_t cuts, std::vector<PlaneBody> bodies, WireFalls& falls) const {
-    const auto later = [&](const PlaneEdge& edge) {
-      return edge.motion != kNoMotion && ends_[numberOf(edge.motion)] > cuts;
-    };
-    const bool cut = std::any_of(bodies.begin(), bodies.end(), [&](const PlaneBody& body) {
-      return std::any_of(body.loops.begin(), body.loops.end(), [&](const PlaneLoop& loop) {
-        return std::any_of(loop.edges.begin(), loop.edges.end(), later);
-      });
-    });
-    if (!cut) {
-      for (PlaneBody& body : bodies) falls.pieces.push_back({std::move(body), cuts, false, {}});
+  void addPieces(std::uint32_t cuts, const std::vector<Freed>& freed, WireFalls& falls) const {
+    if (std::none_of(freed.begin(), freed.end(), [](const Freed& body) { return body.goes_on; })) {
+      for (const Freed& body : freed) falls.pieces.push_back({bodies_[body.number].body, cuts, false, {}});
       return;
     }
-    std::vector<PlaneBody> then = cutSection(blank_, {cuts_.begin(), cuts_.begin() + cuts});
-    for (PlaneBody& piece : then) {
+    for (PlaneBody& piece : cutSection(blank_, {cuts_.begin(), cuts_.begin() + cuts})) {
       const PlanePolygons region = polygonsOf(piece.loops, kPieceChordMm);
-      const bool here = std::any_of(bodies.begin(), bodies.end(),
-                                    [&](const PlaneBody& body) { return holds(region, placeIn(body)); });
+      const bool here = std::any_of(freed.begin(), freed.end(), [&](const Freed& body) {
+        return holds(region, placeIn(bodies_[body.number].body));
+      });
       if (here) falls.pieces.push_back({std::move(piece), cuts, true, region});
     }
   }
@@ -180,8 +277,8 @@ class FallFinder {
   const std::vector<PlaneLoop>& blank_;
   const std::vector<WireStretch>& cuts_;
   const WireHolding& holding_;
-  StretchIndex index_;
-  std::vector<Box3> boxes_;          ///< of the loose bodies
+  std::optional<StretchIndex> index_;  ///< of the cuts
+  std::vector<LastBody> bodies_;
   std::vector<std::uint32_t> ends_;  ///< how many stretches there are up to the end of each motion
 };
 

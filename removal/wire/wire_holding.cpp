@@ -1,9 +1,12 @@
 #include "removal/wire/wire_holding.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "core/geometry/plane.h"
+#include "removal/wire/edge_curves.h"
 #include "removal/wire/face_triangles.h"
 #include "removal/wire/fixture_solid.h"
 
@@ -12,6 +15,8 @@ namespace {
 
 /// Of the chords of a body, mm.
 constexpr double kBodyChordMm = 1e-3;
+/// At so many heights in y it is looked for a point well inside of a region.
+constexpr int kScanLines = 7;
 
 Box3 boxOf(const std::vector<Vec2>& polygon) {
   Box3 box;
@@ -51,6 +56,28 @@ bool touchesRegion(const std::vector<Vec2>& polygon, const PlanePolygons& region
   });
 }
 
+/// The middle of the widest stretch of a region along a line of constant y.
+std::optional<Vec2> widestAt(const PlanePolygons& region, double y) {
+  std::vector<double> crossings;
+  for (const std::vector<Vec2>& loop : region) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+      if ((a.y() > y) != (b.y() > y))
+        crossings.push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+    }
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::optional<Vec2> middle;
+  double widest = 0.0;
+  for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+    const double width = crossings[k + 1] - crossings[k];
+    if (width <= widest) continue;
+    widest = width;
+    middle = Vec2(crossings[k] + 0.5 * width, y);
+  }
+  return middle;
+}
+
 std::vector<Vec2> middlesOf(const PlanePolygons& region) {
   std::vector<Vec2> points;
   for (const std::vector<Vec2>& loop : region) points.insert(points.end(), loop.begin(), loop.end());
@@ -73,6 +100,15 @@ PlanePolygons polygonsOf(const std::vector<PlaneLoop>& loops, double tolerance_m
   return out;
 }
 
+double borderDistance(const PlanePolygons& region, const Vec2& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Vec2>& loop : region) {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      least = std::min(least, distanceToSegment(p, loop[i], loop[(i + 1) % loop.size()]));
+  }
+  return least;
+}
+
 bool holds(const PlanePolygons& region, const Vec2& p) {
   const auto around = [&](const std::vector<Vec2>& polygon) { return surrounds(polygon, p); };
   return std::count_if(region.begin(), region.end(), around) % 2 == 1;
@@ -80,13 +116,41 @@ bool holds(const PlanePolygons& region, const Vec2& p) {
 
 std::vector<Vec2> placesIn(const std::vector<Vec2>& polygon) { return middlesOf({polygon}); }
 
-Vec2 placeIn(const PlaneBody& body) { return middlesOf(polygonsOf(body.loops, kBodyChordMm)).front(); }
+Vec2 placeIn(const PlaneBody& body) { return placeIn(polygonsOf(body.loops, kBodyChordMm)); }
 
-std::size_t heldBody(const std::vector<PlaneBody>& bodies) {
+Vec2 placeIn(const PlanePolygons& region) {
+  Box3 box;
+  for (const std::vector<Vec2>& loop : region) {
+    for (const Vec2& p : loop) box.extend(Vec3(p.x(), p.y(), 0.0));
+  }
+  Vec2 best = region.front().front();
+  double farthest = -1.0;
+  for (int k = 1; k <= kScanLines; ++k) {
+    const double y = box.min.y() + box.size().y() * k / (kScanLines + 1.0);
+    const std::optional<Vec2> middle = widestAt(region, y);
+    if (!middle) continue;
+    const double off = borderDistance(region, *middle);
+    if (off <= farthest) continue;
+    farthest = off;
+    best = *middle;
+  }
+  return best;
+}
+
+std::size_t heldBody(const std::vector<PlaneLoop>& blank, const std::vector<PlaneBody>& bodies) {
+  std::vector<PlaneLoop> outer;
+  std::copy_if(blank.begin(), blank.end(), std::back_inserter(outer),
+               [](const PlaneLoop& loop) { return areaOf(loop) > 0.0; });
+  const std::vector<WireStretch> borders = wire_detail::sidesOf(outer);
+  const auto isOuter = [&](const WireStretch& side) {
+    return side.motion == kNoMotion &&
+           std::any_of(borders.begin(), borders.end(), [&](const WireStretch& border) {
+             return distanceTo(border, side.at(0.5)).mm <= kBodyChordMm;
+           });
+  };
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const std::vector<PlaneEdge>& border = bodies[k].loops.front().edges;
-    if (std::any_of(border.begin(), border.end(), [](const PlaneEdge& e) { return e.motion == kNoMotion; }))
-      return k;
+    const std::vector<WireStretch> sides = wire_detail::sidesOf({bodies[k].loops.front()});
+    if (std::any_of(sides.begin(), sides.end(), isOuter)) return k;
   }
   return 0;
 }
@@ -100,21 +164,23 @@ bool anyTouches(const PlanePolygons& fixtures, const PlanePolygons& region) {
   });
 }
 
-WireHolding::WireHolding(PlanePolygons fixtures, const std::vector<PlaneBody>& last)
+WireHolding::WireHolding(PlanePolygons fixtures, const std::vector<PlaneLoop>& blank,
+                         const std::vector<PlaneBody>& last)
     : fixtures_(std::move(fixtures)) {
-  settle(last);
+  settle(blank, last);
 }
 
-WireHolding::WireHolding(PlanePolygons fixtures, std::function<std::vector<PlaneBody>()> last)
-    : fixtures_(std::move(fixtures)), last_(std::move(last)) {}
+WireHolding::WireHolding(PlanePolygons fixtures, const std::vector<PlaneLoop>& blank,
+                         std::function<std::vector<PlaneBody>()> last)
+    : fixtures_(std::move(fixtures)), blank_(&blank), last_(std::move(last)) {}
 
-void WireHolding::settle(const std::vector<PlaneBody>& last) const {
+void WireHolding::settle(const std::vector<PlaneLoop>& blank, const std::vector<PlaneBody>& last) const {
   by_fixtures_ = std::any_of(last.begin(), last.end(), [&](const PlaneBody& body) { return touched(body); });
-  if (!by_fixtures_ && !last.empty()) held_ = placeIn(last[heldBody(last)]);
+  if (!by_fixtures_ && !last.empty()) held_ = placeIn(last[heldBody(blank, last)]);
 }
 
 void WireHolding::settle() const {
-  if (last_) settle(std::exchange(last_, nullptr)());
+  if (last_) settle(*blank_, std::exchange(last_, nullptr)());
 }
 
 bool WireHolding::touched(const PlaneBody& body) const {

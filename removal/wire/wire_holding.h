@@ -17,19 +17,25 @@ using PlanePolygons = std::vector<std::vector<Vec2>>;
 PlanePolygons polygonsOf(const std::vector<PlaneLoop>& loops, double tolerance_mm);
 /// Whether the region that loops bound holds a point.
 bool holds(const PlanePolygons& region, const Vec2& p);
-/// A point well inside of a body.
+/// From a point to the border of a region, mm; infinite without one.
+double borderDistance(const PlanePolygons& region, const Vec2& p);
+/// A point well inside of a body, or of the region that polygons bound.
 Vec2 placeIn(const PlaneBody& body);
+Vec2 placeIn(const PlanePolygons& region);
 /// The middles of the triangles that fill a polygon, that of the largest first.
 std::vector<Vec2> placesIn(const std::vector<Vec2>& polygon);
 
 class WireHolding {
  public:
   /// `fixtures`: where fixtures reach between the heights of the workpiece, convex polygons (footprintOf).
-  /// `last`: the bodies after all cuts. The bodies that fixtures touch are held; where they touch none, that
-  /// which in the end is the largest with some of the blank's own border, without one the largest.
-  WireHolding(PlanePolygons fixtures, const std::vector<PlaneBody>& last);
-  /// The same with bodies that are made when they are first needed; not for several threads.
-  WireHolding(PlanePolygons fixtures, std::function<std::vector<PlaneBody>()> last);
+  /// `last`: the bodies of `blank` after all cuts. The bodies that fixtures touch are held; where they touch
+  /// none, heldBody().
+  WireHolding(PlanePolygons fixtures, const std::vector<PlaneLoop>& blank,
+              const std::vector<PlaneBody>& last);
+  /// The same with bodies that are made when they are first needed; not for several threads. `blank` must
+  /// outlive it.
+  WireHolding(PlanePolygons fixtures, const std::vector<PlaneLoop>& blank,
+              std::function<std::vector<PlaneBody>()> last);
 
   /// Whether a fixture touches any of the last bodies.
   bool byFixtures() const;
@@ -38,10 +44,11 @@ class WireHolding {
 
  private:
   bool touched(const PlaneBody& body) const;
-  void settle(const std::vector<PlaneBody>& last) const;
+  void settle(const std::vector<PlaneLoop>& blank, const std::vector<PlaneBody>& last) const;
   void settle() const;
 
   PlanePolygons fixtures_;
+  const std::vector<PlaneLoop>* blank_ = nullptr;         ///< until it is settled
   mutable std::function<std::vector<PlaneBody>()> last_;  ///< null: settled
   mutable bool by_fixtures_ = false;
   mutable std::optional<Vec2> held_;  ///< a place in the held body
@@ -50,7 +57,8 @@ class WireHolding {
 /// Whether any of the fixtures comes within kHeldWithinMm of a region.
 bool anyTouches(const PlanePolygons& fixtures, const PlanePolygons& region);
 
-/// The largest body that has some of the blank's own border; without one the largest. Requires bodies.
-std::size_t heldBody(const std::vector<PlaneBody>& bodies);
+/// The largest body that has some of the blank's outer border (that of a start hole may be a slug's); without
+/// one the largest. Requires bodies.
+std::size_t heldBody(const std::vector<PlaneLoop>& blank, const std::vector<PlaneBody>& bodies);
 
 }  // namespace proveout

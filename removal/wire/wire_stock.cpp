@@ -8,7 +8,9 @@
 
 #include "core/mesh/shells.h"
 #include "removal/wire/kerf_section.h"
+#include "removal/wire/lean_falls.h"
 #include "removal/wire/prism_mesh.h"
+#include "removal/wire/wire_bridges.h"
 #include "removal/wire/wire_contacts.h"
 #include "removal/wire/wire_handling.h"
 
@@ -92,34 +94,39 @@ Result<RemovalSummary> WireStock::remove(const Toolpath& path, const std::vector
   progress.report("removing", 0.0);
   RemovalSummary summary;
   summary.removed_mm3.assign(path.motions.size(), 0.0F);
-  const Status done = standsUpright(path) ? cutUpright(path, tools, &summary, progress)
-                                          : cutLeaning(path, tools, tolerance, &summary, progress);
+  const Wanted all{&summary, &summary};
+  const Status done = standsUpright(path) ? cutUpright(path, tools, all, progress)
+                                          : cutLeaning(path, tools, tolerance, all, progress);
   if (!done) return done.error();
   return summary;
 }
 
 Status WireStock::cut(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
-                      Progress& progress) {
+                      Progress& progress, RemovalSummary* pieces) {
   progress.report("removing", 0.0);
-  return standsUpright(path) ? cutUpright(path, tools, nullptr, progress)
-                             : cutLeaning(path, tools, tolerance, nullptr, progress);
+  const Wanted wanted{nullptr, pieces};
+  return standsUpright(path) ? cutUpright(path, tools, wanted, progress)
+                             : cutLeaning(path, tools, tolerance, wanted, progress);
 }
 
-Status WireStock::cutUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary* summary,
+Status WireStock::cutUpright(const Toolpath& path, const std::vector<Tool>& tools, const Wanted& wanted,
                              Progress& progress) {
   const Result<WireWork> work = wireWork(path, tools);
   if (!work) return work.error();
   std::vector<PlaneBody> last = cutSection(blank_.loops, work->cuts);
-  const WireHolding holding(blank_.held_at, last);
+  const WireHolding holding(blank_.held_at, blank_.loops, last);
   WireFalls falls = findFalls(blank_.loops, work->cuts, std::move(last), holding);
-  if (summary != nullptr && !progress.cancelled()) {
+  if (RemovalSummary* summary = wanted.motions; summary != nullptr && !progress.cancelled()) {
     addRemoved(blank_, work->cuts, falls.pieces, *summary);
     summary->contacts = rapidContacts(blank_, *work, holding, progress);
     tellByHand(path, summary->contacts);
     const std::vector<ThreadingPlace> places =
         threadingPlaces(path, tools, *work, summary->contacts, blank_.z_low);
     summary->threading = threadingFaults(blank_, *work, places, holding, progress);
-    summary->fallen = fallenPieces(path, *work, blank_.height(), falls.pieces);
+  }
+  if (wanted.pieces != nullptr) {
+    wanted.pieces->fallen = fallenPieces(path, *work, blank_.height(), falls.pieces);
+    wanted.pieces->bridges = findBridges(falls.bodies, cutEnds(path, *work), blank_.height(), blank_.z_high);
   }
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   setSections(std::move(falls.bodies));
@@ -127,59 +134,108 @@ Status WireStock::cutUpright(const Toolpath& path, const std::vector<Tool>& tool
 }
 
 Status WireStock::cutLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
-                             RemovalSummary* summary, Progress& progress) {
+                             const Wanted& wanted, Progress& progress) {
   const HeightSpan span{blank_.z_low, blank_.z_high};
   const Result<LeanWork> work = leanWork(path, tools, span, tolerance);
   if (!work) return work.error();
-  if (summary != nullptr) handleLeaning(path, tools, *work, *summary, progress);
-  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   Result<LeanSolid> solid = leanSolid(blank_.loops, span, work->cuts, tolerance, progress);
   if (!solid) return solid.error();
-  setSolid(std::move(*solid));
+  solids_.clear();
+  solids_.push_back(std::move(*solid));
+  std::vector<LeanFall> falls = leanFalls(blank_, work->cuts, solids_.front());
+  if (const Status kept = keepFallen(work->cuts, falls, tolerance, progress); !kept) return kept;
+  if (wanted.motions != nullptr) handleLeaning(path, tools, *work, falls, *wanted.motions, progress);
+  if (wanted.pieces != nullptr) tellPieces(path, *work, falls, *wanted.pieces);
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  setBodies();
+  return Done{};
+}
+
+/// Pieces that fell before the wire passed over them are as they were then.
+Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<LeanFall>& falls,
+                             double tolerance, Progress& progress) {
+  const HeightSpan span{blank_.z_low, blank_.z_high};
+  std::vector<bool> replaced(solids_.front().bodies.size(), false);
+  placed_.clear();
+  std::map<std::uint32_t, std::size_t> solid_at;  // by the cuts that were done
+  for (LeanFall& fall : falls) {
+    if (!fall.falls || !fall.passed_over) continue;
+    if (!solid_at.contains(fall.cuts)) {
+      Result<LeanSolid> then =
+          leanSolid(blank_.loops, span, {cuts.begin(), cuts.begin() + fall.cuts}, tolerance, progress);
+      if (!then) return then.error();
+      solid_at[fall.cuts] = solids_.size();
+      solids_.push_back(std::move(*then));
+    }
+    const std::size_t number = solid_at[fall.cuts];
+    const LeanSolid& then = solids_[number];
+    const double z = solids_.front().levels[levelAt(solids_.front(), 0.5 * (span.low + span.high))].z;
+    const Vec2 at = placeIn(fall.half_way.body);
+    for (std::size_t k = 0; k < then.bodies.size(); ++k) {
+      if (!holds(outlineOf(then, k, z), at)) continue;
+      placed_.push_back({number, k});
+      fall.volume_mm3 = then.bodies[k].volume_mm3;
+      for (const std::size_t body : fall.bodies) replaced[body] = true;
+      break;
+    }
+  }
+  for (std::size_t k = 0; k < replaced.size(); ++k)
+    if (!replaced[k]) placed_.push_back({0, k});
+  std::stable_sort(placed_.begin(), placed_.end(), [&](const InSolid& a, const InSolid& b) {
+    return solids_[a.solid].bodies[a.body].volume_mm3 > solids_[b.solid].bodies[b.body].volume_mm3;
+  });
   return Done{};
 }
 
 void WireStock::handleLeaning(const Toolpath& path, const std::vector<Tool>& tools, const LeanWork& work,
-                              RemovalSummary& summary, Progress& progress) const {
+                              const std::vector<LeanFall>& falls, RemovalSummary& summary,
+                              Progress& progress) const {
   const HeightSpan span{blank_.z_low, blank_.z_high};
   LeanHandling handling(blank_, path, tools);
-  const auto edge = [&](double z) {
-    const WireWork level = work.atHeight(span, z);
-    const WireHolding holding(blank_.held_at, [&] { return cutSection(blank_.loops, level.cuts); });
-    handling.look(level, holding, z, 1.0 / 6.0, progress);
+  const auto look = [&](const WireWork& level, double z, double share) {
+    const WireHolding holding(blank_.held_at, blank_.loops,
+                              [&] { return cutSection(blank_.loops, level.cuts); });
+    handling.look(level, holding, z, share, progress);
   };
-  edge(span.low);
+  look(work.atHeight(span, span.low), span.low, 1.0 / 6.0);
   const double z = span.low + 0.5 * span.length();
   const WireWork level = work.atHeight(span, z);
-  std::vector<PlaneBody> last = cutSection(blank_.loops, level.cuts);
-  const WireHolding holding(blank_.held_at, last);
-  handling.look(level, holding, z, 4.0 / 6.0, progress);
-  addRemoved(blank_, level.cuts, {}, summary);
-  const WireFalls falls = findFalls(blank_.loops, level.cuts, std::move(last), holding);
-  summary.fallen = fallenPieces(path, level, blank_.height(), falls.pieces);
-  edge(span.high);
+  look(level, z, 4.0 / 6.0);
+  std::vector<FreePiece> fallen;
+  for (const LeanFall& fall : falls)
+    if (fall.falls) fallen.push_back(fall.half_way);
+  addRemoved(blank_, level.cuts, fallen, summary);
+  look(work.atHeight(span, span.high), span.high, 1.0 / 6.0);
   handling.tell(summary);
+}
+
+void WireStock::tellPieces(const Toolpath& path, const LeanWork& work, const std::vector<LeanFall>& falls,
+                           RemovalSummary& summary) const {
+  const HeightSpan span{blank_.z_low, blank_.z_high};
+  const double z = span.low + 0.5 * span.length();
+  const WireWork level = work.atHeight(span, z);
+  for (const LeanFall& fall : falls) {
+    FallenPiece piece = fallenPieces(path, level, blank_.height(), {fall.half_way}).front();
+    piece.lifts = fall.lifts;
+    piece.volume_mm3 = fall.volume_mm3;
+    (fall.falls ? summary.fallen : summary.stuck).push_back(piece);
+  }
+  const std::vector<CutEnd> ends = cutEnds(path, level);
+  if (!ends.empty())
+    summary.bridges = findBridges(cutSection(blank_.loops, level.cuts), ends, blank_.height(), z);
 }
 
 std::vector<PlanePolygons> WireStock::outlinesAt(double z) const {
   constexpr double kOutlineChordMm = 1e-4;
   std::vector<PlanePolygons> out(bodies_.size());
   if (z < blank_.z_low || z > blank_.z_high) return out;
-  if (!solid_) {
+  if (placed_.empty()) {
     for (std::size_t k = 0; k < sections_.size(); ++k)
       out[k] = polygonsOf(sections_[k].loops, kOutlineChordMm);
     return out;
   }
-  const std::vector<LevelSection>& levels = solid_->levels;
-  const auto nearest = std::min_element(levels.begin(), levels.end(), [&](const auto& a, const auto& b) {
-    return std::abs(a.z - z) < std::abs(b.z - z);
-  });
-  const std::vector<std::uint32_t>& body_of =
-      solid_->body_of[static_cast<std::size_t>(nearest - levels.begin())];
-  for (std::size_t region = 0; region < nearest->regions.size(); ++region) {
-    for (const std::uint32_t loop : nearest->regions[region].loops)
-      out[body_of[region]].push_back(nearest->loops[loop].points);
-  }
+  for (std::size_t k = 0; k < placed_.size(); ++k)
+    out[k] = outlineOf(solids_[placed_[k].solid], placed_[k].body, z);
   return out;
 }
 
@@ -194,26 +250,31 @@ void WireStock::setSections(std::vector<PlaneBody> sections) {
   }
 }
 
-void WireStock::setSolid(LeanSolid solid) {
-  solid_ = std::move(solid);
+void WireStock::setBodies() {
   sections_.clear();
   bodies_.clear();
-  for (const LeanBody& body : solid_->bodies) bodies_.push_back({body.volume_mm3, meshBounds(body.mesh)});
+  for (const auto& [solid, k] : placed_) {
+    const LeanBody& body = solids_[solid].bodies[k];
+    bodies_.push_back({body.volume_mm3, meshBounds(body.mesh)});
+  }
 }
 
 TriMesh WireStock::mesh(const std::vector<std::size_t>& bodies, double tolerance) const {
   TriMesh out;
-  if (!solid_) {
+  if (placed_.empty()) {
     std::vector<PlaneBody> sections;
     for (const std::size_t body : bodies) sections.push_back(sections_[body]);
     return prismMesh(sections, blank_.z_low, blank_.z_high, tolerance);
   }
-  for (const std::size_t body : bodies) append(out, solid_->bodies[body].mesh);
+  for (const std::size_t body : bodies)
+    append(out, solids_[placed_[body].solid].bodies[placed_[body].body].mesh);
   return out;
 }
 
 BodyExit WireStock::exit(std::size_t body, std::size_t past) const {
-  return solid_ ? exitOf(*solid_, body, past) : BodyExit{};
+  if (placed_.empty()) return {};
+  const InSolid &own = placed_[body], &other = placed_[past];
+  return exitOf(solids_[own.solid], own.body, solids_[other.solid], other.body);
 }
 
 double WireStock::initialVolume() const { return areaOf(blank_.loops) * blank_.height(); }

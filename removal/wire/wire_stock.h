@@ -3,7 +3,6 @@
 // many heights.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -20,6 +19,7 @@
 namespace proveout {
 
 struct LeanWork;
+struct LeanFall;
 
 /// A blank with upright walls; mm, workpiece frame.
 struct PrismBlank {
@@ -50,14 +50,16 @@ class WireStock {
   /// Cuts the path; once. Feed motions with a threaded wire cut by its radius and its spark gap, wherever the
   /// blank is. Rapids that meet what is held then are contacts (kRapid, kByHand), and places where the wire
   /// is threaded into it are told: of leaning wires at the bottom, at the top or half way. A piece that
-  /// nothing holds falls as soon as it is free; where no wire leans nothing cuts it any more. What a motion
+  /// nothing holds falls as soon as it is free, if its walls let it: nothing cuts it any more. What a motion
   /// removed is estimated at stations along it. Where a wire leans, triangles of mesh() leave the surface by
   /// no more than `tolerance` mm (> 0). Errors: a tool that is no wire or is missing, cancelled, see
   /// leanSolid().
   Result<RemovalSummary> remove(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
                                 Progress& progress);
-  /// In place of remove(): the bodies alone, without contacts and what each motion removed.
-  Status cut(const Toolpath& path, const std::vector<Tool>& tools, double tolerance, Progress& progress);
+  /// In place of remove(): the bodies alone, without contacts and what each motion removed. `pieces`, if it
+  /// is given, gets what came free and the bridges.
+  Status cut(const Toolpath& path, const std::vector<Tool>& tools, double tolerance, Progress& progress,
+             RemovalSummary* pieces = nullptr);
 
   /// What is left, the largest first.
   const std::vector<WireBody>& bodies() const { return bodies_; }
@@ -73,19 +75,32 @@ class WireStock {
   double volume() const;         ///< mm3, of what is left
 
  private:
-  // Without a summary nothing but the bodies is found.
-  Status cutUpright(const Toolpath& path, const std::vector<Tool>& tools, RemovalSummary* summary,
+  /// What is found: of the motions, and of pieces and bridges; null: nothing.
+  struct Wanted {
+    RemovalSummary* motions;
+    RemovalSummary* pieces;
+  };
+  Status cutUpright(const Toolpath& path, const std::vector<Tool>& tools, const Wanted& wanted,
                     Progress& progress);
   Status cutLeaning(const Toolpath& path, const std::vector<Tool>& tools, double tolerance,
-                    RemovalSummary* summary, Progress& progress);
+                    const Wanted& wanted, Progress& progress);
   void handleLeaning(const Toolpath& path, const std::vector<Tool>& tools, const LeanWork& work,
-                     RemovalSummary& summary, Progress& progress) const;
+                     const std::vector<LeanFall>& falls, RemovalSummary& summary, Progress& progress) const;
+  void tellPieces(const Toolpath& path, const LeanWork& work, const std::vector<LeanFall>& falls,
+                  RemovalSummary& summary) const;
+  Status keepFallen(const std::vector<LeanStretch>& cuts, std::vector<LeanFall>& falls, double tolerance,
+                    Progress& progress);
   void setSections(std::vector<PlaneBody> sections);
-  void setSolid(LeanSolid solid);
+  void setBodies();
 
   PrismBlank blank_;
   std::vector<PlaneBody> sections_;  ///< by body, where no wire leaned
-  std::optional<LeanSolid> solid_;   ///< where one did
+  /// Where one did: what all cuts leave, and what there was when pieces fell that others passed over.
+  std::vector<LeanSolid> solids_;
+  struct InSolid {
+    std::size_t solid, body;
+  };
+  std::vector<InSolid> placed_;  ///< by body, of those
   std::vector<WireBody> bodies_;
 };
 

@@ -66,18 +66,6 @@ WireWork LeanWork::atHeight(const HeightSpan& span, double z) const {
   return work;
 }
 
-std::size_t leanPieces(const Toolpath& path, const HeightSpan& span, double twist_mm) {
-  std::size_t count = 0;
-  std::vector<LeanStretch> pieces;
-  for (const Motion& motion : path.motions) {
-    if (motion.wire < 0 || motion.kind != MotionKind::kFeed) continue;
-    pieces.clear();
-    addLeanStretches(path.wires[static_cast<std::size_t>(motion.wire)], span, 1.0, twist_mm, 0, pieces);
-    count += pieces.size();
-  }
-  return count;
-}
-
 bool standsUpright(const Toolpath& path) {
   return std::all_of(path.motions.begin(), path.motions.end(), [&](const Motion& motion) {
     if (motion.wire < 0) return true;

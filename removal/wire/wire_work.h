@@ -33,9 +33,6 @@ struct LeanWork {
   WireWork atHeight(const HeightSpan& span, double z) const;
 };
 
-/// How many pieces leanWork() makes of the feed motions of a wire.
-std::size_t leanPieces(const Toolpath& path, const HeightSpan& span, double twist_mm);
-
 /// Whether the wire stands upright on all motions on which it is threaded.
 bool standsUpright(const Toolpath& path);
 

@@ -88,8 +88,32 @@ TEST(Commands, CoverageListsTheControls) {
   EXPECT_EQ(found, 5);
   EXPECT_TRUE(has(bench.run("coverage --control nct").out, "rows of the specification"));
   EXPECT_TRUE(has(bench.run("coverage --control wedm").out, "all         95    93     2"));
-  EXPECT_TRUE(has(bench.run("coverage --control flexnc").out, "all        163     0   163"));
+  EXPECT_TRUE(has(bench.run("coverage --control flexnc").out, "all        163   162     1"));
   EXPECT_EQ(bench.run("coverage --control siemens").exit_code, 2);
+}
+
+/// Words in place of numbers, correctors by number, the nearest key where one is wrong.
+TEST(Commands, FlexncReadsTheSwitchesOfItsMachine) {
+  const Workbench bench;
+  bench.write("arc.pmc", "S300M03\nG98F100\nG00X30Z0\nG02X20Z-10I0K-10\nM02\n");
+  const auto checked = [&](const std::string& settings) {
+    bench.write(
+        "arc.toml",
+        "schema = \"proveout.job/1\"\nprogram = \"arc.pmc\"\n[control]\nname = \"flexnc\"\n"
+        "[control.flexnc]\n" +
+            settings +
+            "\n[stock]\nshape = \"cylinder\"\nbase = [0, 0, -50]\ndiameter = 60\nlength = 50\n"
+            "[[tool]]\nnumber = 1\ntype = \"insert\"\nshape = \"round\"\nnose_radius = 2\norientation = 3\n");
+    return bench.run("path arc.toml");
+  };
+  EXPECT_TRUE(has(checked("arc_view = 'x_up'").out, "\"sweep_deg\":-90"));
+  EXPECT_TRUE(has(checked("RT.1 = 0.8").out, "\"sweep_deg\":270"));
+  EXPECT_TRUE(has(checked("arc_veiw = 'x_up'").err, "did you mean 'arc_view'?"));
+  const Outcome word = checked("arc_view = 'x_upp'");
+  EXPECT_EQ(word.exit_code, 2);
+  EXPECT_TRUE(has(word.err, "arc.toml:6:") && has(word.err, "did you mean 'x_up'?")) << word.err;
+  EXPECT_TRUE(has(checked("raw_x = 1").err, "a text in quotes"));
+  EXPECT_TRUE(has(checked("TIP.1 = 12").err, "TIP.1"));
 }
 
 TEST(Commands, WireEdmCutsUprightAndLeaningWalls) {

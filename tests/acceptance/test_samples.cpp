@@ -287,6 +287,45 @@ TEST(TurnedShaft, PassesAndTellsWhatPartsIt) {
   EXPECT_TRUE(fs::exists(bench.path("out/profile.svg")));
 }
 
+std::string flexncJob(const char* part, const char* job) {
+  return "'" + (fs::path(PROVEOUT_SOURCE_DIR) / "parts" / part / job).string() + "'";
+}
+
+/// Runs a sample of the FlexNC lathe; `volume` by make_nominals.py, from the drawing.
+void expectFlexncPasses(const char* part, double volume) {
+  const Workbench bench;
+  const Outcome outcome = bench.run("run " + flexncJob(part, "job.toml") + " --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  EXPECT_EQ(report["verdict"], "pass");
+  EXPECT_NEAR(partVolume(report), volume, 1e-5 * volume);
+  for (const json& f : report["findings"]) EXPECT_EQ(f["severity"], "note") << f;
+}
+
+TEST(FlexncParts, AreWhatTheirTemplatesSay) {
+  expectFlexncPasses("flexnc_shaft", 69812.08);
+  expectFlexncPasses("flexnc_bore", 118246.78);
+}
+
+/// The finding names the template with its parameters, and the motion within it.
+TEST(FlexncParts, NameTheTemplateWithTheWrongParameter) {
+  const Workbench bench;
+  const Outcome outcome =
+      bench.run("run " + flexncJob("flexnc_shaft", "wrong-parameter.toml") + " --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  int gouges = 0;
+  for (const json& finding : report["findings"]) {
+    if (finding["kind"] != "gouge") continue;
+    ++gouges;
+    EXPECT_EQ(finding["source"]["line"], 21);
+    EXPECT_EQ(finding["source"]["text"], "G77X20A16Y1.5P0C2K1");
+    EXPECT_EQ(finding["inside"]["file"], "G77 of line 21");
+    EXPECT_EQ(finding["causes"][0]["value"], "A16");
+  }
+  EXPECT_GE(gouges, 1);
+}
+
 /// Slot and flat of the sample by integration over the plane: chords of the shaft of 20 mm above Z6.5 and Z7,
 /// the chamfer of 1 mm taken off.
 constexpr double kKeySlotMm3 = 417.142, kFlatMm3 = 266.216;

@@ -141,6 +141,25 @@ std::vector<Case> turnedCases() {
            .job = [] { return threadJob("passes.nc", 60); }}};
 }
 
+/// Contours of a wire, whole processes: 20,000 blocks in a plate of 60 mm, upright as an exact section (aim:
+/// 0.3 s and 100 MB) and leaning by two degrees (aim: 2 s).
+std::vector<Case> wireCases() {
+  constexpr int kBlocks = 20000;
+  std::vector<Case> cases;
+  const auto add = [&](const std::string& name, double lean_deg) {
+    Case c{.name = name, .file = name + ".nc", .text = [lean_deg] {
+             return gearProgram(kBlocks, 2.5, lean_deg);
+           }};
+    c.grid_mm = 0.1;
+    c.job_file = name + ".toml";
+    c.job = [file = c.file] { return gearJob(file); };
+    cases.push_back(std::move(c));
+  };
+  add("wire gear", 0.0);
+  add("wire gear, leaning", 2.0);
+  return cases;
+}
+
 /// Removal time of each case that ran, for the lines below the table.
 using RemovalTimes = std::map<std::string, double>;
 
@@ -268,6 +287,7 @@ int run(const Options& options) {
   std::vector<Case> cases = shared ? samplePrograms() : std::vector<Case>{};
   for (Case& c : generatedCases()) cases.push_back(std::move(c));
   for (Case& c : turnedCases()) cases.push_back(std::move(c));
+  for (Case& c : wireCases()) cases.push_back(std::move(c));
   fmt::print("{:<22} {:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>12} {:>9}\n", "case", "grid",
              "motions", "remove s", "mesh s", "whole s", "cpu s", "peak MB", "triangles", "part mm3",
              "error");

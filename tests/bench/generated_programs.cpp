@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace proveout::bench {
 
@@ -39,6 +40,53 @@ double quarter(double c, double rho, double side) {
 }
 
 }  // namespace
+
+namespace {
+
+/// Corner `k` of the gear's contour, to micrometres as in the program.
+std::pair<double, double> gearCorner(int k, int blocks, double depth) {
+  constexpr double kRadius = 50.0, kTeeth = 40.0;
+  const double turn = 2.0 * std::numbers::pi * k / blocks, r = kRadius + depth * std::sin(kTeeth * turn);
+  const auto rounded = [](double v) { return std::round(1e3 * v) / 1e3; };
+  return {rounded(r * std::sin(turn)), rounded(-r * std::cos(turn))};
+}
+
+}  // namespace
+
+std::string gearProgram(int blocks, double depth, double lean_deg) {
+  constexpr double kHeight = 60.0;
+  const double out = kHeight * std::tan(lean_deg * std::numbers::pi / 180.0);
+  std::string text = "H000=0;\nH001=150;\nT84T86;\nG92X0Y-40.;\nC001;\n";
+  text += lean_deg > 0.0 ? "G74;\n" : "G42H001;\n";
+  for (int k = 0; k <= blocks; ++k) {
+    const auto [x, y] = gearCorner(k, blocks, depth);
+    fmt::format_to(std::back_inserter(text), "G01X{:.3f}Y{:.3f}", x, y);
+    const double turn = 2.0 * std::numbers::pi * k / blocks;
+    if (lean_deg > 0.0)
+      fmt::format_to(std::back_inserter(text), "U{:.3f}V{:.3f}", out * std::sin(turn), -out * std::cos(turn));
+    text += ";\n";
+  }
+  return text + (lean_deg > 0.0 ? "G75;\nM02;\n" : "G40H000X0Y-40.;\nM02;\n");
+}
+
+/// Teeth of two straight flanks, sharp, with a taper: their corners run along the walls.
+std::string starProgram(int teeth, double depth, double taper_deg) {
+  std::string text =
+      fmt::format("H000=0;\nH001=150;\nT84T86;\nG92X0Y-40.;\nC001;\nG42H001G52A{:g};\n", taper_deg);
+  for (int k = 0; k <= 2 * teeth; ++k) {
+    const double turn = std::numbers::pi * k / teeth, r = 48.0 + (k % 2 == 0 ? depth : 0.0);
+    fmt::format_to(std::back_inserter(text), "G01X{:.3f}Y{:.3f};\n", r * std::sin(turn), -r * std::cos(turn));
+  }
+  return text + "G40H000G50A0X0Y-40.;\nM02;\n";
+}
+
+std::string gearJob(const std::string& program_file) {
+  return fmt::format(
+      "schema = \"proveout.job/1\"\nname = \"gear\"\ncontrol = \"wedm\"\nprogram = \"{}\"\n[stock]\n"
+      "shape = \"box\"\nmin = [-60, -60, 0]\nmax = [60, 60, 60]\nstart_hole = [{{ at = [0, -40], diameter = "
+      "3 }}]\n[[tool]]\nnumber = 1\ntype = \"wire\"\ndiameter = 0.25\nspark_gap = 0.025\n",
+      program_file);
+}
 
 std::string shortLinesProgram() {
   std::string text = "%A\nG54 G90 G95\nT1 M6\nG97 S1200 M3\nG0 X60 Z2\nX40\nG1 Z0 F0.1\n";

@@ -39,6 +39,14 @@ std::string manyPassesProgram();
 std::string shortLinesJob(const std::string& program_file);
 std::string threadJob(const std::string& program_file, int length_mm);
 
+/// A closed contour of `blocks` straight blocks for the wire EDM control, like a gear, in a plate of 120 x
+/// 120 x 60 (gearJob): a circle of 50 in 40 waves of `depth` mm, from a start hole within. Upright with an
+/// offset, or on four axes with the wire leaning to the outside by `lean_deg`.
+std::string gearProgram(int blocks, double depth, double lean_deg);
+/// Sharp teeth with taper for the same plate.
+std::string starProgram(int teeth, double depth, double taper_deg);
+std::string gearJob(const std::string& program_file);
+
 /// Volume of the shaft without its thread, by the drawing, mm3.
 double shaftVolumeWithoutThread();
 

@@ -113,6 +113,28 @@ std::string fixtureJob() {
       0.1);
 }
 
+/// A shaft with a thread that goes on to a mill, and with it to a grid.
+std::string milledThreadJob() {
+  return "schema = \"proveout.job/1\"\n[control]\nname = \"wl4-lathe\"\n[stock]\nshape = \"cylinder\"\n"
+         "base = [0, 0, -60]\ndiameter = 20\nlength = 60\n[[tool]]\nnumber = 1\ntype = \"insert\"\n"
+         "shape = \"thread\"\ninsert_angle = 60\ntip_flat = 0.1\norientation = 8\nedge_length = 2.2\n"
+         "[[setup]]\nname = \"lathe\"\nprogram = \"passes.nc\"\n[[setup]]\nname = \"mill\"\n"
+         "program = \"flat.nc\"\n[setup.control]\nname = \"nct\"\n[setup.transform]\nrotate = [0, 90, 0]\n"
+         "[[setup.tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 6\n[simulation]\nresolution = 0.1\n";
+}
+
+std::string flatProgram() { return "T1 M6\nS3000 M3\nG0 X-40 Y-20\nZ20\nG1 Z7 F500\nY20\nG0 Z50\nM30\n"; }
+
+/// Arcs in the plane XZ and ramps between them, as a ball finishes a trough.
+std::string arcsProgram() {
+  std::string text = "T1 M6\nS9000 M3\nG0 X20 Y5\nZ2\nG1 Z-2 F800\nG18\n";
+  for (int i = 0; i < 80; ++i) {
+    fmt::format_to(std::back_inserter(text), "G{} X{} Z-2 R40\nG1 Y{:.2f} Z-2.5\nZ-2\n", i % 2 == 0 ? 3 : 2,
+                   i % 2 == 0 ? 60 : 20, 5.0 + 0.5 * (i + 1));
+  }
+  return text + "G17\nG0 Z50\nM30\n";
+}
+
 /// Lines of the sample shaft's job that ask for another file.
 std::string withFormat(std::string job, const std::string& format) {
   return job + fmt::format("\n[output]\nformats = [\"{}\"]\n", format);
@@ -145,8 +167,9 @@ void addSamples(const std::string& shared, const std::string& parts, std::vector
                             "1=flat:1", 0.1) +
                         kNoPictures});
   }
-  for (const char* name : {"bracket", "circle_diamond_square", "freeform_patch", "gouged_plate",
-                           "macro_plate", "polar_boss", "two_sides", "wl4_plate", "wl4_shaft"})
+  for (const char* name :
+       {"bracket", "circle_diamond_square", "freeform_patch", "gouged_plate", "keyed_shaft", "macro_plate",
+        "polar_boss", "two_sides", "wire_die", "wire_punch", "wire_ruled", "wl4_plate", "wl4_shaft"})
     jobs.push_back({name, {}, {}, Words{parts + "/" + name + "/job.toml"}});
 }
 
@@ -184,6 +207,10 @@ void addMilled(std::vector<PredictedJob>& jobs) {
                     {},
                     milling("helix.nc", kSlotStock, "1=flat:8", 0.2) + kNoPictures});
   }
+  jobs.push_back({"ball on arcs and ramps",
+                  {{"arcs.nc", arcsProgram}},
+                  {},
+                  milling("arcs.nc", kSlotStock, "1=ball:6", 0.25) + kNoPictures});
   jobs.push_back({"1,200 holes, drill",
                   {{"holes.nc", [] { return holesProgram(1200); }}},
                   {},
@@ -221,7 +248,7 @@ void addMeshes(std::vector<PredictedJob>& jobs) {
                   Words{"job.toml"} + kNoPictures});
 }
 
-void addTurned(std::vector<PredictedJob>& jobs) {
+void addTurned(const std::string& parts, std::vector<PredictedJob>& jobs) {
   jobs.push_back({"20,000 short lines",
                   {{"lines.nc", shortLinesProgram}, {"job.toml", [] { return shortLinesJob("lines.nc"); }}},
                   {},
@@ -239,6 +266,34 @@ void addTurned(std::vector<PredictedJob>& jobs) {
                    {"job.toml", [] { return withFormat(threadJob("passes.nc", 60), "vdb"); }}},
                   {},
                   Words{"job.toml", "--resolution", "0.2"} + kNoPictures});
+  jobs.push_back({"thread, then a mill",
+                  {{"passes.nc", manyPassesProgram}, {"flat.nc", flatProgram}, {"job.toml", milledThreadJob}},
+                  {},
+                  Words{"job.toml"} + kNoPictures});
+  jobs.push_back({"30 thread passes, vdb 0.1",
+                  {{"passes.nc", manyPassesProgram},
+                   {"job.toml", [] { return withFormat(threadJob("passes.nc", 60), "vdb"); }}},
+                  {},
+                  Words{"job.toml", "--resolution", "0.1"} + kNoPictures});
+  jobs.push_back(
+      {"wl4_shaft, vdb 0.2",
+       {},
+       {},
+       Words{parts + "/wl4_shaft/job.toml", "--resolution", "0.2", "--format", "vdb"} + kNoPictures});
+}
+
+void addWired(std::vector<PredictedJob>& jobs) {
+  const auto add = [&](const std::string& name, const std::function<std::string()>& program) {
+    jobs.push_back({name,
+                    {{"wire.nc", program}, {"job.toml", [] { return gearJob("wire.nc"); }}},
+                    {},
+                    Words{"job.toml"} + kNoPictures});
+  };
+  add("wire, 20,000 blocks", [] { return gearProgram(20000, 2.5, 0.0); });
+  for (const int blocks : {500, 5000, 20000})
+    add(fmt::format("leaning wire, {} blocks", blocks), [blocks] { return gearProgram(blocks, 2.5, 2.0); });
+  add("leaning wire, 40 sharp teeth", [] { return starProgram(40, 3.0, 1.0); });
+  add("leaning wire, 300 sharp teeth", [] { return starProgram(300, 0.6, 0.5); });
 }
 
 }  // namespace
@@ -248,7 +303,8 @@ std::vector<PredictedJob> predictedJobs(const std::string& shared, const std::st
   addSamples(shared, parts, jobs);
   addMilled(jobs);
   addMeshes(jobs);
-  addTurned(jobs);
+  addTurned(parts, jobs);
+  addWired(jobs);
   return jobs;
 }
 

@@ -121,6 +121,124 @@ TEST_F(Columns, LevelArcsMatchTheExactDistance) {
   EXPECT_GT(intervals_, 3000);
 }
 
+/// A helix about z of up to three turns, or an arc in an upright plane.
+struct Curve {
+  Vec3 from, to;
+  ArcGeometry arc;
+};
+
+class CurveColumns : public Columns {
+ protected:
+  Curve helix(int style) {
+    Curve c;
+    c.arc.center = moves_.point();
+    c.arc.normal = random(0, 1) < 0.5 ? Vec3::UnitZ() : Vec3(-Vec3::UnitZ());
+    c.arc.sweep_rad = random(-19.0, 19.0) * (style % 2 == 0 ? 1.0 : 0.2);
+    const double start = random(0, 6.28), end = start + c.arc.sweep_rad * c.arc.normal.z();
+    const double radius = style % 3 == 0 ? random(0.1, 2.0) : random(1.0, 9.0);
+    c.from = c.arc.center + Vec3(std::cos(start), std::sin(start), 0) * radius;
+    c.to = c.arc.center + Vec3(std::cos(end), std::sin(end), 0) * radius;
+    c.to.z() += style % 5 == 0 ? 0.0 : random(-9.0, 9.0);
+    return c;
+  }
+  Curve upright() {
+    Curve c;
+    const double plane = random(0, 6.28), radius = random(0.5, 20.0), start = random(0, 6.28);
+    c.arc.normal = Vec3(std::cos(plane), std::sin(plane), 0.0);
+    c.arc.sweep_rad = random(-6.5, 6.5);
+    const Vec3 u(-c.arc.normal.y(), c.arc.normal.x(), 0.0);
+    const auto out = [&](double a) -> Vec3 {
+      return radius * (std::cos(a) * u + std::sin(a) * Vec3::UnitZ());
+    };
+    c.from = moves_.point();
+    c.arc.center = c.from - out(start);
+    c.to = c.arc.center + out(start + c.arc.sweep_rad);
+    return c;
+  }
+
+  /// The intervals of all parts of the curve are what it covers, and the reach of each holds its own.
+  void check(const ConvexProfile& profile, const Curve& c, const std::vector<ColumnSweep>& parts) {
+    const Sweep exact(profile, c.from, c.to, &c.arc);
+    for (int i = 0; i < 64; ++i) {
+      x_[i] = c.from.x() + random(-14, 14), y_[i] = c.from.y() + random(-14, 14);
+      low_[i].clear(), high_[i].clear();
+    }
+    for (const ColumnSweep& part : parts) {
+      columnKernels().columns(part, x_, y_, 64, lo_, hi_);
+      for (int i = 0; i < 64; ++i) {
+        if (lo_[i] >= hi_[i]) continue;
+        ++intervals_;
+        low_[i].push_back(lo_[i]), high_[i].push_back(hi_[i]);
+        checkReach(part, i);
+      }
+    }
+    for (int i = 0; i < 64; ++i) ASSERT_NO_FATAL_FAILURE(checkColumn(exact, i));
+  }
+
+ private:
+  void checkReach(const ColumnSweep& part, int i) {
+    FourBlocks blocks{};
+    blocks.half_width = random(0.1, 3.0);
+    double low[4];
+    for (int k = 0; k < 4; ++k) {
+      blocks.x[k] = x_[i] + random(-1, 1) * blocks.half_width;
+      blocks.y[k] = y_[i] + random(-1, 1) * blocks.half_width;
+      blocks.z_low[k] = random(-30, 30), blocks.z_high[k] = blocks.z_low[k] + 5.0;
+    }
+    columnKernels().reach(part, blocks, low);
+    for (int k = 0; k < 4; ++k) {
+      if (lo_[i] < blocks.z_high[k] && hi_[i] > blocks.z_low[k]) {
+        EXPECT_LE(low[k], lo_[i]);
+      }
+    }
+  }
+  void checkColumn(const Sweep& exact, int i) {
+    const auto at = [&](double z) { return exact.distance({x_[i], y_[i], z}, 1e300); };
+    const auto covered = [&](double z) {
+      for (std::size_t k = 0; k < low_[i].size(); ++k) {
+        if (low_[i][k] < z && z < high_[i][k]) return true;
+      }
+      return false;
+    };
+    const auto check = [&](double z) {
+      if (covered(z)) {
+        ASSERT_LT(at(z), 2 * kSweepToleranceMm) << x_[i] << ' ' << y_[i] << ' ' << z;
+      } else {
+        ASSERT_GT(at(z), -2 * kSweepToleranceMm) << x_[i] << ' ' << y_[i] << ' ' << z;
+      }
+    };
+    for (int k = 0; k < 12; ++k) check(random(-20, 30));
+    for (std::size_t k = 0; k < low_[i].size(); ++k) {
+      for (const double end : {low_[i][k], high_[i][k]}) check(end - kStep), check(end + kStep);
+      check(0.5 * (low_[i][k] + high_[i][k]));
+    }
+  }
+
+  std::vector<double> low_[64], high_[64];
+};
+
+TEST_F(CurveColumns, TurnsOfHelicesMatchTheExactDistance) {
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 60; ++i) {
+      const Curve c = helix(i);
+      ASSERT_NO_FATAL_FAILURE(check(profile, c, columnTurns(solid, c.from, c.to, c.arc))) << i;
+    }
+  }
+  EXPECT_GT(intervals_, 10000);
+}
+
+TEST_F(CurveColumns, UprightArcsMatchTheExactDistance) {
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 40; ++i) {
+      const Curve c = upright();
+      ASSERT_NO_FATAL_FAILURE(check(profile, c, columnUprights(solid, c.from, c.to, c.arc))) << i;
+    }
+  }
+  EXPECT_GT(intervals_, 3000);
+}
+
 std::vector<ColumnKernels> levels() {
   std::vector<ColumnKernels> out = {baselineKernels()};
 #if defined(__x86_64__)

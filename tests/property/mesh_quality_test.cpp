@@ -1,31 +1,22 @@
 // The mesh that the program writes, judged by a library that knows nothing of it; and the same mesh for any
 // number of threads and any SIMD level.
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "io/mesh_io.h"
 #include "tests/acceptance/program_runner.h"
+#include "tests/property/mesh_judge.h"
 
 namespace proveout::test {
 namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
-namespace pmp = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 struct Sample {
   std::string name, input;       ///< job or program
@@ -84,31 +75,6 @@ class MeshQuality : public testing::TestWithParam<Sample> {
   Workbench bench_;
 };
 
-/// A mesh of CGAL's, or none where it does not take the triangles for a 2-manifold.
-std::optional<SurfaceMesh> surfaceMesh(const TriMesh& mesh) {
-  std::vector<Kernel::Point_3> points;
-  for (const auto& p : mesh.positions) points.emplace_back(p.x(), p.y(), p.z());
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (const auto& t : mesh.triangles) triangles.push_back({t[0], t[1], t[2]});
-  if (!pmp::is_polygon_soup_a_polygon_mesh(triangles)) return std::nullopt;
-  SurfaceMesh out;
-  pmp::polygon_soup_to_polygon_mesh(points, triangles, out);
-  return out;
-}
-
-/// Pairs of triangles that run through each other, and some of the places.
-std::size_t selfIntersections(const SurfaceMesh& surface, std::string& places) {
-  using Face = SurfaceMesh::Face_index;
-  std::vector<std::pair<Face, Face>> pairs;
-  pmp::self_intersections(surface, std::back_inserter(pairs));
-  for (std::size_t i = 0; i < std::min<std::size_t>(5, pairs.size()); ++i) {
-    std::ostringstream place;
-    place << surface.point(surface.source(surface.halfedge(pairs[i].first)));
-    places += "\n  near " + place.str();
-  }
-  return pairs.size();
-}
-
 TEST_P(MeshQuality, ClosedManifoldWithoutSelfIntersections) {
   for (const double grid_mm : GetParam().grids_mm) {
     SCOPED_TRACE(grid_mm);
@@ -118,13 +84,9 @@ TEST_P(MeshQuality, ClosedManifoldWithoutSelfIntersections) {
     for (const json& output : report["outputs"]["meshes"]) {
       const Result<TriMesh> mesh = loadMesh(path(output["path"].get<std::string>()));
       ASSERT_TRUE(mesh.ok()) << mesh.error().message;
-      const std::optional<SurfaceMesh> surface = surfaceMesh(*mesh);
-      ASSERT_TRUE(surface.has_value());
-      EXPECT_TRUE(CGAL::is_closed(*surface));
-      EXPECT_TRUE(CGAL::is_valid_polygon_mesh(*surface));
-      std::string places;
-      EXPECT_EQ(selfIntersections(*surface, places), 0u)
-          << "of " << mesh->triangles.size() << " triangles" << places;
+      const MeshVerdict verdict = judgeMesh(*mesh);
+      EXPECT_TRUE(verdict.manifold && verdict.closed);
+      EXPECT_EQ(verdict.meetings, 0u) << "of " << mesh->triangles.size() << " triangles" << verdict.places;
     }
   }
 }

@@ -101,36 +101,6 @@ std::string prismObj(Random& random, const Bounds& b) {
   return text;
 }
 
-std::string randomTool(Random& random, int number, double size) {
-  const double d = random.number(0.15, 0.8) * size;
-  std::string text = fmt::format("[[tool]]\nnumber = {}\n", number);
-  switch (random.whole(0, 8)) {
-    case 0:
-    case 1:
-      return text + fmt::format("type = \"flat\"\ndiameter = {:.4f}\n", d);
-    case 2:
-    case 3:
-      return text + fmt::format("type = \"ball\"\ndiameter = {:.4f}\n", d);
-    case 4:
-      return text + fmt::format("type = \"bull\"\ndiameter = {:.4f}\ncorner_radius = {:.4f}\n", d,
-                                random.number(0.05, 0.45) * d);
-    case 5:
-      return text + fmt::format("type = \"drill\"\ndiameter = {:.4f}\npoint_angle = {:.1f}\n", d,
-                                random.number(60, 150));
-    case 6:
-      return text +
-             fmt::format("type = \"cone\"\ndiameter = {:.4f}\ncone_angle = {:.1f}\ntip_diameter = {:.4f}\n",
-                         d, random.number(30, 120), random.chance(0.5) ? 0.0 : random.number(0.05, 0.6) * d);
-    case 7:
-      return text +
-             fmt::format("type = \"tslot\"\ndiameter = {:.4f}\nthickness = {:.4f}\nneck_diameter = {:.4f}\n",
-                         d, 0.4 * d, 0.4 * d);
-    default:
-      return text +
-             fmt::format("type = \"lollipop\"\ndiameter = {:.4f}\nneck_diameter = {:.4f}\n", d, 0.5 * d);
-  }
-}
-
 class ProgramWriter {
  public:
   ProgramWriter(Random& random, const Bounds& b, bool helices) : random_(random), b_(b), helices_(helices) {}
@@ -274,6 +244,35 @@ void writeSetups(Random& random, const Blank& blank, double grid, const Heads& h
 
 }  // namespace
 
+std::string randomTool(Random& random, int number, double d) {
+  std::string text = fmt::format("[[tool]]\nnumber = {}\n", number);
+  switch (random.whole(0, 8)) {
+    case 0:
+    case 1:
+      return text + fmt::format("type = \"flat\"\ndiameter = {:.4f}\n", d);
+    case 2:
+    case 3:
+      return text + fmt::format("type = \"ball\"\ndiameter = {:.4f}\n", d);
+    case 4:
+      return text + fmt::format("type = \"bull\"\ndiameter = {:.4f}\ncorner_radius = {:.4f}\n", d,
+                                random.number(0.05, 0.45) * d);
+    case 5:
+      return text + fmt::format("type = \"drill\"\ndiameter = {:.4f}\npoint_angle = {:.1f}\n", d,
+                                random.number(60, 150));
+    case 6:
+      return text +
+             fmt::format("type = \"cone\"\ndiameter = {:.4f}\ncone_angle = {:.1f}\ntip_diameter = {:.4f}\n",
+                         d, random.number(30, 120), random.chance(0.5) ? 0.0 : random.number(0.05, 0.6) * d);
+    case 7:
+      return text +
+             fmt::format("type = \"tslot\"\ndiameter = {:.4f}\nthickness = {:.4f}\nneck_diameter = {:.4f}\n",
+                         d, 0.4 * d, 0.4 * d);
+    default:
+      return text +
+             fmt::format("type = \"lollipop\"\ndiameter = {:.4f}\nneck_diameter = {:.4f}\n", d, 0.5 * d);
+  }
+}
+
 void makeMilled(Random& random, SoakCase& out) {
   constexpr double kGrids[] = {0.25, 0.3, 0.5, 0.6, 0.8, 1.0};
   const bool thin = out.kind == Kind::kThinBlank || random.chance(0.2);
@@ -290,7 +289,8 @@ void makeMilled(Random& random, SoakCase& out) {
   heads.simulation = fmt::format("[simulation]\nresolution = {:g}\n", grid);
   heads.tool_count = random.whole(1, 3);
   const double size = std::max({blank.bounds.size(0), blank.bounds.size(1), blank.bounds.size(2)});
-  for (int tool = 1; tool <= heads.tool_count; ++tool) heads.tools += randomTool(random, tool, size);
+  for (int tool = 1; tool <= heads.tool_count; ++tool)
+    heads.tools += randomTool(random, tool, random.number(0.15, 0.8) * size);
   if (out.kind == Kind::kSetups) return writeSetups(random, blank, grid, heads, out);
 
   const Program program =

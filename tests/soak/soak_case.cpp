@@ -3,9 +3,9 @@
 namespace proveout::soak {
 
 const char* kindName(Kind kind) {
-  constexpr const char* kNames[kKinds] = {"mill",         "setups",     "fixtures",    "saved stock",
-                                          "mesh blank",   "thin blank", "helix",       "lathe",
-                                          "lathe setups", "wire",       "tapered wire"};
+  constexpr const char* kNames[kKinds] = {"mill",         "setups",     "fixtures",     "saved stock",
+                                          "mesh blank",   "thin blank", "helix",        "lathe",
+                                          "lathe setups", "wire",       "tapered wire", "crowded"};
   return kNames[static_cast<int>(kind)];
 }
 
@@ -16,6 +16,11 @@ SoakCase makeCase(std::uint64_t seed) {
   if (seed >= kFirstWireSeed) {
     out.kind = random.chance(0.25) ? Kind::kTaperedWire : Kind::kWire;
     makeWire(random, out);
+    return out;
+  }
+  if (seed >= kFirstCrowdedSeed) {
+    out.kind = Kind::kCrowded;
+    makeCrowded(random, out);
     return out;
   }
   // Thin blanks and several clampings are where faults were: they come twice as often.

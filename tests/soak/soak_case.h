@@ -39,12 +39,14 @@ enum class Kind {
   kLathe,
   kLatheSetups,
   kWire,
-  kTaperedWire
+  kTaperedWire,
+  kCrowded
 };
-inline constexpr int kKinds = 11;
+inline constexpr int kKinds = 12;
 const char* kindName(Kind kind);
-/// From here on seeds make jobs of a wire; below they make the others.
-inline constexpr std::uint64_t kFirstWireSeed = 4'000'000'000;
+/// From here on seeds make jobs of a wire, and between these two milled jobs whose faces meet below the size
+/// of a cell; below they make the others.
+inline constexpr std::uint64_t kFirstWireSeed = 4'000'000'000, kFirstCrowdedSeed = 3'000'000'000;
 
 struct SoakCase {
   std::uint64_t seed = 0;
@@ -73,9 +75,13 @@ struct Program {
 /// The case of a seed.
 SoakCase makeCase(std::uint64_t seed);
 
-/// Parts of it: what is common to milled jobs, turned jobs, jobs of a wire.
+/// Parts of it: what is common to milled jobs, crowded ones, turned jobs, jobs of a wire.
 void makeMilled(Random& random, SoakCase& out);
+void makeCrowded(Random& random, SoakCase& out);
 void makeTurned(Random& random, SoakCase& out);
 void makeWire(Random& random, SoakCase& out);
+
+/// The table of a milling tool of this diameter, mm.
+std::string randomTool(Random& random, int number, double diameter);
 
 }  // namespace proveout::soak

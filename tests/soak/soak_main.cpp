@@ -1,4 +1,5 @@
-// Random whole jobs for as long as is asked: soak [--minutes M] [--seed FIRST] [--count N] [--wire] [--print]
+// Random whole jobs for as long as is asked: soak [--minutes M] [--seed FIRST] [--count N] [--wire|--crowded]
+// [--print]
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -15,15 +16,20 @@ using Clock = std::chrono::steady_clock;
 struct Arguments {
   double minutes = 5.0;
   std::uint64_t first = 1, count = ~0ull;
-  bool wire = false;   ///< jobs of a wire: `first` counts from their first seed
+  std::uint64_t kind =
+      0;               ///< first seed of the jobs of a wire, or of crowded ones: `first` counts from there
   bool print = false;  ///< the files of the first case, and nothing else
 };
 
 bool parse(int argc, char** argv, Arguments& out) {
   for (int i = 1; i < argc; ++i) {
     const std::string name = argv[i];
-    if (name == "--print" || name == "--wire") {
-      (name == "--print" ? out.print : out.wire) = true;
+    if (name == "--print") {
+      out.print = true;
+      continue;
+    }
+    if (name == "--wire" || name == "--crowded") {
+      out.kind = name == "--wire" ? proveout::soak::kFirstWireSeed : proveout::soak::kFirstCrowdedSeed;
       continue;
     }
     if (i + 1 >= argc) return false;
@@ -38,7 +44,7 @@ bool parse(int argc, char** argv, Arguments& out) {
       return false;
     }
   }
-  if (out.wire && out.first < proveout::soak::kFirstWireSeed) out.first += proveout::soak::kFirstWireSeed;
+  if (out.first < out.kind) out.first += out.kind;
   return out.minutes > 0.0;
 }
 
@@ -52,7 +58,8 @@ void printCase(std::uint64_t seed) {
 int main(int argc, char** argv) {
   Arguments arguments;
   if (!parse(argc, argv, arguments)) {
-    std::fprintf(stderr, "usage: soak [--minutes M] [--seed FIRST] [--count N] [--wire] [--print]\n");
+    std::fprintf(stderr,
+                 "usage: soak [--minutes M] [--seed FIRST] [--count N] [--wire|--crowded] [--print]\n");
     return 2;
   }
   if (arguments.print) {

@@ -1,6 +1,9 @@
 // Cutting with a wire: the workpiece is sections, or on the grid where its blank is no prism.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/session/process/process.h"
 #include "app/session/run_result.h"
 #include "app/session/turning_work.h"
@@ -45,12 +48,33 @@ std::unique_ptr<PieceProbe> probe(const Job& /*setup*/, const ProbedStock& /*sto
   return nullptr;
 }
 
-/// Of a wire that leans: some walls take many heights, of programs of any length.
+/// Of a wire that leans, as triangles of a mesh from half sections: walls take more heights where steps are
+/// long, corners are sharp and the wire turns about its way (measured; see the jobs in tests/bench).
 double leanTriangles(const Job& job, const Toolpath& path, const Box3& bounds) {
-  constexpr double kAPiece = 36.0, kRefinedPieces = 2000.0, kARefinedPiece = 2000.0;
-  const auto pieces =
-      static_cast<double>(leanPieces(path, {bounds.min.z(), bounds.max.z()}, facetTolerance(job)));
-  return kAPiece * pieces + kARefinedPiece * std::min(pieces, kRefinedPieces);
+  constexpr double kAPiece = 60.0, kAMmOfPiece = 1000.0, kLongPiece = 2.0, kATurned = 500.0, kASharp = 4000.0,
+                   kTurn = 0.15, kSharp = 0.3;
+  const HeightSpan span{bounds.min.z(), bounds.max.z()};
+  const auto angle = [](const Vec2& u, const Vec2& v) {
+    const double lengths = u.norm() * v.norm();
+    return lengths > 0.0 ? std::acos(std::clamp(u.dot(v) / lengths, -1.0, 1.0)) : 0.0;
+  };
+  double sum = 0.0;
+  Vec2 before = Vec2::Zero();
+  std::vector<LeanStretch> pieces;
+  for (const Motion& motion : path.motions) {
+    if (motion.wire < 0 || motion.kind != MotionKind::kFeed) continue;
+    pieces.clear();
+    addLeanStretches(path.wires[static_cast<std::size_t>(motion.wire)], span, 1.0, facetTolerance(job), 0,
+                     pieces);
+    for (const LeanStretch& piece : pieces) {
+      const Vec2 low = piece.to_low - piece.from_low, high = piece.to_high - piece.from_high;
+      sum += kAPiece + kAMmOfPiece * std::min(kLongPiece, std::max(low.norm(), high.norm()));
+      if (angle(low, high) > kTurn) sum += kATurned;
+      if (angle(before, low) > kSharp) sum += kASharp;
+      before = low;
+    }
+  }
+  return sum;
 }
 
 /// Walls have two triangles a motion on either side of the kerf, faces as many. Behind another clamping each
@@ -62,8 +86,10 @@ Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& 
   work.motions = run.setups[k].interpreted.path.motions.size();
   const Toolpath& path = run.setups[k].interpreted.path;
   const Box3 bounds = movedBounds(job, blank.bounds, k);
-  work.triangles = standsUpright(path) ? kTrianglesOfAMotion * static_cast<double>(work.motions)
-                                       : leanTriangles(run.setups[k].job, path, bounds);
+  if (standsUpright(path))
+    work.triangles = kTrianglesOfAMotion * static_cast<double>(work.motions);
+  else
+    work.triangles = work.thread_triangles = leanTriangles(run.setups[k].job, path, bounds);
   if (k == 0 && isPrism(blank)) return work;
   constexpr double kCopies = 3.0;
   work.surface_mm2 = kCopies * blankArea(blank.shape, bounds);

@@ -78,22 +78,53 @@ Box3 boxOf(const ContourElement& e) {
   return box;
 }
 
+/// A circle about an element.
+struct Surrounding {
+  Vec2 at;
+  double radius;
+};
+
+Surrounding surroundingOf(const ContourElement& e) {
+  if (e.arc) return {e.from, std::abs(e.sweep) * (e.from - e.center).norm()};
+  return {0.5 * (e.from + e.to), 0.5 * (e.to - e.from).norm()};
+}
+
+/// Whether circles about both say that they are no nearer than `least`: so it is with most of the short
+/// elements of a long contour.
+bool areFar(const Surrounding& a, const Surrounding& b, double least) {
+  const double reach = least + a.radius + b.radius;
+  return (a.at - b.at).squaredNorm() > reach * reach;
+}
+
+/// Lines that cross have an end that is no farther from the other than half of their length.
+bool mayCross(const ContourElement& a, const ContourElement& b, double between_ends) {
+  if (a.arc || b.arc) return true;
+  return between_ends <= 0.5 * std::min((a.to - a.from).norm(), (b.to - b.from).norm()) + kOnElement;
+}
+
 }  // namespace
 
 double distanceBetween(const ContourElement& a, const ContourElement& b) {
-  return crosses(a, b) ? 0.0 : std::min(fromPointsOf(a, b), fromPointsOf(b, a));
+  const double between = std::min(fromPointsOf(a, b), fromPointsOf(b, a));
+  return mayCross(a, b, between) && crosses(a, b) ? 0.0 : between;
 }
 
 std::optional<NearPass> firstNearPass(const std::vector<ContourElement>& path,
                                       const std::vector<ContourElement>& contour, double least) {
   if (contour.empty()) return std::nullopt;
   std::vector<Box3> boxes;
-  for (const ContourElement& e : contour) boxes.push_back(boxOf(e));
+  std::vector<Surrounding> surroundings;
+  for (const ContourElement& e : contour) {
+    boxes.push_back(boxOf(e));
+    surroundings.push_back(surroundingOf(e));
+  }
   const BoxTree tree(boxes);
   for (std::size_t k = 0; k < path.size(); ++k) {
     std::optional<NearPass> pass;
+    const Surrounding own = surroundingOf(path[k]);
     tree.forEachPlace(boxOf(path[k]).inflated(least), [&](std::uint32_t place) {
       const std::size_t other = tree.order()[place];
+      if (areFar(own, surroundings[other], least)) return;
       const double distance = distanceBetween(path[k], contour[other]);
       if (distance < least && (!pass || distance < pass->distance)) pass = NearPass{k, other, distance};
     });

@@ -26,8 +26,8 @@ CompStatus CutterComp::checkBlock(const CompBlock& block) const {
                       std::isfinite(block.offset) && (!block.direction || block.direction->allFinite());
   if (!finite) return fail(CompError::kNotFinite);
   if (block.shape == Shape::kArc) {
-    if (!active_ && block.active) return fail(CompError::kStartInArc);
-    if (active_ && !block.active) return fail(CompError::kCancelInArc);
+    if (!active_ && block.active && !policy_.switch_in_arc) return fail(CompError::kStartInArc);
+    if (active_ && !block.active && !policy_.switch_in_arc) return fail(CompError::kCancelInArc);
     const double smallest =
         std::min((planar(programmed_) - block.center).norm(), (planar(block.to) - block.center).norm());
     if (block.sweep_rad == 0.0 || smallest < kTinyLength) return fail(CompError::kNotFinite);
@@ -121,6 +121,7 @@ CutterComp::Element CutterComp::makeElement(const CompBlock& block) const {
   e.perpendicular_start = start_pending_ && block.active && !zero;
   const bool fresh = e.phase == ElementPhase::kStartUp || start_pending_;
   e.rho_start = fresh || last_offset_ * block.offset < 0.0 ? block.offset : last_offset_;
+  if (e.kind == ElementKind::kArc && e.phase == ElementPhase::kStartUp) e.rho_start = 0.0;  // a spiral
   return e;
 }
 
@@ -179,7 +180,9 @@ CompStatus CutterComp::finishFront(CompOutput& out) {
 
 void CutterComp::emitFront(CompOutput& out) {
   const Element& front = elements_.front();
-  if (front.phase == ElementPhase::kCancel) {
+  if (front.phase == ElementPhase::kCancel && front.kind == ElementKind::kArc) {
+    emitOwn(front, Corner{.points = {planar(front.p1)}}, out);
+  } else if (front.phase == ElementPhase::kCancel) {
     emitLine(front.p1, Role::kOwn, front.tag, out);
   } else {
     PROVEOUT_ASSERT(front.corner && !front.corner->points.empty());

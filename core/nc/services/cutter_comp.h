@@ -50,6 +50,8 @@ struct CutterCompPolicy {
   CompRamp cancel_ramp = CompRamp::kB;
   CompOuterCorner outer_corner = CompOuterCorner::kLines;
   double arc_threshold = 0.0;  ///< mm; corners whose arc would have a shorter chord, or this one, get none
+  double arc_least_turn_rad = 0.0;  ///< corners that turn by less get no arc
+  bool switch_in_arc = false;       ///< compensation may begin and end in an arc, which becomes a spiral
   bool interference_check = true;
   bool interference_alarm = false;  ///< true: always alarm; false: leave out blocks where that mends it
   int extra_look_ahead = 0;         ///< 0..8 further elements seen by the interference check

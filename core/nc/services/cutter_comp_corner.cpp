@@ -72,7 +72,8 @@ Corner outerCorner(const Turn& turn, bool normal_first, bool normal_last, const 
   Corner corner;
   if (policy.outer_corner == CompOuterCorner::kArc) {
     corner.points = {turn.before(), turn.behind()};
-    corner.arc_join = (turn.behind() - turn.before()).norm() > policy.arc_threshold;
+    corner.arc_join = (turn.behind() - turn.before()).norm() > policy.arc_threshold &&
+                      std::abs(turn.delta) >= policy.arc_least_turn_rad;
     if (!corner.arc_join && !normal_last) corner.points.pop_back();
     return corner;
   }

@@ -145,6 +145,9 @@ class PairedContours {
            fmt::format(" (near X{:.3f} Y{:.3f}{})", failure.where.x(), failure.where.y(),
                        second ? ", secondary plane" : ""));
     }
+    // Where the next element is at fault the end of the one in front of it is not known.
+    if (contour.tracks.size() < plane.pieces.size())
+      limit_ = std::min(limit_, plane.record[contour.tracks.size()]);
     std::size_t last = records_.size();
     for (std::size_t k = 0; k < contour.tracks.size(); ++k) {
       const OffsetTrack& track = contour.tracks[k];

@@ -104,20 +104,14 @@ constexpr auto kWedmRows = std::to_array<CoverageIdRow>({
     {"wedm-15-T85", "STATE", "done", "tests/unit/nc/wedm_language_test.cpp"},
     {"wedm-15-T86", "STATE", "done", "tests/unit/nc/wedm_language_test.cpp"},
     {"wedm-15-T87", "STATE", "done", "tests/unit/nc/wedm_language_test.cpp"},
+    {"wedm-x-kerf", "SIM", "done", "tests/unit/wire/kerf_reference_test.cpp"},
+    {"wedm-x-slug", "SIM", "done", "tests/unit/app/test_wire_runs.cpp"},
 });
 // clang-format on
 
-std::string statusOfClass(std::string_view cls) {
-  return cls == "SIM"     ? "simulated"
-         : cls == "TIME"  ? "timed"
-         : cls == "STATE" ? "tracked"
-         : cls == "HOST"  ? "noted"
-                          : "refused";
-}
-
 CoverageRow wedmRowOf(std::string code, int group, std::string_view cls, std::string_view ids,
                       std::string_view meaning) {
-  return {std::move(code),     group, std::string(cls), statusOfClass(cls), std::string(ids),
+  return {std::move(code),     group, std::string(cls), std::string(coverageStatus(cls)), std::string(ids),
           std::string(meaning)};
 }
 
@@ -137,13 +131,6 @@ std::vector<CoverageRow> wedmCoverage() {
 
 std::vector<CoverageIdRow> wedmCoverageIds() { return {kWedmRows.begin(), kWedmRows.end()}; }
 
-std::map<std::string, std::string_view> wedmOpenReasons() {
-  return {
-      {"wedm-x-kerf", "an upright wire cuts; a run with one that leans is refused"},
-      {"wedm-x-slug",
-       "pieces of an upright wire fall where no clamp holds them; slugs with leaning walls, which wedge, are "
-       "not built"},
-  };
-}
+std::map<std::string, std::string_view> wedmOpenReasons() { return {}; }
 
 }  // namespace proveout::nc

@@ -10,9 +10,9 @@
 #include "core/nc/origin_recorder.h"
 #include "core/nc/path_emitter.h"
 #include "core/nc/program_source.h"
+#include "core/nc/rolling_comp_stage.h"
 #include "core/nc/run_summary.h"
 #include "core/nc/wl4/wl4_block.h"
-#include "core/nc/wl4/wl4_comp_stage.h"
 #include "core/nc/wl4/wl4_levels.h"
 #include "core/nc/wl4/wl4_origins.h"
 #include "core/nc/wl4/wl4_report.h"
@@ -57,7 +57,7 @@ struct Wl4Context {
   // The way to the path.
   CoordinateChain chain;  ///< the pipe's work space is the machine's
   CornerStage corner_stage;
-  Wl4CompStage comp_stage;
+  RollingCompStage comp_stage;
   FrameStage frame_stage;
   EmitStage emit_stage;
   MotionPipe pipe;

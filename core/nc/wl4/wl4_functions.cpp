@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -14,8 +13,6 @@
 namespace proveout::nc {
 
 namespace {
-
-constexpr double kNoCeiling = std::numeric_limits<double>::infinity();
 
 bool hasFunction(const Wl4Block& block, int m) {
   return std::any_of(block.m.begin(), block.m.end(), [m](const auto& code) { return code.number == m; });
@@ -105,30 +102,12 @@ bool performOther(Wl4Context& c, Wl4BlockPlan&, int m) {
 }
 
 bool goToToolChange(Wl4Context& c) {
-  const ToolChangePlace& place = c.setup.settings.tool_change;
-  if (!place.any() || !hasFunction(c.block, 6)) return true;
-  if (!c.pipe.flush(FlushReason::kBuffer)) return false;
-  const auto way = toolChangeWay(c.setup.settings, c.emitter.machine(), kNoCeiling);
-  if (!way.empty()) c.recorder.clear(unsaidBehind(place));
-  const WorkPlane plane(c.state.frame());
-  for (const AxisPoint& to : way) {
-    PathItem item;
-    item.kind = PathItem::Kind::kLine;
-    item.space = PathItem::Space::kMachine;
-    item.rapid = true;
-    item.feed.join.stops = true;
-    item.plane = plane;
-    item.to = to;
-    item.source = c.report.here();
-    if (!c.pipe.push(item)) return false;
-  }
-  if (way.empty()) return true;
-  c.thread_angle.reset();
-  // Beside cutter compensation the programmed point is not the machine's: axes that stayed keep it.
-  c.machine[2] = way.back()[2];
-  if (place.x) c.machine[0] = *place.x;
-  if (place.y) c.machine[1] = *place.y;
-  c.pipe.rebase(c.machine, plane);
+  if (!hasFunction(c.block, 6)) return true;
+  bool moves = false;
+  if (!goToToolChange(c.setup.settings, {c.pipe, c.emitter, c.recorder}, WorkPlane(c.state.frame()),
+                      c.report.here(), c.machine, moves))
+    return false;
+  if (moves) c.thread_angle.reset();
   return true;
 }
 

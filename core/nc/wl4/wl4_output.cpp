@@ -38,7 +38,8 @@ bool sendMotion(Wl4Context& c, const Wl4BlockPlan& p, PathItem& item) {
   if (item.comp_on && !c.comp_stage.linked()) {
     const Vec2 tip = c.setup.tipOf(p.next);
     c.comp_stage.setTip({tip.y(), 0.0, tip.x()});
-    c.comp_stage.engage(c.corner_stage.sentUntil(item.plane.of(c.machine)), c.setup.parameters.arc_threshold);
+    c.comp_stage.engage(c.corner_stage.sentUntil(item.plane.of(c.machine)),
+                        {.arc_threshold = c.setup.parameters.arc_threshold});
   }
   if (!c.pipe.push(item)) return false;
   c.machine = p.target;

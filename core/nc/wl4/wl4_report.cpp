@@ -56,7 +56,8 @@ bool Wl4Report::contourError(SharedAlarm alarm, std::string_view subject, std::s
   return false;
 }
 
-void Wl4Report::compError(const char* code, const std::string& message, const SourceRef& at) {
+void Wl4Report::compError(CompFault fault, const std::string& message, const SourceRef& at) {
+  const char* const code = fault == CompFault::kNegativeRadius ? "wl4-negative-radius" : "wl4-compensation";
   emitter_.diagnostic(diagnosticAt(Severity::kError, code, message, at, {}));
 }
 

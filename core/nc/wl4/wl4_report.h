@@ -8,15 +8,15 @@
 #include "core/nc/contour_stage.h"
 #include "core/nc/origin_recorder.h"
 #include "core/nc/path_emitter.h"
+#include "core/nc/rolling_comp_stage.h"
 #include "core/nc/wl4/wl4_block.h"
-#include "core/nc/wl4/wl4_comp_stage.h"
 #include "core/nc/wl4/wl4_levels.h"
 #include "core/nc/wl4/wl4_programs.h"
 
 namespace proveout::nc {
 
 /// Reports at the block in hand; the stages of the pipe at blocks that have gone by.
-class Wl4Report final : public ContourReport, public Wl4CompReport {
+class Wl4Report final : public ContourReport, public RollingCompReport {
  public:
   /// All must outlive the report.
   Wl4Report(PathEmitter& emitter, const Wl4Programs& programs, const Wl4Levels& levels, const Wl4Block& block,
@@ -33,7 +33,7 @@ class Wl4Report final : public ContourReport, public Wl4CompReport {
 
   bool contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
                     const PathItem& at) override;
-  void compError(const char* code, const std::string& message, const SourceRef& at) override;
+  void compError(CompFault fault, const std::string& message, const SourceRef& at) override;
 
  private:
   Diagnostic diagnosticAt(Severity severity, std::string code, std::string message, const SourceRef& at,

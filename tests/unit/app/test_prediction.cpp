@@ -116,6 +116,7 @@ TEST(Prediction, EveryPartOfTheWorkCounts) {
   expectMore("mesh as fixture", true, [](Workload& w) { w.fixture_mesh_mm2 = 1e5; });
   expectMore("turned lines", true, [](Workload& w) { w.turned_motions = 10000; });
   expectMore("threads", true, [](Workload& w) { w.triangles = w.thread_triangles = 1e5; });
+  expectMore("turned, on a grid", true, [](Workload& w) { w.turned_mm2 = 1e4; });
   expectMore("threads on a grid", true, [](Workload& w) { w.threaded_mm2 = 1e4; });
 }
 

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "app/job_setup.h"
 #include "app/session/comparison.h"
@@ -162,10 +164,16 @@ struct WireJob {
     nominal.mesh = prismMesh({body}, 0, 20, 1e-3);
     return nominal;
   }
-  Result<RunResult> run() {
+  void compareWith(PreparedMesh nominal) {
+    job.nominal = NominalSpec{};
+    job.nominal->gouge_mm = job.nominal->excess_mm = 0.02;
+    prepared.run.setups.front().job.nominal = job.nominal;
+    prepared.nominal = std::move(nominal);
+  }
+  Result<RunResult> run(const WorkOnPart& meanwhile = {}) {
     const JobSources sources(job);
     Progress progress;
-    return finishRun(job, sources.all(), std::move(prepared), progress);
+    return finishRun(job, sources.all(), std::move(prepared), progress, meanwhile);
   }
 };
 
@@ -190,13 +198,60 @@ TEST(Processes, AWireCutsAPunchAndItsDie) {
   EXPECT_EQ(countOf(*run, FindingKind::kSpindleOff), 0u);
 }
 
+TEST(Processes, WorkOnAPartIsDoneOnceWithAndWithoutAComparison) {
+  for (const bool compares : {true, false}) {
+    WireJob wire;
+    if (compares) wire.compareWith(wire.punch(9.8));
+    std::size_t triangles = 0;
+    int calls = 0;
+    const Result<RunResult> run = wire.run([&](const SetupRun& last, Progress&) {
+      triangles = last.surface.mesh.triangles.size();
+      ++calls;
+      return Status(Done{});
+    });
+    ASSERT_TRUE(run.ok()) << run.error().message;
+    EXPECT_EQ(calls, 1);
+    EXPECT_EQ(triangles, run->surface().mesh.triangles.size());
+    EXPECT_GT(triangles, 0u);
+    EXPECT_EQ(run->comparison.has_value(), compares);
+  }
+}
+
+TEST(Processes, WorkThatFailsEndsTheRun) {
+  for (const bool compares : {true, false}) {
+    WireJob wire;
+    if (compares) wire.compareWith(wire.punch(9.8));
+    const Result<RunResult> run = wire.run([](const SetupRun&, Progress&) {
+      return Status(Error{ErrorKind::kResourceLimit, "no room for pictures"});
+    });
+    ASSERT_FALSE(run.ok());
+    EXPECT_EQ(run.error().message, "no room for pictures");
+  }
+}
+
+TEST(Processes, AComparisonThatFailsStopsTheWorkBesideIt) {
+  WireJob wire;
+  PreparedMesh open = wire.punch(9.8);
+  open.mesh.triangles.pop_back();
+  open.mesh.motion.clear();
+  wire.compareWith(std::move(open));
+  bool stopped = false;
+  const Result<RunResult> run = wire.run([&](const SetupRun&, Progress& progress) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (!progress.cancelled() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    stopped = progress.cancelled();
+    return Status(Error{ErrorKind::kInterrupted, "interrupted"});
+  });
+  ASSERT_FALSE(run.ok());
+  EXPECT_NE(run.error().message.find("not closed"), std::string::npos) << run.error().message;
+  // With one core the work may come first, and nothing has stopped it yet.
+  EXPECT_TRUE(stopped || std::thread::hardware_concurrency() < 2);
+}
+
 TEST(Processes, APunchIsComparedWithItsNominal) {
   for (const double side : {9.8, 9.9}) {
     WireJob wire;
-    wire.job.nominal = NominalSpec{};
-    wire.job.nominal->gouge_mm = wire.job.nominal->excess_mm = 0.02;
-    wire.prepared.run.setups.front().job.nominal = wire.job.nominal;
-    wire.prepared.nominal = wire.punch(side);
+    wire.compareWith(wire.punch(side));
     const Result<RunResult> run = wire.run();
     ASSERT_TRUE(run.ok()) << run.error().message;
     EXPECT_NEAR(run->setups.front().bodies[0].volume_mm3, 20 * 9.8 * 9.8, 1e-4);

@@ -1,4 +1,5 @@
-// Whole runs with a wire: threading, stops, clamps, the choice of the part, what cutting lacks.
+// Whole runs with a wire: threading, stops, clamps, the choice of the part, what cutting lacks,
+// slugs that fall, stay or hang on (wedm-x-slug).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -345,6 +346,101 @@ TEST(WireRuns, LeaningWiresAreHandledAtAllHeights) {
   EXPECT_EQ(
       found(run(job, kStart + "G51A2.;\nG01X5.;\nY2.;\nG00Y8.;\nM02;\n"), FindingKind::kRapidContact).size(),
       1u);
+}
+
+TEST(WireRuns, ASlugOfALeaningWireFallsAndIsCutNoMore) {
+  Job job = plateJob();
+  job.start_holes = {{{0, 0}, 1.0}};
+  // Narrower at the top: the slug falls. G52 leans to the right of the way, to the middle.
+  const auto program = [](const char* lean, const std::string& more) {
+    return kStart + lean + "A2.;\nG01X5.;\nG03X-5.I-5.;\nX5.I5.;\nM00;\nG50G01X0;\n" + more + "M02;\n";
+  };
+  const std::string through = "G01X-4.;\nX0;\n";
+  const auto slug = [&](const std::string& text) {
+    const Result<RunResult> result = run(job, text);
+    EXPECT_TRUE(result.ok());
+    return result->setups.front().bodies[1];
+  };
+  const auto bodies = [&](const std::string& text) { return run(job, text)->setups.front().bodies.size(); };
+  const StockBody alone = slug(program("G51", ""));
+  EXPECT_EQ(alone.leaves, "down");
+  EXPECT_NEAR(slug(program("G51", through)).volume_mm3, alone.volume_mm3, 1e-6);
+  EXPECT_EQ(bodies(program("G51", through)), 2u);
+  // Through all of it.
+  EXPECT_NEAR(slug(program("G51", "G01X-5.;\nX0;\n")).volume_mm3, alone.volume_mm3, 1e-6);
+  EXPECT_TRUE(found(run(job, program("G51", "")), FindingKind::kStuckSlug).empty());
+  // Wider at the top it stays, and is cut.
+  const StockBody stays = slug(program("G52", ""));
+  EXPECT_EQ(stays.leaves, "up");
+  EXPECT_LT(slug(program("G52", through)).volume_mm3, stays.volume_mm3 - 10.0);
+  const std::vector<Finding> stuck = found(run(job, program("G52", "")), FindingKind::kStuckSlug);
+  ASSERT_EQ(stuck.size(), 1u);
+  EXPECT_EQ(stuck[0].source->text, "X5.I5.;");
+  EXPECT_TRUE(has(stuck[0].message, "lift it out upwards")) << stuck[0].message;
+  EXPECT_NEAR(*stuck[0].volume_mm3, stays.volume_mm3, 1e-6);
+}
+
+TEST(WireRuns, BridgesAreToldWithPlaceAndWidth) {
+  Job job = plateJob();
+  job.start_holes = {{{0, 0}, 1.0}};
+  // A square whose last side ends 2 mm before the lead-in: 2 - 0.22 mm are left.
+  const std::string open = "G01X5.;\nY5.;\nX-5.;\nY-5.;\nX5.;\nY-2.;\n";
+  const std::vector<Finding> bridges = found(run(job, kStart + open + "M00;\nM02;\n"), FindingKind::kBridge);
+  ASSERT_EQ(bridges.size(), 1u);
+  EXPECT_EQ(bridges[0].severity, Severity::kWarning);
+  EXPECT_TRUE(has(bridges[0].message, "by a bridge of 1.780 mm at X5.000 Y-1.000")) << bridges[0].message;
+  EXPECT_TRUE(has(bridges[0].message, "not closed by 2.000 mm")) << bridges[0].message;
+  EXPECT_EQ(bridges[0].source->text, "Y-2.;");
+  EXPECT_NEAR(bridges[0].where->y(), -1.0, 1e-3);
+  EXPECT_NEAR(*bridges[0].volume_mm3, 20 * (9.78 * 9.78 - 0.25 * kPi), 30.0);
+  // With an offset and a way back to the middle, whose end is none of the contour.
+  EXPECT_EQ(
+      found(run(job, "H001=110;\n" + kStart + "G41H001;\n" + open + "G40X3.;\nM02;\n"), FindingKind::kBridge)
+          .size(),
+      1u);
+  // Closed, or only a slit.
+  EXPECT_TRUE(found(run(job, kStart + open + "Y0;\nM02;\n"), FindingKind::kBridge).empty());
+  EXPECT_TRUE(found(run(job, kStart + "G01X9.;\nM02;\n"), FindingKind::kBridge).empty());
+  EXPECT_TRUE(found(run(job, kStart + kRing + "M02;\n"), FindingKind::kBridge).empty());
+}
+
+TEST(WireRuns, TwoBridgesHoldAPiece) {
+  Job job = plateJob();
+  job.start_holes = {{{5, 0}, 0.4}, {{-5, 0}, 0.4}};
+  const std::string two =
+      "T84T86;\nC001;\nG92X5.Y0;\nG01Y5.;\nX-4.;\nM50;\nG00X-5.Y0;\nM60;\n"
+      "G01Y-5.;\nX5.;\nY-1.;\nM50;\nG00X-5.Y0;\nM60;\nG01Y4.;\nM02;\n";
+  const std::vector<Finding> bridges = found(run(job, two), FindingKind::kBridge);
+  ASSERT_EQ(bridges.size(), 2u);
+  for (const Finding& bridge : bridges) EXPECT_FALSE(bridge.volume_mm3.has_value());
+}
+
+TEST(WireRuns, BridgesOfLeaningWires) {
+  Job job = plateJob();
+  job.start_holes = {{{0, 0}, 1.0}};
+  const std::vector<Finding> bridges =
+      found(run(job, kStart + "G51A2.;\nG01X5.;\nY5.;\nX-5.;\nY-5.;\nX5.;\nY-2.;\nM00;\nM02;\n"),
+            FindingKind::kBridge);
+  ASSERT_EQ(bridges.size(), 1u);
+  EXPECT_TRUE(has(bridges[0].message, "by a bridge of 1.78")) << bridges[0].message;
+}
+
+TEST(WireRuns, OnTheGridHolesAreMissedAndBridgesTold) {
+  Job job = plateJob();
+  job.stock = CylinderShape{0, {-15, 0, 10}, 10, 0, 30};  // along X: no prism
+  job.simulation.resolution_mm = 0.5;
+  const std::string square = "G01X5.;\nY5.;\nX-5.;\nY-5.;\nX5.;\nY-2.;\nM00;\nM02;\n";
+  const Result<RunResult> result = run(job, kStart + square);
+  const std::vector<Finding> missing = found(result, FindingKind::kThreading);
+  ASSERT_EQ(missing.size(), 1u);
+  EXPECT_TRUE(has(missing[0].message, "there is no hole to thread the wire through at X0.000 Y0.000"))
+      << missing[0].message;
+  const std::vector<Finding> bridges = found(result, FindingKind::kBridge);
+  ASSERT_EQ(bridges.size(), 1u);
+  EXPECT_TRUE(has(bridges[0].message, "by a bridge of 1.780 mm")) << bridges[0].message;
+  // From outside.
+  EXPECT_TRUE(
+      found(run(job, "T84T86;\nC001;\nG92X-25.Y0;\nG01X25.;\nM02;\n"), FindingKind::kThreading).empty());
 }
 
 TEST(WireRuns, LeaningTooFarIsAnAlarm) {

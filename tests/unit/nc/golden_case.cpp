@@ -211,6 +211,7 @@ void setLine(ControlSettings& s, const std::string& line) {
     s.tool = static_cast<int>(value());
   } else if (key == "rapid") {
     s.rapid_mm_min = vectorOf(in, line);
+    s.rapid_by_default = false;
   } else if (key == "acceleration") {
     s.acceleration_mm_s2 = vectorOf(in, line);
   } else if (key == "bell") {

@@ -61,7 +61,8 @@ struct Control {
 };
 const Control kControls[] = {{ControlId::kNct, "nct-", 692, 798},
                              {ControlId::kWl4Lathe, "wl4-", 202, 202},
-                             {ControlId::kWedm, "wedm-", 93, 95}};
+                             {ControlId::kFlexNc, "fnc-", 162, 163},
+                             {ControlId::kWedm, "wedm-", 95, 95}};
 
 /// Ids of a control after "proves:" in the about sections.
 std::set<std::string> provenIds(const Control& control) {
@@ -166,7 +167,8 @@ TEST(GoldenFiles, OneChannelAloneGivesThePathOfAProgramAlone) {
     const GoldenCase golden = readGolden(path);
     // Alone, the channel's number is known and waiting codes have to name it.
     if (!golden.channels.empty() || golden.settings_text.find("N2201") != std::string::npos ||
-        golden.settings_text.find("control = w") != std::string::npos)  // wl4 and wedm have no channels
+        golden.settings_text.find("control = w") != std::string::npos ||
+        golden.settings_text.find("control = flexnc") != std::string::npos)  // these have no channels
       continue;
     std::vector<GoldenMotion> motions;
     EXPECT_EQ(runGolden(golden, motions, true), golden.expect) << path;
@@ -183,7 +185,7 @@ std::string_view lettersOf(OriginKind kind) {
     case OriginKind::kY:
       return "YVARQ";
     case OriginKind::kZ:
-      return "ZWARQ";
+      return "ZWARQY";
     case OriginKind::kCyclePlane:
       return "R#";
     case OriginKind::kTool:
@@ -205,7 +207,7 @@ std::string_view lettersOf(OriginKind kind) {
     case OriginKind::kCycle:
       return "G";
     case OriginKind::kVariable:
-      return "#";
+      return "#P";
     default:
       return {};
   }

@@ -154,11 +154,11 @@ TEST(Interpreter, ABadBlockChangesNothing) {
 
 TEST(Interpreter, ControlsAreKnownByName) {
   EXPECT_TRUE(findControl("nct").ok());
-  ASSERT_FALSE(findControl("flexnc").ok());
-  EXPECT_NE(findControl("flexnc").error().message.find("yet"), std::string::npos);
+  ASSERT_FALSE(findControl("rs274ngc").ok());
+  EXPECT_NE(findControl("rs274ngc").error().message.find("yet"), std::string::npos);
   ASSERT_FALSE(findControl("fanuc").ok());
   EXPECT_NE(findControl("fanuc").error().message.find("nct"), std::string::npos);
-  EXPECT_FALSE(coverageTable(ControlId::kFlexNc).ok());
+  EXPECT_FALSE(coverageTable(ControlId::kRs274Ngc).ok());
 }
 
 TEST(Interpreter, CoverageTableIsSound) {

@@ -243,6 +243,23 @@ TEST(WedmOffsetProperty, TheWireKeepsItsDistanceOrAnAlarmSaysWhyNot) {
   EXPECT_GT(refused, 5);
 }
 
+// Where one plane fails at the element behind the next one, nothing is sent whose end is not known there.
+TEST(WedmOffset, WhatIsSentBeforeAFailureHangsTogether) {
+  ControlSettings settings;
+  settings.parameters = {{"T", 20}, {"ZM", 20}, {"ZS", 0}};
+  const test::WedmPath run(
+      "H001=0.135;\nG90 G92 X0 Y0 U0 V0;\nC001;\nG61;\nG41 H000;\nG01 X0 Y10. : G01 X0;\nG41 H001;\n"
+      "G02 X-10. Y20. I0 J10. : X-10. Y20.;\nX0 Y30. I10. J0 : X0 Y30.;\nH001=0.135;\nG90 G92 X0 Y0 U0 V0;\n"
+      "G61;\nG41 H000;\nG01 X0 Y10.;\nM02;\n",
+      settings);
+  EXPECT_EQ(run.error(), "wedm-5.6.4-cancel");
+  ASSERT_GT(run.count(), 0u);
+  for (std::size_t k = 1; k < run.count(); ++k) {
+    EXPECT_EQ(run.wire(k).lower.from, run.wire(k - 1).lower.to) << k;
+    EXPECT_EQ(run.wire(k).upper.from, run.wire(k - 1).upper.to) << k;
+  }
+}
+
 // The distance that the check of overcut uses, by brute force.
 TEST(WedmOffsetProperty, DistancesOfElementsAreThoseOfTheirPoints) {
   std::mt19937 random(21);

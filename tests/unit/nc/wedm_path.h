@@ -5,41 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "control_path.h"
 
 namespace proveout::test {
 
-struct WedmPath {
-  Toolpath path;
-  InterpretSummary summary;
-
-  explicit WedmPath(const std::string& text, const ControlSettings& settings = {}) {
-    ToolpathBuilder builder(path);
-    summary = interpret(ControlId::kWedm, MemoryProgramSource("main.nc", text), settings, builder);
-  }
+struct WedmPath : ControlPath {
+  explicit WedmPath(const std::string& text, const ControlSettings& settings = {})
+      : ControlPath(ControlId::kWedm, text, settings) {}
   const WireSweep& wire(std::size_t k) const {
     return path.wires.at(static_cast<std::size_t>(path.motions.at(k).wire));
   }
-  std::size_t count() const { return path.motions.size(); }
   /// Where the lower, or the upper, track ends.
   std::vector<Vec2> ends(bool upper = false) const {
     std::vector<Vec2> points;
     for (std::size_t k = 0; k < count(); ++k) points.push_back(upper ? wire(k).upper.to : wire(k).lower.to);
     return points;
-  }
-  /// The first diagnostic of that severity, or an empty one.
-  Diagnostic first(Severity severity) const {
-    for (const Diagnostic& d : path.diagnostics.all()) {
-      if (d.severity == severity) return d;
-    }
-    return {};
-  }
-  std::string error() const { return first(Severity::kError).code; }
-  bool warns(const std::string& code) const {
-    for (const Diagnostic& d : path.diagnostics.all()) {
-      if (d.severity == Severity::kWarning && d.code == code) return true;
-    }
-    return false;
   }
 };
 

@@ -1,9 +1,11 @@
 // Small meshes and picture measures shared by the renderer's tests.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include "core/mesh/image.h"
 #include "core/mesh/tri_mesh.h"
@@ -40,6 +42,29 @@ inline TriMesh cylinderMesh(double radius, double height, int sides) {
     mesh.triangles.push_back({i, j + 1, i + 1});
     mesh.triangles.push_back({n, j, i});
     mesh.triangles.push_back({n + 1, i + 1, j + 1});
+  }
+  return mesh;
+}
+
+/// Closed stairs of two steps: their outline in x and z along y, turned so that no edge runs along the
+/// pixels.
+inline TriMesh stairMesh(double length) {
+  const std::vector<Vec2> outline{{0, 0}, {30, 0}, {30, 6}, {20, 6}, {20, 12}, {10, 12}, {10, 18}, {0, 18}};
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  TriMesh mesh;
+  const Eigen::AngleAxisd turn(0.3, Vec3::UnitZ());
+  for (const double y : {0.0, length}) {
+    for (const Vec2& p : outline) mesh.positions.push_back((turn * Vec3(p.x(), y, p.y())).cast<float>());
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    mesh.triangles.push_back({i, i + n, j + n});
+    mesh.triangles.push_back({i, j + n, j});
+  }
+  for (const auto& [a, b, c] : std::vector<std::array<std::uint32_t, 3>>{
+           {0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {3, 4, 5}, {0, 5, 7}, {5, 6, 7}}) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a + n, c + n, b + n});
   }
   return mesh;
 }

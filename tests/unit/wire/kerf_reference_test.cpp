@@ -1,4 +1,5 @@
-// Random ways of a wire against a slow reference: the distance of points to all stretches.
+// Random ways of a wire against a slow reference: the distance of points to all stretches
+// (wedm-x-kerf; of leaning wires in lean_solid_test.cpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -108,15 +108,17 @@ TEST(LeanSolid, FrustumOfASquare) {
 TEST(LeanSolid, WhichWaySlugsLeave) {
   const LeanSolid wedge = solidOf(polygons(square(5), square(6)), 0.1);
   ASSERT_EQ(wedge.bodies.size(), 2u);
-  const BodyExit up = exitOf(wedge, 1, 0);
+  const BodyExit up = exitOf(wedge, 1, wedge, 0);
   EXPECT_TRUE(up.up);
   EXPECT_FALSE(up.down);
   // By less than the kerf either way.
-  const BodyExit both = exitOf(solidOf(polygons(square(5), square(5.1)), 0.1), 1, 0);
+  const LeanSolid passing = solidOf(polygons(square(5), square(5.1)), 0.1);
+  const BodyExit both = exitOf(passing, 1, passing, 0);
   EXPECT_TRUE(both.up && both.down);
   std::vector<Vec2> turned;
   for (const Vec2& p : square(5)) turned.push_back(turnedBy(p, 0.2));
-  const BodyExit none = exitOf(solidOf(polygons(square(5), turned), 0.1), 1, 0);
+  const LeanSolid locked = solidOf(polygons(square(5), turned), 0.1);
+  const BodyExit none = exitOf(locked, 1, locked, 0);
   EXPECT_FALSE(none.up || none.down);
 }
 

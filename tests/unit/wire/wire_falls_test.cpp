@@ -26,7 +26,7 @@ void addSquare(std::vector<WireStretch>& way, const Vec2& at, double half) {
 
 WireFalls fallsOf(const std::vector<WireStretch>& way, const PlanePolygons& fixtures = {}) {
   std::vector<PlaneBody> last = cutSection(kPlate, way);
-  const WireHolding holding(fixtures, last);
+  const WireHolding holding(fixtures, kPlate, last);
   return findFalls(kPlate, way, std::move(last), holding);
 }
 
@@ -86,7 +86,7 @@ TEST(WireFalls, AClampHoldsThePunchAndTheFrameFalls) {
 TEST(WireFalls, ClampsAtTheSideAndInCorners) {
   const std::vector<PlaneBody> plate = cutSection(kPlate, {});
   const auto held = [&](const BoxShape& box) {
-    return WireHolding(footprintOf(solidOf(box), 0, 20), plate).byFixtures();
+    return WireHolding(footprintOf(solidOf(box), 0, 20), kPlate, plate).byFixtures();
   };
   EXPECT_TRUE(held({{20, -5, 5}, {25, 5, 15}}));
   EXPECT_TRUE(held({{20.009, -5, 5}, {25, 5, 15}}));

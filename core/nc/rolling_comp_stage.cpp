@@ -1,4 +1,4 @@
-#include "core/nc/wl4/wl4_comp_stage.h"
+#include "core/nc/rolling_comp_stage.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -35,31 +35,60 @@ bool negativeRadius(const PathItem& item) {
   return (item.sweep > 0.0 ? item.offset : -item.offset) >= radius;
 }
 
+/// Lines against their programmed direction.
+bool runsBackwards(const CompPiece& piece, const PathItem& item) {
+  if (piece.is_arc || piece.role != CompPiece::Role::kOwn || !item.comp_on ||
+      item.kind != PathItem::Kind::kLine)
+    return false;
+  const Vec2 programmed = item.plane.of(item.to).head<2>() - item.start;
+  return programmed.dot((piece.to - piece.from).head<2>()) < -kChordError * programmed.norm();
+}
+
 }  // namespace
 
-void Wl4CompStage::engage(const Vec3& start, double arc_threshold) {
+void RollingCompStage::engage(const Vec3& start, const RollingCompStyle& style) {
+  style_ = style;
+  tips_ = {Vec3(tips_.back())};
   CutterCompPolicy policy;
-  policy.start_ramp = policy.cancel_ramp = CompRamp::kA;
+  policy.start_ramp = policy.cancel_ramp = style.around_at_ends ? CompRamp::kB : CompRamp::kA;
   policy.outer_corner = CompOuterCorner::kArc;
   policy.interference_check = false;
-  policy.arc_threshold = arc_threshold;
+  policy.arc_threshold = style.arc_threshold;
+  policy.arc_least_turn_rad = style.arc_least_turn_rad;
+  policy.switch_in_arc = style.switches_in_arcs;
   begin(policy, start);
 }
 
-bool Wl4CompStage::accepts(const PathItem& item) {
+bool RollingCompStage::push(PathItem& item) {
+  item.record = static_cast<std::uint32_t>(tips_.size() - 1);
+  return CompensationStage::push(item);
+}
+
+bool RollingCompStage::accepts(const PathItem& item) {
   if (!negativeRadius(item)) return true;
-  report_.compError("wl4-negative-radius",
-                    "negative radius under compensation: the arc is smaller than the tool", item.source);
+  const char* const message = "negative radius under compensation: the arc is smaller than the tool";
+  if (style_.negative_radius_runs) {
+    report_.compWarning(CompFault::kNegativeRadius, message, item.source);
+    return true;
+  }
+  report_.compError(CompFault::kNegativeRadius, message, item.source);
   return false;
 }
 
-void Wl4CompStage::failed(const CompStatus& status) {
+void RollingCompStage::failed(const CompStatus& status) {
   const PathItem* item = waiting(status.tag);
-  report_.compError("wl4-compensation", describe(status.error), item != nullptr ? item->source : SourceRef{});
+  const bool switches = status.error == CompError::kStartInArc || status.error == CompError::kCancelInArc;
+  report_.compError(switches ? CompFault::kSwitch : CompFault::kNoPath, describe(status.error),
+                    item != nullptr ? item->source : SourceRef{});
 }
 
-bool Wl4CompStage::send(const CompPiece& piece, const PathItem& item, PathItem& out) {
-  const Vec3 tip = item.comp_on ? item.plane.of(tip_) : Vec3(Vec3::Zero());
+bool RollingCompStage::send(const CompPiece& piece, const PathItem& item, PathItem& out) {
+  if (runsBackwards(piece, item)) {
+    report_.compWarning(
+        CompFault::kTooShort,
+        "the motion is shorter than the tool's radius needs: the tool runs backwards along it", item.source);
+  }
+  const Vec3 tip = item.comp_on ? item.plane.of(tips_[item.record]) : Vec3(Vec3::Zero());
   if (piece.is_arc && item.rapid) return sendRapidArc(piece, tip, out);
   out.to[item.plane.u] += tip.x();
   out.to[item.plane.v] += tip.y();
@@ -72,7 +101,7 @@ bool Wl4CompStage::send(const CompPiece& piece, const PathItem& item, PathItem& 
 }
 
 /// Rapids are straight: an arc about a corner becomes chords.
-bool Wl4CompStage::sendRapidArc(const CompPiece& piece, const Vec3& tip, PathItem& item) {
+bool RollingCompStage::sendRapidArc(const CompPiece& piece, const Vec3& tip, PathItem& item) {
   const Vec2 arm = piece.from.head<2>() - piece.center;
   const double radius = std::max(arm.norm(), kChordError);
   const int count = std::max(1, static_cast<int>(std::ceil(std::abs(piece.sweep_rad) /

@@ -1,0 +1,25 @@
+// A mesh with fewer triangles, nowhere farther from what it was than a tolerance.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/base/progress.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace proveout {
+
+struct Simplification {
+  /// Every point of the mesh as it was is at most so far from the simplified one, and the other way round,
+  /// mm; at most the tolerance.
+  double distance_mm = 0.0;
+  std::size_t self_intersections =
+      0;  ///< pairs of triangles that run through each other and could not be parted
+};
+
+/// Takes vertices out of a closed 2-manifold mesh; those that stay keep their places. Borders between motions
+/// keep the vertices where they meet, and move by at most the tolerance between. Same result on any number of
+/// threads. None: cancelled, the mesh is as it was. `tolerance_mm` of 0 or less: nothing is done.
+std::optional<Simplification> simplifyMesh(TriMesh& mesh, double tolerance_mm, const Progress& progress);
+
+}  // namespace proveout

@@ -1,0 +1,74 @@
+// The triangles around a vertex, and by how much the surface moves where the vertex is joined with a
+// neighbour.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/geometry/types.h"
+#include "core/mesh/corner_table.h"
+
+namespace proveout {
+
+/// What stars are looked at with.
+struct StarSurroundings {
+  const CornerTable& table;
+  std::span<const Eigen::Vector3f> positions;  ///< mm
+  std::span<const Eigen::Vector3f> normals;    ///< of the triangles, unit
+  std::span<const float> error;  ///< of the triangles, mm: by how much they are off what there was, at most
+  double least_height = 0.0;     ///< triangles of less height than this, mm, are needles
+};
+
+/// Triangle j has the corners middle, ring(j), ring(j + 1).
+class VertexStar {
+ public:
+  static constexpr int kMost = 48;  ///< triangles
+
+  /// False: the vertex has too many triangles. `around` must outlive this.
+  bool look(const StarSurroundings& around, std::uint32_t middle);
+
+  int size() const { return size_; }
+  int after(int j) const { return j + 1 == size_ ? 0 : j + 1; }
+  int before(int j) const { return j == 0 ? size_ - 1 : j - 1; }
+  std::uint32_t ring(int j) const { return ring_[j]; }
+  std::uint32_t halfEdge(int j) const { return half_edge_[j]; }  ///< from the middle to ring(j)
+  std::uint32_t triangle(int j) const { return half_edge_[j] / 3; }
+  const Vec3& arm(int j) const { return arm_[j]; }  ///< from the middle to ring(j), mm
+
+  /// Finds the view in which all triangles face the viewer; false: there is none. What follows requires it.
+  bool findView();
+  /// Largest distance of ring(b) from the planes of the triangles that it is no corner of, mm.
+  double offPlanes(int b) const;
+
+  /// What takes the place of the star where its middle is joined with ring(b): triangles ring(b), ring(j),
+  /// ring(j + 1), for all j from after(b) with after(j) != b.
+  struct Change {
+    std::array<float, kMost> error;             ///< as in the surroundings
+    std::array<Eigen::Vector3f, kMost> normal;  ///< unit
+    float largest = 0.0f;                       ///< of the errors
+  };
+  /// Both are seen as heights over one plane, so that going along the view leads from either one to the
+  /// other: they are nowhere farther apart than along it, and this difference is largest where the middle is
+  /// or where an old edge crosses a new one, as it is linear between. None: the new triangles would fold, be
+  /// needles, or lean much against those that have been there.
+  std::optional<Change> join(int b) const;
+
+ private:
+  using Values = std::array<double, kMost>;
+  bool hasShape(int b, Change& change) const;
+  void addMiddle(int b, Values& moved, Values& before) const;
+  void addCrossings(int b, Values& moved, Values& before) const;
+
+  const StarSurroundings* around_ = nullptr;
+  int size_ = 0;
+  std::array<std::uint32_t, kMost> ring_, half_edge_;
+  std::array<Vec3, kMost> arm_, normal_;
+  std::array<Vec2, kMost> flat_;  ///< arms across the view
+  Values height_;                 ///< of them against it
+  Values error_;
+  double largest_error_ = 0.0;
+};
+
+}  // namespace proveout

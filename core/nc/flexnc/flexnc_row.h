@@ -1,0 +1,10 @@
+// The FlexNC lathe control in the list of controls.
+#pragma once
+
+#include "core/nc/control_row.h"
+
+namespace proveout::nc {
+
+const ControlRow& flexncRow();
+
+}  // namespace proveout::nc

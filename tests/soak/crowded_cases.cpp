@@ -1,0 +1,213 @@
+// Random milled jobs whose faces meet below the size of a cell: scallops over scallops, cones and small balls
+// side by side, cuts that graze, faces that fall together.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "tests/soak/soak_case.h"
+
+namespace proveout::soak {
+namespace {
+
+/// Lengths in cells, from the middle of the blank's top.
+class CrowdedWriter {
+ public:
+  CrowdedWriter(Random& random, double grid, double width, double depth, double height)
+      : random_(random), grid_(grid), width_(width), depth_(depth), height_(height) {}
+
+  std::string tool(int number);
+  void passes(int number);
+  Program finish() {
+    out_.add("M30");
+    return std::move(out_);
+  }
+  void begin() { out_.add("G21 G90 G17 G40"); }
+
+ private:
+  double x() { return random_.number(-0.55, 0.55) * width_; }
+  double y() { return random_.number(-0.55, 0.55) * depth_; }
+  /// How deep a pass goes; some touch the top only, some fall together.
+  double down() {
+    switch (random_.whole(0, 3)) {
+      case 0:
+        return -random_.number(0.01, 0.3);
+      case 1:
+        return -0.25 * height_ * random_.whole(1, 3);
+      default:
+        return -random_.number(0.3, 0.7 * height_);
+    }
+  }
+  std::string at(double x, double y, double z) const {
+    return fmt::format("X{:.4f} Y{:.4f} Z{:.4f}", grid_ * x, grid_ * y, grid_ * z);
+  }
+  void start(double x, double y, double z) {
+    out_.stops.push_back(out_.lines);
+    out_.add(fmt::format("G0 Z{:.4f}", 10.0 * grid_));
+    out_.add(fmt::format("G0 X{:.4f} Y{:.4f}", grid_ * x, grid_ * y));
+    out_.add(fmt::format("G1 Z{:.4f} F300", grid_ * z));
+  }
+  void line(double x, double y, double z) { out_.add("G1 " + at(x, y, z)); }
+  void scallops();
+  void zigzag();
+  void holes();
+  void steps();
+  void circles();
+  void chords();
+
+  Random& random_;
+  double grid_, width_, depth_, height_;
+  double diameter_ = 4.0;  ///< of the tool in hand
+  std::array<double, 8> diameters_{};
+  Program out_;
+};
+
+std::string CrowdedWriter::tool(int number) {
+  const double d = random_.chance(0.5) ? random_.number(2.1, 5.0) : random_.number(5.0, 16.0);
+  diameters_[static_cast<std::size_t>(number)] = d;
+  return randomTool(random_, number, grid_ * d);
+}
+
+/// Parallel passes, level or over a wave, at any angle.
+void CrowdedWriter::scallops() {
+  const double angle = random_.chance(0.4) ? 0.0 : random_.number(0.0, 3.14);
+  const double step = diameter_ * random_.number(0.1, 0.9), level = down();
+  const double wave = random_.chance(0.5) ? 0.0 : random_.number(0.1, 2.0),
+               length = random_.number(4.0, 30.0), half = 0.4 * std::min(width_, depth_);
+  const int count = std::min(14, static_cast<int>(2.0 * half / step));
+  for (int i = 0; i <= count; ++i) {
+    const double v = -half + i * step;
+    const auto point = [&](double u, bool first) {
+      const double z = level - wave * (1.0 + std::sin(u / length * 6.28 + 0.1 * v));
+      const double px = u * std::cos(angle) - v * std::sin(angle),
+                   py = u * std::sin(angle) + v * std::cos(angle);
+      first ? start(px, py, z) : line(px, py, z);
+    };
+    const int pieces = wave > 0.0 ? random_.whole(4, 12) : 1;
+    for (int k = 0; k <= pieces; ++k) point(-half + 2.0 * half * k / pieces, k == 0);
+  }
+}
+
+/// A line that turns at every corner and rises and falls, as engraving does.
+void CrowdedWriter::zigzag() {
+  const int corners = random_.whole(4, 16);
+  const double pitch = 0.8 * width_ / corners, reach = random_.number(1.0, 0.4 * depth_), middle = 0.5 * y();
+  const double low = down(), high = random_.chance(0.5) ? low : random_.number(low, 0.2);
+  start(-0.4 * width_, middle, low);
+  for (int i = 1; i <= corners; ++i)
+    line(-0.4 * width_ + i * pitch, middle + (i % 2 == 0 ? -reach : reach), i % 2 == 0 ? low : high);
+}
+
+/// Plunges beside each other, some at one depth.
+void CrowdedWriter::holes() {
+  const int count = random_.whole(3, 25);
+  const double level = down(), px = x(), py = y();
+  for (int i = 0; i < count; ++i) {
+    const double z = random_.chance(0.5) ? level : down();
+    const double spread = diameter_ * 0.02 * random_.whole(10, 60);
+    start(0.6 * px + spread * (i % 5), 0.6 * py + spread * (i / 5), z);
+  }
+}
+
+/// Slots whose walls and floors fall together or nearly do.
+void CrowdedWriter::steps() {
+  const double px = x(), py = y(), level = down();
+  const int count = random_.whole(2, 6);
+  for (int i = 0; i < count; ++i) {
+    const double shift = diameter_ * 0.25 * random_.whole(-4, 4) + (random_.chance(0.5) ? 0.0 : 0.02);
+    const double z = level + (random_.chance(0.6) ? 0.0 : random_.number(-0.3, 0.3));
+    if (random_.chance(0.5)) {
+      start(px + shift, -0.6 * depth_, z);
+      line(px + shift, 0.6 * depth_ * random_.unit(), z);
+    } else {
+      start(-0.6 * width_, py + shift, z);
+      line(0.6 * width_ * random_.unit(), py + shift, z);
+    }
+  }
+}
+
+/// Arcs, circles, helices and spirals about nearby centers.
+void CrowdedWriter::circles() {
+  const int count = random_.whole(1, 5);
+  const double px = 0.5 * x(), py = 0.5 * y();
+  for (int i = 0; i < count; ++i) {
+    const double radius = random_.number(0.3, 0.35 * std::min(width_, depth_)),
+                 from = random_.number(0.0, 6.28), to = random_.number(0.0, 6.28);
+    const double cx = px + random_.number(-2.0, 2.0), cy = py + random_.number(-2.0, 2.0), z = down();
+    const bool full = random_.chance(0.4);
+    start(cx + radius * std::cos(from), cy + radius * std::sin(from), z);
+    const double a = full ? from : to, end = random_.chance(0.5) ? z : down();
+    out_.add(fmt::format("G{} {} I{:.4f} J{:.4f}{}", random_.whole(2, 3),
+                         at(cx + radius * std::cos(a), cy + radius * std::sin(a), end),
+                         -grid_ * radius * std::cos(from), -grid_ * radius * std::sin(from),
+                         end != z && random_.chance(0.5) ? fmt::format(" L{}", random_.whole(2, 6)) : ""));
+  }
+}
+
+/// Lines from anywhere to anywhere.
+void CrowdedWriter::chords() {
+  start(x(), y(), down());
+  const int count = random_.whole(2, 10);
+  for (int i = 0; i < count; ++i) line(x(), y(), random_.chance(0.2) ? random_.number(0.0, 2.0) : down());
+}
+
+void CrowdedWriter::passes(int number) {
+  diameter_ = diameters_[static_cast<std::size_t>(number)];
+  out_.add(fmt::format("T{} M6", number));
+  out_.add("S1000 M3");
+  for (int rest = random_.whole(1, 3); rest > 0; --rest) {
+    switch (random_.whole(0, 6)) {
+      case 0:
+      case 1:
+        scallops();
+        break;
+      case 2:
+        zigzag();
+        break;
+      case 3:
+        holes();
+        break;
+      case 4:
+        steps();
+        break;
+      case 5:
+        circles();
+        break;
+      default:
+        chords();
+    }
+  }
+  out_.add(fmt::format("G0 Z{:.4f}", 10.0 * grid_));
+}
+
+}  // namespace
+
+void makeCrowded(Random& random, SoakCase& out) {
+  constexpr std::array<double, 4> kGrids = {0.2, 0.25, 0.5, 1.0};
+  const double grid = kGrids[static_cast<std::size_t>(random.whole(0, 3))];
+  const double width = random.number(16, 44), depth = random.number(16, 44), height = random.number(5, 16);
+  CrowdedWriter writer(random, grid, width, depth, height);
+  const int tools = random.whole(1, 3);
+  std::string rest;
+  for (int tool = 1; tool <= tools; ++tool) rest += writer.tool(tool);
+  writer.begin();
+  for (int tool = 1; tool <= tools; ++tool) writer.passes(tool);
+  const Program program = writer.finish();
+  const auto job = [&](const char* file) {
+    return fmt::format(
+        "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"{}\"\n[stock]\nshape = \"box\"\nmin = "
+        "[{:.4f}, {:.4f}, {:.4f}]\nmax = [{:.4f}, {:.4f}, 0]\n{}[simulation]\nresolution = {:g}\n",
+        file, -0.5 * grid * width, -0.5 * grid * depth, -grid * height, 0.5 * grid * width,
+        0.5 * grid * depth, rest, grid);
+  };
+  out.files["part.nc"] = program.text;
+  out.files["idle.nc"] =
+      fmt::format("G21 G90 G17\nT1 M6\nS1000 M3\nG0 X0 Y0 Z{:.3f}\nG1 X1 F300\nM30\n", 20.0 * grid);
+  out.stops = program.stops;
+  out.files["job.toml"] = job("part.nc");
+  out.files["idle.toml"] = job("idle.nc");
+}
+
+}  // namespace proveout::soak

@@ -1,0 +1,37 @@
+=== about
+Contour of a hole: G22.2A190Y50R12U16G43P0C-2K1. Points, centres and pass ends from the formulas of the digest, made apart
+from the control.
+proves: fnc-3.5-G22.2 fnc-3.1-contour fnc-3.1-K
+=== settings
+control = flexnc
+start = 100 0 50
+=== main
+T1M06D1
+S300M03
+G98F100
+G22.2A190Y50R12U16G43P0C-2K1
+G81X200Z100
+M02
+=== truth
+93 0 0
+95 0 0
+86.223756 0 -3.81602 center 95 0 -12 sweep -47
+53.332077 0 -39.088026
+49.033737 0 -50 center 65.033737 0 -50 sweep -43
+49.033737 0 0
+100 0 100
+=== expect
+file 0 main.nc
+1: event tool tool=1
+2: event spindle rpm=300 direction="cw"
+file 1 G22.2 of line 4
+1/1 depth 1: rapid from 100 0 50 to 93 0 0 t0.2
+1/2 depth 1: feed to 95 0 0 F100 t1.2
+1/3 depth 1: feed arc to 86.2238 0 -3.816 center 95 0 -12 normal 0 1 0 sweep -47 F100 t5.9062
+1/4 depth 1: feed to 53.3321 0 -39.088 F100 t28.937
+1/5 depth 1: feed arc to 49.0337 0 -50 center 65.0337 0 -50 normal 0 1 0 sweep -43 F100 t7.2047
+1/6 depth 1: rapid to 49.0337 0 0 t0.2
+5: rapid to 100 0 100 t0.4
+6: event spindle rpm=0 direction="stop"
+6: event end code="M02"
+end of program: 6 blocks, 7 motions, 0 errors, 0 warnings

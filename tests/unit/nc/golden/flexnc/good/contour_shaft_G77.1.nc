@@ -1,0 +1,35 @@
+=== about
+Contour of a shaft: G77.1X120Y30G37P0C2K1. Points, centres and pass ends from the formulas of the digest, made apart
+from the control.
+proves: fnc-3.4-G77.1 fnc-3.1-contour fnc-3.1-K
+=== settings
+control = flexnc
+start = 100 0 50
+=== main
+T1M06D1
+S300M03
+G98F100
+G77.1X120Y30G37P0C2K1
+G81X200Z100
+M02
+=== truth
+39.393378 0 0
+37.393378 0 0
+60 0 -30
+62 0 -30
+62 0 0
+100 0 100
+=== expect
+file 0 main.nc
+1: event tool tool=1
+2: event spindle rpm=300 direction="cw"
+file 1 G77.1 of line 4
+1/1 depth 1: rapid from 100 0 50 to 39.3934 0 0 t0.2424
+1/2 depth 1: feed to 37.3934 0 0 F100 t1.2
+1/3 depth 1: feed to 60 0 -30 F100 t22.5384
+1/4 depth 1: rapid to 62 0 -30 t0.008
+1/4 depth 1: rapid to 62 0 0 t0.12
+5: rapid to 100 0 100 t0.4
+6: event spindle rpm=0 direction="stop"
+6: event end code="M02"
+end of program: 6 blocks, 6 motions, 0 errors, 0 warnings

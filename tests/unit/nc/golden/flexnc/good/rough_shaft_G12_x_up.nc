@@ -1,0 +1,142 @@
+=== about
+Roughing of a shaft: G12X60R20Z10P1.5C2B2V0. Points, centres and pass ends from the formulas of the digest, made apart
+from the control.
+proves: fnc-3.2-G12 fnc-3.1-rough fnc-3.1-P fnc-3.1-C fnc-3.1-B fnc-3.1-V fnc-3.1-C5
+=== settings
+control = flexnc
+start = 100 0 50
+param.arc_view = 1
+=== main
+T1M06D1
+S300M03
+G98F100
+G12X60R20Z10P1.5C2B2V0
+G81X200Z100
+M02
+=== truth
+32 0 2
+28.5 0 2
+28.5 0 -29.943671
+28.9 0 -29.943671
+28.9 0 2
+27 0 2
+27 0 -29.77372
+27.4 0 -29.77372
+27.4 0 2
+25.5 0 2
+25.5 0 -29.487175
+25.9 0 -29.487175
+25.9 0 2
+24 0 2
+24 0 -29.078784
+24.4 0 -29.078784
+24.4 0 2
+22.5 0 2
+22.5 0 -28.540496
+22.9 0 -28.540496
+22.9 0 2
+21 0 2
+21 0 -27.860571
+21.4 0 -27.860571
+21.4 0 2
+19.5 0 2
+19.5 0 -27.022045
+19.9 0 -27.022045
+19.9 0 2
+18 0 2
+18 0 -26
+18.4 0 -26
+18.4 0 2
+16.5 0 2
+16.5 0 -24.756355
+16.9 0 -24.756355
+16.9 0 2
+15 0 2
+15 0 -23.228757
+15.4 0 -23.228757
+15.4 0 2
+13.5 0 2
+13.5 0 -21.302655
+13.9 0 -21.302655
+13.9 0 2
+12 0 2
+12 0 -18.717798
+12.4 0 -18.717798
+12.4 0 2
+10.5 0 2
+10.5 0 -14.444097
+10.9 0 -14.444097
+10.9 0 2
+10 0 2
+10 0 -10
+30 0 -30 center 30 0 -10 sweep -90
+32 0 -30
+32 0 2
+100 0 100
+=== expect
+file 0 main.nc
+1: event tool tool=1
+2: event spindle rpm=300 direction="cw"
+file 1 G12 of line 4
+1/1 depth 1: rapid from 100 0 50 to 32 0 2 t0.272
+1/2 depth 1: feed to 28.5 0 2 F100 t2.1
+1/3 depth 1: feed to 28.5 0 -29.9437 F100 t19.1662
+1/4 depth 1: feed to 28.9 0 -29.9437 F100 t0.24
+1/5 depth 1: rapid to 28.9 0 2 t0.1278
+1/6 depth 1: feed to 27 0 2 F100 t1.14
+1/7 depth 1: feed to 27 0 -29.7737 F100 t19.0642
+1/8 depth 1: feed to 27.4 0 -29.7737 F100 t0.24
+1/9 depth 1: rapid to 27.4 0 2 t0.1271
+1/10 depth 1: feed to 25.5 0 2 F100 t1.14
+1/11 depth 1: feed to 25.5 0 -29.4872 F100 t18.8923
+1/12 depth 1: feed to 25.9 0 -29.4872 F100 t0.24
+1/13 depth 1: rapid to 25.9 0 2 t0.1259
+1/14 depth 1: feed to 24 0 2 F100 t1.14
+1/15 depth 1: feed to 24 0 -29.0788 F100 t18.6473
+1/16 depth 1: feed to 24.4 0 -29.0788 F100 t0.24
+1/17 depth 1: rapid to 24.4 0 2 t0.1243
+1/18 depth 1: feed to 22.5 0 2 F100 t1.14
+1/19 depth 1: feed to 22.5 0 -28.5405 F100 t18.3243
+1/20 depth 1: feed to 22.9 0 -28.5405 F100 t0.24
+1/21 depth 1: rapid to 22.9 0 2 t0.1222
+1/22 depth 1: feed to 21 0 2 F100 t1.14
+1/23 depth 1: feed to 21 0 -27.8606 F100 t17.9163
+1/24 depth 1: feed to 21.4 0 -27.8606 F100 t0.24
+1/25 depth 1: rapid to 21.4 0 2 t0.1194
+1/26 depth 1: feed to 19.5 0 2 F100 t1.14
+1/27 depth 1: feed to 19.5 0 -27.022 F100 t17.4132
+1/28 depth 1: feed to 19.9 0 -27.022 F100 t0.24
+1/29 depth 1: rapid to 19.9 0 2 t0.1161
+1/30 depth 1: feed to 18 0 2 F100 t1.14
+1/31 depth 1: feed to 18 0 -26 F100 t16.8
+1/32 depth 1: feed to 18.4 0 -26 F100 t0.24
+1/33 depth 1: rapid to 18.4 0 2 t0.112
+1/34 depth 1: feed to 16.5 0 2 F100 t1.14
+1/35 depth 1: feed to 16.5 0 -24.7564 F100 t16.0538
+1/36 depth 1: feed to 16.9 0 -24.7564 F100 t0.24
+1/37 depth 1: rapid to 16.9 0 2 t0.107
+1/38 depth 1: feed to 15 0 2 F100 t1.14
+1/39 depth 1: feed to 15 0 -23.2288 F100 t15.1373
+1/40 depth 1: feed to 15.4 0 -23.2288 F100 t0.24
+1/41 depth 1: rapid to 15.4 0 2 t0.1009
+1/42 depth 1: feed to 13.5 0 2 F100 t1.14
+1/43 depth 1: feed to 13.5 0 -21.3027 F100 t13.9816
+1/44 depth 1: feed to 13.9 0 -21.3027 F100 t0.24
+1/45 depth 1: rapid to 13.9 0 2 t0.0932
+1/46 depth 1: feed to 12 0 2 F100 t1.14
+1/47 depth 1: feed to 12 0 -18.7178 F100 t12.4307
+1/48 depth 1: feed to 12.4 0 -18.7178 F100 t0.24
+1/49 depth 1: rapid to 12.4 0 2 t0.0829
+1/50 depth 1: feed to 10.5 0 2 F100 t1.14
+1/51 depth 1: feed to 10.5 0 -14.4441 F100 t9.8665
+1/52 depth 1: feed to 10.9 0 -14.4441 F100 t0.24
+1/53 depth 1: rapid to 10.9 0 2 t0.0658
+1/54 depth 1: feed to 10 0 2 F100 t0.54
+1/55 depth 1: feed to 10 0 -10 F100 t7.2
+1/56 depth 1: feed arc to 30 0 -30 center 30 0 -10 normal 0 1 0 sweep -90 F100 t18.8496
+1/57 depth 1: rapid to 32 0 -30 t0.008
+1/58 depth 1: rapid to 32 0 2 t0.128
+5: rapid to 100 0 100 t0.392
+6: event spindle rpm=0 direction="stop"
+6: event end code="M02"
+end of program: 6 blocks, 59 motions, 0 errors, 0 warnings
