@@ -173,7 +173,8 @@ void addTemplate(CLI::App& root, TemplateOptions& o) {
       ->allow_extra_args(false);
   app->add_flag("--list", o.list, "Print the parameters instead, with meaning, range and default");
   app->add_flag("--json", o.json, "With --list: as JSON");
-  app->add_option("--encoding", o.encoding, "Of the files: auto, utf-8, koi8-r, cp1251, gb18030; default: auto")
+  app->add_option("--encoding", o.encoding,
+                  "Of the files: auto, utf-8, koi8-r, cp1251, gb18030; default: auto")
       ->option_text("NAME")
       ->check(CLI::IsMember({"auto", "utf-8", "koi8-r", "cp1251", "gb18030"}));
   app->add_option("-o,--output", o.output, "Write the program into this file")

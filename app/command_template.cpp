@@ -22,8 +22,9 @@ std::string rangeOf(const nc::TemplateParameter& p) {
 void printParameters(Console& console, const nc::Template& text) {
   console.out << fmt::format("{:<12} {:<10} {:<16} {}\n", "parameter", "default", "range", "meaning");
   for (const nc::TemplateParameter& p : text.parameters) {
-    const std::string line = fmt::format("{:<12} {:<10} {:<16} {}", "[" + p.name + "]", p.value.value_or("-"),
-                                         p.min || p.max ? rangeOf(p) : "-", p.meaning.empty() ? "-" : p.meaning);
+    const std::string line =
+        fmt::format("{:<12} {:<10} {:<16} {}", "[" + p.name + "]", p.value.value_or("-"),
+                    p.min || p.max ? rangeOf(p) : "-", p.meaning.empty() ? "-" : p.meaning);
     console.out << printable(line) << "\n";
   }
 }

@@ -46,7 +46,8 @@ void readProgram(ConfigTable& table, Job& job) {
   const bool named = table.document().programs_in_memory;
   if (table.find("template") != nullptr)
     readTemplateUse(table, job);
-  else if (const auto program = named ? table.must("program").text("program") : table.must("program").path("program"))
+  else if (const auto program =
+               named ? table.must("program").text("program") : table.must("program").path("program"))
     job.program = *program;
   if (!job.filled && !named && nc::isTemplateName(job.program))
     fillWithDefaults(job.program, job, *table.document().diagnostics);

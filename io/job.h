@@ -81,7 +81,7 @@ struct FixtureSpec {
 
 /// A program that is a template: `program` names the file, these are the numbers in its fields.
 struct TemplateUse {
-  std::map<std::string, std::string> values;     ///< by parameter, as text
+  std::map<std::string, std::string> values;    ///< by parameter, as text
   TextEncoding encoding = TextEncoding::kAuto;  ///< of the template; what comes out of it is UTF-8
 };
 

@@ -25,17 +25,15 @@ std::string_view trimmed(std::string_view text) {
 
 std::optional<double> numberOf(std::string_view text) {
   double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value,
-                                            std::chars_format::fixed);
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
   const bool whole = error == std::errc() && end == text.data() + text.size();
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// A name in brackets within a line; columns from 0.
-struct Place {
-  std::size_t open, close;
-  std::string name;
-};
+bool inRange(const TemplateParameter& p, double number) {
+  return (!p.min || number >= *p.min) && (!p.max || number <= *p.max);
+}
 
 class Reader {
  public:
@@ -55,7 +53,8 @@ class Reader {
     Diagnostic d;
     d.code = "template";
     d.message = std::move(message);
-    d.where = {text_.name, static_cast<int>(line_) + 1, static_cast<int>(begin) + 1, static_cast<int>(end) + 1};
+    d.where = {text_.name, static_cast<int>(line_) + 1, static_cast<int>(begin) + 1,
+               static_cast<int>(end) + 1};
     d.source_line = text_.lines[line_];
     diagnostics_.add(std::move(d));
   }
@@ -84,9 +83,12 @@ class Reader {
       return error(close + 1, end, "between name and meaning stands = default, min..max, or one of the two");
     if (parameter.min && parameter.max && !(*parameter.min <= *parameter.max))
       return error(close + 1, end, "the range is empty");
+    if (parameter.value && !inRange(parameter, *numberOf(*parameter.value)))
+      return error(close + 1, end, "the default is not in the range");
     TemplateParameter& known = parameterNamed(parameter.name, open, close + 1);
     if (const auto [first, is_new] = declared_.emplace(parameter.name, line_ + 1); !is_new)
-      return error(open, close + 1, fmt::format("[{}] is declared in line {} already", known.name, first->second));
+      return error(open, close + 1,
+                   fmt::format("[{}] is declared in line {} already", known.name, first->second));
     parameter.used = known.used;
     known = std::move(parameter);
   }
@@ -122,7 +124,8 @@ class Reader {
     const std::string_view low = trimmed(text.substr(0, dots)), high = trimmed(text.substr(dots + 2));
     parameter.min = numberOf(low);
     parameter.max = numberOf(high);
-    return (low.empty() || parameter.min) && (high.empty() || parameter.max) && !(low.empty() && high.empty());
+    return (low.empty() || parameter.min) && (high.empty() || parameter.max) &&
+           !(low.empty() && high.empty());
   }
 
   void uses(const std::string& line) {
@@ -146,7 +149,8 @@ class Reader {
 };
 
 /// The line with the values of the names in it; in comments names without value stay.
-std::string filled(const std::string& line, const std::function<const std::string*(const std::string&)>& valueOf) {
+std::string filled(const std::string& line,
+                   const std::function<const std::string*(const std::string&)>& valueOf) {
   std::string out;
   for (std::size_t i = 0; i < line.size();) {
     const std::size_t close = line[i] == '[' ? line.find_first_of("[]", i + 1) : std::string::npos;
@@ -186,7 +190,8 @@ std::vector<std::string> Template::names() const {
   return out;
 }
 
-std::optional<Template> readTemplate(const ProgramText& text, TextEncoding encoding, Diagnostics& diagnostics) {
+std::optional<Template> readTemplate(const ProgramText& text, TextEncoding encoding,
+                                     Diagnostics& diagnostics) {
   const auto refuse = [&](std::string message) {
     Diagnostic d;
     d.code = "template";
@@ -198,7 +203,8 @@ std::optional<Template> readTemplate(const ProgramText& text, TextEncoding encod
   if (text.bytes.size() > kMaxTemplateBytes)
     return refuse(fmt::format("larger than {} MiB: no template", kMaxTemplateBytes >> 20));
   if (isContainer(text.bytes))
-    return refuse("this is a container of the FlexNC shell, whose format is not published: export as .pmc (Save Text)");
+    return refuse(
+        "this is a container of the FlexNC shell, whose format is not published: export as .pmc (Save Text)");
   const Result<std::string> utf8 = decodeText(text.bytes, encoding);
   if (!utf8) return refuse(utf8.error().message);
   const SourceText source(text.name, text.path, *utf8);
@@ -223,13 +229,14 @@ std::string refusalOf(const Template& text, const std::string& parameter, const 
     const std::string nearest = nearestName(parameter, text.names());
     if (!nearest.empty())
       return fmt::format("{} has no parameter [{}]; do you mean [{}]?", text.name, parameter, nearest);
-    return fmt::format("{} has no parameter [{}]; it has {}", text.name, parameter,
-                       text.parameters.empty() ? "none" : fmt::format("[{}]", fmt::join(text.names(), "], [")));
+    return fmt::format(
+        "{} has no parameter [{}]; it has {}", text.name, parameter,
+        text.parameters.empty() ? "none" : fmt::format("[{}]", fmt::join(text.names(), "], [")));
   }
   if (value.empty()) return fmt::format("[{}] is empty: all fields must be filled in", parameter);
   const std::optional<double> number = numberOf(value);
   if (!number) return fmt::format("[{}] must be a decimal number, not '{}'", parameter, value);
-  if ((known->min && *number < *known->min) || (known->max && *number > *known->max))
+  if (!inRange(*known, *number))
     return fmt::format("[{}] must be {}, not {}", parameter, rangeText(*known), value);
   return {};
 }

@@ -1,7 +1,7 @@
 // Templates of the FlexNC shell as text: a program in which [name] stands for a number that is filled in.
 //
-// The manual tells what stands in the text; how a parameter's meaning, default and range are kept it does not,
-// since its files are containers of the shell. Here they are comment lines of their own,
+// The manual tells what stands in the text; how a parameter's meaning, default and range are kept it does
+// not, since its files are containers of the shell. Here they are comment lines of their own,
 //   //@ [D] = 40, 10..200: diameter of the bar, mm
 // of which everything behind the name may be left out. These lines are no part of the program.
 #pragma once
@@ -44,17 +44,19 @@ struct Template {
   std::vector<std::string> names() const;
 };
 
-/// Reads a template. Errors, each with its place: a container of the shell (binary: export it as .pmc), text in
-/// another encoding, brackets without partner or name, two declarations of a name, bad defaults and ranges.
-std::optional<Template> readTemplate(const ProgramText& text, TextEncoding encoding, Diagnostics& diagnostics);
+/// Reads a template. Errors, each with its place: a container of the shell (binary: export it as .pmc), text
+/// in another encoding, brackets without partner or name, two declarations of a name, bad defaults and
+/// ranges.
+std::optional<Template> readTemplate(const ProgramText& text, TextEncoding encoding,
+                                     Diagnostics& diagnostics);
 
-/// Why the template does not take this value: no such parameter (with the nearest name), no number, empty, out
-/// of range. Empty: it does.
+/// Why the template does not take this value: no such parameter (with the nearest name), no number, empty,
+/// out of range. Empty: it does.
 std::string refusalOf(const Template& text, const std::string& parameter, const std::string& value);
 
-/// The program, one line for each line of the template, so that numbers of lines stay: declarations become empty
-/// lines. All values must have passed refusalOf(). Errors: a parameter without value (with its place), a
-/// program that gets too large.
+/// The program, one line for each line of the template, so that numbers of lines stay: declarations become
+/// empty lines. All values must have passed refusalOf(). Errors: a parameter without value (with its place),
+/// a program that gets too large.
 std::optional<std::vector<std::string>> fillTemplate(const Template& text, const TemplateValues& values,
                                                      Diagnostics& diagnostics);
 
