@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "io/template_files.h"
+
 namespace proveout {
 namespace {
 
@@ -23,6 +25,14 @@ class Collector {
       if (!std::filesystem::is_directory(path, error)) add("subprogram", path);
     }
   }
+  /// The main file of a template or set, and the templates that a set names.
+  void addTemplates(const std::string& path, const std::optional<TemplateUse>& use) {
+    if (!use) return;
+    add("program", path);
+    Diagnostics told_elsewhere;
+    const auto filled = fillFile(path, *use, told_elsewhere);
+    for (std::size_t i = 1; filled && i < filled->files.size(); ++i) add("template", filled->files[i].path);
+  }
   std::vector<InputFile> files;
 };
 
@@ -36,11 +46,21 @@ std::vector<InputFile> namedInputs(const Job& job) {
     const Job part = jobOfSetup(job, k);
     if (k < job.setups.size()) found.add("machine", job.setups[k].machine_file);
     found.addPrograms(part.program, part.subprograms);
+    found.addTemplates(part.program, part.filled);
     for (const ChannelSpec& channel : part.channels) found.addPrograms(channel.program, channel.subprograms);
     for (const FixtureSpec& fixture : part.fixtures) found.addShape("fixture", fixture.shape);
   }
   if (job.stock) found.addShape("stock", *job.stock);
   if (job.nominal) found.add("nominal", job.nominal->mesh.path);
+  return std::move(found.files);
+}
+
+std::vector<InputFile> templatesOf(const Job& job) {
+  Collector found;
+  for (std::size_t k = 0; k < setupCount(job); ++k) {
+    const Job part = jobOfSetup(job, k);
+    found.addTemplates(part.program, part.filled);
+  }
   return std::move(found.files);
 }
 

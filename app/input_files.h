@@ -11,12 +11,15 @@
 namespace proveout {
 
 struct InputFile {
-  std::string role;  ///< "job", "machine", "program", "subprogram", "stock", "fixture", "nominal"
+  std::string role;  ///< "job", "machine", "program", "subprogram", "template", "stock", "fixture", "nominal"
   std::string path;  ///< as it is opened
 };
 
 /// What the job names, known before anything is read. Folders of subprograms are not among them.
 std::vector<InputFile> namedInputs(const Job& job);
+
+/// The templates and sets that the job fills in, with the templates that sets name.
+std::vector<InputFile> templatesOf(const Job& job);
 
 void protectAll(const std::vector<InputFile>& files, OutputGuard& guard);
 

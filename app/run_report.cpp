@@ -10,6 +10,7 @@
 #include <map>
 #include <thread>
 
+#include "app/input_files.h"
 #include "app/session/findings.h"
 #include "app/session/uncertainty.h"
 #include "core/tool/tool_table.h"
@@ -189,11 +190,16 @@ Result<std::vector<FileHash>> hashInputs(const Job& job, const RunSources& sourc
   for (const SetupSpec& setup : job.setups) {
     if (!setup.machine_file.empty()) add("machine", setup.machine_file);
   }
+  const std::vector<InputFile> templates = templatesOf(job);
+  for (const InputFile& file : templates) add(file.role, file.path);
   for (const RecordingSource* source : sources) {
     const std::size_t channels = source->channels().size();
     for (const ProgramText& text : source->texts()) {
       // The main programs of all channels are loaded before anything is called.
       const bool main = &text - source->texts().data() < static_cast<std::ptrdiff_t>(channels);
+      if (std::any_of(templates.begin(), templates.end(),
+                      [&](const InputFile& f) { return f.path == text.path; }))
+        continue;  // filled in: what lies in the file is hashed below
       FileHash hash{main ? "program" : "subprogram", text.path, text.bytes.size(), sha256Hex(text.bytes)};
       const auto same = [&](const FileHash& other) {
         return other.path == hash.path && other.role == hash.role;

@@ -40,13 +40,17 @@ std::optional<nc::FilledProgram> fillFile(const std::string& path, const Templat
 
 Result<ProgramText> TemplateProgramSource::mainProgram() const {
   Diagnostics diagnostics;
-  const auto filled = fillFile(path_, use_, diagnostics);
+  auto filled = fillFile(path_, use_, diagnostics);
   if (!filled) {
     const Diagnostic& first = diagnostics.all().front();
     const std::string line = first.where.line > 0 ? ":" + std::to_string(first.where.line) : std::string();
     return inputError(first.where.file + line + ": " + first.message);
   }
-  return ProgramText{fs::path(path_).filename().string(), path_, filled->text()};
+  ProgramText text{fs::path(path_).filename().string(), path_, filled->text()};
+  // The lines of a template alone are where they were.
+  if (filled->origins.files.size() > 1)
+    text.origins = std::make_shared<const TextOrigins>(std::move(filled->origins));
+  return text;
 }
 
 }  // namespace proveout

@@ -11,6 +11,7 @@
 
 #include "app/session/clearance.h"
 #include "app/session/job_defaults.h"
+#include "app/session/origin_sink.h"
 #include "app/session/process/process.h"
 #include "app/session/stock_probe.h"
 #include "core/nc/source_text.h"
@@ -107,25 +108,46 @@ std::vector<const ProgramSource*> RecordingSource::channels() const {
   return all;
 }
 
-std::string RecordingSource::line(const std::string& file, std::uint32_t number) const {
-  auto found = lines_.find(file);
-  if (found == lines_.end()) {
-    found = lines_.emplace(file, std::vector<std::string>()).first;
-    const auto named = [&](const ProgramText& text) { return text.name == file; };
-    const auto text = std::find_if(texts_.begin(), texts_.end(), named);
-    if (text != texts_.end()) {
-      if (const Result<std::string> utf8 = nc::decodeText(text->bytes, encoding_); utf8) {
-        const nc::SourceText source(text->name, text->path, *utf8);
-        found->second.assign(source.lines().begin(), source.lines().end());
-      }
-    }
+const TextOrigins* RecordingSource::origins(const std::string& file) const {
+  const auto named = [&](const ProgramText& text) { return text.name == file; };
+  const auto text = std::find_if(texts_.begin(), texts_.end(), named);
+  return text == texts_.end() ? nullptr : text->origins.get();
+}
+
+void RecordingSource::readLines(const ProgramText& text) const {
+  std::vector<std::string>& own = lines_[text.name];
+  const Result<std::string> utf8 = nc::decodeText(text.bytes, encoding_);
+  if (!utf8) return;
+  const nc::SourceText source(text.name, text.path, *utf8);
+  if (text.origins == nullptr) {
+    own.assign(source.lines().begin(), source.lines().end());
+    return;
   }
+  const std::size_t count = std::min(source.lines().size(), text.origins->lines.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const TextOrigins::Line& origin = text.origins->lines[i];
+    std::vector<std::string>& lines = lines_[text.origins->files[origin.file]];
+    if (lines.size() < origin.line) lines.resize(origin.line);
+    lines[origin.line - 1] = source.lines()[i];
+  }
+}
+
+std::string RecordingSource::line(const std::string& file, std::uint32_t number) const {
+  for (const ProgramText& text : texts_) {
+    if (!lines_.contains(text.name)) readLines(text);
+  }
+  const auto found = lines_.find(file);
+  if (found == lines_.end()) return {};
   return number >= 1 && number <= found->second.size() ? found->second[number - 1] : std::string();
 }
 
 bool RecordingSource::has(const std::string& file) const {
-  return std::any_of(texts_.begin(), texts_.end(),
-                     [&](const ProgramText& text) { return text.name == file; });
+  return std::any_of(texts_.begin(), texts_.end(), [&](const ProgramText& text) {
+    if (text.name == file) return true;
+    if (text.origins == nullptr) return false;
+    const std::vector<std::string>& files = text.origins->files;
+    return std::find(files.begin(), files.end(), file) != files.end();
+  });
 }
 
 JobSources::JobSources(const Job& job) {
@@ -158,7 +180,9 @@ ControlSettings controlSettings(const Job& job, const Box3& blank) {
 InterpretSummary interpretJob(const Job& job, ControlId control, const RecordingSource& source,
                               const ControlSettings& settings, MotionSink& sink, Progress& progress,
                               const ControlHost& host) {
-  if (job.channels.empty()) return interpret(control, source, settings, sink, &progress, host);
+  OriginSink placed(sink, source);  // a filled set tells the lines of its templates
+  if (job.channels.empty())
+    return interpret(control, source, settings, job.filled ? placed : sink, &progress, host);
   const std::vector<const ProgramSource*> sources = source.channels();
   std::vector<ChannelProgram> programs;
   for (std::size_t k = 0; k < job.channels.size(); ++k) {

@@ -31,7 +31,10 @@ class RecordingSource : public ProgramSource {
   /// Of all channels, this one first.
   std::vector<const ProgramSource*> channels() const;
 
-  /// Text of a line of the file with that name, UTF-8; empty where there is none.
+  /// Where the lines of the text with that name come from; null: they are its own.
+  const TextOrigins* origins(const std::string& file) const;
+  /// Text of a line of the file with that name, UTF-8; empty where there is none. Of a text that was made of
+  /// several files, by the names and lines of these.
   std::string line(const std::string& file, std::uint32_t number) const;
   /// Is it a file of the user's, none of the control's own programs?
   bool has(const std::string& file) const;
@@ -51,6 +54,7 @@ class RecordingSource : public ProgramSource {
     const ProgramSource& inner;
   };
   Result<ProgramText> keep(Result<ProgramText> text) const;
+  void readLines(const ProgramText& text) const;
 
   const ProgramSource& inner_;
   TextEncoding encoding_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,22 @@
 
 namespace proveout {
 
+/// Where the lines of a text come from that was made of several files.
+struct TextOrigins {
+  struct Line {
+    std::uint32_t file = 0;  ///< index into `files`
+    std::uint32_t line = 0;  ///< from 1
+  };
+  std::vector<std::string> files;  ///< names for people; all differ
+  std::vector<Line> lines;         ///< of each line of the text
+};
+
 /// One program text as it lies in its file.
 struct ProgramText {
   std::string name;   ///< for people: diagnostics and the path stream ("bear.nc", "O0011.nc")
   std::string path;   ///< identity, opaque to the interpreter; handed back as `caller` in queries
   std::string bytes;  ///< raw bytes, not decoded
+  std::shared_ptr<const TextOrigins> origins = nullptr;  ///< null: the lines are the file's own
 };
 
 /// What a program calls. Either `stems` or `path` is set.

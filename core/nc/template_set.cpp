@@ -48,12 +48,13 @@ class Filler {
     const auto lines = fillTemplate(*own, values, diagnostics_);
     if (!lines) return std::nullopt;
     out_.files.push_back(main);
+    out_.origins.files.push_back(main.name);
     for (std::size_t i = 0; i < lines->size() && !full_; ++i) {
       if (diagnostics_.errorCount() - before >= kMostTemplateErrors) break;
       if (isSet(main.name) && isElement((*lines)[i]))
         element(own->name, (*lines)[i], i + 1);
       else
-        add((*lines)[i], {0, i + 1});
+        add((*lines)[i], 0, i + 1);
     }
     if (diagnostics_.errorCount() != before) return std::nullopt;
     return std::move(out_);
@@ -69,7 +70,8 @@ class Filler {
     diagnostics_.add(std::move(d));
   }
 
-  void add(std::string line, LineOrigin origin) {
+  /// `number`: of the line in the file of that origin, from 1.
+  void add(std::string line, std::size_t file, std::size_t number) {
     bytes_ += line.size() + 1;
     if (bytes_ > kMaxFilledBytes && !full_) {
       full_ = true;
@@ -78,7 +80,7 @@ class Filler {
     }
     if (full_) return;
     out_.lines.push_back(std::move(line));
-    out_.origins.push_back(origin);
+    out_.origins.lines.push_back({static_cast<std::uint32_t>(file), static_cast<std::uint32_t>(number)});
   }
 
   /// `@ NAME.tmpl D=40;d1=25`
@@ -104,12 +106,14 @@ class Filler {
       const std::size_t end = std::min(line.find(';', at), line.size());
       const std::string pair = line.substr(at, end - at);
       if (const std::string why = take(text, pair, values); !why.empty()) {
-        fail(at, end, why);
+        fail(std::min(line.find_first_not_of(" \t", at), end), end, why);
         good = false;
       }
       at = end + 1;
     }
-    if (good) addFilled(text, values, file, fmt::format("in the set {}:{}: {}", set, number, line));
+    if (!good) return;
+    out_.origins.files.push_back(fmt::format("{} ({}:{})", text.name, set, number));
+    addFilled(text, values, fmt::format("in the set {}:{}: {}", set, number, line));
   }
 
   /// One NAME=VALUE; blanks alone are nothing. Returns why not.
@@ -127,14 +131,16 @@ class Filler {
     return {};
   }
 
-  void addFilled(const Template& text, const TemplateValues& values, std::size_t file, std::string note) {
+  /// As the last of the origins.
+  void addFilled(const Template& text, const TemplateValues& values, const std::string& note) {
     Diagnostics found;
     const auto lines = fillTemplate(text, values, found);
     for (Diagnostic d : found.all()) {
       d.notes.push_back(note);
       diagnostics_.add(std::move(d));
     }
-    for (std::size_t i = 0; lines && i < lines->size() && !full_; ++i) add((*lines)[i], {file, i + 1});
+    const std::size_t file = out_.origins.files.size() - 1;
+    for (std::size_t i = 0; lines && i < lines->size() && !full_; ++i) add((*lines)[i], file, i + 1);
   }
 
   /// Number of the template in the files, which are read once.

@@ -22,16 +22,11 @@ using TemplateLoader = std::function<Result<ProgramText>(const std::string& name
 /// Whether a file name's extension is one of templates or sets: .tmpl, .tmps.
 bool isTemplateName(std::string_view name);
 
-/// The line of a file that a line of a filled program comes from.
-struct LineOrigin {
-  std::size_t file = 0;  ///< index into FilledProgram::files
-  std::size_t line = 0;  ///< from 1
-};
-
 struct FilledProgram {
   std::vector<std::string> lines;
-  std::vector<LineOrigin> origins;  ///< of each line
-  std::vector<ProgramText> files;   ///< as read: the main file, then templates in order of first use
+  /// A template of a set has a name for each of its uses, "cone.tmpl (part.tmps:4)", since its lines differ.
+  TextOrigins origins;
+  std::vector<ProgramText> files;  ///< as read: the main file, then templates in order of first use
 
   std::string text() const;  ///< lines with their ends
 };

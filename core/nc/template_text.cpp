@@ -31,11 +31,9 @@ std::optional<double> numberOf(std::string_view text) {
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// A name in brackets within a line; columns from 0.
-struct Place {
-  std::size_t open, close;
-  std::string name;
-};
+bool inRange(const TemplateParameter& p, double number) {
+  return (!p.min || number >= *p.min) && (!p.max || number <= *p.max);
+}
 
 class Reader {
  public:
@@ -85,6 +83,8 @@ class Reader {
       return error(close + 1, end, "between name and meaning stands = default, min..max, or one of the two");
     if (parameter.min && parameter.max && !(*parameter.min <= *parameter.max))
       return error(close + 1, end, "the range is empty");
+    if (parameter.value && !inRange(parameter, *numberOf(*parameter.value)))
+      return error(close + 1, end, "the default is not in the range");
     TemplateParameter& known = parameterNamed(parameter.name, open, close + 1);
     if (const auto [first, is_new] = declared_.emplace(parameter.name, line_ + 1); !is_new)
       return error(open, close + 1,
@@ -236,7 +236,7 @@ std::string refusalOf(const Template& text, const std::string& parameter, const 
   if (value.empty()) return fmt::format("[{}] is empty: all fields must be filled in", parameter);
   const std::optional<double> number = numberOf(value);
   if (!number) return fmt::format("[{}] must be a decimal number, not '{}'", parameter, value);
-  if ((known->min && *number < *known->min) || (known->max && *number > *known->max))
+  if (!inRange(*known, *number))
     return fmt::format("[{}] must be {}, not {}", parameter, rangeText(*known), value);
   return {};
 }

@@ -72,6 +72,5 @@ std::span<const FlexFeature> flexFeatures();
 
 std::vector<CoverageRow> flexncCoverage();
 std::vector<CoverageIdRow> flexncCoverageIds();
-std::map<std::string, std::string_view> flexncOpenReasons();
 
 }  // namespace proveout::nc

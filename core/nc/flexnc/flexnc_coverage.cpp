@@ -158,19 +158,20 @@ constexpr auto kFlexRows = std::to_array<CoverageIdRow>({
     {"fnc-3.6-G76a", "SIM", "done", "flexnc/good/thread.nc"},
     {"fnc-3.6-G76b", "SIM", "done", "flexnc/good/thread.nc"},
     {"fnc-3.6-G30", "SIM", "done", "flexnc/good/worm.nc"},
-    {"fnc-4.2-tmpl", "REJECT", "done", "tests/unit/nc/flexnc_test.cpp"},
+    {"fnc-4.2-tmpl", "REJECT", "done", "tests/unit/nc/template_test.cpp"},
+    {"fnc-4.2-param", "SIM", "done", "tests/unit/nc/template_test.cpp"},
     {"fnc-4.2-arith", "SIM", "done", "flexnc/good/expressions.nc"},
     {"fnc-4.2-trig", "SIM", "done", "flexnc/good/expressions.nc"},
     {"fnc-4.2-pvar", "SIM", "done", "flexnc/good/expressions.nc"},
     {"fnc-4.2-comment", "HOST", "done", "tests/unit/nc/flexnc_test.cpp"},
     {"fnc-4.2-add", "HOST", "done", "tests/unit/nc/flexnc_test.cpp"},
-    {"fnc-4.2-need", "STATE", "done", "tests/unit/nc/flexnc_test.cpp"},
+    {"fnc-4.2-need", "STATE", "done", "tests/unit/nc/template_test.cpp"},
     {"fnc-4.2-help", "HOST", "done", "tests/unit/nc/flexnc_test.cpp"},
     {"fnc-4.2-ui", "HOST", "done", "tests/unit/nc/flexnc_test.cpp"},
     {"fnc-4.2-G92", "REJECT", "done", "tests/unit/nc/flexnc_test.cpp"},
     {"fnc-4.3-quick", "HOST", "done", "tests/unit/nc/flexnc_test.cpp"},
     {"fnc-4.4-order", "STATE", "done", "flexnc/good/roughing_program.nc"},
-    {"fnc-4.5-tmps", "REJECT", "done", "tests/unit/nc/flexnc_test.cpp"},
+    {"fnc-4.5-tmps", "REJECT", "done", "tests/unit/nc/template_test.cpp"},
     {"fnc-4.5-pmc", "SIM", "done", "flexnc/good/template_text.nc"},
     {"fnc-4.5-ui", "HOST", "done", "tests/unit/nc/flexnc_test.cpp"},
 });
@@ -200,10 +201,5 @@ std::vector<CoverageRow> flexncCoverage() {
 }
 
 std::vector<CoverageIdRow> flexncCoverageIds() { return {kFlexRows.begin(), kFlexRows.end()}; }
-
-std::map<std::string, std::string_view> flexncOpenReasons() {
-  return {{"fnc-4.2-param",
-           "[name] is refused: texts of templates get their values before the control reads them"}};
-}
 
 }  // namespace proveout::nc

@@ -14,6 +14,7 @@ Status FlexProgram::load(const ProgramSource& source, TextEncoding encoding, Mot
   Result<std::string> utf8 = decodeText(text->bytes, encoding);
   if (!utf8) return inputError(text->name + ": " + utf8.error().message);
   text_ = std::make_unique<SourceText>(text->name, text->path, std::move(*utf8));
+  origins_ = text->origins;
   sink.file(0, text->name);
   for (std::size_t k = 0; k < count(); ++k) {
     const std::int64_t number = flexLabelOf(line(k));
@@ -31,7 +32,11 @@ const FlexProgram::Label* FlexProgram::label(std::int64_t number) const {
 }
 
 std::uint32_t FlexProgram::cycleFile(const std::string& cycle, std::size_t line, MotionSink& sink) {
-  const std::string name = fmt::format("{} of line {}", cycle, line + 1);
+  std::string name = fmt::format("{} of line {}", cycle, line + 1);
+  if (origins_ != nullptr && line < origins_->lines.size()) {
+    const TextOrigins::Line& origin = origins_->lines[line];
+    name = fmt::format("{} of {}:{}", cycle, origins_->files[origin.file], origin.line);
+  }
   const auto [place, added] = cycles_.emplace(name, static_cast<std::uint32_t>(cycles_.size() + 1));
   if (added) {
     sink.file(place->second, name);

@@ -39,6 +39,7 @@ class FlexProgram {
   std::size_t cycleLine(std::uint32_t file) const { return cycle_lines_[file - 1]; }
 
  private:
+  std::shared_ptr<const TextOrigins> origins_;  ///< of its lines, if they are other files'
   std::unique_ptr<SourceText> text_;
   std::map<std::int64_t, Label> labels_;
   std::map<std::string, std::uint32_t> cycles_;  ///< by name of their files

@@ -25,7 +25,6 @@ const ControlRow& flexncRow() {
       .run = runFlexNc,
       .coverage = flexncCoverage,
       .coverage_ids = flexncCoverageIds,
-      .open_reasons = flexncOpenReasons,
       .parameters = flexncParameterTable,
   };
   return kRow;

@@ -133,6 +133,7 @@ constexpr auto kFlexFeatures = std::to_array<FlexFeature>({
     {"SIN COS TAN", "SIM", "fnc-4.2-trig", "of degrees"},
     {"P", "SIM", "fnc-4.2-pvar", "variables P1100 to P8100"},
     {"//", "HOST", "fnc-4.2-comment", "comment"},
+    {"[name]", "SIM", "fnc-4.2-param", "parameter of a template, filled in before the control reads it"},
     {".tmpl container", "REJECT", "fnc-4.2-tmpl", "the shell's own format"},
     {".tmps container", "REJECT", "fnc-4.5-tmps", "the shell's own format"},
     {"need fill", "STATE", "fnc-4.2-need", "all parameters need a value"},

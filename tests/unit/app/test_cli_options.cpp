@@ -116,7 +116,7 @@ TEST(CommandLine, VersionAndHelpGoToStdout) {
 
 // The help texts as files: a change shows in review. PROVEOUT_UPDATE_GOLDEN=1 writes them anew.
 TEST(CommandLine, HelpIsAsRecorded) {
-  for (const std::string command : {"", "run", "explain", "path", "check", "compare", "render", "coverage"}) {
+  for (const std::string command : {"", "run", "explain", "path", "check", "template", "compare", "render", "coverage"}) {
     std::vector<std::string> arguments{"--help"};
     if (!command.empty()) arguments.insert(arguments.begin(), command);
     const std::string help = parseCommandLine(arguments).output;
