@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 #include "core/base/assert.h"
+#include "removal/turning/section_labels.h"
 #include "removal/turning/section_reach.h"
 #include "removal/turning/section_window.h"
 
@@ -16,9 +16,8 @@ namespace {
 using section_detail::ChainLoop;
 using section_detail::cInt;
 using section_detail::clean;
-using section_detail::distance2;
+using section_detail::EdgeLabels;
 using section_detail::IntPoint;
-using section_detail::kNear;
 using section_detail::kUnit;
 using section_detail::Loop;
 using section_detail::Piece;
@@ -32,23 +31,6 @@ constexpr double kThinPiece = 1e-4;  ///< mm
 cInt toUnits(double mm) { return static_cast<cInt>(std::llround(mm / kUnit)); }
 IntPoint toUnits(const Vec2& p) { return {toUnits(p.x()), toUnits(p.y())}; }
 Vec2 toMm(const IntPoint& p) { return {kUnit * static_cast<double>(p.X), kUnit * static_cast<double>(p.Y)}; }
-
-struct Edge {
-  IntPoint a, b;
-  bool operator==(const Edge& o) const { return a == o.a && b == o.b; }
-};
-
-struct EdgeHash {
-  std::size_t operator()(const Edge& e) const {
-    std::uint64_t h = 0x9E3779B97F4A7C15ull;
-    for (const cInt v : {e.a.X, e.a.Y, e.b.X, e.b.Y}) {
-      h ^= static_cast<std::uint64_t>(v);
-      h *= 0xFF51AFD7ED558CCDull;
-      h ^= h >> 32;
-    }
-    return static_cast<std::size_t>(h);
-  }
-};
 
 double volumeUnder(const ClipperLib::Path& p) {
   double sum = 0.0;
@@ -158,66 +140,6 @@ struct SectionArea::Impl {
     return 2.0 * kPi * toMm(high).x() * (size.x() + size.y()) * 5.0 * kUnit;
   }
 };
-
-namespace {
-
-/// Finds the labels of the edges that a difference leaves.
-class EdgeLabels {
- public:
-  explicit EdgeLabels(const std::vector<Loop>& old) : old_(old) {
-    std::size_t count = 0;
-    for (const Loop& loop : old) count += loop.points.size();
-    known_.reserve(count);
-    for (const Loop& loop : old) {
-      for (std::size_t i = 0; i < loop.points.size(); ++i)
-        known_[{loop.points[i], loop.points[(i + 1) % loop.points.size()]}] = loop.motion[i];
-    }
-  }
-
-  /// What does not lie on an old edge was made by `motion`.
-  MotionId of(const IntPoint& a, const IntPoint& b, MotionId motion) const {
-    const auto found = known_.find({a, b});
-    if (found != known_.end()) return found->second;
-    if (lines_.empty()) makeLines();
-    const double x = 0.5 * static_cast<double>(a.X + b.X), y = 0.5 * static_cast<double>(a.Y + b.Y);
-    const double dx = static_cast<double>(b.X - a.X), dy = static_cast<double>(b.Y - a.Y);
-    for (const Line& line : lines_) {
-      if (x < line.low_x || x > line.high_x || y < line.low_y || y > line.high_y) continue;
-      const double ex = static_cast<double>(line.to->X - line.from->X),
-                   ey = static_cast<double>(line.to->Y - line.from->Y);
-      // The same way round, and not just touched in a point.
-      if (dx * ex + dy * ey <= 0.0) continue;
-      if (distance2(x, y, *line.from, *line.to) <= kNear * kNear) return line.motion;
-    }
-    return motion;
-  }
-
- private:
-  /// An old edge and where points on it may be, units.
-  struct Line {
-    double low_x, high_x, low_y, high_y;
-    const IntPoint *from, *to;
-    MotionId motion;
-  };
-  void makeLines() const {
-    constexpr double kSlack = 2.0;
-    for (const Loop& loop : old_) {
-      for (std::size_t i = 0; i < loop.points.size(); ++i) {
-        const IntPoint &p = loop.points[i], &q = loop.points[loop.after(i)];
-        lines_.push_back({static_cast<double>(std::min(p.X, q.X)) - kSlack,
-                          static_cast<double>(std::max(p.X, q.X)) + kSlack,
-                          static_cast<double>(std::min(p.Y, q.Y)) - kSlack,
-                          static_cast<double>(std::max(p.Y, q.Y)) + kSlack, &p, &q, loop.motion[i]});
-      }
-    }
-  }
-
-  const std::vector<Loop>& old_;
-  mutable std::vector<Line> lines_;  ///< made when first needed
-  std::unordered_map<Edge, MotionId, EdgeHash> known_;
-};
-
-}  // namespace
 
 SectionArea::SectionArea() : impl_(std::make_unique<Impl>()) {}
 SectionArea::~SectionArea() = default;
