@@ -24,9 +24,6 @@ constexpr double kNearness = 1e-6;
 /// Faces that meet at less than 40 degrees, as scallops do, are mostly curved: where they meet farther
 /// outside than the slack (in cells) is uncertain, and cutting the ridge between neighbours costs little.
 const double kSoftCos = std::cos(degToRad(40.0));
-/// The same of faces that are known to bend little: planes of these meet within a few thousandths of a cell
-/// of where they do, and the ridge along a shallow groove, cut in every cell, would cost 1e-4 of its volume.
-const double kSoftCosOfFlat = std::cos(degToRad(10.0));
 constexpr double kOutsideSlack = 0.05;
 
 /// How far vertices may be off the blank, in cells: at a wall of the cell, and on a chord below a sharp edge.
@@ -216,8 +213,7 @@ CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const
   out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
   if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
   if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
-  const bool flat = refiner != nullptr && refiner->bendsLittle();
-  const double reach = alike(faces, flat ? kSoftCosOfFlat : kSoftCos) ? kOutsideSlack : kVertexReach;
+  const double reach = alike(faces, kSoftCos) ? kOutsideSlack : kVertexReach;
   out.outside = beyond <= reach;
   out.p = out.outside ? x : out.inside;
   return out;

@@ -25,9 +25,6 @@ constexpr int kShowing = 3;
 /// Half a cell off its crossings a surface leaves their plane by 0.0075 cells where it bends as much, by cell
 /// (a radius of 17 cells).
 constexpr double kMostBend = 0.06;
-/// Where too few crossings show how a face bends, its crease would lie on their plane: by an eighth of this
-/// off, and always to the same side, which adds up in the volume.
-constexpr double kMostBendUnseen = 2e-3;
 /// A vertex at rest is seen on its faces within this.
 constexpr double kSeenAt = 0.03;
 /// The same, looked at against the normals of the crossings.
@@ -69,12 +66,11 @@ VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
     body_[i] = source.body;
     facing_[i] = 0.0;
     exact_already_ = exact_already_ && (source.simple ? source.bend < kMostBend : flat);
-    bend_seen_ = bend_seen_ && (faces[i].count >= kShowing || source.bend < kMostBendUnseen);
   }
 }
 
 bool VertexRefiner::needed(bool smooth) const {
-  if (!exact_already_ || !(smooth || bend_seen_)) return true;
+  if (!exact_already_) return true;
   bool one_element = true, cut = false;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     cut = cut || body_[i] != ExactFaces::kNoBody;

@@ -19,8 +19,6 @@ class VertexRefiner {
   /// surface.
   bool needed(bool smooth) const;
 
-  /// Whether the faces, each for itself, are planes or bend so little that crossings and normals show them.
-  bool bendsLittle() const { return exact_already_; }
   /// Whether the faces near `x` are one smooth surface although their normals differ.
   bool isSmooth(const Vec3& x);
   /// Moves `x`, near a crease or corner, to it. False where that finds no rest nearby: `x` stays then.
@@ -53,7 +51,6 @@ class VertexRefiner {
   std::span<const CellFace> faces_;
   std::array<std::int64_t, 12> body_;
   std::array<double, 12> facing_;  ///< as leastFacing tells; 0: not asked for yet
-  bool bend_seen_ = true;          ///< crossings show how each face bends, where creases ask for that
   bool exact_already_ = true;      ///< crossings and normals show all faces exactly, each for itself
 };
 

@@ -1,5 +1,4 @@
 // The machined surface and its volume against closed forms, on a grid that no feature is aligned with.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -59,9 +58,9 @@ struct CutPart {
   double initial_mm3 = 0.0;
 };
 
-CutPart cutCase(const Case& c, double grid_mm = kGrid) {
+CutPart cutCase(const Case& c) {
   RemovalOptions options;
-  options.resolution_mm = grid_mm;
+  options.resolution_mm = kGrid;
   Progress progress;
   CutPart part;
   auto stock = Stock::create(c.blank, options, progress);
@@ -162,25 +161,6 @@ TEST_P(StockAccuracy, StaysWithinItsBounds) {
 
 INSTANTIATE_TEST_SUITE_P(Cuts, StockAccuracy, testing::ValuesIn(allCases()),
                          [](const auto& test) { return test.param.name; });
-
-/// Balls of many cells leave grooves whose rims show in most cells by one crossing each: what they bend off
-/// its plane lies to one side all along.
-TEST(StockAccuracy, ShallowGroovesOfWideBallsKeepTheirVolume) {
-  constexpr double kCoarse = 0.25;
-  const Vec2 center(14.953, 12.421), along(std::cos(degToRad(23.7)), std::sin(degToRad(23.7)));
-  const Vec2 from = center - 7.3 * along, to = center + 7.9 * along;
-  for (const double diameter : {9.0, 10.0, 12.0, 16.0}) {
-    for (const double depth : {1.0, 1.79, 2.0, 3.0}) {
-      const Toolpath path = linePath({{from.x(), from.y(), -depth}, {to.x(), to.y(), -depth}});
-      const Case c = levelCase("Groove", fmt::format("1=ball:{:g}", diameter), ballOutline(diameter),
-                               segmentCurve(from, to), path, -depth);
-      const CutPart part = cutCase(c, kCoarse);
-      const double off = (part.initial_mm3 - part.surface.volume_mm3) / c.removed_mm3 - 1.0;
-      std::printf("ball of %g, %g deep: volume %9.1e\n", diameter, depth, off);
-      EXPECT_LE(std::abs(off), kVolume) << diameter << " " << depth;
-    }
-  }
-}
 
 /// Tips of drills anywhere between the grid's lines. The drill is drawn back through its hole, so that every
 /// face is that of two motions.
