@@ -61,7 +61,7 @@ struct Control {
 };
 const Control kControls[] = {{ControlId::kNct, "nct-", 692, 798},
                              {ControlId::kWl4Lathe, "wl4-", 202, 202},
-                             {ControlId::kFlexNc, "fnc-", 162, 163},
+                             {ControlId::kFlexNc, "fnc-", 163, 163},
                              {ControlId::kWedm, "wedm-", 95, 95}};
 
 /// Ids of a control after "proves:" in the about sections.

@@ -1,7 +1,7 @@
 === about
 What the manual's template lines are with C = 50, B = 16 and D = 100 d1 = 25 Z = 10 Z1 = 15 P = 2 C = 2 B = 3 V = 0, as
 a saved program text.
-proves: fnc-4.5-pmc
+proves: fnc-4.5-pmc fnc-4.2-param
 === settings
 control = flexnc
 start = 100 0 50
