@@ -176,53 +176,46 @@ std::uint32_t RayScene::anyHit(const RayPack& rays, std::uint32_t lanes, const L
   return met & lanes;
 }
 
-std::uint32_t RayScene::intersect(const RayPack& rays, std::array<Hit, RayPack::kRays>& hits) const {
-  // First up to the quarter that is cut away, then behind it.
-  std::array<CutSpan, kLanes> spans;
-  Lanes to = filled(kFar), behind = filled(0.0F);
-  std::uint32_t first = 0, second = 0, back = 0;
+RayScene::Stretches RayScene::split(const RayPack& rays, float reach) const {
+  Stretches both{0, 0, filled(reach), filled(0.0F), {}};
   for (std::size_t k = 0; k < kLanes; ++k) {
     if (rays.active[k] == 0) continue;
-    if (!cutSpan(rays, k, spans[k])) {
-      first |= 1U << k;
+    CutSpan& span = both.spans[k];
+    if (!cutSpan(rays, k, span)) {
+      both.first |= 1U << k;
       continue;
     }
-    if (spans[k].enter > 0) first |= 1U << k;
-    if (spans[k].face >= 0) second |= 1U << k;
-    to[k] = spans[k].enter;
-    behind[k] = spans[k].leave + kPastCut;
+    if (span.enter > 0) both.first |= 1U << k;
+    if (span.face >= 0 && span.leave < reach) both.second |= 1U << k;
+    both.to[k] = std::min(reach, span.enter);
+    both.behind[k] = span.leave + kPastCut;
   }
-  std::uint32_t met = first == 0 ? 0 : nearest(rays, first, filled(0.0F), to, hits, back);
-  second &= ~met;
+  return both;
+}
+
+std::uint32_t RayScene::intersect(const RayPack& rays, std::array<Hit, RayPack::kRays>& hits) const {
+  const Stretches both = split(rays, kFar);
+  std::uint32_t back = 0;
+  const std::uint32_t met =
+      both.first == 0 ? 0 : nearest(rays, both.first, filled(0.0F), both.to, hits, back);
+  const std::uint32_t second = both.second & ~met;
   if (second == 0) return met;
   back = 0;
-  const std::uint32_t later = nearest(rays, second, behind, filled(kFar), hits, back);
+  const std::uint32_t later = nearest(rays, second, both.behind, filled(kFar), hits, back);
   for (std::size_t k = 0; k < kLanes; ++k) {
-    if ((later & back) >> k & 1U) hits[k] = {0, 0, 0, spans[k].leave, spans[k].face};
+    if ((later & back) >> k & 1U) hits[k] = {0, 0, 0, both.spans[k].leave, both.spans[k].face};
   }
   return met | later;
 }
 
 std::uint32_t RayScene::occluded(const RayPack& rays, float reach) const {
-  std::array<CutSpan, kLanes> spans;
-  Lanes to = filled(reach), behind = filled(0.0F);
-  std::uint32_t first = 0, second = 0, back = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    if (rays.active[k] == 0) continue;
-    if (!cutSpan(rays, k, spans[k])) {
-      first |= 1U << k;
-      continue;
-    }
-    if (spans[k].enter > 0) first |= 1U << k;
-    if (spans[k].face >= 0 && spans[k].leave < reach) second |= 1U << k;
-    to[k] = std::min(reach, spans[k].enter);
-    behind[k] = spans[k].leave + kPastCut;
-  }
-  std::uint32_t met = first == 0 ? 0 : anyHit(rays, first, filled(0.0F), to);
-  second &= ~met;
+  const Stretches both = split(rays, reach);
+  std::uint32_t met = both.first == 0 ? 0 : anyHit(rays, both.first, filled(0.0F), both.to);
+  const std::uint32_t second = both.second & ~met;
   if (second == 0) return met;
+  std::uint32_t back = 0;
   std::array<Hit, RayPack::kRays> hits;
-  const std::uint32_t later = nearest(rays, second, behind, filled(kFar), hits, back);
+  const std::uint32_t later = nearest(rays, second, both.behind, filled(kFar), hits, back);
   for (std::size_t k = 0; k < kLanes; ++k) {
     if ((later >> k & 1U) && ((back >> k & 1U) || hits[k].distance <= reach)) met |= 1U << k;
   }

@@ -88,6 +88,14 @@ class RayScene {
   bool cutSpan(const RayPack& rays, std::size_t lane, CutSpan& span) const;
 
   using Lanes = std::array<float, RayPack::kRays>;
+  /// Rays without what they run through the quarter: up to `to` for the lanes of `first`, then from `behind`
+  /// for those of `second`.
+  struct Stretches {
+    std::uint32_t first, second;
+    Lanes to, behind;
+    std::array<CutSpan, RayPack::kRays> spans;
+  };
+  Stretches split(const RayPack& rays, float reach) const;
   /// Those of the rays' lanes with a bit in `lanes`, from `from` to `to` along them. Bits of `back`: the hit
   /// triangle shows its back.
   std::uint32_t nearest(const RayPack& rays, std::uint32_t lanes, const Lanes& from, const Lanes& to,
