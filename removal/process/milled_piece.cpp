@@ -13,15 +13,29 @@ namespace {
 /// Part of the volume up to which the integral over the grid's crossings is the closed form but for rounding.
 constexpr double kSameVolume = 1e-6;
 
+/// What the columns of the grid count, mm3.
+double countedVolume(const RemovalSummary& removal) {
+  return std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
+}
+
 /// What a path took, mm3: by the integrals over one grid before and after it, so that what no tool reached
 /// cancels. Where walls share cells these may be off by more than little cuts take, even below 0; then what
 /// the columns of the grid count stands. `initial_mm3`: as the report tells it; a move onto another grid may
 /// have made more of it than there was, and then what is left is what the grid holds.
 double removedVolume(const RemovalSummary& removal, double initial_mm3, double before_mm3, double after_mm3) {
-  const double counted = std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
-  const double removed_mm3 = after_mm3 <= before_mm3 ? before_mm3 - after_mm3 : std::min(counted, before_mm3);
+  const double removed_mm3 =
+      after_mm3 <= before_mm3 ? before_mm3 - after_mm3 : std::min(countedVolume(removal), before_mm3);
   if (removed_mm3 <= initial_mm3) return removed_mm3;
   return initial_mm3 - std::clamp(after_mm3, 0.0, initial_mm3);
+}
+
+/// By how much what a path took may be off, mm3, by the errors of both integrals; faces that no tool reached
+/// are as wrong before as after. A cut of less than a cell may lie where no crossing shows it, and its error
+/// then neither: integral and columns have met it in places of their own, and differ by what they missed.
+double removedError(const RemovalSummary& removal, double removed_mm3, double of_integrals_mm3,
+                    double cell_mm3) {
+  if (removed_mm3 >= cell_mm3) return of_integrals_mm3;
+  return std::max(of_integrals_mm3, std::abs(removed_mm3 - countedVolume(removal)));
 }
 
 /// What an earlier clamping made has numbers of its own path.
@@ -68,8 +82,9 @@ Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<To
                                  ? out.initial_mm3  // whatever moves and rounding made of it
                                  : removedVolume(*removal, out.initial_mm3, held->mm3, surface->volume_mm3);
   surface->volume_mm3 = out.initial_mm3 - removed_mm3;
-  // Faces that no tool reached are as wrong before as after.
-  surface->volume_error_mm3 = std::abs(surface->volume_error_mm3 - held->error_mm3);
+  surface->volume_error_mm3 =
+      removedError(*removal, removed_mm3, std::abs(surface->volume_error_mm3 - held->error_mm3),
+                   std::pow(stock_.resolution(), 3));
   fitRemovedVolume(*removal, removed_mm3);
   if (!first_) forgetEarlier(path, surface->mesh);
   out.removal = std::move(*removal);
