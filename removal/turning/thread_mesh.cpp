@@ -42,7 +42,9 @@ struct Node {
   /// How far the section behind it is off this one, mm; below 0: they do not go over into each other. Nothing
   /// where that has not been looked at.
   std::optional<double> off;
-  bool between = false;           ///< made for what the sections beside it do not tell
+  bool between = false;  ///< made for what the sections beside it do not tell
+  /// Its corners and those of the section behind it, if that has been looked at and they have stayed.
+  std::optional<std::vector<LoopMatch>> matches = {};
   std::vector<Node> middle = {};  ///< the section half way to that one, if it was made
 };
 
@@ -123,7 +125,8 @@ class SliceRing {
     node.off = 0.0;
     if (step(k) <= 0.0) return;
     const Slice &a = node.slice, &b = after(k).slice;
-    const auto matches = matchSlices(a, b, turnsTo(k));
+    node.matches = matchSlices(a, b, turnsTo(k));
+    const auto& matches = node.matches;
     if (!matches) node.off = -1.0;
     const bool last = step(k) < 2.0 * kLeastStep;
     double thick = 0.0;
@@ -163,6 +166,7 @@ class SliceRing {
         continue;
       }
       nodes_[k].off.reset();
+      nodes_[k].matches.reset();
       between.push_back(std::move(middle.front()));
     }
     return between;
@@ -212,8 +216,11 @@ class Stitcher {
       again = false;
       for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
         if (nodes[k].phi != nodes[k + 1].phi) continue;
-        again |= splitEdges(nodes[k].slice, nodes[k + 1].slice);
-        again |= splitEdges(nodes[k + 1].slice, nodes[k].slice);
+        const bool own = splitEdges(nodes[k].slice, nodes[k + 1].slice),
+                   other = splitEdges(nodes[k + 1].slice, nodes[k].slice);
+        again |= own || other;
+        nodes[(k + nodes.size() - 1) % nodes.size()].matches.reset();
+        nodes[k + 1].matches.reset();
       }
     }
   }
@@ -263,7 +270,8 @@ class Stitcher {
     std::vector<std::vector<LoopMatch>> matches;
     for (std::size_t k = first; k < last; ++k) {
       slices.push_back(&ring_.after(k % n).slice);
-      auto match = matchSlices(*slices[k - first], *slices.back(), ring_.turnsTo(k % n));
+      auto match = std::move(ring_.nodes()[k % n].matches);
+      if (!match) match = matchSlices(*slices[k - first], *slices.back(), ring_.turnsTo(k % n));
       if (!match) return false;
       matches.push_back(std::move(*match));
     }
