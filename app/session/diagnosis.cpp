@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -61,9 +62,10 @@ struct Hypothesis {
 
 class Diagnosis {
  public:
-  Diagnosis(const RunSources& sources, const ExactPart* part, RunResult& run)
+  Diagnosis(const RunSources& sources, const ExactPart* part, const std::vector<PatchFinding>& patches,
+            RunResult& run)
       : sources_(sources), part_(part), run_(run) {
-    gatherPoints();
+    gatherPoints(patches);
     findHypotheses();
     measureShifts();
     weigh();
@@ -131,15 +133,10 @@ class Diagnosis {
            -deviation > run_.comparison->gouge_tolerance_mm;
   }
 
-  void gatherPoints() {
-    const TriMesh& mesh = run_.surface().mesh;
-    const std::vector<float>& deviation = run_.comparison->vertex_deviation;
+  void gatherPoints(const std::vector<PatchFinding>& patches) {
+    const std::size_t count = run_.surface().mesh.triangles.size();
     std::vector<std::uint32_t> off, other;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& v = mesh.triangles[t];
-      const bool any = std::any_of(v.begin(), v.end(), [&](std::uint32_t i) { return beyond(deviation[i]); });
-      (any ? off : other).push_back(t);
-    }
+    for (std::uint32_t t = 0; t < count; ++t) (mayBeOff(triangleOf(t), patches) ? off : other).push_back(t);
     for (const auto* side : {&off, &other}) {
       const std::size_t stride = side->size() / kMostPoints + 1;
       for (std::size_t i = 0; i < side->size(); i += stride)
@@ -149,32 +146,59 @@ class Diagnosis {
     std::erase_if(points_, [](const Point& p) { return std::isnan(p.deviation); });
   }
 
-  /// Several to a large triangle.
-  void addPoints(std::uint32_t t, double weight) {
+  struct Triangle {
+    std::array<Vec3, 3> at;
+    std::array<double, 3> deviation;  ///< of the corners
+    double longest = 0.0;             ///< edge
+  };
+
+  Triangle triangleOf(std::uint32_t t) const {
     const TriMesh& mesh = run_.surface().mesh;
-    const auto& v = mesh.triangles[t];
-    const Vec3 a = mesh.positions[v[0]].cast<double>(), b = mesh.positions[v[1]].cast<double>(),
-               c = mesh.positions[v[2]].cast<double>(), n = 0.5 * (b - a).cross(c - a);
+    Triangle out;
+    for (std::size_t c = 0; c < 3; ++c) {
+      out.at[c] = mesh.positions[mesh.triangles[t][c]].cast<double>();
+      out.deviation[c] = static_cast<double>(run_.comparison->vertex_deviation[mesh.triangles[t][c]]);
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+      out.longest = std::max(out.longest, (out.at[(c + 1) % 3] - out.at[c]).norm());
+    return out;
+  }
+
+  /// Corners of long triangles tell nothing of what is between them: they may lie on faces beside that are
+  /// right.
+  bool isLong(const Triangle& t) const { return t.longest > 2.0 * run_.resolution_mm; }
+
+  bool mayBeOff(const Triangle& t, const std::vector<PatchFinding>& patches) const {
+    if (std::any_of(t.deviation.begin(), t.deviation.end(), [&](double d) { return beyond(d); })) return true;
+    if (!isLong(t)) return false;
+    Box3 box;
+    for (const Vec3& p : t.at) box.extend(p);
+    return std::any_of(patches.begin(), patches.end(),
+                       [&](const PatchFinding& p) { return p.patch->bounds.overlaps(box); });
+  }
+
+  /// Several to a large triangle.
+  void addPoints(std::uint32_t number, double weight) {
+    const Triangle t = triangleOf(number);
+    const Vec3 a = t.at[0], b = t.at[1], c = t.at[2], n = 0.5 * (b - a).cross(c - a);
     const double area = n.norm(), cell = 4.0 * run_.resolution_mm * run_.resolution_mm;
     if (!(area > 0.0)) return;
     constexpr int kMostSplits = 8;
     const int splits = std::clamp(static_cast<int>(std::sqrt(area / cell)), 1, kMostSplits);
     // Where all corners of a small one are well within tolerance their mean does.
-    const std::vector<float>& at = run_.comparison->vertex_deviation;
-    const double mean = (static_cast<double>(at[v[0]]) + at[v[1]] + at[v[2]]) / 3.0;
-    const bool within = splits == 1 && std::all_of(v.begin(), v.end(), [&](std::uint32_t i) {
-                          return std::abs(at[i]) < least();
-                        });
-    const double known = within ? mean : std::numeric_limits<double>::infinity();
+    const bool within = !isLong(t) && std::all_of(t.deviation.begin(), t.deviation.end(),
+                                                  [&](double d) { return std::abs(d) < least(); });
+    const std::vector<MotionId>& motion = run_.surface().mesh.motion;
+    Point p;
+    p.deviation = within ? (t.deviation[0] + t.deviation[1] + t.deviation[2]) / 3.0
+                         : std::numeric_limits<double>::infinity();
+    p.motion = number < motion.size() ? motion[number] : kNoMotion;
+    p.normal = n / area;
+    p.area = weight * area / (0.5 * splits * (splits + 1));
     for (int i = 0; i < splits; ++i) {
       for (int j = 0; j < splits - i; ++j) {
         const double u = (i + 1.0 / 3.0) / splits, w = (j + 1.0 / 3.0) / splits;
-        Point p;
-        p.deviation = known;
-        p.motion = t < mesh.motion.size() ? mesh.motion[t] : kNoMotion;
         p.last = a + u * (b - a) + w * (c - a);
-        p.normal = n / area;
-        p.area = weight * area / (0.5 * splits * (splits + 1));
         points_.push_back(p);
       }
     }
@@ -241,9 +265,7 @@ class Diagnosis {
     const Vec3& n = p.normal;
     double part = 0.0;
     if (setup.turned) {
-      const double radius = p.p.head<2>().norm();
-      const double outward = radius > 0.0 ? n.head<2>().dot(p.p.head<2>()) / radius : 0.0;
-      part = shift == CutShift::kX        ? outward
+      part = shift == CutShift::kX        ? outwardOf(p)
              : shift == CutShift::kZ      ? n.z()
              : shift == CutShift::kRadial ? 1.0
                                           : 0.0;
@@ -272,7 +294,24 @@ class Diagnosis {
     const double radius = tool == nullptr ? 0.0
                           : tool->insert  ? tool->insert->nose_radius
                                           : 0.5 * tool->diameter;
-    return {std::clamp((p.p - m.from).dot(way) / (length * length), 0.0, 1.0), radius / length};
+    const Vec3 at = setup.turned ? controlAt(p, tool) : p.p;
+    return {std::clamp((at - m.from).dot(way) / (length * length), 0.0, 1.0), radius / length};
+  }
+
+  /// Where a turning tool's control point stood when its nose touched the point: all of the part's angles
+  /// come to the tool's plane.
+  static Vec3 controlAt(const Point& p, const Tool* tool) {
+    const Vec2 in_plane(p.p.head<2>().norm(), p.p.z());
+    Vec2 control = in_plane;
+    if (tool != nullptr && tool->insert)
+      control += tool->insert->nose_radius * Vec2(outwardOf(p), p.normal.z()) - noseCenter(*tool->insert);
+    return {control.x(), 0.0, control.y()};
+  }
+
+  /// Of the normal, the share away from the axis of turning.
+  static double outwardOf(const Point& p) {
+    const double radius = p.p.head<2>().norm();
+    return radius > 0.0 ? p.normal.head<2>().dot(p.p.head<2>()) / radius : 0.0;
   }
 
   template <typename Body>
@@ -529,7 +568,7 @@ SurfaceMaker mainMaker(const DeviationPatch& patch) {
 void diagnoseDeviations(const RunSources& sources, const ExactPart* part,
                         const std::vector<PatchFinding>& patches, RunResult& run) {
   if (patches.empty()) return;
-  const Diagnosis diagnosis(sources, part, run);
+  const Diagnosis diagnosis(sources, part, patches, run);
   for (const PatchFinding& p : patches) diagnosis.tell(p);
 }
 

@@ -10,6 +10,7 @@ namespace proveout::nc {
 namespace {
 
 constexpr double kChordError = 1e-3;  ///< mm, of arcs at rapid
+constexpr double kBackwards = 1e-4;   ///< mm; less is rounding of corners that just fit
 
 std::string describe(CompError error) {
   switch (error) {
@@ -35,13 +36,17 @@ bool negativeRadius(const PathItem& item) {
   return (item.sweep > 0.0 ? item.offset : -item.offset) >= radius;
 }
 
-/// Lines against their programmed direction.
+/// Against the programmed direction.
 bool runsBackwards(const CompPiece& piece, const PathItem& item) {
-  if (piece.is_arc || piece.role != CompPiece::Role::kOwn || !item.comp_on ||
-      item.kind != PathItem::Kind::kLine)
-    return false;
+  const bool arc = item.kind == PathItem::Kind::kArc;
+  if (piece.role != CompPiece::Role::kOwn || !item.comp_on || piece.is_arc != arc) return false;
+  if (arc) {
+    const double length = std::abs(piece.sweep_rad) * (piece.from.head<2>() - piece.center).norm();
+    return piece.sweep_rad * item.sweep < 0.0 && length > kBackwards;
+  }
+  if (item.kind != PathItem::Kind::kLine) return false;
   const Vec2 programmed = item.plane.of(item.to).head<2>() - item.start;
-  return programmed.dot((piece.to - piece.from).head<2>()) < -kChordError * programmed.norm();
+  return programmed.dot((piece.to - piece.from).head<2>()) < -kBackwards * programmed.norm();
 }
 
 }  // namespace

@@ -67,17 +67,16 @@ bool ignored(const std::vector<IgnoredRegion>& regions, const Vec3& p) {
   return std::any_of(regions.begin(), regions.end(), [&](const IgnoredRegion& r) { return r.contains(p); });
 }
 
-/// Area of the triangles in each region, by their middles, mm2.
-void tellIgnored(const TriMesh& machined, const std::vector<IgnoredRegion>& regions, Comparison& out) {
+/// Area of the samples' triangles in each region, by their middles, mm2.
+void tellIgnored(const SurfaceMesh& samples, const std::vector<IgnoredRegion>& regions, Comparison& out) {
   out.ignored_mm2.assign(regions.size(), 0.0);
   if (regions.empty()) return;
-  for (const auto& t : machined.triangles) {
-    const Vec3 a = machined.positions[t[0]].cast<double>(), b = machined.positions[t[1]].cast<double>(),
-               c = machined.positions[t[2]].cast<double>();
-    const auto in = [&](const IgnoredRegion& r) { return r.contains((a + b + c) / 3.0); };
+  for (std::size_t t = 0; t < samples.triangles.size(); ++t) {
+    const Vec3 middle = samples.middle(t);
+    const auto in = [&](const IgnoredRegion& r) { return r.contains(middle); };
     const auto found = std::find_if(regions.begin(), regions.end(), in);
     if (found != regions.end())
-      out.ignored_mm2[static_cast<std::size_t>(found - regions.begin())] += 0.5 * (b - a).cross(c - a).norm();
+      out.ignored_mm2[static_cast<std::size_t>(found - regions.begin())] += 0.5 * samples.areaVector(t).norm();
   }
 }
 
@@ -241,7 +240,7 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   }
   out.vertex_deviation = deviationOfVertices(sides, machined.positions.size());
   out.field = makeDeviationField(shared_model, o);
-  tellIgnored(machined, o.ignored, out);
+  tellIgnored(part.surface, o.ignored, out);
   out.nominal_chord_mm = model.shape.largest();
   out.nominal_chord_at = model.shape.largestAt();
   out.machined_spacing_mm = part.spacing_mm;

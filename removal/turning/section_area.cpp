@@ -239,12 +239,15 @@ double SectionArea::subtract(const std::vector<SectionPath>& sweeps, MotionId mo
 }
 
 double SectionArea::subtractMany(const std::vector<SectionPath>& sweeps, MotionId motion) {
-  constexpr std::size_t kAtOnce = 32;
+  // Polygons of many points have enough in their own window.
+  constexpr std::size_t kAtOnce = 32, kPointsAtOnce = 500;
   double taken = 0.0;
-  for (std::size_t i = 0; i < sweeps.size(); i += kAtOnce) {
+  for (std::size_t i = 0; i < sweeps.size();) {
+    std::size_t end = i, points = 0;
+    while (end < sweeps.size() && end - i < kAtOnce && points < kPointsAtOnce) points += sweeps[end++].size();
     const auto from = sweeps.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto count = static_cast<std::ptrdiff_t>(std::min(kAtOnce, sweeps.size() - i));
-    taken += subtract({from, from + count}, motion);
+    taken += subtract({from, sweeps.begin() + static_cast<std::ptrdiff_t>(end)}, motion);
+    i = end;
   }
   return taken;
 }

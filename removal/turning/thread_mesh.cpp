@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <unordered_map>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "core/tool/convex_outline.h"
 #include "removal/turning/slice_faces.h"
 #include "removal/turning/slice_match.h"
+#include "removal/turning/slice_strips.h"
 #include "removal/turning/thread_slices.h"
 
 namespace proveout {
@@ -40,6 +42,9 @@ struct Node {
   /// How far the section behind it is off this one, mm; below 0: they do not go over into each other. Nothing
   /// where that has not been looked at.
   std::optional<double> off;
+  bool between = false;  ///< made for what the sections beside it do not tell
+  /// Its corners and those of the section behind it, if that has been looked at and they have stayed.
+  std::optional<std::vector<LoopMatch>> matches = {};
   std::vector<Node> middle = {};  ///< the section half way to that one, if it was made
 };
 
@@ -87,7 +92,7 @@ class SliceRing {
       while (last < ends.size() && ends[last].phi == ends[first].phi) ++last;
       const std::span<const PassEnd> here(ends.data() + first, last - first);
       for (std::size_t passed = 0; passed <= here.size(); ++passed)
-        nodes_.push_back({ends[first].phi, here, passed, {}, {}, {}});
+        nodes_.push_back({ends[first].phi, here, passed, {}, {}});
       first = last;
     }
     // Even steps, but for those that an end is near to.
@@ -99,7 +104,7 @@ class SliceRing {
         return std::abs(std::remainder(node.phi - phi, kFullTurn)) < 0.25 * step;
       };
       if (std::none_of(nodes_.begin(), nodes_.begin() + static_cast<std::ptrdiff_t>(special), near))
-        nodes_.push_back({phi, {}, 0, {}, {}, {}});
+        nodes_.push_back({phi, {}, 0, {}, {}});
     }
     std::stable_sort(nodes_.begin(), nodes_.end(),
                      [](const Node& a, const Node& b) { return a.phi < b.phi; });
@@ -120,7 +125,8 @@ class SliceRing {
     node.off = 0.0;
     if (step(k) <= 0.0) return;
     const Slice &a = node.slice, &b = after(k).slice;
-    const auto matches = matchSlices(a, b, turnsTo(k));
+    node.matches = matchSlices(a, b, turnsTo(k));
+    const auto& matches = node.matches;
     if (!matches) node.off = -1.0;
     const bool last = step(k) < 2.0 * kLeastStep;
     double thick = 0.0;
@@ -135,7 +141,7 @@ class SliceRing {
     // Corners that appear and vanish mostly do so within the surface: the section half way tells.
     const double phi = node.phi + 0.5 * step(k);
     const bool over = phi >= kFullTurn;
-    node.middle.push_back({over ? phi - kFullTurn : phi, {}, 0, {}, {}, {}});
+    node.middle.push_back({over ? phi - kFullTurn : phi, {}, 0, {}, {}, true});
     node.middle.front().slice = slicer_.slice(node.middle.front().phi);
     if (matches)
       node.off = std::min(*node.off, offMiddle(a, b, *matches, node.middle.front().slice, over ? 1 : 0));
@@ -160,6 +166,7 @@ class SliceRing {
         continue;
       }
       nodes_[k].off.reset();
+      nodes_[k].matches.reset();
       between.push_back(std::move(middle.front()));
     }
     return between;
@@ -186,9 +193,16 @@ class Stitcher {
       const bool same = k > 0 && nodes[k - 1].phi == nodes[k].phi;
       number(nodes[k], same ? &nodes[k - 1] : nullptr);
     }
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      if (!(ring_.step(k) > 0.0 ? band(k) : face(k))) return false;
+    const auto own = [](const Node& node) { return !node.between; };
+    const auto first =
+        static_cast<std::size_t>(std::find_if(nodes.begin(), nodes.end(), own) - nodes.begin());
+    for (std::size_t k = first; k < first + nodes.size();) {
+      std::size_t last = k + 1;
+      while (nodes[last % nodes.size()].between) ++last;
+      if (!(ring_.step(k % nodes.size()) > 0.0 ? bands(k, last) : face(k % nodes.size()))) return false;
+      k = last;
     }
+    dropUnused();
     return true;
   }
 
@@ -202,8 +216,11 @@ class Stitcher {
       again = false;
       for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
         if (nodes[k].phi != nodes[k + 1].phi) continue;
-        again |= splitEdges(nodes[k].slice, nodes[k + 1].slice);
-        again |= splitEdges(nodes[k + 1].slice, nodes[k].slice);
+        const bool own = splitEdges(nodes[k].slice, nodes[k + 1].slice),
+                   other = splitEdges(nodes[k + 1].slice, nodes[k].slice);
+        again |= own || other;
+        nodes[(k + nodes.size() - 1) % nodes.size()].matches.reset();
+        nodes[k + 1].matches.reset();
       }
     }
   }
@@ -246,18 +263,40 @@ class Stitcher {
     mesh.motion.push_back(motion);
   }
 
-  bool band(std::size_t k) {
-    const Slice &a = ring_.nodes()[k].slice, &b = ring_.after(k).slice;
-    const auto matches = matchSlices(a, b, ring_.turnsTo(k));
-    if (!matches) return false;
-    for (const LoopMatch& match : *matches) {
+  /// Between two sections and those that were put in between.
+  bool bands(std::size_t first, std::size_t last) {
+    const std::size_t n = ring_.nodes().size();
+    std::vector<const Slice*> slices{&ring_.nodes()[first % n].slice};
+    std::vector<std::vector<LoopMatch>> matches;
+    for (std::size_t k = first; k < last; ++k) {
+      slices.push_back(&ring_.after(k % n).slice);
+      auto match = std::move(ring_.nodes()[k % n].matches);
+      if (!match) match = matchSlices(*slices[k - first], *slices.back(), ring_.turnsTo(k % n));
+      if (!match) return false;
+      matches.push_back(std::move(*match));
+    }
+    const SliceStrips through(slices, matches);
+    for (std::size_t k = 0; k < matches.size(); ++k) band(*slices[k], *slices[k + 1], matches[k], through, k);
+    for (const Strip& strip : through.strips()) {
+      const MotionId motion = slicer_.motionOf(strip.name);
+      zip(
+          strip, [&](auto... corners) { return shorter(corners...); },
+          [&](auto... corners) { add(corners..., motion); });
+    }
+    return true;
+  }
+
+  /// What is no part of strips between a section and the next one.
+  void band(const Slice& a, const Slice& b, const std::vector<LoopMatch>& matches, const SliceStrips& through,
+            std::size_t k) {
+    for (const LoopMatch& match : matches) {
       const CornerLoop &la = a.loops[match.a], &lb = b.loops[match.b];
       for (std::size_t m = 0; m < match.corners.size(); ++m) {
         const auto &from = match.corners[m], &to = match.corners[(m + 1) % match.corners.size()];
-        stretch(la, from.first, to.first, lb, from.second, to.second);
+        if (!through.covers(k, match.a, from.first))
+          stretch(la, from.first, to.first, lb, from.second, to.second);
       }
     }
-    return true;
   }
 
   void stretch(const CornerLoop& la, std::size_t a0, std::size_t a1, const CornerLoop& lb, std::size_t b0,
@@ -290,6 +329,25 @@ class Stitcher {
     const PassEnd& end = a.ends[a.passed];
     for (const auto& t : *triangles) add(t[0], t[1], t[2], slicer_.motionOf({end.sweep, end.turn, 0}));
     return true;
+  }
+
+  /// Corners of sections that no triangle has.
+  void dropUnused() {
+    constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> number(mesh.positions.size(), kNone);
+    for (const auto& t : mesh.triangles) {
+      for (const std::uint32_t v : t) number[v] = 0;
+    }
+    std::uint32_t kept = 0;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+      if (number[v] == kNone) continue;
+      mesh.positions[kept] = mesh.positions[v];
+      number[v] = kept++;
+    }
+    mesh.positions.resize(kept);
+    for (auto& t : mesh.triangles) {
+      for (std::uint32_t& v : t) v = number[v];
+    }
   }
 
   const ThreadSlicer& slicer_;

@@ -1,10 +1,14 @@
 #include "core/nc/flexnc/flexnc_origins.h"
 
+#include <cmath>
+
 #include "core/nc/flexnc/cycle_call.h"
 
 namespace proveout::nc {
 
 namespace {
+
+constexpr double kOnDiameter = 1e-6;  ///< mm: rounding of what a template computes
 
 OffsetInForce radiusInForce(const FlexContext& c) {
   OffsetInForce row;
@@ -73,26 +77,22 @@ FlexCycleOrigins::FlexCycleOrigins(FlexContext& c, std::size_t code)
   record(OriginKind::kArcRadius, 'R', code);
   record(OriginKind::kCorner, 'U', code);
   record(OriginKind::kAngle, 'G', code);
-  // Both diameters of a profile count for all of its moves.
-  if (!record(OriginKind::kX, 'X', code)) {
-    record(OriginKind::kX, 'A', code);
-  } else {
-    record(OriginKind::kCycleDepth, 'A', code);
-  }
+  a_ = record(OriginKind::kX, 'A', code);
+  x_ = record(OriginKind::kX, 'X', code);
   if (isTemplate(cycle)) y_ = record(OriginKind::kZ, 'Y', code);
   z_ = record(OriginKind::kZ, 'Z', code);
   c.recorder.openCall();
   c.recorder.enter(file_, static_cast<std::uint16_t>(c.levels.size()), false);
 }
 
-std::optional<OriginRecorder::Slot> FlexCycleOrigins::record(OriginKind kind, char letter, std::size_t code) {
+FlexCycleOrigins::Argument FlexCycleOrigins::record(OriginKind kind, char letter, std::size_t code) {
   for (std::size_t k = code + 1; k < c_.block.words.size(); ++k) {
     const FlexWord& word = c_.block.words[k];
     if (word.address != letter) continue;
     c_.recorder.word(kind, word.columns, word.value, word.reads, {});
-    return c_.recorder.slot(kind);
+    return {word.value, c_.recorder.slot(kind)};
   }
-  return std::nullopt;
+  return {};
 }
 
 FlexCycleOrigins::~FlexCycleOrigins() {
@@ -112,9 +112,24 @@ void FlexCycleOrigins::place(std::uint32_t number) {
 
 void FlexCycleOrigins::move(std::uint32_t number, const CycleMove& move) {
   place(number);
+  tellDiameters(2.0 * move.element.to.y());
   const bool cuts = move.role == CycleMove::Role::kContour || move.role == CycleMove::Role::kPass;
-  const std::optional<Slot>& along = cuts && y_ ? y_ : z_;
+  const std::optional<Slot>& along = cuts && y_.slot ? y_.slot : z_.slot;
   if (along) c_.recorder.put(OriginKind::kZ, *along);
+}
+
+/// A move that ends on a diameter has it from there. What ends between the two has it from both; a motion has
+/// one word of X, so that the other one is told as the depth of the cycle.
+void FlexCycleOrigins::tellDiameters(double end) {
+  const auto on = [end](const Argument& d) { return d.slot && std::abs(end - d.value) < kOnDiameter; };
+  const bool from_a = !x_.slot || (on(a_) && !on(x_)), both = x_.slot && a_.slot && !on(x_) && !on(a_);
+  if (const std::optional<Slot>& across = from_a ? a_.slot : x_.slot)
+    c_.recorder.put(OriginKind::kX, *across);
+  if (both) {
+    c_.recorder.put(OriginKind::kCycleDepth, *a_.slot);
+  } else {
+    c_.recorder.clear(KindSet::of(OriginKind::kCycleDepth));
+  }
 }
 
 }  // namespace proveout::nc

@@ -34,13 +34,21 @@ class FlexCycleOrigins {
 
  private:
   using Slot = OriginRecorder::Slot;
-  /// Tells an argument of the block in hand; nothing: the call has no such argument.
-  std::optional<Slot> record(OriginKind kind, char letter, std::size_t code);
+  /// An argument of the block in hand; without a slot the call has no such argument.
+  struct Argument {
+    double value = 0.0;
+    std::optional<Slot> slot;
+  };
+  /// Tells it.
+  Argument record(OriginKind kind, char letter, std::size_t code);
+  /// Which diameters say where a move ends.
+  void tellDiameters(double end);
 
   FlexContext& c_;
   std::uint32_t file_;
   OriginRecorder::Slots before_;
-  std::optional<Slot> y_, z_;  ///< arguments along Z
+  Argument x_, a_;  ///< diameters
+  Argument y_, z_;  ///< along Z
 };
 
 }  // namespace proveout::nc

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "core/geometry/plane.h"
 #include "core/nc/services/contour_elements.h"
-#include "flexnc_call.h"
+#include "flexnc_random.h"
 
 namespace proveout {
 namespace {
@@ -18,114 +16,43 @@ namespace {
 using nc::CycleAnswer;
 using nc::CycleCall;
 using nc::CycleMove;
+using test::At;
 using test::contourOf;
+using test::distanceFrom;
+using test::flexncBlock;
+using test::FlexncRandom;
+using test::FlexncTemplate;
+using test::radiusAt;
+using test::without;
 using Role = CycleMove::Role;
 
-/// Where the letters X and A lie on the profile.
-enum class At { kNowhere, kStart, kEnd, kLineStart, kLineEnd };
-struct Template {
-  std::string code, letters;  ///< letters besides P, C, B, V, Z
-  At x, a;
-  bool hole = true;
-};
-void PrintTo(const Template& t, std::ostream* out) { *out << t.code; }
-
-std::vector<Template> templates() {
-  return {{"G3.1", "XAR", At::kEnd, At::kStart, false},
-          {"G12", "XR", At::kEnd, At::kNowhere},
-          {"G13", "XR", At::kEnd, At::kNowhere},
-          {"G77", "XAY", At::kEnd, At::kStart},
-          {"G77.1", "XYG", At::kEnd, At::kNowhere},
-          {"G77.2", "AYG", At::kNowhere, At::kStart},
-          {"G77.3", "AXG", At::kEnd, At::kStart},
-          {"G13.1", "XYRG", At::kEnd, At::kNowhere},
-          {"G13.2", "AYRG", At::kNowhere, At::kStart},
-          {"G13.5", "XARG", At::kEnd, At::kStart, false},
-          {"G12.1", "XYRG", At::kEnd, At::kNowhere},
-          {"G12.2", "AYRG", At::kNowhere, At::kStart},
-          {"G12.3", "AYRG", At::kNowhere, At::kLineStart},
-          {"G12.5", "XARG", At::kEnd, At::kStart},
-          {"G22.1", "XYRUG", At::kEnd, At::kNowhere},
-          {"G22.2", "AYRUG", At::kNowhere, At::kStart},
-          {"G22.3", "AYRUG", At::kNowhere, At::kLineStart},
-          {"G23.1", "XYRUG", At::kLineEnd, At::kNowhere},
-          {"G23.2", "AYRUG", At::kNowhere, At::kLineStart},
-          {"G23.3", "XYRUG", At::kEnd, At::kNowhere},
-          {"G23.4", "AYRUG", At::kNowhere, At::kStart},
-          {"G8.1", "XARU", At::kEnd, At::kStart, false}};
-}
-
-class FlexncLaws : public testing::TestWithParam<Template> {
+class FlexncLaws : public testing::TestWithParam<FlexncTemplate> {
  protected:
   static constexpr int kCalls = 60;
   static constexpr unsigned kSeed = 20260020;
 
   void SetUp() override { RecordProperty("seed", static_cast<int>(kSeed)); }
 
-  double number(double low, double high) { return std::uniform_real_distribution<>(low, high)(random_); }
-
-  CycleCall anyCall(double side, bool contour) {
-    CycleCall call = test::flexncCall(GetParam().code);
-    for (const char letter : GetParam().letters) {
-      const bool diameter = letter == 'X' || letter == 'A';
-      const double most = letter == 'G' ? 85.0 : letter == 'Y' ? 60.0 : diameter ? 200.0 : 30.0;
-      call.arguments.set(letter, number(letter == 'G' ? 3.0 : 1.0, most));
-    }
-    call.arguments.set('Z', number(0.0, 1.0) < 0.2 && GetParam().code != "G3.1" ? 0.0 : number(1.0, 60.0));
-    call.arguments.set('C', side * number(0.5, 4.0));
-    if (number(0.0, 1.0) < 0.3) call.arguments.set('V', number(0.0, 10.0));
-    if (number(0.0, 1.0) < 0.5) call.arc_view = nc::ArcView::kXUp;
-    call.arguments.set('P', contour ? 0.0 : number(0.3, 5.0));
-    contour ? call.arguments.set('K', 1.0) : call.arguments.set('B', number(0.5, 5.0));
-    return call;
-  }
-
   /// Calls that the control takes, their profile behind the start plane.
   template <typename Law>
   void forGoodCalls(bool contour, const Law& law) {
     for (const double side : GetParam().hole ? std::vector{1.0, -1.0} : std::vector{1.0}) {
-      int good = 0;
-      for (int tries = 0; tries < 200000 && good < kCalls; ++tries) {
-        const CycleCall call = anyCall(side, contour);
-        const CycleAnswer answer = performCycle(call);
-        if (answer.alarm || !answer.warnings.empty()) continue;
-        ++good;
-        SCOPED_TRACE(testing::Message() << textOf(call) << " seed " << kSeed);
-        law(call, answer, side);
+      for (int k = 0; k < kCalls; ++k) {
+        const auto good = random_.goodCall(GetParam(), side, contour);
+        ASSERT_TRUE(good) << "calls that are taken are too rare";
+        SCOPED_TRACE(testing::Message() << textOf(good->call) << " seed " << kSeed);
+        law(good->call, good->answer, side);
         if (HasFailure()) return;
       }
-      EXPECT_EQ(good, kCalls) << "calls that are taken are too rare";
     }
   }
 
   static std::string textOf(const CycleCall& call) {
-    std::string text = cycleName(call.code);
-    for (char letter = 'A'; letter <= 'Z'; ++letter)
-      if (call.arguments.has(letter)) text += letter + std::to_string(call.arguments.value(letter));
-    return text + (call.arc_view == nc::ArcView::kXUp ? " up" : "");
+    return flexncBlock(call.code, call.arguments) + (call.arc_view == nc::ArcView::kXUp ? " up" : "");
   }
 
-  std::mt19937 random_{kSeed};
+  FlexncRandom random_{kSeed};
 };
-
-/// Radius of the profile at z, led on along its start's cylinder; of a plane the end away from the stock.
-double radiusAt(const PlaneContour& profile, double z) {
-  if (z >= profile.front().from.x()) return profile.front().from.y();
-  for (const ContourElement& e : profile) {
-    if (z < e.to.x()) continue;
-    if (!e.arc) return e.from.y() + (e.to.y() - e.from.y()) * (z - e.from.x()) / (e.to.x() - e.from.x());
-    const double w = z - e.center.x(), radius = (e.from - e.center).norm();
-    const double root = std::sqrt(std::max(radius * radius - w * w, 0.0));
-    return e.center.y() + (0.5 * (e.from.y() + e.to.y()) > e.center.y() ? root : -root);
-  }
-  return profile.back().to.y();
-}
-
-double distanceFrom(const PlaneContour& profile, const Vec2& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const ContourElement& e : profile) least = std::min(least, proveout::distanceFrom(e, p));
-  return least;
-}
 
 TEST_P(FlexncLaws, ProfilesGoOneWay) {
   forGoodCalls(true, [](const CycleCall&, const CycleAnswer& answer, double side) {
@@ -231,7 +158,7 @@ TEST_P(FlexncLaws, AtMostOneDepthIsLeft) {
     const PlaneContour profile = contourOf(answer);
     const double front = profile.front().from.x(), back = profile.back().to.x();
     for (int i = 0; i < 50; ++i) {
-      const double z = number(back, front), finished = radiusAt(profile, z);
+      const double z = random_.number(back, front), finished = radiusAt(profile, z);
       double left = side * (profile.back().to.y() - finished);
       for (const CycleMove& move : answer.moves) {
         if (move.role == Role::kPass && move.element.to.x() <= z)
@@ -240,15 +167,6 @@ TEST_P(FlexncLaws, AtMostOneDepthIsLeft) {
       EXPECT_LE(left, call.arguments.value('P') + 1e-6) << z;
     }
   });
-}
-
-nc::CycleArguments without(const nc::CycleArguments& arguments, const std::string& letters) {
-  nc::CycleArguments kept;
-  for (char letter = 'A'; letter <= 'Z'; ++letter) {
-    if (arguments.has(letter) && letters.find(letter) == std::string::npos)
-      kept.set(letter, arguments.value(letter));
-  }
-  return kept;
 }
 
 // The contour of the roughing block is that of the contour block with the same letters, and K0 runs it from
@@ -276,7 +194,7 @@ TEST_P(FlexncLaws, ContourBlocksFollowTheSameProfile) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FlexncLaws, testing::ValuesIn(templates()));
+INSTANTIATE_TEST_SUITE_P(All, FlexncLaws, testing::ValuesIn(test::flexncTemplates()));
 
 }  // namespace
 }  // namespace proveout

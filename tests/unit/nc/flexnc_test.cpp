@@ -216,6 +216,14 @@ TEST(Flexnc, WarnsOfCornersThatTheNoseDoesNotFit) {
   EXPECT_TRUE(small.warns("fnc-comp-radius"));
   const FlexncPath brief(kStart + "G00X20Z10\nG42G01Z0\nZ-10\nX21\nZ-11\nX40\nM02\n", settings);
   EXPECT_TRUE(brief.warns("fnc-comp-short"));
+  // A convex radius behind a square corner of a bore: the nose leaves the corner behind the end of the arc.
+  ControlSettings bored;
+  bored.parameters = {{"RT.1", 0.6}, {"TIP.1", 2.0}};
+  const std::string blocks =
+      kStart + "G81.2X105Z5\nG12.5A103.24C-1.4G83.7K1P0R1.1X95.6Z21.3\nG81X95Z100\nM02\n";
+  EXPECT_TRUE(FlexncPath(blocks, bored).warns("fnc-comp-short"));
+  bored.parameters["RT.1"] = 0.1;
+  EXPECT_FALSE(FlexncPath(blocks, bored).warns("fnc-comp-short"));
 }
 
 }  // namespace

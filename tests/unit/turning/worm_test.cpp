@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/mesh/intersections.h"
 #include "removal/turning/thread_mesh.h"
@@ -105,6 +106,26 @@ TEST(Worm, OfManyPassesTheOuterOnesCountAndTheVolumeStays) {
   EXPECT_NEAR((bar_mm3 - surface->volume_mm3) / all, 1.0, 1e-4);
   EXPECT_TRUE(analyseTopology(surface->mesh).closedManifold());
   EXPECT_NEAR(meshVolume(surface->mesh), surface->volume_mm3, 2e-4 * surface->volume_mm3);
+}
+
+/// The front face cuts ridge after ridge, and each time takes sections of its own. What the face does not
+/// reach has the triangles that it has behind it, where the sections are as far apart as the tolerance
+/// allows.
+TEST(Worm, SectionsForTheFaceDoNotDivideTheGrooves) {
+  const Worm worm{.starts = 2, .layer = 0.3, .step = 0.45};
+  const Cut made = cut(worm);
+  const auto surface = threadedSurface(made.shape.bodies.front(), made.shape.threads, 2e-3, Progress());
+  ASSERT_TRUE(surface);
+  const double in_a_step = 2.0 * kPi / circleSteps(worm.bar, 2e-3);
+  std::set<long> behind, all;  // angles of points, in parts of a step
+  for (const Eigen::Vector3f& p : surface->mesh.positions) {
+    if (std::hypot(p.x(), p.y()) < worm.bar - 2.9f || p.z() > 0.0f) continue;
+    const long angle = std::lround(std::atan2(p.y(), p.x()) / (1e-3 * in_a_step));
+    all.insert(angle);
+    if (p.z() < -0.4 * kLength && p.z() > worm.end + 1.1 * worm.depth) behind.insert(angle);
+  }
+  EXPECT_LE(behind.size(), static_cast<std::size_t>(circleSteps(worm.bar, 2e-3)) + 8);
+  EXPECT_GT(all.size(), behind.size() + behind.size() / 2);
 }
 
 TEST(Worm, VerticesLieOnTheCircularSweepsOfAllPasses) {
