@@ -16,6 +16,8 @@ constexpr double kRankTolerance = 1e-3;
 constexpr double kFlatSpread = 3.5e-3;
 /// Curvatures that the crossings leave open stay at zero; relative to what they fix.
 constexpr double kOpenCurvature = 1e-3;
+/// Crossings show how a face bends across their line if they are off it by a seventh of their distances.
+constexpr double kSpreadAcross = 0.02;
 
 bool belongs(const SheetPoint& s, const CellFace& f) {
   return s.face == f.id && f.first.dot(s.n) >= f.same_cos;
@@ -48,7 +50,7 @@ int collectFaces(std::span<const SheetPoint> points, double same_cos, Faces& fac
       f.point = s.p;
       f.count = 1;
       f.spread = 0.0;
-      f.curved = false;
+      f.curved = f.bend_seen = false;
       f.same_cos = same_cos;
       continue;
     }
@@ -82,6 +84,8 @@ void findCurvature(std::span<const SheetPoint> points, CellFace& f) {
     m(2, 2) += a2 * a2;
     right += Vec3(b1 * a1, b1 * a2 + b2 * a1, b2 * a2);
   }
+  const double around = m(0, 0) + m(2, 2);
+  f.bend_seen = m(0, 0) * m(2, 2) - m(0, 1) * m(0, 1) > kSpreadAcross * around * around;
   m(1, 0) = m(1, 2) = m(2, 1) = m(0, 1);
   m.diagonal().array() += kOpenCurvature * m.trace() + 1e-12;
   f.bend = m.inverse() * right;

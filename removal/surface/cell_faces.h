@@ -27,6 +27,7 @@ struct CellFace {
   double spread;      ///< largest difference between its normals and the first
   Vec3 e1, e2, bend;  ///< curvature (11, 12, 22) in the tangent directions e1, e2; only if it is `curved`
   bool curved;
+  bool bend_seen;  ///< its crossings are spread in both directions, so that `bend` is all of it
 };
 using Faces = std::array<CellFace, 12>;
 

@@ -24,6 +24,9 @@ constexpr double kNearness = 1e-6;
 /// Faces that meet at less than 40 degrees, as scallops do, are mostly curved: where they meet farther
 /// outside than the slack (in cells) is uncertain, and cutting the ridge between neighbours costs little.
 const double kSoftCos = std::cos(degToRad(40.0));
+/// The same of faces that are known to bend little: the ridge along a shallow groove, cut in every cell,
+/// would cost 1e-4 of its volume.
+const double kSoftCosOfFlat = std::cos(degToRad(10.0));
 constexpr double kOutsideSlack = 0.05;
 
 /// How far vertices may be off the blank, in cells: at a wall of the cell, and on a chord below a sharp edge.
@@ -194,6 +197,12 @@ CellVertex apexVertex(std::span<const SheetPoint> points, const Vec3& mean, cons
   return out;
 }
 
+/// Whether faces meet so gently that it is uncertain where.
+bool isUncertain(std::span<const CellFace> faces, VertexRefiner* refiner, const Vec3& x) {
+  if (!alike(faces, kSoftCos)) return false;
+  return alike(faces, kSoftCosOfFlat) || refiner == nullptr || !refiner->meetFlat(x);
+}
+
 /// The vertex of a cell whose crease or corner is at `x`, in the cell or not.
 CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum,
                         VertexRefiner* refiner, const Vec3& x) {
@@ -213,7 +222,8 @@ CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const
   out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
   if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
   if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
-  const double reach = alike(faces, kSoftCos) ? kOutsideSlack : kVertexReach;
+  const double reach =
+      beyond > kOutsideSlack && isUncertain(faces, refiner, x) ? kOutsideSlack : kVertexReach;
   out.outside = beyond <= reach;
   out.p = out.outside ? x : out.inside;
   return out;

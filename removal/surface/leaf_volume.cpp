@@ -55,7 +55,7 @@ class LeafMeter {
         return;
       }
       if (volume != nullptr) {
-        const QuadVolume cone = quadVolume(quad.p, quad.middle, quad.normal, center);
+        const QuadVolume cone = quadVolume(quad.p, quad.middle, quad.normal, center, quad.smooth_corners);
         volume->volume += cone.volume;
         volume->error += cone.error;
       }

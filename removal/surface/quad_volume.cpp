@@ -1,6 +1,7 @@
 #include "removal/surface/quad_volume.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace proveout {
@@ -17,40 +18,43 @@ constexpr double kSteepest = 0.7;
 /// By which a sum of errors is multiplied: found on 100 random jobs against grids four times as fine, where
 /// without any other word the volume was off by 0.2 % or more of what was removed.
 constexpr double kErrorFactor = 2.0;
+/// A corner beyond a crease is off the tangent plane by this much more than the square of its distance makes
+/// of the corners on this side.
+constexpr double kBreak = 4.0;
+/// And it is seen at this slope at least (6 degrees).
+constexpr double kBreakSlope = 0.1;
+/// Corners that are all on one crease but one show no break: the part on this side is a sliver then.
+constexpr double kOwnShare = 0.1;
 
-}  // namespace
+/// A piece of surface as seen from its crossing.
+struct Piece {
+  std::array<Vec3, 4> d;           ///< corners
+  std::array<double, 4> height;    ///< over the tangent plane
+  std::array<double, 4> x{}, y{};  ///< in it
 
-QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
-                      const Vec3& apex) {
-  std::array<Vec3, 4> d;
-  std::array<double, 4> height;
-  bool flat = true;
-  double slope2 = 0.0, between = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    d[i] = corners[i] - crossing;
-    height[i] = normal.dot(d[i]);
-    const double length2 = d[i].squaredNorm(), height2 = height[i] * height[i];
-    flat = flat && height2 <= kFlatSlope * kFlatSlope * length2;
-    if (height2 > slope2 * length2) slope2 = height2 / length2;
-    between += 0.25 * std::abs(height[i]);
+  void findPlane(const Vec3& normal) {
+    const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
+    for (int i = 0; i < 4; ++i) {
+      x[i] = e1.dot(d[i]);
+      y[i] = e2.dot(d[i]);
+    }
   }
-  const Vec3 from = crossing - apex;
-  const Vec3 area = (d[2] - d[0]).cross(d[3] - d[1]);  // twice that of the four triangles
-  const double cones = from.dot(area) / 6.0;
-  if (flat) return {cones, 0.0};
-  const bool steep = slope2 > kSteepest * kSteepest;
-  const double error = kErrorFactor * between * 0.5 * area.norm() * (steep ? 1.0 : slope2);
-  if (steep) return {cones, error};
+};
 
-  // q = (xx, xy, yy) of twice the height, from the four corners by least squares: the normal equations by
-  // hand, since this is done for every quad.
-  const Vec3 e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
-  std::array<double, 4> x, y;
+/// Twice the height, as a quadratic: (xx, xy, yy).
+struct Bend {
+  double q0, q1, q2;
+  double operator()(double a, double b) const { return q0 * a * a + 2.0 * q1 * a * b + q2 * b * b; }
+};
+
+/// From the heights of the corners but `left_out`, by least squares: the normal equations by hand, since this
+/// is done for every quad.
+Bend bendOf(const Piece& p, int left_out) {
   double m00 = 0.0, m01 = 0.0, m02 = 0.0, m12 = 0.0, m22 = 0.0, r0 = 0.0, r1 = 0.0, r2 = 0.0;
   for (int i = 0; i < 4; ++i) {
-    x[i] = e1.dot(d[i]);
-    y[i] = e2.dot(d[i]);
-    const double xx = x[i] * x[i], xy = 2.0 * x[i] * y[i], yy = y[i] * y[i], twice = 2.0 * height[i];
+    if (i == left_out) continue;
+    const double xx = p.x[i] * p.x[i], xy = 2.0 * p.x[i] * p.y[i], yy = p.y[i] * p.y[i],
+                 twice = 2.0 * p.height[i];
     m00 += xx * xx;
     m01 += xx * xy;
     m02 += xx * yy;
@@ -68,17 +72,83 @@ QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, 
   const double c00 = m11 * m22 - m12 * m12, c01 = m02 * m12 - m01 * m22, c02 = m01 * m12 - m02 * m11;
   const double c11 = m00 * m22 - m02 * m02, c12 = m01 * m02 - m00 * m12, c22 = m00 * m11 - m01 * m01;
   const double scale = 1.0 / (m00 * c00 + m01 * c01 + m02 * c02);
-  const double q0 = scale * (c00 * r0 + c01 * r1 + c02 * r2), q1 = scale * (c01 * r0 + c11 * r1 + c12 * r2),
-               q2 = scale * (c02 * r0 + c12 * r1 + c22 * r2);
-  const auto bend = [&](double a, double b) { return q0 * a * a + 2.0 * q1 * a * b + q2 * b * b; };
-  // A quadratic less its linear interpolation integrates to -area/24 * (sum over the edges of its bend).
-  std::array<double, 4> at;
-  for (int i = 0; i < 4; ++i) at[i] = bend(x[i], y[i]);
-  double bulge = 0.0;
+  return {scale * (c00 * r0 + c01 * r1 + c02 * r2), scale * (c01 * r0 + c11 * r1 + c12 * r2),
+          scale * (c02 * r0 + c12 * r1 + c22 * r2)};
+}
+
+double twiceArea(const Piece& p, int a, int b, int c) {
+  return (p.x[b] - p.x[a]) * (p.y[c] - p.y[a]) - (p.y[b] - p.y[a]) * (p.x[c] - p.x[a]);
+}
+
+/// The corner beyond a crease that joins the two beside it; -1 where there is none.
+int beyondCrease(Piece& p, const Vec3& normal, unsigned smooth_corners) {
+  const unsigned creased = ~smooth_corners & 0xF;
+  if ((creased & 0x5) != 0x5 && (creased & 0xA) != 0xA) return -1;
+  std::array<double, 4> bend;  // half of what it would take to reach the corner
+  for (int i = 0; i < 4; ++i) bend[i] = std::abs(p.height[i]) / p.d[i].squaredNorm();
+  const auto other = static_cast<int>(std::max_element(bend.begin(), bend.end()) - bend.begin());
+  const unsigned beside = other % 2 == 0 ? 0xA : 0x5;
+  if ((creased & beside) != beside) return -1;
   for (int i = 0; i < 4; ++i) {
+    if (i != other && kBreak * bend[i] > bend[other]) return -1;
+  }
+  if (std::abs(p.height[other]) < kBreakSlope * p.d[other].norm()) return -1;
+  p.findPlane(normal);
+  const int a = (other + 1) % 4, own = (other + 2) % 4, c = (other + 3) % 4;
+  const double here = twiceArea(p, a, own, c), beyond = twiceArea(p, a, c, other);
+  return here > kOwnShare * (here + std::max(beyond, 0.0)) ? other : -1;
+}
+
+/// What the surface bulges out of the triangle of corners a, b and c, CCW from outside: a quadratic less its
+/// linear interpolation integrates to -area/24 * (sum over the edges of its bend).
+double bulgeOf(const Piece& p, const Bend& bend, int a, int b, int c) {
+  const auto along = [&](int i, int k) { return bend(p.x[k] - p.x[i], p.y[k] - p.y[i]); };
+  const double twice_area = (p.x[b] - p.x[a]) * (p.y[c] - p.y[a]) - (p.y[b] - p.y[a]) * (p.x[c] - p.x[a]);
+  return -twice_area * (along(a, b) + along(b, c) + along(c, a)) / 48.0;
+}
+
+/// Two triangles that meet in the crease, beyond which corner `other` is.
+double brokenVolume(const Piece& p, const Vec3& from, int other) {
+  const int a = (other + 1) % 4, own = (other + 2) % 4, c = (other + 3) % 4;
+  const auto cone = [&](int i, int j, int k) {
+    return (from + p.d[i]).dot((p.d[j] - p.d[i]).cross(p.d[k] - p.d[i])) / 6.0;
+  };
+  return cone(a, own, c) + cone(a, c, other) + bulgeOf(p, bendOf(p, other), a, own, c);
+}
+
+}  // namespace
+
+QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
+                      const Vec3& apex, unsigned smooth_corners) {
+  Piece p;
+  bool flat = true;
+  double slope2 = 0.0, between = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    p.d[i] = corners[i] - crossing;
+    p.height[i] = normal.dot(p.d[i]);
+    const double length2 = p.d[i].squaredNorm(), height2 = p.height[i] * p.height[i];
+    flat = flat && height2 <= kFlatSlope * kFlatSlope * length2;
+    if (height2 > slope2 * length2) slope2 = height2 / length2;
+    between += 0.25 * std::abs(p.height[i]);
+  }
+  const Vec3 from = crossing - apex;
+  const Vec3 area = (p.d[2] - p.d[0]).cross(p.d[3] - p.d[1]);  // twice that of the four triangles
+  const double cones = from.dot(area) / 6.0;
+  if (flat) return {cones, 0.0};
+  const bool steep = slope2 > kSteepest * kSteepest;
+  const double error = kErrorFactor * between * 0.5 * area.norm() * (steep ? 1.0 : slope2);
+  if (const int other = beyondCrease(p, normal, smooth_corners); other >= 0)
+    return {brokenVolume(p, from, other), error};
+  if (steep) return {cones, error};
+  p.findPlane(normal);
+  const Bend bend = bendOf(p, -1);
+  double bulge = 0.0;
+  std::array<double, 4> at;
+  for (int i = 0; i < 4; ++i) at[i] = bend(p.x[i], p.y[i]);
+  for (int i = 0; i < 4; ++i) {  // triangles with the crossing, as in bulgeOf
     const int k = (i + 1) % 4;
-    const double twice_area = x[i] * y[k] - y[i] * x[k];
-    bulge -= twice_area * (at[i] + at[k] + bend(x[k] - x[i], y[k] - y[i])) / 48.0;
+    const double twice_area = p.x[i] * p.y[k] - p.y[i] * p.x[k];
+    bulge -= twice_area * (at[i] + at[k] + bend(p.x[k] - p.x[i], p.y[k] - p.y[i])) / 48.0;
   }
   return {cones + bulge, error};
 }

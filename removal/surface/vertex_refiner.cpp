@@ -25,6 +25,11 @@ constexpr int kShowing = 3;
 /// Half a cell off its crossings a surface leaves their plane by 0.0075 cells where it bends as much, by cell
 /// (a radius of 17 cells).
 constexpr double kMostBend = 0.06;
+/// Where crossings do not show how a face bends, its crease would lie on their plane: by an eighth of this
+/// off, and always to the same side, which adds up in the volume.
+constexpr double kMostBendUnseen = 2e-3;
+/// A face that turns by less than 5.7 degrees up to a crease is as good as a plane there.
+constexpr double kLittleTurned = 0.995;
 /// A vertex at rest is seen on its faces within this.
 constexpr double kSeenAt = 0.03;
 /// The same, looked at against the normals of the crossings.
@@ -65,18 +70,39 @@ VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
     const bool flat = faces[i].count >= kShowing && faces[i].spread < kFlatSpread;
     body_[i] = source.body;
     facing_[i] = 0.0;
+    cut_ = cut_ || (source.body > ExactFaces::kNoBody && !exact.ofBlank());
     exact_already_ = exact_already_ && (source.simple ? source.bend < kMostBend : flat);
+    round_[i] = source.bend >= kMostBendUnseen;
   }
 }
 
 bool VertexRefiner::needed(bool smooth) const {
-  if (!exact_already_) return true;
+  if (!exact_already_ || !(smooth || bendsAreSeen())) return true;
   bool one_element = true, cut = false;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     cut = cut || body_[i] != ExactFaces::kNoBody;
     one_element = one_element && (faces_[i].id & 0xFFFF) == (faces_[0].id & 0xFFFF);
   }
   return cut && !one_element && (smooth || oneBody());
+}
+
+bool VertexRefiner::meetFlat(const Vec3& x) {
+  if (!cut_ || exact_already_) return cut_;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (body_[i] == ExactFaces::kNoBody) continue;
+    const CellFace& f = faces_[i];
+    const ExactFaces::Foot foot = exact_.foot(body_[i], x - kLookFrom * f.normal);
+    if (foot.normal.dot(f.normal) < kLittleTurned || (foot.p - x).squaredNorm() > kSeenAt * kSeenAt)
+      return false;
+  }
+  return true;
+}
+
+bool VertexRefiner::bendsAreSeen() const {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (round_[i] && !faces_[i].bend_seen) return false;
+  }
+  return true;
 }
 
 bool VertexRefiner::oneBody() const {

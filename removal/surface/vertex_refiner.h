@@ -16,9 +16,12 @@ class VertexRefiner {
   VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces);
 
   /// Whether crossings and normals do not show the surface exactly. `smooth`: the faces are one smooth
-  /// surface.
+  /// surface; else findCurvature has seen them.
   bool needed(bool smooth) const;
 
+  /// Whether a path cut here and the faces bend little up to `x`, where they meet, as planes do. Faces of the
+  /// blank alone are read alike before and after a path: never true for them.
+  bool meetFlat(const Vec3& x);
   /// Whether the faces near `x` are one smooth surface although their normals differ.
   bool isSmooth(const Vec3& x);
   /// Moves `x`, near a crease or corner, to it. False where that finds no rest nearby: `x` stays then.
@@ -36,6 +39,7 @@ class VertexRefiner {
 
  private:
   double leastFacing(std::size_t face);
+  bool bendsAreSeen() const;
   bool oneBody() const;
   Vec3 meanNormal() const;
   int bodyWithEdge() const;
@@ -50,7 +54,9 @@ class VertexRefiner {
   ExactFaces& exact_;
   std::span<const CellFace> faces_;
   std::array<std::int64_t, 12> body_;
+  std::array<bool, 12> round_;     ///< known to bend by more than creases may miss
   std::array<double, 12> facing_;  ///< as leastFacing tells; 0: not asked for yet
+  bool cut_ = false;               ///< a pass made one of the faces
   bool exact_already_ = true;      ///< crossings and normals show all faces exactly, each for itself
 };
 

@@ -149,6 +149,22 @@ Outline coneOutline(double diameter, double tip, double angle_deg) {
 
 Outline drillOutline(double diameter, double angle_deg) { return coneOutline(diameter, 0.0, angle_deg); }
 
+Outline taperOutline(double ball_diameter, double side_deg, double diameter) {
+  const double b = ball_diameter / 2, side = degToRad(side_deg), R = diameter / 2;
+  const double touch = b * std::cos(side), z = b * (1 - std::sin(side)),
+               top = z + (R - touch) / std::tan(side);
+  return {
+      R,
+      [=](double r) { return r < touch ? b - std::sqrt(b * b - r * r) : z + (r - touch) / std::tan(side); },
+      [=](double r, double h) {
+        const double flank = (r - touch) * std::cos(side) - (h - z) * std::sin(side);
+        const bool low = (h - b) * std::cos(side) + r * std::sin(side) < 0;
+        return std::max(low ? std::hypot(r, h - b) - b : flank, r - R);
+      },
+      {{R, top}, {touch, z}},
+      b};
+}
+
 Curve pointCurve(const Vec2& p) {
   return {[p](const Vec2& x) { return (x - p).norm(); }, [](double q) { return kPi * q * q; },
           [p](double q, int n) {

@@ -32,6 +32,8 @@ Outline ballOutline(double diameter);
 Outline bullOutline(double diameter, double corner);
 Outline coneOutline(double diameter, double tip, double angle_deg);
 Outline drillOutline(double diameter, double angle_deg);
+/// A ball nose and a cone that touches it.
+Outline taperOutline(double ball_diameter, double side_deg, double diameter);
 
 /// A level curve that the tip follows, seen from above.
 struct Curve {

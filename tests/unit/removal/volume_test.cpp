@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/rigid_transform.h"
 #include "core/tool/tool_solid.h"
 #include "removal/sweep/sweep.h"
 #include "tests/unit/removal/cut_fixture.h"
@@ -38,6 +39,28 @@ TEST(StockVolume, IsTheSameWhereNothingIsCut) {
         EXPECT_EQ(stock->surface(surface, progress)->volume_mm3, before);
         EXPECT_EQ(stock->volume(surface, progress)->mm3, before);
       }
+    }
+  }
+}
+
+/// The facets of a cylinder that was turned lean from each other by 10 to 40 degrees in a cell.
+TEST(StockVolume, IsTheSameOfATurnedCylinderWhereNothingIsCut) {
+  PathMaker path;
+  path.line({-90, -90, 60}, {90, -90, 60});
+  RemovalOptions options;
+  options.resolution_mm = 1.0;
+  Progress progress;
+  const RigidTransform move{rotationXyzDeg({180, 0, 33}), {-1.5103, 3.2608, -1.5875}};
+  for (const double radius : {1.0485, 2.3, 3.3, 6.9869}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const CylinderShape shape{axis, {-13.9515, 19.6508, -17.1327}, radius, 0.0, 9.666};
+      const Result<Stock> blank = make(shape, options.resolution_mm);
+      ASSERT_TRUE(blank.ok());
+      Result<Stock> stock = blank->moved(move, options, progress);
+      ASSERT_TRUE(stock.ok());
+      const double before = stock->volume({}, progress)->mm3;
+      ASSERT_TRUE(stock->remove(path.path(), {tool("1=ball:4")}, options, progress).ok());
+      EXPECT_EQ(stock->volume({}, progress)->mm3, before) << radius << " along " << axis;
     }
   }
 }
