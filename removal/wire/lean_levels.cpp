@@ -1,11 +1,14 @@
 #include "removal/wire/lean_levels.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
+#include <unordered_set>
+#include <utility>
 
 #include "core/base/parallel_for.h"
-#include "removal/wire/stretch_index.h"
+#include "removal/wire/wall_parts.h"
 
 namespace proveout {
 namespace {
@@ -13,53 +16,16 @@ namespace {
 /// Slabs thinner than twice this are not halved, mm.
 constexpr double kThinnest = 5e-4;
 
-using Outline = std::vector<Vec2>;
+/// Rounds in which walls are parted, at most: each finds out where they must not be.
+constexpr int kMostRounds = 12;
 
-/// Where the triangles of a wall are half way up.
-Outline middleOf(const Ribbon& ribbon, const LevelSection& lower, const LevelSection& upper) {
-  Outline points;
-  points.reserve(ribbon.rungs.size());
-  for (const auto& [i, j] : ribbon.rungs)
-    points.push_back(0.5 *
-                     (lower.loops[ribbon.lower_loop].points[i] + upper.loops[ribbon.upper_loop].points[j]));
-  return points;
-}
+using Names = std::unordered_set<WallName>;
 
-std::vector<WireStretch> segmentsOf(const Outline& points) {
-  std::vector<WireStretch> sides(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    sides[i].from = points[i];
-    sides[i].to = points[(i + 1) % points.size()];
-  }
-  return sides;
-}
+void addNames(const LevelLoop& loop, Names& names) { names.insert(loop.names.begin(), loop.names.end()); }
 
-/// By how much a corner may be off: the tip of a needle, of material or of a gap, moves fast with the height,
-/// and may be missing as far as the needle is thinner than the tolerance.
-double allowedAt(const Outline& points, std::size_t i, double tolerance) {
-  const std::size_t n = points.size();
-  const Vec2 u = points[(i + n - 1) % n] - points[i], v = points[(i + 1) % n] - points[i];
-  const double lengths = u.norm() * v.norm();
-  if (lengths == 0.0) return tolerance;
-  const double cosine = std::clamp(u.dot(v) / lengths, -1.0, 1.0);
-  const double half_tangent = std::sqrt((1.0 - cosine) / (1.0 + cosine + 1e-12));
-  const double needle = tolerance / (2.0 * half_tangent + 1e-9);
-  return std::max(tolerance, std::min(needle, 0.5 * std::min(u.norm(), v.norm())));
-}
-
-bool staysBy(const Outline& points, const std::vector<WireStretch>& sides, double tolerance) {
-  const StretchIndex index(sides);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (index.nearest(points[i], tolerance).stretch != StretchIndex::kNone) continue;
-    const double allowed = allowedAt(points, i, tolerance);
-    if (allowed <= tolerance || index.nearest(points[i], allowed).stretch == StretchIndex::kNone)
-      return false;
-  }
-  return true;
-}
-
-bool areNear(const Outline& a, const Outline& b, double tolerance) {
-  return staysBy(a, segmentsOf(b), tolerance) && staysBy(b, segmentsOf(a), tolerance);
+bool hasAny(const LevelLoop& loop, const Names& names) {
+  return std::any_of(loop.names.begin(), loop.names.end(),
+                     [&](WallName name) { return names.contains(name); });
 }
 
 class LevelMaker {
@@ -68,33 +34,35 @@ class LevelMaker {
       : section_(section), tolerance_(tolerance), progress_(progress) {}
 
   Result<LeanLevels> make(double low, double high) {
-    sections_[low] = section_(low);
-    sections_[high] = section_(high);
-    std::vector<Task> open{{low, high, allOf(sections_[low]), allOf(sections_[high])}};
-    double done = 0.0;
-    while (!open.empty()) {
-      if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-      std::vector<Try> tries(open.size());
-      parallelFor(std::size_t{0}, open.size(), [&](std::size_t k) { tries[k] = attempt(open[k]); });
-      std::vector<Task> next;
-      for (std::size_t k = 0; k < open.size(); ++k) {
-        if (tries[k].lower_left.empty() && tries[k].upper_left.empty() && tries[k].middle_left.empty())
-          done += open[k].to - open[k].from;
-        else
-          divide(open[k], tries[k], next);
-        keep(open[k], std::move(tries[k]));
-      }
-      open = std::move(next);
-      progress_.report("removing", done / (high - low));
+    for (const double z : {low, high}) sections_[z] = section_(z);
+    for (int round = 0;; ++round) {
+      parts_ = round < kMostRounds;
+      slabs_.clear();
+      passed_.clear();
+      splits_.clear();
+      curves_.clear();
+      used_ = {low, high};
+      if (const Status done = settleAll(low, high); !done) return done.error();
+      if (!failed_) return take();
     }
-    return take();
   }
 
  private:
   using Loops = std::vector<bool>;  ///< of a section: those that are asked about
+  /// A wall of which some is settled.
+  struct OpenWall {
+    std::uint32_t lower, upper;  ///< loops
+    std::vector<WallPart> parts;
+  };
   struct Task {
     double from, to;
     Loops lower, upper;
+    std::vector<OpenWall> open;
+  };
+  /// Between these heights what has one of the names must not be parted.
+  struct Trouble {
+    double from, to;
+    Names names;
   };
   struct Try {
     LevelSlab slab;
@@ -107,7 +75,61 @@ class LevelMaker {
     std::vector<Pass> passed;
     /// Loops whose walls need the middle.
     std::vector<std::uint32_t> lower_left, upper_left, middle_left;
+    std::vector<OpenWall> below, above;  ///< what is left of parted walls
+    struct Split {
+      std::uint32_t lower_loop, middle_loop, upper_loop;
+      SplitRung rung;
+    };
+    std::vector<Split> splits;
+    struct Curve {
+      std::uint32_t lower_loop, upper_loop;
+      CurvedRung rung;
+    };
+    std::vector<Curve> curves;
+    std::vector<Trouble> troubles;
+
+    bool needsMiddle() const {
+      return !lower_left.empty() || !upper_left.empty() || !middle_left.empty() || !below.empty();
+    }
   };
+  /// What an attempt knows of the sections that it compares.
+  struct Setting {
+    const Task& task;
+    const LevelSection &lower, &upper;
+    bool thin;
+    std::vector<std::uint32_t> middle_of_lower, middle_of_upper;
+    LoopPairs to_lower, to_upper;  ///< pairs of lower and middle, of middle and upper
+    Names alone;                   ///< of loops that end or begin between the heights
+    std::function<const LevelLoop*(std::uint32_t lower)> quarter;
+  };
+
+  Status settleAll(double low, double high) {
+    failed_ = false;
+    std::vector<Task> open{{low, high, allOf(sections_[low]), allOf(sections_[high]), {}}};
+    double done = 0.0;
+    while (!open.empty()) {
+      if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+      std::vector<Try> tries(open.size());
+      parallelFor(std::size_t{0}, open.size(), [&](std::size_t k) { tries[k] = attempt(open[k]); });
+      for (Try& tried : tries) {
+        failed_ = failed_ || !tried.troubles.empty();
+        std::move(tried.troubles.begin(), tried.troubles.end(), std::back_inserter(troubles_));
+      }
+      std::vector<Task> next;
+      for (std::size_t k = 0; k < open.size(); ++k) {
+        const bool needed = tries[k].needsMiddle();
+        if (needed)
+          divide(open[k], tries[k], next);
+        else
+          done += open[k].to - open[k].from;
+        keep(open[k], std::move(tries[k]), needed);
+      }
+      if (failed_) break;
+      open = std::move(next);
+      progress_.report("removing", done / (high - low));
+    }
+    return Done{};
+  }
 
   static Loops allOf(const LevelSection& section) { return Loops(section.loops.size(), true); }
   static Loops only(std::size_t count, const std::vector<std::uint32_t>& loops) {
@@ -134,90 +156,209 @@ class LevelMaker {
     return out;
   }
 
+  LevelSection sectionAt(double z) const {
+    const auto known = sections_.find(z);
+    return known != sections_.end() ? known->second : section_(z);
+  }
+
+  /// Loops of both sections whose walls are asked about, wholly or in part.
+  static std::pair<Loops, Loops> notSettled(const Task& task) {
+    std::pair<Loops, Loops> out(task.lower, task.upper);
+    for (const OpenWall& wall : task.open) out.first[wall.lower] = out.second[wall.upper] = true;
+    return out;
+  }
+
+  Setting settingOf(const Task& task, const LevelSection& middle) const {
+    Setting set{task,
+                sections_.at(task.from),
+                sections_.at(task.to),
+                task.to - task.from < 2.0 * kThinnest,
+                {},
+                {},
+                {},
+                {},
+                {},
+                {}};
+    set.to_lower = pairLoops(set.lower, middle);
+    set.to_upper = pairLoops(middle, set.upper);
+    set.middle_of_lower.assign(set.lower.loops.size(), kNone);
+    set.middle_of_upper.assign(set.upper.loops.size(), kNone);
+    for (const auto& [i, m] : set.to_lower.pairs) set.middle_of_lower[i] = m;
+    for (const auto& [m, k] : set.to_upper.pairs) set.middle_of_upper[k] = m;
+    for (const std::uint32_t m : set.to_lower.upper_alone) addNames(middle.loops[m], set.alone);
+    for (const std::uint32_t m : set.to_upper.lower_alone) addNames(middle.loops[m], set.alone);
+    const auto [lower, upper] = notSettled(task);
+    for (const std::uint32_t i : set.to_lower.lower_alone)
+      if (lower[i]) addNames(set.lower.loops[i], set.alone);
+    for (const std::uint32_t k : set.to_upper.upper_alone)
+      if (upper[k]) addNames(set.upper.loops[k], set.alone);
+    return set;
+  }
+
+  /// The middle's loop of a wall, if both others say the same one.
+  static std::uint32_t middleOf(const Setting& set, std::uint32_t lower, std::uint32_t upper) {
+    const std::uint32_t m = set.middle_of_lower[lower];
+    return m == set.middle_of_upper[upper] ? m : kNone;
+  }
+
   Try attempt(const Task& task) const {
-    const LevelSection &lower = sections_.at(task.from), &upper = sections_.at(task.to);
-    const bool thin = task.to - task.from < 2.0 * kThinnest;
     Try out;
-    out.middle = section_(0.5 * (task.from + task.to));
-    const LoopPairs ends = among(pairLoops(lower, upper), task.lower, task.upper);
-    const LoopPairs half = pairLoops(lower, out.middle);
-    const bool whole = ends.lower_alone.empty() && ends.upper_alone.empty();
-    std::vector<std::uint32_t> middle_of(lower.loops.size(), kNone);
-    for (const auto& [i, m] : half.pairs) middle_of[i] = m;
+    out.middle = sectionAt(0.5 * (task.from + task.to));
+    Setting set = settingOf(task, out.middle);
+    std::optional<LevelSection> quarter;
+    std::vector<std::uint32_t> quarter_of;
+    set.quarter = [&](std::uint32_t lower) -> const LevelLoop* {
+      if (!quarter) {
+        quarter = sectionAt(0.75 * task.from + 0.25 * task.to);
+        quarter_of.assign(set.lower.loops.size(), kNone);
+        for (const auto& [i, q] : pairLoops(set.lower, *quarter).pairs) quarter_of[i] = q;
+      }
+      return quarter_of[lower] == kNone ? nullptr : &quarter->loops[quarter_of[lower]];
+    };
+    const LoopPairs ends = among(pairLoops(set.lower, set.upper), task.lower, task.upper);
     out.lower_left = ends.lower_alone;
     out.upper_left = ends.upper_alone;
+    const bool whole = ends.lower_alone.empty() && ends.upper_alone.empty();
     Loops passed(out.middle.loops.size(), false);
-    for (const auto& [i, k] : ends.pairs) {
-      std::optional<Ribbon> ribbon = ribbonBetween(lower, i, upper, k);
-      const std::uint32_t m = middle_of[i];
-      const bool near = ribbon && m != kNone &&
-                        areNear(middleOf(*ribbon, lower, upper), out.middle.loops[m].points, tolerance_);
-      if (!near && !(thin && whole && ribbon)) {
-        out.lower_left.push_back(i);
-        out.upper_left.push_back(k);
-        continue;
-      }
-      if (m != kNone) {
-        passed[m] = true;
-        out.passed.push_back({m, task.from, i});
-      }
-      const double a = areaOf(lower.loops[i]), b = areaOf(upper.loops[k]);
-      const double half_way = m != kNone ? areaOf(out.middle.loops[m]) : 0.5 * (a + b);
-      out.slab.ribbons.push_back(std::move(*ribbon));
-      out.slab.volumes.push_back((task.to - task.from) / 6.0 * (a + 4.0 * half_way + b));
-    }
-    if (thin) {
+    for (const auto& [i, k] : ends.pairs) tryWall(set, i, k, whole, passed, out);
+    for (const OpenWall& wall : task.open) tryOpenWall(set, wall, passed, out);
+    if (set.thin) {
       out.slab.lower_alone = std::move(out.lower_left);
       out.slab.upper_alone = std::move(out.upper_left);
       out.lower_left.clear();
       out.upper_left.clear();
       return out;
     }
-    passElsewhere(half, task.lower, task.from, passed, out);
-    if (!isAll(task.upper)) passElsewhere(pairLoops(upper, out.middle), task.upper, task.to, passed, out);
+    for (const auto& [i, m] : set.to_lower.pairs) passElsewhere(task.lower[i], i, m, task.from, passed, out);
+    for (const auto& [m, k] : set.to_upper.pairs) passElsewhere(task.upper[k], k, m, task.to, passed, out);
     for (std::uint32_t m = 0; m < out.middle.loops.size(); ++m)
       if (!passed[m]) out.middle_left.push_back(m);
     return out;
   }
 
-  static bool isAll(const Loops& asked) {
-    return std::all_of(asked.begin(), asked.end(), [](bool in) { return in; });
-  }
-
-  /// Finds loops of the middle whose walls were settled before, over more height, by those of a section at
-  /// height z.
-  static void passElsewhere(const LoopPairs& to_middle, const Loops& asked, double z, Loops& passed,
-                            Try& out) {
-    for (const auto& [i, m] : to_middle.pairs) {
-      if (asked[i] || passed[m]) continue;
-      passed[m] = true;
-      out.passed.push_back({m, z, i});
+  /// A wall that is asked about as a whole.
+  void tryWall(const Setting& set, std::uint32_t i, std::uint32_t k, bool whole, Loops& passed,
+               Try& out) const {
+    const std::uint32_t m = set.middle_of_lower[i];
+    WallVerdict verdict;
+    if (m != kNone) {
+      verdict = judgeWall(
+          {set.lower.loops[i], out.middle.loops[m], set.upper.loops[k], [&] { return set.quarter(i); }},
+          tolerance_, !set.thin && whole && mayPart(set, i, k));
     }
+    if (verdict.settled.empty() && set.thin && whole) {
+      if (std::optional<Ribbon> ribbon = ribbonBetween(set.lower.loops[i], set.upper.loops[k]))
+        verdict.settled.push_back(std::move(*ribbon));
+    }
+    if (verdict.settled.empty()) {
+      out.lower_left.push_back(i);
+      out.upper_left.push_back(k);
+      return;
+    }
+    take(set, i, k, m, std::move(verdict), passed, out);
   }
 
-  void divide(const Task& task, const Try& tried, std::vector<Task>& next) {
+  bool mayPart(const Setting& set, std::uint32_t i, std::uint32_t k) const {
+    if (!parts_ || middleOf(set, i, k) == kNone) return false;
+    const LevelLoop &lower = set.lower.loops[i], &upper = set.upper.loops[k];
+    if (!set.alone.empty() && (hasAny(lower, set.alone) || hasAny(upper, set.alone))) return false;
+    return std::none_of(troubles_.begin(), troubles_.end(), [&](const Trouble& trouble) {
+      return trouble.from < set.task.to && trouble.to > set.task.from &&
+             (hasAny(lower, trouble.names) || hasAny(upper, trouble.names));
+    });
+  }
+
+  /// What is left of a parted wall.
+  void tryOpenWall(const Setting& set, const OpenWall& wall, Loops& passed, Try& out) const {
+    const LevelLoop &lower = set.lower.loops[wall.lower], &upper = set.upper.loops[wall.upper];
+    const std::uint32_t m = middleOf(set, wall.lower, wall.upper);
+    WallVerdict all;
+    all.failed = !set.alone.empty() && (hasAny(lower, set.alone) || hasAny(upper, set.alone));
+    all.failed = all.failed || (m == kNone && !set.thin);
+    for (const WallPart& part : wall.parts) {
+      if (all.failed) break;
+      const LevelLoop& middle = out.middle.loops[m == kNone ? 0 : m];
+      WallVerdict verdict = judgePart({lower, middle, upper, [&] { return set.quarter(wall.lower); }}, part,
+                                      tolerance_, set.thin);
+      all.failed = verdict.failed;
+      std::move(verdict.settled.begin(), verdict.settled.end(), std::back_inserter(all.settled));
+      all.open.insert(all.open.end(), verdict.open.begin(), verdict.open.end());
+      all.splits.insert(all.splits.end(), verdict.splits.begin(), verdict.splits.end());
+      all.curved.insert(all.curved.end(), verdict.curved.begin(), verdict.curved.end());
+    }
+    if (all.failed) {
+      Trouble& trouble = out.troubles.emplace_back(set.task.from, set.task.to, Names{});
+      addNames(lower, trouble.names);
+      return;
+    }
+    take(set, wall.lower, wall.upper, m, std::move(all), passed, out);
+  }
+
+  static void take(const Setting& set, std::uint32_t i, std::uint32_t k, std::uint32_t m,
+                   WallVerdict&& verdict, Loops& passed, Try& out) {
+    for (Ribbon& ribbon : verdict.settled) {
+      ribbon.lower_loop = i;
+      ribbon.upper_loop = k;
+      out.slab.ribbons.push_back(std::move(ribbon));
+    }
+    for (const SplitRung& rung : verdict.splits) out.splits.push_back({i, m, k, rung});
+    for (const CurvedRung& rung : verdict.curved) out.curves.push_back({i, k, rung});
+    if (m != kNone) passed[m] = true;
+    if (!verdict.open.empty()) {
+      OpenWall &below = out.below.emplace_back(i, m), &above = out.above.emplace_back(m, k);
+      for (const OpenPart& part : verdict.open) {
+        below.parts.push_back({part.lower, part.middle});
+        above.parts.push_back({part.middle, part.upper});
+      }
+      return;
+    }
+    if (m != kNone) out.passed.push_back({m, set.task.from, i});
+    const double a = areaOf(set.lower.loops[i]), b = areaOf(set.upper.loops[k]);
+    const double half_way = m != kNone ? areaOf(out.middle.loops[m]) : 0.5 * (a + b);
+    out.slab.volumes.push_back({i, (set.task.to - set.task.from) / 6.0 * (a + 4.0 * half_way + b)});
+  }
+
+  /// A loop of the middle whose wall was settled before, over more height, by that of the section at z.
+  static void passElsewhere(bool asked, std::uint32_t loop, std::uint32_t m, double z, Loops& passed,
+                            Try& out) {
+    if (asked || passed[m]) return;
+    passed[m] = true;
+    out.passed.push_back({m, z, loop});
+  }
+
+  static void divide(const Task& task, Try& tried, std::vector<Task>& next) {
     const double middle = tried.middle.z;
     const Loops in_middle = only(tried.middle.loops.size(), tried.middle_left);
-    next.push_back({task.from, middle, only(task.lower.size(), tried.lower_left), in_middle});
-    next.push_back({middle, task.to, in_middle, only(task.upper.size(), tried.upper_left)});
+    next.push_back(
+        {task.from, middle, only(task.lower.size(), tried.lower_left), in_middle, std::move(tried.below)});
+    next.push_back(
+        {middle, task.to, in_middle, only(task.upper.size(), tried.upper_left), std::move(tried.above)});
   }
 
-  void keep(const Task& task, Try&& tried) {
+  void keep(const Task& task, Try&& tried, bool needed) {
     const double middle = tried.middle.z;
     for (const auto& [loop, z, other] : tried.passed) passed_.push_back({middle, loop, z, other});
-    if (!tried.middle_left.empty() || !tried.lower_left.empty() || !tried.upper_left.empty())
+    for (const auto& [lower, m, upper, rung] : tried.splits)
+      splits_.push_back(
+          {{task.from, lower, rung.lower}, {middle, m, rung.middle}, {task.to, upper, rung.upper}});
+    for (const auto& [lower, upper, rung] : tried.curves)
+      curves_.push_back({{task.from, lower, rung.lower}, {task.to, upper, rung.upper}, rung});
+    if (needed) {
+      used_.insert(middle);
       sections_[middle] = std::move(tried.middle);
+    }
     LevelSlab& slab = tried.slab;
-    if (slab.ribbons.empty() && slab.lower_alone.empty() && slab.upper_alone.empty()) return;
+    if (slab.ribbons.empty() && slab.volumes.empty() && slab.lower_alone.empty() && slab.upper_alone.empty())
+      return;
     slabs_.push_back({task.from, task.to, std::move(slab)});
   }
 
-  Result<LeanLevels> take() {
+  LeanLevels take() {
     LeanLevels out;
     std::map<double, std::uint32_t> number;
-    for (auto& [z, section] : sections_) {
+    for (const double z : used_) {
       number[z] = static_cast<std::uint32_t>(out.levels.size());
-      out.levels.push_back(std::move(section));
+      out.levels.push_back(std::move(sections_.at(z)));
     }
     std::sort(slabs_.begin(), slabs_.end(), [](const Placed& a, const Placed& b) {
       return a.from != b.from ? a.from < b.from : a.to < b.to;
@@ -231,6 +372,11 @@ class LevelMaker {
       const auto level = number.find(p.z);
       if (level != number.end()) out.passed.push_back({level->second, p.loop, number.at(p.other_z), p.other});
     }
+    const auto at = [&](const PlacedPoint& p) { return LevelPoint{number.at(p.z), p.loop, p.point}; };
+    for (const auto& [lower, middle, upper] : splits_)
+      out.splits.push_back({at(lower), at(middle), at(upper)});
+    for (const auto& [lower, upper, rung] : curves_)
+      out.curves.push_back({at(lower), at(upper), rung.middle, rung.rows, rung.between});
     return out;
   }
 
@@ -245,12 +391,30 @@ class LevelMaker {
     double other_z;
     std::uint32_t other;
   };
+  struct PlacedPoint {
+    double z;
+    std::uint32_t loop, point;
+  };
+  struct PlacedSplit {
+    PlacedPoint lower, middle, upper;
+  };
+  struct PlacedCurve {
+    PlacedPoint lower, upper;
+    CurvedRung rung;
+  };
   const std::function<LevelSection(double z)>& section_;
   double tolerance_;
   Progress& progress_;
-  std::map<double, LevelSection> sections_;
+  std::map<double, LevelSection> sections_;  ///< all that were ever kept
+  std::vector<Trouble> troubles_;            ///< of all rounds
+  bool parts_ = true;                        ///< walls may be parted
+  bool failed_ = false;                      ///< this round, for troubles that were not known
+  // Of this round:
+  std::set<double> used_;
   std::vector<Placed> slabs_;
   std::vector<Passed> passed_;
+  std::vector<PlacedSplit> splits_;
+  std::vector<PlacedCurve> curves_;
 };
 
 }  // namespace

@@ -13,8 +13,12 @@ namespace proveout {
 /// Between two levels: the walls that need none between these, and where walls meet or end.
 struct LevelSlab {
   std::uint32_t lower = 0, upper = 0;  ///< levels
-  std::vector<Ribbon> ribbons;
-  std::vector<double> volumes;  ///< by ribbon: what its loops go round, mm3, below 0 for hollows
+  std::vector<Ribbon> ribbons;         ///< whole walls and parts of them
+  struct Volume {
+    std::uint32_t lower_loop = 0;
+    double mm3 = 0.0;  ///< what the wall goes round between the levels, below 0 for hollows
+  };
+  std::vector<Volume> volumes;  ///< of each wall no part of which needs a level between
   /// Loops whose walls end, part or join within the slab, which then is thinner than 0.001 mm.
   std::vector<std::uint32_t> lower_alone, upper_alone;
 };
@@ -25,14 +29,33 @@ struct PassedLoop {
   std::uint32_t other_level = 0, other_loop = 0;  ///< of the same wall; may be passed as well
 };
 
-struct LeanLevels {
-  std::vector<LevelSection> levels;  ///< from below
-  std::vector<LevelSlab> slabs;      ///< each loop of a level ends one wall and begins one, or is passed
-  std::vector<PassedLoop> passed;
+struct LevelPoint {
+  std::uint32_t level = 0, loop = 0, point = 0;
+};
+/// A rung beside which one part of a wall has another level and the other has not: that has its point, too.
+struct LevelSplit {
+  LevelPoint lower, middle, upper;
 };
 
-/// Halves the height of each wall until its triangles leave the section half way by no more than `tolerance`
-/// mm. Errors: cancelled.
+/// A rung with points of its own, see CurvedRung. Its parts may be split, too.
+struct LevelCurve {
+  LevelPoint lower, upper;
+  Vec2 middle = Vec2::Zero();
+  std::uint32_t rows = 1;
+  bool between = false;
+};
+
+struct LeanLevels {
+  std::vector<LevelSection> levels;  ///< from below
+  /// Each point of a loop ends one wall and begins one, or is passed.
+  std::vector<LevelSlab> slabs;
+  std::vector<PassedLoop> passed;
+  std::vector<LevelSplit> splits;
+  std::vector<LevelCurve> curves;
+};
+
+/// Halves the height of walls, and of parts of them, until their triangles leave the section half way by no
+/// more than `tolerance` mm, or are as far from parabolas through it. Errors: cancelled.
 Result<LeanLevels> leanLevels(const std::function<LevelSection(double z)>& section, double low, double high,
                               double tolerance, Progress& progress);
 

@@ -17,12 +17,16 @@ namespace {
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
+/// Stretches that have one outline: at its ends it is round, and between heights walls there have to be
+/// halved.
+constexpr std::size_t kRunStretches = 192;
 /// Ends nearer to each other are one, mm; shorter stretches stand.
 constexpr double kLeanJoined = 1e-7;
 /// Inner corners that turn by more go by way of the corner itself.
 constexpr double kLeanSharpTurn = 0.5;
-/// Turns by less are none, radians.
-constexpr double kLeanStraight = 1e-9;
+/// From the ellipse at a corner to where its sides meet: no more, and they are one line with a point on it,
+/// mm.
+constexpr double kHardlyTurned = 5e-6;
 /// Ellipses that differ by less are one, mm.
 constexpr double kSameEllipse = 1e-6;
 
@@ -97,7 +101,6 @@ class LeanOutline {
 
   void joint(std::size_t k, bool right) {
     const double turn = turnAt(k);
-    if (std::abs(turn) <= kLeanStraight) return;
     if (const std::optional<Vec2> corner = trimmed(k, right))
       add(*corner);
     else if ((turn > 0.0) == right)
@@ -107,14 +110,16 @@ class LeanOutline {
       add(run_[k].from);
   }
 
-  /// Where the sides of two stretches meet at an inner corner, if both are long enough: what lies behind is
-  /// covered twice and may be counted off once.
+  /// The corner of two sides. Where they hardly turn it is half way between their ends: their meeting would
+  /// jump along the wall from height to height. At other inner corners, if both are long enough, where they
+  /// meet: what lies behind is covered twice and may be counted off once.
   std::optional<Vec2> trimmed(std::size_t k, bool right) const {
     if (k == 0 || k == run_.size()) return std::nullopt;
     const double turn = turnAt(k);
-    if (std::abs(turn) > kLeanSharpTurn || std::abs(turn) <= kLeanStraight || (turn > 0.0) == right)
-      return std::nullopt;
     const LevelStretch &before = run_[k - 1], &next = run_[k];
+    if (0.125 * next.reach() * turn * turn <= kHardlyTurned)
+      return 0.5 * (sideOf(before, right).to + sideOf(next, right).from);
+    if (std::abs(turn) > kLeanSharpTurn || (turn > 0.0) == right) return std::nullopt;
     const double trim = next.reach() * std::tan(0.5 * std::abs(turn));
     if (2.5 * trim > std::min(before.length(), next.length())) return std::nullopt;
     const Side a = sideOf(before, right), b = sideOf(next, right);
@@ -154,7 +159,7 @@ std::vector<Batch> batchesOf(const std::vector<LevelStretch>& stretches) {
   for (const LevelStretch& s : stretches) {
     const bool goes_on =
         !batches.empty() && !batches.back().run.empty() &&
-        batches.back().run.size() + batches.back().ellipses.size() < kOutlineStretches &&
+        batches.back().run.size() + batches.back().ellipses.size() < kRunStretches &&
         batches.back().run.back().radius_mm == s.radius_mm &&
         (batches.back().run.back().to - s.from).norm() <= kLeanJoined &&
         (batches.back().run.back().lean_to - s.lean_from).norm() * s.radius_mm <= kSameEllipse;

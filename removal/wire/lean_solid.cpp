@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "core/mesh/edge_table.h"
 #include "core/mesh/shells.h"
@@ -32,6 +34,7 @@ class SolidWriter {
                                        static_cast<float>(level.z));
       }
     }
+    bendRungs();
     for (const std::optional<LevelStep>& step : steps) {
       first_step_.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
       if (!step) continue;
@@ -62,6 +65,64 @@ class SolidWriter {
   const std::vector<std::uint32_t>& memberOfTriangle() const { return member_of_; }
 
  private:
+  std::uint32_t point(const LevelPoint& p) const { return first_point_[loop(p.level, p.loop)] + p.point; }
+
+  /// A parabola by height, from point to point.
+  struct Curve {
+    Vec2 middle = Vec2::Zero();  ///< half way up
+    std::uint32_t rows = 1;
+    bool between = false;
+    std::uint32_t first = 0, points = 0;  ///< that it has between its ends
+  };
+  using Rung = std::pair<std::uint32_t, std::uint32_t>;
+
+  Vec2 placeOf(std::uint32_t p) const { return mesh_.positions[p].head<2>().cast<double>(); }
+
+  /// Gives curved rungs their points.
+  void bendRungs() {
+    for (const LevelSplit& split : levels_.splits)
+      split_[{point(split.lower), point(split.upper)}] = point(split.middle);
+    // What is not split says its own shape; parts of what is split take it from the whole.
+    for (const bool of_split : {false, true}) {
+      for (const LevelCurve& curve : levels_.curves) {
+        const Rung rung{point(curve.lower), point(curve.upper)};
+        if (split_.contains(rung) == of_split)
+          ask(rung, Curve{curve.middle, curve.rows, curve.between, 0, 0});
+      }
+    }
+    for (auto& [rung, curve] : curve_) addPoints(rung, curve);
+  }
+
+  void ask(const Rung& rung, const Curve& curve) {
+    const auto split = split_.find(rung);
+    if (split == split_.end()) {
+      Curve& known = curve_.try_emplace(rung, curve).first->second;
+      known.rows = std::max(known.rows, curve.rows);
+      return;
+    }
+    const Vec2 low = placeOf(rung.first), high = placeOf(rung.second);
+    Curve half = curve;
+    half.rows = (curve.rows + 1) / 2;
+    half.middle = 0.375 * low + 0.75 * curve.middle - 0.125 * high;
+    ask({rung.first, split->second}, half);
+    half.middle = 0.375 * high + 0.75 * curve.middle - 0.125 * low;
+    ask({split->second, rung.second}, half);
+  }
+
+  void addPoints(const Rung& rung, Curve& curve) {
+    const Vec2 low = placeOf(rung.first), high = placeOf(rung.second);
+    const double z_low = mesh_.positions[rung.first].z(), z_high = mesh_.positions[rung.second].z();
+    curve.first = static_cast<std::uint32_t>(mesh_.positions.size());
+    curve.points = curve.rows == 1 ? 0 : curve.between ? curve.rows : curve.rows - 1;
+    for (std::uint32_t k = 0; k < curve.points; ++k) {
+      const double t = (k + (curve.between ? 0.5 : 1.0)) / curve.rows;
+      const Vec2 p =
+          (1.0 - t) * (1.0 - 2.0 * t) * low + 4.0 * t * (1.0 - t) * curve.middle + t * (2.0 * t - 1.0) * high;
+      mesh_.positions.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()),
+                                   static_cast<float>((1.0 - t) * z_low + t * z_high));
+    }
+  }
+
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, MotionId motion, std::uint32_t member) {
     mesh_.triangles.push_back({a, b, c});
     mesh_.motion.push_back(motion);
@@ -91,14 +152,43 @@ class SolidWriter {
     const std::uint32_t low = loop(slab.lower, ribbon.lower_loop), high = loop(slab.upper, ribbon.upper_loop);
     const LevelLoop& lower = levels_.levels[slab.lower].loops[ribbon.lower_loop];
     const LevelLoop& upper = levels_.levels[slab.upper].loops[ribbon.upper_loop];
-    for (std::size_t k = 0; k < ribbon.rungs.size(); ++k) {
+    const std::uint32_t a = first_point_[low], b = first_point_[high];
+    std::vector<std::uint32_t> here, next;
+    for (std::size_t k = 0; k + 1 < ribbon.rungs.size(); ++k) {
       const auto [i, j] = ribbon.rungs[k];
-      const auto [next_i, next_j] = ribbon.rungs[(k + 1) % ribbon.rungs.size()];
-      const std::uint32_t a = first_point_[low], b = first_point_[high];
-      if (next_i != i)
-        triangle(a + i, a + next_i, b + j, lower.motions[i], low);
-      else
-        triangle(a + i, b + next_j, b + j, upper.motions[j], low);
+      const auto [next_i, next_j] = ribbon.rungs[k + 1];
+      here = {a + i};
+      addRung(a + i, b + j, here);
+      next = {a + next_i};
+      addRung(a + next_i, b + next_j, next);
+      strip(here, next, next_i != i ? lower.motions[i] : upper.motions[j], low);
+    }
+  }
+
+  /// The points of a rung above its lower end.
+  void addRung(std::uint32_t low, std::uint32_t high, std::vector<std::uint32_t>& out) const {
+    if (const auto split = split_.find({low, high}); split != split_.end()) {
+      addRung(low, split->second, out);
+      addRung(split->second, high, out);
+      return;
+    }
+    if (const auto curve = curve_.find({low, high}); curve != curve_.end()) {
+      for (std::uint32_t k = 0; k < curve->second.points; ++k) out.push_back(curve->second.first + k);
+    }
+    out.push_back(high);
+  }
+
+  /// Between two rungs.
+  void strip(const std::vector<std::uint32_t>& here, const std::vector<std::uint32_t>& next, MotionId motion,
+             std::uint32_t member) {
+    const auto height = [&](std::uint32_t p) { return mesh_.positions[p].z(); };
+    std::size_t i = 0, j = 0;
+    while (i + 1 < here.size() || j + 1 < next.size()) {
+      const bool left =
+          j + 1 == next.size() || (i + 1 < here.size() && height(here[i + 1]) <= height(next[j + 1]));
+      const std::uint32_t a = here[i], b = next[j], c = left ? here[i + 1] : next[j + 1];
+      if (a != b && b != c && c != a) triangle(a, b, c, motion, member);
+      ++(left ? i : j);
     }
   }
 
@@ -138,6 +228,9 @@ class SolidWriter {
   std::vector<std::uint32_t> first_point_;  ///< by loop of all levels
   std::vector<std::uint32_t> first_step_;   ///< by slab
   std::vector<std::uint32_t> member_of_;
+  /// By the ends of a rung: a point on it.
+  std::map<Rung, std::uint32_t> split_;
+  std::map<Rung, Curve> curve_;
 };
 
 /// Which members bound one body.
@@ -207,8 +300,8 @@ Result<SolidWriter::Steps> stepsOf(const LeanLevels& levels) {
 std::vector<double> volumesOf(const LeanLevels& levels, const SolidWriter& writer, Bodies& bodies) {
   std::vector<double> volume(writer.loops());
   for (const LevelSlab& slab : levels.slabs) {
-    for (std::size_t k = 0; k < slab.ribbons.size(); ++k)
-      volume[bodies.of(writer.loop(slab.lower, slab.ribbons[k].lower_loop))] += slab.volumes[k];
+    for (const LevelSlab::Volume& wall : slab.volumes)
+      volume[bodies.of(writer.loop(slab.lower, wall.lower_loop))] += wall.mm3;
     const auto add = [&](std::uint32_t level, const std::vector<std::uint32_t>& alone) {
       const double half = 0.5 * (levels.levels[slab.upper].z - levels.levels[slab.lower].z);
       for (const std::uint32_t k : alone)

@@ -14,8 +14,8 @@ namespace {
 constexpr double kSagitta = 2e-4;
 /// The kerf of a piece is that between two ellipses; they differ by no more than a change of lean by this.
 constexpr double kLeanStep = 0.01;
-/// Levels of triangles that addLeanStretches() promises for.
-constexpr double kTwistLevels = 8.0;
+/// Rows of triangles that addLeanStretches() promises for: their points cost less than sections.
+constexpr double kTwistRows = 64.0;
 /// Pieces of a motion, at most.
 constexpr int kMostPieces = 20000;
 /// Shares of a motion at which its bends are looked at.
@@ -54,7 +54,7 @@ class LeanWay {
     }
     const double second = isStraight() ? 0.0 : bend * kSamples * kSamples;
     const double wanted = std::max({std::sqrt(second / (8.0 * kSagitta)), leaning / kLeanStep,
-                                    twist / (4.0 * twist_mm * kTwistLevels), 1.0});
+                                    twist / (4.0 * twist_mm * kTwistRows), 1.0});
     return static_cast<int>(std::ceil(std::min<double>(wanted, kMostPieces)));
   }
 

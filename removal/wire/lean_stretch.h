@@ -38,7 +38,7 @@ struct HeightSpan {
 
 /// Adds the pieces of a motion. Their chords lie on both sides of arcs, so that areas keep, and leave them by
 /// no more than 0.0002 mm within the span; where the wire turns about its own way the pieces are so short
-/// that eight levels of triangles between them leave the ruled surface by no more than `twist_mm` (> 0).
+/// that 64 rows of triangles between them leave the ruled surface by no more than `twist_mm` (> 0).
 void addLeanStretches(const WireSweep& wire, const HeightSpan& span, double radius_mm, double twist_mm,
                       MotionId motion, std::vector<LeanStretch>& out);
 

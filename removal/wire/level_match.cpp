@@ -16,20 +16,24 @@ struct Run {
   std::uint32_t first, count;  ///< from point `first` on, `count` edges
 };
 
-std::vector<Run> runsOf(const LevelLoop& loop) {
+std::vector<Run> runsOf(const LevelLoop& loop, const LoopSpan& span) {
   const auto n = static_cast<std::uint32_t>(loop.points.size());
-  std::uint32_t start = 0;
-  while (start < n && loop.names[start] == loop.names[(start + n - 1) % n]) ++start;
-  if (start == n) return {{loop.names[0], 0, n}};
   std::vector<Run> runs;
-  for (std::uint32_t k = 0; k < n; ++k) {
-    const std::uint32_t i = (start + k) % n;
+  for (std::uint32_t k = 0; k < span.edges; ++k) {
+    const std::uint32_t i = (span.first + k) % n;
     if (!runs.empty() && runs.back().name == loop.names[i])
       ++runs.back().count;
     else
       runs.push_back({loop.names[i], i, 1});
   }
   return runs;
+}
+
+std::vector<Run> runsOf(const LevelLoop& loop) {
+  const auto n = static_cast<std::uint32_t>(loop.points.size());
+  std::uint32_t start = 0;
+  while (start < n && loop.names[start] == loop.names[(start + n - 1) % n]) ++start;
+  return runsOf(loop, {start % n, n});
 }
 
 using Places = std::unordered_map<WallName, std::vector<std::size_t>>;
@@ -47,55 +51,49 @@ double lengthOf(const LevelLoop& loop, const Run& run) {
   return sum;
 }
 
-/// Pairs of runs with one name, in the order of both loops, and the first of them: the longest whose name
-/// comes once.
+/// Runs of whole loops from the longest on whose name comes once. False: they have no name in common.
+bool rotateTogether(std::vector<Run>& a, std::vector<Run>& b, const LevelLoop& loop_a) {
+  const Places in_a = placesOf(a), in_b = placesOf(b);
+  double longest = -1.0;
+  std::size_t at_a = 0, at_b = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto found = in_b.find(a[i].name);
+    if (found == in_b.end()) continue;
+    const bool once = in_a.at(a[i].name).size() == 1 && found->second.size() == 1;
+    const double length = once ? lengthOf(loop_a, a[i]) : 0.0;
+    if (length <= longest) continue;
+    longest = length;
+    at_a = i;
+    at_b = found->second.front();
+  }
+  if (longest < 0.0) return false;
+  std::rotate(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(at_a), a.end());
+  std::rotate(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(at_b), b.end());
+  return true;
+}
+
+/// Pairs of runs with one name, in the order of both.
 class RunAligner {
  public:
-  RunAligner(const LevelLoop& a, const LevelLoop& b) : a_(runsOf(a)), b_(runsOf(b)), loop_(a) {}
+  RunAligner(const std::vector<Run>& a, const std::vector<Run>& b) : a_(a), b_(b), places_(placesOf(b)) {}
 
-  bool align() {
-    if (!rotate()) return false;
-    const Places places = placesOf(b_);
-    std::size_t i = 0, j = 0;
-    matched_.emplace_back(0, 0);
-    while (next(places, i, j)) matched_.emplace_back(i, j);
-    return true;
+  std::vector<std::pair<std::size_t, std::size_t>> align() const {
+    std::vector<std::pair<std::size_t, std::size_t>> matched;
+    for (std::size_t i = 0, j = 0; next(i, j); ++i, ++j) matched.emplace_back(i, j);
+    return matched;
   }
-  const std::vector<std::pair<std::size_t, std::size_t>>& matched() const { return matched_; }
-  const std::vector<Run>& lower() const { return a_; }
-  const std::vector<Run>& upper() const { return b_; }
 
  private:
-  bool rotate() {
-    const Places in_a = placesOf(a_), in_b = placesOf(b_);
-    double longest = -1.0;
-    std::size_t at_a = 0, at_b = 0;
-    for (std::size_t i = 0; i < a_.size(); ++i) {
-      const auto found = in_b.find(a_[i].name);
-      if (found == in_b.end()) continue;
-      const bool once = in_a.at(a_[i].name).size() == 1 && found->second.size() == 1;
-      const double length = once ? lengthOf(loop_, a_[i]) : 0.0;
-      if (length <= longest) continue;
-      longest = length;
-      at_a = i;
-      at_b = found->second.front();
-    }
-    if (longest < 0.0) return false;
-    std::rotate(a_.begin(), a_.begin() + static_cast<std::ptrdiff_t>(at_a), a_.end());
-    std::rotate(b_.begin(), b_.begin() + static_cast<std::ptrdiff_t>(at_b), b_.end());
-    return true;
-  }
-
-  /// The next pair behind i and j that skips least.
-  bool next(const Places& places, std::size_t& i, std::size_t& j) const {
+  /// The next pair from i and j on that skips least.
+  bool next(std::size_t& i, std::size_t& j) const {
     std::size_t least = kLookAhead, to_i = 0, to_j = 0;
-    for (std::size_t skip = 0; skip < least && i + 1 + skip < a_.size(); ++skip) {
-      const auto found = places.find(a_[i + 1 + skip].name);
-      if (found == places.end()) continue;
-      const auto place = std::upper_bound(found->second.begin(), found->second.end(), j);
-      if (place == found->second.end() || skip + (*place - j - 1) >= least) continue;
-      least = skip + (*place - j - 1);
-      to_i = i + 1 + skip;
+    for (std::size_t skip = 0; skip < least && i + skip < a_.size(); ++skip) {
+      const auto found = places_.find(a_[i + skip].name);
+      if (found == places_.end()) continue;
+      const auto place = std::lower_bound(found->second.begin(), found->second.end(), j);
+      if (place == found->second.end() || skip + (*place - j) >= least) continue;
+      least = skip + (*place - j);
+      to_i = i + skip;
       to_j = *place;
     }
     if (least == kLookAhead) return false;
@@ -104,9 +102,8 @@ class RunAligner {
     return true;
   }
 
-  std::vector<Run> a_, b_;
-  const LevelLoop& loop_;
-  std::vector<std::pair<std::size_t, std::size_t>> matched_;
+  const std::vector<Run>&a_, &b_;
+  Places places_;
 };
 
 /// Walks along a loop and counts its share of a way.
@@ -156,9 +153,49 @@ void zip(Walker a, Walker b, Ribbon& ribbon) {
   }
 }
 
-std::uint32_t edgesBetween(std::uint32_t from, std::uint32_t to, const LevelLoop& loop) {
-  const auto n = static_cast<std::uint32_t>(loop.points.size());
-  return (to + n - from) % n;
+/// Some of a loop, and its runs.
+struct Chain {
+  const LevelLoop& loop;
+  LoopSpan span;
+  std::vector<Run> runs;
+
+  /// Edges from the start of the chain to that of a run.
+  std::uint32_t edgesTo(const Run& run) const {
+    const auto n = static_cast<std::uint32_t>(loop.points.size());
+    return (run.first + n - span.first) % n;
+  }
+};
+
+/// How far a chain is joined, edges.
+struct Joined {
+  std::uint32_t lower = 0, upper = 0;
+};
+
+void zipTo(const Joined& to, const Chain& a, const Chain& b, Joined& at, Ribbon& ribbon) {
+  zip({a.loop, a.span.first + at.lower, to.lower - at.lower},
+      {b.loop, b.span.first + at.upper, to.upper - at.upper}, ribbon);
+  at = to;
+}
+
+/// None: a rung would be there twice, as all of a loop closes up to one point.
+std::optional<Ribbon> zipRuns(const Chain& a, const Chain& b) {
+  Ribbon ribbon;
+  ribbon.rungs.emplace_back(a.span.first, b.span.first);
+  Joined at;
+  for (const auto& [i, j] : RunAligner(a.runs, b.runs).align()) {
+    const Run &in_a = a.runs[i], &in_b = b.runs[j];
+    const Joined start{a.edgesTo(in_a), b.edgesTo(in_b)};
+    zipTo(start, a, b, at, ribbon);
+    ribbon.starts.push_back(ribbon.rungs.size() - 1);
+    zipTo({start.lower + in_a.count, start.upper + in_b.count}, a, b, at, ribbon);
+  }
+  zipTo({a.span.edges, b.span.edges}, a, b, at, ribbon);
+  const bool whole = ribbon.rungs.size() > 1 && ribbon.rungs.back() == ribbon.rungs.front();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted(ribbon.rungs.begin(),
+                                                              ribbon.rungs.end() - (whole ? 1 : 0));
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return std::nullopt;
+  return ribbon;
 }
 
 }  // namespace
@@ -207,32 +244,22 @@ LoopPairs pairLoops(const LevelSection& lower, const LevelSection& upper) {
   return out;
 }
 
-std::optional<Ribbon> ribbonBetween(const LevelSection& lower, std::uint32_t lower_loop,
-                                    const LevelSection& upper, std::uint32_t upper_loop) {
-  const LevelLoop &a = lower.loops[lower_loop], &b = upper.loops[upper_loop];
-  RunAligner aligner(a, b);
-  if (!aligner.align()) return std::nullopt;
-  Ribbon ribbon;
-  ribbon.lower_loop = lower_loop;
-  ribbon.upper_loop = upper_loop;
-  const Run &first_a = aligner.lower().front(), &first_b = aligner.upper().front();
-  ribbon.rungs.emplace_back(first_a.first, first_b.first);
-  for (const auto& [i, j] : aligner.matched()) {
-    const Run &in_a = aligner.lower()[i], &in_b = aligner.upper()[j];
-    const auto [at_a, at_b] = ribbon.rungs.back();
-    zip({a, at_a, edgesBetween(at_a, in_a.first, a)}, {b, at_b, edgesBetween(at_b, in_b.first, b)}, ribbon);
-    zip({a, in_a.first, in_a.count}, {b, in_b.first, in_b.count}, ribbon);
-  }
-  // What is left until both loops close, unless one run was all of a loop.
-  const auto [at_a, at_b] = ribbon.rungs.back();
-  zip({a, at_a, edgesBetween(at_a, first_a.first, a)}, {b, at_b, edgesBetween(at_b, first_b.first, b)},
-      ribbon);
-  if (ribbon.rungs.size() > 1 && ribbon.rungs.back() == ribbon.rungs.front()) ribbon.rungs.pop_back();
-  // A rung twice: all of a loop closed up to one point.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted = ribbon.rungs;
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return std::nullopt;
-  return ribbon;
+std::uint32_t endOf(const LevelLoop& loop, const LoopSpan& span) {
+  return (span.first + span.edges) % static_cast<std::uint32_t>(loop.points.size());
+}
+
+std::optional<Ribbon> ribbonBetween(const LevelLoop& lower, const LevelLoop& upper) {
+  std::vector<Run> a = runsOf(lower), b = runsOf(upper);
+  if (!rotateTogether(a, b, lower)) return std::nullopt;
+  const LoopSpan all_a{a.front().first, static_cast<std::uint32_t>(lower.points.size())},
+      all_b{b.front().first, static_cast<std::uint32_t>(upper.points.size())};
+  return zipRuns({lower, all_a, std::move(a)}, {upper, all_b, std::move(b)});
+}
+
+std::optional<Ribbon> ribbonBetween(const LevelLoop& lower, const LoopSpan& lower_span,
+                                    const LevelLoop& upper, const LoopSpan& upper_span) {
+  return zipRuns({lower, lower_span, runsOf(lower, lower_span)},
+                 {upper, upper_span, runsOf(upper, upper_span)});
 }
 
 }  // namespace proveout

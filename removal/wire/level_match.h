@@ -17,15 +17,27 @@ struct LoopPairs {
 };
 LoopPairs pairLoops(const LevelSection& lower, const LevelSection& upper);
 
-/// A wall between two loops, as a strip of triangles: each rung goes from a point of the lower loop to one of
-/// the upper; from a rung to the next, the last to the first, one of both goes to its loop's next point.
+/// Points of a loop that follow each other: from point `first` on, `edges` edges; at most all of the loop.
+struct LoopSpan {
+  std::uint32_t first = 0, edges = 0;
+};
+/// The point where a span ends.
+std::uint32_t endOf(const LevelLoop& loop, const LoopSpan& span);
+
+/// A wall between two loops, or a part of one, as a strip of triangles: each rung goes from a point of the
+/// lower loop to one of the upper; from a rung to the next one of both goes to its loop's next point. Of
+/// whole loops the last rung is the first.
 struct Ribbon {
   std::uint32_t lower_loop = 0, upper_loop = 0;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> rungs;
+  std::vector<std::size_t> starts;  ///< rungs where edges with a common name begin
 };
 /// Rungs join what has one name; what has none at the other height closes up between. None: the loops have no
 /// name in common, or nothing but a point would be left of one of them.
-std::optional<Ribbon> ribbonBetween(const LevelSection& lower, std::uint32_t lower_loop,
-                                    const LevelSection& upper, std::uint32_t upper_loop);
+/// `lower_loop` and `upper_loop` are to be set.
+std::optional<Ribbon> ribbonBetween(const LevelLoop& lower, const LevelLoop& upper);
+/// The same for spans whose first edges have a common name.
+std::optional<Ribbon> ribbonBetween(const LevelLoop& lower, const LoopSpan& lower_span,
+                                    const LevelLoop& upper, const LoopSpan& upper_span);
 
 }  // namespace proveout

@@ -34,7 +34,6 @@ constexpr std::size_t kNamesATask = 512;
 constexpr int kPartBits = 2;
 constexpr WallName kLeft = 0, kRight = 1, kEnd = 2;
 constexpr WallName kBlankName = WallName{1} << 63;
-bool isSide(WallName name) { return (name & kBlankName) != 0 || (name & 3) != kEnd; }
 
 struct Named {
   WallName name = 0;
@@ -196,6 +195,8 @@ LevelLoop loopOf(const ClipperLib::Path& path, const WallNamer& namer) {
 }
 
 }  // namespace
+
+bool isSide(WallName name) { return (name & kBlankName) != 0 || (name & 3) != kEnd; }
 
 double areaOf(const LevelLoop& loop) { return polygonArea(loop.points); }
 

@@ -12,6 +12,8 @@ namespace proveout {
 /// Says where an edge of a section comes from, the same at all heights: a side of a stretch, its end, or a
 /// side of the blank.
 using WallName = std::uint64_t;
+/// Of a stretch or of the blank; else an end.
+bool isSide(WallName name);
 
 /// A closed polygon, the region on its left.
 struct LevelLoop {
