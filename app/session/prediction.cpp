@@ -20,6 +20,7 @@ constexpr double kBytesPerCell = 50.0;         ///< leaves, crossings, mesh of f
 constexpr double kBytesPerCutCell = 60.0;      ///< on top of that: round walls
 constexpr double kBytesPerUnevenCell = 260.0;  ///< and where triangles are not merged
 constexpr double kBytesPerTriangle = 75.0;  ///< of a mesh from half sections: the sections and the file, too
+constexpr double kBytesPerGrooveTriangle = 70.0;      ///< on top of that: sections where ridges are cut
 constexpr double kBytesPerTurnedCell = 20.0;          ///< on top of kBytesPerCell: from a half section
 constexpr double kBytesPerThreadedCell = 160.0;       ///< and on top of that where threads run
 constexpr double kBytesPerMotion = 500.0;             ///< motion and its passes
@@ -51,22 +52,24 @@ constexpr double kTurnsThatCount = 3.0;
 constexpr double kBytesPerChord = 1000.0;  ///< a pass, and its numbers in lists
 /// Chords of helices with undercut tools may be farther off: this part of the grid, instead of this, mm.
 constexpr double kHelixChordShare = 1e-3, kChordMm = 5e-5;
-constexpr double kSecondsPerTriangle = 1.1e-6;       ///< half sections, their mesh, its checks, files
-constexpr double kSecondsPerMotion = 2.0e-6;         ///< interpreter, culling
-constexpr double kSecondsPerTurnedMotion = 4e-5;     ///< out of the half section
-constexpr double kSecondsPerFixtureCell = 1.0e-7;    ///< leaves and crossings alone
-constexpr double kSecondsPerTurnedCell = 4e-7;       ///< from a half section to the grid
-constexpr double kSecondsPerThreadedCell = 6e-6;     ///< on top of that where threads run
-constexpr double kSecondsPerReadCell = 6e-7;         ///< of a saved stock
-constexpr double kSecondsPerWrittenCell = 1.3e-6;    ///< as a saved stock
-constexpr double kSecondsPerTextCell = 1.2e-6;       ///< cut cells in one mesh file as text
-constexpr double kSecondsPerBlankTriangle = 4.5e-6;  ///< a stock from a mesh
-constexpr double kSecondsPerMeshedCell = 2.1e-6;     ///< the same, and its cells
-constexpr double kSecondsPerMovedCell = 3.5e-6;      ///< a stock from that of the clamping before
-constexpr double kSecondsPerComparedCell = 2.6e-6;   ///< comparison
-constexpr double kSecondsPerDrawnTriangle = 1.2e-6;  ///< search tree and normals, for all pictures
-constexpr double kSecondsPerPixel = 1.6e-7;          ///< one picture of flat faces
-constexpr double kMoreSecondsCut = 1.0;              ///< so much more where nothing is level
+constexpr double kSecondsPerTriangle = 1.1e-6;        ///< half sections, their mesh, its checks, files
+constexpr double kSecondsPerGrooveTriangle = 1.1e-6;  ///< on top of that: sections where ridges are cut
+constexpr double kSecondsPerPassPoint = 3.6e-6;       ///< passes that deeper ones hold are dropped
+constexpr double kSecondsPerMotion = 2.0e-6;          ///< interpreter, culling
+constexpr double kSecondsPerTurnedMotion = 4e-5;      ///< out of the half section
+constexpr double kSecondsPerFixtureCell = 1.0e-7;     ///< leaves and crossings alone
+constexpr double kSecondsPerTurnedCell = 4e-7;        ///< from a half section to the grid
+constexpr double kSecondsPerThreadedCell = 6e-6;      ///< on top of that where threads run
+constexpr double kSecondsPerReadCell = 6e-7;          ///< of a saved stock
+constexpr double kSecondsPerWrittenCell = 1.3e-6;     ///< as a saved stock
+constexpr double kSecondsPerTextCell = 1.2e-6;        ///< cut cells in one mesh file as text
+constexpr double kSecondsPerBlankTriangle = 4.5e-6;   ///< a stock from a mesh
+constexpr double kSecondsPerMeshedCell = 2.1e-6;      ///< the same, and its cells
+constexpr double kSecondsPerMovedCell = 3.5e-6;       ///< a stock from that of the clamping before
+constexpr double kSecondsPerComparedCell = 2.6e-6;    ///< comparison
+constexpr double kSecondsPerDrawnTriangle = 1.2e-6;   ///< search tree and normals, for all pictures
+constexpr double kSecondsPerPixel = 1.6e-7;           ///< one picture of flat faces
+constexpr double kMoreSecondsCut = 1.0;               ///< so much more where nothing is level
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
 constexpr int kMapSide = 256;
@@ -367,14 +370,15 @@ Workload together(const Workload& a, const Workload& b) {
   for (double Workload::*member :
        {&Workload::surface_mm2, &Workload::cut_mm2, &Workload::uneven_mm2, &Workload::nominal_mm2,
         &Workload::fixture_mm2, &Workload::fixture_mesh_mm2, &Workload::pixels, &Workload::triangles,
-        &Workload::thread_triangles, &Workload::turned_mm2, &Workload::threaded_mm2,
-        &Workload::blank_triangles})
+        &Workload::thread_triangles, &Workload::groove_triangles, &Workload::turned_mm2,
+        &Workload::threaded_mm2, &Workload::blank_triangles})
     both.*member = std::max(a.*member, b.*member);
   both.swept_mm2 += b.swept_mm2;
   for (int kind = 0; kind < kCurveKinds; ++kind) add(both.curves[kind], b.curves[kind]);
   both.pictures = std::max(a.pictures, b.pictures);
   both.motions += b.motions;
   both.turned_motions += b.turned_motions;
+  both.pass_points += b.pass_points;
   both.reads_grid |= b.reads_grid;
   both.writes_grid |= b.writes_grid;
   both.text_files = std::max(a.text_files, b.text_files);
@@ -429,6 +433,7 @@ double memoryMb(const Workload& work, const Cells& cells) {
                        cells.threaded * kBytesPerThreadedCell + cells.fixture * kBytesPerFixtureCell;
   // Pictures are drawn while the part is compared; files come behind both, which give their memory back.
   return kBaseMb + 1e-6 * (stock + work.triangles * kBytesPerTriangle +
+                           work.groove_triangles * kBytesPerGrooveTriangle +
                            static_cast<double>(work.motions) * kBytesPerMotion +
                            static_cast<double>(work.turned_motions) * kBytesPerTurnedMotion +
                            std::max(comparing + drawing, moduleBytes(work, cells)));
@@ -462,6 +467,8 @@ double timeS(const Workload& work, const Cells& cells) {
                        cells.fixture * kSecondsPerFixtureCell + cells.fixture_mesh * kSecondsPerMeshedCell;
   const double turned = cells.turned * kSecondsPerTurnedCell + cells.threaded * kSecondsPerThreadedCell +
                         work.thread_triangles * kSecondsPerTriangle +
+                        work.groove_triangles * kSecondsPerGrooveTriangle +
+                        work.pass_points * kSecondsPerPassPoint +
                         static_cast<double>(work.turned_motions) * kSecondsPerTurnedMotion;
   const double from_mesh = work.blank_triangles > 0.0 ? work.blank_triangles * kSecondsPerBlankTriangle +
                                                             cells.surface * kSecondsPerMeshedCell

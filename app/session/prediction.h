@@ -38,6 +38,8 @@ struct Workload {
   std::uint64_t turned_motions = 0;  ///< of those, cuts of parts that turn
   double triangles = 0.0;            ///< of a mesh that needs no grid
   double thread_triangles = 0.0;     ///< of those, of threads and of walls of leaning wires
+  double groove_triangles = 0.0;     ///< of those, of grooves whose sides are rows of passes
+  double pass_points = 0.0;          ///< of the outlines of all thread passes
   double turned_mm2 = 0.0;           ///< surface of a part from half sections that goes to a grid
   double threaded_mm2 = 0.0;         ///< of that what threads run over
   double blank_triangles = 0.0;      ///< of a mesh that the blank is made from

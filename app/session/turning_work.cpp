@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "core/tool/convex_outline.h"
 #include "core/tool/tool_table.h"
+#include "removal/turning/section.h"
 
 namespace proveout {
 
@@ -90,12 +92,59 @@ double profileTriangles(const SetupRun& setup, const Box3& blank) {
   return 2.0 * points * circleSteps(blank.max.x(), tolerance);
 }
 
-/// Of the mesh of a thread, with two sides, root and crest between half sections all round.
-double threadTriangles(const SetupRun& setup, const Motion& motion, const Box3& blank) {
-  const double length = std::abs(motion.to.z() - motion.from.z()),
-               inside = std::min(length, blank.size().z()), share = length > 0.0 ? inside / length : 1.0;
-  const double corners = 4.0 * threadTurns(setup.interpreted.path, motion) * share;
-  return 2.0 * corners * circleSteps(blank.max.x(), facetTolerance(setup.job));
+/// Of a round insert; 0: of another tool, whose sides are straight.
+double roundRadius(const std::vector<Tool>& tools, int number) {
+  const Tool* tool = ToolTable(tools).find(number);
+  const bool round = tool != nullptr && tool->insert && tool->insert->shape == InsertShape::kRound;
+  return round ? tool->insert->nose_radius : 0.0;
+}
+
+/// What the passes of one start of a thread cover together.
+class Groove {
+ public:
+  void add(const SetupRun& setup, const Motion& m, const Box3& blank) {
+    ++passes_;
+    round_ = std::max(round_, roundRadius(setup.job.tools, m.tool));
+    starts_.extend(m.from);
+    const double length = std::abs(m.to.z() - m.from.z()), inside = std::min(length, blank.size().z());
+    const double share = length > 0.0 ? inside / length : 1.0;
+    turns_ = std::max(turns_, threadTurns(setup.interpreted.path, m) * share);
+  }
+
+  double triangles(double blank_radius, double tolerance) const {
+    return 2.0 * turns_ * corners(blank_radius, tolerance) * circleSteps(blank_radius, tolerance);
+  }
+  bool inRows() const { return round_ > 0.0 && passes_ > 1; }
+  double passPoints() const { return static_cast<double>(passes_) * circleSteps(round_, kSectionChordMm); }
+
+ private:
+  /// Of two sides, root and crest, or of the arcs that passes of a round tool leave, as of one large arc.
+  double corners(double blank_radius, double tolerance) const {
+    constexpr double kStraight = 4.0;
+    if (!(round_ > 0.0)) return kStraight;
+    const double width = starts_.size().z() + 2.0 * round_,
+                 depth = std::max(0.0, blank_radius - (starts_.min.x() - round_));
+    return std::max(kStraight, (width + 2.0 * depth) / (2.0 * kPi * round_) * circleSteps(round_, tolerance));
+  }
+
+  double round_ = 0.0, turns_ = 0.0;
+  Box3 starts_;  ///< of the control point
+  std::size_t passes_ = 0;
+};
+
+/// By start of the thread: the passes of one lie over each other.
+void addThreads(const SetupRun& setup, const Box3& blank, Workload& work) {
+  std::map<float, Groove> grooves;
+  for (const Motion& m : setup.interpreted.path.motions) {
+    if (m.kind != MotionKind::kThread) continue;
+    grooves[m.thread_start_deg].add(setup, m, blank);
+  }
+  for (const auto& [start, groove] : grooves) {
+    const double triangles = groove.triangles(blank.max.x(), facetTolerance(setup.job));
+    work.thread_triangles += triangles;
+    if (groove.inRows()) work.groove_triangles += triangles;
+    work.pass_points += groove.passPoints();
+  }
 }
 
 /// Of the cylinder about all threads, as far as it is within the blank, mm2.
@@ -134,9 +183,8 @@ Workload turningWork(const SetupRun& setup, const Blank& blank) {
   work.motions = motions.size();
   for (const Motion& m : motions) {
     if (m.kind == MotionKind::kFeed) ++work.turned_motions;
-    if (m.kind == MotionKind::kThread)
-      work.thread_triangles = std::max(work.thread_triangles, threadTriangles(setup, m, blank.bounds));
   }
+  addThreads(setup, blank.bounds, work);
   work.triangles = profileTriangles(setup, blank.bounds) + work.thread_triangles;
   return savesStock(setup.job) ? together(work, ontoGridWork(setup, blank)) : work;
 }

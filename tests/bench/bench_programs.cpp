@@ -35,6 +35,7 @@ struct Case {
   bool heavy = false;                     ///< run on request only
   std::string job_file = {};              ///< where there is a job in place of stock and tool
   std::function<std::string()> job = {};  ///< makes it
+  bool picture = false;                   ///< drawn, too
 };
 
 struct Options {
@@ -138,7 +139,14 @@ std::vector<Case> turnedCases() {
            .text = manyPassesProgram,
            .grid_mm = 0.1,
            .job_file = "passes.toml",
-           .job = [] { return threadJob("passes.nc", 60); }}};
+           .job = [] { return threadJob("passes.nc", 60); }},
+          {.name = "worm, with a picture",
+           .file = "worm.pmc",
+           .text = wormProgram,
+           .grid_mm = 0.1,
+           .job_file = "worm.toml",
+           .job = [] { return wormJob("worm.pmc"); },
+           .picture = true}};
 }
 
 /// Contours of a wire, whole processes: 20,000 blocks in a plate of 60 mm, upright as an exact section (aim:
@@ -194,8 +202,9 @@ void runCase(const Case& c, const Options& options, const Workplace& work, Remov
   } else {
     arguments.insert(arguments.end(), {program, "--control", "nct", "--stock", c.stock, "--tool", c.tool});
   }
-  arguments.insert(arguments.end(), {"--resolution", fmt::format("{}", c.grid_mm), "--no-render", "--format",
-                                     "stl", "--out", out});
+  arguments.insert(arguments.end(),
+                   {"--resolution", fmt::format("{}", c.grid_mm), "--format", "stl", "--out", out});
+  if (!c.picture) arguments.emplace_back("--no-render");
   const ChildOutcome child = runChild(arguments, work.path("errors"), options.limit_s);
   const std::string report = readFile(out + "/report.json");
   if (child.ended && child.exit_code <= 1 && !report.empty()) {

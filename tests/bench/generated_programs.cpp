@@ -127,6 +127,18 @@ std::string threadJob(const std::string& program_file, int length_mm) {
       "shape = \"thread\"\ninsert_angle = 60\ntip_flat = 0.1\norientation = 8\nedge_length = 2.2\n");
 }
 
+std::string wormProgram() {
+  return "T1M06D1\nS100M03\nG99F0.2\nG90G00X30Z20\nG30A34X40Z60R3Q1F40H0.32P0.15U60L12K4\nG81X100Z100\nM02\n";
+}
+
+std::string wormJob(const std::string& program_file) {
+  return fmt::format(
+      "schema = \"proveout.job/1\"\nprogram = \"{}\"\ncontrol = \"flexnc\"\n[stock]\nshape = \"cylinder\"\n"
+      "base = [0, 0, -80]\ndiameter = 40\nlength = 80\n[[tool]]\nnumber = 1\ntype = \"insert\"\n"
+      "shape = \"round\"\nnose_radius = 1\norientation = 8\n[output]\nviews = [\"iso\"]\n",
+      program_file);
+}
+
 std::string slotProgram() {
   return "T1M6\nG21G90G17G94\nS8000M3\nG0X-10Y25Z5\nG0Z-5\nG1X110F800\nG0Z5\nM30\n";
 }

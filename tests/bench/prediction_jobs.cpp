@@ -261,6 +261,10 @@ void addTurned(const std::string& parts, std::vector<PredictedJob>& jobs) {
                   {{"passes.nc", manyPassesProgram}, {"job.toml", [] { return threadJob("passes.nc", 60); }}},
                   {},
                   Words{"job.toml"}});
+  jobs.push_back({"worm of four starts",
+                  {{"worm.pmc", wormProgram}, {"job.toml", [] { return wormJob("worm.pmc"); }}},
+                  {},
+                  Words{"job.toml"}});
   jobs.push_back({"30 thread passes, vdb",
                   {{"passes.nc", manyPassesProgram},
                    {"job.toml", [] { return withFormat(threadJob("passes.nc", 60), "vdb"); }}},
