@@ -39,7 +39,7 @@ class LevelFalls {
     work.cuts = cuts;
     const std::vector<WireStretch> level = work.atHeight({blank.z_low, blank.z_high}, z_).cuts;
     std::vector<PlaneBody> last = bodiesAt(solid.levels[levelAt(solid, z)]);
-    const WireHolding holding(blank.held_at, blank.loops, last);
+    const WireHolding holding(blank.held_at, blank.loops, level, last);
     pieces_ = findFalls(blank.loops, level, std::move(last), holding).pieces;
     for (const FreePiece& piece : pieces_) regions_.push_back(polygonsOf(piece.body.loops, kChordMm));
   }

@@ -106,6 +106,12 @@ class RunAligner {
   Places places_;
 };
 
+/// How much of a loop has a name.
+struct NamedLength {
+  std::uint32_t loop;
+  double mm;
+};
+
 /// Walks along a loop and counts its share of a way.
 class Walker {
  public:
@@ -201,37 +207,38 @@ std::optional<Ribbon> zipRuns(const Chain& a, const Chain& b) {
 }  // namespace
 
 LoopPairs pairLoops(const LevelSection& lower, const LevelSection& upper) {
-  std::unordered_map<WallName, std::vector<std::uint32_t>> upper_of;
+  std::unordered_map<WallName, std::vector<NamedLength>> upper_of;
   for (std::uint32_t k = 0; k < upper.loops.size(); ++k) {
     for (const Run& run : runsOf(upper.loops[k])) {
-      std::vector<std::uint32_t>& loops = upper_of[run.name];
-      if (loops.empty() || loops.back() != k) loops.push_back(k);
+      std::vector<NamedLength>& loops = upper_of[run.name];
+      if (loops.empty() || loops.back().loop != k) loops.push_back({k, 0.0});
+      loops.back().mm += lengthOf(upper.loops[k], run);
     }
   }
   struct Best {
-    std::size_t common = 0;
+    double common = 0.0;
     std::uint32_t loop = 0;
   };
   std::vector<Best> for_lower(lower.loops.size()), for_upper(upper.loops.size());
   for (std::uint32_t i = 0; i < lower.loops.size(); ++i) {
-    std::unordered_map<std::uint32_t, std::size_t> common;
-    for (const Run& run : runsOf(lower.loops[i])) {
-      const auto found = upper_of.find(run.name);
+    std::unordered_map<WallName, double> own;
+    for (const Run& run : runsOf(lower.loops[i])) own[run.name] += lengthOf(lower.loops[i], run);
+    std::vector<double> common(upper.loops.size(), 0.0);
+    for (const auto& [name, mm] : own) {
+      const auto found = upper_of.find(name);
       if (found == upper_of.end()) continue;
-      for (const std::uint32_t k : found->second) ++common[k];
+      for (const NamedLength& there : found->second) common[there.loop] += std::min(mm, there.mm);
     }
     for (std::uint32_t k = 0; k < upper.loops.size(); ++k) {
-      const auto found = common.find(k);
-      if (found == common.end()) continue;
-      if (found->second > for_lower[i].common) for_lower[i] = {found->second, k};
-      if (found->second > for_upper[k].common) for_upper[k] = {found->second, i};
+      if (common[k] > for_lower[i].common) for_lower[i] = {common[k], k};
+      if (common[k] > for_upper[k].common) for_upper[k] = {common[k], i};
     }
   }
   LoopPairs out;
   std::vector<bool> taken(upper.loops.size());
   for (std::uint32_t i = 0; i < lower.loops.size(); ++i) {
     const Best& best = for_lower[i];
-    if (best.common > 0 && for_upper[best.loop].loop == i) {
+    if (best.common > 0.0 && for_upper[best.loop].loop == i) {
       out.pairs.emplace_back(i, best.loop);
       taken[best.loop] = true;
     } else {

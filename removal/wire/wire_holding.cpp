@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "core/geometry/plane.h"
+#include "core/geometry/polygon.h"
 #include "removal/wire/edge_curves.h"
 #include "removal/wire/face_triangles.h"
 #include "removal/wire/fixture_solid.h"
+#include "removal/wire/kerf_section.h"
 
 namespace proveout {
 namespace {
@@ -78,6 +80,65 @@ std::optional<Vec2> widestAt(const PlanePolygons& region, double y) {
   return middle;
 }
 
+/// Bodies that have some of the blank's outer border.
+std::vector<PlaneBody> bodiesAtBorder(const std::vector<PlaneLoop>& blank,
+                                      const std::vector<PlaneBody>& bodies) {
+  std::vector<PlaneLoop> outer;
+  std::copy_if(blank.begin(), blank.end(), std::back_inserter(outer),
+               [](const PlaneLoop& loop) { return areaOf(loop) > 0.0; });
+  const std::vector<WireStretch> borders = wire_detail::sidesOf(outer);
+  const auto isOuter = [&](const WireStretch& side) {
+    return side.motion == kNoMotion &&
+           std::any_of(borders.begin(), borders.end(), [&](const WireStretch& border) {
+             return distanceTo(border, side.at(0.5)).mm <= kBodyChordMm;
+           });
+  };
+  std::vector<PlaneBody> out;
+  std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(out), [&](const PlaneBody& body) {
+    const std::vector<WireStretch> sides = wire_detail::sidesOf({body.loops.front()});
+    return std::any_of(sides.begin(), sides.end(), isOuter);
+  });
+  return out;
+}
+
+/// What is left after some of the motions.
+class CutsInTime {
+ public:
+  CutsInTime(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts)
+      : blank_(blank), cuts_(cuts) {
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      if (i + 1 == cuts.size() || cuts[i + 1].motion != cuts[i].motion) ends_.push_back(i + 1);
+    for (const PlaneLoop& loop : blank) box_.extend(boundsOf(loop));
+  }
+  std::size_t motions() const { return ends_.size(); }
+
+  /// Of some places those that lie in the largest body after so many motions.
+  std::vector<Vec2> largestOf(const std::vector<Vec2>& places, std::size_t motions) const {
+    const std::size_t end = motions > 0 ? ends_[motions - 1] : 0;
+    std::vector<Vec2> best;
+    double largest = 0.0;
+    for (const PlanePolygons& region : regionsInside(
+             box_.inflated(1.0), blank_, {cuts_.begin(), cuts_.begin() + static_cast<std::ptrdiff_t>(end)})) {
+      double area = 0.0;
+      for (const std::vector<Vec2>& loop : region) area += polygonArea(loop);
+      if (area <= largest) continue;
+      std::vector<Vec2> in;
+      std::copy_if(places.begin(), places.end(), std::back_inserter(in),
+                   [&](const Vec2& p) { return holds(region, p); });
+      if (in.empty()) continue;
+      best = std::move(in);
+      largest = area;
+    }
+    return best;
+  }
+
+ private:
+  const std::vector<PlaneLoop>& blank_;
+  const std::vector<WireStretch>& cuts_;
+  Box3 box_;
+  std::vector<std::size_t> ends_;  ///< how many stretches there are up to the end of each motion
+};
+
 std::vector<Vec2> middlesOf(const PlanePolygons& region) {
   std::vector<Vec2> points;
   for (const std::vector<Vec2>& loop : region) points.insert(points.end(), loop.begin(), loop.end());
@@ -137,22 +198,25 @@ Vec2 placeIn(const PlanePolygons& region) {
   return best;
 }
 
-std::size_t heldBody(const std::vector<PlaneLoop>& blank, const std::vector<PlaneBody>& bodies) {
-  std::vector<PlaneLoop> outer;
-  std::copy_if(blank.begin(), blank.end(), std::back_inserter(outer),
-               [](const PlaneLoop& loop) { return areaOf(loop) > 0.0; });
-  const std::vector<WireStretch> borders = wire_detail::sidesOf(outer);
-  const auto isOuter = [&](const WireStretch& side) {
-    return side.motion == kNoMotion &&
-           std::any_of(borders.begin(), borders.end(), [&](const WireStretch& border) {
-             return distanceTo(border, side.at(0.5)).mm <= kBodyChordMm;
-           });
-  };
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const std::vector<WireStretch> sides = wire_detail::sidesOf({bodies[k].loops.front()});
-    if (std::any_of(sides.begin(), sides.end(), isOuter)) return k;
+Vec2 heldPlace(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
+               const std::vector<PlaneBody>& last) {
+  std::vector<Vec2> places;
+  for (const PlaneBody& body : bodiesAtBorder(blank, last)) places.push_back(placeIn(body));
+  if (places.empty()) return placeIn(last.front());
+  const CutsInTime in_time(blank, cuts);
+  std::size_t together = 0;
+  while (places.size() > 1) {
+    std::size_t apart = in_time.motions();
+    while (apart - together > 1) {
+      const std::size_t middle = together + (apart - together) / 2;
+      (in_time.largestOf(places, middle).size() == places.size() ? together : apart) = middle;
+    }
+    std::vector<Vec2> stays = in_time.largestOf(places, apart);
+    if (stays.empty() || stays.size() == places.size()) break;
+    places = std::move(stays);
+    together = apart;
   }
-  return 0;
+  return places.front();
 }
 
 bool anyTouches(const PlanePolygons& fixtures, const PlanePolygons& region) {
@@ -165,22 +229,23 @@ bool anyTouches(const PlanePolygons& fixtures, const PlanePolygons& region) {
 }
 
 WireHolding::WireHolding(PlanePolygons fixtures, const std::vector<PlaneLoop>& blank,
-                         const std::vector<PlaneBody>& last)
+                         const std::vector<WireStretch>& cuts, const std::vector<PlaneBody>& last)
     : fixtures_(std::move(fixtures)) {
-  settle(blank, last);
+  settle(blank, cuts, last);
 }
 
 WireHolding::WireHolding(PlanePolygons fixtures, const std::vector<PlaneLoop>& blank,
-                         std::function<std::vector<PlaneBody>()> last)
-    : fixtures_(std::move(fixtures)), blank_(&blank), last_(std::move(last)) {}
+                         const std::vector<WireStretch>& cuts, std::function<std::vector<PlaneBody>()> last)
+    : fixtures_(std::move(fixtures)), blank_(&blank), cuts_(&cuts), last_(std::move(last)) {}
 
-void WireHolding::settle(const std::vector<PlaneLoop>& blank, const std::vector<PlaneBody>& last) const {
+void WireHolding::settle(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
+                         const std::vector<PlaneBody>& last) const {
   by_fixtures_ = std::any_of(last.begin(), last.end(), [&](const PlaneBody& body) { return touched(body); });
-  if (!by_fixtures_ && !last.empty()) held_ = placeIn(last[heldBody(blank, last)]);
+  if (!by_fixtures_ && !last.empty()) held_ = heldPlace(blank, cuts, last);
 }
 
 void WireHolding::settle() const {
-  if (last_) settle(*blank_, std::exchange(last_, nullptr)());
+  if (last_) settle(*blank_, *cuts_, std::exchange(last_, nullptr)());
 }
 
 bool WireHolding::touched(const PlaneBody& body) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "removal/wire/plane_region.h"
+#include "removal/wire/wire_stretch.h"
 
 namespace proveout {
 
@@ -28,14 +29,14 @@ std::vector<Vec2> placesIn(const std::vector<Vec2>& polygon);
 class WireHolding {
  public:
   /// `fixtures`: where fixtures reach between the heights of the workpiece, convex polygons (footprintOf).
-  /// `last`: the bodies of `blank` after all cuts. The bodies that fixtures touch are held; where they touch
-  /// none, heldBody().
+  /// `last`: the bodies of `blank` after all `cuts`. The bodies that fixtures touch are held; where they
+  /// touch none, heldPlace().
   WireHolding(PlanePolygons fixtures, const std::vector<PlaneLoop>& blank,
-              const std::vector<PlaneBody>& last);
-  /// The same with bodies that are made when they are first needed; not for several threads. `blank` must
-  /// outlive it.
+              const std::vector<WireStretch>& cuts, const std::vector<PlaneBody>& last);
+  /// The same with bodies that are made when they are first needed; not for several threads. `blank` and
+  /// `cuts` must outlive it.
   WireHolding(PlanePolygons fixtures, const std::vector<PlaneLoop>& blank,
-              std::function<std::vector<PlaneBody>()> last);
+              const std::vector<WireStretch>& cuts, std::function<std::vector<PlaneBody>()> last);
 
   /// Whether a fixture touches any of the last bodies.
   bool byFixtures() const;
@@ -44,11 +45,13 @@ class WireHolding {
 
  private:
   bool touched(const PlaneBody& body) const;
-  void settle(const std::vector<PlaneLoop>& blank, const std::vector<PlaneBody>& last) const;
+  void settle(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
+              const std::vector<PlaneBody>& last) const;
   void settle() const;
 
   PlanePolygons fixtures_;
   const std::vector<PlaneLoop>* blank_ = nullptr;         ///< until it is settled
+  const std::vector<WireStretch>* cuts_ = nullptr;        ///< the same
   mutable std::function<std::vector<PlaneBody>()> last_;  ///< null: settled
   mutable bool by_fixtures_ = false;
   mutable std::optional<Vec2> held_;  ///< a place in the held body
@@ -57,8 +60,11 @@ class WireHolding {
 /// Whether any of the fixtures comes within kHeldWithinMm of a region.
 bool anyTouches(const PlanePolygons& fixtures, const PlanePolygons& region);
 
-/// The largest body that has some of the blank's outer border (that of a start hole may be a slug's); without
-/// one the largest. Requires bodies.
-std::size_t heldBody(const std::vector<PlaneLoop>& blank, const std::vector<PlaneBody>& bodies);
+/// A place in the body that is held from the first cut to the last, where no fixture holds any. Whenever it
+/// parts the larger of what keeps some of the blank's outer border stays (the border of a start hole may be a
+/// slug's): what comes later does not change what fell. Where nothing keeps some it is the largest. Requires
+/// bodies: those after all cuts, the largest first.
+Vec2 heldPlace(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
+               const std::vector<PlaneBody>& last);
 
 }  // namespace proveout

@@ -114,7 +114,7 @@ Status WireStock::cutUpright(const Toolpath& path, const std::vector<Tool>& tool
   const Result<WireWork> work = wireWork(path, tools);
   if (!work) return work.error();
   std::vector<PlaneBody> last = cutSection(blank_.loops, work->cuts);
-  const WireHolding holding(blank_.held_at, blank_.loops, last);
+  const WireHolding holding(blank_.held_at, blank_.loops, work->cuts, last);
   WireFalls falls = findFalls(blank_.loops, work->cuts, std::move(last), holding);
   if (RemovalSummary* summary = wanted.motions; summary != nullptr && !progress.cancelled()) {
     addRemoved(blank_, work->cuts, falls.pieces, *summary);
@@ -193,7 +193,7 @@ void WireStock::handleLeaning(const Toolpath& path, const std::vector<Tool>& too
   const HeightSpan span{blank_.z_low, blank_.z_high};
   LeanHandling handling(blank_, path, tools);
   const auto look = [&](const WireWork& level, double z, double share) {
-    const WireHolding holding(blank_.held_at, blank_.loops,
+    const WireHolding holding(blank_.held_at, blank_.loops, level.cuts,
                               [&] { return cutSection(blank_.loops, level.cuts); });
     handling.look(level, holding, z, share, progress);
   };

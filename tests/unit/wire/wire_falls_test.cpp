@@ -26,7 +26,7 @@ void addSquare(std::vector<WireStretch>& way, const Vec2& at, double half) {
 
 WireFalls fallsOf(const std::vector<WireStretch>& way, const PlanePolygons& fixtures = {}) {
   std::vector<PlaneBody> last = cutSection(kPlate, way);
-  const WireHolding holding(fixtures, kPlate, last);
+  const WireHolding holding(fixtures, kPlate, way, last);
   return findFalls(kPlate, way, std::move(last), holding);
 }
 
@@ -41,6 +41,23 @@ TEST(WireFalls, ASlugFallsWhenItsCutIsClosed) {
   EXPECT_FALSE(falls.pieces[0].passed_over);
   EXPECT_EQ(falls.pieces[1].cuts, 10u);
   EXPECT_NEAR(falls.pieces[1].body.area_mm2, 5.78 * 5.78, 1e-6);
+  EXPECT_EQ(falls.bodies.size(), 3u);
+}
+
+/// The plate is parted at x = -4: the right part is the larger one and stays, the left one falls. That the
+/// right one is then cut in two smaller ones changes nothing about that.
+TEST(WireFalls, WhatIsHeldIsToldWhenItParts) {
+  std::vector<WireStretch> way{lineWay({-4, -21}, {-4, 21}, kKerf, 0)};
+  const WireFalls before = fallsOf(way);
+  ASSERT_EQ(before.pieces.size(), 1u);
+  EXPECT_LT(before.pieces[0].body.loops.front().edges.front().from.x(), 0.0);
+  way.push_back(lineWay({21, 0}, {-10, 0}, kKerf, 1));
+  const WireFalls falls = fallsOf(way);
+  ASSERT_EQ(falls.pieces.size(), 2u);
+  EXPECT_EQ(falls.pieces[0].cuts, 1u);
+  EXPECT_NEAR(falls.pieces[0].body.area_mm2, before.pieces[0].body.area_mm2, 1e-9);
+  EXPECT_TRUE(falls.pieces[0].passed_over);
+  EXPECT_EQ(falls.pieces[1].cuts, 2u);
   EXPECT_EQ(falls.bodies.size(), 3u);
 }
 
@@ -100,7 +117,7 @@ TEST(WireFalls, AClampHoldsThePunchAndTheFrameFalls) {
 TEST(WireFalls, ClampsAtTheSideAndInCorners) {
   const std::vector<PlaneBody> plate = cutSection(kPlate, {});
   const auto held = [&](const BoxShape& box) {
-    return WireHolding(footprintOf(solidOf(box), 0, 20), kPlate, plate).byFixtures();
+    return WireHolding(footprintOf(solidOf(box), 0, 20), kPlate, {}, plate).byFixtures();
   };
   EXPECT_TRUE(held({{20, -5, 5}, {25, 5, 15}}));
   EXPECT_TRUE(held({{20.009, -5, 5}, {25, 5, 15}}));
