@@ -26,9 +26,6 @@ constexpr double kSharpShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
 /// Part of the tolerance that merging cells may take; the rest is for the mesh made of them.
 constexpr double kMergingShare = 0.5;
-/// Quads are made finer where their crossing is off by half the tolerance, or by this part of the grid
-/// spacing.
-constexpr double kFanHeight = 0.005;
 
 /// Grid steps.
 double flatnessOf(const Stock::Impl& impl, double simplify_mm) {
