@@ -10,23 +10,30 @@ namespace proveout {
 
 CornerTable::CornerTable(Triangles triangles, std::size_t vertices)
     : triangles_(std::move(triangles)), twin_(3 * triangles_.size(), kNone), out_(vertices, kNone) {
-  // Half-edges by the vertex that they come from.
-  std::vector<std::uint32_t> start(vertices + 1, 0), leaving(twin_.size());
+  // Half-edges by the lower one of their ends, with the other one, so that both of an edge are close
+  // together.
+  struct Edge {
+    std::uint32_t other, half;
+  };
+  std::vector<std::uint32_t> start(vertices + 1, 0);
   for (const auto& t : triangles_) {
-    for (const std::uint32_t v : t) ++start[v + 1];
+    for (int i = 0; i < 3; ++i) ++start[std::min(t[i], t[(i + 1) % 3]) + 1];
   }
   for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
   std::vector<std::uint32_t> place(start.begin(), start.end() - 1);
-  for (std::uint32_t h = 0; h < twin_.size(); ++h) leaving[place[from(h)]++] = h;
-  forEachBelow(vertices, [&](std::size_t i) {
-    const auto v = static_cast<std::uint32_t>(i);
+  std::vector<Edge> edges(twin_.size());
+  for (std::uint32_t h = 0; h < twin_.size(); ++h) {
+    const std::uint32_t a = from(h), b = to(h);
+    edges[place[std::min(a, b)]++] = {std::max(a, b), h};
+    out_[a] = h;
+  }
+  forEachBelow(vertices, [&](std::size_t v) {
     for (std::uint32_t k = start[v]; k < start[v + 1]; ++k) {
-      const std::uint32_t h = leaving[k], w = to(h);
-      for (std::uint32_t j = start[w]; j < start[w + 1]; ++j) {
-        if (to(leaving[j]) == v) twin_[h] = leaving[j];
+      if (twin_[edges[k].half] != kNone) continue;
+      for (std::uint32_t j = k + 1; j < start[v + 1]; ++j) {
+        if (edges[j].other == edges[k].other) pair(edges[j].half, edges[k].half);
       }
     }
-    if (start[v] < start[v + 1]) out_[v] = leaving[start[v]];
   });
   PROVEOUT_ASSERT(std::ranges::find(twin_, kNone) == twin_.end());
 }

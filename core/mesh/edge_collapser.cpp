@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,13 +20,14 @@
 #include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
 #include "core/mesh/intersections.h"
+#include "core/mesh/mean_edge.h"
 
 namespace proveout {
 namespace {
 
 constexpr float kNotAgain = std::numeric_limits<float>::infinity();
-/// Needs of a vertex whose surroundings are in several blocks.
-constexpr float kNextRound = -1.0f;
+/// Added to the block of a vertex that has neighbours in others.
+constexpr std::uint32_t kOnBorder = 1u << 30;
 /// Edges of the blocks of a round, in edges of triangles; 0: all is one block.
 constexpr double kBlocks[] = {48.0, 190.0, 0.0};
 /// Limits of the passes, as parts of the tolerance: what costs little goes first.
@@ -34,15 +36,6 @@ constexpr double kPasses[] = {1e-3, 0.1, 0.3, 1.0};
 constexpr float kFolded = -0.8f;
 
 }  // namespace
-
-double EdgeCollapser::meanEdge(const TriMesh& mesh) {
-  constexpr std::size_t kEach = 64;
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += kEach, ++count)
-    sum += (mesh.positions[mesh.triangles[t][0]] - mesh.positions[mesh.triangles[t][1]]).norm();
-  return count == 0 ? 0.0 : sum / static_cast<double>(count);
-}
 
 EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen)
     : mesh_(mesh),
@@ -65,36 +58,34 @@ EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<co
     const auto [a, b, c] = cornersOf(mesh, static_cast<std::uint32_t>(t));
     normals_[t] = (b - a).cross(c - a).normalized().cast<float>();
   });
-  forEachBelow(mesh.positions.size(), [&](std::size_t v) {
-    if (frozen.empty() || frozen[v] == 0) freedom_[v] = freedomOf(static_cast<std::uint32_t>(v));
-  });
-}
-
-/// Whether neighbours in the triangles around a vertex lie nearly flat on each other.
-bool EdgeCollapser::isFolded(std::uint32_t v) const {
-  const std::uint32_t first = table_.outOf(v);
-  std::uint32_t h = first;
-  do {
-    const std::uint32_t after = table_.turned(h);
-    if (normals_[h / 3].dot(normals_[after / 3]) < kFolded) return true;
-    h = after;
-  } while (h != first);
-  return false;
+  findFreedoms(frozen);
 }
 
 /// Around what is folded already nothing is taken away: the layers may be as near to each other as can be.
-EdgeCollapser::Freedom EdgeCollapser::freedomOf(std::uint32_t v) const {
-  if (table_.gone(v)) return Freedom::kNone;
-  int borders = 0;
-  const std::uint32_t first = table_.outOf(v);
-  std::uint32_t h = first;
-  do {
-    const std::uint32_t after = table_.turned(h);
-    if (isFolded(table_.to(h))) return Freedom::kNone;
-    borders += motionOf(h / 3) != motionOf(after / 3) ? 1 : 0;
-    h = after;
-  } while (h != first);
-  return borders == 0 ? Freedom::kFree : borders == 2 ? Freedom::kBorder : Freedom::kNone;
+void EdgeCollapser::findFreedoms(std::span<const std::uint8_t> frozen) {
+  constexpr std::uint8_t kMany = 3;  // borders
+  std::vector<std::uint8_t> borders(freedom_.size(), 0), folded(freedom_.size(), 0);
+  forEachBelow(3 * table_.triangles().size(), [&](std::size_t i) {
+    const auto h = static_cast<std::uint32_t>(i), t = table_.twin(h) / 3;
+    const std::atomic_ref count(borders[table_.from(h)]);
+    if (motionOf(h / 3) != motionOf(t) && count.load(std::memory_order_relaxed) < kMany)
+      count.fetch_add(1, std::memory_order_relaxed);
+    if (normals_[h / 3].dot(normals_[t]) < kFolded)
+      std::atomic_ref(folded[table_.from(h)]).store(1, std::memory_order_relaxed);
+  });
+  forEachBelow(freedom_.size(), [&](std::size_t v) {
+    if (table_.gone(static_cast<std::uint32_t>(v)) || (!frozen.empty() && frozen[v] != 0)) return;
+    freedom_[v] = borders[v] == 0 ? Freedom::kFree : borders[v] == 2 ? Freedom::kBorder : Freedom::kNone;
+  });
+  for (std::uint32_t v = 0; v < folded.size(); ++v) {
+    if (folded[v] == 0) continue;
+    const std::uint32_t first = table_.outOf(v);
+    std::uint32_t h = first;
+    do {
+      freedom_[table_.to(h)] = Freedom::kNone;
+      h = table_.turned(h);
+    } while (h != first);
+  }
 }
 
 bool EdgeCollapser::run(const Progress& progress) {
@@ -107,40 +98,58 @@ bool EdgeCollapser::run(const Progress& progress) {
   return true;
 }
 
-/// The vertices that are left, block by block; in each round the borders of blocks are elsewhere.
-std::vector<EdgeCollapser::Placed> EdgeCollapser::placed(double size) const {
+/// Gives all vertices their blocks; in each round the borders of blocks are elsewhere. Two blocks may have
+/// one number, and then are worked on by one thread.
+void EdgeCollapser::findBlocks(double size) {
   constexpr double kShift = 0.37;
-  std::vector<Placed> all;
-  for (std::uint32_t v = 0; v < table_.vertexCount(); ++v) {
-    if (!table_.gone(v)) all.push_back({0, v});
-  }
-  if (size <= 0.0) return all;
-  forEachBelow(all.size(), [&](std::size_t i) {
+  constexpr std::uint32_t kBits = 10, kMask = (1u << kBits) - 1;
+  std::fill(block_.begin(), block_.end(), 0u);
+  if (!(size > 0.0)) return;
+  forEachBelow(block_.size(), [&](std::size_t v) {
     for (int k = 0; k < 3; ++k) {
-      const double cell = std::floor(mesh_.positions[all[i].vertex][k] / size + kShift);
-      all[i].block =
-          all[i].block << 21 | (static_cast<std::uint64_t>(static_cast<std::int64_t>(cell)) & 0x1FFFFF);
+      const auto cell = static_cast<std::int32_t>(std::floor(mesh_.positions[v][k] / size + kShift));
+      block_[v] = block_[v] << kBits | (static_cast<std::uint32_t>(cell) & kMask);
     }
   });
-  tbb::parallel_sort(all.begin(), all.end());
+  // A collapse within a block leads to no edges out of it: what is off its border now is so until the end.
+  forEachBelow(table_.triangles().size(), [&](std::size_t t) {
+    const auto& v = table_.triangles()[t];
+    if (v[0] == CornerTable::kNone) return;
+    const auto blockOf = [&](int i) {
+      return std::atomic_ref(block_[v[static_cast<std::size_t>(i)]]).load(std::memory_order_relaxed) %
+             kOnBorder;
+    };
+    if (blockOf(0) == blockOf(1) && blockOf(1) == blockOf(2)) return;
+    for (const std::uint32_t corner : v)
+      std::atomic_ref(block_[corner]).fetch_or(kOnBorder, std::memory_order_relaxed);
+  });
+}
+
+/// The vertices off the borders of blocks that may go, block by block.
+std::vector<std::uint32_t> EdgeCollapser::candidates() const {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t v = 0; v < table_.vertexCount(); ++v) {
+    if (freedom_[v] != Freedom::kNone && block_[v] < kOnBorder && !table_.gone(v)) all.push_back(v);
+  }
+  tbb::parallel_sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return block_[a] != block_[b] ? block_[a] < block_[b] : a < b;
+  });
   return all;
 }
 
 void EdgeCollapser::simplifyBlocks(double size, std::uint32_t round) {
-  const std::vector<Placed> all = placed(size);
+  findBlocks(size);
+  const std::vector<std::uint32_t> all = candidates();
   std::vector<std::size_t> first;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i == 0 || all[i].block != all[i - 1].block) first.push_back(i);
-    block_[all[i].vertex] = static_cast<std::uint32_t>(first.size());
-    if (needs_[all[i].vertex] == kNextRound) needs_[all[i].vertex] = 0.0f;
+    if (i == 0 || block_[all[i]] != block_[all[i - 1]]) first.push_back(i);
   }
   first.push_back(all.size());
   parallelFor(std::size_t{1}, first.size(), [&](std::size_t block) {
-    std::vector<std::uint32_t> vertices;
-    for (std::size_t i = first[block - 1]; i < first[block]; ++i) {
-      if (freedom_[all[i].vertex] != Freedom::kNone) vertices.push_back(all[i].vertex);
-    }
-    simplifyBlock(std::move(vertices), round);
+    const auto begin = all.begin();
+    simplifyBlock({begin + static_cast<std::ptrdiff_t>(first[block - 1]),
+                   begin + static_cast<std::ptrdiff_t>(first[block])},
+                  round);
   });
 }
 
@@ -156,8 +165,7 @@ void EdgeCollapser::simplifyBlock(std::vector<std::uint32_t> vertices, std::uint
       ++sweep;
       joined = 0;
       for (const std::uint32_t v : vertices) {
-        if (needs_[v] <= limit && needs_[v] != kNextRound && swept_[v] != sweep && tryVertex(v, limit, sweep))
-          ++joined;
+        if (needs_[v] <= limit && swept_[v] != sweep && tryVertex(v, limit, sweep)) ++joined;
       }
       std::erase_if(vertices, [&](std::uint32_t v) { return table_.gone(v); });
     }
@@ -168,14 +176,10 @@ void EdgeCollapser::simplifyBlock(std::vector<std::uint32_t> vertices, std::uint
 bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep) {
   constexpr int kMostTries = 3;
   VertexStar star;
-  needs_[v] = kNotAgain;
-  if (!star.look(around_, v)) return false;
-  if (!isInside(star, v)) {
-    needs_[v] = kNextRound;
-    return false;
-  }
   Ways ways;
-  if (freedom_[v] == Freedom::kBorder && !followBorder(star, v, limit, ways)) return false;
+  needs_[v] = kNotAgain;
+  if (freedom_[v] == Freedom::kBorder && !followBorder(v, limit, ways)) return false;
+  if (!star.look(around_, v)) return false;
   if (!findWays(star, v, limit, ways) || !star.findView()) return false;
   for (int i = 0; i < std::min(ways.count, kMostTries); ++i) {
     const auto change = star.join(ways.all[i].to);
@@ -195,27 +199,30 @@ bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep)
   return false;
 }
 
-bool EdgeCollapser::isInside(const VertexStar& star, std::uint32_t v) const {
-  for (int j = 0; j < star.size(); ++j) {
-    if (block_[star.ring(j)] != block_[v]) return false;
-  }
-  return true;
-}
-
 /// The ends of the border and how far it moves. False: it would move too far, or a motion would lose its last
 /// triangle.
-bool EdgeCollapser::followBorder(const VertexStar& star, std::uint32_t v, float limit, Ways& ways) {
+bool EdgeCollapser::followBorder(std::uint32_t v, float limit, Ways& ways) {
   std::array<int, 2> end{};
-  int count = 0;
-  for (int j = 0; j < star.size(); ++j) {
-    if (motionOf(star.triangle(j)) != motionOf(star.triangle(star.before(j)))) end[count++] = j;
-  }
+  int count = 0, size = 0;
+  const std::uint32_t first = table_.outOf(v);
+  std::uint32_t h = first, motion = motionOf(table_.twin(h) / 3);
+  do {
+    const std::uint32_t left = motionOf(h / 3);
+    if (left != motion && count < 2) {
+      end[count] = size;
+      ways.border[count++] = table_.to(h);
+    }
+    motion = left;
+    ++size;
+    h = table_.turned(h);
+  } while (h != first);
   const int run = end[1] - end[0];
-  if (run < 2 || star.size() - run < 2) return false;
-  const Vec3 &p = star.arm(end[0]), along = star.arm(end[1]) - p;
+  if (run < 2 || size - run < 2) return false;
+  const Eigen::Vector3f& at = mesh_.positions[v];
+  const Vec3 p = (mesh_.positions[ways.border[0]] - at).cast<double>();
+  const Vec3 along = (mesh_.positions[ways.border[1]] - at).cast<double>() - p;
   const double part = std::clamp(-p.dot(along) / along.squaredNorm(), 0.0, 1.0);
   ways.drift = drift_[v] + static_cast<float>((p + part * along).norm());
-  ways.border = {star.ring(end[0]), star.ring(end[1])};
   if (ways.drift > limit) {
     if (ways.drift <= tolerance_) needs_[v] = ways.drift;
     return false;

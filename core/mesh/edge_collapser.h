@@ -19,9 +19,6 @@ class EdgeCollapser {
   /// `mesh` must outlive this. Vertices with a flag in `frozen` stay; empty: none has one.
   EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen);
 
-  /// Mean length of some of the edges, mm.
-  static double meanEdge(const TriMesh& mesh);
-
   /// False: cancelled.
   bool run(const Progress& progress);
   TriMesh result() const;
@@ -30,11 +27,6 @@ class EdgeCollapser {
  private:
   /// Where a vertex may go: anywhere, along the border of two motions, nowhere.
   enum class Freedom : std::uint8_t { kFree, kBorder, kNone };
-  struct Placed {
-    std::uint64_t block;
-    std::uint32_t vertex;
-    bool operator<(const Placed& o) const { return block != o.block ? block < o.block : vertex < o.vertex; }
-  };
   /// A neighbour that a vertex may be joined with; what seems cheapest first.
   struct Way {
     double rank;
@@ -49,15 +41,14 @@ class EdgeCollapser {
   };
 
   std::uint32_t motionOf(std::uint32_t t) const { return mesh_.motion.empty() ? kNoBorder : mesh_.motion[t]; }
-  bool isFolded(std::uint32_t v) const;
-  Freedom freedomOf(std::uint32_t v) const;
-  std::vector<Placed> placed(double size) const;
+  void findFreedoms(std::span<const std::uint8_t> frozen);
+  void findBlocks(double size);
+  std::vector<std::uint32_t> candidates() const;
   void simplifyBlocks(double size, std::uint32_t round);
   void simplifyBlock(std::vector<std::uint32_t> vertices, std::uint32_t round);
   bool tryVertex(std::uint32_t v, float limit, std::uint32_t sweep);
-  bool isInside(const VertexStar& star, std::uint32_t v) const;
   bool findWays(const VertexStar& star, std::uint32_t v, float limit, Ways& ways);
-  bool followBorder(const VertexStar& star, std::uint32_t v, float limit, Ways& ways);
+  bool followBorder(std::uint32_t v, float limit, Ways& ways);
   bool staysManifold(const VertexStar& star, int to) const;
   bool foldsOver(const VertexStar& star, int to, const VertexStar::Change& change) const;
   void collapse(const VertexStar& star, int to, const VertexStar::Change& change, std::uint32_t sweep);
@@ -71,8 +62,8 @@ class EdgeCollapser {
   std::vector<float> drift_;              ///< vertices: of the borders there, mm
   std::vector<float> needs_;              ///< vertices: limit under which it is worth to try again, mm
   std::vector<Freedom> freedom_;
-  std::vector<std::uint32_t> block_,
-      swept_;  ///< vertices: its block, the last sweep that changed a triangle there
+  std::vector<std::uint32_t> block_;  ///< of the vertices
+  std::vector<std::uint32_t> swept_;  ///< vertices: the last sweep that changed a triangle there
   StarSurroundings around_;
 };
 

@@ -99,6 +99,43 @@ bool clear(const Points& p, int but_p, const Points& q, int but_q) {
   return before < between && between < behind;
 }
 
+/// The same in floats, seen from a common corner or, where there is none, a corner of the first triangle:
+/// true only if rounding cannot change it.
+bool clearInFloats(const TriMesh& mesh, const std::array<std::uint32_t, 3>& a, int at_a,
+                   const std::array<std::uint32_t, 3>& b, int at_b) {
+  constexpr float kMargin = 1e-5f;
+  const auto& origin = mesh.positions[a[at_a < 0 ? 0 : static_cast<std::size_t>(at_a)]];
+  std::array<Eigen::Vector3f, 3> p, q;
+  Eigen::Vector3f way = Eigen::Vector3f::Zero();
+  float size = 0.0f;
+  for (std::size_t i = 0; i < 3; ++i) {
+    p[i] = mesh.positions[a[i]] - origin;
+    q[i] = mesh.positions[b[i]] - origin;
+    way += q[i] - p[i];
+    size = std::max({size, p[i].squaredNorm(), q[i].squaredNorm()});
+  }
+  float before = -kNever, behind = kNever;
+  for (int i = 0; i < 3; ++i) {
+    if (i != at_a) before = std::max(before, way.dot(p[static_cast<std::size_t>(i)]));
+    if (i != at_b) behind = std::min(behind, way.dot(q[static_cast<std::size_t>(i)]));
+  }
+  const float margin = kMargin * size;
+  return at_a < 0 ? before + margin < behind : before < -margin && behind > margin;
+}
+
+/// Whether two triangles with a common edge, seen from both in the same direction, are so by their normals.
+bool unfoldedInFloats(const TriMesh& mesh, const std::array<std::uint32_t, 3>& a,
+                      const std::array<std::uint32_t, 3>& b) {
+  constexpr float kMargin = 1e-3f;
+  const auto normal = [&](const std::array<std::uint32_t, 3>& t) {
+    const auto& p = mesh.positions;
+    return Eigen::Vector3f((p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]));
+  };
+  const Eigen::Vector3f n = normal(a), m = normal(b);
+  const float along = n.dot(m);
+  return along > 0.0f && along * along > kMargin * n.squaredNorm() * m.squaredNorm();
+}
+
 struct Span {
   Eigen::Vector3f low = Eigen::Vector3f::Constant(kNever), high = Eigen::Vector3f::Constant(-kNever);
 
@@ -172,6 +209,12 @@ class Finder {
         suspect_(suspect),
         count_(mesh.triangles.size()),
         groups_((count_ + Spans::kCount - 1) / Spans::kCount) {}
+  /// Looks at these triangles alone, all of them suspects.
+  Finder(const TriMesh& mesh, std::span<const std::uint32_t> chosen)
+      : mesh_(mesh),
+        chosen_(chosen),
+        count_(chosen.size()),
+        groups_((count_ + Spans::kCount - 1) / Spans::kCount) {}
 
   std::vector<std::array<std::uint32_t, 2>> find();
 
@@ -191,13 +234,18 @@ class Finder {
     };
     std::vector<Entry> entries = std::vector<Entry>(kEntries);
   };
-  [[gnu::always_inline]] Span spanOf(std::size_t t) const {
-    const auto& v = mesh_.triangles[t];
+  /// The number in the mesh of the i-th triangle that is looked at.
+  std::uint32_t numberOf(std::size_t i) const {
+    return chosen_.empty() ? static_cast<std::uint32_t>(i) : chosen_[i];
+  }
+  [[gnu::always_inline]] Span spanOf(std::size_t i) const {
+    const auto& v = mesh_.triangles[numberOf(i)];
     const auto &a = mesh_.positions[v[0]], &b = mesh_.positions[v[1]], &c = mesh_.positions[v[2]];
     return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
   }
-  bool isSuspect(std::size_t t) const {
-    const auto& v = mesh_.triangles[t];
+  bool isSuspect(std::size_t i) const {
+    if (suspect_.empty()) return true;
+    const auto& v = mesh_.triangles[numberOf(i)];
     return (suspect_[v[0]] | suspect_[v[1]] | suspect_[v[2]]) != 0;
   }
   std::size_t endOf(std::size_t group) const { return std::min(count_, (group + 1) * Spans::kCount); }
@@ -216,7 +264,8 @@ class Finder {
   Pairs findOf(std::size_t first, std::size_t last) const;
 
   const TriMesh& mesh_;
-  std::span<const std::uint8_t> suspect_;
+  std::span<const std::uint8_t> suspect_;  ///< empty: all are
+  std::span<const std::uint32_t> chosen_;  ///< what is looked at; empty: all
   std::size_t count_, groups_;
   std::vector<std::vector<Spans>> levels_;  ///< spans of groups; of the spans below; ...; one at the top
 };
@@ -274,8 +323,7 @@ void Finder::compare(std::size_t own, const Group& group, std::size_t other, con
     for (unsigned rest = there.touching(group.spans.at(k)); rest != 0; rest &= rest - 1) {
       const std::size_t t = other * Spans::kCount + static_cast<std::size_t>(std::countr_zero(rest));
       if (s == t || (s > t && isSuspect(t))) continue;
-      const auto low = static_cast<std::uint32_t>(std::min(s, t)),
-                 high = static_cast<std::uint32_t>(std::max(s, t));
+      const std::uint32_t low = numberOf(std::min(s, t)), high = numberOf(std::max(s, t));
       if (trianglesMeet(mesh_, low, high)) found.push_back({low, high});
     }
   }
@@ -289,11 +337,12 @@ Finder::Pairs Finder::findOf(std::size_t first, std::size_t last) const {
     const Group group = suspectsOf(own);
     if (group.suspects == 0) continue;
     for (unsigned rest = group.suspects; rest != 0; rest &= rest - 1) {
-      const auto t = static_cast<std::uint32_t>(own * Spans::kCount) +
-                     static_cast<std::uint32_t>(std::countr_zero(rest));
+      const std::uint32_t t =
+          numberOf(own * Spans::kCount + static_cast<std::size_t>(std::countr_zero(rest)));
       if (isNeedle(mesh_, t)) found.push_back({t, t});
     }
     eachTouching(group.spans.all(), levels_.size() - 1, 0, [&](std::size_t other) {
+      if (suspect_.empty() && other < own) return;  // found from there
       SpanCache::Entry& entry = cache.entries[other % SpanCache::kEntries];
       if (entry.group != other) entry = {other, spansOf(other)};
       compare(own, group, other, entry.spans, found);
@@ -303,7 +352,7 @@ Finder::Pairs Finder::findOf(std::size_t first, std::size_t last) const {
 }
 
 std::vector<std::array<std::uint32_t, 2>> Finder::find() {
-  if (std::none_of(suspect_.begin(), suspect_.end(), [](std::uint8_t s) { return s != 0; })) return {};
+  if (count_ == 0) return {};
   buildTree();
   constexpr std::size_t kPart = 256;
   std::vector<Pairs> found((groups_ + kPart - 1) / kPart);
@@ -338,6 +387,9 @@ bool trianglesMeet(const TriMesh& mesh, std::uint32_t s, std::uint32_t t) {
     }
   }
   if (common >= 3) return true;
+  if (common == 2 ? unfoldedInFloats(mesh, a, b)
+                  : clearInFloats(mesh, a, common == 1 ? at_a : -1, b, common == 1 ? at_b : -1))
+    return false;
   const Points p = cornersOf(mesh, s), q = cornersOf(mesh, t);
   if (common == 2) {  // folded flat onto each other
     if (orient(p[0], p[1], p[2], q[3 - sum_b]) != 0.0) return false;
@@ -367,7 +419,16 @@ bool isNeedle(const TriMesh& mesh, std::uint32_t t) {
 
 std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
                                                             std::span<const std::uint8_t> suspect) {
+  const auto isOne = [](std::uint8_t s) { return s != 0; };
+  if (std::ranges::none_of(suspect, isOne)) return {};
+  if (std::ranges::all_of(suspect, isOne)) suspect = {};
   return Finder(mesh, suspect).find();
+}
+
+std::vector<std::array<std::uint32_t, 2>> findIntersectionsAmong(const TriMesh& mesh,
+                                                                 std::span<const std::uint32_t> triangles) {
+  if (triangles.empty()) return {};
+  return Finder(mesh, triangles).find();
 }
 
 }  // namespace proveout

@@ -16,6 +16,9 @@ namespace proveout {
 /// following numbers are close together.
 std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
                                                             std::span<const std::uint8_t> suspect);
+/// Those among some triangles, given by their numbers in order.
+std::vector<std::array<std::uint32_t, 2>> findIntersectionsAmong(const TriMesh& mesh,
+                                                                 std::span<const std::uint32_t> triangles);
 
 /// Corners of a triangle, for exacter sums than its floats allow.
 std::array<Vec3, 3> cornersOf(const TriMesh& mesh, std::uint32_t t);

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "core/base/stretches.h"
+#include "core/mesh/crowded_places.h"
 #include "core/mesh/edge_collapser.h"
 #include "core/mesh/intersections.h"
+#include "core/mesh/mean_edge.h"
 
 namespace proveout {
 namespace {
@@ -43,7 +45,7 @@ std::optional<Simplification> simplifyMesh(TriMesh& mesh, double tolerance_mm, c
   Simplification out;
   if (!(tolerance_mm > 0.0) || mesh.triangles.empty()) return out;
   constexpr int kMostRuns = 6;
-  const double reach = std::max(2.0 * tolerance_mm, EdgeCollapser::meanEdge(mesh));
+  const double reach = std::max(2.0 * tolerance_mm, meanEdge(mesh));
   std::vector<std::uint8_t> frozen;
   TriMesh simplified;
   for (int run = 0; run < kMostRuns; ++run) {
@@ -51,8 +53,8 @@ std::optional<Simplification> simplifyMesh(TriMesh& mesh, double tolerance_mm, c
     if (!collapser.run(progress)) return std::nullopt;
     simplified = collapser.result();
     out.distance_mm = collapser.distance();
-    const std::vector<std::uint8_t> all(simplified.positions.size(), 1);
-    const auto pairs = findIntersections(simplified, all);
+    const auto pairs =
+        findIntersectionsAmong(simplified, trianglesInCrowdedPlaces(simplified, out.distance_mm));
     out.self_intersections = pairs.size();
     // What runs through itself where nothing was simplified did so before.
     if (pairs.empty() || !freeze(mesh, meetingPlaces(simplified, pairs, reach), frozen)) break;

@@ -13,8 +13,9 @@ struct Simplification {
   /// Every point of the mesh as it was is at most so far from the simplified one, and the other way round,
   /// mm; at most the tolerance.
   double distance_mm = 0.0;
-  std::size_t self_intersections =
-      0;  ///< pairs of triangles that run through each other and could not be parted
+  /// Pairs of triangles that run through each other and could not be parted; of a mesh that did so before,
+  /// maybe not all.
+  std::size_t self_intersections = 0;
 };
 
 /// Takes vertices out of a closed 2-manifold mesh; those that stay keep their places. Borders between motions

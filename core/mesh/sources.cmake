@@ -1,6 +1,7 @@
 target_sources(proveout_core PRIVATE
   geometry/box_tree.cpp
   mesh/corner_table.cpp
+  mesh/crowded_places.cpp
   mesh/edge_collapser.cpp
   mesh/intersections.cpp
   mesh/level_cut.cpp

@@ -23,8 +23,9 @@ struct LeafPart {
 
 /// What is wrong with the triangles of a leaf.
 struct LeafFlaws {
-  std::vector<std::uint32_t> faults;  ///< merged vertices of triangles that face the wrong way
-  std::vector<std::uint32_t> poor;    ///< triangles, from the first one, that lean far from the exact surface
+  std::vector<std::uint32_t>
+      faults;  ///< merged vertices of triangles that face the wrong way or are off the surface
+  std::vector<std::uint32_t> poor;  ///< triangles, from the first one, that lean far from the exact surface
 };
 
 /// Its vertices are first those of cells that stand for themselves, leaf by leaf, then those of further

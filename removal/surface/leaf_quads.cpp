@@ -38,9 +38,6 @@ std::optional<CornerLeaves> levelCorners(const SurfaceGrid& grid, const SurfaceL
   return corners;
 }
 
-/// Whether the quad is made of four triangles around its crossing, to keep to the tolerance.
-bool QuadPlanner::isFan(const Quad& quad) const { return bulges(quad, fan_height_) && !anyMerged(quad); }
-
 bool QuadPlanner::anyMerged(const Quad& quad) const {
   return std::any_of(quad.v.begin(), quad.v.end(), [&](std::uint32_t v) { return merger_.merged(v); });
 }
@@ -49,7 +46,9 @@ void QuadPlanner::add(const SurfaceLeaf& leaf, const Quad& quad, const Crossing&
                       const std::array<int, 4>& at, LeafQuads& out) const {
   PROVEOUT_ASSERT_DEAR(
       std::all_of(quad.v.begin(), quad.v.end(), [&](std::uint32_t v) { return v < grid_.vertexCount(); }));
-  if (quad.split != 0 || isFan(quad)) {
+  // To keep to the tolerance, such a quad is made of four triangles around its crossing.
+  const bool bulged = bulges(quad, fan_height_);
+  if (quad.split != 0 || (bulged && !anyMerged(quad))) {
     out.fans.push_back(splitQuad(grid_, leaf, at[0], at[1], at[2], at[3], quad, c));
     out.states.push_back(QuadState::kFan);
     return;
@@ -57,7 +56,7 @@ void QuadPlanner::add(const SurfaceLeaf& leaf, const Quad& quad, const Crossing&
   const int corners = polygonOf(merger_, quad.v).count;
   if (corners > 0) out.triangles += static_cast<std::uint32_t>(corners - 2);
   if (corners != 4 || anyMerged(quad)) {
-    out.states.push_back(QuadState::kMerged);
+    out.states.push_back(bulged ? QuadState::kMerged | QuadState::kBulged : QuadState::kMerged);
     return;
   }
   const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, quad.smooth_corners);

@@ -19,6 +19,7 @@ struct QuadState {
   static constexpr std::uint8_t kPoor = 2;  ///< see QuadCut::poor
   static constexpr std::uint8_t kMerged = 4;
   static constexpr std::uint8_t kFan = 8;
+  static constexpr std::uint8_t kBulged = 16;  ///< it should be a fan, but its corners are merged
 };
 
 /// The quads of a leaf.
@@ -57,7 +58,6 @@ class QuadPlanner {
            LeafQuads& out) const;
 
  private:
-  bool isFan(const Quad& quad) const;
   bool anyMerged(const Quad& quad) const;
 
   const SurfaceGrid& grid_;

@@ -14,7 +14,7 @@ namespace proveout {
 namespace {
 
 /// Rounds of taking merged cells apart where they spoil the mesh, before all merging is given up.
-constexpr int kRepairRounds = 12;
+constexpr int kRepairRounds = 24;
 /// Rounds of parting cells where triangles meet, before the mesh itself is changed.
 constexpr int kPartRounds = 32;
 

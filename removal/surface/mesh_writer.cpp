@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -16,6 +17,10 @@ namespace {
 constexpr double kLeastAgreement = 0.3;
 /// Around triangles that lean more than this (60 degrees) the surface may run through itself.
 constexpr double kPoorAgreement = 0.5;
+
+/// Merged triangles leave the corners of the quads that they are made of by this many times the heights of
+/// a merged patch at the most.
+constexpr double kMostOff = 1.0;
 
 /// Resizes a vector, with room for `spare` more, whose contents are to be written anew. The system clears
 /// fresh pages where they are first touched: by all threads here, and not by the one that fills the vector
@@ -35,7 +40,32 @@ void resizeTouched(std::vector<T>& vector, std::size_t size, std::size_t spare) 
   vector.resize(size);
 }
 
+/// What merging made of a quad.
+class MergedQuad {
+ public:
+  MergedQuad(const Vec3& normal, const std::array<Vec3, 4>& before) : normal_(normal), before_(before) {
+    off_.fill(std::numeric_limits<double>::infinity());
+  }
+  void add(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 area = (b - a).cross(c - a), n = area / (area.norm() + 1e-300);
+    agreement = std::min(agreement, normal_.dot(n));
+    for (std::size_t i = 0; i < 4; ++i) off_[i] = std::min(off_[i], std::abs(n.dot(before_[i] - a)));
+  }
+  /// Cosine of the largest angle between the exact surface and a triangle.
+  double agreement = 1.0;
+  /// Largest distance of the corners, as they were, from the plane of the triangle nearest to each.
+  double off() const { return *std::ranges::max_element(off_); }
+
+ private:
+  const Vec3& normal_;
+  const std::array<Vec3, 4>& before_;
+  std::array<double, 4> off_;
+};
+
 }  // namespace
+
+MeshWriter::MeshWriter(const SurfaceGrid& grid, const VertexMerger& merger)
+    : grid_(grid), merger_(merger), reach_(kMostOff * merger.flatness() * grid.impl().h) {}
 
 std::uint32_t MeshWriter::keptCells(const SurfaceLeaf& leaf) const {
   std::uint32_t kept = 0;
@@ -135,7 +165,9 @@ void MeshWriter::writeLeaf(const SurfaceLeaf& leaf, const LeafQuads& quads, std:
     Quad quad;
     reader.readCorners(axis, x, y, z, quad);
     if (state & QuadState::kMerged) {
-      QuadReader::readCrossing(axis, x, y, z, c, quad);
+      if (state & QuadState::kBulged) addFaults(quad.v, flaws);
+      if (polygonOf(merger_, quad.v).count == 0) return;
+      reader.read(axis, x, y, z, c, quad);
       next = writeMerged(leaf, quad, c, first, next, flaws);
     } else {
       std::array<std::uint32_t, 4> v;
@@ -157,38 +189,42 @@ std::size_t MeshWriter::writeQuad(const std::array<std::uint32_t, 4>& v, bool at
   return next + 2;
 }
 
-/// The same for a quad with merged corners, judged where those are now. Wants its middle and normal.
+/// The merged cells at a quad are to be taken apart.
+void MeshWriter::addFaults(const std::array<std::uint32_t, 4>& v, LeafFlaws& flaws) const {
+  for (const std::uint32_t corner : v) {
+    if (merger_.merged(corner)) flaws.faults.push_back(merger_.standIn(corner));
+  }
+}
+
+/// The same for a quad with merged corners, judged where those are now.
 std::size_t MeshWriter::writeMerged(const SurfaceLeaf& leaf, Quad& quad, const Crossing& c, std::size_t first,
                                     std::size_t next, LeafFlaws& flaws) {
   const Polygon poly = polygonOf(merger_, quad.v);
   if (poly.count == 0) return next;
+  const Vec3 origin = grid_.impl().position(leaf.stock->origin);
+  std::array<Vec3, 4> before = quad.p;
+  for (Vec3& p : before) p = origin + grid_.impl().h * p;
+  quad.middle = origin + grid_.impl().h * quad.middle;
   std::array<std::uint32_t, 4> v;
   for (int i = 0; i < poly.count; ++i) {
     v[i] = now_.numberOf(poly.v[i]);
     quad.p[i] = now_.mesh.positions[v[i]].cast<double>();
   }
-  quad.middle = grid_.impl().position(leaf.stock->origin) + grid_.impl().h * quad.middle;
-  const auto facing = [&](int a, int b, int d) {
-    const Vec3 area = (quad.p[b] - quad.p[a]).cross(quad.p[d] - quad.p[a]);
-    return quad.normal.dot(area) / (area.norm() + 1e-300);
-  };
-  double agreement;
+  MergedQuad made(quad.normal, before);
   if (poly.count == 3) {
-    agreement = facing(0, 1, 2);
+    made.add(quad.p[0], quad.p[1], quad.p[2]);
     now_.mesh.triangles[next] = {v[0], v[1], v[2]};
     now_.mesh.motion[next] = knownMotion(c.motion);
-    if (agreement < kPoorAgreement) flaws.poor.push_back(static_cast<std::uint32_t>(next - first));
+    if (made.agreement < kPoorAgreement) flaws.poor.push_back(static_cast<std::uint32_t>(next - first));
     ++next;
   } else {
     const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, 0u);
-    agreement =
-        cut.at02 ? std::min(facing(0, 1, 2), facing(0, 2, 3)) : std::min(facing(0, 1, 3), facing(1, 2, 3));
+    made.add(quad.p[0], quad.p[1], quad.p[cut.at02 ? 2 : 3]);
+    made.add(quad.p[cut.at02 ? 0 : 1], quad.p[2], quad.p[3]);
     next = writeQuad(v, cut.at02, cut.poor, c, first, next, flaws);
   }
-  if (agreement > kLeastAgreement) return next;
-  for (int i = 0; i < poly.count; ++i) {
-    if (merger_.merged(poly.v[i])) flaws.faults.push_back(poly.v[i]);
-  }
+  if (made.agreement > kLeastAgreement && made.off() <= reach_) return next;
+  addFaults(quad.v, flaws);
   return next;
 }
 

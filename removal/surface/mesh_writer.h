@@ -12,7 +12,7 @@ namespace proveout {
 class MeshWriter {
  public:
   /// Both must outlive this.
-  MeshWriter(const SurfaceGrid& grid, const VertexMerger& merger) : grid_(grid), merger_(merger) {}
+  MeshWriter(const SurfaceGrid& grid, const VertexMerger& merger);
 
   /// Writes the mesh with what is merged now. `changed`: leaves whose quads or merged cells are others than
   /// at the call before, all at the first; what is not in them is taken from the mesh written before. Null if
@@ -31,11 +31,13 @@ class MeshWriter {
                         std::size_t first, std::size_t next, LeafFlaws& flaws);
   std::size_t writeMerged(const SurfaceLeaf& leaf, Quad& quad, const Crossing& c, std::size_t first,
                           std::size_t next, LeafFlaws& flaws);
+  void addFaults(const std::array<std::uint32_t, 4>& v, LeafFlaws& flaws) const;
   void copyLeaf(std::size_t number);
   void writeFans(const std::vector<LeafQuads>& quads);
 
   const SurfaceGrid& grid_;
   const VertexMerger& merger_;
+  double reach_;  ///< how far merged triangles may be off the corners that there were, mm
   LeafMesh now_;
   LeafMesh before_;  ///< of the call before; its memory serves the next one
 };

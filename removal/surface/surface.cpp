@@ -9,6 +9,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/thread_limit.h"
+#include "core/mesh/intersections.h"
 #include "core/mesh/mesh_simplifier.h"
 #include "removal/surface/leaf_volume.h"
 #include "removal/surface/mesh_repair.h"
@@ -25,9 +26,6 @@ constexpr double kSharpShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
 /// Part of the tolerance that merging cells may take; the rest is for the mesh made of them.
 constexpr double kMergingShare = 0.5;
-/// Quads are made finer where their crossing is off by half the tolerance, or by this part of the grid
-/// spacing.
-constexpr double kFanHeight = 0.005;
 
 /// Grid steps.
 double flatnessOf(const Stock::Impl& impl, double simplify_mm) {
@@ -74,13 +72,18 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, Pr
   return surface;
 }
 
+std::size_t meetingsOf(const TriMesh& mesh) {
+  return findIntersections(mesh, std::vector<std::uint8_t>(mesh.positions.size(), 1)).size();
+}
+
 /// Fewer triangles of the finished mesh. Error: cancelled.
 Status simplifySurface(StockSurface& surface, double tolerance_mm, Progress& progress) {
   if (!(tolerance_mm > 0.0) || surface.mesh.triangles.empty()) return Done{};
   progress.report("meshing", 0.9);
   const std::optional<Simplification> done = simplifyMesh(surface.mesh, tolerance_mm, progress);
   if (!done) return Error{ErrorKind::kInterrupted, "interrupted"};
-  surface.self_intersections = done->self_intersections;
+  surface.self_intersections =
+      surface.self_intersections > 0 ? meetingsOf(surface.mesh) : done->self_intersections;
   PROVEOUT_ASSERT_DEAR(analyseTopology(surface.mesh).closedManifold());
   return Done{};
 }

@@ -18,6 +18,7 @@ class VertexMerger {
   VertexMerger(SurfaceGrid& grid, double flatness);
 
   bool active() const { return flatness_ > 0.0; }
+  double flatness() const { return flatness_; }
   /// The vertex that stands for a vertex.
   std::uint32_t standIn(std::uint32_t v) const { return v < count_ ? stand_in_[v] & ~kMerged : v; }
   /// Whether a vertex is one of several cells that are merged.

@@ -27,6 +27,9 @@ constexpr double kAlikeOff = 1e-3;
 constexpr double kSliver = 1e-3;
 constexpr double kSliverMargin = 1e-6;
 constexpr double kPoorFacing = 0.5;
+/// Corners so many times farther off the tangent plane than crossings may be: two triangles and four then lie
+/// farther apart than what is tolerated, whatever the crossing is off.
+constexpr double kCreased = 2.0;
 constexpr int kUnfoldRounds = 8;
 
 }  // namespace
@@ -84,6 +87,7 @@ bool bulges(const Quad& quad, double limit) {
     d[i] = quad.p[i] - quad.middle;
     highest = std::max(highest, std::abs(quad.normal.dot(d[i])));
   }
+  if (highest > kCreased * limit) limit = kFanHeight;
   // Opposite corners on a crease are joined.
   if (highest <= limit || (~quad.smooth_corners & 0x5) == 0x5 || (~quad.smooth_corners & 0xA) == 0xA)
     return false;

@@ -31,8 +31,12 @@ struct QuadCut {
 QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal,
                 unsigned smooth_corners);
 
-/// Whether the crossing lies off the quad's two triangles by more than `limit`, so that four triangles around
-/// it are closer to the surface. Not where a crease runs along the diagonal, or a triangle would fold.
+/// How far crossings may be off two triangles at the least, grid steps.
+inline constexpr double kFanHeight = 0.005;
+
+/// Whether the crossing lies off the quad's two triangles by more than `limit`, or kFanHeight at creases, so
+/// that four triangles around it are closer to the surface. Not where a crease runs along the diagonal, or a
+/// triangle would fold.
 bool bulges(const Quad& quad, double limit);
 
 /// Reads the quads of one leaf at a time.

@@ -5,12 +5,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "io/mesh_io.h"
 #include "tests/acceptance/program_runner.h"
 #include "tests/property/mesh_judge.h"
+#include "tests/support/mesh_distance.h"
 
 namespace proveout::test {
 namespace {
@@ -89,6 +91,21 @@ TEST_P(MeshQuality, ClosedManifoldWithoutSelfIntersections) {
       EXPECT_EQ(verdict.meetings, 0u) << "of " << mesh->triangles.size() << " triangles" << verdict.places;
     }
   }
+}
+
+TEST_P(MeshQuality, LeanMeshIsWithinTheTolerance) {
+  constexpr double kToleranceMm = 0.05;
+  constexpr int kPoints = 2;
+  const auto meshWith = [&](double simplify_mm) {
+    const json report = run(kCoarseMm, "--simplify " + std::to_string(simplify_mm));
+    return loadMesh(path(report.at("outputs").at("meshes").at(0).at("path").get<std::string>()));
+  };
+  const Result<TriMesh> all = meshWith(0.0), lean = meshWith(kToleranceMm);
+  ASSERT_TRUE(all.ok() && lean.ok());
+  std::mt19937 random(1);
+  EXPECT_LE(farthest(*all, *lean, kPoints, random), kToleranceMm);
+  EXPECT_LE(farthest(*lean, *all, 4 * kPoints, random), kToleranceMm);
+  EXPECT_LT(lean->triangles.size(), all->triangles.size() / 2);
 }
 
 TEST_P(MeshQuality, SameForAnyNumberOfThreads) {

@@ -1,35 +1,17 @@
 // Few triangles of what is cut, near to the surface of all cells.
 #include <Eigen/Geometry>
-#include <cmath>
 #include <random>
 
 #include "core/base/thread_limit.h"
 #include "core/mesh/intersections.h"
 #include "core/mesh/mesh_simplifier.h"
-#include "core/mesh/triangle_tree.h"
+#include "tests/support/mesh_distance.h"
 #include "tests/unit/removal/cut_fixture.h"
 
 namespace proveout::test {
 namespace {
 
-/// Largest distance of a mesh from another, at the corners and at points in each of its triangles.
-double farthest(const TriMesh& from, const TriMesh& to, std::mt19937& random) {
-  constexpr int kPoints = 6;
-  std::uniform_real_distribution<double> part(0.0, 1.0);
-  const SurfaceMesh surface = toSurface(from);
-  const TriangleTree tree(toSurface(to));
-  double most = 0.0;
-  const auto look = [&](const Vec3& p) { most = std::max(most, tree.nearest(p).squared); };
-  for (const Vec3& p : surface.points) look(p);
-  for (const auto& t : surface.triangles) {
-    const Vec3 &a = surface.points[t[0]], &b = surface.points[t[1]], &c = surface.points[t[2]];
-    for (int i = 0; i < kPoints; ++i) {
-      const double root = std::sqrt(part(random)), along = part(random);
-      look((1.0 - root) * a + root * ((1.0 - along) * b + along * c));
-    }
-  }
-  return std::sqrt(most);
-}
+constexpr int kPoints = 3;  ///< samples of a triangle
 
 std::size_t meetings(const TriMesh& mesh) {
   return findIntersections(mesh, std::vector<std::uint8_t>(mesh.positions.size(), 1)).size();
@@ -90,17 +72,73 @@ TEST(LeanSurface, RandomPathsStayWithinTheTolerance) {
         if (threads == 1) {
           first = lean;
           EXPECT_LE(done->distance_mm, tolerance * (1 + 1e-6));
-          if (clean) EXPECT_EQ(meetings(lean), 0u);
+          if (clean) {
+            EXPECT_EQ(meetings(lean), 0u);
+          }
         }
         EXPECT_TRUE(lean.positions == first.positions && lean.triangles == first.triangles &&
                     lean.motion == first.motion)
             << threads << " threads";
       }
       constexpr double kRounding = 1e-5;
-      EXPECT_LE(farthest(fine, first, random), tolerance + kRounding);
-      EXPECT_LE(farthest(first, fine, random), tolerance + kRounding);
+      EXPECT_LE(farthest(fine, first, kPoints, random), tolerance + kRounding);
+      EXPECT_LE(farthest(first, fine, kPoints, random), tolerance + kRounding);
       EXPECT_TRUE(analyseTopology(first).closedManifold());
       EXPECT_LT(first.triangles.size(), fine.triangles.size() / 3);
+    }
+  }
+}
+
+/// Lines in all directions over a block of 16 x 16 x 5, of which walls thinner than a cell are left.
+Toolpath crowdedPath(std::mt19937& random) {
+  std::uniform_real_distribution<double> place(0.0, 16.0), depth(-3.0, -0.5);
+  PathMaker path;
+  Vec3 at(place(random), place(random), depth(random));
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 to(place(random), place(random), depth(random));
+    path.line(at, to);
+    at = to;
+  }
+  return path.path();
+}
+
+StockSurface surfaceOf(const Stock& stock, double simplify_mm, int threads) {
+  SurfaceOptions options;
+  options.simplify_mm = simplify_mm;
+  options.threads = threads;
+  Progress progress;
+  Result<StockSurface> surface = stock.surface(options, progress);
+  EXPECT_TRUE(surface.ok());
+  return surface.ok() ? std::move(*surface) : StockSurface();
+}
+
+/// Merging cells and simplifying the mesh, together.
+TEST(LeanSurface, WholeWayStaysWithinTheToleranceBetweenThinWalls) {
+  const std::vector<std::string> tools = {"1=flat:1", "1=ball:0.8", "1=bull:1.2:0.3", "1=cone:1:0.2:60"};
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    RemovalOptions options;
+    options.resolution_mm = 0.25;
+    Progress progress;
+    Result<Stock> stock = Stock::create(BoxShape{{0, 0, -5}, {16, 16, 0}}, options, progress);
+    ASSERT_TRUE(stock.ok());
+    ASSERT_TRUE(
+        stock->remove(crowdedPath(random), {tool(tools[seed % tools.size()])}, options, progress).ok());
+    const double tolerance = seed % 2 == 0 ? 0.025 : 0.008;
+    const TriMesh all = surfaceOf(*stock, 0.0, 0).mesh;
+    const StockSurface surface = surfaceOf(*stock, tolerance, 1);
+    const TriMesh& lean = surface.mesh;
+    EXPECT_TRUE(analyseTopology(lean).closedManifold());
+    EXPECT_EQ(meetings(lean), surface.self_intersections);
+    EXPECT_LE(farthest(all, lean, 1, random), tolerance);
+    EXPECT_LE(farthest(lean, all, kPoints, random), tolerance);
+    EXPECT_LT(lean.triangles.size(), all.triangles.size() * 3 / 4);
+    for (const int threads : {2, 4}) {
+      const TriMesh again = surfaceOf(*stock, tolerance, threads).mesh;
+      EXPECT_TRUE(again.positions == lean.positions && again.triangles == lean.triangles &&
+                  again.motion == lean.motion)
+          << threads << " threads";
     }
   }
 }
