@@ -33,7 +33,7 @@ std::string shaftJob(const std::string& job, const std::string& program_file);
 std::string shortLinesProgram();
 /// A thread M20 x 1 of 400 turns in one pass, for threadJob(400).
 std::string longThreadProgram();
-/// G30 of the FlexNC control: a worm of four starts in 892 passes, for wormJob().
+/// G30 of the FlexNC control: a worm of four starts in 940 passes, for wormJob().
 std::string wormProgram();
 std::string wormJob(const std::string& program_file);
 /// A thread M20 x 2.5 of 28 mm with infeed along a flank, about 30 passes, for threadJob(60).
