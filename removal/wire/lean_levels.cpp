@@ -100,7 +100,7 @@ class LevelMaker {
     std::vector<std::uint32_t> middle_of_lower, middle_of_upper;
     LoopPairs to_lower, to_upper;  ///< pairs of lower and middle, of middle and upper
     Names alone;                   ///< of loops that end or begin between the heights
-    std::function<const LevelLoop*(std::uint32_t lower)> quarter;
+    std::function<const RunStarts*(std::uint32_t lower)> quarter;
   };
 
   Status settleAll(double low, double high) {
@@ -206,14 +206,15 @@ class LevelMaker {
     out.middle = sectionAt(0.5 * (task.from + task.to));
     Setting set = settingOf(task, out.middle);
     std::optional<LevelSection> quarter;
-    std::vector<std::uint32_t> quarter_of;
-    set.quarter = [&](std::uint32_t lower) -> const LevelLoop* {
+    std::vector<std::optional<RunStarts>> quarter_of;
+    set.quarter = [&](std::uint32_t lower) -> const RunStarts* {
       if (!quarter) {
         quarter = sectionAt(0.75 * task.from + 0.25 * task.to);
-        quarter_of.assign(set.lower.loops.size(), kNone);
-        for (const auto& [i, q] : pairLoops(set.lower, *quarter).pairs) quarter_of[i] = q;
+        quarter_of.resize(set.lower.loops.size());
+        for (const auto& [i, q] : pairLoops(set.lower, *quarter).pairs)
+          quarter_of[i].emplace(quarter->loops[q]);
       }
-      return quarter_of[lower] == kNone ? nullptr : &quarter->loops[quarter_of[lower]];
+      return quarter_of[lower] ? &*quarter_of[lower] : nullptr;
     };
     const LoopPairs ends = among(pairLoops(set.lower, set.upper), task.lower, task.upper);
     out.lower_left = ends.lower_alone;
@@ -242,9 +243,9 @@ class LevelMaker {
     const std::uint32_t m = set.middle_of_lower[i];
     WallVerdict verdict;
     if (m != kNone) {
-      verdict = judgeWall(
-          {set.lower.loops[i], out.middle.loops[m], set.upper.loops[k], [&] { return set.quarter(i); }},
-          tolerance_, !set.thin && whole && mayPart(set, i, k));
+      const RunStarts middle(out.middle.loops[m]);
+      verdict = judgeWall({set.lower.loops[i], middle, set.upper.loops[k], [&] { return set.quarter(i); }},
+                          tolerance_, !set.thin && whole && mayPart(set, i, k));
     }
     if (verdict.settled.empty() && set.thin && whole) {
       if (std::optional<Ribbon> ribbon = ribbonBetween(set.lower.loops[i], set.upper.loops[k]))
@@ -275,9 +276,10 @@ class LevelMaker {
     WallVerdict all;
     all.failed = !set.alone.empty() && (hasAny(lower, set.alone) || hasAny(upper, set.alone));
     all.failed = all.failed || (m == kNone && !set.thin);
+    // At the last heights the middle is not asked for.
+    const RunStarts middle(m == kNone ? lower : out.middle.loops[m]);
     for (const WallPart& part : wall.parts) {
       if (all.failed) break;
-      const LevelLoop& middle = out.middle.loops[m == kNone ? 0 : m];
       WallVerdict verdict = judgePart({lower, middle, upper, [&] { return set.quarter(wall.lower); }}, part,
                                       tolerance_, set.thin);
       all.failed = verdict.failed;

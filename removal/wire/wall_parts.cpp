@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "core/geometry/plane.h"
@@ -73,35 +70,6 @@ bool any(const std::vector<bool>& flags) {
 
 std::uint32_t sizeOf(const LevelLoop& loop) { return static_cast<std::uint32_t>(loop.points.size()); }
 
-/// The points of a loop where edges with a name begin.
-class RunStarts {
- public:
-  explicit RunStarts(const LevelLoop& loop) : loop_(loop) {
-    const std::uint32_t n = sizeOf(loop);
-    for (std::uint32_t i = 0; i < n; ++i) {
-      if (loop.names[i] != loop.names[(i + n - 1) % n]) of_[loop.names[i]].push_back(i);
-    }
-  }
-
-  /// The nearest to a place, if it is within `reach`.
-  std::optional<std::uint32_t> at(WallName name, const Vec2& p, double reach) const {
-    const auto found = of_.find(name);
-    if (found == of_.end()) return std::nullopt;
-    std::optional<std::uint32_t> best;
-    for (const std::uint32_t i : found->second) {
-      const double off = (loop_.points[i] - p).norm();
-      if (off > reach) continue;
-      best = i;
-      reach = off;
-    }
-    return best;
-  }
-
- private:
-  const LevelLoop& loop_;
-  std::unordered_map<WallName, std::vector<std::uint32_t>> of_;
-};
-
 /// From a place to the edges of a loop that meet at a point: where they turn little that point may lie
 /// anywhere along them.
 double besidePoint(const LevelLoop& loop, std::uint32_t i, const Vec2& p) {
@@ -136,12 +104,13 @@ std::uint32_t rowsOf(double bend, double twist, double tolerance) {
 
 class WallJudge {
  public:
-  WallJudge(const WallLoops& wall, double tolerance) : wall_(wall), tolerance_(tolerance) {}
+  WallJudge(const WallLoops& wall, double tolerance)
+      : wall_(wall), middle_loop_(wall.middle.loop()), tolerance_(tolerance) {}
 
   WallVerdict whole(bool parts) {
     ribbon_ = ribbonBetween(wall_.lower, wall_.upper);
     if (!ribbon_) return std::move(out_);
-    const std::uint32_t n = sizeOf(wall_.middle);
+    const std::uint32_t n = sizeOf(middle_loop_);
     middle_ = {0, n};
     closed_ = true;
     if (isStraight()) return std::move(out_);
@@ -163,11 +132,9 @@ class WallJudge {
       out_.settled.push_back(std::move(*ribbon_));
       return std::move(out_);
     }
-    const RunStarts starts(wall_.middle);
-    const auto first = startHalfWay(starts, ribbon_->rungs.front()),
-               end = startHalfWay(starts, ribbon_->rungs.back());
+    const auto first = startHalfWay(ribbon_->rungs.front()), end = startHalfWay(ribbon_->rungs.back());
     if (!first || !end || *first == *end) return failed();
-    const std::uint32_t n = sizeOf(wall_.middle);
+    const std::uint32_t n = sizeOf(middle_loop_);
     middle_ = {*first, (*end + n - *first) % n};
     if (isStraight()) return std::move(out_);
     findCuts();
@@ -200,7 +167,7 @@ class WallJudge {
     return 0.5 * (wall_.lower.points[rung.first] + wall_.upper.points[rung.second]);
   }
   const Vec2& pointHalfWay(std::uint32_t k) const {
-    return wall_.middle.points[(middle_.first + k) % sizeOf(wall_.middle)];
+    return middle_loop_.points[(middle_.first + k) % sizeOf(middle_loop_)];
   }
 
   /// Where the triangles of the wall and the section half way up leave each other. The ends of a part may
@@ -226,9 +193,9 @@ class WallJudge {
   }
   static std::uint32_t behind(const LevelLoop& loop, std::uint32_t i) { return (i + 1) % sizeOf(loop); }
   std::pair<Vec2, Vec2> beforeAndBehind(const LoopSpan& span) const {
-    const std::uint32_t end = endOf(wall_.middle, span);
-    return {wall_.middle.points[before(wall_.middle, span.first)],
-            wall_.middle.points[behind(wall_.middle, end)]};
+    const std::uint32_t end = endOf(middle_loop_, span);
+    return {middle_loop_.points[before(middle_loop_, span.first)],
+            middle_loop_.points[behind(middle_loop_, end)]};
   }
   static Line goneOn(const Line& line, const std::pair<Vec2, Vec2>& ends) {
     Line out = line;
@@ -238,42 +205,41 @@ class WallJudge {
     return out;
   }
 
-  std::optional<std::uint32_t> startHalfWay(const RunStarts& starts,
-                                            const std::pair<std::uint32_t, std::uint32_t>& rung) const {
+  std::optional<std::uint32_t> startHalfWay(const std::pair<std::uint32_t, std::uint32_t>& rung) const {
     const WallName name = wall_.lower.names[rung.first];
     if (wall_.upper.names[rung.second] != name) return std::nullopt;
-    return starts.at(name, middleOf(rung), std::numeric_limits<double>::infinity());
+    return wall_.middle.at(name, middleOf(rung));
   }
 
   Cut cutAt(std::size_t rung, std::uint32_t middle) const {
-    const std::uint32_t i = (middle_.first + middle) % sizeOf(wall_.middle);
-    return {rung, middle, besidePoint(wall_.middle, i, middleOf(ribbon_->rungs[rung]))};
+    const std::uint32_t i = (middle_.first + middle) % sizeOf(middle_loop_);
+    return {rung, middle, besidePoint(middle_loop_, i, middleOf(ribbon_->rungs[rung]))};
   }
 
   /// Rungs whose parabola through the section half way up passes the one a quarter up.
   void findCuts() {
-    const LevelLoop* quarter = wall_.quarter();
+    const RunStarts* quarter = wall_.quarter();
     if (quarter == nullptr) return;
-    const RunStarts half_way(wall_.middle), quarter_up(*quarter);
-    const std::uint32_t n = sizeOf(wall_.middle);
+    const LevelLoop& quarter_up = quarter->loop();
+    const std::uint32_t n = sizeOf(middle_loop_);
     for (const std::size_t rung : ribbon_->starts) {
       const auto [i, j] = ribbon_->rungs[rung];
       // Round ends may be missing at heights between these.
       if (!isSide(wall_.lower.names[i])) continue;
-      const auto m = startHalfWay(half_way, ribbon_->rungs[rung]);
+      const auto m = startHalfWay(ribbon_->rungs[rung]);
       if (!m) continue;
       const Vec2 expected =
-          0.375 * wall_.lower.points[i] + 0.75 * wall_.middle.points[*m] - 0.125 * wall_.upper.points[j];
-      const auto q = quarter_up.at(wall_.lower.names[i], expected, std::numeric_limits<double>::infinity());
-      if (!q || besidePoint(*quarter, *q, expected) > kShareOfParabola * tolerance_ ||
-          (quarter->points[*q] - expected).norm() > kSlide * shorterBeside(*quarter, *q))
+          0.375 * wall_.lower.points[i] + 0.75 * middle_loop_.points[*m] - 0.125 * wall_.upper.points[j];
+      const auto q = quarter->at(wall_.lower.names[i], expected);
+      if (!q || besidePoint(quarter_up, *q, expected) > kShareOfParabola * tolerance_ ||
+          (quarter_up.points[*q] - expected).norm() > kSlide * shorterBeside(quarter_up, *q))
         continue;
       const std::uint32_t middle = (*m + n - middle_.first) % n;
       if (middle <= middle_.edges) add(cutAt(rung, middle));
     }
   }
   void add(const Cut& cut) {
-    const std::uint32_t n = sizeOf(wall_.middle);
+    const std::uint32_t n = sizeOf(middle_loop_);
     const std::uint32_t first = cuts_.empty() || !closed_ ? 0 : cuts_.front().middle;
     const auto behind = [&](const Cut& c) { return (c.middle + n - first) % n; };
     if (cuts_.empty() || (cut.rung > cuts_.back().rung && behind(cut) > behind(cuts_.back())))
@@ -282,7 +248,7 @@ class WallJudge {
 
   /// Turns a whole wall so that it begins at a cut.
   void beginAt(const Cut& start) {
-    const std::uint32_t n = sizeOf(wall_.middle);
+    const std::uint32_t n = sizeOf(middle_loop_);
     const std::size_t rung = start.rung;
     const std::uint32_t middle = start.middle;
     ribbon_->rungs.pop_back();
@@ -363,7 +329,7 @@ class WallJudge {
   void leave(const Cut& from, const Cut& to) {
     const auto [i, j] = ribbon_->rungs[from.rung];
     const auto [end_i, end_j] = ribbon_->rungs[to.rung];
-    const std::uint32_t n = sizeOf(wall_.middle), first = (middle_.first + from.middle) % n,
+    const std::uint32_t n = sizeOf(middle_loop_), first = (middle_.first + from.middle) % n,
                         end = (middle_.first + to.middle) % n;
     // Edges of one name begin at either end: there are some between them at every height.
     out_.open.push_back({spanBetween(wall_.lower, i, end_i),
@@ -377,6 +343,7 @@ class WallJudge {
   }
 
   const WallLoops& wall_;
+  const LevelLoop& middle_loop_;
   double tolerance_;
   bool closed_ = false;
   std::optional<Ribbon> ribbon_;
@@ -388,6 +355,22 @@ class WallJudge {
 };
 
 }  // namespace
+
+std::optional<std::uint32_t> RunStarts::at(WallName name, const Vec2& p) const {
+  if (!told_) {
+    const std::uint32_t n = sizeOf(*loop_);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      if (loop_->names[i] != loop_->names[(i + n - 1) % n]) of_[loop_->names[i]].push_back(i);
+    }
+    told_ = true;
+  }
+  const auto found = of_.find(name);
+  if (found == of_.end()) return std::nullopt;
+  const std::vector<std::uint32_t>& places = found->second;
+  return *std::min_element(places.begin(), places.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return (loop_->points[a] - p).norm() < (loop_->points[b] - p).norm();
+  });
+}
 
 WallVerdict judgeWall(const WallLoops& wall, double tolerance, bool parts) {
   return WallJudge(wall, tolerance).whole(parts);

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "removal/wire/level_match.h"
@@ -43,11 +45,30 @@ struct WallVerdict {
   bool failed = false;  ///< the sections have no place for the ends of a part, or it cannot be joined
 };
 
-/// The loops of one wall at two heights and half way up.
+/// A loop, and the points of it where edges with a name begin: told when it is first asked for. Not for
+/// several threads.
+class RunStarts {
+ public:
+  /// The loop must outlive it.
+  explicit RunStarts(const LevelLoop& loop) : loop_(&loop) {}
+
+  const LevelLoop& loop() const { return *loop_; }
+  /// The nearest to a place; none: the name begins nowhere.
+  std::optional<std::uint32_t> at(WallName name, const Vec2& p) const;
+
+ private:
+  const LevelLoop* loop_;
+  mutable bool told_ = false;
+  mutable std::unordered_map<WallName, std::vector<std::uint32_t>> of_;
+};
+
+/// One wall at two heights and half way up.
 struct WallLoops {
-  const LevelLoop &lower, &middle, &upper;
+  const LevelLoop& lower;
+  const RunStarts& middle;
+  const LevelLoop& upper;
   /// A quarter up, made when it is first asked for; null: there is none that belongs to the wall.
-  std::function<const LevelLoop*()> quarter;
+  std::function<const RunStarts*()> quarter;
 };
 
 /// Of a whole wall. Settled: its triangles leave the sections by no more than `tolerance` mm. With `parts` it
