@@ -136,6 +136,31 @@ bool unfoldedInFloats(const TriMesh& mesh, const std::array<std::uint32_t, 3>& a
   return along > 0.0f && along * along > kMargin * n.squaredNorm() * m.squaredNorm();
 }
 
+/// Corners that two triangles have in common.
+struct CommonCorners {
+  int count = 0, at_a = -1, at_b = -1;  ///< of the last one, below 0: none
+  int sum_b = 0;                        ///< of its places in the second triangle
+};
+
+/// Whether two triangles with at most two common corners meet elsewhere.
+[[gnu::noinline]] bool meetInDoubles(const Points& p, const Points& q, const CommonCorners& common) {
+  const int at_a = common.at_a, at_b = common.at_b;
+  if (common.count == 2) {  // folded flat onto each other
+    if (orient(p[0], p[1], p[2], q[static_cast<std::size_t>(3 - common.sum_b)]) != 0.0) return false;
+    const Vec3 n = (p[1] - p[0]).cross(p[2] - p[0]), m = (q[1] - q[0]).cross(q[2] - q[0]);
+    return n.dot(m) < 0.0 && n.squaredNorm() > 0.0;
+  }
+  if (clear(p, at_a, q, at_b) || apart(p, q, at_b) || apart(q, p, at_a)) return false;
+  if (common.count == 1) {
+    return segmentMeets(p[(at_a + 1) % 3], p[(at_a + 2) % 3], q) ||
+           segmentMeets(q[(at_b + 1) % 3], q[(at_b + 2) % 3], p);
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (segmentMeets(p[i], p[(i + 1) % 3], q) || segmentMeets(q[i], q[(i + 1) % 3], p)) return true;
+  }
+  return false;
+}
+
 struct Span {
   Eigen::Vector3f low = Eigen::Vector3f::Constant(kNever), high = Eigen::Vector3f::Constant(-kNever);
 
@@ -376,38 +401,20 @@ std::array<Vec3, 3> cornersOf(const TriMesh& mesh, std::uint32_t t) {
 
 bool trianglesMeet(const TriMesh& mesh, std::uint32_t s, std::uint32_t t) {
   const auto &a = mesh.triangles[s], &b = mesh.triangles[t];
-  int common = 0, at_a = 0, at_b = 0, sum_b = 0;
+  CommonCorners common;
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (a[i] != b[j]) continue;
-      ++common;
-      at_a = i;
-      at_b = j;
-      sum_b += j;
-    }
+    const std::uint32_t v = a[static_cast<std::size_t>(i)];
+    const int j = v == b[0] ? 0 : v == b[1] ? 1 : v == b[2] ? 2 : -1;
+    if (j < 0) continue;
+    ++common.count;
+    common.at_a = i;
+    common.at_b = j;
+    common.sum_b += j;
   }
-  if (common >= 3) return true;
-  if (common == 2 ? unfoldedInFloats(mesh, a, b)
-                  : clearInFloats(mesh, a, common == 1 ? at_a : -1, b, common == 1 ? at_b : -1))
+  if (common.count >= 3) return true;
+  if (common.count == 2 ? unfoldedInFloats(mesh, a, b) : clearInFloats(mesh, a, common.at_a, b, common.at_b))
     return false;
-  const Points p = cornersOf(mesh, s), q = cornersOf(mesh, t);
-  if (common == 2) {  // folded flat onto each other
-    if (orient(p[0], p[1], p[2], q[3 - sum_b]) != 0.0) return false;
-    const Vec3 n = (p[1] - p[0]).cross(p[2] - p[0]), m = (q[1] - q[0]).cross(q[2] - q[0]);
-    return n.dot(m) < 0.0 && n.squaredNorm() > 0.0;
-  }
-  if (common == 1) {
-    if (clear(p, at_a, q, at_b)) return false;
-    if (apart(p, q, at_b) || apart(q, p, at_a)) return false;
-    return segmentMeets(p[(at_a + 1) % 3], p[(at_a + 2) % 3], q) ||
-           segmentMeets(q[(at_b + 1) % 3], q[(at_b + 2) % 3], p);
-  }
-  if (clear(p, -1, q, -1)) return false;
-  if (apart(p, q, -1) || apart(q, p, -1)) return false;
-  for (int i = 0; i < 3; ++i) {
-    if (segmentMeets(p[i], p[(i + 1) % 3], q) || segmentMeets(q[i], q[(i + 1) % 3], p)) return true;
-  }
-  return false;
+  return meetInDoubles(cornersOf(mesh, s), cornersOf(mesh, t), common);
 }
 
 bool isNeedle(const TriMesh& mesh, std::uint32_t t) {

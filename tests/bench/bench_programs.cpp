@@ -36,6 +36,7 @@ struct Case {
   std::string job_file = {};              ///< where there is a job in place of stock and tool
   std::function<std::string()> job = {};  ///< makes it
   bool picture = false;                   ///< drawn, too
+  std::string simplify = {};              ///< value of --simplify, mm; empty: as by default
 };
 
 struct Options {
@@ -67,6 +68,11 @@ std::vector<Case> samplePrograms() {
   add(bear, 0.1, false);
   add(bear, 0.05, true);
   add(flower, 0.25, false);
+  for (Case c : {bear, flower}) {  // beside the default, a tenth of the grid
+    c.name += ", all triangles";
+    c.simplify = "0";
+    add(c, 0.25, false);
+  }
   add(flower, 0.05, true);
   add(diamond, 0.25, false);
   return cases;
@@ -184,7 +190,7 @@ void printReport(const Case& c, const nlohmann::json& report, const ChildOutcome
   const nlohmann::json &time = report.at("performance"), &stock = report.at("stock");
   const double volume = partVolume(stock);
   removal[c.name] = time.at("remove_s");
-  fmt::print("{:<22} {:>5.2f} {:>8} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.0f} {:>9} {:>12.3f}", c.name,
+  fmt::print("{:<26} {:>5.2f} {:>8} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.0f} {:>9} {:>12.3f}", c.name,
              c.grid_mm, report.at("program").at("motions").get<std::size_t>(), removal[c.name],
              time.at("mesh_s").get<double>(), child.wall_s, child.cpu_s, child.peak_mb,
              stock.at("triangles").get<std::size_t>(), volume);
@@ -205,16 +211,17 @@ void runCase(const Case& c, const Options& options, const Workplace& work, Remov
   arguments.insert(arguments.end(),
                    {"--resolution", fmt::format("{}", c.grid_mm), "--format", "stl", "--out", out});
   if (!c.picture) arguments.emplace_back("--no-render");
+  if (!c.simplify.empty()) arguments.insert(arguments.end(), {"--simplify", c.simplify});
   const ChildOutcome child = runChild(arguments, work.path("errors"), options.limit_s);
   const std::string report = readFile(out + "/report.json");
   if (child.ended && child.exit_code <= 1 && !report.empty()) {
     printReport(c, nlohmann::json::parse(report), child, removal);
   } else if (!child.ended) {
-    fmt::print("{:<22} {:>5.2f} stopped after {:.0f} s, at {:.0f} MB\n", c.name, c.grid_mm, child.wall_s,
+    fmt::print("{:<26} {:>5.2f} stopped after {:.0f} s, at {:.0f} MB\n", c.name, c.grid_mm, child.wall_s,
                child.peak_mb);
   } else {
     const std::string said = readFile(work.path("errors"));
-    fmt::print("{:<22} {:>5.2f} ended with code {}: {}\n", c.name, c.grid_mm, child.exit_code,
+    fmt::print("{:<26} {:>5.2f} ended with code {}: {}\n", c.name, c.grid_mm, child.exit_code,
                said.substr(0, said.find('\n')));
   }
   std::error_code ignored;
@@ -248,7 +255,7 @@ void printInterpreterRate(const Workplace& work, const Options& options) {
       continue;
     }
     const double net = child.wall_s - idle.wall_s;
-    fmt::print("{:<22}       {:>8.0f} blocks {:.3f} s, cpu {:.3f} s, {:.0f} MB: {:.2f} million blocks/s\n",
+    fmt::print("{:<26}       {:>8.0f} blocks {:.3f} s, cpu {:.3f} s, {:.0f} MB: {:.2f} million blocks/s\n",
                fmt::format("interpreter, {}", command), blocks, child.wall_s, child.cpu_s, child.peak_mb,
                blocks / net * 1e-6);
   }
@@ -267,7 +274,7 @@ void printMacroRate(const Workplace& work, const Options& options) {
     return;
   }
   constexpr double kBlocks = double{kPasses} * kBlocksAPass;
-  fmt::print("{:<22}       {:>8.0f} blocks {:.3f} s, cpu {:.3f} s, {:.0f} MB: {:.2f} million blocks/s\n",
+  fmt::print("{:<26}       {:>8.0f} blocks {:.3f} s, cpu {:.3f} s, {:.0f} MB: {:.2f} million blocks/s\n",
              "interpreter, macros", kBlocks, child.wall_s, child.cpu_s, child.peak_mb,
              kBlocks / (child.cpu_s - idle.cpu_s) * 1e-6);
 }
@@ -297,7 +304,7 @@ int run(const Options& options) {
   for (Case& c : generatedCases()) cases.push_back(std::move(c));
   for (Case& c : turnedCases()) cases.push_back(std::move(c));
   for (Case& c : wireCases()) cases.push_back(std::move(c));
-  fmt::print("{:<22} {:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>12} {:>9}\n", "case", "grid",
+  fmt::print("{:<26} {:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>12} {:>9}\n", "case", "grid",
              "motions", "remove s", "mesh s", "whole s", "cpu s", "peak MB", "triangles", "part mm3",
              "error");
   std::fflush(stdout);
