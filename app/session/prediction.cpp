@@ -17,8 +17,8 @@ namespace {
 // Measured with tests/bench/bench_prediction on two cores. A cell is a square of the grid on the surface.
 constexpr double kBaseMb = 20.0;               ///< program, libraries, threads
 constexpr double kBytesPerCell = 50.0;         ///< leaves, crossings, mesh of flat faces
-constexpr double kBytesPerCutCell = 60.0;      ///< on top of that: round walls
-constexpr double kBytesPerUnevenCell = 260.0;  ///< and where triangles are not merged
+constexpr double kBytesPerCutCell = 72.0;      ///< on top of that: round walls
+constexpr double kBytesPerUnevenCell = 300.0;  ///< and where triangles are not merged
 constexpr double kBytesPerTriangle = 75.0;  ///< of a mesh from half sections: the sections and the file, too
 constexpr double kBytesPerGrooveTriangle = 70.0;      ///< on top of that: sections where ridges are cut
 constexpr double kBytesPerTurnedCell = 20.0;          ///< on top of kBytesPerCell: from a half section
@@ -32,8 +32,8 @@ constexpr double kBytesPerSavedThreadedCell = 900.0;  ///< writing threads, on t
 constexpr double kBytesPerBlankTriangle = 170.0;      ///< of a mesh that a stock is made from
 constexpr double kBytesPerMeshedCell = 170.0;         ///< making a stock from a mesh
 constexpr double kComparisonMb = 18.0;                ///< fixed part of a comparison
-constexpr double kBytesPerComparedCell = 300.0;       ///< samples and search trees, both meshes
-constexpr double kDrawingMb = 45.0;                   ///< of pictures: rows of what pixels show, Embree
+constexpr double kBytesPerComparedCell = 260.0;       ///< samples and search trees, both meshes
+constexpr double kDrawingMb = 35.0;                   ///< of pictures: rows of what pixels show, Embree
 constexpr double kBytesPerPixel = 7.0;                ///< a picture, and its file
 constexpr double kBytesPerDrawnCell = 120.0;          ///< the renderer's search tree and normals
 constexpr double kBytesPerDrawnTriangle = 140.0;
@@ -43,10 +43,10 @@ constexpr double kBaseS = 0.02;
 constexpr double kSecondsPerCell = 1.6e-7;        ///< blank, removal, crossings, mesh, files
 constexpr double kSecondsPerCarriedCell = 2e-7;   ///< into the next clamping, grid line to grid line
 constexpr double kSecondsPerCutCell = 1.2e-6;     ///< on top of that
-constexpr double kSecondsPerUnevenCell = 1.1e-6;  ///< and where triangles are not merged
+constexpr double kSecondsPerUnevenCell = 1.9e-6;  ///< and where triangles are not merged
 constexpr double kSecondsPerSweptCell = 8e-9;     ///< removal, each motion counted
 /// A column under a chord, by CurveKind.
-constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {6e-8, 8e-8, 4.5e-8, 4e-7};
+constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {2.5e-8, 8e-8, 4.5e-8, 4e-7};
 /// Of helices with tools that are not undercut: the lower turns hold what the upper ones cut.
 constexpr double kTurnsThatCount = 3.0;
 constexpr double kBytesPerChord = 1000.0;  ///< a pass, and its numbers in lists
@@ -65,10 +65,10 @@ constexpr double kSecondsPerWrittenCell = 1.3e-6;     ///< as a saved stock
 constexpr double kSecondsPerTextCell = 1.2e-6;        ///< cut cells in one mesh file as text
 constexpr double kSecondsPerBlankTriangle = 4.5e-6;   ///< a stock from a mesh
 constexpr double kSecondsPerMeshedCell = 2.1e-6;      ///< the same, and its cells
-constexpr double kSecondsPerMovedCell = 3.5e-6;       ///< a stock from that of the clamping before
-constexpr double kSecondsPerComparedCell = 2.6e-6;    ///< comparison
+constexpr double kSecondsPerMovedCell = 2.3e-6;       ///< a stock from that of the clamping before
+constexpr double kSecondsPerComparedCell = 2.2e-6;    ///< comparison
 constexpr double kSecondsPerDrawnTriangle = 1.2e-6;   ///< search tree and normals, for all pictures
-constexpr double kSecondsPerPixel = 1.6e-7;           ///< one picture of flat faces
+constexpr double kSecondsPerPixel = 0.9e-7;           ///< one picture of flat faces
 constexpr double kMoreSecondsCut = 1.0;               ///< so much more where nothing is level
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
