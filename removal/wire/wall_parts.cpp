@@ -16,6 +16,8 @@ using Outline = std::vector<Vec2>;
 constexpr double kSlide = 0.25;
 /// Parabolas are off by no more than this share of the tolerance; the rest is for the triangles.
 constexpr double kShareOfParabola = 0.25;
+/// Parts of so few edges are halved as they are: a section a quarter up costs more than their triangles.
+constexpr std::uint32_t kSmallPart = 16;
 /// Parts of a rung, at most: walls that want more are halved.
 constexpr std::uint32_t kMostRows = 256;
 
@@ -137,7 +139,7 @@ class WallJudge {
     const std::uint32_t n = sizeOf(middle_loop_);
     middle_ = {*first, (*end + n - *first) % n};
     if (isStraight()) return std::move(out_);
-    findCuts();
+    if (middle_.edges > kSmallPart) findCuts();
     std::erase_if(cuts_, [&](const Cut& cut) {
       return cut.rung == 0 || cut.rung + 1 == ribbon_->rungs.size() || cut.middle == 0 ||
              cut.middle >= middle_.edges;
