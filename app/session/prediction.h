@@ -37,7 +37,7 @@ struct Workload {
   std::uint64_t motions = 0;
   std::uint64_t turned_motions = 0;  ///< of those, cuts of parts that turn
   double triangles = 0.0;            ///< of a mesh that needs no grid
-  double thread_triangles = 0.0;     ///< of those, of threads and of walls of leaning wires
+  double thread_triangles = 0.0;     ///< threads and walls of leaning wires take the time of so many
   double groove_triangles = 0.0;     ///< of those, of grooves whose sides are rows of passes
   double pass_points = 0.0;          ///< of the outlines of all thread passes
   double turned_mm2 = 0.0;           ///< surface of a part from half sections that goes to a grid

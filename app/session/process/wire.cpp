@@ -48,18 +48,24 @@ std::unique_ptr<PieceProbe> probe(const Job& /*setup*/, const ProbedStock& /*sto
   return nullptr;
 }
 
-/// Of a wire that leans, as triangles of a mesh from half sections: walls take more heights where steps are
-/// long, corners are sharp, the wire turns about its way, and on ways to a contour and back (measured; see
-/// the jobs in tests/bench).
-double leanTriangles(const Job& job, const Toolpath& path, const Box3& bounds) {
-  constexpr double kAPiece = 60.0, kAMmOfPiece = 1000.0, kLongPiece = 2.0, kATurned = 650.0, kASharp = 6000.0,
-                   kALead = 50000.0, kTurn = 0.15, kSharp = 0.8;
+/// Of a wire that leans, as triangles of a mesh from half sections.
+struct LeanWork {
+  double triangles = 0.0;
+  double sections = 0.0;  ///< whole contours that are cut at heights of their own, by what they take
+};
+
+/// Walls take more heights where steps are long, corners are sharp, the wire turns about its way, and on ways
+/// to a contour and back; each sharp corner asks for sections of the whole contour (measured; see the jobs in
+/// tests/bench).
+LeanWork leanWork(const Job& job, const Toolpath& path, const Box3& bounds) {
+  constexpr double kAPiece = 30.0, kAMmOfPiece = 800.0, kLongPiece = 2.0, kATurned = 650.0, kASharp = 4500.0,
+                   kALead = 50000.0, kTurn = 0.15, kSharp = 0.8, kAPieceOfASection = 2.6;
   const HeightSpan span{bounds.min.z(), bounds.max.z()};
   const auto angle = [](const Vec2& u, const Vec2& v) {
     const double lengths = u.norm() * v.norm();
     return lengths > 0.0 ? std::acos(std::clamp(u.dot(v) / lengths, -1.0, 1.0)) : 0.0;
   };
-  double sum = 0.0;
+  double sum = 0.0, all = 0.0, sharp = 0.0;
   Vec2 before = Vec2::Zero();
   bool compensated = false;
   std::vector<LeanStretch> pieces;
@@ -74,11 +80,12 @@ double leanTriangles(const Job& job, const Toolpath& path, const Box3& bounds) {
       const Vec2 low = piece.to_low - piece.from_low, high = piece.to_high - piece.from_high;
       sum += kAPiece + kAMmOfPiece * std::min(kLongPiece, std::max(low.norm(), high.norm()));
       if (angle(low, high) > kTurn) sum += kATurned;
-      if (angle(before, low) > kSharp) sum += kASharp;
+      if (angle(before, low) > kSharp) ++sharp;
       before = low;
     }
+    all += static_cast<double>(pieces.size());
   }
-  return sum;
+  return {sum + sharp * kASharp, sharp * all * kAPieceOfASection};
 }
 
 /// Walls have two triangles a motion on either side of the kerf, faces as many. Behind another clamping each
@@ -94,8 +101,9 @@ Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& 
     work.triangles = kTrianglesOfAMotion * static_cast<double>(work.motions);
   } else {
     constexpr double kShareOfTime = 0.7;  // walls are made on all threads
-    work.triangles = leanTriangles(run.setups[k].job, path, bounds);
-    work.thread_triangles = kShareOfTime * work.triangles;
+    const LeanWork lean = leanWork(run.setups[k].job, path, bounds);
+    work.triangles = lean.triangles;
+    work.thread_triangles = kShareOfTime * lean.triangles + lean.sections;
   }
   if (k == 0 && isPrism(blank)) return work;
   constexpr double kCopies = 3.0;
