@@ -77,6 +77,26 @@ constexpr double kMapWork = 6e6;
 /// Where slopes of neighbouring cells of the map differ by more, no face is flat.
 constexpr double kUneven = 0.005;
 
+/// How high a tool stands over its tip.
+struct Footprint {
+  double radius = 0.0;      ///< mm; of the widest place
+  double tip_radius = 0.0;  ///< mm; flat up to here
+  double rise = 0.0;        ///< from there on, mm a mm of radius
+
+  double heightAt2(double distance2) const {
+    return rise > 0.0 ? rise * std::max(0.0, std::sqrt(distance2) - tip_radius) : 0.0;
+  }
+};
+
+/// Cones and tapers leave ridges between their passes; all others count as flat.
+Footprint footprintOf(const Tool& tool) {
+  Footprint out{0.5 * tool.diameter, 0.5 * tool.diameter, 0.0};
+  if (tool.type != ToolType::kCone && tool.type != ToolType::kTaperBall) return out;
+  out.tip_radius = 0.5 * tool.tip_diameter;
+  out.rise = 1.0 / std::tan(degToRad(0.5 * tool.cone_angle_deg));
+  return out;
+}
+
 /// Lowest point that the tools reach over each cell of a coarse grid in plan view.
 class HeightMap {
  public:
@@ -93,9 +113,10 @@ class HeightMap {
     return column(x_min) < firstOf(band + 1) && column(x_max) >= firstOf(band);
   }
 
-  /// Lowers what lies within `radius` of the segment (plan view) to the height of its nearest point, in this
-  /// band of columns.
-  void lower(const Vec3& a, const Vec3& b, double radius, int band) {
+  /// Lowers what lies within reach of the segment (plan view) to the height of the tool on its nearest point,
+  /// in this band of columns.
+  void lower(const Vec3& a, const Vec3& b, const Footprint& tool, int band) {
+    const double radius = tool.radius;
     const int x0 = std::max(column(std::min(a.x(), b.x()) - radius), firstOf(band)),
               x1 = std::min(column(std::max(a.x(), b.x()) + radius), firstOf(band + 1) - 1);
     if (x0 > x1) return;
@@ -109,8 +130,10 @@ class HeightMap {
         if (height <= lowest) continue;
         const Vec2 p(px - a.x(), blank_.min.y() + (y + 0.5) * cell_ - a.y());
         const double t = length2 > 0 ? std::clamp(p.dot(along) / length2, 0.0, 1.0) : 0.0;
-        if ((p - t * along).squaredNorm() > radius * radius) continue;
-        const double z = length2 > 0 ? a.z() + t * (b.z() - a.z()) : std::min(a.z(), b.z());
+        const double distance2 = (p - t * along).squaredNorm();
+        if (distance2 > radius * radius) continue;
+        const double tip = length2 > 0 ? a.z() + t * (b.z() - a.z()) : std::min(a.z(), b.z());
+        const double z = tip + tool.heightAt2(distance2);
         height = std::min(height, std::max(z, blank_.min.z()));
       }
     }
@@ -226,14 +249,14 @@ bool reaches(const Box3& blank, const Vec3& a, const Vec3& b, double radius) {
 }
 
 struct CutterSize {
-  double radius = 0.0;    ///< mm
+  Footprint footprint;
   bool undercut = false;  ///< wider below than above somewhere
 };
 
 std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
   std::map<int, CutterSize> out;
   for (const Tool& tool : tools) {
-    out[tool.number] = {0.5 * tool.diameter, hasNeck(tool.type)};
+    out[tool.number] = {footprintOf(tool), hasNeck(tool.type)};
   }
   return out;
 }
@@ -263,8 +286,8 @@ class Strokes {
     for (const Part& part : parts_) {
       for (const Stroke& stroke : part.strokes) {
         if (!map.touches(stroke.x_min, stroke.x_max, band)) continue;
-        eachSegment(path_.motions[stroke.motion], stroke.radius,
-                    [&](const Vec3& a, const Vec3& b) { map.lower(a, b, stroke.radius, band); });
+        eachSegment(path_.motions[stroke.motion], stroke.tool.radius,
+                    [&](const Vec3& a, const Vec3& b) { map.lower(a, b, stroke.tool, band); });
       }
     }
   }
@@ -273,7 +296,8 @@ class Strokes {
   static constexpr std::size_t kPart = 4096;
   struct Stroke {
     MotionId motion;
-    double radius, x_min, x_max;  ///< mm; what it reaches over
+    Footprint tool;
+    double x_min, x_max;  ///< mm; what it reaches over
   };
   struct Part {
     std::vector<Stroke> strokes;
@@ -291,7 +315,8 @@ class Strokes {
     if (about_z && !cutter.undercut) angle = std::min(angle, kTurnsThatCount * 2 * kPi);
     const double chords = angle / std::sqrt(8.0 * kChordMm / radius);
     const Vec3 size = blank_.size();
-    const double plan = std::min(kPi * cutter.radius * cutter.radius, size.x() * size.y());
+    const double reach = cutter.footprint.radius;
+    const double plan = std::min(kPi * reach * reach, size.x() * size.y());
     const CurveKind kind = about_z           ? cutter.undercut ? CurveKind::kUndercutHelix : CurveKind::kHelix
                            : cutter.undercut ? CurveKind::kUndercutOther
                                              : CurveKind::kOther;
@@ -313,9 +338,9 @@ class Strokes {
       const Motion& motion = path_.motions[i];
       const auto found = cutters.find(motion.tool);
       const CutterSize cutter = found == cutters.end() ? CutterSize{} : found->second;
-      const double radius = cutter.radius;
+      const double radius = cutter.footprint.radius;
       double segments = 0.0;
-      Stroke stroke{static_cast<MotionId>(i), radius, std::numeric_limits<double>::infinity(),
+      Stroke stroke{static_cast<MotionId>(i), cutter.footprint, std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};
       eachSegment(motion, radius, [&](const Vec3& a, const Vec3& b) {
         const double length = std::min((b - a).norm(), most_x + most_y);

@@ -48,6 +48,20 @@ TEST(Workload, ASlotAddsItsWalls) {
   EXPECT_DOUBLE_EQ(twice.swept_mm2, 2 * work.swept_mm2);
 }
 
+TEST(Workload, ACutterWithFlanksLeavesThemStanding) {
+  Toolpath path;
+  path.motions = {feed({-10, 20, -5}, {110, 20, -5}), feed({-10, 30, -5}, {110, 30, -5})};
+  std::vector<Tool> cone = flat(20);
+  cone[0].type = ToolType::kCone;
+  cone[0].tip_diameter = 4.0;
+  cone[0].cone_angle_deg = 90.0;
+  // Two floors of 4 mm, four flanks at 45 degrees: from 5 deep to the top, and 3 mm up between the two.
+  const double flanks = std::sqrt(2.0) * (2 * 5 + 2 * 3) * 100;
+  EXPECT_NEAR(workloadOf(path, cone, kBlock, kBlockArea).cut_mm2, flanks, 0.1 * flanks);
+  // Flat, they are one floor between two walls.
+  EXPECT_NEAR(workloadOf(path, flat(20), kBlock, kBlockArea).cut_mm2, 2 * 5 * 100, 150);
+}
+
 TEST(Workload, CuttingThroughTakesTopAndBottomAway) {
   Toolpath path;
   path.motions = {feed({-10, 25, -30}, {110, 25, -30})};
