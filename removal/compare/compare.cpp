@@ -76,7 +76,8 @@ void tellIgnored(const SurfaceMesh& samples, const std::vector<IgnoredRegion>& r
     const auto in = [&](const IgnoredRegion& r) { return r.contains(middle); };
     const auto found = std::find_if(regions.begin(), regions.end(), in);
     if (found != regions.end())
-      out.ignored_mm2[static_cast<std::size_t>(found - regions.begin())] += 0.5 * samples.areaVector(t).norm();
+      out.ignored_mm2[static_cast<std::size_t>(found - regions.begin())] +=
+          0.5 * samples.areaVector(t).norm();
   }
 }
 

@@ -1,7 +1,7 @@
 // The sample jobs and real programs, on grids coarse enough for a quick suite.
-#include <algorithm>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
