@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 #include "app/session/blame.h"
@@ -294,8 +295,47 @@ class Diagnosis {
     const double radius = tool == nullptr ? 0.0
                           : tool->insert  ? tool->insert->nose_radius
                                           : 0.5 * tool->diameter;
+    if (!setup.turned && tool != nullptr) {
+      if (const std::optional<Vec3> tip = tipAt(p, m, *tool)) return {placeOn(m, *tip), 0.0};
+    }
     const Vec3 at = setup.turned ? controlAt(p, tool) : p.p;
     return {std::clamp((at - m.from).dot(way) / (length * length), 0.0, 1.0), radius / length};
+  }
+
+  /// The share of its way at which the tip was nearest to a place, in plan view but for plunges.
+  static double placeOn(const Motion& m, const Vec3& tip) {
+    constexpr double kSteep = 0.1;
+    const Vec3 way = m.to - m.from;
+    const Vec2 plan = way.head<2>();
+    const bool plunges = plan.norm() < kSteep * way.norm();
+    const double t = plunges ? (tip - m.from).dot(way) / way.squaredNorm()
+                             : (tip - m.from).head<2>().dot(plan) / plan.squaredNorm();
+    return std::clamp(t, 0.0, 1.0);
+  }
+
+  /// Where the tip of a flat, ball or bull nose mill stood when it left the surface at a point; none where
+  /// that is open: under a flat face that moves level, and for other tools.
+  static std::optional<Vec3> tipAt(const Point& p, const Motion& m, const Tool& tool) {
+    constexpr double kLevel = 2e-3, kSameHeight = 1e-6;  // of a normal; mm
+    const double radius = 0.5 * tool.diameter;
+    double corner = 0.0;
+    if (tool.type == ToolType::kBall) {
+      corner = radius;
+    } else if (tool.type == ToolType::kBull) {
+      corner = tool.corner_radius;
+    } else if (tool.type != ToolType::kFlat) {
+      return std::nullopt;
+    }
+    const Vec2 side = p.normal.head<2>();
+    const double level = side.norm();
+    if (level > kLevel || corner >= radius) {
+      const double out = corner + (level > kLevel ? (radius - corner) / level : 0.0);
+      return Vec3(p.p.x() + out * side.x(), p.p.y() + out * side.y(),
+                  p.p.z() - corner * (1.0 - p.normal.z()));
+    }
+    // Level floors behind a slanted way are where the tool stood: at an end of it.
+    if (std::abs(m.to.z() - m.from.z()) < kSameHeight) return std::nullopt;
+    return std::abs(p.p.z() - m.to.z()) < std::abs(p.p.z() - m.from.z()) ? m.to : m.from;
   }
 
   /// Where a turning tool's control point stood when its nose touched the point: all of the part's angles
