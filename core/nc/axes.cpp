@@ -132,4 +132,14 @@ std::string checkAxes(const ControlSettings& settings) {
   return {};
 }
 
+MotionLimits accelerationLimits(const AxisTable& axes, double bell_time_s) {
+  MotionLimits limits;
+  for (int k = 0; k < axes.count(); ++k) {
+    limits.axes[static_cast<std::size_t>(k)].acceleration = axes.at(k).acceleration;
+    limits.accelerations = limits.accelerations || axes.at(k).acceleration > 0.0;
+  }
+  limits.bell_time_s = bell_time_s;
+  return limits;
+}
+
 }  // namespace proveout::nc

@@ -9,6 +9,7 @@
 #include "core/geometry/types.h"
 #include "core/nc/axis_point.h"
 #include "core/nc/control_settings.h"
+#include "core/nc/feed_limits.h"
 #include "core/nc/lex_names.h"
 #include "core/nc/services/plane_frame.h"
 
@@ -84,5 +85,9 @@ class AxisTable {
 /// Why the axes of the settings cannot be: too many, a bad or doubled name or number, a rate or period not
 /// above 0. Empty: they can.
 std::string checkAxes(const ControlSettings& settings);
+
+/// The accelerations of the axes and the bell time, s; no other limit. For controls whose parameters say no
+/// more.
+MotionLimits accelerationLimits(const AxisTable& axes, double bell_time_s);
 
 }  // namespace proveout::nc

@@ -44,6 +44,9 @@ struct CoverageIdRow {
 };
 /// "simulated" of SIM, and so on: the status of a class.
 std::string_view coverageStatus(std::string_view cls);
+/// With the status of its class; what is not served is refused, whatever its class.
+CoverageRow coverageRow(std::string code, int group, std::string_view cls, std::string_view ids,
+                        std::string_view meaning, bool served = true);
 /// Error: the control is not built.
 Result<std::vector<CoverageRow>> coverageTable(ControlId control);
 

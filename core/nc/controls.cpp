@@ -68,6 +68,13 @@ std::string_view coverageStatus(std::string_view cls) {
                           : "refused";
 }
 
+CoverageRow coverageRow(std::string code, int group, std::string_view cls, std::string_view ids,
+                        std::string_view meaning, bool served) {
+  return {std::move(code),  group,
+          std::string(cls), std::string(served ? coverageStatus(cls) : "refused"),
+          std::string(ids), std::string(meaning)};
+}
+
 Result<std::vector<CoverageRow>> coverageTable(ControlId control) {
   if (const auto table = nc::rowOf(control).coverage) return table();
   return inputError(nc::kNotBuilt);

@@ -34,13 +34,7 @@ bool FlexControl::start() {
   if (const std::string bad = checkAxes(settings); !bad.empty()) return c_.report.fail("fnc-settings", bad);
   if (const Status loaded = c_.program.load(c_.source, settings.encoding, c_.sink); !loaded.ok())
     return c_.report.fail("fnc-program", loaded.error().message);
-  MotionLimits limits;
-  for (int k = 0; k < c_.axes.count(); ++k) {
-    limits.axes[static_cast<std::size_t>(k)].acceleration = c_.axes.at(k).acceleration;
-    limits.accelerations = limits.accelerations || c_.axes.at(k).acceleration > 0.0;
-  }
-  limits.bell_time_s = settings.bell_time_s;
-  c_.emitter.time().configure(limits, c_.axes.count());
+  c_.emitter.time().configure(accelerationLimits(c_.axes, settings.bell_time_s), c_.axes.count());
   c_.machine = c_.emitter.machine();
   recordFlexData(c_);
   return true;

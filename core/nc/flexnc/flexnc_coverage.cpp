@@ -177,26 +177,20 @@ constexpr auto kFlexRows = std::to_array<CoverageIdRow>({
 });
 // clang-format on
 
-CoverageRow flexRowOf(std::string code, std::string_view cls, std::string_view ids,
-                      std::string_view meaning) {
-  return {std::move(code),     -1, std::string(cls), std::string(coverageStatus(cls)), std::string(ids),
-          std::string(meaning)};
-}
-
 }  // namespace
 
 std::vector<CoverageRow> flexncCoverage() {
   std::vector<CoverageRow> rows;
   for (const FlexGCode& g : flexGCodes())
-    rows.push_back(flexRowOf(
-        g.tenths % 10 == 0 ? fmt::format("G{:02}", g.tenths / 10) : fmt::format("G{:g}", g.tenths / 10.0),
+    rows.push_back(coverageRow(
+        g.tenths % 10 == 0 ? fmt::format("G{:02}", g.tenths / 10) : fmt::format("G{:g}", g.tenths / 10.0), -1,
         g.cls, g.ids, g.meaning));
   for (const FlexMCode& m : flexMCodes())
-    rows.push_back(flexRowOf(fmt::format("M{:02}", m.code), m.cls, m.ids, m.meaning));
+    rows.push_back(coverageRow(fmt::format("M{:02}", m.code), -1, m.cls, m.ids, m.meaning));
   for (const FlexCycleRow& cycle : flexCycleRows())
-    rows.push_back(flexRowOf(cycleName(cycle.code), "SIM", cycle.ids, cycle.meaning));
+    rows.push_back(coverageRow(cycleName(cycle.code), -1, "SIM", cycle.ids, cycle.meaning));
   for (const FlexFeature& f : flexFeatures())
-    rows.push_back(flexRowOf(std::string(f.code), f.cls, f.ids, f.meaning));
+    rows.push_back(coverageRow(std::string(f.code), -1, f.cls, f.ids, f.meaning));
   return rows;
 }
 

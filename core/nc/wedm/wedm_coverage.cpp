@@ -109,23 +109,17 @@ constexpr auto kWedmRows = std::to_array<CoverageIdRow>({
 });
 // clang-format on
 
-CoverageRow wedmRowOf(std::string code, int group, std::string_view cls, std::string_view ids,
-                      std::string_view meaning) {
-  return {std::move(code),     group, std::string(cls), std::string(coverageStatus(cls)), std::string(ids),
-          std::string(meaning)};
-}
-
 }  // namespace
 
 std::vector<CoverageRow> wedmCoverage() {
   std::vector<CoverageRow> rows;
   for (const WedmGCode& g : wedmGCodes())
     rows.push_back(
-        wedmRowOf(fmt::format("G{:02}", g.code), static_cast<int>(g.group), g.cls, g.ids, g.meaning));
+        coverageRow(fmt::format("G{:02}", g.code), static_cast<int>(g.group), g.cls, g.ids, g.meaning));
   for (const WedmFunction& f : wedmFunctions())
-    rows.push_back(wedmRowOf(fmt::format("{}{:02}", f.address, f.code), -1, f.cls, f.ids, f.meaning));
+    rows.push_back(coverageRow(fmt::format("{}{:02}", f.address, f.code), -1, f.cls, f.ids, f.meaning));
   for (const WedmFeature& f : wedmFeatures())
-    rows.push_back(wedmRowOf(std::string(f.code), -1, f.cls, f.ids, f.meaning));
+    rows.push_back(coverageRow(std::string(f.code), -1, f.cls, f.ids, f.meaning));
   return rows;
 }
 

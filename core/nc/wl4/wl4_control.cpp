@@ -49,13 +49,7 @@ bool Wl4Control::start() {
     return c_.report.fail("wl4-settings", "rapid rates must be above 0 and the start position finite");
   }
   if (const std::string bad = checkAxes(settings); !bad.empty()) return c_.report.fail("wl4-settings", bad);
-  MotionLimits limits;
-  for (int k = 0; k < setup.axes.count(); ++k) {
-    limits.axes[static_cast<std::size_t>(k)].acceleration = setup.axes.at(k).acceleration;
-    limits.accelerations = limits.accelerations || setup.axes.at(k).acceleration > 0.0;
-  }
-  limits.bell_time_s = settings.bell_time_s;
-  c_.emitter.time().configure(limits, setup.axes.count());
+  c_.emitter.time().configure(accelerationLimits(setup.axes, settings.bell_time_s), setup.axes.count());
   for (const auto& [number, tool] : setup.parameters.tools()) {
     if (tool.at_center) c_.emitter.countFromNose(number);
   }

@@ -218,16 +218,6 @@ constexpr auto kRows = std::to_array<CoverageIdRow>({
 });
 // clang-format on
 
-/// A code that does nothing is refused, whatever its class.
-std::string statusOf(std::string_view cls, bool served) {
-  if (!served) return "refused";
-  return cls == "SIM"     ? "simulated"
-         : cls == "TIME"  ? "timed"
-         : cls == "STATE" ? "tracked"
-         : cls == "HOST"  ? "noted"
-                          : "refused";
-}
-
 bool isServed(const Wl4GCode& g) {
   return g.mode != nullptr || g.flag != nullptr || g.perform != nullptr || !g.program.empty();
 }
@@ -243,16 +233,14 @@ std::string nameOf(const Wl4MCode& m) {
 std::vector<CoverageRow> wl4Coverage() {
   std::vector<CoverageRow> rows;
   for (const Wl4GCode& g : wl4GCodes()) {
-    rows.push_back({fmt::format("G{}", g.code), static_cast<int>(g.group), std::string(g.cls),
-                    statusOf(g.cls, isServed(g)), std::string(g.ids), std::string(g.meaning)});
+    rows.push_back(coverageRow(fmt::format("G{}", g.code), static_cast<int>(g.group), g.cls, g.ids, g.meaning,
+                               isServed(g)));
   }
   for (const Wl4MCode& m : wl4MCodes()) {
-    rows.push_back({nameOf(m), -1, std::string(m.cls), statusOf(m.cls, isServed(m)), std::string(m.ids),
-                    std::string(m.meaning)});
+    rows.push_back(coverageRow(nameOf(m), -1, m.cls, m.ids, m.meaning, isServed(m)));
   }
   for (const Wl4Feature& f : wl4Features()) {
-    rows.push_back({std::string(f.code), -1, std::string(f.cls), statusOf(f.cls, true), std::string(f.ids),
-                    std::string(f.meaning)});
+    rows.push_back(coverageRow(std::string(f.code), -1, f.cls, f.ids, f.meaning));
   }
   return rows;
 }
