@@ -66,9 +66,8 @@ void addHeatMap(const Comparison& comparison, RenderScene& scene) {
 bool PictureMaker::annotated() const { return request_.size.width >= 160 && request_.size.height >= 120; }
 
 /// Errors: interrupted. Others are kept.
-Status PictureMaker::add(RenderScene scene, const std::string& view_name, const std::string& file,
-                         const std::string& title, Progress& progress) {
-  Result<std::string> png = draw(std::move(scene), view_name, progress);
+Status PictureMaker::add(Result<Image> image, const std::string& file, const std::string& title) {
+  Result<std::string> png = image ? encodePng(*image) : image.error();
   if (png) {
     pictures.push_back({file, title, std::move(*png)});
   } else if (png.error().kind == ErrorKind::kInterrupted) {
@@ -79,19 +78,42 @@ Status PictureMaker::add(RenderScene scene, const std::string& view_name, const 
   return Done{};
 }
 
-/// Bytes of the PNG file.
-Result<std::string> PictureMaker::draw(RenderScene scene, const std::string& view_name,
-                                       Progress& progress) const {
-  const bool turned = turned_axis_.has_value();
-  const Result<View> view = turned ? findTurnedView(view_name) : findView(view_name);
-  if (!view) return view.error();
-  if (view->section && turned) scene.section = SectionCut{*turned_axis_, 1, 1};
+RenderOptions PictureMaker::options() const {
   RenderOptions options;
-  options.ground = !turned;  // the part lies on no table
+  options.ground = !turned_axis_.has_value();  // turned parts lie on no table
   options.threads = request_.threads;
-  const Result<Image> image = renderMesh(scene, *view, request_.size, options, progress);
-  if (!image) return image.error();
-  return encodePng(*image);
+  return options;
+}
+
+Result<View> PictureMaker::prepare(RenderScene& scene, const std::string& view_name) const {
+  const bool turned = turned_axis_.has_value();
+  Result<View> view = turned ? findTurnedView(view_name) : findView(view_name);
+  if (view && view->section && turned) scene.section = SectionCut{*turned_axis_, 1, 1};
+  return view;
+}
+
+Result<Image> PictureMaker::draw(RenderScene scene, const std::string& view_name, Progress& progress) const {
+  const Result<View> view = prepare(scene, view_name);
+  if (!view) return view.error();
+  return renderMesh(scene, *view, request_.size, options(), progress);
+}
+
+Result<Image> PictureMaker::drawBare(const TriMesh& mesh, const std::string& view_name, Progress& progress) {
+  RenderScene scene = sceneOf(mesh);
+  scene.caption_room = annotated();
+  return draw(std::move(scene), view_name, progress);
+}
+
+/// Of a scene that differs from the first view's in its annotations alone.
+Result<Image> PictureMaker::drawOverFirstView(RenderScene scene, Progress& progress) {
+  const std::string& name = request_.views.front();
+  Result<Image> image = first_view_ ? std::move(*first_view_) : drawBare(scene.mesh, name, progress);
+  first_view_.reset();
+  if (!image) return image;
+  const Result<View> view = prepare(scene, name);
+  if (!view) return view.error();
+  if (const Status done = annotate(scene, *view, *image); !done) return done.error();
+  return image;
 }
 
 RenderScene PictureMaker::sceneOf(const TriMesh& mesh) {
@@ -107,7 +129,9 @@ RenderScene PictureMaker::sceneOf(const TriMesh& mesh) {
 Status PictureMaker::drawViews(const TriMesh& mesh, Progress& progress) {
   if (!drawsOf(mesh)) return Done{};
   for (const std::string& view : request_.views) {
-    if (Status done = add(sceneOf(mesh), view, view + ".png", view, progress); !done) return done;
+    Result<Image> image = drawBare(mesh, view, progress);
+    if (image && view == request_.views.front()) first_view_ = *image;
+    if (Status done = add(std::move(image), view + ".png", view); !done) return done;
   }
   return Done{};
 }
@@ -115,7 +139,7 @@ Status PictureMaker::drawViews(const TriMesh& mesh, Progress& progress) {
 Status PictureMaker::drawApart(const TriMesh& mesh, const std::vector<TriMesh>& freed, Progress& progress) {
   if (!drawsOf(mesh) || freed.empty()) return Done{};
   const TriMesh apart = takenApart(mesh, freed);
-  return add(RenderScene(apart), request_.views.front(), "apart.png", "bodies apart", progress);
+  return add(draw(RenderScene(apart), request_.views.front(), progress), "apart.png", "bodies apart");
 }
 
 Status PictureMaker::drawDeviation(const TriMesh& mesh, const Comparison& comparison,
@@ -130,7 +154,7 @@ Status PictureMaker::drawDeviation(const TriMesh& mesh, const Comparison& compar
                                 ascii(request_.name), comparison.max_gouge_mm, comparison.gouge_tolerance_mm,
                                 comparison.max_excess_mm, comparison.excess_tolerance_mm);
   }
-  return add(std::move(scene), request_.views.front(), "deviation.png", "deviation", progress);
+  return add(draw(std::move(scene), request_.views.front(), progress), "deviation.png", "deviation");
 }
 
 Status PictureMaker::drawFindings(const TriMesh& mesh, const std::vector<Finding>& findings,
@@ -146,7 +170,7 @@ Status PictureMaker::drawFindings(const TriMesh& mesh, const std::vector<Finding
   scene.caption =
       fmt::format("{}: {} {}{}", ascii(request_.name), located, located == 1 ? "finding" : "findings",
                   located > markers.size() ? fmt::format(", the first {} shown", markers.size()) : "");
-  return add(std::move(scene), request_.views.front(), "findings.png", "findings", progress);
+  return add(drawOverFirstView(std::move(scene), progress), "findings.png", "findings");
 }
 
 }  // namespace proveout

@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/mesh/image.h"
 #include "core/mesh/tri_mesh.h"
 #include "io/report.h"
 #include "removal/compare/compare.h"
@@ -51,7 +52,10 @@ class PictureMaker {
   Status drawFindings(const TriMesh& mesh, const std::vector<Finding>& findings, Progress& progress);
 
   /// Gives back what the pictures share; the next one makes it again.
-  void forgetMesh() { drawn_.reset(); }
+  void forgetMesh() {
+    drawn_.reset();
+    first_view_.reset();
+  }
 
   /// In the order in which they were drawn.
   std::vector<Picture> pictures;
@@ -59,15 +63,21 @@ class PictureMaker {
 
  private:
   RenderScene sceneOf(const TriMesh& mesh);
-  Status add(RenderScene scene, const std::string& view_name, const std::string& file,
-             const std::string& title, Progress& progress);
-  Result<std::string> draw(RenderScene scene, const std::string& view_name, Progress& progress) const;
+  RenderOptions options() const;
+  /// As it is drawn: turned parts have views and sections of their own.
+  Result<View> prepare(RenderScene& scene, const std::string& view_name) const;
+  Status add(Result<Image> image, const std::string& file, const std::string& title);
+  Result<Image> draw(RenderScene scene, const std::string& view_name, Progress& progress) const;
+  /// Without annotations, but with the room for those of findings.png.
+  Result<Image> drawBare(const TriMesh& mesh, const std::string& view_name, Progress& progress);
+  Result<Image> drawOverFirstView(RenderScene scene, Progress& progress);
   bool drawsOf(const TriMesh& mesh) const { return !mesh.triangles.empty() && !request_.views.empty(); }
   bool annotated() const;
 
   PictureRequest request_;
   std::optional<Vec2> turned_axis_;
   std::shared_ptr<const DrawnMesh> drawn_;  ///< null: not made yet
+  std::optional<Image> first_view_;         ///< of the mesh, for findings.png
 };
 
 /// Puts the deviations and their legend into the scene.

@@ -142,7 +142,7 @@ PageLayout layoutPage(const RenderScene& scene, ImageSize size) {
     page.bar.y0 = std::round(0.22 * height);
     page.bar.y1 = std::round(0.78 * height);
   }
-  if (!scene.caption.empty()) {
+  if (!scene.caption.empty() || scene.caption_room) {
     page.part.y1 -= 1.4 * Canvas::textHeight(page.cell);
     page.caption = {0.5 * margin, height - 0.5 * margin - Canvas::textHeight(page.cell)};
   }

@@ -8,7 +8,8 @@ namespace proveout {
 
 class DrawnMesh {
  public:
-  DrawnMesh(const TriMesh& mesh, render_detail::RayScene rays) : rays_(std::move(rays)), normals_(mesh) {}
+  DrawnMesh(render_detail::RayScene rays, render_detail::MeshNormals normals)
+      : rays_(std::move(rays)), normals_(std::move(normals)) {}
   const render_detail::RayScene& rays() const { return rays_; }
   const render_detail::MeshNormals& normals() const { return normals_; }
 

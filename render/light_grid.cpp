@@ -16,6 +16,7 @@ constexpr float kRayOffset = 1e-4F;  ///< units; float positions and hits are go
 constexpr float kShadow = 0.002F;    ///< shares this near to none or all are no half shadows
 constexpr int kRefinedReach = 1;     ///< points of the grid
 constexpr int kRefinedPattern = 2 * kRefinedReach + 1;  ///< after which their points of the light repeat
+constexpr float kEnough = 0.02F;                        ///< weight of what is alike around a pixel
 constexpr float kShadedWithin = 3.0F;  ///< units from the part's middle: the ground beyond is never shaded
 
 /// Number of the lights' points that a point of the grid asks: they repeat. Rows, columns and small squares
@@ -40,59 +41,70 @@ std::uint32_t packNumber(int i, int j) {
 }  // namespace
 
 LightGrid::LightGrid(const SeenBand& band, const RayScene& rays, const Lights& lights, float near)
-    : band_(band), rays_(rays), lights_(lights), near_(near) {
-  columns_ = (band.width + kStep - 1) / kStep;
-  row0_ = (band.first + kStep - 1) / kStep;
-  rows_ = (band.first + band.rows - 1) / kStep - row0_ + 1;
-  raw_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(std::max(0, rows_)));
-  smooth_.resize(raw_.size());
-  parallelFor(row0_, row0_ + rows_, [&](int j) { traceRow(j); });
-  parallelFor(row0_, row0_ + rows_, [&](int j) {
-    for (int i = 0; i < columns_; ++i) smooth_[index(i, j)] = averageAround(raw_, i, j, kPattern / 2);
+    : band_(band),
+      rays_(rays),
+      lights_(lights),
+      points_((band.width + kStep - 1) / kStep, (band.first + kStep - 1) / kStep,
+              (band.first + band.rows - 1) / kStep - (band.first + kStep - 1) / kStep + 1, near),
+      raw_(points_.fullLight()),
+      smooth_(raw_) {
+  parallelFor(points_.firstRow(), points_.endRow(), [&](int j) { traceRow(j); });
+  parallelFor(points_.firstRow(), points_.endRow(), [&](int j) {
+    for (int i = 0; i < points_.columns(); i += LightPoints::kBlock)
+      points_.average(raw_, i, j, kPattern / 2, smooth_);
   });
   refineShadows();
   smoothSky();
 }
 
+template <typename Chosen>
+void LightGrid::averageWhere(const LitPoints& in, int reach, const Chosen& chosen, LitPoints& out) const {
+  parallelFor(points_.firstRow(), points_.endRow(), [&](int j) {
+    for (int first = 0; first < points_.columns(); first += LightPoints::kBlock) {
+      const int end = std::min(points_.columns(), first + LightPoints::kBlock);
+      for (int i = first; i < end; ++i) {
+        if (!chosen(points_.index(i, j))) continue;
+        points_.average(in, first, j, reach, out);
+        break;
+      }
+    }
+  });
+}
+
 /// In half shadows one point of the light says little of its neighbours: more are asked, and fewer
 /// neighbours.
 void LightGrid::refineShadows() {
-  const auto half = [&](int i, int j) {
-    const float key = smooth_[index(i, j)].key;
-    return seenAt(i, j).what != What::kNothing && key > kShadow && key < 1.0F - kShadow;
+  const auto half = [&](std::size_t k) {
+    return smooth_.key[k] > kShadow && smooth_.key[k] < 1.0F - kShadow;
   };
-  parallelFor(row0_, row0_ + rows_, [&](int j) {
-    for (int i = 0; i < columns_; ++i) {
-      if (half(i, j)) raw_[index(i, j)].key = keyShare(seenAt(i, j), packNumber(i, j));
+  parallelFor(points_.firstRow(), points_.endRow(), [&](int j) {
+    for (int i = 0; i < points_.columns(); ++i) {
+      const std::size_t k = points_.index(i, j);
+      if (half(k) && seenAt(i, j).what != What::kNothing)
+        raw_.key[k] = keyShare(seenAt(i, j), packNumber(i, j));
     }
   });
   // Once for the packs, and once more since the shadow has changed from one to the next.
-  std::vector<Lit> refined = smooth_;
-  parallelFor(row0_, row0_ + rows_, [&](int j) {
-    for (int i = 0; i < columns_; ++i) {
-      if (half(i, j)) refined[index(i, j)].key = averageAround(raw_, i, j, kRefinedReach).key;
+  LitPoints averaged = smooth_;
+  for (int time = 0; time < 2; ++time) {
+    averageWhere(raw_, kRefinedReach, half, averaged);
+    raw_.key = smooth_.key;
+    for (std::size_t k = 0; k < raw_.key.size(); ++k) {
+      if (half(k)) raw_.key[k] = averaged.key[k];
     }
-  });
-  raw_ = refined;
-  parallelFor(row0_, row0_ + rows_, [&](int j) {
-    for (int i = 0; i < columns_; ++i) {
-      if (half(i, j)) refined[index(i, j)].key = averageAround(raw_, i, j, kRefinedReach).key;
-    }
-  });
-  smooth_ = std::move(refined);
+  }
+  smooth_.key = raw_.key;
 }
 
 /// On curved surfaces and beside edges some points of the pattern count more than others: what that leaves is
 /// averaged once more.
 void LightGrid::smoothSky() {
-  std::vector<Lit> smoother = smooth_;
-  parallelFor(row0_, row0_ + rows_, [&](int j) {
-    for (int i = 0; i < columns_; ++i) {
-      if (smooth_[index(i, j)].sky < 1.0F)
-        smoother[index(i, j)].sky = averageAround(smooth_, i, j, kSmootherReach).sky;
-    }
-  });
-  smooth_ = std::move(smoother);
+  const auto dimmed = [&](std::size_t k) { return smooth_.sky[k] < 1.0F; };
+  LitPoints smoother = smooth_;
+  averageWhere(smooth_, kSmootherReach, dimmed, smoother);
+  for (std::size_t k = 0; k < smooth_.sky.size(); ++k) {
+    if (dimmed(k)) smooth_.sky[k] = smoother.sky[k];
+  }
 }
 
 /// Share of the key light from a pack of its points.
@@ -137,11 +149,12 @@ void LightGrid::traceRow(int j) {
   const auto flush = [&] {
     if (count > 0) ask(seen.data(), xi.data(), count, lit.data());
     for (int n = 0; n < count; ++n)
-      raw_[index(column[static_cast<std::size_t>(n)], j)] = lit[static_cast<std::size_t>(n)];
+      raw_.set(points_.index(column[static_cast<std::size_t>(n)], j), lit[static_cast<std::size_t>(n)]);
     count = 0;
   };
-  for (int i = 0; i < columns_; ++i) {
+  for (int i = 0; i < points_.columns(); ++i) {
     const Seen& s = seenAt(i, j);
+    points_.set(i, j, s);
     if (s.what == What::kNothing) continue;
     const auto n = static_cast<std::size_t>(count);
     seen[n] = &s;
@@ -152,44 +165,28 @@ void LightGrid::traceRow(int j) {
   flush();
 }
 
-Lit LightGrid::averageAround(const std::vector<Lit>& shares, int i, int j, int reach) const {
-  const Seen& own = seenAt(i, j);
-  if (own.what == What::kNothing) return {};
-  const int i0 = std::max(0, i - reach), i1 = std::min(columns_ - 1, i + reach);
-  const int j0 = std::max(row0_, j - reach), j1 = std::min(row0_ + rows_ - 1, j + reach);
-  float weights = 0.0F;
-  Lit sum{0.0F, 0.0F};
-  for (int v = j0; v <= j1; ++v) {
-    for (int u = i0; u <= i1; ++u) {
-      const float weight = likeness(own, seenAt(u, v), near_);
-      const Lit& other = shares[index(u, v)];
-      weights += weight;
-      sum.key += weight * other.key;
-      sum.sky += weight * other.sky;
-    }
-  }
-  return {sum.key / weights, sum.sky / weights};  // its own weight is 1
+Lit LightGrid::at(int x, int y, const Seen& seen) const {
+  // Of the points beside the pixel, or at it; of more where these show something else.
+  const Mean near = meanAround(x, y, kStep, seen);
+  if (near.weights >= kEnough) return near.lit();
+  const Mean wide = meanAround(x, y, 2 * kStep, seen);
+  return wide.weights >= kEnough ? wide.lit() : askAlone(seen);
 }
 
-Lit LightGrid::at(int x, int y, const Seen& seen) const {
-  const int i = x / kStep, j = y / kStep;
-  float weights = 0.0F;
-  Lit sum{0.0F, 0.0F};
-  for (int v = std::max(row0_, j - 1); v <= std::min(row0_ + rows_ - 1, j + 1); ++v) {
-    for (int u = std::max(0, i - 1); u <= std::min(columns_ - 1, i + 1); ++u) {
-      const auto away = [](int a, int b) { return static_cast<float>(std::abs(a - kStep * b)); };
-      const float near = (1.0F - away(x, u) / (2 * kStep)) * (1.0F - away(y, v) / (2 * kStep));
-      if (near <= 0.0F) continue;
-      const float weight = near * likeness(seen, seenAt(u, v), near_);
-      const Lit& other = smooth_[index(u, v)];
-      weights += weight;
-      sum.key += weight * other.key;
-      sum.sky += weight * other.sky;
+/// Of the points within `width` pixels, less the farther away they are.
+LightGrid::Mean LightGrid::meanAround(int x, int y, int width, const Seen& seen) const {
+  const auto first = [&](int a, int least) { return std::max(least, (a - width + kStep) / kStep); };
+  const auto end = [&](int a, int most) { return std::min(most, (a + width + kStep - 1) / kStep); };
+  const float per_width = 1.0F / static_cast<float>(width);
+  Mean mean;
+  for (int v = first(y, points_.firstRow()); v < end(y, points_.endRow()); ++v) {
+    const float row = 1.0F - static_cast<float>(std::abs(y - kStep * v)) * per_width;
+    for (int u = first(x, 0); u < end(x, points_.columns()); ++u) {
+      const float beside = 1.0F - static_cast<float>(std::abs(x - kStep * u)) * per_width;
+      mean.add(row * beside * points_.likenessTo(seen, u, v), smooth_.at(points_.index(u, v)));
     }
   }
-  constexpr float kEnough = 0.02F;
-  if (weights < kEnough) return askAlone(seen);
-  return {sum.key / weights, sum.sky / weights};
+  return mean;
 }
 
 /// For what the grid has missed, as narrow as it is.

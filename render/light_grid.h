@@ -1,24 +1,12 @@
 // Shares of light over a band of a picture: found by few rays, averaged over each surface.
 #pragma once
 
-#include <cmath>
 #include <vector>
 
-#include "render/lights.h"
+#include "render/light_points.h"
 #include "render/surfaces.h"
 
 namespace proveout::render_detail {
-
-/// How much what is seen at one pixel says of another, 0 to 1. `near`: distance across the surface, units,
-/// from which on it says nothing.
-inline float likeness(const Seen& a, const Seen& b, float near) {
-  if (a.what != b.what) return 0.0F;
-  if (a.what == Seen::What::kGround) return 1.0F;
-  // Surfaces that turn by a twelfth of a cosine say nothing of each other.
-  const float alike = 1.0F - 12.0F * (1.0F - a.normal.dot(b.normal));
-  const float beside = 1.0F - std::abs(a.normal.dot(b.point - a.point)) / near;
-  return alike > 0.0F && beside > 0.0F ? alike * beside : 0.0F;
-}
 
 /// Rows of what the pixels see.
 struct SeenBand {
@@ -35,7 +23,7 @@ class LightGrid {
   /// Pixels around a pixel that it takes into account.
   static constexpr int kReach = kStep * (kPattern / 2 + kSmootherReach + 1);
 
-  /// All must outlive it. `near`: see likeness.
+  /// All must outlive it. `near`: see LightPoints.
   LightGrid(const SeenBand& band, const RayScene& rays, const Lights& lights, float near);
 
   /// Shares of the light for something that is seen at pixel (x, y) of the band.
@@ -43,12 +31,24 @@ class LightGrid {
 
  private:
   const Seen& seenAt(int i, int j) const { return band_.at(i * kStep, j * kStep); }
-  std::size_t index(int i, int j) const { return static_cast<std::size_t>(j - row0_) * columns_ + i; }
+  struct Mean {
+    float weights = 0.0F;
+    Lit sum{0.0F, 0.0F};
+    void add(float weight, const Lit& lit) {
+      weights += weight;
+      sum.key += weight * lit.key;
+      sum.sky += weight * lit.sky;
+    }
+    Lit lit() const { return {sum.key / weights, sum.sky / weights}; }
+  };
+  Mean meanAround(int x, int y, int width, const Seen& seen) const;
   void traceRow(int j);
   void refineShadows();
   float keyShare(const Seen& seen, std::uint32_t pack) const;
   void smoothSky();
-  Lit averageAround(const std::vector<Lit>& shares, int i, int j, int reach) const;
+  /// Means of `in` for the blocks of columns that have a point with `chosen(index)`.
+  template <typename Chosen>
+  void averageWhere(const LitPoints& in, int reach, const Chosen& chosen, LitPoints& out) const;
   Lit askAlone(const Seen& seen) const;
   /// What arrives at some surfaces from a point of each light, `xi` for each; at most RayPack::kRays.
   void ask(const Seen* const* seen, const Eigen::Vector2f* xi, int count, Lit* out) const;
@@ -56,9 +56,8 @@ class LightGrid {
   const SeenBand& band_;
   const RayScene& rays_;
   const Lights& lights_;
-  const float near_;
-  int columns_ = 0, row0_ = 0, rows_ = 0;  ///< points: columns from 0, rows from row0_
-  std::vector<Lit> raw_, smooth_;
+  LightPoints points_;
+  LitPoints raw_, smooth_;
 };
 
 }  // namespace proveout::render_detail

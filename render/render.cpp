@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel_for.h"
 #include "render/annotations.h"
 #include "render/drawn_mesh.h"
 #include "render/tracer.h"
@@ -80,9 +81,19 @@ std::optional<SectionCut> sectionOf(const RenderScene& scene, const View& view) 
 }
 
 Result<std::shared_ptr<const DrawnMesh>> drawnMesh(const TriMesh& mesh) {
-  Result<RayScene> rays = RayScene::build(mesh);
-  if (!rays) return rays.error();
-  return std::shared_ptr<const DrawnMesh>(std::make_shared<DrawnMesh>(mesh, std::move(*rays)));
+  // One thread builds the tree (see RayScene): the normals are found beside it.
+  std::optional<Result<RayScene>> rays;
+  std::optional<render_detail::MeshNormals> normals;
+  parallelFor(0, 2, [&](int part) {
+    if (part == 0) {
+      rays.emplace(RayScene::build(mesh));
+    } else {
+      normals.emplace(mesh);
+    }
+  });
+  if (!*rays) return rays->error();
+  return std::shared_ptr<const DrawnMesh>(
+      std::make_shared<DrawnMesh>(std::move(**rays), std::move(*normals)));
 }
 
 /// Calls `work` on so many threads, 0: all cores.
@@ -93,26 +104,36 @@ auto onThreads(int threads, const Work& work) {
   return tbb::task_arena(threads > 0 ? std::min(threads, cores) : cores).execute(work);
 }
 
-Result<Image> draw(const RenderScene& scene, const View& view, ImageSize size, const RenderOptions& options,
-                   Progress& progress) {
-  Result<std::shared_ptr<const DrawnMesh>> drawn = scene.drawn;
-  if (!scene.drawn) drawn = drawnMesh(scene.mesh);
-  if (!drawn) return drawn.error();
-  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted while drawing"};
+/// The mesh as the view's section leaves it.
+RayScene raysOf(const RenderScene& scene, const View& view, const DrawnMesh& drawn) {
   const std::optional<SectionCut> section = sectionOf(scene, view);
-  const RayScene rays = section ? (*drawn)->rays().cut(*section) : (*drawn)->rays();
+  return section ? drawn.rays().cut(*section) : drawn.rays();
+}
+
+Result<std::shared_ptr<const DrawnMesh>> drawnMeshOf(const RenderScene& scene) {
+  if (scene.drawn) return scene.drawn;
+  return drawnMesh(scene.mesh);
+}
+
+Result<Image> drawPart(const RenderScene& scene, const DrawnMesh& drawn, const View& view, ImageSize size,
+                       const RenderOptions& options, Progress& progress) {
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted while drawing"};
+  const RayScene rays = raysOf(scene, view, drawn);
   const Camera camera = sceneCamera(scene, view, size);
-  Result<Image> image =
-      render_detail::trace({scene, rays, (*drawn)->normals(), camera, size, options}, progress);
-  if (!image) return image;
+  return render_detail::trace({scene, rays, drawn.normals(), camera, size, options}, progress);
+}
+
+void drawOver(const RenderScene& scene, const DrawnMesh& drawn, const View& view, Image& image) {
+  const RayScene rays = raysOf(scene, view, drawn);
+  const ImageSize size{image.width, image.height};
+  const Camera camera = sceneCamera(scene, view, size);
   const Eigen::Vector3f back = camera.back.cast<float>();
   const auto visible = [&](const Vec3& p) {
     constexpr float kSlack =
         0.01F;  // a finding lies on the nominal or in the middle of a patch, not on this mesh
     return !rays.cutAway(p) && !rays.occluded(rays.toUnit(p) + back * kSlack, back, 4.0F);
   };
-  render_detail::drawAnnotations(scene, render_detail::layoutPage(scene, size), camera, visible, *image);
-  return image;
+  render_detail::drawAnnotations(scene, render_detail::layoutPage(scene, size), camera, visible, image);
 }
 
 }  // namespace
@@ -126,10 +147,34 @@ Result<std::shared_ptr<const DrawnMesh>> prepareDrawing(const TriMesh& mesh, int
   return onThreads(threads, [&] { return drawnMesh(mesh); });
 }
 
+Result<Image> renderPart(const RenderScene& scene, const View& view, ImageSize size,
+                         const RenderOptions& options, Progress& progress) {
+  if (const Status ok = checkScene(scene, size, options); !ok) return ok.error();
+  return onThreads(options.threads, [&]() -> Result<Image> {
+    const auto drawn = drawnMeshOf(scene);
+    if (!drawn) return drawn.error();
+    return drawPart(scene, **drawn, view, size, options, progress);
+  });
+}
+
+Status annotate(const RenderScene& scene, const View& view, Image& image) {
+  if (const Status ok = checkScene(scene, {image.width, image.height}, {}); !ok) return ok;
+  const auto drawn = drawnMeshOf(scene);
+  if (!drawn) return drawn.error();
+  drawOver(scene, **drawn, view, image);
+  return Done{};
+}
+
 Result<Image> renderMesh(const RenderScene& scene, const View& view, ImageSize size,
                          const RenderOptions& options, Progress& progress) {
   if (const Status ok = checkScene(scene, size, options); !ok) return ok.error();
-  return onThreads(options.threads, [&] { return draw(scene, view, size, options, progress); });
+  return onThreads(options.threads, [&]() -> Result<Image> {
+    const auto drawn = drawnMeshOf(scene);
+    if (!drawn) return drawn.error();
+    Result<Image> image = drawPart(scene, **drawn, view, size, options, progress);
+    if (image) drawOver(scene, **drawn, view, *image);
+    return image;
+  });
 }
 
 Rgb toolTint(int tool) {

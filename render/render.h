@@ -71,7 +71,8 @@ struct RenderScene {
   std::vector<Marker> markers;
   bool show_legend = false;  ///< needs a scalar field
   Legend legend;
-  std::string caption;  ///< one ASCII line at the bottom; empty: none
+  std::string caption;        ///< one ASCII line at the bottom; empty: none
+  bool caption_room = false;  ///< the part leaves room for it without one, too
   /// Applies in every view. None: a view with `section` cuts about the middle of the mesh's bounds, the
   /// quarter that faces the camera.
   std::optional<SectionCut> section;
@@ -89,6 +90,13 @@ struct RenderOptions {
 /// below 160 x 120. kInterrupted when cancelled.
 Result<Image> renderMesh(const RenderScene& scene, const View& view, ImageSize size,
                          const RenderOptions& options, Progress& progress);
+
+/// The two halves of renderMesh, for pictures of one view that differ in their annotations alone: the part
+/// without legend, markers and caption, at the place that the scene leaves for it, and these over a picture
+/// of a scene with the same mesh, section, legend and room. Errors as of renderMesh.
+Result<Image> renderPart(const RenderScene& scene, const View& view, ImageSize size,
+                         const RenderOptions& options, Progress& progress);
+Status annotate(const RenderScene& scene, const View& view, Image& image);
 
 /// The camera that renderMesh uses for this scene, to find where a point of the part lies in the picture.
 Camera sceneCamera(const RenderScene& scene, const View& view, ImageSize size);
