@@ -168,6 +168,52 @@ std::string finishingProgram(int lines, int moves_a_line) {
   return text + "G0Z20\nM30\n";
 }
 
+std::string arcsProgram() {
+  std::string text = "T1 M6\nS9000 M3\nG0 X20 Y5\nZ2\nG1 Z-2 F800\nG18\n";
+  for (int i = 0; i < 80; ++i) {
+    fmt::format_to(std::back_inserter(text), "G{} X{} Z-2 R40\nG1 Y{:.2f} Z-2.5\nZ-2\n", i % 2 == 0 ? 3 : 2,
+                   i % 2 == 0 ? 60 : 20, 5.0 + 0.5 * (i + 1));
+  }
+  return text + "G17\nG0 Z50\nM30\n";
+}
+
+std::string reliefProgram() {
+  constexpr int kLines = 53, kPoints = 40;
+  constexpr double kFirst = 0.5, kLength = 19.0;
+  const auto height = [](double x, double y) {
+    return -1.5 + 0.8 * std::sin(0.7 * x) * std::cos(0.5 * y) + 0.3 * std::sin(2.1 * x + y);
+  };
+  std::string text = "G21 G90 G17\nT1 M6\nS10000 M3\nG0 Z5\n";
+  for (const bool across : {false, true}) {
+    for (int line = 0; line < kLines; ++line) {
+      for (int i = 0; i < kPoints; ++i) {
+        const int k = line % 2 == 0 ? i : kPoints - 1 - i;
+        const double a = kFirst + kLength * line / (kLines - 1), b = kFirst + kLength * k / (kPoints - 1);
+        const double x = across ? b : a, y = across ? a : b;
+        if (line == 0 && i == 0) fmt::format_to(std::back_inserter(text), "G0 X{:.4f} Y{:.4f} Z5\n", x, y);
+        fmt::format_to(std::back_inserter(text), "{}X{:.4f} Y{:.4f} Z{:.4f}{}\n", i == 0 ? "G1 " : "", x, y,
+                       height(x, y), i == 0 ? " F500" : "");
+      }
+    }
+    text += "G0 Z5\n";
+  }
+  return text + "M30\n";
+}
+
+std::string threadMillProgram() {
+  return "T1 M6\nS4000 M3\nG0 X50 Y25\nZ-18\nG1 X51 F500\nG2 X51 Y25 I-1 J0 Z-16.5\nG1 X50\nG0 Z5\n"
+         "G0 X20 Y25\nG0 Z-18\nG1 X26\nG3 X26 Y25 I-6 J0 Z-16.5\nG1 X27\nG3 X27 Y25 I-7 J0 Z-15\nG1 X28\n"
+         "G3 X28 Y25 I-8 J0 Z-13.5\nG1 X20\nG0 Z50\nM30\n";
+}
+
+std::string threadMillJob(const std::string& program_file) {
+  return fmt::format(
+      "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"{}\"\n[stock]\nshape = \"box\"\n"
+      "min = [0, 0, -20]\nmax = [80, 50, 0]\n[[tool]]\nnumber = 1\ntype = \"thread-mill\"\n"
+      "diameter = 10\npitch = 1.5\nteeth = 10\n",
+      program_file);
+}
+
 std::string repeatedProgram(const std::string& program, int blocks) {
   const std::string body = program.substr(0, program.rfind("M30"));
   const auto lines = std::max<std::ptrdiff_t>(1, std::count(body.begin(), body.end(), '\n'));

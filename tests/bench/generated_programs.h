@@ -16,6 +16,17 @@ std::string pocketProgram();
 /// zig-zag, each of `moves_a_line` straight moves. Requires lines >= 2 and moves_a_line >= 1.
 std::string finishingProgram(int lines, int moves_a_line);
 
+/// Arcs in the plane XZ and ramps between them, as a ball finishes a trough: 222 motions in a block of 100 x
+/// 50 mm.
+std::string arcsProgram();
+
+/// 4,240 moves crosswise over a relief of 19 x 19 mm that is finer than a ball of 0.8 mm.
+std::string reliefProgram();
+
+/// Three bores by a thread mill of ten teeth, and the job for it: mostly helices.
+std::string threadMillProgram();
+std::string threadMillJob(const std::string& program_file);
+
 /// A program of at least `blocks` blocks that repeats the body of another, which ends in a line "M30".
 std::string repeatedProgram(const std::string& program, int blocks);
 

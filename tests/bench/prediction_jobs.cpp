@@ -125,16 +125,6 @@ std::string milledThreadJob() {
 
 std::string flatProgram() { return "T1 M6\nS3000 M3\nG0 X-40 Y-20\nZ20\nG1 Z7 F500\nY20\nG0 Z50\nM30\n"; }
 
-/// Arcs in the plane XZ and ramps between them, as a ball finishes a trough.
-std::string arcsProgram() {
-  std::string text = "T1 M6\nS9000 M3\nG0 X20 Y5\nZ2\nG1 Z-2 F800\nG18\n";
-  for (int i = 0; i < 80; ++i) {
-    fmt::format_to(std::back_inserter(text), "G{} X{} Z-2 R40\nG1 Y{:.2f} Z-2.5\nZ-2\n", i % 2 == 0 ? 3 : 2,
-                   i % 2 == 0 ? 60 : 20, 5.0 + 0.5 * (i + 1));
-  }
-  return text + "G17\nG0 Z50\nM30\n";
-}
-
 /// Lines of the sample shaft's job that ask for another file.
 std::string withFormat(std::string job, const std::string& format) {
   return job + fmt::format("\n[output]\nformats = [\"{}\"]\n", format);
