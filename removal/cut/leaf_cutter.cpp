@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/base/assert.h"
 
@@ -40,26 +41,38 @@ void columnsToLayers(const unsigned char* columns, LeafBits& layers) {
   }
 }
 
+/// Whether the body covers its columns up to `height` at the least, wherever it covers them.
+bool hasLevelTop(const SweptBody& body, double height) {
+  return !body.isCurvePart() && !body.solid().round_top && body.lowestTop() > height;
+}
+
 std::int64_t volumeUnits(double voxels) { return std::llround(voxels / kVolumeUnit); }
 
 }  // namespace
 
-void LeafCutter::cut(LeafChange& change, std::span<const Reach> list) {
-  PROVEOUT_ASSERT_DEAR(std::is_sorted(list.begin(), list.end(),
-                                      [](const Reach& a, const Reach& b) { return a.pass < b.pass; }));
+void LeafCutter::cut(LeafChange& change, std::span<const StackReach> list) {
+  PROVEOUT_ASSERT_DEAR(std::is_sorted(
+      list.begin(), list.end(), [](const StackReach& a, const StackReach& b) { return a.pass < b.pass; }));
   start(change);
   if (columns_.layers == 0) return;
   for (std::size_t i = 0; i < list.size() && columns_.layers != 0;) {
-    if (const std::size_t chords = applyCurve(list.subspan(i))) {
+    if (list[i].low >= highest_ || !counts(list[i])) {
+      ++i;
+    } else if (const std::size_t chords = applyCurve(list.subspan(i))) {
       i += chords;
-      continue;
+    } else {
+      apply(list[i++].pass);
     }
-    if (list[i].low < highest_) apply(list[i].pass);
-    ++i;
   }
   PROVEOUT_ASSERT(onlyTook());
   columnsToLayers(columns_.material, change.material);
   change.takers = takers_;
+}
+
+bool LeafCutter::counts(const StackReach& reach) const { return reach.counts(columns_.z[0], end_); }
+
+double LeafCutter::highest() const {
+  return level_tops_ && !columns_.undercut ? highest_ : std::numeric_limits<double>::infinity();
 }
 
 /// Whether no sample has become material.
@@ -73,12 +86,14 @@ bool LeafCutter::onlyTook() const {
 
 /// Applies the chords of a curve at the front of the list, if there are any, and returns their number. They
 /// are one motion, so that their order does not count: those that reach lowest leave nothing to most others.
-std::size_t LeafCutter::applyCurve(std::span<const Reach> list) {
+std::size_t LeafCutter::applyCurve(std::span<const StackReach> list) {
   const Pass& first = table_.passes[list[0].pass];
   if (first.body.isLine() || first.watched || !first.cuts()) return 0;
-  std::size_t count = 1;
-  while (count < list.size() && table_.passes[list[count].pass].body.isOneCurveWith(first.body)) ++count;
-  lowest_first_.assign(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
+  std::size_t count = 0;
+  lowest_first_.clear();
+  for (; count < list.size() && table_.passes[list[count].pass].body.isOneCurveWith(first.body); ++count) {
+    if (counts(list[count])) lowest_first_.push_back({list[count].pass, list[count].low});
+  }
   std::stable_sort(lowest_first_.begin(), lowest_first_.end(),
                    [](const Reach& a, const Reach& b) { return a.low < b.low; });
   for (const Reach& reach : lowest_first_) {
@@ -90,6 +105,7 @@ std::size_t LeafCutter::applyCurve(std::span<const Reach> list) {
 
 void LeafCutter::start(const LeafChange& change) {
   origin_ = change.origin;
+  level_tops_ = false;
   removed_.clear();
   contacts_.clear();
   evaluations_ = 0;
@@ -97,6 +113,7 @@ void LeafCutter::start(const LeafChange& change) {
   LeafColumns& l = columns_;
   l.h = impl_.h;
   l.layers = 0;
+  end_ = impl_.position(origin_.offsetBy(0, 0, 8)).z();
   for (int z = 0; z < 8; ++z) {
     l.z[z] = impl_.position(origin_.offsetBy(0, 0, z)).z();
     if (change.material[z] != 0) l.layers = z + 1;
@@ -107,6 +124,7 @@ void LeafCutter::start(const LeafChange& change) {
   joined_x_ = joined_y_ = {};
   l.undercut = false;
   takers_ = {kNoPass, kNoPass};
+  level_tops_ = true;
   most_sunk_ = 0.0;
   for (int i = 0; i < 8; ++i) {
     const Vec3 at = impl_.position(origin_.offsetBy(i, i, 0));
@@ -222,6 +240,7 @@ void LeafCutter::apply(std::uint32_t number) {
   if (sunk <= 0.0) return;
   if (holdsEdges(pass)) join(quarters);
   takers_[1] = number;
+  if (!hasLevelTop(pass.body, end_ + columns_.h)) level_tops_ = false;
   if (sunk > most_sunk_) {
     most_sunk_ = sunk;
     takers_[0] = number;

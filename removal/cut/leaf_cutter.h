@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "removal/cut/leaf_stacks.h"
 #include "removal/cut/pass.h"
 #include "removal/grid/leaf_changes.h"
 #include "removal/grid/stock_impl.h"
@@ -47,9 +48,9 @@ class LeafCutter {
         cover_(columnKernels().cover),
         reach_(columnKernels().reach) {}
 
-  /// Takes `list` (what reaches into the leaf's block of 9x9x9 samples, in program order) through the samples
-  /// of change.material.
-  void cut(LeafChange& change, std::span<const Reach> list);
+  /// Takes those of `list` (what reaches into the leaf's stack, in program order) that count for the leaf's
+  /// block of 9x9x9 samples through the samples of change.material.
+  void cut(LeafChange& change, std::span<const StackReach> list);
 
   // What the last cut found.
   const std::vector<std::pair<MotionId, std::int64_t>>& removed() const { return removed_; }  ///< kVolumeUnit
@@ -57,12 +58,16 @@ class LeafCutter {
   std::uint64_t evaluations() const { return evaluations_; }
   /// Null where nothing is open.
   std::unique_ptr<OpenEdges> openEdges() const;
+  /// Height above which no crossing of the leaf's vertical edges lies but those of older surface, mm;
+  /// +infinity where that is not known.
+  double highest() const;
 
  private:
   void start(const LeafChange& change);
   bool onlyTook() const;
   void startTops(const LeafChange& change);
-  std::size_t applyCurve(std::span<const Reach> list);
+  std::size_t applyCurve(std::span<const StackReach> list);
+  bool counts(const StackReach& reach) const;
   void apply(std::uint32_t number);
   double applyQuarter(std::uint32_t number, int quarter);
   void cover(int quarter);
@@ -79,6 +84,8 @@ class LeafCutter {
   ReachKernel reach_;
   Coord origin_;
   double highest_ = 0.0;                   ///< highest top, mm
+  double end_ = 0.0;                       ///< height of the block's last samples, mm
+  bool level_tops_ = true;                 ///< what took something reaches up beyond the block
   FourBlocks quarters_{};                  ///< up to the highest top of each quarter
   std::array<std::uint32_t, 2> takers_{};  ///< as in LeafChange
   double most_sunk_ = 0.0;                 ///< of one pass, mm of column height

@@ -98,28 +98,47 @@ std::vector<std::uint32_t> installChanges(Stock::Impl& impl, std::span<const Lea
 
 }  // namespace
 
-void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find) {
+// Every changed leaf is installed before neighbours read each other's new samples.
+LeafCommit::LeafCommit(Stock::Impl& impl, std::span<const LeafChange* const> changes)
+    : impl_(impl), changes_(changes) {
   PROVEOUT_ASSERT_DEAR(differ(changes));
-  // Every changed leaf is installed before neighbours read each other's new samples.
-  const std::vector<std::uint32_t> record = installChanges(impl, changes);
-  parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
-    if (record[i] == kNoRecord) {
-      find(i, LeafEdges{}, {});
-      return;
-    }
-    const LeafReader reader(impl);
-    StockLeaf& leaf = impl.leaves[record[i]];
-    const bool mixed = isMixed(reader, leaf.origin);
-    const LeafEdges edges = mixed ? reader.edges(leaf) : LeafEdges{};
-    leaf.crossings = find(i, edges, leaf.crossings);
-    PROVEOUT_ASSERT(leaf.crossings.size() == edges.count || leaf.crossings.empty());  // when cancelled
-    if (!mixed) leaf.origin = kNoLeaf;
-  });
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    if (record[i] == kNoRecord || impl.leaves[record[i]].origin != kNoLeaf) continue;
-    impl.tree.setUniform(leafCoord(changes[i]->origin), (changes[i]->material[0] & 1) != 0);
+  record_ = installChanges(impl, changes);
+}
+
+LeafEdges LeafCommit::edges(std::size_t i) const {
+  if (record_[i] == kNoRecord) return {};
+  const LeafReader reader(impl_);
+  return isMixed(reader, changes_[i]->origin) ? reader.edges(impl_.leaves[record_[i]]) : LeafEdges{};
+}
+
+const std::vector<Crossing>& LeafCommit::before(std::size_t i) const {
+  static const std::vector<Crossing> none;
+  return record_[i] == kNoRecord ? none : impl_.leaves[record_[i]].crossings;
+}
+
+void LeafCommit::set(std::size_t i, const LeafEdges& edges, std::vector<Crossing> found) {
+  PROVEOUT_ASSERT(found.size() == edges.count || found.empty());  // when cancelled
+  if (record_[i] == kNoRecord) return;
+  StockLeaf& leaf = impl_.leaves[record_[i]];
+  leaf.crossings = std::move(found);
+  if (edges.count == 0 && !isMixed(LeafReader(impl_), leaf.origin)) leaf.origin = kNoLeaf;
+}
+
+void LeafCommit::finish() {
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    if (record_[i] == kNoRecord || impl_.leaves[record_[i]].origin != kNoLeaf) continue;
+    impl_.tree.setUniform(leafCoord(changes_[i]->origin), (changes_[i]->material[0] & 1) != 0);
   }
-  orderLeaves(impl);
+  orderLeaves(impl_);
+}
+
+void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find) {
+  LeafCommit commit(impl, changes);
+  parallelFor(std::size_t{0}, changes.size(), [&](std::size_t i) {
+    const LeafEdges edges = commit.edges(i);
+    commit.set(i, edges, find(i, edges, commit.before(i)));
+  });
+  commit.finish();
 }
 
 }  // namespace proveout

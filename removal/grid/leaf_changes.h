@@ -39,6 +39,26 @@ using FindCrossings = std::function<std::vector<Crossing>(std::size_t i, const L
                                                           const std::vector<Crossing>& before)>;
 void commitChanges(Stock::Impl& impl, std::span<const LeafChange* const> changes, const FindCrossings& find);
 
+/// The same in steps, for who gives the crossings leaf by leaf in an order of its own. The samples are in the
+/// stock from the start; in between only edges(), before() and set() are called, by any threads.
+class LeafCommit {
+ public:
+  /// `changes` as above; must outlive it.
+  LeafCommit(Stock::Impl& impl, std::span<const LeafChange* const> changes);
+  /// The crossed edges of a changed leaf now.
+  LeafEdges edges(std::size_t i) const;
+  /// The crossings until now.
+  const std::vector<Crossing>& before(std::size_t i) const;
+  /// Once for every changed leaf: the crossings of `edges`, which are its edges now.
+  void set(std::size_t i, const LeafEdges& edges, std::vector<Crossing> found);
+  void finish();
+
+ private:
+  Stock::Impl& impl_;
+  std::span<const LeafChange* const> changes_;
+  std::vector<std::uint32_t> record_;  ///< of each change
+};
+
 /// All threads add to it. Its memory is the program's, in huge pages (docs/decisions/008), and not TBB's own.
 template <typename T>
 using ConcurrentList = tbb::concurrent_vector<T, std::allocator<T>>;

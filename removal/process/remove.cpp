@@ -1,6 +1,5 @@
-// Cutting a tool path into the stock: blocks of the grid are halved down to leaves, each with the passes that
-// can touch it; a leaf's samples see its passes in program order; then the crossings of all changed leaves
-// are found.
+// Cutting a tool path into the stock: its leaves see the passes that reach into them in program order; then
+// the crossings of all changed leaves are found.
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
@@ -19,6 +18,7 @@
 #include "removal/contact/contacts.h"
 #include "removal/cut/cut_record.h"
 #include "removal/cut/leaf_crossings.h"
+#include "removal/cut/leaf_stacks.h"
 #include "removal/cut/narrow_cuts.h"
 #include "removal/cut/thin_walls.h"
 
@@ -68,25 +68,22 @@ class Remover {
   void addChords(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   bool addParts(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
-  bool inBlank(const Coord& origin, int size) const;
-  void visit(const Coord& origin, int size, const ReachList& passes);
-  /// Two blocks, one above the other, and what reaches into them.
-  struct Children {
-    Coord origin;
-    ReachList lower, upper;
-  };
-  void share(const ReachList& passes, int size, std::array<Children, 4>& columns) const;
-  void visitColumn(Children& column, int size);
-  void leaf(const Coord& origin, const ReachList& passes);
+  bool inBlank(const Coord& origin) const;
+  bool stopped() const { return over_limit_ || progress_.cancelled(); }
+  void cutStack(const Coord& origin, const StackList& passes);
+  void cutLeaf(const Coord& origin, const StackList& passes);
   /// A leaf that passes reach into, as they leave it.
   struct CutLeaf {
     LeafChange change;
-    ReachList passes;
     std::unique_ptr<OpenEdges> open;
+    float highest;  ///< see LeafCutter::highest
   };
+  struct Finish;
   void commit();
-  std::vector<Crossing> findCrossings(const CutLeaf& leaf, const LeafEdges& edges,
-                                      const std::vector<Crossing>& before);
+  bool mayLose(const CutLeaf& leaf, const LeafEdges& edges, const std::vector<Crossing>& before);
+  float neededHeight(Finish& finish, std::size_t i);
+  void finishStack(Finish& finish, const Coord& origin, const StackList& passes);
+  void finishLeaf(Finish& finish, std::size_t i, const ReachList& list);
   void addLost(RemovalSummary& out) const;
   void countCrossings(std::vector<float>& removed_mm3, float unit_mm3) const;
 
@@ -107,8 +104,8 @@ class Remover {
   ConcurrentList<LostFilm> lost_;
   ConcurrentList<CutLeaf> cut_;
   std::atomic<std::uint64_t> evaluations_{0};
-  std::atomic<double> bytes_{0.0}, done_{0.0};
-  double total_blocks_ = 1.0;
+  std::atomic<double> bytes_{0.0};
+  std::atomic<std::size_t> done_{0};  ///< stacks of leaves
   std::atomic<bool> over_limit_{false};
 };
 
@@ -139,10 +136,6 @@ void renumberEarlier(Stock::Impl& impl) {
 void addTo(std::atomic<double>& sum, double value) {
   for (double old = sum.load(); !sum.compare_exchange_weak(old, old + value);) {
   }
-}
-
-float roundedDown(double value) {
-  return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
 }
 
 bool Remover::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
@@ -287,18 +280,13 @@ Status Remover::run() {
   impl_.cut_blank = impl_.uncut != nullptr ? impl_.uncut : impl_.field;
   impl_.cut = nullptr;
   impl_.field = impl_.uncut = nullptr;
-  Coord low, high;
-  for (int axis = 0; axis < 3; ++axis) {
-    low[axis] =
-        (static_cast<int>(std::floor((impl_.blank.min[axis] - impl_.origin[axis]) / impl_.h)) - 1) & ~7;
-    high[axis] = static_cast<int>(std::ceil((impl_.blank.max[axis] - impl_.origin[axis]) / impl_.h)) + 1;
-  }
-  int size = 8;
-  while (size <= std::max({high.x() - low.x(), high.y() - low.y(), high.z() - low.z()})) size *= 2;
-  ReachList all;
-  for (std::uint32_t i = 0; i < table_.passes.size(); ++i) all.push_back({i, -static_cast<float>(kNowhere)});
-  total_blocks_ = std::pow(size / 8.0, 3);
-  if (!all.empty()) visit(low, size, all);
+  LeafStacks stacks(impl_, std::numeric_limits<float>::infinity());
+  const auto stopped = [this] { return this->stopped(); };
+  stacks.visit(table_, stopped, [&](const Coord& origin, const StackList& passes) {
+    cutStack(origin, passes);
+    if (++done_ % 64 == 0)
+      progress_.report("removing", static_cast<double>(done_) / static_cast<double>(stacks.count()));
+  });
   if (over_limit_) return memoryError(bytes_ * 1.5, limit_bytes_, impl_.h);
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   found_contacts_ = gatherContacts({impl_, blank_.get(), path_, table_, watch_all_},
@@ -309,104 +297,26 @@ Status Remover::run() {
   return Done{};
 }
 
-void Remover::commit() {
-  std::vector<const LeafChange*> changes;
-  for (const CutLeaf& leaf : cut_) changes.push_back(&leaf.change);
-  commitChanges(impl_, changes, [this](std::size_t i, const LeafEdges& edges, const auto& before) {
-    CutLeaf& leaf = cut_[i];
-    std::vector<Crossing> found = findCrossings(leaf, edges, before);
-    ReachList().swap(leaf.passes);
-    leaf.open.reset();
-    return found;
-  });
-}
-
-std::vector<Crossing> Remover::findCrossings(const CutLeaf& leaf, const LeafEdges& edges,
-                                             const std::vector<Crossing>& before) {
-  if (progress_.cancelled()) return {};
-  CrossingFinder& finder = finders_.local();
-  for (const LostFilm& lost : {finder.findLost(leaf.change, edges, before, leaf.passes),
-                               walls_.local().find(leaf.change, edges, leaf.open.get(), leaf.passes)}) {
-    if (lost.edges > 0) lost_.push_back(lost);
-  }
-  return finder.find(leaf.change, edges, before, leaf.passes);
-}
-
-bool Remover::inBlank(const Coord& origin, int size) const {
+bool Remover::inBlank(const Coord& origin) const {
   const Vec3 low = impl_.position(origin);
-  return Box3{low, low + Vec3::Constant(size * impl_.h)}.overlaps(impl_.blank.inflated(impl_.h));
+  return Box3{low, low + Vec3::Constant(8 * impl_.h)}.overlaps(impl_.blank.inflated(impl_.h));
 }
 
-/// `passes`: what reaches into the block.
-void Remover::visit(const Coord& origin, int size, const ReachList& passes) {
-  if (over_limit_ || progress_.cancelled()) return;
-  if (size == 8) {
-    leaf(origin, passes);
-    return;
+/// The leaves that stand above each other, from the lowest on; `passes`: what reaches into them.
+void Remover::cutStack(const Coord& origin, const StackList& passes) {
+  if (passes.empty()) return;
+  double lowest = kNowhere, highest = -kNowhere;
+  for (const StackReach& reach : passes) {
+    lowest = std::min<double>(lowest, reach.low);
+    highest = std::max<double>(highest, reach.high);
   }
-  const int half = size / 2;
-  std::array<Children, 4> columns;
-  for (int i = 0; i < 4; ++i) columns[i].origin = origin.offsetBy(i & 1 ? half : 0, i & 2 ? half : 0, 0);
-  share(passes, half, columns);
-  const auto child = [&](int i) { visitColumn(columns[i], half); };
-  if (size >= 32) {
-    parallelFor(0, 4, child);
-  } else {
-    for (int i = 0; i < 4; ++i) child(i);
-  }
-  if (size == 64) addTo(done_, std::pow(size / 8.0, 3));
-  if (size >= 64) progress_.report("removing", done_.load() / total_blocks_);
-}
-
-/// Gives each pass to the blocks that it reaches into; where it reaches is asked once for two above each
-/// other.
-void Remover::share(const ReachList& passes, int size, std::array<Children, 4>& columns) const {
-  FourBlocks boxes;
-  boxes.half_width = 0.5 * size * impl_.h;
-  std::array<bool, 4> in_lower, in_upper;
-  for (int i = 0; i < 4; ++i) {
-    const Coord& at = columns[i].origin;
-    const Vec3 low = impl_.position(at);
-    in_lower[i] = inBlank(at, size);
-    in_upper[i] = inBlank(at.offsetBy(0, 0, size), size);
-    boxes.x[i] = low.x() + boxes.half_width;
-    boxes.y[i] = low.y() + boxes.half_width;
-    boxes.z_low[i] = low.z();
-    boxes.z_high[i] = in_lower[i] || in_upper[i] ? low.z() + 2.0 * size * impl_.h : -kNowhere;
-  }
-  const double middle = impl_.position(columns[0].origin).z() + size * impl_.h, top = middle + size * impl_.h;
-  const ReachKernel reach_kernel = columnKernels().reach;
-  for (const Reach& candidate : passes) {
-    const Pass& pass = table_.passes[candidate.pass];
-    // The block of a leaf reaches one step beyond its samples.
-    const double covered_to = pass.lower == 0 ? -kNowhere : (&pass + pass.lower)->body.lowestTop() - impl_.h;
-    const bool lower_covers = covered_to >= middle, all_covered = covered_to >= top;
-    if (all_covered) continue;
-    double low[4];
-    reach_kernel(pass.body.columns(), boxes, low);
-    for (int i = 0; i < 4; ++i) {
-      if (low[i] >= boxes.z_high[i]) continue;
-      const Reach reach{candidate.pass, roundedDown(low[i])};
-      if (in_lower[i] && !lower_covers && low[i] < middle) columns[i].lower.push_back(reach);
-      if (in_upper[i] && pass.body.highestReach() > middle) columns[i].upper.push_back(reach);
-    }
+  for (Coord at = origin; inBlank(at); at = at.offsetBy(0, 0, 8)) {
+    const double bottom = impl_.position(at).z(), top = impl_.position(at.offsetBy(0, 0, 8)).z();
+    if (lowest < top && highest > bottom) cutLeaf(at, passes);
   }
 }
 
-void Remover::visitColumn(Children& column, int size) {
-  Coord above = column.origin.offsetBy(0, 0, size);
-  for (const auto& [at, list] :
-       {std::pair{&column.origin, &column.lower}, std::pair{&above, &column.upper}}) {
-    if (!list->empty()) {
-      visit(*at, size, *list);
-      ReachList().swap(*list);
-    } else if (size >= 64) {
-      addTo(done_, std::pow(size / 8.0, 3));
-    }
-  }
-}
-
-void Remover::leaf(const Coord& origin, const ReachList& passes) {
+void Remover::cutLeaf(const Coord& origin, const StackList& passes) {
   const LeafReader reader(impl_);
   LeafChange change = readLeaf(reader, origin);
   if (change.material[0] == 0 && !isMixed(reader, origin)) return;  // empty already
@@ -416,9 +326,104 @@ void Remover::leaf(const Coord& origin, const ReachList& passes) {
     removed_[motion].fetch_add(volume, std::memory_order_relaxed);
   for (const ContactSample& c : cutter.contacts()) contacts_.push_back(c);
   evaluations_.fetch_add(cutter.evaluations(), std::memory_order_relaxed);
-  addTo(bytes_, leafBytes(1.0) + static_cast<double>(sizeof(LeafChange) + passes.size() * sizeof(Reach)));
+  const bool uniform = change.material == kAllInside || change.material == kAllOutside;
+  addTo(bytes_, (uniform ? 0.0 : leafBytes(1.0)) + static_cast<double>(sizeof(CutLeaf)));
   if (bytes_ > limit_bytes_) over_limit_ = true;
-  cut_.push_back({change, passes, cutter.openEdges()});
+  cut_.push_back({std::move(change), cutter.openEdges(), static_cast<float>(cutter.highest())});
+}
+
+/// What the crossings of all changed leaves are found with.
+struct Remover::Finish {
+  LeafCommit commit;
+  LeafStacks stacks;
+  std::vector<std::vector<std::uint32_t>> leaves;  ///< of each stack, those whose passes are asked for
+  std::vector<float> height;                       ///< of each changed leaf: below which they are
+  std::vector<std::uint8_t> may_lose;
+};
+
+/// The samples of all leaves come first: edges lead into the neighbours. Then passes are listed again, for
+/// the few leaves that have edges and only as far as they reach down to them: kept lists would be most of the
+/// memory.
+void Remover::commit() {
+  std::vector<const LeafChange*> changes;
+  for (const CutLeaf& leaf : cut_) changes.push_back(&leaf.change);
+  Finish finish{LeafCommit(impl_, changes), LeafStacks(impl_, LeafStacks::kNone), {}, {}, {}};
+  finish.height.resize(changes.size());
+  finish.may_lose.resize(changes.size());
+  parallelFor(std::size_t{0}, changes.size(),
+              [&](std::size_t i) { finish.height[i] = neededHeight(finish, i); });
+  finish.leaves.resize(finish.stacks.count());
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    if (finish.height[i] == LeafStacks::kNone) continue;
+    const std::size_t stack = finish.stacks.number(changes[i]->origin);
+    finish.stacks.raise(stack, finish.height[i]);
+    finish.leaves[stack].push_back(static_cast<std::uint32_t>(i));
+  }
+  const auto stopped = [this] { return this->stopped(); };
+  finish.stacks.visit(table_, stopped, [&](const Coord& origin, const StackList& passes) {
+    finishStack(finish, origin, passes);
+  });
+  finish.commit.finish();
+}
+
+/// Whether material may be lost, as far as the passes that took most and last tell. Others could only show
+/// that it is not.
+bool Remover::mayLose(const CutLeaf& leaf, const LeafEdges& edges, const std::vector<Crossing>& before) {
+  ReachList takers;
+  for (const std::uint32_t taker : leaf.change.takers) {
+    if (taker != kNoPass) takers.push_back({taker, -static_cast<float>(kNowhere)});
+  }
+  return finders_.local().findLost(leaf.change, edges, before, takers).edges > 0 ||
+         walls_.local().find(leaf.change, edges, leaf.open.get(), takers).edges > 0;
+}
+
+/// Height below which passes may count for the crossings of a leaf, mm; kNone, and it is done, where none do.
+float Remover::neededHeight(Finish& finish, std::size_t i) {
+  if (progress_.cancelled()) return LeafStacks::kNone;
+  const CutLeaf& leaf = cut_[i];
+  const LeafEdges edges = finish.commit.edges(i);
+  const auto heightOf = [&](int z) { return impl_.position(leaf.change.origin.offsetBy(0, 0, z)).z(); };
+  finish.may_lose[i] = mayLose(leaf, edges, finish.commit.before(i));
+  if (finish.may_lose[i]) return static_cast<float>(heightOf(9));
+  if (edges.count == 0) {
+    finish.commit.set(i, edges, {});
+    return LeafStacks::kNone;
+  }
+  // Far more than what makes two cuts differ, so that what is left out bears on none that counts.
+  const double slack = 1e-3 * impl_.h;
+  double level = -kNowhere, upright = -kNowhere;
+  for (int z = 0; z < 8; ++z) {
+    if ((edges.crossed[0][z] | edges.crossed[1][z]) != 0) level = heightOf(z);
+    if (edges.crossed[2][z] != 0) upright = heightOf(z + 1);
+  }
+  return static_cast<float>(std::max(level, std::min<double>(upright, leaf.highest)) + slack);
+}
+
+void Remover::finishStack(Finish& finish, const Coord& origin, const StackList& passes) {
+  ReachList list;
+  for (const std::uint32_t i : finish.leaves[finish.stacks.number(origin)]) {
+    const Coord& at = cut_[i].change.origin;
+    const double bottom = impl_.position(at).z(), top = impl_.position(at.offsetBy(0, 0, 8)).z();
+    reachesBetween(passes, bottom, std::min<double>(top, finish.height[i]), list);
+    finishLeaf(finish, i, list);
+  }
+}
+
+/// `list`: the passes that may count for the leaf.
+void Remover::finishLeaf(Finish& finish, std::size_t i, const ReachList& list) {
+  if (progress_.cancelled()) return;
+  CutLeaf& leaf = cut_[i];
+  const LeafEdges edges = finish.commit.edges(i);
+  const std::vector<Crossing>& before = finish.commit.before(i);
+  CrossingFinder& finder = finders_.local();
+  if (finish.may_lose[i]) {
+    for (const LostFilm& lost : {finder.findLost(leaf.change, edges, before, list),
+                                 walls_.local().find(leaf.change, edges, leaf.open.get(), list)}) {
+      if (lost.edges > 0) lost_.push_back(lost);
+    }
+  }
+  finish.commit.set(i, edges, finder.find(leaf.change, edges, before, list));
+  leaf.open.reset();
 }
 
 void Remover::addLost(RemovalSummary& out) const {
