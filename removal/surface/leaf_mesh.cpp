@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "core/base/parallel_for.h"
+#include "core/base/stretches.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/intersections.h"
 #include "removal/surface/surface_faults.h"
@@ -59,10 +60,23 @@ std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& 
   return faults;
 }
 
+namespace {
+
+/// Flags the vertices that are in one of the boxes.
+void markInside(const TriMesh& mesh, const std::vector<Box3>& boxes, std::vector<std::uint8_t>& flags) {
+  forEachBelow(mesh.positions.size(), [&](std::size_t v) {
+    const Vec3 p = mesh.positions[v].cast<double>();
+    if (std::ranges::any_of(boxes, [&](const Box3& box) { return box.overlaps({p, p}); })) flags[v] = 1;
+  });
+}
+
+}  // namespace
+
 TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
-                           const std::vector<std::uint8_t>& unchecked) {
+                           const std::vector<std::uint8_t>& unchecked, const std::vector<Box3>& doubts) {
   const TriMesh& all = mesh.mesh;
   std::vector<std::uint8_t> suspect(all.positions.size(), 0);
+  if (!doubts.empty()) markInside(all, doubts, suspect);
   const auto mark = [&](std::size_t t) {
     for (const std::uint32_t v : all.triangles[t]) suspect[v] = 1;
   };

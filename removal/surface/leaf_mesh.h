@@ -69,10 +69,10 @@ std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& 
 using TrianglePairs = std::vector<std::array<std::uint32_t, 2>>;
 
 /// Triangles that run through each other. Where the triangles face like the exact surface it does not fold:
-/// looked at is what is around those that do not, around fans, and around cells of several sheets. Only in
-/// leaves that are `unchecked`, a flag for each.
+/// looked at is what is around those that do not, around fans, and around cells of several sheets, in leaves
+/// that are `unchecked`, a flag for each; and all that is in one of `doubts` (mm).
 TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
-                           const std::vector<std::uint8_t>& unchecked);
+                           const std::vector<std::uint8_t>& unchecked, const std::vector<Box3>& doubts);
 
 /// The cells of a triangle's corners.
 std::vector<std::uint32_t> cornerCellsOf(const LeafMesh& mesh, const SurfaceGrid& grid,

@@ -21,11 +21,12 @@ constexpr int kPartRounds = 32;
 class MeshRepair {
  public:
   MeshRepair(SurfaceGrid& grid, VertexMerger& merger, const QuadPlanner& planner,
-             std::vector<LeafQuads> quads)
+             std::vector<LeafQuads> quads, const std::vector<Box3>& doubts)
       : grid_(grid),
         merger_(merger),
         planner_(planner),
         quads_(std::move(quads)),
+        doubts_(doubts),
         changed_(quads_.size(), 1),
         unchecked_(quads_.size(), 1),
         writer_(grid, merger) {}
@@ -43,6 +44,7 @@ class MeshRepair {
   VertexMerger& merger_;
   const QuadPlanner& planner_;
   std::vector<LeafQuads> quads_;
+  const std::vector<Box3>& doubts_;
   std::vector<std::uint8_t> changed_;    ///< leaves whose triangles are to be made anew
   std::vector<std::uint8_t> unchecked_;  ///< leaves not yet looked at for intersections
   MeshWriter writer_;
@@ -134,7 +136,7 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
       planAgain(again ? merger_.takeApart(std::move(faults)) : merger_.giveUp(), progress);
       continue;
     }
-    const TrianglePairs pairs = findMeetings(*written, grid_, unchecked_);
+    const TrianglePairs pairs = findMeetings(*written, grid_, unchecked_, doubts_);
     std::fill(unchecked_.begin(), unchecked_.end(), 0);
     RepairedMesh out;
     if (const TrianglePairs left = pairs.empty() ? pairs : pairsForWalls(*written, pairs, out);
@@ -154,8 +156,9 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
 }  // namespace
 
 std::optional<RepairedMesh> repairedMesh(SurfaceGrid& grid, VertexMerger& merger, const QuadPlanner& planner,
-                                         std::vector<LeafQuads> quads, Progress& progress) {
-  return MeshRepair(grid, merger, planner, std::move(quads)).run(progress);
+                                         std::vector<LeafQuads> quads, const std::vector<Box3>& doubts,
+                                         Progress& progress) {
+  return MeshRepair(grid, merger, planner, std::move(quads), doubts).run(progress);
 }
 
 }  // namespace proveout

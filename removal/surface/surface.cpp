@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/thread_limit.h"
+#include "core/mesh/crowded_places.h"
 #include "core/mesh/intersections.h"
 #include "core/mesh/mesh_simplifier.h"
 #include "removal/surface/leaf_volume.h"
@@ -26,6 +28,10 @@ constexpr double kSharpShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
 /// Part of the tolerance that merging cells may take; the rest is for the mesh made of them.
 constexpr double kMergingShare = 0.5;
+/// Where a finished mesh runs through itself, all is looked at within so many cells, and what is found is
+/// parted, so many times; at the last it is not simplified.
+constexpr double kDoubtCells = 2.0;
+constexpr int kDoubtRounds = 5;
 
 /// Grid steps.
 double flatnessOf(const Stock::Impl& impl, double simplify_mm) {
@@ -42,8 +48,9 @@ Result<SurfaceGrid> placedCells(const Stock::Impl& impl, double flatness, Progre
   return grid;
 }
 
-/// `simplify_mm`: what merging may take.
-Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, Progress& progress) {
+/// `simplify_mm`: what merging may take. `doubts`: see repairedMesh.
+Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, const std::vector<Box3>& doubts,
+                                 Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "interrupted"};
   const double flatness = flatnessOf(impl, simplify_mm);
   progress.report("meshing", 0.0);
@@ -56,7 +63,7 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, Pr
   Result<MeasuredLeaves> measured = measureLeaves(*grid, planner, progress);
   if (!measured.ok()) return measured.error();
   progress.report("meshing", 0.7);
-  auto repaired = repairedMesh(*grid, merger, planner, std::move(measured->quads), progress);
+  auto repaired = repairedMesh(*grid, merger, planner, std::move(measured->quads), doubts, progress);
   if (!repaired) return interrupted;
   if (impl.field != nullptr)
     sharpenMesh(repaired->mesh, *impl.field, impl.h, kSharpShare * simplify_mm, progress);
@@ -72,20 +79,47 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, Pr
   return surface;
 }
 
-std::size_t meetingsOf(const TriMesh& mesh) {
-  return findIntersections(mesh, std::vector<std::uint8_t>(mesh.positions.size(), 1)).size();
+/// Adds the places where triangles of the mesh run through each other. `moved_mm`: how far it is from what
+/// the cells gave.
+void addMeetings(const TriMesh& mesh, double moved_mm, double cell_mm, std::vector<Box3>& places) {
+  for (const auto& pair : findIntersectionsAmong(mesh, trianglesInCrowdedPlaces(mesh, moved_mm))) {
+    std::array<Box3, 2> box;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (const Vec3& corner : cornersOf(mesh, pair[i])) box[i].extend(corner);
+    }
+    places.push_back(Box3{box[0].min.cwiseMax(box[1].min), box[0].max.cwiseMin(box[1].max)}.inflated(
+        kDoubtCells * cell_mm + moved_mm));
+  }
 }
 
-/// Fewer triangles of the finished mesh. Error: cancelled.
-Status simplifySurface(StockSurface& surface, double tolerance_mm, Progress& progress) {
-  if (!(tolerance_mm > 0.0) || surface.mesh.triangles.empty()) return Done{};
+/// Fewer triangles of the finished mesh, and the places where it runs through itself still. Error: cancelled.
+Status finishMesh(StockSurface& surface, double tolerance_mm, double cell_mm, std::vector<Box3>& doubts,
+                  Progress& progress) {
+  if (surface.mesh.triangles.empty()) return Done{};
   progress.report("meshing", 0.9);
   const std::optional<Simplification> done = simplifyMesh(surface.mesh, tolerance_mm, progress);
   if (!done) return Error{ErrorKind::kInterrupted, "interrupted"};
-  surface.self_intersections =
-      surface.self_intersections > 0 ? meetingsOf(surface.mesh) : done->self_intersections;
   PROVEOUT_ASSERT_DEAR(analyseTopology(surface.mesh).closedManifold());
+  // What is left of a mesh that is not simplified is not known yet.
+  const bool simplified = tolerance_mm > 0.0;
+  if (simplified && surface.self_intersections + done->self_intersections == 0) return Done{};
+  const std::size_t before = doubts.size();
+  addMeetings(surface.mesh, done->distance_mm, cell_mm, doubts);
+  surface.self_intersections = doubts.size() - before;
   return Done{};
+}
+
+/// The mesh that is not simplified tells all of what simplifying it may stumble over.
+Result<StockSurface> finishedSurface(const Stock::Impl& impl, double tolerance, Progress& progress) {
+  std::vector<Box3> doubts;
+  for (int round = 1;; ++round) {
+    Result<StockSurface> surface = meshSurface(impl, kMergingShare * tolerance, doubts, progress);
+    if (!surface) return surface;
+    const bool last = round == kDoubtRounds;
+    const double rest = last ? 0.0 : (1.0 - kMergingShare) * tolerance;
+    if (Status done = finishMesh(*surface, rest, impl.h, doubts, progress); !done) return done.error();
+    if (surface->self_intersections == 0 || last) return surface;
+  }
 }
 
 double toleranceOf(const Stock::Impl& impl, const SurfaceOptions& options) {
@@ -103,11 +137,8 @@ Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOption
     return Error{ErrorKind::kResourceLimit,
                  "the surface has more vertices than a mesh can number; take a coarser resolution"};
   }
-  const double tolerance = toleranceOf(impl, options);
-  Result<StockSurface> surface = meshSurface(impl, kMergingShare * tolerance, progress);
+  Result<StockSurface> surface = finishedSurface(impl, toleranceOf(impl, options), progress);
   if (!surface) return surface;
-  if (Status done = simplifySurface(*surface, (1.0 - kMergingShare) * tolerance, progress); !done)
-    return done.error();
   progress.report("meshing", 1.0);
   return surface;
 }

@@ -42,9 +42,8 @@ FaceEdge farEdge(const SurfaceGrid& grid, const Face& face, bool& sole) {
 }
 
 /// Its place between the quad's crossing and the one that the surface leads to in the face, grid steps from
-/// the face's corner.
-FaceSplit splitFace(const SurfaceGrid& grid, const Face& face, Vec3& place) {
-  bool sole = false;
+/// the face's corner. `sole`: no other surface goes through the face.
+FaceSplit splitFace(const SurfaceGrid& grid, const Face& face, Vec3& place, bool& sole) {
   const FaceEdge own = edgeOf(face, face.axis, face.other(), face.back), end = farEdge(grid, face, sole);
   const auto placeOn = [&](const FaceEdge& e) {
     Vec3 p = stepsBetween(face.at, e.at);
@@ -91,11 +90,13 @@ SplitQuad splitQuad(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, 
     Face face{leaf.stock->origin.offsetBy(x, y, z), cross, axis, back, start_in ? 0 : 1};
     face.at[other] -= back;
     Vec3 place;
-    FaceSplit split = splitFace(grid, face, place);
+    bool sole = false;
+    FaceSplit split = splitFace(grid, face, place, sole);
     const std::array<std::uint32_t, 2> cells = {grid.cellOf(quad.v[after]),
                                                 grid.cellOf(quad.v[(after + 1) % 4])};
     const auto traits = static_cast<std::uint16_t>(grid.traits(cells[0]) | grid.traits(cells[1]));
-    if ((traits & CellTraits::kManySheets) == 0 && (traits & CellTraits::kWalled) != 0) {
+    // Two lines through one face may be of one vertex on each side: they would pass it at one place.
+    if (sole && (traits & CellTraits::kManySheets) == 0 && (traits & CellTraits::kWalled) != 0) {
       const Vec3 corner = stepsBetween(leaf.stock->origin, face.at);
       place = passage(quad.p[after] - corner, quad.p[(after + 1) % 4] - corner, cross);
     }

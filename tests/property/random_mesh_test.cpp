@@ -1,10 +1,13 @@
 // Meshes of random programs whose faces meet below the size of a cell, judged by CGAL.
-// PROVEOUT_RANDOM_MESHES=N judges those of N programs, PROVEOUT_RANDOM_FIRST=SEED from this one on.
+// PROVEOUT_RANDOM_MESHES=N judges those of N programs, PROVEOUT_RANDOM_FIRST=SEED from this one on (from
+// 100000 on they have all kinds of cutters, blanks and arcs).
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "tests/property/mesh_judge.h"
 #include "tests/soak/case_runner.h"
@@ -14,6 +17,7 @@ namespace {
 
 using soak::CaseRunner;
 using soak::kFirstCrowdedSeed;
+using soak::kFirstWideSeed;
 using soak::SoakCase;
 
 constexpr int kPrograms = 40, kShares = 4;
@@ -23,29 +27,49 @@ int fromEnvironment(const char* variable, int usual) {
   return text != nullptr ? std::atoi(text) : usual;
 }
 
+/// Judges the mesh of the job of a seed. False: it is refused, as too narrow tools are.
+bool judge(int seed, bool simplified) {
+  SCOPED_TRACE("`soak --crowded --seed " + std::to_string(seed) + " --print` shows the job");
+  SoakCase made = soak::makeCase(kFirstCrowdedSeed + static_cast<std::uint64_t>(seed));
+  if (!simplified) {
+    const std::string table = "[simulation]\n", key = "simplify = 0\n";
+    std::string& job = made.files["job.toml"];
+    const std::size_t at = job.find(table);
+    at == std::string::npos ? job += table + key : job.insert(at + table.size(), key);
+  }
+  const Result<RunResult> run = CaseRunner(made).run("job.toml");
+  if (!run.ok()) return false;
+  EXPECT_EQ(run->surface().self_intersections, 0u) << "by the engine's own count";
+  if (run->surface().mesh.triangles.empty()) return true;
+  const MeshVerdict verdict = judgeMesh(run->surface().mesh);
+  EXPECT_TRUE(verdict.manifold && verdict.closed);
+  EXPECT_EQ(verdict.meetings, 0u) << verdict.places;
+  return true;
+}
+
 class RandomMesh : public testing::TestWithParam<int> {};
 
 TEST_P(RandomMesh, ClosedManifoldWithoutSelfIntersections) {
-  const int first = fromEnvironment("PROVEOUT_RANDOM_FIRST", 1),
-            count = fromEnvironment("PROVEOUT_RANDOM_MESHES", kPrograms);
-  int judged = 0;
-  for (int i = GetParam(); i < count; i += kShares) {
-    const int seed = first + i;
-    SCOPED_TRACE("`soak --crowded --seed " + std::to_string(seed) + " --print` shows the job");
-    const SoakCase made = soak::makeCase(kFirstCrowdedSeed + static_cast<std::uint64_t>(seed));
-    const Result<RunResult> run = CaseRunner(made).run("job.toml");
-    if (!run.ok()) continue;  // too narrow tools are refused
-    ++judged;
-    EXPECT_EQ(run->surface().self_intersections, 0u) << "by the engine's own count";
-    if (run->surface().mesh.triangles.empty()) continue;
-    const MeshVerdict verdict = judgeMesh(run->surface().mesh);
-    EXPECT_TRUE(verdict.manifold && verdict.closed);
-    EXPECT_EQ(verdict.meetings, 0u) << verdict.places;
+  const int count = fromEnvironment("PROVEOUT_RANDOM_MESHES", kPrograms);
+  int judged = 0, asked = 0;
+  const int given = fromEnvironment("PROVEOUT_RANDOM_FIRST", 0);
+  for (const int first : given > 0 ? std::vector{given} : std::vector{1, kFirstWideSeed}) {
+    for (int i = GetParam(); i < count; i += kShares, ++asked) judged += judge(first + i, true) ? 1 : 0;
   }
-  EXPECT_GE(judged, count / kShares * 9 / 10) << "most of the jobs are refused";
+  EXPECT_GE(judged, asked * 8 / 10) << "most of the jobs are refused";
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, RandomMesh, testing::Range(0, kShares));
+
+/// Programs that had pairs of triangles that met and were not found, or not parted: walls thinner than a cell
+/// that are folded flat, and four crossings on a face between cells of one sheet each.
+class FoldedMesh : public testing::TestWithParam<int> {};
+
+TEST_P(FoldedMesh, IsParted) { EXPECT_TRUE(judge(GetParam(), true)); }
+TEST_P(FoldedMesh, IsPartedWithoutSimplifying) { EXPECT_TRUE(judge(GetParam(), false)); }
+
+INSTANTIATE_TEST_SUITE_P(Programs, FoldedMesh,
+                         testing::Values(379, 896, 1127, 1398, 1449, 100193, 100220, 100366, 100394, 100485));
 
 }  // namespace
 }  // namespace proveout::test

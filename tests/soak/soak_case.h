@@ -47,6 +47,8 @@ const char* kindName(Kind kind);
 /// From here on seeds make jobs of a wire, and between these two milled jobs whose faces meet below the size
 /// of a cell; below they make the others.
 inline constexpr std::uint64_t kFirstWireSeed = 4'000'000'000, kFirstCrowdedSeed = 3'000'000'000;
+/// From here on, counted from kFirstCrowdedSeed, crowded jobs have all kinds of cutters, blanks and arcs.
+inline constexpr int kFirstWideSeed = 100'000;
 
 struct SoakCase {
   std::uint64_t seed = 0;
