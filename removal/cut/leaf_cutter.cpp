@@ -11,6 +11,9 @@ namespace proveout {
 
 namespace {
 
+/// Samples that are deeper in a solid than one by no more than this factor are left alone.
+constexpr double kNearlyDeepest = 1.25;
+
 /// Transposes an 8x8 matrix of bits: bit y of byte z becomes bit z of byte y.
 std::uint64_t transposeBits(std::uint64_t x) {
   std::uint64_t t = (x ^ x >> 7) & 0x00AA00AA00AA00AAull;
@@ -264,24 +267,29 @@ double LeafCutter::applyQuarter(std::uint32_t number, int quarter) {
   return sunk;
 }
 
-/// How deep the solid reaches below the tops (`top`: before the pass) and below samples of a quarter.
+/// How deep the solid reaches below the tops (`top`: before the pass) and below samples of a quarter. No
+/// place lies deeper in it than in its column, nor than the tool's axis comes near.
 void LeafCutter::contact(std::uint32_t number, int quarter, const double* top) {
   const Pass& pass = table_.passes[number];
   const LeafColumns& l = columns_;
   ContactSample found{number, 0.0, Vec3::Zero(), 0};
   double height = 0.0;
-  const Sweep sweep = pass.body.sweep();
-  const auto look = [&](int c, double z) {
+  const Sweep sweep = pass.body.wholeSweep();
+  const auto look = [&](int c, double z, double most) {
+    const double known = found.depth > kContactToleranceMm ? kNearlyDeepest * found.depth : found.depth;
+    if (std::min({most, z - l.lo[c], l.hi[c] - z}) <= known) return;
     const Vec3 at(l.x[c], l.y[c], z);
-    const double depth = -sweep.distance(at, 0.0);
+    const double depth = -sweep.distance(at, -found.depth);
     if (depth > found.depth) found.depth = depth, found.where = at;
   };
   for (int i = 0; i < kQuarter; ++i) {
     const int c = quarter * kQuarter + i;
     const unsigned touched = l.covered[c] & l.material[c];
-    if (l.top[c] < top[i]) look(c, top[i]);
-    for (int z = 0; z < 8; ++z) {
-      if (touched >> z & 1) look(c, l.z[z]);
+    if (touched == 0 && l.top[c] >= top[i]) continue;
+    const double most = pass.body.levelDepth(l.x[c], l.y[c]);
+    if (l.top[c] < top[i]) look(c, top[i], most);
+    for (int z = 7; z >= 0; --z) {
+      if (touched >> z & 1) look(c, l.z[z], most);
     }
     height += l.top[c] < top[i] ? top[i] - l.top[c] : l.h * countBits(touched);
   }

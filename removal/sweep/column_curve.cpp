@@ -17,9 +17,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "core/base/assert.h"
 #include "core/geometry/types.h"
+#include "removal/sweep/column_angle.h"
 
 namespace proveout {
 
@@ -40,8 +42,6 @@ constexpr int kMostRounds = 80;
 constexpr int kMostShrinks = 6;
 /// Halves that wait; a stretch of length 1 is below kShortest after 34.
 constexpr int kMostStretches = 48;
-/// Least k2, mm2: for columns on the axis of a helix, which are as far from all of it.
-constexpr double kLeastAcross = 1e-12;
 
 double root(double a) { return std::sqrt(std::max(a, 0.0)); }
 
@@ -49,7 +49,7 @@ double root(double a) { return std::sqrt(std::max(a, 0.0)); }
 struct TurnHeight {
   double steep;  ///< twice the rise a radian, away from v = 0
   bool climbs() const { return steep >= 0.0; }
-  double value(double v) const { return steep * std::asin(std::min(v, 1.0)); }
+  double value(double v) const { return steep == 0.0 ? 0.0 : steep * arcSine(std::min(v, 1.0)); }
   double least(double a, double b) const { return value(steep < 0.0 ? b : a); }
   double slope(double v) const { return steep == 0.0 ? 0.0 : steep / root(1.0 - v * v); }
   double bend(double v) const {
@@ -58,6 +58,21 @@ struct TurnHeight {
   }
   /// Least |bend| between two places.
   double leastBend(double a, double) const { return std::abs(bend(a)); }
+  /// Where the way is as steep as a cone or sphere, of which the sum falls up to the first place, and again
+  /// behind the second: see column_curve_body.h.
+  struct Roots {
+    double rises = kNothing, again = kNothing;
+  };
+  Roots roots(const Piece& piece, double p2, double k2) const {
+    const bool ball = piece.kind == PieceKind::kArc;
+    const double rise_k = ball ? 1.0 : piece.slope * piece.slope * k2, steep2 = steep * steep;
+    const double middle = ball ? k2 + steep2 : rise_k - steep2;
+    const double last = ball ? steep2 * (piece.radius * piece.radius - p2) / k2 : steep2 * p2 / k2;
+    const double first = ball ? k2 : rise_k, inner = middle * middle - 4.0 * first * last;
+    if (!(middle > 0.0 && inner >= 0.0)) return {};
+    const double sum = middle + std::sqrt(inner);
+    return {std::sqrt(2.0 * last / sum), std::sqrt(0.5 * sum / first)};
+  }
 };
 
 struct UprightHeight {
@@ -190,6 +205,13 @@ class Least {
   bool shrink(double& from, double& to) const {
     if (from == to) return true;
     if (piece_->kind == PieceKind::kArc && piece_->rc != 0.0) return false;
+    if constexpr (std::is_same_v<Height, TurnHeight>) {
+      const TurnHeight::Roots roots = height_.roots(*piece_, p2_, k2_);
+      if (roots.again >= to) {
+        from = to = std::clamp(roots.rises, from, to);
+        return true;
+      }
+    }
     double steep_from = -height_.slope(from), steep_to = -height_.slope(to);
     for (int round = 0; round < kMostShrinks; ++round) {
       const double least = std::min(steep_from, steep_to), most = std::max(steep_from, steep_to);
@@ -284,11 +306,10 @@ Interval beside(const ColumnSolid& solid, double beyond, double tip) {
   return {false, std::max(beyond, 0.0), tip + solid.lower.height(r), tip - solid.upper.height(r)};
 }
 
-/// Angle of a point seen from the axis, in the sense of the motion, from cut_rad on; `d`: its distance.
-double angleOf(const ColumnSweep& s, double qx, double qy) {
-  double angle = std::atan2(s.turn * (s.ux * qy - s.uy * qx), s.ux * qx + s.uy * qy);
-  angle -= 2.0 * kPi * std::floor((angle - s.cut_rad) / (2.0 * kPi));
-  return std::clamp(angle, s.cut_rad, s.cut_rad + 2.0 * kPi);
+/// Angle of a point seen from the axis, in the sense of the motion, from cut_rad on; `d`: its distance. The
+/// kernels have the same bits: a column at the cut lies on one side of it for all.
+double angleOf(const ColumnSweep& s, double qx, double qy, double d) {
+  return turnAngle(qx * s.ux + qy * s.uy, s.turn * (s.ux * qy - s.uy * qx), d, s.cut_rad);
 }
 
 /// `rim`: of columns that the tool is nowhere over, too.
@@ -296,7 +317,7 @@ Interval turnColumn(const ColumnSweep& s, double x, double y, bool rim) {
   const double qx = x - s.x, qy = y - s.y, radius = s.solid->radius;
   const double d = std::sqrt(qx * qx + qy * qy), gap = std::abs(d - s.arc_radius);
   if (gap >= radius && !rim) return {};
-  const double nearest = angleOf(s, qx, qy) + s.turn_rad;
+  const double nearest = angleOf(s, qx, qy, d) + s.turn_rad;
   const double first = std::max(-kPi, -nearest), last = std::min(kPi, s.way_rad - nearest);
   if (first >= last) return {};
   const double base = s.start_z + s.slope * nearest;
@@ -356,7 +377,7 @@ Over turnOver(const ColumnSweep& s, const Square& square, double reach) {
   const double across = (reach * reach - gap * gap) / (4.0 * s.arc_radius * std::max(d, kLeastAcross));
   if (d > square.corner && across < 1.0) {
     const double wide = std::asin(square.corner / d), half = 2.0 * std::asin(std::sqrt(across));
-    const double angle = angleOf(s, qx, qy), past = angle - s.cut_rad;
+    const double angle = angleOf(s, qx, qy, d), past = angle - s.cut_rad;
     if (past >= wide && past <= 2.0 * kPi - wide && half + wide < kPi) {
       from = angle + s.turn_rad - half;
       to = angle + s.turn_rad + half;
@@ -387,18 +408,20 @@ Interval column(const ColumnSweep& s, double x, double y, bool rim) {
 
 }  // namespace
 
+double turnPlace(const ColumnSweep& turn, double x, double y) {
+  const double qx = x - turn.x, qy = y - turn.y;
+  return angleOf(turn, qx, qy, std::sqrt(qx * qx + qy * qy));
+}
+
 double curveOutside(const ColumnSweep& sweep, double x, double y, double z) {
   const Interval in = column(sweep, x, y, true);
   return std::max({in.lo - z, z - in.hi, in.beyond});
 }
 
-void curveColumns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo,
-                  double* hi) {
-  for (int i = 0; i < count; ++i) {
-    const Interval in = column(sweep, x[i], y[i], false);
-    lo[i] = in.over ? in.lo : kNothing;
-    hi[i] = in.over ? in.hi : -kNothing;
-  }
+void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, double* hi) {
+  const Interval in = column(sweep, x, y, false);
+  *lo = in.over ? in.lo : kNothing;
+  *hi = in.over ? in.hi : -kNothing;
 }
 
 void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low) {
