@@ -15,8 +15,9 @@ void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, doubl
 /// Above 0 outside, 0 on the surface, below 0 inside; changes steadily along level lines but where the way
 /// comes to be over them, mm.
 double curveOutside(const ColumnSweep& sweep, double x, double y, double z);
-/// Angle from cut_rad on at which a turn passes nearest to a column, rad.
-double turnPlace(const ColumnSweep& turn, double x, double y);
+/// Where the tool is when it leaves the surface at a point of it. Turn: angle of the whole way, rad; upright:
+/// the place along (ux, uy) from the center, mm.
+double curvePlace(const ColumnSweep& sweep, double x, double y, double z);
 /// As ReachKernel.
 void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low);
 

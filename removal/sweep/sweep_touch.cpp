@@ -13,6 +13,8 @@ namespace {
 constexpr int kMostRounds = 12;
 /// It stops where the next step gains less, mm.
 constexpr double kGainMm = 1e-10;
+/// And at once where the solid is as near as this, mm: as near as other searches come.
+constexpr double kThereMm = 0.1 * kSweepToleranceMm;
 /// A point this near to the solid is touched by it, mm.
 constexpr double kTouchedMm = 1e-6;
 
@@ -42,6 +44,7 @@ bool Sweep::touch(const Vec3& p, Place& place) const {
     place = {t, evaluateCurve(p, t)};
     const double slope = place.at.slope;
     const bool at_end = slope == 0.0 || (t == 0.0 && slope > 0.0) || (t == 1.0 && slope < 0.0);
+    if (std::abs(place.at.value) < kThereMm) return true;
     if (at_end) return std::abs(place.at.value) < kTouchedMm;
     (slope < 0.0 ? low : high) = place;
     (slope < 0.0 ? low_known : high_known) = true;

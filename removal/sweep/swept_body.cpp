@@ -84,9 +84,11 @@ std::optional<double> SweptBody::simpleBend(int element) const {
 /// Parameter of the whole curve at about which it leaves its surface at a point of this part.
 double SweptBody::startAt(const Vec3& p) const {
   const ColumnSweep& c = columns_;
-  if (c.kind == ColumnSweep::Kind::kUpright) return curve_->parameterAt(p);
-  if (c.kind != ColumnSweep::Kind::kTurn) return curve_->parameterAt(sweepStart(c) + 0.5 * sweepWay(c));
-  return std::clamp((turnPlace(c, p.x(), p.y()) + c.turn_rad) / c.way_rad, 0.0, 1.0);
+  if (!isCurvePart()) return curve_->parameterAt(sweepStart(c) + 0.5 * sweepWay(c));
+  const double place = curvePlace(c, p.x(), p.y(), p.z());
+  if (c.kind == ColumnSweep::Kind::kTurn) return std::clamp(place / c.way_rad, 0.0, 1.0);
+  const double high = std::sqrt(std::max(0.0, (c.arc_radius - place) * (c.arc_radius + place)));
+  return curve_->parameterAt(Vec3(c.x + place * c.ux, c.y + place * c.uy, c.start_z + c.side * high));
 }
 
 SweptSurface SweptBody::surface(const Vec3& p, int axis, bool below) const {
