@@ -107,7 +107,7 @@ void LeafCutter::start(const LeafChange& change) {
   if (l.layers == 0) return;
   layersToColumns(change.material, l.material);
   std::memcpy(initial_.data(), l.material, sizeof(initial_));
-  joined_x_ = joined_y_ = {};
+  joined_x_ = joined_y_ = joined_z_ = {};
   l.undercut = false;
   takers_ = {kNoPass, kNoPass};
   most_sunk_ = 0.0;
@@ -150,8 +150,10 @@ bool LeafCutter::holdsEdges(const Pass& pass) const {
   return pass.body.holdsEdges(impl_.h, 0.5 * (low + high).head<2>(), 6.0 * impl_.h);
 }
 
-/// Notes the edges that the last pass covered whole; `quarters` (bits) are those that it went through.
-void LeafCutter::join(unsigned quarters) {
+/// Notes the edges that the last pass covered whole, level ones if `level`; `quarters` (bits) are those that
+/// it went through.
+void LeafCutter::join(unsigned quarters, bool level) {
+  if (!level && !columns_.undercut) return;
   ColumnWords covered, x, y;
   for (int q = 0; q < 4; ++q) {
     if ((quarters >> q & 1) != 0) cover(q);
@@ -160,11 +162,24 @@ void LeafCutter::join(unsigned quarters) {
   for (unsigned q = 0; q < 4; ++q) {
     if ((quarters >> q & 1) == 0) covered[2 * q] = covered[2 * q + 1] = 0;
   }
+  if (columns_.undercut) joinUpright(covered);
+  if (!level) return;
   pairUp(covered, x, y);
   for (int i = 0; i < 8; ++i) {
     joined_x_[i] |= x[i];
     joined_y_[i] |= y[i];
   }
+}
+
+/// A pass covers one stretch of each column.
+void LeafCutter::joinUpright(const ColumnWords& covered) {
+  constexpr std::uint64_t kNotLast = 0x7F7F7F7F7F7F7F7F;
+  const double beyond = columns_.z[7] + columns_.h;
+  ColumnWords leads_on;
+  std::array<unsigned char, 64> last;
+  for (int c = 0; c < 64; ++c) last[c] = columns_.hi[c] > beyond ? 0x80 : 0;
+  std::memcpy(leads_on.data(), last.data(), sizeof(leads_on));
+  for (int i = 0; i < 8; ++i) joined_z_[i] |= covered[i] & ((covered[i] >> 1 & kNotLast) | leads_on[i]);
 }
 
 std::unique_ptr<OpenEdges> LeafCutter::openEdges() const {
@@ -180,6 +195,8 @@ std::unique_ptr<OpenEdges> LeafCutter::openEdges() const {
   }
   if (any == 0 && !columns_.undercut) return nullptr;
   auto open = std::make_unique<OpenEdges>();
+  for (int i = 0; i < 8; ++i) taken[i] &= ~joined_z_[i];
+  columnsToLayers(reinterpret_cast<const unsigned char*>(taken.data()), open->upright);
   columnsToLayers(reinterpret_cast<const unsigned char*>(x.data()), open->level[0]);
   columnsToLayers(reinterpret_cast<const unsigned char*>(y.data()), open->level[1]);
   open->undercut = columns_.undercut;
@@ -223,7 +240,7 @@ void LeafCutter::apply(std::uint32_t number) {
     quarters |= 1u << q;
   }
   if (sunk <= 0.0) return;
-  if (holdsEdges(pass)) join(quarters);
+  join(quarters, holdsEdges(pass));
   takers_[1] = number;
   if (sunk > most_sunk_) {
     most_sunk_ = sunk;

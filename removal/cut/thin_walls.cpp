@@ -70,6 +70,7 @@ void ThinWallFinder::collect(const LeafChange& change, const LeafEdges& edges, c
       std::uint64_t left = taken[z] & ~(change.before.crossed[axis][z] | edges.crossed[axis][z]) & ~beside[z];
       const std::uint64_t last = !isAsked(origin_) ? 0 : axis == 0 ? kColumnX7 & kSomeY : kColumnY7 & kSomeX;
       if (axis < 2) left &= last | (open != nullptr ? open->level[axis][z] : 0);
+      if (axis == 2) left &= open->upright[z];
       some |= left;
       for (; left != 0; left &= left - 1)
         columns[std::countr_zero(left)] |= static_cast<std::uint8_t>(1u << z);
