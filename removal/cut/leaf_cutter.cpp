@@ -12,6 +12,9 @@ namespace proveout {
 
 namespace {
 
+/// Samples that are deeper in a solid than one by no more than this factor are left alone.
+constexpr double kNearlyDeepest = 1.25;
+
 /// Transposes an 8x8 matrix of bits: bit y of byte z becomes bit z of byte y.
 std::uint64_t transposeBits(std::uint64_t x) {
   std::uint64_t t = (x ^ x >> 7) & 0x00AA00AA00AA00AAull;
@@ -121,7 +124,7 @@ void LeafCutter::start(const LeafChange& change) {
   if (l.layers == 0) return;
   layersToColumns(change.material, l.material);
   std::memcpy(initial_.data(), l.material, sizeof(initial_));
-  joined_x_ = joined_y_ = {};
+  joined_x_ = joined_y_ = joined_z_ = {};
   l.undercut = false;
   takers_ = {kNoPass, kNoPass};
   level_tops_ = true;
@@ -165,8 +168,10 @@ bool LeafCutter::holdsEdges(const Pass& pass) const {
   return pass.body.holdsEdges(impl_.h, 0.5 * (low + high).head<2>(), 6.0 * impl_.h);
 }
 
-/// Notes the edges that the last pass covered whole; `quarters` (bits) are those that it went through.
-void LeafCutter::join(unsigned quarters) {
+/// Notes the edges that the last pass covered whole, level ones if `level`; `quarters` (bits) are those that
+/// it went through.
+void LeafCutter::join(unsigned quarters, bool level) {
+  if (!level && !columns_.undercut) return;
   ColumnWords covered, x, y;
   for (int q = 0; q < 4; ++q) {
     if ((quarters >> q & 1) != 0) cover(q);
@@ -175,11 +180,24 @@ void LeafCutter::join(unsigned quarters) {
   for (unsigned q = 0; q < 4; ++q) {
     if ((quarters >> q & 1) == 0) covered[2 * q] = covered[2 * q + 1] = 0;
   }
+  if (columns_.undercut) joinUpright(covered);
+  if (!level) return;
   pairUp(covered, x, y);
   for (int i = 0; i < 8; ++i) {
     joined_x_[i] |= x[i];
     joined_y_[i] |= y[i];
   }
+}
+
+/// A pass covers one stretch of each column.
+void LeafCutter::joinUpright(const ColumnWords& covered) {
+  constexpr std::uint64_t kNotLast = 0x7F7F7F7F7F7F7F7F;
+  const double beyond = columns_.z[7] + columns_.h;
+  ColumnWords leads_on;
+  std::array<unsigned char, 64> last;
+  for (int c = 0; c < 64; ++c) last[c] = columns_.hi[c] > beyond ? 0x80 : 0;
+  std::memcpy(leads_on.data(), last.data(), sizeof(leads_on));
+  for (int i = 0; i < 8; ++i) joined_z_[i] |= covered[i] & ((covered[i] >> 1 & kNotLast) | leads_on[i]);
 }
 
 std::unique_ptr<OpenEdges> LeafCutter::openEdges() const {
@@ -195,6 +213,8 @@ std::unique_ptr<OpenEdges> LeafCutter::openEdges() const {
   }
   if (any == 0 && !columns_.undercut) return nullptr;
   auto open = std::make_unique<OpenEdges>();
+  for (int i = 0; i < 8; ++i) taken[i] &= ~joined_z_[i];
+  columnsToLayers(reinterpret_cast<const unsigned char*>(taken.data()), open->upright);
   columnsToLayers(reinterpret_cast<const unsigned char*>(x.data()), open->level[0]);
   columnsToLayers(reinterpret_cast<const unsigned char*>(y.data()), open->level[1]);
   open->undercut = columns_.undercut;
@@ -238,7 +258,7 @@ void LeafCutter::apply(std::uint32_t number) {
     quarters |= 1u << q;
   }
   if (sunk <= 0.0) return;
-  if (holdsEdges(pass)) join(quarters);
+  join(quarters, holdsEdges(pass));
   takers_[1] = number;
   if (!hasLevelTop(pass.body, end_ + columns_.h)) level_tops_ = false;
   if (sunk > most_sunk_) {
@@ -283,24 +303,29 @@ double LeafCutter::applyQuarter(std::uint32_t number, int quarter) {
   return sunk;
 }
 
-/// How deep the solid reaches below the tops (`top`: before the pass) and below samples of a quarter.
+/// How deep the solid reaches below the tops (`top`: before the pass) and below samples of a quarter. No
+/// place lies deeper in it than in its column, nor than the tool's axis comes near.
 void LeafCutter::contact(std::uint32_t number, int quarter, const double* top) {
   const Pass& pass = table_.passes[number];
   const LeafColumns& l = columns_;
   ContactSample found{number, 0.0, Vec3::Zero(), 0};
   double height = 0.0;
-  const Sweep sweep = pass.body.sweep();
-  const auto look = [&](int c, double z) {
+  const Sweep sweep = pass.body.wholeSweep();
+  const auto look = [&](int c, double z, double most) {
+    const double known = found.depth > kContactToleranceMm ? kNearlyDeepest * found.depth : found.depth;
+    if (std::min({most, z - l.lo[c], l.hi[c] - z}) <= known) return;
     const Vec3 at(l.x[c], l.y[c], z);
-    const double depth = -sweep.distance(at, 0.0);
+    const double depth = -sweep.distance(at, -found.depth);
     if (depth > found.depth) found.depth = depth, found.where = at;
   };
   for (int i = 0; i < kQuarter; ++i) {
     const int c = quarter * kQuarter + i;
     const unsigned touched = l.covered[c] & l.material[c];
-    if (l.top[c] < top[i]) look(c, top[i]);
-    for (int z = 0; z < 8; ++z) {
-      if (touched >> z & 1) look(c, l.z[z]);
+    if (touched == 0 && l.top[c] >= top[i]) continue;
+    const double most = pass.body.levelDepth(l.x[c], l.y[c]);
+    if (l.top[c] < top[i]) look(c, top[i], most);
+    for (int z = 7; z >= 0; --z) {
+      if (touched >> z & 1) look(c, l.z[z], most);
     }
     height += l.top[c] < top[i] ? top[i] - l.top[c] : l.h * countBits(touched);
   }

@@ -34,7 +34,8 @@ struct ContactSample {
 /// may have stood in between.
 struct OpenEdges {
   std::array<LeafBits, 2> level{};  ///< along x and y, within the leaf
-  bool undercut = false;            ///< vertical edges must be looked at, too
+  LeafBits upright{};               ///< vertical, also those that end in the next leaf
+  bool undercut = false;            ///< these must be looked at, too
 };
 
 /// Cuts leaves; one object a thread, used again and again.
@@ -63,6 +64,8 @@ class LeafCutter {
   double highest() const;
 
  private:
+  /// Columns in the order of LeafColumns, eight a word.
+  using ColumnWords = std::array<std::uint64_t, 8>;
   void start(const LeafChange& change);
   bool onlyTook() const;
   void startTops(const LeafChange& change);
@@ -73,7 +76,8 @@ class LeafCutter {
   void cover(int quarter);
   void setQuarterTop(int quarter);
   bool holdsEdges(const Pass& pass) const;
-  void join(unsigned quarters);
+  void join(unsigned quarters, bool level);
+  void joinUpright(const ColumnWords& covered);
   void contact(std::uint32_t number, int quarter, const double* top);
 
   const Stock::Impl& impl_;
@@ -91,11 +95,9 @@ class LeafCutter {
   double most_sunk_ = 0.0;                 ///< of one pass, mm of column height
   LeafColumns columns_{};
   unsigned covered_ = 0;  ///< quarters (bits) whose columns_.covered is that of the last pass
-  /// Columns in the order of LeafColumns, eight a word.
-  using ColumnWords = std::array<std::uint64_t, 8>;
   static void pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords& y);
-  ColumnWords initial_{};                ///< material before the first pass
-  ColumnWords joined_x_{}, joined_y_{};  ///< edges that one pass covered whole
+  ColumnWords initial_{};                             ///< material before the first pass
+  ColumnWords joined_x_{}, joined_y_{}, joined_z_{};  ///< edges that one pass covered whole
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
   ReachList lowest_first_;  ///< chords of one curve
   std::vector<ContactSample> contacts_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace proveout {
 
@@ -69,6 +70,7 @@ void ThinWallFinder::collect(const LeafChange& change, const LeafEdges& edges, c
       std::uint64_t left = taken[z] & ~(change.before.crossed[axis][z] | edges.crossed[axis][z]) & ~beside[z];
       const std::uint64_t last = !isAsked(origin_) ? 0 : axis == 0 ? kColumnX7 & kSomeY : kColumnY7 & kSomeX;
       if (axis < 2) left &= last | (open != nullptr ? open->level[axis][z] : 0);
+      if (axis == 2) left &= open->upright[z];
       some |= left;
       for (; left != 0; left &= left - 1)
         columns[std::countr_zero(left)] |= static_cast<std::uint8_t>(1u << z);
@@ -111,7 +113,7 @@ bool ThinWallFinder::holdsEdges(const Pass& pass) const {
 /// Takes out what one pass covers whole: first those that took much. Passes in the middle of the list are
 /// likely to be those right over the leaf.
 void ThinWallFinder::drop(std::size_t first, std::size_t count) {
-  double highest = z_[0];
+  double highest = z_[0], lowest = z_[8];
   for (std::size_t i = 0; i < count; ++i) {
     const Stack& stack = stacks_[first + i];
     const Vec3 a = start(stack);
@@ -120,6 +122,7 @@ void ThinWallFinder::drop(std::size_t first, std::size_t count) {
     if (stack.axis == 0) x_[2 * i + 1] += impl_.h;
     if (stack.axis == 1) y_[2 * i + 1] += impl_.h;
     highest = std::max(highest, z_[std::bit_width(stack.open) - 1]);
+    lowest = std::min(lowest, z_[std::countr_zero(stack.open)]);
   }
   for (const std::uint32_t taker : takers_) {
     if (taker == kNoPass || !holdsEdges(table_.passes[taker])) continue;
@@ -131,15 +134,31 @@ void ThinWallFinder::drop(std::size_t first, std::size_t count) {
     const Reach& reach = list_[i % 2 == 1 ? middle - step : middle + step];
     if (reach.low >= highest) continue;
     const Pass& pass = table_.passes[reach.pass];
+    if (pass.body.highestReach() <= lowest) continue;
     if (holdsEdges(pass) && !dropCovered(pass, first, count)) return;
   }
 }
 
+/// Puts the stacks that are open to the front, in their order, and makes their number `count`; false for 0.
+bool ThinWallFinder::keepOpen(std::size_t first, std::size_t& count) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (stacks_[first + i].open == 0) continue;
+    std::swap(stacks_[first + kept], stacks_[first + i]);
+    for (const std::size_t end : {0, 1}) {
+      x_[2 * kept + end] = x_[2 * i + end];
+      y_[2 * kept + end] = y_[2 * i + end];
+    }
+    ++kept;
+  }
+  count = kept;
+  return count > 0;
+}
+
 /// False when nothing is open any more.
-bool ThinWallFinder::dropCovered(const Pass& pass, std::size_t first, std::size_t count) {
+bool ThinWallFinder::dropCovered(const Pass& pass, std::size_t first, std::size_t& count) {
   if (const Sweep* curve = pass.body.helix()) return dropHeld(*curve, first, count);
   kernel_(pass.body.columns(), x_.data(), y_.data(), static_cast<int>(2 * count), lo_.data(), hi_.data());
-  unsigned any = 0;
   for (std::size_t i = 0; i < count; ++i) {
     Stack& stack = stacks_[first + i];
     const double lo = std::max(lo_[2 * i], lo_[2 * i + 1]), hi = std::min(hi_[2 * i], hi_[2 * i + 1]);
@@ -148,14 +167,12 @@ bool ThinWallFinder::dropCovered(const Pass& pass, std::size_t first, std::size_
       const int z = std::countr_zero(left);
       if (lo < z_[z] && z_[z + up] < hi) stack.open &= static_cast<std::uint8_t>(~(1u << z));
     }
-    any |= stack.open;
   }
-  return any != 0;
+  return keepOpen(first, count);
 }
 
 /// The same for a whole curve: edges that the tool holds at one place of it.
-bool ThinWallFinder::dropHeld(const Sweep& curve, std::size_t first, std::size_t count) {
-  unsigned any = 0;
+bool ThinWallFinder::dropHeld(const Sweep& curve, std::size_t first, std::size_t& count) {
   for (std::size_t i = 0; i < count; ++i) {
     Stack& stack = stacks_[first + i];
     for (unsigned left = stack.open; left != 0; left &= left - 1) {
@@ -164,9 +181,8 @@ bool ThinWallFinder::dropHeld(const Sweep& curve, std::size_t first, std::size_t
           b(x_[2 * i + 1], y_[2 * i + 1], z_[z + (stack.axis == 2 ? 1 : 0)]);
       if (curve.holds(a, b)) stack.open &= static_cast<std::uint8_t>(~(1u << z));
     }
-    any |= stack.open;
   }
-  return any != 0;
+  return keepOpen(first, count);
 }
 
 Vec3 ThinWallFinder::start(const Stack& stack) const {

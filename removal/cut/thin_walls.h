@@ -38,8 +38,9 @@ class ThinWallFinder {
   bool besideMaterial(const Coord& origin, int axis, int x, int y, int z) const;
   void drop(std::size_t first, std::size_t count);
   bool holdsEdges(const Pass& pass) const;
-  bool dropCovered(const Pass& pass, std::size_t first, std::size_t count);
-  bool dropHeld(const Sweep& curve, std::size_t first, std::size_t count);
+  bool keepOpen(std::size_t first, std::size_t& count);
+  bool dropCovered(const Pass& pass, std::size_t first, std::size_t& count);
+  bool dropHeld(const Sweep& curve, std::size_t first, std::size_t& count);
   void askPoints(const Stack& stack, LostFilm& lost);
   Vec3 start(const Stack& stack) const;
 

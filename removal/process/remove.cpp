@@ -169,7 +169,6 @@ void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched) 
 /// Turns of a helix about z, or the two halves of an upright arc. Turns lie under each other: where a lower
 /// one covers all of the blank that the next does, this is left out. False for curves that have neither.
 bool Remover::addParts(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
-  if (pass.watched || !pass.cuts()) return false;
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
   const ArcFrame frame = arcFrame(m.from, m.to, arc);
   const double growth = std::abs(frame.radius_end - frame.radius_start), sweep = std::abs(arc.sweep_rad);
@@ -185,8 +184,8 @@ bool Remover::addParts(Pass pass, const ToolParts::Part& part, const Motion& m, 
   for (std::size_t i = 0; i < parts.size(); ++i) {
     pass.body = SweptBody(*part.profile, parts[i], curve);
     const std::size_t below = falls ? i + 1 : i - 1;
-    const bool has_lower =
-        about_z && !part.columns.round_top && below < parts.size() && isWholeTurn(parts[below]);
+    const bool takes = !pass.watched && pass.cuts() && !part.columns.round_top;
+    const bool has_lower = about_z && takes && below < parts.size() && isWholeTurn(parts[below]);
     pass.lower = has_lower ? (falls ? 1 : -1) : 0;
     if (has_lower && SweptBody(*part.profile, parts[below], curve).lowestTop() >= blank_top) continue;
     table_.passes.push_back(pass);

@@ -17,9 +17,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "core/base/assert.h"
 #include "core/geometry/types.h"
+#include "removal/sweep/column_angle.h"
 
 namespace proveout {
 
@@ -40,8 +42,6 @@ constexpr int kMostRounds = 80;
 constexpr int kMostShrinks = 6;
 /// Halves that wait; a stretch of length 1 is below kShortest after 34.
 constexpr int kMostStretches = 48;
-/// Least k2, mm2: for columns on the axis of a helix, which are as far from all of it.
-constexpr double kLeastAcross = 1e-12;
 
 double root(double a) { return std::sqrt(std::max(a, 0.0)); }
 
@@ -49,7 +49,7 @@ double root(double a) { return std::sqrt(std::max(a, 0.0)); }
 struct TurnHeight {
   double steep;  ///< twice the rise a radian, away from v = 0
   bool climbs() const { return steep >= 0.0; }
-  double value(double v) const { return steep * std::asin(std::min(v, 1.0)); }
+  double value(double v) const { return steep == 0.0 ? 0.0 : steep * arcSine(std::min(v, 1.0)); }
   double least(double a, double b) const { return value(steep < 0.0 ? b : a); }
   double slope(double v) const { return steep == 0.0 ? 0.0 : steep / root(1.0 - v * v); }
   double bend(double v) const {
@@ -58,6 +58,21 @@ struct TurnHeight {
   }
   /// Least |bend| between two places.
   double leastBend(double a, double) const { return std::abs(bend(a)); }
+  /// Where the way is as steep as a cone or sphere, of which the sum falls up to the first place, and again
+  /// behind the second: see column_curve_body.h.
+  struct Roots {
+    double rises = kNothing, again = kNothing;
+  };
+  Roots roots(const Piece& piece, double p2, double k2) const {
+    const bool ball = piece.kind == PieceKind::kArc;
+    const double rise_k = ball ? 1.0 : piece.slope * piece.slope * k2, steep2 = steep * steep;
+    const double middle = ball ? k2 + steep2 : rise_k - steep2;
+    const double last = ball ? steep2 * (piece.radius * piece.radius - p2) / k2 : steep2 * p2 / k2;
+    const double first = ball ? k2 : rise_k, inner = middle * middle - 4.0 * first * last;
+    if (!(middle > 0.0 && inner >= 0.0)) return {};
+    const double sum = middle + std::sqrt(inner);
+    return {std::sqrt(2.0 * last / sum), std::sqrt(0.5 * sum / first)};
+  }
 };
 
 struct UprightHeight {
@@ -81,14 +96,20 @@ struct UprightHeight {
   }
 };
 
-/// The least of boundary + height over a stretch of v >= 0.
+/// A least value and the place that has it.
+struct Lowest {
+  double value = kNothing, u = 0.0;
+};
+
+/// The least of boundary + height over a stretch of v >= 0, v = way * u, if it is below `best`.
 template <typename Height>
 class Least {
  public:
-  Least(const ColumnBoundary& boundary, double p2, double k2, const Height& height, double best)
-      : boundary_(boundary), p2_(p2), k2_(k2), height_(height), best_(best) {}
+  Least(const ColumnBoundary& boundary, double p2, double k2, double way, const Height& height,
+        const Lowest& best)
+      : boundary_(boundary), p2_(p2), k2_(k2), way_(way), height_(height), best_(best) {}
 
-  double over(double from, double to) {
+  Lowest over(double from, double to) {
     if (height_.climbs()) to = from;
     const double lowest = height_.least(from, to);
     for (int i = 0; i < boundary_.count; ++i) {
@@ -99,7 +120,7 @@ class Least {
       const double b = i + 1 == boundary_.count ? to : std::min(to, root((rb * rb - p2_) / k2_));
       if (a > b) continue;
       // The boundary rises from piece to piece.
-      if (foot(radial(a)).value + lowest >= best_ - kSettledMm) break;
+      if (foot(radial(a)).value + lowest >= best_.value - kSettledMm) break;
       overPiece(a, b);
     }
     return best_;
@@ -139,6 +160,10 @@ class Least {
     const double radius2 = piece_->radius * piece_->radius, q = root(radius2 - d * d);
     return radius2 / (q * q * q);
   }
+  void offer(double v, double value) {
+    if (value < best_.value) best_ = {value, way_ * v};
+  }
+  void offer(const Place& p) { offer(p.v, p.value()); }
   double value(double v) const { return foot(radial(v)).value + height_.value(v); }
   Place place(double v) const {
     const double r = radial(v), slope = r == 0.0 ? std::sqrt(k2_) : k2_ * v / r;
@@ -152,23 +177,24 @@ class Least {
 
   void overPiece(double from, double to) {
     if (shrink(from, to)) {
-      best_ = std::min(best_, value(from));
+      offer(from, value(from));
       return;
     }
     const Place first = place(from), last = place(to);
-    best_ = std::min({best_, first.value(), last.value()});
+    offer(first);
+    offer(last);
     if (from == to) return;
     stretches_[0] = {first, last};
     for (int size = 1; size > 0;) {
       const auto [a, b] = stretches_[static_cast<std::size_t>(--size)];
       if (isSettled(a, b)) continue;
       if (isConvex(a, b)) {
-        if (a.slope() < 0.0 && b.slope() > 0.0) best_ = std::min(best_, newton(a, b));
+        if (a.slope() < 0.0 && b.slope() > 0.0) offer(newton(a, b));
         continue;
       }
       if (b.v - a.v < kShortest || size + 2 > kMostStretches) continue;
       const Place middle = place(0.5 * (a.v + b.v));
-      best_ = std::min(best_, middle.value());
+      offer(middle);
       stretches_[static_cast<std::size_t>(size++)] = {middle, b};
       stretches_[static_cast<std::size_t>(size++)] = {a, middle};
     }
@@ -190,6 +216,13 @@ class Least {
   bool shrink(double& from, double& to) const {
     if (from == to) return true;
     if (piece_->kind == PieceKind::kArc && piece_->rc != 0.0) return false;
+    if constexpr (std::is_same_v<Height, TurnHeight>) {
+      const TurnHeight::Roots roots = height_.roots(*piece_, p2_, k2_);
+      if (roots.again >= to) {
+        from = to = std::clamp(roots.rises, from, to);
+        return true;
+      }
+    }
     double steep_from = -height_.slope(from), steep_to = -height_.slope(to);
     for (int round = 0; round < kMostShrinks; ++round) {
       const double least = std::min(steep_from, steep_to), most = std::max(steep_from, steep_to);
@@ -219,7 +252,7 @@ class Least {
       const double t = sb < kNothing ? (b.value() - a.value() - sb * width) / (sa - sb) : width;
       low = a.value() + sa * std::clamp(t, 0.0, width);
     }
-    if (low >= best_ - kSettledMm) return true;
+    if (low >= best_.value - kSettledMm) return true;
     if (!bent_down) return false;
     const Radial ra = radialBend(a.v), rb = radialBend(b.v);
     const double most = bendOfFoot(rb.r) * rb.slope * rb.slope + foot(rb.r).slope * ra.bend;
@@ -233,7 +266,7 @@ class Least {
     return least >= std::max(std::abs(height_.bend(a.v)), std::abs(height_.bend(b.v)));
   }
 
-  double newton(const Place& a, const Place& b) const {
+  Place newton(const Place& a, const Place& b) const {
     double low = a.v, high = b.v;
     double t =
         b.slope() < kNothing ? low - a.slope() * (high - low) / (b.slope() - a.slope()) : 0.5 * (low + high);
@@ -247,28 +280,28 @@ class Least {
       t = in ? next : 0.5 * (low + high);
       if (moved * std::sqrt(k2_) < kStepMm) break;
     }
-    return place(t).value();
+    return place(t);
   }
 
   const ColumnBoundary& boundary_;
-  double p2_, k2_;
+  double p2_, k2_, way_;
   Height height_;
-  double best_;
+  Lowest best_;
   const Piece* piece_ = nullptr;
   std::array<std::array<Place, 2>, kMostStretches> stretches_;
 };
 
 /// Of all u in [from, to]; `height` makes the height of one side (-1, +1).
 template <typename MakeHeight>
-double leastOver(const ColumnBoundary& boundary, double p2, double k2, double from, double to,
+Lowest leastOver(const ColumnBoundary& boundary, double p2, double k2, double from, double to,
                  const MakeHeight& height) {
   // Away from where both begin one side climbs: the other holds the least value, too.
   const bool both = from < 0.0 && to > 0.0;
   const bool right = to > 0.0 && !(both && height(1.0).climbs());
-  double best = kNothing;
-  if (right) best = Least(boundary, p2, k2, height(1.0), best).over(std::max(from, 0.0), to);
+  Lowest best;
+  if (right) best = Least(boundary, p2, k2, 1.0, height(1.0), best).over(std::max(from, 0.0), to);
   if (from < 0.0 && !(right && height(-1.0).climbs()))
-    best = Least(boundary, p2, k2, height(-1.0), best).over(std::max(-to, 0.0), -from);
+    best = Least(boundary, p2, k2, -1.0, height(-1.0), best).over(std::max(-to, 0.0), -from);
   return best;
 }
 
@@ -276,19 +309,20 @@ struct Interval {
   bool over = false;         ///< the tool is over the column somewhere
   double beyond = kNothing;  ///< least level distance of the tool's axis less the radius, mm
   double lo = kNothing, hi = -kNothing;
+  double middle = 0.0;  ///< turn: angle of the way at u = 0; upright: place of the column, mm
+  double u = 0.0, at_lo = 0.0, at_hi = 0.0;  ///< of the place that is nearest, and of those of lo and hi
 };
 
-/// Of a column that the tool only comes near to: its rim there, `tip` being the height of the tool.
-Interval beside(const ColumnSolid& solid, double beyond, double tip) {
-  const double r = solid.radius;
-  return {false, std::max(beyond, 0.0), tip + solid.lower.height(r), tip - solid.upper.height(r)};
+/// Of a column that the tool only comes near to, at the place u: its rim there, `tip` being its height.
+Interval beside(const ColumnSolid& solid, double beyond, double tip, double middle, double u) {
+  const double r = solid.radius, low = tip + solid.lower.height(r), high = tip - solid.upper.height(r);
+  return {false, std::max(beyond, 0.0), low, high, middle, u, u, u};
 }
 
-/// Angle of a point seen from the axis, in the sense of the motion, from cut_rad on; `d`: its distance.
-double angleOf(const ColumnSweep& s, double qx, double qy) {
-  double angle = std::atan2(s.turn * (s.ux * qy - s.uy * qx), s.ux * qx + s.uy * qy);
-  angle -= 2.0 * kPi * std::floor((angle - s.cut_rad) / (2.0 * kPi));
-  return std::clamp(angle, s.cut_rad, s.cut_rad + 2.0 * kPi);
+/// Angle of a point seen from the axis, in the sense of the motion, from cut_rad on; `d`: its distance. The
+/// kernels have the same bits: a column at the cut lies on one side of it for all.
+double angleOf(const ColumnSweep& s, double qx, double qy, double d) {
+  return turnAngle(qx * s.ux + qy * s.uy, s.turn * (s.ux * qy - s.uy * qx), d, s.cut_rad);
 }
 
 /// `rim`: of columns that the tool is nowhere over, too.
@@ -296,11 +330,11 @@ Interval turnColumn(const ColumnSweep& s, double x, double y, bool rim) {
   const double qx = x - s.x, qy = y - s.y, radius = s.solid->radius;
   const double d = std::sqrt(qx * qx + qy * qy), gap = std::abs(d - s.arc_radius);
   if (gap >= radius && !rim) return {};
-  const double nearest = angleOf(s, qx, qy) + s.turn_rad;
+  const double nearest = angleOf(s, qx, qy, d) + s.turn_rad;
   const double first = std::max(-kPi, -nearest), last = std::min(kPi, s.way_rad - nearest);
   if (first >= last) return {};
   const double base = s.start_z + s.slope * nearest;
-  if (gap >= radius && first < 0.0 && last > 0.0) return beside(*s.solid, gap - radius, base);
+  if (gap >= radius && first < 0.0 && last > 0.0) return beside(*s.solid, gap - radius, base, nearest, 0.0);
   const double p2 = gap * gap, k2 = std::max(4.0 * s.arc_radius * d, kLeastAcross);
   const double reach = std::min(1.0, root((radius * radius - p2) / k2));
   // The sine of half an angle of the half circle is no less than the angle by pi.
@@ -309,12 +343,12 @@ Interval turnColumn(const ColumnSweep& s, double x, double y, bool rim) {
                u = std::clamp(0.0, start, end);
   const double from = std::max(start, -reach), to = std::min(end, reach);
   const double beyond = std::sqrt(p2 + k2 * u * u) - radius;
-  if (from >= to) return beside(*s.solid, beyond, base + 2.0 * s.slope * std::asin(u));
-  return {true, beyond,
-          base + leastOver(s.solid->lower, p2, k2, from, to,
-                           [&](double way) { return TurnHeight{2.0 * way * s.slope}; }),
-          base - leastOver(s.solid->upper, p2, k2, from, to,
-                           [&](double way) { return TurnHeight{-2.0 * way * s.slope}; })};
+  if (from >= to) return beside(*s.solid, beyond, base + 2.0 * s.slope * std::asin(u), nearest, u);
+  const Lowest low = leastOver(s.solid->lower, p2, k2, from, to,
+                               [&](double way) { return TurnHeight{2.0 * way * s.slope}; });
+  const Lowest high = leastOver(s.solid->upper, p2, k2, from, to,
+                                [&](double way) { return TurnHeight{-2.0 * way * s.slope}; });
+  return {true, beyond, base + low.value, base - high.value, nearest, u, low.u, high.u};
 }
 
 Interval uprightColumn(const ColumnSweep& s, double x, double y) {
@@ -324,18 +358,15 @@ Interval uprightColumn(const ColumnSweep& s, double x, double y) {
   const double u = std::clamp(along, s.first_mm, s.last_mm) - along;
   const double from = std::max(s.first_mm - along, -reach), to = std::min(s.last_mm - along, reach);
   const double beyond = std::sqrt(p2 + u * u) - radius;
+  const auto height = [&](double way, double side) { return UprightHeight{along, way, s.arc_radius, side}; };
   if (from >= to) {
-    const UprightHeight height{along, 1.0, s.arc_radius, s.side};
-    return beside(*s.solid, beyond, s.start_z + height.value(u));
+    return beside(*s.solid, beyond, s.start_z + height(1.0, s.side).value(u), along, u);
   }
-  return {true, beyond,
-          s.start_z + leastOver(s.solid->lower, p2, 1.0, from, to,
-                                [&](double way) {
-                                  return UprightHeight{along, way, s.arc_radius, s.side};
-                                }),
-          s.start_z - leastOver(s.solid->upper, p2, 1.0, from, to, [&](double way) {
-            return UprightHeight{along, way, s.arc_radius, -s.side};
-          })};
+  const Lowest low =
+      leastOver(s.solid->lower, p2, 1.0, from, to, [&](double way) { return height(way, s.side); });
+  const Lowest high =
+      leastOver(s.solid->upper, p2, 1.0, from, to, [&](double way) { return height(way, -s.side); });
+  return {true, beyond, s.start_z + low.value, s.start_z - high.value, along, u, low.u, high.u};
 }
 
 /// A square of the grid as seen by a curve.
@@ -356,7 +387,7 @@ Over turnOver(const ColumnSweep& s, const Square& square, double reach) {
   const double across = (reach * reach - gap * gap) / (4.0 * s.arc_radius * std::max(d, kLeastAcross));
   if (d > square.corner && across < 1.0) {
     const double wide = std::asin(square.corner / d), half = 2.0 * std::asin(std::sqrt(across));
-    const double angle = angleOf(s, qx, qy), past = angle - s.cut_rad;
+    const double angle = angleOf(s, qx, qy, d), past = angle - s.cut_rad;
     if (past >= wide && past <= 2.0 * kPi - wide && half + wide < kPi) {
       from = angle + s.turn_rad - half;
       to = angle + s.turn_rad + half;
@@ -387,18 +418,23 @@ Interval column(const ColumnSweep& s, double x, double y, bool rim) {
 
 }  // namespace
 
+double curvePlace(const ColumnSweep& sweep, double x, double y, double z) {
+  const Interval in = column(sweep, x, y, true);
+  const double low = std::abs(z - in.lo), high = std::abs(in.hi - z), side = std::abs(in.beyond);
+  double u = in.u;
+  if (in.over && std::min(low, high) < side) u = low < high ? in.at_lo : in.at_hi;
+  return sweep.kind == ColumnSweep::Kind::kTurn ? in.middle + 2.0 * std::asin(u) : in.middle + u;
+}
+
 double curveOutside(const ColumnSweep& sweep, double x, double y, double z) {
   const Interval in = column(sweep, x, y, true);
   return std::max({in.lo - z, z - in.hi, in.beyond});
 }
 
-void curveColumns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo,
-                  double* hi) {
-  for (int i = 0; i < count; ++i) {
-    const Interval in = column(sweep, x[i], y[i], false);
-    lo[i] = in.over ? in.lo : kNothing;
-    hi[i] = in.over ? in.hi : -kNothing;
-  }
+void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, double* hi) {
+  const Interval in = column(sweep, x, y, false);
+  *lo = in.over ? in.lo : kNothing;
+  *hi = in.over ? in.hi : -kNothing;
 }
 
 void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low) {

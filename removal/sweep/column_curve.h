@@ -1,17 +1,23 @@
 // Columns and reach of the parts of curves (ColumnSweep::Kind::kTurn and kUpright), one column after the
-// other: the kernels of every SIMD level call the same code. Plain declarations only, see column_types.h.
+// other: the kernels of every SIMD level call the same code for what they have no closed form of. Plain
+// declarations only, see column_types.h.
 #pragma once
 
 #include "removal/sweep/column_types.h"
 
 namespace proveout {
 
-/// As ColumnKernel; error below 1e-8 mm.
-void curveColumns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo,
-                  double* hi);
+/// Least k2 of a column, mm2: those on the axis of a helix are as far from all of it.
+inline constexpr double kLeastAcross = 1e-12;
+
+/// As ColumnKernel for one column; error below 1e-8 mm.
+void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, double* hi);
 /// Above 0 outside, 0 on the surface, below 0 inside; changes steadily along level lines but where the way
 /// comes to be over them, mm.
 double curveOutside(const ColumnSweep& sweep, double x, double y, double z);
+/// Where the tool is when it leaves the surface at a point of it. Turn: angle of the whole way, rad; upright:
+/// the place along (ux, uy) from the center, mm.
+double curvePlace(const ColumnSweep& sweep, double x, double y, double z);
 /// As ReachKernel.
 void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low);
 

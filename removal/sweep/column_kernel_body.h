@@ -3,6 +3,7 @@
 // code for one level can never be taken for another; no operation may be contracted or reassociated.
 #pragma once
 
+#include "removal/sweep/column_angle.h"
 #include "removal/sweep/column_curve.h"
 
 namespace {
@@ -266,12 +267,14 @@ inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, 
   }
 }
 
+#include "removal/sweep/column_curve_body.h"
+
 void columns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
   const int n = (count + 7) & ~7;
   if (sweep.kind == ColumnSweep::Kind::kLine) {
     lineColumns(sweep, x, y, n, lo, hi);
   } else if (sweep.kind == ColumnSweep::Kind::kTurn || sweep.kind == ColumnSweep::Kind::kUpright) {
-    proveout::curveColumns(sweep, x, y, n, lo, hi);
+    curveColumns(sweep, x, y, n, lo, hi);
   } else {
     radialColumns(sweep, x, y, n, lo, hi);
   }

@@ -50,7 +50,10 @@ struct Sweep::CurveSearch {
   CurveSearch(const Sweep& s, const Vec3& point, double above, double within)
       : sweep(s), p(point), cutoff(above), tolerance(within), angle(std::abs(s.arc_.sweep_rad)) {}
 
-  double goal() const { return std::min(best - tolerance - kFarTolerance * std::abs(best), cutoff); }
+  /// Bounds above the cutoff are what is asked for, so that they may not be the cutoff itself.
+  double goal() const {
+    return std::min(best - tolerance - kFarTolerance * std::abs(best), cutoff + tolerance);
+  }
   At consider(double t) {
     const At at = sweep.evaluateCurve(p, t);
     if (at.value < best) {
@@ -63,6 +66,7 @@ struct Sweep::CurveSearch {
   double chordBound(double a, const End& ea, double b, const End& eb) const;
   void leave(double a, double b, double low);
   void push(const Piece& first, const Piece& second);
+  void spans();
   void divide();
 
   void newton(double a, double b, double start, double bend);

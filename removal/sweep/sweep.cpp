@@ -318,7 +318,11 @@ SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance, double& start)
 
 SweepSample Sweep::sample(const Vec3& p) const {
   double bound = 0.0;
-  const auto [t, at] = minimise(p, std::numeric_limits<double>::infinity(), kLineToleranceMm, bound);
+  return withRim(p, minimise(p, std::numeric_limits<double>::infinity(), kLineToleranceMm, bound));
+}
+
+SweepSample Sweep::withRim(const Vec3& p, const Place& place) const {
+  const auto& [t, at] = place;
   // Where a sharp rim of the tool leaves the surface, the distance has a kink in time: just before and just
   // after, different elements are nearest. The surface's normal is the mix of both that is at right angles to
   // the motion.

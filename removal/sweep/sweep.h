@@ -42,6 +42,12 @@ class Sweep {
   /// Distance at `p`. Values above `cutoff` may be returned as any lower bound above `cutoff`.
   double distance(const Vec3& p, double cutoff) const;
   SweepSample sample(const Vec3& p) const;
+  /// The same of a point on the surface of the swept volume, where the solid touches it at about the
+  /// parameter `start`: on curves a short search from there, or that of sample() if it finds no such place.
+  SweepSample sampleOnSurface(const Vec3& p, double start) const;
+  /// Parameter of the place of a curve that lies at the angle of `at` about its axis; on several turns that
+  /// of them which is nearest along the axis.
+  double parameterAt(const Vec3& at) const;
   /// Whether the solid holds both points, and so all between them, at one place of its way; false also where
   /// no place is found.
   bool holds(const Vec3& a, const Vec3& b) const;
@@ -78,6 +84,8 @@ class Sweep {
   };
 
   At evaluate(const Vec3& p, double t) const;
+  bool touch(const Vec3& p, Place& place) const;
+  SweepSample withRim(const Vec3& p, const Place& place) const;
   At evaluateLine(const Vec3& p, double t) const;
   At evaluateCurve(const Vec3& p, double t) const;
   Vec3 position(double t) const;

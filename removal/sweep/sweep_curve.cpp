@@ -1,5 +1,8 @@
 // The nearest place of a solid on a spiral or tilted arc, and on what is left of helices: branch and bound
 // over the path parameter.
+#include <array>
+#include <utility>
+
 #include "removal/sweep/curve_search.h"
 
 namespace proveout {
@@ -10,6 +13,8 @@ namespace {
 const double kSpan = degToRad(30.0);
 /// Spans looked at before the search gives its best value.
 constexpr int kMostSpans = 20000;
+/// Spans that wait; each is half of the one before.
+constexpr int kMostHalves = 64;
 
 }  // namespace
 
@@ -80,6 +85,34 @@ void Sweep::CurveSearch::push(const Piece& first, const Piece& second) {
   add(first_better ? first : second);
 }
 
+/// Spans that are not settled by their boxes, by Newton's method; what it does not settle is left.
+void Sweep::CurveSearch::spans() {
+  struct Span {
+    double a, b, low;
+  };
+  std::array<Span, kMostHalves> open;
+  int count = 0;
+  open[count++] = {0.0, 1.0, sweep.boxBound(p, 0.0, 1.0)};
+  while (count > 0) {
+    const Span span = open[static_cast<std::size_t>(--count)];
+    if (span.low >= goal()) {
+      bound = std::min(bound, span.low);
+      continue;
+    }
+    const double middle = 0.5 * (span.a + span.b);
+    if (angle * (span.b - span.a) <= kSpan || count + 2 > kMostHalves) {
+      const bool in = place.t > span.a && place.t < span.b;
+      newton(span.a, span.b, in ? place.t : middle, sweep.curvature_bound_);
+      continue;
+    }
+    Span first{span.a, middle, std::max(span.low, sweep.boxBound(p, span.a, middle))};
+    Span second{middle, span.b, std::max(span.low, sweep.boxBound(p, middle, span.b))};
+    if (first.low < second.low) std::swap(first, second);
+    open[static_cast<std::size_t>(count++)] = first;  // the better one is looked at first
+    open[static_cast<std::size_t>(count++)] = second;
+  }
+}
+
 void Sweep::CurveSearch::divide() {
   for (int count = 0; size > 0; ++count) {
     Piece piece = stack.pieces[static_cast<std::size_t>(--size)];
@@ -113,9 +146,8 @@ Sweep::Place Sweep::minimiseCurve(const Vec3& p, double cutoff, double tolerance
   if (round_turns_) {
     search.turns(start);
   } else {
-    for (const double t : {0.0, 1.0}) search.end(t);
-    if (start >= 0.0) search.end(start);
-    search.leave(0.0, 1.0, boxBound(p, 0.0, 1.0));
+    for (const double t : {start >= 0.0 ? start : parameterAt(p), 0.0, 1.0}) search.consider(t);
+    search.spans();
     search.divide();
   }
   bound = std::min(search.bound, search.best);

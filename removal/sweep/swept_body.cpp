@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "removal/sweep/column_curve.h"
+
 namespace proveout {
 
 namespace {
 
 /// Least radius of a wall, mm.
 constexpr double kLeastRadius = 1e-9;
+/// Rounding of bounds of a depth, mm.
+constexpr double kDepthSlackMm = 1e-10;
 
 }  // namespace
 
@@ -27,6 +31,26 @@ Sweep SweptBody::sweep() const {
   if (isLevelArc() || isCurvePart()) return *curve_;
   const Vec3 from = sweepStart(columns_);
   return Sweep(*profile_, from, from + sweepWay(columns_), nullptr);
+}
+
+/// The tool's axis at its nearest to the column, level: no nearer than this to any of its places, mm.
+double SweptBody::levelGap(double x, double y) const {
+  const ColumnSweep& c = columns_;
+  const double qx = x - c.x, qy = y - c.y;
+  if (isLevelArc() || c.kind == ColumnSweep::Kind::kTurn)
+    return std::abs(std::sqrt(qx * qx + qy * qy) - c.arc_radius);
+  const double along = qx * c.ux + qy * c.uy, across = qx * c.uy - qy * c.ux;
+  const bool upright = c.kind == ColumnSweep::Kind::kUpright;
+  const double beyond = along - std::clamp(along, upright ? c.first_mm : 0.0, upright ? c.last_mm : c.length);
+  return std::sqrt(across * across + beyond * beyond);
+}
+
+double SweptBody::levelDepth(double x, double y) const {
+  const ColumnSolid& tool = solid();
+  const double gap = levelGap(x, y), in = std::min(gap, tool.radius);
+  // Half of what the solid has above the point's radius and below it.
+  const double half = -0.5 * (tool.upper.height(in) + tool.lower.height(in));
+  return std::min(tool.radius - gap, half) + kDepthSlackMm;
 }
 
 bool SweptBody::holdsEdges(double h, const Vec2& middle, double reach) const {
@@ -57,9 +81,19 @@ std::optional<double> SweptBody::simpleBend(int element) const {
   return 1.0 / std::max(std::min(e.ar, inner), kLeastRadius);
 }
 
+/// Parameter of the whole curve at about which it leaves its surface at a point of this part.
+double SweptBody::startAt(const Vec3& p) const {
+  const ColumnSweep& c = columns_;
+  if (!isCurvePart()) return curve_->parameterAt(sweepStart(c) + 0.5 * sweepWay(c));
+  const double place = curvePlace(c, p.x(), p.y(), p.z());
+  if (c.kind == ColumnSweep::Kind::kTurn) return std::clamp(place / c.way_rad, 0.0, 1.0);
+  const double high = std::sqrt(std::max(0.0, (c.arc_radius - place) * (c.arc_radius + place)));
+  return curve_->parameterAt(Vec3(c.x + place * c.ux, c.y + place * c.uy, c.start_z + c.side * high));
+}
+
 SweptSurface SweptBody::surface(const Vec3& p, int axis, bool below) const {
   if (const auto closed = closedSurface(p, axis, below)) return *closed;
-  const SweepSample sample = curve_ != nullptr ? curve_->sample(p) : sweep().sample(p);
+  const SweepSample sample = curve_ != nullptr ? curve_->sampleOnSurface(p, startAt(p)) : sweep().sample(p);
   return {sample.gradient, sample.element};
 }
 

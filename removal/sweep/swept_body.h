@@ -65,6 +65,9 @@ class SweptBody {
   }
   /// Height up to which the columns under the solid are covered all along its way, mm. Requires a level top.
   double lowestTop() const { return columns_.z + std::min(columns_.rise, 0.0) + solid().z_max; }
+  /// No point of a column is deeper in the solid at any place of its way, mm; for lines, chords and level
+  /// arcs.
+  double levelDepth(double x, double y) const;
   /// Whether a grid edge of length `h` that is no farther than `reach` from `middle` lies in the volume if
   /// both its ends do. All are convex, or bulky enough for that, but arcs that turn around a pillar which is
   /// thinner than the grid, and turns of a helix where their angles begin.
@@ -86,6 +89,9 @@ class SweptBody {
   std::optional<double> simpleBend(int element) const;
 
  private:
+  double levelGap(double x, double y) const;
+  double startAt(const Vec3& p) const;
+
   ColumnSweep columns_;
   const ConvexProfile* profile_ = nullptr;
   const Sweep* curve_ = nullptr;  ///< of the whole curved motion; null for lines
