@@ -12,8 +12,12 @@ namespace {
 
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
-float roundedDown(double value) { return std::nextafter(static_cast<float>(value), -kNowhere); }
-float roundedUp(double value) { return std::nextafter(static_cast<float>(value), kNowhere); }
+/// A float that is less, or more, than a finite value, by two of its last places or three.
+float roundedDown(double value) {
+  const auto near = static_cast<float>(value);
+  return near - 2.0F * std::numeric_limits<float>::epsilon() * std::abs(near);
+}
+float roundedUp(double value) { return -roundedDown(-value); }
 
 StackList allPasses(const PassTable& table, double h) {
   StackList all;
