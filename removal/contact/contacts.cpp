@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -43,7 +44,7 @@ std::vector<Met> groups(const ContactScene& scene, const std::vector<ContactSamp
   const double h = scene.stock.h, unit = kVolumeUnit * h * h * h;
   std::vector<Met> groups;
   for (const ContactSample& sample : samples) {
-    const Pass& pass = scene.table.passes[sample.pass];
+    const Pass& pass = scene.record.table.passes[sample.pass];
     const Motion& motion = scene.path.motions[pass.motion];
     const ContactKind kind = kindOf(scene, pass);
     Met* met = nullptr;
@@ -90,7 +91,7 @@ struct Body {
 std::vector<Body> bodiesOf(const ContactScene& scene, const Met& met) {
   std::map<std::pair<MotionId, const ConvexProfile*>, Body> bodies;
   for (const ContactSample& sample : met.samples) {
-    const Pass& pass = scene.table.passes[sample.pass];
+    const Pass& pass = scene.record.table.passes[sample.pass];
     Body& body = bodies[{pass.motion, &pass.body.profile()}];
     if (body.pass == nullptr) body.pass = &pass;
     body.depth = std::max(body.depth, sample.depth);
@@ -147,11 +148,11 @@ std::vector<std::uint32_t> TipTracer::passes() const {
   const auto& motions = scene_.path.motions;
   const bool spindle_used = startsSpindle(scene_.path);
   std::vector<std::uint32_t> numbers;
-  const auto& passes = scene_.table.passes;
+  const auto& passes = scene_.record.table.passes;
   for (std::uint32_t i = 0; i < passes.size(); ++i) {
     const Pass& pass = passes[i];
     if (!pass.watched || !pass.cuts() || !isPointed(pass.body.profile(), scene_.stock.h)) continue;
-    if (scene_.table.goesOn(i)) continue;  // another chord
+    if (scene_.record.table.goesOn(i)) continue;  // another chord
     const Motion& motion = motions[pass.motion];
     // A spindle that the program never starts is told once, from the samples.
     if (motion.kind != MotionKind::kRapid && !scene_.fixture && !spindle_used) continue;
@@ -165,7 +166,7 @@ std::vector<std::uint32_t> TipTracer::passes() const {
 
 void TipTracer::follow(const StockDepth& stock, std::uint32_t number,
                        std::vector<ContactSample>& samples) const {
-  const Pass& pass = scene_.table.passes[number];
+  const Pass& pass = scene_.record.table.passes[number];
   const Motion& motion = scene_.path.motions[pass.motion];
   const double length = scene_.path.length(motion);
   const SweptCutter* hint = nullptr;
@@ -189,6 +190,13 @@ void TipTracer::follow(const StockDepth& stock, std::uint32_t number,
   leave();
 }
 
+/// Whether no cutter moves from motion `end` on: then the index that the surface needs anyway will do.
+bool isAll(const PassTable& table, MotionId end) {
+  const auto last =
+      std::find_if(table.passes.rbegin(), table.passes.rend(), [](const Pass& pass) { return pass.cuts(); });
+  return last == table.passes.rend() || last->motion < end;
+}
+
 bool isPlaceBefore(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
@@ -200,9 +208,12 @@ std::vector<Contact> gatherContacts(const ContactScene& scene, std::vector<Conta
   const TipTracer tips(scene);
   const std::vector<std::uint32_t> pointed = tips.passes();
   if (samples.empty() && pointed.empty()) return {};
-  MotionId end = pointed.empty() ? 0 : scene.table.passes[pointed.back()].motion + 1;
-  for (const ContactSample& s : samples) end = std::max(end, scene.table.passes[s.pass].motion + 1);
-  const StockDepth stock(scene.stock, scene.blank, scene.table, end);
+  MotionId end = pointed.empty() ? 0 : scene.record.table.passes[pointed.back()].motion + 1;
+  for (const ContactSample& s : samples) end = std::max(end, scene.record.table.passes[s.pass].motion + 1);
+  std::optional<CutterIndex> some;
+  const CutterIndex& cutters =
+      isAll(scene.record.table, end) ? scene.record.cutters() : some.emplace(scene.record.table, end);
+  const StockDepth stock(scene.stock, scene.blank, scene.record.table, cutters);
   std::vector<std::vector<ContactSample>> met_by_tips(pointed.size());
   parallelFor(std::size_t{0}, pointed.size(), [&](std::size_t i) {
     if (!progress.cancelled()) tips.follow(stock, pointed[i], met_by_tips[i]);

@@ -10,12 +10,12 @@
 
 namespace proveout {
 
-/// What contacts are told of. The stock is as it was before the path.
+/// What contacts are told of. The stock is as it was before the path; `record` holds its passes.
 struct ContactScene {
   const Stock::Impl& stock;
   const BlankField* blank;  ///< see StockDepth
   const Toolpath& path;
-  const PassTable& table;
+  const CutRecord& record;
   bool fixture = false;  ///< the stock is a fixture: every touch counts
 };
 

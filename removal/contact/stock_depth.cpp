@@ -14,8 +14,8 @@ constexpr double kDiscShare = 0.75;
 }  // namespace
 
 StockDepth::StockDepth(const Stock::Impl& stock, const BlankField* blank, const PassTable& table,
-                       MotionId end)
-    : stock_(stock), blank_(blank), table_(table), cutters_(table, end) {}
+                       const CutterIndex& cutters)
+    : stock_(stock), blank_(blank), table_(table), cutters_(cutters) {}
 
 StockDepth::Sample StockDepth::at(const Vec3& p, MotionId motion, const SweptCutter*& hint) const {
   Sample best = blank_ != nullptr ? ofBlank(p) : ofBounds(p);

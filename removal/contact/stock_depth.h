@@ -12,10 +12,12 @@ namespace proveout {
 
 class StockDepth {
  public:
-  /// `stock` as it is before the path whose passes are in `table`; only motions below `end` are asked for.
-  /// `blank`: its shape where nothing has been cut from it and there is a closed form, else null: then faces
-  /// are those of the crossings, exact where they are flat. All must outlive this.
-  StockDepth(const Stock::Impl& stock, const BlankField* blank, const PassTable& table, MotionId end);
+  /// `stock` as it is before the path whose passes are in `table` and `cutters`, at the least those of the
+  /// motions that are asked for. `blank`: its shape where nothing has been cut from it and there is a closed
+  /// form, else null: then faces are those of the crossings, exact where they are flat. All must outlive
+  /// this.
+  StockDepth(const Stock::Impl& stock, const BlankField* blank, const PassTable& table,
+             const CutterIndex& cutters);
 
   /// Below 0 outside of the stock: a bound that never tells more than the distance to it. mm.
   struct Sample {
@@ -37,7 +39,7 @@ class StockDepth {
   const Stock::Impl& stock_;
   const BlankField* blank_;
   const PassTable& table_;
-  CutterIndex cutters_;
+  const CutterIndex& cutters_;
 };
 
 }  // namespace proveout

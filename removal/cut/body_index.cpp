@@ -1,15 +1,29 @@
 #include "removal/cut/body_index.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
 
 #include "core/base/assert.h"
+#include "core/base/parallel_for.h"
 
 namespace proveout {
 namespace {
 
 constexpr std::uint32_t kLeafBodies = 8;
+/// Fewer are worked on by one thread.
+constexpr std::uint32_t kAlone = 4096;
+
+/// Nodes of the trees over `count` bodies and over one more.
+std::array<std::uint32_t, 2> nodesOver(std::uint32_t count) {
+  if (count < kLeafBodies) return {1, 1};
+  const auto [half, more] = nodesOver(count / 2);
+  const std::uint32_t uneven = 1 + half + more;
+  if (count % 2 == 1) return {uneven, 1 + 2 * more};
+  return {count == kLeafBodies ? 1 : 1 + 2 * half, uneven};
+}
 
 double distanceTo(const Box3& box, const Vec3& p) {
   return (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero()).norm();
@@ -26,55 +40,72 @@ double signedDistanceTo(const Box3& box, const Vec3& p) {
 Sweep SweptCutter::sweep(const PassTable& table) const { return table.passes[pass].body.wholeSweep(); }
 
 CutterIndex::CutterIndex(const PassTable& table, MotionId end) : table_(table) {
-  std::vector<Box3> boxes;
   for (std::uint32_t i = 0; i < table.passes.size() && table.passes[i].motion < end; ++i) {
     const Pass& pass = table.passes[i];
     if (!pass.cuts()) continue;
     if (table.goesOn(i)) continue;  // another chord
     bodies_.push_back({pass.motion, i});
-    boxes.push_back(bodies_.back().sweep(table).bounds());
   }
-  if (!bodies_.empty()) build(boxes, 0, static_cast<std::uint32_t>(bodies_.size()));
+  // Whoever waits here must not take up work that asks for this index.
+  if (!bodies_.empty()) tbb::this_task_arena::isolate([&] { buildAll(); });
 }
 
-/// Number of the node over the bodies begin..end-1.
-std::uint32_t CutterIndex::build(std::vector<Box3>& boxes, std::uint32_t begin, std::uint32_t end) {
+void CutterIndex::buildAll() {
+  Room room{std::vector<Box3>(bodies_.size()), std::vector<Box3>(bodies_.size()),
+            std::vector<std::uint32_t>(bodies_.size()), std::vector<SweptCutter>(bodies_.size())};
+  parallelFor(std::size_t{0}, bodies_.size(),
+              [&](std::size_t i) { room.boxes[i] = bodies_[i].sweep(table_).bounds(); });
+  const auto count = static_cast<std::uint32_t>(bodies_.size());
+  nodes_.resize(nodesOver(count)[0]);
+  build(room, 0, 0, count);
+}
+
+/// Gives the node over the bodies begin..end-1 its number and makes those below it.
+void CutterIndex::build(Room& room, std::uint32_t number, std::uint32_t begin, std::uint32_t end) {
   PROVEOUT_ASSERT(begin < end);
-  const auto number = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();
   Node node;
   node.begin = begin;
   node.end = end;
   Box3 centers;
   for (std::uint32_t i = begin; i < end; ++i) {
-    node.box.extend(boxes[i]);
-    centers.extend(boxes[i].center());
+    node.box.extend(room.boxes[i]);
+    centers.extend(room.boxes[i].center());
     node.first_motion = std::min(node.first_motion, bodies_[i].motion);
   }
   if (end - begin > kLeafBodies) {
     int axis = 0;
     centers.size().maxCoeff(&axis);
-    std::vector<std::uint32_t> order(end - begin);
-    std::iota(order.begin(), order.end(), begin);
-    const auto middle = order.begin() + (end - begin) / 2;
-    std::nth_element(order.begin(), middle, order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const double ca = boxes[a].center()[axis], cb = boxes[b].center()[axis];
-      return ca != cb ? ca < cb : a < b;
-    });
-    std::vector<SweptCutter> bodies;
-    std::vector<Box3> sorted;
-    for (const std::uint32_t i : order) {
-      bodies.push_back(bodies_[i]);
-      sorted.push_back(boxes[i]);
+    halve(room, axis, begin, end);
+    const std::uint32_t half = begin + (end - begin) / 2, left = number + 1;
+    node.right = left + nodesOver(half - begin)[0];
+    const auto child = [&](int side) {
+      side == 0 ? build(room, left, begin, half) : build(room, node.right, half, end);
+    };
+    if (end - begin > kAlone) {
+      parallelFor(0, 2, child);
+    } else {
+      child(0);
+      child(1);
     }
-    std::copy(bodies.begin(), bodies.end(), bodies_.begin() + begin);
-    std::copy(sorted.begin(), sorted.end(), boxes.begin() + begin);
-    const std::uint32_t half = begin + (end - begin) / 2;
-    build(boxes, begin, half);
-    node.right = build(boxes, half, end);
   }
   nodes_[number] = node;
-  return number;
+}
+
+/// Puts the half of the bodies that is lower on the axis first.
+void CutterIndex::halve(Room& room, int axis, std::uint32_t begin, std::uint32_t end) {
+  const auto order = room.order.begin();
+  std::iota(order + begin, order + end, begin);
+  std::nth_element(order + begin, order + begin + (end - begin) / 2, order + end,
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     const double ca = room.boxes[a].center()[axis], cb = room.boxes[b].center()[axis];
+                     return ca != cb ? ca < cb : a < b;
+                   });
+  for (std::uint32_t i = begin; i < end; ++i) {
+    room.sorted_bodies[i] = bodies_[order[i]];
+    room.sorted[i] = room.boxes[order[i]];
+  }
+  std::copy(room.sorted_bodies.begin() + begin, room.sorted_bodies.begin() + end, bodies_.begin() + begin);
+  std::copy(room.sorted.begin() + begin, room.sorted.begin() + end, room.boxes.begin() + begin);
 }
 
 CutterIndex::Near CutterIndex::nearest(const Vec3& p, MotionId end, double cutoff,

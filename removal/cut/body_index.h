@@ -42,7 +42,15 @@ class CutterIndex {
     std::uint32_t begin = 0, end = 0;   ///< of a leaf: its bodies
     std::uint32_t right = 0;            ///< the other child; the left one follows. 0: a leaf
   };
-  std::uint32_t build(std::vector<Box3>& boxes, std::uint32_t begin, std::uint32_t end);
+  /// What the tree is made in: bounds of the bodies, and copies in a new order.
+  struct Room {
+    std::vector<Box3> boxes, sorted;
+    std::vector<std::uint32_t> order;
+    std::vector<SweptCutter> sorted_bodies;
+  };
+  void buildAll();
+  void build(Room& room, std::uint32_t number, std::uint32_t begin, std::uint32_t end);
+  void halve(Room& room, int axis, std::uint32_t begin, std::uint32_t end);
 
   const PassTable& table_;
   std::vector<SweptCutter> bodies_;

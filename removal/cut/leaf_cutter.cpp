@@ -171,7 +171,6 @@ bool LeafCutter::holdsEdges(const Pass& pass) const {
 /// Notes the edges that the last pass covered whole, level ones if `level`; `quarters` (bits) are those that
 /// it went through.
 void LeafCutter::join(unsigned quarters, bool level) {
-  if (!level && !columns_.undercut) return;
   ColumnWords covered, x, y;
   for (int q = 0; q < 4; ++q) {
     if ((quarters >> q & 1) != 0) cover(q);
@@ -249,16 +248,22 @@ void LeafCutter::startTops(const LeafChange& change) {
 
 void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
+  const bool asked = pass.watched || !pass.cuts() || !hasLevelTop(pass.body, highest_);
+  const unsigned hits = asked ? 15 : hits_(pass.body.columns(), columns_);
+  if (hits == 0) return;
   double sunk = 0.0, low[4];
   reach_(pass.body.columns(), quarters_, low);
   unsigned quarters = 0;
   for (int q = 0; q < 4; ++q) {
     if (low[q] >= quarters_.z_high[q]) continue;
-    sunk += applyQuarter(number, q);
+    if ((hits >> q & 1) != 0) sunk += applyQuarter(number, q);
     quarters |= 1u << q;
   }
   if (sunk <= 0.0) return;
-  join(quarters, holdsEdges(pass));
+  if (const bool level = holdsEdges(pass); level || columns_.undercut) {
+    look(pass, quarters & ~hits);
+    join(quarters, level);
+  }
   takers_[1] = number;
   if (!hasLevelTop(pass.body, end_ + columns_.h)) level_tops_ = false;
   if (sunk > most_sunk_) {
@@ -269,6 +274,17 @@ void LeafCutter::apply(std::uint32_t number) {
   unsigned any = 0;
   for (int c = 0; c < 64; ++c) any |= columns_.material[c];
   columns_.layers = std::bit_width(any);
+}
+
+/// Finds what the pass covers in quarters (bits) that it takes nothing from.
+void LeafCutter::look(const Pass& pass, unsigned quarters) {
+  LeafColumns& l = columns_;
+  for (int q = 0; q < 4; ++q) {
+    if ((quarters >> q & 1) == 0) continue;
+    const int first = q * kQuarter;
+    columns_kernel_(pass.body.columns(), l.x + first, l.y + first, kQuarter, l.lo + first, l.hi + first);
+    covered_ &= ~(1u << q);
+  }
 }
 
 void LeafCutter::cover(int quarter) {

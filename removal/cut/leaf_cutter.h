@@ -46,6 +46,8 @@ class LeafCutter {
         table_(table),
         reader_(impl),
         kernel_(columnKernels().leaf),
+        hits_(columnKernels().hits),
+        columns_kernel_(columnKernels().columns),
         cover_(columnKernels().cover),
         reach_(columnKernels().reach) {}
 
@@ -73,6 +75,7 @@ class LeafCutter {
   bool counts(const StackReach& reach) const;
   void apply(std::uint32_t number);
   double applyQuarter(std::uint32_t number, int quarter);
+  void look(const Pass& pass, unsigned quarters);
   void cover(int quarter);
   void setQuarterTop(int quarter);
   bool holdsEdges(const Pass& pass) const;
@@ -84,6 +87,8 @@ class LeafCutter {
   const PassTable& table_;
   LeafReader reader_;
   LeafKernel kernel_;
+  HitKernel hits_;
+  ColumnKernel columns_kernel_;
   CoverKernel cover_;
   ReachKernel reach_;
   Coord origin_;

@@ -1,19 +1,29 @@
 #include "removal/cut/leaf_stacks.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/parallel_for.h"
 
 namespace proveout {
 namespace {
 
+/// Lists up to such a size are used again; larger ones are few.
+constexpr std::size_t kMostSpare = 1 << 16;
+
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
-float roundedDown(double value) { return std::nextafter(static_cast<float>(value), -kNowhere); }
-float roundedUp(double value) { return std::nextafter(static_cast<float>(value), kNowhere); }
+/// A float that is less, or more, than a finite value, by two of its last places or three.
+float roundedDown(double value) {
+  const auto near = static_cast<float>(value);
+  return near - 2.0F * std::numeric_limits<float>::epsilon() * std::abs(near);
+}
+float roundedUp(double value) { return -roundedDown(-value); }
 
 StackList allPasses(const PassTable& table, double h) {
   StackList all;
@@ -78,13 +88,30 @@ struct LeafStacks::Visit {
   const std::function<bool()>& stopped;
   const Body& body;
   ReachKernel reach;
+  /// Lists that were used. Freed ones would go back to the system and come again as new pages, over and over.
+  tbb::enumerable_thread_specific<std::vector<StackList>> spare;
+
+  StackList take() {
+    std::vector<StackList>& mine = spare.local();
+    if (mine.empty()) return {};
+    StackList list = std::move(mine.back());
+    mine.pop_back();
+    return list;
+  }
+  void giveBack(StackList& list) {
+    StackList used = std::move(list);
+    list = {};
+    used.clear();
+    if (used.capacity() <= kMostSpare) spare.local().push_back(std::move(used));
+  }
 };
 
 void LeafStacks::visit(const PassTable& table, const std::function<bool()>& stopped, const Body& body) {
   spread();
   const int top = static_cast<int>(levels_.size()) - 1;
   if (heightOf(top, 0, 0) == kNone) return;
-  quarter({table, stopped, body, columnKernels().reach}, top, 0, 0, allPasses(table, impl_.h));
+  Visit visit{table, stopped, body, columnKernels().reach, {}};
+  quarter(visit, top, 0, 0, allPasses(table, impl_.h));
 }
 
 /// The four quarters of a square, whose level is one lower.
@@ -103,7 +130,7 @@ FourBlocks LeafStacks::blocksOf(int level, int x, int y) const {
   return blocks;
 }
 
-void LeafStacks::quarter(const Visit& visit, int level, int x, int y, const StackList& list) const {
+void LeafStacks::quarter(Visit& visit, int level, int x, int y, const StackList& list) const {
   if (visit.stopped()) return;
   if (level == 0) {
     visit.body(low_.offsetBy(8 * x, 8 * y, 0), list);
@@ -111,6 +138,10 @@ void LeafStacks::quarter(const Visit& visit, int level, int x, int y, const Stac
   }
   const FourBlocks blocks = blocksOf(level, x, y);
   std::array<StackList, 4> lists;
+  for (StackList& own : lists) {
+    own = visit.take();
+    own.reserve(list.size() / 3);
+  }
   for (const StackReach& reach : list) {
     double low[4];
     visit.reach(visit.table.passes[reach.pass].body.columns(), blocks, low);
@@ -122,7 +153,7 @@ void LeafStacks::quarter(const Visit& visit, int level, int x, int y, const Stac
   const auto child = [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     if (blocks.z_high[i] > kNone) quarter(visit, level - 1, 2 * x + (i & 1), 2 * y + (i >> 1), lists[at]);
-    StackList().swap(lists[at]);
+    visit.giveBack(lists[at]);
   };
   if (level >= 2) {
     parallelFor(0, 4, child);

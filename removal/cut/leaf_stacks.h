@@ -59,7 +59,7 @@ class LeafStacks {
   struct Visit;
   void spread();
   float heightOf(int level, int x, int y) const;
-  void quarter(const Visit& visit, int level, int x, int y, const StackList& list) const;
+  void quarter(Visit& visit, int level, int x, int y, const StackList& list) const;
   FourBlocks blocksOf(int level, int x, int y) const;
   const Stock::Impl& impl_;
   Coord low_, end_;

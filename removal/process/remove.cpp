@@ -288,7 +288,7 @@ Status Remover::run() {
   });
   if (over_limit_) return memoryError(bytes_ * 1.5, limit_bytes_, impl_.h);
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  found_contacts_ = gatherContacts({impl_, blank_.get(), path_, table_, watch_all_},
+  found_contacts_ = gatherContacts({impl_, blank_.get(), path_, *record_, watch_all_},
                                    {contacts_.begin(), contacts_.end()}, progress_);
   commit();
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};

@@ -2,6 +2,6 @@
 
 namespace proveout {
 
-ColumnKernels avx512Kernels() { return {columns, leafColumns, cover, reachFour, "avx512"}; }
+ColumnKernels avx512Kernels() { return {columns, leafColumns, leafHits, cover, reachFour, "avx512"}; }
 
 }  // namespace proveout

@@ -2,6 +2,6 @@
 
 namespace proveout {
 
-ColumnKernels baselineKernels() { return {columns, leafColumns, cover, reachFour, "baseline"}; }
+ColumnKernels baselineKernels() { return {columns, leafColumns, leafHits, cover, reachFour, "baseline"}; }
 
 }  // namespace proveout

@@ -342,6 +342,46 @@ double leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, int qu
   return lowerTops(leaf, quarter);
 }
 
+/// A hit's squared distance may be off by rounding, mm2; beyond such a slope by more.
+constexpr double kHitSlack = 1e-7, kHitSlope = 100.0;
+
+/// A top is below lo just where it lies outside of the capsule that the ball's middle moves along the axis
+/// of, and below the middle: that takes no root. Most passes that come near a leaf take nothing from it.
+unsigned leafHits(const ColumnSweep& sweep, const proveout::LeafColumns& leaf) {
+  const proveout::ColumnSolid& tool = *sweep.solid;
+  const double fx = sweep.x, fy = sweep.y, ux = sweep.ux, uy = sweep.uy;
+  const double length = sweep.length, slope = sweep.slope, lift = sweep.z + tool.radius;
+  if (sweep.kind != ColumnSweep::Kind::kLine || !tool.ball || slope * slope > kHitSlope * kHitSlope)
+    return 15;
+  const double bottom = leaf.z[0];
+  const double toward = -slope / (1.0 + slope * slope), within = tool.radius * tool.radius + kHitSlack;
+  unsigned hits = 0;
+  for (int q = 0; q < 4; ++q) {
+    const double* __restrict x = leaf.x + q * kQuarter;
+    const double* __restrict y = leaf.y + q * kQuarter;
+    const double* __restrict top = leaf.top + q * kQuarter;
+    double gap2[kQuarter];
+#pragma GCC unroll 1
+    for (int i = 0; i < kQuarter; ++i) {
+      const double qx = x[i] - fx, qy = y[i] - fy;
+      const double along = qx * ux + qy * uy, across = qx * uy - qy * ux;
+      // Of the middle: from the top's height up, where it is over the column, and where it is nearest to the
+      // top.
+      const double up = lift + slope * along - top[i], beyond = length - along;
+      const double s = least(most(toward * up, -along), beyond), rise = up + slope * s;
+      const double level = least(most(0.0, -along), beyond);
+      const double near = rise > 0.0 ? s * s + rise * rise : level * level;
+      gap2[i] = top[i] > bottom ? near + across * across : kNothing;
+    }
+    double nearest[8];
+    for (int i = 0; i < 8; ++i) nearest[i] = least(gap2[i], gap2[i + 8]);
+    for (int i = 0; i < 4; ++i) nearest[i] = least(nearest[i], nearest[i + 4]);
+    const double all = least(least(nearest[0], nearest[1]), least(nearest[2], nearest[3]));
+    hits |= all < within ? 1u << q : 0u;
+  }
+  return hits;
+}
+
 /// Squared level distance of the tool's axis from the middles of the blocks, and the range of the tip's rise
 /// while it can be over them.
 inline void approach(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double reach,

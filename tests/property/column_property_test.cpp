@@ -289,5 +289,40 @@ TEST_F(Columns, EveryLevelGivesTheSameBits) {
   }
 }
 
+/// The test without roots: where it says no, no top sinks; for balls it seldom says more than that.
+TEST_F(Columns, HitsLeaveOutOnlyWhatTakesNothing) {
+  int sinking = 0, said = 0;
+  for (const char* text : {"1=ball:6", "2=ball:2.5", "3=flat:6", "4=bull:8:1.5"}) {
+    Tool tool = parseToolOption(text).value();
+    tool.flute_length = 40.0;
+    const ConvexProfile profile = makeToolSolid(tool).cutter.front();
+    const ColumnSolid solid = columnSolid(profile);
+    for (int round = 0; round < 4000; ++round) {
+      const Case c = round % 8 == 3 ? arcCase(profile, solid) : lineCase(profile, solid, round % 8);
+      LeafColumns leaf{};
+      const double left = random(-8, 8), front = random(-8, 8), top = random(-4, 6);
+      for (int i = 0; i < 64; ++i) {
+        leaf.x[leafColumn(i / 8, i % 8)] = left + 0.1 * (i / 8);
+        leaf.y[leafColumn(i / 8, i % 8)] = front + 0.1 * (i % 8);
+        leaf.top[i] = top - random(0, 0.5);
+      }
+      leaf.z[0] = top - 0.4;  // some columns are empty
+      for (int i = 0; i < 64; ++i) leaf.top[i] = std::max(leaf.top[i], leaf.z[0]);
+      leaf.h = 0.1;
+      const bool counts = solid.ball && c.columns.kind == ColumnSweep::Kind::kLine;
+      const unsigned hits = levels()[0].hits(c.columns, leaf);
+      for (const ColumnKernels& level : levels()) ASSERT_EQ(level.hits(c.columns, leaf), hits) << level.name;
+      for (int q = 0; q < 4; ++q) {
+        const bool sinks = columnKernels().leaf(c.columns, leaf, q) > 0.0;
+        ASSERT_TRUE(!sinks || (hits >> q & 1) != 0) << text << ' ' << round;
+        sinking += sinks && counts;
+        said += (hits >> q & 1) != 0 && counts;
+      }
+    }
+  }
+  EXPECT_GT(sinking, 1000);
+  EXPECT_LT(said, 1.01 * sinking);
+}
+
 }  // namespace
 }  // namespace proveout
