@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "core/base/assert.h"
 #include "core/geometry/types.h"
@@ -34,7 +33,7 @@ constexpr double kNothing = std::numeric_limits<double>::infinity();
 /// A stretch is settled where nothing on it is lower than the best by more, mm.
 constexpr double kSettledMm = 1e-11;
 /// Newton's method stops behind a step this small, mm: what follows is off by its square.
-constexpr double kStepMm = 1e-7;
+constexpr double kStepMm = 1e-6;
 /// Stretches this short in u hold no more than their ends.
 constexpr double kShortest = 1e-10;
 constexpr int kMostRounds = 80;
@@ -45,10 +44,16 @@ constexpr int kMostStretches = 48;
 
 double root(double a) { return std::sqrt(std::max(a, 0.0)); }
 
+/// Where a sum stops to fall on a piece, and from where on it falls again.
+struct Roots {
+  double rises = kNothing, again = kNothing;
+};
+
 /// Height on one side of u = 0, v = |u|.
 struct TurnHeight {
   double steep;  ///< twice the rise a radian, away from v = 0
   bool climbs() const { return steep >= 0.0; }
+  static constexpr bool bendsUp() { return false; }
   double value(double v) const { return steep == 0.0 ? 0.0 : steep * arcSine(std::min(v, 1.0)); }
   double least(double a, double b) const { return value(steep < 0.0 ? b : a); }
   double slope(double v) const { return steep == 0.0 ? 0.0 : steep / root(1.0 - v * v); }
@@ -60,18 +65,16 @@ struct TurnHeight {
   double leastBend(double a, double) const { return std::abs(bend(a)); }
   /// Where the way is as steep as a cone or sphere, of which the sum falls up to the first place, and again
   /// behind the second: see column_curve_body.h.
-  struct Roots {
-    double rises = kNothing, again = kNothing;
-  };
-  Roots roots(const Piece& piece, double p2, double k2) const {
+  bool roots(const Piece& piece, double p2, double k2, Roots& out) const {
     const bool ball = piece.kind == PieceKind::kArc;
     const double rise_k = ball ? 1.0 : piece.slope * piece.slope * k2, steep2 = steep * steep;
     const double middle = ball ? k2 + steep2 : rise_k - steep2;
     const double last = ball ? steep2 * (piece.radius * piece.radius - p2) / k2 : steep2 * p2 / k2;
     const double first = ball ? k2 : rise_k, inner = middle * middle - 4.0 * first * last;
-    if (!(middle > 0.0 && inner >= 0.0)) return {};
+    if (!(middle > 0.0 && inner >= 0.0)) return true;
     const double sum = middle + std::sqrt(inner);
-    return {std::sqrt(2.0 * last / sum), std::sqrt(0.5 * sum / first)};
+    out = {std::sqrt(2.0 * last / sum), std::sqrt(0.5 * sum / first)};
+    return true;
   }
 };
 
@@ -79,6 +82,7 @@ struct UprightHeight {
   double at, way;       ///< place from the center at v = 0, mm; +1, -1: how it goes with v
   double radius, side;  ///< of the circle; -1: lower half, +1: upper
   static constexpr bool climbs() { return false; }
+  bool bendsUp() const { return side < 0.0; }
   double half(double x) const { return root((radius - x) * (radius + x)); }
   double value(double v) const { return side * half(at + way * v); }
   double least(double a, double b) const { return side < 0.0 ? -radius : std::min(value(a), value(b)); }
@@ -93,6 +97,19 @@ struct UprightHeight {
   double leastBend(double a, double b) const {
     const double xa = at + way * a, xb = at + way * b;
     return xa * xb <= 0.0 ? 1.0 / radius : std::min(std::abs(bend(a)), std::abs(bend(b)));
+  }
+  /// With a disc on the lower half of the circle, and with a sphere, there is one such place or none.
+  bool roots(const Piece& piece, double p2, double, Roots& out) const {
+    const bool lower = side < 0.0;
+    if (piece.kind == PieceKind::kLevel && lower) {
+      out.rises = -way * at;
+      return true;
+    }
+    if (piece.kind != PieceKind::kArc) return false;
+    const double w = root(piece.radius * piece.radius - p2);
+    if (!lower && std::abs(at) >= radius - w) return false;
+    out.rises = lower ? -way * at * w / (radius + w) : way * at * w / (radius - w);
+    return true;
   }
 };
 
@@ -216,13 +233,11 @@ class Least {
   bool shrink(double& from, double& to) const {
     if (from == to) return true;
     if (piece_->kind == PieceKind::kArc && piece_->rc != 0.0) return false;
-    if constexpr (std::is_same_v<Height, TurnHeight>) {
-      const TurnHeight::Roots roots = height_.roots(*piece_, p2_, k2_);
-      if (roots.again >= to) {
-        from = to = std::clamp(roots.rises, from, to);
-        return true;
-      }
+    if (Roots roots; height_.roots(*piece_, p2_, k2_, roots) && roots.again >= to) {
+      from = to = std::clamp(roots.rises, from, to);
+      return true;
     }
+    if (height_.bendsUp()) return false;  // convex: Newton's method finds it at once
     double steep_from = -height_.slope(from), steep_to = -height_.slope(to);
     for (int round = 0; round < kMostShrinks; ++round) {
       const double least = std::min(steep_from, steep_to), most = std::max(steep_from, steep_to);
@@ -325,11 +340,48 @@ double angleOf(const ColumnSweep& s, double qx, double qy, double d) {
   return turnAngle(qx * s.ux + qy * s.uy, s.turn * (s.ux * qy - s.uy * qx), d, s.cut_rad);
 }
 
-/// `rim`: of columns that the tool is nowhere over, too.
-Interval turnColumn(const ColumnSweep& s, double x, double y, bool rim) {
+/// What is asked of a column.
+struct Asked {
+  bool rim = false;  ///< of columns that the tool is nowhere over, too
+  bool all = true;   ///< both ends; else only how far the height z is outside
+  double z = 0.0;
+};
+
+/// Finds the ends of a column that the tool is over; `base`: its height from which they are found, `tip`: its
+/// height at the place in.u, where the column holds at least what the tool does. An end stays there if it
+/// does not decide what is asked.
+template <typename FindLow, typename FindHigh>
+void findEnds(const ColumnSolid& solid, const Asked& asked, double base, double tip, Interval& in,
+              const FindLow& find_low, const FindHigh& find_high) {
+  const double r = std::min(solid.radius + in.beyond, solid.radius), z = asked.z;
+  in.over = true;
+  in.at_lo = in.at_hi = in.u;
+  in.lo = tip + solid.lower.height(r);
+  in.hi = tip - solid.upper.height(r);
+  // Nothing less can be the answer.
+  double known = asked.all ? -kNothing : in.beyond;
+  const auto low = [&] {
+    if (in.lo - z <= known) return;
+    const Lowest found = find_low();
+    in.lo = base + found.value, in.at_lo = found.u;
+    if (!asked.all) known = std::max(known, in.lo - z);
+  };
+  const auto high = [&] {
+    if (z - in.hi <= known) return;
+    const Lowest found = find_high();
+    in.hi = base - found.value, in.at_hi = found.u;
+    if (!asked.all) known = std::max(known, z - in.hi);
+  };
+  const bool low_first = in.lo - z >= z - in.hi;
+  if (low_first) low();
+  high();
+  if (!low_first) low();
+}
+
+Interval turnColumn(const ColumnSweep& s, double x, double y, const Asked& asked) {
   const double qx = x - s.x, qy = y - s.y, radius = s.solid->radius;
   const double d = std::sqrt(qx * qx + qy * qy), gap = std::abs(d - s.arc_radius);
-  if (gap >= radius && !rim) return {};
+  if (gap >= radius && !asked.rim) return {};
   const double nearest = angleOf(s, qx, qy, d) + s.turn_rad;
   const double first = std::max(-kPi, -nearest), last = std::min(kPi, s.way_rad - nearest);
   if (first >= last) return {};
@@ -338,20 +390,24 @@ Interval turnColumn(const ColumnSweep& s, double x, double y, bool rim) {
   const double p2 = gap * gap, k2 = std::max(4.0 * s.arc_radius * d, kLeastAcross);
   const double reach = std::min(1.0, root((radius * radius - p2) / k2));
   // The sine of half an angle of the half circle is no less than the angle by pi.
-  const double start = -first >= kPi * reach && !rim ? -reach : std::sin(0.5 * first),
-               end = last >= kPi * reach && !rim ? reach : std::sin(0.5 * last),
+  const double start = -first >= kPi * reach && !asked.rim ? -reach : std::sin(0.5 * first),
+               end = last >= kPi * reach && !asked.rim ? reach : std::sin(0.5 * last),
                u = std::clamp(0.0, start, end);
   const double from = std::max(start, -reach), to = std::min(end, reach);
   const double beyond = std::sqrt(p2 + k2 * u * u) - radius;
-  if (from >= to) return beside(*s.solid, beyond, base + 2.0 * s.slope * std::asin(u), nearest, u);
-  const Lowest low = leastOver(s.solid->lower, p2, k2, from, to,
-                               [&](double way) { return TurnHeight{2.0 * way * s.slope}; });
-  const Lowest high = leastOver(s.solid->upper, p2, k2, from, to,
-                                [&](double way) { return TurnHeight{-2.0 * way * s.slope}; });
-  return {true, beyond, base + low.value, base - high.value, nearest, u, low.u, high.u};
+  const double tip = u == 0.0 ? base : base + 2.0 * s.slope * std::asin(u);
+  if (from >= to) return beside(*s.solid, beyond, tip, nearest, u);
+  Interval in{.beyond = beyond, .middle = nearest, .u = u};
+  const auto find = [&](const ColumnBoundary& boundary, double slope) {
+    return leastOver(boundary, p2, k2, from, to, [&](double way) { return TurnHeight{2.0 * way * slope}; });
+  };
+  findEnds(
+      *s.solid, asked, base, tip, in, [&] { return find(s.solid->lower, s.slope); },
+      [&] { return find(s.solid->upper, -s.slope); });
+  return in;
 }
 
-Interval uprightColumn(const ColumnSweep& s, double x, double y) {
+Interval uprightColumn(const ColumnSweep& s, double x, double y, const Asked& asked) {
   const double qx = x - s.x, qy = y - s.y, radius = s.solid->radius;
   const double along = qx * s.ux + qy * s.uy, across = qx * s.uy - qy * s.ux;
   const double p2 = across * across, reach = root(radius * radius - p2);
@@ -359,14 +415,17 @@ Interval uprightColumn(const ColumnSweep& s, double x, double y) {
   const double from = std::max(s.first_mm - along, -reach), to = std::min(s.last_mm - along, reach);
   const double beyond = std::sqrt(p2 + u * u) - radius;
   const auto height = [&](double way, double side) { return UprightHeight{along, way, s.arc_radius, side}; };
-  if (from >= to) {
-    return beside(*s.solid, beyond, s.start_z + height(1.0, s.side).value(u), along, u);
-  }
-  const Lowest low =
-      leastOver(s.solid->lower, p2, 1.0, from, to, [&](double way) { return height(way, s.side); });
-  const Lowest high =
-      leastOver(s.solid->upper, p2, 1.0, from, to, [&](double way) { return height(way, -s.side); });
-  return {true, beyond, s.start_z + low.value, s.start_z - high.value, along, u, low.u, high.u};
+  if (from >= to && !asked.rim) return {};
+  const double tip = s.start_z + height(1.0, s.side).value(u);
+  if (from >= to) return beside(*s.solid, beyond, tip, along, u);
+  Interval in{.beyond = beyond, .middle = along, .u = u};
+  const auto find = [&](const ColumnBoundary& boundary, double side) {
+    return leastOver(boundary, p2, 1.0, from, to, [&](double way) { return height(way, side); });
+  };
+  findEnds(
+      *s.solid, asked, s.start_z, tip, in, [&] { return find(s.solid->lower, s.side); },
+      [&] { return find(s.solid->upper, -s.side); });
+  return in;
 }
 
 /// A square of the grid as seen by a curve.
@@ -412,14 +471,14 @@ Over uprightOver(const ColumnSweep& s, const Square& square, double reach) {
   return {s.start_z + std::min({a, b, m}), s.start_z + std::max({a, b, m}), std::sqrt(gap2)};
 }
 
-Interval column(const ColumnSweep& s, double x, double y, bool rim) {
-  return s.kind == ColumnSweep::Kind::kTurn ? turnColumn(s, x, y, rim) : uprightColumn(s, x, y);
+Interval column(const ColumnSweep& s, double x, double y, const Asked& asked) {
+  return s.kind == ColumnSweep::Kind::kTurn ? turnColumn(s, x, y, asked) : uprightColumn(s, x, y, asked);
 }
 
 }  // namespace
 
 double curvePlace(const ColumnSweep& sweep, double x, double y, double z) {
-  const Interval in = column(sweep, x, y, true);
+  const Interval in = column(sweep, x, y, {.rim = true});
   const double low = std::abs(z - in.lo), high = std::abs(in.hi - z), side = std::abs(in.beyond);
   double u = in.u;
   if (in.over && std::min(low, high) < side) u = low < high ? in.at_lo : in.at_hi;
@@ -427,12 +486,12 @@ double curvePlace(const ColumnSweep& sweep, double x, double y, double z) {
 }
 
 double curveOutside(const ColumnSweep& sweep, double x, double y, double z) {
-  const Interval in = column(sweep, x, y, true);
+  const Interval in = column(sweep, x, y, {.rim = true, .all = false, .z = z});
   return std::max({in.lo - z, z - in.hi, in.beyond});
 }
 
 void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, double* hi) {
-  const Interval in = column(sweep, x, y, false);
+  const Interval in = column(sweep, x, y, {});
   *lo = in.over ? in.lo : kNothing;
   *hi = in.over ? in.hi : -kNothing;
 }

@@ -15,8 +15,8 @@ constexpr int kMostRounds = 12;
 constexpr double kGainMm = 1e-10;
 /// And at once where the solid is as near as this, mm: as near as other searches come.
 constexpr double kThereMm = 0.1 * kSweepToleranceMm;
-/// A point this near to the solid is touched by it, mm.
-constexpr double kTouchedMm = 1e-6;
+/// A point this near to the solid is touched by it, mm: points of chords are off the curve by half of it.
+constexpr double kTouchedMm = 1e-4;
 
 }  // namespace
 
@@ -48,7 +48,8 @@ bool Sweep::touch(const Vec3& p, Place& place) const {
     if (at_end) return std::abs(place.at.value) < kTouchedMm;
     (slope < 0.0 ? low : high) = place;
     (slope < 0.0 ? low_known : high_known) = true;
-    double next = place.at.bend > 0.0 ? t - slope / place.at.bend : (slope < 0.0 ? 2.0 : -1.0);
+    // Where the solid comes over the point with its rim, a little more than the way that is left at this rate.
+    double next = t - (place.at.bend > 0.0 ? slope / place.at.bend : kOvershoot * place.at.value / slope);
     next = std::clamp(next, low_known ? low.t : 0.0, high_known ? high.t : 1.0);
     if (low_known && high_known && (next == low.t || next == high.t)) {
       const double meet = low.at.value - high.at.value + high.at.slope * (high.t - low.t);
@@ -56,7 +57,7 @@ bool Sweep::touch(const Vec3& p, Place& place) const {
       if (!(next > low.t && next < high.t)) next = 0.5 * (low.t + high.t);
     }
     if (std::abs(slope * (next - t)) < kGainMm) return std::abs(place.at.value) < kTouchedMm;
-    if (place.at.bend <= 0.0 && !(low_known && high_known)) return false;
+    if (place.at.bend <= 0.0 && place.at.value < 0.0 && !(low_known && high_known)) return false;
     t = next;
   }
   return false;

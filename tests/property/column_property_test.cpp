@@ -250,6 +250,34 @@ std::vector<ColumnKernels> levels() {
   return out;
 }
 
+TEST_F(CurveColumns, EveryLevelGivesTheSameBits) {
+  if (levels().size() == 1) GTEST_SKIP() << "this machine has the baseline level only";
+  int over = 0;
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int round = 0; round < 40; ++round) {
+      const Curve c = round % 3 == 2 ? upright() : helix(round);
+      for (int i = 0; i < 64; ++i) x_[i] = c.from.x() + random(-14, 14), y_[i] = c.from.y() + random(-14, 14);
+      for (const ColumnSweep& part : round % 3 == 2 ? columnUprights(solid, c.from, c.to, c.arc)
+                                                    : columnTurns(solid, c.from, c.to, c.arc)) {
+        levels()[0].columns(part, x_, y_, 64, lo_, hi_);
+        for (int i = 0; i < 64; ++i) over += lo_[i] < hi_[i] ? 1 : 0;
+        for (const ColumnKernels& level : levels()) {
+          double lo[64], hi[64];
+          level.columns(part, x_, y_, 64, lo, hi);
+          for (int i = 0; i < 64; ++i) {
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(lo[i]), std::bit_cast<std::uint64_t>(lo_[i]))
+                << level.name;
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(hi[i]), std::bit_cast<std::uint64_t>(hi_[i]))
+                << level.name;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(over, 5000);
+}
+
 TEST_F(Columns, EveryLevelGivesTheSameBits) {
   if (levels().size() == 1) GTEST_SKIP() << "this machine has the baseline level only";
   for (const ConvexProfile& profile : profiles()) {

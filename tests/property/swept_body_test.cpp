@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <string>
 
 #include "core/tool/tool_solid.h"
 #include "tests/property/random_moves.h"
@@ -99,6 +101,79 @@ TEST_P(SweptBodySurfaces, NormalsAreThoseOfTheSweep) {
 
 INSTANTIATE_TEST_SUITE_P(Ends, SweptBodySurfaces, ::testing::Values("1=flat:6", "2=ball:6"),
                          [](const auto& param) { return param.index == 0 ? "Flat" : "Ball"; });
+
+/// Parts of helices and of upright arcs: a step along the normal from where a column enters or leaves the
+/// volume leads away from all of the curve, but where another part of it is near.
+class CurveSurfaces : public ::testing::TestWithParam<const char*> {
+ protected:
+  double random(double low, double high) { return moves_.number(low, high); }
+
+  struct Curve {
+    Vec3 from, to;
+    ArcGeometry arc;
+  };
+  Curve curve(bool helix) {
+    Curve c;
+    c.from = moves_.point();
+    const double radius = random(4.0, 15.0), start = random(0.0, 6.28), turned = random(0.0, 6.28);
+    c.arc.normal = helix ? Vec3(0, 0, 1) : Vec3(std::cos(turned), std::sin(turned), 0.0);
+    c.arc.sweep_rad = random(-6.0, 6.0);
+    const Vec3 u = helix ? Vec3(1, 0, 0) : Vec3(-c.arc.normal.y(), c.arc.normal.x(), 0.0);
+    const Vec3 v = c.arc.normal.cross(u);
+    const auto out = [&](double a) -> Vec3 { return radius * (std::cos(a) * u + std::sin(a) * v); };
+    c.arc.center = c.from - out(start);
+    c.to = c.arc.center + out(start + c.arc.sweep_rad) + (helix ? random(-3.0, 3.0) : 0.0) * c.arc.normal;
+    return c;
+  }
+
+  void check(const SweptBody& body, const Sweep& exact, const Vec3& p, bool below) {
+    const double there = exact.distance(p, 1e300);
+    ASSERT_LT(there, 1e-7);
+    if (there < -1e-6) return;  // covered by another part
+    const SweptSurface surface = body.surface(p, 2, below);
+    EXPECT_NEAR(surface.normal.norm(), 1.0, 1e-12);
+    EXPECT_EQ(surface.normal.z() <= 1e-9, below || surface.normal.z() == 0.0);
+    ++known_;
+    // Bent surfaces and rims between the parts of a tool: most, and none by much.
+    exact_ += exact.distance(p + kStepMm * surface.normal, 1e300) > (1.0 - 1e-3) * kStepMm ? 1 : 0;
+  }
+
+  test::RandomMoves moves_{11};
+  int known_ = 0, exact_ = 0;
+};
+
+TEST_P(CurveSurfaces, NormalsLeadAwayFromTheCurve) {
+  Tool tool = parseToolOption(GetParam()).value();
+  tool.flute_length = 15.0;
+  for (const ConvexProfile& profile : makeToolSolid(tool).cutter) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 300; ++i) {
+      const Curve c = curve(i % 2 == 0);
+      const Sweep exact(profile, c.from, c.to, &c.arc);
+      for (const ColumnSweep& part : i % 2 == 0 ? columnTurns(solid, c.from, c.to, c.arc)
+                                                : columnUprights(solid, c.from, c.to, c.arc)) {
+        std::array<double, 8> x{}, y{}, lo{}, hi{};
+        for (std::size_t k = 0; k < 8; ++k)
+          x[k] = c.from.x() + random(-9, 9), y[k] = c.from.y() + random(-9, 9);
+        columnKernels().columns(part, x.data(), y.data(), 8, lo.data(), hi.data());
+        const SweptBody body(profile, part, exact);
+        for (std::size_t k = 0; k < 8; ++k) {
+          if (lo[k] >= hi[k]) continue;
+          check(body, exact, {x[k], y[k], lo[k]}, true);
+          check(body, exact, {x[k], y[k], hi[k]}, false);
+          if (HasFailure()) FAIL() << "case " << i;
+        }
+      }
+    }
+  }
+  EXPECT_GT(known_, 300);
+  EXPECT_GT(exact_, 0.99 * known_);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tools, CurveSurfaces,
+                         ::testing::Values("1=flat:6", "2=ball:6", "3=bull:8:1.5", "4=cone:6:0.4:60",
+                                           "5=lollipop:6:3"),
+                         [](const auto& param) { return std::to_string(param.index); });
 
 TEST(SweptBodySurface, OtherToolsAndArcsHaveNone) {
   Tool tool = parseToolOption("1=bull:8:1.5").value();

@@ -195,6 +195,26 @@ TEST(ContactDepth, AShankInItsOwnSlot) {
   }
 }
 
+/// The volume in the way counts once, however the curve is taken apart: it is at most that of a ring. Ahead of the
+/// end the shank stands in the full material, a mm beyond the flutes, which end 3 mm below its top: the deepest point
+/// there is as far from both.
+TEST(ContactDepth, AShankOnAHelixMeetsNoMoreThanThereIs) {
+  Tool t = tool("1=flat:6");
+  t.flute_length = 4;
+  t.shank_diameter = 8;
+  t.overall_length = 12;
+  for (const double grid : {0.25, 0.5}) {
+    PathMaker p;
+    p.arc({26, 15, 0}, {20, 15, 0}, Vec3::UnitZ(), 360.0, -7.0);
+    const Contact contact = onlyContact(kBlank, p.path(), {t}, grid);
+    EXPECT_EQ(contact.kind, ContactKind::kShank);
+    EXPECT_NEAR(contact.depth_mm, 5.0 / 3.0, kExact) << grid;
+    constexpr double kRing = kPi * (10.0 * 10.0 - 2.0 * 2.0) * 3.0;
+    EXPECT_LT(contact.volume_mm3, kRing) << grid;
+    EXPECT_GT(contact.volume_mm3, 0.02 * kRing) << grid;
+  }
+}
+
 TEST(ContactDepth, InAStockThatWasTurnedOver) {
   for (const double grid : kGrids) {
     RemovalOptions options;
