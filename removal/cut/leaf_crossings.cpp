@@ -105,31 +105,38 @@ LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edg
                                   const std::vector<Crossing>& before, std::span<const Reach> list) {
   struct Film {
     Vec3 p;
-    std::size_t beyond, beyond_end;  ///< into beyond_
+    Coord start;
+    int axis;
+    bool material_first;
   };
   PROVEOUT_ASSERT(before.size() == change.before.count);
   std::vector<Film> films;
   std::vector<Vec3> points;
-  beyond_.clear();
-  SampleReader read(impl_);
   std::size_t next = 0;
   forEachEdge(change.before, [&](int axis, int x, int y, int z) {
     const Crossing& old = before[next++];
     if (edges.isCrossed(axis, x, y, z) || leafSample(change.material, x, y, z)) return;
     const Coord start = change.origin.offsetBy(x, y, z);
     const bool material_first = old.normal[axis] > 0;
-    Film film{impl_.position(start), beyond_.size(), 0};
+    Film film{impl_.position(start), start, axis, material_first};
     film.p[axis] += (material_first ? std::max(0.0, old.t - kFilm) : std::min(1.0, old.t + kFilm)) * impl_.h;
-    addBeyond(read, start, axis, material_first, film.p);
-    film.beyond_end = beyond_.size();
     films.push_back(film);
     points.push_back(film.p);
   });
-  const std::vector<char> bare = barePoints(points, list), bare_beyond = barePoints(beyond_, list);
+  const std::vector<char> bare = barePoints(points, list);
+  SampleReader read(impl_);
+  beyond_.clear();
+  std::vector<std::array<std::size_t, 2>> beyond(films.size());  // of bare films, into beyond_
+  for (std::size_t i = 0; i < films.size(); ++i) {
+    beyond[i][0] = beyond_.size();
+    if (bare[i] != 0) addBeyond(read, films[i].start, films[i].axis, films[i].material_first, films[i].p);
+    beyond[i][1] = beyond_.size();
+  }
+  const std::vector<char> bare_beyond = barePoints(beyond_, list);
   LostFilm lost;
   for (std::size_t i = 0; i < films.size(); ++i) {
     bool film = bare[i] != 0;
-    for (std::size_t k = films[i].beyond; film && k < films[i].beyond_end; ++k)
+    for (std::size_t k = beyond[i][0]; film && k < beyond[i][1]; ++k)
       film = bare_beyond[k] != 0 && impl_.blank.overlaps({beyond_[k], beyond_[k]});
     if (film && lost.edges++ == 0) lost.where = films[i].p;
   }

@@ -52,6 +52,15 @@ LostFilm ThinWallFinder::find(const LeafChange& change, const LeafEdges& edges, 
   return lost;
 }
 
+bool ThinWallFinder::mayFind(const LeafChange& change, const LeafEdges& edges, const OpenEdges* open) {
+  collect(change, edges, open);
+  list_.clear();
+  for (std::size_t first = 0; first < stacks_.size(); first += kBatch) {
+    drop(first, std::min(kBatch, stacks_.size() - first));
+  }
+  return std::any_of(stacks_.begin(), stacks_.end(), [](const Stack& stack) { return stack.open != 0; });
+}
+
 void ThinWallFinder::collect(const LeafChange& change, const LeafEdges& edges, const OpenEdges* open) {
   stacks_.clear();
   LeafBits taken = samplesBefore(change);

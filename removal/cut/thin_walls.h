@@ -26,6 +26,10 @@ class ThinWallFinder {
   LostFilm find(const LeafChange& change, const LeafEdges& edges, const OpenEdges* open,
                 std::span<const Reach> list);
 
+  /// False where that would find nothing whatever the list: the passes that took most and last cover all.
+  /// Much cheaper.
+  bool mayFind(const LeafChange& change, const LeafEdges& edges, const OpenEdges* open);
+
  private:
   /// Edges that stand above each other, or one column of vertical edges.
   struct Stack {

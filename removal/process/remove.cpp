@@ -373,7 +373,7 @@ bool Remover::mayLose(const CutLeaf& leaf, const LeafEdges& edges, const std::ve
     if (taker != kNoPass) takers.push_back({taker, -static_cast<float>(kNowhere)});
   }
   return finders_.local().findLost(leaf.change, edges, before, takers).edges > 0 ||
-         walls_.local().find(leaf.change, edges, leaf.open.get(), takers).edges > 0;
+         walls_.local().mayFind(leaf.change, edges, leaf.open.get());
 }
 
 /// Height below which passes may count for the crossings of a leaf, mm; kNone, and it is done, where none do.
