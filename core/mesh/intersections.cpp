@@ -11,6 +11,7 @@
 #endif
 
 #include "core/base/parallel_for.h"
+#include "core/base/stretches.h"
 
 namespace proveout {
 
@@ -268,11 +269,7 @@ class Finder {
     const auto &a = mesh_.positions[v[0]], &b = mesh_.positions[v[1]], &c = mesh_.positions[v[2]];
     return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
   }
-  bool isSuspect(std::size_t i) const {
-    if (suspect_.empty()) return true;
-    const auto& v = mesh_.triangles[numberOf(i)];
-    return (suspect_[v[0]] | suspect_[v[1]] | suspect_[v[2]]) != 0;
-  }
+  bool isSuspect(std::size_t i) const { return suspect_.empty() || suspect_[i] != 0; }
   std::size_t endOf(std::size_t group) const { return std::min(count_, (group + 1) * Spans::kCount); }
   Group suspectsOf(std::size_t group) const;
   Spans spansOf(std::size_t group) const {
@@ -289,7 +286,7 @@ class Finder {
   Pairs findOf(std::size_t first, std::size_t last) const;
 
   const TriMesh& mesh_;
-  std::span<const std::uint8_t> suspect_;  ///< empty: all are
+  std::span<const std::uint8_t> suspect_;  ///< a flag a triangle; empty: all are
   std::span<const std::uint32_t> chosen_;  ///< what is looked at; empty: all
   std::size_t count_, groups_;
   std::vector<std::vector<Spans>> levels_;  ///< spans of groups; of the spans below; ...; one at the top
@@ -342,7 +339,8 @@ void Finder::eachTouching(const Span& span, std::size_t level, std::size_t at, B
 /// suspects the lower one finds the other.
 void Finder::compare(std::size_t own, const Group& group, std::size_t other, const Spans& there,
                      Pairs& found) const {
-  for (unsigned left = group.suspects; left != 0; left &= left - 1) {
+  const Span all = levels_[0][other / Spans::kCount].at(other % Spans::kCount);
+  for (unsigned left = group.suspects & group.spans.touching(all); left != 0; left &= left - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(left));
     const std::size_t s = own * Spans::kCount + k;
     for (unsigned rest = there.touching(group.spans.at(k)); rest != 0; rest &= rest - 1) {
@@ -426,10 +424,20 @@ bool isNeedle(const TriMesh& mesh, std::uint32_t t) {
 
 std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
                                                             std::span<const std::uint8_t> suspect) {
+  std::vector<std::uint8_t> triangles(mesh.triangles.size());
+  forEachBelow(triangles.size(), [&](std::size_t t) {
+    const auto& v = mesh.triangles[t];
+    triangles[t] = suspect[v[0]] | suspect[v[1]] | suspect[v[2]];
+  });
+  return findIntersectionsOf(mesh, triangles);
+}
+
+std::vector<std::array<std::uint32_t, 2>> findIntersectionsOf(const TriMesh& mesh,
+                                                              std::span<const std::uint8_t> triangles) {
   const auto isOne = [](std::uint8_t s) { return s != 0; };
-  if (std::ranges::none_of(suspect, isOne)) return {};
-  if (std::ranges::all_of(suspect, isOne)) suspect = {};
-  return Finder(mesh, suspect).find();
+  if (std::ranges::none_of(triangles, isOne)) return {};
+  if (std::ranges::all_of(triangles, isOne)) triangles = {};
+  return Finder(mesh, triangles).find();
 }
 
 std::vector<std::array<std::uint32_t, 2>> findIntersectionsAmong(const TriMesh& mesh,

@@ -16,6 +16,9 @@ namespace proveout {
 /// following numbers are close together.
 std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
                                                             std::span<const std::uint8_t> suspect);
+/// Those of which at least one triangle has a flag.
+std::vector<std::array<std::uint32_t, 2>> findIntersectionsOf(const TriMesh& mesh,
+                                                              std::span<const std::uint8_t> triangles);
 /// Those among some triangles, given by their numbers in order.
 std::vector<std::array<std::uint32_t, 2>> findIntersectionsAmong(const TriMesh& mesh,
                                                                  std::span<const std::uint32_t> triangles);

@@ -11,6 +11,16 @@
 
 namespace proveout {
 
+std::size_t LeafMesh::leafOf(std::size_t triangle) const {
+  const bool fan = triangle >= firstFanTriangle();
+  const auto after = [&](std::size_t t, const LeafPart& part) {
+    return t < (fan ? part.first_fan : part.first_triangle);
+  };
+  return static_cast<std::size_t>(std::upper_bound(parts.begin(), parts.end(), triangle, after) -
+                                  parts.begin()) -
+         1;
+}
+
 bool isDense(const LeafMesh& mesh) {
   const std::size_t vertices = mesh.mesh.positions.size();
   if (vertices != mesh.firstOfFans() + mesh.fan_at.size()) return false;
@@ -70,33 +80,48 @@ void markInside(const TriMesh& mesh, const std::vector<Box3>& boxes, std::vector
   });
 }
 
+/// Whether a leaf or one beside it has a flag.
+bool isNear(const SurfaceLeaf& leaf, const std::vector<std::uint8_t>& flags) {
+  const auto has = [&](std::int32_t n) { return n >= 0 && flags[static_cast<std::size_t>(n)] != 0; };
+  return std::ranges::any_of(leaf.upper, has) || std::ranges::any_of(leaf.lower, has);
+}
+
+/// Flags the triangles of a leaf's fans. Those start at their middle; those without places where sheets touch
+/// face like the surface.
+void markFans(const LeafMesh& mesh, std::size_t leaf, std::vector<std::uint8_t>& flags) {
+  for (std::size_t t = mesh.parts[leaf].first_fan; t < mesh.lastFanTriangle(leaf); ++t) {
+    if (!mesh.fanOf(mesh.mesh.triangles[t][0]).faces.empty()) flags[t] = 1;
+  }
+}
+
 }  // namespace
 
 TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
                            const std::vector<std::uint8_t>& unchecked, const std::vector<Box3>& doubts) {
   const TriMesh& all = mesh.mesh;
-  std::vector<std::uint8_t> suspect(all.positions.size(), 0);
-  if (!doubts.empty()) markInside(all, doubts, suspect);
-  const auto mark = [&](std::size_t t) {
-    for (const std::uint32_t v : all.triangles[t]) suspect[v] = 1;
-  };
+  std::vector<std::uint8_t> corner(all.positions.size(), 0), suspect(all.triangles.size(), 0);
+  if (!doubts.empty()) markInside(all, doubts, corner);
   for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
     if (unchecked[i] == 0) continue;
-    for (const std::uint32_t k : mesh.flaws[i].poor) mark(mesh.parts[i].first_triangle + k);
+    for (const std::uint32_t k : mesh.flaws[i].poor) suspect[mesh.parts[i].first_triangle + k] = 1;
     const SurfaceLeaf& leaf = grid.leaves()[i];
     for (std::uint32_t k = 0; k < leaf.extra.size(); ++k) {
-      suspect[mesh.numberOf(leaf.extra_base + k)] = 1;
-      suspect[mesh.numberOf(leaf.base + leaf.extra[k].cell)] = 1;
+      corner[mesh.numberOf(leaf.extra_base + k)] = 1;
+      corner[mesh.numberOf(leaf.base + leaf.extra[k].cell)] = 1;
     }
     for (const OutsideVertex& o : leaf.outside) {
-      if (grid.crowds(leaf, o.place)) suspect[mesh.numberOf(leaf.cellAt(o.place))] = 1;
+      if (grid.crowds(leaf, o.place)) corner[mesh.numberOf(leaf.cellAt(o.place))] = 1;
     }
   }
-  // Fans start at their middle; those without places where sheets touch face like the surface.
-  for (std::size_t t = mesh.firstFanTriangle(); t < all.triangles.size(); ++t) {
-    if (!mesh.fanOf(all.triangles[t][0]).faces.empty()) mark(t);
+  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+    if (mesh.lastFanTriangle(i) > mesh.parts[i].first_fan && isNear(grid.leaves()[i], unchecked))
+      markFans(mesh, i, suspect);
   }
-  return findIntersections(all, suspect);
+  forEachBelow(suspect.size(), [&](std::size_t t) {
+    const auto& v = all.triangles[t];
+    suspect[t] |= corner[v[0]] | corner[v[1]] | corner[v[2]];
+  });
+  return findIntersectionsOf(all, suspect);
 }
 
 std::vector<std::uint32_t> cornerCellsOf(const LeafMesh& mesh, const SurfaceGrid& grid,

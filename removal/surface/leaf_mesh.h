@@ -16,6 +16,7 @@ namespace proveout {
 struct LeafPart {
   std::size_t first_triangle = 0;
   std::uint32_t triangles = 0;  ///< without those of fans
+  std::size_t first_fan = 0;    ///< first triangle of its fans, which go on to the next leaf's
   std::uint32_t first_vertex = 0;
   std::uint32_t vertices = 0;  ///< of its cells that stand for themselves
   std::size_t lastTriangle() const { return first_triangle + triangles; }  ///< the one after it
@@ -51,6 +52,12 @@ struct LeafMesh {
   std::uint32_t firstOfFans() const { return kept + sheets; }
   /// The first triangle of fans.
   std::size_t firstFanTriangle() const { return parts.empty() ? 0 : parts.back().lastTriangle(); }
+  /// The one after the last of a leaf's fans.
+  std::size_t lastFanTriangle(std::size_t leaf) const {
+    return leaf + 1 < parts.size() ? parts[leaf + 1].first_fan : mesh.triangles.size();
+  }
+  /// The leaf that a triangle was written for.
+  std::size_t leafOf(std::size_t triangle) const;
   const SplitQuad& fanOf(std::uint32_t vertex) const { return *fan_at[vertex - firstOfFans()]; }
 };
 
@@ -69,8 +76,9 @@ std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& 
 using TrianglePairs = std::vector<std::array<std::uint32_t, 2>>;
 
 /// Triangles that run through each other. Where the triangles face like the exact surface it does not fold:
-/// looked at is what is around those that do not, around fans, and around cells of several sheets, in leaves
-/// that are `unchecked`, a flag for each; and all that is in one of `doubts` (mm).
+/// looked at are those that do not, fans at places where sheets touch or walls are, and what is at cells of
+/// several sheets or at vertices in the way of others, in leaves that are `unchecked`, a flag for each; and
+/// all that is in one of `doubts` (mm).
 TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
                            const std::vector<std::uint8_t>& unchecked, const std::vector<Box3>& doubts);
 

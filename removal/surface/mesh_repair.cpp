@@ -37,7 +37,7 @@ class MeshRepair {
   std::vector<std::int32_t> partMeetings(const LeafMesh& mesh, const TrianglePairs& pairs);
   void markUnchecked(const LeafMesh& mesh, const TrianglePairs& pairs);
   bool anyWalled(const LeafMesh& mesh, const std::array<std::uint32_t, 2>& pair) const;
-  TrianglePairs pairsForWalls(const LeafMesh& mesh, const TrianglePairs& pairs, RepairedMesh& mended) const;
+  TrianglePairs pairsForWalls(LeafMesh& mesh, const TrianglePairs& pairs) const;
   void planAgain(const std::vector<std::int32_t>& taken_apart, Progress& progress);
 
   SurfaceGrid& grid_;
@@ -76,12 +76,8 @@ std::vector<std::int32_t> MeshRepair::partMeetings(const LeafMesh& mesh, const T
 
 /// Triangles that meet and stay as they are must be found again.
 void MeshRepair::markUnchecked(const LeafMesh& mesh, const TrianglePairs& pairs) {
-  const auto after = [](std::uint32_t t, const LeafPart& part) { return t < part.first_triangle; };
   for (const auto& pair : pairs) {
-    for (const std::uint32_t t : pair) {
-      const auto next = std::upper_bound(mesh.parts.begin(), mesh.parts.end(), t, after);
-      unchecked_[static_cast<std::size_t>(next - mesh.parts.begin()) - 1] = 1;
-    }
+    for (const std::uint32_t t : pair) unchecked_[mesh.leafOf(t)] = 1;
   }
 }
 
@@ -95,19 +91,15 @@ bool MeshRepair::anyWalled(const LeafMesh& mesh, const std::array<std::uint32_t,
 }
 
 /// Those that only walls part, or merged cells: beside walls all; elsewhere what is left after small changes
-/// of the mesh, which are in `mended` then.
-TrianglePairs MeshRepair::pairsForWalls(const LeafMesh& mesh, const TrianglePairs& pairs,
-                                        RepairedMesh& mended) const {
+/// of the mesh. If that is nothing the changes are made; else the mesh stays as it is.
+TrianglePairs MeshRepair::pairsForWalls(LeafMesh& mesh, const TrianglePairs& pairs) const {
   TrianglePairs out;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(out), [&](const auto& pair) {
     const auto isMerged = [&](std::uint32_t t) { return !mergedCellsOf(mesh, grid_, merger_, t).empty(); };
     return isMerged(pair[0]) || isMerged(pair[1]) || anyWalled(mesh, pair);
   });
   if (!out.empty()) return out;
-  mended.mesh = mesh.mesh;
-  out = mendIntersections(mended.mesh, pairs, grid_.impl().h);
-  mended.self_intersections = out.size();
-  return out;
+  return mendIntersections(mesh.mesh, pairs, grid_.impl().h, MendAim::kAll);
 }
 
 /// Plans the leaves anew that these and the surface between them and their neighbours belong to.
@@ -139,15 +131,17 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
     const TrianglePairs pairs = findMeetings(*written, grid_, unchecked_, doubts_);
     std::fill(unchecked_.begin(), unchecked_.end(), 0);
     RepairedMesh out;
-    if (const TrianglePairs left = pairs.empty() ? pairs : pairsForWalls(*written, pairs, out);
-        !left.empty() && ++part_rounds <= kPartRounds) {
-      if (const auto taken_apart = partMeetings(*written, left); !taken_apart.empty()) {
+    if (const TrianglePairs left = pairs.empty() ? pairs : pairsForWalls(*written, pairs); !left.empty()) {
+      const auto taken_apart =
+          ++part_rounds <= kPartRounds ? partMeetings(*written, left) : std::vector<std::int32_t>();
+      if (!taken_apart.empty()) {
         markUnchecked(*written, pairs);
         planAgain(taken_apart, progress);
         continue;
       }
+      out.self_intersections = mendIntersections(written->mesh, pairs, grid_.impl().h).size();
     }
-    if (out.mesh.triangles.empty()) out.mesh = std::move(written->mesh);
+    out.mesh = std::move(written->mesh);
     PROVEOUT_ASSERT_DEAR(analyseTopology(out.mesh).closedManifold());
     return out;
   }

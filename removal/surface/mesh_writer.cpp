@@ -252,14 +252,15 @@ void MeshWriter::writeFans(const std::vector<LeafQuads>& quads) {
     now_.fan_at.push_back(fan);
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
   };
-  for (const LeafQuads& leaf : quads) {
-    for (const SplitQuad& split : leaf.fans) {
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    now_.parts[i].first_fan = mesh.triangles.size();
+    for (const SplitQuad& split : quads[i].fans) {
       fan = &split;
       std::vector<std::uint32_t> ring;
       std::size_t next = 0;
-      for (int i = 0; i < 4; ++i) {
-        ring.push_back(now_.numberOf(merger_.standIn(split.v[i])));
-        for (; next < split.faces.size() && split.faces[next].after == i; ++next) {
+      for (int corner = 0; corner < 4; ++corner) {
+        ring.push_back(now_.numberOf(merger_.standIn(split.v[corner])));
+        for (; next < split.faces.size() && split.faces[next].after == corner; ++next) {
           const auto [it, fresh] = at_face.emplace(split.faces[next].key, 0);
           if (fresh) it->second = newVertex(split.faces[next].p);
           ring.push_back(it->second);
@@ -267,8 +268,8 @@ void MeshWriter::writeFans(const std::vector<LeafQuads>& quads) {
       }
       PROVEOUT_ASSERT(next == split.faces.size());  // they are in the order of the corners
       const std::uint32_t middle = newVertex(split.middle);
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const std::uint32_t a = ring[i], b = ring[(i + 1) % ring.size()];
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const std::uint32_t a = ring[k], b = ring[(k + 1) % ring.size()];
         if (a == b) continue;
         mesh.triangles.push_back({middle, a, b});
         mesh.motion.push_back(split.motion);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -53,6 +54,8 @@ class Mender {
 
   /// Returns the pairs that are left.
   std::vector<TrianglePair> run();
+  /// Makes the triangles what they were before run().
+  void takeBack() { edit_.takeBack(before_); }
   const LostParts& lost() const { return lost_; }
 
  private:
@@ -89,6 +92,7 @@ class Mender {
   bool mend(const TrianglePair& pair, double reach);
 
   MeshEditor edit_;
+  MeshEditor::Mark before_ = edit_.mark();
   MendPairs pairs_;
   double cell_;
   const MendSurroundings& around_;
@@ -283,7 +287,6 @@ bool Mender::mend(const TrianglePair& pair, double reach) {
   Box3 changed;
   for (const std::uint32_t t : triangles) changed.extend(boxOf(points(t)));
   apply(best.edit);
-  edit_.keep();
   for (const std::uint32_t t : triangles) {
     if (!edit_.gone(t)) changed.extend(boxOf(points(t)));
   }
@@ -318,28 +321,32 @@ std::vector<TrianglePair> Mender::run() {
 }  // namespace
 
 std::vector<TrianglePair> mendIntersections(TriMesh& mesh, const std::vector<TrianglePair>& pairs,
-                                            double cell_mm) {
+                                            double cell_mm, MendAim aim) {
   if (pairs.empty()) return {};
   const MendSurroundings around(mesh, cell_mm, pairs);
   const auto& groups = around.groups();
   std::vector<std::uint32_t> seen(mesh.triangles.size(), 0);
+  std::vector<std::unique_ptr<Mender>> menders(groups.size());
   std::vector<std::vector<TrianglePair>> left(groups.size());
-  std::vector<LostParts> lost(groups.size());
   parallelFor(std::size_t{0}, groups.size(), [&](std::size_t i) {
     const std::size_t most_trials =
         std::max(kGroupTrials, kMostTrials * groups[i].pairs.size() / pairs.size());
-    Mender mender(mesh, cell_mm, around, groups[i], seen, most_trials);
-    left[i] = mender.run();
-    lost[i] = mender.lost();
+    menders[i] = std::make_unique<Mender>(mesh, cell_mm, around, groups[i], seen, most_trials);
+    left[i] = menders[i]->run();
   });
+  std::vector<TrianglePair> out;
+  for (const auto& list : left) out.insert(out.end(), list.begin(), list.end());
+  if (aim == MendAim::kAll && !out.empty()) {
+    for (const auto& mender : menders) mender->takeBack();
+    return out;
+  }
   LostParts all;
-  for (const LostParts& part : lost) {
+  for (const auto& mender : menders) {
+    const LostParts& part = mender->lost();
     all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
     all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
   }
   takeOut(mesh, std::move(all));
-  std::vector<TrianglePair> out;
-  for (const auto& list : left) out.insert(out.end(), list.begin(), list.end());
   return out;
 }
 

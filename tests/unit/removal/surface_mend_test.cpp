@@ -112,6 +112,30 @@ TEST(SurfaceMend, GivesUpWhereBodiesRunThroughEachOther) {
   EXPECT_NEAR(meshVolume(mesh), 54.0, 1.0);
 }
 
+TEST(SurfaceMend, LeavesAllAsItWasIfAllIsAskedForInVain) {
+  TriMesh mesh = block(3);
+  const TriMesh other = block(3);
+  TriMesh folded = block(6);
+  folded.positions[vertexAt(folded, {2, 0, 6})].x() = 3.4f;
+  const auto add = [&](const TriMesh& body, const Eigen::Vector3f& by) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto& p : body.positions) mesh.positions.push_back(p + by);
+    for (const auto& t : body.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    mesh.motion.resize(mesh.triangles.size(), 8);
+  };
+  add(other, {1.3f, 1.4f, 1.2f});
+  add(folded, {40, 0, 0});
+  TriMesh most = mesh, all = mesh;
+  const auto pairs = allPairs(mesh);
+  const auto left = mendIntersections(most, pairs, 1.0, MendAim::kMost);
+  EXPECT_LT(left.size(), pairs.size());
+  EXPECT_NE(most.positions, mesh.positions);
+  EXPECT_EQ(mendIntersections(all, pairs, 1.0, MendAim::kAll), left);
+  EXPECT_EQ(all.positions, mesh.positions);
+  EXPECT_EQ(all.triangles, mesh.triangles);
+  EXPECT_EQ(all.motion, mesh.motion);
+}
+
 TEST(SurfaceMend, IsTheSameEachTime) {
   TriMesh a = block(6);
   a.positions[vertexAt(a, {2, 0, 6})].x() = 3.4f;

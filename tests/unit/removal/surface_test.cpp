@@ -194,6 +194,8 @@ TEST(Intersections, OnlyThoseOfSuspectsAreLookedFor) {
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
   EXPECT_TRUE(findIntersections(mesh, std::vector<std::uint8_t>(6, 0)).empty());
   EXPECT_EQ(findIntersections(mesh, std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1}), (Pairs{{0, 1}}));
+  EXPECT_TRUE(findIntersectionsOf(mesh, std::vector<std::uint8_t>(2, 0)).empty());
+  EXPECT_EQ(findIntersectionsOf(mesh, std::vector<std::uint8_t>{0, 1}), (Pairs{{0, 1}}));
 }
 
 TEST(Intersections, FindWhatComparingAllPairsFinds) {
