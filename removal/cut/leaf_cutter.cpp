@@ -229,6 +229,8 @@ void LeafCutter::setQuarterTop(int quarter) {
   }
   quarters_.z_high[quarter] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
   highest_ = *std::max_element(all, all + 4);
+  const unsigned bit = 1u << quarter;
+  open_ = all[quarter] > columns_.z[0] ? open_ | bit : open_ & ~bit;
 }
 
 /// Heights that the removed volume is counted from: the crossing above the highest sample, or the next leaf.
@@ -249,7 +251,7 @@ void LeafCutter::startTops(const LeafChange& change) {
 void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
   const bool asked = pass.watched || !pass.cuts() || !hasLevelTop(pass.body, highest_);
-  const unsigned hits = asked ? 15 : hits_(pass.body.columns(), columns_);
+  const unsigned hits = asked ? 15 : hits_(pass.body.columns(), columns_, open_);
   if (hits == 0) return;
   double sunk = 0.0, low[4];
   reach_(pass.body.columns(), quarters_, low);

@@ -93,6 +93,7 @@ class LeafCutter {
   ReachKernel reach_;
   Coord origin_;
   double highest_ = 0.0;                   ///< highest top, mm
+  unsigned open_ = 0;                      ///< quarters (bits) with a top above the lowest samples
   double end_ = 0.0;                       ///< height of the block's last samples, mm
   bool level_tops_ = true;                 ///< what took something reaches up beyond the block
   FourBlocks quarters_{};                  ///< up to the highest top of each quarter

@@ -347,16 +347,17 @@ constexpr double kHitSlack = 1e-7, kHitSlope = 100.0;
 
 /// A top is below lo just where it lies outside of the capsule that the ball's middle moves along the axis
 /// of, and below the middle: that takes no root. Most passes that come near a leaf take nothing from it.
-unsigned leafHits(const ColumnSweep& sweep, const proveout::LeafColumns& leaf) {
+unsigned leafHits(const ColumnSweep& sweep, const proveout::LeafColumns& leaf, unsigned quarters) {
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double fx = sweep.x, fy = sweep.y, ux = sweep.ux, uy = sweep.uy;
   const double length = sweep.length, slope = sweep.slope, lift = sweep.z + tool.radius;
   if (sweep.kind != ColumnSweep::Kind::kLine || !tool.ball || slope * slope > kHitSlope * kHitSlope)
-    return 15;
+    return quarters;
   const double bottom = leaf.z[0];
   const double toward = -slope / (1.0 + slope * slope), within = tool.radius * tool.radius + kHitSlack;
   unsigned hits = 0;
   for (int q = 0; q < 4; ++q) {
+    if ((quarters >> q & 1) == 0) continue;
     const double* __restrict x = leaf.x + q * kQuarter;
     const double* __restrict y = leaf.y + q * kQuarter;
     const double* __restrict top = leaf.top + q * kQuarter;

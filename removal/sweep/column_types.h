@@ -86,10 +86,10 @@ struct LeafColumns {
 /// For one quarter: finds lo and hi; lowers the tops to lo where the pass covers them; returns the sum of
 /// what the tops sink by and of the covered material below tops that stay, in mm of column height.
 using LeafKernel = double (*)(const ColumnSweep& sweep, LeafColumns& leaf, int quarter);
-/// Bits of the quarters in which the sweep may lower a top: of ball ends on lines the others have none, for
-/// sure. Of all else every bit is set. Finds no lo and hi. Requires that the columns are covered up to their
+/// Of `quarters` (bits) those in which the sweep may lower a top: of ball ends on lines the others have none,
+/// for sure; of all else all. Finds no lo and hi. Requires that the columns are covered up to their
 /// tops, wherever the sweep covers them.
-using HitKernel = unsigned (*)(const ColumnSweep& sweep, const LeafColumns& leaf);
+using HitKernel = unsigned (*)(const ColumnSweep& sweep, const LeafColumns& leaf, unsigned quarters);
 /// For one quarter: finds `covered` from lo and hi.
 using CoverKernel = void (*)(LeafColumns& leaf, int quarter);
 

@@ -338,8 +338,9 @@ TEST_F(Columns, HitsLeaveOutOnlyWhatTakesNothing) {
       for (int i = 0; i < 64; ++i) leaf.top[i] = std::max(leaf.top[i], leaf.z[0]);
       leaf.h = 0.1;
       const bool counts = solid.ball && c.columns.kind == ColumnSweep::Kind::kLine;
-      const unsigned hits = levels()[0].hits(c.columns, leaf);
-      for (const ColumnKernels& level : levels()) ASSERT_EQ(level.hits(c.columns, leaf), hits) << level.name;
+      const unsigned hits = levels()[0].hits(c.columns, leaf, 15);
+      for (const ColumnKernels& level : levels())
+        ASSERT_EQ(level.hits(c.columns, leaf, 15), hits) << level.name;
       for (int q = 0; q < 4; ++q) {
         const bool sinks = columnKernels().leaf(c.columns, leaf, q) > 0.0;
         ASSERT_TRUE(!sinks || (hits >> q & 1) != 0) << text << ' ' << round;
