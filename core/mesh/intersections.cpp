@@ -21,6 +21,8 @@ using Points = std::array<Vec3, 3>;
 
 /// A triangle whose height is less than this part of its length is none.
 constexpr double kFlat = 1e-7;
+/// Of the square of a size: what rounding in floats may be.
+constexpr float kClearMargin = 1e-5f;
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// Volumes of less than this part of what their edges span are rounding.
@@ -100,12 +102,11 @@ bool clear(const Points& p, int but_p, const Points& q, int but_q) {
   return before < between && between < behind;
 }
 
-/// The same in floats, seen from a common corner or, where there is none, a corner of the first triangle:
-/// true only if rounding cannot change it.
-bool clearInFloats(const TriMesh& mesh, const std::array<std::uint32_t, 3>& a, int at_a,
-                   const std::array<std::uint32_t, 3>& b, int at_b) {
-  constexpr float kMargin = 1e-5f;
-  const auto& origin = mesh.positions[a[at_a < 0 ? 0 : static_cast<std::size_t>(at_a)]];
+/// The same in floats for triangles without a common corner, seen from a corner of the first: true only if
+/// rounding cannot change it.
+bool clearInFloats(const TriMesh& mesh, const std::array<std::uint32_t, 3>& a,
+                   const std::array<std::uint32_t, 3>& b) {
+  const auto& origin = mesh.positions[a[0]];
   std::array<Eigen::Vector3f, 3> p, q;
   Eigen::Vector3f way = Eigen::Vector3f::Zero();
   float size = 0.0f;
@@ -115,13 +116,24 @@ bool clearInFloats(const TriMesh& mesh, const std::array<std::uint32_t, 3>& a, i
     way += q[i] - p[i];
     size = std::max({size, p[i].squaredNorm(), q[i].squaredNorm()});
   }
-  float before = -kNever, behind = kNever;
-  for (int i = 0; i < 3; ++i) {
-    if (i != at_a) before = std::max(before, way.dot(p[static_cast<std::size_t>(i)]));
-    if (i != at_b) behind = std::min(behind, way.dot(q[static_cast<std::size_t>(i)]));
-  }
-  const float margin = kMargin * size;
-  return at_a < 0 ? before + margin < behind : before < -margin && behind > margin;
+  const float before = std::max({way.dot(p[0]), way.dot(p[1]), way.dot(p[2])});
+  return before + kClearMargin * size < std::min({way.dot(q[0]), way.dot(q[1]), way.dot(q[2])});
+}
+
+/// And for triangles with one common corner, number `at_a` and `at_b`, seen from there.
+bool clearAtCorner(const TriMesh& mesh, const std::array<std::uint32_t, 3>& a, int at_a,
+                   const std::array<std::uint32_t, 3>& b, int at_b) {
+  constexpr std::array<std::uint8_t, 5> kNext = {0, 1, 2, 0, 1};
+  const auto& origin = mesh.positions[a[static_cast<std::size_t>(at_a)]];
+  const auto from = [&](const std::array<std::uint32_t, 3>& t, int at, int step) -> Eigen::Vector3f {
+    return mesh.positions[t[kNext[static_cast<std::size_t>(at + step)]]] - origin;
+  };
+  const Eigen::Vector3f p = from(a, at_a, 1), r = from(a, at_a, 2), q = from(b, at_b, 1),
+                        s = from(b, at_b, 2);
+  const Eigen::Vector3f way = (q + s) - (p + r);
+  const float margin =
+      kClearMargin * std::max({p.squaredNorm(), r.squaredNorm(), q.squaredNorm(), s.squaredNorm()});
+  return std::max(way.dot(p), way.dot(r)) < -margin && std::min(way.dot(q), way.dot(s)) > margin;
 }
 
 /// Whether two triangles with a common edge, seen from both in the same direction, are so by their normals.
@@ -410,8 +422,10 @@ bool trianglesMeet(const TriMesh& mesh, std::uint32_t s, std::uint32_t t) {
     common.sum_b += j;
   }
   if (common.count >= 3) return true;
-  if (common.count == 2 ? unfoldedInFloats(mesh, a, b) : clearInFloats(mesh, a, common.at_a, b, common.at_b))
-    return false;
+  const bool far = common.count == 2   ? unfoldedInFloats(mesh, a, b)
+                   : common.count == 1 ? clearAtCorner(mesh, a, common.at_a, b, common.at_b)
+                                       : clearInFloats(mesh, a, b);
+  if (far) return false;
   return meetInDoubles(cornersOf(mesh, s), cornersOf(mesh, t), common);
 }
 

@@ -103,7 +103,9 @@ TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
   if (!doubts.empty()) markInside(all, doubts, corner);
   for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
     if (unchecked[i] == 0) continue;
-    for (const std::uint32_t k : mesh.flaws[i].poor) suspect[mesh.parts[i].first_triangle + k] = 1;
+    for (const std::uint32_t k : mesh.flaws[i].poor) {
+      for (const std::uint32_t v : all.triangles[mesh.parts[i].first_triangle + k]) corner[v] = 1;
+    }
     const SurfaceLeaf& leaf = grid.leaves()[i];
     for (std::uint32_t k = 0; k < leaf.extra.size(); ++k) {
       corner[mesh.numberOf(leaf.extra_base + k)] = 1;

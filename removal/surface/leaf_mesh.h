@@ -76,9 +76,9 @@ std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& 
 using TrianglePairs = std::vector<std::array<std::uint32_t, 2>>;
 
 /// Triangles that run through each other. Where the triangles face like the exact surface it does not fold:
-/// looked at are those that do not, fans at places where sheets touch or walls are, and what is at cells of
-/// several sheets or at vertices in the way of others, in leaves that are `unchecked`, a flag for each; and
-/// all that is in one of `doubts` (mm).
+/// looked at is what is around those that do not, fans at places where sheets touch or walls are, and what is
+/// at cells of several sheets or at vertices in the way of others, in leaves that are `unchecked`, a flag for
+/// each; and all that is in one of `doubts` (mm).
 TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
                            const std::vector<std::uint8_t>& unchecked, const std::vector<Box3>& doubts);
 
