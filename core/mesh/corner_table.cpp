@@ -10,6 +10,7 @@ namespace proveout {
 CornerTable::CornerTable(const Triangles& triangles, const std::vector<std::uint32_t>& labels,
                          std::size_t vertices)
     : triangles_(triangles.size()), out_(vertices, kNone) {
+  PROVEOUT_ASSERT(triangles.size() < std::size_t{1} << 30);
   // Edges belong to the lower one of their ends. Ranges of vertices are worked on side by side, each with the
   // stretches of triangles that have edges of it.
   constexpr std::size_t kStretch = 512, kRanges = 32;

@@ -62,7 +62,8 @@ float largestCoordinate(const TriMesh& mesh) {
 
 }  // namespace
 
-EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen)
+EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen,
+                             std::span<const float> off)
     : mesh_(mesh),
       tolerance_(tolerance),
       table_(mesh.triangles, mesh.motion, mesh.positions.size()),
@@ -73,6 +74,12 @@ EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<co
   constexpr double kLeastUnits = 64.0;
   around_.least_height = kLeastUnits * std::numeric_limits<float>::epsilon() * largestCoordinate(mesh);
   findNormals();
+  if (!off.empty()) {
+    forEachBelow(triangles_.size(), [&](std::size_t t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      triangles_[t].error = std::max({off[a], off[b], off[c]});
+    });
+  }
   findFreedoms(frozen);
 }
 
@@ -240,8 +247,8 @@ bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep,
     VertexStar::Change change;
     const int to = ways.to[i];
     if (!star.join(to, tolerance_, change)) continue;
-    if (change.largest > limit) {
-      state.needs = std::min(state.needs, change.largest);
+    if (change.moved > limit) {
+      state.needs = std::min(state.needs, change.moved);
     } else if (staysManifold(star, to) && !foldsOver(star, to)) {
       for (const std::uint32_t end : ways.border) {
         if (state.freedom == Freedom::kBorder)

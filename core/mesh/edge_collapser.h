@@ -16,8 +16,10 @@ namespace proveout {
 /// Collapses edges of one mesh.
 class EdgeCollapser {
  public:
-  /// `mesh` must outlive this. Vertices with a flag in `frozen` stay; empty: none has one.
-  EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen);
+  /// `mesh` must outlive this. Vertices with a flag in `frozen` stay; empty: none has one. `off`: by vertex,
+  /// how far triangles there are off already, mm; empty: none is.
+  EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen,
+                std::span<const float> off);
 
   /// False: cancelled.
   bool run(const Progress& progress);

@@ -144,12 +144,14 @@ bool VertexStar::join(int b, double most, Change& change) const {
   }
   if (addMiddle(b, moved, before) + largest_error_ > most || !hasShape(b)) return false;
   addCrossings(b, moved, before);
-  change.largest = 0.0f;
+  change.moved = 0.0f;
+  bool within = true;
   for (int j = after(b); after(j) != b; j = after(j)) {
     change.error[j] = static_cast<float>(moved[j] + before[j]);
-    change.largest = std::max(change.largest, change.error[j]);
+    change.moved = std::max(change.moved, static_cast<float>(moved[j]));
+    within = within && change.error[j] <= static_cast<float>(most);
   }
-  return change.largest <= most;
+  return within;
 }
 
 }  // namespace proveout

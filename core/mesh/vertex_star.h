@@ -54,7 +54,7 @@ class VertexStar {
   /// ring(j + 1), for all j from after(b) with after(j) != b.
   struct Change {
     std::array<float, kMost> error;  ///< as in the surroundings
-    float largest = 0.0f;            ///< of the errors
+    float moved = 0.0f;              ///< the largest part of them that is new
   };
   /// Both are seen as heights over one plane, so that going along the view leads from either one to the
   /// other: they are nowhere farther apart than along it, and this difference is largest where the middle is

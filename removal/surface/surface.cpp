@@ -24,7 +24,8 @@ constexpr double kFlatnessShare = 0.5;
 /// Part of it that edges between the vertices may be cut off by.
 constexpr double kSharpShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
-/// Part of the tolerance that merging cells may take; the rest is for the mesh made of them.
+/// Part of the tolerance that merging cells may take. The rest is for the mesh made of them, and all of it
+/// where nothing was merged.
 constexpr double kMergingShare = 0.5;
 
 /// Grid steps.
@@ -42,8 +43,9 @@ Result<SurfaceGrid> placedCells(const Stock::Impl& impl, double flatness, Progre
   return grid;
 }
 
-/// `simplify_mm`: what merging may take.
-Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, Progress& progress) {
+/// `simplify_mm`: what merging may take. `merged`: see RepairedMesh.
+Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm,
+                                 std::vector<std::uint8_t>& merged, Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "interrupted"};
   const double flatness = flatnessOf(impl, simplify_mm);
   progress.report("meshing", 0.0);
@@ -63,6 +65,8 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, Pr
   if (progress.cancelled()) return interrupted;
   PROVEOUT_ASSERT_DEAR(analyseTopology(repaired->mesh).closedManifold());
   StockSurface surface;
+  merged = std::move(repaired->merged);
+  merged.resize(repaired->mesh.positions.size(), 1);
   surface.mesh = std::move(repaired->mesh);
   surface.volume_mm3 = measured->volume.mm3;
   surface.volume_error_mm3 = measured->volume.error_mm3;
@@ -77,10 +81,15 @@ std::size_t meetingsOf(const TriMesh& mesh) {
 }
 
 /// Fewer triangles of the finished mesh. Error: cancelled.
-Status simplifySurface(StockSurface& surface, double tolerance_mm, Progress& progress) {
+Status simplifySurface(StockSurface& surface, const std::vector<std::uint8_t>& merged, double tolerance_mm,
+                       Progress& progress) {
   if (!(tolerance_mm > 0.0) || surface.mesh.triangles.empty()) return Done{};
   progress.report("meshing", 0.9);
-  const std::optional<Simplification> done = simplifyMesh(surface.mesh, tolerance_mm, progress);
+  // Merged triangles may be off the corners that there were by as much as a patch is high.
+  const auto most = static_cast<float>(kFlatnessShare * kMergingShare * tolerance_mm);
+  std::vector<float> off(merged.size());
+  std::ranges::transform(merged, off.begin(), [&](std::uint8_t is) { return is != 0 ? most : 0.0f; });
+  const std::optional<Simplification> done = simplifyMesh(surface.mesh, tolerance_mm, progress, off);
   if (!done) return Error{ErrorKind::kInterrupted, "interrupted"};
   surface.self_intersections =
       surface.self_intersections > 0 ? meetingsOf(surface.mesh) : done->self_intersections;
@@ -104,10 +113,10 @@ Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOption
                  "the surface has more vertices than a mesh can number; take a coarser resolution"};
   }
   const double tolerance = toleranceOf(impl, options);
-  Result<StockSurface> surface = meshSurface(impl, kMergingShare * tolerance, progress);
+  std::vector<std::uint8_t> merged;
+  Result<StockSurface> surface = meshSurface(impl, kMergingShare * tolerance, merged, progress);
   if (!surface) return surface;
-  if (Status done = simplifySurface(*surface, (1.0 - kMergingShare) * tolerance, progress); !done)
-    return done.error();
+  if (Status done = simplifySurface(*surface, merged, tolerance, progress); !done) return done.error();
   progress.report("meshing", 1.0);
   return surface;
 }
