@@ -1,57 +1,81 @@
 #include "core/mesh/corner_table.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/base/assert.h"
-#include "core/base/stretches.h"
+#include "core/base/parallel_for.h"
 
 namespace proveout {
 
-CornerTable::CornerTable(Triangles triangles, std::size_t vertices)
-    : triangles_(std::move(triangles)), twin_(3 * triangles_.size(), kNone), out_(vertices, kNone) {
-  // Half-edges by the lower one of their ends, with the other one, so that both of an edge are close
-  // together.
-  struct Edge {
-    std::uint32_t other, half;
+CornerTable::CornerTable(const Triangles& triangles, const std::vector<std::uint32_t>& labels,
+                         std::size_t vertices)
+    : triangles_(triangles.size()), out_(vertices, kNone) {
+  PROVEOUT_ASSERT(triangles.size() < std::size_t{1} << 30);
+  // Edges belong to the lower one of their ends. Ranges of vertices are worked on side by side, each with the
+  // stretches of triangles that have edges of it.
+  constexpr std::size_t kStretch = 512, kRanges = 32;
+  const std::size_t range = vertices / kRanges + 1, stretches = (triangles.size() + kStretch - 1) / kStretch;
+  const auto endOf = [&](std::size_t stretch) {
+    return std::min(triangles.size(), (stretch + 1) * kStretch);
   };
-  std::vector<std::uint32_t> start(vertices + 1, 0);
-  for (const auto& t : triangles_) {
-    for (int i = 0; i < 3; ++i) ++start[std::min(t[i], t[(i + 1) % 3]) + 1];
-  }
-  for (std::size_t v = 1; v < start.size(); ++v) start[v] += start[v - 1];
-  std::vector<std::uint32_t> place(start.begin(), start.end() - 1);
-  std::vector<Edge> edges(twin_.size());
-  for (std::uint32_t h = 0; h < twin_.size(); ++h) {
-    const std::uint32_t a = from(h), b = to(h);
-    edges[place[std::min(a, b)]++] = {std::max(a, b), h};
-    out_[a] = h;
-  }
-  forEachBelow(vertices, [&](std::size_t v) {
-    for (std::uint32_t k = start[v]; k < start[v + 1]; ++k) {
-      if (twin_[edges[k].half] != kNone) continue;
-      for (std::uint32_t j = k + 1; j < start[v + 1]; ++j) {
-        if (edges[j].other == edges[k].other) pair(edges[j].half, edges[k].half);
-      }
+  std::vector<std::uint32_t> ranges(stretches, 0);  // bits
+  parallelFor(std::size_t{0}, stretches, [&](std::size_t stretch) {
+    for (std::size_t t = stretch * kStretch; t < endOf(stretch); ++t) {
+      triangles_[t].vertex = triangles[t];
+      if (!labels.empty()) triangles_[t].label = labels[t];
+      for (const std::uint32_t v : triangles[t]) ranges[stretch] |= 1u << (v / range);
     }
   });
-  PROVEOUT_ASSERT(std::ranges::find(twin_, kNone) == twin_.end());
+  std::vector<std::uint32_t> waiting(vertices, kNone);
+  parallelFor(std::size_t{0}, kRanges, [&](std::size_t i) {
+    const auto first = static_cast<std::uint32_t>(i * range),
+               last = static_cast<std::uint32_t>(first + range);
+    for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
+      if ((ranges[stretch] >> i & 1u) != 0)
+        pairEdges(first, last, stretch * kStretch, endOf(stretch), waiting);
+    }
+  });
+  PROVEOUT_ASSERT(std::ranges::all_of(waiting, [](std::uint32_t h) { return h == kNone; }));
+}
+
+/// Pairs the half-edges of triangles begin .. end - 1 whose lower end is in first .. last - 1. Those that
+/// wait for their other one are a list for each lower end, linked by their twins.
+void CornerTable::pairEdges(std::uint32_t first, std::uint32_t last, std::size_t begin, std::size_t end,
+                            std::vector<std::uint32_t>& waiting) {
+  for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t h = 4 * t + i, a = from(h), b = to(h);
+      if (a >= first && a < last) out_[a] = h;
+      const std::uint32_t low = std::min(a, b);
+      if (low < first || low >= last) continue;
+      std::uint32_t* link = &waiting[low];
+      while (*link != kNone && (from(*link) != b || to(*link) != a)) link = &twinAt(*link);
+      if (*link == kNone) {
+        twinAt(h) = waiting[low];
+        waiting[low] = h;
+        continue;
+      }
+      const std::uint32_t g = *link;
+      *link = twin(g);
+      pair(g, h);
+    }
+  }
 }
 
 void CornerTable::collapse(std::uint32_t h) {
-  const std::uint32_t a = from(h), b = to(h), t = twin_[h];
+  const std::uint32_t a = from(h), b = to(h), t = twin(h);
   const std::uint32_t left = previous(h), right = next(t);  // ca of the triangle abc, ad of bad
   const std::uint32_t c = from(left), d = to(right);
-  const std::uint32_t inner_left = twin_[left], inner_right = twin_[right];           // ac, da
-  const std::uint32_t outer_left = twin_[next(h)], outer_right = twin_[previous(t)];  // cb, bd
-  for (std::uint32_t g = inner_left; g != right; g = turned(g)) triangles_[g / 3][g % 3] = b;
+  const std::uint32_t inner_left = twin(left), inner_right = twin(right);           // ac, da
+  const std::uint32_t outer_left = twin(next(h)), outer_right = twin(previous(t));  // cb, bd
+  for (std::uint32_t g = inner_left; g != right; g = turned(g)) triangles_[g >> 2].vertex[g & 3] = b;
   pair(inner_left, outer_left);
   pair(inner_right, outer_right);
   out_[b] = inner_left;
   out_[c] = outer_left;
   out_[d] = inner_right;
   out_[a] = kNone;
-  triangles_[h / 3][0] = triangles_[t / 3][0] = kNone;
+  triangles_[h >> 2].vertex[0] = triangles_[t >> 2].vertex[0] = kNone;
 }
 
 }  // namespace proveout

@@ -8,7 +8,7 @@
 
 namespace proveout {
 
-/// Half-edge 3 t + i goes from corner i of triangle t to the next corner. Takes no memory while it changes.
+/// Half-edge 4 t + i goes from corner i of triangle t to the next corner. Takes no memory while it changes.
 /// Threads may collapse edges at once where the triangles around each end of each edge have no vertex in
 /// common with those of another thread.
 class CornerTable {
@@ -16,43 +16,57 @@ class CornerTable {
   using Triangles = std::vector<std::array<std::uint32_t, 3>>;
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-  /// Requires triangles that are closed, 2-manifold and oriented, with corners below `vertices`.
-  CornerTable(Triangles triangles, std::size_t vertices);
+  /// Requires triangles that are closed, 2-manifold and oriented, with corners below `vertices`. `labels`: a
+  /// number for each triangle, kept for whoever uses the table; empty: all have 0.
+  CornerTable(const Triangles& triangles, const std::vector<std::uint32_t>& labels, std::size_t vertices);
 
-  static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  std::uint32_t from(std::uint32_t h) const { return triangles_[h / 3][h % 3]; }
+  static std::uint32_t triangleOf(std::uint32_t h) { return h >> 2; }
+  static std::uint32_t next(std::uint32_t h) { return (h & 3) == 2 ? h - 2 : h + 1; }
+  static std::uint32_t previous(std::uint32_t h) { return (h & 3) == 0 ? h + 2 : h - 1; }
+  std::uint32_t from(std::uint32_t h) const { return triangles_[h >> 2].vertex[h & 3]; }
   std::uint32_t to(std::uint32_t h) const { return from(next(h)); }
+  std::uint32_t labelAt(std::uint32_t h) const { return triangles_[h >> 2].label; }
   /// A half-edge out of a vertex; kNone: it has no triangles.
   std::uint32_t outOf(std::uint32_t v) const { return out_[v]; }
   bool gone(std::uint32_t v) const { return out_[v] == kNone; }
   /// The same edge in the other triangle.
-  std::uint32_t twin(std::uint32_t h) const { return twin_[h]; }
+  std::uint32_t twin(std::uint32_t h) const { return triangles_[h >> 2].twin[h & 3]; }
   /// The next half-edge out of the same vertex, counterclockwise seen from outside.
-  std::uint32_t turned(std::uint32_t h) const { return twin_[previous(h)]; }
+  std::uint32_t turned(std::uint32_t h) const { return twin(previous(h)); }
   /// Whether a vertex has three triangles.
   bool hasThree(std::uint32_t v) const {
     const std::uint32_t first = out_[v];
     return turned(turned(turned(first))) == first;
   }
 
-  /// Joins from(h) with to(h), which keeps its place; the two triangles at h are gone, their first corner is
-  /// kNone. Requires that no vertices but those opposite of h are neighbours of both ends, and that those two
-  /// have more than three triangles.
+  /// Joins from(h) with to(h), which keeps its place; the two triangles at h are gone. Requires that no
+  /// vertices but those opposite of h are neighbours of both ends, and that those two have more than three
+  /// triangles.
   void collapse(std::uint32_t h);
 
   std::size_t vertexCount() const { return out_.size(); }
-  const Triangles& triangles() const { return triangles_; }
+  std::size_t triangleCount() const { return triangles_.size(); }
+  bool isGone(std::size_t t) const { return triangles_[t].vertex[0] == kNone; }
+  const std::array<std::uint32_t, 3>& corners(std::size_t t) const { return triangles_[t].vertex; }
 
  private:
+  /// What belongs together in half a line of the cache.
+  struct alignas(32) Triangle {
+    std::array<std::uint32_t, 3> vertex;
+    std::uint32_t label = 0;
+    std::array<std::uint32_t, 3> twin{kNone, kNone, kNone};  ///< of its half-edges
+  };
+
+  void pairEdges(std::uint32_t first, std::uint32_t last, std::size_t begin, std::size_t end,
+                 std::vector<std::uint32_t>& waiting);
+  std::uint32_t& twinAt(std::uint32_t h) { return triangles_[h >> 2].twin[h & 3]; }
   void pair(std::uint32_t g, std::uint32_t h) {
-    twin_[g] = h;
-    twin_[h] = g;
+    twinAt(g) = h;
+    twinAt(h) = g;
   }
 
-  Triangles triangles_;
-  std::vector<std::uint32_t> twin_;  ///< of a half-edge
-  std::vector<std::uint32_t> out_;   ///< a vertex
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> out_;  ///< a vertex
 };
 
 }  // namespace proveout

@@ -26,31 +26,28 @@ constexpr double kLeastCube = 1e-9;  ///< mm
 /// Cubes for each triangle at the most.
 constexpr double kMostCubes = 4.0;
 
-/// Bit i: the triangle faces direction i of the 13 between opposite neighbours of a cube; bit i + 13: the
-/// opposite one. A triangle that is none faces nowhere.
+/// Directions between opposite neighbours of a cube, and zeros.
+struct Directions {
+  static constexpr float kTwo = 0.70710678f, kThree = 0.57735027f;
+  std::array<float, 16> x = {1, 0, 0, kTwo, kTwo, 0, 0, kTwo, kTwo, kThree, kThree, kThree, kThree};
+  std::array<float, 16> y = {0, 1, 0, kTwo, -kTwo, kTwo, kTwo, 0, 0, kThree, kThree, -kThree, -kThree};
+  std::array<float, 16> z = {0, 0, 1, 0, 0, kTwo, -kTwo, kTwo, -kTwo, kThree, -kThree, kThree, -kThree};
+};
+constexpr Directions kDirections;
+
+/// Bit i: the triangle faces direction i of the 13; bit i + 16: the opposite one. A triangle that is none
+/// faces nowhere.
 std::uint32_t facingOf(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
   const Eigen::Vector3f n = (b - a).cross(c - a);
-  const float x = n.x(), y = n.y(), z = n.z();
-  constexpr float kTwo = 0.70710678f, kThree = 0.57735027f;
-  const std::array<float, 13> along = {x,
-                                       y,
-                                       z,
-                                       kTwo * (x + y),
-                                       kTwo * (x - y),
-                                       kTwo * (y + z),
-                                       kTwo * (y - z),
-                                       kTwo * (x + z),
-                                       kTwo * (x - z),
-                                       kThree * (x + y + z),
-                                       kThree * (x + y - z),
-                                       kThree * (x - y + z),
-                                       kThree * (x - y - z)};
-  const float least = kFacing * n.norm();
+  const float x = n.x(), y = n.y(), z = n.z(), least = kFacing * n.norm();
   std::uint32_t bits = 0;
   if (!(least > 0.0f)) return bits;
-  for (unsigned i = 0; i < along.size(); ++i) {
+  std::array<float, 16> along;
+  for (std::size_t i = 0; i < 16; ++i)
+    along[i] = x * kDirections.x[i] + y * kDirections.y[i] + z * kDirections.z[i];
+  for (std::size_t i = 0; i < 16; ++i) {
     bits |= static_cast<std::uint32_t>(along[i] >= least) << i;
-    bits |= static_cast<std::uint32_t>(along[i] <= -least) << (i + 13);
+    bits |= static_cast<std::uint32_t>(along[i] <= -least) << (i + 16);
   }
   return bits;
 }
@@ -88,7 +85,7 @@ class Cubes {
   }
 
  private:
-  static constexpr std::uint32_t kAll = (1u << 26) - 1;
+  static constexpr std::uint32_t kAll = 0xFFFFFFFFu;
 
   /// Calls body(cube) for those that the bounds of a triangle touch, until it returns false.
   template <typename Body>

@@ -8,13 +8,12 @@
 // blocks follow, and in the end all of it at once, for what lay on the borders of blocks.
 #include "core/mesh/edge_collapser.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/parallel_for.h"
@@ -25,64 +24,115 @@
 namespace proveout {
 namespace {
 
+constexpr std::uint32_t kNoBlock = CornerTable::kNone;
 constexpr float kNotAgain = std::numeric_limits<float>::infinity();
-/// Added to the block of a vertex that has neighbours in others.
-constexpr std::uint32_t kOnBorder = 1u << 30;
 /// Edges of the blocks of a round, in edges of triangles; 0: all is one block.
-constexpr double kBlocks[] = {48.0, 190.0, 0.0};
+constexpr double kBlocks[] = {64.0, 256.0, 0.0};
 /// Limits of the passes, as parts of the tolerance: what costs little goes first.
 constexpr double kPasses[] = {1e-3, 0.1, 0.3, 1.0};
 /// Neighbours lie nearly flat on each other: the cosine between their normals.
 constexpr float kFolded = -0.8f;
 
+/// Calls number(i, n) for each i below `count` that is kept, with numbers n from 0 in their order. Returns
+/// how many are.
+template <typename Kept, typename Number>
+std::size_t numberKept(std::size_t count, const Kept& kept, const Number& number) {
+  constexpr std::size_t kPart = 4096;
+  std::vector<std::size_t> first(count / kPart + 2, 0);
+  const auto forEachKept = [&](std::size_t part, const auto& body) {
+    for (std::size_t i = part * kPart; i < std::min(count, (part + 1) * kPart); ++i) {
+      if (kept(i)) body(i);
+    }
+  };
+  parallelFor(std::size_t{0}, first.size() - 1,
+              [&](std::size_t part) { forEachKept(part, [&](std::size_t) { ++first[part + 1]; }); });
+  for (std::size_t part = 1; part < first.size(); ++part) first[part] += first[part - 1];
+  parallelFor(std::size_t{0}, first.size() - 1, [&](std::size_t part) {
+    std::size_t next = first[part];
+    forEachKept(part, [&](std::size_t i) { number(i, next++); });
+  });
+  return first.back();
+}
+
+float largestCoordinate(const TriMesh& mesh) {
+  Eigen::Array3f most = Eigen::Array3f::Zero();
+  for (const auto& p : mesh.positions) most = most.max(p.array().abs());
+  return most.maxCoeff();
+}
+
 }  // namespace
 
-EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen)
+EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen,
+                             std::span<const float> off)
     : mesh_(mesh),
       tolerance_(tolerance),
-      table_(mesh.triangles, mesh.positions.size()),
-      normals_(mesh.triangles.size()),
-      error_(mesh.triangles.size(), 0.0f),
-      drift_(mesh.positions.size(), 0.0f),
-      needs_(mesh.positions.size(), 0.0f),
-      freedom_(mesh.positions.size(), Freedom::kNone),
-      block_(mesh.positions.size(), 0),
-      swept_(mesh.positions.size(), 0),
-      around_{table_, mesh.positions, normals_, error_} {
+      table_(mesh.triangles, mesh.motion, mesh.positions.size()),
+      triangles_(mesh.triangles.size()),
+      vertices_(mesh.positions.size()),
+      around_{table_, mesh.positions, triangles_} {
   // So many units in the last place of the coordinates: less high triangles could be turned over by rounding.
   constexpr double kLeastUnits = 64.0;
-  const Box3 bounds = meshBounds(mesh);
-  const double far = std::max(bounds.min.cwiseAbs().maxCoeff(), bounds.max.cwiseAbs().maxCoeff());
-  around_.least_height = kLeastUnits * std::numeric_limits<float>::epsilon() * far;
-  forEachBelow(mesh.triangles.size(), [&](std::size_t t) {
-    const auto [a, b, c] = cornersOf(mesh, static_cast<std::uint32_t>(t));
-    normals_[t] = (b - a).cross(c - a).normalized().cast<float>();
-  });
+  around_.least_height = kLeastUnits * std::numeric_limits<float>::epsilon() * largestCoordinate(mesh);
+  findNormals();
+  if (!off.empty()) {
+    forEachBelow(triangles_.size(), [&](std::size_t t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      triangles_[t].error = std::max({off[a], off[b], off[c]});
+    });
+  }
   findFreedoms(frozen);
+}
+
+void EdgeCollapser::findNormals() {
+  // Single precision leaves so much of the normal of a triangle of this shape right to some 1e-4.
+  constexpr float kThin = 1e-3f;
+  forEachBelow(triangles_.size(), [&](std::size_t t) {
+    const auto& v = mesh_.triangles[t];
+    const Eigen::Vector3f p = mesh_.positions[v[1]] - mesh_.positions[v[0]];
+    const Eigen::Vector3f q = mesh_.positions[v[2]] - mesh_.positions[v[0]];
+    const Eigen::Vector3f area = p.cross(q);
+    const float twice2 = area.squaredNorm();
+    if (twice2 > kThin * kThin * p.squaredNorm() * q.squaredNorm()) {
+      triangles_[t].normal = area / std::sqrt(twice2);
+    } else {
+      triangles_[t].normal = p.cast<double>().cross(q.cast<double>()).normalized().cast<float>();
+    }
+  });
 }
 
 /// Around what is folded already nothing is taken away: the layers may be as near to each other as can be.
 void EdgeCollapser::findFreedoms(std::span<const std::uint8_t> frozen) {
   constexpr std::uint8_t kMany = 3;  // borders
-  std::vector<std::uint8_t> borders(freedom_.size(), 0), folded(freedom_.size(), 0);
-  forEachBelow(3 * table_.triangles().size(), [&](std::size_t i) {
-    const auto h = static_cast<std::uint32_t>(i), t = table_.twin(h) / 3;
-    const std::atomic_ref count(borders[table_.from(h)]);
-    if (motionOf(h / 3) != motionOf(t) && count.load(std::memory_order_relaxed) < kMany)
-      count.fetch_add(1, std::memory_order_relaxed);
-    if (normals_[h / 3].dot(normals_[t]) < kFolded)
-      std::atomic_ref(folded[table_.from(h)]).store(1, std::memory_order_relaxed);
+  std::vector<std::uint8_t> borders(vertices_.size(), 0), folded(vertices_.size(), 0);
+  const auto lookAt = [&](std::uint32_t h) {
+    const std::uint32_t twin = table_.twin(h);
+    if (twin < h) return;
+    const auto& beyond = triangles_[CornerTable::triangleOf(twin)].normal;
+    const bool folds = triangles_[CornerTable::triangleOf(h)].normal.dot(beyond) < kFolded;
+    const bool border = table_.labelAt(h) != table_.labelAt(twin);
+    if (!folds && !border) return;
+    for (const std::uint32_t v : {table_.from(h), table_.from(twin)}) {
+      if (folds) std::atomic_ref(folded[v]).store(1, std::memory_order_relaxed);
+      const std::atomic_ref count(borders[v]);
+      if (border && count.load(std::memory_order_relaxed) < kMany)
+        count.fetch_add(1, std::memory_order_relaxed);
+    }
+  };
+  forEachBelow(table_.triangleCount(), [&](std::size_t t) {
+    for (std::uint32_t i = 0; i < 3; ++i) lookAt(static_cast<std::uint32_t>(4 * t + i));
   });
-  forEachBelow(freedom_.size(), [&](std::size_t v) {
+  forEachBelow(vertices_.size(), [&](std::size_t v) {
     if (table_.gone(static_cast<std::uint32_t>(v)) || (!frozen.empty() && frozen[v] != 0)) return;
-    freedom_[v] = borders[v] == 0 ? Freedom::kFree : borders[v] == 2 ? Freedom::kBorder : Freedom::kNone;
+    vertices_[v].freedom = borders[v] == 0   ? Freedom::kFree
+                           : borders[v] == 2 ? Freedom::kBorder
+                                             : Freedom::kNone;
   });
   for (std::uint32_t v = 0; v < folded.size(); ++v) {
     if (folded[v] == 0) continue;
     const std::uint32_t first = table_.outOf(v);
     std::uint32_t h = first;
     do {
-      freedom_[table_.to(h)] = Freedom::kNone;
+      vertices_[table_.to(h)].freedom = Freedom::kNone;
       h = table_.turned(h);
     } while (h != first);
   }
@@ -93,108 +143,121 @@ bool EdgeCollapser::run(const Progress& progress) {
   std::uint32_t round = 0;
   for (const double size : kBlocks) {
     if (progress.cancelled()) return false;
-    simplifyBlocks(size * edge, round++);
+    std::vector<Block> all = blocks(size * edge);
+    parallelFor(std::size_t{0}, all.size(),
+                [&](std::size_t block) { simplifyBlock(std::move(all[block]), round); });
+    ++round;
   }
   return true;
 }
 
-/// Gives all vertices their blocks; in each round the borders of blocks are elsewhere. Two blocks may have
-/// one number, and then are worked on by one thread.
-void EdgeCollapser::findBlocks(double size) {
+/// Of the vertices; those that have neighbours in other blocks have none. A collapse within a block leads to
+/// no edges out of it: what is off its border now is so until the end.
+std::vector<std::uint32_t> EdgeCollapser::blockNumbers(double size) const {
   constexpr double kShift = 0.37;
   constexpr std::uint32_t kBits = 10, kMask = (1u << kBits) - 1;
-  std::fill(block_.begin(), block_.end(), 0u);
-  if (!(size > 0.0)) return;
-  forEachBelow(block_.size(), [&](std::size_t v) {
+  std::vector<std::uint32_t> block(vertices_.size(), 0);
+  if (!(size > 0.0)) return block;
+  const double each = 1.0 / size;
+  forEachBelow(block.size(), [&](std::size_t v) {
     for (int k = 0; k < 3; ++k) {
-      const auto cell = static_cast<std::int32_t>(std::floor(mesh_.positions[v][k] / size + kShift));
-      block_[v] = block_[v] << kBits | (static_cast<std::uint32_t>(cell) & kMask);
+      const auto cell = static_cast<std::int32_t>(std::floor(mesh_.positions[v][k] * each + kShift));
+      block[v] = block[v] << kBits | (static_cast<std::uint32_t>(cell) & kMask);
     }
   });
-  // A collapse within a block leads to no edges out of it: what is off its border now is so until the end.
-  forEachBelow(table_.triangles().size(), [&](std::size_t t) {
-    const auto& v = table_.triangles()[t];
-    if (v[0] == CornerTable::kNone) return;
-    const auto blockOf = [&](int i) {
-      return std::atomic_ref(block_[v[static_cast<std::size_t>(i)]]).load(std::memory_order_relaxed) %
-             kOnBorder;
-    };
-    if (blockOf(0) == blockOf(1) && blockOf(1) == blockOf(2)) return;
-    for (const std::uint32_t corner : v)
-      std::atomic_ref(block_[corner]).fetch_or(kOnBorder, std::memory_order_relaxed);
+  std::vector<std::uint32_t> out = block;
+  forEachBelow(table_.triangleCount(), [&](std::size_t t) {
+    if (table_.isGone(t)) return;
+    const auto& [a, b, c] = table_.corners(t);
+    if (block[a] == block[b] && block[b] == block[c]) return;
+    for (const std::uint32_t corner : {a, b, c})
+      std::atomic_ref(out[corner]).store(kNoBlock, std::memory_order_relaxed);
   });
+  return out;
 }
 
-/// The vertices off the borders of blocks that may go, block by block.
-std::vector<std::uint32_t> EdgeCollapser::candidates() const {
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t v = 0; v < table_.vertexCount(); ++v) {
-    if (freedom_[v] != Freedom::kNone && block_[v] < kOnBorder && !table_.gone(v)) all.push_back(v);
+/// The vertices that may go, by their blocks; in each round the borders of blocks are elsewhere. Two blocks
+/// may have one number, and then are worked on by one thread.
+std::vector<EdgeCollapser::Block> EdgeCollapser::blocks(double size) {
+  const std::vector<std::uint32_t> block = blockNumbers(size);
+  std::vector<Block> out;
+  std::unordered_map<std::uint32_t, std::size_t> number;
+  std::uint32_t last = kNoBlock;
+  std::size_t at = 0;
+  for (std::uint32_t v = 0; v < block.size(); ++v) {
+    vertices_[v].inside = false;
+    if (block[v] == kNoBlock || vertices_[v].freedom == Freedom::kNone || table_.gone(v)) continue;
+    vertices_[v].inside = true;
+    if (block[v] != last) at = number.try_emplace(last = block[v], number.size()).first->second;
+    if (at == out.size()) out.emplace_back();
+    out[at].push_back(v);
   }
-  tbb::parallel_sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return block_[a] != block_[b] ? block_[a] < block_[b] : a < b;
-  });
-  return all;
-}
-
-void EdgeCollapser::simplifyBlocks(double size, std::uint32_t round) {
-  findBlocks(size);
-  const std::vector<std::uint32_t> all = candidates();
-  std::vector<std::size_t> first;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i == 0 || block_[all[i]] != block_[all[i - 1]]) first.push_back(i);
-  }
-  first.push_back(all.size());
-  parallelFor(std::size_t{1}, first.size(), [&](std::size_t block) {
-    const auto begin = all.begin();
-    simplifyBlock({begin + static_cast<std::ptrdiff_t>(first[block - 1]),
-                   begin + static_cast<std::ptrdiff_t>(first[block])},
-                  round);
-  });
+  return out;
 }
 
 /// Sweeps over the vertices, and in each joins none beside another, so that triangles do not become long
 /// where they could be round.
-void EdgeCollapser::simplifyBlock(std::vector<std::uint32_t> vertices, std::uint32_t round) {
+void EdgeCollapser::simplifyBlock(Block vertices, std::uint32_t round) {
   constexpr std::uint32_t kMostSweeps = 1u << 12;
   std::uint32_t sweep = round * kMostSweeps * static_cast<std::uint32_t>(std::size(kPasses));
+  Block todo;
   for (const double pass : kPasses) {
     const auto limit = static_cast<float>(pass * tolerance_);
     const std::uint32_t last = sweep + kMostSweeps - 1;
-    for (std::size_t joined = 1; joined > 0 && sweep < last;) {
-      ++sweep;
-      joined = 0;
-      for (const std::uint32_t v : vertices) {
-        if (needs_[v] <= limit && swept_[v] != sweep && tryVertex(v, limit, sweep)) ++joined;
-      }
-      std::erase_if(vertices, [&](std::uint32_t v) { return table_.gone(v); });
+    std::erase_if(vertices, [&](std::uint32_t v) { return table_.gone(v); });
+    todo.clear();
+    for (const std::uint32_t v : vertices) {
+      vertices_[v].listed = vertices_[v].isWorth(limit);
+      if (vertices_[v].listed) todo.push_back(v);
     }
+    while (!todo.empty() && sweep < last) sweepBlock(todo, limit, ++sweep);
     sweep = last;
   }
 }
 
-bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep) {
-  constexpr int kMostTries = 3;
+/// Looks at the vertices, and leaves those that are worth to be looked at again.
+void EdgeCollapser::sweepBlock(Block& todo, float limit, std::uint32_t sweep) {
+  Block again;
+  for (const std::uint32_t v : todo) {
+    VertexState& state = vertices_[v];
+    if (table_.gone(v)) continue;
+    if (state.swept == sweep) {
+      again.push_back(v);
+      continue;
+    }
+    state.listed = false;
+    if (state.isWorth(limit)) tryVertex(v, limit, sweep, again);
+  }
+
+  todo = std::move(again);
+}
+
+bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep, Block& again) {
   VertexStar star;
   Ways ways;
-  needs_[v] = kNotAgain;
-  if (freedom_[v] == Freedom::kBorder && !followBorder(v, limit, ways)) return false;
+  VertexState& state = vertices_[v];
+  state.needs = kNotAgain;
+  if (state.freedom == Freedom::kBorder && !followBorder(v, limit, ways)) {
+    state.needs = 0.0f;
+    return false;
+  }
   if (!star.look(around_, v)) return false;
   if (!findWays(star, v, limit, ways) || !star.findView()) return false;
-  for (int i = 0; i < std::min(ways.count, kMostTries); ++i) {
-    const auto change = star.join(ways.all[i].to);
-    if (!change) continue;
-    if (change->largest <= limit && staysManifold(star, ways.all[i].to) &&
-        !foldsOver(star, ways.all[i].to, *change)) {
+  for (int i = 0; i < ways.count; ++i) {
+    VertexStar::Change change;
+    const int to = ways.to[i];
+    if (!star.join(to, tolerance_, change)) continue;
+    if (change.moved > limit) {
+      state.needs = std::min(state.needs, change.moved);
+    } else if (staysManifold(star, to) && !foldsOver(star, to)) {
       for (const std::uint32_t end : ways.border) {
-        if (freedom_[v] == Freedom::kBorder) drift_[end] = std::max(drift_[end], ways.drift);
+        if (state.freedom == Freedom::kBorder)
+          vertices_[end].drift = std::max(vertices_[end].drift, ways.drift);
       }
-      needs_[v] = kNotAgain;
-      collapse(star, ways.all[i].to, *change, sweep);
+      state.needs = kNotAgain;
+      collapse(star, to, change, sweep, again);
       return true;
     }
-    if (change->largest > limit && change->largest <= tolerance_)
-      needs_[v] = std::min(needs_[v], change->largest);
   }
   return false;
 }
@@ -202,59 +265,68 @@ bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep)
 /// The ends of the border and how far it moves. False: it would move too far, or a motion would lose its last
 /// triangle.
 bool EdgeCollapser::followBorder(std::uint32_t v, float limit, Ways& ways) {
-  std::array<int, 2> end{};
   int count = 0, size = 0;
   const std::uint32_t first = table_.outOf(v);
-  std::uint32_t h = first, motion = motionOf(table_.twin(h) / 3);
+  std::uint32_t h = first, motion = table_.labelAt(table_.twin(h));
   do {
-    const std::uint32_t left = motionOf(h / 3);
+    const std::uint32_t left = table_.labelAt(h);
     if (left != motion && count < 2) {
-      end[count] = size;
+      ways.border_at[count] = size;
       ways.border[count++] = table_.to(h);
     }
     motion = left;
     ++size;
     h = table_.turned(h);
   } while (h != first);
-  const int run = end[1] - end[0];
+  const int run = ways.border_at[1] - ways.border_at[0];
   if (run < 2 || size - run < 2) return false;
   const Eigen::Vector3f& at = mesh_.positions[v];
   const Vec3 p = (mesh_.positions[ways.border[0]] - at).cast<double>();
   const Vec3 along = (mesh_.positions[ways.border[1]] - at).cast<double>() - p;
   const double part = std::clamp(-p.dot(along) / along.squaredNorm(), 0.0, 1.0);
-  ways.drift = drift_[v] + static_cast<float>((p + part * along).norm());
-  if (ways.drift > limit) {
-    if (ways.drift <= tolerance_) needs_[v] = ways.drift;
-    return false;
-  }
-  ways.all[0].to = end[0];
-  ways.all[1].to = end[1];
-  ways.count = 2;
-  return true;
+  ways.drift = vertices_[v].drift + static_cast<float>((p + part * along).norm());
+  vertices_[v].next_drift = ways.drift <= tolerance_ ? ways.drift : kNotAgain;
+  return ways.drift <= limit;
 }
 
-/// False: there are none, and needs_ says when there may be.
-bool EdgeCollapser::findWays(const VertexStar& star, std::uint32_t v, float limit, Ways& ways) {
-  // A neighbour so many times farther from the planes than the surface may move is not worth to be looked at,
-  // and the nearest one is better by this part of the tolerance than the farthest.
-  constexpr double kFarOff = 3.0, kNear = 0.02;
-  if (freedom_[v] == Freedom::kFree) {
-    for (int j = 0; j < star.size(); ++j) ways.all[ways.count++].to = j;
+void EdgeCollapser::Ways::add(int j, double rank_of_it) {
+  int i = std::min(count, kMostTries);
+  if (i == kMostTries && rank_of_it >= rank[i - 1]) return;
+  count = std::min(count + 1, kMostTries);
+  for (i = count - 1; i > 0 && rank[i - 1] > rank_of_it; --i) {
+    to[i] = to[i - 1];
+    rank[i] = rank[i - 1];
   }
+  to[i] = j;
+  rank[i] = rank_of_it;
+}
+
+/// False: there are none, and the vertex needs what may give one.
+bool EdgeCollapser::findWays(const VertexStar& star, std::uint32_t v, float limit, Ways& ways) {
+  // Neighbours so much farther from the planes than the surface may move are not worth to be looked at: the
+  // sum of the squared distances is so many times the squared limit. The nearest one is better by this part
+  // of the tolerance than the farthest.
+  constexpr double kFarOff2 = 6.0, kNear = 0.05;
+  VertexState& state = vertices_[v];
   double longest2 = 0.0;
   for (int j = 0; j < star.size(); ++j) longest2 = std::max(longest2, star.arm(j).squaredNorm());
-  const int all = std::exchange(ways.count, 0);
-  for (int i = 0; i < all; ++i) {
-    const int to = ways.all[i].to;
-    const double off = star.offPlanes(to);
-    if (off <= kFarOff * limit) {
-      ways.all[ways.count++] = {off + kNear * tolerance_ * std::sqrt(star.arm(to).squaredNorm() / longest2),
-                                to};
-    } else if (off <= kFarOff * tolerance_) {
-      needs_[v] = std::min(needs_[v], static_cast<float>(off / kFarOff));
+  const double most = kFarOff2 * limit * limit, near = kFarOff2 * std::pow(kNear * tolerance_, 2) / longest2;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](int j) {
+    const double off2 = star.offPlanes2(j);
+    if (off2 <= most) {
+      ways.add(j, off2 + near * star.arm(j).squaredNorm());
+    } else {
+      least = std::min(least, off2);
     }
+  };
+  if (state.freedom == Freedom::kBorder) {
+    for (const int j : ways.border_at) look(j);
+  } else {
+    for (int j = 0; j < star.size(); ++j) look(j);
   }
-  std::sort(ways.all.begin(), ways.all.begin() + ways.count);
+  if (least <= kFarOff2 * tolerance_ * tolerance_)
+    state.needs = std::min(state.needs, static_cast<float>(std::sqrt(least / kFarOff2)));
   return ways.count > 0;
 }
 
@@ -275,51 +347,65 @@ bool EdgeCollapser::staysManifold(const VertexStar& star, int to) const {
 }
 
 /// Whether a new triangle lies nearly flat on the one beyond its outer edge, and the old one did not.
-bool EdgeCollapser::foldsOver(const VertexStar& star, int to, const VertexStar::Change& change) const {
+bool EdgeCollapser::foldsOver(const VertexStar& star, int to) const {
   for (int j = star.after(to); star.after(j) != to; j = star.after(j)) {
-    const Eigen::Vector3f& beyond = normals_[table_.twin(CornerTable::next(star.halfEdge(j))) / 3];
-    const float now = change.normal[j].dot(beyond);
-    if (now < kFolded && now < normals_[star.triangle(j)].dot(beyond)) return true;
+    const std::uint32_t outer = table_.twin(CornerTable::next(star.halfEdge(j)));
+    const Eigen::Vector3f& beyond = triangles_[CornerTable::triangleOf(outer)].normal;
+    const float now = star.newNormal(to, j).dot(beyond);
+    if (now < kFolded && now < triangles_[star.triangle(j)].normal.dot(beyond)) return true;
   }
   return false;
 }
 
 void EdgeCollapser::collapse(const VertexStar& star, int to, const VertexStar::Change& change,
-                             std::uint32_t sweep) {
-  for (int j = star.after(to); star.after(j) != to; j = star.after(j)) {
-    error_[star.triangle(j)] = change.error[j];
-    normals_[star.triangle(j)] = change.normal[j];
-  }
+                             std::uint32_t sweep, Block& again) {
+  const bool border = vertices_[table_.from(star.halfEdge(to))].freedom == Freedom::kBorder;
+  for (int j = star.after(to); star.after(j) != to; j = star.after(j))
+    triangles_[star.triangle(j)] = {star.newNormal(to, j), change.error[j]};
   table_.collapse(star.halfEdge(to));
   for (int j = 0; j < star.size(); ++j) {
-    needs_[star.ring(j)] = 0.0f;
-    swept_[star.ring(j)] = sweep;
+    VertexState& state = vertices_[star.ring(j)];
+    state.needs = 0.0f;
+    if (border) state.next_drift = 0.0f;
+    state.swept = sweep;
+    if (!state.inside || state.listed) continue;
+    state.listed = true;
+    again.push_back(star.ring(j));
   }
 }
 
 /// How far a triangle was moved at most, of all.
 double EdgeCollapser::distance() const {
-  double most = 0.0;
-  for (std::size_t t = 0; t < error_.size(); ++t) {
-    if (table_.triangles()[t][0] != CornerTable::kNone) most = std::max(most, static_cast<double>(error_[t]));
-  }
-  return most;
+  constexpr std::size_t kPart = 4096;
+  std::vector<float> most(triangles_.size() / kPart + 1, 0.0f);
+  parallelFor(std::size_t{0}, most.size(), [&](std::size_t part) {
+    for (std::size_t t = part * kPart; t < std::min(triangles_.size(), (part + 1) * kPart); ++t) {
+      if (!table_.isGone(t)) most[part] = std::max(most[part], triangles_[t].error);
+    }
+  });
+  return std::ranges::max(most);
 }
 
 TriMesh EdgeCollapser::result() const {
   TriMesh out;
-  std::vector<std::uint32_t> number(mesh_.positions.size());
-  for (std::uint32_t v = 0; v < mesh_.positions.size(); ++v) {
-    if (table_.gone(v)) continue;
-    number[v] = static_cast<std::uint32_t>(out.positions.size());
-    out.positions.push_back(mesh_.positions[v]);
-  }
-  for (std::size_t t = 0; t < table_.triangles().size(); ++t) {
-    const auto& [a, b, c] = table_.triangles()[t];
-    if (a == CornerTable::kNone) continue;
-    out.triangles.push_back({number[a], number[b], number[c]});
-    if (!mesh_.motion.empty()) out.motion.push_back(mesh_.motion[t]);
-  }
+  std::vector<std::uint32_t> number(mesh_.positions.size()), from(table_.triangleCount());
+  const std::size_t vertices = numberKept(
+      number.size(), [&](std::size_t v) { return !table_.gone(static_cast<std::uint32_t>(v)); },
+      [&](std::size_t v, std::size_t n) { number[v] = static_cast<std::uint32_t>(n); });
+  const std::size_t triangles = numberKept(
+      from.size(), [&](std::size_t t) { return !table_.isGone(t); },
+      [&](std::size_t t, std::size_t n) { from[n] = static_cast<std::uint32_t>(t); });
+  out.positions.resize(vertices);
+  out.triangles.resize(triangles);
+  if (!mesh_.motion.empty()) out.motion.resize(triangles);
+  forEachBelow(triangles, [&](std::size_t n) {
+    const auto& corners = table_.corners(from[n]);
+    for (std::size_t i = 0; i < 3; ++i) out.triangles[n][i] = number[corners[i]];
+    if (!mesh_.motion.empty()) out.motion[n] = mesh_.motion[from[n]];
+  });
+  forEachBelow(number.size(), [&](std::size_t v) {
+    if (!table_.gone(static_cast<std::uint32_t>(v))) out.positions[number[v]] = mesh_.positions[v];
+  });
   return out;
 }
 

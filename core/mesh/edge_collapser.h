@@ -16,8 +16,10 @@ namespace proveout {
 /// Collapses edges of one mesh.
 class EdgeCollapser {
  public:
-  /// `mesh` must outlive this. Vertices with a flag in `frozen` stay; empty: none has one.
-  EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen);
+  /// `mesh` must outlive this. Vertices with a flag in `frozen` stay; empty: none has one. `off`: by vertex,
+  /// how far triangles there are off already, mm; empty: none is.
+  EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<const std::uint8_t> frozen,
+                std::span<const float> off);
 
   /// False: cancelled.
   bool run(const Progress& progress);
@@ -27,43 +29,50 @@ class EdgeCollapser {
  private:
   /// Where a vertex may go: anywhere, along the border of two motions, nowhere.
   enum class Freedom : std::uint8_t { kFree, kBorder, kNone };
-  /// A neighbour that a vertex may be joined with; what seems cheapest first.
-  struct Way {
-    double rank;
-    int to;
-    bool operator<(const Way& o) const { return rank != o.rank ? rank < o.rank : to < o.to; }
+  struct VertexState {
+    float needs = 0.0f;       ///< limit under which it is worth to try again, mm
+    std::uint32_t swept = 0;  ///< the last sweep that changed a triangle there
+    float drift = 0.0f;       ///< of the borders there, mm
+    float next_drift = 0.0f;  ///< the same if the vertex went; 0: not known
+    Freedom freedom = Freedom::kNone;
+    bool inside = false;  ///< of a block of this round
+    bool listed = false;  ///< among those that the block looks at in this sweep or the next
+
+    bool isWorth(float limit) const { return needs <= limit && next_drift <= limit; }
   };
+  static constexpr int kMostTries = 3;
+  /// Neighbours that a vertex may be joined with; what seems cheapest first.
   struct Ways {
-    std::array<Way, VertexStar::kMost> all;
+    std::array<int, kMostTries> to{};
+    std::array<double, kMostTries> rank{};
     int count = 0;
     std::array<std::uint32_t, 2> border{};  ///< neighbours along it
+    std::array<int, 2> border_at{};         ///< in the star
     float drift = 0.0f;                     ///< of the border, if the vertex goes
-  };
 
-  std::uint32_t motionOf(std::uint32_t t) const { return mesh_.motion.empty() ? kNoBorder : mesh_.motion[t]; }
+    void add(int j, double rank_of_it);
+  };
+  using Block = std::vector<std::uint32_t>;
+
+  void findNormals();
   void findFreedoms(std::span<const std::uint8_t> frozen);
-  void findBlocks(double size);
-  std::vector<std::uint32_t> candidates() const;
-  void simplifyBlocks(double size, std::uint32_t round);
-  void simplifyBlock(std::vector<std::uint32_t> vertices, std::uint32_t round);
-  bool tryVertex(std::uint32_t v, float limit, std::uint32_t sweep);
+  std::vector<Block> blocks(double size);
+  std::vector<std::uint32_t> blockNumbers(double size) const;
+  void simplifyBlock(Block vertices, std::uint32_t round);
+  void sweepBlock(Block& todo, float limit, std::uint32_t sweep);
+  bool tryVertex(std::uint32_t v, float limit, std::uint32_t sweep, Block& again);
   bool findWays(const VertexStar& star, std::uint32_t v, float limit, Ways& ways);
   bool followBorder(std::uint32_t v, float limit, Ways& ways);
   bool staysManifold(const VertexStar& star, int to) const;
-  bool foldsOver(const VertexStar& star, int to, const VertexStar::Change& change) const;
-  void collapse(const VertexStar& star, int to, const VertexStar::Change& change, std::uint32_t sweep);
+  bool foldsOver(const VertexStar& star, int to) const;
+  void collapse(const VertexStar& star, int to, const VertexStar::Change& change, std::uint32_t sweep,
+                Block& again);
 
-  static constexpr std::uint32_t kNoBorder = 0;
   const TriMesh& mesh_;
   const double tolerance_;
-  CornerTable table_;
-  std::vector<Eigen::Vector3f> normals_;  ///< of the triangles
-  std::vector<float> error_;              ///< of the triangles, mm
-  std::vector<float> drift_;              ///< vertices: of the borders there, mm
-  std::vector<float> needs_;              ///< vertices: limit under which it is worth to try again, mm
-  std::vector<Freedom> freedom_;
-  std::vector<std::uint32_t> block_;  ///< of the vertices
-  std::vector<std::uint32_t> swept_;  ///< vertices: the last sweep that changed a triangle there
+  CornerTable table_;  ///< its labels are the motions
+  std::vector<TriangleState> triangles_;
+  std::vector<VertexState> vertices_;
   StarSurroundings around_;
 };
 

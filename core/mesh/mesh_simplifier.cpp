@@ -41,7 +41,8 @@ bool freeze(const TriMesh& mesh, const std::vector<Box3>& places, std::vector<st
 
 }  // namespace
 
-std::optional<Simplification> simplifyMesh(TriMesh& mesh, double tolerance_mm, const Progress& progress) {
+std::optional<Simplification> simplifyMesh(TriMesh& mesh, double tolerance_mm, const Progress& progress,
+                                           std::span<const float> off_mm) {
   Simplification out;
   if (!(tolerance_mm > 0.0) || mesh.triangles.empty()) return out;
   constexpr int kMostRuns = 6;
@@ -49,7 +50,7 @@ std::optional<Simplification> simplifyMesh(TriMesh& mesh, double tolerance_mm, c
   std::vector<std::uint8_t> frozen;
   TriMesh simplified;
   for (int run = 0; run < kMostRuns; ++run) {
-    EdgeCollapser collapser(mesh, tolerance_mm, frozen);
+    EdgeCollapser collapser(mesh, tolerance_mm, frozen, off_mm);
     if (!collapser.run(progress)) return std::nullopt;
     simplified = collapser.result();
     out.distance_mm = collapser.distance();

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "core/base/progress.h"
 #include "core/mesh/tri_mesh.h"
@@ -20,7 +21,9 @@ struct Simplification {
 
 /// Takes vertices out of a closed 2-manifold mesh; those that stay keep their places. Borders between motions
 /// keep the vertices where they meet, and move by at most the tolerance between. Same result on any number of
-/// threads. None: cancelled, the mesh is as it was. `tolerance_mm` of 0 or less: nothing is done.
-std::optional<Simplification> simplifyMesh(TriMesh& mesh, double tolerance_mm, const Progress& progress);
+/// threads. None: cancelled, the mesh is as it was. `tolerance_mm` of 0 or less: nothing is done. `off_mm`:
+/// by vertex, how far the triangles there are off already, which is part of the distance; empty: none is.
+std::optional<Simplification> simplifyMesh(TriMesh& mesh, double tolerance_mm, const Progress& progress,
+                                           std::span<const float> off_mm = {});
 
 }  // namespace proveout

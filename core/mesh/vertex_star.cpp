@@ -22,6 +22,7 @@ bool VertexStar::look(const StarSurroundings& around, std::uint32_t middle) {
   around_ = &around;
   size_ = 0;
   largest_error_ = 0.0;
+  planes_ = {};
   const Vec3 at = around.positions[middle].cast<double>();
   const std::uint32_t first = around.table.outOf(middle);
   std::uint32_t h = first;
@@ -30,8 +31,15 @@ bool VertexStar::look(const StarSurroundings& around, std::uint32_t middle) {
     half_edge_[size_] = h;
     ring_[size_] = around.table.to(h);
     arm_[size_] = around.positions[ring_[size_]].cast<double>() - at;
-    normal_[size_] = around.normals[h / 3].cast<double>();
-    error_[size_] = around.error[h / 3];
+    const TriangleState& triangle = around.triangles[CornerTable::triangleOf(h)];
+    const Vec3 n = normal_[size_] = triangle.normal.cast<double>();
+    planes_[0] += n.x() * n.x();
+    planes_[1] += n.x() * n.y();
+    planes_[2] += n.x() * n.z();
+    planes_[3] += n.y() * n.y();
+    planes_[4] += n.y() * n.z();
+    planes_[5] += n.z() * n.z();
+    error_[size_] = triangle.error;
     largest_error_ = std::max(largest_error_, error_[size_]);
     ++size_;
     h = around.table.turned(h);
@@ -60,32 +68,35 @@ bool VertexStar::findView() {
   return rounds == 1;
 }
 
-double VertexStar::offPlanes(int b) const {
-  double off = 0.0;
-  for (int j = 0; j < size_; ++j) {
-    if (j != b && after(j) != b) off = std::max(off, std::abs(normal_[j].dot(arm_[b])));
-  }
-  return off;
-}
-
-bool VertexStar::hasShape(int b, Change& change) const {
+bool VertexStar::facesViewer(int b) const {
   for (int j = after(b); after(j) != b; j = after(j)) {
-    const int k = after(j);
-    if (cross(flat_[j] - flat_[b], flat_[k] - flat_[b]) <= 0.0) return false;
-    const Vec3 p = arm_[j] - arm_[b], q = arm_[k] - arm_[b];
-    const Vec3 area = p.cross(q);
-    const double twice = area.norm();
-    const double longest = std::sqrt(std::max({p.squaredNorm(), q.squaredNorm(), (q - p).squaredNorm()}));
-    if (twice < std::max(kNeedle * longest, around_->least_height) * longest) return false;
-    if (area.dot(normal_[j]) < kMostLean * twice) return false;
-    change.normal[j] = (area / twice).cast<float>();
+    if (cross(flat_[j] - flat_[b], flat_[after(j)] - flat_[b]) <= 0.0) return false;
   }
   return true;
 }
 
-/// The middle is seen in front of or behind one of the new triangles.
-void VertexStar::addMiddle(int b, Values& moved, Values& before) const {
+bool VertexStar::hasShape(int b) const {
+  for (int j = after(b); after(j) != b; j = after(j)) {
+    const Vec3 p = arm_[j] - arm_[b], q = arm_[after(j)] - arm_[b];
+    const Vec3 area = p.cross(q);
+    const double twice2 = area.squaredNorm();
+    const double longest2 = std::max({p.squaredNorm(), q.squaredNorm(), (q - p).squaredNorm()});
+    const double least2 = around_->least_height * around_->least_height;
+    if (twice2 < std::max(kNeedle * kNeedle * longest2, least2) * longest2) return false;
+    const double facing = area.dot(normal_[j]);
+    if (facing < 0.0 || facing * facing < kMostLean * kMostLean * twice2) return false;
+  }
+  return true;
+}
+
+Eigen::Vector3f VertexStar::newNormal(int b, int j) const {
+  return (arm_[j] - arm_[b]).cross(arm_[after(j)] - arm_[b]).normalized().cast<float>();
+}
+
+/// The middle is seen in front of or behind one of the new triangles. Returns by how much.
+double VertexStar::addMiddle(int b, Values& moved, Values& before) const {
   const Vec2 to_middle = -flat_[b];
+  double most = 0.0;
   for (int j = after(b); after(j) != b; j = after(j)) {
     const int k = after(j);
     const Vec2 p = flat_[j] - flat_[b], q = flat_[k] - flat_[b];
@@ -96,7 +107,9 @@ void VertexStar::addMiddle(int b, Values& moved, Values& before) const {
     const double height = height_[b] + s * (height_[j] - height_[b]) + t * (height_[k] - height_[b]);
     moved[j] = std::max(moved[j], std::abs(height));
     before[j] = largest_error_;
+    most = std::max(most, moved[j]);
   }
+  return most;
 }
 
 /// A new edge divides the star in two; the old edges to the ring on the side where the middle is not cross
@@ -121,20 +134,24 @@ void VertexStar::addCrossings(int b, Values& moved, Values& before) const {
   }
 }
 
-std::optional<VertexStar::Change> VertexStar::join(int b) const {
-  Change change;
-  if (!hasShape(b, change)) return std::nullopt;
-  Values moved;
-  std::fill_n(moved.begin(), size_, 0.0);
+bool VertexStar::join(int b, double most, Change& change) const {
+  if (!facesViewer(b)) return false;
+  Values moved, before;
   // Errors of the old triangles that a new one takes the place of: the one at its outer edge, and others.
-  Values before = error_;
-  addMiddle(b, moved, before);
+  for (int j = 0; j < size_; ++j) {
+    moved[j] = 0.0;
+    before[j] = error_[j];
+  }
+  if (addMiddle(b, moved, before) + largest_error_ > most || !hasShape(b)) return false;
   addCrossings(b, moved, before);
+  change.moved = 0.0f;
+  bool within = true;
   for (int j = after(b); after(j) != b; j = after(j)) {
     change.error[j] = static_cast<float>(moved[j] + before[j]);
-    change.largest = std::max(change.largest, change.error[j]);
+    change.moved = std::max(change.moved, static_cast<float>(moved[j]));
+    within = within && change.error[j] <= static_cast<float>(most);
   }
-  return change;
+  return within;
 }
 
 }  // namespace proveout

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "core/geometry/types.h"
@@ -12,13 +11,17 @@
 
 namespace proveout {
 
+struct TriangleState {
+  Eigen::Vector3f normal;  ///< unit
+  float error = 0.0f;      ///< mm: by how much it is off what there was, at most
+};
+
 /// What stars are looked at with.
 struct StarSurroundings {
   const CornerTable& table;
   std::span<const Eigen::Vector3f> positions;  ///< mm
-  std::span<const Eigen::Vector3f> normals;    ///< of the triangles, unit
-  std::span<const float> error;  ///< of the triangles, mm: by how much they are off what there was, at most
-  double least_height = 0.0;     ///< triangles of less height than this, mm, are needles
+  std::span<const TriangleState> triangles;
+  double least_height = 0.0;  ///< triangles of less height than this, mm, are needles
 };
 
 /// Triangle j has the corners middle, ring(j), ring(j + 1).
@@ -34,31 +37,38 @@ class VertexStar {
   int before(int j) const { return j == 0 ? size_ - 1 : j - 1; }
   std::uint32_t ring(int j) const { return ring_[j]; }
   std::uint32_t halfEdge(int j) const { return half_edge_[j]; }  ///< from the middle to ring(j)
-  std::uint32_t triangle(int j) const { return half_edge_[j] / 3; }
+  std::uint32_t triangle(int j) const { return CornerTable::triangleOf(half_edge_[j]); }
   const Vec3& arm(int j) const { return arm_[j]; }  ///< from the middle to ring(j), mm
 
   /// Finds the view in which all triangles face the viewer; false: there is none. What follows requires it.
   bool findView();
-  /// Largest distance of ring(b) from the planes of the triangles that it is no corner of, mm.
-  double offPlanes(int b) const;
+  /// Sum of the squared distances of ring(b) from the planes of the triangles, mm2.
+  double offPlanes2(int b) const {
+    const Vec3& a = arm_[b];
+    const std::array<double, 6>& q = planes_;
+    return a.x() * (q[0] * a.x() + 2.0 * (q[1] * a.y() + q[2] * a.z())) +
+           a.y() * (q[3] * a.y() + 2.0 * q[4] * a.z()) + q[5] * a.z() * a.z();
+  }
 
   /// What takes the place of the star where its middle is joined with ring(b): triangles ring(b), ring(j),
   /// ring(j + 1), for all j from after(b) with after(j) != b.
   struct Change {
-    std::array<float, kMost> error;             ///< as in the surroundings
-    std::array<Eigen::Vector3f, kMost> normal;  ///< unit
-    float largest = 0.0f;                       ///< of the errors
+    std::array<float, kMost> error;  ///< as in the surroundings
+    float moved = 0.0f;              ///< the largest part of them that is new
   };
   /// Both are seen as heights over one plane, so that going along the view leads from either one to the
   /// other: they are nowhere farther apart than along it, and this difference is largest where the middle is
-  /// or where an old edge crosses a new one, as it is linear between. None: the new triangles would fold, be
-  /// needles, or lean much against those that have been there.
-  std::optional<Change> join(int b) const;
+  /// or where an old edge crosses a new one, as it is linear between. False: the new triangles would fold, be
+  /// needles, or lean much against those that have been there, or an error be above `most`.
+  bool join(int b, double most, Change& change) const;
+  /// Unit normal of new triangle j.
+  Eigen::Vector3f newNormal(int b, int j) const;
 
  private:
   using Values = std::array<double, kMost>;
-  bool hasShape(int b, Change& change) const;
-  void addMiddle(int b, Values& moved, Values& before) const;
+  bool facesViewer(int b) const;
+  bool hasShape(int b) const;
+  double addMiddle(int b, Values& moved, Values& before) const;
   void addCrossings(int b, Values& moved, Values& before) const;
 
   const StarSurroundings* around_ = nullptr;
@@ -69,6 +79,7 @@ class VertexStar {
   Values height_;                 ///< of them against it
   Values error_;
   double largest_error_ = 0.0;
+  std::array<double, 6> planes_{};  ///< sum of the products of the normals: xx, xy, xz, yy, yz, zz
 };
 
 }  // namespace proveout

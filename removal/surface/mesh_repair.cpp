@@ -6,6 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/base/stretches.h"
 #include "removal/surface/mesh_writer.h"
 #include "removal/surface/surface_mend.h"
 
@@ -17,6 +18,15 @@ namespace {
 constexpr int kRepairRounds = 24;
 /// Rounds of parting cells where triangles meet, before the mesh itself is changed.
 constexpr int kPartRounds = 32;
+
+std::vector<std::uint8_t> mergedVertices(const LeafMesh& mesh, const VertexMerger& merger) {
+  std::vector<std::uint8_t> merged(mesh.mesh.positions.size(), 0);
+  if (!merger.active()) return merged;
+  forEachBelow(mesh.kept, [&](std::size_t v) {
+    merged[v] = merger.merged(mesh.cellAt(static_cast<std::uint32_t>(v))) ? 1 : 0;
+  });
+  return merged;
+}
 
 class MeshRepair {
  public:
@@ -141,6 +151,8 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
       }
       out.self_intersections = mendIntersections(written->mesh, pairs, grid_.impl().h).size();
     }
+    // Mending may number vertices anew: any may be merged then.
+    if (pairs.empty()) out.merged = mergedVertices(*written, merger_);
     out.mesh = std::move(written->mesh);
     PROVEOUT_ASSERT_DEAR(analyseTopology(out.mesh).closedManifold());
     return out;

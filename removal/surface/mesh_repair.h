@@ -11,6 +11,8 @@ namespace proveout {
 
 struct RepairedMesh {
   TriMesh mesh;  ///< closed and 2-manifold, with motions
+  /// By vertex: 1 where it stands for several cells. Empty: any may.
+  std::vector<std::uint8_t> merged;
   /// Pairs of triangles that run through each other and could not be parted.
   std::size_t self_intersections = 0;
 };

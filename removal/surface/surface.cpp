@@ -26,7 +26,8 @@ constexpr double kFlatnessShare = 0.5;
 /// Part of it that edges between the vertices may be cut off by.
 constexpr double kSharpShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
-/// Part of the tolerance that merging cells may take; the rest is for the mesh made of them.
+/// Part of the tolerance that merging cells may take. The rest is for the mesh made of them, and all of it
+/// where nothing was merged.
 constexpr double kMergingShare = 0.5;
 /// Where a finished mesh runs through itself, all is looked at within so many cells, and what is found is
 /// parted, so many times; at the last it is not simplified.
@@ -48,9 +49,9 @@ Result<SurfaceGrid> placedCells(const Stock::Impl& impl, double flatness, Progre
   return grid;
 }
 
-/// `simplify_mm`: what merging may take. `doubts`: see repairedMesh.
+/// `simplify_mm`: what merging may take. `doubts`: see repairedMesh. `merged`: see RepairedMesh.
 Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, const std::vector<Box3>& doubts,
-                                 Progress& progress) {
+                                 std::vector<std::uint8_t>& merged, Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "interrupted"};
   const double flatness = flatnessOf(impl, simplify_mm);
   progress.report("meshing", 0.0);
@@ -70,6 +71,8 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, co
   if (progress.cancelled()) return interrupted;
   PROVEOUT_ASSERT_DEAR(analyseTopology(repaired->mesh).closedManifold());
   StockSurface surface;
+  merged = std::move(repaired->merged);
+  merged.resize(repaired->mesh.positions.size(), 1);
   surface.mesh = std::move(repaired->mesh);
   surface.volume_mm3 = measured->volume.mm3;
   surface.volume_error_mm3 = measured->volume.error_mm3;
@@ -93,11 +96,15 @@ void addMeetings(const TriMesh& mesh, double moved_mm, double cell_mm, std::vect
 }
 
 /// Fewer triangles of the finished mesh, and the places where it runs through itself still. Error: cancelled.
-Status finishMesh(StockSurface& surface, double tolerance_mm, double cell_mm, std::vector<Box3>& doubts,
-                  Progress& progress) {
+Status finishMesh(StockSurface& surface, const std::vector<std::uint8_t>& merged, double tolerance_mm,
+                  double cell_mm, std::vector<Box3>& doubts, Progress& progress) {
   if (surface.mesh.triangles.empty()) return Done{};
   progress.report("meshing", 0.9);
-  const std::optional<Simplification> done = simplifyMesh(surface.mesh, tolerance_mm, progress);
+  // Merged triangles may be off the corners that there were by as much as a patch is high.
+  const auto most = static_cast<float>(kFlatnessShare * kMergingShare * tolerance_mm);
+  std::vector<float> off(merged.size());
+  std::ranges::transform(merged, off.begin(), [&](std::uint8_t is) { return is != 0 ? most : 0.0f; });
+  const std::optional<Simplification> done = simplifyMesh(surface.mesh, tolerance_mm, progress, off);
   if (!done) return Error{ErrorKind::kInterrupted, "interrupted"};
   PROVEOUT_ASSERT_DEAR(analyseTopology(surface.mesh).closedManifold());
   // What is left of a mesh that is not simplified is not known yet.
@@ -113,11 +120,12 @@ Status finishMesh(StockSurface& surface, double tolerance_mm, double cell_mm, st
 Result<StockSurface> finishedSurface(const Stock::Impl& impl, double tolerance, Progress& progress) {
   std::vector<Box3> doubts;
   for (int round = 1;; ++round) {
-    Result<StockSurface> surface = meshSurface(impl, kMergingShare * tolerance, doubts, progress);
+    std::vector<std::uint8_t> merged;
+    Result<StockSurface> surface = meshSurface(impl, kMergingShare * tolerance, doubts, merged, progress);
     if (!surface) return surface;
     const bool last = round == kDoubtRounds;
-    const double rest = last ? 0.0 : (1.0 - kMergingShare) * tolerance;
-    if (Status done = finishMesh(*surface, rest, impl.h, doubts, progress); !done) return done.error();
+    if (Status done = finishMesh(*surface, merged, last ? 0.0 : tolerance, impl.h, doubts, progress); !done)
+      return done.error();
     if (surface->self_intersections == 0 || last) return surface;
   }
 }

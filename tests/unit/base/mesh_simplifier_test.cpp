@@ -164,6 +164,25 @@ TEST(MeshSimplifier, StaysWithinTheToleranceBothWays) {
   }
 }
 
+/// Half of a ball is off by nearly the tolerance before: it stays fine, the other half does not.
+TEST(MeshSimplifier, WhatIsOffBeforeCounts) {
+  const TriMesh ball = cube(40, onSphere);
+  std::vector<float> off(ball.positions.size());
+  for (std::size_t v = 0; v < off.size(); ++v) off[v] = ball.positions[v].x() < 0.0f ? 0.0999f : 0.0f;
+  TriMesh mesh = ball;
+  Progress progress;
+  const auto done = simplifyMesh(mesh, 0.1, progress, off);
+  ASSERT_TRUE(done.has_value());
+  EXPECT_LE(done->distance_mm, 0.1 * (1 + 1e-6));
+  EXPECT_GE(done->distance_mm, 0.0999 * (1 - 1e-6));
+  const auto below = [](const TriMesh& of) {
+    return std::ranges::count_if(of.positions, [](const auto& p) { return p.x() < -0.5f; });
+  };
+  EXPECT_GT(below(mesh), below(ball) * 9 / 10);
+  EXPECT_LT(static_cast<double>(mesh.positions.size() - below(mesh)), 0.3 * static_cast<double>(off.size()));
+  EXPECT_TRUE(analyseTopology(mesh).closedManifold());
+}
+
 TEST(MeshSimplifier, CoarserToleranceLeavesFewerTriangles) {
   std::size_t last = 0;
   for (const double tolerance : {0.2, 0.02, 0.002}) {
