@@ -1,0 +1,65 @@
+// A coarse height map of what a path leaves, from which a run's work is told before it is run.
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/types.h"
+#include "core/tool/tool.h"
+
+namespace proveout {
+
+/// How high a tool stands over its tip: flat, then round, then straight.
+struct Footprint {
+  double radius = 0.0;       ///< mm; of the widest place
+  double flat_radius = 0.0;  ///< mm
+  double corner = 0.0;       ///< mm; radius of the round that follows
+  double corner_end = 0.0;   ///< mm from the axis
+  double rise = 0.0;         ///< behind it, mm a mm of radius
+
+  /// Over the tip, mm, at the square of a distance from the axis.
+  double heightAt2(double distance2) const;
+};
+
+/// Of the part of a tool below its widest place. Tools that are wider below than above count as flat.
+Footprint footprintOf(const Tool& tool);
+
+/// Lowest point that the tools reach over each cell in plan view.
+class HeightMap {
+ public:
+  static constexpr int kBands = 16;  ///< that threads may fill at the same time
+
+  /// `cell`: mm.
+  HeightMap(const Box3& blank, double cell);
+
+  /// Whether the columns from `x_min` to `x_max`, mm, touch the band.
+  bool touches(double x_min, double x_max, int band) const {
+    return column(x_min) < firstOf(band + 1) && column(x_max) >= firstOf(band);
+  }
+  /// Lowers what lies within reach of the segment (plan view) to the height of the tool on its nearest point,
+  /// in this band of columns.
+  void lower(const Vec3& a, const Vec3& b, const Footprint& tool, int band);
+
+  /// What cutting adds to the surface of the blank, mm2: slopes and walls more than the flat top that is
+  /// gone; where all is cut through, top and bottom are gone.
+  double addedArea() const;
+  /// What is cut but level floors: slopes and walls, mm2.
+  double cutArea() const;
+  /// Area in plan view of ridges and grooves, mm2: where the surface rises or falls to both sides and bends,
+  /// so that its triangles stay small. Feet of walls are none.
+  double unevenArea() const;
+
+ private:
+  int firstOf(int band) const { return nx_ * band / kBands; }
+  int column(double x) const;
+  int row(double y) const;
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(x) * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(y);
+  }
+
+  Box3 blank_;
+  double cell_;
+  int nx_ = 1, ny_ = 1;
+  std::vector<double> height_;
+};
+
+}  // namespace proveout
