@@ -16,10 +16,10 @@ namespace proveout {
 namespace {
 
 // Measured with tests/bench/bench_prediction on two cores. A cell is a square of the grid on the surface.
-constexpr double kBaseMb = 20.0;               ///< program, libraries, threads
-constexpr double kBytesPerCell = 50.0;         ///< leaves, crossings, mesh of flat faces
-constexpr double kBytesPerCutCell = 72.0;      ///< on top of that: round walls
-constexpr double kBytesPerUnevenCell = 300.0;  ///< and where triangles are not merged
+constexpr double kBaseMb = 24.0;               ///< program, libraries, threads
+constexpr double kBytesPerCell = 52.0;         ///< leaves, crossings, mesh of flat faces
+constexpr double kBytesPerCutCell = 120.0;     ///< on top of that: round walls
+constexpr double kBytesPerUnevenCell = 220.0;  ///< and where triangles are not merged
 constexpr double kBytesPerTriangle = 75.0;  ///< of a mesh from half sections: the sections and the file, too
 constexpr double kBytesPerGrooveTriangle = 70.0;      ///< on top of that: sections where ridges are cut
 constexpr double kBytesPerTurnedCell = 20.0;          ///< on top of kBytesPerCell: from a half section
@@ -41,13 +41,13 @@ constexpr double kBytesPerDrawnTriangle = 140.0;
 constexpr double kMostComparedCells = 1.8e6;  ///< the comparison widens its samples on huge meshes
 
 constexpr double kBaseS = 0.02;
-constexpr double kSecondsPerCell = 1.6e-7;        ///< blank, removal, crossings, mesh, files
+constexpr double kSecondsPerCell = 1.4e-7;        ///< blank, removal, crossings, mesh, files
 constexpr double kSecondsPerCarriedCell = 2e-7;   ///< into the next clamping, grid line to grid line
-constexpr double kSecondsPerCutCell = 1.2e-6;     ///< on top of that
-constexpr double kSecondsPerUnevenCell = 1.9e-6;  ///< and where triangles are not merged
-constexpr double kSecondsPerSweptCell = 8e-9;     ///< removal, each motion counted
+constexpr double kSecondsPerCutCell = 1.45e-6;    ///< on top of that
+constexpr double kSecondsPerUnevenCell = 1.2e-6;  ///< and where triangles are not merged
+constexpr double kSecondsPerSweptCell = 5e-9;     ///< removal, each motion counted
 /// A column under a chord, by CurveKind.
-constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {2.5e-8, 8e-8, 4.5e-8, 4e-7};
+constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {1.2e-8, 3e-8, 1e-8, 5e-8};
 /// Of helices with tools that are not undercut: the lower turns hold what the upper ones cut.
 constexpr double kTurnsThatCount = 3.0;
 constexpr double kBytesPerChord = 1000.0;  ///< a pass, and its numbers in lists
