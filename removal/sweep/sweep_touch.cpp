@@ -48,7 +48,8 @@ bool Sweep::touch(const Vec3& p, Place& place) const {
     if (at_end) return std::abs(place.at.value) < kTouchedMm;
     (slope < 0.0 ? low : high) = place;
     (slope < 0.0 ? low_known : high_known) = true;
-    // Where the solid comes over the point with its rim, a little more than the way that is left at this rate.
+    // Where the solid comes over the point with its rim, a little more than the way that is left at this
+    // rate.
     double next = t - (place.at.bend > 0.0 ? slope / place.at.bend : kOvershoot * place.at.value / slope);
     next = std::clamp(next, low_known ? low.t : 0.0, high_known ? high.t : 1.0);
     if (low_known && high_known && (next == low.t || next == high.t)) {

@@ -195,9 +195,9 @@ TEST(ContactDepth, AShankInItsOwnSlot) {
   }
 }
 
-/// The volume in the way counts once, however the curve is taken apart: it is at most that of a ring. Ahead of the
-/// end the shank stands in the full material, a mm beyond the flutes, which end 3 mm below its top: the deepest point
-/// there is as far from both.
+/// The volume in the way counts once, however the curve is taken apart: it is at most that of a ring. Ahead
+/// of the end the shank stands in the full material, a mm beyond the flutes, which end 3 mm below its top:
+/// the deepest point there is as far from both.
 TEST(ContactDepth, AShankOnAHelixMeetsNoMoreThanThereIs) {
   Tool t = tool("1=flat:6");
   t.flute_length = 4;
