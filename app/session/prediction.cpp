@@ -34,7 +34,7 @@ constexpr double kBytesPerBlankTriangle = 170.0;      ///< of a mesh that a stoc
 constexpr double kBytesPerMeshedCell = 170.0;         ///< making a stock from a mesh
 constexpr double kComparisonMb = 18.0;                ///< fixed part of a comparison
 constexpr double kBytesPerComparedCell = 260.0;       ///< samples and search trees, both meshes
-constexpr double kDrawingMb = 35.0;                   ///< of pictures: rows of what pixels show, Embree
+constexpr double kDrawingMb = 27.0;                   ///< of pictures: rows of what pixels show, Embree
 constexpr double kBytesPerPixel = 10.0;               ///< two pictures, and a file
 constexpr double kBytesPerDrawnCell = 120.0;          ///< the renderer's search tree and normals
 constexpr double kBytesPerDrawnTriangle = 140.0;
@@ -69,7 +69,7 @@ constexpr double kSecondsPerMeshedCell = 2.1e-6;      ///< the same, and its cel
 constexpr double kSecondsPerMovedCell = 2.3e-6;       ///< a stock from that of the clamping before
 constexpr double kSecondsPerComparedCell = 2.2e-6;    ///< comparison
 constexpr double kSecondsPerDrawnTriangle = 1.2e-6;   ///< search tree and normals, for all pictures
-constexpr double kSecondsPerPixel = 0.9e-7;           ///< one picture of flat faces
+constexpr double kSecondsPerPixel = 0.65e-7;          ///< one picture of flat faces
 constexpr double kMoreSecondsCut = 1.0;               ///< so much more where nothing is level
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
