@@ -228,21 +228,21 @@ void EdgeCollapser::sweepBlock(Block& todo, float limit, std::uint32_t sweep) {
     state.listed = false;
     if (state.isWorth(limit)) tryVertex(v, limit, sweep, again);
   }
-
   todo = std::move(again);
 }
 
-bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep, Block& again) {
+/// Joins a vertex with the first of its neighbours that does.
+void EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep, Block& again) {
   VertexStar star;
   Ways ways;
   VertexState& state = vertices_[v];
   state.needs = kNotAgain;
   if (state.freedom == Freedom::kBorder && !followBorder(v, limit, ways)) {
     state.needs = 0.0f;
-    return false;
+    return;
   }
-  if (!star.look(around_, v)) return false;
-  if (!findWays(star, v, limit, ways) || !star.findView()) return false;
+  if (!star.look(around_, v)) return;
+  if (!findWays(star, v, limit, ways) || !star.findView()) return;
   for (int i = 0; i < ways.count; ++i) {
     VertexStar::Change change;
     const int to = ways.to[i];
@@ -256,10 +256,9 @@ bool EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep,
       }
       state.needs = kNotAgain;
       collapse(star, to, change, sweep, again);
-      return true;
+      return;
     }
   }
-  return false;
 }
 
 /// The ends of the border and how far it moves. False: it would move too far, or a motion would lose its last

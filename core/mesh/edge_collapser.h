@@ -60,7 +60,7 @@ class EdgeCollapser {
   std::vector<std::uint32_t> blockNumbers(double size) const;
   void simplifyBlock(Block vertices, std::uint32_t round);
   void sweepBlock(Block& todo, float limit, std::uint32_t sweep);
-  bool tryVertex(std::uint32_t v, float limit, std::uint32_t sweep, Block& again);
+  void tryVertex(std::uint32_t v, float limit, std::uint32_t sweep, Block& again);
   bool findWays(const VertexStar& star, std::uint32_t v, float limit, Ways& ways);
   bool followBorder(std::uint32_t v, float limit, Ways& ways);
   bool staysManifold(const VertexStar& star, int to) const;

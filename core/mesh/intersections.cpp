@@ -460,4 +460,24 @@ std::vector<std::array<std::uint32_t, 2>> findIntersectionsAmong(const TriMesh& 
   return Finder(mesh, triangles).find();
 }
 
+std::vector<Box3> meetingPlaces(const TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs,
+                                double reach) {
+  std::vector<Box3> places;
+  for (const auto& pair : pairs) {
+    std::array<Box3, 2> box;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (const Vec3& corner : cornersOf(mesh, pair[i])) box[i].extend(corner);
+    }
+    places.push_back(Box3{box[0].min.cwiseMax(box[1].min), box[0].max.cwiseMin(box[1].max)}.inflated(reach));
+  }
+  return places;
+}
+
+void flagInside(const TriMesh& mesh, const std::vector<Box3>& boxes, std::vector<std::uint8_t>& flags) {
+  forEachBelow(mesh.positions.size(), [&](std::size_t v) {
+    const Vec3 p = mesh.positions[v].cast<double>();
+    if (std::ranges::any_of(boxes, [&](const Box3& box) { return box.overlaps({p, p}); })) flags[v] = 1;
+  });
+}
+
 }  // namespace proveout

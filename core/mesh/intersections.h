@@ -23,6 +23,12 @@ std::vector<std::array<std::uint32_t, 2>> findIntersectionsOf(const TriMesh& mes
 std::vector<std::array<std::uint32_t, 2>> findIntersectionsAmong(const TriMesh& mesh,
                                                                  std::span<const std::uint32_t> triangles);
 
+/// Where the triangles of each pair run through each other: the box that both are in, `reach` mm wider.
+std::vector<Box3> meetingPlaces(const TriMesh& mesh, const std::vector<std::array<std::uint32_t, 2>>& pairs,
+                                double reach);
+/// Flags the vertices that are in one of the boxes.
+void flagInside(const TriMesh& mesh, const std::vector<Box3>& boxes, std::vector<std::uint8_t>& flags);
+
 /// Corners of a triangle, for exacter sums than its floats allow.
 std::array<Vec3, 3> cornersOf(const TriMesh& mesh, std::uint32_t t);
 /// Whether two triangles of the mesh meet elsewhere than in their common corners; s < t.

@@ -3,9 +3,10 @@
 // square is worked on, so that no path is ever listed whole for all of the grid.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <span>
+#include <limits>
 #include <vector>
 
 #include "removal/cut/pass.h"

@@ -72,14 +72,6 @@ std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& 
 
 namespace {
 
-/// Flags the vertices that are in one of the boxes.
-void markInside(const TriMesh& mesh, const std::vector<Box3>& boxes, std::vector<std::uint8_t>& flags) {
-  forEachBelow(mesh.positions.size(), [&](std::size_t v) {
-    const Vec3 p = mesh.positions[v].cast<double>();
-    if (std::ranges::any_of(boxes, [&](const Box3& box) { return box.overlaps({p, p}); })) flags[v] = 1;
-  });
-}
-
 /// Whether a leaf or one beside it has a flag.
 bool isNear(const SurfaceLeaf& leaf, const std::vector<std::uint8_t>& flags) {
   const auto has = [&](std::int32_t n) { return n >= 0 && flags[static_cast<std::size_t>(n)] != 0; };
@@ -100,7 +92,7 @@ TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
                            const std::vector<std::uint8_t>& unchecked, const std::vector<Box3>& doubts) {
   const TriMesh& all = mesh.mesh;
   std::vector<std::uint8_t> corner(all.positions.size(), 0), suspect(all.triangles.size(), 0);
-  if (!doubts.empty()) markInside(all, doubts, corner);
+  if (!doubts.empty()) flagInside(all, doubts, corner);
   for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
     if (unchecked[i] == 0) continue;
     for (const std::uint32_t k : mesh.flaws[i].poor) {

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -82,19 +81,6 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, co
   return surface;
 }
 
-/// Adds the places where triangles of the mesh run through each other. `moved_mm`: how far it is from what
-/// the cells gave.
-void addMeetings(const TriMesh& mesh, double moved_mm, double cell_mm, std::vector<Box3>& places) {
-  for (const auto& pair : findIntersectionsAmong(mesh, trianglesInCrowdedPlaces(mesh, moved_mm))) {
-    std::array<Box3, 2> box;
-    for (std::size_t i = 0; i < 2; ++i) {
-      for (const Vec3& corner : cornersOf(mesh, pair[i])) box[i].extend(corner);
-    }
-    places.push_back(Box3{box[0].min.cwiseMax(box[1].min), box[0].max.cwiseMin(box[1].max)}.inflated(
-        kDoubtCells * cell_mm + moved_mm));
-  }
-}
-
 /// Fewer triangles of the finished mesh, and the places where it runs through itself still. Error: cancelled.
 Status finishMesh(StockSurface& surface, const std::vector<std::uint8_t>& merged, double tolerance_mm,
                   double cell_mm, std::vector<Box3>& doubts, Progress& progress) {
@@ -110,9 +96,11 @@ Status finishMesh(StockSurface& surface, const std::vector<std::uint8_t>& merged
   // What is left of a mesh that is not simplified is not known yet.
   const bool simplified = tolerance_mm > 0.0;
   if (simplified && surface.self_intersections + done->self_intersections == 0) return Done{};
-  const std::size_t before = doubts.size();
-  addMeetings(surface.mesh, done->distance_mm, cell_mm, doubts);
-  surface.self_intersections = doubts.size() - before;
+  const double moved_mm = done->distance_mm;
+  const auto pairs = findIntersectionsAmong(surface.mesh, trianglesInCrowdedPlaces(surface.mesh, moved_mm));
+  const std::vector<Box3> places = meetingPlaces(surface.mesh, pairs, kDoubtCells * cell_mm + moved_mm);
+  doubts.insert(doubts.end(), places.begin(), places.end());
+  surface.self_intersections = pairs.size();
   return Done{};
 }
 
