@@ -6,28 +6,20 @@
 #include <limits>
 #include <ostream>
 
+#include "tests/support/feed_motion.h"
+#include "tests/support/golden_section.h"
+
 namespace proveout::accuracy {
 
 namespace {
+
+using test::feedMotion;
+using test::leastAt;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Neither its faces nor its corner are on the grid's lines in a simple way.
 constexpr double kFlat = 1e-3;  ///< closer to a flat face than this is on it
 const BoxShape kBlank{{-0.037, 0.061, -9.983}, {30.017, 24.949, 0.0}};
-
-/// Place of the least value of a convex f.
-double leastAt(const std::function<double(double)>& f, double a, double b) {
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  double c = b - golden * (b - a), d = a + golden * (b - a), fc = f(c), fd = f(d);
-  for (int i = 0; i < 90 && b - a > 1e-13; ++i) {
-    if (fc < fd) {
-      b = d, d = c, fd = fc, c = b - golden * (b - a), fc = f(c);
-    } else {
-      a = c, c = d, fc = fd, d = a + golden * (b - a), fd = f(d);
-    }
-  }
-  return 0.5 * (a + b);
-}
 
 /// Distance of a point to the convex corner region {x <= 0, y <= 0}, signed.
 double corner(double x, double y) {
@@ -43,17 +35,6 @@ double simpson(const std::function<double(double)>& f, double a, double fa, doub
     return left + right + (left + right - whole) / 15;
   return simpson(f, a, fa, l, fl, m, fm, left, tolerance / 2, depth - 1) +
          simpson(f, m, fm, r, fr, b, fb, right, tolerance / 2, depth - 1);
-}
-
-Motion feedMotion(const Vec3& from, const Vec3& to) {
-  Motion m;
-  m.from = from;
-  m.to = to;
-  m.kind = MotionKind::kFeed;
-  m.tool = 1;
-  m.spindle = 1000;
-  m.source.line = 1;
-  return m;
 }
 
 }  // namespace

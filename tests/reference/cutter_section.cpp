@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/geometry/plane.h"
+
 namespace proveout::reference {
 
 namespace {
@@ -63,19 +65,6 @@ void addArc(const Vec2& from, const Vec2& to, const Vec2& center, double step, s
   out.push_back(to);
 }
 
-/// From the chord or line to the left: inside of it.
-double leftOf(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const Vec2 way = (b - a).normalized(), to = p - a;
-  return way.x() * to.y() - way.y() * to.x();
-}
-
-double toSegment(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const Vec2 way = b - a;
-  const double length2 = way.squaredNorm();
-  const double s = length2 > 0.0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - s * way).norm();
-}
-
 /// How far a point is from one piece, and whether it is beyond it.
 struct Seen {
   double distance;
@@ -83,15 +72,14 @@ struct Seen {
 };
 
 Seen seePiece(const Vec2& from, const Section::Piece& piece, const Vec2& p) {
-  const double left = leftOf(from, piece.to, p);
-  if (!piece.center) return {toSegment(from, piece.to, p), left < 0.0};
+  const bool outside = cross2(piece.to - from, p - from) < 0.0;  // right of the chord or line
+  if (!piece.center) return {distanceToSegment(p, from, piece.to), outside};
   const Vec2 a = from - *piece.center, b = piece.to - *piece.center, q = p - *piece.center;
-  const auto cross = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); };
-  const bool wide = cross(a, b) < 0.0;  // more than half a turn
+  const bool wide = cross2(a, b) < 0.0;  // more than half a turn
   const bool facing =
-      wide ? cross(a, q) >= 0.0 || cross(q, b) >= 0.0 : cross(a, q) >= 0.0 && cross(q, b) >= 0.0;
+      wide ? cross2(a, q) >= 0.0 || cross2(q, b) >= 0.0 : cross2(a, q) >= 0.0 && cross2(q, b) >= 0.0;
   const double radius = a.norm();
-  if (facing) return {std::abs(q.norm() - radius), left < 0.0 && q.norm() > radius};
+  if (facing) return {std::abs(q.norm() - radius), outside && q.norm() > radius};
   return {std::min((p - from).norm(), (p - piece.to).norm()), false};
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mesh/triangle_tree.h"
 #include "removal/grid/stock.h"
 #include "tests/reference/reference_part.h"
 #include "tests/reference/swept_distance.h"
@@ -61,6 +62,8 @@ std::optional<ReferencePart> cutByReference(const SmallProgram& program, int fac
   }
   return std::nullopt;
 }
+
+double volumeOf(const BoxShape& block) { return (block.max - block.min).prod(); }
 
 using Facets = std::vector<ReferencePart::Facet>;
 
@@ -155,10 +158,7 @@ struct Worst {
 
 void compareSurfaces(const TriMesh& mesh, const Facets& facets, const ExactPart& exact, double grid_mm,
                      Comparison& out) {
-  std::vector<std::array<Vec3, 3>> ours;
-  const auto at = [&](std::uint32_t v) { return Vec3(mesh.positions[v].cast<double>()); };
-  for (const auto& t : mesh.triangles) ours.push_back({at(t[0]), at(t[1]), at(t[2])});
-  const DistanceTo to_ours(ours);
+  const TriangleTree ours(toSurface(mesh));
   const std::vector<Edge> edges = edgesOf(facets, kSomeEdge);
   const double crowd = kCrowdCells * grid_mm;
   const DistanceToEdges to_edges(segmentsOf(edges)), to_crowded(segmentsOf(sortEdges(edges, crowd).crowded));
@@ -174,7 +174,7 @@ void compareSurfaces(const TriMesh& mesh, const Facets& facets, const ExactPart&
   }
   for (const Edge& e : sortEdges(edgesOf(facets, kSharpEdge), crowd).alone) {
     const Vec3 middle = exact.onEdge(0.5 * (e.ends[0] + e.ends[1]), e.normal);
-    if (to_crowded.at(middle) > crowd) missed.see(to_ours.at(middle), middle);
+    if (to_crowded.at(middle) > crowd) missed.see(std::sqrt(ours.nearest(middle).squared), middle);
   }
   out.face_mm = face.off;
   out.edge_mm = edge.off;
@@ -188,7 +188,7 @@ void compareSurfaces(const TriMesh& mesh, const Facets& facets, const ExactPart&
 std::optional<double> removedByReference(const SmallProgram& program, int facets) {
   const auto part = cutByReference(program, facets);
   if (!part) return std::nullopt;
-  return (program.block.max - program.block.min).prod() - part->volume();
+  return volumeOf(program.block) - part->volume();
 }
 
 std::optional<Comparison> compareWithReference(const SmallProgram& program, double grid_mm, int facets) {
@@ -201,7 +201,7 @@ std::optional<Comparison> compareWithReference(const SmallProgram& program, doub
   out.removed_mm3 = cut->removed_mm3;
   out.told = cut->surface.volume_error_mm3 / cut->removed_mm3;
   out.thin_cells = cut->surface.thin_cells;
-  const double removed = (program.block.max - program.block.min).prod() - fine->volume();
+  const double removed = volumeOf(program.block) - fine->volume();
   out.more = cut->removed_mm3 / removed - 1.0;
   out.unsure = std::abs(removed - *coarse) / removed / 2.0;
   compareSurfaces(cut->surface.mesh, fine->facets(), ExactPart(program), grid_mm, out);

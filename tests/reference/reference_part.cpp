@@ -4,7 +4,6 @@
 #define CGAL_NO_CDT_2_WARNING
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -124,29 +123,6 @@ std::vector<ReferencePart::Facet> ReferencePart::facets() const {
 }
 
 using Plain = CGAL::Simple_cartesian<double>;
-
-struct DistanceTo::Impl {
-  using Triangles = std::vector<Plain::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Plain, Triangles::iterator>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Plain, Primitive>>;
-  Triangles triangles;
-  Tree tree;
-};
-
-DistanceTo::DistanceTo(const std::vector<std::array<Vec3, 3>>& triangles) : impl_(std::make_unique<Impl>()) {
-  constexpr double kNoArea = 1e-14;
-  const auto point = [](const Vec3& p) { return Plain::Point_3(p.x(), p.y(), p.z()); };
-  for (const auto& [a, b, c] : triangles) {
-    if ((b - a).cross(c - a).norm() > kNoArea) impl_->triangles.emplace_back(point(a), point(b), point(c));
-  }
-  impl_->tree.rebuild(impl_->triangles.begin(), impl_->triangles.end());
-  impl_->tree.accelerate_distance_queries();
-}
-DistanceTo::~DistanceTo() = default;
-
-double DistanceTo::at(const Vec3& p) const {
-  return std::sqrt(impl_->tree.squared_distance(Plain::Point_3(p.x(), p.y(), p.z())));
-}
 
 struct DistanceToEdges::Impl {
   using Segments = std::vector<Plain::Segment_3>;

@@ -32,19 +32,7 @@ class ReferencePart {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Distances to triangles, by a tree.
-class DistanceTo {
- public:
-  explicit DistanceTo(const std::vector<std::array<Vec3, 3>>& triangles);
-  ~DistanceTo();
-  double at(const Vec3& p) const;
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
-
-/// The same to segments.
+/// Distances to segments, by a tree.
 class DistanceToEdges {
  public:
   explicit DistanceToEdges(const std::vector<std::array<Vec3, 2>>& edges);

@@ -10,7 +10,7 @@
 #include <cstdlib>
 
 #include "tests/reference/reference_cut.h"
-#include "tests/reference/reference_part.h"
+#include "tests/support/feed_motion.h"
 
 namespace proveout::reference {
 namespace {
@@ -28,16 +28,6 @@ constexpr int kPrograms = 20, kFacets = 48;
 int fromEnvironment(const char* variable, int usual) {
   const char* const text = getenv(variable);
   return text != nullptr ? std::atoi(text) : usual;
-}
-
-Motion feed(const Vec3& from, const Vec3& to) {
-  Motion m;
-  m.from = from;
-  m.to = to;
-  m.kind = MotionKind::kFeed;
-  m.tool = 1;
-  m.spindle = 1000;
-  return m;
 }
 
 /// The reference itself, where there is a formula.
@@ -58,7 +48,7 @@ TEST(ReferencePart, HoldsAFlatSlot) {
   Tool tool;
   tool.diameter = 6.0;
   Toolpath path;
-  path.motions = {feed({6, 7, -2.5}, {17, 11, -2.5})};
+  path.motions = {test::feedMotion({6, 7, -2.5}, {17, 11, -2.5})};
   expectHolds(tool, path, (kPi * 9.0 + 6.0 * std::hypot(11.0, 4.0)) * 2.5);
 }
 
@@ -67,7 +57,7 @@ TEST(ReferencePart, HoldsABallOnAnArc) {
   tool.type = ToolType::kBall;
   tool.diameter = 5.0;
   Toolpath path;
-  path.motions = {feed({16, 9, -3.1}, {8, 9, -3.1})};
+  path.motions = {test::feedMotion({16, 9, -3.1}, {8, 9, -3.1})};
   path.motions[0].arc = 0;
   path.arcs = {{{12, 9, -3.1}, Vec3::UnitZ(), 0.55 * kPi}};
   const double r = 2.5, section = kPi * r * r / 2 + 2 * r * 0.6;  // of the groove

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/soak/soak_case.h"
+#include "tests/support/feed_motion.h"
 
 namespace proveout::reference {
 
@@ -108,12 +109,8 @@ class Writer {
   }
 
   void add(const Vec3& to, const ArcGeometry* arc) {
-    Motion m;
-    m.from = at_;
-    m.to = to;
-    m.kind = MotionKind::kFeed;
+    Motion m = test::feedMotion(at_, to);
     m.tool = tool_->number;
-    m.spindle = 1000;
     m.source.line = static_cast<int>(out_.path.motions.size()) + 1;
     if (arc != nullptr) {
       m.arc = static_cast<std::int32_t>(out_.path.arcs.size());

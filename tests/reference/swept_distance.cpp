@@ -5,7 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
+
+#include "tests/support/golden_section.h"
 
 namespace proveout::reference {
 
@@ -19,20 +20,6 @@ constexpr double kActive = 0.03;
 constexpr double kMeets = 0.05;
 /// From where an edge of one body is looked at.
 constexpr double kLookFrom = 0.05;
-
-/// Place of the least value of a convex f.
-double leastAt(const std::function<double(double)>& f, double a, double b) {
-  constexpr double kGolden = std::numbers::phi - 1.0, kPlace = 1e-9;
-  double c = b - kGolden * (b - a), d = a + kGolden * (b - a), fc = f(c), fd = f(d);
-  while (b - a > kPlace) {
-    if (fc < fd) {
-      b = d, d = c, fd = fc, c = b - kGolden * (b - a), fc = f(c);
-    } else {
-      a = c, c = d, fc = fd, d = a + kGolden * (b - a), fd = f(d);
-    }
-  }
-  return std::min(fc, fd);
-}
 
 Vec3 slopeOf(const std::function<double(const Vec3&)>& f, const Vec3& p) {
   Vec3 slope;
@@ -85,7 +72,8 @@ double SweptPart::distance(const Vec3& p) const {
     const double s = std::clamp((p - motion_.from).head<2>().dot(way) / way.squaredNorm(), 0.0, 1.0);
     return at(p, s);
   }
-  return leastAt([&](double t) { return at(p, t); }, 0.0, 1.0);
+  constexpr double kPlace = 1e-9;
+  return at(p, test::leastAt([&](double t) { return at(p, t); }, 0.0, 1.0, kPlace));
 }
 
 ExactPart::ExactPart(const SmallProgram& program) : program_(program) {
