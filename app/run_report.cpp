@@ -12,6 +12,7 @@
 
 #include "app/input_files.h"
 #include "app/session/findings.h"
+#include "app/session/run_limits.h"
 #include "app/session/uncertainty.h"
 #include "core/tool/tool_table.h"
 #include "io/mesh_io.h"
@@ -121,6 +122,13 @@ ErrorTerm gridTerm(const RunResult& run, double bound_mm) {
                       run.resolution_mm)};
 }
 
+ErrorTerm simplifyTerm(double bound_mm) {
+  return {"simplify", bound_mm,
+          bound_mm > 0.0 ? "the mesh has fewer triangles than the surface had: no point of either is farther "
+                           "from the other; volumes, findings and the comparison do not depend on it"
+                         : "the mesh is not simplified"};
+}
+
 /// Spacing that the mesh was made with: of the grid, or of the profile of a part that was only turned.
 double meshResolution(const RunResult& run) {
   const SetupRun& last = run.setups.back();
@@ -146,6 +154,7 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
              run.setups.back().job.simulation.profile_resolution_mm)});
   } else {
     terms.push_back(gridTerm(run, grid));
+    terms.push_back(simplifyTerm(simplification(run.setups.back().job, run.resolution_mm)));
   }
   if (run.setups.size() > 1 && !turned) {
     terms.push_back({"re-clamping", moves,

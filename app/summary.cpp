@@ -91,7 +91,8 @@ std::string summaryText(const Report& report, const std::string& folder) {
                                report_text::figure(c->rms_mm), c->decided ? "" : ", undecided on this grid"));
   }
   row("findings", findingCounts(report));
-  if (!folder.empty()) row("results", (std::filesystem::path(folder) / "report.html").string());
+  // Without report.html (no room on the disk) there may still be others.
+  if (!folder.empty()) row("results", (std::filesystem::path(folder) / report.outputs.html).string());
   return text;
 }
 

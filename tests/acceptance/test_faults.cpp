@@ -172,6 +172,7 @@ TEST_F(SmallDisk, FullAtEveryWriter) {
       if (there) {
         EXPECT_EQ(flaw(folder), "") << size << earlier;
         EXPECT_EQ(leftovers(folder), (std::set<std::string>{})) << size << earlier;
+        EXPECT_TRUE(fs::exists(folder + "/report.html") || !has(outcome.out, "report.html")) << outcome.out;
       }
       const bool is_new = there && blankOf(folder) != old_blank;
       EXPECT_TRUE(is_new || outcome.exit_code != 0) << size;

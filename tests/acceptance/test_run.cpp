@@ -171,6 +171,25 @@ TEST(Run, UntilWorksForEveryCommandAndRefusesBlocksThatAreNotThere) {
   EXPECT_EQ(bench.run("check ring.nc --control nct --until -3").exit_code, 2);
 }
 
+TEST(Run, TheBudgetSaysHowFarTheMeshIsSimplified) {
+  const Workbench bench;
+  bench.write("hole.nc", "G21 G90 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\nG1 Z-4 F200\nG0 Z5\nM30\n");
+  const auto bound = [&](const std::string& option) {
+    const Outcome outcome = bench.run(
+        "run hole.nc --control nct --stock box:0,0,-10:10,10,0 --tool 1=flat:6 --resolution 0.5 --no-render "
+        "--out out " +
+        option);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json report = reportIn(bench, "out");
+    for (const json& term : report["error_budget"])
+      if (term["source"] == "simplify") return term["bound_mm"].get<double>();
+    return -1.0;
+  };
+  EXPECT_DOUBLE_EQ(bound(""), 0.05);  // a tenth of the grid
+  EXPECT_DOUBLE_EQ(bound("--simplify 0.2"), 0.2);
+  EXPECT_DOUBLE_EQ(bound("--simplify 0"), 0.0);
+}
+
 /// A pocket of 2 mm on each side of a block of 20 x 20 x 10, turned over about X.
 void writeTwoSides(const Workbench& bench, const char* second_z) {
   bench.write("top.nc", "G21 G90 T1 M6\nS1000 M3\nG0 X6 Y5 Z5\nN40 G1 Z-4 F200\nN50 G0 Z5\nM30\n");
