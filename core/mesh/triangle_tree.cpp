@@ -19,6 +19,42 @@ double solidAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
+/// Along a ray from the origin: 1 where it leaves through the triangle, -1 where it enters, 0 where it
+/// misses; nothing where rounding could decide which.
+std::optional<int> crossing(const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c) {
+  // Of a product of three vectors, as a share of their lengths: some hundred times the rounding of doubles.
+  constexpr double kRounding = 1e-13;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  const std::array<double, 3> turn = {direction.dot(a.cross(b)), direction.dot(b.cross(c)),
+                                      direction.dot(c.cross(a))};
+  const std::array<double, 3> unsure = {kRounding * la * lb, kRounding * lb * lc, kRounding * lc * la};
+  int sides = 0, doubts = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(turn[k]) <= unsure[k])
+      ++doubts;
+    else
+      sides += turn[k] > 0.0 ? 1 : -1;
+  }
+  if (std::abs(sides) + doubts < 3) return 0;  // the line passes outside, whatever is in doubt
+  const double volume = a.dot(b.cross(c));
+  if (doubts > 0 || std::abs(volume) <= kRounding * la * lb * lc) return std::nullopt;
+  const int way = sides > 0 ? 1 : -1;
+  return (volume > 0.0) == (way > 0) ? way : 0;  // behind the origin else
+}
+
+/// Whether a ray meets a child's bounds; true in doubt. `inverse`: of the direction, which has no zeros.
+bool rayMeets(const BoxTree::Node& node, int side, const Vec3& p, const Vec3& inverse) {
+  constexpr double kOutwards = 1e-9;  // of the way
+  double from = 0.0, to = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const double low = (static_cast<double>(node.low[side][k]) - p[k]) * inverse[k],
+                 high = (static_cast<double>(node.high[side][k]) - p[k]) * inverse[k];
+    from = std::max(from, std::min(low, high) - kOutwards * std::abs(low));
+    to = std::min(to, std::max(low, high) + kOutwards * std::abs(high));
+  }
+  return from <= to * (1.0 + kOutwards);
+}
+
 std::vector<Box3> boxesOf(const SurfaceMesh& mesh) {
   std::vector<Box3> boxes(mesh.triangles.size());
   parallelFor(std::size_t{0}, boxes.size(), [&](std::size_t t) {
@@ -158,6 +194,42 @@ double TriangleTree::windingNumber(const Vec3& p) const {
     }
   }
   return sum / (4.0 * kPi);
+}
+
+std::optional<int> TriangleTree::crossingsAlong(const Vec3& p, const Vec3& direction) const {
+  const Vec3 inverse = direction.cwiseInverse();
+  int sum = 0;
+  std::array<std::uint32_t, BoxTree::kStack> stack;
+  int size = 0;
+  stack[size++] = boxes_.root();
+  while (size > 0) {
+    const std::uint32_t at = stack[--size];
+    if (!BoxTree::isLeaf(at)) {
+      const BoxTree::Node& node = boxes_.nodes()[at];
+      for (int side = 0; side < 2; ++side) {
+        if (rayMeets(node, side, p, inverse)) stack[size++] = node.child[side];
+      }
+      continue;
+    }
+    for (std::uint32_t i = BoxTree::leafBegin(at); i < BoxTree::leafEnd(at); ++i) {
+      const Corners& t = corners_[i];
+      const std::optional<int> one = crossing(direction, t.a - p, t.b - p, t.c - p);
+      if (!one) return std::nullopt;
+      sum += *one;
+    }
+  }
+  return sum;
+}
+
+std::optional<int> TriangleTree::crossings(const Vec3& p) const {
+  // Along no axis, plane or diagonal that parts are drawn by.
+  static const std::array<Vec3, 3> kDirections = {Vec3(0.2718, 0.3142, 0.9097).normalized(),
+                                                  Vec3(-0.8931, 0.1973, 0.4043).normalized(),
+                                                  Vec3(0.4271, -0.8617, -0.2739).normalized()};
+  for (const Vec3& direction : kDirections) {
+    if (const std::optional<int> sum = crossingsAlong(p, direction)) return sum;
+  }
+  return std::nullopt;
 }
 
 }  // namespace proveout

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/geometry/box_tree.h"
@@ -45,6 +46,12 @@ class TriangleTree {
   /// and clouds", 2018): off by less than 0.1.
   double windingNumber(const Vec3& p) const;
 
+  /// The same for a mesh whose edges all are balanced (as many triangles one way as the other), whole and
+  /// exact: the crossings of a ray, counted by their direction. Several times faster where triangles are
+  /// long. Nothing where each of three rays runs within rounding of an edge; then windingNumber() knows. `p`
+  /// must not be on the mesh.
+  std::optional<int> crossings(const Vec3& p) const;
+
   /// Calls visit(triangle) for every triangle whose bounds touch the box.
   template <typename Visit>
   void forEachIn(const Box3& box, const Visit& visit) const {
@@ -65,6 +72,7 @@ class TriangleTree {
     Vec3 a, b, c;
   };
   void findDipoles(const SurfaceMesh& mesh);
+  std::optional<int> crossingsAlong(const Vec3& p, const Vec3& direction) const;
   void tryPlace(std::uint32_t place, const Vec3& p, Nearest& best) const;
 
   BoxTree boxes_;

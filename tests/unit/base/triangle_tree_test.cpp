@@ -118,6 +118,57 @@ TEST(TriangleTree, WindsOnceRoundWhatIsInside) {
   }
 }
 
+TEST(TriangleTree, CrossingsOfARayAreTheWindingNumber) {
+  // Two tori one in the other, the inner one's facets as they are: there it goes round twice.
+  SurfaceMesh mesh = torus(20.0, 6.0, 90, 30);
+  const SurfaceMesh inner = torus(20.0, 3.0, 90, 30);
+  const auto shift = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), inner.points.begin(), inner.points.end());
+  for (const auto& t : inner.triangles) mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  const TriangleTree tree(mesh);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-30.0, 30.0);
+  std::array<int, 3> seen{};
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 p(unit(random), unit(random), 0.3 * unit(random));
+    const double off = std::hypot(std::hypot(p.x(), p.y()) - 20.0, p.z());
+    if (std::abs(off - 6.0) < 0.05 || std::abs(off - 3.0) < 0.05) continue;  // chords
+    const int rounds = (off < 6.0) + (off < 3.0);
+    const std::optional<int> crossings = tree.crossings(p);
+    ASSERT_TRUE(crossings) << p.transpose();
+    EXPECT_EQ(*crossings, rounds) << p.transpose();
+    ++seen[static_cast<std::size_t>(rounds)];
+  }
+  for (const int count : seen) EXPECT_GT(count, 50);
+}
+
+TEST(TriangleTree, ARayThroughAnEdgeOrACornerSaysNothingWrong) {
+  // Points from which the first ray, or all, meet corners and edges of a box.
+  SurfaceMesh mesh;
+  for (int i = 0; i < 8; ++i) mesh.points.emplace_back(i & 1 ? 3 : -3, i & 2 ? 4 : -4, i & 4 ? 5 : -5);
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  const TriangleTree tree(mesh);
+  const Vec3 ray(0.2718, 0.3142, 0.9097);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int told = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto& t = mesh.triangles[static_cast<std::size_t>(i) % mesh.triangles.size()];
+    const double share = i % 3 == 0 ? 0.0 : unit(random);
+    const Vec3 target = (1.0 - share) * mesh.points[t[0]] + share * mesh.points[t[1]],
+               p = target - 8.0 * unit(random) * ray;
+    const bool inside = std::abs(p.x()) < 3 && std::abs(p.y()) < 4 && std::abs(p.z()) < 5;
+    const Vec3 gap(3 - std::abs(p.x()), 4 - std::abs(p.y()), 5 - std::abs(p.z()));
+    if (gap.cwiseAbs().minCoeff() < 1e-6) continue;  // on it
+    const std::optional<int> crossings = tree.crossings(p);
+    if (!crossings) continue;
+    ++told;
+    EXPECT_EQ(*crossings, inside ? 1 : 0) << p.transpose();
+  }
+  EXPECT_GT(told, 3000);
+}
+
 TEST(TriangleTree, HoldsOneTriangleAndMany) {
   SurfaceMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
