@@ -20,7 +20,7 @@ using soak::kFirstCrowdedSeed;
 using soak::kFirstWideSeed;
 using soak::SoakCase;
 
-constexpr int kPrograms = 40, kShares = 4;
+constexpr int kPrograms = 150, kShares = 8;  // of each of two kinds
 
 int fromEnvironment(const char* variable, int usual) {
   const char* const text = getenv(variable);
