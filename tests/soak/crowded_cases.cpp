@@ -59,17 +59,20 @@ std::string rareTool(Random& random, int number, double d) {
   }
 }
 
+/// Passes of plain jobs; of those with arcs in all planes; of those with all curves.
+constexpr int kPlainPasses = 7, kWidePasses = 8, kCurvedPasses = 10;
+
 /// Lengths in cells, from the middle of the blank's top.
 class CrowdedWriter {
  public:
-  /// `wide`: with all kinds of cutters, and arcs in all planes.
-  CrowdedWriter(Random& random, double grid, const Size& size, bool wide)
+  /// `kinds`: of passes that it chooses from.
+  CrowdedWriter(Random& random, double grid, const Size& size, int kinds)
       : random_(random),
         grid_(grid),
         width_(size.width),
         depth_(size.depth),
         height_(size.height),
-        wide_(wide) {}
+        kinds_(kinds) {}
 
   std::string tool(int number);
   void passes(int number);
@@ -110,10 +113,12 @@ class CrowdedWriter {
   void circles();
   void chords();
   void bows();
+  void spirals();
+  void screws();
 
   Random& random_;
   double grid_, width_, depth_, height_;
-  bool wide_;
+  int kinds_;
   double diameter_ = 4.0;  ///< of the tool in hand
   std::array<double, 8> diameters_{};
   Program out_;
@@ -122,8 +127,8 @@ class CrowdedWriter {
 std::string CrowdedWriter::tool(int number) {
   const double d = random_.chance(0.5) ? random_.number(2.1, 5.0) : random_.number(5.0, 16.0);
   diameters_[static_cast<std::size_t>(number)] = d;
-  return wide_ && random_.chance(0.6) ? rareTool(random_, number, grid_ * d)
-                                      : randomTool(random_, number, grid_ * d);
+  return kinds_ > kPlainPasses && random_.chance(0.6) ? rareTool(random_, number, grid_ * d)
+                                                      : randomTool(random_, number, grid_ * d);
 }
 
 /// Parallel passes, level or over a wave, at any angle.
@@ -226,12 +231,42 @@ void CrowdedWriter::bows() {
   }
 }
 
+/// Flat spirals and conical helices.
+void CrowdedWriter::spirals() {
+  const int count = random_.whole(1, 3);
+  const double px = 0.5 * x(), py = 0.5 * y(), most = 0.35 * std::min(width_, depth_);
+  for (int i = 0; i < count; ++i) {
+    const double a = random_.number(0.0, 6.28), b = random_.chance(0.5) ? a : random_.number(0.0, 6.28);
+    const double from = random_.number(0.3, most), to = random_.number(0.3, most);
+    const double cx = px + random_.number(-2.0, 2.0), cy = py + random_.number(-2.0, 2.0), z = down();
+    start(cx + from * std::cos(a), cy + from * std::sin(a), z);
+    out_.add(fmt::format("G{} {} I{:.4f} J{:.4f} L{}", random_.whole(2, 3),
+                         at(cx + to * std::cos(b), cy + to * std::sin(b), random_.chance(0.5) ? z : down()),
+                         -grid_ * from * std::cos(a), -grid_ * from * std::sin(a), random_.whole(1, 5)));
+  }
+}
+
+/// Arcs about X and Y that go along their axis.
+void CrowdedWriter::screws() {
+  const int count = random_.whole(1, 4);
+  for (int i = 0; i < count; ++i) {
+    const bool along = random_.chance(0.5);
+    const double level = down(), radius = random_.number(1.0, 0.3 * height_), cx = 0.6 * x(), cy = 0.6 * y();
+    const double aside = random_.number(-1.0, 1.0) * (along ? depth_ : width_) * 0.3;
+    start(along ? cx - radius : cx, along ? cy : cy - radius, level);
+    out_.add(fmt::format("{} {} R{:.4f}", along ? "G18 G2" : "G19 G3",
+                         at(along ? cx + radius : cx + aside, along ? cy + aside : cy + radius, level),
+                         grid_ * radius * 1.001));
+    out_.add("G17 G1 F300");
+  }
+}
+
 void CrowdedWriter::passes(int number) {
   diameter_ = diameters_[static_cast<std::size_t>(number)];
   out_.add(fmt::format("T{} M6", number));
   out_.add("S1000 M3");
   for (int rest = random_.whole(1, 3); rest > 0; --rest) {
-    switch (random_.whole(0, wide_ ? 7 : 6)) {
+    switch (random_.whole(0, kinds_ - 1)) {
       case 0:
       case 1:
         scallops();
@@ -250,6 +285,12 @@ void CrowdedWriter::passes(int number) {
         break;
       case 7:
         bows();
+        break;
+      case 8:
+        spirals();
+        break;
+      case 9:
+        screws();
         break;
       default:
         chords();
@@ -322,7 +363,8 @@ void makeCrowded(Random& random, SoakCase& out) {
   const double grid = kGrids[static_cast<std::size_t>(random.whole(0, 3))];
   const double width = random.number(16, 44), depth = random.number(16, 44);
   const Size size{width, depth, random.number(5, 16)};
-  CrowdedWriter writer(random, grid, size, wide);
+  const bool curved = out.seed >= kFirstCrowdedSeed + kFirstCurvedSeed;
+  CrowdedWriter writer(random, grid, size, curved ? kCurvedPasses : wide ? kWidePasses : kPlainPasses);
   const int tools = random.whole(1, 3);
   std::string rest;
   for (int tool = 1; tool <= tools; ++tool) rest += writer.tool(tool);

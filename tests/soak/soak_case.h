@@ -49,6 +49,8 @@ const char* kindName(Kind kind);
 inline constexpr std::uint64_t kFirstWireSeed = 4'000'000'000, kFirstCrowdedSeed = 3'000'000'000;
 /// From here on, counted from kFirstCrowdedSeed, crowded jobs have all kinds of cutters, blanks and arcs.
 inline constexpr int kFirstWideSeed = 100'000;
+/// From here on they have spirals, conical helices and helices about X and Y as well.
+inline constexpr int kFirstCurvedSeed = 200'000;
 
 struct SoakCase {
   std::uint64_t seed = 0;
