@@ -13,6 +13,7 @@
 #include "app/input_files.h"
 #include "app/session/findings.h"
 #include "app/session/run_limits.h"
+#include "app/session/turning_work.h"
 #include "app/session/uncertainty.h"
 #include "core/tool/tool_table.h"
 #include "io/mesh_io.h"
@@ -135,6 +136,16 @@ double meshResolution(const RunResult& run) {
   return last.facet_error_mm > 0.0 ? last.job.simulation.profile_resolution_mm : run.resolution_mm;
 }
 
+std::string facetsText(const SetupRun& setup) {
+  if (setup.turned) {
+    return fmt::format("the mesh stays within {:g} mm, around and along the section or the thread, each",
+                       turnedFacets(setup.job));
+  }
+  return fmt::format("the mesh stays within {:g} mm of the walls that the wire left{}",
+                     facetTolerance(setup.job),
+                     setup.job.simulation.simplify_mm ? "; simplify does not apply to them" : "");
+}
+
 std::vector<ErrorTerm> errorBudget(const RunResult& run) {
   const double moves = movesUncertainty(run), grid = std::max(0.0, partUncertainty(run) - moves);
   std::vector<ErrorTerm> terms;
@@ -146,12 +157,7 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
          "the half section is made of chords within 0.0001 mm of its arcs, rounded to nanometres"});
   }
   if (run.setups.back().facet_error_mm > 0.0) {
-    terms.push_back(
-        {"facets", grid,
-         fmt::format(
-             "the mesh stays within a tenth of the profile resolution of {:g} mm, around and along the "
-             "section or the thread, each",
-             run.setups.back().job.simulation.profile_resolution_mm)});
+    terms.push_back({"facets", grid, facetsText(run.setups.back())});
   } else {
     terms.push_back(gridTerm(run, grid));
     terms.push_back(simplifyTerm(simplification(run.setups.back().job, run.resolution_mm)));

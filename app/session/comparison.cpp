@@ -57,6 +57,12 @@ std::shared_ptr<const TurnedShape> turnedPart(const SetupRun& setup) {
   return std::make_shared<const TurnedShape>(std::move(part));
 }
 
+/// The profile resolution of a mesh of facets; 0: the mesh is that of a grid.
+double facetSpacing(const RunResult& run) {
+  const SetupRun& last = run.setups.back();
+  return last.facet_error_mm > 0.0 ? last.job.simulation.profile_resolution_mm : 0.0;
+}
+
 void addFindings(const RunSources& sources, const ExactPart* part, RunResult& run) {
   std::vector<PatchFinding> told;
   for (const DeviationPatch& patch : run.comparison->patches) {
@@ -64,7 +70,8 @@ void addFindings(const RunSources& sources, const ExactPart* part, RunResult& ru
     told.push_back({run.findings.size() - 1, &patch});
     blamePatch(patch, sources, run);
   }
-  if (const DeviationPatch* worst = addUndecided(*run.comparison, run.findings)) {
+  if (const DeviationPatch* worst =
+          addUndecided(*run.comparison, run.findings, part == nullptr ? facetSpacing(run) : 0.0)) {
     told.push_back({run.findings.size() - 1, worst});
     blamePatch(*worst, sources, run);
   }
@@ -111,7 +118,8 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.gouge_mm = job.nominal->gouge_mm;
   options.excess_mm = job.nominal->excess_mm;
   options.resolution_mm = run.resolution_mm;
-  options.uncertainty_mm = partUncertainty(run) + simplification(job, run.resolution_mm);
+  options.uncertainty_mm = partUncertainty(run);
+  if (!(facetSpacing(run) > 0.0)) options.uncertainty_mm += simplification(job, run.resolution_mm);
   options.part = std::move(*part);
   options.spot_gap = [&run](const SurfaceMaker& a, const SurfaceMaker& b) { return spotGap(run, a, b); };
   options.threads = job.simulation.threads;
@@ -120,6 +128,9 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
   if (!comparison) return comparison.error();
   run.comparison = std::move(*comparison);
+  if (options.part == nullptr && facetSpacing(run) > 0.0) {
+    for (DeviationPatch& patch : run.comparison->undecided) patch.deciding_resolution_mm = 0.0;  // no grid is
+  }
   addCoarseNominal(*run.comparison, run.findings);
   addIgnored(job.nominal->ignored, *run.comparison, run.findings);
   addFindings(sources, options.part.get(), run);

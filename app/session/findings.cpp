@@ -55,6 +55,27 @@ double decidingResolution(const std::vector<DeviationPatch>& undecided) {
   return std::isfinite(least) ? least : 0.0;
 }
 
+/// The profile resolution with which facets would be as good as the places ask for; they are off by a share
+/// of it. 0: none that a job may ask for.
+double decidingProfile(const Comparison& comparison, double profile_mm) {
+  constexpr double kMargin = 0.8, kLeast = 1e-3;
+  double factor = kMargin;
+  for (const DeviationPatch& patch : comparison.undecided)
+    factor = std::min(factor,
+                      kMargin * std::abs(patch.depth_mm - toleranceFor(patch, comparison)) / patch.bound_mm);
+  return factor * profile_mm >= kLeast ? factor * profile_mm : 0.0;
+}
+
+/// What would decide, as the end of a sentence; empty: nothing is known to.
+std::string remedyText(const Comparison& comparison, double profile_mm) {
+  if (profile_mm > 0.0) {
+    const double finer = decidingProfile(comparison, profile_mm);
+    return finer > 0.0 ? fmt::format("; profile_resolution = {:.2g} in the job could", finer) : "";
+  }
+  const double grid = decidingResolution(comparison.undecided);
+  return grid > 0.0 ? fmt::format("; --resolution {:.2g} could", grid) : "";
+}
+
 }  // namespace
 
 void addAlarms(const Toolpath& path, std::vector<Finding>& findings) {
@@ -117,7 +138,8 @@ void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std
   findings.push_back(std::move(finding));
 }
 
-const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Finding>& findings) {
+const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Finding>& findings,
+                                   double profile_mm) {
   const std::vector<DeviationPatch>& all = comparison.undecided;
   if (all.empty()) return nullptr;
   const auto most = [&](const DeviationPatch& p) {
@@ -129,8 +151,7 @@ const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Fin
   finding.message = deviationText(worst, comparison) +
                     fmt::format("; this is good to {:.2g} mm and cannot be decided", worst.bound_mm);
   if (all.size() > 1) finding.message += fmt::format(", nor can {} other places", all.size() - 1);
-  if (const double grid = decidingResolution(all); grid > 0.0)
-    finding.message += fmt::format("; --resolution {:.2g} could", grid);
+  finding.message += remedyText(comparison, profile_mm);
   findings.push_back(std::move(finding));
   return &worst;
 }

@@ -27,8 +27,9 @@ FindingKind deviationFinding(const DeviationPatch& patch);
 void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std::vector<Finding>& findings);
 
 /// What could not be decided: one warning, at the place that is worst. Returns that patch; null: there is
-/// none.
-const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Finding>& findings);
+/// none. `profile_mm`: the profile resolution, where the facets of a mesh without a grid are what is unsure.
+const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Finding>& findings,
+                                   double profile_mm = 0.0);
 
 /// A nominal whose facets leave its curved faces by much of a tolerance: a note, a warning where it is more.
 void addCoarseNominal(const Comparison& comparison, std::vector<Finding>& findings);

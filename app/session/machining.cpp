@@ -89,7 +89,7 @@ PieceOptions pieceOptions(const Job& job, const PreparedRun& prepared, std::size
   PieceOptions options;
   options.grid = removalOptions(setup.job, prepared.run.resolution_mm);
   options.surface = surfaceOptions(setup.job, prepared.run.resolution_mm);
-  options.facet_mm = facetTolerance(setup.job);
+  options.facet_mm = processOf(job, k).part_turns ? turnedFacets(setup.job) : facetTolerance(setup.job);
   options.keeps_grid = k + 1 == setupCount(job) && savesStock(job);
   if (prepared.nominal && !processOf(job, k).on_grid)
     options.part = nominalIn(job, prepared.nominal->mesh, k);

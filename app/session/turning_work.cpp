@@ -75,7 +75,7 @@ double arcPoints(const Toolpath& path, const Motion& m, double tolerance_mm) {
 /// Triangles of the mesh of what is turned without threads.
 double profileTriangles(const SetupRun& setup, const Box3& blank) {
   const Toolpath& path = setup.interpreted.path;
-  const double tolerance = facetTolerance(setup.job);
+  const double tolerance = turnedFacets(setup.job);
   LowestRadius lowest(blank);
   for (const Motion& m : path.motions) {
     if (m.kind == MotionKind::kFeed) lowest.lower(m);
@@ -140,7 +140,7 @@ void addThreads(const SetupRun& setup, const Box3& blank, Workload& work) {
     grooves[m.thread_start_deg].add(setup, m, blank);
   }
   for (const auto& [start, groove] : grooves) {
-    const double triangles = groove.triangles(blank.max.x(), facetTolerance(setup.job));
+    const double triangles = groove.triangles(blank.max.x(), turnedFacets(setup.job));
     work.thread_triangles += triangles;
     if (groove.inRows()) work.groove_triangles += triangles;
     work.pass_points += groove.passPoints();
@@ -163,6 +163,11 @@ double threadedArea(const SetupRun& setup, const Box3& blank) {
 }  // namespace
 
 double facetTolerance(const Job& job) { return kFacetShare * job.simulation.profile_resolution_mm; }
+
+double turnedFacets(const Job& job) {
+  constexpr double kEach = 0.5;
+  return std::max(facetTolerance(job), kEach * job.simulation.simplify_mm.value_or(0.0));
+}
 
 Workload turnedGridWork(const Blank& blank) {
   Workload work;

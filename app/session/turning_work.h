@@ -14,7 +14,10 @@ Workload turnedGridWork(const Blank& blank);
 /// Of a turned part that another process goes on with on the grid.
 Workload ontoGridWork(const SetupRun& turned, const Blank& blank);
 
-/// How far the facets of a turned mesh may lie off the part, mm.
+/// How far the facets of a mesh that follows no grid may lie off the part, by `profile_resolution`, mm.
 double facetTolerance(const Job& job);
+
+/// The same of a turned part, along the section and around, each; `simplify` may ask for fewer of them.
+double turnedFacets(const Job& job);
 
 }  // namespace proveout

@@ -7,8 +7,11 @@
 #include <numbers>
 #include <ostream>
 #include <set>
+#include <utility>
 
+#include "core/mesh/surface_mesh.h"
 #include "core/mesh/tri_mesh.h"
+#include "core/mesh/triangle_tree.h"
 #include "io/mesh_io.h"
 #include "program_runner.h"
 
@@ -287,6 +290,42 @@ TEST(TurnedShaft, PassesAndTellsWhatPartsIt) {
   // Besides, the chords of its nominal are told.
   for (const json& f : findings) EXPECT_EQ(f["severity"], "note") << f;
   EXPECT_TRUE(fs::exists(bench.path("out/profile.svg")));
+}
+
+/// Mesh of a sample with `options`, and its report.
+std::pair<TriMesh, json> sampleOf(const std::string& part, const std::string& options) {
+  const Workbench bench;
+  const std::string job = (fs::path(PROVEOUT_SOURCE_DIR) / "parts" / part / "job.toml").string();
+  const Outcome outcome = bench.run("run '" + job + "' --no-render --out out " + options);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  const std::string file = report["outputs"]["meshes"][0]["path"].get<std::string>();
+  return {*loadMesh(bench.path("out/" + file)), report};
+}
+
+TEST(Simplify, OfTurnedPartsAllowsLargerFacets) {
+  const auto [fine, usual] = sampleOf("flexnc_shaft", "");
+  const auto [coarse, report] = sampleOf("flexnc_shaft", "--simplify 0.05");
+  EXPECT_LT(6 * coarse.triangles.size(), fine.triangles.size());
+  EXPECT_TRUE(analyseTopology(coarse).closedManifold());
+  // The verdict is that of the section.
+  EXPECT_EQ(report["verdict"], "pass");
+  EXPECT_NEAR(partVolume(report), partVolume(usual), 1e-6 * partVolume(usual));
+  const SurfaceMesh fine_surface = toSurface(fine), coarse_surface = toSurface(coarse);
+  const TriangleTree fine_tree(fine_surface), coarse_tree(coarse_surface);
+  double most = 0.0;
+  for (std::size_t t = 0; t < coarse_surface.triangles.size(); ++t)
+    most = std::max(most, fine_tree.nearest(coarse_surface.middle(t)).squared);
+  for (const Vec3& p : fine_surface.points) most = std::max(most, coarse_tree.nearest(p).squared);
+  EXPECT_LT(std::sqrt(most), 0.05 + 0.001);  // and the facets of the fine one
+  EXPECT_GT(std::sqrt(most), 0.01);
+}
+
+TEST(Simplify, OfPartsThatAWireCutIsNoReasonForDoubt) {
+  const auto [mesh, report] = sampleOf("wire_ruled", "--simplify 0.05");
+  EXPECT_EQ(report["verdict"], "pass");
+  EXPECT_EQ(mesh.triangles.size(), sampleOf("wire_ruled", "").first.triangles.size());
+  EXPECT_NE(report["error_budget"].dump().find("simplify does not apply"), std::string::npos);
 }
 
 std::string flexncJob(const char* part, const char* job) {

@@ -166,6 +166,22 @@ TEST_F(Fixture, DeviationsAndUndecided) {
   EXPECT_DOUBLE_EQ(*report.deciding_resolution_mm, 0.1);
 }
 
+TEST_F(Fixture, OfFacetsTheProfileDecides) {
+  Comparison comparison;
+  comparison.gouge_tolerance_mm = 0.02;
+  DeviationPatch unsure;
+  unsure.depth_mm = 0.015;
+  unsure.bound_mm = 0.01;  // of a profile resolution of 0.1 mm: half would do, with a margin 0.4
+  comparison.undecided = {unsure};
+  addUndecided(comparison, findings, 0.1);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_NE(findings[0].message.find("; profile_resolution = 0.04 in the job could"), std::string::npos)
+      << findings[0].message;
+  comparison.undecided[0].depth_mm = 0.02;  // at the tolerance: nothing decides
+  addUndecided(comparison, findings, 0.1);
+  EXPECT_EQ(findings[1].message.find("could"), std::string::npos) << findings[1].message;
+}
+
 TEST_F(Fixture, OvertravelAndAlarms) {
   PathEvent event;
   event.what = event::Overtravel{"X", 412.5, 400.0, {}};
