@@ -36,10 +36,7 @@ class SignedDistance {
   std::vector<SurfaceDistance> at(const std::vector<Vec3>& points, Progress& progress, double from,
                                   double to) const;
 
-  bool inside(const Vec3& point) const {
-    const std::optional<int> crossings = tree_.crossings(point);
-    return crossings ? *crossings > 0 : tree_.windingNumber(point) > 0.5;
-  }
+  bool inside(const Vec3& point) const { return tree_.goesRound(point); }
   const SurfaceMesh& mesh() const { return mesh_; }
   const TriangleTree& tree() const { return tree_; }
   /// The triangle beyond edge `corner` (to the next corner) of a triangle; kNone where it is not just one.

@@ -46,11 +46,16 @@ class TriangleTree {
   /// and clouds", 2018): off by less than 0.1.
   double windingNumber(const Vec3& p) const;
 
-  /// The same for a mesh whose edges all are balanced (as many triangles one way as the other), whole and
-  /// exact: the crossings of a ray, counted by their direction. Several times faster where triangles are
-  /// long. Nothing where each of three rays runs within rounding of an edge; then windingNumber() knows. `p`
-  /// must not be on the mesh.
+  /// The same, whole and exact, of a mesh whose edges are balanced (as many triangles use each one way as the
+  /// other): the crossings of a ray, counted by their direction. Several times faster where triangles are
+  /// long. Nothing where each of three rays runs within rounding of an edge. `p` must not be on the mesh.
   std::optional<int> crossings(const Vec3& p) const;
+
+  /// Whether such a mesh goes round `p`: by crossings, else by the winding number.
+  bool goesRound(const Vec3& p) const {
+    const std::optional<int> sum = crossings(p);
+    return sum ? *sum > 0 : windingNumber(p) > 0.5;
+  }
 
   /// Calls visit(triangle) for every triangle whose bounds touch the box.
   template <typename Visit>

@@ -55,7 +55,7 @@ std::optional<Vec3> faceInside(const Body& a, const Body& b) {
     for (int corner = -1; corner < 3 && !found; ++corner) {
       const Vec3 at =
           corner < 0 ? middle : Vec3((2.0 * middle + a.surface.points[a.surface.triangles[t][corner]]) / 3.0);
-      if (b.tree.windingNumber(at + 2.0 * kSameMm * normal.normalized()) > 0.5) found = at;
+      if (b.tree.goesRound(at + 2.0 * kSameMm * normal.normalized())) found = at;
     }
   });
   return found;
@@ -151,7 +151,7 @@ class Joiner {
       const Vec3 probe = hollow.positions.front().cast<double>();
       std::optional<std::size_t> around;
       for (const std::size_t i : bodiesNear({probe, probe})) {
-        if (bodies_[i]->tree.windingNumber(probe) <= 0.5) continue;
+        if (!bodies_[i]->tree.goesRound(probe)) continue;
         if (!around || bodies_[i]->volume < bodies_[*around]->volume) around = i;
       }
       if (around) {
@@ -201,7 +201,7 @@ std::optional<Vec3> innerFace(const TriMesh& mesh) {
     const Vec3 normal = surface.areaVector(t);
     if (!(normal.norm() > kSameMm)) continue;
     const Vec3 at = surface.middle(t);
-    if (tree.windingNumber(at + 2.0 * kSameMm * normal.normalized()) > 0.5) return at;
+    if (tree.goesRound(at + 2.0 * kSameMm * normal.normalized())) return at;
   }
   return std::nullopt;
 }
