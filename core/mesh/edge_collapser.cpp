@@ -33,26 +33,37 @@ constexpr double kPasses[] = {0.1, 0.3, 1.0};
 /// Neighbours lie nearly flat on each other: the cosine between their normals.
 constexpr float kFolded = -0.8f;
 
-/// Calls number(i, n) for each i below `count` that is kept, with numbers n from 0 in their order. Returns
-/// how many are.
-template <typename Kept, typename Number>
-std::size_t numberKept(std::size_t count, const Kept& kept, const Number& number) {
-  constexpr std::size_t kPart = 4096;
-  std::vector<std::size_t> first(count / kPart + 2, 0);
-  const auto forEachKept = [&](std::size_t part, const auto& body) {
-    for (std::size_t i = part * kPart; i < std::min(count, (part + 1) * kPart); ++i) {
-      if (kept(i)) body(i);
-    }
-  };
-  parallelFor(std::size_t{0}, first.size() - 1,
-              [&](std::size_t part) { forEachKept(part, [&](std::size_t) { ++first[part + 1]; }); });
-  for (std::size_t part = 1; part < first.size(); ++part) first[part] += first[part - 1];
-  parallelFor(std::size_t{0}, first.size() - 1, [&](std::size_t part) {
-    std::size_t next = first[part];
-    forEachKept(part, [&](std::size_t i) { number(i, next++); });
-  });
-  return first.back();
-}
+/// Numbers from 0 for what is kept of a list, in its order.
+class Numbering {
+ public:
+  template <typename Kept>
+  Numbering(std::size_t size, const Kept& kept) : size_(size), first_(size / kPart + 2, 0) {
+    parallelFor(std::size_t{0}, first_.size() - 1, [&](std::size_t part) {
+      std::size_t count = 0;
+      for (std::size_t i = part * kPart; i < endOf(part); ++i) count += kept(i);
+      first_[part + 1] = count;
+    });
+    for (std::size_t part = 1; part < first_.size(); ++part) first_[part] += first_[part - 1];
+  }
+  std::size_t count() const { return first_.back(); }
+  /// Calls body(i, n) for what is kept; n: its number.
+  template <typename Kept, typename Body>
+  void forEach(const Kept& kept, const Body& body) const {
+    parallelFor(std::size_t{0}, first_.size() - 1, [&](std::size_t part) {
+      std::size_t next = first_[part];
+      for (std::size_t i = part * kPart; i < endOf(part); ++i) {
+        if (kept(i)) body(i, next++);
+      }
+    });
+  }
+
+ private:
+  static constexpr std::size_t kPart = 4096;
+  std::size_t endOf(std::size_t part) const { return std::min(size_, (part + 1) * kPart); }
+
+  std::size_t size_;
+  std::vector<std::size_t> first_;  ///< number of each part, and the count of all
+};
 
 float largestCoordinate(const TriMesh& mesh) {
   Eigen::Array3f most = Eigen::Array3f::Zero();
@@ -131,6 +142,10 @@ void EdgeCollapser::findFreedoms(std::span<const std::uint8_t> frozen) {
       h = table_.turned(h);
     } while (h != first);
   }
+  movable_.reserve(vertices_.size());
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+    if (vertices_[v].freedom != Freedom::kNone) movable_.push_back(v);
+  }
 }
 
 bool EdgeCollapser::run(const Progress& progress) {
@@ -149,16 +164,18 @@ bool EdgeCollapser::run(const Progress& progress) {
 /// Of the vertices; those that have neighbours in other blocks have none. A collapse within a block leads to
 /// no edges out of it: what is off its border now is so until the end.
 std::vector<std::uint32_t> EdgeCollapser::blockNumbers(double size) const {
-  constexpr double kShift = 0.37;
+  // Makes all coordinates of cells positive, so that cutting off is rounding down.
+  constexpr double kShift = 0.37 + (1 << 20);
   constexpr std::uint32_t kBits = 10, kMask = (1u << kBits) - 1;
-  std::vector<std::uint32_t> block(vertices_.size(), 0);
-  if (!(size > 0.0)) return block;
+  std::vector<std::uint32_t> block(vertices_.size());
   const double each = 1.0 / size;
   forEachBelow(block.size(), [&](std::size_t v) {
+    std::uint32_t number = 0;
     for (int k = 0; k < 3; ++k) {
-      const auto cell = static_cast<std::int32_t>(std::floor(mesh_.positions[v][k] * each + kShift));
-      block[v] = block[v] << kBits | (static_cast<std::uint32_t>(cell) & kMask);
+      const auto cell = static_cast<std::int32_t>(mesh_.positions[v][k] * each + kShift);
+      number = number << kBits | (static_cast<std::uint32_t>(cell) & kMask);
     }
+    block[v] = number;
   });
   std::vector<std::uint32_t> out = block;
   forEachBelow(table_.triangleCount(), [&](std::size_t t) {
@@ -174,15 +191,20 @@ std::vector<std::uint32_t> EdgeCollapser::blockNumbers(double size) const {
 /// The vertices that may go, by their blocks; in each round the borders of blocks are elsewhere. Two blocks
 /// may have one number, and then are worked on by one thread.
 std::vector<EdgeCollapser::Block> EdgeCollapser::blocks(double size) {
-  const std::vector<std::uint32_t> block = blockNumbers(size);
+  std::erase_if(movable_, [&](std::uint32_t v) { return table_.gone(v); });
   std::vector<Block> out;
+  if (!(size > 0.0)) {
+    for (const std::uint32_t v : movable_) vertices_[v].inside = true;
+    out.push_back(movable_);
+    return out;
+  }
+  const std::vector<std::uint32_t> block = blockNumbers(size);
   std::unordered_map<std::uint32_t, std::size_t> number;
   std::uint32_t last = kNoBlock;
   std::size_t at = 0;
-  for (std::uint32_t v = 0; v < block.size(); ++v) {
-    vertices_[v].inside = false;
-    if (block[v] == kNoBlock || vertices_[v].freedom == Freedom::kNone || table_.gone(v)) continue;
-    vertices_[v].inside = true;
+  for (const std::uint32_t v : movable_) {
+    vertices_[v].inside = block[v] != kNoBlock;
+    if (block[v] == kNoBlock) continue;
     if (block[v] != last) at = number.try_emplace(last = block[v], number.size()).first->second;
     if (at == out.size()) out.emplace_back();
     out[at].push_back(v);
@@ -368,23 +390,21 @@ double EdgeCollapser::distance() const {
 
 TriMesh EdgeCollapser::result() const {
   TriMesh out;
-  std::vector<std::uint32_t> number(mesh_.positions.size()), from(table_.triangleCount());
-  const std::size_t vertices = numberKept(
-      number.size(), [&](std::size_t v) { return !table_.gone(static_cast<std::uint32_t>(v)); },
-      [&](std::size_t v, std::size_t n) { number[v] = static_cast<std::uint32_t>(n); });
-  const std::size_t triangles = numberKept(
-      from.size(), [&](std::size_t t) { return !table_.isGone(t); },
-      [&](std::size_t t, std::size_t n) { from[n] = static_cast<std::uint32_t>(t); });
-  out.positions.resize(vertices);
-  out.triangles.resize(triangles);
-  if (!mesh_.motion.empty()) out.motion.resize(triangles);
-  forEachBelow(triangles, [&](std::size_t n) {
-    const auto& corners = table_.corners(from[n]);
-    for (std::size_t i = 0; i < 3; ++i) out.triangles[n][i] = number[corners[i]];
-    if (!mesh_.motion.empty()) out.motion[n] = mesh_.motion[from[n]];
+  const auto number = std::make_unique_for_overwrite<std::uint32_t[]>(vertices_.size());
+  const auto kept = [&](std::size_t v) { return !table_.gone(static_cast<std::uint32_t>(v)); };
+  const auto keptTriangle = [&](std::size_t t) { return !table_.isGone(t); };
+  const Numbering vertices(vertices_.size(), kept), triangles(table_.triangleCount(), keptTriangle);
+  out.positions.resize(vertices.count());
+  out.triangles.resize(triangles.count());
+  if (!mesh_.motion.empty()) out.motion.resize(triangles.count());
+  vertices.forEach(kept, [&](std::size_t v, std::size_t n) {
+    number[v] = static_cast<std::uint32_t>(n);
+    out.positions[n] = mesh_.positions[v];
   });
-  forEachBelow(number.size(), [&](std::size_t v) {
-    if (!table_.gone(static_cast<std::uint32_t>(v))) out.positions[number[v]] = mesh_.positions[v];
+  triangles.forEach(keptTriangle, [&](std::size_t t, std::size_t n) {
+    const auto& corners = table_.corners(t);
+    for (std::size_t i = 0; i < 3; ++i) out.triangles[n][i] = number[corners[i]];
+    if (!mesh_.motion.empty()) out.motion[n] = mesh_.motion[t];
   });
   return out;
 }

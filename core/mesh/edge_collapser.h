@@ -72,6 +72,7 @@ class EdgeCollapser {
   CornerTable table_;  ///< its labels are the motions
   std::unique_ptr<TriangleState[]> triangles_;
   std::vector<VertexState> vertices_;
+  std::vector<std::uint32_t> movable_;  ///< vertices that may go
   StarSurroundings around_;
 };
 
