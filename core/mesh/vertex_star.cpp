@@ -62,20 +62,23 @@ void VertexStar::look(const StarSurroundings& around) {
 }
 
 bool VertexStar::findView() {
-  Vec3 sum = Vec3::Zero();
-  for (int j = 0; j < size_; ++j) sum += normal_[j];
-  const double length = sum.norm();
-  if (length < kSeen) return false;
-  const Vec3 view = sum / length;
+  Vec3 view = Vec3::Zero();
+  for (int j = 0; j < size_; ++j) view += normal_[j];
+  const double length = view.norm();
+  double least = length;
+  for (int j = 0; j < size_; ++j) least = std::min(least, normal_[j].dot(view));
+  if (length < kSeen || least < kSeen * length) return false;
+  // Seen along the view, on the plane of two axes: places and crossings are the same parts of lines and
+  // triangles as on the one across the view.
+  int drop = 0;
+  view.cwiseAbs().maxCoeff(&drop);
+  const int x = (drop + (view[drop] > 0.0 ? 1 : 2)) % 3, y = 3 - drop - x;
+  const double over_drop = 1.0 / view[drop], over_length = 1.0 / length;
+  const double along_x = view[x] * over_drop, along_y = view[y] * over_drop;
   for (int j = 0; j < size_; ++j) {
-    if (normal_[j].dot(view) < kSeen) return false;
-  }
-  int least = 0;
-  view.cwiseAbs().minCoeff(&least);
-  const Vec3 u = view.cross(Vec3::Unit(least)).normalized(), v = view.cross(u);
-  for (int j = 0; j < size_; ++j) {
-    flat_[j] = {arm_[j].dot(u), arm_[j].dot(v)};
-    height_[j] = arm_[j].dot(view);
+    const Vec3& arm = arm_[j];
+    flat_[j] = {arm[x] - arm[drop] * along_x, arm[y] - arm[drop] * along_y};
+    height_[j] = arm.dot(view) * over_length;
   }
   int rounds = 0;
   for (int j = 0; j < size_; ++j) rounds += flat_[j].y() < 0.0 && flat_[after(j)].y() >= 0.0 ? 1 : 0;

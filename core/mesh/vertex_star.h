@@ -77,7 +77,7 @@ class VertexStar {
  private:
   using Values = std::array<double, kMost>;
   /// The new triangles as a fan around ring(b): k-th corner and k-th triangle, which goes from corner k to k
-  /// + 1, are those of j = b + 1 + k. Across the view, from ring(b).
+  /// + 1, are those of j = b + 1 + k. Places are seen along the view, from ring(b).
   struct Fan {
     int base = 0, corners = 0;
     std::array<int, kMost> j;
@@ -98,8 +98,8 @@ class VertexStar {
   std::array<int, 2> border_at_;
   std::array<std::uint32_t, kMost> ring_, half_edge_;
   std::array<Vec3, kMost> arm_, normal_;
-  std::array<Vec2, kMost> flat_;  ///< arms across the view
-  Values height_;                 ///< of them against it
+  std::array<Vec2, kMost> flat_;  ///< arms, seen along the view
+  Values height_;                 ///< of them along it
   Values error_;
   double largest_error_ = 0.0;
   std::array<double, 6> planes_;  ///< sum of the products of the normals: xx, xy, xz, yy, yz, zz
