@@ -6,11 +6,13 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
+#include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
 #include "core/mesh/mean_edge.h"
 
@@ -74,7 +76,10 @@ std::uint32_t facingOf(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const
 class Cubes {
  public:
   Cubes(const TriMesh& mesh, const Box3& bounds, double edge, double reach)
-      : mesh_(mesh), reach_(static_cast<float>(reach)), low_(bounds.min.cast<float>()) {
+      : mesh_(mesh),
+        reach_(static_cast<float>(reach)),
+        low_(bounds.min.cast<float>()),
+        only_(std::make_unique_for_overwrite<std::uint32_t[]>(mesh.triangles.size())) {
     const Vec3 span = bounds.max - bounds.min;
     const double most = kMostCubes * static_cast<double>(mesh.triangles.size());
     double size = std::max({kCubeEdges * edge, kCubeReaches * reach, kLeastCube});
@@ -85,26 +90,50 @@ class Cubes {
     facing_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2], kAll);
   }
 
-  void enter(std::size_t t) {
-    const auto& v = mesh_.triangles[t];
-    const std::uint32_t facing =
-        facingOf(mesh_.positions[v[0]], mesh_.positions[v[1]], mesh_.positions[v[2]]);
-    forEachCube(t, reach_, [&](std::uint32_t& cube) {
-      const std::atomic_ref all(cube);
-      if ((all.load(std::memory_order_relaxed) & ~facing) != 0)
-        all.fetch_and(facing, std::memory_order_relaxed);
-      return true;
-    });
+  /// Enters triangles first..last-1.
+  void enter(std::size_t first, std::size_t last) {
+    Pending pending;
+    for (std::size_t t = first; t < last; ++t) {
+      const auto& v = mesh_.triangles[t];
+      const std::uint32_t facing =
+          facingOf(mesh_.positions[v[0]], mesh_.positions[v[1]], mesh_.positions[v[2]]);
+      std::uint32_t cubes = 0;
+      forEachCube(t, reach_, [&](std::uint32_t& cube) {
+        if (&cube != pending.cube) pending.moveTo(&cube);
+        pending.facing &= facing;
+        ++cubes;
+        return true;
+      });
+      only_[t] = cubes == 1 ? static_cast<std::uint32_t>(pending.cube - facing_.data()) : kMany;
+    }
+    pending.moveTo(nullptr);
   }
+  /// Requires that all are entered.
   bool isCrowded(std::size_t t) {
+    if (only_[t] != kMany) return facing_[only_[t]] == 0;
     bool crowded = false;
     forEachCube(t, 0.0f, [&](const std::uint32_t& cube) { return !(crowded = cube == 0); });
     return crowded;
   }
 
  private:
-  static constexpr std::uint32_t kAll = 0xFFFFFFFFu;
+  static constexpr std::uint32_t kAll = 0xFFFFFFFFu, kMany = 0xFFFFFFFFu;
 
+  /// What goes into one cube, before it does: triangles that follow each other are mostly in the same.
+  struct Pending {
+    std::uint32_t* cube = nullptr;
+    std::uint32_t facing = kAll;
+
+    void moveTo(std::uint32_t* next) {
+      if (cube != nullptr) {
+        const std::atomic_ref all(*cube);
+        if ((all.load(std::memory_order_relaxed) & ~facing) != 0)
+          all.fetch_and(facing, std::memory_order_relaxed);
+      }
+      cube = next;
+      facing = kAll;
+    }
+  };
   /// Calls body(cube) for those that the bounds of a triangle touch, until it returns false.
   template <typename Body>
   void forEachCube(std::size_t t, float reach, const Body& body) {
@@ -132,6 +161,7 @@ class Cubes {
   float each_ = 0.0f;  ///< cubes for a mm
   Coords count_{};
   std::vector<std::uint32_t> facing_;
+  std::unique_ptr<std::uint32_t[]> only_;  ///< by triangle: the one cube that it is entered in, or kMany
 };
 
 }  // namespace
@@ -143,7 +173,10 @@ std::vector<std::uint32_t> trianglesInCrowdedPlaces(const TriMesh& mesh, double 
   const double far = std::max(bounds.min.cwiseAbs().maxCoeff(), bounds.max.cwiseAbs().maxCoeff());
   const double moved = moved_mm + 2.0 * std::numeric_limits<float>::epsilon() * far;
   Cubes cubes(mesh, bounds, meanEdge(mesh), kReach * moved);
-  forEachBelow(mesh.triangles.size(), [&](std::size_t t) { cubes.enter(t); });
+  constexpr std::size_t kStretch = 2048;
+  const std::size_t count = mesh.triangles.size();
+  parallelFor(std::size_t{0}, (count + kStretch - 1) / kStretch,
+              [&](std::size_t i) { cubes.enter(i * kStretch, std::min(count, (i + 1) * kStretch)); });
   std::vector<std::uint8_t> crowded(mesh.triangles.size());
   forEachBelow(crowded.size(), [&](std::size_t t) { crowded[t] = cubes.isCrowded(t) ? 1 : 0; });
   std::vector<std::uint32_t> out;
