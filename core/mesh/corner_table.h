@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace proveout {
@@ -44,8 +45,7 @@ class CornerTable {
   /// triangles.
   void collapse(std::uint32_t h);
 
-  std::size_t vertexCount() const { return out_.size(); }
-  std::size_t triangleCount() const { return triangles_.size(); }
+  std::size_t triangleCount() const { return count_; }
   bool isGone(std::size_t t) const { return triangles_[t].vertex[0] == kNone; }
   const std::array<std::uint32_t, 3>& corners(std::size_t t) const { return triangles_[t].vertex; }
 
@@ -53,20 +53,23 @@ class CornerTable {
   /// What belongs together in half a line of the cache.
   struct alignas(32) Triangle {
     std::array<std::uint32_t, 3> vertex;
-    std::uint32_t label = 0;
-    std::array<std::uint32_t, 3> twin{kNone, kNone, kNone};  ///< of its half-edges
+    std::uint32_t label;
+    std::array<std::uint32_t, 3> twin;  ///< of its half-edges
   };
 
+  void pairDiagonal(std::uint32_t t);
   void pairEdges(std::uint32_t first, std::uint32_t last, std::size_t begin, std::size_t end,
-                 std::vector<std::uint32_t>& waiting);
+                 std::uint32_t* waiting);
   std::uint32_t& twinAt(std::uint32_t h) { return triangles_[h >> 2].twin[h & 3]; }
   void pair(std::uint32_t g, std::uint32_t h) {
     twinAt(g) = h;
     twinAt(h) = g;
   }
 
-  std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> out_;  ///< a vertex
+  // Not vectors, as these would be filled by one thread before all fill them.
+  std::size_t count_;
+  std::unique_ptr<Triangle[]> triangles_;
+  std::unique_ptr<std::uint32_t[]> out_;  ///< a vertex
 };
 
 }  // namespace proveout

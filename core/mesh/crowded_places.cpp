@@ -6,7 +6,13 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
 #include "core/mesh/mean_edge.h"
 
@@ -29,9 +35,12 @@ constexpr double kMostCubes = 4.0;
 /// Directions between opposite neighbours of a cube, and zeros.
 struct Directions {
   static constexpr float kTwo = 0.70710678f, kThree = 0.57735027f;
-  std::array<float, 16> x = {1, 0, 0, kTwo, kTwo, 0, 0, kTwo, kTwo, kThree, kThree, kThree, kThree};
-  std::array<float, 16> y = {0, 1, 0, kTwo, -kTwo, kTwo, kTwo, 0, 0, kThree, kThree, -kThree, -kThree};
-  std::array<float, 16> z = {0, 0, 1, 0, 0, kTwo, -kTwo, kTwo, -kTwo, kThree, -kThree, kThree, -kThree};
+  alignas(16) std::array<float, 16> x = {1,    0,    0,      kTwo,   kTwo,   0,     0,
+                                         kTwo, kTwo, kThree, kThree, kThree, kThree};
+  alignas(16) std::array<float, 16> y = {0, 1, 0,      kTwo,   -kTwo,   kTwo,   kTwo,
+                                         0, 0, kThree, kThree, -kThree, -kThree};
+  alignas(16) std::array<float, 16> z = {0,    0,     1,      0,       0,      kTwo,   -kTwo,
+                                         kTwo, -kTwo, kThree, -kThree, kThree, -kThree};
 };
 constexpr Directions kDirections;
 
@@ -42,22 +51,36 @@ std::uint32_t facingOf(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const
   const float x = n.x(), y = n.y(), z = n.z(), least = kFacing * n.norm();
   std::uint32_t bits = 0;
   if (!(least > 0.0f)) return bits;
-  std::array<float, 16> along;
-  for (std::size_t i = 0; i < 16; ++i)
-    along[i] = x * kDirections.x[i] + y * kDirections.y[i] + z * kDirections.z[i];
-  for (std::size_t i = 0; i < 16; ++i) {
-    bits |= static_cast<std::uint32_t>(along[i] >= least) << i;
-    bits |= static_cast<std::uint32_t>(along[i] <= -least) << (i + 16);
+#if defined(__SSE2__)
+  for (std::size_t i = 0; i < 16; i += 4) {
+    const auto times = [i](const std::array<float, 16>& d, float by) {
+      return _mm_mul_ps(_mm_load_ps(&d[i]), _mm_set1_ps(by));
+    };
+    const __m128 along =
+        _mm_add_ps(_mm_add_ps(times(kDirections.x, x), times(kDirections.y, y)), times(kDirections.z, z));
+    const int facing = _mm_movemask_ps(_mm_cmpge_ps(along, _mm_set1_ps(least)));
+    const int opposite = _mm_movemask_ps(_mm_cmple_ps(along, _mm_set1_ps(-least)));
+    bits |= static_cast<std::uint32_t>(facing | opposite << 16) << i;
   }
+#else
+  for (std::size_t i = 0; i < 16; ++i) {
+    const float along = x * kDirections.x[i] + y * kDirections.y[i] + z * kDirections.z[i];
+    bits |= static_cast<std::uint32_t>(along >= least) << i;
+    bits |= static_cast<std::uint32_t>(along <= -least) << (i + 16);
+  }
+#endif
   return bits;
 }
 
 /// The cubes, each with the directions that all triangles in it and near to it face.
 class Cubes {
  public:
-  Cubes(const TriMesh& mesh, double edge, double reach)
-      : mesh_(mesh), reach_(static_cast<float>(reach)), low_(meshBounds(mesh).min.cast<float>()) {
-    const Vec3 span = meshBounds(mesh).max - meshBounds(mesh).min;
+  Cubes(const TriMesh& mesh, const Box3& bounds, double edge, double reach)
+      : mesh_(mesh),
+        reach_(static_cast<float>(reach)),
+        low_(bounds.min.cast<float>()),
+        only_(std::make_unique_for_overwrite<std::uint32_t[]>(mesh.triangles.size())) {
+    const Vec3 span = bounds.max - bounds.min;
     const double most = kMostCubes * static_cast<double>(mesh.triangles.size());
     double size = std::max({kCubeEdges * edge, kCubeReaches * reach, kLeastCube});
     const auto count = [&] { return ((span / size).array().floor() + 1.0).prod(); };
@@ -67,26 +90,50 @@ class Cubes {
     facing_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2], kAll);
   }
 
-  void enter(std::size_t t) {
-    const auto& v = mesh_.triangles[t];
-    const std::uint32_t facing =
-        facingOf(mesh_.positions[v[0]], mesh_.positions[v[1]], mesh_.positions[v[2]]);
-    forEachCube(t, reach_, [&](std::uint32_t& cube) {
-      const std::atomic_ref all(cube);
-      if ((all.load(std::memory_order_relaxed) & ~facing) != 0)
-        all.fetch_and(facing, std::memory_order_relaxed);
-      return true;
-    });
+  /// Enters triangles first..last-1.
+  void enter(std::size_t first, std::size_t last) {
+    Pending pending;
+    for (std::size_t t = first; t < last; ++t) {
+      const auto& v = mesh_.triangles[t];
+      const std::uint32_t facing =
+          facingOf(mesh_.positions[v[0]], mesh_.positions[v[1]], mesh_.positions[v[2]]);
+      std::uint32_t cubes = 0;
+      forEachCube(t, reach_, [&](std::uint32_t& cube) {
+        if (&cube != pending.cube) pending.moveTo(&cube);
+        pending.facing &= facing;
+        ++cubes;
+        return true;
+      });
+      only_[t] = cubes == 1 ? static_cast<std::uint32_t>(pending.cube - facing_.data()) : kMany;
+    }
+    pending.moveTo(nullptr);
   }
+  /// Requires that all are entered.
   bool isCrowded(std::size_t t) {
+    if (only_[t] != kMany) return facing_[only_[t]] == 0;
     bool crowded = false;
     forEachCube(t, 0.0f, [&](const std::uint32_t& cube) { return !(crowded = cube == 0); });
     return crowded;
   }
 
  private:
-  static constexpr std::uint32_t kAll = 0xFFFFFFFFu;
+  static constexpr std::uint32_t kAll = 0xFFFFFFFFu, kMany = 0xFFFFFFFFu;
 
+  /// What goes into one cube, before it does: triangles that follow each other are mostly in the same.
+  struct Pending {
+    std::uint32_t* cube = nullptr;
+    std::uint32_t facing = kAll;
+
+    void moveTo(std::uint32_t* next) {
+      if (cube != nullptr) {
+        const std::atomic_ref all(*cube);
+        if ((all.load(std::memory_order_relaxed) & ~facing) != 0)
+          all.fetch_and(facing, std::memory_order_relaxed);
+      }
+      cube = next;
+      facing = kAll;
+    }
+  };
   /// Calls body(cube) for those that the bounds of a triangle touch, until it returns false.
   template <typename Body>
   void forEachCube(std::size_t t, float reach, const Body& body) {
@@ -114,6 +161,7 @@ class Cubes {
   float each_ = 0.0f;  ///< cubes for a mm
   Coords count_{};
   std::vector<std::uint32_t> facing_;
+  std::unique_ptr<std::uint32_t[]> only_;  ///< by triangle: the one cube that it is entered in, or kMany
 };
 
 }  // namespace
@@ -124,8 +172,11 @@ std::vector<std::uint32_t> trianglesInCrowdedPlaces(const TriMesh& mesh, double 
   const Box3 bounds = meshBounds(mesh);
   const double far = std::max(bounds.min.cwiseAbs().maxCoeff(), bounds.max.cwiseAbs().maxCoeff());
   const double moved = moved_mm + 2.0 * std::numeric_limits<float>::epsilon() * far;
-  Cubes cubes(mesh, meanEdge(mesh), kReach * moved);
-  forEachBelow(mesh.triangles.size(), [&](std::size_t t) { cubes.enter(t); });
+  Cubes cubes(mesh, bounds, meanEdge(mesh), kReach * moved);
+  constexpr std::size_t kStretch = 2048;
+  const std::size_t count = mesh.triangles.size();
+  parallelFor(std::size_t{0}, (count + kStretch - 1) / kStretch,
+              [&](std::size_t i) { cubes.enter(i * kStretch, std::min(count, (i + 1) * kStretch)); });
   std::vector<std::uint8_t> crowded(mesh.triangles.size());
   forEachBelow(crowded.size(), [&](std::size_t t) { crowded[t] = cubes.isCrowded(t) ? 1 : 0; });
   std::vector<std::uint32_t> out;

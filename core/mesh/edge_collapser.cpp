@@ -29,30 +29,41 @@ constexpr float kNotAgain = std::numeric_limits<float>::infinity();
 /// Edges of the blocks of a round, in edges of triangles; 0: all is one block.
 constexpr double kBlocks[] = {64.0, 256.0, 0.0};
 /// Limits of the passes, as parts of the tolerance: what costs little goes first.
-constexpr double kPasses[] = {1e-3, 0.1, 0.3, 1.0};
+constexpr double kPasses[] = {0.1, 0.3, 1.0};
 /// Neighbours lie nearly flat on each other: the cosine between their normals.
 constexpr float kFolded = -0.8f;
 
-/// Calls number(i, n) for each i below `count` that is kept, with numbers n from 0 in their order. Returns
-/// how many are.
-template <typename Kept, typename Number>
-std::size_t numberKept(std::size_t count, const Kept& kept, const Number& number) {
-  constexpr std::size_t kPart = 4096;
-  std::vector<std::size_t> first(count / kPart + 2, 0);
-  const auto forEachKept = [&](std::size_t part, const auto& body) {
-    for (std::size_t i = part * kPart; i < std::min(count, (part + 1) * kPart); ++i) {
-      if (kept(i)) body(i);
-    }
-  };
-  parallelFor(std::size_t{0}, first.size() - 1,
-              [&](std::size_t part) { forEachKept(part, [&](std::size_t) { ++first[part + 1]; }); });
-  for (std::size_t part = 1; part < first.size(); ++part) first[part] += first[part - 1];
-  parallelFor(std::size_t{0}, first.size() - 1, [&](std::size_t part) {
-    std::size_t next = first[part];
-    forEachKept(part, [&](std::size_t i) { number(i, next++); });
-  });
-  return first.back();
-}
+/// Numbers from 0 for what is kept of a list, in its order.
+class Numbering {
+ public:
+  template <typename Kept>
+  Numbering(std::size_t size, const Kept& kept) : size_(size), first_(size / kPart + 2, 0) {
+    parallelFor(std::size_t{0}, first_.size() - 1, [&](std::size_t part) {
+      std::size_t count = 0;
+      for (std::size_t i = part * kPart; i < endOf(part); ++i) count += kept(i);
+      first_[part + 1] = count;
+    });
+    for (std::size_t part = 1; part < first_.size(); ++part) first_[part] += first_[part - 1];
+  }
+  std::size_t count() const { return first_.back(); }
+  /// Calls body(i, n) for what is kept; n: its number.
+  template <typename Kept, typename Body>
+  void forEach(const Kept& kept, const Body& body) const {
+    parallelFor(std::size_t{0}, first_.size() - 1, [&](std::size_t part) {
+      std::size_t next = first_[part];
+      for (std::size_t i = part * kPart; i < endOf(part); ++i) {
+        if (kept(i)) body(i, next++);
+      }
+    });
+  }
+
+ private:
+  static constexpr std::size_t kPart = 4096;
+  std::size_t endOf(std::size_t part) const { return std::min(size_, (part + 1) * kPart); }
+
+  std::size_t size_;
+  std::vector<std::size_t> first_;  ///< number of each part, and the count of all
+};
 
 float largestCoordinate(const TriMesh& mesh) {
   Eigen::Array3f most = Eigen::Array3f::Zero();
@@ -67,27 +78,22 @@ EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<co
     : mesh_(mesh),
       tolerance_(tolerance),
       table_(mesh.triangles, mesh.motion, mesh.positions.size()),
-      triangles_(mesh.triangles.size()),
+      triangles_(std::make_unique_for_overwrite<TriangleState[]>(mesh.triangles.size())),
       vertices_(mesh.positions.size()),
-      around_{table_, mesh.positions, triangles_} {
+      around_{table_, mesh.positions, {triangles_.get(), mesh.triangles.size()}} {
   // So many units in the last place of the coordinates: less high triangles could be turned over by rounding.
   constexpr double kLeastUnits = 64.0;
   around_.least_height = kLeastUnits * std::numeric_limits<float>::epsilon() * largestCoordinate(mesh);
-  findNormals();
-  if (!off.empty()) {
-    forEachBelow(triangles_.size(), [&](std::size_t t) {
-      const auto& [a, b, c] = mesh.triangles[t];
-      triangles_[t].error = std::max({off[a], off[b], off[c]});
-    });
-  }
+  findNormals(off);
   findFreedoms(frozen);
 }
 
-void EdgeCollapser::findNormals() {
+void EdgeCollapser::findNormals(std::span<const float> off) {
   // Single precision leaves so much of the normal of a triangle of this shape right to some 1e-4.
   constexpr float kThin = 1e-3f;
-  forEachBelow(triangles_.size(), [&](std::size_t t) {
+  forEachBelow(table_.triangleCount(), [&](std::size_t t) {
     const auto& v = mesh_.triangles[t];
+    triangles_[t].error = off.empty() ? 0.0f : std::max({off[v[0]], off[v[1]], off[v[2]]});
     const Eigen::Vector3f p = mesh_.positions[v[1]] - mesh_.positions[v[0]];
     const Eigen::Vector3f q = mesh_.positions[v[2]] - mesh_.positions[v[0]];
     const Eigen::Vector3f area = p.cross(q);
@@ -136,6 +142,10 @@ void EdgeCollapser::findFreedoms(std::span<const std::uint8_t> frozen) {
       h = table_.turned(h);
     } while (h != first);
   }
+  movable_.reserve(vertices_.size());
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+    if (vertices_[v].freedom != Freedom::kNone) movable_.push_back(v);
+  }
 }
 
 bool EdgeCollapser::run(const Progress& progress) {
@@ -154,16 +164,18 @@ bool EdgeCollapser::run(const Progress& progress) {
 /// Of the vertices; those that have neighbours in other blocks have none. A collapse within a block leads to
 /// no edges out of it: what is off its border now is so until the end.
 std::vector<std::uint32_t> EdgeCollapser::blockNumbers(double size) const {
-  constexpr double kShift = 0.37;
+  // Makes all coordinates of cells positive, so that cutting off is rounding down.
+  constexpr double kShift = 0.37 + (1 << 20);
   constexpr std::uint32_t kBits = 10, kMask = (1u << kBits) - 1;
-  std::vector<std::uint32_t> block(vertices_.size(), 0);
-  if (!(size > 0.0)) return block;
+  std::vector<std::uint32_t> block(vertices_.size());
   const double each = 1.0 / size;
   forEachBelow(block.size(), [&](std::size_t v) {
+    std::uint32_t number = 0;
     for (int k = 0; k < 3; ++k) {
-      const auto cell = static_cast<std::int32_t>(std::floor(mesh_.positions[v][k] * each + kShift));
-      block[v] = block[v] << kBits | (static_cast<std::uint32_t>(cell) & kMask);
+      const auto cell = static_cast<std::int32_t>(mesh_.positions[v][k] * each + kShift);
+      number = number << kBits | (static_cast<std::uint32_t>(cell) & kMask);
     }
+    block[v] = number;
   });
   std::vector<std::uint32_t> out = block;
   forEachBelow(table_.triangleCount(), [&](std::size_t t) {
@@ -179,15 +191,20 @@ std::vector<std::uint32_t> EdgeCollapser::blockNumbers(double size) const {
 /// The vertices that may go, by their blocks; in each round the borders of blocks are elsewhere. Two blocks
 /// may have one number, and then are worked on by one thread.
 std::vector<EdgeCollapser::Block> EdgeCollapser::blocks(double size) {
-  const std::vector<std::uint32_t> block = blockNumbers(size);
+  std::erase_if(movable_, [&](std::uint32_t v) { return table_.gone(v); });
   std::vector<Block> out;
+  if (!(size > 0.0)) {
+    for (const std::uint32_t v : movable_) vertices_[v].inside = true;
+    out.push_back(movable_);
+    return out;
+  }
+  const std::vector<std::uint32_t> block = blockNumbers(size);
   std::unordered_map<std::uint32_t, std::size_t> number;
   std::uint32_t last = kNoBlock;
   std::size_t at = 0;
-  for (std::uint32_t v = 0; v < block.size(); ++v) {
-    vertices_[v].inside = false;
-    if (block[v] == kNoBlock || vertices_[v].freedom == Freedom::kNone || table_.gone(v)) continue;
-    vertices_[v].inside = true;
+  for (const std::uint32_t v : movable_) {
+    vertices_[v].inside = block[v] != kNoBlock;
+    if (block[v] == kNoBlock) continue;
     if (block[v] != last) at = number.try_emplace(last = block[v], number.size()).first->second;
     if (at == out.size()) out.emplace_back();
     out[at].push_back(v);
@@ -237,11 +254,9 @@ void EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep,
   Ways ways;
   VertexState& state = vertices_[v];
   state.needs = kNotAgain;
-  if (state.freedom == Freedom::kBorder && !followBorder(v, limit, ways)) {
-    state.needs = 0.0f;
-    return;
-  }
-  if (!star.look(around_, v)) return;
+  if (!star.walk(table_, v)) return;
+  if (state.freedom == Freedom::kBorder && !followBorder(star, v, limit, ways)) return;
+  star.look(around_);
   if (!findWays(star, v, limit, ways) || !star.findView()) return;
   for (int i = 0; i < ways.count; ++i) {
     VertexStar::Change change;
@@ -249,10 +264,10 @@ void EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep,
     if (!star.join(to, tolerance_, change)) continue;
     if (change.moved > limit) {
       state.needs = std::min(state.needs, change.moved);
-    } else if (staysManifold(star, to) && !foldsOver(star, to)) {
-      for (const std::uint32_t end : ways.border) {
-        if (state.freedom == Freedom::kBorder)
-          vertices_[end].drift = std::max(vertices_[end].drift, ways.drift);
+    } else if (staysManifold(star, to) && !foldsOver(star, to, change)) {
+      for (int k = 0; k < 2 && state.freedom == Freedom::kBorder; ++k) {
+        float& drift = vertices_[star.ring(star.borderAt()[k])].drift;
+        drift = std::max(drift, ways.drift);
       }
       state.needs = kNotAgain;
       collapse(star, to, change, sweep, again);
@@ -261,31 +276,21 @@ void EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep,
   }
 }
 
-/// The ends of the border and how far it moves. False: it would move too far, or a motion would lose its last
-/// triangle.
-bool EdgeCollapser::followBorder(std::uint32_t v, float limit, Ways& ways) {
-  int count = 0, size = 0;
-  const std::uint32_t first = table_.outOf(v);
-  std::uint32_t h = first, motion = table_.labelAt(table_.twin(h));
-  do {
-    const std::uint32_t left = table_.labelAt(h);
-    if (left != motion && count < 2) {
-      ways.border_at[count] = size;
-      ways.border[count++] = table_.to(h);
-    }
-    motion = left;
-    ++size;
-    h = table_.turned(h);
-  } while (h != first);
-  const int run = ways.border_at[1] - ways.border_at[0];
-  if (run < 2 || size - run < 2) return false;
+/// How far the border moves. False: too far, or a motion would lose its last triangle.
+bool EdgeCollapser::followBorder(const VertexStar& star, std::uint32_t v, float limit, Ways& ways) {
+  const auto& [one, other] = star.borderAt();
+  const int run = other - one;
+  if (run < 2 || star.size() - run < 2) return false;
+  vertices_[v].needs = 0.0f;
   const Eigen::Vector3f& at = mesh_.positions[v];
-  const Vec3 p = (mesh_.positions[ways.border[0]] - at).cast<double>();
-  const Vec3 along = (mesh_.positions[ways.border[1]] - at).cast<double>() - p;
+  const Vec3 p = (mesh_.positions[star.ring(one)] - at).cast<double>();
+  const Vec3 along = (mesh_.positions[star.ring(other)] - at).cast<double>() - p;
   const double part = std::clamp(-p.dot(along) / along.squaredNorm(), 0.0, 1.0);
   ways.drift = vertices_[v].drift + static_cast<float>((p + part * along).norm());
   vertices_[v].next_drift = ways.drift <= tolerance_ ? ways.drift : kNotAgain;
-  return ways.drift <= limit;
+  if (ways.drift > limit) return false;
+  vertices_[v].needs = kNotAgain;
+  return true;
 }
 
 void EdgeCollapser::Ways::add(int j, double rank_of_it) {
@@ -320,7 +325,7 @@ bool EdgeCollapser::findWays(const VertexStar& star, std::uint32_t v, float limi
     }
   };
   if (state.freedom == Freedom::kBorder) {
-    for (const int j : ways.border_at) look(j);
+    for (const int j : star.borderAt()) look(j);
   } else {
     for (int j = 0; j < star.size(); ++j) look(j);
   }
@@ -337,20 +342,18 @@ bool EdgeCollapser::staysManifold(const VertexStar& star, int to) const {
   std::uint32_t h = first;
   do {
     const std::uint32_t w = table_.to(h);
-    for (int j = 0; j < star.size() && w != c && w != d; ++j) {
-      if (star.ring(j) == w) return false;
-    }
+    if (w != c && w != d && star.hasInRing(w)) return false;
     h = table_.turned(h);
   } while (h != first);
   return true;
 }
 
 /// Whether a new triangle lies nearly flat on the one beyond its outer edge, and the old one did not.
-bool EdgeCollapser::foldsOver(const VertexStar& star, int to) const {
+bool EdgeCollapser::foldsOver(const VertexStar& star, int to, const VertexStar::Change& change) const {
   for (int j = star.after(to); star.after(j) != to; j = star.after(j)) {
     const std::uint32_t outer = table_.twin(CornerTable::next(star.halfEdge(j)));
     const Eigen::Vector3f& beyond = triangles_[CornerTable::triangleOf(outer)].normal;
-    const float now = star.newNormal(to, j).dot(beyond);
+    const float now = change.triangle[j].normal.dot(beyond);
     if (now < kFolded && now < triangles_[star.triangle(j)].normal.dot(beyond)) return true;
   }
   return false;
@@ -360,7 +363,7 @@ void EdgeCollapser::collapse(const VertexStar& star, int to, const VertexStar::C
                              std::uint32_t sweep, Block& again) {
   const bool border = vertices_[table_.from(star.halfEdge(to))].freedom == Freedom::kBorder;
   for (int j = star.after(to); star.after(j) != to; j = star.after(j))
-    triangles_[star.triangle(j)] = {star.newNormal(to, j), change.error[j]};
+    triangles_[star.triangle(j)] = change.triangle[j];
   table_.collapse(star.halfEdge(to));
   for (int j = 0; j < star.size(); ++j) {
     VertexState& state = vertices_[star.ring(j)];
@@ -376,9 +379,9 @@ void EdgeCollapser::collapse(const VertexStar& star, int to, const VertexStar::C
 /// How far a triangle was moved at most, of all.
 double EdgeCollapser::distance() const {
   constexpr std::size_t kPart = 4096;
-  std::vector<float> most(triangles_.size() / kPart + 1, 0.0f);
+  std::vector<float> most(table_.triangleCount() / kPart + 1, 0.0f);
   parallelFor(std::size_t{0}, most.size(), [&](std::size_t part) {
-    for (std::size_t t = part * kPart; t < std::min(triangles_.size(), (part + 1) * kPart); ++t) {
+    for (std::size_t t = part * kPart; t < std::min(table_.triangleCount(), (part + 1) * kPart); ++t) {
       if (!table_.isGone(t)) most[part] = std::max(most[part], triangles_[t].error);
     }
   });
@@ -387,23 +390,21 @@ double EdgeCollapser::distance() const {
 
 TriMesh EdgeCollapser::result() const {
   TriMesh out;
-  std::vector<std::uint32_t> number(mesh_.positions.size()), from(table_.triangleCount());
-  const std::size_t vertices = numberKept(
-      number.size(), [&](std::size_t v) { return !table_.gone(static_cast<std::uint32_t>(v)); },
-      [&](std::size_t v, std::size_t n) { number[v] = static_cast<std::uint32_t>(n); });
-  const std::size_t triangles = numberKept(
-      from.size(), [&](std::size_t t) { return !table_.isGone(t); },
-      [&](std::size_t t, std::size_t n) { from[n] = static_cast<std::uint32_t>(t); });
-  out.positions.resize(vertices);
-  out.triangles.resize(triangles);
-  if (!mesh_.motion.empty()) out.motion.resize(triangles);
-  forEachBelow(triangles, [&](std::size_t n) {
-    const auto& corners = table_.corners(from[n]);
-    for (std::size_t i = 0; i < 3; ++i) out.triangles[n][i] = number[corners[i]];
-    if (!mesh_.motion.empty()) out.motion[n] = mesh_.motion[from[n]];
+  const auto number = std::make_unique_for_overwrite<std::uint32_t[]>(vertices_.size());
+  const auto kept = [&](std::size_t v) { return !table_.gone(static_cast<std::uint32_t>(v)); };
+  const auto keptTriangle = [&](std::size_t t) { return !table_.isGone(t); };
+  const Numbering vertices(vertices_.size(), kept), triangles(table_.triangleCount(), keptTriangle);
+  out.positions.resize(vertices.count());
+  out.triangles.resize(triangles.count());
+  if (!mesh_.motion.empty()) out.motion.resize(triangles.count());
+  vertices.forEach(kept, [&](std::size_t v, std::size_t n) {
+    number[v] = static_cast<std::uint32_t>(n);
+    out.positions[n] = mesh_.positions[v];
   });
-  forEachBelow(number.size(), [&](std::size_t v) {
-    if (!table_.gone(static_cast<std::uint32_t>(v))) out.positions[number[v]] = mesh_.positions[v];
+  triangles.forEach(keptTriangle, [&](std::size_t t, std::size_t n) {
+    const auto& corners = table_.corners(t);
+    for (std::size_t i = 0; i < 3; ++i) out.triangles[n][i] = number[corners[i]];
+    if (!mesh_.motion.empty()) out.motion[n] = mesh_.motion[t];
   });
   return out;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -46,15 +47,13 @@ class EdgeCollapser {
     std::array<int, kMostTries> to{};
     std::array<double, kMostTries> rank{};
     int count = 0;
-    std::array<std::uint32_t, 2> border{};  ///< neighbours along it
-    std::array<int, 2> border_at{};         ///< in the star
-    float drift = 0.0f;                     ///< of the border, if the vertex goes
+    float drift = 0.0f;  ///< of the border, if the vertex goes
 
     void add(int j, double rank_of_it);
   };
   using Block = std::vector<std::uint32_t>;
 
-  void findNormals();
+  void findNormals(std::span<const float> off);
   void findFreedoms(std::span<const std::uint8_t> frozen);
   std::vector<Block> blocks(double size);
   std::vector<std::uint32_t> blockNumbers(double size) const;
@@ -62,17 +61,18 @@ class EdgeCollapser {
   void sweepBlock(Block& todo, float limit, std::uint32_t sweep);
   void tryVertex(std::uint32_t v, float limit, std::uint32_t sweep, Block& again);
   bool findWays(const VertexStar& star, std::uint32_t v, float limit, Ways& ways);
-  bool followBorder(std::uint32_t v, float limit, Ways& ways);
+  bool followBorder(const VertexStar& star, std::uint32_t v, float limit, Ways& ways);
   bool staysManifold(const VertexStar& star, int to) const;
-  bool foldsOver(const VertexStar& star, int to) const;
+  bool foldsOver(const VertexStar& star, int to, const VertexStar::Change& change) const;
   void collapse(const VertexStar& star, int to, const VertexStar::Change& change, std::uint32_t sweep,
                 Block& again);
 
   const TriMesh& mesh_;
   const double tolerance_;
   CornerTable table_;  ///< its labels are the motions
-  std::vector<TriangleState> triangles_;
+  std::unique_ptr<TriangleState[]> triangles_;
   std::vector<VertexState> vertices_;
+  std::vector<std::uint32_t> movable_;  ///< vertices that may go
   StarSurroundings around_;
 };
 

@@ -18,140 +18,182 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 
 }  // namespace
 
-bool VertexStar::look(const StarSurroundings& around, std::uint32_t middle) {
-  around_ = &around;
-  size_ = 0;
-  largest_error_ = 0.0;
-  planes_ = {};
-  const Vec3 at = around.positions[middle].cast<double>();
-  const std::uint32_t first = around.table.outOf(middle);
-  std::uint32_t h = first;
+bool VertexStar::walk(const CornerTable& table, std::uint32_t middle) {
+  size_ = borders_ = 0;
+  names_ = 0;
+  const std::uint32_t first = table.outOf(middle);
+  std::uint32_t h = first, label = table.labelAt(table.twin(h));
   do {
     if (size_ == kMost) return false;
+    const std::uint32_t end = table.to(h), left = table.labelAt(h);
     half_edge_[size_] = h;
-    ring_[size_] = around.table.to(h);
-    arm_[size_] = around.positions[ring_[size_]].cast<double>() - at;
-    const TriangleState& triangle = around.triangles[CornerTable::triangleOf(h)];
-    const Vec3 n = normal_[size_] = triangle.normal.cast<double>();
+    ring_[size_] = end;
+    names_ |= std::uint64_t{1} << (end & 63);
+    if (left != label) {
+      if (borders_ < 2) border_at_[borders_] = size_;
+      ++borders_;
+      label = left;
+    }
+    ++size_;
+    h = table.turned(h);
+  } while (h != first);
+  middle_ = middle;
+  return true;
+}
+
+void VertexStar::look(const StarSurroundings& around) {
+  around_ = &around;
+  largest_error_ = 0.0;
+  planes_ = {};
+  const Vec3 at = around.positions[middle_].cast<double>();
+  for (int j = 0; j < size_; ++j) {
+    arm_[j] = around.positions[ring_[j]].cast<double>() - at;
+    const TriangleState& triangle = around.triangles[CornerTable::triangleOf(half_edge_[j])];
+    const Vec3 n = normal_[j] = triangle.normal.cast<double>();
     planes_[0] += n.x() * n.x();
     planes_[1] += n.x() * n.y();
     planes_[2] += n.x() * n.z();
     planes_[3] += n.y() * n.y();
     planes_[4] += n.y() * n.z();
     planes_[5] += n.z() * n.z();
-    error_[size_] = triangle.error;
-    largest_error_ = std::max(largest_error_, error_[size_]);
-    ++size_;
-    h = around.table.turned(h);
-  } while (h != first);
-  return true;
+    error_[j] = triangle.error;
+    largest_error_ = std::max(largest_error_, error_[j]);
+  }
 }
 
 bool VertexStar::findView() {
-  Vec3 sum = Vec3::Zero();
-  for (int j = 0; j < size_; ++j) sum += normal_[j];
-  const double length = sum.norm();
-  if (length < kSeen) return false;
-  const Vec3 view = sum / length;
+  Vec3 view = Vec3::Zero();
+  for (int j = 0; j < size_; ++j) view += normal_[j];
+  const double length = view.norm();
+  double least = length;
+  for (int j = 0; j < size_; ++j) least = std::min(least, normal_[j].dot(view));
+  if (length < kSeen || least < kSeen * length) return false;
+  // Seen along the view, on the plane of two axes: places and crossings are the same parts of lines and
+  // triangles as on the one across the view.
+  int drop = 0;
+  view.cwiseAbs().maxCoeff(&drop);
+  const int x = (drop + (view[drop] > 0.0 ? 1 : 2)) % 3, y = 3 - drop - x;
+  const double over_drop = 1.0 / view[drop], over_length = 1.0 / length;
+  const double along_x = view[x] * over_drop, along_y = view[y] * over_drop;
   for (int j = 0; j < size_; ++j) {
-    if (normal_[j].dot(view) < kSeen) return false;
-  }
-  int least = 0;
-  view.cwiseAbs().minCoeff(&least);
-  const Vec3 u = view.cross(Vec3::Unit(least)).normalized(), v = view.cross(u);
-  for (int j = 0; j < size_; ++j) {
-    flat_[j] = {arm_[j].dot(u), arm_[j].dot(v)};
-    height_[j] = arm_[j].dot(view);
+    const Vec3& arm = arm_[j];
+    flat_[j] = {arm[x] - arm[drop] * along_x, arm[y] - arm[drop] * along_y};
+    height_[j] = arm.dot(view) * over_length;
   }
   int rounds = 0;
   for (int j = 0; j < size_; ++j) rounds += flat_[j].y() < 0.0 && flat_[after(j)].y() >= 0.0 ? 1 : 0;
   return rounds == 1;
 }
 
-bool VertexStar::facesViewer(int b) const {
-  for (int j = after(b); after(j) != b; j = after(j)) {
-    if (cross(flat_[j] - flat_[b], flat_[after(j)] - flat_[b]) <= 0.0) return false;
+/// False: a new triangle would face away.
+bool VertexStar::openFan(int b, Fan& fan) const {
+  fan.base = b;
+  fan.corners = size_ - 1;
+  const Vec2 from = flat_[b];
+  for (int k = 0, j = b; k < fan.corners; ++k) {
+    j = after(j);
+    fan.j[k] = j;
+    fan.p[k] = flat_[j] - from;
+    fan.side[k] = cross(from, fan.p[k]);
   }
-  return true;
+  double least = 1.0;
+  for (int k = 0; k + 1 < fan.corners; ++k) least = std::min(least, cross(fan.p[k], fan.p[k + 1]));
+  return least > 0.0;
 }
 
-bool VertexStar::hasShape(int b) const {
-  for (int j = after(b); after(j) != b; j = after(j)) {
-    const Vec3 p = arm_[j] - arm_[b], q = arm_[after(j)] - arm_[b];
+/// The normals of the new triangles. False: they are needles or lean.
+bool VertexStar::shape(const Fan& fan, Change& change) const {
+  const double least2 = around_->least_height * around_->least_height;
+  Vec3 p = arm_[fan.j[0]] - arm_[fan.base];
+  double p2 = p.squaredNorm();
+  for (int k = 0; k + 1 < fan.corners; ++k) {
+    const int j = fan.j[k];
+    const Vec3 q = arm_[fan.j[k + 1]] - arm_[fan.base];
+    const double q2 = q.squaredNorm();
     const Vec3 area = p.cross(q);
     const double twice2 = area.squaredNorm();
-    const double longest2 = std::max({p.squaredNorm(), q.squaredNorm(), (q - p).squaredNorm()});
-    const double least2 = around_->least_height * around_->least_height;
+    const double longest2 = std::max({p2, q2, (q - p).squaredNorm()});
     if (twice2 < std::max(kNeedle * kNeedle * longest2, least2) * longest2) return false;
     const double facing = area.dot(normal_[j]);
     if (facing < 0.0 || facing * facing < kMostLean * kMostLean * twice2) return false;
+    change.triangle[j].normal = (area * (1.0 / std::sqrt(twice2))).cast<float>();
+    p = q;
+    p2 = q2;
   }
   return true;
 }
 
-Eigen::Vector3f VertexStar::newNormal(int b, int j) const {
-  return (arm_[j] - arm_[b]).cross(arm_[after(j)] - arm_[b]).normalized().cast<float>();
-}
-
-/// The middle is seen in front of or behind one of the new triangles. Returns by how much.
-double VertexStar::addMiddle(int b, Values& moved, Values& before) const {
-  const Vec2 to_middle = -flat_[b];
+/// The middle is seen in front of or behind one of the new triangles, or two, on their edge: `first` to
+/// `last`. Returns by how much.
+double VertexStar::addMiddle(Fan& fan, int& first, int& last) const {
+  const double base = height_[fan.base];
+  const int triangles = fan.corners - 1;
   double most = 0.0;
-  for (int j = after(b); after(j) != b; j = after(j)) {
-    const int k = after(j);
-    const Vec2 p = flat_[j] - flat_[b], q = flat_[k] - flat_[b];
-    const bool first = j == after(b), last = after(k) == b;
-    if ((!first && cross(p, to_middle) < 0.0) || (!last && cross(to_middle, q) < 0.0)) continue;
-    const double area = cross(p, q);
-    const double s = cross(to_middle, q) / area, t = cross(p, to_middle) / area;
-    const double height = height_[b] + s * (height_[j] - height_[b]) + t * (height_[k] - height_[b]);
-    moved[j] = std::max(moved[j], std::abs(height));
-    before[j] = largest_error_;
-    most = std::max(most, moved[j]);
+  first = triangles;
+  last = -1;
+  for (int k = 0; k < triangles; ++k) {
+    if ((k > 0 && fan.side[k] < 0.0) || (k + 1 < triangles && fan.side[k + 1] > 0.0)) continue;
+    const double each = 1.0 / cross(fan.p[k], fan.p[k + 1]);
+    const double s = -fan.side[k + 1] * each, t = fan.side[k] * each;
+    const double height = base + s * (height_[fan.j[k]] - base) + t * (height_[fan.j[k + 1]] - base);
+    fan.moved[k] = std::abs(height);
+    fan.before[k] = largest_error_;
+    most = std::max(most, fan.moved[k]);
+    first = std::min(first, k);
+    last = k;
   }
   return most;
 }
 
 /// A new edge divides the star in two; the old edges to the ring on the side where the middle is not cross
-/// it.
-void VertexStar::addCrossings(int b, Values& moved, Values& before) const {
-  for (int d = after(after(b)); after(d) != b; d = after(d)) {
-    const Vec2 along = flat_[d] - flat_[b];
-    const double side = cross(along, -flat_[b]), length2 = along.squaredNorm();
-    for (int i = after(b); i != b; i = after(i)) {
-      if (i == d) continue;
-      const double other = cross(along, flat_[i] - flat_[b]);
-      if (side * other >= 0.0) continue;
-      const double part = side / (side - other);
-      const double at = along.dot(part * flat_[i] - flat_[b]) / length2;
-      const double off = std::abs(part * height_[i] - (height_[b] + at * (height_[d] - height_[b])));
-      const double old = std::max(error_[i], error_[this->before(i)]);
-      for (const int j : {this->before(d), d}) {
-        moved[j] = std::max(moved[j], off);
-        before[j] = std::max(before[j], old);
-      }
+/// it. The middle is in the new triangles `first` to `last`.
+void VertexStar::addCrossings(Fan& fan, int first, int last) const {
+  for (int d = 1; d + 1 < fan.corners; ++d) {
+    const double over_length2 = 1.0 / fan.p[d].squaredNorm();
+    if (d <= last) {
+      for (int k = 0; k < d; ++k) addCrossing(fan, d, over_length2, k);
+    }
+    if (d > first) {
+      for (int k = d + 1; k < fan.corners; ++k) addCrossing(fan, d, over_length2, k);
     }
   }
 }
 
+/// The old edge to corner k crosses the new one to corner d.
+void VertexStar::addCrossing(Fan& fan, int d, double over_length2, int k) const {
+  const int i = fan.j[k];
+  const double side = fan.side[d], other = cross(fan.p[d], fan.p[k]);
+  if (side * other >= 0.0) return;
+  const double part = side / (side - other), base = height_[fan.base];
+  const double at = fan.p[d].dot(part * flat_[i] - flat_[fan.base]) * over_length2;
+  const double off = std::abs(part * height_[i] - (base + at * (height_[fan.j[d]] - base)));
+  const double old = std::max(error_[i], error_[before(i)]);
+  for (const int t : {d - 1, d}) {
+    fan.moved[t] = std::max(fan.moved[t], off);
+    fan.before[t] = std::max(fan.before[t], old);
+  }
+}
+
 bool VertexStar::join(int b, double most, Change& change) const {
-  if (!facesViewer(b)) return false;
-  Values moved, before;
+  Fan fan;
+  if (!openFan(b, fan)) return false;
   // Errors of the old triangles that a new one takes the place of: the one at its outer edge, and others.
-  for (int j = 0; j < size_; ++j) {
-    moved[j] = 0.0;
-    before[j] = error_[j];
+  for (int k = 0; k + 1 < fan.corners; ++k) {
+    fan.moved[k] = 0.0;
+    fan.before[k] = error_[fan.j[k]];
   }
-  if (addMiddle(b, moved, before) + largest_error_ > most || !hasShape(b)) return false;
-  addCrossings(b, moved, before);
-  change.moved = 0.0f;
-  bool within = true;
-  for (int j = after(b); after(j) != b; j = after(j)) {
-    change.error[j] = static_cast<float>(moved[j] + before[j]);
-    change.moved = std::max(change.moved, static_cast<float>(moved[j]));
-    within = within && change.error[j] <= static_cast<float>(most);
+  int first = 0, last = 0;
+  if (addMiddle(fan, first, last) + largest_error_ > most || !shape(fan, change)) return false;
+  addCrossings(fan, first, last);
+  float largest = 0.0f, moved = 0.0f;
+  for (int k = 0; k + 1 < fan.corners; ++k) {
+    const auto error = static_cast<float>(fan.moved[k] + fan.before[k]);
+    change.triangle[fan.j[k]].error = error;
+    largest = std::max(largest, error);
+    moved = std::max(moved, static_cast<float>(fan.moved[k]));
   }
-  return within;
+  change.moved = moved;
+  return largest <= static_cast<float>(most);
 }
 
 }  // namespace proveout

@@ -13,7 +13,7 @@ namespace proveout {
 
 struct TriangleState {
   Eigen::Vector3f normal;  ///< unit
-  float error = 0.0f;      ///< mm: by how much it is off what there was, at most
+  float error;             ///< mm: by how much it is off what there was, at most
 };
 
 /// What stars are looked at with.
@@ -29,8 +29,13 @@ class VertexStar {
  public:
   static constexpr int kMost = 48;  ///< triangles
 
-  /// False: the vertex has too many triangles. `around` must outlive this.
-  bool look(const StarSurroundings& around, std::uint32_t middle);
+  /// Finds what is around. False: the vertex has too many triangles.
+  bool walk(const CornerTable& table, std::uint32_t middle);
+  /// Edges where the label changes, up to three, and the first two of them: numbers of ring vertices.
+  int borders() const { return borders_; }
+  const std::array<int, 2>& borderAt() const { return border_at_; }
+  /// Reads places and normals. `around` must outlive this. What follows requires it.
+  void look(const StarSurroundings& around);
 
   int size() const { return size_; }
   int after(int j) const { return j + 1 == size_ ? 0 : j + 1; }
@@ -39,8 +44,15 @@ class VertexStar {
   std::uint32_t halfEdge(int j) const { return half_edge_[j]; }  ///< from the middle to ring(j)
   std::uint32_t triangle(int j) const { return CornerTable::triangleOf(half_edge_[j]); }
   const Vec3& arm(int j) const { return arm_[j]; }  ///< from the middle to ring(j), mm
+  bool hasInRing(std::uint32_t v) const {
+    if ((names_ >> (v & 63) & 1) == 0) return false;
+    for (int j = 0; j < size_; ++j) {
+      if (ring_[j] == v) return true;
+    }
+    return false;
+  }
 
-  /// Finds the view in which all triangles face the viewer; false: there is none. What follows requires it.
+  /// Finds the view in which all triangles face the viewer; false: there is none. Joining requires it.
   bool findView();
   /// Sum of the squared distances of ring(b) from the planes of the triangles, mm2.
   double offPlanes2(int b) const {
@@ -53,33 +65,44 @@ class VertexStar {
   /// What takes the place of the star where its middle is joined with ring(b): triangles ring(b), ring(j),
   /// ring(j + 1), for all j from after(b) with after(j) != b.
   struct Change {
-    std::array<float, kMost> error;  ///< as in the surroundings
-    float moved = 0.0f;              ///< the largest part of them that is new
+    std::array<TriangleState, kMost> triangle;  ///< as in the surroundings
+    float moved = 0.0f;                         ///< the largest part of their errors that is new
   };
   /// Both are seen as heights over one plane, so that going along the view leads from either one to the
   /// other: they are nowhere farther apart than along it, and this difference is largest where the middle is
   /// or where an old edge crosses a new one, as it is linear between. False: the new triangles would fold, be
   /// needles, or lean much against those that have been there, or an error be above `most`.
   bool join(int b, double most, Change& change) const;
-  /// Unit normal of new triangle j.
-  Eigen::Vector3f newNormal(int b, int j) const;
 
  private:
   using Values = std::array<double, kMost>;
-  bool facesViewer(int b) const;
-  bool hasShape(int b) const;
-  double addMiddle(int b, Values& moved, Values& before) const;
-  void addCrossings(int b, Values& moved, Values& before) const;
+  /// The new triangles as a fan around ring(b): k-th corner and k-th triangle, which goes from corner k to k
+  /// + 1, are those of j = b + 1 + k. Places are seen along the view, from ring(b).
+  struct Fan {
+    int base = 0, corners = 0;
+    std::array<int, kMost> j;
+    std::array<Vec2, kMost> p;
+    Values side;           ///< which side of the edge to a corner the middle is on; above 0: behind it
+    Values moved, before;  ///< by triangle
+  };
+  bool openFan(int b, Fan& fan) const;
+  bool shape(const Fan& fan, Change& change) const;
+  double addMiddle(Fan& fan, int& first, int& last) const;
+  void addCrossings(Fan& fan, int first, int last) const;
+  void addCrossing(Fan& fan, int d, double over_length2, int k) const;
 
   const StarSurroundings* around_ = nullptr;
-  int size_ = 0;
+  std::uint32_t middle_ = 0;
+  int size_ = 0, borders_ = 0;
+  std::uint64_t names_ = 0;  ///< bits of the numbers of the ring's vertices, modulo 64
+  std::array<int, 2> border_at_;
   std::array<std::uint32_t, kMost> ring_, half_edge_;
   std::array<Vec3, kMost> arm_, normal_;
-  std::array<Vec2, kMost> flat_;  ///< arms across the view
-  Values height_;                 ///< of them against it
+  std::array<Vec2, kMost> flat_;  ///< arms, seen along the view
+  Values height_;                 ///< of them along it
   Values error_;
   double largest_error_ = 0.0;
-  std::array<double, 6> planes_{};  ///< sum of the products of the normals: xx, xy, xz, yy, yz, zz
+  std::array<double, 6> planes_;  ///< sum of the products of the normals: xx, xy, xz, yy, yz, zz
 };
 
 }  // namespace proveout
