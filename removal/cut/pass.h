@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "core/path/toolpath.h"
+#include "removal/sweep/column_way.h"
 #include "removal/sweep/swept_body.h"
 
 namespace proveout {
 
 enum class ToolPart : std::uint8_t { kCutter, kShank, kHolder };
 
-/// One convex part of a tool on one motion, or on one chord of a curved motion.
+/// One convex part of a tool on one motion, or on one part or chord of a curved motion.
 struct Pass {
   SweptBody body;
   MotionId motion = kNoMotion;
@@ -31,6 +32,7 @@ struct PassTable {
   std::vector<Pass> passes;          ///< in the order of their motions
   std::vector<std::uint32_t> first;  ///< for each motion, and the end: number of its first pass
   std::deque<Sweep> curves;          ///< stay where they are: the bodies know them by place
+  std::deque<CurveWay> ways;         ///< as curves, of those that no other kind of body follows
 
   std::span<const Pass> of(MotionId motion) const {
     if (std::size_t{motion} + 1 >= first.size()) return {};

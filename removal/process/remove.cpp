@@ -33,7 +33,7 @@ namespace {
 constexpr double kChordShare = 1e-3, kChordMm = 5e-5;
 /// The same for parts of the tool that do not cut: below what counts as contact.
 constexpr double kContactChordMm = 5e-4;
-constexpr double kMostChords = 1e6;
+constexpr double kMostChords = 1e6, kMostTurns = 1e5;
 /// Level arcs whose radius and height change by less than this are circles, mm.
 constexpr double kSameRadiusMm = 1e-7;
 /// Curves with a smaller radius, mm, or angle are cut as chords.
@@ -67,6 +67,7 @@ class Remover {
   void addPasses(MotionId id, const ToolParts::Part& part, bool watched);
   void addChords(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   bool addParts(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
+  bool addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
   bool inBlank(const Coord& origin) const;
   bool stopped() const { return over_limit_ || progress_.cancelled(); }
@@ -95,6 +96,7 @@ class Remover {
   std::shared_ptr<const BlankField> blank_;  ///< as Impl::uncut, before the path
   std::shared_ptr<CutRecord> record_;
   PassTable& table_;
+  MotionId way_of_ = kNoMotion;  ///< that the last of the ways belongs to
   std::vector<std::atomic<std::int64_t>> removed_;
   tbb::enumerable_thread_specific<LeafCutter> cutters_;
   tbb::enumerable_thread_specific<CrossingFinder> finders_;
@@ -163,7 +165,8 @@ void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched) 
     table_.passes.push_back(pass);
     return;
   }
-  if (!addParts(pass, part, m, curve)) addChords(pass, part, m, curve);
+  if (addParts(pass, part, m, curve) || addWay(pass, part, m, curve)) return;
+  addChords(pass, part, m, curve);
 }
 
 /// Turns of a helix about z, or the two halves of an upright arc. Turns lie under each other: where a lower
@@ -188,6 +191,22 @@ bool Remover::addParts(Pass pass, const ToolParts::Part& part, const Motion& m, 
     const bool has_lower = about_z && takes && below < parts.size() && isWholeTurn(parts[below]);
     pass.lower = has_lower ? (falls ? 1 : -1) : 0;
     if (has_lower && SweptBody(*part.profile, parts[below], curve).lowestTop() >= blank_top) continue;
+    table_.passes.push_back(pass);
+  }
+  return true;
+}
+
+/// Parts of a spiral about z, or of a helix whose radius changes. Searched column by column they are slower
+/// than chords on arcs that lean.
+bool Remover::addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const double sweep = std::abs(arc.sweep_rad);
+  if (arc.normal.head<2>().squaredNorm() > 1e-24) return false;
+  if (sweep < kLeastCurve || sweep > 2.0 * kPi * kMostTurns) return false;
+  if (way_of_ != pass.motion) table_.ways.push_back(curveWay(m.from, m.to, arc));
+  way_of_ = pass.motion;
+  for (const ColumnSweep& columns : columnParts(part.columns, table_.ways.back())) {
+    pass.body = SweptBody(*part.profile, columns, curve);
     table_.passes.push_back(pass);
   }
   return true;

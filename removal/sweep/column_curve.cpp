@@ -16,11 +16,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/base/assert.h"
 #include "core/geometry/types.h"
 #include "removal/sweep/column_angle.h"
+#include "removal/sweep/column_interval.h"
+#include "removal/sweep/column_way.h"
 
 namespace proveout {
 
@@ -29,7 +30,6 @@ namespace {
 using Piece = ColumnBoundary::Piece;
 using PieceKind = ColumnBoundary::Kind;
 
-constexpr double kNothing = std::numeric_limits<double>::infinity();
 /// A stretch is settled where nothing on it is lower than the best by more, mm.
 constexpr double kSettledMm = 1e-11;
 /// Newton's method stops behind a step this small, mm: what follows is off by its square.
@@ -41,8 +41,6 @@ constexpr int kMostRounds = 80;
 constexpr int kMostShrinks = 6;
 /// Halves that wait; a stretch of length 1 is below kShortest after 34.
 constexpr int kMostStretches = 48;
-
-double root(double a) { return std::sqrt(std::max(a, 0.0)); }
 
 /// Where a sum stops to fall on a piece, and from where on it falls again.
 struct Roots {
@@ -111,11 +109,6 @@ struct UprightHeight {
     out.rises = lower ? -way * at * w / (radius + w) : way * at * w / (radius - w);
     return true;
   }
-};
-
-/// A least value and the place that has it.
-struct Lowest {
-  double value = kNothing, u = 0.0;
 };
 
 /// The least of boundary + height over a stretch of v >= 0, v = way * u, if it is below `best`.
@@ -320,62 +313,10 @@ Lowest leastOver(const ColumnBoundary& boundary, double p2, double k2, double fr
   return best;
 }
 
-struct Interval {
-  bool over = false;         ///< the tool is over the column somewhere
-  double beyond = kNothing;  ///< least level distance of the tool's axis less the radius, mm
-  double lo = kNothing, hi = -kNothing;
-  double middle = 0.0;  ///< turn: angle of the way at u = 0; upright: place of the column, mm
-  double u = 0.0, at_lo = 0.0, at_hi = 0.0;  ///< of the place that is nearest, and of those of lo and hi
-};
-
-/// Of a column that the tool only comes near to, at the place u: its rim there, `tip` being its height.
-Interval beside(const ColumnSolid& solid, double beyond, double tip, double middle, double u) {
-  const double r = solid.radius, low = tip + solid.lower.height(r), high = tip - solid.upper.height(r);
-  return {false, std::max(beyond, 0.0), low, high, middle, u, u, u};
-}
-
 /// Angle of a point seen from the axis, in the sense of the motion, from cut_rad on; `d`: its distance. The
 /// kernels have the same bits: a column at the cut lies on one side of it for all.
 double angleOf(const ColumnSweep& s, double qx, double qy, double d) {
   return turnAngle(qx * s.ux + qy * s.uy, s.turn * (s.ux * qy - s.uy * qx), d, s.cut_rad);
-}
-
-/// What is asked of a column.
-struct Asked {
-  bool rim = false;  ///< of columns that the tool is nowhere over, too
-  bool all = true;   ///< both ends; else only how far the height z is outside
-  double z = 0.0;
-};
-
-/// Finds the ends of a column that the tool is over; `base`: its height from which they are found, `tip`: its
-/// height at the place in.u, where the column holds at least what the tool does. An end stays there if it
-/// does not decide what is asked.
-template <typename FindLow, typename FindHigh>
-void findEnds(const ColumnSolid& solid, const Asked& asked, double base, double tip, Interval& in,
-              const FindLow& find_low, const FindHigh& find_high) {
-  const double r = std::min(solid.radius + in.beyond, solid.radius), z = asked.z;
-  in.over = true;
-  in.at_lo = in.at_hi = in.u;
-  in.lo = tip + solid.lower.height(r);
-  in.hi = tip - solid.upper.height(r);
-  // Nothing less can be the answer.
-  double known = asked.all ? -kNothing : in.beyond;
-  const auto low = [&] {
-    if (in.lo - z <= known) return;
-    const Lowest found = find_low();
-    in.lo = base + found.value, in.at_lo = found.u;
-    if (!asked.all) known = std::max(known, in.lo - z);
-  };
-  const auto high = [&] {
-    if (z - in.hi <= known) return;
-    const Lowest found = find_high();
-    in.hi = base - found.value, in.at_hi = found.u;
-    if (!asked.all) known = std::max(known, z - in.hi);
-  };
-  const bool low_first = in.lo - z >= z - in.hi;
-  if (low_first) low();
-  high();
-  if (!low_first) low();
 }
 
 Interval turnColumn(const ColumnSweep& s, double x, double y, const Asked& asked) {
@@ -472,6 +413,7 @@ Over uprightOver(const ColumnSweep& s, const Square& square, double reach) {
 }
 
 Interval column(const ColumnSweep& s, double x, double y, const Asked& asked) {
+  if (s.kind == ColumnSweep::Kind::kWay) return wayColumn(s, x, y, asked);
   return s.kind == ColumnSweep::Kind::kTurn ? turnColumn(s, x, y, asked) : uprightColumn(s, x, y, asked);
 }
 
@@ -482,7 +424,7 @@ double curvePlace(const ColumnSweep& sweep, double x, double y, double z) {
   const double low = std::abs(z - in.lo), high = std::abs(in.hi - z), side = std::abs(in.beyond);
   double u = in.u;
   if (in.over && std::min(low, high) < side) u = low < high ? in.at_lo : in.at_hi;
-  return sweep.kind == ColumnSweep::Kind::kTurn ? in.middle + 2.0 * std::asin(u) : in.middle + u;
+  return in.middle + (sweep.kind == ColumnSweep::Kind::kTurn ? 2.0 * std::asin(u) : u);
 }
 
 double curveOutside(const ColumnSweep& sweep, double x, double y, double z) {
@@ -497,6 +439,7 @@ void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, doubl
 }
 
 void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low) {
+  if (sweep.kind == ColumnSweep::Kind::kWay) return wayReach(sweep, blocks, low);
   const ColumnSolid& tool = *sweep.solid;
   const double corner = std::sqrt(2.0) * blocks.half_width, reach = corner + tool.radius + kCullSlackMm;
   for (int i = 0; i < 4; ++i) {

@@ -1,5 +1,5 @@
-// Columns and reach of the parts of curves (ColumnSweep::Kind::kTurn and kUpright), one column after the
-// other: the kernels of every SIMD level call the same code for what they have no closed form of. Plain
+// Columns and reach of the parts of curves (ColumnSweep::Kind::kTurn, kUpright and kWay), one column after
+// the other: the kernels of every SIMD level call the same code for what they have no closed form of. Plain
 // declarations only, see column_types.h.
 #pragma once
 
@@ -15,8 +15,8 @@ void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, doubl
 /// Above 0 outside, 0 on the surface, below 0 inside; changes steadily along level lines but where the way
 /// comes to be over them, mm.
 double curveOutside(const ColumnSweep& sweep, double x, double y, double z);
-/// Where the tool is when it leaves the surface at a point of it. Turn: angle of the whole way, rad; upright:
-/// the place along (ux, uy) from the center, mm.
+/// Where the tool is when it leaves the surface at a point of it. Turn and way: angle of the whole way, rad;
+/// upright: the place along (ux, uy) from the center, mm.
 double curvePlace(const ColumnSweep& sweep, double x, double y, double z);
 /// As ReachKernel.
 void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low);

@@ -311,7 +311,9 @@ inline void curveColumns(const ColumnSweep& sweep, const double* __restrict x, c
                          int n, double* __restrict lo, double* __restrict hi) {
   if (sweep.kind == ColumnSweep::Kind::kTurn) {
     turnColumns(sweep, x, y, n, lo, hi);
-  } else {
+  } else if (sweep.kind == ColumnSweep::Kind::kUpright) {
     uprightColumns(sweep, x, y, n, lo, hi);
+  } else {
+    for (int i = 0; i < n; ++i) proveout::curveColumn(sweep, x[i], y[i], lo + i, hi + i);
   }
 }

@@ -273,7 +273,7 @@ void columns(const ColumnSweep& sweep, const double* x, const double* y, int cou
   const int n = (count + 7) & ~7;
   if (sweep.kind == ColumnSweep::Kind::kLine) {
     lineColumns(sweep, x, y, n, lo, hi);
-  } else if (sweep.kind == ColumnSweep::Kind::kTurn || sweep.kind == ColumnSweep::Kind::kUpright) {
+  } else if (proveout::isCurve(sweep)) {
     curveColumns(sweep, x, y, n, lo, hi);
   } else {
     radialColumns(sweep, x, y, n, lo, hi);
@@ -412,8 +412,7 @@ inline void approach(const ColumnSweep& sweep, const proveout::FourBlocks& block
 }
 
 void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double* __restrict low) {
-  if (sweep.kind == ColumnSweep::Kind::kTurn || sweep.kind == ColumnSweep::Kind::kUpright)
-    return proveout::curveReach(sweep, blocks, low);
+  if (proveout::isCurve(sweep)) return proveout::curveReach(sweep, blocks, low);
   constexpr double kDiagonal = 1.4142135623730951, kSlack = proveout::kCullSlackMm;
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double corner = kDiagonal * blocks.half_width, radius = tool.radius, reach = corner + radius + kSlack;

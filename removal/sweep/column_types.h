@@ -29,14 +29,20 @@ struct ColumnSolid {
   ColumnBoundary lower, upper;  ///< upper: mirrored
 };
 
+struct CurveWay;  // column_way.h
+
 /// A solid's motion along a line or level arc, or on a part of a curve that meets every column in one
-/// interval (column_curve.h): a turn of a helix about z, or a part of an arc in an upright plane that does
-/// not turn back.
+/// interval (column_curve.h): a turn of a helix about z, a part of an arc in an upright plane that does not
+/// turn back, or a part of any other curve.
 struct ColumnSweep {
-  enum class Kind : unsigned char { kVertical, kLine, kArc, kTurn, kUpright };
+  enum class Kind : unsigned char { kVertical, kLine, kArc, kTurn, kUpright, kWay };
   Kind kind = Kind::kVertical;
   bool wide = false;  ///< arc: sweep above half a turn
   bool full = false;  ///< arc: a whole turn or more
+  // Way: z is the height of the tip where it is lowest, rise up to where it is highest.
+  bool twice = false, again = false;  ///< columns may see the part twice; this is what they see second
+  int part = 0;                       ///< number of the part
+  const CurveWay* way = nullptr;
   const ColumnSolid* solid = nullptr;
   double x = 0.0, y = 0.0, z = 0.0;  ///< tip at the start, mm; arcs: centre, at the height of the tip
   double rise = 0.0;                 ///< mm, from start to end
@@ -56,6 +62,12 @@ struct ColumnSweep {
   double first_mm = 0.0, last_mm = 0.0;  ///< upright: stretch of the way along (ux, uy) from the center
   double side = 1.0;                     ///< upright: -1 on the lower half of the circle, +1 on the upper
 };
+
+/// Whether the sweep is a part of a curve other than a level arc.
+static inline bool isCurve(const ColumnSweep& sweep) {
+  return sweep.kind == ColumnSweep::Kind::kTurn || sweep.kind == ColumnSweep::Kind::kUpright ||
+         sweep.kind == ColumnSweep::Kind::kWay;
+}
 
 /// Columns that one call takes; arrays must have this size rounded up to a multiple of 8.
 inline constexpr int kMaxColumns = 128;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "removal/sweep/column_curve.h"
+#include "removal/sweep/column_way.h"
 
 namespace proveout {
 
@@ -40,6 +41,7 @@ double SweptBody::levelGap(double x, double y) const {
   if (isLevelArc() || c.kind == ColumnSweep::Kind::kTurn)
     return std::abs(std::sqrt(qx * qx + qy * qy) - c.arc_radius);
   const double along = qx * c.ux + qy * c.uy, across = qx * c.uy - qy * c.ux;
+  if (c.kind == ColumnSweep::Kind::kWay) return wayGap(c, x, y);
   const bool upright = c.kind == ColumnSweep::Kind::kUpright;
   const double beyond = along - std::clamp(along, upright ? c.first_mm : 0.0, upright ? c.last_mm : c.length);
   return std::sqrt(across * across + beyond * beyond);
@@ -54,6 +56,7 @@ double SweptBody::levelDepth(double x, double y) const {
 }
 
 bool SweptBody::holdsEdges(double h, const Vec2& middle, double reach) const {
+  if (columns_.twice) return false;
   if (columns_.kind == ColumnSweep::Kind::kTurn) {
     const double c = std::cos(columns_.cut_rad), s = columns_.turn * std::sin(columns_.cut_rad);
     const Vec2 u(columns_.ux, columns_.uy), cut(c * u.x() - s * u.y(), s * u.x() + c * u.y());
@@ -86,6 +89,7 @@ double SweptBody::startAt(const Vec3& p) const {
   const ColumnSweep& c = columns_;
   if (!isCurvePart()) return curve_->parameterAt(sweepStart(c) + 0.5 * sweepWay(c));
   const double place = curvePlace(c, p.x(), p.y(), p.z());
+  if (c.kind == ColumnSweep::Kind::kWay) return std::clamp(place / c.way->way_rad, 0.0, 1.0);
   if (c.kind == ColumnSweep::Kind::kTurn) return std::clamp(place / c.way_rad, 0.0, 1.0);
   const double high = std::sqrt(std::max(0.0, (c.arc_radius - place) * (c.arc_radius + place)));
   return curve_->parameterAt(Vec3(c.x + place * c.ux, c.y + place * c.uy, c.start_z + c.side * high));

@@ -31,7 +31,7 @@ class SweptBody {
   SweptBody(const ConvexProfile& profile, const ColumnSolid& solid, const Vec3& from, const Vec3& to,
             const ArcGeometry& arc, const Sweep& curve);
 
-  /// A part of a helix or of an upright arc (see column_sweep.h); `curve`: the exact sweep of all of it.
+  /// A part of a curve (see column_sweep.h and column_way.h); `curve`: the exact sweep of all of it.
   SweptBody(const ConvexProfile& profile, const ColumnSweep& part, const Sweep& curve);
 
   const ConvexProfile& profile() const { return *profile_; }
@@ -41,10 +41,8 @@ class SweptBody {
 
   bool isLine() const { return curve_ == nullptr; }
   bool isLevelArc() const { return columns_.kind == ColumnSweep::Kind::kArc; }
-  /// A part of a helix or of an upright arc that is no chord.
-  bool isCurvePart() const {
-    return columns_.kind == ColumnSweep::Kind::kTurn || columns_.kind == ColumnSweep::Kind::kUpright;
-  }
+  /// A part of a curve that is no chord.
+  bool isCurvePart() const { return isCurve(columns_); }
   /// Whether both are pieces of one curve.
   bool isOneCurveWith(const SweptBody& other) const { return curve_ != nullptr && curve_ == other.curve_; }
   /// The exact sweep of a helix about z that is asked in place of its many chords; else null. Flat and ball

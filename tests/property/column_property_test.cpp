@@ -11,6 +11,7 @@
 
 #include "core/tool/tool_solid.h"
 #include "removal/sweep/column_sweep.h"
+#include "removal/sweep/column_way.h"
 #include "removal/sweep/sweep.h"
 #include "tests/property/random_moves.h"
 
@@ -156,6 +157,26 @@ class CurveColumns : public Columns {
     return c;
   }
 
+  /// Any curve that an arc's words describe: spirals, cones of helices, arcs and helices about axes that
+  /// lean.
+  Curve any(int style) {
+    Curve c;
+    c.arc.center = moves_.point();
+    c.arc.normal =
+        style % 2 == 0
+            ? Vec3(0, 0, style % 4 == 0 ? 1 : -1)
+            : Vec3(random(-1, 1), random(-1, 1), style % 3 == 0 ? 0.0 : random(-1, 1)).normalized();
+    c.arc.sweep_rad = random(-9.0, 9.0);
+    const double start = random(0.1, 9.0), growth = style % 5 == 1 ? 0.0 : random(-0.09, 0.3);
+    const Vec3 u = c.arc.normal.unitOrthogonal(), v = c.arc.normal.cross(u);
+    const auto out = [&](double a, double r) -> Vec3 { return r * (std::cos(a) * u + std::sin(a) * v); };
+    const double end = std::max(0.05, start + growth * std::abs(c.arc.sweep_rad)), a = random(0, 6.28);
+    c.from = c.arc.center + out(a, start);
+    c.to = c.arc.center + out(a + c.arc.sweep_rad, end);
+    if (style % 3 != 1) c.to += random(-6.0, 6.0) * c.arc.normal;
+    return c;
+  }
+
   /// The intervals of all parts of the curve are what it covers, and the reach of each holds its own.
   void check(const ConvexProfile& profile, const Curve& c, const std::vector<ColumnSweep>& parts) {
     const Sweep exact(profile, c.from, c.to, &c.arc);
@@ -239,6 +260,55 @@ TEST_F(CurveColumns, UprightArcsMatchTheExactDistance) {
   EXPECT_GT(intervals_, 3000);
 }
 
+TEST_F(CurveColumns, PartsOfAnyCurveMatchTheExactDistance) {
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 60; ++i) {
+      const Curve c = any(i);
+      const CurveWay way = curveWay(c.from, c.to, c.arc);
+      ASSERT_NO_FATAL_FAILURE(check(profile, c, columnParts(solid, way))) << i;
+    }
+  }
+  EXPECT_GT(intervals_, 10000);
+}
+
+/// The same by the search of one place after the other, for what the two share.
+TEST_F(CurveColumns, PartsOfAnyCurveMatchADenseSearch) {
+  int known = 0;
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 30; ++i) {
+      const Curve c = any(i);
+      const CurveWay way = curveWay(c.from, c.to, c.arc);
+      const ArcFrame frame = arcFrame(c.from, c.to, c.arc);
+      for (int k = 0; k < 8; ++k) x_[k] = c.from.x() + random(-8, 8), y_[k] = c.from.y() + random(-8, 8);
+      double least[8], most[8];
+      std::fill_n(least, 8, 1e300), std::fill_n(most, 8, -1e300);
+      for (const ColumnSweep& part : columnParts(solid, way)) {
+        columnKernels().columns(part, x_, y_, 8, lo_, hi_);
+        for (int n = 0; n < 8; ++n)
+          least[n] = std::min(least[n], lo_[n]), most[n] = std::max(most[n], hi_[n]);
+      }
+      for (int n = 0; n < 8; ++n) {
+        double low = 1e300, high = -1e300;
+        for (int step = 0; step <= 20000; ++step) {
+          const Vec3 p = arcPoint(frame, c.arc, step / 20000.0);
+          const double r = std::hypot(p.x() - x_[n], p.y() - y_[n]);
+          if (r > solid.radius) continue;
+          low = std::min(low, p.z() + solid.lower.height(r));
+          high = std::max(high, p.z() - solid.upper.height(r));
+        }
+        if (low > high) continue;
+        ++known;
+        // A step is up to 0.01 mm; what is found is no worse, and at smooth places no better by its square.
+        ASSERT_LE(least[n], low + 1e-9) << i;
+        ASSERT_GE(most[n], high - 1e-9) << i;
+      }
+    }
+  }
+  EXPECT_GT(known, 500);
+}
+
 std::vector<ColumnKernels> levels() {
   std::vector<ColumnKernels> out = {baselineKernels()};
 #if defined(__x86_64__)
@@ -256,10 +326,13 @@ TEST_F(CurveColumns, EveryLevelGivesTheSameBits) {
   for (const ConvexProfile& profile : profiles()) {
     const ColumnSolid solid = columnSolid(profile);
     for (int round = 0; round < 40; ++round) {
-      const Curve c = round % 3 == 2 ? upright() : helix(round);
+      const int kind = round % 4;
+      const Curve c = kind == 3 ? any(round) : kind == 2 ? upright() : helix(round);
       for (int i = 0; i < 64; ++i) x_[i] = c.from.x() + random(-14, 14), y_[i] = c.from.y() + random(-14, 14);
-      for (const ColumnSweep& part : round % 3 == 2 ? columnUprights(solid, c.from, c.to, c.arc)
-                                                    : columnTurns(solid, c.from, c.to, c.arc)) {
+      const CurveWay way = curveWay(c.from, c.to, c.arc);
+      for (const ColumnSweep& part : kind == 3   ? columnParts(solid, way)
+                                     : kind == 2 ? columnUprights(solid, c.from, c.to, c.arc)
+                                                 : columnTurns(solid, c.from, c.to, c.arc)) {
         levels()[0].columns(part, x_, y_, 64, lo_, hi_);
         for (int i = 0; i < 64; ++i) over += lo_[i] < hi_[i] ? 1 : 0;
         for (const ColumnKernels& level : levels()) {

@@ -1,0 +1,73 @@
+// What one column sees of a part of a curve, for the searches of columns alone.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "removal/sweep/column_types.h"
+
+namespace proveout {
+
+inline constexpr double kNothing = std::numeric_limits<double>::infinity();
+
+inline double root(double a) { return std::sqrt(std::max(a, 0.0)); }
+
+/// A least value and the place that has it.
+struct Lowest {
+  double value = kNothing, u = 0.0;
+};
+
+struct Interval {
+  bool over = false;         ///< the tool is over the column somewhere
+  double beyond = kNothing;  ///< least level distance of the tool's axis less the radius, mm
+  double lo = kNothing, hi = -kNothing;
+  double middle = 0.0;  ///< turn: angle of the way at u = 0; upright: place of the column, mm; else 0
+  double u = 0.0, at_lo = 0.0, at_hi = 0.0;  ///< of the place that is nearest, and of those of lo and hi
+};
+
+/// Of a column that the tool only comes near to, at the place u: its rim there, `tip` being its height.
+inline Interval beside(const ColumnSolid& solid, double beyond, double tip, double middle, double u) {
+  const double r = solid.radius, low = tip + solid.lower.height(r), high = tip - solid.upper.height(r);
+  return {false, std::max(beyond, 0.0), low, high, middle, u, u, u};
+}
+
+/// What is asked of a column.
+struct Asked {
+  bool rim = false;  ///< of columns that the tool is nowhere over, too
+  bool all = true;   ///< both ends; else only how far the height z is outside
+  double z = 0.0;
+};
+
+/// Finds the ends of a column that the tool is over; `base`: its height from which they are found, `tip`: its
+/// height at the place in.u, where the column holds at least what the tool does. An end stays there if it
+/// does not decide what is asked.
+template <typename FindLow, typename FindHigh>
+void findEnds(const ColumnSolid& solid, const Asked& asked, double base, double tip, Interval& in,
+              const FindLow& find_low, const FindHigh& find_high) {
+  const double r = std::min(solid.radius + in.beyond, solid.radius), z = asked.z;
+  in.over = true;
+  in.at_lo = in.at_hi = in.u;
+  in.lo = tip + solid.lower.height(r);
+  in.hi = tip - solid.upper.height(r);
+  // Nothing less can be the answer.
+  double known = asked.all ? -kNothing : in.beyond;
+  const auto low = [&] {
+    if (in.lo - z <= known) return;
+    const Lowest found = find_low();
+    in.lo = base + found.value, in.at_lo = found.u;
+    if (!asked.all) known = std::max(known, in.lo - z);
+  };
+  const auto high = [&] {
+    if (z - in.hi <= known) return;
+    const Lowest found = find_high();
+    in.hi = base - found.value, in.at_hi = found.u;
+    if (!asked.all) known = std::max(known, z - in.hi);
+  };
+  const bool low_first = in.lo - z >= z - in.hi;
+  if (low_first) low();
+  high();
+  if (!low_first) low();
+}
+
+}  // namespace proveout

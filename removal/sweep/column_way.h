@@ -1,0 +1,50 @@
+// Stretches of any curve that an arc's words describe: spirals, cones of helices, arcs and helices about axes
+// that lean. As column_curve.h, for what has no closed form.
+//
+// The way is C + R(t) (u cos t + v sin t) + climb t with R(t) = radius + growth t for angles t from 0 on; a
+// pass is a part of an eighth of a turn. A part may be over a column twice, where it bends more than the
+// tool's rim: what it covers then are two intervals, of two passes (ColumnSweep::again).
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/types.h"
+#include "core/path/toolpath.h"
+#include "removal/sweep/column_interval.h"
+
+namespace proveout {
+
+struct CurveWay {
+  /// A place of the way and its derivatives by the angle, mm; its own angle's cosine and sine.
+  struct Node {
+    Vec3 at, velocity, bend;
+    double cosine, sine;
+  };
+  static constexpr int kNodesAPart = 4;
+
+  Vec3 center, u, v, climb;                  ///< mm; climb: a radian
+  double radius, growth, way_rad, node_rad;  ///< mm, mm a radian; angles of the way and between nodes
+  std::vector<Node> nodes;                   ///< kNodesAPart a part, and one
+  double most_bend;                          ///< no |Node::bend| is larger
+  double still4;   ///< what the fourth derivative of a squared level distance has from the way alone,
+  double far4;     ///< and for each mm that the column is off its axis
+  double height4;  ///< no fourth derivative of the height is larger
+
+  /// At any angle of the way.
+  Node node(double rad) const;
+  int parts() const { return static_cast<int>(nodes.size()) / kNodesAPart; }
+};
+
+CurveWay curveWay(const Vec3& from, const Vec3& to, const ArcGeometry& arc);
+
+/// Passes of a solid along the way, in the order of the motion; both must outlive them.
+std::vector<ColumnSweep> columnParts(const ColumnSolid& solid, const CurveWay& way);
+
+/// What a column sees of a part; Interval::u, at_lo, at_hi are angles of the way.
+Interval wayColumn(const ColumnSweep& part, double x, double y, const Asked& asked);
+/// Least level distance of the tool's axis from a column, mm.
+double wayGap(const ColumnSweep& part, double x, double y);
+/// As ReachKernel.
+void wayReach(const ColumnSweep& part, const FourBlocks& blocks, double* low);
+
+}  // namespace proveout
