@@ -165,12 +165,12 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
   Status done = Done{};
   std::optional<Stock> early;
   Progress making(&progress);
+  const RemovalOptions options = removalOptions(job, run.resolution_mm);  // the reader writes what it is from
   parallelFor(0, makesBlankEarly(job, prepared.blank) ? 2 : 1, [&](int part) {
     if (part == 0) {
       done = interpretAndPredict(job, sources, prepared, progress);
       if (!done || run.alarm) making.cancel();
     } else {
-      const RemovalOptions options = removalOptions(job, run.resolution_mm);
       Result<Stock> stock = Stock::create(prepared.blank.shape, options, making);
       if (stock) early = std::move(*stock);  // else it fails again where it is needed
     }
