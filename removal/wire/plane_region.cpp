@@ -29,7 +29,12 @@ bool passes(const PlaneEdge& edge, const Vec2& direction) {
 
 }  // namespace
 
-Vec2 asFloat(const Vec2& p) { return p.cast<float>().cast<double>(); }
+Vec2 asFloat(const Vec2& p) {
+  // By way of memory: GCC 12.2 takes two doubles that become floats and doubles again side by side for what
+  // they were, and leaves out both steps.
+  const volatile float x = static_cast<float>(p.x()), y = static_cast<float>(p.y());
+  return {static_cast<double>(x), static_cast<double>(y)};
+}
 
 Vec2 turnedBy(const Vec2& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
