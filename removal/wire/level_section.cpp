@@ -131,7 +131,7 @@ class WallNamer {
   StretchIndex blank_;
 };
 
-/// Leaves out points that are one as floats, and those inside straight runs of one name.
+/// Leaves out points that are one in a mesh, and those inside straight runs of one name.
 class LoopTidier {
  public:
   explicit LoopTidier(const std::vector<bool>& straight) : straight_(straight) {}
@@ -148,7 +148,7 @@ class LoopTidier {
   }
 
  private:
-  static bool same(const Vec2& p, const Vec2& q) { return p.cast<float>() == q.cast<float>(); }
+  static bool same(const Vec2& p, const Vec2& q) { return (p - q).norm() <= meshStep(p); }
   static void drop(LevelLoop& out) {
     out.points.pop_back();
     out.names.pop_back();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/plane.h"
 
@@ -34,6 +35,14 @@ Vec2 asFloat(const Vec2& p) {
   // they were, and leaves out both steps.
   const volatile float x = static_cast<float>(p.x()), y = static_cast<float>(p.y());
   return {static_cast<double>(x), static_cast<double>(y)};
+}
+
+double meshStep(const Vec2& p) {
+  constexpr float kSteps = 4.0f;
+  constexpr double kLeast = 4e-6;
+  const float size = static_cast<float>(p.cwiseAbs().maxCoeff());
+  const float step = std::nextafter(size, std::numeric_limits<float>::infinity()) - size;
+  return std::max(kLeast, static_cast<double>(kSteps * step));
 }
 
 Vec2 turnedBy(const Vec2& v, double angle) {

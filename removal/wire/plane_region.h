@@ -51,6 +51,9 @@ Box3 boundsOf(const PlaneLoop& loop);
 
 /// As meshes hold it: rounded to floats.
 Vec2 asFloat(const Vec2& p);
+/// Points nearer to each other are one in a mesh, mm: some steps of its floats at p, and of the nanometres
+/// that sections are made on. Edges as short may go to and fro, and fold the triangles beside them.
+double meshStep(const Vec2& p);
 /// By an angle, counter-clockwise.
 Vec2 turnedBy(const Vec2& v, double angle);
 

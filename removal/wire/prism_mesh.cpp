@@ -7,7 +7,9 @@
 namespace proveout {
 namespace {
 
-/// A loop as a mesh can hold it: corners that differ as floats.
+bool same(const Vec2& p, const Vec2& q) { return (p - q).norm() <= meshStep(p); }
+
+/// A loop as a mesh can hold it, without corners that are one there.
 struct Ribbon {
   std::vector<Vec2> points;
   std::vector<MotionId> motion;  ///< of the edge to the next
@@ -19,14 +21,14 @@ Ribbon ribbonOf(const PlaneLoop& loop, double tolerance) {
   for (std::size_t i = 0; i < chords.points.size(); ++i) {
     const Vec2 p = asFloat(chords.points[i]);
     const MotionId motion = loop.edges[chords.edge[i]].motion;
-    if (!ribbon.points.empty() && ribbon.points.back() == p) {
+    if (!ribbon.points.empty() && same(ribbon.points.back(), p)) {
       ribbon.motion.back() = motion;
       continue;
     }
     ribbon.points.push_back(p);
     ribbon.motion.push_back(motion);
   }
-  while (ribbon.points.size() > 1 && ribbon.points.front() == ribbon.points.back()) {
+  while (ribbon.points.size() > 1 && same(ribbon.points.front(), ribbon.points.back())) {
     ribbon.points.pop_back();
     ribbon.motion.pop_back();
   }
