@@ -96,19 +96,33 @@ class WallSearch {
     return std::span(walls_).subspan(first, std::min(kStrip, walls_.size() - first));
   }
 
+  /// From below to above, about along the rungs of a strip; level faces: anywhere along them.
+  Vec3 rise(std::span<const std::uint32_t> strip) const {
+    Vec3 sum = Vec3::Zero();
+    for (const std::uint32_t t : strip) {
+      const std::array<Vec3, 3> p = cornersOf(mesh_, t);
+      Vec3 steepest = p[1] - p[0];
+      for (const Vec3& edge : {Vec3(p[2] - p[1]), Vec3(p[0] - p[2])}) {
+        if (std::abs(edge.z()) > std::abs(steepest.z())) steepest = edge;
+      }
+      sum += steepest.z() < 0.0 ? Vec3(-steepest) : steepest;
+    }
+    return sum;
+  }
+
   StripBox boxOf(std::span<const std::uint32_t> strip) const {
     Vec3 normal = Vec3::Zero();
     for (const std::uint32_t t : strip) {
       const std::array<Vec3, 3> p = cornersOf(mesh_, t);
       normal += (p[1] - p[0]).cross(p[2] - p[0]);
     }
-    if (normal.squaredNorm() == 0.0) normal = Vec3::UnitX();
-    normal.normalize();
-    const Vec3 up = std::abs(normal.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
     StripBox box;
-    // Level along the wall: rungs stand across.
-    box.axis = {up.cross(normal).normalized(), normal, Vec3::Zero()};
-    box.axis[2] = box.axis[0].cross(normal);
+    const Vec3 across = rise(strip).cross(normal);
+    if (across.squaredNorm() > 0.0)
+      box.axis = {across.normalized(), normal.normalized(), Vec3::Zero()};
+    else
+      box.axis = {Vec3::UnitX(), Vec3::UnitY(), Vec3::Zero()};
+    box.axis[2] = box.axis[0].cross(box.axis[1]);
     std::array<Interval, 3> range;
     for (const std::uint32_t t : strip) {
       for (const Vec3& p : cornersOf(mesh_, t)) {
@@ -122,7 +136,7 @@ class WallSearch {
     return box;
   }
 
-  /// Of the triangles of a strip, along the way of one of the two that are compared and along its normal.
+  /// Of the triangles of a strip, across the rungs of one of the two that are compared and along its normal.
   struct Ranges {
     std::array<std::array<Interval, 2>, kStrip> of;
   };
@@ -137,8 +151,44 @@ class WallSearch {
     return out;
   }
 
+  float heightOf(std::uint32_t vertex) const { return mesh_.positions[vertex].z(); }
+  /// Whether triangles have an edge in common that goes from one height to another.
+  bool shareRung(std::uint32_t s, std::uint32_t t) const {
+    const auto &a = mesh_.triangles[s], &b = mesh_.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = a[k], to = a[(k + 1) % 3];
+      if (heightOf(from) != heightOf(to) && std::ranges::count(b, from) + std::ranges::count(b, to) == 2)
+        return true;
+    }
+    return false;
+  }
+  /// Whether triangles that follow each other lie side by side: all go from one height to another, each is
+  /// joined to the next by a rung, and at every height each goes ahead.
+  bool inOrder(std::span<const std::uint32_t> triangles, const Vec3& ahead) const {
+    const auto& first = mesh_.triangles[triangles.front()];
+    const auto [low, high] = std::minmax({heightOf(first[0]), heightOf(first[1]), heightOf(first[2])});
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      bool goes_ahead = false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t from = mesh_.triangles[triangles[i]][k],
+                            to = mesh_.triangles[triangles[i]][(k + 1) % 3];
+        if (heightOf(from) != low && heightOf(from) != high) return false;
+        if (heightOf(from) != heightOf(to)) continue;
+        const double step = ahead.dot((mesh_.positions[to] - mesh_.positions[from]).cast<double>());
+        goes_ahead = (heightOf(from) == low ? step : -step) > 0.0;
+      }
+      if (!goes_ahead) return false;
+      if (i + 1 < triangles.size() && !shareRung(triangles[i], triangles[i + 1])) return false;
+    }
+    return low < high;
+  }
+
   std::size_t meetings(std::size_t a, std::size_t b) const {
     const std::span<const std::uint32_t> in_a = stripAt(a), in_b = stripAt(b);
+    if (b <= a + 1 &&
+        inOrder(std::span(walls_).subspan(a * kStrip, b == a ? in_a.size() : kStrip + in_b.size()),
+                boxes_[a].axis[0]))
+      return 0;
     const Ranges range_a = rangesOf(in_a, boxes_[a]);
     const Ranges range_b = a == b ? range_a : rangesOf(in_b, boxes_[a]);
     std::size_t found = 0;
