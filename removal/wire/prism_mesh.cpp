@@ -7,9 +7,7 @@
 namespace proveout {
 namespace {
 
-bool same(const Vec2& p, const Vec2& q) { return (p - q).norm() <= meshStep(p); }
-
-/// A loop as a mesh can hold it, without corners that are one there.
+/// A loop as a mesh can hold it.
 struct Ribbon {
   std::vector<Vec2> points;
   std::vector<MotionId> motion;  ///< of the edge to the next
@@ -18,19 +16,9 @@ struct Ribbon {
 Ribbon ribbonOf(const PlaneLoop& loop, double tolerance) {
   const ChordLoop chords = chordsOf(loop, tolerance);
   Ribbon ribbon;
-  for (std::size_t i = 0; i < chords.points.size(); ++i) {
-    const Vec2 p = asFloat(chords.points[i]);
-    const MotionId motion = loop.edges[chords.edge[i]].motion;
-    if (!ribbon.points.empty() && same(ribbon.points.back(), p)) {
-      ribbon.motion.back() = motion;
-      continue;
-    }
-    ribbon.points.push_back(p);
-    ribbon.motion.push_back(motion);
-  }
-  while (ribbon.points.size() > 1 && same(ribbon.points.front(), ribbon.points.back())) {
-    ribbon.points.pop_back();
-    ribbon.motion.pop_back();
+  for (const auto& [point, edge] : meshCorners(chords.points)) {
+    ribbon.points.push_back(asFloat(chords.points[point]));
+    ribbon.motion.push_back(loop.edges[chords.edge[edge]].motion);
   }
   return ribbon;
 }
