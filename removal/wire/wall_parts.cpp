@@ -131,6 +131,7 @@ class WallJudge {
     ribbon_ = ribbonBetween(wall_.lower, part.lower, wall_.upper, part.upper);
     if (!ribbon_) return failed();
     if (last) {
+      if (!isUpright(*ribbon_, wall_.lower, wall_.upper)) return failed();
       out_.settled.push_back(std::move(*ribbon_));
       return std::move(out_);
     }
@@ -299,8 +300,8 @@ class WallJudge {
     return {rows <= kMostRows, true, rows};
   }
 
-  /// Whether a cut's rung, once it goes through the section half way up, stays clear of the straight one beside
-  /// it.
+  /// Whether a cut's rung, once it goes through the section half way up, stays clear of the straight one
+  /// beside it.
   bool hasRoom(const Cut& cut, std::size_t beside) const {
     const Vec2 straight = middleOf(ribbon_->rungs[cut.rung]);
     const double moves = (pointHalfWay(cut.middle) - straight).norm();

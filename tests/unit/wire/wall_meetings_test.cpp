@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/mesh/shells.h"
 #include "removal/wire/prism_mesh.h"
 #include "removal/wire/segment_meetings.h"
@@ -37,7 +39,28 @@ TEST(WallMeetings, UprightPostsThatOverlapCrossTwice) {
 }
 
 TEST(WallMeetings, PostsThatTouchInACorner) {
-  EXPECT_GT(wallMeetings(prismMesh({square({0, 0}, 1), square({2, 2}, 1)}, 0, 5, 1e-3)), 0u);
+  const auto post = [](const Vec2& at) { return prismMesh({square(at, 1)}, 0, 5, 1e-3); };
+  EXPECT_GT(wallMeetings(both(post({0, 0}), post({2, 2}))), 0u);
+}
+
+TEST(PrismMesh, CornersThatTouchStandBack) {
+  const TriMesh mesh = prismMesh({square({0, 0}, 1), square({2, 2}, 1)}, 0, 5, 1e-3);
+  EXPECT_EQ(wallMeetings(mesh), 0u);
+  int near = 0;
+  for (const Eigen::Vector3f& p : mesh.positions) {
+    const double off = (p.head<2>().cast<double>() - Vec2(1, 1)).norm();
+    near += off > 0.0 && off < 1e-4 ? 1 : 0;
+  }
+  EXPECT_EQ(near, 4);  // both corners, below and above
+}
+
+TEST(PrismMesh, ChordsBesideACornerAreShorter) {
+  // A post in a round hole, with corners between the hole's arc and its chords.
+  const double radius = 10.0, chord = 0.02;
+  const PlaneBody plate{{rectangleLoop({-20, -20}, {20, 20}), circleLoop({0, 0}, radius, true)}, 1.0};
+  const PlaneBody post = square({0, 0}, (radius - 0.2 * chord) / std::sqrt(2.0));
+  EXPECT_GT(wallMeetings(both(prismMesh({plate}, 0, 5, chord), prismMesh({post}, 0, 5, chord))), 0u);
+  EXPECT_EQ(wallMeetings(prismMesh({plate, post}, 0, 5, chord)), 0u);
 }
 
 TEST(WallMeetings, LeaningPostsThatCrossHalfWayUp) {
