@@ -13,7 +13,7 @@ help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
 	@echo 'make test   build the program and the tests, then run the whole test suite'
 	@echo 'make soak   random whole jobs against the laws of tests/soak, then some of a wire; MINUTES=$(MINUTES) each, SEED=$(SEED)'
-	@echo 'make study  all planted defects of tests/study and 100 programs of tests/reference (make test runs some)'
+	@echo 'make study  all planted defects of tests/study 100 programs of tests/reference (make test runs some)'
 	@echo 'make program build the program alone: $(PROVEOUT)'
 	@echo 'make build  build everything, with the tests, the benchmarks and the soak'
 	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well'
@@ -52,9 +52,10 @@ soak: configure
 	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED) --wire
 
 study: configure
-	cmake --build --preset release --target planted_defects reference_test -j $(JOBS)
+	cmake --build --preset release --target planted_defects reference_test random_mesh_test -j $(JOBS)
 	PROVEOUT_STUDY_WHOLE=1 build/release/bin/planted_defects
 	PROVEOUT_REFERENCE_PROGRAMS=100 PROVEOUT_REFERENCE_FACETS=96 build/release/bin/reference_test
+	PROVEOUT_RANDOM_WIRES=40 PROVEOUT_RANDOM_WIRE=110 build/release/bin/random_mesh_test --gtest_filter='*RandomWire*'
 
 bench: configure
 	cmake --build --preset release --target benches -j $(JOBS)

@@ -41,7 +41,9 @@ std::size_t keep(Machined&& made, SetupRun& setup, ReportPerformance& performanc
     setup.bodies = std::move(*made.bodies);
     return std::min<std::size_t>(setup.bodies.size(), 1);
   }
-  setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent);
+  double clamped_mm3 = setup.surface.volume_mm3;
+  for (const StockBody& body : made.apart) clamped_mm3 -= body.volume_mm3;
+  setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent, clamped_mm3);
   const std::size_t told = setup.bodies.size();
   setup.bodies.insert(setup.bodies.end(), made.apart.begin(), made.apart.end());
   return told;

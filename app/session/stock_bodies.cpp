@@ -37,10 +37,10 @@ bool contains(const Box3& outer, const Box3& inner) {
 }  // namespace
 
 std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology,
-                                   const MeshExtent& extent) {
+                                   const MeshExtent& extent, double volume_mm3) {
   if (topology.closedManifold() &&
       topology.components == 1) {  // the usual part; no need to tell shells apart
-    if (extent.volume_mm3 > 0) return {{extent.volume_mm3, extent.bounds, "part"}};
+    if (extent.volume_mm3 > 0) return {{volume_mm3, extent.bounds, "part"}};
   }
   std::vector<Shell> shells = shellsOf(mesh);
   std::vector<StockBody> bodies;
@@ -58,7 +58,10 @@ std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topo
   }
   const auto larger = [](const StockBody& a, const StockBody& b) { return a.volume_mm3 > b.volume_mm3; };
   std::stable_sort(bodies.begin(), bodies.end(), larger);
-  if (!bodies.empty()) bodies.front().role = "part";
+  if (bodies.empty()) return bodies;
+  bodies.front().role = "part";
+  for (std::size_t k = 1; k < bodies.size(); ++k) volume_mm3 -= bodies[k].volume_mm3;
+  bodies.front().volume_mm3 = volume_mm3;
   return bodies;
 }
 

@@ -9,8 +9,9 @@
 namespace proveout {
 
 /// Connected pieces of the stock: the largest is the part, others fell off. A closed hollow counts against
-/// the piece around it.
+/// the piece around it. Loose pieces have the volume that the mesh encloses, the part what is left of
+/// `volume_mm3`, the exact integral over all of them: facets and thin walls leave the mesh off from it.
 std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology,
-                                   const MeshExtent& extent);
+                                   const MeshExtent& extent, double volume_mm3);
 
 }  // namespace proveout

@@ -248,7 +248,8 @@ class LevelMaker {
                           tolerance_, !set.thin && whole && mayPart(set, i, k));
     }
     if (verdict.settled.empty() && set.thin && whole) {
-      if (std::optional<Ribbon> ribbon = ribbonBetween(set.lower.loops[i], set.upper.loops[k]))
+      std::optional<Ribbon> ribbon = ribbonBetween(set.lower.loops[i], set.upper.loops[k]);
+      if (ribbon && isUpright(*ribbon, set.lower.loops[i], set.upper.loops[k]))
         verdict.settled.push_back(std::move(*ribbon));
     }
     if (verdict.settled.empty()) {

@@ -178,18 +178,26 @@ class SolidWriter {
     out.push_back(high);
   }
 
-  /// Between two rungs.
+  /// Between two rungs. Where they meet in a point the triangle there has one of each: a fan about that point
+  /// over several points of one rung would lie flat on it.
   void strip(const std::vector<std::uint32_t>& here, const std::vector<std::uint32_t>& next, MotionId motion,
              std::uint32_t member) {
     const auto height = [&](std::uint32_t p) { return mesh_.positions[p].z(); };
-    std::size_t i = 0, j = 0;
-    while (i + 1 < here.size() || j + 1 < next.size()) {
-      const bool left =
-          j + 1 == next.size() || (i + 1 < here.size() && height(here[i + 1]) <= height(next[j + 1]));
-      const std::uint32_t a = here[i], b = next[j], c = left ? here[i + 1] : next[j + 1];
-      if (a != b && b != c && c != a) triangle(a, b, c, motion, member);
+    std::size_t i = 0, j = 0, end_i = here.size() - 1, end_j = next.size() - 1;
+    const bool closes = here.back() == next.back();
+    if (here.front() == next.front()) {
+      triangle(here[0], next[1], here[1], motion, member);
+      i = j = 1;
+    } else if (closes) {
+      --end_i;
+      --end_j;
+    }
+    while (i < end_i || j < end_j) {
+      const bool left = j == end_j || (i < end_i && height(here[i + 1]) <= height(next[j + 1]));
+      triangle(here[i], next[j], left ? here[i + 1] : next[j + 1], motion, member);
       ++(left ? i : j);
     }
+    if (closes) triangle(here[i], next[j], here.back(), motion, member);
   }
 
   /// The face, and the walls that end at it and begin there.

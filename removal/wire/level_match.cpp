@@ -9,6 +9,9 @@ namespace {
 
 /// Names that are looked ahead for one that both loops have.
 constexpr std::size_t kLookAhead = 512;
+/// Corners of upright walls are no farther from each other, mm; those that run along a wall may be off by
+/// more.
+constexpr double kRungMm = 0.02;
 
 /// Edges of a loop that follow each other and have one name.
 struct Run {
@@ -267,6 +270,12 @@ std::optional<Ribbon> ribbonBetween(const LevelLoop& lower, const LoopSpan& lowe
                                     const LevelLoop& upper, const LoopSpan& upper_span) {
   return zipRuns({lower, lower_span, runsOf(lower, lower_span)},
                  {upper, upper_span, runsOf(upper, upper_span)});
+}
+
+bool isUpright(const Ribbon& ribbon, const LevelLoop& lower, const LevelLoop& upper) {
+  return std::all_of(ribbon.rungs.begin(), ribbon.rungs.end(), [&](const auto& rung) {
+    return (upper.points[rung.second] - lower.points[rung.first]).norm() <= kRungMm;
+  });
 }
 
 }  // namespace proveout

@@ -40,4 +40,8 @@ std::optional<Ribbon> ribbonBetween(const LevelLoop& lower, const LevelLoop& upp
 std::optional<Ribbon> ribbonBetween(const LevelLoop& lower, const LoopSpan& lower_span,
                                     const LevelLoop& upper, const LoopSpan& upper_span);
 
+/// Between sections so near in height that walls stand upright as good as: whether all rungs do. Where loops
+/// part or join names alone may join what is far off.
+bool isUpright(const Ribbon& ribbon, const LevelLoop& lower, const LevelLoop& upper);
+
 }  // namespace proveout

@@ -131,43 +131,27 @@ class WallNamer {
   StretchIndex blank_;
 };
 
-/// Leaves out points that are one as floats, and those inside straight runs of one name.
-class LoopTidier {
+/// Leaves out points inside straight runs of one name.
+class RunJoiner {
  public:
-  explicit LoopTidier(const std::vector<bool>& straight) : straight_(straight) {}
+  explicit RunJoiner(const std::vector<bool>& straight) : straight_(straight) {}
 
-  LevelLoop tidy(const LevelLoop& in) const {
+  LevelLoop join(const LevelLoop& in) const {
     const std::size_t n = in.points.size();
     std::size_t start = 0;
     while (start < n && in.names[start] == in.names[(start + n - 1) % n]) ++start;
     if (start == n) start = 0;
     LevelLoop out;
     for (std::size_t k = 0; k < n; ++k) add(in, (start + k) % n, out);
-    while (out.points.size() > 1 && same(out.points.front(), out.points.back())) drop(out);
     return out;
   }
 
  private:
-  static bool same(const Vec2& p, const Vec2& q) { return p.cast<float>() == q.cast<float>(); }
-  static void drop(LevelLoop& out) {
-    out.points.pop_back();
-    out.names.pop_back();
-    out.motions.pop_back();
-  }
-
   void add(const LevelLoop& in, std::size_t i, LevelLoop& out) const {
     const Vec2& p = in.points[i];
-    if (!out.points.empty()) {
-      if (same(out.points.back(), p)) {
-        out.names.back() = in.names[i];
-        out.motions.back() = in.motions[i];
-        return;
-      }
-      const Vec2& next = in.points[(i + 1) % in.points.size()];
-      if (out.names.back() == in.names[i] && straight_[i] &&
-          distanceToSegment(p, out.points.back(), next) <= kOnLine)
-        return;
-    }
+    if (!out.points.empty() && out.names.back() == in.names[i] && straight_[i] &&
+        distanceToSegment(p, out.points.back(), in.points[(i + 1) % in.points.size()]) <= kOnLine)
+      return;
     out.points.push_back(p);
     out.names.push_back(in.names[i]);
     out.motions.push_back(in.motions[i]);
@@ -175,6 +159,16 @@ class LoopTidier {
 
   const std::vector<bool>& straight_;  ///< by edge
 };
+
+LevelLoop asMeshHolds(const LevelLoop& in) {
+  LevelLoop out;
+  for (const auto& [point, edge] : meshCorners(in.points)) {
+    out.points.push_back(in.points[point]);
+    out.names.push_back(in.names[edge]);
+    out.motions.push_back(in.motions[edge]);
+  }
+  return out;
+}
 
 LevelLoop loopOf(const ClipperLib::Path& path, const WallNamer& namer) {
   const std::size_t n = path.size(), tasks = (n + kNamesATask - 1) / kNamesATask;
@@ -191,7 +185,7 @@ LevelLoop loopOf(const ClipperLib::Path& path, const WallNamer& namer) {
     loop.motions.push_back(named[i].motion);
     straight[i] = isSide(named[i].name);
   }
-  return LoopTidier(straight).tidy(loop);
+  return asMeshHolds(RunJoiner(straight).join(loop));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ struct LevelSection {
 double areaOf(const LevelLoop& loop);
 
 /// The blank less the kerfs, as polygons: corners to a nanometre, chords of the kerf's round ends and of the
-/// blank within 0.0001 mm. No two neighbouring points are one as floats.
+/// blank within 0.0001 mm. No two neighbouring points are one in a mesh.
 LevelSection levelSection(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches,
                           double z);
 

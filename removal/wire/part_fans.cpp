@@ -1,10 +1,12 @@
 #include "removal/wire/part_fans.h"
 
+#include <array>
 #include <map>
 #include <vector>
 
 #include "core/mesh/edge_table.h"
 #include "core/mesh/shells.h"
+#include "removal/wire/plane_region.h"
 
 namespace proveout {
 namespace {
@@ -71,15 +73,46 @@ class EdgeDivider {
   std::map<std::uint32_t, std::vector<std::uint32_t>> pieces_;
 };
 
+/// Corners that several fans have, each for itself, stand back from each other by some steps of a mesh,
+/// level: what only touches would be told as running through itself.
+void standBack(TriMesh& mesh) {
+  std::map<std::array<float, 3>, std::vector<std::uint32_t>> at;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    at[{mesh.positions[v].x(), mesh.positions[v].y(), mesh.positions[v].z()}].push_back(v);
+  std::map<std::uint32_t, Vec2> way;  // of corners that are not alone
+  for (const auto& [place, corners] : at) {
+    for (const std::uint32_t v : corners)
+      if (corners.size() > 1) way[v] = Vec2::Zero();
+  }
+  if (way.empty()) return;
+  const auto levelOf = [&](std::uint32_t v) -> Vec2 { return mesh.positions[v].head<2>().cast<double>(); };
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto found = way.find(t[k]);
+      if (found == way.end()) continue;
+      const Vec2 middle = (levelOf(t[0]) + levelOf(t[1]) + levelOf(t[2])) / 3.0, off = middle - levelOf(t[k]);
+      if (off.norm() > meshStep(middle)) found->second += off.normalized();
+    }
+  }
+  constexpr double kSteps = 2.0;
+  for (const auto& [v, sum] : way) {
+    if (sum.norm() < 1e-3) continue;
+    const Vec2 p = levelOf(v) + kSteps * meshStep(levelOf(v)) * sum.normalized();
+    mesh.positions[v].head<2>() = p.cast<float>();
+  }
+}
+
 }  // namespace
 
 void partFans(TriMesh& mesh) {
   mesh = splitShells(mesh).mesh;
   const std::vector<SharedEdge> shared = sharedEdges(mesh);
-  if (shared.empty()) return;
-  EdgeDivider divider(mesh);
-  for (const SharedEdge& edge : shared) divider.divide(edge);
-  mesh = splitShells(mesh).mesh;  // what the edges held together may be several fans now
+  if (!shared.empty()) {
+    EdgeDivider divider(mesh);
+    for (const SharedEdge& edge : shared) divider.divide(edge);
+    mesh = splitShells(mesh).mesh;  // what the edges held together may be several fans now
+  }
+  standBack(mesh);
 }
 
 }  // namespace proveout

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/plane.h"
 
@@ -27,9 +28,51 @@ bool passes(const PlaneEdge& edge, const Vec2& direction) {
   return angle <= std::abs(edge.sweep_rad);
 }
 
+/// Whether a polygon goes back at p, between a and b, on its way there.
+bool goesBack(const Vec2& a, const Vec2& p, const Vec2& b) {
+  const Vec2 u = a - p, v = b - p;
+  if (u.dot(v) <= 0.0) return false;
+  const bool back_is_shorter = v.squaredNorm() < u.squaredNorm();
+  return distanceToSegment(back_is_shorter ? b : a, p, back_is_shorter ? a : b) <= meshStep(p);
+}
+
 }  // namespace
 
-Vec2 asFloat(const Vec2& p) { return p.cast<float>().cast<double>(); }
+Vec2 asFloat(const Vec2& p) {
+  // By way of memory: GCC 12.2 takes two doubles that become floats and doubles again side by side for what
+  // they were, and leaves out both steps.
+  const volatile float x = static_cast<float>(p.x()), y = static_cast<float>(p.y());
+  return {static_cast<double>(x), static_cast<double>(y)};
+}
+
+double meshStep(const Vec2& p) {
+  constexpr float kSteps = 4.0f;
+  constexpr double kLeast = 4e-6;
+  const float size = static_cast<float>(p.cwiseAbs().maxCoeff());
+  const float step = std::nextafter(size, std::numeric_limits<float>::infinity()) - size;
+  return std::max(kLeast, static_cast<double>(kSteps * step));
+}
+
+std::vector<KeptCorner> meshCorners(const std::vector<Vec2>& polygon) {
+  std::vector<KeptCorner> corners(polygon.size());
+  for (std::uint32_t i = 0; i < corners.size(); ++i) corners[i] = {i, i};
+  // `sound` corners before this one are so with their neighbours.
+  for (std::size_t at = 0, sound = 0; sound < corners.size() && corners.size() > 2;) {
+    const std::size_t n = corners.size(), before = (at + n - 1) % n, behind = (at + 1) % n;
+    const Vec2 &a = polygon[corners[before].point], &p = polygon[corners[at].point],
+               &b = polygon[corners[behind].point];
+    if (!goesBack(a, p, b) && (b - p).norm() > meshStep(p)) {
+      at = behind;
+      ++sound;
+      continue;
+    }
+    if ((b - p).squaredNorm() > (a - p).squaredNorm()) corners[before].edge = corners[at].edge;
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(at));
+    at = at == 0 ? n - 2 : at - 1;
+    sound -= std::min<std::size_t>(sound, 1);
+  }
+  return corners;
+}
 
 Vec2 turnedBy(const Vec2& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);

@@ -51,6 +51,15 @@ Box3 boundsOf(const PlaneLoop& loop);
 
 /// As meshes hold it: rounded to floats.
 Vec2 asFloat(const Vec2& p);
+/// Points nearer to each other are one in a mesh, mm: some steps of its floats at p, and of the nanometres
+/// that sections are made on. Edges as short may go to and fro, and fold the triangles beside them.
+double meshStep(const Vec2& p);
+/// Of a polygon what a mesh can hold: without corners that are one there, and without those where it goes
+/// back on its way, but for less than a mesh can tell. Longer edges stay.
+struct KeptCorner {
+  std::uint32_t point = 0, edge = 0;  ///< by number; the edge to the next corner has what was said of `edge`
+};
+std::vector<KeptCorner> meshCorners(const std::vector<Vec2>& polygon);
 /// By an angle, counter-clockwise.
 Vec2 turnedBy(const Vec2& v, double angle);
 

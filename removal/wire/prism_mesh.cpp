@@ -1,57 +1,33 @@
 #include "removal/wire/prism_mesh.h"
 
-#include <algorithm>
+#include <span>
+#include <utility>
 
+#include "removal/wire/chord_rings.h"
 #include "removal/wire/face_triangles.h"
 
 namespace proveout {
 namespace {
-
-/// A loop as a mesh can hold it: corners that differ as floats.
-struct Ribbon {
-  std::vector<Vec2> points;
-  std::vector<MotionId> motion;  ///< of the edge to the next
-};
-
-Ribbon ribbonOf(const PlaneLoop& loop, double tolerance) {
-  const ChordLoop chords = chordsOf(loop, tolerance);
-  Ribbon ribbon;
-  for (std::size_t i = 0; i < chords.points.size(); ++i) {
-    const Vec2 p = asFloat(chords.points[i]);
-    const MotionId motion = loop.edges[chords.edge[i]].motion;
-    if (!ribbon.points.empty() && ribbon.points.back() == p) {
-      ribbon.motion.back() = motion;
-      continue;
-    }
-    ribbon.points.push_back(p);
-    ribbon.motion.push_back(motion);
-  }
-  while (ribbon.points.size() > 1 && ribbon.points.front() == ribbon.points.back()) {
-    ribbon.points.pop_back();
-    ribbon.motion.pop_back();
-  }
-  return ribbon;
-}
 
 class PrismWriter {
  public:
   PrismWriter(double z_low, double z_high)
       : low_(static_cast<float>(z_low)), high_(static_cast<float>(z_high)) {}
 
-  void add(const PlaneBody& body, double tolerance) {
+  /// A body: its border and its hollows.
+  void add(std::span<const ChordRing> loops) {
     std::vector<std::vector<Vec2>> faces;
-    std::vector<Ribbon> ribbons;
-    for (const PlaneLoop& loop : body.loops) {
-      Ribbon ribbon = ribbonOf(loop, tolerance);
-      if (ribbon.points.size() < 3) {
-        if (ribbons.empty()) return;
+    std::vector<const ChordRing*> rings;
+    for (const ChordRing& ring : loops) {
+      if (ring.points.size() < 3) {
+        if (rings.empty()) return;
         continue;
       }
-      faces.push_back(ribbon.points);
-      ribbons.push_back(std::move(ribbon));
+      faces.push_back(ring.points);
+      rings.push_back(&ring);
     }
     const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
-    for (const Ribbon& ribbon : ribbons) addWalls(ribbon);
+    for (const ChordRing* ring : rings) addWalls(*ring);
     for (const auto& [a, b, c] : faceTriangles(faces)) {
       // Corner k has its lower vertex at 2 k, the upper one behind it.
       triangle(first + 2 * a + 1, first + 2 * b + 1, first + 2 * c + 1, kNoMotion);
@@ -65,16 +41,16 @@ class PrismWriter {
     mesh_.triangles.push_back({a, b, c});
     mesh_.motion.push_back(motion);
   }
-  void addWalls(const Ribbon& ribbon) {
+  void addWalls(const ChordRing& ring) {
     const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
-    const auto n = static_cast<std::uint32_t>(ribbon.points.size());
+    const auto n = static_cast<std::uint32_t>(ring.points.size());
     for (std::uint32_t i = 0; i < n; ++i) {
-      const Eigen::Vector2f p = ribbon.points[i].cast<float>();
+      const Eigen::Vector2f p = ring.points[i].cast<float>();
       mesh_.positions.emplace_back(p.x(), p.y(), low_);
       mesh_.positions.emplace_back(p.x(), p.y(), high_);
       const std::uint32_t a = first + 2 * i, b = first + 2 * ((i + 1) % n);
-      triangle(a, b, b + 1, ribbon.motion[i]);
-      triangle(a, b + 1, a + 1, ribbon.motion[i]);
+      triangle(a, b, b + 1, ring.motion[i]);
+      triangle(a, b + 1, a + 1, ring.motion[i]);
     }
   }
 
@@ -85,8 +61,17 @@ class PrismWriter {
 }  // namespace
 
 TriMesh prismMesh(const std::vector<PlaneBody>& bodies, double z_low, double z_high, double tolerance) {
+  std::vector<const PlaneLoop*> loops;
+  for (const PlaneBody& body : bodies) {
+    for (const PlaneLoop& loop : body.loops) loops.push_back(&loop);
+  }
+  const std::vector<ChordRing> rings = chordRings(loops, tolerance);
   PrismWriter writer(z_low, z_high);
-  for (const PlaneBody& body : bodies) writer.add(body, tolerance);
+  std::size_t first = 0;
+  for (const PlaneBody& body : bodies) {
+    writer.add(std::span(rings).subspan(first, body.loops.size()));
+    first += body.loops.size();
+  }
   return writer.take();
 }
 

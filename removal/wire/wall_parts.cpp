@@ -131,6 +131,7 @@ class WallJudge {
     ribbon_ = ribbonBetween(wall_.lower, part.lower, wall_.upper, part.upper);
     if (!ribbon_) return failed();
     if (last) {
+      if (!isUpright(*ribbon_, wall_.lower, wall_.upper)) return failed();
       out_.settled.push_back(std::move(*ribbon_));
       return std::move(out_);
     }
@@ -289,11 +290,22 @@ class WallJudge {
                high = wall_.upper.points[end_j] - wall_.upper.points[j], along = low + high;
     const bool plain = to.middle == from.middle + 1 && spanBetween(wall_.lower, i, end_i).edges == 1 &&
                        spanBetween(wall_.upper, j, end_j).edges == 1;
-    if (!plain || along.norm() == 0.0) return {!isOff(from, to), false, 1};
+    if (!plain || along.norm() == 0.0) {
+      const bool room = hasRoom(from, from.rung + 1) && hasRoom(to, to.rung - 1);
+      return {room && !isOff(from, to), false, 1};
+    }
     const double twist = std::abs(cross2(along, high - low)) / along.norm();
     const std::uint32_t rows =
         rowsOf(std::max(from.bend, to.bend), twist, (1.0 - kShareOfParabola) * tolerance_);
     return {rows <= kMostRows, true, rows};
+  }
+
+  /// Whether a cut's rung, once it goes through the section half way up, stays clear of the straight one
+  /// beside it.
+  bool hasRoom(const Cut& cut, std::size_t beside) const {
+    const Vec2 straight = middleOf(ribbon_->rungs[cut.rung]);
+    const double moves = (pointHalfWay(cut.middle) - straight).norm();
+    return 2.0 * moves <= (middleOf(ribbon_->rungs[beside]) - straight).norm();
   }
 
   /// What is between cuts is settled or open; neighbours of a kind stay together.

@@ -156,7 +156,7 @@ class FallFinder {
       addPieces(cuts, bodies, falls);
     }
     for (std::size_t k = 0; k < bodies_.size(); ++k)
-      if (!fell[k]) falls.bodies.push_back(std::move(bodies_[k].body));
+      if (!fell[k] && !isOfPiece(bodies_[k], falls)) falls.bodies.push_back(std::move(bodies_[k].body));
     for (const FreePiece& piece : falls.pieces) falls.bodies.push_back(piece.body);
     std::stable_sort(falls.bodies.begin(), falls.bodies.end(),
                      [](const PlaneBody& a, const PlaneBody& b) { return a.area_mm2 > b.area_mm2; });
@@ -172,6 +172,13 @@ class FallFinder {
     std::uint32_t number;
     bool goes_on;
   };
+
+  /// What later motions would have cut off a piece that fell before.
+  static bool isOfPiece(const LastBody& body, const WireFalls& falls) {
+    return !body.kept && std::any_of(falls.pieces.begin(), falls.pieces.end(), [&](const FreePiece& piece) {
+      return piece.passed_over && holds(piece.region, placeIn(body.body));
+    });
+  }
 
   double crumb() const { return cuts_.empty() ? 0.0 : kPi * cuts_.front().kerf_mm * cuts_.front().kerf_mm; }
   /// What is smaller than the kerf's circle.

@@ -24,7 +24,8 @@ struct WireFalls {
 };
 
 /// `last`: the bodies after all cuts, as if nothing had fallen. Crumbs smaller than the kerf's circle stay as
-/// they are. Pieces that came free and were cut away wholly by what followed are not known.
+/// they are, but for those of a piece that fell before. Pieces that came free and were cut away wholly by
+/// what followed are not known.
 WireFalls findFalls(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
                     std::vector<PlaneBody> last, const WireHolding& holding);
 

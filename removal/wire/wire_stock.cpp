@@ -151,6 +151,18 @@ Status WireStock::cutLeaning(const Toolpath& path, const std::vector<Tool>& tool
   return Done{};
 }
 
+/// Whether a body of the last solid is what later motions would have cut off a piece that fell before.
+bool WireStock::isOfPiece(std::size_t body, const std::vector<InSolid>& fallen) const {
+  if (fallen.empty()) return false;
+  const double z = meshBounds(solids_.front().bodies[body].mesh).center().z();
+  const PlanePolygons outline = outlineOf(solids_.front(), body, z);
+  if (outline.empty()) return false;
+  const Vec2 at = placeIn(outline);
+  return std::any_of(fallen.begin(), fallen.end(), [&](const InSolid& piece) {
+    return holds(outlineOf(solids_[piece.solid], piece.body, z), at);
+  });
+}
+
 /// Pieces that fell before the wire passed over them are as they were then.
 Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<LeanFall>& falls,
                              double tolerance, Progress& progress) {
@@ -179,8 +191,9 @@ Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<L
       break;
     }
   }
+  const std::vector<InSolid> fallen = placed_;
   for (std::size_t k = 0; k < replaced.size(); ++k)
-    if (!replaced[k]) placed_.push_back({0, k});
+    if (!replaced[k] && !isOfPiece(k, fallen)) placed_.push_back({0, k});
   std::stable_sort(placed_.begin(), placed_.end(), [&](const InSolid& a, const InSolid& b) {
     return solids_[a.solid].bodies[a.body].volume_mm3 > solids_[b.solid].bodies[b.body].volume_mm3;
   });

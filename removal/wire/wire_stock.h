@@ -88,6 +88,10 @@ class WireStock {
                      const std::vector<LeanFall>& falls, RemovalSummary& summary, Progress& progress) const;
   void tellPieces(const Toolpath& path, const LeanWork& work, const std::vector<LeanFall>& falls,
                   RemovalSummary& summary) const;
+  struct InSolid {
+    std::size_t solid, body;
+  };
+  bool isOfPiece(std::size_t body, const std::vector<InSolid>& fallen) const;
   Status keepFallen(const std::vector<LeanStretch>& cuts, std::vector<LeanFall>& falls, double tolerance,
                     Progress& progress);
   void setSections(std::vector<PlaneBody> sections);
@@ -97,9 +101,6 @@ class WireStock {
   std::vector<PlaneBody> sections_;  ///< by body, where no wire leaned
   /// Where one did: what all cuts leave, and what there was when pieces fell that others passed over.
   std::vector<LeanSolid> solids_;
-  struct InSolid {
-    std::size_t solid, body;
-  };
   std::vector<InSolid> placed_;  ///< by body, of those
   std::vector<WireBody> bodies_;
 };

@@ -66,6 +66,19 @@ Broken balance(const LawCase& c) {
   return fmt::format("initial {} - removed {} is not final {}", initialOf(c.whole), sum, finalOf(c.whole));
 }
 
+/// The pieces of each clamping are what it left.
+Broken pieces(const LawCase& c) {
+  for (const SetupRun& setup : c.whole.setups) {
+    double sum = 0.0;
+    for (const StockBody& body : setup.bodies) sum += body.volume_mm3;
+    const double left = setup.surface.volume_mm3;
+    if (!setup.bodies.empty() && std::abs(sum - left) > kRounding * initialOf(c.whole))
+      return fmt::format("the {} pieces of setup '{}' have {} mm3 of {}", setup.bodies.size(), setup.name,
+                         sum, left);
+  }
+  return std::nullopt;
+}
+
 /// How far the removed volume may be off, as the run tells.
 double slackOf(const RunResult& run) {
   double stated = 0.0;
@@ -198,6 +211,7 @@ const std::vector<Law>& laws() {
   static const std::vector<Law> kLaws = {
       {"nothing cut, nothing removed", 1, nothingCut},
       {"initial = removed + final", 1, balance},
+      {"final = the sum of the pieces", 1, pieces},
       {"removed never falls", 1, growing},
       {"closed 2-manifold", 1, closed},
       {"the mesh encloses the part", 1, meshVolumes},

@@ -234,13 +234,13 @@ TEST(StockBodies, LargestIsThePartAndHollowsCountAgainstTheirBody) {
   addBox(mesh, {20, 0, 0}, {22, 2, 2}, false);
   addBox(mesh, {0, 0, 0}, {10, 10, 10}, false);
   addBox(mesh, {4, 4, 4}, {6, 6, 6}, true);
-  const std::vector<StockBody> bodies = stockBodies(mesh, analyseTopology(mesh), meshExtent(mesh));
+  const std::vector<StockBody> bodies = stockBodies(mesh, analyseTopology(mesh), meshExtent(mesh), 1000.5);
   ASSERT_EQ(bodies.size(), 2u);
   EXPECT_EQ(bodies[0].role, "part");
-  EXPECT_NEAR(bodies[0].volume_mm3, 992.0, 1e-3);
+  EXPECT_NEAR(bodies[0].volume_mm3, 992.5, 1e-3);  // the mesh encloses 0.5 less than there is
   EXPECT_EQ(bodies[1].role, "loose");
   EXPECT_NEAR(bodies[1].volume_mm3, 8.0, 1e-3);
-  EXPECT_TRUE(stockBodies(TriMesh{}, MeshTopology{}, MeshExtent{}).empty());
+  EXPECT_TRUE(stockBodies(TriMesh{}, MeshTopology{}, MeshExtent{}, 0.0).empty());
 }
 
 }  // namespace

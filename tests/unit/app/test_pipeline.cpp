@@ -44,6 +44,17 @@ TEST(Pipeline, RingHasItsVolumeAndNoFindings) {
   EXPECT_NEAR(removed, 4000.0 - result->surface().volume_mm3, 1e-3);
 }
 
+TEST(Pipeline, ThePartIsTheBlankLessWhatWasRemoved) {
+  Progress progress;
+  const Result<RunResult> result = run(ringJob(), kRing, progress);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  const SetupRun& setup = result->setups.front();
+  ASSERT_EQ(setup.bodies.size(), 1u);
+  const double removed = setup.initial_mm3 - setup.surface.volume_mm3;
+  EXPECT_NEAR(removed + setup.bodies.front().volume_mm3, 4000.0, 4e-6);
+  EXPECT_GT(std::abs(setup.extent.volume_mm3 - setup.bodies.front().volume_mm3), 4e-6);  // its facets
+}
+
 TEST(Pipeline, RapidIntoTheStockIsBlamedOnItsBlock) {
   Progress progress;
   const Result<RunResult> result =

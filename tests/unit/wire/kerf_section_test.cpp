@@ -20,6 +20,12 @@ const std::vector<PlaneLoop> kPlate = {rectangleLoop({-20, -20}, {20, 20})};
 constexpr double kPlateArea = 1600.0;
 const std::vector<Vec2> kSquare = {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}};
 
+TEST(PlaneRegion, PointsAreRoundedAsMeshesHoldThem) {
+  const Vec2 p = asFloat({0.1, 26.123456789});
+  EXPECT_EQ(p.x(), static_cast<double>(0.1f));
+  EXPECT_EQ(p.y(), static_cast<double>(26.123456789f));
+}
+
 TEST(KerfSection, WithoutAWireIsTheBlank) {
   const std::vector<PlaneLoop> tube = {circleLoop({3, 4}, 10, false), circleLoop({3, 4}, 6, true)};
   const std::vector<PlaneBody> bodies = cutSection(tube, {});
