@@ -46,10 +46,15 @@ constexpr double kSecondsPerCarriedCell = 2e-7;   ///< into the next clamping, g
 constexpr double kSecondsPerCutCell = 1.45e-6;    ///< on top of that
 constexpr double kSecondsPerUnevenCell = 1.2e-6;  ///< and where triangles are not merged
 constexpr double kSecondsPerSweptCell = 5e-9;     ///< removal, each motion counted
-/// A column under a chord, by CurveKind.
-constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {1.2e-8, 3e-8, 1e-8, 5e-8};
+/// A column under a chord or a part, by CurveKind.
+constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {1.2e-8, 3e-8,   1e-8,  5e-8,
+                                                                    4.5e-7, 1.7e-6, 3.3e-6};
+/// Of spirals.
+constexpr double kPartsPerTurn = 8.0, kSpiralGrowthMm = 1e-4;
 /// Of helices with tools that are not undercut: the lower turns hold what the upper ones cut.
 constexpr double kTurnsThatCount = 3.0;
+constexpr double kBytesPerUndercutColumn =
+    45.0;                                  ///< under a part of a spiral: what the height map does not show
 constexpr double kBytesPerChord = 1000.0;  ///< a pass, and its numbers in lists
 /// Chords of helices with undercut tools may be farther off: this part of the grid, instead of this, mm.
 constexpr double kHelixChordShare = 1e-3, kChordMm = 5e-5;
@@ -113,12 +118,14 @@ bool reaches(const Box3& blank, const Vec3& a, const Vec3& b, double radius) {
 struct CutterSize {
   Footprint footprint;
   bool undercut = false;  ///< wider below than above somewhere
+  bool closed = false;    ///< has closed forms on lines: a flat or a ball end
 };
 
 std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
   std::map<int, CutterSize> out;
   for (const Tool& tool : tools) {
-    out[tool.number] = {footprintOf(tool), hasNeck(tool.type)};
+    out[tool.number] = {footprintOf(tool), hasNeck(tool.type),
+                        tool.type == ToolType::kFlat || tool.type == ToolType::kBall};
   }
   return out;
 }
@@ -167,11 +174,31 @@ class Strokes {
     std::array<CurveWork, kCurveKinds> curves;
   };
 
+  /// The parts of a spiral of which `segments` of forEachSegment come to the blank.
+  void addSpiral(const Motion& motion, const CutterSize& cutter, double segments, Part& part) const {
+    const double share = segments / segmentsOf(path_, motion);
+    const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(motion.arc)];
+    const double parts = std::max(1.0, share * std::abs(arc.sweep_rad) / (2 * kPi) * kPartsPerTurn);
+    const double reach = cutter.footprint.radius, length = share * path_.length(motion) / parts;
+    const double plan =
+        std::min(kPi * reach * reach + 2 * reach * length, blank_.size().x() * blank_.size().y());
+    const CurveKind kind = motion.from.z() == motion.to.z() ? CurveKind::kLevelSpiral
+                           : cutter.undercut                ? CurveKind::kUndercutSpiral
+                                                            : CurveKind::kSpiral;
+    add(part.curves[static_cast<std::size_t>(kind)], {parts, parts * plan});
+  }
+
   /// The chords of a curve of which `segments` of forEachSegment come to the blank.
   void addChords(const Motion& motion, const CutterSize& cutter, double segments, Part& part) const {
     const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(motion.arc)];
     const bool about_z = arc.normal.head<2>().squaredNorm() < 1e-24;
-    if (segments == 0.0 || (about_z && motion.from.z() == motion.to.z())) return;
+    if (segments == 0.0) return;
+    const double start = (motion.from - arc.center).head<2>().norm(),
+                 end = (motion.to - arc.center).head<2>().norm();
+    const bool spiral = about_z && std::abs(end - start) > kSpiralGrowthMm;
+    if (spiral && (!cutter.closed || motion.from.z() == motion.to.z()))
+      return addSpiral(motion, cutter, segments, part);
+    if (about_z && motion.from.z() == motion.to.z()) return;
     const double radius = std::max((motion.from - arc.center).norm(), kChordMm);
     double angle = std::abs(arc.sweep_rad) * segments / segmentsOf(path_, motion);
     if (about_z && !cutter.undercut) angle = std::min(angle, kTurnsThatCount * 2 * kPi);
@@ -179,7 +206,8 @@ class Strokes {
     const Vec3 size = blank_.size();
     const double reach = cutter.footprint.radius;
     const double plan = std::min(kPi * reach * reach, size.x() * size.y());
-    const CurveKind kind = about_z           ? cutter.undercut ? CurveKind::kUndercutHelix : CurveKind::kHelix
+    const CurveKind kind = about_z && !spiral
+                               ? cutter.undercut ? CurveKind::kUndercutHelix : CurveKind::kHelix
                            : cutter.undercut ? CurveKind::kUndercutOther
                                              : CurveKind::kOther;
     add(part.curves[static_cast<std::size_t>(kind)], {chords, chords * plan});
@@ -336,7 +364,8 @@ double curveBytes(const Workload& work, double resolution_mm) {
   double bytes = 0.0;
   for (int kind = 0; kind < kCurveKinds; ++kind)
     bytes += work.curves[kind].chords * chordShare(kind, resolution_mm) * kBytesPerChord;
-  return bytes;
+  const double undercut = work.curves[static_cast<std::size_t>(CurveKind::kUndercutSpiral)].columns_mm2;
+  return bytes + undercut / (resolution_mm * resolution_mm) * kBytesPerUndercutColumn;
 }
 
 double curveS(const Workload& work, double resolution_mm) {

@@ -18,8 +18,18 @@ struct CurveWork {
   double chords = 0.0;       ///< near the blank, each within 0.05 micrometres of its curve
   double columns_mm2 = 0.0;  ///< sum of what they cover in plan view
 };
-enum class CurveKind { kHelix, kUndercutHelix, kOther, kUndercutOther };  ///< helices: about z
-inline constexpr int kCurveKinds = 4;
+/// Helices: about z; spirals: about z, level or as helices whose radius changes. Of these parts count, not
+/// chords.
+enum class CurveKind {
+  kHelix,
+  kUndercutHelix,
+  kOther,
+  kUndercutOther,
+  kLevelSpiral,
+  kSpiral,
+  kUndercutSpiral
+};
+inline constexpr int kCurveKinds = 7;
 
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {

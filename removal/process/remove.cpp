@@ -196,12 +196,15 @@ bool Remover::addParts(Pass pass, const ToolParts::Part& part, const Motion& m, 
   return true;
 }
 
-/// Parts of a spiral about z, or of a helix whose radius changes. Searched column by column they are slower
-/// than chords on arcs that lean.
+/// Parts of a spiral about z, or of a helix whose radius changes. They are searched column by column, which
+/// is slower than chords on arcs that lean, and where flat and ball ends rise, which have closed forms on
+/// chords.
 bool Remover::addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
   const double sweep = std::abs(arc.sweep_rad);
   if (arc.normal.head<2>().squaredNorm() > 1e-24) return false;
+  const bool level = std::abs(m.to.z() - m.from.z()) < kSameRadiusMm;
+  if (!level && (part.columns.flat || part.columns.ball)) return false;
   if (sweep < kLeastCurve || sweep > 2.0 * kPi * kMostTurns) return false;
   if (way_of_ != pass.motion) table_.ways.push_back(curveWay(m.from, m.to, arc));
   way_of_ = pass.motion;

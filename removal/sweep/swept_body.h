@@ -1,8 +1,8 @@
 // One convex part of a tool on its way along a line, a chord of a curve or a level arc, and all that is asked
 // of the volume that it sweeps there.
 //
-// A curved motion other than a level arc is cut into chords, each of them a body: the kernels of the columns
-// know lines and level arcs alone. The chords of a curve share its exact sweep.
+// A curve that has no parts of its own (column_curve.h, column_way.h) is cut into chords, each of them a
+// body. The parts and chords of a curve share its exact sweep.
 #pragma once
 
 #include <optional>

@@ -41,6 +41,21 @@ std::string helixProgram(int turns) {
                      turns);
 }
 
+/// Wells of three turns that grow from 3 to 6.6, level or on the way down.
+std::string spiralsProgram(bool falling) {
+  std::string text = "T1 M6\nS9000 M3\nG0 X10 Y10\nZ5\n";
+  for (int i = 0; i < 32; ++i) {
+    const int x = 15 + 17 * (i / 4), y = 14 + 22 * (i % 4);
+    fmt::format_to(std::back_inserter(text), "G0 X{} Y{}\nG1 Z-2 F800\n", x + 3, y);
+    for (int k = 0; k < 3; ++k) {
+      const double r = 3.0 + 1.2 * k, z = falling ? -3.0 - k : -2.0;
+      fmt::format_to(std::back_inserter(text), "G3 X{:.1f} Y{} I{:.1f} J0 Z{}\n", x + r + 1.2, y, -r, z);
+    }
+    text += "G0 Z5\n";
+  }
+  return text + "G0 Z50\nM30\n";
+}
+
 /// Holes 6 deep, in rows of 40.
 std::string holesProgram(int holes) {
   std::string text = "T1 M6\nS1000 M3\nG0 X0 Y0\nZ2\n";
@@ -201,6 +216,13 @@ void addMilled(std::vector<PredictedJob>& jobs) {
                   {{"arcs.nc", arcsProgram}},
                   {},
                   milling("arcs.nc", kSlotStock, "1=ball:6", 0.25) + kNoPictures});
+  for (const char* tool : {"1=flat:6", "1=ball:6", "1=bull:6:1", "1=lollipop:6:3"}) {
+    const bool falling = tool[2] != 'f';
+    jobs.push_back({fmt::format("96 turns on {} {}", falling ? "falling spirals" : "spirals", tool + 2),
+                    {{"spirals.nc", [falling] { return spiralsProgram(falling); }}},
+                    {},
+                    milling("spirals.nc", "box:0,0,-20:150,100,0", tool, 0.25) + kNoPictures});
+  }
   jobs.push_back({"1,200 holes, drill",
                   {{"holes.nc", [] { return holesProgram(1200); }}},
                   {},

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/tool/tool_solid.h"
+#include "removal/sweep/column_way.h"
 #include "tests/property/random_moves.h"
 
 namespace proveout {
@@ -102,8 +103,8 @@ TEST_P(SweptBodySurfaces, NormalsAreThoseOfTheSweep) {
 INSTANTIATE_TEST_SUITE_P(Ends, SweptBodySurfaces, ::testing::Values("1=flat:6", "2=ball:6"),
                          [](const auto& param) { return param.index == 0 ? "Flat" : "Ball"; });
 
-/// Parts of helices and of upright arcs: a step along the normal from where a column enters or leaves the
-/// volume leads away from all of the curve, but where another part of it is near.
+/// Parts of helices, of upright arcs and of spirals: a step along the normal from where a column enters or
+/// leaves the volume leads away from all of the curve, but where another part of it is near.
 class CurveSurfaces : public ::testing::TestWithParam<const char*> {
  protected:
   double random(double low, double high) { return moves_.number(low, high); }
@@ -148,10 +149,13 @@ TEST_P(CurveSurfaces, NormalsLeadAwayFromTheCurve) {
   for (const ConvexProfile& profile : makeToolSolid(tool).cutter) {
     const ColumnSolid solid = columnSolid(profile);
     for (int i = 0; i < 300; ++i) {
-      const Curve c = curve(i % 2 == 0);
+      Curve c = curve(i % 3 != 1);
+      if (i % 3 == 2) c.to += random(0.01, 0.5) * (c.to - c.arc.center).cwiseProduct(Vec3(1, 1, 0));
       const Sweep exact(profile, c.from, c.to, &c.arc);
-      for (const ColumnSweep& part : i % 2 == 0 ? columnTurns(solid, c.from, c.to, c.arc)
-                                                : columnUprights(solid, c.from, c.to, c.arc)) {
+      const CurveWay way = curveWay(c.from, c.to, c.arc);
+      for (const ColumnSweep& part : i % 3 == 0   ? columnTurns(solid, c.from, c.to, c.arc)
+                                     : i % 3 == 1 ? columnUprights(solid, c.from, c.to, c.arc)
+                                                  : columnParts(solid, way)) {
         std::array<double, 8> x{}, y{}, lo{}, hi{};
         for (std::size_t k = 0; k < 8; ++k)
           x[k] = c.from.x() + random(-9, 9), y[k] = c.from.y() + random(-9, 9);
