@@ -23,6 +23,7 @@ constexpr double kCrowdCells = 1.5;
 
 struct Cut {
   StockSurface surface;
+  RemovalSummary removal;
   double removed_mm3 = 0.0;
 };
 
@@ -32,14 +33,16 @@ std::optional<Cut> cutByEngine(const SmallProgram& program, double grid_mm) {
   options.threads = 1;
   Progress progress;
   auto stock = Stock::create(program.block, options, progress);
-  if (!stock || !stock->remove(program.path, program.tools, options, progress).ok()) return std::nullopt;
+  if (!stock) return std::nullopt;
+  auto removal = stock->remove(program.path, program.tools, options, progress);
+  if (!removal) return std::nullopt;
   SurfaceOptions fine;
   fine.simplify_mm = 0.0;
   fine.threads = 1;
   auto surface = stock->surface(fine, progress);
   if (!surface) return std::nullopt;
   const double removed_mm3 = stock->initialVolume() - surface->volume_mm3;
-  return Cut{std::move(*surface), removed_mm3};
+  return Cut{std::move(*surface), std::move(*removal), removed_mm3};
 }
 
 std::optional<ReferencePart> cutOnce(const SmallProgram& program, double step_rad) {
@@ -121,8 +124,9 @@ std::optional<Comparison> compareWithReference(const SmallProgram& program, doub
   if (!fine) return std::nullopt;
   Comparison out;
   out.removed_mm3 = cut->removed_mm3;
-  out.told = cut->surface.volume_error_mm3 / cut->removed_mm3;
+  out.told = (cut->surface.volume_error_mm3 + cut->removal.lost_mm3) / cut->removed_mm3;
   out.thin_cells = cut->surface.thin_cells;
+  out.film_mm2 = cut->removal.lost_film_mm2;
   const double removed = volumeOf(program.block) - fine->volume();
   out.more = cut->removed_mm3 / removed - 1.0;
   out.unsure = std::abs(removed - *coarse) / removed / 2.0;
