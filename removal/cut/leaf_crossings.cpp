@@ -138,7 +138,9 @@ LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edg
     bool film = bare[i] != 0;
     for (std::size_t k = beyond[i][0]; film && k < beyond[i][1]; ++k)
       film = bare_beyond[k] != 0 && impl_.blank.overlaps({beyond_[k], beyond_[k]});
-    if (film && lost.edges++ == 0) lost.where = films[i].p;
+    if (!film) continue;
+    if (lost.edges++ == 0) lost.where = films[i].p;
+    lost.parts += LostFilm::kParts / 2;
   }
   return lost;
 }

@@ -12,7 +12,9 @@ namespace proveout {
 
 /// Material that the grid loses in a leaf.
 struct LostFilm {
+  static constexpr int kParts = 48;
   int edges = 0;              ///< grid edges that run through it
+  int parts = 0;              ///< about its volume, in parts of a cell
   Vec3 where = Vec3::Zero();  ///< on the first of them, mm
 };
 
@@ -29,7 +31,7 @@ class CrossingFinder {
                              const std::vector<Crossing>& before, std::span<const Reach> list);
 
   /// Material that the grid loses: edges whose old crossing is gone although no pass in `list` took the
-  /// material next to it. What is left there is thinner than a cell.
+  /// material next to it. What is left there is thinner than a cell, and counts as half of one.
   LostFilm findLost(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before,
                     std::span<const Reach> list);
 

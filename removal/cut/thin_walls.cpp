@@ -15,7 +15,7 @@ constexpr int kSomeWeight = 8;
 bool isAsked(const Coord& origin) { return ((origin.x() ^ origin.y() ^ origin.z()) & 8) == 0; }
 
 /// Points that an edge is asked at: thinner walls are not spoken of.
-constexpr int kPoints = 48;
+constexpr int kPoints = LostFilm::kParts;
 constexpr std::size_t kBatch = kMaxColumns / 2;
 
 /// Bits whose neighbour towards -y or +y, -x or +x is set.
@@ -230,6 +230,7 @@ void ThinWallFinder::askPoints(const Stack& stack, LostFilm& lost) {
       lost.where[stack.axis] += along(std::countr_zero(bare[z]));
     }
     lost.edges += stack.weight;
+    lost.parts += stack.weight * std::popcount(bare[z]);
   }
 }
 

@@ -106,6 +106,8 @@ struct RemovalSummary {
   /// Stock left thinner than a grid cell, which the grid cannot hold: about its area (0: none) and one place.
   double lost_film_mm2 = 0.0;
   Vec3 lost_film_at = Vec3::Zero();
+  /// About its volume: so much more may be counted as removed than was. In no StockVolume::error_mm3.
+  double lost_mm3 = 0.0;
   std::vector<NarrowCut> narrow_cuts;     ///< by number of the tool
   std::vector<ThreadingFault> threading;  ///< in program order
   std::vector<FallenPiece> fallen;        ///< in the order of their fall

@@ -31,11 +31,13 @@ double removedVolume(const RemovalSummary& removal, double initial_mm3, double b
 
 /// By how much what a path took may be off, mm3, by the errors of both integrals; faces that no tool reached
 /// are as wrong before as after. A cut of less than a cell may lie where no crossing shows it, and its error
-/// then neither: integral and columns have met it in places of their own, and differ by what they missed.
+/// then neither: integral and columns have met it in places of their own, and differ by what they missed. No
+/// crossing shows what the grid loses either.
 double removedError(const RemovalSummary& removal, double removed_mm3, double of_integrals_mm3,
                     double cell_mm3) {
-  if (removed_mm3 >= cell_mm3) return of_integrals_mm3;
-  return std::max(of_integrals_mm3, std::abs(removed_mm3 - countedVolume(removal)));
+  const double told = of_integrals_mm3 + removal.lost_mm3;
+  if (removed_mm3 >= cell_mm3) return told;
+  return std::max(told, std::abs(removed_mm3 - countedVolume(removal)));
 }
 
 /// What an earlier clamping made has numbers of its own path.

@@ -451,12 +451,15 @@ void Remover::addLost(RemovalSummary& out) const {
   const auto before = [](const Vec3& a, const Vec3& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
   };
-  std::uint64_t edges = 0;
+  std::uint64_t edges = 0, parts = 0;
   for (const LostFilm& lost : lost_) {
     if (edges == 0 || before(lost.where, out.lost_film_at)) out.lost_film_at = lost.where;
     edges += static_cast<std::uint64_t>(lost.edges);
+    parts += static_cast<std::uint64_t>(lost.parts);
   }
-  out.lost_film_mm2 = static_cast<double>(edges) * impl_.h * impl_.h;
+  const double area = impl_.h * impl_.h;
+  out.lost_film_mm2 = static_cast<double>(edges) * area;
+  out.lost_mm3 = static_cast<double>(parts) / LostFilm::kParts * area * impl_.h;
 }
 
 /// What goes through between the samples leaves crossings alone: each counts for the motion that made it.

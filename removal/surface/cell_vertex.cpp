@@ -136,7 +136,12 @@ CellVertex smoothVertex(std::span<const SheetPoint> points, const Vec3& mean, co
   // The surface bows out of the cell between its crossings.
   out.inside = out.p;
   out.outside = refiner->toSurface(n, kOutsideSlack, out.p);
-  if (!out.outside) out.p = out.inside;
+  if (!out.outside) {
+    Vec3 onto = out.inside;
+    refiner->ontoNearest(n, onto);
+    if (outsideBy(onto) <= -kWallGap) out.inside = onto;
+    out.p = out.inside;
+  }
   return out;
 }
 
@@ -259,8 +264,10 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   Vec3 x = creaseNear(faces, mean);
   const bool refine = refiner != nullptr && refiner->needed(false);
   if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
-  if (refine && outsideBy(x) <= kVertexReach && !refiner->toCrease(x) && one_face) {
-    return smoothVertex(points, mean, sum, refiner);  // beside an apex, where a face turns as if it broke
+  if (refine && outsideBy(x) <= kVertexReach && !refiner->toCrease(x)) {
+    // Beside an apex, where a face turns as if it broke; or where faces of several bodies do not break.
+    if (one_face) return smoothVertex(points, mean, sum, refiner);
+    refiner->ontoNearest(sum.normalized(), x);
   }
   return creaseVertex(faces, mean, sum, refiner, x);
 }

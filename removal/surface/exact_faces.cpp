@@ -92,6 +92,14 @@ ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
   return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
 }
 
+bool ExactFaces::isRounded(std::int64_t body) const {
+  if (blank_ != nullptr || body <= kNoBody) return false;
+  const ConvexProfile& profile = record_->table.passes[static_cast<std::size_t>(body)].body.profile();
+  bool arc = false;
+  for (int i = 0; i < profile.elementCount(); ++i) arc = arc || profile.element(i).arc;
+  return arc;
+}
+
 double ExactFaces::blankValue(const Vec3& q) const { return blank_->value(corner_ + h_ * q) / h_; }
 
 bool ExactFaces::isReachedByOthers(std::int64_t body, const Vec3& q) {

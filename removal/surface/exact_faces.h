@@ -47,6 +47,9 @@ class ExactFaces {
   /// The point of the body nearest to `q` (in units of the cell), which should lie outside of the body: exact
   /// there.
   Foot foot(std::int64_t body, const Vec3& q);
+  /// Whether a pass made it with a tool that is round somewhere, so that its faces may go over into each
+  /// other.
+  bool isRounded(std::int64_t body) const;
   /// The surface is the blank's own.
   bool ofBlank() const { return blank_ != nullptr; }
   /// Signed value of the blank at `q` (in units of the cell), below 0 in the material. Requires ofBlank.

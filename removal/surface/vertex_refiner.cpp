@@ -17,6 +17,13 @@ constexpr double kLookFrom = 0.25;
 /// leaves the step's square then.
 constexpr double kMostMoved = 0.35, kRest = 0.01;
 constexpr int kNewtonRounds = 8;
+/// A place at which tangent planes meet where faces go over into each other smoothly is off them by less.
+constexpr double kLittleMoved = 0.1;
+/// So far off tangent planes a place between them is on none of their faces.
+constexpr double kBetween = 4e-3;
+/// A face that goes over into another turns by less than 26 degrees from where they are crossed. An edge is
+/// seen at a larger angle.
+constexpr double kGoesOver = 0.9;
 /// The rules on crossings are good to 2e-3 cells for any face whose normals differ by less than this (1
 /// degree).
 constexpr double kFlatSpread = 0.02;
@@ -205,8 +212,12 @@ bool VertexRefiner::ontoFaces(Vec3& x) {
     const Vec3 step = meetPlanes({planes.data(), faces_.size()});
     if (!(step.squaredNorm() < 1.0)) return false;
     x += step;
-    // Where a face ends, another part of its body is seen, farther off.
-    if (step.squaredNorm() < kRest * kRest) return farthest < kSeenAt;
+    if (step.squaredNorm() >= kRest * kRest) continue;
+    double between = 0.0;  // faces that meet in no line
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      between = std::max(between, std::abs(planes[i].n.dot(step) - planes[i].d));
+    if (between > kBetween) ontoNearest(meanNormal(), x);
+    return farthest < kSeenAt;  // where a face ends, another part of its body is seen, farther off
   }
   return false;
 }
@@ -268,8 +279,9 @@ bool VertexRefiner::toCrease(Vec3& x) {
   return true;
 }
 
-/// The tangent plane of the body that is nearest to the material at `x`: the surface of them all.
-bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Plane& plane) {
+/// The tangent plane of the body that is nearest to the material at `x`: the surface of them all. False where
+/// it is of a face that may not be seen.
+bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Seen seen, Plane& plane) {
   double least = std::numeric_limits<double>::infinity();
   const Vec3 from = x - kLookFrom * n;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
@@ -281,21 +293,38 @@ bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Plane& plane) {
       }
       continue;
     }
-    bool seen = false;
-    for (std::size_t j = 0; j < i; ++j) seen = seen || body_[j] == body_[i];
-    if (seen) continue;
+    bool done = false;
+    for (std::size_t j = 0; j < i; ++j) done = done || body_[j] == body_[i];
+    if (done) continue;
     const ExactFaces::Foot foot = exact_.foot(body_[i], from);
     const double distance = (foot.p - from).dot(foot.normal);
     if (distance >= least) continue;
     bool known = false;  // else another body goes on where this face ends
     for (std::size_t j = i; j < faces_.size(); ++j) {
-      known = known || (body_[j] == body_[i] && ExactFaces::isOf(foot, faces_[j].id));
+      if (body_[j] != body_[i]) continue;
+      known = known || (seen == Seen::kSmoothFaces ? foot.normal.dot(faces_[j].normal) > kGoesOver
+                                                   : ExactFaces::isOf(foot, faces_[j].id));
     }
     if (!known) return false;
     least = distance;
     plane = {foot.normal, foot.normal.dot(foot.p - x)};
   }
   return plane.n.dot(n) > kSameFacing;
+}
+
+void VertexRefiner::ontoNearest(const Vec3& n, Vec3& x) {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    // Between others may be a step, whose sides tell nothing of each other.
+    if (!exact_.isRounded(body_[i])) return;
+  }
+  Vec3 at = x;
+  Plane plane;
+  for (int round = 0; round < kNewtonRounds; ++round) {
+    if (!nearestPlane(n, at, Seen::kSmoothFaces, plane)) return;
+    at += plane.n * plane.d;
+    if (std::abs(plane.d) < kOnSurface) break;
+  }
+  if ((at - x).squaredNorm() < kLittleMoved * kLittleMoved && std::abs(plane.d) < kOnSurface) x = at;
 }
 
 void VertexRefiner::toBlank(const Vec3& n, double reach, Vec3& x) const {
@@ -323,7 +352,7 @@ bool VertexRefiner::toSurface(const Vec3& n, double beyond, Vec3& x) {
   Vec3 at = x;
   Plane plane;
   for (int round = 0; round < kNewtonRounds; ++round) {
-    if (!nearestPlane(n, at, plane)) return false;
+    if (!nearestPlane(n, at, Seen::kKnownFaces, plane)) return false;
     Vec3 way = plane.n * (plane.d < 0.0 ? -1.0 : 1.0);
     for (int k = 0; k < 3; ++k) {  // not through the walls that it lies at
       if ((at[k] <= low && way[k] < 0.0) || (at[k] >= high && way[k] > 0.0)) way[k] = 0.0;
@@ -339,7 +368,7 @@ bool VertexRefiner::toSurface(const Vec3& n, double beyond, Vec3& x) {
   if ((at - x).squaredNorm() >= kMostMoved * kMostMoved) return false;
   x = at;
   const bool held = at.minCoeff() <= low || at.maxCoeff() >= high;
-  return !held || (nearestPlane(n, at, plane) && std::abs(plane.d) < kOnSurface);
+  return !held || (nearestPlane(n, at, Seen::kKnownFaces, plane) && std::abs(plane.d) < kOnSurface);
 }
 
 }  // namespace proveout

@@ -29,6 +29,9 @@ class VertexRefiner {
   /// Moves `x` in the cell onto the smooth surface, without leaving the cell by more than `beyond`. `n`: out
   /// of the material. False if it is not on the surface then.
   bool toSurface(const Vec3& n, double beyond, Vec3& x);
+  /// Moves `x`, where neither of the two above holds, by a little onto the surface of its faces' bodies, also
+  /// where it is of a face that no crossing shows: one that another goes over into smoothly. `n`: as above.
+  void ontoNearest(const Vec3& n, Vec3& x);
   /// Moves `x` in the cell onto the blank's surface along `n`, out of the material, by `reach` at most and
   /// without leaving a wall that it lies at. It stays where the surface is not near or the surface is not the
   /// blank's.
@@ -49,7 +52,8 @@ class VertexRefiner {
   bool planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off);
   bool isBetweenFaces(const Vec3& x);
   bool isSharp(const Vec3& n, const Vec3& across, const Vec3& x);
-  bool nearestPlane(const Vec3& n, const Vec3& x, Plane& plane);
+  enum class Seen : std::uint8_t { kKnownFaces, kSmoothFaces };
+  bool nearestPlane(const Vec3& n, const Vec3& x, Seen seen, Plane& plane);
 
   ExactFaces& exact_;
   std::span<const CellFace> faces_;

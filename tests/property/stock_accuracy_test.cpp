@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/geometry/plane.h"
 #include "removal/grid/stock.h"
 #include "tests/property/accuracy_cases.h"
 
@@ -262,6 +263,43 @@ TEST(StockAccuracy, DrillTipsAreSharpAndNothingBesideThemIsOff) {
   EXPECT_LE(face, kFaceVertexMm);
   EXPECT_LE(near_tip, kEdgeVertexMm);
   EXPECT_LE(blunt, kEdgeMm);
+}
+
+/// Signed distance to a bull nose (radius, of its corner) that goes level along a way, its tip at height 0.
+double bullDistance(double radius, double corner, double beside, double z) {
+  const Vec2 out(std::max(beside - (radius - corner), 0.0), std::max(corner - z, 0.0));
+  return out.isZero() ? std::max(beside - radius, -z) : out.norm() - corner;
+}
+
+/// A bull nose goes down and on in two directions: cells in which floors and corners of several motions go
+/// over into each other without a break.
+TEST(StockAccuracy, VerticesAreOnFacesThatGoOverIntoEachOther) {
+  constexpr double kRadius = 3.5, kCorner = 1.45;
+  double worst = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    const double turn = 0.3 * i, z = -3.0 - 0.0137 * i;
+    const std::vector<Vec3> at = {{12, 12, 2},
+                                  {12, 12, z},
+                                  {12 + 6 * std::cos(turn), 12 + 6 * std::sin(turn), z},
+                                  {12 + 5 * std::cos(2.7 * turn), 12 + 5 * std::sin(2.7 * turn), z}};
+    Case c;
+    c.blank = BoxShape{{0, 0, -6}, {24, 24, 0}};
+    c.tool = "1=bull:7:1.45";
+    c.path = linePath(at);
+    for (const auto& position : cutCase(c, 0.25).surface.mesh.positions) {
+      const Vec3 p = position.cast<double>();
+      if (p.z() < z - 0.01 || p.z() > -0.3) continue;  // the block's own
+      double least = 1e300;
+      for (std::size_t k = 1; k < at.size(); ++k) {
+        const Vec2 from = at[k == 1 ? 1 : k - 1].head<2>(), to = at[k].head<2>();
+        least = std::min(least,
+                         bullDistance(kRadius, kCorner, distanceToSegment(p.head<2>(), from, to), p.z() - z));
+      }
+      if (least < 1.0) worst = std::max(worst, std::abs(least));
+    }
+  }
+  std::printf("faces that go over into each other: vertices %.2f um off\n", 1e3 * worst);
+  EXPECT_LE(worst, kFaceVertexMm);
 }
 
 /// The reference volumes themselves, where a simple formula exists beside the integral.

@@ -13,6 +13,7 @@ struct Comparison {
   double removed_mm3 = 0.0;    ///< by the engine
   double told = 0.0;           ///< by how much it may be off, as the engine tells
   std::size_t thin_cells = 0;  ///< of the engine: where walls are thinner than its grid
+  double film_mm2 = 0.0;       ///< of walls that it tells to have lost
   double more = 0.0;           ///< removed by the engine than by the reference
   double unsure = 0.0;         ///< between the reference and one of facets twice as large
   /// Where edges of the reference are nearer to each other than the grid can tell, nothing is compared.

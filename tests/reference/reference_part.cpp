@@ -65,6 +65,15 @@ Mesh toMesh(const Polyhedron& solid) {
   return out;
 }
 
+Vec3 normalOf(const Mesh& mesh, Mesh::Face_index f) {
+  const auto h = mesh.halfedge(f);
+  const auto &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+             &c = mesh.point(mesh.target(mesh.next(h)));
+  const Exact::Vector_3 n = CGAL::cross_product(b - a, c - a);
+  n.exact();  // digits that cancel are there still
+  return Vec3(CGAL::to_double(n.x()), CGAL::to_double(n.y()), CGAL::to_double(n.z())).normalized();
+}
+
 Polyhedron boxOf(const BoxShape& b) {
   Polyhedron out;
   for (int i = 0; i < 8; ++i) {
@@ -114,9 +123,11 @@ std::vector<ReferencePart::Facet> ReferencePart::facets() const {
     Facet facet;
     auto h = mesh.halfedge(f);
     for (int i = 0; i < 3; ++i, h = mesh.next(h)) {
+      facet.vertices[i] = static_cast<int>(mesh.source(h));
       facet.corners[i] = rounded(mesh.point(mesh.source(h)));
       facet.beside[i] = static_cast<int>(mesh.face(mesh.opposite(h)));
     }
+    facet.normal = normalOf(mesh, f);
     out.push_back(facet);
   }
   return out;

@@ -23,7 +23,9 @@ class ReferencePart {
 
   struct Facet {
     std::array<Vec3, 3> corners;
+    std::array<int, 3> vertices;
     std::array<int, 3> beside;  ///< facet behind the edge from corner i to the next
+    Vec3 normal;                ///< unit, exact but for its last digits however thin the facet is
   };
   std::vector<Facet> facets() const;
 

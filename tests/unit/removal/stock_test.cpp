@@ -109,6 +109,10 @@ TEST(LostFilm, FloorThinnerThanACellIsReported) {
   const Cut c = cut(kBlank, p.path(), {tool("1=flat:6")}, 1.0);  // 0.3 mm are left on a grid of 1 mm
   EXPECT_NEAR(c.summary.lost_film_mm2, 40 * 6, 0.2 * 40 * 6);
   EXPECT_NEAR(c.summary.lost_film_at.z(), -20.0, 0.05);
+  const double more = c.initial - c.volume - 40 * 6 * 19.7;  // is removed than was: the floor
+  EXPECT_NEAR(more, 40 * 6 * 0.3, 1.0);
+  EXPECT_GT(c.summary.lost_mm3, more);
+  EXPECT_LT(c.summary.lost_mm3, 2.0 * more);
 }
 
 TEST(LostFilm, NothingIsLostWhereTheGridHoldsEverything) {
