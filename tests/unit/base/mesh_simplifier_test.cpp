@@ -129,7 +129,7 @@ TEST(MeshSimplifier, BarHasLongStrips) {
   simplify(mesh, 0.02);
   // A perfect one has 36 chords of 0.02 mm around, 140 triangles; the bound adds up what each step may have
   // moved.
-  EXPECT_LT(mesh.triangles.size(), 600u) << "of " << before;
+  EXPECT_LT(mesh.triangles.size(), 450u) << "of " << before;
 }
 
 struct Shape {
