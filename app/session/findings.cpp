@@ -297,9 +297,10 @@ void addMeshDefects(const MeshTopology& topology, const StockSurface& surface,
   if (surface.self_intersections > 0) {
     Finding finding(FindingKind::kMesh);
     finding.severity = Severity::kWarning;
-    finding.message =
-        fmt::format("{} pairs of the mesh's triangles run through each other; take another resolution",
-                    surface.self_intersections);
+    finding.message = fmt::format(
+        "{} pairs of the mesh's triangles run through each other; another resolution of the grid, or "
+        "profile_resolution, may part them",
+        surface.self_intersections);
     findings.push_back(std::move(finding));
   }
   if (topology.closedManifold()) return;
