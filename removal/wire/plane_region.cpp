@@ -38,12 +38,7 @@ bool goesBack(const Vec2& a, const Vec2& p, const Vec2& b) {
 
 }  // namespace
 
-Vec2 asFloat(const Vec2& p) {
-  // By way of memory: GCC 12.2 takes two doubles that become floats and doubles again side by side for what
-  // they were, and leaves out both steps.
-  const volatile float x = static_cast<float>(p.x()), y = static_cast<float>(p.y());
-  return {static_cast<double>(x), static_cast<double>(y)};
-}
+Vec2 asFloat(const Vec2& p) { return p.cast<float>().cast<double>(); }
 
 double meshStep(const Vec2& p) {
   constexpr float kSteps = 4.0f;
