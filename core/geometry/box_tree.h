@@ -57,6 +57,12 @@ class BoxTree {
   /// Calls visit(place) for each place in order() whose leaf touches the box.
   template <typename Visit>
   void forEachPlace(const Box3& box, const Visit& visit) const {
+    forEachPlaceWhere([&box](const Node& node, int side) { return node.overlaps(side, box); }, visit);
+  }
+
+  /// The same below children for which reaches(node, side) is true, as it has to be for theirs.
+  template <typename Reaches, typename Visit>
+  void forEachPlaceWhere(const Reaches& reaches, const Visit& visit) const {
     std::array<std::uint32_t, kStack> stack;
     int size = 0;
     stack[size++] = root_;
@@ -68,7 +74,7 @@ class BoxTree {
       }
       const Node& node = nodes_[at];
       for (int side = 0; side < 2; ++side) {
-        if (node.overlaps(side, box)) stack[size++] = node.child[side];
+        if (reaches(node, side)) stack[size++] = node.child[side];
       }
     }
   }

@@ -199,26 +199,16 @@ double TriangleTree::windingNumber(const Vec3& p) const {
 std::optional<int> TriangleTree::crossingsAlong(const Vec3& p, const Vec3& direction) const {
   const Vec3 inverse = direction.cwiseInverse();
   int sum = 0;
-  std::array<std::uint32_t, BoxTree::kStack> stack;
-  int size = 0;
-  stack[size++] = boxes_.root();
-  while (size > 0) {
-    const std::uint32_t at = stack[--size];
-    if (!BoxTree::isLeaf(at)) {
-      const BoxTree::Node& node = boxes_.nodes()[at];
-      for (int side = 0; side < 2; ++side) {
-        if (rayMeets(node, side, p, inverse)) stack[size++] = node.child[side];
-      }
-      continue;
-    }
-    for (std::uint32_t i = BoxTree::leafBegin(at); i < BoxTree::leafEnd(at); ++i) {
-      const Corners& t = corners_[i];
-      const std::optional<int> one = crossing(direction, t.a - p, t.b - p, t.c - p);
-      if (!one) return std::nullopt;
-      sum += *one;
-    }
-  }
-  return sum;
+  bool sure = true;
+  boxes_.forEachPlaceWhere(
+      [&](const BoxTree::Node& node, int side) { return sure && rayMeets(node, side, p, inverse); },
+      [&](std::uint32_t place) {
+        const Corners& t = corners_[place];
+        const std::optional<int> one = crossing(direction, t.a - p, t.b - p, t.c - p);
+        sure = sure && one;
+        sum += one.value_or(0);
+      });
+  return sure ? std::optional(sum) : std::nullopt;
 }
 
 std::optional<int> TriangleTree::crossings(const Vec3& p) const {

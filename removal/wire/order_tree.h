@@ -6,24 +6,24 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/geometry/types.h"
+
 namespace proveout {
 
-/// `Span` says where a thing is: default is nowhere, `add` widens it by another, `touches` tells whether two
-/// are in reach of each other.
-template <typename Span>
 class OrderTree {
  public:
-  explicit OrderTree(std::vector<Span> things) {
+  /// Takes the boxes of the things.
+  explicit OrderTree(std::vector<Box3> things) {
     levels_.push_back(std::move(things));
     while (levels_.back().size() > 1) {
-      const std::vector<Span>& below = levels_.back();
-      std::vector<Span> level((below.size() + kGroup - 1) / kGroup);
-      for (std::size_t i = 0; i < below.size(); ++i) level[i / kGroup].add(below[i]);
+      const std::vector<Box3>& below = levels_.back();
+      std::vector<Box3> level((below.size() + kGroup - 1) / kGroup);
+      for (std::size_t i = 0; i < below.size(); ++i) level[i / kGroup].extend(below[i]);
       levels_.push_back(std::move(level));
     }
   }
 
-  /// Calls visit(i, k), i not above k, for each thing with itself and each two whose spans touch.
+  /// Calls visit(i, k), i not above k, for each thing with itself and each two whose boxes overlap.
   template <typename Visit>
   void eachPair(const Visit& visit) const {
     if (!levels_.front().empty()) compare(levels_.size() - 1, 0, 0, visit);
@@ -38,18 +38,18 @@ class OrderTree {
       visit(a, b);
       return;
     }
-    const std::vector<Span>& below = levels_[level - 1];
+    const std::vector<Box3>& below = levels_[level - 1];
     const std::size_t end_a = std::min(below.size(), (a + 1) * kGroup),
                       end_b = std::min(below.size(), (b + 1) * kGroup);
     for (std::size_t i = a * kGroup; i < end_a; ++i) {
-      if (!below[i].touches(levels_[level][b])) continue;
+      if (!below[i].overlaps(levels_[level][b])) continue;
       for (std::size_t k = a == b ? i : b * kGroup; k < end_b; ++k) {
-        if (below[i].touches(below[k])) compare(level - 1, i, k, visit);
+        if (below[i].overlaps(below[k])) compare(level - 1, i, k, visit);
       }
     }
   }
 
-  std::vector<std::vector<Span>> levels_;  ///< of things; of groups of the level below; ...; one at the top
+  std::vector<std::vector<Box3>> levels_;  ///< of things; of groups of the level below; ...; one at the top
 };
 
 }  // namespace proveout

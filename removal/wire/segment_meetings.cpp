@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "core/geometry/plane.h"
 #include "removal/wire/order_tree.h"
@@ -36,33 +36,15 @@ bool meet(const PlaneSegment& s, const PlaneSegment& t) {
          turn(t.from, t.to, s.from) * turn(t.from, t.to, s.to) <= 0.0;
 }
 
-struct Span {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
-
-  void add(const Vec2& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  void add(const Span& other) {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
-  }
-  bool touches(const Span& other) const {
-    return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() &&
-           other.low.y() <= high.y();
-  }
-};
-
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> meetingSegments(const std::vector<PlaneSegment>& segments) {
-  std::vector<Span> spans(segments.size());
+  std::vector<Box3> boxes(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    spans[i].add(segments[i].from);
-    spans[i].add(segments[i].to);
+    for (const Vec2& p : {segments[i].from, segments[i].to}) boxes[i].extend(Vec3(p.x(), p.y(), 0.0));
   }
   std::vector<std::array<std::uint32_t, 2>> found;
-  OrderTree<Span>(std::move(spans)).eachPair([&](std::size_t i, std::size_t k) {
+  OrderTree(std::move(boxes)).eachPair([&](std::size_t i, std::size_t k) {
     if (i != k && meet(segments[i], segments[k]))
       found.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)});
   });

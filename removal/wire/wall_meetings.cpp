@@ -32,14 +32,6 @@ struct Interval {
   bool touches(const Interval& other) const { return low <= other.high && other.low <= high; }
 };
 
-/// Where a strip is: a box along the axes and one along itself.
-struct StripSpan {
-  Box3 box;
-
-  void add(const StripSpan& other) { box.extend(other.box); }
-  bool touches(const StripSpan& other) const { return box.overlaps(other.box); }
-};
-
 /// A box along a strip: its way from the first triangle to the last, its normal, and across both. Walls
 /// beside each other that lean far have boxes along the axes that all overlap.
 struct StripBox {
@@ -67,14 +59,14 @@ class WallSearch {
   WallSearch(const TriMesh& mesh, std::vector<std::uint32_t> walls) : mesh_(mesh), walls_(std::move(walls)) {
     const std::size_t strips = (walls_.size() + kStrip - 1) / kStrip;
     boxes_.resize(strips);
-    std::vector<StripSpan> spans(strips);
+    std::vector<Box3> bounds(strips);
     parallelFor(std::size_t{0}, strips, [&](std::size_t i) {
       boxes_[i] = boxOf(stripAt(i));
       for (const std::uint32_t t : stripAt(i)) {
-        for (const Vec3& p : cornersOf(mesh_, t)) spans[i].box.extend(p);
+        for (const Vec3& p : cornersOf(mesh_, t)) bounds[i].extend(p);
       }
     });
-    OrderTree<StripSpan>(std::move(spans)).eachPair([&](std::size_t i, std::size_t k) {
+    OrderTree(std::move(bounds)).eachPair([&](std::size_t i, std::size_t k) {
       if (i == k || !(boxes_[i].apartFrom(boxes_[k]) || boxes_[k].apartFrom(boxes_[i])))
         pairs_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)});
     });
