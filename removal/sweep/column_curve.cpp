@@ -147,9 +147,6 @@ class Least {
   struct Radial {
     double r, slope, bend;
   };
-  struct Boundary {
-    double value, slope;
-  };
 
   double radial(double v) const { return std::sqrt(p2_ + k2_ * v * v); }
   Radial radialBend(double v) const {
@@ -157,19 +154,8 @@ class Least {
     if (r == 0.0) return {0.0, std::sqrt(k2_), 0.0};
     return {r, k2_ * v / r, k2_ * p2_ / (r * r * r)};
   }
-  Boundary foot(double r) const {
-    const double at = std::clamp(r, piece_->ra, piece_->rb);
-    if (piece_->kind != PieceKind::kArc)
-      return {piece_->za + piece_->slope * (at - piece_->ra), piece_->slope};
-    const double d = at - piece_->rc, q = root(piece_->radius * piece_->radius - d * d);
-    return {piece_->zc - q, d == 0.0 ? 0.0 : d / q};
-  }
-  double bendOfFoot(double r) const {
-    if (piece_->kind != PieceKind::kArc) return 0.0;
-    const double d = std::clamp(r, piece_->ra, piece_->rb) - piece_->rc;
-    const double radius2 = piece_->radius * piece_->radius, q = root(radius2 - d * d);
-    return radius2 / (q * q * q);
-  }
+  BoundaryPlace foot(double r) const { return boundaryAt(*piece_, r); }
+  double bendOfFoot(double r) const { return boundaryBend(*piece_, r); }
   void offer(double v, double value) {
     if (value < best_.value) best_ = {value, way_ * v};
   }
@@ -177,7 +163,7 @@ class Least {
   double value(double v) const { return foot(radial(v)).value + height_.value(v); }
   Place place(double v) const {
     const double r = radial(v), slope = r == 0.0 ? std::sqrt(k2_) : k2_ * v / r;
-    const Boundary b = foot(r);
+    const BoundaryPlace b = foot(r);
     return {v, b.value, slope == 0.0 ? 0.0 : b.slope * slope, height_.value(v), height_.slope(v)};
   }
   double footBend(double v) const {

@@ -13,6 +13,25 @@ inline constexpr double kNothing = std::numeric_limits<double>::infinity();
 
 inline double root(double a) { return std::sqrt(std::max(a, 0.0)); }
 
+/// Height of a boundary's piece and its slope, at r or at the nearest place that the piece has.
+struct BoundaryPlace {
+  double value, slope;
+};
+inline BoundaryPlace boundaryAt(const ColumnBoundary::Piece& piece, double r) {
+  const double at = std::clamp(r, piece.ra, piece.rb);
+  if (piece.kind != ColumnBoundary::Kind::kArc)
+    return {piece.za + piece.slope * (at - piece.ra), piece.slope};
+  const double d = at - piece.rc, q = root(piece.radius * piece.radius - d * d);
+  return {piece.zc - q, d == 0.0 ? 0.0 : d / q};
+}
+/// Its second derivative there.
+inline double boundaryBend(const ColumnBoundary::Piece& piece, double r) {
+  if (piece.kind != ColumnBoundary::Kind::kArc) return 0.0;
+  const double d = std::clamp(r, piece.ra, piece.rb) - piece.rc;
+  const double radius2 = piece.radius * piece.radius, q = root(radius2 - d * d);
+  return radius2 / (q * q * q);
+}
+
 /// A least value and the place that has it.
 struct Lowest {
   double value = kNothing, u = 0.0;

@@ -43,10 +43,6 @@ void setBounds(CurveWay& w) {
   w.height4 = upright * (r + 4.0 * g);
 }
 
-}  // namespace
-
-namespace {
-
 CurveWay::Node nodeAt(const CurveWay& w, double rad, double c, double s) {
   const double r = w.radius + w.growth * rad;
   const Vec3 out = c * w.u + s * w.v, on = c * w.v - s * w.u;

@@ -237,23 +237,8 @@ class WayLeast {
     if (p.value() < best_.value) best_ = {p.value(), near_ + way_ * p.t};
   }
 
-  double slopeOfFoot(double d) const {
-    if (piece_->kind != PieceKind::kArc) return piece_->slope;
-    const double in = std::clamp(d, piece_->ra, piece_->rb) - piece_->rc;
-    return in == 0.0 ? 0.0 : in / root(piece_->radius * piece_->radius - in * in);
-  }
-  double bendOfFoot(double d) const {
-    if (piece_->kind != PieceKind::kArc) return 0.0;
-    const double in = std::clamp(d, piece_->ra, piece_->rb) - piece_->rc;
-    const double r2 = piece_->radius * piece_->radius, q = root(r2 - in * in);
-    return r2 / (q * q * q);
-  }
-  double foot(double d) const {
-    const double at = std::clamp(d, piece_->ra, piece_->rb);
-    if (piece_->kind != PieceKind::kArc) return piece_->za + piece_->slope * (at - piece_->ra);
-    const double in = at - piece_->rc;
-    return piece_->zc - root(piece_->radius * piece_->radius - in * in);
-  }
+  double slopeOfFoot(double d) const { return boundaryAt(*piece_, d).slope; }
+  double bendOfFoot(double d) const { return boundaryBend(*piece_, d); }
 
   Place place(const Seen& s) const {
     Place p{};
@@ -262,9 +247,9 @@ class WayLeast {
     p.e1 = way_ * s.e1, p.e2 = s.e2;
     // Over the axis the way leaves the column at its speed.
     p.d1 = p.d > kRootMm ? 0.5 * p.e1 / p.d : root(0.5 * s.e2);
-    p.foot = foot(p.d);
-    const double steep = slopeOfFoot(p.d);
-    p.foot1 = steep == 0.0 || p.d1 == 0.0 ? 0.0 : steep * p.d1;
+    const BoundaryPlace foot = boundaryAt(*piece_, p.d);
+    p.foot = foot.value;
+    p.foot1 = foot.slope == 0.0 || p.d1 == 0.0 ? 0.0 : foot.slope * p.d1;
     p.z = side_ * s.z, p.z1 = side_ * way_ * s.z1, p.z2 = side_ * s.z2;
     return p;
   }
