@@ -130,12 +130,6 @@ ErrorTerm simplifyTerm(double bound_mm) {
                          : "the mesh is not simplified"};
 }
 
-/// Spacing that the mesh was made with: of the grid, or of the profile of a part that was only turned.
-double meshResolution(const RunResult& run) {
-  const SetupRun& last = run.setups.back();
-  return last.facet_error_mm > 0.0 ? last.job.simulation.profile_resolution_mm : run.resolution_mm;
-}
-
 std::string facetsText(const SetupRun& setup) {
   if (setup.turned) {
     return fmt::format("the mesh stays within {:g} mm, around and along the section or the thread, each",
@@ -156,7 +150,7 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
         {"section", kSectionChordMm,
          "the half section is made of chords within 0.0001 mm of its arcs, rounded to nanometres"});
   }
-  if (run.setups.back().facet_error_mm > 0.0) {
+  if (run.isOfFacets()) {
     terms.push_back({"facets", grid, facetsText(run.setups.back())});
   } else {
     terms.push_back(gridTerm(run, grid));
@@ -274,7 +268,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
   report.program = reportProgram(job, run);
   report.setups = reportSetups(job, run);
   report.time = reportTime(job, run);
-  report.resolution_mm = meshResolution(run);
+  report.resolution_mm = run.meshResolution();
   report.findings = run.findings;
   for (const SetupRun& setup : run.setups) {
     const auto& all = setup.interpreted.path.diagnostics.all();

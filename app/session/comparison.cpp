@@ -57,21 +57,15 @@ std::shared_ptr<const TurnedShape> turnedPart(const SetupRun& setup) {
   return std::make_shared<const TurnedShape>(std::move(part));
 }
 
-/// The profile resolution of a mesh of facets; 0: the mesh is that of a grid.
-double facetSpacing(const RunResult& run) {
-  const SetupRun& last = run.setups.back();
-  return last.facet_error_mm > 0.0 ? last.job.simulation.profile_resolution_mm : 0.0;
-}
-
-void addFindings(const RunSources& sources, const ExactPart* part, RunResult& run) {
+/// `unsure_facets_mm`: the profile resolution, where the part is compared as a mesh of facets.
+void addFindings(const RunSources& sources, const ExactPart* part, double unsure_facets_mm, RunResult& run) {
   std::vector<PatchFinding> told;
   for (const DeviationPatch& patch : run.comparison->patches) {
     addDeviation(patch, *run.comparison, run.findings);
     told.push_back({run.findings.size() - 1, &patch});
     blamePatch(patch, sources, run);
   }
-  if (const DeviationPatch* worst =
-          addUndecided(*run.comparison, run.findings, part == nullptr ? facetSpacing(run) : 0.0)) {
+  if (const DeviationPatch* worst = addUndecided(*run.comparison, run.findings, unsure_facets_mm)) {
     told.push_back({run.findings.size() - 1, worst});
     blamePatch(*worst, sources, run);
   }
@@ -82,8 +76,7 @@ void addFindings(const RunSources& sources, const ExactPart* part, RunResult& ru
 
 Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const RunResult& run) {
   if (run.setups.back().turned) return makeTurnedPart(turnedPart(run.setups.back()));
-  if (run.setups.back().facet_error_mm > 0.0)
-    return std::unique_ptr<ExactPart>();  // the mesh is nearly exact
+  if (run.isOfFacets()) return std::unique_ptr<ExactPart>();  // the mesh is nearly exact
   const bool wire_cut = std::any_of(run.setups.begin(), run.setups.end(), [](const SetupRun& setup) {
     return !setup.interpreted.path.wires.empty();
   });
@@ -119,7 +112,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.excess_mm = job.nominal->excess_mm;
   options.resolution_mm = run.resolution_mm;
   options.uncertainty_mm = partUncertainty(run);
-  if (!(facetSpacing(run) > 0.0)) options.uncertainty_mm += simplification(job, run.resolution_mm);
+  if (!run.isOfFacets()) options.uncertainty_mm += simplification(job, run.resolution_mm);
   options.part = std::move(*part);
   options.spot_gap = [&run](const SurfaceMaker& a, const SurfaceMaker& b) { return spotGap(run, a, b); };
   options.threads = job.simulation.threads;
@@ -128,12 +121,13 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
   if (!comparison) return comparison.error();
   run.comparison = std::move(*comparison);
-  if (options.part == nullptr && facetSpacing(run) > 0.0) {
+  const double unsure_facets_mm = options.part == nullptr && run.isOfFacets() ? run.meshResolution() : 0.0;
+  if (unsure_facets_mm > 0.0) {
     for (DeviationPatch& patch : run.comparison->undecided) patch.deciding_resolution_mm = 0.0;  // no grid is
   }
   addCoarseNominal(*run.comparison, run.findings);
   addIgnored(job.nominal->ignored, *run.comparison, run.findings);
-  addFindings(sources, options.part.get(), run);
+  addFindings(sources, options.part.get(), unsure_facets_mm, run);
   return Done{};
 }
 

@@ -53,8 +53,8 @@ constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {1.2e-8, 3e-8
 constexpr double kPartsPerTurn = 8.0, kSpiralGrowthMm = 1e-4;
 /// Of helices with tools that are not undercut: the lower turns hold what the upper ones cut.
 constexpr double kTurnsThatCount = 3.0;
-constexpr double kBytesPerUndercutColumn =
-    45.0;                                  ///< under a part of a spiral: what the height map does not show
+/// Under a part of a spiral: what the height map does not show.
+constexpr double kBytesPerUndercutColumn = 45.0;
 constexpr double kBytesPerChord = 1000.0;  ///< a pass, and its numbers in lists
 /// Chords of helices with undercut tools may be farther off: this part of the grid, instead of this, mm.
 constexpr double kHelixChordShare = 1e-3, kChordMm = 5e-5;

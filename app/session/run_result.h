@@ -33,7 +33,7 @@ struct SetupRun {
   MeshExtent extent;                          ///< of the surface's mesh
   std::string mesh_sha256;                    ///< of the surface's mesh
   double initial_mm3 = 0.0;                   ///< before it: of the blank, or of the stock that came before
-  std::vector<TriMesh> freed;  ///< see Machined::freed
+  std::vector<TriMesh> freed;                 ///< see Machined::freed
   std::shared_ptr<const TurnedShape> turned;  ///< of a turned part: its bodies, the part first
   /// Of a mesh from a section: how far it may leave that and its threads, mm; 0: it comes from a grid.
   double facet_error_mm = 0.0;
@@ -54,6 +54,12 @@ struct RunResult {
   /// Of the part: after the last clamping, in its frame.
   const StockSurface& surface() const { return setups.back().surface; }
   const MeshTopology& topology() const { return setups.back().topology; }
+  /// Whether its mesh is made of a section's facets, not of a grid's cells.
+  bool isOfFacets() const { return setups.back().facet_error_mm > 0.0; }
+  /// What it was made with, mm: the profile resolution, or the grid's spacing.
+  double meshResolution() const {
+    return isOfFacets() ? setups.back().job.simulation.profile_resolution_mm : resolution_mm;
+  }
 };
 
 /// The programs of a run, one source a clamping; they outlive the run.
