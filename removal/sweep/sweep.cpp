@@ -35,9 +35,6 @@ constexpr double kRounded = 1e-3;
 
 Sweep::Sweep(const ConvexProfile& profile, const Vec3& from, const Vec3& to, const ArcGeometry* arc)
     : profile_(&profile), from_(from), delta_(to - from) {
-  Box3 path;
-  path.extend(from);
-  path.extend(to);
   level_length2_ = delta_.head<2>().squaredNorm();
   length2_ = delta_.squaredNorm();
   if (arc == nullptr) {
@@ -64,11 +61,19 @@ Sweep::Sweep(const ConvexProfile& profile, const Vec3& from, const Vec3& to, con
     motion.from = from;
     motion.to = to;
     motion.arc = 0;
-    path = one.bounds(motion);
+    curve_bounds_ = one.bounds(motion);
   }
-  const double radius = profile.maxRadius();
-  bounds_.min = path.min + Vec3(-radius, -radius, profile.zMin());
-  bounds_.max = path.max + Vec3(radius, radius, profile.zMax());
+}
+
+Box3 Sweep::bounds() const {
+  Box3 way = curve_bounds_;
+  if (kind_ != Kind::kCurve && kind_ != Kind::kLevelArc) {
+    way.extend(from_);
+    way.extend(from_ + delta_);
+  }
+  const double radius = profile_->maxRadius();
+  return {way.min + Vec3(-radius, -radius, profile_->zMin()),
+          way.max + Vec3(radius, radius, profile_->zMax())};
 }
 
 Vec3 Sweep::position(double t) const {
@@ -362,13 +367,14 @@ void Sweep::slantedColumn(double x, double y, double z0, double dz, int count, c
     std::fill_n(out, count, gap);
     return;
   }
+  const Box3 around = bounds();
   const double radius = profile_->ballCenter();
   const double qx = x - from_.x(), qy = y - from_.y();
   const double level = qx * delta_.x() + qy * delta_.y();
   const double level_t = level_length2_ > 0.0 ? std::clamp(level / level_length2_, 0.0, 1.0) : 0.0;
   for (int k = 0; k < count; ++k) {
     const double z = z0 + k * dz;
-    const double outside = std::max({gap, bounds_.min.z() - z, z - bounds_.max.z()});
+    const double outside = std::max({gap, around.min.z() - z, z - around.max.z()});
     if (outside > cutoff[k]) {
       out[k] = outside;
       continue;
@@ -400,9 +406,10 @@ void Sweep::column(double x, double y, double z0, double dz, int count, const do
                    double* out) const {
   if (kind_ == Kind::kLine) return slantedColumn(x, y, z0, dz, count, cutoff, out);
   if (kind_ == Kind::kCurve) {
+    const Box3 around = bounds();
     for (int k = 0; k < count; ++k) {
       const Vec3 p(x, y, z0 + k * dz);
-      const Vec3 beyond = (bounds_.min - p).cwiseMax(p - bounds_.max);
+      const Vec3 beyond = (around.min - p).cwiseMax(p - around.max);
       out[k] = beyond.maxCoeff() > cutoff[k] ? beyond.maxCoeff() : distance(p, cutoff[k]);
     }
     return;

@@ -65,7 +65,7 @@ class Sweep {
   bool isHelix() const { return kind_ == Kind::kCurve && round_turns_; }
 
   /// Bounds of the swept volume, mm.
-  const Box3& bounds() const { return bounds_; }
+  Box3 bounds() const;
 
  private:
   enum class Kind { kPoint, kLevelLine, kLine, kLevelArc, kCurve };
@@ -120,7 +120,7 @@ class Sweep {
   bool vertical_ = false;         // the arc turns about z
   bool round_turns_ = false;      // and its radius is one, but for the rounding of a program's digits
   double curvature_bound_ = 0.0;  // upper bound of |c''(t)|, mm
-  Box3 bounds_;
+  Box3 curve_bounds_;             // of the points of a curve; empty for lines, which are asked by the million
 };
 
 }  // namespace proveout
