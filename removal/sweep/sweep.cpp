@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace proveout {
 
@@ -23,6 +24,8 @@ constexpr double kFaceSlack = 1e-6;
 constexpr double kAtEnd = 1e-6;
 /// A search does not come nearer to a place that it knows than this part of what is left.
 constexpr double kMargin = 1e-6;
+/// What Sweep::ballGap says where something else than the sphere is nearest.
+constexpr double kNotBall = std::numeric_limits<double>::infinity();
 /// Rounds after which a search gives its best value; a bracketed search on doubles needs fewer.
 constexpr int kMaxLineRounds = 80;
 /// Growth of the radius a radian, by the radius, up to which a level spiral has one nearest point a turn
@@ -295,7 +298,22 @@ Sweep::Place Sweep::minimise(const Vec3& p, double cutoff, double tolerance, dou
   return place;
 }
 
+/// Distance to what a ball end sweeps along a line, where its sphere is nearest; else kNotBall.
+double Sweep::ballGap(const Vec3& p) const {
+  const double radius = profile_->ballCenter();
+  const Vec3 q = p - from_ - Vec3(0.0, 0.0, radius);
+  // The sphere's nearest position is the tool's, as long as the point is level with or below the centre
+  // there.
+  const Vec3 e = q - std::clamp(q.dot(delta_) / length2_, 0.0, 1.0) * delta_;
+  const double gap = e.norm() - radius;
+  // Within a short ball its top may be nearer.
+  return e.z() <= 0.0 && (gap >= 0.0 || profile_->zMax() >= 2.0 * radius) ? gap : kNotBall;
+}
+
 double Sweep::distance(const Vec3& p, double cutoff) const {
+  if (kind_ == Kind::kLine && profile_->ballCenter() > 0.0) {
+    if (const double d = ballGap(p); d < kNotBall) return d;
+  }
   double bound = 0.0;
   const Place place = minimise(p, cutoff, kLineToleranceMm, bound);
   return bound > cutoff ? bound : place.at.value;
@@ -380,19 +398,8 @@ void Sweep::slantedColumn(double x, double y, double z0, double dz, int count, c
       continue;
     }
     if (radius > 0.0) {
-      // The sphere's nearest position is the tool's, as long as the point is level with or below the centre
-      // there.
-      const double qz = z - from_.z() - radius;
-      const double t = std::clamp((level + qz * delta_.z()) / length2_, 0.0, 1.0);
-      const double ez = qz - t * delta_.z();
-      if (ez <= 0.0) {
-        const double ex = qx - t * delta_.x(), ey = qy - t * delta_.y();
-        out[k] = std::sqrt(ex * ex + ey * ey + ez * ez) - radius;
-        continue;
-      }
-      // Above: the flank, where the axis is nearest, as long as it reaches down to the point there and up
-      // over it.
-      const double z_there = qz - level_t * delta_.z();
+      // The flank, where the axis is nearest, as long as it reaches down to the point there and up over it.
+      const double z_there = z - from_.z() - radius - level_t * delta_.z();
       if (z_there >= 0.0 && z_there + radius - profile_->zMax() <= std::min(gap, 0.0)) {
         out[k] = gap;
         continue;

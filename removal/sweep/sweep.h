@@ -109,6 +109,7 @@ class Sweep {
   double boxBound(const Vec3& p, double a, double b) const;
   void slantedColumn(double x, double y, double z0, double dz, int count, const double* cutoff,
                      double* out) const;
+  double ballGap(const Vec3& p) const;
   double horizontalGap(double x, double y) const;
 
   const ConvexProfile* profile_;
