@@ -5,6 +5,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 #include "removal/grid/leaf_layers.h"
 
 namespace proveout {
@@ -59,11 +60,11 @@ std::vector<std::int32_t> VertexMerger::leavesOf(const LeafReader& read, const S
 }
 
 bool VertexMerger::isFlat(const std::vector<std::int32_t>& leaves, int level) const {
-  const float flat = static_cast<float>(flatness_), span = static_cast<float>(8 << level);
+  const float flat = toFloat(flatness_), span = toFloat(8 << level);
   Eigen::Vector3f n = Eigen::Vector3f::Zero();
   for (const std::int32_t i : leaves) {
     const SurfaceLeaf& leaf = grid_.leaves()[static_cast<std::size_t>(i)];
-    n += leaf.clusters.normal * static_cast<float>(leaf.cells);
+    n += leaf.clusters.normal * toFloat(leaf.cells);
   }
   n.normalize();
   const Coord first = grid_.leaves()[static_cast<std::size_t>(leaves[0])].stock->origin;
@@ -74,14 +75,13 @@ bool VertexMerger::isFlat(const std::vector<std::int32_t>& leaves, int level) co
     const float lean2 = (n - leaf.clusters.normal).squaredNorm();
     if (n.dot(leaf.clusters.normal) < kLeafConeCos || lean2 * span * span > 4.0f * flat * flat) return false;
     const Coord d = offset(leaf.stock->origin, first);
-    const float base = n.dot(
-        Eigen::Vector3f(static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())));
+    const float base = n.dot(Eigen::Vector3f(toFloat(d.x()), toFloat(d.y()), toFloat(d.z())));
     for (std::uint32_t k = 0; k < leaf.cells; ++k) {
       const float h = base + n.dot(grid_.vertex(leaf.base + k));
       low = std::min(low, h);
       high = std::max(high, h);
     }
-    if (high - low > static_cast<float>(flatness_)) return false;
+    if (high - low > toFloat(flatness_)) return false;
   }
   return true;
 }
@@ -171,7 +171,7 @@ void VertexMerger::assignCube(const SurfaceLeaf& leaf, const CellCube& cube) {
     }
   }
   if (count < 2) return;
-  sum /= static_cast<float>(count);
+  sum /= toFloat(count);
   const auto* nearest =
       std::min_element(cells.begin(), cells.begin() + count, [&](std::uint32_t a, std::uint32_t b) {
         return (grid_.vertex(a) - sum).squaredNorm() < (grid_.vertex(b) - sum).squaredNorm();
@@ -201,9 +201,8 @@ std::uint32_t VertexMerger::middleOf(const std::vector<std::int32_t>& leaves) co
   const Coord first = all[static_cast<std::size_t>(leaves[0])].stock->origin;
   const auto place = [&](const SurfaceLeaf& leaf, std::uint32_t cell) {
     const Coord d = offset(leaf.stock->origin, first);
-    return Eigen::Vector3f(grid_.vertex(cell) + Eigen::Vector3f(static_cast<float>(d.x()),
-                                                                static_cast<float>(d.y()),
-                                                                static_cast<float>(d.z())));
+    return Eigen::Vector3f(grid_.vertex(cell) +
+                           Eigen::Vector3f(toFloat(d.x()), toFloat(d.y()), toFloat(d.z())));
   };
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   float count = 0.0f;
