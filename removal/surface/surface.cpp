@@ -154,8 +154,8 @@ Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& pro
 Result<StockVolume> Stock::volume(const SurfaceOptions& options, Progress& progress) const {
   const ThreadLimit limit(options.threads);
   try {
-    const Result<SurfaceGrid> grid =
-        placedCells(*impl_, flatnessOf(*impl_, kMergingShare * toleranceOf(*impl_, options)), progress);
+    // Which cells may be merged is not asked: the volume does not depend on it.
+    const Result<SurfaceGrid> grid = placedCells(*impl_, 0.0, progress);
     return grid.ok() ? measureVolume(*grid, progress) : Result<StockVolume>(grid.error());
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::kResourceLimit, "not enough memory for the volume; take a coarser resolution"};

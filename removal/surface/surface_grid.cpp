@@ -20,6 +20,7 @@ constexpr double kThinReach = 0.1;
 /// Vertices this far (in cells) outside the blank are put back: more than the rounding of its crossings.
 constexpr double kBlankSlack = 1e-4;
 constexpr double kNoLimit = 1e12;
+const Vec3 kNoPlace = Vec3::Constant(kNoLimit);
 /// Vertices farther off the surface, in cells, are told of: ridges and walls there are lost between the
 /// samples.
 constexpr double kOffBy = 0.2;
@@ -147,6 +148,7 @@ class LeafPlacer {
       return out;
     }
     exact_.setCell(impl_.position(leaf_.stock->origin.offsetBy(x, y, z)));
+    asked_ = kNoPlace;
     for (int sheet = 0; sheet < sheets; ++sheet) {
       const int count = gather(cell, at, sheet);
       CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, &exact_);
@@ -291,7 +293,12 @@ class LeafPlacer {
       normal += points_[i].n;
     }
     const double height = std::abs((p - middle / count).dot(normal));
-    return height > kStandsOut * normal.norm() && exact_.isCovered(p, kOffBy);
+    if (height <= kStandsOut * normal.norm()) return false;
+    if (!(p == asked_)) {  // mostly asked twice
+      covered_ = exact_.isCovered(p, kOffBy);
+      asked_ = p;
+    }
+    return covered_;
   }
 
   /// Where a wall narrower than the cell ends, two sheets are cut off at one place; their vertices change
@@ -334,6 +341,8 @@ class LeafPlacer {
   ExactFaces exact_;
   Vec3 low_ = Vec3::Constant(-kNoLimit),
        high_ = Vec3::Constant(kNoLimit);  ///< the blank, in the leaf's cells
+  Vec3 asked_ = kNoPlace;  ///< the last place of this cell of which it was asked whether it is covered
+  bool covered_ = false;
   std::array<SheetPoint, 12> points_;
   std::array<Vec3, 4> sheet_p_, sheet_mean_;  ///< of the sheets of one cell: vertices, means of the crossings
 };
@@ -381,10 +390,13 @@ void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
   leaf.stock = &impl_.leaves[number];
   const Coord& at = leaf.stock->origin;
   leaf.upper = read.statesBeside(at, 1);
-  leaf.lower = read.statesBeside(at, -1);
-  leaf.lower[7] = -1;  // nobody reads it
-  PROVEOUT_ASSERT(leaf.upper[0] == static_cast<std::int32_t>(number) && leaf.lower[0] == leaf.upper[0]);
-  const BlockBits bits = read.bitsBeside(at);
+  PROVEOUT_ASSERT(leaf.upper[0] == static_cast<std::int32_t>(number));
+  // Each of the lower leaves is told by the leaf itself; nobody reads the last one.
+  for (std::size_t i = 0; i < 7; ++i) {
+    if (leaf.upper[i] >= 0)
+      leaves_[static_cast<std::size_t>(leaf.upper[i])].lower[i] = static_cast<std::int32_t>(number);
+  }
+  const BlockBits bits = blockBits(leaf);
   leaf.edges = leafEdges(leaf.stock->material(), {bits[1], bits[2], bits[4]});
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
   for (int z = 0; z < 8; ++z) {

@@ -15,6 +15,8 @@ namespace {
 constexpr int kLevels = 3;  ///< cubes of 16, 32 and 64 cells
 /// Leaves of one cube have their mean normals within 6 degrees of the cube's.
 constexpr float kLeafConeCos = 0.9945f;
+/// The first of the four cells around the middle of a level leaf.
+constexpr std::uint32_t kLevelMiddle = 27;
 
 Coord cubeOrigin(const Coord& at, int level) {
   const int mask = ~((8 << level) - 1);
@@ -22,6 +24,13 @@ Coord cubeOrigin(const Coord& at, int level) {
 }
 
 Coord offset(const Coord& of, const Coord& from) { return of.offsetBy(-from.x(), -from.y(), -from.z()); }
+
+/// Squared distance of a point from the cells of the leaf at `at`, less than rounding, grid steps.
+float outOfLeaf2(const Eigen::Vector3f& p, const Coord& at) {
+  constexpr float kRounding = 1e-3f, kEdge = 8.0f + kRounding;
+  const Eigen::Array3f d = p.array() - Eigen::Array3f(toFloat(at.x()), toFloat(at.y()), toFloat(at.z()));
+  return (-kRounding - d).max(d - kEdge).max(0.0f).square().sum();
+}
 
 int find(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) i = parent[static_cast<std::size_t>(i)];
@@ -57,6 +66,19 @@ std::vector<std::int32_t> VertexMerger::leavesOf(const LeafReader& read, const S
     return true;
   });
   return all ? found : std::vector<std::int32_t>{};
+}
+
+/// Whether the leaves of a cube are the square of one level face through it: flat, and a disk.
+bool VertexMerger::isLevelSquare(const std::vector<std::int32_t>& leaves, int level) const {
+  const SurfaceLeaf& first = grid_.leaves()[static_cast<std::size_t>(leaves[0])];
+  if (leaves.size() != std::size_t{1} << 2 * level || !first.all_level) return false;
+  return std::ranges::all_of(leaves, [&](std::int32_t n) {
+    const SurfaceLeaf& leaf = grid_.leaves()[static_cast<std::size_t>(n)];
+    const Coord d = offset(leaf.stock->origin, first.stock->origin);
+    const std::array<int, 3> steps = {d.x(), d.y(), d.z()};
+    return leaf.all_level && leaf.level == first.level &&
+           steps[static_cast<std::size_t>(first.level.axis)] == 0;
+  });
 }
 
 bool VertexMerger::isFlat(const std::vector<std::int32_t>& leaves, int level) const {
@@ -148,7 +170,9 @@ void VertexMerger::mergeLeaves() {
       if (!leaves[i].clusters.eight || leaves[i].clusters.above != level - 1) return;
       const LeafReader read(grid_.impl());
       std::vector<std::int32_t> cube = leavesOf(read, leaves[i], level, level - 1);
-      if (!cube.empty() && isFlat(cube, level) && isDisk(cube, level)) cubes[i] = std::move(cube);
+      if (cube.empty()) return;
+      if (isLevelSquare(cube, level) || (isFlat(cube, level) && isDisk(cube, level)))
+        cubes[i] = std::move(cube);
     });
     for (const auto& cube : cubes) {
       for (const std::int32_t n : cube)
@@ -180,6 +204,10 @@ void VertexMerger::assignCube(const SurfaceLeaf& leaf, const CellCube& cube) {
 }
 
 void VertexMerger::assignLeaf(const SurfaceLeaf& leaf) {
+  if (leaf.all_level && leaf.clusters.eight) {
+    std::fill_n(stand_in_.get() + leaf.base, leaf.cells, (leaf.base + kLevelMiddle) | kMerged);
+    return;
+  }
   for (std::uint32_t k = 0; k < leaf.cells; ++k) stand_in_[leaf.base + k] = leaf.base + k;
   if (leaf.clusters.eight) return assignCube(leaf, CellCube{});
   for (int four = 0; four < 8; ++four) {
@@ -213,9 +241,14 @@ std::uint32_t VertexMerger::middleOf(const std::vector<std::int32_t>& leaves) co
   }
   sum /= count;
   std::uint32_t best = 0;
-  float least = std::numeric_limits<float>::infinity();
+  float least = std::numeric_limits<float>::infinity(), nearest = least;
   for (const std::int32_t n : leaves) {
     const SurfaceLeaf& leaf = all[static_cast<std::size_t>(n)];
+    nearest = std::min(nearest, (place(leaf, stand_in_[leaf.base] & ~kMerged) - sum).squaredNorm());
+  }
+  for (const std::int32_t n : leaves) {
+    const SurfaceLeaf& leaf = all[static_cast<std::size_t>(n)];
+    if (outOfLeaf2(sum, offset(leaf.stock->origin, first)) > nearest) continue;
     for (std::uint32_t k = 0; k < leaf.cells; ++k) {
       const float d = (place(leaf, leaf.base + k) - sum).squaredNorm();
       if (d < least) least = d, best = leaf.base + k;
