@@ -1,14 +1,17 @@
 # Compiler settings of every proveout target.
 #   proveout_options   flags that change code: no FMA contraction, so that every
 #                      machine computes the same bits; no superword vectorizer of
-#                      GCC, which leaves out roundings; sanitizers on request.
+#                      GCC, which leaves out roundings, where these are not made by
+#                      core/geometry/to_float.h; sanitizers on request.
 #   proveout_warnings  warnings for our own sources only.
 add_library(proveout_options INTERFACE)
 target_compile_options(proveout_options INTERFACE -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Seen in 12.2: two doubles side by side that go to float and back are taken for what they were, by way of
-  # Eigen's casts or of members; at -O3 three of them.
-  target_compile_options(proveout_options INTERFACE -fno-tree-slp-vectorize)
+  # Eigen's casts or of members; at -O3 three of them. Where all rounding is by core/geometry/to_float.h there is
+  # nothing to take: proveout_round_by_to_float.
+  target_compile_options(proveout_options INTERFACE
+    $<$<NOT:$<BOOL:$<TARGET_PROPERTY:PROVEOUT_ROUNDS_BY_TO_FLOAT>>>:-fno-tree-slp-vectorize>)
 endif()
 if(PROVEOUT_SANITIZE)
   target_compile_options(proveout_options INTERFACE
@@ -43,4 +46,14 @@ function(proveout_add_library name)
     proveout_precompile(proveout_${name} FROM proveout_precompiled)
   endif()
   set_target_properties(proveout_${name} PROPERTIES UNITY_BUILD ${PROVEOUT_UNITY} UNITY_BUILD_BATCH_SIZE ${ARG_BATCH})
+endfunction()
+
+# proveout_round_by_to_float(TARGETS...): their sources round to float by core/geometry/to_float.h only (a test reads
+# them; the compiler refuses to round by itself), so that they may have the superword vectorizer. Targets with
+# precompiled headers of others have those targets' flags.
+function(proveout_round_by_to_float)
+  set_target_properties(${ARGN} PROPERTIES PROVEOUT_ROUNDS_BY_TO_FLOAT ON)
+  foreach(target ${ARGN})
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Werror=float-conversion>)
+  endforeach()
 endfunction()

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 
 namespace proveout {
 
@@ -18,12 +19,8 @@ constexpr std::uint32_t kParallelSize = 8192;
 /// Deeper than this, sets are halved by number, so that stacks of a fixed size do.
 constexpr int kMaxDepth = 48;
 
-float below(double v) {
-  return std::nextafter(static_cast<float>(v), -std::numeric_limits<float>::infinity());
-}
-float above(double v) {
-  return std::nextafter(static_cast<float>(v), std::numeric_limits<float>::infinity());
-}
+float below(double v) { return std::nextafter(toFloat(v), -std::numeric_limits<float>::infinity()); }
+float above(double v) { return std::nextafter(toFloat(v), std::numeric_limits<float>::infinity()); }
 
 double halfSurface(const Box3& box) {
   const Vec3 s = box.size();

@@ -14,6 +14,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
+#include "core/geometry/to_float.h"
 #include "core/mesh/mean_edge.h"
 
 namespace proveout {
@@ -77,15 +78,15 @@ class Cubes {
  public:
   Cubes(const TriMesh& mesh, const Box3& bounds, double edge, double reach)
       : mesh_(mesh),
-        reach_(static_cast<float>(reach)),
-        low_(bounds.min.cast<float>()),
+        reach_(toFloat(reach)),
+        low_(toFloat(bounds.min)),
         only_(std::make_unique_for_overwrite<std::uint32_t[]>(mesh.triangles.size())) {
     const Vec3 span = bounds.max - bounds.min;
     const double most = kMostCubes * static_cast<double>(mesh.triangles.size());
     double size = std::max({kCubeEdges * edge, kCubeReaches * reach, kLeastCube});
     const auto count = [&] { return ((span / size).array().floor() + 1.0).prod(); };
     while (count() > most) size *= 1.3;
-    each_ = static_cast<float>(1.0 / size);
+    each_ = toFloat(1.0 / size);
     for (int k = 0; k < 3; ++k) count_[k] = static_cast<int>(span[k] / size) + 1;
     facing_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2], kAll);
   }

@@ -18,6 +18,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
+#include "core/geometry/to_float.h"
 #include "core/mesh/intersections.h"
 #include "core/mesh/mean_edge.h"
 
@@ -101,7 +102,7 @@ void EdgeCollapser::findNormals(std::span<const float> off) {
     if (twice2 > kThin * kThin * p.squaredNorm() * q.squaredNorm()) {
       triangles_[t].normal = area / std::sqrt(twice2);
     } else {
-      triangles_[t].normal = p.cast<double>().cross(q.cast<double>()).normalized().cast<float>();
+      triangles_[t].normal = toFloat(p.cast<double>().cross(q.cast<double>()).normalized());
     }
   });
 }
@@ -219,7 +220,7 @@ void EdgeCollapser::simplifyBlock(Block vertices, std::uint32_t round) {
   std::uint32_t sweep = round * kMostSweeps * static_cast<std::uint32_t>(std::size(kPasses));
   Block todo;
   for (const double pass : kPasses) {
-    const auto limit = static_cast<float>(pass * tolerance_);
+    const auto limit = toFloat(pass * tolerance_);
     const std::uint32_t last = sweep + kMostSweeps - 1;
     std::erase_if(vertices, [&](std::uint32_t v) { return table_.gone(v); });
     todo.clear();
@@ -286,7 +287,7 @@ bool EdgeCollapser::followBorder(const VertexStar& star, std::uint32_t v, float 
   const Vec3 p = (mesh_.positions[star.ring(one)] - at).cast<double>();
   const Vec3 along = (mesh_.positions[star.ring(other)] - at).cast<double>() - p;
   const double part = std::clamp(-p.dot(along) / along.squaredNorm(), 0.0, 1.0);
-  ways.drift = vertices_[v].drift + static_cast<float>((p + part * along).norm());
+  ways.drift = vertices_[v].drift + toFloat((p + part * along).norm());
   vertices_[v].next_drift = ways.drift <= tolerance_ ? ways.drift : kNotAgain;
   if (ways.drift > limit) return false;
   vertices_[v].needs = kNotAgain;
@@ -330,7 +331,7 @@ bool EdgeCollapser::findWays(const VertexStar& star, std::uint32_t v, float limi
     for (int j = 0; j < star.size(); ++j) look(j);
   }
   if (least <= kFarOff2 * tolerance_ * tolerance_)
-    state.needs = std::min(state.needs, static_cast<float>(std::sqrt(least / kFarOff2)));
+    state.needs = std::min(state.needs, toFloat(std::sqrt(least / kFarOff2)));
   return ways.count > 0;
 }
 

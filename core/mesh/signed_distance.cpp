@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 #include "core/mesh/edge_table.h"
 
 namespace proveout {
@@ -110,7 +111,7 @@ SurfaceDistance SignedDistance::at(const Vec3& point, const Known* known) const 
   if (length < kOnSurface) {
     const Vec3 n = normal.isZero() ? mesh_.areaVector(nearest.triangle).normalized() : normal.normalized();
     out.distance = away.dot(n);
-    out.gradient = n.cast<float>();
+    out.gradient = toFloat(n);
     return out;
   }
   const double cosine = normal.isZero() ? 0.0 : away.dot(normal) / (length * normal.norm());
@@ -127,7 +128,7 @@ SurfaceDistance SignedDistance::at(const Vec3& point, const Known* known) const 
     within = same_side ? known->distance.distance < 0.0 : inside(point);
   }
   if (within) out.distance = -length;
-  out.gradient = (away / out.distance).cast<float>();
+  out.gradient = toFloat(away / out.distance);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 
 namespace proveout {
 
@@ -125,10 +126,10 @@ void TriangleTree::findDipoles(const SurfaceMesh& mesh) {
       const Vec3 center = group.area > 0.0 ? Vec3(group.moment / group.area) : Vec3(0.5 * (low + high));
       Dipole& dipole = dipoles_[2 * n + side];
       for (int k = 0; k < 3; ++k) {
-        dipole.center[k] = static_cast<float>(center[k]);
-        dipole.normal[k] = static_cast<float>(group.normal[k]);
+        dipole.center[k] = toFloat(center[k]);
+        dipole.normal[k] = toFloat(group.normal[k]);
       }
-      dipole.reach = static_cast<float>(kFar * (high - center).cwiseMax(center - low).norm());
+      dipole.reach = toFloat(kFar * (high - center).cwiseMax(center - low).norm());
     }
   }
 }

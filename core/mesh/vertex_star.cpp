@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/to_float.h"
+
 namespace proveout {
 namespace {
 
@@ -116,7 +118,7 @@ bool VertexStar::shape(const Fan& fan, Change& change) const {
     if (twice2 < std::max(kNeedle * kNeedle * longest2, least2) * longest2) return false;
     const double facing = area.dot(normal_[j]);
     if (facing < 0.0 || facing * facing < kMostLean * kMostLean * twice2) return false;
-    change.triangle[j].normal = (area * (1.0 / std::sqrt(twice2))).cast<float>();
+    change.triangle[j].normal = toFloat(area * (1.0 / std::sqrt(twice2)));
     p = q;
     p2 = q2;
   }
@@ -187,13 +189,13 @@ bool VertexStar::join(int b, double most, Change& change) const {
   addCrossings(fan, first, last);
   float largest = 0.0f, moved = 0.0f;
   for (int k = 0; k + 1 < fan.corners; ++k) {
-    const auto error = static_cast<float>(fan.moved[k] + fan.before[k]);
+    const auto error = toFloat(fan.moved[k] + fan.before[k]);
     change.triangle[fan.j[k]].error = error;
     largest = std::max(largest, error);
-    moved = std::max(moved, static_cast<float>(fan.moved[k]));
+    moved = std::max(moved, toFloat(fan.moved[k]));
   }
   change.moved = moved;
-  return largest <= static_cast<float>(most);
+  return largest <= toFloat(most);
 }
 
 }  // namespace proveout

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 
 namespace proveout {
 namespace {
@@ -20,7 +21,7 @@ constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 /// A float that is less, or more, than a finite value, by two of its last places or three.
 float roundedDown(double value) {
-  const auto near = static_cast<float>(value);
+  const auto near = toFloat(value);
   return near - 2.0F * std::numeric_limits<float>::epsilon() * std::abs(near);
 }
 float roundedUp(double value) { return -roundedDown(-value); }

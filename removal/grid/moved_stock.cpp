@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/assert.h"
+#include "core/geometry/to_float.h"
 #include "removal/grid/face_numbers.h"
 #include "removal/grid/leaf_changes.h"
 #include "removal/grid/stock_impl.h"
@@ -174,7 +175,7 @@ Result<Stock> Stock::moved(const RigidTransform& move, const RemovalOptions& opt
   shape.name = "the stock of the clamping before";
   shape.mesh = std::move(surface->mesh);
   shape.mesh.motion.clear();
-  for (Eigen::Vector3f& p : shape.mesh.positions) p = move(p.cast<double>()).cast<float>();
+  for (Eigen::Vector3f& p : shape.mesh.positions) p = toFloat(move(p.cast<double>()));
   RemovalOptions at_own_grid = options;
   at_own_grid.resolution_mm = resolution();
   return Stock::create(shape, at_own_grid, progress);

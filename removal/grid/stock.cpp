@@ -12,6 +12,7 @@
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "core/base/thread_limit.h"
+#include "core/geometry/to_float.h"
 #include "removal/grid/placed_field.h"
 #include "removal/grid/stock_impl.h"
 
@@ -113,7 +114,7 @@ void Crossing::setNormal(const Vec3& n) {
 
 void Crossing::setPosition(double from_start) {
   PROVEOUT_ASSERT_DEAR(from_start >= -1e-6 && from_start <= 1.0 + 1e-6);
-  t = std::clamp(static_cast<float>(from_start), kEdgeMargin, 1.0f - kEdgeMargin);
+  t = std::clamp(toFloat(from_start), kEdgeMargin, 1.0f - kEdgeMargin);
 }
 
 LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& next) {

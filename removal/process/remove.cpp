@@ -15,6 +15,7 @@
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/base/thread_limit.h"
+#include "core/geometry/to_float.h"
 #include "removal/contact/contacts.h"
 #include "removal/cut/cut_record.h"
 #include "removal/cut/leaf_crossings.h"
@@ -350,7 +351,7 @@ void Remover::cutLeaf(const Coord& origin, const StackList& passes) {
   const bool uniform = change.material == kAllInside || change.material == kAllOutside;
   addTo(bytes_, (uniform ? 0.0 : leafBytes(1.0)) + static_cast<double>(sizeof(CutLeaf)));
   if (bytes_ > limit_bytes_) over_limit_ = true;
-  cut_.push_back({std::move(change), cutter.openEdges(), static_cast<float>(cutter.highest())});
+  cut_.push_back({std::move(change), cutter.openEdges(), toFloat(cutter.highest())});
 }
 
 /// What the crossings of all changed leaves are found with.
@@ -392,7 +393,7 @@ void Remover::commit() {
 bool Remover::mayLose(const CutLeaf& leaf, const LeafEdges& edges, const std::vector<Crossing>& before) {
   ReachList takers;
   for (const std::uint32_t taker : leaf.change.takers) {
-    if (taker != kNoPass) takers.push_back({taker, -static_cast<float>(kNowhere)});
+    if (taker != kNoPass) takers.push_back({taker, -toFloat(kNowhere)});
   }
   return finders_.local().findLost(leaf.change, edges, before, takers).edges > 0 ||
          walls_.local().mayFind(leaf.change, edges, leaf.open.get());
@@ -405,7 +406,7 @@ float Remover::neededHeight(Finish& finish, std::size_t i) {
   const LeafEdges edges = finish.commit.edges(i);
   const auto heightOf = [&](int z) { return impl_.position(leaf.change.origin.offsetBy(0, 0, z)).z(); };
   finish.may_lose[i] = mayLose(leaf, edges, finish.commit.before(i));
-  if (finish.may_lose[i]) return static_cast<float>(heightOf(9));
+  if (finish.may_lose[i]) return toFloat(heightOf(9));
   if (edges.count == 0) {
     finish.commit.set(i, edges, {});
     return LeafStacks::kNone;
@@ -417,7 +418,7 @@ float Remover::neededHeight(Finish& finish, std::size_t i) {
     if ((edges.crossed[0][z] | edges.crossed[1][z]) != 0) level = heightOf(z);
     if (edges.crossed[2][z] != 0) upright = heightOf(z + 1);
   }
-  return static_cast<float>(std::max(level, std::min<double>(upright, leaf.highest)) + slack);
+  return toFloat(std::max(level, std::min<double>(upright, leaf.highest)) + slack);
 }
 
 void Remover::finishStack(Finish& finish, const Coord& origin, const StackList& passes) {
@@ -481,9 +482,9 @@ RemovalSummary Remover::summary() const {
   bool any = false;
   for (const auto& r : removed_) {
     any = any || r.load() > 0;
-    out.removed_mm3.push_back(static_cast<float>(static_cast<double>(r.load()) * unit));
+    out.removed_mm3.push_back(toFloat(static_cast<double>(r.load()) * unit));
   }
-  if (!any) countCrossings(out.removed_mm3, static_cast<float>(unit));
+  if (!any) countCrossings(out.removed_mm3, toFloat(unit));
 
   out.contacts = found_contacts_;
   return out;
@@ -495,7 +496,7 @@ void fitRemovedVolume(RemovalSummary& summary, double exact_total_mm3) {
   double sum = 0.0;
   for (const float r : summary.removed_mm3) sum += r;
   if (sum <= 0.0) return;
-  for (float& r : summary.removed_mm3) r = static_cast<float>(r * (exact_total_mm3 / sum));
+  for (float& r : summary.removed_mm3) r = toFloat(r * (exact_total_mm3 / sum));
 }
 
 Result<RemovalSummary> Stock::remove(const Toolpath& path, const std::vector<Tool>& tools,

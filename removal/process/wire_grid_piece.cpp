@@ -8,6 +8,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/geometry/plane.h"
+#include "core/geometry/to_float.h"
 #include "core/tool/tool_table.h"
 #include "removal/grid/stock_impl.h"
 #include "removal/process/milled_piece.h"
@@ -143,7 +144,7 @@ Result<RemovalSummary> meetingOf(const Stock& stock, const Toolpath& path, const
   summary.removed_mm3.assign(path.motions.size(), 0.0F);
   GridWireMeeting meeting(stock, *work, span);
   for (std::uint32_t i = 0; i < work->cuts.size(); ++i)
-    summary.removed_mm3[work->cuts[i].motion] += static_cast<float>(meeting.takenBy(i));
+    summary.removed_mm3[work->cuts[i].motion] += toFloat(meeting.takenBy(i));
   for (std::size_t i = 0; i < work->rapids.size(); ++i) {
     if (const auto contact = meeting.contactOf(i, work->rapids[i].after))
       summary.contacts.push_back(*contact);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/base/stopwatch.h"
+#include "core/geometry/to_float.h"
 #include "removal/process/wire_grid_piece.h"
 #include "removal/process/wire_part.h"
 #include "removal/wire/wall_meetings.h"
@@ -81,7 +82,7 @@ Result<std::unique_ptr<Workpiece>> WirePiece::become(ProcessKind next, const Rig
   for (StockBody& body : apart) body.bounds = move(body.bounds);
   MeshShape shape{stock_.mesh({*part_}, options.facet_mm), "what the wire left"};
   shape.mesh.motion.clear();
-  for (Eigen::Vector3f& p : shape.mesh.positions) p = move(p.cast<double>()).cast<float>();
+  for (Eigen::Vector3f& p : shape.mesh.positions) p = toFloat(move(p.cast<double>()));
   if (next == ProcessKind::kTurning)
     return inputError("what a wire has cut cannot be turned: only bars, tubes and what is still round can");
   // Out of a box somewhat larger: the grid then has the crossings of the mesh alone.

@@ -51,14 +51,17 @@ std::vector<std::uint8_t> verticesOf(const LeafMesh& mesh, const std::vector<std
 }
 
 std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& merger,
-                                      const std::vector<std::uint8_t>& changed) {
+                                      const std::vector<std::uint8_t>& changed,
+                                      std::vector<std::uint8_t>& unwatched) {
   std::vector<std::uint32_t> faults;
   if (!merger.active()) return faults;
   for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
     const auto& found = mesh.flaws[i].faults;
     if (changed[i] != 0) faults.insert(faults.end(), found.begin(), found.end());
   }
-  const std::vector<std::uint8_t> touched = verticesOf(mesh, changed);
+  if (!faults.empty()) return faults;
+  const std::vector<std::uint8_t> touched = verticesOf(mesh, unwatched);
+  std::fill(unwatched.begin(), unwatched.end(), 0);
   std::vector<std::uint32_t> watched(mesh.mesh.positions.size(), kNoWatch);
   parallelFor(std::size_t{0}, mesh.parts.size(), [&](std::size_t i) {
     const LeafPart& part = mesh.parts[i];

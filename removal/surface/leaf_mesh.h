@@ -68,10 +68,12 @@ bool isDense(const LeafMesh& mesh);
 /// Flags of the vertices of triangles in leaves with this flag, and of all fans.
 std::vector<std::uint8_t> verticesOf(const LeafMesh& mesh, const std::vector<std::uint8_t>& leaves);
 
-/// Merged cells that spoil the mesh: of triangles that face the wrong way, and with triangles that are not
-/// one closed fan. Looked at are the leaves that `changed`, a flag for each.
+/// Merged cells that spoil the mesh: of triangles that face the wrong way in leaves that `changed`, a flag
+/// for each; or, where there are none, with triangles that are not one closed fan in leaves that are
+/// `unwatched`, a flag for each, which it takes away.
 std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& merger,
-                                      const std::vector<std::uint8_t>& changed);
+                                      const std::vector<std::uint8_t>& changed,
+                                      std::vector<std::uint8_t>& unwatched);
 
 using TrianglePairs = std::vector<std::array<std::uint32_t, 2>>;
 

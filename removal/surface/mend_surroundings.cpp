@@ -6,6 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/intersections.h"
 
@@ -52,8 +53,8 @@ class Regions {
 void Regions::finish() {
   Box3 all;
   for (const Box3& box : boxes_) all.extend(box);
-  low_ = all.min.cast<float>();
-  scale_ = (kStretches * all.size().cwiseInverse()).cast<float>();
+  low_ = toFloat(all.min);
+  scale_ = toFloat(kStretches * all.size().cwiseInverse());
   for (int axis = 0; axis < 3; ++axis) {
     std::array<int, kStretches + 1> taken{};
     for (const Box3& box : boxes_) {

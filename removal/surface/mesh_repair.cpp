@@ -38,6 +38,7 @@ class MeshRepair {
         quads_(std::move(quads)),
         doubts_(doubts),
         changed_(quads_.size(), 1),
+        unwatched_(quads_.size(), 1),
         unchecked_(quads_.size(), 1),
         writer_(grid, merger) {}
 
@@ -56,6 +57,7 @@ class MeshRepair {
   std::vector<LeafQuads> quads_;
   const std::vector<Box3>& doubts_;
   std::vector<std::uint8_t> changed_;    ///< leaves whose triangles are to be made anew
+  std::vector<std::uint8_t> unwatched_;  ///< leaves whose fans are not yet looked at
   std::vector<std::uint8_t> unchecked_;  ///< leaves not yet looked at for intersections
   MeshWriter writer_;
 };
@@ -119,7 +121,8 @@ void MeshRepair::planAgain(const std::vector<std::int32_t>& taken_apart, Progres
     for (int i = 0; i < 7; ++i) {
       const std::int32_t reader = grid_.leaves()[static_cast<std::size_t>(n)].upper[i];
       if (reader >= 0)
-        changed_[static_cast<std::size_t>(reader)] = unchecked_[static_cast<std::size_t>(reader)] = 1;
+        changed_[static_cast<std::size_t>(reader)] = unwatched_[static_cast<std::size_t>(reader)] =
+            unchecked_[static_cast<std::size_t>(reader)] = 1;
     }
   }
   parallelFor(std::size_t{0}, quads_.size(), [&](std::size_t i) {
@@ -132,7 +135,7 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
     if (progress.cancelled()) return std::nullopt;
     LeafMesh* const written = writer_.write(quads_, changed_, progress);
     if (written == nullptr) return std::nullopt;
-    std::vector<std::uint32_t> faults = findFaults(*written, merger_, changed_);
+    std::vector<std::uint32_t> faults = findFaults(*written, merger_, changed_, unwatched_);
     if (!faults.empty()) {
       const bool again = ++fault_rounds <= kRepairRounds;
       planAgain(again ? merger_.takeApart(std::move(faults)) : merger_.giveUp(), progress);

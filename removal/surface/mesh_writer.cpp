@@ -8,6 +8,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 
 namespace proveout {
 
@@ -118,7 +119,7 @@ void MeshWriter::writeVertices(const SurfaceLeaf& leaf, std::size_t number, bool
   const Stock::Impl& impl = grid_.impl();
   const Vec3 origin = impl.position(leaf.stock->origin);
   const auto write = [&](std::uint32_t at, const Eigen::Vector3f& p) {
-    now_.mesh.positions[at] = (origin + impl.h * p.cast<double>()).cast<float>();
+    now_.mesh.positions[at] = toFloat(origin + impl.h * p.cast<double>());
   };
   for (std::uint32_t k = 0; k < leaf.extra.size(); ++k)
     write(now_.numberOf(leaf.extra_base + k), leaf.extra[k].p);

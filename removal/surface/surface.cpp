@@ -9,6 +9,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/thread_limit.h"
+#include "core/geometry/to_float.h"
 #include "core/mesh/crowded_places.h"
 #include "core/mesh/intersections.h"
 #include "core/mesh/mesh_simplifier.h"
@@ -87,7 +88,7 @@ Status finishMesh(StockSurface& surface, const std::vector<std::uint8_t>& merged
   if (surface.mesh.triangles.empty()) return Done{};
   progress.report("meshing", 0.9);
   // Merged triangles may be off the corners that there were by as much as a patch is high.
-  const auto most = static_cast<float>(kFlatnessShare * kMergingShare * tolerance_mm);
+  const auto most = toFloat(kFlatnessShare * kMergingShare * tolerance_mm);
   std::vector<float> off(merged.size());
   std::ranges::transform(merged, off.begin(), [&](std::uint8_t is) { return is != 0 ? most : 0.0f; });
   const std::optional<Simplification> done = simplifyMesh(surface.mesh, tolerance_mm, progress, off);
@@ -153,8 +154,8 @@ Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& pro
 Result<StockVolume> Stock::volume(const SurfaceOptions& options, Progress& progress) const {
   const ThreadLimit limit(options.threads);
   try {
-    const Result<SurfaceGrid> grid =
-        placedCells(*impl_, flatnessOf(*impl_, kMergingShare * toleranceOf(*impl_, options)), progress);
+    // Which cells may be merged is not asked: the volume does not depend on it.
+    const Result<SurfaceGrid> grid = placedCells(*impl_, 0.0, progress);
     return grid.ok() ? measureVolume(*grid, progress) : Result<StockVolume>(grid.error());
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::kResourceLimit, "not enough memory for the volume; take a coarser resolution"};

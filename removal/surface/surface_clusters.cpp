@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/geometry/to_float.h"
 #include "removal/surface/surface_grid.h"
 
 namespace proveout {
@@ -85,7 +86,7 @@ bool isFlatDisk(const SurfaceLeaf& leaf, const LeafPatch& patch, const CellCube&
   }
   if (count == 1) return true;
   n.normalize();
-  middle /= static_cast<float>(count);
+  middle /= toFloat(count);
   const std::uint16_t stand_in = *std::min_element(ranks.begin(), ranks.begin() + count, [&](int a, int b) {
     return (patch.p[a] - middle).squaredNorm() < (patch.p[b] - middle).squaredNorm();
   });

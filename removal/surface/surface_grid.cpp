@@ -5,6 +5,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 #include "removal/grid/leaf_layers.h"
 #include "removal/surface/cell_cycles.h"
 
@@ -19,6 +20,7 @@ constexpr double kThinReach = 0.1;
 /// Vertices this far (in cells) outside the blank are put back: more than the rounding of its crossings.
 constexpr double kBlankSlack = 1e-4;
 constexpr double kNoLimit = 1e12;
+const Vec3 kNoPlace = Vec3::Constant(kNoLimit);
 /// Vertices farther off the surface, in cells, are told of: ridges and walls there are lost between the
 /// samples.
 constexpr double kOffBy = 0.2;
@@ -89,7 +91,7 @@ std::array<CellPattern, 256> makePatterns() {
           static_cast<std::int16_t>(CrossingTable::index(axis, x, y, z)),
           static_cast<std::int8_t>(axis),
           static_cast<std::int8_t>(cycle),
-          {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}};
+          {toFloat(x), toFloat(y), toFloat(z)}};
     }
   }
   return table;
@@ -146,6 +148,7 @@ class LeafPlacer {
       return out;
     }
     exact_.setCell(impl_.position(leaf_.stock->origin.offsetBy(x, y, z)));
+    asked_ = kNoPlace;
     for (int sheet = 0; sheet < sheets; ++sheet) {
       const int count = gather(cell, at, sheet);
       CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, &exact_);
@@ -166,16 +169,16 @@ class LeafPlacer {
         for (int i = 0; i < count; ++i) sheet_mean_[sheet] += points_[i].p / count;
       }
       if (sheet > 0) {
-        leaf_.extra.push_back({static_cast<std::uint16_t>(rank), static_cast<std::uint8_t>(sheet),
-                               (origin + thin).cast<float>()});
+        leaf_.extra.push_back(
+            {static_cast<std::uint16_t>(rank), static_cast<std::uint8_t>(sheet), toFloat(origin + thin)});
         continue;
       }
-      out.p = (origin + (sheets == 1 ? v.p : thin)).cast<float>();
+      out.p = toFloat(origin + (sheets == 1 ? v.p : thin));
       out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
       if (sheets > 1) continue;
       if (!v.smooth && isOff(v.p, count)) out.traits |= CellTraits::kOff;
       if (v.outside) {
-        leaf_.outside.push_back({static_cast<std::uint16_t>(z << 6 | bit), (origin + v.inside).cast<float>(),
+        leaf_.outside.push_back({static_cast<std::uint16_t>(z << 6 | bit), toFloat(origin + v.inside),
                                  !v.smooth && isOff(v.inside, count)});
         out.traits |= CellTraits::kOutside;
       } else if (patch_ != nullptr && bendsLittle(count, n)) {
@@ -187,9 +190,9 @@ class LeafPlacer {
       keepApart(sheets);
       for (int sheet = 0; sheet < sheets; ++sheet) keepInBlank(Vec3(x, y, z), sheet_p_[sheet]);
       const Eigen::Vector3f origin(x, y, z);
-      out.p = origin + sheet_p_[0].cast<float>();
+      out.p = origin + toFloat(sheet_p_[0]);
       ExtraVertex* extra = leaf_.extra.data() + leaf_.extra.size() - (sheets - 1);
-      for (int sheet = 1; sheet < sheets; ++sheet, ++extra) extra->p = origin + sheet_p_[sheet].cast<float>();
+      for (int sheet = 1; sheet < sheets; ++sheet, ++extra) extra->p = origin + toFloat(sheet_p_[sheet]);
     }
     return out;
   }
@@ -213,7 +216,7 @@ class LeafPlacer {
       mean += points[i];
       sum += normals[i];
     }
-    const float share = 1.0f / static_cast<float>(cell.count);
+    const float share = 1.0f / toFloat(cell.count);
     p = mean * share;
     normal = sum.normalized();
     if (flat) return true;
@@ -290,7 +293,12 @@ class LeafPlacer {
       normal += points_[i].n;
     }
     const double height = std::abs((p - middle / count).dot(normal));
-    return height > kStandsOut * normal.norm() && exact_.isCovered(p, kOffBy);
+    if (height <= kStandsOut * normal.norm()) return false;
+    if (!(p == asked_)) {  // mostly asked twice
+      covered_ = exact_.isCovered(p, kOffBy);
+      asked_ = p;
+    }
+    return covered_;
   }
 
   /// Where a wall narrower than the cell ends, two sheets are cut off at one place; their vertices change
@@ -311,9 +319,9 @@ class LeafPlacer {
   bool bendsLittle(int count, Eigen::Vector3f& n) const {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < count; ++i) sum += points_[i].n;
-    n = sum.normalized().cast<float>();
+    n = toFloat(sum.normalized());
     for (int i = 0; i < count; ++i) {
-      if (n.dot(points_[i].n.cast<float>()) < kGentleCos) return false;
+      if (n.dot(toFloat(points_[i].n)) < kGentleCos) return false;
     }
     return true;
   }
@@ -333,6 +341,8 @@ class LeafPlacer {
   ExactFaces exact_;
   Vec3 low_ = Vec3::Constant(-kNoLimit),
        high_ = Vec3::Constant(kNoLimit);  ///< the blank, in the leaf's cells
+  Vec3 asked_ = kNoPlace;  ///< the last place of this cell of which it was asked whether it is covered
+  bool covered_ = false;
   std::array<SheetPoint, 12> points_;
   std::array<Vec3, 4> sheet_p_, sheet_mean_;  ///< of the sheets of one cell: vertices, means of the crossings
 };
@@ -380,10 +390,13 @@ void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
   leaf.stock = &impl_.leaves[number];
   const Coord& at = leaf.stock->origin;
   leaf.upper = read.statesBeside(at, 1);
-  leaf.lower = read.statesBeside(at, -1);
-  leaf.lower[7] = -1;  // nobody reads it
-  PROVEOUT_ASSERT(leaf.upper[0] == static_cast<std::int32_t>(number) && leaf.lower[0] == leaf.upper[0]);
-  const BlockBits bits = read.bitsBeside(at);
+  PROVEOUT_ASSERT(leaf.upper[0] == static_cast<std::int32_t>(number));
+  // Each of the lower leaves is told by the leaf itself; nobody reads the last one.
+  for (std::size_t i = 0; i < 7; ++i) {
+    if (leaf.upper[i] >= 0)
+      leaves_[static_cast<std::size_t>(leaf.upper[i])].lower[i] = static_cast<std::int32_t>(number);
+  }
+  const BlockBits bits = blockBits(leaf);
   leaf.edges = leafEdges(leaf.stock->material(), {bits[1], bits[2], bits[4]});
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
   for (int z = 0; z < 8; ++z) {
@@ -424,8 +437,7 @@ void SurfaceGrid::placeLevel(SurfaceLeaf& leaf) {
   const std::uint8_t low = kLowCorners[static_cast<std::size_t>(axis)];
   const auto pattern = static_cast<std::uint8_t>(material_below ? low : ~low);
   const auto traits = static_cast<std::uint16_t>(oneSheetFaces()[pattern] | CellTraits::kSmooth);
-  const float height =
-      0.25f * (c.t + c.t + c.t + c.t) + static_cast<float>(layer);  // rounded as for any cell
+  const float height = 0.25f * (c.t + c.t + c.t + c.t) + toFloat(layer);  // rounded as for any cell
   std::size_t number = leaf.base;
   for (int z = 0; z < 8; ++z) {
     for (std::uint64_t rest = leaf.mixed[z]; rest != 0; rest &= rest - 1, ++number) {
@@ -442,7 +454,7 @@ void SurfaceGrid::placeLevel(SurfaceLeaf& leaf) {
 }
 
 void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
-  const auto flatness = static_cast<float>(flatness_);
+  const auto flatness = toFloat(flatness_);
   if ((flatness == 0.0f || mergesPlanes(flatness)) && isLevel(leaf, leaf.upper)) return placeLevel(leaf);
   const BlockBits bits = blockBits(leaf);
   CrossingTable crossings;

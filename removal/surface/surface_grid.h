@@ -52,7 +52,7 @@ struct SurfaceLeaf {
   std::array<std::uint16_t, 8> first_cell{};  ///< rank of the layer's first such cell
   std::uint16_t cells = 0;
   /// Numbers of the leaves around, -1 where none: bit 0 of the place: one step along x, 1: y, 2: z.
-  std::array<std::int32_t, 8> upper{}, lower{};
+  std::array<std::int32_t, 8> upper{}, lower = {-1, -1, -1, -1, -1, -1, -1, -1};
   std::uint32_t base = 0;        ///< vertex number of its first cell
   std::uint32_t extra_base = 0;  ///< vertex number of its first extra vertex
   std::vector<ExtraVertex> extra;

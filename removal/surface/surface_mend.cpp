@@ -12,6 +12,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 #include "core/geometry/triangle.h"
 #include "core/mesh/mesh_editor.h"
 #include "removal/surface/mend_pairs.h"
@@ -200,7 +201,7 @@ std::vector<Edit> Mender::editsAt(std::uint32_t a, bool moves) const {
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
   for (const std::uint32_t t : star) {
     const std::uint32_t b = edit_.following(t, a, 1);
-    middle += position(b) / static_cast<float>(star.size());
+    middle += position(b) / toFloat(star.size());
     if (moves) {
       for (const float part : {0.05f, 0.2f, 0.5f, -0.05f, -kMostBack}) move(position(b), part);
     } else if (whole(b)) {

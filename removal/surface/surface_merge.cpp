@@ -5,6 +5,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 #include "removal/grid/leaf_layers.h"
 
 namespace proveout {
@@ -14,6 +15,8 @@ namespace {
 constexpr int kLevels = 3;  ///< cubes of 16, 32 and 64 cells
 /// Leaves of one cube have their mean normals within 6 degrees of the cube's.
 constexpr float kLeafConeCos = 0.9945f;
+/// The first of the four cells around the middle of a level leaf.
+constexpr std::uint32_t kLevelMiddle = 27;
 
 Coord cubeOrigin(const Coord& at, int level) {
   const int mask = ~((8 << level) - 1);
@@ -21,6 +24,13 @@ Coord cubeOrigin(const Coord& at, int level) {
 }
 
 Coord offset(const Coord& of, const Coord& from) { return of.offsetBy(-from.x(), -from.y(), -from.z()); }
+
+/// Squared distance of a point from the cells of the leaf at `at`, less than rounding, grid steps.
+float outOfLeaf2(const Eigen::Vector3f& p, const Coord& at) {
+  constexpr float kRounding = 1e-3f, kEdge = 8.0f + kRounding;
+  const Eigen::Array3f d = p.array() - Eigen::Array3f(toFloat(at.x()), toFloat(at.y()), toFloat(at.z()));
+  return (-kRounding - d).max(d - kEdge).max(0.0f).square().sum();
+}
 
 int find(std::vector<int>& parent, int i) {
   while (parent[static_cast<std::size_t>(i)] != i) i = parent[static_cast<std::size_t>(i)];
@@ -58,12 +68,25 @@ std::vector<std::int32_t> VertexMerger::leavesOf(const LeafReader& read, const S
   return all ? found : std::vector<std::int32_t>{};
 }
 
+/// Whether the leaves of a cube are the square of one level face through it: flat, and a disk.
+bool VertexMerger::isLevelSquare(const std::vector<std::int32_t>& leaves, int level) const {
+  const SurfaceLeaf& first = grid_.leaves()[static_cast<std::size_t>(leaves[0])];
+  if (leaves.size() != std::size_t{1} << 2 * level || !first.all_level) return false;
+  return std::ranges::all_of(leaves, [&](std::int32_t n) {
+    const SurfaceLeaf& leaf = grid_.leaves()[static_cast<std::size_t>(n)];
+    const Coord d = offset(leaf.stock->origin, first.stock->origin);
+    const std::array<int, 3> steps = {d.x(), d.y(), d.z()};
+    return leaf.all_level && leaf.level == first.level &&
+           steps[static_cast<std::size_t>(first.level.axis)] == 0;
+  });
+}
+
 bool VertexMerger::isFlat(const std::vector<std::int32_t>& leaves, int level) const {
-  const float flat = static_cast<float>(flatness_), span = static_cast<float>(8 << level);
+  const float flat = toFloat(flatness_), span = toFloat(8 << level);
   Eigen::Vector3f n = Eigen::Vector3f::Zero();
   for (const std::int32_t i : leaves) {
     const SurfaceLeaf& leaf = grid_.leaves()[static_cast<std::size_t>(i)];
-    n += leaf.clusters.normal * static_cast<float>(leaf.cells);
+    n += leaf.clusters.normal * toFloat(leaf.cells);
   }
   n.normalize();
   const Coord first = grid_.leaves()[static_cast<std::size_t>(leaves[0])].stock->origin;
@@ -74,14 +97,13 @@ bool VertexMerger::isFlat(const std::vector<std::int32_t>& leaves, int level) co
     const float lean2 = (n - leaf.clusters.normal).squaredNorm();
     if (n.dot(leaf.clusters.normal) < kLeafConeCos || lean2 * span * span > 4.0f * flat * flat) return false;
     const Coord d = offset(leaf.stock->origin, first);
-    const float base = n.dot(
-        Eigen::Vector3f(static_cast<float>(d.x()), static_cast<float>(d.y()), static_cast<float>(d.z())));
+    const float base = n.dot(Eigen::Vector3f(toFloat(d.x()), toFloat(d.y()), toFloat(d.z())));
     for (std::uint32_t k = 0; k < leaf.cells; ++k) {
       const float h = base + n.dot(grid_.vertex(leaf.base + k));
       low = std::min(low, h);
       high = std::max(high, h);
     }
-    if (high - low > static_cast<float>(flatness_)) return false;
+    if (high - low > toFloat(flatness_)) return false;
   }
   return true;
 }
@@ -148,7 +170,9 @@ void VertexMerger::mergeLeaves() {
       if (!leaves[i].clusters.eight || leaves[i].clusters.above != level - 1) return;
       const LeafReader read(grid_.impl());
       std::vector<std::int32_t> cube = leavesOf(read, leaves[i], level, level - 1);
-      if (!cube.empty() && isFlat(cube, level) && isDisk(cube, level)) cubes[i] = std::move(cube);
+      if (cube.empty()) return;
+      if (isLevelSquare(cube, level) || (isFlat(cube, level) && isDisk(cube, level)))
+        cubes[i] = std::move(cube);
     });
     for (const auto& cube : cubes) {
       for (const std::int32_t n : cube)
@@ -171,7 +195,7 @@ void VertexMerger::assignCube(const SurfaceLeaf& leaf, const CellCube& cube) {
     }
   }
   if (count < 2) return;
-  sum /= static_cast<float>(count);
+  sum /= toFloat(count);
   const auto* nearest =
       std::min_element(cells.begin(), cells.begin() + count, [&](std::uint32_t a, std::uint32_t b) {
         return (grid_.vertex(a) - sum).squaredNorm() < (grid_.vertex(b) - sum).squaredNorm();
@@ -180,6 +204,10 @@ void VertexMerger::assignCube(const SurfaceLeaf& leaf, const CellCube& cube) {
 }
 
 void VertexMerger::assignLeaf(const SurfaceLeaf& leaf) {
+  if (leaf.all_level && leaf.clusters.eight) {
+    std::fill_n(stand_in_.get() + leaf.base, leaf.cells, (leaf.base + kLevelMiddle) | kMerged);
+    return;
+  }
   for (std::uint32_t k = 0; k < leaf.cells; ++k) stand_in_[leaf.base + k] = leaf.base + k;
   if (leaf.clusters.eight) return assignCube(leaf, CellCube{});
   for (int four = 0; four < 8; ++four) {
@@ -201,9 +229,8 @@ std::uint32_t VertexMerger::middleOf(const std::vector<std::int32_t>& leaves) co
   const Coord first = all[static_cast<std::size_t>(leaves[0])].stock->origin;
   const auto place = [&](const SurfaceLeaf& leaf, std::uint32_t cell) {
     const Coord d = offset(leaf.stock->origin, first);
-    return Eigen::Vector3f(grid_.vertex(cell) + Eigen::Vector3f(static_cast<float>(d.x()),
-                                                                static_cast<float>(d.y()),
-                                                                static_cast<float>(d.z())));
+    return Eigen::Vector3f(grid_.vertex(cell) +
+                           Eigen::Vector3f(toFloat(d.x()), toFloat(d.y()), toFloat(d.z())));
   };
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   float count = 0.0f;
@@ -214,9 +241,14 @@ std::uint32_t VertexMerger::middleOf(const std::vector<std::int32_t>& leaves) co
   }
   sum /= count;
   std::uint32_t best = 0;
-  float least = std::numeric_limits<float>::infinity();
+  float least = std::numeric_limits<float>::infinity(), nearest = least;
   for (const std::int32_t n : leaves) {
     const SurfaceLeaf& leaf = all[static_cast<std::size_t>(n)];
+    nearest = std::min(nearest, (place(leaf, stand_in_[leaf.base] & ~kMerged) - sum).squaredNorm());
+  }
+  for (const std::int32_t n : leaves) {
+    const SurfaceLeaf& leaf = all[static_cast<std::size_t>(n)];
+    if (outOfLeaf2(sum, offset(leaf.stock->origin, first)) > nearest) continue;
     for (std::uint32_t k = 0; k < leaf.cells; ++k) {
       const float d = (place(leaf, leaf.base + k) - sum).squaredNorm();
       if (d < least) least = d, best = leaf.base + k;

@@ -33,6 +33,7 @@ class VertexMerger {
   static constexpr std::uint32_t kMerged = 0x80000000u;
   std::vector<std::int32_t> leavesOf(const LeafReader& read, const SurfaceLeaf& leaf, int level,
                                      int above) const;
+  bool isLevelSquare(const std::vector<std::int32_t>& leaves, int level) const;
   bool isFlat(const std::vector<std::int32_t>& leaves, int level) const;
   bool isDisk(const std::vector<std::int32_t>& leaves, int level) const;
   std::uint32_t middleOf(const std::vector<std::int32_t>& leaves) const;

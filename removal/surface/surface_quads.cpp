@@ -6,6 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 #include "removal/surface/cell_cycles.h"
 
 namespace proveout {
@@ -106,7 +107,7 @@ bool bulges(const Quad& quad, double limit) {
 void QuadReader::add(const SurfaceLeaf& leaf, int place) {
   const int dx = (place & 1) * 8, dy = (place >> 1 & 1) * 8, dz = (place >> 2) * 8;
   const std::uint64_t columns = (dx != 0 ? kColumnX7 : ~0ull) & (dy != 0 ? kColumnY7 : ~0ull);
-  const Eigen::Vector3f shift(static_cast<float>(-dx), static_cast<float>(-dy), static_cast<float>(-dz));
+  const Eigen::Vector3f shift(toFloat(-dx), toFloat(-dy), toFloat(-dz));
   for (int z = dz != 0 ? 7 : 0; z < 8; ++z) {
     const std::uint64_t mixed = leaf.mixed[z];
     for (std::uint64_t rest = mixed & columns; rest != 0; rest &= rest - 1) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 #include "core/geometry/triangle.h"
 #include "core/mesh/intersections.h"
 #include "core/mesh/mesh_editor.h"
@@ -271,12 +272,12 @@ void Sharpener::noteChange(std::uint32_t t) {
 
 void Sharpener::split(const Wing& w, const Vec3& p) {
   const auto added = static_cast<std::uint32_t>(mesh_.triangles.size());
-  edit_.split(w, p.cast<float>());
+  edit_.split(w, toFloat(p));
   for (const std::uint32_t t : {w.abc, w.bad, added, added + 1}) noteChange(t);
 }
 
 void Sharpener::move(std::uint32_t v, const Vec3& x) {
-  edit_.move(v, x.cast<float>());
+  edit_.move(v, toFloat(x));
   for (const std::uint32_t t : edit_.fan(v)) noteChange(t);
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/geometry/to_float.h"
+
 namespace proveout {
 
 namespace {
@@ -79,7 +81,7 @@ SplitQuad splitQuad(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, 
   Vec3 middle(x, y, z);
   middle[axis] += std::clamp<double>(c.t, kEndGap, 1.0 - kEndGap);
   SplitQuad out{
-      quad.v, knownMotion(c.motion), (impl.position(leaf.stock->origin) + impl.h * middle).cast<float>(), {}};
+      quad.v, knownMotion(c.motion), toFloat(impl.position(leaf.stock->origin) + impl.h * middle), {}};
   const bool start_in = leafSample(leaf.stock->material(), x, y, z);
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   for (int after = 0; after < 4; ++after) {
@@ -100,7 +102,7 @@ SplitQuad splitQuad(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, 
       const Vec3 corner = stepsBetween(leaf.stock->origin, face.at);
       place = passage(quad.p[after] - corner, quad.p[(after + 1) % 4] - corner, cross);
     }
-    split.p = (impl.position(face.at) + impl.h * place).cast<float>();
+    split.p = toFloat(impl.position(face.at) + impl.h * place);
     split.after = after;
     out.faces.push_back(split);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
+#include "core/geometry/to_float.h"
 #include "removal/grid/leaf_layers.h"
 #include "removal/surface/cell_cycles.h"
 #include "removal/surface/surface_grid.h"
@@ -18,7 +19,7 @@ constexpr float kSoftReach = 0.051f, kRoom = 0.02f;
 
 bool SurfaceGrid::crowds(const SurfaceLeaf& leaf, int place) const {
   const Coord at = leaf.stock->origin.offsetBy(place >> 3 & 7, place & 7, place >> 6);
-  const Eigen::Vector3f to_leaf = stepsBetween(at, leaf.stock->origin).cast<float>();
+  const Eigen::Vector3f to_leaf = toFloat(stepsBetween(at, leaf.stock->origin));
   const Eigen::Vector3f p = vertices_[leaf.cellAt(place)] + to_leaf;
   int axis = -1, side = 0;
   for (int k = 0; k < 3; ++k) {
@@ -37,8 +38,8 @@ bool SurfaceGrid::crowds(const SurfaceLeaf& leaf, int place) const {
   if ((other.mixed[z] >> leafBit(x, y) & 1) == 0) return false;
   const std::uint32_t cell = other.base + static_cast<std::uint32_t>(other.rank(x, y, z));
   if ((traits_[cell] & CellTraits::kManySheets) != 0) return true;
-  const auto between = static_cast<float>(stepsBetween(at, other.stock->origin)[axis]);
-  return static_cast<float>(side) * (vertices_[cell][axis] + between - p[axis]) < kRoom;
+  const auto between = toFloat(stepsBetween(at, other.stock->origin)[axis]);
+  return toFloat(side) * (vertices_[cell][axis] + between - p[axis]) < kRoom;
 }
 
 /// Cones over the sheets of one cell do not meet if their tips are in the middle of their crossings and the
@@ -52,13 +53,12 @@ void SurfaceGrid::drawSheetsIn(SurfaceLeaf& leaf, std::uint32_t cell, const Coor
     const int sheet = cycles.cycle_of_edge[edge];
     if (sheet < 0) continue;
     const int corner = edgeStartCorner(edge), axis = edge / 4;
-    Eigen::Vector3f p(static_cast<float>(corner & 1), static_cast<float>(corner >> 1 & 1),
-                      static_cast<float>(corner >> 2));
-    p[axis] += static_cast<float>(crossingOn(axis, at.offsetBy(corner & 1, corner >> 1 & 1, corner >> 2)));
+    Eigen::Vector3f p(toFloat(corner & 1), toFloat(corner >> 1 & 1), toFloat(corner >> 2));
+    p[axis] += toFloat(crossingOn(axis, at.offsetBy(corner & 1, corner >> 1 & 1, corner >> 2)));
     sum[sheet] += p;
     count[sheet] += 1.0f;
   }
-  const Eigen::Vector3f origin = stepsBetween(leaf.stock->origin, at).cast<float>();
+  const Eigen::Vector3f origin = toFloat(stepsBetween(leaf.stock->origin, at));
   vertices_[cell] = origin + sum[0] / count[0];
   for (ExtraVertex& extra : leaf.extra) {
     if (extra.cell == cell - leaf.base) extra.p = origin + sum[extra.sheet] / count[extra.sheet];
@@ -85,9 +85,9 @@ bool SurfaceGrid::wall(std::uint32_t cell) {
     traits_[cell] &= static_cast<std::uint16_t>(~CellTraits::kOutside);
     leaf.outside.erase(left);
   }
-  const Eigen::Vector3f low(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+  const Eigen::Vector3f low(toFloat(x), toFloat(y), toFloat(z));
   const auto keepInside = [&](Eigen::Vector3f& p) {
-    constexpr auto kGap = static_cast<float>(kEndGap);
+    constexpr auto kGap = toFloat(kEndGap);
     p = p.cwiseMax(low + Eigen::Vector3f::Constant(kGap))
             .cwiseMin(low + Eigen::Vector3f::Constant(1.0f - kGap));
   };

@@ -9,6 +9,7 @@
 
 #include "core/base/assert.h"
 #include "core/geometry/plane.h"
+#include "core/geometry/to_float.h"
 
 namespace proveout {
 
@@ -110,13 +111,13 @@ class Rings {
  private:
   std::uint32_t ring(const Vec2& p) {
     const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
-    const auto z = static_cast<float>(p.y());
+    const auto z = toFloat(p.y());
     if (p.x() <= 0.0) {
       mesh_.positions.emplace_back(0.0f, 0.0f, z);
       return first;
     }
     for (const Vec2& c : circle_)
-      mesh_.positions.emplace_back(static_cast<float>(p.x() * c.x()), static_cast<float>(p.x() * c.y()), z);
+      mesh_.positions.emplace_back(toFloat(p.x() * c.x()), toFloat(p.x() * c.y()), z);
     return first;
   }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 #include "core/mesh/intersections.h"
 #include "core/tool/convex_outline.h"
 #include "removal/turning/slice_faces.h"
@@ -252,8 +253,7 @@ class Stitcher {
         if (std::abs(it->second->at.x() - p.x()) <= kOnePointMm) return it->second->vertex;
       }
     }
-    mesh.positions.emplace_back(static_cast<float>(p.x() * c), static_cast<float>(p.x() * s),
-                                static_cast<float>(p.y()));
+    mesh.positions.emplace_back(toFloat(p.x() * c), toFloat(p.x() * s), toFloat(p.y()));
     return next;
   }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/geometry/to_float.h"
 #include "removal/turning/section_area.h"
 #include "removal/turning/section_depth.h"
 #include "removal/turning/thread_cover.h"
@@ -238,7 +239,7 @@ class Turning {
       if (tool.insert) contact(ContactKind::kAxis, id, beyond, {});
       taken += take(beyond, id, {});
     }
-    removed_[id] += static_cast<float>(taken);
+    removed_[id] += toFloat(taken);
   }
 
   /// Cuts the section, and the planes that stand for threads if there are any. Returns the volume, mm3.
@@ -278,7 +279,7 @@ class Turning {
       outlines_.push_back(tool.thread);
     if (planes_.empty()) makePlanes();
     threads_.push_back(sweep);
-    removed_[id] += static_cast<float>(takeThread(sweep));
+    removed_[id] += toFloat(takeThread(sweep));
   }
 
   /// A blade or a tooth that is in deeper than its edge is long.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/geometry/to_float.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/shells.h"
 #include "removal/wire/face_triangles.h"
@@ -30,8 +31,7 @@ class SolidWriter {
       for (const LevelLoop& loop : level.loops) {
         first_point_.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
         for (const Vec2& p : loop.points)
-          mesh_.positions.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()),
-                                       static_cast<float>(level.z));
+          mesh_.positions.emplace_back(toFloat(p.x()), toFloat(p.y()), toFloat(level.z));
       }
     }
     bendRungs();
@@ -39,8 +39,7 @@ class SolidWriter {
       first_step_.push_back(static_cast<std::uint32_t>(mesh_.positions.size()));
       if (!step) continue;
       for (const Vec2& p : step->points)
-        mesh_.positions.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()),
-                                     static_cast<float>(step->z));
+        mesh_.positions.emplace_back(toFloat(p.x()), toFloat(p.y()), toFloat(step->z));
     }
   }
 
@@ -118,8 +117,7 @@ class SolidWriter {
       const double t = (k + (curve.between ? 0.5 : 1.0)) / curve.rows;
       const Vec2 p =
           (1.0 - t) * (1.0 - 2.0 * t) * low + 4.0 * t * (1.0 - t) * curve.middle + t * (2.0 * t - 1.0) * high;
-      mesh_.positions.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()),
-                                   static_cast<float>((1.0 - t) * z_low + t * z_high));
+      mesh_.positions.emplace_back(toFloat(p.x()), toFloat(p.y()), toFloat((1.0 - t) * z_low + t * z_high));
     }
   }
 

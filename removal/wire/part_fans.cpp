@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "core/geometry/to_float.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/shells.h"
 #include "removal/wire/plane_region.h"
@@ -98,7 +99,7 @@ void standBack(TriMesh& mesh) {
   for (const auto& [v, sum] : way) {
     if (sum.norm() < 1e-3) continue;
     const Vec2 p = levelOf(v) + kSteps * meshStep(levelOf(v)) * sum.normalized();
-    mesh.positions[v].head<2>() = p.cast<float>();
+    mesh.positions[v].head<2>() = toFloat(p);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/geometry/plane.h"
+#include "core/geometry/to_float.h"
 
 namespace proveout {
 namespace {
@@ -38,12 +39,12 @@ bool goesBack(const Vec2& a, const Vec2& p, const Vec2& b) {
 
 }  // namespace
 
-Vec2 asFloat(const Vec2& p) { return p.cast<float>().cast<double>(); }
+Vec2 asFloat(const Vec2& p) { return toFloat(p).cast<double>(); }
 
 double meshStep(const Vec2& p) {
   constexpr float kSteps = 4.0f;
   constexpr double kLeast = 4e-6;
-  const float size = static_cast<float>(p.cwiseAbs().maxCoeff());
+  const float size = toFloat(p.cwiseAbs().maxCoeff());
   const float step = std::nextafter(size, std::numeric_limits<float>::infinity()) - size;
   return std::max(kLeast, static_cast<double>(kSteps * step));
 }

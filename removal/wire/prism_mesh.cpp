@@ -3,6 +3,7 @@
 #include <span>
 #include <utility>
 
+#include "core/geometry/to_float.h"
 #include "removal/wire/chord_rings.h"
 #include "removal/wire/face_triangles.h"
 
@@ -11,8 +12,7 @@ namespace {
 
 class PrismWriter {
  public:
-  PrismWriter(double z_low, double z_high)
-      : low_(static_cast<float>(z_low)), high_(static_cast<float>(z_high)) {}
+  PrismWriter(double z_low, double z_high) : low_(toFloat(z_low)), high_(toFloat(z_high)) {}
 
   /// A body: its border and its hollows.
   void add(std::span<const ChordRing> loops) {
@@ -45,7 +45,7 @@ class PrismWriter {
     const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
     const auto n = static_cast<std::uint32_t>(ring.points.size());
     for (std::uint32_t i = 0; i < n; ++i) {
-      const Eigen::Vector2f p = ring.points[i].cast<float>();
+      const Eigen::Vector2f p = toFloat(ring.points[i]);
       mesh_.positions.emplace_back(p.x(), p.y(), low_);
       mesh_.positions.emplace_back(p.x(), p.y(), high_);
       const std::uint32_t a = first + 2 * i, b = first + 2 * ((i + 1) % n);

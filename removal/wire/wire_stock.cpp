@@ -6,6 +6,7 @@
 #include <numeric>
 #include <variant>
 
+#include "core/geometry/to_float.h"
 #include "core/mesh/shells.h"
 #include "removal/wire/kerf_section.h"
 #include "removal/wire/lean_falls.h"
@@ -61,7 +62,7 @@ void addRemoved(const PrismBlank& blank, const std::vector<WireStretch>& cuts,
                 const std::vector<FreePiece>& fallen, RemovalSummary& summary) {
   const std::vector<double> areas = removedAreas(blank, cuts, fallen);
   for (std::size_t i = 0; i < areas.size(); ++i)
-    summary.removed_mm3[cuts[i].motion] += static_cast<float>(areas[i] * blank.height());
+    summary.removed_mm3[cuts[i].motion] += toFloat(areas[i] * blank.height());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/geometry/to_float.h"
 #include "core/nc/flexnc/flexnc_motion.h"
 #include "core/nc/flexnc/flexnc_origins.h"
 #include "core/nc/flexnc/flexnc_watch.h"
@@ -18,7 +19,7 @@ constexpr double kNoMove = 1e-9;  ///< mm; shorter moves are none
 
 /// An angle in 0 <= angle < 360, degrees.
 float angleOf(double turn) {
-  const auto angle = static_cast<float>(360.0 * (turn - std::floor(turn)));
+  const auto angle = toFloat(360.0 * (turn - std::floor(turn)));
   return angle < 360.0F ? angle : 0.0F;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/geometry/to_float.h"
 #include "core/nc/wl4/wl4_functions.h"
 #include "core/nc/wl4/wl4_output.h"
 #include "core/nc/wl4/wl4_speeds.h"
@@ -15,7 +16,7 @@ namespace {
 /// An angle in 0 <= angle < 360, degrees.
 float turnedTo(double degrees) {
   const double rest = std::fmod(degrees, 360.0);
-  const auto angle = static_cast<float>(rest < 0.0 ? rest + 360.0 : rest);
+  const auto angle = toFloat(rest < 0.0 ? rest + 360.0 : rest);
   return angle < 360.0F ? angle : 0.0F;
 }
 
@@ -55,7 +56,7 @@ bool threadItem(Wl4Context& c, const Wl4BlockPlan& p, PathItem& item, double& an
   item.feed.join.stops = p.exact_stop;
   item.feed.join.unbroken = !p.exact_stop;
   item.feed.spindle = spindle;
-  item.feed.thread_pitch_change = static_cast<float>(s.i);
+  item.feed.thread_pitch_change = toFloat(s.i);
   item.feed.thread_start_deg = turnedTo(angle);
   angle += 360.0 * revolutions;
   return true;
