@@ -256,7 +256,7 @@ TEST(SpiralColumns, LowerEndsAreThoseOfASlowSearch) {
         ASSERT_NEAR(low, -depthAt(s, outline, p, t, 3.0 / s.first), 1e-9) << text << ' ' << fall << ' ' << i;
         // The cutter touches that point from the place that is told.
         if (lowest == nullptr) continue;
-        const Vec3 there = s.at(curvePlace(*lowest, x[0], y[0], low));
+        const Vec3 there = s.at(curveSide(*lowest, {x[0], y[0], low}, 0.0, 0.0).place);
         ASSERT_NEAR(there.z() + outline(std::min(3.0, (there.head<2>() - p).norm())), low, 1e-8) << text;
         ++touched;
       }
