@@ -127,8 +127,8 @@ void DeepestPoint::searchFrom(const std::vector<Vec3>& starts, DeepPoint& best) 
 }
 
 /// Halves the box of what the swept volume and the stock have in common, the part with the largest bound
-/// first: no point of a box lies deeper than its middle by more than half its diagonal. Where a box is small
-/// and may still hold a better point, a search sets out.
+/// first: no point of a box lies deeper than its middle by more than half its diagonal, nor than the blank's
+/// sides allow. Where a box is small and may still hold a better point, a search sets out.
 void DeepestPoint::searchBoxes(DeepPoint& best) {
   struct Part {
     double bound;
@@ -137,9 +137,9 @@ void DeepestPoint::searchBoxes(DeepPoint& best) {
   };
   std::priority_queue<Part> parts;
   const auto add = [&](const Vec3& middle, const Vec3& half) {
-    const double reach = half.norm();
-    if (sweep_.distance(middle, reach) > reach) return;
-    const double bound = depthAt(middle).value + reach;
+    const double reach = half.norm(), most = stock_.mostIn(middle, half);
+    if (most <= best.depth + kWithinMm || sweep_.distance(middle, reach) > reach) return;
+    const double bound = std::min(most, depthAt(middle).value + reach);
     if (bound > best.depth + kWithinMm) parts.push({bound, middle, half});
   };
   const Vec3 low = sweep_.bounds().min.cwiseMax(stock_.bounds().min);

@@ -44,6 +44,13 @@ StockDepth::Sample StockDepth::ofBounds(const Vec3& p) const {
   return best;
 }
 
+double StockDepth::mostIn(const Vec3& middle, const Vec3& half) const {
+  // Of the whole blank: a window's grid holds a part of it.
+  const Box3 sides = blank_ != nullptr ? blank_->bounds() : stock_.blank;
+  const Vec3 off = (middle - sides.center()).cwiseAbs() - half;
+  return (0.5 * sides.size() - off.cwiseMax(0.0)).minCoeff();
+}
+
 void StockDepth::lookAt(const StockLeaf& leaf, const Vec3& p, Sample& best, double& nearest) const {
   const LeafReader reader(stock_);
   std::size_t next = 0;

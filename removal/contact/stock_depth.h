@@ -27,6 +27,8 @@ class StockDepth {
   /// The stock as the motions below `motion` left it. `hint`: see CutterIndex::nearest; becomes the nearest
   /// cutter where one is nearest.
   Sample at(const Vec3& p, MotionId motion, const SweptCutter*& hint) const;
+  /// No point of a box lies deeper, mm: by the sides of the blank's bounds.
+  double mostIn(const Vec3& middle, const Vec3& half) const;
   /// Of the blank, mm.
   const Box3& bounds() const { return stock_.blank; }
 

@@ -69,11 +69,13 @@ void CrossingFinder::cutEdges(const Group& group, const std::vector<std::uint32_
     for (std::size_t k = 0; k < passes.size(); ++k) {
       const std::uint32_t pass = passes[k];
       moved_ = false;
+      const int since = std::exchange(asked_[k], moves_);
       if (const Sweep* curve = table_.passes[pass].body.helix()) {
-        tryCurve(pass, *curve, group, std::exchange(asked_[k], moves_));
+        tryCurve(pass, *curve, group, since);
+      } else if (since < 0) {
+        tryPass(pass, group);
       } else {
-        for (std::size_t first = group.first; first < group.last; first += kMaxColumns)
-          tryPass(pass, first, std::min<std::size_t>(kMaxColumns, group.last - first));
+        tryMoved(pass, group, since);
       }
       asked = moved_ ? 1 : asked + 1;
       if (asked >= passes.size()) return;
@@ -277,11 +279,38 @@ void CrossingFinder::placeProbe(std::size_t i) {
   z_[i] = p.z();
 }
 
-void CrossingFinder::tryPass(std::uint32_t number, std::size_t first, std::size_t count) {
-  kernel_(table_.passes[number].body.columns(), &x_[first], &y_[first], static_cast<int>(count), lo_.data(),
-          hi_.data());
+void CrossingFinder::tryPass(std::uint32_t number, const Group& group) {
+  for (std::size_t first = group.first; first < group.last; first += kMaxColumns) {
+    const std::size_t count = std::min<std::size_t>(kMaxColumns, group.last - first);
+    kernel_(table_.passes[number].body.columns(), &x_[first], &y_[first], static_cast<int>(count), lo_.data(),
+            hi_.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (lo_[i] < z_[first + i] && z_[first + i] < hi_[i]) tryEdge(number, first + i, lo_[i], hi_[i]);
+    }
+  }
+}
+
+/// Asks a pass again, for edges that have moved after the first `since` moves: of others it says the same.
+void CrossingFinder::tryMoved(std::uint32_t number, const Group& group, int since) {
+  moved_count_ = 0;
+  for (std::size_t i = group.first; i < group.last; ++i) {
+    const Edge& e = edges_[probes_[i].edge];
+    if (e.moved <= since || e.pass == number) continue;
+    moved_x_[moved_count_] = x_[i];
+    moved_y_[moved_count_] = y_[i];
+    moved_probe_[moved_count_++] = i;
+    if (moved_count_ == kMaxColumns) tryMovedBatch(number);
+  }
+  if (moved_count_ > 0) tryMovedBatch(number);
+}
+
+void CrossingFinder::tryMovedBatch(std::uint32_t number) {
+  const std::size_t count = std::exchange(moved_count_, 0);
+  kernel_(table_.passes[number].body.columns(), moved_x_.data(), moved_y_.data(), static_cast<int>(count),
+          lo_.data(), hi_.data());
   for (std::size_t i = 0; i < count; ++i) {
-    if (lo_[i] < z_[first + i] && z_[first + i] < hi_[i]) tryEdge(number, first + i, lo_[i], hi_[i]);
+    const std::size_t probe = moved_probe_[i];
+    if (lo_[i] < z_[probe] && z_[probe] < hi_[i]) tryEdge(number, probe, lo_[i], hi_[i]);
   }
 }
 
@@ -289,13 +318,18 @@ void CrossingFinder::tryEdge(std::uint32_t number, std::size_t probe, double lo,
   const std::uint32_t index = probes_[probe].edge;
   Edge& e = edges_[index];
   if (e.pass == number) return;  // by its other probe; this one has moved since lo and hi were asked
-  double cut;
+  EdgeCut cut{0.0, -1.0};
   if (e.axis == 2) {
-    cut = e.forward > 0 ? lo - e.a.z() : e.a.z() - hi;
+    cut.at = e.forward > 0 ? lo - e.a.z() : e.a.z() - hi;
   } else {
     const double inside = std::abs(e.axis == 0 ? x_[probe] - e.a.x() : y_[probe] - e.a.y());
-    cut = table_.passes[number].body.levelCut(e.a, e.axis == 0 ? e.forward : 0.0,
-                                              e.axis == 1 ? e.forward : 0.0, inside);
+    const double dx = e.axis == 0 ? e.forward : 0.0, dy = e.axis == 1 ? e.forward : 0.0;
+    const SweptBody& body = table_.passes[number].body;
+    if (body.isCurvePart()) {
+      cut = body.curveCut(e.a, dx, dy, inside);
+    } else {
+      cut.at = body.levelCut(e.a, dx, dy, inside);
+    }
   }
   moveCrossing(number, index, cut);
 }
@@ -309,7 +343,8 @@ void CrossingFinder::tryCurve(std::uint32_t number, const Sweep& curve, const Gr
     const Vec3 p(x_[i], y_[i], z_[i]);
     if (curve.distance(p, 0.0) >= 0.0) continue;
     const double inside = std::abs(p[e.axis] - e.a[e.axis]);
-    moveCrossing(number, probes_[i].edge, searchCut(curve, e.a, e.forward * Vec3::Unit(e.axis), inside));
+    moveCrossing(number, probes_[i].edge,
+                 {searchCut(curve, e.a, e.forward * Vec3::Unit(e.axis), inside), -1.0});
   }
 }
 
@@ -327,16 +362,17 @@ void CrossingFinder::giveUntaken(const std::vector<std::uint32_t>& passes, int q
       const double distance = curve != nullptr ? curve->distance(gone, least) : least;
       if (distance < least) least = distance, nearest = number;
     }
-    if (nearest != kOld) moveCrossing(nearest, i, impl_.h);
+    if (nearest != kOld) moveCrossing(nearest, i, {impl_.h, -1.0});
   }
 }
 
-void CrossingFinder::moveCrossing(std::uint32_t number, std::uint32_t index, double cut) {
+void CrossingFinder::moveCrossing(std::uint32_t number, std::uint32_t index, const EdgeCut& cut) {
   Edge& e = edges_[index];
-  const double s = std::clamp(cut / impl_.h, 0.0, 1.0);
+  const double s = std::clamp(cut.at / impl_.h, 0.0, 1.0);
   if (s >= e.s - kShorter && !(e.pass == kOld && e.old < 0)) return;
   e.s = s;
   e.pass = number;
+  e.start = cut.start;
   e.moved = ++moves_;
   moved_ = true;
   for (const std::int32_t moved : probes_of_edge_[index]) {
@@ -356,7 +392,7 @@ Crossing CrossingFinder::crossing(const Edge& e, const std::vector<Crossing>& be
   }
   const Pass& pass = table_.passes[e.pass];
   c.motion = pass.motion;
-  const SweptSurface surface = pass.body.surface(p, e.axis, e.forward > 0);
+  const SweptSurface surface = pass.body.surface(p, e.axis, e.forward > 0, e.start);
   c.setNormal(-surface.normal);
   c.element = static_cast<std::uint16_t>(surface.element);
   return c;

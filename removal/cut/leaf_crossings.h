@@ -48,6 +48,7 @@ class CrossingFinder {
     std::uint32_t pass = kOld;
     std::int32_t old = -1;  ///< number in `before`
     int moved = 0;          ///< value of moves_ when its crossing moved last
+    double start = -1.0;    ///< see EdgeCut
   };
   /// A point that is asked: is it in the sweep?
   enum class Probe : std::uint8_t { kEnd, kMiddle };
@@ -61,11 +62,13 @@ class CrossingFinder {
   };
   Group addGroup(const LeafChange& change, int quarter, FourBlocks& boxes);
   void cutEdges(const Group& group, const std::vector<std::uint32_t>& passes);
-  void tryPass(std::uint32_t number, std::size_t first, std::size_t count);
+  void tryPass(std::uint32_t number, const Group& group);
+  void tryMoved(std::uint32_t number, const Group& group, int since);
+  void tryMovedBatch(std::uint32_t number);
   void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
   void tryCurve(std::uint32_t number, const Sweep& curve, const Group& group, int since);
   void giveUntaken(const std::vector<std::uint32_t>& passes, int quarter);
-  void moveCrossing(std::uint32_t number, std::uint32_t edge, double cut);
+  void moveCrossing(std::uint32_t number, std::uint32_t edge, const EdgeCut& cut);
   void dropCovered(const Pass& pass);
   template <typename Covers>
   void dropBatch(std::size_t first, std::size_t count, std::size_t& kept, Covers&& covers);
@@ -83,6 +86,9 @@ class CrossingFinder {
   std::vector<ProbeOf> probes_;
   std::vector<std::array<std::int32_t, 2>> probes_of_edge_;
   std::vector<double> x_, y_, z_;
+  std::array<double, kMaxColumns> moved_x_{}, moved_y_{};  ///< of probes that moved
+  std::array<std::size_t, kMaxColumns> moved_probe_{};     ///< their numbers
+  std::size_t moved_count_ = 0;
   std::vector<std::uint32_t> tag_;  ///< of points that are asked who covers them: their numbers
   std::vector<Vec3> beyond_;        ///< places beside lost edges
   std::array<double, kMaxColumns> lo_, hi_;

@@ -111,6 +111,7 @@ void LeafCutter::start(const LeafChange& change) {
   level_tops_ = false;
   removed_.clear();
   contacts_.clear();
+  met_ = nullptr;
   evaluations_ = 0;
   covered_ = 0;
   LeafColumns& l = columns_;
@@ -321,6 +322,18 @@ double LeafCutter::applyQuarter(std::uint32_t number, int quarter) {
   return sunk;
 }
 
+/// Height of what a part touches in a column, mm: below its top, which was at `from`, or samples further
+/// down. Parts of one curve lie over each other: what another one touched does not count again.
+double LeafCutter::countMet(int column, double from, unsigned touched) {
+  const auto c = static_cast<std::size_t>(column);
+  const double low = columns_.top[column], known = met_low_[c];
+  const unsigned fresh = touched & ~static_cast<unsigned>(met_bits_[c]);
+  met_bits_[c] |= static_cast<unsigned char>(touched);
+  if (low >= from) return columns_.h * countBits(fresh);
+  met_low_[c] = std::min(known, low);
+  return std::max(0.0, std::min(from, known) - low);
+}
+
 /// How deep the solid reaches below the tops (`top`: before the pass) and below samples of a quarter. No
 /// place lies deeper in it than in its column, nor than the tool's axis comes near.
 void LeafCutter::contact(std::uint32_t number, int quarter, const double* top) {
@@ -328,6 +341,11 @@ void LeafCutter::contact(std::uint32_t number, int quarter, const double* top) {
   const LeafColumns& l = columns_;
   ContactSample found{number, 0.0, Vec3::Zero(), 0};
   double height = 0.0;
+  if (met_ == nullptr || !pass.body.isOneCurveWith(met_->body)) {
+    met_low_.fill(std::numeric_limits<double>::infinity());
+    met_bits_.fill(0);
+  }
+  met_ = &pass;
   const Sweep sweep = pass.body.wholeSweep();
   const auto look = [&](int c, double z, double most) {
     const double known = found.depth > kContactToleranceMm ? kNearlyDeepest * found.depth : found.depth;
@@ -345,7 +363,7 @@ void LeafCutter::contact(std::uint32_t number, int quarter, const double* top) {
     for (int z = 7; z >= 0; --z) {
       if (touched >> z & 1) look(c, l.z[z], most);
     }
-    height += l.top[c] < top[i] ? top[i] - l.top[c] : l.h * countBits(touched);
+    height += countMet(c, top[i], touched);
   }
   if (found.depth <= kContactToleranceMm) return;
   found.volume = volumeUnits(height / l.h);

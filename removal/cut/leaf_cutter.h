@@ -82,6 +82,7 @@ class LeafCutter {
   void join(unsigned quarters, bool level);
   void joinUpright(const ColumnWords& covered);
   void contact(std::uint32_t number, int quarter, const double* top);
+  double countMet(int column, double from, unsigned touched);
 
   const Stock::Impl& impl_;
   const PassTable& table_;
@@ -107,6 +108,9 @@ class LeafCutter {
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
   ReachList lowest_first_;  ///< chords of one curve
   std::vector<ContactSample> contacts_;
+  const Pass* met_ = nullptr;                 ///< the last that touched something
+  std::array<double, 64> met_low_{};          ///< of each column: what its curve was counted down to, mm
+  std::array<unsigned char, 64> met_bits_{};  ///< and the samples
   std::uint64_t evaluations_ = 0;
 };
 

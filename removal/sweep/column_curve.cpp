@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/base/assert.h"
 #include "core/geometry/types.h"
@@ -403,19 +404,70 @@ Interval column(const ColumnSweep& s, double x, double y, const Asked& asked) {
   return s.kind == ColumnSweep::Kind::kTurn ? turnColumn(s, x, y, asked) : uprightColumn(s, x, y, asked);
 }
 
-}  // namespace
+/// Level, mm.
+struct Level {
+  double x, y;
+  double along(double dx, double dy) const { return x * dx + y * dy; }
+};
 
-double curvePlace(const ColumnSweep& sweep, double x, double y, double z) {
-  const Interval in = column(sweep, x, y, {.rim = true});
-  const double low = std::abs(z - in.lo), high = std::abs(in.hi - z), side = std::abs(in.beyond);
-  double u = in.u;
-  if (in.over && std::min(low, high) < side) u = low < high ? in.at_lo : in.at_hi;
-  return in.middle + (sweep.kind == ColumnSweep::Kind::kTurn ? 2.0 * std::asin(u) : u);
+/// A column from the tool's axis, and how the tool moves with the place, for a place u of the interval.
+struct Seen {
+  Level off, way;
+  double rise;  ///< of the way's height with the place
+};
+
+Seen seen(const ColumnSweep& s, double x, double y, const Interval& in, double u) {
+  const double qx = x - s.x, qy = y - s.y;
+  if (s.kind == ColumnSweep::Kind::kWay) {
+    const CurveWay::Node n = s.way->node(u);
+    return {{x - n.at.x(), y - n.at.y()}, {n.velocity.x(), n.velocity.y()}, n.velocity.z()};
+  }
+  if (s.kind == ColumnSweep::Kind::kUpright) {
+    const double at = in.middle + u, rise = UprightHeight{0.0, 1.0, s.arc_radius, s.side}.slope(at);
+    return {{qx - at * s.ux, qy - at * s.uy}, {s.ux, s.uy}, rise};
+  }
+  // The tool's direction from the axis is the column's, turned by twice the angle whose sine is u.
+  const double d = std::max(std::sqrt(qx * qx + qy * qy), 1e-12), r = s.arc_radius / d;
+  const double c = 1.0 - 2.0 * u * u, w = 2.0 * u * root(1.0 - u * u) * s.turn;
+  const double ax = r * (c * qx - w * qy), ay = r * (w * qx + c * qy);
+  return {{qx - ax, qy - ay}, {-s.turn * ay, s.turn * ax}, s.slope};
 }
 
-double curveOutside(const ColumnSweep& sweep, double x, double y, double z) {
+/// A place where the rim or another edge of the tool is over the column moves with the column, mm.
+constexpr double kAtEdgeMm = 1e-7;
+
+/// Slope of the boundary at r by r; nothing on its edges.
+std::optional<double> boundarySlope(const ColumnBoundary& boundary, double r) {
+  int i = boundary.count - 1;
+  while (i > 0 && r < boundary.piece[i].ra) --i;
+  const Piece& piece = boundary.piece[i];
+  if (r > piece.rb - kAtEdgeMm || (i > 0 && r < piece.ra + kAtEdgeMm)) return std::nullopt;
+  return boundaryAt(piece, r).slope;
+}
+
+}  // namespace
+
+CurveSide curveSide(const ColumnSweep& sweep, const double (&point)[3], double dx, double dy) {
+  const double x = point[0], y = point[1], z = point[2];
   const Interval in = column(sweep, x, y, {.rim = true, .all = false, .z = z});
-  return std::max({in.lo - z, z - in.hi, in.beyond});
+  const double low = in.lo - z, high = z - in.hi, value = std::max({low, high, in.beyond});
+  const bool end = in.over && std::max(low, high) >= in.beyond, lower = low >= high;
+  const double u = !end ? in.u : lower ? in.at_lo : in.at_hi;
+  CurveSide out{value, in.middle + u, 0.0};
+  if (sweep.kind == ColumnSweep::Kind::kTurn) out.place = in.middle + (u == 0.0 ? 0.0 : 2.0 * std::asin(u));
+  if (!in.over) return out;
+  const Seen at = seen(sweep, x, y, in, u);
+  const double r = std::sqrt(at.off.x * at.off.x + at.off.y * at.off.y), across = at.off.along(dx, dy);
+  if (r < kAtEdgeMm) return out;
+  if (!end) {
+    out.slope = across / r;
+  } else if (const auto slope = boundarySlope(lower ? sweep.solid->lower : sweep.solid->upper, r)) {
+    out.slope = *slope * across / r;
+  } else {
+    const double leaves = at.way.x * at.off.x + at.way.y * at.off.y;
+    out.slope = leaves == 0.0 ? 0.0 : (lower ? at.rise : -at.rise) * across / leaves;
+  }
+  return out;
 }
 
 void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, double* hi) {

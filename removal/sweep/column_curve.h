@@ -12,12 +12,18 @@ inline constexpr double kLeastAcross = 1e-12;
 
 /// As ColumnKernel for one column; error below 1e-8 mm.
 void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, double* hi);
-/// Above 0 outside, 0 on the surface, below 0 inside; changes steadily along level lines but where the way
-/// comes to be over them, mm.
-double curveOutside(const ColumnSweep& sweep, double x, double y, double z);
-/// Where the tool is when it leaves the surface at a point of it. Turn and way: angle of the whole way, rad;
-/// upright: the place along (ux, uy) from the center, mm.
-double curvePlace(const ColumnSweep& sweep, double x, double y, double z);
+/// A point as a part of a curve sees it.
+struct CurveSide {
+  /// Above 0 outside, 0 on the surface, below 0 inside; changes steadily along level lines but where the way
+  /// comes to be over them, mm.
+  double value;
+  /// Where the tool is when it decides the value; of a point of the surface: when it leaves it there. Turn
+  /// and way: angle of the whole way, rad; upright: the place along (ux, uy) from the center, mm.
+  double place;
+  double slope;  ///< of the value along the direction; 0 also where it is not known
+};
+/// (dx, dy): a level direction, unit.
+CurveSide curveSide(const ColumnSweep& sweep, const double (&point)[3], double dx, double dy);
 /// As ReachKernel.
 void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low);
 

@@ -82,6 +82,21 @@ inline void takeRoots(int n, const double* __restrict rises, const double* __res
   }
 }
 
+/// On a level piece the sum falls to its end.
+inline void levelRoots(int n, TurnSide& side) {
+  for (int i = 0; i < n; ++i) {
+    const bool falls = side.a[i] <= side.b[i] && side.falls[i] > 0.0;
+    side.at[i] = falls ? side.b[i] : side.at[i];
+  }
+}
+
+/// Whether any column meets the piece.
+inline bool anyMeets(int n, const TurnSide& side) {
+  double widest = -1.0;
+  for (int i = 0; i < n; ++i) widest = most(widest, side.b[i] - side.a[i]);
+  return widest >= 0.0;
+}
+
 inline void straightRoots(double rise, int n, TurnColumns& c, TurnSide& side) {
   double rises[kArray], again[kArray];
   for (int i = 0; i < n; ++i) {
@@ -203,7 +218,10 @@ inline void leastOnTurn(const ColumnBoundary& boundary, double steep, int n, Tur
   for (int p = 0; p < boundary.count; ++p) {
     const ColumnBoundary::Piece& piece = boundary.piece[p];
     turnPiece(boundary, p, n, c, side);
-    if (piece.kind != ColumnBoundary::Kind::kArc) {
+    if (!anyMeets(n, side)) continue;
+    if (piece.kind == ColumnBoundary::Kind::kLevel) {
+      levelRoots(n, side);
+    } else if (piece.kind == ColumnBoundary::Kind::kCone) {
       straightRoots(piece.slope, n, c, side);
     } else if (piece.rc == 0.0) {
       sphereRoots(piece.radius, n, c, side);

@@ -14,6 +14,8 @@ constexpr double kPointMoveMm = 1e-9;
 /// How far along the path a kink in the distance is looked for: above the error of the nearest time, far
 /// below the smallest radius.
 constexpr double kKinkStepMm = 1e-3;
+/// A normal this near to being at right angles to the motion needs no look at both sides.
+constexpr double kSquareSlope = 1e-6;
 /// Elements of the profile that meet at more than 10 degrees have a sharp rim between them.
 const double kRimCos = std::cos(degToRad(10.0));
 /// Where the search along a line stops: far below what anybody sees.
@@ -354,6 +356,9 @@ SweepSample Sweep::withRim(const Vec3& p, const Place& place) const {
                             ? std::max(frame_.radius_start, frame_.radius_end) * std::abs(arc_.sweep_rad) +
                                   std::abs(frame_.rise)
                             : 0.0;
+  // At right angles to the motion the normal is right as it is.
+  if (kind_ == Kind::kCurve && std::abs(at.slope) <= kSquareSlope * length)
+    return {at.value, at.gradient, at.element};
   if (length > 0.0 && t > 0.0 && t < 1.0) {
     const double step = kKinkStepMm / length;
     const At before = evaluate(p, std::max(0.0, t - step)), after = evaluate(p, std::min(1.0, t + step));

@@ -84,20 +84,29 @@ std::optional<double> SweptBody::simpleBend(int element) const {
   return 1.0 / std::max(std::min(e.ar, inner), kLeastRadius);
 }
 
-/// Parameter of the whole curve at about which it leaves its surface at a point of this part.
-double SweptBody::startAt(const Vec3& p) const {
+/// Parameter of the whole curve at a place of this part, see CurveSide.
+double SweptBody::startOf(double place) const {
   const ColumnSweep& c = columns_;
-  if (!isCurvePart()) return curve_->parameterAt(sweepStart(c) + 0.5 * sweepWay(c));
-  const double place = curvePlace(c, p.x(), p.y(), p.z());
   if (c.kind == ColumnSweep::Kind::kWay) return std::clamp(place / c.way->way_rad, 0.0, 1.0);
   if (c.kind == ColumnSweep::Kind::kTurn) return std::clamp(place / c.way_rad, 0.0, 1.0);
   const double high = std::sqrt(std::max(0.0, (c.arc_radius - place) * (c.arc_radius + place)));
   return curve_->parameterAt(Vec3(c.x + place * c.ux, c.y + place * c.uy, c.start_z + c.side * high));
 }
 
-SweptSurface SweptBody::surface(const Vec3& p, int axis, bool below) const {
+/// Parameter of the whole curve at about which it leaves its surface at a point of this part.
+double SweptBody::startAt(const Vec3& p) const {
+  const ColumnSweep& c = columns_;
+  if (!isCurvePart()) return curve_->parameterAt(sweepStart(c) + 0.5 * sweepWay(c));
+  return startOf(curveSide(c, {p.x(), p.y(), p.z()}, 0.0, 0.0).place);
+}
+
+SweptSurface SweptBody::surface(const Vec3& p, int axis, bool below, double start) const {
   if (const auto closed = closedSurface(p, axis, below)) return *closed;
-  const SweepSample sample = curve_ != nullptr ? curve_->sampleOnSurface(p, startAt(p)) : sweep().sample(p);
+  if (curve_ == nullptr) {
+    const SweepSample sample = sweep().sample(p);
+    return {sample.gradient, sample.element};
+  }
+  const SweepSample sample = curve_->sampleOnSurface(p, start >= 0.0 ? start : startAt(p));
   return {sample.gradient, sample.element};
 }
 

@@ -19,6 +19,12 @@ struct SweptSurface {
   int element;  ///< as SweepSample::element
 };
 
+/// Where an edge enters a volume.
+struct EdgeCut {
+  double at;     ///< distance from its end, mm
+  double start;  ///< about the parameter of the curved motion whose tool is there; below 0: not known
+};
+
 class SweptBody {
  public:
   /// None: only to be assigned to.
@@ -75,10 +81,12 @@ class SweptBody {
   /// Requires `a` outside (within rounding) and the point at `inside` mm in the volume. Closed form for flat
   /// and ball ends along lines, otherwise the root of the exact distance; error below 1e-8 mm.
   double levelCut(const Vec3& a, double dx, double dy, double inside) const;
+  /// The same for parts of curves, which know where the tool is then.
+  EdgeCut curveCut(const Vec3& a, double dx, double dy, double inside) const;
 
   /// The surface that the motion leaves at `p`, where the volume cuts a grid edge along `axis`; `below`: the
-  /// material's end of a vertical edge is the lower one.
-  SweptSurface surface(const Vec3& p, int axis, bool below) const;
+  /// material's end of a vertical edge is the lower one. `start`: see EdgeCut.
+  SweptSurface surface(const Vec3& p, int axis, bool below, double start = -1.0) const;
   /// The same where it has a closed form: empty for curves and for tools other than flat and ball ends.
   std::optional<SweptSurface> closedSurface(const Vec3& p, int axis, bool below) const;
   /// Largest curvature (1/mm) of the face that an element of the profile (as SweepSample::element) leaves, if
@@ -88,6 +96,7 @@ class SweptBody {
 
  private:
   double levelGap(double x, double y) const;
+  double startOf(double place) const;
   double startAt(const Vec3& p) const;
 
   ColumnSweep columns_;

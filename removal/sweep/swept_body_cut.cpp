@@ -103,20 +103,90 @@ double searchCut(const Sweep& sweep, const Vec3& a, const Vec3& direction, doubl
 
 namespace {
 
-double curveCut(const ColumnSweep& part, const Vec3& a, double dx, double dy, double inside) {
-  const auto f = [&](double s) { return curveOutside(part, a.x() + s * dx, a.y() + s * dy, a.z()); };
-  const double at_a = f(0.0), at_inside = f(inside);
-  if (at_a <= 0.0) return 0.0;
-  if (at_inside >= 0.0) return inside;
-  return edgeRoot(f, 0.0, at_a, inside, at_inside, 1e-9);
-}
+/// A step that leaves less than this share of the value was worth it. Behind one this short from a value this
+/// small, mm, what is left is its square.
+constexpr double kWorth = 0.5, kLastStepMm = 1e-7, kNearMm = 1e-6;
+/// Values that count as 0, and edges as short as a point, mm.
+constexpr double kZeroMm = 1e-10, kPointMm = 1e-9;
+
+/// Newton's method from the end inside, where the slopes lead, and else the Illinois rule as edgeRoot.
+class CurveRoot {
+ public:
+  CurveRoot(const ColumnSweep& part, const Vec3& a, double dx, double dy, double inside)
+      : part_(part), a_(a), dx_(dx), dy_(dy), in_(inside) {}
+
+  struct Found {
+    double at, place;
+  };
+  Found find() {
+    CurveSide side = look(in_);
+    if (side.value >= 0.0) return {in_, side.place};
+    f_in_ = side.value;
+    double t = in_;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const double before = std::abs(side.value);
+      double next = side.slope != 0.0 ? t - side.value / side.slope : kNever;
+      if (std::abs(next - t) < kLastStepMm && before < kNearMm)
+        return {std::clamp(next, 0.0, in_), side.place};
+      if (!worth_ || !(next > out_ && next < in_)) {
+        if (!out_known_ && !lookAtStart()) return {0.0, start_place_};
+        next = (f_out_ * in_ - f_in_ * out_) / (f_out_ - f_in_);
+        if (round > kMostIllinois || !(next > out_ && next < in_)) next = 0.5 * (out_ + in_);
+      }
+      t = next;
+      side = look(t);
+      if (std::abs(side.value) < kZeroMm) break;
+      worth_ = std::abs(side.value) < kWorth * before;
+      narrow(t, side.value);
+      if (out_known_ && in_ - out_ < kPointMm) break;
+    }
+    return {t, side.place};
+  }
+
+ private:
+  static constexpr int kMostRounds = 100, kMostIllinois = 20;
+
+  CurveSide look(double t) const {
+    return curveSide(part_, {a_.x() + t * dx_, a_.y() + t * dy_, a_.z()}, dx_, dy_);
+  }
+  /// False where the start is inside within rounding.
+  bool lookAtStart() {
+    const CurveSide start = look(0.0);
+    out_known_ = true;
+    f_out_ = start.value;
+    start_place_ = start.place;
+    return start.value > 0.0;
+  }
+  void narrow(double t, double value) {
+    if (value >= 0.0) {
+      out_ = t, f_out_ = value, out_known_ = true;
+      if (side_ == 1) f_in_ *= 0.5;
+      side_ = 1;
+    } else {
+      in_ = t, f_in_ = value;
+      if (side_ == -1) f_out_ *= 0.5;
+      side_ = -1;
+    }
+  }
+
+  const ColumnSweep& part_;
+  const Vec3& a_;
+  double dx_, dy_, in_, out_ = 0.0, f_in_ = 0.0, f_out_ = 0.0, start_place_ = 0.0;
+  bool out_known_ = false, worth_ = true;
+  int side_ = 0;
+};
 
 }  // namespace
+
+EdgeCut SweptBody::curveCut(const Vec3& a, double dx, double dy, double inside) const {
+  const auto cut = CurveRoot(columns_, a, dx, dy, inside).find();
+  return {cut.at, startOf(cut.place)};
+}
 
 double SweptBody::levelCut(const Vec3& a, double dx, double dy, double inside) const {
   const ColumnSweep& c = columns_;
   const ColumnSolid& tool = solid();
-  if (isCurvePart()) return curveCut(c, a, dx, dy, inside);
+  if (isCurvePart()) return curveCut(a, dx, dy, inside).at;
   const Ray ray{a.x(), a.y(), dx, dy};
   if (c.kind == ColumnSweep::Kind::kLine && tool.flat) {
     double first, last;

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "core/tool/tool_solid.h"
+#include "removal/sweep/column_curve.h"
 #include "removal/sweep/column_way.h"
 #include "tests/property/random_moves.h"
 
@@ -127,6 +129,35 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     return c;
   }
 
+  /// Turns, upright arcs and spirals, in turn.
+  Curve anyCurve(int i) {
+    Curve c = curve(i % 3 != 1);
+    if (i % 3 == 2) c.to += random(0.01, 0.5) * (c.to - c.arc.center).cwiseProduct(Vec3(1, 1, 0));
+    return c;
+  }
+  static std::vector<ColumnSweep> parts(const ColumnSolid& solid, const CurveWay& way, const Curve& c,
+                                        int i) {
+    if (i % 3 == 0) return columnTurns(solid, c.from, c.to, c.arc);
+    return i % 3 == 1 ? columnUprights(solid, c.from, c.to, c.arc) : columnParts(solid, way);
+  }
+  static std::vector<ConvexProfile> profiles() {
+    Tool tool = parseToolOption(GetParam()).value();
+    tool.flute_length = 15.0;
+    return makeToolSolid(tool).cutter;
+  }
+  /// False where none of eight columns meets the part.
+  bool pointInside(const ColumnSweep& part, const Curve& c, Vec3& inside) {
+    std::array<double, 8> x{}, y{}, lo{}, hi{};
+    for (std::size_t k = 0; k < 8; ++k) x[k] = c.from.x() + random(-9, 9), y[k] = c.from.y() + random(-9, 9);
+    columnKernels().columns(part, x.data(), y.data(), 8, lo.data(), hi.data());
+    for (std::size_t k = 0; k < 8; ++k) {
+      if (lo[k] >= hi[k]) continue;
+      inside = {x[k], y[k], lo[k] + random(0.02, 0.98) * (hi[k] - lo[k])};
+      return true;
+    }
+    return false;
+  }
+
   void check(const SweptBody& body, const Sweep& exact, const Vec3& p, bool below) {
     const double there = exact.distance(p, 1e300);
     ASSERT_LT(there, 1e-7);
@@ -144,18 +175,13 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
 };
 
 TEST_P(CurveSurfaces, NormalsLeadAwayFromTheCurve) {
-  Tool tool = parseToolOption(GetParam()).value();
-  tool.flute_length = 15.0;
-  for (const ConvexProfile& profile : makeToolSolid(tool).cutter) {
+  for (const ConvexProfile& profile : profiles()) {
     const ColumnSolid solid = columnSolid(profile);
     for (int i = 0; i < 300; ++i) {
-      Curve c = curve(i % 3 != 1);
-      if (i % 3 == 2) c.to += random(0.01, 0.5) * (c.to - c.arc.center).cwiseProduct(Vec3(1, 1, 0));
+      const Curve c = anyCurve(i);
       const Sweep exact(profile, c.from, c.to, &c.arc);
       const CurveWay way = curveWay(c.from, c.to, c.arc);
-      for (const ColumnSweep& part : i % 3 == 0   ? columnTurns(solid, c.from, c.to, c.arc)
-                                     : i % 3 == 1 ? columnUprights(solid, c.from, c.to, c.arc)
-                                                  : columnParts(solid, way)) {
+      for (const ColumnSweep& part : parts(solid, way, c, i)) {
         std::array<double, 8> x{}, y{}, lo{}, hi{};
         for (std::size_t k = 0; k < 8; ++k)
           x[k] = c.from.x() + random(-9, 9), y[k] = c.from.y() + random(-9, 9);
@@ -172,6 +198,46 @@ TEST_P(CurveSurfaces, NormalsLeadAwayFromTheCurve) {
   }
   EXPECT_GT(known_, 300);
   EXPECT_GT(exact_, 0.99 * known_);
+}
+
+/// Level edges end where the part begins, and the tool touches that point from the place that is told.
+TEST_P(CurveSurfaces, LevelCutsAreWhereThePartBegins) {
+  int cuts = 0, touched = 0, slopes = 0, right = 0;
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 300; ++i) {
+      const Curve c = anyCurve(i);
+      const Sweep exact(profile, c.from, c.to, &c.arc);
+      const CurveWay way = curveWay(c.from, c.to, c.arc);
+      const ArcFrame frame = arcFrame(c.from, c.to, c.arc);
+      for (const ColumnSweep& part : parts(solid, way, c, i)) {
+        Vec3 inside;
+        if (!pointInside(part, c, inside)) continue;
+        const double a = random(0.0, 6.28), far = i % 2 == 0 ? 60.0 : random(0.1, 3.0);
+        const Vec3 on(std::cos(a), std::sin(a), 0.0), from = inside - far * on;
+        const auto side = [&](double s) {
+          const Vec3 p = from + s * on;
+          return curveSide(part, {p.x(), p.y(), p.z()}, on.x(), on.y());
+        };
+        if (side(0.0).value <= 0.0) continue;
+        const EdgeCut cut = SweptBody(profile, part, exact).curveCut(from, on.x(), on.y(), far);
+        ++cuts;
+        ASSERT_GE(side(cut.at - 2e-8).value, -1e-9) << i;
+        ASSERT_LE(side(cut.at + 2e-8).value, 1e-9) << i;
+        const Vec3 p = from + cut.at * on, tip = arcPoint(frame, c.arc, cut.start);
+        touched += std::abs(profile.sample((p - tip).head<2>().norm(), p.z() - tip.z()).value) < 1e-6 ? 1 : 0;
+        const double slope = side(far).slope, step = 1e-6;
+        if (slope == 0.0) continue;
+        ++slopes;
+        const double seen = (side(far + step).value - side(far - step).value) / (2.0 * step);
+        right += std::abs(seen - slope) < 1e-3 * (1.0 + std::abs(slope)) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(cuts, 200);
+  EXPECT_GT(touched, 0.99 * cuts);  // but where the way comes to be over the edge
+  EXPECT_GT(slopes, 100);
+  EXPECT_GT(right, 0.98 * slopes);  // but beside edges of the tool
 }
 
 INSTANTIATE_TEST_SUITE_P(Tools, CurveSurfaces,
