@@ -110,6 +110,7 @@ class Sweep {
   void slantedColumn(double x, double y, double z0, double dz, int count, const double* cutoff,
                      double* out) const;
   double horizontalGap(double x, double y) const;
+  double helixBound(const Vec3& p) const;
 
   const ConvexProfile* profile_;
   Kind kind_;
