@@ -28,7 +28,7 @@ constexpr double kMostOff = 1.0;
 /// with zeros.
 template <typename T>
 void resizeTouched(std::vector<T>& vector, std::size_t size, std::size_t spare) {
-  constexpr std::size_t kPage = 4096, kStretch = std::size_t{1} << 21, kGrowth = 64;
+  constexpr std::size_t kPage = 4096, kStretch = std::size_t{1} << 21, kGrowth = 16;
   if (size + spare > vector.capacity()) {
     vector.clear();
     vector.reserve(size + spare + size / kGrowth);  // later rounds take a little more

@@ -312,9 +312,22 @@ double Sweep::ballGap(const Vec3& p) const {
   return e.z() <= 0.0 && (gap >= 0.0 || profile_->zMax() >= 2.0 * radius) ? gap : kNotBall;
 }
 
+/// Lower bound of the distance: the solid's axis comes no nearer than the cylinder that it goes along, and
+/// nothing lies deeper than the largest radius less that.
+double Sweep::helixBound(const Vec3& p) const {
+  constexpr double kRounding = 1e-9;  // mm
+  const double from_axis = (p - arc_.center).head<2>().norm();
+  const auto [least, most] = std::minmax(frame_.radius_start, frame_.radius_end);
+  return std::max(least - from_axis, from_axis - most) - profile_->maxRadius() - kRounding;
+}
+
 double Sweep::distance(const Vec3& p, double cutoff) const {
   if (kind_ == Kind::kLine && profile_->ballCenter() > 0.0) {
     if (const double d = ballGap(p); d < kNotBall) return d;
+  }
+  if (isHelix()) {
+    const double bound = helixBound(p);
+    if (bound > cutoff) return bound;
   }
   double bound = 0.0;
   const Place place = minimise(p, cutoff, kLineToleranceMm, bound);

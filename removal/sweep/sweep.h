@@ -111,6 +111,7 @@ class Sweep {
                      double* out) const;
   double ballGap(const Vec3& p) const;
   double horizontalGap(double x, double y) const;
+  double helixBound(const Vec3& p) const;
 
   const ConvexProfile* profile_;
   Kind kind_;

@@ -162,12 +162,14 @@ void expectField(const Case& c, const Part& part, Cases& points, unsigned seed) 
       ASSERT_LE(column[0], s.value + tolerance);
     }
     // A cutoff may only replace values above it, by something above it.
-    const double cut = sweep.distance(p, 1.0);
-    if (s.value <= 1.0) {
-      ASSERT_NEAR(cut, s.value, tolerance);
-    } else {
-      ASSERT_GT(cut, 1.0);
-      ASSERT_LE(cut, s.value + tolerance);
+    for (const double cutoff : {1.0, s.value - 0.3, s.value + 0.3}) {
+      const double cut = sweep.distance(p, cutoff);
+      if (s.value <= cutoff) {
+        ASSERT_NEAR(cut, s.value, tolerance);
+      } else {
+        ASSERT_GT(cut, cutoff);
+        ASSERT_LE(cut, s.value + tolerance);
+      }
     }
   }
 }
