@@ -64,10 +64,11 @@ Coord stepped(const Coord& from, int corner) {
 
 }  // namespace
 
-double CellMaterial::share(const Vec3& low) {
+std::optional<double> CellMaterial::share(const Vec3& low) {
   const Vec3 middle = low + Vec3::Constant(0.5 * impl_.h);
   sweeps_.clear();
   impl_.cut->cutters().collect(middle, kRadius * impl_.h, sweeps_);
+  if (sweeps_.empty()) return std::nullopt;
   kept_.resize(sweeps_.size());
   for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] = static_cast<std::uint16_t>(i);
   return shareOf({middle, impl_.h, 0, true}, 0, kept_.size());

@@ -1,6 +1,7 @@
 // How much of a cell is material: in truth, and under the surface that its crossings make.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "removal/surface/surface_quads.h"
@@ -13,8 +14,9 @@ class CellMaterial {
  public:
   explicit CellMaterial(const Stock::Impl& impl) : impl_(impl) {}
   /// Part of the volume of the cell with this lowest corner, off by a thousandth about: the cell is halved on
-  /// all axes until one face lies in a part, which is a plane there, or the parts are small.
-  double share(const Vec3& low);
+  /// all axes until one face lies in a part, which is a plane there, or the parts are small. None where no
+  /// tool came: the cell is as it was.
+  std::optional<double> share(const Vec3& low);
 
  private:
   struct Part {

@@ -19,6 +19,8 @@ constexpr double kLittle = 0.005, kSpreads = 0.01, kMuch = 0.05;
 constexpr double kUnsure = 0.05, kUnknown = 0.1;
 /// So many cells are looked at, as one takes as long as meshing a hundred or more.
 constexpr std::size_t kMostCells = 4000;
+/// More thin cells than this are a part that is too thin for its grid in many places: they are told of alone.
+constexpr std::size_t kFewThin = 10;
 
 struct ByPlace {
   bool operator()(const Coord& a, const Coord& b) const {
@@ -27,18 +29,21 @@ struct ByPlace {
 };
 using Places = std::set<Coord, ByPlace>;
 
-std::vector<Coord> doubtfulCells(const SurfaceGrid& grid) {
-  std::vector<Coord> cells;
+/// Where to start. `known`: not only the path, but also what it cut; a blank may be thin before it and after.
+std::vector<Coord> doubtfulCells(const SurfaceGrid& grid, bool known) {
+  std::vector<Coord> misses, thin;
   for (const SurfaceLeaf& leaf : grid.leaves()) {
     if (leaf.all_level) continue;
     for (int rank = 0; rank < leaf.cells; ++rank) {
       const std::uint16_t traits = grid.traits(leaf.base + static_cast<std::uint32_t>(rank));
-      if ((traits & CellTraits::kMisses) == 0) continue;
+      if ((traits & (CellTraits::kMisses | kThin)) == 0) continue;
       const int at = leaf.placeOf(rank);
-      cells.push_back(leaf.stock->origin.offsetBy(at >> 3 & 7, at & 7, at >> 6));
+      const Coord cell = leaf.stock->origin.offsetBy(at >> 3 & 7, at & 7, at >> 6);
+      ((traits & CellTraits::kMisses) != 0 ? misses : thin).push_back(cell);
     }
   }
-  return cells;
+  if (known && thin.size() <= kFewThin) misses.insert(misses.end(), thin.begin(), thin.end());
+  return misses;
 }
 
 bool isThin(const SurfaceGrid& grid, const Coord& cell) {
@@ -54,8 +59,8 @@ std::vector<double> missedIn(const std::vector<Coord>& cells, const SurfaceGrid&
   std::vector<double> missed(cells.size());
   parallelFor(std::size_t{0}, cells.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
-    CellMaterial material(grid.impl());
-    missed[i] = material.share(grid.impl().position(cells[i])) - CellUnderSurface(grid).share(cells[i]);
+    const std::optional<double> left = CellMaterial(grid.impl()).share(grid.impl().position(cells[i]));
+    if (left) missed[i] = *left - CellUnderSurface(grid).share(cells[i]);
   });
   return missed;
 }
@@ -78,7 +83,7 @@ UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress) {
   const Stock::Impl& impl = grid.impl();
   UnseenVolume out;
   const bool known = impl.cut != nullptr && impl.cut_blank != nullptr;
-  std::vector<Coord> cells = doubtfulCells(grid);
+  std::vector<Coord> cells = doubtfulCells(grid, known);
   std::size_t left = known ? kMostCells : 0;
   Places seen(cells.begin(), cells.end());
   while (!cells.empty()) {

@@ -97,6 +97,29 @@ TEST(UnseenVolume, MeetsNothingWhereFacesGoOn) {
   EXPECT_EQ(surface->thin_cells, 0u);
 }
 
+/// Small tubes with walls thinner than the grid: what the grid holds of them stays as long as nothing is cut.
+TEST(UnseenVolume, IsNothingWhereNoToolCame) {
+  int thin = 0;
+  for (int i = 0; i < 12; ++i) {
+    RemovalOptions options;
+    options.resolution_mm = kGrid;
+    Progress progress;
+    const double radius = 0.35 + 0.03 * i;
+    Result<Stock> stock =
+        Stock::create(CylinderShape{2, {0.07, 0.03, 0.02}, radius, radius - 0.15, 0.4}, options, progress);
+    if (!stock) continue;  // nothing of it is on the grid
+    const double before = stock->volume({}, progress)->mm3;
+    const Toolpath path = PathMaker().line({-20, 8, 0}, {20, 8, 0}).path();
+    ASSERT_TRUE(stock->remove(path, {tool("1=flat:3")}, options, progress).ok());
+    const Result<StockSurface> surface = stock->surface(1, progress);
+    ASSERT_TRUE(surface.ok());
+    thin += surface->thin_cells > 0 && surface->thin_cells <= 10 ? 1 : 0;
+    EXPECT_EQ(surface->volume_mm3, before);
+    EXPECT_EQ(surface->unseen_mm3, 0.0);
+  }
+  EXPECT_GT(thin, 0);
+}
+
 /// The second path finds lips that it did not make: what they hold stays counted.
 TEST(UnseenVolume, IsReportedOnce) {
   const LippedSlot slot(0.07, 3.0);
