@@ -139,6 +139,27 @@ CutterIndex::Near CutterIndex::nearest(const Vec3& p, MotionId end, double cutof
   return best;
 }
 
+void CutterIndex::collect(const Vec3& p, double within, std::vector<Sweep>& out) const {
+  if (nodes_.empty()) return;
+  std::array<std::uint32_t, 64> stack;
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t number = stack[--size];
+    const Node& node = nodes_[number];
+    if (distanceTo(node.box, p) >= within) continue;
+    if (node.right != 0) {
+      stack[size++] = node.right;
+      stack[size++] = number + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      const Sweep sweep = bodies_[i].sweep(table_);
+      if (sweep.distance(p, within) < within) out.push_back(sweep);
+    }
+  }
+}
+
 bool CutterIndex::comesTo(const Vec3& p, double within, std::uint32_t except) const {
   if (nodes_.empty()) return false;
   std::array<std::uint32_t, 64> stack;

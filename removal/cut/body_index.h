@@ -33,6 +33,8 @@ class CutterIndex {
   /// Whether a cutter other than that of pass `except` is nearer to `p` than `within`, mm; below 0: holds it
   /// deeper than that.
   bool comesTo(const Vec3& p, double within, std::uint32_t except = kNoPass) const;
+  /// Adds the sweeps of all cutters nearer to `p` than `within`, mm.
+  void collect(const Vec3& p, double within, std::vector<Sweep>& out) const;
   static constexpr std::uint32_t kNoPass = ~0u;
 
  private:

@@ -139,6 +139,9 @@ struct StockSurface {
   TriMesh mesh;                   ///< with `motion` per triangle
   double volume_mm3 = 0.0;        ///< see StockVolume; the same however the mesh is simplified
   double volume_error_mm3 = 0.0;  ///< see StockVolume
+  /// Material in places that no crossing shows, beside `volume_mm3`; below 0 where there is less. Known of a
+  /// box or cylinder and the first path in it; else 0.
+  double unseen_mm3 = 0.0;
   /// Grid cells in which more than one sheet of surface runs, or whose vertex is off the surface by more than
   /// a fifth of a cell: walls, gaps or ridges there are thinner than the grid resolves, and the mesh is less
   /// exact. `first_thin_cell`: middle of the first, mm.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/base/stopwatch.h"
 #include "removal/process/wire_grid_piece.h"
@@ -80,9 +81,11 @@ Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<To
   Result<StockSurface> surface = stock_.surface(options.surface, progress);
   if (!surface) return surface.error();
   out.mesh_s = watch.lap();
-  const double removed_mm3 = surface->mesh.triangles.empty()
-                                 ? out.initial_mm3  // whatever moves and rounding made of it
-                                 : removedVolume(*removal, out.initial_mm3, held->mm3, surface->volume_mm3);
+  const double unseen_mm3 = std::exchange(surface->unseen_mm3, 0.0);
+  const double removed_mm3 =
+      surface->mesh.triangles.empty()
+          ? out.initial_mm3  // whatever moves and rounding made of it
+          : removedVolume(*removal, out.initial_mm3, held->mm3, surface->volume_mm3 + unseen_mm3);
   surface->volume_mm3 = out.initial_mm3 - removed_mm3;
   surface->volume_error_mm3 =
       removedError(*removal, removed_mm3, std::abs(surface->volume_error_mm3 - held->error_mm3),
@@ -93,7 +96,7 @@ Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<To
   out.surface = std::move(*surface);
   out.apart = apart_;
   left_mm3_ = out.surface.volume_mm3;
-  own_mm3_ = held->mm3 - removed_mm3;
+  own_mm3_ = held->mm3 - removed_mm3 - unseen_mm3;  // as crossings show it: the next path knows no other
   return out;
 }
 

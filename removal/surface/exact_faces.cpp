@@ -56,7 +56,9 @@ ExactFaces::Source ExactFaces::findSource(std::uint64_t face) const {
   if (pass == nullptr && cut_ != nullptr) return {bodyOfFace(face), cut_->isSimple(face)};
   if (pass == nullptr) return {kNoBody, true};
   const std::optional<double> bend = pass->body.simpleBend(static_cast<int>(face & 0xFFFF));
-  return {pass - record_->table.passes.data(), bend.has_value(), h_ * bend.value_or(0.0)};
+  const ConvexProfile& profile = pass->body.profile();
+  const bool straight = !profile.element(elementOf(face) - profile.firstElementId()).arc;
+  return {pass - record_->table.passes.data(), bend.has_value(), h_ * bend.value_or(0.0), straight};
 }
 
 ExactFaces::Source ExactFaces::source(std::uint64_t face) {
@@ -98,6 +100,10 @@ bool ExactFaces::isRounded(std::int64_t body) const {
   bool arc = false;
   for (int i = 0; i < profile.elementCount(); ++i) arc = arc || profile.element(i).arc;
   return arc;
+}
+
+double ExactFaces::distanceTo(std::int64_t body, const Vec3& q) {
+  return bodyOf(body).sweep.distance(corner_ + h_ * q, h_) / h_;
 }
 
 double ExactFaces::blankValue(const Vec3& q) const { return blank_->value(corner_ + h_ * q) / h_; }

@@ -33,6 +33,9 @@ class ExactFaces {
     /// show exactly. True for faces that no pass made.
     bool simple;
     double bend = 0.0;  ///< largest curvature of a simple face, by cell; 0 where it is not known
+    /// A pass made it with a straight piece of its tool's profile: it ends at rims. Round pieces go over into
+    /// others.
+    bool ends = false;
   };
   static constexpr std::int64_t kNoBody = -1;  ///< below it: faces of a blank whose faces are known
   /// `face`: Crossing::face().
@@ -50,6 +53,8 @@ class ExactFaces {
   /// Whether a pass made it with a tool that is round somewhere, so that its faces may go over into each
   /// other.
   bool isRounded(std::int64_t body) const;
+  /// Distance of `q` from a body that a pass made, both in units of the cell; not above 1.
+  double distanceTo(std::int64_t body, const Vec3& q);
   /// The surface is the blank's own.
   bool ofBlank() const { return blank_ != nullptr; }
   /// Signed value of the blank at `q` (in units of the cell), below 0 in the material. Requires ofBlank.

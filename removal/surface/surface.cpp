@@ -16,6 +16,7 @@
 #include "removal/surface/leaf_volume.h"
 #include "removal/surface/mesh_repair.h"
 #include "removal/surface/surface_sharpen.h"
+#include "removal/surface/unseen_volume.h"
 
 namespace proveout {
 namespace {
@@ -64,6 +65,7 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, co
   Result<MeasuredLeaves> measured = measureLeaves(*grid, planner, progress);
   if (!measured.ok()) return measured.error();
   progress.report("meshing", 0.7);
+  const UnseenVolume unseen = unseenVolume(*grid, progress);
   auto repaired = repairedMesh(*grid, merger, planner, std::move(measured->quads), doubts, progress);
   if (!repaired) return interrupted;
   if (impl.field != nullptr)
@@ -75,9 +77,10 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, co
   merged.resize(repaired->mesh.positions.size(), 1);
   surface.mesh = std::move(repaired->mesh);
   surface.volume_mm3 = measured->volume.mm3;
-  surface.volume_error_mm3 = measured->volume.error_mm3;
-  surface.thin_cells = thin.count;
-  surface.first_thin_cell = thin.first;
+  surface.volume_error_mm3 = measured->volume.error_mm3 + unseen.error_mm3;
+  surface.unseen_mm3 = unseen.mm3;
+  surface.thin_cells = thin.count + unseen.thin.count;
+  surface.first_thin_cell = thin.count > 0 ? thin.first : unseen.thin.first;
   surface.self_intersections = repaired->self_intersections;
   return surface;
 }

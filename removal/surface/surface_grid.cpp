@@ -26,6 +26,8 @@ const Vec3 kNoPlace = Vec3::Constant(kNoLimit);
 constexpr double kOffBy = 0.2;
 /// And those that stand out of the middle of their crossings by less are not, as tools are larger than cells.
 constexpr double kStandsOut = 0.15;
+/// A face ends before a vertex that is farther off it, in cells; one that leans less from it goes on there.
+constexpr double kEndsAt = 0.02, kGoesOn = 0.9;
 /// Sheets of one cell keep their vertices this far apart (in cells), as seen from one to the other.
 constexpr double kSheetGap = 0.01;
 /// Below this lean of the normals from their mean (2 degrees), the crossings place the vertex of any smooth
@@ -177,6 +179,7 @@ class LeafPlacer {
       out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
       if (sheets > 1) continue;
       if (!v.smooth && isOff(v.p, count)) out.traits |= CellTraits::kOff;
+      if (!v.smooth && exact_.active() && missesFace(v.p, count)) out.traits |= CellTraits::kMisses;
       if (v.outside) {
         leaf_.outside.push_back({static_cast<std::uint16_t>(z << 6 | bit), toFloat(origin + v.inside),
                                  !v.smooth && isOff(v.inside, count)});
@@ -281,6 +284,31 @@ class LeafPlacer {
     if (plane > kOffBy) return true;
     if (on_blank && exact_.isOffCutBlank(p, kOffBy)) return true;
     return isTaken(p, count);
+  }
+
+  /// Whether a face ends before the vertex, and no other goes on there: surface beside it shows by no
+  /// crossing.
+  bool missesFace(const Vec3& p, int count) {
+    std::array<bool, 12> missed{};
+    bool any = false;
+    for (int i = 0; i < count; ++i) {
+      const ExactFaces::Source source = exact_.source(points_[i].face);
+      if (!source.ends) continue;
+      const bool as_before = i > 0 && points_[i].face == points_[i - 1].face;
+      missed[i] = as_before ? missed[i - 1] : exact_.distanceTo(source.body, p) > kEndsAt;
+      any = any || missed[i];
+    }
+    if (!any) return false;
+    const auto goesOn = [&](int i) {
+      for (int j = 0; j < count; ++j) {
+        if (!missed[j] && points_[i].n.dot(points_[j].n) > kGoesOn) return true;
+      }
+      return false;
+    };
+    for (int i = 0; i < count; ++i) {
+      if (missed[i] && !goesOn(i)) return true;
+    }
+    return false;
   }
 
   /// Whether a tool took what is at a vertex and none of its crossings: it stands out from among them. Asking

@@ -89,6 +89,7 @@ struct CellTraits {
   static constexpr std::uint16_t kOff = 0x400;       ///< its vertex is off the surface
   static constexpr std::uint16_t kWalled = 0x800;    ///< its triangles stay in it; see SurfaceGrid::wall
   static constexpr std::uint16_t kDrawnIn = 0x1000;  ///< and its sheets are in the middle of their crossings
+  static constexpr std::uint16_t kMisses = 0x2000;   ///< a face of its crossings ends before its vertex
 };
 
 /// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each

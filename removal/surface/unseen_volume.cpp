@@ -1,0 +1,111 @@
+#include "removal/surface/unseen_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "core/base/parallel_for.h"
+#include "removal/surface/cell_shares.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::uint16_t kThin = CellTraits::kOff | CellTraits::kManySheets;
+/// Parts of a cell: what the rules on crossings may leave; what may go on beside it; what is told of as thin.
+constexpr double kLittle = 0.005, kSpreads = 0.01, kMuch = 0.05;
+/// Of what is missed it is known but for this part; where nothing is known this part of a cell is missed.
+constexpr double kUnsure = 0.05, kUnknown = 0.1;
+/// So many cells are looked at, as one takes as long as meshing a hundred or more.
+constexpr std::size_t kMostCells = 4000;
+/// More thin cells than this are a part that is too thin for its grid in many places: they are told of alone.
+constexpr std::size_t kFewThin = 10;
+
+struct ByPlace {
+  bool operator()(const Coord& a, const Coord& b) const {
+    return std::tuple(a.z(), a.y(), a.x()) < std::tuple(b.z(), b.y(), b.x());
+  }
+};
+using Places = std::set<Coord, ByPlace>;
+
+/// Where to start. `known`: not only the path, but also what it cut; a blank may be thin before it and after.
+std::vector<Coord> doubtfulCells(const SurfaceGrid& grid, bool known) {
+  std::vector<Coord> misses, thin;
+  for (const SurfaceLeaf& leaf : grid.leaves()) {
+    if (leaf.all_level) continue;
+    for (int rank = 0; rank < leaf.cells; ++rank) {
+      const std::uint16_t traits = grid.traits(leaf.base + static_cast<std::uint32_t>(rank));
+      if ((traits & (CellTraits::kMisses | kThin)) == 0) continue;
+      const int at = leaf.placeOf(rank);
+      const Coord cell = leaf.stock->origin.offsetBy(at >> 3 & 7, at & 7, at >> 6);
+      ((traits & CellTraits::kMisses) != 0 ? misses : thin).push_back(cell);
+    }
+  }
+  if (known && thin.size() <= kFewThin) misses.insert(misses.end(), thin.begin(), thin.end());
+  return misses;
+}
+
+bool isThin(const SurfaceGrid& grid, const Coord& cell) {
+  const std::int32_t number = LeafReader(grid.impl()).state(cell & ~7);
+  if (number < 0) return false;
+  const SurfaceLeaf& leaf = grid.leaves()[static_cast<std::size_t>(number)];
+  const int x = cell.x() & 7, y = cell.y() & 7, z = cell.z() & 7;
+  return leafSample(leaf.mixed, x, y, z) && (grid.traits(leaf.cellAt(z << 6 | leafBit(x, y))) & kThin) != 0;
+}
+
+/// Parts of the cells that are material beyond what is under the surface.
+std::vector<double> missedIn(const std::vector<Coord>& cells, const SurfaceGrid& grid, Progress& progress) {
+  std::vector<double> missed(cells.size());
+  parallelFor(std::size_t{0}, cells.size(), [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    const std::optional<double> left = CellMaterial(grid.impl()).share(grid.impl().position(cells[i]));
+    if (left) missed[i] = *left - CellUnderSurface(grid).share(cells[i]);
+  });
+  return missed;
+}
+
+void addBeside(const Coord& cell, Places& seen, std::vector<Coord>& out) {
+  for (int i = 0; i < 27; ++i) {
+    const Coord beside = cell.offsetBy(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (seen.insert(beside).second) out.push_back(beside);
+  }
+}
+
+void count(const SurfaceGrid& grid, const Coord& cell, ThinCells& thin) {
+  if (isThin(grid, cell) || thin.count++ > 0) return;
+  thin.first = grid.impl().position(cell) + Vec3::Constant(0.5 * grid.impl().h);
+}
+
+}  // namespace
+
+UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress) {
+  const Stock::Impl& impl = grid.impl();
+  UnseenVolume out;
+  const bool known = impl.cut != nullptr && impl.cut_blank != nullptr;
+  std::vector<Coord> cells = doubtfulCells(grid, known);
+  std::size_t left = known ? kMostCells : 0;
+  Places seen(cells.begin(), cells.end());
+  while (!cells.empty()) {
+    out.error_mm3 += kUnknown * static_cast<double>(cells.size() - std::min(left, cells.size()));
+    cells.resize(std::min(left, cells.size()));
+    left -= cells.size();
+    const std::vector<double> missed = missedIn(cells, grid, progress);
+    std::vector<Coord> next;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (std::abs(missed[i]) < kLittle) continue;
+      out.mm3 += missed[i];
+      out.error_mm3 += kUnsure * std::abs(missed[i]);
+      if (std::abs(missed[i]) >= kMuch) count(grid, cells[i], out.thin);
+      if (std::abs(missed[i]) >= kSpreads) addBeside(cells[i], seen, next);
+    }
+    cells = std::move(next);
+  }
+  if (progress.cancelled()) return {};
+  const double cell = impl.h * impl.h * impl.h;
+  out.mm3 *= cell;
+  out.error_mm3 *= cell;
+  return out;
+}
+
+}  // namespace proveout
