@@ -59,7 +59,7 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
   // A nominal is that of the part alone.
   if (options.part && order.size() > 1) order.resize(1);
   out.surface.mesh = stock_.mesh(order, options.facet_mm);
-  out.surface.self_intersections = wallMeetings(out.surface.mesh);
+  out.surface.self_intersections = stock_.knownSound() ? 0 : wallMeetings(out.surface.mesh).size();
   out.surface.volume_mm3 = stock_.volume();
   out.facet_error_mm = options.facet_mm;
   fitRemovedVolume(*removal, out.initial_mm3 - out.surface.volume_mm3);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_set>
@@ -18,6 +19,8 @@ constexpr double kThinnest = 5e-4;
 
 /// Rounds in which walls are parted, at most: each finds out where they must not be.
 constexpr int kMostRounds = 12;
+/// How often heights are halved where walls run through each other, at most; and so that this does not help.
+constexpr int kMostFiner = 6, kMostWorse = 2;
 
 using Names = std::unordered_set<WallName>;
 
@@ -30,20 +33,23 @@ bool hasAny(const LevelLoop& loop, const Names& names) {
 
 class LevelMaker {
  public:
-  LevelMaker(const std::function<LevelSection(double z)>& section, double tolerance, Progress& progress)
+  LevelMaker(const SectionMaker& section, double tolerance, Progress& progress)
       : section_(section), tolerance_(tolerance), progress_(progress) {}
 
-  Result<LeanLevels> make(double low, double high) {
-    for (const double z : {low, high}) sections_[z] = section_(z);
-    for (int round = 0;; ++round) {
-      parts_ = round < kMostRounds;
-      slabs_.clear();
-      passed_.clear();
-      splits_.clear();
-      curves_.clear();
-      used_ = {low, high};
-      if (const Status done = settleAll(low, high); !done) return done.error();
-      if (!failed_) return take();
+  Status make(double low, double high, const LevelsUse& use) {
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (int tries = 0, worse = 0;; ++tries) {
+      for (const double z : {low, high}) sections_[z] = sectionAt(z);
+      if (const Status done = settleRounds(low, high); !done) return done;
+      LeanLevels made = take();
+      const Result<std::vector<CrossedTriangle>> found = use(made);
+      if (!found && tries == 0) return found.error();
+      worse += !found || found->size() >= least ? 1 : 0;
+      if (!found || found->empty() || tries == kMostFiner || worse == kMostWorse) return Done{};
+      least = std::min(least, found->size());
+      crossed_.add(*found);
+      for (LevelSection& level : made.levels) sections_[level.z] = std::move(level);
+      std::erase_if(sections_, [&](const auto& section) { return crossed_.at(section.first); });
     }
   }
 
@@ -103,6 +109,18 @@ class LevelMaker {
     std::function<const RunStarts*(std::uint32_t lower)> quarter;
   };
 
+  Status settleRounds(double low, double high) {
+    for (int round = 0;; ++round) {
+      parts_ = round < kMostRounds;
+      slabs_.clear();
+      passed_.clear();
+      splits_.clear();
+      curves_.clear();
+      used_ = {low, high};
+      if (const Status done = settleAll(low, high); !done || !failed_) return done;
+    }
+  }
+
   Status settleAll(double low, double high) {
     failed_ = false;
     std::vector<Task> open{{low, high, allOf(sections_[low]), allOf(sections_[high]), {}}};
@@ -158,7 +176,8 @@ class LevelMaker {
 
   LevelSection sectionAt(double z) const {
     const auto known = sections_.find(z);
-    return known != sections_.end() ? known->second : section_(z);
+    return known != sections_.end() ? known->second
+                                    : section_(z, crossed_.at(z) ? ThinPlaces::kGo : ThinPlaces::kStay);
   }
 
   /// Loops of both sections whose walls are asked about, wholly or in part.
@@ -242,7 +261,8 @@ class LevelMaker {
                Try& out) const {
     const std::uint32_t m = set.middle_of_lower[i];
     WallVerdict verdict;
-    if (m != kNone) {
+    const bool finer = crossed_.within(set.task.from, set.task.to, set.lower.loops[i], set.upper.loops[k]);
+    if (m != kNone && !finer) {
       const RunStarts middle(out.middle.loops[m]);
       verdict = judgeWall({set.lower.loops[i], middle, set.upper.loops[k], [&] { return set.quarter(i); }},
                           tolerance_, !set.thin && whole && mayPart(set, i, k));
@@ -281,8 +301,12 @@ class LevelMaker {
     const RunStarts middle(m == kNone ? lower : out.middle.loops[m]);
     for (const WallPart& part : wall.parts) {
       if (all.failed) break;
-      WallVerdict verdict = judgePart({lower, middle, upper, [&] { return set.quarter(wall.lower); }}, part,
-                                      tolerance_, set.thin);
+      const bool finer = crossed_.within(set.task.from, set.task.to, lower, part.lower, upper, part.upper);
+      WallVerdict verdict =
+          judgePart({lower, middle, upper, [&] { return set.quarter(wall.lower); }}, part, tolerance_,
+                    finer      ? PartWish::kHalved
+                    : set.thin ? PartWish::kLast
+                               : PartWish::kTrue);
       all.failed = verdict.failed;
       std::move(verdict.settled.begin(), verdict.settled.end(), std::back_inserter(all.settled));
       all.open.insert(all.open.end(), verdict.open.begin(), verdict.open.end());
@@ -405,13 +429,14 @@ class LevelMaker {
     PlacedPoint lower, upper;
     CurvedRung rung;
   };
-  const std::function<LevelSection(double z)>& section_;
+  const SectionMaker& section_;
   double tolerance_;
   Progress& progress_;
   std::map<double, LevelSection> sections_;  ///< all that were ever kept
   std::vector<Trouble> troubles_;            ///< of all rounds
   bool parts_ = true;                        ///< walls may be parted
   bool failed_ = false;                      ///< this round, for troubles that were not known
+  CrossedWalls crossed_;                     ///< by the meshes that were made of it before
   // Of this round:
   std::set<double> used_;
   std::vector<Placed> slabs_;
@@ -422,9 +447,9 @@ class LevelMaker {
 
 }  // namespace
 
-Result<LeanLevels> leanLevels(const std::function<LevelSection(double z)>& section, double low, double high,
-                              double tolerance, Progress& progress) {
-  return LevelMaker(section, tolerance, progress).make(low, high);
+Status leanLevels(const SectionMaker& section, double low, double high, double tolerance,
+                  const LevelsUse& use, Progress& progress) {
+  return LevelMaker(section, tolerance, progress).make(low, high, use);
 }
 
 }  // namespace proveout
