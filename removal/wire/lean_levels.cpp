@@ -22,6 +22,9 @@ constexpr int kMostRounds = 12;
 /// How often heights are halved where walls run through each other, at most; and so that this does not help.
 constexpr int kMostFiner = 6, kMostWorse = 2;
 
+/// Points of sections that are kept though no level has them, at most: 30 MB.
+constexpr std::size_t kMostSpare = 1'000'000;
+
 using Names = std::unordered_set<WallName>;
 
 void addNames(const LevelLoop& loop, Names& names) { names.insert(loop.names.begin(), loop.names.end()); }
@@ -49,11 +52,13 @@ class LevelMaker {
       least = std::min(least, found->size());
       crossed_.add(*found);
       for (LevelSection& level : made.levels) sections_[level.z] = std::move(level);
-      std::erase_if(sections_, [&](const auto& section) { return crossed_.at(section.first); });
+      for (Sections* sections : {&sections_, &spare_})
+        std::erase_if(*sections, [&](const auto& section) { return crossed_.at(section.first); });
     }
   }
 
  private:
+  using Sections = std::map<double, LevelSection>;
   using Loops = std::vector<bool>;  ///< of a section: those that are asked about
   /// A wall of which some is settled.
   struct OpenWall {
@@ -73,6 +78,7 @@ class LevelMaker {
   struct Try {
     LevelSlab slab;
     LevelSection middle;
+    std::optional<LevelSection> quarter;  ///< if it was asked for
     struct Pass {
       std::uint32_t loop;  ///< of the middle
       double z;            ///< of the other
@@ -175,9 +181,11 @@ class LevelMaker {
   }
 
   LevelSection sectionAt(double z) const {
-    const auto known = sections_.find(z);
-    return known != sections_.end() ? known->second
-                                    : section_(z, crossed_.at(z) ? ThinPlaces::kGo : ThinPlaces::kStay);
+    for (const Sections* sections : {&sections_, &spare_}) {
+      const auto known = sections->find(z);
+      if (known != sections->end()) return known->second;
+    }
+    return section_(z, crossed_.at(z) ? ThinPlaces::kGo : ThinPlaces::kStay);
   }
 
   /// Loops of both sections whose walls are asked about, wholly or in part.
@@ -220,18 +228,21 @@ class LevelMaker {
     return m == set.middle_of_upper[upper] ? m : kNone;
   }
 
+  static double middleOf(const Task& task) { return 0.5 * (task.from + task.to); }
+  /// The middle of the lower half.
+  static double quarterOf(const Task& task) { return 0.5 * (task.from + middleOf(task)); }
+
   Try attempt(const Task& task) const {
     Try out;
-    out.middle = sectionAt(0.5 * (task.from + task.to));
+    out.middle = sectionAt(middleOf(task));
     Setting set = settingOf(task, out.middle);
-    std::optional<LevelSection> quarter;
     std::vector<std::optional<RunStarts>> quarter_of;
     set.quarter = [&](std::uint32_t lower) -> const RunStarts* {
-      if (!quarter) {
-        quarter = sectionAt(0.75 * task.from + 0.25 * task.to);
+      if (!out.quarter) {
+        out.quarter = sectionAt(quarterOf(task));
         quarter_of.resize(set.lower.loops.size());
-        for (const auto& [i, q] : pairLoops(set.lower, *quarter).pairs)
-          quarter_of[i].emplace(quarter->loops[q]);
+        for (const auto& [i, q] : pairLoops(set.lower, *out.quarter).pairs)
+          quarter_of[i].emplace(out.quarter->loops[q]);
       }
       return quarter_of[lower] ? &*quarter_of[lower] : nullptr;
     };
@@ -373,11 +384,23 @@ class LevelMaker {
     if (needed) {
       used_.insert(middle);
       sections_[middle] = std::move(tried.middle);
+    } else {
+      spare(middle, std::move(tried.middle));
     }
+    if (tried.quarter) spare(quarterOf(task), std::move(*tried.quarter));
     LevelSlab& slab = tried.slab;
     if (slab.ribbons.empty() && slab.volumes.empty() && slab.lower_alone.empty() && slab.upper_alone.empty())
       return;
     slabs_.push_back({task.from, task.to, std::move(slab)});
+  }
+
+  /// Keeps what the lower half, or the next round, may ask for.
+  void spare(double z, LevelSection&& section) {
+    std::size_t points = 0;
+    for (const LevelLoop& loop : section.loops) points += loop.points.size();
+    if (spare_points_ + points > kMostSpare || sections_.contains(z) || spare_.contains(z)) return;
+    spare_points_ += points;
+    spare_[z] = std::move(section);
   }
 
   LeanLevels take() {
@@ -432,11 +455,13 @@ class LevelMaker {
   const SectionMaker& section_;
   double tolerance_;
   Progress& progress_;
-  std::map<double, LevelSection> sections_;  ///< all that were ever kept
-  std::vector<Trouble> troubles_;            ///< of all rounds
-  bool parts_ = true;                        ///< walls may be parted
-  bool failed_ = false;                      ///< this round, for troubles that were not known
-  CrossedWalls crossed_;                     ///< by the meshes that were made of it before
+  Sections sections_;  ///< all that were ever kept
+  Sections spare_;     ///< and some that were not
+  std::size_t spare_points_ = 0;
+  std::vector<Trouble> troubles_;  ///< of all rounds
+  bool parts_ = true;              ///< walls may be parted
+  bool failed_ = false;            ///< this round, for troubles that were not known
+  CrossedWalls crossed_;           ///< by the meshes that were made of it before
   // Of this round:
   std::set<double> used_;
   std::vector<Placed> slabs_;
