@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "app/session/blame.h"
 #include "io/report_text.h"
@@ -74,6 +75,17 @@ std::string remedyText(const Comparison& comparison, double profile_mm) {
   }
   const double grid = decidingResolution(comparison.undecided);
   return grid > 0.0 ? fmt::format("; --resolution {:.2g} could", grid) : "";
+}
+
+void addMeetings(std::size_t pairs, std::string_view whose, std::vector<Finding>& findings) {
+  if (pairs == 0) return;
+  Finding finding(FindingKind::kMesh);
+  finding.severity = Severity::kWarning;
+  finding.message = fmt::format(
+      "{} pairs of {} triangles run through each other; another resolution of the grid, or "
+      "profile_resolution, may part them",
+      pairs, whose);
+  findings.push_back(std::move(finding));
 }
 
 }  // namespace
@@ -292,17 +304,13 @@ std::string untilText(const ControlSettings& settings) {
   return fmt::format("line {}", settings.until->line.value_or(0));
 }
 
+void addFreedDefects(std::size_t pairs, std::vector<Finding>& findings) {
+  addMeetings(pairs, "the freed pieces'", findings);
+}
+
 void addMeshDefects(const MeshTopology& topology, const StockSurface& surface,
                     std::vector<Finding>& findings) {
-  if (surface.self_intersections > 0) {
-    Finding finding(FindingKind::kMesh);
-    finding.severity = Severity::kWarning;
-    finding.message = fmt::format(
-        "{} pairs of the mesh's triangles run through each other; another resolution of the grid, or "
-        "profile_resolution, may part them",
-        surface.self_intersections);
-    findings.push_back(std::move(finding));
-  }
+  addMeetings(surface.self_intersections, "the mesh's", findings);
   if (topology.closedManifold()) return;
   Finding finding(FindingKind::kMesh);
   finding.where = topology.first_defect;

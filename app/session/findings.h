@@ -70,6 +70,8 @@ std::string untilText(const ControlSettings& settings);
 /// warning).
 void addMeshDefects(const MeshTopology& topology, const StockSurface& surface,
                     std::vector<Finding>& findings);
+/// So many pairs of triangles run through each other in meshes of pieces that came free (a warning).
+void addFreedDefects(std::size_t pairs, std::vector<Finding>& findings);
 
 /// The finding as a compiler's message, with the source line and the place.
 Diagnostic findingDiagnostic(const Finding& finding);

@@ -32,6 +32,7 @@ std::size_t keep(Machined&& made, SetupRun& setup, ReportPerformance& performanc
   setup.turned = std::move(made.turned);
   setup.facet_error_mm = made.facet_error_mm;
   setup.freed = std::move(made.freed);
+  setup.freed_self_intersections = made.freed_self_intersections;
   parallelFor(0, 3, [&setup](int part) {
     if (part == 0) setup.topology = analyseTopology(setup.surface.mesh);
     if (part == 1) setup.mesh_sha256 = sha256OfMesh(setup.surface.mesh);

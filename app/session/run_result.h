@@ -34,6 +34,7 @@ struct SetupRun {
   std::string mesh_sha256;                    ///< of the surface's mesh
   double initial_mm3 = 0.0;                   ///< before it: of the blank, or of the stock that came before
   std::vector<TriMesh> freed;                 ///< see Machined::freed
+  std::size_t freed_self_intersections = 0;   ///< see Machined
   std::shared_ptr<const TurnedShape> turned;  ///< of a turned part: its bodies, the part first
   /// Of a mesh from a section: how far it may leave that and its threads, mm; 0: it comes from a grid.
   double facet_error_mm = 0.0;

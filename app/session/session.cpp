@@ -187,6 +187,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   if (const Status done = machineAll(job, sources, prepared, progress); !done) return done.error();
   tellWordsInForce(sources, run);
   addMeshDefects(run.topology(), run.surface(), run.findings);
+  addFreedDefects(run.setups.back().freed_self_intersections, run.findings);
   if (job.stops_early) addUnrunSetups(job.setups.back().name, run.findings);
   const bool something = !run.surface().mesh.triangles.empty();
   Status done = Done{};

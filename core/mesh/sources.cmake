@@ -3,6 +3,7 @@ target_sources(proveout_core PRIVATE
   mesh/corner_table.cpp
   mesh/crowded_places.cpp
   mesh/edge_collapser.cpp
+  mesh/exact_meeting.cpp
   mesh/intersections.cpp
   mesh/level_cut.cpp
   mesh/mesh_editor.cpp

@@ -270,8 +270,10 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
     std::rotate(bodies->begin(), part, part + 1);
     for (const GridBody& body : *bodies)
       out.bodies->push_back({body.surface.volume_mm3, body.bounds, out.bodies->empty() ? "part" : "slug"});
-    for (std::size_t k = 1; k < bodies->size(); ++k)
+    for (std::size_t k = 1; k < bodies->size(); ++k) {
       out.freed.push_back(std::move((*bodies)[k].surface.mesh));
+      out.freed_self_intersections += (*bodies)[k].surface.self_intersections;
+    }
     stock_ = std::move(bodies->front().stock);
     out.surface = std::move(bodies->front().surface);
   }

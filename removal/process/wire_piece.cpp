@@ -58,9 +58,14 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
   for (std::size_t k = 1; k < order.size(); ++k)
     out.freed.push_back(stock_.mesh({order[k]}, options.facet_mm));
   // A nominal is that of the part alone.
-  if (options.part && order.size() > 1) order.resize(1);
+  const bool alone = options.part && order.size() > 1;
+  if (alone) order.resize(1);
   out.surface.mesh = stock_.mesh(order, options.facet_mm);
-  out.surface.self_intersections = wallMeetings(out.surface.mesh);
+  if (!stock_.knownSound()) {
+    out.surface.self_intersections = wallMeetings(out.surface.mesh).size();
+    for (std::size_t k = 0; alone && k < out.freed.size(); ++k)
+      out.freed_self_intersections += wallMeetings(out.freed[k]).size();
+  }
   out.surface.volume_mm3 = stock_.volume();
   out.facet_error_mm = options.facet_mm;
   fitRemovedVolume(*removal, out.initial_mm3 - out.surface.volume_mm3);

@@ -47,6 +47,8 @@ struct Machined {
   std::vector<StockBody> apart;
   /// Of pieces that this clamping cut free: bodies[1] and those behind it, a closed mesh each.
   std::vector<TriMesh> freed;
+  /// As of the surface, of those of them that are not in its mesh.
+  std::size_t freed_self_intersections = 0;
   std::shared_ptr<const TurnedShape> turned;  ///< of a part that only turned: its bodies, the part first
   /// Of a mesh from a section: how far it may leave that and its threads, mm; 0: it comes from a grid.
   double facet_error_mm = 0.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_set>
@@ -18,6 +19,11 @@ constexpr double kThinnest = 5e-4;
 
 /// Rounds in which walls are parted, at most: each finds out where they must not be.
 constexpr int kMostRounds = 12;
+/// How often heights are halved where walls run through each other, at most; and so that this does not help.
+constexpr int kMostFiner = 6, kMostWorse = 2;
+
+/// Points of sections that are kept though no level has them, at most: 30 MB.
+constexpr std::size_t kMostSpare = 1'000'000;
 
 using Names = std::unordered_set<WallName>;
 
@@ -30,24 +36,29 @@ bool hasAny(const LevelLoop& loop, const Names& names) {
 
 class LevelMaker {
  public:
-  LevelMaker(const std::function<LevelSection(double z)>& section, double tolerance, Progress& progress)
+  LevelMaker(const SectionMaker& section, double tolerance, Progress& progress)
       : section_(section), tolerance_(tolerance), progress_(progress) {}
 
-  Result<LeanLevels> make(double low, double high) {
-    for (const double z : {low, high}) sections_[z] = section_(z);
-    for (int round = 0;; ++round) {
-      parts_ = round < kMostRounds;
-      slabs_.clear();
-      passed_.clear();
-      splits_.clear();
-      curves_.clear();
-      used_ = {low, high};
-      if (const Status done = settleAll(low, high); !done) return done.error();
-      if (!failed_) return take();
+  Status make(double low, double high, const LevelsUse& use) {
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (int tries = 0, worse = 0;; ++tries) {
+      for (const double z : {low, high}) sections_[z] = sectionAt(z);
+      if (const Status done = settleRounds(low, high); !done) return done;
+      LeanLevels made = take();
+      const Result<std::vector<CrossedTriangle>> found = use(made);
+      if (!found && tries == 0) return found.error();
+      worse += !found || found->size() >= least ? 1 : 0;
+      if (!found || found->empty() || tries == kMostFiner || worse == kMostWorse) return Done{};
+      least = std::min(least, found->size());
+      crossed_.add(*found);
+      for (LevelSection& level : made.levels) sections_[level.z] = std::move(level);
+      for (Sections* sections : {&sections_, &spare_})
+        std::erase_if(*sections, [&](const auto& section) { return crossed_.at(section.first); });
     }
   }
 
  private:
+  using Sections = std::map<double, LevelSection>;
   using Loops = std::vector<bool>;  ///< of a section: those that are asked about
   /// A wall of which some is settled.
   struct OpenWall {
@@ -67,6 +78,7 @@ class LevelMaker {
   struct Try {
     LevelSlab slab;
     LevelSection middle;
+    std::optional<LevelSection> quarter;  ///< if it was asked for
     struct Pass {
       std::uint32_t loop;  ///< of the middle
       double z;            ///< of the other
@@ -102,6 +114,18 @@ class LevelMaker {
     Names alone;                   ///< of loops that end or begin between the heights
     std::function<const RunStarts*(std::uint32_t lower)> quarter;
   };
+
+  Status settleRounds(double low, double high) {
+    for (int round = 0;; ++round) {
+      parts_ = round < kMostRounds;
+      slabs_.clear();
+      passed_.clear();
+      splits_.clear();
+      curves_.clear();
+      used_ = {low, high};
+      if (const Status done = settleAll(low, high); !done || !failed_) return done;
+    }
+  }
 
   Status settleAll(double low, double high) {
     failed_ = false;
@@ -157,8 +181,11 @@ class LevelMaker {
   }
 
   LevelSection sectionAt(double z) const {
-    const auto known = sections_.find(z);
-    return known != sections_.end() ? known->second : section_(z);
+    for (const Sections* sections : {&sections_, &spare_}) {
+      const auto known = sections->find(z);
+      if (known != sections->end()) return known->second;
+    }
+    return section_(z, crossed_.at(z) ? ThinPlaces::kGo : ThinPlaces::kStay);
   }
 
   /// Loops of both sections whose walls are asked about, wholly or in part.
@@ -201,18 +228,21 @@ class LevelMaker {
     return m == set.middle_of_upper[upper] ? m : kNone;
   }
 
+  static double middleOf(const Task& task) { return 0.5 * (task.from + task.to); }
+  /// The middle of the lower half.
+  static double quarterOf(const Task& task) { return 0.5 * (task.from + middleOf(task)); }
+
   Try attempt(const Task& task) const {
     Try out;
-    out.middle = sectionAt(0.5 * (task.from + task.to));
+    out.middle = sectionAt(middleOf(task));
     Setting set = settingOf(task, out.middle);
-    std::optional<LevelSection> quarter;
     std::vector<std::optional<RunStarts>> quarter_of;
     set.quarter = [&](std::uint32_t lower) -> const RunStarts* {
-      if (!quarter) {
-        quarter = sectionAt(0.75 * task.from + 0.25 * task.to);
+      if (!out.quarter) {
+        out.quarter = sectionAt(quarterOf(task));
         quarter_of.resize(set.lower.loops.size());
-        for (const auto& [i, q] : pairLoops(set.lower, *quarter).pairs)
-          quarter_of[i].emplace(quarter->loops[q]);
+        for (const auto& [i, q] : pairLoops(set.lower, *out.quarter).pairs)
+          quarter_of[i].emplace(out.quarter->loops[q]);
       }
       return quarter_of[lower] ? &*quarter_of[lower] : nullptr;
     };
@@ -242,7 +272,8 @@ class LevelMaker {
                Try& out) const {
     const std::uint32_t m = set.middle_of_lower[i];
     WallVerdict verdict;
-    if (m != kNone) {
+    const bool finer = crossed_.within(set.task.from, set.task.to, set.lower.loops[i], set.upper.loops[k]);
+    if (m != kNone && !finer) {
       const RunStarts middle(out.middle.loops[m]);
       verdict = judgeWall({set.lower.loops[i], middle, set.upper.loops[k], [&] { return set.quarter(i); }},
                           tolerance_, !set.thin && whole && mayPart(set, i, k));
@@ -281,8 +312,12 @@ class LevelMaker {
     const RunStarts middle(m == kNone ? lower : out.middle.loops[m]);
     for (const WallPart& part : wall.parts) {
       if (all.failed) break;
-      WallVerdict verdict = judgePart({lower, middle, upper, [&] { return set.quarter(wall.lower); }}, part,
-                                      tolerance_, set.thin);
+      const bool finer = crossed_.within(set.task.from, set.task.to, lower, part.lower, upper, part.upper);
+      WallVerdict verdict =
+          judgePart({lower, middle, upper, [&] { return set.quarter(wall.lower); }}, part, tolerance_,
+                    finer      ? PartWish::kHalved
+                    : set.thin ? PartWish::kLast
+                               : PartWish::kTrue);
       all.failed = verdict.failed;
       std::move(verdict.settled.begin(), verdict.settled.end(), std::back_inserter(all.settled));
       all.open.insert(all.open.end(), verdict.open.begin(), verdict.open.end());
@@ -349,11 +384,23 @@ class LevelMaker {
     if (needed) {
       used_.insert(middle);
       sections_[middle] = std::move(tried.middle);
+    } else {
+      spare(middle, std::move(tried.middle));
     }
+    if (tried.quarter) spare(quarterOf(task), std::move(*tried.quarter));
     LevelSlab& slab = tried.slab;
     if (slab.ribbons.empty() && slab.volumes.empty() && slab.lower_alone.empty() && slab.upper_alone.empty())
       return;
     slabs_.push_back({task.from, task.to, std::move(slab)});
+  }
+
+  /// Keeps what the lower half, or the next round, may ask for.
+  void spare(double z, LevelSection&& section) {
+    std::size_t points = 0;
+    for (const LevelLoop& loop : section.loops) points += loop.points.size();
+    if (spare_points_ + points > kMostSpare || sections_.contains(z) || spare_.contains(z)) return;
+    spare_points_ += points;
+    spare_[z] = std::move(section);
   }
 
   LeanLevels take() {
@@ -405,13 +452,16 @@ class LevelMaker {
     PlacedPoint lower, upper;
     CurvedRung rung;
   };
-  const std::function<LevelSection(double z)>& section_;
+  const SectionMaker& section_;
   double tolerance_;
   Progress& progress_;
-  std::map<double, LevelSection> sections_;  ///< all that were ever kept
-  std::vector<Trouble> troubles_;            ///< of all rounds
-  bool parts_ = true;                        ///< walls may be parted
-  bool failed_ = false;                      ///< this round, for troubles that were not known
+  Sections sections_;  ///< all that were ever kept
+  Sections spare_;     ///< and some that were not
+  std::size_t spare_points_ = 0;
+  std::vector<Trouble> troubles_;  ///< of all rounds
+  bool parts_ = true;              ///< walls may be parted
+  bool failed_ = false;            ///< this round, for troubles that were not known
+  CrossedWalls crossed_;           ///< by the meshes that were made of it before
   // Of this round:
   std::set<double> used_;
   std::vector<Placed> slabs_;
@@ -422,9 +472,9 @@ class LevelMaker {
 
 }  // namespace
 
-Result<LeanLevels> leanLevels(const std::function<LevelSection(double z)>& section, double low, double high,
-                              double tolerance, Progress& progress) {
-  return LevelMaker(section, tolerance, progress).make(low, high);
+Status leanLevels(const SectionMaker& section, double low, double high, double tolerance,
+                  const LevelsUse& use, Progress& progress) {
+  return LevelMaker(section, tolerance, progress).make(low, high, use);
 }
 
 }  // namespace proveout

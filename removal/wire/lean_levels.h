@@ -6,6 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "removal/wire/crossed_walls.h"
 #include "removal/wire/level_match.h"
 
 namespace proveout {
@@ -54,9 +55,16 @@ struct LeanLevels {
   std::vector<LevelCurve> curves;
 };
 
+using SectionMaker = std::function<LevelSection(double z, ThinPlaces thin)>;
+/// Makes a mesh of levels and tells what of it runs through itself. If nothing does it may take the levels.
+using LevelsUse = std::function<Result<std::vector<CrossedTriangle>>(LeanLevels& levels)>;
+
 /// Halves the height of walls, and of parts of them, until their triangles leave the section half way by no
-/// more than `tolerance` mm, or are as far from parabolas through it. Errors: cancelled.
-Result<LeanLevels> leanLevels(const std::function<LevelSection(double z)>& section, double low, double high,
-                              double tolerance, Progress& progress);
+/// more than `tolerance` mm, or are as far from parabolas through it. Where the mesh that is made of it runs
+/// through itself sections are made without thin places and heights are halved once more, and another mesh is
+/// made, some times. Errors: cancelled, and
+/// those of the first mesh.
+Status leanLevels(const SectionMaker& section, double low, double high, double tolerance,
+                  const LevelsUse& use, Progress& progress);
 
 }  // namespace proveout

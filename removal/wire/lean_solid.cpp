@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -319,20 +320,14 @@ std::vector<double> volumesOf(const LeanLevels& levels, const SolidWriter& write
   return volume;
 }
 
-}  // namespace
-
-Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpan& span,
-                            const std::vector<LeanStretch>& stretches, double tolerance, Progress& progress) {
-  Result<LeanLevels> levels =
-      leanLevels([&](double z) { return levelSection(blank, atHeight(stretches, span, z), z); }, span.low,
-                 span.high, tolerance, progress);
-  if (!levels) return levels.error();
-  const Result<SolidWriter::Steps> steps = stepsOf(*levels);
+/// All but the levels.
+Result<LeanSolid> solidOf(const LeanLevels& levels) {
+  const Result<SolidWriter::Steps> steps = stepsOf(levels);
   if (!steps) return steps.error();
-  SolidWriter writer(*levels, *steps);
+  SolidWriter writer(levels, *steps);
   writer.write();
-  Bodies bodies(*levels, *steps, writer);
-  const std::vector<double> volume = volumesOf(*levels, writer, bodies);
+  Bodies bodies(levels, *steps, writer);
+  const std::vector<double> volume = volumesOf(levels, writer, bodies);
   std::vector<std::uint32_t> roots;
   for (std::uint32_t loop = 0; loop < writer.loops(); ++loop) {
     if (bodies.of(loop) == loop) roots.push_back(loop);
@@ -356,13 +351,47 @@ Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpa
   for (LeanBody& body : out.bodies) {
     if (stepped) partFans(body.mesh);
   }
-  for (std::uint32_t level = 0; level < levels->levels.size(); ++level) {
+  for (std::uint32_t level = 0; level < levels.levels.size(); ++level) {
     std::vector<std::uint32_t>& of = out.body_of.emplace_back();
-    for (const LevelRegion& region : levels->levels[level].regions)
+    for (const LevelRegion& region : levels.levels[level].regions)
       of.push_back(number[bodies.of(writer.loop(level, region.loops.front()))]);
   }
-  out.levels = std::move(levels->levels);
   return out;
+}
+
+std::vector<CrossedTriangle> crossedOf(const std::vector<LeanBody>& bodies) {
+  if (bodies.size() == 1) return crossedTriangles(bodies.front().mesh);
+  TriMesh all;
+  for (const LeanBody& body : bodies) append(all, body.mesh);
+  return crossedTriangles(all);
+}
+
+}  // namespace
+
+Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpan& span,
+                            const std::vector<LeanStretch>& stretches, double tolerance, Progress& progress) {
+  LeanSolid best;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  const auto use = [&](LeanLevels& levels) -> Result<std::vector<CrossedTriangle>> {
+    Result<LeanSolid> solid = solidOf(levels);
+    if (!solid) return solid.error();
+    std::vector<CrossedTriangle> crossed = crossedOf(solid->bodies);
+    if (crossed.size() < least) {
+      least = crossed.size();
+      best = std::move(*solid);
+      best.runs_through_itself = least > 0;
+      if (least == 0)
+        best.levels = std::move(levels.levels);
+      else
+        best.levels = levels.levels;
+    }
+    return crossed;
+  };
+  const Status done = leanLevels(
+      [&](double z, ThinPlaces thin) { return levelSection(blank, atHeight(stretches, span, z), z, thin); },
+      span.low, span.high, tolerance, use, progress);
+  if (!done) return done.error();
+  return best;
 }
 
 std::size_t levelAt(const LeanSolid& solid, double z) {

@@ -13,6 +13,7 @@
 #include "removal/wire/kerf_union.h"
 #include "removal/wire/lean_outline.h"
 #include "removal/wire/stretch_index.h"
+#include "removal/wire/thin_places.h"
 
 namespace proveout {
 namespace {
@@ -188,18 +189,10 @@ LevelLoop loopOf(const ClipperLib::Path& path, const WallNamer& namer) {
   return asMeshHolds(RunJoiner(straight).join(loop));
 }
 
-}  // namespace
-
-bool isSide(WallName name) { return (name & kBlankName) != 0 || (name & 3) != kEnd; }
-
-double areaOf(const LevelLoop& loop) { return polygonArea(loop.points); }
-
-LevelSection levelSection(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches,
-                          double z) {
-  const WallNamer namer(blank, stretches);
+LevelSection sectionOf(const std::vector<PathRegion>& regions, const WallNamer& namer, double z) {
   LevelSection section;
   section.z = z;
-  for (const PathRegion& paths : regionsLeft(pathsOf(blank, kBlankChord), leanKerf(stretches))) {
+  for (const PathRegion& paths : regions) {
     LevelRegion region;
     for (const ClipperLib::Path& path : paths) {
       LevelLoop loop = loopOf(path, namer);
@@ -212,6 +205,23 @@ LevelSection levelSection(const std::vector<PlaneLoop>& blank, const std::vector
     if (!region.loops.empty()) section.regions.push_back(std::move(region));
   }
   return section;
+}
+
+}  // namespace
+
+bool isSide(WallName name) { return (name & kBlankName) != 0 || (name & 3) != kEnd; }
+
+double areaOf(const LevelLoop& loop) { return polygonArea(loop.points); }
+
+LevelSection levelSection(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches,
+                          double z, ThinPlaces thin) {
+  const WallNamer namer(blank, stretches);
+  const std::vector<PathRegion> left = regionsLeft(pathsOf(blank, kBlankChord), leanKerf(stretches));
+  LevelSection section = sectionOf(left, namer, z);
+  if (thin == ThinPlaces::kStay) return section;
+  const double width = leastWidth(section.loops);
+  if (!hasThinPlaces(section.loops, width)) return section;
+  return sectionOf(withoutThinPlaces(left, width + kUnit), namer, z);
 }
 
 }  // namespace proveout

@@ -35,9 +35,13 @@ struct LevelSection {
 /// Area of a polygon, mm2; negative for hollows.
 double areaOf(const LevelLoop& loop);
 
+enum class ThinPlaces {
+  kStay,
+  kGo  ///< material and gaps of some steps of a mesh: what is left keeps as far apart
+};
 /// The blank less the kerfs, as polygons: corners to a nanometre, chords of the kerf's round ends and of the
 /// blank within 0.0001 mm. No two neighbouring points are one in a mesh.
 LevelSection levelSection(const std::vector<PlaneLoop>& blank, const std::vector<LevelStretch>& stretches,
-                          double z);
+                          double z, ThinPlaces thin = ThinPlaces::kStay);
 
 }  // namespace proveout

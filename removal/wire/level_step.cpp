@@ -194,12 +194,22 @@ class StepMaker {
 
   LevelStep::Chains chains(const LevelLoop& loop, const EdgeRefiner& refiner, std::vector<LoopEdge>& edges) {
     LevelStep::Chains out;
-    for (std::size_t k = 0; k < loop.points.size(); ++k) {
-      const Ids& chain = out.emplace_back(
+    for (std::size_t k = 0; k < loop.points.size(); ++k)
+      out.push_back(
           refiner.chain(table_.of(loop.points[k]), table_.of(loop.points[(k + 1) % loop.points.size()])));
+    for (std::size_t k = 0; k < out.size(); ++k) leaveOutTip(out[k], out[(k + 1) % out.size()]);
+    for (const Ids& chain : out) {
       for (std::size_t i = 0; i + 1 < chain.size(); ++i) edges.push_back({chain[i], chain[i + 1]});
     }
     return out;
+  }
+
+  /// Where both edges at a sharp corner go through one point the walls beyond it would lie on each other.
+  static void leaveOutTip(Ids& to, Ids& from) {
+    while (to.size() > 1 && from.size() > 1 && to[to.size() - 2] == from[1]) {
+      to.pop_back();
+      from.erase(from.begin());
+    }
   }
 
   const LevelSection &lower_, &upper_;

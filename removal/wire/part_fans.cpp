@@ -76,32 +76,54 @@ class EdgeDivider {
 
 /// Corners that several fans have, each for itself, stand back from each other by some steps of a mesh,
 /// level: what only touches would be told as running through itself.
-void standBack(TriMesh& mesh) {
-  std::map<std::array<float, 3>, std::vector<std::uint32_t>> at;
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
-    at[{mesh.positions[v].x(), mesh.positions[v].y(), mesh.positions[v].z()}].push_back(v);
-  std::map<std::uint32_t, Vec2> way;  // of corners that are not alone
-  for (const auto& [place, corners] : at) {
-    for (const std::uint32_t v : corners)
-      if (corners.size() > 1) way[v] = Vec2::Zero();
-  }
-  if (way.empty()) return;
-  const auto levelOf = [&](std::uint32_t v) -> Vec2 { return mesh.positions[v].head<2>().cast<double>(); };
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto found = way.find(t[k]);
-      if (found == way.end()) continue;
-      const Vec2 middle = (levelOf(t[0]) + levelOf(t[1]) + levelOf(t[2])) / 3.0, off = middle - levelOf(t[k]);
-      if (off.norm() > meshStep(middle)) found->second += off.normalized();
+class FansApart {
+ public:
+  explicit FansApart(TriMesh& mesh) : mesh_(mesh) {
+    std::map<std::array<float, 3>, std::vector<std::uint32_t>> at;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+      at[{mesh.positions[v].x(), mesh.positions[v].y(), mesh.positions[v].z()}].push_back(v);
+    for (auto& [place, corners] : at) {
+      if (corners.size() < 2) continue;
+      for (const std::uint32_t v : corners) way_[v] = Vec2::Zero();
+      shared_.push_back(std::move(corners));
+    }
+    if (shared_.empty()) return;
+    for (const auto& t : mesh.triangles) {
+      for (const std::uint32_t v : t) {
+        const auto found = way_.find(v);
+        if (found != way_.end()) found->second += toMiddle(t, v);
+      }
     }
   }
-  constexpr double kSteps = 2.0;
-  for (const auto& [v, sum] : way) {
-    if (sum.norm() < 1e-3) continue;
-    const Vec2 p = levelOf(v) + kSteps * meshStep(levelOf(v)) * sum.normalized();
-    mesh.positions[v].head<2>() = toFloat(p);
+
+  void part() {
+    for (const std::vector<std::uint32_t>& corners : shared_) {
+      Vec2 mean = Vec2::Zero();
+      for (const std::uint32_t v : corners) mean += unit(way_[v]) / static_cast<double>(corners.size());
+      for (const std::uint32_t v : corners) {
+        const Vec2 p = levelOf(v), off = unit(unit(way_[v]) - mean);
+        mesh_.positions[v].head<2>() = toFloat(p + kSteps * meshStep(p) * off);
+      }
+    }
   }
-}
+
+ private:
+  /// Less than what is merged to one corner where walls meet.
+  static constexpr double kSteps = 1.0;
+
+  Vec2 levelOf(std::uint32_t v) const { return mesh_.positions[v].head<2>().cast<double>(); }
+  static Vec2 unit(const Vec2& v) {
+    const double length = v.norm();
+    return length > 1e-9 ? Vec2(v / length) : Vec2(0.0, 0.0);
+  }
+  Vec2 toMiddle(const std::array<std::uint32_t, 3>& t, std::uint32_t v) const {
+    return unit((levelOf(t[0]) + levelOf(t[1]) + levelOf(t[2])) / 3.0 - levelOf(v));
+  }
+
+  TriMesh& mesh_;
+  std::vector<std::vector<std::uint32_t>> shared_;  ///< corners in one place
+  std::map<std::uint32_t, Vec2> way_;               ///< of those: to the middle of their triangles
+};
 
 }  // namespace
 
@@ -113,7 +135,7 @@ void partFans(TriMesh& mesh) {
     for (const SharedEdge& edge : shared) divider.divide(edge);
     mesh = splitShells(mesh).mesh;  // what the edges held together may be several fans now
   }
-  standBack(mesh);
+  FansApart(mesh).part();
 }
 
 }  // namespace proveout

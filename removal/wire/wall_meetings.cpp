@@ -3,13 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <vector>
 
 #include "core/base/parallel_for.h"
 #include "core/geometry/plane.h"
+#include "core/mesh/exact_meeting.h"
 #include "core/mesh/intersections.h"
 #include "removal/wire/order_tree.h"
 #include "removal/wire/segment_meetings.h"
@@ -21,6 +22,8 @@ namespace {
 constexpr std::size_t kStrip = 16;
 /// Pairs of strips that are one task.
 constexpr std::size_t kPairsATask = 256;
+
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
 struct Interval {
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -72,14 +75,14 @@ class WallSearch {
     });
   }
 
-  std::size_t count() const {
+  void find(Pairs& out) const {
     const std::size_t tasks = (pairs_.size() + kPairsATask - 1) / kPairsATask;
-    std::vector<std::size_t> found(tasks, 0);
+    std::vector<Pairs> found(tasks);
     parallelFor(std::size_t{0}, tasks, [&](std::size_t task) {
       for (std::size_t i = task * kPairsATask; i < std::min(pairs_.size(), (task + 1) * kPairsATask); ++i)
-        found[task] += meetings(pairs_[i][0], pairs_[i][1]);
+        meetings(pairs_[i][0], pairs_[i][1], found[task]);
     });
-    return std::accumulate(found.begin(), found.end(), std::size_t{0});
+    for (const Pairs& some : found) std::copy(some.begin(), some.end(), std::back_inserter(out));
   }
 
  private:
@@ -175,22 +178,26 @@ class WallSearch {
     return low < high;
   }
 
-  std::size_t meetings(std::size_t a, std::size_t b) const {
+  void meetings(std::size_t a, std::size_t b, Pairs& found) const {
     const std::span<const std::uint32_t> in_a = stripAt(a), in_b = stripAt(b);
+    if (a == b) {
+      for (const std::uint32_t t : in_a)
+        if (isNeedle(mesh_, t) && isFlat(mesh_, t)) found.push_back({t, t});
+    }
     if (b <= a + 1 &&
         inOrder(std::span(walls_).subspan(a * kStrip, b == a ? in_a.size() : kStrip + in_b.size()),
                 boxes_[a].axis[0]))
-      return 0;
+      return;
     const Ranges range_a = rangesOf(in_a, boxes_[a]);
     const Ranges range_b = a == b ? range_a : rangesOf(in_b, boxes_[a]);
-    std::size_t found = 0;
     for (std::size_t i = 0; i < in_a.size(); ++i) {
       for (std::size_t k = a == b ? i + 1 : 0; k < in_b.size(); ++k) {
         const auto &r = range_a.of[i], &s = range_b.of[k];
-        if (r[0].touches(s[0]) && r[1].touches(s[1]) && trianglesMeet(mesh_, in_a[i], in_b[k])) ++found;
+        if (r[0].touches(s[0]) && r[1].touches(s[1]) && trianglesMeet(mesh_, in_a[i], in_b[k]) &&
+            meetExactly(mesh_, in_a[i], in_b[k]))
+          found.push_back({in_a[i], in_b[k]});
       }
     }
-    return found;
   }
 
   const TriMesh& mesh_;
@@ -208,7 +215,7 @@ class LevelFaces {
     }
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       if (isAt(t, low_) || isAt(t, high_)) {
-        turned_ += twice(t) * (isAt(t, high_) ? 1.0 : -1.0) <= 0.0 ? 1 : 0;
+        if (isTurned(t)) found_.push_back({t, t});
         continue;
       }
       walls_.push_back(t);
@@ -216,10 +223,12 @@ class LevelFaces {
     }
   }
 
-  std::size_t count() const {
-    const std::size_t below = turned_ + meetingSegments(bordersAt(low_)).size();
-    if (upright_) return below;
-    return below + meetingSegments(bordersAt(high_)).size() + WallSearch(mesh_, walls_).count();
+  Pairs find() {
+    findBorders(low_);
+    if (upright_) return std::move(found_);
+    findBorders(high_);
+    WallSearch(mesh_, walls_).find(found_);
+    return std::move(found_);
   }
 
  private:
@@ -239,27 +248,43 @@ class LevelFaces {
     return cross2(placeOf(v[1]) - a, placeOf(v[2]) - a);
   }
 
-  /// Where walls meet the faces at a height.
-  std::vector<PlaneSegment> bordersAt(float z) const {
-    std::vector<PlaneSegment> out;
+  /// A triangle of a face that looks to the wrong side, or to none.
+  bool isTurned(std::uint32_t t) const {
+    constexpr double kSure = 1e-9;  // of the square of its size: farther off than rounding
+    const double up = isAt(t, high_) ? 1.0 : -1.0, twice_up = up * twice(t);
+    const auto& v = mesh_.triangles[t];
+    const double size =
+        (placeOf(v[1]) - placeOf(v[0])).squaredNorm() + (placeOf(v[2]) - placeOf(v[0])).squaredNorm();
+    return twice_up <= kSure * size && up * turnFromAbove(mesh_, t) <= 0.0;
+  }
+
+  /// Where walls meet the faces at a height: those whose edges there cross.
+  void findBorders(float z) {
+    std::vector<PlaneSegment> edges;
+    std::vector<std::uint32_t> wall;  // by edge
     for (const std::uint32_t t : walls_) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = mesh_.triangles[t][k], b = mesh_.triangles[t][(k + 1) % 3];
-        if (heightOf(a) == z && heightOf(b) == z) out.push_back({placeOf(a), placeOf(b), a, b});
+        if (heightOf(a) != z || heightOf(b) != z) continue;
+        edges.push_back({placeOf(a), placeOf(b), a, b});
+        wall.push_back(t);
       }
     }
-    return out;
+    for (const auto& [i, k] : meetingSegments(edges))
+      if (meetExactly(mesh_, wall[i], wall[k])) found_.push_back({wall[i], wall[k]});
   }
 
   const TriMesh& mesh_;
   float low_ = std::numeric_limits<float>::infinity(), high_ = -low_;
-  std::size_t turned_ = 0;  ///< triangles of faces
+  Pairs found_;
   bool upright_ = true;
   std::vector<std::uint32_t> walls_;  ///< all other triangles
 };
 
 }  // namespace
 
-std::size_t wallMeetings(const TriMesh& mesh) { return LevelFaces(mesh).count(); }
+std::vector<std::array<std::uint32_t, 2>> wallMeetings(const TriMesh& mesh) {
+  return LevelFaces(mesh).find();
+}
 
 }  // namespace proveout

@@ -127,10 +127,10 @@ class WallJudge {
     return std::move(out_);
   }
 
-  WallVerdict part(const WallPart& part, bool last) {
+  WallVerdict part(const WallPart& part, PartWish wish) {
     ribbon_ = ribbonBetween(wall_.lower, part.lower, wall_.upper, part.upper);
     if (!ribbon_) return failed();
-    if (last) {
+    if (wish == PartWish::kLast) {
       if (!isUpright(*ribbon_, wall_.lower, wall_.upper)) return failed();
       out_.settled.push_back(std::move(*ribbon_));
       return std::move(out_);
@@ -139,6 +139,10 @@ class WallJudge {
     if (!first || !end || *first == *end) return failed();
     const std::uint32_t n = sizeOf(middle_loop_);
     middle_ = {*first, (*end + n - *first) % n};
+    if (wish == PartWish::kHalved) {
+      leave(cutAt(0, 0), cutAt(ribbon_->rungs.size() - 1, middle_.edges));
+      return std::move(out_);
+    }
     if (isStraight()) return std::move(out_);
     if (middle_.edges > kSmallPart) findCuts();
     std::erase_if(cuts_, [&](const Cut& cut) {
@@ -390,8 +394,8 @@ WallVerdict judgeWall(const WallLoops& wall, double tolerance, bool parts) {
   return WallJudge(wall, tolerance).whole(parts);
 }
 
-WallVerdict judgePart(const WallLoops& wall, const WallPart& part, double tolerance, bool last) {
-  return WallJudge(wall, tolerance).part(part, last);
+WallVerdict judgePart(const WallLoops& wall, const WallPart& part, double tolerance, PartWish wish) {
+  return WallJudge(wall, tolerance).part(part, wish);
 }
 
 }  // namespace proveout

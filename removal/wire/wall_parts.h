@@ -75,7 +75,12 @@ struct WallLoops {
 /// may have curved rungs, and what is true is parted from the rest where edges of one name begin at all
 /// heights; without, or if nothing is true, the verdict is empty.
 WallVerdict judgeWall(const WallLoops& wall, double tolerance, bool parts);
-/// Of a part. `last`: the heights are so near that it is settled in any case.
-WallVerdict judgePart(const WallLoops& wall, const WallPart& part, double tolerance, bool last);
+enum class PartWish {
+  kTrue,    ///< settled if it is true
+  kHalved,  ///< not settled
+  kLast     ///< settled in any case: the heights are that near
+};
+/// Of a part.
+WallVerdict judgePart(const WallLoops& wall, const WallPart& part, double tolerance, PartWish wish);
 
 }  // namespace proveout

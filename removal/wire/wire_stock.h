@@ -68,6 +68,8 @@ class WireStock {
   std::vector<PlanePolygons> outlinesAt(double z) const;
   /// Of the bodies named, a shell each. Of upright walls chords leave arcs by no more than `tolerance` mm.
   TriMesh mesh(const std::vector<std::size_t>& bodies, double tolerance) const;
+  /// Whether meshes are known not to run through themselves, or each other: they were searched.
+  bool knownSound() const { return solids_.size() == 1 && !solids_.front().runs_through_itself; }
   /// Whether a body can leave past another.
   BodyExit exit(std::size_t body, std::size_t past) const;
   const PrismBlank& blank() const { return blank_; }

@@ -243,5 +243,16 @@ TEST(StockBodies, LargestIsThePartAndHollowsCountAgainstTheirBody) {
   EXPECT_TRUE(stockBodies(TriMesh{}, MeshTopology{}, MeshExtent{}, 0.0).empty());
 }
 
+TEST(MeshDefects, OfFreedPiecesAreTold) {
+  std::vector<Finding> findings;
+  addFreedDefects(0, findings);
+  EXPECT_TRUE(findings.empty());
+  addFreedDefects(3, findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].kind, FindingKind::kMesh);
+  EXPECT_EQ(findings[0].severity, Severity::kWarning);
+  EXPECT_EQ(findings[0].message.rfind("3 pairs of the freed pieces' triangles", 0), 0u);
+}
+
 }  // namespace
 }  // namespace proveout

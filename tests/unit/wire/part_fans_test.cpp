@@ -38,8 +38,41 @@ TEST(PartFans, BoxesThatTouchAlongAnEdge) {
   EXPECT_EQ(topology.components, 2u);
   EXPECT_EQ(mesh.positions.size(), 16u);
   // Both edges stand back, by some micrometres' hundredths.
-  EXPECT_EQ(wallMeetings(mesh), 0u);
+  EXPECT_EQ(wallMeetings(mesh).size(), 0u);
   EXPECT_NEAR(meshVolume(mesh), 2.0, 5e-5);
+}
+
+/// A wedge with its edge at corners `edge` (below, above), if it is there, between two directions.
+void addWedge(const std::array<std::uint32_t, 2>& edge, float from, float to, TriMesh& mesh) {
+  const Eigen::Vector3f tip(20.0f, 20.0f, 0.0f);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const float slope : {from, to}) {
+    for (const float z : {0.0f, 1.0f})
+      mesh.positions.emplace_back(tip + Eigen::Vector3f(10.0f, slope * 10.0f, z));
+  }
+  const std::uint32_t a = edge[0], b = first, c = first + 2, above_a = edge[1], above_b = b + 1,
+                      above_c = c + 1;
+  mesh.triangles.insert(mesh.triangles.end(), {{a, c, b},
+                                               {above_a, above_b, above_c},
+                                               {a, b, above_b},
+                                               {a, above_b, above_a},
+                                               {b, c, above_c},
+                                               {b, above_c, above_b},
+                                               {c, a, above_a},
+                                               {c, above_a, above_c}});
+}
+
+/// Both go away from their common edge in as good as one direction: what stands back along it stays in one
+/// place.
+TEST(PartFans, WedgesBesideEachOther) {
+  TriMesh mesh;
+  mesh.positions = {{20.0f, 20.0f, 0.0f}, {20.0f, 20.0f, 1.0f}};
+  addWedge({0, 1}, 0.0f, 0.02f, mesh);
+  addWedge({0, 1}, -0.04f, -0.02f, mesh);
+  partFans(mesh);
+  EXPECT_TRUE(analyseTopology(mesh).closedManifold());
+  EXPECT_EQ(analyseTopology(mesh).components, 2u);
+  EXPECT_EQ(wallMeetings(mesh).size(), 0u);
 }
 
 TEST(PartFans, BoxesThatTouchInAPoint) {
