@@ -49,7 +49,7 @@ constexpr double kSecondsPerSweptCell = 5e-9;     ///< removal, each motion coun
 /// A column under a chord or a part, by CurveKind.
 constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {1.2e-8, 3e-8,   1e-8,  5e-8,
                                                                     4.5e-7, 1.7e-6, 3.3e-6};
-/// Of spirals.
+/// Of spirals: what a column costs was measured for parts of this size.
 constexpr double kPartsPerTurn = 8.0, kSpiralGrowthMm = 1e-4;
 /// Of helices with tools that are not undercut: the lower turns hold what the upper ones cut.
 constexpr double kTurnsThatCount = 3.0;

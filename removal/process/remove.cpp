@@ -69,6 +69,7 @@ class Remover {
   void addChords(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   bool addParts(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   bool addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
+  void addWayChords(Pass pass, const ToolParts::Part& part, const ColumnSweep& columns, const Sweep& curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
   bool inBlank(const Coord& origin) const;
   bool stopped() const { return over_limit_ || progress_.cancelled(); }
@@ -197,23 +198,43 @@ bool Remover::addParts(Pass pass, const ToolParts::Part& part, const Motion& m, 
   return true;
 }
 
-/// Parts of a spiral about z, or of a helix whose radius changes. They are searched column by column, which
-/// is slower than chords on arcs that lean, and where flat and ball ends rise, which have closed forms on
-/// chords.
+/// Parts of a spiral about z, of a helix whose radius changes, and of arcs and helices about axes that lean.
+/// Parts that vectors serve for all columns are bodies; others are searched column by column, which is slower
+/// than chords where these have closed forms, and on arcs that lean.
 bool Remover::addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
   const double sweep = std::abs(arc.sweep_rad);
-  if (arc.normal.head<2>().squaredNorm() > 1e-24) return false;
+  const bool leans = arc.normal.head<2>().squaredNorm() > 1e-24;
+  if (leans && !hasPlainEnds(part.columns)) return false;
   const bool level = std::abs(m.to.z() - m.from.z()) < kSameRadiusMm;
-  if (!level && (part.columns.flat || part.columns.ball)) return false;
+  const bool closed_form = part.columns.flat || part.columns.ball;
   if (sweep < kLeastCurve || sweep > 2.0 * kPi * kMostTurns) return false;
   if (way_of_ != pass.motion) table_.ways.push_back(curveWay(m.from, m.to, arc));
   way_of_ = pass.motion;
   for (const ColumnSweep& columns : columnParts(part.columns, table_.ways.back())) {
+    const bool chords = (leans || (closed_form && !level)) && !isPlainPart(columns);
+    if (chords && !columns.again) addWayChords(pass, part, columns, curve);
+    if (chords) continue;
     pass.body = SweptBody(*part.profile, columns, curve);
     table_.passes.push_back(pass);
   }
   return true;
+}
+
+/// Chords of a part.
+void Remover::addWayChords(Pass pass, const ToolParts::Part& part, const ColumnSweep& columns,
+                           const Sweep& curve) {
+  const CurveWay& way = *columns.way;
+  const double within = pass.cuts() ? kChordMm : kContactChordMm, wide = CurveWay::kNodesAPart * way.node_rad;
+  const double step = std::sqrt(8.0 * within / std::max(way.most_bend, 1e-6));
+  const int chords = static_cast<int>(std::ceil(wide / step));
+  const double first = columns.part * wide;
+  for (int i = 0; i < chords; ++i) {
+    const Vec3 from = way.node(first + wide * i / chords).at,
+               to = way.node(first + wide * (i + 1) / chords).at;
+    pass.body = SweptBody(*part.profile, part.columns, from, to, &curve);
+    table_.passes.push_back(pass);
+  }
 }
 
 /// Chords of a curve. Those of a helix about z lie under each other, turn by turn: where the lower ones cover

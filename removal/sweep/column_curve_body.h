@@ -324,14 +324,3 @@ inline void uprightColumns(const ColumnSweep& sweep, const double* __restrict x,
     hi[i] = over ? middle - hi[i] : -kNothing;
   }
 }
-
-inline void curveColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
-                         int n, double* __restrict lo, double* __restrict hi) {
-  if (sweep.kind == ColumnSweep::Kind::kTurn) {
-    turnColumns(sweep, x, y, n, lo, hi);
-  } else if (sweep.kind == ColumnSweep::Kind::kUpright) {
-    uprightColumns(sweep, x, y, n, lo, hi);
-  } else {
-    for (int i = 0; i < n; ++i) proveout::curveColumn(sweep, x[i], y[i], lo + i, hi + i);
-  }
-}

@@ -268,6 +268,18 @@ inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, 
 }
 
 #include "removal/sweep/column_curve_body.h"
+#include "removal/sweep/column_way_body.h"
+
+inline void curveColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+                         int n, double* __restrict lo, double* __restrict hi) {
+  if (sweep.kind == ColumnSweep::Kind::kTurn) {
+    turnColumns(sweep, x, y, n, lo, hi);
+  } else if (sweep.kind == ColumnSweep::Kind::kUpright) {
+    uprightColumns(sweep, x, y, n, lo, hi);
+  } else {
+    wayColumns(sweep, x, y, n, lo, hi);
+  }
+}
 
 void columns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
   const int n = (count + 7) & ~7;

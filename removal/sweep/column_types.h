@@ -31,6 +31,22 @@ struct ColumnSolid {
 
 struct CurveWay;  // column_way.h
 
+/// A part of a way, for angles a from its middle: (x, y, z) + r(a) (u cos a + v sin a) - r(0) u + a k, where
+/// r is radius + a growth. mm, rad.
+struct WayPart {
+  double x, y, z;
+  double ux, uy, uz, vx, vy, vz;
+  double kx, ky, kz;
+  double radius, growth, half;   ///< half: of its angle
+  double reach;                  ///< no place is farther from the middle, level, mm
+  double curvature;              ///< of the way as seen from above, 1/mm: nowhere more
+  double sag;                    ///< second derivative of the height by the level way, 1/mm: nowhere less
+  double least_bend, most_bend;  ///< of the height, by the angle
+  /// Its ends and its middle, level: places from the middle, and velocities.
+  double end_x[3], end_y[3], end_vx[3], end_vy[3];
+  double speed;  ///< level, mm a radian: nowhere more
+};
+
 /// A solid's motion along a line or level arc, or on a part of a curve that meets every column in one
 /// interval (column_curve.h): a turn of a helix about z, a part of an arc in an upright plane that does not
 /// turn back, or a part of any other curve.
@@ -43,6 +59,7 @@ struct ColumnSweep {
   bool twice = false, again = false;  ///< columns may see the part twice; this is what they see second
   int part = 0;                       ///< number of the part
   const CurveWay* way = nullptr;
+  const WayPart* plain = nullptr;  ///< the same part of it
   const ColumnSolid* solid = nullptr;
   double x = 0.0, y = 0.0, z = 0.0;  ///< tip at the start, mm; arcs: centre, at the height of the tip
   double rise = 0.0;                 ///< mm, from start to end

@@ -7,27 +7,22 @@ namespace proveout {
 namespace {
 
 /// Angle of a part.
-constexpr double kPartRad = 0.25 * kPi;
+constexpr double kPartRad = 0.125 * kPi;
 /// Rounding of bounds that decide whether parts are made, and of reach, mm.
 constexpr double kSlackMm = 1e-9;
 
 /// Whether no column sees the part twice: the way bends less than the tool's rim. A way that leaves a disc
 /// and bends less than its rim comes back to it behind half a turn at the least.
 bool seenOnce(const CurveWay& way, int part, double tool_radius) {
-  const double step = way.node_rad;
-  const CurveWay::Node* node = &way.nodes[static_cast<std::size_t>(part * CurveWay::kNodesAPart)];
   if (way.u.z() == 0.0 && way.v.z() == 0.0) {
-    const double a = way.radius + way.growth * part * CurveWay::kNodesAPart * step,
-                 b = a + way.growth * CurveWay::kNodesAPart * step;
+    const double wide = CurveWay::kNodesAPart * way.node_rad, a = way.radius + way.growth * part * wide,
+                 b = a + way.growth * wide;
     const double r = std::min(std::abs(a), std::abs(b)), g = way.growth;
     return a * b > 0.0 && (r * r + 2.0 * g * g) * tool_radius < r * r * r;
   }
-  double slowest = kNothing;
-  for (int i = 0; i < CurveWay::kNodesAPart; ++i) {
-    const double a = node[i].velocity.head<2>().norm(), b = node[i + 1].velocity.head<2>().norm();
-    slowest = std::min(slowest, std::max(a, b) - 0.5 * step * way.most_bend);
-  }
-  return slowest > 0.0 && way.most_bend * tool_radius < slowest * slowest;
+  const WayPart& plain = way.plain[static_cast<std::size_t>(part)];
+  const double turned = plain.curvature * plain.speed * 2.0 * plain.half;
+  return plain.curvature * tool_radius < 1.0 && turned < kPi;
 }
 
 void setBounds(CurveWay& w) {
@@ -48,6 +43,68 @@ CurveWay::Node nodeAt(const CurveWay& w, double rad, double c, double s) {
   const Vec3 out = c * w.u + s * w.v, on = c * w.v - s * w.u;
   return {w.center + r * out + rad * w.climb, w.growth * out + r * on + w.climb,
           2.0 * w.growth * on - r * out, c, s};
+}
+
+/// Places at which a part's curvatures are looked at; what lies between two is as far off them as they are
+/// from each other at most.
+constexpr int kLooks = 33;
+
+/// Of a place: curvature of the way as seen from above, and second derivative of the height by the level way.
+Vec2 bendsOf(const CurveWay::Node& n) {
+  const Vec2 v = n.velocity.head<2>(), a = n.bend.head<2>();
+  const double speed2 = std::max(v.squaredNorm(), 1e-12), speed = std::sqrt(speed2);
+  return {std::abs(v.x() * a.y() - v.y() * a.x()) / (speed2 * speed),
+          (n.bend.z() - n.velocity.z() * v.dot(a) / speed2) / speed2};
+}
+
+/// Bounds of a part's bends, with what they may change between the places.
+void boundPart(const CurveWay& w, double first, double wide, WayPart& out) {
+  double curved = 0.0, sag = kNothing, step_curved = 0.0, step_sag = 0.0;
+  Vec2 before;
+  for (int i = 0; i < kLooks; ++i) {
+    const CurveWay::Node n = w.node(first + wide * i / (kLooks - 1));
+    const Vec2 bends = bendsOf(n), at = n.at.head<2>() - Vec2(out.x, out.y);
+    if (i > 0) {
+      step_curved = std::max(step_curved, std::abs(bends.x() - before.x()));
+      step_sag = std::max(step_sag, std::abs(bends.y() - before.y()));
+    }
+    before = bends;
+    curved = std::max(curved, bends.x()), sag = std::min(sag, bends.y());
+    out.reach = std::max(out.reach, at.norm());
+    out.speed = std::max(out.speed, n.velocity.head<2>().norm());
+    out.least_bend = std::min(out.least_bend, n.bend.z());
+    out.most_bend = std::max(out.most_bend, n.bend.z());
+  }
+  const double step = wide / (kLooks - 1), step2 = step * step / 8.0;
+  out.reach += w.most_bend * step2;
+  out.speed += 0.5 * w.most_bend * step;
+  out.least_bend -= w.height4 * step2, out.most_bend += w.height4 * step2;
+  out.curvature = curved + step_curved;
+  out.sag = sag - step_sag;
+}
+
+WayPart plainPart(const CurveWay& w, int part) {
+  const CurveWay::Node* node = &w.nodes[static_cast<std::size_t>(part * CurveWay::kNodesAPart)];
+  constexpr int kMiddle = CurveWay::kNodesAPart / 2;
+  const CurveWay::Node& middle = node[kMiddle];
+  const double first = part * CurveWay::kNodesAPart * w.node_rad, wide = CurveWay::kNodesAPart * w.node_rad;
+  const Vec3 u = middle.cosine * w.u + middle.sine * w.v, v = middle.cosine * w.v - middle.sine * w.u;
+  WayPart out{};
+  out.x = middle.at.x(), out.y = middle.at.y(), out.z = middle.at.z();
+  out.ux = u.x(), out.uy = u.y(), out.uz = u.z();
+  out.vx = v.x(), out.vy = v.y(), out.vz = v.z();
+  out.kx = w.climb.x(), out.ky = w.climb.y(), out.kz = w.climb.z();
+  out.radius = w.radius + w.growth * (first + 0.5 * wide);
+  out.growth = w.growth;
+  out.half = 0.5 * wide;
+  out.least_bend = kNothing, out.most_bend = -kNothing;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 at = node[i * kMiddle].at - middle.at, &velocity = node[i * kMiddle].velocity;
+    out.end_x[i] = at.x(), out.end_y[i] = at.y();
+    out.end_vx[i] = velocity.x(), out.end_vy[i] = velocity.y();
+  }
+  boundPart(w, first, wide, out);
+  return out;
 }
 
 }  // namespace
@@ -82,7 +139,18 @@ CurveWay curveWay(const Vec3& from, const Vec3& to, const ArcGeometry& arc) {
     w.nodes.push_back(nodeAt(w, rad, std::cos(rad), std::sin(rad)));
   }
   setBounds(w);
+  for (int part = 0; part < w.parts(); ++part) w.plain.push_back(plainPart(w, part));
   return w;
+}
+
+bool hasPlainEnds(const ColumnSolid& solid) {
+  const ColumnBoundary& lower = solid.lower;
+  const ColumnBoundary::Piece &first = lower.piece[0], &last = lower.piece[lower.count - 1];
+  const bool level = first.kind == ColumnBoundary::Kind::kLevel,
+             arc = last.kind == ColumnBoundary::Kind::kArc;
+  if (solid.round_top) return false;
+  return lower.count == 1 ? level || (arc && last.rc == 0.0)
+                          : lower.count == 2 && level && arc && last.rc == last.ra;
 }
 
 std::vector<ColumnSweep> columnParts(const ColumnSolid& solid, const CurveWay& way) {
@@ -93,6 +161,7 @@ std::vector<ColumnSweep> columnParts(const ColumnSolid& solid, const CurveWay& w
   s.way = &way;
   const double sag = way.height4 * way.node_rad * way.node_rad / 8.0 + kSlackMm;
   for (s.part = 0; s.part < way.parts(); ++s.part) {
+    s.plain = &way.plain[static_cast<std::size_t>(s.part)];
     const CurveWay::Node* node = &way.nodes[static_cast<std::size_t>(s.part * CurveWay::kNodesAPart)];
     double low = kNothing, high = -kNothing;
     for (int i = 0; i <= CurveWay::kNodesAPart; ++i) {

@@ -397,6 +397,7 @@ const Seen& nearestOf(WayColumn& column, int stretch) {
 }  // namespace
 
 Interval wayColumn(const ColumnSweep& part, double x, double y, const Asked& asked) {
+  if (const auto plain = plainWayColumn(part, x, y, asked)) return *plain;
   const ColumnSolid& solid = *part.solid;
   WayColumn column(part, x, y, asked.rim);
   const int stretch = part.again ? 2 : 1;

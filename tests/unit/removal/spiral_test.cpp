@@ -1,5 +1,5 @@
-// Spirals as bodies: what they remove against closed forms and a slow search, whose the surface is, and what
-// their shanks and holders touch against the same way as chords.
+// Spirals, and arcs that lean, as bodies: what they remove against closed forms and a slow search, whose the
+// surface is, and what their shanks and holders touch against the same way as chords.
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +7,7 @@
 #include "removal/sweep/column_curve.h"
 #include "removal/sweep/column_sweep.h"
 #include "removal/sweep/column_way.h"
+#include "removal/sweep/sweep.h"
 #include "tests/support/golden_section.h"
 #include "tests/unit/removal/cut_fixture.h"
 
@@ -391,6 +392,37 @@ TEST(SpiralContacts, AShankThatStaysAboveIsNotTold) {
   const Touches found = touches(deeper, shortTool());
   ASSERT_EQ(found.curve.size(), 1u);
   EXPECT_NEAR(found.curve[0].depth_mm, 0.02, 1e-4);
+}
+
+/// Helices about level axes, and about one that leans: chords are 0.05 micrometres off them.
+TEST(LeaningArcs, TheirGroovesAreExact) {
+  const Vec3 axes[] = {Vec3::UnitY(), -Vec3::UnitX(), Vec3(0.3, 0.9, 0.2).normalized()};
+  for (const char* text : {"1=flat:6", "1=ball:6", "1=bull:6:1"}) {
+    for (const Vec3& axis : axes) {
+      PathMaker p;
+      const Vec3 low = Vec3(0, 0, -4) - axis * axis.dot(Vec3(0, 0, -4)), out = low.normalized();
+      const Vec3 center = Vec3(0.3, -0.2, -4.1) - 15.0 * out, across = axis.cross(out);
+      const double half = degToRad(40.0);
+      p.arc(center + 15.0 * (std::cos(half) * out - std::sin(half) * across), center, axis, 80.0, 3.0);
+      const Cut c = cut(kBlank, p.path(), {tool(text)}, kGrid);
+      const ConvexProfile profile = makeToolSolid(tool(text)).cutter.front();
+      const Motion& m = p.path().motions[0];
+      const Sweep exact(profile, m.from, m.to, &p.path().arcs[0]);
+      std::vector<double> off;
+      for (std::size_t i = 0; i < c.mesh.triangles.size(); ++i) {
+        if (c.mesh.motion[i] != 0) continue;
+        for (const std::uint32_t v : c.mesh.triangles[i]) {
+          const Vec3 at = c.mesh.positions[v].cast<double>();
+          if (at.z() < -1e-3) off.push_back(std::abs(exact.distance(at, 1e300)));
+        }
+      }
+      ASSERT_GT(off.size(), 5000u) << text;
+      // Vertices are rounded to float; those on edges are off by what edges are.
+      std::sort(off.begin(), off.end());
+      EXPECT_LT(off[off.size() / 2], 1e-6) << text;
+      EXPECT_LT(off[off.size() * 9 / 10], 5e-6) << text;
+    }
+  }
 }
 
 }  // namespace
