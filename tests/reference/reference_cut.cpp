@@ -21,6 +21,11 @@ constexpr double kSomeEdge = 8.0, kSharpEdge = 25.0;
 /// Edges nearer to each other than this are thinner than what the engine promises.
 constexpr double kCrowdCells = 1.5;
 
+/// A reference that is unsure of more than this part of the aim does not say who is wrong; then it is cut
+/// again with facets half as large, but not with more than these around a tool.
+constexpr double kSure = 0.2;
+constexpr int kMostFacets = 200;
+
 struct Cut {
   StockSurface surface;
   RemovalSummary removal;
@@ -41,7 +46,7 @@ std::optional<Cut> cutByEngine(const SmallProgram& program, double grid_mm) {
   fine.threads = 1;
   auto surface = stock->surface(fine, progress);
   if (!surface) return std::nullopt;
-  const double removed_mm3 = stock->initialVolume() - surface->volume_mm3;
+  const double removed_mm3 = stock->initialVolume() - surface->volume_mm3 - surface->unseen_mm3;
   return Cut{std::move(*surface), std::move(*removal), removed_mm3};
 }
 
@@ -116,20 +121,28 @@ std::optional<double> removedByReference(const SmallProgram& program, int facets
   return volumeOf(program.block) - part->volume();
 }
 
-std::optional<Comparison> compareWithReference(const SmallProgram& program, double grid_mm, int facets) {
+std::optional<Comparison> compareWithReference(const SmallProgram& program, double grid_mm, int facets,
+                                               double aim) {
   const std::optional<Cut> cut = cutByEngine(program, grid_mm);
   if (!cut) return std::nullopt;
-  const auto coarse = removedByReference(program, facets / 2);
-  const auto fine = coarse ? cutByReference(program, facets) : std::nullopt;
-  if (!fine) return std::nullopt;
   Comparison out;
   out.removed_mm3 = cut->removed_mm3;
   out.told = (cut->surface.volume_error_mm3 + cut->removal.lost_mm3) / cut->removed_mm3;
   out.thin_cells = cut->surface.thin_cells;
   out.film_mm2 = cut->removal.lost_film_mm2;
-  const double removed = volumeOf(program.block) - fine->volume();
-  out.more = cut->removed_mm3 / removed - 1.0;
-  out.unsure = std::abs(removed - *coarse) / removed / 2.0;
+  std::optional<double> coarse = removedByReference(program, facets / 2);
+  std::optional<ReferencePart> fine;
+  const auto isUndecided = [&] { return std::abs(out.more) > aim + out.told && out.unsure > kSure * aim; };
+  do {
+    if (fine) facets *= 2;
+    fine = coarse ? cutByReference(program, facets) : std::nullopt;
+    if (!fine) return std::nullopt;
+    const double removed = volumeOf(program.block) - fine->volume();
+    out.more = cut->removed_mm3 / removed - 1.0;
+    out.unsure = std::abs(removed - *coarse) / removed / 2.0;
+    coarse = removed;
+  } while (2 * facets <= kMostFacets && isUndecided());
+  out.facets = facets;
   compareSurfaces(cut->surface.mesh, fine->facets(), ExactPart(program), grid_mm, out);
   return out;
 }

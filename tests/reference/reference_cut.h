@@ -16,6 +16,7 @@ struct Comparison {
   double film_mm2 = 0.0;       ///< of walls that it tells to have lost
   double more = 0.0;           ///< removed by the engine than by the reference
   double unsure = 0.0;         ///< between the reference and one of facets twice as large
+  int facets = 0;              ///< of the reference, around a tool
   /// Where edges of the reference are nearer to each other than the grid can tell, nothing is compared.
   std::size_t vertices = 0, crowded = 0;  ///< compared, and not
   double face_mm = 0.0, edge_mm = 0.0;    ///< vertices off the truth: away from its edges, beside them
@@ -25,6 +26,9 @@ struct Comparison {
 
 /// `facets`: around a tool. None: no reference could be made, as booleans of solids that touch may fail.
 std::optional<double> removedByReference(const SmallProgram& program, int facets);
-std::optional<Comparison> compareWithReference(const SmallProgram& program, double grid_mm, int facets);
+/// `aim`: how far the volume should be off at most, relative. Where the engine is farther off than that and
+/// what it tells, the facets are halved until they decide.
+std::optional<Comparison> compareWithReference(const SmallProgram& program, double grid_mm, int facets,
+                                               double aim);
 
 }  // namespace proveout::reference

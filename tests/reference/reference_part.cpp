@@ -94,6 +94,7 @@ ReferencePart::ReferencePart(const BoxShape& block)
     : impl_(std::make_unique<Impl>(Impl{toMesh(boxOf(block))})) {}
 ReferencePart::~ReferencePart() = default;
 ReferencePart::ReferencePart(ReferencePart&&) noexcept = default;
+ReferencePart& ReferencePart::operator=(ReferencePart&&) noexcept = default;
 
 bool ReferencePart::subtract(const Polyhedron& solid) {
   Mesh other = toMesh(solid), result;

@@ -16,6 +16,7 @@ class ReferencePart {
   explicit ReferencePart(const BoxShape& block);
   ~ReferencePart();
   ReferencePart(ReferencePart&&) noexcept;
+  ReferencePart& operator=(ReferencePart&&) noexcept;
 
   /// False where the result is no 2-manifold, as where solids touch in an edge; the part is lost then.
   bool subtract(const Polyhedron& solid);
