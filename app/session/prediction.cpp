@@ -47,8 +47,8 @@ constexpr double kSecondsPerCutCell = 1.45e-6;    ///< on top of that
 constexpr double kSecondsPerUnevenCell = 1.2e-6;  ///< and where triangles are not merged
 constexpr double kSecondsPerSweptCell = 5e-9;     ///< removal, each motion counted
 /// A column under a chord or a part, by CurveKind.
-constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {1.2e-8, 3e-8,   1e-8,  5e-8,
-                                                                    4.5e-7, 1.7e-6, 3.3e-6};
+constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {1.2e-8, 3e-8,   1e-8,   5e-8,
+                                                                    4.5e-7, 1.7e-6, 3.3e-6, 9.5e-7};
 /// Of spirals: what a column costs was measured for parts of this size.
 constexpr double kPartsPerTurn = 8.0, kSpiralGrowthMm = 1e-4;
 /// Of helices with tools that are not undercut: the lower turns hold what the upper ones cut.
@@ -118,14 +118,15 @@ bool reaches(const Box3& blank, const Vec3& a, const Vec3& b, double radius) {
 struct CutterSize {
   Footprint footprint;
   bool undercut = false;  ///< wider below than above somewhere
-  bool closed = false;    ///< has closed forms on lines: a flat or a ball end
+  bool plain = false;     ///< kernels have vectors for rising spirals: flat and ball ends, bull noses
 };
 
 std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
   std::map<int, CutterSize> out;
   for (const Tool& tool : tools) {
-    out[tool.number] = {footprintOf(tool), hasNeck(tool.type),
-                        tool.type == ToolType::kFlat || tool.type == ToolType::kBall};
+    out[tool.number] = {
+        footprintOf(tool), hasNeck(tool.type),
+        tool.type == ToolType::kFlat || tool.type == ToolType::kBall || tool.type == ToolType::kBull};
   }
   return out;
 }
@@ -183,6 +184,7 @@ class Strokes {
     const double plan =
         std::min(kPi * reach * reach + 2 * reach * length, blank_.size().x() * blank_.size().y());
     const CurveKind kind = motion.from.z() == motion.to.z() ? CurveKind::kLevelSpiral
+                           : cutter.plain                   ? CurveKind::kPlainSpiral
                            : cutter.undercut                ? CurveKind::kUndercutSpiral
                                                             : CurveKind::kSpiral;
     add(part.curves[static_cast<std::size_t>(kind)], {parts, parts * plan});
@@ -196,8 +198,7 @@ class Strokes {
     const double start = (motion.from - arc.center).head<2>().norm(),
                  end = (motion.to - arc.center).head<2>().norm();
     const bool spiral = about_z && std::abs(end - start) > kSpiralGrowthMm;
-    if (spiral && (!cutter.closed || motion.from.z() == motion.to.z()))
-      return addSpiral(motion, cutter, segments, part);
+    if (spiral) return addSpiral(motion, cutter, segments, part);
     if (about_z && motion.from.z() == motion.to.z()) return;
     const double radius = std::max((motion.from - arc.center).norm(), kChordMm);
     double angle = std::abs(arc.sweep_rad) * segments / segmentsOf(path_, motion);
@@ -206,8 +207,7 @@ class Strokes {
     const Vec3 size = blank_.size();
     const double reach = cutter.footprint.radius;
     const double plan = std::min(kPi * reach * reach, size.x() * size.y());
-    const CurveKind kind = about_z && !spiral
-                               ? cutter.undercut ? CurveKind::kUndercutHelix : CurveKind::kHelix
+    const CurveKind kind = about_z           ? cutter.undercut ? CurveKind::kUndercutHelix : CurveKind::kHelix
                            : cutter.undercut ? CurveKind::kUndercutOther
                                              : CurveKind::kOther;
     add(part.curves[static_cast<std::size_t>(kind)], {chords, chords * plan});

@@ -27,9 +27,10 @@ enum class CurveKind {
   kUndercutOther,
   kLevelSpiral,
   kSpiral,
-  kUndercutSpiral
+  kUndercutSpiral,
+  kPlainSpiral
 };
-inline constexpr int kCurveKinds = 7;
+inline constexpr int kCurveKinds = 8;
 
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {
