@@ -84,6 +84,7 @@ double CellMaterial::shareOf(Part part, std::size_t begin, std::size_t end) {
   }
   double sum = 0.0;
   bool swept = false;
+  asked_ += end - begin;
   for (std::size_t i = begin; i < end && !swept; ++i) {
     const double off = sweeps_[kept_[i]].distance(part.middle, radius);
     swept = off <= -radius;

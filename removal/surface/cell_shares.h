@@ -17,6 +17,8 @@ class CellMaterial {
   /// all axes until one face lies in a part, which is a plane there, or the parts are small. None where no
   /// tool came: the cell is as it was.
   std::optional<double> share(const Vec3& low);
+  /// How often a body's distance was asked for.
+  std::size_t asked() const { return asked_; }
 
  private:
   struct Part {
@@ -31,6 +33,7 @@ class CellMaterial {
   const Stock::Impl& impl_;
   std::vector<Sweep> sweeps_;        ///< of the bodies that come to the cell
   std::vector<std::uint16_t> kept_;  ///< a stack of those that come to a part, to the part it is of, ...
+  std::size_t asked_ = 0;
 };
 
 /// What StockSurface::volume_mm3 counts in a cell.

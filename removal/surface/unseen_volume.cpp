@@ -17,8 +17,12 @@ constexpr std::uint16_t kThin = CellTraits::kOff | CellTraits::kManySheets;
 constexpr double kLittle = 0.005, kSpreads = 0.01, kMuch = 0.05;
 /// Of what is missed it is known but for this part; where nothing is known this part of a cell is missed.
 constexpr double kUnsure = 0.05, kUnknown = 0.1;
-/// So many cells are looked at, as one takes as long as meshing a hundred or more.
-constexpr std::size_t kMostCells = 4000;
+/// A part with more doubtful cells than this, or in which bodies have to be asked for their distance more
+/// often than so often and by cell, is too fine for its grid in many places: it is told of alone. Some cells
+/// looked at and others not would be no better than none. Asking takes some 0.1 microseconds.
+constexpr std::size_t kMostDoubtful = 300, kMostAsked = 5'000'000, kAskedFirst = 250'000, kAskedACell = 1000;
+/// Cells between two looks at what was asked.
+constexpr std::size_t kBatch = 64;
 /// More thin cells than this are a part that is too thin for its grid in many places: they are told of alone.
 constexpr std::size_t kFewThin = 10;
 
@@ -54,14 +58,31 @@ bool isThin(const SurfaceGrid& grid, const Coord& cell) {
   return leafSample(leaf.mixed, x, y, z) && (grid.traits(leaf.cellAt(z << 6 | leafBit(x, y))) & kThin) != 0;
 }
 
-/// Parts of the cells that are material beyond what is under the surface.
-std::vector<double> missedIn(const std::vector<Coord>& cells, const SurfaceGrid& grid, Progress& progress) {
+/// What cells took.
+struct Work {
+  std::size_t cells = 0, asked = 0;
+  bool tooMuch() const { return asked > std::min(kMostAsked, kAskedFirst + cells * kAskedACell); }
+};
+
+/// What cells are beyond what is under the surface, in parts of a cell. Empty where it takes too much.
+/// `work`: what others took, and receives this.
+std::optional<std::vector<double>> missedIn(const std::vector<Coord>& cells, const SurfaceGrid& grid,
+                                            Work& work, Progress& progress) {
   std::vector<double> missed(cells.size());
-  parallelFor(std::size_t{0}, cells.size(), [&](std::size_t i) {
-    if (progress.cancelled()) return;
-    const std::optional<double> left = CellMaterial(grid.impl()).share(grid.impl().position(cells[i]));
-    if (left) missed[i] = *left - CellUnderSurface(grid).share(cells[i]);
-  });
+  std::vector<std::size_t> asked(cells.size());
+  for (std::size_t begin = 0; begin < cells.size(); begin += kBatch) {
+    const std::size_t end = std::min(begin + kBatch, cells.size());
+    parallelFor(begin, end, [&](std::size_t i) {
+      if (progress.cancelled()) return;
+      CellMaterial material(grid.impl());
+      const std::optional<double> left = material.share(grid.impl().position(cells[i]));
+      if (left) missed[i] = *left - CellUnderSurface(grid).share(cells[i]);
+      asked[i] = material.asked();
+    });
+    work.cells += end - begin;
+    for (std::size_t i = begin; i < end; ++i) work.asked += asked[i];
+    if (work.tooMuch()) return std::nullopt;
+  }
   return missed;
 }
 
@@ -81,16 +102,19 @@ void count(const SurfaceGrid& grid, const Coord& cell, ThinCells& thin) {
 
 UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress) {
   const Stock::Impl& impl = grid.impl();
-  UnseenVolume out;
+  const double cell = impl.h * impl.h * impl.h;
   const bool known = impl.cut != nullptr && impl.cut_blank != nullptr;
   std::vector<Coord> cells = doubtfulCells(grid, known);
-  std::size_t left = known ? kMostCells : 0;
+  const UnseenVolume unknown{.error_mm3 = kUnknown * cell * static_cast<double>(cells.size())};
+  if (!known || cells.size() > kMostDoubtful) return unknown;
+  UnseenVolume out;
   Places seen(cells.begin(), cells.end());
+  Work work;
   while (!cells.empty()) {
-    out.error_mm3 += kUnknown * static_cast<double>(cells.size() - std::min(left, cells.size()));
-    cells.resize(std::min(left, cells.size()));
-    left -= cells.size();
-    const std::vector<double> missed = missedIn(cells, grid, progress);
+    const std::optional<std::vector<double>> found = missedIn(cells, grid, work, progress);
+    std::fprintf(stderr, "UNSEEN cells %zu asked %zu %d\n", work.cells, work.asked, !!found);
+    if (!found) return unknown;
+    const std::vector<double>& missed = *found;
     std::vector<Coord> next;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (std::abs(missed[i]) < kLittle) continue;
@@ -102,7 +126,6 @@ UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress) {
     cells = std::move(next);
   }
   if (progress.cancelled()) return {};
-  const double cell = impl.h * impl.h * impl.h;
   out.mm3 *= cell;
   out.error_mm3 *= cell;
   return out;

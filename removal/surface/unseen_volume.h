@@ -15,9 +15,9 @@ struct UnseenVolume {
 };
 
 /// Compares what is left in truth with what is under the surface: in the cells where a face ends before the
-/// vertex, in thin ones if they are few, then in those beside them as long as something is missed, up to a
-/// limit. Where it is not known what was cut, and from what, there is an error alone. Empty when cancelled.
-/// Does not depend on threads.
+/// vertex, in thin ones if they are few, then in those beside them as long as something is missed. Where it
+/// is not known what was cut, and from what, or where that is much work, there is an error alone. Empty when
+/// cancelled. Does not depend on threads.
 UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress);
 
 }  // namespace proveout
