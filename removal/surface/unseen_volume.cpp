@@ -20,7 +20,7 @@ constexpr double kUnsure = 0.05, kUnknown = 0.1;
 /// A part with more doubtful cells than this, or in which bodies have to be asked for their distance more
 /// often than so often and by cell, is too fine for its grid in many places: it is told of alone. Some cells
 /// looked at and others not would be no better than none. Asking takes some 0.1 microseconds.
-constexpr std::size_t kMostDoubtful = 300, kMostAsked = 5'000'000, kAskedFirst = 250'000, kAskedACell = 1000;
+constexpr std::size_t kMostDoubtful = 300, kMostAsked = 5'000'000, kAskedFirst = 600'000, kAskedACell = 1000;
 /// Cells between two looks at what was asked.
 constexpr std::size_t kBatch = 64;
 /// More thin cells than this are a part that is too thin for its grid in many places: they are told of alone.
@@ -112,7 +112,6 @@ UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress) {
   Work work;
   while (!cells.empty()) {
     const std::optional<std::vector<double>> found = missedIn(cells, grid, work, progress);
-    std::fprintf(stderr, "UNSEEN cells %zu asked %zu %d\n", work.cells, work.asked, !!found);
     if (!found) return unknown;
     const std::vector<double>& missed = *found;
     std::vector<Coord> next;
