@@ -139,28 +139,8 @@ CutterIndex::Near CutterIndex::nearest(const Vec3& p, MotionId end, double cutof
   return best;
 }
 
-void CutterIndex::collect(const Vec3& p, double within, std::vector<Sweep>& out) const {
-  if (nodes_.empty()) return;
-  std::array<std::uint32_t, 64> stack;
-  int size = 0;
-  stack[size++] = 0;
-  while (size > 0) {
-    const std::uint32_t number = stack[--size];
-    const Node& node = nodes_[number];
-    if (distanceTo(node.box, p) >= within) continue;
-    if (node.right != 0) {
-      stack[size++] = node.right;
-      stack[size++] = number + 1;
-      continue;
-    }
-    for (std::uint32_t i = node.begin; i < node.end; ++i) {
-      const Sweep sweep = bodies_[i].sweep(table_);
-      if (sweep.distance(p, within) < within) out.push_back(sweep);
-    }
-  }
-}
-
-bool CutterIndex::comesTo(const Vec3& p, double within, std::uint32_t except) const {
+template <typename Reaches, typename Visit>
+bool CutterIndex::anyOf(const Reaches& reaches, const Visit& visit) const {
   if (nodes_.empty()) return false;
   std::array<std::uint32_t, 64> stack;
   int size = 0;
@@ -168,17 +148,31 @@ bool CutterIndex::comesTo(const Vec3& p, double within, std::uint32_t except) co
   while (size > 0) {
     const std::uint32_t number = stack[--size];
     const Node& node = nodes_[number];
-    if (signedDistanceTo(node.box, p) >= within) continue;
+    if (!reaches(node.box)) continue;
     if (node.right != 0) {
       stack[size++] = node.right;
       stack[size++] = number + 1;
       continue;
     }
-    for (std::uint32_t i = node.begin; i < node.end; ++i) {
-      if (bodies_[i].pass != except && bodies_[i].sweep(table_).distance(p, within) < within) return true;
-    }
+    if (std::any_of(bodies_.begin() + node.begin, bodies_.begin() + node.end, visit)) return true;
   }
   return false;
+}
+
+void CutterIndex::collect(const Vec3& p, double within, std::vector<Sweep>& out) const {
+  anyOf([&](const auto& box) { return distanceTo(box, p) < within; },
+        [&](const SweptCutter& body) {
+          const Sweep sweep = body.sweep(table_);
+          if (sweep.distance(p, within) < within) out.push_back(sweep);
+          return false;
+        });
+}
+
+bool CutterIndex::comesTo(const Vec3& p, double within, std::uint32_t except) const {
+  return anyOf([&](const auto& box) { return signedDistanceTo(box, p) < within; },
+               [&](const SweptCutter& body) {
+                 return body.pass != except && body.sweep(table_).distance(p, within) < within;
+               });
 }
 
 }  // namespace proveout

@@ -38,6 +38,10 @@ class CutterIndex {
   static constexpr std::uint32_t kNoPass = ~0u;
 
  private:
+  /// Whether visit(cutter) is true for any in the boxes that reaches(box) is true for; goes no further then.
+  template <typename Reaches, typename Visit>
+  bool anyOf(const Reaches& reaches, const Visit& visit) const;
+
   struct Node {
     Box3 box;
     MotionId first_motion = kNoMotion;  ///< the lowest below it
