@@ -18,6 +18,7 @@
 #include "app/session/thread_supply.h"
 #include "app/time_limit.h"
 #include "core/base/printable.h"
+#include "core/geometry/place_text.h"
 #include "io/atomic_file.h"
 #include "io/report_text.h"
 #include "io/sha256.h"
@@ -76,8 +77,6 @@ void say(Console& console, const char* what, const std::string& text) {
   console.out << fmt::format("{:<12}{}\n", what, printable(text));
 }
 
-std::string pointText(const Vec3& p) { return fmt::format("X{:.3f} Y{:.3f} Z{:.3f}", p.x(), p.y(), p.z()); }
-
 /// A finding about this point alone.
 Finding findingAt(const Vec3& place, const SettledPoint& at, double deviation, const RunSources& sources,
                   const ExactPart& part, RunResult& run) {
@@ -126,11 +125,11 @@ Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgr
   if (*part == nullptr) return inputError("the blank is a stock from a file: its faces are not known");
   constexpr double kReach = 5.0;
   const SettledPoint at = settle(**part, place, kReach);
-  say(console, "point", pointText(place));
+  say(console, "point", placeText(place));
   if (!at.found)
     return inputError(
-        fmt::format("there is no surface of the part within {:g} mm of {}", kReach, pointText(place)));
-  say(console, "surface", fmt::format("{}, {:.4f} mm away", pointText(at.p), (at.p - place).norm()));
+        fmt::format("there is no surface of the part within {:g} mm of {}", kReach, placeText(place)));
+  say(console, "surface", fmt::format("{}, {:.4f} mm away", placeText(at.p), (at.p - place).norm()));
   const std::size_t number = std::min<std::size_t>(at.maker.setup, run->setups.size() - 1);
   const SetupRun& setup = run->setups[number];
   const Toolpath& path = setup.interpreted.path;

@@ -11,6 +11,7 @@
 #include "app/session/nominal_mesh.h"
 #include "app/session/thread_supply.h"
 #include "app/time_limit.h"
+#include "core/geometry/place_text.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/output_guard.h"
@@ -81,12 +82,10 @@ Result<Comparison> compareForHeatMap(const TriMesh& mesh, const HeatMapSource& s
 Status checkForSection(const TriMesh& mesh, const std::string& path) {
   const MeshTopology topology = analyseTopology(mesh);
   if (topology.boundary_edges + topology.misoriented_edges > 0) {
-    return inputError(
-        fmt::format("{}: the view 'section' needs a closed mesh (open edges {}, inconsistent edges {}), "
-                    "first defect near "
-                    "X{:.3f} Y{:.3f} Z{:.3f}",
-                    path, topology.boundary_edges, topology.misoriented_edges, topology.first_defect.x(),
-                    topology.first_defect.y(), topology.first_defect.z()));
+    return inputError(fmt::format(
+        "{}: the view 'section' needs a closed mesh (open edges {}, inconsistent edges {}), "
+        "first defect near {}",
+        path, topology.boundary_edges, topology.misoriented_edges, placeText(topology.first_defect)));
   }
   if (meshVolume(mesh) > 0.0) return Done{};
   return inputError(path + ": the view 'section' needs a solid; this mesh is inside out or without volume");

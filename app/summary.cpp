@@ -8,6 +8,7 @@
 
 #include "app/session/findings.h"
 #include "core/base/printable.h"
+#include "core/geometry/place_text.h"
 #include "io/report_text.h"
 
 namespace proveout {
@@ -51,9 +52,7 @@ std::string partText(const ReportStock& stock) {
   const auto part = std::find_if(stock.bodies.begin(), stock.bodies.end(),
                                  [](const StockBody& body) { return body.role == "part"; });
   if (part == stock.bodies.end()) return fmt::format("{:.2f} mm3", stock.final_mm3);
-  const Vec3 &low = part->bounds.min, &high = part->bounds.max;
-  std::string text = fmt::format("{:.2f} mm3, X{:.3f}..{:.3f} Y{:.3f}..{:.3f} Z{:.3f}..{:.3f}",
-                                 part->volume_mm3, low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
+  const std::string text = fmt::format("{:.2f} mm3, {}", part->volume_mm3, extentText(part->bounds));
   if (stock.bodies.size() == 1) return text + ", in 1 piece";
   return text +
          fmt::format(", beside {} of {:.2f} mm3",

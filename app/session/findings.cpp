@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/session/blame.h"
+#include "core/geometry/place_text.h"
 #include "io/report_text.h"
 
 namespace proveout {
@@ -341,10 +342,7 @@ Diagnostic findingDiagnostic(const Finding& finding) {
     diagnostic.source_line = finding.source->text;
   }
   std::string place;
-  if (finding.where) {
-    place =
-        fmt::format("at X{:.3f} Y{:.3f} Z{:.3f}", finding.where->x(), finding.where->y(), finding.where->z());
-  }
+  if (finding.where) place = "at " + placeText(*finding.where);
   if (finding.tool) place += fmt::format("{}tool {}", place.empty() ? "" : ", ", *finding.tool);
   if (!finding.setup.empty()) place += fmt::format("{}setup {}", place.empty() ? "" : ", ", finding.setup);
   if (!place.empty()) diagnostic.notes.push_back(place);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/geometry/place_text.h"
+
 namespace proveout {
 namespace {
 
@@ -54,10 +56,8 @@ std::string placementText(const Placement& placement, MeshUnit unit, const std::
   }
   const Vec3& shift = placement.shift;
   if (!shift.isZero(0.0)) {
-    // Rounded to a micrometre, without a negative zero.
-    const auto rounded = [](double v) { return std::round(v * 1000.0) / 1000.0 + 0.0; };
-    text += fmt::format("{}moved by X{:g} Y{:g} Z{:g}", text.empty() ? "" : " and ", rounded(shift.x()),
-                        rounded(shift.y()), rounded(shift.z()));
+    text += fmt::format("{}moved by X{:g} Y{:g} Z{:g}", text.empty() ? "" : " and ", toMicrometre(shift.x()),
+                        toMicrometre(shift.y()), toMicrometre(shift.z()));
   }
   return fmt::format("{} its bounds would agree with those of {}", text, wanted);
 }

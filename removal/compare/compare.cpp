@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/place_text.h"
 #include "removal/compare/deepest_point.h"
 #include "removal/compare/deviation_patches.h"
 #include "removal/compare/deviation_statistics.h"
@@ -59,8 +60,7 @@ Status checkClosed(const TriMesh& mesh, const std::string& name) {
   if (auto bad = findBadElements(mesh, name)) return *bad;
   const OpenEdges open = findOpenEdges(mesh);
   if (open.closed()) return Done{};
-  return inputError(fmt::format("{} is not closed at X{:.3f} Y{:.3f} Z{:.3f} mm", name, open.first.x(),
-                                open.first.y(), open.first.z()));
+  return inputError(fmt::format("{} is not closed at {} mm", name, placeText(open.first)));
 }
 
 bool ignored(const std::vector<IgnoredRegion>& regions, const Vec3& p) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/geometry/box_tree.h"
+#include "core/geometry/place_text.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/surface_mesh.h"
 #include "core/mesh/triangle_tree.h"
@@ -174,9 +175,8 @@ class Joiner {
     sum = booleanOf(grown(a, b), grown(b, a), BooleanKind::kUnion);
     if (sum && isClean(*sum)) return std::make_unique<Body>(std::move(*sum));
     return inputError(
-        fmt::format("{}: bodies overlap at X{:.3f} Y{:.3f} Z{:.3f} mm and cannot be joined; export the model "
-                    "as one solid",
-                    name_, at->x(), at->y(), at->z()));
+        fmt::format("{}: bodies overlap at {} mm and cannot be joined; export the model as one solid", name_,
+                    placeText(*at)));
   }
 
   /// No face of the sum lies inside of it.
@@ -221,10 +221,9 @@ Result<JoinedBodies> joinBodies(const Shells& shells, const std::string& name) {
   }
   if (const auto at = innerFace(out.mesh)) {
     return inputError(
-        fmt::format("{}: the surface runs through itself: a face lies inside of the material at X{:.3f} "
-                    "Y{:.3f} Z{:.3f} mm; "
+        fmt::format("{}: the surface runs through itself: a face lies inside of the material at {} mm; "
                     "export the model as one solid",
-                    name, at->x(), at->y(), at->z()));
+                    name, placeText(*at)));
   }
   return out;
 }

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "core/geometry/box_tree.h"
+#include "core/geometry/place_text.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/surface_mesh.h"
 #include "core/mesh/triangle_tree.h"
@@ -252,10 +253,9 @@ std::size_t orientShells(Shells& shells) {
 
 Error holeError(const OpenEdges& open, const std::string& name) {
   return inputError(
-      fmt::format("{}: the mesh is not closed: a hole or a wall without thickness at X{:.3f} Y{:.3f} Z{:.3f} "
-                  "mm ({} open edges in "
-                  "all); repair it in the CAD system, or export it again as a closed solid",
-                  name, open.first.x(), open.first.y(), open.first.z(), open.odd));
+      fmt::format("{}: the mesh is not closed: a hole or a wall without thickness at {} mm "
+                  "({} open edges in all); repair it in the CAD system, or export it again as a closed solid",
+                  name, placeText(open.first), open.odd));
 }
 
 }  // namespace nominal_detail
@@ -283,9 +283,9 @@ Result<PreparedMesh> prepareNominal(const TriMesh& mesh, const std::string& name
   if (open.opposed > 0) {
     if (!makeConsistent(out.mesh)) {
       return inputError(fmt::format(
-          "{}: facets disagree about which side is outside at X{:.3f} Y{:.3f} Z{:.3f} mm and cannot be "
-          "turned to agree; export the mesh again as a closed solid",
-          name, open.first.x(), open.first.y(), open.first.z()));
+          "{}: facets disagree about which side is outside at {} mm and cannot be turned to agree; "
+          "export the mesh again as a closed solid",
+          name, placeText(open.first)));
     }
     out.notes.push_back(fmt::format("{}: facets had mixed orientation; made consistent", name));
   }

@@ -12,6 +12,7 @@
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "core/base/thread_limit.h"
+#include "core/geometry/place_text.h"
 #include "core/geometry/to_float.h"
 #include "removal/grid/placed_field.h"
 #include "removal/grid/stock_impl.h"
@@ -80,10 +81,10 @@ Status checkSolid(const MeshShape& shape) {
   const MeshTopology topology = analyseTopology(shape.mesh);
   if (!topology.closedManifold()) {
     return inputError(fmt::format(
-        "{}: not closed (open edges {}, non-manifold edges {}, inconsistent edges {}), first defect near "
-        "X{:.3f} Y{:.3f} Z{:.3f}; close it in CAD and export it again",
+        "{}: not closed (open edges {}, non-manifold edges {}, inconsistent edges {}), first defect near {}; "
+        "close it in CAD and export it again",
         name, topology.boundary_edges, topology.non_manifold_edges, topology.misoriented_edges,
-        topology.first_defect.x(), topology.first_defect.y(), topology.first_defect.z()));
+        placeText(topology.first_defect)));
   }
   if (meshVolume(shape.mesh) <= 0.0)
     return inputError(name + ": inside out or without volume; turn its normals round");

@@ -6,6 +6,49 @@
 
 namespace proveout {
 
+namespace {
+
+/// Four triangles keep the quad's edges. Where these are off the surface nearly as far as the crossing is, as
+/// on a cylinder, four are no better than two, and make ridges across what is straight.
+constexpr double kFanGain = 1.5;
+
+/// How far the surface is off a chord as long as the square root of `length2`, by how it turns from a
+/// crossing to the one on the edge beside it, a `step` along `axis`. None where that is in another leaf or
+/// not crossed.
+std::optional<double> offChord(const SurfaceLeaf& leaf, const Crossing& c, const std::array<int, 4>& at,
+                               int axis, int step, double length2) {
+  std::array<int, 4> next = at;
+  const int place = next[1 + axis] += step;
+  if (place < 0 || place > 7 || !leaf.edges.isCrossed(next[0], next[1], next[2], next[3]))
+    return std::nullopt;
+  const auto index = static_cast<std::size_t>(leaf.edges.indexOf(next[0], next[1], next[2], next[3]));
+  const Crossing& beside = leaf.stock->crossings[index];
+  Vec3 d = Vec3::Zero(), turn;
+  d[axis] = step;
+  d[at[0]] = static_cast<double>(beside.t) - static_cast<double>(c.t);
+  for (int i = 0; i < 3; ++i) turn[i] = beside.normal[i] - c.normal[i];
+  return std::abs(turn.dot(d)) / (Crossing::kNormalScale * d.squaredNorm()) * length2 / 8.0;
+}
+
+/// How far the surface is off the edges of a quad on one smooth face, at the most, where it is `off` at the
+/// crossing: there what it bends in one direction and in the other comes together. 0 where nothing is known.
+double edgesOff(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, const std::array<int, 4>& at,
+                double off) {
+  double most = 0.0;
+  for (int i = 0; i < 2; ++i) {
+    const int axis = (at[0] + 1 + i) % 3;  // sides i and i + 2 run along it
+    const double length2 = std::max((quad.p[i + 1] - quad.p[i]).squaredNorm(),
+                                    (quad.p[(i + 3) % 4] - quad.p[i + 2]).squaredNorm());
+    for (const int step : {-1, 1}) {
+      if (const auto here = offChord(leaf, c, at, axis, step, length2))
+        most = std::max({most, *here, off - *here});
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
 Polygon polygonOf(const VertexMerger& merger, const std::array<std::uint32_t, 4>& v) {
   Polygon out;
   if (!merger.active()) {
@@ -42,12 +85,20 @@ bool QuadPlanner::anyMerged(const Quad& quad) const {
   return std::any_of(quad.v.begin(), quad.v.end(), [&](std::uint32_t v) { return merger_.merged(v); });
 }
 
+/// Whether four triangles around the crossing are closer to the surface than two, where these are too far
+/// off.
+bool QuadPlanner::bulges(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c,
+                         const std::array<int, 4>& at) const {
+  const double off = bulgeOver(quad, fan_height_);
+  return off > 0.0 && (quad.smooth_corners != 0xF || off > kFanGain * edgesOff(leaf, quad, c, at, off));
+}
+
 void QuadPlanner::add(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c,
                       const std::array<int, 4>& at, LeafQuads& out) const {
   PROVEOUT_ASSERT_DEAR(
       std::all_of(quad.v.begin(), quad.v.end(), [&](std::uint32_t v) { return v < grid_.vertexCount(); }));
   // To keep to the tolerance, such a quad is made of four triangles around its crossing.
-  const bool bulged = bulges(quad, fan_height_);
+  const bool bulged = bulges(leaf, quad, c, at);
   if (quad.split != 0 || (bulged && !anyMerged(quad))) {
     out.fans.push_back(splitQuad(grid_, leaf, at[0], at[1], at[2], at[3], quad, c));
     out.states.push_back(QuadState::kFan);

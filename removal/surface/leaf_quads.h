@@ -59,6 +59,8 @@ class QuadPlanner {
 
  private:
   bool anyMerged(const Quad& quad) const;
+  bool bulges(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c,
+              const std::array<int, 4>& at) const;
 
   const SurfaceGrid& grid_;
   const VertexMerger& merger_;

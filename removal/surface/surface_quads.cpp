@@ -81,7 +81,7 @@ QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& no
   return {prefer02, preferred.margin, preferred.poor};
 }
 
-bool bulges(const Quad& quad, double limit) {
+double bulgeOver(const Quad& quad, double limit) {
   std::array<Vec3, 4> d;
   double highest = 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -91,17 +91,18 @@ bool bulges(const Quad& quad, double limit) {
   if (highest > kCreased * limit) limit = kFanHeight;
   // Opposite corners on a crease are joined.
   if (highest <= limit || (~quad.smooth_corners & 0x5) == 0x5 || (~quad.smooth_corners & 0xA) == 0xA)
-    return false;
+    return 0.0;
   for (int i = 0; i < 4; ++i) {
     const Vec3 area = d[i].cross(d[(i + 1) % 4]);
-    if (quad.normal.dot(area) <= kFolded * area.norm()) return false;
+    if (quad.normal.dot(area) <= kFolded * area.norm()) return 0.0;
   }
   const int first = cutQuad(quad.p, quad.middle, quad.normal, quad.smooth_corners).at02 ? 0 : 1;
   const Vec3 &a = d[first], &b = d[first + 2];
   const Vec3& third =
       quad.normal.dot(a.cross(b)) > 0.0 ? d[(first + 3) % 4] : d[first + 1];  // on the crossing's side
   const Vec3 n = (b - a).cross(third - a);
-  return std::abs(n.dot(a)) > limit * n.norm();
+  const double off = std::abs(n.dot(a)), length = n.norm();
+  return off > limit * length ? off / length : 0.0;
 }
 
 void QuadReader::add(const SurfaceLeaf& leaf, int place) {

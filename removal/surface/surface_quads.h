@@ -34,10 +34,10 @@ QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& no
 /// How far crossings may be off two triangles at the least, grid steps.
 inline constexpr double kFanHeight = 0.005;
 
-/// Whether the crossing lies off the quad's two triangles by more than `limit`, or kFanHeight at creases, so
-/// that four triangles around it are closer to the surface. Not where a crease runs along the diagonal, or a
-/// triangle would fold.
-bool bulges(const Quad& quad, double limit);
+/// By how much the crossing lies off the quad's two triangles, if that is more than `limit`, or kFanHeight at
+/// creases; else 0. Four triangles around it are closer to the surface then. 0 as well where a crease runs
+/// along the diagonal, or a triangle would fold.
+double bulgeOver(const Quad& quad, double limit);
 
 /// Reads the quads of one leaf at a time.
 class QuadReader {

@@ -11,7 +11,7 @@ struct UnseenVolume {
   double mm3 = 0.0;        ///< material that there is more than under the surface
   double error_mm3 = 0.0;  ///< by how much it may be off, about
   /// Cells which do not count as thin by themselves, but of which much is missed; middle of the first, mm.
-  ThinCells thin;
+  ThinCells thin{};
 };
 
 /// Compares what is left in truth with what is under the surface: in the cells where a face ends before the

@@ -35,6 +35,37 @@ TEST(LeanSurface, StraightSlotIsAFewTrianglesOnAnyGrid) {
   }
 }
 
+// A tolerance below the height of the facets (0.004 mm here) must not keep every cell: the wall is straight
+// along the axis. 62 facets around, two triangles each, and the rims.
+TEST(LeanSurface, WallOfAHoleIsLongStripsBelowTheHeightOfItsFacets) {
+  for (const char* name : {"1=flat:4", "1=drill:4:118"}) {
+    SCOPED_TRACE(name);
+    PathMaker path;
+    path.line({10.07, 10.11, 2}, {10.07, 10.11, -15.03});
+    RemovalOptions options;
+    options.resolution_mm = 0.25;
+    Progress progress;
+    Result<Stock> stock = Stock::create(BoxShape{{0, 0, -20}, {20, 20, 0}}, options, progress);
+    ASSERT_TRUE(stock.ok());
+    ASSERT_TRUE(stock->remove(path.path(), {tool(name)}, options, progress).ok());
+    const Result<StockSurface> surface = stock->surface({.simplify_mm = 0.002}, progress);
+    ASSERT_TRUE(surface.ok());
+    EXPECT_LE(surface->mesh.triangles.size(), 1300u);
+    double farthest = 0.0;  // corners of the wall, and middles of their sides
+    for (const auto& t : surface->mesh.triangles) {
+      for (int i = 0; i < 3; ++i) {
+        const Vec3 a = surface->mesh.positions[t[i]].cast<double>();
+        const Vec3 b = surface->mesh.positions[t[(i + 1) % 3]].cast<double>();
+        const auto off = [](const Vec3& p) { return std::abs((p - Vec3(10.07, 10.11, p.z())).norm() - 2.0); };
+        if (a.z() > -13.0 && b.z() > -13.0 && off(a) < 0.01 && off(b) < 0.01)
+          farthest = std::max({farthest, off(a), off(0.5 * (a + b))});
+      }
+    }
+    EXPECT_GT(farthest, 0.0);
+    EXPECT_LE(farthest, 0.25 * 0.25 / (8 * 2.0) + 0.002);
+  }
+}
+
 /// Random lines and arcs of one tool in a block of 20 x 20 x 8.
 Toolpath randomPath(std::mt19937& random) {
   std::uniform_real_distribution<double> place(1.0, 19.0), depth(-5.0, -0.3), turn(40.0, 350.0);
