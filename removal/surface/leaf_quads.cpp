@@ -12,21 +12,31 @@ namespace {
 /// on a cylinder, four are no better than two, and make ridges across what is straight.
 constexpr double kFanGain = 1.5;
 
-/// How far the surface is off a chord as long as the square root of `length2`, by how it turns from a
-/// crossing to the one on the edge beside it, a `step` along `axis`. None where that is in another leaf or
-/// not crossed.
-std::optional<double> offChord(const SurfaceLeaf& leaf, const Crossing& c, const std::array<int, 4>& at,
-                               int axis, int step, double length2) {
-  std::array<int, 4> next = at;
-  const int place = next[1 + axis] += step;
-  if (place < 0 || place > 7 || !leaf.edges.isCrossed(next[0], next[1], next[2], next[3]))
-    return std::nullopt;
-  const auto index = static_cast<std::size_t>(leaf.edges.indexOf(next[0], next[1], next[2], next[3]));
-  const Crossing& beside = leaf.stock->crossings[index];
-  Vec3 d = Vec3::Zero(), turn;
-  d[axis] = step;
-  d[at[0]] = static_cast<double>(beside.t) - static_cast<double>(c.t);
-  for (int i = 0; i < 3; ++i) turn[i] = beside.normal[i] - c.normal[i];
+/// The crossing of the same face on one of the edges beside: a `step` along `axis`, then the one on a level
+/// with this or next to that. Sets where it is as seen from this one. Null where there is none in this leaf.
+const Crossing* crossingBeside(const SurfaceLeaf& leaf, const Crossing& c, const std::array<int, 4>& at,
+                               int axis, int step, Vec3& d) {
+  for (const int up : {0, -1, 1}) {
+    std::array<int, 4> next = at;
+    const int aside = next[1 + axis] += step, along = next[1 + at[0]] += up;
+    if (aside < 0 || aside > 7 || along < 0 || along > 7) continue;
+    if (!leaf.edges.isCrossed(next[0], next[1], next[2], next[3])) continue;
+    const auto index = static_cast<std::size_t>(leaf.edges.indexOf(next[0], next[1], next[2], next[3]));
+    const Crossing& beside = leaf.stock->crossings[index];
+    if (beside.face() != c.face()) continue;
+    d = Vec3::Zero();
+    d[axis] = step;
+    d[at[0]] = up + static_cast<double>(beside.t) - static_cast<double>(c.t);
+    return &beside;
+  }
+  return nullptr;
+}
+
+/// How far the surface is off a chord, of which the square of the length is given, by how it turns from one
+/// crossing to another `d` away.
+double offChord(const Crossing& from, const Crossing& to, const Vec3& d, double length2) {
+  Vec3 turn;
+  for (int i = 0; i < 3; ++i) turn[i] = to.normal[i] - from.normal[i];
   return std::abs(turn.dot(d)) / (Crossing::kNormalScale * d.squaredNorm()) * length2 / 8.0;
 }
 
@@ -40,8 +50,11 @@ double edgesOff(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, co
     const double length2 = std::max((quad.p[i + 1] - quad.p[i]).squaredNorm(),
                                     (quad.p[(i + 3) % 4] - quad.p[i + 2]).squaredNorm());
     for (const int step : {-1, 1}) {
-      if (const auto here = offChord(leaf, c, at, axis, step, length2))
-        most = std::max({most, *here, off - *here});
+      Vec3 d;
+      const Crossing* beside = crossingBeside(leaf, c, at, axis, step, d);
+      if (beside == nullptr) continue;
+      const double here = offChord(c, *beside, d, length2);
+      most = std::max({most, here, off - here});
     }
   }
   return most;
