@@ -37,6 +37,9 @@ constexpr double kFacesAlong = 0.3;
 
 /// Normals of one face that differ by more than 25 degrees may be those of two planes.
 constexpr double kBentCos = 0.906;
+/// From where crossings are looked at, how far they are off a body that they are on (in cells), and how near
+/// to its normal theirs are there (0.8 degrees).
+constexpr double kLookFrom = 0.25, kOnBody = 1e-3, kAsBody = 0.9999;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
 const double kApexCos = std::cos(degToRad(30.0));
 constexpr double kApexMiss = 2e-3;
@@ -234,9 +237,52 @@ CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const
   return out;
 }
 
-}  // namespace
+/// Whether all crossings of `face` are on a body, too, and face as it does there.
+bool isAllOn(std::span<const SheetPoint> points, std::uint64_t face, std::int64_t body, ExactFaces& exact) {
+  return std::all_of(points.begin(), points.end(), [&](const SheetPoint& s) {
+    if (s.face != face) return true;
+    const ExactFaces::Foot foot = exact.foot(body, s.p - kLookFrom * s.n);
+    return (foot.p - s.p).squaredNorm() < kOnBody * kOnBody && foot.normal.dot(s.n) > kAsBody;
+  });
+}
 
-CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
+/// Whether the crossings of the first face count as of the second one, which shows better what both are part
+/// of: elements of one body that go over into each other; or what a tool left where it set out, which is on
+/// what it swept from there, too.
+bool isPartOf(std::span<const SheetPoint> points, std::uint64_t face, std::uint64_t other,
+              ExactFaces& exact) {
+  const ExactFaces::Source of = exact.source(face), to = exact.source(other);
+  if (to.isShown()) return false;
+  if (exact.goOver(face, other)) return !to.simple || (of.simple && to.bend >= of.bend);
+  return exact.areOfOneCone(face, other) && isAllOn(points, face, to.body, exact);
+}
+
+/// A body alone keeps its elements apart: how much they bend, which the volume asks for, changes from one to
+/// the other.
+bool isOfSeveralBodies(std::span<const SheetPoint> points, ExactFaces& exact) {
+  const std::int64_t body = exact.source(points[0].face).body;
+  return !std::ranges::all_of(points, [&](auto& s) { return exact.source(s.face).body == body; });
+}
+
+/// Counts the crossings of each face that is part of another as of that one. False where none is.
+bool joinFaces(std::span<SheetPoint> points, ExactFaces& exact) {
+  bool joined = false;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i && points[j].face != points[i].face; ++j) {
+      const std::uint64_t a = points[i].face, b = points[j].face;
+      const bool first = isPartOf(points, a, b, exact);
+      if (!first && !isPartOf(points, b, a, exact)) continue;
+      for (SheetPoint& s : points) {
+        if (s.face == (first ? a : b)) s.face = first ? b : a;
+      }
+      joined = true;
+    }
+  }
+  return joined;
+}
+
+/// As placeVertex. `joined`: faces were joined; none if they do not meet so.
+std::optional<CellVertex> placeOn(std::span<const SheetPoint> points, bool joined, ExactFaces* exact) {
   Vec3 mean = Vec3::Zero(), sum = Vec3::Zero();
   for (const SheetPoint& s : points) {
     mean += s.p;
@@ -250,7 +296,8 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   // Where its body is known, that tells whether one face bends or breaks. Faces of bodies that are not known
   // are read alike before and after a path that does not reach them.
   const bool body_tells = known && one_face && exact->source(points[0].face).body != ExactFaces::kNoBody;
-  const bool round = body_tells && exact->source(points[0].face).bend > 0.0 && turnsGently(points, sum);
+  const bool round =
+      !joined && body_tells && exact->source(points[0].face).bend > 0.0 && turnsGently(points, sum);
   const int count = collectFaces(points, round ? -1.0 : body_tells ? kBentCos : kSameFaceCos, all);
   const std::span<CellFace> faces(all.data(), static_cast<std::size_t>(count));
   std::optional<VertexRefiner> exactly;
@@ -266,10 +313,25 @@ CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
   if (refine && outsideBy(x) <= kVertexReach && !refiner->toCrease(x)) {
     // Beside an apex, where a face turns as if it broke; or where faces of several bodies do not break.
+    if (joined) return std::nullopt;
     if (one_face) return smoothVertex(points, mean, sum, refiner);
     refiner->ontoNearest(sum.normalized(), x);
   }
   return creaseVertex(faces, mean, sum, refiner, x);
+}
+
+}  // namespace
+
+CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
+  if (exact != nullptr && exact->active() && isOfSeveralBodies(points, *exact)) {
+    std::array<SheetPoint, 12> copied;
+    std::copy(points.begin(), points.end(), copied.begin());
+    const std::span<SheetPoint> joined(copied.data(), points.size());
+    if (joinFaces(joined, *exact)) {
+      if (const std::optional<CellVertex> placed = placeOn(joined, true, exact)) return *placed;
+    }
+  }
+  return *placeOn(points, false, exact);
 }
 
 }  // namespace proveout

@@ -20,6 +20,15 @@ constexpr double kTouch = 1e-3;
 /// How far, in cells, a face of the blank is looked for.
 constexpr double kBlankReach = 3.0;
 
+/// Sine of the angle between a straight element and the axes, at the least, where it makes cones.
+constexpr double kSlanted = 0.02;
+
+/// The same of normals of one face: rounding.
+constexpr double kFaceSlack = 1e-6;
+
+/// Cosine of the angle by which elements that go over into each other may turn where they meet.
+constexpr double kNoBreak = 0.9999;
+
 MotionId motionOf(std::uint64_t face) { return static_cast<MotionId>(face >> 16); }
 /// Number of the profile's element, also of the one that a rim belongs to.
 int elementOf(std::uint64_t face) { return static_cast<int>(face & (ConvexProfile::kEdgeIds - 1)); }
@@ -27,6 +36,19 @@ int elementOf(std::uint64_t face) { return static_cast<int>(face & (ConvexProfil
 bool holds(const ConvexProfile& profile, int element) {
   return element >= profile.firstElementId() &&
          element < profile.firstElementId() + ConvexProfile::kMaxElements;
+}
+
+Vec2 directionOf(const ConvexProfile::Element& e, bool at_end) {
+  if (!e.arc) return {e.dr, e.dz};
+  const Vec2 out = Vec2((at_end ? e.br : e.ar) - e.cr, (at_end ? e.bz : e.az) - e.cz) / e.radius;
+  return {-out.y(), out.x()};
+}
+
+/// Whether this element, by its id, goes over into the next one without a break.
+bool goesOver(const ConvexProfile& profile, int element) {
+  const int i = element - profile.firstElementId();
+  if (i < 0 || i + 1 >= profile.elementCount()) return false;
+  return directionOf(profile.element(i), true).dot(directionOf(profile.element(i + 1), false)) > kNoBreak;
 }
 
 /// Bodies below ExactFaces::kNoBody stand for faces of the blank, with the motions that it knows them by.
@@ -124,12 +146,42 @@ bool ExactFaces::isOffCutBlank(const Vec3& q, double by) const {
          TriangleTree::kNone;
 }
 
-bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) {
+bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) const {
   const int element = static_cast<int>(face & 0xFFFF);
-  if (element < ConvexProfile::kEdgeIds) return foot.element == element;
-  // A rim is named after the first of the two elements that meet there.
   const int end = foot.element & ~ConvexProfile::kEdgeIds, first = element & ~ConvexProfile::kEdgeIds;
-  return end == first || end == first + 1;
+  if (element >= ConvexProfile::kEdgeIds) {
+    // A rim is named after the first of the two elements that meet there.
+    return end == first || end == first + 1;
+  }
+  if (foot.element == element) return true;
+  const Pass* const pass = std::abs(end - first) == 1 ? passOf(face) : nullptr;
+  if (pass == nullptr) return false;
+  const ConvexProfile& profile = pass->body.profile();
+  // Going upright, the rim of a floor leaves the wall that the flank leaves.
+  const ConvexProfile::Element& e = profile.element(first - profile.firstElementId());
+  return !e.arc && std::abs(foot.normal.z() - e.dr) < kFaceSlack;
+}
+
+bool ExactFaces::isBeside(const Foot& foot, std::uint64_t face) const {
+  const int end = foot.element & ~ConvexProfile::kEdgeIds, first = elementOf(face);
+  const Pass* const pass = std::abs(end - first) == 1 ? passOf(face) : nullptr;
+  return pass != nullptr && goesOver(pass->body.profile(), std::min(end, first));
+}
+
+bool ExactFaces::areOfOneCone(std::uint64_t face, std::uint64_t other) const {
+  if ((face & 0xFFFF) != (other & 0xFFFF) || (face & ConvexProfile::kEdgeIds) != 0) return false;
+  const Pass *const a = passOf(face), *const b = passOf(other);
+  if (a == nullptr || b == nullptr || &a->body.profile() != &b->body.profile()) return false;
+  const ConvexProfile& profile = a->body.profile();
+  const ConvexProfile::Element& e = profile.element(elementOf(face) - profile.firstElementId());
+  return !e.arc && std::min(std::abs(e.dr), std::abs(e.dz)) > kSlanted;
+}
+
+bool ExactFaces::goOver(std::uint64_t face, std::uint64_t other) const {
+  if (motionOf(face) != motionOf(other) || ((face | other) & ConvexProfile::kEdgeIds) != 0) return false;
+  const int a = elementOf(face), b = elementOf(other);
+  const Pass* const pass = std::abs(a - b) == 1 ? passOf(face) : nullptr;
+  return pass != nullptr && goesOver(pass->body.profile(), std::min(a, b));
 }
 
 }  // namespace proveout

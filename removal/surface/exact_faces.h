@@ -36,6 +36,11 @@ class ExactFaces {
     /// A pass made it with a straight piece of its tool's profile: it ends at rims. Round pieces go over into
     /// others.
     bool ends = false;
+
+    /// Half a cell off its crossings a surface leaves their plane by 0.0075 cells where it bends as much, by
+    /// cell (a radius of 17 cells).
+    static constexpr double kMostBend = 0.06;
+    bool isShown() const { return simple && bend < kMostBend; }
   };
   static constexpr std::int64_t kNoBody = -1;  ///< below it: faces of a blank whose faces are known
   /// `face`: Crossing::face().
@@ -68,7 +73,14 @@ class ExactFaces {
   bool isOffCutBlank(const Vec3& q, double by) const;
   /// Whether a point of the body that made `face` can be of that face: the same element of the tool, and its
   /// rim where that made the face. Round elements are not told apart from their ends.
-  static bool isOf(const Foot& foot, std::uint64_t face);
+  bool isOf(const Foot& foot, std::uint64_t face) const;
+  /// Whether it is of an element that the face's goes over into without a break.
+  bool isBeside(const Foot& foot, std::uint64_t face) const;
+  /// Whether passes of one tool made both with one straight slanted element of its profile: cones, and walls
+  /// that they swept.
+  bool areOfOneCone(std::uint64_t face, std::uint64_t other) const;
+  /// Whether both are of one motion and of elements of a tool that go over into each other without a break.
+  bool goOver(std::uint64_t face, std::uint64_t other) const;
 
  private:
   const Pass* passOf(std::uint64_t face) const;

@@ -13,6 +13,9 @@ namespace {
 
 /// How far into the material a vertex is looked at from: farther than it is off.
 constexpr double kLookFrom = 0.25;
+/// Beside a ridge of one body a face is looked at from so far aside, and so much deeper, of that; the tangent
+/// plane seen there is good at the ridge only from this part of it.
+constexpr double kLookAside = 0.3, kLookDown = 0.3, kLeastAside = 0.05;
 /// A vertex is not moved farther than this, and rests when a step is shorter than that: Newton's method
 /// leaves the step's square then.
 constexpr double kMostMoved = 0.35, kRest = 0.01;
@@ -29,9 +32,6 @@ constexpr double kGoesOver = 0.9;
 constexpr double kFlatSpread = 0.02;
 /// Crossings that show how a face bends; fewer lie in one direction, across which it may bend as it likes.
 constexpr int kShowing = 3;
-/// Half a cell off its crossings a surface leaves their plane by 0.0075 cells where it bends as much, by cell
-/// (a radius of 17 cells).
-constexpr double kMostBend = 0.06;
 /// Where crossings do not show how a face bends, its crease would lie on their plane: by an eighth of this
 /// off, and always to the same side, which adds up in the volume.
 constexpr double kMostBendUnseen = 2e-3;
@@ -46,6 +46,8 @@ constexpr int kLooks = 3;
 constexpr double kSameFacing = 0.5;
 /// How far (in radians) faces with many crossings, and with few, may turn up to the vertex.
 constexpr double kSlackTurn = 0.1, kMostTurn = 1.0, kTurnOfFew = 0.5;
+/// From its crossings a face goes on to a vertex outside the cell for so many cells.
+constexpr double kFarthest = 1.5;
 /// A surface that meets the walls at which a vertex lies at less than 3 degrees is not followed along them.
 constexpr double kFlatWall = 0.05;
 /// A crease or corner this far off the blank, in cells, is none.
@@ -64,10 +66,17 @@ constexpr double kGrazing = 0.2;
 double VertexRefiner::leastFacing(std::size_t face) {
   if (facing_[face] == 0.0) {
     const CellFace& f = faces_[face];
-    facing_[face] =
-        std::cos(f.count >= kShowing ? std::min(kMostTurn, kSlackTurn + 2.0 * f.spread) : kTurnOfFew);
+    const double turn = f.count >= kShowing ? kSlackTurn + 2.0 * f.spread : kTurnOfFew;
+    facing_[face] = std::cos(std::min(kMostTurn, std::max(turn, kSlackTurn + kFarthest * bend_[face])));
   }
   return facing_[face];
+}
+
+/// Whether a point that is seen of the face's body is what the face goes on as.
+bool VertexRefiner::continues(std::size_t face, const ExactFaces::Foot& foot) {
+  const CellFace& f = faces_[face];
+  return foot.normal.dot(f.normal) >= leastFacing(face) &&
+         (exact_.isOf(foot, f.id) || exact_.isBeside(foot, f.id));
 }
 
 VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
@@ -77,8 +86,9 @@ VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
     const bool flat = faces[i].count >= kShowing && faces[i].spread < kFlatSpread;
     body_[i] = source.body;
     facing_[i] = 0.0;
+    bend_[i] = source.bend;
     cut_ = cut_ || (source.body > ExactFaces::kNoBody && !exact.ofBlank());
-    exact_already_ = exact_already_ && (source.simple ? source.bend < kMostBend : flat);
+    exact_already_ = exact_already_ && (source.isShown() || (!source.simple && flat));
     round_[i] = source.bend >= kMostBendUnseen;
   }
 }
@@ -129,12 +139,27 @@ bool VertexRefiner::planeNear(int face, const Vec3& x, Vec3& from, Plane& plane,
     return true;
   }
   const ExactFaces::Foot foot = exact_.foot(body_[face], x - kLookFrom * from);
-  if (foot.normal.dot(f.normal) < leastFacing(static_cast<std::size_t>(face)) ||
-      !ExactFaces::isOf(foot, f.id))
-    return false;
+  if (!continues(static_cast<std::size_t>(face), foot)) return false;
   from = foot.normal;
   plane = {foot.normal, foot.normal.dot(foot.p - x)};
   off = (foot.p - x).norm();
+  return true;
+}
+
+/// As planeNear, where the body has a ridge at `x`, as an arc has with the wall that it set out from: beyond
+/// it the other face is nearer. Looked at from farther off that, by `part` of kLookAside.
+bool VertexRefiner::planeBeside(int face, const Vec3& x, double part, Vec3& from, Plane& plane, double& off) {
+  const CellFace& f = faces_[static_cast<std::size_t>(face)];
+  Vec3 others = Vec3::Zero();
+  for (const CellFace& other : faces_) others += other.normal;
+  const Vec3 aside = others - from.dot(others) * from;
+  if (aside.squaredNorm() < kFlatWall * kFlatWall) return false;
+  const double way = part * kLookAside;
+  const ExactFaces::Foot foot = exact_.foot(body_[face], x - way * (aside.normalized() + kLookDown * from));
+  if (!continues(static_cast<std::size_t>(face), foot)) return false;
+  from = foot.normal;
+  plane = {foot.normal, foot.normal.dot(foot.p - x)};
+  off = std::max(0.0, (foot.p - x).norm() - way);
   return true;
 }
 
@@ -202,17 +227,23 @@ bool VertexRefiner::ontoFaces(Vec3& x) {
   std::array<Plane, 12> planes;
   std::array<Vec3, 12> from;
   for (std::size_t i = 0; i < faces_.size(); ++i) from[i] = faces_[i].normal;
-  for (int round = 0; round < kNewtonRounds; ++round) {
+  double part = 1.0;  // the nearer to the edge, the less aside
+  for (int round = 0; round < kNewtonRounds; ++round, part = std::max(0.4 * part, kLeastAside)) {
     double farthest = 0.0;
+    bool aside = false;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       double off;
-      if (!planeNear(static_cast<int>(i), x, from[i], planes[i], off)) return false;
+      const int face = static_cast<int>(i);
+      if (!planeNear(face, x, from[i], planes[i], off)) {
+        if (!planeBeside(face, x, part, from[i], planes[i], off)) return false;
+        aside = part > kLeastAside;
+      }
       farthest = std::max(farthest, off);
     }
     const Vec3 step = meetPlanes({planes.data(), faces_.size()});
     if (!(step.squaredNorm() < 1.0)) return false;
     x += step;
-    if (step.squaredNorm() >= kRest * kRest) continue;
+    if (aside || step.squaredNorm() >= kRest * kRest) continue;
     double between = 0.0;  // faces that meet in no line
     for (std::size_t i = 0; i < faces_.size(); ++i)
       between = std::max(between, std::abs(planes[i].n.dot(step) - planes[i].d));
@@ -238,7 +269,7 @@ bool VertexRefiner::isBetweenFaces(const Vec3& x) {
       const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
       if ((foot.p - x).squaredNorm() < kSeenOver * kSeenOver) return true;
       if (foot.normal.dot(f.normal) < leastFacing(static_cast<std::size_t>(&f - faces_.data())) ||
-          !ExactFaces::isOf(foot, f.id))
+          !exact_.isOf(foot, f.id))
         return false;
       n = foot.normal;
     }
@@ -251,7 +282,7 @@ bool VertexRefiner::isSmooth(const Vec3& x) {
   Vec3 at = x;
   if (!oneBody() || !ontoBody(at)) return false;
   const ExactFaces::Foot foot = exact_.foot(body_[0], at - kLookFrom * meanNormal());
-  const auto isOf = [&](const CellFace& f) { return ExactFaces::isOf(foot, f.id); };
+  const auto isOf = [&](const CellFace& f) { return exact_.isOf(foot, f.id); };
   if (std::none_of(faces_.begin(), faces_.end(), isOf)) return false;
   Vec3 across = Vec3::Zero();  // where the surface turns most
   for (std::size_t i = 1; i < faces_.size(); ++i) {
@@ -303,7 +334,7 @@ bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Seen seen, Plane&
     for (std::size_t j = i; j < faces_.size(); ++j) {
       if (body_[j] != body_[i]) continue;
       known = known || (seen == Seen::kSmoothFaces ? foot.normal.dot(faces_[j].normal) > kGoesOver
-                                                   : ExactFaces::isOf(foot, faces_[j].id));
+                                                   : exact_.isOf(foot, faces_[j].id));
     }
     if (!known) return false;
     least = distance;

@@ -42,6 +42,7 @@ class VertexRefiner {
 
  private:
   double leastFacing(std::size_t face);
+  bool continues(std::size_t face, const ExactFaces::Foot& foot);
   bool bendsAreSeen() const;
   bool oneBody() const;
   Vec3 meanNormal() const;
@@ -50,6 +51,7 @@ class VertexRefiner {
   bool ontoEdge(int first, Vec3& x);
   bool ontoFaces(Vec3& x);
   bool planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off);
+  bool planeBeside(int face, const Vec3& x, double part, Vec3& from, Plane& plane, double& off);
   bool isBetweenFaces(const Vec3& x);
   bool isSharp(const Vec3& n, const Vec3& across, const Vec3& x);
   enum class Seen : std::uint8_t { kKnownFaces, kSmoothFaces };
@@ -59,6 +61,7 @@ class VertexRefiner {
   std::span<const CellFace> faces_;
   std::array<std::int64_t, 12> body_;
   std::array<bool, 12> round_;     ///< known to bend by more than creases may miss
+  std::array<double, 12> bend_;    ///< curvature of simple faces, as ExactFaces tells
   std::array<double, 12> facing_;  ///< as leastFacing tells; 0: not asked for yet
   bool cut_ = false;               ///< a pass made one of the faces
   bool exact_already_ = true;      ///< crossings and normals show all faces exactly, each for itself
