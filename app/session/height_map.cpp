@@ -53,6 +53,7 @@ HeightMap::HeightMap(const Box3& blank, double cell) : blank_(blank), cell_(cell
   nx_ = std::max(1, static_cast<int>(std::ceil(blank.size().x() / cell)));
   ny_ = std::max(1, static_cast<int>(std::ceil(blank.size().y() / cell)));
   height_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), blank.max.z());
+  made_.resize(height_.size());
 }
 
 int HeightMap::column(double x) const {
@@ -62,7 +63,7 @@ int HeightMap::row(double y) const {
   return static_cast<int>(std::clamp((y - blank_.min.y()) / cell_, 0.0, ny_ - 1.0));
 }
 
-void HeightMap::lower(const Vec3& a, const Vec3& b, const Footprint& tool, int band) {
+void HeightMap::lower(const Vec3& a, const Vec3& b, const Footprint& tool, const CutBy& made, int band) {
   const double radius = tool.radius;
   const int x0 = std::max(column(std::min(a.x(), b.x()) - radius), firstOf(band)),
             x1 = std::min(column(std::max(a.x(), b.x()) + radius), firstOf(band + 1) - 1);
@@ -81,7 +82,10 @@ void HeightMap::lower(const Vec3& a, const Vec3& b, const Footprint& tool, int b
       if (distance2 > radius * radius) continue;
       const double tip = length2 > 0 ? a.z() + t * (b.z() - a.z()) : std::min(a.z(), b.z());
       if (tip >= height) continue;
-      height = std::min(height, std::max(tip + tool.heightAt2(distance2), blank_.min.z()));
+      const double lowered = std::max(tip + tool.heightAt2(distance2), blank_.min.z());
+      if (lowered >= height) continue;
+      height = lowered;
+      made_[index(x, y)] = made;
     }
   }
 }
@@ -100,18 +104,35 @@ double HeightMap::addedArea() const {
   });
 }
 
-double HeightMap::cutArea() const {
-  return overColumns(0, nx_, [&](int x) {
-    double cut = 0.0;
-    for (int y = 0; y < ny_; ++y) {
-      const double z = height_[index(x, y)], zx = x + 1 < nx_ ? height_[index(x + 1, y)] : z,
-                   zy = y + 1 < ny_ ? height_[index(x, y + 1)] : z;
-      if (zx == z && zy == z) continue;
-      const double dx = (zx - z) / cell_, dy = (zy - z) / cell_, slope = std::sqrt(1.0 + dx * dx + dy * dy);
-      cut += cell_ * cell_ * (z > blank_.min.z() ? slope : slope - 1.0);
-    }
-    return cut;
-  });
+CutAreas HeightMap::cutOf(int x) const {
+  CutAreas cut;
+  for (int y = 0; y < ny_; ++y) {
+    const std::size_t at = index(x, y), beside = x + 1 < nx_ ? index(x + 1, y) : at,
+                      behind = y + 1 < ny_ ? index(x, y + 1) : at;
+    const double z = height_[at], zx = height_[beside], zy = height_[behind];
+    if (zx == z && zy == z) continue;
+    const CutBy& made = made_[z <= std::min(zx, zy) ? at : zx <= zy ? beside : behind];
+    const double dx = (zx - z) / cell_, dy = (zy - z) / cell_, slope = std::sqrt(1.0 + dx * dx + dy * dy);
+    const double area =
+        static_cast<double>(made.faces) * cell_ * cell_ * (z > blank_.min.z() ? slope : slope - 1.0);
+    cut.all_mm2 += area;
+    if (!made.ruled) cut.bends_mm += area * static_cast<double>(made.bend);
+    if (made.ruled) (made.bend > 0.0F ? cut.ruled_mm2 : cut.flat_mm2) += area;
+  }
+  return cut;
+}
+
+CutAreas HeightMap::cutAreas() const {
+  std::vector<CutAreas> columns(static_cast<std::size_t>(nx_));
+  parallelFor(0, nx_, [&](int x) { columns[static_cast<std::size_t>(x)] = cutOf(x); });
+  CutAreas cut;
+  for (const CutAreas& column : columns) {
+    cut.all_mm2 += column.all_mm2;
+    cut.flat_mm2 += column.flat_mm2;
+    cut.ruled_mm2 += column.ruled_mm2;
+    cut.bends_mm += column.bends_mm;
+  }
+  return cut;
 }
 
 double HeightMap::unevenArea() const {
@@ -124,7 +145,7 @@ double HeightMap::unevenArea() const {
     double uneven = 0.0;
     for (int y = 1; y + 1 < ny_; ++y) {
       const std::size_t at = index(x, y);
-      if (height_[at] <= blank_.min.z() || height_[at] >= blank_.max.z()) continue;
+      if (made_[at].ruled || height_[at] <= blank_.min.z() || height_[at] >= blank_.max.z()) continue;
       if (isUneven(index(x - 1, y), at, index(x + 1, y)) || isUneven(index(x, y - 1), at, index(x, y + 1)))
         uneven += 1.0;
     }

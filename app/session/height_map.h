@@ -20,6 +20,21 @@ struct Footprint {
   double heightAt2(double distance2) const;
 };
 
+/// What a spot was cut by, for how many triangles stay of it.
+struct CutBy {
+  float bend = 0.0F;   ///< 1 / mm: one over the tool's radius; 0: a flat end on a line leaves a plane
+  float faces = 1.0F;  ///< so many times the surface that shows from above
+  bool ruled = false;  ///< by a line that is long for its tool
+};
+
+/// What is cut but level floors, mm2.
+struct CutAreas {
+  double all_mm2 = 0.0;
+  double flat_mm2 = 0.0;   ///< of that by flat ends on long lines
+  double ruled_mm2 = 0.0;  ///< and by other tools on long lines
+  double bends_mm = 0.0;   ///< of the rest: area over the radius of the tool
+};
+
 /// Of the part of a tool below its widest place. Tools that are wider below than above count as flat.
 Footprint footprintOf(const Tool& tool);
 
@@ -37,15 +52,16 @@ class HeightMap {
   }
   /// Lowers what lies within reach of the segment (plan view) to the height of the tool on its nearest point,
   /// in this band of columns.
-  void lower(const Vec3& a, const Vec3& b, const Footprint& tool, int band);
+  void lower(const Vec3& a, const Vec3& b, const Footprint& tool, const CutBy& made, int band);
 
   /// What cutting adds to the surface of the blank, mm2: slopes and walls more than the flat top that is
   /// gone; where all is cut through, top and bottom are gone.
   double addedArea() const;
-  /// What is cut but level floors: slopes and walls, mm2.
-  double cutArea() const;
+  /// What is cut but level floors: slopes and walls. These are of what cut the lower side.
+  CutAreas cutAreas() const;
   /// Area in plan view of ridges and grooves, mm2: where the surface rises or falls to both sides and bends,
-  /// so that its triangles stay small. Feet of walls are none.
+  /// so that its triangles stay small. Feet of walls are none, nor what lines leave that are long for their
+  /// tool.
   double unevenArea() const;
 
  private:
@@ -56,10 +72,14 @@ class HeightMap {
     return static_cast<std::size_t>(x) * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(y);
   }
 
+  /// Of one column of cells.
+  CutAreas cutOf(int x) const;
+
   Box3 blank_;
   double cell_;
   int nx_ = 1, ny_ = 1;
   std::vector<double> height_;
+  std::vector<CutBy> made_;  ///< by what each cell was lowered last
 };
 
 }  // namespace proveout

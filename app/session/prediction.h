@@ -13,29 +13,35 @@
 
 namespace proveout {
 
-/// Curves that are cut as chords: all but level arcs.
+/// Curves that are not level arcs, by the chords within 0.05 micrometres that they would have: also those
+/// that are cut as bodies.
 struct CurveWork {
-  double chords = 0.0;       ///< near the blank, each within 0.05 micrometres of its curve
+  double chords = 0.0;       ///< near the blank
   double columns_mm2 = 0.0;  ///< sum of what they cover in plan view
 };
-/// Helices: about z; spirals: about z, level or as helices whose radius changes. Of these parts count, not
-/// chords.
+/// Helices: about z; undercut: with tools that are wider below than above, but discs. Arcs: upright or
+/// leaning; flanked: with undercut tools that have flanks. Spirals: about z, level or as helices whose radius
+/// changes. Of these parts count, not chords.
 enum class CurveKind {
   kHelix,
   kUndercutHelix,
-  kOther,
-  kUndercutOther,
+  kArc,
+  kFlankedArc,
   kLevelSpiral,
   kSpiral,
   kUndercutSpiral,
-  kPlainSpiral
+  kPlainSpiral,
+  kChords  ///< leaning arcs of tools that have no vectors there
 };
-inline constexpr int kCurveKinds = 8;
+inline constexpr int kCurveKinds = 9;
 
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {
   double surface_mm2 = 0.0;  ///< of the part: what is left of the blank's surface and what is cut
   double cut_mm2 = 0.0;      ///< of that what is cut, but level floors
+  double flat_mm2 = 0.0;     ///< of what is cut: by flat ends on long lines, into planes
+  double ruled_mm2 = 0.0;    ///< of what is cut: by other tools on long lines
+  double bends_mm = 0.0;     ///< of the rest of what is cut: area over the radius of the tool
   double uneven_mm2 =
       0.0;  ///< of the part, in plan view: neither flat nor a wall; its triangles are not merged
   double swept_mm2 = 0.0;  ///< plan area that the tools pass over, each motion counted

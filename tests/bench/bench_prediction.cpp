@@ -1,9 +1,11 @@
 // What `proveout run` predicts of itself beside what it takes, over jobs of many kinds: memory is to be
-// within 1.5 times, time within 2, both ways. Ends with 1 where it is not.
+// within 1.5 times, time within 2, both ways. Ends with 1 where it is not. With --runs the fastest of some
+// counts: on a machine that others use.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -45,7 +47,7 @@ Outcome printLine(const PredictedJob& job, const nlohmann::json& report, const C
   return outcome;
 }
 
-Outcome runJob(const PredictedJob& job) {
+Outcome runJob(const PredictedJob& job, int runs) {
   const Workplace work;
   for (const auto& [name, text] : job.files) work.write(name, text());
   const auto started = [&](const std::vector<std::string>& words, const std::string& out) {
@@ -57,7 +59,11 @@ Outcome runJob(const PredictedJob& job) {
   const fs::path home = fs::current_path();
   fs::current_path(work.path("."));
   if (!job.before.empty()) started(job.before, "before");
-  const ChildOutcome child = started(job.run, "out");
+  ChildOutcome child = started(job.run, "out");
+  for (int i = 1; i < runs; ++i) {
+    const ChildOutcome again = started(job.run, "out");
+    if (again.wall_s < child.wall_s) child = again;
+  }
   fs::current_path(home);
   const std::string report = readFile(work.path("out/report.json"));
   Outcome outcome;
@@ -72,7 +78,7 @@ Outcome runJob(const PredictedJob& job) {
   return outcome;
 }
 
-int run(const std::string& filter) {
+int run(const std::string& filter, int runs) {
   const std::string shared = PROVEOUT_SHARED_PROGRAMS;
   const bool there = fs::exists(shared + "/bear.nc");
   if (!there) fmt::print("the sample programs are not beside this checkout: their jobs are left out\n");
@@ -82,7 +88,7 @@ int run(const std::string& filter) {
   Outcome worst;
   for (const PredictedJob& job : predictedJobs(there ? shared : "", PROVEOUT_PARTS)) {
     if (job.name.find(filter) == std::string::npos) continue;
-    const Outcome outcome = runJob(job);
+    const Outcome outcome = runJob(job, runs);
     ++jobs;
     if (!outcome.ran) ++failed;
     if (off(outcome.memory) > kMemoryFactor) ++off_memory;
@@ -102,11 +108,15 @@ int run(const std::string& filter) {
 
 int main(int argc, char** argv) {
   std::string filter;
-  if (argc == 3 && std::string_view(argv[1]) == "--only") {
-    filter = argv[2];
-  } else if (argc != 1) {
-    fmt::print(stderr, "usage: {} [--only PART-OF-NAME]\n", argv[0]);
-    return 2;
+  int runs = 1;
+  for (int i = 1; i < argc; i += 2) {
+    const std::string_view name = argv[i];
+    if (i + 1 == argc || (name != "--only" && name != "--runs")) {
+      fmt::print(stderr, "usage: {} [--only PART-OF-NAME] [--runs N]\n", argv[0]);
+      return 2;
+    }
+    if (name == "--only") filter = argv[i + 1];
+    if (name == "--runs") runs = std::max(1, std::atoi(argv[i + 1]));
   }
-  return proveout::bench::run(filter);
+  return proveout::bench::run(filter, runs);
 }

@@ -41,6 +41,30 @@ std::string helixProgram(int turns) {
                      turns);
 }
 
+/// Arcs of 80 degrees in G18 on which the tool goes aside by `lean_mm`, side by side in the block.
+std::string leaningProgram(int arcs, double lean_mm) {
+  std::string text = "T1 M6\nS9000 M3\nG0 X0 Y0\nZ5\n";
+  for (int i = 0; i < arcs; ++i) {
+    const double y = 4.0 + (42.0 - lean_mm) * i / arcs;
+    fmt::format_to(std::back_inserter(text),
+                   "G0 X25 Y{:.3f}\nG1 Z-1.5 F800\nG18\nG3 X75 Y{:.3f} Z-1.5 R39\nG17\nG0 Z5\n", y,
+                   y + lean_mm);
+  }
+  return text + "G0 Z50\nM30\n";
+}
+
+/// Wells that widen by helices of `turns` turns each, 0.8 mm of rise a turn.
+std::string wellsProgram(int turns) {
+  std::string text = "T1 M6\nS9000 M3\nG0 X0 Y0\nZ5\n";
+  for (int i = 0; i < 15; ++i) {
+    const int x = 12 + 19 * (i % 5), y = 10 + 15 * (i / 5);
+    fmt::format_to(std::back_inserter(text),
+                   "G0 X{0} Y{1}\nG1 Z-9 F500\nX{2}\nG3 X{2} Y{1} I-3.5 J0 Z{3:.2f} L{4}\nG1 X{0}\nG0 Z5\n",
+                   x, y, x + 3.5, -9.0 + 0.8 * turns, turns);
+  }
+  return text + "G0 Z50\nM30\n";
+}
+
 /// Wells of three turns that grow from 3 to 6.6, level or on the way down.
 std::string spiralsProgram(bool falling) {
   std::string text = "T1 M6\nS9000 M3\nG0 X10 Y10\nZ5\n";
@@ -237,6 +261,47 @@ void addMilled(std::vector<PredictedJob>& jobs) {
                   Words{"job.toml"} + kNoPictures});
 }
 
+/// To which nothing was fitted.
+void addOthers(const std::string& parts, std::vector<PredictedJob>& jobs) {
+  const auto add = [&](const std::string& name, const std::function<std::string()>& program,
+                       const std::string& stock, const std::string& tool, double grid_mm,
+                       const Words& more = kNoPictures) {
+    jobs.push_back({"other: " + name, {{"p.nc", program}}, {}, milling("p.nc", stock, tool, grid_mm) + more});
+  };
+  const auto leaning = [](int arcs, double lean_mm) {
+    return [arcs, lean_mm] { return leaningProgram(arcs, lean_mm); };
+  };
+  add("lollipop on leaning arcs", leaning(70, 9), kSlotStock, "1=lollipop:7:3.5", 0.15);
+  add("dovetail on leaning arcs", leaning(50, 14), kSlotStock, "1=dovetail:9:60:3:4", 0.2);
+  add("cone on leaning arcs", leaning(90, 5), kSlotStock, "1=cone:9:2:70", 0.15);
+  add("bull nose on leaning arcs", leaning(60, 20), kSlotStock, "1=bull:7:2", 0.15);
+  add(
+      "dovetail on helices", [] { return wellsProgram(2); }, kSlotStock, "1=dovetail:7:55:2:3", 0.2);
+  add(
+      "tapered ball on helices", [] { return wellsProgram(4); }, kSlotStock, "1=taper:1.5:12:5", 0.2);
+  add("relief 0.1", reliefProgram, "box:0,0,-5:20,20,0", "1=ball:0.8", 0.1);
+  add("holes and four pictures", [] { return holesProgram(300); }, "box:0,0,-15:200,50,0", "1=drill:4", 0.15,
+      {"--view", "iso", "--view", "top", "--view", "left", "--view", "bottom"});
+  add("slot and five pictures", slotProgram, kSlotStock, "1=bull:12:2", 0.2,
+      {"--view", "iso", "--view", "top", "--view", "left", "--view", "right", "--view", "front"});
+  jobs.push_back({"other: thread mill of ten teeth",
+                  {{"mill.nc", threadMillProgram}, {"job.toml", [] { return threadMillJob("mill.nc"); }}},
+                  {},
+                  Words{"job.toml"} + kNoPictures});
+  jobs.push_back({"other: worm, three pictures",
+                  {{"worm.pmc", wormProgram}, {"job.toml", [] { return wormJob("worm.pmc"); }}},
+                  {},
+                  Words{"job.toml", "--view", "iso", "--view", "top", "--view", "left"}});
+  const auto part = [&](const std::string& name, const Words& more) {
+    jobs.push_back({"other: " + name, {}, {}, Words{parts + "/" + name + "/job.toml"} + more});
+  };
+  part("flexnc_bore", {});
+  part("flexnc_shaft", {});
+  part("bracket", {"--resolution", "0.4", "--view", "iso", "--view", "top", "--view", "left"});
+  part("polar_boss", Words{"--resolution", "0.15"} + kNoPictures);
+  part("freeform_patch", Words{"--resolution", "0.1"} + kNoPictures);
+}
+
 void addMeshes(std::vector<PredictedJob>& jobs) {
   jobs.push_back({"mesh blank of 80,000 triangles",
                   {{"slant.nc", slantedProgram}, {"ball.stl", [] { return ballStl(142); }}},
@@ -318,6 +383,7 @@ std::vector<PredictedJob> predictedJobs(const std::string& shared, const std::st
   std::vector<PredictedJob> jobs;
   addSamples(shared, parts, jobs);
   addMilled(jobs);
+  addOthers(parts, jobs);
   addMeshes(jobs);
   addTurned(parts, jobs);
   addWired(jobs);

@@ -98,12 +98,14 @@ Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& 
   const Toolpath& path = run.setups[k].interpreted.path;
   const Box3 bounds = movedBounds(job, blank.bounds, k);
   if (standsUpright(path)) {
+    constexpr double kShareOfTime = 0.5;
     work.triangles = kTrianglesOfAMotion * static_cast<double>(work.motions);
+    work.thread_triangles = kShareOfTime * work.triangles;
   } else {
-    constexpr double kShareOfTime = 0.7;  // walls are made on all threads
+    constexpr double kShareOfTime = 1.1, kSectionShare = 1.57;  // of a triangle of a mesh from half sections
     const LeanWork lean = leanWork(run.setups[k].job, path, bounds);
     work.triangles = lean.triangles;
-    work.thread_triangles = kShareOfTime * lean.triangles + lean.sections;
+    work.thread_triangles = kShareOfTime * lean.triangles + kSectionShare * lean.sections;
   }
   if (k == 0 && isPrism(blank)) return work;
   constexpr double kCopies = 3.0;

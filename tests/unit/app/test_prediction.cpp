@@ -88,6 +88,51 @@ TEST(Workload, AnArcIsFollowed) {
   EXPECT_NEAR(work.surface_mm2, kBlockArea + 2 * kPi * (17 + 13) * 5, 0.15 * 2 * kPi * 30 * 5);
 }
 
+TEST(Workload, LongLinesOfAFlatEndLeavePlanes) {
+  Toolpath path;
+  path.motions = {feed({-10, 25, -5}, {110, 25, -5})};
+  const Workload slot = workloadOf(path, flat(10), kBlock, kBlockArea);
+  EXPECT_GT(slot.flat_mm2, 0.0);
+  EXPECT_DOUBLE_EQ(slot.flat_mm2, slot.cut_mm2);
+  std::vector<Tool> ball = flat(10);
+  ball[0].type = ToolType::kBall;
+  const Workload groove = workloadOf(path, ball, kBlock, kBlockArea);
+  EXPECT_DOUBLE_EQ(groove.ruled_mm2, groove.cut_mm2);
+  EXPECT_EQ(groove.uneven_mm2, 0.0);
+  // A hole is round, more so the smaller it is.
+  path.motions = {feed({50, 25, 5}, {50, 25, -5})};
+  const Workload hole = workloadOf(path, flat(10), kBlock, kBlockArea);
+  EXPECT_EQ(hole.flat_mm2 + hole.ruled_mm2, 0.0);
+  EXPECT_NEAR(hole.bends_mm, hole.cut_mm2 / 5.0, 1e-6 * hole.cut_mm2);
+  Workload uncut;
+  uncut.surface_mm2 = slot.surface_mm2;
+  EXPECT_LT(predict(slot, 0.1).time_s - predict(uncut, 0.1).time_s, 0.1);
+}
+
+Toolpath arcInXz(double lean_mm) {
+  Toolpath path;
+  Motion arc = feed({20, 20, -2}, {60, 20 + lean_mm, -2});
+  arc.arc = 0;
+  path.arcs = {{{40, 20, 20}, Vec3::UnitY(), 1.5}};
+  path.motions = {arc};
+  return path;
+}
+
+TEST(Workload, OnlyLeaningArcsOfToolsWithoutVectorsAreChords) {
+  const auto chords = [](double lean_mm, ToolType type) {
+    std::vector<Tool> tools = flat(6);
+    tools[0].type = type;
+    tools[0].cone_angle_deg = 60.0;
+    return workloadOf(arcInXz(lean_mm), tools, kBlock, kBlockArea)
+        .curves[static_cast<std::size_t>(CurveKind::kChords)]
+        .chords;
+  };
+  EXPECT_GT(chords(5.0, ToolType::kCone), 0.0);
+  EXPECT_GT(chords(5.0, ToolType::kLollipop), 0.0);
+  EXPECT_EQ(chords(0.0, ToolType::kCone), 0.0);
+  EXPECT_EQ(chords(5.0, ToolType::kBall), 0.0);
+}
+
 TEST(Prediction, GrowsWithTheSquareOfTheGridAndWithTheWork) {
   Workload work;
   work.surface_mm2 = 1e5;
@@ -132,6 +177,7 @@ TEST(Prediction, EveryPartOfTheWorkCounts) {
   expectMore("threads", true, [](Workload& w) { w.triangles = w.thread_triangles = 1e5; });
   expectMore("turned, on a grid", true, [](Workload& w) { w.turned_mm2 = 1e4; });
   expectMore("threads on a grid", true, [](Workload& w) { w.threaded_mm2 = 1e4; });
+  expectMore("round walls", false, [](Workload& w) { w.bends_mm = 1e4; });
 }
 
 TEST(Prediction, FindsTheGridThatFits) {
@@ -143,6 +189,11 @@ TEST(Prediction, FindsTheGridThatFits) {
   EXPECT_NEAR(predict(work, fits).memory_mb, limit, 1e-6 * limit);
   EXPECT_DOUBLE_EQ(resolutionThatFits(work, 0.1, 1e9), 0.1);
   EXPECT_TRUE(std::isinf(resolutionThatFits(work, 0.1, 1.0)));
+  // Pictures share the memory that the stock gave back: what fits still does.
+  work.pixels = 1e7;
+  work.pictures = 1;
+  const double drawn = resolutionThatFits(work, 0.1, limit);
+  EXPECT_NEAR(predict(work, drawn).memory_mb, limit, 1e-6 * limit);
   EXPECT_GT(availableMemoryMb(), 1.0);
 }
 
