@@ -33,19 +33,19 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   FourBlocks boxes{};  // of the probes, which move along their edges only
   for (int q = 0; q < 4; ++q) groups[q] = addGroup(change, q, boxes);
   const double highest = *std::max_element(boxes.z_high, boxes.z_high + 4);
-  for (std::vector<std::uint32_t>& passes : passes_) passes.clear();
+  for (std::vector<Near>& passes : passes_) passes.clear();
   for (const Reach& reach : list) {
     if (reach.low >= highest) continue;
     const Pass& pass = table_.passes[reach.pass];
     if (!pass.cuts()) continue;
-    double low[4];
-    reach_(pass.body.columns(), boxes, low);
+    double low[4], high[4];
+    reach_(pass.body.columns(), boxes, low, high);
     const Sweep* curve = pass.body.helix();
     for (std::size_t q = 0; q < 4; ++q) {
       if (low[q] >= boxes.z_high[q]) continue;
-      const bool known =
-          curve != nullptr && !passes_[q].empty() && table_.passes[passes_[q].back()].body.helix() == curve;
-      if (!known) passes_[q].push_back(reach.pass);
+      const bool known = curve != nullptr && !passes_[q].empty() &&
+                         table_.passes[passes_[q].back().pass].body.helix() == curve;
+      if (!known) passes_[q].push_back({reach.pass, low[q], high[q]});
     }
   }
   for (int q = 0; q < 4; ++q) {
@@ -61,21 +61,19 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
 
 /// A pass may cover the rest of an edge only after a later one moved the crossing to it: all are asked, over
 /// and over, until each has seen the last crossing that moved.
-void CrossingFinder::cutEdges(const Group& group, const std::vector<std::uint32_t>& passes) {
+void CrossingFinder::cutEdges(const Group& group, const std::vector<Near>& passes) {
   std::size_t asked = 0;  // since a crossing moved
   moves_ = 0;
   asked_.assign(passes.size(), -1);
   for (int round = 0; round < kMostRounds; ++round) {
     for (std::size_t k = 0; k < passes.size(); ++k) {
-      const std::uint32_t pass = passes[k];
+      const std::uint32_t pass = passes[k].pass;
       moved_ = false;
       const int since = std::exchange(asked_[k], moves_);
       if (const Sweep* curve = table_.passes[pass].body.helix()) {
         tryCurve(pass, *curve, group, since);
-      } else if (since < 0) {
-        tryPass(pass, group);
       } else {
-        tryMoved(pass, group, since);
+        tryPass(passes[k], group, since);
       }
       asked = moved_ ? 1 : asked + 1;
       if (asked >= passes.size()) return;
@@ -279,38 +277,68 @@ void CrossingFinder::placeProbe(std::size_t i) {
   z_[i] = p.z();
 }
 
-void CrossingFinder::tryPass(std::uint32_t number, const Group& group) {
-  for (std::size_t first = group.first; first < group.last; first += kMaxColumns) {
-    const std::size_t count = std::min<std::size_t>(kMaxColumns, group.last - first);
-    kernel_(table_.passes[number].body.columns(), &x_[first], &y_[first], static_cast<int>(count), lo_.data(),
-            hi_.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      if (lo_[i] < z_[first + i] && z_[first + i] < hi_[i]) tryEdge(number, first + i, lo_[i], hi_[i]);
-    }
-  }
-}
-
-/// Asks a pass again, for edges that have moved after the first `since` moves: of others it says the same.
-void CrossingFinder::tryMoved(std::uint32_t number, const Group& group, int since) {
-  moved_count_ = 0;
+/// Asks a pass, for edges that have moved after the first `since` moves (below 0: for all): of others it says
+/// the same again.
+void CrossingFinder::tryPass(const Near& near, const Group& group, int since) {
+  ask_count_ = 0;
   for (std::size_t i = group.first; i < group.last; ++i) {
     const Edge& e = edges_[probes_[i].edge];
-    if (e.moved <= since || e.pass == number) continue;
-    moved_x_[moved_count_] = x_[i];
-    moved_y_[moved_count_] = y_[i];
-    moved_probe_[moved_count_++] = i;
-    if (moved_count_ == kMaxColumns) tryMovedBatch(number);
+    if (e.moved <= since || e.pass == near.pass || z_[i] <= near.low || z_[i] >= near.high) continue;
+    ask_x_[ask_count_] = x_[i];
+    ask_y_[ask_count_] = y_[i];
+    ask_[ask_count_++] = i;
+    if (ask_count_ == kMaxColumns) tryBatch(near.pass);
   }
-  if (moved_count_ > 0) tryMovedBatch(number);
+  if (ask_count_ > 0) tryBatch(near.pass);
 }
 
-void CrossingFinder::tryMovedBatch(std::uint32_t number) {
-  const std::size_t count = std::exchange(moved_count_, 0);
-  kernel_(table_.passes[number].body.columns(), moved_x_.data(), moved_y_.data(), static_cast<int>(count),
-          lo_.data(), hi_.data());
+void CrossingFinder::tryBatch(std::uint32_t number) {
+  const std::size_t count = std::exchange(ask_count_, 0);
+  const ColumnSweep& columns = table_.passes[number].body.columns();
+  const bool turn = columns.kind == ColumnSweep::Kind::kTurn;
+  kernel_(columns, ask_x_.data(), ask_y_.data(), static_cast<int>(count), lo_.data(), hi_.data());
+  cuts_.count = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t probe = moved_probe_[i];
-    if (lo_[i] < z_[probe] && z_[probe] < hi_[i]) tryEdge(number, probe, lo_[i], hi_[i]);
+    const std::size_t probe = ask_[i];
+    if (!(lo_[i] < z_[probe] && z_[probe] < hi_[i])) continue;
+    if (turn) {
+      addTurnCut(probe, lo_[i], hi_[i]);
+    } else {
+      tryEdge(number, probe, lo_[i], hi_[i]);
+    }
+  }
+  if (cuts_.count > 0) cutTurnEdges(number);
+}
+
+/// Adds the edge of a probe to those that a turn cuts.
+void CrossingFinder::addTurnCut(std::size_t probe, double lo, double hi) {
+  const std::uint32_t index = probes_[probe].edge;
+  const Edge& e = edges_[index];
+  const auto i = static_cast<std::size_t>(cuts_.count);
+  if (i > 0 && cut_edge_[i - 1] == index) return;  // by its other probe
+  const bool level = e.axis != 2;
+  const double along = level ? std::abs(e.axis == 0 ? x_[probe] - e.a.x() : y_[probe] - e.a.y()) : 0.0;
+  cut_edge_[i] = index;
+  cut_at_[i] = e.forward > 0 ? lo - e.a.z() : e.a.z() - hi;
+  cuts_.x[i] = e.a.x();
+  cuts_.y[i] = e.a.y();
+  cuts_.z[i] = e.a.z();
+  cuts_.dx[i] = e.axis == 0 ? e.forward : 0.0;
+  cuts_.dy[i] = e.axis == 1 ? e.forward : 0.0;
+  cuts_.inside[i] = along;
+  cuts_.end[i] = level ? 0.0 : e.forward;
+  ++cuts_.count;
+}
+
+void CrossingFinder::cutTurnEdges(std::uint32_t number) {
+  const SweptBody& body = table_.passes[number].body;
+  cuts_kernel_(body.columns(), cuts_);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cuts_.count); ++i) {
+    const bool level = cuts_.end[i] == 0.0, found = cuts_.found[i] > 0.0;
+    EdgeCut cut{level ? cuts_.at[i] : cut_at_[i], found ? body.startOf(cuts_.place[i]) : -1.0};
+    const Vec3& a = edges_[cut_edge_[i]].a;
+    if (level && !found) cut = body.curveCut(a, cuts_.dx[i], cuts_.dy[i], cuts_.inside[i]);
+    moveCrossing(number, cut_edge_[i], cut);
   }
 }
 
@@ -350,17 +378,17 @@ void CrossingFinder::tryCurve(std::uint32_t number, const Sweep& curve, const Gr
 
 /// Chords lie off their curve, so that a sample may be gone to which the curve does not quite reach: its
 /// edges end there.
-void CrossingFinder::giveUntaken(const std::vector<std::uint32_t>& passes, int quarter) {
+void CrossingFinder::giveUntaken(const std::vector<Near>& passes, int quarter) {
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const Edge& e = edges_[i];
     if (e.quarter != quarter || e.pass != kOld || e.old >= 0) continue;
     const Vec3 gone = e.a + e.forward * impl_.h * Vec3::Unit(e.axis);
     double least = impl_.h;
     std::uint32_t nearest = kOld;
-    for (const std::uint32_t number : passes) {
-      const Sweep* curve = table_.passes[number].body.helix();
+    for (const Near& near : passes) {
+      const Sweep* curve = table_.passes[near.pass].body.helix();
       const double distance = curve != nullptr ? curve->distance(gone, least) : least;
-      if (distance < least) least = distance, nearest = number;
+      if (distance < least) least = distance, nearest = near.pass;
     }
     if (nearest != kOld) moveCrossing(nearest, i, {impl_.h, -1.0});
   }

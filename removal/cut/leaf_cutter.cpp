@@ -95,7 +95,7 @@ std::size_t LeafCutter::applyCurve(std::span<const StackReach> list) {
   std::size_t count = 0;
   lowest_first_.clear();
   for (; count < list.size() && table_.passes[list[count].pass].body.isOneCurveWith(first.body); ++count) {
-    if (counts(list[count])) lowest_first_.push_back({list[count].pass, list[count].low});
+    if (counts(list[count])) lowest_first_.push_back({list[count].pass, list[count].low, list[count].high});
   }
   std::stable_sort(lowest_first_.begin(), lowest_first_.end(),
                    [](const Reach& a, const Reach& b) { return a.low < b.low; });
@@ -254,8 +254,8 @@ void LeafCutter::apply(std::uint32_t number) {
   const bool asked = pass.watched || !pass.cuts() || !hasLevelTop(pass.body, highest_);
   const unsigned hits = asked ? 15 : hits_(pass.body.columns(), columns_, open_);
   if (hits == 0) return;
-  double sunk = 0.0, low[4];
-  reach_(pass.body.columns(), quarters_, low);
+  double sunk = 0.0, low[4], high[4];
+  reach_(pass.body.columns(), quarters_, low, high);
   unsigned quarters = 0;
   for (int q = 0; q < 4; ++q) {
     if (low[q] >= quarters_.z_high[q]) continue;

@@ -268,6 +268,7 @@ inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, 
 }
 
 #include "removal/sweep/column_curve_body.h"
+#include "removal/sweep/column_cut_body.h"
 #include "removal/sweep/column_way_body.h"
 
 inline void curveColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
@@ -423,14 +424,15 @@ inline void approach(const ColumnSweep& sweep, const proveout::FourBlocks& block
   }
 }
 
-void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double* __restrict low) {
-  if (proveout::isCurve(sweep)) return proveout::curveReach(sweep, blocks, low);
+void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double* __restrict low,
+               double* __restrict high) {
+  if (proveout::isCurve(sweep)) return proveout::curveReach(sweep, blocks, low, high);
   constexpr double kDiagonal = 1.4142135623730951, kSlack = proveout::kCullSlackMm;
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double corner = kDiagonal * blocks.half_width, radius = tool.radius, reach = corner + radius + kSlack;
-  double gap2[4], rise_low[4], rise_high[4], radial[4], edge[4];
+  double gap2[4], rise_low[4], rise_high[4], radial[4], edge[4], top[4];
   approach(sweep, blocks, reach, gap2, rise_low, rise_high);
-  for (int i = 0; i < 4; ++i) low[i] = kNothing;
+  for (int i = 0; i < 4; ++i) low[i] = kNothing, high[i] = -kNothing, top[i] = -tool.z_max;
   if (least(least(gap2[0], gap2[1]), least(gap2[2], gap2[3])) > reach * reach) return;
   if (tool.flat) {
     for (int i = 0; i < 4; ++i) edge[i] = tool.z_min;
@@ -441,12 +443,14 @@ void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, dou
     } else {
       boundaryHeight(tool.lower, radial, 4, edge);
     }
+    if (tool.round_top) boundaryHeight(tool.upper, radial, 4, top);
   }
   for (int i = 0; i < 4; ++i) {
-    const double at = sweep.z + rise_low[i], highest = sweep.z + rise_high[i] + tool.z_max + kSlack;
+    const double at = sweep.z + rise_low[i], highest = sweep.z + rise_high[i] - top[i] + kSlack;
     const double lowest = at + edge[i] - kSlack;
     const bool in = gap2[i] <= reach * reach && lowest < blocks.z_high[i] && highest > blocks.z_low[i];
     low[i] = in ? lowest : kNothing;
+    high[i] = in ? highest : -kNothing;
   }
 }
 

@@ -26,6 +26,7 @@ struct ColumnSolid {
   bool flat = false;            ///< a cylinder
   bool ball = false;            ///< a lower half sphere of the full radius with a cylinder on it
   bool round_top = false;       ///< the upper boundary is not one level disc of the full radius
+  bool even = false;            ///< the upper boundary is the lower one in a mirror, but for its height
   ColumnBoundary lower, upper;  ///< upper: mirrored
 };
 
@@ -131,9 +132,24 @@ struct FourBlocks {
 /// Culling never decides within rounding, mm.
 inline constexpr double kCullSlackMm = 1e-6;
 
-/// For each block the height below which the sweep does not reach inside its square, mm (a lower bound);
-/// +infinity where it misses the block.
-using ReachKernel = void (*)(const ColumnSweep& sweep, const FourBlocks& blocks, double* low);
+/// For each block the heights below and above which the sweep does not reach inside its square, mm (bounds);
+/// low = +infinity, high = -infinity where it misses the block.
+using ReachKernel = void (*)(const ColumnSweep& sweep, const FourBlocks& blocks, double* low, double* high);
+
+/// Grid edges that a sweep cuts: where they enter its volume. Arrays as of a ColumnKernel.
+struct EdgeCuts {
+  int count = 0;
+  double x[kMaxColumns], y[kMaxColumns], z[kMaxColumns];  ///< their ends in the material, mm
+  double dx[kMaxColumns], dy[kMaxColumns];                ///< level direction, unit; vertical edges: 0, 0
+  double inside[kMaxColumns];                             ///< a point in the volume so far on, mm
+  /// 0: level; vertical: +1 where the edge is cut by the lower end of its column, -1 by the upper.
+  double end[kMaxColumns];
+  double at[kMaxColumns];     ///< found: distance from the end, mm; of level edges only
+  double place[kMaxColumns];  ///< found: see CurveSide
+  double found[kMaxColumns];  ///< 1: at and place are known
+};
+/// Finds at and place of turns of helices, mostly; nothing of all else. Error below 1e-8 mm.
+using CutKernel = void (*)(const ColumnSweep& sweep, EdgeCuts& cuts);
 
 struct ColumnKernels {
   ColumnKernel columns;
@@ -141,6 +157,7 @@ struct ColumnKernels {
   HitKernel hits;
   CoverKernel cover;
   ReachKernel reach;
+  CutKernel cuts;
   const char* name;
 };
 

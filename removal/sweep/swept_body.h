@@ -83,6 +83,8 @@ class SweptBody {
   double levelCut(const Vec3& a, double dx, double dy, double inside) const;
   /// The same for parts of curves, which know where the tool is then.
   EdgeCut curveCut(const Vec3& a, double dx, double dy, double inside) const;
+  /// Parameter of the whole curve at a place of this part, see CurveSide.
+  double startOf(double place) const;
 
   /// The surface that the motion leaves at `p`, where the volume cuts a grid edge along `axis`; `below`: the
   /// material's end of a vertical edge is the lower one. `start`: see EdgeCut.
@@ -96,7 +98,6 @@ class SweptBody {
 
  private:
   double levelGap(double x, double y) const;
-  double startOf(double place) const;
   double startAt(const Vec3& p) const;
 
   ColumnSweep columns_;

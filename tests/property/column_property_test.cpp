@@ -200,16 +200,17 @@ class CurveColumns : public Columns {
   void checkReach(const ColumnSweep& part, int i) {
     FourBlocks blocks{};
     blocks.half_width = random(0.1, 3.0);
-    double low[4];
+    double low[4], high[4];
     for (int k = 0; k < 4; ++k) {
       blocks.x[k] = x_[i] + random(-1, 1) * blocks.half_width;
       blocks.y[k] = y_[i] + random(-1, 1) * blocks.half_width;
       blocks.z_low[k] = random(-30, 30), blocks.z_high[k] = blocks.z_low[k] + 5.0;
     }
-    columnKernels().reach(part, blocks, low);
+    columnKernels().reach(part, blocks, low, high);
     for (int k = 0; k < 4; ++k) {
       if (lo_[i] < blocks.z_high[k] && hi_[i] > blocks.z_low[k]) {
         EXPECT_LE(low[k], lo_[i]);
+        EXPECT_GE(high[k], hi_[i]);
       }
     }
   }
