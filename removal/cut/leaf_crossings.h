@@ -64,20 +64,24 @@ class CrossingFinder {
   struct Group {
     std::size_t first = 0, last = 0;
   };
-  /// A pass that may touch them, and heights between which, mm.
+  /// A pass that may touch those of some quarters (bits), and heights between which, mm; of the chords of a
+  /// curve one.
   struct Near {
     std::uint32_t pass;
-    double low, high;
+    unsigned quarters;
+    std::array<double, 4> low, high;
   };
   Group addGroup(const LeafChange& change, int quarter, FourBlocks& boxes);
-  void cutEdges(const Group& group, const std::vector<Near>& passes);
-  void tryPass(const Near& near, const Group& group, int since);
+  void listPasses(std::span<const Reach> list, const FourBlocks& boxes);
+  void cutEdges();
+  void tryPass(const Near& near, int since);
   void tryBatch(std::uint32_t number);
   void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
   void addTurnCut(std::size_t probe, double lo, double hi);
-  void cutTurnEdges(std::uint32_t number);
-  void tryCurve(std::uint32_t number, const Sweep& curve, const Group& group, int since);
-  void giveUntaken(const std::vector<Near>& passes, int quarter);
+  struct TurnCuts;
+  void cutTurnEdges(std::uint32_t number, TurnCuts& turn);
+  void tryCurve(const Near& near, const Sweep& curve, int since);
+  void giveUntaken();
   void moveCrossing(std::uint32_t number, std::uint32_t edge, const EdgeCut& cut);
   void dropCovered(const Pass& pass);
   template <typename Covers>
@@ -100,14 +104,18 @@ class CrossingFinder {
   std::array<double, kMaxColumns> ask_x_{}, ask_y_{};  ///< of probes that are asked together
   std::array<std::size_t, kMaxColumns> ask_{};         ///< their numbers
   std::size_t ask_count_ = 0;
-  EdgeCuts cuts_{};                                    ///< of edges that a turn cuts
-  std::array<std::uint32_t, kMaxColumns> cut_edge_{};  ///< their numbers
-  std::array<double, kMaxColumns> cut_at_{};           ///< of vertical ones: as EdgeCut::at
+  /// Edges that a turn cuts.
+  struct TurnCuts {
+    EdgeCuts cuts;
+    std::array<std::uint32_t, kMaxColumns> edge;  ///< their numbers
+    std::array<double, kMaxColumns> at;           ///< of vertical ones: as EdgeCut::at
+  };
+  TurnCuts level_cuts_{}, upright_cuts_{};
   std::vector<std::uint32_t> tag_;  ///< of points that are asked who covers them: their numbers
   std::vector<Vec3> beyond_;        ///< places beside lost edges
   std::array<double, kMaxColumns> lo_, hi_;
-  /// Of each group: those that may touch it; of the chords of a curve one.
-  std::array<std::vector<Near>, 4> passes_;
+  std::array<Group, 4> groups_;
+  std::vector<Near> passes_;
   ReachList united_;        ///< see uniteChords
   bool moved_ = false;      ///< a crossing was taken over
   int moves_ = 0;           ///< how many were, of the edges in hand

@@ -3,7 +3,7 @@
 namespace proveout {
 
 ColumnKernels avx512Kernels() {
-  return {columns, leafColumns, leafHits, cover, reachFour, edgeCuts, "avx512"};
+  return {columns, leafColumns, lowerTops, leafHits, cover, reachFour, edgeCuts, "avx512"};
 }
 
 }  // namespace proveout

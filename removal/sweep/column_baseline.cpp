@@ -3,7 +3,7 @@
 namespace proveout {
 
 ColumnKernels baselineKernels() {
-  return {columns, leafColumns, leafHits, cover, reachFour, edgeCuts, "baseline"};
+  return {columns, leafColumns, lowerTops, leafHits, cover, reachFour, edgeCuts, "baseline"};
 }
 
 }  // namespace proveout

@@ -242,12 +242,27 @@ inline void arcDistance(const ColumnSweep& s, const double* __restrict x, const 
   }
 }
 
+/// Level distance from the tool axis at its nearest position on a line.
+inline void levelDistance(const ColumnSweep& s, const double* __restrict x, const double* __restrict y, int n,
+                          double* __restrict r) {
+  const double fx = s.x, fy = s.y, ux = s.ux, uy = s.uy, length = s.length;
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - fx, qy = y[i] - fy;
+    const double along = qx * ux + qy * uy, across = qx * uy - qy * ux;
+    const double beyond = along - least(most(along, 0.0), length);
+    r[i] = root(across * across + beyond * beyond);
+  }
+}
+
+/// Sweeps that cover a column most where the tool's axis is nearest: level ones, and vertical ones.
 inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
                           int n, double* __restrict lo, double* __restrict hi) {
   const proveout::ColumnSolid& tool = *sweep.solid;
   double r[kArray], inside[kArray];
   if (sweep.kind == ColumnSweep::Kind::kArc) {
     arcDistance(sweep, x, y, n, r);
+  } else if (sweep.kind == ColumnSweep::Kind::kLine) {
+    levelDistance(sweep, x, y, n, r);
   } else {
     const double fx = sweep.x, fy = sweep.y;
     for (int i = 0; i < n; ++i) {
@@ -284,7 +299,8 @@ inline void curveColumns(const ColumnSweep& sweep, const double* __restrict x, c
 
 void columns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
   const int n = (count + 7) & ~7;
-  if (sweep.kind == ColumnSweep::Kind::kLine) {
+  const bool level = sweep.rise == 0.0 && !sweep.solid->flat && !sweep.solid->ball;
+  if (sweep.kind == ColumnSweep::Kind::kLine && !level) {
     lineColumns(sweep, x, y, n, lo, hi);
   } else if (proveout::isCurve(sweep)) {
     curveColumns(sweep, x, y, n, lo, hi);
@@ -316,7 +332,7 @@ void cover(proveout::LeafColumns& leaf, int quarter) {
   for (int c = 0; c < kQuarter; ++c) leaf.covered[first + c] = static_cast<unsigned char>(whole[c]);
 }
 
-inline double lowerTops(proveout::LeafColumns& leaf, int quarter) {
+double lowerTops(proveout::LeafColumns& leaf, int quarter) {
   const int first = quarter * kQuarter;
   const double bottom = leaf.z[0];
   double* __restrict top = leaf.top + first;
@@ -349,10 +365,13 @@ inline double lowerTops(proveout::LeafColumns& leaf, int quarter) {
   return total;
 }
 
-double leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, int quarter) {
-  const int first = quarter * kQuarter;
-  columns(sweep, leaf.x + first, leaf.y + first, kQuarter, leaf.lo + first, leaf.hi + first);
-  return lowerTops(leaf, quarter);
+void leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, unsigned quarters) {
+  for (int q = 0; q < 4; ++q) {
+    const int from = q * kQuarter;
+    while (q < 4 && (quarters >> q & 1) != 0) ++q;
+    const int count = q * kQuarter - from;
+    if (count > 0) columns(sweep, leaf.x + from, leaf.y + from, count, leaf.lo + from, leaf.hi + from);
+  }
 }
 
 /// A hit's squared distance may be off by rounding, mm2; beyond such a slope by more.

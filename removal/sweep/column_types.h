@@ -113,9 +113,12 @@ struct LeafColumns {
   bool undercut;               ///< a pass covered a part of a column below its top
 };
 
-/// For one quarter: finds lo and hi; lowers the tops to lo where the pass covers them; returns the sum of
-/// what the tops sink by and of the covered material below tops that stay, in mm of column height.
-using LeafKernel = double (*)(const ColumnSweep& sweep, LeafColumns& leaf, int quarter);
+/// Finds lo and hi of the columns of `quarters` (bits). Those beside each other go together: a quarter alone
+/// waits for every root.
+using LeafKernel = void (*)(const ColumnSweep& sweep, LeafColumns& leaf, unsigned quarters);
+/// For one quarter: lowers the tops to lo where the pass covers them; returns the sum of what the tops sink
+/// by and of the covered material below tops that stay, in mm of column height.
+using LowerKernel = double (*)(LeafColumns& leaf, int quarter);
 /// Of `quarters` (bits) those in which the sweep may lower a top: of ball ends on lines the others have none,
 /// for sure; of all else all. Finds no lo and hi. Requires that the columns are covered up to their
 /// tops, wherever the sweep covers them.
@@ -154,6 +157,7 @@ using CutKernel = void (*)(const ColumnSweep& sweep, EdgeCuts& cuts);
 struct ColumnKernels {
   ColumnKernel columns;
   LeafKernel leaf;
+  LowerKernel lower;
   HitKernel hits;
   CoverKernel cover;
   ReachKernel reach;

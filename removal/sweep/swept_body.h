@@ -58,6 +58,8 @@ class SweptBody {
     return curve_->isHelix() ? curve_ : nullptr;
   }
 
+  /// Of the whole curved motion; null for lines.
+  const Sweep* curve() const { return curve_; }
   /// Exact sweep of this line, chord or level arc; of the whole motion where this is a part of a curve.
   Sweep sweep() const;
   /// Exact sweep of the whole motion.

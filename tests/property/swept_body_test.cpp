@@ -310,6 +310,33 @@ TEST_P(CurveSurfaces, EdgesCutTogetherEndWhereTheTurnBegins) {
   EXPECT_GT(touched, 0.99 * found);  // but where the way comes to be over the edge
 }
 
+/// The closed forms of level and of vertical moves, whatever the tool.
+TEST_P(CurveSurfaces, LevelCutsOfLevelAndVerticalMovesAreWhereTheyBegin) {
+  int cuts = 0;
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 400; ++i) {
+      const auto [from, to] = moves_.line(i % 2);
+      const SweptBody body(profile, solid, from, to);
+      const Sweep exact = body.sweep();
+      std::array<double, 8> x{}, y{}, lo{}, hi{};
+      const Vec3 near = from + random(0, 1) * (to - from);
+      x[0] = near.x() + random(-4, 4), y[0] = near.y() + random(-4, 4);
+      columnKernels().columns(body.columns(), x.data(), y.data(), 1, lo.data(), hi.data());
+      if (lo[0] >= hi[0]) continue;
+      const Vec3 inside(x[0], y[0], lo[0] + random(0.02, 0.98) * (hi[0] - lo[0]));
+      const double a = random(0.0, 6.28), far = i % 4 < 2 ? 60.0 : random(0.1, 3.0);
+      const Vec3 on(std::cos(a), std::sin(a), 0.0), start = inside - far * on;
+      if (exact.distance(start, 1e300) <= 0.0) continue;
+      const double cut = body.levelCut(start, on.x(), on.y(), far);
+      ++cuts;
+      ASSERT_GE(exact.distance(start + (cut - 2e-8) * on, 1e300), -2e-8) << i;
+      ASSERT_LE(exact.distance(start + (cut + 2e-8) * on, 1e300), 2e-8) << i;
+    }
+  }
+  EXPECT_GT(cuts, 100);
+}
+
 INSTANTIATE_TEST_SUITE_P(Tools, CurveSurfaces,
                          ::testing::Values("1=flat:6", "2=ball:6", "3=bull:8:1.5", "4=cone:6:0.4:60",
                                            "5=lollipop:6:3", "thread mill"),
