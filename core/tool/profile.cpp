@@ -179,7 +179,7 @@ ProfileSample ConvexProfile::sample(double r, double z) const {
     } else if (along > e.length) {
       corner(e.br, e.bz, id);
     } else if (s > 0.0 && s < out.value) {
-      out = {s, 0.0, e.dz, -e.dr, id};
+      return {s, 0.0, e.dz, -e.dr, id};  // a convex region has one nearest point
     }
   }
   if (!outside) return in;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/geometry/to_float.h"
 
 namespace proveout {
 namespace {
@@ -39,6 +41,24 @@ double signedDistanceTo(const Box3& box, const Vec3& p) {
 
 Sweep SweptCutter::sweep(const PassTable& table) const { return table.passes[pass].body.wholeSweep(); }
 
+double SweptCutter::distance(const PassTable& table, const Vec3& p, double cutoff) const {
+  const SweptBody& body = table.passes[pass].body;
+  return body.curve() != nullptr ? body.curve()->distance(p, cutoff) : body.sweep().distance(p, cutoff);
+}
+
+CutterIndex::SmallBox::SmallBox(const Box3& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double low = box.min[static_cast<int>(k)], high = box.max[static_cast<int>(k)];
+    min[k] = std::nextafter(toFloat(low), -std::numeric_limits<float>::infinity());
+    max[k] = std::nextafter(toFloat(high), std::numeric_limits<float>::infinity());
+  }
+}
+
+Box3 CutterIndex::SmallBox::box() const {
+  return {Vec3(double{min[0]}, double{min[1]}, double{min[2]}),
+          Vec3(double{max[0]}, double{max[1]}, double{max[2]})};
+}
+
 CutterIndex::CutterIndex(const PassTable& table, MotionId end) : table_(table) {
   for (std::uint32_t i = 0; i < table.passes.size() && table.passes[i].motion < end; ++i) {
     const Pass& pass = table.passes[i];
@@ -58,6 +78,8 @@ void CutterIndex::buildAll() {
   const auto count = static_cast<std::uint32_t>(bodies_.size());
   nodes_.resize(nodesOver(count)[0]);
   build(room, 0, 0, count);
+  boxes_.reserve(count);
+  for (const Box3& box : room.boxes) boxes_.emplace_back(box);
 }
 
 /// Gives the node over the bodies begin..end-1 its number and makes those below it.
@@ -114,7 +136,7 @@ CutterIndex::Near CutterIndex::nearest(const Vec3& p, MotionId end, double cutof
   if (nodes_.empty()) return best;
   const auto look = [&](const SweptCutter& body) {
     if (body.motion >= end) return;
-    const double distance = body.sweep(table_).distance(p, best.distance);
+    const double distance = body.distance(table_, p, best.distance);
     if (distance < best.distance) best = {distance, &body};
   };
   if (hint != nullptr) look(*hint);
@@ -133,7 +155,7 @@ CutterIndex::Near CutterIndex::nearest(const Vec3& p, MotionId end, double cutof
       continue;
     }
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
-      if (&bodies_[i] != hint) look(bodies_[i]);
+      if (&bodies_[i] != hint && distanceTo(boxes_[i].box(), p) < best.distance) look(bodies_[i]);
     }
   }
   return best;
@@ -154,7 +176,9 @@ bool CutterIndex::anyOf(const Reaches& reaches, const Visit& visit) const {
       stack[size++] = number + 1;
       continue;
     }
-    if (std::any_of(bodies_.begin() + node.begin, bodies_.begin() + node.end, visit)) return true;
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      if (reaches(boxes_[i].box()) && visit(bodies_[i])) return true;
+    }
   }
   return false;
 }
@@ -162,8 +186,7 @@ bool CutterIndex::anyOf(const Reaches& reaches, const Visit& visit) const {
 void CutterIndex::collect(const Vec3& p, double within, std::vector<Sweep>& out) const {
   anyOf([&](const auto& box) { return distanceTo(box, p) < within; },
         [&](const SweptCutter& body) {
-          const Sweep sweep = body.sweep(table_);
-          if (sweep.distance(p, within) < within) out.push_back(sweep);
+          if (body.distance(table_, p, within) < within) out.push_back(body.sweep(table_));
           return false;
         });
 }
@@ -171,7 +194,7 @@ void CutterIndex::collect(const Vec3& p, double within, std::vector<Sweep>& out)
 bool CutterIndex::comesTo(const Vec3& p, double within, std::uint32_t except) const {
   return anyOf([&](const auto& box) { return signedDistanceTo(box, p) < within; },
                [&](const SweptCutter& body) {
-                 return body.pass != except && body.sweep(table_).distance(p, within) < within;
+                 return body.pass != except && body.distance(table_, p, within) < within;
                });
 }
 

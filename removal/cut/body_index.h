@@ -1,6 +1,7 @@
 // Finds the swept cutters near a point: a tree of boxes over them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -15,6 +16,8 @@ struct SweptCutter {
   std::uint32_t pass = 0;  ///< its first one
 
   Sweep sweep(const PassTable& table) const;
+  /// As Sweep::distance; copies no curve.
+  double distance(const PassTable& table, const Vec3& p, double cutoff) const;
 };
 
 class CutterIndex {
@@ -38,10 +41,16 @@ class CutterIndex {
   static constexpr std::uint32_t kNoPass = ~0u;
 
  private:
-  /// Whether visit(cutter) is true for any in the boxes that reaches(box) is true for; goes no further then.
+  /// Whether visit(cutter) is true for any in a box that reaches(box) is true for; goes no further then.
   template <typename Reaches, typename Visit>
   bool anyOf(const Reaches& reaches, const Visit& visit) const;
 
+  /// Holds the bounds of a body; half of the memory of a Box3.
+  struct SmallBox {
+    std::array<float, 3> min, max;
+    explicit SmallBox(const Box3& box);
+    Box3 box() const;
+  };
   struct Node {
     Box3 box;
     MotionId first_motion = kNoMotion;  ///< the lowest below it
@@ -60,6 +69,7 @@ class CutterIndex {
 
   const PassTable& table_;
   std::vector<SweptCutter> bodies_;
+  std::vector<SmallBox> boxes_;  ///< of the bodies
   std::vector<Node> nodes_;
 };
 

@@ -29,29 +29,11 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   collect(change, edges, before);
   probes_.clear();
   probes_of_edge_.assign(edges_.size(), {-1, -1});
-  std::array<Group, 4> groups;
   FourBlocks boxes{};  // of the probes, which move along their edges only
-  for (int q = 0; q < 4; ++q) groups[q] = addGroup(change, q, boxes);
-  const double highest = *std::max_element(boxes.z_high, boxes.z_high + 4);
-  for (std::vector<std::uint32_t>& passes : passes_) passes.clear();
-  for (const Reach& reach : list) {
-    if (reach.low >= highest) continue;
-    const Pass& pass = table_.passes[reach.pass];
-    if (!pass.cuts()) continue;
-    double low[4];
-    reach_(pass.body.columns(), boxes, low);
-    const Sweep* curve = pass.body.helix();
-    for (std::size_t q = 0; q < 4; ++q) {
-      if (low[q] >= boxes.z_high[q]) continue;
-      const bool known =
-          curve != nullptr && !passes_[q].empty() && table_.passes[passes_[q].back()].body.helix() == curve;
-      if (!known) passes_[q].push_back(reach.pass);
-    }
-  }
-  for (int q = 0; q < 4; ++q) {
-    cutEdges(groups[q], passes_[q]);
-    giveUntaken(passes_[q], q);
-  }
+  for (int q = 0; q < 4; ++q) groups_[q] = addGroup(change, q, boxes);
+  listPasses(list, boxes);
+  cutEdges();
+  giveUntaken();
   std::vector<Crossing> out;
   out.reserve(edges_.size());
   for (const Edge& edge : edges_) out.push_back(crossing(edge, before));
@@ -59,26 +41,43 @@ std::vector<Crossing> CrossingFinder::find(const LeafChange& change, const LeafE
   return out;
 }
 
+void CrossingFinder::listPasses(std::span<const Reach> list, const FourBlocks& boxes) {
+  const double highest = *std::max_element(boxes.z_high, boxes.z_high + 4);
+  passes_.clear();
+  for (const Reach& reach : list) {
+    if (reach.low >= highest) continue;
+    const Pass& pass = table_.passes[reach.pass];
+    if (!pass.cuts()) continue;
+    Near near{reach.pass, 0, {}, {}};
+    reach_(pass.body.columns(), boxes, near.low.data(), near.high.data());
+    for (std::size_t q = 0; q < 4; ++q) near.quarters |= near.low[q] < boxes.z_high[q] ? 1u << q : 0u;
+    if (near.quarters == 0) continue;
+    const Sweep* curve = pass.body.helix();
+    if (curve != nullptr && !passes_.empty() && table_.passes[passes_.back().pass].body.helix() == curve) {
+      passes_.back().quarters |= near.quarters;
+    } else {
+      passes_.push_back(near);
+    }
+  }
+}
+
 /// A pass may cover the rest of an edge only after a later one moved the crossing to it: all are asked, over
 /// and over, until each has seen the last crossing that moved.
-void CrossingFinder::cutEdges(const Group& group, const std::vector<std::uint32_t>& passes) {
+void CrossingFinder::cutEdges() {
   std::size_t asked = 0;  // since a crossing moved
   moves_ = 0;
-  asked_.assign(passes.size(), -1);
+  asked_.assign(passes_.size(), -1);
   for (int round = 0; round < kMostRounds; ++round) {
-    for (std::size_t k = 0; k < passes.size(); ++k) {
-      const std::uint32_t pass = passes[k];
+    for (std::size_t k = 0; k < passes_.size(); ++k) {
       moved_ = false;
       const int since = std::exchange(asked_[k], moves_);
-      if (const Sweep* curve = table_.passes[pass].body.helix()) {
-        tryCurve(pass, *curve, group, since);
-      } else if (since < 0) {
-        tryPass(pass, group);
+      if (const Sweep* curve = table_.passes[passes_[k].pass].body.helix()) {
+        tryCurve(passes_[k], *curve, since);
       } else {
-        tryMoved(pass, group, since);
+        tryPass(passes_[k], since);
       }
       asked = moved_ ? 1 : asked + 1;
-      if (asked >= passes.size()) return;
+      if (asked >= passes_.size()) return;
     }
   }
 }
@@ -262,9 +261,7 @@ void CrossingFinder::addProbes(int quarter) {
     add(i, Probe::kEnd);
     if (edges_[i].axis != 2) add(i, Probe::kMiddle);
   }
-  // Kernels read whole eights from wherever a group starts.
-  const std::size_t padded = probes_.size() + 7;
-  for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize(padded, 0.0);
+  for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize(probes_.size());
   for (std::size_t i = first; i < probes_.size(); ++i) placeProbe(i);
 }
 
@@ -279,38 +276,75 @@ void CrossingFinder::placeProbe(std::size_t i) {
   z_[i] = p.z();
 }
 
-void CrossingFinder::tryPass(std::uint32_t number, const Group& group) {
-  for (std::size_t first = group.first; first < group.last; first += kMaxColumns) {
-    const std::size_t count = std::min<std::size_t>(kMaxColumns, group.last - first);
-    kernel_(table_.passes[number].body.columns(), &x_[first], &y_[first], static_cast<int>(count), lo_.data(),
-            hi_.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      if (lo_[i] < z_[first + i] && z_[first + i] < hi_[i]) tryEdge(number, first + i, lo_[i], hi_[i]);
+/// Asks a pass, for edges that have moved after the first `since` moves (below 0: for all): of others it says
+/// the same again.
+void CrossingFinder::tryPass(const Near& near, int since) {
+  ask_count_ = 0;
+  for (std::size_t q = 0; q < 4; ++q) {
+    if ((near.quarters >> q & 1) == 0) continue;
+    for (std::size_t i = groups_[q].first; i < groups_[q].last; ++i) {
+      const Edge& e = edges_[probes_[i].edge];
+      if (e.moved <= since || e.pass == near.pass || z_[i] <= near.low[q] || z_[i] >= near.high[q]) continue;
+      ask_x_[ask_count_] = x_[i];
+      ask_y_[ask_count_] = y_[i];
+      ask_[ask_count_++] = i;
+      if (ask_count_ == kMaxColumns) tryBatch(near.pass);
     }
   }
+  if (ask_count_ > 0) tryBatch(near.pass);
 }
 
-/// Asks a pass again, for edges that have moved after the first `since` moves: of others it says the same.
-void CrossingFinder::tryMoved(std::uint32_t number, const Group& group, int since) {
-  moved_count_ = 0;
-  for (std::size_t i = group.first; i < group.last; ++i) {
-    const Edge& e = edges_[probes_[i].edge];
-    if (e.moved <= since || e.pass == number) continue;
-    moved_x_[moved_count_] = x_[i];
-    moved_y_[moved_count_] = y_[i];
-    moved_probe_[moved_count_++] = i;
-    if (moved_count_ == kMaxColumns) tryMovedBatch(number);
-  }
-  if (moved_count_ > 0) tryMovedBatch(number);
-}
-
-void CrossingFinder::tryMovedBatch(std::uint32_t number) {
-  const std::size_t count = std::exchange(moved_count_, 0);
-  kernel_(table_.passes[number].body.columns(), moved_x_.data(), moved_y_.data(), static_cast<int>(count),
-          lo_.data(), hi_.data());
+void CrossingFinder::tryBatch(std::uint32_t number) {
+  const std::size_t count = std::exchange(ask_count_, 0);
+  const ColumnSweep& columns = table_.passes[number].body.columns();
+  const bool turn = columns.kind == ColumnSweep::Kind::kTurn;
+  kernel_(columns, ask_x_.data(), ask_y_.data(), static_cast<int>(count), lo_.data(), hi_.data());
+  level_cuts_.cuts.count = upright_cuts_.cuts.count = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t probe = moved_probe_[i];
-    if (lo_[i] < z_[probe] && z_[probe] < hi_[i]) tryEdge(number, probe, lo_[i], hi_[i]);
+    const std::size_t probe = ask_[i];
+    if (!(lo_[i] < z_[probe] && z_[probe] < hi_[i])) continue;
+    if (turn) {
+      addTurnCut(probe, lo_[i], hi_[i]);
+    } else {
+      tryEdge(number, probe, lo_[i], hi_[i]);
+    }
+  }
+  for (TurnCuts* cuts : {&level_cuts_, &upright_cuts_}) {
+    if (cuts->cuts.count > 0) cutTurnEdges(number, *cuts);
+  }
+}
+
+/// Adds the edge of a probe to those that a turn cuts.
+void CrossingFinder::addTurnCut(std::size_t probe, double lo, double hi) {
+  const std::uint32_t index = probes_[probe].edge;
+  const Edge& e = edges_[index];
+  const bool level = e.axis != 2;
+  TurnCuts& turn = level ? level_cuts_ : upright_cuts_;
+  EdgeCuts& cuts = turn.cuts;
+  const auto i = static_cast<std::size_t>(cuts.count);
+  if (i > 0 && turn.edge[i - 1] == index) return;  // by its other probe
+  turn.edge[i] = index;
+  turn.at[i] = e.forward > 0 ? lo - e.a.z() : e.a.z() - hi;
+  cuts.x[i] = e.a.x();
+  cuts.y[i] = e.a.y();
+  cuts.z[i] = e.a.z();
+  cuts.dx[i] = e.axis == 0 ? e.forward : 0.0;
+  cuts.dy[i] = e.axis == 1 ? e.forward : 0.0;
+  cuts.inside[i] = level ? std::abs(e.axis == 0 ? x_[probe] - e.a.x() : y_[probe] - e.a.y()) : 0.0;
+  cuts.end[i] = level ? 0.0 : e.forward;
+  ++cuts.count;
+}
+
+void CrossingFinder::cutTurnEdges(std::uint32_t number, TurnCuts& turn) {
+  const SweptBody& body = table_.passes[number].body;
+  EdgeCuts& cuts = turn.cuts;
+  cuts_kernel_(body.columns(), cuts);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cuts.count); ++i) {
+    const bool level = cuts.end[i] == 0.0, found = cuts.found[i] > 0.0;
+    EdgeCut cut{level ? cuts.at[i] : turn.at[i], found ? body.startOf(cuts.place[i]) : -1.0};
+    const Vec3& a = edges_[turn.edge[i]].a;
+    if (level && !found) cut = body.curveCut(a, cuts.dx[i], cuts.dy[i], cuts.inside[i]);
+    moveCrossing(number, turn.edge[i], cut);
   }
 }
 
@@ -336,31 +370,33 @@ void CrossingFinder::tryEdge(std::uint32_t number, std::size_t probe, double lo,
 
 /// The whole curve at once: it is convex nowhere, and may cut several pieces out of an edge. Edges are asked
 /// that have moved after the first `since` moves; below 0: all.
-void CrossingFinder::tryCurve(std::uint32_t number, const Sweep& curve, const Group& group, int since) {
-  for (std::size_t i = group.first; i < group.last; ++i) {
+void CrossingFinder::tryCurve(const Near& near, const Sweep& curve, int since) {
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
     const Edge& e = edges_[probes_[i].edge];
-    if (e.moved <= since || (probes_[i].kind == Probe::kEnd && e.pass == number)) continue;
+    if ((near.quarters >> e.quarter & 1) == 0) continue;
+    if (e.moved <= since || (probes_[i].kind == Probe::kEnd && e.pass == near.pass)) continue;
     const Vec3 p(x_[i], y_[i], z_[i]);
     if (curve.distance(p, 0.0) >= 0.0) continue;
     const double inside = std::abs(p[e.axis] - e.a[e.axis]);
-    moveCrossing(number, probes_[i].edge,
+    moveCrossing(near.pass, probes_[i].edge,
                  {searchCut(curve, e.a, e.forward * Vec3::Unit(e.axis), inside), -1.0});
   }
 }
 
 /// Chords lie off their curve, so that a sample may be gone to which the curve does not quite reach: its
 /// edges end there.
-void CrossingFinder::giveUntaken(const std::vector<std::uint32_t>& passes, int quarter) {
+void CrossingFinder::giveUntaken() {
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const Edge& e = edges_[i];
-    if (e.quarter != quarter || e.pass != kOld || e.old >= 0) continue;
+    if (e.pass != kOld || e.old >= 0) continue;
     const Vec3 gone = e.a + e.forward * impl_.h * Vec3::Unit(e.axis);
     double least = impl_.h;
     std::uint32_t nearest = kOld;
-    for (const std::uint32_t number : passes) {
-      const Sweep* curve = table_.passes[number].body.helix();
-      const double distance = curve != nullptr ? curve->distance(gone, least) : least;
-      if (distance < least) least = distance, nearest = number;
+    for (const Near& near : passes_) {
+      const Sweep* curve = table_.passes[near.pass].body.helix();
+      const bool asked = curve != nullptr && (near.quarters >> e.quarter & 1) != 0;
+      const double distance = asked ? curve->distance(gone, least) : least;
+      if (distance < least) least = distance, nearest = near.pass;
     }
     if (nearest != kOld) moveCrossing(nearest, i, {impl_.h, -1.0});
   }

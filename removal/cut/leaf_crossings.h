@@ -22,7 +22,11 @@ struct LostFilm {
 class CrossingFinder {
  public:
   CrossingFinder(const Stock::Impl& impl, const PassTable& table)
-      : impl_(impl), table_(table), kernel_(columnKernels().columns), reach_(columnKernels().reach) {}
+      : impl_(impl),
+        table_(table),
+        kernel_(columnKernels().columns),
+        reach_(columnKernels().reach),
+        cuts_kernel_(columnKernels().cuts) {}
 
   /// Crossings of the crossed `edges` of the changed leaf, in order. On each edge the one nearest to the
   /// material counts: of the surface that was there (`before`, the crossings of change.before), or of a pass
@@ -60,14 +64,24 @@ class CrossingFinder {
   struct Group {
     std::size_t first = 0, last = 0;
   };
+  /// A pass that may touch those of some quarters (bits), and heights between which, mm; of the chords of a
+  /// curve one.
+  struct Near {
+    std::uint32_t pass;
+    unsigned quarters;
+    std::array<double, 4> low, high;
+  };
   Group addGroup(const LeafChange& change, int quarter, FourBlocks& boxes);
-  void cutEdges(const Group& group, const std::vector<std::uint32_t>& passes);
-  void tryPass(std::uint32_t number, const Group& group);
-  void tryMoved(std::uint32_t number, const Group& group, int since);
-  void tryMovedBatch(std::uint32_t number);
+  void listPasses(std::span<const Reach> list, const FourBlocks& boxes);
+  void cutEdges();
+  void tryPass(const Near& near, int since);
+  void tryBatch(std::uint32_t number);
   void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
-  void tryCurve(std::uint32_t number, const Sweep& curve, const Group& group, int since);
-  void giveUntaken(const std::vector<std::uint32_t>& passes, int quarter);
+  void addTurnCut(std::size_t probe, double lo, double hi);
+  struct TurnCuts;
+  void cutTurnEdges(std::uint32_t number, TurnCuts& turn);
+  void tryCurve(const Near& near, const Sweep& curve, int since);
+  void giveUntaken();
   void moveCrossing(std::uint32_t number, std::uint32_t edge, const EdgeCut& cut);
   void dropCovered(const Pass& pass);
   template <typename Covers>
@@ -78,6 +92,7 @@ class CrossingFinder {
   const PassTable& table_;
   ColumnKernel kernel_;
   ReachKernel reach_;
+  CutKernel cuts_kernel_;
   std::vector<Edge> edges_;
   struct ProbeOf {
     std::uint32_t edge;
@@ -86,14 +101,21 @@ class CrossingFinder {
   std::vector<ProbeOf> probes_;
   std::vector<std::array<std::int32_t, 2>> probes_of_edge_;
   std::vector<double> x_, y_, z_;
-  std::array<double, kMaxColumns> moved_x_{}, moved_y_{};  ///< of probes that moved
-  std::array<std::size_t, kMaxColumns> moved_probe_{};     ///< their numbers
-  std::size_t moved_count_ = 0;
+  std::array<double, kMaxColumns> ask_x_{}, ask_y_{};  ///< of probes that are asked together
+  std::array<std::size_t, kMaxColumns> ask_{};         ///< their numbers
+  std::size_t ask_count_ = 0;
+  /// Edges that a turn cuts.
+  struct TurnCuts {
+    EdgeCuts cuts;
+    std::array<std::uint32_t, kMaxColumns> edge;  ///< their numbers
+    std::array<double, kMaxColumns> at;           ///< of vertical ones: as EdgeCut::at
+  };
+  TurnCuts level_cuts_{}, upright_cuts_{};
   std::vector<std::uint32_t> tag_;  ///< of points that are asked who covers them: their numbers
   std::vector<Vec3> beyond_;        ///< places beside lost edges
   std::array<double, kMaxColumns> lo_, hi_;
-  /// Of each group: those that may touch it; of the chords of a curve one.
-  std::array<std::vector<std::uint32_t>, 4> passes_;
+  std::array<Group, 4> groups_;
+  std::vector<Near> passes_;
   ReachList united_;        ///< see uniteChords
   bool moved_ = false;      ///< a crossing was taken over
   int moves_ = 0;           ///< how many were, of the edges in hand

@@ -95,7 +95,7 @@ std::size_t LeafCutter::applyCurve(std::span<const StackReach> list) {
   std::size_t count = 0;
   lowest_first_.clear();
   for (; count < list.size() && table_.passes[list[count].pass].body.isOneCurveWith(first.body); ++count) {
-    if (counts(list[count])) lowest_first_.push_back({list[count].pass, list[count].low});
+    if (counts(list[count])) lowest_first_.push_back({list[count].pass, list[count].low, list[count].high});
   }
   std::stable_sort(lowest_first_.begin(), lowest_first_.end(),
                    [](const Reach& a, const Reach& b) { return a.low < b.low; });
@@ -254,13 +254,15 @@ void LeafCutter::apply(std::uint32_t number) {
   const bool asked = pass.watched || !pass.cuts() || !hasLevelTop(pass.body, highest_);
   const unsigned hits = asked ? 15 : hits_(pass.body.columns(), columns_, open_);
   if (hits == 0) return;
-  double sunk = 0.0, low[4];
-  reach_(pass.body.columns(), quarters_, low);
+  double sunk = 0.0, low[4], high[4];
+  reach_(pass.body.columns(), quarters_, low, high);
   unsigned quarters = 0;
   for (int q = 0; q < 4; ++q) {
-    if (low[q] >= quarters_.z_high[q]) continue;
-    if ((hits >> q & 1) != 0) sunk += applyQuarter(number, q);
-    quarters |= 1u << q;
+    if (low[q] < quarters_.z_high[q]) quarters |= 1u << q;
+  }
+  kernel_(pass.body.columns(), columns_, quarters & hits);
+  for (int q = 0; q < 4; ++q) {
+    if ((quarters & hits) >> q & 1) sunk += applyQuarter(number, q);
   }
   if (sunk <= 0.0) return;
   if (const bool level = holdsEdges(pass); level || columns_.undercut) {
@@ -281,13 +283,8 @@ void LeafCutter::apply(std::uint32_t number) {
 
 /// Finds what the pass covers in quarters (bits) that it takes nothing from.
 void LeafCutter::look(const Pass& pass, unsigned quarters) {
-  LeafColumns& l = columns_;
-  for (int q = 0; q < 4; ++q) {
-    if ((quarters >> q & 1) == 0) continue;
-    const int first = q * kQuarter;
-    columns_kernel_(pass.body.columns(), l.x + first, l.y + first, kQuarter, l.lo + first, l.hi + first);
-    covered_ &= ~(1u << q);
-  }
+  kernel_(pass.body.columns(), columns_, quarters);
+  covered_ &= ~quarters;
 }
 
 void LeafCutter::cover(int quarter) {
@@ -296,7 +293,7 @@ void LeafCutter::cover(int quarter) {
   covered_ |= 1u << quarter;
 }
 
-/// Height of columns that the pass takes away, mm; 0 for parts that do not cut.
+/// Height of columns that the pass, whose columns are found, takes away, mm; 0 for parts that do not cut.
 double LeafCutter::applyQuarter(std::uint32_t number, int quarter) {
   const Pass& pass = table_.passes[number];
   LeafColumns& l = columns_;
@@ -304,7 +301,7 @@ double LeafCutter::applyQuarter(std::uint32_t number, int quarter) {
   const bool cutter = pass.cuts(), watched = pass.watched || !cutter;
   double top[kQuarter];
   if (watched) std::copy_n(l.top + first, kQuarter, top);
-  const double sunk = kernel_(pass.body.columns(), l, quarter);
+  const double sunk = lower_(l, quarter);
   covered_ &= ~(1u << quarter);
   evaluations_ += kQuarter;
   if (watched) {

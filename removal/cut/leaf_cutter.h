@@ -46,8 +46,8 @@ class LeafCutter {
         table_(table),
         reader_(impl),
         kernel_(columnKernels().leaf),
+        lower_(columnKernels().lower),
         hits_(columnKernels().hits),
-        columns_kernel_(columnKernels().columns),
         cover_(columnKernels().cover),
         reach_(columnKernels().reach) {}
 
@@ -88,8 +88,8 @@ class LeafCutter {
   const PassTable& table_;
   LeafReader reader_;
   LeafKernel kernel_;
+  LowerKernel lower_;
   HitKernel hits_;
-  ColumnKernel columns_kernel_;
   CoverKernel cover_;
   ReachKernel reach_;
   Coord origin_;

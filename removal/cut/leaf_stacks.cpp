@@ -44,7 +44,7 @@ StackList allPasses(const PassTable& table, double h) {
 void reachesBetween(const StackList& list, double bottom, double top, ReachList& out) {
   out.clear();
   for (const StackReach& reach : list) {
-    if (reach.counts(bottom, top)) out.push_back({reach.pass, reach.low});
+    if (reach.counts(bottom, top)) out.push_back({reach.pass, reach.low, reach.high});
   }
 }
 
@@ -144,11 +144,11 @@ void LeafStacks::quarter(Visit& visit, int level, int x, int y, const StackList&
     own.reserve(list.size() / 3);
   }
   for (const StackReach& reach : list) {
-    double low[4];
-    visit.reach(visit.table.passes[reach.pass].body.columns(), blocks, low);
+    double low[4], high[4];
+    visit.reach(visit.table.passes[reach.pass].body.columns(), blocks, low, high);
     for (std::size_t i = 0; i < 4; ++i) {
       if (low[i] >= blocks.z_high[i] || reach.covered >= blocks.z_high[i]) continue;
-      lists[i].push_back({reach.pass, roundedDown(low[i]), reach.high, reach.covered});
+      lists[i].push_back({reach.pass, roundedDown(low[i]), roundedUp(high[i]), reach.covered});
     }
   }
   const auto child = [&](int i) {

@@ -18,7 +18,7 @@ namespace proveout {
 struct StackReach {
   std::uint32_t pass;
   float low;      ///< height below which it does not reach there, mm (a lower bound)
-  float high;     ///< height above which it does not reach anywhere, mm (an upper bound)
+  float high;     ///< height above which it does not reach there, mm (an upper bound)
   float covered;  ///< height up to which the turn below it (Pass::lower) covers all that it does, mm (a lower
                   ///< bound)
 

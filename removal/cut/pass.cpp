@@ -13,6 +13,7 @@ void uniteChords(const PassTable& table, std::span<const Reach> list, ReachList&
     const Sweep* curve = pass.body.helix();
     if (curve != nullptr && curve == last) {
       out.back().low = std::min(out.back().low, reach.low);
+      out.back().high = std::max(out.back().high, reach.high);
     } else {
       out.push_back(reach);
     }

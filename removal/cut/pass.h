@@ -44,10 +44,10 @@ struct PassTable {
   }
 };
 
-/// A pass that reaches into a block, and the height below which it does not (a lower bound), mm.
+/// A pass that reaches into a block, and the heights below and above which it does not (bounds), mm.
 struct Reach {
   std::uint32_t pass;
-  float low;
+  float low, high;
 };
 using ReachList = std::vector<Reach>;
 

@@ -142,8 +142,8 @@ void ThinWallFinder::drop(std::size_t first, std::size_t count) {
     const std::size_t step = (i + 1) / 2, middle = size / 2;
     const Reach& reach = list_[i % 2 == 1 ? middle - step : middle + step];
     if (reach.low >= highest) continue;
+    if (reach.high <= lowest) continue;
     const Pass& pass = table_.passes[reach.pass];
-    if (pass.body.highestReach() <= lowest) continue;
     if (holdsEdges(pass) && !dropCovered(pass, first, count)) return;
   }
 }
@@ -208,8 +208,10 @@ void ThinWallFinder::askPoints(const Stack& stack, LostFilm& lost) {
   }
   std::array<std::uint64_t, 8> bare{};  // points that no pass covers
   for (int z = 0; z < 8; ++z) bare[z] = (stack.open >> z & 1) != 0 ? (1ull << kPoints) - 1 : 0;
+  const double lowest = z_[std::countr_zero(stack.open)],
+               highest = z_[std::bit_width(stack.open) - 1] + (stack.axis == 2 ? impl_.h : 0.0);
   for (const Reach& reach : list_) {
-    if (reach.low >= z_[8]) continue;
+    if (reach.low >= highest || reach.high <= lowest) continue;
     const Pass& pass = table_.passes[reach.pass];
     const Sweep* curve = pass.body.helix();
     if (curve == nullptr) kernel_(pass.body.columns(), x_.data(), y_.data(), columns, lo_.data(), hi_.data());

@@ -414,7 +414,7 @@ void Remover::commit() {
 bool Remover::mayLose(const CutLeaf& leaf, const LeafEdges& edges, const std::vector<Crossing>& before) {
   ReachList takers;
   for (const std::uint32_t taker : leaf.change.takers) {
-    if (taker != kNoPass) takers.push_back({taker, -toFloat(kNowhere)});
+    if (taker != kNoPass) takers.push_back({taker, -toFloat(kNowhere), toFloat(kNowhere)});
   }
   return finders_.local().findLost(leaf.change, edges, before, takers).edges > 0 ||
          walls_.local().mayFind(leaf.change, edges, leaf.open.get());

@@ -2,6 +2,8 @@
 
 namespace proveout {
 
-ColumnKernels avx2Kernels() { return {columns, leafColumns, leafHits, cover, reachFour, "avx2"}; }
+ColumnKernels avx2Kernels() {
+  return {columns, leafColumns, lowerTops, leafHits, cover, reachFour, edgeCuts, "avx2"};
+}
 
 }  // namespace proveout

@@ -2,6 +2,8 @@
 
 namespace proveout {
 
-ColumnKernels avx512Kernels() { return {columns, leafColumns, leafHits, cover, reachFour, "avx512"}; }
+ColumnKernels avx512Kernels() {
+  return {columns, leafColumns, lowerTops, leafHits, cover, reachFour, edgeCuts, "avx512"};
+}
 
 }  // namespace proveout

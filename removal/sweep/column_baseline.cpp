@@ -2,6 +2,8 @@
 
 namespace proveout {
 
-ColumnKernels baselineKernels() { return {columns, leafColumns, leafHits, cover, reachFour, "baseline"}; }
+ColumnKernels baselineKernels() {
+  return {columns, leafColumns, lowerTops, leafHits, cover, reachFour, edgeCuts, "baseline"};
+}
 
 }  // namespace proveout

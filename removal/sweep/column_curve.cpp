@@ -476,8 +476,8 @@ void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, doubl
   *hi = in.over ? in.hi : -kNothing;
 }
 
-void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low) {
-  if (sweep.kind == ColumnSweep::Kind::kWay) return wayReach(sweep, blocks, low);
+void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low, double* high) {
+  if (sweep.kind == ColumnSweep::Kind::kWay) return wayReach(sweep, blocks, low, high);
   const ColumnSolid& tool = *sweep.solid;
   const double corner = std::sqrt(2.0) * blocks.half_width, reach = corner + tool.radius + kCullSlackMm;
   for (int i = 0; i < 4; ++i) {
@@ -485,11 +485,12 @@ void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low)
     const Over over = sweep.kind == ColumnSweep::Kind::kTurn ? turnOver(sweep, square, reach)
                                                              : uprightOver(sweep, square, reach);
     low[i] = kNothing;
+    high[i] = -kNothing;
     if (over.low > over.high) continue;
     const double radial = std::clamp(over.gap - corner, 0.0, tool.radius);
     const double lowest = over.low + tool.lower.height(radial) - kCullSlackMm;
-    const double highest = over.high + tool.z_max + kCullSlackMm;
-    if (lowest < blocks.z_high[i] && highest > blocks.z_low[i]) low[i] = lowest;
+    const double highest = over.high - tool.upper.height(radial) + kCullSlackMm;
+    if (lowest < blocks.z_high[i] && highest > blocks.z_low[i]) low[i] = lowest, high[i] = highest;
   }
 }
 

@@ -25,6 +25,6 @@ struct CurveSide {
 /// (dx, dy): a level direction, unit.
 CurveSide curveSide(const ColumnSweep& sweep, const double (&point)[3], double dx, double dy);
 /// As ReachKernel.
-void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low);
+void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low, double* high);
 
 }  // namespace proveout

@@ -2,7 +2,7 @@
 // column_kernel_body.h, whose rules hold here. What the sums are is told in column_curve.cpp.
 //
 // A turn: where the boundary is a cone or a sphere, its slope is that of the height at the roots of a
-// quadratic in v^2; the sum falls up to the first root, and again behind the second. On corners of a torus
+// quadratic in u^2; the sum falls up to the first root, and again behind the second. On corners of a torus
 // Newton's method finds the place, where the difference of the slopes is known to grow. Columns that may have
 // more than one such place are left to the search for one column.
 #pragma once
@@ -14,18 +14,23 @@ constexpr double kHalfTurn = 3.14159265358979323846;
 /// Columns of a turn. Where the tool is over none of it `over` is 0 and the stretch is empty.
 struct TurnColumns {
   double p2[kArray], k2[kArray];      ///< the level distance is sqrt(p2 + k2 u^2), mm
+  double per_k2[kArray];              ///< 1 / k2
   double from[kArray], to[kArray];    ///< of u
   double base[kArray], over[kArray];  ///< height of the tip at u = 0, mm
+  double nearest[kArray];             ///< angle of the way at u = 0
   double alone[kArray];               ///< 1: to be searched alone
 };
 
-/// The stretch of v = |u| to the side where the way falls, what is found on it, and a piece of the boundary.
+/// The stretch of q = u^2 to the side where the way falls, what is found on it, and a piece of the boundary.
+/// Squares need no roots.
 struct TurnSide {
-  double from[kArray], to[kArray];
-  double steep[kArray];  ///< slope of the height is -steep / sqrt(1 - v^2)
-  double at[kArray];     ///< the sum falls up to there
+  double from2[kArray], to2[kArray];
+  double steep[kArray];  ///< slope of the height is -steep / sqrt(1 - q)
+  double sign[kArray];   ///< the height is sign asin(sqrt(q))
+  double way[kArray];    ///< u = way sqrt(q)
+  double at2[kArray];    ///< the sum falls up to there
   double falls[kArray];  ///< 1: and does not rise anywhere before the piece
-  double a[kArray], b[kArray];
+  double a2[kArray], b2[kArray];
 };
 
 /// Ends of the stretches of columns that see an end of the way.
@@ -47,7 +52,7 @@ inline void placeTurn(const ColumnSweep& s, const double* __restrict x, const do
   const double cx = s.x, cy = s.y, ux = s.ux, uy = s.uy, turn = s.turn, arc = s.arc_radius;
   const double radius = s.solid->radius, cut = s.cut_rad, turn_rad = s.turn_rad, way = s.way_rad;
   const double start_z = s.start_z, slope = s.slope;
-  double first[kArray], last[kArray];
+  double first[kArray], last[kArray], ends[8] = {0, 0, 0, 0, 0, 0, 0, 0};
   for (int i = 0; i < n; ++i) {
     const double qx = x[i] - cx, qy = y[i] - cy;
     const double d = root(qx * qx + qy * qy), far = d - arc, gap = far < 0.0 ? -far : far;
@@ -56,79 +61,81 @@ inline void placeTurn(const ColumnSweep& s, const double* __restrict x, const do
     first[i] = most(-kHalfTurn, -nearest);
     last[i] = least(kHalfTurn, way - nearest);
     const bool over = gap < radius && first[i] < last[i];
-    const double p2 = gap * gap, k2 = most(4.0 * arc * d, proveout::kLeastAcross);
-    const double reach = over ? least(1.0, root((radius * radius - p2) / k2)) : 0.0;
+    const double p2 = gap * gap, k2 = most(4.0 * arc * d, proveout::kLeastAcross), per_k2 = 1.0 / k2;
+    const double reach = over ? least(1.0, root((radius * radius - p2) * per_k2)) : 0.0;
     c.p2[i] = over ? p2 : 0.0;
     c.k2[i] = over ? k2 : 1.0;
+    c.per_k2[i] = over ? per_k2 : 1.0;
     c.base[i] = start_z + slope * nearest;
+    c.nearest[i] = nearest;
     c.from[i] = -reach;
     c.to[i] = reach;
     c.over[i] = over ? 1.0 : 0.0;
     c.alone[i] = 0.0;
   }
-  cutTurnEnds(n, first, last, c);
+  for (int i = 0; i < n; i += 8) {
+    for (int k = 0; k < 8; ++k) {
+      const double seen = kHalfTurn * c.to[i + k];
+      ends[k] = most(ends[k], most(seen + first[i + k], seen - last[i + k]));
+    }
+  }
+  double any = 0.0;
+  for (int k = 0; k < 8; ++k) any = most(any, ends[k]);
+  if (any > 0.0) cutTurnEnds(n, first, last, c);
 }
 
-/// Takes the places up to which the sum falls, and from which on it falls again, on the piece; no column
-/// depends on another.
-inline void takeRoots(int n, const double* __restrict rises, const double* __restrict again, TurnColumns& c,
+/// Takes the places up to which the sum falls; columns on which it falls again on the piece, `again`, are
+/// left to the search. No column depends on another.
+inline void takeRoots(int n, const double* __restrict rises2, const double* __restrict again, TurnColumns& c,
                       TurnSide& side) {
   for (int i = 0; i < n; ++i) {
-    const double a = side.a[i], b = side.b[i];
-    const bool in = a <= b, falls = in && side.falls[i] > 0.0;
-    side.at[i] = falls ? most(a, least(rises[i], b)) : side.at[i];
-    side.falls[i] = falls && rises[i] < b ? 0.0 : side.falls[i];
-    c.alone[i] = in && a < b && again[i] < b ? 1.0 : c.alone[i];
+    const double a2 = side.a2[i], b2 = side.b2[i];
+    const bool in = a2 <= b2, falls = in && side.falls[i] > 0.0;
+    side.at2[i] = falls ? most(a2, least(rises2[i], b2)) : side.at2[i];
+    side.falls[i] = falls && rises2[i] < b2 ? 0.0 : side.falls[i];
+    c.alone[i] = in && a2 < b2 && again[i] > 0.0 ? 1.0 : c.alone[i];
   }
 }
 
 /// On a level piece the sum falls to its end.
 inline void levelRoots(int n, TurnSide& side) {
   for (int i = 0; i < n; ++i) {
-    const bool falls = side.a[i] <= side.b[i] && side.falls[i] > 0.0;
-    side.at[i] = falls ? side.b[i] : side.at[i];
+    const bool falls = side.a2[i] <= side.b2[i] && side.falls[i] > 0.0;
+    side.at2[i] = falls ? side.b2[i] : side.at2[i];
   }
-}
-
-/// Whether any column meets the piece.
-inline bool anyMeets(int n, const TurnSide& side) {
-  double widest = -1.0;
-  for (int i = 0; i < n; ++i) widest = most(widest, side.b[i] - side.a[i]);
-  return widest >= 0.0;
 }
 
 inline void straightRoots(double rise, int n, TurnColumns& c, TurnSide& side) {
-  double rises[kArray], again[kArray];
+  double rises2[kArray], again[kArray];
   for (int i = 0; i < n; ++i) {
     const double steep2 = side.steep[i] * side.steep[i], rise_k = rise * rise * c.k2[i];
-    // rise_k k2 q^2 - (rise_k - steep2) k2 q + steep2 p2 = 0 for q = v^2
-    const double most_q = (rise_k - steep2) * c.k2[i], last_q = steep2 * c.p2[i];
-    const double inner = most_q * most_q - 4.0 * rise_k * c.k2[i] * last_q;
+    // rise_k k2 q^2 - (rise_k - steep2) k2 q + steep2 p2 = 0
+    const double most_q = (rise_k - steep2) * c.k2[i], last_q = steep2 * c.p2[i], first_q = rise_k * c.k2[i];
+    const double inner = most_q * most_q - 4.0 * first_q * last_q;
     const bool any = most_q > 0.0 && inner >= 0.0;
     const double sum = most_q + root(inner);
-    const double q1 = 2.0 * last_q / sum, q2 = sum / (2.0 * rise_k * c.k2[i]);
-    rises[i] = any ? root(q1) : kNothing;
-    again[i] = any ? root(q2) : kNothing;
+    rises2[i] = any ? 2.0 * last_q / sum : kNothing;
+    again[i] = any && sum < 2.0 * first_q * side.b2[i] ? 1.0 : 0.0;
   }
-  takeRoots(n, rises, again, c, side);
+  takeRoots(n, rises2, again, c, side);
 }
 
 inline void sphereRoots(double radius, int n, TurnColumns& c, TurnSide& side) {
-  double rises[kArray], again[kArray];
+  double rises2[kArray], again[kArray];
   for (int i = 0; i < n; ++i) {
     const double steep2 = side.steep[i] * side.steep[i], k2 = c.k2[i];
-    // k2 q^2 - (k2 + steep2) q + steep2 w2 / k2 = 0 for q = v^2
-    const double most_q = k2 + steep2, w2 = radius * radius - c.p2[i], last_q = steep2 * w2 / k2;
+    // k2 q^2 - (k2 + steep2) q + steep2 w2 / k2 = 0
+    const double most_q = k2 + steep2, w2 = radius * radius - c.p2[i], last_q = steep2 * w2 * c.per_k2[i];
     const double inner = most_q * most_q - 4.0 * k2 * last_q;
     const double sum = most_q + root(inner);
-    const double q1 = 2.0 * last_q / sum, q2 = sum / (2.0 * k2);
-    rises[i] = inner >= 0.0 ? root(q1) : kNothing;
-    again[i] = inner >= 0.0 ? root(q2) : kNothing;
+    rises2[i] = inner >= 0.0 ? 2.0 * last_q / sum : kNothing;
+    again[i] = inner >= 0.0 && sum < 2.0 * k2 * side.b2[i] ? 1.0 : 0.0;
   }
-  takeRoots(n, rises, again, c, side);
+  takeRoots(n, rises2, again, c, side);
 }
 
-/// Newton's method for d k2 v c - steep r q = 0 with c = sqrt(1 - v^2), which has the sign of the slope.
+/// Newton's method for d k2 v c - steep r q = 0 with v = |u|, c = sqrt(1 - v^2), which has the sign of the
+/// slope.
 inline void cornerNewton(const ColumnBoundary::Piece& piece, int n, const TurnColumns& c,
                          const TurnSide& side, double* __restrict low, double* __restrict high,
                          double* __restrict open) {
@@ -163,7 +170,8 @@ inline void cornerRoots(const ColumnBoundary::Piece& piece, int n, TurnColumns& 
   const double rc = piece.rc, ra = piece.ra, rb = piece.rb, radius2 = piece.radius * piece.radius;
   double low[kArray], high[kArray], open[kArray], again[kArray];
   for (int i = 0; i < n; ++i) {
-    const double a = side.a[i], b = most(a, side.b[i]), k2 = c.k2[i], p2 = c.p2[i], steep = side.steep[i];
+    const double a = root(side.a2[i]), b = most(a, root(side.b2[i])), k2 = c.k2[i], p2 = c.p2[i],
+                 steep = side.steep[i];
     const double r_a = least(most(root(p2 + k2 * a * a), ra), rb),
                  r_b = least(most(root(p2 + k2 * b * b), ra), rb);
     const double d_a = r_a - rc, d_b = r_b - rc, q_a = root(radius2 - d_a * d_a),
@@ -178,47 +186,56 @@ inline void cornerRoots(const ColumnBoundary::Piece& piece, int n, TurnColumns& 
     low[i] = falls_a < 0.0 ? (within ? a : kNothing) : a;
     high[i] = within ? b : low[i];
     open[i] = convex && within && a < b && side.falls[i] > 0.0 ? 1.0 : 0.0;
-    again[i] = convex ? kNothing : -kNothing;
+    again[i] = convex ? 0.0 : 1.0;
   }
   cornerNewton(piece, n, c, side, low, high, open);
-  for (int i = 0; i < n; ++i) again[i] = open[i] > 0.0 ? -kNothing : again[i];
+  for (int i = 0; i < n; ++i) again[i] = open[i] > 0.0 ? 1.0 : again[i];
+  for (int i = 0; i < n; ++i) low[i] *= low[i];
   takeRoots(n, low, again, c, side);
 }
 
-inline void turnPiece(const ColumnBoundary& boundary, int p, int n, const TurnColumns& c, TurnSide& side) {
+/// Whether the piece has a place under the stretch of any column; finds where.
+inline bool turnPiece(const ColumnBoundary& boundary, int p, int n, const TurnColumns& c, TurnSide& side) {
   const ColumnBoundary::Piece& piece = boundary.piece[p];
-  const bool first = p == 0, last = p + 1 == boundary.count;
   const double ra2 = piece.ra * piece.ra, rb2 = piece.rb * piece.rb;
-  for (int i = 0; i < n; ++i) {
-    const double from = side.from[i], to = side.to[i];
-    const double inner = root((ra2 - c.p2[i]) / c.k2[i]), outer = root((rb2 - c.p2[i]) / c.k2[i]);
-    const bool meets = last || c.p2[i] < rb2;
-    side.a[i] = first ? from : most(from, inner);
-    side.b[i] = meets ? (last ? to : least(to, outer)) : -1.0;
+  double widest[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+  for (int i = 0; i < n; ++i) side.a2[i] = side.from2[i], side.b2[i] = side.to2[i];
+  if (p > 0) {
+    for (int i = 0; i < n; ++i) side.a2[i] = most(side.a2[i], (ra2 - c.p2[i]) * c.per_k2[i]);
   }
+  if (p + 1 < boundary.count) {
+    for (int i = 0; i < n; ++i) {
+      const double outer = least(side.b2[i], (rb2 - c.p2[i]) * c.per_k2[i]);
+      side.b2[i] = c.p2[i] < rb2 ? outer : -1.0;
+    }
+  }
+  for (int i = 0; i < n; i += 8) {
+    for (int k = 0; k < 8; ++k) widest[k] = most(widest[k], side.b2[i + k] - side.a2[i + k]);
+  }
+  double any = -1.0;
+  for (int k = 0; k < 8; ++k) any = most(any, widest[k]);
+  return any >= 0.0;
 }
 
-/// out = least of boundary + steep * asin(u) over the stretch of u.
-inline void leastOnTurn(const ColumnBoundary& boundary, double steep, int n, TurnColumns& c,
-                        double* __restrict out) {
-  TurnSide side;
-  double sign[kArray], r[kArray];
+/// The places at which boundary + steep * asin(u) is least over the stretch of u.
+inline void findOnTurn(const ColumnBoundary& boundary, double steep, int n, TurnColumns& c, TurnSide& side) {
   const double size = steep < 0.0 ? -steep : steep;
   const bool back = steep > 0.0;
   for (int i = 0; i < n; ++i) {
     const double from = back ? -c.to[i] : c.from[i], to = back ? -c.from[i] : c.to[i];
     const bool climbs = to <= 0.0;  // the whole stretch lies on the other side
-    side.from[i] = climbs ? -to : most(from, 0.0);
-    side.to[i] = climbs ? -to : to;
+    const double start = climbs ? to : most(from, 0.0);
+    side.from2[i] = start * start;
+    side.to2[i] = to * to;
     side.steep[i] = climbs ? 0.0 : size;
-    sign[i] = climbs ? size : -size;
-    side.at[i] = side.from[i];
+    side.sign[i] = climbs ? size : -size;
+    side.way[i] = climbs == back ? 1.0 : -1.0;
+    side.at2[i] = side.from2[i];
     side.falls[i] = 1.0;
   }
   for (int p = 0; p < boundary.count; ++p) {
     const ColumnBoundary::Piece& piece = boundary.piece[p];
-    turnPiece(boundary, p, n, c, side);
-    if (!anyMeets(n, side)) continue;
+    if (!turnPiece(boundary, p, n, c, side)) continue;
     if (piece.kind == ColumnBoundary::Kind::kLevel) {
       levelRoots(n, side);
     } else if (piece.kind == ColumnBoundary::Kind::kCone) {
@@ -229,21 +246,53 @@ inline void leastOnTurn(const ColumnBoundary& boundary, double steep, int n, Tur
       cornerRoots(piece, n, c, side);
     }
   }
-  const double radius = boundary.piece[boundary.count - 1].rb;
-  for (int i = 0; i < n; ++i) r[i] = least(root(c.p2[i] + c.k2[i] * side.at[i] * side.at[i]), radius);
+}
+
+/// Level distance and height of the way at the places found.
+inline void seeOnTurn(double radius, int n, const TurnColumns& c, const TurnSide& side, double* __restrict r,
+                      double* __restrict rise) {
+  for (int i = 0; i < n; ++i) {
+    r[i] = least(root(c.p2[i] + c.k2[i] * side.at2[i]), radius);
+    rise[i] = side.sign[i] * proveout::arcSine(root(side.at2[i]));
+  }
+}
+
+/// Whether the stretch of every column reaches as far to both sides.
+inline bool isEvenTurn(int n, const TurnColumns& c) {
+  double uneven[8] = {0, 0, 0, 0, 0, 0, 0, 0}, any = 0.0;
+  for (int i = 0; i < n; i += 8) {
+    for (int k = 0; k < 8; ++k) uneven[k] = c.from[i + k] + c.to[i + k] == 0.0 ? uneven[k] : 1.0;
+  }
+  for (int k = 0; k < 8; ++k) any = most(any, uneven[k]);
+  return any == 0.0;
+}
+
+/// out: the least of boundary + steep * asin(u).
+inline void addBoundary(const ColumnBoundary& boundary, int n, const double* __restrict r,
+                        const double* __restrict rise, double* __restrict out) {
   boundaryHeight(boundary, r, n, out);
-  for (int i = 0; i < n; ++i) out[i] += sign[i] * proveout::arcSine(side.at[i]);
+  for (int i = 0; i < n; ++i) out[i] += rise[i];
 }
 
 inline void turnColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
                         int n, double* __restrict lo, double* __restrict hi) {
+  const proveout::ColumnSolid& tool = *sweep.solid;
   TurnColumns c;
   placeTurn(sweep, x, y, n, c);
   double any = 0.0;
   for (int i = 0; i < n; ++i) any = most(any, c.over[i]);
   if (any > 0.0) {
-    leastOnTurn(sweep.solid->lower, 2.0 * sweep.slope, n, c, lo);
-    leastOnTurn(sweep.solid->upper, -2.0 * sweep.slope, n, c, hi);
+    TurnSide side;
+    double r[kArray], rise[kArray];
+    findOnTurn(tool.lower, 2.0 * sweep.slope, n, c, side);
+    seeOnTurn(tool.radius, n, c, side, r, rise);
+    addBoundary(tool.lower, n, r, rise, lo);
+    // The upper places of a solid that is the same from below are the lower ones seen in a mirror.
+    if (!tool.even || !isEvenTurn(n, c)) {
+      findOnTurn(tool.upper, -2.0 * sweep.slope, n, c, side);
+      seeOnTurn(tool.radius, n, c, side, r, rise);
+    }
+    addBoundary(tool.upper, n, r, rise, hi);
   }
   for (int i = 0; i < n; ++i) {
     const bool over = c.over[i] > 0.0;

@@ -242,12 +242,27 @@ inline void arcDistance(const ColumnSweep& s, const double* __restrict x, const 
   }
 }
 
+/// Level distance from the tool axis at its nearest position on a line.
+inline void levelDistance(const ColumnSweep& s, const double* __restrict x, const double* __restrict y, int n,
+                          double* __restrict r) {
+  const double fx = s.x, fy = s.y, ux = s.ux, uy = s.uy, length = s.length;
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - fx, qy = y[i] - fy;
+    const double along = qx * ux + qy * uy, across = qx * uy - qy * ux;
+    const double beyond = along - least(most(along, 0.0), length);
+    r[i] = root(across * across + beyond * beyond);
+  }
+}
+
+/// Sweeps that cover a column most where the tool's axis is nearest: level ones, and vertical ones.
 inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
                           int n, double* __restrict lo, double* __restrict hi) {
   const proveout::ColumnSolid& tool = *sweep.solid;
   double r[kArray], inside[kArray];
   if (sweep.kind == ColumnSweep::Kind::kArc) {
     arcDistance(sweep, x, y, n, r);
+  } else if (sweep.kind == ColumnSweep::Kind::kLine) {
+    levelDistance(sweep, x, y, n, r);
   } else {
     const double fx = sweep.x, fy = sweep.y;
     for (int i = 0; i < n; ++i) {
@@ -268,6 +283,7 @@ inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, 
 }
 
 #include "removal/sweep/column_curve_body.h"
+#include "removal/sweep/column_cut_body.h"
 #include "removal/sweep/column_way_body.h"
 
 inline void curveColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
@@ -283,7 +299,8 @@ inline void curveColumns(const ColumnSweep& sweep, const double* __restrict x, c
 
 void columns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
   const int n = (count + 7) & ~7;
-  if (sweep.kind == ColumnSweep::Kind::kLine) {
+  const bool level = sweep.rise == 0.0 && !sweep.solid->flat && !sweep.solid->ball;
+  if (sweep.kind == ColumnSweep::Kind::kLine && !level) {
     lineColumns(sweep, x, y, n, lo, hi);
   } else if (proveout::isCurve(sweep)) {
     curveColumns(sweep, x, y, n, lo, hi);
@@ -315,7 +332,7 @@ void cover(proveout::LeafColumns& leaf, int quarter) {
   for (int c = 0; c < kQuarter; ++c) leaf.covered[first + c] = static_cast<unsigned char>(whole[c]);
 }
 
-inline double lowerTops(proveout::LeafColumns& leaf, int quarter) {
+double lowerTops(proveout::LeafColumns& leaf, int quarter) {
   const int first = quarter * kQuarter;
   const double bottom = leaf.z[0];
   double* __restrict top = leaf.top + first;
@@ -348,10 +365,13 @@ inline double lowerTops(proveout::LeafColumns& leaf, int quarter) {
   return total;
 }
 
-double leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, int quarter) {
-  const int first = quarter * kQuarter;
-  columns(sweep, leaf.x + first, leaf.y + first, kQuarter, leaf.lo + first, leaf.hi + first);
-  return lowerTops(leaf, quarter);
+void leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, unsigned quarters) {
+  for (int q = 0; q < 4; ++q) {
+    const int from = q * kQuarter;
+    while (q < 4 && (quarters >> q & 1) != 0) ++q;
+    const int count = q * kQuarter - from;
+    if (count > 0) columns(sweep, leaf.x + from, leaf.y + from, count, leaf.lo + from, leaf.hi + from);
+  }
 }
 
 /// A hit's squared distance may be off by rounding, mm2; beyond such a slope by more.
@@ -423,14 +443,15 @@ inline void approach(const ColumnSweep& sweep, const proveout::FourBlocks& block
   }
 }
 
-void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double* __restrict low) {
-  if (proveout::isCurve(sweep)) return proveout::curveReach(sweep, blocks, low);
+void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double* __restrict low,
+               double* __restrict high) {
+  if (proveout::isCurve(sweep)) return proveout::curveReach(sweep, blocks, low, high);
   constexpr double kDiagonal = 1.4142135623730951, kSlack = proveout::kCullSlackMm;
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double corner = kDiagonal * blocks.half_width, radius = tool.radius, reach = corner + radius + kSlack;
-  double gap2[4], rise_low[4], rise_high[4], radial[4], edge[4];
+  double gap2[4], rise_low[4], rise_high[4], radial[4], edge[4], top[4];
   approach(sweep, blocks, reach, gap2, rise_low, rise_high);
-  for (int i = 0; i < 4; ++i) low[i] = kNothing;
+  for (int i = 0; i < 4; ++i) low[i] = kNothing, high[i] = -kNothing, top[i] = -tool.z_max;
   if (least(least(gap2[0], gap2[1]), least(gap2[2], gap2[3])) > reach * reach) return;
   if (tool.flat) {
     for (int i = 0; i < 4; ++i) edge[i] = tool.z_min;
@@ -441,12 +462,14 @@ void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, dou
     } else {
       boundaryHeight(tool.lower, radial, 4, edge);
     }
+    if (tool.round_top) boundaryHeight(tool.upper, radial, 4, top);
   }
   for (int i = 0; i < 4; ++i) {
-    const double at = sweep.z + rise_low[i], highest = sweep.z + rise_high[i] + tool.z_max + kSlack;
+    const double at = sweep.z + rise_low[i], highest = sweep.z + rise_high[i] - top[i] + kSlack;
     const double lowest = at + edge[i] - kSlack;
     const bool in = gap2[i] <= reach * reach && lowest < blocks.z_high[i] && highest > blocks.z_low[i];
     low[i] = in ? lowest : kNothing;
+    high[i] = in ? highest : -kNothing;
   }
 }
 

@@ -39,6 +39,20 @@ void split(const ConvexProfile& profile, ColumnBoundary& lower, ColumnBoundary& 
   std::reverse(upper.piece, upper.piece + upper.count);
 }
 
+/// Whether straight boundaries differ by their heights alone; slopes that rounding tells apart become one.
+bool makeEven(const ColumnBoundary& lower, ColumnBoundary& upper) {
+  constexpr double kSame = 1e-12;
+  if (lower.count != upper.count) return false;
+  for (int i = 0; i < lower.count; ++i) {
+    const Piece &a = lower.piece[i], &b = upper.piece[i];
+    const double rise = (b.za - upper.piece[0].za) - (a.za - lower.piece[0].za);
+    if (a.kind == Kind::kArc || a.kind != b.kind || a.ra != b.ra || a.rb != b.rb) return false;
+    if (std::abs(rise) > kSame * a.rb || std::abs(b.slope - a.slope) > kSame * a.slope) return false;
+  }
+  for (int i = 0; i < lower.count; ++i) upper.piece[i].slope = lower.piece[i].slope;
+  return true;
+}
+
 }  // namespace
 
 double ColumnBoundary::height(double r) const {
@@ -58,6 +72,7 @@ ColumnSolid columnSolid(const ConvexProfile& profile) {
   split(profile, solid.lower, solid.upper);
   const auto disc = [&](const ColumnBoundary& b) { return b.count == 1 && b.piece[0].kind == Kind::kLevel; };
   solid.round_top = !disc(solid.upper);
+  solid.even = makeEven(solid.lower, solid.upper);
   solid.flat = disc(solid.lower) && !solid.round_top;
   const Piece& first = solid.lower.piece[0];
   solid.ball = solid.lower.count == 1 && first.kind == Kind::kArc && first.rc == 0.0 &&

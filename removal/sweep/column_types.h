@@ -26,6 +26,7 @@ struct ColumnSolid {
   bool flat = false;            ///< a cylinder
   bool ball = false;            ///< a lower half sphere of the full radius with a cylinder on it
   bool round_top = false;       ///< the upper boundary is not one level disc of the full radius
+  bool even = false;            ///< the upper boundary is the lower one in a mirror, but for its height
   ColumnBoundary lower, upper;  ///< upper: mirrored
 };
 
@@ -112,9 +113,12 @@ struct LeafColumns {
   bool undercut;               ///< a pass covered a part of a column below its top
 };
 
-/// For one quarter: finds lo and hi; lowers the tops to lo where the pass covers them; returns the sum of
-/// what the tops sink by and of the covered material below tops that stay, in mm of column height.
-using LeafKernel = double (*)(const ColumnSweep& sweep, LeafColumns& leaf, int quarter);
+/// Finds lo and hi of the columns of `quarters` (bits). Those beside each other go together: a quarter alone
+/// waits for every root.
+using LeafKernel = void (*)(const ColumnSweep& sweep, LeafColumns& leaf, unsigned quarters);
+/// For one quarter: lowers the tops to lo where the pass covers them; returns the sum of what the tops sink
+/// by and of the covered material below tops that stay, in mm of column height.
+using LowerKernel = double (*)(LeafColumns& leaf, int quarter);
 /// Of `quarters` (bits) those in which the sweep may lower a top: of ball ends on lines the others have none,
 /// for sure; of all else all. Finds no lo and hi. Requires that the columns are covered up to their
 /// tops, wherever the sweep covers them.
@@ -131,16 +135,33 @@ struct FourBlocks {
 /// Culling never decides within rounding, mm.
 inline constexpr double kCullSlackMm = 1e-6;
 
-/// For each block the height below which the sweep does not reach inside its square, mm (a lower bound);
-/// +infinity where it misses the block.
-using ReachKernel = void (*)(const ColumnSweep& sweep, const FourBlocks& blocks, double* low);
+/// For each block the heights below and above which the sweep does not reach inside its square, mm (bounds);
+/// low = +infinity, high = -infinity where it misses the block.
+using ReachKernel = void (*)(const ColumnSweep& sweep, const FourBlocks& blocks, double* low, double* high);
+
+/// Grid edges that a sweep cuts: where they enter its volume. Arrays as of a ColumnKernel.
+struct EdgeCuts {
+  int count = 0;
+  double x[kMaxColumns], y[kMaxColumns], z[kMaxColumns];  ///< their ends in the material, mm
+  double dx[kMaxColumns], dy[kMaxColumns];                ///< level direction, unit; vertical edges: 0, 0
+  double inside[kMaxColumns];                             ///< a point in the volume so far on, mm
+  /// 0: level; vertical: +1 where the edge is cut by the lower end of its column, -1 by the upper.
+  double end[kMaxColumns];
+  double at[kMaxColumns];     ///< found: distance from the end, mm; of level edges only
+  double place[kMaxColumns];  ///< found: see CurveSide
+  double found[kMaxColumns];  ///< 1: at and place are known
+};
+/// Finds at and place of turns of helices, mostly; nothing of all else. Error below 1e-8 mm.
+using CutKernel = void (*)(const ColumnSweep& sweep, EdgeCuts& cuts);
 
 struct ColumnKernels {
   ColumnKernel columns;
   LeafKernel leaf;
+  LowerKernel lower;
   HitKernel hits;
   CoverKernel cover;
   ReachKernel reach;
+  CutKernel cuts;
   const char* name;
 };
 

@@ -181,7 +181,7 @@ std::vector<ColumnSweep> columnParts(const ColumnSolid& solid, const CurveWay& w
   return out;
 }
 
-void wayReach(const ColumnSweep& part, const FourBlocks& blocks, double* low) {
+void wayReach(const ColumnSweep& part, const FourBlocks& blocks, double* low, double* high) {
   const CurveWay& way = *part.way;
   const ColumnSolid& tool = *part.solid;
   const CurveWay::Node* node = &way.nodes[static_cast<std::size_t>(part.part * CurveWay::kNodesAPart)];
@@ -194,7 +194,7 @@ void wayReach(const ColumnSweep& part, const FourBlocks& blocks, double* low) {
     const Vec3 &a = node[k].at, &b = node[k + 1].at;
     const double wx = b.x() - a.x(), wy = b.y() - a.y(), length2 = std::max(wx * wx + wy * wy, 1e-300);
     const double tip = std::min(a.z(), b.z()) - height_sag - kCullSlackMm;
-    const double top = std::max(a.z(), b.z()) + height_sag + tool.z_max + kCullSlackMm;
+    const double top = std::max(a.z(), b.z()) + height_sag + kCullSlackMm;
     for (int i = 0; i < 4; ++i) {
       const double qx = blocks.x[i] - a.x(), qy = blocks.y[i] - a.y();
       const double t = std::clamp((qx * wx + qy * wy) / length2, 0.0, 1.0);
@@ -202,11 +202,14 @@ void wayReach(const ColumnSweep& part, const FourBlocks& blocks, double* low) {
       if (gap2 > reach * reach) continue;
       const double radial = std::clamp(std::sqrt(gap2) - corner - sag, 0.0, tool.radius);
       lowest[i] = std::min(lowest[i], tip + tool.lower.height(radial));
-      highest[i] = std::max(highest[i], top);
+      highest[i] = std::max(highest[i], top - tool.upper.height(radial));
     }
   }
-  for (int i = 0; i < 4; ++i)
-    low[i] = lowest[i] < blocks.z_high[i] && highest[i] > blocks.z_low[i] ? lowest[i] : kNothing;
+  for (int i = 0; i < 4; ++i) {
+    const bool in = lowest[i] < blocks.z_high[i] && highest[i] > blocks.z_low[i];
+    low[i] = in ? lowest[i] : kNothing;
+    high[i] = in ? highest[i] : -kNothing;
+  }
 }
 
 }  // namespace proveout

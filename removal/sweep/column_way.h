@@ -56,6 +56,6 @@ std::optional<Interval> plainWayColumn(const ColumnSweep& part, double x, double
 /// Least level distance of the tool's axis from a column, mm.
 double wayGap(const ColumnSweep& part, double x, double y);
 /// As ReachKernel.
-void wayReach(const ColumnSweep& part, const FourBlocks& blocks, double* low);
+void wayReach(const ColumnSweep& part, const FourBlocks& blocks, double* low, double* high);
 
 }  // namespace proveout

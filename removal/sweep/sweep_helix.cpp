@@ -5,6 +5,7 @@
 // solid of revolution does not fall with it. So the distance is convex around the nearest place of each turn,
 // has a bound for its bend beyond, and for all of a turn a bound from the least level distance.
 #include "core/base/assert.h"
+#include "removal/sweep/column_angle.h"
 #include "removal/sweep/curve_search.h"
 
 namespace proveout {
@@ -14,6 +15,7 @@ namespace {
 /// Newton's method is tried on this span about the nearest place of a turn at least, and on spans of this
 /// size beyond.
 const double kNearSpan = degToRad(20.0), kFarSpan = degToRad(30.0);
+const double kNearCos = std::cos(kNearSpan);
 /// Rounds of Newton's method; how near (share of what is left) it comes to known places.
 constexpr int kMostRounds = 60;
 constexpr double kKnownMargin = 1e-6;
@@ -133,7 +135,9 @@ Sweep::CurveSearch::Turn Sweep::CurveSearch::turnAt(double middle) const {
   Turn out{middle, f.radius_start + std::clamp(middle, 0.0, 1.0) * (f.radius_end - f.radius_start), 0.0, 0.0,
            growth * std::min(1.0, turn)};
   const double r = out.radius, d = off_axis;
-  out.convex_rad = std::acos(d > 0.0 ? std::min(r / d, d / r) : 0.0);
+  // Below the near span it bears on nothing.
+  const double convex = d > 0.0 ? std::min(r / d, d / r) : 0.0;
+  out.convex_rad = convex < kNearCos ? std::acos(convex) : 0.0;
   if (growth > 0.0) {
     const double gap = std::max(std::abs(d - r) - out.slack_mm, 1e-9);
     out.slack_bend = angle * growth * (r / gap + 2.0) +
@@ -199,11 +203,12 @@ void Sweep::CurveSearch::turns(double start) {
   const Vec3 from = p - sweep.arc_.center;
   off_axis = from.head<2>().norm();
   double slope;
-  if (const double all = heightBound(levelGap(), 0.0, 1.0, slope); all > cutoff) {
-    bound = all;
-    return;
+  if (cutoff < std::numeric_limits<double>::infinity()) {
+    bound = heightBound(levelGap(), 0.0, 1.0, slope);
+    if (bound > cutoff) return;
+    bound = std::numeric_limits<double>::infinity();
   }
-  double around = std::atan2(from.dot(f.v), from.dot(f.u));
+  double around = turnAngle(from.dot(f.u), from.dot(f.v), off_axis, -kPi);
   if (sweep.arc_.sweep_rad < 0.0) around = -around;
   // Turns reach half a turn to both sides of their nearest places.
   const double turn = 2.0 * kPi / angle, any = around / angle;

@@ -84,7 +84,6 @@ std::optional<double> SweptBody::simpleBend(int element) const {
   return 1.0 / std::max(std::min(e.ar, inner), kLeastRadius);
 }
 
-/// Parameter of the whole curve at a place of this part, see CurveSide.
 double SweptBody::startOf(double place) const {
   const ColumnSweep& c = columns_;
   if (c.kind == ColumnSweep::Kind::kWay) return std::clamp(place / c.way->way_rad, 0.0, 1.0);

@@ -58,6 +58,8 @@ class SweptBody {
     return curve_->isHelix() ? curve_ : nullptr;
   }
 
+  /// Of the whole curved motion; null for lines.
+  const Sweep* curve() const { return curve_; }
   /// Exact sweep of this line, chord or level arc; of the whole motion where this is a part of a curve.
   Sweep sweep() const;
   /// Exact sweep of the whole motion.
@@ -83,6 +85,8 @@ class SweptBody {
   double levelCut(const Vec3& a, double dx, double dy, double inside) const;
   /// The same for parts of curves, which know where the tool is then.
   EdgeCut curveCut(const Vec3& a, double dx, double dy, double inside) const;
+  /// Parameter of the whole curve at a place of this part, see CurveSide.
+  double startOf(double place) const;
 
   /// The surface that the motion leaves at `p`, where the volume cuts a grid edge along `axis`; `below`: the
   /// material's end of a vertical edge is the lower one. `start`: see EdgeCut.
@@ -96,7 +100,6 @@ class SweptBody {
 
  private:
   double levelGap(double x, double y) const;
-  double startOf(double place) const;
   double startAt(const Vec3& p) const;
 
   ColumnSweep columns_;

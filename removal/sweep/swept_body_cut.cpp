@@ -66,6 +66,34 @@ void discStretch(const ColumnSweep& line, double z, double low, double high, dou
   last = std::min(last, std::max(s0, s1));
 }
 
+/// Radius up to which the solid reaches at height z, mm; below 0: it does not reach there.
+double radiusAt(const ConvexProfile& profile, double z) {
+  double radius = -1.0;
+  for (int i = 0; i < profile.elementCount(); ++i) {
+    const ConvexProfile::Element& e = profile.element(i);
+    if (z < e.az || z > e.bz) continue;
+    double r = std::max(e.ar, e.br);
+    if (e.arc) {
+      r = e.cr + std::sqrt(std::max(0.0, (e.radius - (z - e.cz)) * (e.radius + (z - e.cz))));
+    } else if (e.bz > e.az) {
+      r = e.ar + (z - e.az) * (e.dr / e.dz);
+    }
+    radius = std::max(radius, r);
+  }
+  return radius;
+}
+
+/// The same for the widest place between two heights: the radius is concave.
+double radiusBetween(const ConvexProfile& profile, double low, double high) {
+  double widest = profile.zMin(), most = -1.0;
+  for (int i = 0; i < profile.elementCount(); ++i) {
+    const ConvexProfile::Element& e = profile.element(i);
+    if (e.ar > most) most = e.ar, widest = e.az;
+    if (e.br > most) most = e.br, widest = e.bz;
+  }
+  return radiusAt(profile, std::clamp(widest, low, high));
+}
+
 /// Capsule of the ball's centre; the ray is level.
 double enterCapsule(const ColumnSweep& line, const Ray& ray, double z, double radius) {
   const Vec3 way = sweepWay(line);
@@ -199,6 +227,16 @@ double SweptBody::levelCut(const Vec3& a, double dx, double dy, double inside) c
     discStretch(c, a.z(), tool.radius, tool.z_max, first, last);
     const double flank = enterStadium(c, ray, first, last, tool.radius);
     return std::min({inside, flank, enterCapsule(c, ray, a.z(), tool.radius)});
+  }
+  // What a level move sweeps is at each height what a disc sweeps there.
+  if (c.kind == ColumnSweep::Kind::kLine && c.rise == 0.0) {
+    const double radius = radiusAt(*profile_, a.z() - c.z);
+    if (radius >= 0.0) return std::min(inside, enterStadium(c, ray, 0.0, c.length, radius));
+  }
+  if (c.kind == ColumnSweep::Kind::kVertical) {
+    const double radius =
+        radiusBetween(*profile_, a.z() - c.z - std::max(c.rise, 0.0), a.z() - c.z - std::min(c.rise, 0.0));
+    if (radius >= 0.0) return std::min(inside, enterDisc(ray, c.x, c.y, radius * radius));
   }
   const Vec3 direction(dx, dy, 0.0);
   if (isLevelArc()) return searchCut(*curve_, a, direction, inside);

@@ -200,16 +200,17 @@ class CurveColumns : public Columns {
   void checkReach(const ColumnSweep& part, int i) {
     FourBlocks blocks{};
     blocks.half_width = random(0.1, 3.0);
-    double low[4];
+    double low[4], high[4];
     for (int k = 0; k < 4; ++k) {
       blocks.x[k] = x_[i] + random(-1, 1) * blocks.half_width;
       blocks.y[k] = y_[i] + random(-1, 1) * blocks.half_width;
       blocks.z_low[k] = random(-30, 30), blocks.z_high[k] = blocks.z_low[k] + 5.0;
     }
-    columnKernels().reach(part, blocks, low);
+    columnKernels().reach(part, blocks, low, high);
     for (int k = 0; k < 4; ++k) {
       if (lo_[i] < blocks.z_high[k] && hi_[i] > blocks.z_low[k]) {
         EXPECT_LE(low[k], lo_[i]);
+        EXPECT_GE(high[k], hi_[i]);
       }
     }
   }
@@ -366,18 +367,23 @@ TEST_F(Columns, EveryLevelGivesTheSameBits) {
       start.h = 1.0;
       start.layers = 8;
       LeafColumns first = start;
-      const auto all = [&](const ColumnKernels& level, LeafColumns& leaf) {
+      // Quarters that go together have the same bits as each alone.
+      const auto all = [&](const ColumnKernels& level, LeafColumns& leaf, unsigned together) {
         double sum = 0.0;
+        level.leaf(c.columns, leaf, together);
         for (int q = 0; q < 4; ++q) {
-          sum += level.leaf(c.columns, leaf, q);
+          if ((together >> q & 1) == 0) level.leaf(c.columns, leaf, 1u << q);
+          sum += level.lower(leaf, q);
           level.cover(leaf, q);
         }
         return sum;
       };
-      const double sunk = all(levels()[0], first);
+      const double sunk = all(levels()[0], first, 0);
       for (const ColumnKernels& level : levels()) {
         LeafColumns other = start;
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(all(level, other)), std::bit_cast<std::uint64_t>(sunk));
+        const unsigned together = static_cast<unsigned>(round) % 16;
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(all(level, other, together)),
+                  std::bit_cast<std::uint64_t>(sunk));
         for (int i = 0; i < 64; ++i) {
           ASSERT_EQ(std::bit_cast<std::uint64_t>(other.lo[i]), std::bit_cast<std::uint64_t>(first.lo[i]))
               << level.name;
@@ -414,8 +420,9 @@ TEST_F(Columns, HitsLeaveOutOnlyWhatTakesNothing) {
       const unsigned hits = levels()[0].hits(c.columns, leaf, 15);
       for (const ColumnKernels& level : levels())
         ASSERT_EQ(level.hits(c.columns, leaf, 15), hits) << level.name;
+      columnKernels().leaf(c.columns, leaf, 15);
       for (int q = 0; q < 4; ++q) {
-        const bool sinks = columnKernels().leaf(c.columns, leaf, q) > 0.0;
+        const bool sinks = columnKernels().lower(leaf, q) > 0.0;
         ASSERT_TRUE(!sinks || (hits >> q & 1) != 0) << text << ' ' << round;
         sinking += sinks && counts;
         said += (hits >> q & 1) != 0 && counts;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -141,8 +142,17 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     return i % 3 == 1 ? columnUprights(solid, c.from, c.to, c.arc) : columnParts(solid, way);
   }
   static std::vector<ConvexProfile> profiles() {
+    if (std::string(GetParam()) == "thread mill") return threadMill();
     Tool tool = parseToolOption(GetParam()).value();
     tool.flute_length = 15.0;
+    return makeToolSolid(tool).cutter;
+  }
+  static std::vector<ConvexProfile> threadMill() {
+    Tool tool;
+    tool.type = ToolType::kThreadMill;
+    tool.diameter = 10.0;
+    tool.pitch = 1.5;
+    tool.teeth = 3;
     return makeToolSolid(tool).cutter;
   }
   /// False where none of eight columns meets the part.
@@ -156,6 +166,25 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
       return true;
     }
     return false;
+  }
+
+  /// Level edges, every fourth a vertical one that ends where it is cut, as far as they start outside.
+  void addEdge(const ColumnSweep& part, const Curve& c, int number, EdgeCuts& cuts) {
+    Vec3 inside;
+    if (!pointInside(part, c, inside)) return;
+    const int k = cuts.count;
+    const bool level = number % 4 != 0;
+    const double a = random(0.0, 6.28), far = number % 2 == 0 ? random(0.1, 3.0) : 0.1;
+    const Vec3 on = level ? Vec3(std::cos(a), std::sin(a), 0.0) : Vec3::Zero(), from = inside - far * on;
+    if (level && curveSide(part, {from.x(), from.y(), from.z()}, on.x(), on.y()).value <= 0.0) return;
+    double lo, hi;
+    curveColumn(part, inside.x(), inside.y(), &lo, &hi);
+    cuts.x[k] = from.x(), cuts.y[k] = from.y();
+    cuts.z[k] = level ? from.z() : number % 8 == 0 ? lo : hi;
+    cuts.dx[k] = on.x(), cuts.dy[k] = on.y();
+    cuts.inside[k] = level ? far : 0.0;
+    cuts.end[k] = level ? 0.0 : number % 8 == 0 ? 1.0 : -1.0;
+    ++cuts.count;
   }
 
   void check(const SweptBody& body, const Sweep& exact, const Vec3& p, bool below) {
@@ -240,9 +269,77 @@ TEST_P(CurveSurfaces, LevelCutsAreWhereThePartBegins) {
   EXPECT_GT(right, 0.98 * slopes);  // but beside edges of the tool
 }
 
+/// Edges that are cut together end where the part begins, and the tool touches them from the place told.
+TEST_P(CurveSurfaces, EdgesCutTogetherEndWhereTheTurnBegins) {
+  int asked = 0, found = 0, touched = 0;
+  const auto cuts = std::make_unique<EdgeCuts>();
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 300; ++i) {
+      const Curve c = curve(true);
+      const Sweep exact(profile, c.from, c.to, &c.arc);
+      const ArcFrame frame = arcFrame(c.from, c.to, c.arc);
+      for (const ColumnSweep& part : columnTurns(solid, c.from, c.to, c.arc)) {
+        const SweptBody body(profile, part, exact);
+        cuts->count = 0;
+        for (int k = 0; k < 13; ++k) addEdge(part, c, k, *cuts);
+        columnKernels().cuts(part, *cuts);
+        for (int k = 0; k < cuts->count; ++k) {
+          ++asked;
+          if (cuts->found[k] == 0.0) continue;
+          ++found;
+          const bool level = cuts->end[k] == 0.0;
+          const Vec3 on(cuts->dx[k], cuts->dy[k], 0.0), from(cuts->x[k], cuts->y[k], cuts->z[k]);
+          const auto side = [&](double s) {
+            const Vec3 p = from + s * on;
+            return curveSide(part, {p.x(), p.y(), p.z()}, on.x(), on.y()).value;
+          };
+          const double at = level ? cuts->at[k] : 0.0;
+          if (level) {
+            ASSERT_GE(side(at - 2e-8), -1e-9) << i;
+            ASSERT_LE(side(at + 2e-8), 1e-9) << i;
+          }
+          const Vec3 p = from + at * on, tip = arcPoint(frame, c.arc, body.startOf(cuts->place[k]));
+          touched += std::abs(profile.sample((p - tip).head<2>().norm(), p.z() - tip.z()).value) < 1e-6;
+        }
+      }
+    }
+  }
+  EXPECT_GT(asked, 1000);
+  EXPECT_GT(found, 0.8 * asked);
+  EXPECT_GT(touched, 0.99 * found);  // but where the way comes to be over the edge
+}
+
+/// The closed forms of level and of vertical moves, whatever the tool.
+TEST_P(CurveSurfaces, LevelCutsOfLevelAndVerticalMovesAreWhereTheyBegin) {
+  int cuts = 0;
+  for (const ConvexProfile& profile : profiles()) {
+    const ColumnSolid solid = columnSolid(profile);
+    for (int i = 0; i < 400; ++i) {
+      const auto [from, to] = moves_.line(i % 2);
+      const SweptBody body(profile, solid, from, to);
+      const Sweep exact = body.sweep();
+      std::array<double, 8> x{}, y{}, lo{}, hi{};
+      const Vec3 near = from + random(0, 1) * (to - from);
+      x[0] = near.x() + random(-4, 4), y[0] = near.y() + random(-4, 4);
+      columnKernels().columns(body.columns(), x.data(), y.data(), 1, lo.data(), hi.data());
+      if (lo[0] >= hi[0]) continue;
+      const Vec3 inside(x[0], y[0], lo[0] + random(0.02, 0.98) * (hi[0] - lo[0]));
+      const double a = random(0.0, 6.28), far = i % 4 < 2 ? 60.0 : random(0.1, 3.0);
+      const Vec3 on(std::cos(a), std::sin(a), 0.0), start = inside - far * on;
+      if (exact.distance(start, 1e300) <= 0.0) continue;
+      const double cut = body.levelCut(start, on.x(), on.y(), far);
+      ++cuts;
+      ASSERT_GE(exact.distance(start + (cut - 2e-8) * on, 1e300), -2e-8) << i;
+      ASSERT_LE(exact.distance(start + (cut + 2e-8) * on, 1e300), 2e-8) << i;
+    }
+  }
+  EXPECT_GT(cuts, 100);
+}
+
 INSTANTIATE_TEST_SUITE_P(Tools, CurveSurfaces,
                          ::testing::Values("1=flat:6", "2=ball:6", "3=bull:8:1.5", "4=cone:6:0.4:60",
-                                           "5=lollipop:6:3"),
+                                           "5=lollipop:6:3", "thread mill"),
                          [](const auto& param) { return std::to_string(param.index); });
 
 TEST(SweptBodySurface, OtherToolsAndArcsHaveNone) {
