@@ -1,6 +1,7 @@
 #include "core/mesh/corner_table.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
@@ -15,8 +16,9 @@ CornerTable::CornerTable(const Triangles& triangles, const std::vector<std::uint
   PROVEOUT_ASSERT(triangles.size() < std::size_t{1} << 29);
   // Edges belong to the lower one of their ends. Ranges of vertices are worked on side by side, each with the
   // stretches of triangles that have edges of it.
-  constexpr std::size_t kStretch = 512, kRanges = 32;
-  const std::size_t range = vertices / kRanges + 1, stretches = (triangles.size() + kStretch - 1) / kStretch;
+  constexpr std::size_t kStretch = 512, kMostRanges = 32;
+  const std::size_t stretches = (triangles.size() + kStretch - 1) / kStretch;
+  const int shift = std::bit_width(vertices / kMostRanges);  // a range has 1 << shift vertices
   const auto endOf = [&](std::size_t stretch) {
     return std::min(triangles.size(), (stretch + 1) * kStretch);
   };
@@ -25,15 +27,15 @@ CornerTable::CornerTable(const Triangles& triangles, const std::vector<std::uint
     for (std::size_t t = stretch * kStretch; t < endOf(stretch); ++t) {
       const auto& [a, b, c] = triangles[t];
       triangles_[t] = {{b, c, a}, labels.empty() ? 0 : labels[t], {kNone, kNone, kNone}, 0};
-      for (const std::uint32_t v : triangles[t]) ranges[stretch] |= 1u << (v / range);
+      for (const std::uint32_t v : triangles[t]) ranges[stretch] |= 1u << (v >> shift);
     }
     for (std::size_t t = stretch * kStretch + 1; t < endOf(stretch); ++t)
       pairDiagonal(static_cast<std::uint32_t>(t));
   });
   const auto waiting = std::make_unique_for_overwrite<std::uint32_t[]>(vertices);
-  parallelFor(std::size_t{0}, kRanges, [&](std::size_t i) {
-    const auto first = static_cast<std::uint32_t>(i * range),
-               last = static_cast<std::uint32_t>(std::min(vertices, first + range));
+  parallelFor(std::size_t{0}, (vertices >> shift) + 1, [&](std::size_t i) {
+    const auto first = static_cast<std::uint32_t>(i << shift),
+               last = static_cast<std::uint32_t>(std::min(vertices, (i + 1) << shift));
     for (std::uint32_t v = first; v < last; ++v) waiting[v] = out_[v] = kNone;
     for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
       if ((ranges[stretch] >> i & 1u) != 0)
