@@ -10,7 +10,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -86,7 +85,12 @@ EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<co
   constexpr double kLeastUnits = 64.0;
   around_.least_height = kLeastUnits * std::numeric_limits<float>::epsilon() * largestCoordinate(mesh);
   findNormals(off);
-  findFreedoms(frozen);
+  holdFolds();
+  movable_.reserve(vertices_.size());
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+    if (!frozen.empty() && frozen[v] != 0) vertices_[v].freedom = Freedom::kNone;
+    if (vertices_[v].freedom != Freedom::kNone && !table_.gone(v)) movable_.push_back(v);
+  }
 }
 
 void EdgeCollapser::findNormals(std::span<const float> off) {
@@ -107,45 +111,45 @@ void EdgeCollapser::findNormals(std::span<const float> off) {
   });
 }
 
+/// Whether a triangle lies nearly flat on one beside it.
+bool EdgeCollapser::isFolded(std::uint32_t t) const {
+  const Eigen::Vector3f& normal = triangles_[t].normal;
+  float least = 1.0f;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const auto& beyond =
+        triangles_[CornerTable::triangleOf(table_.turned(CornerTable::halfEdge(t, i)))].normal;
+    least = std::min(least, normal.dot(beyond));
+  }
+  return least < kFolded;
+}
+
 /// Around what is folded already nothing is taken away: the layers may be as near to each other as can be.
-void EdgeCollapser::findFreedoms(std::span<const std::uint8_t> frozen) {
-  constexpr std::uint8_t kMany = 3;  // borders
-  std::vector<std::uint8_t> borders(vertices_.size(), 0), folded(vertices_.size(), 0);
-  const auto lookAt = [&](std::uint32_t h) {
-    const std::uint32_t twin = table_.twin(h);
-    if (twin < h) return;
-    const auto& beyond = triangles_[CornerTable::triangleOf(twin)].normal;
-    const bool folds = triangles_[CornerTable::triangleOf(h)].normal.dot(beyond) < kFolded;
-    const bool border = table_.labelAt(h) != table_.labelAt(twin);
-    if (!folds && !border) return;
-    for (const std::uint32_t v : {table_.from(h), table_.from(twin)}) {
-      if (folds) std::atomic_ref(folded[v]).store(1, std::memory_order_relaxed);
-      const std::atomic_ref count(borders[v]);
-      if (border && count.load(std::memory_order_relaxed) < kMany)
-        count.fetch_add(1, std::memory_order_relaxed);
+void EdgeCollapser::holdFolds() {
+  constexpr std::size_t kPart = 4096;
+  const std::size_t count = table_.triangleCount();
+  std::vector<std::vector<std::uint32_t>> folded(count / kPart + 1);
+  parallelFor(std::size_t{0}, folded.size(), [&](std::size_t part) {
+    for (std::size_t t = part * kPart; t < std::min(count, (part + 1) * kPart); ++t) {
+      if (isFolded(static_cast<std::uint32_t>(t))) folded[part].push_back(static_cast<std::uint32_t>(t));
     }
-  };
-  forEachBelow(table_.triangleCount(), [&](std::size_t t) {
-    for (std::uint32_t i = 0; i < 3; ++i) lookAt(static_cast<std::uint32_t>(4 * t + i));
   });
-  forEachBelow(vertices_.size(), [&](std::size_t v) {
-    if (table_.gone(static_cast<std::uint32_t>(v)) || (!frozen.empty() && frozen[v] != 0)) return;
-    vertices_[v].freedom = borders[v] == 0   ? Freedom::kFree
-                           : borders[v] == 2 ? Freedom::kBorder
-                                             : Freedom::kNone;
-  });
-  for (std::uint32_t v = 0; v < folded.size(); ++v) {
-    if (folded[v] == 0) continue;
-    const std::uint32_t first = table_.outOf(v);
+  const auto holdAround = [&](std::uint32_t first) {
     std::uint32_t h = first;
     do {
-      vertices_[table_.to(h)].freedom = Freedom::kNone;
+      vertices_[table_.from(h)].freedom = vertices_[table_.to(h)].freedom = Freedom::kNone;
       h = table_.turned(h);
     } while (h != first);
-  }
-  movable_.reserve(vertices_.size());
-  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-    if (vertices_[v].freedom != Freedom::kNone) movable_.push_back(v);
+  };
+  for (const auto& part : folded) {
+    for (const std::uint32_t t : part) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t h = CornerTable::halfEdge(t, i), twin = table_.twin(h);
+        const auto& beyond = triangles_[CornerTable::triangleOf(twin)].normal;
+        if (triangles_[t].normal.dot(beyond) >= kFolded) continue;
+        holdAround(h);
+        holdAround(twin);
+      }
+    }
   }
 }
 
@@ -162,54 +166,45 @@ bool EdgeCollapser::run(const Progress& progress) {
   return true;
 }
 
-/// Of the vertices; those that have neighbours in other blocks have none. A collapse within a block leads to
-/// no edges out of it: what is off its border now is so until the end.
-std::vector<std::uint32_t> EdgeCollapser::blockNumbers(double size) const {
+/// A collapse within a block leads to no edges out of it: what is off its border now is so until the end.
+void EdgeCollapser::findCells(double size) {
   // Makes all coordinates of cells positive, so that cutting off is rounding down.
   constexpr double kShift = 0.37 + (1 << 20);
   constexpr std::uint32_t kBits = 10, kMask = (1u << kBits) - 1;
-  std::vector<std::uint32_t> block(vertices_.size());
+  cells_.resize(size > 0.0 ? vertices_.size() : 0);
   const double each = 1.0 / size;
-  forEachBelow(block.size(), [&](std::size_t v) {
+  forEachBelow(cells_.size(), [&](std::size_t v) {
     std::uint32_t number = 0;
     for (int k = 0; k < 3; ++k) {
       const auto cell = static_cast<std::int32_t>(mesh_.positions[v][k] * each + kShift);
       number = number << kBits | (static_cast<std::uint32_t>(cell) & kMask);
     }
-    block[v] = number;
+    cells_[v] = number;
   });
-  std::vector<std::uint32_t> out = block;
-  forEachBelow(table_.triangleCount(), [&](std::size_t t) {
-    if (table_.isGone(t)) return;
-    const auto& [a, b, c] = table_.corners(t);
-    if (block[a] == block[b] && block[b] == block[c]) return;
-    for (const std::uint32_t corner : {a, b, c})
-      std::atomic_ref(out[corner]).store(kNoBlock, std::memory_order_relaxed);
-  });
-  return out;
 }
 
-/// The vertices that may go, by their blocks; in each round the borders of blocks are elsewhere. Two blocks
-/// may have one number, and then are worked on by one thread.
+/// The vertices that may go and are worth a look, by their blocks; in each round the borders of blocks are
+/// elsewhere. Two blocks may have one number, and then are worked on by one thread.
 std::vector<EdgeCollapser::Block> EdgeCollapser::blocks(double size) {
-  std::erase_if(movable_, [&](std::uint32_t v) { return table_.gone(v); });
+  findCells(size);
+  const auto most = toFloat(tolerance_);
   std::vector<Block> out;
-  if (!(size > 0.0)) {
-    for (const std::uint32_t v : movable_) vertices_[v].inside = true;
-    out.push_back(movable_);
-    return out;
-  }
-  const std::vector<std::uint32_t> block = blockNumbers(size);
   std::unordered_map<std::uint32_t, std::size_t> number;
   std::uint32_t last = kNoBlock;
-  std::size_t at = 0;
+  std::size_t at = 0, left = 0;
   for (const std::uint32_t v : movable_) {
-    vertices_[v].inside = block[v] != kNoBlock;
-    if (block[v] == kNoBlock) continue;
-    if (block[v] != last) at = number.try_emplace(last = block[v], number.size()).first->second;
+    VertexState& state = vertices_[v];
+    if (table_.gone(v) || state.freedom == Freedom::kNone) continue;
+    movable_[left++] = v;
+    state.place = Place::kUnknown;
+    state.kept = state.isWorth(most);
+    if (!state.kept) continue;
+    const std::uint32_t cell = cells_.empty() ? 0 : cells_[v];
+    if (cell != last) at = number.try_emplace(last = cell, number.size()).first->second;
     if (at == out.size()) out.emplace_back();
     out[at].push_back(v);
   }
+  movable_.resize(left);
   return out;
 }
 
@@ -217,45 +212,86 @@ std::vector<EdgeCollapser::Block> EdgeCollapser::blocks(double size) {
 /// where they could be round.
 void EdgeCollapser::simplifyBlock(Block vertices, std::uint32_t round) {
   constexpr std::uint32_t kMostSweeps = 1u << 12;
-  std::uint32_t sweep = round * kMostSweeps * static_cast<std::uint32_t>(std::size(kPasses));
-  Block todo;
+  Sweeps sweeps;
+  sweeps.sorted = vertices.size();
+  sweeps.vertices = std::move(vertices);
+  std::uint32_t last = round * kMostSweeps * static_cast<std::uint32_t>(std::size(kPasses));
   for (const double pass : kPasses) {
-    const auto limit = toFloat(pass * tolerance_);
-    const std::uint32_t last = sweep + kMostSweeps - 1;
-    std::erase_if(vertices, [&](std::uint32_t v) { return table_.gone(v); });
-    todo.clear();
-    for (const std::uint32_t v : vertices) {
-      vertices_[v].listed = vertices_[v].isWorth(limit);
-      if (vertices_[v].listed) todo.push_back(v);
-    }
-    while (!todo.empty() && sweep < last) sweepBlock(todo, limit, ++sweep);
-    sweep = last;
+    sweeps.sweep = last;
+    last += kMostSweeps;
+    startPass(sweeps, pass);
+    while (!sweeps.todo.empty() && sweeps.sweep + 1 < last) sweepBlock(sweeps);
   }
+}
+
+/// Lists what is worth a look with this part of the tolerance, in the order of the vertices' numbers.
+void EdgeCollapser::startPass(Sweeps& sweeps, double part) {
+  sweeps.limit = toFloat(part * tolerance_);
+  const auto most = toFloat(tolerance_);
+  if (sweeps.sorted < sweeps.vertices.size()) std::ranges::sort(sweeps.vertices);
+  sweeps.todo.clear();
+  std::size_t left = 0;
+  for (const std::uint32_t v : sweeps.vertices) {
+    VertexState& state = vertices_[v];
+    state.kept = !table_.gone(v) && state.isWorth(most);
+    if (!state.kept) continue;
+    sweeps.vertices[left++] = v;
+    state.listed = state.isWorth(sweeps.limit);
+    if (state.listed) sweeps.todo.push_back(v);
+  }
+  sweeps.vertices.resize(left);
+  sweeps.sorted = left;
 }
 
 /// Looks at the vertices, and leaves those that are worth to be looked at again.
-void EdgeCollapser::sweepBlock(Block& todo, float limit, std::uint32_t sweep) {
-  Block again;
-  for (const std::uint32_t v : todo) {
+void EdgeCollapser::sweepBlock(Sweeps& sweeps) {
+  ++sweeps.sweep;
+  sweeps.again.clear();
+  for (const std::uint32_t v : sweeps.todo) {
     VertexState& state = vertices_[v];
     if (table_.gone(v)) continue;
-    if (state.swept == sweep) {
-      again.push_back(v);
+    if (state.swept == sweeps.sweep) {
+      sweeps.again.push_back(v);
       continue;
     }
     state.listed = false;
-    if (state.isWorth(limit)) tryVertex(v, limit, sweep, again);
+    if (state.isWorth(sweeps.limit)) tryVertex(v, sweeps);
   }
-  todo = std::move(again);
+  std::swap(sweeps.todo, sweeps.again);
+}
+
+bool EdgeCollapser::isInside(const VertexStar& star, std::uint32_t v) const {
+  if (cells_.empty()) return true;
+  for (int j = 0; j < star.size(); ++j) {
+    if (cells_[star.ring(j)] != cells_[v]) return false;
+  }
+  return true;
+}
+
+/// Whether the vertex is free and inside its block. How many borders of motions meet at a vertex never
+/// changes: a vertex goes along borders only, and no motion at it goes with it.
+bool EdgeCollapser::mayGo(const VertexStar& star, std::uint32_t v) {
+  VertexState& state = vertices_[v];
+  if (state.place == Place::kUnknown) state.place = isInside(star, v) ? Place::kInside : Place::kOutside;
+  if (state.place == Place::kOutside) return false;
+  if (state.freedom == Freedom::kUnknown) {
+    state.freedom = star.borders() == 0   ? Freedom::kFree
+                    : star.borders() == 2 ? Freedom::kBorder
+                                          : Freedom::kNone;
+  }
+  return state.freedom != Freedom::kNone;
 }
 
 /// Joins a vertex with the first of its neighbours that does.
-void EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep, Block& again) {
+void EdgeCollapser::tryVertex(std::uint32_t v, Sweeps& sweeps) {
   VertexStar star;
   Ways ways;
   VertexState& state = vertices_[v];
+  const float limit = sweeps.limit;
+  const bool walked = star.walk(table_, v);
+  if (walked && !mayGo(star, v)) return;
   state.needs = kNotAgain;
-  if (!star.walk(table_, v)) return;
+  if (!walked) return;
   if (state.freedom == Freedom::kBorder && !followBorder(star, v, limit, ways)) return;
   star.look(around_);
   if (!findWays(star, v, limit, ways) || !star.findView()) return;
@@ -271,7 +307,7 @@ void EdgeCollapser::tryVertex(std::uint32_t v, float limit, std::uint32_t sweep,
         drift = std::max(drift, ways.drift);
       }
       state.needs = kNotAgain;
-      collapse(star, to, change, sweep, again);
+      collapse(star, to, change, sweeps);
       return;
     }
   }
@@ -352,7 +388,7 @@ bool EdgeCollapser::staysManifold(const VertexStar& star, int to) const {
 /// Whether a new triangle lies nearly flat on the one beyond its outer edge, and the old one did not.
 bool EdgeCollapser::foldsOver(const VertexStar& star, int to, const VertexStar::Change& change) const {
   for (int j = star.after(to); star.after(j) != to; j = star.after(j)) {
-    const std::uint32_t outer = table_.twin(CornerTable::next(star.halfEdge(j)));
+    const std::uint32_t outer = table_.turned(CornerTable::previous(star.halfEdge(j)));
     const Eigen::Vector3f& beyond = triangles_[CornerTable::triangleOf(outer)].normal;
     const float now = change.triangle[j].normal.dot(beyond);
     if (now < kFolded && now < triangles_[star.triangle(j)].normal.dot(beyond)) return true;
@@ -361,20 +397,27 @@ bool EdgeCollapser::foldsOver(const VertexStar& star, int to, const VertexStar::
 }
 
 void EdgeCollapser::collapse(const VertexStar& star, int to, const VertexStar::Change& change,
-                             std::uint32_t sweep, Block& again) {
+                             Sweeps& sweeps) {
   const bool border = vertices_[table_.from(star.halfEdge(to))].freedom == Freedom::kBorder;
   for (int j = star.after(to); star.after(j) != to; j = star.after(j))
     triangles_[star.triangle(j)] = change.triangle[j];
   table_.collapse(star.halfEdge(to));
+  std::array<std::uint32_t, VertexStar::kMost> again;
+  std::size_t count = 0;
   for (int j = 0; j < star.size(); ++j) {
-    VertexState& state = vertices_[star.ring(j)];
+    const std::uint32_t v = star.ring(j);
+    VertexState& state = vertices_[v];
     state.needs = 0.0f;
     if (border) state.next_drift = 0.0f;
-    state.swept = sweep;
-    if (!state.inside || state.listed) continue;
-    state.listed = true;
-    again.push_back(star.ring(j));
+    state.swept = sweeps.sweep;
+    const bool may_go = state.freedom != Freedom::kNone && state.place != Place::kOutside;
+    if (may_go && !state.kept) sweeps.vertices.push_back(v);
+    state.kept |= may_go;
+    again[count] = v;
+    count += static_cast<std::size_t>(may_go && !state.listed);
+    state.listed |= may_go;
   }
+  sweeps.again.insert(sweeps.again.end(), again.data(), again.data() + count);
 }
 
 /// How far a triangle was moved at most, of all.
@@ -403,7 +446,7 @@ TriMesh EdgeCollapser::result() const {
     out.positions[n] = mesh_.positions[v];
   });
   triangles.forEach(keptTriangle, [&](std::size_t t, std::size_t n) {
-    const auto& corners = table_.corners(t);
+    const std::array<std::uint32_t, 3> corners = table_.corners(t);
     for (std::size_t i = 0; i < 3; ++i) out.triangles[n][i] = number[corners[i]];
     if (!mesh_.motion.empty()) out.motion[n] = mesh_.motion[t];
   });
