@@ -20,6 +20,9 @@ constexpr double kRadius = 0.8660254037844387;
 /// Normals lean from the planes of the axes by this at the least, as the formula divides by it.
 constexpr double kLean = 1e-3;
 
+/// The distance to a helix takes as long as so many to lines.
+constexpr std::size_t kAsksOfACurve = 20;
+
 /// The part of a cube with edges of 1 that lies under a plane, `height` above its middle; `n`: unit normal.
 double shareUnder(double height, const Vec3& n) {
   const Vec3 a = n.cwiseAbs().cwiseMax(kLean);
@@ -84,8 +87,8 @@ double CellMaterial::shareOf(Part part, std::size_t begin, std::size_t end) {
   }
   double sum = 0.0;
   bool swept = false;
-  asked_ += end - begin;
   for (std::size_t i = begin; i < end && !swept; ++i) {
+    asked_ += sweeps_[kept_[i]].isCurve() ? kAsksOfACurve : 1;
     const double off = sweeps_[kept_[i]].distance(part.middle, radius);
     swept = off <= -radius;
     if (off < radius) kept_.push_back(kept_[i]);

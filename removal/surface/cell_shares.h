@@ -17,7 +17,7 @@ class CellMaterial {
   /// all axes until one face lies in a part, which is a plane there, or the parts are small. None where no
   /// tool came: the cell is as it was.
   std::optional<double> share(const Vec3& low);
-  /// How often a body's distance was asked for.
+  /// How often a body's distance was asked for, those of curves by what they take.
   std::size_t asked() const { return asked_; }
 
  private:

@@ -149,7 +149,6 @@ bool VertexRefiner::planeNear(int face, const Vec3& x, Vec3& from, Plane& plane,
 /// As planeNear, where the body has a ridge at `x`, as an arc has with the wall that it set out from: beyond
 /// it the other face is nearer. Looked at from farther off that, by `part` of kLookAside.
 bool VertexRefiner::planeBeside(int face, const Vec3& x, double part, Vec3& from, Plane& plane, double& off) {
-  const CellFace& f = faces_[static_cast<std::size_t>(face)];
   Vec3 others = Vec3::Zero();
   for (const CellFace& other : faces_) others += other.normal;
   const Vec3 aside = others - from.dot(others) * from;

@@ -60,6 +60,8 @@ class Sweep {
   /// Distances at the `count` points (x, y, z0 + k * dz), each with its own cutoff as in distance().
   void column(double x, double y, double z0, double dz, int count, const double* cutoff, double* out) const;
 
+  /// The way is a curve but not a level arc: its distance takes a search.
+  bool isCurve() const { return kind_ == Kind::kCurve; }
   /// The way is a helix about z (its radius changes by no more than rounding): then the distance is found
   /// about as fast as on a line.
   bool isHelix() const { return kind_ == Kind::kCurve && round_turns_; }
