@@ -22,7 +22,7 @@ constexpr double kUnsure = 0.05, kUnknown = 0.1;
 /// looked at and others not would be no better than none. Asking takes some 0.1 microseconds.
 constexpr std::size_t kMostDoubtful = 300, kMostAsked = 5'000'000, kAskedFirst = 600'000, kAskedACell = 1000;
 /// Cells between two looks at what was asked.
-constexpr std::size_t kBatch = 64;
+constexpr std::size_t kBatch = 16;
 /// More thin cells than this are a part that is too thin for its grid in many places: they are told of alone.
 constexpr std::size_t kFewThin = 10;
 
@@ -70,6 +70,7 @@ std::optional<std::vector<double>> missedIn(const std::vector<Coord>& cells, con
                                             Work& work, Progress& progress) {
   std::vector<double> missed(cells.size());
   std::vector<std::size_t> asked(cells.size());
+  std::size_t sum = 0;
   for (std::size_t begin = 0; begin < cells.size(); begin += kBatch) {
     const std::size_t end = std::min(begin + kBatch, cells.size());
     parallelFor(begin, end, [&](std::size_t i) {
@@ -79,10 +80,12 @@ std::optional<std::vector<double>> missedIn(const std::vector<Coord>& cells, con
       if (left) missed[i] = *left - CellUnderSurface(grid).share(cells[i]);
       asked[i] = material.asked();
     });
-    work.cells += end - begin;
-    for (std::size_t i = begin; i < end; ++i) work.asked += asked[i];
-    if (work.tooMuch()) return std::nullopt;
+    for (std::size_t i = begin; i < end; ++i) sum += asked[i];
+    // What all will take, if the others take as much as these.
+    if (Work{work.cells + cells.size(), work.asked + sum * cells.size() / end}.tooMuch()) return std::nullopt;
   }
+  work.cells += cells.size();
+  work.asked += sum;
   return missed;
 }
 
