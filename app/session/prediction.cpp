@@ -48,16 +48,16 @@ constexpr double kSecondsPerCarriedCell = 2e-7;  ///< into the next clamping, gr
 /// On top of that of what is cut, its mesh and what is asked for it; all in proportion to this.
 constexpr double kMeshing = 1.0;
 constexpr double kSecondsPerFlatCell = kMeshing * 3.8e-7, kSecondsPerRuledCell = kMeshing * 7e-7,
-                 kSecondsPerRoundCell = kMeshing * 8e-7, kSecondsPerUnevenCell = kMeshing * 1.3e-6;
+                 kSecondsPerRoundCell = kMeshing * 8e-7, kSecondsPerUnevenCell = kMeshing * 1.55e-6;
 /// Of round walls and floors as many triangles stay as there are bends in a cell.
-constexpr double kSecondsPerBend = kMeshing * 5.5e-6;
+constexpr double kSecondsPerBend = kMeshing * 2.5e-6;
 constexpr double kSecondsPerSweptCell = 6e-9;  ///< removal, each motion counted
 /// Of curves about z, and of other curves: all in proportion to these.
 constexpr double kTurning = 1.0, kLeaning = 1.0;
 /// A column under a chord or a part, by CurveKind; under flanked arcs a cell of a strip along the columns.
 constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {
-    kTurning * 1.2e-8, kTurning * 4.5e-8, kLeaning * 1e-8,   kLeaning * 2.8e-7, kTurning * 4.5e-7,
-    kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7, kLeaning * 1.2e-8};
+    kTurning * 1.2e-8, kTurning * 1.5e-8, kLeaning * 1e-8,   kLeaning * 0.9e-7, kTurning * 4.5e-7,
+    kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7, kLeaning * 0.6e-8};
 /// Of spirals: what a column costs was measured for parts of this size.
 constexpr double kPartsPerTurn = 8.0, kSpiralGrowthMm = 1e-4;
 /// Arcs that rise by less along their axis, and whose axis is that level, are cut as upright ones.
@@ -77,7 +77,7 @@ constexpr double kSecondsPerTriangle = 7e-7;          ///< half sections, their 
 constexpr double kSecondsPerGrooveTriangle = 8e-7;    ///< on top of that: sections where ridges are cut
 constexpr double kSecondsPerPassPoint = 2.9e-6;       ///< passes that deeper ones hold are dropped
 constexpr double kSecondsPerMotion = 2.0e-6;          ///< interpreter, culling
-constexpr double kSecondsPerTurnedMotion = 2.3e-5;    ///< out of the half section
+constexpr double kSecondsPerTurnedMotion = 2.6e-5;    ///< out of the half section
 constexpr double kSecondsPerFixtureCell = 1.0e-7;     ///< leaves and crossings alone
 constexpr double kSecondsPerTurnedCell = 6e-7;        ///< from a half section to the grid
 constexpr double kSecondsPerThreadedCell = 2.5e-6;    ///< on top of that where threads run

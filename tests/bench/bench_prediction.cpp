@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMemoryFactor = 1.5, kTimeFactor = 2.0;
+constexpr double kMemoryFactor = 1.5, kTimeFactor = 1.5;
 /// A run that takes less than this is over before anybody asks how long it takes.
 constexpr double kShortS = 0.25;
 constexpr double kLimitS = 300.0;

@@ -102,7 +102,7 @@ Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& 
     work.triangles = kTrianglesOfAMotion * static_cast<double>(work.motions);
     work.thread_triangles = kShareOfTime * work.triangles;
   } else {
-    constexpr double kShareOfTime = 1.1, kSectionShare = 1.57;  // of a triangle of a mesh from half sections
+    constexpr double kShareOfTime = 1.25, kSectionShare = 1.57;  // of a triangle of a mesh from half sections
     const LeanWork lean = leanWork(run.setups[k].job, path, bounds);
     work.triangles = lean.triangles;
     work.thread_triangles = kShareOfTime * lean.triangles + kSectionShare * lean.sections;
