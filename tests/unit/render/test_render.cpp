@@ -292,21 +292,21 @@ TEST(Render, MarkerAppearsWhereItsPointProjects) {
 }
 
 TEST(Render, AnnotationsOverAPartAreThoseOfTheWholePicture) {
-  constexpr ImageSize kSmall{480, 360};
+  constexpr ImageSize kDrawn{480, 360};
   const TriMesh box = boxMesh({0, 0, 0}, {40, 30, 25});
   for (const char* name : {"iso", "section"}) {
     RenderScene bare(box);
     bare.caption_room = true;
     Progress progress;
-    Result<Image> image = renderPart(bare, *findView(name), kSmall, {}, progress);
+    Result<Image> image = renderPart(bare, *findView(name), kDrawn, {}, progress);
     ASSERT_TRUE(image.ok());
-    EXPECT_EQ(image->rgb, render(bare, name, kSmall).rgb) << "nothing to draw over it";
+    EXPECT_EQ(image->rgb, render(bare, name, kDrawn).rgb) << "nothing to draw over it";
     RenderScene scene(box);
     scene.markers = {{{10, 20, 25}, "1", Severity::kError}, {{20, 15, 0}, "2", Severity::kNote}};
     scene.caption = "two findings";
     ASSERT_TRUE(annotate(scene, *findView(name), *image).ok());
-    EXPECT_EQ(image->rgb, render(scene, name, kSmall).rgb) << name;
-    EXPECT_NE(image->rgb, render(RenderScene(box), name, kSmall).rgb);
+    EXPECT_EQ(image->rgb, render(scene, name, kDrawn).rgb) << name;
+    EXPECT_NE(image->rgb, render(RenderScene(box), name, kDrawn).rgb);
   }
 }
 
