@@ -155,11 +155,20 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     tool.teeth = 3;
     return makeToolSolid(tool).cutter;
   }
+  struct Columns {
+    std::array<double, 8> x{}, y{}, lo{}, hi{};
+  };
+  /// Of random columns around the curve's start, where the part begins and ends.
+  Columns columnsNear(const ColumnSweep& part, const Curve& c) {
+    Columns at;
+    for (std::size_t k = 0; k < 8; ++k)
+      at.x[k] = c.from.x() + random(-9, 9), at.y[k] = c.from.y() + random(-9, 9);
+    columnKernels().columns(part, at.x.data(), at.y.data(), 8, at.lo.data(), at.hi.data());
+    return at;
+  }
   /// False where none of eight columns meets the part.
   bool pointInside(const ColumnSweep& part, const Curve& c, Vec3& inside) {
-    std::array<double, 8> x{}, y{}, lo{}, hi{};
-    for (std::size_t k = 0; k < 8; ++k) x[k] = c.from.x() + random(-9, 9), y[k] = c.from.y() + random(-9, 9);
-    columnKernels().columns(part, x.data(), y.data(), 8, lo.data(), hi.data());
+    const auto [x, y, lo, hi] = columnsNear(part, c);
     for (std::size_t k = 0; k < 8; ++k) {
       if (lo[k] >= hi[k]) continue;
       inside = {x[k], y[k], lo[k] + random(0.02, 0.98) * (hi[k] - lo[k])};
@@ -211,10 +220,7 @@ TEST_P(CurveSurfaces, NormalsLeadAwayFromTheCurve) {
       const Sweep exact(profile, c.from, c.to, &c.arc);
       const CurveWay way = curveWay(c.from, c.to, c.arc);
       for (const ColumnSweep& part : parts(solid, way, c, i)) {
-        std::array<double, 8> x{}, y{}, lo{}, hi{};
-        for (std::size_t k = 0; k < 8; ++k)
-          x[k] = c.from.x() + random(-9, 9), y[k] = c.from.y() + random(-9, 9);
-        columnKernels().columns(part, x.data(), y.data(), 8, lo.data(), hi.data());
+        const auto [x, y, lo, hi] = columnsNear(part, c);
         const SweptBody body(profile, part, exact);
         for (std::size_t k = 0; k < 8; ++k) {
           if (lo[k] >= hi[k]) continue;

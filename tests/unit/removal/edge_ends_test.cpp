@@ -15,14 +15,14 @@ constexpr double kGrid = 0.25;
 constexpr double kOff = 1e-3;  ///< mm
 
 /// The mesh of all cells.
-TriMesh meshOf(const Toolpath& path, const Tool& tool) {
+TriMesh meshOf(const Toolpath& path, const Tool& cutter) {
   RemovalOptions options;
   options.resolution_mm = kGrid;
   options.threads = 1;
   Progress progress;
   Result<Stock> stock = Stock::create(BoxShape{{0.03, 0.08, -8.17}, {24.16, 18.12, 0.0}}, options, progress);
   EXPECT_TRUE(stock.ok());
-  EXPECT_TRUE(stock->remove(path, {tool}, options, progress).ok());
+  EXPECT_TRUE(stock->remove(path, {cutter}, options, progress).ok());
   SurfaceOptions all;
   all.simplify_mm = 0.0;
   Result<StockSurface> surface = stock->surface(all, progress);
@@ -38,11 +38,7 @@ double nearest(const TriMesh& mesh, const Vec3& p) {
 
 // Half of the point's cone belongs to the way down, the rest and the bottom of the groove to the way along.
 TEST(EdgeEnds, GroovesOfAPointBeginAtIt) {
-  Tool drill;
-  drill.number = 1;
-  drill.type = ToolType::kDrill;
-  drill.diameter = 6.35;
-  drill.point_angle_deg = 124.0;
+  const Tool drill = tool("1=drill:6.35:124");
   for (int i = 0; i < 12; ++i) {
     const Vec3 low(19.22 + 0.021 * i, 12.41 + 0.037 * i, -1.379 - 0.03 * i);
     const Vec3 end = low + Vec3(-5.9, 1.04 + 0.3 * i, 0.0);
@@ -56,10 +52,7 @@ TEST(EdgeEnds, GroovesOfAPointBeginAtIt) {
 
 // An arc leaves a pillar, off which its start and end cut a part each: the ridge between is of one body.
 TEST(EdgeEnds, RidgesOfOneArcAreFound) {
-  Tool flat;
-  flat.number = 1;
-  flat.type = ToolType::kFlat;
-  flat.diameter = 7.28;
+  const Tool flat = tool("1=flat:7.28");
   const double r = 0.5 * flat.diameter, radius = r + 0.63;
   for (int i = 0; i < 8; ++i) {
     const Vec3 center(12.02 + 0.03 * i, 9.01 + 0.04 * i, -3.0);
@@ -84,12 +77,7 @@ TEST(EdgeEnds, RidgesOfOneArcAreFound) {
 
 // Crossings below the rim are on the ball, the rim itself is on the cone above it.
 TEST(EdgeEnds, RimsAreOfTheElementAboveTheirCrossings) {
-  Tool taper;
-  taper.number = 1;
-  taper.type = ToolType::kTaperBall;
-  taper.diameter = 8.0;
-  taper.tip_diameter = 2.0;
-  taper.cone_angle_deg = 40.0;
+  const Tool taper = tool("1=taper:2:20:8");
   const double r = 1.0, a = degToRad(20.0), joint = r * (1.0 - std::sin(a));
   for (int i = 1; i <= 6; ++i) {
     const double depth = joint + 0.02 * i;
