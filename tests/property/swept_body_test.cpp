@@ -130,16 +130,50 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     return c;
   }
 
-  /// Turns, upright arcs and spirals, in turn.
-  Curve anyCurve(int i) {
-    Curve c = curve(i % 3 != 1);
-    if (i % 3 == 2) c.to += random(0.01, 0.5) * (c.to - c.arc.center).cwiseProduct(Vec3(1, 1, 0));
-    return c;
-  }
-  static std::vector<ColumnSweep> parts(const ColumnSolid& solid, const CurveWay& way, const Curve& c,
-                                        int i) {
-    if (i % 3 == 0) return columnTurns(solid, c.from, c.to, c.arc);
-    return i % 3 == 1 ? columnUprights(solid, c.from, c.to, c.arc) : columnParts(solid, way);
+  /// A part of a random curve as a body of its own, and the whole curve.
+  struct Part {
+    int number;
+    const Curve& curve;
+    const ConvexProfile& profile;
+    const Sweep& exact;
+    const ColumnSweep& columns;
+    SweptBody body;
+
+    double side(const Vec3& p, const Vec3& on) const {
+      return curveSide(columns, {p.x(), p.y(), p.z()}, on.x(), on.y()).value;
+    }
+    /// The level edge from `from` begins to be in the part after `at`.
+    bool beginsAt(const Vec3& from, const Vec3& on, double at) const {
+      return side(from + (at - 2e-8) * on, on) >= -1e-9 && side(from + (at + 2e-8) * on, on) <= 1e-9;
+    }
+    /// The cutter touches the point where it is at this share of the curve.
+    bool isTouchedFrom(double start, const Vec3& p) const {
+      const Vec3 tip = arcPoint(arcFrame(curve.from, curve.to, curve.arc), curve.arc, start);
+      return std::abs(profile.sample((p - tip).head<2>().norm(), p.z() - tip.z()).value) < 1e-6;
+    }
+  };
+  enum class Ways { kTurns, kAll };
+  /// Calls body(part) for the parts of random curves, all of the tool's profiles: turns, or in turn turns,
+  /// upright arcs and spirals.
+  template <typename Body>
+  void forEachPart(Ways ways, Body&& body) {
+    for (const ConvexProfile& profile : profiles()) {
+      const ColumnSolid solid = columnSolid(profile);
+      for (int i = 0; i < 300; ++i) {
+        const int kind = ways == Ways::kTurns ? 0 : i % 3;
+        Curve c = curve(kind != 1);
+        if (kind == 2) c.to += random(0.01, 0.5) * (c.to - c.arc.center).cwiseProduct(Vec3(1, 1, 0));
+        const Sweep exact(profile, c.from, c.to, &c.arc);
+        const CurveWay way = curveWay(c.from, c.to, c.arc);
+        const std::vector<ColumnSweep> parts = kind == 0   ? columnTurns(solid, c.from, c.to, c.arc)
+                                               : kind == 1 ? columnUprights(solid, c.from, c.to, c.arc)
+                                                           : columnParts(solid, way);
+        for (const ColumnSweep& part : parts) {
+          body(Part{i, c, profile, exact, part, SweptBody(profile, part, exact)});
+          ASSERT_FALSE(HasFailure()) << "case " << i;
+        }
+      }
+    }
   }
   static std::vector<ConvexProfile> profiles() {
     if (std::string(GetParam()) == "thread mill") return threadMill();
@@ -213,24 +247,14 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
 };
 
 TEST_P(CurveSurfaces, NormalsLeadAwayFromTheCurve) {
-  for (const ConvexProfile& profile : profiles()) {
-    const ColumnSolid solid = columnSolid(profile);
-    for (int i = 0; i < 300; ++i) {
-      const Curve c = anyCurve(i);
-      const Sweep exact(profile, c.from, c.to, &c.arc);
-      const CurveWay way = curveWay(c.from, c.to, c.arc);
-      for (const ColumnSweep& part : parts(solid, way, c, i)) {
-        const auto [x, y, lo, hi] = columnsNear(part, c);
-        const SweptBody body(profile, part, exact);
-        for (std::size_t k = 0; k < 8; ++k) {
-          if (lo[k] >= hi[k]) continue;
-          check(body, exact, {x[k], y[k], lo[k]}, true);
-          check(body, exact, {x[k], y[k], hi[k]}, false);
-          if (HasFailure()) FAIL() << "case " << i;
-        }
-      }
+  forEachPart(Ways::kAll, [&](const Part& part) {
+    const auto [x, y, lo, hi] = columnsNear(part.columns, part.curve);
+    for (std::size_t k = 0; k < 8; ++k) {
+      if (lo[k] >= hi[k]) continue;
+      check(part.body, part.exact, {x[k], y[k], lo[k]}, true);
+      check(part.body, part.exact, {x[k], y[k], hi[k]}, false);
     }
-  }
+  });
   EXPECT_GT(known_, 300);
   EXPECT_GT(exact_, 0.99 * known_);
 }
@@ -238,37 +262,24 @@ TEST_P(CurveSurfaces, NormalsLeadAwayFromTheCurve) {
 /// Level edges end where the part begins, and the tool touches that point from the place that is told.
 TEST_P(CurveSurfaces, LevelCutsAreWhereThePartBegins) {
   int cuts = 0, touched = 0, slopes = 0, right = 0;
-  for (const ConvexProfile& profile : profiles()) {
-    const ColumnSolid solid = columnSolid(profile);
-    for (int i = 0; i < 300; ++i) {
-      const Curve c = anyCurve(i);
-      const Sweep exact(profile, c.from, c.to, &c.arc);
-      const CurveWay way = curveWay(c.from, c.to, c.arc);
-      const ArcFrame frame = arcFrame(c.from, c.to, c.arc);
-      for (const ColumnSweep& part : parts(solid, way, c, i)) {
-        Vec3 inside;
-        if (!pointInside(part, c, inside)) continue;
-        const double a = random(0.0, 6.28), far = i % 2 == 0 ? 60.0 : random(0.1, 3.0);
-        const Vec3 on(std::cos(a), std::sin(a), 0.0), from = inside - far * on;
-        const auto side = [&](double s) {
-          const Vec3 p = from + s * on;
-          return curveSide(part, {p.x(), p.y(), p.z()}, on.x(), on.y());
-        };
-        if (side(0.0).value <= 0.0) continue;
-        const EdgeCut cut = SweptBody(profile, part, exact).curveCut(from, on.x(), on.y(), far);
-        ++cuts;
-        ASSERT_GE(side(cut.at - 2e-8).value, -1e-9) << i;
-        ASSERT_LE(side(cut.at + 2e-8).value, 1e-9) << i;
-        const Vec3 p = from + cut.at * on, tip = arcPoint(frame, c.arc, cut.start);
-        touched += std::abs(profile.sample((p - tip).head<2>().norm(), p.z() - tip.z()).value) < 1e-6 ? 1 : 0;
-        const double slope = side(far).slope, step = 1e-6;
-        if (slope == 0.0) continue;
-        ++slopes;
-        const double seen = (side(far + step).value - side(far - step).value) / (2.0 * step);
-        right += std::abs(seen - slope) < 1e-3 * (1.0 + std::abs(slope)) ? 1 : 0;
-      }
-    }
-  }
+  forEachPart(Ways::kAll, [&](const Part& part) {
+    Vec3 inside;
+    if (!pointInside(part.columns, part.curve, inside)) return;
+    const double a = random(0.0, 6.28), far = part.number % 2 == 0 ? 60.0 : random(0.1, 3.0);
+    const Vec3 on(std::cos(a), std::sin(a), 0.0), from = inside - far * on;
+    if (part.side(from, on) <= 0.0) return;
+    const EdgeCut cut = part.body.curveCut(from, on.x(), on.y(), far);
+    ++cuts;
+    ASSERT_TRUE(part.beginsAt(from, on, cut.at));
+    touched += part.isTouchedFrom(cut.start, from + cut.at * on) ? 1 : 0;
+    const double step = 1e-6;
+    const double slope = curveSide(part.columns, {inside.x(), inside.y(), inside.z()}, on.x(), on.y()).slope;
+    if (slope == 0.0) return;
+    ++slopes;
+    const double seen =
+        (part.side(inside + step * on, on) - part.side(inside - step * on, on)) / (2.0 * step);
+    right += std::abs(seen - slope) < 1e-3 * (1.0 + std::abs(slope)) ? 1 : 0;
+  });
   EXPECT_GT(cuts, 200);
   EXPECT_GT(touched, 0.99 * cuts);  // but where the way comes to be over the edge
   EXPECT_GT(slopes, 100);
@@ -279,38 +290,21 @@ TEST_P(CurveSurfaces, LevelCutsAreWhereThePartBegins) {
 TEST_P(CurveSurfaces, EdgesCutTogetherEndWhereTheTurnBegins) {
   int asked = 0, found = 0, touched = 0;
   const auto cuts = std::make_unique<EdgeCuts>();
-  for (const ConvexProfile& profile : profiles()) {
-    const ColumnSolid solid = columnSolid(profile);
-    for (int i = 0; i < 300; ++i) {
-      const Curve c = curve(true);
-      const Sweep exact(profile, c.from, c.to, &c.arc);
-      const ArcFrame frame = arcFrame(c.from, c.to, c.arc);
-      for (const ColumnSweep& part : columnTurns(solid, c.from, c.to, c.arc)) {
-        const SweptBody body(profile, part, exact);
-        cuts->count = 0;
-        for (int k = 0; k < 13; ++k) addEdge(part, c, k, *cuts);
-        columnKernels().cuts(part, *cuts);
-        for (int k = 0; k < cuts->count; ++k) {
-          ++asked;
-          if (cuts->found[k] == 0.0) continue;
-          ++found;
-          const bool level = cuts->end[k] == 0.0;
-          const Vec3 on(cuts->dx[k], cuts->dy[k], 0.0), from(cuts->x[k], cuts->y[k], cuts->z[k]);
-          const auto side = [&](double s) {
-            const Vec3 p = from + s * on;
-            return curveSide(part, {p.x(), p.y(), p.z()}, on.x(), on.y()).value;
-          };
-          const double at = level ? cuts->at[k] : 0.0;
-          if (level) {
-            ASSERT_GE(side(at - 2e-8), -1e-9) << i;
-            ASSERT_LE(side(at + 2e-8), 1e-9) << i;
-          }
-          const Vec3 p = from + at * on, tip = arcPoint(frame, c.arc, body.startOf(cuts->place[k]));
-          touched += std::abs(profile.sample((p - tip).head<2>().norm(), p.z() - tip.z()).value) < 1e-6;
-        }
-      }
+  forEachPart(Ways::kTurns, [&](const Part& part) {
+    cuts->count = 0;
+    for (int k = 0; k < 13; ++k) addEdge(part.columns, part.curve, k, *cuts);
+    columnKernels().cuts(part.columns, *cuts);
+    for (int k = 0; k < cuts->count; ++k) {
+      ++asked;
+      if (cuts->found[k] == 0.0) continue;
+      ++found;
+      const bool level = cuts->end[k] == 0.0;
+      const double at = level ? cuts->at[k] : 0.0;
+      const Vec3 on(cuts->dx[k], cuts->dy[k], 0.0), from(cuts->x[k], cuts->y[k], cuts->z[k]);
+      ASSERT_TRUE(!level || part.beginsAt(from, on, at));
+      touched += part.isTouchedFrom(part.body.startOf(cuts->place[k]), from + at * on) ? 1 : 0;
     }
-  }
+  });
   EXPECT_GT(asked, 1000);
   EXPECT_GT(found, 0.8 * asked);
   EXPECT_GT(touched, 0.99 * found);  // but where the way comes to be over the edge
