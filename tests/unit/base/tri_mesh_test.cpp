@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <random>
 
@@ -165,12 +165,11 @@ TEST(TriMesh, WeldingClosesASoup) {
 
 TEST(TriMesh, HalfAMillionTrianglesTakeAMoment) {
   const TriMesh m = torus(700, 400);
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // of the processor: a busy machine does not add to it
   EXPECT_TRUE(analyseTopology(m).closedManifold());
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   RecordProperty("seconds", std::to_string(seconds));
-  EXPECT_LT(seconds,
-            5.0);  // 0.1 s when optimised and alone; the bound is for a loaded machine under sanitizers
+  EXPECT_LT(seconds, 5.0);  // 0.1 s when optimised; the bound is for sanitizers
 }
 
 /// What analyseTopology says, by definition and by brute force.
