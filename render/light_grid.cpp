@@ -14,9 +14,10 @@ using What = Seen::What;
 
 constexpr float kRayOffset = 1e-4F;  ///< units; float positions and hits are good to about 1e-6
 constexpr float kShadow = 0.002F;    ///< shares this near to none or all are no half shadows
-constexpr int kRefinedReach = 1;     ///< points of the grid
-constexpr int kRefinedPattern = 2 * kRefinedReach + 1;  ///< after which their points of the light repeat
-constexpr float kEnough = 0.02F;                        ///< weight of what is alike around a pixel
+constexpr int kRefinedPattern =
+    2 * LightGrid::kRefinedReach + 1;  ///< after which their points of the light repeat
+constexpr float kFewAlike = 20.0F;     ///< points of the grid on a narrow face
+constexpr float kEnough = 0.02F;       ///< weight of what is alike around a pixel
 constexpr float kShadedWithin = 3.0F;  ///< units from the part's middle: the ground beyond is never shaded
 
 /// Number of the lights' points that a point of the grid asks: they repeat. Rows, columns and small squares
@@ -53,6 +54,7 @@ LightGrid::LightGrid(const SeenBand& band, const RayScene& rays, const Lights& l
     for (int i = 0; i < points_.columns(); i += LightPoints::kBlock)
       points_.average(raw_, i, j, kPattern / 2, smooth_);
   });
+  refineNarrow();
   refineShadows();
   smoothSky();
 }
@@ -69,6 +71,26 @@ void LightGrid::averageWhere(const LitPoints& in, int reach, const Chosen& chose
       }
     }
   });
+}
+
+/// Flanks of threads, narrow grooves and lands have few points, each of which has asked for one point of the
+/// light: they ask for more.
+void LightGrid::refineNarrow() {
+  std::vector<char> narrow(smooth_.alike.size(), 0);
+  parallelFor(points_.firstRow(), points_.endRow(), [&](int j) {
+    for (int i = 0; i < points_.columns(); ++i) {
+      const std::size_t k = points_.index(i, j);
+      if (smooth_.alike[k] >= kFewAlike || seenAt(i, j).what == What::kNothing) continue;
+      narrow[k] = 1;
+      raw_.set(k, askAlone(seenAt(i, j), packNumber(i, j)));
+    }
+  });
+  LitPoints averaged = smooth_;
+  averageWhere(
+      raw_, kRefinedReach, [&](std::size_t k) { return narrow[k] != 0; }, averaged);
+  for (std::size_t k = 0; k < narrow.size(); ++k) {
+    if (narrow[k] != 0) smooth_.set(k, averaged.at(k));
+  }
 }
 
 /// In half shadows one point of the light says little of its neighbours: more are asked, and fewer
@@ -170,7 +192,7 @@ Lit LightGrid::at(int x, int y, const Seen& seen) const {
   const Mean near = meanAround(x, y, kStep, seen);
   if (near.weights >= kEnough) return near.lit();
   const Mean wide = meanAround(x, y, 2 * kStep, seen);
-  return wide.weights >= kEnough ? wide.lit() : askAlone(seen);
+  return wide.weights >= kEnough ? wide.lit() : askAlone(seen, 0);
 }
 
 /// Of the points within `width` pixels, less the farther away they are.
@@ -190,11 +212,11 @@ LightGrid::Mean LightGrid::meanAround(int x, int y, int width, const Seen& seen)
 }
 
 /// For what the grid has missed, as narrow as it is.
-Lit LightGrid::askAlone(const Seen& seen) const {
+Lit LightGrid::askAlone(const Seen& seen, std::uint32_t pack) const {
   std::array<const Seen*, RayPack::kRays> same;
   same.fill(&seen);
   std::array<Eigen::Vector2f, RayPack::kRays> xi;
-  for (std::uint32_t n = 0; n < RayPack::kRays; ++n) xi[n] = evenPoint(n);
+  for (std::uint32_t n = 0; n < RayPack::kRays; ++n) xi[n] = evenPoint(RayPack::kRays * pack + n);
   std::array<Lit, RayPack::kRays> lit;
   ask(same.data(), xi.data(), RayPack::kRays, lit.data());
   Lit sum{0.0F, 0.0F};

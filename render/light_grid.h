@@ -17,11 +17,12 @@ struct SeenBand {
 
 class LightGrid {
  public:
-  static constexpr int kStep = 2;     ///< pixels between its points
-  static constexpr int kPattern = 7;  ///< points of the grid after which the points of the lights repeat
+  static constexpr int kStep = 2;          ///< pixels between its points
+  static constexpr int kPattern = 7;       ///< points of the grid after which the points of the lights repeat
+  static constexpr int kRefinedReach = 1;  ///< of points that ask for more
   static constexpr int kSmootherReach = 2;
   /// Pixels around a pixel that it takes into account.
-  static constexpr int kReach = kStep * (kPattern / 2 + kSmootherReach + 1);
+  static constexpr int kReach = kStep * (kPattern / 2 + kRefinedReach + kSmootherReach + 1);
 
   /// All must outlive it. `near`: see LightPoints.
   LightGrid(const SeenBand& band, const RayScene& rays, const Lights& lights, float near);
@@ -43,13 +44,15 @@ class LightGrid {
   };
   Mean meanAround(int x, int y, int width, const Seen& seen) const;
   void traceRow(int j);
+  void refineNarrow();
   void refineShadows();
   float keyShare(const Seen& seen, std::uint32_t pack) const;
   void smoothSky();
   /// Means of `in` for the blocks of columns that have a point with `chosen(index)`.
   template <typename Chosen>
   void averageWhere(const LitPoints& in, int reach, const Chosen& chosen, LitPoints& out) const;
-  Lit askAlone(const Seen& seen) const;
+  /// From a pack of points of each light.
+  Lit askAlone(const Seen& seen, std::uint32_t pack) const;
   /// What arrives at some surfaces from a point of each light, `xi` for each; at most RayPack::kRays.
   void ask(const Seen* const* seen, const Eigen::Vector2f* xi, int count, Lit* out) const;
 

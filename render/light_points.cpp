@@ -46,7 +46,8 @@ LightPoints::LightPoints(int columns, int row0, int rows, float near)
 }
 
 LitPoints LightPoints::fullLight() const {
-  return {std::vector<float>(kind_.size(), 1.0F), std::vector<float>(kind_.size(), 1.0F)};
+  const std::vector<float> ones(kind_.size(), 1.0F);
+  return {ones, ones, ones};
 }
 
 void LightPoints::set(int i, int j, const Seen& seen) {
@@ -90,6 +91,7 @@ void LightPoints::average(const LitPoints& in, int i, int j, int reach, LitPoint
   // The own weight is 1.
   Eigen::Map<Pack>(out.key.data() + own) = key / weights;
   Eigen::Map<Pack>(out.sky.data() + own) = sky / weights;
+  Eigen::Map<Pack>(out.alike.data() + own) = weights;
 }
 
 }  // namespace proveout::render_detail

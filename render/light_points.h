@@ -15,6 +15,7 @@ float likeness(const Seen& a, const Seen& b, float near);
 /// Shares of light at all points, in the order of LightPoints::index.
 struct LitPoints {
   std::vector<float> key, sky;
+  std::vector<float> alike;  ///< points that the shares are means of, by likeness
   Lit at(std::size_t k) const { return {key[k], sky[k]}; }
   void set(std::size_t k, const Lit& lit) {
     key[k] = lit.key;

@@ -36,6 +36,32 @@ TriMesh plateWithWall() {
   return joined(joined(plate, test::boxMesh({-12, -8, 4}, {-11.2, 9, 13})), test::cylinderMesh(4, 12, 24));
 }
 
+/// A bush with grooves in its bore, whose flanks are two or three pixels wide and turn.
+TriMesh groovedBush() {
+  constexpr int kGrooves = 8;
+  constexpr std::uint32_t kFacets = 48;
+  constexpr double kHeight = 6.0, kInside = 7.0, kOutside = 10.0, kDepth = 0.3;
+  std::vector<Vec2> outline{{kOutside, 0}, {kOutside, kHeight}};  // radius and height, counter-clockwise
+  for (int i = 2 * kGrooves; i >= 0; --i)
+    outline.emplace_back(kInside + (i % 2) * kDepth, kHeight * i / (2 * kGrooves));
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  TriMesh mesh;
+  for (std::uint32_t a = 0; a < kFacets; ++a) {
+    for (const Vec2& p : outline)
+      mesh.positions.push_back(
+          (Eigen::AngleAxisd(2 * kPi * a / kFacets, Vec3::UnitZ()) * Vec3(p.x(), 0, p.y())).cast<float>());
+  }
+  for (std::uint32_t a = 0; a < kFacets; ++a) {
+    const std::uint32_t from = n * a, to = n * ((a + 1) % kFacets);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t j = (i + 1) % n;
+      mesh.triangles.push_back({from + i, to + i, to + j});
+      mesh.triangles.push_back({from + i, to + j, from + j});
+    }
+  }
+  return mesh;
+}
+
 /// A box without its lid: its inside is seen.
 TriMesh openBox() {
   TriMesh mesh = test::boxMesh({0, 0, 0}, {20, 14, 8});
@@ -112,6 +138,38 @@ INSTANTIATE_TEST_SUITE_P(Meshes, PictureQuality, testing::ValuesIn(cases()), [](
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
+
+/// Green of the darkest pixel within `reach` pixels of (x, y).
+int darkestAround(const Image& image, int x, int y, int reach) {
+  int darkest = 255;
+  for (int v = std::max(0, y - reach); v <= std::min(image.height - 1, y + reach); ++v) {
+    for (int u = std::max(0, x - reach); u <= std::min(image.width - 1, x + reach); ++u)
+      darkest = std::min(darkest, test::pixel(image, u, v)[1]);
+  }
+  return darkest;
+}
+
+TEST(PictureQualityOf, NarrowFacesIsWithoutBlackDashes) {
+  // Their points of the light's grid have few neighbours of their kind. In a picture of five times the size
+  // they have enough: nothing is to be darker than all that is there around it.
+  constexpr int kFactor = 5, kReach = 2, kTones = 8;
+  constexpr ImageSize kOwn{640, 480}, kLarge{kFactor * kOwn.width, kFactor * kOwn.height};
+  const TriMesh mesh = groovedBush();
+  const RenderScene scene(mesh);
+  Progress progress;
+  const Result<Image> image = renderMesh(scene, *findView("iso"), kOwn, {}, progress);
+  const Result<Image> large = renderMesh(scene, *findView("iso"), kLarge, {}, progress);
+  ASSERT_TRUE(image.ok() && large.ok());
+  int dashes = 0;
+  for (int y = 0; y < kOwn.height; ++y) {
+    for (int x = 0; x < kOwn.width; ++x) {
+      const int darkest =
+          darkestAround(*large, kFactor * x + kFactor / 2, kFactor * y + kFactor / 2, kReach * kFactor);
+      dashes += test::pixel(*image, x, y)[1] + kTones < darkest ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(dashes, 0);
+}
 
 }  // namespace
 }  // namespace proveout
