@@ -112,10 +112,11 @@ struct StudyPart {
 StudyPart milledPart();
 StudyPart turnedPart();
 
-/// Size between `least` and `most`, even on a logarithmic scale, either sign.
+/// Size between `least` and `most`, even on a logarithmic scale, either sign; of as many digits as `number`
+/// writes, since what is cut is what is written.
 inline double signedSize(std::mt19937& random, double least, double most) {
   std::uniform_real_distribution<double> unit(0, 1);
-  const double size = least * std::pow(most / least, unit(random));
+  const double size = std::round(1e4 * least * std::pow(most / least, unit(random))) / 1e4;
   return random() % 2 == 0 ? size : -size;
 }
 
