@@ -19,8 +19,8 @@ constexpr double kLeastAgreement = 0.3;
 /// Around triangles that lean more than this (60 degrees) the surface may run through itself.
 constexpr double kPoorAgreement = 0.5;
 
-/// Merged triangles leave the corners of the quads that they are made of by this many times the heights of
-/// a merged patch at the most.
+/// Merged triangles leave the corners of the quads that they are made of, and the middles of their sides, by
+/// this many times the heights of a merged patch at the most.
 constexpr double kMostOff = 1.0;
 
 /// Resizes a vector, with room for `spare` more, whose contents are to be written anew. The system clears
@@ -50,17 +50,22 @@ class MergedQuad {
   void add(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 area = (b - a).cross(c - a), n = area / (area.norm() + 1e-300);
     agreement = std::min(agreement, normal_.dot(n));
-    for (std::size_t i = 0; i < 4; ++i) off_[i] = std::min(off_[i], std::abs(n.dot(before_[i] - a)));
+    for (std::size_t i = 0; i < 4; ++i) {
+      off_[i] = std::min(off_[i], std::abs(n.dot(before_[i] - a)));
+      const Vec3 middle = 0.5 * (before_[i] + before_[(i + 1) % 4]);
+      off_[4 + i] = std::min(off_[4 + i], std::abs(n.dot(middle - a)));
+    }
   }
   /// Cosine of the largest angle between the exact surface and a triangle.
   double agreement = 1.0;
-  /// Largest distance of the corners, as they were, from the plane of the triangle nearest to each.
+  /// Largest distance of the corners and of the middles of the sides, as they were, from the plane of the
+  /// triangle nearest to each.
   double off() const { return *std::ranges::max_element(off_); }
 
  private:
   const Vec3& normal_;
   const std::array<Vec3, 4>& before_;
-  std::array<double, 4> off_;
+  std::array<double, 8> off_;  ///< at the corners and in the middle of the sides
 };
 
 }  // namespace
