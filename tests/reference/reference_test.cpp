@@ -22,7 +22,7 @@ constexpr double kVolume = 1e-5, kFaceMm = 2e-3, kEdgeMm = 1e-2;
 constexpr int kOfHundred = 95;
 constexpr double kMostFaceMm = 3e-3, kMostEdgeMm = 0.045;
 /// Beside walls and gaps that are thin in truth may be so many of a hundred of what is compared.
-constexpr int kBesideThin = 1;
+constexpr int kBesideThin = 2;
 /// Less is removed by programs that pass the block, mm3.
 constexpr double kNothing = 1e-6;
 constexpr int kPrograms = 50, kFacets = 48;
