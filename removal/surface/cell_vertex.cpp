@@ -211,9 +211,9 @@ bool isUncertain(std::span<const CellFace> faces, VertexRefiner* refiner, const 
   return alike(faces, kSoftCosOfFlat) || refiner == nullptr || !refiner->meetFlat(x);
 }
 
-/// The vertex of a cell whose crease or corner is at `x`, in the cell or not.
+/// The vertex of a cell whose crease or corner is at `x`, in the cell or not. `certain`: it was found there.
 CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum,
-                        VertexRefiner* refiner, const Vec3& x) {
+                        VertexRefiner* refiner, const Vec3& x, bool certain) {
   CellVertex out;
   if (refiner != nullptr && refiner->isOffBlank(x)) {
     out.p = clampToCell(mean);
@@ -231,7 +231,7 @@ CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const
   if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
   if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
   const double reach =
-      beyond > kOutsideSlack && isUncertain(faces, refiner, x) ? kOutsideSlack : kVertexReach;
+      beyond > kOutsideSlack && !certain && isUncertain(faces, refiner, x) ? kOutsideSlack : kVertexReach;
   out.outside = beyond <= reach;
   out.p = out.outside ? x : out.inside;
   return out;
@@ -311,13 +311,14 @@ std::optional<CellVertex> placeOn(std::span<const SheetPoint> points, bool joine
   Vec3 x = creaseNear(faces, mean);
   const bool refine = refiner != nullptr && refiner->needed(false);
   if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
-  if (refine && outsideBy(x) <= kVertexReach && !refiner->toCrease(x)) {
+  const bool found = refine && outsideBy(x) <= kVertexReach && refiner->toCrease(x);
+  if (refine && !found && outsideBy(x) <= kVertexReach) {
     // Beside an apex, where a face turns as if it broke; or where faces of several bodies do not break.
     if (joined) return std::nullopt;
     if (one_face) return smoothVertex(points, mean, sum, refiner);
     refiner->ontoNearest(sum.normalized(), x);
   }
-  return creaseVertex(faces, mean, sum, refiner, x);
+  return creaseVertex(faces, mean, sum, refiner, x, found);
 }
 
 }  // namespace

@@ -61,12 +61,13 @@ constexpr double kGrazing = 0.2;
 
 }  // namespace
 
-/// A face must be seen to turn not much more than between its crossings; else another one of the body is
-/// seen.
+/// A face must be seen to turn not much more than between its crossings, if they show how it bends; else
+/// another one of the body is seen.
 double VertexRefiner::leastFacing(std::size_t face) {
   if (facing_[face] == 0.0) {
     const CellFace& f = faces_[face];
-    const double turn = f.count >= kShowing ? kSlackTurn + 2.0 * f.spread : kTurnOfFew;
+    const bool shown = f.count >= kShowing && (f.bend_seen || bend_[face] > 0.0 || !round_[face]);
+    const double turn = shown ? kSlackTurn + 2.0 * f.spread : kTurnOfFew;
     facing_[face] = std::cos(std::min(kMostTurn, std::max(turn, kSlackTurn + kFarthest * bend_[face])));
   }
   return facing_[face];
@@ -89,7 +90,8 @@ VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
     bend_[i] = source.bend;
     cut_ = cut_ || (source.body > ExactFaces::kNoBody && !exact.ofBlank());
     exact_already_ = exact_already_ && (source.isShown() || (!source.simple && flat));
-    round_[i] = source.bend >= kMostBendUnseen;
+    // Crossings in one line tell nothing of what is beside it.
+    round_[i] = !source.simple || source.bend >= kMostBendUnseen;
   }
 }
 

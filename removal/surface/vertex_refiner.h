@@ -60,7 +60,7 @@ class VertexRefiner {
   ExactFaces& exact_;
   std::span<const CellFace> faces_;
   std::array<std::int64_t, 12> body_;
-  std::array<bool, 12> round_;     ///< known to bend by more than creases may miss
+  std::array<bool, 12> round_;     ///< it may bend by more than creases may miss
   std::array<double, 12> bend_;    ///< curvature of simple faces, as ExactFaces tells
   std::array<double, 12> facing_;  ///< as leastFacing tells; 0: not asked for yet
   bool cut_ = false;               ///< a pass made one of the faces

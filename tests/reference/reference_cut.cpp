@@ -10,6 +10,7 @@
 #include "removal/grid/stock.h"
 #include "tests/reference/reference_edges.h"
 #include "tests/reference/swept_distance.h"
+#include "tests/reference/thin_walls.h"
 
 namespace proveout::reference {
 
@@ -20,6 +21,11 @@ constexpr double kSomeEdge = 8.0, kSharpEdge = 25.0;
 
 /// Edges nearer to each other than this are thinner than what the engine promises.
 constexpr double kCrowdCells = 1.5;
+
+/// Walls and gaps that are thinner than this are thin, and what is nearer to them than that may be off.
+constexpr double kThinCells = 1.0, kBesideCells = 2.0;
+/// Whether something is beside them is asked of what is farther off, mm.
+constexpr double kOff = 2e-3;
 
 /// A reference that is unsure of more than this part of the aim does not say who is wrong; then it is cut
 /// again with facets half as large, but not with more than these around a tool.
@@ -86,12 +92,34 @@ struct Worst {
   }
 };
 
+/// The worst of what is not beside thin walls.
+class Judge {
+ public:
+  Judge(const std::vector<ReferencePart::Facet>& facets, double grid_mm)
+      : walls_(facets, kThinCells * grid_mm), beside_(kBesideCells * grid_mm) {}
+
+  void see(double distance, const Vec3& p, Worst& worst) {
+    if (distance > kOff && walls_.isNear(p, beside_)) {
+      ++beside_thin_;
+    } else {
+      worst.see(distance, p);
+    }
+  }
+  std::size_t besideThin() const { return beside_thin_; }
+
+ private:
+  ThinWalls walls_;
+  double beside_;
+  std::size_t beside_thin_ = 0;
+};
+
 void compareSurfaces(const TriMesh& mesh, const std::vector<ReferencePart::Facet>& facets,
                      const ExactPart& exact, double grid_mm, Comparison& out) {
   const TriangleTree ours(toSurface(mesh));
   const std::vector<ReferenceEdge> edges = edgesOf(facets, kSomeEdge);
   const double crowd = kCrowdCells * grid_mm;
   const DistanceToEdges to_edges(segmentsOf(edges)), to_crowded(segmentsOf(sortEdges(edges, crowd).crowded));
+  Judge judge(facets, grid_mm);
   Worst face, edge, missed;
   for (const auto& position : mesh.positions) {
     const Vec3 p = position.cast<double>();
@@ -99,13 +127,14 @@ void compareSurfaces(const TriMesh& mesh, const std::vector<ReferencePart::Facet
       ++out.crowded;
       continue;
     }
-    (to_edges.at(p) < grid_mm ? edge : face).see(exact.off(p), p);
+    judge.see(exact.off(p), p, to_edges.at(p) < grid_mm ? edge : face);
     ++out.vertices;
   }
   for (const ReferenceEdge& e : sortEdges(edgesOf(facets, kSharpEdge), crowd).alone) {
     const Vec3 middle = exact.onEdge(0.5 * (e.ends[0] + e.ends[1]), e.normal);
-    if (to_crowded.at(middle) > crowd) missed.see(std::sqrt(ours.nearest(middle).squared), middle);
+    if (to_crowded.at(middle) > crowd) judge.see(std::sqrt(ours.nearest(middle).squared), middle, missed);
   }
+  out.beside_thin = judge.besideThin();
   out.face_mm = face.off;
   out.edge_mm = edge.off;
   out.missed_mm = missed.off;

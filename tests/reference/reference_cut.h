@@ -17,8 +17,11 @@ struct Comparison {
   double more = 0.0;           ///< removed by the engine than by the reference
   double unsure = 0.0;         ///< between the reference and one of facets twice as large
   int facets = 0;              ///< of the reference, around a tool
-  /// Where edges of the reference are nearer to each other than the grid can tell, nothing is compared.
+  /// Where edges of the reference are nearer to each other than the grid can tell, nothing is compared. What
+  /// is off by more than a vertex may be and beside walls or gaps of the reference that are thin is counted
+  /// alone.
   std::size_t vertices = 0, crowded = 0;  ///< compared, and not
+  std::size_t beside_thin = 0;            ///< vertices and pieces of edges
   double face_mm = 0.0, edge_mm = 0.0;    ///< vertices off the truth: away from its edges, beside them
   double missed_mm = 0.0;                 ///< edges of the reference off the engine's mesh
   std::string places;                     ///< of the three

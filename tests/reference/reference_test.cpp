@@ -17,10 +17,12 @@ namespace {
 
 constexpr double kGrid = 0.25;
 /// What the engine aims at: of the removed volume, of vertices on faces, of edges. Not all programs keep the
-/// last (docs/decisions/034-truth-by-another-library.md): so many of a hundred must, and this bound all.
+/// last two (docs/decisions/034-truth-by-another-library.md): so many of a hundred must, and these all.
 constexpr double kVolume = 1e-5, kFaceMm = 2e-3, kEdgeMm = 1e-2;
-constexpr int kOfHundred = 97;
-constexpr double kMostEdgeMm = 0.014;
+constexpr int kOfHundred = 95;
+constexpr double kMostFaceMm = 3e-3, kMostEdgeMm = 0.045;
+/// Beside walls and gaps that are thin in truth may be so many of a hundred of what is compared.
+constexpr int kBesideThin = 2;
 /// Less is removed by programs that pass the block, mm3.
 constexpr double kNothing = 1e-6;
 constexpr int kPrograms = 50, kFacets = 48;
@@ -68,17 +70,16 @@ TEST(ReferencePart, HoldsABallOnAnArc) {
 void print(int seed, const SmallProgram& program, const Comparison& c) {
   std::printf(
       "seed %d (%s): %.3f mm3, %+.1e (reference of %d facets %.0e, told %.0e); %s; thin %zu, film %.2f, "
-      "crowded %zu of %zu\n",
+      "beside thin walls %zu, crowded %zu of %zu\n",
       seed, std::string(toolTypeName(program.tools[0].type)).c_str(), c.removed_mm3, c.more, c.facets,
-      c.unsure, c.told, c.places.c_str(), c.thin_cells, c.film_mm2, c.crowded, c.crowded + c.vertices);
+      c.unsure, c.told, c.places.c_str(), c.thin_cells, c.film_mm2, c.beside_thin, c.crowded,
+      c.crowded + c.vertices);
   std::fflush(stdout);
 }
 
-/// Where walls are thinner than the grid the run tells that the mesh is less exact.
 bool keeps(const Comparison& c, double volume, double face_mm, double edge_mm) {
-  const bool surface = c.thin_cells > 0 || c.film_mm2 > 0.0 ||
-                       (c.face_mm <= face_mm && c.edge_mm <= edge_mm && c.missed_mm <= edge_mm);
-  return std::abs(c.more) <= volume + c.told + c.unsure && surface;
+  return std::abs(c.more) <= volume + c.told + c.unsure && c.face_mm <= face_mm && c.edge_mm <= edge_mm &&
+         c.missed_mm <= edge_mm;
 }
 
 TEST(Reference, SmallProgramsAreCutAlike) {
@@ -97,7 +98,8 @@ TEST(Reference, SmallProgramsAreCutAlike) {
     ++judged;
     print(seed, program, *c);
     EXPECT_GT(c->vertices, 10000u);
-    EXPECT_TRUE(keeps(*c, kVolume, kFaceMm, kMostEdgeMm));
+    EXPECT_LE(100 * c->beside_thin, kBesideThin * c->vertices);
+    EXPECT_TRUE(keeps(*c, kVolume, kMostFaceMm, kMostEdgeMm));
     const bool all = keeps(*c, kVolume, kFaceMm, kEdgeMm);
     if (!all) std::printf("  beyond the aim\n");
     kept += all ? 1 : 0;

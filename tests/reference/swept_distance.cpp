@@ -86,7 +86,8 @@ ExactPart::ExactPart(const SmallProgram& program) : program_(program) {
 double ExactPart::distance(const Vec3& p) const {
   double swept = std::numeric_limits<double>::infinity();
   for (const SweptPart& part : parts_) {
-    if (part.atLeast(p) < swept) swept = std::min(swept, part.distance(p));
+    // Of several that hold it, the one that it is deepest in counts.
+    if (part.atLeast(p) <= std::max(swept, 0.0)) swept = std::min(swept, part.distance(p));
   }
   const BoxShape& b = program_.block;
   return std::max(-swept, (b.min - p).cwiseMax(p - b.max).maxCoeff());

@@ -44,16 +44,22 @@ struct Arc {
   bool goes_on_first = false, goes_on_last = false;
 };
 
+/// The round end at an angle of an arc, counter-clockwise from `from` by half a turn; without its two ends,
+/// which the arc's sides have. Found anew they differ in their last digit, and slivers are left beside a part
+/// that goes on from them: they looked like edges.
+void addEnd(const Arc& arc, double at, double radius, double from, double step, Contour& out) {
+  Contour end;
+  addTurn(arc.center + arc.radius * direction(at), radius, from, from + kPi, step, end);
+  out.insert(out.end(), end.begin() + 1, end.end() - 1);
+}
+
 Contour aroundArc(const Arc& arc, double radius, double step) {
   Contour out, back;
   addTurn(arc.center, arc.radius + radius, arc.first, arc.last, step, out);
-  if (!arc.goes_on_last)
-    addTurn(arc.center + arc.radius * direction(arc.last), radius, arc.last, arc.last + kPi, step, out);
+  if (!arc.goes_on_last) addEnd(arc, arc.last, radius, arc.last, step, out);
   addTurn(arc.center, arc.radius - radius, arc.first, arc.last, step, back);
   out.insert(out.end(), back.rbegin(), back.rend());
-  if (!arc.goes_on_first)
-    addTurn(arc.center + arc.radius * direction(arc.first), radius, arc.first + kPi, arc.first + 2 * kPi,
-            step, out);
+  if (!arc.goes_on_first) addEnd(arc, arc.first, radius, arc.first + kPi, step, out);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/mesh/triangle_tree.h"
 #include "tests/unit/removal/cut_fixture.h"
 
 namespace proveout::test {
@@ -92,6 +93,50 @@ TEST(EdgeEnds, RimsAreOfTheElementAboveTheirCrossings) {
       ++found;
     }
     EXPECT_GE(found, 180) << i;
+  }
+}
+
+// Below the rim the crossings of a cell may lie in one line along the groove: they show no bend across it.
+TEST(EdgeEnds, RimsOfRoundCornersAreFoundFromOneLineOfCrossings) {
+  const double radius = 2.4, corner = 0.92;
+  const Tool bull = tool("1=bull:4.8:0.92");
+  for (int i = 0; i < 8; ++i) {
+    const double depth = 0.72 + 0.02 * i, ahead = degToRad(101.0 + i), up = corner - depth;
+    const double wide = radius - corner + std::sqrt(corner * corner - up * up);
+    const Vec3 middle(12.1, 9.03, -depth), way(std::cos(ahead), std::sin(ahead), 0.0);
+    PathMaker path;
+    path.line(middle - 20.0 * way, middle + 20.0 * way);
+    int found = 0;
+    for (const auto& q : meshOf(path.path(), bull).positions) {
+      const Vec3 p = q.cast<double>() - middle;
+      const double beside = std::abs(std::abs(way.x() * p.y() - way.y() * p.x()) - wide);
+      if (q.z() < -1e-6f || beside > 0.08 || q.y() < 0.2f || q.y() > 18.0f) continue;
+      EXPECT_LT(beside, 3e-3) << i << " at " << q.transpose();
+      ++found;
+    }
+    EXPECT_GE(found, 120) << i;
+  }
+}
+
+// Where a flat ridge between grooves goes into the next layer of cells, the cells beside it follow it there.
+TEST(EdgeEnds, FlatRidgesAreFollowedOutOfTheirCells) {
+  const Tool ball = tool("1=ball:3");
+  const double r = 1.5, half = degToRad(2.0);
+  const auto to = [](double angle) { return Vec3(std::cos(angle), std::sin(angle), 0.0); };
+  for (int i = 0; i < 8; ++i) {
+    const double ahead = degToRad(27.0 + 3.1 * i);
+    const Vec3 start(2.1, 1.07 + 0.03 * i, -0.9 - 0.04 * i);
+    PathMaker path;
+    path.line(start - 9.0 * to(ahead - half), start + 30.0 * to(ahead - half));
+    path.line(start - 9.0 * to(ahead + half), start + 30.0 * to(ahead + half));
+    const TriangleTree mesh(toSurface(meshOf(path.path(), ball)));
+    double most = 0.0;
+    for (double s = 6.0; s < 14.0; s += 0.02) {
+      const double beside = s * std::sin(half);
+      const Vec3 ridge = start + s * to(ahead) + Vec3(0, 0, r - std::sqrt(r * r - beside * beside));
+      most = std::max(most, std::sqrt(mesh.nearest(ridge).squared));
+    }
+    EXPECT_LT(most, kOff) << i;
   }
 }
 
