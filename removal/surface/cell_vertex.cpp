@@ -37,9 +37,9 @@ constexpr double kFacesAlong = 0.3;
 
 /// Normals of one face that differ by more than 25 degrees may be those of two planes.
 constexpr double kBentCos = 0.906;
-/// From where crossings are looked at, how far they are off a body that they are on (in cells), and how near
-/// to its normal theirs are there (0.8 degrees).
-constexpr double kLookFrom = 0.25, kOnBody = 1e-3, kAsBody = 0.9999;
+/// How far crossings are off a body that they are on (in cells), and how near to its normal theirs are there
+/// (0.8 degrees).
+constexpr double kOnBody = 1e-3, kAsBody = 0.9999;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
 const double kApexCos = std::cos(degToRad(30.0));
 constexpr double kApexMiss = 2e-3;
@@ -241,7 +241,7 @@ CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const
 bool isAllOn(std::span<const SheetPoint> points, std::uint64_t face, std::int64_t body, ExactFaces& exact) {
   return std::all_of(points.begin(), points.end(), [&](const SheetPoint& s) {
     if (s.face != face) return true;
-    const ExactFaces::Foot foot = exact.foot(body, s.p - kLookFrom * s.n);
+    const ExactFaces::Foot foot = exact.foot(body, s.p - ExactFaces::kLookFrom * s.n);
     return (foot.p - s.p).squaredNorm() < kOnBody * kOnBody && foot.normal.dot(s.n) > kAsBody;
   });
 }

@@ -46,6 +46,9 @@ class ExactFaces {
   /// `face`: Crossing::face().
   Source source(std::uint64_t face);
 
+  /// How far into the material a crossing or a vertex is looked at from, in units of the cell: farther than
+  /// it is off the bodies that it is on.
+  static constexpr double kLookFrom = 0.25;
   /// Point of the surface of a body.
   struct Foot {
     Vec3 p;       ///< in units of the cell

@@ -11,8 +11,7 @@ namespace proveout {
 
 namespace {
 
-/// How far into the material a vertex is looked at from: farther than it is off.
-constexpr double kLookFrom = 0.25;
+constexpr double kLookFrom = ExactFaces::kLookFrom;
 /// Beside a ridge of one body a face is looked at from so far aside, and so much deeper, of that; the tangent
 /// plane seen there is good at the ridge only from this part of it.
 constexpr double kLookAside = 0.3, kLookDown = 0.3, kLeastAside = 0.05;
