@@ -76,20 +76,18 @@ void LightGrid::averageWhere(const LitPoints& in, int reach, const Chosen& chose
 /// Flanks of threads, narrow grooves and lands have few points, each of which has asked for one point of the
 /// light: they ask for more.
 void LightGrid::refineNarrow() {
-  std::vector<char> narrow(smooth_.alike.size(), 0);
+  const auto narrow = [&](std::size_t k) { return smooth_.alike[k] < kFewAlike; };
   parallelFor(points_.firstRow(), points_.endRow(), [&](int j) {
     for (int i = 0; i < points_.columns(); ++i) {
       const std::size_t k = points_.index(i, j);
-      if (smooth_.alike[k] >= kFewAlike || seenAt(i, j).what == What::kNothing) continue;
-      narrow[k] = 1;
-      raw_.set(k, askAlone(seenAt(i, j), packNumber(i, j)));
+      if (narrow(k) && seenAt(i, j).what != What::kNothing)
+        raw_.set(k, askAlone(seenAt(i, j), packNumber(i, j)));
     }
   });
   LitPoints averaged = smooth_;
-  averageWhere(
-      raw_, kRefinedReach, [&](std::size_t k) { return narrow[k] != 0; }, averaged);
-  for (std::size_t k = 0; k < narrow.size(); ++k) {
-    if (narrow[k] != 0) smooth_.set(k, averaged.at(k));
+  averageWhere(raw_, kRefinedReach, narrow, averaged);
+  for (std::size_t k = 0; k < smooth_.alike.size(); ++k) {
+    if (narrow(k)) smooth_.set(k, averaged.at(k));
   }
 }
 

@@ -44,28 +44,28 @@ void resizeTouched(std::vector<T>& vector, std::size_t size, std::size_t spare) 
 /// What merging made of a quad.
 class MergedQuad {
  public:
-  MergedQuad(const Vec3& normal, const std::array<Vec3, 4>& before) : normal_(normal), before_(before) {
+  /// `before`: its corners, as they were.
+  MergedQuad(const Vec3& normal, const std::array<Vec3, 4>& before) : normal_(normal) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      held_[i] = before[i];
+      held_[4 + i] = 0.5 * (before[i] + before[(i + 1) % 4]);
+    }
     off_.fill(std::numeric_limits<double>::infinity());
   }
   void add(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 area = (b - a).cross(c - a), n = area / (area.norm() + 1e-300);
     agreement = std::min(agreement, normal_.dot(n));
-    for (std::size_t i = 0; i < 4; ++i) {
-      off_[i] = std::min(off_[i], std::abs(n.dot(before_[i] - a)));
-      const Vec3 middle = 0.5 * (before_[i] + before_[(i + 1) % 4]);
-      off_[4 + i] = std::min(off_[4 + i], std::abs(n.dot(middle - a)));
-    }
+    for (std::size_t i = 0; i < held_.size(); ++i) off_[i] = std::min(off_[i], std::abs(n.dot(held_[i] - a)));
   }
   /// Cosine of the largest angle between the exact surface and a triangle.
   double agreement = 1.0;
-  /// Largest distance of the corners and of the middles of the sides, as they were, from the plane of the
-  /// triangle nearest to each.
+  /// Largest distance of what it is held to from the plane of the triangle nearest to each.
   double off() const { return *std::ranges::max_element(off_); }
 
  private:
   const Vec3& normal_;
-  const std::array<Vec3, 4>& before_;
-  std::array<double, 8> off_;  ///< at the corners and in the middle of the sides
+  std::array<Vec3, 8> held_;  ///< what it is held to: corners and middles of sides, as they were
+  std::array<double, 8> off_;
 };
 
 }  // namespace
