@@ -50,7 +50,7 @@ constexpr double kMeshing = 1.0;
 constexpr double kSecondsPerFlatCell = kMeshing * 3.8e-7, kSecondsPerRuledCell = kMeshing * 7e-7,
                  kSecondsPerRoundCell = kMeshing * 8e-7, kSecondsPerUnevenCell = kMeshing * 1.55e-6;
 /// Of round walls and floors as many triangles stay as there are bends in a cell.
-constexpr double kSecondsPerBend = kMeshing * 2.5e-6;
+constexpr double kSecondsPerBend = kMeshing * 2.2e-6;
 constexpr double kSecondsPerSweptCell = 6e-9;  ///< removal, each motion counted
 /// Of curves about z, and of other curves: all in proportion to these.
 constexpr double kTurning = 1.0, kLeaning = 1.0;

@@ -9,6 +9,7 @@
 #include "app/session/diagnosis.h"
 #include "app/session/findings.h"
 #include "app/session/grid_choice.h"
+#include "app/session/machine_speed.h"
 #include "app/session/machining.h"
 #include "app/session/nominal_mesh.h"
 #include "app/session/nose_data.h"
@@ -73,12 +74,16 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
   return work;
 }
 
-/// Whether the blank can be made before it is known what is cut from it: its grid alone fits into the memory.
+/// Shorter runs are over before anybody asks how long they take: there the machine is not measured.
+constexpr double kShortS = 0.2;
+
+/// Whether the blank can be made before it is known what is cut from it: its grid alone is allowed.
 bool makesBlankEarly(const Job& job, const Blank& blank) {
   if (!processOf(job, 0).on_grid || blank.stock || choosesGrid(job, blank)) return false;
   Workload uncut;
   uncut.surface_mm2 = blankArea(blank.shape, blank.bounds);
-  return predict(uncut, blank.resolution_mm).memory_mb <= memoryLimitMb(job);
+  const Prediction alone = predict(uncut, blank.resolution_mm);
+  return alone.memory_mb <= memoryLimitMb(job) && checkTime(job, alone);
 }
 
 /// Reads the programs, and predicts the run if they are good.
@@ -99,6 +104,7 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
     resolution_mm = chooseResolution(job, run, prepared.blank, work, memoryLimitMb(job));
   run.resolution_mm = resolution_mm;
   run.prediction = predict(work, run.resolution_mm);
+  if (run.prediction.time_s > kShortS) run.prediction.time_s *= machineSlowness(run.prediction.time_s);
   if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits;
   return checkTime(job, run.prediction);
 }

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/console.h"
+#include "app/session/machine_speed.h"
 #include "app/session/prediction.h"
 
 namespace proveout {
@@ -107,6 +108,13 @@ TEST(Workload, LongLinesOfAFlatEndLeavePlanes) {
   Workload uncut;
   uncut.surface_mm2 = slot.surface_mm2;
   EXPECT_LT(predict(slot, 0.1).time_s - predict(uncut, 0.1).time_s, 0.1);
+}
+
+TEST(MachineSlowness, IsThatOfThisMachine) {
+  const double slowness = machineSlowness(0.0);
+  EXPECT_NE(slowness, 1.0);  // which stands for a piece that could not be cut
+  EXPECT_GT(slowness, 0.02);
+  EXPECT_LT(slowness, 500.0);
 }
 
 Toolpath arcInXz(double lean_mm) {
