@@ -19,7 +19,7 @@ constexpr double kLeastAgreement = 0.3;
 /// Around triangles that lean more than this (60 degrees) the surface may run through itself.
 constexpr double kPoorAgreement = 0.5;
 
-/// Merged triangles leave the corners of the quads that they are made of, and the middles of their sides, by
+/// Merged triangles leave the corners of the quads that they are made of, and the middles of their edges, by
 /// this many times the heights of a merged patch at the most.
 constexpr double kMostOff = 1.0;
 
@@ -44,28 +44,42 @@ void resizeTouched(std::vector<T>& vector, std::size_t size, std::size_t spare) 
 /// What merging made of a quad.
 class MergedQuad {
  public:
-  /// `before`: its corners, as they were.
-  MergedQuad(const Vec3& normal, const std::array<Vec3, 4>& before) : normal_(normal) {
+  /// `before`: as it was, with the length unit and the origin of the mesh.
+  explicit MergedQuad(const Quad& before) : normal_(before.normal) {
+    const std::array<Vec3, 4>& p = before.p;
     for (std::size_t i = 0; i < 4; ++i) {
-      held_[i] = before[i];
-      held_[4 + i] = 0.5 * (before[i] + before[(i + 1) % 4]);
+      held_[i] = p[i];
+      held_[4 + i] = 0.5 * (p[i] + p[(i + 1) % 4]);
     }
-    off_.fill(std::numeric_limits<double>::infinity());
+    const bool at02 = cutQuad(p, before.middle, normal_, before.smooth_corners).at02;
+    held_[8] = at02 ? 0.5 * (p[0] + p[2]) : 0.5 * (p[1] + p[3]);
   }
+  /// It became one triangle.
   void add(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 area = (b - a).cross(c - a), n = area / (area.norm() + 1e-300);
-    agreement = std::min(agreement, normal_.dot(n));
-    for (std::size_t i = 0; i < held_.size(); ++i) off_[i] = std::min(off_[i], std::abs(n.dot(held_[i] - a)));
+    const Vec3 n = facing(a, b, c);
+    for (const Vec3& p : held_) off = std::max(off, std::abs(n.dot(p - a)));
+  }
+  /// It became the triangles a, b, c and a, c, d. Each stands for what is on its side of their edge: a plane
+  /// may be near to what lies far beside its triangle.
+  void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Vec3 of_b = facing(a, b, c), of_d = facing(a, c, d), to_d = normal_.cross(c - a);
+    for (const Vec3& p : held_)
+      off = std::max(off, std::abs((to_d.dot(p - a) > 0.0 ? of_d : of_b).dot(p - a)));
   }
   /// Cosine of the largest angle between the exact surface and a triangle.
   double agreement = 1.0;
-  /// Largest distance of what it is held to from the plane of the triangle nearest to each.
-  double off() const { return *std::ranges::max_element(off_); }
+  /// Largest distance of what it is held to from the planes of its triangles.
+  double off = 0.0;
 
  private:
+  Vec3 facing(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 area = (b - a).cross(c - a), n = area / (area.norm() + 1e-300);
+    agreement = std::min(agreement, normal_.dot(n));
+    return n;
+  }
   const Vec3& normal_;
-  std::array<Vec3, 8> held_;  ///< what it is held to: corners and middles of sides, as they were
-  std::array<double, 8> off_;
+  /// What it is held to, as it was: corners, middles of sides, and of the edge that it was cut along.
+  std::array<Vec3, 9> held_;
 };
 
 }  // namespace
@@ -208,15 +222,14 @@ std::size_t MeshWriter::writeMerged(const SurfaceLeaf& leaf, Quad& quad, const C
   const Polygon poly = polygonOf(merger_, quad.v);
   if (poly.count == 0) return next;
   const Vec3 origin = grid_.impl().position(leaf.stock->origin);
-  std::array<Vec3, 4> before = quad.p;
-  for (Vec3& p : before) p = origin + grid_.impl().h * p;
+  for (Vec3& p : quad.p) p = origin + grid_.impl().h * p;
   quad.middle = origin + grid_.impl().h * quad.middle;
+  MergedQuad made(quad);
   std::array<std::uint32_t, 4> v;
   for (int i = 0; i < poly.count; ++i) {
     v[i] = now_.numberOf(poly.v[i]);
     quad.p[i] = now_.mesh.positions[v[i]].cast<double>();
   }
-  MergedQuad made(quad.normal, before);
   if (poly.count == 3) {
     made.add(quad.p[0], quad.p[1], quad.p[2]);
     now_.mesh.triangles[next] = {v[0], v[1], v[2]};
@@ -225,11 +238,11 @@ std::size_t MeshWriter::writeMerged(const SurfaceLeaf& leaf, Quad& quad, const C
     ++next;
   } else {
     const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, 0u);
-    made.add(quad.p[0], quad.p[1], quad.p[cut.at02 ? 2 : 3]);
-    made.add(quad.p[cut.at02 ? 0 : 1], quad.p[2], quad.p[3]);
+    const int a = cut.at02 ? 0 : 1;
+    made.add(quad.p[a], quad.p[a + 1], quad.p[a + 2], quad.p[(a + 3) % 4]);
     next = writeQuad(v, cut.at02, cut.poor, c, first, next, flaws);
   }
-  if (made.agreement > kLeastAgreement && made.off() <= reach_) return next;
+  if (made.agreement > kLeastAgreement && made.off <= reach_) return next;
   addFaults(quad.v, flaws);
   return next;
 }
