@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
 #include "removal/grid/stock.h"
 
@@ -44,6 +43,7 @@ Toolpath smallPath() {
   return path;
 }
 
+/// Seconds that it takes on one thread; infinite where it cannot be cut.
 double pieceS(const Toolpath& path, const std::vector<Tool>& tools) {
   Progress progress;
   RemovalOptions options;
@@ -66,9 +66,10 @@ double machineSlowness(double expected_s) {
   ball.type = ToolType::kBall;
   ball.diameter = 3.0;
   const Toolpath path = smallPath();
+  const std::vector<Tool> tools = {ball};
   double least = std::numeric_limits<double>::infinity(), spent = 0.0;
   for (int i = 0; i < kFewest || (i < kMost && spent < kShare * expected_s); ++i) {
-    const double piece = pieceS(path, {ball});
+    const double piece = pieceS(path, tools);
     least = std::min(least, piece);
     spent += piece;
   }

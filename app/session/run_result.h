@@ -49,7 +49,7 @@ struct RunResult {
   std::optional<Comparison> comparison;
   std::vector<Finding> findings;
   std::optional<TriMesh> nominal;  ///< of turned parts, for the profile chart
-  Prediction prediction;
+  Prediction prediction;           ///< its time is that of this machine
   ReportPerformance performance;
 
   /// Of the part: after the last clamping, in its frame.

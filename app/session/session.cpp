@@ -104,8 +104,8 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
     resolution_mm = chooseResolution(job, run, prepared.blank, work, memoryLimitMb(job));
   run.resolution_mm = resolution_mm;
   run.prediction = predict(work, run.resolution_mm);
-  if (run.prediction.time_s > kShortS) run.prediction.time_s *= machineSlowness(run.prediction.time_s);
   if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits;
+  if (run.prediction.time_s > kShortS) run.prediction.time_s *= machineSlowness(run.prediction.time_s);
   return checkTime(job, run.prediction);
 }
 

@@ -1,6 +1,8 @@
 // How far meshes are from each other, by samples: it knows nothing of how one was made of the other.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -29,6 +31,14 @@ inline double farthest(const TriMesh& from, const TriMesh& to, int points, std::
     }
   }
   return std::sqrt(most);
+}
+
+/// Holds a simplified mesh against the one of all cells, both ways.
+inline void expectNear(const TriMesh& all, const TriMesh& lean, double most_mm) {
+  constexpr int kPoints = 2;
+  std::mt19937 random(1);
+  EXPECT_LE(farthest(all, lean, kPoints, random), most_mm);
+  EXPECT_LE(farthest(lean, all, 4 * kPoints, random), most_mm);
 }
 
 }  // namespace proveout::test
