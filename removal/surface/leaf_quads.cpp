@@ -102,7 +102,9 @@ bool QuadPlanner::anyMerged(const Quad& quad) const {
 /// off.
 bool QuadPlanner::bulges(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c,
                          const std::array<int, 4>& at) const {
-  const double off = bulgeOver(quad, fan_height_);
+  // Which steps can be opened and which sheets parted is not to depend on the tolerance.
+  const bool at_detail = (quad.traits & (CellTraits::kStep | CellTraits::kManySheets)) != 0;
+  const double off = bulgeOver(quad, at_detail ? kFanHeight : fan_height_);
   return off > 0.0 && (quad.smooth_corners != 0xF || off > kFanGain * edgesOff(leaf, quad, c, at, off));
 }
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
 #include "removal/surface/mesh_writer.h"
+#include "removal/surface/open_steps.h"
 #include "removal/surface/surface_mend.h"
 
 namespace proveout {
@@ -26,6 +28,23 @@ std::vector<std::uint8_t> mergedVertices(const LeafMesh& mesh, const VertexMerge
     merged[v] = merger.merged(mesh.cellAt(static_cast<std::uint32_t>(v))) ? 1 : 0;
   });
   return merged;
+}
+
+/// The numbers that step vertices have in a mesh whose vertices were numbered anew, or moved, or are gone.
+std::vector<StepVertex> foundAgain(const TriMesh& mesh, const std::vector<StepVertex>& steps) {
+  std::map<std::array<float, 3>, std::size_t> by_place;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    by_place.try_emplace({steps[i].at.x(), steps[i].at.y(), steps[i].at.z()}, i);
+  std::vector<StepVertex> out;
+  for (std::uint32_t v = 0; v < mesh.positions.size() && !by_place.empty(); ++v) {
+    const Eigen::Vector3f& p = mesh.positions[v];
+    const auto found = by_place.find({p.x(), p.y(), p.z()});
+    if (found == by_place.end()) continue;
+    out.push_back(steps[found->second]);
+    out.back().vertex = v;
+    by_place.erase(found);
+  }
+  return out;
 }
 
 class MeshRepair {
@@ -50,6 +69,7 @@ class MeshRepair {
   bool anyWalled(const LeafMesh& mesh, const std::array<std::uint32_t, 2>& pair) const;
   TrianglePairs pairsForWalls(LeafMesh& mesh, const TrianglePairs& pairs) const;
   void planAgain(const std::vector<std::int32_t>& taken_apart, Progress& progress);
+  std::vector<StepVertex> stepVertices(const LeafMesh& mesh) const;
 
   SurfaceGrid& grid_;
   VertexMerger& merger_;
@@ -130,6 +150,27 @@ void MeshRepair::planAgain(const std::vector<std::int32_t>& taken_apart, Progres
   });
 }
 
+/// Of cells whose vertex is their own.
+std::vector<StepVertex> MeshRepair::stepVertices(const LeafMesh& mesh) const {
+  constexpr std::uint16_t kElsewhere = CellTraits::kWalled | CellTraits::kManySheets;
+  std::vector<StepVertex> out;
+  for (const SurfaceLeaf& leaf : grid_.leaves()) {
+    if (leaf.steps.empty()) continue;
+    const Vec3 origin = grid_.impl().position(leaf.stock->origin);
+    const auto placed = [&](const Eigen::Vector3f& p) {
+      return toFloat(origin + grid_.impl().h * p.cast<double>());
+    };
+    for (const StepCell& step : leaf.steps) {
+      const std::uint32_t cell = leaf.base + step.cell;
+      if ((grid_.traits(cell) & kElsewhere) != 0) continue;
+      if (merger_.active() && (merger_.merged(cell) || merger_.standIn(cell) != cell)) continue;
+      const std::uint32_t v = mesh.numberOf(cell);
+      out.push_back({v, mesh.mesh.positions[v], placed(step.low), placed(step.high), step.motion});
+    }
+  }
+  return out;
+}
+
 std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
   for (int fault_rounds = 0, part_rounds = 0;;) {
     if (progress.cancelled()) return std::nullopt;
@@ -144,6 +185,7 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
     const TrianglePairs pairs = findMeetings(*written, grid_, unchecked_, doubts_);
     std::fill(unchecked_.begin(), unchecked_.end(), 0);
     RepairedMesh out;
+    std::vector<StepVertex> steps = stepVertices(*written);
     if (const TrianglePairs left = pairs.empty() ? pairs : pairsForWalls(*written, pairs); !left.empty()) {
       const auto taken_apart =
           ++part_rounds <= kPartRounds ? partMeetings(*written, left) : std::vector<std::int32_t>();
@@ -157,6 +199,8 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
     // Mending may number vertices anew: any may be merged then.
     if (pairs.empty()) out.merged = mergedVertices(*written, merger_);
     out.mesh = std::move(written->mesh);
+    if (!pairs.empty()) steps = foundAgain(out.mesh, steps);
+    openSteps(out.mesh, steps, out.merged);
     PROVEOUT_ASSERT_DEAR(analyseTopology(out.mesh).closedManifold());
     return out;
   }

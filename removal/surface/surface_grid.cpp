@@ -8,6 +8,7 @@
 #include "core/geometry/to_float.h"
 #include "removal/grid/leaf_layers.h"
 #include "removal/surface/cell_cycles.h"
+#include "removal/surface/low_step.h"
 
 namespace proveout {
 
@@ -178,6 +179,11 @@ class LeafPlacer {
       out.p = toFloat(origin + (sheets == 1 ? v.p : thin));
       out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
       if (sheets > 1) continue;
+      if (const auto step = findLowStep({points_.data(), static_cast<std::size_t>(count)}, exact_)) {
+        out.traits |= CellTraits::kStep;
+        leaf_.steps.push_back({static_cast<std::uint16_t>(rank), toFloat(origin + step->low),
+                               toFloat(origin + step->high), step->motion});
+      }
       if (!v.smooth && isOff(v.p, count)) out.traits |= CellTraits::kOff;
       if (!v.smooth && exact_.active() && missesFace(v.p, count)) out.traits |= CellTraits::kMisses;
       if (v.outside) {

@@ -37,6 +37,13 @@ struct OutsideVertex {
   bool off = false;         ///< and is off the surface there
 };
 
+/// Where a step lower than a cell runs through one; see LowStep.
+struct StepCell {
+  std::uint16_t cell = 0;     ///< rank of the cell in its leaf
+  Eigen::Vector3f low, high;  ///< leaf units
+  std::uint32_t motion = 0;
+};
+
 /// That all surface of a leaf is a level piece of one face: one layer of crossings across an axis, all alike.
 struct LevelFace {
   std::int8_t axis = -1, layer = 0;  ///< -1: it is not
@@ -57,6 +64,7 @@ struct SurfaceLeaf {
   std::uint32_t extra_base = 0;  ///< vertex number of its first extra vertex
   std::vector<ExtraVertex> extra;
   std::vector<OutsideVertex> outside;
+  std::vector<StepCell> steps;
   LeafClusters clusters;
   LevelFace level;
   bool all_level = false;  ///< the vertices of all cells are on the level face, in the middle of their cells
@@ -90,6 +98,7 @@ struct CellTraits {
   static constexpr std::uint16_t kWalled = 0x800;    ///< its triangles stay in it; see SurfaceGrid::wall
   static constexpr std::uint16_t kDrawnIn = 0x1000;  ///< and its sheets are in the middle of their crossings
   static constexpr std::uint16_t kMisses = 0x2000;   ///< a face of its crossings ends before its vertex
+  static constexpr std::uint16_t kStep = 0x4000;     ///< a step lower than the cell runs through it
 };
 
 /// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each

@@ -150,6 +150,7 @@ bool VertexMerger::isDisk(const std::vector<std::int32_t>& leaves, int level) co
 VertexMerger::VertexMerger(SurfaceGrid& grid, double flatness) : grid_(grid), flatness_(flatness) {
   if (!active()) return;
   mergeLeaves();
+  partAroundDetails();
   count_ = static_cast<std::uint32_t>(grid_.cellCount());
   stand_in_ = std::make_unique_for_overwrite<std::uint32_t[]>(count_);
   assign(allLeaves());
@@ -294,32 +295,53 @@ std::vector<std::int32_t> VertexMerger::giveUp() {
   return all;
 }
 
-/// Adds the leaves that it changed, maybe repeatedly.
-void VertexMerger::takeCellApart(std::uint32_t cell, std::vector<std::int32_t>& changed) {
+/// Takes the cube of a cell apart to the next smaller ones; adds the leaves that this changed, maybe
+/// repeatedly. False: the cell is not merged.
+bool VertexMerger::takeCellApart(std::size_t number, int place, std::vector<std::int32_t>& changed) {
   auto& leaves = grid_.leaves();
-  const std::size_t number = grid_.leafOf(cell);
   SurfaceLeaf& leaf = leaves[number];
-  PROVEOUT_ASSERT(cell >= leaf.base && cell - leaf.base < leaf.cells);
-  changed.push_back(static_cast<std::int32_t>(number));
+  const int x = place >> 3 & 7, y = place & 7, z = place >> 6;
+  const int four = 1 << (z / 4 * 4 + x / 4 * 2 + y / 4);
+  const std::uint64_t two = 1ull << (z / 2 * 16 + x / 2 * 4 + y / 2);
   if (const int level = leaf.clusters.above; level > 0) {
     forEachLeafOfCube(LeafReader(grid_.impl()), leaf.stock->origin, level, [&](std::int32_t n) {
       leaves[static_cast<std::size_t>(n)].clusters.above = static_cast<std::uint8_t>(level - 1);
       changed.push_back(n);
       return true;
     });
-    return;
-  }
-  if (leaf.clusters.eight) {
+  } else if (leaf.clusters.eight) {
     leaf.clusters.eight = false;
-    return;
-  }
-  const int place = leaf.placeOf(static_cast<int>(cell - leaf.base));
-  const int x = place >> 3 & 7, y = place & 7, z = place >> 6;
-  const int four = 1 << (z / 4 * 4 + x / 4 * 2 + y / 4);
-  if ((leaf.clusters.four & four) != 0) {
+  } else if ((leaf.clusters.four & four) != 0) {
     leaf.clusters.four &= static_cast<std::uint8_t>(~four);
+  } else if ((leaf.clusters.two & two) != 0) {
+    leaf.clusters.two &= ~two;
   } else {
-    leaf.clusters.two &= ~(1ull << (z / 2 * 16 + x / 2 * 4 + y / 2));
+    return false;
+  }
+  changed.push_back(static_cast<std::int32_t>(number));
+  return true;
+}
+
+/// Where walls are set in, or sheets are to be parted, the mesh is that of all cells whatever the tolerance.
+void VertexMerger::partAroundDetails() {
+  for (const SurfaceLeaf& leaf : grid_.leaves()) {
+    for (const StepCell& step : leaf.steps) partAround(leaf, leaf.placeOf(step.cell));
+    for (const ExtraVertex& extra : leaf.extra) partAround(leaf, leaf.placeOf(extra.cell));
+  }
+}
+
+/// Merges neither the cell at a place of a leaf nor those beside it.
+void VertexMerger::partAround(const SurfaceLeaf& leaf, int place) {
+  const LeafReader read(grid_.impl());
+  const Coord at = leaf.stock->origin.offsetBy(place >> 3 & 7, place & 7, place >> 6);
+  std::vector<std::int32_t> changed;
+  for (int k = 0; k < 27; ++k) {
+    const Coord beside = at.offsetBy(k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1);
+    const std::int32_t n = read.state(beside);
+    if (n < 0) continue;
+    const int there = (beside.z() & 7) << 6 | leafBit(beside.x() & 7, beside.y() & 7);
+    while (takeCellApart(static_cast<std::size_t>(n), there, changed)) {
+    }
   }
 }
 
@@ -328,7 +350,12 @@ std::vector<std::int32_t> VertexMerger::takeApart(std::vector<std::uint32_t> cel
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   std::vector<std::int32_t> changed;
-  for (const std::uint32_t cell : cells) takeCellApart(cell, changed);
+  for (const std::uint32_t cell : cells) {
+    const std::size_t number = grid_.leafOf(cell);
+    const SurfaceLeaf& leaf = grid_.leaves()[number];
+    PROVEOUT_ASSERT(cell >= leaf.base && cell - leaf.base < leaf.cells);
+    takeCellApart(number, leaf.placeOf(static_cast<int>(cell - leaf.base)), changed);
+  }
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   assign(changed);

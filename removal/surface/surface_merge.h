@@ -41,7 +41,9 @@ class VertexMerger {
   void assign(const std::vector<std::int32_t>& leaves);
   std::vector<std::int32_t> allLeaves() const;
   bool standForThemselves() const;
-  void takeCellApart(std::uint32_t cell, std::vector<std::int32_t>& changed);
+  bool takeCellApart(std::size_t leaf, int place, std::vector<std::int32_t>& changed);
+  void partAroundDetails();
+  void partAround(const SurfaceLeaf& leaf, int place);
   void assignLeaf(const SurfaceLeaf& leaf);
   void assignCube(const SurfaceLeaf& leaf, const CellCube& cube);
 
