@@ -116,19 +116,21 @@ ErrorTerm gridTerm(const RunResult& run, double bound_mm) {
                     run.resolution_mm)};
   }
   return {"grid", bound_mm,
-          fmt::format("facets of the mesh between exact crossings of a {:g} mm grid: flat faces are exact, "
-                      "walls as curved "
-                      "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be "
-                      "lost",
-                      run.resolution_mm)};
+          fmt::format(
+              "facets of the mesh between exact crossings of a {:g} mm grid: flat faces are exact, "
+              "walls as curved "
+              "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be lost, "
+              "and the edges of a cell with several of them be off by as much",
+              run.resolution_mm)};
 }
 
 ErrorTerm simplifyTerm(double bound_mm) {
   return {"simplify", bound_mm,
           bound_mm > 0.0
               ? "the mesh has fewer triangles than the surface had: no point of either is farther "
-                "from the other, but by up to a tenth of the grid where walls closer than the grid "
-                "were parted; volumes, findings and the comparison do not depend on it"
+                "from the other, but where walls closer than the grid were parted: mostly by up to a "
+                "tenth of the grid there, and by a cell at the most; volumes, findings and the "
+                "comparison do not depend on it"
               : "the mesh is not simplified"};
 }
 
