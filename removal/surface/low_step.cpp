@@ -20,7 +20,7 @@ constexpr double kCreaseWithin = 0.5;
 /// And by more than 35 degrees they are no step in any case: its sine.
 constexpr double kMostLean = 0.574;
 /// How exactly edges are found on the bodies, in cells, and from where they are looked at.
-constexpr double kOnEdge = 2e-3, kWallFrom = 0.25, kLeastAside = 0.3;
+constexpr double kFoundWithin = 2e-4, kWallFrom = 0.25, kLeastAside = 0.3;
 /// Walls lean from upright by 30 degrees at the most; the edge above is no farther aside than this.
 constexpr double kUpright = 0.5, kMostAside = 0.6;
 /// How far outside the cell the two edges may be.
@@ -33,13 +33,17 @@ class StepFinder {
 
   std::optional<LowStep> find() {
     LowStep out;
-    if (!findLevels() || !findWall(out.low) || !findTop(out.low, out.high)) return std::nullopt;
+    if (!findUp() || !findLevels() || leansTooFar() || !findAside()) return std::nullopt;
+    if (!findWall(out.low) || !findTop(out.low, out.high)) return std::nullopt;
     out.motion = static_cast<MotionId>(low_->id >> 16);
     return out;
   }
 
  private:
+  bool findUp();
   bool findLevels();
+  bool leansTooFar() const;
+  bool findAside();
   bool findWall(Vec3& b);
   bool findTop(const Vec3& b, Vec3& t);
   double heightOf(const CellFace& f) const {
@@ -60,8 +64,8 @@ class StepFinder {
   Vec3 aside_ = Vec3::Zero();  ///< unit, across the wall, into the material
 };
 
-/// One body's faces below all others, which are on one level and nearly parallel to them.
-bool StepFinder::findLevels() {
+/// What points of more than one face have in common. False if there is none.
+bool StepFinder::findUp() {
   for (const SheetPoint& s : points_) {
     mean_ += s.p / static_cast<double>(points_.size());
     up_ += s.n;
@@ -72,7 +76,11 @@ bool StepFinder::findLevels() {
     if (!(s.n.dot(up_) > kParallelCos)) return false;
     one = one && s.face == points_[0].face;
   }
-  if (one) return false;
+  return !one;
+}
+
+/// One body's faces below all others, which are on one level.
+bool StepFinder::findLevels() {
   const auto count = static_cast<std::size_t>(collectFaces(points_, kSameFaceCos, faces_));
   std::array<double, 12> height{};
   std::size_t lowest = 0;
@@ -98,12 +106,20 @@ bool StepFinder::findLevels() {
     step_ = above;
     high_ = &faces_[i];
   }
-  if (!(step_ > kLeastStep && step_ < kMostStep && highest < step_ + kOneLevel)) return false;
-  double lean = 1.0;  // of what is below, where it leans least: at its edge it may curve up
+  return step_ > kLeastStep && step_ < kMostStep && highest < step_ + kOneLevel;
+}
+
+/// Both levels against each other, where what is below leans least: at its edge it may curve up.
+bool StepFinder::leansTooFar() const {
+  double lean = 1.0;
   for (const SheetPoint& s : points_) {
     if (s.face == low_->id) lean = std::min(lean, s.n.cross(high_->normal).norm());
   }
-  if (lean > kMostLean || step_ < kCreaseWithin * lean) return false;
+  return lean > kMostLean || step_ < kCreaseWithin * lean;
+}
+
+/// From the points below to those above. False if they lie above each other.
+bool StepFinder::findAside() {
   Vec3 below = Vec3::Zero(), above = Vec3::Zero();
   double of_below = 0.0;
   for (const SheetPoint& s : points_) {
@@ -142,7 +158,7 @@ bool StepFinder::findWall(Vec3& b) {
     aside_ = (up_ * up_.dot(wall.normal) - wall.normal).normalized();
     if (round + 1 == kWallRounds) break;
     const Vec3 before = std::exchange(b, rimNear(inTheMiddle(b, up_.cross(aside_))));
-    if ((b - before).norm() < 0.1 * kOnEdge) break;
+    if ((b - before).norm() < kFoundWithin) break;
   }
   return outsideBy(b) < kStepReach && !exact_.isCovered(b, kLeastStep);
 }
@@ -166,7 +182,7 @@ bool StepFinder::findTop(const Vec3& b, Vec3& t) {
     const Vec3 move = meetPlanes(planes);
     t += move;
     if (!(outsideBy(t) < kStepReach)) return false;
-    if (move.norm() < 0.1 * kOnEdge) break;
+    if (move.norm() < kFoundWithin) break;
     if (round + 1 == kStepRounds) return false;
   }
   const double high = up_.dot(t - b);

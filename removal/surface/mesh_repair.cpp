@@ -150,7 +150,7 @@ void MeshRepair::planAgain(const std::vector<std::int32_t>& taken_apart, Progres
   });
 }
 
-/// Of cells whose vertex is their own.
+/// Of cells with a single vertex, which is their own: nothing is merged beside steps.
 std::vector<StepVertex> MeshRepair::stepVertices(const LeafMesh& mesh) const {
   constexpr std::uint16_t kElsewhere = CellTraits::kWalled | CellTraits::kManySheets;
   std::vector<StepVertex> out;
@@ -163,7 +163,7 @@ std::vector<StepVertex> MeshRepair::stepVertices(const LeafMesh& mesh) const {
     for (const StepCell& step : leaf.steps) {
       const std::uint32_t cell = leaf.base + step.cell;
       if ((grid_.traits(cell) & kElsewhere) != 0) continue;
-      if (merger_.active() && (merger_.merged(cell) || merger_.standIn(cell) != cell)) continue;
+      PROVEOUT_ASSERT(!merger_.active() || (!merger_.merged(cell) && merger_.standIn(cell) == cell));
       const std::uint32_t v = mesh.numberOf(cell);
       out.push_back({v, mesh.mesh.positions[v], placed(step.low), placed(step.high), step.motion});
     }
