@@ -27,9 +27,10 @@ using Points = std::array<Vec3, 3>;
 constexpr std::array<double, 3> kReaches = {1e-3, 0.01, 0.05};
 /// Rounds over all pairs; each that changes something leaves fewer of them.
 constexpr int kRounds = 8;
-/// Changes that are tried at most, about a tenth of a second, and what each group has of them at the least:
-/// what then is left is a surface that they cannot mend.
-constexpr std::size_t kMostTrials = 5000, kGroupTrials = 100;
+/// Changes that are tried at most, of some ten microseconds each: for each pair of a group, for a group, and for
+/// all, half a second. What then is left is a surface that they cannot mend. A group gets fewer for what is
+/// mended elsewhere only beyond the last, so that what is changed in a place mostly depends on this place alone.
+constexpr std::size_t kPairTrials = 200, kGroupTrials = 20000, kMostTrials = 50000;
 /// How far a vertex is shifted away from a neighbour at most, by their distance.
 constexpr float kMostBack = 0.2f;
 
@@ -39,6 +40,17 @@ struct Edit {
   std::uint32_t a = 0, b = 0;                    ///< the edge; kJoin: a becomes b; kMove: a alone
   Eigen::Vector3f to = Eigen::Vector3f::Zero();  ///< of kMove
 };
+
+/// Trials for each group.
+std::vector<std::size_t> sharedTrials(const std::vector<MendSurroundings::Group>& groups) {
+  std::vector<std::size_t> out;
+  std::size_t all = 0;
+  for (const MendSurroundings::Group& group : groups)
+    all += out.emplace_back(std::min(kGroupTrials, kPairTrials * group.pairs.size()));
+  if (all <= kMostTrials) return out;
+  for (std::size_t& trials : out) trials = trials * kMostTrials / all;
+  return out;
+}
 
 /// Changes the triangles of one group.
 class Mender {
@@ -326,13 +338,12 @@ std::vector<TrianglePair> mendIntersections(TriMesh& mesh, const std::vector<Tri
   if (pairs.empty()) return {};
   const MendSurroundings around(mesh, cell_mm, pairs);
   const auto& groups = around.groups();
+  const std::vector<std::size_t> trials = sharedTrials(groups);
   std::vector<std::uint32_t> seen(mesh.triangles.size(), 0);
   std::vector<std::unique_ptr<Mender>> menders(groups.size());
   std::vector<std::vector<TrianglePair>> left(groups.size());
   parallelFor(std::size_t{0}, groups.size(), [&](std::size_t i) {
-    const std::size_t most_trials =
-        std::max(kGroupTrials, kMostTrials * groups[i].pairs.size() / pairs.size());
-    menders[i] = std::make_unique<Mender>(mesh, cell_mm, around, groups[i], seen, most_trials);
+    menders[i] = std::make_unique<Mender>(mesh, cell_mm, around, groups[i], seen, trials[i]);
     left[i] = menders[i]->run();
   });
   std::vector<TrianglePair> out;
