@@ -133,6 +133,7 @@ CellVertex smoothVertex(std::span<const SheetPoint> points, const Vec3& mean, co
   out.p = out.inside = clampToCell(mean - n * heightAbove(points, mean, n, nullptr));
   if (refiner == nullptr || !refiner->needed(true)) return out;
   if (refiner->toSurface(n, 0.0, out.p)) {
+    refiner->toBorder(out.p);
     out.inside = out.p;
     return out;
   }

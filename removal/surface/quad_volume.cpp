@@ -18,6 +18,11 @@ constexpr double kSteepest = 0.7;
 /// By which a sum of errors is multiplied: found on 100 random jobs against grids four times as fine, where
 /// without any other word the volume was off by 0.2 % or more of what was removed.
 constexpr double kErrorFactor = 2.0;
+/// Where corners lie at a smaller slope the surface bends as a quadratic does: the next term is less than
+/// 1e-3 of the bulge, and that a hundredth of a cell.
+constexpr double kQuarticSlope = 0.03;
+/// A face that seems to turn by more up to a corner is none that this describes.
+constexpr double kMostTurned = 1.0;
 /// A corner beyond a crease is off the tangent plane by this much more than the square of its distance makes
 /// of the corners on this side.
 constexpr double kBreak = 4.0;
@@ -47,14 +52,14 @@ struct Bend {
   double operator()(double a, double b) const { return q0 * a * a + 2.0 * q1 * a * b + q2 * b * b; }
 };
 
-/// From the heights of the corners but `left_out`, by least squares: the normal equations by hand, since this
-/// is done for every quad.
-Bend bendOf(const Piece& p, int left_out) {
+/// From heights of the corners but `left_out`, by least squares: the normal equations by hand, since this is
+/// done for every quad.
+Bend bendOf(const Piece& p, const std::array<double, 4>& height, int left_out) {
   double m00 = 0.0, m01 = 0.0, m02 = 0.0, m12 = 0.0, m22 = 0.0, r0 = 0.0, r1 = 0.0, r2 = 0.0;
   for (int i = 0; i < 4; ++i) {
     if (i == left_out) continue;
     const double xx = p.x[i] * p.x[i], xy = 2.0 * p.x[i] * p.y[i], yy = p.y[i] * p.y[i],
-                 twice = 2.0 * p.height[i];
+                 twice = 2.0 * height[i];
     m00 += xx * xx;
     m01 += xx * xy;
     m02 += xx * yy;
@@ -103,8 +108,64 @@ int beyondCrease(Piece& p, const Vec3& normal, unsigned smooth_corners) {
 /// linear interpolation integrates to -area/24 * (sum over the edges of its bend).
 double bulgeOf(const Piece& p, const Bend& bend, int a, int b, int c) {
   const auto along = [&](int i, int k) { return bend(p.x[k] - p.x[i], p.y[k] - p.y[i]); };
-  const double twice_area = (p.x[b] - p.x[a]) * (p.y[c] - p.y[a]) - (p.y[b] - p.y[a]) * (p.x[c] - p.x[a]);
-  return -twice_area * (along(a, b) + along(b, c) + along(c, a)) / 48.0;
+  return -twiceArea(p, a, b, c) * (along(a, b) + along(b, c) + along(c, a)) / 48.0;
+}
+
+/// The same, out of the four triangles with the crossing.
+double bulgeAround(const Piece& p, const Bend& bend) {
+  double bulge = 0.0;
+  std::array<double, 4> at;
+  for (int i = 0; i < 4; ++i) at[i] = bend(p.x[i], p.y[i]);
+  for (int i = 0; i < 4; ++i) {
+    const int k = (i + 1) % 4;
+    const double twice_area = p.x[i] * p.y[k] - p.y[i] * p.x[k];
+    bulge -= twice_area * (at[i] + at[k] + bend(p.x[k] - p.x[i], p.y[k] - p.y[i])) / 48.0;
+  }
+  return bulge;
+}
+
+/// Values of a quadratic form at two corners, and of its bilinear form between them.
+struct Pair {
+  double ii, ik, kk;
+};
+
+/// What heights of B(x) T(x) / 8 bulge out of the triangle of the crossing and two corners: the integral of
+/// the quartic, less its linear interpolation.
+double quarticBulge(double twice_area, const Pair& b, const Pair& t) {
+  const double integral = (b.ii * t.ii + b.kk * t.kk) / 30.0 +
+                          (b.ik * (t.ii + t.kk) + (b.ii + b.kk) * t.ik) / 60.0 +
+                          (b.ii * t.kk + b.kk * t.ii + 4.0 * b.ik * t.ik) / 180.0;
+  return twice_area / 8.0 * (integral - (b.ii * t.ii + b.kk * t.kk) / 6.0);
+}
+
+/// The bulge of a face that turns much from corner to corner. Spheres and cylinders that bend by B and turn
+/// their normal by S x are at heights of B / 2 + B |S x|^2 / 8 + ...: with the second term the rest goes with
+/// the sixth power of the quad's size.
+double roundBulge(const Piece& p) {
+  const Bend first = bendOf(p, p.height, -1);
+  std::array<double, 4> u{}, v{}, height{};  // turned normals; heights without the quartic term
+  const auto turn = [&](const Bend& bend) {
+    for (int i = 0; i < 4; ++i) {
+      u[i] = bend.q0 * p.x[i] + bend.q1 * p.y[i];
+      v[i] = bend.q1 * p.x[i] + bend.q2 * p.y[i];
+    }
+  };
+  turn(first);
+  for (int i = 0; i < 4; ++i) {
+    const double turned2 = u[i] * u[i] + v[i] * v[i];
+    if (turned2 > kMostTurned * kMostTurned) return bulgeAround(p, first);
+    height[i] = p.height[i] - first(p.x[i], p.y[i]) * turned2 / 8.0;
+  }
+  const Bend bend = bendOf(p, height, -1);
+  turn(bend);
+  double bulge = bulgeAround(p, bend);
+  for (int i = 0; i < 4; ++i) {
+    const int k = (i + 1) % 4;
+    const Pair b{bend(p.x[i], p.y[i]), u[i] * p.x[k] + v[i] * p.y[k], bend(p.x[k], p.y[k])};
+    const Pair t{u[i] * u[i] + v[i] * v[i], u[i] * u[k] + v[i] * v[k], u[k] * u[k] + v[k] * v[k]};
+    bulge += quarticBulge(p.x[i] * p.y[k] - p.y[i] * p.x[k], b, t);
+  }
+  return bulge;
 }
 
 /// Two triangles that meet in the crease, beyond which corner `other` is.
@@ -113,7 +174,7 @@ double brokenVolume(const Piece& p, const Vec3& from, int other) {
   const auto cone = [&](int i, int j, int k) {
     return (from + p.d[i]).dot((p.d[j] - p.d[i]).cross(p.d[k] - p.d[i])) / 6.0;
   };
-  return cone(a, own, c) + cone(a, c, other) + bulgeOf(p, bendOf(p, other), a, own, c);
+  return cone(a, own, c) + cone(a, c, other) + bulgeOf(p, bendOf(p, p.height, other), a, own, c);
 }
 
 }  // namespace
@@ -141,15 +202,8 @@ QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, 
     return {brokenVolume(p, from, other), error};
   if (steep) return {cones, error};
   p.findPlane(normal);
-  const Bend bend = bendOf(p, -1);
-  double bulge = 0.0;
-  std::array<double, 4> at;
-  for (int i = 0; i < 4; ++i) at[i] = bend(p.x[i], p.y[i]);
-  for (int i = 0; i < 4; ++i) {  // triangles with the crossing, as in bulgeOf
-    const int k = (i + 1) % 4;
-    const double twice_area = p.x[i] * p.y[k] - p.y[i] * p.x[k];
-    bulge -= twice_area * (at[i] + at[k] + bend(p.x[k] - p.x[i], p.y[k] - p.y[i])) / 48.0;
-  }
+  const double bulge =
+      slope2 > kQuarticSlope * kQuarticSlope ? roundBulge(p) : bulgeAround(p, bendOf(p, p.height, -1));
   return {cones + bulge, error};
 }
 

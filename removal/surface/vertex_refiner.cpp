@@ -53,6 +53,10 @@ constexpr double kFlatWall = 0.05;
 constexpr double kOffBlank = 0.01;
 /// A vertex this near is on the surface.
 constexpr double kOnSurface = 1e-3;
+/// How near to the border of two elements it is found: bends differ by its square beside it.
+constexpr double kAtBorder = 0.02;
+/// Elements whose crossings turn by more (in radians) bend so much that smaller quads are worth more.
+constexpr double kGentleTurn = 0.3;
 /// How far to either side an edge is looked at, and how much less it moves than a smooth surface.
 constexpr double kSideStep = 0.05, kStays = 0.4;
 /// Edges that run along a face, to 12 degrees, have no certain place where they meet it.
@@ -356,6 +360,29 @@ void VertexRefiner::ontoNearest(const Vec3& n, Vec3& x) {
     if (std::abs(plane.d) < kOnSurface) break;
   }
   if ((at - x).squaredNorm() < kLittleMoved * kLittleMoved && std::abs(plane.d) < kOnSurface) x = at;
+}
+
+void VertexRefiner::toBorder(Vec3& x) {
+  if (faces_.size() != 2 || !exact_.goOver(faces_[0].id, faces_[1].id)) return;
+  if ((faces_[1].normal - faces_[0].normal).squaredNorm() > kGentleTurn * kGentleTurn) return;
+  const auto footAt = [&](double part) {
+    const Vec3 n = faces_[0].normal + part * (faces_[1].normal - faces_[0].normal);
+    const Vec3 p = faces_[0].point + part * (faces_[1].point - faces_[0].point);
+    return exact_.foot(body_[0], p - kLookFrom * n.normalized());
+  };
+  const auto isOf = [&](const ExactFaces::Foot& foot, std::size_t face) {
+    return static_cast<std::uint64_t>(foot.element) == (faces_[face].id & 0xFFFF);
+  };
+  if (!isOf(footAt(0.0), 0) || !isOf(footAt(1.0), 1)) return;
+  double from = 0.0, to = 1.0;
+  Vec3 at = x;
+  while (to - from > kAtBorder) {
+    const double part = 0.5 * (from + to);
+    const ExactFaces::Foot foot = footAt(part);
+    (isOf(foot, 0) ? from : to) = part;
+    at = foot.p;
+  }
+  if (outsideBy(at) <= -kWallGap) x = at;
 }
 
 void VertexRefiner::toBlank(const Vec3& n, double reach, Vec3& x) const {

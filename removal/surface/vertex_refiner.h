@@ -32,6 +32,10 @@ class VertexRefiner {
   /// Moves `x`, where neither of the two above holds, by a little onto the surface of its faces' bodies, also
   /// where it is of a face that no crossing shows: one that another goes over into smoothly. `n`: as above.
   void ontoNearest(const Vec3& n, Vec3& x);
+  /// Moves `x`, on a smooth surface of two elements of one body, along it to where the one goes over into the
+  /// other: quads around it are of one of them each then, which tells how they bend. `x` stays where there is
+  /// no such place in the cell.
+  void toBorder(Vec3& x);
   /// Moves `x` in the cell onto the blank's surface along `n`, out of the material, by `reach` at most and
   /// without leaving a wall that it lies at. It stays where the surface is not near or the surface is not the
   /// blank's.

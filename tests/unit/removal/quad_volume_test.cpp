@@ -56,5 +56,58 @@ TEST(QuadVolume, TakesARoundFaceForNoBreak) {
     EXPECT_EQ(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, bits).volume, smooth) << bits;
 }
 
+/// What the surface of heights `z` bulges out of the triangle of the origin, a and b, by samples.
+template <typename Heights>
+double bulgeOut(const Heights& z, const Vec3& a, const Vec3& b) {
+  constexpr int kSteps = 300;
+  double sum = 0.0;
+  int count = 0;
+  const auto sample = [&](double i, double k) {
+    const double part = i / kSteps, other = k / kSteps;
+    const Vec3 p = part * a + other * b;
+    sum += z(p.x(), p.y()) - p.z();
+    ++count;
+  };
+  for (int i = 0; i < kSteps; ++i) {
+    for (int k = 0; i + k < kSteps; ++k) {
+      sample(i + 1.0 / 3.0, k + 1.0 / 3.0);
+      if (i + k + 2 <= kSteps) sample(i + 2.0 / 3.0, k + 2.0 / 3.0);
+    }
+  }
+  return 0.5 * (a.x() * b.y() - a.y() * b.x()) * sum / count;
+}
+
+/// Faces that turn by up to half a radian within a quad: what the next term after the quadratic leaves is
+/// less than a hundredth of it.
+TEST(QuadVolume, FollowsFacesThatTurnMuch) {
+  for (const double radius : {2.0, 3.0, 6.0}) {
+    const auto sphere = [&](double x, double y) {
+      return std::sqrt(radius * radius - x * x - y * y) - radius;
+    };
+    const auto cylinder = [&](double x, double y) {
+      const double across = 0.8 * x + 0.6 * y;
+      return std::sqrt(radius * radius - across * across) - radius;
+    };
+    const auto hold = [&](const auto& z, const char* name) {
+      std::array<Vec3, 4> corners = {Vec3(-0.6, -0.4, 0), Vec3(0.5, -0.7, 0), Vec3(0.7, 0.5, 0),
+                                     Vec3(-0.4, 0.6, 0)};
+      for (Vec3& c : corners) c.z() = z(c.x(), c.y());
+      double facets = 0.0, bulge = 0.0;
+      for (int i = 0; i < 4; ++i) {
+        const Vec3 &a = corners[static_cast<std::size_t>(i)],
+                   &b = corners[static_cast<std::size_t>((i + 1) % 4)];
+        facets += cone(Vec3::Zero(), a, b);
+        bulge += bulgeOut(z, a, b);
+      }
+      const double turn2 = 1.0 / (radius * radius);  // of which the quadratic misses a tenth
+      EXPECT_NEAR(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex).volume, facets + bulge,
+                  (0.2 * turn2 * turn2 + 3e-4) * bulge)
+          << name << " " << radius;
+    };
+    hold(sphere, "sphere");
+    hold(cylinder, "cylinder");
+  }
+}
+
 }  // namespace
 }  // namespace proveout
