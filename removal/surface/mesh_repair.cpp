@@ -8,6 +8,7 @@
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
+#include "removal/surface/mend_surroundings.h"
 #include "removal/surface/mesh_writer.h"
 #include "removal/surface/open_steps.h"
 #include "removal/surface/surface_mend.h"
@@ -64,7 +65,8 @@ class MeshRepair {
   std::optional<RepairedMesh> run(Progress& progress);
 
  private:
-  std::vector<std::int32_t> partMeetings(const LeafMesh& mesh, const TrianglePairs& pairs);
+  std::vector<std::int32_t> partMergedAround(const LeafMesh& mesh, const TrianglePairs& pairs);
+  std::vector<std::int32_t> wallIn(const LeafMesh& mesh, const TrianglePairs& pairs);
   void markUnchecked(const LeafMesh& mesh, const TrianglePairs& pairs);
   bool anyWalled(const LeafMesh& mesh, const std::array<std::uint32_t, 2>& pair) const;
   TrianglePairs pairsForWalls(LeafMesh& mesh, const TrianglePairs& pairs) const;
@@ -82,27 +84,31 @@ class MeshRepair {
   MeshWriter writer_;
 };
 
-/// Takes merged cells apart whose triangles meet others, and walls those in that are not merged; returns the
-/// leaves that this changed, none if nothing of both is left to do.
-std::vector<std::int32_t> MeshRepair::partMeetings(const LeafMesh& mesh, const TrianglePairs& pairs) {
+/// Takes merged cells apart around pairs, as far as mending looks: what is mended there, and what is walled
+/// in, is not to depend on the tolerance. Returns the leaves that this changed.
+std::vector<std::int32_t> MeshRepair::partMergedAround(const LeafMesh& mesh, const TrianglePairs& pairs) {
+  if (!merger_.active() || pairs.empty()) return {};
   std::vector<std::uint32_t> merged;
-  std::vector<std::int32_t> changed;
-  for (const auto& pair : pairs) {
-    const std::size_t before = merged.size();
-    for (const std::uint32_t t : pair) {
+  const MendSurroundings around(mesh.mesh, grid_.impl().h, pairs);
+  for (const MendSurroundings::Group& group : around.groups()) {
+    for (const std::uint32_t t : group.triangles) {
       const std::vector<std::uint32_t> cells = mergedCellsOf(mesh, grid_, merger_, t);
       merged.insert(merged.end(), cells.begin(), cells.end());
     }
-    if (merged.size() > before) continue;
+  }
+  return merged.empty() ? std::vector<std::int32_t>() : merger_.takeApart(std::move(merged));
+}
+
+/// Walls in the cells of triangles that meet. Returns the leaves that this changed, none if all are.
+std::vector<std::int32_t> MeshRepair::wallIn(const LeafMesh& mesh, const TrianglePairs& pairs) {
+  std::vector<std::int32_t> changed;
+  for (const auto& pair : pairs) {
     for (const std::uint32_t t : pair) {
       for (const std::uint32_t cell : cornerCellsOf(mesh, grid_, t)) {
         if (grid_.wall(cell)) changed.push_back(static_cast<std::int32_t>(grid_.leafOf(cell)));
       }
     }
   }
-  if (merged.empty() && changed.empty()) return {};
-  const std::vector<std::int32_t> apart = merger_.takeApart(std::move(merged));
-  changed.insert(changed.end(), apart.begin(), apart.end());
   return changed;
 }
 
@@ -122,14 +128,12 @@ bool MeshRepair::anyWalled(const LeafMesh& mesh, const std::array<std::uint32_t,
   return false;
 }
 
-/// Those that only walls part, or merged cells: beside walls all; elsewhere what is left after small changes
-/// of the mesh. If that is nothing the changes are made; else the mesh stays as it is.
+/// Those that only walls part: beside walls all; elsewhere what is left after small changes of the mesh. If
+/// that is nothing the changes are made; else the mesh stays as it is.
 TrianglePairs MeshRepair::pairsForWalls(LeafMesh& mesh, const TrianglePairs& pairs) const {
   TrianglePairs out;
-  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(out), [&](const auto& pair) {
-    const auto isMerged = [&](std::uint32_t t) { return !mergedCellsOf(mesh, grid_, merger_, t).empty(); };
-    return isMerged(pair[0]) || isMerged(pair[1]) || anyWalled(mesh, pair);
-  });
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(out),
+               [&](const auto& pair) { return anyWalled(mesh, pair); });
   if (!out.empty()) return out;
   return mendIntersections(mesh.mesh, pairs, grid_.impl().h, MendAim::kAll);
 }
@@ -184,16 +188,18 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
     }
     const TrianglePairs pairs = findMeetings(*written, grid_, unchecked_, doubts_);
     std::fill(unchecked_.begin(), unchecked_.end(), 0);
+    const auto partAgain = [&](const std::vector<std::int32_t>& changed) {
+      if (changed.empty()) return false;
+      ++part_rounds;
+      markUnchecked(*written, pairs);
+      planAgain(changed, progress);
+      return true;
+    };
+    if (part_rounds < kPartRounds && partAgain(partMergedAround(*written, pairs))) continue;
     RepairedMesh out;
     std::vector<StepVertex> steps = stepVertices(*written);
     if (const TrianglePairs left = pairs.empty() ? pairs : pairsForWalls(*written, pairs); !left.empty()) {
-      const auto taken_apart =
-          ++part_rounds <= kPartRounds ? partMeetings(*written, left) : std::vector<std::int32_t>();
-      if (!taken_apart.empty()) {
-        markUnchecked(*written, pairs);
-        planAgain(taken_apart, progress);
-        continue;
-      }
+      if (part_rounds < kPartRounds && partAgain(wallIn(*written, left))) continue;
       out.self_intersections = mendIntersections(written->mesh, pairs, grid_.impl().h).size();
     }
     // Mending may number vertices anew: any may be merged then.
