@@ -8,6 +8,7 @@
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
+#include "core/geometry/to_float.h"
 #include "removal/surface/mend_surroundings.h"
 #include "removal/surface/mesh_writer.h"
 #include "removal/surface/open_steps.h"
