@@ -17,10 +17,10 @@ struct RepairedMesh {
   std::size_t self_intersections = 0;
 };
 
-/// Takes merged cells apart where they spoil the mesh, walls cells in whose triangles run through others, and
-/// changes the mesh where that does not help.
-/// `quads`: one a leaf, as `planner` plans them with what `merger` has merged. `doubts`: boxes (mm) in which
-/// all is looked at, besides what is looked at always. None if cancelled.
+/// Takes merged cells apart where they spoil the mesh and around triangles that run through others; parts
+/// those by small changes of the mesh, or walls their cells in where these do not help. `quads`: one a leaf,
+/// as `planner` plans them with what `merger` has merged. `doubts`: boxes (mm) in which all is looked at,
+/// besides what is looked at always. None if cancelled.
 std::optional<RepairedMesh> repairedMesh(SurfaceGrid& grid, VertexMerger& merger, const QuadPlanner& planner,
                                          std::vector<LeafQuads> quads, const std::vector<Box3>& doubts,
                                          Progress& progress);

@@ -52,34 +52,49 @@ struct Bend {
   double operator()(double a, double b) const { return q0 * a * a + 2.0 * q1 * a * b + q2 * b * b; }
 };
 
-/// From heights of the corners but `left_out`, by least squares: the normal equations by hand, since this is
-/// done for every quad.
-Bend bendOf(const Piece& p, const std::array<double, 4>& height, int left_out) {
-  double m00 = 0.0, m01 = 0.0, m02 = 0.0, m12 = 0.0, m22 = 0.0, r0 = 0.0, r1 = 0.0, r2 = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    if (i == left_out) continue;
-    const double xx = p.x[i] * p.x[i], xy = 2.0 * p.x[i] * p.y[i], yy = p.y[i] * p.y[i],
-                 twice = 2.0 * height[i];
-    m00 += xx * xx;
-    m01 += xx * xy;
-    m02 += xx * yy;
-    m12 += xy * yy;
-    m22 += yy * yy;
-    r0 += xx * twice;
-    r1 += xy * twice;
-    r2 += yy * twice;
+/// Bends from heights of the corners but `left_out`, by least squares: the normal equations by hand, since
+/// this is done for every quad.
+class BendFit {
+ public:
+  explicit BendFit(const Piece& p, int left_out = -1) : p_(p), left_out_(left_out) {
+    double m00 = 0.0, m01 = 0.0, m02 = 0.0, m12 = 0.0, m22 = 0.0;
+    for (int i = 0; i < 4; ++i) {
+      if (i == left_out) continue;
+      const double xx = p.x[i] * p.x[i], xy = 2.0 * p.x[i] * p.y[i], yy = p.y[i] * p.y[i];
+      m00 += xx * xx;
+      m01 += xx * xy;
+      m02 += xx * yy;
+      m12 += xy * yy;
+      m22 += yy * yy;
+    }
+    double m11 = 4.0 * m02;
+    const double pull = kOpen * (m00 + m11 + m22) / 3.0 + 1e-30;
+    m00 += pull;
+    m11 += pull;
+    m22 += pull;
+    c00_ = m11 * m22 - m12 * m12, c01_ = m02 * m12 - m01 * m22, c02_ = m01 * m12 - m02 * m11;
+    c11_ = m00 * m22 - m02 * m02, c12_ = m01 * m02 - m00 * m12, c22_ = m00 * m11 - m01 * m01;
+    scale_ = 1.0 / (m00 * c00_ + m01 * c01_ + m02 * c02_);
   }
-  double m11 = 4.0 * m02;
-  const double pull = kOpen * (m00 + m11 + m22) / 3.0 + 1e-30;
-  m00 += pull;
-  m11 += pull;
-  m22 += pull;
-  const double c00 = m11 * m22 - m12 * m12, c01 = m02 * m12 - m01 * m22, c02 = m01 * m12 - m02 * m11;
-  const double c11 = m00 * m22 - m02 * m02, c12 = m01 * m02 - m00 * m12, c22 = m00 * m11 - m01 * m01;
-  const double scale = 1.0 / (m00 * c00 + m01 * c01 + m02 * c02);
-  return {scale * (c00 * r0 + c01 * r1 + c02 * r2), scale * (c01 * r0 + c11 * r1 + c12 * r2),
-          scale * (c02 * r0 + c12 * r1 + c22 * r2)};
-}
+
+  Bend of(const std::array<double, 4>& height) const {
+    double r0 = 0.0, r1 = 0.0, r2 = 0.0;
+    for (int i = 0; i < 4; ++i) {
+      if (i == left_out_) continue;
+      const double twice = 2.0 * height[i];
+      r0 += p_.x[i] * p_.x[i] * twice;
+      r1 += 2.0 * p_.x[i] * p_.y[i] * twice;
+      r2 += p_.y[i] * p_.y[i] * twice;
+    }
+    return {scale_ * (c00_ * r0 + c01_ * r1 + c02_ * r2), scale_ * (c01_ * r0 + c11_ * r1 + c12_ * r2),
+            scale_ * (c02_ * r0 + c12_ * r1 + c22_ * r2)};
+  }
+
+ private:
+  const Piece& p_;
+  int left_out_;
+  double c00_, c01_, c02_, c11_, c12_, c22_, scale_;  ///< of the inverse
+};
 
 double twiceArea(const Piece& p, int a, int b, int c) {
   return (p.x[b] - p.x[a]) * (p.y[c] - p.y[a]) - (p.y[b] - p.y[a]) * (p.x[c] - p.x[a]);
@@ -142,7 +157,8 @@ double quarticBulge(double twice_area, const Pair& b, const Pair& t) {
 /// their normal by S x are at heights of B / 2 + B |S x|^2 / 8 + ...: with the second term the rest goes with
 /// the sixth power of the quad's size.
 double roundBulge(const Piece& p) {
-  const Bend first = bendOf(p, p.height, -1);
+  const BendFit fit(p);
+  const Bend first = fit.of(p.height);
   std::array<double, 4> u{}, v{}, height{};  // turned normals; heights without the quartic term
   const auto turn = [&](const Bend& bend) {
     for (int i = 0; i < 4; ++i) {
@@ -156,7 +172,7 @@ double roundBulge(const Piece& p) {
     if (turned2 > kMostTurned * kMostTurned) return bulgeAround(p, first);
     height[i] = p.height[i] - first(p.x[i], p.y[i]) * turned2 / 8.0;
   }
-  const Bend bend = bendOf(p, height, -1);
+  const Bend bend = fit.of(height);
   turn(bend);
   double bulge = bulgeAround(p, bend);
   for (int i = 0; i < 4; ++i) {
@@ -174,7 +190,7 @@ double brokenVolume(const Piece& p, const Vec3& from, int other) {
   const auto cone = [&](int i, int j, int k) {
     return (from + p.d[i]).dot((p.d[j] - p.d[i]).cross(p.d[k] - p.d[i])) / 6.0;
   };
-  return cone(a, own, c) + cone(a, c, other) + bulgeOf(p, bendOf(p, p.height, other), a, own, c);
+  return cone(a, own, c) + cone(a, c, other) + bulgeOf(p, BendFit(p, other).of(p.height), a, own, c);
 }
 
 }  // namespace
@@ -203,7 +219,7 @@ QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, 
   if (steep) return {cones, error};
   p.findPlane(normal);
   const double bulge =
-      slope2 > kQuarticSlope * kQuarticSlope ? roundBulge(p) : bulgeAround(p, bendOf(p, p.height, -1));
+      slope2 > kQuarticSlope * kQuarticSlope ? roundBulge(p) : bulgeAround(p, BendFit(p).of(p.height));
   return {cones + bulge, error};
 }
 

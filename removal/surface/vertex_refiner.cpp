@@ -370,6 +370,7 @@ void VertexRefiner::toBorder(Vec3& x) {
     const Vec3 p = faces_[0].point + part * (faces_[1].point - faces_[0].point);
     return exact_.foot(body_[0], p - kLookFrom * n.normalized());
   };
+  // Not as ExactFaces::isOf, which takes the end of a neighbour for the same face.
   const auto isOf = [&](const ExactFaces::Foot& foot, std::size_t face) {
     return static_cast<std::uint64_t>(foot.element) == (faces_[face].id & 0xFFFF);
   };

@@ -77,8 +77,8 @@ double bulgeOut(const Heights& z, const Vec3& a, const Vec3& b) {
   return 0.5 * (a.x() * b.y() - a.y() * b.x()) * sum / count;
 }
 
-/// Faces that turn by up to half a radian within a quad: what the next term after the quadratic leaves is
-/// less than a hundredth of it.
+/// Faces that turn by up to half a radian from the crossing to a corner: what is left goes with the fourth
+/// power of that.
 TEST(QuadVolume, FollowsFacesThatTurnMuch) {
   for (const double radius : {2.0, 3.0, 6.0}) {
     const auto sphere = [&](double x, double y) {
