@@ -20,7 +20,7 @@ double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 bool dotAt(const Glyph& glyph, int column, int row) {
-  if (column < 0 || column >= kGlyphWidth || row < 0 || row >= kGlyphHeight) return false;
+  if (column < 0 || column >= kGlyphWidth || row < 0 || row >= kGlyphRows) return false;
   return (glyph[static_cast<std::size_t>(row)] >> (kGlyphWidth - 1 - column)) & 1;
 }
 
@@ -89,7 +89,7 @@ void Canvas::text(const Vec2& at, std::string_view text, double cell, const Rgb&
     const auto center = [&](int column, int row) { return Vec2(origin + Vec2(column, row) * cell); };
     const auto coverage = [&](const Vec2& p) {
       double nearest = 1e9;
-      for (int row = 0; row < kGlyphHeight; ++row) {
+      for (int row = 0; row < kGlyphRows; ++row) {
         for (int column = 0; column < kGlyphWidth; ++column) {
           if (!dotAt(glyph, column, row)) continue;
           const Vec2 here = center(column, row);
@@ -107,7 +107,7 @@ void Canvas::text(const Vec2& at, std::string_view text, double cell, const Rgb&
       }
       return edgeCoverage(nearest - 0.5 * pen);
     };
-    paint(origin, origin + Vec2(kGlyphWidth, kGlyphHeight) * cell, color, 1.0, coverage);
+    paint(origin, origin + Vec2(kGlyphWidth, kGlyphRows) * cell, color, 1.0, coverage);
   }
 }
 

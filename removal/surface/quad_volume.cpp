@@ -12,7 +12,7 @@ namespace {
 constexpr double kFlatSlope = 6e-5;
 /// Corners of a parallelogram leave one curvature open (which then does not matter); this, by the mean square
 /// of the equations' terms, keeps it at zero.
-constexpr double kOpen = 1e-4;
+constexpr double kOpen = 1e-5;
 /// A surface that bends more than this inside a cell is not smooth there; rather no bulge than a wrong one.
 constexpr double kSteepest = 0.7;
 /// By which a sum of errors is multiplied: found on 100 random jobs against grids four times as fine, where
@@ -20,7 +20,7 @@ constexpr double kSteepest = 0.7;
 constexpr double kErrorFactor = 2.0;
 /// Where corners lie at a smaller slope the surface bends as a quadratic does: the next term is less than
 /// 1e-3 of the bulge, and that a hundredth of a cell.
-constexpr double kQuarticSlope = 0.03;
+constexpr double kQuarticSlope = 0.01;
 /// A face that seems to turn by more up to a corner is none that this describes.
 constexpr double kMostTurned = 1.0;
 /// A corner beyond a crease is off the tangent plane by this much more than the square of its distance makes
@@ -139,6 +139,22 @@ double bulgeAround(const Piece& p, const Bend& bend) {
   return bulge;
 }
 
+/// The bulges of two quads end above the chord that they share in walls along their own normals. Between
+/// these and the surface's normal there is a wedge left, of half the square of the height above the chord by
+/// the angle. Chords of two creased corners are left out: what is beyond them is of another face.
+double wedgesAround(const Piece& p, const Bend& bend, unsigned smooth_corners) {
+  double sum = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    const int k = (i + 1) % 4;
+    if ((smooth_corners & (1u << i | 1u << k)) == 0) continue;
+    const double ex = p.x[k] - p.x[i], ey = p.y[k] - p.y[i];
+    const double mx = 0.5 * (p.x[i] + p.x[k]), my = 0.5 * (p.y[i] + p.y[k]);
+    const double chord = bend(ex, ey);
+    sum += chord * chord * ((bend.q0 * mx + bend.q1 * my) * ey - (bend.q1 * mx + bend.q2 * my) * ex);
+  }
+  return -sum / 240.0;
+}
+
 /// Values of a quadratic form at two corners, and of its bilinear form between them.
 struct Pair {
   double ii, ik, kk;
@@ -156,7 +172,7 @@ double quarticBulge(double twice_area, const Pair& b, const Pair& t) {
 /// The bulge of a face that turns much from corner to corner. Spheres and cylinders that bend by B and turn
 /// their normal by S x are at heights of B / 2 + B |S x|^2 / 8 + ...: with the second term the rest goes with
 /// the sixth power of the quad's size.
-double roundBulge(const Piece& p) {
+double roundBulge(const Piece& p, unsigned smooth_corners) {
   const BendFit fit(p);
   const Bend first = fit.of(p.height);
   std::array<double, 4> u{}, v{}, height{};  // turned normals; heights without the quartic term
@@ -174,7 +190,7 @@ double roundBulge(const Piece& p) {
   }
   const Bend bend = fit.of(height);
   turn(bend);
-  double bulge = bulgeAround(p, bend);
+  double bulge = bulgeAround(p, bend) + wedgesAround(p, bend, smooth_corners);
   for (int i = 0; i < 4; ++i) {
     const int k = (i + 1) % 4;
     const Pair b{bend(p.x[i], p.y[i]), u[i] * p.x[k] + v[i] * p.y[k], bend(p.x[k], p.y[k])};
@@ -218,8 +234,8 @@ QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, 
     return {brokenVolume(p, from, other), error};
   if (steep) return {cones, error};
   p.findPlane(normal);
-  const double bulge =
-      slope2 > kQuarticSlope * kQuarticSlope ? roundBulge(p) : bulgeAround(p, BendFit(p).of(p.height));
+  const double bulge = slope2 > kQuarticSlope * kQuarticSlope ? roundBulge(p, smooth_corners)
+                                                              : bulgeAround(p, BendFit(p).of(p.height));
   return {cones + bulge, error};
 }
 

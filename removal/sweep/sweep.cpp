@@ -22,6 +22,8 @@ const double kRimCos = std::cos(degToRad(10.0));
 constexpr double kLineToleranceMm = 0.01 * kSweepToleranceMm;
 /// Height of normals of a straight element of the profile, within rounding.
 constexpr double kFaceSlack = 1e-6;
+/// The tool is at a wall that it leaves going upright, mm: rounding.
+constexpr double kAtWallMm = 1e-9;
 /// A place this near to an end of the way is that end.
 constexpr double kAtEnd = 1e-6;
 /// A search does not come nearer to a place that it knows than this part of what is left.
@@ -349,9 +351,17 @@ SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance, double& start)
   const auto [t, at] = minimise(p, std::numeric_limits<double>::infinity(), tolerance, bound, start);
   if (kind_ == Kind::kLine) start = t == guessOnLine(p) ? kAnywhere : t;
   if (kind_ == Kind::kCurve) start = t;
-  const ConvexProfile::Element& e = profile_->element(at.element - profile_->firstElementId());
+  const int element = elementAt(p, at);
+  const ConvexProfile::Element& e = profile_->element(element - profile_->firstElementId());
   const bool at_end = !e.arc && std::abs(at.gradient.z() + e.dr) > kFaceSlack;
-  return {at.value, at.gradient, at_end ? ConvexProfile::kEdgeIds + at.element : at.element};
+  return {at.value, at.gradient, at_end ? ConvexProfile::kEdgeIds + element : element};
+}
+
+int Sweep::elementAt(const Vec3& p, const At& at) const {
+  const bool upright = kind_ == Kind::kLine && level_length2_ <= 0.0;
+  if (!upright || std::abs(at.gradient.z()) > kFaceSlack) return at.element;
+  const At lowest = evaluateLine(p, delta_.z() < 0.0 ? 1.0 : 0.0);
+  return lowest.value <= at.value + kAtWallMm ? lowest.element : at.element;
 }
 
 SweepSample Sweep::sample(const Vec3& p) const {
@@ -383,7 +393,7 @@ SweepSample Sweep::withRim(const Vec3& p, const Place& place) const {
       if (const double norm = mix.norm(); norm > 0.0) return {at.value, mix / norm, element};
     }
   }
-  return {at.value, at.gradient, at.element};
+  return {at.value, at.gradient, elementAt(p, at)};
 }
 
 double Sweep::horizontalGap(double x, double y) const {

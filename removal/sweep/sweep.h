@@ -88,6 +88,9 @@ class Sweep {
   At evaluate(const Vec3& p, double t) const;
   bool touch(const Vec3& p, Place& place) const;
   SweepSample withRim(const Vec3& p, const Place& place) const;
+  /// Of the tool, that shows `at`. Many places of a tool that goes upright leave one wall: it is named after
+  /// what stands there at the lowest, where it goes over into what is below.
+  int elementAt(const Vec3& p, const At& at) const;
   At evaluateLine(const Vec3& p, double t) const;
   At evaluateCurve(const Vec3& p, double t) const;
   Vec3 position(double t) const;

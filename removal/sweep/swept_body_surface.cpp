@@ -11,11 +11,13 @@ namespace {
 /// Elements of the profile of a flat end.
 enum FlatElement { kBottom, kFlank, kTop, kFlatElements };
 
-/// The sphere, below its centre; the flank above it is left to others.
+/// The sphere, below its centre, or below the lowest place of that going upright; the flank above it is left
+/// to others.
 std::optional<SweptSurface> ballSurface(const SweptBody& body, const Vec3& p) {
   const ColumnSweep& c = body.columns();
   const Vec3 way = sweepWay(c);
   const Vec3 q = p - sweepStart(c) - Vec3(0, 0, c.solid->radius);
+  if (way.head<2>().squaredNorm() == 0.0 && q.z() > std::min(0.0, way.z())) return std::nullopt;
   const double length2 = way.squaredNorm();
   const double t = length2 > 0.0 ? std::clamp(q.dot(way) / length2, 0.0, 1.0) : 0.0;
   const Vec3 normal = q - t * way;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <map>
 
 namespace proveout {
 namespace {
@@ -45,7 +46,8 @@ TEST(QuadVolume, KeepsTheBulgeOnThisSideOfACrease) {
   EXPECT_NEAR(quadVolume(corners, crossing, Vec3::UnitZ(), kApex, 0xA).volume, facets + bulge, 0.02 * bulge);
 }
 
-/// Corners that are not smooth, on one round face: rims of it at both ends.
+/// Corners that are not smooth, on one round face: rims of it at both ends. What a rim cuts off beside its
+/// chord is not told (2e-6); with a break at a diagonal the volume were 4e-4 off.
 TEST(QuadVolume, TakesARoundFaceForNoBreak) {
   constexpr double kRadius = 8.0;
   std::array<Vec3, 4> corners = {Vec3(-0.5, -0.5, 0), Vec3(0.5, -0.5, 0), Vec3(0.5, 0.5, 0),
@@ -53,19 +55,38 @@ TEST(QuadVolume, TakesARoundFaceForNoBreak) {
   for (Vec3& c : corners) c.z() = std::sqrt(kRadius * kRadius - c.x() * c.x()) - kRadius;
   const double smooth = quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, 0xF).volume;
   for (const unsigned bits : {0x0u, 0x5u, 0xAu, 0x2u})
-    EXPECT_EQ(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, bits).volume, smooth) << bits;
+    EXPECT_NEAR(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, bits).volume, smooth, 3e-6) << bits;
 }
 
-/// What the surface of heights `z` bulges out of the triangle of the origin, a and b, by samples.
-template <typename Heights>
-double bulgeOut(const Heights& z, const Vec3& a, const Vec3& b) {
+/// A sphere around, or a cylinder along, what `fromAxis` measures from.
+struct Round {
+  double radius;
+  int dimension;  ///< 3: sphere, 2: cylinder
+  Vec3 along;     ///< of the cylinder's axis; 0 for a sphere
+
+  Vec3 fromAxis(const Vec3& p) const {
+    const Vec3 q = p + Vec3(0, 0, radius);
+    return q - along.dot(q) * along;
+  }
+  /// Puts a point that is seen from above on it.
+  Vec3 above(double x, double y) const {
+    const Vec3 level = fromAxis(Vec3(x, y, -radius));
+    return {x, y, std::sqrt(radius * radius - level.squaredNorm()) - radius};
+  }
+};
+
+/// What lies between the triangle of the origin, a and b and the round face, within walls along the face's
+/// normals, by samples.
+double bulgeOut(const Round& face, const Vec3& a, const Vec3& b) {
   constexpr int kSteps = 300;
   double sum = 0.0;
   int count = 0;
+  const Vec3 area = 0.5 * a.cross(b);
   const auto sample = [&](double i, double k) {
-    const double part = i / kSteps, other = k / kSteps;
-    const Vec3 p = part * a + other * b;
-    sum += z(p.x(), p.y()) - p.z();
+    const Vec3 out = face.fromAxis(i / kSteps * a + k / kSteps * b);
+    const double distance = out.norm(), below = std::pow(distance, face.dimension - 1);
+    const double room = std::pow(face.radius, face.dimension) - below * distance;
+    sum += room / (face.dimension * below) * area.dot(out) / distance;
     ++count;
   };
   for (int i = 0; i < kSteps; ++i) {
@@ -74,38 +95,112 @@ double bulgeOut(const Heights& z, const Vec3& a, const Vec3& b) {
       if (i + k + 2 <= kSteps) sample(i + 2.0 / 3.0, k + 2.0 / 3.0);
     }
   }
-  return 0.5 * (a.x() * b.y() - a.y() * b.x()) * sum / count;
+  return sum / count;
 }
 
 /// Faces that turn by up to half a radian from the crossing to a corner: what is left goes with the fourth
 /// power of that.
 TEST(QuadVolume, FollowsFacesThatTurnMuch) {
   for (const double radius : {2.0, 3.0, 6.0}) {
-    const auto sphere = [&](double x, double y) {
-      return std::sqrt(radius * radius - x * x - y * y) - radius;
-    };
-    const auto cylinder = [&](double x, double y) {
-      const double across = 0.8 * x + 0.6 * y;
-      return std::sqrt(radius * radius - across * across) - radius;
-    };
-    const auto hold = [&](const auto& z, const char* name) {
-      std::array<Vec3, 4> corners = {Vec3(-0.6, -0.4, 0), Vec3(0.5, -0.7, 0), Vec3(0.7, 0.5, 0),
-                                     Vec3(-0.4, 0.6, 0)};
-      for (Vec3& c : corners) c.z() = z(c.x(), c.y());
+    for (const Round& face : {Round{radius, 3, Vec3::Zero()}, Round{radius, 2, Vec3(0.6, -0.8, 0)}}) {
+      const std::array<Vec3, 4> corners = {face.above(-0.6, -0.4), face.above(0.5, -0.7),
+                                           face.above(0.7, 0.5), face.above(-0.4, 0.6)};
       double facets = 0.0, bulge = 0.0;
-      for (int i = 0; i < 4; ++i) {
-        const Vec3 &a = corners[static_cast<std::size_t>(i)],
-                   &b = corners[static_cast<std::size_t>((i + 1) % 4)];
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 &a = corners[i], &b = corners[(i + 1) % 4];
         facets += cone(Vec3::Zero(), a, b);
-        bulge += bulgeOut(z, a, b);
+        bulge += bulgeOut(face, a, b);
       }
       const double turn2 = 1.0 / (radius * radius);  // of which the quadratic misses a tenth
       EXPECT_NEAR(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex).volume, facets + bulge,
-                  (0.2 * turn2 * turn2 + 3e-4) * bulge)
-          << name << " " << radius;
-    };
-    hold(sphere, "sphere");
-    hold(cylinder, "cylinder");
+                  (0.25 * turn2 * turn2 + 3e-5) * bulge)
+          << face.dimension << " " << radius;
+    }
+  }
+}
+
+/// A whole sphere on a grid: each crossing of an edge with a quad between the means of the crossings around
+/// its four cells, pushed onto the sphere.
+class GriddedSphere {
+ public:
+  explicit GriddedSphere(double radius) : radius_(radius), reach_(static_cast<int>(radius) + 2) {
+    forEachCrossing([&](const Cell& at, int axis, const Vec3& p) {
+      for (const Cell& cell : cellsAround(at, axis)) {
+        Sum& sum = sums_[cell];
+        sum.p += p;
+        ++sum.count;
+      }
+    });
+  }
+
+  double volume() const {
+    double sum = 0.0;
+    forEachCrossing([&](const Cell& at, int axis, const Vec3& p) {
+      std::array<Vec3, 4> corners;
+      const auto cells = cellsAround(at, axis);
+      const bool rising = (p - kCenter)[axis] > 0.0;
+      for (std::size_t i = 0; i < 4; ++i) corners[i] = vertex(cells[rising ? i : 3 - i]);
+      sum += quadVolume(corners, p, (p - kCenter).normalized(), Vec3::Zero()).volume;
+    });
+    return sum;
+  }
+
+ private:
+  using Cell = std::array<int, 3>;
+  struct Sum {
+    Vec3 p = Vec3::Zero();
+    int count = 0;
+  };
+  static inline const Vec3 kCenter{0.31, 0.17, 0.43};
+
+  /// CCW as seen from where the axis leads to.
+  static std::array<Cell, 4> cellsAround(const Cell& at, int axis) {
+    std::array<Cell, 4> out;
+    constexpr int kBack[4][2] = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      out[i] = at;
+      out[i][static_cast<std::size_t>((axis + 1) % 3)] -= kBack[i][0];
+      out[i][static_cast<std::size_t>((axis + 2) % 3)] -= kBack[i][1];
+    }
+    return out;
+  }
+  Vec3 vertex(const Cell& cell) const {
+    const Sum& sum = sums_.at(cell);
+    return kCenter + radius_ * (sum.p / sum.count - kCenter).normalized();
+  }
+  template <typename Use>
+  void forEachCrossing(const Use& use) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      for (int i = -reach_; i <= reach_; ++i) {
+        for (int k = -reach_; k <= reach_; ++k) {
+          const double a = i - kCenter[u], b = k - kCenter[v], half2 = radius_ * radius_ - a * a - b * b;
+          if (half2 <= 0.0) continue;
+          for (const double side : {-1.0, 1.0}) {
+            Vec3 p;
+            p[u] = i;
+            p[v] = k;
+            p[axis] = kCenter[axis] + side * std::sqrt(half2);
+            Cell at;
+            for (int n = 0; n < 3; ++n) at[static_cast<std::size_t>(n)] = static_cast<int>(std::floor(p[n]));
+            use(at, axis, p);
+          }
+        }
+      }
+    }
+  }
+
+  double radius_;
+  int reach_;
+  std::map<Cell, Sum> sums_;
+};
+
+/// What is left goes with the inverse of the square of the radius. Without wedges it is 0.009 to 0.018, whatever
+/// the radius.
+TEST(QuadVolume, ClosesAroundASphere) {
+  for (const double radius : {5.0, 7.0, 10.0, 14.0, 20.0}) {
+    const double exact = 4.0 / 3.0 * kPi * radius * radius * radius;
+    EXPECT_NEAR(GriddedSphere(radius).volume(), exact, 1.2e-4 + 0.025 / (radius * radius)) << radius;
   }
 }
 
