@@ -228,6 +228,12 @@ class GrooveVolume : public testing::Test {
       expectExact(g, "on a slope", slantedCase("", g.tool, g.outline, high, low));
     }
   }
+  void expectExactHoles(const std::vector<Groove>& grooves) const {
+    for (const Groove& g : grooves) {
+      const Toolpath path = linePath({{center.x(), center.y(), 3.0}, {center.x(), center.y(), -g.depth}});
+      expectExact(g, "a hole", levelCase("", g.tool, g.outline, pointCurve(center), path, -g.depth));
+    }
+  }
   const Vec2 along{std::cos(degToRad(23.7)), std::sin(degToRad(23.7))};
   const Vec2 center{14.953, 12.421}, from = center - 7.3 * along, to = center + 7.9 * along;
 };
@@ -239,11 +245,14 @@ TEST_F(GrooveVolume, OnASlope) { expectExactOnASlope(grooves()); }
 TEST_F(GrooveVolume, FineLevel) { expectExactLevel(fineGrooves()); }
 TEST_F(GrooveVolume, FineOnASlope) { expectExactOnASlope(fineGrooves()); }
 
-TEST_F(GrooveVolume, Hole) {
-  for (const Groove& g : grooves()) {
-    const Toolpath path = linePath({{center.x(), center.y(), 3.0}, {center.x(), center.y(), -g.depth}});
-    expectExact(g, "a hole", levelCase("", g.tool, g.outline, pointCurve(center), path, -g.depth));
-  }
+TEST_F(GrooveVolume, Hole) { expectExactHoles(grooves()); }
+
+// Walls were of the rim of the ball as much as of the shank, so that no border was known: up to 1.8e-4.
+TEST_F(GrooveVolume, FineHole) {
+  std::vector<Groove> holes;
+  for (const double d : {2.6, 3.1, 3.7, 5.3})
+    addGrooves(holes, fmt::format("1=ball:{:g}", d), ballOutline(d), {0.5 * d + 0.37, 0.5 * d + 0.9});
+  expectExactHoles(holes);
 }
 
 /// Tips of drills anywhere between the grid's lines. The drill is drawn back through its hole, so that every

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <string_view>
 
 #include "render/canvas.h"
 #include "render/font.h"
@@ -21,6 +23,18 @@ TEST(Font, EveryPrintableCharacterHasItsOwnShape) {
   for (char c = ' '; c <= '~'; ++c) EXPECT_TRUE(shapes.insert(glyphOf(c)).second) << c;
   EXPECT_EQ(glyphOf('\t'), glyphOf('\x80'));
   EXPECT_TRUE(shapes.insert(glyphOf('\t')).second);
+}
+
+TEST(Font, TailsHangBelowTheBaseLine) {
+  const auto hangs = [](char c) {
+    const render_detail::Glyph& glyph = glyphOf(c);
+    return std::any_of(glyph.begin() + render_detail::kGlyphHeight, glyph.end(),
+                       [](std::uint8_t row) { return row != 0; });
+  };
+  for (const char c : std::string_view("gjpqy,;_")) EXPECT_TRUE(hangs(c)) << c;
+  for (char c = ' '; c <= '~'; ++c) {
+    if (std::string_view("gjpqy,;_").find(c) == std::string_view::npos) EXPECT_FALSE(hangs(c)) << c;
+  }
 }
 
 TEST(Canvas, TextInksTheDotsOfTheGlyph) {
