@@ -117,6 +117,7 @@ CutAreas HeightMap::cutOf(int x) const {
         static_cast<double>(made.faces) * cell_ * cell_ * (z > blank_.min.z() ? slope : slope - 1.0);
     cut.all_mm2 += area;
     if (!made.ruled) cut.bends_mm += area * static_cast<double>(made.bend);
+    if (made.stepped) cut.stepped_mm2 += area;
     if (made.ruled) (made.bend > 0.0F ? cut.ruled_mm2 : cut.flat_mm2) += area;
   }
   return cut;
@@ -130,6 +131,7 @@ CutAreas HeightMap::cutAreas() const {
     cut.all_mm2 += column.all_mm2;
     cut.flat_mm2 += column.flat_mm2;
     cut.ruled_mm2 += column.ruled_mm2;
+    cut.stepped_mm2 += column.stepped_mm2;
     cut.bends_mm += column.bends_mm;
   }
   return cut;

@@ -22,17 +22,19 @@ struct Footprint {
 
 /// What a spot was cut by, for how many triangles stay of it.
 struct CutBy {
-  float bend = 0.0F;   ///< 1 / mm: one over the tool's radius; 0: a flat end on a line leaves a plane
-  float faces = 1.0F;  ///< so many times the surface that shows from above
-  bool ruled = false;  ///< by a line that is long for its tool
+  float bend = 0.0F;     ///< 1 / mm: one over the tool's radius; 0: a flat end on a line leaves a plane
+  float faces = 1.0F;    ///< so many times the surface that shows from above
+  bool ruled = false;    ///< by a line that is long for its tool
+  bool stepped = false;  ///< by the rim of a flat end on a short line that is not level: terraces
 };
 
 /// What is cut but level floors, mm2.
 struct CutAreas {
   double all_mm2 = 0.0;
-  double flat_mm2 = 0.0;   ///< of that by flat ends on long lines
-  double ruled_mm2 = 0.0;  ///< and by other tools on long lines
-  double bends_mm = 0.0;   ///< of the rest: area over the radius of the tool
+  double flat_mm2 = 0.0;     ///< of that by flat ends on long lines
+  double ruled_mm2 = 0.0;    ///< and by other tools on long lines
+  double stepped_mm2 = 0.0;  ///< of the rest: by rims of flat ends on short lines that are not level
+  double bends_mm = 0.0;     ///< and of all of it: area over the radius of the tool
 };
 
 /// Of the part of a tool below its widest place. Tools that are wider below than above count as flat.

@@ -51,13 +51,15 @@ constexpr double kSecondsPerFlatCell = kMeshing * 3.8e-7, kSecondsPerRuledCell =
                  kSecondsPerRoundCell = kMeshing * 8e-7, kSecondsPerUnevenCell = kMeshing * 1.55e-6;
 /// Of round walls and floors as many triangles stay as there are bends in a cell.
 constexpr double kSecondsPerBend = kMeshing * 2.2e-6;
+/// Nearest points on rims that go down slowly, low steps, and terraces that meet.
+constexpr double kSecondsPerSteppedCell = kMeshing * 2.3e-6;
 constexpr double kSecondsPerSweptCell = 6e-9;  ///< removal, each motion counted
 /// Of curves about z, and of other curves: all in proportion to these.
 constexpr double kTurning = 1.0, kLeaning = 1.0;
 /// A column under a chord or a part, by CurveKind; under flanked arcs a cell of a strip along the columns.
 constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {
-    kTurning * 1.2e-8, kTurning * 1.5e-8, kLeaning * 1e-8,   kLeaning * 0.9e-7, kTurning * 4.5e-7,
-    kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7, kLeaning * 0.6e-8};
+    kTurning * 1.2e-8, kTurning * 1.1e-8, kLeaning * 1e-8,   kLeaning * 0.9e-7, kTurning * 4.5e-7,
+    kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7, kLeaning * 0.4e-8};
 /// Of spirals: what a column costs was measured for parts of this size.
 constexpr double kPartsPerTurn = 8.0, kSpiralGrowthMm = 1e-4;
 /// Arcs that rise by less along their axis, and whose axis is that level, are cut as upright ones.
@@ -88,14 +90,17 @@ constexpr double kSecondsPerTextCell = 1.2e-6;        ///< cut cells in one mesh
 constexpr double kSecondsPerBlankTriangle = 3e-6;     ///< a stock from a mesh
 constexpr double kSecondsPerMeshedCell = 1.9e-6;      ///< the same, and its cells
 constexpr double kSecondsPerMovedCell = 2.3e-6;       ///< a stock from that of the clamping before
-constexpr double kSecondsPerComparedCell = 0.9e-6;    ///< comparison: a sample
-constexpr double kSecondsPerComparedCut = 2.9e-6;     ///< on top of that where the part is not level
+constexpr double kSecondsPerComparedCell = 0.8e-6;    ///< comparison: a sample
+constexpr double kSecondsPerComparedCut = 2.4e-6;     ///< on top of that where the part is not level
 constexpr double kMostSamples = 2e6;                  ///< of both meshes
 constexpr double kSecondsPerDrawnTriangle = 5e-7;     ///< search tree and normals, for all pictures
 constexpr double kSecondsPerPixel = 0.85e-7;          ///< one picture of flat faces
 constexpr double kMoreSecondsCut = 0.8;               ///< so much more where nothing is level
 constexpr double kTrianglesOfARoundPart = 50000.0;    ///< of sections: where half of that is reached
-constexpr double kSecondsPerDeviationPixel = 1.5e-7;  ///< on top of that: distances between the vertices
+constexpr double kSecondsPerDeviationPixel = 0.5e-7;  ///< on top of that: distances between the vertices
+
+/// Along a line more leaves are asked than over its ends, which the motions beside it have cut.
+constexpr double kLineCounts = 2.0;
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
 constexpr int kMapSide = 256;
@@ -246,9 +251,12 @@ class Strokes {
     const Footprint& tool = cutter.footprint;
     const bool ruled =
         motion.arc < 0 && (motion.to - motion.from).head<2>().norm() > 2.0 * kRuledWidths * tool.radius;
-    const bool plane = ruled && tool.flat_radius == tool.radius && !cutter.undercut;
+    const bool sharp = tool.flat_radius == tool.radius && !cutter.undercut;
+    const bool plane = ruled && sharp;
+    const bool stepped = sharp && !ruled && motion.arc < 0 && motion.from.z() != motion.to.z() &&
+                         motion.from.head<2>() != motion.to.head<2>();
     return {plane || !(tool.radius > 0.0) ? 0.0F : static_cast<float>(1.0 / tool.radius),
-            cutter.bulges ? kUndercutFaces : 1.0F, ruled};
+            cutter.bulges ? kUndercutFaces : 1.0F, ruled, stepped};
   }
 
   template <typename Use>
@@ -267,16 +275,19 @@ class Strokes {
       const auto found = cutters.find(motion.tool);
       const CutterSize cutter = found == cutters.end() ? CutterSize{} : found->second;
       const double radius = cutter.footprint.radius;
-      double segments = 0.0;
+      double segments = 0.0, length_mm = 0.0;
       constexpr double kNowhere = std::numeric_limits<double>::infinity();
       Stroke stroke{static_cast<MotionId>(i), cutter.footprint, cutBy(motion, cutter), kNowhere, -kNowhere};
       eachSegment(motion, radius, [&](const Vec3& a, const Vec3& b) {
-        const double length = std::min((b - a).norm(), most_x + most_y);
         ++segments;
-        part.swept_mm2 += (length + 2 * radius) * std::min(2 * radius, std::max(most_x, most_y));
+        length_mm += std::min((b - a).norm(), most_x + most_y);
         stroke.x_min = std::min(stroke.x_min, std::min(a.x(), b.x()) - radius);
         stroke.x_max = std::max(stroke.x_max, std::max(a.x(), b.x()) + radius);
       });
+      // A line is one pass, a curve one a turn.
+      const double passes = motion.arc < 0 ? std::min(segments, 1.0) : segments / kChordsPerTurn;
+      part.swept_mm2 += ((motion.arc < 0 ? kLineCounts : 1.0) * length_mm + passes * 2 * radius) *
+                        std::min(2 * radius, std::max(most_x, most_y));
       if (motion.arc >= 0) addChords(motion, cutter, segments, part);
       if (stroke.x_min <= stroke.x_max) part.strokes.push_back(stroke);
     }
@@ -317,6 +328,7 @@ Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const 
   work.cut_mm2 = std::min(cut.all_mm2, work.surface_mm2);
   work.flat_mm2 = cut.flat_mm2;
   work.ruled_mm2 = cut.ruled_mm2;
+  work.stepped_mm2 = cut.stepped_mm2;
   work.bends_mm = cut.bends_mm;
   work.uneven_mm2 = std::min(map.unevenArea(), work.surface_mm2);
   return work;
@@ -326,10 +338,10 @@ Workload together(const Workload& a, const Workload& b) {
   Workload both = a;
   for (double Workload::*member :
        {&Workload::surface_mm2, &Workload::cut_mm2, &Workload::flat_mm2, &Workload::ruled_mm2,
-        &Workload::bends_mm, &Workload::uneven_mm2, &Workload::nominal_mm2, &Workload::fixture_mm2,
-        &Workload::fixture_mesh_mm2, &Workload::pixels, &Workload::triangles, &Workload::thread_triangles,
-        &Workload::groove_triangles, &Workload::turned_mm2, &Workload::threaded_mm2,
-        &Workload::blank_triangles})
+        &Workload::stepped_mm2, &Workload::bends_mm, &Workload::uneven_mm2, &Workload::nominal_mm2,
+        &Workload::fixture_mm2, &Workload::fixture_mesh_mm2, &Workload::pixels, &Workload::triangles,
+        &Workload::thread_triangles, &Workload::groove_triangles, &Workload::turned_mm2,
+        &Workload::threaded_mm2, &Workload::blank_triangles})
     both.*member = std::max(a.*member, b.*member);
   both.swept_mm2 += b.swept_mm2;
   for (int kind = 0; kind < kCurveKinds; ++kind) add(both.curves[kind], b.curves[kind]);
@@ -351,7 +363,8 @@ namespace {
 
 /// A workload on one grid.
 struct Cells {
-  double surface, cut, flat, ruled, bends, uneven, swept, turned, threaded, fixture, fixture_mesh, compared;
+  double surface, cut, flat, ruled, stepped, bends, uneven, swept, turned, threaded, fixture, fixture_mesh,
+      compared;
 
   double round() const { return std::max(0.0, cut - flat - ruled); }
 };
@@ -362,6 +375,7 @@ Cells cellsOf(const Workload& work, double resolution_mm) {
           work.cut_mm2 / h2,
           work.flat_mm2 / h2,
           work.ruled_mm2 / h2,
+          work.stepped_mm2 / h2,
           work.bends_mm / resolution_mm,
           work.uneven_mm2 / h2,
           work.swept_mm2 / h2,
@@ -435,10 +449,11 @@ double stockS(const Workload& work, const Cells& cells) {
   const double each = clampings * kSecondsPerCell + (clampings - 1.0) * kSecondsPerCarriedCell;
   const double thread = kSecondsPerThreadedCell + (clampings - 1.0) * kSecondsPerMilledThread;
   return cells.surface * each + cells.flat * kSecondsPerFlatCell + cells.ruled * kSecondsPerRuledCell +
-         cells.round() * kSecondsPerRoundCell + cells.bends * kSecondsPerBend +
-         cells.uneven * kSecondsPerUnevenCell + cells.swept * kSecondsPerSweptCell +
-         cells.fixture * kSecondsPerFixtureCell + cells.fixture_mesh * kSecondsPerMeshedCell +
-         cells.turned * kSecondsPerTurnedCell + cells.threaded * thread;
+         cells.round() * kSecondsPerRoundCell + cells.stepped * kSecondsPerSteppedCell +
+         cells.bends * kSecondsPerBend + cells.uneven * kSecondsPerUnevenCell +
+         cells.swept * kSecondsPerSweptCell + cells.fixture * kSecondsPerFixtureCell +
+         cells.fixture_mesh * kSecondsPerMeshedCell + cells.turned * kSecondsPerTurnedCell +
+         cells.threaded * thread;
 }
 
 /// Bodies that need no grid.

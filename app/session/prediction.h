@@ -41,10 +41,11 @@ struct Workload {
   double cut_mm2 = 0.0;      ///< of that what is cut, but level floors
   double flat_mm2 = 0.0;     ///< of what is cut: by flat ends on long lines, into planes
   double ruled_mm2 = 0.0;    ///< of what is cut: by other tools on long lines
+  double stepped_mm2 = 0.0;  ///< of the rest: by rims of flat ends on short lines that are not level
   double bends_mm = 0.0;     ///< of the rest of what is cut: area over the radius of the tool
   double uneven_mm2 =
       0.0;  ///< of the part, in plan view: neither flat nor a wall; its triangles are not merged
-  double swept_mm2 = 0.0;  ///< plan area that the tools pass over, each motion counted
+  double swept_mm2 = 0.0;  ///< plan area that the tools pass over, each motion counted; along lines twice
   std::array<CurveWork, kCurveKinds> curves;
   double nominal_mm2 = 0.0;       ///< of the model that the part is compared with; 0: no comparison
   double fixture_mm2 = 0.0;       ///< of fixtures that tools come near to

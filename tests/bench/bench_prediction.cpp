@@ -1,5 +1,5 @@
-// What `proveout run` predicts of itself beside what it takes, over jobs of many kinds: memory is to be
-// within 1.5 times, time within 2, both ways. Ends with 1 where it is not. With --runs the fastest of some
+// What `proveout run` predicts of itself beside what it takes, over jobs of many kinds: memory and
+// time are to be within 1.5 times, both ways. Ends with 1 where it is not. With --runs the fastest of some
 // counts: on a machine that others use.
 #include <fmt/format.h>
 

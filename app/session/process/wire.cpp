@@ -51,6 +51,7 @@ std::unique_ptr<PieceProbe> probe(const Job& /*setup*/, const ProbedStock& /*sto
 /// Of a wire that leans, as triangles of a mesh from half sections.
 struct LeanWork {
   double triangles = 0.0;
+  double pieces = 0.0;    ///< of the way
   double sections = 0.0;  ///< whole contours that are cut at heights of their own, by what they take
 };
 
@@ -85,7 +86,7 @@ LeanWork leanWork(const Job& job, const Toolpath& path, const Box3& bounds) {
     }
     all += static_cast<double>(pieces.size());
   }
-  return {sum + sharp * kASharp, sharp * all * kAPieceOfASection};
+  return {sum + sharp * kASharp, all, sharp * all * kAPieceOfASection};
 }
 
 /// Walls have two triangles a motion on either side of the kerf, faces as many. Behind another clamping each
@@ -98,14 +99,16 @@ Workload work(const Job& job, const RunResult& run, std::size_t k, const Blank& 
   const Toolpath& path = run.setups[k].interpreted.path;
   const Box3 bounds = movedBounds(job, blank.bounds, k);
   if (standsUpright(path)) {
-    constexpr double kShareOfTime = 0.5;
+    constexpr double kShareOfTime = 0.9;
     work.triangles = kTrianglesOfAMotion * static_cast<double>(work.motions);
     work.thread_triangles = kShareOfTime * work.triangles;
   } else {
-    constexpr double kShareOfTime = 1.25, kSectionShare = 1.57;  // of a triangle of a mesh from half sections
+    // Of a triangle of a mesh from half sections.
+    constexpr double kShareOfTime = 1.25, kPieceShare = 40.0, kSectionShare = 1.57;
     const LeanWork lean = leanWork(run.setups[k].job, path, bounds);
     work.triangles = lean.triangles;
-    work.thread_triangles = kShareOfTime * lean.triangles + kSectionShare * lean.sections;
+    work.thread_triangles =
+        kShareOfTime * lean.triangles + kPieceShare * lean.pieces + kSectionShare * lean.sections;
   }
   if (k == 0 && isPrism(blank)) return work;
   constexpr double kCopies = 3.0;

@@ -40,7 +40,7 @@ TEST(Workload, ASlotAddsItsWalls) {
   path.motions = {feed({-10, 25, -5}, {110, 25, -5})};
   const Workload work = workloadOf(path, flat(10), kBlock, kBlockArea);
   EXPECT_NEAR(work.surface_mm2, kBlockArea + 2 * 5 * 100, 150);
-  EXPECT_DOUBLE_EQ(work.swept_mm2, 130 * 10);
+  EXPECT_DOUBLE_EQ(work.swept_mm2, (2 * 120 + 10) * 10);
   EXPECT_EQ(work.motions, 1u);
   // The same slot again sweeps as much, and cuts nothing.
   path.motions.push_back(path.motions[0]);
@@ -105,6 +105,12 @@ TEST(Workload, LongLinesOfAFlatEndLeavePlanes) {
   const Workload hole = workloadOf(path, flat(10), kBlock, kBlockArea);
   EXPECT_EQ(hole.flat_mm2 + hole.ruled_mm2, 0.0);
   EXPECT_NEAR(hole.bends_mm, hole.cut_mm2 / 5.0, 1e-6 * hole.cut_mm2);
+  EXPECT_EQ(slot.stepped_mm2 + hole.stepped_mm2, 0.0);
+  // A short line that goes down leaves the rim's steps.
+  path.motions = {feed({50, 25, -4}, {55, 25, -5})};
+  const Workload ramp = workloadOf(path, flat(10), kBlock, kBlockArea);
+  EXPECT_DOUBLE_EQ(ramp.stepped_mm2, ramp.cut_mm2);
+  EXPECT_EQ(workloadOf(path, ball, kBlock, kBlockArea).stepped_mm2, 0.0);
   Workload uncut;
   uncut.surface_mm2 = slot.surface_mm2;
   EXPECT_LT(predict(slot, 0.1).time_s - predict(uncut, 0.1).time_s, 0.1);
@@ -186,6 +192,7 @@ TEST(Prediction, EveryPartOfTheWorkCounts) {
   expectMore("turned, on a grid", true, [](Workload& w) { w.turned_mm2 = 1e4; });
   expectMore("threads on a grid", true, [](Workload& w) { w.threaded_mm2 = 1e4; });
   expectMore("round walls", false, [](Workload& w) { w.bends_mm = 1e4; });
+  expectMore("terraces", false, [](Workload& w) { w.stepped_mm2 = 1e4; });
 }
 
 TEST(Prediction, FindsTheGridThatFits) {
