@@ -122,8 +122,8 @@ Status StagingFolder::write(const std::string& name,
     return Error{done.error().kind, asTarget(done.error().message)};
   if (Status done = make(aside.string()); !done) {
     fs::remove(aside, error);
-    missing_.push_back(name);
-    return Error{done.error().kind, asTarget(done.error().message)};
+    missing_.push_back({name, asTarget(done.error().message)});
+    return Error{done.error().kind, missing_.back().why};
   }
   names_.push_back(name);
   return Done{};
@@ -148,10 +148,10 @@ Status StagingFolder::move(const std::string& name) const {
 
 Status StagingFolder::commit() {
   if (progress_ != nullptr && progress_->cancelled()) return kStopped;
-  if (std::find(missing_.begin(), missing_.end(), kReportName) != missing_.end()) {
-    return Error{
-        ErrorKind::kResourceLimit,
-        target_ + ": nothing was written there: report.json, which tells what the rest is, cannot be"};
+  for (const Missing& file : missing_) {
+    if (file.name == kReportName)
+      return Error{ErrorKind::kResourceLimit,
+                   target_ + ": nothing was written there without the report of it: " + file.why};
   }
   FolderLock alone;
   if (alone.take(target_, kPatienceS) == FolderLock::Outcome::kBusy)
@@ -165,7 +165,7 @@ Status StagingFolder::commit() {
   std::error_code ignored;
   if (report != names.end()) fs::remove(fs::path(target_) / kReportName, ignored);
   Status first = Done{};
-  for (const std::string& name : missing_) {  // an earlier run's must not pass for this one's
+  for (const auto& [name, why] : missing_) {  // an earlier run's must not pass for this one's
     if (!fs::is_directory(fs::path(target_) / name, ignored)) fs::remove(fs::path(target_) / name, ignored);
   }
   for (const std::string& name : names) {

@@ -59,9 +59,12 @@ class StagingFolder {
 
   std::string target_, aside_;
   std::vector<std::string> names_;
-  std::vector<std::string> missing_;  ///< what could not be made
-  std::vector<std::string> made_;     ///< folders that were not there, the innermost first
-  FolderLock in_use_;                 ///< says that the folder aside belongs to a process that lives
+  struct Missing {
+    std::string name, why;
+  };
+  std::vector<Missing> missing_;   ///< what could not be made
+  std::vector<std::string> made_;  ///< folders that were not there, the innermost first
+  FolderLock in_use_;              ///< says that the folder aside belongs to a process that lives
   const OutputGuard* guard_ = nullptr;
   const Progress* progress_ = nullptr;
   UnfinishedFile unfinished_;
