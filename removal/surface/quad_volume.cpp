@@ -13,6 +13,9 @@ constexpr double kFlatSlope = 6e-5;
 /// Corners of a parallelogram leave one curvature open (which then does not matter); this, by the mean square
 /// of the equations' terms, keeps it at zero.
 constexpr double kOpen = 1e-5;
+/// Of the determinant of the equations, by the third power of the terms' mean: where less is known of one
+/// curvature, what single chords bend is not.
+constexpr double kLeastKnown = 1e-3;
 /// A surface that bends more than this inside a cell is not smooth there; rather no bulge than a wrong one.
 constexpr double kSteepest = 0.7;
 /// By which a sum of errors is multiplied: found on 100 random jobs against grids four times as fine, where
@@ -74,8 +77,13 @@ class BendFit {
     m22 += pull;
     c00_ = m11 * m22 - m12 * m12, c01_ = m02 * m12 - m01 * m22, c02_ = m01 * m12 - m02 * m11;
     c11_ = m00 * m22 - m02 * m02, c12_ = m01 * m02 - m00 * m12, c22_ = m00 * m11 - m01 * m01;
-    scale_ = 1.0 / (m00 * c00_ + m01 * c01_ + m02 * c02_);
+    const double determinant = m00 * c00_ + m01 * c01_ + m02 * c02_, mean = (m00 + m11 + m22) / 3.0;
+    scale_ = 1.0 / determinant;
+    whole_ = determinant > kLeastKnown * mean * mean * mean;
   }
+
+  /// Whether the corners tell all three curvatures.
+  bool whole() const { return whole_; }
 
   Bend of(const std::array<double, 4>& height) const {
     double r0 = 0.0, r1 = 0.0, r2 = 0.0;
@@ -94,6 +102,7 @@ class BendFit {
   const Piece& p_;
   int left_out_;
   double c00_, c01_, c02_, c11_, c12_, c22_, scale_;  ///< of the inverse
+  bool whole_;
 };
 
 double twiceArea(const Piece& p, int a, int b, int c) {
@@ -190,7 +199,7 @@ double roundBulge(const Piece& p, unsigned smooth_corners) {
   }
   const Bend bend = fit.of(height);
   turn(bend);
-  double bulge = bulgeAround(p, bend) + wedgesAround(p, bend, smooth_corners);
+  double bulge = bulgeAround(p, bend) + (fit.whole() ? wedgesAround(p, bend, smooth_corners) : 0.0);
   for (int i = 0; i < 4; ++i) {
     const int k = (i + 1) % 4;
     const Pair b{bend(p.x[i], p.y[i]), u[i] * p.x[k] + v[i] * p.y[k], bend(p.x[k], p.y[k])};

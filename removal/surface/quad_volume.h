@@ -14,15 +14,15 @@ struct QuadVolume {
 
 /// The cone from `apex` to the piece of surface around a crossing: the four triangles from the crossing to
 /// the corners (CCW from outside, all on the surface), and what the surface bulges out of them, up to its own
-/// normals along the chords between smooth corners: so quads that share a chord share their border. The
-/// curvature follows from the corners' heights over the tangent plane at the crossing; it is quadratic, with
-/// the next term of spheres and cylinders where it turns much: what is left of those goes with the sixth
-/// power of the quad's size, of others with the fourth. Flat: exact. The error is what lies between the
-/// corners and that plane, by the square of the slope to them: whole where the surface breaks between the
-/// crossing and a corner. `normal` is the surface's at the crossing, unit to 1e-4. Any unit of length.
-/// `smooth_corners`: bits of the corners that lie on one smooth face; the others may lie on creases. Where a
-/// crease joins opposite corners, the one beyond it says nothing of how the crossing's face bends: the piece
-/// is two triangles then, with the bulge of the one on this side.
+/// normals along the chords between smooth corners (as far as the corners tell how these bend): so quads that
+/// share a chord share their border. The curvature follows from the corners' heights over the tangent plane
+/// at the crossing; it is quadratic, with the next term of spheres and cylinders where it turns much: what is
+/// left of those goes with the sixth power of the quad's size, of others with the fourth. Flat: exact. The
+/// error is what lies between the corners and that plane, by the square of the slope to them: whole where the
+/// surface breaks between the crossing and a corner. `normal` is the surface's at the crossing, unit to 1e-4.
+/// Any unit of length. `smooth_corners`: bits of the corners that lie on one smooth face; the others may lie
+/// on creases. Where a crease joins opposite corners, the one beyond it says nothing of how the crossing's
+/// face bends: the piece is two triangles then, with the bulge of the one on this side.
 QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
                       const Vec3& apex, unsigned smooth_corners = 0xF);
 

@@ -195,12 +195,12 @@ class GriddedSphere {
   std::map<Cell, Sum> sums_;
 };
 
-/// What is left goes with the inverse of the square of the radius. Without wedges it is 0.009 to 0.018, whatever
-/// the radius.
+/// Without wedges 0.009 to 0.018 are left, whatever the radius. Quads whose corners are nearly a
+/// parallelogram have none still.
 TEST(QuadVolume, ClosesAroundASphere) {
   for (const double radius : {5.0, 7.0, 10.0, 14.0, 20.0}) {
     const double exact = 4.0 / 3.0 * kPi * radius * radius * radius;
-    EXPECT_NEAR(GriddedSphere(radius).volume(), exact, 1.2e-4 + 0.025 / (radius * radius)) << radius;
+    EXPECT_NEAR(GriddedSphere(radius).volume(), exact, 8e-4 + 0.02 / (radius * radius)) << radius;
   }
 }
 

