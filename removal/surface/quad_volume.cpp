@@ -22,7 +22,7 @@ constexpr double kSteepest = 0.7;
 /// without any other word the volume was off by 0.2 % or more of what was removed.
 constexpr double kErrorFactor = 2.0;
 /// Where corners lie at a smaller slope the surface bends as a quadratic does: the next term is less than
-/// 1e-3 of the bulge, and that a hundredth of a cell.
+/// 1e-4 of the bulge.
 constexpr double kQuarticSlope = 0.01;
 /// A face that seems to turn by more up to a corner is none that this describes.
 constexpr double kMostTurned = 1.0;
