@@ -46,8 +46,7 @@ TEST(QuadVolume, KeepsTheBulgeOnThisSideOfACrease) {
   EXPECT_NEAR(quadVolume(corners, crossing, Vec3::UnitZ(), kApex, 0xA).volume, facets + bulge, 0.02 * bulge);
 }
 
-/// Corners that are not smooth, on one round face: rims of it at both ends. What a rim cuts off beside its
-/// chord is not told (2e-6); with a break at a diagonal the volume were 4e-4 off.
+/// Corners that are not smooth, on one round face: rims of it at both ends.
 TEST(QuadVolume, TakesARoundFaceForNoBreak) {
   constexpr double kRadius = 8.0;
   std::array<Vec3, 4> corners = {Vec3(-0.5, -0.5, 0), Vec3(0.5, -0.5, 0), Vec3(0.5, 0.5, 0),
@@ -55,7 +54,7 @@ TEST(QuadVolume, TakesARoundFaceForNoBreak) {
   for (Vec3& c : corners) c.z() = std::sqrt(kRadius * kRadius - c.x() * c.x()) - kRadius;
   const double smooth = quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, 0xF).volume;
   for (const unsigned bits : {0x0u, 0x5u, 0xAu, 0x2u})
-    EXPECT_NEAR(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, bits).volume, smooth, 3e-6) << bits;
+    EXPECT_EQ(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, bits).volume, smooth) << bits;
 }
 
 /// A sphere around, or a cylinder along, what `fromAxis` measures from.
@@ -113,7 +112,7 @@ TEST(QuadVolume, FollowsFacesThatTurnMuch) {
       }
       const double turn2 = 1.0 / (radius * radius);  // of which the quadratic misses a tenth
       EXPECT_NEAR(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex).volume, facets + bulge,
-                  (0.25 * turn2 * turn2 + 3e-5) * bulge)
+                  (0.21 * turn2 * turn2 + 3e-5) * bulge)
           << face.dimension << " " << radius;
     }
   }

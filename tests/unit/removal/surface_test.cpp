@@ -63,6 +63,7 @@ struct Case {
   double volume = 0.0;    ///< mm3
   double radius = 0.0;    ///< least radius of curvature, mm; 0: all flat
   double vertex = 0.002;  ///< largest distance of a vertex from the closed form, mm; 0.01 on curved edges
+  double off = 1e-5;      ///< of the volume, at most
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
@@ -92,7 +93,8 @@ std::vector<Case> cases() {
       {"ball_slot",
        test::without(test::box(Vec3(-4, -4, -2), Vec3(4, 4, 2), 1),
                      test::cylinder({0, 0.1, 1.7}, Vec3::UnitX(), 2.0, 10)),
-       8 * 8 * 4 - 8 * (kPi * 2.0 + 2 * (0.5 * 0.3 * std::sqrt(4 - 0.09) + 2.0 * std::asin(0.15))), 2.0},
+       8 * 8 * 4 - 8 * (kPi * 2.0 + 2 * (0.5 * 0.3 * std::sqrt(4 - 0.09) + 2.0 * std::asin(0.15))), 2.0,
+       0.002, 1.1e-5},  // vertices on rims that hang over are as far off as crossings show
       {"thin_wall",
        test::without(test::box(Vec3(-4, -4, -2), Vec3(4, 4, 2), 1),
                      test::without(test::box(Vec3(-3, -3, -1), Vec3(3, 3, 5), 10),
@@ -110,8 +112,7 @@ TEST_P(SurfaceOf, IsOnTheClosedForm) {
   EXPECT_LT(worstVertex(s.mesh, c.field), c.vertex);
   // Surfaces that bend both ways are off twice as much along the diagonals of their quads.
   EXPECT_LT(worstInside(s.mesh, c.field), 0.002 + 2.0 * bow);
-  // Without swept bodies vertices on rims that hang over are as far off as crossings show: 1e-5 of ball_slot.
-  EXPECT_NEAR(s.volume_mm3 / c.volume, 1.0, 1.1e-5);
+  EXPECT_NEAR(s.volume_mm3 / c.volume, 1.0, c.off);
 }
 
 TEST_P(SurfaceOf, StaysWithinTheToleranceWhenSimplified) {
