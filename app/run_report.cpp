@@ -128,9 +128,8 @@ ErrorTerm simplifyTerm(double bound_mm) {
   return {"simplify", bound_mm,
           bound_mm > 0.0
               ? "the mesh has fewer triangles than the surface had: no point of either is farther "
-                "from the other, but where walls closer than the grid were parted: mostly by up to a "
-                "tenth of the grid there, and by a cell at the most; volumes, findings and the "
-                "comparison do not depend on it"
+                "from the other (where walls closer than the grid were parted, that is measured on "
+                "programs and not proven); volumes, findings and the comparison do not depend on it"
               : "the mesh is not simplified"};
 }
 

@@ -103,7 +103,8 @@ bool QuadPlanner::anyMerged(const Quad& quad) const {
 bool QuadPlanner::bulges(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c,
                          const std::array<int, 4>& at) const {
   // Which steps can be opened and which sheets parted is not to depend on the tolerance.
-  const bool at_detail = (quad.traits & (CellTraits::kStep | CellTraits::kManySheets)) != 0;
+  constexpr std::uint16_t kDetails = CellTraits::kStep | CellTraits::kManySheets | CellTraits::kClose;
+  const bool at_detail = (quad.traits & kDetails) != 0;
   const double off = bulgeOver(quad, at_detail ? kFanHeight : fan_height_);
   return off > 0.0 && (quad.smooth_corners != 0xF || off > kFanGain * edgesOff(leaf, quad, c, at, off));
 }

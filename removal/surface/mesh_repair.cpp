@@ -66,7 +66,7 @@ class MeshRepair {
   std::optional<RepairedMesh> run(Progress& progress);
 
  private:
-  std::vector<std::int32_t> partMergedAround(const LeafMesh& mesh, const TrianglePairs& pairs);
+  std::vector<std::int32_t> refineAround(const LeafMesh& mesh, const TrianglePairs& pairs);
   std::vector<std::int32_t> wallIn(const LeafMesh& mesh, const TrianglePairs& pairs);
   void markUnchecked(const LeafMesh& mesh, const TrianglePairs& pairs);
   bool anyWalled(const LeafMesh& mesh, const std::array<std::uint32_t, 2>& pair) const;
@@ -85,19 +85,28 @@ class MeshRepair {
   MeshWriter writer_;
 };
 
-/// Takes merged cells apart around pairs, as far as mending looks: what is mended there, and what is walled
-/// in, is not to depend on the tolerance. Returns the leaves that this changed.
-std::vector<std::int32_t> MeshRepair::partMergedAround(const LeafMesh& mesh, const TrianglePairs& pairs) {
+/// Makes the mesh around pairs, as far as mending looks, what it is without a tolerance: takes merged cells
+/// apart and makes fans where quads bulge. What is mended there, and what is walled in, is not to depend on
+/// the tolerance. Returns the leaves that this changed, ascending.
+std::vector<std::int32_t> MeshRepair::refineAround(const LeafMesh& mesh, const TrianglePairs& pairs) {
   if (!merger_.active() || pairs.empty()) return {};
   std::vector<std::uint32_t> merged;
+  std::vector<std::int32_t> changed;
   const MendSurroundings around(mesh.mesh, grid_.impl().h, pairs);
   for (const MendSurroundings::Group& group : around.groups()) {
     for (const std::uint32_t t : group.triangles) {
+      for (const std::uint32_t cell : cornerCellsOf(mesh, grid_, t)) {
+        if (grid_.markClose(cell)) changed.push_back(static_cast<std::int32_t>(grid_.leafOf(cell)));
+      }
       const std::vector<std::uint32_t> cells = mergedCellsOf(mesh, grid_, merger_, t);
       merged.insert(merged.end(), cells.begin(), cells.end());
     }
   }
-  return merged.empty() ? std::vector<std::int32_t>() : merger_.takeApart(std::move(merged));
+  const std::vector<std::int32_t> apart = merger_.takeApart(std::move(merged));
+  changed.insert(changed.end(), apart.begin(), apart.end());
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  return changed;
 }
 
 /// Walls in the cells of triangles that meet. Returns the leaves that this changed, none if all are.
@@ -196,7 +205,7 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
       planAgain(changed, progress);
       return true;
     };
-    if (part_rounds < kPartRounds && partAgain(partMergedAround(*written, pairs))) continue;
+    if (part_rounds < kPartRounds && partAgain(refineAround(*written, pairs))) continue;
     RepairedMesh out;
     std::vector<StepVertex> steps = stepVertices(*written);
     if (const TrianglePairs left = pairs.empty() ? pairs : pairsForWalls(*written, pairs); !left.empty()) {

@@ -99,6 +99,7 @@ struct CellTraits {
   static constexpr std::uint16_t kDrawnIn = 0x1000;  ///< and its sheets are in the middle of their crossings
   static constexpr std::uint16_t kMisses = 0x2000;   ///< a face of its crossings ends before its vertex
   static constexpr std::uint16_t kStep = 0x4000;     ///< a step lower than the cell runs through it
+  static constexpr std::uint16_t kClose = 0x8000;    ///< triangles near it met; see SurfaceGrid::markClose
 };
 
 /// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each
@@ -140,6 +141,13 @@ class SurfaceGrid {
   /// on its walls, and do not meet. Sheets of one cell are parted for sure when it is asked for again. False
   /// if all is done already.
   bool wall(std::uint32_t cell);
+  /// Quads at this cell keep as near to the surface as those of a mesh that is not simplified. False if they
+  /// did already.
+  bool markClose(std::uint32_t cell) {
+    const bool fresh = (traits_[cell] & CellTraits::kClose) == 0;
+    traits_[cell] |= CellTraits::kClose;
+    return fresh;
+  }
   /// Whether the vertex of this cell, which is outside, may be in the way of other surface: it is out at an
   /// edge, by more than soft creases are, or comes near to the vertex of the cell that it is in.
   bool crowds(const SurfaceLeaf& leaf, int place) const;
