@@ -39,7 +39,7 @@ int edgeBetween(int a, int b) {
 /// Joins crossed edges pairwise across one face; `parent` is a union-find forest.
 class Joiner {
  public:
-  explicit Joiner(int pattern) : pattern_(pattern) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit Joiner(CellShape shape) : shape_(shape) { std::iota(parent_.begin(), parent_.end(), 0); }
 
   void joinFace(int axis, int side) {
     const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = side << axis;
@@ -52,8 +52,9 @@ class Joiner {
     if (count == 2) {
       join(crossed[0], crossed[1]);
     } else if (count == 4) {
+      const bool joined = (shape_ >> (kJoinedFaces + axis * 2 + side) & 1) != 0;
       for (int i = 0; i < 4; ++i) {
-        if (inside(ring[i]))
+        if (inside(ring[i]) != joined)
           join(edgeBetween(ring[(i + 3) % 4], ring[i]), edgeBetween(ring[i], ring[(i + 1) % 4]));
       }
     }
@@ -77,32 +78,53 @@ class Joiner {
   }
 
  private:
-  bool inside(int corner) const { return pattern_ >> corner & 1; }
+  bool inside(int corner) const { return (shape_ >> corner & 1) != 0; }
   int find(int e) const { return parent_[e] == e ? e : find(parent_[e]); }
   void join(int a, int b) { parent_[find(a)] = find(b); }
 
-  int pattern_;
+  CellShape shape_;
   std::array<int, 12> parent_{};
 };
 
-std::array<CellCycles, 256> makeCycles() {
-  std::array<CellCycles, 256> all;
-  for (int pattern = 0; pattern < 256; ++pattern) {
-    Joiner joiner(pattern);
-    for (int axis = 0; axis < 3; ++axis) {
-      joiner.joinFace(axis, 0);
-      joiner.joinFace(axis, 1);
+CellCycles findCycles(CellShape shape) {
+  Joiner joiner(shape);
+  for (int axis = 0; axis < 3; ++axis) {
+    joiner.joinFace(axis, 0);
+    joiner.joinFace(axis, 1);
+  }
+  return joiner.cycles();
+}
+
+std::array<CellCycles, kPatterns> makeCycles() {
+  std::array<CellCycles, kPatterns> all;
+  for (int pattern = 0; pattern < kPatterns; ++pattern)
+    all[pattern] = findCycles(static_cast<CellShape>(pattern));
+  return all;
+}
+
+std::array<std::uint8_t, kPatterns> makeDoubtfulFaces() {
+  std::array<std::uint8_t, kPatterns> all{};
+  for (int pattern = 0; pattern < kPatterns; ++pattern) {
+    for (int face = 0; face < 6; ++face) {
+      const int axis = face / 2, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = (face & 1) << axis;
+      const int a = pattern >> base & 1, b = pattern >> (base | u) & 1, c = pattern >> (base | u | v) & 1,
+                d = pattern >> (base | v) & 1;
+      if (a == c && b == d && a != b) all[pattern] |= static_cast<std::uint8_t>(1 << face);
     }
-    all[pattern] = joiner.cycles();
   }
   return all;
 }
 
 }  // namespace
 
-const std::array<CellCycles, 256>& cellCycles() {
-  static const std::array<CellCycles, 256> kCycles = makeCycles();
-  return kCycles;
+CellCycles cellCycles(CellShape shape) {
+  static const std::array<CellCycles, kPatterns> kCycles = makeCycles();
+  return shape < kPatterns ? kCycles[shape] : findCycles(shape);
+}
+
+const std::array<std::uint8_t, kPatterns>& doubtfulFaces() {
+  static const std::array<std::uint8_t, kPatterns> kFaces = makeDoubtfulFaces();
+  return kFaces;
 }
 
 int edgeStartCorner(int edge) { return kTables.start[edge]; }

@@ -4,8 +4,8 @@
 //
 // Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge e = axis * 4 + k runs along `axis` from the
 // k-th of the four corners that have 0 on that axis, in order of their number. Face f = axis * 2 + side. On a
-// face whose four edges are all crossed the material corners are cut off singly; both cells of the face see
-// the same.
+// face whose four edges are all crossed the material corners are cut off singly, or, where the face is
+// joined, the others; both cells of the face see the same.
 #pragma once
 
 #include <array>
@@ -18,8 +18,15 @@ struct CellCycles {
   std::array<std::int8_t, 12> cycle_of_edge{};  ///< -1: not crossed
 };
 
-/// Cycles for each of the 256 patterns of material corners (bit c: corner c in material).
-const std::array<CellCycles, 256>& cellCycles();
+/// What is known of a cell's corners and faces. Bit c: corner c is in material; bit kJoinedFaces + f: face f,
+/// whose four edges are all crossed, is joined.
+using CellShape = std::uint16_t;
+inline constexpr int kJoinedFaces = 8;
+inline constexpr int kPatterns = 1 << kJoinedFaces;  ///< shapes without joined faces
+
+CellCycles cellCycles(CellShape shape);
+/// Faces whose four edges are all crossed, as bits, for each pattern of material corners.
+const std::array<std::uint8_t, kPatterns>& doubtfulFaces();
 
 /// Corner at the start of edge e.
 int edgeStartCorner(int edge);

@@ -129,10 +129,11 @@ double CellMaterial::cutByPlanes(const Part& part, std::size_t begin) const {
 /// vertex of the next cell goes through the wall.
 double CellUnderSurface::share(const Coord& cell) {
   cell_ = cell;
-  pattern_ = 0;
-  for (int c = 0; c < 8; ++c) pattern_ |= read_.isMaterial(stepped(cell, c)) ? 1 << c : 0;
-  if (pattern_ == 0) return 0.0;
-  if (pattern_ == 0xFF) return 1.0;
+  int pattern = 0;
+  for (int c = 0; c < 8; ++c) pattern |= read_.isMaterial(stepped(cell, c)) ? 1 << c : 0;
+  if (pattern == 0) return 0.0;
+  if (pattern == 0xFF) return 1.0;
+  shape_ = grid_.shape(numberOf(cell));
   double sum = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, far = 1 << axis;
@@ -148,17 +149,20 @@ double CellUnderSurface::share(const Coord& cell) {
 /// `corners`: counter-clockwise from outside.
 double CellUnderSurface::wall(const Corners& corners, int axis, int side) const {
   if (std::all_of(corners.begin(), corners.end(), [&](int c) { return isIn(c); })) return 1.0 / 6.0;
+  // Of a joined face all is material but what the surface cuts off at the other corners.
+  const bool joined = (shape_ >> (kJoinedFaces + axis * 2 + (side > 0 ? 1 : 0)) & 1) != 0;
+  const auto isOfPiece = [&](int i) { return isIn(corners[i % 4]) != joined; };
   double sum = 0.0;
   for (int from = 0; from < 4; ++from) {
-    if (!isIn(corners[from]) || isIn(corners[(from + 3) % 4])) continue;
+    if (!isOfPiece(from) || isOfPiece(from + 3)) continue;
     int to = from;
-    while (isIn(corners[(to + 1) % 4])) ++to;
+    while (isOfPiece(to + 1)) ++to;
     sum += pieceAtWall(corners, from, to, axis, side);
   }
-  return sum;
+  return joined ? 1.0 / 6.0 - sum : sum;
 }
 
-/// `from` to `to`: neighbouring corners in material; those before and after are not.
+/// `from` to `to`: neighbouring corners in material, or all not; those before and after are the other way.
 double CellUnderSurface::pieceAtWall(const Corners& corners, int from, int to, int axis, int side) const {
   const int before = corners[(from + 3) % 4], start = corners[from];
   const Vec3 first = crossing(before, start), last = crossing(corners[to % 4], corners[(to + 1) % 4]);
@@ -213,14 +217,22 @@ Vec3 CellUnderSurface::crossing(int from, int to) const {
   return p;
 }
 
+const SurfaceLeaf& CellUnderSurface::leafOf(const Coord& cell) const {
+  return grid_.leaves()[static_cast<std::size_t>(read_.state(cell & ~7))];
+}
+
+std::uint32_t CellUnderSurface::numberOf(const Coord& cell) const {
+  return leafOf(cell).cellAt((cell.z() & 7) << 6 | leafBit(cell.x() & 7, cell.y() & 7));
+}
+
 /// That of a cell's sheet that crosses an edge of it; from the middle of the own cell. `smooth`: receives
 /// whether a smooth face runs through the cell.
 Vec3 CellUnderSurface::vertex(const Coord& cell, int edge, bool* smooth) const {
-  const SurfaceLeaf& leaf = grid_.leaves()[static_cast<std::size_t>(read_.state(cell & ~7))];
-  const std::uint32_t number = leaf.cellAt((cell.z() & 7) << 6 | leafBit(cell.x() & 7, cell.y() & 7));
+  const SurfaceLeaf& leaf = leafOf(cell);
+  const std::uint32_t number = numberOf(cell);
   if (smooth != nullptr) *smooth = (grid_.traits(number) & CellTraits::kSmooth) != 0;
   Eigen::Vector3f p = grid_.vertex(number);
-  const int sheet = cellCycles()[grid_.pattern(number)].cycle_of_edge[static_cast<std::size_t>(edge)];
+  const int sheet = cellCycles(grid_.shape(number)).cycle_of_edge[static_cast<std::size_t>(edge)];
   if (sheet > 0) {
     for (const ExtraVertex& extra : leaf.extra) {
       if (extra.cell == number - leaf.base && extra.sheet == sheet) p = extra.p;

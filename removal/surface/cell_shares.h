@@ -51,12 +51,14 @@ class CellUnderSurface {
   double bulge(int edge) const;
   Vec3 crossing(int from, int to) const;
   Vec3 vertex(const Coord& cell, int edge, bool* smooth = nullptr) const;
-  bool isIn(int corner) const { return (pattern_ >> corner & 1) != 0; }
+  bool isIn(int corner) const { return (shape_ >> corner & 1) != 0; }
+  const SurfaceLeaf& leafOf(const Coord& cell) const;
+  std::uint32_t numberOf(const Coord& cell) const;
 
   const SurfaceGrid& grid_;
   LeafReader read_;
   Coord cell_;
-  int pattern_ = 0;  ///< its material corners
+  CellShape shape_ = 0;
 };
 
 }  // namespace proveout

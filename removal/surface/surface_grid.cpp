@@ -7,7 +7,7 @@
 #include "core/base/parallel_for.h"
 #include "core/geometry/to_float.h"
 #include "removal/grid/leaf_layers.h"
-#include "removal/surface/cell_cycles.h"
+#include "removal/surface/face_joins.h"
 #include "removal/surface/low_step.h"
 
 namespace proveout {
@@ -82,43 +82,49 @@ struct CellPattern {
   std::array<CellEdge, 12> edges{};
 };
 
-std::array<CellPattern, 256> makePatterns() {
-  std::array<CellPattern, 256> table;
-  for (int pattern = 0; pattern < 256; ++pattern) {
-    for (int e = 0; e < 12; ++e) {
-      const int cycle = cellCycles()[pattern].cycle_of_edge[e];
-      if (cycle < 0) continue;
-      const int corner = edgeStartCorner(e), axis = e / 4;
-      const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
-      table[pattern].edges[table[pattern].count++] = {
-          static_cast<std::int16_t>(CrossingTable::index(axis, x, y, z)),
-          static_cast<std::int8_t>(axis),
-          static_cast<std::int8_t>(cycle),
-          {toFloat(x), toFloat(y), toFloat(z)}};
+CellPattern patternOf(CellShape shape) {
+  const CellCycles cycles = cellCycles(shape);
+  CellPattern out;
+  for (int e = 0; e < 12; ++e) {
+    const int cycle = cycles.cycle_of_edge[e];
+    if (cycle < 0) continue;
+    const int corner = edgeStartCorner(e), axis = e / 4;
+    const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
+    out.edges[out.count++] = {static_cast<std::int16_t>(CrossingTable::index(axis, x, y, z)),
+                              static_cast<std::int8_t>(axis),
+                              static_cast<std::int8_t>(cycle),
+                              {toFloat(x), toFloat(y), toFloat(z)}};
+  }
+  return out;
+}
+
+std::uint8_t findOneSheetFaces(CellShape shape) {
+  const CellCycles cycles = cellCycles(shape);
+  const auto& cycle = cycles.cycle_of_edge;
+  std::uint8_t out = 0;
+  for (int face = 0; face < 6; ++face) {
+    const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, base = (face & 1) << axis;
+    const int first = cycle[edgeAt(u, base)];
+    if (first >= 0 && cycle[edgeAt(u, base | 1 << v)] == first && cycle[edgeAt(v, base)] == first &&
+        cycle[edgeAt(v, base | 1 << u)] == first) {
+      out |= static_cast<std::uint8_t>(1 << face);
     }
   }
+  return out;
+}
+
+/// Of all shapes without joined faces.
+template <typename Value, typename Find>
+std::array<Value, kPatterns> tableOf(const Find& find) {
+  std::array<Value, kPatterns> table;
+  for (int pattern = 0; pattern < kPatterns; ++pattern)
+    table[pattern] = find(static_cast<CellShape>(pattern));
   return table;
 }
 
-const std::array<CellPattern, 256>& cellPatterns() {
-  static const std::array<CellPattern, 256> kPatterns = makePatterns();
-  return kPatterns;
-}
-
-std::array<std::uint8_t, 256> makeOneSheetFaces() {
-  std::array<std::uint8_t, 256> table{};
-  for (int pattern = 0; pattern < 256; ++pattern) {
-    const auto& cycle = cellCycles()[pattern].cycle_of_edge;
-    for (int face = 0; face < 6; ++face) {
-      const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, base = (face & 1) << axis;
-      const int first = cycle[edgeAt(u, base)];
-      if (first >= 0 && cycle[edgeAt(u, base | 1 << v)] == first && cycle[edgeAt(v, base)] == first &&
-          cycle[edgeAt(v, base | 1 << u)] == first) {
-        table[pattern] |= static_cast<std::uint8_t>(1 << face);
-      }
-    }
-  }
-  return table;
+const std::array<CellPattern, kPatterns>& cellPatterns() {
+  static const auto kTable = tableOf<CellPattern>(patternOf);
+  return kTable;
 }
 
 /// Places the vertices of one leaf's cells.
@@ -137,11 +143,11 @@ class LeafPlacer {
     std::uint16_t traits = 0;
   };
 
-  Placed place(int bit, int z, int rank, int pattern) {
-    const CellPattern& cell = cellPatterns()[pattern];
+  Placed place(int bit, int z, int rank, CellShape shape) {
+    const CellPattern& cell = shape < kPatterns ? cellPatterns()[shape] : joined_ = patternOf(shape);
     const int x = bit >> 3, y = bit & 7, at = CrossingTable::index(0, x, y, z);
-    const std::uint8_t faces = oneSheetFaces()[pattern];
-    const int sheets = cellCycles()[pattern].count;
+    const std::uint8_t faces = oneSheetFaces(shape);
+    const int sheets = cellCycles(shape).count;
     Placed out;
     Eigen::Vector3f n;
     if (sheets == 1 && placeOneFace(cell, at, out.p, n)) {
@@ -377,6 +383,7 @@ class LeafPlacer {
        high_ = Vec3::Constant(kNoLimit);  ///< the blank, in the leaf's cells
   Vec3 asked_ = kNoPlace;  ///< the last place of this cell of which it was asked whether it is covered
   bool covered_ = false;
+  CellPattern joined_;  ///< of the cell, where it has joined faces
   std::array<SheetPoint, 12> points_;
   std::array<Vec3, 4> sheet_p_, sheet_mean_;  ///< of the sheets of one cell: vertices, means of the crossings
 };
@@ -414,9 +421,9 @@ LevelFace levelFace(const SurfaceLeaf& leaf) {
 
 }  // namespace
 
-const std::array<std::uint8_t, 256>& oneSheetFaces() {
-  static const std::array<std::uint8_t, 256> kFaces = makeOneSheetFaces();
-  return kFaces;
+std::uint8_t oneSheetFaces(CellShape shape) {
+  static const auto kTable = tableOf<std::uint8_t>(findOneSheetFaces);
+  return shape < kPatterns ? kTable[shape] : findOneSheetFaces(shape);
 }
 
 void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
@@ -469,8 +476,8 @@ void SurfaceGrid::placeLevel(SurfaceLeaf& leaf) {
   leaf.all_level = true;
   const auto& [axis, layer, material_below, c] = leaf.level;
   const std::uint8_t low = kLowCorners[static_cast<std::size_t>(axis)];
-  const auto pattern = static_cast<std::uint8_t>(material_below ? low : ~low);
-  const auto traits = static_cast<std::uint16_t>(oneSheetFaces()[pattern] | CellTraits::kSmooth);
+  const CellShape shape = static_cast<std::uint8_t>(material_below ? low : ~low);
+  const auto traits = static_cast<std::uint16_t>(oneSheetFaces(shape) | CellTraits::kSmooth);
   const float height = 0.25f * (c.t + c.t + c.t + c.t) + toFloat(layer);  // rounded as for any cell
   std::size_t number = leaf.base;
   for (int z = 0; z < 8; ++z) {
@@ -479,7 +486,7 @@ void SurfaceGrid::placeLevel(SurfaceLeaf& leaf) {
       Eigen::Vector3f p = Eigen::Vector3f(bit >> 3, bit & 7, z) + Eigen::Vector3f::Constant(0.5f);
       p[axis] = height;
       vertices_[number] = p;
-      patterns_[number] = pattern;
+      shapes_[number] = shape;
       traits_[number] = traits;
     }
   }
@@ -495,6 +502,7 @@ void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
   crossings.fill(leaves_, leaf);
   LeafPatch patch;
   LeafPlacer placer(impl_, leaf, crossings, flatness_ > 0.0 ? &patch : nullptr);
+  const FaceJoins joins(impl_);
   int rank = 0;
   std::array<std::uint64_t, 4> low = cornerLayer(bits, 0);
   for (int z = 0; z < 8; ++z) {
@@ -505,10 +513,12 @@ void SurfaceGrid::placeLeaf(SurfaceLeaf& leaf) {
       for (int c = 0; c < 4; ++c) {
         pattern |= static_cast<int>(low[c] >> bit & 1) << c | static_cast<int>(high[c] >> bit & 1) << (c + 4);
       }
-      const LeafPlacer::Placed placed = placer.place(bit, z, rank, pattern);
+      const Coord at = leaf.stock->origin.offsetBy(bit >> 3, bit & 7, z);
+      const CellShape shape = joins.shapeOf(at, static_cast<std::uint8_t>(pattern));
+      const LeafPlacer::Placed placed = placer.place(bit, z, rank, shape);
       const std::size_t number = leaf.base + static_cast<std::size_t>(rank);
       vertices_[number] = placed.p;
-      patterns_[number] = static_cast<std::uint8_t>(pattern);
+      shapes_[number] = shape;
       traits_[number] = placed.traits;
     }
     low = high;
@@ -560,7 +570,7 @@ bool SurfaceGrid::build(Progress& progress) {
     cell_count_ += leaf.cells;
   }
   vertices_ = std::make_unique_for_overwrite<Eigen::Vector3f[]>(cell_count_);
-  patterns_ = std::make_unique_for_overwrite<std::uint8_t[]>(cell_count_);
+  shapes_ = std::make_unique_for_overwrite<CellShape[]>(cell_count_);
   traits_ = std::make_unique_for_overwrite<std::uint16_t[]>(cell_count_);
   eachLeaf([&](std::size_t i) { placeLeaf(leaves_[i]); });
   if (!progress.cancelled()) numberExtras();
@@ -598,6 +608,15 @@ double SurfaceGrid::crossingOn(int axis, const Coord& at) const {
   if (!leaf.edges.isCrossed(axis, x, y, z)) return 0.5;
   const auto i = static_cast<std::size_t>(leaf.edges.indexOf(axis, x, y, z));
   return std::clamp<double>(leaf.stock->crossings[i].t, kEndGap, 1.0 - kEndGap);
+}
+
+bool SurfaceGrid::isJoined(const Coord& at, int axis) const {
+  const std::int32_t number = LeafReader(impl_).state(at & ~7);
+  if (number < 0) return false;
+  const SurfaceLeaf& leaf = leaves_[static_cast<std::size_t>(number)];
+  const int x = at.x() & 7, y = at.y() & 7, z = at.z() & 7;
+  if (!leafSample(leaf.mixed, x, y, z)) return false;
+  return (shape(leaf.cellAt(z << 6 | leafBit(x, y))) >> (kJoinedFaces + 2 * axis) & 1) != 0;
 }
 
 bool SurfaceGrid::isCrossed(int axis, const Coord& at) const {

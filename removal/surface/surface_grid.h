@@ -12,6 +12,7 @@
 
 #include "core/base/progress.h"
 #include "removal/grid/stock_impl.h"
+#include "removal/surface/cell_cycles.h"
 #include "removal/surface/cell_vertex.h"
 #include "removal/surface/surface_clusters.h"
 
@@ -102,9 +103,8 @@ struct CellTraits {
   static constexpr std::uint16_t kClose = 0x8000;    ///< triangles near it met; see SurfaceGrid::markClose
 };
 
-/// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet, for each
-/// pattern of material corners.
-const std::array<std::uint8_t, 256>& oneSheetFaces();
+/// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet.
+std::uint8_t oneSheetFaces(CellShape shape);
 
 /// Cells with more than one sheet, or whose vertex is off the surface.
 struct ThinCells {
@@ -155,8 +155,10 @@ class SurfaceGrid {
   std::size_t leafOf(std::uint32_t cell) const;
   /// The cell of a vertex, which may be of a further sheet.
   std::uint32_t cellOf(std::uint32_t vertex) const;
-  /// Material corners of a cell as bits; see cell_cycles.h.
-  std::uint8_t pattern(std::uint32_t cell) const { return patterns_[cell]; }
+  CellShape shape(std::uint32_t cell) const { return shapes_[cell]; }
+  /// Whether material goes through between two corners of a face whose four edges are crossed; `at`: voxel of
+  /// its lowest corner, `axis`: across it.
+  bool isJoined(const Coord& at, int axis) const;
   std::uint16_t traits(std::uint32_t cell) const { return traits_[cell]; }
   /// Fraction of the edge along `axis` from voxel `at` (of the whole grid) at which it is crossed, kEndGap
   /// off its ends at the least; its middle where it is not.
@@ -183,7 +185,7 @@ class SurfaceGrid {
   std::size_t cell_count_ = 0, extra_count_ = 0;
   // A cell each; not cleared, so that the threads that write them also touch their pages first.
   std::unique_ptr<Eigen::Vector3f[]> vertices_;
-  std::unique_ptr<std::uint8_t[]> patterns_;
+  std::unique_ptr<CellShape[]> shapes_;
   std::unique_ptr<std::uint16_t[]> traits_;
 };
 

@@ -197,10 +197,10 @@ void QuadReader::pickSheets(int axis, int x, int y, int z, bool start_in, Quad& 
   for (int i = 0; i < 4; ++i) {
     corner[i] = kRing[i][0] << u | kRing[i][1] << v;
     const std::uint32_t cell = quad.v[i];
-    faces[i] = oneSheetFaces()[grid_.pattern(cell)];
+    faces[i] = oneSheetFaces(grid_.shape(cell));
     walled[i] = (grid_.traits(cell) & CellTraits::kWalled) != 0;
     if (!(grid_.traits(cell) & CellTraits::kManySheets)) continue;
-    const int sheet = cellCycles()[grid_.pattern(cell)].cycle_of_edge[edgeAt(axis, corner[i])];
+    const int sheet = cellCycles(grid_.shape(cell)).cycle_of_edge[edgeAt(axis, corner[i])];
     if (sheet <= 0) continue;
     Eigen::Vector3i at(x, y, z);
     at[u] -= kRing[i][0];

@@ -31,14 +31,15 @@ FaceEdge edgeOf(const Face& face, int axis, int along, int far) {
 }
 
 /// The edge that the surface leads to in the face: with four crossed edges the one at the same material
-/// corner.
-FaceEdge farEdge(const SurfaceGrid& grid, const Face& face, bool& sole) {
+/// corner, or, in a face that is `joined`, at the same other one.
+FaceEdge farEdge(const SurfaceGrid& grid, const Face& face, bool joined, bool& sole) {
   const int other = face.other();
   const FaceEdge opposite = edgeOf(face, face.axis, other, 1 - face.back),
                  at_material = edgeOf(face, other, face.axis, face.material),
                  at_air = edgeOf(face, other, face.axis, 1 - face.material);
   const auto crossed = [&](const FaceEdge& e) { return grid.isCrossed(e.axis, e.at); };
   sole = !(crossed(opposite) && crossed(at_material) && crossed(at_air));
+  if (!sole && joined) return at_air;
   if (crossed(at_material)) return at_material;
   return crossed(opposite) ? opposite : at_air;
 }
@@ -46,7 +47,9 @@ FaceEdge farEdge(const SurfaceGrid& grid, const Face& face, bool& sole) {
 /// Its place between the quad's crossing and the one that the surface leads to in the face, grid steps from
 /// the face's corner. `sole`: no other surface goes through the face.
 FaceSplit splitFace(const SurfaceGrid& grid, const Face& face, Vec3& place, bool& sole) {
-  const FaceEdge own = edgeOf(face, face.axis, face.other(), face.back), end = farEdge(grid, face, sole);
+  const bool joined = grid.isJoined(face.at, face.cross);
+  const FaceEdge own = edgeOf(face, face.axis, face.other(), face.back),
+                 end = farEdge(grid, face, joined, sole);
   const auto placeOn = [&](const FaceEdge& e) {
     Vec3 p = stepsBetween(face.at, e.at);
     p[e.axis] += grid.crossingOn(e.axis, e.at);
@@ -57,7 +60,7 @@ FaceSplit splitFace(const SurfaceGrid& grid, const Face& face, Vec3& place, bool
   Coord corner = face.at;
   if (!sole) {
     corner[face.other()] += face.back;
-    corner[face.axis] += face.material;
+    corner[face.axis] += joined ? 1 - face.material : face.material;
   }
   out.key = {face.at.x(), face.at.y(), face.at.z(), face.cross, corner.x(), corner.y(), corner.z()};
   return out;

@@ -14,7 +14,7 @@ namespace proveout {
 
 struct FaceSplit {
   int after = 0;             ///< corner of the quad that it follows
-  std::array<int, 7> key{};  ///< voxel of the face, its axis, voxel of the material corner
+  std::array<int, 7> key{};  ///< voxel of the face, its axis, voxel of the corner that is cut off
   Eigen::Vector3f p;         ///< mm
 };
 

@@ -45,7 +45,7 @@ bool SurfaceGrid::crowds(const SurfaceLeaf& leaf, int place) const {
 /// Cones over the sheets of one cell do not meet if their tips are in the middle of their crossings and the
 /// lines on the walls are straight: sheets are apart by planes between corners.
 void SurfaceGrid::drawSheetsIn(SurfaceLeaf& leaf, std::uint32_t cell, const Coord& at) {
-  const CellCycles& cycles = cellCycles()[patterns_[cell]];
+  const CellCycles cycles = cellCycles(shapes_[cell]);
   std::array<Eigen::Vector3f, 4> sum;
   std::array<float, 4> count{};
   sum.fill(Eigen::Vector3f::Zero());

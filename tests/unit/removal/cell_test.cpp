@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <bit>
 #include <map>
+#include <set>
 
 #include "core/tool/tool.h"
 #include "removal/surface/cell_cycles.h"
@@ -14,7 +15,7 @@ namespace {
 
 TEST(CellCycles, EveryCrossedEdgeIsInOneCycleOfAtLeastThree) {
   for (int pattern = 0; pattern < 256; ++pattern) {
-    const CellCycles& c = cellCycles()[pattern];
+    const CellCycles c = cellCycles(static_cast<CellShape>(pattern));
     std::map<int, int> size;
     for (int e = 0; e < 12; ++e) {
       const int a = edgeStartCorner(e), b = a | 1 << e / 4;
@@ -26,8 +27,42 @@ TEST(CellCycles, EveryCrossedEdgeIsInOneCycleOfAtLeastThree) {
     ASSERT_EQ(static_cast<int>(size.size()), c.count);
     for (const auto& [cycle, n] : size) ASSERT_GE(n, 3) << pattern;
   }
-  EXPECT_EQ(cellCycles()[0b10000001].count, 2);  // opposite corners of material stay apart
-  EXPECT_EQ(cellCycles()[0b01101001].count, 4);
+  EXPECT_EQ(cellCycles(0b10000001).count, 2);  // opposite corners of material stay apart
+  EXPECT_EQ(cellCycles(0b01101001).count, 4);
+}
+
+/// The crossed edges, as sets of those of one cycle.
+std::set<std::set<int>> setsOf(const CellCycles& cycles) {
+  std::map<int, std::set<int>> edges;
+  for (int e = 0; e < 12; ++e) {
+    if (cycles.cycle_of_edge[e] >= 0) edges[cycles.cycle_of_edge[e]].insert(e);
+  }
+  std::set<std::set<int>> out;
+  for (const auto& [cycle, set] : edges) out.insert(set);
+  return out;
+}
+
+// To join all faces is to change material and void.
+TEST(CellCycles, JoinedFacesCutOffTheOtherCorners) {
+  int doubtful = 0;
+  for (int pattern = 0; pattern < kPatterns; ++pattern) {
+    const std::uint8_t faces = doubtfulFaces()[pattern];
+    doubtful += std::popcount(faces);
+    ASSERT_EQ(faces, doubtfulFaces()[~pattern & 0xFF]);
+    ASSERT_EQ(setsOf(cellCycles(static_cast<CellShape>(pattern | faces << kJoinedFaces))),
+              setsOf(cellCycles(static_cast<CellShape>(~pattern & 0xFF))));
+    for (int joined = 0; joined < 64; ++joined) {
+      if ((joined & ~faces) != 0) continue;
+      const CellCycles some = cellCycles(static_cast<CellShape>(pattern | joined << kJoinedFaces));
+      ASSERT_LE(some.count, 4);
+      for (const std::set<int>& cycle : setsOf(some)) ASSERT_GE(cycle.size(), 3u);
+    }
+  }
+  EXPECT_EQ(doubtful, 6 * 2 * 16);  // two patterns of a face, any of the four corners behind it
+  // Of two material corners across one face, joined, one sheet is left, which goes around both.
+  EXPECT_EQ(doubtfulFaces()[0b00001001], 1 << 4);
+  EXPECT_EQ(cellCycles(0b00001001).count, 2);
+  EXPECT_EQ(cellCycles(0b00001001 | 1 << (kJoinedFaces + 4)).count, 1);
 }
 
 TEST(CellVertex, LiesOnASphere) {

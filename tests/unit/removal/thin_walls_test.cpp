@@ -80,6 +80,20 @@ TEST_P(ThinWalls, AcrossTheGridAreHeldOrReported) {
   }
 }
 
+// Of each square of samples two opposite ones are in the wall: material goes through between them. The wall was
+// a row of pillars, without up to two thirds of its volume.
+TEST(ThinWalls, AlongADiagonalThroughSamplesAreWhole) {
+  for (const double thickness : {0.1, 0.18}) {
+    for (const double angle : {45.0, 135.0}) {
+      const TwoSlots s({thickness, 0.0, angle, false});
+      EXPECT_LT(std::abs(s.missing), 0.02 * s.area * thickness) << thickness << ' ' << angle;
+      const MeshTopology topology = analyseTopology(s.c.mesh);
+      EXPECT_TRUE(topology.closedManifold());
+      EXPECT_EQ(topology.components, 1u) << thickness << ' ' << angle;
+    }
+  }
+}
+
 TEST_P(ThinWalls, BetweenUndercutsAreHeldOrReported) {
   const double thickness = GetParam();
   int lost = 0;
