@@ -134,6 +134,7 @@ CellVertex smoothVertex(std::span<const SheetPoint> points, const Vec3& mean, co
   if (refiner == nullptr || !refiner->needed(true)) return out;
   if (refiner->toSurface(n, 0.0, out.p)) {
     refiner->toBorder(out.p);
+    refiner->toEnd(points, out.p);
     out.inside = out.p;
     return out;
   }
@@ -322,10 +323,41 @@ std::optional<CellVertex> placeOn(std::span<const SheetPoint> points, bool joine
   return creaseVertex(faces, mean, sum, refiner, x, found);
 }
 
+/// The vertex in an upright wall where what a body left in passing goes over into what it left where its way
+/// began or ended, and others going down or coming up there. None where there is no such place in the cell.
+std::optional<CellVertex> placeAtEnd(std::span<const SheetPoint> points, ExactFaces& exact) {
+  const std::uint64_t first = points[0].face;
+  if (!std::ranges::all_of(points, [&](auto& s) { return exact.areOfOneCylinder(first, s.face); }))
+    return std::nullopt;
+  const auto holdsAll = [&](std::uint64_t face) {
+    const std::int64_t body = exact.source(face).body;
+    return std::ranges::all_of(
+        points, [&](auto& s) { return s.face == face || isAllOn(points, s.face, body, exact); });
+  };
+  std::array<SheetPoint, 12> joined;
+  std::copy(points.begin(), points.end(), joined.begin());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0 && points[i].face == points[i - 1].face) continue;
+    if (!holdsAll(points[i].face)) continue;
+    for (std::size_t k = 0; k < points.size(); ++k) joined[k].face = points[i].face;
+    const std::span<const SheetPoint> all(joined.data(), points.size());
+    Faces faces;
+    collectFaces(all, -1.0, faces);
+    CellVertex out;
+    out.smooth = true;
+    out.p = faces[0].point;
+    if (!VertexRefiner(exact, {faces.data(), 1}).toEnd(all, out.p)) continue;
+    out.inside = out.p;
+    return out;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   if (exact != nullptr && exact->active() && isOfSeveralBodies(points, *exact)) {
+    if (const std::optional<CellVertex> placed = placeAtEnd(points, *exact)) return *placed;
     std::array<SheetPoint, 12> copied;
     std::copy(points.begin(), points.end(), copied.begin());
     const std::span<SheetPoint> joined(copied.data(), points.size());

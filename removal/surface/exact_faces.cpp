@@ -26,6 +26,9 @@ constexpr double kSlanted = 0.02;
 /// The same of normals of one face: rounding.
 constexpr double kFaceSlack = 1e-6;
 
+/// Sine of the angle by which a face that a tool left in passing may lean from its way: rounding of normals.
+constexpr double kSquare = 2e-3;
+
 /// Cosine of the angle by which elements that go over into each other may turn where they meet.
 constexpr double kNoBreak = 0.9999;
 
@@ -42,6 +45,11 @@ Vec2 directionOf(const ConvexProfile::Element& e, bool at_end) {
   if (!e.arc) return {e.dr, e.dz};
   const Vec2 out = Vec2((at_end ? e.br : e.ar) - e.cr, (at_end ? e.bz : e.az) - e.cz) / e.radius;
   return {-out.y(), out.x()};
+}
+
+/// Whether it is straight and makes cones.
+bool isSlanted(const ConvexProfile::Element& e) {
+  return !e.arc && std::min(std::abs(e.dr), std::abs(e.dz)) > kSlanted;
 }
 
 /// Whether this element, by its id, goes over into the next one without a break.
@@ -79,8 +87,9 @@ ExactFaces::Source ExactFaces::findSource(std::uint64_t face) const {
   if (pass == nullptr) return {kNoBody, true};
   const std::optional<double> bend = pass->body.simpleBend(static_cast<int>(face & 0xFFFF));
   const ConvexProfile& profile = pass->body.profile();
-  const bool straight = !profile.element(elementOf(face) - profile.firstElementId()).arc;
-  return {pass - record_->table.passes.data(), bend.has_value(), h_ * bend.value_or(0.0), straight};
+  const ConvexProfile::Element& e = profile.element(elementOf(face) - profile.firstElementId());
+  return {pass - record_->table.passes.data(), bend.has_value(), h_ * bend.value_or(0.0), !e.arc,
+          isSlanted(e)};
 }
 
 ExactFaces::Source ExactFaces::source(std::uint64_t face) {
@@ -114,6 +123,16 @@ ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
   Body& b = bodyOf(body);
   const SweepSample s = b.sweep.sampleOutside(corner_ + h_ * q, kFootTolerance * h_, b.start);
   return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
+}
+
+Vec3 ExactFaces::directionAt(std::int64_t body, const Vec3& q) const {
+  return record_->table.passes[static_cast<std::size_t>(body)].body.directionAt(corner_ + h_ * q);
+}
+
+int ExactFaces::endAt(std::int64_t body, const Vec3& q, const Vec3& normal) const {
+  if (blank_ != nullptr || body <= kNoBody) return 0;
+  const double along = directionAt(body, q).dot(normal);
+  return std::abs(along) < kSquare ? 0 : along > 0.0 ? 1 : -1;
 }
 
 bool ExactFaces::isRounded(std::int64_t body) const {
@@ -168,13 +187,24 @@ bool ExactFaces::isBeside(const Foot& foot, std::uint64_t face) const {
   return pass != nullptr && goesOver(pass->body.profile(), std::min(end, first));
 }
 
-bool ExactFaces::areOfOneCone(std::uint64_t face, std::uint64_t other) const {
-  if ((face & 0xFFFF) != (other & 0xFFFF) || (face & ConvexProfile::kEdgeIds) != 0) return false;
+/// The one straight element of a tool that made both. Null where there is none.
+const ConvexProfile::Element* ExactFaces::straightElementOf(std::uint64_t face, std::uint64_t other) const {
+  if ((face & 0xFFFF) != (other & 0xFFFF) || (face & ConvexProfile::kEdgeIds) != 0) return nullptr;
   const Pass *const a = passOf(face), *const b = passOf(other);
-  if (a == nullptr || b == nullptr || &a->body.profile() != &b->body.profile()) return false;
+  if (a == nullptr || b == nullptr || &a->body.profile() != &b->body.profile()) return nullptr;
   const ConvexProfile& profile = a->body.profile();
   const ConvexProfile::Element& e = profile.element(elementOf(face) - profile.firstElementId());
-  return !e.arc && std::min(std::abs(e.dr), std::abs(e.dz)) > kSlanted;
+  return e.arc ? nullptr : &e;
+}
+
+bool ExactFaces::areOfOneCone(std::uint64_t face, std::uint64_t other) const {
+  const ConvexProfile::Element* const e = straightElementOf(face, other);
+  return e != nullptr && isSlanted(*e);
+}
+
+bool ExactFaces::areOfOneCylinder(std::uint64_t face, std::uint64_t other) const {
+  const ConvexProfile::Element* const e = straightElementOf(face, other);
+  return e != nullptr && e->dr == 0.0;
 }
 
 bool ExactFaces::goOver(std::uint64_t face, std::uint64_t other) const {

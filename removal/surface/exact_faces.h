@@ -36,6 +36,7 @@ class ExactFaces {
     /// A pass made it with a straight piece of its tool's profile: it ends at rims. Round pieces go over into
     /// others.
     bool ends = false;
+    bool cone = false;  ///< that piece is slanted
 
     /// Half a cell off its crossings a surface leaves their plane by 0.0075 cells where it bends as much, by
     /// cell (a radius of 17 cells).
@@ -82,11 +83,19 @@ class ExactFaces {
   /// Whether passes of one tool made both with one straight slanted element of its profile: cones, and walls
   /// that they swept.
   bool areOfOneCone(std::uint64_t face, std::uint64_t other) const;
+  /// The same of an upright element: cylinders and their walls.
+  bool areOfOneCylinder(std::uint64_t face, std::uint64_t other) const;
+  /// As SweptBody::directionAt; `q` in units of the cell. Requires a body that a pass made.
+  Vec3 directionAt(std::int64_t body, const Vec3& q) const;
+  /// What of its way the tool left at `q` (in units of the cell) of a face with this normal (out of the
+  /// material) there: 0 where it passed by, 1 where it began, -1 where it ended. 0 where that is not known.
+  int endAt(std::int64_t body, const Vec3& q, const Vec3& normal) const;
   /// Whether both are of one motion and of elements of a tool that go over into each other without a break.
   bool goOver(std::uint64_t face, std::uint64_t other) const;
 
  private:
   const Pass* passOf(std::uint64_t face) const;
+  const ConvexProfile::Element* straightElementOf(std::uint64_t face, std::uint64_t other) const;
   Foot footOnField(std::uint64_t face, const Vec3& q) const;
   Source findSource(std::uint64_t face) const;
 

@@ -150,13 +150,13 @@ class LeafPlacer {
     const int sheets = cellCycles(shape).count;
     Placed out;
     Eigen::Vector3f n;
+    exact_.setCell(impl_.position(leaf_.stock->origin.offsetBy(x, y, z)));
     if (sheets == 1 && placeOneFace(cell, at, out.p, n)) {
       out.traits = faces | CellTraits::kSmooth;
       out.p += Eigen::Vector3f(x, y, z);
       keepGentle(bit, z, rank, faces, out.p, n);
       return out;
     }
-    exact_.setCell(impl_.position(leaf_.stock->origin.offsetBy(x, y, z)));
     asked_ = kNoPlace;
     for (int sheet = 0; sheet < sheets; ++sheet) {
       const int count = gather(cell, at, sheet);
@@ -235,8 +235,12 @@ class LeafPlacer {
     p = mean * share;
     normal = sum.normalized();
     if (flat) return true;
-    if (exact_.active() && bends(normals, cell.count, normal) && !exact_.source(first->face()).simple)
-      return false;
+    if (exact_.active()) {
+      const ExactFaces::Source source = exact_.source(first->face());
+      if (!source.simple && bends(normals, cell.count, normal)) return false;
+      if (!source.isShown() && !source.cone && endsWithin(source.body, points, normals, cell.count))
+        return false;
+    }
     float height = 0.0f;
     for (int i = 0; i < cell.count; ++i) {
       const Eigen::Vector3f middle = normals[i] + normal;
@@ -246,6 +250,16 @@ class LeafPlacer {
     }
     p -= normal * (height * share);
     return p.minCoeff() > 1e-3f && p.maxCoeff() < 1.0f - 1e-3f;
+  }
+
+  /// Whether the tool passed by at some crossings of a face and at others its way began or ended.
+  bool endsWithin(std::int64_t body, const std::array<Eigen::Vector3f, 12>& points,
+                  const std::array<Eigen::Vector3f, 12>& normals, int count) const {
+    const int first = exact_.endAt(body, points[0].cast<double>(), normals[0].cast<double>());
+    for (int i = 1; i < count; ++i) {
+      if (exact_.endAt(body, points[i].cast<double>(), normals[i].cast<double>()) != first) return true;
+    }
+    return false;
   }
 
   static bool bends(const std::array<Eigen::Vector3f, 12>& normals, int count, const Eigen::Vector3f& mean) {

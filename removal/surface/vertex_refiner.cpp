@@ -55,6 +55,10 @@ constexpr double kOffBlank = 0.01;
 constexpr double kOnSurface = 1e-3;
 /// How near to the border of two elements it is found: bends differ by its square beside it.
 constexpr double kAtBorder = 0.02;
+/// So far before and behind a vertex an end of the way is looked for that crossings of the cell tell of.
+constexpr double kAlongWay = 1.0;
+/// Faces that turn by more (3 degrees) from one side of that to the other break there.
+constexpr double kNoBreak = 0.9986;
 /// Elements whose crossings turn by more (in radians) bend so much that smaller quads are worth more.
 constexpr double kGentleTurn = 0.3;
 /// How far to either side an edge is looked at, and how much less it moves than a smooth surface.
@@ -362,28 +366,57 @@ void VertexRefiner::ontoNearest(const Vec3& n, Vec3& x) {
   if ((at - x).squaredNorm() < kLittleMoved * kLittleMoved && std::abs(plane.d) < kOnSurface) x = at;
 }
 
+/// Moves `x` to where, on the body's surface from one place to another, what is seen changes. `kindOf(foot)`:
+/// 0 as it must be at the first place, 1 as at the second. False where that is not in the cell or the surface
+/// breaks.
+template <typename KindOf>
+bool VertexRefiner::toChange(const Place& first, const Place& second, const KindOf& kindOf, Vec3& x) {
+  const auto footAt = [&](double part) {
+    const Vec3 n = first.n + part * (second.n - first.n), p = first.p + part * (second.p - first.p);
+    return exact_.foot(body_[0], p - kLookFrom * n.normalized());
+  };
+  ExactFaces::Foot before = footAt(0.0), after = footAt(1.0), at = before;
+  if (kindOf(before) != 0 || kindOf(after) != 1) return false;
+  double from = 0.0, to = 1.0;
+  while (to - from > kAtBorder) {
+    const double part = 0.5 * (from + to);
+    at = footAt(part);
+    const bool is_first = kindOf(at) == 0;
+    (is_first ? from : to) = part;
+    (is_first ? before : after) = at;
+  }
+  if (before.normal.dot(after.normal) < kNoBreak || outsideBy(at.p) > -kWallGap) return false;
+  x = at.p;
+  return true;
+}
+
 void VertexRefiner::toBorder(Vec3& x) {
   if (faces_.size() != 2 || !exact_.goOver(faces_[0].id, faces_[1].id)) return;
   if ((faces_[1].normal - faces_[0].normal).squaredNorm() > kGentleTurn * kGentleTurn) return;
-  const auto footAt = [&](double part) {
-    const Vec3 n = faces_[0].normal + part * (faces_[1].normal - faces_[0].normal);
-    const Vec3 p = faces_[0].point + part * (faces_[1].point - faces_[0].point);
-    return exact_.foot(body_[0], p - kLookFrom * n.normalized());
-  };
   // Not as ExactFaces::isOf, which takes the end of a neighbour for the same face.
-  const auto isOf = [&](const ExactFaces::Foot& foot, std::size_t face) {
-    return static_cast<std::uint64_t>(foot.element) == (faces_[face].id & 0xFFFF);
+  const auto kindOf = [&](const ExactFaces::Foot& foot) {
+    const auto isOf = [&](const CellFace& f) {
+      return static_cast<std::uint64_t>(foot.element) == (f.id & 0xFFFF);
+    };
+    return isOf(faces_[0]) ? 0 : isOf(faces_[1]) ? 1 : 2;
   };
-  if (!isOf(footAt(0.0), 0) || !isOf(footAt(1.0), 1)) return;
-  double from = 0.0, to = 1.0;
-  Vec3 at = x;
-  while (to - from > kAtBorder) {
-    const double part = 0.5 * (from + to);
-    const ExactFaces::Foot foot = footAt(part);
-    (isOf(foot, 0) ? from : to) = part;
-    at = foot.p;
-  }
-  if (outsideBy(at) <= -kWallGap) x = at;
+  toChange({faces_[0].point, faces_[0].normal}, {faces_[1].point, faces_[1].normal}, kindOf, x);
+}
+
+bool VertexRefiner::toEnd(std::span<const SheetPoint> points, Vec3& x) {
+  // The walls of cones end in points, around which nothing is smooth.
+  if (faces_.size() != 1 || exact_.source(faces_[0].id).cone) return false;
+  std::array<int, 3> count{};  // where the way ended, where the tool passed by, where it began
+  for (const SheetPoint& s : points) ++count[1 + exact_.endAt(body_[0], s.p, s.n)];
+  const int end = count[0] > 0 ? 0 : 2;
+  if (count[1] == 0 || count[end] == 0 || count[2 - end] > 0) return false;
+  // Along the way the place is nearest: neither nearer to other vertices than need be, nor to walls.
+  const Vec3 n = meanNormal(), way = (end == 0 ? kAlongWay : -kAlongWay) * exact_.directionAt(body_[0], x);
+  const auto kindOf = [&](const ExactFaces::Foot& foot) {
+    const int seen = 1 + exact_.endAt(body_[0], foot.p, foot.normal);
+    return seen == 1 ? 0 : seen == end ? 1 : 2;
+  };
+  return toChange({x - way, n}, {x + way, n}, kindOf, x);
 }
 
 void VertexRefiner::toBlank(const Vec3& n, double reach, Vec3& x) const {

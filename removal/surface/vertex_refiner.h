@@ -36,6 +36,9 @@ class VertexRefiner {
   /// other: quads around it are of one of them each then, which tells how they bend. `x` stays where there is
   /// no such place in the cell.
   void toBorder(Vec3& x);
+  /// The same on a surface of one face, to where what the tool left in passing goes over into what it left
+  /// where its way began or ended. False where there is no such place in the cell: `x` stays then.
+  bool toEnd(std::span<const SheetPoint> points, Vec3& x);
   /// Moves `x` in the cell onto the blank's surface along `n`, out of the material, by `reach` at most and
   /// without leaving a wall that it lies at. It stays where the surface is not near or the surface is not the
   /// blank's.
@@ -58,6 +61,12 @@ class VertexRefiner {
   bool planeBeside(int face, const Vec3& x, double part, Vec3& from, Plane& plane, double& off);
   bool isBetweenFaces(const Vec3& x);
   bool isSharp(const Vec3& n, const Vec3& across, const Vec3& x);
+  /// A place on a surface and the normal that is seen there.
+  struct Place {
+    Vec3 p, n;
+  };
+  template <typename KindOf>
+  bool toChange(const Place& first, const Place& second, const KindOf& kindOf, Vec3& x);
   enum class Seen : std::uint8_t { kKnownFaces, kSmoothFaces };
   bool nearestPlane(const Vec3& n, const Vec3& x, Seen seen, Plane& plane);
 

@@ -14,6 +14,8 @@ namespace {
 constexpr double kLeastRadius = 1e-9;
 /// Rounding of bounds of a depth, mm.
 constexpr double kDepthSlackMm = 1e-10;
+/// A turn that rises by no more than this part of its way is as good as level.
+constexpr double kLevel = 1e-4;
 
 }  // namespace
 
@@ -82,6 +84,14 @@ std::optional<double> SweptBody::simpleBend(int element) const {
   if (e.dr != 0.0) return std::nullopt;
   const double inner = isLine() ? e.ar : std::abs(columns_.arc_radius - e.ar);
   return 1.0 / std::max(std::min(e.ar, inner), kLeastRadius);
+}
+
+Vec3 SweptBody::directionAt(const Vec3& p) const {
+  const ColumnSweep& c = columns_;
+  // A level arc whose end is off its circle by the rounding of a program's digits is a turn.
+  const bool turn = c.kind == ColumnSweep::Kind::kTurn && std::abs(c.slope) < kLevel * c.arc_radius;
+  if (turn || isLevelArc()) return Vec3(c.y - p.y(), p.x() - c.x, 0.0).stableNormalized();
+  return isLine() && c.length > 0.0 ? Vec3(c.ux, c.uy, c.slope).normalized() : Vec3::Zero();
 }
 
 double SweptBody::startOf(double place) const {

@@ -47,6 +47,10 @@ class SweptBody {
 
   bool isLine() const { return curve_ == nullptr; }
   bool isLevelArc() const { return columns_.kind == ColumnSweep::Kind::kArc; }
+  /// Unit direction in which the solid passes beside `p`, of lines that are not upright and of level arcs;
+  /// zero for other ways. What it leaves on its way is at right angles to that, what it leaves where it began
+  /// or ended is not.
+  Vec3 directionAt(const Vec3& p) const;
   /// A part of a curve that is no chord.
   bool isCurvePart() const { return isCurve(columns_); }
   /// Whether both are pieces of one curve.
