@@ -90,7 +90,7 @@ Vec3 SweptBody::directionAt(const Vec3& p) const {
   const ColumnSweep& c = columns_;
   // A level arc whose end is off its circle by the rounding of a program's digits is a turn.
   const bool turn = c.kind == ColumnSweep::Kind::kTurn && std::abs(c.slope) < kLevel * c.arc_radius;
-  if (turn || isLevelArc()) return Vec3(c.y - p.y(), p.x() - c.x, 0.0).stableNormalized();
+  if (turn || isLevelArc()) return c.turn * Vec3(c.y - p.y(), p.x() - c.x, 0.0).stableNormalized();
   return isLine() && c.length > 0.0 ? Vec3(c.ux, c.uy, c.slope).normalized() : Vec3::Zero();
 }
 
