@@ -52,7 +52,7 @@ class Joiner {
     if (count == 2) {
       join(crossed[0], crossed[1]);
     } else if (count == 4) {
-      const bool joined = (shape_ >> (kJoinedFaces + axis * 2 + side) & 1) != 0;
+      const bool joined = isJoined(shape_, axis, side);
       for (int i = 0; i < 4; ++i) {
         if (inside(ring[i]) != joined)
           join(edgeBetween(ring[(i + 3) % 4], ring[i]), edgeBetween(ring[i], ring[(i + 1) % 4]));
@@ -95,35 +95,26 @@ CellCycles findCycles(CellShape shape) {
   return joiner.cycles();
 }
 
-std::array<CellCycles, kPatterns> makeCycles() {
-  std::array<CellCycles, kPatterns> all;
-  for (int pattern = 0; pattern < kPatterns; ++pattern)
-    all[pattern] = findCycles(static_cast<CellShape>(pattern));
-  return all;
-}
-
-std::array<std::uint8_t, kPatterns> makeDoubtfulFaces() {
-  std::array<std::uint8_t, kPatterns> all{};
-  for (int pattern = 0; pattern < kPatterns; ++pattern) {
-    for (int face = 0; face < 6; ++face) {
-      const int axis = face / 2, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = (face & 1) << axis;
-      const int a = pattern >> base & 1, b = pattern >> (base | u) & 1, c = pattern >> (base | u | v) & 1,
-                d = pattern >> (base | v) & 1;
-      if (a == c && b == d && a != b) all[pattern] |= static_cast<std::uint8_t>(1 << face);
-    }
+std::uint8_t findDoubtfulFaces(CellShape shape) {
+  std::uint8_t out = 0;
+  for (int face = 0; face < 6; ++face) {
+    const int axis = face / 2, u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = (face & 1) << axis;
+    const int a = shape >> base & 1, b = shape >> (base | u) & 1, c = shape >> (base | u | v) & 1,
+              d = shape >> (base | v) & 1;
+    if (a == c && b == d && a != b) out |= static_cast<std::uint8_t>(1 << face);
   }
-  return all;
+  return out;
 }
 
 }  // namespace
 
 CellCycles cellCycles(CellShape shape) {
-  static const std::array<CellCycles, kPatterns> kCycles = makeCycles();
+  static const auto kCycles = tableOfPatterns<CellCycles>(findCycles);
   return shape < kPatterns ? kCycles[shape] : findCycles(shape);
 }
 
 const std::array<std::uint8_t, kPatterns>& doubtfulFaces() {
-  static const std::array<std::uint8_t, kPatterns> kFaces = makeDoubtfulFaces();
+  static const auto kFaces = tableOfPatterns<std::uint8_t>(findDoubtfulFaces);
   return kFaces;
 }
 

@@ -23,6 +23,17 @@ struct CellCycles {
 using CellShape = std::uint16_t;
 inline constexpr int kJoinedFaces = 8;
 inline constexpr int kPatterns = 1 << kJoinedFaces;  ///< shapes without joined faces
+inline bool isJoined(CellShape shape, int axis, int side) {
+  return (shape >> (kJoinedFaces + axis * 2 + side) & 1) != 0;
+}
+/// find(shape) of all shapes without joined faces.
+template <typename Value, typename Find>
+std::array<Value, kPatterns> tableOfPatterns(const Find& find) {
+  std::array<Value, kPatterns> table;
+  for (int pattern = 0; pattern < kPatterns; ++pattern)
+    table[pattern] = find(static_cast<CellShape>(pattern));
+  return table;
+}
 
 CellCycles cellCycles(CellShape shape);
 /// Faces whose four edges are all crossed, as bits, for each pattern of material corners.

@@ -129,11 +129,9 @@ double CellMaterial::cutByPlanes(const Part& part, std::size_t begin) const {
 /// vertex of the next cell goes through the wall.
 double CellUnderSurface::share(const Coord& cell) {
   cell_ = cell;
-  int pattern = 0;
-  for (int c = 0; c < 8; ++c) pattern |= read_.isMaterial(stepped(cell, c)) ? 1 << c : 0;
-  if (pattern == 0) return 0.0;
-  if (pattern == 0xFF) return 1.0;
-  shape_ = grid_.shape(numberOf(cell));
+  const std::optional<std::uint32_t> number = grid_.cellAt(cell);
+  if (!number) return read_.isMaterial(cell) ? 1.0 : 0.0;
+  shape_ = grid_.shape(*number);
   double sum = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, far = 1 << axis;
@@ -150,7 +148,7 @@ double CellUnderSurface::share(const Coord& cell) {
 double CellUnderSurface::wall(const Corners& corners, int axis, int side) const {
   if (std::all_of(corners.begin(), corners.end(), [&](int c) { return isIn(c); })) return 1.0 / 6.0;
   // Of a joined face all is material but what the surface cuts off at the other corners.
-  const bool joined = (shape_ >> (kJoinedFaces + axis * 2 + (side > 0 ? 1 : 0)) & 1) != 0;
+  const bool joined = isJoined(shape_, axis, side > 0 ? 1 : 0);
   const auto isOfPiece = [&](int i) { return isIn(corners[i % 4]) != joined; };
   double sum = 0.0;
   for (int from = 0; from < 4; ++from) {
@@ -217,19 +215,11 @@ Vec3 CellUnderSurface::crossing(int from, int to) const {
   return p;
 }
 
-const SurfaceLeaf& CellUnderSurface::leafOf(const Coord& cell) const {
-  return grid_.leaves()[static_cast<std::size_t>(read_.state(cell & ~7))];
-}
-
-std::uint32_t CellUnderSurface::numberOf(const Coord& cell) const {
-  return leafOf(cell).cellAt((cell.z() & 7) << 6 | leafBit(cell.x() & 7, cell.y() & 7));
-}
-
 /// That of a cell's sheet that crosses an edge of it; from the middle of the own cell. `smooth`: receives
 /// whether a smooth face runs through the cell.
 Vec3 CellUnderSurface::vertex(const Coord& cell, int edge, bool* smooth) const {
-  const SurfaceLeaf& leaf = leafOf(cell);
-  const std::uint32_t number = numberOf(cell);
+  const SurfaceLeaf& leaf = grid_.leaves()[static_cast<std::size_t>(read_.state(cell & ~7))];
+  const std::uint32_t number = leaf.cellAt((cell.z() & 7) << 6 | leafBit(cell.x() & 7, cell.y() & 7));
   if (smooth != nullptr) *smooth = (grid_.traits(number) & CellTraits::kSmooth) != 0;
   Eigen::Vector3f p = grid_.vertex(number);
   const int sheet = cellCycles(grid_.shape(number)).cycle_of_edge[static_cast<std::size_t>(edge)];

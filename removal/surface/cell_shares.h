@@ -52,8 +52,6 @@ class CellUnderSurface {
   Vec3 crossing(int from, int to) const;
   Vec3 vertex(const Coord& cell, int edge, bool* smooth = nullptr) const;
   bool isIn(int corner) const { return (shape_ >> corner & 1) != 0; }
-  const SurfaceLeaf& leafOf(const Coord& cell) const;
-  std::uint32_t numberOf(const Coord& cell) const;
 
   const SurfaceGrid& grid_;
   LeafReader read_;

@@ -239,13 +239,16 @@ CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const
   return out;
 }
 
-/// Whether all crossings of `face` are on a body, too, and face as it does there.
+/// Whether a crossing is on a body, too, and faces as it does there.
+bool isOn(const SheetPoint& s, std::int64_t body, ExactFaces& exact) {
+  const ExactFaces::Foot foot = exact.foot(body, s.p - ExactFaces::kLookFrom * s.n);
+  return (foot.p - s.p).squaredNorm() < kOnBody * kOnBody && foot.normal.dot(s.n) > kAsBody;
+}
+
+/// The same of all crossings of `face`.
 bool isAllOn(std::span<const SheetPoint> points, std::uint64_t face, std::int64_t body, ExactFaces& exact) {
-  return std::all_of(points.begin(), points.end(), [&](const SheetPoint& s) {
-    if (s.face != face) return true;
-    const ExactFaces::Foot foot = exact.foot(body, s.p - ExactFaces::kLookFrom * s.n);
-    return (foot.p - s.p).squaredNorm() < kOnBody * kOnBody && foot.normal.dot(s.n) > kAsBody;
-  });
+  return std::ranges::all_of(points,
+                             [&](const SheetPoint& s) { return s.face != face || isOn(s, body, exact); });
 }
 
 /// Whether the crossings of the first face count as of the second one, which shows better what both are part
@@ -331,8 +334,7 @@ std::optional<CellVertex> placeAtEnd(std::span<const SheetPoint> points, ExactFa
     return std::nullopt;
   const auto holdsAll = [&](std::uint64_t face) {
     const std::int64_t body = exact.source(face).body;
-    return std::ranges::all_of(
-        points, [&](auto& s) { return s.face == face || isAllOn(points, s.face, body, exact); });
+    return std::ranges::all_of(points, [&](auto& s) { return s.face == face || isOn(s, body, exact); });
   };
   std::array<SheetPoint, 12> joined;
   std::copy(points.begin(), points.end(), joined.begin());

@@ -87,7 +87,7 @@ class MeshRepair {
 
 /// Makes the mesh around pairs, as far as mending looks, what it is without a tolerance: takes merged cells
 /// apart and makes fans where quads bulge. What is mended there, and what is walled in, is not to depend on
-/// the tolerance. Returns the leaves that this changed, ascending.
+/// the tolerance. Returns the leaves that this changed.
 std::vector<std::int32_t> MeshRepair::refineAround(const LeafMesh& mesh, const TrianglePairs& pairs) {
   if (!merger_.active() || pairs.empty()) return {};
   std::vector<std::uint32_t> merged;
@@ -104,8 +104,6 @@ std::vector<std::int32_t> MeshRepair::refineAround(const LeafMesh& mesh, const T
   }
   const std::vector<std::int32_t> apart = merger_.takeApart(std::move(merged));
   changed.insert(changed.end(), apart.begin(), apart.end());
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   return changed;
 }
 

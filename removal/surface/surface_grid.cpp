@@ -113,17 +113,8 @@ std::uint8_t findOneSheetFaces(CellShape shape) {
   return out;
 }
 
-/// Of all shapes without joined faces.
-template <typename Value, typename Find>
-std::array<Value, kPatterns> tableOf(const Find& find) {
-  std::array<Value, kPatterns> table;
-  for (int pattern = 0; pattern < kPatterns; ++pattern)
-    table[pattern] = find(static_cast<CellShape>(pattern));
-  return table;
-}
-
 const std::array<CellPattern, kPatterns>& cellPatterns() {
-  static const auto kTable = tableOf<CellPattern>(patternOf);
+  static const auto kTable = tableOfPatterns<CellPattern>(patternOf);
   return kTable;
 }
 
@@ -436,7 +427,7 @@ LevelFace levelFace(const SurfaceLeaf& leaf) {
 }  // namespace
 
 std::uint8_t oneSheetFaces(CellShape shape) {
-  static const auto kTable = tableOf<std::uint8_t>(findOneSheetFaces);
+  static const auto kTable = tableOfPatterns<std::uint8_t>(findOneSheetFaces);
   return shape < kPatterns ? kTable[shape] : findOneSheetFaces(shape);
 }
 
@@ -624,13 +615,13 @@ double SurfaceGrid::crossingOn(int axis, const Coord& at) const {
   return std::clamp<double>(leaf.stock->crossings[i].t, kEndGap, 1.0 - kEndGap);
 }
 
-bool SurfaceGrid::isJoined(const Coord& at, int axis) const {
+std::optional<std::uint32_t> SurfaceGrid::cellAt(const Coord& at) const {
   const std::int32_t number = LeafReader(impl_).state(at & ~7);
-  if (number < 0) return false;
+  if (number < 0) return std::nullopt;
   const SurfaceLeaf& leaf = leaves_[static_cast<std::size_t>(number)];
   const int x = at.x() & 7, y = at.y() & 7, z = at.z() & 7;
-  if (!leafSample(leaf.mixed, x, y, z)) return false;
-  return (shape(leaf.cellAt(z << 6 | leafBit(x, y))) >> (kJoinedFaces + 2 * axis) & 1) != 0;
+  if (!leafSample(leaf.mixed, x, y, z)) return std::nullopt;
+  return leaf.cellAt(z << 6 | leafBit(x, y));
 }
 
 bool SurfaceGrid::isCrossed(int axis, const Coord& at) const {

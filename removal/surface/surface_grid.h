@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -156,9 +157,8 @@ class SurfaceGrid {
   /// The cell of a vertex, which may be of a further sheet.
   std::uint32_t cellOf(std::uint32_t vertex) const;
   CellShape shape(std::uint32_t cell) const { return shapes_[cell]; }
-  /// Whether material goes through between two corners of a face whose four edges are crossed; `at`: voxel of
-  /// its lowest corner, `axis`: across it.
-  bool isJoined(const Coord& at, int axis) const;
+  /// The cell whose lowest corner is this voxel of the whole grid; none where no surface goes through it.
+  std::optional<std::uint32_t> cellAt(const Coord& at) const;
   std::uint16_t traits(std::uint32_t cell) const { return traits_[cell]; }
   /// Fraction of the edge along `axis` from voxel `at` (of the whole grid) at which it is crossed, kEndGap
   /// off its ends at the least; its middle where it is not.

@@ -47,7 +47,8 @@ FaceEdge farEdge(const SurfaceGrid& grid, const Face& face, bool joined, bool& s
 /// Its place between the quad's crossing and the one that the surface leads to in the face, grid steps from
 /// the face's corner. `sole`: no other surface goes through the face.
 FaceSplit splitFace(const SurfaceGrid& grid, const Face& face, Vec3& place, bool& sole) {
-  const bool joined = grid.isJoined(face.at, face.cross);
+  const std::optional<std::uint32_t> cell = grid.cellAt(face.at);
+  const bool joined = cell && isJoined(grid.shape(*cell), face.cross, 0);
   const FaceEdge own = edgeOf(face, face.axis, face.other(), face.back),
                  end = farEdge(grid, face, joined, sole);
   const auto placeOn = [&](const FaceEdge& e) {

@@ -50,12 +50,9 @@ std::vector<Coord> doubtfulCells(const SurfaceGrid& grid, bool known) {
   return misses;
 }
 
-bool isThin(const SurfaceGrid& grid, const Coord& cell) {
-  const std::int32_t number = LeafReader(grid.impl()).state(cell & ~7);
-  if (number < 0) return false;
-  const SurfaceLeaf& leaf = grid.leaves()[static_cast<std::size_t>(number)];
-  const int x = cell.x() & 7, y = cell.y() & 7, z = cell.z() & 7;
-  return leafSample(leaf.mixed, x, y, z) && (grid.traits(leaf.cellAt(z << 6 | leafBit(x, y))) & kThin) != 0;
+bool isThin(const SurfaceGrid& grid, const Coord& at) {
+  const std::optional<std::uint32_t> cell = grid.cellAt(at);
+  return cell && (grid.traits(*cell) & kThin) != 0;
 }
 
 /// What cells took.

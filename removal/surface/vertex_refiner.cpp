@@ -58,7 +58,7 @@ constexpr double kAtBorder = 0.02;
 /// So far before and behind a vertex an end of the way is looked for that crossings of the cell tell of.
 constexpr double kAlongWay = 1.0;
 /// Faces that turn by more (3 degrees) from one side of that to the other break there.
-constexpr double kNoBreak = 0.9986;
+constexpr double kUnbroken = 0.9986;
 /// Elements whose crossings turn by more (in radians) bend so much that smaller quads are worth more.
 constexpr double kGentleTurn = 0.3;
 /// How far to either side an edge is looked at, and how much less it moves than a smooth surface.
@@ -385,7 +385,7 @@ bool VertexRefiner::toChange(const Place& first, const Place& second, const Kind
     (is_first ? from : to) = part;
     (is_first ? before : after) = at;
   }
-  if (before.normal.dot(after.normal) < kNoBreak || outsideBy(at.p) > -kWallGap) return false;
+  if (before.normal.dot(after.normal) < kUnbroken || outsideBy(at.p) > -kWallGap) return false;
   x = at.p;
   return true;
 }

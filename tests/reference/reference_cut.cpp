@@ -45,14 +45,16 @@ std::optional<Cut> cutByEngine(const SmallProgram& program, double grid_mm) {
   Progress progress;
   auto stock = Stock::create(program.block, options, progress);
   if (!stock) return std::nullopt;
-  auto removal = stock->remove(program.path, program.tools, options, progress);
-  if (!removal) return std::nullopt;
   SurfaceOptions fine;
   fine.simplify_mm = 0.0;
   fine.threads = 1;
+  const auto before = stock->volume(fine, progress);  // the same integral as after it
+  if (!before) return std::nullopt;
+  auto removal = stock->remove(program.path, program.tools, options, progress);
+  if (!removal) return std::nullopt;
   auto surface = stock->surface(fine, progress);
   if (!surface) return std::nullopt;
-  const double removed_mm3 = stock->initialVolume() - surface->volume_mm3 - surface->unseen_mm3;
+  const double removed_mm3 = before->mm3 - surface->volume_mm3 - surface->unseen_mm3;
   return Cut{std::move(*surface), std::move(*removal), removed_mm3};
 }
 

@@ -24,8 +24,8 @@ constexpr int kOfHundred = 99;
 constexpr double kMostFaceMm = 3e-3, kMostEdgeMm = 0.02;
 /// Beside walls and gaps that are thin in truth may be so many of a hundred of what is compared.
 constexpr int kBesideThin = 2;
-/// Less is removed by programs that pass the block, mm3: rounding of its volume.
-constexpr double kNothing = 1e-4;
+/// Less is removed by programs that pass the block, mm3.
+constexpr double kNothing = 1e-5;
 constexpr int kPrograms = 50, kFacets = 48;
 
 int fromEnvironment(const char* variable, int usual) {
