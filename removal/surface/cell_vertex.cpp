@@ -230,7 +230,8 @@ CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const
   }
   const bool refine = refiner != nullptr && refiner->needed(false);
   out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
-  if (refine && beyond >= kOutsideSlack) refiner->toSurface(sum.normalized(), 0.0, out.inside);
+  if (refine && beyond > (refiner->bends() ? kWallGap : kOutsideSlack))
+    refiner->toSurface(sum.normalized(), 0.0, out.inside);
   if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
   const double reach =
       beyond > kOutsideSlack && !certain && isUncertain(faces, refiner, x) ? kOutsideSlack : kVertexReach;
@@ -323,7 +324,9 @@ std::optional<CellVertex> placeOn(std::span<const SheetPoint> points, bool joine
     if (one_face) return smoothVertex(points, mean, sum, refiner);
     refiner->ontoNearest(sum.normalized(), x);
   }
-  return creaseVertex(faces, mean, sum, refiner, x, found);
+  CellVertex out = creaseVertex(faces, mean, sum, refiner, x, found);
+  if (found && out.p == x) out.along = refiner->alongCrease(x).value_or(Vec3::Zero());
+  return out;
 }
 
 /// The vertex in an upright wall where what a body left in passing goes over into what it left where its way

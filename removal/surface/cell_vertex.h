@@ -14,6 +14,7 @@ struct CellVertex {
   Vec3 inside = Vec3::Zero();  ///< inside the cell, as near to the surface as can be; p where p is inside
   bool smooth = false;         ///< one smooth surface runs through the cell
   bool outside = false;        ///< p is outside the cell
+  Vec3 along = Vec3::Zero();   ///< of the crease that p is on, either way; 0 where it is not known
 };
 
 /// How far creases and corners are followed out of the cell (in cells), where no fold comes of it.

@@ -31,6 +31,8 @@ constexpr double kMostTurned = 1.0;
 constexpr double kBreak = 4.0;
 /// And it is seen at this slope at least (6 degrees).
 constexpr double kBreakSlope = 0.1;
+/// Creases that lean more (60 degrees) from the chord of two corners do not join these.
+constexpr double kLeastAlong = 0.5;
 /// Corners that are all on one crease but one show no break: the part on this side is a sliver then.
 constexpr double kOwnShare = 0.1;
 
@@ -164,6 +166,39 @@ double wedgesAround(const Piece& p, const Bend& bend, unsigned smooth_corners) {
   return -sum / 240.0;
 }
 
+/// How far the middle of a crease is off its chord: that of the cubic which runs as the crease does at both
+/// ends. 0 where these are not the ends of one.
+Vec3 creaseOff(const Vec3& chord, const Vec3& from, const Vec3& to) {
+  const double length = chord.norm(), a = from.dot(chord), b = to.dot(chord);
+  if (std::min(std::abs(a), std::abs(b)) <= kLeastAlong * length) return Vec3::Zero();
+  const Vec3 at_start = from * (length / a) - chord / length, at_end = to * (length / b) - chord / length;
+  if (at_start.dot(at_end) >= 0.0) return Vec3::Zero();
+  return length / 8.0 * (at_start - at_end);
+}
+
+/// The bulge ends above the chord of corners `a` and `b`, the surface at their crease. Between both is a
+/// strip of the height above the chord by the crease's distance from it: half of that, over a parabola's
+/// square.
+double sliverAlong(const Piece& p, const Vec3& normal, const Bend& bend, const std::array<Vec3, 4>& creases,
+                   int a, int b) {
+  const Vec3 edge = p.d[b] - p.d[a], off = creaseOff(edge, creases[a], creases[b]);
+  if (off == Vec3::Zero()) return 0.0;
+  const Vec3 right = edge.cross(normal);  // out of the piece
+  const double mx = 0.5 * (p.x[a] + p.x[b]), my = 0.5 * (p.y[a] + p.y[b]);
+  const double ex = p.x[b] - p.x[a], ey = p.y[b] - p.y[a];
+  const double slope =
+      ((bend.q0 * mx + bend.q1 * my) * ey - (bend.q1 * mx + bend.q2 * my) * ex) / right.norm();
+  const double beside = right.dot(off);
+  return 4.0 / 15.0 * (normal.dot(off) - slope * beside / right.norm()) * beside;
+}
+
+double sliversAround(const Piece& p, const Vec3& normal, const Bend& bend,
+                     const std::array<Vec3, 4>& creases) {
+  double sum = 0.0;
+  for (int i = 0; i < 4; ++i) sum += sliverAlong(p, normal, bend, creases, i, (i + 1) % 4);
+  return sum;
+}
+
 /// Values of a quadratic form at two corners, and of its bilinear form between them.
 struct Pair {
   double ii, ik, kk;
@@ -181,9 +216,7 @@ double quarticBulge(double twice_area, const Pair& b, const Pair& t) {
 /// The bulge of a face that turns much from corner to corner. Spheres and cylinders that bend by B and turn
 /// their normal by S x are at heights of B / 2 + B |S x|^2 / 8 + ...: with the second term the rest goes with
 /// the sixth power of the quad's size.
-double roundBulge(const Piece& p, unsigned smooth_corners) {
-  const BendFit fit(p);
-  const Bend first = fit.of(p.height);
+double roundBulge(const Piece& p, const BendFit& fit, const Bend& first, unsigned smooth_corners) {
   std::array<double, 4> u{}, v{}, height{};  // turned normals; heights without the quartic term
   const auto turn = [&](const Bend& bend) {
     for (int i = 0; i < 4; ++i) {
@@ -221,7 +254,7 @@ double brokenVolume(const Piece& p, const Vec3& from, int other) {
 }  // namespace
 
 QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
-                      const Vec3& apex, unsigned smooth_corners) {
+                      const Vec3& apex, unsigned smooth_corners, const std::array<Vec3, 4>& creases) {
   Piece p;
   bool flat = true;
   double slope2 = 0.0, between = 0.0;
@@ -243,9 +276,11 @@ QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, 
     return {brokenVolume(p, from, other), error};
   if (steep) return {cones, error};
   p.findPlane(normal);
-  const double bulge = slope2 > kQuarticSlope * kQuarticSlope ? roundBulge(p, smooth_corners)
-                                                              : bulgeAround(p, BendFit(p).of(p.height));
-  return {cones + bulge, error};
+  const BendFit fit(p);
+  const Bend bend = fit.of(p.height);
+  const double bulge = slope2 > kQuarticSlope * kQuarticSlope ? roundBulge(p, fit, bend, smooth_corners)
+                                                              : bulgeAround(p, bend);
+  return {cones + bulge + sliversAround(p, normal, bend, creases), error};
 }
 
 }  // namespace proveout

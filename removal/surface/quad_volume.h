@@ -12,6 +12,8 @@ struct QuadVolume {
   double error = 0.0;   ///< by how much it may be off, about; at least 0
 };
 
+inline const std::array<Vec3, 4> kNoCreases = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+
 /// The cone from `apex` to the piece of surface around a crossing: the four triangles from the crossing to
 /// the corners (CCW from outside, all on the surface), and what the surface bulges out of them, up to its own
 /// normals along the chords between smooth corners (as far as the corners tell how these bend): so quads that
@@ -23,7 +25,10 @@ struct QuadVolume {
 /// Any unit of length. `smooth_corners`: bits of the corners that lie on one smooth face; the others may lie
 /// on creases. Where a crease joins opposite corners, the one beyond it says nothing of how the crossing's
 /// face bends: the piece is two triangles then, with the bulge of the one on this side.
+/// `creases`: which way the creases run that the corners are on, unit, either way; 0 where that is not known.
+/// Between two such corners the piece ends at the crease and not at its chord.
 QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
-                      const Vec3& apex, unsigned smooth_corners = 0xF);
+                      const Vec3& apex, unsigned smooth_corners = 0xF,
+                      const std::array<Vec3, 4>& creases = kNoCreases);
 
 }  // namespace proveout

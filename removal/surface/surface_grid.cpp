@@ -152,7 +152,7 @@ class LeafPlacer {
     for (int sheet = 0; sheet < sheets; ++sheet) {
       const int count = gather(cell, at, sheet);
       CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, &exact_);
-      const Vec3 origin(x, y, z);
+      const Vec3 origin(x, y, z), on_crease = v.p;
       if (v.outside && !v.smooth && isTaken(v.p, count)) {
         v.p = v.inside;
         v.outside = false;
@@ -176,6 +176,8 @@ class LeafPlacer {
       out.p = toFloat(origin + (sheets == 1 ? v.p : thin));
       out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
       if (sheets > 1) continue;
+      if (v.along != Vec3::Zero() && v.p == on_crease)
+        leaf_.creases.push_back({static_cast<std::uint16_t>(z << 6 | bit), v.outside, toFloat(v.along)});
       if (const auto step = findLowStep({points_.data(), static_cast<std::size_t>(count)}, exact_)) {
         out.traits |= CellTraits::kStep;
         leaf_.steps.push_back({static_cast<std::uint16_t>(rank), toFloat(origin + step->low),

@@ -46,6 +46,13 @@ struct StepCell {
   std::uint32_t motion = 0;
 };
 
+/// The way of the crease that a vertex is on.
+struct CreaseWay {
+  std::uint16_t place = 0;  ///< of the cell, as in OutsideVertex
+  bool outside = false;     ///< known where the vertex is outside its cell, unless it was put back
+  Eigen::Vector3f along;    ///< unit, either way
+};
+
 /// That all surface of a leaf is a level piece of one face: one layer of crossings across an axis, all alike.
 struct LevelFace {
   std::int8_t axis = -1, layer = 0;  ///< -1: it is not
@@ -67,6 +74,7 @@ struct SurfaceLeaf {
   std::vector<ExtraVertex> extra;
   std::vector<OutsideVertex> outside;
   std::vector<StepCell> steps;
+  std::vector<CreaseWay> creases;  ///< those that are known, of cells with one sheet
   LeafClusters clusters;
   LevelFace level;
   bool all_level = false;  ///< the vertices of all cells are on the level face, in the middle of their cells

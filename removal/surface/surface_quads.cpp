@@ -8,6 +8,7 @@
 #include "core/base/parallel_for.h"
 #include "core/geometry/to_float.h"
 #include "removal/surface/cell_cycles.h"
+#include "removal/surface/quad_volume.h"
 
 namespace proveout {
 
@@ -132,10 +133,47 @@ void QuadReader::load(const SurfaceLeaf& leaf) {
   }
 }
 
-bool QuadReader::cells(int axis, int x, int y, int z, Quad& quad) const {
+void QuadReader::addCreases(const SurfaceLeaf& leaf, int place) {
+  const int dx = (place & 1) * 8, dy = (place >> 1 & 1) * 8, dz = (place >> 2) * 8;
+  for (const CreaseWay& c : leaf.creases) {
+    const int x = (c.place >> 3 & 7) - dx, y = (c.place & 7) - dy, z = (c.place >> 6) - dz;
+    if (std::min({x, y, z}) < -1) continue;
+    const int i = index(x, y, z);
+    if (c.outside && (traits_[i] & CellTraits::kOutside) == 0) continue;
+    creases_.push_back(c.along);
+    crease_[i] = static_cast<std::uint16_t>(creases_.size());
+  }
+}
+
+void QuadReader::loadCreases() {
+  creases_.clear();
+  crease_.fill(0);
+  addCreases(*leaf_, 0);
+  for (int i = 1; i < 7; ++i) {
+    if (leaf_->lower[i] >= 0) addCreases(grid_.leaves()[static_cast<std::size_t>(leaf_->lower[i])], i);
+  }
+}
+
+std::array<Vec3, 4> QuadReader::creasesOf(const Quad& quad, int axis, int x, int y, int z) const {
+  std::array<Vec3, 4> along = kNoCreases;
+  if (creases_.empty() || quad.smooth_corners == 0xF) return along;
+  const std::array<int, 4> cell = ring(axis, x, y, z);
+  const bool start_in = leafSample(leaf_->stock->material(), x, y, z);
+  for (int i = 0; i < 4; ++i) {
+    const int number = crease_[cell[start_in ? i : 3 - i]];
+    if (number > 0) along[i] = creases_[number - 1].cast<double>();
+  }
+  return along;
+}
+
+std::array<int, 4> QuadReader::ring(int axis, int x, int y, int z) {
   constexpr int kStep[3] = {81, 9, 1};
   const int u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3], at = index(x, y, z);
-  const std::array<int, 4> cell = {at - u - v, at - v, at, at - u};
+  return {at - u - v, at - v, at, at - u};
+}
+
+bool QuadReader::cells(int axis, int x, int y, int z, Quad& quad) const {
+  const std::array<int, 4> cell = ring(axis, x, y, z);
   quad.traits = 0;
   quad.smooth_corners = 0;
   for (int i = 0; i < 4; ++i) {
@@ -149,9 +187,7 @@ bool QuadReader::cells(int axis, int x, int y, int z, Quad& quad) const {
 
 bool QuadReader::read(int axis, int x, int y, int z, const Crossing& c, Quad& quad) const {
   if (!cells(axis, x, y, z, quad)) return false;
-  constexpr int kStep[3] = {81, 9, 1};
-  const int u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3], at = index(x, y, z);
-  const std::array<int, 4> cell = {at - u - v, at - v, at, at - u};
+  const std::array<int, 4> cell = ring(axis, x, y, z);
   for (int i = 0; i < 4; ++i) quad.p[i] = p_[cell[i]].cast<double>();
   arrange(axis, x, y, z, quad);
   readCrossing(axis, x, y, z, c, quad);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "removal/surface/surface_grid.h"
 
@@ -53,12 +54,19 @@ class QuadReader {
   static void readCrossing(int axis, int x, int y, int z, const Crossing& c, Quad& quad);
   /// All of it.
   bool read(int axis, int x, int y, int z, const Crossing& c, Quad& quad) const;
+  /// The ways of the creases that the corners of a quad, which was read, are on; 0 where they are not known.
+  /// Requires loadCreases after load.
+  std::array<Vec3, 4> creasesOf(const Quad& quad, int axis, int x, int y, int z) const;
+  void loadCreases();
   /// The leaf around which lengths are.
   const SurfaceLeaf& leaf() const { return *leaf_; }
 
  private:
   static int index(int x, int y, int z) { return ((x + 1) * 9 + y + 1) * 9 + z + 1; }
   void add(const SurfaceLeaf& leaf, int place);
+  void addCreases(const SurfaceLeaf& leaf, int place);
+  /// Of the cells around an edge, in the order of kRing.
+  static std::array<int, 4> ring(int axis, int x, int y, int z);
   void arrange(int axis, int x, int y, int z, Quad& quad) const;
   void pickSheets(int axis, int x, int y, int z, bool start_in, Quad& quad) const;
 
@@ -68,6 +76,8 @@ class QuadReader {
   std::array<std::uint32_t, 729> number_;
   std::array<std::uint16_t, 729> traits_;
   std::array<Eigen::Vector3f, 729> p_;
+  std::vector<Eigen::Vector3f> creases_;   ///< of the cells around the leaf
+  std::array<std::uint16_t, 729> crease_;  ///< numbers from 1 in there; 0: none
 };
 
 /// Calls body(axis, x, y, z, crossing) for each crossed edge of the leaf.

@@ -63,6 +63,8 @@ constexpr double kUnbroken = 0.9986;
 constexpr double kGentleTurn = 0.3;
 /// How far to either side an edge is looked at, and how much less it moves than a smooth surface.
 constexpr double kSideStep = 0.05, kStays = 0.4;
+/// Faces that meet at less (6 degrees) do not tell which way their crease runs.
+constexpr double kLeastCrease = 0.1;
 /// Edges that run along a face, to 12 degrees, have no certain place where they meet it.
 constexpr double kGrazing = 0.2;
 
@@ -110,6 +112,13 @@ bool VertexRefiner::needed(bool smooth) const {
     one_element = one_element && (faces_[i].id & 0xFFFF) == (faces_[0].id & 0xFFFF);
   }
   return cut && !one_element && (smooth || oneBody());
+}
+
+bool VertexRefiner::bends() const {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (bend_[i] >= kMostBendUnseen || faces_[i].spread > kFlatSpread) return true;
+  }
+  return false;
 }
 
 bool VertexRefiner::meetFlat(const Vec3& x) {
@@ -238,7 +247,7 @@ bool VertexRefiner::ontoFaces(Vec3& x) {
   double part = 1.0;  // the nearer to the edge, the less aside
   for (int round = 0; round < kNewtonRounds; ++round, part = std::max(0.4 * part, kLeastAside)) {
     double farthest = 0.0;
-    bool aside = false;
+    bool aside = false, again = false;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       double off;
       const int face = static_cast<int>(i);
@@ -247,12 +256,14 @@ bool VertexRefiner::ontoFaces(Vec3& x) {
         aside = part > kLeastAside;
       }
       farthest = std::max(farthest, off);
+      again = again || (round_[i] && off >= kSeenAt);
     }
     const Vec3 step = meetPlanes({planes.data(), faces_.size()});
     if (!(step.squaredNorm() < 1.0)) return false;
     x += step;
     if (aside || step.squaredNorm() >= kRest * kRest) continue;
-    double between = 0.0;  // faces that meet in no line
+    if (round == 0 && again) continue;  // against the normal of its crossings a face is seen beside `x`
+    double between = 0.0;               // faces that meet in no line
     for (std::size_t i = 0; i < faces_.size(); ++i)
       between = std::max(between, std::abs(planes[i].n.dot(step) - planes[i].d));
     if (between > kBetween) ontoNearest(meanNormal(), x);
@@ -316,6 +327,21 @@ bool VertexRefiner::toCrease(Vec3& x) {
   if (!rests || (at - x).squaredNorm() >= kMostMoved * kMostMoved) return false;
   x = at;
   return true;
+}
+
+std::optional<Vec3> VertexRefiner::alongCrease(const Vec3& x) {
+  if (faces_.size() != 2 || !cut_ || !(round_[0] || round_[1]) || oneBody()) return std::nullopt;
+  std::array<Vec3, 2> n;
+  for (std::size_t i = 0; i < 2; ++i) {
+    n[i] = planeAt(faces_[i], x).n;
+    if (body_[i] == ExactFaces::kNoBody) continue;
+    const ExactFaces::Foot foot = exact_.foot(body_[i], x - kLookFrom * n[i]);
+    if (!continues(i, foot)) return std::nullopt;
+    n[i] = foot.normal;
+  }
+  const Vec3 along = n[0].cross(n[1]);
+  const double length = along.norm();
+  return length < kLeastCrease ? std::nullopt : std::optional<Vec3>(along / length);
 }
 
 /// The tangent plane of the body that is nearest to the material at `x`: the surface of them all. False where

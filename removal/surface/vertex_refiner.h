@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "removal/surface/cell_faces.h"
 #include "removal/surface/exact_faces.h"
@@ -19,6 +20,8 @@ class VertexRefiner {
   /// surface; else findCurvature has seen them.
   bool needed(bool smooth) const;
 
+  /// Whether one of the faces is known or seen to bend.
+  bool bends() const;
   /// Whether a path cut here and the faces bend little up to `x`, where they meet, as planes do. Faces of the
   /// blank alone are read alike before and after a path: never true for them.
   bool meetFlat(const Vec3& x);
@@ -26,6 +29,9 @@ class VertexRefiner {
   bool isSmooth(const Vec3& x);
   /// Moves `x`, near a crease or corner, to it. False where that finds no rest nearby: `x` stays then.
   bool toCrease(Vec3& x);
+  /// Which way the crease of two bodies' faces runs at `x`, on it. None of other creases, where both faces
+  /// are nearly flat, and where no pass cut.
+  std::optional<Vec3> alongCrease(const Vec3& x);
   /// Moves `x` in the cell onto the smooth surface, without leaving the cell by more than `beyond`. `n`: out
   /// of the material. False if it is not on the surface then.
   bool toSurface(const Vec3& n, double beyond, Vec3& x);

@@ -118,6 +118,60 @@ TEST(QuadVolume, FollowsFacesThatTurnMuch) {
   }
 }
 
+/// A corner of a face whose edge lies in the plane m * p = d: where the edge is at this x, and which way it
+/// runs.
+struct EdgePoint {
+  Vec3 p, along;
+};
+EdgePoint edgeAt(const Round& face, const Vec3& m, double d, double x) {
+  double low = -0.5, high = 1.5;  // of y: the plane rises
+  for (int i = 0; i < 60; ++i) {
+    const double y = 0.5 * (low + high);
+    (m.dot(face.above(x, y)) < d ? low : high) = y;
+  }
+  const Vec3 p = face.above(x, low);
+  return {p, m.cross(face.fromAxis(p)).normalized()};
+}
+
+/// Where the edge of a face bends, the piece ends at it: between the wall on its chord and the edge is a
+/// strip.
+TEST(QuadVolume, EndsAtCreasesThatBend) {
+  const Round face{5.0, 3, Vec3::Zero()};
+  for (const Vec3& m : {Vec3(0, 0.8, 0.6), Vec3(0, 0.6, -0.8), Vec3(0.1, 0.7, 0.7)}) {
+    const double d = 0.3;
+    const EdgePoint left = edgeAt(face, m, d, -0.55), right = edgeAt(face, m, d, 0.45);
+    const std::array<Vec3, 4> corners = {face.above(-0.5, -0.4), face.above(0.6, -0.5), right.p, left.p};
+    const std::array<Vec3, 4> creases = {Vec3::Zero(), Vec3::Zero(), right.along, -left.along};
+    // Strips across the chord: triangles of a place on it, the face over that, and the edge.
+    constexpr int kSteps = 400;
+    const Vec3 edge = left.p - right.p, outward = edge.cross(Vec3::UnitZ()).normalized();
+    double strip = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+      const Vec3 at = right.p + (i + 0.5) / kSteps * edge;
+      const double over = face.above(at.x(), at.y()).z() - at.z();
+      const Vec3 off = edgeAt(face, m, d, at.x()).p - at;
+      strip += 0.5 * over * outward.dot(off) * edge.head<2>().norm() / kSteps;
+    }
+    const auto volume = [&](const std::array<Vec3, 4>& ways) {
+      return quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, 0x3, ways).volume;
+    };
+    EXPECT_GT(std::abs(strip), 1e-5);
+    EXPECT_NEAR(volume(creases) - volume(kNoCreases), strip, 0.05 * std::abs(strip)) << m.transpose();
+  }
+}
+
+// Ways that lean from the chord, or bend to both sides of it, are not those of its ends.
+TEST(QuadVolume, LeavesCreasesOfOtherCornersAlone) {
+  const Round face{5.0, 3, Vec3::Zero()};
+  const std::array<Vec3, 4> corners = {face.above(-0.5, -0.4), face.above(0.6, -0.5), face.above(0.5, 0.4),
+                                       face.above(-0.4, 0.5)};
+  const double whole = quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, 0x3).volume;
+  for (const Vec3& way : {Vec3(0, 1, 0), Vec3(0.4, 0.9, 0).normalized(), Vec3(0.9, 0.3, 0.1).normalized()}) {
+    const std::array<Vec3, 4> creases = {Vec3::Zero(), Vec3::Zero(), way, way};
+    EXPECT_EQ(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, 0x3, creases).volume, whole);
+  }
+}
+
 /// A whole sphere on a grid: each crossing of an edge with a quad between the means of the crossings around
 /// its four cells, pushed onto the sphere.
 class GriddedSphere {
