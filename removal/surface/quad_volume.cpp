@@ -181,6 +181,7 @@ Vec3 creaseOff(const Vec3& chord, const Vec3& from, const Vec3& to) {
 /// square.
 double sliverAlong(const Piece& p, const Vec3& normal, const Bend& bend, const std::array<Vec3, 4>& creases,
                    int a, int b) {
+  if (creases[a] == Vec3::Zero() || creases[b] == Vec3::Zero()) return 0.0;
   const Vec3 edge = p.d[b] - p.d[a], off = creaseOff(edge, creases[a], creases[b]);
   if (off == Vec3::Zero()) return 0.0;
   const Vec3 right = edge.cross(normal);  // out of the piece

@@ -8,7 +8,6 @@
 #include "core/base/parallel_for.h"
 #include "core/geometry/to_float.h"
 #include "removal/surface/cell_cycles.h"
-#include "removal/surface/quad_volume.h"
 
 namespace proveout {
 
@@ -124,13 +123,19 @@ void QuadReader::add(const SurfaceLeaf& leaf, int place) {
   }
 }
 
+/// Calls use(leaf, place) for the leaf and those below it that cells of its quads are in.
+template <typename Use>
+void QuadReader::forEachLeaf(const Use& use) const {
+  use(*leaf_, 0);
+  for (int i = 1; i < 7; ++i) {
+    if (leaf_->lower[i] >= 0) use(grid_.leaves()[static_cast<std::size_t>(leaf_->lower[i])], i);
+  }
+}
+
 void QuadReader::load(const SurfaceLeaf& leaf) {
   leaf_ = &leaf;
   number_.fill(kNoCell);
-  add(leaf, 0);
-  for (int i = 1; i < 7; ++i) {
-    if (leaf.lower[i] >= 0) add(grid_.leaves()[static_cast<std::size_t>(leaf.lower[i])], i);
-  }
+  forEachLeaf([this](const SurfaceLeaf& from, int place) { add(from, place); });
 }
 
 void QuadReader::addCreases(const SurfaceLeaf& leaf, int place) {
@@ -148,14 +153,12 @@ void QuadReader::addCreases(const SurfaceLeaf& leaf, int place) {
 void QuadReader::loadCreases() {
   creases_.clear();
   crease_.fill(0);
-  addCreases(*leaf_, 0);
-  for (int i = 1; i < 7; ++i) {
-    if (leaf_->lower[i] >= 0) addCreases(grid_.leaves()[static_cast<std::size_t>(leaf_->lower[i])], i);
-  }
+  forEachLeaf([this](const SurfaceLeaf& from, int place) { addCreases(from, place); });
 }
 
 std::array<Vec3, 4> QuadReader::creasesOf(const Quad& quad, int axis, int x, int y, int z) const {
-  std::array<Vec3, 4> along = kNoCreases;
+  std::array<Vec3, 4> along;
+  along.fill(Vec3::Zero());
   if (creases_.empty() || quad.smooth_corners == 0xF) return along;
   const std::array<int, 4> cell = ring(axis, x, y, z);
   const bool start_in = leafSample(leaf_->stock->material(), x, y, z);

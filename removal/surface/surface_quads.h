@@ -63,6 +63,8 @@ class QuadReader {
 
  private:
   static int index(int x, int y, int z) { return ((x + 1) * 9 + y + 1) * 9 + z + 1; }
+  template <typename Use>
+  void forEachLeaf(const Use& use) const;
   void add(const SurfaceLeaf& leaf, int place);
   void addCreases(const SurfaceLeaf& leaf, int place);
   /// Of the cells around an edge, in the order of kRing.

@@ -478,13 +478,6 @@ Case helicalBore() {
 
 }  // namespace
 
-Toolpath circlePath(const Vec3& start, const Vec2& center) {
-  Toolpath path;
-  path.files = {"accuracy"};
-  addTurns(path, start, center, 1.0, 0.0);
-  return path;
-}
-
 std::vector<Case> allCases() {
   struct Cutter {
     std::string name, option;
@@ -504,8 +497,10 @@ std::vector<Case> allCases() {
     const Vec2 from = center - 7.3 * along, to = center + 7.9 * along;
     cases.push_back(levelCase("Slot" + c.name, c.option, c.outline, segmentCurve(from, to),
                               linePath({at(from, z), at(to, z)}), z));
-    cases.push_back(levelCase("Ring" + c.name, c.option, c.outline, circleCurve(center, 7.177),
-                              circlePath(at(center + 7.177 * along, z), center), z));
+    Toolpath ring;
+    ring.files = {"accuracy"};
+    addTurns(ring, at(center + 7.177 * along, z), center, 1.0, 0.0);
+    cases.push_back(levelCase("Ring" + c.name, c.option, c.outline, circleCurve(center, 7.177), ring, z));
     cases.push_back(slantedCase("Slanted" + c.name, c.option, c.outline, at(from, -0.713), at(to, -5.871)));
   }
   return cases;

@@ -77,9 +77,6 @@ Case slantedCase(const std::string& name, const std::string& tool, const Outline
 /// Feeds from point to point.
 Toolpath linePath(const std::vector<Vec3>& points);
 
-/// Once around a level circle, counter-clockwise.
-Toolpath circlePath(const Vec3& start, const Vec2& center);
-
 std::vector<Case> allCases();
 
 /// Integral of a piecewise smooth f from a to b; `breaks` are where it is not smooth. To about 1e-10 of

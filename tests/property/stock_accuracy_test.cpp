@@ -259,7 +259,7 @@ TEST_F(GrooveVolume, FineHole) {
 }
 
 // Chords of rims left out slivers, rims that bend much stayed where their planes meet, and vertices at a wall
-// of their cell were up to 0.05 cells off: up to 3e-4.
+// of their cell were up to 0.05 cells off: up to 6e-4.
 TEST_F(GrooveVolume, Dimple) {
   constexpr int kDimples = 120;
   double sum = 0.0, worst_vertex = 0.0;
