@@ -79,13 +79,13 @@ constexpr double kSecondsPerTriangle = 7e-7;          ///< half sections, their 
 constexpr double kSecondsPerGrooveTriangle = 8e-7;    ///< on top of that: sections where ridges are cut
 constexpr double kSecondsPerPassPoint = 2.9e-6;       ///< passes that deeper ones hold are dropped
 constexpr double kSecondsPerMotion = 2.0e-6;          ///< interpreter, culling
-constexpr double kSecondsPerTurnedMotion = 2.6e-5;    ///< out of the half section
-constexpr double kSecondsPerFixtureCell = 1.0e-7;     ///< leaves and crossings alone
+constexpr double kSecondsPerTurnedMotion = 3.0e-5;    ///< out of the half section
+constexpr double kSecondsPerFixtureCell = 0.7e-7;     ///< leaves and crossings alone
 constexpr double kSecondsPerTurnedCell = 6e-7;        ///< from a half section to the grid
 constexpr double kSecondsPerThreadedCell = 2.5e-6;    ///< on top of that where threads run
 constexpr double kSecondsPerMilledThread = 8e-6;      ///< and what is cut on, again for each of its cells
 constexpr double kSecondsPerReadCell = 4.5e-7;        ///< of a saved stock
-constexpr double kSecondsPerWrittenCell = 1.05e-6;    ///< as a saved stock
+constexpr double kSecondsPerWrittenCell = 0.85e-6;    ///< as a saved stock
 constexpr double kSecondsPerTextCell = 1.2e-6;        ///< cut cells in one mesh file as text
 constexpr double kSecondsPerBlankTriangle = 3e-6;     ///< a stock from a mesh
 constexpr double kSecondsPerMeshedCell = 1.9e-6;      ///< the same, and its cells
@@ -459,16 +459,21 @@ double stockS(const Workload& work, const Cells& cells) {
 /// Bodies that need no grid.
 double sectionS(const Workload& work) {
   return work.thread_triangles * kSecondsPerTriangle + work.groove_triangles * kSecondsPerGrooveTriangle +
-         work.pass_points * kSecondsPerPassPoint +
-         static_cast<double>(work.turned_motions) * kSecondsPerTurnedMotion;
+         work.pass_points * kSecondsPerPassPoint;
 }
 
-/// Stocks from meshes, and files.
-double moduleS(const Workload& work, const Cells& cells) {
+/// Stocks from meshes.
+double meshedS(const Workload& work, const Cells& cells) {
   const double from_mesh = work.blank_triangles > 0.0 ? work.blank_triangles * kSecondsPerBlankTriangle +
                                                             cells.surface * kSecondsPerMeshedCell
                                                       : 0.0;
-  return from_mesh + work.mesh_moves * cells.surface * kSecondsPerMovedCell +
+  return from_mesh + work.mesh_moves * cells.surface * kSecondsPerMovedCell;
+}
+
+/// What one thread does while the others wait: programs, half sections, files.
+double serialS(const Workload& work, const Cells& cells) {
+  return static_cast<double>(work.motions) * kSecondsPerMotion +
+         static_cast<double>(work.turned_motions) * kSecondsPerTurnedMotion +
          (work.reads_grid ? cells.surface * kSecondsPerReadCell : 0.0) +
          (work.writes_grid ? cells.surface * kSecondsPerWrittenCell : 0.0) +
          work.text_files * cells.cut * kSecondsPerTextCell;
@@ -493,18 +498,19 @@ double drawingS(const Workload& work, const Cells& cells) {
   return triangles * kSecondsPerDrawnTriangle + work.pixels * pixels;
 }
 
-double timeS(const Workload& work, double resolution_mm) {
-  const Cells cells = cellsOf(work, resolution_mm);
-  return kBaseS + stockS(work, cells) + sectionS(work) + moduleS(work, cells) + drawingS(work, cells) +
-         comparisonS(work, cells, resolution_mm) + curveS(work, resolution_mm) +
-         static_cast<double>(work.motions) * kSecondsPerMotion;
+/// What threads share.
+double parallelS(const Workload& work, const Cells& cells, double resolution_mm) {
+  return kBaseS + stockS(work, cells) + sectionS(work) + meshedS(work, cells) + drawingS(work, cells) +
+         comparisonS(work, cells, resolution_mm) + curveS(work, resolution_mm);
 }
 
 }  // namespace
 
 Prediction predict(const Workload& work, double resolution_mm) {
-  return {memoryMb(work, cellsOf(work, resolution_mm)) + 1e-6 * curveBytes(work, resolution_mm),
-          timeS(work, resolution_mm)};
+  const Cells cells = cellsOf(work, resolution_mm);
+  const double serial_s = serialS(work, cells);
+  return {memoryMb(work, cells) + 1e-6 * curveBytes(work, resolution_mm),
+          serial_s + parallelS(work, cells, resolution_mm), serial_s};
 }
 
 double resolutionThatFits(const Workload& work, double resolution_mm, double limit_mb) {

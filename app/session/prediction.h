@@ -71,6 +71,7 @@ struct Workload {
 struct Prediction {
   double memory_mb = 0.0;  ///< largest resident size
   double time_s = 0.0;     ///< wall time with two cores where it was measured (machine_speed.h)
+  double serial_s = 0.0;   ///< of that, what one thread does alone
 };
 
 /// Surface of the blank, mm2. Of a saved stock: of its bounds.

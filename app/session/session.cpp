@@ -75,7 +75,7 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
 }
 
 /// Shorter runs are over before anybody asks how long they take: there the machine is not measured.
-constexpr double kShortS = 0.2;
+constexpr double kShortS = 0.15;
 
 /// Whether the blank can be made before it is known what is cut from it: its grid alone is allowed.
 bool makesBlankEarly(const Job& job, const Blank& blank) {
@@ -105,7 +105,8 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
   run.resolution_mm = resolution_mm;
   run.prediction = predict(work, run.resolution_mm);
   if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits;
-  if (run.prediction.time_s > kShortS) run.prediction.time_s *= machineSlowness(run.prediction.time_s);
+  if (run.prediction.time_s > kShortS)
+    run.prediction = predictedOn(measureMachine(run.prediction.time_s), run.prediction);
   return checkTime(job, run.prediction);
 }
 

@@ -47,13 +47,14 @@ Outcome printLine(const PredictedJob& job, const nlohmann::json& report, const C
   return outcome;
 }
 
-Outcome runJob(const PredictedJob& job, int runs) {
+Outcome runJob(const PredictedJob& job, int runs, const std::string& threads) {
   const Workplace work;
   for (const auto& [name, text] : job.files) work.write(name, text());
   const auto started = [&](const std::vector<std::string>& words, const std::string& out) {
     std::vector<std::string> command{programPath(), "run"};
     command.insert(command.end(), words.begin(), words.end());
     command.insert(command.end(), {"--out", out});
+    if (!threads.empty()) command.insert(command.end(), {"--threads", threads});
     return runChild(command, work.path("errors"), kLimitS);
   };
   const fs::path home = fs::current_path();
@@ -78,7 +79,7 @@ Outcome runJob(const PredictedJob& job, int runs) {
   return outcome;
 }
 
-int run(const std::string& filter, int runs) {
+int run(const std::string& filter, int runs, const std::string& threads) {
   const std::string shared = PROVEOUT_SHARED_PROGRAMS;
   const bool there = fs::exists(shared + "/bear.nc");
   if (!there) fmt::print("the sample programs are not beside this checkout: their jobs are left out\n");
@@ -88,7 +89,7 @@ int run(const std::string& filter, int runs) {
   Outcome worst;
   for (const PredictedJob& job : predictedJobs(there ? shared : "", PROVEOUT_PARTS)) {
     if (job.name.find(filter) == std::string::npos) continue;
-    const Outcome outcome = runJob(job, runs);
+    const Outcome outcome = runJob(job, runs, threads);
     ++jobs;
     if (!outcome.ran) ++failed;
     if (off(outcome.memory) > kMemoryFactor) ++off_memory;
@@ -107,16 +108,17 @@ int run(const std::string& filter, int runs) {
 }  // namespace proveout::bench
 
 int main(int argc, char** argv) {
-  std::string filter;
+  std::string filter, threads;
   int runs = 1;
   for (int i = 1; i < argc; i += 2) {
     const std::string_view name = argv[i];
-    if (i + 1 == argc || (name != "--only" && name != "--runs")) {
-      fmt::print(stderr, "usage: {} [--only PART-OF-NAME] [--runs N]\n", argv[0]);
+    if (i + 1 == argc || (name != "--only" && name != "--runs" && name != "--threads")) {
+      fmt::print(stderr, "usage: {} [--only PART-OF-NAME] [--runs N] [--threads N]\n", argv[0]);
       return 2;
     }
     if (name == "--only") filter = argv[i + 1];
+    if (name == "--threads") threads = argv[i + 1];
     if (name == "--runs") runs = std::max(1, std::atoi(argv[i + 1]));
   }
-  return proveout::bench::run(filter, runs);
+  return proveout::bench::run(filter, runs, threads);
 }

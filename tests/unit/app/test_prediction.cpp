@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/session/machine_speed.h"
 #include "app/session/prediction.h"
+#include "core/base/thread_limit.h"
 
 namespace proveout {
 namespace {
@@ -116,11 +117,27 @@ TEST(Workload, LongLinesOfAFlatEndLeavePlanes) {
   EXPECT_LT(predict(slot, 0.1).time_s - predict(uncut, 0.1).time_s, 0.1);
 }
 
-TEST(MachineSlowness, IsThatOfThisMachine) {
-  const double slowness = machineSlowness(0.0);
+TEST(MachineSpeed, IsThatOfThisMachine) {
+  const double slowness = measureMachine(0.0).slowness;
   EXPECT_NE(slowness, 1.0);  // which stands for a piece that could not be cut
   EXPECT_GT(slowness, 0.02);
   EXPECT_LT(slowness, 500.0);
+}
+
+TEST(MachineSpeed, CountsTheThreadsThatARunMayUse) {
+  const ThreadLimit one(1);
+  EXPECT_EQ(measureMachine(0.0).threads, 1);
+  // What one thread does alone takes as long with any number, the rest at most so much less.
+  const Prediction predicted{100.0, 10.0, 4.0};
+  const auto time_s = [&](int threads, double slowness) {
+    return predictedOn({threads, slowness}, predicted).time_s;
+  };
+  EXPECT_DOUBLE_EQ(time_s(2, 1.0), 10.0);
+  EXPECT_DOUBLE_EQ(time_s(2, 3.0), 30.0);
+  EXPECT_GT(time_s(1, 1.0), 13.0);
+  EXPECT_LT(time_s(1, 1.0), 16.0);
+  EXPECT_LT(time_s(4, 1.0), 9.0);
+  EXPECT_GT(time_s(64, 1.0), 4.0);
 }
 
 Toolpath arcInXz(double lean_mm) {
