@@ -60,7 +60,7 @@ struct CutPart {
   double initial_mm3 = 0.0;
 };
 
-CutPart cutCase(const Case& c, double grid_mm = kGrid) {
+CutPart cutWith(const Tool& tool, const Case& c, double grid_mm) {
   RemovalOptions options;
   options.resolution_mm = grid_mm;
   Progress progress;
@@ -68,7 +68,7 @@ CutPart cutCase(const Case& c, double grid_mm = kGrid) {
   auto stock = Stock::create(c.blank, options, progress);
   EXPECT_TRUE(stock.ok()) << stock.error().message;
   if (!stock) return part;
-  const auto removed = stock->remove(c.path, {parseToolOption(c.tool).value()}, options, progress);
+  const auto removed = stock->remove(c.path, {tool}, options, progress);
   EXPECT_TRUE(removed.ok()) << removed.error().message;
   SurfaceOptions fine;
   fine.simplify_mm = 0.0;
@@ -77,6 +77,10 @@ CutPart cutCase(const Case& c, double grid_mm = kGrid) {
   if (surface) part.surface = std::move(*surface);
   part.initial_mm3 = stock->initialVolume();
   return part;
+}
+
+CutPart cutCase(const Case& c, double grid_mm = kGrid) {
+  return cutWith(parseToolOption(c.tool).value(), c, grid_mm);
 }
 
 /// Points inside a triangle, as weights of its corners.
@@ -356,6 +360,39 @@ TEST(StockAccuracy, VerticesAreOnFacesThatGoOverIntoEachOther) {
     }
   }
   std::printf("faces that go over into each other: vertices %.2f um off\n", 1e3 * worst);
+  EXPECT_LE(worst, kFaceVertexMm);
+}
+
+/// The crests that a thread mill leaves end up to 0.87 cells beside the nearest samples.
+TEST(StockAccuracy, CrestsBetweenTheTeethOfAThreadMillAreSharp) {
+  constexpr double kRadius = 3.0, kPitch = 1.5;
+  const double slope = std::sqrt(3.0);  // of 60 degrees between the flanks
+  Tool mill;
+  mill.number = 1;
+  mill.type = ToolType::kThreadMill;
+  mill.diameter = 2 * kRadius;
+  mill.pitch = kPitch;
+  mill.teeth = 3;
+  double worst = 0.0;
+  int at_crests = 0;
+  for (int i = 0; i < 12; ++i) {
+    const double tip = -5.0 - 0.25 * part(i, 0.618), angle = kPi / 2 * part(i, 0.382);
+    const Vec3 along(std::cos(angle), std::sin(angle), 0.0), middle(12, 12, tip);
+    Case c;
+    c.blank = BoxShape{{0, 0, -6}, {24, 24, 0}};
+    c.path = linePath({middle - 30.0 * along, middle + 30.0 * along});
+    for (const auto& position : cutWith(mill, c, 0.25).surface.mesh.positions) {
+      const Vec3 p = position.cast<double>();
+      const double up = (p.z() - tip) / kPitch;  // teeth
+      if (up < 0.2 || up > 2.8 || boxDistance(c.blank, p) > -0.5) continue;
+      const double from_tooth = kPitch * std::abs(up - std::floor(up) - 0.5);
+      const double beside = std::abs((p - middle).dot(Vec3(-along.y(), along.x(), 0.0)));
+      worst = std::max(worst, 0.5 * std::abs(beside - (kRadius - slope * from_tooth)));
+      at_crests += from_tooth > 0.5 * kPitch - 1e-3 ? 1 : 0;
+    }
+  }
+  std::printf("crests of a thread mill: vertices %.2f um off, %d on crests\n", 1e3 * worst, at_crests);
+  EXPECT_GT(at_crests, 500);
   EXPECT_LE(worst, kFaceVertexMm);
 }
 
