@@ -7,9 +7,8 @@ namespace proveout {
 
 /// The machine as a run finds it.
 struct MachineSpeed {
-  int threads = 2;  ///< those that TBB may use, and no more than there are cores
-  double slowness =
-      1.0;  ///< of each: 2 where a thread takes twice as long as where the prediction was measured
+  int threads = 2;        ///< those that TBB may use, and no more than there are cores
+  double slowness = 1.0;  ///< time of one thread, over that where the prediction was measured
 };
 
 /// Takes some milliseconds, and not much more than a hundredth of the time that the run is expected to take:
