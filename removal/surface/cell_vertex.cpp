@@ -40,6 +40,9 @@ constexpr double kBentCos = 0.906;
 /// How far crossings are off a body that they are on (in cells), and how near to its normal theirs are there
 /// (0.8 degrees).
 constexpr double kOnBody = 1e-3, kAsBody = 0.9999;
+/// Crossings are farther than this (in cells) behind each other's tangent planes across a ridge. What a tool
+/// leaves at the inner side of an arc turns less within a cell.
+constexpr double kRidge = 0.1;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
 const double kApexCos = std::cos(degToRad(30.0));
 constexpr double kApexMiss = 2e-3;
@@ -179,6 +182,20 @@ Vec3 insteadOfCrease(std::span<const CellFace> faces, const Vec3& mean, const Ve
   return clampToCell(meetPlanesInside({planes.data(), faces.size()}, mean));
 }
 
+/// The place in the cell that is nearest to `x`, close beside it: on the crease of two faces through `x`, if
+/// that comes into the cell.
+Vec3 besideOutside(std::span<const CellFace> faces, const Vec3& x) {
+  if (faces.size() != 2) return clampToCell(x);
+  const Vec3 along = planeAt(faces[0], x).n.cross(planeAt(faces[1], x).n);
+  double from = -1.0 / kWallGap, to = 1.0 / kWallGap;
+  for (int k = 0; k < 3; ++k) {
+    const double low = (kWallGap - x[k]) / along[k], high = (1.0 - kWallGap - x[k]) / along[k];
+    from = std::max(from, std::min(low, high));
+    to = std::min(to, std::max(low, high));
+  }
+  return clampToCell(from <= to ? Vec3(x + std::clamp(0.0, from, to) * along) : x);
+}
+
 /// Whether no normal of a round face points against their sum, as those of the two sides of a narrow cut do.
 bool turnsGently(std::span<const SheetPoint> points, const Vec3& sum) {
   const double least = kFacesAlong * sum.norm();
@@ -229,7 +246,7 @@ CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const
     return out;
   }
   const bool refine = refiner != nullptr && refiner->needed(false);
-  out.inside = beyond < kOutsideSlack ? clampToCell(x) : insteadOfCrease(faces, mean, sum);
+  out.inside = beyond < kOutsideSlack ? besideOutside(faces, x) : insteadOfCrease(faces, mean, sum);
   if (refine && beyond > (refiner->bends() ? kWallGap : kOutsideSlack))
     refiner->toSurface(sum.normalized(), 0.0, out.inside);
   if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
@@ -252,6 +269,17 @@ bool isAllOn(std::span<const SheetPoint> points, std::uint64_t face, std::int64_
                              [&](const SheetPoint& s) { return s.face != face || isOn(s, body, exact); });
 }
 
+/// Whether the material stands out between crossings of two faces, as it does nowhere on a convex tool.
+bool meetInRidge(std::span<const SheetPoint> points, std::uint64_t face, std::uint64_t other) {
+  const auto isBehind = [&](const SheetPoint& a, const SheetPoint& b) {
+    return a.face == face && b.face == other && (b.p - a.p).dot(a.n) < -kRidge &&
+           (a.p - b.p).dot(b.n) < -kRidge;
+  };
+  return std::ranges::any_of(points, [&](const SheetPoint& a) {
+    return std::ranges::any_of(points, [&](const SheetPoint& b) { return isBehind(a, b); });
+  });
+}
+
 /// Whether the crossings of the first face count as of the second one, which shows better what both are part
 /// of: elements of one body that go over into each other; or what a tool left where it set out, which is on
 /// what it swept from there, too.
@@ -260,7 +288,8 @@ bool isPartOf(std::span<const SheetPoint> points, std::uint64_t face, std::uint6
   const ExactFaces::Source of = exact.source(face), to = exact.source(other);
   if (to.isShown()) return false;
   if (exact.goOver(face, other)) return !to.simple || (of.simple && to.bend >= of.bend);
-  return exact.areOfOneCone(face, other) && isAllOn(points, face, to.body, exact);
+  return exact.areOfOneCone(face, other) && !meetInRidge(points, face, other) &&
+         isAllOn(points, face, to.body, exact);
 }
 
 /// A body alone keeps its elements apart: how much they bend, which the volume asks for, changes from one to
@@ -315,7 +344,7 @@ std::optional<CellVertex> placeOn(std::span<const SheetPoint> points, bool joine
   if (count == 1 || alike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
   findSurfaces(points, faces);
   Vec3 x = creaseNear(faces, mean);
-  const bool refine = refiner != nullptr && refiner->needed(false);
+  const bool refine = refiner != nullptr && (refiner->needed(false) || refiner->isPastEnd(x));
   if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
   const bool found = refine && outsideBy(x) <= kVertexReach && refiner->toCrease(x);
   if (refine && !found && outsideBy(x) <= kVertexReach) {

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
@@ -296,7 +298,43 @@ std::array<LeafBits, 3> edgesOf(const Places& cells, const SurfaceLeaf& leaf) {
   return edges;
 }
 
-/// Vertices outside their cells at those quads of a leaf, around these cells, that fold.
+/// Where a vertex goes if it is put back into its cell, as corners of quads of `leaf` stand.
+Vec3 insideOf(const SurfaceGrid& grid, std::uint32_t cell, const SurfaceLeaf& leaf) {
+  const SurfaceLeaf& own = grid.leaves()[grid.leafOf(cell)];
+  const auto it =
+      std::ranges::find_if(own.outside, [&](const OutsideVertex& o) { return own.cellAt(o.place) == cell; });
+  PROVEOUT_ASSERT(it != own.outside.end());
+  const Coord to = own.stock->origin, from = leaf.stock->origin;
+  return it->inside.cast<double>() + Vec3(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
+}
+
+bool folds(const Quad& quad) {
+  const unsigned smooth = quad.smooth_corners == 0xF ? 0u : quad.smooth_corners;
+  return cutQuad(quad.p, quad.middle, quad.normal, smooth).margin <= 0.0;
+}
+
+/// Of vertices at corners of a quad that folds, the one that unfolds it alone, if there is one. Where there
+/// are several, the nearest to another corner: its crease is met there, too.
+int cornerThatUnfolds(const SurfaceGrid& grid, const SurfaceLeaf& leaf, const Quad& quad,
+                      std::span<const int> corners) {
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int i : corners) {
+    Quad without = quad;
+    without.p[i] = insideOf(grid, quad.v[i], leaf);
+    if (folds(without)) continue;
+    for (int j = 0; j < 4; ++j) {
+      const double distance2 = (quad.p[j] - quad.p[i]).squaredNorm();
+      if (j == i || distance2 >= least) continue;
+      least = distance2;
+      best = i;
+    }
+  }
+  return best;
+}
+
+/// Vertices outside their cells at those quads of a leaf, around these cells, that fold: of each quad one,
+/// where that is enough, else all.
 std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const SurfaceLeaf& leaf,
                                            const Places& cells) {
   std::vector<std::uint32_t> folding;
@@ -310,11 +348,15 @@ std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const Surfac
     if (!reader.cells(axis, x, y, z, quad) || !(quad.traits & CellTraits::kOutside)) return;
     const Crossing& c = leaf.stock->crossings[static_cast<std::size_t>(leaf.edges.indexOf(axis, x, y, z))];
     reader.read(axis, x, y, z, c, quad);
-    if (cutQuad(quad.p, quad.middle, quad.normal, quad.smooth_corners == 0xF ? 0u : quad.smooth_corners)
-            .margin > 0.0)
-      return;
-    for (const std::uint32_t v : quad.v) {
-      if (v < grid.cellCount() && (grid.traits(v) & CellTraits::kOutside) != 0) folding.push_back(v);
+    if (!folds(quad)) return;
+    std::vector<int> corners;
+    for (int i = 0; i < 4; ++i) {
+      const std::uint32_t v = quad.v[i];
+      if (v < grid.cellCount() && (grid.traits(v) & CellTraits::kOutside) != 0) corners.push_back(i);
+    }
+    const int one = corners.size() > 1 ? cornerThatUnfolds(grid, leaf, quad, corners) : -1;
+    for (const int i : corners) {
+      if (one < 0 || i == one) folding.push_back(quad.v[i]);
     }
   });
   return folding;

@@ -18,6 +18,9 @@ constexpr double kLookAside = 0.3, kLookDown = 0.3, kLeastAside = 0.05;
 /// A vertex is not moved farther than this, and rests when a step is shorter than that: Newton's method
 /// leaves the step's square then.
 constexpr double kMostMoved = 0.35, kRest = 0.01;
+/// Where two faces meet at less than 20 degrees, what their tangent planes are off at the crossings moves the
+/// crease by three times as much and more. Faces that turn by 6 degrees and more have no such planes.
+constexpr double kMeetGently = 0.94, kTurnGently = 0.1, kMostMovedGently = 0.7;
 constexpr int kNewtonRounds = 8;
 /// A place at which tangent planes meet where faces go over into each other smoothly is off them by less.
 constexpr double kLittleMoved = 0.1;
@@ -112,6 +115,13 @@ bool VertexRefiner::needed(bool smooth) const {
     one_element = one_element && (faces_[i].id & 0xFFFF) == (faces_[0].id & 0xFFFF);
   }
   return cut && !one_element && (smooth || oneBody());
+}
+
+bool VertexRefiner::isPastEnd(const Vec3& x) {
+  return std::ranges::any_of(faces_, [&](const CellFace& f) {
+    const ExactFaces::Source source = exact_.source(f.id);
+    return source.ends && exact_.isRounded(source.body) && exact_.distanceTo(source.body, x) > kOnSurface;
+  });
 }
 
 bool VertexRefiner::bends() const {
@@ -313,6 +323,12 @@ bool VertexRefiner::isSmooth(const Vec3& x) {
   return !isSharp(meanNormal(), across.normalized(), at);
 }
 
+/// Whether there are two faces, nearly flat, which nearly go over into each other.
+bool VertexRefiner::meetGently() const {
+  return faces_.size() == 2 && faces_[0].normal.dot(faces_[1].normal) > kMeetGently &&
+         std::max(faces_[0].spread, faces_[1].spread) < kTurnGently;
+}
+
 bool VertexRefiner::toCrease(Vec3& x) {
   Vec3 at = x;
   bool rests;
@@ -324,7 +340,8 @@ bool VertexRefiner::toCrease(Vec3& x) {
   } else {
     rests = ontoFaces(at);
   }
-  if (!rests || (at - x).squaredNorm() >= kMostMoved * kMostMoved) return false;
+  const double most = meetGently() ? kMostMovedGently : kMostMoved;
+  if (!rests || (at - x).squaredNorm() >= most * most) return false;
   x = at;
   return true;
 }

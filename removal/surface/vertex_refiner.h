@@ -20,6 +20,9 @@ class VertexRefiner {
   /// surface; else findCurvature has seen them.
   bool needed(bool smooth) const;
 
+  /// Whether a straight face of a rounded tool ends before `x`, where the faces seem to meet: what it goes
+  /// over into meets the others then.
+  bool isPastEnd(const Vec3& x);
   /// Whether one of the faces is known or seen to bend.
   bool bends() const;
   /// Whether a path cut here and the faces bend little up to `x`, where they meet, as planes do. Faces of the
@@ -58,6 +61,7 @@ class VertexRefiner {
   bool continues(std::size_t face, const ExactFaces::Foot& foot);
   bool bendsAreSeen() const;
   bool oneBody() const;
+  bool meetGently() const;
   Vec3 meanNormal() const;
   int bodyWithEdge() const;
   bool ontoBody(Vec3& x);

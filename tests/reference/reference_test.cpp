@@ -111,5 +111,18 @@ TEST(Reference, SmallProgramsAreCutAlike) {
   EXPECT_GE(100 * kept, kOfHundred * judged);
 }
 
+/// Programs that kept it once not: of an edge between faces that nearly go over into each other (240), of one
+/// where a flat end's corner leaves the block between two samples (257), of a vertex that had to stay in its
+/// cell beside another on the same edge (294).
+TEST(Reference, EdgesThatFewCrossingsShowAreMet) {
+  for (const std::uint64_t seed : {240, 257, 294}) {
+    const SmallProgram program = smallProgram(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + describe(program));
+    const auto c = compareWithReference(program, kGrid, kFacets, kVolume);
+    ASSERT_TRUE(c);
+    EXPECT_TRUE(keeps(*c, kVolume, kFaceMm, kEdgeMm)) << c->places;
+  }
+}
+
 }  // namespace
 }  // namespace proveout::reference
