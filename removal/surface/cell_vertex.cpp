@@ -46,6 +46,7 @@ constexpr double kRidge = 0.1;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
 const double kApexCos = std::cos(degToRad(30.0));
 constexpr double kApexMiss = 2e-3;
+constexpr double kOneDirection = 0.999;
 
 /// Whether no two faces meet at more than the angle of this cosine.
 bool alike(std::span<const CellFace> faces, double cosine) {
@@ -104,16 +105,29 @@ Vec3 besideCrease(std::span<const CellFace> faces, const Vec3& mean, const Vec3&
   return mean + n * (ridge ? std::min(up[0], up[1]) : std::max(up[0], up[1]));
 }
 
+/// Of their normals, those apart that are within 2.5 degrees.
+int directionsOf(std::span<const SheetPoint> points) {
+  int count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto isAlike = [&](const SheetPoint& s) { return s.n.dot(points[i].n) > kOneDirection; };
+    count += std::none_of(points.begin(), points.begin() + i, isAlike) ? 1 : 0;
+  }
+  return count;
+}
+
 /// The point where the tangent planes of one face meet, if they lean widely and do meet in one.
 bool findApex(std::span<const SheetPoint> points, const Vec3& mean, Vec3& apex) {
   double least = 1.0;
   std::array<Plane, 12> planes;
+  bool one_face = true;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].face != points[0].face) return false;
+    one_face = one_face && points[i].face == points[0].face;
     least = std::min(least, points[0].n.dot(points[i].n));
     planes[i] = {points[i].n, points[i].n.dot(points[i].p - mean)};
   }
   if (least > kApexCos || points.size() < 4) return false;
+  // Three planes of several faces always meet in a point.
+  if (!one_face && directionsOf(points) < 4) return false;
   const std::span<const Plane> used(planes.data(), points.size());
   const Vec3 x = meetAny(used);
   for (const Plane& p : used) {

@@ -27,9 +27,8 @@ constexpr double kThinCells = 1.0, kBesideCells = 2.0;
 /// Whether something is beside them is asked of what is farther off, mm.
 constexpr double kOff = 2e-3;
 
-/// A reference that is unsure of more than this part of the aim does not say who is wrong; then it is cut
-/// again with facets half as large, but not with more than these around a tool.
-constexpr double kSure = 0.2;
+/// Before the engine is said to be wrong the reference is cut again with facets half as large, and again, but
+/// not with more than these around a tool: that two sizes agree may be chance.
 constexpr int kMostFacets = 200;
 
 struct Cut {
@@ -163,7 +162,7 @@ std::optional<Comparison> compareWithReference(const SmallProgram& program, doub
   out.film_mm2 = cut->removal.lost_film_mm2;
   std::optional<double> coarse = removedByReference(program, facets / 2);
   std::optional<ReferencePart> fine;
-  const auto isUndecided = [&] { return std::abs(out.more) > aim + out.told && out.unsure > kSure * aim; };
+  const auto disagree = [&] { return std::abs(out.more) > aim + out.told; };
   do {
     if (fine) facets *= 2;
     fine = coarse ? cutByReference(program, facets) : std::nullopt;
@@ -172,7 +171,7 @@ std::optional<Comparison> compareWithReference(const SmallProgram& program, doub
     out.more = cut->removed_mm3 / removed - 1.0;
     out.unsure = std::abs(removed - *coarse) / removed / 2.0;
     coarse = removed;
-  } while (2 * facets <= kMostFacets && isUndecided());
+  } while (2 * facets <= kMostFacets && disagree());
   out.facets = facets;
   compareSurfaces(cut->surface.mesh, fine->facets(), ExactPart(program), grid_mm, out);
   return out;
