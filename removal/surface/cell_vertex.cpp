@@ -46,6 +46,7 @@ constexpr double kRidge = 0.1;
 /// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
 const double kApexCos = std::cos(degToRad(30.0));
 constexpr double kApexMiss = 2e-3;
+/// Normals within 2.5 degrees are of one direction.
 constexpr double kOneDirection = 0.999;
 
 /// Whether no two faces meet at more than the angle of this cosine.
@@ -105,7 +106,7 @@ Vec3 besideCrease(std::span<const CellFace> faces, const Vec3& mean, const Vec3&
   return mean + n * (ridge ? std::min(up[0], up[1]) : std::max(up[0], up[1]));
 }
 
-/// Of their normals, those apart that are within 2.5 degrees.
+/// In how many directions their normals point.
 int directionsOf(std::span<const SheetPoint> points) {
   int count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -115,7 +116,8 @@ int directionsOf(std::span<const SheetPoint> points) {
   return count;
 }
 
-/// The point where the tangent planes of one face meet, if they lean widely and do meet in one.
+/// The point where the tangent planes of one face, or four and more of several, meet, if they lean widely and
+/// do meet in one.
 bool findApex(std::span<const SheetPoint> points, const Vec3& mean, Vec3& apex) {
   double least = 1.0;
   std::array<Plane, 12> planes;

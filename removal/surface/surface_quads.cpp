@@ -355,9 +355,8 @@ std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const Surfac
       if (v < grid.cellCount() && (grid.traits(v) & CellTraits::kOutside) != 0) corners.push_back(i);
     }
     const int one = corners.size() > 1 ? cornerThatUnfolds(grid, leaf, quad, corners) : -1;
-    for (const int i : corners) {
-      if (one < 0 || i == one) folding.push_back(quad.v[i]);
-    }
+    if (one >= 0) corners = {one};
+    for (const int i : corners) folding.push_back(quad.v[i]);
   });
   return folding;
 }
