@@ -125,8 +125,9 @@ Finding findingOf(FindingKind kind, const Group& group, const Toolpath& path, co
 }
 
 std::string figures(const Group& group) {
-  std::string text = fmt::format("{} mm deep, {} mm3 in the way", figure(group.deepest.depth_mm),
-                                 figure(group.deepest.volume_mm3));
+  std::string text = fmt::format("{} mm deep", figure(group.deepest.depth_mm));
+  if (group.deepest.volume_mm3 > 0.0)
+    text += fmt::format(", {} mm3 in the way", figure(group.deepest.volume_mm3));
   if (group.count > 1) text += fmt::format(", in {} blocks", group.count);
   return text;
 }

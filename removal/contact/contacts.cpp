@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -29,11 +28,6 @@ ContactKind kindOf(const ContactScene& scene, const Pass& pass) {
 
 bool sameBlock(const Motion& a, const Motion& b) {
   return a.source.file == b.source.file && a.source.line == b.source.line;
-}
-
-bool startsSpindle(const Toolpath& path) {
-  return std::any_of(path.motions.begin(), path.motions.end(),
-                     [](const Motion& m) { return m.spindle != 0.0; });
 }
 
 std::vector<Met> groups(const ContactScene& scene, const std::vector<ContactSample>& samples) {
@@ -109,13 +103,13 @@ std::vector<Body> bodiesOf(const ContactScene& scene, const Met& met) {
 /// rapid throughout is told in seconds, and nobody reads how deep each of its blocks is to the micrometre.
 constexpr std::size_t kAllDepths = 2'000'000, kMostDepths = 100'000;
 
-void measure(const ContactScene& scene, const StockDepth& stock, int effort, Met& met) {
+void measure(const ContactScene& scene, int effort, Met& met) {
   const std::size_t starts =
       std::clamp(static_cast<std::size_t>(effort / kStartShare), kLeastStarts, kMostStarts);
   for (const Body& body : bodiesOf(scene, met)) {
     // A cutter goes into what earlier motions left; its shank follows it through what it cuts itself.
     const MotionId before = body.pass->motion + (body.pass->cuts() ? 0 : 1);
-    DeepestPoint deepest(stock, *body.pass, before, scene.stock.h);
+    DeepestPoint deepest(scene.depth, *body.pass, before, scene.stock.h);
     const DeepPoint found = deepest.find(thinned(body.points, starts), met.contact.depth_mm, effort);
     if (found.depth <= met.contact.depth_mm) continue;
     met.contact.depth_mm = found.depth;
@@ -137,7 +131,7 @@ class TipTracer {
   /// Numbers of the passes to be followed, one a motion and part.
   std::vector<std::uint32_t> passes() const;
   /// The deepest place of each piece of the way that lies in the stock.
-  void follow(const StockDepth& stock, std::uint32_t number, std::vector<ContactSample>& samples) const;
+  void follow(std::uint32_t number, std::vector<ContactSample>& samples) const;
 
  private:
   const ContactScene& scene_;
@@ -164,8 +158,7 @@ std::vector<std::uint32_t> TipTracer::passes() const {
   return numbers;
 }
 
-void TipTracer::follow(const StockDepth& stock, std::uint32_t number,
-                       std::vector<ContactSample>& samples) const {
+void TipTracer::follow(std::uint32_t number, std::vector<ContactSample>& samples) const {
   const Pass& pass = scene_.record.table.passes[number];
   const Motion& motion = scene_.path.motions[pass.motion];
   const double length = scene_.path.length(motion);
@@ -178,7 +171,7 @@ void TipTracer::follow(const StockDepth& stock, std::uint32_t number,
   for (double way = 0.0;; way = std::min(way, length)) {
     const Vec3 tip = scene_.path.pointAt(motion, length > 0.0 ? way / length : 0.0) +
                      Vec3(0.0, 0.0, pass.body.profile().zMin());
-    const double depth = stock.at(tip, pass.motion, hint).value;
+    const double depth = scene_.depth.at(tip, pass.motion, hint).value;
     if (depth > deepest.depth) {
       deepest.depth = depth;
       deepest.where = tip;
@@ -190,33 +183,25 @@ void TipTracer::follow(const StockDepth& stock, std::uint32_t number,
   leave();
 }
 
-/// Whether no cutter moves from motion `end` on: then the index that the surface needs anyway will do.
-bool isAll(const PassTable& table, MotionId end) {
-  const auto last =
-      std::find_if(table.passes.rbegin(), table.passes.rend(), [](const Pass& pass) { return pass.cuts(); });
-  return last == table.passes.rend() || last->motion < end;
-}
-
 bool isPlaceBefore(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
 }  // namespace
 
+bool startsSpindle(const Toolpath& path) {
+  return std::any_of(path.motions.begin(), path.motions.end(),
+                     [](const Motion& m) { return m.spindle != 0.0; });
+}
+
 std::vector<Contact> gatherContacts(const ContactScene& scene, std::vector<ContactSample> samples,
                                     Progress& progress) {
   const TipTracer tips(scene);
   const std::vector<std::uint32_t> pointed = tips.passes();
   if (samples.empty() && pointed.empty()) return {};
-  MotionId end = pointed.empty() ? 0 : scene.record.table.passes[pointed.back()].motion + 1;
-  for (const ContactSample& s : samples) end = std::max(end, scene.record.table.passes[s.pass].motion + 1);
-  std::optional<CutterIndex> some;
-  const CutterIndex& cutters =
-      isAll(scene.record.table, end) ? scene.record.cutters() : some.emplace(scene.record.table, end);
-  const StockDepth stock(scene.stock, scene.blank, scene.record.table, cutters);
   std::vector<std::vector<ContactSample>> met_by_tips(pointed.size());
   parallelFor(std::size_t{0}, pointed.size(), [&](std::size_t i) {
-    if (!progress.cancelled()) tips.follow(stock, pointed[i], met_by_tips[i]);
+    if (!progress.cancelled()) tips.follow(pointed[i], met_by_tips[i]);
   });
   for (const auto& list : met_by_tips) samples.insert(samples.end(), list.begin(), list.end());
   std::sort(samples.begin(), samples.end(), [](const ContactSample& a, const ContactSample& b) {
@@ -227,11 +212,11 @@ std::vector<Contact> gatherContacts(const ContactScene& scene, std::vector<Conta
   const int effort =
       static_cast<int>(std::min(kAllDepths / std::max<std::size_t>(1, met.size()), kMostDepths));
   parallelFor(std::size_t{0}, met.size(), [&](std::size_t i) {
-    if (!progress.cancelled()) measure(scene, stock, effort, met[i]);
+    if (!progress.cancelled()) measure(scene, effort, met[i]);
   });
   std::vector<Contact> contacts;
   for (const Met& m : met) {
-    PROVEOUT_ASSERT(m.contact.motion <= m.contact.last && m.contact.last < end);
+    PROVEOUT_ASSERT(m.contact.motion <= m.contact.last);
     if (m.contact.depth_mm > kContactToleranceMm) contacts.push_back(m.contact);
   }
   return contacts;

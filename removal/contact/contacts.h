@@ -4,20 +4,22 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "removal/cut/cut_record.h"
-#include "removal/grid/blank_field.h"
-#include "removal/grid/stock_impl.h"
+#include "removal/contact/stock_depth.h"
+#include "removal/cut/leaf_cutter.h"
 
 namespace proveout {
 
 /// What contacts are told of. The stock is as it was before the path; `record` holds its passes.
 struct ContactScene {
   const Stock::Impl& stock;
-  const BlankField* blank;  ///< see StockDepth
+  const StockDepth& depth;
   const Toolpath& path;
   const CutRecord& record;
   bool fixture = false;  ///< the stock is a fixture: every touch counts
 };
+
+/// Whether any motion of the path has the spindle on.
+bool startsSpindle(const Toolpath& path);
 
 /// One contact for each unbroken run of motions with the same kind, tool and block, in program order, with
 /// the deepest point of what the tool's part sweeps. The order of `samples` does not count; a cancelled run

@@ -4,7 +4,8 @@
 
 #include <memory>
 
-#include "removal/cut/body_index.h"
+#include "removal/contact/stock_faces.h"
+#include "removal/cut/cut_record.h"
 #include "removal/grid/blank_field.h"
 #include "removal/grid/stock_impl.h"
 
@@ -12,21 +13,18 @@ namespace proveout {
 
 class StockDepth {
  public:
-  /// `stock` as it is before the path whose passes are in `table` and `cutters`, at the least those of the
-  /// motions that are asked for. `blank`: its shape where nothing has been cut from it and there is a closed
-  /// form, else null: then faces are those of the crossings, exact where they are flat. All must outlive
-  /// this.
-  StockDepth(const Stock::Impl& stock, const BlankField* blank, const PassTable& table,
-             const CutterIndex& cutters);
+  /// `stock` as it is before the path that `record` holds. `blank`: its shape where nothing has been cut from
+  /// it and there is a closed form, else null: see StockFaces. All must outlive this.
+  StockDepth(const Stock::Impl& stock, const BlankField* blank, const CutRecord& record);
 
   /// Below 0 outside of the stock: a bound that never tells more than the distance to it. mm.
   struct Sample {
     double value;
     Vec3 gradient;  ///< unit, to where it is deeper
   };
-  /// The stock as the motions below `motion` left it. `hint`: see CutterIndex::nearest; becomes the nearest
-  /// cutter where one is nearest.
-  Sample at(const Vec3& p, MotionId motion, const SweptCutter*& hint) const;
+  /// The stock as the motions below `motion` left it. `enough`, 0 or above: of depths below it any will do.
+  /// `hint`: see CutterIndex::nearest; becomes the nearest cutter where one is nearest.
+  Sample at(const Vec3& p, MotionId motion, const SweptCutter*& hint, double enough = 0.0) const;
   /// No point of a box lies deeper, mm: by the sides of the blank's bounds.
   double mostIn(const Vec3& middle, const Vec3& half) const;
   /// Of the blank, mm.
@@ -35,13 +33,11 @@ class StockDepth {
  private:
   Sample ofBlank(const Vec3& p) const;
   Sample ofBounds(const Vec3& p) const;
-  Sample ofCrossings(const Vec3& p, Sample best) const;
-  void lookAt(const StockLeaf& leaf, const Vec3& p, Sample& best, double& nearest) const;
 
   const Stock::Impl& stock_;
   const BlankField* blank_;
-  const PassTable& table_;
-  const CutterIndex& cutters_;
+  StockFaces faces_;  ///< where there is no closed form
+  const CutRecord& record_;
 };
 
 }  // namespace proveout

@@ -130,8 +130,8 @@ void CutterIndex::halve(Room& room, int axis, std::uint32_t begin, std::uint32_t
   std::copy(room.sorted.begin() + begin, room.sorted.begin() + end, room.boxes.begin() + begin);
 }
 
-CutterIndex::Near CutterIndex::nearest(const Vec3& p, MotionId end, double cutoff,
-                                       const SweptCutter* hint) const {
+CutterIndex::Near CutterIndex::nearest(const Vec3& p, MotionId end, double cutoff, const SweptCutter* hint,
+                                       double enough) const {
   Near best{cutoff};
   if (nodes_.empty()) return best;
   const auto look = [&](const SweptCutter& body) {
@@ -143,7 +143,7 @@ CutterIndex::Near CutterIndex::nearest(const Vec3& p, MotionId end, double cutof
   std::array<std::uint32_t, 64> stack;  // the tree halves: its depth is below 32
   int size = 0;
   stack[size++] = 0;
-  while (size > 0 && best.distance >= 0.0) {
+  while (size > 0 && best.distance >= enough) {
     const std::uint32_t number = stack[--size];
     const Node& node = nodes_[number];
     if (node.first_motion >= end || distanceTo(node.box, p) >= best.distance) continue;

@@ -32,7 +32,9 @@ class CutterIndex {
     const SweptCutter* body = nullptr;  ///< null: none
   };
   /// `hint`: looked at first, null: none is; for many points near each other the one that was found last.
-  Near nearest(const Vec3& p, MotionId end, double cutoff, const SweptCutter* hint = nullptr) const;
+  /// `enough`, 0 or above: any that is nearer will do.
+  Near nearest(const Vec3& p, MotionId end, double cutoff, const SweptCutter* hint = nullptr,
+               double enough = 0.0) const;
   /// Whether a cutter other than that of pass `except` is nearer to `p` than `within`, mm; below 0: holds it
   /// deeper than that.
   bool comesTo(const Vec3& p, double within, std::uint32_t except = kNoPass) const;

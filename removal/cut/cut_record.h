@@ -9,7 +9,7 @@
 
 #include "core/tool/tool_solid.h"
 #include "removal/cut/body_index.h"
-#include "removal/cut/leaf_cutter.h"
+#include "removal/cut/pass.h"
 
 namespace proveout {
 
@@ -22,10 +22,20 @@ struct ToolParts {
   }
   ToolParts(const ToolParts&) = delete;
 
+  struct Envelope;
   struct Part {
     const ConvexProfile* profile;
     ColumnSolid columns;
     ToolPart part;
+    std::unique_ptr<Envelope> envelope = nullptr;  ///< made where it is asked for
+  };
+  /// A solid that holds all that comes near to a part. It does not cut.
+  struct Envelope {
+    explicit Envelope(const ConvexProfile& around)
+        : profile(around), body{&profile, columnSolid(profile), ToolPart::kShank} {}
+    Envelope(const Envelope&) = delete;
+    ConvexProfile profile;
+    Part body;
   };
   ToolSolid solid;
   std::vector<Part> parts;

@@ -111,6 +111,7 @@ void LeafCutter::start(const LeafChange& change) {
   level_tops_ = false;
   removed_.clear();
   contacts_.clear();
+  near_.clear();
   met_ = nullptr;
   evaluations_ = 0;
   covered_ = 0;
@@ -251,6 +252,7 @@ void LeafCutter::startTops(const LeafChange& change) {
 
 void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
+  if (pass.isEnvelope()) return lookAround(number);
   const bool asked = pass.watched || !pass.cuts() || !hasLevelTop(pass.body, highest_);
   const unsigned hits = asked ? 15 : hits_(pass.body.columns(), columns_, open_);
   if (hits == 0) return;
@@ -279,6 +281,25 @@ void LeafCutter::apply(std::uint32_t number) {
   unsigned any = 0;
   for (int c = 0; c < 64; ++c) any |= columns_.material[c];
   columns_.layers = std::bit_width(any);
+}
+
+/// What stands near to the part that an envelope is around.
+void LeafCutter::lookAround(std::uint32_t number) {
+  const Pass& envelope = table_.passes[number];
+  double low[4], high[4];
+  reach_(envelope.body.columns(), quarters_, low, high);
+  unsigned quarters = 0;
+  for (unsigned q = 0; q < 4; ++q) {
+    if (low[q] < quarters_.z_high[q] && high[q] > columns_.z[0]) quarters |= 1u << q;
+  }
+  if (quarters == 0) return;
+  look(envelope, quarters);
+  for (int q = 0; q < 4; ++q) {
+    if ((quarters >> q & 1) == 0) continue;
+    cover(q);
+    addNearSamples(table_, number + static_cast<std::uint32_t>(envelope.around), columns_, q, near_);
+  }
+  covered_ &= ~quarters;
 }
 
 /// Finds what the pass covers in quarters (bits) that it takes nothing from.

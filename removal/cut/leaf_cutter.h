@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "removal/cut/leaf_stacks.h"
+#include "removal/cut/near_samples.h"
 #include "removal/cut/pass.h"
 #include "removal/grid/leaf_changes.h"
 #include "removal/grid/stock_impl.h"
@@ -19,9 +20,6 @@ namespace proveout {
 /// Volumes per motion are summed as whole numbers of this part of a voxel, so that the sum does not depend on
 /// threads.
 inline constexpr double kVolumeUnit = 1.0 / 65536.0;
-
-/// Penetration that counts as contact, mm: below any gauge on a shop floor.
-inline constexpr double kContactToleranceMm = 1e-3;
 
 struct ContactSample {
   std::uint32_t pass;
@@ -58,6 +56,7 @@ class LeafCutter {
   // What the last cut found.
   const std::vector<std::pair<MotionId, std::int64_t>>& removed() const { return removed_; }  ///< kVolumeUnit
   const std::vector<ContactSample>& contacts() const { return contacts_; }
+  const std::vector<NearSample>& near() const { return near_; }
   std::uint64_t evaluations() const { return evaluations_; }
   /// Null where nothing is open.
   std::unique_ptr<OpenEdges> openEdges() const;
@@ -81,6 +80,7 @@ class LeafCutter {
   bool holdsEdges(const Pass& pass) const;
   void join(unsigned quarters, bool level);
   void joinUpright(const ColumnWords& covered);
+  void lookAround(std::uint32_t number);
   void contact(std::uint32_t number, int quarter, const double* top);
   double countMet(int column, double from, unsigned touched);
 
@@ -108,6 +108,7 @@ class LeafCutter {
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
   ReachList lowest_first_;  ///< chords of one curve
   std::vector<ContactSample> contacts_;
+  std::vector<NearSample> near_;
   const Pass* met_ = nullptr;                 ///< the last that touched something
   std::array<double, 64> met_low_{};          ///< of each column: what its curve was counted down to, mm
   std::array<unsigned char, 64> met_bits_{};  ///< and the samples

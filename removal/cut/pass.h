@@ -12,6 +12,9 @@
 
 namespace proveout {
 
+/// Penetration that counts as contact, mm: below any gauge on a shop floor.
+inline constexpr double kContactToleranceMm = 1e-3;
+
 enum class ToolPart : std::uint8_t { kCutter, kShank, kHolder };
 
 /// One convex part of a tool on one motion, or on one part or chord of a curved motion.
@@ -21,10 +24,14 @@ struct Pass {
   /// Of a helix about z: how far on in the table the pass over the same place one turn lower is; 0: there is
   /// none, or it does not cover all that this one does below its own top.
   std::int32_t lower = 0;
+  /// Of an envelope, which holds all that comes near to a watched part: how far on in the table a pass of that
+  /// part is; 0: this is a part of the tool itself.
+  std::int32_t around = 0;
   ToolPart part = ToolPart::kCutter;
   bool watched = false;  ///< contact with stock is a finding
 
-  bool cuts() const { return part == ToolPart::kCutter; }
+  bool isEnvelope() const { return around != 0; }
+  bool cuts() const { return part == ToolPart::kCutter && !isEnvelope(); }
 };
 
 /// The passes of a run and the exact sweeps of its curved motions.

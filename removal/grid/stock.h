@@ -59,7 +59,9 @@ struct Contact {
   /// micrometre, but where an earlier clamping or a mesh made a curved surface: there to the chords of the
   /// grid.
   double depth_mm = 0.0;
-  double volume_mm3 = 0.0;  ///< stock that was in the way, counted in grid cells; 0 for less than one
+  /// Stock that was in the way: counted in grid cells, or for less than one by what a cutter moves the surface by; 0
+  /// for what does not cut and meets less than a cell.
+  double volume_mm3 = 0.0;
 };
 
 /// Cuts of one tool that are narrower than the grid and not in the mesh.

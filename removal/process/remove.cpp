@@ -10,6 +10,8 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -17,11 +19,15 @@
 #include "core/base/thread_limit.h"
 #include "core/geometry/to_float.h"
 #include "removal/contact/contacts.h"
+#include "removal/contact/near_contacts.h"
 #include "removal/cut/cut_record.h"
 #include "removal/cut/leaf_crossings.h"
+#include "removal/cut/leaf_cutter.h"
 #include "removal/cut/leaf_stacks.h"
 #include "removal/cut/narrow_cuts.h"
+#include "removal/cut/own_track.h"
 #include "removal/cut/thin_walls.h"
+#include "removal/sweep/offset_profile.h"
 
 namespace proveout {
 
@@ -50,9 +56,12 @@ class Remover {
         progress_(progress),
         limit_bytes_(memoryLimit(options)),
         watch_all_(options.watch_all),
-        blank_(impl.uncut),
+        spindle_used_(startsSpindle(path)),
+        blank_(impl.uncut != nullptr ? impl.uncut : impl.field),
         record_(std::make_shared<CutRecord>()),
         table_(record_->table),
+        depth_(impl, blank_.get(), *record_),
+        near_(depth_, table_, impl.h),
         removed_(path.motions.size()),
         cutters_([this] { return LeafCutter(impl_, table_); }),
         finders_([this] { return CrossingFinder(impl_, table_); }),
@@ -65,15 +74,19 @@ class Remover {
   RemovalSummary summary() const;
 
  private:
+  void addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part);
+  bool needsEnvelope(const Motion& m, const ToolParts::Part& part) const;
+  void addEnvelope(MotionId id, ToolParts::Part& part);
   void addPasses(MotionId id, const ToolParts::Part& part, bool watched);
   void addChords(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
-  bool addParts(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
+  bool addTurns(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   bool addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   void addWayChords(Pass pass, const ToolParts::Part& part, const ColumnSweep& columns, const Sweep& curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
   bool inBlank(const Coord& origin) const;
   bool stopped() const { return over_limit_ || progress_.cancelled(); }
   void cutStack(const Coord& origin, const StackList& passes);
+  bool isOnlyPassed(const Coord& origin, const StackList& passes) const;
   void cutLeaf(const Coord& origin, const StackList& passes);
   /// A leaf that passes reach into, as they leave it.
   struct CutLeaf {
@@ -87,6 +100,10 @@ class Remover {
   float neededHeight(Finish& finish, std::size_t i);
   void finishStack(Finish& finish, const Coord& origin, const StackList& passes);
   void finishLeaf(Finish& finish, std::size_t i, const ReachList& list);
+  void findContacts();
+  void countShaved(const LeafChange& change, const LeafEdges& edges, const std::vector<Crossing>& before,
+                   const std::vector<Crossing>& found);
+  void addContacts(RemovalSummary& out) const;
   void addLost(RemovalSummary& out) const;
   void countCrossings(std::vector<float>& removed_mm3, float unit_mm3) const;
 
@@ -94,17 +111,22 @@ class Remover {
   const Toolpath& path_;
   Progress& progress_;
   double limit_bytes_;
-  bool watch_all_;
-  std::shared_ptr<const BlankField> blank_;  ///< as Impl::uncut, before the path
+  bool watch_all_, spindle_used_;
+  std::shared_ptr<const BlankField> blank_;  ///< before the path, where it has a closed form
   std::shared_ptr<CutRecord> record_;
   PassTable& table_;
+  OwnTrack track_;
   MotionId way_of_ = kNoMotion;  ///< that the last of the ways belongs to
+  StockDepth depth_;             ///< before the path
+  NearContacts near_;
   std::vector<std::atomic<std::int64_t>> removed_;
   tbb::enumerable_thread_specific<LeafCutter> cutters_;
   tbb::enumerable_thread_specific<CrossingFinder> finders_;
   tbb::enumerable_thread_specific<ThinWallFinder> walls_;
   ConcurrentList<ContactSample> contacts_;
   std::vector<Contact> found_contacts_;
+  /// Of motions, kVolumeUnit; empty where no contact asks for it.
+  std::vector<std::atomic<std::int64_t>> shaved_;
   ConcurrentList<LostFilm> lost_;
   ConcurrentList<CutLeaf> cut_;
   std::atomic<std::uint64_t> evaluations_{0};
@@ -149,6 +171,41 @@ bool Remover::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
          frame.radius_start > kSameRadiusMm;
 }
 
+/// Envelopes go before what they are around, which may take away what they are to come near to.
+void Remover::addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part) {
+  const Motion& m = path_.motions[id];
+  const bool watched =
+      watch_all_ || part.part != ToolPart::kCutter || m.kind == MotionKind::kRapid || m.spindle == 0.0;
+  if (watched && needsEnvelope(m, part) && !track_.holds(m, tool, part, impl_.blank.max.z()))
+    addEnvelope(id, part);
+  addPasses(id, part, watched);
+}
+
+/// Whether the part may touch the blank. Where the program never starts the spindle that is told once, from
+/// the samples.
+bool Remover::needsEnvelope(const Motion& m, const ToolParts::Part& part) const {
+  if (!watch_all_ && !spindle_used_ && part.part == ToolPart::kCutter && m.kind != MotionKind::kRapid)
+    return false;
+  Box3 way = path_.bounds(m);
+  const double r = part.profile->maxRadius();
+  way.min += Vec3(-r, -r, part.profile->zMin());
+  way.max += Vec3(r, r, part.profile->zMax());
+  return way.overlaps(impl_.blank);
+}
+
+void Remover::addEnvelope(MotionId id, ToolParts::Part& part) {
+  if (part.envelope == nullptr) {
+    part.envelope = std::make_unique<ToolParts::Envelope>(
+        offsetProfile(*part.profile, kNearLevel * impl_.h, kNearUpright * impl_.h));
+  }
+  const std::size_t first = table_.passes.size();
+  addPasses(id, part.envelope->body, true);
+  for (std::size_t i = first; i < table_.passes.size(); ++i) {
+    table_.passes[i].part = part.part;
+    table_.passes[i].around = static_cast<std::int32_t>(table_.passes.size() - i);
+  }
+}
+
 void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched) {
   const Motion& m = path_.motions[id];
   Pass pass;
@@ -167,13 +224,13 @@ void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched) 
     table_.passes.push_back(pass);
     return;
   }
-  if (addParts(pass, part, m, curve) || addWay(pass, part, m, curve)) return;
+  if (addTurns(pass, part, m, curve) || addWay(pass, part, m, curve)) return;
   addChords(pass, part, m, curve);
 }
 
 /// Turns of a helix about z, or the two halves of an upright arc. Turns lie under each other: where a lower
 /// one covers all of the blank that the next does, this is left out. False for curves that have neither.
-bool Remover::addParts(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
+bool Remover::addTurns(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
   const ArcFrame frame = arcFrame(m.from, m.to, arc);
   const double growth = std::abs(frame.radius_end - frame.radius_start), sweep = std::abs(arc.sweep_rad);
@@ -303,10 +360,8 @@ Status Remover::preparePasses() {
     }
     // A measuring move ends where it touches and takes nothing; a fixture it must not run into.
     if (m.kind == MotionKind::kProbe && !watch_all_) continue;
-    const bool watched = watch_all_ || m.kind == MotionKind::kRapid || m.spindle == 0.0;
-    for (const ToolParts::Part& part : found->second.parts) {
-      addPasses(id, part, watched || part.part != ToolPart::kCutter);
-    }
+    for (ToolParts::Part& part : found->second.parts) addPart(id, found->second, part);
+    track_.add(m);
     if (static_cast<double>(table_.passes.size() * sizeof(Pass)) > limit_bytes_) {
       return memoryError(2.0 * limit_bytes_, limit_bytes_, impl_.h);
     }
@@ -332,12 +387,35 @@ Status Remover::run() {
   });
   if (over_limit_) return memoryError(bytes_ * 1.5, limit_bytes_, impl_.h);
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  found_contacts_ = gatherContacts({impl_, blank_.get(), path_, *record_, watch_all_},
-                                   {contacts_.begin(), contacts_.end()}, progress_);
+  findContacts();
   commit();
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   impl_.cut = record_;
   return Done{};
+}
+
+void Remover::findContacts() {
+  found_contacts_ = gatherContacts({impl_, depth_, path_, *record_, watch_all_},
+                                   {contacts_.begin(), contacts_.end()}, progress_);
+  const bool unseen = std::any_of(found_contacts_.begin(), found_contacts_.end(),
+                                  [](const Contact& c) { return c.volume_mm3 == 0.0; });
+  if (unseen) shaved_ = std::vector<std::atomic<std::int64_t>>(path_.motions.size());
+}
+
+/// What a motion takes between the samples moves crossings, each over a face of a cell. Edges along all three
+/// axes tell of the same volume: they share it as their directions are those of the surface.
+void Remover::countShaved(const LeafChange& change, const LeafEdges& edges,
+                          const std::vector<Crossing>& before, const std::vector<Crossing>& found) {
+  std::size_t next = 0;
+  forEachEdge(edges, [&](int axis, int x, int y, int z) {
+    const Crossing& now = found[next++];
+    if (now.motion >= shaved_.size() || !change.before.isCrossed(axis, x, y, z)) return;
+    const Crossing& old = before[static_cast<std::size_t>(change.before.indexOf(axis, x, y, z))];
+    const double moved = std::abs(static_cast<double>(now.t) - static_cast<double>(old.t)),
+                 along = now.unitNormal()[axis];
+    shaved_[now.motion].fetch_add(std::llround(moved * along * along / kVolumeUnit),
+                                  std::memory_order_relaxed);
+  });
 }
 
 bool Remover::inBlank(const Coord& origin) const {
@@ -359,6 +437,14 @@ void Remover::cutStack(const Coord& origin, const StackList& passes) {
   }
 }
 
+/// Whether nothing but envelopes reaches into a leaf.
+bool Remover::isOnlyPassed(const Coord& origin, const StackList& passes) const {
+  const double bottom = impl_.position(origin).z(), top = impl_.position(origin.offsetBy(0, 0, 8)).z();
+  return std::none_of(passes.begin(), passes.end(), [&](const StackReach& reach) {
+    return !table_.passes[reach.pass].isEnvelope() && reach.counts(bottom, top);
+  });
+}
+
 void Remover::cutLeaf(const Coord& origin, const StackList& passes) {
   const LeafReader reader(impl_);
   LeafChange change = readLeaf(reader, origin);
@@ -368,6 +454,10 @@ void Remover::cutLeaf(const Coord& origin, const StackList& passes) {
   for (const auto& [motion, volume] : cutter.removed())
     removed_[motion].fetch_add(volume, std::memory_order_relaxed);
   for (const ContactSample& c : cutter.contacts()) contacts_.push_back(c);
+  for (const NearSample& near : cutter.near()) {
+    if (const std::optional<ContactSample> c = near_.at(near)) contacts_.push_back(*c);
+  }
+  if (isOnlyPassed(origin, passes)) return;
   evaluations_.fetch_add(cutter.evaluations(), std::memory_order_relaxed);
   const bool uniform = change.material == kAllInside || change.material == kAllOutside;
   addTo(bytes_, (uniform ? 0.0 : leafBytes(1.0)) + static_cast<double>(sizeof(CutLeaf)));
@@ -465,7 +555,9 @@ void Remover::finishLeaf(Finish& finish, std::size_t i, const ReachList& list) {
       if (lost.edges > 0) lost_.push_back(lost);
     }
   }
-  finish.commit.set(i, edges, finder.find(leaf.change, edges, before, list));
+  std::vector<Crossing> found = finder.find(leaf.change, edges, before, list);
+  if (!shaved_.empty()) countShaved(leaf.change, edges, before, found);
+  finish.commit.set(i, edges, std::move(found));
   leaf.open.reset();
 }
 
@@ -493,6 +585,21 @@ void Remover::countCrossings(std::vector<float>& removed_mm3, float unit_mm3) co
   }
 }
 
+/// What contacts took between the samples is theirs, and their motions'.
+void Remover::addContacts(RemovalSummary& out) const {
+  out.contacts = found_contacts_;
+  if (shaved_.empty()) return;
+  const double unit = kVolumeUnit * impl_.h * impl_.h * impl_.h;
+  for (Contact& contact : out.contacts) {
+    if (contact.volume_mm3 > 0.0) continue;
+    for (MotionId m = contact.motion; m <= contact.last; ++m) {
+      const double taken = static_cast<double>(shaved_[m].load()) * unit;
+      contact.volume_mm3 += taken;
+      if (removed_[m].load() == 0) out.removed_mm3[m] = toFloat(taken);
+    }
+  }
+}
+
 RemovalSummary Remover::summary() const {
   RemovalSummary out;
   addLost(out);
@@ -505,9 +612,8 @@ RemovalSummary Remover::summary() const {
     any = any || r.load() > 0;
     out.removed_mm3.push_back(toFloat(static_cast<double>(r.load()) * unit));
   }
+  addContacts(out);
   if (!any) countCrossings(out.removed_mm3, toFloat(unit));
-
-  out.contacts = found_contacts_;
   return out;
 }
 
