@@ -64,6 +64,8 @@ constexpr std::array<FindingKindInfo, kKinds> kRows{{
     {kThinFeature, "thin_feature", kWarning, Check::kOwn, false, "what the grid cannot hold"},
     {kNothingCut, "nothing_cut", kWarning, Check::kOwn, false, "the program cut nothing"},
     {kLoosePiece, "loose_piece", kWarning, Check::kOwn, false, "the stock is in several pieces"},
+    {kUncertainPart, "uncertain_part", kWarning, Check::kOwn, false,
+     "several bodies may be the part, and nothing says which of them is"},
     {kPartial, "partial", kWarning, Check::kOwn, false,
      "only a part of the program or of the setups was run"},
     {kMesh, "mesh", kError, Check::kMeshClosed, false, "the exported mesh is not a closed 2-manifold"},

@@ -43,6 +43,7 @@ enum class FindingKind : std::uint8_t {
   kThinFeature,
   kNothingCut,
   kLoosePiece,
+  kUncertainPart,
   kPartial,
   kMesh,
   kOutput,

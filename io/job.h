@@ -135,7 +135,7 @@ struct Job {
       start;  ///< control point before the first block, workpiece frame; none: above the stock
   std::optional<StockSpec> stock;      ///< always there in a job that was loaded from a file
   std::vector<StartHole> start_holes;  ///< in the stock, its frame; for controls that cut with a wire
-  std::optional<Vec3> part_point;      ///< in the part, frame of the stock; for controls that cut with a wire
+  std::optional<Vec3> part_point;      ///< in the part, of which bodies there may be several; frame of the stock
   std::optional<NominalSpec> nominal;
   std::vector<FixtureSpec> fixtures;  ///< of a job without setups
   std::vector<Tool> tools;            ///< validated, numbers differ; in the order of the file

@@ -219,6 +219,22 @@ void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBod
   findings.push_back(std::move(finding));
 }
 
+void addUncertainPart(const std::vector<StockBody>& bodies, std::optional<std::size_t> rival,
+                      std::vector<Finding>& findings) {
+  if (!rival) return;
+  const StockBody &part = bodies.front(), &other = bodies[*rival];
+  Finding finding(FindingKind::kUncertainPart);
+  finding.where = other.bounds.center();
+  finding.volume_mm3 = other.volume_mm3;
+  finding.message = fmt::format(
+      "which body is the part is not said: taken is the one of {:.6g} mm3, Z{:.3f} to Z{:.3f}, beside one of "
+      "{:.6g} "
+      "mm3, Z{:.3f} to Z{:.3f}; give part_point in [stock], or a nominal",
+      part.volume_mm3, part.bounds.min.z(), part.bounds.max.z(), other.volume_mm3, other.bounds.min.z(),
+      other.bounds.max.z());
+  findings.push_back(std::move(finding));
+}
+
 void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::vector<Finding>& findings) {
   const double off_mm3 = held_mm3 - own_mm3;
   if (std::abs(off_mm3) <= kHeldShare * own_mm3) return;

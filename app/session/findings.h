@@ -43,6 +43,10 @@ void addIgnored(const std::vector<IgnoredRegion>& regions, const Comparison& com
 void addOutcome(double initial_mm3, double final_mm3, const std::vector<StockBody>& bodies,
                 std::vector<Finding>& findings);
 
+/// Two bodies of which either may be the part, and nothing says which is (a warning).
+void addUncertainPart(const std::vector<StockBody>& bodies, std::optional<std::size_t> rival,
+                      std::vector<Finding>& findings);
+
 /// A blank, or a stock from the clamping before, that the grid does not hold: its volume there (`held_mm3`)
 /// is off its own by more than 0.1 % (a warning).
 void addGridVolume(double own_mm3, double held_mm3, double resolution_mm, std::vector<Finding>& findings);

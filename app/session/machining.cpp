@@ -17,13 +17,39 @@
 #include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
 #include "io/sha256.h"
+#include "removal/process/part_choice.h"
 
 namespace proveout {
 namespace {
 
+/// What says which body of a mesh is the part, frame of the clamping.
+struct PartWish {
+  std::optional<Vec3> point;
+  std::optional<Box3> nominal;
+};
+
+/// The bodies that the mesh of a clamping bounds. Error: the point of the part is in none of them.
+Status takeBodies(const PartWish& wish, double clamped_mm3, SetupRun& setup) {
+  std::optional<Box3> wanted = wish.nominal;
+  const bool any = !setup.surface.mesh.triangles.empty();
+  if (wish.point && any) {
+    wanted = pieceAround(setup.surface.mesh, *wish.point);
+    if (!wanted) return inputError(pointInNoBody(*wish.point));
+  }
+  setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent, clamped_mm3, wanted);
+  std::vector<double> volumes;
+  for (const StockBody& body : setup.bodies) volumes.push_back(body.volume_mm3);
+  if (!any || volumes.empty()) return Done{};
+  const PartChoice doubt = doubted(0, volumes);
+  const bool small = volumes.front() < kNotableShare * *std::max_element(volumes.begin(), volumes.end());
+  if (!wish.point && (!wish.nominal || small)) setup.rival = doubt.rival;
+  return Done{};
+}
+
 /// Takes over what a clamping made of its workpiece. Returns how many of its bodies are to be told of: not
 /// what fell off before, and of turned parts not what is told by what parted it.
-std::size_t keep(Machined&& made, SetupRun& setup, ReportPerformance& performance) {
+Result<std::size_t> keep(Machined&& made, const PartWish& wish, SetupRun& setup,
+                         ReportPerformance& performance) {
   performance.remove_s += made.remove_s;
   performance.mesh_s += made.mesh_s;
   setup.initial_mm3 = made.initial_mm3;
@@ -40,11 +66,12 @@ std::size_t keep(Machined&& made, SetupRun& setup, ReportPerformance& performanc
   });
   if (made.bodies) {
     setup.bodies = std::move(*made.bodies);
+    setup.rival = made.rival;
     return std::min<std::size_t>(setup.bodies.size(), 1);
   }
   double clamped_mm3 = setup.surface.volume_mm3;
   for (const StockBody& body : made.apart) clamped_mm3 -= body.volume_mm3;
-  setup.bodies = stockBodies(setup.surface.mesh, setup.topology, setup.extent, clamped_mm3);
+  if (const Status taken = takeBodies(wish, clamped_mm3, setup); !taken) return taken.error();
   const std::size_t told = setup.bodies.size();
   setup.bodies.insert(setup.bodies.end(), made.apart.begin(), made.apart.end());
   return told;
@@ -60,6 +87,7 @@ void lookAt(const SetupRun& setup, std::size_t told_bodies, const RecordingSourc
     std::vector<StockBody> bodies = setup.bodies;
     bodies.resize(told_bodies);
     addOutcome(setup.initial_mm3, setup.surface.volume_mm3, bodies, findings);
+    addUncertainPart(setup.bodies, setup.rival, findings);
     const NominalSpec tolerance = setup.job.nominal.value_or(NominalSpec{});
     const double least_mm = std::min(tolerance.gouge_mm, tolerance.excess_mm);
     addNoseFindings(setup, least_mm, source, findings);
@@ -131,12 +159,18 @@ Status machineAll(const Job& job, const RunSources& sources, PreparedRun& prepar
       inSetup(run, setup, [&](std::vector<Finding>& findings) {
         addGridVolume(made->holding->own_mm3, made->holding->held_mm3, run.resolution_mm, findings);
       });
-    const std::size_t told_bodies = keep(std::move(*made), setup, run.performance);
+    const bool in_mesh = !made->bodies.has_value();
+    PartWish wish{options.part_point, std::nullopt};
+    if (in_mesh && prepared.nominal) wish.nominal = nominalIn(job, prepared.nominal->mesh, k);
+    const Result<std::size_t> told = keep(std::move(*made), wish, setup, run.performance);
+    if (!told) return told.error();
     std::vector<Finding> touched;
     if (Status done = (*fixtures)->addContacts(setup, *sources[k], touched, progress); !done) return done;
-    lookAt(setup, told_bodies, *sources[k], std::move(touched), run);
+    lookAt(setup, *told, *sources[k], std::move(touched), run);
     if (setup.surface.mesh.triangles.empty()) {
       run.setups.resize(k + 1);  // there is nothing to clamp again
+    } else if (in_mesh && k + 1 < run.setups.size()) {
+      piece->letFall({setup.bodies.begin(), setup.bodies.begin() + static_cast<std::ptrdiff_t>(*told)});
     }
   }
   run.stock = piece->takeGrid();

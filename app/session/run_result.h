@@ -29,6 +29,7 @@ struct SetupRun {
   /// that is not exact changes the grid's own volume, and no tool has taken that.
   StockSurface surface;
   std::vector<StockBody> bodies;
+  std::optional<std::size_t> rival;           ///< see Machined::rival
   MeshTopology topology;                      ///< of the surface's mesh
   MeshExtent extent;                          ///< of the surface's mesh
   std::string mesh_sha256;                    ///< of the surface's mesh

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace proveout {
 namespace {
@@ -34,10 +35,41 @@ bool contains(const Box3& outer, const Box3& inner) {
   return (outer.min.array() <= inner.min.array()).all() && (outer.max.array() >= inner.max.array()).all();
 }
 
+/// How often a shell goes round a point: 1 inside of a piece, -1 in a hollow, 0 outside (A. van Oosterom and
+/// J. Strackee, 1983).
+std::vector<double> turnsAbout(const TriMesh& mesh, const std::vector<std::uint32_t>& component,
+                               std::size_t count, const Vec3& point) {
+  std::vector<double> turns(count, 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Vec3 p[3];
+    for (std::size_t c = 0; c < 3; ++c) p[c] = mesh.positions[mesh.triangles[t][c]].cast<double>() - point;
+    const double a = p[0].norm(), b = p[1].norm(), c = p[2].norm();
+    const double over = p[0].dot(p[1].cross(p[2]));
+    const double under = a * b * c + p[0].dot(p[1]) * c + p[1].dot(p[2]) * a + p[2].dot(p[0]) * b;
+    turns[component[t]] += std::atan2(over, under) / (2.0 * kPi);
+  }
+  return turns;
+}
+
 }  // namespace
 
+std::optional<Box3> pieceAround(const TriMesh& mesh, const Vec3& point) {
+  std::uint32_t count = 0;
+  const std::vector<std::uint32_t> component = meshComponents(mesh, count);
+  const std::vector<Shell> shells = shellsOf(mesh);
+  const std::vector<double> turns = turnsAbout(mesh, component, count, point);
+  const Shell* around = nullptr;  // the innermost shell that holds the point
+  for (std::size_t k = 0; k < shells.size(); ++k) {
+    const bool inner = !around || std::abs(shells[k].volume_mm3) < std::abs(around->volume_mm3);
+    if (std::abs(turns[k]) > 0.5 && inner) around = &shells[k];
+  }
+  if (around == nullptr || around->volume_mm3 < 0.0) return std::nullopt;
+  return around->bounds;
+}
+
 std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topology,
-                                   const MeshExtent& extent, double volume_mm3) {
+                                   const MeshExtent& extent, double volume_mm3,
+                                   const std::optional<Box3>& wanted) {
   if (topology.closedManifold() &&
       topology.components == 1) {  // the usual part; no need to tell shells apart
     if (extent.volume_mm3 > 0) return {{volume_mm3, extent.bounds, "part"}};
@@ -59,6 +91,16 @@ std::vector<StockBody> stockBodies(const TriMesh& mesh, const MeshTopology& topo
   const auto larger = [](const StockBody& a, const StockBody& b) { return a.volume_mm3 > b.volume_mm3; };
   std::stable_sort(bodies.begin(), bodies.end(), larger);
   if (bodies.empty()) return bodies;
+  if (wanted) {
+    const auto off = [&](const StockBody& body) {
+      return (body.bounds.min - wanted->min).cwiseAbs().sum() +
+             (body.bounds.max - wanted->max).cwiseAbs().sum();
+    };
+    const auto part =
+        std::min_element(bodies.begin(), bodies.end(),
+                         [&](const StockBody& a, const StockBody& b) { return off(a) < off(b); });
+    std::rotate(bodies.begin(), part, part + 1);
+  }
   bodies.front().role = "part";
   for (std::size_t k = 1; k < bodies.size(); ++k) volume_mm3 -= bodies[k].volume_mm3;
   bodies.front().volume_mm3 = volume_mm3;

@@ -194,6 +194,10 @@ class Stock {
   /// mesh that are thinner than the grid are lost. Errors: as checkSolid; the stock is as before.
   Status keepWithin(const MeshShape& body);
 
+  /// Takes away what has come loose: connected pieces of samples within these bounds of bodies, of which
+  /// `kept` are those of the body that stays. What is left is as it was.
+  void dropPieces(const std::vector<Box3>& loose, const Box3& kept);
+
   /// Writes grid, crossings and provenance; whole file or none. The swept volumes are not written: the
   /// surface of a loaded stock has its vertices from the crossings alone, off by up to some 30 micrometres on
   /// a grid of 0.2 mm on faces with radii below two cells.

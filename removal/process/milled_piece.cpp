@@ -106,6 +106,17 @@ Status MilledPiece::cut(const Toolpath& path, const std::vector<Tool>& tools, co
   return removal ? Status(Done{}) : Status(removal.error());
 }
 
+void MilledPiece::letFall(const std::vector<StockBody>& bodies) {
+  if (bodies.size() < 2) return;
+  std::vector<Box3> loose;
+  for (auto body = bodies.begin() + 1; body != bodies.end(); ++body) {
+    loose.push_back(body->bounds);
+    own_mm3_ -= body->volume_mm3;
+  }
+  stock_.dropPieces(loose, bodies.front().bounds);
+  apart_.insert(apart_.begin(), bodies.begin() + 1, bodies.end());
+}
+
 Result<std::unique_ptr<Workpiece>> MilledPiece::become(ProcessKind next, const RigidTransform& move,
                                                        const PieceOptions& options, Progress& progress) {
   Result<Stock> moved = stock_.moved(move, options.grid, progress);

@@ -17,6 +17,7 @@ class MilledPiece final : public Workpiece {
                            Progress& progress) override;
   Status cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
              Progress& progress) override;
+  void letFall(const std::vector<StockBody>& bodies) override;
   /// Milling, or cutting with a wire. Exact where movesExactly, see Stock::moved.
   Result<std::unique_ptr<Workpiece>> become(ProcessKind next, const RigidTransform& move,
                                             const PieceOptions& options, Progress& progress) override;

@@ -1,10 +1,10 @@
 #include "removal/process/turned_piece.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "core/base/stopwatch.h"
+#include "removal/process/turned_part.h"
 #include "removal/process/wire_grid_piece.h"
 #include "removal/turning/revolve.h"
 #include "removal/turning/thread_mesh.h"
@@ -12,47 +12,6 @@
 
 namespace proveout {
 namespace {
-
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
-};
-
-Extent extentOf(const SectionBody& body) {
-  Extent extent;
-  for (const Vec2& p : body.loops.front().points) {
-    extent.low = std::min(extent.low, p.y());
-    extent.high = std::max(extent.high, p.y());
-  }
-  return extent;
-}
-
-/// The body whose extent along Z fits best.
-std::size_t bodyLike(const std::vector<SectionBody>& bodies, const Box3& wanted) {
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Extent extent = extentOf(bodies[k]);
-    const double off = std::abs(extent.low - wanted.min.z()) + std::abs(extent.high - wanted.max.z());
-    if (off >= least) continue;
-    least = off;
-    best = k;
-  }
-  return best;
-}
-
-/// Which of the bodies is the part: the one like the nominal; without one the largest that was parted off
-/// whole, in front of what the chuck holds; else that. Slugs and rings lie beside what is held.
-std::size_t partOf(const std::vector<SectionBody>& bodies, const std::optional<Box3>& nominal) {
-  if (bodies.size() < 2) return 0;
-  if (nominal) return bodyLike(bodies, *nominal);
-  std::size_t best = 0;
-  const double held_to = extentOf(bodies.front()).high;
-  for (std::size_t k = 1; k < bodies.size(); ++k) {
-    if (extentOf(bodies[k]).low < held_to - 1e-6) continue;
-    if (best == 0 || bodies[k].volume_mm3 > bodies[best].volume_mm3) best = k;
-  }
-  return best;
-}
 
 StockBody bodyOf(const SectionBody& section, const char* role) {
   StockBody body;
@@ -158,7 +117,10 @@ Status TurnedPiece::takePart(const PieceOptions& options, Machined& out, Progres
   out.facet_error_mm = 2.0 * options.facet_mm;
   out.bodies.emplace();
   if (!all.bodies.empty()) {
-    std::swap(all.bodies[0], all.bodies[partOf(all.bodies, options.part)]);
+    const Result<PartChoice> chosen = partAmong(all.bodies, options);
+    if (!chosen) return chosen.error();
+    std::swap(all.bodies[0], all.bodies[chosen->body]);
+    if (chosen->rival) out.rival = *chosen->rival == 0 ? chosen->body : *chosen->rival;
     const TurnedShape part = alone(all, 0);
     if (part.threads.empty()) {
       out.surface.mesh = revolved(part.bodies, options.facet_mm);

@@ -188,21 +188,26 @@ Result<std::vector<GridBody>> bodiesOf(const Stock& stock, const WireStock& box,
 }
 
 /// The body that holds the point, is most like the nominal, or is the largest.
-Result<std::size_t> partOf(const std::vector<GridBody>& bodies, const PieceOptions& options) {
+Result<PartChoice> partOf(const std::vector<GridBody>& bodies, const PieceOptions& options) {
   if (options.part_point) {
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       SampleReader reader(bodies[k].stock.inside());
-      if (reader.isMaterial(sampleAt(bodies[k].stock.inside(), *options.part_point))) return k;
+      if (reader.isMaterial(sampleAt(bodies[k].stock.inside(), *options.part_point)))
+        return PartChoice{k, {}};
     }
-    const Vec3& p = *options.part_point;
-    return inputError(
-        fmt::format("the point of the part (part_point) X{:g} Y{:g} Z{:g} lies in no body that is left",
-                    p.x(), p.y(), p.z()));
+    return inputError(pointInNoBody(*options.part_point));
   }
-  if (!options.part) return std::size_t{0};
   std::vector<Box3> bounds;
-  for (const GridBody& body : bodies) bounds.push_back(body.bounds);
-  return bodyLike(bounds, *options.part);
+  std::vector<double> volumes;
+  for (const GridBody& body : bodies) {
+    bounds.push_back(body.bounds);
+    volumes.push_back(body.surface.volume_mm3);
+  }
+  const PartChoice largest = largestOf(volumes);
+  if (!options.part) return largest;
+  const std::size_t like = bodyLike(bounds, *options.part);
+  if (volumes[like] < kNotableShare * volumes[largest.body]) return doubted(like, volumes);
+  return PartChoice{like, {}};
 }
 
 /// What came free and hangs on in the box is so in the workpiece, whose share of its height is `share`.
@@ -264,10 +269,11 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   const double removed_mm3 = std::clamp(held->mm3 - after_mm3, 0.0, out.initial_mm3);
   out.bodies.emplace();
   if (!bodies->empty()) {
-    const Result<std::size_t> chosen = partOf(*bodies, options);
+    const Result<PartChoice> chosen = partOf(*bodies, options);
     if (!chosen) return chosen.error();
-    const auto part = bodies->begin() + static_cast<std::ptrdiff_t>(*chosen);
+    const auto part = bodies->begin() + static_cast<std::ptrdiff_t>(chosen->body);
     std::rotate(bodies->begin(), part, part + 1);
+    if (chosen->rival) out.rival = *chosen->rival + (*chosen->rival < chosen->body ? 1 : 0);
     for (const GridBody& body : *bodies)
       out.bodies->push_back({body.surface.volume_mm3, body.bounds, out.bodies->empty() ? "part" : "slug"});
     for (std::size_t k = 1; k < bodies->size(); ++k) {

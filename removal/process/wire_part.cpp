@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/geometry/plane.h"
@@ -25,9 +26,7 @@ Error inNoBody(const WireStock& stock, const Vec3& p) {
   }
   std::sort(near.begin(), near.end());
   near.resize(std::min(near.size(), kMostNamed));
-  std::string text =
-      fmt::format("the point of the part (part_point) X{:g} Y{:g} Z{:g} lies in no body that is left", p.x(),
-                  p.y(), p.z());
+  std::string text = pointInNoBody(p);
   if (beside) text += fmt::format(": the stock is between Z{:g} and Z{:g}", blank.z_low, blank.z_high);
   for (std::size_t i = 0; i < near.size(); ++i) {
     const WireBody& body = stock.bodies()[near[i].second];
@@ -40,16 +39,16 @@ Error inNoBody(const WireStock& stock, const Vec3& p) {
   return inputError(text);
 }
 
-Result<std::size_t> bodyOfPoint(const WireStock& stock, const Vec3& p) {
+Result<PartChoice> bodyOfPoint(const WireStock& stock, const Vec3& p) {
   const std::vector<PlanePolygons> outlines = stock.outlinesAt(p.z());
   for (std::size_t k = 0; k < outlines.size(); ++k) {
-    if (holds(outlines[k], p.head<2>())) return k;
+    if (holds(outlines[k], p.head<2>())) return PartChoice{k, {}};
   }
   return inNoBody(stock, p);
 }
 
-/// The largest that a fixture touches at the bottom, half way or at the top; 0 without one.
-std::size_t firstHeld(const WireStock& stock, const PlanePolygons& fixtures) {
+/// The largest that a fixture touches at the bottom, half way or at the top.
+std::optional<std::size_t> firstHeld(const WireStock& stock, const PlanePolygons& fixtures) {
   const PrismBlank& blank = stock.blank();
   std::size_t best = stock.bodies().size();
   for (const double z : {blank.z_low, 0.5 * (blank.z_low + blank.z_high), blank.z_high}) {
@@ -58,7 +57,7 @@ std::size_t firstHeld(const WireStock& stock, const PlanePolygons& fixtures) {
       if (anyTouches(fixtures, outlines[k])) best = k;
     }
   }
-  return best < stock.bodies().size() ? best : 0;
+  return best < stock.bodies().size() ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace
@@ -76,14 +75,20 @@ std::size_t bodyLike(const std::vector<Box3>& bounds, const Box3& wanted) {
   return best;
 }
 
-Result<std::size_t> partAmong(const WireStock& stock, const PieceOptions& options) {
+Result<PartChoice> partAmong(const WireStock& stock, const PieceOptions& options) {
   if (options.part_point) return bodyOfPoint(stock, *options.part_point);
-  if (options.part) {
-    std::vector<Box3> bounds;
-    for (const WireBody& body : stock.bodies()) bounds.push_back(body.bounds);
-    return bodyLike(bounds, *options.part);
+  std::vector<Box3> bounds;
+  std::vector<double> volumes;
+  for (const WireBody& body : stock.bodies()) {
+    bounds.push_back(body.bounds);
+    volumes.push_back(body.volume_mm3);
   }
-  return options.held_at.empty() ? std::size_t{0} : firstHeld(stock, options.held_at);
+  const PartChoice largest = largestOf(volumes);
+  const auto chosen = options.part ? std::optional(bodyLike(bounds, *options.part))
+                                   : firstHeld(stock, options.held_at);
+  if (!chosen) return largest;
+  if (volumes[*chosen] < kNotableShare * volumes[largest.body]) return doubted(*chosen, volumes);
+  return PartChoice{*chosen, {}};
 }
 
 }  // namespace proveout

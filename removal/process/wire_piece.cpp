@@ -40,10 +40,11 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
   std::vector<std::size_t> order(stock_.bodies().size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (!order.empty()) {
-    const Result<std::size_t> chosen = partAmong(stock_, options);
+    const Result<PartChoice> chosen = partAmong(stock_, options);
     if (!chosen) return chosen.error();
-    const auto part = order.begin() + static_cast<std::ptrdiff_t>(*chosen);
+    const auto part = order.begin() + static_cast<std::ptrdiff_t>(chosen->body);
     std::rotate(order.begin(), part, part + 1);
+    if (chosen->rival) out.rival = *chosen->rival + (*chosen->rival < chosen->body ? 1 : 0);
   }
   out.bodies.emplace();
   for (const std::size_t k : order) {

@@ -45,6 +45,8 @@ struct Machined {
   /// workpiece, and `apart` is what fell off before.
   std::optional<std::vector<StockBody>> bodies;
   std::vector<StockBody> apart;
+  /// Of `bodies` one that may be the part as well: nothing says which of the two is.
+  std::optional<std::size_t> rival;
   /// Of pieces that this clamping cut free: bodies[1] and those behind it, a closed mesh each.
   std::vector<TriMesh> freed;
   /// As of the surface, of those of them that are not in its mesh.
@@ -71,6 +73,10 @@ class Workpiece {
   /// Cuts the path alone: for pieces that are asked about touches, not for their surface.
   virtual Status cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
                      Progress& progress) = 0;
+
+  /// Behind machine(), where its bodies are those of the mesh: which of them is the part, first in this list,
+  /// and which have come loose: those are not clamped any more.
+  virtual void letFall(const std::vector<StockBody>& /*bodies*/) {}
 
   /// What is left, in another clamping, for the same or another process; this piece is not to be used any
   /// more. A turned part goes onto the grid from its section and threads, exactly by any move. Errors:

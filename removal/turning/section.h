@@ -27,6 +27,7 @@ struct SectionBody {
   std::vector<SectionLoop> loops;  ///< the outer border first
   double volume_mm3 = 0.0;         ///< by Pappus' rule
   MotionId parted_by = kNoMotion;  ///< motion that cut it off; kNoMotion: it is held by the chuck
+  bool by_parting = false;         ///< a programmed parting did
 };
 
 /// A thread tool on its helix: the outline goes from `from` to `to` in the plane while the part turns. A

@@ -314,8 +314,11 @@ std::vector<SectionBody> SectionArea::bodies() const {
     for (const IntPoint& p : loop->points) low = std::min(low, p.Y);
     return low;
   };
-  std::stable_sort(borders.begin(), borders.end(),
-                   [&](const Loop* a, const Loop* b) { return lowest(a) < lowest(b); });
+  // Of pieces that end at one face the larger one comes first, in whatever order they were cut.
+  std::stable_sort(borders.begin(), borders.end(), [&](const Loop* a, const Loop* b) {
+    const cInt low_a = lowest(a), low_b = lowest(b);
+    return low_a != low_b ? low_a < low_b : volumeUnder(a->points) > volumeUnder(b->points);
+  });
   for (const Loop* border : borders) {
     PROVEOUT_ASSERT(border->motion.size() == border->points.size());
     SectionBody body;

@@ -52,8 +52,8 @@ class SectionArea {
 
   /// Whether it has more than one border.
   bool apart() const;
-  /// The connected pieces, each with its border first and then its hollows, from low z to high z. Pieces
-  /// thinner than 0.1 micrometres are rounding and left out.
+  /// The connected pieces, each with its border first and then its hollows, from low z to high z; of
+  /// equally low ones the larger first. Pieces thinner than 0.1 micrometres are rounding and left out.
   std::vector<SectionBody> bodies() const;
 
  private:

@@ -110,6 +110,20 @@ Vec2 PlaneWay::at(double t) const {
   return center + radius * unit(std::atan2(arm.y(), arm.x()) + t * sweep_rad);
 }
 
+double PlaneWay::length() const {
+  if (!arc) return (to - from).norm();
+  const double first = (from - center).norm(), last = (to - center).norm();
+  return std::max(first, last) * std::abs(sweep_rad) + std::abs(last - first);
+}
+
+PlaneWay PlaneWay::between(double t, double u) const {
+  PlaneWay way = *this;
+  way.from = t <= 0.0 ? from : at(t);
+  way.to = u >= 1.0 ? to : at(u);
+  way.sweep_rad = (u - t) * sweep_rad;
+  return way;
+}
+
 std::vector<SectionPath> sweptPaths(const ConvexOutline& outline, const PlaneWay& way) {
   std::vector<SectionPath> paths;
   if (!way.arc) {

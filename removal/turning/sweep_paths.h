@@ -19,6 +19,9 @@ struct PlaneWay {
   /// Direction of travel at 0..1, radians, from +r towards +z; of a standstill 0.
   double direction(double t) const;
   Vec2 at(double t) const;
+  double length() const;  ///< mm; of an arc whose radius changes at least as long as it is
+  /// From one part of it to another, 0..1.
+  PlaneWay between(double from, double to) const;
   /// The same way on the other side of the axis.
   PlaneWay mirrored() const;
 };

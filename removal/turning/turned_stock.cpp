@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "core/geometry/to_float.h"
+#include "removal/turning/parting.h"
 #include "removal/turning/section_area.h"
 #include "removal/turning/section_depth.h"
 #include "removal/turning/thread_cover.h"
@@ -24,6 +26,8 @@ constexpr double kTouch = 1e-3;
 constexpr double kOff = 1e-6;
 /// Half-planes in which the volume of threads is estimated.
 constexpr int kThreadPlanes = 4;
+/// Motions that are looked at as one stroke, at most.
+constexpr MotionId kLongestStroke = 64;
 /// A thread of more turns is a slip in the program, and would take minutes.
 constexpr double kMostTurns = 2000.0;
 
@@ -43,13 +47,6 @@ PlaneWay planeWay(const Motion& motion, const ArcGeometry* arc) {
 
 const ArcGeometry* arcOf(const Toolpath& path, const Motion& motion) {
   return motion.arc < 0 ? nullptr : &path.arcs[static_cast<std::size_t>(motion.arc)];
-}
-
-PlaneWay partOfWay(const PlaneWay& way, double t) {
-  PlaneWay part = way;
-  part.to = way.at(t);
-  part.sweep_rad = t * way.sweep_rad;
-  return part;
 }
 
 Vec3 inSpace(const Vec2& p) { return {p.x(), 0.0, p.y()}; }
@@ -180,18 +177,24 @@ class Turning {
   void motion(MotionId id) {
     const Motion& motion = path_.motions[id];
     if (motion.kind == MotionKind::kProbe) return;
-    PlaneWay way = planeWay(motion, arcOf(path_, motion));
-    const bool behind = tools_.at(motion.tool).worksBehind(way);
-    const TurningTool& tool = behind ? mirroredTool(motion.tool) : tools_.at(motion.tool);
-    if (behind) way = way.mirrored();
-    if (motion.kind == MotionKind::kThread && tool.insert) {
-      thread(id, tool, way, behind);
+    bool behind = false;
+    const ToolWay on = placed(id, behind);
+    const bool grooves = motion.kind == MotionKind::kThread && on.tool->insert;
+    // What leaves a thread takes pieces of its way alone.
+    const bool at_end = grooves || (thread_way_ && motion.kind == MotionKind::kRapid);
+    Sections before{area_, planes_};
+    if (grooves) {
+      thread(id, *on.tool, on.way, behind);
     } else {
-      cut(id, tool, way);
+      cut(id, *on.tool, on.way);
       if (motion.kind != MotionKind::kRapid || motion.tool != thread_tool_) thread_way_.reset();
     }
-    holder(id, tool, way);
-    if (area_.apart()) part(id);
+    holder(id, *on.tool, on.way);
+    if (!area_.apart()) return;
+    if (at_end)
+      removed_[id] += toFloat(part(id, on, {}));
+    else
+      partAlong(id, on, std::move(before));
   }
 
   RemovalSummary summary() {
@@ -202,6 +205,50 @@ class Turning {
   }
 
  private:
+  /// The section, and the planes that stand for threads.
+  struct Sections {
+    SectionArea area;
+    std::vector<SectionArea> planes;
+  };
+  /// A piece that was cut off.
+  struct PartedArea {
+    SectionArea area;
+    MotionId stroke_end;  ///< the last motion of the stroke that cut it off
+  };
+
+  /// `behind`: the tool is on the other side of the axis, which tool and way are mirrored for.
+  ToolWay placed(MotionId id, bool& behind) {
+    const Motion& motion = path_.motions[id];
+    const PlaneWay way = planeWay(motion, arcOf(path_, motion));
+    const TurningTool& tool = tools_.at(motion.tool);
+    behind = tool.worksBehind(way);
+    if (behind) return {&mirroredTool(motion.tool), way.mirrored()};
+    return {&tool, way};
+  }
+
+  /// How many motions behind one go on in its direction, with its tool: a block that was cut in two is one.
+  MotionId strokeEnd(MotionId id) const {
+    const Motion& first = path_.motions[id];
+    PlaneWay before = planeWay(first, arcOf(path_, first));
+    MotionId end = id;
+    for (MotionId k = id + 1; k < path_.motions.size() && k - id <= kLongestStroke; ++k) {
+      const Motion& next = path_.motions[k];
+      if (next.kind != first.kind || next.tool != first.tool) break;
+      const PlaneWay way = planeWay(next, arcOf(path_, next));
+      if (way.length() <= 0.0) continue;
+      if (!goesOn(before, way)) break;
+      before = way;
+      end = k;
+    }
+    return end;
+  }
+  std::vector<ToolWay> strokeBehind(MotionId id) {
+    std::vector<ToolWay> stroke;
+    bool behind = false;
+    for (MotionId k = id + 1; k <= strokeEnd(id); ++k) stroke.push_back(placed(k, behind));
+    return stroke;
+  }
+
   const TurningTool& mirroredTool(int number) {
     const auto known = mirrored_tools_.find(number);
     if (known != mirrored_tools_.end()) return known->second;
@@ -223,8 +270,10 @@ class Turning {
     }
     if (!rapid) {
       if (motion.spindle == 0.0) contact(ContactKind::kSpindleOff, id, sweeps, spared);
-      for (const SectionArea& piece : parted_areas_)
-        contacts_.add(ContactKind::kPartedOff, id, piece, piece.common(sweeps, spared));
+      for (const PartedArea& piece : parted_areas_) {
+        if (id > piece.stroke_end)
+          contacts_.add(ContactKind::kPartedOff, id, piece.area, piece.area.common(sweeps, spared));
+      }
     }
     if (tool.insert) {
       // What a rapid motion touches is told as such already.
@@ -339,21 +388,58 @@ class Turning {
     return !pieces.empty();
   }
 
-  /// Bodies that hang on the chuck no longer leave; nothing cuts them any more.
-  void part(MotionId id) {
-    std::vector<SectionBody> bodies = area_.bodies();
-    if (bodies.empty()) return;
-    for (std::size_t k = 1; k < bodies.size(); ++k) {
-      bodies[k].parted_by = id;
-      parted_areas_.emplace_back(bodies[k].loops);
-      parted_.push_back(std::move(bodies[k]));
+  /// The same way once more, as far as it goes until a piece comes free, and so on: what follows does not cut
+  /// that. `before`: the sections before the way.
+  void partAlong(MotionId id, const ToolWay& on, Sections&& before) {
+    const std::vector<ToolWay> stroke = strokeBehind(id);
+    double at = 0.0, taken = 0.0, rest = 0.0;
+    while (!freedIn(area_, stroke).falls.empty()) {
+      area_ = std::move(before.area);
+      planes_ = std::move(before.planes);
+      const ToolWay left = on.between(at, 1.0);
+      const double free = freedAt(area_, left, stroke);
+      taken += takeAlong(id, left.between(0.0, free));
+      std::vector<ToolWay> behind{left.between(free, 1.0)};
+      behind.insert(behind.end(), stroke.begin(), stroke.end());
+      rest = 0.0;
+      at = free < 1.0 ? at + free * (1.0 - at) : 1.0;
+      taken += part(id, on, free < 1.0 ? behind : stroke);
+      if (at >= 1.0) break;
+      before = {area_, planes_};
+      rest = takeAlong(id, on.between(at, 1.0));
     }
-    area_ = SectionArea(bodies.front().loops);
+    if (at > 0.0) removed_[id] = toFloat(taken + rest);
+  }
+
+  double takeAlong(MotionId id, const ToolWay& on) {
+    const std::vector<SectionPath> sweeps = on.tool->swept(on.way), beyond = mirroredPaths(sweeps);
+    const double taken = take(sweeps, id, {});
+    return beyond.empty() ? taken : taken + take(beyond, id, {});
+  }
+
+  /// Bodies that hang on the chuck no longer leave; nothing cuts them any more. `stroke`: the way that the
+  /// tool still goes on. Returns what it takes off their corners, mm3.
+  double part(MotionId id, const ToolWay& on, const std::vector<ToolWay>& stroke) {
+    Freed freed = freedIn(area_, stroke);
+    if (freed.falls.empty()) return 0.0;
+    double trimmed = 0.0;
+    std::vector<SectionLoop> held;
+    for (SectionBody& body : freed.held)
+      std::move(body.loops.begin(), body.loops.end(), std::back_inserter(held));
+    area_ = SectionArea(held);
     standing_.clear();
     std::vector<SectionPath> gone;
-    for (std::size_t k = 1; k < bodies.size(); ++k)
-      gone.push_back(parted_[parted_.size() - k].loops.front().points);
+    const bool feeds = path_.motions[id].kind == MotionKind::kFeed;
+    for (SectionBody& body : freed.falls) {
+      body.parted_by = id;
+      body.by_parting = feeds && isPartedBy(on, body);
+      gone.push_back(body.loops.front().points);
+      trimmed += trimCorners(body, stroke, id);
+      parted_areas_.push_back({SectionArea(body.loops), strokeEnd(id)});
+      parted_.push_back(std::move(body));
+    }
     for (SectionArea& plane : planes_) plane.subtract(gone, id);
+    return trimmed;
   }
 
   const Toolpath& path_;
@@ -362,7 +448,7 @@ class Turning {
   std::vector<ThreadSweep>& threads_;
   std::vector<std::shared_ptr<const ConvexOutline>>& outlines_;
   std::map<int, TurningTool> tools_, mirrored_tools_;
-  std::vector<SectionArea> parted_areas_;  ///< of the bodies cut off by this path
+  std::vector<PartedArea> parted_areas_;  ///< of the bodies cut off by this path
   std::vector<float> removed_;
   ContactList contacts_;
   std::vector<SectionArea> planes_;     ///< sections with their threads, once there is one
@@ -438,7 +524,7 @@ std::optional<double> TurnedStock::firstContact(const Motion& move, const ArcGeo
     way = way.mirrored();
   }
   const auto touches = [&](double t) {
-    const std::vector<SectionPiece> pieces = impl_->area.common(turning.swept(partOfWay(way, t)));
+    const std::vector<SectionPiece> pieces = impl_->area.common(turning.swept(way.between(0.0, t)));
     return std::any_of(pieces.begin(), pieces.end(),
                        [](const SectionPiece& piece) { return piece.volume_mm3 > 0.0; });
   };

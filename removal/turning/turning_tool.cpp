@@ -58,6 +58,7 @@ TurningTool::TurningTool(const Tool& tool) {
   const int o = tool.insert->orientation;
   points_r = tipDirection(o).x();
   nose_mm = tool.insert->nose_radius;
+  if (tool.insert->shape == InsertShape::kGroove) blade_mm = tool.insert->width;
   if (tool.insert->shape == InsertShape::kCorner && o >= 1 && o <= 4) lead_z = o == 1 || o == 4 ? 1.0 : -1.0;
   for (const OutlineSide& side : thread->sides()) {
     if (side.arc && side.use == SideUse::kCuts) noses.push_back(circle(side.center, side.radius));

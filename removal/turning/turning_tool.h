@@ -25,6 +25,7 @@ struct TurningTool {
   std::optional<ConvexOutline> end_of_edge;     ///< see endOfEdge()
   double nose_mm = 0.0;                         ///< of inserts: nose radius
   double points_r = 0.0;                        ///< of inserts: sign of the X direction that they point to
+  double blade_mm = 0.0;                        ///< of grooving inserts: width of the front edge; else 0
 
   /// Whether an insert works on the far side of the axis (X below 0) on that way: it points to the axis from
   /// there, or is on that side with its holder. What it cuts is what its mirror image cuts on this side.

@@ -73,17 +73,17 @@ std::optional<LeanFall> fallOf(const std::vector<LevelFalls>& heights, std::size
     if (!at) continue;
     const FreePiece* piece = heights[k].pieceAt(*at);
     if (piece == nullptr) return std::nullopt;
-    fall.cuts = std::max(fall.cuts, piece->cuts);
+    fall.fell = std::max(fall.fell, piece->fell);
     fall.passed_over = fall.passed_over || piece->passed_over;
     if (k == 1 || fall.half_way.body.loops.empty()) fall.half_way = *piece;
   }
-  return fall.cuts > 0 ? std::optional(std::move(fall)) : std::nullopt;
+  return fall.fell > CutTime{} ? std::optional(std::move(fall)) : std::nullopt;
 }
 
 /// What is left of one piece, free at the same time and at the same place, is one fall.
 void join(LeanFall fall, std::vector<LeanFall>& falls) {
   const auto same = std::find_if(falls.begin(), falls.end(), [&](const LeanFall& other) {
-    return other.passed_over && fall.passed_over && other.cuts == fall.cuts &&
+    return other.passed_over && fall.passed_over && other.fell == fall.fell &&
            !other.half_way.region.empty() && holds(other.half_way.region, placeIn(fall.half_way.body));
   });
   if (same == falls.end())
@@ -119,7 +119,7 @@ std::vector<LeanFall> leanFalls(const PrismBlank& blank, const std::vector<LeanS
     }
   }
   std::stable_sort(falls.begin(), falls.end(),
-                   [](const LeanFall& a, const LeanFall& b) { return a.cuts < b.cuts; });
+                   [](const LeanFall& a, const LeanFall& b) { return a.fell < b.fell; });
   return falls;
 }
 

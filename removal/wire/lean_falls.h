@@ -12,8 +12,8 @@ namespace proveout {
 /// A piece that is free at the bottom, half way and at the top.
 struct LeanFall {
   std::vector<std::size_t> bodies;  ///< of the solid: what all cuts have left of it
-  std::uint32_t cuts = 0;           ///< stretches that were cut when it was free at all of these heights
-  bool passed_over = false;         ///< stretches behind those cut it
+  CutTime fell;                     ///< what was cut when it was free at all of these heights
+  bool passed_over = false;         ///< what is cut behind that would cut it
   bool falls = true;                ///< it can leave downwards past what is held; else it stays where it is
   bool lifts = true;                ///< it can leave upwards
   FreePiece half_way;               ///< its section there, or elsewhere if it has none there

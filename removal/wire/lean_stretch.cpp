@@ -104,6 +104,16 @@ void addLeanStretches(const WireSweep& wire, const HeightSpan& span, double radi
   }
 }
 
+std::vector<LeanStretch> cutUntil(const std::vector<LeanStretch>& cuts, const CutTime& time) {
+  std::vector<LeanStretch> done(cuts.begin(), cuts.begin() + time.cuts);
+  if (time.share <= 0.0) return done;
+  LeanStretch last = cuts[time.cuts];
+  last.to_low = last.from_low + time.share * (last.to_low - last.from_low);
+  last.to_high = last.from_high + time.share * (last.to_high - last.from_high);
+  done.push_back(last);
+  return done;
+}
+
 std::vector<LevelStretch> atHeight(const std::vector<LeanStretch>& pieces, const HeightSpan& span, double z) {
   const double w = (z - span.low) / span.length();
   std::vector<LevelStretch> out;

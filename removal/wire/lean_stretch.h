@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/path/toolpath.h"
+#include "removal/wire/wire_stretch.h"
 
 namespace proveout {
 
@@ -41,6 +42,9 @@ struct HeightSpan {
 /// that 64 rows of triangles between them leave the ruled surface by no more than `twist_mm` (> 0).
 void addLeanStretches(const WireSweep& wire, const HeightSpan& span, double radius_mm, double twist_mm,
                       MotionId motion, std::vector<LeanStretch>& out);
+
+/// What of the pieces is cut until then.
+std::vector<LeanStretch> cutUntil(const std::vector<LeanStretch>& cuts, const CutTime& time);
 
 /// All pieces at height z, in their order.
 std::vector<LevelStretch> atHeight(const std::vector<LeanStretch>& pieces, const HeightSpan& span, double z);

@@ -107,9 +107,9 @@ std::optional<StartHole> holeAt(const PrismBlank& blank, const Vec2& p) {
 }
 
 /// Pieces that had fallen are cut no more.
-bool hasFallen(const std::vector<FreePiece>& fallen, std::uint32_t cut, const Vec2& p) {
+bool hasFallen(const std::vector<FreePiece>& fallen, const CutTime& time, const Vec2& p) {
   return std::any_of(fallen.begin(), fallen.end(), [&](const FreePiece& piece) {
-    return piece.passed_over && piece.cuts <= cut && holds(piece.region, p);
+    return piece.passed_over && piece.fell <= time && holds(piece.region, p);
   });
 }
 
@@ -168,7 +168,7 @@ std::vector<double> removedAreas(const PrismBlank& blank, const std::vector<Wire
       for (int a = 0; a < kAcross; ++a) {
         const Vec2 p = at + left * (s.kerf_mm * (2.0 * (a + 0.5) / kAcross - 1.0));
         if (holds(region, p) && index.nearest(p, 0.0, i).stretch == StretchIndex::kNone &&
-            !hasFallen(fallen, i, p))
+            !hasFallen(fallen, {i, t}, p))
           ++taken;
       }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -21,6 +22,8 @@ constexpr double kPieceChordMm = 1e-3;
 constexpr double kIntoMm = 0.005;
 /// How far it is looked back from the last cut about a body for the one that closed it.
 constexpr double kLookBackKerfs = 8.0;
+/// Pieces that come free within so much of way do so at once, mm.
+constexpr double kSameTimeMm = 1e-3;
 
 bool isIn(const Box3& box, const Vec2& p) {
   return (p.array() >= box.min.head<2>().array()).all() && (p.array() <= box.max.head<2>().array()).all();
@@ -47,7 +50,7 @@ class FallWindow {
   FallWindow(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
              const StretchIndex& index, const Box3& box, std::vector<LastBody>& bodies)
       : blank_(blank), cuts_(cuts), box_(box), near_(index.near(box, StretchIndex::kNone)) {
-    for (const PlanePolygons& region : after(static_cast<std::uint32_t>(cuts.size()))) {
+    for (const PlanePolygons& region : after({static_cast<std::uint32_t>(cuts.size()), 0.0})) {
       const Vec2 at = placeIn(region);
       for (std::uint32_t k = 0; k < bodies.size(); ++k) {
         if (!bodies[k].holdsPoint(at)) continue;
@@ -59,14 +62,14 @@ class FallWindow {
 
   const Box3& box() const { return box_; }
 
-  /// What body `k` is one with here, after so many cuts.
+  /// What body `k` is one with here, at a time.
   struct Company {
     bool kept = false;   ///< a body that is kept
     bool other = false;  ///< a loose one, that may be held by others
   };
-  Company companyOf(std::uint32_t k, const std::vector<LastBody>& bodies, std::uint32_t cuts) const {
+  Company companyOf(std::uint32_t k, const std::vector<LastBody>& bodies, const CutTime& time) const {
     DisjointSets sets(bodies.size());
-    for (const PlanePolygons& region : after(cuts)) {
+    for (const PlanePolygons& region : after(time)) {
       std::optional<std::uint32_t> first;
       for (const Part& part : parts_) {
         if (!holds(region, part.at)) continue;
@@ -82,10 +85,10 @@ class FallWindow {
     return company;
   }
 
-  /// What the motions behind so many cuts take here of what is about body `k`, mm2.
-  double takenBehind(std::uint32_t k, std::uint32_t cuts) const {
+  /// What is taken behind that time of what is here about body `k`, mm2.
+  double takenBehind(std::uint32_t k, const CutTime& time) const {
     double area = 0.0;
-    for (const PlanePolygons& region : after(cuts)) {
+    for (const PlanePolygons& region : after(time)) {
       const bool own = std::any_of(parts_.begin(), parts_.end(), [&](const Part& part) {
         return part.body == k && holds(region, part.at);
       });
@@ -110,10 +113,11 @@ class FallWindow {
     return sum;
   }
 
-  std::vector<PlanePolygons> after(std::uint32_t cuts) const {
+  std::vector<PlanePolygons> after(const CutTime& time) const {
     std::vector<WireStretch> done;
     for (const std::uint32_t i : near_) {
-      if (i < cuts) done.push_back(cuts_[i]);
+      if (i < time.cuts) done.push_back(cuts_[i]);
+      if (i == time.cuts && time.share > 0.0) done.push_back(beginningOf(cuts_[i], time.share));
     }
     return regionsInside(box_, blank_, done);
   }
@@ -146,14 +150,15 @@ class FallFinder {
       if (!bodies_.back().kept && !isCrumb(bodies_.back().body))
         loose.push_back(static_cast<std::uint32_t>(bodies_.size()) - 1);
     }
-    std::map<std::uint32_t, std::vector<Freed>> freed;  // by the cuts that were done
+    std::map<CutTime, std::vector<Freed>> freed;
     for (const std::uint32_t k : loose) {
-      if (const auto fall = fallOf(k)) freed[fall->cuts].push_back({k, fall->goes_on});
+      if (const auto fall = fallOf(k)) freed[fall->time].push_back({k, fall->closed, fall->goes_on});
     }
+    joinSameTimes(freed);
     std::vector<bool> fell(bodies_.size(), false);
-    for (auto& [cuts, bodies] : freed) {
+    for (auto& [time, bodies] : freed) {
       for (const Freed& body : bodies) fell[body.number] = true;
-      addPieces(cuts, bodies, falls);
+      addPieces(time, bodies, falls);
     }
     for (std::size_t k = 0; k < bodies_.size(); ++k)
       if (!fell[k] && !isOfPiece(bodies_[k], falls)) falls.bodies.push_back(std::move(bodies_[k].body));
@@ -165,13 +170,54 @@ class FallFinder {
 
  private:
   struct Fall {
-    std::uint32_t cuts;
-    bool goes_on;  ///< what follows cuts more of it than a crumb
+    CutTime time;
+    std::uint32_t closed;  ///< the stretch that closed its cut
+    bool goes_on;          ///< what follows cuts more of it than a crumb
   };
   struct Freed {
-    std::uint32_t number;
+    std::uint32_t number, closed;
     bool goes_on;
   };
+
+  /// The kerf's front frees a piece before its sides have met what was cut before: two kerfs of way, if they
+  /// go on, trim the cusp in between.
+  CutTime trimmed(CutTime time) const {
+    constexpr double kSamePlace = 1e-6;
+    double way = 2.0 * cuts_.front().kerf_mm;
+    while (time.cuts < cuts_.size()) {
+      const WireStretch& on = cuts_[time.cuts];
+      const bool begins = time.share <= 0.0;
+      if (begins && time.cuts > 0 && (on.from - cuts_[time.cuts - 1].to).norm() > kSamePlace) break;
+      const double left = (1.0 - time.share) * on.length();
+      if (left > way) {
+        time.share += way / on.length();
+        break;
+      }
+      way -= left;
+      time = {time.cuts + 1, 0.0};
+    }
+    return time;
+  }
+
+  /// What comes free at once was looked for in places of its own, and found within some kWayMm.
+  void joinSameTimes(std::map<CutTime, std::vector<Freed>>& freed) const {
+    for (auto at = freed.begin(); at != freed.end();) {
+      const auto next = std::next(at);
+      if (next == freed.end()) break;
+      if (wayBetween(at->first, next->first) <= kSameTimeMm) {
+        next->second.insert(next->second.begin(), at->second.begin(), at->second.end());
+        freed.erase(at);
+      }
+      at = next;
+    }
+  }
+  /// Infinite beyond the next stretch, mm.
+  double wayBetween(const CutTime& a, const CutTime& b) const {
+    if (a.cuts == b.cuts) return (b.share - a.share) * cuts_[a.cuts].length();
+    if (b.cuts > a.cuts + 1) return std::numeric_limits<double>::infinity();
+    const double on = b.share > 0.0 ? b.share * cuts_[b.cuts].length() : 0.0;
+    return (1.0 - a.share) * cuts_[a.cuts].length() + on;
+  }
 
   /// What later motions would have cut off a piece that fell before.
   static bool isOfPiece(const LastBody& body, const WireFalls& falls) {
@@ -192,31 +238,29 @@ class FallFinder {
     if (!index_) index_.emplace(cuts_);
     // Small motions close a cut before the last of them: the kerf's front meets it from some way off.
     std::size_t free = numberOf(*maker), held = shortlyBefore(free);
-    if (free == 0) return Fall{ends_[0], isCutBehind(k, ends_[0])};
+    if (free == 0) return fallByAll(k, 0, 0);
     const FallWindow window(blank_, cuts_, *index_, boxAbout(held, free), bodies_);
-    const FallWindow::Company before = window.companyOf(k, bodies_, ends_[held]);
+    const FallWindow::Company before = window.companyOf(k, bodies_, {ends_[held], 0.0});
     if (!before.kept || before.other) return fallByAll(k, held, free);
-    while (free - held > 1) {
-      const std::size_t middle = held + (free - held) / 2;
-      (window.companyOf(k, bodies_, ends_[middle]).kept ? held : free) = middle;
-    }
-    return Fall{ends_[free], isCutBehind(k, ends_[free], window)};
+    const CutTime time = firstTime(cuts_, {ends_[held], 0.0}, {ends_[free], 0.0},
+                                   [&](const CutTime& at) { return !window.companyOf(k, bodies_, at).kept; });
+    const CutTime fell = trimmed(time);
+    return Fall{fell, time.last(), isCutBehind(k, fell, &window)};
   }
 
   /// The same from sections of all cuts about it, where the place of the last motion does not tell: the body
   /// may be what later motions left of a piece that was free long before, or was held by one that fell later.
   Fall fallByAll(std::uint32_t k, std::size_t held, std::size_t free) const {
     const Look look{placeIn(bodies_[k].body), neighbourhood(k)};
-    if (!isHeldAt(look, ends_[held])) {
-      free = held;
-      held = 0;
-      if (free == 0 || !isHeldAt(look, ends_[0])) return Fall{ends_[0], isCutBehind(k, ends_[0])};
+    CutTime later{ends_[free], 0.0}, earlier{free > 0 ? ends_[held] : 0, 0.0};
+    if (earlier.cuts > 0 && !isHeldAt(look, earlier)) {
+      later = earlier;
+      earlier = {};
     }
-    while (free - held > 1) {
-      const std::size_t middle = held + (free - held) / 2;
-      (isHeldAt(look, ends_[middle]) ? held : free) = middle;
-    }
-    return Fall{ends_[free], isCutBehind(k, ends_[free])};
+    const CutTime time =
+        firstTime(cuts_, earlier, later, [&](const CutTime& at) { return !isHeldAt(look, at); });
+    const CutTime fell = trimmed(time);
+    return Fall{fell, time.last(), isCutBehind(k, fell, nullptr)};
   }
 
   /// What cuts off a body runs about it, unless another loose body is beside it, of which it may be a
@@ -236,18 +280,19 @@ class FallFinder {
     Vec2 at;
     std::optional<Box3> box;
   };
-  /// Whether the body at that place is held after so many cuts.
-  bool isHeldAt(const Look& look, std::uint32_t cuts) const {
+  /// Whether the body at that place is held at that time.
+  bool isHeldAt(const Look& look, const CutTime& time) const {
     std::vector<WireStretch> done;
     std::vector<PlaneLoop> region;
     if (look.box) {
-      for (const std::uint32_t i : index_->near(*look.box, cuts)) done.push_back(cuts_[i]);
+      for (const std::uint32_t i : index_->near(*look.box, time.cuts)) done.push_back(cuts_[i]);
+      if (time.share > 0.0) done.push_back(beginningOf(cuts_[time.cuts], time.share));
       // Hollows elsewhere cut nothing off here.
       std::copy_if(blank_.begin(), blank_.end(), std::back_inserter(region), [&](const PlaneLoop& loop) {
         return areaOf(loop) > 0.0 || boundsOf(loop).overlaps(*look.box);
       });
     } else {
-      done.assign(cuts_.begin(), cuts_.begin() + cuts);
+      done = cutUntil(cuts_, time);
       region = blank_;
     }
     for (const PlaneBody& body : cutSection(region, done)) {
@@ -297,42 +342,56 @@ class FallFinder {
     return static_cast<std::size_t>(at - ends_.begin());
   }
 
-  bool isMadeBehind(const PlaneEdge& edge, std::uint32_t cuts) const {
-    return edge.motion != kNoMotion && ends_[numberOf(edge.motion)] > cuts;
+  /// Whether the end of an edge that this motion made is made behind a time.
+  bool isMadeBehind(MotionId motion, const Vec2& end, const CutTime& time) const {
+    if (motion == kNoMotion) return false;
+    const std::size_t number = numberOf(motion);
+    if (CutTime{ends_[number], 0.0} <= time) return false;
+    const std::uint32_t begin = number > 0 ? ends_[number - 1] : 0;
+    return begin > time.last() || isNearerBehind(end, begin, ends_[number], time);
+  }
+  /// Whether of the stretches from `begin` to `end` those behind a time are the nearest to a point.
+  bool isNearerBehind(const Vec2& p, std::uint32_t begin, std::uint32_t end, const CutTime& time) const {
+    constexpr double kAsNear = 1e-4;
+    double before = std::numeric_limits<double>::infinity(), behind = before;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const double off = distanceTo(cuts_[i], p).mm;
+      if (i == time.cuts && time.share > 0.0)
+        before = std::min(before, distanceTo(beginningOf(cuts_[i], time.share), p).mm);
+      (i < time.cuts ? before : behind) = std::min(i < time.cuts ? before : behind, off);
+    }
+    return behind < before - kAsNear;
   }
 
-  bool isCutBehind(std::uint32_t k, std::uint32_t cuts) const {
-    const std::vector<PlaneLoop>& loops = bodies_[k].body.loops;
-    return std::any_of(loops.begin(), loops.end(), [&](const PlaneLoop& loop) {
-      return std::any_of(loop.edges.begin(), loop.edges.end(),
-                         [&](const PlaneEdge& edge) { return isMadeBehind(edge, cuts); });
-    });
-  }
-  /// The same, but for less than a crumb where its cut was closed.
-  bool isCutBehind(std::uint32_t k, std::uint32_t cuts, const FallWindow& window) const {
+  /// Whether what is cut behind a time takes something of a body. `window`: where its cut was closed; less
+  /// than a crumb does not count there.
+  bool isCutBehind(std::uint32_t k, const CutTime& time, const FallWindow* window) const {
     bool within = false;
     for (const PlaneLoop& loop : bodies_[k].body.loops) {
-      for (const PlaneEdge& edge : loop.edges) {
-        if (!isMadeBehind(edge, cuts)) continue;
-        if (!isIn(window.box(), edge.from)) return true;
-        within = true;
+      for (std::size_t i = 0; i < loop.edges.size(); ++i) {
+        for (const Vec2& p : {loop.edges[i].from, loop.edges[(i + 1) % loop.edges.size()].from}) {
+          if (!isMadeBehind(loop.edges[i].motion, p, time)) continue;
+          if (window == nullptr || !isIn(window->box(), p)) return true;
+          within = true;
+        }
       }
     }
-    return within && window.takenBehind(k, cuts) >= crumb();
+    return within && window->takenBehind(k, time) >= crumb();
   }
 
-  /// What fell at once. Where the motions behind left the bodies alone they are as they fell.
-  void addPieces(std::uint32_t cuts, const std::vector<Freed>& freed, WireFalls& falls) const {
+  /// What fell at once. Where what is cut behind left the bodies alone they are as they fell.
+  void addPieces(const CutTime& time, const std::vector<Freed>& freed, WireFalls& falls) const {
     if (std::none_of(freed.begin(), freed.end(), [](const Freed& body) { return body.goes_on; })) {
-      for (const Freed& body : freed) falls.pieces.push_back({bodies_[body.number].body, cuts, false, {}});
+      for (const Freed& body : freed)
+        falls.pieces.push_back({bodies_[body.number].body, time, false, {}, body.closed});
       return;
     }
-    for (PlaneBody& piece : cutSection(blank_, {cuts_.begin(), cuts_.begin() + cuts})) {
+    for (PlaneBody& piece : cutSection(blank_, cutUntil(cuts_, time))) {
       const PlanePolygons region = polygonsOf(piece.loops, kPieceChordMm);
-      const bool here = std::any_of(freed.begin(), freed.end(), [&](const Freed& body) {
+      const auto here = std::find_if(freed.begin(), freed.end(), [&](const Freed& body) {
         return holds(region, placeIn(bodies_[body.number].body));
       });
-      if (here) falls.pieces.push_back({std::move(piece), cuts, true, region});
+      if (here != freed.end()) falls.pieces.push_back({std::move(piece), time, true, region, here->closed});
     }
   }
 
@@ -395,7 +454,9 @@ WireFalls findFalls(const std::vector<PlaneLoop>& blank, const std::vector<WireS
 std::uint32_t firstThrough(const FreePiece& piece, const std::vector<WireStretch>& cuts, std::uint32_t end) {
   const std::vector<Vec2> hull = hullOf(chordsOf(piece.body.loops.front(), kPieceChordMm).points);
   const Box3 bounds = boundsOf(piece.body.loops.front());
-  for (std::uint32_t i = piece.cuts; i < end; ++i) {
+  std::uint32_t begin = piece.closed + 1;
+  while (begin < end && cuts[begin].motion == cuts[begin - 1].motion) ++begin;
+  for (std::uint32_t i = begin; i < end; ++i) {
     if (boundsOf(cuts[i]).overlaps(bounds) && goesInto(hull, cuts[i])) return i;
   }
   return end;

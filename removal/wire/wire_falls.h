@@ -12,9 +12,10 @@ namespace proveout {
 /// A piece as it fell.
 struct FreePiece {
   PlaneBody body;
-  std::uint32_t cuts = 0;    ///< stretches that were cut by then; the last of them closed the cut
-  bool passed_over = false;  ///< stretches behind those would have cut it
+  CutTime fell;              ///< what was cut by then
+  bool passed_over = false;  ///< what is cut behind that would have cut it
   PlanePolygons region;      ///< its loops, where it was passed over
+  std::uint32_t closed = 0;  ///< the stretch that closed its cut
 };
 
 struct WireFalls {
@@ -29,7 +30,7 @@ struct WireFalls {
 WireFalls findFalls(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
                     std::vector<PlaneBody> last, const WireHolding& holding);
 
-/// The first stretch behind the fall and before `end` that goes through the convex hull of the piece, where
+/// The first stretch behind the motion that closed the cut and before `end` that goes through the convex hull of the piece, where
 /// it may still lie; `end`: there is none.
 std::uint32_t firstThrough(const FreePiece& piece, const std::vector<WireStretch>& cuts, std::uint32_t end);
 

@@ -86,7 +86,7 @@ std::vector<FallenPiece> fallenPieces(const Toolpath& path, const WireWork& work
                                       const std::vector<FreePiece>& pieces) {
   std::vector<FallenPiece> out;
   for (const FreePiece& piece : pieces) {
-    const WireStretch& closing = work.cuts[piece.cuts - 1];
+    const WireStretch& closing = work.cuts[piece.closed];
     FallenPiece fallen;
     fallen.motion = closing.motion;
     fallen.volume_mm3 = piece.body.area_mm2 * height_mm;

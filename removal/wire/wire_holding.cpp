@@ -101,24 +101,19 @@ std::vector<PlaneBody> bodiesAtBorder(const std::vector<PlaneLoop>& blank,
   return out;
 }
 
-/// What is left after some of the motions.
+/// What is left at a time.
 class CutsInTime {
  public:
   CutsInTime(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts)
       : blank_(blank), cuts_(cuts) {
-    for (std::size_t i = 0; i < cuts.size(); ++i)
-      if (i + 1 == cuts.size() || cuts[i + 1].motion != cuts[i].motion) ends_.push_back(i + 1);
     for (const PlaneLoop& loop : blank) box_.extend(boundsOf(loop));
   }
-  std::size_t motions() const { return ends_.size(); }
 
-  /// Of some places those that lie in the largest body after so many motions.
-  std::vector<Vec2> largestOf(const std::vector<Vec2>& places, std::size_t motions) const {
-    const std::size_t end = motions > 0 ? ends_[motions - 1] : 0;
+  /// Of some places those that lie in the largest body then.
+  std::vector<Vec2> largestOf(const std::vector<Vec2>& places, const CutTime& time) const {
     std::vector<Vec2> best;
     double largest = 0.0;
-    for (const PlanePolygons& region : regionsInside(
-             box_.inflated(1.0), blank_, {cuts_.begin(), cuts_.begin() + static_cast<std::ptrdiff_t>(end)})) {
+    for (const PlanePolygons& region : regionsInside(box_.inflated(1.0), blank_, cutUntil(cuts_, time))) {
       double area = 0.0;
       for (const std::vector<Vec2>& loop : region) area += polygonArea(loop);
       if (area <= largest) continue;
@@ -136,7 +131,6 @@ class CutsInTime {
   const std::vector<PlaneLoop>& blank_;
   const std::vector<WireStretch>& cuts_;
   Box3 box_;
-  std::vector<std::size_t> ends_;  ///< how many stretches there are up to the end of each motion
 };
 
 std::vector<Vec2> middlesOf(const PlanePolygons& region) {
@@ -204,13 +198,12 @@ Vec2 heldPlace(const std::vector<PlaneLoop>& blank, const std::vector<WireStretc
   for (const PlaneBody& body : bodiesAtBorder(blank, last)) places.push_back(placeIn(body));
   if (places.empty()) return placeIn(last.front());
   const CutsInTime in_time(blank, cuts);
-  std::size_t together = 0;
-  while (places.size() > 1) {
-    std::size_t apart = in_time.motions();
-    while (apart - together > 1) {
-      const std::size_t middle = together + (apart - together) / 2;
-      (in_time.largestOf(places, middle).size() == places.size() ? together : apart) = middle;
-    }
+  const CutTime end{static_cast<std::uint32_t>(cuts.size()), 0.0};
+  CutTime together;
+  while (places.size() > 1 && together < end) {
+    const CutTime apart = firstTime(cuts, together, end, [&](const CutTime& at) {
+      return in_time.largestOf(places, at).size() < places.size();
+    });
     std::vector<Vec2> stays = in_time.largestOf(places, apart);
     if (stays.empty() || stays.size() == places.size()) break;
     places = std::move(stays);

@@ -170,17 +170,17 @@ Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<L
   const HeightSpan span{blank_.z_low, blank_.z_high};
   std::vector<bool> replaced(solids_.front().bodies.size(), false);
   placed_.clear();
-  std::map<std::uint32_t, std::size_t> solid_at;  // by the cuts that were done
+  std::map<CutTime, std::size_t> solid_at;
   for (LeanFall& fall : falls) {
     if (!fall.falls || !fall.passed_over) continue;
-    if (!solid_at.contains(fall.cuts)) {
+    if (!solid_at.contains(fall.fell)) {
       Result<LeanSolid> then =
-          leanSolid(blank_.loops, span, {cuts.begin(), cuts.begin() + fall.cuts}, tolerance, progress);
+          leanSolid(blank_.loops, span, cutUntil(cuts, fall.fell), tolerance, progress);
       if (!then) return then.error();
-      solid_at[fall.cuts] = solids_.size();
+      solid_at[fall.fell] = solids_.size();
       solids_.push_back(std::move(*then));
     }
-    const std::size_t number = solid_at[fall.cuts];
+    const std::size_t number = solid_at[fall.fell];
     const LeanSolid& then = solids_[number];
     const double z = solids_.front().levels[levelAt(solids_.front(), 0.5 * (span.low + span.high))].z;
     const Vec2 at = placeIn(fall.half_way.body);

@@ -84,6 +84,19 @@ Vec2 WireStretch::at(double t) const {
 
 double WireStretch::length() const { return isArc() ? radius() * std::abs(sweep_rad) : (to - from).norm(); }
 
+WireStretch beginningOf(const WireStretch& stretch, double part) {
+  WireStretch out = stretch;
+  out.to = part < 1.0 ? stretch.at(part) : stretch.to;
+  out.sweep_rad = part * stretch.sweep_rad;
+  return out;
+}
+
+std::vector<WireStretch> cutUntil(const std::vector<WireStretch>& cuts, const CutTime& time) {
+  std::vector<WireStretch> done(cuts.begin(), cuts.begin() + time.cuts);
+  if (time.share > 0.0) done.push_back(beginningOf(cuts[time.cuts], time.share));
+  return done;
+}
+
 StretchDistance distanceTo(const WireStretch& s, const Vec2& p) {
   if (s.isArc()) {
     const double angle = angleAlong(s, p);

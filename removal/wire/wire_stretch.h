@@ -2,6 +2,7 @@
 // circles.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +29,29 @@ struct WireStretch {
   double length() const;    ///< mm
 };
 
+/// The beginning of a stretch, up to a part of it; 0..1.
+WireStretch beginningOf(const WireStretch& stretch, double part);
+
+/// How far a list of stretches is cut.
+struct CutTime {
+  std::uint32_t cuts = 0;  ///< so many are cut
+  double share = 0.0;      ///< and so much of the next one, 0 <= share < 1
+
+  auto operator<=>(const CutTime&) const = default;
+  /// The stretch that is cut last. Requires that something is cut.
+  std::uint32_t last() const { return share > 0.0 ? cuts : cuts - 1; }
+};
+/// What is cut until then.
+std::vector<WireStretch> cutUntil(const std::vector<WireStretch>& cuts, const CutTime& time);
+
+/// What is looked for along stretches is found to this, mm of way.
+inline constexpr double kWayMm = 1e-5;
+/// The time between two at which `done` turns from false to true, to about kWayMm: it is true then. Requires
+/// done(later) and earlier < later.
+template <typename Done>
+CutTime firstTime(const std::vector<WireStretch>& cuts, const CutTime& earlier, const CutTime& later,
+                  const Done& done);
+
 /// What of a stretch is nearest to a point.
 enum class StretchPart : std::uint8_t { kFrom, kMiddle, kTo };
 struct StretchDistance {
@@ -50,5 +74,22 @@ Vec2 pointOnTrack(const WireTrack& track, double t);
 /// Adds the stretches of an upright motion. Arcs whose radius changes become arcs of circles that leave it by
 /// no more than 0.00001 mm.
 void addStretches(const WireTrack& track, double kerf_mm, MotionId motion, std::vector<WireStretch>& out);
+
+template <typename Done>
+CutTime firstTime(const std::vector<WireStretch>& cuts, const CutTime& earlier, const CutTime& later,
+                  const Done& done) {
+  // Whole stretches first, then the one on which it turns.
+  std::uint32_t low = earlier.cuts, high = later.last() + 1;
+  while (high - low > 1) {
+    const std::uint32_t middle = low + (high - low) / 2;
+    (done(CutTime{middle, 0.0}) ? high : low) = middle;
+  }
+  double before = low == earlier.cuts ? earlier.share : 0.0, behind = low == later.cuts ? later.share : 1.0;
+  while ((behind - before) * cuts[low].length() > kWayMm) {
+    const double middle = 0.5 * (before + behind);
+    (done(CutTime{low, middle}) ? behind : before) = middle;
+  }
+  return behind < 1.0 ? CutTime{low, behind} : CutTime{low + 1, 0.0};
+}
 
 }  // namespace proveout

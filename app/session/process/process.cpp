@@ -24,13 +24,7 @@ Status checkThreading(const Job& job) {
     return inputError(
         fmt::format("start holes are for a wire, and control {} {}: leave [[stock.start_hole]] out",
                     jobOfSetup(job, 0).control, first.verb));
-  bool cuts_through = false;
-  for (std::size_t k = 0; k < setupCount(job); ++k) cuts_through |= processOf(job, k).cuts_through;
-  if (!job.part_point || cuts_through) return Done{};
-  return inputError(
-      fmt::format("part_point tells which body is the part where a wire leaves several, and control {} {}: "
-                  "leave it out",
-                  jobOfSetup(job, 0).control, first.verb));
+  return Done{};
 }
 
 }  // namespace

@@ -99,9 +99,6 @@ TEST(WireRuns, StartHolesAreRefusedWhereTheyCannotBe) {
   ASSERT_FALSE(milled.ok());
   EXPECT_TRUE(has(milled.error().message, "control nct mills: leave [[stock.start_hole]] out"))
       << milled.error().message;
-  job.start_holes.clear();
-  job.part_point = Vec3(0, 0, 0);
-  EXPECT_TRUE(has(run(job, "M30\n").error().message, "part_point"));
 }
 
 TEST(WireRuns, AWireNeedsAHole) {

@@ -37,7 +37,7 @@ TEST(FindingKinds, HaveTheNamesOfTheSchema) {
       "error\nfeed_rate warning\ncycle_time "
       "warning\npart_off note\ncoarse_nominal note\n"
       "not_compared note\novertravel error\nforbidden_zone error\nalarm error\nno_part error\n"
-      "thin_feature warning\nnothing_cut warning\nloose_piece warning\npartial warning\nmesh error\n"
+      "thin_feature warning\nnothing_cut warning\nloose_piece warning\nuncertain_part warning\npartial warning\nmesh error\n"
       "output error\n");
 }
 

@@ -36,10 +36,10 @@ TEST(WireFalls, ASlugFallsWhenItsCutIsClosed) {
   addSquare(way, {8, 0}, 3);
   const WireFalls falls = fallsOf(way);
   ASSERT_EQ(falls.pieces.size(), 2u);
-  EXPECT_EQ(falls.pieces[0].cuts, 5u);
+  EXPECT_EQ(falls.pieces[0].closed + 1, 5u);
   EXPECT_NEAR(falls.pieces[0].body.area_mm2, 9.78 * 9.78, 1e-6);
   EXPECT_FALSE(falls.pieces[0].passed_over);
-  EXPECT_EQ(falls.pieces[1].cuts, 10u);
+  EXPECT_EQ(falls.pieces[1].closed + 1, 10u);
   EXPECT_NEAR(falls.pieces[1].body.area_mm2, 5.78 * 5.78, 1e-6);
   EXPECT_EQ(falls.bodies.size(), 3u);
 }
@@ -54,10 +54,10 @@ TEST(WireFalls, WhatIsHeldIsToldWhenItParts) {
   way.push_back(lineWay({21, 0}, {-10, 0}, kKerf, 1));
   const WireFalls falls = fallsOf(way);
   ASSERT_EQ(falls.pieces.size(), 2u);
-  EXPECT_EQ(falls.pieces[0].cuts, 1u);
+  EXPECT_EQ(falls.pieces[0].closed + 1, 1u);
   EXPECT_NEAR(falls.pieces[0].body.area_mm2, before.pieces[0].body.area_mm2, 1e-9);
   EXPECT_TRUE(falls.pieces[0].passed_over);
-  EXPECT_EQ(falls.pieces[1].cuts, 2u);
+  EXPECT_EQ(falls.pieces[1].closed + 1, 2u);
   EXPECT_EQ(falls.bodies.size(), 3u);
 }
 
@@ -69,7 +69,7 @@ TEST(WireFalls, WhatFellIsNotCutAnyMore) {
   EXPECT_EQ(cutSection(kPlate, way).size(), 3u);
   const WireFalls falls = fallsOf(way);
   ASSERT_EQ(falls.pieces.size(), 1u);
-  EXPECT_EQ(falls.pieces[0].cuts, 5u);
+  EXPECT_EQ(falls.pieces[0].closed + 1, 5u);
   EXPECT_TRUE(falls.pieces[0].passed_over);
   EXPECT_NEAR(falls.pieces[0].body.area_mm2, 9.78 * 9.78, 1e-6);
   ASSERT_EQ(falls.bodies.size(), 2u);
@@ -85,9 +85,9 @@ TEST(WireFalls, APieceThatHungOnOneThatFellLater) {
                                      lineWay({3, -21}, {3, 21}, kKerf, 2)};
   const WireFalls falls = fallsOf(way);
   ASSERT_EQ(falls.pieces.size(), 2u);
-  EXPECT_EQ(falls.pieces[0].cuts, 2u);
+  EXPECT_EQ(falls.pieces[0].closed + 1, 2u);
   EXPECT_NEAR(falls.pieces[0].body.area_mm2, 40 * (15 - kKerf) - 4 * kKerf - 0.5 * kPi * kKerf * kKerf, 1e-6);
-  EXPECT_EQ(falls.pieces[1].cuts, 3u);
+  EXPECT_EQ(falls.pieces[1].closed + 1, 3u);
   EXPECT_NEAR(falls.pieces[1].body.area_mm2, 40 * (8 - 2 * kKerf), 1e-6);
   EXPECT_EQ(falls.bodies.size(), 3u);
 }
@@ -98,7 +98,7 @@ TEST(WireFalls, ATrimmedPunchKeepsItsFirstCut) {
   addSquare(way, {0, 0}, 4.95);
   const WireFalls falls = fallsOf(way);
   ASSERT_EQ(falls.pieces.size(), 1u);
-  EXPECT_EQ(falls.pieces[0].cuts, 5u);
+  EXPECT_EQ(falls.pieces[0].closed + 1, 5u);
   EXPECT_NEAR(falls.pieces[0].body.area_mm2, 9.78 * 9.78, 1e-6);
 }
 
