@@ -26,8 +26,8 @@ constexpr double kShallow = 0.5 * kContactToleranceMm;
 /// Climbs on the depth of the stock within what the part sweeps.
 class Climb {
  public:
-  Climb(const StockDepth& stock, const Sweep& sweep, MotionId before, double h, const SweptCutter*& hint)
-      : stock_(stock), sweep_(sweep), before_(before), h_(h), hint_(hint) {}
+  Climb(const StockDepth& stock, const Sweep& sweep, MotionId before, double h)
+      : stock_(stock), sweep_(sweep), before_(before), h_(h) {}
 
   void start(const Vec3& from) {
     const Vec3 p = nearest(from);
@@ -73,7 +73,7 @@ class Climb {
   const Sweep& sweep_;
   MotionId before_;
   double h_;
-  const SweptCutter*& hint_;
+  const SweptCutter* hint_ = nullptr;
   Vec3 at_ = Vec3::Zero();
   StockDepth::Sample depth_{};
   Vec3 direction_ = Vec3::Zero();  ///< of the next step; any length
@@ -83,11 +83,11 @@ class Climb {
 
 }  // namespace
 
-std::optional<ContactSample> NearContacts::at(const NearSample& near) {
+std::optional<ContactSample> NearContacts::at(const NearSample& near) const {
   const Pass& pass = table_.passes[near.pass];
   const MotionId before = pass.motion + (pass.cuts() ? 0 : 1);  // as in gatherContacts
   const Sweep sweep = pass.body.wholeSweep();
-  Climb climb(stock_, sweep, before, h_, hints_.local());
+  Climb climb(stock_, sweep, before, h_);
   climb.start(near.where);
   double step = kFirstClimb * h_;
   for (int i = 0; i < kMostClimbs && step > kLastClimb * h_; ++i) {

@@ -2,8 +2,6 @@
 // against the faces of the stock.
 #pragma once
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <optional>
 
 #include "removal/contact/stock_depth.h"
@@ -19,13 +17,12 @@ class NearContacts {
 
   /// A point of the swept part that lies in the stock deeper than kContactToleranceMm, found from the
   /// sample's surroundings; its volume is 0. From many threads.
-  std::optional<ContactSample> at(const NearSample& near);
+  std::optional<ContactSample> at(const NearSample& near) const;
 
  private:
   const StockDepth& stock_;
   const PassTable& table_;
   double h_;
-  tbb::enumerable_thread_specific<const SweptCutter*> hints_{nullptr};
 };
 
 }  // namespace proveout
