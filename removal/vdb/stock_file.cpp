@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "removal/grid/face_numbers.h"
+#include "core/base/memory.h"
 #include "removal/grid/stock_impl.h"
+#include "removal/vdb/stock_layout.h"
 #include "removal/vdb/vdb_extern.h"
 #include "removal/vdb/vdb_module.h"
 #include "removal/vdb/vdb_pack.h"
@@ -28,8 +30,6 @@ struct FullDisk : std::runtime_error {
   FullDisk() : std::runtime_error("the disk is full, or the file is larger than is allowed") {}
 };
 
-constexpr char kSchema[] = "proveout.stock/2";
-constexpr const char* kAxisName[3] = {"x", "y", "z"};
 constexpr char kOutOfBlank[] = "it reaches out of its blank";
 
 struct CrossingGrids {
@@ -54,10 +54,6 @@ CrossingGrids packAxis(const Stock::Impl& impl, int axis) {
     motion.setValue(at, static_cast<std::int32_t>(c.motion));
     element.setValue(at, c.element);
   });
-  g.t->setName(fmt::format("crossing_{}_t", kAxisName[axis]));
-  g.normal->setName(fmt::format("crossing_{}_normal", kAxisName[axis]));
-  g.motion->setName(fmt::format("crossing_{}_motion", kAxisName[axis]));
-  g.element->setName(fmt::format("crossing_{}_element", kAxisName[axis]));
   return g;
 }
 
@@ -79,15 +75,7 @@ openvdb::FloatGrid::Ptr packDistance(const Stock::Impl& impl) {
     bring(at, c.t * across);
     bring(next, (1.0f - c.t) * across);
   });
-  grid->setName("distance");
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
-  return grid;
-}
-
-template <typename Grid>
-typename Grid::Ptr readGrid(openvdb::io::File& file, const std::string& name) {
-  auto grid = openvdb::gridPtrCast<Grid>(file.readGrid(name));
-  if (!grid) throw std::runtime_error("grid '" + name + "' has the wrong type");
   return grid;
 }
 
@@ -142,11 +130,12 @@ void checkPlaces(const Stock::Impl& impl) {
 }
 
 struct CrossingReader {
-  CrossingReader(openvdb::io::File& file, int axis)
-      : t(readGrid<openvdb::FloatGrid>(file, fmt::format("crossing_{}_t", kAxisName[axis]))),
-        normal(readGrid<openvdb::Vec3SGrid>(file, fmt::format("crossing_{}_normal", kAxisName[axis]))),
-        motion(readGrid<openvdb::Int32Grid>(file, fmt::format("crossing_{}_motion", kAxisName[axis]))),
-        element(readGrid<openvdb::Int32Grid>(file, fmt::format("crossing_{}_element", kAxisName[axis]))) {}
+  /// `first`: number of the axis's first grid.
+  CrossingReader(std::istream& file, const StockLayout& layout, std::size_t first)
+      : t(readStockTree<openvdb::FloatGrid>(file, layout, first)),
+        normal(readStockTree<openvdb::Vec3SGrid>(file, layout, first + 1)),
+        motion(readStockTree<openvdb::Int32Grid>(file, layout, first + 2)),
+        element(readStockTree<openvdb::Int32Grid>(file, layout, first + 3)) {}
 
   Crossing read(const Coord& voxel) const {
     const openvdb::Coord at = toVdb(voxel);
@@ -169,8 +158,8 @@ struct CrossingReader {
   openvdb::Int32Grid::Ptr motion, element;
 };
 
-void unpackCrossings(openvdb::io::File& file, Stock::Impl& impl) {
-  const CrossingReader axes[3] = {CrossingReader(file, 0), CrossingReader(file, 1), CrossingReader(file, 2)};
+void unpackCrossings(std::istream& file, const StockLayout& layout, Stock::Impl& impl) {
+  const CrossingReader axes[3] = {{file, layout, 1}, {file, layout, 5}, {file, layout, 9}};
   const LeafReader reader(impl);
   for (StockLeaf& leaf : impl.leaves) {
     forEachEdge(reader.edges(leaf), [&](int axis, int x, int y, int z) {
@@ -209,8 +198,9 @@ void checkLeaves(const Stock::Impl& impl) {
   });
 }
 
-/// Behind the grids stand this mark and the checksum (FNV-1a, 64 bits) of everything before. OpenVDB does not
-/// look there, and is not given a damaged file: it would read one without a complaint, or crash.
+/// Behind the grids stand this mark and the checksum (FNV-1a, 64 bits) of everything before: it tells what
+/// was damaged by chance. What was made on purpose has a right one, too, and is told by walkStockFile and
+/// what comes behind it.
 constexpr std::string_view kTrailerMark = "proveout";
 constexpr std::size_t kTrailerSize = kTrailerMark.size() + 16;
 
@@ -260,7 +250,8 @@ void appendTrailer(const std::string& path) {
   if (!out) throw FullDisk();
 }
 
-void checkTrailer(const std::string& path) {
+/// Returns how many bytes stand before the trailer.
+std::uint64_t checkTrailer(const std::string& path) {
   const std::uintmax_t size = std::filesystem::file_size(path);
   if (size < kTrailerSize) throw std::runtime_error("it was not saved by proveout, or is cut short");
   std::ifstream in(path, std::ios::binary);
@@ -273,11 +264,12 @@ void checkTrailer(const std::string& path) {
   if (trailer.substr(kTrailerMark.size()) != checksum(path, size - kTrailerSize)) {
     throw std::runtime_error("its contents are damaged");
   }
+  return size - kTrailerSize;
 }
 
 openvdb::MetaMap metadata(const Stock::Impl& impl) {
   openvdb::MetaMap meta;
-  meta.insertMeta("schema", openvdb::StringMetadata(kSchema));
+  meta.insertMeta("schema", openvdb::StringMetadata(kStockSchema));
   meta.insertMeta("unit", openvdb::StringMetadata("mm"));
   meta.insertMeta("resolution", openvdb::DoubleMetadata(impl.h));
   meta.insertMeta("initial_volume", openvdb::DoubleMetadata(impl.initial_volume));
@@ -290,15 +282,13 @@ openvdb::MetaMap metadata(const Stock::Impl& impl) {
   return meta;
 }
 
-Vec3 readVector(const openvdb::MetaMap& meta, const char* name) {
-  const auto v = meta.metaValue<openvdb::Vec3d>(name);
-  return {v.x(), v.y(), v.z()};
-}
-
 }  // namespace
 
 Status writeStockFile(const Stock::Impl& impl, const std::string& path) {
-  const std::string aside = path + ".part";
+  constexpr std::size_t kLongestName = 240;  // with the ending it is no longer than a name may be
+  const std::filesystem::path target(path);
+  const std::string name = target.filename().string().substr(0, kLongestName);
+  const std::string aside = (target.parent_path() / (name + ".part")).string();
   std::error_code ignored;
   try {
     openvdb::initialize();
@@ -312,8 +302,12 @@ Status writeStockFile(const Stock::Impl& impl, const std::string& path) {
         grids.push_back(grid);
       }
     }
-    for (const auto& grid : grids) grid->setTransform(gridTransform(impl));
+    for (std::size_t k = 0; k < grids.size(); ++k) {
+      grids[k]->setTransform(gridTransform(impl));
+      grids[k]->setName(stockGridNames()[k]);
+    }
     openvdb::io::File file(aside);
+    file.setCompression(kStockCompression);
     file.write(grids, metadata(impl));
     file.close();
     replaceTag(aside, file.getUniqueTag());
@@ -331,24 +325,21 @@ Status writeStockFile(const Stock::Impl& impl, const std::string& path) {
 
 namespace {
 
-/// What the grid is, before anything is made of its size.
-void readFrame(const openvdb::MetaMap& meta, Stock::Impl& impl) {
-  impl.h = meta.metaValue<double>("resolution");
-  impl.initial_volume = meta.metaValue<double>("initial_volume");
-  impl.origin = readVector(meta, "origin");
-  impl.blank = {readVector(meta, "blank_min"), readVector(meta, "blank_max")};
-  // Voxels count from the origin, which a stock takes along when it is moved.
-  const bool good = impl.origin.allFinite() && std::isfinite(impl.initial_volume) &&
-                    impl.initial_volume > 0.0 && checkGrid(impl.blank, impl.h).ok() &&
-                    checkGrid({impl.blank.min - impl.origin, impl.blank.max - impl.origin}, impl.h).ok();
-  if (!good) throw std::runtime_error("its metadata are out of range");
-}
-
 Error tooLarge(const std::string& path, double limit_bytes) {
   return {
       ErrorKind::kResourceLimit,
       fmt::format("{}: the stock needs more than the {:.3g} GB of memory allowed; allow more (--max-memory)",
                   path, limit_bytes / 1e9)};
+}
+
+/// The samples, and that they are those of a stock. False: too many.
+bool unpackSamples(std::istream& file, const StockLayout& layout, double limit_bytes, Stock::Impl& impl) {
+  const auto distance = readStockTree<openvdb::FloatGrid>(file, layout, 0);
+  if (leafBytes(static_cast<double>(distance->tree().leafCount())) > limit_bytes) return false;
+  unpackDistance(*distance, impl);
+  checkPlaces(impl);
+  checkLeaves(impl);
+  return true;
 }
 
 }  // namespace
@@ -358,24 +349,16 @@ Status readStockFile(Stock::Impl& impl, const std::string& path, const RemovalOp
   const double limit = memoryLimit(options);
   try {
     openvdb::initialize();
-    checkTrailer(path);
-    openvdb::io::File file(path);
-    file.open();
-    const auto meta = file.getMetadata();
-    const auto schema = (*meta)["schema"];
-    if (!schema || schema->str() != kSchema) throw std::runtime_error("it was not saved by proveout");
-    readFrame(*meta, impl);
-    if (treeBytes(impl) > limit) return tooLarge(path, limit);
-    const auto distance = readGrid<openvdb::FloatGrid>(file, "distance");
-    if (leafBytes(static_cast<double>(distance->tree().leafCount())) > limit) return tooLarge(path, limit);
-    unpackDistance(*distance, impl);
-    checkPlaces(impl);
-    checkLeaves(impl);
-    unpackCrossings(file, impl);
-    file.close();
+    const std::uint64_t size = checkTrailer(path);
+    std::ifstream file(path, std::ios::binary);
+    const StockLayout layout = walkStockFile(file, size, limit, impl);
+    if (!unpackSamples(file, layout, limit, impl)) return tooLarge(path, limit);
+    unpackCrossings(file, layout, impl);
     numberFaces(impl);
-  } catch (const std::bad_alloc&) {
+  } catch (const StockTooLarge&) {
     return tooLarge(path, limit);
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(path + ": not enough memory for the stock", "allow more (--max-memory)");
   } catch (const std::exception& e) {
     return inputError(fmt::format("{}: not a readable stock: {}", path, e.what()));
   }

@@ -7,12 +7,14 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <limits>
 
+#include "core/mesh/tri_mesh.h"
 #include "removal/grid/stock.h"
 #include "removal/vdb/vdb_extern.h"
 
@@ -28,6 +30,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 struct Contents {
   openvdb::MetaMap meta;
   openvdb::GridPtrVec grids;
+  bool placed = true;  ///< the grids get the frame of the metadata
+  std::uint32_t compression = openvdb::io::COMPRESS_BLOSC | openvdb::io::COMPRESS_ACTIVE_MASK;
 
   template <typename Grid>
   Grid& grid(const std::string& name) {
@@ -77,23 +81,47 @@ class ForgedStock : public ::testing::Test {
     contents.grids = *good.getGrids();
     good.close();
     change(contents);
+    if (contents.placed) placeGrids(contents);
     openvdb::io::File file(path("forged.vdb"));
+    file.setCompression(contents.compression);
     file.write(contents.grids, contents.meta);
     file.close();
+    return loadBytes(bytesOf(path("forged.vdb")), max_memory_gb);
+  }
+
+  /// These bytes with the checksum that belongs to them (FNV-1a, 64 bits).
+  Result<Stock> loadBytes(const std::string& bytes, double max_memory_gb = 1.0) {
     std::uint64_t sum = 14695981039346656037ull;
-    for (const char c : bytesOf(path("forged.vdb")))
-      sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+    for (const char c : bytes) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211ull;
     char digits[17];
     std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(sum));
-    std::ofstream(path("forged.vdb"), std::ios::binary | std::ios::app) << "proveout" << digits;
+    std::ofstream(path("forged.vdb"), std::ios::binary) << bytes << "proveout" << digits;
     RemovalOptions options;
     options.max_memory_gb = max_memory_gb;
     Progress progress;
     return Stock::create(SavedStock{path("forged.vdb")}, options, progress);
   }
-  std::string refusal(const Change& change) {
-    const Result<Stock> stock = load(change);
-    return stock.ok() ? "taken" : stock.error().message;
+  static std::string said(const Result<Stock>& stock) { return stock.ok() ? "taken" : stock.error().message; }
+  std::string refusal(const Change& change) { return said(load(change)); }
+  std::string refusalOfBytes(const std::string& bytes) { return said(loadBytes(bytes)); }
+
+  /// Gives the grids the frame that the metadata state, where it is one.
+  static void placeGrids(Contents& contents) {
+    const auto h = contents.meta.getMetadata<openvdb::DoubleMetadata>("resolution");
+    const auto origin = contents.meta.getMetadata<openvdb::Vec3DMetadata>("origin");
+    if (!h || !origin || !std::isfinite(h->value()) || std::abs(h->value()) < 1e-6) return;
+    for (const auto& grid : contents.grids) {
+      auto transform = openvdb::math::Transform::createLinearTransform(h->value());
+      transform->postTranslate(origin->value());
+      grid->setTransform(transform);
+    }
+  }
+
+  /// A good file without its checksum.
+  std::string goodBytes() const {
+    std::string bytes = bytesOf(path("good.vdb"));
+    bytes.resize(bytes.size() - 24);
+    return bytes;
   }
 
   fs::path folder_;
@@ -200,6 +228,138 @@ TEST_F(ForgedStock, NormalsSquareToTheirEdgesKeepTheSamples) {
   ASSERT_TRUE(again.ok()) << again.error().message;
   ASSERT_TRUE(again->save(path("third.vdb")).ok());
   EXPECT_TRUE(bytesOf(path("again.vdb")) == bytesOf(path("third.vdb")));
+}
+
+constexpr char kNotBuilt[] = "it is not built as a saved stock is";
+
+/// Each metadatum with another type, of which OpenVDB's own reader makes assertions.
+TEST_F(ForgedStock, MetadataHaveTheirTypes) {
+  for (const char* name :
+       {"blank_max", "blank_min", "initial_volume", "origin", "resolution", "schema", "unit"}) {
+    const auto as = [&](const openvdb::Metadata& value) {
+      return refusal([&](Contents& c) {
+        c.meta.removeMeta(name);
+        c.meta.insertMeta(name, value);
+      });
+    };
+    for (const std::string& said :
+         {as(openvdb::Int32Metadata(1)), as(openvdb::StringMetadata("1")), as(openvdb::FloatMetadata(1)),
+          as(openvdb::BoolMetadata(true)), as(openvdb::Vec3SMetadata({1, 1, 1})),
+          refusal([&](Contents& c) { c.meta.removeMeta(name); })})
+      EXPECT_THAT(said, HasSubstr(kNotBuilt)) << name;
+  }
+  EXPECT_THAT(refusal([](Contents& c) { c.meta.insertMeta("more", openvdb::Int32Metadata(1)); }),
+              HasSubstr(kNotBuilt));
+}
+
+TEST_F(ForgedStock, GridsAreThoseThatAreSaved) {
+  const std::vector<Change> changes = {
+      [](Contents& c) { c.grids.pop_back(); },
+      [](Contents& c) { std::swap(c.grids[1], c.grids[2]); },
+      [](Contents& c) { c.grids.push_back(openvdb::BoolGrid::create()); },
+      [](Contents& c) { c.grids[0]->setGridClass(openvdb::GRID_FOG_VOLUME); },
+      [](Contents& c) { c.grids[1]->setGridClass(openvdb::GRID_STAGGERED); },
+      [](Contents& c) { c.grids[0]->setSaveFloatAsHalf(true); },
+      [](Contents& c) { c.grids[3]->insertMeta("more", openvdb::StringMetadata("x")); },
+      [](Contents& c) { c.grids[3]->insertMeta("file_voxel_count", openvdb::StringMetadata("x")); },
+      [](Contents& c) {
+        c.grids[1] = openvdb::Int32Grid::create();
+        c.grids[1]->setName("crossing_x_t");
+      },
+      [](Contents& c) {
+        c.placed = false;
+        c.grids[5]->setTransform(openvdb::math::Transform::createLinearTransform(0.7));
+      },
+      [](Contents& c) { c.grids[2]->setName("crossing_x_t"); },
+      [](Contents& c) { c.compression = openvdb::io::COMPRESS_ZIP; },
+      [](Contents& c) { c.compression = openvdb::io::COMPRESS_NONE; },
+      [](Contents& c) {  // one tree for two grids
+        auto shared = openvdb::gridPtrCast<openvdb::FloatGrid>(c.grids[1])->copy();
+        shared->setName("crossing_y_t");
+        c.grids[5] = shared;
+      },
+  };
+  for (std::size_t k = 0; k < changes.size(); ++k)
+    EXPECT_THAT(refusal(changes[k]), HasSubstr(kNotBuilt)) << "change " << k;
+}
+
+/// Counts, lengths and places that are read before what they are of.
+TEST_F(ForgedStock, NumbersInTheFileAreNotTrusted) {
+  const std::string good = goodBytes();
+  ASSERT_EQ(refusalOfBytes(good), "taken");
+  const std::size_t transform = good.find("UniformScaleTranslateMap");
+  const std::size_t tree = transform + std::string("UniformScaleTranslateMap").size() + 18 * sizeof(double);
+  const std::size_t delayed = good.find("file_delayed_load");
+  const std::size_t grid = good.find("distance");
+  ASSERT_NE(transform, std::string::npos);
+  ASSERT_NE(delayed, std::string::npos);
+  const std::size_t root = tree + 8;  // buffers and the background
+  const std::vector<std::pair<std::size_t, const char*>> places = {
+      {0, "the magic number"},
+      {8, "the version"},
+      {20, "whether grids have places"},
+      {57, "how many metadata"},
+      {61, "the length of a name"},
+      {grid - 8, "how many grids"},
+      {grid - 4, "the length of a grid's name"},
+      {grid + 32, "where a grid is"},
+      {grid + 40, "where its values are"},
+      {grid + 48, "where it ends"},
+      {transform - 4, "the length of a map's name"},
+      {tree, "how many buffers"},
+      {root, "how many tiles"},
+      {root + 4, "how many nodes"},
+      {root + 8, "where a node is"},
+      {delayed + 17, "the length of a type"},
+  };
+  for (const auto& [at, what] : places) {
+    for (const std::uint32_t value : {0u, 3u, 0x7fffffffu, 0x80000000u, 0xffffffffu}) {
+      std::string bytes = good;
+      std::memcpy(bytes.data() + at, &value, sizeof value);
+      if (bytes == good) continue;
+      const std::string said = refusalOfBytes(bytes);
+      EXPECT_THAT(said, HasSubstr("not a readable stock")) << what << " " << value;
+    }
+  }
+  for (const std::size_t size :
+       {0ul, 1ul, 20ul, 57ul, grid, transform, tree, root + 8, good.size() / 2, good.size() - 1})
+    EXPECT_NE(refusalOfBytes(good.substr(0, size)), "taken") << size;
+  EXPECT_NE(refusalOfBytes(good + std::string(100, 'x')), "taken");
+}
+
+/// No byte of a file, changed, ends the process: what is taken is a stock.
+TEST_F(ForgedStock, AnyByteMayBeWrong) {
+  const std::string good = goodBytes();
+  Progress progress;
+  std::uint64_t random = 88172645463325252ull;
+  int refused = 0;
+  for (int k = 0; k < 120; ++k) {
+    std::string bytes = good;
+    for (int change = 0; change < 3;) {
+      random ^= random << 13, random ^= random >> 7, random ^= random << 17;
+      const std::size_t at = random % bytes.size();
+      if (bytes[at] == 0 && k % 3 != 0) continue;  // most of a file are zeros of masks
+      bytes[at] = static_cast<char>(random >> 40);
+      ++change;
+    }
+    const Result<Stock> stock = loadBytes(bytes);
+    refused += !stock.ok();
+    if (!stock) EXPECT_NE(stock.error().kind, ErrorKind::kInternal) << stock.error().message;
+    if (stock) EXPECT_TRUE(analyseTopology(stock->surface(1, progress)->mesh).closedManifold()) << k;
+  }
+  EXPECT_GT(refused, 40);
+}
+
+/// A node takes sixty times the memory of its bytes in a file.
+TEST_F(ForgedStock, NodesAreCountedBeforeTheyAreMade) {
+  const Result<Stock> stock = load(
+      [](Contents& c) {
+        auto& tree = c.grid<openvdb::Vec3SGrid>("crossing_x_normal").tree();
+        for (int k = 0; k < 400; ++k) tree.touchLeaf({4096 * k, 0, 0});
+      },
+      0.1);
+  ASSERT_FALSE(stock.ok());
+  EXPECT_EQ(stock.error().kind, ErrorKind::kResourceLimit) << stock.error().message;
 }
 
 }  // namespace
