@@ -245,51 +245,49 @@ std::string aboveTool(Dice& dice, double d) {
   return text;
 }
 
+std::string endMill(Dice& dice, int kind, double d) {
+  if (kind == 4) return fmt::format("\"drill\"\npoint_angle = {}\n", dice.of({90, 118, 140}));
+  if (kind < 2) return "\"ball\"\n" + aboveTool(dice, d);
+  if (kind == 12) return "\"flat\"\n" + aboveTool(dice, d);
+  return fmt::format("\"bull\"\ncorner_radius = {:.3f}\n", d * dice.of({0.1, 0.25, 0.4})) +
+         aboveTool(dice, d);
+}
+
+std::string shapedTool(Dice& dice, int kind, double d) {
+  switch (kind) {
+    case 5:
+      return fmt::format("\"cone\"\ncone_angle = {}\ntip_diameter = {:.3f}\n", dice.of({60, 90, 100}),
+                         d * dice.of({0.0, 0.2, 0.5}));
+    case 6:
+      return fmt::format("\"taper\"\ntaper_angle = {}\n{} = {:.3f}\n", dice.of({3, 8, 15}),
+                         dice.oneIn(2) ? "tip_diameter" : "ball_diameter", 0.5 * d);
+    case 7:
+      return fmt::format("\"dovetail\"\ndovetail_angle = 60\nheight = {:.3f}\nneck_diameter = {:.3f}\n",
+                         0.35 * d, 0.45 * d);
+    case 8:
+      return fmt::format("\"tslot\"\nthickness = {0:.3f}\nneck_diameter = {0:.3f}\ncorner_radius = {1:.3f}\n",
+                         0.4 * d, dice.of({0.0, 0.08}) * d);
+    case 9:
+      return fmt::format("\"lollipop\"\nneck_diameter = {:.3f}\n", 0.5 * d);
+    default:
+      return fmt::format("\"thread-mill\"\npitch = {:.3f}\nteeth = {}\n", 0.3 * d, 1 + dice.below(3));
+  }
+}
+
+/// A hollow or bulging side below a straight one.
+std::string formTool(Dice& dice, double d) {
+  return fmt::format("\"form\"\nprofile = [[{0:.3f}, 0], [{1:.3f}, {2:.3f}, {3:.3f}], [{1:.3f}, {4:.3f}]]\n",
+                     0.25 * d, 0.5 * d, 0.25 * d, dice.of({0.25, 0.4, -0.4}) * d, 0.6 * d);
+}
+
 }  // namespace
 
 std::string milledTool(Dice& dice, int number, double d) {
-  const std::string head = fmt::format("[[@tool]]\nnumber = {}\n", number);
-  const auto with = [&](const char* type, const std::string& words) {
-    return head + fmt::format("type = \"{}\"\n{}", type, words);
-  };
-  const std::string wide = fmt::format("diameter = {:.3f}\n", d);
-  switch (dice.below(13)) {
-    case 0:
-    case 1:
-      return with("ball", wide + aboveTool(dice, d));
-    case 2:
-    case 3:
-      return with("bull", wide + fmt::format("corner_radius = {:.3f}\n", d * dice.of({0.1, 0.25, 0.4})) +
-                              aboveTool(dice, d));
-    case 4:
-      return with("drill", wide + fmt::format("point_angle = {}\n", dice.of({90, 118, 140})));
-    case 5:
-      return with("cone", wide + fmt::format("cone_angle = {}\ntip_diameter = {:.3f}\n",
-                                             dice.of({60, 90, 100}), d * dice.of({0.0, 0.2, 0.5})));
-    case 6:
-      return with("taper", wide + fmt::format("taper_angle = {}\n{} = {:.3f}\n", dice.of({3, 8, 15}),
-                                              dice.oneIn(2) ? "tip_diameter" : "ball_diameter", 0.5 * d));
-    case 7:
-      return with("dovetail",
-                  wide + fmt::format("dovetail_angle = 60\nheight = {:.3f}\nneck_diameter = {:.3f}\n",
-                                     0.35 * d, 0.45 * d));
-    case 8:
-      return with("tslot",
-                  wide + fmt::format("thickness = {:.3f}\nneck_diameter = {:.3f}\ncorner_radius = {:.3f}\n",
-                                     0.4 * d, 0.4 * d, dice.of({0.0, 0.08}) * d));
-    case 9:
-      return with("lollipop", wide + fmt::format("neck_diameter = {:.3f}\n", 0.5 * d));
-    case 10:
-      return with("thread-mill",
-                  wide + fmt::format("pitch = {:.3f}\nteeth = {}\n", 0.3 * d, 1 + dice.below(3)));
-    case 11:
-      return head + fmt::format(
-                        "type = \"form\"\nprofile = [[{0:.3f}, 0], [{1:.3f}, {2:.3f}, {3:.3f}], [{1:.3f}, "
-                        "{4:.3f}]]\n",
-                        0.25 * d, 0.5 * d, 0.25 * d, dice.of({0.25, 0.4}) * d, 0.6 * d);
-    default:
-      return with("flat", wide + aboveTool(dice, d));
-  }
+  const int kind = dice.below(13);
+  const std::string table = fmt::format("[[@tool]]\nnumber = {}\ntype = ", number);
+  if (kind == 11) return table + formTool(dice, d);
+  const std::string words = kind < 5 || kind == 12 ? endMill(dice, kind, d) : shapedTool(dice, kind, d);
+  return table + words + fmt::format("diameter = {:.3f}\n", d);
 }
 
 Clamping milledWork(Dice& dice, const Box& region, double grid, Control control) {

@@ -80,55 +80,58 @@ void goOnTurning(Dice& dice, Plan& plan, Control control) {
   plan.clampings.push_back(next);
 }
 
+/// A process or a chain, and how many of sixteen plans have it.
+struct Row {
+  const char* process;
+  int share;
+  void (*make)(Dice&, Plan&);
+};
+
+constexpr Row kRows[] = {
+    {"nct mill", 2, [](Dice& dice, Plan& plan) { milled(dice, plan, Control::kNct); }},
+    {"wl4 mill", 1, [](Dice& dice, Plan& plan) { milled(dice, plan, Control::kWl4Mill); }},
+    {"wl4 lathe", 1, [](Dice& dice, Plan& plan) { turned(dice, plan, Control::kWl4Lathe); }},
+    {"flexnc lathe", 1, [](Dice& dice, Plan& plan) { turned(dice, plan, Control::kFlexnc); }},
+    {"wire", 2, [](Dice& dice, Plan& plan) { wired(dice, plan, 0); }},
+    {"tapered wire", 1, [](Dice& dice, Plan& plan) { wired(dice, plan, anyTaper(dice)); }},
+    {"mill > mill", 2,
+     [](Dice& dice, Plan& plan) {
+       milled(dice, plan, anyMill(dice));
+       goOn(dice, plan, anyMill(dice));
+     }},
+    {"lathe > mill", 2,
+     [](Dice& dice, Plan& plan) {
+       turned(dice, plan, anyLathe(dice));
+       goOn(dice, plan, anyMill(dice));
+     }},
+    {"lathe > lathe", 1,
+     [](Dice& dice, Plan& plan) {
+       turned(dice, plan, anyLathe(dice));
+       goOnTurning(dice, plan, anyLathe(dice));
+     }},
+    {"wire > mill", 1,
+     [](Dice& dice, Plan& plan) {
+       wired(dice, plan, dice.oneIn(4) ? anyTaper(dice) : 0);
+       goOn(dice, plan, anyMill(dice));
+     }},
+    {"mill > wire", 1,
+     [](Dice& dice, Plan& plan) {
+       milled(dice, plan, anyMill(dice));
+       goOn(dice, plan, Control::kWedm);
+     }},
+    {"lathe > wire", 1,
+     [](Dice& dice, Plan& plan) {
+       turned(dice, plan, anyLathe(dice));
+       goOn(dice, plan, Control::kWedm);
+     }},
+};
+
 void fill(Dice& dice, Plan& plan) {
-  switch (dice.below(16)) {
-    case 0:
-    case 1:
-      plan.process = "nct mill";
-      return milled(dice, plan, Control::kNct);
-    case 2:
-      plan.process = "wl4 mill";
-      return milled(dice, plan, Control::kWl4Mill);
-    case 3:
-      plan.process = "wl4 lathe";
-      return turned(dice, plan, Control::kWl4Lathe);
-    case 4:
-      plan.process = "flexnc lathe";
-      return turned(dice, plan, Control::kFlexnc);
-    case 5:
-    case 6:
-      plan.process = "wire";
-      return wired(dice, plan, 0);
-    case 7:
-      plan.process = "tapered wire";
-      return wired(dice, plan, anyTaper(dice));
-    case 8:
-    case 9:
-      plan.process = "mill > mill";
-      milled(dice, plan, anyMill(dice));
-      return goOn(dice, plan, anyMill(dice));
-    case 10:
-    case 11:
-      plan.process = "lathe > mill";
-      turned(dice, plan, anyLathe(dice));
-      return goOn(dice, plan, anyMill(dice));
-    case 12:
-      plan.process = "lathe > lathe";
-      turned(dice, plan, anyLathe(dice));
-      return goOnTurning(dice, plan, anyLathe(dice));
-    case 13:
-      plan.process = "wire > mill";
-      wired(dice, plan, dice.oneIn(4) ? anyTaper(dice) : 0);
-      return goOn(dice, plan, anyMill(dice));
-    case 14:
-      plan.process = "mill > wire";
-      milled(dice, plan, anyMill(dice));
-      return goOn(dice, plan, Control::kWedm);
-    default:
-      plan.process = "lathe > wire";
-      turned(dice, plan, anyLathe(dice));
-      return goOn(dice, plan, Control::kWedm);
-  }
+  int number = dice.below(16);
+  const Row* row = kRows;
+  while (number >= row->share) number -= (row++)->share;
+  plan.process = row->process;
+  row->make(dice, plan);
 }
 
 }  // namespace

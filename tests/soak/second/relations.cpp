@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 #include "tests/soak/second/moved.h"
 
@@ -103,24 +104,36 @@ Answer idle(const Ran& job, Dice& dice) {
   return answer;
 }
 
-/// A job parted where a tool changes, or between two clampings; with what comes first.
-std::optional<std::pair<Plan, Plan>> inTwo(const Plan& plan) {
-  Plan first = plan, second = plan;
-  second.stock_file = "before.vdb";
-  second.start_holes.clear();
-  if (plan.clampings.size() > 1) {
-    first.clampings.resize(1);
-    second.clampings.erase(second.clampings.begin());
-    if (!mills(second.clampings[0].control)) return std::nullopt;
-    return std::pair(first, second);
-  }
-  std::vector<Step>& steps = second.clampings[0].steps;
+/// A job in two; the second one begins with what the first one leaves.
+struct Halves {
+  Plan first, second;
+};
+
+/// Parted where a tool changes.
+std::optional<Halves> atAToolChange(const Plan& plan) {
+  Halves halves{plan, plan};
+  std::vector<Step>& steps = halves.second.clampings[0].steps;
   const auto begins = [](const Step& s) { return s.kind == Step::Kind::kTool; };
   const auto change = std::find_if(steps.begin() + 1, steps.end(), begins);
   if (!mills(plan.clampings[0].control) || change == steps.end()) return std::nullopt;
-  first.clampings[0].steps.assign(steps.begin(), change);
+  halves.first.clampings[0].steps.assign(steps.begin(), change);
   steps.erase(steps.begin(), change);
-  return std::pair(first, second);
+  return halves;
+}
+
+/// Parted between two clampings. The saved stock is as the first one left it: the move stands behind a
+/// clamping that cuts nothing.
+std::optional<Halves> betweenClampings(const Plan& plan, Dice& dice) {
+  if (plan.clampings[0].control == Control::kWedm || !mills(plan.clampings[1].control)) return std::nullopt;
+  Halves halves{plan, plan};
+  halves.first.clampings.resize(1);
+  Plan& second = halves.second;
+  second.clampings.erase(second.clampings.begin());
+  const Move move = second.clampings[0].move;
+  second.clampings[0].move = {};
+  second = withIdle(second, 0, Control::kNct, {}, dice);
+  second.clampings[1].move = move;
+  return halves;
 }
 
 /// What is left but for pieces that a lathe has cut off: those are not saved, and not clamped again.
@@ -131,44 +144,43 @@ double partOf(const SetupRun& setup) {
   return part;
 }
 
+double removedBy(const Ran& job) {
+  double sum = 0;
+  for (const SetupRun* setup : atWork(job)) sum += removedIn(*setup);
+  return sum;
+}
+
+void sameInHalves(const Ran& job, const Ran& first, const Ran& second, Answer& answer) {
+  const bool thin = tellsThin(*first.run) || tellsThin(*second.run) || tellsThin(*job.run);
+  const double told = toldError(*first.run) + toldError(*second.run) + toldError(*job.run),
+               blank = blankOf(job);
+  judge(removedBy(first) + removedBy(second) - removedBy(job), told, blank, thin, "what both halves remove",
+        answer);
+  judge(partOf(first.run->setups.back()) - blankOf(second), told, blank, thin,
+        "what was saved and what was read", answer);
+}
+
 /// In two jobs, the stock saved between them.
 Answer saved(const Ran& job, Dice& dice) {
-  auto parts = inTwo(job.plan);
-  if (!parts || job.run->setups.size() != job.plan.clampings.size()) return {};
-  auto& [first, second] = *parts;
-  if (job.plan.clampings.size() > 1) {
-    if (!mills(first.clampings[0].control) && !turns(first.clampings[0].control)) return {};
-    first.keeps_stock = true;
-    const Move move = second.clampings[0].move;
-    // The saved stock is as the first clamping left it; its move stands behind an idle one.
-    second.clampings[0].move = {};
-    second = withIdle(second, 0, Control::kNct, {}, dice);
-    second.clampings[1].move = move;
-  }
+  const std::size_t clampings = job.plan.clampings.size();
+  auto halves = clampings > 1 ? betweenClampings(job.plan, dice) : atAToolChange(job.plan);
+  if (!halves || job.run->setups.size() != clampings) return {};
+  halves->first.keeps_stock = true;
+  halves->second.stock_file = "before.vdb";
+  halves->second.start_holes.clear();
   Answer answer;
   answer.asked = true;
   const test::Workbench folder;
-  const Result<RunResult> before = runFolder(folder, filesOf(first), folder.path("before.vdb"));
-  if (!before) {
-    answer.broken = "the first half is refused: " + before.error().message;
-    return answer;
+  Ran first{halves->first, filesOf(halves->first)}, second{halves->second, filesOf(halves->second)};
+  first.run = runFolder(folder, first.files, folder.path("before.vdb"));
+  if (first.run) second.run = runFolder(folder, second.files);
+  if (!first.run || !second.run) {
+    answer.broken = "a half is refused: " + (first.run ? second : first).run.error().message;
+  } else {
+    sameInHalves(job, first, second, answer);
   }
-  Files files = filesOf(second);
-  answer.other = Ran{second, files, runFolder(folder, files)};
-  if (!answer.other->run) {
-    answer.broken = "the second half is refused: " + answer.other->run.error().message;
-    return answer;
-  }
-  for (const auto& [name, text] : filesOf(first)) answer.other->files["before/" + name] = text;
-  const double removed = before->setups.front().initial_mm3 - before->surface().volume_mm3;
-  double rest = 0, all = 0;
-  for (const SetupRun* setup : atWork(*answer.other)) rest += removedIn(*setup);
-  for (const SetupRun* setup : atWork(job)) all += removedIn(*setup);
-  const bool thin = tellsThin(*before) || tellsThin(*answer.other->run) || tellsThin(*job.run);
-  const double told = toldError(*before) + toldError(*answer.other->run) + toldError(*job.run);
-  judge(removed + rest - all, told, blankOf(job), thin, "what both halves remove", answer);
-  judge(partOf(before->setups.back()) - answer.other->run->setups.front().initial_mm3, told, blankOf(job),
-        thin, "what was saved and what was read", answer);
+  for (const auto& [name, text] : first.files) second.files["before/" + name] = text;
+  answer.other = std::move(second);
   return answer;
 }
 

@@ -177,30 +177,28 @@ class LatheHand {
   void cycle() {
     const bool drills = dice_.oneIn(4);
     take(drills ? kDrill : kCorner);
-    const double d = std::floor(20 * radius_) / 10, thin = std::round(10 * dice_.mm(0.4, 0.8) * d) / 10;
-    const double length = std::max(1.0, std::round(dice_.mm(0.1, 0.6) * (face_ - low_)));
-    const double small = std::min(length, 0.25 * d);
-    if (drills) {
-      words(fmt::format("G5P{:.1f}Y1Z{:.3f}B3V0", dice_.mm(1, 4), length));
-    } else {
-      switch (dice_.below(4)) {
-        case 0:
-          words(fmt::format("G77X{:.3f}A{:.3f}Y{:.3f}Z{}P0.8C1B2V0", d, thin, length, dice_.below(2)));
-          break;
-        case 1:
-          words(fmt::format("G12X{:.3f}R{:.3f}Z{}P0.7C1B2V0", d, small, dice_.below(2)));
-          break;
-        case 2:
-          words(fmt::format("G13X{:.3f}R{:.3f}Z{}P0.7C1B2V0", d, small, dice_.below(2)));
-          break;
-        default:
-          words(fmt::format("G79X{:.3f}Y{:.3f}Z{:.3f}P0.5C1B2", d + 1, inner_ > 0 ? 2 * inner_ - 0.4 : 0.0,
-                            dice_.mm(0.2, 1.4)));
-      }
-    }
+    words(drills ? drilling() : shape());
     words("G81X60Z60");
     at_ = {60, 0, 60};
     rapid(out(), before());
+  }
+  double cycleLength() { return std::max(1.0, std::round(dice_.mm(0.1, 0.6) * (face_ - low_))); }
+  std::string drilling() { return fmt::format("G5P{:.1f}Y1Z{:.3f}B3V0", dice_.mm(1, 4), cycleLength()); }
+  std::string shape() {
+    const double d = std::floor(20 * radius_) / 10, thin = std::round(10 * dice_.mm(0.4, 0.8) * d) / 10;
+    const double length = cycleLength(), small = std::min(length, 0.25 * d);
+    const int from = dice_.below(2);
+    switch (dice_.below(4)) {
+      case 0:
+        return fmt::format("G77X{:.3f}A{:.3f}Y{:.3f}Z{}P0.8C1B2V0", d, thin, length, from);
+      case 1:
+        return fmt::format("G12X{:.3f}R{:.3f}Z{}P0.7C1B2V0", d, small, from);
+      case 2:
+        return fmt::format("G13X{:.3f}R{:.3f}Z{}P0.7C1B2V0", d, small, from);
+      default:
+        return fmt::format("G79X{:.3f}Y{:.3f}Z{:.3f}P0.5C1B2", d + 1, inner_ > 0 ? 2 * inner_ - 0.4 : 0.0,
+                           dice_.mm(0.2, 1.4));
+    }
   }
 
   Dice& dice_;
