@@ -12,7 +12,7 @@ PROVEOUT := build/release/bin/proveout
 help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
 	@echo 'make test   build the program and the tests, then run the whole test suite'
-	@echo 'make soak   random whole jobs against the laws of tests/soak, then some of a wire; MINUTES=$(MINUTES) each, SEED=$(SEED)'
+	@echo 'make soak   random whole jobs against the laws of tests/soak, some of a wire, and the second soak; MINUTES=$(MINUTES) each, SEED=$(SEED)'
 	@echo 'make study  all planted defects of tests/study 100 programs of tests/reference (make test runs some)'
 	@echo 'make program build the program alone: $(PROVEOUT)'
 	@echo 'make build  build everything, with the tests, the benchmarks and the soak'
@@ -50,6 +50,7 @@ soak: configure
 	cmake --build --preset release --target soak -j $(JOBS)
 	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED)
 	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED) --wire
+	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED) --second --keep out/soak
 
 study: configure
 	cmake --build --preset release --target planted_defects reference_test random_mesh_test -j $(JOBS)
