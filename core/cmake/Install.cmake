@@ -2,6 +2,7 @@
 # ::render or ::session.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+include(${CMAKE_CURRENT_LIST_DIR}/Licences.cmake)
 
 set(PROVEOUT_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/proveout)
 set(PROVEOUT_EXPORTED proveout_options)

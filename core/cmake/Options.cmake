@@ -4,6 +4,7 @@
 #                      GCC, which leaves out roundings, where these are not made by
 #                      core/geometry/to_float.h; sanitizers on request.
 #   proveout_warnings  warnings for our own sources only.
+# Hardening is core/cmake/Hardening.cmake.
 add_library(proveout_options INTERFACE)
 target_compile_options(proveout_options INTERFACE -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -13,6 +14,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(proveout_options INTERFACE
     $<$<NOT:$<BOOL:$<TARGET_PROPERTY:PROVEOUT_ROUNDS_BY_TO_FLOAT>>>:-fno-tree-slp-vectorize>)
 endif()
+include(${CMAKE_CURRENT_LIST_DIR}/Hardening.cmake)
 if(PROVEOUT_SANITIZE)
   target_compile_options(proveout_options INTERFACE
     -fsanitize=${PROVEOUT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
