@@ -71,6 +71,8 @@ class Remover {
   bool addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   void addWayChords(Pass pass, const ToolParts::Part& part, const ColumnSweep& columns, const Sweep& curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
+  void takeOverBlank();
+  void giveBackBlank();
   bool inBlank(const Coord& origin) const;
   bool stopped() const { return over_limit_ || progress_.cancelled(); }
   void cutStack(const Coord& origin, const StackList& passes);
@@ -105,6 +107,7 @@ class Remover {
   tbb::enumerable_thread_specific<ThinWallFinder> walls_;
   ConcurrentList<ContactSample> contacts_;
   std::vector<Contact> found_contacts_;
+  bool changed_ = false;  ///< a sample or a crossing
   ConcurrentList<LostFilm> lost_;
   ConcurrentList<CutLeaf> cut_;
   std::atomic<std::uint64_t> evaluations_{0};
@@ -316,13 +319,27 @@ Status Remover::preparePasses() {
   return Done{};
 }
 
-Status Remover::run() {
-  renumberEarlier(impl_);
+/// From here on what was the blank is what the path cuts.
+void Remover::takeOverBlank() {
   if (impl_.cut != nullptr) impl_.blank_mesh = nullptr;  // faces may be of the path before
   impl_.cut_field = impl_.field;
   impl_.cut_blank = impl_.uncut != nullptr ? impl_.uncut : impl_.field;
   impl_.cut = nullptr;
   impl_.field = impl_.uncut = nullptr;
+}
+
+/// Where nothing was cut the stock is the blank that it was, and read like it: what it was before less what
+/// it is now is nothing.
+void Remover::giveBackBlank() {
+  impl_.field = std::exchange(impl_.cut_field, nullptr);
+  impl_.cut_blank = nullptr;
+  impl_.uncut = blank_;
+}
+
+Status Remover::run() {
+  const bool fresh = impl_.cut == nullptr;
+  renumberEarlier(impl_);
+  takeOverBlank();
   LeafStacks stacks(impl_, std::numeric_limits<float>::infinity());
   const auto stopped = [this] { return this->stopped(); };
   stacks.visit(table_, stopped, [&](const Coord& origin, const StackList& passes) {
@@ -336,7 +353,11 @@ Status Remover::run() {
                                    {contacts_.begin(), contacts_.end()}, progress_);
   commit();
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  impl_.cut = record_;
+  if (!changed_ && fresh) {
+    giveBackBlank();
+  } else {
+    impl_.cut = record_;
+  }
   return Done{};
 }
 
@@ -407,6 +428,7 @@ void Remover::commit() {
     finishStack(finish, origin, passes);
   });
   finish.commit.finish();
+  changed_ = finish.commit.changed();
 }
 
 /// Whether material may be lost, as far as the passes that took most and last tell. Others could only show
