@@ -61,6 +61,12 @@ namespace {
 
 constexpr std::uint32_t kNoRecord = 0xFFFFFFFFu;
 
+/// Whether all samples of a leaf are as before.
+bool keepsSamples(const LeafChange& change) {
+  const bool first = (change.material[0] & 1) != 0;
+  return first == change.first_before && samplesBefore(change) == change.material;
+}
+
 std::uint32_t addRecord(Stock::Impl& impl, const LeafChange& change) {
   const auto number = static_cast<std::uint32_t>(impl.leaves.size());
   *addLeaf(impl, change.origin).samples = change.material;
@@ -118,8 +124,11 @@ const std::vector<Crossing>& LeafCommit::before(std::size_t i) const {
 
 void LeafCommit::set(std::size_t i, const LeafEdges& edges, std::vector<Crossing> found) {
   PROVEOUT_ASSERT(found.size() == edges.count || found.empty());  // when cancelled
+  const bool known = changed();                                   // one change is enough
+  if (!known && !keepsSamples(*changes_[i])) changed_.store(true, std::memory_order_relaxed);
   if (record_[i] == kNoRecord) return;
   StockLeaf& leaf = impl_.leaves[record_[i]];
+  if (!known && leaf.crossings != found) changed_.store(true, std::memory_order_relaxed);
   leaf.crossings = std::move(found);
   if (edges.count == 0 && !isMixed(LeafReader(impl_), leaf.origin)) leaf.origin = kNoLeaf;
 }

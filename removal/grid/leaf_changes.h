@@ -4,6 +4,7 @@
 
 #include <tbb/concurrent_vector.h>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <span>
@@ -52,11 +53,14 @@ class LeafCommit {
   /// Once for every changed leaf: the crossings of `edges`, which are its edges now.
   void set(std::size_t i, const LeafEdges& edges, std::vector<Crossing> found);
   void finish();
+  /// Whether a sample or a crossing is another one than before.
+  bool changed() const { return changed_.load(std::memory_order_relaxed); }
 
  private:
   Stock::Impl& impl_;
   std::span<const LeafChange* const> changes_;
   std::vector<std::uint32_t> record_;  ///< of each change
+  std::atomic<bool> changed_{false};
 };
 
 /// All threads add to it. Its memory is the program's, in huge pages (docs/decisions/008), and not TBB's own.

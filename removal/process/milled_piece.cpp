@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "removal/grid/stock_impl.h"
 #include "removal/process/wire_grid_piece.h"
 
 namespace proveout {
@@ -81,6 +82,8 @@ Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<To
   Result<StockSurface> surface = stock_.surface(options.surface, progress);
   if (!surface) return surface.error();
   out.mesh_s = watch.lap();
+  // Else the stock is what it was, and read as it was: the integrals are the same to the last bit.
+  const bool changed = stock_.inside().cut != nullptr;
   const double unseen_mm3 = std::exchange(surface->unseen_mm3, 0.0);
   const double removed_mm3 =
       surface->mesh.triangles.empty()
@@ -88,8 +91,9 @@ Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<To
           : removedVolume(*removal, out.initial_mm3, held->mm3, surface->volume_mm3 + unseen_mm3);
   surface->volume_mm3 = out.initial_mm3 - removed_mm3;
   surface->volume_error_mm3 =
-      removedError(*removal, removed_mm3, std::abs(surface->volume_error_mm3 - held->error_mm3),
-                   std::pow(stock_.resolution(), 3));
+      changed ? removedError(*removal, removed_mm3, std::abs(surface->volume_error_mm3 - held->error_mm3),
+                             std::pow(stock_.resolution(), 3))
+              : 0.0;
   fitRemovedVolume(*removal, removed_mm3);
   if (!first_) forgetEarlier(path, surface->mesh);
   out.removal = std::move(*removal);

@@ -57,6 +57,7 @@ class Remover {
         limit_bytes_(memoryLimit(options)),
         watch_all_(options.watch_all),
         spindle_used_(startsSpindle(path)),
+        uncut_(impl.uncut),
         blank_(impl.uncut != nullptr ? impl.uncut : impl.field),
         record_(std::make_shared<CutRecord>()),
         table_(record_->table),
@@ -83,6 +84,8 @@ class Remover {
   bool addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
   void addWayChords(Pass pass, const ToolParts::Part& part, const ColumnSweep& columns, const Sweep& curve);
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
+  void takeOverBlank();
+  void giveBackBlank();
   bool inBlank(const Coord& origin) const;
   bool stopped() const { return over_limit_ || progress_.cancelled(); }
   void cutStack(const Coord& origin, const StackList& passes);
@@ -112,7 +115,8 @@ class Remover {
   Progress& progress_;
   double limit_bytes_;
   bool watch_all_, spindle_used_;
-  std::shared_ptr<const BlankField> blank_;  ///< before the path, where it has a closed form
+  std::shared_ptr<const BlankField> uncut_;  ///< as Impl::uncut, before the path
+  std::shared_ptr<const BlankField> blank_;  ///< the blank before the path, where it has a closed form
   std::shared_ptr<CutRecord> record_;
   PassTable& table_;
   OwnTrack track_;
@@ -127,6 +131,7 @@ class Remover {
   std::vector<Contact> found_contacts_;
   /// Of motions, kVolumeUnit; empty where no contact asks for it.
   std::vector<std::atomic<std::int64_t>> shaved_;
+  bool changed_ = false;  ///< a sample or a crossing
   ConcurrentList<LostFilm> lost_;
   ConcurrentList<CutLeaf> cut_;
   std::atomic<std::uint64_t> evaluations_{0};
@@ -371,13 +376,27 @@ Status Remover::preparePasses() {
   return Done{};
 }
 
-Status Remover::run() {
-  renumberEarlier(impl_);
+/// From here on what was the blank is what the path cuts.
+void Remover::takeOverBlank() {
   if (impl_.cut != nullptr) impl_.blank_mesh = nullptr;  // faces may be of the path before
   impl_.cut_field = impl_.field;
   impl_.cut_blank = impl_.uncut != nullptr ? impl_.uncut : impl_.field;
   impl_.cut = nullptr;
   impl_.field = impl_.uncut = nullptr;
+}
+
+/// Where nothing was cut the stock is the blank that it was, and read like it: what it was before less what
+/// it is now is nothing.
+void Remover::giveBackBlank() {
+  impl_.field = std::exchange(impl_.cut_field, nullptr);
+  impl_.cut_blank = nullptr;
+  impl_.uncut = uncut_;
+}
+
+Status Remover::run() {
+  const bool fresh = impl_.cut == nullptr;
+  renumberEarlier(impl_);
+  takeOverBlank();
   LeafStacks stacks(impl_, std::numeric_limits<float>::infinity());
   const auto stopped = [this] { return this->stopped(); };
   stacks.visit(table_, stopped, [&](const Coord& origin, const StackList& passes) {
@@ -390,7 +409,11 @@ Status Remover::run() {
   findContacts();
   commit();
   if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  impl_.cut = record_;
+  if (!changed_ && fresh) {
+    giveBackBlank();
+  } else {
+    impl_.cut = record_;
+  }
   return Done{};
 }
 
@@ -497,6 +520,7 @@ void Remover::commit() {
     finishStack(finish, origin, passes);
   });
   finish.commit.finish();
+  changed_ = finish.commit.changed();
 }
 
 /// Whether material may be lost, as far as the passes that took most and last tell. Others could only show

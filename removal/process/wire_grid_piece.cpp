@@ -244,6 +244,11 @@ WireGridPiece::WireGridPiece(Stock stock, double left_mm3, double own_mm3, std::
 Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<Tool>& tools,
                                         const PieceOptions& options, Progress& progress) {
   Stopwatch watch;
+  // Of a copy, as all that is left of it will be: both know the same of its faces, so that what no wire
+  // reached cancels.
+  Result<Stock> copy = copyOf(stock_, options.grid, progress);
+  if (!copy) return copy.error();
+  stock_ = std::move(*copy);
   const Result<StockVolume> held = stock_.volume(options.surface, progress);
   if (!held) return held.error();
   Machined out;
@@ -264,8 +269,11 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   Result<std::vector<GridBody>> bodies = bodiesOf(stock_, box, options, progress);
   if (!bodies) return bodies.error();
   out.mesh_s = watch.lap();
-  double after_mm3 = 0.0;
-  for (const GridBody& body : *bodies) after_mm3 += body.surface.volume_mm3;
+  double after_mm3 = 0.0, error_mm3 = 0.0;
+  for (const GridBody& body : *bodies) {
+    after_mm3 += body.surface.volume_mm3;
+    error_mm3 += body.surface.volume_error_mm3;
+  }
   const double removed_mm3 = std::clamp(held->mm3 - after_mm3, 0.0, out.initial_mm3);
   out.bodies.emplace();
   if (!bodies->empty()) {
@@ -287,6 +295,7 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   out.bodies->insert(out.bodies->end(), apart_.begin(), apart_.end());
   apart_.assign(out.bodies->begin() + (out.bodies->empty() ? 0 : 1), out.bodies->end());
   out.surface.volume_mm3 = out.initial_mm3 - removed_mm3;
+  out.surface.volume_error_mm3 = std::abs(error_mm3 - held->error_mm3);
   left_mm3_ = out.surface.volume_mm3;
   fitRemovedVolume(*met, removed_mm3);
   out.removal = std::move(*met);

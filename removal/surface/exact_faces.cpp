@@ -59,11 +59,15 @@ bool goesOver(const ConvexProfile& profile, int element) {
   return directionOf(profile.element(i), true).dot(directionOf(profile.element(i + 1), false)) > kNoBreak;
 }
 
-/// Bodies below ExactFaces::kNoBody stand for faces of the blank, with the motions that it knows them by.
-std::int64_t bodyOfFace(std::uint64_t face) {
+/// With the motion that the blank knows it by, also once a path was run.
+std::uint64_t faceOfBlank(std::uint64_t face) {
   const MotionId motion = motionOf(face);
-  const MotionId known = motion == kNoMotion ? kNoMotion : motion - kEarlierMotions;
-  return ExactFaces::kNoBody - 1 - static_cast<std::int64_t>(std::uint64_t{known} << 16 | (face & 0xFFFF));
+  if (motion == kNoMotion || motion < kEarlierMotions) return face;
+  return std::uint64_t{motion - kEarlierMotions} << 16 | (face & 0xFFFF);
+}
+/// Bodies below ExactFaces::kNoBody stand for faces of the blank.
+std::int64_t bodyOfFace(std::uint64_t face) {
+  return ExactFaces::kNoBody - 1 - static_cast<std::int64_t>(faceOfBlank(face));
 }
 std::uint64_t faceOfBody(std::int64_t body) {
   return static_cast<std::uint64_t>(ExactFaces::kNoBody - 1 - body);
@@ -81,7 +85,8 @@ const Pass* ExactFaces::passOf(std::uint64_t face) const {
 }
 
 ExactFaces::Source ExactFaces::findSource(std::uint64_t face) const {
-  if (blank_ != nullptr) return {static_cast<std::int64_t>(face), blank_->isSimple(face)};
+  if (blank_ != nullptr)
+    return {static_cast<std::int64_t>(faceOfBlank(face)), blank_->isSimple(faceOfBlank(face))};
   const Pass* pass = passOf(face);
   if (pass == nullptr && cut_ != nullptr) return {bodyOfFace(face), cut_->isSimple(face)};
   if (pass == nullptr) return {kNoBody, true};

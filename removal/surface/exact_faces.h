@@ -20,6 +20,15 @@ class ExactFaces {
         blank_(impl.field.get()),
         cut_(impl.cut_field.get()),
         h_(impl.h) {}
+  /// As it was before the last path: for cells of which all crossings are older, so that these are read alike
+  /// before and after it. Knows the faces of a blank that are known, no others.
+  static ExactFaces beforeCut(const Stock::Impl& impl, const Coord& origin) {
+    ExactFaces out(impl, origin);
+    if (out.blank_ == nullptr) out.blank_ = out.cut_;
+    out.record_ = nullptr;
+    out.cut_ = nullptr;
+    return out;
+  }
 
   bool active() const { return record_ != nullptr || blank_ != nullptr; }
   /// The cell's lowest corner, mm.

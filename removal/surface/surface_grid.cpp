@@ -122,7 +122,13 @@ const std::array<CellPattern, kPatterns>& cellPatterns() {
 class LeafPlacer {
  public:
   LeafPlacer(const Stock::Impl& impl, SurfaceLeaf& leaf, const CrossingTable& crossings, LeafPatch* patch)
-      : impl_(impl), leaf_(leaf), crossings_(crossings), patch_(patch), exact_(impl, leaf.stock->origin) {
+      : impl_(impl),
+        leaf_(leaf),
+        crossings_(crossings),
+        patch_(patch),
+        cut_(impl, leaf.stock->origin),
+        before_(ExactFaces::beforeCut(impl, leaf.stock->origin)),
+        has_before_(impl.cut_field != nullptr) {
     if (impl.blank.empty()) return;
     const Vec3 origin = impl.position(leaf.stock->origin);
     low_ = (impl.blank.min - origin) / impl.h;
@@ -141,7 +147,7 @@ class LeafPlacer {
     const int sheets = cellCycles(shape).count;
     Placed out;
     Eigen::Vector3f n;
-    exact_.setCell(impl_.position(leaf_.stock->origin.offsetBy(x, y, z)));
+    setCell(cell, at, leaf_.stock->origin.offsetBy(x, y, z));
     if (sheets == 1 && placeOneFace(cell, at, out.p, n)) {
       out.traits = faces | CellTraits::kSmooth;
       out.p += Eigen::Vector3f(x, y, z);
@@ -151,7 +157,7 @@ class LeafPlacer {
     asked_ = kNoPlace;
     for (int sheet = 0; sheet < sheets; ++sheet) {
       const int count = gather(cell, at, sheet);
-      CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, &exact_);
+      CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, exact_);
       const Vec3 origin(x, y, z), on_crease = v.p;
       if (v.outside && !v.smooth && isTaken(v.p, count)) {
         v.p = v.inside;
@@ -178,13 +184,13 @@ class LeafPlacer {
       if (sheets > 1) continue;
       if (v.along != Vec3::Zero() && v.p == on_crease)
         leaf_.creases.push_back({static_cast<std::uint16_t>(z << 6 | bit), v.outside, toFloat(v.along)});
-      if (const auto step = findLowStep({points_.data(), static_cast<std::size_t>(count)}, exact_)) {
+      if (const auto step = findLowStep({points_.data(), static_cast<std::size_t>(count)}, *exact_)) {
         out.traits |= CellTraits::kStep;
         leaf_.steps.push_back({static_cast<std::uint16_t>(rank), toFloat(origin + step->low),
                                toFloat(origin + step->high), step->motion});
       }
       if (!v.smooth && isOff(v.p, count)) out.traits |= CellTraits::kOff;
-      if (!v.smooth && exact_.active() && missesFace(v.p, count)) out.traits |= CellTraits::kMisses;
+      if (!v.smooth && exact_->active() && missesFace(v.p, count)) out.traits |= CellTraits::kMisses;
       if (v.outside) {
         leaf_.outside.push_back({static_cast<std::uint16_t>(z << 6 | bit), toFloat(origin + v.inside),
                                  !v.smooth && isOff(v.inside, count)});
@@ -206,6 +212,16 @@ class LeafPlacer {
   }
 
  private:
+  /// Where the path made none of the crossings the cell is as it was.
+  void setCell(const CellPattern& cell, int at, const Coord& voxel) {
+    const auto isOld = [&](const CellEdge& e) {
+      return knownMotion(crossings_[at + e.offset]->motion) == kNoMotion;
+    };
+    const bool old = has_before_ && std::all_of(cell.edges.begin(), cell.edges.begin() + cell.count, isOld);
+    exact_ = old ? &before_ : &cut_;
+    for (ExactFaces* faces : {&cut_, &before_}) faces->setCell(impl_.position(voxel));
+  }
+
   /// The usual case: all crossings are of one face with no wide spread. The rule is the one of placeVertex.
   bool placeOneFace(const CellPattern& cell, int at, Eigen::Vector3f& p, Eigen::Vector3f& normal) {
     std::array<Eigen::Vector3f, 12> points, normals;
@@ -228,8 +244,8 @@ class LeafPlacer {
     p = mean * share;
     normal = sum.normalized();
     if (flat) return true;
-    if (exact_.active()) {
-      const ExactFaces::Source source = exact_.source(first->face());
+    if (exact_->active()) {
+      const ExactFaces::Source source = exact_->source(first->face());
       if (!source.simple && bends(normals, cell.count, normal)) return false;
       if (!source.isShown() && !source.cone && endsWithin(source.body, points, normals, cell.count))
         return false;
@@ -248,9 +264,9 @@ class LeafPlacer {
   /// Whether the tool passed by at some crossings of a face and at others its way began or ended.
   bool endsWithin(std::int64_t body, const std::array<Eigen::Vector3f, 12>& points,
                   const std::array<Eigen::Vector3f, 12>& normals, int count) const {
-    const int first = exact_.endAt(body, points[0].cast<double>(), normals[0].cast<double>());
+    const int first = exact_->endAt(body, points[0].cast<double>(), normals[0].cast<double>());
     for (int i = 1; i < count; ++i) {
-      if (exact_.endAt(body, points[i].cast<double>(), normals[i].cast<double>()) != first) return true;
+      if (exact_->endAt(body, points[i].cast<double>(), normals[i].cast<double>()) != first) return true;
     }
     return false;
   }
@@ -287,7 +303,7 @@ class LeafPlacer {
   /// took what is there. Near to a crossing it is not.
   /// Vertices of a blank whose faces are known are put onto them.
   bool isOff(const Vec3& p, int count) {
-    if (exact_.ofBlank()) return false;
+    if (exact_->ofBlank()) return isTaken(p, count);
     double nearest2 = kNoLimit, plane = kNoLimit;
     bool on_blank = false;  // the nearest plane is the blank's
     for (int i = 0; i < count; ++i) {
@@ -296,12 +312,12 @@ class LeafPlacer {
       const double off = std::abs(points_[i].n.dot(from));
       if (off < plane) {
         plane = off;
-        on_blank = exact_.source(points_[i].face).body <= ExactFaces::kNoBody;
+        on_blank = exact_->source(points_[i].face).body <= ExactFaces::kNoBody;
       }
     }
     if (nearest2 < kOffBy * kOffBy) return false;
     if (plane > kOffBy) return true;
-    if (on_blank && exact_.isOffCutBlank(p, kOffBy)) return true;
+    if (on_blank && exact_->isOffCutBlank(p, kOffBy)) return true;
     return isTaken(p, count);
   }
 
@@ -311,10 +327,10 @@ class LeafPlacer {
     std::array<bool, 12> missed{};
     bool any = false;
     for (int i = 0; i < count; ++i) {
-      const ExactFaces::Source source = exact_.source(points_[i].face);
+      const ExactFaces::Source source = exact_->source(points_[i].face);
       if (!source.ends) continue;
       const bool as_before = i > 0 && points_[i].face == points_[i - 1].face;
-      missed[i] = as_before ? missed[i - 1] : exact_.distanceTo(source.body, p) > kEndsAt;
+      missed[i] = as_before ? missed[i - 1] : exact_->distanceTo(source.body, p) > kEndsAt;
       any = any || missed[i];
     }
     if (!any) return false;
@@ -342,7 +358,7 @@ class LeafPlacer {
     const double height = std::abs((p - middle / count).dot(normal));
     if (height <= kStandsOut * normal.norm()) return false;
     if (!(p == asked_)) {  // mostly asked twice
-      covered_ = exact_.isCovered(p, kOffBy);
+      covered_ = cut_.isCovered(p, kOffBy);
       asked_ = p;
     }
     return covered_;
@@ -385,7 +401,9 @@ class LeafPlacer {
   SurfaceLeaf& leaf_;
   const CrossingTable& crossings_;
   LeafPatch* patch_;
-  ExactFaces exact_;
+  ExactFaces cut_, before_;
+  bool has_before_;            ///< the blank's faces were known before the path
+  ExactFaces* exact_ = &cut_;  ///< the one that tells of the cell
   Vec3 low_ = Vec3::Constant(-kNoLimit),
        high_ = Vec3::Constant(kNoLimit);  ///< the blank, in the leaf's cells
   Vec3 asked_ = kNoPlace;  ///< the last place of this cell of which it was asked whether it is covered
@@ -630,6 +648,16 @@ bool SurfaceGrid::isCrossed(int axis, const Coord& at) const {
   const std::int32_t number = LeafReader(impl_).state(at & ~7);
   return number >= 0 &&
          leaves_[static_cast<std::size_t>(number)].edges.isCrossed(axis, at.x() & 7, at.y() & 7, at.z() & 7);
+}
+
+MotionId SurfaceGrid::motionOn(int axis, const Coord& at) const {
+  const std::int32_t number = LeafReader(impl_).state(at & ~7);
+  if (number < 0) return kNoMotion;
+  const SurfaceLeaf& leaf = leaves_[static_cast<std::size_t>(number)];
+  const int x = at.x() & 7, y = at.y() & 7, z = at.z() & 7;
+  if (!leaf.edges.isCrossed(axis, x, y, z)) return kNoMotion;
+  const int i = leaf.edges.indexOf(axis, x, y, z);
+  return knownMotion(leaf.stock->crossings[static_cast<std::size_t>(i)].motion);
 }
 
 bool verticesInReach(const SurfaceGrid& grid) {

@@ -172,6 +172,8 @@ class SurfaceGrid {
   /// off its ends at the least; its middle where it is not.
   double crossingOn(int axis, const Coord& at) const;
   bool isCrossed(int axis, const Coord& at) const;
+  /// Motion of the last path that made the crossing of an edge; kNoMotion where it is not crossed, or older.
+  MotionId motionOn(int axis, const Coord& at) const;
   /// In all leaves.
   ThinCells countThin() const;
 
