@@ -12,6 +12,7 @@
 #include "app/session/interpretation.h"
 #include "app/session/thread_supply.h"
 #include "app/time_limit.h"
+#include "core/base/memory_limit.h"
 #include "core/base/printable.h"
 #include "io/path_writer.h"
 
@@ -87,6 +88,7 @@ struct Interpretation {
 Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_errors, MotionSink* sink,
                                      Progress& progress) {
   const ThreadSupply threads(job.simulation.threads);
+  const MemoryLimit memory(1e9 * job.simulation.max_memory_gb);
   const Result<ControlId> control = findControl(jobOfSetup(job, setup).control);
   if (!control) return control.error();
   Result<ControlSettings> settings = settingsOf(job, setup, progress);
@@ -102,6 +104,7 @@ Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_
   addOvertravel(tap.overtravels, source, result.findings);
   addForbiddenZones(tap.overtravels, source, result.findings);
   result.diagnostics = std::move(tap.diagnostics);
+  if (const std::optional<Error> refused = memoryRefusal()) return *refused;
   if (result.summary.end == ProgramEnd::kCancelled) return Error{ErrorKind::kInterrupted, "interrupted"};
   return result;
 }

@@ -13,6 +13,7 @@
 #include "app/summary.h"
 #include "app/time_limit.h"
 #include "app/turned_profile.h"
+#include "core/base/memory_limit.h"
 #include "core/base/stopwatch.h"
 
 namespace proveout {
@@ -160,12 +161,14 @@ Result<Written> runJob(const Job& job, const std::vector<std::string>& command, 
 int runCommand(const RunOptions& options, Console& console, ConsoleProgress& progress) {
   TimeLimit limit(progress);
   limit.set(options.program.max_time_s.value_or(0.0));
+  MemoryLimit memory(1e9 * options.max_memory_gb.value_or(0.0));
   Diagnostics diagnostics;
   std::optional<Job> job = setUpJob(options.program, diagnostics);
   const bool good = job && applyRunOptions(options, *job, diagnostics);
   printDiagnostics(console, diagnostics.all(), options.quiet ? Severity::kError : Severity::kNote);
-  if (!good) return kExitInput;
+  if (!good) return memoryRefusal() ? kExitResource : kExitInput;
   limit.set(job->simulation.max_time_s);
+  memory.set(1e9 * job->simulation.max_memory_gb);
   job->simulation.max_time_s = limit.limit();
   const std::string folder = outputFolder(options, *job);
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));

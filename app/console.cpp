@@ -87,7 +87,7 @@ void ConsoleProgress::clear() {
 
 int printError(Console& console, const Error& error) {
   const char* what = error.kind == ErrorKind::kInternal ? "internal error" : "error";
-  console.err << "proveout: " << what << ": " << printable(error.message) << "\n";
+  console.err << "proveout: " << what << ": " << printable(boundedMessage(error.message)) << "\n";
   return exitCodeOf(error.kind);
 }
 

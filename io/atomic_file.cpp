@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/memory_limit.h"
+
 namespace proveout {
 
 namespace fs = std::filesystem;
@@ -144,6 +146,10 @@ Result<std::string> readWholeFile(const std::string& path, std::size_t max_bytes
   struct stat info {};
   // The size is a hint: files of /proc say 0, and a file may grow while it is read.
   if (::fstat(fileno(file), &info) == 0 && static_cast<std::uintmax_t>(info.st_size) <= max_bytes) {
+    if (const Status fits = memoryFor(static_cast<double>(info.st_size), path); !fits) {
+      std::fclose(file);
+      return fits.error();
+    }
     bytes.reserve(static_cast<std::size_t>(info.st_size));
   }
   char buffer[65536];

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/base/printable.h"
 #include "io/atomic_file.h"
 #include "io/job.h"
 
@@ -48,7 +49,7 @@ void unknownChoice(const ConfigDocument& document, const ConfigPlace& place, con
   const std::string nearest = nearestName(text, names);
   document.error(
       place, "job-value",
-      fmt::format("{} '{}' is not known{}; there are {}", what, text,
+      fmt::format("{} '{}' is not known{}; there are {}", what, shortened(text),
                   nearest.empty() ? "" : ", did you mean '" + nearest + "'?", fmt::join(names, ", ")));
 }
 
@@ -103,12 +104,24 @@ std::optional<std::string> readPath(const ConfigDocument& document, const Config
   return path;
 }
 
-const ConfigValue* ConfigTable::find(const std::string& key) {
-  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
-  for (const ConfigEntry& entry : value_.entries) {
-    if (entry.key == key) return &entry.value;
+const ConfigEntry* ConfigTable::entry(const std::string& key) {
+  constexpr std::size_t kShort = 32;
+  if (value_.entries.size() <= kShort) {
+    const auto same = [&](const ConfigEntry& entry) { return entry.key == key; };
+    const auto found = std::find_if(value_.entries.begin(), value_.entries.end(), same);
+    return found == value_.entries.end() ? nullptr : &*found;
   }
-  return nullptr;
+  if (index_.empty()) {
+    for (const ConfigEntry& entry : value_.entries) index_.emplace(entry.key, &entry);
+  }
+  const auto found = index_.find(key);
+  return found == index_.end() ? nullptr : found->second;
+}
+
+const ConfigValue* ConfigTable::find(const std::string& key) {
+  if (known_set_.insert(key).second) known_.push_back(key);
+  const ConfigEntry* const found = entry(key);
+  return found == nullptr ? nullptr : &found->value;
 }
 
 const ConfigValue* ConfigTable::require(const std::string& key) {
@@ -119,11 +132,20 @@ const ConfigValue* ConfigTable::require(const std::string& key) {
   return value;
 }
 
-ConfigPlace ConfigTable::placeOf(const std::string& key) const {
-  for (const ConfigEntry& entry : value_.entries) {
-    if (entry.key == key) return entry.value.place;
+ConfigPlace ConfigTable::placeOf(const std::string& key) {
+  const ConfigEntry* const found = entry(key);
+  return found == nullptr ? value_.place : found->value.place;
+}
+
+const std::vector<ConfigValue>* ConfigTable::list(const std::string& key, std::size_t most) {
+  const ConfigValue* value = find(key);
+  if (value == nullptr || !isList(document_, *value, key)) return nullptr;
+  if (value->items.size() > most) {
+    document_.error(value->place, "job-range",
+                    fmt::format("{} has {} entries, {} are allowed", key, value->items.size(), most));
+    return nullptr;
   }
-  return value_.place;
+  return &value->items;
 }
 
 std::optional<double> ConfigTable::number(const std::string& key, const NumberRange& range) {
@@ -179,10 +201,10 @@ std::optional<Vec3> ConfigTable::point(const std::string& key, const NumberRange
 }
 
 std::optional<std::vector<std::string>> ConfigTable::texts(const std::string& key) {
-  const ConfigValue* value = find(key);
-  if (value == nullptr || !isList(document_, *value, key)) return std::nullopt;
+  const std::vector<ConfigValue>* const items = list(key, kMostTables);
+  if (items == nullptr) return std::nullopt;
   std::vector<std::string> out;
-  for (const ConfigValue& item : value->items) {
+  for (const ConfigValue& item : *items) {
     const auto text = readText(document_, item, "an entry of " + key);
     if (!text) return std::nullopt;
     out.push_back(*text);
@@ -209,11 +231,11 @@ std::optional<ConfigTable> ConfigTable::table(const std::string& key) {
   return ConfigTable(document_, *value, fmt::format("[{}{}{}]", outer, outer.empty() ? "" : ".", key));
 }
 
-std::vector<ConfigTable> ConfigTable::tables(const std::string& key) {
+std::vector<ConfigTable> ConfigTable::tables(const std::string& key, std::size_t most) {
   std::vector<ConfigTable> out;
-  const ConfigValue* value = find(key);
-  if (value == nullptr || !isList(document_, *value, key)) return out;
-  for (const ConfigValue& item : value->items) {
+  const std::vector<ConfigValue>* const items = list(key, most);
+  if (items == nullptr) return out;
+  for (const ConfigValue& item : *items) {
     if (item.type != Type::kTable) {
       wrongType(document_, item, fmt::format("an entry of [[{}]]", key), "a table");
       continue;
@@ -225,10 +247,11 @@ std::vector<ConfigTable> ConfigTable::tables(const std::string& key) {
 
 void ConfigTable::refuseOthers() const {
   for (const ConfigEntry& entry : value_.entries) {
-    if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
+    if (document_.full()) return;
+    if (known_set_.contains(entry.key)) continue;
     const std::string nearest = nearestName(entry.key, known_);
     document_.error(entry.place, "job-unknown-key",
-                    fmt::format("{} has no key '{}'; {}", title_, entry.key,
+                    fmt::format("{} has no key '{}'; {}", title_, shortened(entry.key),
                                 nearest.empty() ? fmt::format("the keys are {}", fmt::join(known_, ", "))
                                                 : fmt::format("did you mean '{}'?", nearest)));
   }

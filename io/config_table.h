@@ -7,6 +7,9 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "core/geometry/types.h"
@@ -21,6 +24,7 @@ struct ConfigDocument {
   Diagnostics* diagnostics = nullptr;
   bool programs_in_memory = false;  ///< programs are names, not files that must be there
 
+  bool full() const { return fullOfErrors(*diagnostics); }
   void error(const ConfigPlace& place, std::string code, std::string message) const {
     addConfigError(*diagnostics, text, place, std::move(code), std::move(message));
   }
@@ -35,6 +39,10 @@ struct NumberRange {
 inline constexpr NumberRange kAnyLength{-1e6, 1e6, false};
 inline constexpr NumberRange kPositiveLength{0.0, 1e6, true};
 inline constexpr NumberRange kLengthOrZero{0.0, 1e6, false};
+
+/// Tables of one name, and points of an outline: more are no machine's and no tool's.
+inline constexpr std::size_t kMostTables = 10'000;
+inline constexpr std::size_t kMostPoints = 1'000;
 
 enum class PathKind { kFile, kFileOrFolder };
 
@@ -54,8 +62,8 @@ class ConfigTable {
   /// The same, and its absence is an error.
   const ConfigValue* require(const std::string& key);
   /// Place of a key, or of the table.
-  ConfigPlace placeOf(const std::string& key) const;
-  void error(const std::string& key, std::string code, std::string message) const {
+  ConfigPlace placeOf(const std::string& key);
+  void error(const std::string& key, std::string code, std::string message) {
     document_.error(placeOf(key), std::move(code), std::move(message));
   }
 
@@ -70,22 +78,31 @@ class ConfigTable {
   /// A path, resolved against the document's folder, that exists and can be read.
   std::optional<std::string> path(const std::string& key, PathKind kind = PathKind::kFile);
   std::optional<ConfigTable> table(const std::string& key);
-  /// An array of tables; the titles are "[[key]] 1", ...
-  std::vector<ConfigTable> tables(const std::string& key);
+  /// An array of tables, at most `most`; the titles are "[[key]] 1", ...
+  std::vector<ConfigTable> tables(const std::string& key, std::size_t most = kMostTables);
   /// Key that must be there; the readers above then report what is wrong with it.
   ConfigTable& must(const std::string& key) {
     require(key);
     return *this;
   }
 
+  /// The items of a list of at most `most`, counted before anything is made of them. Nothing, and where there
+  /// is a value an error, if it is no list or too long.
+  const std::vector<ConfigValue>* list(const std::string& key, std::size_t most);
+
   /// Reports every key that was not asked for, with the nearest one that was. Call last.
   void refuseOthers() const;
 
  private:
+  const ConfigEntry* entry(const std::string& key);
+
   const ConfigDocument& document_;
   const ConfigValue& value_;
   std::string title_;
-  std::vector<std::string> known_;
+  std::vector<std::string> known_;             ///< keys that were asked for
+  std::unordered_set<std::string> known_set_;  ///< the same
+  std::unordered_map<std::string_view, const ConfigEntry*>
+      index_;  ///< of a long table, once it was asked for
 };
 
 /// Checks of single values, for lists and tables with free keys. `what` names the value in messages.

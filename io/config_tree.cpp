@@ -1,6 +1,9 @@
 #include "io/config_tree.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 // The library is used without exceptions: a bad document is an expected failure.
@@ -23,15 +26,36 @@ namespace proveout {
 
 namespace {
 
-/// The TOML library counts code points, diagnostics count bytes.
-int byteColumn(const std::string& line, std::uint32_t code_point_column) {
-  std::size_t at = 0;
-  for (std::uint32_t left = code_point_column; left > 1 && at < line.size(); --left) {
-    ++at;
-    while (at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80) ++at;
+/// The TOML library counts code points, diagnostics count bytes. Lists of thousands may stand on one line, so
+/// that a line is not counted anew for each of its values.
+class ByteColumns {
+ public:
+  explicit ByteColumns(const std::string& line) : line_(line) {}
+
+  /// Both columns from 1. Quick where columns are asked for in the order of the line.
+  int of(std::uint32_t code_point_column) {
+    const std::size_t wanted = code_point_column > 1 ? code_point_column - 1 : 0;
+    while (marks_.size() <= wanted / kStep && marks_.back() < line_.size())
+      marks_.push_back(forward(marks_.back(), kStep));
+    const std::size_t mark = std::min(wanted / kStep, marks_.size() - 1);
+    return static_cast<int>(forward(marks_[mark], wanted - mark * kStep)) + 1;
   }
-  return static_cast<int>(at) + 1;
-}
+
+ private:
+  static constexpr std::size_t kStep = 64;  ///< code points between marks
+
+  /// The byte behind so many code points from byte `at` on, at most the end of the line.
+  std::size_t forward(std::size_t at, std::size_t code_points) const {
+    for (; code_points > 0 && at < line_.size(); --code_points) {
+      ++at;
+      while (at < line_.size() && (static_cast<unsigned char>(line_[at]) & 0xC0) == 0x80) ++at;
+    }
+    return at;
+  }
+
+  const std::string& line_;
+  std::vector<std::size_t> marks_ = {0};  ///< bytes of code points 0, kStep, ...
+};
 
 class TreeBuilder {
  public:
@@ -42,9 +66,10 @@ class TreeBuilder {
     out.line = static_cast<int>(region.begin.line);
     if (out.line < 1 || out.line > static_cast<int>(text_.lines.size())) return {};
     const std::string& line = text_.lines[out.line - 1];
-    out.column = byteColumn(line, region.begin.column);
+    ByteColumns& columns = columns_.try_emplace(out.line, line).first->second;
+    out.column = columns.of(region.begin.column);
     // A value that goes over several lines is underlined to the end of its first.
-    out.column_end = region.end.line == region.begin.line ? byteColumn(line, region.end.column)
+    out.column_end = region.end.line == region.begin.line ? columns.of(region.end.column)
                                                           : static_cast<int>(line.size()) + 1;
     return out;
   }
@@ -95,7 +120,11 @@ class TreeBuilder {
   }
 
   const ConfigText& text_;
+  mutable std::unordered_map<int, ByteColumns> columns_;  ///< by line
 };
+
+/// A value takes some 250 bytes until it is read.
+constexpr std::size_t kMostConfigValues = 500'000;
 
 /// As deep as the library lets lists nest.
 constexpr std::size_t kMaxDepth = TOML_MAX_NESTED_VALUES;
@@ -114,6 +143,8 @@ class TextCheck {
   /// What is wrong first, or "". The place is the one at which the search has ended.
   std::string find() {
     while (!rest_.empty()) {
+      if (values_ > kMostConfigValues)
+        return fmt::format("more than {} lines and values: no job has so many", kMostConfigValues);
       if (static_cast<unsigned char>(rest_.front()) >= 0x80)
         return "a character that is not ASCII: texts and keys with such stand in quotes";
       step();
@@ -129,6 +160,7 @@ class TextCheck {
     if ((rest_.starts_with(R"(""")") || rest_.starts_with("'''")) && mayBeginText())
       return skipString(rest_.substr(0, 3));
     const char c = rest_.front();
+    if (c == ',' || c == '\n' || c == '=') ++values_;
     if ((c == '"' || c == '\'') && mayBeginText()) return skipString(rest_.substr(0, 1));
     if (c == '#') return take(std::min(rest_.find('\n'), rest_.size()));
     if (c == '.') ++open_.back();
@@ -179,6 +211,7 @@ class TextCheck {
   std::size_t column_ = 1;
   std::vector<std::size_t> open_ = {0};  ///< dots of the key at hand, in each bracket that is open
   std::size_t depth_ = 0;                ///< their sum
+  std::size_t values_ = 0;               ///< at most so many, and lines, have come by
 };
 
 }  // namespace
@@ -210,22 +243,29 @@ ConfigText splitConfigText(std::string name, std::string_view text) {
     std::string_view line = text.substr(0, end);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     out.lines.emplace_back(line);
-    if (end == std::string_view::npos) return out;
+    if (end == std::string_view::npos || out.lines.size() > kMostConfigValues) return out;
     text.remove_prefix(end + 1);
   }
 }
 
 void addConfigError(Diagnostics& diagnostics, const ConfigText& text, const ConfigPlace& place,
                     std::string code, std::string message) {
+  if (fullOfErrors(diagnostics)) return;
   Diagnostic d;
   d.code = std::move(code);
   d.message = std::move(message);
+  if (diagnostics.errorCount() == kMostConfigErrors) {
+    d.code = "job-errors";
+    d.message = fmt::format("there are more than {} errors; the others are not told", kMostConfigErrors);
+  }
   d.where = {text.name, place.line, place.column, place.column_end};
   if (place.line >= 1 && place.line <= static_cast<int>(text.lines.size())) {
     d.source_line = text.lines[place.line - 1];
   }
   diagnostics.add(std::move(d));
 }
+
+bool fullOfErrors(const Diagnostics& diagnostics) { return diagnostics.errorCount() > kMostConfigErrors; }
 
 std::optional<ConfigValue> parseToml(std::string_view toml, const ConfigText& text,
                                      Diagnostics& diagnostics) {

@@ -43,7 +43,14 @@ struct ConfigText {
   std::string name;
   std::vector<std::string> lines;
 };
+/// So many errors of a file are told, and then that there are more.
+inline constexpr int kMostConfigErrors = 20;
+/// Nothing more will be told: what is found from here on need not be put into words.
+bool fullOfErrors(const Diagnostics& diagnostics);
+
+/// Of a text with more lines than parseToml() takes, the first ones.
 ConfigText splitConfigText(std::string name, std::string_view text);
+/// Does nothing where enough errors were told.
 void addConfigError(Diagnostics& diagnostics, const ConfigText& text, const ConfigPlace& place,
                     std::string code, std::string message);
 

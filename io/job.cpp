@@ -28,7 +28,7 @@ std::optional<TextEncoding> encodingNamed(std::string_view name) {
 
 namespace {
 
-constexpr std::size_t kMaxJobBytes = 16u << 20;
+constexpr std::size_t kMaxJobBytes = 8u << 20;
 
 void readHead(ConfigTable& root, Job& job) {
   root.must("schema").choice("schema", {"proveout.job/1"});
@@ -51,9 +51,9 @@ void readProgram(ConfigTable& table, Job& job) {
     job.program = *program;
   if (!job.filled && !named && nc::isTemplateName(job.program))
     fillWithDefaults(job.program, job, *table.document().diagnostics);
-  const ConfigValue* subprograms = table.find("subprograms");
-  if (subprograms == nullptr || !isList(table.document(), *subprograms, "subprograms")) return;
-  for (const ConfigValue& item : subprograms->items) {
+  const std::vector<ConfigValue>* subprograms = table.list("subprograms", kMostTables);
+  if (subprograms == nullptr) return;
+  for (const ConfigValue& item : *subprograms) {
     const auto path = readPath(table.document(), item, "an entry of subprograms", PathKind::kFileOrFolder);
     if (path) job.subprograms.push_back(*path);
   }
@@ -85,7 +85,7 @@ std::vector<std::string> controlsOf(const Job& job) {
 
 Job jobOfSetup(const Job& job, std::size_t index) {
   Job part = job;
-  part.setups.clear();
+  std::vector<SetupSpec>().swap(part.setups);  // their memory, too: a run holds such a job for each of them
   if (job.setups.empty()) return part;
   const SetupSpec& setup = job.setups[index];
   if (!setup.control.empty()) part.control = setup.control;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "core/base/printable.h"
 #include "io/atomic_file.h"
 
 namespace proveout {
@@ -56,6 +57,7 @@ class ParameterReader {
   }
 
   void readOne(const ConfigEntry& entry, const std::string& name) {
+    if (document_.full()) return;
     NumberRange range{-1e12, 1e12, false};
     const auto found = std::find_if(ranges_.begin(), ranges_.end(),
                                     [&](const ParameterRange& known) { return stands(known, name); });
@@ -64,7 +66,7 @@ class ParameterReader {
     } else if (!ranges_.empty()) {
       const std::string nearest = nearestName(name, known_);
       document_.error(entry.place, "job-unknown-key",
-                      fmt::format("control '{}' has no parameter '{}'{}", job_.control, name,
+                      fmt::format("control '{}' has no parameter '{}'{}", job_.control, shortened(name),
                                   nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
       return;
     }
@@ -452,17 +454,17 @@ void readNominal(ConfigTable& root, Job& job) {
   nominal.mesh.unit = readUnit(*table);
   if (const auto gouge = table->number("gouge", kPositiveLength)) nominal.gouge_mm = *gouge;
   if (const auto excess = table->number("excess", kPositiveLength)) nominal.excess_mm = *excess;
-  for (ConfigTable& region : table->tables("ignore")) readIgnored(region, nominal);
+  for (ConfigTable& region : table->tables("ignore", 1'000)) readIgnored(region, nominal);
   table->refuseOthers();
   job.nominal = std::move(nominal);
 }
 
 void readInterrupts(ConfigTable& root, ConfigTable& panel, Job& job) {
-  const ConfigValue* blocks = panel.find("interrupt_blocks");
-  if (blocks == nullptr || !isList(root.document(), *blocks, "interrupt_blocks")) return;
+  const std::vector<ConfigValue>* blocks = panel.list("interrupt_blocks", kMostTables);
+  if (blocks == nullptr) return;
   job.settings.interrupt_blocks.clear();
   constexpr std::int64_t kMaxBlock = 99'999'999;
-  for (const ConfigValue& item : blocks->items) {
+  for (const ConfigValue& item : *blocks) {
     if (item.type == Type::kInteger && item.integer >= 0 && item.integer <= kMaxBlock) {
       job.settings.interrupt_blocks.push_back(item.integer);
     } else {
@@ -566,11 +568,11 @@ void readSimulation(ConfigTable& root, Job& job) {
 namespace {
 
 /// Heights of section drawings: at most 100.
-void readSections(ConfigTable& root, ConfigTable& output, Job& job) {
+void readSections(ConfigTable& output, Job& job) {
   constexpr std::size_t kMostSections = 100;
-  const ConfigValue* list = output.find("sections");
-  if (list == nullptr || !isList(root.document(), *list, "sections")) return;
-  for (const ConfigValue& height : list->items) {
+  const std::vector<ConfigValue>* heights = output.list("sections", kMostSections);
+  if (heights == nullptr) return;
+  for (const ConfigValue& height : *heights) {
     const bool number = height.type == Type::kInteger || height.type == Type::kNumber;
     if (number && std::isfinite(height.number)) {
       job.output.sections.push_back(height.number);
@@ -579,8 +581,6 @@ void readSections(ConfigTable& root, ConfigTable& output, Job& job) {
     output.error("sections", "job-type", "sections must be a list of heights in mm, like [0.5, 10]");
     return;
   }
-  if (list->items.size() > kMostSections)
-    output.error("sections", "job-range", fmt::format("at most {} sections are drawn", kMostSections));
 }
 
 }  // namespace
@@ -610,7 +610,8 @@ void readOutput(ConfigTable& root, const JobNames& names, Job& job) {
       const bool known = names.views.empty() || std::count(names.views.begin(), names.views.end(), name) > 0;
       if (!known) {
         output->error("views", "job-value",
-                      fmt::format("there is no view '{}'; there are {}", name, fmt::join(names.views, ", ")));
+                      fmt::format("there is no view '{}'; there are {}", shortened(name),
+                                  fmt::join(names.views, ", ")));
       } else if (std::count(job.output.views.begin(), job.output.views.end(), name) > 0) {
         reportTwice("views", name);
       } else {
@@ -619,7 +620,7 @@ void readOutput(ConfigTable& root, const JobNames& names, Job& job) {
     }
   }
   if (const auto csv = output->flag("csv")) job.output.csv = *csv;
-  readSections(root, *output, job);
+  readSections(*output, job);
   if (const auto bodies = output->flag("bodies")) job.output.bodies = *bodies;
   const ConfigValue* size = output->find("size");
   if (size != nullptr && isList(root.document(), *size, "size")) {

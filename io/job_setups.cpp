@@ -9,6 +9,7 @@ namespace proveout {
 
 namespace {
 
+constexpr std::size_t kMostParts = 1'000;  ///< fixtures of a setup, setups of a job
 constexpr NumberRange kDegrees{-360.0, 360.0, false};
 
 /// Turn of a [setup.transform]: `rotate`, or `axis` with `angle`.
@@ -76,7 +77,7 @@ SetupSpec readSetup(ConfigTable& table, bool first, const JobNames& names, const
 }  // namespace
 
 void readFixtures(ConfigTable& root, Job& job) {
-  for (ConfigTable& table : root.tables("fixture")) {
+  for (ConfigTable& table : root.tables("fixture", kMostParts)) {
     FixtureSpec fixture;
     fixture.name = table.text("name").value_or(fmt::format("{}", job.fixtures.size() + 1));
     std::optional<StockSpec> shape;
@@ -101,7 +102,7 @@ void readFixtures(ConfigTable& root, Job& job) {
 }
 
 void readSetups(ConfigTable& root, const JobNames& names, Job& job) {
-  std::vector<ConfigTable> tables = root.tables("setup");
+  std::vector<ConfigTable> tables = root.tables("setup", kMostParts);
   if (tables.empty() && root.find("setup") != nullptr) {
     root.error("setup", "job-value", "setup must hold at least one table, [[setup]]");
   }

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <unordered_set>
 
+#include "core/base/printable.h"
 #include "core/tool/tool_type.h"
 #include "io/job_sections.h"
 
@@ -124,9 +126,9 @@ std::optional<OutlinePoint> readOutlinePoint(const ConfigDocument& document, con
 }
 
 void readForm(ConfigTable& table, Tool& tool) {
-  const ConfigValue* profile = table.require("profile");
-  if (profile == nullptr || !isList(table.document(), *profile, "profile")) return;
-  for (const ConfigValue& item : profile->items) {
+  const std::vector<ConfigValue>* profile = table.must("profile").list("profile", kMostPoints);
+  if (profile == nullptr) return;
+  for (const ConfigValue& item : *profile) {
     const auto point = readOutlinePoint(table.document(), item);
     if (!point) return;
     tool.outline.push_back(*point);
@@ -138,9 +140,9 @@ void readForm(ConfigTable& table, Tool& tool) {
 
 /// Points [x, z] of the holder of an insert.
 void readInsertHolder(ConfigTable& table, Insert& insert) {
-  const ConfigValue* holder = table.find("holder");
-  if (holder == nullptr || !isList(table.document(), *holder, "holder")) return;
-  for (const ConfigValue& item : holder->items) {
+  const std::vector<ConfigValue>* holder = table.list("holder", kMostPoints);
+  if (holder == nullptr) return;
+  for (const ConfigValue& item : *holder) {
     if (item.type != Type::kArray || item.items.size() != 2) {
       table.document().error(item.place, "job-type",
                              "a point of an insert's holder is [x, z], seen from the control point");
@@ -257,9 +259,9 @@ void readShape(ConfigTable& table, const TypeReader& type, Tool& tool) {
 }
 
 void readHolder(ConfigTable& table, Tool& tool) {
-  const ConfigValue* holder = table.find("holder");
-  if (holder == nullptr || !isList(table.document(), *holder, "holder")) return;
-  for (const ConfigValue& item : holder->items) {
+  const std::vector<ConfigValue>* holder = table.list("holder", kMostPoints);
+  if (holder == nullptr) return;
+  for (const ConfigValue& item : *holder) {
     if (item.type != Type::kArray || item.items.size() != 2) {
       table.document().error(item.place, "job-type",
                              "a point of a holder is [height above gauge line, radius]");
@@ -281,7 +283,8 @@ const TypeReader* readType(ConfigTable& table) {
   return &kTypes[at - types.begin()];
 }
 
-void readTool(ConfigTable& table, Job& job) {
+/// `numbers`: of the tools before this one.
+void readTool(ConfigTable& table, std::unordered_set<int>& numbers, Job& job) {
   Tool tool;
   const auto number = table.must("number").integer("number", 1, kMaxToolNumber);
   const TypeReader* const type = readType(table);
@@ -304,11 +307,9 @@ void readTool(ConfigTable& table, Job& job) {
     table.document().error(table.place(), "job-tool", valid.error().message);
     return;
   }
-  for (const Tool& other : job.tools) {
-    if (other.number == tool.number) {
-      table.error("number", "job-value", fmt::format("there are two tools with number {}", tool.number));
-      return;
-    }
+  if (!numbers.insert(tool.number).second) {
+    table.error("number", "job-value", fmt::format("there are two tools with number {}", tool.number));
+    return;
   }
   if (tool.gauge_length != 0.0) job.settings.gauge_lengths[tool.number] = tool.gauge_length;
   job.tools.push_back(std::move(tool));
@@ -346,7 +347,7 @@ void readWork(ConfigTable& offsets, Job& job) {
           entry.place, "job-unknown-key",
           fmt::format(
               "'{}' is no work offset; there are G54 to G59, \"G54.1 P1\" to \"G54.1 P99\" and common",
-              entry.key));
+              shortened(entry.key)));
       continue;
     }
     const auto point = readPoint(offsets.document(), entry.value, entry.key, kAnyLength);
@@ -379,7 +380,7 @@ void readRows(ConfigTable& offsets, const std::string& key, std::map<int, Offset
     if (!number) {
       document.error(entry.place, "job-unknown-key",
                      fmt::format("'{}' is no row of the offset table; rows are numbers from 1 to {}",
-                                 entry.key, kMaxOffsetNumber));
+                                 shortened(entry.key), kMaxOffsetNumber));
       continue;
     }
     OffsetValue row;
@@ -398,7 +399,9 @@ void readRows(ConfigTable& offsets, const std::string& key, std::map<int, Offset
 }  // namespace
 
 void readTools(ConfigTable& root, Job& job) {
-  for (ConfigTable& table : root.tables("tool")) readTool(table, job);
+  std::unordered_set<int> numbers;
+  for (const Tool& tool : job.tools) numbers.insert(tool.number);
+  for (ConfigTable& table : root.tables("tool")) readTool(table, numbers, job);
 }
 
 void readOffsets(ConfigTable& root, Job& job) {

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <new>
 
+#include "core/base/memory.h"
+#include "core/base/memory_limit.h"
 #include "io/atomic_file.h"
 #include "io/mesh_formats.h"
 
@@ -90,6 +92,11 @@ Result<TriMesh> loadMesh(const std::string& path, const MeshLoadOptions& options
   const std::string extension = extensionOf(path);
   if (readerFor(mesh_formats::lowerCase(extension)) == nullptr) return unknownFormat(path);
   try {
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    constexpr double kCopies = 3.0;  // the file, its triangles, the welded mesh
+    const Status fits = error ? Status(Done{}) : memoryFor(kCopies * static_cast<double>(size), path);
+    if (!fits) return fits.error();
     const Result<std::string> bytes = readWholeFile(path, options.max_bytes);
     if (!bytes) return bytes.error();
     return parseMesh(*bytes, extension, path, options);

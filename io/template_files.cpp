@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "io/atomic_file.h"
+#include "io/program_reach.h"
 
 namespace proveout {
 
@@ -29,10 +30,15 @@ std::optional<nc::FilledProgram> fillFile(const std::string& path, const Templat
     return std::nullopt;
   }
   const fs::path folder = fs::path(path).parent_path();
+  ProgramReach own;
+  own.addFolder(folder);
   const auto load = [&](const std::string& name) -> Result<ProgramText> {
-    // Names come from the text of a set: they must not lead out of its folder.
-    if (fs::path(name).filename() != fs::path(name))
+    // Names come from the text of a set: they must not lead out of its folder, links followed.
+    if (name.find_first_of("/\\") != std::string::npos || namesDrive(name))
       return inputError("a set names templates in its own folder, without a path");
+    if (!own.holds(folder / name))
+      return inputError(name +
+                        " leads out of the folder of the set: a set names templates in its own folder");
     return readText(folder / name);
   };
   return nc::fillProgram(*main, use.values, load, use.encoding, diagnostics);

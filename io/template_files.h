@@ -27,6 +27,7 @@ class TemplateProgramSource : public ProgramSource {
   Result<ProgramText> subprogram(const SubprogramQuery& query) const override {
     return files_.subprogram(query);
   }
+  bool finds(const SubprogramQuery& query) const override { return files_.finds(query); }
 
  private:
   std::string path_;

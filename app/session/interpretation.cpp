@@ -14,6 +14,8 @@
 #include "app/session/origin_sink.h"
 #include "app/session/process/process.h"
 #include "app/session/stock_probe.h"
+#include "core/base/memory_limit.h"
+#include "core/base/printable.h"
 #include "core/nc/source_text.h"
 #include "core/tool/tool_table.h"
 #include "io/program_files.h"
@@ -73,12 +75,16 @@ class GuardedBuilder : public ToolpathBuilder {
  private:
   void add(std::size_t bytes, const SourceRef& source) {
     bytes_ += static_cast<double>(bytes);
-    if (bytes_ <= most_bytes_ || outgrown_at_) return;
+    // The paths of other setups and the texts of programs are held as well.
+    constexpr unsigned kLook = 4096;
+    const bool spent = ++added_ % kLook == 0 && memorySpent();
+    if ((bytes_ <= most_bytes_ && !spent) || outgrown_at_) return;
     outgrown_at_ = source;
     progress_.cancel();
   }
 
   double bytes_ = 0.0, most_bytes_;
+  unsigned added_ = 0;
   Progress& progress_;
   std::optional<SourceRef> outgrown_at_;
 };
@@ -265,7 +271,8 @@ BlockRef blockRef(const Toolpath& path, const SourceRef& source, const Recording
   ref.line = source.line;
   ref.block = source.block;
   ref.depth = source.depth;
-  ref.text = texts.line(ref.file, ref.line);
+  constexpr std::size_t kMostText = 400;  // findings repeat it
+  ref.text = shortened(texts.line(ref.file, ref.line), kMostText);
   return ref;
 }
 

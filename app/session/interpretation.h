@@ -24,6 +24,7 @@ class RecordingSource : public ProgramSource {
   RecordingSource(const ProgramSource& inner, TextEncoding encoding) : inner_(inner), encoding_(encoding) {}
   Result<ProgramText> mainProgram() const override;
   Result<ProgramText> subprogram(const SubprogramQuery& query) const override;
+  bool finds(const SubprogramQuery& query) const override { return inner_.finds(query); }
 
   /// Channels besides the one whose program is the main program, in the order of their numbers: their
   /// programs are kept here too. `inner` must outlive this.
@@ -50,6 +51,7 @@ class RecordingSource : public ProgramSource {
     Result<ProgramText> subprogram(const SubprogramQuery& query) const override {
       return recording.keep(inner.subprogram(query));
     }
+    bool finds(const SubprogramQuery& query) const override { return inner.finds(query); }
     const RecordingSource& recording;
     const ProgramSource& inner;
   };

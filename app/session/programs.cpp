@@ -7,6 +7,7 @@
 #include "app/session/process/process.h"
 #include "app/session/setup_findings.h"
 #include "app/session/stock_probe.h"
+#include "core/base/memory_limit.h"
 
 namespace proveout {
 namespace {
@@ -59,6 +60,8 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
     const ProbedStock stock = probedStock(job, setup, blank, run.setups);
     setup.interpreted = interpretProgram(setup.job, *sources[k], settings, progress, &stock);
     if (setup.interpreted.outgrown_at) return outgrown(setup.interpreted);
+    if (const std::optional<Error> refused = memoryRefusal()) return *refused;
+    if (const Status fits = memoryFor(0.0, "what the programs have made"); !fits) return fits.error();
     if (setup.interpreted.summary.end == ProgramEnd::kCancelled || progress.cancelled())
       return Error{ErrorKind::kInterrupted, "interrupted"};
     const std::optional<Error>& failure = setup.interpreted.probe_failure;

@@ -21,6 +21,8 @@ std::string_view severityName(Severity severity) {
 
 void Diagnostics::add(Diagnostic diagnostic) {
   if (diagnostic.severity == Severity::kError) ++errors_;
+  diagnostic.message = boundedMessage(std::move(diagnostic.message));
+  for (std::string& note : diagnostic.notes) note = boundedMessage(std::move(note));
   all_.push_back(std::move(diagnostic));
 }
 

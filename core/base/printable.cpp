@@ -120,6 +120,36 @@ std::string masked(std::string_view text) {
   return out;
 }
 
+namespace {
+
+constexpr std::string_view kLeftOut = "...";
+
+bool isTail(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+/// So much of the beginning, or of the end, as whole characters.
+std::string_view head(std::string_view text, std::size_t most) {
+  while (most > 0 && most < text.size() && isTail(text[most])) --most;
+  return text.substr(0, most);
+}
+std::string_view tail(std::string_view text, std::size_t most) {
+  std::size_t from = text.size() - most;
+  while (from < text.size() && isTail(text[from])) ++from;
+  return text.substr(from);
+}
+
+}  // namespace
+
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  return std::string(head(text, most - kLeftOut.size())).append(kLeftOut);
+}
+
+std::string boundedMessage(std::string message) {
+  constexpr std::size_t kHead = 600, kTail = 400;
+  if (message.size() <= kHead + kTail) return message;
+  return std::string(head(message, kHead)).append(kLeftOut).append(tail(message, kTail));
+}
+
 std::string csvField(std::string_view text) {
   std::string shown = printable(text);
   if (shown.find_first_of(",\"") == std::string::npos) return shown;

@@ -26,6 +26,13 @@ std::string printableLines(std::string_view text);
 /// The same with a question mark for each byte, so that columns stay; tabs stay tabs.
 std::string masked(std::string_view text);
 
+/// Text of a file as a message repeats it: at most `most` bytes, the rest left out as "...".
+std::string shortened(std::string_view text, std::size_t most = 80);
+
+/// A message of at most about 1,000 bytes: what is longer repeats something long, which is left out in the
+/// middle, so that what is said in front of it and behind it stays.
+std::string boundedMessage(std::string message);
+
 /// The field of a table with commas between them (RFC 4180): printable, in quotes where it needs them.
 std::string csvField(std::string_view text);
 

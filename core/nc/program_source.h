@@ -51,6 +51,8 @@ class ProgramSource {
   /// A subprogram. The nct control demands the caller's folder and extension; a source may add the
   /// folders that the job names. Error: none found; the message says what was looked for and where.
   virtual Result<ProgramText> subprogram(const SubprogramQuery& query) const = 0;
+  /// Whether there is a program of that name, be it one that subprogram() refuses: no other may take its place.
+  virtual bool finds(const SubprogramQuery& query) const { return subprogram(query).ok(); }
 };
 
 /// Programs in memory, for tests and for callers that have the text already. Stems are matched without

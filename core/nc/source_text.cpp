@@ -9,6 +9,10 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/memory_limit.h"
+#include "core/base/printable.h"
+#include "core/nc/program_likeness.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -120,9 +124,31 @@ constexpr std::array<EncodingName, 3> kCodePages{{{TextEncoding::kKoi8R, "KOI8-R
                                                   {TextEncoding::kCp1251, "CP1251", "cp1251"},
                                                   {TextEncoding::kGb18030, "GB18030", "gb18030"}}};
 
+/// What is too long for a block, or for the memory: a text is held several times, and its lines and blocks
+/// take their places in tables.
+Status checkSize(std::string_view bytes) {
+  constexpr std::size_t kMostLine = std::size_t{4} << 20;
+  std::size_t lines = 1, begin = 0, starts = 0;
+  for (std::size_t i = 0; i <= bytes.size(); ++i) {
+    const char c = i < bytes.size() ? bytes[i] : '\n';
+    if (c == '%' || c == ';') ++starts;
+    if (c != '\n' && c != '\r') continue;
+    if (i - begin > kMostLine)
+      return inputError(fmt::format("line {} has {} bytes: a line of a program has at most {}", lines,
+                                    i - begin, kMostLine));
+    ++lines;
+    begin = i + 1;
+  }
+  constexpr double kOfLine = 80.0, kOfStart = 200.0, kCopies = 3.0;
+  return memoryFor(kCopies * static_cast<double>(bytes.size()) + kOfLine * static_cast<double>(lines) +
+                       kOfStart * static_cast<double>(starts),
+                   "the program");
+}
+
 }  // namespace
 
 Result<std::string> decodeText(const std::string& bytes, TextEncoding encoding, std::string* chosen) {
+  if (Status fits = checkSize(bytes); !fits) return fits.error();
   const std::size_t nul = bytes.find('\0');
   if (nul != std::string::npos) {
     return inputError(fmt::format(
@@ -255,15 +281,32 @@ void SourceText::indexLabels() {
   std::sort(labels_.begin(), labels_.end());
 }
 
+namespace {
+
+/// A line as diagnostics carry it. Of one that nobody can read its place is enough: there may be many
+/// diagnostics, and each holds its line.
+std::string shownLine(std::string_view line) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+  return line.size() <= kMostBytes ? std::string(line) : std::string();
+}
+
+}  // namespace
+
 Diagnostic diagnosticAt(const SourceText* text, const SourceRef& at, Columns columns, Severity severity,
                         std::string code, std::string message) {
   Diagnostic d;
   d.severity = severity;
   d.code = std::move(code);
-  d.message = std::move(message);
+  d.message = boundedMessage(std::move(message));
   if (text == nullptr || at.line == 0) return d;
+  if (severity == Severity::kError && !mayBeProgram(*text)) {
+    d.code = "no-program";
+    d.message = "this is no NC program: its lines are no blocks";
+    d.where.file = text->name();
+    return d;
+  }
   d.where = {text->name(), static_cast<int>(at.line), columns.begin, columns.end};
-  if (at.line <= text->lines().size()) d.source_line = std::string(text->lines()[at.line - 1]);
+  if (at.line <= text->lines().size()) d.source_line = shownLine(text->lines()[at.line - 1]);
   if (columns.begin != 0 || d.source_line.empty()) return d;
   d.where.column = static_cast<int>(d.source_line.find_first_not_of(" \t")) + 1;
   d.where.column_end = static_cast<int>(d.source_line.find_last_not_of(" \t")) + 2;

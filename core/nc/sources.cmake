@@ -24,6 +24,7 @@ target_sources(proveout_core PRIVATE
   nc/path_emitter.cpp
   nc/path_emitter_curves.cpp
   nc/program_transforms.cpp
+  nc/program_likeness.cpp
   nc/program_source.cpp
   nc/rapid_overlap_stage.cpp
   nc/rolling_comp_stage.cpp

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/base/memory_limit.h"
+
 namespace proveout::nc {
 
 namespace {
@@ -70,13 +72,23 @@ class Filler {
     diagnostics_.add(std::move(d));
   }
 
+  /// Nothing more is taken.
+  void stopFilling(std::string why) {
+    full_ = true;
+    addError({out_.files.front().name, 0, 0, 0}, std::move(why), {});
+  }
+
   /// `number`: of the line in the file of that origin, from 1.
   void add(std::string line, std::size_t file, std::size_t number) {
     bytes_ += line.size() + 1;
-    if (bytes_ > kMaxFilledBytes && !full_) {
-      full_ = true;
-      addError({out_.files.front().name, 0, 0, 0},
-               fmt::format("the program gets larger than {} MiB", kMaxFilledBytes >> 20), {});
+    if (bytes_ > kMaxFilledBytes && !full_)
+      stopFilling(fmt::format("the program gets larger than {} MiB", kMaxFilledBytes >> 20));
+    // What is held of it already is counted; it will be held as a text and cut into lines.
+    constexpr std::size_t kLook = 1024;
+    constexpr double kCopies = 4.0;
+    if (out_.lines.size() % kLook == 0 && !full_) {
+      if (const Status fits = memoryFor(kCopies * static_cast<double>(bytes_), "the filled program"); !fits)
+        stopFilling(fits.error().message);
     }
     if (full_) return;
     out_.lines.push_back(std::move(line));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/memory_limit.h"
 #include "core/base/nearest_name.h"
 #include "core/nc/source_text.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::string_view kDeclares = "//@";
 constexpr std::size_t kMaxParameters = 1000;
+constexpr std::size_t kMostLine = std::size_t{4} << 20;  ///< bytes of values that are filled into a line
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");
@@ -241,6 +243,21 @@ std::string refusalOf(const Template& text, const std::string& parameter, const 
   return {};
 }
 
+namespace {
+
+/// Why so much filled text is refused; empty: it is not.
+std::string tooLarge(std::size_t bytes, std::size_t lines) {
+  if (bytes > kMaxFilledBytes)
+    return fmt::format("the program gets larger than {} MiB", kMaxFilledBytes >> 20);
+  constexpr std::size_t kLook = 1024;  // lines
+  constexpr double kCopies = 4.0;      // still to be made
+  if (lines % kLook != 0) return {};
+  const Status fits = memoryFor(kCopies * static_cast<double>(bytes), "the filled program");
+  return fits ? std::string() : fits.error().message;
+}
+
+}  // namespace
+
 std::optional<std::vector<std::string>> fillTemplate(const Template& text, const TemplateValues& values,
                                                      Diagnostics& diagnostics) {
   bool whole = true;
@@ -268,15 +285,20 @@ std::optional<std::vector<std::string>> fillTemplate(const Template& text, const
   std::size_t bytes = 0;
   for (const std::string& line : text.lines) {
     const bool declares = trimmed(line).starts_with(kDeclares);
-    out.push_back(declares ? std::string() : filled(line, [&](const std::string& name) {
+    std::size_t in_line = 0;  // of values
+    out.push_back(declares ? std::string() : filled(line, [&](const std::string& name) -> const std::string* {
       const auto value = all.find(name);
-      return value == all.end() ? nullptr : &value->second;
+      if (value == all.end()) return nullptr;
+      in_line += value->second.size();
+      return in_line > kMostLine ? nullptr : &value->second;
     }));
     bytes += out.back().size() + 1;
-    if (bytes <= kMaxFilledBytes) continue;
+    std::string why = tooLarge(bytes, out.size());
+    if (in_line > kMostLine) why = fmt::format("the filled line has more than {} bytes", kMostLine);
+    if (why.empty()) continue;
     Diagnostic d;
     d.code = "template";
-    d.message = fmt::format("the program gets larger than {} MiB", kMaxFilledBytes >> 20);
+    d.message = std::move(why);
     d.where = {text.name, static_cast<int>(out.size()), 0, 0};
     diagnostics.add(std::move(d));
     return std::nullopt;

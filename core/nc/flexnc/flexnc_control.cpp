@@ -8,6 +8,7 @@
 #include "core/nc/flexnc/flexnc_origins.h"
 #include "core/nc/flexnc/flexnc_watch.h"
 #include "core/nc/flexnc/flexnc_words.h"
+#include "core/nc/program_likeness.h"
 
 namespace proveout::nc {
 
@@ -225,7 +226,7 @@ FlexControl::Go FlexControl::failed() {
   c_.pipe.clear();
   c_.machine = c_.emitter.machine();
   c_.cycle = {};
-  if (c_.summary.errors < c_.settings.max_errors) return Go::kOn;
+  if (c_.summary.errors < c_.settings.max_errors && mayBeProgram(c_.program.text())) return Go::kOn;
   c_.summary.end = ProgramEnd::kAlarm;
   return Go::kStop;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "core/nc/program_likeness.h"
+
 namespace proveout::nc {
 
 namespace {
@@ -181,7 +183,7 @@ WedmControl::Go WedmControl::finish(const char* code, ProgramEnd end) {
 
 WedmControl::Go WedmControl::failed() {
   if (c_.summary.end == ProgramEnd::kCancelled || c_.summary.end == ProgramEnd::kBlockLimit) return Go::kStop;
-  if (c_.summary.errors < c_.settings.max_errors) return Go::kOn;
+  if (c_.summary.errors < c_.settings.max_errors && mayBeProgram(c_.program.text())) return Go::kOn;
   // What was good before the error is cut.
   c_.chain.flush();
   c_.summary.end = ProgramEnd::kAlarm;

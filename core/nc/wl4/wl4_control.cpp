@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/nc/program_likeness.h"
 #include "core/nc/wl4/wl4_codes.h"
 #include "core/nc/wl4/wl4_functions.h"
 #include "core/nc/wl4/wl4_motion.h"
@@ -218,7 +219,8 @@ Wl4Control::Go Wl4Control::failed() {
   if (c_.summary.end == ProgramEnd::kCancelled || c_.summary.end == ProgramEnd::kBlockLimit) return Go::kStop;
   c_.pipe.clear();
   c_.machine = c_.emitter.machine();
-  if (c_.summary.errors < c_.setup.settings.max_errors) return Go::kOn;
+  const bool told_whole = !c_.levels.empty() && !mayBeProgram(*c_.levels.back().program->text);
+  if (c_.summary.errors < c_.setup.settings.max_errors && !told_whole) return Go::kOn;
   c_.summary.end = ProgramEnd::kAlarm;
   return Go::kStop;
 }

@@ -45,7 +45,8 @@ Result<const Wl4Program*> Wl4Programs::find(const std::string& name) {
   const Result<ProgramText> text = source_.subprogram(query);
   if (text) return load(*text, name);
   const std::string_view own = wl4OwnProgram(name);
-  if (own.empty()) return text.error();
+  // A file that was found and refused is not replaced by another program.
+  if (own.empty() || source_.finds(query)) return text.error();
   const auto loaded = load({"%" + name, "%" + name, std::string(own)}, name);
   if (loaded) texts_.back()->setBuiltIn();
   return loaded;

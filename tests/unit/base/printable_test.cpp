@@ -88,5 +88,22 @@ TEST(StartableThreads, AreCounted) {
   EXPECT_EQ(startableThreads(3), 3);
 }
 
+TEST(Shortened, KeepsWholeCharacters) {
+  EXPECT_EQ(shortened("short"), "short");
+  EXPECT_EQ(shortened(std::string(80, 'x')), std::string(80, 'x'));
+  EXPECT_EQ(shortened(std::string(81, 'x')), std::string(77, 'x') + "...");
+  std::string cyrillic;
+  for (int k = 0; k < 60; ++k) cyrillic += "\xD0\xB6";
+  EXPECT_EQ(shortened(cyrillic), cyrillic.substr(0, 76) + "...");
+}
+
+TEST(BoundedMessage, KeepsWhatStandsAroundALongWord) {
+  EXPECT_EQ(boundedMessage("no key 'x'; did you mean 'y'?"), "no key 'x'; did you mean 'y'?");
+  const std::string shown = boundedMessage("no key '" + std::string(3'000'000, 'x') + "'; did you mean 'y'?");
+  EXPECT_LT(shown.size(), 1'010u);
+  EXPECT_TRUE(shown.starts_with("no key 'xxx"));
+  EXPECT_TRUE(shown.ends_with("xxx'; did you mean 'y'?"));
+}
+
 }  // namespace
 }  // namespace proveout

@@ -419,5 +419,69 @@ TEST(BadJob, AllErrorsAreReportedAtOnce) {
   EXPECT_EQ(folder.diagnostics.errorCount(), 4) << folder.text();
 }
 
+std::string listOf(std::size_t count, const std::string& item) {
+  std::string list = item;
+  for (std::size_t i = 1; i < count; ++i) list += ", " + item;
+  return "[" + list + "]";
+}
+
+TEST(BadJob, ListsAreCountedFirst) {
+  EXPECT_THAT(refusedEnd("[output]\nsections = " + listOf(80'000, "-1.5")),
+              HasSubstr("sections has 80000 entries, 100 are allowed"));
+  EXPECT_THAT(refusedTool("type = 'flat'\ndiameter = 6\nholder = " + listOf(20'000, "[1, 10]")),
+              HasSubstr("holder has 20000 entries, 1000 are allowed"));
+  EXPECT_THAT(refusedTool("type = 'form'\nprofile = " + listOf(20'000, "[1, 10]")),
+              HasSubstr("profile has 20000 entries, 1000 are allowed"));
+  std::string tools;
+  for (int k = 2; k < 20'000; ++k)
+    tools += "[[tool]]\nnumber = " + std::to_string(k) + "\ntype = 'flat'\ndiameter = 6\n";
+  EXPECT_THAT(refusedEnd(tools), HasSubstr("tool has 19999 entries, 10000 are allowed"));
+  EXPECT_THAT(refusedEnd("x = " + listOf(600'000, "1")), HasSubstr("more than 500000 lines and values"));
+  EXPECT_THAT(refused(kSmallJob + std::string(600'000, '\n')), HasSubstr("more than 500000 lines"));
+}
+
+TEST(BadJob, SoManyToolsAreRead) {
+  std::string tools;
+  for (int k = 2; k <= 10'000; ++k)
+    tools += "[[tool]]\nnumber = " + std::to_string(k) + "\ntype = 'flat'\ndiameter = 6\n";
+  JobFolder folder;
+  const auto job = folder.load(kSmallJob + tools);
+  ASSERT_TRUE(job) << folder.text();
+  EXPECT_EQ(job->tools.size(), 10'000u);
+  EXPECT_THAT(refusedEnd(tools + "[[tool]]\nnumber = 7\n"), HasSubstr("entries, 10000 are allowed"));
+  EXPECT_THAT(refusedTool("type = 'flat'\ndiameter = 6\n[[tool]]\nnumber = 2\ntype = 'flat'\ndiameter = 1"),
+              HasSubstr("there are two tools with number 2"));
+}
+
+TEST(BadJob, PlacesOnALongLine) {
+  // Letters of two bytes in front: columns are bytes.
+  std::string text = "name = 'жжж'\n" + kSmallJob + "[output]\nsections = [ # ж\n 1.5, ";
+  for (int k = 0; k < 80; ++k) text += "'ж', ";
+  JobFolder folder;
+  EXPECT_THAT(folder.refusal(text + "]\n"), HasSubstr("sections must be a list of heights"));
+  EXPECT_THAT(refusedEnd("[output]\nviews = ['iso', \"жж\", 'left'] # x"),
+              HasSubstr("there is no view 'жж'"));
+  EXPECT_THAT(refused("x = { ж = 1 }\n" + kSmallJob), HasSubstr(":1:7:"));
+  EXPECT_THAT(refused("'жж' = 1\n" + kSmallJob), HasSubstr(":1:1: error[job-unknown-key]"));
+}
+
+TEST(BadJob, ErrorsAreBoundedInNumberAndLength) {
+  std::string many;
+  for (int k = 0; k < 5'000; ++k) many += "zzkey" + std::to_string(k) + " = 1\n";
+  const std::string told = refused(many + kSmallJob);
+  EXPECT_THAT(told, AllOf(HasSubstr("'zzkey19'"), Not(HasSubstr("'zzkey20'")),
+                          HasSubstr("there are more than 20 errors; the others are not told")));
+  EXPECT_LT(told.size(), 15'000u);
+  const std::string word(300'000, 'z');
+  for (const std::string& text :
+       {word + " = 1\n" + kSmallJob, kSmallJob + "[output]\nviews = ['" + word + "']\n",
+        kSmallJob + "[simulation]\n" + word + " = 1\n", "units = '" + word + "'\n" + kSmallJob,
+        kSmallJob + "[offsets.work]\n" + word + " = 1\n", "control = '" + word + "'\n"}) {
+    const std::string one = refused(text);
+    EXPECT_THAT(one, Not(HasSubstr(std::string(200, 'z')))) << text.substr(0, 40);
+    EXPECT_LT(one.size(), 3'000u) << text.substr(0, 40);
+  }
+}
+
 }  // namespace
 }  // namespace proveout

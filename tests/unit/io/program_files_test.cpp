@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "temp_folder.h"
 
 namespace proveout {
@@ -105,13 +107,14 @@ TEST(FileProgramSource, FindsProgramsByPath) {
   EXPECT_FALSE(source.subprogram({main, {}, "nowhere/at/all.nc"}).ok());
 }
 
-// The manual's file names (14.4.2): folders above the caller's, names that are not in Latin letters.
+// The manual's file names (14.4.2): folders above the caller's, where the job names one that holds them, and
+// names that are not in Latin letters.
 TEST(FileProgramSource, FindsProgramsAboveTheCaller) {
   const TempFolder folder;
   const std::string main = folder.write("a/b/c/main.nc", "");
   folder.write("папка1/папка2/папка3/файл.txt", "above");
   folder.write("a/b/c/подпрограммы/подпрограмма.prg", "below");
-  const FileProgramSource source(main);
+  const FileProgramSource source(main, {folder.path()});
   EXPECT_EQ(source.subprogram({main, {}, "../../../папка1/папка2/папка3/файл.txt"})->bytes, "above");
   EXPECT_EQ(source.subprogram({main, {}, "подпрограммы/подпрограмма.prg"})->bytes, "below");
 }
@@ -140,6 +143,83 @@ TEST(FileProgramSource, RefusesWhatIsNoProgramFile) {
   EXPECT_FALSE(FileProgramSource(main).subprogram(byStem(main, {"O0001"})).ok());
   EXPECT_FALSE(FileProgramSource(main).subprogram(byStem(main, {"../secret"})).ok());
   EXPECT_FALSE(FileProgramSource(main).subprogram(byStem(main, {""})).ok());
+}
+
+/// A secret outside of the folder of the program, and what is said of a program that names it.
+class Reach : public testing::Test {
+ protected:
+  Reach() {
+    folder.write("secret/O0011.nc", "SECRET");
+    folder.write("secret/81.nc", "SECRET");
+    main = folder.write("job/main.nc", "");
+    folder.write("job/lib/part.nc", "inside");
+  }
+  std::string answer(const FileProgramSource& source, const SubprogramQuery& query) const {
+    const auto text = source.subprogram(query);
+    return text ? text->bytes : text.error().message;
+  }
+  std::string named(const std::string& path, std::vector<std::string> places = {}) const {
+    return answer(FileProgramSource(main, std::move(places)), {main, {}, path});
+  }
+  void link(const std::string& target, const std::string& name) const {
+    std::filesystem::create_symlink(target, folder.path(name));
+  }
+  const TempFolder folder;
+  std::string main;
+};
+
+TEST_F(Reach, NamesStayInTheFolderOfTheProgram) {
+  for (const char* path : {"../secret/O0011.nc", "lib/../../secret/O0011.nc", "none/../../secret/O0011.nc",
+                           "../job/../secret/O0011.nc", "../secret/none.nc", "C:/secret/O0011.nc", "c:x.nc"})
+    EXPECT_THAT(named(path), HasSubstr("leads out of the folder of the program")) << path;
+  EXPECT_THAT(named(folder.path("secret/O0011.nc").substr(1)), HasSubstr("there is no program"));
+  EXPECT_EQ(named("lib/part.nc"), "inside");
+  EXPECT_EQ(named("../job/lib/part.nc"), "inside");
+}
+
+TEST_F(Reach, NamesAreFoundInTheFoldersOfTheJob) {
+  EXPECT_EQ(named("../secret/O0011.nc", {folder.path("secret")}), "SECRET");
+  EXPECT_EQ(named("O0011.nc", {folder.path("secret/O0011.nc")}), "SECRET");
+  EXPECT_THAT(named("../secret/81.nc", {folder.path("secret/O0011.nc")}), HasSubstr("leads out"));
+  // A file that the job names calls what lies beside it.
+  const std::string called = folder.path("secret/O0011.nc");
+  EXPECT_EQ(answer(FileProgramSource(main, {called}), {called, {}, "81.nc"}), "SECRET");
+}
+
+TEST_F(Reach, LinksAreFollowed) {
+  link("../secret/O0011.nc", "job/O0011.nc");
+  link("../secret", "job/away");
+  link("lib/part.nc", "job/O0012.nc");
+  link("lib", "job/near");
+  link("O0013.nc", "job/O0013.nc");  // in a circle
+  EXPECT_THAT(named("O0011.nc"), HasSubstr("leads out"));
+  EXPECT_THAT(named("away/O0011.nc"), HasSubstr("leads out"));
+  EXPECT_EQ(named("near/part.nc"), "inside");
+  EXPECT_THAT(answer(FileProgramSource(main), byStem(main, {"O0011"})), HasSubstr("leads out"));
+  EXPECT_EQ(answer(FileProgramSource(main), byStem(main, {"O0012"})), "inside");
+  EXPECT_THAT(answer(FileProgramSource(main), byStem(main, {"O0013"})), HasSubstr("there is no program"));
+  // Links that the job names open what they point to.
+  EXPECT_EQ(named("O0011.nc", {folder.path("job/away")}), "SECRET");
+  EXPECT_EQ(answer(FileProgramSource(folder.path("job/O0011.nc")), byStem("", {"O0012"})), "inside");
+}
+
+TEST_F(Reach, SystemProgramsAreTheControlsOwn) {
+  SubprogramQuery query = byStem(main, {"O9010"});
+  query.system_channel = 1;
+  folder.write("SystemMacros/Channel1/O9010.nct", "system");
+  EXPECT_EQ(answer(FileProgramSource(main), query), "system");
+  std::filesystem::remove_all(folder.path("SystemMacros"));
+  folder.write("secret/Channel1/O9010.nct", "SECRET");
+  link("secret", "SystemMacros");
+  EXPECT_THAT(answer(FileProgramSource(main), query), HasSubstr("leads out"));
+}
+
+TEST_F(Reach, RefusedFilesKeepTheirPlace) {
+  link("../secret/81.nc", "job/81.nc");
+  const FileProgramSource source(main);
+  EXPECT_TRUE(source.finds(byStem(main, {"81"})));
+  EXPECT_TRUE(source.finds({main, {}, "../secret/81.nc"}));
+  EXPECT_FALSE(source.finds(byStem(main, {"82"})));
 }
 
 }  // namespace

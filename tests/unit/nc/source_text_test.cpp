@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/memory_limit.h"
+#include "core/nc/program_likeness.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -69,6 +72,49 @@ TEST(SourceText, FindsBlockNumbers) {
   EXPECT_EQ(text.label(40).line_index, SourceText::kNoLabel);
   EXPECT_EQ(text.label(60).line_index, SourceText::kNoLabel) << "only numbers at the head are labels";
   EXPECT_EQ(text.label(70).line_index, 6);
+}
+
+bool mayBe(const std::string& text) { return mayBeProgram(SourceText("x", "x", text)); }
+
+TEST(MayBeProgram, TakesBlocksOfEveryControl) {
+  for (const char* text :
+       {"", "%\n", "(only a comment)\n", "O0011\n", "G0 X1.5 Y-2\n", "N10 G1 X=#3 Y[#1+2]\n", "#100 = 5\n",
+        "IF [#1 EQ 2] GOTO 10\n", "WHILE[#1LT3]DO1\n", "text that is none\nG1 X5\n", "/2 N5 M3\n",
+        "%1\nN1 G0 X10 Z#2\nM02\n", "N0001G92X0.Y0.;G01X5000;M02;\n", "G77 X10 Z-5 // comment\n", "SP1=500\n",
+        "M98 <a/b.nc>\n", ":1234\nG21\n", "\x11%\r\nG1 X1\r\n\x13", "g1 x1 y1\n"})
+    EXPECT_TRUE(mayBe(text)) << text;
+}
+
+TEST(MayBeProgram, KnowsWhatIsNone) {
+  for (const char* text :
+       {"root:x:0:0:root:/root:/bin/bash\ndaemon:x:1:1:daemon:/usr/sbin:/usr/sbin/nologin\n",
+        "# A heading\n\nSome text, with 3 numbers and (brackets).\n", "{\n  \"a\": 1\n}\n",
+        "schema = \"proveout.job/1\"\ncontrol = \"nct\"\n", "solid x\nfacet normal 0 0 1\nouter loop\n",
+        "a,b,c\n1.0,2.0,3.0\n", "-----BEGIN KEY-----\nMIIEpAIBAAKCAQEA7bq98Zk\n-----END KEY-----\n",
+        "int main() { return 0; }\n", "PASSWORD=hunter2\n",
+        "\x7F"
+        "ELF\x02\x01\x01\x03\nG1\n"})
+    EXPECT_FALSE(mayBe(text)) << text;
+}
+
+TEST(DecodeText, RefusesLinesThatNoProgramHas) {
+  const auto long_line = decodeText("G0 X1\n" + std::string(5'000'000, 'X'), TextEncoding::kAuto);
+  ASSERT_FALSE(long_line.ok());
+  EXPECT_NE(long_line.error().message.find("line 2 has 5000000 bytes"), std::string::npos)
+      << long_line.error().message;
+}
+
+TEST(DecodeText, StaysWithinTheMemoryLimit) {
+  const std::string text(40'000'000, '\n');
+  EXPECT_TRUE(decodeText("G0 X1\n", TextEncoding::kAuto).ok());
+  const MemoryLimit limit(400e6);
+  const auto refused = decodeText(text, TextEncoding::kAuto);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().kind, ErrorKind::kResourceLimit);
+  EXPECT_NE(refused.error().message.find("400 MB are allowed; allow more (--max-memory)"), std::string::npos)
+      << refused.error().message;
+  EXPECT_TRUE(decodeText("G0 X1\n", TextEncoding::kAuto).ok());
+  EXPECT_TRUE(memoryRefusal());
 }
 
 }  // namespace

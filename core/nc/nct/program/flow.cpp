@@ -9,6 +9,7 @@
 #include "core/nc/nct/program/control.h"
 #include "core/nc/nct/program/reset.h"
 #include "core/nc/nct/system_variables/status_bank.h"
+#include "core/nc/program_likeness.h"
 
 namespace proveout::nc {
 namespace {
@@ -69,7 +70,8 @@ NctControl::Go NctControl::stopAtAlarm() {
 }
 
 NctControl::Go NctControl::alarm() {
-  return summary_.errors < context_.settings.max_errors ? Go::kOn : stopAtAlarm();
+  const bool told_whole = !context_.calls.empty() && !mayBeProgram(*context_.calls.top().text);
+  return summary_.errors < context_.settings.max_errors && !told_whole ? Go::kOn : stopAtAlarm();
 }
 
 bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller) {
