@@ -22,9 +22,9 @@ constexpr double kPieceChordMm = 1e-3;
 constexpr double kIntoMm = 0.005;
 /// How far it is looked back from the last cut about a body for the one that closed it.
 constexpr double kLookBackKerfs = 8.0;
-/// Way of the wire, in half widths of the kerf, on which it trims the cusp that its front leaves on a piece:
-/// two, where it comes to meet a kerf's round end, and a little for rounding.
-constexpr double kTrimKerfs = 2.05;
+/// Way of the wire, in half widths of the kerf, on which it trims the cusp that its front leaves on a piece,
+/// where it comes to meet a kerf's round end.
+constexpr double kTrimKerfs = 2.0;
 /// Pieces that come free within so much of way do so at once, mm.
 constexpr double kSameTimeMm = 1e-3;
 
