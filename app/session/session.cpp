@@ -77,8 +77,10 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
 /// Shorter runs are over before anybody asks how long they take: there the machine is not measured.
 constexpr double kShortS = 0.15;
 
-/// Whether the blank can be made before it is known what is cut from it: its grid alone is allowed.
+/// Whether the blank can be made before it is known what is cut from it: its grid alone is allowed. Not where
+/// reading is held to a limit by what the process holds (MemoryLimit).
 bool makesBlankEarly(const Job& job, const Blank& blank) {
+  if (job.simulation.max_memory_gb > 0.0) return false;
   if (!processOf(job, 0).on_grid || blank.stock || choosesGrid(job, blank)) return false;
   Workload uncut;
   uncut.surface_mm2 = blankArea(blank.shape, blank.bounds);

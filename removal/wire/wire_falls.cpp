@@ -22,6 +22,9 @@ constexpr double kPieceChordMm = 1e-3;
 constexpr double kIntoMm = 0.005;
 /// How far it is looked back from the last cut about a body for the one that closed it.
 constexpr double kLookBackKerfs = 8.0;
+/// Way of the wire, in half widths of the kerf, on which it trims the cusp that its front leaves on a piece,
+/// where it comes to meet a kerf's round end.
+constexpr double kTrimKerfs = 2.0;
 /// Pieces that come free within so much of way do so at once, mm.
 constexpr double kSameTimeMm = 1e-3;
 
@@ -179,11 +182,11 @@ class FallFinder {
     bool goes_on;
   };
 
-  /// The kerf's front frees a piece before its sides have met what was cut before: two kerfs of way, if they
-  /// go on, trim the cusp in between.
+  /// The kerf's front frees a piece before its sides have met what was cut before: as long as the wire goes on
+  /// it trims the cusp in between.
   CutTime trimmed(CutTime time) const {
     constexpr double kSamePlace = 1e-6;
-    double way = 2.0 * cuts_.front().kerf_mm;
+    double way = kTrimKerfs * cuts_.front().kerf_mm;
     while (time.cuts < cuts_.size()) {
       const WireStretch& on = cuts_[time.cuts];
       const bool begins = time.share <= 0.0;

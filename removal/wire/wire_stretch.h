@@ -45,7 +45,7 @@ struct CutTime {
 std::vector<WireStretch> cutUntil(const std::vector<WireStretch>& cuts, const CutTime& time);
 
 /// What is looked for along stretches is found to this, mm of way.
-inline constexpr double kWayMm = 1e-5;
+inline constexpr double kWayMm = 1e-6;
 /// The time between two at which `done` turns from false to true, to about kWayMm: it is true then. Requires
 /// done(later) and earlier < later.
 template <typename Done>

@@ -1,6 +1,7 @@
 // What comes from outside as text, names of files and words of programs, acts on no terminal and on no table.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <vector>
 
@@ -145,6 +146,59 @@ TEST_F(ForeignText, CommandLines) {
         "render ring.nc --view " + evil, "compare " + evil + " " + evil, "explain " + evil + " --at 1,2,3",
         "explain ring.nc --at " + evil})
     clean(wrong, 2);
+}
+
+// Called programs are those of the job: nothing of another file is shown, whatever way leads there.
+TEST_F(ForeignText, ProgramsReachOnlyWhatTheJobNames) {
+  const std::string secret = "hunter2:x:0:0\n";
+  bench.write("secret.nc", secret);
+  bench.write("job/sub/inside.nc", "G0 X1\nM99\n");
+  fs::create_symlink("../secret.nc", bench.path("job/O0011.nc"));
+  fs::create_symlink("../secret.nc", bench.path("job/81.nc"));
+  fs::create_symlink("..", bench.path("job/up"));
+  const auto refused = [&](const std::string& arguments, const std::string& place) {
+    const Outcome outcome = bench.run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_TRUE(has(outcome.out + outcome.err, "leads out of the folder")) << arguments << outcome.err;
+    EXPECT_TRUE(has(outcome.out + outcome.err, place)) << outcome.err;
+    EXPECT_FALSE(has(outcome.out + outcome.err, "hunter2")) << arguments << outcome.err;
+  };
+  for (const char* call : {"M98 <../secret.nc>", "M98 <..\\secret.nc>", "G65 <..\\sub\\..\\secret.nc>",
+                           "M98 <up/secret.nc>", "M98 <C:\\secret.nc>", "M98 P11"}) {
+    bench.write("job/main.nc", std::string("G21 G90 T1 M6\n") + call + "\nM30\n");
+    refused("check job/main.nc --control nct", "main.nc:2:");
+    refused("check job/main.nc --control nct --json", "");
+    refused("path job/main.nc --control nct", "main.nc:2:");
+    refused("run job/main.nc --out out" + std::string(kRingOptions), "main.nc:2:");
+    for (const char* file : {"out/report.json", "out/report.html", "out/junit.xml"})
+      EXPECT_FALSE(has(readFile(bench.path(file)), "hunter2")) << file;
+  }
+  bench.write("job/main.nc", "M98 <sub/inside.nc>\nM98 <up/job/sub/inside.nc>\nM30\n");
+  EXPECT_EQ(bench.run("check job/main.nc --control nct").exit_code, 0);
+  bench.write("job/wl4.nc", "%01\nG81 X1 Y1 Z-1\nM02\n");
+  EXPECT_FALSE(has(bench.run("check job/wl4.nc --control wl4-mill").err, "hunter2"));
+}
+
+TEST_F(ForeignText, WhatIsNoProgramIsToldInOneLine) {
+  std::string users, bytes =
+                         "\x7F"
+                         "ELF\x02\x01\n";
+  for (int k = 0; k < 30; ++k) users += "hunter2:x:0:" + std::to_string(k) + ":/bin/sh\n";
+  for (int k = 1; k < 2000; ++k) bytes += static_cast<char>(1 + k * 7 % 255);
+  bench.write("users.nc", users);
+  bench.write("binary.nc", bytes);
+  bench.write("main.nc", "G21 G90\nM98 <users.nc>\nM30\n");
+  for (const char* control : {"nct", "wl4-mill", "wl4-lathe", "flexnc", "wedm"}) {
+    for (const char* file : {"users.nc", "binary.nc", "main.nc"}) {
+      if (std::string(file) == "main.nc" && std::string(control) != "nct") continue;
+      const Outcome outcome = bench.run("check " + std::string(file) + " --control " + control);
+      EXPECT_EQ(outcome.exit_code, 2) << control << file;
+      EXPECT_FALSE(has(outcome.err, "hunter2")) << control << outcome.err;
+      EXPECT_FALSE(has(outcome.err, "ELF")) << control << outcome.err;
+      const auto lines = std::count(outcome.err.begin(), outcome.err.end(), '\n');
+      EXPECT_LE(lines, std::string(file) == "main.nc" ? 2 : 1) << control << outcome.err;
+    }
+  }
 }
 
 }  // namespace

@@ -230,5 +230,65 @@ TEST_F(Limits, FilesThatAProgramOpens) {
   EXPECT_EQ(bench.files("out2/files").size(), 1000u);
 }
 
+std::string repeated(std::size_t count, const std::string& item) {
+  std::string text;
+  text.reserve(count * item.size());
+  for (std::size_t k = 0; k < count; ++k) text += item;
+  return text;
+}
+
+/// Of the largest program that was waited for so far, kB.
+long peakOfChildren() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST_F(Limits, ReadingIsHeldToTheMemoryOfTheRun) {
+  constexpr long kMostKb = 300'000;
+  const std::string options = std::string(kRingOptions) + "--no-render --out out --max-memory 0.2";
+  bench.write("comment.nc", "(" + std::string(60'000'000, 'x') + ")\nM30\n");
+  bench.write("words.nc", repeated(20'000'000, "X1") + "\nM30\n");
+  bench.write("lines.nc", repeated(30'000'000, "\n") + "M30\n");
+  bench.write("moves.nc",
+              "G21 G90 G17 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\nWHILE[1EQ1]DO1\n#1=#1+1\nX[#1/1E6]\nEND1\n");
+  struct Case {
+    std::string program;
+    int exit_code;
+    std::string told;
+  };
+  for (const Case& c :
+       {Case{"comment.nc", 3, "--max-memory"}, Case{"words.nc", 2, "line 1 has 40000000 bytes"},
+        Case{"lines.nc", 3, "--max-memory"}, Case{"moves.nc", 3, "--max-memory"}}) {
+    Outcome outcome;
+    const bool measured = !PROVEOUT_SANITIZED && peakOfChildren() <= kMostKb;
+    const double took = processorSecondsOf([&] { outcome = bench.run("run " + c.program + options); });
+    EXPECT_EQ(outcome.exit_code, c.exit_code) << c.program << outcome.err;
+    EXPECT_TRUE(has(outcome.err, c.told)) << c.program << outcome.err;
+    EXPECT_LT(outcome.err.size(), 2'000u) << c.program;
+    if (!PROVEOUT_SANITIZED) {
+      EXPECT_LT(took, 5.0) << c.program;
+    }
+    if (measured) {
+      EXPECT_LE(peakOfChildren(), kMostKb) << c.program;
+    }
+  }
+}
+
+TEST_F(Limits, ManySetupsHoldThemselvesOnce) {
+  bench.write("p.nc", "G21 G90\nG0 X5 Y5 Z5\nM30\n");
+  std::string job =
+      "schema = \"proveout.job/1\"\ncontrol = \"nct\"\n[stock]\nshape = \"box\"\nmin = [0, 0, -10]\n"
+      "max = [10, 10, 0]\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 6\n";
+  for (int k = 0; k < 600; ++k) job += "[[setup]]\nprogram = \"p.nc\"\n";
+  bench.write("job.toml", job);
+  const bool measured = !PROVEOUT_SANITIZED && peakOfChildren() <= 250'000;
+  const Outcome outcome = bench.run("run job.toml --no-render --out out --resolution 1 --max-memory 0.2");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err.substr(0, 500);
+  if (measured) {
+    EXPECT_LE(peakOfChildren(), 250'000);
+  }
+}
+
 }  // namespace
 }  // namespace proveout::test
