@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "core/base/memory_limit.h"
 #include "io/atomic_file.h"
 #include "io/config_table.h"
 #include "io/job_sections.h"
@@ -38,6 +39,17 @@ void readHead(ConfigTable& root, Job& job) {
   if (const auto units = root.choice("units", {"mm", "inch"})) {
     job.settings.units = *units == "inch" ? LengthUnit::kInch : LengthUnit::kMillimetre;
   }
+}
+
+/// `max_memory_gb` of [simulation]; 0: none. What is wrong with it is told where that is read.
+double memoryGb(const ConfigValue& tree) {
+  for (const ConfigEntry& section : tree.entries) {
+    if (section.key != "simulation") continue;
+    for (const ConfigEntry& entry : section.value.entries) {
+      if (entry.key == "max_memory_gb") return entry.value.number;
+    }
+  }
+  return 0.0;
 }
 
 }  // namespace
@@ -107,6 +119,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   const std::optional<ConfigValue> tree = parseToml(text, document.text, diagnostics);
   if (!tree) return std::nullopt;
 
+  const MemoryLimit memory(1e9 * memoryGb(*tree));  // templates are filled while the job is read
   Job job;
   ConfigTable root(document, *tree, "the job file");
   readHead(root, job);

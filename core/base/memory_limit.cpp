@@ -27,6 +27,7 @@ double residentBytes() {
 }  // namespace
 
 MemoryLimit::~MemoryLimit() {
+  if (!own_) return;
   limit_bytes.store(0.0);
   const std::lock_guard<std::mutex> lock(refusal_mutex);
   refusal.reset();
@@ -35,7 +36,9 @@ MemoryLimit::~MemoryLimit() {
 void MemoryLimit::set(double bytes) {
   // What the program takes with nothing read; less is refused by what predicts the work.
   constexpr double kOwnBytes = 64e6;
-  if (limit_bytes.load() <= 0.0 && bytes > 0.0) limit_bytes.store(std::max(bytes, kOwnBytes));
+  if (limit_bytes.load() > 0.0 || !(bytes > 0.0)) return;
+  limit_bytes.store(std::max(bytes, kOwnBytes));
+  own_ = true;
 }
 
 Status memoryFor(double more, const std::string& what) {

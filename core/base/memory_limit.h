@@ -10,7 +10,7 @@ namespace proveout {
 
 /// How much this process may hold while it reads files and programs, bytes; behind that, predictions hold.
 /// There is one for the process, since what is counted is all of it: it is in force as long as the object
-/// lives.
+/// lives that has set it.
 class MemoryLimit {
  public:
   explicit MemoryLimit(double bytes = 0.0) { set(bytes); }
@@ -19,6 +19,9 @@ class MemoryLimit {
   ~MemoryLimit();
   /// The first one that is above 0 counts, as 64 MB at least. Not from several threads.
   void set(double bytes);
+
+ private:
+  bool own_ = false;  ///< the limit in force is this object's
 };
 
 /// Error (kResourceLimit): `more` bytes on top of what is held would go over the limit. `what` begins its
