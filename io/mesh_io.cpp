@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <new>
 
+#include "core/base/memory.h"
 #include "io/atomic_file.h"
 #include "io/mesh_formats.h"
 
@@ -62,7 +63,7 @@ Error unknownFormat(const std::string& name) {
 }
 
 Error outOfMemory(const std::string& name) {
-  return {ErrorKind::kResourceLimit, name + ": the mesh does not fit into memory"};
+  return proveout::outOfMemory(name + ": the mesh does not fit into memory", "take a coarser one");
 }
 
 }  // namespace
