@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
+#include "app/input_files.h"
 #include "app/outputs.h"
 #include "app/run_report.h"
 #include "app/session/findings.h"
@@ -117,6 +118,8 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
 
 /// Fills the guard with the two files, and checks that the results can be written beside them.
 Status checkTarget(const CompareCommandOptions& options, OutputGuard& guard) {
+  if (Status settled = settleInputs({{"machined mesh", options.machined}, {"nominal", options.nominal}}); !settled)
+    return settled;
   guard.protect("machined mesh", options.machined);
   guard.protect("nominal", options.nominal);
   if (Status streams = guard.checkStandardOutput(); !streams) return streams;

@@ -46,6 +46,7 @@ Result<Vec3> parsePoint(const std::string& text) {
 Result<RunOptions> commandOf(const std::string& name) {
   const std::string path =
       std::filesystem::is_directory(name) ? (std::filesystem::path(name) / "report.json").string() : name;
+  if (const Status settled = settleInputs({{"report", path}}); !settled) return settled.error();
   const Result<std::string> text = readWholeFile(path, kMaxReportBytes);
   if (!text) return text.error();
   const nlohmann::json root = nlohmann::json::parse(*text, nullptr, false);
@@ -109,6 +110,7 @@ void sayDeviation(Console& console, const Vec3& place, const SettledPoint& at, c
 
 Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgress& progress) {
   OutputGuard guard;
+  if (Status settled = settleInputs(namedInputs(job)); !settled) return settled;
   protectAll(namedInputs(job), guard);
   if (const Status streams = guard.checkStandardOutput(); !streams) return streams;
   const ThreadSupply threads(job.simulation.threads);

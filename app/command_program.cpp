@@ -121,8 +121,9 @@ std::optional<Job> jobOrPrint(const ProgramOptions& options, Console& console) {
   if (!job) return job;
   OutputGuard guard;
   protectAll(namedInputs(*job), guard);
-  if (const Status apart = guard.checkStandardOutput(); !apart) {
-    printError(console, apart.error());
+  for (const Status& fit : {settleInputs(namedInputs(*job)), guard.checkStandardOutput()}) {
+    if (fit) continue;
+    printError(console, fit.error());
     return std::nullopt;
   }
   return job;

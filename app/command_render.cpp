@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
+#include "app/input_files.h"
 #include "app/pictures.h"
 #include "app/session/nominal_mesh.h"
 #include "app/session/thread_supply.h"
@@ -130,6 +131,9 @@ Status renderToFile(const RenderCommandOptions& options, const std::string& outp
   const Result<MeshUnit> unit = parseMeshUnit(options.unit);
   if (!unit) return inputError("--unit: " + unit.error().message);
   std::optional<HeatMapSource> colours;
+  if (Status settled = settleInputs({{"mesh", options.mesh}, {"report", options.heatmap.value_or(options.mesh)}});
+      !settled)
+    return settled;
   if (options.heatmap) {
     Result<HeatMapSource> source = readHeatMapSource(*options.heatmap);
     if (!source) return source.error();

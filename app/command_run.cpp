@@ -129,6 +129,7 @@ Result<Written> runJob(const Job& job, const std::vector<std::string>& command, 
   const ThreadSupply threads(job.simulation.threads);
   const JobSources sources(job);
   Target target{folder, {}};
+  if (const Status settled = settleInputs(namedInputs(job)); !settled) return settled.error();
   protectAll(namedInputs(job), target.guard);
   if (const Status possible = checkOutputs(job, folder, target.guard); !possible) return possible.error();
   Result<PreparedRun> prepared = prepareRun(job, sources.all(), progress);

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "app/exit_codes.h"
+#include "core/base/memory.h"
 #include "core/base/printable.h"
 
 namespace proveout {
@@ -27,8 +28,7 @@ int runGuarded(const CommandOptions& command, Console& console, ConsoleProgress&
     return std::visit(Dispatch{console, progress}, command);
   } catch (const std::bad_alloc&) {
     progress.clear();
-    return printError(console,
-                      {ErrorKind::kResourceLimit, "not enough memory; a coarser --resolution needs less"});
+    return printError(console, outOfMemory("not enough memory", "a coarser --resolution needs less"));
   } catch (const std::exception& error) {
     progress.clear();
     return printError(console, {ErrorKind::kInternal, error.what()});

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
+#include "app/result_moves.h"
 #include "io/template_files.h"
 
 namespace proveout {
@@ -62,6 +64,15 @@ std::vector<InputFile> templatesOf(const Job& job) {
     found.addTemplates(part.program, part.filled);
   }
   return std::move(found.files);
+}
+
+Status settleInputs(const std::vector<InputFile>& files) {
+  std::set<std::string> folders;
+  for (const InputFile& file : files) folders.insert(std::filesystem::path(file.path).parent_path().string());
+  for (const std::string& folder : folders) {
+    if (Status settled = settleResults(folder); !settled) return settled;
+  }
+  return Done{};
 }
 
 void protectAll(const std::vector<InputFile>& files, OutputGuard& guard) {

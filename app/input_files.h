@@ -21,6 +21,10 @@ std::vector<InputFile> namedInputs(const Job& job);
 /// The templates and sets that the job fills in, with the templates that sets name.
 std::vector<InputFile> templatesOf(const Job& job);
 
+/// Carries out what a killed command left half done in the folders of these files, which may be results (see
+/// result_moves.h). Errors: it cannot be.
+Status settleInputs(const std::vector<InputFile>& files);
+
 void protectAll(const std::vector<InputFile>& files, OutputGuard& guard);
 
 /// The programs that were read of a clamping, the main programs of its channels first.

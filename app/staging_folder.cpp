@@ -1,18 +1,14 @@
 #include "app/staging_folder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <filesystem>
 #include <system_error>
-#include <thread>
 #include <utility>
 
+#include "app/result_moves.h"
 #include "io/atomic_file.h"
 
 namespace proveout {
@@ -24,8 +20,6 @@ namespace {
 constexpr std::string_view kAsidePrefix = ".proveout-run-";
 /// Moving files takes a moment; who takes longer hangs.
 constexpr double kPatienceS = 30.0;
-/// Moved last and taken away first: it vouches for the others.
-constexpr const char* kReportName = "report.json";
 
 const Error kStopped{ErrorKind::kInterrupted, "interrupted"};
 
@@ -48,31 +42,6 @@ void removeAbandoned(const std::string& folder) {
 
 }  // namespace
 
-FolderLock::FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  return *this;
-}
-
-FolderLock::~FolderLock() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
-FolderLock::Outcome FolderLock::take(const std::string& folder, double wait_s) {
-  if (descriptor_ < 0) descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor_ < 0) return Outcome::kUnknown;
-  using Clock = std::chrono::steady_clock;
-  const auto until = Clock::now() + std::chrono::duration<double>(wait_s);
-  while (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    if (errno == EINTR) continue;
-    if (errno != EWOULDBLOCK) return Outcome::kUnknown;
-    if (Clock::now() >= until) return Outcome::kBusy;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return Outcome::kTaken;
-}
-
 Result<StagingFolder> StagingFolder::create(const std::string& target, const OutputGuard* guard,
                                             const Progress* progress) {
   StagingFolder staging;
@@ -82,7 +51,10 @@ Result<StagingFolder> StagingFolder::create(const std::string& target, const Out
     staging.made_.push_back(above.string());
   if (const Status made = makeFolders(target); !made) return made.error();
   FolderLock making;
-  if (making.take(target, kPatienceS) == FolderLock::Outcome::kTaken) removeAbandoned(target);
+  if (making.take(target, kPatienceS) == FolderLock::Outcome::kTaken) {
+    removeAbandoned(target);
+    if (const Status settled = settleLocked(target); !settled) return settled.error();
+  }
   std::string pattern = (fs::path(target) / (std::string(kAsidePrefix) + std::string(6, 'X'))).string();
   if (mkdtemp(pattern.data()) == nullptr) return folderError(target, "cannot write into this folder", errno);
   staging.target_ = target;
@@ -137,15 +109,6 @@ std::string StagingFolder::asTarget(std::string message) const {
   return message;
 }
 
-Status StagingFolder::move(const std::string& name) const {
-  const fs::path target = fs::path(target_) / name;
-  if (Status made = makeFolders(target.parent_path().string()); !made) return made;
-  std::error_code error;
-  fs::rename(fs::path(aside_) / name, target, error);
-  if (error) return folderError(target.string(), "cannot be written", error.value());
-  return Done{};
-}
-
 Status StagingFolder::commit() {
   if (progress_ != nullptr && progress_->cancelled()) return kStopped;
   for (const Missing& file : missing_) {
@@ -158,21 +121,16 @@ Status StagingFolder::commit() {
     return inputError(target_ +
                       ": another run has been writing into this folder for too long: end it, or "
                       "write to another folder");
-  std::vector<std::string> names = names_;
-  const auto isReport = [](const std::string& name) { return name == kReportName; };
-  const auto report =
-      std::stable_partition(names.begin(), names.end(), [&](const auto& name) { return !isReport(name); });
-  std::error_code ignored;
-  if (report != names.end()) fs::remove(fs::path(target_) / kReportName, ignored);
-  Status first = Done{};
-  for (const auto& [name, why] : missing_) {  // an earlier run's must not pass for this one's
-    if (!fs::is_directory(fs::path(target_) / name, ignored)) fs::remove(fs::path(target_) / name, ignored);
+  if (const Status settled = settleLocked(target_); !settled) return settled;
+  ResultChange change{target_, aside_, names_, {}};
+  for (const Missing& file : missing_) {  // an earlier run's must not pass for this one's
+    std::error_code ignored;
+    if (!fs::is_directory(fs::path(target_) / file.name, ignored)) change.removed.push_back(file.name);
   }
-  for (const std::string& name : names) {
-    if (!first && isReport(name)) break;
-    if (Status done = move(name); first && !done) first = std::move(done);
-  }
-  return first;
+  const bool swapped = swapResults(change);
+  Status moved = swapped ? Status(Done{}) : moveResults(change);
+  in_use_.release();  // where it was swapped the folder is the target now
+  return moved;
 }
 
 }  // namespace proveout

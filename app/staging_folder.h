@@ -6,29 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "app/folder_lock.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "io/atomic_file.h"
 #include "io/output_guard.h"
 
 namespace proveout {
-
-/// A descriptor of a folder with the lock on it, which goes with the object or with the process.
-class FolderLock {
- public:
-  FolderLock() = default;
-  FolderLock(FolderLock&& other) noexcept;
-  FolderLock& operator=(FolderLock&& other) noexcept;
-  FolderLock(const FolderLock&) = delete;
-  ~FolderLock();
-
-  enum class Outcome { kTaken, kBusy, kUnknown };  ///< unknown: this file system has no locks
-  /// Takes the lock, if need be after waiting for another process for up to `wait_s`.
-  Outcome take(const std::string& folder, double wait_s);
-
- private:
-  int descriptor_ = -1;
-};
 
 /// A folder inside the target that is removed with what is left in it when the object goes; so are folders
 /// that were made for it and are empty. What killed runs left aside in the target is removed when it is made.
@@ -46,16 +30,16 @@ class StagingFolder {
   /// Lets `make` write the file that will be called `name` to a path aside. A file that fails is left out.
   /// Errors: those of `make`; a folder stands in the target under that name; the guard forbids it.
   Status write(const std::string& name, const std::function<Status(const std::string& path)>& make);
-  /// Moves every file into the target, report.json last: where one stands in the folder, everything that it
-  /// names is there. Waits for another run that is at it. Of files that could not be made, those of an
-  /// earlier run are removed; if report.json is one of them nothing is moved. Call once, when all are
-  /// complete. The error is that of the first file that cannot be moved; the others are, but for report.json.
+  /// Puts all files into the target at once, by a swap of folders or behind a journal (result_moves.h): a
+  /// command that is killed meanwhile leaves the old set or the new one. Waits for another run that is at it.
+  /// Of files that could not be made, those of an earlier run are removed; if report.json is one of them
+  /// nothing is moved. Call once, when all are complete. The error is that of the first file that cannot be
+  /// moved; the others are, but for report.json.
   Status commit();
 
  private:
   StagingFolder() = default;
   std::string asTarget(std::string message) const;
-  Status move(const std::string& name) const;
 
   std::string target_, aside_;
   std::vector<std::string> names_;

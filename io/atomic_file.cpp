@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -23,11 +24,26 @@ std::string reason(int error) { return std::generic_category().message(error); }
 
 Error writeError(const std::string& path, int error) { return folderError(path, "cannot be written", error); }
 
+/// How long a name may be in a folder, or in the folder above it that is there.
+std::size_t longestName(fs::path folder) {
+  constexpr std::size_t kUsual = 255, kLeast = 64;
+  std::error_code error;
+  while (!folder.empty() && !fs::is_directory(folder, error) && folder != folder.parent_path())
+    folder = folder.parent_path();
+  const long longest = ::pathconf(folder.empty() ? "." : folder.c_str(), _PC_NAME_MAX);
+  return longest <= 0 ? kUsual : std::max(kLeast, static_cast<std::size_t>(longest));
+}
+
 /// Creates a file next to `target` that did not exist. The name carries the process id, so that two runs that
 /// write to one folder do not share it.
 std::FILE* createAside(const std::string& target, std::string& aside) {
+  constexpr std::size_t kRoom = 32;  // for what is put behind a name, which may be as long as any
+  const fs::path path(target);
+  const std::string name = path.filename().string();
+  const std::string kept = name.substr(0, std::min(name.size(), longestName(path.parent_path()) - kRoom));
   for (int attempt = 0; attempt < 100; ++attempt) {
-    aside = target + ".tmp" + std::to_string(getpid()) + "-" + std::to_string(attempt);
+    aside = (path.parent_path() / kept).string() + ".tmp" + std::to_string(getpid()) + "-" +
+            std::to_string(attempt);
     const int descriptor = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) return ::fdopen(descriptor, "wb");
     if (errno != EEXIST) return nullptr;
@@ -116,6 +132,25 @@ Status AtomicFile::commit() {
   }
   discard();
   if (error_ != 0) return writeError(path_, error_);
+  return Done{};
+}
+
+Status checkNameLength(const std::string& path) {
+  constexpr std::size_t kLongestPath = 4096, kAside = 64;  // a folder aside, and what is put behind names
+  constexpr std::size_t kShown = 40;
+  std::error_code error;
+  const std::string whole = fs::absolute(path, error).lexically_normal().string();
+  if (whole.size() + kAside > kLongestPath)
+    return inputError(whole.substr(0, kShown) + "...: the path is too long for a file (" +
+                      std::to_string(whole.size()) + " bytes)");
+  const std::size_t longest = longestName(fs::path(whole).parent_path());
+  for (const fs::path& part : fs::path(whole)) {
+    const std::string name = part.string();
+    if (name.size() > longest)
+      return inputError(name.substr(0, kShown) + "...: the name is too long for a file (" +
+                        std::to_string(name.size()) + " bytes, " + std::to_string(longest) +
+                        " at most): give a shorter one");
+  }
   return Done{};
 }
 

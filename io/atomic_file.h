@@ -51,6 +51,10 @@ class AtomicFile {
   UnfinishedFile unfinished_;
 };
 
+/// Errors: a name on the way to the file, or the whole path, is longer than the file system takes. What is made on the
+/// way to a file (a name aside, a folder aside) takes no more room than is counted here.
+Status checkNameLength(const std::string& path);
+
 /// Writes `bytes` to `path`, whole or not at all.
 Status writeFileAtomically(const std::string& path, std::string_view bytes);
 

@@ -64,7 +64,7 @@ Error unknownFormat(const std::string& name) {
 }
 
 Error outOfMemory(const std::string& name) {
-  return {ErrorKind::kResourceLimit, name + ": the mesh does not fit into memory"};
+  return proveout::outOfMemory(name + ": the mesh does not fit into memory", "take a coarser one");
 }
 
 }  // namespace

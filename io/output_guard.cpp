@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "io/atomic_file.h"
 #include "io/mesh_formats.h"
 
 namespace proveout {
@@ -46,6 +47,7 @@ Error OutputGuard::refusal(const std::string& output, const Input& input) const 
 }
 
 Status OutputGuard::check(const std::string& path) const {
+  if (Status fits = checkNameLength(path); !fits) return fits;
   struct stat info {};
   if (::stat(path.c_str(), &info) == 0) {
     if (const Input* input = find({info.st_dev, info.st_ino})) return refusal(path, *input);

@@ -19,8 +19,8 @@ class OutputGuard {
   void protect(const std::string& role, const std::string& path);
 
   /// Error: a file written at `path` would take the place of an input, or would be found in its place by the
-  /// next run (names are compared without regard to case, as controls do). Names both. `path` and the folders
-  /// above it need not exist.
+  /// next run (names are compared without regard to case, as controls do; names both), or its name is too long
+  /// for one. `path` and the folders above it need not exist.
   Status check(const std::string& path) const;
 
   /// The same for standard output, where it goes into a file.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/memory.h"
+
 namespace proveout {
 namespace {
 
@@ -15,11 +17,23 @@ std::string resolutionText(double mm) {
   return fmt::format("{:.2g}", std::ceil(mm / digit - 1e-9) * digit);
 }
 
+/// What the job allows, or a limit of the process that is below it; else what there is.
+MemoryBound boundOf(const Job& job) {
+  if (job.simulation.max_memory_gb <= 0.0) return memoryBound();
+  const MemoryBound process = processMemoryBound();
+  const double allowed = 1e9 * job.simulation.max_memory_gb;
+  return process.bytes < allowed ? process : MemoryBound{allowed, {}};
+}
+
+/// What to do, behind "or": the limit that was met, by its name.
+std::string allowMore(const Job& job) {
+  const std::string reason = boundOf(job).reason;
+  return reason.empty() ? "allow more (--max-memory)" : "allow more: " + reason;
+}
+
 }  // namespace
 
-double memoryLimitMb(const Job& job) {
-  return job.simulation.max_memory_gb > 0 ? 1000.0 * job.simulation.max_memory_gb : availableMemoryMb();
-}
+double memoryLimitMb(const Job& job) { return 1e-6 * boundOf(job).bytes; }
 
 Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
   const double limit_mb = memoryLimitMb(job);
@@ -28,19 +42,17 @@ Status checkMemory(const Job& job, const Workload& work, double resolution_mm) {
   if (!(work.surface_mm2 > 0.0)) {
     return Error{
         ErrorKind::kResourceLimit,
-        fmt::format("{} would need about {:.0f} MB, {:.0f} MB are allowed; {}allow more (--max-memory)",
+        fmt::format("{} would need about {:.0f} MB, {:.0f} MB are allowed; {}{}",
                     work.triangles > 0.0 ? "the mesh" : "the tool path", needed_mb, limit_mb,
-                    work.triangles > 0.0 ? "take a larger profile_resolution, or " : "")};
+                    work.triangles > 0.0 ? "take a larger profile_resolution, or " : "", allowMore(job))};
   }
   const double fits = resolutionThatFits(work, resolution_mm, limit_mb);
   const std::string way = std::isfinite(fits)
                               ? fmt::format("a grid of {} mm would fit (--resolution)", resolutionText(fits))
                               : std::string("no grid would fit");
-  return Error{
-      ErrorKind::kResourceLimit,
-      fmt::format("a grid of {:g} mm would need about {:.0f} MB, {:.0f} MB are allowed; {}, or allow more "
-                  "(--max-memory)",
-                  resolution_mm, needed_mb, limit_mb, way)};
+  return Error{ErrorKind::kResourceLimit,
+               fmt::format("a grid of {:g} mm would need about {:.0f} MB, {:.0f} MB are allowed; {}, or {}",
+                           resolution_mm, needed_mb, limit_mb, way, allowMore(job))};
 }
 
 Status checkTime(const Job& job, const Prediction& prediction) {

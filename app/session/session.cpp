@@ -20,6 +20,7 @@
 #include "app/session/thread_supply.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
+#include "removal/sweep/column_sweep.h"
 
 namespace proveout {
 namespace {
@@ -151,6 +152,7 @@ Status compareAndWork(const Job& job, const RunSources& sources, const PreparedR
 Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progress& progress) {
   PreparedRun prepared;
   RunResult& run = prepared.run;
+  if (const Status level = checkSimdWish(); !level) return level.error();
   Result<Blank> blank = openBlank(job, progress);
   if (!blank) return blank.error();
   const Status start =

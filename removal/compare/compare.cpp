@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 
+#include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "core/geometry/place_text.h"
 #include "removal/compare/deepest_point.h"
@@ -267,7 +268,7 @@ Result<Comparison> compareToNominal(const TriMesh& machined, const TriMesh& nomi
                                     static_cast<std::size_t>(threads));
     return compare_detail::compare(machined, nominal, options, progress);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::kResourceLimit, "not enough memory to compare; use a coarser grid"};
+    return outOfMemory("not enough memory to compare", "use a coarser grid");
   } catch (const std::exception& e) {
     return Error{ErrorKind::kInternal, std::string("comparison failed: ") + e.what()};
   }

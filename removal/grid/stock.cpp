@@ -100,11 +100,20 @@ double memoryLimit(const RemovalOptions& options) {
 Error memoryError(double needed_bytes, double limit_bytes, double resolution_mm) {
   // Leaves lie on surfaces: their number goes with the square of the resolution.
   const double fits = resolution_mm * std::sqrt(needed_bytes / limit_bytes) * 1.1;
+  const std::string process = processMemoryBound().reason;  // may be what was met
   return {ErrorKind::kResourceLimit,
           fmt::format("the stock grid needs more than the {:.3g} GB allowed at a resolution of {} mm; about "
                       "{:.2g} mm would fit "
-                      "(--resolution), or allow more (--max-memory)",
-                      limit_bytes / 1e9, resolution_mm, std::max(fits, resolution_mm * 1.1))};
+                      "(--resolution), or allow more (--max-memory{}{})",
+                      limit_bytes / 1e9, resolution_mm, std::max(fits, resolution_mm * 1.1),
+                      process.empty() ? "" : "; ", process)};
+}
+
+Error gridAllocationError(const RemovalOptions& options, double resolution_mm) {
+  if (!std::isfinite(processMemoryBound().bytes))
+    return memoryError(2.0 * memoryLimit(options), memoryLimit(options), resolution_mm);
+  return outOfMemory(fmt::format("not enough memory for the stock grid at {} mm", resolution_mm),
+                     "take a coarser one (--resolution)");
 }
 
 void Crossing::setNormal(const Vec3& n) {
@@ -242,7 +251,7 @@ Result<Stock> Stock::create(const StockShape& shape, const RemovalOptions& optio
       stock.impl_->initial_volume = volume->mm3;
     }
   } catch (const std::bad_alloc&) {
-    return memoryError(2.0 * memoryLimit(options), memoryLimit(options), options.resolution_mm);
+    return gridAllocationError(options, options.resolution_mm);
   } catch (const std::exception& e) {
     return Error{ErrorKind::kInternal, fmt::format("building the stock failed: {}", e.what())};
   }

@@ -196,6 +196,8 @@ double treeBytes(const Stock::Impl& impl);
 double leafBytes(double leaves);
 /// Limit in bytes from the options: max_memory_gb, or what the machine has free.
 double memoryLimit(const RemovalOptions& options);
+/// For an allocation of the grid that failed: names the limit of the process, or of the options.
+Error gridAllocationError(const RemovalOptions& options, double resolution_mm);
 /// The refusal, with the grid that would fit.
 Error memoryError(double needed_bytes, double limit_bytes, double resolution_mm);
 

@@ -659,7 +659,7 @@ Result<RemovalSummary> Stock::remove(const Toolpath& path, const std::vector<Too
     if (Status status = remover.run(); !status) return status.error();
     return remover.summary();
   } catch (const std::bad_alloc&) {
-    return memoryError(2.0 * memoryLimit(options), memoryLimit(options), impl_->h);
+    return gridAllocationError(options, impl_->h);
   } catch (const std::exception& e) {
     return Error{ErrorKind::kInternal, fmt::format("removing material failed: {}", e.what())};
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/memory.h"
 #include "core/base/thread_limit.h"
 #include "core/geometry/to_float.h"
 #include "core/mesh/crowded_places.h"
@@ -148,7 +149,7 @@ Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& pro
   try {
     return extractSurface(*impl_, options, progress);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::kResourceLimit, "not enough memory for the surface; take a coarser resolution"};
+    return outOfMemory("not enough memory for the surface", "take a coarser resolution");
   } catch (const std::exception& e) {
     return Error{ErrorKind::kInternal, fmt::format("extracting the surface failed: {}", e.what())};
   }
@@ -161,7 +162,7 @@ Result<StockVolume> Stock::volume(const SurfaceOptions& options, Progress& progr
     const Result<SurfaceGrid> grid = placedCells(*impl_, 0.0, progress);
     return grid.ok() ? measureVolume(*grid, progress) : Result<StockVolume>(grid.error());
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::kResourceLimit, "not enough memory for the volume; take a coarser resolution"};
+    return outOfMemory("not enough memory for the volume", "take a coarser resolution");
   } catch (const std::exception& e) {
     return Error{ErrorKind::kInternal, fmt::format("measuring the stock failed: {}", e.what())};
   }

@@ -1,5 +1,7 @@
 #include "removal/sweep/column_sweep.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -206,19 +208,53 @@ std::vector<ColumnSweep> columnUprights(const ColumnSolid& solid, const Vec3& fr
 
 namespace {
 
-ColumnKernels pickLevel() {
-  const char* wish = std::getenv("PROVEOUT_SIMD");
-  const std::string_view level = wish != nullptr ? wish : "";
+/// A level of the machine, and what makes its kernels.
+struct SimdLevel {
+  std::string_view name;
+  ColumnKernels (*kernels)();
+};
+
+/// The levels that this machine has, the widest first.
+std::vector<SimdLevel> simdLevels() {
+  std::vector<SimdLevel> levels;
 #if defined(__x86_64__)
-  const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                      __builtin_cpu_supports("avx512vl");
-  if (avx512 && (level.empty() || level == "avx512")) return avx512Kernels();
-  if (__builtin_cpu_supports("avx2") && level != "baseline") return avx2Kernels();
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    levels.push_back({"avx512", avx512Kernels});
+  if (__builtin_cpu_supports("avx2")) levels.push_back({"avx2", avx2Kernels});
 #endif
-  return baselineKernels();
+  levels.push_back({"baseline", baselineKernels});
+  return levels;
+}
+
+std::string_view simdWish() {
+  const char* wish = std::getenv("PROVEOUT_SIMD");
+  return wish != nullptr ? wish : "";
+}
+
+ColumnKernels pickLevel() {
+  const std::vector<SimdLevel> levels = simdLevels();
+  const auto wanted = std::find_if(levels.begin(), levels.end(),
+                                   [](const SimdLevel& level) { return level.name == simdWish(); });
+  return wanted != levels.end() ? wanted->kernels() : levels.front().kernels();
 }
 
 }  // namespace
+
+Status checkSimdWish() {
+  const std::string_view wish = simdWish();
+  if (wish.empty()) return Done{};
+  std::string names;
+  for (const SimdLevel& level : simdLevels()) {
+    if (level.name == wish) return Done{};
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", level.name);
+  }
+  constexpr std::size_t kShown = 40;
+  const bool known = wish == "avx512" || wish == "avx2";
+  return inputError(fmt::format("PROVEOUT_SIMD is '{}', {}: take one of {}, or leave the variable out",
+                                wish.substr(0, kShown),
+                                known ? "which this machine does not have" : "which is no level", names));
+}
 
 const ColumnKernels& columnKernels() {
   static const ColumnKernels picked = pickLevel();

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/geometry/types.h"
 #include "core/path/toolpath.h"
 #include "core/tool/profile.h"
@@ -40,7 +41,9 @@ inline Vec3 sweepStart(const ColumnSweep& s) { return {s.x, s.y, s.z}; }
 inline Vec3 sweepWay(const ColumnSweep& s) { return {s.ux * s.length, s.uy * s.length, s.rise}; }
 
 /// The kernels of the widest SIMD level that the machine has; PROVEOUT_SIMD=baseline|avx2|avx512 asks for a
-/// narrower one.
+/// narrower one, and what is no level or one that the machine lacks counts as not asked for.
 const ColumnKernels& columnKernels();
+/// Errors: PROVEOUT_SIMD names no level, or one that the machine lacks; says which there are.
+Status checkSimdWish();
 
 }  // namespace proveout

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/base/memory.h"
 #include "core/base/startable_threads.h"
 #include "removal/vdb/vdb_support.h"
 
@@ -19,10 +20,9 @@ constexpr int kModuleThreads = 8;
 
 Result<const VdbSupport*> loadModule() {
   if (startableThreads(kModuleThreads) < kModuleThreads) {
-    return Error{
-        ErrorKind::kResourceLimit,
-        "no threads may be started, and what reads and writes .vdb files and mesh blanks needs some: "
-        "allow more processes (ulimit -u), or do without .vdb files and meshes as blank or fixture"};
+    return outOfMemory(
+        "no threads may be started, and what reads and writes .vdb files and mesh blanks needs some",
+        "allow more processes (ulimit -u), or do without .vdb files and meshes as blank or fixture");
   }
   const char* kName = "libproveout_vdb.so";
   std::error_code ignored;

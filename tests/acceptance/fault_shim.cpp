@@ -1,6 +1,8 @@
 // Loaded before the program's libraries (LD_PRELOAD). Makes the system fail where a test asks for it:
 // PROVEOUT_NO_THREADS: no thread can be started.
+// PROVEOUT_NO_EXCHANGE: no two folders can be exchanged.
 // PROVEOUT_KILL_AT=n: the process is killed before its n-th call that changes a file or a folder.
+// PROVEOUT_COUNT_CALLS: how many of these there were is written to standard error at the end.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -16,10 +18,21 @@
 
 namespace {
 
+constexpr unsigned kExchange = 2;  // RENAME_EXCHANGE
+
+std::atomic<int> calls{0};
+
+/// Tells at the end how often something could have been killed.
+struct Count {
+  ~Count() {
+    if (std::getenv("PROVEOUT_COUNT_CALLS") != nullptr) ::dprintf(STDERR_FILENO, "calls: %d\n", calls.load());
+  }
+} count;
+
 void step() {
-  static std::atomic<int> calls{0};
   const char* const at = std::getenv("PROVEOUT_KILL_AT");
-  if (at != nullptr && ++calls == std::atoi(at)) ::kill(::getpid(), SIGKILL);
+  const int call = ++calls;
+  if (at != nullptr && call == std::atoi(at)) ::kill(::getpid(), SIGKILL);
 }
 
 template <typename Function>
@@ -41,6 +54,22 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
 int rename(const char* from, const char* to) noexcept {
   step();
   return next<int(const char*, const char*)>("rename")(from, to);
+}
+
+int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) noexcept {
+  step();
+  if (std::getenv("PROVEOUT_NO_EXCHANGE") != nullptr && flags == kExchange) {
+    errno = EINVAL;
+    return -1;
+  }
+  using Rename = int(int, const char*, int, const char*, unsigned);
+  return next<Rename>("renameat2")(from_folder, from, to_folder, to, flags);
+}
+
+int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
+  step();
+  return next<int(int, const char*, int, const char*, int)>("linkat")(from_folder, from, to_folder, to,
+                                                                      flags);
 }
 
 int mkdir(const char* path, mode_t mode) noexcept {

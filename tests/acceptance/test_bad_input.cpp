@@ -125,5 +125,24 @@ TEST(BadInput, AlarmsDoNotDestroyEarlierMeshes) {
   EXPECT_EQ(readFile(bench.path("part-out/part.stl")), "earlier");
 }
 
+/// A level that does not exist would be taken for the widest one without a word.
+TEST(BadInput, SimdLevelsThatThereAreNot) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  const std::string run = "run ring.nc --no-render --out out" + std::string(kRingOptions);
+  for (const char* level : {"garbage", "AVX2", " avx2", "avx1024"}) {
+    const Outcome outcome = bench.run(run, "timeout 100 env PROVEOUT_SIMD='" + std::string(level) + "'");
+    EXPECT_EQ(outcome.exit_code, 2) << level;
+    EXPECT_TRUE(has(outcome.err, "PROVEOUT_SIMD is '" + std::string(level)) && has(outcome.err, "baseline"))
+        << outcome.err;
+    EXPECT_FALSE(bench.exists("out"));
+  }
+  for (const char* level : {"baseline", ""})
+    EXPECT_EQ(bench.run(run, "timeout 100 env PROVEOUT_SIMD=" + std::string(level)).exit_code, 0) << level;
+  const Outcome explained = bench.run("explain out --at 5,5,-2", "timeout 100 env PROVEOUT_SIMD=garbage");
+  EXPECT_EQ(explained.exit_code, 2);
+  EXPECT_TRUE(has(explained.err, "PROVEOUT_SIMD")) << explained.err;
+}
+
 }  // namespace
 }  // namespace proveout::test

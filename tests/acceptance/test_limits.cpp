@@ -290,5 +290,26 @@ TEST_F(Limits, ManySetupsHoldThemselvesOnce) {
   }
 }
 
+/// Whichever limit is met is told by its name, and nothing is left half done.
+TEST_F(Limits, TheLimitOfTheProcessIsNamed) {
+  if (PROVEOUT_SANITIZED) GTEST_SKIP() << "sanitizers take more address space than there is";
+  const std::string fine =
+      "run ring.nc --control nct --tool 1=flat:4 --stock box:0,0,-10:200,200,0 --resolution 0.1 --no-render "
+      "--threads 2 --out out";
+  int named = 0;
+  for (const char* limit : {"-v 300000", "-v 400000", "-v 600000", "-v 900000", "-d 200000"}) {
+    const Outcome outcome = bench.run(fine, "ulimit " + std::string(limit) + " && timeout 100");
+    if (outcome.exit_code == 0) continue;
+    EXPECT_EQ(outcome.exit_code, 3) << limit << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "ulimit " + std::string(limit, 2))) << limit << outcome.err;
+    EXPECT_FALSE(bench.exists("out/report.json"));
+    ++named;
+  }
+  EXPECT_GT(named, 2);
+  const Outcome allowed = bench.run(fine + " --max-memory 0.05");
+  EXPECT_EQ(allowed.exit_code, 3);
+  EXPECT_TRUE(has(allowed.err, "--max-memory") && !has(allowed.err, "ulimit")) << allowed.err;
+}
+
 }  // namespace
 }  // namespace proveout::test

@@ -1,0 +1,29 @@
+// Locks on folders, which tell a run that lives from one that was killed.
+#pragma once
+
+#include <string>
+
+namespace proveout {
+
+/// A descriptor of a folder with the lock on it, which goes with the object or with the process.
+class FolderLock {
+ public:
+  FolderLock() = default;
+  FolderLock(FolderLock&& other) noexcept;
+  FolderLock& operator=(FolderLock&& other) noexcept;
+  FolderLock(const FolderLock&) = delete;
+  ~FolderLock();
+
+  enum class Outcome { kTaken, kBusy, kUnknown };  ///< unknown: this file system has no locks
+  /// Takes the lock of the folder that has this name when it is taken, if need be after waiting for another
+  /// process for up to `wait_s`.
+  Outcome take(const std::string& folder, double wait_s);
+  void release() noexcept;
+
+ private:
+  Outcome wait(double until_s);
+
+  int descriptor_ = -1;
+};
+
+}  // namespace proveout
