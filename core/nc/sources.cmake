@@ -2,6 +2,7 @@ target_sources(proveout_core PRIVATE
   nc/alarms.cpp
   nc/axes.cpp
   nc/block_watch.cpp
+  nc/loop_budget.cpp
   nc/control_host.cpp
   nc/controls.cpp
   nc/compensation_stage.cpp

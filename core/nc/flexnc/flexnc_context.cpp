@@ -1,6 +1,22 @@
 #include "core/nc/flexnc/flexnc_context.h"
 
+#include <fmt/core.h>
+
 namespace proveout::nc {
+
+namespace {
+
+/// What a loop may change: axes and the variables that are not 0.
+std::vector<LoopBudget::Named> loopState(const FlexContext& c) {
+  std::vector<LoopBudget::Named> state;
+  for (int k = 0; k <= FlexVariables::kLast; ++k) {
+    if (c.variables.value(k) != 0.0) state.push_back({fmt::format("P{}", k), c.variables.value(k)});
+  }
+  for (int k = 0; k < c.axes.count(); ++k) state.push_back({c.axes.at(k).name, c.machine[k]});
+  return state;
+}
+
+}  // namespace
 
 FlexContext::FlexContext(const ProgramSource& source_in, const ControlSettings& settings_in,
                          MotionSink& sink_in, Progress* progress)
@@ -14,6 +30,7 @@ FlexContext::FlexContext(const ProgramSource& source_in, const ControlSettings& 
       reader(variables, evaluator, recorder),
       report(emitter, program, levels, recorder),
       watch(summary, progress, settings.block_limit),
+      loop_budget(settings.block_limit, [this] { return loopState(*this); }),
       comp_stage(pipe, report),
       frame_stage(chain),
       rapid_stage(emitter, settings),

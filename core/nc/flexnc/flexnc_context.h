@@ -14,6 +14,7 @@
 #include "core/nc/flexnc/flexnc_report.h"
 #include "core/nc/flexnc/flexnc_state.h"
 #include "core/nc/frames.h"
+#include "core/nc/loop_budget.h"
 #include "core/nc/loop_watch.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/origin_recorder.h"
@@ -68,6 +69,7 @@ struct FlexContext {
   FlexReport report;
   BlockWatch watch;
   LoopWatch loops;
+  LoopBudget loop_budget;
 
   // The way to the path.
   CoordinateChain chain;  ///< the pipe's work space is the machine's

@@ -80,7 +80,7 @@ FlexControl::Go FlexControl::block(std::size_t& next_line) {
     until_hit_ = until_hit_ || reachedUntil();
     return Go::kOn;
   }
-  if (flexWorkOver(c_)) return Go::kStop;
+  if (flexWorkOver(c_) || flexGoesOn(c_)) return Go::kStop;
   ++c_.summary.blocks;
   if (!good) {
     c_.variables.takeBack();
@@ -186,6 +186,7 @@ FlexControl::Go FlexControl::repeat(const FlexJump& jump, std::size_t& next_line
   }
   const auto [place, first] = repeats_.try_emplace(here);
   const double left = repeatsLeft(jump, place->second, first);
+  c_.loop_budget.asked(here, std::abs(left), left > 0.0);
   if (!(left > 0.0)) {
     repeats_.erase(place);
     return Go::kOn;

@@ -11,4 +11,7 @@ bool flexWorkOver(FlexContext& c);
 /// REPEAT statements that are under way.
 bool flexGoesRound(FlexContext& c, std::uint64_t counters);
 
+/// Whether the program is in a loop that comes no nearer to its end at the block in hand: reported then.
+bool flexGoesOn(FlexContext& c);
+
 }  // namespace proveout::nc

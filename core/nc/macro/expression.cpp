@@ -95,7 +95,7 @@ class Parser {
   bool sum(Value& out);
   bool signedOperand(Value& out);
   bool variableNumber(int& number);
-  bool condition(bool& holds);
+  bool condition(bool& holds, double& distance);
   bool assignment();
 
  private:
@@ -475,7 +475,7 @@ bool Parser::relation(Relation& out) {
   return syntax("a condition has the form [value EQ value]", i);
 }
 
-bool Parser::condition(bool& holds) {
+bool Parser::condition(bool& holds, double& distance) {
   i = skipBlanks(text_, i);
   const std::size_t begin = i;
   if (!take('[')) return syntax("a condition in brackets is expected", begin);
@@ -488,6 +488,8 @@ bool Parser::condition(bool& holds) {
                              : syntax("']' is expected: a condition has one relation", i);
   }
   holds = related(relation_between, left, right);
+  const bool known = !left.vacant && !right.vacant;
+  distance = known ? std::abs(left.number - right.number) : std::numeric_limits<double>::quiet_NaN();
   return true;
 }
 
@@ -556,7 +558,7 @@ bool MacroEvaluator::formula(std::string_view text, std::size_t& pos, Value& val
 
 bool MacroEvaluator::condition(std::string_view text, std::size_t& pos, bool& holds, LexError& error) {
   Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
-  const bool good = parser.condition(holds);
+  const bool good = parser.condition(holds, distance_);
   pos = parser.i;
   return good;
 }

@@ -49,6 +49,8 @@ class MacroEvaluator : public ExpressionHook {
   /// `[formula relation formula]` from `pos` on (IF, WHILE). Vacant equals vacant alone and is greater than
   /// every number (manual 23.1.6).
   bool condition(std::string_view text, std::size_t& pos, bool& holds, LexError& error);
+  /// How far apart the sides of the last condition stood; NaN where one was vacant.
+  double distance() const { return distance_; }
   /// `#i=formula` from `pos` on. The text behind the formula is handed to the variables as the note. An error
   /// without a code has been reported already.
   bool assign(std::string_view text, std::size_t& pos, LexError& error);
@@ -60,6 +62,7 @@ class MacroEvaluator : public ExpressionHook {
   const MacroEnvironment& environment_;
   const AlarmTable& alarms_;
   ValueOrigins* origins_ = nullptr;
+  double distance_ = 0.0;
   std::vector<std::uint32_t> reads_;  ///< origins of the variables of the formula in hand
 };
 

@@ -53,6 +53,8 @@ class WedmChain {
   void interruptOffset();
   /// Sends all of it. False: an error was reported.
   bool flush();
+  /// Motions that are kept back.
+  std::size_t kept() const { return records_.size(); }
 
  private:
   /// More would fill the memory.

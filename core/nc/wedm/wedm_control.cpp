@@ -10,7 +10,24 @@ namespace {
 
 constexpr std::size_t kMostNestedCalls = 9;
 
+/// What a loop may change: the points of the wire, and variables.
+std::vector<LoopBudget::Named> loopState(const WedmContext& c) {
+  std::vector<LoopBudget::Named> state;
+  for (int h = 0; h < kWedmOffsets; ++h) {
+    if (c.variables.assigned(h)) state.push_back({fmt::format("H{}", h), c.variables.value(h)});
+  }
+  state.push_back({"X", c.state.main.x()});
+  state.push_back({"Y", c.state.main.y()});
+  state.push_back({"U", c.state.uv.x()});
+  state.push_back({"V", c.state.uv.y()});
+  return state;
+}
+
 }  // namespace
+
+WedmControl::WedmControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
+                         Progress* progress)
+    : c_(source, settings, sink, progress), loops_(settings.block_limit, [this] { return loopState(c_); }) {}
 
 InterpretSummary WedmControl::run() {
   c_.summary.end = ProgramEnd::kAlarm;
@@ -32,8 +49,8 @@ bool WedmControl::start() {
   return true;
 }
 
-WedmControl::Go WedmControl::runFrom(std::size_t first) {
-  c_.levels.push_back({first, -1});
+WedmControl::Go WedmControl::runFrom(std::size_t first, const WedmLevel::Call& call) {
+  c_.levels.push_back({first, -1, call});
   c_.recorder.enter(0, static_cast<std::uint16_t>(c_.levels.size() - 1), true);
   Go go = Go::kOn;
   for (std::size_t k = first; go == Go::kOn; ++k) {
@@ -68,15 +85,30 @@ bool WedmControl::workOver() {
   return over != BlockWatch::Over::kNo;
 }
 
+/// Whether calls are repeated without an end in sight: reported then.
+bool WedmControl::goesOn() {
+  const WedmLevel& level = c_.levels.back();
+  const std::size_t line = c_.program.place(level.block).line;
+  const bool over = loops_.arrives(
+      {c_.levels.size(), level.block, line, level.call.number, level.call.repetition, level.call.repetitions},
+      {static_cast<double>(c_.summary.blocks),
+       static_cast<double>(c_.summary.motions) + static_cast<double>(c_.chain.kept())});
+  if (!over) return false;
+  c_.report.fail("wedm-endless-loop", loops_.message());
+  c_.summary.end = ProgramEnd::kBlockLimit;
+  return true;
+}
+
 WedmControl::Go WedmControl::block(std::size_t index) {
   WedmLevel& level = c_.levels.back();
-  level = {index, -1};
+  level.block = index;
+  level.number = -1;
   const WedmProgram::Place& place = c_.program.place(index);
   c_.recorder.begin(place.line + 1, -1);
   const bool good = c_.reader.read(c_.program.line(index), place.begin, place.end, c_.block);
   level.number = c_.block.number;
   // Blocks that do nothing count: loops of them must have an end.
-  if (workOver()) return Go::kStop;
+  if (workOver() || goesOn()) return Go::kStop;
   if (c_.block.skip && c_.state.skip == 11) return Go::kOn;
   if (good && c_.block.empty()) {
     until_hit_ = until_hit_ || reachedUntil();
@@ -157,9 +189,10 @@ WedmControl::Go WedmControl::call(const WedmCall& call) {
                                call.label));
     return failed();
   }
+  const std::uint64_t number = ++calls_;
   for (int k = 0; k < call.times; ++k) {
     c_.recorder.openCall();
-    const Go go = runFrom(*first);
+    const Go go = runFrom(*first, {number, k, call.times});
     c_.recorder.closeCall();
     if (go == Go::kStop) return go;
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/nc/loop_budget.h"
 #include "core/nc/wedm/wedm_context.h"
 #include "core/nc/wedm/wedm_plan.h"
 
@@ -15,8 +16,7 @@ class WedmControl {
  public:
   /// What is referred to must outlive the control; `progress` may be null.
   WedmControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
-              Progress* progress)
-      : c_(source, settings, sink, progress) {}
+              Progress* progress);
   /// Once. Errors go to the sink; the summary says how it ended.
   InterpretSummary run();
 
@@ -28,7 +28,7 @@ class WedmControl {
   };
 
   bool start();
-  Go runFrom(std::size_t block);
+  Go runFrom(std::size_t block, const WedmLevel::Call& call = {});
   Go endOfText();
   Go block(std::size_t index);
   Go execute();
@@ -38,10 +38,13 @@ class WedmControl {
   Go finish(const char* code, ProgramEnd end);
   Go failed();
   bool workOver();
+  bool goesOn();
   bool reachedUntil() const;
 
   WedmContext c_;
   bool until_hit_ = false;
+  std::uint64_t calls_ = 0;
+  LoopBudget loops_;
 };
 
 }  // namespace proveout::nc

@@ -20,6 +20,12 @@ namespace proveout::nc {
 struct WedmLevel {
   std::size_t block = 0;  ///< in hand, index into the program
   std::int64_t number = -1;
+  /// Of the call, from 1; 0: the main program.
+  struct Call {
+    std::uint64_t number = 0;
+    int repetition = 0, repetitions = 1;
+  };
+  Call call = {};
 };
 
 class WedmReport {

@@ -160,7 +160,10 @@ bool Wl4Reader::condition(std::size_t& pos, bool& holds) {
   line_ = line_.substr(0, std::min(close + 1, line_.size()));
   const bool good = value(pos, result);
   line_ = whole;
-  if (good) holds = evaluator_.isTrue(result);
+  if (good) {
+    holds = evaluator_.isTrue(result);
+    evaluator_.tellLoops(line_.data() + from, result, holds);
+  }
   evaluator_.setFullPrecision();
   if (good && std::isnan(result)) return fail("the condition has no value", from, pos);
   return good;

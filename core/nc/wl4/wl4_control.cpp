@@ -33,7 +33,7 @@ InterpretSummary Wl4Control::run() {
     if (!main) {
       c_.report.fail("wl4-program", main.error().message);
     } else {
-      runProgram(**main);
+      runProgram(**main, {});
     }
   }
   c_.emitter.time().flush();
@@ -59,8 +59,8 @@ bool Wl4Control::start() {
   return true;
 }
 
-Wl4Control::Go Wl4Control::runProgram(const Wl4Program& program) {
-  c_.levels.push_back({&program, program.first, -1, runs_++});
+Wl4Control::Go Wl4Control::runProgram(const Wl4Program& program, const Wl4Level::Call& call) {
+  c_.levels.push_back({&program, program.first, -1, runs_++, call});
   if (program.label_count > Wl4Programs::kMostLabels) {
     c_.report.fail("wl4-labels", fmt::format("{} labels in a program: at most {} are allowed",
                                              program.label_count, Wl4Programs::kMostLabels));
@@ -136,7 +136,8 @@ Wl4Control::Go Wl4Control::block(std::size_t& next_line) {
 /// Whether the program is in a loop without an end: reported then.
 bool Wl4Control::endless() {
   return c_.watch.goesRound(c_.variables.fingerprint(),
-                            {LoopWatch::bytesOf(c_.state), LoopWatch::bytesOf(c_.machine)});
+                            {LoopWatch::bytesOf(c_.state), LoopWatch::bytesOf(c_.machine)}) ||
+         c_.watch.goesOn();
 }
 
 /// `N010 M0 N10 .text`: a program reports an error by stopping for ever.
@@ -280,11 +281,12 @@ Wl4Control::Go Wl4Control::call(const std::string& name, int times) {
     return failed();
   }
   const Wl4Block caller = c_.block;  // the program reads its own
+  const std::uint64_t number = ++calls_;
   for (int k = 0; k < times; ++k) {
     if (c_.watch.workOver()) return Go::kStop;  // the program may be empty
     c_.variables.open();
     c_.recorder.openCall();
-    const Go go = runProgram(**program);
+    const Go go = runProgram(**program, {number, k, times});
     c_.recorder.closeCall();
     c_.variables.close();
     if (go == Go::kStop) return go;

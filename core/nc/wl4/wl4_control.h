@@ -27,7 +27,7 @@ class Wl4Control {
   };
 
   bool start();
-  Go runProgram(const Wl4Program& program);
+  Go runProgram(const Wl4Program& program, const Wl4Level::Call& call);
   Go endOfText(const Wl4Program& program);
   Go block(std::size_t& next_line);
   bool endless();
@@ -47,7 +47,7 @@ class Wl4Control {
   Wl4Context c_;
   bool in_cycle_ = false;  ///< inside a fixed cycle: motions do not call it again
   bool until_hit_ = false;
-  std::uint64_t runs_ = 0;  ///< programs opened
+  std::uint64_t runs_ = 0, calls_ = 0;  ///< programs opened; calls that opened them
 };
 
 }  // namespace proveout::nc

@@ -120,6 +120,7 @@ bool Wl4Evaluator::comparison(std::string_view text, std::size_t& pos, double& o
     if (what == kLessEqual) value = less || equal;
     if (what == kGreater) value = out > right && !equal;
     if (what == kGreaterEqual) value = out > right || equal;
+    if (loops_ != nullptr) loops_->asked(conditionAt(text.data() + pos), std::abs(out - right), value);
     out = value ? 1.0 : 0.0;
   }
 }

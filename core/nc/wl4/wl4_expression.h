@@ -1,6 +1,7 @@
 // Expressions of the WL4 control (digest wl4, 3.3).
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "core/nc/block.h"
+#include "core/nc/loop_budget.h"
 #include "core/nc/value_origins.h"
 #include "core/nc/wl4/wl4_variables.h"
 
@@ -35,6 +37,12 @@ class Wl4Evaluator {
   }
   /// `origins` must outlive the evaluator. Without, values have no origins.
   void setOrigins(ValueOrigins& origins) { origins_ = &origins; }
+  /// What is compared is told to `loops`, which must outlive the evaluator.
+  void setLoops(LoopBudget& loops) { loops_ = &loops; }
+  /// That a condition at `text` has this value.
+  void tellLoops(const char* text, double value, bool holds) {
+    if (loops_ != nullptr) loops_->asked(conditionAt(text), std::abs(value), holds);
+  }
   /// Where the last number of the last expression stands.
   struct Stretch {
     std::size_t begin = 0, end = 0;
@@ -72,6 +80,7 @@ class Wl4Evaluator {
 
   Wl4Variables& variables_;
   ValueOrigins* origins_ = nullptr;
+  LoopBudget* loops_ = nullptr;
   std::vector<std::uint32_t> reads_;  ///< origins of the variables of the expression in hand
   double tolerance_ = kFullPrecision;
   Stretch last_number_;

@@ -15,7 +15,13 @@ struct Wl4Level {
   const Wl4Program* program = nullptr;
   std::size_t line = 0;  ///< of the block in hand
   std::int64_t number = -1;
-  std::uint64_t run = 0;  ///< number of the call
+  std::uint64_t run = 0;  ///< of this repetition of the call
+  /// Of the call, from 1; 0: the main program.
+  struct Call {
+    std::uint64_t number = 0;
+    int repetition = 0, repetitions = 1;
+  };
+  Call call = {};
 };
 using Wl4Levels = std::vector<Wl4Level>;
 

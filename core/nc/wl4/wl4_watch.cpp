@@ -14,7 +14,20 @@ bool Wl4Watch::workOver() {
 bool Wl4Watch::goesRound(std::uint64_t variables, std::initializer_list<LoopWatch::Bytes> state) {
   const Wl4Level& level = levels_.back();
   if (!loops_.comesBack(level.run, levels_.size(), level.line, variables, state)) return false;
-  report_.fail("wl4-endless-loop", loops_.message());
+  return endless(loops_.message());
+}
+
+bool Wl4Watch::goesOn() {
+  const Wl4Level& level = levels_.back();
+  const bool over =
+      budget_.arrives({levels_.size(), level.line, level.line, level.call.number, level.call.repetition,
+                       level.call.repetitions},
+                      {static_cast<double>(summary_.blocks), static_cast<double>(summary_.motions)});
+  return over && endless(budget_.message());
+}
+
+bool Wl4Watch::endless(const std::string& message) {
+  report_.fail("wl4-endless-loop", message);
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }

@@ -113,8 +113,8 @@ bool WorkGuard::over() {
   return over != BlockWatch::Over::kNo;
 }
 
-bool WorkGuard::endless(const LoopWatch& loop) {
-  alarms_.fail("nct-endless-loop", loop.message());
+bool WorkGuard::endless(const std::string& message) {
+  alarms_.fail("nct-endless-loop", message);
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }

@@ -16,7 +16,6 @@
 #include "core/nc/control_host.h"
 #include "core/nc/control_settings.h"
 #include "core/nc/frames.h"
-#include "core/nc/loop_watch.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/motion_pipe.h"
 #include "core/nc/nct/block/plan.h"
@@ -103,7 +102,7 @@ class WorkGuard {
   /// One more piece of work. True: stop; summary.end says why.
   bool over();
   /// The block in hand runs in a loop that can have no end: reported.
-  bool endless(const LoopWatch& loop);
+  bool endless(const std::string& message);
 
  private:
   const CallStack& calls_;

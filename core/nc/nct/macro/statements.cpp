@@ -88,16 +88,22 @@ NctControl::Go NctControl::statement() {
   return execute();
 }
 
+/// The condition that stands at `pos`. False: it has none, reported.
+bool NctControl::condition(std::size_t& pos, bool& holds) {
+  NctContext& c = context_;
+  LexError error;
+  const std::uint64_t place = conditionAt(c.block.text.data() + pos);
+  if (!c.macro.condition(c.block.text, pos, holds, error)) return failStatement(c, error);
+  loop_budget_.asked(place, c.macro.distance(), holds);
+  return true;
+}
+
 NctControl::Go NctControl::behindIf() {
   NctContext& c = context_;
   Block& block = c.block;
   bool holds = false;
-  LexError error;
   std::size_t pos = block.statement + 2;
-  if (!c.macro.condition(block.text, pos, holds, error)) {
-    failStatement(c, error);
-    return stopAtAlarm();
-  }
+  if (!condition(pos, holds)) return stopAtAlarm();
   if (!holds) return Go::kOn;
   pos = skipBlanks(block.text, pos);
   if (keywordAt(block.text, pos, "THEN")) pos = skipBlanks(block.text, pos + 4);
@@ -153,12 +159,8 @@ NctControl::Go NctControl::enterLoop(std::size_t pos) {
   const std::string_view text = c.block.text;
   bool holds = true;
   if (c.block.kind == LineKind::kWhile) {
-    LexError error;
     pos += 5;
-    if (!c.macro.condition(text, pos, holds, error)) {
-      failStatement(c, error);
-      return stopAtAlarm();
-    }
+    if (!condition(pos, holds)) return stopAtAlarm();
     pos = skipBlanks(text, pos);
     if (!keywordAt(text, pos, "DO")) {
       c.alarm(2110, "");

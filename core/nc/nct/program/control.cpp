@@ -28,6 +28,20 @@ LexRules lexRules(NctContext& c) {
   return rules;
 }
 
+/// What a loop may change: axes and variables.
+std::vector<LoopBudget::Named> loopState(const NctContext& c) {
+  std::vector<LoopBudget::Named> state;
+  const auto add = [&](int number) {
+    Value value;
+    if (c.variables.peek(number, value) && !value.vacant)
+      state.push_back({fmt::format("#{}", number), value.number});
+  };
+  for (int k = 1; k <= kLocalCount; ++k) add(k);
+  for (int k = VariableStore::kFirstGlobal; k <= VariableStore::kLastGlobal; ++k) add(k);
+  for (int k = 0; k < c.axes.count(); ++k) state.push_back({c.axes.at(k).name, c.position[k]});
+  return state;
+}
+
 }  // namespace
 
 NctControl::NctControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
@@ -35,6 +49,7 @@ NctControl::NctControl(const ProgramSource& source, const ControlSettings& setti
     : settings_(withAxisParameters(settings)),
       context_(source, settings_, sink, progress, host, summary_),
       system_variables_(context_),
+      loop_budget_(settings.block_limit, [this] { return loopState(context_); }),
       lexer_(lexRules(context_), nctAlarms()) {}
 
 InterpretSummary NctControl::run() {
@@ -121,7 +136,17 @@ bool NctControl::goesRound(const CallFrame& frame, std::size_t line) {
   const bool endless = loop_.comesBack(
       run, c.calls.depth(), line, c.variables.fingerprint(),
       {LoopWatch::bytesOf(c.state), LoopWatch::bytesOf(c.position), LoopWatch::bytesOf(c.machine)});
-  return endless && c.work.endless(loop_);
+  return endless && c.work.endless(loop_.message());
+}
+
+/// Whether the program is in a loop that comes no nearer to its end: reported then. What asks for other
+/// channels goes round until they answer, so that only its motions count.
+bool NctControl::goesOn(const CallFrame& frame, std::size_t line) {
+  NctContext& c = context_;
+  const double blocks = c.channels.empty() ? static_cast<double>(summary_.blocks) : 0.0;
+  const bool endless = loop_budget_.arrives({c.calls.depth(), line, line, frame.run, frame.done, frame.total},
+                                            {blocks, static_cast<double>(summary_.motions)});
+  return endless && c.work.endless(loop_budget_.message());
 }
 
 NctControl::Go NctControl::step() {
@@ -161,7 +186,7 @@ NctControl::Go NctControl::step() {
     until_hit_ = until_hit_ || reachedUntil();
     return Go::kOn;
   }
-  if (c.work.over() || goesRound(frame, line)) return Go::kStop;
+  if (c.work.over() || goesRound(frame, line) || goesOn(frame, line)) return Go::kStop;
   ++summary_.blocks;
   if (!good) return alarm();
   if (calls) return callMacro(call);

@@ -14,6 +14,8 @@
 #include "core/nc/control_host.h"
 #include "core/nc/control_settings.h"
 #include "core/nc/lexer.h"
+#include "core/nc/loop_budget.h"
+#include "core/nc/loop_watch.h"
 #include "core/nc/nct/channels/context.h"
 #include "core/nc/nct/macro/subprogram_words.h"
 #include "core/nc/nct/macro/system_calls.h"
@@ -52,6 +54,7 @@ class NctControl {
   bool loadMain();
   Go step();
   bool goesRound(const CallFrame& frame, std::size_t line);
+  bool goesOn(const CallFrame& frame, std::size_t line);
   Go endOfText();
   Go execute();
   bool reachedUntil() const;
@@ -74,6 +77,7 @@ class NctControl {
 
   // macro/statements.cpp
   Go statement();
+  bool condition(std::size_t& pos, bool& holds);
   Go behindIf();
   Go goTo(std::size_t pos);
   Go enterLoop(std::size_t pos);
@@ -109,6 +113,7 @@ class NctControl {
   NctContext context_;
   SystemVariables system_variables_;
   LoopWatch loop_;
+  LoopBudget loop_budget_;
   Lexer lexer_;
   TapeFrames tape_;
   SubprogramWords subprograms_;                                ///< of the block in hand
