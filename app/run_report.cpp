@@ -98,7 +98,13 @@ ReportStock reportStock(const RunResult& run) {
   stock.initial_mm3 = run.setups.front().initial_mm3;
   stock.final_mm3 = run.surface().volume_mm3;
   stock.removed_mm3 = stock.initial_mm3 - stock.final_mm3;
+  // Volumes of sections are closed forms; those of a grid are so where nothing was cut.
+  const auto isExact = [](const SetupRun& setup) {
+    return setup.surface.volume_error_mm3 == 0.0 &&
+           (setup.facet_error_mm > 0.0 || setup.surface.volume_mm3 == setup.initial_mm3);
+  };
   for (const SetupRun& setup : run.setups) stock.error_mm3 += setup.surface.volume_error_mm3;
+  stock.exact = std::ranges::all_of(run.setups, isExact);
   stock.mesh_mm3 = run.setups.back().extent.volume_mm3;
   stock.bodies = run.setups.back().bodies;
   stock.triangles = run.surface().mesh.triangles.size();

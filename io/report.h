@@ -165,6 +165,7 @@ struct BlockFigures {
 struct ReportStock {
   double initial_mm3 = 0.0, removed_mm3 = 0.0, final_mm3 = 0.0;  ///< integrated from exact surface crossings
   double error_mm3 = 0.0;  ///< by how much removed and final may be off, about
+  bool exact = false;      ///< they are closed forms, or nothing was cut; else the error is an estimate
   double mesh_mm3 = 0.0;   ///< enclosed by the exported facets
   std::vector<StockBody> bodies;
   std::uint64_t triangles = 0, vertices = 0;

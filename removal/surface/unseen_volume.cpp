@@ -25,6 +25,14 @@ constexpr std::size_t kMostDoubtful = 300, kMostAsked = 5'000'000, kAskedFirst =
 constexpr std::size_t kBatch = 16;
 /// More thin cells than this are a part that is too thin for its grid in many places: they are told of alone.
 constexpr std::size_t kFewThin = 10;
+/// On grids with no more cells than this all are looked at that the path left with an edge or a step: the
+/// work is little then, and cells are large.
+constexpr std::size_t kSmallGrid = 20'000, kAskedSmall = 800'000;
+/// Part of a cell by which each that is looked at may be off: by the planes that it is cut with, and as
+/// little that is missed does not count.
+constexpr double kOfLook = 1e-3;
+/// Part of a cell that the one vertex of a step may be off.
+constexpr double kOfStep = 0.01;
 
 struct ByPlace {
   bool operator()(const Coord& a, const Coord& b) const {
@@ -33,21 +41,51 @@ struct ByPlace {
 };
 using Places = std::set<Coord, ByPlace>;
 
-/// Where to start. `known`: not only the path, but also what it cut; a blank may be thin before it and after.
-std::vector<Coord> doubtfulCells(const SurfaceGrid& grid, bool known) {
-  std::vector<Coord> misses, thin;
+/// Where the surface may be elsewhere than its crossings tell.
+struct Doubtful {
+  std::vector<Coord> misses;  ///< a face ends before the vertex
+  std::vector<Coord> thin;    ///< several sheets, or a vertex off the surface
+  std::vector<Coord> steps;
+  std::vector<Coord> edges;  ///< all others through which no smooth face runs; of small grids only
+};
+
+/// Whether the last path made a crossing of the cell.
+bool isCut(const SurfaceGrid& grid, const Coord& cell) {
+  for (int edge = 0; edge < 12; ++edge) {
+    const int corner = edgeStartCorner(edge);
+    if (grid.motionOn(edge / 4, cell.offsetBy(corner & 1, corner >> 1 & 1, corner >> 2)) != kNoMotion)
+      return true;
+  }
+  return false;
+}
+
+void sortIn(const Coord& cell, std::uint16_t traits, bool small, Doubtful& out) {
+  if ((traits & CellTraits::kMisses) != 0) {
+    out.misses.push_back(cell);
+  } else if ((traits & kThin) != 0) {
+    out.thin.push_back(cell);
+  } else if ((traits & CellTraits::kStep) != 0) {
+    out.steps.push_back(cell);
+  } else if (small && (traits & CellTraits::kSmooth) == 0) {
+    out.edges.push_back(cell);
+  }
+}
+
+Doubtful doubtfulCells(const SurfaceGrid& grid) {
+  const bool small = grid.cellCount() <= kSmallGrid;
+  Doubtful out;
   for (const SurfaceLeaf& leaf : grid.leaves()) {
     if (leaf.all_level) continue;
     for (int rank = 0; rank < leaf.cells; ++rank) {
       const std::uint16_t traits = grid.traits(leaf.base + static_cast<std::uint32_t>(rank));
-      if ((traits & (CellTraits::kMisses | kThin)) == 0) continue;
+      const bool smooth = (traits & CellTraits::kSmooth) != 0;
+      if (smooth && (traits & (CellTraits::kMisses | kThin | CellTraits::kStep)) == 0) continue;
       const int at = leaf.placeOf(rank);
       const Coord cell = leaf.stock->origin.offsetBy(at >> 3 & 7, at & 7, at >> 6);
-      ((traits & CellTraits::kMisses) != 0 ? misses : thin).push_back(cell);
+      if ((traits & CellTraits::kMisses) != 0 || isCut(grid, cell)) sortIn(cell, traits, small, out);
     }
   }
-  if (known && thin.size() <= kFewThin) misses.insert(misses.end(), thin.begin(), thin.end());
-  return misses;
+  return out;
 }
 
 bool isThin(const SurfaceGrid& grid, const Coord& at) {
@@ -55,10 +93,11 @@ bool isThin(const SurfaceGrid& grid, const Coord& at) {
   return cell && (grid.traits(*cell) & kThin) != 0;
 }
 
-/// What cells took.
+/// What cells took, and what they may take.
 struct Work {
   std::size_t cells = 0, asked = 0;
-  bool tooMuch() const { return asked > std::min(kMostAsked, kAskedFirst + cells * kAskedACell); }
+  std::size_t most = kMostAsked;
+  bool tooMuch() const { return asked > std::min(most, kAskedFirst + cells * kAskedACell); }
 };
 
 /// What cells are beyond what is under the surface, in parts of a cell. Empty where it takes too much.
@@ -79,7 +118,8 @@ std::optional<std::vector<double>> missedIn(const std::vector<Coord>& cells, con
     });
     for (std::size_t i = begin; i < end; ++i) sum += asked[i];
     // What all will take, if the others take as much as these.
-    if (Work{work.cells + cells.size(), work.asked + sum * cells.size() / end}.tooMuch()) return std::nullopt;
+    const std::size_t all = work.asked + sum * cells.size() / end;
+    if (Work{work.cells + cells.size(), all, work.most}.tooMuch()) return std::nullopt;
   }
   work.cells += cells.size();
   work.asked += sum;
@@ -98,21 +138,17 @@ void count(const SurfaceGrid& grid, const Coord& cell, ThinCells& thin) {
   thin.first = grid.impl().position(cell) + Vec3::Constant(0.5 * grid.impl().h);
 }
 
-}  // namespace
-
-UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress) {
-  const Stock::Impl& impl = grid.impl();
-  const double cell = impl.h * impl.h * impl.h;
-  const bool known = impl.cut != nullptr && impl.cut_blank != nullptr;
-  std::vector<Coord> cells = doubtfulCells(grid, known);
-  const UnseenVolume unknown{.error_mm3 = kUnknown * cell * static_cast<double>(cells.size())};
-  if (!known || cells.size() > kMostDoubtful) return unknown;
+/// What cells are beyond what is under the surface, and those beside them as long as something is missed.
+/// Empty where that takes too much.
+std::optional<UnseenVolume> missedAround(std::vector<Coord> cells, const SurfaceGrid& grid,
+                                         std::size_t most_asked, Progress& progress) {
+  const double cell = std::pow(grid.impl().h, 3);
   UnseenVolume out;
   Places seen(cells.begin(), cells.end());
-  Work work;
+  Work work{.most = most_asked};
   while (!cells.empty()) {
     const std::optional<std::vector<double>> found = missedIn(cells, grid, work, progress);
-    if (!found) return unknown;
+    if (!found) return std::nullopt;
     const std::vector<double>& missed = *found;
     std::vector<Coord> next;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -124,9 +160,46 @@ UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress) {
     }
     cells = std::move(next);
   }
-  if (progress.cancelled()) return {};
+  out.looked_at = work.cells;
   out.mm3 *= cell;
   out.error_mm3 *= cell;
+  return out;
+}
+
+void append(const std::vector<Coord>& more, std::vector<Coord>& to) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress) {
+  const Stock::Impl& impl = grid.impl();
+  if (impl.cut == nullptr) return {};
+  const bool known = impl.cut_blank != nullptr;
+  const Doubtful doubtful = doubtfulCells(grid);
+  std::optional<UnseenVolume> found;
+  std::vector<Coord> cells = doubtful.misses;
+  double left = kOfStep * static_cast<double>(doubtful.steps.size()),
+         thin = kUnknown * static_cast<double>(doubtful.thin.size());
+  if (known && grid.cellCount() <= kSmallGrid) {
+    std::vector<Coord> all = cells;
+    for (const auto* more : {&doubtful.thin, &doubtful.steps, &doubtful.edges}) append(*more, all);
+    found = missedAround(std::move(all), grid, kAskedSmall, progress);
+    if (found) {
+      left = kOfLook * static_cast<double>(found->looked_at);
+      thin = 0.0;
+    }
+  }
+  if (!found && known && cells.size() <= kMostDoubtful) {
+    const bool few_thin = doubtful.thin.size() <= kFewThin;
+    if (few_thin) append(doubtful.thin, cells);
+    found = missedAround(std::move(cells), grid, kMostAsked, progress);
+    if (found && few_thin) thin = 0.0;
+  }
+  if (progress.cancelled()) return {};
+  if (!found) left += kUnknown * static_cast<double>(doubtful.misses.size());
+  UnseenVolume out = found.value_or(UnseenVolume{});
+  out.error_mm3 += (left + thin) * std::pow(impl.h, 3);
   return out;
 }
 

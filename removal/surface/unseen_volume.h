@@ -8,8 +8,9 @@
 namespace proveout {
 
 struct UnseenVolume {
-  double mm3 = 0.0;        ///< material that there is more than under the surface
-  double error_mm3 = 0.0;  ///< by how much it may be off, about
+  double mm3 = 0.0;           ///< material that there is more than under the surface
+  double error_mm3 = 0.0;     ///< by how much it may be off, about
+  std::size_t looked_at = 0;  ///< cells
   /// Cells which do not count as thin by themselves, but of which much is missed; middle of the first, mm.
   ThinCells thin{};
 };
