@@ -33,7 +33,6 @@ TEST(SecondSoak, RelationsHoldWhereTheyDidNot) {
   for (const std::uint64_t seed : {60, 117, 135}) expectAllHold(seed);
 }
 
-/// All that decides what a job is, not how it is written.
 bool differ(const Plan& a, const Plan& b) { return filesOf(a) != filesOf(b); }
 
 TEST(SecondSoak, APlanIsTheSameForItsSeed) {
@@ -58,7 +57,8 @@ TEST(SecondSoak, TurnsAndMirrorsOfAPlanCancel) {
     for (int k = 0; k < 4; ++k) four = moved(four, 0, turnedBy(0, 90));
     EXPECT_FALSE(differ(four, plan)) << seed;
     EXPECT_TRUE(differ(moved(plan, 0, turnedBy(0, 90)), plan)) << seed;
-    if (plan.clampings.size() == 1) EXPECT_FALSE(differ(mirrored(mirrored(plan)), plan)) << seed;
+    if (plan.clampings.size() > 1) continue;
+    EXPECT_FALSE(differ(mirrored(mirrored(plan)), plan)) << seed;
   }
 }
 
