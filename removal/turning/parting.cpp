@@ -65,6 +65,14 @@ double freedAt(const SectionArea& before, const ToolWay& on, const std::vector<T
   return free;
 }
 
+SectionArea besideStroke(const SectionBody& piece, const std::vector<ToolWay>& stroke) {
+  std::vector<SectionPath> sweeps;
+  for (const ToolWay& on : stroke) addTaken(on, sweeps);
+  SectionArea area(piece.loops);
+  if (!sweeps.empty()) area.subtract(sweeps, kNoMotion);
+  return area;
+}
+
 double trimCorners(SectionBody& piece, const std::vector<ToolWay>& stroke, MotionId motion) {
   if (stroke.empty() || stroke.front().tool->blade_mm <= 0.0) return 0.0;
   double left_mm = stroke.front().tool->nose_mm;

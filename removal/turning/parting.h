@@ -33,6 +33,9 @@ Freed freedIn(const SectionArea& area, const std::vector<ToolWay>& stroke);
 /// Requires one at its end. `stroke`: behind this way.
 double freedAt(const SectionArea& before, const ToolWay& on, const std::vector<ToolWay>& stroke);
 
+/// What of a piece the stroke that cut it off does not go over: what later motions may meet.
+SectionArea besideStroke(const SectionBody& piece, const std::vector<ToolWay>& stroke);
+
 /// Takes off a piece that a blade with round corners has just cut off what these leave of its face until the
 /// blade has gone on by their radius. `stroke`: what the tool goes on. Returns the volume, mm3.
 double trimCorners(SectionBody& piece, const std::vector<ToolWay>& stroke, MotionId motion);

@@ -212,7 +212,7 @@ class Turning {
   };
   /// A piece that was cut off.
   struct PartedArea {
-    SectionArea area;
+    SectionArea area;     ///< what later motions may meet
     MotionId stroke_end;  ///< the last motion of the stroke that cut it off
   };
 
@@ -435,7 +435,7 @@ class Turning {
       body.by_parting = feeds && isPartedBy(on, body);
       gone.push_back(body.loops.front().points);
       trimmed += trimCorners(body, stroke, id);
-      parted_areas_.push_back({SectionArea(body.loops), strokeEnd(id)});
+      parted_areas_.push_back({besideStroke(body, stroke), strokeEnd(id)});
       parted_.push_back(std::move(body));
     }
     for (SectionArea& plane : planes_) plane.subtract(gone, id);

@@ -59,6 +59,7 @@ TEST(PartChoice, APipOfFacingIsNotThePart) {
   EXPECT_LT(bodies[1].volume_mm3, 0.1);
   EXPECT_NEAR(run->setups[0].extent.bounds.min.z(), -12.0, 1e-6);
   EXPECT_EQ(found(*run, FindingKind::kUncertainPart), nullptr);
+  EXPECT_EQ(found(*run, FindingKind::kCutOffPiece), nullptr);  // as the tool leaves
 
   FileJob two;
   two.text = fmt::format(
