@@ -25,7 +25,7 @@ constexpr const char* kJournal = ".proveout-moving";
 constexpr const char* kGoneList = ".proveout-gone";
 constexpr std::string_view kOwnPrefix = ".proveout-";
 constexpr std::string_view kSwapPrefix = ".proveout-swap-";
-constexpr double kPatienceS = 30.0;
+constexpr double kMovePatienceS = 30.0;
 constexpr std::size_t kMaxListBytes = std::size_t{1} << 20;
 
 // ---------------------------------------------------------------------------- the swap
@@ -238,7 +238,7 @@ Status settleResults(const std::string& folder) {
   const std::string named = folder.empty() ? "." : folder;
   if (!fs::is_directory(fs::symlink_status(fs::path(named) / kJournal, error))) return Done{};
   FolderLock alone;
-  if (alone.take(named, kPatienceS) == FolderLock::Outcome::kBusy)
+  if (alone.take(named, kMovePatienceS) == FolderLock::Outcome::kBusy)
     return inputError(named + ": another run has been writing into this folder for too long: end it");
   return settleLocked(named);
 }
