@@ -78,8 +78,8 @@ Doubtful doubtfulCells(const SurfaceGrid& grid) {
     if (leaf.all_level) continue;
     for (int rank = 0; rank < leaf.cells; ++rank) {
       const std::uint16_t traits = grid.traits(leaf.base + static_cast<std::uint32_t>(rank));
-      const bool smooth = (traits & CellTraits::kSmooth) != 0;
-      if (smooth && (traits & (CellTraits::kMisses | kThin | CellTraits::kStep)) == 0) continue;
+      const bool edge = small && (traits & CellTraits::kSmooth) == 0;
+      if (!edge && (traits & (CellTraits::kMisses | kThin | CellTraits::kStep)) == 0) continue;
       const int at = leaf.placeOf(rank);
       const Coord cell = leaf.stock->origin.offsetBy(at >> 3 & 7, at & 7, at >> 6);
       if ((traits & CellTraits::kMisses) != 0 || isCut(grid, cell)) sortIn(cell, traits, small, out);

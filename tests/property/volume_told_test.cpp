@@ -184,7 +184,7 @@ struct Count {
 
 /// `later`: only the moves behind the first.
 Count tryPrograms(bool later) {
-  const int programs = fromEnvironment("PROVEOUT_VOLUME_PROGRAMS", 40);
+  const int programs = fromEnvironment("PROVEOUT_VOLUME_PROGRAMS", later ? 4 : 8);
   const auto first = static_cast<unsigned>(fromEnvironment("PROVEOUT_VOLUME_FIRST", 1));
   const bool all = fromEnvironment("PROVEOUT_VOLUME_PRINT", 0) != 0;
   Count count;
