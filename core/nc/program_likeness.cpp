@@ -83,20 +83,9 @@ class LineReader {
     while (at(i) == '#') ++i;
     while (isDigit(at(i)) || at(i) == '.') ++i;
     if (i == first) return false;
-    if (at(i) == '=') return drop(i + 1), value();
+    if (at(i) == '=') i = rest_.size();  // "P1100=2+3": whatever is assigned
     drop(i);
     return true;
-  }
-
-  /// Behind "SP1=".
-  bool value() {
-    std::size_t i = 0;
-    while (isBlank(at(i)) || at(i) == '+' || at(i) == '-' || at(i) == '#') ++i;
-    if (at(i) == '[' || at(i) == '(') return formula(i);
-    const std::size_t first = i;
-    while (isDigit(at(i)) || at(i) == '.') ++i;
-    drop(i);
-    return i > first;
   }
 
   bool formula(std::size_t from) {
