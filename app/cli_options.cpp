@@ -220,6 +220,10 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
       ->type_name("N")
       ->check(threadCount());
   addMaxTime(*app, o.max_time_s);
+  app->add_option("--max-memory", o.max_memory_gb,
+                  "Refuse a comparison that needs more (exit 3); default: what is free")
+      ->type_name("GB")
+      ->check(numberIn(0, 1e6, "a size in GB above 0"));
   app->add_option("--out", o.out,
                   "Write report.json, junit.xml, report.html and deviation.png into this folder")
       ->type_name("DIR")

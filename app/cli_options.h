@@ -70,7 +70,7 @@ struct CompareCommandOptions {
   double gouge_mm = 0.02, excess_mm = 0.05;
   double resolution_mm = 0.2;
   std::optional<int> threads;
-  std::optional<double> max_time_s;
+  std::optional<double> max_time_s, max_memory_gb;
   std::optional<std::string> out;
   std::string size = "1200x900";
   bool json = false;

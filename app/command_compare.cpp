@@ -7,7 +7,9 @@
 #include "app/input_files.h"
 #include "app/outputs.h"
 #include "app/run_report.h"
+#include "app/session/comparison_work.h"
 #include "app/session/findings.h"
+#include "app/session/machine_speed.h"
 #include "app/session/nominal_mesh.h"
 #include "app/session/placement_hint.h"
 #include "app/session/thread_supply.h"
@@ -49,6 +51,25 @@ Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& uni
   if (placement)
     model->notes.push_back("the nominal: " + placementText(*placement, units.nominal, "the machined part"));
   return Pair{std::move(*part), std::move(*model)};
+}
+
+/// What the command will take. Errors: it is more than allowed.
+Result<Prediction> predictPair(const CompareCommandOptions& options, const Pair& pair, ImageSize size) {
+  constexpr double kShortS = 0.15;  // shorter ones are over before anybody asks
+  constexpr int kPictures = 3;
+  const TriMesh &machined = pair.machined.mesh, &nominal = pair.nominal.mesh;
+  ComparisonWork work;
+  work.area_mm2 = meshArea(machined) + meshArea(nominal);
+  work.triangles = static_cast<double>(machined.triangles.size() + nominal.triangles.size());
+  work.pixels = static_cast<double>(size.width) * size.height;
+  work.pictures = options.out ? kPictures : 0;
+  Prediction prediction = predict(work, options.resolution_mm);
+  if (prediction.time_s > kShortS) prediction = predictedOn(measureMachine(prediction.time_s), prediction);
+  const double limit_mb = options.max_memory_gb ? 1000.0 * *options.max_memory_gb : availableMemoryMb();
+  const Status fits = checkLimits(work, options.resolution_mm, prediction,
+                                  {limit_mb, options.max_time_s.value_or(kDefaultMaxTimeS)});
+  if (!fits) return fits.error();
+  return prediction;
 }
 
 Result<Comparison> comparePair(const CompareCommandOptions& options, const Pair& pair, Progress& progress) {
@@ -141,11 +162,15 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   if (const Status possible = checkTarget(options, guard); !possible) return possible.error();
   const Result<Pair> pair = loadPair(options, *units);
   if (!pair) return pair.error();
+  const Result<Prediction> prediction = predictPair(options, *pair, *size);
+  if (!prediction) return prediction.error();
   const Result<Comparison> comparison = comparePair(options, *pair, progress);
   if (!comparison) return comparison.error();
   Result<Report> report = makeCompareReport(options, *units, *pair, *comparison);
   if (!report) return report;
   report->performance.compare_s = watch.lap();
+  report->performance.predicted_memory_mb = prediction->memory_mb;
+  report->performance.predicted_s = prediction->time_s;
   report->performance.wall_s = wall.lap();
   if (options.out) {
     if (const Status done =

@@ -62,6 +62,8 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
     work = together(work, processOf(job, k).work(job, prepared.run, k, prepared.blank));
   if (const auto* mesh = std::get_if<MeshShape>(&prepared.blank.shape))
     work.blank_triangles = static_cast<double>(mesh->mesh.triangles.size());
+  // Triangles stay as they are made, on flat faces too.
+  if (job.simulation.simplify_mm == 0.0) work.uneven_mm2 = work.surface_mm2;
   work.reads_grid = std::holds_alternative<SavedStock>(prepared.blank.shape);
   work.writes_grid = savesStock(job);
   work.text_files = static_cast<int>(std::count_if(
@@ -89,6 +91,17 @@ bool makesBlankEarly(const Job& job, const Blank& blank) {
   return alone.memory_mb <= memoryLimitMb(job) && checkTime(job, alone);
 }
 
+/// Measuring moves ask the stock while the programs are read: what that took is known by now.
+void addMeasuring(RunResult& run) {
+  const auto measures = [](const SetupRun& setup) {
+    const std::vector<Motion>& motions = setup.interpreted.path.motions;
+    return std::any_of(motions.begin(), motions.end(),
+                       [](const Motion& motion) { return motion.kind == MotionKind::kProbe; });
+  };
+  if (std::any_of(run.setups.begin(), run.setups.end(), measures))
+    run.prediction.time_s += run.performance.interpret_s;
+}
+
 /// Reads the programs, and predicts the run if they are good.
 Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRun& prepared,
                            Progress& progress) {
@@ -110,6 +123,7 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
   if (const Status fits = checkMemory(job, work, run.resolution_mm); !fits) return fits;
   if (run.prediction.time_s > kShortS)
     run.prediction = predictedOn(measureMachine(run.prediction.time_s), run.prediction);
+  addMeasuring(run);
   return checkTime(job, run.prediction);
 }
 

@@ -23,6 +23,11 @@ constexpr double kPush = 0.1;
 constexpr double kCornerOff = 0.02;
 constexpr int kMaxDepth = 8;
 constexpr double kFootMm = 1e-7;
+/// Cosine of the angle to a face's normal of a way that goes along the face: what is touched so is only
+/// slid over.
+constexpr double kAlong = 1e-6;
+/// A way this near to that of a motion is on it, mm.
+constexpr double kSameWayMm = 1e-9;
 
 Vec3 normalOf(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
@@ -62,12 +67,27 @@ std::optional<std::size_t> ContactQuery::across(std::size_t triangle, std::size_
   return std::nullopt;
 }
 
+namespace {
+
+bool same(const ConvexProfile& a, const ConvexProfile& b) {
+  const auto equal = [](const ConvexProfile::Element& p, const ConvexProfile::Element& q) {
+    return p.arc == q.arc && p.ar == q.ar && p.az == q.az && p.br == q.br && p.bz == q.bz &&
+           (!p.arc || (p.cr == q.cr && p.cz == q.cz));
+  };
+  bool all = a.elementCount() == b.elementCount();
+  for (int i = 0; all && i < a.elementCount(); ++i) all = equal(a.element(i), b.element(i));
+  return all;
+}
+
+}  // namespace
+
 /// One query: a tool's parts on one line.
 class ContactSearch {
  public:
   ContactSearch(const ContactQuery& query, const Vec3& from, const Vec3& to)
       : query_(query), from_(from), to_(to), slack_(kSlackMm / std::max((to - from).norm(), kSlackMm)) {}
 
+  /// Keeps contacts that are earlier than those of the parts before.
   void add(const ConvexProfile& part);
   std::optional<double> best() const {
     if (best_ > 1.0) return std::nullopt;
@@ -95,15 +115,28 @@ class ContactSearch {
     }
   };
 
+  /// A point of a face, and where the material ends there.
+  struct Foot {
+    Vec3 at = Vec3::Zero(), n = Vec3::Zero();
+  };
+  /// Parameters of the way between which a part is where it has cut before: nothing touches it there.
+  struct Stretch {
+    double begin = 0.0, end = 0.0;
+  };
+
+  void findFree(const ConvexProfile& part);
+  void addFree(const Motion& motion);
+  double raised(double t) const;
   Triangle triangleAt(std::size_t i) const;
   const Face& faceOf(std::size_t i);
   void findSweep(std::size_t i, const Triangle& t, Face& face);
   double cornersOff(const Triangle& t, const Face& face) const;
   /// Point of the face near `p`; nothing: there is none within kMostOff.
-  std::optional<Vec3> foot(const Face& face, const Vec3& p) const;
-  std::optional<Vec3> middleOf(const Piece& piece, const Face& face, std::size_t k) const;
+  std::optional<Foot> foot(const Face& face, const Vec3& p) const;
+  std::optional<Foot> middleOf(const Piece& piece, const Face& face, std::size_t k) const;
   void findCreases(Piece& piece);
-  void refine(const ConvexProfile& part, Piece& piece);
+  void refine(const ConvexProfile& part, const Piece& piece);
+  bool isAlong(const Vec3& normal) const;
   void push(const ConvexProfile& part, Piece piece, double within);
 
   static constexpr double kSlackMm = 1e-5;
@@ -112,6 +145,7 @@ class ContactSearch {
   double slack_;  ///< contacts this near to each other, in t, are one
   double best_ = std::numeric_limits<double>::infinity();
   std::uint64_t pieces_ = 0;
+  std::vector<Stretch> free_;  ///< of the part in hand, by their begin; they do not overlap
   std::priority_queue<Piece> queue_;
   std::map<std::size_t, Face> faces_;                              ///< by triangle
   std::map<std::pair<std::uint32_t, std::size_t>, Sweep> sweeps_;  ///< by motion and part of its tool
@@ -128,7 +162,7 @@ double ContactSearch::cornersOff(const Triangle& t, const Face& face) const {
   double off = 0.0;
   for (const Vec3& p : t) {
     const auto q = foot(face, p);
-    off = std::max(off, q ? (*q - p).norm() : query_.h_);
+    off = std::max(off, q ? (q->at - p).norm() : query_.h_);
   }
   return off;
 }
@@ -171,8 +205,8 @@ void ContactSearch::findSweep(std::size_t i, const Triangle& t, Face& face) {
   }
 }
 
-std::optional<Vec3> ContactSearch::foot(const Face& face, const Vec3& p) const {
-  Vec3 q = p;
+std::optional<ContactSearch::Foot> ContactSearch::foot(const Face& face, const Vec3& p) const {
+  Vec3 q = p, n = face.n;
   if (face.sweep != nullptr) {
     // Put into the material along the face's own normal there, the point comes back without a step aside.
     Vec3 inwards = -face.n;
@@ -183,26 +217,29 @@ std::optional<Vec3> ContactSearch::foot(const Face& face, const Vec3& p) const {
       q = deep - s.value * s.gradient;
       inwards = s.gradient;
     }
+    n = -inwards;
   } else if (face.blank) {
     const BlankSample s = query_.blank_->sample(p);
     q -= s.value * s.normal;
+    n = s.normal;
   } else {
     q -= face.n.dot(p - face.at) * face.n;
   }
   if (!((q - p).norm() <= kMostOff * query_.h_)) return std::nullopt;
-  return q;
+  return Foot{q, n};
 }
 
 /// Middle of edge k on the surface; of a crease on both of its faces.
-std::optional<Vec3> ContactSearch::middleOf(const Piece& piece, const Face& face, std::size_t k) const {
+std::optional<ContactSearch::Foot> ContactSearch::middleOf(const Piece& piece, const Face& face,
+                                                           std::size_t k) const {
   constexpr int kRounds = 20;
   constexpr double kStill = 1e-8;
-  std::optional<Vec3> p = foot(face, 0.5 * (piece.t[k] + piece.t[(k + 1) % 3]));
+  std::optional<Foot> p = foot(face, 0.5 * (piece.t[k] + piece.t[(k + 1) % 3]));
   for (int round = 0; p && piece.crease[k] != nullptr && round < kRounds; ++round) {
-    const Vec3 before = *p;
-    p = foot(*piece.crease[k], *p);
-    if (p) p = foot(face, *p);
-    if (p && (*p - before).norm() <= kStill) break;
+    const Vec3 before = p->at;
+    p = foot(*piece.crease[k], p->at);
+    if (p) p = foot(face, p->at);
+    if (p && (p->at - before).norm() <= kStill) break;
   }
   return p;
 }
@@ -221,29 +258,32 @@ void ContactSearch::findCreases(Piece& piece) {
 
 void ContactSearch::push(const ConvexProfile& part, Piece piece, double within) {
   PROVEOUT_ASSERT(piece.depth <= kMaxDepth);
-  const auto bound = castAgainst(part, from_, to_, piece.t, within);
-  if (!bound || *bound >= best_ - slack_) return;
-  piece.bound = *bound;
+  const auto cast = castAgainst(part, from_, to_, piece.t, within);
+  if (!cast) return;
+  piece.bound = raised(*cast);
+  if (piece.bound > 1.0 || piece.bound >= best_ - slack_) return;
   piece.number = ++pieces_;
   queue_.push(piece);
 }
 
-/// Divides the piece until it is flat, then meets it.
-void ContactSearch::refine(const ConvexProfile& part, Piece& piece) {
+/// Divides the piece until it is flat, then meets it. What the way goes along is not touched.
+void ContactSearch::refine(const ConvexProfile& part, const Piece& piece) {
   const Face& face = faceOf(piece.source);
   const Triangle& t = piece.t;
   std::array<Vec3, 3> m;
-  bool flat = piece.depth == kMaxDepth || !(face.n.norm() > 0.5);
+  bool flat = piece.depth == kMaxDepth || !(face.n.norm() > 0.5), along = !flat;
   double off = 0.0;
   for (std::size_t k = 0; k < 4 && !flat; ++k) {
     const Vec3 p = k < 3 ? Vec3(0.5 * (t[k] + t[(k + 1) % 3])) : Vec3((t[0] + t[1] + t[2]) / 3.0);
     const auto q = k < 3 ? middleOf(piece, face, k) : foot(face, p);
     flat = !q;
-    if (q) off = std::max(off, (*q - p).norm());
-    if (q && k < 3) m[k] = *q;
+    if (q) off = std::max(off, (q->at - p).norm());
+    if (q && k < 3) m[k] = q->at;
+    along = along && q && isAlong(q->n);
   }
+  if (along) return;
   if (flat || off <= ContactQuery::kContactFlatMm) {
-    if (const auto at = castAgainst(part, from_, to_, t)) best_ = std::min(best_, *at);
+    if (const auto at = castAgainst(part, from_, to_, t)) best_ = std::min(best_, raised(*at));
     return;
   }
   const auto& c = piece.crease;
@@ -256,7 +296,52 @@ void ContactSearch::refine(const ConvexProfile& part, Piece& piece) {
   child(m, {});
 }
 
+/// Whether the way goes along a face with that normal.
+bool ContactSearch::isAlong(const Vec3& normal) const {
+  return std::abs(normal.dot(to_ - from_)) <= kAlong * (to_ - from_).norm();
+}
+
+/// Where the way runs on that of a motion that has cut with such a part.
+void ContactSearch::addFree(const Motion& motion) {
+  const Vec3 way = to_ - from_;
+  const double length = way.norm();
+  const Vec3 along = way / length;
+  const auto aside = [&](const Vec3& p) { return (p - from_).cross(along).norm(); };
+  if (!(aside(motion.from) <= kSameWayMm && aside(motion.to) <= kSameWayMm)) return;
+  const double a = (motion.from - from_).dot(along) / length, b = (motion.to - from_).dot(along) / length;
+  if (std::max(a, b) >= 0.0 && std::min(a, b) <= 1.0) free_.push_back({std::min(a, b), std::max(a, b)});
+}
+
+void ContactSearch::findFree(const ConvexProfile& part) {
+  free_.clear();
+  if (!((to_ - from_).norm() > 0.0)) return;
+  std::map<int, bool> cuts;  // by tool: whether it has such a part
+  for (const Motion& motion : query_.path_.motions) {
+    if (motion.arc >= 0 || motion.kind == MotionKind::kProbe) continue;
+    const auto [known, fresh] = cuts.try_emplace(motion.tool, false);
+    if (fresh) {
+      const auto solid = query_.solids_.find(motion.tool);
+      known->second = solid != query_.solids_.end() &&
+                      std::any_of(solid->second.cutter.begin(), solid->second.cutter.end(),
+                                  [&](const ConvexProfile& cutter) { return same(cutter, part); });
+    }
+    if (known->second) addFree(motion);
+  }
+  std::sort(free_.begin(), free_.end(), [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
+}
+
+/// `t`, or where the part leaves what it has cut before.
+double ContactSearch::raised(double t) const {
+  // Points are within kTouchMm of the parameter that a cast gives.
+  for (const Stretch& stretch : free_) {
+    if (stretch.begin - slack_ > t) break;
+    t = std::max(t, stretch.end);
+  }
+  return t;
+}
+
 void ContactSearch::add(const ConvexProfile& part) {
+  findFree(part);
   const double around = kMostOff * query_.h_;
   const Box3 reach = Sweep(part, from_, to_, nullptr).bounds().inflated(around);
   for (std::size_t i = 0; i < query_.surface_.mesh.triangles.size(); ++i) {

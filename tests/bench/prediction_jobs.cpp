@@ -302,6 +302,65 @@ void addOthers(const std::string& parts, std::vector<PredictedJob>& jobs) {
   part("freeform_patch", Words{"--resolution", "0.1"} + kNoPictures);
 }
 
+/// Holes that are measured: each is cut, and a measuring move goes into it.
+std::string measuredProgram(int holes, double step) {
+  std::string text = "G21 G90 G17\nT1 M6\nS1000 M3\n";
+  for (int i = 0; i < holes; ++i) {
+    fmt::format_to(std::back_inserter(text), "G0 Z5\nG0 X{:g} Y{:g}\nG1 Z-3 F500\nG0 Z5\nG31 Z-8 F200\n",
+                   12 + step * (i % 5), 10 + step * (i / 5));
+  }
+  return text + "G0 Z5\nM30\n";
+}
+
+/// A spiral of chords, from the middle of the block outwards.
+std::string chordSpiralProgram(double radius, int turns, double chord_deg) {
+  std::string text = "T1 M6\nS9000 M3\nG0 X50 Y25\nZ5\nG1 Z-3 F500\n";
+  const int chords = static_cast<int>(turns * 360 / chord_deg);
+  for (int k = 1; k <= chords; ++k) {
+    const double angle = k * chord_deg * std::numbers::pi / 180, r = radius * k / chords;
+    fmt::format_to(std::back_inserter(text), "X{:.4f} Y{:.4f} Z{:.4f}\n", 50 + r * std::cos(angle),
+                   25 + r * std::sin(angle), -3.0 - 1.5 * k / chords);
+  }
+  return text + "G0 Z50\nM30\n";
+}
+
+/// Of kinds that have no terms of their own, twice: the second time with other sizes, held out.
+void addKinds(std::vector<PredictedJob>& jobs) {
+  for (const bool held_out : {false, true}) {
+    const auto name = [&](const std::string& kind) { return (held_out ? "held out: " : "kind: ") + kind; };
+    const auto add = [&](const std::string& kind, const std::function<std::string()>& program,
+                         const std::string& tool, double grid_mm, const Words& more = {}) {
+      jobs.push_back({name(kind),
+                      {{"p.nc", program}},
+                      {},
+                      milling("p.nc", kSlotStock, tool, grid_mm) + kNoPictures + more,
+                      "run",
+                      held_out});
+    };
+    const Words unmerged{"--simplify", "0"};
+    const auto measured = [held_out] { return held_out ? measuredProgram(9, 13) : measuredProgram(4, 16); };
+    const auto wells = [held_out] { return wellsProgram(held_out ? 5 : 3); };
+    const auto spiral = [held_out] {
+      return held_out ? chordSpiralProgram(17, 11, 4) : chordSpiralProgram(20, 14, 6);
+    };
+    add("measuring moves", measured, held_out ? "1=ball:5" : "1=flat:6", held_out ? 0.4 : 0.5);
+    add("slot, not merged", slotProgram, held_out ? "1=bull:9:2" : "1=flat:10", held_out ? 0.2 : 0.15,
+        unmerged);
+    add("relief, not merged", reliefProgram, held_out ? "1=ball:1.2" : "1=ball:0.8", held_out ? 0.12 : 0.2,
+        unmerged);
+    add("taper on helices", wells, held_out ? "1=taper:2:9:8" : "1=taper:1.5:12:6", held_out ? 0.25 : 0.2);
+    add("spiral of chords, flat", spiral, held_out ? "1=flat:5" : "1=flat:7", 0.2);
+    add("spiral of chords, taper", spiral, held_out ? "1=taper:2:7:10" : "1=taper:3:10:12", 0.2);
+    jobs.push_back({name("two meshes"),
+                    {{"a.stl", [held_out] { return ballStl(held_out ? 90 : 142); }},
+                     {"b.stl", [held_out] { return ballStl(held_out ? 70 : 142); }}},
+                    {},
+                    Words{"a.stl", "b.stl", "--resolution", held_out ? "0.3" : "0.2"},
+                    "compare",
+                    held_out});
+  }
+}
+
 void addMeshes(std::vector<PredictedJob>& jobs) {
   jobs.push_back({"mesh blank of 80,000 triangles",
                   {{"slant.nc", slantedProgram}, {"ball.stl", [] { return ballStl(142); }}},
@@ -384,6 +443,7 @@ std::vector<PredictedJob> predictedJobs(const std::string& shared, const std::st
   addSamples(shared, parts, jobs);
   addMilled(jobs);
   addOthers(parts, jobs);
+  addKinds(jobs);
   addMeshes(jobs);
   addTurned(parts, jobs);
   addWired(jobs);

@@ -125,6 +125,21 @@ TEST(ContactQuery, TheRoundOfABlank) {
   }
 }
 
+TEST(ContactQuery, OnItsOwnWayAToolTouchesWhereItHasNotCut) {
+  const Tool flat = toolOf(1, ToolType::kFlat, 8.0), ball = toolOf(2, ToolType::kBall, 10.0);
+  const Path hole = Path().line(1, {20, 15, 30}, {20, 15, -5});
+  const ContactQuery in_hole = queryOf(kBlock, hole.path, 1.0);
+  EXPECT_NEAR(contact(in_hole, flat, {20, 15, 5}, {20, 15, -8}).z(), -5.0, 1e-5);
+  EXPECT_NEAR(contact(in_hole, flat, {20, 15, -3}, {20, 15, -8}).z(), -5.0, 1e-5);
+  EXPECT_FALSE(in_hole.firstContact(flat, {20, 15, -3}, {20, 15, 8}).has_value());
+  EXPECT_NEAR(contact(in_hole, flat, {21, 15, 5}, {21, 15, -8}).z(), 0.0, 1e-5);
+  const Path groove = Path().line(2, {-10, 15, -4}, {25, 15, -4});
+  const ContactQuery in_groove = queryOf(kBlock, groove.path, 0.8);
+  EXPECT_NEAR(contact(in_groove, ball, {-10, 15, -4}, {40, 15, -4}).x(), 25.0, kMicron);
+  EXPECT_NEAR(contact(in_groove, ball, {20, 15, -4}, {20, 15, -6}).z(), -4.0, kMicron);
+  EXPECT_NEAR(contact(in_groove, ball, {20, 15, 6}, {20, 15, -6}).z(), -4.0, kMicron);
+}
+
 TEST(ContactQuery, TheAnswerDoesNotDependOnThreads) {
   const Path milled = Path().circle(1, {20, 15, -5}, 10);
   const ContactQuery one = queryOf(kBlock, milled.path, 0.5, 1), three = queryOf(kBlock, milled.path, 0.5, 3);
