@@ -35,7 +35,11 @@ Saved open(std::string bytes) {
   openvdb::io::File file(path);
   file.open(false);  // all of it now: the file will be another one
   saved.meta = *file.getMetadata();
-  saved.grids = *file.getGrids();
+  saved.grids.push_back(file.readGrid("distance"));  // in the order of the file
+  for (const char axis : {'x', 'y', 'z'}) {
+    for (const char* what : {"_t", "_normal", "_motion", "_element"})
+      saved.grids.push_back(file.readGrid(std::string("crossing_") + axis + what));
+  }
   for (auto& grid : saved.grids) grid = grid->deepCopyGrid();
   file.close();
   return saved;

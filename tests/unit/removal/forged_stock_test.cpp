@@ -78,7 +78,11 @@ class ForgedStock : public ::testing::Test {
     openvdb::io::File good(path("good.vdb"));
     good.open(false);
     contents.meta = *good.getMetadata();
-    contents.grids = *good.getGrids();
+    contents.grids.push_back(good.readGrid("distance"));  // in the order of the file
+    for (const char axis : {'x', 'y', 'z'}) {
+      for (const char* what : {"_t", "_normal", "_motion", "_element"})
+        contents.grids.push_back(good.readGrid(std::string("crossing_") + axis + what));
+    }
     good.close();
     change(contents);
     if (contents.placed) placeGrids(contents);
