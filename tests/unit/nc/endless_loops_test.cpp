@@ -111,7 +111,7 @@ TEST(EndlessLoops, ProgramsWithAnEndRun) {
   EXPECT_EQ(interpret(ControlId::kNct, counted, {}, builder).end, ProgramEnd::kEndOfProgram);
   EXPECT_EQ(path.motions.size(), 210'000u);
   expectRuns(ControlId::kWl4Mill,
-             "%E\nG54\n#30=0\nN010 G1 X(#30/1000) F500\n#30=(#30+1)\nIF(#30<210000) N10\nM30\n%\n", 210'000);
+             "%E\nG54\n#30=1\nN010 G1 X(#30/1000) F500\n#30=(#30+1)\nIF(#30<210000) N10\nM30\n%\n", 209'999);
 }
 
 }  // namespace

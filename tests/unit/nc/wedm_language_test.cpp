@@ -151,7 +151,7 @@ TEST(WedmLanguage, LoopsOfEmptySubprogramsEnd) {
     subs += "N" + std::to_string(k) + ";M98 P" + std::to_string(k + 1) + " L999;M99;";
   const WedmPath run(kBefore + std::string("M98 P1 L999; M02;") + subs + "N9;M99;", settings);
   EXPECT_EQ(run.summary.end, ProgramEnd::kBlockLimit);
-  EXPECT_EQ(run.error(), "wedm-block-limit");
+  EXPECT_EQ(run.error(), "wedm-endless-loop");
 }
 
 TEST(WedmLanguage, LoopsOfBlocksThatDoNothingEnd) {
