@@ -6,6 +6,7 @@
 #include <openvdb/openvdb.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -114,6 +115,10 @@ class ForgedStock : public ::testing::Test {
     const auto h = contents.meta.getMetadata<openvdb::DoubleMetadata>("resolution");
     const auto origin = contents.meta.getMetadata<openvdb::Vec3DMetadata>("origin");
     if (!h || !origin || !std::isfinite(h->value()) || std::abs(h->value()) < 1e-6) return;
+    const openvdb::Vec3d at = origin->value();
+    for (int i = 0; i < 3; ++i) {
+      if (!(std::abs(at[i]) < 1e15)) return;
+    }
     for (const auto& grid : contents.grids) {
       auto transform = openvdb::math::Transform::createLinearTransform(h->value());
       transform->postTranslate(origin->value());
@@ -265,7 +270,6 @@ TEST_F(ForgedStock, GridsAreThoseThatAreSaved) {
       [](Contents& c) { c.grids[1]->setGridClass(openvdb::GRID_STAGGERED); },
       [](Contents& c) { c.grids[0]->setSaveFloatAsHalf(true); },
       [](Contents& c) { c.grids[3]->insertMeta("more", openvdb::StringMetadata("x")); },
-      [](Contents& c) { c.grids[3]->insertMeta("file_voxel_count", openvdb::StringMetadata("x")); },
       [](Contents& c) {
         c.grids[1] = openvdb::Int32Grid::create();
         c.grids[1]->setName("crossing_x_t");
