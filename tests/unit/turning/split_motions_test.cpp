@@ -11,7 +11,7 @@ namespace proveout {
 namespace {
 
 /// Of the blank; below that pieces are dust of rounding.
-constexpr double kShare = 1e-6;
+constexpr double kVolumeShare = 1e-6;
 
 struct Job {
   CylinderShape blank;
@@ -118,7 +118,7 @@ Left leftOf(const Job& job, const Toolpath& path) {
   Left left;
   left.initial = stock->initialVolume();
   for (const SectionBody& body : stock->shape().bodies) {
-    if (body.volume_mm3 > kShare * left.initial) left.volumes.push_back(body.volume_mm3);
+    if (body.volume_mm3 > kVolumeShare * left.initial) left.volumes.push_back(body.volume_mm3);
   }
   std::sort(left.volumes.rbegin(), left.volumes.rend());
   return left;
@@ -132,7 +132,7 @@ TEST(SplitMotions, OfTurnedPartsChangeNothing) {
     apart += whole.volumes.size() > 1 ? 1 : 0;
     EXPECT_EQ(whole.volumes.size(), halves.volumes.size()) << "seed " << seed;
     for (std::size_t k = 0; k < std::min(whole.volumes.size(), halves.volumes.size()); ++k)
-      EXPECT_NEAR(whole.volumes[k], halves.volumes[k], 2 * kShare * whole.initial) << "seed " << seed;
+      EXPECT_NEAR(whole.volumes[k], halves.volumes[k], 2 * kVolumeShare * whole.initial) << "seed " << seed;
   }
   EXPECT_GT(apart, 3) << "few jobs leave pieces";
 }
