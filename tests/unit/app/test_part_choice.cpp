@@ -114,14 +114,14 @@ const char* const kPlate =
     "type = \"flat\"\ndiameter = 6\n[simulation]\nresolution = 0.5\n"
     "[[setup]]\nprogram = \"slot.nc\"\n[[setup]]\nprogram = \"behind.nc\"\n";
 /// Parts the plate at X10 to X16.
-const char* const kSlot = "%O1\nG90 G54\nT1 M6\nS1000 M3\nG0 X13 Y-5 Z5\nG1 Z-6 F300\nY25\nG0 Z9\nM30\n%\n";
+const char* const kSlotAcross = "%O1\nG90 G54\nT1 M6\nS1000 M3\nG0 X13 Y-5 Z5\nG1 Z-6 F300\nY25\nG0 Z9\nM30\n%\n";
 /// Cuts over where the smaller piece was.
 const char* const kBehind = "%O2\nG90 G54\nT1 M6\nS1000 M3\nG0 X5 Y-5 Z5\nG1 Z-2 F300\nY25\nG0 Z9\nM30\n%\n";
 
 TEST(PartChoice, AMilledPieceThatCameLooseIsNotClampedAgain) {
   FileJob job;
   job.text = kPlate;
-  job.program("slot.nc", kSlot);
+  job.program("slot.nc", kSlotAcross);
   job.program("behind.nc", kBehind);
   const Result<RunResult> run = job.run();
   ASSERT_TRUE(run.ok()) << run.error().message;
