@@ -13,9 +13,10 @@
 namespace proveout::test {
 namespace {
 
-/// A loop that goes on to other places each time.
-constexpr const char* kEndless =
-    "G21 G90 G17 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\n#1=0\nN10 #1=#1+0.001\nX[5+SIN[#1]]\nX5\nGOTO 10\n";
+/// A loop that goes on to other places each time, and ends only after seconds.
+constexpr const char* kLasting =
+    "G21 G90 G17 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\n#1=0\nN10 #1=#1+0.001\nX[5+SIN[#1]]\nX5\n"
+    "IF[#1 LT 2400] GOTO 10\nM30\n";
 
 /// Closed, of `n` by `n` fields to a side.
 std::string plateObj(int n, double size) {
@@ -68,7 +69,7 @@ class Limits : public testing::Test {
  protected:
   Limits() {
     bench.write("ring.nc", kRing);
-    bench.write("endless.nc", kEndless);
+    bench.write("lasting.nc", kLasting);
   }
   /// The command works no longer than it may and says why.
   void stopped(const std::string& arguments, double limit_s) const {
@@ -84,9 +85,9 @@ class Limits : public testing::Test {
 };
 
 TEST_F(Limits, EveryCommandStopsInItsTime) {
-  stopped("check endless.nc --control nct --max-time 1", 1.0);
-  stopped("path endless.nc --control nct --max-time 1", 1.0);
-  stopped("run endless.nc --max-time 1 --out out" + std::string(kRingOptions), 1.0);
+  stopped("check lasting.nc --control nct --max-time 1", 1.0);
+  stopped("path lasting.nc --control nct --max-time 1", 1.0);
+  stopped("run lasting.nc --max-time 1 --out out" + std::string(kRingOptions), 1.0);
   EXPECT_FALSE(bench.exists("out"));
   bench.write("a.obj", plateObj(200, 100.0));
   stopped("compare a.obj a.obj --resolution 0.05 --max-time 0.5 --out out", 0.5);
@@ -114,7 +115,7 @@ TEST_F(Limits, AnEarlierResultStays) {
 
 TEST_F(Limits, TheJobHasAKeyForIt) {
   const std::string job =
-      "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"endless.nc\"\n[stock]\nshape = \"box\"\n"
+      "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"lasting.nc\"\n[stock]\nshape = \"box\"\n"
       "min = [0, 0, -10]\nmax = [20, 20, 0]\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = "
       "4\n[simulation]\n";
   bench.write("job.toml", job + "max_time_s = 0.5\n");
