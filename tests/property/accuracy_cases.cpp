@@ -352,7 +352,8 @@ class SlantedSlot {
     };
     const double lowest = leastAt(height, -half, half);
     const auto depth = [&](double u) {
-      const double w = std::clamp(lowest, std::max(-half, u - length_), std::min(half, u));
+      const double least = std::max(-half, u - length_);  // at both ends the stretch is a point, to rounding
+      const double w = std::clamp(lowest, least, std::max(least, std::min(half, u)));
       return std::max(0.0, -(from_.z() + slope_ * u + height(w)));
     };
     std::vector<double> breaks = {lowest, lowest + length_};
