@@ -252,7 +252,7 @@ TEST_F(Limits, ReadingIsHeldToTheMemoryOfTheRun) {
   bench.write("words.nc", repeated(20'000'000, "X1") + "\nM30\n");
   bench.write("lines.nc", repeated(30'000'000, "\n") + "M30\n");
   bench.write("moves.nc",
-              "G21 G90 G17 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\nWHILE[1EQ1]DO1\n#1=#1+1\nX[#1/1000000]\nEND1\n");
+              "G21 G90 G17 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\n#1=0\nWHILE[1EQ1]DO1\n#1=#1+1\nX[#1/1000000]\nEND1\n");
   struct Case {
     std::string program;
     int exit_code;
@@ -296,18 +296,22 @@ TEST_F(Limits, TheLimitOfTheProcessIsNamed) {
   if (PROVEOUT_SANITIZED) GTEST_SKIP() << "sanitizers take more address space than there is";
   const std::string fine =
       "run ring.nc --control nct --tool 1=flat:4 --stock box:0,0,-10:200,200,0 --resolution 0.1 --no-render "
-      "--threads 2 --out out";
+      "--threads 2 --out ";
   int named = 0;
   for (const char* limit : {"-v 300000", "-v 400000", "-v 600000", "-v 900000", "-d 200000"}) {
-    const Outcome outcome = bench.run(fine, "ulimit " + std::string(limit) + " && timeout 100");
-    if (outcome.exit_code == 0) continue;
+    const std::string out = "out" + std::to_string(named);
+    const Outcome outcome = bench.run(fine + out, "ulimit " + std::string(limit) + " && timeout 100");
+    if (outcome.exit_code == 0) {
+      std::filesystem::remove_all(bench.path(out));
+      continue;
+    }
     EXPECT_EQ(outcome.exit_code, 3) << limit << outcome.err;
     EXPECT_TRUE(has(outcome.err, "ulimit " + std::string(limit, 2))) << limit << outcome.err;
-    EXPECT_FALSE(bench.exists("out/report.json"));
+    EXPECT_FALSE(bench.exists(out + "/report.json"));
     ++named;
   }
   EXPECT_GT(named, 2);
-  const Outcome allowed = bench.run(fine + " --max-memory 0.05");
+  const Outcome allowed = bench.run(fine + "out --max-memory 0.05");
   EXPECT_EQ(allowed.exit_code, 3);
   EXPECT_TRUE(has(allowed.err, "--max-memory") && !has(allowed.err, "ulimit")) << allowed.err;
 }
