@@ -252,7 +252,8 @@ TEST_F(Limits, ReadingIsHeldToTheMemoryOfTheRun) {
   bench.write("words.nc", repeated(20'000'000, "X1") + "\nM30\n");
   bench.write("lines.nc", repeated(30'000'000, "\n") + "M30\n");
   bench.write("moves.nc",
-              "G21 G90 G17 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\n#1=0\nWHILE[1EQ1]DO1\n#1=#1+1\nX[#1/1000000]\nEND1\n");
+              "G21 G90 G17 T1 M6\nS1000 M3\nG0 X5 Y5 Z5\n#1=0\nWHILE[#1LT4900000]DO1\n#1=#1+1\n"
+              "X[#1/1000000]\nEND1\nM30\n");
   struct Case {
     std::string program;
     int exit_code;
