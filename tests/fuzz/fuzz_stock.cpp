@@ -128,10 +128,12 @@ void placeGrids(const openvdb::MetaMap& meta, const openvdb::GridPtrVec& grids) 
   const auto h = meta.getMetadata<openvdb::DoubleMetadata>("resolution");
   const auto origin = meta.getMetadata<openvdb::Vec3DMetadata>("origin");
   if (!h || !origin || !std::isfinite(h->value()) || std::abs(h->value()) < 1e-6) return;
-  for (const auto& grid : grids) {
+  try {
     auto transform = openvdb::math::Transform::createLinearTransform(h->value());
     transform->postTranslate(origin->value());
-    grid->setTransform(transform);
+    for (const auto& grid : grids) grid->setTransform(transform->copy());
+  } catch (const openvdb::Exception&) {
+    return;  // no frame that OpenVDB can make
   }
 }
 
