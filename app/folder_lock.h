@@ -15,6 +15,8 @@ class FolderLock {
   ~FolderLock();
 
   enum class Outcome { kTaken, kBusy, kUnknown };  ///< unknown: this file system has no locks
+  /// How long a folder of results is waited for, s: moving files takes a moment; who takes longer hangs.
+  static constexpr double kPatienceS = 30.0;
   /// Takes the lock of the folder that has this name when it is taken, if need be after waiting for another
   /// process for up to `wait_s`.
   Outcome take(const std::string& folder, double wait_s);

@@ -25,7 +25,6 @@ constexpr const char* kJournal = ".proveout-moving";
 constexpr const char* kGoneList = ".proveout-gone";
 constexpr std::string_view kOwnPrefix = ".proveout-";
 constexpr std::string_view kSwapPrefix = ".proveout-swap-";
-constexpr double kMovePatienceS = 30.0;
 constexpr std::size_t kMaxListBytes = std::size_t{1} << 20;
 
 // ---------------------------------------------------------------------------- the swap
@@ -131,7 +130,7 @@ void moveLateComers(const fs::path& old, const fs::path& real) {
     ::renameat2(AT_FDCWD, (old / name).c_str(), AT_FDCWD, (real / name).c_str(), RENAME_NOREPLACE);
 }
 
-/// Whether some removed name stands in the old folder as a late comer would: it must not come back.
+/// What must go stands in the old folder still: it must not come back as a late comer.
 void dropRemoved(const ResultChange& change, const fs::path& old) {
   std::error_code ignored;
   for (const std::string& name : change.removed) fs::remove(old / name, ignored);
@@ -238,7 +237,7 @@ Status settleResults(const std::string& folder) {
   const std::string named = folder.empty() ? "." : folder;
   if (!fs::is_directory(fs::symlink_status(fs::path(named) / kJournal, error))) return Done{};
   FolderLock alone;
-  if (alone.take(named, kMovePatienceS) == FolderLock::Outcome::kBusy)
+  if (alone.take(named, FolderLock::kPatienceS) == FolderLock::Outcome::kBusy)
     return inputError(named + ": another run has been writing into this folder for too long: end it");
   return settleLocked(named);
 }

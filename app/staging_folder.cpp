@@ -18,8 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kAsidePrefix = ".proveout-run-";
-/// Moving files takes a moment; who takes longer hangs.
-constexpr double kPatienceS = 30.0;
 
 const Error kStopped{ErrorKind::kInterrupted, "interrupted"};
 
@@ -51,7 +49,7 @@ Result<StagingFolder> StagingFolder::create(const std::string& target, const Out
     staging.made_.push_back(above.string());
   if (const Status made = makeFolders(target); !made) return made.error();
   FolderLock making;
-  if (making.take(target, kPatienceS) == FolderLock::Outcome::kTaken) {
+  if (making.take(target, FolderLock::kPatienceS) == FolderLock::Outcome::kTaken) {
     removeAbandoned(target);
     if (const Status settled = settleLocked(target); !settled) return settled.error();
   }
@@ -117,7 +115,7 @@ Status StagingFolder::commit() {
                    target_ + ": nothing was written there without the report of it: " + file.why};
   }
   FolderLock alone;
-  if (alone.take(target_, kPatienceS) == FolderLock::Outcome::kBusy)
+  if (alone.take(target_, FolderLock::kPatienceS) == FolderLock::Outcome::kBusy)
     return inputError(target_ +
                       ": another run has been writing into this folder for too long: end it, or "
                       "write to another folder");

@@ -107,9 +107,7 @@ void measure(const ContactScene& scene, int effort, Met& met) {
   const std::size_t starts =
       std::clamp(static_cast<std::size_t>(effort / kStartShare), kLeastStarts, kMostStarts);
   for (const Body& body : bodiesOf(scene, met)) {
-    // A cutter goes into what earlier motions left; its shank follows it through what it cuts itself.
-    const MotionId before = body.pass->motion + (body.pass->cuts() ? 0 : 1);
-    DeepestPoint deepest(scene.depth, *body.pass, before, scene.stock.h);
+    DeepestPoint deepest(scene.depth, *body.pass, metBefore(*body.pass), scene.stock.h);
     const DeepPoint found = deepest.find(thinned(body.points, starts), met.contact.depth_mm, effort);
     if (found.depth <= met.contact.depth_mm) continue;
     met.contact.depth_mm = found.depth;

@@ -85,7 +85,7 @@ class Climb {
 
 std::optional<ContactSample> NearContacts::at(const NearSample& near) const {
   const Pass& pass = table_.passes[near.pass];
-  const MotionId before = pass.motion + (pass.cuts() ? 0 : 1);  // as in gatherContacts
+  const MotionId before = metBefore(pass);
   const Sweep sweep = pass.body.wholeSweep();
   Climb climb(stock_, sweep, before, h_);
   climb.start(near.where);

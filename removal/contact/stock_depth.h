@@ -11,6 +11,10 @@
 
 namespace proveout {
 
+/// A part meets the stock as the motions below this one left it: a cutter goes into what earlier motions
+/// left; its shank follows it through what it cuts itself.
+inline MotionId metBefore(const Pass& pass) { return pass.motion + (pass.cuts() ? 0 : 1); }
+
 class StockDepth {
  public:
   /// `stock` as it is before the path that `record` holds. `blank`: its shape where nothing has been cut from

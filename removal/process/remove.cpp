@@ -114,7 +114,7 @@ class Remover {
   const Toolpath& path_;
   Progress& progress_;
   double limit_bytes_;
-  bool watch_all_, spindle_used_;
+  bool watch_all_, spindle_used_, any_envelope_ = false;
   std::shared_ptr<const BlankField> uncut_;  ///< as Impl::uncut, before the path
   std::shared_ptr<const BlankField> blank_;  ///< the blank before the path, where it has a closed form
   std::shared_ptr<CutRecord> record_;
@@ -203,6 +203,7 @@ void Remover::addEnvelope(MotionId id, ToolParts::Part& part) {
     part.envelope = std::make_unique<ToolParts::Envelope>(
         offsetProfile(*part.profile, kNearLevel * impl_.h, kNearUpright * impl_.h));
   }
+  any_envelope_ = true;
   const std::size_t first = table_.passes.size();
   addPasses(id, part.envelope->body, true);
   for (std::size_t i = first; i < table_.passes.size(); ++i) {
@@ -480,7 +481,7 @@ void Remover::cutLeaf(const Coord& origin, const StackList& passes) {
   for (const NearSample& near : cutter.near()) {
     if (const std::optional<ContactSample> c = near_.at(near)) contacts_.push_back(*c);
   }
-  if (isOnlyPassed(origin, passes)) return;
+  if (any_envelope_ && isOnlyPassed(origin, passes)) return;
   evaluations_.fetch_add(cutter.evaluations(), std::memory_order_relaxed);
   const bool uniform = change.material == kAllInside || change.material == kAllOutside;
   addTo(bytes_, (uniform ? 0.0 : leafBytes(1.0)) + static_cast<double>(sizeof(CutLeaf)));
