@@ -49,8 +49,10 @@ struct Doubtful {
   std::vector<Coord> edges;  ///< all others through which no smooth face runs; of small grids only
 };
 
-/// Whether the last path made a crossing of the cell.
-bool isCut(const SurfaceGrid& grid, const Coord& cell) {
+/// Whether the last path made a crossing of the cell, or took what is at its vertex without making one: where
+/// it is known what was cut, that alone puts the vertex of such a cell off the surface.
+bool isCut(const SurfaceGrid& grid, const Coord& cell, std::uint16_t traits) {
+  if ((traits & CellTraits::kOff) != 0 && grid.impl().cut_blank != nullptr) return true;
   for (int edge = 0; edge < 12; ++edge) {
     const int corner = edgeStartCorner(edge);
     if (grid.motionOn(edge / 4, cell.offsetBy(corner & 1, corner >> 1 & 1, corner >> 2)) != kNoMotion)
@@ -82,7 +84,7 @@ Doubtful doubtfulCells(const SurfaceGrid& grid) {
       if (!edge && (traits & (CellTraits::kMisses | kThin | CellTraits::kStep)) == 0) continue;
       const int at = leaf.placeOf(rank);
       const Coord cell = leaf.stock->origin.offsetBy(at >> 3 & 7, at & 7, at >> 6);
-      if ((traits & CellTraits::kMisses) != 0 || isCut(grid, cell)) sortIn(cell, traits, small, out);
+      if ((traits & CellTraits::kMisses) != 0 || isCut(grid, cell, traits)) sortIn(cell, traits, small, out);
     }
   }
   return out;
