@@ -147,9 +147,11 @@ Status buildFromField(Stock::Impl& impl, const FieldShape& shape, const RemovalO
 /// larger ones are mostly smaller than the cells.
 constexpr std::size_t kMostKeptTriangles = 100'000;
 
+bool isKept(const MeshShape& shape) { return shape.mesh.triangles.size() <= kMostKeptTriangles; }
+
 Status buildFromMesh(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options) {
   if (Status built = buildMeshBlank(impl, shape, options); !built) return built;
-  if (shape.mesh.triangles.size() <= kMostKeptTriangles)
+  if (isKept(shape))
     impl.blank_mesh = std::make_shared<const TriangleTree>(toSurface(shape.mesh));
   return Done{};
 }
@@ -158,6 +160,8 @@ Status buildFromMesh(Stock::Impl& impl, const MeshShape& shape, const RemovalOpt
 
 Status buildBlank(Stock::Impl& impl, const StockShape& shape, const RemovalOptions& options,
                   Progress& progress) {
+  const auto* const mesh = std::get_if<MeshShape>(&shape);
+  if (mesh == nullptr || isKept(*mesh)) impl.made_from = std::make_shared<const StockShape>(shape);
   if (const auto* box = std::get_if<BoxShape>(&shape))
     return buildField(impl, makeBlankField(*box), options, progress);
   if (const auto* round = std::get_if<CylinderShape>(&shape)) {
@@ -165,7 +169,7 @@ Status buildBlank(Stock::Impl& impl, const StockShape& shape, const RemovalOptio
   }
   if (const auto* body = std::get_if<FieldShape>(&shape))
     return buildFromField(impl, *body, options, progress);
-  return buildFromMesh(impl, std::get<MeshShape>(shape), options);
+  return buildFromMesh(impl, *mesh, options);
 }
 
 }  // namespace proveout

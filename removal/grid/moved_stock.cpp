@@ -154,11 +154,49 @@ class ExactMove {
 
 }  // namespace
 
+namespace {
+
+CylinderShape movedCylinder(const CylinderShape& old, const AxisMap& map, const RigidTransform& move) {
+  CylinderShape now = old;
+  now.axis = static_cast<int>(std::find(map.from, map.from + 3, old.axis) - map.from);
+  const bool turned = map.sign[now.axis] < 0;
+  now.base = move(turned ? Vec3(old.base + old.length * Vec3::Unit(old.axis)) : old.base);
+  return now;
+}
+
+/// None where the moved shape is of another kind.
+std::optional<StockShape> movedShape(const StockShape& shape, const RigidTransform& move) {
+  const std::optional<AxisMap> map = axisMap(move.rotation);
+  if (const auto* box = std::get_if<BoxShape>(&shape)) {
+    if (!map) return std::nullopt;
+    const Box3 moved = move(Box3{box->min, box->max});
+    return BoxShape{moved.min, moved.max};
+  }
+  if (const auto* round = std::get_if<CylinderShape>(&shape)) {
+    if (!map) return std::nullopt;
+    return movedCylinder(*round, *map, move);
+  }
+  if (const auto* field = std::get_if<FieldShape>(&shape)) {
+    const RigidTransform& place = field->place;
+    return FieldShape{field->body, {move.rotation * place.rotation, move(place.translation)}};
+  }
+  MeshShape mesh = std::get<MeshShape>(shape);
+  for (Eigen::Vector3f& p : mesh.mesh.positions) p = toFloat(move(p.cast<double>()));
+  return mesh;
+}
+
+}  // namespace
+
 bool movesExactly(const RigidTransform& move) { return axisMap(move.rotation).has_value(); }
 
 Result<Stock> Stock::moved(const RigidTransform& move, const RemovalOptions& options,
                            Progress& progress) const {
   if (impl_->leaves.empty()) return inputError("nothing is left of the stock that could be moved");
+  RemovalOptions at_own_grid = options;
+  at_own_grid.resolution_mm = resolution();
+  if (impl_->made_from != nullptr) {
+    if (const auto shape = movedShape(*impl_->made_from, move)) return create(*shape, at_own_grid, progress);
+  }
   if (const auto map = axisMap(move.rotation)) {
     Stock stock;
     stock.impl_ = std::make_unique<Impl>(ExactMove(*impl_, *map, move).run());
@@ -176,9 +214,13 @@ Result<Stock> Stock::moved(const RigidTransform& move, const RemovalOptions& opt
   shape.mesh = std::move(surface->mesh);
   shape.mesh.motion.clear();
   for (Eigen::Vector3f& p : shape.mesh.positions) p = toFloat(move(p.cast<double>()));
-  RemovalOptions at_own_grid = options;
-  at_own_grid.resolution_mm = resolution();
-  return Stock::create(shape, at_own_grid, progress);
+  return create(shape, at_own_grid, progress);
+}
+
+Stock Stock::crossingsAlone() const {
+  Stock stock;
+  stock.impl_ = std::make_unique<Impl>(ExactMove(*impl_, AxisMap{}, RigidTransform{}).run());
+  return stock;
 }
 
 }  // namespace proveout

@@ -118,6 +118,8 @@ struct RemovalSummary {
   std::uint64_t voxel_evaluations = 0;
 };
 
+/// Sum over the motions, mm3: before it is fitted what the grid's columns or points count.
+double countedVolume(const RemovalSummary& removal);
 /// Scales the volumes of the motions so that their sum is the exact removed volume (initial less final, mm3).
 void fitRemovedVolume(RemovalSummary& summary, double exact_total_mm3);
 
@@ -185,10 +187,13 @@ class Stock {
   Result<StockVolume> volume(const SurfaceOptions& options, Progress& progress) const;
 
   /// The stock at another place, as a blank on a grid of the same spacing; which motion made a surface is not
-  /// known any more. Exact where movesExactly; else it is built anew from the surface's mesh: a curved wall
+  /// known any more. From which nothing was taken is made anew from the moved shape, if that is of its kind.
+  /// What was cut is exact where movesExactly; else it is built anew from the surface's mesh: a curved wall
   /// then is off by the mesh's chord height, h^2 / (8 r), on top of that of the new mesh. Errors: nothing is
   /// left of the stock, not enough memory.
   Result<Stock> moved(const RigidTransform& move, const RemovalOptions& options, Progress& progress) const;
+  /// A copy that knows its crossings, and nothing of the faces between them.
+  Stock crossingsAlone() const;
 
   /// Takes away what lies outside of a closed mesh, whose motions the new surface gets; walls and gaps of the
   /// mesh that are thinner than the grid are lost. Errors: as checkSolid; the stock is as before.
@@ -207,7 +212,7 @@ class Stock {
   /// cannot hold. Of a saved stock that of its first blank.
   double initialVolume() const;
   double resolution() const;  ///< mm
-  Box3 bounds() const;        ///< of the blank, mm
+  Box3 bounds() const;        ///< of the blank, within what keepWithin left of it, mm
 
   struct Impl;  ///< removal/grid/stock_impl.h
   const Impl& inside() const { return *impl_; }

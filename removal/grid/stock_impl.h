@@ -93,6 +93,8 @@ struct Stock::Impl {
   std::vector<StockLeaf> leaves;  ///< sorted by origin
   double initial_volume = 0.0;    ///< mm3
   Box3 blank;
+  /// What it was made of, as long as nothing was taken from it; null for saved stocks and large meshes.
+  std::shared_ptr<const StockShape> made_from;
   std::shared_ptr<const CutRecord> cut;  ///< what the last path did; null where that is not known
   /// The blank, where its faces are known between the crossings and nothing has been cut from it; else null.
   std::shared_ptr<const BlankField> field;

@@ -177,6 +177,7 @@ class PieceRemover {
 }  // namespace
 
 void Stock::dropPieces(const std::vector<Box3>& loose, const Box3& kept) {
+  impl_->made_from.reset();
   PieceRemover(*impl_, loose, kept).run();
 }
 

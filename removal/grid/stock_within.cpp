@@ -113,6 +113,9 @@ class Intersection {
 Status Stock::keepWithin(const MeshShape& body) {
   if (const Status solid = checkSolid(body); !solid) return solid;
   Intersection(*impl_, body.mesh).run();
+  const Box3 bounds = meshBounds(body.mesh);
+  impl_->blank = {impl_->blank.min.cwiseMax(bounds.min), impl_->blank.max.cwiseMin(bounds.max)};
+  impl_->made_from.reset();
   impl_->cut.reset();
   impl_->field.reset();
   impl_->uncut.reset();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/base/stopwatch.h"
@@ -14,11 +13,6 @@ namespace {
 
 /// Part of the volume up to which the integral over the grid's crossings is the closed form but for rounding.
 constexpr double kSameVolume = 1e-6;
-
-/// What the columns of the grid count, mm3.
-double countedVolume(const RemovalSummary& removal) {
-  return std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
-}
 
 /// What a path took, mm3: by the integrals over one grid before and after it, so that what no tool reached
 /// cancels. Where walls share cells these may be off by more than little cuts take, even below 0; then what
@@ -95,7 +89,7 @@ Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<To
   const double unseen_mm3 = std::exchange(surface->unseen_mm3, 0.0);
   const double removed_mm3 =
       surface->mesh.triangles.empty()
-          ? out.initial_mm3  // whatever moves and rounding made of it
+          ? out.initial_mm3 - volumeOf(apart_)  // whatever moves and rounding made of it
           : removedVolume(*removal, out.initial_mm3, held->mm3, surface->volume_mm3 + unseen_mm3);
   surface->volume_mm3 = out.initial_mm3 - removed_mm3;
   surface->volume_error_mm3 =

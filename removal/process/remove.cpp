@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -414,6 +415,7 @@ Status Remover::run() {
     giveBackBlank();
   } else {
     impl_.cut = record_;
+    impl_.made_from = nullptr;
   }
   return Done{};
 }
@@ -644,9 +646,12 @@ RemovalSummary Remover::summary() const {
 
 }  // namespace
 
+double countedVolume(const RemovalSummary& removal) {
+  return std::accumulate(removal.removed_mm3.begin(), removal.removed_mm3.end(), 0.0);
+}
+
 void fitRemovedVolume(RemovalSummary& summary, double exact_total_mm3) {
-  double sum = 0.0;
-  for (const float r : summary.removed_mm3) sum += r;
+  const double sum = countedVolume(summary);
   if (sum <= 0.0) return;
   for (float& r : summary.removed_mm3) r = toFloat(r * (exact_total_mm3 / sum));
 }

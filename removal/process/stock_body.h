@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/geometry/types.h"
 
@@ -15,5 +16,12 @@ struct StockBody {
   /// else empty.
   std::string leaves = {};
 };
+
+/// mm3.
+inline double volumeOf(const std::vector<StockBody>& bodies) {
+  double sum = 0.0;
+  for (const StockBody& body : bodies) sum += body.volume_mm3;
+  return sum;
+}
 
 }  // namespace proveout

@@ -154,11 +154,6 @@ Result<RemovalSummary> meetingOf(const Stock& stock, const Toolpath& path, const
   return summary;
 }
 
-/// A copy: quarter turns, none here, are exact.
-Result<Stock> copyOf(const Stock& stock, const RemovalOptions& options, Progress& progress) {
-  return stock.moved(RigidTransform{}, options, progress);
-}
-
 struct GridBody {
   Stock stock;
   StockSurface surface;
@@ -171,15 +166,14 @@ Result<std::vector<GridBody>> bodiesOf(const Stock& stock, const WireStock& box,
   std::vector<GridBody> out;
   for (std::size_t k = 0; k < box.bodies().size(); ++k) {
     if (!box.bodies()[k].bounds.overlaps(stock.bounds())) continue;
-    Result<Stock> own = copyOf(stock, options.grid, progress);
-    if (!own) return own.error();
+    Stock own = stock.crossingsAlone();
     const MeshShape shape{box.mesh({k}, options.facet_mm), "what the wire leaves"};
-    if (const Status kept = own->keepWithin(shape); !kept) return kept.error();
-    Result<StockSurface> surface = own->surface(options.surface, progress);
+    if (const Status kept = own.keepWithin(shape); !kept) return kept.error();
+    Result<StockSurface> surface = own.surface(options.surface, progress);
     if (!surface) return surface.error();
     if (surface->mesh.triangles.empty()) continue;
     const Box3 bounds = meshBounds(surface->mesh);
-    out.push_back({std::move(*own), std::move(*surface), bounds});
+    out.push_back({std::move(own), std::move(*surface), bounds});
   }
   std::stable_sort(out.begin(), out.end(), [](const GridBody& a, const GridBody& b) {
     return a.surface.volume_mm3 > b.surface.volume_mm3;
@@ -246,9 +240,7 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   Stopwatch watch;
   // Of a copy, as all that is left of it will be: both know the same of its faces, so that what no wire
   // reached cancels.
-  Result<Stock> copy = copyOf(stock_, options.grid, progress);
-  if (!copy) return copy.error();
-  stock_ = std::move(*copy);
+  stock_ = stock_.crossingsAlone();
   const Result<StockVolume> held = stock_.volume(options.surface, progress);
   if (!held) return held.error();
   Machined out;
@@ -274,7 +266,8 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
     after_mm3 += body.surface.volume_mm3;
     error_mm3 += body.surface.volume_error_mm3;
   }
-  const double removed_mm3 = std::clamp(held->mm3 - after_mm3, 0.0, out.initial_mm3);
+  const double removed_mm3 = bodies->empty() ? out.initial_mm3 - volumeOf(apart_)
+                                             : std::clamp(held->mm3 - after_mm3, 0.0, out.initial_mm3);
   out.bodies.emplace();
   if (!bodies->empty()) {
     const Result<PartChoice> chosen = partOf(*bodies, options);
@@ -295,7 +288,9 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   out.bodies->insert(out.bodies->end(), apart_.begin(), apart_.end());
   apart_.assign(out.bodies->begin() + (out.bodies->empty() ? 0 : 1), out.bodies->end());
   out.surface.volume_mm3 = out.initial_mm3 - removed_mm3;
-  out.surface.volume_error_mm3 = std::abs(error_mm3 - held->error_mm3);
+  // What the grid cannot hold of a kerf is in what the motions met.
+  out.surface.volume_error_mm3 =
+      std::max(std::abs(error_mm3 - held->error_mm3), std::abs(countedVolume(*met) - removed_mm3));
   left_mm3_ = out.surface.volume_mm3;
   fitRemovedVolume(*met, removed_mm3);
   out.removal = std::move(*met);
