@@ -9,9 +9,9 @@
 
 namespace proveout {
 
-/// By the mesh that the stock was made from, where there is one, else by one of its surface: flat faces are
-/// exact, curved ones are off by the chords of the grid. Made when first asked for, which any thread may do
-/// as long as the stock is not changed.
+/// By what cut it in earlier clampings, where that is known; else by the mesh that it was made from, or by one
+/// of its surface: flat faces are exact, curved ones are off by the chords of the grid. Made when first asked
+/// for, which any thread may do as long as the stock is not changed.
 class StockFaces {
  public:
   /// `stock` must outlive this.
@@ -32,5 +32,8 @@ class StockFaces {
   mutable std::once_flag made_;
   mutable std::shared_ptr<const TriangleTree> tree_;
 };
+
+/// What cut the stock in earlier clampings is not kept beside a path where that takes much memory.
+void forgetLargeRecords(Stock::Impl& stock);
 
 }  // namespace proveout

@@ -151,8 +151,7 @@ bool isKept(const MeshShape& shape) { return shape.mesh.triangles.size() <= kMos
 
 Status buildFromMesh(Stock::Impl& impl, const MeshShape& shape, const RemovalOptions& options) {
   if (Status built = buildMeshBlank(impl, shape, options); !built) return built;
-  if (isKept(shape))
-    impl.blank_mesh = std::make_shared<const TriangleTree>(toSurface(shape.mesh));
+  if (isKept(shape)) impl.blank_mesh = std::make_shared<const TriangleTree>(toSurface(shape.mesh));
   return Done{};
 }
 

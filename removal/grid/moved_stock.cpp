@@ -8,6 +8,7 @@
 
 #include "core/base/assert.h"
 #include "core/geometry/to_float.h"
+#include "removal/grid/earlier_stock.h"
 #include "removal/grid/face_numbers.h"
 #include "removal/grid/leaf_changes.h"
 #include "removal/grid/stock_impl.h"
@@ -164,6 +165,21 @@ CylinderShape movedCylinder(const CylinderShape& old, const AxisMap& map, const 
   return now;
 }
 
+/// Null where it is not known what cut the stock, or from what.
+std::shared_ptr<const EarlierStock> earlierStock(const Stock::Impl& stock, const RigidTransform& move) {
+  const RigidTransform back = move.inverse();
+  if (stock.cut == nullptr && stock.earlier != nullptr && stock.dropped.empty()) {
+    EarlierStock same = *stock.earlier;
+    same.back = {same.back.rotation * back.rotation, same.back(back.translation)};
+    return std::make_shared<const EarlierStock>(std::move(same));
+  }
+  const auto uncut = stock.uncut != nullptr ? stock.uncut : stock.field;
+  const auto blank = stock.cut != nullptr ? stock.cut_blank : uncut;
+  if (blank == nullptr && stock.earlier == nullptr && stock.blank_mesh == nullptr) return nullptr;
+  return std::make_shared<const EarlierStock>(
+      EarlierStock{back, blank, stock.earlier, stock.blank_mesh, stock.cut, stock.dropped});
+}
+
 /// None where the moved shape is of another kind.
 std::optional<StockShape> movedShape(const StockShape& shape, const RigidTransform& move) {
   const std::optional<AxisMap> map = axisMap(move.rotation);
@@ -194,12 +210,14 @@ Result<Stock> Stock::moved(const RigidTransform& move, const RemovalOptions& opt
   if (impl_->leaves.empty()) return inputError("nothing is left of the stock that could be moved");
   RemovalOptions at_own_grid = options;
   at_own_grid.resolution_mm = resolution();
+  const std::shared_ptr<const EarlierStock> earlier = earlierStock(*impl_, move);
   if (impl_->made_from != nullptr) {
     if (const auto shape = movedShape(*impl_->made_from, move)) return create(*shape, at_own_grid, progress);
   }
   if (const auto map = axisMap(move.rotation)) {
     Stock stock;
     stock.impl_ = std::make_unique<Impl>(ExactMove(*impl_, *map, move).run());
+    stock.impl_->earlier = earlier;
     return stock;
   }
   // What the mesh is off, all later clampings are.
@@ -214,7 +232,12 @@ Result<Stock> Stock::moved(const RigidTransform& move, const RemovalOptions& opt
   shape.mesh = std::move(surface->mesh);
   shape.mesh.motion.clear();
   for (Eigen::Vector3f& p : shape.mesh.positions) p = toFloat(move(p.cast<double>()));
-  return create(shape, at_own_grid, progress);
+  Result<Stock> stock = create(shape, at_own_grid, progress);
+  if (stock) {
+    stock->impl_->made_from = nullptr;
+    stock->impl_->earlier = earlier;
+  }
+  return stock;
 }
 
 Stock Stock::crossingsAlone() const {

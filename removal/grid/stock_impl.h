@@ -83,6 +83,7 @@ void forEachEdge(const LeafEdges& edges, Body&& body) {
 LeafEdges leafEdges(const LeafBits& own, const std::array<const LeafBits*, 3>& next);
 
 struct CutRecord;
+struct EarlierStock;
 class BlankField;
 class TriangleTree;
 
@@ -107,6 +108,9 @@ struct Stock::Impl {
   /// now.
   std::shared_ptr<const BlankField> cut_field;
   std::shared_ptr<const TriangleTree> blank_mesh;
+  /// What it was before it was clamped again, where all is known that cut it then.
+  std::shared_ptr<const EarlierStock> earlier;
+  std::vector<Box3> dropped;  ///< where pieces fell off behind the last path
 
   Vec3 position(const Coord& c) const {
     return {origin.x() + c.x() * h, origin.y() + c.y() * h, origin.z() + c.z() * h};

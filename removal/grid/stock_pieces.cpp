@@ -178,6 +178,7 @@ class PieceRemover {
 
 void Stock::dropPieces(const std::vector<Box3>& loose, const Box3& kept) {
   impl_->made_from.reset();
+  impl_->dropped.insert(impl_->dropped.end(), loose.begin(), loose.end());
   PieceRemover(*impl_, loose, kept).run();
 }
 

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <variant>
 
 #include "core/base/assert.h"
+#include "core/mesh/triangle_tree.h"
 #include "removal/grid/face_numbers.h"
 #include "removal/grid/leaf_changes.h"
 #include "removal/grid/mesh_rows.h"
@@ -113,7 +115,11 @@ class Intersection {
 Status Stock::keepWithin(const MeshShape& body) {
   if (const Status solid = checkSolid(body); !solid) return solid;
   Intersection(*impl_, body.mesh).run();
+  // What lies in an uncut box is the body itself.
   const Box3 bounds = meshBounds(body.mesh);
+  const bool whole = impl_->made_from != nullptr && std::holds_alternative<BoxShape>(*impl_->made_from) &&
+                     (impl_->blank.min.array() < bounds.min.array()).all() &&
+                     (impl_->blank.max.array() > bounds.max.array()).all();
   impl_->blank = {impl_->blank.min.cwiseMax(bounds.min), impl_->blank.max.cwiseMin(bounds.max)};
   impl_->made_from.reset();
   impl_->cut.reset();
@@ -121,7 +127,8 @@ Status Stock::keepWithin(const MeshShape& body) {
   impl_->uncut.reset();
   impl_->cut_blank.reset();
   impl_->cut_field.reset();
-  impl_->blank_mesh.reset();
+  impl_->blank_mesh = whole ? std::make_shared<const TriangleTree>(toSurface(body.mesh)) : nullptr;
+  impl_->earlier.reset();
   return Done{};
 }
 

@@ -36,14 +36,6 @@ double removedError(const RemovalSummary& removal, double removed_mm3, double of
   return std::max(told, std::abs(removed_mm3 - countedVolume(removal)));
 }
 
-/// What the grid holds otherwise than it is lies somewhere in the workpiece, at its edges mostly: with twice
-/// its share of what was removed it is counted as off, mm3.
-double heldError(const std::optional<Machined::Holding>& holding, double removed_mm3) {
-  if (!holding || holding->held_mm3 <= 0.0) return 0.0;
-  const double off_mm3 = std::abs(holding->own_mm3 - holding->held_mm3);
-  return off_mm3 * std::min(1.0, 2.0 * removed_mm3 / holding->held_mm3);
-}
-
 /// What an earlier clamping made has numbers of its own path.
 void forgetEarlier(const Toolpath& path, TriMesh& mesh) {
   for (MotionId& motion : mesh.motion) {
@@ -95,7 +87,7 @@ Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<To
   surface->volume_error_mm3 =
       changed ? removedError(*removal, removed_mm3, std::abs(surface->volume_error_mm3 - held->error_mm3),
                              std::pow(stock_.resolution(), 3)) +
-                    heldError(out.holding, removed_mm3)
+                    (out.holding ? out.holding->errorOf(removed_mm3) : 0.0)
               : 0.0;
   fitRemovedVolume(*removal, removed_mm3);
   if (!first_) forgetEarlier(path, surface->mesh);

@@ -380,7 +380,11 @@ Status Remover::preparePasses() {
 
 /// From here on what was the blank is what the path cuts.
 void Remover::takeOverBlank() {
-  if (impl_.cut != nullptr) impl_.blank_mesh = nullptr;  // faces may be of the path before
+  if (impl_.cut != nullptr) {  // faces may be of the path before
+    impl_.blank_mesh = nullptr;
+    impl_.earlier = nullptr;
+  }
+  forgetLargeRecords(impl_);
   impl_.cut_field = impl_.field;
   impl_.cut_blank = impl_.uncut != nullptr ? impl_.uncut : impl_.field;
   impl_.cut = nullptr;

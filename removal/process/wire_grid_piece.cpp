@@ -109,12 +109,10 @@ class GridWireMeeting {
 
   double volumeAt(int height, const WireStretch& s, std::uint32_t before, Vec3* where) {
     const int stations = std::clamp(static_cast<int>(s.length() / stock_.h), 1, kMostStations);
-    const Vec2 along = s.to - s.from,
-               left = along.norm() > 0.0 ? Vec2(leftOf(along.normalized())) : Vec2::UnitY();
     int met = 0;
     for (int k = 0; k < stations; ++k) {
       for (int a = 0; a < kAcross; ++a) {
-        const Vec2 p = s.at((k + 0.5) / stations) + left * (s.kerf_mm * (2.0 * (a + 0.5) / kAcross - 1.0));
+        const Vec2 p = onFront(s, (k + 0.5) / stations, 2.0 * (a + 0.5) / kAcross - 1.0);
         const Vec3 at(p.x(), p.y(), heights_[height]);
         if (!isMaterial(at) || indices_[height]->nearest(p, 0.0, before).stretch != StretchIndex::kNone)
           continue;
@@ -136,18 +134,15 @@ class GridWireMeeting {
 };
 
 /// What the motions take and meet, estimated at the grid's points.
-Result<RemovalSummary> meetingOf(const Stock& stock, const Toolpath& path, const std::vector<Tool>& tools,
-                                 const HeightSpan& span, double tolerance) {
-  const Result<LeanWork> work = leanWork(path, tools, span, tolerance);
-  if (!work) return work.error();
+RemovalSummary meetingOf(const Stock& stock, const Toolpath& path, const std::vector<Tool>& tools,
+                         const LeanWork& work, const HeightSpan& span) {
   RemovalSummary summary;
   summary.removed_mm3.assign(path.motions.size(), 0.0F);
-  GridWireMeeting meeting(stock, *work, span);
-  for (std::uint32_t i = 0; i < work->cuts.size(); ++i)
-    summary.removed_mm3[work->cuts[i].motion] += toFloat(meeting.takenBy(i));
-  for (std::size_t i = 0; i < work->rapids.size(); ++i) {
-    if (const auto contact = meeting.contactOf(i, work->rapids[i].after))
-      summary.contacts.push_back(*contact);
+  GridWireMeeting meeting(stock, work, span);
+  for (std::uint32_t i = 0; i < work.cuts.size(); ++i)
+    summary.removed_mm3[work.cuts[i].motion] += toFloat(meeting.takenBy(i));
+  for (std::size_t i = 0; i < work.rapids.size(); ++i) {
+    if (const auto contact = meeting.contactOf(i, work.rapids[i].after)) summary.contacts.push_back(*contact);
   }
   tellByHand(path, summary.contacts);
   summary.threading = meeting.threadingFaults(path, tools, summary.contacts);
@@ -159,6 +154,17 @@ struct GridBody {
   StockSurface surface;
   Box3 bounds;
 };
+
+/// Whether a kerf may come to what lies within these bounds.
+bool reaches(const std::vector<LeanStretch>& cuts, const Box3& bounds) {
+  constexpr double kLeaning = 4.0;  // a kerf's ellipse is no longer, in its half widths
+  return std::any_of(cuts.begin(), cuts.end(), [&](const LeanStretch& cut) {
+    Box3 box;
+    for (const Vec2& p : {cut.from_low, cut.to_low, cut.from_high, cut.to_high})
+      box.extend(Vec3(p.x(), p.y(), bounds.center().z()));
+    return box.inflated(kLeaning * cut.radius_mm).overlaps(bounds);
+  });
+}
 
 /// What each body of the box has of the workpiece, the largest first.
 Result<std::vector<GridBody>> bodiesOf(const Stock& stock, const WireStock& box, const PieceOptions& options,
@@ -178,6 +184,15 @@ Result<std::vector<GridBody>> bodiesOf(const Stock& stock, const WireStock& box,
   std::stable_sort(out.begin(), out.end(), [](const GridBody& a, const GridBody& b) {
     return a.surface.volume_mm3 > b.surface.volume_mm3;
   });
+  return out;
+}
+
+Result<std::vector<GridBody>> untouched(Stock stock, const PieceOptions& options, Progress& progress) {
+  std::vector<GridBody> out;
+  Result<StockSurface> surface = stock.surface(options.surface, progress);
+  if (!surface) return surface.error();
+  const Box3 bounds = meshBounds(surface->mesh);
+  if (!surface->mesh.triangles.empty()) out.push_back({std::move(stock), std::move(*surface), bounds});
   return out;
 }
 
@@ -238,27 +253,30 @@ WireGridPiece::WireGridPiece(Stock stock, double left_mm3, double own_mm3, std::
 Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<Tool>& tools,
                                         const PieceOptions& options, Progress& progress) {
   Stopwatch watch;
+  const PrismBlank about = boxAbout(stock_.bounds());
+  const HeightSpan span{about.z_low, about.z_high};
+  const Result<LeanWork> work = leanWork(path, tools, span, options.facet_mm);
+  if (!work) return work.error();
   // Of a copy, as all that is left of it will be: both know the same of its faces, so that what no wire
-  // reached cancels.
-  stock_ = stock_.crossingsAlone();
+  // reached cancels. Where none reaches anything it stays as it was.
+  const bool reached = reaches(work->cuts, stock_.bounds());
+  if (reached) stock_ = stock_.crossingsAlone();
   const Result<StockVolume> held = stock_.volume(options.surface, progress);
   if (!held) return held.error();
   Machined out;
   out.initial_mm3 = left_mm3_;
   out.holding = {own_mm3_, held->mm3};
-  const PrismBlank about = boxAbout(stock_.bounds());
-  const HeightSpan span{about.z_low, about.z_high};
   WireStock box(about);
   box.holdAt(options.held_at);
   RemovalSummary pieces;
   if (const Status cut = box.cut(path, tools, 0.5 * options.facet_mm, progress, &pieces); !cut)
     return cut.error();
-  Result<RemovalSummary> met = meetingOf(stock_, path, tools, span, options.facet_mm);
-  if (!met) return met.error();
-  takePieces(std::move(pieces), stock_.bounds().size().z() / about.height(), *met);
-  tellNarrow(path, tools, stock_.resolution(), *met);
+  RemovalSummary met = meetingOf(stock_, path, tools, *work, span);
+  takePieces(std::move(pieces), stock_.bounds().size().z() / about.height(), met);
+  tellNarrow(path, tools, stock_.resolution(), met);
   out.remove_s = watch.lap();
-  Result<std::vector<GridBody>> bodies = bodiesOf(stock_, box, options, progress);
+  Result<std::vector<GridBody>> bodies =
+      reached ? bodiesOf(stock_, box, options, progress) : untouched(std::move(stock_), options, progress);
   if (!bodies) return bodies.error();
   out.mesh_s = watch.lap();
   double after_mm3 = 0.0, error_mm3 = 0.0;
@@ -284,16 +302,20 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
     stock_ = std::move(bodies->front().stock);
     out.surface = std::move(bodies->front().surface);
   }
-  own_mm3_ = out.surface.volume_mm3;
+  if (reached) own_mm3_ = out.surface.volume_mm3;
   out.bodies->insert(out.bodies->end(), apart_.begin(), apart_.end());
   apart_.assign(out.bodies->begin() + (out.bodies->empty() ? 0 : 1), out.bodies->end());
   out.surface.volume_mm3 = out.initial_mm3 - removed_mm3;
+  // What the grid holds otherwise than it is lies in the part.
+  if (!out.bodies->empty()) out.bodies->front().volume_mm3 += out.surface.volume_mm3 - volumeOf(*out.bodies);
   // What the grid cannot hold of a kerf is in what the motions met.
-  out.surface.volume_error_mm3 =
-      std::max(std::abs(error_mm3 - held->error_mm3), std::abs(countedVolume(*met) - removed_mm3));
+  if (reached)
+    out.surface.volume_error_mm3 =
+        std::max(std::abs(error_mm3 - held->error_mm3), std::abs(countedVolume(met) - removed_mm3)) +
+        out.holding->errorOf(removed_mm3);
   left_mm3_ = out.surface.volume_mm3;
-  fitRemovedVolume(*met, removed_mm3);
-  out.removal = std::move(*met);
+  fitRemovedVolume(met, removed_mm3);
+  out.removal = std::move(met);
   return out;
 }
 

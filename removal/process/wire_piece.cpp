@@ -68,6 +68,7 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
       out.freed_self_intersections += wallMeetings(out.freed[k]).size();
   }
   out.surface.volume_mm3 = stock_.volume();
+  out.surface.volume_error_mm3 = stock_.volumeError();
   out.facet_error_mm = options.facet_mm;
   fitRemovedVolume(*removal, out.initial_mm3 - out.surface.volume_mm3);
   out.removal = std::move(*removal);

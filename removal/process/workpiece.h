@@ -1,6 +1,8 @@
 // What is clamped, as the process that machines it keeps it: one implementation a process.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -57,6 +59,12 @@ struct Machined {
   /// What the grid holds of what was clamped, mm3, and what that has by itself; none where they are the same.
   struct Holding {
     double own_mm3, held_mm3;
+    /// By how much what was removed may be off by that, mm3: the difference lies somewhere in the workpiece,
+    /// at its edges mostly, and counts with twice the share that was removed.
+    double errorOf(double removed_mm3) const {
+      if (held_mm3 <= 0.0) return 0.0;
+      return std::abs(own_mm3 - held_mm3) * std::min(1.0, 2.0 * removed_mm3 / held_mm3);
+    }
   };
   std::optional<Holding> holding;
   double remove_s = 0.0, mesh_s = 0.0;  ///< wall time

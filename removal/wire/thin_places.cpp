@@ -81,7 +81,7 @@ bool hasThinPlaces(const std::vector<LevelLoop>& loops, double width) {
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const std::vector<Vec2>& points = loops[k].points;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const Edge& edge = edges.emplace_back(points[i], points[(i + 1) % points.size()], k, round[k]);
+      const Edge& edge = edges.emplace_back(Edge{points[i], points[(i + 1) % points.size()], k, round[k]});
       round[k] = edge.end();
       Box3 box;
       for (const Vec2& p : {edge.from, edge.to}) box.extend(Vec3(p.x(), p.y(), 0.0));

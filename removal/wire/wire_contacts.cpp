@@ -161,12 +161,9 @@ std::vector<double> removedAreas(const PrismBlank& blank, const std::vector<Wire
     const int stations = std::clamp(static_cast<int>(s.length() / s.kerf_mm), 1, kMostStations);
     int taken = 0;
     for (int k = 0; k < stations; ++k) {
-      // Ahead of the wire, where it cuts.
-      const double t = (k + 0.5) / stations, next = std::min(1.0, t + 1e-6);
-      const Vec2 at = s.at(t), to = s.at(next) - at;
-      const Vec2 left = to.norm() > 0.0 ? Vec2(leftOf(to) / to.norm()) : leftOf(s.directionAtStart());
+      const double t = (k + 0.5) / stations;
       for (int a = 0; a < kAcross; ++a) {
-        const Vec2 p = at + left * (s.kerf_mm * (2.0 * (a + 0.5) / kAcross - 1.0));
+        const Vec2 p = onFront(s, t, 2.0 * (a + 0.5) / kAcross - 1.0);
         if (holds(region, p) && index.nearest(p, 0.0, i).stretch == StretchIndex::kNone &&
             !hasFallen(fallen, {i, t}, p))
           ++taken;

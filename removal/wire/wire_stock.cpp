@@ -18,6 +18,9 @@
 namespace proveout {
 namespace {
 
+/// Way of a leaning wire within which it is known when a piece came free, mm: by the chords of its walls.
+constexpr double kFallWayMm = 2e-3;
+
 /// Of several heights the contacts of one motion are one.
 void addContact(Contact contact, double z, double share, std::map<MotionId, Contact>& found) {
   contact.where.z() = z;
@@ -188,6 +191,7 @@ Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<L
       if (!holds(outlineOf(then, k, z), at)) continue;
       placed_.push_back({number, k});
       fall.volume_mm3 = then.bodies[k].volume_mm3;
+      error_mm3_ += kFallWayMm * 2.0 * cuts[fall.fell.last()].radius_mm * span.length();
       for (const std::size_t body : fall.bodies) replaced[body] = true;
       break;
     }

@@ -75,6 +75,9 @@ class WireStock {
   const PrismBlank& blank() const { return blank_; }
   double initialVolume() const;  ///< mm3, of the blank
   double volume() const;         ///< mm3, of what is left
+  /// By how much that may be off, about: where leaning walls come together pieces come free at a moment that
+  /// is known but for some way of the wire.
+  double volumeError() const { return error_mm3_; }
 
  private:
   /// What is found: of the motions, and of pieces and bridges; null: nothing.
@@ -105,6 +108,7 @@ class WireStock {
   std::vector<LeanSolid> solids_;
   std::vector<InSolid> placed_;  ///< by body, of those
   std::vector<WireBody> bodies_;
+  double error_mm3_ = 0.0;
 };
 
 }  // namespace proveout

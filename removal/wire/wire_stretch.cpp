@@ -84,6 +84,13 @@ Vec2 WireStretch::at(double t) const {
 
 double WireStretch::length() const { return isArc() ? radius() * std::abs(sweep_rad) : (to - from).norm(); }
 
+Vec2 onFront(const WireStretch& stretch, double t, double across) {
+  constexpr double kShortStep = 1e-6;
+  const Vec2 at = stretch.at(t), to = stretch.at(std::min(1.0, t + kShortStep)) - at;
+  const Vec2 ahead = to.norm() > 0.0 ? Vec2(to.normalized()) : stretch.directionAtStart();
+  return at + stretch.kerf_mm * (across * leftOf(ahead) + std::sqrt(1.0 - across * across) * ahead);
+}
+
 WireStretch beginningOf(const WireStretch& stretch, double part) {
   WireStretch out = stretch;
   out.to = part < 1.0 ? stretch.at(part) : stretch.to;

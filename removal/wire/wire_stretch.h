@@ -29,6 +29,10 @@ struct WireStretch {
   double length() const;    ///< mm
 };
 
+/// A point of the front half of the kerf's circle, where the wire cuts: `across` of the half width to the
+/// left, -1..1. Behind the front also a stretch that is shorter than the kerf is wide finds nothing left.
+Vec2 onFront(const WireStretch& stretch, double t, double across);
+
 /// The beginning of a stretch, up to a part of it; 0..1.
 WireStretch beginningOf(const WireStretch& stretch, double part);
 
