@@ -96,6 +96,7 @@ std::vector<ReportSetup> reportSetups(const Job& job, const RunResult& run) {
 ReportStock reportStock(const RunResult& run) {
   ReportStock stock;
   stock.initial_mm3 = run.setups.front().initial_mm3;
+  stock.initial_error_mm3 = run.setups.front().initial_error_mm3;
   stock.final_mm3 = run.surface().volume_mm3;
   stock.removed_mm3 = stock.initial_mm3 - stock.final_mm3;
   // Volumes of sections are closed forms; those of a grid are so where nothing was cut.

@@ -164,9 +164,10 @@ struct BlockFigures {
 
 struct ReportStock {
   double initial_mm3 = 0.0, removed_mm3 = 0.0, final_mm3 = 0.0;  ///< integrated from exact surface crossings
-  double error_mm3 = 0.0;  ///< by how much removed and final may be off, about
-  bool exact = false;      ///< they are closed forms, or nothing was cut; else the error is an estimate
-  double mesh_mm3 = 0.0;   ///< enclosed by the exported facets
+  double error_mm3 = 0.0;          ///< by how much removed and final may be off, about
+  double initial_error_mm3 = 0.0;  ///< and initial, and final again by as much
+  bool exact = false;     ///< they are closed forms, or nothing was cut; else the error is an estimate
+  double mesh_mm3 = 0.0;  ///< enclosed by the exported facets
   std::vector<StockBody> bodies;
   std::uint64_t triangles = 0, vertices = 0;
   bool closed = false;  ///< the exported mesh is a closed, oriented 2-manifold

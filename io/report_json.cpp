@@ -144,6 +144,7 @@ Json stockJson(const ReportStock& stock) {
           {"removed_mm3", number(stock.removed_mm3)},
           {"final_mm3", number(stock.final_mm3)},
           {"error_mm3", number(stock.error_mm3)},
+          {"initial_error_mm3", number(stock.initial_error_mm3)},
           {"error_is", stock.exact ? "exact" : "estimate"},
           {"mesh_mm3", number(stock.mesh_mm3)},
           {"triangles", stock.triangles},

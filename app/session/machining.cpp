@@ -53,6 +53,7 @@ Result<std::size_t> keep(Machined&& made, const PartWish& wish, SetupRun& setup,
   performance.remove_s += made.remove_s;
   performance.mesh_s += made.mesh_s;
   setup.initial_mm3 = made.initial_mm3;
+  setup.initial_error_mm3 = made.initial_error_mm3;
   setup.removal = std::move(made.removal);
   setup.surface = std::move(made.surface);
   setup.turned = std::move(made.turned);

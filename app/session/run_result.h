@@ -33,6 +33,7 @@ struct SetupRun {
   MeshTopology topology;                      ///< of the surface's mesh
   MeshExtent extent;                          ///< of the surface's mesh
   std::string mesh_sha256;                    ///< of the surface's mesh
+  double initial_error_mm3 = 0.0;             ///< by how much that may be off, about
   double initial_mm3 = 0.0;                   ///< before it: of the blank, or of the stock that came before
   std::vector<TriMesh> freed;                 ///< see Machined::freed
   std::size_t freed_self_intersections = 0;   ///< see Machined

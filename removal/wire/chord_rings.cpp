@@ -96,7 +96,7 @@ class RingParter {
     bool changed = false;
     std::vector<ChordRing> out(rings_.size());
     for (std::size_t k = 0; k < places_.size(); ++k) {
-      const auto [r, i] = places_[k];
+      const std::size_t r = places_[k].ring, i = places_[k].at;
       const ChordRing& ring = rings_[r];
       const auto add = [&](const Vec2& p) {
         out[r].points.push_back(p);

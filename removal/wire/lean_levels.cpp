@@ -325,7 +325,7 @@ class LevelMaker {
       all.curved.insert(all.curved.end(), verdict.curved.begin(), verdict.curved.end());
     }
     if (all.failed) {
-      Trouble& trouble = out.troubles.emplace_back(set.task.from, set.task.to, Names{});
+      Trouble& trouble = out.troubles.emplace_back(Trouble{set.task.from, set.task.to, Names{}});
       addNames(lower, trouble.names);
       return;
     }
@@ -343,7 +343,8 @@ class LevelMaker {
     for (const CurvedRung& rung : verdict.curved) out.curves.push_back({i, k, rung});
     if (m != kNone) passed[m] = true;
     if (!verdict.open.empty()) {
-      OpenWall &below = out.below.emplace_back(i, m), &above = out.above.emplace_back(m, k);
+      OpenWall &below = out.below.emplace_back(OpenWall{i, m}),
+               &above = out.above.emplace_back(OpenWall{m, k});
       for (const OpenPart& part : verdict.open) {
         below.parts.push_back({part.lower, part.middle});
         above.parts.push_back({part.middle, part.upper});

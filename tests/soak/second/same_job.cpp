@@ -13,8 +13,9 @@ namespace {
 /// Rounding of a program's numbers and of sums, by the blank's volume; and of sections, whose points are
 /// whole nanometres, by the walls that a blank may have.
 constexpr double kRounding = 2e-7, kWallRounding_mm = 2e-6;
-/// Where `thin_feature` stands in place of a bound: by the blank's volume.
-constexpr double kEstimate = 0.02;
+/// Where `thin_feature` stands in place of a bound: by the blank's volume. And what integrals over a grid are
+/// good to.
+constexpr double kEstimate = 0.02, kOfGrid = 1e-5;
 /// Two depths of one contact, mm: what the key `contact` leaves untold.
 constexpr double kDepth = 0.01;
 
@@ -39,8 +40,12 @@ double rounding(double blank) {
   return kRounding * blank + kWallRounding_mm * 8 * std::pow(blank, 2.0 / 3.0);
 }
 
-/// Of each kind of contact, clamping and tool the deepest, mm.
-using Contacts = std::map<std::string, double>;
+/// Of each kind of contact, clamping and tool the deepest, mm, and the largest that is as deep but for
+/// kDepth.
+struct DeepestContact {
+  double depth_mm = 0, volume_mm3 = 0;
+};
+using Contacts = std::map<std::string, DeepestContact>;
 struct Told {
   Contacts contacts;
   std::set<std::string> kinds;
@@ -66,23 +71,35 @@ Told toldBy(const Ran& job) {
       told.kinds.insert(name);
       continue;
     }
-    double& depth = told.contacts[name + (f.tool ? fmt::format(" by T{}", *f.tool) : "")];
-    depth = std::max(depth, *f.depth_mm);
+    DeepestContact& deepest = told.contacts[name + (f.tool ? fmt::format(" by T{}", *f.tool) : "")];
+    deepest.depth_mm = std::max(deepest.depth_mm, *f.depth_mm);
+    deepest.volume_mm3 = std::max(deepest.volume_mm3, f.volume_mm3.value_or(0));
   }
   return told;
 }
 
-/// `depths`: those of contacts have to agree, not only that they are told.
-void sameContacts(const Contacts& a, const Contacts& b, bool depths, Answer& answer) {
-  for (const auto& [name, depth] : a) {
+/// `depths`: those of contacts have to agree, not only that they are told. `unheld_mm3`: so much of the
+/// material may be too thin for the grids, and what touches that is not looked for.
+void sameContacts(const Contacts& a, const Contacts& b, bool depths, double unheld_mm3, Answer& answer) {
+  for (const auto& [name, deepest] : a) {
     const auto other = b.find(name);
+    const double depth = deepest.depth_mm, there = other == b.end() ? 0.0 : other->second.depth_mm;
+    std::string differs;
     if (other == b.end()) {
       if (depth > 2 * kDepth)
-        answer.broken = fmt::format("{} of {:.4f} mm is told in one of both only", name, depth);
-    } else if (depths && std::abs(depth - other->second) > kDepth) {
-      answer.broken = fmt::format("{} is {:.4f} or {:.4f} mm deep", name, depth, other->second);
+        differs = fmt::format("{} of {:.4f} mm is told in one of both only", name, depth);
+    } else if (depths && depth - there > kDepth) {
+      differs = fmt::format("{} is {:.4f} or {:.4f} mm deep", name, depth, there);
     }
+    if (!differs.empty()) (deepest.volume_mm3 <= unheld_mm3 ? answer.beyond : answer.broken) = differs;
   }
+}
+
+double ofGrid(double blank) { return kOfGrid * blank; }
+bool isOnGrid(const Ran& job) {
+  return std::any_of(job.run->setups.begin(), job.run->setups.end(), [](const SetupRun& setup) {
+    return setup.turned == nullptr && setup.facet_error_mm == 0.0;
+  });
 }
 
 }  // namespace
@@ -93,7 +110,7 @@ bool tellsThin(const RunResult& run) {
 }
 
 double toldError(const RunResult& run) {
-  double sum = 0;
+  double sum = run.setups.front().initial_error_mm3;
   for (const SetupRun& setup : run.setups) sum += setup.surface.volume_error_mm3;
   for (const Finding& f : run.findings)
     if (f.kind == FindingKind::kThinFeature) sum += f.volume_mm3.value_or(0);
@@ -123,8 +140,9 @@ void judge(double off, double told, double blank, bool thin, const std::string& 
 
 void sameVolumes(const Ran& a, const Ran& b, Answer& answer) {
   const bool thin = tellsThin(*a.run) || tellsThin(*b.run);
-  const double told = toldError(*a.run) + toldError(*b.run), blank = blankOf(a);
-  judge(blank - blankOf(b), 0, blank, thin, "the blank", answer);
+  const double blank = blankOf(a),
+               told = toldError(*a.run) + toldError(*b.run) + (isOnGrid(a) ? ofGrid(blank) : 0.0);
+  judge(blank - blankOf(b), ofGrid(blank), blank, thin, "the blank", answer);
   const auto one = atWork(a), two = atWork(b);
   double sum = 0;
   for (std::size_t k = 0; k < std::min(one.size(), two.size()); ++k) {
@@ -140,8 +158,9 @@ void sameFindings(const Ran& a, const Ran& b, bool depths, Answer& answer) {
   if (!answer.broken.empty()) return;
   const bool thin = tellsThin(*a.run) || tellsThin(*b.run);
   const Told one = toldBy(a), two = toldBy(b);
-  sameContacts(one.contacts, two.contacts, depths, answer);
-  sameContacts(two.contacts, one.contacts, depths, answer);
+  const double unheld = thin ? toldError(*a.run) + toldError(*b.run) : 0.0;
+  sameContacts(one.contacts, two.contacts, depths, unheld, answer);
+  sameContacts(two.contacts, one.contacts, depths, unheld, answer);
   std::vector<std::string> differ;
   std::set_symmetric_difference(one.kinds.begin(), one.kinds.end(), two.kinds.begin(), two.kinds.end(),
                                 std::back_inserter(differ));
