@@ -136,6 +136,8 @@ struct StockVolume {
   /// By how much it may be off, about: where the surface bends or breaks between crossings. Not in it is what
   /// no crossing shows.
   double error_mm3 = 0.0;
+  /// And beside its edges, where nothing but crossings is known (a saved stock).
+  double edges_mm3 = 0.0;
 };
 
 /// Surface of the stock as a closed 2-manifold, and the volume from the exact edge crossings.

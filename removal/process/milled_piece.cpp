@@ -70,7 +70,7 @@ Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<To
   if (!held) return held.error();
   if (!first_ || !saved_) out.holding = {own_mm3_, held->mm3};
   out.initial_mm3 = first_ ? startVolume(held->mm3) : left_mm3_;
-  if (first_ && out.initial_mm3 != own_mm3_) out.initial_error_mm3 = held->error_mm3;
+  if (first_ && out.initial_mm3 != own_mm3_) out.initial_error_mm3 = held->error_mm3 + held->edges_mm3;
   Result<RemovalSummary> removal = stock_.remove(path, tools, options.grid, progress);
   if (!removal) return removal.error();
   out.remove_s = watch.lap();

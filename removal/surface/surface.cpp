@@ -160,7 +160,11 @@ Result<StockVolume> Stock::volume(const SurfaceOptions& options, Progress& progr
   try {
     // Which cells may be merged is not asked: the volume does not depend on it.
     const Result<SurfaceGrid> grid = placedCells(*impl_, 0.0, progress);
-    return grid.ok() ? measureVolume(*grid, progress) : Result<StockVolume>(grid.error());
+    if (!grid.ok()) return grid.error();
+    Result<StockVolume> volume = measureVolume(*grid, progress);
+    const bool crossings_alone = impl_->cut == nullptr && impl_->field == nullptr && impl_->uncut == nullptr;
+    if (volume.ok() && crossings_alone) volume->edges_mm3 = unknownBesideEdges(*grid);
+    return volume;
   } catch (const std::bad_alloc&) {
     return outOfMemory("not enough memory for the volume", "take a coarser resolution");
   } catch (const std::exception& e) {

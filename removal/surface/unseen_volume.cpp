@@ -33,6 +33,8 @@ constexpr std::size_t kSmallGrid = 20'000, kAskedSmall = 800'000;
 constexpr double kOfLook = 1e-3;
 /// Part of a cell that the one vertex of a step may be off.
 constexpr double kOfStep = 0.01;
+/// Part of a cell by which each with an edge of a saved stock may be off, together: mostly they cancel.
+constexpr double kOfUnknownEdge = 0.003;
 
 struct ByPlace {
   bool operator()(const Coord& a, const Coord& b) const {
@@ -173,6 +175,17 @@ void append(const std::vector<Coord>& more, std::vector<Coord>& to) {
 }
 
 }  // namespace
+
+double unknownBesideEdges(const SurfaceGrid& grid) {
+  std::size_t edges = 0;
+  for (const SurfaceLeaf& leaf : grid.leaves()) {
+    for (int rank = 0; !leaf.all_level && rank < leaf.cells; ++rank) {
+      const std::uint16_t traits = grid.traits(leaf.base + static_cast<std::uint32_t>(rank));
+      edges += (traits & CellTraits::kSmooth) == 0 ? 1 : 0;
+    }
+  }
+  return kOfUnknownEdge * static_cast<double>(edges) * std::pow(grid.impl().h, 3);
+}
 
 UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress) {
   const Stock::Impl& impl = grid.impl();

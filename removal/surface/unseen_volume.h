@@ -15,6 +15,10 @@ struct UnseenVolume {
   ThinCells thin{};
 };
 
+/// By how much the volume may be off, about, because an edge lies somewhere in a cell of which only crossings
+/// are known, mm3.
+double unknownBesideEdges(const SurfaceGrid& grid);
+
 /// Compares what is left in truth with what is under the surface: in the cells where a face ends before the
 /// vertex, in thin ones if they are few, then in those beside them as long as something is missed. Where it
 /// is not known what was cut, and from what, or where that is much work, there is an error alone. Empty when

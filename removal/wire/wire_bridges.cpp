@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -23,7 +24,7 @@ constexpr double kChordMm = 1e-4, kOffCircle = 3e-4;
 /// Material that is no farther from an end than so many kerfs is beside it.
 constexpr double kBeside = 1.5;
 /// Pieces have room for a circle of this radius, in widths of their bridge: others are walls of one width.
-constexpr double kRoom = 0.75;
+constexpr double kRoom = 0.75, kRoomTolerance = 0.01;
 
 struct Place {
   std::uint32_t loop = 0, edge = 0;
@@ -180,8 +181,29 @@ class EndLook {
   std::vector<Place> edges_;
 };
 
+/// Whether the piece has room for a circle: squares of its bounds are quartered as long as they may hold its
+/// middle (pole of inaccessibility).
 bool hasRoom(const std::vector<Vec2>& piece, double width) {
-  return borderDistance({piece}, placeIn(PlanePolygons{piece})) >= kRoom * width;
+  const double radius = kRoom * width, least = kRoomTolerance * radius;
+  struct Square {
+    Vec2 middle;
+    double half;
+  };
+  Box3 box;
+  for (const Vec2& p : piece) box.extend(Vec3(p.x(), p.y(), 0.0));
+  std::vector<Square> open{{box.center().head<2>(), 0.5 * box.size().maxCoeff()}};
+  while (!open.empty()) {
+    const Square square = open.back();
+    open.pop_back();
+    const double border = borderDistance({piece}, square.middle),
+                 inside = holds({piece}, square.middle) ? border : -border;
+    if (inside >= radius) return true;
+    if (inside + std::numbers::sqrt2 * square.half < radius || square.half < least) continue;
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5})
+        open.push_back({square.middle + square.half * Vec2(x, y), 0.5 * square.half});
+  }
+  return false;
 }
 
 /// What cutting a neck between two places of one loop parts, mm2; none: nothing that hangs on by it.

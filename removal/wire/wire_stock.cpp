@@ -167,35 +167,74 @@ bool WireStock::isOfPiece(std::size_t body, const std::vector<InSolid>& fallen) 
   });
 }
 
-/// Pieces that fell before the wire passed over them are as they were then.
+/// The body of a solid at a place; none: nothing is there.
+std::optional<std::size_t> WireStock::bodyAt(const LeanSolid& solid, const Vec2& at, double z) {
+  for (std::size_t k = 0; k < solid.bodies.size(); ++k)
+    if (holds(outlineOf(solid, k, z), at)) return k;
+  return std::nullopt;
+}
+
+/// Whether a piece can leave when it comes free, past what is held then: body `body` of `then`.
+void WireStock::judgeExit(const LeanSolid& then, std::size_t body, double z,
+                          const std::vector<LeanFall>& falls, LeanFall& fall) {
+  fall.falls = fall.lifts = true;
+  for (std::size_t k = 0; k < then.bodies.size(); ++k) {
+    const PlanePolygons outline = outlineOf(then, k, z);
+    const auto freed = [&](const LeanFall& other) {
+      return other.fell <= fall.fell && holds(other.half_way.region, placeIn(outline));
+    };
+    if (k == body || (!outline.empty() && std::any_of(falls.begin(), falls.end(), freed))) continue;
+    const BodyExit exit = exitOf(then, body, then, k);
+    fall.falls = fall.falls && exit.down;
+    fall.lifts = fall.lifts && exit.up;
+  }
+}
+
+/// Pieces that fell before the wire passed over them are as they were then. Those that cannot leave stay, and
+/// what is left of them at last may be several bodies.
 Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<LeanFall>& falls,
                              double tolerance, Progress& progress) {
   const HeightSpan span{blank_.z_low, blank_.z_high};
+  const double z = solids_.front().levels[levelAt(solids_.front(), 0.5 * (span.low + span.high))].z;
   std::vector<bool> replaced(solids_.front().bodies.size(), false);
-  placed_.clear();
   std::map<CutTime, std::size_t> solid_at;
+  std::vector<LeanFall> told;
+  placed_.clear();
+  error_mm3_ = 0.0;
   for (LeanFall& fall : falls) {
-    if (!fall.falls || !fall.passed_over) continue;
-    if (!solid_at.contains(fall.fell)) {
-      Result<LeanSolid> then =
-          leanSolid(blank_.loops, span, cutUntil(cuts, fall.fell), tolerance, progress);
-      if (!then) return then.error();
-      solid_at[fall.fell] = solids_.size();
-      solids_.push_back(std::move(*then));
-    }
-    const std::size_t number = solid_at[fall.fell];
-    const LeanSolid& then = solids_[number];
-    const double z = solids_.front().levels[levelAt(solids_.front(), 0.5 * (span.low + span.high))].z;
     const Vec2 at = placeIn(fall.half_way.body);
-    for (std::size_t k = 0; k < then.bodies.size(); ++k) {
-      if (!holds(outlineOf(then, k, z), at)) continue;
-      placed_.push_back({number, k});
-      fall.volume_mm3 = then.bodies[k].volume_mm3;
-      error_mm3_ += kFallWayMm * 2.0 * cuts[fall.fell.last()].radius_mm * span.length();
+    const auto replace = [&] {
       for (const std::size_t body : fall.bodies) replaced[body] = true;
-      break;
+    };
+    const bool known = std::any_of(placed_.begin(), placed_.end(), [&](const InSolid& piece) {
+      return holds(outlineOf(solids_[piece.solid], piece.body, z), at);
+    });
+    if (known) {  // another body of what fell as one piece
+      replace();
+      continue;
     }
+    if (fall.passed_over) {
+      if (!solid_at.contains(fall.fell)) {
+        Result<LeanSolid> then =
+            leanSolid(blank_.loops, span, cutUntil(cuts, fall.fell), tolerance, progress);
+        if (!then) return then.error();
+        solid_at[fall.fell] = solids_.size();
+        solids_.push_back(std::move(*then));
+      }
+      const std::size_t number = solid_at[fall.fell];
+      if (const std::optional<std::size_t> body = bodyAt(solids_[number], at, z)) {
+        judgeExit(solids_[number], *body, z, falls, fall);
+        if (fall.falls) {
+          placed_.push_back({number, *body});
+          fall.volume_mm3 = solids_[number].bodies[*body].volume_mm3;
+          error_mm3_ += kFallWayMm * 2.0 * cuts[fall.fell.last()].radius_mm * span.length();
+          replace();
+        }
+      }
+    }
+    told.push_back(fall);
   }
+  falls = std::move(told);
   const std::vector<InSolid> fallen = placed_;
   for (std::size_t k = 0; k < replaced.size(); ++k)
     if (!replaced[k] && !isOfPiece(k, fallen)) placed_.push_back({0, k});
