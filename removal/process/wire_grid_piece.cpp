@@ -21,8 +21,9 @@
 namespace proveout {
 namespace {
 
-/// The box about a workpiece reaches beyond it by so much, mm: faces of both do not coincide.
-constexpr double kAround = 1.0;
+/// The box about a workpiece reaches beyond it by so much, and above and below it, mm: faces of both do not
+/// coincide. Leaning walls may meet not far above it.
+constexpr double kAround = 1.0, kAbove = 0.01;
 /// Places along a motion, at most, and across its kerf, at which is asked what it meets.
 constexpr int kMostStations = 256, kAcross = 3;
 /// Heights at which is asked.
@@ -32,8 +33,8 @@ PrismBlank boxAbout(const Box3& bounds) {
   PrismBlank blank;
   blank.loops.push_back(rectangleLoop(bounds.min.head<2>() - Vec2::Constant(kAround),
                                       bounds.max.head<2>() + Vec2::Constant(kAround)));
-  blank.z_low = bounds.min.z() - kAround;
-  blank.z_high = bounds.max.z() + kAround;
+  blank.z_low = bounds.min.z() - kAbove;
+  blank.z_high = bounds.max.z() + kAbove;
   return blank;
 }
 

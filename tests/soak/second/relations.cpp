@@ -72,7 +72,10 @@ Answer shifted(const Ran& job, Dice& dice) {
 Answer parted(const Ran& job, Dice& /*dice*/) {
   Answer answer = compared(job, split(job.plan), false);
   // What the motion that frees a slug does behind that moment is not held against the slug; another's is.
-  if (answer.broken.starts_with("free_slug")) answer.beyond = std::exchange(answer.broken, {});
+  const bool freed = answer.broken.starts_with("free_slug");
+  // A control refuses elements of a contour that are shorter than their offset.
+  const bool overcut = answer.broken.find("alarm: overcut") != std::string::npos;
+  if (freed || overcut) answer.beyond = std::exchange(answer.broken, {});
   return answer;
 }
 
