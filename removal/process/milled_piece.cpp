@@ -81,7 +81,8 @@ Result<Machined> MilledPiece::machine(const Toolpath& path, const std::vector<To
   const bool changed = stock_.inside().cut != nullptr;
   const double unseen_mm3 = std::exchange(surface->unseen_mm3, 0.0);
   const double removed_mm3 =
-      surface->mesh.triangles.empty()
+      !changed ? 0.0
+      : surface->mesh.triangles.empty()
           ? out.initial_mm3 - volumeOf(apart_)  // whatever moves and rounding made of it
           : removedVolume(*removal, out.initial_mm3, held->mm3, surface->volume_mm3 + unseen_mm3);
   surface->volume_mm3 = out.initial_mm3 - removed_mm3;

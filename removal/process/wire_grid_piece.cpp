@@ -273,7 +273,9 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   if (const Status cut = box.cut(path, tools, 0.5 * options.facet_mm, progress, &pieces); !cut)
     return cut.error();
   RemovalSummary met = meetingOf(stock_, path, tools, *work, span);
-  takePieces(std::move(pieces), stock_.bounds().size().z() / about.height(), met);
+  // In the air beside a workpiece, or in its hollow, the box has pieces which that has not.
+  if (countedVolume(met) > 0.0)
+    takePieces(std::move(pieces), stock_.bounds().size().z() / about.height(), met);
   tellNarrow(path, tools, stock_.resolution(), met);
   out.remove_s = watch.lap();
   Result<std::vector<GridBody>> bodies =
@@ -285,8 +287,9 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
     after_mm3 += body.surface.volume_mm3;
     error_mm3 += body.surface.volume_error_mm3;
   }
-  const double removed_mm3 = bodies->empty() ? out.initial_mm3 - volumeOf(apart_)
-                                             : std::clamp(held->mm3 - after_mm3, 0.0, out.initial_mm3);
+  const double removed_mm3 = reached && bodies->empty()
+                                 ? out.initial_mm3 - volumeOf(apart_)
+                                 : std::clamp(held->mm3 - after_mm3, 0.0, out.initial_mm3);
   out.bodies.emplace();
   if (!bodies->empty()) {
     const Result<PartChoice> chosen = partOf(*bodies, options);

@@ -64,7 +64,7 @@ struct Machined {
     /// By how much what was removed may be off by that, mm3: the difference lies somewhere in the workpiece,
     /// at its edges mostly, and counts with twice the share that was removed.
     double errorOf(double removed_mm3) const {
-      if (held_mm3 <= 0.0) return 0.0;
+      if (held_mm3 <= 0.0) return own_mm3;
       return std::abs(own_mm3 - held_mm3) * std::min(1.0, 2.0 * removed_mm3 / held_mm3);
     }
   };
