@@ -26,6 +26,8 @@ namespace {
 constexpr double kAround = 1.0, kAbove = 0.01;
 /// Places along a motion, at most, and across its kerf, at which is asked what it meets.
 constexpr int kMostStations = 256, kAcross = 3;
+/// What is counted so may be off by this factor.
+constexpr double kCountedError = 1.25;
 /// Heights at which is asked.
 constexpr int kHeights = 9;
 
@@ -312,10 +314,10 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   out.surface.volume_mm3 = out.initial_mm3 - removed_mm3;
   // What the grid holds otherwise than it is lies in the part.
   if (!out.bodies->empty()) out.bodies->front().volume_mm3 += out.surface.volume_mm3 - volumeOf(*out.bodies);
-  // What the grid cannot hold of a kerf is in what the motions met.
+  // What the grid cannot hold of a kerf is in what the motions met, which points of the grid count.
   if (reached)
     out.surface.volume_error_mm3 =
-        std::max(std::abs(error_mm3 - held->error_mm3), std::abs(countedVolume(met) - removed_mm3)) +
+        std::max(std::abs(error_mm3 - held->error_mm3), kCountedError * std::abs(countedVolume(met) - removed_mm3)) +
         out.holding->errorOf(removed_mm3);
   left_mm3_ = out.surface.volume_mm3;
   fitRemovedVolume(met, removed_mm3);
