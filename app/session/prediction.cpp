@@ -16,11 +16,12 @@ namespace proveout {
 namespace {
 
 // Measured with tests/bench/bench_prediction on two cores. A cell is a square of the grid on the surface.
-constexpr double kBaseMb = 24.0;               ///< program, libraries, threads
-constexpr double kBytesPerCell = 52.0;         ///< leaves, crossings, mesh of flat faces
-constexpr double kBytesPerCutCell = 120.0;     ///< on top of that: round walls
-constexpr double kBytesPerFlatCell = 60.0;     ///< in place of that: planes
-constexpr double kBytesPerUnevenCell = 220.0;  ///< and where triangles are not merged
+constexpr double kBaseMb = 24.0;                ///< program, libraries, threads
+constexpr double kBytesPerCell = 52.0;          ///< leaves, crossings, mesh of flat faces
+constexpr double kBytesPerCutCell = 120.0;      ///< on top of that: round walls
+constexpr double kBytesPerFlatCell = 60.0;      ///< in place of that: planes
+constexpr double kBytesPerUnevenCell = 220.0;   ///< and where triangles are not merged
+constexpr double kBytesPerUnmergedCell = 60.0;  ///< nor are those of planes, where nothing is to be merged
 constexpr double kBytesPerTriangle = 75.0;  ///< of a mesh from half sections: the sections and the file, too
 constexpr double kBytesPerGrooveTriangle = 70.0;      ///< on top of that: sections where ridges are cut
 constexpr double kBytesPerTurnedCell = 20.0;          ///< on top of kBytesPerCell: from a half section
@@ -49,6 +50,7 @@ constexpr double kSecondsPerCarriedCell = 2e-7;  ///< into the next clamping, gr
 constexpr double kMeshing = 1.0;
 constexpr double kSecondsPerFlatCell = kMeshing * 3.8e-7, kSecondsPerRuledCell = kMeshing * 7e-7,
                  kSecondsPerRoundCell = kMeshing * 8e-7, kSecondsPerUnevenCell = kMeshing * 1.55e-6;
+constexpr double kSecondsPerUnmergedCell = kMeshing * 2e-7;
 /// Of round walls and floors as many triangles stay as there are bends in a cell.
 constexpr double kSecondsPerBend = kMeshing * 2.2e-6;
 /// Nearest points on rims that go down slowly, low steps, and terraces that meet.
@@ -338,9 +340,9 @@ Workload together(const Workload& a, const Workload& b) {
   Workload both = a;
   for (double Workload::*member :
        {&Workload::surface_mm2, &Workload::cut_mm2, &Workload::flat_mm2, &Workload::ruled_mm2,
-        &Workload::stepped_mm2, &Workload::bends_mm, &Workload::uneven_mm2, &Workload::nominal_mm2,
-        &Workload::fixture_mm2, &Workload::fixture_mesh_mm2, &Workload::pixels, &Workload::triangles,
-        &Workload::thread_triangles, &Workload::groove_triangles, &Workload::turned_mm2,
+        &Workload::stepped_mm2, &Workload::bends_mm, &Workload::uneven_mm2, &Workload::unmerged_mm2,
+        &Workload::nominal_mm2, &Workload::fixture_mm2, &Workload::fixture_mesh_mm2, &Workload::pixels,
+        &Workload::triangles, &Workload::thread_triangles, &Workload::groove_triangles, &Workload::turned_mm2,
         &Workload::threaded_mm2, &Workload::blank_triangles})
     both.*member = std::max(a.*member, b.*member);
   both.swept_mm2 += b.swept_mm2;
@@ -363,8 +365,8 @@ namespace {
 
 /// A workload on one grid.
 struct Cells {
-  double surface, cut, flat, ruled, stepped, bends, uneven, swept, turned, threaded, fixture, fixture_mesh,
-      compared;
+  double surface, cut, flat, ruled, stepped, bends, uneven, unmerged, swept, turned, threaded, fixture,
+      fixture_mesh, compared;
 
   double round() const { return std::max(0.0, cut - flat - ruled); }
 };
@@ -378,6 +380,7 @@ Cells cellsOf(const Workload& work, double resolution_mm) {
           work.stepped_mm2 / h2,
           work.bends_mm / resolution_mm,
           work.uneven_mm2 / h2,
+          work.unmerged_mm2 / h2,
           work.swept_mm2 / h2,
           work.turned_mm2 / h2,
           work.threaded_mm2 / h2,
@@ -400,7 +403,7 @@ double moduleBytes(const Workload& work, const Cells& cells) {
 /// The renderer's search tree and normals, and what pixels show.
 double drawingBytes(const Workload& work, const Cells& cells) {
   if (!(work.pixels > 0.0)) return 0.0;
-  return (cells.cut + cells.uneven + cells.threaded) * kBytesPerDrawnCell +
+  return (cells.cut + cells.uneven + cells.unmerged + cells.threaded) * kBytesPerDrawnCell +
          work.triangles * kBytesPerDrawnTriangle + work.pixels * kBytesPerPixel + 1e6 * kDrawingMb;
 }
 
@@ -409,8 +412,8 @@ double memoryMb(const Workload& work, const Cells& cells) {
       cells.compared > 0.0 ? 1e6 * kComparisonMb + cells.compared * kBytesPerComparedCell : 0.0;
   const double stock = cells.surface * kBytesPerCell + (cells.cut - cells.flat) * kBytesPerCutCell +
                        cells.flat * kBytesPerFlatCell + cells.uneven * kBytesPerUnevenCell +
-                       cells.turned * kBytesPerTurnedCell + cells.threaded * kBytesPerThreadedCell +
-                       cells.fixture * kBytesPerFixtureCell;
+                       cells.unmerged * kBytesPerUnmergedCell + cells.turned * kBytesPerTurnedCell +
+                       cells.threaded * kBytesPerThreadedCell + cells.fixture * kBytesPerFixtureCell;
   // Pictures are drawn while the part is compared, in what removal and meshing gave back; files come behind
   // both, which give their memory back.
   const double looking = std::max(0.0, comparing + drawingBytes(work, cells) - kGivenBack * stock);
@@ -451,9 +454,9 @@ double stockS(const Workload& work, const Cells& cells) {
   return cells.surface * each + cells.flat * kSecondsPerFlatCell + cells.ruled * kSecondsPerRuledCell +
          cells.round() * kSecondsPerRoundCell + cells.stepped * kSecondsPerSteppedCell +
          cells.bends * kSecondsPerBend + cells.uneven * kSecondsPerUnevenCell +
-         cells.swept * kSecondsPerSweptCell + cells.fixture * kSecondsPerFixtureCell +
-         cells.fixture_mesh * kSecondsPerMeshedCell + cells.turned * kSecondsPerTurnedCell +
-         cells.threaded * thread;
+         cells.unmerged * kSecondsPerUnmergedCell + cells.swept * kSecondsPerSweptCell +
+         cells.fixture * kSecondsPerFixtureCell + cells.fixture_mesh * kSecondsPerMeshedCell +
+         cells.turned * kSecondsPerTurnedCell + cells.threaded * thread;
 }
 
 /// Bodies that need no grid.
@@ -492,7 +495,8 @@ double drawingS(const Workload& work, const Cells& cells) {
   if (!(work.pixels > 0.0) || work.pictures == 0) return 0.0;
   const double cut = cells.surface > 0.0 ? std::min(1.0, cells.cut / cells.surface)
                                          : work.triangles / (work.triangles + kTrianglesOfARoundPart);
-  const double triangles = cells.cut - cells.flat + cells.uneven + cells.threaded + work.triangles;
+  const double triangles =
+      cells.cut - cells.flat + cells.uneven + cells.unmerged + cells.threaded + work.triangles;
   const double pixels = work.pictures * kSecondsPerPixel * (1.0 + kMoreSecondsCut * cut) +
                         (work.nominal_mm2 > 0.0 ? kSecondsPerDeviationPixel : 0.0);
   return triangles * kSecondsPerDrawnTriangle + work.pixels * pixels;

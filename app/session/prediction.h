@@ -37,12 +37,13 @@ inline constexpr int kCurveKinds = 9;
 
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {
-  double surface_mm2 = 0.0;  ///< of the part: what is left of the blank's surface and what is cut
-  double cut_mm2 = 0.0;      ///< of that what is cut, but level floors
-  double flat_mm2 = 0.0;     ///< of what is cut: by flat ends on long lines, into planes
-  double ruled_mm2 = 0.0;    ///< of what is cut: by other tools on long lines
-  double stepped_mm2 = 0.0;  ///< of the rest: by rims of flat ends on short lines that are not level
-  double bends_mm = 0.0;     ///< of the rest of what is cut: area over the radius of the tool
+  double surface_mm2 = 0.0;   ///< of the part: what is left of the blank's surface and what is cut
+  double cut_mm2 = 0.0;       ///< of that what is cut, but level floors
+  double flat_mm2 = 0.0;      ///< of what is cut: by flat ends on long lines, into planes
+  double ruled_mm2 = 0.0;     ///< of what is cut: by other tools on long lines
+  double stepped_mm2 = 0.0;   ///< of the rest: by rims of flat ends on short lines that are not level
+  double bends_mm = 0.0;      ///< of the rest of what is cut: area over the radius of the tool
+  double unmerged_mm2 = 0.0;  ///< of surface_mm2, where no triangles are to be merged: all of it
   double uneven_mm2 =
       0.0;  ///< of the part, in plan view: neither flat nor a wall; its triangles are not merged
   double swept_mm2 = 0.0;  ///< plan area that the tools pass over, each motion counted; along lines twice

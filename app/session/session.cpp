@@ -63,7 +63,7 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
   if (const auto* mesh = std::get_if<MeshShape>(&prepared.blank.shape))
     work.blank_triangles = static_cast<double>(mesh->mesh.triangles.size());
   // Triangles stay as they are made, on flat faces too.
-  if (job.simulation.simplify_mm == 0.0) work.uneven_mm2 = work.surface_mm2;
+  if (job.simulation.simplify_mm == 0.0) work.unmerged_mm2 = work.surface_mm2;
   work.reads_grid = std::holds_alternative<SavedStock>(prepared.blank.shape);
   work.writes_grid = savesStock(job);
   work.text_files = static_cast<int>(std::count_if(
