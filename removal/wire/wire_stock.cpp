@@ -213,7 +213,8 @@ Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<L
       replace();
       continue;
     }
-    if (fall.passed_over) {
+    // What cannot leave at last could not when there was more of it, and of what holds it.
+    if (fall.passed_over && fall.falls) {
       if (!solid_at.contains(fall.fell)) {
         Result<LeanSolid> then =
             leanSolid(blank_.loops, span, cutUntil(cuts, fall.fell), tolerance, progress);
