@@ -174,6 +174,19 @@ std::optional<std::size_t> WireStock::bodyAt(const LeanSolid& solid, const Vec2&
   return std::nullopt;
 }
 
+/// Places in the bodies that are held to the end.
+std::vector<Vec2> WireStock::heldPlaces(const std::vector<LeanFall>& falls, double z) const {
+  std::vector<Vec2> places;
+  for (std::size_t k = 0; k < solids_.front().bodies.size(); ++k) {
+    const auto has = [k](const LeanFall& fall) {
+      return std::ranges::find(fall.bodies, k) != fall.bodies.end();
+    };
+    const PlanePolygons outline = outlineOf(solids_.front(), k, z);
+    if (!outline.empty() && std::ranges::none_of(falls, has)) places.push_back(placeIn(outline));
+  }
+  return places;
+}
+
 /// Whether a piece can leave when it comes free, past what is held then: body `body` of `then`.
 void WireStock::judgeExit(const LeanSolid& then, std::size_t body, double z,
                           const std::vector<LeanFall>& falls, LeanFall& fall) {
@@ -198,6 +211,7 @@ Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<L
   const double z = solids_.front().levels[levelAt(solids_.front(), 0.5 * (span.low + span.high))].z;
   std::vector<bool> replaced(solids_.front().bodies.size(), false);
   std::map<CutTime, std::size_t> solid_at;
+  const std::vector<Vec2> held = heldPlaces(falls, z);
   std::vector<LeanFall> told;
   placed_.clear();
   error_mm3_ = 0.0;
@@ -223,7 +237,11 @@ Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<L
         solids_.push_back(std::move(*then));
       }
       const std::size_t number = solid_at[fall.fell];
-      if (const std::optional<std::size_t> body = bodyAt(solids_[number], at, z)) {
+      const std::optional<std::size_t> body = bodyAt(solids_[number], at, z);
+      // Where it is one with what is held, walls between the heights that were looked at hold it still.
+      if (body && std::ranges::none_of(held, [&](const Vec2& place) {
+            return holds(outlineOf(solids_[number], *body, z), place);
+          })) {
         judgeExit(solids_[number], *body, z, falls, fall);
         if (fall.falls) {
           placed_.push_back({number, *body});
