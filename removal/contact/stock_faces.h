@@ -9,9 +9,9 @@
 
 namespace proveout {
 
-/// By what cut it in earlier clampings, where that is known; else by the mesh that it was made from, or by one
-/// of its surface: flat faces are exact, curved ones are off by the chords of the grid. Made when first asked
-/// for, which any thread may do as long as the stock is not changed.
+/// By what cut it in earlier clampings, where that is known; else by the mesh that it was made from, or by
+/// one of its surface: flat faces are exact, curved ones are off by the chords of the grid. Made when first
+/// asked for, which any thread may do as long as the stock is not changed.
 class StockFaces {
  public:
   /// `stock` must outlive this.

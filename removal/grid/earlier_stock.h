@@ -21,7 +21,7 @@ struct EarlierStock {
   std::shared_ptr<const EarlierStock> earlier;
   std::shared_ptr<const TriangleTree> mesh;
   std::shared_ptr<const CutRecord> cut;  ///< the path; null: it took nothing
-  std::vector<Box3> dropped;  ///< where pieces fell off afterwards
+  std::vector<Box3> dropped;             ///< where pieces fell off afterwards
 };
 
 }  // namespace proveout

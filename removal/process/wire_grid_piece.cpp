@@ -316,9 +316,9 @@ Result<Machined> WireGridPiece::machine(const Toolpath& path, const std::vector<
   if (!out.bodies->empty()) out.bodies->front().volume_mm3 += out.surface.volume_mm3 - volumeOf(*out.bodies);
   // What the grid cannot hold of a kerf is in what the motions met, which points of the grid count.
   if (reached)
-    out.surface.volume_error_mm3 =
-        std::max(std::abs(error_mm3 - held->error_mm3), kCountedError * std::abs(countedVolume(met) - removed_mm3)) +
-        out.holding->errorOf(removed_mm3);
+    out.surface.volume_error_mm3 = std::max(std::abs(error_mm3 - held->error_mm3),
+                                            kCountedError * std::abs(countedVolume(met) - removed_mm3)) +
+                                   out.holding->errorOf(removed_mm3);
   left_mm3_ = out.surface.volume_mm3;
   fitRemovedVolume(met, removed_mm3);
   out.removal = std::move(met);

@@ -43,8 +43,8 @@ struct Machined {
   double initial_mm3 = 0.0;  ///< before it, as it is reported: what fell off before counts
   /// By how much that may be off, about, of a first clamping whose volume is that which the grid holds, mm3.
   double initial_error_mm3 = 0.0;
-  RemovalSummary removal;    ///< volumes fitted: their sum is initial less final
-  StockSurface surface;      ///< after it, in its frame; the volume is initial_mm3 less what was removed
+  RemovalSummary removal;  ///< volumes fitted: their sum is initial less final
+  StockSurface surface;    ///< after it, in its frame; the volume is initial_mm3 less what was removed
   /// The part first, what fell off in earlier clampings last. None: the bodies of the mesh are those of the
   /// workpiece, and `apart` is what fell off before.
   std::optional<std::vector<StockBody>> bodies;
