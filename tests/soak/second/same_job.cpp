@@ -40,8 +40,7 @@ double rounding(double blank) {
   return kRounding * blank + kWallRounding_mm * 8 * std::pow(blank, 2.0 / 3.0);
 }
 
-/// Of each kind of contact, clamping and tool the deepest, mm, and the largest that is as deep but for
-/// kDepth.
+/// Of all contacts of one kind, clamping and tool the largest depth and the largest volume.
 struct DeepestContact {
   double depth_mm = 0, volume_mm3 = 0;
 };
