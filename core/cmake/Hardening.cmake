@@ -3,9 +3,9 @@
 #   compiled  canaries on stacks (-fstack-protector-strong), checked calls of the C library (_FORTIFY_SOURCE, which needs
 #             optimisation), checked indices of the C++ library (_GLIBCXX_ASSERTIONS), position independence
 #   linked    all relocations resolved at the start and read-only from then on, no executable stack
-# Sources of SIMD kernels and of search trees do without canaries (proveout_unhardened_kernel), these and targets with
-# PROVEOUT_UNCHECKED_INDICES without checked indices: what they index is made by the program, and the check costs. Sanitizers check more, and replace the
-# checked calls.
+# Sources of SIMD kernels and of search trees do without canaries (proveout_unhardened_kernel), these trees and targets
+# with PROVEOUT_UNCHECKED_INDICES without checked indices: what they index is made by the program, and the check costs.
+# Sanitizers check more, and replace the checked calls.
 # Not exported: users of the libraries choose for themselves.
 option(PROVEOUT_HARDENED "Compile and link with hardening" ON)
 set(proveout_unhardened_kernel "")

@@ -153,10 +153,6 @@ class ExactMove {
   Stock::Impl now_;
 };
 
-}  // namespace
-
-namespace {
-
 CylinderShape movedCylinder(const CylinderShape& old, const AxisMap& map, const RigidTransform& move) {
   CylinderShape now = old;
   now.axis = static_cast<int>(std::find(map.from, map.from + 3, old.axis) - map.from);

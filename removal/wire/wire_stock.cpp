@@ -68,6 +68,29 @@ void addRemoved(const PrismBlank& blank, const std::vector<WireStretch>& cuts,
     summary.removed_mm3[cuts[i].motion] += toFloat(areas[i] * blank.height());
 }
 
+/// The body of a solid at a place; none: nothing is there.
+std::optional<std::size_t> bodyAt(const LeanSolid& solid, const Vec2& at, double z) {
+  for (std::size_t k = 0; k < solid.bodies.size(); ++k)
+    if (holds(outlineOf(solid, k, z), at)) return k;
+  return std::nullopt;
+}
+
+/// Whether a piece can leave when it comes free, past what is held then: body `body` of `then`.
+void judgeExit(const LeanSolid& then, std::size_t body, double z, const std::vector<LeanFall>& falls,
+               LeanFall& fall) {
+  fall.falls = fall.lifts = true;
+  for (std::size_t k = 0; k < then.bodies.size(); ++k) {
+    const PlanePolygons outline = outlineOf(then, k, z);
+    const auto freed = [&](const LeanFall& other) {
+      return other.fell <= fall.fell && holds(other.half_way.region, placeIn(outline));
+    };
+    if (k == body || (!outline.empty() && std::any_of(falls.begin(), falls.end(), freed))) continue;
+    const BodyExit exit = exitOf(then, body, then, k);
+    fall.falls = fall.falls && exit.down;
+    fall.lifts = fall.lifts && exit.up;
+  }
+}
+
 }  // namespace
 
 Result<PrismBlank> prismOf(const StockShape& shape) {
@@ -155,6 +178,12 @@ Status WireStock::cutLeaning(const Toolpath& path, const std::vector<Tool>& tool
   return Done{};
 }
 
+bool WireStock::anyHolds(const std::vector<InSolid>& pieces, const Vec2& at, double z) const {
+  return std::any_of(pieces.begin(), pieces.end(), [&](const InSolid& piece) {
+    return holds(outlineOf(solids_[piece.solid], piece.body, z), at);
+  });
+}
+
 /// Whether a body of the last solid is what later motions would have cut off a piece that fell before.
 bool WireStock::isOfPiece(std::size_t body, const std::vector<InSolid>& fallen) const {
   if (fallen.empty()) return false;
@@ -162,16 +191,7 @@ bool WireStock::isOfPiece(std::size_t body, const std::vector<InSolid>& fallen) 
   const PlanePolygons outline = outlineOf(solids_.front(), body, z);
   if (outline.empty()) return false;
   const Vec2 at = placeIn(outline);
-  return std::any_of(fallen.begin(), fallen.end(), [&](const InSolid& piece) {
-    return holds(outlineOf(solids_[piece.solid], piece.body, z), at);
-  });
-}
-
-/// The body of a solid at a place; none: nothing is there.
-std::optional<std::size_t> WireStock::bodyAt(const LeanSolid& solid, const Vec2& at, double z) {
-  for (std::size_t k = 0; k < solid.bodies.size(); ++k)
-    if (holds(outlineOf(solid, k, z), at)) return k;
-  return std::nullopt;
+  return anyHolds(fallen, at, z);
 }
 
 /// Places in the bodies that are held to the end.
@@ -185,22 +205,6 @@ std::vector<Vec2> WireStock::heldPlaces(const std::vector<LeanFall>& falls, doub
     if (!outline.empty() && std::ranges::none_of(falls, has)) places.push_back(placeIn(outline));
   }
   return places;
-}
-
-/// Whether a piece can leave when it comes free, past what is held then: body `body` of `then`.
-void WireStock::judgeExit(const LeanSolid& then, std::size_t body, double z,
-                          const std::vector<LeanFall>& falls, LeanFall& fall) {
-  fall.falls = fall.lifts = true;
-  for (std::size_t k = 0; k < then.bodies.size(); ++k) {
-    const PlanePolygons outline = outlineOf(then, k, z);
-    const auto freed = [&](const LeanFall& other) {
-      return other.fell <= fall.fell && holds(other.half_way.region, placeIn(outline));
-    };
-    if (k == body || (!outline.empty() && std::any_of(falls.begin(), falls.end(), freed))) continue;
-    const BodyExit exit = exitOf(then, body, then, k);
-    fall.falls = fall.falls && exit.down;
-    fall.lifts = fall.lifts && exit.up;
-  }
 }
 
 /// Pieces that fell before the wire passed over them are as they were then. Those that cannot leave stay, and
@@ -220,10 +224,7 @@ Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<L
     const auto replace = [&] {
       for (const std::size_t body : fall.bodies) replaced[body] = true;
     };
-    const bool known = std::any_of(placed_.begin(), placed_.end(), [&](const InSolid& piece) {
-      return holds(outlineOf(solids_[piece.solid], piece.body, z), at);
-    });
-    if (known) {  // another body of what fell as one piece
+    if (anyHolds(placed_, at, z)) {  // another body of what fell as one piece
       replace();
       continue;
     }

@@ -96,9 +96,7 @@ class WireStock {
   struct InSolid {
     std::size_t solid, body;
   };
-  static std::optional<std::size_t> bodyAt(const LeanSolid& solid, const Vec2& at, double z);
-  static void judgeExit(const LeanSolid& then, std::size_t body, double z, const std::vector<LeanFall>& falls,
-                        LeanFall& fall);
+  bool anyHolds(const std::vector<InSolid>& pieces, const Vec2& at, double z) const;
   std::vector<Vec2> heldPlaces(const std::vector<LeanFall>& falls, double z) const;
   bool isOfPiece(std::size_t body, const std::vector<InSolid>& fallen) const;
   Status keepFallen(const std::vector<LeanStretch>& cuts, std::vector<LeanFall>& falls, double tolerance,
