@@ -38,11 +38,11 @@ std::string findingCounts(const Report& report) {
 /// Of slugs that taper holds.
 std::string heldText(const std::vector<StockBody>& bodies) {
   std::string text;
-  for (const auto& [leaves, what] : {std::pair("up", "only upwards"), std::pair("down", "only downwards"),
-                                     std::pair("none", "neither up nor down")}) {
+  for (const auto& way : {std::pair("up", "only upwards"), std::pair("down", "only downwards"),
+                          std::pair("none", "neither up nor down")}) {
     const auto count = std::count_if(bodies.begin(), bodies.end(),
-                                     [&](const StockBody& body) { return body.leaves == leaves; });
-    if (count > 0) text += fmt::format(", {} {} {}", count, count == 1 ? "leaves" : "leave", what);
+                                     [&](const StockBody& body) { return body.leaves == way.first; });
+    if (count > 0) text += fmt::format(", {} {} {}", count, count == 1 ? "leaves" : "leave", way.second);
   }
   return text;
 }

@@ -86,6 +86,18 @@ TriMesh grown(const Body& body, const Body& towards) {
   return mesh;
 }
 
+/// The sum of two bodies whose union cannot be made, by moving one of them by less than rounding; none where
+/// they overlap by no more than that may do.
+std::optional<TriMesh> sumBeside(const Body& a, const Body& b) {
+  const Eigen::Vector3f aside(0.61f, 0.53f, 0.59f);  // along no face that bodies have in common
+  TriMesh moved = b.mesh;
+  for (auto& p : moved.positions) p += static_cast<float>(kGrowMm) * aside;
+  std::optional<TriMesh> sum = booleanOf(a.mesh, moved, BooleanKind::kUnion);
+  const double both = sum ? a.volume + b.volume - meshVolume(*sum) : 0.0;
+  if (both <= kGrowMm * std::min(meshArea(a.mesh), meshArea(b.mesh))) return std::nullopt;
+  return sum;
+}
+
 class Joiner {
  public:
   Joiner(const Shells& shells, const std::string& name) : name_(name) {
@@ -171,7 +183,12 @@ class Joiner {
     std::optional<TriMesh> sum = booleanOf(a.mesh, b.mesh, BooleanKind::kUnion);
     if (sum && isClean(*sum)) return std::make_unique<Body>(std::move(*sum));
     const auto at = faceInside(a, b) ? faceInside(a, b) : faceInside(b, a);
-    if (!at) return std::unique_ptr<Body>();  // they touch along an edge or at a vertex
+    if (!at) {
+      // Else they touch along an edge or at a vertex. In front of steps of rounding is the other body: not
+      // asked.
+      sum = sumBeside(a, b);
+      return sum ? std::make_unique<Body>(std::move(*sum)) : std::unique_ptr<Body>();
+    }
     sum = booleanOf(grown(a, b), grown(b, a), BooleanKind::kUnion);
     if (sum && isClean(*sum)) return std::make_unique<Body>(std::move(*sum));
     return inputError(

@@ -8,14 +8,60 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <stdexcept>
+
+namespace proveout::boolean_detail {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Point = Kernel::Point_3;
+using SurfaceMesh = CGAL::Surface_mesh<Point>;
+
+/// A mesh that can be walked so many steps. CGAL's union (5.5.1) goes round a vertex for ever where an
+/// intersection runs along an edge of one body and a face of the other such that the sum would be pinched
+/// there (tests/unit/compare/bodies_test.cpp has one of 22 triangles).
+class BoundedMesh : public SurfaceMesh {
+ public:
+  /// To be called when the triangles are there, or those that it will be made of.
+  void allowFor(std::size_t triangles) { steps_left_ = kLeast + kPerTriangle * triangles; }
+  /// Throws where they are used up.
+  void step() const {
+    if (steps_left_-- == 0) throw std::runtime_error("a walk on a mesh that does not end");
+  }
+
+ private:
+  /// A thousand times what unions need that end, but for a vertex of 100,000 triangles.
+  static constexpr std::size_t kLeast = 10'000'000, kPerTriangle = 10'000;
+  mutable std::size_t steps_left_ = kLeast;
+};
+
+}  // namespace proveout::boolean_detail
+
+#define CGAL_GRAPH_TRAITS_INHERITANCE_CLASS_NAME proveout::boolean_detail::BoundedMesh
+#define CGAL_GRAPH_TRAITS_INHERITANCE_BASE_CLASS_NAME proveout::boolean_detail::SurfaceMesh
+#include <CGAL/boost/graph/graph_traits_inheritance_macros.h>
 
 namespace proveout {
+
+namespace boolean_detail {
+
+// What every walk of CGAL's calls, found by the kind of the mesh.
+SurfaceMesh::Halfedge_index next(SurfaceMesh::Halfedge_index h, const BoundedMesh& mesh) {
+  mesh.step();
+  return mesh.next(h);
+}
+
+SurfaceMesh::Halfedge_index prev(SurfaceMesh::Halfedge_index h, const BoundedMesh& mesh) {
+  mesh.step();
+  return mesh.prev(h);
+}
+
+}  // namespace boolean_detail
+
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using boolean_detail::Point;
+using Mesh = boolean_detail::BoundedMesh;
 
 /// Without the triangles that CGAL has no place for: a third one along an edge.
 Mesh toCgal(const TriMesh& mesh) {
@@ -77,15 +123,17 @@ std::optional<TriMesh> booleanOf(const TriMesh& a, const TriMesh& b, BooleanKind
     Mesh one = toCgal(a), other = toCgal(b), result;
     if (one.number_of_faces() != a.triangles.size() || other.number_of_faces() != b.triangles.size())
       return std::nullopt;  // voids that touch along an edge
+    for (Mesh* mesh : {&one, &other, &result}) mesh->allowFor(a.triangles.size() + b.triangles.size());
     if (!computed(one, other, result, kind) || !CGAL::is_triangle_mesh(result)) return std::nullopt;
     return fromCgal(result);
   } catch (const std::exception&) {
-    return std::nullopt;  // one of them runs through itself
+    return std::nullopt;  // one of them runs through itself, or the walk does not end
   }
 }
 
 bool surfacesMeet(const TriMesh& a, const TriMesh& b) {
-  return pmp::do_intersect(toCgal(properTriangles(a)), toCgal(properTriangles(b)));
+  const boolean_detail::SurfaceMesh one = toCgal(properTriangles(a)), other = toCgal(properTriangles(b));
+  return pmp::do_intersect(one, other);
 }
 
 }  // namespace proveout

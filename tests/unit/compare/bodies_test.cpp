@@ -1,9 +1,13 @@
 // Meshes of several bodies: taken apart, joined, or refused.
-#include "core/mesh/shells.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/mesh/shells.h"
 #include "removal/compare/compare.h"
 #include "tests/unit/compare/shapes.h"
 
@@ -110,6 +114,34 @@ TEST(Bodies, TrianglesWithoutAreaAreNoObstacle) {
     EXPECT_NEAR(meshVolume(both->mesh), 16000.0, 1e-2);
   }
   EXPECT_NEAR(meshVolume(prepared(together(a, box({30, 0, 0}, {40, 20, 20}))).mesh), 12000.0, 1e-2);
+}
+
+/// Of faces with four corners each.
+TriMesh ofQuads(std::vector<Eigen::Vector3f> positions,
+                const std::vector<std::array<std::uint32_t, 4>>& quads) {
+  TriMesh mesh;
+  mesh.positions = std::move(positions);
+  for (const auto& [a, b, c, d] : quads) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  }
+  return mesh;
+}
+
+TEST(Bodies, OneThatCutsAnotherAlongAnEdgeOfItsFaceDoesNotHang) {
+  const std::vector<std::array<std::uint32_t, 4>> sides = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                                                           {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+  const TriMesh
+      wedge = ofQuads(
+          {{0, 0, 0}, {0, 0, 1}, {0, 2, 0}, {0, 2, 1}, {3, 0, 0.1f}, {3, 0, 1}, {3, 0.1f, 0}, {0, 2, 1}},
+          sides),
+      block = ofQuads(
+          {{3, 0, 0}, {2, 0, 1}, {3, 2, 0}, {3, 2, 1}, {4, 0, 0}, {4, 0, 1}, {4, 2, 0}, {4, 2, 1}}, sides);
+  // CGAL's union walks on without an end, and no middle of a face lies in the other body.
+  EXPECT_NEAR(meshVolume(wedge) + meshVolume(block), 3.05 + 7.0 / 3.0, 1e-6);
+  const auto both = prepareNominal(together(wedge, block), "part.stl");
+  ASSERT_TRUE(both.ok()) << both.error().message;
+  EXPECT_NEAR(meshVolume(both->mesh), 5.3, 1e-3);  // by rays 1/150 apart
 }
 
 TEST(Bodies, ManyLooseBodiesAreReadInTimeThatGrowsWithTheirNumber) {
