@@ -16,9 +16,8 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Point = Kernel::Point_3;
 using SurfaceMesh = CGAL::Surface_mesh<Point>;
 
-/// A mesh that can be walked so many steps. CGAL's union (5.5.1) goes round a vertex for ever where an
-/// intersection runs along an edge of one body and a face of the other such that the sum would be pinched
-/// there (tests/unit/compare/bodies_test.cpp has one of 22 triangles).
+/// A mesh that can be walked so many steps. CGAL's union (5.5.1) goes round a vertex for ever for some pairs
+/// of closed bodies, neither of which runs through itself: tests/unit/compare/bodies_test.cpp has one.
 class BoundedMesh : public SurfaceMesh {
  public:
   /// To be called when the triangles are there, or those that it will be made of.
@@ -29,8 +28,8 @@ class BoundedMesh : public SurfaceMesh {
   }
 
  private:
-  /// A thousand times what unions need that end, but for a vertex of 100,000 triangles.
-  static constexpr std::size_t kLeast = 10'000'000, kPerTriangle = 10'000;
+  /// Beyond what a union needs that ends: round a vertex of n triangles it goes up to n times.
+  static constexpr std::size_t kLeast = 1'000'000, kPerTriangle = 10'000;
   mutable std::size_t steps_left_ = kLeast;
 };
 
