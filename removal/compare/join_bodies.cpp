@@ -182,10 +182,11 @@ class Joiner {
     if (!meet(a, b)) return std::unique_ptr<Body>();
     std::optional<TriMesh> sum = booleanOf(a.mesh, b.mesh, BooleanKind::kUnion);
     if (sum && isClean(*sum)) return std::make_unique<Body>(std::move(*sum));
-    const auto at = faceInside(a, b) ? faceInside(a, b) : faceInside(b, a);
+    std::optional<Vec3> at = faceInside(a, b);
+    if (!at) at = faceInside(b, a);
     if (!at) {
-      // Else they touch along an edge or at a vertex. In front of steps of rounding is the other body: not
-      // asked.
+      // Not asked whether it is clean: in front of a step of rounding is the other body. None: they touch
+      // along an edge or at a vertex.
       sum = sumBeside(a, b);
       return sum ? std::make_unique<Body>(std::move(*sum)) : std::unique_ptr<Body>();
     }
