@@ -10,6 +10,7 @@
 #include "app/job_setup.h"
 #include "app/session/findings.h"
 #include "app/session/interpretation.h"
+#include "app/session/programs/first_offset.h"
 #include "app/session/thread_supply.h"
 #include "app/time_limit.h"
 #include "core/base/memory_limit.h"
@@ -66,13 +67,19 @@ class DiagnosticsTap : public MotionSink {
   MotionSink* next_;
 };
 
-/// Settings of a setup. Where the blank is unknown, the default start is that of the control.
-Result<ControlSettings> settingsOf(const Job& job, std::size_t setup, Progress& progress) {
-  const Job part = jobOfSetup(job, setup);
+/// Settings of a setup, `source` being its program. Where the blank is unknown, the default start is that of the
+/// control.
+Result<ControlSettings> settingsOf(const Job& job, std::size_t setup, const RecordingSource& source, MotionSink& notes,
+                                   Progress& progress) {
+  Job part = jobOfSetup(job, setup);
   if (part.stock) {
     const Result<Blank> blank = openBlank(part, progress);
     if (!blank) return blank.error();
-    return controlSettings(part, movedBounds(job, blank->bounds, job.setups.empty() ? 0 : setup));
+    const Box3 bounds = movedBounds(job, blank->bounds, job.setups.empty() ? 0 : setup);
+    Diagnostics placing;
+    placeByFirstOffset(part, source, bounds, placing, progress);
+    for (const Diagnostic& note : placing.all()) notes.diagnostic(note);
+    return controlSettings(part, bounds);
   }
   ControlSettings settings = part.settings;
   if (part.start) settings.start = *part.start;
@@ -91,12 +98,12 @@ Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_
   const MemoryLimit memory(1e9 * job.simulation.max_memory_gb);
   const Result<ControlId> control = findControl(jobOfSetup(job, setup).control);
   if (!control) return control.error();
-  Result<ControlSettings> settings = settingsOf(job, setup, progress);
-  if (!settings) return settings.error();
-  settings->max_errors = std::max(settings->max_errors, max_errors);
   const JobSources sources(job);
   const RecordingSource& source = *sources.all()[setup];
   DiagnosticsTap tap(sink);
+  Result<ControlSettings> settings = settingsOf(job, setup, source, tap, progress);
+  if (!settings) return settings.error();
+  settings->max_errors = std::max(settings->max_errors, max_errors);
   Interpretation result;
   ControlHost host;  // files that the program writes are lost
   host.person = job.person;

@@ -130,6 +130,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   readNominal(root, job);
   readTools(root, job);
   readOffsets(root, job);
+  readPlacement(root, job);
   readPanel(root, job);
   readSimulation(root, job);
   readOutput(root, names, job);

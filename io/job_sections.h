@@ -20,6 +20,8 @@ void readStartHoles(ConfigTable& stock, Job& job);
 void readNominal(ConfigTable& root, Job& job);
 void readTools(ConfigTable& root, Job& job);
 void readOffsets(ConfigTable& root, Job& job);
+/// [placement]
+void readPlacement(ConfigTable& root, Job& job);
 void readPanel(ConfigTable& root, Job& job);
 void readSimulation(ConfigTable& root, Job& job);
 /// [[fixture]]

@@ -57,6 +57,7 @@ SetupSpec readSetup(ConfigTable& table, bool first, const JobNames& names, const
   readTools(table, part);
   readProgram(table, part);
   readOffsets(table, part);
+  readPlacement(table, part);
   readPanel(table, part);
   readFixtures(table, part);
   if (const auto start = table.point("start")) part.start = *start;

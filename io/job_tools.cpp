@@ -354,6 +354,7 @@ void readWork(ConfigTable& offsets, Job& job) {
     if (!point) continue;
     if (*index >= 0) {
       job.settings.work_offsets[static_cast<std::size_t>(*index)] = *point;
+      job.settings.work_given[static_cast<std::size_t>(*index)] = true;
     } else {
       job.settings.extended_offsets[-*index] = *point;
     }
@@ -402,6 +403,16 @@ void readTools(ConfigTable& root, Job& job) {
   std::unordered_set<int> numbers;
   for (const Tool& tool : job.tools) numbers.insert(tool.number);
   for (ConfigTable& table : root.tables("tool")) readTool(table, numbers, job);
+}
+
+void readPlacement(ConfigTable& root, Job& job) {
+  auto placement = root.table("placement");
+  if (!placement) return;
+  constexpr NumberRange kTurn{-360.0, 360.0, false};
+  WorkpiecePlacement& place = job.settings.placement;
+  if (const auto origin = placement->point("origin")) place.origin = *origin;
+  if (const auto turn = placement->number("rotation", kTurn)) place.rotation_deg = *turn;
+  placement->refuseOthers();
 }
 
 void readOffsets(ConfigTable& root, Job& job) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/session/process/process.h"
+#include "app/session/programs/placed_path.h"
 #include "core/tool/tool_table.h"
 
 namespace proveout {
@@ -39,9 +40,7 @@ const Tool* longestTool(const std::vector<Tool>& tools) {
   return longest == tools.end() ? nullptr : &*longest;
 }
 
-double originHeight(const ControlSettings& settings) {
-  return settings.work_offsets[0].z() + settings.common_offset.z();
-}
+double originHeight(const ControlSettings& settings) { return workpieceZero(settings).z(); }
 
 /// Whether a tool that stands at `tip` cuts into the shape; `radius`: of the tool, 0 for inserts.
 bool standsIn(const StockShape& shape, const Vec3& tip, double radius) {
@@ -112,9 +111,9 @@ ToolChangePlace placeInChannel(const ControlSettings& control, const ControlSett
 Status checkToolChange(const Job& job, const Blank& blank) {
   const ToolChangePlace& place = job.settings.tool_change;
   if (!place.x || !place.y || !place.z) return Done{};
-  const Vec3 origin = job.settings.work_offsets[0] + job.settings.common_offset;
+  const RigidTransform into = machineIntoWorkpiece(job.settings);
   for (const Tool& tool : job.tools) {
-    const Vec3 tip = Vec3(*place.x, *place.y, *place.z) - origin - gaugeOf(tool);
+    const Vec3 tip = into(Vec3(*place.x, *place.y, *place.z)) - gaugeOf(tool);
     if (!standsIn(blank.shape, tip, 0.5 * tool.diameter)) continue;
     return inputError(
         fmt::format("at the place of the tool change, X{:g} Y{:g} Z{:g} (machine frame), the tip of tool {} "

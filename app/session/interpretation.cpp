@@ -13,6 +13,7 @@
 #include "app/session/job_defaults.h"
 #include "app/session/origin_sink.h"
 #include "app/session/process/process.h"
+#include "app/session/programs/placed_path.h"
 #include "app/session/stock_probe.h"
 #include "core/base/memory_limit.h"
 #include "core/base/printable.h"
@@ -183,14 +184,12 @@ ControlSettings controlSettings(const Job& job, const Box3& blank) {
   return settings;
 }
 
-InterpretSummary interpretJob(const Job& job, ControlId control, const RecordingSource& source,
-                              const ControlSettings& settings, MotionSink& sink, Progress& progress,
-                              const ControlHost& host) {
-  OriginSink placed(sink, source);  // a filled set tells the lines of its templates
-  if (job.channels.empty())
-    return interpret(control, source, settings, job.filled ? placed : sink, &progress, host);
-  const std::vector<const ProgramSource*> sources = source.channels();
-  std::vector<ChannelProgram> programs;
+namespace {
+
+/// Settings of the job's channels, of which there is one where the control has no others.
+std::vector<ControlSettings> channelSettings(const Job& job, const ControlSettings& settings) {
+  if (job.channels.empty()) return {settings};
+  std::vector<ControlSettings> all;
   for (std::size_t k = 0; k < job.channels.size(); ++k) {
     ControlSettings own = job.channels[k].settings;
     own.start = job.channels[k].start.value_or(settings.start);
@@ -202,11 +201,50 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
     own.max_errors = settings.max_errors;
     own.lenient = settings.lenient;
     if (k == 0) own.until = settings.until;
-    programs.push_back({sources[k], std::move(own)});
+    all.push_back(std::move(own));
   }
-  if (programs.size() == 1)
-    return interpret(control, source, programs.front().settings, sink, &progress, host);
-  return interpretChannels(control, programs, sink, &progress, host);
+  return all;
+}
+
+/// Takes what is given in the workpiece frame to where the control has it. Returns the ways back, by channel; empty:
+/// the workpiece lies where the offsets say.
+std::vector<ChannelPlacement> takeToControl(std::vector<ControlSettings>& settings) {
+  std::vector<ChannelPlacement> back;
+  bool any = false;
+  for (ControlSettings& own : settings) {
+    const RigidTransform move = pathIntoWorkpiece(own);
+    any = any || move.rotation != Eigen::Matrix3d::Identity() || move.translation != Vec3::Zero();
+    back.push_back({own.channel, move});
+  }
+  if (!any) return {};
+  for (std::size_t k = 0; k < settings.size(); ++k) {
+    settings[k].start = back[k].move.inverse()(settings[k].start);
+    for (AxisSettings& axis : settings[k].axes) axis.center = axis.center.value_or(workpieceZero(settings[k]));
+  }
+  return back;
+}
+
+}  // namespace
+
+InterpretSummary interpretJob(const Job& job, ControlId control, const RecordingSource& source,
+                              const ControlSettings& settings, MotionSink& sink, Progress& progress,
+                              const ControlHost& host) {
+  OriginSink texts(sink, source);  // a filled set tells the lines of its templates
+  MotionSink* told = job.filled ? &texts : &sink;
+  ControlHost asked = host;
+  std::vector<ControlSettings> all = channelSettings(job, settings);
+  const std::vector<ChannelPlacement> back = takeToControl(all);
+  std::optional<PlacedSink> placed;
+  std::optional<PlacedProbe> probe;
+  if (!back.empty()) {
+    told = &placed.emplace(*told, back);
+    if (host.probe != nullptr) asked.probe = &probe.emplace(*host.probe, back.front().move);
+  }
+  if (all.size() == 1) return interpret(control, source, all.front(), *told, &progress, asked);
+  const std::vector<const ProgramSource*> sources = source.channels();
+  std::vector<ChannelProgram> programs;
+  for (std::size_t k = 0; k < all.size(); ++k) programs.push_back({sources[k], std::move(all[k])});
+  return interpretChannels(control, programs, *told, &progress, asked);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include "app/session/clearance.h"
 #include "app/session/findings.h"
 #include "app/session/process/process.h"
+#include "app/session/programs/first_offset.h"
 #include "app/session/setup_findings.h"
 #include "app/session/stock_probe.h"
 #include "core/base/memory_limit.h"
@@ -56,7 +57,10 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
       setup.from_previous = job.setups[k].from_previous;
     }
     setup.job = jobOfSetup(job, k);
-    const ControlSettings settings = controlSettings(setup.job, movedBounds(job, blank.bounds, k));
+    const Box3 bounds = movedBounds(job, blank.bounds, k);
+    Diagnostics placing;
+    placeByFirstOffset(setup.job, *sources[k], bounds, placing, progress);
+    const ControlSettings settings = controlSettings(setup.job, bounds);
     const ProbedStock stock = probedStock(job, setup, blank, run.setups);
     setup.interpreted = interpretProgram(setup.job, *sources[k], settings, progress, &stock);
     if (setup.interpreted.outgrown_at) return outgrown(setup.interpreted);
@@ -67,7 +71,8 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
     const std::optional<Error>& failure = setup.interpreted.probe_failure;
     if (failure && failure->kind != ErrorKind::kInput) return *failure;
     Toolpath& path = setup.interpreted.path;
-    noteLowToolChange(setup.job, movedBounds(job, blank.bounds, k), path.diagnostics);
+    for (const Diagnostic& note : placing.all()) path.diagnostics.add(note);
+    noteLowToolChange(setup.job, bounds, path.diagnostics);
     addOffsetTools(path, setup.job.tools);
     const bool good = setup.interpreted.summary.ok() && refuseRotaryMotion(path, *sources[k]) &&
                       assignTools(path, setup.job.tools, *sources[k]);

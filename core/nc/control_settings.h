@@ -1,6 +1,7 @@
 // What a virtual control needs to know besides the program: plain data, filled from the job.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -107,6 +108,12 @@ struct UntilBlock {
   }
 };
 
+/// Where the workpiece really lies in the machine, whatever the operator has entered.
+struct WorkpiecePlacement {
+  std::optional<Vec3> origin;  ///< of the workpiece frame, machine frame, mm; none: where the work offset says
+  double rotation_deg = 0.0;   ///< of that frame about the machine's Z, counterclockwise seen from +Z
+};
+
 struct ControlSettings {
   int channel = 0;  ///< number of the control's channel, 1 to 8; 0: not told, the control has one
   int tool = 0;     ///< number of the tool in the spindle at power-on; 0: not told
@@ -131,6 +138,9 @@ struct ControlSettings {
                                          Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   std::map<int, Vec3> extended_offsets;  ///< G54.1 P1..P99, machine frame, mm
   Vec3 common_offset = Vec3::Zero();     ///< added to every work offset, mm
+  std::array<bool, 6> work_given{};      ///< which of G54..G59 the job gives a value
+  /// Not known to the controls: they tell their paths in the machine frame moved to G54 and the common offset.
+  WorkpiecePlacement placement;
 
   /// Reference points 1..4 in the machine frame, mm (G28, G30). Where one is not given, the start
   /// position stands for it and a warning says so.
@@ -157,5 +167,26 @@ struct ControlSettings {
   /// Parameters of the control by name ("N1339" = 0.01, "N1337.SEC" = 1). Unknown names are errors.
   std::map<std::string, double> parameters;
 };
+
+/// Machine point of the zero that the job's G54 and common offset name, mm.
+inline Vec3 offsetZero(const ControlSettings& settings) {
+  return settings.work_offsets[0] + settings.common_offset;
+}
+/// Machine point of the origin of the workpiece frame, mm.
+inline Vec3 workpieceZero(const ControlSettings& settings) {
+  return settings.placement.origin.value_or(offsetZero(settings));
+}
+
+/// Whether the job leaves a work system without a value (`system`: 1 to 6 are G54 to G59, from 101 on G54.1 P1
+/// to P99) and it matters: where it gives none at all, G54 is the workpiece's own zero.
+inline bool lacksWorkOffset(const ControlSettings& settings, int system) {
+  constexpr int kFirstExtendedSystem = 101;
+  if (system >= kFirstExtendedSystem)
+    return !settings.extended_offsets.contains(system - kFirstExtendedSystem + 1);
+  if (system < 1 || settings.work_given[static_cast<std::size_t>(system - 1)]) return false;
+  const auto given = [](bool one) { return one; };
+  return system > 1 || !settings.extended_offsets.empty() ||
+         std::any_of(settings.work_given.begin(), settings.work_given.end(), given);
+}
 
 }  // namespace proveout

@@ -30,7 +30,12 @@ Status check(const Job& job, std::size_t k, const Blank& blank) {
   const Result<TurnedStock> stock = TurnedStock::create(blank.shape);
   if (!stock) return stock.error();
   const Job setup = jobOfSetup(job, k);
-  const Vec3 origin = setup.settings.work_offsets[0] + setup.settings.common_offset;
+  const Vec3 origin = offsetZero(setup.settings);
+  const WorkpiecePlacement& placement = setup.settings.placement;
+  if (placement.rotation_deg != 0.0 || workpieceZero(setup.settings).y() != origin.y())
+    return inputError(
+        "the placement of a turned part has an origin on the spindle axis, with the Y of the work offset, and no "
+        "rotation: a spindle has no zero");
   if (const auto& y = setup.settings.tool_change.y; y && *y != origin.y())
     return inputError(fmt::format(
         "the tool change has Y{:g} (machine frame): a lathe's tools move in the plane Y0, here Y{:g}", *y,

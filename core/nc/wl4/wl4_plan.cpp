@@ -133,11 +133,15 @@ bool planMirror(Wl4Context& c, Wl4BlockPlan& p) {
   return true;
 }
 
-void planOffsets(const Wl4Context& c, Wl4BlockPlan& p) {
+void planOffsets(Wl4Context& c, Wl4BlockPlan& p) {
   if (p.next.system == c.state.system || p.sets_system) return;
   p.next.system_offset = {};
   if (p.next.system == 53) return;
   const ControlSettings& settings = c.setup.settings;
+  if (lacksWorkOffset(settings, p.next.system - 53)) {
+    const std::string name = fmt::format("G{}", p.next.system);
+    c.report.warnOnce(name, "wl4-offset", fmt::format("{} has no value in the job: 0 is taken", name));
+  }
   p.next.system_offset.xyz =
       settings.work_offsets[static_cast<std::size_t>(p.next.system - 54)] + settings.common_offset;
 }

@@ -28,6 +28,23 @@ class JobSetups : public testing::Test {
   io_test::JobFolder folder;
 };
 
+TEST_F(JobSetups, LieWhereTheirPlacementSays) {
+  const auto job = folder.load(withSetups("[placement]\norigin = [1, 2, 3]\nrotation = 5\n" + kTwo +
+                                          "[setup.placement]\norigin = [4, 5, 6]\n"));
+  ASSERT_TRUE(job.has_value()) << folder.text();
+  const WorkpiecePlacement top = jobOfSetup(*job, 0).settings.placement, back = jobOfSetup(*job, 1).settings.placement;
+  EXPECT_EQ(top.origin, Vec3(1, 2, 3));
+  EXPECT_EQ(top.rotation_deg, 5.0);
+  EXPECT_EQ(back.origin, Vec3(4, 5, 6));
+  EXPECT_EQ(back.rotation_deg, 5.0);
+}
+
+TEST_F(JobSetups, PlacementIsChecked) {
+  EXPECT_FALSE(folder.load(withSetups("[placement]\norign = [1, 2, 3]\n" + kTwo)).has_value());
+  EXPECT_THAT(folder.text(), HasSubstr("origin"));
+  EXPECT_FALSE(folder.load(withSetups("[placement]\nrotation = nan\n" + kTwo)).has_value());
+}
+
 TEST_F(JobSetups, AreReadInTheirOrder) {
   const auto job = folder.load(
       withSetups("[offsets.work]\nG54 = [1, 2, 3]\nG55 = [4, 5, 6]\n[panel]\nblock_skip = [1]\n" + kTwo +

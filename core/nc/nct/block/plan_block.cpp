@@ -263,9 +263,21 @@ bool planOffsetsHD(NctContext& c, BlockPlan& plan) {
   if (const Word* d = c.word('D')) {
     if (!rowOf(*d, OffsetColumn::kRadius, next.d)) return false;
     next.d_radius = table.effective(OffsetColumn::kRadius, next.d);
+    next.d_tip = table.tip(next.d);
     plan.tool_shape = next.d > 0 && table.given(OffsetColumn::kCorner, next.d);
   }
   return true;
+}
+
+/// A work system that neither the job nor the program has given a value.
+void warnOfMissingOffset(NctContext& c, WorkSystemId id) {
+  if (!lacksWorkOffset(c.settings, id)) return;
+  const WorkSystem system = c.registers.frames.system(id);
+  const auto set = [](std::uint32_t by) { return by != 0; };
+  if (std::any_of(system.offset_by.begin(), system.offset_by.end(), set) || system.offset.xyz != Vec3::Zero()) return;
+  const std::string name =
+      id < kFirstExtended ? fmt::format("G{}", 53 + id) : fmt::format("G54.1 P{}", id - kFirstExtended + 1);
+  c.warnOnce(name, "nct-offset-missing", fmt::format("{} has no value in the job: 0 is taken", name));
 }
 
 bool planWorkSystem(NctContext& c, BlockPlan& plan) {
@@ -282,6 +294,7 @@ bool planWorkSystem(NctContext& c, BlockPlan& plan) {
     plan.next.work_system = (code->code10 - gcode::kWorkSystem1) / 10 + 1;
   }
   plan.frames_changed = true;
+  warnOfMissingOffset(c, plan.next.work_system);
   return true;
 }
 
