@@ -12,6 +12,7 @@ CompBlock blockOf(const PathItem& item) {
   block.to = item.plane.of(item.to);
   block.active = item.comp_on;
   block.offset = item.offset;
+  block.decimal = item.decimal;
   block.direction = item.direction;
   block.keep_vector = item.keep_vector;
   block.tag = item.tag;

@@ -60,6 +60,7 @@ struct PathMotion {
   bool in_plane = false;  ///< a word of the plane's axes is in the block
   bool comp_on = false;   ///< cutter compensation in the block
   bool keep_vector = false;
+  std::uint8_t tip = 0;  ///< with compensation: code of the point that the path is told of, 0 to 9
   bool level = false;  ///< no axis outside the plane moves; told only of blocks with a join, and behind one
   Join join = Join::kSharp;
   Meet meet = Meet::kNo;
@@ -73,6 +74,7 @@ struct PathMotion {
   Vec3 normal;               ///< kArc in machine space only
   double sweep = 0.0;        ///< kArc: rad, signed, > 0 from u to v
   double offset = 0.0;       ///< of cutter compensation, > 0 left of the path
+  double decimal = 0.0;      ///< with compensation: mm, to which the coordinates are rounded; 0: not known
   double rapid_speed = 0.0;  ///< of a rapid, mm/min along the way of all axes; 0: as fast as they can
   bool in_polar = false;  ///< in machine space: a line or arc of the plane `polar`, the centre in that plane
   PolarPlane polar;

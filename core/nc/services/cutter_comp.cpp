@@ -97,6 +97,7 @@ CutterComp::Element CutterComp::makeElement(const CompBlock& block) const {
   e.p1 = block.shape == Shape::kLine || block.shape == Shape::kArc ? block.to : programmed_;
   e.center = block.center;
   e.sweep = block.sweep_rad;
+  e.decimal = block.decimal;
   e.direction = block.direction;
   e.keep_vector = block.keep_vector;
   e.tag = block.tag;

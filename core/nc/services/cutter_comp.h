@@ -57,8 +57,8 @@ struct CutterCompPolicy {
   int extra_look_ahead = 0;         ///< 0..8 further elements seen by the interference check
   /// mm; what the cutter does not reach of the contour by no more than this, or would cut in to reach it, is
   /// rounding of coordinates and no interference: the path goes past it, blocks that the cutter does not
-  /// touch have no motion. Points rounded to a decimal q are up to q / sqrt(2) off on either side, hence 2 q.
-  /// 0: off.
+  /// touch have no motion. Points rounded to a decimal q are up to q / sqrt(2) off on either side, hence 2 q:
+  /// for blocks with a coarser decimal than half of this twice that one counts. 0: off.
   double rounding_tolerance = 0.002;
   double min_step = 0.001;     ///< mm, neighbouring corner points closer than this in u and v are merged
   int max_pass_through = 100;  ///< blocks without plane motion in a row
@@ -78,6 +78,7 @@ struct CompBlock {
   double sweep_rad = 0.0;      ///< kArc, signed, > 0 counter-clockwise, more than a turn is allowed
   bool active = false;         ///< compensation on in this block
   double offset = 0.0;         ///< mm, > 0: tool left of the path, < 0: right; 0 allowed while active
+  double decimal = 0.0;        ///< mm, > 0: to which its coordinates are rounded; 0: not known
   /// In-plane centre words of a line or kNone block that switches on or off (direction of the auxiliary
   /// line), or of a kCornerArc block (direction of the path after the corner).
   std::optional<Vec2> direction;
@@ -153,6 +154,7 @@ struct Element {
   Vec3 p0 = Vec3::Zero(), p1 = Vec3::Zero();
   Vec2 center = Vec2::Zero();
   double sweep = 0.0;
+  double decimal = 0.0;                   ///< mm, to which it is rounded; 0: not known
   double rho_start = 0.0, rho_end = 0.0;  ///< signed offset that rules the start and the end corner
   std::optional<Vec2> direction;
   std::uint64_t tag = 0;
@@ -210,6 +212,7 @@ class CutterComp {
   CompStatus checkFront(CompOutput& out);
   std::size_t lookAhead() const;
   std::size_t lastOfRun() const;
+  double roundingTolerance() const;
   bool waitsForContour() const;
   bool missesContour();
   bool frontRunsBackwards();

@@ -81,13 +81,23 @@ std::size_t CutterComp::lastOfRun() const {
   return last;
 }
 
+/// That of the policy, or of the finest decimal that the contour behind the front is told to: some points of a
+/// finer one end in 0, all of them never do.
+double CutterComp::roundingTolerance() const {
+  if (policy_.rounding_tolerance <= 0.0) return 0.0;
+  const std::size_t last = lastOfRun();
+  double finest = last > 0 ? elements_[1].decimal : 0.0;
+  for (std::size_t i = 2; i <= last; ++i) finest = std::min(finest, elements_[i].decimal);
+  return std::max(policy_.rounding_tolerance, 2.0 * finest);
+}
+
 /// True while the contour behind the front is not known as far as the cutter reaches.
 bool CutterComp::waitsForContour() const {
   const Element& front = elements_.front();
   if (policy_.rounding_tolerance <= 0.0 || !leadsOn(front)) return false;
   const std::size_t last = lastOfRun();
   if (last + 1 < elements_.size() || last >= kMostAhead || last == 0) return false;
-  const double reach = reachAhead(std::abs(elements_[1].rho_start), policy_.rounding_tolerance);
+  const double reach = reachAhead(std::abs(elements_[1].rho_start), roundingTolerance());
   double length = 0.0;
   for (std::size_t i = 1; i <= last && length < reach; ++i) length += lengthOf(elements_[i]);
   return length < reach;
@@ -132,13 +142,14 @@ bool CutterComp::rollsOver(std::size_t index) {
   const Roll roll(elements_, lastOfRun(), elements_[1].rho_start);
   std::vector<RollPlace> stops{*start};
   const bool on_front = start->index == 0;
+  const double tolerance = roundingTolerance();
   std::size_t own = 0;  // the stop at which the front's own part ends
   while (own == 0 || stops.back().index <= index) {
     if (stops.back().index > roll.last()) break;
     const RollPlace& at = stops.back();
-    if (roll.depth(at.center, at.pivot ? at.index + 1 : at.index) > policy_.rounding_tolerance) return false;
+    if (roll.depth(at.center, at.pivot ? at.index + 1 : at.index) > tolerance) return false;
     stops.push_back(roll.next(at));
-    if (roll.unreached(stops[stops.size() - 2], stops.back()) > policy_.rounding_tolerance) return false;
+    if (roll.unreached(stops[stops.size() - 2], stops.back()) > tolerance) return false;
     if (own == 0 && stops.back().index > 0) own = stops.size() - 1;
   }
   if (elements_.front().pivot && elements_.front().kind == ElementKind::kArc && own > 1) return false;

@@ -30,6 +30,11 @@ class Mill {
     offset_ = offset;
     return *this;
   }
+  /// To which the points of further blocks are rounded, mm.
+  Mill& decimal(double mm) {
+    decimal_ = mm;
+    return *this;
+  }
   Mill& off() {
     active_ = false;
     offset_ = 0.0;
@@ -121,6 +126,7 @@ class Mill {
     b.to = {x, y, at_.z()};
     b.active = active_;
     b.offset = offset_;
+    b.decimal = decimal_;
     b.tag = ++tag;
     return b;
   }
@@ -132,7 +138,7 @@ class Mill {
 
   Vec3 at_ = Vec3::Zero();
   bool active_ = false;
-  double offset_ = 0.0;
+  double offset_ = 0.0, decimal_ = 0.0;
 };
 
 }  // namespace proveout::comp_test

@@ -163,6 +163,33 @@ INSTANTIATE_TEST_SUITE_P(Curves, FineContour,
                                          Case{"OvalOutside", oval(60, 12), 6000, -10}),
                          [](const auto& c) { return c.param.name; });
 
+TEST_P(FineContour, SoItDoesWithTwoDecimals) {
+  const Case& c = GetParam();
+  for (const bool reversed : {false, true}) {
+    SCOPED_TRACE(reversed);
+    auto contour = points(c.curve, c.count, 0.01);
+    if (reversed) std::reverse(contour.begin(), contour.end());
+    const double rho = reversed ? -c.rho : c.rho;
+    Mill run(approach(c), alarming());
+    run.decimal(0.01).side(rho);
+    for (const Vec2& p : contour) run.line(p.x(), p.y());
+    run.off().line(approach(c).x(), approach(c).y());
+    ASSERT_EQ(static_cast<int>(run.status.error), 0) << "block " << run.status.tag;
+    EXPECT_TRUE(run.out.notes.empty());
+    const Quality q = measured(contour, run, std::abs(c.rho));
+    EXPECT_LT(q.overcut, 0.02);
+    EXPECT_LT(q.off, 0.02);
+  }
+}
+
+TEST(FineContourFaults, TwoDecimalsHideNoCutterThatIsTooLarge) {
+  const Case c{"", ellipse(30, 40), 4000, 24.0};
+  Mill run(approach(c), alarming());
+  run.decimal(0.01).side(c.rho);
+  for (const Vec2& p : points(c.curve, c.count, 0.01)) run.line(p.x(), p.y());
+  EXPECT_EQ(run.status.error, CompError::kInterference);
+}
+
 TEST(FineContourFaults, CutterLargerThanTheTightestPlaceIsAnAlarmThere) {
   // The tightest radius, 22.5 mm, is at 1/4 and 3/4 of the way.
   const Case c{"", ellipse(30, 40), 4000, 23.0};

@@ -104,6 +104,23 @@ bool performFunctions(NctContext& c, BlockPlan& plan, MPhase phase) {
 
 namespace {
 
+/// The coarsest decimal that all coordinates of the block are multiples of, mm; 0: none from two decimals of a
+/// millimetre or three of an inch on, as those of formulas.
+double decimalOf(const NctContext& c, const BlockPlan& plan) {
+  constexpr int kMostDecimals = 4;
+  constexpr double kSame = 1e-6;  // of a decimal
+  int decimals = plan.next.active[kGroupUnits] == gcode::kInch ? 3 : 2;
+  for (const Word& w : c.block.words) {
+    if (w.axis < 0 && !AddressSet("IJKR").has(w.address)) continue;
+    const auto fits = [&] {
+      const double steps = w.value * std::pow(10.0, decimals);
+      return std::abs(steps - std::round(steps)) < kSame;
+    };
+    while (decimals <= kMostDecimals && !fits()) ++decimals;
+  }
+  return decimals <= kMostDecimals ? plan.next.unitScale() * std::pow(10.0, -decimals) : 0.0;
+}
+
 /// What all motions of the plan share.
 void fillMotion(NctContext& c, const BlockPlan& plan, PathItem& item) {
   const PlannedMotion& motion = plan.motion;
@@ -114,6 +131,10 @@ void fillMotion(NctContext& c, const BlockPlan& plan, PathItem& item) {
   item.direction = motion.direction;
   item.comp_on = plan.next.compOn();
   item.offset = plan.next.compOffset();
+  if (item.comp_on) {
+    item.tip = static_cast<std::uint8_t>(plan.next.d_tip);
+    item.decimal = decimalOf(c, plan);
+  }
   item.source = c.here();
 }
 

@@ -62,6 +62,7 @@ struct NctState {
   double h_value = 0.0;               ///< mm, read when H was executed
   std::array<double, 2> h_turning{};  ///< turning lengths X, Y of the same row, mm
   double d_radius = 0.0;              ///< mm, read when D was executed
+  int d_tip = 0;                      ///< code of the tip of the same row, 0 to 9
   AxisPoint length;                   ///< length offset in force, machine axes, mm
   CycleWords cycle;
   LastWords last;

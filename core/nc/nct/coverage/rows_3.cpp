@@ -14,7 +14,7 @@ constexpr auto kRows3 = std::to_array<CoverageId>({
     {"nct-15.1-table-turn", kSim, kDone, "good/sysvar_tool_offsets.nc"},
     {"nct-15.1-row0", kSim, kDone, "good/length_program.nc"},
     {"nct-15.1-cornerradius", kSim, kDone, "good/tool_shape_of_offsets.nc"},
-    {"nct-15.1-Q", kSim, kDone, "good/sysvar_tool_offsets.nc"},
+    {"nct-15.1-Q", kSim, kDone, "good/comp_tip_code.nc"},
     {"nct-15.1-N1400", kState, kDone, "bad/sysvar_undefined.nc"},
     {"nct-15.1-N1401", kState, kDone, "tests/unit/nc/system_variables_test.cpp"},
     {"nct-15.1-N1415", kHost, kDone, "good/data_noted_parameters.nc"},

@@ -2,6 +2,10 @@
 #include "core/nc/nct/motion/comp_stage.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/tool/tip.h"
 
 namespace proveout::nc {
 namespace {
@@ -76,6 +80,7 @@ void CompStage::engage(const Vec3& start) {
   policy.interference_alarm = parameters_.flag(CompParam::kInterferenceAlarm);
   policy.extra_look_ahead = static_cast<int>(parameters_[CompParam::kExtraLookAhead]);
   policy.min_step = parameters_[CompParam::kMinCompStep];
+  tip_ = Vec2::Zero();
   begin(policy, start);
 }
 
@@ -106,7 +111,25 @@ bool CompStage::send(const CompPiece& piece, const PathItem& item, PathItem& out
     out.feed.feed *= insideArcFactor(parameters_, programmed.head<2>().norm(), corrected.head<2>().norm());
   }
   if (out.feed.join.inside != 0) out.feed.join.inside = item.offset < 0.0 ? -1 : 1;
-  return pass(out);
+  return toTip(piece, item, out) && pass(out);
+}
+
+/// Codes count with the first and second axis of the plane as Z and X of a lathe (digest nct-3, Q17).
+bool CompStage::toTip(const CompPiece& piece, const PathItem& item, PathItem& out) {
+  const Vec2 direction = item.comp_on ? tipDirection(item.tip) : Vec2(Vec2::Zero());
+  const Vec2 tip = std::abs(item.offset) * Vec2(direction.y(), direction.x());
+  const Vec2 before = std::exchange(tip_, tip);
+  if (piece.is_arc && (before - tip).norm() > kSameCentre) {
+    report(Severity::kError, "nct-cutter-comp", "the tip code Q of D may not change in an arc", item.tag);
+    recovery_.recover();
+    return false;
+  }
+  out.to[item.plane.u] += tip.x();
+  out.to[item.plane.v] += tip.y();
+  if (!piece.is_arc) return true;
+  out.center.head<2>() += tip;
+  out.start += tip;
+  return true;
 }
 
 }  // namespace proveout::nc

@@ -10,7 +10,8 @@
 
 namespace proveout::nc {
 
-/// Says what is wrong, and slows feeds at arcs inside.
+/// Says what is wrong, and slows feeds at arcs inside. With a tip code (manual 15.1) the path is told of that
+/// point of the tool, with 0 and 9 of the centre of its nose.
 class CompStage final : public CompensationStage {
  public:
   CompStage(MotionPipe& pipe, const NctParameters& parameters, AlarmReporter& alarms, StageRecovery& recovery)
@@ -23,11 +24,13 @@ class CompStage final : public CompensationStage {
   void note(const CompNote& told) override;
   void failed(const CompStatus& status) override;
   bool send(const CompPiece& piece, const PathItem& item, PathItem& out) override;
+  bool toTip(const CompPiece& piece, const PathItem& item, PathItem& out);
   void report(Severity severity, const char* code, const std::string& message, std::uint64_t tag);
 
   const NctParameters& parameters_;
   AlarmReporter& alarms_;
   StageRecovery& recovery_;
+  Vec2 tip_ = Vec2::Zero();  ///< (u, v), from the nose centre to the point that the last piece was told of
 };
 
 }  // namespace proveout::nc
