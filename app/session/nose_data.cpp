@@ -84,6 +84,38 @@ double beyondLine(const Insert& insert, bool programs_center, const LeftEdge& ed
   return insert.nose_radius * (1.0 - tip.dot(edge.inward));
 }
 
+/// Whether the tool goes back along the line that it comes on, or came in along the one that it goes out on: in
+/// one go or in several. Its walls are then meant to be a nose's width apart. A cut that ends at the axis is a
+/// face.
+bool isPlunge(const Toolpath& path, MotionId id, double nose_radius) {
+  const Motion& own = path.motions[id];
+  const Vec3 way = (own.to - own.from).normalized();
+  const auto reaches = [&](const Motion& m) {
+    const bool faces = std::abs(way.x()) > kAlong && std::min(std::abs(m.from.x()), std::abs(m.to.x())) < nose_radius;
+    return m.from.x() * m.to.x() < 0.0 || faces;
+  };
+  // 1: on along the line, -1: back, 0: elsewhere.
+  const auto along = [&](const Motion& m) {
+    const Vec3 step = m.to - m.from;
+    if (m.arc >= 0 || m.tool != own.tool) return 0;
+    if (step.norm() < kSame) return 1;
+    const double same = step.normalized().dot(way);
+    return std::abs(same) < 1.0 - kSame ? 0 : same > 0.0 ? 1 : -1;
+  };
+  if (own.arc >= 0 || reaches(own)) return false;
+  for (std::size_t k = id + 1; k < path.motions.size(); ++k) {
+    if (const int side = along(path.motions[k]); side != 1) {
+      if (side == -1) return true;
+      break;
+    }
+    if (reaches(path.motions[k])) return false;
+  }
+  for (std::size_t k = id; k-- > 0;) {
+    if (const int side = along(path.motions[k]); side != 1) return side == -1;
+  }
+  return false;
+}
+
 /// Slopes and arcs of the part's surface that an insert left without compensation of its nose.
 void addUncompensated(const SetupRun& setup, const std::vector<LeftEdge>& edges, double least_mm,
                       const RecordingSource& texts, std::vector<Finding>& findings) {
@@ -99,7 +131,9 @@ void addUncompensated(const SetupRun& setup, const std::vector<LeftEdge>& edges,
     const Insert& insert = insertOf(setup, edge.motion);
     if (motion.compensated || insert.shape == InsertShape::kGroove) continue;
     const DataInForce* data = dataOf(path, edge.motion);
-    const double beyond = beyondLine(insert, insert.at_center || (data != nullptr && data->at_center), edge);
+    const bool at_center = insert.at_center || (data != nullptr && data->at_center);
+    if (at_center && isPlunge(path, edge.motion, insert.nose_radius)) continue;
+    const double beyond = beyondLine(insert, at_center, edge);
     if (std::abs(beyond) <= least_mm) continue;
     Worst& worst = tools[motion.tool];
     worst.motions.insert(edge.motion);

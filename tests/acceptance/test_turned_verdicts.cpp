@@ -351,5 +351,27 @@ TEST(TurnedPart, ContactsAreAsDeepAsWhatIsCutOff) {
   EXPECT_NEAR(run.report["findings"][0]["depth_mm"].get<double>(), depth, 5e-3);
 }
 
+/// A round insert whose point is its centre; what it says of its nose.
+std::string noseWords(const std::string& moves) {
+  const Workbench bench;
+  bench.write("t.nc", "%T\nG54 G90 G95 G97 S800 M3\nT1 M6\n" + moves + "M5\nM2\n%\n");
+  bench.write("t.toml",
+              "schema = \"proveout.job/1\"\nprogram = \"t.nc\"\n[control]\nname = \"wl4-lathe\"\n"
+              "[control.wl4-lathe]\nRT.1 = 3\nTIP.1 = 9\n[stock]\nshape = \"cylinder\"\nbase = [0, 0, -80]\n"
+              "diameter = 60\nlength = 80\n[[tool]]\nnumber = 1\ntype = \"insert\"\nshape = \"round\"\n"
+              "nose_radius = 3\norientation = 9\n[output]\nviews = []\n");
+  const Outcome outcome = bench.run("run t.toml --out t-out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return has(outcome.err, "nose_deviation") ? outcome.err : std::string();
+}
+
+TEST(RoundInsert, APlungeIsMeantToBeAsWideAsItsNose) {
+  EXPECT_EQ(noseWords("G0 X80 Z-30\nG1 X56 F0.1\nG0 X80\nZ5\n"), "");
+  EXPECT_EQ(noseWords("G0 X80 Z-30\nG1 X64 F0.1\nX58\nG0 X62\nG1 X54\nX80\nG0 Z5\n"), "") << "in pecks, out at feed";
+  EXPECT_EQ(noseWords("G0 X40 Z10\nG1 Z-1 F0.1\nG0 Z10\nX80\n"), "") << "into the face";
+  EXPECT_NE(noseWords("G0 X80 Z5\nX62\nG1 Z-20 F0.1\nG0 X80\nZ5\n"), "") << "a diameter";
+  EXPECT_NE(noseWords("G0 X80 Z2\nG1 X0 F0.1\nG0 X80\nZ5\n"), "") << "a face, and back over it";
+}
+
 }  // namespace
 }  // namespace proveout::test

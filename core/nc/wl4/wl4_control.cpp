@@ -123,6 +123,12 @@ Wl4Control::Go Wl4Control::block(std::size_t& next_line) {
     c_.report.warnOnce("power", "wl4-power",
                        "** beside * / MOD without parentheses: they go from left to right");
   }
+  if (c_.evaluator.mixedClasses()) {
+    c_.report.warnOnce("classes", "wl4-order",
+                       "operators of several kinds without parentheses: taken here are + and - first, then "
+                       "comparisons, then AND, OR and XOR; the manual names no order among them but from left "
+                       "to right, which gives another value: put parentheses");
+  }
   if (isOwnError(c_.levels.back().line)) {
     const std::string text(c_.block.comment.empty() ? std::string_view("the program stops itself")
                                                     : c_.block.comment);

@@ -174,7 +174,7 @@ constexpr auto kRows = std::to_array<CoverageIdRow>({
     {"wl4-9.3.2-le", "SIM", "done", "wl4/good/wl4_functions.nc"},
     {"wl4-9.3.2-gt", "SIM", "done", "wl4/good/wl4_expressions.nc"},
     {"wl4-9.3.2-ge", "SIM", "done", "wl4/good/wl4_conditions.nc"},
-    {"wl4-9.3.3-prio", "SIM", "done", "wl4/good/wl4_expressions.nc"},
+    {"wl4-9.3.3-prio", "SIM", "done", "wl4/good/wl4_expression_order.nc"},
     {"wl4-9.4.1-lbl", "SIM", "done", "wl4/bad/wl4_labels.nc"},
     {"wl4-9.4.1-jmp", "SIM", "done", "wl4/bad/wl4_endless.nc"},
     {"wl4-9.4.2-IF", "SIM", "done", "wl4/good/wl4_conditions.nc"},

@@ -79,21 +79,22 @@ bool Wl4Evaluator::evaluate(std::string_view text, std::size_t& pos, double& out
 }
 
 bool Wl4Evaluator::logical(std::string_view text, std::size_t& pos, double& out) {
-  if (!comparison(text, pos, out)) return false;
+  bool first = false;
+  if (!comparison(text, pos, out, first)) return false;
   while (true) {
     const bool conjunction = take(text, pos, "AND");
     const bool exclusive = !conjunction && take(text, pos, "XOR");
     if (!conjunction && !exclusive && !take(text, pos, "OR")) return true;
     double right = 0.0;
-    if (!comparison(text, pos, right)) return false;
+    if (!comparison(text, pos, right, mixed_classes_)) return false;
     const bool a = isTrue(out), b = isTrue(right);
     const bool value = conjunction ? a && b : exclusive ? a != b : a || b;
     out = value ? 1.0 : 0.0;
   }
 }
 
-bool Wl4Evaluator::comparison(std::string_view text, std::size_t& pos, double& out) {
-  if (!sum(text, pos, out)) return false;
+bool Wl4Evaluator::comparison(std::string_view text, std::size_t& pos, double& out, bool& used) {
+  if (!sum(text, pos, out, used)) return false;
   while (true) {
     enum { kEqual, kUnequal, kLessEqual, kLess, kGreaterEqual, kGreater } what;
     if (take(text, pos, "==")) {
@@ -111,8 +112,9 @@ bool Wl4Evaluator::comparison(std::string_view text, std::size_t& pos, double& o
     } else {
       return true;
     }
+    used = true;
     double right = 0.0;
-    if (!sum(text, pos, right)) return false;
+    if (!sum(text, pos, right, mixed_classes_)) return false;
     const bool equal = out == right || std::abs(out - right) < tolerance_, less = out < right;
     bool value = equal;
     if (what == kUnequal) value = !equal;
@@ -125,11 +127,12 @@ bool Wl4Evaluator::comparison(std::string_view text, std::size_t& pos, double& o
   }
 }
 
-bool Wl4Evaluator::sum(std::string_view text, std::size_t& pos, double& out) {
+bool Wl4Evaluator::sum(std::string_view text, std::size_t& pos, double& out, bool& used) {
   if (!product(text, pos, out)) return false;
   while (true) {
     const bool minus = take(text, pos, "-");
     if (!minus && !take(text, pos, "+")) return true;
+    used = true;
     double right = 0.0;
     if (!product(text, pos, right)) return false;
     out += minus ? -right : right;

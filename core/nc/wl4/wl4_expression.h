@@ -58,6 +58,9 @@ class Wl4Evaluator {
 
   /// A power stood beside another operator of its class without parentheses.
   bool mixedPower() const { return mixed_power_; }
+  /// Behind a comparison, AND, OR or XOR an operator that binds closer stood without parentheses: from left to
+  /// right, as two classes of operators have it, the value would be another one.
+  bool mixedClasses() const { return mixed_classes_; }
   const Error& error() const { return error_; }
 
  private:
@@ -65,8 +68,9 @@ class Wl4Evaluator {
   static constexpr int kMaxDepth = 100;
 
   bool logical(std::string_view text, std::size_t& pos, double& out);
-  bool comparison(std::string_view text, std::size_t& pos, double& out);
-  bool sum(std::string_view text, std::size_t& pos, double& out);
+  /// `used`: set where an operator of this level or of the next closer one stands in the expression itself.
+  bool comparison(std::string_view text, std::size_t& pos, double& out, bool& used);
+  bool sum(std::string_view text, std::size_t& pos, double& out, bool& used);
   bool product(std::string_view text, std::size_t& pos, double& out);
   bool operand(std::string_view text, std::size_t& pos, double& out);
   bool unsignedOperand(std::string_view text, std::size_t& pos, double& out);
@@ -86,6 +90,7 @@ class Wl4Evaluator {
   Stretch last_number_;
   int depth_ = 0;
   bool mixed_power_ = false;
+  bool mixed_classes_ = false;
   Error error_;
 };
 
