@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kRadiusTolerance = 0.01;     ///< mm; a larger difference makes a spiral of an arc
 constexpr double kLeastTurn = degToRad(1.0);  ///< corners that turn by less get no arc
+constexpr double kFarthest = 1e4;             ///< mm from its start; no arc of a lathe leads farther away
 constexpr double kLeastRadius = 1e-3;         ///< mm; at the axis the speed would be infinite
 
 WorkPlane turningPlane() { return WorkPlane(PlaneFrame(Plane::kZX)); }
@@ -108,6 +109,12 @@ bool resolveFlexArc(FlexContext& c, const FlexAxisWords& words, const Vec2& targ
   const double smallest = std::min(arc.startRadius(), arc.endRadius());
   if (!resolved.ok() || smallest < 1e-6)
     return c.report.fail("fnc-arc", "start or end lie on the centre: these words give no arc");
+  if (const double away = farthestFromStart(arc); away > kFarthest) {
+    return c.report.fail("fnc-arc",
+                         fmt::format("the arc leads {:.0f} m away from its start: no machine gets there. Start and end "
+                                     "are {:.4f} and {:.4f} mm from the centre; I and K count from the start to it",
+                                     1e-3 * away, arc.startRadius(), arc.endRadius()));
+  }
   if (resolved.radius_difference > kRadiusTolerance) {
     c.report.warn("fnc-arc-radius",
                   fmt::format("start and end are {:.4f} and {:.4f} mm from the centre: the radius changes "

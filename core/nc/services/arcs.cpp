@@ -88,6 +88,11 @@ ArcGeometry toArcGeometry(const PlaneArc& arc, const PlaneFrame& frame) {
 
 PlaneArc reversed(const PlaneArc& arc) { return {arc.end, arc.start, arc.center, -arc.sweep_rad}; }
 
+double farthestFromStart(const PlaneArc& arc) {
+  const double radius = std::min(arc.startRadius(), arc.endRadius());
+  return 2.0 * radius * std::sin(0.5 * std::min(std::abs(arc.sweep_rad), kPi));
+}
+
 double planeLength(const PlaneArc& arc) {
   const double r0 = arc.startRadius(), r1 = arc.endRadius();
   const double theta = std::abs(arc.sweep_rad);

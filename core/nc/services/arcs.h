@@ -77,6 +77,9 @@ ArcGeometry toArcGeometry(const PlaneArc& arc, const PlaneFrame& frame);
 /// The same arc run from its end to its start.
 PlaneArc reversed(const PlaneArc& arc);
 
+/// How far the arc leads away from its start in the plane, mm; of spirals at least.
+double farthestFromStart(const PlaneArc& arc);
+
 /// Length in the plane (w ignored), mm; exact for circles and for spirals (closed form).
 double planeLength(const PlaneArc& arc);
 

@@ -32,6 +32,7 @@ TEST(Flexnc, TakesOtherPlanesWithoutArcsAndCompensation) {
   EXPECT_TRUE(lines.summary.ok());
   EXPECT_TRUE(lines.tells("fnc-plane", Severity::kNote));
   EXPECT_EQ(FlexncPath(kStart + "G00X10Z0\nG17G02X12Z-2I2\nM02\n").error(), "fnc-arc");
+  EXPECT_EQ(FlexncPath(kStart + "G00X30Z0\nG03X20Z-10K99999\nM02\n").error(), "fnc-arc") << "100 m";
   EXPECT_EQ(FlexncPath(kStart + "G19G00X10Z0\nG42G01X12\nM02\n").error(), "fnc-arc");
   EXPECT_TRUE(FlexncPath(kStart + "G00X10Z0\nG17\nG18G02X12Z-2I2\nM02\n").summary.ok());
 }

@@ -1,6 +1,7 @@
 // Plans of the codes that move: G0 G1 G2 G3 G4 G28 G30 G53.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/nc/nct/block/perform.h"
@@ -90,6 +91,8 @@ namespace {
 /// A difference of radii that controls usually let through, mm: beyond it a job that does not give N1339 is
 /// told.
 constexpr double kUsualDifferenceMm = 0.01;
+/// An arc whose radius does not fit and that leads farther away from its start has a slip in its centre, mm.
+constexpr double kFarthestMm = 1e4;
 
 bool arcRequest(NctContext& c, const BlockPlan& plan, ArcRequest& request) {
   const PlaneFrame frame(plan.next.plane());  // of the letters I, J, K
@@ -148,7 +151,16 @@ void takePolarTurns(BlockPlan& plan, const ArcRequest& request) {
 /// Arcs that are no helices in the part go along chords: so many turns would not fit any memory.
 bool checkTurns(NctContext& c, const BlockPlan& plan) {
   constexpr double kMostRad = 200.0 * kPi;
-  if (std::abs(plan.motion.arc.sweep_rad) <= kMostRad) return true;
+  constexpr double kMostTurns = 10000.0, kMostOfSpirals = 1000.0, kSameRadiusMm = 1e-6;
+  const PlaneArc& arc = plan.motion.arc;
+  if (std::abs(arc.sweep_rad) <= kMostRad) return true;
+  const bool spiral = std::abs(arc.startRadius() - arc.endRadius()) > kSameRadiusMm;
+  const double most = spiral ? kMostOfSpirals : kMostTurns;
+  if (std::abs(arc.sweep_rad) > most * 2.0 * kPi + 1e-6) {
+    return c.alarm(2002, c.ownWord(plan, 'L') != nullptr ? "L" : "",
+                   fmt::format("more than {:g} turns of a {} in one block are not simulated", most,
+                               spiral ? "spiral" : "circle"));
+  }
   const WorkPlane plane = plan.next.workPlane();
   bool odd = plane.u >= kMainAxes || plane.v >= kMainAxes;
   for (int axis = kMainAxes; axis < c.axes.count(); ++axis) {
@@ -175,7 +187,13 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   const ArcResolution resolved = resolveArc(request, policy);
   if (!resolved.ok()) return failArc(c, resolved);
   const bool open = !c.parameters.given(MotionParam::kRadiusDifference);
-  if (!request.turns && open && resolved.radius_difference > kUsualDifferenceMm) {
+  const bool differs = !request.turns && open && resolved.radius_difference > kUsualDifferenceMm;
+  if (const double away = farthestFromStart(resolved.arc); differs && away > kFarthestMm) {
+    return c.alarm(2012, "",
+                   fmt::format("{:.6g} mm between start and end radius, and the arc leads {:.0f} m away from its start",
+                               resolved.radius_difference, 1e-3 * away));
+  }
+  if (differs) {
     c.warn("nct-2012",
            fmt::format(
                "start and end radius differ by {:.6g} mm: run as a spiral, because the job does not give "
@@ -239,6 +257,27 @@ bool performMachineMove(NctContext& c, BlockPlan& plan) {
   return true;
 }
 
+/// Whether the job or the program says where machine zero lies from the workpiece.
+bool machineZeroKnown(const NctContext& c) {
+  const ControlSettings& s = c.settings;
+  const auto given = [](bool one) { return one; };
+  const auto moved = [](const Vec3& offset) { return offset != Vec3::Zero(); };
+  return s.reference_points[0] || s.placement.origin || moved(s.common_offset) || !s.extended_offsets.empty() ||
+         std::any_of(s.work_given.begin(), s.work_given.end(), given) ||
+         std::any_of(s.work_offsets.begin(), s.work_offsets.end(), moved) ||
+         moved(c.registers.frames.system(c.state.work_system).offset.xyz);
+}
+
+void warnOfMachineZero(NctContext& c, bool known) {
+  if (c.settings.reference_points[0]) return;
+  c.warnOnce("machine-zero", "nct-machine-zero",
+             known ? "G53: the job gives no reference point ([machine] reference_points), so machine zero is only as "
+                     "good as its work offsets ([offsets.work])"
+                   : "G53: nothing says where machine zero lies: Z goes to the top of travel, where the tool starts "
+                     "above the stock; a job file tells machine zero by G54 under [offsets.work], which is the "
+                     "workpiece's zero seen from it");
+}
+
 /// The reference point that nobody named: where the machine starts, no lower than where it changes tools.
 Vec3 homeOf(const NctContext& c) {
   Vec3 home = c.emitter.home();
@@ -253,6 +292,7 @@ bool planMachineMove(NctContext& c, BlockPlan& plan) {
   MachineMove& move = plan.payload.emplace<MachineMove>();
   move.to = c.machine;
   if (!c.anyAxisWord()) return true;  // G53 alone only empties the buffer
+  const bool known = machineZeroKnown(c);
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
@@ -261,11 +301,9 @@ bool planMachineMove(NctContext& c, BlockPlan& plan) {
     double& to = move.to[word.axis];
     const bool rotary = word.axis >= kMainAxes && c.axes.at(word.axis).rotary();
     to = rotary ? to + rotaryTravel(c, word.axis, to, value, false) : value;
+    if (!known && word.axis == 2) to = std::max(to, homeOf(c).z());
   }
-  if (!c.settings.reference_points[0]) {
-    c.warnOnce("machine-zero", "nct-machine-zero",
-               "G53: the job gives no reference point, so machine zero is only as good as its work offsets");
-  }
+  warnOfMachineZero(c, known);
   plan.perform = performMachineMove;
   plan.rebases = true;
   return true;
@@ -291,7 +329,9 @@ bool planReference(NctContext& c, BlockPlan& plan) {
   }
   if (!given) {
     c.warnOnce(fmt::format("reference{}", point), "nct-reference",
-               fmt::format("the job does not give reference point {}: the start position is taken", point));
+               fmt::format("the job does not give reference point {}: the start position is taken; a job file tells it "
+                           "by reference_points under [machine]",
+                           point));
   }
   // Machine position after the intermediate point, then the named axes at the reference point.
   MachineMove& move = plan.payload.emplace<MachineMove>();

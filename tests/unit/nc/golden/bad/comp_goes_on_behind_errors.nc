@@ -29,7 +29,7 @@ file 0 main.nc
 main.nc:3:4: error[nct-2064]: syntax error: X has no value
     G1 X
        ^
-main.nc:4:1: warning[nct-reference]: the job does not give reference point 1: the start position is taken
+main.nc:4:1: warning[nct-reference]: the job does not give reference point 1: the start position is taken; a job file tells it by reference_points under [machine]
     G91 G28 Y0
     ^~~~~~~~~~
 2: rapid to -50 0 0 t0.2

@@ -22,7 +22,7 @@ main.nc:1:5: error[nct-group-clash]: G28 and G30 cannot stand in one block
 main.nc:2:4: error[nct-group-clash]: G4 and G92 cannot stand in one block
     G4 G92 X1 P1
        ^~~
-main.nc:3:1: warning[nct-machine-zero]: G53: the job gives no reference point, so machine zero is only as good as its work offsets
+main.nc:3:1: warning[nct-machine-zero]: G53: nothing says where machine zero lies: Z goes to the top of travel, where the tool starts above the stock; a job file tells machine zero by G54 under [offsets.work], which is the workpiece's zero seen from it
     G9 G53 X1
     ^~~~~~~~~
 3: rapid from 0 0 0 to 1 0 0 t0.004

@@ -46,7 +46,7 @@ main.nc:6:1: warning[nct-feed-unit]: the unit changes: the modal feed keeps its 
     ^~~~~~~~~~
 7: rapid to 20 0 -4 C 15 to 5 t0.1667
 9: rapid to 20 0 -4 C 5 to 15 t0.1667
-main.nc:10:1: warning[nct-reference]: the job does not give reference point 1: the start position is taken
+main.nc:10:1: warning[nct-reference]: the job does not give reference point 1: the start position is taken; a job file tells it by reference_points under [machine]
     G28 C100
     ^~~~~~~~
 10: rapid to 20 0 -4 C 15 to 5 t0.1667

@@ -39,7 +39,7 @@ file 0 main.nc
 1 N30: feed from 0 0 0 to 110 0 0 F100 t66
 2 N20: feed to 115 0 0 F100 t3
 3: feed to 120 0 0 F100 t3
-main.nc:4:1: warning[nct-machine-zero]: G53: the job gives no reference point, so machine zero is only as good as its work offsets
+main.nc:4:1: warning[nct-machine-zero]: G53: the job gives no reference point ([machine] reference_points), so machine zero is only as good as its work offsets ([offsets.work])
     N20 G53 G90 X50
     ^~~~~~~~~~~~~~~
 4 N20: rapid to 50 0 0 t0.28

@@ -31,7 +31,7 @@ main.nc:4:5: note[nct-rotary-told]: axis B turns nothing that the job describes:
     G90 B130
         ^~~~
 4: rapid to 0 0 0 C 1170 to 1170 B 0 to 30 t0.12
-main.nc:5:1: warning[nct-machine-zero]: G53: the job gives no reference point, so machine zero is only as good as its work offsets
+main.nc:5:1: warning[nct-machine-zero]: G53: nothing says where machine zero lies: Z goes to the top of travel, where the tool starts above the stock; a job file tells machine zero by G54 under [offsets.work], which is the workpiece's zero seen from it
     G53 B10
     ^~~~~~~
 5: rapid to 0 0 0 C 1170 to 1170 B 30 to 10 t0.08

@@ -52,7 +52,7 @@ file 0 main.nc
 6: event spindle rpm=0 direction="cw" spindle=1
 6: event spindle rpm=0 direction="stop" spindle=1
 6: event spindle rpm=0 direction="axis" spindle=1 axis="C1"
-main.nc:7:1: warning[nct-reference]: the job does not give reference point 1: the start position is taken
+main.nc:7:1: warning[nct-reference]: the job does not give reference point 1: the start position is taken; a job file tells it by reference_points under [machine]
     G28 G91 C1=0
     ^~~~~~~~~~~~
 main.nc:9:4: note[nct-rotary-told]: axis C1 turns nothing that the job describes: its position is told, the path does not follow it

@@ -2,6 +2,8 @@
 Modal codes after power-on by group, and codes with a decimal point: the digit stands in front. Groups without codes
 read 0.
 proves: nct-23.1.14-#4001 nct-23.1.14-#4201
+=== settings
+reference1 = 0 0 0
 === main
 G0 X#4007 Y#4009 Z#4010
 X#4011 Y#4012 Z#4013
@@ -39,10 +41,10 @@ file 0 main.nc
 6: rapid to 17 90 94 t3.16
 7: rapid to 21 49 23 t0.284
 8: rapid to 0 0 0 t0.196
+main.nc:9:1: warning[nct-offset-missing]: G54.1 P7 has no value in the job: 0 is taken
+    G54.1 P7
+    ^~~~~~~~
 11: feed to 154 1 18 F100 t93.031
-main.nc:12:1: warning[nct-machine-zero]: G53: the job gives no reference point, so machine zero is only as good as its work offsets
-    G53 X#4214 Y#4201 Z0
-    ^~~~~~~~~~~~~~~~~~~~
 12: rapid to 154 1 0 t0.072
 13: rapid to 154 1 18 t0.072
 14: event end code="M30"

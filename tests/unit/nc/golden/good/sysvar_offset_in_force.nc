@@ -1,6 +1,8 @@
 === about
 Geometry and wear by variable, the sum in force by #5083 (350 - 0.13); a changed cell acts when H or D comes again.
 proves: nct-23.1.18-#10001 nct-23.1.18-#11001 nct-23.1.18-#12001 nct-23.1.16-tofs nct-15.1-H nct-15.1-D
+=== settings
+reference1 = 0 0 0
 === main
 #10001=350
 #11001=-0.13
@@ -32,13 +34,10 @@ file 0 main.nc
 4: rapid from 0 0 0 to 0 0 349.87 t1.3995
 7: rapid to 0 0 350.87 t0.004
 9: rapid to 0 0 101 t0.9995
-main.nc:10:1: warning[nct-machine-zero]: G53: the job gives no reference point, so machine zero is only as good as its work offsets
-    G53 Z#100
-    ^~~~~~~~~
 10: rapid to 0 0 349.87 t0.9955
 11: rapid to 0 0 0 t1.3995
 12: feed to 0 4 0 F100 t2.4
 14: feed to 10 4 0 F100 t6
 14: feed to 10 0 0 F100 t2.4
 16: event end code="M30"
-end of program: 16 blocks, 8 motions, 0 errors, 1 warnings
+end of program: 16 blocks, 8 motions, 0 errors, 0 warnings

@@ -44,7 +44,7 @@ main.nc:1:18: note[nct-rotary-told]: axis C turns nothing that the job describes
     G43 G0 X3 Y4 Z-5 C30 H1
                      ^~~
 1: rapid from 0 0 0 to 3 4 95 C 0 to 30 t0.38
-main.nc:7:1: warning[nct-machine-zero]: G53: the job gives no reference point, so machine zero is only as good as its work offsets
+main.nc:7:1: warning[nct-machine-zero]: G53: the job gives no reference point ([machine] reference_points), so machine zero is only as good as its work offsets ([offsets.work])
     G53 X#100 Y#101 Z#102
     ^~~~~~~~~~~~~~~~~~~~~
 7: rapid to -5 115 75 C 30 to 30 t0.444

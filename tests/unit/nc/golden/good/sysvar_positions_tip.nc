@@ -25,7 +25,7 @@ M30
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 3 4 95 t0.38
-main.nc:9:1: warning[nct-machine-zero]: G53: the job gives no reference point, so machine zero is only as good as its work offsets
+main.nc:9:1: warning[nct-machine-zero]: G53: the job gives no reference point ([machine] reference_points), so machine zero is only as good as its work offsets ([offsets.work])
     G53 X#102 Y#103 Z#104
     ^~~~~~~~~~~~~~~~~~~~~
 9: rapid to -5 2 -20 t0.46
