@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
 
 #include "app/exit_codes.h"
+#include "core/base/nearest_name.h"
 #include "io/job.h"
 
 namespace proveout {
@@ -52,6 +54,18 @@ CLI::Validator threadCount() {
         const bool whole = error == std::errc() && end == text.data() + text.size();
         return whole && value >= 1 && value <= 1024 ? std::string()
                                                     : "'" + text + "' is not a number of threads, 1 to 1024";
+      },
+      "");
+}
+
+/// One of the names; the nearest one is told of another word.
+CLI::Validator oneOf(const std::vector<std::string>& names) {
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        if (std::find(names.begin(), names.end(), text) != names.end()) return {};
+        const std::string nearest = nearestName(text, names);
+        return fmt::format("'{}' is not known{}; there are {}", text,
+                           nearest.empty() ? "" : ", did you mean '" + nearest + "'?", fmt::join(names, ", "));
       },
       "");
 }
@@ -117,6 +131,11 @@ void addRun(CLI::App& root, RunOptions& o) {
                   "fine as tolerance and tools ask for")
       ->type_name("MM")
       ->check(positiveMm());
+  app->add_option("--causes", o.causes,
+                  "What is wrong behind a deviation: off, fast (as the deviations suggest) or proven (by trying what\n"
+                  "would put it right); default: the job's, or proven")
+      ->type_name("NAME")
+      ->check(oneOf(causeSearchNames()));
   app->add_option(
          "--simplify", o.simplify_mm,
          "How far the mesh may leave the surface to have fewer triangles; 0: off;\ndefault: a tenth of "
@@ -176,7 +195,7 @@ void addTemplate(CLI::App& root, TemplateOptions& o) {
   app->add_option("--encoding", o.encoding,
                   "Of the files: auto, utf-8, koi8-r, cp1251, gb18030; default: auto")
       ->option_text("NAME")
-      ->check(CLI::IsMember({"auto", "utf-8", "koi8-r", "cp1251", "gb18030"}));
+      ->check(oneOf({"auto", "utf-8", "koi8-r", "cp1251", "gb18030"}));
   app->add_option("-o,--output", o.output, "Write the program into this file")
       ->type_name("FILE")
       ->check(notEmpty());
@@ -188,7 +207,7 @@ void addPathAndCheck(CLI::App& root, PathOptions& path, CheckOptions& check) {
   addProgramOptions(*app, path.program);
   app->add_option("--format", path.format, "jsonl or csv; default: jsonl")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"jsonl", "csv"}))
+      ->check(oneOf({"jsonl", "csv"}))
       ->option_text("NAME");
   app->footer(kFooter);
   app = root.add_subcommand("check", "Interpret only: what the control would say of the program");
@@ -258,6 +277,45 @@ void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptio
   app->footer(kFooter);
 }
 
+std::string didYouMean(const std::string& nearest) {
+  return nearest.empty() ? "" : ", did you mean '" + nearest + "'?";
+}
+
+/// Of a command line that CLI11 refuses: the command or option that there is not, with the nearest one; empty:
+/// something else is wrong.
+std::string unknownWord(CLI::App& app, const std::vector<std::string>& arguments) {
+  const CLI::App* used = nullptr;
+  std::vector<std::string> names;
+  const std::string command = arguments.empty() ? std::string() : arguments.front();
+  for (const CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; })) {
+    names.push_back(sub->get_name());
+    if (sub->get_name() == command) used = sub;
+  }
+  if (command.starts_with("--") && app.get_option_no_throw(command) == nullptr) {
+    const std::string nearest = nearestName(command.substr(2), {"help", "version"});
+    return fmt::format("there is no option {} without a command{}; commands are {}", command,
+                       didYouMean(nearest.empty() ? "" : "--" + nearest), fmt::join(names, ", "));
+  }
+  if (command.empty() || command.starts_with('-'))
+    return fmt::format("a command is missing; there are {}", fmt::join(names, ", "));
+  if (used == nullptr) {
+    return fmt::format("there is no command '{}'{}; there are {}", command, didYouMean(nearestName(command, names)),
+                       fmt::join(names, ", "));
+  }
+  std::vector<std::string> options;
+  for (const CLI::Option* option : used->get_options()) {
+    for (const std::string& name : option->get_lnames()) options.push_back(name);
+  }
+  for (std::size_t k = 1; k < arguments.size() && arguments[k] != "--"; ++k) {
+    if (!arguments[k].starts_with("--")) continue;
+    const std::string name = arguments[k].substr(2, arguments[k].find('=') - 2);
+    if (std::find(options.begin(), options.end(), name) != options.end()) continue;
+    const std::string nearest = nearestName(name, options);
+    return fmt::format("{} has no option --{}{}", command, name, didYouMean(nearest.empty() ? "" : "--" + nearest));
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> decidingArguments(const RunOptions& o) {
@@ -281,6 +339,7 @@ std::vector<std::string> decidingArguments(const RunOptions& o) {
   for (const std::string& tool : o.tools) add("--tool", tool);
   add("--nominal", o.nominal);
   add("--unit", o.unit);
+  add("--causes", o.causes);
   addNumber("--tolerance", o.tolerance_mm);
   addNumber("--resolution", o.resolution_mm);
   addNumber("--simplify", o.simplify_mm);
@@ -310,6 +369,8 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
     const int code = app.exit(error, out, err);
     line.output = out.str();
     line.errors = err.str().empty() ? "" : "proveout: error: " + err.str();
+    if (const std::string unknown = code == 0 ? "" : unknownWord(app, arguments); !unknown.empty())
+      line.errors = fmt::format("proveout: error: {}\nRun with --help for more information.\n", unknown);
     line.exit_code = code == 0 ? kExitOk : kExitInput;
     return line;
   }

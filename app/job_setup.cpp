@@ -21,6 +21,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+std::string didYouMean(const std::string& word, const std::vector<std::string>& names) {
+  const std::string nearest = nearestName(word, names);
+  return nearest.empty() ? "" : ", did you mean '" + nearest + "'?";
+}
+
 std::optional<UntilBlock> parseUntil(const std::string& text) {
   const bool by_number = !text.empty() && (text[0] == 'N' || text[0] == 'n');
   const char* first = text.data() + (by_number ? 1 : 0);
@@ -71,8 +76,8 @@ bool keepSetups(const std::string& name, Job& job, Diagnostics& diagnostics) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     diagnostics.add(usageError(names.empty() ? "--setup: the job has no setups"
-                                             : fmt::format("--setup: there is no setup '{}'; there are {}",
-                                                           name, fmt::join(names, ", "))));
+                                             : fmt::format("--setup: there is no setup '{}'{}; there are {}",
+                                                           name, didYouMean(name, names), fmt::join(names, ", "))));
     return false;
   }
   const auto kept = static_cast<std::size_t>(found - names.begin()) + 1;
@@ -104,6 +109,28 @@ void refuseWithJob(bool given, const char* option, Diagnostics& diagnostics) {
   }
 }
 
+/// Whether the command line can name the tools of the control at all. False: said what it takes.
+bool namesTools(const RunOptions& options, const Job& job, Diagnostics& diagnostics) {
+  const auto& all = controls();
+  const auto control = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == job.control; });
+  if (control == all.end()) return true;
+  if (control->process == ProcessKind::kWire) {
+    diagnostics.add(usageError(
+        fmt::format("control {} cuts with a wire, which a job file gives: proveout run JOB.toml, where the job has "
+                    "program, control, [stock] and a [[tool]] with type = \"wire\" and its diameter",
+                    job.control)));
+    return false;
+  }
+  if (control->process == ProcessKind::kTurning && options.tools.empty()) {
+    diagnostics.add(
+        usageError(fmt::format("control {} turns with inserts, which a job file gives: a [[tool]] with type = "
+                               "\"insert\"; drills alone can be named here, as --tool 1=drill:10",
+                               job.control)));
+    return false;
+  }
+  return true;
+}
+
 void applyWorkpiece(const RunOptions& options, Job& job, Diagnostics& diagnostics) {
   if (!options.stock) {
     diagnostics.add(usageError("a program needs --stock SHAPE, for example --stock box:0,0,-20:80,80,0"));
@@ -112,6 +139,7 @@ void applyWorkpiece(const RunOptions& options, Job& job, Diagnostics& diagnostic
   } else {
     diagnostics.add(usageError("--stock: " + stock.error().message));
   }
+  if (!namesTools(options, job, diagnostics)) return;
   if (options.tools.empty())
     diagnostics.add(usageError("a program needs a tool, for example --tool 1=ball:6"));
   for (const std::string& text : options.tools) {
@@ -239,6 +267,7 @@ bool applyRunOptions(const RunOptions& options, Job& job, Diagnostics& diagnosti
     }
   }
   if (options.resolution_mm) job.simulation.resolution_mm = *options.resolution_mm;
+  if (const auto causes = causeSearchNamed(options.causes)) job.simulation.causes = *causes;
   if (options.simplify_mm) job.simulation.simplify_mm = *options.simplify_mm;
   if (options.threads) job.simulation.threads = *options.threads;
   if (options.max_memory_gb) job.simulation.max_memory_gb = *options.max_memory_gb;

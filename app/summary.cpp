@@ -30,6 +30,10 @@ std::string counted(std::size_t n, const char* one, const char* many) {
 std::string findingCounts(const Report& report) {
   std::size_t errors = 0, others = 0;
   for (const Finding& finding : report.findings) ++(finding.severity == Severity::kError ? errors : others);
+  // What the control said; its errors are findings already.
+  others += static_cast<std::size_t>(
+      std::count_if(report.diagnostics.begin(), report.diagnostics.end(),
+                    [](const Diagnostic& diagnostic) { return diagnostic.severity != Severity::kError; }));
   if (errors + others == 0) return "none";
   return fmt::format("{}, {}", counted(errors, "error", "errors"),
                      counted(others, "warning or note", "warnings or notes"));

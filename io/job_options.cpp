@@ -141,8 +141,11 @@ Result<StockSpec> parseStockOption(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string word = text.substr(0, colon);
   const std::string rest = colon == std::string::npos ? std::string() : text.substr(colon + 1);
-  Result<StockSpec> spec = inputError(
-      fmt::format("'{}' is no stock; there are box:, cylinder:, tube:, mesh:FILE and vdb:FILE", text));
+  const std::string nearest = nearestName(word, {"box", "cylinder", "tube", "mesh", "vdb"});
+  const bool other = !nearest.empty() && nearest != word;
+  Result<StockSpec> spec =
+      inputError(fmt::format("'{}' is no stock{}; there are box:, cylinder:, tube:, mesh:FILE and vdb:FILE", text,
+                             other ? ", did you mean '" + nearest + ":'?" : ""));
   if (word == "box") spec = boxOption(split(text, ':'));
   if (word == "cylinder" || word == "tube") spec = cylinderOption(split(text, ':'), word == "tube");
   if (word == "mesh" || word == "vdb") {

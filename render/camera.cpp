@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/nearest_name.h"
+
 namespace proveout {
 namespace {
 
@@ -79,7 +81,10 @@ Result<View> findView(const std::string& name) {
   for (const NamedView& view : kViews) {
     if (name == view.name) return makeView(view);
   }
-  return inputError(fmt::format("unknown view '{}': the views are {}", name, fmt::join(viewNames(), ", ")));
+  const std::string nearest = nearestName(name, viewNames());
+  return inputError(fmt::format("unknown view '{}'{}: the views are {}", name,
+                                nearest.empty() ? "" : ", did you mean '" + nearest + "'?",
+                                fmt::join(viewNames(), ", ")));
 }
 
 Result<View> findTurnedView(const std::string& name) {

@@ -254,11 +254,14 @@ std::string toolRefusalOf(const Job& job) {
   const Process& process = processOf(job.control);
   for (const Tool& tool : job.tools) {
     if (!process.holds(tool))
-      return fmt::format("tool {} is {}; control {} {}", tool.number,
+      return fmt::format("tool {} is {}; control {} {}{}", tool.number,
                          tool.type == ToolType::kInsert ? "a lathe insert"
                          : tool.type == ToolType::kWire ? "a wire"
                                                         : "a rotating tool",
-                         job.control, process.verb);
+                         job.control, process.verb,
+                         process.kind == ProcessKind::kWire
+                             ? ": it needs a job file whose [[tool]] has type = \"wire\" and its diameter"
+                             : "");
   }
   return {};
 }

@@ -17,8 +17,8 @@ constexpr double kStartClearance = 100.0;
 JobNames jobNames() {
   JobNames names;
   for (const ControlInfo& control : controls()) {
-    names.controls.emplace_back(control.name);
     if (!control.built) continue;
+    names.controls.emplace_back(control.name);
     auto& ranges = names.parameters[std::string(control.name)];
     for (const ParameterInfo& p : parameterTable(control.id)) {
       ranges.push_back({std::string(p.name), p.min, p.max, p.count});

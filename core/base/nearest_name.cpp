@@ -24,14 +24,55 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+/// What people write for the word of the field: the first one of these that is a candidate.
+struct Synonym {
+  std::string_view written, meant;
+};
+constexpr Synonym kSynonyms[] = {
+    {"type", "shape"},      {"kind", "type"},       {"kind", "shape"},        {"shape", "type"},
+    {"form", "shape"},      {"dia", "diameter"},    {"d", "diameter"},        {"size", "diameter"},
+    {"r", "radius"},        {"file", "mesh"},       {"file", "program"},      {"path", "file"},
+    {"path", "mesh"},       {"path", "program"},    {"mesh", "file"},         {"stl", "mesh"},
+    {"stl", "file"},        {"model", "mesh"},      {"id", "number"},         {"nr", "number"},
+    {"no", "number"},       {"t", "number"},        {"machine", "control"},   {"controller", "control"},
+    {"blank", "stock"},     {"workpiece", "stock"}, {"cad", "nominal"},       {"reference", "nominal"},
+    {"subs", "subprograms"}, {"subfolder", "subprograms"}, {"grid", "resolution"}, {"ramp", "acceleration"},
+};
+
+std::string synonymOf(std::string_view word, const std::vector<std::string>& candidates) {
+  for (const Synonym& synonym : kSynonyms) {
+    if (synonym.written != word) continue;
+    const auto found = std::find(candidates.begin(), candidates.end(), synonym.meant);
+    if (found != candidates.end()) return *found;
+  }
+  return {};
+}
+
+/// The shortest candidate that begins with the word: "res" stands for "resolution".
+std::string beginningWith(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kShortest = 2;
+  std::string best;
+  for (const std::string& candidate : candidates) {
+    const bool begins = word.size() >= kShortest && candidate.starts_with(word) && candidate.size() > word.size();
+    if (begins && (best.empty() || candidate.size() < best.size())) best = candidate;
+  }
+  return best;
+}
+
 /// Longest word that is compared; keys of people are shorter, and the distance takes quadratic time.
 constexpr std::size_t kLongestWord = 64;
+/// The first letters of a word, so many, mean it more likely than another word that is as short.
+constexpr std::size_t kClearBeginning = 3;
 
 }  // namespace
 
 std::string nearestName(std::string_view word, const std::vector<std::string>& candidates) {
   std::string best;
   if (word.size() > kLongestWord) return best;
+  if (std::string synonym = synonymOf(word, candidates); !synonym.empty()) return synonym;
+  if (word.size() >= kClearBeginning) {
+    if (std::string longer = beginningWith(word, candidates); !longer.empty()) return longer;
+  }
   // More than a third wrong is another word, not a slip.
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
@@ -41,7 +82,7 @@ std::string nearestName(std::string_view word, const std::vector<std::string>& c
       best_distance = distance;
     }
   }
-  return best;
+  return best.empty() ? beginningWith(word, candidates) : best;
 }
 
 }  // namespace proveout

@@ -1,10 +1,14 @@
 #include "core/nc/controls.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <string>
+#include <vector>
 
+#include "core/base/nearest_name.h"
 #include "core/nc/flexnc/flexnc_row.h"
 #include "core/nc/nct/nct_row.h"
 #include "core/nc/wedm/wedm_row.h"
@@ -49,15 +53,18 @@ const std::vector<ControlInfo>& controls() {
 }
 
 Result<ControlId> findControl(std::string_view name) {
-  std::string known;
+  std::vector<std::string> built;
   for (const ControlInfo& control : controls()) {
-    if (control.name == name) {
-      if (control.built) return control.id;
-      return inputError(fmt::format("control {} is known but this version cannot run it yet", name));
-    }
-    known += (known.empty() ? "" : ", ") + std::string(control.name);
+    if (control.built) built.emplace_back(control.name);
+    if (control.name != name) continue;
+    if (control.built) return control.id;
+    return inputError(fmt::format("control {} is known but this version cannot run it yet", name));
   }
-  return inputError(fmt::format("unknown control {} (known: {})", name, known));
+  std::string word(name);
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string nearest = nearestName(word, built);
+  return inputError(fmt::format("unknown control {}{}; there are {}", name,
+                                nearest.empty() ? "" : ", did you mean '" + nearest + "'?", fmt::join(built, ", ")));
 }
 
 std::string_view coverageStatus(std::string_view cls) {

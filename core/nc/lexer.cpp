@@ -81,7 +81,23 @@ bool Lexer::lex(std::string_view line, Block& block) {
   block.text = line;
   block.plain = !in_comment_;
   plain_ = &block.plain;
-  return lexItems(line, 0, block, rules_.expressions != nullptr && mode_ == LexMode::kBlock);
+  nested_ = false;
+  if (lexItems(line, 0, block, rules_.expressions != nullptr && mode_ == LexMode::kBlock)) return true;
+  if (!nested_) return false;
+  const auto at = static_cast<std::size_t>(error_.columns.begin - 1);
+  return syntax("comments do not nest: a ( stands inside of one, and the first ) has closed it", at,
+                static_cast<std::size_t>(error_.columns.end - 1));
+}
+
+/// What starts no word here but does on other controls. `comment`: the rest of the line is to be left out.
+bool Lexer::foreignSign(std::string_view line, std::size_t i, bool& comment) {
+  comment = line[i] == ';' && semicolon_told_;
+  if (comment) return true;
+  if (line[i] == ')') return syntax("')' without '('", i, i + 1);
+  if (line[i] != ';') return syntax(shown(line[i]) + " does not start a word", i, i + 1);
+  semicolon_told_ = true;
+  return syntax("';' ends a block or begins a comment on other controls, here comments stand in ( ) (told once)", i,
+                i + 1);
 }
 
 bool Lexer::lexRest(std::size_t pos, Block& block) {
@@ -101,6 +117,7 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
     const char c = line[i];
     if (in_comment_) {
       in_comment_ = c != ')';
+      nested_ = nested_ || c == '(';
       ++i;
     } else if (isBlank(c)) {
       ++i;
@@ -135,7 +152,9 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
     } else if ((c == '#' || c == '[') && rules_.expressions == nullptr) {
       return fail(SharedAlarm::kNotImplemented, "macro variables and expressions", {}, i, line.size());
     } else {
-      return syntax(shown(c) + " does not start a word", i, i + 1);
+      bool comment = false;
+      if (!foreignSign(line, i, comment)) return false;
+      if (comment) return true;
     }
   }
   return true;

@@ -71,6 +71,7 @@ class Lexer {
   void setInComment(bool in_comment) { in_comment_ = in_comment; }
 
  private:
+  bool foreignSign(std::string_view line, std::size_t i, bool& comment);
   bool lexItems(std::string_view line, std::size_t i, Block& block, bool head);
   void leaveStatement(std::string_view rest);
   bool lexNamed(std::string_view line, std::size_t& i, Word& word, bool& named);
@@ -93,6 +94,8 @@ class Lexer {
   const AlarmTable& alarms_;
   LexError error_;
   bool in_comment_ = false;
+  bool nested_ = false;           ///< a comment of the line in hand has a ( inside
+  bool semicolon_told_ = false;   ///< what stands behind a further ; is left out
   bool* plain_ = nullptr;  ///< of the block in hand
   LexMode mode_ = LexMode::kBlock;
 };

@@ -122,7 +122,98 @@ bool isForeign(char c) {
          code == 0x7F;
 }
 
+/// Behind blanks and the number of the block: "10 L X+5" and "N10 CYCLE83(" alike.
+std::string_view behindNumber(std::string_view line) {
+  std::size_t i = 0;
+  while (i < line.size() && isBlank(line[i])) ++i;
+  const std::size_t first = i;
+  if (i < line.size() && (line[i] == 'N' || line[i] == 'n')) ++i;
+  const std::size_t digits = i;
+  while (i < line.size() && isDigit(line[i])) ++i;
+  if (i == digits) i = first;
+  while (i < line.size() && isBlank(line[i])) ++i;
+  return line.substr(i);
+}
+
+/// Signs of a language at the start of its blocks; `#` stands for a digit. One that is `sure` is enough, of the others
+/// three lines are.
+struct ForeignSign {
+  std::string_view begins;
+  bool sure = false;
+};
+struct ForeignLanguage {
+  std::string_view name;
+  std::initializer_list<ForeignSign> signs;
+};
+const ForeignLanguage kForeignLanguages[] = {
+    {"a dialogue program of Heidenhain (.H, such as BEGIN PGM, TOOL CALL, L X+10 FMAX), which TNC controls read",
+     {{"BEGIN PGM", true},
+      {"END PGM", true},
+      {"BLK FORM", true},
+      {"TOOL CALL", true},
+      {"TOOL DEF"},
+      {"CYCL DEF"},
+      {"CYCL CALL"},
+      {"LBL #"},
+      {"CALL LBL"},
+      {"L X"},
+      {"L Y"},
+      {"L Z"},
+      {"L IX"},
+      {"L IY"},
+      {"L IZ"},
+      {"CC X"},
+      {"CC Y"},
+      {"FN #"}}},
+    {"a program of Sinumerik (such as WORKPIECE(), CYCLE83(), DEF REAL, T=\"NAME\"), which Siemens controls read",
+     {{"%_N_", true},
+      {";$PATH", true},
+      {"WORKPIECE(", true},
+      {"CYCLE##", true},
+      {"MCALL", true},
+      {"DEF REAL", true},
+      {"DEF INT", true},
+      {"PROC ", true},
+      {"EXTERN ", true},
+      {"MSG(\""},
+      {"T=\""},
+      {"TRANS "},
+      {"TRANS\r"},
+      {"ATRANS "},
+      {"ROT "},
+      {"AROT "},
+      {"SUPA"},
+      {"G0 SUPA"},
+      {"TRAORI"}}},
+};
+
+bool beginsWith(std::string_view line, std::string_view sign) {
+  if (line.size() < sign.size()) return false;
+  for (std::size_t i = 0; i < sign.size(); ++i) {
+    const char c = static_cast<char>(std::toupper(static_cast<unsigned char>(line[i])));
+    if (sign[i] == '#' ? !isDigit(c) : c != sign[i]) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+std::string foreignLanguage(const std::vector<std::string_view>& lines) {
+  constexpr std::size_t kLooked = 2000, kEnough = 3;
+  for (const ForeignLanguage& language : kForeignLanguages) {
+    std::size_t signs = 0;
+    for (std::size_t k = 0; k < std::min(lines.size(), kLooked) && signs < kEnough; ++k) {
+      const std::string_view line = behindNumber(lines[k]);
+      for (const ForeignSign& sign : language.signs) {
+        if (!beginsWith(line, sign.begins)) continue;
+        signs += sign.sure ? kEnough : 1;
+        break;
+      }
+    }
+    if (signs >= kEnough) return std::string(language.name);
+  }
+  return {};
+}
 
 bool mayBeProgram(const std::vector<std::string_view>& lines) {
   constexpr std::size_t kForeignShare = 50;  // one foreign character in so many is no accident
@@ -135,7 +226,7 @@ bool mayBeProgram(const std::vector<std::string_view>& lines) {
     if (kind == LineReader::Kind::kBlock) ++blocks;
     if (kind == LineReader::Kind::kOther) ++others;
   }
-  return foreign * kForeignShare <= size && blocks * kBlockShare >= others;
+  return foreignLanguage(lines).empty() && foreign * kForeignShare <= size && blocks * kBlockShare >= others;
 }
 
 }  // namespace proveout::nc

@@ -1,6 +1,7 @@
 // Whether a text can be an NC program at all, of whatever control.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -8,7 +9,11 @@
 
 namespace proveout::nc {
 
-/// False where the text is obviously none: not one of its lines, or hardly one, could be a block of any
+/// Whose language the text is in where no control here has it: "a dialogue program of Heidenhain (...)"; empty: of
+/// none that is known.
+std::string foreignLanguage(const std::vector<std::string_view>& lines);
+
+/// False where the text is obviously none, or in the language of other controls: not one of its lines, or hardly one, could be a block of any
 /// control (words of letters and numbers, a statement of a macro language), or it is full of control
 /// characters. A text without any line but comments and blanks may be a program. Asked only where something
 /// is wrong with the text, so that what it takes for none is told otherwise, and nothing else.

@@ -11,6 +11,7 @@
 
 #include "core/base/memory_limit.h"
 #include "core/base/printable.h"
+#include "core/nc/control_info.h"
 #include "core/nc/program_likeness.h"
 
 namespace proveout::nc {
@@ -292,6 +293,19 @@ std::string shownLine(std::string_view line) {
 
 }  // namespace
 
+namespace {
+
+/// "nct, wl4-mill, ..."
+std::string builtControls() {
+  std::string names;
+  for (const ControlInfo& control : controls()) {
+    if (control.built) names += (names.empty() ? "" : ", ") + std::string(control.name);
+  }
+  return names;
+}
+
+}  // namespace
+
 Diagnostic diagnosticAt(const SourceText* text, const SourceRef& at, Columns columns, Severity severity,
                         std::string code, std::string message) {
   Diagnostic d;
@@ -300,8 +314,10 @@ Diagnostic diagnosticAt(const SourceText* text, const SourceRef& at, Columns col
   d.message = boundedMessage(std::move(message));
   if (text == nullptr || at.line == 0) return d;
   if (severity == Severity::kError && !mayBeProgram(*text)) {
-    d.code = "no-program";
-    d.message = "this is no NC program: its lines are no blocks";
+    const std::string language = foreignLanguage(text->lines());
+    d.code = language.empty() ? "no-program" : "foreign-program";
+    d.message = language.empty() ? "this is no NC program: its lines are no blocks"
+                                 : fmt::format("this is {}; none of the controls here does: {}", language, builtControls());
     d.where.file = text->name();
     return d;
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/nearest_name.h"
 #include "core/tool/tool_type.h"
 
 namespace proveout {
@@ -56,7 +57,13 @@ Result<Tool> parseToolOption(const std::string& text) {
     return wrong("the tool number is not a whole number");
   const auto parts = split(std::string_view(text).substr(equals + 1), ':');
   const auto type = toolTypeOf(parts[0]);
-  if (!type) return wrong(fmt::format("unknown shape '{}'", parts[0]));
+  if (!type) {
+    std::vector<std::string> names;
+    for (const ToolTypeRow* row : toolTypes()) names.emplace_back(row->name);
+    const std::string nearest = nearestName(parts[0], names);
+    return wrong(fmt::format("unknown shape '{}'{}", parts[0],
+                             nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+  }
   const auto set = rowOf(*type).set;
   if (set == nullptr) return wrong(fmt::format("'{}' needs a job file ([[tool]])", parts[0]));
   tool.type = *type;

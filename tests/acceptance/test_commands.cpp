@@ -1,6 +1,7 @@
 // The other commands, as a user calls them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -268,6 +269,94 @@ TEST(Commands, RenderDrawsAMeshAndAHeatMap) {
   EXPECT_TRUE(has(jpeg.err, "must end in .png")) << jpeg.err;
   EXPECT_FALSE(bench.exists("x.jpg"));
   EXPECT_EQ(bench.run("render").err.rfind("proveout: error: MESH is required", 0), 0u);
+}
+
+TEST(Commands, UnknownWordsNameTheNearestOne) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  const auto told = [&](const std::string& arguments, const std::string& words) {
+    const Outcome outcome = bench.run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_TRUE(has(outcome.err, words)) << arguments << "\n" << outcome.err;
+  };
+  told("rnu ring.nc", "there is no command 'rnu', did you mean 'run'?");
+  told("simulate ring.nc", "there is no command 'simulate'; there are run, path, check");
+  told("", "a command is missing; there are run, path, check");
+  told("--verison", "did you mean '--version'?");
+  told("run ring.nc --contorl nct", "run has no option --contorl, did you mean '--control'?");
+  told("run ring.nc --tol=1", "did you mean '--tolerance'?");
+  told("render part.stl --out x.png", "render has no option --out, did you mean '--output'?");
+  told("path ring.nc --control nct --format jsonn", "did you mean 'jsonl'?");
+  told("check ring.nc --control ntc", "unknown control ntc, did you mean 'nct'?");
+  const std::string run = "run ring.nc --control nct --stock box:0,0,0:9,9,9 --tool 1=flat:3 ";
+  told(run + "--view tpo", "did you mean 'top'?");
+  told("run ring.nc --control nct --stock cylnder:1 --tool 1=flat:3", "did you mean 'cylinder:'?");
+  told("run ring.nc --control nct --stock box:0,0,0:9,9,9 --tool 1=bal:3", "did you mean 'ball'?");
+  EXPECT_FALSE(has(bench.run("check ring.nc --control x").err, "rs274ngc")) << "not built";
+}
+
+TEST(Commands, KeysOfJobsThatPeopleWriteAreMet) {
+  const Workbench bench;
+  bench.write("ring.nc", kRing);
+  const auto told = [&](const std::string& stock, const std::string& tool, const std::string& words) {
+    bench.write("job.toml", "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"ring.nc\"\n[stock]\n" +
+                                stock + "[[tool]]\nnumber = 1\ntype = \"flat\"\n" + tool);
+    const Outcome outcome = bench.run("check job.toml");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(has(outcome.err, words)) << outcome.err;
+  };
+  const std::string box = "shape = \"box\"\nmin = [0, 0, -5]\nmax = [9, 9, 0]\n";
+  told(box, "dia = 3\n", "has no key 'dia'; did you mean 'diameter'?");
+  told("type" + box.substr(5), "diameter = 3\n", "has no key 'type'; did you mean 'shape'?");
+  told(box, "diameter = 3\n[nominal]\nfile = \"x.stl\"\n", "has no key 'file'; did you mean 'mesh'?");
+}
+
+TEST(Commands, ProgramsOfOtherMakersAreNamedInOneLine) {
+  const Workbench bench;
+  bench.write("plate.h",
+              "0 BEGIN PGM PLATE MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 TOOL CALL 1 Z S2000\n"
+              "3 L X+10 Y+5 R0 FMAX M3\n4 END PGM PLATE MM\n");
+  bench.write("plate.mpf", "N10 G17 G54\nN20 T=\"MILL6\"\nN30 M6\nN40 CYCLE83(10,0,2,-20)\nN50 M30\n");
+  for (const char* control : {"nct", "wl4-mill", "wl4-lathe", "flexnc", "wedm"}) {
+    const Outcome dialogue = bench.run(std::string("check plate.h --control ") + control);
+    EXPECT_EQ(dialogue.exit_code, 2);
+    EXPECT_TRUE(has(dialogue.err, "a dialogue program of Heidenhain") && has(dialogue.err, "TNC controls"))
+        << dialogue.err;
+    EXPECT_EQ(std::count(dialogue.err.begin(), dialogue.err.end(), '\n'), 1) << dialogue.err;
+    const Outcome siemens = bench.run(std::string("check plate.mpf --control ") + control);
+    EXPECT_TRUE(has(siemens.err, "a program of Sinumerik") && has(siemens.err, "Siemens controls")) << siemens.err;
+  }
+}
+
+TEST(Commands, ANewcomersWireProgramIsToldOfTheJob) {
+  const Workbench bench;
+  bench.write("wire.nc", "%\nO0001 (PUNCH)\nG90\nG92 X-18. Y0\nM60\nG01 X-10.\nM50\nM02\n%\n");
+  const std::string run = "run wire.nc --control wedm --stock box:-15,-12,0:15,12,20";
+  for (const char* tool : {"", " --tool 1=ball:6"}) {
+    const Outcome outcome = bench.run(run + tool);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(has(outcome.err, "cuts with a wire, which a job file gives")) << outcome.err;
+    EXPECT_FALSE(has(outcome.err, "ball:6")) << outcome.err;
+  }
+  bench.write("wire.toml",
+              "schema = \"proveout.job/1\"\ncontrol = \"wedm\"\nprogram = \"wire.nc\"\n[stock]\nshape = \"box\"\n"
+              "min = [-15, -12, 0]\nmax = [15, 12, 20]\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 6\n");
+  const Outcome job = bench.run("run wire.toml --no-render");
+  EXPECT_EQ(job.exit_code, 2);
+  EXPECT_TRUE(has(job.err, "control wedm cuts with a wire: it needs a job file whose [[tool]] has type = \"wire\""))
+      << job.err;
+}
+
+TEST(Commands, G53WithoutMachineDataGoesToTheTop) {
+  const Workbench bench;
+  bench.write("up.nc",
+              "G21 G90 G17\nT1 M6\nG53 G0 Z0.\nG54 G0 X5 Y5 S5000 M3\nG0 Z15\nG1 Z8 F300\nX15\nG53 G0 Z-100.\nM30\n");
+  const Outcome outcome =
+      bench.run("run up.nc --control nct --stock box:0,0,0:20,10,10 --tool 1=flat:6 --no-render --out up");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "removed 176.5")) << outcome.out;
+  EXPECT_TRUE(has(outcome.err, "[offsets.work]")) << "the key to enter";
+  EXPECT_TRUE(has(outcome.out, "0 errors, 1 warning or note")) << "the control's warnings count\n" << outcome.out;
 }
 
 TEST(Commands, HelpAndVersion) {

@@ -188,6 +188,12 @@ bool FlexReader::word(FlexBlock& block) {
                 "'proveout template'",
                 from, from + 1);
   }
+  if (peek() == ';') {
+    at_ = line_.size();
+    if (std::exchange(semicolon_told_, true)) return true;
+    return fail("fnc-syntax",
+                "';' ends a block or begins a comment on other controls, here // begins one (told once)", from, from + 1);
+  }
   if (!isLetter(word.address)) {
     // All of a character of several bytes.
     do ++at_;

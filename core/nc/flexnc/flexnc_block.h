@@ -76,6 +76,7 @@ class FlexReader {
   ValueOrigins& origins_;
   std::string_view line_;
   std::size_t at_ = 0;
+  bool semicolon_told_ = false;  ///< what stands behind a further ; is left out
   FlexSyntaxError error_;
 };
 

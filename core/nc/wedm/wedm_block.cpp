@@ -77,6 +77,9 @@ bool WedmReader::read(std::string_view line, std::size_t begin, std::size_t end,
     block.skip = true;
     ++at_;
   }
+  if (const std::size_t open = line.rfind('('); open != std::string_view::npos && open >= begin && open < end &&
+                                                line.find(')', open) == std::string_view::npos)
+    return fail("the comment is not closed: ')' is missing", open, open + 1);
   while (!atEnd()) {
     if (!word(block)) return false;
   }

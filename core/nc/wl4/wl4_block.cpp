@@ -109,6 +109,10 @@ bool Wl4Reader::read(std::string_view line, Wl4Block& block) {
         block.comment = line.substr(from, line.find_last_not_of(" \t\r") + 1 - from);
       return true;
     }
+    if (c == ';') {
+      if (std::exchange(semicolon_told_, true)) return true;
+      return fail("';' ends a block or begins a comment on other controls, here $ begins one (told once)", pos, pos + 1);
+    }
     if (c == 'N' && first) {
       if (!blockNumber(block, pos)) return false;
     } else if (line.substr(pos, 2) == "IF") {
@@ -203,7 +207,9 @@ bool Wl4Reader::word(Wl4Block& block, std::size_t& pos) {
   if (letter == '#') return assignment(block, pos);
   if (letter < 'A' || letter > 'Z') {
     return fail(
-        letter >= 'a' && letter <= 'z' ? "addresses are capital letters" : "a word cannot begin like this",
+        letter >= 'a' && letter <= 'z' ? "addresses are capital letters"
+        : letter == '('                ? "a word cannot begin like this; comments begin with $ on this control"
+                                       : "a word cannot begin like this",
         pos, pos + 1);
   }
   const std::size_t from = pos++;

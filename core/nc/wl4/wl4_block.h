@@ -84,6 +84,7 @@ class Wl4Reader {
 
   Wl4Evaluator& evaluator_;
   std::string_view line_;
+  bool semicolon_told_ = false;  ///< what stands behind a further ; is left out
   Error error_;
 };
 

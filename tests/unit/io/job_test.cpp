@@ -556,5 +556,15 @@ TEST(NearestName, FindsSlipsOnly) {
   EXPECT_EQ(nearestName(std::string(100000, 'd'), names), "");
 }
 
+TEST(NearestName, KnowsBeginningsAndWhatPeopleWrite) {
+  EXPECT_EQ(nearestName("dia", {"diameter", "type"}), "diameter");
+  EXPECT_EQ(nearestName("tol", {"tool", "tolerance"}), "tolerance");
+  EXPECT_EQ(nearestName("out", {"output", "size"}), "output");
+  EXPECT_EQ(nearestName("type", {"shape", "file"}), "shape");
+  EXPECT_EQ(nearestName("file", {"mesh", "unit"}), "mesh");
+  EXPECT_EQ(nearestName("path", {"shape", "file"}), "file");
+  EXPECT_EQ(nearestName("type", {"number"}), "");
+}
+
 }  // namespace
 }  // namespace proveout

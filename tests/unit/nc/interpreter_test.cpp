@@ -158,6 +158,8 @@ TEST(Interpreter, ControlsAreKnownByName) {
   EXPECT_NE(findControl("rs274ngc").error().message.find("yet"), std::string::npos);
   ASSERT_FALSE(findControl("fanuc").ok());
   EXPECT_NE(findControl("fanuc").error().message.find("nct"), std::string::npos);
+  EXPECT_EQ(findControl("fanuc").error().message.find("rs274ngc"), std::string::npos) << "not built";
+  EXPECT_NE(findControl("NTC").error().message.find("did you mean 'nct'?"), std::string::npos);
   EXPECT_FALSE(coverageTable(ControlId::kRs274Ngc).ok());
 }
 

@@ -26,6 +26,12 @@ bool NctControl::takeInterruptWords() {
                  w.columns);
     }
     const InterruptSwitch wanted = c.m_index.find(mNumber(w)).interrupt;
+    const bool ends = wanted == InterruptSwitch::kOff || (off && w.value == mcode::kInterruptOff);
+    if (const Word* p = c.word('P'); ends && p != nullptr && !c.block.present.has('G')) {
+      return c.alarm(2017, *p,
+                     "M97 switches the interrupt macro off here; other controls call the part of this program from block "
+                     "N of that number on with it: make a file of it and call that with M98 P");
+    }
     if (wanted != InterruptSwitch::kNone) interrupt_switch_ = wanted;
   }
   if (interrupt_switch_ != InterruptSwitch::kOn) return true;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/characters.h"
 #include "core/nc/nct/block/words.h"
 #include "core/nc/nct/macro/output.h"
 #include "core/nc/nct/macro/subprogram_words.h"
@@ -74,6 +75,35 @@ NctControl::Go NctControl::alarm() {
   return summary_.errors < context_.settings.max_errors && !told_whole ? Go::kOn : stopAtAlarm();
 }
 
+namespace {
+
+/// The line, from 1, on which the program of that number begins inside a text; 0: on none.
+std::size_t lineOfProgram(const SourceText& text, std::int64_t number) {
+  for (std::size_t k = 0; k < text.lines().size(); ++k) {
+    const std::string_view line = text.lines()[k];
+    std::size_t i = line.find_first_not_of(" \t%");
+    if (i == std::string_view::npos || (line[i] != 'O' && line[i] != 'o' && line[i] != ':')) continue;
+    std::int64_t found = -1;
+    for (++i; i < line.size() && isDigit(line[i]) && found < 100000000; ++i)
+      found = 10 * std::max<std::int64_t>(found, 0) + (line[i] - '0');
+    if (found == number) return k + 1;
+  }
+  return 0;
+}
+
+/// What other controls would find: programs behind the main one in its file, repeats in front of the number.
+std::string whereItIs(const SourceText& text, std::int64_t number) {
+  constexpr std::int64_t kFourDigits = 10000;
+  if (const std::size_t line = lineOfProgram(text, number); line > 0) {
+    return fmt::format("; O{} is in this file, on line {}: this control wants it as a file of its own", number, line);
+  }
+  if (number < kFourDigits || number % kFourDigits == 0) return {};
+  return fmt::format("; for O{} {} times, as other controls read it, write P{} L{}", number % kFourDigits,
+                     number / kFourDigits, number % kFourDigits, number / kFourDigits);
+}
+
+}  // namespace
+
 bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller) {
   NctContext& c = context_;
   const Word* p = c.word('P');
@@ -93,7 +123,9 @@ bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32
                    fmt::format("{} needs a program number{}", code, by_file ? " or a file name" : ""));
   }
   if (!integerWord(c, *p, 1, 99999999, number)) return false;
-  return takeProgram(c, c.programs.byNumber(caller, number), frame);
+  ProgramStore::Loaded loaded = c.programs.byNumber(caller, number);
+  if (loaded.failure == ProgramStore::Failure::kNotFound) loaded.message += whereItIs(*c.calls.top().text, number);
+  return takeProgram(c, loaded, frame);
 }
 
 NctControl::Go NctControl::call() {
