@@ -131,11 +131,6 @@ void addRun(CLI::App& root, RunOptions& o) {
                   "fine as tolerance and tools ask for")
       ->type_name("MM")
       ->check(positiveMm());
-  app->add_option("--causes", o.causes,
-                  "What is wrong behind a deviation: off, fast (as the deviations suggest) or proven (by trying what\n"
-                  "would put it right); default: the job's, or proven")
-      ->type_name("NAME")
-      ->check(oneOf(causeSearchNames()));
   app->add_option(
          "--simplify", o.simplify_mm,
          "How far the mesh may leave the surface to have fewer triangles; 0: off;\ndefault: a tenth of "
@@ -339,7 +334,6 @@ std::vector<std::string> decidingArguments(const RunOptions& o) {
   for (const std::string& tool : o.tools) add("--tool", tool);
   add("--nominal", o.nominal);
   add("--unit", o.unit);
-  add("--causes", o.causes);
   addNumber("--tolerance", o.tolerance_mm);
   addNumber("--resolution", o.resolution_mm);
   addNumber("--simplify", o.simplify_mm);
