@@ -53,7 +53,9 @@ Finding patchFinding(FindingKind kind, const DeviationPatch& patch) {
 /// The coarsest grid that decides all of them; 0: none does.
 double decidingResolution(const std::vector<DeviationPatch>& undecided) {
   double least = std::numeric_limits<double>::infinity();
-  for (const DeviationPatch& patch : undecided) least = std::min(least, patch.deciding_resolution_mm);
+  for (const DeviationPatch& patch : undecided) {
+    if (patch.chord_mm == 0.0) least = std::min(least, patch.deciding_resolution_mm);
+  }
   return std::isfinite(least) ? least : 0.0;
 }
 
@@ -62,14 +64,27 @@ double decidingResolution(const std::vector<DeviationPatch>& undecided) {
 double decidingProfile(const Comparison& comparison, double profile_mm) {
   constexpr double kMargin = 0.8, kLeast = 1e-3;
   double factor = kMargin;
-  for (const DeviationPatch& patch : comparison.undecided)
+  for (const DeviationPatch& patch : comparison.undecided) {
+    if (patch.chord_mm > 0.0) continue;  // not the part's facets
     factor = std::min(factor,
                       kMargin * std::abs(patch.depth_mm - toleranceFor(patch, comparison)) / patch.bound_mm);
+  }
   return factor * profile_mm >= kLeast ? factor * profile_mm : 0.0;
 }
 
-/// What would decide, as the end of a sentence; empty: nothing is known to.
-std::string remedyText(const Comparison& comparison, double profile_mm) {
+/// Chords of a nominal that leave a verdict on its tolerances alone, mm.
+double wantedChord(const Comparison& comparison) {
+  constexpr double kWanted = 0.1;  // of the smaller tolerance
+  return kWanted * std::min(comparison.gouge_tolerance_mm, comparison.excess_tolerance_mm);
+}
+
+/// What would decide, as the end of a sentence; empty: nothing is known to. `worst`: what the sentence tells.
+std::string remedyText(const Comparison& comparison, const DeviationPatch& worst, double profile_mm) {
+  if (worst.chord_mm > 0.0) {
+    const double wanted = wantedChord(comparison);
+    return fmt::format(": the nominal's facets may lie {:.2g} mm off the face that they stand for; export it with {}",
+                       worst.chord_mm, wanted > 0.0 ? fmt::format("chords of {:.2g} mm", wanted) : "finer ones");
+  }
   if (profile_mm > 0.0) {
     const double finer = decidingProfile(comparison, profile_mm);
     return finer > 0.0 ? fmt::format("; profile_resolution = {:.2g} in the job could", finer) : "";
@@ -164,22 +179,26 @@ const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Fin
   finding.message = deviationText(worst, comparison) +
                     fmt::format("; this is good to {:.2g} mm and cannot be decided", worst.bound_mm);
   if (all.size() > 1) finding.message += fmt::format(", nor can {} other places", all.size() - 1);
-  finding.message += remedyText(comparison, profile_mm);
+  finding.message += remedyText(comparison, worst, profile_mm);
   findings.push_back(std::move(finding));
   return &worst;
 }
 
 void addCoarseNominal(const Comparison& comparison, std::vector<Finding>& findings) {
-  constexpr double kNoted = 0.2, kWanted = 0.1;  // of the smaller tolerance
+  constexpr double kNoted = 0.2;  // of the smaller tolerance
   const double least = std::min(comparison.gouge_tolerance_mm, comparison.excess_tolerance_mm);
   if (comparison.nominal_chord_mm <= kNoted * least) return;
   Finding finding(FindingKind::kCoarseNominal);
   finding.severity = comparison.nominal_chord_mm > least ? Severity::kWarning : Severity::kNote;
   finding.where = comparison.nominal_chord_at;
-  finding.message = fmt::format(
-      "the nominal is coarse: its facets leave the curved faces that they stand for by up to {} mm; what "
-      "lies between the two is no deviation; export it with chords of {:.2g} mm",
-      figure(comparison.nominal_chord_mm), kWanted * least);
+  finding.message =
+      comparison.nominal_chord_in_doubt
+          ? fmt::format("the nominal has flats that may be meant or stand for a round, from which they are up to {} mm "
+                        "off; if so, export it with chords of {:.2g} mm",
+                        figure(comparison.nominal_chord_mm), wantedChord(comparison))
+          : fmt::format("the nominal is coarse: its facets leave the curved faces that they stand for by up to {} mm; "
+                        "what lies between the two is no deviation; export it with chords of {:.2g} mm",
+                        figure(comparison.nominal_chord_mm), wantedChord(comparison));
   findings.push_back(std::move(finding));
 }
 

@@ -83,7 +83,9 @@ void tellIgnored(const SurfaceMesh& samples, const std::vector<IgnoredRegion>& r
 }
 
 /// Grid spacing at which the error, which goes with its square, is less than the distance to the tolerance.
+/// 0: none is, as where the nominal's own facets leave it open.
 double decidingResolution(const CompareOptions& o, const DeviationPatch& patch, double tolerance) {
+  if (patch.chord_mm >= std::abs(patch.depth_mm - tolerance)) return 0.0;
   constexpr double kMargin = 0.8;
   constexpr double kPractical = 1.0 / 16.0;
   const double factor = std::sqrt(kMargin * std::abs(patch.depth_mm - tolerance) / patch.bound_mm);
@@ -149,13 +151,23 @@ void fillVolumes(Asked& asked, double level, std::vector<FoundPatch>& found) {
   }
 }
 
-/// Where the nominal's facets stand for a curved face, the face may be as far off them as its chords.
-DeviationPatch withChord(DeviationPatch patch, const NominalModel& nominal, double reach) {
+/// Where the nominal's facets stand for a curved face, the face may be off what they are read as.
+void addChord(const NominalModel& nominal, double reach, DeviationPatch& patch) {
   const SurfaceDistance d = nominal.distance.at(patch.where);
   const Vec3 foot = patch.where - d.distance * d.gradient.cast<double>();
-  constexpr double kMisread = 2.0;  // where facets are cut by others the reading is rough
-  patch.bound_mm += kMisread * nominal.shape.largestNear(foot, reach);
-  return patch;
+  patch.chord_mm = nominal.shape.unsureAt(d.triangle, foot, reach);
+  patch.bound_mm += patch.chord_mm;
+}
+
+/// Bounds of a patch that was found, with what the nominal leaves open. Where its deepest place is not
+/// beyond the level by more than its bound, but another one is, that is told.
+bool decide(FoundPatch& found, const NominalModel& nominal, double level, double reach) {
+  DeviationPatch& p = found.patch;
+  addChord(nominal, reach, p);
+  if (p.depth_mm - p.bound_mm > level) return true;
+  if (!(found.surest.depth_mm - found.surest.bound_mm > level)) return false;
+  found.surest.tell(p);
+  return true;
 }
 
 /// Sorts the regions of one kind into certain and undecided ones.
@@ -174,9 +186,9 @@ void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, Ask
                 [&](std::size_t i) { findDeepest(part, asked.nominal, o.resolution_mm, measured[i]); });
     fillVolumes(asked, level, measured);
   }
-  for (const FoundPatch& found : measured) {
-    if (found.certain || found.patch.depth_mm - found.patch.bound_mm > level) {
-      out.patches.push_back(withChord(found.patch, asked.nominal, o.resolution_mm));
+  for (FoundPatch& found : measured) {
+    if (decide(found, asked.nominal, level, o.resolution_mm)) {
+      out.patches.push_back(found.patch);
     } else {
       undecided(found);
     }
@@ -222,6 +234,8 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   BothSides sides = measureSides(part, goal, model, o, progress);
   if (progress.cancelled()) return interrupted;
   sides.motion = &machined.motion;
+  sides.model = &model;
+  sides.reach_mm = o.resolution_mm;
   Comparison out;
   out.gouge_tolerance_mm = o.gouge_mm;
   out.excess_tolerance_mm = o.excess_mm;
@@ -243,8 +257,10 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   out.vertex_deviation = deviationOfVertices(sides, machined.positions.size());
   out.field = makeDeviationField(shared_model, o);
   tellIgnored(part.surface, o.ignored, out);
-  out.nominal_chord_mm = model.shape.largest();
-  out.nominal_chord_at = model.shape.largestAt();
+  const bool doubt = model.shape.largestDoubt() > model.shape.largest();
+  out.nominal_chord_in_doubt = doubt;
+  out.nominal_chord_mm = doubt ? model.shape.largestDoubt() : model.shape.largest();
+  out.nominal_chord_at = doubt ? model.shape.largestDoubtAt() : model.shape.largestAt();
   out.machined_spacing_mm = part.spacing_mm;
   out.nominal_spacing_mm = goal.spacing_mm;
   out.machined_samples = part.surface.points.size();

@@ -31,11 +31,13 @@ struct PreparedMesh {
   std::vector<std::string> notes;  ///< what was repaired or looks wrong, one sentence each; for a warning
 };
 
-/// Makes a solid of a mesh as files bring it. Repairs what is safe: equal vertices are merged, and border
-/// vertices within 0.1 micrometre + 1e-6 of the size of each other; collapsed and doubled triangles are
-/// dropped; facets with mixed orientation are made consistent; shells that are inside out are turned.
-/// Otherwise refuses with kInput: empty, not finite, an index out of range, a hole (names the place and how
-/// many edges are open). `name` stands in front of messages ("bracket.stl").
+/// Makes a solid of a mesh as files bring it: nominal, blank or fixture. Repairs what is safe: equal vertices
+/// are merged, collapsed and doubled triangles and strays without area dropped, cracks up to 1 micrometre closed;
+/// facets with mixed orientation are made consistent; shells that are inside out are turned; bodies that touch,
+/// overlap, lie in each other or stand no more than 5 micrometres apart are made one. Otherwise refuses with
+/// kInput, and names the place: empty, not finite, an index out of range, a hole or a wider crack, a shell that may
+/// be a body or a void, a surface that crosses itself, bodies that cannot be joined. `name` stands in front of
+/// messages ("bracket.stl").
 Result<PreparedMesh> prepareNominal(const TriMesh& mesh, const std::string& name);
 
 /// Part of space that is left out of a comparison: what lies in the box and between the radii about the Z
@@ -89,6 +91,7 @@ struct DeviationPatch {
   Vec3 normal = Vec3::Zero();  ///< outward normal of the nominal there, unit
   double depth_mm = 0.0;       ///< there, from nominal (not from the tolerance), > 0
   double bound_mm = 0.0;  ///< the true depth is within this of it, and nowhere in the patch larger by more
+  double chord_mm = 0.0;  ///< share of that bound that the nominal's facets have
   double area_mm2 = 0.0;  ///< beyond tolerance, of the surface that shows more of it
   double machined_area_mm2 = 0.0, nominal_area_mm2 = 0.0;  ///< of either surface
   double volume_mm3 = 0.0;                                 ///< between machined and nominal under that area
@@ -119,7 +122,7 @@ struct DeviationFigures {
 
 struct Comparison {
   double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0;
-  std::vector<DeviationPatch> patches;    ///< beyond tolerance for certain; deepest first
+  std::vector<DeviationPatch> patches;    ///< beyond tolerance by more than their bound; deepest first
   std::vector<DeviationPatch> undecided;  ///< nearer to a tolerance than their bound; deepest first
   double max_gouge_mm = 0.0;              ///< deepest of both sides, >= 0
   double max_excess_mm = 0.0;             ///< highest of both sides, >= 0
@@ -137,6 +140,7 @@ struct Comparison {
   /// how they turn against each other, and where. 0 for flat-faced parts.
   double nominal_chord_mm = 0.0;
   Vec3 nominal_chord_at = Vec3::Zero();
+  bool nominal_chord_in_doubt = false;  ///< as much may be meant: it is of flats of a regular polygon
   /// Largest bound of a sample that decides something: 0 where all could be told without.
   double largest_bound_mm = 0.0;
   /// Of samples between the vertices of the machined mesh: 1.5 times the resolution, or more on huge meshes.

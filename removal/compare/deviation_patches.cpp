@@ -24,7 +24,7 @@ struct Region {
   double area[2] = {0.0, 0.0};
   double volume[2] = {0.0, 0.0};
   double depth = 0.0, bound = 0.0;
-  bool certain = false;
+  SurestPlace surest{-1e300, 0.0, 0.0, Vec3::Zero(), Vec3::Zero()};
   Vec3 where = Vec3::Zero(), normal = Vec3::Zero();
   std::uint32_t deepest = kNone;  ///< node number
   double deepest_sum = -std::numeric_limits<double>::infinity();
@@ -70,6 +70,7 @@ class PatchFinder {
     joinAcross();
     numberRegions();
     if (regions_.empty()) return {};
+    findTriangles();
     findDeepest();
     for (int side = 0; side < 2; ++side) gatherTriangles(side);
     attachLonelyNominalRegions();
@@ -141,7 +142,7 @@ class PatchFinder {
         r.bounds.extend(points[i]);
         if (s == 0) r.machined_bounds.extend(points[i]);
         const double d = depth(s, i), bound = side(s).bound[i];
-        r.certain = r.certain || d - bound > level_;
+        findSurest(s, i, r);
         if (d <= r.depth && r.deepest != kNone) continue;
         r.depth = d;
         r.bound = bound;
@@ -150,6 +151,32 @@ class PatchFinder {
         r.deepest = node(s, i);
       }
     }
+  }
+
+  /// A triangle of the nominal at each of its samples.
+  void findTriangles() {
+    const SampleMesh& mesh = *sides_.nominal.mesh;
+    triangle_at_.assign(mesh.surface.points.size(), 0);
+    for (std::size_t t = 0; t < mesh.surface.triangles.size(); ++t) {
+      for (const auto v : mesh.surface.triangles[t]) triangle_at_[v] = mesh.parent[t];
+    }
+  }
+
+  /// Bounds with what the nominal's facets leave open: asked only of samples that could be the surest.
+  void findSurest(int s, std::uint32_t i, Region& r) const {
+    const double d = depth(s, i), bound = side(s).bound[i];
+    if (d - bound <= std::max(level_, r.surest.margin())) return;
+    const double chord = chordAt(s, i);
+    if (d - bound - chord > r.surest.margin())
+      r.surest = {d, bound + chord, chord, side(s).mesh->surface.points[i], normalAt(s, i)};
+  }
+
+  double chordAt(int s, std::uint32_t i) const {
+    if (sides_.model == nullptr || sides_.model->shape.mostUnsure() == 0.0) return 0.0;
+    const Vec3& p = side(s).mesh->surface.points[i];
+    if (s == 1) return sides_.model->shape.unsureAt(triangle_at_[i], p, sides_.reach_mm);
+    const Vec3 foot = p - side(0).deviation[i] * normalAt(0, i);
+    return sides_.model->shape.unsureAt(side(0).opposite[i], foot, sides_.reach_mm);
   }
 
   SurfaceMaker makerOf(int s, std::size_t triangle) const {
@@ -225,7 +252,7 @@ class PatchFinder {
     into.bounds.extend(from.bounds);
     into.area[1] += from.area[1];
     into.volume[1] += from.volume[1];
-    into.certain = into.certain || from.certain;
+    if (from.surest.margin() > into.surest.margin()) into.surest = from.surest;
     for (const auto& [maker, part] : from.makers[1]) {
       Part& own = into.makers[1][maker];
       const double area = own.area + part.area;
@@ -284,7 +311,7 @@ class PatchFinder {
     for (const Region& r : regions_) {
       if (r.deepest == kNone) continue;
       FoundPatch found;
-      found.certain = r.certain;
+      found.surest = r.surest;
       found.volumes = {r.volume[0], r.volume[1]};
       found.places = std::move(places[static_cast<std::size_t>(&r - regions_.data())]);
       found.deepest_on_nominal = r.deepest >= offset_;
@@ -321,9 +348,18 @@ class PatchFinder {
   DisjointSets sets_;
   std::vector<std::uint32_t> region_of_;  ///< per node
   std::vector<Region> regions_;
+  std::vector<std::uint32_t> triangle_at_;  ///< per sample of the nominal: one of its triangles that hold it
 };
 
 }  // namespace patch_detail
+
+void SurestPlace::tell(DeviationPatch& patch) const {
+  patch.depth_mm = depth_mm;
+  patch.bound_mm = bound_mm;
+  patch.chord_mm = chord_mm;
+  patch.where = where;
+  patch.normal = normal;
+}
 
 void joinPatch(const DeviationPatch& from, DeviationPatch& into) {
   const double area = into.area_mm2 + from.area_mm2;

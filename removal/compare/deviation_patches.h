@@ -11,10 +11,19 @@ namespace proveout {
 /// Which samples count as beyond the level: those whose deviation is, or those whose deviation may be.
 enum class Beyond { kMeasured, kPossible };
 
+/// The place of a region that is most surely beyond tolerance: its depth less its bound is the largest.
+struct SurestPlace {
+  double depth_mm = 0.0, bound_mm = 0.0, chord_mm = 0.0;  ///< as in DeviationPatch
+  Vec3 where = Vec3::Zero(), normal = Vec3::Zero();
+  double margin() const { return depth_mm - bound_mm; }
+  /// Puts it into a patch in place of the deepest one.
+  void tell(DeviationPatch& patch) const;
+};
+
 /// A region with the samples that it is made of.
 struct FoundPatch {
   DeviationPatch patch;
-  bool certain = false;  ///< a sample is beyond the level by more than its bound
+  SurestPlace surest;
   /// Depth times projected area, mm3, as either side has it: machined, nominal. They agree where the surfaces
   /// run side by side.
   std::array<double, 2> volumes{};

@@ -20,10 +20,14 @@ struct SampledSide {
       opposite;  ///< per sample point: nearest triangle of the other side's mesh that was asked
 };
 
+struct NominalModel;
+
 struct BothSides {
   SampledSide machined;                                ///< `opposite` counts the nominal's triangles
   SampledSide nominal;                                 ///< `opposite` counts triangles of machined.mesh
   const std::vector<std::uint32_t>* motion = nullptr;  ///< per triangle of the machined source; may be empty
+  const NominalModel* model = nullptr;  ///< null: the nominal's facets are taken as they are
+  double reach_mm = 0.0;                ///< how far off facets of curved faces make a place unsure, mm
 };
 
 /// The nominal as it is asked.

@@ -20,6 +20,25 @@ constexpr double kSoftRad = degToRad(20.0), kSteepRad = degToRad(55.0);
 constexpr double kMostChord = 0.25, kMostSteepChord = 0.12;
 /// Facets of one curved face are about as wide as their neighbours, and it curves about alike on two sides.
 constexpr double kWidthRatio = 2.5, kCurvatureRatio = 3.0, kSteepTurnRatio = 1.3;
+/// Flats of regular polygons with chords of up to this could stand for a round, mm: of those that turn softly,
+/// and steeply. Nobody makes rounds of hexagons.
+constexpr double kMostDoubt = 1.0, kMostSteepDoubt = 0.25;
+/// Cosine of how far borders may turn off each other for a facet to be straight along them, and how many
+/// times as long as wide it is then.
+constexpr double kStraight = 0.65, kStraightLength = 2.0;
+/// The face over a triangle of a strip curves by at most this much more than its borders tell: they turn by
+/// half of what the strip does from one triangle to the next.
+constexpr double kTriangleShare = 2.2;
+/// Off both readings the face may be by this many of its chords: where facets are cut by others the reading
+/// is rough. By less where the neighbours lie where the face as read would have them: a share of the chord,
+/// and as many of what they are off.
+constexpr double kMisread = 2.0;
+constexpr float kWellReadShare = 0.3f, kStripShare = 0.1f, kTriangleReadShare = 1.0f, kMisfits = 3.0f;
+/// Cosine; triangles that turn by less than a degree are of one face.
+constexpr double kSameFace = 0.99985;
+constexpr double kLeastOfRing = 0.5, kMostMisfit = 3.0;
+/// The same of flats in doubt: the round of a regular polygon is known to a few per cent.
+constexpr double kDoubtShare = 1.2;
 /// A plane turns against the first facet of a round that touches it by half of what the facets turn.
 constexpr double kTangentTurn = 0.8;
 /// The most that the normal at a corner leaves a facet's: that of triangles, whose corners are farther off
@@ -41,9 +60,13 @@ struct Link {
   double width() const { return 0.5 * (width_a + width_b); }
   double curvature() const { return turn / width(); }
   bool alike() const { return width_a < kWidthRatio * width_b && width_b < kWidthRatio * width_a; }
+  double angle() const { return std::abs(turn); }
+  double chord() const { return 0.5 * std::min(width_a, width_b) * std::tan(0.25 * angle()); }
   bool plausible() const {
-    const double angle = std::abs(turn), chord = 0.5 * std::min(width_a, width_b) * std::tan(0.25 * angle);
-    return chord <= kMostChord && (angle <= kSoftRad || (angle <= kSteepRad && chord <= kMostSteepChord));
+    return chord() <= kMostChord && (angle() <= kSoftRad || (angle() <= kSteepRad && chord() <= kMostSteepChord));
+  }
+  bool doubtful() const {
+    return !plausible() && angle() <= kSteepRad && chord() <= (angle() <= kSoftRad ? kMostDoubt : kMostSteepDoubt);
   }
 };
 
@@ -57,6 +80,19 @@ bool sameCurve(const Link& l, const Link& m) {
   const double steep = std::max(std::abs(l.turn), std::abs(m.turn)), t = l.turn / m.turn;
   return steep <= kSoftRad || (t < kSteepTurnRatio && t * kSteepTurnRatio > 1.0);
 }
+
+/// Whether two links are of one regular polygon.
+bool regular(const Link& l, const Link& m) {
+  const double t = l.turn / m.turn, w = l.width() / m.width();
+  return t < kSteepTurnRatio && t * kSteepTurnRatio > 1.0 && w < kSteepTurnRatio && w * kSteepTurnRatio > 1.0;
+}
+
+/// What is read of a mesh, per triangle.
+struct ShapeReading {
+  std::vector<std::array<float, 6>> bulge;  ///< see NominalShape
+  std::vector<float> doubt;                 ///< empty: there is none
+  std::vector<float> misfit;                ///< by how much neighbours leave what is read; empty: all is flat
+};
 
 /// Finds facets, which of them are curved, and their normals at the corners.
 class ShapeReader {
@@ -75,11 +111,15 @@ class ShapeReader {
     }
   }
 
-  std::vector<std::array<float, 6>> read() {
-    std::vector<std::array<float, 6>> bulge(mesh_.triangles.size(), std::array<float, 6>{});
+  ShapeReading read() {
+    ShapeReading out;
+    std::vector<std::array<float, 6>>& bulge = out.bulge;
+    bulge.assign(mesh_.triangles.size(), std::array<float, 6>{});
     findFacets();
     findLinks();
-    if (!findCurved()) return bulge;
+    out.doubt = doubts();
+    if (!findCurved()) return out;
+    findStraight();
     gatherNormals();
     findChords();
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -89,7 +129,8 @@ class ShapeReader {
         bulge[t][3 + c] = static_cast<float>(edgeBulge(t, c));
       }
     }
-    return bulge;
+    out.misfit = misfits(bulge);
+    return out;
   }
 
  private:
@@ -161,6 +202,29 @@ class ShapeReader {
     links_.resize(kept);
   }
 
+  /// Per triangle: the chord of the round that flats of a regular polygon could stand for, mm.
+  std::vector<float> doubts() const {
+    std::vector<float> doubt(mesh_.triangles.size(), 0.0f);  // per facet first
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> own;  // facets, links
+    for (std::uint32_t i = 0; i < links_.size(); ++i) {
+      if (!links_[i].doubtful() || !links_[i].alike()) continue;
+      own.emplace_back(links_[i].a, i);
+      own.emplace_back(links_[i].b, i);
+    }
+    if (own.empty()) return {};
+    std::sort(own.begin(), own.end());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      for (std::size_t j = i + 1; j < own.size() && own[j].first == own[i].first; ++j) {
+        const Link &l = links_[own[i].second], &m = links_[own[j].second];
+        if (!parallel(l, m) || !regular(l, m)) continue;
+        float& most = doubt[own[i].first];
+        most = std::max(most, static_cast<float>(std::max(l.chord(), m.chord())));
+      }
+    }
+    for (std::uint32_t t = static_cast<std::uint32_t>(doubt.size()); t-- > 0;) doubt[t] = doubt[facet_of_[t]];
+    return doubt;
+  }
+
   /// False where no facet is curved.
   bool findCurved() {
     curved_.assign(mesh_.triangles.size(), 0);
@@ -191,6 +255,59 @@ class ShapeReader {
       for (const std::uint32_t f : {l.a, l.b}) turn_[f] = std::max(turn_[f], std::abs(l.turn));
     }
     return any;
+  }
+
+  /// How a facet that is straight in one direction curves across it.
+  struct Straight {
+    Vec3 along = Vec3::Zero(), across = Vec3::Zero();  ///< unit; zero: the facet is no such
+    double curvature = 0.0;                            ///< 1/mm, > 0: convex
+    Eigen::Array2d low = Eigen::Array2d::Constant(1e300), high = Eigen::Array2d::Constant(-1e300);
+    bool holds() const {
+      const Eigen::Array2d size = high - low;
+      return !along.isZero() && size[0] >= kStraightLength * size[1];
+    }
+  };
+
+  /// Facets with all the borders that a curved face crosses in about one direction.
+  void findStraight() {
+    straight_of_.assign(mesh_.triangles.size(), kNobody);
+    for (std::uint32_t f = 0; f < links_of_.size(); ++f) {
+      const Straight found = curved_[f] ? straightBy(f) : Straight();
+      if (found.along.isZero()) continue;
+      straight_of_[f] = static_cast<std::uint32_t>(straight_.size());
+      straight_.push_back(found);
+    }
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const std::uint32_t number = straight_of_[facet_of_[t]];
+      if (number == kNobody) continue;
+      Straight& s = straight_[number];
+      for (const std::uint32_t v : mesh_.triangles[t]) {
+        const Eigen::Array2d at(s.along.dot(mesh_.points[v]), s.across.dot(mesh_.points[v]));
+        s.low = s.low.min(at);
+        s.high = s.high.max(at);
+      }
+    }
+  }
+
+  Straight straightBy(std::uint32_t facet) const {
+    Straight out;
+    Vec3 sum = Vec3::Zero();
+    for (const std::uint32_t i : links_of_[facet]) {
+      const Link& l = links_[i];
+      if (!l.runs) continue;
+      sum += sum.dot(l.along) < 0.0 ? -l.along : l.along;
+      if (std::abs(l.curvature()) > std::abs(out.curvature)) out.curvature = l.curvature();
+    }
+    if (sum.isZero()) return out;
+    const Vec3& normal = normals_[facet];  // facets of several triangles have one: slivers join nobody
+    if (normal.isZero()) return out;
+    sum = (sum - sum.dot(normal) * normal).normalized();
+    for (const std::uint32_t i : links_of_[facet]) {
+      if (links_[i].runs && std::abs(links_[i].along.dot(sum)) < kStraight) return out;
+    }
+    out.along = sum;
+    out.across = normal.cross(sum);
+    return out;
   }
 
   /// The last facet before a crease turns against one neighbour only.
@@ -406,7 +523,106 @@ class ShapeReader {
     };
     const Vec3 n = from.known() ? normalIn(from, t) : mirrored(to),
                m = to.known() ? normalIn(to, t) : mirrored(from);
-    return std::clamp((m - n).dot(edge(t, static_cast<int>(c))) / 8.0, -kMostChord, kMostChord);
+    return std::clamp(chordHeight(t, m - n, edge(t, static_cast<int>(c))), -kMostChord, kMostChord);
+  }
+
+  /// By how much the normal changes along an edge. Where the facet is straight, along that there is none to
+  /// see: what long edges would make of the least tilt is left out.
+  double chordHeight(std::uint32_t t, const Vec3& change, const Vec3& edge) const {
+    const std::uint32_t facet = facet_of_[t];
+    if (straight_of_[facet] == kNobody || !straight_[straight_of_[facet]].holds()) return change.dot(edge) / 8.0;
+    const Straight& s = straight_[straight_of_[facet]];
+    const double across = edge.dot(s.across), told = change.dot(s.across) * across / 8.0;
+    if (triangles_[facet] > 1) return told;
+    const double most = kTriangleShare * std::abs(s.curvature) * across * across / 8.0;
+    return std::clamp(told, -most, most);
+  }
+
+  /// Where the face as read over a triangle and the corner of a neighbour across an edge lie apart, as a height
+  /// over the triangle, mm; the reading itself where no neighbour can tell.
+  std::vector<float> misfits(const std::vector<std::array<float, 6>>& bulge) const {
+    std::vector<float> misfit(mesh_.triangles.size(), 0.0f);
+    std::vector<char> told(mesh_.triangles.size(), 0);
+    forEachPair([&](std::uint32_t g, std::uint32_t h) {
+      for (const auto& [from, to] : {std::pair(g, h), std::pair(h, g)}) {
+        const std::uint32_t t = from / 3;
+        if (!curved_[facet_of_[t]] || !goesOn(from, to)) continue;
+        misfit[t] = std::max(misfit[t], static_cast<float>(misfitAt(t, (to / 3) * 3 + (to % 3 + 2) % 3, bulge[t])));
+        told[t] = told[t] || facet_of_[t] != facet_of_[to / 3];
+      }
+    });
+    const std::vector<float> missed = missedFacets(bulge);
+    for (std::uint32_t t = 0; t < misfit.size(); ++t) {
+      const float chord = largestOf(bulge[t]), share = shareOf(facet_of_[t]);
+      if (!told[t]) misfit[t] = std::max(misfit[t], chord);
+      misfit[t] = std::max(kMisfits * misfit[t] + share * chord, missed[facet_of_[t]]);
+    }
+    return misfit;
+  }
+
+  /// Of the chord that a reading which its neighbours confirm is good to.
+  float shareOf(std::uint32_t facet) const {
+    return isStrip(facet) ? kStripShare : triangles_[facet] > 1 ? kWellReadShare : kTriangleReadShare;
+  }
+
+  bool isStrip(std::uint32_t facet) const {
+    return triangles_[facet] > 1 && straight_of_[facet] != kNobody && straight_[straight_of_[facet]].holds();
+  }
+
+  /// Per facet: how high a curved face could be that was not seen there, mm: over one that is read as flat but
+  /// is about as large as curved ones against which it turns softly (slivers, ends of balls and tops of rings
+  /// that lie in one plane), and where irregular triangles turn against each other.
+  std::vector<float> missedFacets(const std::vector<std::array<float, 6>>& bulge) const {
+    std::vector<double> border(mesh_.triangles.size(), 0.0);
+    std::vector<float> missed(mesh_.triangles.size(), 0.0f), most(mesh_.triangles.size(), 0.0f);
+    for (const Link& l : links_) {
+      border[l.a] += l.length;
+      border[l.b] += l.length;
+    }
+    for (std::uint32_t t = 0; t < bulge.size(); ++t)
+      most[facet_of_[t]] = std::max(most[facet_of_[t]], largestOf(bulge[t]));
+    const auto size = [&](std::uint32_t f) { return area_[f] / std::max(border[f], 1e-9); };
+    for (const Link& l : links_) {
+      // Borders of irregular triangles that nobody could place.
+      if (!l.runs && triangles_[l.a] == 1 && triangles_[l.b] == 1 && l.plausible() && l.alike()) {
+        const float height = kMisfits * static_cast<float>(l.chord());
+        for (const std::uint32_t f : {l.a, l.b}) missed[f] = std::max(missed[f], height);
+      }
+      if (curved_[l.a] == curved_[l.b]) continue;
+      const std::uint32_t flat = curved_[l.a] ? l.b : l.a, round = curved_[l.a] ? l.a : l.b;
+      const double width = curved_[l.a] ? l.width_a : l.width_b;
+      const bool small = size(flat) <= kWidthRatio * std::max(size(round), 0.25 * width);
+      const bool soft = l.angle() <= std::max(kSoftRad, kMostOfATurn * turn_[round]);
+      if (soft && small) missed[flat] = std::max(missed[flat], most[round]);
+    }
+    return missed;
+  }
+
+  static float largestOf(const std::array<float, 6>& bulge) {
+    float most = 0.0f;
+    for (const float b : bulge) most = std::max(most, std::abs(b));
+    return most;
+  }
+
+  /// Whether one face goes on from triangle to triangle, and about as far.
+  bool goesOn(std::uint32_t g, std::uint32_t h) const {
+    const std::uint32_t a = facet_of_[g / 3], b = facet_of_[h / 3];
+    if (a == b) return true;
+    const Link* const link = curved_[b] ? linkOf(a, b) : nullptr;
+    return link != nullptr && link->runs;
+  }
+
+  double misfitAt(std::uint32_t t, std::uint32_t corner, const std::array<float, 6>& b) const {
+    const auto& v = mesh_.triangles[t];
+    const Vec3 &p = pointOf(corner), &o = mesh_.points[v[0]], e = mesh_.points[v[1]] - o, f = mesh_.points[v[2]] - o,
+               area = e.cross(f);
+    const double size = area.squaredNorm();
+    if (size == 0.0) return 0.0;
+    const double s1 = (p - o).cross(f).dot(area) / size, s2 = e.cross(p - o).dot(area) / size, s0 = 1.0 - s1 - s2;
+    const double read = b[0] * s0 + b[1] * s1 + b[2] * s2 + 4.0 * (b[3] * s0 * s1 + b[4] * s1 * s2 + b[5] * s2 * s0);
+    const double is = (p - o).dot(normals_[t]) + fans_[fan_->find(corner)].height;
+    const double scale = 4.0 * std::max({std::abs(s0 * s1), std::abs(s1 * s2), std::abs(s2 * s0)});
+    return std::abs(read - is) / std::max(1.0, scale);
   }
 
   const SurfaceMesh& mesh_;
@@ -418,6 +634,8 @@ class ShapeReader {
   std::vector<Link> links_;
   std::vector<std::vector<std::uint32_t>> links_of_;  ///< per facet: those that a curved face could cross
   std::vector<char> curved_;                          ///< per facet
+  std::vector<std::uint32_t> straight_of_;            ///< per facet: its place in straight_, or kNobody
+  std::vector<Straight> straight_;
   std::vector<double> turn_;                          ///< per curved facet: against its neighbours, rad
   std::unique_ptr<DisjointSets> fan_;
   std::vector<Fan> fans_;
@@ -435,22 +653,77 @@ double NominalShape::largestOf(std::uint32_t t) const {
   return largest;
 }
 
-double NominalShape::largestNear(const Vec3& place, double reach) const {
-  if (largest_ == 0.0) return 0.0;
-  double largest = 0.0;
-  surface_.tree().forEachIn({place - Vec3::Constant(reach), place + Vec3::Constant(reach)},
-                            [&](std::uint32_t t) { largest = std::max(largest, largestOf(t)); });
-  return largest;
+double NominalShape::mostUnsure() const { return kMisread * std::max(largest_, largest_doubt_); }
+
+double NominalShape::unsureAt(std::uint32_t triangle, const Vec3& place, double reach) const {
+  if (largest_ == 0.0 && largest_doubt_ == 0.0) return 0.0;
+  double largest = 0.0, misfit = 0.0, doubt = 0.0;
+  const auto add = [&](std::uint32_t t) {
+    if (largest_ > 0.0) {
+      largest = std::max(largest, largestOf(t));
+      misfit = std::max(misfit, static_cast<double>(misfit_[t]));
+    }
+    if (!doubt_.empty()) doubt = std::max(doubt, static_cast<double>(doubt_[t]));
+  };
+  add(triangle);
+  const double own = largest;
+  if (own > 0.0 || misfit > 0.0) {
+    for (const std::uint32_t v : surface_.mesh().triangles[triangle]) {
+      largest = std::max(largest, static_cast<double>(around_[v][0]));
+      misfit = std::max(misfit, static_cast<double>(around_[v][1]));
+    }
+  }
+  // Beside another face what that one is cut of counts: the pieces left at the border tell little themselves.
+  const Vec3 normal = surface_.mesh().areaVector(triangle).normalized();
+  surface_.tree().forEachIn({place - Vec3::Constant(reach), place + Vec3::Constant(reach)}, [&](std::uint32_t t) {
+    add(t);
+    if (around_.empty() || surface_.mesh().areaVector(t).normalized().dot(normal) > kSameFace) return;
+    for (const std::uint32_t v : surface_.mesh().triangles[t])
+      largest = std::max(largest, static_cast<double>(around_[v][0]));
+  });
+  const double most = kMisread * largest;
+  // What is much lower than around it was hardly read at all.
+  const bool well = own > kLeastOfRing * largest;
+  return std::max(well ? std::min(most, misfit) : std::max(most, std::min(misfit, kMostMisfit * largest)),
+                  kDoubtShare * doubt);
 }
 
 NominalShape::NominalShape(const SignedDistance& surface) : surface_(surface) {
   const SurfaceMesh& mesh = surface.mesh();
-  bulge_ = ShapeReader(mesh).read();
+  ShapeReading reading = ShapeReader(mesh).read();
+  bulge_ = std::move(reading.bulge);
+  doubt_ = std::move(reading.doubt);
+  misfit_ = std::move(reading.misfit);
+  if (!misfit_.empty()) lookAround();
   for (std::uint32_t t = 0; t < bulge_.size(); ++t) {
     const double largest = largestOf(t);
+    if (!doubt_.empty() && doubt_[t] > largest_doubt_) {
+      largest_doubt_ = doubt_[t];
+      largest_doubt_at_ = mesh.middle(t);
+    }
     if (largest <= largest_) continue;
     largest_ = largest;
     largest_at_ = mesh.middle(t);
+  }
+}
+
+void NominalShape::lookAround() {
+  const SurfaceMesh& mesh = surface_.mesh();
+  const auto raise = [](std::array<float, 2>& most, const std::array<float, 2>& by) {
+    most = {std::max(most[0], by[0]), std::max(most[1], by[1])};
+  };
+  std::vector<std::array<float, 2>> of(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < of.size(); ++t) of[t] = {static_cast<float>(largestOf(t)), misfit_[t]};
+  constexpr int kRings = 2;
+  for (int ring = 0; ring < kRings; ++ring) {
+    around_.assign(mesh.points.size(), {0.0f, 0.0f});
+    for (std::uint32_t t = 0; t < of.size(); ++t) {
+      for (const std::uint32_t v : mesh.triangles[t]) raise(around_[v], of[t]);
+    }
+    for (std::uint32_t t = 0; t < of.size(); ++t) {
+      if (of[t][0] == 0.0f && of[t][1] == 0.0f) continue;  // a flat face between two rounds joins nothing
+      for (const std::uint32_t v : mesh.triangles[t]) raise(of[t], around_[v]);
+    }
   }
 }
 

@@ -22,8 +22,12 @@ struct Bulge {
 /// cent of the chord on cylinders, cones, spheres and tori. Vertices that split a chord, as programs leave
 /// that cut meshes with meshes, do not end it.
 ///
+/// Facets that meet others on two opposite sides only, at nearly parallel borders (strips of a cylinder, the
+/// fan of a cone), are straight along them: what normals at their ends say of that direction is noise.
+///
 /// What cannot be known is whether a prism of many sides was meant as such. So both readings count: a
-/// deviation is one where neither explains it.
+/// deviation is one where neither explains it. Regular polygons whose chords would be higher than an
+/// exporter's are read as flats, but in doubt: unsureAt() holds the round that they could stand for.
 class NominalShape {
  public:
   /// `surface` must outlive this; closed, manifold but for edges that solids share.
@@ -34,22 +38,33 @@ class NominalShape {
   /// At a point of a triangle.
   double at(std::uint32_t triangle, const Vec3& point) const;
 
-  /// The largest of the facets that come within `reach` of a place, either sign, mm.
-  double largestNear(const Vec3& place, double reach) const;
+  /// How far the true face may lie beyond both readings at a place on a triangle, mm: by how much neighbours
+  /// lie off the face as read there, around it and within `reach`, and doubt. At most twice the chords; 0 on
+  /// flat faces away from curved ones.
+  double unsureAt(std::uint32_t triangle, const Vec3& place, double reach) const;
+  /// The largest that unsureAt() may say.
+  double mostUnsure() const;
 
-  /// The largest there is, and where.
+  /// The largest bulge there is, and where.
   double largest() const { return largest_; }
   const Vec3& largestAt() const { return largest_at_; }
+  /// The highest chord of flats that could stand for a round, mm, and where.
+  double largestDoubt() const { return largest_doubt_; }
+  const Vec3& largestDoubtAt() const { return largest_doubt_at_; }
 
  private:
   double largestOf(std::uint32_t triangle) const;
+  void lookAround();
 
   const SignedDistance& surface_;
   /// Per triangle: of its corners, and how much more the middles of its edges have than the mean of their
   /// ends.
   std::vector<std::array<float, 6>> bulge_;
-  double largest_ = 0.0;
-  Vec3 largest_at_ = Vec3::Zero();
+  std::vector<float> doubt_;       ///< per triangle, mm; empty: there is none
+  std::vector<float> misfit_;  ///< per triangle: how far off it is read, by its neighbours, mm; empty: all is flat
+  std::vector<std::array<float, 2>> around_;  ///< per vertex: the largest bulge and misfit of the triangles around
+  double largest_ = 0.0, largest_doubt_ = 0.0;
+  Vec3 largest_at_ = Vec3::Zero(), largest_doubt_at_ = Vec3::Zero();
 };
 
 }  // namespace proveout

@@ -92,7 +92,7 @@ void join(FoundPatch& from, FoundPatch& into) {
     into.opposite = from.opposite;
   }
   joinPatch(from.patch, into.patch);
-  into.certain = into.certain || from.certain;
+  if (from.surest.margin() > into.surest.margin()) into.surest = from.surest;
   for (std::size_t k = 0; k < 2; ++k) into.volumes[k] += from.volumes[k];
   into.places.insert(into.places.end(), from.places.begin(), from.places.end());
 }

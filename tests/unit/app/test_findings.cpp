@@ -166,6 +166,24 @@ TEST_F(Fixture, DeviationsAndUndecided) {
   EXPECT_DOUBLE_EQ(*report.deciding_resolution_mm, 0.1);
 }
 
+TEST_F(Fixture, WhatTheNominalsFacetsLeaveOpenAsksForAFinerNominal) {
+  Comparison comparison;
+  comparison.gouge_tolerance_mm = 0.02;
+  comparison.excess_tolerance_mm = 0.05;
+  DeviationPatch unsure;
+  unsure.depth_mm = 0.04;
+  unsure.bound_mm = 0.06;
+  unsure.chord_mm = 0.059;
+  comparison.undecided = {unsure};
+  addUndecided(comparison, findings);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].severity, Severity::kWarning);
+  EXPECT_EQ(findings[0].message.find("--resolution"), std::string::npos) << findings[0].message;
+  for (const char* const told : {"0.04 mm below nominal", "good to 0.06 mm", "0.059 mm off the face", "chords of 0.002 mm"})
+    EXPECT_NE(findings[0].message.find(told), std::string::npos) << findings[0].message;
+  EXPECT_FALSE(reportComparison(comparison, "n.stl").decided);
+}
+
 TEST_F(Fixture, OfFacetsTheProfileDecides) {
   Comparison comparison;
   comparison.gouge_tolerance_mm = 0.02;

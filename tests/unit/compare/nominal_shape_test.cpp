@@ -158,12 +158,16 @@ TEST(NominalShape, CoarseNominalsNeitherFailNorHide) {
     EXPECT_TRUE(right.pass()) << chord << " " << right.max_gouge_mm << " " << right.max_excess_mm;
     EXPECT_LT(right.max_gouge_mm, 0.1 * chord + 5e-4);
     EXPECT_NEAR(right.nominal_chord_mm, chord, 0.5 * chord);
+    // 0.01 mm beyond tolerance: an error where the chords leave that open no more, else undecided.
     const Comparison wide = run(6.03, 0.0);
-    ASSERT_EQ(wide.patches.size(), 1u) << chord;
-    EXPECT_EQ(wide.patches[0].kind, DeviationKind::kGouge);
-    EXPECT_NEAR(wide.patches[0].depth_mm, 0.03, 0.15 * chord + 5e-4);
+    EXPECT_EQ(wide.patches.size(), chord < 0.01 ? 1u : 0u) << chord;
+    const std::vector<DeviationPatch>& told = wide.patches.empty() ? wide.undecided : wide.patches;
+    ASSERT_FALSE(told.empty()) << chord;
+    EXPECT_EQ(told[0].kind, DeviationKind::kGouge);
+    EXPECT_NEAR(told[0].depth_mm, 0.03, 0.15 * chord + 5e-4);
     const Comparison moved = run(6.0, 0.08);
-    ASSERT_EQ(moved.patches.size(), 2u) << chord;
+    EXPECT_GE(moved.patches.size(), 1u) << chord;
+    EXPECT_GE(moved.patches.size() + moved.undecided.size(), 2u) << chord;
     for (const DeviationPatch& p : moved.patches) EXPECT_NEAR(p.depth_mm, 0.08, 0.15 * chord + 5e-4);
   }
 }
