@@ -555,7 +555,8 @@ class ShapeReader {
     for (std::uint32_t t = 0; t < misfit.size(); ++t) {
       const float chord = largestOf(bulge[t]), share = shareOf(facet_of_[t]);
       if (!told[t]) misfit[t] = std::max(misfit[t], chord);
-      misfit[t] = std::max(kMisfits * misfit[t] + share * chord, missed[facet_of_[t]]);
+      const float times = isStrip(facet_of_[t]) ? 1.0f : kMisfits;  // straight ones are known all along
+      misfit[t] = std::max(times * misfit[t] + share * chord, missed[facet_of_[t]]);
     }
     return misfit;
   }
