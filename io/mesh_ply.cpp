@@ -82,6 +82,7 @@ struct Header {
   Encoding encoding = Encoding::kAscii;
   std::vector<Element> elements;
   std::size_t size = 0;  ///< bytes up to the data
+  int lines = 0;         ///< up to the data
 };
 
 class HeaderReader {
@@ -96,6 +97,7 @@ class HeaderReader {
       if (word == "end_header") {
         scanner_.skipLine();
         header_.size = bytes_.size() - scanner_.rest().size();
+        header_.lines = scanner_.line();
         if (!format_known) return inputError("its header states no format");
         return header_;
       }
@@ -188,6 +190,15 @@ class DataReader {
   std::size_t bytesLeft() const {
     return encoding_ == Encoding::kAscii ? scanner_.rest().size() : data_.size();
   }
+  /// Numbers of a text that stand behind those read, in the same line; none in binary data.
+  std::size_t skipRestOfLine() {
+    std::size_t words = 0;
+    if (encoding_ == Encoding::kAscii) {
+      while (!scanner_.wordInLine().empty()) ++words;
+    }
+    return words;
+  }
+  int line() const { return scanner_.line(); }  ///< of a text's data, from 1
   /// Only blanks may stand behind the last element of a text.
   bool finished() { return encoding_ == Encoding::kAscii ? scanner_.word().empty() : data_.empty(); }
 
@@ -254,7 +265,22 @@ class PlyReader {
     return skip(element);
   }
 
-  /// Reads one entry; `list` is the property whose list is kept, or -1. False: cut short or no number.
+  /// Reads one entry; `list` is the property whose list is kept, or -1. Returns what is wrong, or "".
+  std::string readEntry(const Element& element, std::uint64_t index, int list, Row& row) {
+    if (!readRow(element, list, row)) {
+      return fmt::format("is cut short or damaged at {} {} of {}", element.name, index + 1, element.count);
+    }
+    // Whoever reads on would take them for the next entry.
+    const std::size_t extra = data_.skipRestOfLine();
+    if (extra == 0) return {};
+    return fmt::format(
+        "line {}: {} extra number{} behind {} {}: the line has more values than the header declares "
+        "for a {}; export the mesh again, as binary PLY or without colours and texture",
+        header_.lines + data_.line() - 1, extra, extra == 1 ? "" : "s", element.name, index + 1,
+        element.name);
+  }
+
+  /// False: cut short or no number.
   bool readRow(const Element& element, int list, Row& row) {
     row.scalars.assign(element.properties.size(), 0.0);
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -281,14 +307,11 @@ class PlyReader {
     return true;
   }
 
-  static std::string broken(const Element& element, std::uint64_t index) {
-    return fmt::format("is cut short or damaged at {} {} of {}", element.name, index + 1, element.count);
-  }
-
   std::string skip(const Element& element) {
     Row row;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      if (!readRow(element, -1, row)) return broken(element, i);
+      std::string error = readEntry(element, i, -1, row);
+      if (!error.empty()) return error;
     }
     return {};
   }
@@ -304,7 +327,8 @@ class PlyReader {
     out_.mesh.positions.reserve(element.count);
     Row row;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      if (!readRow(element, -1, row)) return broken(element, i);
+      std::string error = readEntry(element, i, -1, row);
+      if (!error.empty()) return error;
       if (!out_.addPosition(row.scalars[at[0]], row.scalars[at[1]], row.scalars[at[2]])) {
         return fmt::format("vertex {} has a coordinate that is not a finite number", i + 1);
       }
@@ -322,8 +346,9 @@ class PlyReader {
     out_.mesh.triangles.reserve(out_.mesh.triangles.size() + element.count);
     Row row;
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      if (!readRow(element, list, row)) return broken(element, i);
-      const std::string error = addFace(row.list);
+      std::string error = readEntry(element, i, list, row);
+      if (!error.empty()) return error;
+      error = addFace(row.list);
       if (!error.empty()) return fmt::format("face {}: {}", i + 1, error);
       if (has_motion) {
         out_.mesh.motion.resize(out_.mesh.triangles.size(), static_cast<std::uint32_t>(row.scalars[motion]));

@@ -57,6 +57,20 @@ TEST(BadMesh, EveryTruncationOfAsciiStl) {
   EXPECT_THAT(reasonFor(kAsciiStl.substr(0, 300), "stl"), HasSubstr("cut short"));
 }
 
+TEST(BadMesh, NumbersThatAPlyDoesNotDeclareAreNamed) {
+  for (const bool windows : {false, true}) {
+    const auto reason = [&](const std::string& from, const std::string& to) {
+      std::string text = replaced(kAsciiPly, from, to);
+      for (std::size_t at = 0; windows && (at = text.find('\n', at)) != std::string::npos; at += 2)
+        text.insert(at, "\r");
+      return reasonFor(text, "ply");
+    };
+    EXPECT_THAT(reason("3 0 2 1", "3 0 2 1 9 1 1 1"), HasSubstr("4 extra numbers behind face 1"));
+    EXPECT_THAT(reason("1 0 0 9", "1 0 0 9 255"), HasSubstr("1 extra number behind vertex"));
+    EXPECT_THAT(reason("1 0 0 9", "1 0 0 9 255"), HasSubstr("line "));
+  }
+}
+
 TEST(BadMesh, EveryTruncationOfPly) {
   // The last character is a line end, and the last digit of a number can be missed in a text.
   for (std::size_t size = 0; size < kAsciiPly.size() - 2; ++size) {
