@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <utility>
 
 #include "core/mesh/edge_table.h"
@@ -18,22 +20,29 @@ constexpr double kSameAngle = 1e-5;
 /// A triangle at an edge of many.
 struct EdgeLeaf {
   std::uint32_t half_edge;
-  double angle;  ///< of the triangle about the edge, 0..2 pi
+  double angle;  ///< of the triangle about the edge, over less than 2 pi
   bool upwards;  ///< uses the edge from the low to the high vertex: its material lies at lower angles
 };
 
 /// Finds for each half-edge the one of the triangle that goes on behind its edge.
 class EdgePairs {
  public:
-  explicit EdgePairs(const TriMesh& mesh) : mesh_(mesh), partner_(3 * mesh.triangles.size(), kNoPartner) {
+  explicit EdgePairs(const TriMesh& mesh)
+      : mesh_(mesh), partner_(3 * mesh.triangles.size(), kNoPartner), sheets_(mesh.triangles.size()) {
     const EdgeTable edges(mesh.positions.size(), mesh.triangles);
     edges.forEachEdge([&](std::uint32_t low, const HalfEdge* first, const HalfEdge* last) {
       if (last - first == 2) {
         pair(first[0].half_edge, first[1].half_edge);
+        return;
+      }
+      std::vector<EdgeLeaf> leaves = leavesAround(low, first, last);
+      if (alternate(leaves)) {
+        pairByAngle(leaves);
       } else {
-        pairMany(low, first, last);
+        overlaps_.push_back(std::move(leaves));
       }
     });
+    pairOverlaps();
   }
   std::vector<std::uint32_t> take() { return std::move(partner_); }
 
@@ -41,12 +50,12 @@ class EdgePairs {
   void pair(std::uint32_t a, std::uint32_t b) {
     partner_[a] = b;
     partner_[b] = a;
+    sheets_.join(a / 3, b / 3);
   }
   Vec3 point(std::uint32_t v) const { return mesh_.positions[v].cast<double>(); }
 
-  /// A triangle that uses the edge upwards has its material at lower angles, the others at higher ones: each
-  /// of the others goes with the next upward one.
-  void pairMany(std::uint32_t low, const HalfEdge* first, const HalfEdge* last) {
+  /// By angle; where two lie on each other, the material that ends there ends before the other begins.
+  std::vector<EdgeLeaf> leavesAround(std::uint32_t low, const HalfEdge* first, const HalfEdge* last) const {
     const Vec3 origin = point(low), along = (point(first->other) - origin).normalized();
     const Vec3 u = along.unitOrthogonal(), v = along.cross(u);
     std::vector<EdgeLeaf> leaves;
@@ -57,12 +66,41 @@ class EdgePairs {
     }
     std::sort(leaves.begin(), leaves.end(),
               [](const EdgeLeaf& a, const EdgeLeaf& b) { return a.angle < b.angle; });
-    // Where two lie on each other, the material that ends there ends before the other begins.
+    startBehindWidestGap(leaves);
     for (std::size_t i = 0; i + 1 < leaves.size(); ++i) {
       for (std::size_t j = i + 1; j < leaves.size() && leaves[j].angle - leaves[i].angle < kSameAngle; ++j) {
         if (!leaves[i].upwards && leaves[j].upwards) std::swap(leaves[i], leaves[j]);
       }
     }
+    return leaves;
+  }
+
+  /// So that no two that lie on each other are first and last.
+  static void startBehindWidestGap(std::vector<EdgeLeaf>& leaves) {
+    std::size_t start = 0;
+    double widest = leaves.front().angle + 2.0 * kPi - leaves.back().angle;
+    for (std::size_t i = 1; i < leaves.size(); ++i) {
+      const double gap = leaves[i].angle - leaves[i - 1].angle;
+      if (gap > widest + kSameAngle) {
+        widest = gap;
+        start = i;
+      }
+    }
+    for (std::size_t i = 0; i < start; ++i) leaves[i].angle += 2.0 * kPi;
+    std::rotate(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(start), leaves.end());
+  }
+
+  /// Whether material begins and ends in turns around the edge: nothing overlaps there.
+  static bool alternate(const std::vector<EdgeLeaf>& leaves) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      if (leaves[i].upwards == leaves[(i + 1) % leaves.size()].upwards) return false;
+    }
+    return true;
+  }
+
+  /// A triangle that uses the edge upwards has its material at lower angles, the others at higher ones: each
+  /// of the others goes with the next upward one.
+  void pairByAngle(const std::vector<EdgeLeaf>& leaves) {
     std::vector<std::uint32_t> open;
     for (int round = 0; round < 2; ++round) {  // the second one closes what began at the end of the first
       for (const EdgeLeaf& leaf : leaves) {
@@ -77,8 +115,42 @@ class EdgePairs {
     }
   }
 
+  /// Pairs at an edge the triangles that hang together elsewhere. Whether any were.
+  bool pairWithinSheets(const std::vector<EdgeLeaf>& leaves) {
+    std::map<std::uint32_t, std::vector<EdgeLeaf>> of_sheet;
+    for (const EdgeLeaf& leaf : leaves) {
+      if (partner_[leaf.half_edge] == kNoPartner) of_sheet[sheets_.find(leaf.half_edge / 3)].push_back(leaf);
+    }
+    bool paired = false;
+    for (const auto& [sheet, own] : of_sheet) {
+      const auto up =
+          std::count_if(own.begin(), own.end(), [](const EdgeLeaf& leaf) { return leaf.upwards; });
+      if (up == 0 || up == std::ssize(own)) continue;
+      pairByAngle(own);
+      paired = true;
+    }
+    return paired;
+  }
+
+  /// Where solids overlap at a common edge, angles do not tell whose a triangle is; what hangs together at
+  /// other edges does. Where that leaves a choice, one edge is paired by angle, and the others follow it.
+  void pairOverlaps() {
+    const auto isOpen = [&](const EdgeLeaf& leaf) { return partner_[leaf.half_edge] == kNoPartner; };
+    while (!overlaps_.empty()) {
+      bool paired = false;
+      for (const auto& leaves : overlaps_) paired = pairWithinSheets(leaves) || paired;
+      if (!paired) {
+        pairByAngle(overlaps_.back());
+        overlaps_.pop_back();
+      }
+      std::erase_if(overlaps_, [&](const auto& leaves) { return std::ranges::none_of(leaves, isOpen); });
+    }
+  }
+
   const TriMesh& mesh_;
   std::vector<std::uint32_t> partner_;
+  DisjointSets sheets_;                          ///< triangles that hang together by what is paired
+  std::vector<std::vector<EdgeLeaf>> overlaps_;  ///< edges where solids overlap
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace proveout {
 inline constexpr std::uint32_t kNoPartner = 0xFFFFFFFFu;
 /// For each half-edge, 3 * triangle + corner, that of the triangle which goes on behind its edge; kNoPartner:
 /// there is none. At edges of more than two triangles those go with each other that have material between
-/// them.
+/// them; where solids overlap there, those that hang together at other edges.
 std::vector<std::uint32_t> edgePartners(const TriMesh& mesh);
 
 /// A mesh taken apart.
@@ -22,8 +22,8 @@ struct Shells {
 };
 
 /// Requires that every edge is used as often one way as the other. At edges of more than two triangles those
-/// belong together that have material between them, so that solids which share a face, an edge or a vertex
-/// come apart. Order of triangles and `motion` stay.
+/// belong together as edgePartners has it, so that solids which share a face, an edge or a vertex come apart,
+/// also where they overlap. Order of triangles and `motion` stay.
 Shells splitShells(const TriMesh& mesh);
 
 /// Each shell as a mesh of its own.

@@ -4,6 +4,7 @@ target_sources(proveout_core PRIVATE
   mesh/crowded_places.cpp
   mesh/edge_collapser.cpp
   mesh/exact_meeting.cpp
+  mesh/flat_triangles.cpp
   mesh/intersections.cpp
   mesh/level_cut.cpp
   mesh/mesh_editor.cpp

@@ -1,5 +1,7 @@
 proveout_add_library(compare
+  compare/body_gap.cpp
   compare/compare.cpp
+  compare/cracks.cpp
   compare/deepest_point.cpp
   compare/deviation_patches.cpp
   compare/deviation_statistics.cpp
@@ -11,7 +13,10 @@ proveout_add_library(compare
   compare/nominal_shape.cpp
   compare/point_deviation.cpp
   compare/sample_mesh.cpp
-  compare/spots.cpp)
+  compare/self_crossing.cpp
+  compare/shell_sides.cpp
+  compare/spots.cpp
+  compare/stray_facets.cpp)
 # CGAL::CGAL carries -frounding-math, which would keep other code from being vectorised: one source has it.
 add_library(proveout_boolean OBJECT compare/mesh_boolean.cpp)
 target_include_directories(proveout_boolean PRIVATE ${PROJECT_SOURCE_DIR})
