@@ -92,8 +92,8 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
   report.comparison = reportComparison(comparison, options.nominal);
   report.comparison->nominal_unit = meshUnitName(units.nominal);
   Diagnostics notes;
-  noteRepairs(pair.machined, "mesh", notes);
-  noteRepairs(pair.nominal, "mesh", notes);
+  noteRepairs(pair.machined.notes, "mesh", notes);
+  noteRepairs(pair.nominal.notes, "mesh", notes);
   report.diagnostics = notes.all();
   // No program is involved: nothing is blamed.
   for (const DeviationPatch& patch : comparison.patches) addDeviation(patch, comparison, report.findings);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/session/job_defaults.h"
+#include "app/session/nominal_mesh.h"
 
 namespace proveout {
 namespace {
@@ -49,10 +50,11 @@ RemovalOptions removalOptions(const Job& job, double resolution_mm) {
 }
 
 Result<Blank> openBlank(const Job& job, Progress& progress) {
-  Result<StockShape> shape = loadStockShape(*job.stock);
-  if (!shape) return shape.error();
+  Result<LoadedSolid> solid = loadSolid(*job.stock);
+  if (!solid) return solid.error();
   Blank blank;
-  blank.shape = std::move(*shape);
+  blank.shape = std::move(solid->shape);
+  blank.repairs = std::move(solid->repairs);
   blank.bounds = shapeBounds(blank.shape);
   blank.start_holes = job.start_holes;
   if (std::holds_alternative<SavedStock>(blank.shape)) {

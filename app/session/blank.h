@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -17,6 +19,7 @@ struct Blank {
   /// Already made: where only the grid knows the bounds (a saved stock), or early.
   std::optional<Stock> stock;
   std::vector<StartHole> start_holes = {};  ///< of the job
+  std::vector<std::string> repairs = {};    ///< of its mesh, one sentence each, for a warning
 };
 
 /// Reads the blank's files and settles the grid. The job must have a stock.

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/session/contact_findings.h"
+#include "app/session/nominal_mesh.h"
 #include "app/session/prediction.h"
 #include "core/tool/tool_solid.h"
 #include "core/tool/tool_type.h"
@@ -37,9 +38,8 @@ Box3 reachOfTools(const SetupRun& setup) {
 
 }  // namespace
 
-Result<std::vector<FixtureStock>> makeFixtures(const SetupRun& setup, double resolution_mm,
-                                               Progress& progress) {
-  std::vector<FixtureStock> fixtures;
+Result<FixtureStocks> makeFixtures(const SetupRun& setup, double resolution_mm, Progress& progress) {
+  FixtureStocks fixtures;
   RemovalOptions options = removalOptions(setup.job, resolution_mm);
   if (!setup.job.fixtures.empty())
     options.window = reachOfTools(setup).inflated(kWindowCells * resolution_mm);
@@ -47,18 +47,16 @@ Result<std::vector<FixtureStock>> makeFixtures(const SetupRun& setup, double res
     const auto inFixture = [&](const Error& error) {
       return Error{error.kind, fmt::format("fixture '{}': {}", spec.name, error.message)};
     };
-    const Result<StockShape> shape = loadStockShape(spec.shape);
-    if (!shape) return inFixture(shape.error());
-    if (const Status fits = checkThickness(*shape, resolution_mm); !fits) return inFixture(fits.error());
-    if (!shapeBounds(*shape).overlaps(*options.window)) {
-      const auto* mesh = std::get_if<MeshShape>(&*shape);
-      if (const Status solid = mesh ? checkSolid(*mesh) : Status(Done{}); !solid)
-        return inFixture(solid.error());
-      continue;
-    }
-    Result<Stock> stock = Stock::create(*shape, options, progress);
+    const Result<LoadedSolid> solid = loadSolid(spec.shape);
+    if (!solid) return inFixture(solid.error());
+    for (const std::string& repair : solid->repairs)
+      fixtures.repairs.push_back(fmt::format("fixture '{}': {}", spec.name, repair));
+    const StockShape& shape = solid->shape;
+    if (const Status fits = checkThickness(shape, resolution_mm); !fits) return inFixture(fits.error());
+    if (!shapeBounds(shape).overlaps(*options.window)) continue;
+    Result<Stock> stock = Stock::create(shape, options, progress);
     if (!stock) return inFixture(stock.error());
-    fixtures.push_back({spec.name, std::move(*stock)});
+    fixtures.stocks.push_back({spec.name, std::move(*stock)});
   }
   return fixtures;
 }

@@ -1,6 +1,7 @@
 // Fixtures: clamps, vises, plates that no part of a tool may touch.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/session/run_result.h"
@@ -12,10 +13,13 @@ struct FixtureStock {
   std::string name;
   Stock stock;
 };
-/// Those that a tool comes near to on its way; no more of them is built than that. Errors: a mesh that cannot
-/// be read or is not closed, a fixture thinner than two cells of the grid.
-Result<std::vector<FixtureStock>> makeFixtures(const SetupRun& setup, double resolution_mm,
-                                               Progress& progress);
+struct FixtureStocks {
+  std::vector<FixtureStock> stocks;  ///< those that a tool comes near to on its way
+  std::vector<std::string> repairs;  ///< of the meshes of all, one sentence each, for a warning
+};
+/// No more of a fixture is built than tools come near to. Errors: a mesh that cannot be read or is not
+/// closed, a fixture thinner than two cells of the grid.
+Result<FixtureStocks> makeFixtures(const SetupRun& setup, double resolution_mm, Progress& progress);
 
 /// Surface of what makeFixtures builds, mm2; what cannot be read counts as none.
 struct FixtureAreas {

@@ -4,6 +4,7 @@
 
 #include "app/session/contact_findings.h"
 #include "app/session/findings.h"
+#include "app/session/nominal_mesh.h"
 #include "app/session/nose_data.h"
 #include "app/session/parted_bodies.h"
 #include "app/session/plausibility.h"
@@ -146,6 +147,7 @@ Status machineAll(const Job& job, const RunSources& sources, PreparedRun& prepar
     PieceOptions options = pieceOptions(job, prepared, k);
     Result<std::unique_ptr<Fixtures>> fixtures = process.fixtures(setup, run.resolution_mm, progress);
     if (!fixtures) return fixtures.error();
+    noteRepairs((*fixtures)->repairs(), "fixture", setup.interpreted.path.diagnostics);
     (*fixtures)->hold(movedBounds(job, prepared.blank.bounds, k), options);
     watch.lap();
     Result<std::unique_ptr<Workpiece>> clamped =

@@ -1,11 +1,14 @@
 #include "app/session/nominal_mesh.h"
 
+#include <utility>
+#include <variant>
+
 #include "io/mesh_io.h"
 
 namespace proveout {
 
-void noteRepairs(const PreparedMesh& mesh, const std::string& code, Diagnostics& diagnostics) {
-  for (const std::string& note : mesh.notes) {
+void noteRepairs(const std::vector<std::string>& repairs, const std::string& code, Diagnostics& diagnostics) {
+  for (const std::string& note : repairs) {
     Diagnostic diagnostic;
     diagnostic.severity = Severity::kWarning;
     diagnostic.code = code;
@@ -20,6 +23,19 @@ Result<PreparedMesh> loadNominal(const NominalSpec& nominal) {
   const Result<TriMesh> mesh = loadMesh(nominal.mesh.path, options);
   if (!mesh) return mesh.error();
   return prepareNominal(*mesh, nominal.mesh.path);
+}
+
+Result<LoadedSolid> loadSolid(const StockSpec& spec) {
+  Result<StockShape> shape = loadStockShape(spec);
+  if (!shape) return shape.error();
+  LoadedSolid out{std::move(*shape), {}};
+  auto* mesh = std::get_if<MeshShape>(&out.shape);
+  if (mesh == nullptr) return out;
+  Result<PreparedMesh> solid = prepareNominal(mesh->mesh, mesh->name);
+  if (!solid) return solid.error();
+  mesh->mesh = std::move(solid->mesh);
+  out.repairs = std::move(solid->notes);
+  return out;
 }
 
 }  // namespace proveout

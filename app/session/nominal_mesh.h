@@ -1,7 +1,8 @@
-// The nominal, as a file brings it.
+// The nominal, blanks and fixtures, as files bring them.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/base/diagnostics.h"
 #include "io/job.h"
@@ -9,10 +10,18 @@
 
 namespace proveout {
 
-/// Adds what was repaired in a mesh as warnings with the given code.
-void noteRepairs(const PreparedMesh& mesh, const std::string& code, Diagnostics& diagnostics);
+/// Adds what was repaired in a mesh, one sentence each, as warnings with the given code.
+void noteRepairs(const std::vector<std::string>& repairs, const std::string& code, Diagnostics& diagnostics);
 
 /// Reads the nominal mesh and makes a solid of it; what was repaired becomes warnings.
 Result<PreparedMesh> loadNominal(const NominalSpec& nominal);
+
+/// A blank or a fixture.
+struct LoadedSolid {
+  StockShape shape;
+  std::vector<std::string> repairs;  ///< of a mesh, one sentence each, for a warning
+};
+/// Reads what the shape is from; a mesh becomes a solid as the nominal does.
+Result<LoadedSolid> loadSolid(const StockSpec& spec);
 
 }  // namespace proveout

@@ -110,7 +110,8 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
   if (Status done = interpretAll(job, sources, prepared.blank, run, progress); !done) return done;
   run.performance.interpret_s = watch.lap();
   if (prepared.nominal)
-    noteRepairs(*prepared.nominal, "nominal", run.setups.back().interpreted.path.diagnostics);
+    noteRepairs(prepared.nominal->notes, "nominal", run.setups.back().interpreted.path.diagnostics);
+  noteRepairs(prepared.blank.repairs, "stock", run.setups.front().interpreted.path.diagnostics);
   if (run.alarm) return Done{};
   const Workload work = workOf(job, prepared);
   double& resolution_mm = prepared.blank.resolution_mm;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/session/contact_findings.h"
+#include "app/session/nominal_mesh.h"
 #include "app/session/run_result.h"
 #include "removal/wire/fixture_solid.h"
 #include "removal/wire/wire_fixture.h"
@@ -17,12 +18,11 @@ Result<WireFixtures> WireFixtures::create(const std::vector<FixtureSpec>& specs)
     const auto inFixture = [&](const Error& error) {
       return Error{error.kind, fmt::format("fixture '{}': {}", spec.name, error.message)};
     };
-    const Result<StockShape> shape = loadStockShape(spec.shape);
-    if (!shape) return inFixture(shape.error());
-    const auto* mesh = std::get_if<MeshShape>(&*shape);
-    if (const Status solid = mesh ? checkSolid(*mesh) : Status(Done{}); !solid)
-      return inFixture(solid.error());
-    out.solids_.push_back({spec.name, solidOf(*shape)});
+    const Result<LoadedSolid> solid = loadSolid(spec.shape);
+    if (!solid) return inFixture(solid.error());
+    for (const std::string& repair : solid->repairs)
+      out.repairs_.push_back(fmt::format("fixture '{}': {}", spec.name, repair));
+    out.solids_.push_back({spec.name, solidOf(solid->shape)});
   }
   return out;
 }

@@ -16,6 +16,7 @@ class WireFixtures final : public Fixtures {
 
   /// Where they reach between the heights of the blank: what they touch there is held.
   void hold(const Box3& blank, PieceOptions& options) const override;
+  std::vector<std::string> repairs() const override { return repairs_; }
   /// Whether the wire cuts or not; it does not cut a fixture.
   Status addContacts(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings,
                      Progress& progress) override;
@@ -26,6 +27,7 @@ class WireFixtures final : public Fixtures {
     SurfaceMesh surface;
   };
   std::vector<Solid> solids_;
+  std::vector<std::string> repairs_;
 };
 
 }  // namespace proveout

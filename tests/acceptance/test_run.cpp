@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "core/mesh/tri_mesh.h"
 #include "io/mesh_io.h"
@@ -273,6 +274,53 @@ TEST(Run, FixturesMustNotBeTouched) {
   const Outcome open = bench.run("run job.toml --no-render --out open");
   EXPECT_EQ(open.exit_code, 2);
   EXPECT_TRUE(has(open.err, "fixture 'clamp'")) << open.err;
+}
+
+/// An OBJ with one of its faces turned round; inside out but for that with `inside_out`.
+std::string withTurnedFace(const std::string& obj, bool inside_out) {
+  std::istringstream in(obj);
+  std::string out;
+  bool first = true;
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind("f ", 0) == 0 && std::exchange(first, false) != inside_out) {
+      std::istringstream face(line.substr(2));
+      std::string turned, corner;
+      while (face >> corner) turned.insert(0, " " + corner);
+      line = "f" + turned;
+    }
+    out += line + "\n";
+  }
+  return out;
+}
+
+TEST(Run, BlanksAndFixturesAreRepairedAsTheNominalIs) {
+  const Workbench bench;
+  bench.write("part.nc", "G21 G90 T1 M6\nS1000 M3\nG0 X10 Y-10 Z5\nZ-3\nG1 Y10 F200\nX22\nG0 Z5\nM30\n");
+  bench.write(
+      "job.toml",
+      "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"part.nc\"\n[stock]\nshape = \"mesh\"\n"
+      "file = \"blank.obj\"\n"
+      "[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 4\n"
+      "[[fixture]]\nname = \"clamp\"\nmesh = \"clamp.obj\"\n[simulation]\nresolution = 0.25\n");
+  const std::string blank = boxObj(0, 0, -10, 20, 20, 0), clamp = boxObj(20, 0, -7, 24, 20, -1);
+  bench.write("blank.obj", blank);
+  bench.write("clamp.obj", clamp);
+  const std::string run = "run job.toml --no-render --out ";
+  ASSERT_EQ(bench.run(run + "sound").exit_code, 1);
+  const json sound = reportIn(bench, "sound");
+  for (const bool inside_out : {false, true}) {
+    bench.write("blank.obj", withTurnedFace(blank, inside_out));
+    bench.write("clamp.obj", withTurnedFace(clamp, inside_out));
+    const Outcome outcome = bench.run(run + "mended");
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "warning[stock]")) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "warning[fixture]: fixture 'clamp'")) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "mixed orientation")) << outcome.err;
+    EXPECT_EQ(has(outcome.err, "inside out"), inside_out) << outcome.err;
+    const json mended = reportIn(bench, "mended");
+    EXPECT_EQ(mended["stock"]["initial_mm3"], sound["stock"]["initial_mm3"]);
+    EXPECT_EQ(mended["findings"].size(), sound["findings"].size());
+  }
 }
 
 TEST(Run, TooMuchMemoryIsRefusedWithTheGridThatFits) {

@@ -43,20 +43,21 @@ Result<std::unique_ptr<Workpiece>> make(Blank& blank, const Job& job, Progress& 
 
 class GridFixtures final : public Fixtures {
  public:
-  explicit GridFixtures(std::vector<FixtureStock> stocks) : stocks_(std::move(stocks)) {}
+  explicit GridFixtures(FixtureStocks made) : made_(std::move(made)) {}
+  std::vector<std::string> repairs() const override { return made_.repairs; }
   Status addContacts(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings,
                      Progress& progress) override {
-    return addFixtureContacts(stocks_, setup, texts, findings, progress);
+    return addFixtureContacts(made_.stocks, setup, texts, findings, progress);
   }
 
  private:
-  std::vector<FixtureStock> stocks_;
+  FixtureStocks made_;
 };
 
 Result<std::unique_ptr<Fixtures>> fixtures(const SetupRun& setup, double resolution_mm, Progress& progress) {
-  Result<std::vector<FixtureStock>> stocks = makeFixtures(setup, resolution_mm, progress);
-  if (!stocks) return stocks.error();
-  return std::unique_ptr<Fixtures>(std::make_unique<GridFixtures>(std::move(*stocks)));
+  Result<FixtureStocks> made = makeFixtures(setup, resolution_mm, progress);
+  if (!made) return made.error();
+  return std::unique_ptr<Fixtures>(std::make_unique<GridFixtures>(std::move(*made)));
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ class Fixtures {
   virtual ~Fixtures() = default;
   /// Tells the workpiece how they hold it; `blank`: its bounds in this clamping.
   virtual void hold(const Box3& /*blank*/, PieceOptions& /*options*/) const {}
+  /// What was repaired in their meshes, one sentence each, for a warning.
+  virtual std::vector<std::string> repairs() const { return {}; }
   /// Runs the path of the clamping through them; every touch, by cutter, shank or holder, in rapid or in
   /// feed, is a finding of kind kFixtureContact.
   virtual Status addContacts(const SetupRun& setup, const RecordingSource& texts,
