@@ -131,6 +131,11 @@ void addRun(CLI::App& root, RunOptions& o) {
                   "fine as tolerance and tools ask for")
       ->type_name("MM")
       ->check(positiveMm());
+  app->add_option("--causes", o.causes,
+                  "What to say is wrong behind a deviation: off (nothing), fast (what it suggests),\n"
+                  "proven (what puts it right when tried); default: the job's, or proven")
+      ->type_name("NAME")
+      ->check(oneOf(causeSearchNames()));
   app->add_option(
          "--simplify", o.simplify_mm,
          "How far the mesh may leave the surface to have fewer triangles; 0: off;\ndefault: a tenth of "
@@ -334,6 +339,7 @@ std::vector<std::string> decidingArguments(const RunOptions& o) {
   for (const std::string& tool : o.tools) add("--tool", tool);
   add("--nominal", o.nominal);
   add("--unit", o.unit);
+  if (o.causes) add("--causes", *o.causes);
   addNumber("--tolerance", o.tolerance_mm);
   addNumber("--resolution", o.resolution_mm);
   addNumber("--simplify", o.simplify_mm);

@@ -29,6 +29,7 @@ struct RunOptions {
   std::optional<double> tolerance_mm;
   std::optional<double> resolution_mm;
   std::optional<double> simplify_mm;
+  std::optional<std::string> causes;  ///< "off", "fast", "proven"
   std::optional<double> max_memory_gb;
   std::optional<int> threads;
   std::optional<std::string> out;

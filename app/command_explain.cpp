@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -93,6 +94,18 @@ Finding findingAt(const Vec3& place, const SettledPoint& at, double deviation, c
   return run.findings.back();
 }
 
+/// The finding of the run that a place belongs to; null: none.
+const Finding* findingOf(const Vec3& place, DeviationKind kind, const RunResult& run) {
+  for (const DeviationPatch& patch : run.comparison->patches) {
+    if (patch.kind != kind || !patch.bounds.inflated(run.resolution_mm).overlaps({place, place})) continue;
+    const auto same = std::find_if(run.findings.begin(), run.findings.end(), [&](const Finding& finding) {
+      return finding.where == patch.where && finding.depth_mm == patch.depth_mm;
+    });
+    if (same != run.findings.end() && !same->causes.empty()) return &*same;
+  }
+  return nullptr;
+}
+
 void sayDeviation(Console& console, const Vec3& place, const SettledPoint& at, const RunSources& sources,
                   const ExactPart& part, RunResult& run) {
   const double deviation = static_cast<double>(run.comparison->field->at(at.p));
@@ -104,6 +117,10 @@ void sayDeviation(Console& console, const Vec3& place, const SettledPoint& at, c
       fmt::format("{:.4f} mm {} nominal (allowed {:g} mm)", std::abs(deviation),
                   deviation < 0.0 ? "below" : "above", allowed));
   if (std::abs(deviation) <= allowed) return;
+  if (const Finding* told = findingOf(at.p, deviation > 0.0 ? DeviationKind::kExcess : DeviationKind::kGouge, run)) {
+    for (const Cause& cause : told->causes) say(console, cause.left_mm == 0.0 ? "cause" : "could be", report_text::causeLine(cause));
+    return;
+  }
   for (const Cause& cause : findingAt(place, at, deviation, sources, part, run).causes)
     say(console, "could be", report_text::causeLine(cause));
 }

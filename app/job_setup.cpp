@@ -267,7 +267,7 @@ bool applyRunOptions(const RunOptions& options, Job& job, Diagnostics& diagnosti
     }
   }
   if (options.resolution_mm) job.simulation.resolution_mm = *options.resolution_mm;
-  if (const auto causes = causeSearchNamed(options.causes)) job.simulation.causes = *causes;
+  if (const auto causes = causeSearchNamed(options.causes.value_or(""))) job.simulation.causes = *causes;
   if (options.simplify_mm) job.simulation.simplify_mm = *options.simplify_mm;
   if (options.threads) job.simulation.threads = *options.threads;
   if (options.max_memory_gb) job.simulation.max_memory_gb = *options.max_memory_gb;

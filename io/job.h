@@ -45,12 +45,20 @@ struct NominalSpec {
 /// night.
 inline constexpr double kDefaultMaxTimeS = 3600.0;
 
+/// How far a run goes to say what is wrong behind a deviation: not at all, as the deviations suggest, or by trying
+/// what would put it right.
+enum class CauseSearch : std::uint8_t { kOff, kFast, kProven };
+/// "off", "fast", "proven".
+const std::vector<std::string>& causeSearchNames();
+std::optional<CauseSearch> causeSearchNamed(std::string_view name);
+
 struct SimulationSpec {
   std::optional<double> resolution_mm;  ///< grid spacing; none: chosen from the stock
   double contact_mm = 0.01;             ///< touches of the stock that are less deep are not told
   double profile_resolution_mm = 0.01;  ///< of turned parts: facets leave the surface by a tenth of it
   std::optional<double>
       simplify_mm;  ///< how far the mesh may leave the surface; none: chosen from grid and tolerance
+  CauseSearch causes = CauseSearch::kProven;
   int threads = 0;  ///< 0: all cores
   double max_memory_gb = 0.0;            ///< 0: what the machine has free
   double max_time_s = kDefaultMaxTimeS;  ///< the command ends itself within so many seconds

@@ -542,6 +542,18 @@ void readPanel(ConfigTable& root, Job& job) {
   panel->refuseOthers();
 }
 
+const std::vector<std::string>& causeSearchNames() {
+  static const std::vector<std::string> names = {"off", "fast", "proven"};  // in the order of CauseSearch
+  return names;
+}
+
+std::optional<CauseSearch> causeSearchNamed(std::string_view name) {
+  const auto& names = causeSearchNames();
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) return std::nullopt;
+  return static_cast<CauseSearch>(at - names.begin());
+}
+
 void readSimulation(ConfigTable& root, Job& job) {
   auto table = root.table("simulation");
   if (!table) return;
@@ -551,6 +563,8 @@ void readSimulation(ConfigTable& root, Job& job) {
   if (const auto mm = table->number("profile_resolution", {1e-3, 1.0, false}))
     job.simulation.profile_resolution_mm = *mm;
   if (const auto mm = table->number("simplify", {0.0, 10.0, false})) job.simulation.simplify_mm = *mm;
+  if (const auto causes = table->choice("causes", causeSearchNames()))
+    job.simulation.causes = causeSearchNamed(*causes).value_or(CauseSearch::kProven);
   if (const auto threads = table->integer("threads", 0, 4096)) {
     job.simulation.threads = static_cast<int>(*threads);
   }

@@ -46,6 +46,8 @@ struct Cause {
   std::string along;               ///< what is off: "X", "Y", "Z", "radius"; empty: not known
   std::optional<double> off_mm;    ///< by how much, signed: the cut is so far beyond where it should be
   double explains = 0.0;           ///< share of the finding that this would explain, 0..1
+  std::string with;                ///< what was put in its place to see what is left ("G41", "D1 = 5"); empty: nothing
+  std::optional<double> left_mm;   ///< depth of what is left of the finding then; 0: it goes
 };
 
 /// `what` of the cause of material that no motion reaches.

@@ -40,6 +40,10 @@ Json causeJson(const Cause& c) {
   if (!c.along.empty()) out["along"] = c.along;
   if (c.off_mm) out["off_mm"] = number(*c.off_mm);
   if (!c.along.empty()) out["explains"] = number(c.explains);
+  if (c.left_mm) {
+    out["with"] = c.with;
+    out["left_mm"] = number(*c.left_mm);
+  }
   return out;
 }
 

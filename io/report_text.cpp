@@ -136,11 +136,15 @@ std::string causeLine(const Cause& cause) {
                        figure(std::abs(*cause.off_mm)), 100.0 * cause.explains);
   }
   if (cause.incremental) out += " (a step: words before it count as well)";
+  if (cause.left_mm)
+    out += *cause.left_mm == 0.0 ? fmt::format("; with {} nothing of it is left", cause.with)
+                                 : fmt::format("; with {} {} mm of it are left", cause.with, figure(*cause.left_mm));
   return out;
 }
 
 std::string causeNote(const Cause& cause) {
-  return (isStatement(cause) ? "" : "could be ") + causeLine(cause);
+  if (isStatement(cause)) return causeLine(cause);
+  return (cause.left_mm == 0.0 ? "cause: " : "could be ") + causeLine(cause);
 }
 
 std::string blocksLine(const Finding& finding, std::size_t most) {

@@ -254,4 +254,18 @@ std::vector<CauseCandidate> inForce(const CauseSource& source, MotionId motion) 
   return out;
 }
 
+std::vector<CauseCandidate> spindleWords(const CauseSource& source, MotionId motion) {
+  std::vector<CauseCandidate> out;
+  if (source.path.motions[motion].source.origins < 0) return out;
+  for (const OriginKind kind : {kSpindleDirection, kSpindle, kSpindleMode}) {
+    const auto word = originOf(source.path, motion, kind, source.text);
+    if (!word) continue;
+    CauseCandidate candidate;
+    candidate.key = placeKey(*word);
+    candidate.word = word;
+    out.push_back(std::move(candidate));
+  }
+  return out;
+}
+
 }  // namespace proveout

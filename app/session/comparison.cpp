@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/session/blame.h"
+#include "app/session/causes/proof.h"
 #include "app/session/diagnosis.h"
 #include "app/session/findings.h"
 #include "app/session/provenance.h"
@@ -58,7 +59,8 @@ std::shared_ptr<const TurnedShape> turnedPart(const SetupRun& setup) {
 }
 
 /// `unsure_facets_mm`: the profile resolution, where the part is compared as a mesh of facets.
-void addFindings(const RunSources& sources, const ExactPart* part, double unsure_facets_mm, RunResult& run) {
+std::vector<PatchFinding> addFindings(const Job& job, const RunSources& sources, const ExactPart* part,
+                                      double unsure_facets_mm, RunResult& run) {
   std::vector<PatchFinding> told;
   for (const DeviationPatch& patch : run.comparison->patches) {
     addDeviation(patch, *run.comparison, run.findings);
@@ -69,7 +71,8 @@ void addFindings(const RunSources& sources, const ExactPart* part, double unsure
     told.push_back({run.findings.size() - 1, worst});
     blamePatch(*worst, sources, run);
   }
-  diagnoseDeviations(sources, part, told, run);
+  if (job.simulation.causes != CauseSearch::kOff) diagnoseDeviations(sources, part, told, run);
+  return told;
 }
 
 }  // namespace
@@ -127,7 +130,9 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   }
   addCoarseNominal(*run.comparison, run.findings);
   addIgnored(job.nominal->ignored, *run.comparison, run.findings);
-  addFindings(sources, options.part.get(), unsure_facets_mm, run);
+  const std::vector<PatchFinding> told = addFindings(job, sources, options.part.get(), unsure_facets_mm, run);
+  if (job.simulation.causes == CauseSearch::kProven)
+    proveCauses(job, sources, blank, nominal.mesh, told, run, progress);
   return Done{};
 }
 

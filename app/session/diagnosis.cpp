@@ -621,6 +621,16 @@ std::vector<Cause> behindMotion(const SetupRun& setup, const RecordingSource& te
   return out;
 }
 
+/// The words that say how the spindle turns.
+static std::vector<Cause> behindSpindle(const SetupRun& setup, const RecordingSource& texts, MotionId motion) {
+  const Toolpath& path = setup.interpreted.path;
+  const CauseSource source{path, setup.job.tools, setup.turned != nullptr, setup.job.control, lineText(path, texts)};
+  std::vector<Cause> out;
+  for (const CauseCandidate& c : spindleWords(source, motion))
+    out.push_back(Diagnosis::makeCause(c, path, texts));
+  return out;
+}
+
 void tellWordsInForce(const RunSources& sources, RunResult& run) {
   for (Finding& finding : run.findings) {
     if (!finding.motion || !finding.causes.empty() || finding.depth_mm == std::nullopt) continue;
@@ -629,7 +639,8 @@ void tellWordsInForce(const RunSources& sources, RunResult& run) {
                                     [&](const SetupRun& s) { return s.name == finding.setup; });
     if (setup == run.setups.end()) continue;
     const RecordingSource& texts = *sources[static_cast<std::size_t>(setup - run.setups.begin())];
-    finding.causes = behindMotion(*setup, texts, *finding.motion);
+    finding.causes = finding.kind == FindingKind::kSpindleOff ? behindSpindle(*setup, texts, *finding.motion)
+                                                              : behindMotion(*setup, texts, *finding.motion);
     finding.causes.resize(std::min(finding.causes.size(), kMostCauses));
   }
 }

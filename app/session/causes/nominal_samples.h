@@ -1,0 +1,13 @@
+// Points of the nominal surface at which trials are judged.
+#pragma once
+
+#include <vector>
+
+#include "app/session/causes/trial.h"
+
+namespace proveout {
+
+/// Points of the mesh within `box`, spread over the area; the same for the same input. At most `most`.
+std::vector<NominalSample> nominalSamples(const TriMesh& mesh, const Box3& box, std::size_t most);
+
+}  // namespace proveout
