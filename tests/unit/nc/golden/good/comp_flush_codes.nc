@@ -100,8 +100,14 @@ file 0 main.nc
 2: feed to 0 5 0 F100 t30.1496
 3: feed to 10 5 0 F100 t6
 4: feed to 20 0 0 F100 t6.7082
+main.nc:8:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken
+    G55
+    ^~~
 6: feed to 30 5 0 F100 t6.7082
 7: feed to 40 0 0 F100 t6.7082
+main.nc:11:1: warning[nct-offset-missing]: G54.1 P1 has no value in the job: 0 is taken
+    G54.1 P1
+    ^~~~~~~~
 9: feed to 50 5 0 F100 t6.7082
 10: feed to 60 0 0 F100 t6.7082
 12: feed to 70 5 0 F100 t6.7082
@@ -136,4 +142,4 @@ file 1 O0011
 49: feed to 310 5 0 F100 t6
 50: feed to 330 0 0 F100 t12.3693
 51: event end code="M30"
-end of program: 52 blocks, 34 motions, 0 errors, 0 warnings
+end of program: 52 blocks, 34 motions, 0 errors, 2 warnings

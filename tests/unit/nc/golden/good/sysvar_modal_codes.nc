@@ -198,10 +198,28 @@ main.nc:73:15: warning[nct-unused-word]: Q1 does nothing in this block of G89: t
 file 1 O0001
 91: event spindle rpm=1000000 direction="cw"
 93: event spindle rpm=1000000 direction="cw"
+main.nc:95:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken
+    G55
+    ^~~
+main.nc:97:1: warning[nct-offset-missing]: G56 has no value in the job: 0 is taken
+    G56
+    ^~~
+main.nc:99:1: warning[nct-offset-missing]: G57 has no value in the job: 0 is taken
+    G57
+    ^~~
+main.nc:101:1: warning[nct-offset-missing]: G58 has no value in the job: 0 is taken
+    G58
+    ^~~
+main.nc:103:1: warning[nct-offset-missing]: G59 has no value in the job: 0 is taken
+    G59
+    ^~~
+main.nc:105:1: warning[nct-offset-missing]: G54.1 P1 has no value in the job: 0 is taken
+    G54.1 P1
+    ^~~~~~~~
 125: rapid to 10 0 0 C 0 to 0 t0.04
 126: event virtual_plane code="G12.1" on=true axes="X C"
 128: event virtual_plane code="G12.1" on=false axes="X C"
 134: event output file="O0012.nc" bytes=263
 135: event end code="M30"
 file O0012.nc: 0\0D\0A1\0D\0A2\0D\0A3\0D\0A33\0D\0A0\0D\0A18\0D\0A19\0D\0A17\0D\0A91\0D\0A90\0D\0A95\0D\0A94\0D\0A20\0D\0A21\0D\0A41\0D\0A42\0D\0A40\0D\0A43\0D\0A44\0D\0A743\0D\0A49\0D\0A73\0D\0A74\0D\0A76\0D\0A81\0D\0A82\0D\0A83\0D\0A84\0D\0A284\0D\0A384\0D\0A85\0D\0A86\0D\0A87\0D\0A88\0D\0A89\0D\0A80\0D\0A99\0D\0A98\0D\0A98\0D\0A51\0D\0A50\0D\0A66\0D\0A67\0D\0A96\0D\0A97\0D\0A55\0D\0A56\0D\0A57\0D\0A58\0D\0A59\0D\0A154\0D\0A54\0D\0A61\0D\0A62\0D\0A63\0D\0A64\0D\0A68\0D\0A69\0D\0A16\0D\0A15\0D\0A112\0D\0A113\0D\0A151\0D\0A150\0D\0A
-end of program: 135 blocks, 3 motions, 0 errors, 15 warnings
+end of program: 135 blocks, 3 motions, 0 errors, 21 warnings

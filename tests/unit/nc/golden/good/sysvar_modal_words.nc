@@ -57,7 +57,13 @@ file 0 o00007.nc
 file 1 O0011.nc
 1/1 depth 1: rapid to 11 11 7 t1.956
 12: rapid to 11 7 7 t0.016
+o00007.nc:13:1: warning[nct-offset-missing]: G54.1 P7 has no value in the job: 0 is taken
+    G54.1 P7
+    ^~~~~~~~
 14: rapid to 7 7 7 t0.016
+o00007.nc:15:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken
+    G55
+    ^~~
 16: rapid to 7 0 0 t0.028
 17: event end code="M30"
-end of program: 19 blocks, 12 motions, 0 errors, 0 warnings
+end of program: 19 blocks, 12 motions, 0 errors, 2 warnings

@@ -102,25 +102,40 @@ file 0 main.nc
 7: rapid to 2 1 -10 t0.048
 10: rapid to 10 -2 1 t0.044
 11: rapid to 0 -90 0 t0.352
+main.nc:13:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken
+    G55
+    ^~~
 15: rapid to -1 10 2 t0.4
 18: rapid to 2 1 -10 t0.048
 21: rapid to 10 -2 1 t0.044
 22: rapid to 0 -90 0 t0.352
+main.nc:24:1: warning[nct-offset-missing]: G56 has no value in the job: 0 is taken
+    G56
+    ^~~
 26: rapid to -1 10 2 t0.4
 29: rapid to 2 1 -10 t0.048
 32: rapid to 10 -2 1 t0.044
 33: rapid to 0 -90 0 t0.352
+main.nc:35:1: warning[nct-offset-missing]: G57 has no value in the job: 0 is taken
+    G57
+    ^~~
 37: rapid to -1 10 2 t0.4
 40: rapid to 2 1 -10 t0.048
 43: rapid to 10 -2 1 t0.044
 44: rapid to 0 -90 0 t0.352
+main.nc:46:1: warning[nct-offset-missing]: G58 has no value in the job: 0 is taken
+    G58
+    ^~~
 48: rapid to -1 10 2 t0.4
 51: rapid to 2 1 -10 t0.048
 54: rapid to 10 -2 1 t0.044
 55: rapid to 0 -90 0 t0.352
+main.nc:57:1: warning[nct-offset-missing]: G59 has no value in the job: 0 is taken
+    G59
+    ^~~
 59: rapid to -1 10 2 t0.4
 62: rapid to 2 1 -10 t0.048
 65: rapid to 10 -2 1 t0.044
 66: rapid to 0 -90 0 t0.352
 68: event end code="M30"
-end of program: 68 blocks, 24 motions, 0 errors, 0 warnings
+end of program: 68 blocks, 24 motions, 0 errors, 5 warnings

@@ -45,6 +45,9 @@ rapid 75 0 100 rotary 360
 rapid 98.4808 17.3648 100 rotary 370
 === expect
 file 0 main.nc
+main.nc:2:1: warning[nct-offset-missing]: G59 has no value in the job: 0 is taken
+    N060 G59
+    ^~~~~~~~
 3 N70: rapid from 0 0 0 to 100 0 0 C 0 to 0 t0.4
 4 N80: event spindle rpm=1000 direction="cw"
 4 N80: rapid to 100 0 -3 C 0 to 0 t0.012
@@ -64,4 +67,4 @@ file 0 main.nc
 18 N220: rapid to 75 0 100 C 360 to 360 t0.412
 19 N230: rapid arc to 98.4808 17.3648 100 center 0 0 100 normal 0 0 1 sweep 10 C 360 to 370 t0.1
 20: event end code="M30"
-end of program: 20 blocks, 15 motions, 0 errors, 0 warnings
+end of program: 20 blocks, 15 motions, 0 errors, 1 warnings

@@ -56,8 +56,14 @@ rapid 10 59 10
 === expect
 file 0 main.nc
 2: rapid from 0 0 0 to 1 1 1 t0.004
+main.nc:3:1: warning[wl4-offset]: G55 has no value in the job: 0 is taken
+    G55 X1
+    ^~~~~~
 3: rapid to 11 1 1 t0.04
 4: rapid to 11 21 1 t0.08
+main.nc:5:1: warning[wl4-offset]: G56 has no value in the job: 0 is taken
+    G56 Z1
+    ^~~~~~
 5: rapid to 11 21 6 t0.02
 6: rapid to 7 7 6 t0.056
 7: rapid to 0 0 0 t0.028
@@ -69,9 +75,18 @@ file 0 main.nc
 16: rapid to 20 -5 10 t0.16
 18: rapid to 0 0 10 t0.08
 19: rapid to 0 3 10 t0.012
+main.nc:20:1: warning[wl4-offset]: G57 has no value in the job: 0 is taken
+    G57 X1
+    ^~~~~~
 20: rapid to 8 3 10 t0.032
+main.nc:21:1: warning[wl4-offset]: G58 has no value in the job: 0 is taken
+    G58 X1
+    ^~~~~~
 21: rapid to 9 3 10 t0.004
+main.nc:22:1: warning[wl4-offset]: G59 has no value in the job: 0 is taken
+    G59 X1
+    ^~~~~~
 22: rapid to 10 3 10 t0.004
 23: rapid to 10 59 10 t0.224
 24: event end code="M30"
-end of program: 23 blocks, 18 motions, 0 errors, 0 warnings
+end of program: 23 blocks, 18 motions, 0 errors, 5 warnings
