@@ -131,8 +131,11 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   addCoarseNominal(*run.comparison, run.findings);
   addIgnored(job.nominal->ignored, *run.comparison, run.findings);
   const std::vector<PatchFinding> told = addFindings(job, sources, options.part.get(), unsure_facets_mm, run);
-  if (job.simulation.causes == CauseSearch::kProven)
+  if (job.simulation.causes == CauseSearch::kProven && !told.empty()) {
+    progress.report("trying causes", 0.0);
     proveCauses(job, sources, blank, nominal.mesh, told, run, progress);
+    if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  }
   return Done{};
 }
 
