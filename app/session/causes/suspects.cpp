@@ -365,6 +365,17 @@ void addWireWords(const SuspectScene& scene, std::uint32_t setup, const SourceRe
   std::stable_partition(out.begin(), out.end(), [](const Suspect& s) { return !s.others.empty(); });
 }
 
+/// The zero that was entered, where the workpiece lies elsewhere: wires' controls do not tell the offset in force.
+void addZero(const SuspectScene& scene, std::uint32_t setup, std::vector<Suspect>& out) {
+  const ControlSettings& settings = scene.run.setups[setup].job.settings;
+  const Vec3 off = workpieceZero(settings) - offsetZero(settings);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (off[k] == 0.0) continue;
+    const std::string key = fmt::format("offsets.work.G54.{}", "xyz"[k]);
+    if (auto suspect = suspectDatum(scene, setup, key, -off[k])) out.insert(out.begin(), std::move(*suspect));
+  }
+}
+
 }  // namespace
 
 std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, MotionId motion, double depth_mm) {
@@ -374,8 +385,10 @@ std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, 
   if (motion >= path.motions.size()) return out;
   const LineText text = lineText(path, *scene.sources[setup]);
   const SourceRef& source = path.motions[motion].source;
-  if (path.motions[motion].wire >= 0 && scene.sources[setup]->has(path.files[source.file]))
+  if (path.motions[motion].wire >= 0 && scene.sources[setup]->has(path.files[source.file])) {
     addWireWords(scene, setup, source, depth_mm, out);
+    addZero(scene, setup, out);
+  }
   if (source.origins >= 0) {
     for (const ResolvedOrigin& word : originsOf(path, motion, text)) addWord(scene, setup, word, -depth_mm, out);
   }
