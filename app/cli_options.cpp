@@ -63,9 +63,8 @@ CLI::Validator oneOf(const std::vector<std::string>& names) {
   return CLI::Validator(
       [=](std::string& text) -> std::string {
         if (std::find(names.begin(), names.end(), text) != names.end()) return {};
-        const std::string nearest = nearestName(text, names);
-        return fmt::format("'{}' is not known{}; there are {}", text,
-                           nearest.empty() ? "" : ", did you mean '" + nearest + "'?", fmt::join(names, ", "));
+        return fmt::format("'{}' is not known{}; there are {}", text, didYouMean(nearestName(text, names)),
+                           fmt::join(names, ", "));
       },
       "");
 }
@@ -275,10 +274,6 @@ void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptio
       ->type_name("NAME");
   app->add_flag("--json", coverage.json, "As JSON");
   app->footer(kFooter);
-}
-
-std::string didYouMean(const std::string& nearest) {
-  return nearest.empty() ? "" : ", did you mean '" + nearest + "'?";
 }
 
 /// Of a command line that CLI11 refuses: the command or option that there is not, with the nearest one; empty:

@@ -118,7 +118,8 @@ void sayDeviation(Console& console, const Vec3& place, const SettledPoint& at, c
                   deviation < 0.0 ? "below" : "above", allowed));
   if (std::abs(deviation) <= allowed) return;
   if (const Finding* told = findingOf(at.p, deviation > 0.0 ? DeviationKind::kExcess : DeviationKind::kGouge, run)) {
-    for (const Cause& cause : told->causes) say(console, cause.left_mm == 0.0 ? "cause" : "could be", report_text::causeLine(cause));
+    for (const Cause& cause : told->causes)
+      say(console, cause.left_mm == 0.0 ? "cause" : "could be", report_text::causeLine(cause));
     return;
   }
   for (const Cause& cause : findingAt(place, at, deviation, sources, part, run).causes)

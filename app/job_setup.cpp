@@ -21,11 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string didYouMean(const std::string& word, const std::vector<std::string>& names) {
-  const std::string nearest = nearestName(word, names);
-  return nearest.empty() ? "" : ", did you mean '" + nearest + "'?";
-}
-
 std::optional<UntilBlock> parseUntil(const std::string& text) {
   const bool by_number = !text.empty() && (text[0] == 'N' || text[0] == 'n');
   const char* first = text.data() + (by_number ? 1 : 0);
@@ -77,7 +72,7 @@ bool keepSetups(const std::string& name, Job& job, Diagnostics& diagnostics) {
   if (found == names.end()) {
     diagnostics.add(usageError(names.empty() ? "--setup: the job has no setups"
                                              : fmt::format("--setup: there is no setup '{}'{}; there are {}",
-                                                           name, didYouMean(name, names), fmt::join(names, ", "))));
+                                                           name, didYouMean(nearestName(name, names)), fmt::join(names, ", "))));
     return false;
   }
   const auto kept = static_cast<std::size_t>(found - names.begin()) + 1;

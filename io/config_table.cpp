@@ -50,7 +50,7 @@ void unknownChoice(const ConfigDocument& document, const ConfigPlace& place, con
   document.error(
       place, "job-value",
       fmt::format("{} '{}' is not known{}; there are {}", what, shortened(text),
-                  nearest.empty() ? "" : ", did you mean '" + nearest + "'?", fmt::join(names, ", ")));
+                  didYouMean(nearest), fmt::join(names, ", ")));
 }
 
 bool isList(const ConfigDocument& document, const ConfigValue& value, const std::string& what) {

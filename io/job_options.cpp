@@ -120,7 +120,7 @@ Result<OutputFormat> parseOutputFormat(std::string_view name) {
   }
   const std::string nearest = nearestName(name, names);
   return inputError(fmt::format("there is no output format '{}'{}; there are {}", name,
-                                nearest.empty() ? "" : ", did you mean '" + nearest + "'?",
+                                didYouMean(nearest),
                                 fmt::join(names, ", ")));
 }
 
@@ -145,7 +145,7 @@ Result<StockSpec> parseStockOption(const std::string& text) {
   const bool other = !nearest.empty() && nearest != word;
   Result<StockSpec> spec =
       inputError(fmt::format("'{}' is no stock{}; there are box:, cylinder:, tube:, mesh:FILE and vdb:FILE", text,
-                             other ? ", did you mean '" + nearest + ":'?" : ""));
+                             didYouMean(other ? nearest + ":" : "")));
   if (word == "box") spec = boxOption(split(text, ':'));
   if (word == "cylinder" || word == "tube") spec = cylinderOption(split(text, ':'), word == "tube");
   if (word == "mesh" || word == "vdb") {

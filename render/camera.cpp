@@ -83,7 +83,7 @@ Result<View> findView(const std::string& name) {
   }
   const std::string nearest = nearestName(name, viewNames());
   return inputError(fmt::format("unknown view '{}'{}: the views are {}", name,
-                                nearest.empty() ? "" : ", did you mean '" + nearest + "'?",
+                                didYouMean(nearest),
                                 fmt::join(viewNames(), ", ")));
 }
 

@@ -194,7 +194,7 @@ class Collector {
       const char* const letter = k == 0 ? "x" : k == 1 ? "y" : "z";
       if (data.work_system > 0) {
         addDatum(kAxes[k], kWorkOffset,
-                 fmt::format("offsets.work.{}.{}", systemName(data.work_system), letter),
+                 fmt::format("offsets.work.{}.{}", workSystemName(data.work_system), letter),
                  data.work_offset.value[axis], data.work_offset.set_by[k]);
       }
       if (data.common_offset.value[axis] != 0.0 || data.common_offset.set_by[k] != 0)
@@ -203,10 +203,6 @@ class Collector {
       if (data.shift.set_by[k] != 0)
         addDatum(kAxes[k], kShift, "", data.shift.value[axis], data.shift.set_by[k]);
     }
-  }
-
-  static std::string systemName(int system) {
-    return system < 100 ? fmt::format("G{}", 53 + system) : fmt::format("G54.1 P{}", system - 100);
   }
 
   const CauseSource& s_;

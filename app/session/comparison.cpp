@@ -46,11 +46,6 @@ void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResul
   run.findings.back().setup = setup.name;
 }
 
-/// `first`, then `then`.
-RigidTransform after(const RigidTransform& then, const RigidTransform& first) {
-  return {then.rotation * first.rotation, then(first.translation)};
-}
-
 /// The part that a clamping turned, without what fell off.
 std::shared_ptr<const TurnedShape> turnedPart(const SetupRun& setup) {
   TurnedShape part = *setup.turned;
@@ -92,7 +87,7 @@ Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const 
   std::vector<ClampedCut> cuts(run.setups.size());
   for (std::size_t k = 0; k < run.setups.size(); ++k) {
     const SetupRun& setup = run.setups[k];
-    if (k > 0) to_first = after(to_first, setup.from_previous.inverse());
+    if (k > 0) to_first = to_first * setup.from_previous.inverse();
     if (!setup.turned) continue;
     start = turnedStock(turnedPart(setup), to_first);
     turned_by = static_cast<std::uint32_t>(k);
@@ -101,7 +96,7 @@ Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const 
   for (std::size_t k = run.setups.size(); k-- > 0;) {
     const SetupRun& setup = run.setups[k];
     cuts[k] = {setup.turned ? &kNothing : &setup.interpreted.path, &setup.job.tools, from_last};
-    from_last = after(setup.from_previous.inverse(), from_last);
+    from_last = setup.from_previous.inverse() * from_last;
   }
   return makeSweptPart(start, cuts, turned_by);
 }

@@ -122,10 +122,8 @@ class Diagnosis {
   /// From the last clamping's frame into that of another.
   RigidTransform into(std::uint32_t setup) const {
     RigidTransform out;
-    for (std::size_t k = run_.setups.size() - 1; k > setup; --k) {
-      const RigidTransform back = run_.setups[k].from_previous.inverse();
-      out = {back.rotation * out.rotation, back(out.translation)};
-    }
+    for (std::size_t k = run_.setups.size() - 1; k > setup; --k)
+      out = run_.setups[k].from_previous.inverse() * out;
     return out;
   }
 

@@ -85,4 +85,8 @@ std::string nearestName(std::string_view word, const std::vector<std::string>& c
   return best.empty() ? beginningWith(word, candidates) : best;
 }
 
+std::string didYouMean(const std::string& nearest) {
+  return nearest.empty() ? std::string() : ", did you mean '" + nearest + "'?";
+}
+
 }  // namespace proveout

@@ -15,6 +15,10 @@ struct RigidTransform {
 
   Vec3 operator()(const Vec3& p) const { return rotation * p + translation; }
   RigidTransform inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
+  /// `first`, then this one.
+  RigidTransform operator*(const RigidTransform& first) const {
+    return {rotation * first.rotation, (*this)(first.translation)};
+  }
   /// Bounds of a moved box.
   Box3 operator()(const Box3& box) const {
     const Vec3 center = (*this)(box.center()), half = rotation.cwiseAbs() * (0.5 * box.size());

@@ -26,6 +26,9 @@ const std::vector<ControlInfo>& controls();
 /// The control of that name. Error: unknown name (lists the known ones) or a control that is not built yet.
 Result<ControlId> findControl(std::string_view name);
 
+/// Names of the controls that this version runs.
+std::vector<std::string> builtControlNames();
+
 /// One row of what a control supports, taken from the tables that execute.
 struct CoverageRow {
   std::string code;     ///< "G2", "M98", "F"

@@ -177,10 +177,17 @@ inline Vec3 workpieceZero(const ControlSettings& settings) {
   return settings.placement.origin.value_or(offsetZero(settings));
 }
 
-/// Whether the job leaves a work system without a value (`system`: 1 to 6 are G54 to G59, from 101 on G54.1 P1
-/// to P99) and it matters: where it gives none at all, G54 is the workpiece's own zero.
+/// Numbers of work systems: 1 to 6 are G54 to G59, from this one on G54.1 P1 to P99.
+inline constexpr int kFirstExtendedSystem = 101;
+/// "G55", "G54.1 P3".
+inline std::string workSystemName(int system) {
+  if (system < kFirstExtendedSystem) return "G" + std::to_string(53 + system);
+  return "G54.1 P" + std::to_string(system - kFirstExtendedSystem + 1);
+}
+
+/// Whether the job leaves a work system without a value and it matters: where it gives none at all, G54 is the
+/// workpiece's own zero.
 inline bool lacksWorkOffset(const ControlSettings& settings, int system) {
-  constexpr int kFirstExtendedSystem = 101;
   if (system >= kFirstExtendedSystem)
     return !settings.extended_offsets.contains(system - kFirstExtendedSystem + 1);
   if (system < 1 || settings.work_given[static_cast<std::size_t>(system - 1)]) return false;

@@ -52,19 +52,25 @@ const std::vector<ControlInfo>& controls() {
   return kControls;
 }
 
-Result<ControlId> findControl(std::string_view name) {
-  std::vector<std::string> built;
+std::vector<std::string> builtControlNames() {
+  std::vector<std::string> names;
   for (const ControlInfo& control : controls()) {
-    if (control.built) built.emplace_back(control.name);
+    if (control.built) names.emplace_back(control.name);
+  }
+  return names;
+}
+
+Result<ControlId> findControl(std::string_view name) {
+  for (const ControlInfo& control : controls()) {
     if (control.name != name) continue;
     if (control.built) return control.id;
     return inputError(fmt::format("control {} is known but this version cannot run it yet", name));
   }
   std::string word(name);
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const std::string nearest = nearestName(word, built);
-  return inputError(fmt::format("unknown control {}{}; there are {}", name,
-                                nearest.empty() ? "" : ", did you mean '" + nearest + "'?", fmt::join(built, ", ")));
+  const std::vector<std::string> built = builtControlNames();
+  return inputError(fmt::format("unknown control {}{}; there are {}", name, didYouMean(nearestName(word, built)),
+                                fmt::join(built, ", ")));
 }
 
 std::string_view coverageStatus(std::string_view cls) {

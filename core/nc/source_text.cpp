@@ -1,6 +1,6 @@
 #include "core/nc/source_text.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <iconv.h>
 
 #include <algorithm>
@@ -293,19 +293,6 @@ std::string shownLine(std::string_view line) {
 
 }  // namespace
 
-namespace {
-
-/// "nct, wl4-mill, ..."
-std::string builtControls() {
-  std::string names;
-  for (const ControlInfo& control : controls()) {
-    if (control.built) names += (names.empty() ? "" : ", ") + std::string(control.name);
-  }
-  return names;
-}
-
-}  // namespace
-
 Diagnostic diagnosticAt(const SourceText* text, const SourceRef& at, Columns columns, Severity severity,
                         std::string code, std::string message) {
   Diagnostic d;
@@ -317,7 +304,7 @@ Diagnostic diagnosticAt(const SourceText* text, const SourceRef& at, Columns col
     const std::string language = foreignLanguage(text->lines());
     d.code = language.empty() ? "no-program" : "foreign-program";
     d.message = language.empty() ? "this is no NC program: its lines are no blocks"
-                                 : fmt::format("this is {}; none of the controls here does: {}", language, builtControls());
+                                 : fmt::format("this is {}; none of the controls here does: {}", language, fmt::join(builtControlNames(), ", "));
     d.where.file = text->name();
     return d;
   }

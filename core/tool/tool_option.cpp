@@ -62,7 +62,7 @@ Result<Tool> parseToolOption(const std::string& text) {
     for (const ToolTypeRow* row : toolTypes()) names.emplace_back(row->name);
     const std::string nearest = nearestName(parts[0], names);
     return wrong(fmt::format("unknown shape '{}'{}", parts[0],
-                             nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+                             didYouMean(nearest)));
   }
   const auto set = rowOf(*type).set;
   if (set == nullptr) return wrong(fmt::format("'{}' needs a job file ([[tool]])", parts[0]));

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/geometry/polygon.h"
+
 namespace proveout {
 namespace {
 
@@ -19,9 +21,7 @@ using Polygon = std::vector<Vec2>;
 /// The part of a convex polygon on the left of the line through a and b.
 Polygon leftOf(const Polygon& polygon, const Vec2& a, const Vec2& b) {
   Polygon out;
-  const auto side = [&](const Vec2& p) {
-    return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-  };
+  const auto side = [&](const Vec2& p) { return cross2(b - a, p - a); };
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
     const double of_p = side(p), of_q = side(q);
@@ -29,15 +29,6 @@ Polygon leftOf(const Polygon& polygon, const Vec2& a, const Vec2& b) {
     if (of_p * of_q < 0.0) out.push_back(p + of_p / (of_p - of_q) * (q - p));
   }
   return out;
-}
-
-double areaOf(const Polygon& polygon) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    twice += p.x() * q.y() - p.y() * q.x();
-  }
-  return 0.5 * twice;
 }
 
 /// A facet in its own plane.
@@ -68,10 +59,10 @@ std::optional<std::pair<double, Vec3>> facetGap(const Facet& t, const Facet& s, 
   if (t.normal.dot(s.normal) > -kFacing) return std::nullopt;
   Polygon part;
   for (const Vec3& p : s.corners) part.push_back(t.flat(p));
-  if (areaOf(part) < 0.0) std::reverse(part.begin(), part.end());
+  if (polygonArea(part) < 0.0) std::reverse(part.begin(), part.end());
   for (std::size_t c = 0; c < 3 && !part.empty(); ++c)
     part = leftOf(part, t.flat(t.corners[c]), t.flat(t.corners[(c + 1) % 3]));
-  if (part.size() < 3 || areaOf(part) < kLeastAreaMm2) return std::nullopt;
+  if (part.size() < 3 || polygonArea(part) < kLeastAreaMm2) return std::nullopt;
   std::optional<std::pair<double, Vec3>> widest;
   for (const Vec2& p : part) {
     const Vec3 foot = t.corners[0] + p.x() * t.u + p.y() * t.v;

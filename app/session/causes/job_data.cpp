@@ -10,11 +10,12 @@ namespace proveout {
 
 namespace {
 
-struct ToolNumber {
+template <typename Owner>
+struct Number {
   std::string_view key;
-  double Tool::* member;
+  double Owner::* member;
 };
-constexpr ToolNumber kToolNumbers[] = {{"diameter", &Tool::diameter},
+constexpr Number<Tool> kToolNumbers[] = {{"diameter", &Tool::diameter},
                                        {"corner_radius", &Tool::corner_radius},
                                        {"tip_diameter", &Tool::tip_diameter},
                                        {"cone_angle", &Tool::cone_angle_deg},
@@ -26,11 +27,7 @@ constexpr ToolNumber kToolNumbers[] = {{"diameter", &Tool::diameter},
                                        {"root_diameter", &Tool::root_diameter},
                                        {"spark_gap", &Tool::spark_gap},
                                        {"gauge_length", &Tool::gauge_length}};
-struct InsertNumber {
-  std::string_view key;
-  double Insert::* member;
-};
-constexpr InsertNumber kInsertNumbers[] = {{"nose_radius", &Insert::nose_radius},
+constexpr Number<Insert> kInsertNumbers[] = {{"nose_radius", &Insert::nose_radius},
                                            {"insert_angle", &Insert::insert_angle_deg},
                                            {"lead_angle", &Insert::lead_angle_deg},
                                            {"width", &Insert::width},
@@ -99,12 +96,12 @@ double* offset(ControlSettings& settings, std::string_view key) {
 }
 
 double* toolNumber(Tool& tool, std::string_view key) {
-  for (const ToolNumber& n : kToolNumbers) {
+  for (const Number<Tool>& n : kToolNumbers) {
     if (n.key == key) return &(tool.*n.member);
   }
   // Dovetails call it height, T-slot cutters thickness.
   if (key == "height" || key == "thickness") return &tool.cutter_height;
-  for (const InsertNumber& n : kInsertNumbers) {
+  for (const Number<Insert>& n : kInsertNumbers) {
     if (tool.insert && n.key == key) return &((*tool.insert).*n.member);
   }
   return nullptr;
@@ -187,12 +184,12 @@ std::vector<std::string> toolKeys(const Tool& tool) {
   std::vector<std::string> out;
   const std::string head = fmt::format("tools.{}.", tool.number);
   if (tool.insert) {
-    for (const InsertNumber& n : kInsertNumbers) {
+    for (const Number<Insert>& n : kInsertNumbers) {
       if ((*tool.insert).*n.member != 0.0) out.push_back(head + std::string(n.key));
     }
     return out;
   }
-  for (const ToolNumber& n : kToolNumbers) {
+  for (const Number<Tool>& n : kToolNumbers) {
     if (own(n.key)) out.push_back(head + std::string(n.key));
   }
   for (const char* key : {"height", "thickness"}) {

@@ -40,7 +40,7 @@ bool holds(const Box3& box, const Vec3& p) { return box.overlaps({p, p}); }
 
 }  // namespace
 
-std::vector<NominalSample> nominalSamples(const TriMesh& mesh, const Box3& box, std::size_t most) {
+std::vector<Vec3> nominalSamples(const TriMesh& mesh, const Box3& box, std::size_t most) {
   std::vector<Facet> facets;
   double sum = 0.0;
   for (const auto& t : mesh.triangles) {
@@ -52,7 +52,7 @@ std::vector<NominalSample> nominalSamples(const TriMesh& mesh, const Box3& box, 
     sum += f.area;
     facets.push_back(f);
   }
-  std::vector<NominalSample> out;
+  std::vector<Vec3> out;
   if (facets.empty()) return out;
   // A point for each share of the area; those that fall outside of the box are tried again a few times.
   const double share = sum / static_cast<double>(most);
@@ -67,7 +67,7 @@ std::vector<NominalSample> nominalSamples(const TriMesh& mesh, const Box3& box, 
         if (uv.sum() > 1.0) uv = Vec2(1.0, 1.0) - uv;
         const Vec3 p = f.a + uv.x() * f.u + uv.y() * f.v;
         if (!holds(box, p)) continue;
-        out.push_back({p, f.u.cross(f.v).normalized()});
+        out.push_back(p);
         break;
       }
     }

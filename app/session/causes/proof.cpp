@@ -85,7 +85,7 @@ class Proof {
   void addPatch(const TriMesh& nominal, const DeviationPatch& patch) {
     const std::size_t first = samples_.size();
     const Box3 box = patch.bounds.inflated(patch.depth_mm + run_.resolution_mm);
-    for (const NominalSample& s : nominalSamples(nominal, box, kPatchPoints)) samples_.push_back(s);
+    for (const Vec3& s : nominalSamples(nominal, box, kPatchPoints)) samples_.push_back(s);
     patches_.push_back({&patch, first, samples_.size()});
   }
 
@@ -300,8 +300,7 @@ class Proof {
       const std::size_t count = std::min(kMostNearest, nearest.size());
       std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count), nearest.end());
       for (std::size_t i = 0; i < count; ++i) out.emplace_back(static_cast<std::uint32_t>(k), nearest[i].second);
-      const RigidTransform back = run_.setups[k].from_previous.inverse();
-      from_last = {back.rotation * from_last.rotation, back(from_last.translation)};
+      from_last = run_.setups[k].from_previous.inverse() * from_last;
     }
   }
 
@@ -359,7 +358,7 @@ class Proof {
   std::size_t left_ = 0;  ///< trials
   double reach_ = 0.0, off_ = 0.0;
   Box3 all_;
-  std::vector<NominalSample> samples_;
+  std::vector<Vec3> samples_;
   std::vector<PatchPoints> patches_;
   std::vector<double> before_;
   std::map<std::string, Suspect> suspects_;

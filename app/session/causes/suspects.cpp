@@ -264,37 +264,6 @@ std::optional<Suspect> suspectDatum(const SuspectScene& scene, std::uint32_t set
 
 namespace {
 
-/// The count of repeats in a line, L, or the place behind the call where one could stand.
-void addRepeats(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrigin& block,
-                std::vector<Suspect>& out) {
-  const Toolpath& path = scene.run.setups[setup].interpreted.path;
-  const std::string line = scene.sources[setup]->line(path.files[block.file], block.line);
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '(' || line[i] == ';') break;
-    if (line[i] != 'L' && line[i] != 'K') continue;
-    std::size_t end = i + 1;
-    while (end < line.size() && isDigit(line[end])) ++end;
-    if (end == i + 1 || (end < line.size() && line[end] == '.')) continue;
-    ResolvedOrigin word = block;
-    word.begin = static_cast<std::uint16_t>(i + 1);
-    word.text = line.substr(i, end - i);
-    const auto code = codeIn(word.text);
-    if (!code || code->number > 999) continue;
-    Suspect repeats = bare(scene, setup, word);
-    repeats.cause.what = "repeats";
-    for (const int more : {1, -1, 2, -2}) {
-      if (code->number + more >= 1) addOther(scene, setup, word, written(*code, code->number + more), repeats);
-    }
-    out.push_back(std::move(repeats));
-  }
-}
-
-void addWord(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrigin& word, double step,
-             std::vector<Suspect>& out) {
-  if (auto suspect = suspectWord(scene, setup, word, step)) out.push_back(std::move(*suspect));
-  for (const ResolvedOrigin& from : word.from) addWord(scene, setup, from, step, out);
-}
-
 /// A letter with its number in a line, outside of comments.
 struct LineWord {
   std::size_t begin;
@@ -319,6 +288,32 @@ std::vector<LineWord> wordsIn(const std::string& line) {
     i = end - 1;
   }
   return out;
+}
+
+/// The count of repeats in a line, L, or the place behind the call where one could stand.
+void addRepeats(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrigin& block,
+                std::vector<Suspect>& out) {
+  const Toolpath& path = scene.run.setups[setup].interpreted.path;
+  const std::string line = scene.sources[setup]->line(path.files[block.file], block.line);
+  for (const LineWord& w : wordsIn(line)) {
+    const auto code = codeIn(w.text);
+    if (!code || (code->letter != 'L' && code->letter != 'K') || code->number > 999) continue;
+    ResolvedOrigin word = block;
+    word.begin = static_cast<std::uint16_t>(w.begin + 1);
+    word.text = w.text;
+    Suspect repeats = bare(scene, setup, word);
+    repeats.cause.what = "repeats";
+    for (const int more : {1, -1, 2, -2}) {
+      if (code->number + more >= 1) addOther(scene, setup, word, written(*code, code->number + more), repeats);
+    }
+    out.push_back(std::move(repeats));
+  }
+}
+
+void addWord(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrigin& word, double step,
+             std::vector<Suspect>& out) {
+  if (auto suspect = suspectWord(scene, setup, word, step)) out.push_back(std::move(*suspect));
+  for (const ResolvedOrigin& from : word.from) addWord(scene, setup, from, step, out);
 }
 
 /// What a word of a wire's program says, as a modal one; empty: nothing that shifts a cut.

@@ -52,32 +52,28 @@ Toolpath near(const Toolpath& path, const std::vector<Tool>& tools, const Box3& 
   return out;
 }
 
-Box3 boundsOf(const std::vector<NominalSample>& samples, const RigidTransform& move) {
+Box3 boundsOf(const std::vector<Vec3>& samples, const RigidTransform& move) {
   Box3 box;
-  for (const NominalSample& s : samples) box.extend(move(s.p));
+  for (const Vec3& p : samples) box.extend(move(p));
   constexpr double kBesideMm = 0.1;
   return box.inflated(kBesideMm);
 }
 
-RigidTransform after(const RigidTransform& then, const RigidTransform& first) {
-  return {then.rotation * first.rotation, then(first.translation)};
-}
-
 /// `part` is asked from the nominal's side: what is in the material there is left over.
-std::vector<double> measured(const ExactPart& part, const std::vector<NominalSample>& samples, double reach_mm) {
+std::vector<double> measured(const ExactPart& part, const std::vector<Vec3>& samples, double reach_mm) {
   std::vector<double> out;
   out.reserve(samples.size());
-  for (const NominalSample& s : samples) out.push_back(-part.at(s.p, reach_mm).value);
+  for (const Vec3& p : samples) out.push_back(-part.at(p, reach_mm).value);
   return out;
 }
 
-std::vector<double> measured(const TriMesh& mesh, const std::vector<NominalSample>& samples, double reach_mm) {
+std::vector<double> measured(const TriMesh& mesh, const std::vector<Vec3>& samples, double reach_mm) {
   if (mesh.triangles.empty()) return {};
   const SurfaceMesh surface = toSurface(mesh);
   const SignedDistance distance(surface);
   std::vector<double> out;
-  for (const NominalSample& s : samples)
-    out.push_back(std::clamp(-distance.at(s.p).distance, -reach_mm, reach_mm));
+  for (const Vec3& p : samples)
+    out.push_back(std::clamp(-distance.at(p).distance, -reach_mm, reach_mm));
   return out;
 }
 
@@ -127,7 +123,7 @@ std::optional<TrialBench::Changed> TrialBench::changedSetup(const Trial& trial) 
   return out;
 }
 
-std::vector<double> TrialBench::ofSweptPart(const Changed* changed, const std::vector<NominalSample>& samples,
+std::vector<double> TrialBench::ofSweptPart(const Changed* changed, const std::vector<Vec3>& samples,
                                             double reach_mm) const {
   std::vector<ClampedCut> cuts(run_.setups.size());
   std::vector<Toolpath> paths(cuts.size());
@@ -141,14 +137,14 @@ std::vector<double> TrialBench::ofSweptPart(const Changed* changed, const std::v
     cuts[k] = {&paths[k], &tools, from_last};
     const bool moved = changed != nullptr && !changed->whole.setups.empty();
     const RigidTransform& from_previous = moved ? changed->whole.setups[k].from_previous : setup.from_previous;
-    from_last = after(from_previous.inverse(), from_last);
+    from_last = from_previous.inverse() * from_last;
   }
   const Result<std::unique_ptr<ExactPart>> part = makeSweptPart(blank_.shape, cuts);
   if (!part || *part == nullptr) return {};
   return measured(**part, samples, reach_mm);
 }
 
-std::vector<double> TrialBench::deviations(const Trial& trial, const std::vector<NominalSample>& samples,
+std::vector<double> TrialBench::deviations(const Trial& trial, const std::vector<Vec3>& samples,
                                            double reach_mm) const {
   if (!works_ || progress_.cancelled()) return {};
   const std::optional<Changed> changed = changedSetup(trial);
@@ -156,11 +152,11 @@ std::vector<double> TrialBench::deviations(const Trial& trial, const std::vector
   return swept_ ? ofSweptPart(&*changed, samples, reach_mm) : machinedAgain(*changed, samples, reach_mm);
 }
 
-std::vector<double> TrialBench::deviations(const std::vector<NominalSample>& samples, double reach_mm) const {
+std::vector<double> TrialBench::deviations(const std::vector<Vec3>& samples, double reach_mm) const {
   return swept_ ? ofSweptPart(nullptr, samples, reach_mm) : measured(run_.surface().mesh, samples, reach_mm);
 }
 
-std::vector<double> TrialBench::machinedAgain(const Changed& changed, const std::vector<NominalSample>& samples,
+std::vector<double> TrialBench::machinedAgain(const Changed& changed, const std::vector<Vec3>& samples,
                                               double reach_mm) const {
   PreparedRun again;
   again.blank = {blank_.shape, blank_.bounds, blank_.resolution_mm, std::nullopt, blank_.start_holes};

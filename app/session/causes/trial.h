@@ -19,11 +19,6 @@ struct Trial {
   std::function<bool(Job& job)> datum;
 };
 
-/// A point of the nominal surface, frame of the last clamping.
-struct NominalSample {
-  Vec3 p = Vec3::Zero(), normal = Vec3::UnitZ();
-};
-
 /// Runs trials of one run. Milled parts are asked as blank less swept volumes, near the samples alone; all others are
 /// machined again.
 class TrialBench {
@@ -35,12 +30,12 @@ class TrialBench {
   /// Whether trials can be run at all: not where programs measure the workpiece, come from templates, or go in
   /// several channels, and not for a stock from a file.
   bool works() const { return works_; }
-  /// Deviations of the machined part from the nominal at these points, mm, excess positive, up to `reach_mm`. Empty:
+  /// Deviations of the machined part from the nominal at these points of its surface (frame of the last clamping), mm, excess positive, up to `reach_mm`. Empty:
   /// the program would end in an alarm, or the trial cannot be run.
-  std::vector<double> deviations(const Trial& trial, const std::vector<NominalSample>& samples,
+  std::vector<double> deviations(const Trial& trial, const std::vector<Vec3>& samples,
                                  double reach_mm) const;
   /// The same of the run as it is.
-  std::vector<double> deviations(const std::vector<NominalSample>& samples, double reach_mm) const;
+  std::vector<double> deviations(const std::vector<Vec3>& samples, double reach_mm) const;
   /// How many trials take about as long as the run itself, estimated from its size alone.
   std::size_t worthwhile() const;
 
@@ -48,9 +43,9 @@ class TrialBench {
   struct Changed;
   std::optional<Changed> changedSetup(const Trial& trial) const;
   /// `changed`: null for the run as it is.
-  std::vector<double> ofSweptPart(const Changed* changed, const std::vector<NominalSample>& samples,
+  std::vector<double> ofSweptPart(const Changed* changed, const std::vector<Vec3>& samples,
                                   double reach_mm) const;
-  std::vector<double> machinedAgain(const Changed& changed, const std::vector<NominalSample>& samples,
+  std::vector<double> machinedAgain(const Changed& changed, const std::vector<Vec3>& samples,
                                     double reach_mm) const;
 
   const Job& job_;

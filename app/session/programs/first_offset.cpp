@@ -8,7 +8,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kG54 = 1, kFirstExtended = 101;
+constexpr int kG54 = 1;
 
 /// Looks for the work systems that cuts are made under; ends the program at the first one under G54.
 class OffsetScout : public ToolpathBuilder {
@@ -43,11 +43,6 @@ class OffsetScout : public ToolpathBuilder {
   bool g54_ = false;
 };
 
-std::string nameOf(int system) {
-  return system < kFirstExtended ? fmt::format("G{}", 53 + system)
-                                 : fmt::format("G54.1 P{}", system - kFirstExtended + 1);
-}
-
 /// Whether another offset than G54 names another place.
 bool givesOther(const ControlSettings& settings) {
   const auto other = [&](const Vec3& offset) { return offset != settings.work_offsets[0]; };
@@ -59,8 +54,8 @@ bool givesOther(const ControlSettings& settings) {
 }
 
 Vec3 offsetOf(const ControlSettings& settings, int system) {
-  if (system < kFirstExtended) return settings.work_offsets[static_cast<std::size_t>(system - 1)];
-  const auto row = settings.extended_offsets.find(system - kFirstExtended + 1);
+  if (system < kFirstExtendedSystem) return settings.work_offsets[static_cast<std::size_t>(system - 1)];
+  const auto row = settings.extended_offsets.find(system - kFirstExtendedSystem + 1);
   return row == settings.extended_offsets.end() ? Vec3(Vec3::Zero()) : row->second;
 }
 
@@ -87,7 +82,7 @@ void placeByFirstOffset(Job& job, const RecordingSource& source, const Box3& bla
   note.message = fmt::format(
       "nothing is cut under G54: the workpiece is taken to lie where {0} says, the first offset that the program cuts "
       "under; [placement] origin in the job says where it really lies",
-      nameOf(first));
+      workSystemName(first));
   diagnostics.add(std::move(note));
 }
 

@@ -5,9 +5,12 @@
 #include "app/session/programs/first_offset.h"
 #include "app/session/programs/placed_path.h"
 #include "app/session/session.h"
+#include "tests/unit/app/memory_run.h"
 
 namespace proveout {
 namespace {
+
+using app_test::run;
 
 Job plateJob() {
   Job job;
@@ -20,19 +23,6 @@ Job plateJob() {
   job.tools = {tool};
   job.simulation.resolution_mm = 1.0;
   return job;
-}
-
-Result<RunResult> run(const Job& job, const std::vector<std::string>& programs) {
-  std::vector<std::unique_ptr<MemoryProgramSource>> memory;
-  std::vector<std::unique_ptr<RecordingSource>> sources;
-  RunSources all;
-  for (const std::string& program : programs) {
-    memory.push_back(std::make_unique<MemoryProgramSource>("part.nc", program));
-    sources.push_back(std::make_unique<RecordingSource>(*memory.back(), TextEncoding::kAuto));
-    all.push_back(sources.back().get());
-  }
-  Progress progress;
-  return runRecorded(job, all, progress);
 }
 
 /// The first cut, which the programs below make to X30 Y20 Z-2.

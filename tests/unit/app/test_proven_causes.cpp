@@ -5,6 +5,7 @@
 #include "app/session/session.h"
 #include "io/mesh_io.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/app/memory_run.h"
 
 namespace proveout {
 namespace {
@@ -71,10 +72,7 @@ class ProvenCauses : public testing::Test {
   }
 
   Result<RunResult> run(const std::string& program) const {
-    const MemoryProgramSource memory("part.nc", program);
-    const RecordingSource source(memory, TextEncoding::kAuto);
-    Progress progress;
-    return runRecorded(job, {&source}, progress);
+    return app_test::run(job, {program});
   }
 
   /// Runs a program with a word put otherwise.
@@ -100,7 +98,9 @@ class ProvenCauses : public testing::Test {
       EXPECT_EQ(first.left_mm, 0.0) << first.what << " " << first.value;
       EXPECT_EQ(first.with, with) << first.what << " " << first.value;
       EXPECT_EQ(first.source ? first.source->line : 0, line) << first.what;
-      if (line == 0) EXPECT_EQ(first.what, what);
+      if (line == 0) {
+        EXPECT_EQ(first.what, what);
+      }
     }
     EXPECT_GT(deviations, 0U);
   }

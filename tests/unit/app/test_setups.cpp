@@ -7,9 +7,12 @@
 #include "app/session/provenance.h"
 #include "app/session/session.h"
 #include "app/session/uncertainty.h"
+#include "tests/unit/app/memory_run.h"
 
 namespace proveout {
 namespace {
+
+using app_test::run;
 
 TEST(RigidTransform, QuarterTurnsAreExact) {
   EXPECT_EQ(rotationAbout(Vec3::UnitX(), 180)(1, 1), -1.0);
@@ -53,19 +56,6 @@ Job twoSetups(double resolution) {
   bottom.from_previous = {rotationAbout(Vec3::UnitX(), 180), {0, 20, -10}};
   job.setups = {top, bottom};
   return job;
-}
-
-Result<RunResult> run(const Job& job, const std::vector<std::string>& programs) {
-  std::vector<std::unique_ptr<MemoryProgramSource>> memory;
-  std::vector<std::unique_ptr<RecordingSource>> sources;
-  RunSources all;
-  for (const std::string& program : programs) {
-    memory.push_back(std::make_unique<MemoryProgramSource>("part.nc", program));
-    sources.push_back(std::make_unique<RecordingSource>(*memory.back(), TextEncoding::kAuto));
-    all.push_back(sources.back().get());
-  }
-  Progress progress;
-  return runRecorded(job, all, progress);
 }
 
 std::string hole(double x, double y, double z) {

@@ -86,7 +86,9 @@ constexpr Manner kManners[] = {Manner::kFan, Manner::kStrips, Manner::kIrregular
 void expectRight(const Row& row, bool rough = false) {
   EXPECT_GT(row.ratio, 0.7) << row.text;
   EXPECT_LT(row.ratio, 1.5) << row.text;
-  if (!rough) EXPECT_LT(row.within, 1.0) << row.text;
+  if (!rough) {
+    EXPECT_LT(row.within, 1.0) << row.text;
+  }
 }
 
 TEST(ChordEstimate, BodiesOfRevolution) {

@@ -275,8 +275,7 @@ void warnOfMissingOffset(NctContext& c, WorkSystemId id) {
   const WorkSystem system = c.registers.frames.system(id);
   const auto set = [](std::uint32_t by) { return by != 0; };
   if (std::any_of(system.offset_by.begin(), system.offset_by.end(), set) || system.offset.xyz != Vec3::Zero()) return;
-  const std::string name =
-      id < kFirstExtended ? fmt::format("G{}", 53 + id) : fmt::format("G54.1 P{}", id - kFirstExtended + 1);
+  const std::string name = workSystemName(id);
   c.warnOnce(name, "nct-offset-missing", fmt::format("{} has no value in the job: 0 is taken", name));
 }
 
