@@ -320,4 +320,43 @@ std::string calledFrom(const SourceText& text, std::size_t line) {
   return fmt::format("called from {}:{}", text.name(), line);
 }
 
+namespace {
+
+bool endsTape(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && line[first] == '%';
+}
+
+/// What is open behind a line, with `open` in front of it.
+void readComments(std::string_view line, std::size_t index, std::optional<OpenComment>& open) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (open && line[i] == ')') {
+      open.reset();
+    } else if (!open && line[i] == '(') {
+      const int column = static_cast<int>(i) + 1;
+      open = OpenComment{index, {column, column + 1}};
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<OpenComment> commentOpenAtEnd(const std::vector<std::string_view>& lines, std::size_t from) {
+  std::optional<OpenComment> open;
+  for (std::size_t k = from; k < lines.size(); ++k) {
+    if (!open && k > from && endsTape(lines[k])) break;
+    readComments(lines[k], k, open);
+  }
+  return open;
+}
+
+std::optional<OpenComment> commentOpenInLine(const std::vector<std::string_view>& lines, std::size_t from) {
+  for (std::size_t k = from; k < lines.size(); ++k) {
+    std::optional<OpenComment> open;
+    readComments(lines[k], k, open);
+    if (open) return open;
+  }
+  return std::nullopt;
+}
+
 }  // namespace proveout::nc

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,5 +77,18 @@ Diagnostic diagnosticAt(const SourceText* text, const SourceRef& at, Columns col
                         std::string code, std::string message);
 /// A note of a diagnostic: the line, from 1, that calls the program in hand.
 std::string calledFrom(const SourceText& text, std::size_t line);
+
+/// A comment in ( ) that nobody has closed.
+struct OpenComment {
+  std::size_t line = 0;  ///< index of the line in which it begins
+  Columns columns;       ///< of its (
+};
+
+/// The comment that is open where the text ends, or the tape: a line that begins with %. Comments go on from
+/// line to line, and their first ) closes them. Looks from line index `from` on, outside of comments.
+std::optional<OpenComment> commentOpenAtEnd(const std::vector<std::string_view>& lines, std::size_t from);
+
+/// The first comment from line index `from` on that its own line does not close.
+std::optional<OpenComment> commentOpenInLine(const std::vector<std::string_view>& lines, std::size_t from);
 
 }  // namespace proveout::nc

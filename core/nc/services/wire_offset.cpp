@@ -17,11 +17,19 @@ constexpr double kNoOffset = 1e-9;    ///< mm; smaller offsets are none
 constexpr double kNoLength = 1e-9;    ///< mm
 constexpr double kHalfTurn = 1e-9;    ///< rad; a turn that is nearer to half a one goes straight back
 constexpr double kStraightOn = 1e-9;  ///< rad
+/// rad; the same of lines whose ends come from rounded coordinates.
+constexpr double kNearlyStraightOn = 1e-3;
 
 using OffsetKind = OffsetFailure::Kind;
 
 double offsetOn(const OffsetPiece& piece) {
   return piece.starts || std::abs(piece.offset) < kNoOffset ? 0.0 : piece.offset;
+}
+
+/// Whether a piece goes on beside the end of the one in front: a taper changes there on the spot.
+bool goesOnBeside(const OffsetPiece& a, const OffsetPiece& b, double tangent_mm) {
+  return (b.element.from - a.element.to).norm() > tangent_mm &&
+         std::abs(turnOf(directionOn(a.element, true), directionOn(b.element, false))) < kNearlyStraightOn;
 }
 
 /// Where two pieces meet: how the first one ends, and the second one begins.
@@ -42,10 +50,8 @@ class OffsetJoint {
     if (before_ == 0.0 || after_ == 0.0) return ramp();
     if (before_ * after_ < 0.0) return changeOfSide();
     if (before_ != after_) return changeOfOffset();
-    if ((end - start).norm() < tangent_ || std::abs(turn_) < kStraightOn) {
-      if ((end - start).norm() > kNoLength) join.push_back(lineElement(end, start));
-      return std::nullopt;
-    }
+    if ((end - start).norm() < tangent_ || std::abs(turn_) < kStraightOn || goesOnBeside(a_, b_, tangent_))
+      return step();
     return before_ * turn_ > 0.0 ? inner() : outer();
   }
 
@@ -56,10 +62,10 @@ class OffsetJoint {
  private:
   std::optional<OffsetKind> ramp() {
     if (before_ == 0.0 && after_ == 0.0) {
-      if (a_.starts) end += a_.offset * leftOf(t2_);
-      start = end;
-      next_slants = a_.starts;
-      if (a_.starts && b_.element.arc) return OffsetKind::kArcCancel;
+      if (!a_.starts) return step();
+      start = end += a_.offset * leftOf(t2_);
+      next_slants = true;
+      if (b_.element.arc) return OffsetKind::kArcCancel;
     } else if (before_ == 0.0) {
       if (a_.element.arc) return OffsetKind::kArcStart;
       end = start;
@@ -68,6 +74,12 @@ class OffsetJoint {
       start = end;
       next_slants = true;
     }
+    return std::nullopt;
+  }
+
+  /// On the contour itself; a taper that changes between collinear lines leaves a gap in the secondary plane.
+  std::optional<OffsetKind> step() {
+    if ((end - start).norm() > kNoLength) join.push_back(lineElement(end, start));
     return std::nullopt;
   }
 
@@ -85,7 +97,8 @@ class OffsetJoint {
   }
 
   std::optional<OffsetKind> changeOfOffset() {
-    if (const auto common = meeting(); common && std::abs(std::sin(turn_)) > kStraightOn) {
+    const double straight = std::clamp(tangent_ / std::abs(before_ - after_), kStraightOn, kNearlyStraightOn);
+    if (const auto common = meeting(); common && std::abs(std::sin(turn_)) > straight) {
       end = start = *common;
     } else {
       join.push_back(lineElement(end, start));
@@ -200,15 +213,19 @@ class Offsetting {
   OffsetContour out_;
 };
 
-/// A stretch of pieces with one offset.
+/// A stretch of pieces with one offset. It ends where a taper changes on the spot: there the wire goes over
+/// the end of the piece in front.
 struct OffsetLoop {
   std::size_t first = 0, last = 0;  ///< from and behind
   double offset = 0.0;
 };
 
-OffsetLoop loopFrom(const std::vector<OffsetPiece>& pieces, std::size_t first) {
-  OffsetLoop loop{first, first, offsetOn(pieces[first])};
-  while (loop.last < pieces.size() && offsetOn(pieces[loop.last]) == loop.offset) ++loop.last;
+OffsetLoop loopFrom(const std::vector<OffsetPiece>& pieces, std::size_t first, double tangent_mm) {
+  OffsetLoop loop{first, first + 1, offsetOn(pieces[first])};
+  const auto goesOn = [&](const OffsetPiece& a, const OffsetPiece& b) {
+    return offsetOn(b) == loop.offset && !goesOnBeside(a, b, tangent_mm);
+  };
+  while (loop.last < pieces.size() && goesOn(pieces[loop.last - 1], pieces[loop.last])) ++loop.last;
   return loop;
 }
 
@@ -239,7 +256,7 @@ void checkLoop(const std::vector<OffsetPiece>& pieces, const OffsetLoop& loop, d
 OffsetContour offsetContour(const std::vector<OffsetPiece>& pieces, double tangent_mm) {
   OffsetContour out = Offsetting(pieces, tangent_mm).run();
   for (std::size_t k = 0; k < pieces.size();) {
-    const OffsetLoop loop = loopFrom(pieces, k);
+    const OffsetLoop loop = loopFrom(pieces, k, tangent_mm);
     if (loop.offset != 0.0) checkLoop(pieces, loop, tangent_mm, out);
     k = loop.last;
     if (k > out.tracks.size()) break;

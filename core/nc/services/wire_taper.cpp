@@ -12,9 +12,10 @@ namespace proveout {
 
 namespace {
 
-constexpr double kUpright = 1e-9;        ///< mm; smaller leans are none
-constexpr double kParallel = 1e-9;       ///< sine of the turn
-constexpr double kFarthestMiter = 10.0;  ///< leans
+constexpr double kUpright = 1e-9;         ///< mm; smaller leans are none
+constexpr double kParallel = 1e-9;        ///< sine of the turn
+constexpr double kNearlyParallel = 1e-3;  ///< the same, of directions that come from rounded coordinates
+constexpr double kFarthestMiter = 10.0;   ///< leans
 
 using TaperKind = TaperFailure::Kind;
 
@@ -68,12 +69,18 @@ class TaperCorner {
   }
 
   std::optional<TaperKind> changeOfLean() {
-    if (std::abs(cross2(t1_, t2_)) < kParallel) {
+    if (std::abs(cross2(t1_, t2_)) < parallel()) {
       if (a_.element.arc || b_.element.arc || t1_.dot(t2_) < 0.0) return TaperKind::kProcessing;
       tilts_in_place = true;
       return std::nullopt;
     }
     return intersection(TaperKind::kProcessing);
+  }
+
+  /// Sine of the turn below which the corner is none: a contour is tangent there to within the tolerance.
+  double parallel() const {
+    const double lean = std::max(std::abs(before_), std::abs(after_));
+    return std::clamp(rules_.tangent_mm / lean, kParallel, kNearlyParallel);
   }
 
   std::optional<TaperKind> outer() {

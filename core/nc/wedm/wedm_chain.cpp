@@ -11,6 +11,10 @@ namespace proveout::nc {
 
 namespace {
 
+/// As of taper angles: beyond it somebody has slipped, or the heights of the planes are not those of the
+/// workpiece.
+constexpr double kMostTiltDeg = 45.0;
+
 /// Sends the motions of a record and what stands behind it.
 class RecordSender {
  public:
@@ -48,14 +52,15 @@ class RecordSender {
 
   bool move(const WedmRecord& record, const ContourElement& main, const ContourElement& second,
             const WedmPace& pace) {
-    if (parameters_.max_tilt_deg > 0.0) {
-      const double tilt = radToDeg(output_.tilt(main, second));
-      if (tilt > parameters_.max_tilt_deg + 1e-9) {
-        return report_.failAt(pace.source, record.columns, "wedm-tilt",
-                              fmt::format("the wire would lean {:.3f} degrees: the machine's limit is {} "
-                                          "(MAX_TILT of the job)",
-                                          tilt, parameters_.max_tilt_deg));
-      }
+    const double tilt = radToDeg(output_.tilt(main, second));
+    const bool named = parameters_.max_tilt_deg > 0.0;
+    const double most = named ? parameters_.max_tilt_deg : kMostTiltDeg;
+    if (tilt > most + 1e-9) {
+      return report_.failAt(
+          pace.source, record.columns, "wedm-tilt",
+          fmt::format("the wire would lean {:.3f} degrees: {} {:g} ({})", tilt,
+                      named ? "the machine's limit is" : "no more are taken for meant than", most,
+                      named ? "MAX_TILT of the job" : "MAX_TILT in [control.wedm] allows others"));
     }
     output_.move(main, second, pace);
     return true;

@@ -167,13 +167,28 @@ bool WedmControl::perform(WedmPlan& p) {
 }
 
 WedmControl::Go WedmControl::flow(const WedmPlan& p) {
-  if (p.has('M', 2)) return finish("M02", ProgramEnd::kEndOfProgram);
+  if (p.has('M', 2)) {
+    if (closedBehindEnd()) return finish("M02", ProgramEnd::kEndOfProgram);
+    c_.chain.flush();
+    c_.summary.end = ProgramEnd::kAlarm;
+    return Go::kStop;
+  }
   if (p.has('M', 99)) {
     if (c_.levels.size() > 1) return Go::kReturn;
     c_.report.fail("wedm-8.4-M99", "M99 stands at the end of a subprogram: the main program ends with M02");
     return failed();
   }
   return p.call ? call(*p.call) : Go::kOn;
+}
+
+/// Whether the comments behind M02 are closed, in subprograms that nobody has called as well. False:
+/// reported.
+bool WedmControl::closedBehindEnd() {
+  const auto open =
+      commentOpenInLine(c_.program.text().lines(), c_.program.place(c_.levels.back().block).line);
+  if (!open) return true;
+  while (c_.program.place(c_.levels.back().block).line < open->line) ++c_.levels.back().block;
+  return c_.report.fail("wedm-syntax", "the comment is not closed: ')' is missing", open->columns);
 }
 
 WedmControl::Go WedmControl::call(const WedmCall& call) {

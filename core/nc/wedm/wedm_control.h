@@ -40,6 +40,7 @@ class WedmControl {
   bool workOver();
   bool goesOn();
   bool reachedUntil() const;
+  bool closedBehindEnd();
 
   WedmContext c_;
   bool until_hit_ = false;

@@ -28,7 +28,7 @@ constexpr auto kWedmParameterRows = std::to_array<ParameterInfo>({
     {"SLOW", 0.5, 0.001, 1, "part of the speed that G34 leaves in the last 3 mm"},
     {"ARC_TOL", 0.01, 0, 1, "mm, allowed difference of the radii at both ends of an arc"},
     {"TAN_TOL", 0.002, 1e-6, 0.1, "mm, ends of offset elements that are nearer than this are joined"},
-    {"MAX_TILT", 0, 0, 80, "degrees, largest lean of the wire; 0: no limit"},
+    {"MAX_TILT", 0, 0, 80, "degrees, largest lean of the wire; 0: 45"},
     {"U_TRAVEL", 0, 0, 1000, "mm, travel of U to each side; 0: no limit"},
     {"V_TRAVEL", 0, 0, 1000, "mm, travel of V to each side; 0: no limit"},
     {"UV_UPPER", 0, 0, 1, "1: U V of G74 are told at the upper guide; 0: in the secondary plane"},

@@ -31,7 +31,7 @@ class WedmParameters {
   double z_lower = 0.0, z_upper = 0.0;          ///< guides
   double arc_tolerance = 0.01;                  ///< allowed difference of the radii at the ends of an arc
   double tangent = 0.002;                       ///< element ends nearer than this are joined
-  double max_tilt_deg = 0.0;                    ///< 0: no limit
+  double max_tilt_deg = 0.0;                    ///< 0: that of taper angles, 45
   double u_travel = 0.0, v_travel = 0.0;        ///< to each side; 0: no limit
   bool uv_upper = false;                        ///< U, V of G74 are told at the upper guide
   OuterJoin straight_join = OuterJoin::kMiter;  ///< of G29

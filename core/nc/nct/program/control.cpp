@@ -201,9 +201,7 @@ NctControl::Go NctControl::endOfText() {
   const SourceText& text = *c.calls.top().text;
   if (lexer_.inComment()) {
     lexer_.setInComment(false);
-    c.setBlock(text.lines().empty() ? 0 : text.lines().size() - 1, c.block.number);
-    c.fail("nct-open-comment", "the text ends inside a comment: ')' is missing");
-    return stopAtAlarm();
+    return commentLeftOpen(commentOpenAtEnd(text.lines(), 0));
   }
   if (c.calls.depth() == 1) {
     c.warn("nct-no-end", "the program ends without M2 or M30: is the file cut short?");
@@ -214,6 +212,16 @@ NctControl::Go NctControl::endOfText() {
     c.warn("nct-no-m99", "the subprogram ends without M99: taken as M99");
   c.block.clear();
   return returnFrom(FlowRequest{.code = mcode::kReturn});
+}
+
+/// `open`: its place; none: not known, the last line is told.
+NctControl::Go NctControl::commentLeftOpen(const std::optional<OpenComment>& open) {
+  NctContext& c = context_;
+  const std::size_t lines = c.calls.top().text->lines().size();
+  c.setBlock(open ? open->line : std::max<std::size_t>(lines, 1) - 1, c.block.number);
+  c.fail("nct-open-comment", "the text ends inside a comment: ')' is missing",
+         open ? open->columns : Columns{});
+  return stopAtAlarm();
 }
 
 NctControl::Go NctControl::execute() {

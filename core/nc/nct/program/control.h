@@ -23,6 +23,7 @@
 #include "core/nc/nct/system_variables/system_variables.h"
 #include "core/nc/program_source.h"
 #include "core/nc/run_summary.h"
+#include "core/nc/source_text.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {
@@ -56,6 +57,7 @@ class NctControl {
   bool goesRound(const CallFrame& frame, std::size_t line);
   bool goesOn(const CallFrame& frame, std::size_t line);
   Go endOfText();
+  Go commentLeftOpen(const std::optional<OpenComment>& open);
   Go execute();
   bool reachedUntil() const;
 

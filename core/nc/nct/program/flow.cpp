@@ -46,7 +46,13 @@ NctControl::Go NctControl::flow(const BlockPlan& plan) {
 }
 
 NctControl::Go NctControl::flow(const FlowRequest& request) {
-  if (request.code == mcode::kReturn) return returnFrom(request);
+  const SourceText& text = *context_.calls.top().text;
+  const bool returns = request.code == mcode::kReturn;
+  // Behind M99 the text goes on wherever something jumps to; it may be asked very often.
+  if (!returns || lexer_.inComment()) {
+    if (const auto open = commentOpenAtEnd(text.lines(), context_.calls.lineIndex())) return commentLeftOpen(open);
+  }
+  if (returns) return returnFrom(request);
   countPart(context_, request.code);
   return finish(fmt::format("M{}", request.code), ProgramEnd::kEndOfProgram);
 }

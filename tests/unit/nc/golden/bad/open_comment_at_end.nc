@@ -1,0 +1,12 @@
+G0 X1
+M30 (end
+of the program
+=== says
+main.nc:2:5: error[nct-open-comment]
+=== expect
+file 0 main.nc
+1: rapid from 0 0 0 to 1 0 0 t0.004
+main.nc:2:5: error[nct-open-comment]: the text ends inside a comment: ')' is missing
+    M30 (end
+        ^
+alarm: 2 blocks, 1 motions, 1 errors, 0 warnings
