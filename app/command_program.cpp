@@ -10,6 +10,7 @@
 #include "app/job_setup.h"
 #include "app/session/findings.h"
 #include "app/session/interpretation.h"
+#include "app/session/programs.h"
 #include "app/session/programs/first_offset.h"
 #include "app/session/thread_supply.h"
 #include "app/time_limit.h"
@@ -92,8 +93,7 @@ struct Interpretation {
   std::vector<Finding> findings;  ///< overtravel, forbidden areas
 };
 
-Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_errors, MotionSink* sink,
-                                     Progress& progress) {
+Result<Interpretation> interpretInto(const Job& job, std::size_t setup, MotionSink* sink, Progress& progress) {
   const ThreadSupply threads(job.simulation.threads);
   const MemoryLimit memory(1e9 * job.simulation.max_memory_gb);
   const Result<ControlId> control = findControl(jobOfSetup(job, setup).control);
@@ -103,7 +103,6 @@ Result<Interpretation> interpretInto(const Job& job, std::size_t setup, int max_
   DiagnosticsTap tap(sink);
   Result<ControlSettings> settings = settingsOf(job, setup, source, tap, progress);
   if (!settings) return settings.error();
-  settings->max_errors = std::max(settings->max_errors, max_errors);
   Interpretation result;
   ControlHost host;  // files that the program writes are lost
   host.person = job.person;
@@ -157,7 +156,7 @@ int pathCommand(const PathOptions& options, Console& console, ConsoleProgress& p
   Result<std::unique_ptr<MotionSink>> writer =
       makePathWriter(options.format, console.out, jobOfSetup(*job, setupCount(*job) - 1).control);
   if (!writer) return printError(console, writer.error());
-  const Result<Interpretation> done = interpretInto(*job, setupCount(*job) - 1, 1, writer->get(), progress);
+  const Result<Interpretation> done = interpretInto(*job, setupCount(*job) - 1, writer->get(), progress);
   if (!done) return printError(console, limit.told(done.error()));
   printDiagnostics(console, done->diagnostics.all());
   return exitCodeOf(*done);
@@ -170,35 +169,66 @@ struct Checked {
   std::string setup;  ///< empty in a job without setups
   std::string program;
   std::string until;  ///< where it stopped early
-  Interpretation done;
-  Diagnostics all;
-  std::size_t errors = 0;
+  InterpretSummary summary;
+  Diagnostics all;  ///< of the control, then what was found
+  std::size_t errors = 0, warnings = 0;
+  int exit_code = kExitOk;
 };
 
-Result<Checked> checkSetup(const Job& job, std::size_t setup, Progress& progress) {
-  Result<Interpretation> done = interpretInto(job, setup, kCheckErrors, nullptr, progress);
+std::size_t countOf(const Diagnostics& all, Severity severity) {
+  return static_cast<std::size_t>(
+      std::count_if(all.all().begin(), all.all().end(), [&](const Diagnostic& d) { return d.severity == severity; }));
+}
+
+Result<Checked> checkSetup(const Job& job, std::size_t setup, const Blank* blank,
+                           const RecordingSource& source, Progress& progress) {
+  Result<ReadProgram> done = readProgram(job, setup, blank, source, kCheckErrors, progress);
   if (!done) return done.error();
+  const SetupRun& read = done->setup;
   Checked checked;
-  if (!job.setups.empty()) checked.setup = job.setups[setup].name;
-  const Job part = jobOfSetup(job, setup);
-  checked.program = programNames(part);
-  if (done->summary.end == ProgramEnd::kUntil) checked.until = untilText(part.settings);
-  checked.all = done->diagnostics;
-  for (Finding& finding : done->findings) {
-    finding.setup = checked.setup;
+  checked.setup = read.name;
+  checked.program = programNames(read.job);
+  checked.summary = read.interpreted.summary;
+  if (checked.summary.end == ProgramEnd::kUntil) checked.until = untilText(read.job.settings);
+  checked.all = read.interpreted.path.diagnostics;
+  if (!checked.summary.ok() || countOf(checked.all, Severity::kError) > 0) checked.exit_code = kExitInput;
+  for (const Finding& finding : done->findings) {
+    if (finding.severity == Severity::kError) checked.exit_code = std::max<int>(checked.exit_code, kExitFindings);
     checked.all.add(findingDiagnostic(finding));
   }
-  checked.errors = static_cast<std::size_t>(done->summary.errors) + done->findings.size();
-  checked.done = std::move(*done);
+  checked.errors = countOf(checked.all, Severity::kError);
+  checked.warnings = countOf(checked.all, Severity::kWarning);
   return checked;
 }
 
+/// Of all programs that are asked for.
+Result<std::vector<Checked>> checkAll(const Job& job, std::size_t first, Progress& progress) {
+  const ThreadSupply threads(job.simulation.threads);
+  const MemoryLimit memory(1e9 * job.simulation.max_memory_gb);
+  std::optional<Blank> blank;
+  if (job.stock) {
+    Result<Blank> opened = openBlank(job, progress);
+    if (!opened) return opened.error();
+    blank = std::move(*opened);
+  }
+  const JobSources sources(job);
+  std::vector<Checked> programs;
+  for (std::size_t k = first; k < setupCount(job); ++k) {
+    const Result<ControlId> control = findControl(jobOfSetup(job, k).control);
+    if (!control) return control.error();
+    Result<Checked> checked = checkSetup(job, k, blank ? &*blank : nullptr, *sources.all()[k], progress);
+    if (!checked) return checked.error();
+    programs.push_back(std::move(*checked));
+  }
+  return programs;
+}
+
 std::string checkText(const Checked& checked) {
-  const InterpretSummary& summary = checked.done.summary;
+  const InterpretSummary& summary = checked.summary;
   const std::string line =
       fmt::format("{}{}: {} blocks, {} motions, {:.1f} s, errors: {}, warnings: {}{}",
                   checked.setup.empty() ? "" : "setup " + checked.setup + ": ", checked.program,
-                  summary.blocks, summary.motions, summary.cycle_s, checked.errors, summary.warnings,
+                  summary.blocks, summary.motions, summary.cycle_s, checked.errors, checked.warnings,
                   checked.until.empty() ? "" : ", partial: only up to " + checked.until);
   return printable(line) + "\n";
 }
@@ -206,7 +236,7 @@ std::string checkText(const Checked& checked) {
 nlohmann::ordered_json checkJson(const Checked& checked) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Diagnostic& diagnostic : checked.all.all()) list.push_back(toJson(diagnostic));
-  const InterpretSummary& summary = checked.done.summary;
+  const InterpretSummary& summary = checked.summary;
   nlohmann::ordered_json out;
   if (!checked.setup.empty()) out["setup"] = checked.setup;
   out.update({{"program", checked.program},
@@ -215,7 +245,7 @@ nlohmann::ordered_json checkJson(const Checked& checked) {
               {"cycle_s", summary.cycle_s},
               {"partial", !checked.until.empty()},
               {"errors", checked.errors},
-              {"warnings", summary.warnings},
+              {"warnings", checked.warnings},
               {"diagnostics", list}});
   return out;
 }
@@ -241,22 +271,19 @@ int checkCommand(const CheckOptions& options, Console& console, ConsoleProgress&
   const std::optional<Job> job = jobOrPrint(options.program, console);
   if (!job) return kExitInput;
   limit.set(job->simulation.max_time_s);
-  std::vector<Checked> programs;
-  for (std::size_t k = options.program.setup ? setupCount(*job) - 1 : 0; k < setupCount(*job); ++k) {
-    Result<Checked> checked = checkSetup(*job, k, progress);
-    if (!checked) return printError(console, limit.told(checked.error()));
-    programs.push_back(std::move(*checked));
-  }
+  const Result<std::vector<Checked>> programs =
+      checkAll(*job, options.program.setup ? setupCount(*job) - 1 : 0, progress);
+  if (!programs) return printError(console, limit.told(programs.error()));
   int code = kExitOk;
-  for (const Checked& checked : programs) {
-    code = std::max(code, exitCodeOf(checked.done));
+  for (const Checked& checked : *programs) {
+    code = std::max(code, checked.exit_code);
     if (options.json) continue;
     printDiagnostics(console, checked.all.all());
     console.out << checkText(checked);
   }
   if (options.json) {
     const std::string text =
-        checkDocument(*job, programs).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+        checkDocument(*job, *programs).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     console.out << jsonPrintable(text) << "\n";
   }
   return code;

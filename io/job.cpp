@@ -110,6 +110,7 @@ Job jobOfSetup(const Job& job, std::size_t index) {
   part.fixtures = setup.fixtures;
   return part;
 }
+  part.limits = setup.limits;
 
 std::optional<Job> parseJob(std::string_view text, const std::string& text_name, const std::string& folder,
                             const JobNames& names, Diagnostics& diagnostics) {

@@ -19,6 +19,7 @@
 #include "core/nc/control_settings.h"
 #include "core/tool/tool.h"
 #include "io/mesh_io.h"
+#include "io/cutting_limits.h"
 #include "removal/compare/compare.h"
 #include "removal/grid/start_hole.h"
 #include "removal/grid/stock_shape.h"
@@ -106,6 +107,7 @@ struct SetupSpec {
   ControlSettings settings;
   std::optional<Vec3> start;  ///< in the setup's workpiece frame
   /// Takes the workpiece from its place in the setup before into this one's workpiece frame.
+  CuttingLimits limits;       ///< of the setup's machine and tools
   RigidTransform from_previous;
   std::vector<FixtureSpec> fixtures;
 };
@@ -149,6 +151,7 @@ struct Job {
   std::vector<Tool> tools;            ///< validated, numbers differ; in the order of the file
   SimulationSpec simulation;
   OutputSpec output;
+  CuttingLimits limits;               ///< of the machine and of `tools`
 };
 
 /// Whether the job asks for a .vdb file, which only a grid gives.

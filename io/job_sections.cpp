@@ -264,6 +264,8 @@ void readMachineKeys(ConfigTable& machine, Job& job) {
   if (const auto rpm = machine.number("default_spindle", {0.0, 1e6, true})) {
     job.settings.default_spindle_rpm = *rpm;
   }
+  if (const auto feed = machine.number("max_feed", kRate)) job.limits.max_feed = *feed;
+  if (const auto rpm = machine.number("max_rpm", kTopSpeed)) job.limits.max_rpm = *rpm;
   readLimits(machine, job);
   readRangeB(machine, job);
   std::vector<ConfigTable> axes = machine.tables("axis");

@@ -7,6 +7,8 @@
 
 namespace proveout {
 
+inline constexpr NumberRange kTopSpeed{0.0, 1e6, true};  // 1/min that a machine or tool may turn
+
 void readControl(ConfigTable& root, const JobNames& names, Job& job);
 /// `[machine]`, and the file that it may name.
 void readMachine(ConfigTable& root, Job& job);

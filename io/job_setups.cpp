@@ -52,9 +52,12 @@ SetupSpec readSetup(ConfigTable& table, bool first, const JobNames& names, const
     if (table.find("machine") != nullptr)
       table.error("machine", "job-value", "a setup has a machine of its own only with a control of its own");
     part.settings = job.settings;
+    part.limits = job.limits;
+    part.limits.tools.clear();
     part.start = job.start;
   }
   readTools(table, part);
+  if (part.tools.empty()) part.limits.tools = job.limits.tools;
   readProgram(table, part);
   readOffsets(table, part);
   readPlacement(table, part);
@@ -69,6 +72,7 @@ SetupSpec readSetup(ConfigTable& table, bool first, const JobNames& names, const
   spec.filled = std::move(part.filled);
   spec.subprograms = std::move(part.subprograms);
   spec.settings = std::move(part.settings);
+  spec.limits = std::move(part.limits);
   spec.start = part.start;
   spec.fixtures = std::move(part.fixtures);
   readTransform(table, first, spec);

@@ -283,6 +283,18 @@ const TypeReader* readType(ConfigTable& table) {
   return &kTypes[at - types.begin()];
 }
 
+/// What the tool can take. A thread mill's `teeth` are the rings above each other, so it has no feed per tooth here.
+ToolLimits readToolLimits(ConfigTable& table, ToolType type) {
+  ToolLimits limits;
+  assign(limits.max_rpm, table.number("max_rpm", kTopSpeed));
+  if (type == ToolType::kThreadMill) return limits;
+  const bool feed = table.find("max_feed_per_tooth") != nullptr;
+  if (feed) table.require("teeth");
+  assign(limits.max_feed_per_tooth, table.number("max_feed_per_tooth", {0.0, 100.0, true}));
+  if (const auto teeth = table.integer("teeth", 1, 200)) limits.teeth = static_cast<int>(*teeth);
+  return limits;
+}
+
 /// `numbers`: of the tools before this one.
 void readTool(ConfigTable& table, std::unordered_set<int>& numbers, Job& job) {
   Tool tool;
@@ -290,6 +302,7 @@ void readTool(ConfigTable& table, std::unordered_set<int>& numbers, Job& job) {
   const TypeReader* const type = readType(table);
   if (type == nullptr) return;
   const int errors_before = table.document().diagnostics->errorCount();
+  ToolLimits limits;
   readShape(table, *type, tool);
   if (const auto name = table.text("name")) tool.name = *name;
   if (rowOf(tool.type).rotates) {
@@ -298,6 +311,7 @@ void readTool(ConfigTable& table, std::unordered_set<int>& numbers, Job& job) {
     assign(tool.gauge_length, table.number("gauge_length", {-1e5, 1e5, false}));
     if (const auto hand = table.choice("hand", {"right", "left"})) tool.left_hand = *hand == "left";
     readHolder(table, tool);
+    limits = readToolLimits(table, tool.type);
   }
   table.refuseOthers();
   if (!number || table.document().diagnostics->errorCount() != errors_before) return;
@@ -311,6 +325,7 @@ void readTool(ConfigTable& table, std::unordered_set<int>& numbers, Job& job) {
     table.error("number", "job-value", fmt::format("there are two tools with number {}", tool.number));
     return;
   }
+  if (limits.max_rpm > 0.0 || limits.max_feed_per_tooth > 0.0) job.limits.tools[tool.number] = limits;
   if (tool.gauge_length != 0.0) job.settings.gauge_lengths[tool.number] = tool.gauge_length;
   job.tools.push_back(std::move(tool));
 }

@@ -252,7 +252,8 @@ std::vector<CauseCandidate> inForce(const CauseSource& source, MotionId motion) 
 
 std::vector<CauseCandidate> spindleWords(const CauseSource& source, MotionId motion) {
   std::vector<CauseCandidate> out;
-  if (source.path.motions[motion].source.origins < 0) return out;
+  const Motion& m = source.path.motions[motion];
+  if (m.source.origins < 0) return out;
   for (const OriginKind kind : {kSpindleDirection, kSpindle, kSpindleMode}) {
     const auto word = originOf(source.path, motion, kind, source.text);
     if (!word) continue;
@@ -260,6 +261,9 @@ std::vector<CauseCandidate> spindleWords(const CauseSource& source, MotionId mot
     candidate.key = placeKey(*word);
     candidate.word = word;
     out.push_back(std::move(candidate));
+    // What holds it still is that word, whatever its speed would be.
+    const bool starts = word->value == 3.0 || word->value == 4.0;
+    if (kind == kSpindleDirection && m.spindle == 0.0 && !starts) break;
   }
   return out;
 }

@@ -43,7 +43,7 @@ std::vector<CauseCandidate> candidatesOf(const CauseSource& source, MotionId mot
 /// where nothing tells which of them is wrong.
 std::vector<CauseCandidate> inForce(const CauseSource& source, MotionId motion);
 
-/// The words that say how the spindle turns during a motion: M3, M4, M5, then S.
+/// The words that say how the spindle turns during a motion: M3, M4, M5, then S. Where it was stopped that alone.
 std::vector<CauseCandidate> spindleWords(const CauseSource& source, MotionId motion);
 
 }  // namespace proveout

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/session/blame.h"
+#include "app/session/standing_spindle.h"
 #include "io/report_text.h"
 
 namespace proveout {
@@ -134,28 +135,29 @@ std::string figures(const Group& group) {
 
 }  // namespace
 
-void addContacts(const std::vector<Contact>& contacts, double least_mm, bool turned, const Toolpath& path,
+void addContacts(const std::vector<Contact>& contacts, double least_mm, const Toolpath& path,
                  const RecordingSource& texts, std::vector<Finding>& findings) {
-  const bool spindle_used = std::any_of(path.motions.begin(), path.motions.end(),
-                                        [](const Motion& motion) { return motion.spindle != 0.0; });
+  StandingSpindle spindle(path, texts);
   Grouping grouping(path, texts);
-  bool manual_spindle_told = false;
+  bool operators_told = false;
   for (const Contact& contact : contacts) {
     if (contact.depth_mm < least_mm) continue;
-    const bool manual_spindle = contact.kind == ContactKind::kSpindleOff && !spindle_used && !turned &&
-                                path.motions[contact.motion].kind != MotionKind::kThread;
-    if (!manual_spindle) {
+    const bool operators = contact.kind == ContactKind::kSpindleOff && spindle.isOperators() &&
+                           path.motions[contact.motion].kind != MotionKind::kThread;
+    if (!operators) {
       grouping.add(contact);
       continue;
     }
-    if (manual_spindle_told) continue;
-    manual_spindle_told = true;
+    if (operators_told) continue;
+    operators_told = true;
     Finding finding(FindingKind::kSpindleOff);
     finding.severity = Severity::kWarning;
     finding.where = contact.where;
     finding.depth_mm = contact.depth_mm;
     finding.volume_mm3 = contact.volume_mm3;
-    finding.message = "the program never starts the spindle and cuts from here on";
+    finding.message =
+        "the program never starts the spindle: M3 is missing, and the tool cuts from here on while it stands "
+        "still";
     blame(finding, contact.motion, path, texts);
     findings.push_back(std::move(finding));
   }
@@ -163,7 +165,9 @@ void addContacts(const std::vector<Contact>& contacts, double least_mm, bool tur
     const ContactTerms terms = termsOf(group.deepest.kind);
     Finding finding = findingOf(terms.kind, group, path, texts);
     if (terms.severity) finding.severity = *terms.severity;
-    finding.message = fmt::format("{}: {}", terms.text, figures(group));
+    const std::string why =
+        terms.kind == FindingKind::kSpindleOff ? spindle.reason(group.first) : std::string();
+    finding.message = fmt::format("{}{}: {}", terms.text, why, figures(group));
     findings.push_back(std::move(finding));
   }
 }

@@ -12,9 +12,9 @@ namespace proveout {
 /// Contacts less deep than `least_mm` are left out, and those that belong together are one finding, with its
 /// deepest place and the first and the last block: of one kind and tool, from blocks that follow each other,
 /// from one call of a cycle, or beside each other in space.
-/// A milling spindle that the program never starts is the operator's: a warning, not an error, but for
-/// threads.
-void addContacts(const std::vector<Contact>& contacts, double least_mm, bool turned, const Toolpath& path,
+/// A spindle of which the program says nothing is the operator's: one warning, not an error, but for threads. Of
+/// others it is told since when they stand.
+void addContacts(const std::vector<Contact>& contacts, double least_mm, const Toolpath& path,
                  const RecordingSource& texts, std::vector<Finding>& findings);
 /// The same with a fixture.
 void addFixtureContacts(const std::vector<Contact>& contacts, const std::string& fixture, double least_mm,

@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "app/session/contact_findings.h"
+#include "app/session/drill_moves.h"
 #include "app/session/findings.h"
 #include "app/session/nominal_mesh.h"
 #include "app/session/nose_data.h"
 #include "app/session/parted_bodies.h"
 #include "app/session/plausibility.h"
 #include "app/session/process/process.h"
+#include "app/session/program_checks/program_checks.h"
 #include "app/session/run_limits.h"
 #include "app/session/setup_findings.h"
 #include "app/session/spindle_direction.h"
@@ -80,11 +82,28 @@ Result<std::size_t> keep(Machined&& made, const PartWish& wish, SetupRun& setup,
 }
 
 /// Findings on what a clamping made. `touched`: those of its fixtures.
-void lookAt(const SetupRun& setup, std::size_t told_bodies, const RecordingSource& source,
-            std::vector<Finding>&& touched, RunResult& run) {
+/// What a clamping began with.
+struct Clamped {
+  Box3 bounds;
+  const StockShape* blank = nullptr;  ///< of the first clamping
+  std::optional<TriMesh> left_before = {};
+};
+
+Clamped clampedIn(const PreparedRun& prepared, std::size_t k) {
+  if (k == 0) return {prepared.blank.bounds, &prepared.blank.shape, std::nullopt};
+  Clamped clamped;
+  clamped.left_before = prepared.run.setups[k - 1].surface.mesh;
+  for (Eigen::Vector3f& p : clamped.left_before->positions)
+    p = prepared.run.setups[k].from_previous(Vec3(p.cast<double>())).cast<float>();
+  clamped.bounds = meshBounds(*clamped.left_before);
+  return clamped;
+}
+
+void lookAt(const SetupRun& setup, const Clamped& clamped, std::size_t told_bodies,
+            const RecordingSource& source, std::vector<Finding>&& touched, RunResult& run) {
   inSetup(run, setup, [&](std::vector<Finding>& findings) {
-    addContacts(setup.removal.contacts, setup.job.simulation.contact_mm, setup.turned != nullptr,
-                setup.interpreted.path, source, findings);
+    addContacts(setup.removal.contacts, setup.job.simulation.contact_mm, setup.interpreted.path, source,
+                findings);
     findings.insert(findings.end(), touched.begin(), touched.end());
     std::vector<StockBody> bodies = setup.bodies;
     bodies.resize(told_bodies);
@@ -96,12 +115,17 @@ void lookAt(const SetupRun& setup, std::size_t told_bodies, const RecordingSourc
     addToolOffsets(setup, least_mm, source, findings);
     addImplausible(setup, source, findings);
     addPartedBodies(setup, source, findings);
+    addProgramFindings({setup.job, setup.interpreted.path, source, clamped.bounds, clamped.blank,
+                        clamped.left_before ? &*clamped.left_before : nullptr},
+                       findings);
     const Process& process = processOf(setup.job.control);
     if (process.look != nullptr) process.look(setup, source, findings);
-    if (process.tool_turns)
+    if (process.tool_turns) {
       addSpindleDirection(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source,
                           findings);
     addVolumeError(setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_error_mm3,
+      addDrillMoves(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source, findings);
+    }
                    run.resolution_mm, findings);
     addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, source,
                     findings);
@@ -169,7 +193,7 @@ Status machineAll(const Job& job, const RunSources& sources, PreparedRun& prepar
     if (!told) return told.error();
     std::vector<Finding> touched;
     if (Status done = (*fixtures)->addContacts(setup, *sources[k], touched, progress); !done) return done;
-    lookAt(setup, *told, *sources[k], std::move(touched), run);
+    lookAt(setup, clampedIn(prepared, k), *told, *sources[k], std::move(touched), run);
     if (setup.surface.mesh.triangles.empty()) {
       run.setups.resize(k + 1);  // there is nothing to clamp again
     } else if (in_mesh && k + 1 < run.setups.size()) {

@@ -11,7 +11,6 @@
 namespace proveout {
 namespace {
 
-constexpr double kLongMotion = 1800.0, kLongProgram = 86400.0;  ///< s
 constexpr double kRounding = 1.0 + 1e-6;
 
 /// The feed per revolution that an insert cannot have, mm, and why; 0: not known.
@@ -24,13 +23,6 @@ FeedLimit feedLimit(const Tool& tool) {
   if (!tool.insert || tool.insert->shape == InsertShape::kThread) return {};
   if (tool.insert->shape == InsertShape::kGroove) return {tool.insert->width, "the width of the blade"};
   return {tool.insert->nose_radius, "its nose radius"};
-}
-
-Finding findingAt(FindingKind kind, MotionId motion, const SetupRun& setup, const RecordingSource& texts) {
-  Finding finding(kind);
-  finding.where = setup.interpreted.path.motions[motion].to;
-  blame(finding, motion, setup.interpreted.path, texts);
-  return finding;
 }
 
 void addFeed(const SetupRun& setup, const Tool& tool, const RecordingSource& texts,
@@ -52,26 +44,12 @@ void addFeed(const SetupRun& setup, const Tool& tool, const RecordingSource& tex
     worst = id;
   }
   if (worst == kNoMotion) return;
-  Finding finding = findingAt(FindingKind::kFeedRate, worst, setup, texts);
+  Finding finding(FindingKind::kFeedRate);
+  finding.where = motions[worst].to;
+  blame(finding, worst, setup.interpreted.path, texts);
   finding.spots = count;
   finding.message = fmt::format("the feed of {} mm a turn is more than {} of {:g} mm ({} such motions)",
                                 report_text::figure(most), limit.what, limit.mm, count);
-  findings.push_back(std::move(finding));
-}
-
-void addTimes(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings) {
-  const auto& motions = setup.interpreted.path.motions;
-  const auto longest = std::max_element(motions.begin(), motions.end(),
-                                        [](const Motion& a, const Motion& b) { return a.time_s < b.time_s; });
-  if (longest == motions.end()) return;
-  double sum = 0.0;
-  for (const Motion& motion : motions) sum += motion.time_s;
-  if (longest->time_s <= kLongMotion && sum <= kLongProgram) return;
-  Finding finding =
-      findingAt(FindingKind::kCycleTime, static_cast<MotionId>(longest - motions.begin()), setup, texts);
-  finding.message =
-      fmt::format("this motion alone takes {}, the motions of the program {}: is the feed right?",
-                  report_text::duration(longest->time_s), report_text::duration(sum));
   findings.push_back(std::move(finding));
 }
 
@@ -79,7 +57,6 @@ void addTimes(const SetupRun& setup, const RecordingSource& texts, std::vector<F
 
 void addImplausible(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings) {
   for (const Tool& tool : setup.job.tools) addFeed(setup, tool, texts, findings);
-  addTimes(setup, texts, findings);
 }
 
 }  // namespace proveout

@@ -7,9 +7,8 @@
 
 namespace proveout {
 
-/// Warnings, one a tool or program: a feed per revolution above the nose radius of an insert (the nose leaves
-/// a thread) or above the width of a blade, a motion that takes longer than half an hour, a program that
-/// takes longer than a day. No cutting data are known: these are values that no setup has.
+/// Warnings, one a tool: a feed per revolution above the nose radius of an insert (the nose leaves a thread) or
+/// above the width of a blade, in motions that cut. No cutting data are known: these are values that no setup has.
 void addImplausible(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings);
 
 }  // namespace proveout

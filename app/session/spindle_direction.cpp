@@ -3,44 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "app/session/accounting.h"
 #include "app/session/blame.h"
+#include "app/session/spindle_watch.h"
 #include "core/tool/tool_table.h"
 
 namespace proveout {
 namespace {
-
-/// The event that gave the spindle its direction, by channel.
-class SpindleStarts {
- public:
-  explicit SpindleStarts(const Toolpath& path) : path_(path) {}
-
-  /// What stands before a motion; motions in their order. Null: the program has not started the spindle.
-  const PathEvent* before(MotionId id) {
-    for (; next_ < path_.events.size() && path_.events[next_].before <= id; ++next_) {
-      const PathEvent& event = path_.events[next_].event;
-      const auto* spindle = event.as<event::Spindle>();
-      if (spindle == nullptr) continue;
-      Start& start = starts_[event.channel];
-      if (start.direction == spindle->direction) continue;  // another speed
-      start = {spindle->direction, &event};
-    }
-    return starts_[path_.motions[id].channel].event;
-  }
-
- private:
-  struct Start {
-    std::string direction;
-    const PathEvent* event = nullptr;
-  };
-  const Toolpath& path_;
-  std::size_t next_ = 0;
-  std::map<int, Start> starts_;
-};
 
 bool turnsBackwards(const Motion& motion, const Tool& tool) {
   return tool.left_hand ? motion.spindle > 0.0 : motion.spindle < 0.0;
@@ -52,7 +24,7 @@ void addSpindleDirection(const Toolpath& path, const std::vector<float>& removed
                          const std::vector<Tool>& tools, const RecordingSource& texts,
                          std::vector<Finding>& findings) {
   const ToolTable table(tools);
-  SpindleStarts starts(path);
+  SpindleWatch starts(path);
   std::set<std::pair<int, const PathEvent*>> told;
   for (MotionId id = 0; id < path.motions.size() && id < removed_mm3.size(); ++id) {
     const Motion& motion = path.motions[id];

@@ -27,7 +27,7 @@ constexpr double kLeast = 0.01;  ///< mm
 
 TEST_F(Fixture, ContactNamesBlockToolAndPlace) {
   path.motions[1].spindle = 1000;
-  addContacts({{ContactKind::kHolder, 1, 1, {1, 2, 3}, 0.25, 7.0}}, kLeast, false, path, source, findings);
+  addContacts({{ContactKind::kHolder, 1, 1, {1, 2, 3}, 0.25, 7.0}}, kLeast, path, source, findings);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].kind, FindingKind::kHolderContact);
   EXPECT_EQ(findings[0].severity, Severity::kError);
@@ -42,13 +42,13 @@ TEST_F(Fixture, ContactNamesBlockToolAndPlace) {
 TEST_F(Fixture, SpindleThatIsNeverStartedIsOneWarning) {
   const std::vector<Contact> contacts = {{ContactKind::kSpindleOff, 0, 0, {}, 1, 1},
                                          {ContactKind::kSpindleOff, 1, 1, {}, 1, 1}};
-  addContacts(contacts, kLeast, false, path, source, findings);
+  addContacts(contacts, kLeast, path, source, findings);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
   findings.clear();
   path.motions[0].spindle = -500;
   path.motions[1].tool = path.motions[0].tool;
-  addContacts(contacts, kLeast, false, path, source, findings);
+  addContacts(contacts, kLeast, path, source, findings);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].severity, Severity::kError);
   EXPECT_EQ(findings[0].source->line, 1u);
@@ -62,7 +62,7 @@ TEST_F(Fixture, ContactsOfOneMistakeAreOneFinding) {
   };
   // Blocks that follow each other; the next layer beside them; another place; what is less than is asked for.
   addContacts({at(1, 0, 0.2), at(2, 0, 0.5), at(40, 2, 0.3), at(80, 50, 0.1), at(90, 90, 0.005)}, kLeast,
-              false, path, source, findings);
+              path, source, findings);
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_EQ(findings[0].spots, 3u);
   EXPECT_EQ(findings[0].motion, 1u);
@@ -161,7 +161,7 @@ TEST_F(Fixture, DeviationsAndUndecided) {
   EXPECT_NE(findings[1].message.find("0.055 mm above"), std::string::npos);
   EXPECT_NE(findings[1].message.find("--resolution 0.1"), std::string::npos);
   EXPECT_NE(findings[1].message.find("1 other place"), std::string::npos);
-  const ReportComparison report = reportComparison(comparison, "n.stl");
+  const ReportComparison report = reportComparison(comparison, NominalSpec{});
   EXPECT_FALSE(report.decided);
   EXPECT_DOUBLE_EQ(*report.deciding_resolution_mm, 0.1);
 }
@@ -181,7 +181,7 @@ TEST_F(Fixture, WhatTheNominalsFacetsLeaveOpenAsksForAFinerNominal) {
   EXPECT_EQ(findings[0].message.find("--resolution"), std::string::npos) << findings[0].message;
   for (const char* const told : {"0.04 mm below nominal", "good to 0.06 mm", "0.059 mm off the face", "chords of 0.002 mm"})
     EXPECT_NE(findings[0].message.find(told), std::string::npos) << findings[0].message;
-  EXPECT_FALSE(reportComparison(comparison, "n.stl").decided);
+  EXPECT_FALSE(reportComparison(comparison, NominalSpec{}).decided);
 }
 
 TEST_F(Fixture, OfFacetsTheProfileDecides) {
