@@ -42,7 +42,7 @@ class RunPictures {
     if (last.turned) maker_.turnAbout(Vec2::Zero());
     const TriMesh& mesh = last.surface.mesh;
     Status done = maker_.drawViews(mesh, progress);
-    if (done) done = maker_.drawApart(mesh, last.freed, progress);
+    if (done) done = maker_.drawApart(mesh, last.freed, last.bodies, progress);
     drawn_s_ += watch.lap();
     return done;
   }
@@ -92,7 +92,7 @@ Status checkPrograms(const RunResult& run, const RunSources& sources, const Job&
   for (const SetupRun& setup : run.setups) {
     for (const auto& file : setup.interpreted.files) names.push_back(programFileName(setup.name, file.first));
   }
-  for (std::size_t k = 0; job.output.bodies && k < run.setups.back().freed.size(); ++k) {
+  for (std::size_t k = 0; writesBodies(job) && k < run.setups.back().freed.size(); ++k) {
     for (const OutputFormat format : job.output.formats) names.push_back(bodyFileName(job, format, k + 1));
   }
   return checkNames(names, target.folder, target.guard);
@@ -107,7 +107,7 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
     for (const SetupRun& setup : run.setups)
       writeProgramFiles(setup.interpreted.files, setup.name, *staging, failures);
     writeMeshes(run.surface().mesh, run.stock ? &*run.stock : nullptr, job, *staging, report, failures);
-    if (job.output.bodies) writeBodies(run.setups.back().freed, job, *staging, report, failures);
+    if (writesBodies(job)) writeBodies(run.setups.back().freed, job, *staging, report, failures);
     writeSections(run.surface().mesh, run.setups.back().freed, job, *staging, report, failures);
     writeTurnedProfile(job, run, *staging, report, failures);
     if (job.output.csv) writeTables(cutPaths(run), *staging, report, failures);

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/freed_pieces.h"
-#include "core/mesh/shells.h"
 #include "io/png.h"
+#include "io/report_text.h"
 
 namespace proveout {
 namespace {
@@ -20,22 +20,6 @@ std::string ascii(const std::string& text) {
   std::replace_if(
       result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return result;
-}
-
-/// By how much of their height freed pieces are moved.
-constexpr float kLift = 1.3f;
-
-/// The part, slugs above it, and frames, which are larger than the part, below.
-TriMesh takenApart(const TriMesh& mesh, const std::vector<TriMesh>& pieces) {
-  TriMesh out = withoutPieces(mesh, pieces);
-  const double part_mm3 = meshVolume(out);
-  for (TriMesh piece : pieces) {
-    const float up = meshVolume(piece) <= part_mm3 ? kLift : -kLift;
-    const Eigen::Vector3f lift(0.0f, 0.0f, up * static_cast<float>(meshBounds(piece).size().z()));
-    for (Eigen::Vector3f& p : piece.positions) p += lift;
-    append(out, piece);
-  }
-  return out;
 }
 
 std::vector<Marker> markersOf(const std::vector<Finding>& findings, bool deviations) {
@@ -136,9 +120,10 @@ Status PictureMaker::drawViews(const TriMesh& mesh, Progress& progress) {
   return Done{};
 }
 
-Status PictureMaker::drawApart(const TriMesh& mesh, const std::vector<TriMesh>& freed, Progress& progress) {
+Status PictureMaker::drawApart(const TriMesh& mesh, const std::vector<TriMesh>& freed,
+                               const std::vector<StockBody>& bodies, Progress& progress) {
   if (!drawsOf(mesh) || freed.empty()) return Done{};
-  const TriMesh apart = takenApart(mesh, freed);
+  const TriMesh apart = takenApart(mesh, freed, bodies);
   return add(draw(RenderScene(apart), request_.views.front(), progress), "apart.png", "bodies apart");
 }
 
@@ -150,9 +135,10 @@ Status PictureMaker::drawDeviation(const TriMesh& mesh, const Comparison& compar
   scene.show_legend = annotated();
   if (annotated()) {
     scene.markers = markersOf(findings, true);
-    scene.caption = fmt::format("{}: gouge {:.3g} mm (allowed {:g}), excess {:.3g} mm (allowed {:g})",
-                                ascii(request_.name), comparison.max_gouge_mm, comparison.gouge_tolerance_mm,
-                                comparison.max_excess_mm, comparison.excess_tolerance_mm);
+    scene.caption =
+        fmt::format("{}: gouge {} mm (allowed {:g}), excess {} mm (allowed {:g})", ascii(request_.name),
+                    report_text::figure(comparison.max_gouge_mm), comparison.gouge_tolerance_mm,
+                    report_text::figure(comparison.max_excess_mm), comparison.excess_tolerance_mm);
   }
   return add(draw(std::move(scene), request_.views.front(), progress), "deviation.png", "deviation");
 }

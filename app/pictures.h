@@ -42,9 +42,10 @@ class PictureMaker {
 
   /// One picture a view.
   Status drawViews(const TriMesh& mesh, Progress& progress);
-  /// apart.png, where there are `freed` pieces beside the mesh, which may hold them: the part with them above
-  /// it, or below if they are larger.
-  Status drawApart(const TriMesh& mesh, const std::vector<TriMesh>& freed, Progress& progress);
+  /// apart.png, where there are `freed` pieces beside the mesh, which may hold them: the part with them where
+  /// they leave it; see takenApart.
+  Status drawApart(const TriMesh& mesh, const std::vector<TriMesh>& freed,
+                   const std::vector<StockBody>& bodies, Progress& progress);
   /// deviation.png, with the places of deviations among the findings, numbered from 1 as in the report.
   Status drawDeviation(const TriMesh& mesh, const Comparison& comparison,
                        const std::vector<Finding>& findings, Progress& progress);

@@ -12,6 +12,7 @@
 
 #include "app/input_files.h"
 #include "app/session/findings.h"
+#include "app/session/process/process.h"
 #include "app/session/run_limits.h"
 #include "app/session/turning_work.h"
 #include "app/session/uncertainty.h"
@@ -108,6 +109,7 @@ ReportStock reportStock(const RunResult& run) {
   stock.exact = std::ranges::all_of(run.setups, isExact);
   stock.mesh_mm3 = run.setups.back().extent.volume_mm3;
   stock.bodies = run.setups.back().bodies;
+  stock.mesh_bodies = run.setups.back().mesh_bodies;
   stock.triangles = run.surface().mesh.triangles.size();
   stock.vertices = run.surface().mesh.positions.size();
   stock.closed = run.topology().closedManifold();
@@ -140,6 +142,16 @@ ErrorTerm simplifyTerm(double bound_mm) {
               : "the mesh is not simplified"};
 }
 
+/// As a wire does.
+bool cutsThrough(const SetupRun& setup) { return processOf(setup.job.control).cuts_through; }
+
+/// Of what a clamping left, mm.
+double heightOf(const std::vector<StockBody>& bodies) {
+  Box3 all;
+  for (const StockBody& body : bodies) all.extend(body.bounds);
+  return bodies.empty() ? 0.0 : all.size().z();
+}
+
 std::string facetsText(const SetupRun& setup) {
   if (setup.turned) {
     return fmt::format("the mesh stays within {:g} mm, around and along the section or the thread, each",
@@ -148,6 +160,15 @@ std::string facetsText(const SetupRun& setup) {
   return fmt::format("the mesh stays within {:g} mm of the walls that the wire left{}",
                      facetTolerance(setup.job),
                      setup.job.simulation.simplify_mm ? "; simplify does not apply to them" : "");
+}
+
+/// Why a tool adds nothing to the error.
+const char* toolText(const SetupRun& setup) {
+  if (setup.turned) return "inserts are exact outlines; wear, deflection and the height of the tip are not simulated";
+  if (cutsThrough(setup))
+    return "the wire is a straight cylinder with its spark gap about it; that it lags, bows and vibrates is not "
+           "simulated";
+  return "tools are exact solids of revolution; runout, wear and deflection are not simulated";
 }
 
 std::vector<ErrorTerm> errorBudget(const RunResult& run) {
@@ -172,10 +193,7 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
                      "mesh and add the chord height h^2/(8r) of walls that were cut before; edges then may "
                      "be off by a third of a cell"});
   }
-  terms.push_back(
-      {"tool", 0.0,
-       turned ? "inserts are exact outlines; wear, deflection and the height of the tip are not simulated"
-              : "tools are exact solids of revolution; runout, wear and deflection are not simulated"});
+  terms.push_back({"tool", 0.0, toolText(run.setups.back())});
   if (!turned) terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
   if (run.comparison) {
     terms.push_back({"nominal", run.comparison->nominal_chord_mm,
@@ -266,8 +284,8 @@ ReportComparison reportComparison(const Comparison& comparison, const std::strin
 std::vector<CutPath> cutPaths(const RunResult& run) {
   std::vector<CutPath> paths;
   for (const SetupRun& setup : run.setups)
-    paths.push_back(
-        {setup.name, &setup.interpreted.path, &setup.removal.removed_mm3, setup.turned != nullptr});
+    paths.push_back({setup.name, &setup.interpreted.path, &setup.removal.removed_mm3, setup.turned != nullptr,
+                     cutsThrough(setup) ? heightOf(setup.bodies) : 0.0});
   return paths;
 }
 

@@ -65,6 +65,17 @@ std::string partText(const ReportStock& stock) {
          heldText(stock.bodies);
 }
 
+/// What the mesh file has: the part, unless nothing says which of several bodies that is.
+std::string meshText(const Report& report) {
+  const ReportStock& stock = *report.stock;
+  const std::optional<double> facets = report_text::facetsMm(report);
+  const std::string of = stock.mesh_bodies > 1 ? fmt::format(" of all {} pieces", stock.mesh_bodies) : "",
+                    fineness = facets ? "facets within " + report_text::figure(*facets)
+                                      : fmt::format("grid {:g}", report.resolution_mm);
+  return fmt::format("mesh{} {} triangles, {}, {} mm", of, stock.triangles, stock.closed ? "closed" : "NOT closed",
+                     fineness);
+}
+
 }  // namespace
 
 std::string summaryText(const Report& report, const std::string& folder) {
@@ -84,8 +95,7 @@ std::string summaryText(const Report& report, const std::string& folder) {
   if (const auto& stock = report.stock) {
     row("blank", fmt::format("{:.2f} mm3, removed {} mm3", stock->initial_mm3,
                              report_text::fixed(stock->removed_mm3, 2)));
-    row("part", fmt::format("{}; mesh {} triangles, {}, grid {:g} mm", partText(*stock), stock->triangles,
-                            stock->closed ? "closed" : "NOT closed", report.resolution_mm));
+    row("part", partText(*stock) + "; " + meshText(report));
   }
   if (const auto& c = report.comparison) {
     row("nominal", fmt::format("gouge {} mm (allowed {:g}), excess {} mm (allowed {:g}), rms {} mm{}",

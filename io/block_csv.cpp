@@ -15,6 +15,10 @@ void appendNumber(const std::optional<double>& value, std::string& out) {
 
 }  // namespace
 
+std::optional<double> CutFigures::area_mm2_min() const {
+  return wire_mm2 > 0.0 && wire_s > 0.0 ? std::optional(60.0 * wire_mm2 / wire_s) : std::nullopt;
+}
+
 std::optional<double> CutFigures::engagement_mm2() const {
   if (!(engaged_mm > 0.0)) return std::nullopt;
   return removed_mm3 / engaged_mm;

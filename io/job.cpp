@@ -83,6 +83,10 @@ bool savesStock(const Job& job) {
   return std::find(formats.begin(), formats.end(), OutputFormat::kVdb) != formats.end();
 }
 
+bool writesBodies(const Job& job) {
+  return job.output.bodies.value_or(job.part_point.has_value() && !job.nominal.has_value());
+}
+
 std::size_t setupCount(const Job& job) { return job.setups.empty() ? 1 : job.setups.size(); }
 
 std::vector<std::string> controlsOf(const Job& job) {

@@ -79,7 +79,7 @@ struct OutputSpec {
   int width = 1280, height = 960;            ///< pixels, 16..8192
   bool csv = false;                          ///< blocks.csv and mrr.svg
   std::vector<double> sections;              ///< heights of section drawings, mm, frame of the last setup
-  bool bodies = false;                       ///< a mesh file for each piece that was cut free
+  std::optional<bool> bodies;                ///< a mesh file for each piece that was cut free; see writesBodies
 };
 
 /// Something beside the workpiece that no part of a tool may touch. Workpiece frame.
@@ -156,6 +156,9 @@ struct Job {
 
 /// Whether the job asks for a .vdb file, which only a grid gives.
 bool savesStock(const Job& job);
+/// Whether pieces that were cut free get mesh files of their own: what the job says, else where a point names the part
+/// and there is no nominal, so that its mesh file has the part alone.
+bool writesBodies(const Job& job);
 /// The main programs of the job, of a clamping or of its channels: "left.nc, right.nc".
 std::string programNames(const Job& job);
 /// Number of clampings, at least 1.

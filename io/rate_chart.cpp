@@ -45,9 +45,10 @@ class RateChart {
 
   std::string draw(const char* attributes, const char* style) const {
     return fmt::format(
-        "<svg {} viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Material removal rate over "
+        "<svg {} viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} over "
         "time\">{}{}{}{}{}{}</svg>",
-        attributes, kWidth, kHeight, style, spans(), rateAxis(), mean(), peak(), timeAxis());
+        attributes, kWidth, kHeight, rate_.by_area ? "Cutting rate" : "Material removal rate", style, spans(),
+        rateAxis(), mean(), peak(), timeAxis());
   }
 
  private:
@@ -72,7 +73,8 @@ class RateChart {
   }
 
   std::string rateAxis() const {
-    std::string out = fmt::format("<text x=\"4\" y=\"16\">removal rate, mm³/min</text>");
+    std::string out = fmt::format("<text x=\"4\" y=\"16\">{}</text>",
+                                  rate_.by_area ? "cutting rate, mm²/min" : "removal rate, mm³/min");
     for (int i = 0; i * y_step_ <= top_ * (1 + 1e-9); ++i) {
       const double at = y(i * y_step_);
       out += fmt::format(

@@ -120,12 +120,16 @@ struct CutFigures {
   double length_mm = 0.0;                    ///< of all motions
   double engaged_s = 0.0, engaged_mm = 0.0;  ///< of the motions that removed material
   double removed_mm3 = 0.0;
+  /// Of a wire, of the motions that removed material: path times height of the workpiece, and their time.
+  double wire_mm2 = 0.0, wire_s = 0.0;
 
   double time_s() const { return feed_s + rapid_s + other_s; }
   /// Mean section of the chip, mm2: removed volume over the path on which it was removed. None: nothing was.
   std::optional<double> engagement_mm2() const;
   /// Material removal rate over the time in which material was removed. None: nothing was.
   std::optional<double> rate_mm3_min() const;
+  /// Cutting rate of a wire: the area that it passes through. None: no wire cut anything.
+  std::optional<double> area_mm2_min() const;
 };
 
 struct ToolFigures {
@@ -133,9 +137,11 @@ struct ToolFigures {
   CutFigures figures;
 };
 
-/// Material removal rate along the machining time, in equal steps from 0 to the cycle time, mm3/min.
+/// Material removal rate along the machining time, in equal steps from 0 to the cycle time, mm3/min; where wires alone
+/// cut, their cutting rate, mm2/min.
 struct RateSeries {
   double step_s = 0.0;
+  bool by_area = false;           ///< mm2/min
   std::vector<double> mean, max;  ///< of each step: mean over its time, largest of its motions
   struct Span {
     double from_s = 0.0, to_s = 0.0;
@@ -171,6 +177,7 @@ struct ReportStock {
   bool exact = false;     ///< they are closed forms, or nothing was cut; else the error is an estimate
   double mesh_mm3 = 0.0;  ///< enclosed by the exported facets
   std::vector<StockBody> bodies;
+  std::size_t mesh_bodies = 0;  ///< so many of them are in the exported mesh, the first ones
   std::uint64_t triangles = 0, vertices = 0;
   bool closed = false;  ///< the exported mesh is a closed, oriented 2-manifold
 };

@@ -20,6 +20,16 @@ using report_text::grouped;
 /// More findings than these are counted, not shown: nobody reads them, and browsers choke on them.
 constexpr std::size_t kMaxRows = 500;
 
+/// What the figures of the table of tools are.
+constexpr const char* kToolFigures =
+    "the rest is tool changes and dwells. In air: feed motions that removed nothing. Engagement: removed volume over the "
+    "path on which it was removed, the mean section of the chip. Rate: removed volume over the time in which it was "
+    "removed.";
+constexpr const char* kWireFigures =
+    "the rest is dwells. In air: cutting motions that removed nothing. Section: removed volume over the path on which it "
+    "was removed, kerf by height. Cutting rate: path on which something was removed, times the height of the workpiece, "
+    "over its time.";
+
 class Page {
  public:
   Page(const Report& report, const std::vector<ReportPicture>& pictures, const ReportOptions& options)
@@ -108,7 +118,10 @@ class Page {
            fmt::format("highest excess (allowed {:g})", c.excess_tolerance_mm),
            c.max_excess_mm > c.excess_tolerance_mm);
     }
-    if (r_.resolution_mm > 0.0) card(fmt::format("{:g}", r_.resolution_mm), "mm", "grid");
+    const std::optional<double> facets = report_text::facetsMm(r_);
+    if (facets || r_.resolution_mm > 0.0)
+      card(facets ? report_text::figure(*facets) : fmt::format("{:g}", r_.resolution_mm), "mm",
+           facets ? "facets" : "grid");
     card(grouped(static_cast<double>(r_.program.motions), 0), "", "motions");
     card(escape(r_.program.control), "", "control");
     out_ += "</section>\n";
@@ -253,12 +266,14 @@ class Page {
     if (r_.time.per_tool.empty()) return;
     double largest = 0.0;
     for (const ToolUse& use : r_.time.per_tool) largest = std::max(largest, use.removed_mm3);
-    out_ +=
-        "<section>\n<h2>Tools</h2>\n<div class=\"wide\"><table "
-        "class=\"stack\"><thead><tr><th>Tool</th><th>Shape</th>"
+    const bool wires = r_.accounting && r_.accounting->rate.by_area;
+    const char *const section = wires ? "Section mm²" : "Engagement mm²",
+                      *const speed = wires ? "Cutting rate mm²/min" : "Rate mm³/min";
+    add("<section>\n<h2>{0}s</h2>\n<div class=\"wide\"><table class=\"stack\"><thead><tr><th>{0}</th><th>Shape</th>"
         "<th class=\"num\">Cutting</th><th class=\"num\">Rapid</th><th class=\"num\">Motions</th>"
-        "<th class=\"num\">In air</th><th class=\"num\">Removed mm³</th><th class=\"num\">Engagement mm²</th>"
-        "<th class=\"num\">Rate mm³/min</th><th></th></tr></thead><tbody>\n";
+        "<th class=\"num\">In air</th><th class=\"num\">Removed mm³</th><th class=\"num\">{1}</th>"
+        "<th class=\"num\">{2}</th><th></th></tr></thead><tbody>\n",
+        wires ? "Wire" : "Tool", section, speed);
     for (const ToolUse& use : r_.time.per_tool) {
       const double share = largest > 0.0 ? std::max(0.0, use.removed_mm3) / largest : 0.0;
       add("<tr><td data-label=\"Tool\">T{}{}</td><td data-label=\"Shape\">{}</td>", use.number,
@@ -267,21 +282,18 @@ class Page {
           "<td class=\"num\" data-label=\"Motions\">{}</td>",
           duration(use.cutting_s), duration(use.rapid_s), use.motions);
       const CutFigures figures = figuresOf(use.number);
-      const auto engagement = figures.engagement_mm2(), rate = figures.rate_mm3_min();
+      const auto engagement = figures.engagement_mm2(),
+                 rate = wires ? figures.area_mm2_min() : figures.rate_mm3_min();
       add("<td class=\"num\" data-label=\"In air\">{}</td><td class=\"num\" data-label=\"Removed "
-          "mm³\">{}</td><td class=\"num\" data-label=\"Engagement mm²\">{}</td><td class=\"num\" "
-          "data-label=\"Rate mm³/min\">{}</td>",
-          r_.accounting ? duration(figures.air_s) : "", grouped(use.removed_mm3, 1),
-          engagement ? fixed(*engagement, 3) : "", rate ? grouped(*rate, 0) : "");
+          "mm³\">{}</td><td class=\"num\" data-label=\"{}\">{}</td><td class=\"num\" data-label=\"{}\">{}</td>",
+          r_.accounting ? duration(figures.air_s) : "", grouped(use.removed_mm3, 1), section,
+          engagement ? fixed(*engagement, 3) : "", speed, rate ? grouped(*rate, wires ? 1 : 0) : "");
       add("<td class=\"text share\"><span class=\"bar\" style=\"width:{:.1f}%\"></span></td></tr>\n",
           100.0 * share);
     }
-    add("</tbody></table></div>\n<p class=\"quiet\">Cycle {}: cutting {}, rapid {}, the rest is tool changes "
-        "and dwells. In air: feed motions that removed nothing. Engagement: removed volume over the path on "
-        "which it was removed, the mean section of the chip. Rate: removed volume over the time in which it "
-        "was "
-        "removed.</p>\n</section>\n",
-        duration(r_.time.cycle_s), duration(r_.time.cutting_s), duration(r_.time.rapid_s));
+    add("</tbody></table></div>\n<p class=\"quiet\">Cycle {}: cutting {}, rapid {}, {}</p>\n</section>\n",
+        duration(r_.time.cycle_s), duration(r_.time.cutting_s), duration(r_.time.rapid_s),
+        wires ? kWireFigures : kToolFigures);
   }
 
   CutFigures figuresOf(int tool) const {
@@ -300,7 +312,8 @@ class Page {
   void rate() {
     const std::string chart = r_.accounting ? report_html::rateSvg(r_.accounting->rate) : std::string();
     if (chart.empty()) return;
-    out_ += "<section>\n<h2>Material removal rate</h2>\n" + chart;
+    add("<section>\n<h2>{}</h2>\n", r_.accounting->rate.by_area ? "Cutting rate" : "Material removal rate");
+    out_ += chart;
     out_ +=
         "\n<p class=\"key\"><span><i style=\"background:var(--gouge)\"></i>mean</span><span><i "
         "style=\"background:#e39b2d\"></i>largest of the motions at that time</span></p>\n</section>\n";

@@ -124,7 +124,8 @@ Json figuresJson(const CutFigures& f) {
           {"engaged_mm", number(f.engaged_mm)},
           {"removed_mm3", number(f.removed_mm3)},
           {"engagement_mm2", number(f.engagement_mm2())},
-          {"rate_mm3_min", number(f.rate_mm3_min())}};
+          {"rate_mm3_min", number(f.rate_mm3_min())},
+          {"area_rate_mm2_min", number(f.area_mm2_min())}};
 }
 
 Json accountingJson(const ReportAccounting& accounting) {
@@ -151,6 +152,7 @@ Json stockJson(const ReportStock& stock) {
           {"initial_error_mm3", number(stock.initial_error_mm3)},
           {"error_is", stock.exact ? "exact" : "estimate"},
           {"mesh_mm3", number(stock.mesh_mm3)},
+          {"mesh_bodies", stock.mesh_bodies},
           {"triangles", stock.triangles},
           {"vertices", stock.vertices},
           {"closed", stock.closed},

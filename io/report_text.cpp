@@ -78,6 +78,13 @@ std::string figure(double value) {
   return text;
 }
 
+std::optional<double> facetsMm(const Report& report) {
+  for (const ErrorTerm& term : report.error_budget) {
+    if (term.source == "facets") return term.bound_mm;
+  }
+  return std::nullopt;
+}
+
 std::string grouped(double value, int decimals) {
   std::string text = fixed(value, decimals);
   const std::size_t first = text.front() == '-' ? 1 : 0;

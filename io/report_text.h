@@ -1,6 +1,7 @@
 // What the written forms of a report share: numbers, findings and markup as text.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,8 @@ std::string figure(double value);
 std::string grouped(double value, int decimals);
 /// "1 h 02 min 03 s", "2 min 03 s", "3.2 s".
 std::string duration(double seconds);
+/// By how much the mesh of a part without a grid may leave its walls, mm; none: the part is on a grid.
+std::optional<double> facetsMm(const Report& report);
 /// The kind's name with blanks: "rapid contact".
 std::string spoken(FindingKind kind);
 /// "O0100:12 (N70)".

@@ -41,21 +41,24 @@ void drawLegend(const RenderScene& scene, const PageLayout& page, Canvas& canvas
   const Vec2 corners[] = {{bar.x0, bar.y0}, {bar.x1, bar.y0}, {bar.x1, bar.y1}, {bar.x0, bar.y1}};
   for (int i = 0; i < 4; ++i) canvas.line(corners[i], corners[(i + 1) % 4], 1.0, kInk);
 
-  const double cell = page.cell, height = Canvas::textHeight(cell);
+  const double cell = page.legend_cell, height = Canvas::textHeight(cell);
   std::vector<double> ticks = scene.legend.ticks.empty() ? deviationTicks(scale) : scene.legend.ticks;
   std::sort(ticks.begin(), ticks.end());
   double lowest_free = bar.y1 + 2 * height;
   for (const double mm : ticks) {  // from the bottom up; a number that would touch the last one is left out
     const double y = tickValue(bar, scale, mm);
-    canvas.line({bar.x1, y}, {bar.x1 + 3 * cell, y}, 1.0, kInk);
+    canvas.line({bar.x1, y}, {bar.x1 + 3 * page.cell, y}, 1.0, kInk);
     if (y + 0.75 * height > lowest_free) continue;
     const std::string label = mm == 0 ? "0" : fmt::format("{:+.4g}", mm);
-    canvas.text({bar.x1 + 5 * cell, y - 0.5 * height}, label, cell, kInk);
+    canvas.text({bar.x1 + 5 * page.cell, y - 0.5 * height}, label, cell, kInk);
     lowest_free = y - 0.5 * height;
   }
-  const std::string title = scene.legend.title + " [" + scene.legend.unit + "]";
-  const double right = static_cast<double>(bar.x1) + 5 * cell + Canvas::textWidth("+0.0000", cell);
-  canvas.text({right - Canvas::textWidth(title, cell), bar.y0 - 2.2 * height}, title, cell, kInk);
+  const double right = static_cast<double>(bar.x1) + 5 * page.cell + Canvas::textWidth("+0.0000", cell);
+  double y = bar.y0 - 3.6 * height;
+  for (const std::string& row : {scene.legend.title, "[" + scene.legend.unit + "]"}) {
+    canvas.text({right - Canvas::textWidth(row, cell), y}, row, cell, kInk);
+    y += 1.4 * height;
+  }
 }
 
 struct Badge {
@@ -131,10 +134,11 @@ PageLayout layoutPage(const RenderScene& scene, ImageSize size) {
   PageLayout page;
   const double width = size.width, height = size.height;
   page.cell = std::max(1.0, std::min(width, height) / 480.0);
+  page.legend_cell = std::max(1.0, std::min(width, height) / 320.0);
   const double margin = 0.05 * std::min(width, height);
   page.part = {margin, margin, width - margin, height - margin};
   if (scene.show_legend) {
-    const double room = 9 * page.cell + 5 * page.cell + Canvas::textWidth("+0.0000", page.cell);
+    const double room = 9 * page.cell + 5 * page.cell + Canvas::textWidth("+0.0000", page.legend_cell);
     page.part.x1 -= room;
     // On whole pixels: the rows of the bar then cover each other's edges fully.
     page.bar.x0 = std::round(page.part.x1 + 0.6 * margin);

@@ -10,9 +10,10 @@ namespace proveout::render_detail {
 
 /// Where things go; pixels.
 struct PageLayout {
-  double cell = 1.0;  ///< dot of the font
-  PixelRect part;     ///< the part is fitted into it
-  PixelRect bar;      ///< colour bar of the legend
+  double cell = 1.0;         ///< dot of the font
+  double legend_cell = 1.0;  ///< of the legend, which reports show at half their width
+  PixelRect part;            ///< the part is fitted into it
+  PixelRect bar;             ///< colour bar of the legend
   Vec2 caption = Vec2::Zero();
 };
 PageLayout layoutPage(const RenderScene& scene, ImageSize size);

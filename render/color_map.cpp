@@ -6,6 +6,8 @@
 namespace proveout {
 namespace {
 
+/// mm; smaller deviations are rounding.
+constexpr double kLeastLimit = 1e-4;
 constexpr Rgb kInTolerance{0.90F, 0.90F, 0.88F};
 constexpr Rgb kNotMeasured{0.45F, 0.45F, 0.45F};
 // Each side: colour just outside the tolerance, in the middle, at the limit.
@@ -39,7 +41,7 @@ std::vector<double> deviationTicks(const DeviationScale& scale) {
 }
 
 DeviationScale deviationScaleFor(double gouge_tolerance, double excess_tolerance, double max_abs_deviation) {
-  const double least = 3.0 * std::max(gouge_tolerance, excess_tolerance);
+  const double least = std::max(kLeastLimit, 3.0 * std::max(gouge_tolerance, excess_tolerance));
   const double wanted = std::isfinite(max_abs_deviation) ? std::max(least, max_abs_deviation) : least;
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
   double limit = 10.0 * decade;

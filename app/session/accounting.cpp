@@ -26,7 +26,8 @@ struct Step {
   const SourceRef* source = nullptr;
   int tool = 0;  ///< of the motion; of the next motion (else the last) for an event
   double start_s = 0.0, time_s = 0.0, length_mm = 0.0, removed_mm3 = 0.0;
-  double cut_mm = 0.0;  ///< the way of the edge through the material: of a turning tool round the part
+  double cut_mm = 0.0;    ///< the way of the edge through the material: of a turning tool round the part
+  double wire_mm2 = 0.0;  ///< that a wire passes through, where it removes anything
 };
 
 template <typename Use>
@@ -58,6 +59,7 @@ void walk(const CutPath& cut, double start_s, const Use& use) {
               path.length(motion), 0.0};
     if (i < cut.removed_mm3->size()) step.removed_mm3 = static_cast<double>((*cut.removed_mm3)[i]);
     step.cut_mm = cut.turned ? lengthOfCut(path, motion, step.removed_mm3) : step.length_mm;
+    if (isChip(step.removed_mm3, step.cut_mm)) step.wire_mm2 = cut.wire_height_mm * step.cut_mm;
     use(step);
     now += motion.time_s;
   }
@@ -77,6 +79,8 @@ void add(const Step& step, CutFigures& figures) {
   if (cuts) {
     figures.engaged_s += step.time_s;
     figures.engaged_mm += step.cut_mm;
+    figures.wire_mm2 += step.wire_mm2;
+    if (step.wire_mm2 > 0.0) figures.wire_s += step.time_s;
   } else if (!rapid) {
     figures.air_s += step.time_s;
   }
@@ -85,7 +89,8 @@ void add(const Step& step, CutFigures& figures) {
 /// Spreads the motions over equal steps of time.
 class RateCollector {
  public:
-  explicit RateCollector(double total_s) {
+  RateCollector(double total_s, bool by_area) {
+    rate_.by_area = by_area;
     if (!(total_s > 0.0)) return;
     rate_.step_s = total_s / static_cast<double>(kRateSteps);
     rate_.mean.assign(kRateSteps, 0.0);
@@ -100,8 +105,9 @@ class RateCollector {
   void add(const Step& step) {
     if (rate_.mean.empty() || !(step.time_s > 0.0)) return;
     addSpan(step);
-    if (!(step.removed_mm3 > 0.0)) return;
-    const double rate = 60.0 * step.removed_mm3 / step.time_s;
+    const double taken = rate_.by_area ? step.wire_mm2 : step.removed_mm3;
+    if (!(taken > 0.0)) return;
+    const double rate = 60.0 * taken / step.time_s;
     const double end_s = step.start_s + step.time_s;
     for (std::size_t i = indexAt(step.start_s); i <= indexAt(end_s); ++i) {
       const double low = static_cast<double>(i) * rate_.step_s;
@@ -175,7 +181,10 @@ ReportAccounting accountFor(const std::vector<CutPath>& paths) {
     });
   }
   for (const auto& [number, figures] : tools) result.per_tool.push_back({number, figures});
-  RateCollector rate(end_s);
+  const bool by_area = !paths.empty() && std::all_of(paths.begin(), paths.end(), [](const CutPath& cut) {
+    return cut.wire_height_mm > 0.0;
+  });
+  RateCollector rate(end_s, by_area);
   double start_s = 0.0;
   for (const CutPath& cut : paths) {
     const double now = start_s;

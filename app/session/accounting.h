@@ -15,6 +15,7 @@ struct CutPath {
   const Toolpath* path = nullptr;
   const std::vector<float>* removed_mm3 = nullptr;  ///< per motion; missing entries count as 0
   bool turned = false;  ///< the part turns: an edge goes round it on helices and spirals
+  double wire_height_mm = 0.0;  ///< of the workpiece where a wire cuts it; 0: another process
 };
 
 /// How far the edge of a turning tool goes through the material while the part turns, mm: on a helix or

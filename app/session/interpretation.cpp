@@ -14,6 +14,7 @@
 #include "app/session/origin_sink.h"
 #include "app/session/process/process.h"
 #include "app/session/programs/placed_path.h"
+#include "app/session/programs/wire_heights.h"
 #include "app/session/stock_probe.h"
 #include "core/base/memory_limit.h"
 #include "core/base/printable.h"
@@ -181,6 +182,7 @@ ControlSettings controlSettings(const Job& job, const Box3& blank) {
     if (tool.insert) settings.inserts[tool.number] = {noseCenter(*tool.insert), tool.insert->gauge};
   }
   placeMachine(job, blank, settings);
+  giveWireHeights(job, blank, settings);
   return settings;
 }
 

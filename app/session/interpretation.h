@@ -88,7 +88,7 @@ struct Interpreted {
 };
 
 /// Settings of the job, with the places that it leaves open taken from a blank that has these bounds; see
-/// placeMachine.
+/// placeMachine and giveWireHeights.
 ControlSettings controlSettings(const Job& job, const Box3& blank);
 
 /// Runs the job's program, or those of its channels.

@@ -70,13 +70,14 @@ Result<std::size_t> keep(Machined&& made, const PartWish& wish, SetupRun& setup,
   });
   if (made.bodies) {
     setup.bodies = std::move(*made.bodies);
+    setup.mesh_bodies = made.mesh_bodies;
     setup.rival = made.rival;
     return std::min<std::size_t>(setup.bodies.size(), 1);
   }
   double clamped_mm3 = setup.surface.volume_mm3;
   for (const StockBody& body : made.apart) clamped_mm3 -= body.volume_mm3;
   if (const Status taken = takeBodies(wish, clamped_mm3, setup); !taken) return taken.error();
-  const std::size_t told = setup.bodies.size();
+  const std::size_t told = setup.mesh_bodies = setup.bodies.size();
   setup.bodies.insert(setup.bodies.end(), made.apart.begin(), made.apart.end());
   return told;
 }
@@ -150,6 +151,7 @@ PieceOptions pieceOptions(const Job& job, const PreparedRun& prepared, std::size
   options.keeps_grid = k + 1 == setupCount(job) && savesStock(job);
   if (prepared.nominal && !processOf(job, k).on_grid)
     options.part = nominalIn(job, prepared.nominal->mesh, k);
+  options.part_alone = writesBodies(job);
   options.part_point = job.part_point;
   for (std::size_t i = 1; options.part_point && i <= k; ++i)
     options.part_point = job.setups[i].from_previous(*options.part_point);

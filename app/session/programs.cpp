@@ -9,6 +9,7 @@
 #include "app/session/process/process.h"
 #include "app/session/program_checks/program_checks.h"
 #include "app/session/programs/first_offset.h"
+#include "app/session/programs/wire_heights.h"
 #include "app/session/setup_findings.h"
 #include "app/session/stock_probe.h"
 #include "core/base/memory_limit.h"
@@ -75,9 +76,10 @@ Status read(SetupRun& setup, const RecordingSource& source, const ControlSetting
 
 /// What the bounds of the blank tell of the places that a job leaves open or gives. `notes` came before the program
 /// was read.
-void addPlaceNotes(const Job& job, std::size_t /*k*/, const Box3& bounds, const Diagnostics& notes, Toolpath& path) {
+void addPlaceNotes(const Job& job, std::size_t k, const Box3& bounds, const Diagnostics& notes, Toolpath& path) {
   for (const Diagnostic& note : notes.all()) path.diagnostics.add(note);
   noteLowToolChange(job, bounds, path.diagnostics);
+  noteWireHeights(job, k, bounds, path);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct SetupRun {
   /// that is not exact changes the grid's own volume, and no tool has taken that.
   StockSurface surface;
   std::vector<StockBody> bodies;
+  std::size_t mesh_bodies = 0;                ///< so many of them are in the surface's mesh, the first ones
   std::optional<std::size_t> rival;           ///< see Machined::rival
   MeshTopology topology;                      ///< of the surface's mesh
   MeshExtent extent;                          ///< of the surface's mesh

@@ -21,6 +21,7 @@
 #include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
 #include "removal/sweep/column_sweep.h"
+#include "removal/turning/turned_stock.h"
 
 namespace proveout {
 namespace {
@@ -102,6 +103,15 @@ void addMeasuring(RunResult& run) {
     run.prediction.time_s += run.performance.interpret_s;
 }
 
+/// What no lathe turns is refused before anybody predicts the mesh of it: a thread of a lead that is a slip.
+Status checkTurned(const RunResult& run) {
+  for (const SetupRun& setup : run.setups) {
+    if (!processOf(setup.job.control).part_turns) continue;
+    if (Status possible = turnable(setup.interpreted.path, setup.job.tools); !possible) return possible;
+  }
+  return Done{};
+}
+
 /// Reads the programs, and predicts the run if they are good.
 Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRun& prepared,
                            Progress& progress) {
@@ -113,6 +123,7 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
     noteRepairs(prepared.nominal->notes, "nominal", run.setups.back().interpreted.path.diagnostics);
   noteRepairs(prepared.blank.repairs, "stock", run.setups.front().interpreted.path.diagnostics);
   if (run.alarm) return Done{};
+  if (Status possible = checkTurned(run); !possible) return possible;
   const Workload work = workOf(job, prepared);
   double& resolution_mm = prepared.blank.resolution_mm;
   if (!processOf(job, 0).on_grid && !job.simulation.resolution_mm)

@@ -58,9 +58,10 @@ Result<Machined> WirePiece::machine(const Toolpath& path, const std::vector<Tool
   apart_.assign(out.bodies->begin() + (out.bodies->empty() ? 0 : 1), out.bodies->end());
   for (std::size_t k = 1; k < order.size(); ++k)
     out.freed.push_back(stock_.mesh({order[k]}, options.facet_mm));
-  // A nominal is that of the part alone.
-  const bool alone = options.part && order.size() > 1;
+  // A nominal is that of the part alone, and a point says which body is asked for.
+  const bool alone = (options.part || options.part_point || options.part_alone) && order.size() > 1;
   if (alone) order.resize(1);
+  out.mesh_bodies = order.size();
   out.surface.mesh = stock_.mesh(order, options.facet_mm);
   if (!stock_.knownSound()) {
     out.surface.self_intersections = wallMeetings(out.surface.mesh).size();

@@ -11,7 +11,8 @@ class WirePiece final : public Workpiece {
   explicit WirePiece(WireStock stock);
 
   /// Of several bodies the part is that which partAmong tells; the others are slugs.
-  /// The mesh is that of the part alone where options.part is given, else it has all bodies, each a shell.
+  /// The mesh is that of the part alone where options.part, part_point or part_alone says so, else it has all
+  /// bodies, each a shell.
   Result<Machined> machine(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,
                            Progress& progress) override;
   Status cut(const Toolpath& path, const std::vector<Tool>& tools, const PieceOptions& options,

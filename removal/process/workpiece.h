@@ -31,6 +31,7 @@ struct PieceOptions {
   std::optional<Box3>
       part;  ///< where the part is among several bodies, frame of the clamping; none: not known
   std::optional<Vec3> part_point;  ///< in the part, of which bodies there may be several; goes before `part`
+  bool part_alone = false;         ///< the mesh of what a wire cuts has the part alone, `part` or not
   /// Where fixtures reach between the heights of a workpiece that a wire cuts, as convex polygons seen from
   /// +z: what they touch is held. None: nobody knows what is held.
   std::vector<std::vector<Vec2>> held_at;
@@ -53,6 +54,8 @@ struct Machined {
   std::optional<std::size_t> rival;
   /// Of pieces that this clamping cut free: bodies[1] and those behind it, a closed mesh each.
   std::vector<TriMesh> freed;
+  /// So many of `bodies` are in the mesh, the first ones.
+  std::size_t mesh_bodies = 1;
   /// As of the surface, of those of them that are not in its mesh.
   std::size_t freed_self_intersections = 0;
   std::shared_ptr<const TurnedShape> turned;  ///< of a part that only turned: its bodies, the part first

@@ -13,6 +13,8 @@ namespace {
 constexpr double kOneAngle = 1e-6;
 /// Angles whose sections are kept.
 constexpr std::size_t kMostAngles = 16;
+/// Cuts that are kept for them: with more the sections are made anew.
+constexpr std::size_t kMostCuts = 256;
 
 }  // namespace
 
@@ -37,13 +39,29 @@ const SectionArea& ThreadSections::at(double angle, const SectionArea& section,
   });
   if (known == known_.end()) {
     if (known_.size() == kMostAngles) known_.erase(known_.begin());
-    known = known_.insert(known_.end(), {angle, 0, section});
+    known = known_.insert(known_.end(), {angle, 0, cuts_.size(), section});
   }
   for (; known->threads < threads.size(); ++known->threads) {
     const ThreadSweep& thread = threads[known->threads];
     known->area.subtractMany(passesThrough(thread, known->angle), thread.motion);
   }
+  for (; known->cuts < cuts_.size(); ++known->cuts) {
+    const Cut& cut = cuts_[known->cuts];
+    known->area.subtract(cut.sweeps, cut.motion, cut.spared);
+  }
   return known->area;
+}
+
+void ThreadSections::cut(const std::vector<SectionPath>& sweeps, MotionId motion,
+                         const std::vector<SectionPath>& spared) {
+  if (known_.empty()) return;
+  if (cuts_.size() == kMostCuts) return clear();
+  cuts_.push_back({sweeps, motion, spared});
+}
+
+void ThreadSections::clear() {
+  known_.clear();
+  cuts_.clear();
 }
 
 }  // namespace proveout

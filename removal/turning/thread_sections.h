@@ -14,17 +14,26 @@ std::vector<SectionPath> passesThrough(const ThreadSweep& thread, double angle);
 class ThreadSections {
  public:
   /// `section` less what `threads` cut at `angle`, rad. Both must be those of the calls before, but for
-  /// threads that were added at the end; else call clear() first. Valid up to the next call.
+  /// threads that were added at the end and what cut() was told; else call clear() first. Valid up to the next call.
   const SectionArea& at(double angle, const SectionArea& section, const std::vector<ThreadSweep>& threads);
-  void clear() { known_.clear(); }
+  /// The section has lost this; see SectionArea::subtract.
+  void cut(const std::vector<SectionPath>& sweeps, MotionId motion, const std::vector<SectionPath>& spared);
+  void clear();
 
  private:
   struct Known {
     double angle;
     std::size_t threads;  ///< so many have been cut
+    std::size_t cuts;     ///< and so many of `cuts_`
     SectionArea area;
   };
+  struct Cut {
+    std::vector<SectionPath> sweeps;
+    MotionId motion;
+    std::vector<SectionPath> spared;
+  };
   std::vector<Known> known_;
+  std::vector<Cut> cuts_;  ///< of the section, since the first of `known_`
 };
 
 }  // namespace proveout

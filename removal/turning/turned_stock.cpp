@@ -131,9 +131,7 @@ const char* turningObstacle(const Motion& motion, const ArcGeometry* arc, const 
   return motion.kind == MotionKind::kThread ? "a thread along an arc" : nullptr;
 }
 
-namespace {
-
-Status checkPath(const Toolpath& path, const std::vector<Tool>& tools) {
+Status turnable(const Toolpath& path, const std::vector<Tool>& tools) {
   for (const Motion& motion : path.motions) {
     const AxisSweep* axis = motion.axis < 0 ? nullptr : &path.axes[static_cast<std::size_t>(motion.axis)];
     const auto same = [&](const Tool& tool) { return tool.number == motion.tool; };
@@ -148,8 +146,6 @@ Status checkPath(const Toolpath& path, const std::vector<Tool>& tools) {
   }
   return Done{};
 }
-
-}  // namespace
 
 struct TurnedStock::Impl {
   SectionArea area;                 ///< held by the chuck
@@ -294,7 +290,7 @@ class Turning {
   /// Cuts the section, and the planes that stand for threads if there are any. Returns the volume, mm3.
   double take(const std::vector<SectionPath>& sweeps, MotionId id, const std::vector<SectionPath>& spared) {
     const double taken = area_.subtract(sweeps, id, spared);
-    if (taken > 0.0) standing_.clear();
+    if (taken > 0.0) standing_.cut(sweeps, id, spared);
     if (planes_.empty()) return taken;
     double sum = 0.0;
     for (SectionArea& plane : planes_) sum += plane.subtract(sweeps, id, spared);
@@ -485,7 +481,7 @@ Result<TurnedStock> TurnedStock::create(const StockShape& shape) {
 
 Result<RemovalSummary> TurnedStock::remove(const Toolpath& path, const std::vector<Tool>& tools,
                                            Progress& progress) {
-  if (Status possible = checkPath(path, tools); !possible) return possible.error();
+  if (Status possible = turnable(path, tools); !possible) return possible.error();
   Turning turning(path, tools, impl_->area, impl_->parted, impl_->threads, impl_->outlines);
   for (MotionId id = 0; id < path.motions.size(); ++id) {
     if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
@@ -498,7 +494,7 @@ Result<RemovalSummary> TurnedStock::remove(const Toolpath& path, const std::vect
 
 Result<std::vector<Contact>> TurnedStock::touches(const Toolpath& path, const std::vector<Tool>& tools,
                                                   Progress& progress) const {
-  if (Status possible = checkPath(path, tools); !possible) return possible.error();
+  if (Status possible = turnable(path, tools); !possible) return possible.error();
   std::map<int, TurningTool> turning;
   for (const Tool& tool : tools) turning.try_emplace(tool.number, tool);
   ContactList contacts(path);

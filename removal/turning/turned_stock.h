@@ -21,6 +21,8 @@ namespace proveout {
 
 /// Names what of a motion cannot be turned: a way out of the plane, a tilted axis. Null: nothing.
 const char* turningObstacle(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis);
+/// Error: a motion that cannot be turned, also for a thread of turns beyond number or a tool that is not defined.
+Status turnable(const Toolpath& path, const std::vector<Tool>& tools);
 
 class TurnedStock {
  public:

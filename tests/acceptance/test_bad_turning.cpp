@@ -86,6 +86,7 @@ const Turning kTurnings[] = {
     {"out_of_the_plane", job(), program("G0 X50 Z5\nG1 Y5 X36 F0.1\n"), "", 2, "part.nc:6:"},
     {"arc_across_the_plane", job(), program("G0 X50 Z5\nG17\nG2 X36 Y0 R20 F0.1\n"), "", 2, "part.nc:7:"},
     {"pitch_of_nothing", job(), program("G0 X38 Z5\nG33 Z-40 F0.001\nG0 X50\n"), "", 2, "turns"},
+    {"pitch_of_a_slip", job(), program("G0 X38 Z5\nG33 Z-40 F0.0001\nG0 X50\n"), "", 2, "turns"},
     {"until_never", job(), program(kCut), "--until N99", 2, "not reached"},
     {"grid_too_fine", job(), program(kThread), "--resolution 0.001 --format vdb", 3, "would fit"},
     {"memory_too_small", job(), program(kThread), "--resolution 0.05 --max-memory 0.1 --format vdb", 3,

@@ -1,7 +1,10 @@
 // Pieces that a wire cuts free, and what hangs on: of whole jobs.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -85,6 +88,69 @@ TEST(WirePieces, ABridgeIsFoundHoweverTheBlockLies) {
     const auto found = std::ranges::find_if((*made)["findings"], is);
     ASSERT_NE(found, (*made)["findings"].end()) << (made == &turned);
   }
+}
+
+/// A punch of 20 x 12 mm out of a plate.
+const char* const kPunch =
+    "H001=110;\nT84T86;C001;\nG92X-18.Y0;\nG41H001G01X-10.;\nY6.;\nX10.;\nY-6.;\nX-10.;\nY0;\nG40X-18.;\nM02;"
+    "\n";
+
+/// Runs the punch and returns what is said of the part.
+std::string partLine(const Workbench& bench, const std::string& stock, const std::string& options,
+                     int exit_code) {
+  bench.write("p.nc", kPunch);
+  bench.write(
+      "job.toml",
+      "schema = \"proveout.job/1\"\nname = \"j\"\nprogram = \"p.nc\"\ncontrol = \"wedm\"\n[stock]\nshape = "
+      "\"box\"\nmin = [-15, -12, 0]\nmax = [15, 12, 20]\n" +
+          stock + "[[tool]]\nnumber = 1\ntype = \"wire\"\ndiameter = 0.2\nspark_gap = 0.01\n");
+  const Outcome outcome = bench.run("run job.toml --no-render --out out" + options);
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  const std::size_t at = outcome.out.find("  part ");
+  return at == std::string::npos ? outcome.err : outcome.out.substr(at, outcome.out.find('\n', at) - at);
+}
+
+/// Triangles of a binary STL file.
+std::uint32_t trianglesIn(const Workbench& bench, const std::string& file) {
+  const std::string bytes = readFile(bench.path(file));
+  std::uint32_t count = 0;
+  if (bytes.size() > 84) std::memcpy(&count, bytes.data() + 80, sizeof(count));
+  return count;
+}
+
+TEST(WirePieces, APointInThePartSaysWhatIsWritten) {
+  const Workbench punch, frame;
+  const std::string of_punch = partLine(punch, "part_point = [0, 0, 10]\n", "", 0);
+  EXPECT_NE(of_punch.find("4800.00 mm3"), std::string::npos) << of_punch;
+  EXPECT_NE(of_punch.find(fmt::format("; mesh {} triangles", trianglesIn(punch, "out/j.stl"))),
+            std::string::npos)
+      << of_punch;
+  EXPECT_GT(trianglesIn(punch, "out/slugs/1-j.stl"), trianglesIn(punch, "out/j.stl")) << "the frame";
+  const std::string of_frame = partLine(frame, "part_point = [14, 0, 10]\n", "", 0);
+  EXPECT_NE(of_frame.find("9294.33 mm3"), std::string::npos) << of_frame;
+  EXPECT_EQ(trianglesIn(frame, "out/j.stl"), trianglesIn(punch, "out/slugs/1-j.stl"));
+  EXPECT_EQ(trianglesIn(frame, "out/slugs/1-j.stl"), trianglesIn(punch, "out/j.stl"));
+}
+
+TEST(WirePieces, EachBodyIsWrittenOnceWhereBodiesAreAskedFor) {
+  const Workbench all, each, point;
+  const std::string both = partLine(all, "", "", 0);
+  EXPECT_NE(both.find(fmt::format("; mesh of all 2 pieces {} triangles", trianglesIn(all, "out/j.stl"))),
+            std::string::npos)
+      << both;
+  EXPECT_FALSE(all.exists("out/slugs"));
+  partLine(each, "", " --bodies", 0);
+  EXPECT_EQ(trianglesIn(each, "out/j.stl") + trianglesIn(each, "out/slugs/1-j.stl"),
+            trianglesIn(all, "out/j.stl"));
+  partLine(point, "part_point = [0, 0, 10]\n", " --bodies", 0);
+  EXPECT_EQ(trianglesIn(point, "out/j.stl"), trianglesIn(each, "out/slugs/1-j.stl")) << "the punch";
+}
+
+TEST(WirePieces, APointInNoBodyIsRefused) {
+  const Workbench bench;
+  const std::string said = partLine(bench, "part_point = [-10.1, 0, 10]\n", "", 2);
+  EXPECT_NE(said.find("lies in no body that is left"), std::string::npos) << said;
+  EXPECT_FALSE(bench.exists("out/j.stl"));
 }
 
 }  // namespace

@@ -58,9 +58,10 @@ class RecordSender {
     if (tilt > most + 1e-9) {
       return report_.failAt(
           pace.source, record.columns, "wedm-tilt",
-          fmt::format("the wire would lean {:.3f} degrees: {} {:g} ({})", tilt,
-                      named ? "the machine's limit is" : "no more are taken for meant than", most,
-                      named ? "MAX_TILT of the job" : "MAX_TILT in [control.wedm] allows others"));
+          fmt::format(
+              "the wire would lean {:.3f} degrees: {} {:g} ({})", tilt,
+              named ? "the machine's limit is" : "the limit is", most,
+              named ? "MAX_TILT of the job" : "a machine that leans farther has MAX_TILT in [control.wedm]"));
     }
     output_.move(main, second, pace);
     return true;

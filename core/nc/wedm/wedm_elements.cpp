@@ -15,6 +15,7 @@ namespace {
 constexpr double kMostCoordinate = 999.999, kMostInch = 99.9999;  ///< mm, inch
 constexpr double kMostCenter = 99999.999;                         ///< mm
 constexpr double kOnePoint = 1e-9;                                ///< mm
+constexpr double kFarthest = 2.0 * 1000.0 * 1.41421356237309505;  ///< mm, between corners of the field of coordinates
 
 const WedmWord* wordIn(const std::vector<WedmWord>& words, char address) {
   for (const WedmWord& word : words) {
@@ -97,6 +98,17 @@ std::optional<ContourElement> arcOf(WedmContext& c, const WedmState& s, const Wo
   return arc;
 }
 
+/// False: the arc leads farther from its start than coordinates reach, reported.
+bool withinReach(WedmContext& c, const ContourElement& arc) {
+  const double turn = std::min(std::abs(arc.sweep), kPi), radius = (arc.from - arc.center).norm();
+  const double away = 2.0 * radius * std::sin(0.5 * turn);
+  return away <= kFarthest ||
+         c.report.fail("wedm-5.3-far",
+                       fmt::format("the arc leads {:.1f} m away from its start: no machine gets there. Its radius is "
+                                   "{:.3f} mm; I and J count from the start to the centre",
+                                   1e-3 * away, radius));
+}
+
 }  // namespace
 
 bool hasWordOf(const std::vector<WedmWord>& words, std::string_view addresses) {
@@ -124,7 +136,10 @@ std::optional<Vec2> targetOf(WedmContext& c, const WedmState& s, const std::vect
 std::optional<ContourElement> elementOf(WedmContext& c, const WedmState& s, const WordShape& shape) {
   const auto to = targetOf(c, s, *shape.words, 'X', shape.from, s.origin[s.systemIndex()]);
   if (!to) return std::nullopt;
-  if (shape.motion >= 2) return arcOf(c, s, shape, *to);
+  if (shape.motion >= 2) {
+    const auto arc = arcOf(c, s, shape, *to);
+    return arc && withinReach(c, *arc) ? arc : std::nullopt;
+  }
   if (hasWordOf(*shape.words, "IJ")) {
     c.report.fail("wedm-5.3-IJ", "I and J belong to G02 and G03");
     return std::nullopt;

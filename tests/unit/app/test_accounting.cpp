@@ -102,6 +102,19 @@ TEST_F(Accounting, RateSeriesKeepsTheVolumeAndTheLargestRate) {
   EXPECT_DOUBLE_EQ(rate.spans[1].from_s, 18.0);
 }
 
+/// The motions that removed something are 60 mm of way in 14 s.
+TEST_F(Accounting, WiresHaveARateByArea) {
+  const ReportAccounting milled = accountFor({{"", &path, &removed}});
+  EXPECT_FALSE(milled.total.area_mm2_min());
+  EXPECT_FALSE(milled.rate.by_area);
+  const ReportAccounting cut = accountFor({{"", &path, &removed, false, 20.0}});
+  ASSERT_TRUE(cut.total.area_mm2_min());
+  EXPECT_DOUBLE_EQ(*cut.total.area_mm2_min(), 60 * 20.0 * 60.0 / 14.0);
+  EXPECT_TRUE(cut.rate.by_area);
+  const double mean = std::accumulate(cut.rate.mean.begin(), cut.rate.mean.end(), 0.0);
+  EXPECT_NEAR(mean * cut.rate.step_s / 60.0, 20.0 * 60.0, 1e-9);
+}
+
 TEST_F(Accounting, BlocksAreRowsInTheOrderOfTime) {
   std::vector<BlockFigures> rows;
   forEachBlock({"", &path, &removed}, 100.0, [&](const BlockFigures& row) { rows.push_back(row); });

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "app/freed_pieces.h"
 #include "app/outputs.h"
+#include "core/mesh/shells.h"
 #include "tests/support/temporary_folder.h"
 
 namespace proveout {
@@ -233,6 +235,26 @@ TEST(ProfileChartFile, IsLeftOutWhereThereIsNoMaterial) {
   EXPECT_TRUE(failures.empty());
   EXPECT_TRUE(report.outputs.tables.empty());
   EXPECT_TRUE(report.profile_svg.empty());
+}
+
+/// Two triangles over a square are enough of a piece.
+TriMesh sheet(float low, float high) {
+  TriMesh mesh;
+  mesh.positions = {{0, 0, low}, {1, 0, low}, {0, 1, high}};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+TEST(TakenApart, ShowsAPieceWhereItLeaves) {
+  const TriMesh part = sheet(-10, -9), piece = sheet(0, 1);
+  const auto highest = [&](const std::string& leaves) {
+    const std::vector<StockBody> bodies = {{2.0, {}, "part", ""}, {1.0, {}, "slug", leaves}};
+    return meshBounds(takenApart(part, {piece}, bodies)).max.z();
+  };
+  EXPECT_NEAR(highest("up"), 2.3, 1e-6);
+  EXPECT_NEAR(highest("down"), -0.3, 1e-6);
+  EXPECT_NEAR(highest("both"), 2.3, 1e-6) << "no larger than the part";
+  EXPECT_NEAR(highest("none"), 2.3, 1e-6);
 }
 
 }  // namespace

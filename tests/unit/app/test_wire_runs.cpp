@@ -455,5 +455,107 @@ TEST(WireRuns, LeaningTooFarIsAnAlarm) {
   EXPECT_EQ(alarms[0].source->line, 5u);
 }
 
+TEST(WireRuns, APointInThePartMakesTheMeshThatOfThePartAlone) {
+  Job job = plateJob();
+  job.start_holes = {{{0, 0}, 1.0}};
+  const std::string program = kStart + kRing + "M02;\n";
+  const Result<RunResult> both = run(job, program);
+  ASSERT_TRUE(both.ok());
+  EXPECT_EQ(both->setups[0].mesh_bodies, 2u) << "nothing says which is the part";
+  for (const double x : {15.0, 3.0}) {
+    job.part_point = Vec3(x, 1, 10);
+    const Result<RunResult> made = run(job, program);
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    const SetupRun& setup = made->setups[0];
+    EXPECT_EQ(setup.mesh_bodies, 1u);
+    ASSERT_EQ(setup.bodies.size(), 2u);
+    EXPECT_NEAR(setup.extent.volume_mm3, setup.bodies[0].volume_mm3, 1e-3 * setup.bodies[0].volume_mm3);
+    ASSERT_EQ(setup.freed.size(), 1u);
+    EXPECT_NEAR(meshVolume(setup.freed[0]), setup.bodies[1].volume_mm3, 1e-3 * setup.bodies[1].volume_mm3);
+    EXPECT_EQ(setup.bodies[0].volume_mm3 > setup.bodies[1].volume_mm3, x > 10.0);
+  }
+  job.part_point = Vec3(5, 0, 10);
+  const Result<RunResult> kerf = run(job, program);
+  ASSERT_FALSE(kerf.ok());
+  EXPECT_TRUE(has(kerf.error().message, "lies in no body that is left")) << kerf.error().message;
+}
+
+TEST(WireRuns, PiecesThatAreToBeWrittenAreNotInTheMesh) {
+  Job job = plateJob();
+  job.start_holes = {{{0, 0}, 1.0}};
+  job.output.bodies = true;
+  const Result<RunResult> made = run(job, kStart + kRing + "M02;\n");
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(made->setups[0].mesh_bodies, 1u);
+  EXPECT_NEAR(made->setups[0].extent.volume_mm3, made->setups[0].bodies[0].volume_mm3, 1.0);
+}
+
+/// A slot whose upper shape is wider, in the middle of the blank.
+const std::string kTwoShapes =
+    "T84T86;C001;\nG92X-30.Y0U0V0;\nG61;\nG01X-8.Y0:G01X-4.Y0;\nX-8.Y8.:X-4.Y4.;\nX8.Y8.:X4.Y4.;\n"
+    "X8.Y-8.:X4.Y-4.;\nX-8.Y-8.:X-4.Y-4.;\nX-8.Y0:X-4.Y0;\nX-30.Y0:X-30.Y0;\nG60;\nM02;\n";
+
+/// Highest and lowest point of the wire's path in its two planes.
+std::pair<double, double> planesOf(const Result<RunResult>& made) {
+  EXPECT_TRUE(made.ok()) << made.error().message;
+  if (!made.ok() || made->setups[0].interpreted.path.wires.empty()) return {};
+  const WireSweep& wire = made->setups[0].interpreted.path.wires.front();
+  return {wire.z_low, wire.z_high};
+}
+
+std::vector<std::string> heightWarnings(const Result<RunResult>& made) {
+  std::vector<std::string> out;
+  for (const Diagnostic& d : made->setups[0].interpreted.path.diagnostics.all()) {
+    if (d.code == "wedm-heights") out.push_back(d.message);
+  }
+  return out;
+}
+
+TEST(WireRuns, HeightsOfThePlanesAreThoseOfTheStock) {
+  for (const auto& [low, high] : {std::pair{0.0, 30.0}, {-12.5, 5.0}, {3.0, 15.0}}) {
+    Job job = plateJob();
+    job.stock = BoxShape{{-20, -20, low}, {20, 20, high}};
+    job.part_point = Vec3(0, 0, 0.5 * (low + high));
+    const Result<RunResult> made = run(job, kTwoShapes);
+    EXPECT_EQ(planesOf(made), std::pair(low, high));
+    EXPECT_TRUE(heightWarnings(made).empty());
+  }
+}
+
+TEST(WireRuns, HeightsThatAreNotThoseOfTheStockAreTold) {
+  Job job = plateJob();
+  job.settings.parameters = {{"T", 30}};
+  Result<RunResult> made = run(job, kTwoShapes);
+  EXPECT_EQ(planesOf(made), std::pair(0.0, 30.0)) << "the job's counts";
+  ASSERT_EQ(heightWarnings(made).size(), 1u);
+  EXPECT_TRUE(has(heightWarnings(made)[0], "T is 30 mm in a plate of 20 mm")) << heightWarnings(made)[0];
+  job.settings.parameters = {{"T", 20}, {"ZB", -5}};
+  made = run(job, kTwoShapes);
+  ASSERT_EQ(heightWarnings(made).size(), 1u);
+  EXPECT_TRUE(has(heightWarnings(made)[0], "ZB is -5 mm where the bottom of the plate is at 0"))
+      << heightWarnings(made)[0];
+  job.settings.parameters = {{"T", 20}, {"ZB", 0}};
+  EXPECT_TRUE(heightWarnings(run(job, kTwoShapes)).empty());
+}
+
+TEST(WireRuns, ThePartOfATaperThatChangesOnTheSpot) {
+  Job job = plateJob();
+  job.stock = BoxShape{{-5, -5, 0}, {15, 15, 20}};
+  job.start_holes = {{{2, 3}, 1.0}};
+  job.tools[0].diameter = 0.02;
+  job.tools[0].spark_gap = 0.0;
+  const Result<RunResult> made =
+      run(job,
+          "T84 T86;\nC001;\nG90 G92 X2. Y3.;\nG52 A0 G41 H000 G01 X2. Y0;\nG52 A0 X5.;\nG52 A5. X10.;\n"
+          "G52 A0 Y10.;\nX0;\nY0;\nX2.;\nM00;\nG40 G50 A0 Y3.;\nM02;\n");
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  // The hole: 10 x 10 and a wedge of 5 mm, whose section grows with the height; half a kerf beside its
+  // contour.
+  const double lean = 20.0 * std::tan(degToRad(5.0)), wedge = 5.0 * lean / 2.0 * 20.0;
+  const double contour = 20.0 * (40.0 + lean);
+  const double hole = 2000.0 + wedge + 0.01 * contour;
+  EXPECT_NEAR(made->setups[0].bodies.at(0).volume_mm3, 8000.0 - hole, 0.02);
+}
+
 }  // namespace
 }  // namespace proveout

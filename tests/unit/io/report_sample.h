@@ -21,7 +21,7 @@ inline Report sampleReport() {
   ReportAccounting accounting;
   accounting.total = {380.5, 40.74, 10, 22.5, 9000, 358, 4000, 45622.82};
   accounting.per_tool = {{1, {300.5, 30.74, 5, 20, 7000, 280.5, 4000, 39730.12}}, {2, {80, 10, 5, 80, 2000}}};
-  accounting.rate = {0.5, {0, 120, 40}, {0, 200, 80}, {{0, 0.9, "T1"}, {0.9, 1.5, "<T2>"}}};
+  accounting.rate = {0.5, false, {0, 120, 40}, {0, 200, 80}, {{0, 0.9, "T1"}, {0.9, 1.5, "<T2>"}}};
   r.accounting = accounting;
   ReportStock stock;
   stock.initial_mm3 = 128000;

@@ -146,6 +146,17 @@ TEST(WedmTilt, EndsBeyond45DegreesUnlessTheMachineLeansFarther) {
   EXPECT_EQ(WedmPath(shapes, plate()).error(), "wedm-tilt");
 }
 
+TEST(WedmArcs, EndWhereNoMachineGets) {
+  const std::string head = "T84T86;C001;\nG92X-18.Y0;\nG01X-10.;\n";
+  for (const char* arc : {"G02 I9999.;", "G03 J-99999.;", "G02 X-10. Y0.01 I2000.;"}) {
+    const WedmPath run(head + arc + "\nM02;\n");
+    EXPECT_EQ(run.error(), "wedm-5.3-far") << arc;
+  }
+  EXPECT_EQ(WedmPath(head + "G02 I900.;\nM02;\n").error(), "");
+  // Flat arcs have large radii.
+  EXPECT_EQ(WedmPath(head + "G02 X10. I10. J-50000.;\nM02;\n").error(), "");
+}
+
 TEST(WedmComments, AreClosedWhereTheTextEnds) {
   const std::string head = "T84T86;C001;\nG92X0Y0;\nG01X1.;\n";
   for (const char* end : {"M02 (open;", "M02;(open", "M02;\n(open", "M02;\n\nN0001 (open;\nX2.;\nM99;"}) {

@@ -51,6 +51,8 @@ TEST(DeviationScale, LimitIsRoundAndTakesEverythingIn) {
   EXPECT_DOUBLE_EQ(deviationScaleFor(0.02, 0.05, 1.0).limit, 1.0);
   EXPECT_DOUBLE_EQ(deviationScaleFor(0.02, 0.05, 5.1).limit, 10.0);
   EXPECT_DOUBLE_EQ(deviationScaleFor(0.02, 0.05, std::nan("")).limit, 0.2);
+  EXPECT_DOUBLE_EQ(deviationScaleFor(0.0, 0.0, 3.55e-15).limit, 1e-4) << "rounding is no deviation";
+  EXPECT_DOUBLE_EQ(deviationScaleFor(0.0, 0.0, 0.0).limit, 1e-4);
 }
 
 TEST(Srgb, BytesSurviveTheRoundTrip) {
