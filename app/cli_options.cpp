@@ -82,6 +82,16 @@ void addMaxTime(CLI::App& app, std::optional<double>& seconds,
       ->check(numberIn(0, 1e9, "a time in seconds above 0"));
 }
 
+void addPlacement(CLI::App& app, NominalOptions& options) {
+  app.add_option("--nominal-at", options.at,
+                 "Where the origin of the nominal's file lies, mm, in the frame of the finished part;\n"
+                 "overrides the job's move")
+      ->type_name("X,Y,Z");
+  app.add_option("--nominal-rotate", options.rotate,
+                 "How the nominal is turned about the fixed axes X, Y, Z before, degrees; overrides the job's rotate")
+      ->type_name("A,B,C");
+}
+
 void addProgramOptions(CLI::App& app, ProgramOptions& options) {
   app.add_option("INPUT", options.input, "Job file (*.toml) or NC program")->required()->check(notEmpty());
   app.add_option("--control", options.control,
@@ -97,6 +107,21 @@ void addProgramOptions(CLI::App& app, ProgramOptions& options) {
   app.add_option("--until", options.until, "Stop after this line (120) or block (N70) of the main program")
       ->type_name("LINE|Nn");
   app.add_flag("--lenient", options.lenient, "Unsupported codes that are safe to skip become warnings");
+  app.add_option("--offset", options.offsets,
+                 "What the operator has entered, mm; overrides the job; repeatable:\nG55=X,Y,Z, 'G54.1 P3=X,Y,Z', "
+                 "common=X,Y,Z, D1=RADIUS, H1=LENGTH;\nlathes: DXW.n, DZW.n, RT.n, TIP.n; in one clamping: SETUP:G54=X,Y,Z")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->check(notEmpty());
+  app.add_flag("--skip", options.skip, "Leave out blocks that begin with /, as the block skip switch does");
+  app.add_option("--program-unit", options.program_unit,
+                 "Power-on unit of the control: mm, inch; overrides the job; default: mm")
+      ->type_name("UNIT")
+      ->check(oneOf({"mm", "inch"}));
+  app.add_option("--machine", options.machine,
+                 "TOML file with the keys of [machine], with a program (a job names it itself)")
+      ->type_name("FILE")
+      ->check(notEmpty());
   addMaxTime(app, options.max_time_s, fmt::format("the job's, or {:g}", kDefaultMaxTimeS));
 }
 
@@ -121,6 +146,7 @@ void addRun(CLI::App& root, RunOptions& o) {
       ->type_name("FILE");
   app->add_option("--unit", o.unit, "Of the meshes of --nominal and --stock: mm, inch, m; default: mm")
       ->type_name("UNIT");
+  addPlacement(*app, o.place);
   app->add_option("--tolerance", o.tolerance_mm,
                   "Allowed gouge and excess against nominal; overrides the job")
       ->type_name("MM")
@@ -149,6 +175,23 @@ void addRun(CLI::App& root, RunOptions& o) {
                   "Refuse a run that needs more (exit 3); default: what is free")
       ->type_name("GB")
       ->check(numberIn(0, 1e6, "a size in GB above 0"));
+  app->add_option("--baseline", o.baseline,
+                  "Findings that are known, as --write-baseline wrote them: only new ones,\nand known ones that "
+                  "became worse, count for the verdict")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  app->add_option("--write-baseline", o.write_baseline,
+                  "Write the findings of this run for --baseline; the verdict stays as it is")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  app->add_option("--select", o.select,
+                  "Only findings of these kinds, separated by commas, are listed and count;\nwhat says that the "
+                  "result is not whole always does")
+      ->type_name("KINDS")
+      ->allow_extra_args(false);
+  app->add_option("--ignore", o.ignore, "Findings of these kinds are only counted")
+      ->type_name("KINDS")
+      ->allow_extra_args(false);
   app->add_option("--out", o.out,
                   "Folder for the results; default: NAME-out beside the job, or in the current folder")
       ->type_name("DIR")
@@ -225,6 +268,7 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
   app->add_option("--unit", o.unit, "Of both meshes: mm, inch, m; default: mm")->option_text("UNIT");
   app->add_option("--nominal-unit", o.nominal_unit, "Of the nominal, where it has another one")
       ->type_name("UNIT");
+  addPlacement(*app, o.place);
   app->add_option("--gouge", o.gouge_mm, "Allowed below nominal; default: 0.02")
       ->option_text("MM")
       ->check(positiveMm());
@@ -330,10 +374,18 @@ std::vector<std::string> decidingArguments(const RunOptions& o) {
   add("--setup", o.program.setup);
   add("--until", o.program.until);
   if (o.program.lenient) out.push_back("--lenient");
+  for (const std::string& offset : o.program.offsets) add("--offset", offset);
+  if (o.program.skip) out.push_back("--skip");
+  add("--program-unit", o.program.program_unit);
+  add("--machine", o.program.machine);
   add("--stock", o.stock);
   for (const std::string& tool : o.tools) add("--tool", tool);
   add("--nominal", o.nominal);
   add("--unit", o.unit);
+  add("--nominal-at", o.place.at);
+  add("--nominal-rotate", o.place.rotate);
+  for (const std::string& kinds : o.select) add("--select", kinds);
+  for (const std::string& kinds : o.ignore) add("--ignore", kinds);
   if (o.causes) add("--causes", *o.causes);
   addNumber("--tolerance", o.tolerance_mm);
   addNumber("--resolution", o.resolution_mm);

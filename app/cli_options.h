@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "app/placement_options.h"
+
 namespace proveout {
 
 /// A program or a job, for the commands that interpret.
@@ -18,6 +20,10 @@ struct ProgramOptions {
   std::optional<std::string> until;  ///< "120" (line) or "N70" (block number)
   std::optional<double> max_time_s;
   bool lenient = false;
+  std::vector<std::string> offsets;          ///< "G55=X,Y,Z", "D1=5"; see applyOffsets
+  std::optional<std::string> program_unit;   ///< "mm", "inch": power-on unit of the control
+  std::optional<std::string> machine;        ///< file with the keys of [machine]
+  bool skip = false;                         ///< block skip switch of `/` on
 };
 
 struct RunOptions {
@@ -26,12 +32,16 @@ struct RunOptions {
   std::vector<std::string> tools;
   std::optional<std::string> nominal;
   std::optional<std::string> unit;  ///< of the meshes of `nominal` and `stock`
+  NominalOptions place;
   std::optional<double> tolerance_mm;
   std::optional<double> resolution_mm;
   std::optional<double> simplify_mm;
   std::optional<std::string> causes;  ///< "off", "fast", "proven"
   std::optional<double> max_memory_gb;
   std::optional<int> threads;
+  std::optional<std::string> baseline;        ///< file with findings that are known
+  std::optional<std::string> write_baseline;  ///< file to write them to
+  std::vector<std::string> select, ignore;    ///< lists of kinds, "gouge,excess"
   std::optional<std::string> out;
   std::optional<std::string> formats;
   std::vector<std::string> views;
@@ -68,6 +78,7 @@ struct CompareCommandOptions {
   std::string machined, nominal;
   std::string unit = "mm";                  ///< of both files
   std::optional<std::string> nominal_unit;  ///< of the nominal, where it has another one
+  NominalOptions place;
   double gouge_mm = 0.02, excess_mm = 0.05;
   double resolution_mm = 0.2;
   std::optional<int> threads;

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "app/commands.h"
 #include "app/exit_codes.h"
 #include "app/input_files.h"
@@ -7,6 +10,7 @@
 #include "app/outputs.h"
 #include "app/pictures.h"
 #include "app/run_report.h"
+#include "app/session/acceptance.h"
 #include "app/session/provenance.h"
 #include "app/session/session.h"
 #include "app/session/thread_supply.h"
@@ -14,10 +18,14 @@
 #include "app/time_limit.h"
 #include "app/turned_profile.h"
 #include "core/base/memory_limit.h"
+#include "core/base/printable.h"
 #include "core/base/stopwatch.h"
+#include "io/baseline.h"
 
 namespace proveout {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// The findings with their places where they are on the finished part. Deviations are measured there.
 std::vector<Finding> findingsInLastFrame(const RunResult& run) {
@@ -123,15 +131,65 @@ struct Written {
   OutputFailures failures;
 };
 
-Result<Written> runJob(const Job& job, const std::vector<std::string>& command, const std::string& folder,
-                       ConsoleProgress& progress) {
+/// What the command line says besides the job.
+struct RunWish {
+  std::vector<std::string> command;  ///< words that decide the findings
+  std::string folder;                ///< for the results
+  AcceptanceWish acceptance;
+  std::optional<std::string> write_baseline;
+};
+
+Result<AcceptanceWish> acceptanceWish(const RunOptions& options) {
+  AcceptanceWish wish;
+  Result<KindFilter> filter = parseKindFilter(options.select, options.ignore);
+  if (!filter) return filter.error();
+  wish.filter = std::move(*filter);
+  if (!options.baseline) return wish;
+  if (const Status settled = settleInputs({{"baseline", *options.baseline}}); !settled) return settled.error();
+  Result<AcceptanceWish::File> file = loadBaseline(*options.baseline);
+  if (!file) return file.error();
+  wish.baseline = std::move(*file);
+  return wish;
+}
+
+/// Errors: the new baseline could not be written, or would be over an input or a result. Over the baseline that
+/// is read is fine.
+Status checkNewBaseline(const Job& job, const RunWish& wish, OutputGuard guard) {
+  if (!wish.write_baseline) return Done{};
+  const fs::path path(*wish.write_baseline);
+  for (const std::string& name : outputNames(job))
+    guard.protect("result", (fs::path(wish.folder) / name).string());
+  if (const Status free = guard.check(path.string()); !free) return free;
+  std::error_code error;
+  if (fs::is_directory(path, error)) return inputError("--write-baseline: " + path.string() + " is a folder");
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (folder.lexically_normal() == fs::path(wish.folder).lexically_normal()) return Done{};  // made with the results
+  if (!fs::is_directory(folder, error))
+    return inputError("--write-baseline: " + folder.string() + ": no such folder");
+  return Done{};
+}
+
+/// Says what was written.
+Status writeNewBaseline(const Report& report, const std::string& path, Console& console) {
+  if (report.verdict == Verdict::kError)
+    return inputError(path + ": no baseline is written of a program that was not run to its end");
+  if (const Status written = writeFileAtomically(path, baselineText(report.findings)); !written) return written;
+  const std::size_t count = baselineCount(report.findings);
+  console.err << fmt::format("proveout: {} {} written to {}\n", count, count == 1 ? "finding" : "findings",
+                             printable(path));
+  return Done{};
+}
+
+Result<Written> runJob(const Job& job, const RunWish& wish, ConsoleProgress& progress) {
   Stopwatch wall;
   const ThreadSupply threads(job.simulation.threads);
   const JobSources sources(job);
-  Target target{folder, {}};
+  Target target{wish.folder, {}};
   if (const Status settled = settleInputs(namedInputs(job)); !settled) return settled.error();
   protectAll(namedInputs(job), target.guard);
-  if (const Status possible = checkOutputs(job, folder, target.guard); !possible) return possible.error();
+  if (const Status free = checkNewBaseline(job, wish, target.guard); !free) return free.error();
+  if (wish.acceptance.baseline) target.guard.protect("baseline", wish.acceptance.baseline->path);
+  if (const Status possible = checkOutputs(job, wish.folder, target.guard); !possible) return possible.error();
   Result<PreparedRun> prepared = prepareRun(job, sources.all(), progress);
   if (!prepared) return prepared.error();
   if (const Status free = checkPrograms(prepared->run, sources.all(), job, target); !free)
@@ -142,6 +200,7 @@ Result<Written> runJob(const Job& job, const std::vector<std::string>& command, 
       finishRun(job, sources.all(), std::move(*prepared), progress,
                 [&](const SetupRun& last, Progress& drawing) { return pictures.drawPart(last, drawing); });
   if (!run) return run.error();
+  ReportAcceptance accepted = accept(job, wish.acceptance, run->comparison.has_value(), run->findings);
   if (const Status drawn = pictures.drawFindings(*run, progress); !drawn) return drawn.error();
   run->performance.render_s = pictures.drawnS();
   Result<Report> report = makeReport(job, *run, sources.all());
@@ -149,7 +208,8 @@ Result<Written> runJob(const Job& job, const std::vector<std::string>& command, 
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   report->performance.wall_s = wall.lap();
   Written written{std::move(*report), pictures.failures()};
-  written.report.command = command;
+  written.report.command = wish.command;
+  written.report.acceptance = std::move(accepted);
   if (const Status done =
           writeAll(job, *run, pictures.pictures(), target, progress, written.report, written.failures);
       !done)
@@ -171,13 +231,19 @@ int runCommand(const RunOptions& options, Console& console, ConsoleProgress& pro
   limit.set(job->simulation.max_time_s);
   memory.set(1e9 * job->simulation.max_memory_gb);
   job->simulation.max_time_s = limit.limit();
-  const std::string folder = outputFolder(options, *job);
+  Result<AcceptanceWish> acceptance = acceptanceWish(options);
+  if (!acceptance) return printError(console, acceptance.error());
+  const RunWish wish{decidingArguments(options), outputFolder(options, *job), std::move(*acceptance),
+                     options.write_baseline};
   progress.show(options.progress || (console.err_is_terminal && !options.quiet));
-  const Result<Written> written = runJob(*job, decidingArguments(options), folder, progress);
+  const Result<Written> written = runJob(*job, wish, progress);
   progress.clear();
   if (!written) return printError(console, limit.told(written.error()));
-  printResult(console, written->report, options.quiet, options.json, folder);
-  return exitCodeOf(written->report, written->failures);
+  printResult(console, written->report, options.quiet, options.json, wish.folder);
+  const int code = exitCodeOf(written->report, written->failures);
+  if (!options.write_baseline) return code;
+  const Status kept = writeNewBaseline(written->report, *options.write_baseline, console);
+  return kept ? code : std::max(code, printError(console, kept.error()));
 }
 
 }  // namespace proveout

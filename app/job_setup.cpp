@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "app/console.h"
+#include "app/offset_options.h"
 #include "app/session/job_defaults.h"
 #include "core/nc/interpreter.h"
 #include "io/atomic_file.h"
@@ -58,6 +59,12 @@ std::optional<Job> jobFromProgram(const ProgramOptions& options, Diagnostics& di
     if (!fs::exists(path, error))
       diagnostics.add(usageError(fmt::format("{}: no such file or folder", path)));
   }
+  if (options.machine) {
+    if (const Status readable = checkRegularFile(*options.machine); readable)
+      loadMachine(*options.machine, job, diagnostics);
+    else
+      diagnostics.add(usageError("--machine: " + readable.error().message));
+  }
   if (nc::isTemplateName(job.program) && !diagnostics.hasErrors())
     fillWithDefaults(job.program, job, diagnostics);
   if (diagnostics.hasErrors()) return std::nullopt;
@@ -96,6 +103,17 @@ bool stopAt(const ProgramOptions& options, Job& job, Diagnostics& diagnostics) {
   }
   (job.setups.empty() ? job.settings : job.setups.back().settings).until = until;
   return true;
+}
+
+/// Switches and the power-on unit, in every clamping and channel.
+void applyPanel(const ProgramOptions& options, Job& job) {
+  const auto apply = [&](ControlSettings& settings) {
+    if (options.skip) settings.skip_switches[0] = true;
+    if (options.program_unit) settings.units = *options.program_unit == "inch" ? LengthUnit::kInch : LengthUnit::kMillimetre;
+  };
+  apply(job.settings);
+  for (SetupSpec& setup : job.setups) apply(setup.settings);
+  for (ChannelSpec& channel : job.channels) apply(channel.settings);
 }
 
 void refuseWithJob(bool given, const char* option, Diagnostics& diagnostics) {
@@ -178,6 +196,16 @@ void applyUnit(const std::string& name, Job& job, Diagnostics& diagnostics) {
   }
 }
 
+void applyPlace(const NominalOptions& place, Job& job, Diagnostics& diagnostics) {
+  if (!job.nominal) {
+    if (!diagnostics.hasErrors())
+      diagnostics.add(usageError("--nominal-at and --nominal-rotate need a nominal mesh to compare with"));
+    return;
+  }
+  if (const Status done = applyPlacement(place, job.nominal->placement); !done)
+    diagnostics.add(usageError(done.error().message));
+}
+
 void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) {
   if (options.formats) {
     Result<std::vector<OutputFormat>> formats = parseOutputFormats(*options.formats);
@@ -222,6 +250,7 @@ std::optional<Job> setUpJob(const ProgramOptions& options, Diagnostics& diagnost
   if (isJobFile(options.input)) {
     refuseWithJob(options.control.has_value(), "--control", diagnostics);
     refuseWithJob(!options.subprograms.empty(), "--subprograms", diagnostics);
+    refuseWithJob(options.machine.has_value(), "--machine", diagnostics);
     if (diagnostics.hasErrors()) return std::nullopt;
     job = loadJob(options.input, knownJobNames(), diagnostics);
   } else {
@@ -238,6 +267,10 @@ std::optional<Job> setUpJob(const ProgramOptions& options, Diagnostics& diagnost
     job->settings.lenient = true;
     for (SetupSpec& setup : job->setups) setup.settings.lenient = true;
   }
+  const int before = diagnostics.errorCount();
+  applyOffsets(options.offsets, *job, diagnostics);
+  applyPanel(options, *job);
+  if (diagnostics.errorCount() != before) return std::nullopt;
   if (options.setup && !keepSetups(*options.setup, *job, diagnostics)) return std::nullopt;
   if (options.until && !stopAt(options, *job, diagnostics)) return std::nullopt;
   return job;
@@ -254,6 +287,7 @@ bool applyRunOptions(const RunOptions& options, Job& job, Diagnostics& diagnosti
     applyWorkpiece(options, job, diagnostics);
     if (options.unit) applyUnit(*options.unit, job, diagnostics);
   }
+  if (options.place.given()) applyPlace(options.place, job, diagnostics);
   if (options.tolerance_mm) {
     if (job.nominal) {
       job.nominal->gouge_mm = job.nominal->excess_mm = *options.tolerance_mm;

@@ -29,7 +29,9 @@ std::string counted(std::size_t n, const char* one, const char* many) {
 
 std::string findingCounts(const Report& report) {
   std::size_t errors = 0, others = 0;
-  for (const Finding& finding : report.findings) ++(finding.severity == Severity::kError ? errors : others);
+  for (const Finding& finding : report.findings) {
+    if (!finding.known) ++(finding.severity == Severity::kError ? errors : others);
+  }
   // What the control said; its errors are findings already.
   others += static_cast<std::size_t>(
       std::count_if(report.diagnostics.begin(), report.diagnostics.end(),
@@ -76,6 +78,15 @@ std::string meshText(const Report& report) {
                      fineness);
 }
 
+/// What the baseline has and the run has not.
+Diagnostic goneNote(const KnownFinding& known) {
+  Diagnostic note;
+  note.severity = Severity::kNote;
+  note.code = "gone";
+  note.message = "known, and not found any more: " + report_text::goneLine(known);
+  return note;
+}
+
 }  // namespace
 
 std::string summaryText(const Report& report, const std::string& folder) {
@@ -104,6 +115,7 @@ std::string summaryText(const Report& report, const std::string& folder) {
                                report_text::figure(c->rms_mm), c->decided ? "" : ", undecided on this grid"));
   }
   row("findings", findingCounts(report));
+  for (const std::string& line : report_text::acceptanceLines(report.acceptance)) row("accepted", line);
   // Without report.html (no room on the disk) there may still be others.
   if (!folder.empty()) row("results", (std::filesystem::path(folder) / report.outputs.html).string());
   return text;
@@ -125,6 +137,8 @@ void printFindings(Console& console, const Report& report, Severity least) {
     if (finding.kind != FindingKind::kAlarm)
       print(findingDiagnostic(finding));  // alarms are diagnostics already
   }
+  const auto& baseline = report.acceptance.baseline;
+  for (std::size_t k = 0; baseline && k < baseline->gone.size(); ++k) print(goneNote(baseline->gone[k]));
   if (left > 0) console.err << fmt::format("proveout: {} more, see the report\n", left);
 }
 

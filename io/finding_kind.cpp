@@ -1,5 +1,6 @@
 #include "io/finding_kind.h"
 
+#include <algorithm>
 #include <array>
 
 namespace proveout {
@@ -54,7 +55,6 @@ constexpr std::array<FindingKindInfo, kKinds> kRows{{
      "a spindle speed above `max_rpm` of the machine or of the tool"},
     {kCycleTime, "cycle_time", kWarning, Check::kOwn, false,
      "a single motion takes more than half an hour, or the motions of a program more than a day"},
-    {kPartOff, "part_off", kNote, Check::kOwn, false, "a motion cut a body off"},
     {kDwell, "dwell", kWarning, Check::kOwn, false,
      "a single dwell takes more than a minute, or all of them more than half a minute and more than the motions"},
     {kToolChange, "tool_change", kWarning, Check::kOwn, false,
@@ -64,10 +64,13 @@ constexpr std::array<FindingKindInfo, kKinds> kRows{{
      "a drill cut sideways through material"},
     {kProgramUnit, "program_unit", kWarning, Check::kOwn, false,
      "the program fits the blank only in the other unit, inch or millimetre"},
+    {kPartOff, "part_off", kNote, Check::kOwn, false, "a motion cut a body off"},
     {kCoarseNominal, "coarse_nominal", kNote, Check::kOwn, false,
      "the facets of the nominal leave its curved faces by more than a fifth of the smaller tolerance"},
     {kNotCompared, "not_compared", kNote, Check::kOwn, false,
      "a region that the job leaves out of the comparison"},
+    {kNominalPlacement, "nominal_placement", kError, Check::kOwn, false,
+     "the nominal does not lie where the part does, and is not compared"},
     {kOvertravel, "overtravel", kError, Check::kOvertravel, false, "an axis left its limits"},
     {kForbiddenZone, "forbidden_zone", kError, Check::kProgram, false,
      "an axis would enter an area that the control forbids"},
@@ -108,6 +111,35 @@ const FindingKindInfo& findingKindInfo(FindingKind kind) { return kRows[static_c
 std::string_view findingKindName(FindingKind kind) { return findingKindInfo(kind).name; }
 
 bool isDeviation(FindingKind kind) { return findingKindInfo(kind).deviation; }
+
+std::optional<FindingKind> findingKindNamed(std::string_view name) {
+  const auto found =
+      std::find_if(kRows.begin(), kRows.end(), [&](const FindingKindInfo& row) { return row.name == name; });
+  return found == kRows.end() ? std::nullopt : std::optional(found->kind);
+}
+
+std::vector<std::string> findingKindNames() {
+  std::vector<std::string> names;
+  for (const FindingKindInfo& row : kRows) names.emplace_back(row.name);
+  return names;
+}
+
+bool isBinding(FindingKind kind) {
+  switch (kind) {
+    case kUndecided:
+    case kNotCompared:
+    case kNominalPlacement:
+    case kForbiddenZone:
+    case kAlarm:
+    case kNoPart:
+    case kPartial:
+    case kMesh:
+    case kOutput:
+      return true;
+    default:
+      return false;
+  }
+}
 
 std::string_view checkName(JunitCheck check) {
   return check == JunitCheck::kOwn ? std::string_view() : kChecks[static_cast<std::size_t>(check)];

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/diagnostics.h"
 
@@ -32,15 +35,16 @@ enum class FindingKind : std::uint8_t {
   kNoseDeviation,
   kToolData,
   kFeedRate,
-  kCycleTime,
-  kPartOff,
-  kCoarseNominal,
   kSpindleSpeed,
-  kNotCompared,
+  kCycleTime,
   kDwell,
   kToolChange,
   kDrillSideways,
   kProgramUnit,
+  kPartOff,
+  kCoarseNominal,
+  kNotCompared,
+  kNominalPlacement,
   kOvertravel,
   kForbiddenZone,
   kAlarm,
@@ -86,6 +90,13 @@ std::span<const FindingKindInfo> findingKinds();
 const FindingKindInfo& findingKindInfo(FindingKind kind);
 std::string_view findingKindName(FindingKind kind);  ///< "gouge", "rapid_contact", ...
 bool isDeviation(FindingKind kind);
+/// The kind of that name. Nothing: there is none.
+std::optional<FindingKind> findingKindNamed(std::string_view name);
+/// Names of all kinds.
+std::vector<std::string> findingKindNames();
+/// Kinds that say that a result is missing, or not whole: whoever turned them off, or took them as known, would
+/// believe the rest.
+bool isBinding(FindingKind kind);
 
 /// The name of a check's test case, "rapid contact"; "" for kOwn.
 std::string_view checkName(JunitCheck check);

@@ -110,11 +110,11 @@ Job jobOfSetup(const Job& job, std::size_t index) {
   part.filled = setup.filled;
   part.subprograms = setup.subprograms;
   part.settings = setup.settings;
+  part.limits = setup.limits;
   part.start = setup.start;
   part.fixtures = setup.fixtures;
   return part;
 }
-  part.limits = setup.limits;
 
 std::optional<Job> parseJob(std::string_view text, const std::string& text_name, const std::string& folder,
                             const JobNames& names, Diagnostics& diagnostics) {
@@ -138,6 +138,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   readPlacement(root, job);
   readPanel(root, job);
   readSimulation(root, job);
+  readSeverities(root, job);
   readOutput(root, names, job);
   readFixtures(root, job);
   readSetups(root, names, job);

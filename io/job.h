@@ -16,10 +16,12 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/types.h"
 #include "core/nc/control_host.h"
+#include "core/mesh/mesh_placement.h"
 #include "core/nc/control_settings.h"
 #include "core/tool/tool.h"
-#include "io/mesh_io.h"
 #include "io/cutting_limits.h"
+#include "io/acceptance.h"
+#include "io/mesh_io.h"
 #include "removal/compare/compare.h"
 #include "removal/grid/start_hole.h"
 #include "removal/grid/stock_shape.h"
@@ -37,6 +39,7 @@ using StockSpec = std::variant<BoxShape, CylinderShape, MeshFile, SavedStock>;
 
 struct NominalSpec {
   MeshFile mesh;
+  MeshPlacement placement;             ///< of what the file holds, in the frame of the finished part
   double gouge_mm = 0.02;              ///< allowed below nominal, > 0
   double excess_mm = 0.05;             ///< allowed above nominal, > 0
   std::vector<IgnoredRegion> ignored;  ///< not compared; names differ and are not empty
@@ -105,9 +108,9 @@ struct SetupSpec {
   std::vector<std::string> subprograms;  ///< paths
   /// The job's, with what the setup changes; with a control of its own the setup's alone.
   ControlSettings settings;
+  CuttingLimits limits;       ///< of the setup's machine and tools
   std::optional<Vec3> start;  ///< in the setup's workpiece frame
   /// Takes the workpiece from its place in the setup before into this one's workpiece frame.
-  CuttingLimits limits;       ///< of the setup's machine and tools
   RigidTransform from_previous;
   std::vector<FixtureSpec> fixtures;
 };
@@ -149,9 +152,10 @@ struct Job {
   std::optional<NominalSpec> nominal;
   std::vector<FixtureSpec> fixtures;  ///< of a job without setups
   std::vector<Tool> tools;            ///< validated, numbers differ; in the order of the file
-  SimulationSpec simulation;
-  OutputSpec output;
   CuttingLimits limits;               ///< of the machine and of `tools`
+  SimulationSpec simulation;
+  SeverityChoice severities;  ///< [severity]
+  OutputSpec output;
 };
 
 /// Whether the job asks for a .vdb file, which only a grid gives.
@@ -197,7 +201,11 @@ std::optional<TextEncoding> encodingNamed(std::string_view name);
 /// `diagnostics`, each with its place. Returns a job only if there was no error.
 std::optional<Job> loadJob(const std::string& path, const JobNames& names, Diagnostics& diagnostics);
 
-/// The same for a text: `text_name` stands in diagnostics, `folder` is what relative paths are resolved
+/// Reads a file with the keys of `[machine]` into the job, and notes its name there. What is wrong becomes errors in
+/// `diagnostics`.
+void loadMachine(const std::string& path, Job& job, Diagnostics& diagnostics);
+
+/// The same as loadJob for a text: `text_name` stands in diagnostics, `folder` is what relative paths are resolved
 /// against.
 std::optional<Job> parseJob(std::string_view text, const std::string& text_name, const std::string& folder,
                             const JobNames& names, Diagnostics& diagnostics);

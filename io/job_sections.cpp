@@ -277,19 +277,6 @@ void readMachineKeys(ConfigTable& machine, Job& job) {
   machine.refuseOthers();
 }
 
-void readMachineFile(const std::string& path, const ConfigDocument& job_document, Job& job) {
-  const Result<std::string> text = readWholeFile(path, kMaxMachineBytes);
-  if (!text) {
-    job_document.error({}, "job-file", text.error().message);
-    return;
-  }
-  const ConfigDocument document{splitConfigText(path, *text), "", job_document.diagnostics};
-  const auto tree = parseToml(*text, document.text, *document.diagnostics);
-  if (!tree) return;
-  ConfigTable machine(document, *tree, "the machine file");
-  readMachineKeys(machine, job);
-}
-
 MeshUnit readUnit(ConfigTable& table) {
   const auto name = table.choice("unit", {"mm", "inch", "m"});
   if (!name) return MeshUnit::kMillimetre;
@@ -361,13 +348,33 @@ void readParameters(ConfigTable& table, const JobNames& names, Job& job) {
   ParameterReader(table.document(), names, job).read(table.entries(), "");
 }
 
+void loadMachine(const std::string& path, Job& job, Diagnostics& diagnostics) {
+  const Result<std::string> text = readWholeFile(path, kMaxMachineBytes);
+  if (!text) {
+    Diagnostic d;
+    d.code = "job-file";
+    d.message = text.error().message;
+    diagnostics.add(std::move(d));
+    return;
+  }
+  const ConfigDocument document{splitConfigText(path, *text), "", &diagnostics};
+  const auto tree = parseToml(*text, document.text, diagnostics);
+  if (!tree) return;
+  job.machine_file = path;
+  // Its keys stand at the top, or all in a table of their own as in a job.
+  const bool apart = tree->entries.size() == 1 && tree->entries[0].key == "machine" &&
+                     tree->entries[0].value.type == Type::kTable;
+  ConfigTable machine(document, apart ? tree->entries[0].value : *tree, "the machine file");
+  readMachineKeys(machine, job);
+}
+
 void readMachine(ConfigTable& root, Job& job) {
   auto machine = root.table("machine");
   if (!machine) return;
   // Keys of the job come after those of the file, so that a job can change one of them.
   if (const auto file = machine->path("file")) {
     job.machine_file = *file;
-    readMachineFile(*file, root.document(), job);
+    loadMachine(*file, job, *root.document().diagnostics);
   }
   readMachineKeys(*machine, job);
 }
@@ -449,11 +456,15 @@ void readIgnored(ConfigTable& table, NominalSpec& nominal) {
 }
 
 void readNominal(ConfigTable& root, Job& job) {
+  constexpr NumberRange kScale{1e-6, 1e6, false}, kDegrees{-360.0, 360.0, false};
   auto table = root.table("nominal");
   if (!table) return;
   NominalSpec nominal;
   if (const auto mesh = table->must("mesh").path("mesh")) nominal.mesh.path = *mesh;
   nominal.mesh.unit = readUnit(*table);
+  if (const auto scale = table->number("scale", kScale)) nominal.placement.scale = *scale;
+  if (const auto turn = table->point("rotate", kDegrees)) nominal.placement.rotate_deg = *turn;
+  if (const auto move = table->point("move")) nominal.placement.move = *move;
   if (const auto gouge = table->number("gouge", kPositiveLength)) nominal.gouge_mm = *gouge;
   if (const auto excess = table->number("excess", kPositiveLength)) nominal.excess_mm = *excess;
   for (ConfigTable& region : table->tables("ignore", 1'000)) readIgnored(region, nominal);

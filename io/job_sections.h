@@ -26,6 +26,8 @@ void readOffsets(ConfigTable& root, Job& job);
 void readPlacement(ConfigTable& root, Job& job);
 void readPanel(ConfigTable& root, Job& job);
 void readSimulation(ConfigTable& root, Job& job);
+/// [severity]
+void readSeverities(ConfigTable& root, Job& job);
 /// [[fixture]]
 void readFixtures(ConfigTable& root, Job& job);
 /// [[channel]]; call after everything that channels may change.

@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <unordered_set>
 
 #include "core/base/printable.h"
 #include "core/tool/tool_type.h"
+#include "io/job_offsets.h"
 #include "io/job_sections.h"
 
 namespace proveout {
@@ -330,24 +330,6 @@ void readTool(ConfigTable& table, std::unordered_set<int>& numbers, Job& job) {
   job.tools.push_back(std::move(tool));
 }
 
-/// A key that is a number from 1 to `max`, without sign or leading zeros.
-std::optional<int> keyNumber(const std::string& key, int max) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
-  const bool plain = error == std::errc{} && end == key.data() + key.size() && key.front() != '0';
-  if (!plain || number < 1 || number > max) return std::nullopt;
-  return number;
-}
-
-/// Index of G54..G59, or P of "G54.1 P7" as a negative number.
-std::optional<int> workOffsetIndex(const std::string& key) {
-  if (key.size() == 3 && key.starts_with("G5") && key[2] >= '4' && key[2] <= '9') return key[2] - '4';
-  if (key.starts_with("G54.1 P")) {
-    if (const auto p = keyNumber(key.substr(7), 99)) return -*p;
-  }
-  return std::nullopt;
-}
-
 void readWork(ConfigTable& offsets, Job& job) {
   auto work = offsets.table("work");
   if (!work) return;
@@ -392,7 +374,7 @@ void readRows(ConfigTable& offsets, const std::string& key, std::map<int, Offset
   if (!table) return;
   const ConfigDocument& document = offsets.document();
   for (const ConfigEntry& entry : table->entries()) {
-    const auto number = keyNumber(entry.key, kMaxOffsetNumber);
+    const auto number = plainNumber(entry.key, kMaxOffsetNumber);
     if (!number) {
       document.error(entry.place, "job-unknown-key",
                      fmt::format("'{}' is no row of the offset table; rows are numbers from 1 to {}",

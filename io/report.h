@@ -12,6 +12,8 @@
 
 #include "core/base/diagnostics.h"
 #include "core/geometry/types.h"
+#include "core/mesh/mesh_placement.h"
+#include "io/acceptance.h"
 #include "io/finding_kind.h"
 #include "io/verdict.h"
 #include "removal/process/stock_body.h"
@@ -77,6 +79,8 @@ struct Finding {
   std::size_t spots = 1;           ///< places that are told as one
   std::vector<BlockShare> blocks;  ///< that made the surface, largest share first
   std::vector<Cause> causes;       ///< likeliest first
+  bool known = false;              ///< the baseline has it: it does not count for the verdict
+  std::string worse;               ///< by what it is beyond what the baseline has; empty: it is not, or is new
 };
 
 /// One clamping of a job with setups.
@@ -186,6 +190,7 @@ struct ReportStock {
 struct ReportComparison {
   std::string nominal;              ///< file
   std::string nominal_unit = "mm";  ///< of the file's coordinates: "mm", "inch", "m"
+  MeshPlacement placement;          ///< of what the file holds
   double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0;
   double max_gouge_mm = 0.0, max_excess_mm = 0.0;  ///< >= 0
   double rms_mm = 0.0, p95_mm = 0.0;               ///< of the absolute deviation, by area
@@ -260,6 +265,7 @@ struct Report {
       profile_svg;  ///< half section of a turned part for report.html (ProfileChart::page); empty: none
   double resolution_mm = 0.0;
   std::vector<Finding> findings;
+  ReportAcceptance acceptance;
   std::optional<ReportComparison> comparison;
   std::vector<ErrorTerm> error_budget;
   std::vector<Diagnostic> diagnostics;  ///< what the control said of the program, in order

@@ -80,6 +80,7 @@ class Page {
     std::map<std::string, int> kinds;
     int warnings = 0;
     for (const Finding& f : r_.findings) {
+      if (f.known) continue;
       if (f.severity == Severity::kError) ++kinds[report_text::spoken(f.kind)];
       if (f.severity == Severity::kWarning) ++warnings;
     }
@@ -95,6 +96,8 @@ class Page {
   std::string verdictSentence() const {
     if (r_.verdict == Verdict::kError) return "the program could not be run to its end";
     if (r_.verdict == Verdict::kFail) return "the comparison is undecided on this grid";
+    if (!r_.acceptance.left_out.empty() || (r_.acceptance.baseline && r_.acceptance.baseline->known > 0))
+      return "nothing found beyond what is accepted";
     return r_.checks.comparison ? "nothing over tolerance" : "nothing found; no nominal was compared";
   }
 
@@ -143,6 +146,7 @@ class Page {
 
   void findings() {
     add("<section>\n<h2>Findings ({})</h2>\n", r_.findings.size());
+    acceptance();
     if (r_.findings.empty()) {
       out_ += "<p class=\"quiet\">None.</p>\n</section>\n";
       return;
@@ -162,11 +166,26 @@ class Page {
     out_ += "</section>\n";
   }
 
+  /// What was accepted of the findings, and what is gone of the known ones.
+  void acceptance() {
+    for (const std::string& line : report_text::acceptanceLines(r_.acceptance))
+      add("<p class=\"quiet\">{}</p>\n", escape(line));
+    if (!r_.acceptance.baseline || r_.acceptance.baseline->gone.empty()) return;
+    const std::vector<KnownFinding>& gone = r_.acceptance.baseline->gone;
+    out_ += "<ul class=\"quiet\">\n";
+    for (std::size_t i = 0; i < std::min(kMaxRows, gone.size()); ++i)
+      add("<li>gone: {}</li>\n", escape(report_text::goneLine(gone[i])));
+    out_ += "</ul>\n";
+    if (gone.size() > kMaxRows)
+      add("<p class=\"quiet\">{} more are in report.json.</p>\n", gone.size() - kMaxRows);
+  }
+
   void findingRow(std::size_t index) {
     const Finding& f = r_.findings[index];
     add("<tr><td class=\"num\" data-label=\"#\">{}</td><td data-label=\"Kind\"><span class=\"tag "
         "{}\">{}</span></td>",
-        index + 1, severityName(f.severity), escape(report_text::spoken(f.kind)));
+        index + 1, severityName(f.known ? Severity::kNote : f.severity),
+        (f.known ? "known: " : "") + escape(report_text::spoken(f.kind)));
     out_ += "<td class=\"text\" data-label=\"Program line\">";
     if (f.source) {
       add("<code>{}</code>", escape(report_text::place(f)));
@@ -181,6 +200,7 @@ class Page {
     figureCell("Area mm²", f.area_mm2, 2);
     figureCell("Volume mm³", f.volume_mm3, 2);
     add("<td class=\"text\" data-label=\"Finding\">{}", escape(f.message));
+    if (!f.worse.empty()) add("<span class=\"line\">worse than known: {}</span>", escape(f.worse));
     if (f.inside)
       add("<span class=\"line\">moved by <code>{}</code></span>", escape(report_text::place(*f.inside)));
     constexpr std::size_t kBlocks = 5;

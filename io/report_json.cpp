@@ -69,6 +69,8 @@ Json findingJson(const Finding& f) {
   if (f.tool) out["tool"] = *f.tool;
   if (!f.setup.empty()) out["setup"] = f.setup;
   if (f.spots > 1) out["spots"] = f.spots;
+  if (f.known) out["known"] = true;
+  if (!f.worse.empty()) out["worse"] = f.worse;
   out["message"] = f.message;
   if (!f.blocks.empty()) {
     out["blocks"] = Json::array();
@@ -79,6 +81,41 @@ Json findingJson(const Finding& f) {
     for (const Cause& cause : f.causes) out["causes"].push_back(causeJson(cause));
   }
   return out;
+}
+
+Json knownJson(const KnownFinding& f) {
+  Json out = {{"kind", findingKindName(f.kind)}, {"severity", severityName(f.severity)}};
+  if (f.where) out["where"] = pointJson(*f.where);
+  if (f.depth_mm) out["depth_mm"] = number(*f.depth_mm);
+  if (f.area_mm2) out["area_mm2"] = number(*f.area_mm2);
+  if (f.volume_mm3) out["volume_mm3"] = number(*f.volume_mm3);
+  if (!f.file.empty()) out["source"] = {{"file", f.file}, {"line", f.line}, {"text", f.block}};
+  if (!f.setup.empty()) out["setup"] = f.setup;
+  out["message"] = f.message;
+  return out;
+}
+
+Json acceptanceJson(const ReportAcceptance& a) {
+  const auto names = [](const std::vector<FindingKind>& kinds) {
+    Json out = Json::array();
+    for (const FindingKind kind : kinds) out.push_back(findingKindName(kind));
+    return out;
+  };
+  Json severities = Json::object(), left_out = Json::array(), baseline = nullptr;
+  for (const auto& [kind, severity] : a.severities)
+    severities[std::string(findingKindName(kind))] = severity ? severityName(*severity) : "off";
+  for (const LeftOut& out : a.left_out)
+    left_out.push_back({{"kind", findingKindName(out.kind)}, {"count", out.count}, {"by", out.by}});
+  if (a.baseline) {
+    baseline = {{"file", a.baseline->file}, {"sha256", a.baseline->sha256}, {"known", a.baseline->known}};
+    baseline["gone"] = a.baseline->looked_for_all ? Json::array() : Json(nullptr);
+    for (const KnownFinding& gone : a.baseline->gone) baseline["gone"].push_back(knownJson(gone));
+  }
+  return {{"severities", std::move(severities)},
+          {"select", names(a.filter.select)},
+          {"ignore", names(a.filter.ignore)},
+          {"left_out", std::move(left_out)},
+          {"baseline", std::move(baseline)}};
 }
 
 Json setupsJson(const std::vector<ReportSetup>& setups) {
@@ -176,6 +213,12 @@ Json comparisonJson(const ReportComparison& c) {
               {"p95_mm", number(c.p95_mm)},
               {"decided", c.decided},
               {"deciding_resolution_mm", number(c.deciding_resolution_mm)}};
+  if (!c.placement.none()) {
+    const auto three = [](const Vec3& v) { return numbersJson({v.x(), v.y(), v.z()}); };
+    out["placement"] = {{"scale", number(c.placement.scale)},
+                        {"rotate", three(c.placement.rotate_deg)},
+                        {"move", three(c.placement.move)}};
+  }
   out["histogram"] = {{"edges_mm", numbersJson(c.histogram_edges_mm)},
                       {"area_mm2", numbersJson(c.histogram_area_mm2)}};
   return out;
@@ -269,6 +312,7 @@ std::string reportJson(const Report& report, const ReportOptions& options) {
   out["resolution_mm"] = report.resolution_mm > 0.0 ? number(report.resolution_mm) : Json(nullptr);
   out["findings"] = Json::array();
   for (const Finding& finding : report.findings) out["findings"].push_back(findingJson(finding));
+  if (!report.acceptance.none()) out["acceptance"] = acceptanceJson(report.acceptance);
   out["comparison"] = report.comparison ? comparisonJson(*report.comparison) : Json(nullptr);
   out["error_budget"] = errorBudgetJson(report.error_budget);
   out["diagnostics"] = diagnosticsJson(report.diagnostics);

@@ -167,7 +167,9 @@ std::string blocksLine(const Finding& finding, std::size_t most) {
 std::string summaryLine(const Finding& finding) {
   std::string out = place(finding);
   if (!out.empty()) out += ": ";
-  out += fmt::format("{}: {}: {}", severityName(finding.severity), spoken(finding.kind), finding.message);
+  out += fmt::format("{}{}: {}: {}", finding.known ? "known " : "", severityName(finding.severity),
+                     spoken(finding.kind), finding.message);
+  if (!finding.worse.empty()) out += " (worse than known: " + finding.worse + ")";
   std::string figures;
   const auto add = [&](const char* name, const std::optional<double>& value, const char* unit) {
     if (value) figures += fmt::format("{}{} {:.4g} {}", figures.empty() ? "" : ", ", name, *value, unit);
@@ -180,6 +182,53 @@ std::string summaryLine(const Finding& finding) {
                            fixed(finding.where->y(), 3), fixed(finding.where->z(), 3));
   }
   return figures.empty() ? out : out + " [" + figures + "]";
+}
+
+namespace {
+
+std::string namesText(const std::vector<FindingKind>& kinds) {
+  std::string out;
+  for (const FindingKind kind : kinds) out += (out.empty() ? "" : ", ") + std::string(findingKindName(kind));
+  return out;
+}
+
+std::string leftOutText(const std::vector<LeftOut>& all) {
+  std::string out;
+  for (const LeftOut& one : all) {
+    out += fmt::format("{}{} {} {}", out.empty() ? "" : ", ", one.count, findingKindName(one.kind),
+                       one.by == "the job" ? "turned off by the job" : "by " + one.by);
+  }
+  return out;
+}
+
+std::string baselineText(const BaselineUse& use) {
+  return fmt::format("{} known of {}, {}", use.known, use.file,
+                     use.looked_for_all ? fmt::format("{} gone", use.gone.size())
+                                        : "which of the others are gone is not known");
+}
+
+}  // namespace
+
+std::vector<std::string> acceptanceLines(const ReportAcceptance& acceptance) {
+  std::vector<std::string> lines;
+  std::string changed;
+  for (const auto& [kind, severity] : acceptance.severities) {
+    changed += fmt::format("{}{} = {}", changed.empty() ? "" : ", ", findingKindName(kind),
+                           severity ? severityName(*severity) : "off");
+  }
+  const KindFilter& filter = acceptance.filter;
+  if (!changed.empty()) lines.push_back("severities by the job: " + changed);
+  if (!filter.select.empty()) lines.push_back("only " + namesText(filter.select) + " (--select)");
+  if (!filter.ignore.empty()) lines.push_back("without " + namesText(filter.ignore) + " (--ignore)");
+  if (!acceptance.left_out.empty()) lines.push_back("not listed: " + leftOutText(acceptance.left_out));
+  if (acceptance.baseline) lines.push_back(baselineText(*acceptance.baseline));
+  return lines;
+}
+
+std::string goneLine(const KnownFinding& known) {
+  std::string out = known.setup.empty() ? "" : known.setup + ": ";
+  if (!known.file.empty()) out += fmt::format("{}:{}: ", known.file, known.line);
+  return out + fmt::format("{}: {}", spoken(known.kind), known.message);
 }
 
 std::string diagnosticLine(const Diagnostic& diagnostic) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/report.h"
 
@@ -34,6 +35,12 @@ std::string place(const std::string& setup, const BlockRef& block);
 std::string place(const Finding& finding);
 /// One line: place, severity, kind, message and figures.
 std::string summaryLine(const Finding& finding);
+
+/// What was accepted of the findings, a line each: "3 known of baseline.json, 1 gone". None where nothing was said
+/// of it.
+std::vector<std::string> acceptanceLines(const ReportAcceptance& acceptance);
+/// An entry of a baseline that no finding stands for: "plate.nc:40: gouge: 0.35 mm below nominal ...".
+std::string goneLine(const KnownFinding& known);
 
 /// "depth of the cycle Z-3.5 (O0100:12): Z off by -0.5 mm, explains 98 %".
 std::string causeLine(const Cause& cause);

@@ -376,6 +376,11 @@ Diagnostic findingDiagnostic(const Finding& finding) {
     diagnostic.where = {finding.source->file, static_cast<int>(finding.source->line), 0, 0};
     diagnostic.source_line = finding.source->text;
   }
+  if (finding.known) {  // whoever knows it needs no more than to see it again
+    diagnostic.severity = Severity::kNote;
+    diagnostic.message = fmt::format("known {}: {}", severityName(finding.severity), finding.message);
+  }
+  if (!finding.worse.empty()) diagnostic.notes.push_back("worse than known: " + finding.worse);
   std::string place;
   if (finding.where) place = "at " + placeText(*finding.where);
   if (finding.tool) place += fmt::format("{}tool {}", place.empty() ? "" : ", ", *finding.tool);

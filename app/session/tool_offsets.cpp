@@ -156,22 +156,49 @@ std::string correctorFault(double corrector, double radius) {
                      figure(radius - corrector));
 }
 
+/// Whether somebody has said the value of the row: the job, `--offset`, or the program (G10, #13001).
+bool isGiven(const OffsetInForce& row, const Job& job) {
+  if (row.geometry_by != 0 || row.wear_by != 0) return true;
+  const auto has = [&](const ControlSettings& settings) { return settings.radius_offsets.contains(row.row); };
+  return has(job.settings) ||
+         std::any_of(job.channels.begin(), job.channels.end(),
+                     [&](const ChannelSpec& channel) { return has(channel.settings); });
+}
+
+/// What is said of compensation by a radius of 0 that nobody has entered.
+std::string missingText(const OffsetInForce& row, double radius) {
+  const std::string deep = fmt::format("contours are cut {} mm too deep, the radius of the tool", figure(radius));
+  if (row.row == 0)
+    return fmt::format("G41 or G42 without a D, or with D0, compensates by 0: {}; name its row with D, or write G40 "
+                       "where the middle of the tool is meant to follow the contour",
+                       deep);
+  return fmt::format("D{0} has no value, 0 is taken: {1}; enter {0} = {2:g} in [offsets.radius] (--offset D{0}={2:g}), "
+                     "or 0 where the program moves the middle of the tool",
+                     row.row, deep, radius);
+}
+
 void addCorrectors(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings) {
   const Toolpath& path = setup.interpreted.path;
   std::set<std::pair<int, int>> told;
   for (MotionId id = 0; id < path.motions.size(); ++id) {
     if (!path.motions[id].compensated) continue;
     const DataInForce* data = dataOf(path, id);
-    const Tool* tool = data == nullptr ? nullptr : toolOf(setup, id);
-    if (tool == nullptr || tool->insert || data->radius.row == 0 || !cuts(setup, id)) continue;
+    const Tool* tool = ToolTable(setup.job.tools).ofMotion(path.motions[id].tool);
+    // Wires have offsets of another kind, which wire_findings.h looks at.
+    if (data == nullptr || tool == nullptr || tool->insert || tool->type == ToolType::kWire) continue;
+    if (!cuts(setup, id)) continue;
     if (!told.emplace(tool->number, data->radius.row).second) continue;
-    const std::string fault = correctorFault(data->radius.value(), 0.5 * tool->diameter);
+    const double radius = 0.5 * tool->diameter;
+    const bool missing = data->radius.value() == 0.0 && !isGiven(data->radius, setup.job);
+    const std::string fault = missing ? missingText(data->radius, radius) : correctorFault(data->radius.value(), radius);
     if (fault.empty()) continue;
     Finding finding(FindingKind::kToolData);
-    finding.severity = Severity::kWarning;
+    finding.severity = missing ? Severity::kError : Severity::kWarning;
     finding.where = path.motions[id].to;
-    finding.message =
-        fmt::format("tool {}: D{} is {:g}, {}", tool->number, data->radius.row, data->radius.value(), fault);
+    if (missing) finding.depth_mm = radius;
+    finding.message = missing ? fmt::format("tool {}: {}", tool->number, fault)
+                              : fmt::format("tool {}: D{} is {:g}, {}", tool->number, data->radius.row,
+                                            data->radius.value(), fault);
     blame(finding, id, path, texts);
     findings.push_back(std::move(finding));
   }

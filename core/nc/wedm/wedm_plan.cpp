@@ -195,7 +195,8 @@ bool checkModes(WedmContext& c, const WedmPlan& p) {
                          "G54 to G59, G05 to G09, G20 and G21 are not allowed while an offset is on: "
                          "put G40 before them");
   if (now.system != next.system && next.placed == 0 && lacksWorkOffset(c.settings, next.system - 53))
-    c.report.warnOnce("wedm-offset-missing", fmt::format("G{} has no value in the job: 0 is taken", next.system));
+    c.report.warnOnce("wedm-offset-missing",
+                      fmt::format("G{0} has no value in the job: 0 is taken (--offset G{0}=X,Y,Z)", next.system));
   const bool sided = p.has(41) || p.has(42) || p.has(51) || p.has(52);
   if (sided && next.reflected())
     c.report.warnOnce("wedm-5.4-side",

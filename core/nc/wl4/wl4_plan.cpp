@@ -107,7 +107,7 @@ void planLengths(Wl4Context& c, Wl4BlockPlan& p) {
   if (row != table.end()) value = row->second.geometry + row->second.wear;
   if (row == table.end() && s.h != 0) {
     c.report.warnOnce(fmt::format("H{}", s.h), "wl4-offset",
-                      fmt::format("corrector H{} is not in the job: 0 is taken", s.h));
+                      fmt::format("corrector H{0} is not in the job: 0 is taken (--offset H{0}=VALUE)", s.h));
   }
   s.length_offset[static_cast<std::size_t>(s.frame().w())] = s.length == 43 ? value : -value;
 }
@@ -140,7 +140,8 @@ void planOffsets(Wl4Context& c, Wl4BlockPlan& p) {
   const ControlSettings& settings = c.setup.settings;
   if (lacksWorkOffset(settings, p.next.system - 53)) {
     const std::string name = fmt::format("G{}", p.next.system);
-    c.report.warnOnce(name, "wl4-offset", fmt::format("{} has no value in the job: 0 is taken", name));
+    c.report.warnOnce(name, "wl4-offset",
+                      fmt::format("{0} has no value in the job: 0 is taken (--offset {0}=X,Y,Z)", name));
   }
   p.next.system_offset.xyz =
       settings.work_offsets[static_cast<std::size_t>(p.next.system - 54)] + settings.common_offset;

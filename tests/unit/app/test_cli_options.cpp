@@ -48,6 +48,27 @@ TEST(CommandLine, RunTakesEveryOption) {
   EXPECT_FALSE(o.no_render);
 }
 
+TEST(CommandLine, WhatIsEnteredAndAccepted) {
+  const std::vector<std::string> words = {"run",       "a.nc",       "--control",       "nct",       "--offset", "G55=1,2,3",
+                                          "--offset",  "D1=5",       "--skip",          "--program-unit", "inch", "--machine",
+                                          "m.toml",    "--select",   "gouge,excess",    "--ignore", "partial"};
+  std::vector<std::string> all = words;
+  all.insert(all.end(), {"--baseline", "known.json", "--write-baseline", "new.json"});
+  const auto o = parsed<RunOptions>(all);
+  EXPECT_EQ(o.program.offsets, (std::vector<std::string>{"G55=1,2,3", "D1=5"}));
+  EXPECT_TRUE(o.program.skip);
+  EXPECT_EQ(o.program.program_unit, "inch");
+  EXPECT_EQ(o.program.machine, "m.toml");
+  EXPECT_EQ(o.select, std::vector<std::string>{"gouge,excess"});
+  EXPECT_EQ(o.ignore, std::vector<std::string>{"partial"});
+  EXPECT_EQ(o.baseline, "known.json");
+  EXPECT_EQ(o.write_baseline, "new.json");
+  EXPECT_EQ(decidingArguments(o), words) << "a baseline decides no finding";
+  EXPECT_EQ(parsed<CheckOptions>({"check", "a.nc", "--offset", "D1=5"}).program.offsets.size(), 1u);
+  EXPECT_EQ(parsed<PathOptions>({"path", "--offset", "D1=5", "a.nc"}).program.input, "a.nc");
+  EXPECT_EQ(parseCommandLine({"run", "a.nc", "--program-unit", "m"}).exit_code, kExitInput);
+}
+
 TEST(CommandLine, ToolDoesNotSwallowThePositional) {
   const auto o = parsed<RunOptions>({"run", "--tool", "1=flat:3", "a.nc"});
   EXPECT_EQ(o.program.input, "a.nc");

@@ -28,8 +28,9 @@ struct Milling {
   std::vector<Finding> told() const {
     const MemoryProgramSource memory("plate.nc",
                                      "G21 G90 G17 G54\nT1 M6\nG43 H1 Z50\nS2000 M3\nG0 X-10 Y5\nZ-1\nG1 X50 "
-                                     "F500\nG0 Z50\nT2 M6\nG43 H2 Z50\nS2000 "
-                                     "M3\nG0 X-10 Y25\nZ-1\nG41 D2 G1 X0 Y20 F500\nX50\nG40 G0 Z50\nM30\n");
+                                     "F500\nG0 Z50\nT2 M6\nG43 H2 Z50\nS2000 M3\n" +
+                                         before_second + "G0 X-10 Y25\nZ-1\nG41 " + d +
+                                         "G1 X0 Y20 F500\nX50\nG40 G0 Z50\nM30\n");
     const RecordingSource source(memory, TextEncoding::kAuto);
     Progress progress;
     const Result<RunResult> result = runRecorded(job, {&source}, progress);
@@ -44,6 +45,8 @@ struct Milling {
     return found;
   }
   Job job;
+  std::string d = "D2 ";      ///< of the compensated block
+  std::string before_second;  ///< blocks before the second cut
 };
 
 TEST(ToolOffsets, RightDataAreQuiet) { EXPECT_TRUE(Milling().told().empty()); }
@@ -85,6 +88,41 @@ TEST(ToolOffsets, CorrectorsThatAreNoRadius) {
   for (const double meant : {0.0, 0.02, 3.2, 4.0}) {
     milling.job.settings.radius_offsets[2].geometry = meant;
     EXPECT_TRUE(milling.told().empty()) << meant;
+  }
+}
+
+TEST(ToolOffsets, ARadiusThatNobodyHasEntered) {
+  Milling milling;
+  milling.job.settings.radius_offsets.clear();
+  std::vector<Finding> told = milling.told();
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].severity, Severity::kError);
+  EXPECT_EQ(told[0].source->line, 14u);
+  EXPECT_NEAR(*told[0].depth_mm, 3.0, 1e-9);
+  EXPECT_NE(told[0].message.find("D2 has no value, 0 is taken: contours are cut 3 mm too deep"), std::string::npos)
+      << told[0].message;
+  EXPECT_NE(told[0].message.find("--offset D2=3"), std::string::npos) << told[0].message;
+  milling.job.settings.radius_offsets[2] = {0.0, 0.0};
+  EXPECT_TRUE(milling.told().empty()) << "the middle of the tool is programmed";
+}
+
+TEST(ToolOffsets, ARadiusThatTheProgramEnters) {
+  Milling milling;
+  milling.job.settings.radius_offsets.clear();
+  for (const char* value : {"0", "3"}) {
+    milling.before_second = std::string("G10 L12 P2 R") + value + "\n";
+    EXPECT_TRUE(milling.told().empty()) << value;
+  }
+}
+
+TEST(ToolOffsets, CompensationWithoutD) {
+  Milling milling;
+  for (const char* d : {"", "D0 "}) {
+    milling.d = d;
+    const std::vector<Finding> told = milling.told();
+    ASSERT_EQ(told.size(), 1u) << d;
+    EXPECT_EQ(told[0].severity, Severity::kError);
+    EXPECT_NE(told[0].message.find("without a D, or with D0"), std::string::npos) << told[0].message;
   }
 }
 

@@ -48,6 +48,19 @@ TEST(BadJob, StartHoles) {
   EXPECT_THAT(refused(withStock(kSmallStock + "part_point = [1, 2]")), HasSubstr("part_point"));
 }
 
+TEST(BadJob, Severities) {
+  EXPECT_THAT(refusedEnd("[severity]\nthin_featur = 'off'"),
+              HasSubstr("there is no kind of finding 'thin_featur', did you mean 'thin_feature'?"));
+  EXPECT_THAT(refusedEnd("[severity]\ngouge = 'silent'"), HasSubstr("off"));
+  EXPECT_THAT(refusedEnd("[severity]\ngouge = 1"), HasSubstr("gouge must be"));
+  EXPECT_THAT(refused("severity = 'off'\n" + kSmallJob), HasSubstr("severity must be a table"));
+  // Kinds that say that a result is missing can be made severer, and not milder.
+  for (const char* line : {"alarm = 'warning'", "output = 'off'", "partial = 'note'", "undecided = 'off'",
+                           "no_part = 'warning'", "not_compared = 'off'"})
+    EXPECT_THAT(refusedEnd(std::string("[severity]\n") + line), HasSubstr("would hide that a result is missing")) << line;
+  EXPECT_EQ(refusedEnd("[severity]\npartial = 'error'\nundecided = 'warning'\nthin_feature = 'off'"), "accepted");
+}
+
 TEST(BadJob, UnknownKeysAtEveryLevel) {
   EXPECT_THAT(
       refused("nmae = 'x'\n" + kSmallJob),

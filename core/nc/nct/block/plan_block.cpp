@@ -251,7 +251,7 @@ bool planOffsetsHD(NctContext& c, BlockPlan& plan) {
     if (row == 0 || table.given(column, row)) return true;
     const auto name = fmt::format("{}{}", addressText(w.address), row);
     c.warnOnce(name, "nct-offset-missing",
-               fmt::format("{} has no value in the offset table: 0 is taken", name), w.columns);
+               fmt::format("{0} has no value in the offset table: 0 is taken (--offset {0}=VALUE)", name), w.columns);
     return true;
   };
   NctState& next = plan.next;
@@ -276,7 +276,10 @@ void warnOfMissingOffset(NctContext& c, WorkSystemId id) {
   const auto set = [](std::uint32_t by) { return by != 0; };
   if (std::any_of(system.offset_by.begin(), system.offset_by.end(), set) || system.offset.xyz != Vec3::Zero()) return;
   const std::string name = workSystemName(id);
-  c.warnOnce(name, "nct-offset-missing", fmt::format("{} has no value in the job: 0 is taken", name));
+  std::string option = name;
+  std::erase(option, ' ');  // one word on a command line
+  c.warnOnce(name, "nct-offset-missing",
+             fmt::format("{} has no value in the job: 0 is taken (--offset {}=X,Y,Z)", name, option));
 }
 
 bool planWorkSystem(NctContext& c, BlockPlan& plan) {

@@ -16,7 +16,7 @@ main.nc:2:5: error[nct-2123]
 main.nc:3:5: error[nct-2123]
 === expect
 file 0 main.nc
-main.nc:1:7: warning[nct-offset-missing]: H5 has no value in the offset table: 0 is taken
+main.nc:1:7: warning[nct-offset-missing]: H5 has no value in the offset table: 0 is taken (--offset H5=VALUE)
     G43.7 H5
           ^~
 main.nc:1:1: error[nct-2123]: function not implemented: G43.7: there are no turning columns (N1416.TOL)

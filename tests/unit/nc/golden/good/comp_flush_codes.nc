@@ -100,12 +100,12 @@ file 0 main.nc
 2: feed to 0 5 0 F100 t30.1496
 3: feed to 10 5 0 F100 t6
 4: feed to 20 0 0 F100 t6.7082
-main.nc:8:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken
+main.nc:8:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken (--offset G55=X,Y,Z)
     G55
     ^~~
 6: feed to 30 5 0 F100 t6.7082
 7: feed to 40 0 0 F100 t6.7082
-main.nc:11:1: warning[nct-offset-missing]: G54.1 P1 has no value in the job: 0 is taken
+main.nc:11:1: warning[nct-offset-missing]: G54.1 P1 has no value in the job: 0 is taken (--offset G54.1P1=X,Y,Z)
     G54.1 P1
     ^~~~~~~~
 9: feed to 50 5 0 F100 t6.7082

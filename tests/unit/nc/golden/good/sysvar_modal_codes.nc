@@ -198,22 +198,22 @@ main.nc:73:15: warning[nct-unused-word]: Q1 does nothing in this block of G89: t
 file 1 O0001
 91: event spindle rpm=1000000 direction="cw"
 93: event spindle rpm=1000000 direction="cw"
-main.nc:95:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken
+main.nc:95:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken (--offset G55=X,Y,Z)
     G55
     ^~~
-main.nc:97:1: warning[nct-offset-missing]: G56 has no value in the job: 0 is taken
+main.nc:97:1: warning[nct-offset-missing]: G56 has no value in the job: 0 is taken (--offset G56=X,Y,Z)
     G56
     ^~~
-main.nc:99:1: warning[nct-offset-missing]: G57 has no value in the job: 0 is taken
+main.nc:99:1: warning[nct-offset-missing]: G57 has no value in the job: 0 is taken (--offset G57=X,Y,Z)
     G57
     ^~~
-main.nc:101:1: warning[nct-offset-missing]: G58 has no value in the job: 0 is taken
+main.nc:101:1: warning[nct-offset-missing]: G58 has no value in the job: 0 is taken (--offset G58=X,Y,Z)
     G58
     ^~~
-main.nc:103:1: warning[nct-offset-missing]: G59 has no value in the job: 0 is taken
+main.nc:103:1: warning[nct-offset-missing]: G59 has no value in the job: 0 is taken (--offset G59=X,Y,Z)
     G59
     ^~~
-main.nc:105:1: warning[nct-offset-missing]: G54.1 P1 has no value in the job: 0 is taken
+main.nc:105:1: warning[nct-offset-missing]: G54.1 P1 has no value in the job: 0 is taken (--offset G54.1P1=X,Y,Z)
     G54.1 P1
     ^~~~~~~~
 125: rapid to 10 0 0 C 0 to 0 t0.04

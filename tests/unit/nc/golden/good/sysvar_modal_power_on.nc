@@ -41,7 +41,7 @@ file 0 main.nc
 6: rapid to 17 90 94 t3.16
 7: rapid to 21 49 23 t0.284
 8: rapid to 0 0 0 t0.196
-main.nc:9:1: warning[nct-offset-missing]: G54.1 P7 has no value in the job: 0 is taken
+main.nc:9:1: warning[nct-offset-missing]: G54.1 P7 has no value in the job: 0 is taken (--offset G54.1P7=X,Y,Z)
     G54.1 P7
     ^~~~~~~~
 11: feed to 154 1 18 F100 t93.031

@@ -57,11 +57,11 @@ file 0 o00007.nc
 file 1 O0011.nc
 1/1 depth 1: rapid to 11 11 7 t1.956
 12: rapid to 11 7 7 t0.016
-o00007.nc:13:1: warning[nct-offset-missing]: G54.1 P7 has no value in the job: 0 is taken
+o00007.nc:13:1: warning[nct-offset-missing]: G54.1 P7 has no value in the job: 0 is taken (--offset G54.1P7=X,Y,Z)
     G54.1 P7
     ^~~~~~~~
 14: rapid to 7 7 7 t0.016
-o00007.nc:15:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken
+o00007.nc:15:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken (--offset G55=X,Y,Z)
     G55
     ^~~
 16: rapid to 7 0 0 t0.028

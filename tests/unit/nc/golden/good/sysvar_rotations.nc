@@ -102,35 +102,35 @@ file 0 main.nc
 7: rapid to 2 1 -10 t0.048
 10: rapid to 10 -2 1 t0.044
 11: rapid to 0 -90 0 t0.352
-main.nc:13:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken
+main.nc:13:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken (--offset G55=X,Y,Z)
     G55
     ^~~
 15: rapid to -1 10 2 t0.4
 18: rapid to 2 1 -10 t0.048
 21: rapid to 10 -2 1 t0.044
 22: rapid to 0 -90 0 t0.352
-main.nc:24:1: warning[nct-offset-missing]: G56 has no value in the job: 0 is taken
+main.nc:24:1: warning[nct-offset-missing]: G56 has no value in the job: 0 is taken (--offset G56=X,Y,Z)
     G56
     ^~~
 26: rapid to -1 10 2 t0.4
 29: rapid to 2 1 -10 t0.048
 32: rapid to 10 -2 1 t0.044
 33: rapid to 0 -90 0 t0.352
-main.nc:35:1: warning[nct-offset-missing]: G57 has no value in the job: 0 is taken
+main.nc:35:1: warning[nct-offset-missing]: G57 has no value in the job: 0 is taken (--offset G57=X,Y,Z)
     G57
     ^~~
 37: rapid to -1 10 2 t0.4
 40: rapid to 2 1 -10 t0.048
 43: rapid to 10 -2 1 t0.044
 44: rapid to 0 -90 0 t0.352
-main.nc:46:1: warning[nct-offset-missing]: G58 has no value in the job: 0 is taken
+main.nc:46:1: warning[nct-offset-missing]: G58 has no value in the job: 0 is taken (--offset G58=X,Y,Z)
     G58
     ^~~
 48: rapid to -1 10 2 t0.4
 51: rapid to 2 1 -10 t0.048
 54: rapid to 10 -2 1 t0.044
 55: rapid to 0 -90 0 t0.352
-main.nc:57:1: warning[nct-offset-missing]: G59 has no value in the job: 0 is taken
+main.nc:57:1: warning[nct-offset-missing]: G59 has no value in the job: 0 is taken (--offset G59=X,Y,Z)
     G59
     ^~~
 59: rapid to -1 10 2 t0.4

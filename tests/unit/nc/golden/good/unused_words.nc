@@ -127,7 +127,7 @@ main.nc:12:23: warning[nct-unused-word]: K1 does nothing in this block of G81: t
 12: rapid to 70 2 0 t0.008
 12: feed to 70 -5 0 F100 t4.2
 12: rapid to 70 0 0 t0.02
-main.nc:15:12: warning[nct-offset-missing]: D1 has no value in the offset table: 0 is taken
+main.nc:15:12: warning[nct-offset-missing]: D1 has no value in the offset table: 0 is taken (--offset D1=VALUE)
     G41 G0 X80 D1 K4
                ^~
 main.nc:15:15: warning[nct-unused-word]: K4 does nothing in this block of G41: it stands across the plane

@@ -45,7 +45,7 @@ rapid 75 0 100 rotary 360
 rapid 98.4808 17.3648 100 rotary 370
 === expect
 file 0 main.nc
-main.nc:2:1: warning[nct-offset-missing]: G59 has no value in the job: 0 is taken
+main.nc:2:1: warning[nct-offset-missing]: G59 has no value in the job: 0 is taken (--offset G59=X,Y,Z)
     N060 G59
     ^~~~~~~~
 3 N70: rapid from 0 0 0 to 100 0 0 C 0 to 0 t0.4

@@ -135,7 +135,7 @@ file 1 O0011
 34: rapid to 20 3 0 t0.064
 36: rapid to 20 3 5 t0.02
 36: rapid to 20 3 9 t0.016
-main.nc:38:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken
+main.nc:38:1: warning[nct-offset-missing]: G55 has no value in the job: 0 is taken (--offset G55=X,Y,Z)
     G0 G55 X1 Y2
     ^~~~~~~~~~~~
 38: rapid to -2 1 9 t0.088

@@ -56,12 +56,12 @@ rapid 10 59 10
 === expect
 file 0 main.nc
 2: rapid from 0 0 0 to 1 1 1 t0.004
-main.nc:3:1: warning[wl4-offset]: G55 has no value in the job: 0 is taken
+main.nc:3:1: warning[wl4-offset]: G55 has no value in the job: 0 is taken (--offset G55=X,Y,Z)
     G55 X1
     ^~~~~~
 3: rapid to 11 1 1 t0.04
 4: rapid to 11 21 1 t0.08
-main.nc:5:1: warning[wl4-offset]: G56 has no value in the job: 0 is taken
+main.nc:5:1: warning[wl4-offset]: G56 has no value in the job: 0 is taken (--offset G56=X,Y,Z)
     G56 Z1
     ^~~~~~
 5: rapid to 11 21 6 t0.02
@@ -75,15 +75,15 @@ main.nc:5:1: warning[wl4-offset]: G56 has no value in the job: 0 is taken
 16: rapid to 20 -5 10 t0.16
 18: rapid to 0 0 10 t0.08
 19: rapid to 0 3 10 t0.012
-main.nc:20:1: warning[wl4-offset]: G57 has no value in the job: 0 is taken
+main.nc:20:1: warning[wl4-offset]: G57 has no value in the job: 0 is taken (--offset G57=X,Y,Z)
     G57 X1
     ^~~~~~
 20: rapid to 8 3 10 t0.032
-main.nc:21:1: warning[wl4-offset]: G58 has no value in the job: 0 is taken
+main.nc:21:1: warning[wl4-offset]: G58 has no value in the job: 0 is taken (--offset G58=X,Y,Z)
     G58 X1
     ^~~~~~
 21: rapid to 9 3 10 t0.004
-main.nc:22:1: warning[wl4-offset]: G59 has no value in the job: 0 is taken
+main.nc:22:1: warning[wl4-offset]: G59 has no value in the job: 0 is taken (--offset G59=X,Y,Z)
     G59 X1
     ^~~~~~
 22: rapid to 10 3 10 t0.004
