@@ -141,5 +141,25 @@ TEST_F(JobFixtures, WrongOnesAreRefused) {
               HasSubstr("with [[setup]], fixture belongs to the setups"));
 }
 
+TEST(CuttingLimits, OfTheMachineAndOfTools) {
+  io_test::JobFolder folder;
+  const std::string tool = "teeth = 4\nmax_feed_per_tooth = 0.1\nmax_rpm = 9000\n";
+  Diagnostics diagnostics;
+  const std::string machine = "[machine]\nmax_feed = 1000\nmax_rpm = 8000\n";
+  const auto job = parseJob(kSmallJob + tool + machine, "job.toml", folder.path(""), folder.names, diagnostics);
+  ASSERT_TRUE(job);
+  EXPECT_EQ(job->limits.max_feed, 1000);
+  EXPECT_EQ(job->limits.max_rpm, 8000);
+  const ToolLimits& limits = job->limits.tools.at(1);
+  EXPECT_EQ(limits.teeth, 4);
+  EXPECT_EQ(limits.max_feed_per_tooth, 0.1);
+  EXPECT_EQ(limits.max_rpm, 9000);
+  for (const char* wrong : {"max_feed_per_tooth = 0.1\n", "teeth = 0\n", "max_rpm = 0\n", "[machine]\nmax_feed = -3\n",
+                            "[machine]\nmax_rpm = 0\n"}) {
+    Diagnostics errors;
+    EXPECT_FALSE(parseJob(kSmallJob + wrong, "job.toml", folder.path(""), folder.names, errors)) << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace proveout
