@@ -148,7 +148,7 @@ TEST(WedmTilt, EndsBeyond45DegreesUnlessTheMachineLeansFarther) {
 
 TEST(WedmArcs, EndWhereNoMachineGets) {
   const std::string head = "T84T86;C001;\nG92X-18.Y0;\nG01X-10.;\n";
-  for (const char* arc : {"G02 I9999.;", "G03 J-99999.;", "G02 X-10. Y0.01 I2000.;"}) {
+  for (const char* arc : {"G02 I9999.;", "G03 J-99999.;", "G03 X-10. Y0.01 I2000.;"}) {
     const WedmPath run(head + arc + "\nM02;\n");
     EXPECT_EQ(run.error(), "wedm-5.3-far") << arc;
   }
