@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
@@ -10,8 +12,8 @@
 #include "app/session/comparison_work.h"
 #include "app/session/findings.h"
 #include "app/session/machine_speed.h"
-#include "app/session/nominal_mesh.h"
-#include "app/session/placement_hint.h"
+#include "app/session/nominal/nominal_mesh.h"
+#include "app/session/nominal/placement_search.h"
 #include "app/session/thread_supply.h"
 #include "app/summary.h"
 #include "app/time_limit.h"
@@ -24,6 +26,7 @@ namespace {
 
 struct Pair {
   PreparedMesh machined, nominal;
+  NominalSpec spec;  ///< of the nominal
 };
 
 /// The units of the two files.
@@ -43,14 +46,14 @@ Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& uni
   NominalSpec machined, nominal;
   machined.mesh = {options.machined, units.machined};
   nominal.mesh = {options.nominal, units.nominal};
+  if (const Status placed = applyPlacement(options.place, nominal.placement); !placed) return placed.error();
   Result<PreparedMesh> part = loadNominal(machined);
   if (!part) return part.error();
   Result<PreparedMesh> model = loadNominal(nominal);
   if (!model) return model.error();
-  const auto placement = evidentPlacement(meshBounds(model->mesh), meshBounds(part->mesh));
-  if (placement)
-    model->notes.push_back("the nominal: " + placementText(*placement, units.nominal, "the machined part"));
-  return Pair{std::move(*part), std::move(*model)};
+  nominal.gouge_mm = options.gouge_mm;
+  nominal.excess_mm = options.excess_mm;
+  return Pair{std::move(*part), std::move(*model), std::move(nominal)};
 }
 
 /// What the command will take. Errors: it is more than allowed.
@@ -72,35 +75,58 @@ Result<Prediction> predictPair(const CompareCommandOptions& options, const Pair&
   return prediction;
 }
 
-Result<Comparison> comparePair(const CompareCommandOptions& options, const Pair& pair, Progress& progress) {
+/// The comparison, or why there is none.
+struct PairResult {
+  std::optional<Comparison> comparison;
+  PlacementFault fault;
+};
+
+Result<PairResult> comparePair(const CompareCommandOptions& options, const Pair& pair, Progress& progress) {
+  PairResult result;
+  result.fault = placementFault(pair.nominal.mesh, pair.spec.placement, pair.spec.mesh.unit,
+                                {pair.machined.mesh, std::nullopt, std::max(options.gouge_mm, options.excess_mm)});
+  if (!result.fault.comparable) return result;
   CompareOptions settings;
   settings.gouge_mm = options.gouge_mm;
   settings.excess_mm = options.excess_mm;
   settings.resolution_mm = options.resolution_mm;
   settings.threads = options.threads.value_or(0);
-  return compareToNominal(pair.machined.mesh, pair.nominal.mesh, settings, progress);
+  Result<Comparison> comparison = compareToNominal(pair.machined.mesh, pair.nominal.mesh, settings, progress);
+  if (!comparison) return comparison.error();
+  result.comparison = std::move(*comparison);
+  return result;
 }
 
-Result<Report> makeCompareReport(const CompareCommandOptions& options, const PairUnits& units,
-                                 const Pair& pair, const Comparison& comparison) {
-  Report report;
-  report.name = std::filesystem::path(options.machined).stem().string();
-  report.version = versionText();
-  report.checks.interpreted = false;
-  report.checks.comparison = true;
-  report.resolution_mm = options.resolution_mm;
-  report.comparison = reportComparison(comparison, options.nominal);
-  report.comparison->nominal_unit = meshUnitName(units.nominal);
-  Diagnostics notes;
-  noteRepairs(pair.machined.notes, "mesh", notes);
-  noteRepairs(pair.nominal.notes, "mesh", notes);
-  report.diagnostics = notes.all();
-  // No program is involved: nothing is blamed.
+/// What was found. No program is involved: nothing is blamed.
+void addFound(const Pair& pair, const PairResult& result, Report& report) {
+  if (!result.comparison) {
+    Finding finding(FindingKind::kNominalPlacement);
+    finding.message = result.fault.text;
+    report.findings.push_back(std::move(finding));
+    return;
+  }
+  const Comparison& comparison = *result.comparison;
+  report.comparison = reportComparison(comparison, pair.spec);
   for (const DeviationPatch& patch : comparison.patches) addDeviation(patch, comparison, report.findings);
   addUndecided(comparison, report.findings);
   addCoarseNominal(comparison, report.findings);
   report.error_budget.push_back({"nominal", comparison.nominal_chord_mm,
                                  "chord height of the nominal's facets, estimated from neighbouring facets"});
+}
+
+Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pair& pair, const PairResult& result) {
+  Report report;
+  report.name = std::filesystem::path(options.machined).stem().string();
+  report.version = versionText();
+  report.checks.interpreted = false;
+  report.checks.comparison = result.comparison.has_value();
+  report.resolution_mm = options.resolution_mm;
+  Diagnostics notes;
+  noteRepairs(pair.machined.notes, "mesh", notes);
+  noteRepairs(pair.nominal.notes, "mesh", notes);
+  if (result.comparison && !result.fault.text.empty()) noteRepairs({result.fault.text}, "nominal", notes);
+  report.diagnostics = notes.all();
+  addFound(pair, result, report);
   const std::pair<const char*, std::string> files[] = {{"machined", options.machined},
                                                        {"nominal", options.nominal}};
   for (const auto& [role, path] : files) {
@@ -116,7 +142,7 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
   return report;
 }
 
-Status writeResults(const CompareCommandOptions& options, const Pair& pair, const Comparison& comparison,
+Status writeResults(const CompareCommandOptions& options, const Pair& pair, const PairResult& result,
                     ImageSize size, const OutputGuard& guard, Report& report, OutputFailures& failures,
                     Progress& progress) {
   PictureRequest request;
@@ -125,11 +151,10 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
   request.threads = options.threads.value_or(0);
   const TriMesh& mesh = pair.machined.mesh;
   PictureMaker maker(std::move(request));
-  for (const Status& drawn :
-       {maker.drawViews(mesh, progress), maker.drawDeviation(mesh, comparison, report.findings, progress),
-        maker.drawFindings(mesh, report.findings, progress)}) {
-    if (!drawn) return drawn;
-  }
+  Status drawn = maker.drawViews(mesh, progress);
+  if (drawn && result.comparison) drawn = maker.drawDeviation(mesh, *result.comparison, report.findings, progress);
+  if (drawn) drawn = maker.drawFindings(mesh, report.findings, progress);
+  if (!drawn) return drawn;
   failures.insert(failures.end(), maker.failures.begin(), maker.failures.end());
   Result<StagingFolder> staging = StagingFolder::create(*options.out, &guard, &progress);
   if (!staging) return staging.error();
@@ -164,9 +189,9 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   if (!pair) return pair.error();
   const Result<Prediction> prediction = predictPair(options, *pair, *size);
   if (!prediction) return prediction.error();
-  const Result<Comparison> comparison = comparePair(options, *pair, progress);
-  if (!comparison) return comparison.error();
-  Result<Report> report = makeCompareReport(options, *units, *pair, *comparison);
+  const Result<PairResult> result = comparePair(options, *pair, progress);
+  if (!result) return result.error();
+  Result<Report> report = makeCompareReport(options, *pair, *result);
   if (!report) return report;
   report->performance.compare_s = watch.lap();
   report->performance.predicted_memory_mb = prediction->memory_mb;
@@ -174,7 +199,7 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   report->performance.wall_s = wall.lap();
   if (options.out) {
     if (const Status done =
-            writeResults(options, *pair, *comparison, *size, guard, *report, failures, progress);
+            writeResults(options, *pair, *result, *size, guard, *report, failures, progress);
         !done)
       return done.error();
   }

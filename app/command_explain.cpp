@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/job_setup.h"
+#include "app/placement_options.h"
 #include "app/session/blame.h"
 #include "app/session/comparison.h"
 #include "app/session/diagnosis.h"
@@ -28,20 +28,6 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kMaxReportBytes = std::size_t{1} << 30;
-
-Result<Vec3> parsePoint(const std::string& text) {
-  Vec3 point;
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (int k = 0; k < 3; ++k) {
-    const auto [next, error] = std::from_chars(at, end, point[k]);
-    const bool separated = k == 2 ? next == end : next != end && *next == ',';
-    if (error != std::errc() || !separated || !std::isfinite(point[k]) || std::abs(point[k]) > 1e6)
-      return inputError("--at: '" + text + "' is not a point: X,Y,Z in mm");
-    at = next + 1;
-  }
-  return point;
-}
 
 /// The command line behind a report, whose inputs must be what they were.
 Result<RunOptions> commandOf(const std::string& name) {
@@ -175,7 +161,7 @@ Status explain(const Job& job, const Vec3& place, Console& console, ConsoleProgr
 int explainCommand(const ExplainOptions& options, Console& console, ConsoleProgress& progress) {
   TimeLimit limit(progress);
   limit.set(options.max_time_s.value_or(0.0));
-  const Result<Vec3> place = parsePoint(options.at);
+  const Result<Vec3> place = parseTriple("--at", options.at, 1e6, "a point: X,Y,Z in mm");
   if (!place) return printError(console, place.error());
   const Result<RunOptions> command = commandOf(options.report);
   if (!command) return printError(console, command.error());

@@ -9,7 +9,7 @@
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/pictures.h"
-#include "app/session/nominal_mesh.h"
+#include "app/session/nominal/nominal_mesh.h"
 #include "app/session/thread_supply.h"
 #include "app/time_limit.h"
 #include "core/geometry/place_text.h"
@@ -32,6 +32,26 @@ struct HeatMapSource {
   NominalSpec nominal;
   double resolution_mm = 0.2;
 };
+
+/// Three finite numbers.
+std::optional<Vec3> readTriple(const nlohmann::json& object, const char* key) {
+  const nlohmann::json list = object.is_object() ? object.value(key, nlohmann::json()) : nlohmann::json();
+  if (!list.is_array() || list.size() != 3) return std::nullopt;
+  Vec3 out;
+  for (int k = 0; k < 3; ++k) {
+    if (!list[static_cast<std::size_t>(k)].is_number()) return std::nullopt;
+    out[k] = list[static_cast<std::size_t>(k)].get<double>();
+    if (!(std::abs(out[k]) <= 1e9)) return std::nullopt;
+  }
+  return out;
+}
+
+std::optional<MeshPlacement> readPlacement(const nlohmann::json& placement) {
+  const auto rotate = readTriple(placement, "rotate"), move = readTriple(placement, "move");
+  const nlohmann::json scale = placement.is_object() ? placement.value("scale", nlohmann::json()) : nlohmann::json();
+  if (!rotate || !move || !scale.is_number() || !(scale.get<double>() > 0.0)) return std::nullopt;
+  return MeshPlacement{scale.get<double>(), *rotate, *move};
+}
 
 Result<HeatMapSource> readHeatMapSource(const std::string& path) {
   const Result<std::string> text = readWholeFile(path, kMaxReportBytes);
@@ -59,6 +79,11 @@ Result<HeatMapSource> readHeatMapSource(const std::string& path) {
   if (!known) return wrong("the comparison's nominal_unit is none of mm, inch, m");
   source.nominal.mesh.unit = *known;
   source.nominal.mesh.path = comparison["nominal"].get<std::string>();
+  if (comparison.contains("placement")) {
+    const auto placement = readPlacement(comparison["placement"]);
+    if (!placement) return wrong("the comparison's placement is none: scale above 0, rotate and move of three numbers");
+    source.nominal.placement = *placement;
+  }
   std::error_code error;
   const fs::path beside = fs::path(path).parent_path() / source.nominal.mesh.path;
   if (!fs::exists(source.nominal.mesh.path, error) && fs::exists(beside, error)) {

@@ -260,9 +260,11 @@ Result<std::vector<FileHash>> hashInputs(const Job& job, const RunSources& sourc
 
 }  // namespace
 
-ReportComparison reportComparison(const Comparison& comparison, const std::string& nominal) {
+ReportComparison reportComparison(const Comparison& comparison, const NominalSpec& nominal) {
   ReportComparison report;
-  report.nominal = nominal;
+  report.nominal = nominal.mesh.path;
+  report.nominal_unit = meshUnitName(nominal.mesh.unit);
+  report.placement = nominal.placement;
   report.gouge_tolerance_mm = comparison.gouge_tolerance_mm;
   report.excess_tolerance_mm = comparison.excess_tolerance_mm;
   report.max_gouge_mm = comparison.max_gouge_mm;
@@ -313,10 +315,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
     report.error_budget = errorBudget(run);
     report.part_sha256 = run.setups.back().mesh_sha256;
   }
-  if (run.comparison) {
-    report.comparison = reportComparison(*run.comparison, job.nominal->mesh.path);
-    report.comparison->nominal_unit = meshUnitName(job.nominal->mesh.unit);
-  }
+  if (run.comparison) report.comparison = reportComparison(*run.comparison, *job.nominal);
   Result<std::vector<FileHash>> hashes = hashInputs(job, sources);
   if (!hashes) return hashes.error();
   report.inputs = std::move(*hashes);

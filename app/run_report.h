@@ -13,7 +13,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
 /// Paths and removed volumes of all clampings, in their order. Point into `run`.
 std::vector<CutPath> cutPaths(const RunResult& run);
 
-ReportComparison reportComparison(const Comparison& comparison, const std::string& nominal);
+ReportComparison reportComparison(const Comparison& comparison, const NominalSpec& nominal);
 
 /// Largest resident size of this process so far, MB.
 double peakMemoryMb();

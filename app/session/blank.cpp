@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/session/job_defaults.h"
-#include "app/session/nominal_mesh.h"
+#include "app/session/nominal/nominal_mesh.h"
 
 namespace proveout {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "app/session/contact_findings.h"
-#include "app/session/nominal_mesh.h"
+#include "app/session/nominal/nominal_mesh.h"
 #include "app/session/prediction.h"
 #include "core/tool/tool_solid.h"
 #include "core/tool/tool_type.h"

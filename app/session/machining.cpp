@@ -5,7 +5,7 @@
 #include "app/session/contact_findings.h"
 #include "app/session/drill_moves.h"
 #include "app/session/findings.h"
-#include "app/session/nominal_mesh.h"
+#include "app/session/nominal/nominal_mesh.h"
 #include "app/session/nose_data.h"
 #include "app/session/parted_bodies.h"
 #include "app/session/plausibility.h"
@@ -82,7 +82,6 @@ Result<std::size_t> keep(Machined&& made, const PartWish& wish, SetupRun& setup,
   return told;
 }
 
-/// Findings on what a clamping made. `touched`: those of its fixtures.
 /// What a clamping began with.
 struct Clamped {
   Box3 bounds;
@@ -100,6 +99,7 @@ Clamped clampedIn(const PreparedRun& prepared, std::size_t k) {
   return clamped;
 }
 
+/// Findings on what a clamping made. `touched`: those of its fixtures.
 void lookAt(const SetupRun& setup, const Clamped& clamped, std::size_t told_bodies,
             const RecordingSource& source, std::vector<Finding>&& touched, RunResult& run) {
   inSetup(run, setup, [&](std::vector<Finding>& findings) {
@@ -115,18 +115,18 @@ void lookAt(const SetupRun& setup, const Clamped& clamped, std::size_t told_bodi
     addNoseFindings(setup, least_mm, source, findings);
     addToolOffsets(setup, least_mm, source, findings);
     addImplausible(setup, source, findings);
-    addPartedBodies(setup, source, findings);
     addProgramFindings({setup.job, setup.interpreted.path, source, clamped.bounds, clamped.blank,
                         clamped.left_before ? &*clamped.left_before : nullptr},
                        findings);
+    addPartedBodies(setup, source, findings);
     const Process& process = processOf(setup.job.control);
     if (process.look != nullptr) process.look(setup, source, findings);
     if (process.tool_turns) {
       addSpindleDirection(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source,
                           findings);
-    addVolumeError(setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_error_mm3,
       addDrillMoves(setup.interpreted.path, setup.removal.removed_mm3, setup.job.tools, source, findings);
     }
+    addVolumeError(setup.initial_mm3 - setup.surface.volume_mm3, setup.surface.volume_error_mm3,
                    run.resolution_mm, findings);
     addThinFeatures(setup.removal, setup.surface, run.resolution_mm, setup.interpreted.path, source,
                     findings);

@@ -11,13 +11,14 @@
 #include "app/session/grid_choice.h"
 #include "app/session/machine_speed.h"
 #include "app/session/machining.h"
-#include "app/session/nominal_mesh.h"
+#include "app/session/nominal/nominal_mesh.h"
 #include "app/session/nose_data.h"
-#include "app/session/placement_hint.h"
+#include "app/session/nominal/placement_search.h"
 #include "app/session/process/process.h"
 #include "app/session/programs.h"
 #include "app/session/run_limits.h"
 #include "app/session/thread_supply.h"
+#include "app/session/uncertainty.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
 #include "removal/sweep/column_sweep.h"
@@ -26,35 +27,24 @@
 namespace proveout {
 namespace {
 
-/// A nominal that the blank cannot hold, or whose bounds agree with the blank's in another unit or at another
-/// place (`placement`).
-std::optional<std::string> misplaced(const Job& job, const Box3& nominal, const Box3& blank,
-                                     const std::optional<Placement>& placement) {
-  const double out = std::max((blank.min - nominal.min).maxCoeff(), (nominal.max - blank.max).maxCoeff());
-  if (out <= job.nominal->gouge_mm && !placement) return std::nullopt;
-  const std::string bounds =
-      fmt::format("X{:g} Y{:g} Z{:g} to X{:g} Y{:g} Z{:g}", nominal.min.x(), nominal.min.y(), nominal.min.z(),
-                  nominal.max.x(), nominal.max.y(), nominal.max.z());
-  std::string text = out > job.nominal->gouge_mm
-                         ? fmt::format("the nominal reaches {:.4g} mm out of the blank ({})", out, bounds)
-                         : fmt::format("the nominal is much smaller than the blank ({})", bounds);
-  if (!placement) return text + "; check its unit and its place";
-  text += "; " + placementText(*placement, job.nominal->mesh.unit, "the blank");
+/// Tells what is wrong about where the nominal lies. Where it cannot be compared there, that is the one finding.
+bool tellElsewhere(const Job& job, const PreparedRun& prepared, RunResult& run) {
+  const NominalSpec& nominal = *job.nominal;
+  const PartSpace space{run.surface().mesh, movedBounds(job, prepared.blank.bounds, run.setups.size() - 1),
+                        std::max(nominal.gouge_mm, nominal.excess_mm) + partUncertainty(run), run.setups.size() > 1};
+  PlacementFault fault = placementFault(prepared.nominal->mesh, nominal.placement, nominal.mesh.unit, space);
+  if (fault.text.empty()) return false;
   const auto* mesh = job.stock ? std::get_if<MeshFile>(&*job.stock) : nullptr;
-  if (mesh != nullptr && placement->scale != 1.0)
-    text += fmt::format("; or the blank is wrong, which was read with unit \"{}\"", meshUnitName(mesh->unit));
-  return text;
-}
-
-/// The same for a nominal whose bounds agree with those of what was machined.
-void noteMisplaced(const Job& job, const PreparedMesh& nominal, RunResult& run) {
-  const auto placement = evidentPlacement(meshBounds(nominal.mesh), meshBounds(run.surface().mesh));
-  if (!placement) return;
-  Diagnostic warning;
-  warning.severity = Severity::kWarning;
-  warning.code = "nominal";
-  warning.message = "the nominal: " + placementText(*placement, job.nominal->mesh.unit, "the machined part");
-  run.setups.back().interpreted.path.diagnostics.add(std::move(warning));
+  if (mesh != nullptr && fault.rescaled)
+    fault.text += fmt::format("; or the blank is wrong, which was read with unit \"{}\"", meshUnitName(mesh->unit));
+  if (fault.comparable) {
+    noteRepairs({std::move(fault.text)}, "nominal", run.setups.back().interpreted.path.diagnostics);
+    return false;
+  }
+  Finding finding(FindingKind::kNominalPlacement);
+  finding.message = std::move(fault.text);
+  run.findings.push_back(std::move(finding));
+  return true;
 }
 
 Workload workOf(const Job& job, const PreparedRun& prepared) {
@@ -148,7 +138,7 @@ void tellThinFeaturesLast(std::vector<Finding>& findings) {
 /// Compares the finished part with its nominal.
 Status compareFinished(const Job& job, const RunSources& sources, const PreparedRun& prepared, RunResult& run,
                        Progress& progress) {
-  if (!prepared.placement_told) noteMisplaced(job, *prepared.nominal, run);
+  if (tellElsewhere(job, prepared, run)) return Done{};
   Stopwatch watch;
   if (Status done = compareRun(job, sources, prepared.blank, *prepared.nominal, run, progress); !done)
     return done;
@@ -187,14 +177,9 @@ Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progre
   if (const Status place = checkToolChange(jobOfSetup(job, 0), *blank); !place) return place.error();
   if (const Status possible = checkProcesses(job, *blank); !possible) return possible.error();
   prepared.blank = std::move(*blank);
-  const Box3& bounds = prepared.blank.bounds;
   if (job.nominal) {
     Result<PreparedMesh> nominal = loadNominal(*job.nominal);
     if (!nominal) return nominal.error();
-    const Box3 wanted = movedBounds(job, bounds, sources.size() - 1), given = meshBounds(nominal->mesh);
-    const auto placement = evidentPlacement(given, wanted);
-    if (auto note = misplaced(job, given, wanted, placement)) nominal->notes.push_back(std::move(*note));
-    prepared.placement_told = placement.has_value();
     prepared.nominal = std::move(*nominal);
   }
   run.resolution_mm = prepared.blank.resolution_mm;

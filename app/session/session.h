@@ -27,7 +27,6 @@ struct PreparedRun {
   RunResult run;
   Blank blank;
   std::optional<PreparedMesh> nominal;
-  bool placement_told = false;  ///< what would bring the nominal onto the blank
 };
 
 /// The first part of a run, for those who want to know what it will take. Errors: as runJob.

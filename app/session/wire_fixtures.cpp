@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/session/contact_findings.h"
-#include "app/session/nominal_mesh.h"
+#include "app/session/nominal/nominal_mesh.h"
 #include "app/session/run_result.h"
 #include "removal/wire/fixture_solid.h"
 #include "removal/wire/wire_fixture.h"

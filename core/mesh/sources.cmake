@@ -8,6 +8,7 @@ target_sources(proveout_core PRIVATE
   mesh/intersections.cpp
   mesh/level_cut.cpp
   mesh/mesh_editor.cpp
+  mesh/mesh_placement.cpp
   mesh/mesh_simplifier.cpp
   mesh/mesh_topology.cpp
   mesh/shells.cpp

@@ -271,6 +271,30 @@ TEST(Commands, RenderDrawsAMeshAndAHeatMap) {
   EXPECT_EQ(bench.run("render").err.rfind("proveout: error: MESH is required", 0), 0u);
 }
 
+TEST(Commands, AModelThatLiesElsewhereIsTheOneFinding) {
+  const Workbench bench;
+  bench.write("part.obj", boxObj(0, 0, 0, 20, 10, 5));
+  bench.write("turned.obj", boxObj(-10, 0, 0, 0, 20, 5));
+  const Outcome told = bench.run("compare part.obj turned.obj --json");
+  EXPECT_EQ(told.exit_code, 1);
+  EXPECT_TRUE(has(told.out, "nominal_placement")) << told.out;
+  EXPECT_FALSE(has(told.out, "\"excess\"")) << told.out;
+  EXPECT_TRUE(has(told.err, "--nominal-rotate 0,0,-90")) << told.err;
+  EXPECT_EQ(bench.run("compare part.obj turned.obj --nominal-rotate 0,0,-90").exit_code, 0);
+  // Colours by a report know where the model lay.
+  bench.write("low.obj", boxObj(-10, 0, 0, 0, 20, 4.9));
+  ASSERT_EQ(bench.run("compare part.obj low.obj --nominal-rotate 0,0,-90 --out o --size 200x150").exit_code, 1);
+  EXPECT_EQ(bench.run("render part.obj -o heat.png --size 200x150 --heatmap o/report.json").exit_code, 0);
+  std::string report = readFile(bench.path("o/report.json"));
+  const std::size_t at = report.find("\"rotate\"");
+  ASSERT_NE(at, std::string::npos);
+  report.replace(at, 8, "\"rotated\"");
+  bench.write("o/report.json", report);
+  EXPECT_EQ(bench.run("render part.obj -o heat.png --size 200x150 --heatmap o/report.json").exit_code, 2);
+  for (const char* const wrong : {"--nominal-at 1,2", "--nominal-at 1,2,nan", "--nominal-rotate 0,0,400", "--nominal-at x"})
+    EXPECT_EQ(bench.run(std::string("compare part.obj turned.obj ") + wrong).exit_code, 2) << wrong;
+}
+
 TEST(Commands, UnknownWordsNameTheNearestOne) {
   const Workbench bench;
   bench.write("ring.nc", kRing);

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "app/session/causes/nominal_samples.h"
+#include "app/session/nominal/nominal_samples.h"
 #include "app/session/causes/suspects.h"
 
 namespace proveout {

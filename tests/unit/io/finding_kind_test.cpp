@@ -36,7 +36,7 @@ TEST(FindingKinds, HaveTheNamesOfTheSchema) {
       "free_slug warning\nstuck_slug warning\nbridge warning\nnose_deviation warning\ntool_data "
       "error\nfeed_rate warning\nspindle_speed warning\ncycle_time "
       "warning\ndwell warning\ntool_change warning\ndrill_sideways warning\nprogram_unit warning\npart_off note\ncoarse_nominal note\n"
-      "not_compared note\novertravel error\nforbidden_zone error\nalarm error\nno_part error\n"
+      "not_compared note\nnominal_placement error\novertravel error\nforbidden_zone error\nalarm error\nno_part error\n"
       "thin_feature warning\nnothing_cut warning\nloose_piece warning\nuncertain_part warning\npartial warning\nmesh error\n"
       "output error\n");
 }

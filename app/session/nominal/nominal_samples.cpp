@@ -1,4 +1,4 @@
-#include "app/session/causes/nominal_samples.h"
+#include "app/session/nominal/nominal_samples.h"
 
 #include <algorithm>
 #include <array>

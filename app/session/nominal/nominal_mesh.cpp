@@ -1,4 +1,4 @@
-#include "app/session/nominal_mesh.h"
+#include "app/session/nominal/nominal_mesh.h"
 
 #include <utility>
 #include <variant>
@@ -20,8 +20,9 @@ void noteRepairs(const std::vector<std::string>& repairs, const std::string& cod
 Result<PreparedMesh> loadNominal(const NominalSpec& nominal) {
   MeshLoadOptions options;
   options.unit = nominal.mesh.unit;
-  const Result<TriMesh> mesh = loadMesh(nominal.mesh.path, options);
+  Result<TriMesh> mesh = loadMesh(nominal.mesh.path, options);
   if (!mesh) return mesh.error();
+  placeMesh(nominal.placement, *mesh);
   return prepareNominal(*mesh, nominal.mesh.path);
 }
 

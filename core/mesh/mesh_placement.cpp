@@ -1,0 +1,38 @@
+#include "core/mesh/mesh_placement.h"
+
+#include <cmath>
+
+namespace proveout {
+
+Vec3 xyzDegOf(const Eigen::Matrix3d& r) {
+  constexpr double kUpright = 1e-12;
+  const double sine = -r(2, 0), cosine = std::hypot(r(2, 1), r(2, 2));
+  Vec3 out(0.0, std::atan2(sine, cosine), 0.0);
+  if (cosine > kUpright) {
+    out.x() = std::atan2(r(2, 1), r(2, 2));
+    out.z() = std::atan2(r(1, 0), r(0, 0));
+  } else {  // X and Z turn about one line: the turn is all about Z
+    out.z() = std::atan2(-r(0, 1), r(1, 1));
+  }
+  for (double& angle : out) {
+    angle = radToDeg(angle);
+    const double quarter = 90.0 * std::round(angle / 90.0);
+    if (std::abs(angle - quarter) < 1e-9) angle = quarter + 0.0;  // no -0
+  }
+  return out;
+}
+
+MeshPlacement chained(const MeshPlacement& first, const MeshPlacement& second) {
+  if (first.none()) return second;
+  const RigidTransform turn = second.motion();
+  return {first.scale * second.scale, xyzDegOf(turn.rotation * rotationXyzDeg(first.rotate_deg)),
+          turn(second.scale * first.move)};
+}
+
+void placeMesh(const MeshPlacement& placement, TriMesh& mesh) {
+  if (placement.none()) return;
+  const RigidTransform motion = placement.motion();
+  for (auto& p : mesh.positions) p = motion(placement.scale * p.cast<double>()).cast<float>();
+}
+
+}  // namespace proveout
