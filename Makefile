@@ -53,8 +53,9 @@ soak: configure
 	build/release/bin/soak --minutes $(MINUTES) --seed $(SEED) --second --keep out/soak
 
 study: configure
-	cmake --build --preset release --target planted_defects reference_test random_mesh_test -j $(JOBS)
+	cmake --build --preset release --target planted_defects planted_causes reference_test random_mesh_test -j $(JOBS)
 	PROVEOUT_STUDY_WHOLE=1 build/release/bin/planted_defects
+	PROVEOUT_STUDY_COUNT=100 build/release/bin/planted_causes
 	PROVEOUT_REFERENCE_PROGRAMS=100 PROVEOUT_REFERENCE_FACETS=96 build/release/bin/reference_test
 	PROVEOUT_RANDOM_WIRES=40 PROVEOUT_RANDOM_WIRE=110 build/release/bin/random_mesh_test --gtest_filter='*RandomWire*'
 

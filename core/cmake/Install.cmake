@@ -24,7 +24,7 @@ endif()
 foreach(folder core/base core/geometry core/path core/tool core/nc)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
 endforeach()
-install(FILES core/mesh/tri_mesh.h core/mesh/image.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/core/mesh)
+install(FILES core/mesh/tri_mesh.h core/mesh/mesh_placement.h core/mesh/image.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/core/mesh)
 install(FILES removal/grid/start_hole.h removal/grid/stock.h removal/grid/stock_shape.h removal/grid/vdb_tree.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/grid)
 install(FILES removal/vdb/vdb_grids.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/vdb)

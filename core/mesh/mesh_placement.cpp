@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/geometry/to_float.h"
+
 namespace proveout {
 
 Vec3 xyzDegOf(const Eigen::Matrix3d& r) {
@@ -32,7 +34,7 @@ MeshPlacement chained(const MeshPlacement& first, const MeshPlacement& second) {
 void placeMesh(const MeshPlacement& placement, TriMesh& mesh) {
   if (placement.none()) return;
   const RigidTransform motion = placement.motion();
-  for (auto& p : mesh.positions) p = motion(placement.scale * p.cast<double>()).cast<float>();
+  for (auto& p : mesh.positions) p = toFloat(motion(placement.scale * p.cast<double>()));
 }
 
 }  // namespace proveout

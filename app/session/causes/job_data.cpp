@@ -6,6 +6,8 @@
 #include <charconv>
 #include <string_view>
 
+#include "core/mesh/mesh_placement.h"
+
 namespace proveout {
 
 namespace {
@@ -122,6 +124,13 @@ double* transform(Job& job, std::size_t setup, std::string_view key) {
   return axis ? &job.setups[setup].from_previous.translation[*axis] : nullptr;
 }
 
+/// The axis of a key of a clamping's turn, "setup.NAME.transform.rotate.z".
+std::optional<Eigen::Index> turnAxis(const Job& job, std::size_t setup, std::string_view key) {
+  if (job.setups.empty() || setup == 0) return std::nullopt;
+  const std::string head = fmt::format("setup.{}.transform.rotate.", job.setups[setup].name);
+  return key.starts_with(head) ? axisOf(key.substr(head.size())) : std::nullopt;
+}
+
 double* parameter(ControlSettings& settings, std::string_view key) {
   take(key);  // the control
   return &settings.parameters.try_emplace(std::string(key), 0.0).first->second;
@@ -141,12 +150,20 @@ double* place(Job& job, std::size_t setup, std::string_view key) {
 }  // namespace
 
 std::optional<double> jobNumber(const Job& job, std::size_t setup, const std::string& key) {
+  if (const auto axis = turnAxis(job, setup, key)) return xyzDegOf(job.setups[setup].from_previous.rotation)[*axis];
   Job copy = job;
   const double* const at = place(copy, setup, key);
   return at == nullptr ? std::nullopt : std::optional(*at);
 }
 
 bool putJobNumber(Job& job, std::size_t setup, const std::string& key, double value) {
+  if (const auto axis = turnAxis(job, setup, key)) {
+    Eigen::Matrix3d& rotation = job.setups[setup].from_previous.rotation;
+    Vec3 angles = xyzDegOf(rotation);
+    angles[*axis] = value;
+    rotation = rotationXyzDeg(angles);
+    return true;
+  }
   double* const at = place(job, setup, key);
   if (at == nullptr) return false;
   *at = value;

@@ -1,5 +1,6 @@
 // Numbers of a job by the keys that messages name them with: "offsets.work.G54.x", "offsets.radius.1",
-// "tools.2.diameter", "control.wl4-lathe.RT.3", "setup.bottom.transform.translate.z".
+// "tools.2.diameter", "control.wl4-lathe.RT.3", "setup.bottom.transform.translate.z",
+// "setup.bottom.transform.rotate.z" (degrees).
 #pragma once
 
 #include <optional>

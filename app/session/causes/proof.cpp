@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <deque>
 #include <map>
 #include <set>
 
-#include "app/session/nominal/nominal_samples.h"
 #include "app/session/causes/suspects.h"
+#include "app/session/nominal/nominal_samples.h"
+#include "core/tool/tool_table.h"
 
 namespace proveout {
 
@@ -30,7 +32,7 @@ struct Outcome {
   const Suspect* suspect = nullptr;
   std::string with;
   std::optional<double> value;  ///< of a number
-  bool usual = false;           ///< that is one that it often should have
+  bool usual = false;           ///< that is one that it often should have, or another code
   std::vector<double> deviations;
   double spoiled = 0.0, cured = 0.0;  ///< shares of the points that were off
 };
@@ -138,7 +140,7 @@ class Proof {
 
   void tryOut(const Suspect& suspect, const std::vector<std::size_t>& points) {
     if (!tried_.insert(suspect.key).second) return;
-    for (const Suspect::Other& other : suspect.others) run(suspect, other.trial, other.text);
+    for (const Suspect::Other& other : suspect.others) run(suspect, other.trial, other.text, std::nullopt, !suspect.conventional);
     if (!suspect.put) return;
     for (const double value : suspect.usual) {
       const std::optional<Trial> trial = suspect.put(value);
@@ -160,9 +162,10 @@ class Proof {
     std::set<std::string> tried{suspect.text(x0)};
     bool gone = false;
     for (int round = 0; round < kRounds; ++round) {
-      x1 = rounded(x1, suspect);
+      if (!std::isfinite(x1)) return gone;
+      x1 = std::clamp(rounded(x1, suspect), suspect.least, suspect.most);
       const std::string with = suspect.text(x1);
-      if (!(x1 >= suspect.least && x1 <= suspect.most) || !tried.insert(with).second) return gone;
+      if (!tried.insert(with).second) return gone;
       const std::optional<Trial> trial = suspect.put(x1);
       const Outcome* const out = trial ? run(suspect, *trial, with, x1) : nullptr;
       if (out == nullptr) return gone;
@@ -218,11 +221,22 @@ class Proof {
     }
     std::vector<const Suspect*> out;
     for (Suspect& s : found) {
+      s.conventional = isOfItsTool(told, s.cause.value);
       const auto [at, added] = suspects_.try_emplace(s.key, std::move(s));
       if (added) at->second.rank = static_cast<int>(suspects_.size());
       if (std::find(out.begin(), out.end(), &at->second) == out.end()) out.push_back(&at->second);
     }
     return out;
+  }
+
+  /// Whether a word is D or H with the number of a tool that made the patch.
+  bool isOfItsTool(const PatchFinding& told, const std::string& word) const {
+    if (word.empty() || (word[0] != 'D' && word[0] != 'H')) return false;
+    const std::vector<MotionAt> behind = motionsBehind(*told.patch);
+    return std::any_of(behind.begin(), behind.end(), [&](const MotionAt& at) {
+      const int tool = run_.setups[at.first].interpreted.path.motions[at.second].tool;
+      return std::atoi(word.c_str() + 1) == tool;
+    });
   }
 
   static double signedDepth(const DeviationPatch& patch, double depth) {
@@ -283,25 +297,46 @@ class Proof {
     return out;
   }
 
-  /// Of each clamping the cut that came nearest to where material is left, one a block.
+  /// Of each clamping the cuts that came nearest to where material is left: first the nearest of each tool that came
+  /// near enough to be meant for it.
   void addNearest(const DeviationPatch& patch, std::vector<MotionAt>& out) const {
-    constexpr std::size_t kMostNearest = 3;
+    constexpr std::size_t kMostNearest = 3, kMostTools = 4;
     RigidTransform from_last;
     for (std::size_t k = run_.setups.size(); k-- > 0;) {
-      const Toolpath& path = run_.setups[k].interpreted.path;
-      const Vec3 p = from_last(patch.where);
-      std::vector<std::pair<double, MotionId>> nearest;
-      for (MotionId m = 0; m < path.motions.size(); ++m) {
-        if (path.motions[m].kind != MotionKind::kFeed) continue;
-        const Vec3 a = path.motions[m].from, way = path.motions[m].to - a;
-        const double t = way.isZero() ? 0.0 : std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-        nearest.emplace_back((a + t * way - p).norm(), m);
+      const std::vector<std::pair<double, MotionId>> nearest = byDistance(k, from_last(patch.where));
+      const auto& motions = run_.setups[k].interpreted.path.motions;
+      std::set<int> tools;
+      const auto add = [&](MotionId m) { out.emplace_back(static_cast<std::uint32_t>(k), m); };
+      for (const auto& [distance, m] : nearest) {
+        if (tools.size() == kMostTools || distance > nearReach(k, motions[m].tool) + patch.depth_mm) break;
+        if (tools.insert(motions[m].tool).second) add(m);
       }
-      const std::size_t count = std::min(kMostNearest, nearest.size());
-      std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count), nearest.end());
-      for (std::size_t i = 0; i < count; ++i) out.emplace_back(static_cast<std::uint32_t>(k), nearest[i].second);
+      for (std::size_t i = 0; i < std::min(kMostNearest, nearest.size()); ++i) add(nearest[i].second);
       from_last = run_.setups[k].from_previous.inverse() * from_last;
     }
+  }
+
+  /// Cuts of a clamping by how far their chord passes from a point.
+  std::vector<std::pair<double, MotionId>> byDistance(std::size_t setup, const Vec3& p) const {
+    const Toolpath& path = run_.setups[setup].interpreted.path;
+    std::vector<std::pair<double, MotionId>> out;
+    for (MotionId m = 0; m < path.motions.size(); ++m) {
+      if (path.motions[m].kind != MotionKind::kFeed) continue;
+      const Vec3 a = path.motions[m].from, way = path.motions[m].to - a;
+      const double t = way.isZero() ? 0.0 : std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      out.emplace_back((a + t * way - p).norm(), m);
+    }
+    constexpr std::size_t kMost = 2000;
+    const std::size_t count = std::min(kMost, out.size());
+    std::partial_sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(count), out.end());
+    out.resize(count);
+    return out;
+  }
+
+  /// How near a tool comes to what it is meant to cut.
+  double nearReach(std::size_t setup, int tool) const {
+    const Tool* const t = ToolTable(run_.setups[setup].job.tools).find(tool);
+    return t == nullptr ? 0.0 : t->diameter;
   }
 
   void tell(Finding& finding, const std::vector<std::size_t>& points, std::vector<const Outcome*> cures) const {
@@ -316,6 +351,7 @@ class Proof {
       const int cured_b = static_cast<int>(20.0 * (b->cured - b->spoiled));
       if (cured_a != cured_b) return cured_a > cured_b;
       if (a->usual != b->usual) return a->usual;
+      if (a->usual && digitsOf(*a) != digitsOf(*b)) return digitsOf(*a) < digitsOf(*b);
       if (a->suspect != b->suspect) return a->suspect->rank < b->suspect->rank;
       return restOf(a->deviations, points) < restOf(b->deviations, points);
     });
@@ -334,6 +370,18 @@ class Proof {
     // That a wire went without offset says more than which number would make up for it.
     if (stated) causes.insert(causes.begin(), finding.causes.front());
     finding.causes = std::move(causes);
+  }
+
+  /// Decimals that a number is written with: of two that fit each other the rounder one is right.
+  static int digitsOf(const Outcome& out) {
+    constexpr int kMostDigits = 4;
+    if (!out.value) return 0;
+    const double value = *out.value / std::max(1.0, out.suspect->per_mm);
+    double unit = 1.0;
+    for (int digits = 0; digits < kMostDigits; ++digits, unit *= 0.1) {
+      if (std::abs(std::round(value / unit) * unit - value) < 1e-9) return digits;
+    }
+    return kMostDigits;
   }
 
   static Cause causeOf(const Outcome& out, double left_mm, double depth_mm) {

@@ -210,7 +210,7 @@ std::optional<Suspect> suspectWord(const SuspectScene& scene, std::uint32_t setu
 
 namespace {
 
-/// Rows of D are mostly a tool's radius, work offsets where the workpiece lies, H 0 or a gauge length.
+/// What tools are sold with, and what people enter: rows of D are mostly a tool's radius, work offsets where the workpiece lies, H 0 or a gauge length.
 void addUsual(const SuspectScene& scene, std::uint32_t setup, const std::string& key, Suspect& out) {
   const Job& job = scene.run.setups[setup].job;
   const auto add = [&](double value) {
@@ -226,7 +226,17 @@ void addUsual(const SuspectScene& scene, std::uint32_t setup, const std::string&
     add((*job.settings.placement.origin)[key.back() - 'x'] - job.settings.common_offset[key.back() - 'x']);
   } else if (key.ends_with(".corner_radius")) {
     out.least = 0.0;
+    out.most = std::numeric_limits<double>::infinity();
     add(0.0);
+  } else if (key.ends_with(".cone_angle")) {
+    for (const double angle : {90.0, 60.0, 82.0, 120.0, 100.0}) add(angle);
+  } else if (key.ends_with(".point_angle")) {
+    for (const double angle : {118.0, 140.0, 90.0, 120.0, 130.0, 135.0}) add(angle);
+  } else if (key.ends_with(".diameter")) {  // as the row of its number says
+    constexpr double kAlike = 0.3;
+    const auto row = job.settings.radius_offsets.find(std::atoi(key.c_str() + std::string_view("tools.").size()));
+    const double twice = row == job.settings.radius_offsets.end() ? 0.0 : 2.0 * (row->second.geometry + row->second.wear);
+    if (std::abs(twice - out.value) <= kAlike * out.value) add(twice);
   }
 }
 
@@ -329,12 +339,24 @@ std::string_view wireWord(const std::string& text) {
   return "";
 }
 
+/// The wire whose radius and the gap are this offset: one of those that are sold, and not the tool's.
+std::optional<double> fittingWire(const Tool& tool, double offset_mm) {
+  constexpr double kFits = 1e-6;
+  for (const double diameter : {0.25, 0.2, 0.3, 0.15, 0.1}) {
+    if (std::abs(0.5 * diameter + tool.spark_gap - offset_mm) < kFits && std::abs(diameter - tool.diameter) > kFits)
+      return diameter;
+  }
+  return std::nullopt;
+}
+
 /// Wires' controls do not tell which modal words a motion was made with: those that stand last before it in its file.
-void addWireWords(const SuspectScene& scene, std::uint32_t setup, const SourceRef& at, double depth_mm,
-                  std::vector<Suspect>& out) {
+/// Returns the diameter of the wire that the row in force is made for, where that is another one than the job's.
+std::optional<double> addWireWords(const SuspectScene& scene, std::uint32_t setup, const SourceRef& at, const Tool* tool,
+                                   double depth_mm, std::vector<Suspect>& out) {
   constexpr std::uint32_t kMostLines = 5000;
   constexpr double kPerMm = 1000.0;  // rows of offsets count micrometres
   const Toolpath& path = scene.run.setups[setup].interpreted.path;
+  std::optional<double> fitting;
   std::vector<std::string> known;
   for (std::uint32_t line = at.line; line > 0 && at.line - line < kMostLines; --line) {
     for (const LineWord& w : wordsIn(scene.sources[setup]->line(path.files[at.file], line))) {
@@ -351,13 +373,23 @@ void addWireWords(const SuspectScene& scene, std::uint32_t setup, const SourceRe
       auto suspect = suspectWord(scene, setup, word, 0.0);
       if (!suspect) continue;
       suspect->cause.what = what;
-      suspect->first_step = what == "offset value" ? kPerMm * depth_mm : 1.0;
+      suspect->first_step = 1.0;
+      if (what == "offset value") {
+        suspect->first_step = kPerMm * depth_mm;
+        suspect->per_mm = kPerMm;
+        suspect->decimals = 0;
+        if (tool != nullptr) fitting = fittingWire(*tool, suspect->value / kPerMm);
+        // A value that another wire has to the micrometre is right, and the wire is not.
+        if (tool != nullptr && !fitting)
+          suspect->usual = {std::round(kPerMm * (0.5 * tool->diameter + tool->spark_gap))};
+      }
       if (what == "taper angle" && suspect->value != 0.0) suspect->usual = {-suspect->value};
       out.push_back(std::move(*suspect));
     }
   }
   // Codes are changed before numbers: a slip of one digit of a code is the commoner one, and there are few.
   std::stable_partition(out.begin(), out.end(), [](const Suspect& s) { return !s.others.empty(); });
+  return fitting;
 }
 
 /// The zero that was entered, where the workpiece lies elsewhere: wires' controls do not tell the offset in force.
@@ -371,6 +403,91 @@ void addZero(const SuspectScene& scene, std::uint32_t setup, std::vector<Suspect
   }
 }
 
+/// The planes of a wire's control that the job gives: leaning walls turn about one of them.
+void addPlanes(const SuspectScene& scene, std::uint32_t setup, std::vector<Suspect>& out) {
+  const SetupRun& run = scene.run.setups[setup];
+  const Box3 bounds = meshBounds(run.surface.mesh);
+  for (const char* const plane : {"ZM", "ZS"}) {
+    if (bounds.empty() || !run.job.settings.parameters.contains(plane)) continue;
+    auto suspect = suspectDatum(scene, setup, fmt::format("control.{}.{}", run.job.control, plane), 1.0);
+    if (!suspect) continue;
+    // At a face of the workpiece or not at all: any other height would make up for a wrong offset somewhere.
+    for (const double height : {bounds.min.z(), bounds.max.z()}) {
+      const auto trial = suspect->put(height);
+      if (std::abs(height - suspect->value) > 1e-9 && trial) suspect->others.push_back({suspect->text(height), *trial});
+    }
+    suspect->put = nullptr;
+    out.push_back(std::move(*suspect));
+  }
+}
+
+/// The numbers of the block that turned, scaled or mirrored what a motion goes along: only its code is an origin.
+void addTransformWords(const SuspectScene& scene, std::uint32_t setup, const std::vector<ResolvedOrigin>& words,
+                       double depth_mm, std::vector<Suspect>& out) {
+  constexpr double kDegreesPerMm = 3.0;  // about 20 mm from the centre
+  const Toolpath& path = scene.run.setups[setup].interpreted.path;
+  for (const ResolvedOrigin& code : words) {
+    const bool rotates = code.kind == kRotation;
+    if ((!rotates && code.kind != kScaling && code.kind != kMirror) || code.begin == 0) continue;
+    for (const LineWord& w : wordsIn(scene.sources[setup]->line(path.files[code.file], code.line))) {
+      if (std::string_view("GMNOT").find(w.text[0]) != std::string_view::npos) continue;
+      ResolvedOrigin word = code;
+      word.kind = kData;
+      word.begin = static_cast<std::uint16_t>(w.begin + 1);
+      word.text = w.text;
+      word.value = std::numeric_limits<double>::quiet_NaN();
+      auto suspect = suspectWord(scene, setup, word, depth_mm);
+      if (!suspect) continue;
+      suspect->cause.what = fmt::format("{} of {}", w.text[0], code.text);
+      if (rotates && w.text[0] == 'R') {
+        suspect->per_mm = kDegreesPerMm;
+        suspect->first_step = kDegreesPerMm * depth_mm;
+        for (const double angle : {0.0, -suspect->value}) {
+          if (angle != suspect->value) suspect->usual.push_back(angle);
+        }
+      }
+      out.push_back(std::move(*suspect));
+    }
+  }
+}
+
+/// The rows of the offset tables that the words of a motion call.
+void addRowValues(const SuspectScene& scene, std::uint32_t setup, const std::vector<ResolvedOrigin>& words,
+                  double depth_mm, std::vector<Suspect>& out) {
+  const auto add = [&](const std::string& key, double off_mm) {
+    if (auto suspect = suspectDatum(scene, setup, key, off_mm)) out.push_back(std::move(*suspect));
+  };
+  for (const ResolvedOrigin& word : words) {
+    const auto code = codeIn(word.text);
+    if (!code || code->number == 0) continue;
+    if (code->letter == 'D') add(fmt::format("offsets.radius.{}", code->number), -depth_mm);
+    if (code->letter == 'H') add(fmt::format("offsets.length.{}", code->number), depth_mm);
+    if (code->letter != 'G' || code->number < 54 || code->number > 59) continue;
+    for (const char axis : {'x', 'y', 'z'}) add(fmt::format("offsets.work.G{}.{}", code->number, axis), depth_mm);
+  }
+}
+
+/// How the part is moved and turned into a clamping.
+void addTransform(const SuspectScene& scene, std::uint32_t setup, double depth_mm, std::vector<Suspect>& out) {
+  const SetupRun& run = scene.run.setups[setup];
+  for (const char axis : {'x', 'y', 'z'}) {
+    const std::string key = fmt::format("setup.{}.transform.translate.{}", run.name, axis);
+    if (auto suspect = suspectDatum(scene, setup, key, -depth_mm)) out.push_back(std::move(*suspect));
+  }
+  const Box3 bounds = meshBounds(run.surface.mesh);
+  if (bounds.empty()) return;
+  const double degrees_per_mm = radToDeg(2.0 / bounds.size().maxCoeff());  // at the part's ends
+  for (const char axis : {'x', 'y', 'z'}) {
+    auto suspect = suspectDatum(scene, setup, fmt::format("setup.{}.transform.rotate.{}", run.name, axis),
+                                -depth_mm * degrees_per_mm);
+    if (!suspect) continue;
+    suspect->per_mm = degrees_per_mm;
+    const double quarter = 90.0 * std::round(suspect->value / 90.0);  // as most are clamped
+    if (quarter != suspect->value) suspect->usual = {quarter};
+    out.push_back(std::move(*suspect));
+  }
+}
+
 }  // namespace
 
 std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, MotionId motion, double depth_mm) {
@@ -380,12 +497,18 @@ std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, 
   if (motion >= path.motions.size()) return out;
   const LineText text = lineText(path, *scene.sources[setup]);
   const SourceRef& source = path.motions[motion].source;
+  const Tool* const tool = ToolTable(run.job.tools).ofMotion(path.motions[motion].tool);
+  std::optional<double> fitting;
   if (path.motions[motion].wire >= 0 && scene.sources[setup]->has(path.files[source.file])) {
-    addWireWords(scene, setup, source, depth_mm, out);
+    fitting = addWireWords(scene, setup, source, tool, depth_mm, out);
     addZero(scene, setup, out);
+    addPlanes(scene, setup, out);
   }
   if (source.origins >= 0) {
-    for (const ResolvedOrigin& word : originsOf(path, motion, text)) addWord(scene, setup, word, -depth_mm, out);
+    const std::vector<ResolvedOrigin> words = originsOf(path, motion, text);
+    for (const ResolvedOrigin& word : words) addWord(scene, setup, word, -depth_mm, out);
+    addTransformWords(scene, setup, words, depth_mm, out);
+    addRowValues(scene, setup, words, depth_mm, out);
   }
   ResolvedOrigin own;
   own.file = source.file;
@@ -399,18 +522,19 @@ std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, 
     const ResolvedOrigin outer = call->from.front();
     call = outer;
   }
-  if (const Tool* tool = ToolTable(run.job.tools).ofMotion(path.motions[motion].tool)) {
+  if (tool != nullptr) {
     for (const std::string& key : toolKeys(*tool)) {
       const bool angle = key.ends_with("_angle");
       constexpr double kAngleStep = 5.0;
-      const double step = angle ? kAngleStep : key.ends_with("corner_radius") ? depth_mm / 0.4142 : depth_mm;
-      if (auto suspect = suspectDatum(scene, setup, key, -step)) out.push_back(std::move(*suspect));
+      // A larger corner leaves more, a larger cutter less; a corner stands 0.4142 of its radius out of the edge.
+      const double step = angle ? kAngleStep : key.ends_with("corner_radius") ? -depth_mm / 0.4142 : depth_mm;
+      auto suspect = suspectDatum(scene, setup, key, -step);
+      if (!suspect) continue;
+      if (fitting && key.ends_with(".diameter")) suspect->usual = {*fitting};
+      out.push_back(std::move(*suspect));
     }
   }
-  for (const char axis : {'x', 'y', 'z'}) {
-    const std::string key = fmt::format("setup.{}.transform.translate.{}", run.name, axis);
-    if (auto suspect = suspectDatum(scene, setup, key, -depth_mm)) out.push_back(std::move(*suspect));
-  }
+  addTransform(scene, setup, depth_mm, out);
   return out;
 }
 

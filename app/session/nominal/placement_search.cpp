@@ -85,6 +85,11 @@ std::vector<Vec3> movesOnto(const Box3& body, const Box3& part, double within_mm
   return out;
 }
 
+/// How many keys of a job say it.
+int entriesOf(const MeshPlacement& change) {
+  return (change.scale != 1.0 ? 1 : 0) + (change.rotate_deg.isZero(0.0) ? 0 : 1) + (change.move.isZero(0.0) ? 0 : 1);
+}
+
 bool mayFit(const Box3& body, const Box3& part) {
   const Vec3 size = body.size(), most = kSlack * part.size();
   return (size.array() <= most.array()).all() && size.maxCoeff() >= kLeastSize * part.size().maxCoeff();
@@ -136,14 +141,15 @@ std::optional<FoundPlacement> searchPlacement(const TriMesh& nominal, const TriM
         change.move = move;
         if (!judge.promising(change)) continue;
         const Agreement agreement = judge.all(change);
-        if (agreement.off >= best.off - kBetter) continue;
+        const bool simpler = agreement.off <= best.off + kBetter && entriesOf(change) < entriesOf(found.change);
+        if (agreement.off >= best.off - kBetter && !(simpler && !found.change.none())) continue;
         best = agreement;
         found.change = change;
       }
     }
   }
   found.after = best.share;
-  if (found.after < kMost || 1.0 - found.after > 0.5 * (1.0 - found.before)) return std::nullopt;
+  if (found.change.none() || found.after < kMost || 1.0 - found.after > 0.5 * (1.0 - found.before)) return std::nullopt;
   return found;
 }
 

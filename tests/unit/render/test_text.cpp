@@ -33,7 +33,8 @@ TEST(Font, TailsHangBelowTheBaseLine) {
   };
   for (const char c : std::string_view("gjpqy,;_")) EXPECT_TRUE(hangs(c)) << c;
   for (char c = ' '; c <= '~'; ++c) {
-    if (std::string_view("gjpqy,;_").find(c) == std::string_view::npos) EXPECT_FALSE(hangs(c)) << c;
+    const bool tailed = std::string_view("gjpqy,;_").find(c) != std::string_view::npos;
+    EXPECT_TRUE(tailed || !hangs(c)) << c;
   }
 }
 
