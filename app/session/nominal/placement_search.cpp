@@ -109,8 +109,6 @@ double commonShare(const Box3& box, const Box3& other) {
   return (common.array() / box.size().array()).prod();
 }
 
-constexpr const char* kElsewhere = "the nominal does not lie where the part does, and is not compared: ";
-
 /// What to enter, in a job or on the command line.
 std::string entries(const MeshPlacement& given, const MeshPlacement& change, MeshUnit unit) {
   const std::string options = placementOptions(given, change);
@@ -122,6 +120,44 @@ std::string entries(const MeshPlacement& given, const MeshPlacement& change, Mes
 std::optional<MeshPlacement> otherUnit(const Box3& own, const Box3& wanted) {
   const auto evident = evidentPlacement(own, wanted);
   return evident && evident->scale != 1.0 ? evident : std::nullopt;
+}
+
+constexpr double kOut = 0.01;  // of its size: by less a blank may have been sawn short
+
+/// How the bounds of a nominal lie to those of the part and of the space in which it was made.
+struct Outline {
+  Box3 own, room;
+  double out_mm = 0.0;    ///< by how much it reaches out of that space
+  bool outside = false;   ///< by more than a blank may be short
+  std::optional<MeshPlacement> evident;
+  bool onto_part = false; ///< that change brings it onto the part's bounds, not the space's
+
+  bool rescaled() const { return evident && evident->scale != 1.0; }
+  bool turned() const { return evident && !evident->rotate_deg.isZero(0.0); }
+};
+
+Outline outlineOf(const TriMesh& nominal, const PartSpace& space) {
+  const Box3 part = meshBounds(space.part);
+  Outline out;
+  out.own = meshBounds(nominal);
+  out.room = space.blank.value_or(part);
+  out.out_mm = std::max((out.room.min - out.own.min).maxCoeff(), (out.own.max - out.room.max).maxCoeff());
+  out.outside = out.out_mm > kOut * out.own.size().maxCoeff();
+  out.evident = evidentPlacement(out.own, part);
+  out.onto_part = out.evident.has_value();
+  if (!out.evident && out.outside) out.evident = evidentPlacement(out.own, out.room);
+  if (!out.evident) out.evident = otherUnit(out.own, out.room);
+  return out;
+}
+
+/// What looks wrong about the bounds, "reaches 3 mm out of the blank (...)"; empty: nothing.
+std::string suspicion(const Outline& outline, const PartSpace& space) {
+  const char* const room = space.blank ? "blank" : "part";
+  const double told_mm = space.blank ? space.within_mm : kOut * outline.own.size().maxCoeff();
+  if (outline.out_mm > told_mm)
+    return fmt::format("reaches {:.4g} mm out of the {} ({})", outline.out_mm, room, boundsText(outline.own));
+  if (outline.rescaled()) return fmt::format("is much smaller than the {} ({})", room, boundsText(outline.own));
+  return outline.evident ? "may lie elsewhere than the part" : "";
 }
 
 }  // namespace
@@ -155,47 +191,34 @@ std::optional<FoundPlacement> searchPlacement(const TriMesh& nominal, const TriM
 
 PlacementFault placementFault(const TriMesh& nominal, const MeshPlacement& given, MeshUnit unit,
                               const PartSpace& space) {
-  constexpr double kOut = 0.01;    // of its size: less may be a blank that was sawn short
-  constexpr double kWithin = 0.5;  // of its bounds: of less lies where there was material
-  const Box3 own = meshBounds(nominal), part = meshBounds(space.part), room = space.blank.value_or(part);
-  if (boundsAgree(own, part)) return {};
-  const double out = std::max((room.min - own.min).maxCoeff(), (own.max - room.max).maxCoeff());
-  const bool outside = out > kOut * own.size().maxCoeff();
-  auto evident = evidentPlacement(own, part);
-  const bool onto_part = evident.has_value();
-  if (!evident && outside) evident = evidentPlacement(own, room);
-  if (!evident && !boundsAgree(own, room)) evident = otherUnit(own, room);
+  const Outline outline = outlineOf(nominal, space);
+  if (boundsAgree(outline.own, meshBounds(space.part))) return {};
   PlacementFault fault;
-  fault.rescaled = evident && evident->scale != 1.0;
-  const bool turned = evident && !evident->rotate_deg.isZero(0.0);
-  if (outside || turned || fault.rescaled || !space.blank) {
+  fault.rescaled = outline.rescaled();
+  if (outline.outside || outline.turned() || fault.rescaled || !space.blank) {
     const auto found = searchPlacement(nominal, space.part, space.within_mm);
     const bool moved_alone = found && found->change.scale == 1.0 && found->change.rotate_deg.isZero(0.0);
     if (found && !(space.clamped_again && moved_alone)) {
       fault.comparable = false;
       fault.rescaled = found->change.scale != 1.0;
-      fault.text = fmt::format("{}{} it would lie on the part with {} of its surface (now {}); {}", kElsewhere,
+      fault.text = fmt::format("the nominal does not lie where the part does, and is not compared: {} it would lie on "
+                               "the part with {} of its surface (now {}); {}",
                                placementText(found->change, unit), percent(found->after), percent(found->before),
                                entries(given, found->change, unit));
       return fault;
     }
   }
-  fault.comparable = !fault.rescaled && !(outside && (turned || commonShare(own, room) < kWithin));
-  const double told_mm = space.blank ? space.within_mm : kOut * own.size().maxCoeff();
-  if (out > told_mm) {
-    fault.text = fmt::format("reaches {:.4g} mm out of the {} ({})", out, space.blank ? "blank" : "part", boundsText(own));
-  } else if (fault.rescaled) {
-    fault.text = fmt::format("is much smaller than the {} ({})", space.blank ? "blank" : "part", boundsText(own));
-  } else if (evident) {
-    fault.text = "may lie elsewhere than the part";
-  } else {
-    return {};
-  }
-  fault.text = (fault.comparable ? "the nominal " : "the nominal is not compared: it ") + fault.text + "; ";
-  fault.text += evident ? fmt::format("{} its bounds would agree with those of the {}; {}",
-                                      placementText(*evident, unit), onto_part ? "machined part" : "blank",
-                                      entries(given, *evident, unit))
-                        : "check its unit, its place and its axes (unit, scale, rotate and move under [nominal])";
+  constexpr double kWithin = 0.5;  // of its bounds: of less lies where there was material
+  const bool elsewhere = outline.outside && (outline.turned() || commonShare(outline.own, outline.room) < kWithin);
+  fault.comparable = !fault.rescaled && !elsewhere;
+  const std::string what = suspicion(outline, space);
+  if (what.empty()) return {};
+  fault.text = (fault.comparable ? "the nominal " : "the nominal is not compared: it ") + what + "; ";
+  fault.text += outline.evident
+                    ? fmt::format("{} its bounds would agree with those of the {}; {}",
+                                  placementText(*outline.evident, unit), outline.onto_part ? "machined part" : "blank",
+                                  entries(given, *outline.evident, unit))
+                    : "check its unit, its place and its axes (unit, scale, rotate and move under [nominal])";
   return fault;
 }
 
