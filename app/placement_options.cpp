@@ -5,7 +5,8 @@
 
 namespace proveout {
 
-Result<Vec3> parseTriple(const std::string& option, const std::string& text, double most, const std::string& what) {
+Result<Vec3> parseTriple(const std::string& option, const std::string& text, double most,
+                         const std::string& what) {
   Vec3 out;
   const char* at = text.data();
   const char* const end = text.data() + text.size();
@@ -26,8 +27,8 @@ Status applyPlacement(const NominalOptions& options, MeshPlacement& placement) {
     placement.move = *at;
   }
   if (options.rotate) {
-    const Result<Vec3> turn =
-        parseTriple("--nominal-rotate", *options.rotate, 360.0, "three angles from -360 to 360 degrees: A,B,C");
+    const Result<Vec3> turn = parseTriple("--nominal-rotate", *options.rotate, 360.0,
+                                          "three angles from -360 to 360 degrees: A,B,C");
     if (!turn) return turn.error();
     placement.rotate_deg = *turn;
   }

@@ -17,9 +17,10 @@ struct NominalOptions {
   bool given() const { return at || rotate; }
 };
 
-/// Three finite numbers with commas between, each within `most`. Errors: what is no such text, with the option's
-/// name and `what` it should be.
-Result<Vec3> parseTriple(const std::string& option, const std::string& text, double most, const std::string& what);
+/// Three finite numbers with commas between, each within `most`. Errors: what is no such text, with the
+/// option's name and `what` it should be.
+Result<Vec3> parseTriple(const std::string& option, const std::string& text, double most,
+                         const std::string& what);
 
 /// Puts what is given in place of what the placement says.
 Status applyPlacement(const NominalOptions& options, MeshPlacement& placement);

@@ -6,11 +6,12 @@
 
 namespace proveout {
 
-/// A change of place and size: scaled about the origin, turned about the fixed X axis, then Y, then Z, and moved.
+/// A change of place and size: scaled about the origin, turned about the fixed X axis, then Y, then Z, and
+/// moved.
 struct MeshPlacement {
-  double scale = 1.0;               ///< > 0
-  Vec3 rotate_deg = Vec3::Zero();   ///< about X, Y and Z, right-hand rule, degrees
-  Vec3 move = Vec3::Zero();         ///< mm, along the axes of the frame that the model is put into
+  double scale = 1.0;              ///< > 0
+  Vec3 rotate_deg = Vec3::Zero();  ///< about X, Y and Z, right-hand rule, degrees
+  Vec3 move = Vec3::Zero();        ///< mm, along the axes of the frame that the model is put into
 
   bool none() const { return scale == 1.0 && rotate_deg.isZero(0.0) && move.isZero(0.0); }
   RigidTransform motion() const { return {rotationXyzDeg(rotate_deg), move}; }
@@ -20,7 +21,8 @@ struct MeshPlacement {
 /// `first`, then `second`. Angles are exact where both turn by multiples of 90 degrees.
 MeshPlacement chained(const MeshPlacement& first, const MeshPlacement& second);
 
-/// The angles about the fixed X, Y and Z axes that rotationXyzDeg makes the rotation of, each within -180..180.
+/// The angles about the fixed X, Y and Z axes that rotationXyzDeg makes the rotation of, each within
+/// -180..180.
 Vec3 xyzDegOf(const Eigen::Matrix3d& rotation);
 
 /// Puts every point of the mesh where the placement says; coordinates are rounded to single precision.

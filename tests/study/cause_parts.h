@@ -1,4 +1,5 @@
-// Parts whose sizes, tools and places follow from a seed, with one mistake of a kind each: for the study of causes.
+// Parts whose sizes, tools and places follow from a seed, with one mistake of a kind each: for the study of
+// causes.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +24,15 @@ struct StudyJob {
 
 /// What is wrong, and what has to be named.
 struct Mistake {
-  std::string kind;             ///< a row of the table
-  std::string what;             ///< the word or key, for complaints
+  std::string kind;  ///< a row of the table
+  std::string what;  ///< the word or key, for complaints
   Plan plan;
   std::set<std::string> words;  ///< names in StudyJob::lines of which one has to be named
   std::set<std::string> data;   ///< keys of the job of which one has to be named
 };
 
-/// A milled plate in two clampings: contour pocket, row of holes by a repeat count, turned groove (G68), countersinks,
-/// groove along an arc in G18, counterbore on the back.
+/// A milled plate in two clampings: contour pocket, row of holes by a repeat count, turned groove (G68),
+/// countersinks, groove along an arc in G18, counterbore on the back.
 StudyJob platesJob(std::uint32_t seed, const Plan& plan);
 Mistake platesMistake(std::uint32_t seed);
 

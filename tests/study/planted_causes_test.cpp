@@ -1,4 +1,5 @@
-// The cause that is told first of a part with one mistake, on parts that seeds make: in how many it is the mistake.
+// The cause that is told first of a part with one mistake, on parts that seeds make: in how many it is the
+// mistake.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +33,8 @@ Result<RunResult> run(const test::TemporaryFolder& folder, const StudyJob& job, 
   }
   Diagnostics diagnostics;
   std::optional<Job> loaded = loadJob(folder.path("job.toml"), knownJobNames(), diagnostics);
-  if (!loaded) return inputError(diagnostics.all().empty() ? "no job" : formatDiagnostic(diagnostics.all().front()));
+  if (!loaded)
+    return inputError(diagnostics.all().empty() ? "no job" : formatDiagnostic(diagnostics.all().front()));
   if (!with_nominal) {
     loaded->simulation.resolution_mm = 0.2;
     loaded->simulation.simplify_mm = 1e-3;
@@ -48,7 +50,8 @@ bool names(const Cause& cause, const Mistake& mistake, const StudyJob& job) {
       const auto at = job.lines.find(word);
       const std::string file = word.substr(0, word.find(':'));
       return at != job.lines.end() && static_cast<std::uint32_t>(at->second) == ref.line &&
-             ref.file.size() >= file.size() && ref.file.compare(ref.file.size() - file.size(), file.size(), file) == 0;
+             ref.file.size() >= file.size() &&
+             ref.file.compare(ref.file.size() - file.size(), file.size(), file) == 0;
     });
   };
   return (cause.source && is(*cause.source)) || std::any_of(cause.from.begin(), cause.from.end(), is);
@@ -79,8 +82,8 @@ const Finding* decisive(const RunResult& run) {
   return best;
 }
 
-/// Which cause of the finding that decides is the mistake; 0: the first; -1: none. An alarm, and a spindle that stands,
-/// name their block.
+/// Which cause of the finding that decides is the mistake; 0: the first; -1: none. An alarm, and a spindle
+/// that stands, name their block.
 int placeOf(const Finding& f, const RunResult& run, const Mistake& mistake, const StudyJob& job) {
   if (f.kind == FindingKind::kAlarm) return 0;
   const auto place = [&](const Finding& finding) {
@@ -132,8 +135,8 @@ void examine(std::uint32_t seed, MakeJob make, MakeMistake mistakeOf, bool tells
   row.first += place == 0;
   row.among_three += place >= 0 && place < 3;
   if (place == 0 || !tells) return;
-  table.complaints.push_back(fmt::format("{}: place {}: {} {}{}", label, place, findingKindName(f->kind), f->message,
-                                         causesText(*f)));
+  table.complaints.push_back(fmt::format("{}: place {}: {} {}{}", label, place, findingKindName(f->kind),
+                                         f->message, causesText(*f)));
 }
 
 Row print(const Table& table) {

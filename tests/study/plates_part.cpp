@@ -86,7 +86,11 @@ class Top {
     }
     w.block(fmt::format("Y{:g}", ym));
     const bool cw = p.comp_right;
-    w.text("pocket_side", cw ? "G42" : "G41").text("pocket_d", "D1").word("X", "pocket_start", xm).put(fmt::format("Y{:g} F600", y0)).end();
+    w.text("pocket_side", cw ? "G42" : "G41")
+        .text("pocket_d", "D1")
+        .word("X", "pocket_start", xm)
+        .put(fmt::format("Y{:g} F600", y0))
+        .end();
     const std::string turn = cw ? "G2" : "G3";
     const auto corner = [&](const std::string& name, double x, double y) {
       w.text(name, turn).put(fmt::format("X{:g} Y{:g} R{:g}", x, y, r)).end();
@@ -118,14 +122,20 @@ class Top {
   void holes() {
     tool(2, "hole_m3", p.hole_x, p.hole_y);
     w.text("hole_level", "G99").put("G81").word("Z", "hole_z", p.hole_z).put("R2 F200").end();
-    w.text("hole_step", "G91").word("X", "hole_pitch", p.pitch).put("L" + Writer::number(plan_.of("hole_l", p.repeats))).end();
+    w.text("hole_step", "G91")
+        .word("X", "hole_pitch", p.pitch)
+        .put("L" + Writer::number(plan_.of("hole_l", p.repeats)))
+        .end();
     w.block("G90 G80");
     w.block("G0 Z50");
   }
 
   void sinks() {
     tool(4, "sink_m3", p.hole_x, p.hole_y);
-    w.put("G99 G81").word("Z", "sink_z", -(p.drill / 2 + 0.8) / std::tan(degToRad(p.sink / 2))).put("R2 F200").end();
+    w.put("G99 G81")
+        .word("Z", "sink_z", -(p.drill / 2 + 0.8) / std::tan(degToRad(p.sink / 2)))
+        .put("R2 F200")
+        .end();
     w.block(fmt::format("X{:g}", p.hole_x + p.pitch));
     w.block("G80");
     w.block("G0 Z50");
@@ -133,7 +143,11 @@ class Top {
 
   void groove() {
     tool(3, "groove_m3", p.groove_x, p.groove_y);
-    w.text("turn", "G68").word("X", "turn_x", p.groove_x).word("Y", "turn_y", p.groove_y).word("R", "turn_r", p.groove_angle).end();
+    w.text("turn", "G68")
+        .word("X", "turn_x", p.groove_x)
+        .word("Y", "turn_y", p.groove_y)
+        .word("R", "turn_r", p.groove_angle)
+        .end();
     w.block(fmt::format("G0 X{:g} Y{:g}", p.groove_x - p.groove_half, p.groove_y));
     w.block("G0 Z2");
     w.put("G1").word("Z", "groove_z", p.groove_z).put("F200").end();
@@ -147,7 +161,12 @@ class Top {
     tool(5, "arc_m3", p.arc_x - p.arc_half, p.arc_y);
     w.block("G0 Z2");
     w.block("G1 Z0 F200");
-    w.text("plane", "G18").text("arc_turn", "G2").put(fmt::format("X{:g} Z0", p.arc_x + p.arc_half)).word("R", "arc_r", p.arc_r).put("F300").end();
+    w.text("plane", "G18")
+        .text("arc_turn", "G2")
+        .put(fmt::format("X{:g} Z0", p.arc_x + p.arc_half))
+        .word("R", "arc_r", p.arc_r)
+        .put("F300")
+        .end();
     w.block("G17 G0 Z50");
   }
 
@@ -204,27 +223,33 @@ class PlateJob {
     const double translate[] = {0, p.depth, -p.height};
     out_ += "[setup.transform]\n";
     out_ += fmt::format("rotate = [180, 0, {}]\n", number("setup.back.transform.rotate.z", 0));
-    out_ += fmt::format("translate = [{}, {}, {}]\n", number("setup.back.transform.translate.x", translate[0]),
-                        number("setup.back.transform.translate.y", translate[1]),
-                        number("setup.back.transform.translate.z", translate[2]));
+    out_ +=
+        fmt::format("translate = [{}, {}, {}]\n", number("setup.back.transform.translate.x", translate[0]),
+                    number("setup.back.transform.translate.y", translate[1]),
+                    number("setup.back.transform.translate.z", translate[2]));
     return out_;
   }
 
  private:
-  std::string number(const std::string& key, double right) const { return Writer::number(plan_.of(key, right)); }
+  std::string number(const std::string& key, double right) const {
+    return Writer::number(plan_.of(key, right));
+  }
   void tool(int number_, const char* type, const std::vector<std::pair<const char*, double>>& keys) {
     out_ += fmt::format("[[tool]]\nnumber = {}\ntype = \"{}\"\n", number_, type);
     for (const auto& [key, value] : keys)
       out_ += fmt::format("{} = {}\n", key, number(fmt::format("tools.{}.{}", number_, key), value));
   }
-  void setup(const std::string& name, const std::string& system, const Vec3& zero, const std::vector<int>& tools) {
-    out_ += fmt::format("[[setup]]\nname = \"{}\"\nprogram = \"{}.nc\"\n[setup.offsets.work]\n{} = [", name, name, system);
+  void setup(const std::string& name, const std::string& system, const Vec3& zero,
+             const std::vector<int>& tools) {
+    out_ += fmt::format("[[setup]]\nname = \"{}\"\nprogram = \"{}.nc\"\n[setup.offsets.work]\n{} = [", name,
+                        name, system);
     for (int axis = 0; axis < 3; ++axis) {
       const std::string key = fmt::format("offsets.work.{}.{}", system, "xyz"[axis]);
       out_ += number(key, zero[axis]) + (axis < 2 ? ", " : "]\n");
     }
     out_ += "[setup.offsets.length]\n";
-    for (const int t : tools) out_ += fmt::format("{} = {}\n", t, number(fmt::format("offsets.length.{}", t), 0));
+    for (const int t : tools)
+      out_ += fmt::format("{} = {}\n", t, number(fmt::format("offsets.length.{}", t), 0));
     out_ += "[setup.offsets.radius]\n";
     for (const int t : tools)
       out_ += fmt::format("{} = {}\n", t, t == 1 ? number("offsets.radius.1", p.mill / 2) : "0");
@@ -237,11 +262,12 @@ class PlateJob {
   std::string out_;
 };
 
-constexpr const char* kTopNames[] = {"zero",      "pocket_z",  "pocket_side", "pocket_d",   "pocket_start", "pocket_x1", "pocket_y1",
-                                     "corner_1",  "corner_2",  "corner_3",    "corner_4",   "hole_level",   "hole_z",    "hole_step",
-                                     "hole_pitch", "sink_z",   "turn",        "turn_x",     "turn_y",       "turn_r",    "groove_z",
-                                     "groove_x",  "unturn",    "plane",       "arc_turn",   "arc_r",        "pocket_m3", "hole_m3",
-                                     "sink_m3",   "groove_m3", "arc_m3"};
+constexpr const char* kTopNames[] = {
+    "zero",       "pocket_z",  "pocket_side", "pocket_d", "pocket_start", "pocket_x1", "pocket_y1",
+    "corner_1",   "corner_2",  "corner_3",    "corner_4", "hole_level",   "hole_z",    "hole_step",
+    "hole_pitch", "sink_z",    "turn",        "turn_x",   "turn_y",       "turn_r",    "groove_z",
+    "groove_x",   "unturn",    "plane",       "arc_turn", "arc_r",        "pocket_m3", "hole_m3",
+    "sink_m3",    "groove_m3", "arc_m3"};
 constexpr const char* kBackNames[] = {"zero", "bore_z", "bore_x", "bore_turn", "bore_i", "bore_m3"};
 
 Mistake value(const char* kind, const std::string& name, double wrong, bool datum = false) {
@@ -292,17 +318,21 @@ Mistake platesMistake(std::uint32_t seed) {
     case 0:
       return value("zero", "offsets.work.G54." + xyz, p.zero[axis] + signedSize(random, 0.08, 1.5), true);
     case 1:
-      return value("second setup's zero", "offsets.work.G55." + xyz, p.back_zero[axis] + signedSize(random, 0.08, 1.5), true);
+      return value("second setup's zero", "offsets.work.G55." + xyz,
+                   p.back_zero[axis] + signedSize(random, 0.08, 1.5), true);
     case 2: {
       const double s = 2.0 * signedSize(random, 0.06, 0.4);
       return value("tool diameter", "tools.1.diameter", p.mill + s, true);
     }
     case 3:
-      return value("corner radius", "tools.3.corner_radius", random() % 2 == 0 ? p.corner + 0.75 : std::max(0.0, p.corner - 0.4), true);
+      return value("corner radius", "tools.3.corner_radius",
+                   random() % 2 == 0 ? p.corner + 0.75 : std::max(0.0, p.corner - 0.4), true);
     case 4:
-      return value("cone angle", "tools.4.cone_angle", p.sink == 90 ? (random() % 2 == 0 ? 82 : 60) : (random() % 2 == 0 ? 90 : 82), true);
+      return value("cone angle", "tools.4.cone_angle",
+                   p.sink == 90 ? (random() % 2 == 0 ? 82 : 60) : (random() % 2 == 0 ? 90 : 82), true);
     case 5:
-      if (random() % 2 == 0) return value("drill", "tools.2.diameter", p.drill + signedSize(random, 0.15, 0.8), true);
+      if (random() % 2 == 0)
+        return value("drill", "tools.2.diameter", p.drill + signedSize(random, 0.15, 0.8), true);
       return value("drill", "tools.2.point_angle", p.point == 118 ? 140 : 118, true);
     case 6: {
       Mistake m = value("repeats", "hole_l", p.repeats + (random() % 2 == 0 ? 1 : -1));
@@ -320,7 +350,9 @@ Mistake platesMistake(std::uint32_t seed) {
     case 10:
       switch (random() % 3) {
         case 0: {
-          Mistake m = value("G68", "turn_r", p.groove_angle + (random() % 2 == 0 ? 1 : -1) * (2.0 + static_cast<double>(random() % 20)));
+          Mistake m = value(
+              "G68", "turn_r",
+              p.groove_angle + (random() % 2 == 0 ? 1 : -1) * (2.0 + static_cast<double>(random() % 20)));
           m.words = {"top.nc:turn"};
           return m;
         }
@@ -343,7 +375,8 @@ Mistake platesMistake(std::uint32_t seed) {
       if (random() % 4 == 0)
         return value("transform", "setup.back.transform.rotate.z", random() % 2 == 0 ? 0.5 : -1.0, true);
       const double right[] = {0, p.depth, -p.height};
-      return value("transform", "setup.back.transform.translate." + xyz, right[axis] + signedSize(random, 0.08, 1.5), true);
+      return value("transform", "setup.back.transform.translate." + xyz,
+                   right[axis] + signedSize(random, 0.08, 1.5), true);
     }
     default: {
       const std::string side = p.comp_right ? "G42" : "G41", other = p.comp_right ? "G41" : "G42";
@@ -355,7 +388,8 @@ Mistake platesMistake(std::uint32_t seed) {
         case 2:
           return text("incremental", "top.nc", "hole_step", "G90");
         default:
-          return value("radius row", "offsets.radius.1", random() % 2 == 0 ? 0.0 : p.mill / 2 + signedSize(random, 0.06, 0.5), true);
+          return value("radius row", "offsets.radius.1",
+                       random() % 2 == 0 ? 0.0 : p.mill / 2 + signedSize(random, 0.06, 0.5), true);
       }
     }
   }

@@ -40,14 +40,25 @@ Writer program(const Die& d, const Plan& plan) {
   w.block("G92 X0 Y0;");
   w.block("C001;");
   w.put("G52 A0").text("side", "G42").put("H001 G01 " + wordOf("Y", y) + ";").end();
-  w.text("lean", lean).text("angle", wordOf("A", plan.of("angle", d.lean))).text("x1", wordOf("X", plan.of("x1", x - r)) + ";").end();
-  w.text("corner_1", "G02").put(wordOf("X", x) + " " + wordOf("Y", y - r) + " I0 " + wordOf("J", -r) + ";").end();
+  w.text("lean", lean)
+      .text("angle", wordOf("A", plan.of("angle", d.lean)))
+      .text("x1", wordOf("X", plan.of("x1", x - r)) + ";")
+      .end();
+  w.text("corner_1", "G02")
+      .put(wordOf("X", x) + " " + wordOf("Y", y - r) + " I0 " + wordOf("J", -r) + ";")
+      .end();
   w.put("G01").text("y1", wordOf("Y", plan.of("y1", -y + r)) + ";").end();
-  w.text("corner_2", "G02").put(wordOf("X", x - r) + " " + wordOf("Y", -y) + " " + wordOf("I", -r) + " J0;").end();
+  w.text("corner_2", "G02")
+      .put(wordOf("X", x - r) + " " + wordOf("Y", -y) + " " + wordOf("I", -r) + " J0;")
+      .end();
   w.block("G01 " + wordOf("X", -x + r) + ";");
-  w.text("corner_3", "G02").put(wordOf("X", -x) + " " + wordOf("Y", -y + r) + " I0 " + wordOf("J", r) + ";").end();
+  w.text("corner_3", "G02")
+      .put(wordOf("X", -x) + " " + wordOf("Y", -y + r) + " I0 " + wordOf("J", r) + ";")
+      .end();
   w.block("G01 " + wordOf("Y", y - r) + ";");
-  w.text("corner_4", "G02").put(wordOf("X", -x + r) + " " + wordOf("Y", y) + " " + wordOf("I", r) + " J0;").end();
+  w.text("corner_4", "G02")
+      .put(wordOf("X", -x + r) + " " + wordOf("Y", y) + " " + wordOf("I", r) + " J0;")
+      .end();
   w.block("G01 X0;");
   w.block("G40 G50 A0 Y0;");
   w.block("T85 T87;");
@@ -58,9 +69,11 @@ Writer program(const Die& d, const Plan& plan) {
 std::string job(const Die& d, const Plan& plan) {
   const auto number = [&](const char* key, double right) { return Writer::number(plan.of(key, right)); };
   const double x = d.half_x + 8, y = d.half_y + 8;
-  std::string out = "schema = \"proveout.job/1\"\nname = \"die\"\nprogram = \"die.nc\"\n[control]\nname = \"wedm\"\n";
+  std::string out =
+      "schema = \"proveout.job/1\"\nname = \"die\"\nprogram = \"die.nc\"\n[control]\nname = \"wedm\"\n";
   out += fmt::format("[control.wedm]\nZM = {}\nZS = 0\n", number("control.wedm.ZM", d.height));
-  out += fmt::format("[stock]\nshape = \"box\"\nmin = [{:g}, {:g}, 0]\nmax = [{:g}, {:g}, {:g}]\n", -x, -y, x, y, d.height);
+  out += fmt::format("[stock]\nshape = \"box\"\nmin = [{:g}, {:g}, 0]\nmax = [{:g}, {:g}, {:g}]\n", -x, -y, x,
+                     y, d.height);
   out += "start_hole = [{ at = [0, 0], diameter = 3 }]\npart_point = [" + Writer::number(x - 1) + ", 0, 1]\n";
   out += fmt::format("[[tool]]\nnumber = 1\ntype = \"wire\"\ndiameter = {}\nspark_gap = {}\n",
                      number("tools.1.diameter", d.wire), number("tools.1.spark_gap", d.gap));
@@ -89,7 +102,8 @@ StudyJob wireJob(std::uint32_t seed, const Plan& plan) {
   const Writer w = program(die, plan);
   StudyJob out;
   out.files = {{"die.nc", w.program()}, {"job.toml", job(die, plan)}};
-  for (const char* const name : {"row", "side", "lean", "angle", "x1", "y1", "corner_1", "corner_2", "corner_3", "corner_4"})
+  for (const char* const name :
+       {"row", "side", "lean", "angle", "x1", "y1", "corner_1", "corner_2", "corner_3", "corner_4"})
     out.lines[std::string("die.nc:") + name] = w.lineOf(name);
   return out;
 }
@@ -105,7 +119,8 @@ Mistake wireMistake(std::uint32_t seed) {
     case 2:
       return value("wire: taper", "angle", d.lean + (random() % 2 == 0 ? 0.5 : -0.4));
     case 3: {
-      Mistake m = value("wire: H", "row", d.row() + (random() % 2 == 0 ? 1 : -1) * (15.0 + static_cast<double>(random() % 60)));
+      Mistake m = value("wire: H", "row",
+                        d.row() + (random() % 2 == 0 ? 1 : -1) * (15.0 + static_cast<double>(random() % 60)));
       m.words.insert("die.nc:side");
       return m;
     }
@@ -126,8 +141,9 @@ Mistake wireMistake(std::uint32_t seed) {
       return text("wire: direction", names[random() % 4], "G03");
     }
     default:
-      return random() % 2 == 0 ? value("wire: X, Y", "x1", d.half_x - d.radius + signedSize(random, 0.05, 0.5))
-                               : value("wire: X, Y", "y1", -d.half_y + d.radius + signedSize(random, 0.05, 0.5));
+      return random() % 2 == 0
+                 ? value("wire: X, Y", "x1", d.half_x - d.radius + signedSize(random, 0.05, 0.5))
+                 : value("wire: X, Y", "y1", -d.half_y + d.radius + signedSize(random, 0.05, 0.5));
   }
 }
 

@@ -81,8 +81,15 @@ class Proof {
   bool isOff(double d, double unsure = kSlack) const {
     return d > run_.comparison->excess_tolerance_mm + unsure || -d > run_.comparison->gouge_tolerance_mm + unsure;
   }
-  /// The same behind a trial: the nominal's own facets are left.
-  bool isLeft(double d) const { return isOff(d, kSlack + run_.comparison->nominal_chord_mm); }
+  /// The same behind a trial: the nominal's own facets are left, as far as they are known to stand for a round.
+  bool isLeft(double d) const {
+    return isOff(d, kSlack + (run_.comparison->nominal_chord_in_doubt ? 0.0 : run_.comparison->nominal_chord_mm));
+  }
+  /// Whether a trial puts a sample right that was off: within tolerance, and not as far off as before.
+  bool isCured(std::size_t k, double d) const {
+    constexpr double kStill = 0.6;
+    return !isLeft(d) && std::abs(d) <= kStill * std::abs(before_[k]);
+  }
 
   void addPatch(const TriMesh& nominal, const DeviationPatch& patch) {
     const std::size_t first = samples_.size();
@@ -106,7 +113,7 @@ class Proof {
   double leftOf(const std::vector<double>& deviations, const std::vector<std::size_t>& points) const {
     double most = 0.0;
     for (const std::size_t k : points) {
-      if (isLeft(deviations[k])) most = std::max(most, std::abs(deviations[k]));
+      if (!isCured(k, deviations[k])) most = std::max(most, std::abs(deviations[k]));
     }
     return most;
   }
@@ -132,7 +139,7 @@ class Proof {
     if (out.deviations.size() != samples_.size()) return nullptr;
     for (std::size_t k = 0; k < samples_.size(); ++k) {
       if (!isOff(before_[k]) && isLeft(out.deviations[k])) out.spoiled += 1.0 / off_;
-      if (isOff(before_[k]) && !isLeft(out.deviations[k])) out.cured += 1.0 / off_;
+      if (isOff(before_[k]) && isCured(k, out.deviations[k])) out.cured += 1.0 / off_;
     }
     outcomes_.push_back(std::move(out));
     return &outcomes_.back();

@@ -36,7 +36,8 @@ std::string turnText(const Vec3& rotate_deg) {
   std::string text;
   for (int axis = 0; axis < 3; ++axis) {
     if (rotate_deg[axis] == 0.0) continue;
-    text += fmt::format("{}by {:g} about {}", text.empty() ? "turned " : ", then ", rotate_deg[axis], kAxes[axis]);
+    text += fmt::format("{}by {:g} about {}", text.empty() ? "turned " : ", then ", rotate_deg[axis],
+                        kAxes[axis]);
   }
   return text;
 }
@@ -79,8 +80,8 @@ bool sizesAgree(const Box3& body, const Box3& wanted) {
 }
 
 bool boundsAgree(const Box3& body, const Box3& wanted) {
-  return sizesAgree(body, wanted) && (body.center() - wanted.center()).cwiseAbs().maxCoeff() <=
-                                         kAgreement * wanted.size().maxCoeff();
+  return sizesAgree(body, wanted) &&
+         (body.center() - wanted.center()).cwiseAbs().maxCoeff() <= kAgreement * wanted.size().maxCoeff();
 }
 
 Box3 placedBounds(const MeshPlacement& placement, const Box3& box) {

@@ -15,11 +15,12 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kPoints = 600, kFirstPoints = 60;
-constexpr double kMost = 0.6;          ///< share of the nominal that agrees where it is said to belong there
-constexpr double kPromising = 0.45;     ///< of the first points, before all are asked
-constexpr double kLeastSize = 0.3;     ///< of the part's longest side: less fits anywhere
-constexpr double kSlack = 1.01;        ///< a nominal is no larger than its part
-constexpr double kBetter = 0.02;       ///< of Agreement::off: by so much another place must be better than a nearer one
+constexpr double kMost = 0.6;        ///< share of the nominal that agrees where it is said to belong there
+constexpr double kPromising = 0.45;  ///< of the first points, before all are asked
+constexpr double kLeastSize = 0.3;   ///< of the part's longest side: less fits anywhere
+constexpr double kSlack = 1.01;      ///< a nominal is no larger than its part
+constexpr double kBetter =
+    0.02;  ///< of Agreement::off: by so much another place must be better than a nearer one
 
 /// Of points of the nominal with the part's surface.
 struct Agreement {
@@ -30,7 +31,9 @@ struct Agreement {
 class Judge {
  public:
   Judge(const TriMesh& nominal, const TriMesh& part, double within_mm)
-      : samples_(nominalSamples(nominal, meshBounds(nominal), kPoints)), tree_(toSurface(part)), within_(within_mm) {}
+      : samples_(nominalSamples(nominal, meshBounds(nominal), kPoints)),
+        tree_(toSurface(part)),
+        within_(within_mm) {}
 
   Agreement all(const MeshPlacement& at) const { return of(at, 1); }
   bool promising(const MeshPlacement& at) const {
@@ -69,8 +72,8 @@ double rounded(double value, double within_mm) {
 std::vector<Vec3> movesOnto(const Box3& body, const Box3& part, double within_mm) {
   const auto along = [&](int k) {
     std::vector<double> out;
-    for (const double move : {part.min[k] - body.min[k], part.max[k] - body.max[k], part.center()[k] - body.center()[k],
-                              0.0}) {
+    for (const double move :
+         {part.min[k] - body.min[k], part.max[k] - body.max[k], part.center()[k] - body.center()[k], 0.0}) {
       const double value = rounded(move, within_mm);
       const auto same = [&](double other) { return std::abs(other - value) <= 0.2 * within_mm; };
       if (std::none_of(out.begin(), out.end(), same)) out.push_back(value);
@@ -87,7 +90,8 @@ std::vector<Vec3> movesOnto(const Box3& body, const Box3& part, double within_mm
 
 /// How many keys of a job say it.
 int entriesOf(const MeshPlacement& change) {
-  return (change.scale != 1.0 ? 1 : 0) + (change.rotate_deg.isZero(0.0) ? 0 : 1) + (change.move.isZero(0.0) ? 0 : 1);
+  return (change.scale != 1.0 ? 1 : 0) + (change.rotate_deg.isZero(0.0) ? 0 : 1) +
+         (change.move.isZero(0.0) ? 0 : 1);
 }
 
 bool mayFit(const Box3& body, const Box3& part) {
@@ -98,8 +102,8 @@ bool mayFit(const Box3& body, const Box3& part) {
 std::string percent(double share) { return fmt::format("{:.0f} %", std::floor(100.0 * share)); }
 
 std::string boundsText(const Box3& b) {
-  return fmt::format("X{:g} Y{:g} Z{:g} to X{:g} Y{:g} Z{:g}", b.min.x(), b.min.y(), b.min.z(), b.max.x(), b.max.y(),
-                     b.max.z());
+  return fmt::format("X{:g} Y{:g} Z{:g} to X{:g} Y{:g} Z{:g}", b.min.x(), b.min.y(), b.min.z(), b.max.x(),
+                     b.max.y(), b.max.z());
 }
 
 /// The share of a box that lies in another.
@@ -127,10 +131,10 @@ constexpr double kOut = 0.01;  // of its size: by less a blank may have been saw
 /// How the bounds of a nominal lie to those of the part and of the space in which it was made.
 struct Outline {
   Box3 own, room;
-  double out_mm = 0.0;    ///< by how much it reaches out of that space
-  bool outside = false;   ///< by more than a blank may be short
+  double out_mm = 0.0;   ///< by how much it reaches out of that space
+  bool outside = false;  ///< by more than a blank may be short
   std::optional<MeshPlacement> evident;
-  bool onto_part = false; ///< that change brings it onto the part's bounds, not the space's
+  bool onto_part = false;  ///< that change brings it onto the part's bounds, not the space's
 
   bool rescaled() const { return evident && evident->scale != 1.0; }
   bool turned() const { return evident && !evident->rotate_deg.isZero(0.0); }
@@ -156,7 +160,8 @@ std::string suspicion(const Outline& outline, const PartSpace& space) {
   const double told_mm = space.blank ? space.within_mm : kOut * outline.own.size().maxCoeff();
   if (outline.out_mm > told_mm)
     return fmt::format("reaches {:.4g} mm out of the {} ({})", outline.out_mm, room, boundsText(outline.own));
-  if (outline.rescaled()) return fmt::format("is much smaller than the {} ({})", room, boundsText(outline.own));
+  if (outline.rescaled())
+    return fmt::format("is much smaller than the {} ({})", room, boundsText(outline.own));
   return outline.evident ? "may lie elsewhere than the part" : "";
 }
 
@@ -177,7 +182,8 @@ std::optional<FoundPlacement> searchPlacement(const TriMesh& nominal, const TriM
         change.move = move;
         if (!judge.promising(change)) continue;
         const Agreement agreement = judge.all(change);
-        const bool simpler = agreement.off <= best.off + kBetter && entriesOf(change) < entriesOf(found.change);
+        const bool simpler =
+            agreement.off <= best.off + kBetter && entriesOf(change) < entriesOf(found.change);
         if (agreement.off >= best.off - kBetter && !(simpler && !found.change.none())) continue;
         best = agreement;
         found.change = change;
@@ -185,7 +191,8 @@ std::optional<FoundPlacement> searchPlacement(const TriMesh& nominal, const TriM
     }
   }
   found.after = best.share;
-  if (found.change.none() || found.after < kMost || 1.0 - found.after > 0.5 * (1.0 - found.before)) return std::nullopt;
+  if (found.change.none() || found.after < kMost || 1.0 - found.after > 0.5 * (1.0 - found.before))
+    return std::nullopt;
   return found;
 }
 
@@ -201,24 +208,27 @@ PlacementFault placementFault(const TriMesh& nominal, const MeshPlacement& given
     if (found && !(space.clamped_again && moved_alone)) {
       fault.comparable = false;
       fault.rescaled = found->change.scale != 1.0;
-      fault.text = fmt::format("the nominal does not lie where the part does, and is not compared: {} it would lie on "
-                               "the part with {} of its surface (now {}); {}",
-                               placementText(found->change, unit), percent(found->after), percent(found->before),
-                               entries(given, found->change, unit));
+      fault.text = fmt::format(
+          "the nominal does not lie where the part does, and is not compared: {} it would lie on "
+          "the part with {} of its surface (now {}); {}",
+          placementText(found->change, unit), percent(found->after), percent(found->before),
+          entries(given, found->change, unit));
       return fault;
     }
   }
   constexpr double kWithin = 0.5;  // of its bounds: of less lies where there was material
-  const bool elsewhere = outline.outside && (outline.turned() || commonShare(outline.own, outline.room) < kWithin);
+  const bool elsewhere =
+      outline.outside && (outline.turned() || commonShare(outline.own, outline.room) < kWithin);
   fault.comparable = !fault.rescaled && !elsewhere;
   const std::string what = suspicion(outline, space);
   if (what.empty()) return {};
   fault.text = (fault.comparable ? "the nominal " : "the nominal is not compared: it ") + what + "; ";
-  fault.text += outline.evident
-                    ? fmt::format("{} its bounds would agree with those of the {}; {}",
-                                  placementText(*outline.evident, unit), outline.onto_part ? "machined part" : "blank",
-                                  entries(given, *outline.evident, unit))
-                    : "check its unit, its place and its axes (unit, scale, rotate and move under [nominal])";
+  fault.text +=
+      outline.evident
+          ? fmt::format("{} its bounds would agree with those of the {}; {}",
+                        placementText(*outline.evident, unit), outline.onto_part ? "machined part" : "blank",
+                        entries(given, *outline.evident, unit))
+          : "check its unit, its place and its axes (unit, scale, rotate and move under [nominal])";
   return fault;
 }
 

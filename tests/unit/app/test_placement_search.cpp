@@ -1,9 +1,9 @@
-#include "app/session/nominal/placement_search.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
+
+#include "app/session/nominal/placement_search.h"
 
 namespace proveout {
 namespace {
@@ -35,7 +35,8 @@ TriMesh placed(const MeshPlacement& placement, TriMesh mesh = plate()) {
 const Box3 kBlank{{-1, -1, -11}, {61, 41, 1}};
 constexpr double kWithin = 0.05;
 
-PlacementFault faultOf(const TriMesh& nominal, const TriMesh& part, const std::optional<Box3>& blank = kBlank) {
+PlacementFault faultOf(const TriMesh& nominal, const TriMesh& part,
+                       const std::optional<Box3>& blank = kBlank) {
   return placementFault(nominal, {}, MeshUnit::kMillimetre, {part, blank, kWithin});
 }
 
