@@ -236,9 +236,11 @@ class Proof {
     return out;
   }
 
-  /// Whether a word is D or H with the number of a tool that made the patch.
+  /// Whether a word is T, or D or H with the number of a tool that made the patch: that another tool would do is
+  /// no reason to doubt the word.
   bool isOfItsTool(const PatchFinding& told, const std::string& word) const {
-    if (word.empty() || (word[0] != 'D' && word[0] != 'H')) return false;
+    if (word.starts_with('T')) return true;
+    if (!word.starts_with('D') && !word.starts_with('H')) return false;
     const std::vector<MotionAt> behind = motionsBehind(*told.patch);
     return std::any_of(behind.begin(), behind.end(), [&](const MotionAt& at) {
       const int tool = run_.setups[at.first].interpreted.path.motions[at.second].tool;

@@ -29,7 +29,7 @@ struct Suspect {
   std::function<std::optional<Trial>(double value)> put;
   std::function<std::string(double value)> text;  ///< "Z-4", "offsets.radius.1 = 5"
 
-  /// D or H with the number of the tool, as people write them: its row is likelier wrong than the word.
+  /// T, or D or H with the number of the tool, as people write them: data are likelier wrong than the word.
   bool conventional = false;
   /// Else others of its kind.
   struct Other {
