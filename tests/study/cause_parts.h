@@ -31,6 +31,12 @@ struct Mistake {
   std::set<std::string> data;   ///< keys of the job of which one has to be named
 };
 
+/// One of the values from `least` to `most` that are `step` apart.
+inline double stepped(std::mt19937& random, double least, double most, double step) {
+  const auto steps = static_cast<unsigned>(std::lround((most - least) / step)) + 1U;
+  return least + step * static_cast<double>(random() % steps);
+}
+
 /// A milled plate in two clampings: contour pocket, row of holes by a repeat count, turned groove (G68),
 /// countersinks, groove along an arc in G18, counterbore on the back.
 StudyJob platesJob(std::uint32_t seed, const Plan& plan);

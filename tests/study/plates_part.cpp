@@ -20,10 +20,7 @@ struct Plate {
 
   explicit Plate(std::uint32_t seed) {
     std::mt19937 random(seed * 2654435761U + 17U);
-    const auto in = [&](double least, double most, double step) {
-      const auto steps = static_cast<unsigned>(std::lround((most - least) / step)) + 1U;
-      return least + step * static_cast<double>(random() % steps);
-    };
+    const auto in = [&](double least, double most, double step) { return stepped(random, least, most, step); };
     width = in(90, 120, 1), depth = in(60, 80, 1), height = in(16, 24, 1);
     zero = {in(100, 400, 0.01), in(-300, -100, 0.01), in(-400, -200, 0.01)};
     back_zero = {in(100, 400, 0.01), in(-300, -100, 0.01), in(-400, -200, 0.01)};

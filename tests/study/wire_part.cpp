@@ -12,10 +12,7 @@ struct Die {
 
   explicit Die(std::uint32_t seed) {
     std::mt19937 random(seed * 2246822519U + 3U);
-    const auto in = [&](double least, double most, double step) {
-      const auto steps = static_cast<unsigned>(std::lround((most - least) / step)) + 1U;
-      return least + step * static_cast<double>(random() % steps);
-    };
+    const auto in = [&](double least, double most, double step) { return stepped(random, least, most, step); };
     half_x = in(8, 14, 0.5), half_y = in(6, 10, 0.5), radius = in(2, 3.5, 0.5);
     lean = in(0.5, 3, 0.5), height = in(10, 30, 5);
     wire = in(0, 1, 1) == 0 ? 0.2 : 0.25, gap = in(0.01, 0.03, 0.005);

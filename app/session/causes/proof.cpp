@@ -77,6 +77,8 @@ class Proof {
   }
 
  private:
+  using MotionAt = std::pair<std::uint32_t, MotionId>;  ///< clamping and motion
+
   static constexpr double kSlack = 1e-6;
   bool isOff(double d, double unsure = kSlack) const {
     return d > run_.comparison->excess_tolerance_mm + unsure || -d > run_.comparison->gouge_tolerance_mm + unsure;
@@ -217,18 +219,19 @@ class Proof {
   std::vector<const Suspect*> suspectsFor(const PatchFinding& told) {
     std::vector<Suspect> found;
     const Finding& finding = run_.findings[told.finding];
+    const std::vector<MotionAt> behind = motionsBehind(*told.patch);
     // What deviations suggest of a wire is its diameter, which stands for every wrong offset.
     const bool wire = !run_.setups.back().interpreted.path.wires.empty();
     if (!wire) {
-      for (const Cause& cause : finding.causes) guessed(told, cause, found);
+      for (const Cause& cause : finding.causes) guessed(told, behind, cause, found);
     }
     const double depth = told.patch->depth_mm;
-    for (const auto& [setup, motion] : motionsBehind(*told.patch)) {
+    for (const auto& [setup, motion] : behind) {
       for (Suspect& s : suspectsOf(scene_, setup, motion, signedDepth(*told.patch, depth))) found.push_back(std::move(s));
     }
     std::vector<const Suspect*> out;
     for (Suspect& s : found) {
-      s.conventional = isOfItsTool(told, s.cause.value);
+      s.conventional = isOfItsTool(behind, s.cause.value);
       const auto [at, added] = suspects_.try_emplace(s.key, std::move(s));
       if (added) at->second.rank = static_cast<int>(suspects_.size());
       if (std::find(out.begin(), out.end(), &at->second) == out.end()) out.push_back(&at->second);
@@ -238,10 +241,9 @@ class Proof {
 
   /// Whether a word is T, or D or H with the number of a tool that made the patch: that another tool would do is
   /// no reason to doubt the word.
-  bool isOfItsTool(const PatchFinding& told, const std::string& word) const {
+  bool isOfItsTool(const std::vector<MotionAt>& behind, const std::string& word) const {
     if (word.starts_with('T')) return true;
     if (!word.starts_with('D') && !word.starts_with('H')) return false;
-    const std::vector<MotionAt> behind = motionsBehind(*told.patch);
     return std::any_of(behind.begin(), behind.end(), [&](const MotionAt& at) {
       const int tool = run_.setups[at.first].interpreted.path.motions[at.second].tool;
       return std::atoi(word.c_str() + 1) == tool;
@@ -253,10 +255,11 @@ class Proof {
   }
 
   /// A cause that the deviations point at.
-  void guessed(const PatchFinding& told, const Cause& cause, std::vector<Suspect>& out) const {
+  void guessed(const PatchFinding& told, const std::vector<MotionAt>& behind, const Cause& cause,
+               std::vector<Suspect>& out) const {
     const double off = cause.off_mm.value_or(told.patch->depth_mm);
     std::optional<Suspect> suspect;
-    for (const auto& [setup, motion] : motionsBehind(*told.patch)) {
+    for (const auto& [setup, motion] : behind) {
       if (!cause.source) {
         suspect = suspectDatum(scene_, setup, cause.what, off);
       } else {
@@ -290,8 +293,6 @@ class Proof {
     }
     return nullptr;
   }
-
-  using MotionAt = std::pair<std::uint32_t, MotionId>;
 
   /// The motions that made a patch, those of most of it first; where none did, those that came nearest.
   std::vector<MotionAt> motionsBehind(const DeviationPatch& patch) const {

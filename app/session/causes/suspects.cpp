@@ -210,7 +210,8 @@ std::optional<Suspect> suspectWord(const SuspectScene& scene, std::uint32_t setu
 
 namespace {
 
-/// What tools are sold with, and what people enter: rows of D are mostly a tool's radius, work offsets where the workpiece lies, H 0 or a gauge length.
+/// What tools are sold with, and what people enter: rows of D are mostly a tool's radius, work offsets where the
+/// workpiece lies, H 0 or a gauge length.
 void addUsual(const SuspectScene& scene, std::uint32_t setup, const std::string& key, Suspect& out) {
   const Job& job = scene.run.setups[setup].job;
   const auto add = [&](double value) {
@@ -300,6 +301,16 @@ std::vector<LineWord> wordsIn(const std::string& line) {
   return out;
 }
 
+/// A word of a line as an origin, which the block has recorded as a whole or in another word.
+ResolvedOrigin wordAt(const ResolvedOrigin& block, const LineWord& w, OriginKind kind) {
+  ResolvedOrigin word = block;
+  word.kind = kind;
+  word.begin = static_cast<std::uint16_t>(w.begin + 1);
+  word.text = w.text;
+  word.value = std::numeric_limits<double>::quiet_NaN();
+  return word;
+}
+
 /// The count of repeats in a line, L, or the place behind the call where one could stand.
 void addRepeats(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrigin& block,
                 std::vector<Suspect>& out) {
@@ -308,9 +319,7 @@ void addRepeats(const SuspectScene& scene, std::uint32_t setup, const ResolvedOr
   for (const LineWord& w : wordsIn(line)) {
     const auto code = codeIn(w.text);
     if (!code || (code->letter != 'L' && code->letter != 'K') || code->number > 999) continue;
-    ResolvedOrigin word = block;
-    word.begin = static_cast<std::uint16_t>(w.begin + 1);
-    word.text = w.text;
+    const ResolvedOrigin word = wordAt(block, w, block.kind);
     Suspect repeats = bare(scene, setup, word);
     repeats.cause.what = "repeats";
     for (const int more : {1, -1, 2, -2}) {
@@ -363,14 +372,11 @@ std::optional<double> addWireWords(const SuspectScene& scene, std::uint32_t setu
       const std::string what(wireWord(w.text));
       if (what.empty() || std::find(known.begin(), known.end(), what) != known.end()) continue;
       known.push_back(what);
-      ResolvedOrigin word;
-      word.kind = what == "taper angle" || what == "offset value" || what == "upper plane" ? kData : kCompensation;
-      word.file = at.file;
-      word.line = line;
-      word.begin = static_cast<std::uint16_t>(w.begin + 1);
-      word.text = w.text;
-      word.value = std::numeric_limits<double>::quiet_NaN();
-      auto suspect = suspectWord(scene, setup, word, 0.0);
+      ResolvedOrigin block;
+      block.file = at.file;
+      block.line = line;
+      const bool number = what == "taper angle" || what == "offset value" || what == "upper plane";
+      auto suspect = suspectWord(scene, setup, wordAt(block, w, number ? kData : kCompensation), 0.0);
       if (!suspect) continue;
       suspect->cause.what = what;
       suspect->first_step = 1.0;
@@ -431,12 +437,7 @@ void addTransformWords(const SuspectScene& scene, std::uint32_t setup, const std
     if ((!rotates && code.kind != kScaling && code.kind != kMirror) || code.begin == 0) continue;
     for (const LineWord& w : wordsIn(scene.sources[setup]->line(path.files[code.file], code.line))) {
       if (std::string_view("GMNOT").find(w.text[0]) != std::string_view::npos) continue;
-      ResolvedOrigin word = code;
-      word.kind = kData;
-      word.begin = static_cast<std::uint16_t>(w.begin + 1);
-      word.text = w.text;
-      word.value = std::numeric_limits<double>::quiet_NaN();
-      auto suspect = suspectWord(scene, setup, word, depth_mm);
+      auto suspect = suspectWord(scene, setup, wordAt(code, w, kData), depth_mm);
       if (!suspect) continue;
       suspect->cause.what = fmt::format("{} of {}", w.text[0], code.text);
       if (rotates && w.text[0] == 'R') {

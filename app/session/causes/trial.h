@@ -30,8 +30,8 @@ class TrialBench {
   /// Whether trials can be run at all: not where programs measure the workpiece, come from templates, or go in
   /// several channels, and not for a stock from a file.
   bool works() const { return works_; }
-  /// Deviations of the machined part from the nominal at these points of its surface (frame of the last clamping), mm, excess positive, up to `reach_mm`. Empty:
-  /// the program would end in an alarm, or the trial cannot be run.
+  /// Deviations of the machined part from the nominal at these points of its surface (frame of the last clamping),
+  /// mm, excess positive, up to `reach_mm`. Empty: the program would end in an alarm, or the trial cannot be run.
   std::vector<double> deviations(const Trial& trial, const std::vector<Vec3>& samples,
                                  double reach_mm) const;
   /// The same of the run as it is.

@@ -23,6 +23,12 @@ std::optional<MeshUnit> unitBehind(MeshUnit unit, double scale) {
 
 bool isLarge(const Box3& box) { return !box.empty() && box.size().minCoeff() > 0.0; }
 
+/// Along X, Y and Z.
+bool sizesAgree(const Box3& body, const Box3& wanted) {
+  if (!isLarge(body) || !isLarge(wanted)) return false;
+  return ((body.size() - wanted.size()).array().abs() <= kAgreement * wanted.size().array()).all();
+}
+
 std::string scaleText(double scale, MeshUnit unit) {
   std::string text =
       scale > 1.0 ? fmt::format("scaled by {:g}", scale) : fmt::format("scaled by 1/{:g}", 1.0 / scale);
@@ -72,11 +78,6 @@ const std::vector<Vec3>& quarterTurns() {
     return out;
   }();
   return turns;
-}
-
-bool sizesAgree(const Box3& body, const Box3& wanted) {
-  if (!isLarge(body) || !isLarge(wanted)) return false;
-  return ((body.size() - wanted.size()).array().abs() <= kAgreement * wanted.size().array()).all();
 }
 
 bool boundsAgree(const Box3& body, const Box3& wanted) {

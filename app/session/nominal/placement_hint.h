@@ -18,13 +18,11 @@ inline constexpr double kUnitFactors[] = {1.0, 25.4, 1.0 / 25.4, 1000.0, 1.0 / 1
 /// about one axis, then the others.
 const std::vector<Vec3>& quarterTurns();
 
-/// Whether the sizes along X, Y and Z agree within 1 %.
-bool sizesAgree(const Box3& body, const Box3& wanted);
-/// Whether both are at one place too, within 1 % of the longest side.
+/// Whether the sizes along X, Y and Z agree within 1 %, and the places within 1 % of the longest side.
 bool boundsAgree(const Box3& body, const Box3& wanted);
 
 /// The change that brings bounds onto others, where it is evident: the sizes along X, Y and Z agree
-/// (sizesAgree) as they are, in another unit, or turned by quarters; of several the first in the order of
+/// within 1 % as they are, in another unit, or turned by quarters; of several the first in the order of
 /// factors and turns. None where they do not, and where the bounds agree already.
 std::optional<MeshPlacement> evidentPlacement(const Box3& body, const Box3& wanted);
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -120,12 +119,6 @@ std::string entries(const MeshPlacement& given, const MeshPlacement& change, Mes
                      options.empty() ? options : " (" + options + ")");
 }
 
-/// A change of the unit alone, with what moves it back, that brings bounds onto others.
-std::optional<MeshPlacement> otherUnit(const Box3& own, const Box3& wanted) {
-  const auto evident = evidentPlacement(own, wanted);
-  return evident && evident->scale != 1.0 ? evident : std::nullopt;
-}
-
 constexpr double kOut = 0.01;  // of its size: by less a blank may have been sawn short
 
 /// How the bounds of a nominal lie to those of the part and of the space in which it was made.
@@ -149,8 +142,10 @@ Outline outlineOf(const TriMesh& nominal, const PartSpace& space) {
   out.outside = out.out_mm > kOut * out.own.size().maxCoeff();
   out.evident = evidentPlacement(out.own, part);
   out.onto_part = out.evident.has_value();
-  if (!out.evident && out.outside) out.evident = evidentPlacement(out.own, out.room);
-  if (!out.evident) out.evident = otherUnit(out.own, out.room);
+  if (out.onto_part) return out;
+  out.evident = evidentPlacement(out.own, out.room);
+  // Inside of a blank that it fits but for its place or turn a nominal may well lie right.
+  if (!out.outside && !out.rescaled()) out.evident.reset();
   return out;
 }
 
