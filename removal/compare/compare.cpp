@@ -203,6 +203,21 @@ void sortByDepth(std::vector<DeviationPatch>& patches) {
                    [](const DeviationPatch& a, const DeviationPatch& b) { return a.depth_mm > b.depth_mm; });
 }
 
+/// Samples of a deep deviation are as rough as the mesh: where it is beyond tolerance the figure is that of the
+/// patches, whose deepest points were measured on the part itself.
+void tellLargest(DeviationKind kind, double noise, Comparison& out) {
+  const bool gouge = kind == DeviationKind::kGouge;
+  double& most = gouge ? out.max_gouge_mm : out.max_excess_mm;
+  double told = 0.0;
+  for (const auto* patches : {&out.patches, &out.undecided}) {
+    for (const DeviationPatch& p : *patches) {
+      if (p.kind == kind) told = std::max(told, p.depth_mm);
+    }
+  }
+  const double level = noise + (gouge ? out.gouge_tolerance_mm : out.excess_tolerance_mm);
+  most = most > level && told > 0.0 ? told : std::max(most, told);
+}
+
 /// Deviations of the mesh's own vertices, which come first among the samples.
 std::vector<float> deviationOfVertices(const BothSides& sides, std::size_t count) {
   return {sides.machined.deviation.begin(),
@@ -250,10 +265,7 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   judgeKind(sides, DeviationKind::kExcess, o.excess_mm, asked, o, out);
   sortByDepth(out.patches);
   sortByDepth(out.undecided);
-  for (const DeviationPatch& p : out.patches) {
-    double& most = p.kind == DeviationKind::kGouge ? out.max_gouge_mm : out.max_excess_mm;
-    most = std::max(most, p.depth_mm);
-  }
+  for (const DeviationKind kind : {DeviationKind::kGouge, DeviationKind::kExcess}) tellLargest(kind, noise, out);
   out.vertex_deviation = deviationOfVertices(sides, machined.positions.size());
   out.field = makeDeviationField(shared_model, o);
   tellIgnored(part.surface, o.ignored, out);

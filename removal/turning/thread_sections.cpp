@@ -16,6 +16,17 @@ constexpr std::size_t kMostAngles = 16;
 /// Cuts that are kept for them: with more the sections are made anew.
 constexpr std::size_t kMostCuts = 256;
 
+/// How much more than is asked is known then, mm.
+constexpr double kAround = 2.0;
+
+Eigen::AlignedBox2d boundsOf(const std::vector<SectionPath>& paths) {
+  Eigen::AlignedBox2d out;
+  for (const SectionPath& path : paths) {
+    for (const Vec2& p : path) out.extend(p);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<SectionPath> passesThrough(const ThreadSweep& thread, double angle) {
@@ -32,18 +43,45 @@ std::vector<SectionPath> passesThrough(const ThreadSweep& thread, double angle) 
   return paths;
 }
 
-const SectionArea& ThreadSections::at(double angle, const SectionArea& section,
-                                      const std::vector<ThreadSweep>& threads) {
+ThreadSections::Known ThreadSections::within(double angle, const Window& window, const SectionArea& section) {
+  Known out{angle, window, 0, 0, section};
+  if (section.empty()) return out;
+  const Window all = Window(section.min(), section.max()).merged(window);
+  const Vec2 low = all.min() - Vec2::Ones(), high = all.max() + Vec2::Ones();
+  const auto rectangle = [](double r0, double z0, double r1, double z1) {
+    return SectionPath{{r0, z0}, {r1, z0}, {r1, z1}, {r0, z1}};
+  };
+  out.area.subtract({rectangle(low.x(), low.y(), window.min().x(), high.y()),
+                     rectangle(window.max().x(), low.y(), high.x(), high.y()),
+                     rectangle(low.x(), low.y(), high.x(), window.min().y()),
+                     rectangle(low.x(), window.max().y(), high.x(), high.y())},
+                    kNoMotion);
+  return out;
+}
+
+const SectionArea& ThreadSections::at(double angle, const std::vector<SectionPath>& asked,
+                                      const SectionArea& section, const std::vector<ThreadSweep>& threads) {
   auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) {
     return std::abs(std::remainder(k.angle - angle, 2.0 * kPi)) <= kOneAngle;
   });
-  if (known == known_.end()) {
-    if (known_.size() == kMostAngles) known_.erase(known_.begin());
-    known = known_.insert(known_.end(), {angle, 0, cuts_.size(), section});
+  Window window = boundsOf(asked);
+  if (known == known_.end() || !known->window.contains(window)) {
+    // The next pass asks a little farther.
+    window = Window(window.min() - Vec2::Constant(kAround), window.max() + Vec2::Constant(kAround));
+    if (known == known_.end()) {
+      if (known_.size() == kMostAngles) known_.erase(known_.begin());
+      known = known_.emplace(known_.end());
+    } else {
+      window.extend(known->window);
+    }
+    *known = within(angle, window, section);
+    known->cuts = cuts_.size();
   }
   for (; known->threads < threads.size(); ++known->threads) {
     const ThreadSweep& thread = threads[known->threads];
-    known->area.subtractMany(passesThrough(thread, known->angle), thread.motion);
+    std::vector<SectionPath> passes = passesThrough(thread, known->angle);
+    std::erase_if(passes, [&](const SectionPath& path) { return !known->window.intersects(boundsOf({path})); });
+    known->area.subtractMany(passes, thread.motion);
   }
   for (; known->cuts < cuts_.size(); ++known->cuts) {
     const Cut& cut = cuts_[known->cuts];

@@ -363,7 +363,7 @@ class Turning {
                                         const std::vector<SectionPath>& spared) {
     std::vector<SectionPiece> pieces = area_.common(sweeps, spared);
     if (!pieces.empty() && thread_way_)
-      pieces = standing_.at(thread_end_rad_, area_, threads_).common(sweeps, spared);
+      pieces = standing_.at(thread_end_rad_, sweeps, area_, threads_).common(sweeps, spared);
     std::vector<SectionPath> met;
     for (const SectionPiece& piece : pieces) {
       if (piece.thickness_mm >= kTouch || !thread_way_) met.push_back(piece.outline);
