@@ -13,6 +13,9 @@ namespace {
 
 /// Triangles that turn by less against each other are one facet: above the noise of float coordinates, rad.
 constexpr double kFlatRad = degToRad(0.05);
+/// Text with six digits rounds coordinates by this share: slivers turn by it against the facet that they were
+/// cut of, and are at most this part of it wide.
+constexpr double kTextNoise = 1e-5, kSliverShare = 0.25;
 /// Facets of a curved face turn by less than this; those of small radii by more, as long as the chord is
 /// small.
 constexpr double kSoftRad = degToRad(20.0), kSteepRad = degToRad(55.0);
@@ -156,15 +159,43 @@ class ShapeReader {
 
   void findFacets() {
     DisjointSets sets(mesh_.triangles.size());
+    std::vector<std::uint32_t> slivers;
     forEachPair([&](std::uint32_t g, std::uint32_t h) {
-      if (std::abs(turnAt(g, h)) < kFlatRad) sets.join(g / 3, h / 3);
+      const bool flat = std::abs(turnAt(g, h)) < kFlatRad;
+      const std::uint32_t sliver = flat ? kNobody : sliverOf(g, h);
+      if (!flat && sliver == kNobody) return;
+      sets.join(g / 3, h / 3);
+      if (!flat) slivers.push_back(sliver);
     });
+    straighten(slivers, sets);
     area_.assign(mesh_.triangles.size(), 0.0);
     triangles_.assign(mesh_.triangles.size(), 0);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       facet_of_[t] = sets.find(t);
       area_[facet_of_[t]] += 0.5 * mesh_.areaVector(t).norm();
       ++triangles_[facet_of_[t]];
+    }
+  }
+
+  /// The triangle of two that was cut off the other's facet and is so narrow that rounding turned it; kNobody:
+  /// neither.
+  std::uint32_t sliverOf(std::uint32_t g, std::uint32_t h) const {
+    const double length = edge(g / 3, static_cast<int>(g % 3)).norm();
+    const double a = mesh_.areaVector(g / 3).norm() / length, b = mesh_.areaVector(h / 3).norm() / length;
+    const std::uint32_t sliver = a < b ? g / 3 : h / 3;
+    const double noise = kTextNoise * mesh_.middle(sliver).cwiseAbs().maxCoeff();
+    const bool narrow = std::min(a, b) < kSliverShare * std::max(a, b);
+    return narrow && std::abs(turnAt(g, h)) * std::min(a, b) < noise ? sliver : kNobody;
+  }
+
+  /// Slivers have the normal of the facet that they are of.
+  void straighten(const std::vector<std::uint32_t>& slivers, DisjointSets& sets) {
+    if (slivers.empty()) return;
+    std::vector<Vec3> sum(mesh_.triangles.size(), Vec3::Zero());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) sum[sets.find(t)] += mesh_.areaVector(t);
+    for (const std::uint32_t t : slivers) {
+      const Vec3& whole = sum[sets.find(t)];
+      normals_[t] = normals_[sets.find(t)] = whole.normalized();
     }
   }
 
@@ -572,7 +603,7 @@ class ShapeReader {
 
   /// Per facet: how high a curved face could be that was not seen there, mm: over one that is read as flat but
   /// is about as large as curved ones against which it turns softly (slivers, ends of balls and tops of rings
-  /// that lie in one plane), and where irregular triangles turn against each other.
+  /// that lie in one plane), at the round end of a strip, and where irregular triangles turn against each other.
   std::vector<float> missedFacets(const std::vector<std::array<float, 6>>& bulge) const {
     std::vector<double> border(mesh_.triangles.size(), 0.0);
     std::vector<float> missed(mesh_.triangles.size(), 0.0f), most(mesh_.triangles.size(), 0.0f);
@@ -589,6 +620,9 @@ class ShapeReader {
         const float height = kMisfits * static_cast<float>(l.chord());
         for (const std::uint32_t f : {l.a, l.b}) missed[f] = std::max(missed[f], height);
       }
+      const std::uint32_t wide = l.width_a > l.width_b ? l.a : l.b;
+      if (curved_[l.a] && curved_[l.b] && !l.runs && goesRound(wide, l))
+        missed[wide] = std::max({missed[wide], most[l.a], most[l.b]});
       if (curved_[l.a] == curved_[l.b]) continue;
       const std::uint32_t flat = curved_[l.a] ? l.b : l.a, round = curved_[l.a] ? l.a : l.b;
       const double width = curved_[l.a] ? l.width_a : l.width_b;
@@ -597,6 +631,12 @@ class ShapeReader {
       if (soft && small) missed[flat] = std::max(missed[flat], most[round]);
     }
     return missed;
+  }
+
+  /// Whether a curved facet turns across another of its borders as it does where its face goes on.
+  bool goesRound(std::uint32_t facet, const Link& l) const {
+    const double usual = turn_[facet];
+    return l.angle() <= kSoftRad && l.angle() <= kSteepTurnRatio * usual && kSteepTurnRatio * l.angle() >= usual;
   }
 
   static float largestOf(const std::array<float, 6>& bulge) {

@@ -290,6 +290,38 @@ TEST(PlantedDefect, DepthOfAPocketIsThatOfItsFloor) {
   EXPECT_NEAR(run->comparison->max_excess_mm, 0.5376, 2e-5);
 }
 
+/// Exports of CAD kernels, made by what stands beside them: each facet's chord is 0.02 mm.
+class KernelExport : public testing::TestWithParam<const char*> {};
+
+TEST_P(KernelExport, ARightPartHasNoErrorWithinTheChords) {
+  const std::string name = std::string(PROVEOUT_STUDY_DIR) + "/kernels/" + GetParam();
+  const Result<TriMesh> nominal = loadMesh(name);
+  ASSERT_TRUE(nominal.ok()) << nominal.error().message;
+  StudyPart part = milledPart();
+  part.nominal = [&](double) { return *nominal; };
+  const Bench bench(part, 0.02);
+  for (const double tolerance : {0.05, 0.02, 0.01}) {
+    Planted right = part.write({}, 0);
+    for (const std::string& key : {"gouge = ", "excess = "}) {
+      const std::size_t at = right.job.find(key + "0.05");
+      ASSERT_NE(at, std::string::npos);
+      right.job.replace(at, key.size() + 4, key + Writer::number(tolerance));
+    }
+    const Result<RunResult> run = bench.run(right);
+    ASSERT_TRUE(run.ok()) << run.error().message;
+    for (const Finding& f : run->findings) {
+      EXPECT_NE(f.severity, Severity::kError) << tolerance << ": " << f.message;
+      if (tolerance >= 0.02) {
+        EXPECT_NE(f.kind, FindingKind::kUndecided) << tolerance << ": " << f.message;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Plates, KernelExport,
+                         testing::Values("plate-occt-0.02.stl", "plate-openscad-0.02.stl"),
+                         [](const auto& file) { return file.index == 0 ? "OpenCascade" : "OpenScad"; });
+
 class PlantedDefects : public testing::TestWithParam<double> {};
 
 TEST_P(PlantedDefects, AreFoundMeasuredAndNamed) {
