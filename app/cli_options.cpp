@@ -10,7 +10,7 @@
 
 #include "app/exit_codes.h"
 #include "core/base/nearest_name.h"
-#include "io/job.h"
+#include "io/job/job.h"
 
 namespace proveout {
 namespace {
@@ -87,8 +87,9 @@ void addPlacement(CLI::App& app, NominalOptions& options) {
                  "Where the origin of the nominal's file lies, mm, in the frame of the finished part;\n"
                  "overrides the job's move")
       ->type_name("X,Y,Z");
-  app.add_option("--nominal-rotate", options.rotate,
-                 "How the nominal is turned about the fixed axes X, Y, Z before, degrees; overrides the job's rotate")
+  app.add_option(
+         "--nominal-rotate", options.rotate,
+         "How the nominal is turned about the fixed axes X, Y, Z before, degrees; overrides the job's rotate")
       ->type_name("A,B,C");
 }
 
@@ -107,9 +108,11 @@ void addProgramOptions(CLI::App& app, ProgramOptions& options) {
   app.add_option("--until", options.until, "Stop after this line (120) or block (N70) of the main program")
       ->type_name("LINE|Nn");
   app.add_flag("--lenient", options.lenient, "Unsupported codes that are safe to skip become warnings");
-  app.add_option("--offset", options.offsets,
-                 "What the operator has entered, mm; overrides the job; repeatable:\nG55=X,Y,Z, 'G54.1 P3=X,Y,Z', "
-                 "common=X,Y,Z, D1=RADIUS, H1=LENGTH;\nlathes: DXW.n, DZW.n, RT.n, TIP.n; in one clamping: SETUP:G54=X,Y,Z")
+  app.add_option(
+         "--offset", options.offsets,
+         "What the operator has entered, mm; overrides the job; repeatable:\nG55=X,Y,Z, 'G54.1 P3=X,Y,Z', "
+         "common=X,Y,Z, D1=RADIUS, H1=LENGTH;\nlathes: DXW.n, DZW.n, RT.n, TIP.n; in one clamping: "
+         "SETUP:G54=X,Y,Z")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
       ->check(notEmpty());
@@ -175,18 +178,20 @@ void addRun(CLI::App& root, RunOptions& o) {
                   "Refuse a run that needs more (exit 3); default: what is free")
       ->type_name("GB")
       ->check(numberIn(0, 1e6, "a size in GB above 0"));
-  app->add_option("--baseline", o.baseline,
-                  "Findings that are known, as --write-baseline wrote them: only new ones,\nand known ones that "
-                  "became worse, count for the verdict")
+  app->add_option(
+         "--baseline", o.baseline,
+         "Findings that are known, as --write-baseline wrote them: only new ones,\nand known ones that "
+         "became worse, count for the verdict")
       ->type_name("FILE")
       ->check(notEmpty());
   app->add_option("--write-baseline", o.write_baseline,
                   "Write the findings of this run for --baseline; the verdict stays as it is")
       ->type_name("FILE")
       ->check(notEmpty());
-  app->add_option("--select", o.select,
-                  "Only findings of these kinds, separated by commas, are listed and count;\nwhat says that the "
-                  "result is not whole always does")
+  app->add_option(
+         "--select", o.select,
+         "Only findings of these kinds, separated by commas, are listed and count;\nwhat says that the "
+         "result is not whole always does")
       ->type_name("KINDS")
       ->allow_extra_args(false);
   app->add_option("--ignore", o.ignore, "Findings of these kinds are only counted")
@@ -320,8 +325,8 @@ void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptio
   app->footer(kFooter);
 }
 
-/// Of a command line that CLI11 refuses: the command or option that there is not, with the nearest one; empty:
-/// something else is wrong.
+/// Of a command line that CLI11 refuses: the command or option that there is not, with the nearest one;
+/// empty: something else is wrong.
 std::string unknownWord(CLI::App& app, const std::vector<std::string>& arguments) {
   const CLI::App* used = nullptr;
   std::vector<std::string> names;
@@ -338,8 +343,8 @@ std::string unknownWord(CLI::App& app, const std::vector<std::string>& arguments
   if (command.empty() || command.starts_with('-'))
     return fmt::format("a command is missing; there are {}", fmt::join(names, ", "));
   if (used == nullptr) {
-    return fmt::format("there is no command '{}'{}; there are {}", command, didYouMean(nearestName(command, names)),
-                       fmt::join(names, ", "));
+    return fmt::format("there is no command '{}'{}; there are {}", command,
+                       didYouMean(nearestName(command, names)), fmt::join(names, ", "));
   }
   std::vector<std::string> options;
   for (const CLI::Option* option : used->get_options()) {
@@ -350,7 +355,8 @@ std::string unknownWord(CLI::App& app, const std::vector<std::string>& arguments
     const std::string name = arguments[k].substr(2, arguments[k].find('=') - 2);
     if (std::find(options.begin(), options.end(), name) != options.end()) continue;
     const std::string nearest = nearestName(name, options);
-    return fmt::format("{} has no option --{}{}", command, name, didYouMean(nearest.empty() ? "" : "--" + nearest));
+    return fmt::format("{} has no option --{}{}", command, name,
+                       didYouMean(nearest.empty() ? "" : "--" + nearest));
   }
   return {};
 }

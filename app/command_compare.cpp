@@ -9,12 +9,12 @@
 #include "app/input_files.h"
 #include "app/outputs.h"
 #include "app/run_report.h"
-#include "app/session/comparison_work.h"
-#include "app/session/findings.h"
-#include "app/session/machine_speed.h"
+#include "app/session/findings/findings.h"
+#include "app/session/forecast/comparison_work.h"
+#include "app/session/forecast/machine_speed.h"
+#include "app/session/forecast/thread_supply.h"
 #include "app/session/nominal/nominal_mesh.h"
 #include "app/session/nominal/placement_search.h"
-#include "app/session/thread_supply.h"
 #include "app/summary.h"
 #include "app/time_limit.h"
 #include "core/base/stopwatch.h"
@@ -83,8 +83,9 @@ struct PairResult {
 
 Result<PairResult> comparePair(const CompareCommandOptions& options, const Pair& pair, Progress& progress) {
   PairResult result;
-  result.fault = placementFault(pair.nominal.mesh, pair.spec.placement, pair.spec.mesh.unit,
-                                {pair.machined.mesh, std::nullopt, std::max(options.gouge_mm, options.excess_mm)});
+  result.fault =
+      placementFault(pair.nominal.mesh, pair.spec.placement, pair.spec.mesh.unit,
+                     {pair.machined.mesh, std::nullopt, std::max(options.gouge_mm, options.excess_mm)});
   if (!result.fault.comparable) return result;
   CompareOptions settings;
   settings.gouge_mm = options.gouge_mm;
@@ -114,7 +115,8 @@ void addFound(const Pair& pair, const PairResult& result, Report& report) {
                                  "chord height of the nominal's facets, estimated from neighbouring facets"});
 }
 
-Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pair& pair, const PairResult& result) {
+Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pair& pair,
+                                 const PairResult& result) {
   Report report;
   report.name = std::filesystem::path(options.machined).stem().string();
   report.version = versionText();
@@ -152,7 +154,8 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
   const TriMesh& mesh = pair.machined.mesh;
   PictureMaker maker(std::move(request));
   Status drawn = maker.drawViews(mesh, progress);
-  if (drawn && result.comparison) drawn = maker.drawDeviation(mesh, *result.comparison, report.findings, progress);
+  if (drawn && result.comparison)
+    drawn = maker.drawDeviation(mesh, *result.comparison, report.findings, progress);
   if (drawn) drawn = maker.drawFindings(mesh, report.findings, progress);
   if (!drawn) return drawn;
   failures.insert(failures.end(), maker.failures.begin(), maker.failures.end());
@@ -164,7 +167,8 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
 
 /// Fills the guard with the two files, and checks that the results can be written beside them.
 Status checkTarget(const CompareCommandOptions& options, OutputGuard& guard) {
-  if (Status settled = settleInputs({{"machined mesh", options.machined}, {"nominal", options.nominal}}); !settled)
+  if (Status settled = settleInputs({{"machined mesh", options.machined}, {"nominal", options.nominal}});
+      !settled)
     return settled;
   guard.protect("machined mesh", options.machined);
   guard.protect("nominal", options.nominal);
@@ -198,8 +202,7 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   report->performance.predicted_s = prediction->time_s;
   report->performance.wall_s = wall.lap();
   if (options.out) {
-    if (const Status done =
-            writeResults(options, *pair, *result, *size, guard, *report, failures, progress);
+    if (const Status done = writeResults(options, *pair, *result, *size, guard, *report, failures, progress);
         !done)
       return done.error();
   }

@@ -7,8 +7,8 @@
 
 #include "app/commands.h"
 #include "app/exit_codes.h"
-#include "core/nc/coverage.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/coverage.h"
+#include "core/nc/registry/interpreter.h"
 
 namespace proveout {
 namespace {

@@ -10,13 +10,13 @@
 #include "app/input_files.h"
 #include "app/job_setup.h"
 #include "app/placement_options.h"
-#include "app/session/blame.h"
+#include "app/session/causes/diagnosis.h"
 #include "app/session/comparison.h"
-#include "app/session/diagnosis.h"
-#include "app/session/findings.h"
-#include "app/session/provenance.h"
+#include "app/session/findings/blame.h"
+#include "app/session/findings/findings.h"
+#include "app/session/findings/provenance.h"
+#include "app/session/forecast/thread_supply.h"
 #include "app/session/session.h"
-#include "app/session/thread_supply.h"
 #include "app/time_limit.h"
 #include "core/base/printable.h"
 #include "core/geometry/place_text.h"
@@ -103,7 +103,8 @@ void sayDeviation(Console& console, const Vec3& place, const SettledPoint& at, c
       fmt::format("{:.4f} mm {} nominal (allowed {:g} mm)", std::abs(deviation),
                   deviation < 0.0 ? "below" : "above", allowed));
   if (std::abs(deviation) <= allowed) return;
-  if (const Finding* told = findingOf(at.p, deviation > 0.0 ? DeviationKind::kExcess : DeviationKind::kGouge, run)) {
+  if (const Finding* told =
+          findingOf(at.p, deviation > 0.0 ? DeviationKind::kExcess : DeviationKind::kGouge, run)) {
     for (const Cause& cause : told->causes)
       say(console, cause.left_mm == 0.0 ? "cause" : "could be", report_text::causeLine(cause));
     return;

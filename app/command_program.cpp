@@ -8,11 +8,11 @@
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/job_setup.h"
-#include "app/session/findings.h"
-#include "app/session/interpretation.h"
-#include "app/session/programs.h"
+#include "app/session/findings/findings.h"
+#include "app/session/forecast/thread_supply.h"
+#include "app/session/machining/programs.h"
 #include "app/session/programs/first_offset.h"
-#include "app/session/thread_supply.h"
+#include "app/session/programs/interpretation.h"
 #include "app/time_limit.h"
 #include "core/base/memory_limit.h"
 #include "core/base/printable.h"
@@ -68,10 +68,10 @@ class DiagnosticsTap : public MotionSink {
   MotionSink* next_;
 };
 
-/// Settings of a setup, `source` being its program. Where the blank is unknown, the default start is that of the
-/// control.
-Result<ControlSettings> settingsOf(const Job& job, std::size_t setup, const RecordingSource& source, MotionSink& notes,
-                                   Progress& progress) {
+/// Settings of a setup, `source` being its program. Where the blank is unknown, the default start is that of
+/// the control.
+Result<ControlSettings> settingsOf(const Job& job, std::size_t setup, const RecordingSource& source,
+                                   MotionSink& notes, Progress& progress) {
   Job part = jobOfSetup(job, setup);
   if (part.stock) {
     const Result<Blank> blank = openBlank(part, progress);
@@ -93,7 +93,8 @@ struct Interpretation {
   std::vector<Finding> findings;  ///< overtravel, forbidden areas
 };
 
-Result<Interpretation> interpretInto(const Job& job, std::size_t setup, MotionSink* sink, Progress& progress) {
+Result<Interpretation> interpretInto(const Job& job, std::size_t setup, MotionSink* sink,
+                                     Progress& progress) {
   const ThreadSupply threads(job.simulation.threads);
   const MemoryLimit memory(1e9 * job.simulation.max_memory_gb);
   const Result<ControlId> control = findControl(jobOfSetup(job, setup).control);
@@ -176,8 +177,8 @@ struct Checked {
 };
 
 std::size_t countOf(const Diagnostics& all, Severity severity) {
-  return static_cast<std::size_t>(
-      std::count_if(all.all().begin(), all.all().end(), [&](const Diagnostic& d) { return d.severity == severity; }));
+  return static_cast<std::size_t>(std::count_if(all.all().begin(), all.all().end(),
+                                                [&](const Diagnostic& d) { return d.severity == severity; }));
 }
 
 Result<Checked> checkSetup(const Job& job, std::size_t setup, const Blank* blank,
@@ -193,7 +194,8 @@ Result<Checked> checkSetup(const Job& job, std::size_t setup, const Blank* blank
   checked.all = read.interpreted.path.diagnostics;
   if (!checked.summary.ok() || countOf(checked.all, Severity::kError) > 0) checked.exit_code = kExitInput;
   for (const Finding& finding : done->findings) {
-    if (finding.severity == Severity::kError) checked.exit_code = std::max<int>(checked.exit_code, kExitFindings);
+    if (finding.severity == Severity::kError)
+      checked.exit_code = std::max<int>(checked.exit_code, kExitFindings);
     checked.all.add(findingDiagnostic(finding));
   }
   checked.errors = countOf(checked.all, Severity::kError);

@@ -9,8 +9,8 @@
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/pictures.h"
+#include "app/session/forecast/thread_supply.h"
 #include "app/session/nominal/nominal_mesh.h"
-#include "app/session/thread_supply.h"
 #include "app/time_limit.h"
 #include "core/geometry/place_text.h"
 #include "io/atomic_file.h"
@@ -48,7 +48,8 @@ std::optional<Vec3> readTriple(const nlohmann::json& object, const char* key) {
 
 std::optional<MeshPlacement> readPlacement(const nlohmann::json& placement) {
   const auto rotate = readTriple(placement, "rotate"), move = readTriple(placement, "move");
-  const nlohmann::json scale = placement.is_object() ? placement.value("scale", nlohmann::json()) : nlohmann::json();
+  const nlohmann::json scale =
+      placement.is_object() ? placement.value("scale", nlohmann::json()) : nlohmann::json();
   if (!rotate || !move || !scale.is_number() || !(scale.get<double>() > 0.0)) return std::nullopt;
   return MeshPlacement{scale.get<double>(), *rotate, *move};
 }
@@ -81,7 +82,8 @@ Result<HeatMapSource> readHeatMapSource(const std::string& path) {
   source.nominal.mesh.path = comparison["nominal"].get<std::string>();
   if (comparison.contains("placement")) {
     const auto placement = readPlacement(comparison["placement"]);
-    if (!placement) return wrong("the comparison's placement is none: scale above 0, rotate and move of three numbers");
+    if (!placement)
+      return wrong("the comparison's placement is none: scale above 0, rotate and move of three numbers");
     source.nominal.placement = *placement;
   }
   std::error_code error;
@@ -156,7 +158,8 @@ Status renderToFile(const RenderCommandOptions& options, const std::string& outp
   const Result<MeshUnit> unit = parseMeshUnit(options.unit);
   if (!unit) return inputError("--unit: " + unit.error().message);
   std::optional<HeatMapSource> colours;
-  if (Status settled = settleInputs({{"mesh", options.mesh}, {"report", options.heatmap.value_or(options.mesh)}});
+  if (Status settled =
+          settleInputs({{"mesh", options.mesh}, {"report", options.heatmap.value_or(options.mesh)}});
       !settled)
     return settled;
   if (options.heatmap) {

@@ -10,10 +10,10 @@
 #include "app/outputs.h"
 #include "app/pictures.h"
 #include "app/run_report.h"
-#include "app/session/acceptance.h"
-#include "app/session/provenance.h"
+#include "app/session/findings/acceptance.h"
+#include "app/session/findings/provenance.h"
+#include "app/session/forecast/thread_supply.h"
 #include "app/session/session.h"
-#include "app/session/thread_supply.h"
 #include "app/summary.h"
 #include "app/time_limit.h"
 #include "app/turned_profile.h"
@@ -145,15 +145,16 @@ Result<AcceptanceWish> acceptanceWish(const RunOptions& options) {
   if (!filter) return filter.error();
   wish.filter = std::move(*filter);
   if (!options.baseline) return wish;
-  if (const Status settled = settleInputs({{"baseline", *options.baseline}}); !settled) return settled.error();
+  if (const Status settled = settleInputs({{"baseline", *options.baseline}}); !settled)
+    return settled.error();
   Result<AcceptanceWish::File> file = loadBaseline(*options.baseline);
   if (!file) return file.error();
   wish.baseline = std::move(*file);
   return wish;
 }
 
-/// Errors: the new baseline could not be written, or would be over an input or a result. Over the baseline that
-/// is read is fine.
+/// Errors: the new baseline could not be written, or would be over an input or a result. Over the baseline
+/// that is read is fine.
 Status checkNewBaseline(const Job& job, const RunWish& wish, OutputGuard guard) {
   if (!wish.write_baseline) return Done{};
   const fs::path path(*wish.write_baseline);
@@ -163,7 +164,8 @@ Status checkNewBaseline(const Job& job, const RunWish& wish, OutputGuard guard) 
   std::error_code error;
   if (fs::is_directory(path, error)) return inputError("--write-baseline: " + path.string() + " is a folder");
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (folder.lexically_normal() == fs::path(wish.folder).lexically_normal()) return Done{};  // made with the results
+  if (folder.lexically_normal() == fs::path(wish.folder).lexically_normal())
+    return Done{};  // made with the results
   if (!fs::is_directory(folder, error))
     return inputError("--write-baseline: " + folder.string() + ": no such folder");
   return Done{};
@@ -173,7 +175,8 @@ Status checkNewBaseline(const Job& job, const RunWish& wish, OutputGuard guard) 
 Status writeNewBaseline(const Report& report, const std::string& path, Console& console) {
   if (report.verdict == Verdict::kError)
     return inputError(path + ": no baseline is written of a program that was not run to its end");
-  if (const Status written = writeFileAtomically(path, baselineText(report.findings)); !written) return written;
+  if (const Status written = writeFileAtomically(path, baselineText(report.findings)); !written)
+    return written;
   const std::size_t count = baselineCount(report.findings);
   console.err << fmt::format("proveout: {} {} written to {}\n", count, count == 1 ? "finding" : "findings",
                              printable(path));
@@ -189,7 +192,8 @@ Result<Written> runJob(const Job& job, const RunWish& wish, ConsoleProgress& pro
   protectAll(namedInputs(job), target.guard);
   if (const Status free = checkNewBaseline(job, wish, target.guard); !free) return free.error();
   if (wish.acceptance.baseline) target.guard.protect("baseline", wish.acceptance.baseline->path);
-  if (const Status possible = checkOutputs(job, wish.folder, target.guard); !possible) return possible.error();
+  if (const Status possible = checkOutputs(job, wish.folder, target.guard); !possible)
+    return possible.error();
   Result<PreparedRun> prepared = prepareRun(job, sources.all(), progress);
   if (!prepared) return prepared.error();
   if (const Status free = checkPrograms(prepared->run, sources.all(), job, target); !free)

@@ -8,8 +8,8 @@
 #include "app/exit_codes.h"
 #include "core/base/printable.h"
 #include "io/atomic_file.h"
+#include "io/job/template_files.h"
 #include "io/output_guard.h"
-#include "io/template_files.h"
 
 namespace proveout {
 namespace {

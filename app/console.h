@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-#include "app/session/prediction.h"
+#include "app/session/forecast/prediction.h"
 #include "core/base/diagnostics.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/result_moves.h"
-#include "io/template_files.h"
+#include "io/job/template_files.h"
 
 namespace proveout {
 namespace {

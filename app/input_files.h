@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/interpretation.h"
-#include "io/job.h"
+#include "app/session/programs/interpretation.h"
+#include "io/job/job.h"
 #include "io/output_guard.h"
 
 namespace proveout {

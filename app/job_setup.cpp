@@ -10,10 +10,10 @@
 
 #include "app/console.h"
 #include "app/offset_options.h"
-#include "app/session/job_defaults.h"
-#include "core/nc/interpreter.h"
+#include "app/session/run/job_defaults.h"
+#include "core/nc/registry/interpreter.h"
 #include "io/atomic_file.h"
-#include "io/template_files.h"
+#include "io/job/template_files.h"
 #include "render/camera.h"
 
 namespace proveout {
@@ -79,7 +79,8 @@ bool keepSetups(const std::string& name, Job& job, Diagnostics& diagnostics) {
   if (found == names.end()) {
     diagnostics.add(usageError(names.empty() ? "--setup: the job has no setups"
                                              : fmt::format("--setup: there is no setup '{}'{}; there are {}",
-                                                           name, didYouMean(nearestName(name, names)), fmt::join(names, ", "))));
+                                                           name, didYouMean(nearestName(name, names)),
+                                                           fmt::join(names, ", "))));
     return false;
   }
   const auto kept = static_cast<std::size_t>(found - names.begin()) + 1;
@@ -109,7 +110,8 @@ bool stopAt(const ProgramOptions& options, Job& job, Diagnostics& diagnostics) {
 void applyPanel(const ProgramOptions& options, Job& job) {
   const auto apply = [&](ControlSettings& settings) {
     if (options.skip) settings.skip_switches[0] = true;
-    if (options.program_unit) settings.units = *options.program_unit == "inch" ? LengthUnit::kInch : LengthUnit::kMillimetre;
+    if (options.program_unit)
+      settings.units = *options.program_unit == "inch" ? LengthUnit::kInch : LengthUnit::kMillimetre;
   };
   apply(job.settings);
   for (SetupSpec& setup : job.setups) apply(setup.settings);
@@ -125,20 +127,21 @@ void refuseWithJob(bool given, const char* option, Diagnostics& diagnostics) {
 /// Whether the command line can name the tools of the control at all. False: said what it takes.
 bool namesTools(const RunOptions& options, const Job& job, Diagnostics& diagnostics) {
   const auto& all = controls();
-  const auto control = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == job.control; });
+  const auto control =
+      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == job.control; });
   if (control == all.end()) return true;
   if (control->process == ProcessKind::kWire) {
-    diagnostics.add(usageError(
-        fmt::format("control {} cuts with a wire, which a job file gives: proveout run JOB.toml, where the job has "
-                    "program, control, [stock] and a [[tool]] with type = \"wire\" and its diameter",
-                    job.control)));
+    diagnostics.add(usageError(fmt::format(
+        "control {} cuts with a wire, which a job file gives: proveout run JOB.toml, where the job has "
+        "program, control, [stock] and a [[tool]] with type = \"wire\" and its diameter",
+        job.control)));
     return false;
   }
   if (control->process == ProcessKind::kTurning && options.tools.empty()) {
-    diagnostics.add(
-        usageError(fmt::format("control {} turns with inserts, which a job file gives: a [[tool]] with type = "
-                               "\"insert\"; drills alone can be named here, as --tool 1=drill:10",
-                               job.control)));
+    diagnostics.add(usageError(
+        fmt::format("control {} turns with inserts, which a job file gives: a [[tool]] with type = "
+                    "\"insert\"; drills alone can be named here, as --tool 1=drill:10",
+                    job.control)));
     return false;
   }
   return true;

@@ -6,7 +6,7 @@
 
 #include "app/cli_options.h"
 #include "core/base/diagnostics.h"
-#include "io/job.h"
+#include "io/job/job.h"
 
 namespace proveout {
 

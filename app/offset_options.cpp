@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/console.h"
-#include "app/session/job_defaults.h"
+#include "app/session/run/job_defaults.h"
 #include "core/base/printable.h"
-#include "io/job_offsets.h"
+#include "io/job/job_offsets.h"
 
 namespace proveout {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
-#include "io/job.h"
+#include "io/job/job.h"
 
 namespace proveout {
 

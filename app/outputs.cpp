@@ -9,11 +9,11 @@
 #include "app/exit_codes.h"
 #include "app/freed_pieces.h"
 #include "app/job_setup.h"
-#include "app/session/process/process.h"
+#include "app/session/run/process.h"
 #include "core/mesh/level_cut.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
-#include "io/section_chart.h"
+#include "io/report/section_chart.h"
 #include "io/sha256.h"
 
 namespace proveout {

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "app/pictures.h"
-#include "app/session/accounting.h"
+#include "app/session/findings/accounting.h"
 #include "app/staging_folder.h"
 #include "core/base/result.h"
-#include "io/job.h"
-#include "io/profile_chart.h"
+#include "io/job/job.h"
 #include "io/report.h"
+#include "io/report/profile_chart.h"
 #include "removal/grid/stock.h"
 
 namespace proveout {

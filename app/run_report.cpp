@@ -11,11 +11,11 @@
 #include <thread>
 
 #include "app/input_files.h"
-#include "app/session/findings.h"
-#include "app/session/process/process.h"
-#include "app/session/run_limits.h"
-#include "app/session/turning_work.h"
-#include "app/session/uncertainty.h"
+#include "app/session/findings/findings.h"
+#include "app/session/findings/uncertainty.h"
+#include "app/session/forecast/run_limits.h"
+#include "app/session/process/turning_work.h"
+#include "app/session/run/process.h"
 #include "core/tool/tool_table.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
@@ -164,9 +164,11 @@ std::string facetsText(const SetupRun& setup) {
 
 /// Why a tool adds nothing to the error.
 const char* toolText(const SetupRun& setup) {
-  if (setup.turned) return "inserts are exact outlines; wear, deflection and the height of the tip are not simulated";
+  if (setup.turned)
+    return "inserts are exact outlines; wear, deflection and the height of the tip are not simulated";
   if (cutsThrough(setup))
-    return "the wire is a straight cylinder with its spark gap about it; that it lags, bows and vibrates is not "
+    return "the wire is a straight cylinder with its spark gap about it; that it lags, bows and vibrates is "
+           "not "
            "simulated";
   return "tools are exact solids of revolution; runout, wear and deflection are not simulated";
 }

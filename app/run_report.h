@@ -1,8 +1,8 @@
 // The report of a run, from what it made.
 #pragma once
 
-#include "app/session/accounting.h"
-#include "app/session/run_result.h"
+#include "app/session/findings/accounting.h"
+#include "app/session/run/run_result.h"
 #include "io/report.h"
 
 namespace proveout {

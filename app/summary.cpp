@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/session/findings.h"
+#include "app/session/findings/findings.h"
 #include "core/base/printable.h"
 #include "core/geometry/place_text.h"
 #include "io/report_text.h"
@@ -74,8 +74,8 @@ std::string meshText(const Report& report) {
   const std::string of = stock.mesh_bodies > 1 ? fmt::format(" of all {} pieces", stock.mesh_bodies) : "",
                     fineness = facets ? "facets within " + report_text::figure(*facets)
                                       : fmt::format("grid {:g}", report.resolution_mm);
-  return fmt::format("mesh{} {} triangles, {}, {} mm", of, stock.triangles, stock.closed ? "closed" : "NOT closed",
-                     fineness);
+  return fmt::format("mesh{} {} triangles, {}, {} mm", of, stock.triangles,
+                     stock.closed ? "closed" : "NOT closed", fineness);
 }
 
 /// What the baseline has and the run has not.

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "core/tool/tool_table.h"
-#include "io/half_section.h"
+#include "io/report/half_section.h"
 
 namespace proveout {
 namespace {

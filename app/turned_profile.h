@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/outputs.h"
-#include "app/session/run_result.h"
+#include "app/session/run/run_result.h"
 
 namespace proveout {
 

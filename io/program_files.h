@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/program_source.h"
+#include "core/nc/control/program_source.h"
 #include "io/program_reach.h"
 
 namespace proveout {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "app/session/blame.h"
+#include "app/session/causes/diagnosis.h"
 #include "app/session/causes/proof.h"
-#include "app/session/diagnosis.h"
-#include "app/session/findings.h"
-#include "app/session/provenance.h"
-#include "app/session/run_limits.h"
-#include "app/session/uncertainty.h"
+#include "app/session/findings/blame.h"
+#include "app/session/findings/findings.h"
+#include "app/session/findings/provenance.h"
+#include "app/session/findings/uncertainty.h"
+#include "app/session/forecast/run_limits.h"
 #include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
 #include "removal/turning/section.h"

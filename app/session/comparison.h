@@ -3,7 +3,8 @@
 
 #include <memory>
 
-#include "app/session/run_result.h"
+#include "app/session/run/blank.h"
+#include "app/session/run/run_result.h"
 #include "removal/compare/exact_part.h"
 
 namespace proveout {

@@ -4,21 +4,21 @@
 
 #include <algorithm>
 
-#include "app/session/clearance.h"
+#include "app/session/causes/diagnosis.h"
 #include "app/session/comparison.h"
-#include "app/session/diagnosis.h"
-#include "app/session/findings.h"
-#include "app/session/grid_choice.h"
-#include "app/session/machine_speed.h"
-#include "app/session/machining.h"
+#include "app/session/findings/findings.h"
+#include "app/session/findings/nose_data.h"
+#include "app/session/findings/uncertainty.h"
+#include "app/session/forecast/machine_speed.h"
+#include "app/session/forecast/run_limits.h"
+#include "app/session/forecast/thread_supply.h"
+#include "app/session/machining/grid_choice.h"
+#include "app/session/machining/machining.h"
+#include "app/session/machining/programs.h"
 #include "app/session/nominal/nominal_mesh.h"
 #include "app/session/nominal/placement_search.h"
-#include "app/session/nose_data.h"
-#include "app/session/process/process.h"
-#include "app/session/programs.h"
-#include "app/session/run_limits.h"
-#include "app/session/thread_supply.h"
-#include "app/session/uncertainty.h"
+#include "app/session/programs/clearance.h"
+#include "app/session/run/process.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
 #include "removal/sweep/column_sweep.h"
@@ -27,16 +27,19 @@
 namespace proveout {
 namespace {
 
-/// Tells what is wrong about where the nominal lies. Where it cannot be compared there, that is the one finding.
+/// Tells what is wrong about where the nominal lies. Where it cannot be compared there, that is the one
+/// finding.
 bool tellElsewhere(const Job& job, const PreparedRun& prepared, RunResult& run) {
   const NominalSpec& nominal = *job.nominal;
   const PartSpace space{run.surface().mesh, movedBounds(job, prepared.blank.bounds, run.setups.size() - 1),
-                        std::max(nominal.gouge_mm, nominal.excess_mm) + partUncertainty(run), run.setups.size() > 1};
+                        std::max(nominal.gouge_mm, nominal.excess_mm) + partUncertainty(run),
+                        run.setups.size() > 1};
   PlacementFault fault = placementFault(prepared.nominal->mesh, nominal.placement, nominal.mesh.unit, space);
   if (fault.text.empty()) return false;
   const auto* mesh = job.stock ? std::get_if<MeshFile>(&*job.stock) : nullptr;
   if (mesh != nullptr && fault.rescaled)
-    fault.text += fmt::format("; or the blank is wrong, which was read with unit \"{}\"", meshUnitName(mesh->unit));
+    fault.text +=
+        fmt::format("; or the blank is wrong, which was read with unit \"{}\"", meshUnitName(mesh->unit));
   if (fault.comparable) {
     noteRepairs({std::move(fault.text)}, "nominal", run.setups.back().interpreted.path.diagnostics);
     return false;

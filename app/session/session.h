@@ -5,11 +5,8 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
-#include "app/session/blank.h"
-#include "app/session/run_result.h"
-#include "removal/compare/nominal.h"
+#include "app/session/run/prepared_run.h"
 
 namespace proveout {
 
@@ -21,13 +18,6 @@ Result<RunResult> runJob(const Job& job, Progress& progress);
 /// The same with programs from elsewhere, one source a clamping; see MemoryProgramSource.
 Result<RunResult> runJob(const Job& job, const std::vector<const ProgramSource*>& programs,
                          Progress& progress);
-
-/// A run before anything is cut: programs interpreted, files read, memory and time predicted.
-struct PreparedRun {
-  RunResult run;
-  Blank blank;
-  std::optional<PreparedMesh> nominal;
-};
 
 /// The first part of a run, for those who want to know what it will take. Errors: as runJob.
 Result<PreparedRun> prepareRun(const Job& job, const RunSources& sources, Progress& progress);

@@ -20,30 +20,27 @@ if(TARGET proveout)
   install(TARGETS proveout RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 
-# Headers that a user of the libraries includes; the others are nobody's business outside.
-foreach(folder core/base core/geometry core/path core/tool core/nc)
+# Headers that a user of the libraries includes, with those that they include; the others are nobody's business
+# outside.
+foreach(folder core/base core/geometry core/path core/tool removal/process io render)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
 endforeach()
-install(FILES core/mesh/tri_mesh.h core/mesh/mesh_placement.h core/mesh/image.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/core/mesh)
-install(FILES removal/grid/start_hole.h removal/grid/stock.h removal/grid/stock_shape.h removal/grid/vdb_tree.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/grid)
-install(FILES removal/vdb/vdb_grids.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/vdb)
-install(DIRECTORY removal/process/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/process
-        FILES_MATCHING PATTERN "*.h")
-install(FILES removal/turning/section.h removal/turning/turned_stock.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/turning)
-install(FILES removal/wire/body_exit.h removal/wire/lean_solid.h removal/wire/lean_stretch.h
-              removal/wire/level_section.h removal/wire/plane_region.h removal/wire/wire_holding.h
-              removal/wire/wire_stock.h removal/wire/wire_stretch.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/wire)
-install(FILES removal/compare/compare.h removal/compare/exact_part.h removal/compare/nominal.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/removal/compare)
-foreach(folder io render)
-  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
-endforeach()
-
-foreach(header blank interpretation job_defaults prediction run_result session)
-  install(FILES app/session/${header}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/app/session)
+foreach(header
+    core/mesh/image core/mesh/mesh_placement core/mesh/tri_mesh
+    core/nc/control/channel_program core/nc/control/control_host core/nc/control/control_info
+    core/nc/control/control_settings core/nc/control/program_source core/nc/control/run_summary
+    core/nc/registry/coverage core/nc/registry/interpreter core/nc/text/template_set core/nc/text/template_text
+    removal/grid/start_hole removal/grid/stock removal/grid/stock_shape removal/grid/vdb_tree removal/vdb/vdb_grids
+    removal/turning/section removal/turning/turned_stock
+    removal/wire/falls/body_exit removal/wire/falls/wire_holding removal/wire/lean/lean_solid
+    removal/wire/lean/lean_stretch removal/wire/lean/level_section removal/wire/section/plane_region
+    removal/wire/section/prism_blank removal/wire/section/wire_stretch removal/wire/wire_stock
+    removal/compare/compare removal/compare/exact_part removal/compare/nominal
+    app/session/forecast/prediction app/session/programs/interpretation app/session/run/blank
+    app/session/run/interpreted app/session/run/job_defaults app/session/run/prepared_run
+    app/session/run/recording_source app/session/run/run_result app/session/session)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${header}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder})
 endforeach()
 
 install(EXPORT proveoutTargets NAMESPACE proveout:: DESTINATION ${PROVEOUT_PACKAGE_DIR})

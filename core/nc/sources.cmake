@@ -1,40 +1,40 @@
 target_sources(proveout_core PRIVATE
-  nc/alarms.cpp
-  nc/axes.cpp
-  nc/block_watch.cpp
-  nc/loop_budget.cpp
-  nc/control_host.cpp
-  nc/controls.cpp
-  nc/compensation_stage.cpp
-  nc/contour_stage.cpp
-  nc/channels.cpp
-  nc/coverage.cpp
+  nc/text/alarms.cpp
+  nc/kinematics/axes.cpp
+  nc/limits/block_watch.cpp
+  nc/limits/loop_budget.cpp
+  nc/control/control_host.cpp
+  nc/registry/controls.cpp
+  nc/stages/compensation_stage.cpp
+  nc/stages/contour_stage.cpp
+  nc/control/channels.cpp
+  nc/registry/coverage.cpp
   nc/specification/flexnc_rows.cpp
   nc/specification/nct_rows.cpp
   nc/specification/wedm_rows.cpp
   nc/specification/wl4_rows.cpp
-  nc/feed_limits.cpp
-  nc/frames.cpp
-  nc/interpreter.cpp
-  nc/lex_names.cpp
-  nc/lexer.cpp
-  nc/motion_pipe.cpp
-  nc/origin_recorder.cpp
-  nc/origin_sets.cpp
-  nc/origin_words.cpp
-  nc/path_emitter.cpp
-  nc/path_emitter_curves.cpp
-  nc/program_transforms.cpp
-  nc/program_likeness.cpp
-  nc/program_source.cpp
-  nc/rapid_overlap_stage.cpp
-  nc/rolling_comp_stage.cpp
-  nc/rotary_kinematics.cpp
-  nc/source_text.cpp
-  nc/template_set.cpp
-  nc/template_text.cpp
-  nc/time_stage.cpp
-  nc/tool_change.cpp
+  nc/kinematics/feed_limits.cpp
+  nc/kinematics/frames.cpp
+  nc/registry/interpreter.cpp
+  nc/text/lex_names.cpp
+  nc/text/lexer.cpp
+  nc/stages/motion_pipe.cpp
+  nc/origins/origin_recorder.cpp
+  nc/origins/origin_sets.cpp
+  nc/origins/origin_words.cpp
+  nc/stages/path_emitter.cpp
+  nc/stages/path_emitter_curves.cpp
+  nc/kinematics/program_transforms.cpp
+  nc/text/program_likeness.cpp
+  nc/control/program_source.cpp
+  nc/stages/rapid_overlap_stage.cpp
+  nc/stages/rolling_comp_stage.cpp
+  nc/kinematics/rotary_kinematics.cpp
+  nc/text/source_text.cpp
+  nc/text/template_set.cpp
+  nc/text/template_text.cpp
+  nc/stages/time_stage.cpp
+  nc/stages/tool_change.cpp
   nc/wedm/wedm_block.cpp
   nc/wedm/wedm_chain.cpp
   nc/wedm/wedm_contours.cpp
@@ -54,13 +54,13 @@ target_sources(proveout_core PRIVATE
   nc/wl4/wl4_axis_words.cpp
   nc/wl4/wl4_block.cpp
   nc/wl4/wl4_context.cpp
-  nc/wl4/wl4_contour.cpp
+  nc/wl4/cycles/wl4_contour.cpp
   nc/wl4/wl4_control.cpp
   nc/wl4/wl4_coverage.cpp
-  nc/wl4/wl4_cycles.cpp
-  nc/wl4/wl4_expression.cpp
+  nc/wl4/cycles/wl4_cycles.cpp
+  nc/wl4/macro/wl4_expression.cpp
   nc/wl4/wl4_functions.cpp
-  nc/wl4/wl4_measuring.cpp
+  nc/wl4/cycles/wl4_measuring.cpp
   nc/wl4/wl4_motion.cpp
   nc/wl4/wl4_origins.cpp
   nc/wl4/wl4_output.cpp
@@ -72,10 +72,10 @@ target_sources(proveout_core PRIVATE
   nc/wl4/wl4_row.cpp
   nc/wl4/wl4_setup.cpp
   nc/wl4/wl4_speeds.cpp
-  nc/wl4/wl4_system.cpp
+  nc/wl4/macro/wl4_system.cpp
   nc/wl4/wl4_table.cpp
-  nc/wl4/wl4_thread.cpp
-  nc/wl4/wl4_variables.cpp
+  nc/wl4/cycles/wl4_thread.cpp
+  nc/wl4/macro/wl4_variables.cpp
   nc/wl4/wl4_watch.cpp
   nc/macro/expression.cpp
   nc/macro/functions.cpp

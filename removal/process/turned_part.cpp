@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "removal/wire/plane_region.h"
+#include "removal/wire/section/plane_region.h"
 
 namespace proveout {
 namespace {

@@ -7,7 +7,7 @@
 #include "removal/process/turned_part.h"
 #include "removal/process/wire_grid_piece.h"
 #include "removal/turning/revolve.h"
-#include "removal/turning/thread_mesh.h"
+#include "removal/turning/threads/thread_mesh.h"
 #include "removal/turning/turned_field.h"
 
 namespace proveout {

@@ -13,10 +13,10 @@
 #include "removal/grid/stock_impl.h"
 #include "removal/process/milled_piece.h"
 #include "removal/process/wire_part.h"
-#include "removal/wire/stretch_index.h"
-#include "removal/wire/wire_handling.h"
+#include "removal/wire/contact/wire_handling.h"
+#include "removal/wire/falls/wire_work.h"
+#include "removal/wire/section/stretch_index.h"
 #include "removal/wire/wire_stock.h"
-#include "removal/wire/wire_work.h"
 
 namespace proveout {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/geometry/to_float.h"
 #include "removal/process/wire_grid_piece.h"
 #include "removal/process/wire_part.h"
-#include "removal/wire/wall_meetings.h"
+#include "removal/wire/lean/wall_meetings.h"
 
 namespace proveout {
 namespace {

@@ -14,10 +14,10 @@
 #include "core/mesh/crowded_places.h"
 #include "core/mesh/intersections.h"
 #include "core/mesh/mesh_simplifier.h"
-#include "removal/surface/leaf_volume.h"
-#include "removal/surface/mesh_repair.h"
-#include "removal/surface/surface_sharpen.h"
-#include "removal/surface/unseen_volume.h"
+#include "removal/surface/measure/leaf_volume.h"
+#include "removal/surface/measure/unseen_volume.h"
+#include "removal/surface/repair/mesh_repair.h"
+#include "removal/surface/repair/surface_sharpen.h"
 
 namespace proveout {
 namespace {

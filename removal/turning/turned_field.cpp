@@ -9,7 +9,7 @@
 
 #include "removal/grid/edge_root.h"
 #include "removal/turning/section_field.h"
-#include "removal/turning/thread_field.h"
+#include "removal/turning/threads/thread_field.h"
 
 namespace proveout {
 

@@ -12,8 +12,8 @@
 #include "removal/turning/parting.h"
 #include "removal/turning/section_area.h"
 #include "removal/turning/section_depth.h"
-#include "removal/turning/thread_cover.h"
-#include "removal/turning/thread_sections.h"
+#include "removal/turning/threads/thread_cover.h"
+#include "removal/turning/threads/thread_sections.h"
 #include "removal/turning/turning_tool.h"
 
 namespace proveout {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "removal/wire/edge_curves.h"
+#include "removal/wire/section/edge_curves.h"
 
 namespace proveout {
 namespace {

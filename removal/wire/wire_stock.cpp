@@ -8,12 +8,12 @@
 
 #include "core/geometry/to_float.h"
 #include "core/mesh/shells.h"
-#include "removal/wire/kerf_section.h"
-#include "removal/wire/lean_falls.h"
-#include "removal/wire/prism_mesh.h"
-#include "removal/wire/wire_bridges.h"
-#include "removal/wire/wire_contacts.h"
-#include "removal/wire/wire_handling.h"
+#include "removal/wire/contact/wire_contacts.h"
+#include "removal/wire/contact/wire_handling.h"
+#include "removal/wire/falls/lean_falls.h"
+#include "removal/wire/falls/wire_bridges.h"
+#include "removal/wire/section/kerf_section.h"
+#include "removal/wire/section/prism_mesh.h"
 
 namespace proveout {
 namespace {
@@ -92,25 +92,6 @@ void judgeExit(const LeanSolid& then, std::size_t body, double z, const std::vec
 }
 
 }  // namespace
-
-Result<PrismBlank> prismOf(const StockShape& shape) {
-  PrismBlank blank;
-  if (const auto* box = std::get_if<BoxShape>(&shape)) {
-    blank.loops.push_back(rectangleLoop(box->min.head<2>(), box->max.head<2>()));
-    blank.z_low = box->min.z();
-    blank.z_high = box->max.z();
-    return blank;
-  }
-  const auto* cylinder = std::get_if<CylinderShape>(&shape);
-  if (cylinder == nullptr || cylinder->axis != 2)
-    return inputError("start holes are for boxes, and cylinders and tubes along Z");
-  blank.loops.push_back(circleLoop(cylinder->base.head<2>(), cylinder->radius, false));
-  if (cylinder->inner_radius > 0.0)
-    blank.loops.push_back(circleLoop(cylinder->base.head<2>(), cylinder->inner_radius, true));
-  blank.z_low = cylinder->base.z();
-  blank.z_high = cylinder->base.z() + cylinder->length;
-  return blank;
-}
 
 WireStock::WireStock(PrismBlank blank) : blank_(std::move(blank)) {
   setSections(cutSection(blank_.loops, {}));

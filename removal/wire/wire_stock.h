@@ -10,29 +10,16 @@
 #include "core/path/toolpath.h"
 #include "core/tool/tool.h"
 #include "removal/grid/stock.h"
-#include "removal/grid/stock_shape.h"
-#include "removal/wire/body_exit.h"
-#include "removal/wire/lean_solid.h"
-#include "removal/wire/plane_region.h"
-#include "removal/wire/wire_holding.h"
+#include "removal/wire/falls/body_exit.h"
+#include "removal/wire/falls/wire_holding.h"
+#include "removal/wire/lean/lean_solid.h"
+#include "removal/wire/section/plane_region.h"
+#include "removal/wire/section/prism_blank.h"
 
 namespace proveout {
 
 struct LeanWork;
 struct LeanFall;
-
-/// A blank with upright walls; mm, workpiece frame.
-struct PrismBlank {
-  std::vector<PlaneLoop> loops;  ///< borders and start holes that do not cross
-  double z_low = 0.0, z_high = 0.0;
-  /// Where fixtures reach between these heights, as convex polygons seen from +z: see footprintOf.
-  PlanePolygons held_at;
-
-  double height() const { return z_high - z_low; }
-};
-
-/// Boxes, and cylinders and tubes along Z. Errors: other shapes.
-Result<PrismBlank> prismOf(const StockShape& shape);
 
 /// A connected piece of what a wire left.
 struct WireBody {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "removal/wire/kerf_section.h"
-#include "removal/wire/lean_solid.h"
-#include "removal/wire/prism_mesh.h"
+#include "removal/wire/lean/lean_solid.h"
+#include "removal/wire/section/kerf_section.h"
+#include "removal/wire/section/prism_mesh.h"
 
 namespace proveout {
 namespace {

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdio>
 
-#include "app/session/job_defaults.h"
+#include "app/session/run/job_defaults.h"
 
 using namespace proveout;
 

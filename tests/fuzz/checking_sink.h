@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 
 namespace proveout {
 

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "app/job_setup.h"
-#include "app/session/interpretation.h"
+#include "app/session/programs/interpretation.h"
 #include "core/tool/insert.h"
 #include "core/tool/tool_solid.h"
-#include "io/job.h"
+#include "io/job/job.h"
 #include "tests/fuzz/checking_sink.h"
 #include "tests/fuzz/laws.h"
 

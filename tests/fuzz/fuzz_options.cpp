@@ -9,10 +9,10 @@
 
 #include "app/cli_options.h"
 #include "app/job_setup.h"
-#include "app/session/job_defaults.h"
+#include "app/session/run/job_defaults.h"
 #include "core/base/printable.h"
 #include "core/tool/tool_solid.h"
-#include "io/job.h"
+#include "io/job/job.h"
 #include "io/mesh_io.h"
 #include "render/camera.h"
 #include "tests/fuzz/laws.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/job_defaults.h"
+#include "app/session/run/job_defaults.h"
 #include "app/session/session.h"
 #include "tests/fuzz/laws.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/printable.h"
-#include "core/nc/template_set.h"
+#include "core/nc/text/template_set.h"
 #include "tests/fuzz/checking_sink.h"
 #include "tests/fuzz/laws.h"
 

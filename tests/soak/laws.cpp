@@ -9,7 +9,7 @@
 #include "app/session/comparison.h"
 #include "core/mesh/tri_mesh.h"
 #include "removal/compare/exact_part.h"
-#include "removal/wire/wire_work.h"
+#include "removal/wire/falls/wire_work.h"
 
 namespace proveout::soak {
 namespace {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/session/blank.h"
+#include "app/session/run/blank.h"
 #include "core/mesh/shells.h"
 #include "core/mesh/tri_mesh.h"
 #include "tests/soak/laws.h"

@@ -11,7 +11,7 @@
 
 #include "app/job_setup.h"
 #include "app/session/session.h"
-#include "io/job.h"
+#include "io/job/job.h"
 #include "io/mesh_io.h"
 #include "tests/study/cause_parts.h"
 #include "tests/support/temporary_folder.h"

@@ -11,7 +11,7 @@
 
 #include "app/job_setup.h"
 #include "app/session/session.h"
-#include "io/job.h"
+#include "io/job/job.h"
 #include "io/mesh_io.h"
 #include "tests/study/planted.h"
 
@@ -256,17 +256,18 @@ void print(const std::string& title, const Study& study) {
              "found", "missed", "block", "named", "first", "of 3", "depth right", "worst mm");
   Row sum;
   for (const auto& [kind, r] : study.rows) {
-    fmt::print("{:<26}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}/{:<3}{:>12.5f}\n", kind, r.planted, r.below,
-               r.found, r.missed, r.block, r.named, r.first, r.among_three, r.deep_right, r.with_depth, r.worst);
+    fmt::print("{:<26}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}/{:<3}{:>12.5f}\n", kind, r.planted,
+               r.below, r.found, r.missed, r.block, r.named, r.first, r.among_three, r.deep_right,
+               r.with_depth, r.worst);
     sum.planted += r.planted, sum.below += r.below, sum.found += r.found, sum.missed += r.missed,
         sum.block += r.block;
-    sum.named += r.named, sum.first += r.first, sum.among_three += r.among_three, sum.deep_right += r.deep_right,
-        sum.with_depth += r.with_depth;
+    sum.named += r.named, sum.first += r.first, sum.among_three += r.among_three,
+        sum.deep_right += r.deep_right, sum.with_depth += r.with_depth;
     sum.worst = std::max(sum.worst, r.worst);
   }
-  fmt::print("{:<26}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}/{:<3}{:>12.5f}\n", "all", sum.planted, sum.below,
-             sum.found, sum.missed, sum.block, sum.named, sum.first, sum.among_three, sum.deep_right,
-             sum.with_depth, sum.worst);
+  fmt::print("{:<26}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}/{:<3}{:>12.5f}\n", "all", sum.planted,
+             sum.below, sum.found, sum.missed, sum.block, sum.named, sum.first, sum.among_three,
+             sum.deep_right, sum.with_depth, sum.worst);
   fmt::print("right programs {}, failed {}, undecided {}\n", study.right, study.right_failed,
              study.right_undecided);
   std::fflush(stdout);

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/nc/source_text.h"
+#include "core/nc/text/source_text.h"
 
 namespace proveout {
 

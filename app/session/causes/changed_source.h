@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/session/interpretation.h"
+#include "app/session/programs/interpretation.h"
 
 namespace proveout {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/job.h"
+#include "io/job/job.h"
 
 namespace proveout {
 

@@ -9,8 +9,8 @@
 #include <limits>
 #include <string_view>
 
-#include "app/session/blame.h"
 #include "app/session/causes/job_data.h"
+#include "app/session/findings/blame.h"
 #include "core/tool/tool_table.h"
 
 namespace proveout {
@@ -21,9 +21,9 @@ using enum OriginKind;
 
 /// Codes of which one is in force at a time; what is written in the place of another one.
 constexpr std::array<std::string_view, 6> kGroups[] = {
-    {"G2", "G3"},          {"G17", "G18", "G19"}, {"G40", "G41", "G42"}, {"G43", "G44", "G49"}, {"G90", "G91"},
-    {"G98", "G99"},        {"G20", "G21"},        {"G68", "G69"},        {"G15", "G16"},        {"G50", "G51", "G52"},
-    {"G1", "G2", "G3"},    {"G54", "G55", "G56", "G57", "G58", "G59"},
+    {"G2", "G3"},   {"G17", "G18", "G19"}, {"G40", "G41", "G42"}, {"G43", "G44", "G49"},
+    {"G90", "G91"}, {"G98", "G99"},        {"G20", "G21"},        {"G68", "G69"},
+    {"G15", "G16"}, {"G50", "G51", "G52"}, {"G1", "G2", "G3"},    {"G54", "G55", "G56", "G57", "G58", "G59"},
 };
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -63,7 +63,8 @@ std::optional<Literal> literalIn(const std::string& text) {
   if (text[begin - 1] == '-' || text[begin - 1] == '+') --begin;
   if (begin == 0) return std::nullopt;
   const char before = text[begin - 1];
-  if (!(before == '=' || before == ' ' || (before >= 'A' && before <= 'Z') || before == ',')) return std::nullopt;
+  if (!(before == '=' || before == ' ' || (before >= 'A' && before <= 'Z') || before == ','))
+    return std::nullopt;
   Literal out{begin, 0.0, text.find('.', begin) != std::string::npos};
   const std::size_t from = text[begin] == '+' ? begin + 1 : begin;
   const auto [end, error] = std::from_chars(text.data() + from, text.data() + text.size(), out.value);
@@ -82,7 +83,8 @@ std::string plain(double value, int decimals) {
 }
 
 TextChange changeOf(const Toolpath& path, const ResolvedOrigin& word, std::string text) {
-  return {path.files[word.file], word.line, word.begin, static_cast<std::uint32_t>(word.text.size()), std::move(text)};
+  return {path.files[word.file], word.line, word.begin, static_cast<std::uint32_t>(word.text.size()),
+          std::move(text)};
 }
 
 bool isNumeric(OriginKind kind) {
@@ -127,12 +129,13 @@ Suspect bare(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrigi
   out.cause.source = blockRef(path, word, *scene.sources[setup]);
   out.cause.column = word.begin;
   out.cause.incremental = word.incremental;
-  for (const ResolvedOrigin& from : word.from) out.cause.from.push_back(blockRef(path, from, *scene.sources[setup]));
+  for (const ResolvedOrigin& from : word.from)
+    out.cause.from.push_back(blockRef(path, from, *scene.sources[setup]));
   return out;
 }
 
-void addOther(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrigin& word, const std::string& text,
-              Suspect& out) {
+void addOther(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrigin& word,
+              const std::string& text, Suspect& out) {
   const Toolpath& path = scene.run.setups[setup].interpreted.path;
   out.others.push_back({text, Trial{setup, changeOf(path, word, text), nullptr}});
 }
@@ -146,7 +149,9 @@ void addCodes(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrig
       if (other.empty() || other == name) continue;
       const Code as = *codeIn(other);
       const bool system = as.number >= 54 && as.number <= 59;
-      if (system && !scene.run.setups[setup].job.settings.work_given[static_cast<std::size_t>(as.number - 54)]) continue;
+      if (system &&
+          !scene.run.setups[setup].job.settings.work_given[static_cast<std::size_t>(as.number - 54)])
+        continue;
       addOther(scene, setup, word, written(code, as.number), out);
     }
   }
@@ -165,7 +170,8 @@ void addRows(const SuspectScene& scene, std::uint32_t setup, const ResolvedOrigi
       rows.push_back(row.first);
   }
   for (const int row : rows) {
-    if (row != code.number && out.others.size() < kMostOthers) addOther(scene, setup, word, written(code, row), out);
+    if (row != code.number && out.others.size() < kMostOthers)
+      addOther(scene, setup, word, written(code, row), out);
   }
 }
 
@@ -203,15 +209,16 @@ std::optional<Suspect> suspectWord(const SuspectScene& scene, std::uint32_t setu
   const auto code = codeIn(word.text);
   if (!code) return std::nullopt;
   if (code->letter == 'G') addCodes(scene, setup, word, *code, out);
-  if (code->letter == 'D' || code->letter == 'H' || code->letter == 'T') addRows(scene, setup, word, *code, out);
+  if (code->letter == 'D' || code->letter == 'H' || code->letter == 'T')
+    addRows(scene, setup, word, *code, out);
   if (out.others.empty()) return std::nullopt;
   return out;
 }
 
 namespace {
 
-/// What tools are sold with, and what people enter: rows of D are mostly a tool's radius, work offsets where the
-/// workpiece lies, H 0 or a gauge length.
+/// What tools are sold with, and what people enter: rows of D are mostly a tool's radius, work offsets where
+/// the workpiece lies, H 0 or a gauge length.
 void addUsual(const SuspectScene& scene, std::uint32_t setup, const std::string& key, Suspect& out) {
   const Job& job = scene.run.setups[setup].job;
   const auto add = [&](double value) {
@@ -235,8 +242,10 @@ void addUsual(const SuspectScene& scene, std::uint32_t setup, const std::string&
     for (const double angle : {118.0, 140.0, 90.0, 120.0, 130.0, 135.0}) add(angle);
   } else if (key.ends_with(".diameter")) {  // as the row of its number says
     constexpr double kAlike = 0.3;
-    const auto row = job.settings.radius_offsets.find(std::atoi(key.c_str() + std::string_view("tools.").size()));
-    const double twice = row == job.settings.radius_offsets.end() ? 0.0 : 2.0 * (row->second.geometry + row->second.wear);
+    const auto row =
+        job.settings.radius_offsets.find(std::atoi(key.c_str() + std::string_view("tools.").size()));
+    const double twice =
+        row == job.settings.radius_offsets.end() ? 0.0 : 2.0 * (row->second.geometry + row->second.wear);
     if (std::abs(twice - out.value) <= kAlike * out.value) add(twice);
   }
 }
@@ -323,7 +332,8 @@ void addRepeats(const SuspectScene& scene, std::uint32_t setup, const ResolvedOr
     Suspect repeats = bare(scene, setup, word);
     repeats.cause.what = "repeats";
     for (const int more : {1, -1, 2, -2}) {
-      if (code->number + more >= 1) addOther(scene, setup, word, written(*code, code->number + more), repeats);
+      if (code->number + more >= 1)
+        addOther(scene, setup, word, written(*code, code->number + more), repeats);
     }
     out.push_back(std::move(repeats));
   }
@@ -352,16 +362,18 @@ std::string_view wireWord(const std::string& text) {
 std::optional<double> fittingWire(const Tool& tool, double offset_mm) {
   constexpr double kFits = 1e-6;
   for (const double diameter : {0.25, 0.2, 0.3, 0.15, 0.1}) {
-    if (std::abs(0.5 * diameter + tool.spark_gap - offset_mm) < kFits && std::abs(diameter - tool.diameter) > kFits)
+    if (std::abs(0.5 * diameter + tool.spark_gap - offset_mm) < kFits &&
+        std::abs(diameter - tool.diameter) > kFits)
       return diameter;
   }
   return std::nullopt;
 }
 
-/// Wires' controls do not tell which modal words a motion was made with: those that stand last before it in its file.
-/// Returns the diameter of the wire that the row in force is made for, where that is another one than the job's.
-std::optional<double> addWireWords(const SuspectScene& scene, std::uint32_t setup, const SourceRef& at, const Tool* tool,
-                                   double depth_mm, std::vector<Suspect>& out) {
+/// Wires' controls do not tell which modal words a motion was made with: those that stand last before it in
+/// its file. Returns the diameter of the wire that the row in force is made for, where that is another one
+/// than the job's.
+std::optional<double> addWireWords(const SuspectScene& scene, std::uint32_t setup, const SourceRef& at,
+                                   const Tool* tool, double depth_mm, std::vector<Suspect>& out) {
   constexpr std::uint32_t kMostLines = 5000;
   constexpr double kPerMm = 1000.0;  // rows of offsets count micrometres
   const Toolpath& path = scene.run.setups[setup].interpreted.path;
@@ -398,7 +410,8 @@ std::optional<double> addWireWords(const SuspectScene& scene, std::uint32_t setu
   return fitting;
 }
 
-/// The zero that was entered, where the workpiece lies elsewhere: wires' controls do not tell the offset in force.
+/// The zero that was entered, where the workpiece lies elsewhere: wires' controls do not tell the offset in
+/// force.
 void addZero(const SuspectScene& scene, std::uint32_t setup, std::vector<Suspect>& out) {
   const ControlSettings& settings = scene.run.setups[setup].job.settings;
   const Vec3 off = workpieceZero(settings) - offsetZero(settings);
@@ -420,16 +433,18 @@ void addPlanes(const SuspectScene& scene, std::uint32_t setup, std::vector<Suspe
     // At a face of the workpiece or not at all: any other height would make up for a wrong offset somewhere.
     for (const double height : {bounds.min.z(), bounds.max.z()}) {
       const auto trial = suspect->put(height);
-      if (std::abs(height - suspect->value) > 1e-9 && trial) suspect->others.push_back({suspect->text(height), *trial});
+      if (std::abs(height - suspect->value) > 1e-9 && trial)
+        suspect->others.push_back({suspect->text(height), *trial});
     }
     suspect->put = nullptr;
     out.push_back(std::move(*suspect));
   }
 }
 
-/// The numbers of the block that turned, scaled or mirrored what a motion goes along: only its code is an origin.
-void addTransformWords(const SuspectScene& scene, std::uint32_t setup, const std::vector<ResolvedOrigin>& words,
-                       double depth_mm, std::vector<Suspect>& out) {
+/// The numbers of the block that turned, scaled or mirrored what a motion goes along: only its code is an
+/// origin.
+void addTransformWords(const SuspectScene& scene, std::uint32_t setup,
+                       const std::vector<ResolvedOrigin>& words, double depth_mm, std::vector<Suspect>& out) {
   constexpr double kDegreesPerMm = 3.0;  // about 20 mm from the centre
   const Toolpath& path = scene.run.setups[setup].interpreted.path;
   for (const ResolvedOrigin& code : words) {
@@ -464,12 +479,14 @@ void addRowValues(const SuspectScene& scene, std::uint32_t setup, const std::vec
     if (code->letter == 'D') add(fmt::format("offsets.radius.{}", code->number), -depth_mm);
     if (code->letter == 'H') add(fmt::format("offsets.length.{}", code->number), depth_mm);
     if (code->letter != 'G' || code->number < 54 || code->number > 59) continue;
-    for (const char axis : {'x', 'y', 'z'}) add(fmt::format("offsets.work.G{}.{}", code->number, axis), depth_mm);
+    for (const char axis : {'x', 'y', 'z'})
+      add(fmt::format("offsets.work.G{}.{}", code->number, axis), depth_mm);
   }
 }
 
 /// How the part is moved and turned into a clamping.
-void addTransform(const SuspectScene& scene, std::uint32_t setup, double depth_mm, std::vector<Suspect>& out) {
+void addTransform(const SuspectScene& scene, std::uint32_t setup, double depth_mm,
+                  std::vector<Suspect>& out) {
   const SetupRun& run = scene.run.setups[setup];
   for (const char axis : {'x', 'y', 'z'}) {
     const std::string key = fmt::format("setup.{}.transform.translate.{}", run.name, axis);
@@ -491,7 +508,8 @@ void addTransform(const SuspectScene& scene, std::uint32_t setup, double depth_m
 
 }  // namespace
 
-std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, MotionId motion, double depth_mm) {
+std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, MotionId motion,
+                                double depth_mm) {
   std::vector<Suspect> out;
   const SetupRun& run = scene.run.setups[setup];
   const Toolpath& path = run.interpreted.path;
@@ -527,7 +545,8 @@ std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, 
     for (const std::string& key : toolKeys(*tool)) {
       const bool angle = key.ends_with("_angle");
       constexpr double kAngleStep = 5.0;
-      // A larger corner leaves more, a larger cutter less; a corner stands 0.4142 of its radius out of the edge.
+      // A larger corner leaves more, a larger cutter less; a corner stands 0.4142 of its radius out of the
+      // edge.
       const double step = angle ? kAngleStep : key.ends_with("corner_radius") ? -depth_mm / 0.4142 : depth_mm;
       auto suspect = suspectDatum(scene, setup, key, -step);
       if (!suspect) continue;

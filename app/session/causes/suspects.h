@@ -1,5 +1,5 @@
-// What could be wrong behind a deviation: words of the program, codes of their group, keys of the job. A suspect says
-// how it would be put otherwise; whether that helps is for a trial (trial.h).
+// What could be wrong behind a deviation: words of the program, codes of their group, keys of the job. A
+// suspect says how it would be put otherwise; whether that helps is for a trial (trial.h).
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/cause_candidates.h"
+#include "app/session/causes/cause_candidates.h"
 #include "app/session/causes/trial.h"
 #include "io/report.h"
 
@@ -20,11 +20,13 @@ struct Suspect {
   int rank = 0;     ///< of suspects that explain as much, the lower is told first
   std::uint32_t setup = 0;
 
-  /// A number: its value, what to add to it first, and the trial with another value. Null function: it is no number.
+  /// A number: its value, what to add to it first, and the trial with another value. Null function: it is no
+  /// number.
   double value = 0.0, first_step = 0.0;
-  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();  ///< of it
-  std::vector<double> usual;  ///< values that it often should have, tried first
-  int decimals = 3;     ///< that it is written with at most
+  double least = -std::numeric_limits<double>::infinity(),
+         most = std::numeric_limits<double>::infinity();  ///< of it
+  std::vector<double> usual;                              ///< values that it often should have, tried first
+  int decimals = 3;                                       ///< that it is written with at most
   double per_mm = 1.0;  ///< by how much it changes where the cut moves by 1 mm, about; for rounding
   std::function<std::optional<Trial>(double value)> put;
   std::function<std::string(double value)> text;  ///< "Z-4", "offsets.radius.1 = 5"
@@ -52,8 +54,9 @@ std::optional<Suspect> suspectWord(const SuspectScene& scene, std::uint32_t setu
 /// A datum of the job by its key ("offsets.radius.1", "tools.2.diameter").
 std::optional<Suspect> suspectDatum(const SuspectScene& scene, std::uint32_t setup, const std::string& key,
                                     double off_mm);
-/// All of a motion: its words in force, counts of repeats, the keys of its tool, offsets, and the clamping's move.
-/// `depth_mm`: of the deviation.
-std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, MotionId motion, double depth_mm);
+/// All of a motion: its words in force, counts of repeats, the keys of its tool, offsets, and the clamping's
+/// move. `depth_mm`: of the deviation.
+std::vector<Suspect> suspectsOf(const SuspectScene& scene, std::uint32_t setup, MotionId motion,
+                                double depth_mm);
 
 }  // namespace proveout

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "app/session/comparison.h"
-#include "app/session/machining.h"
-#include "app/session/process/process.h"
+#include "app/session/machining/machining.h"
 #include "app/session/programs/first_offset.h"
+#include "app/session/programs/interpretation.h"
+#include "app/session/run/process.h"
 #include "core/mesh/signed_distance.h"
 #include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
@@ -72,8 +72,7 @@ std::vector<double> measured(const TriMesh& mesh, const std::vector<Vec3>& sampl
   const SurfaceMesh surface = toSurface(mesh);
   const SignedDistance distance(surface);
   std::vector<double> out;
-  for (const Vec3& p : samples)
-    out.push_back(std::clamp(-distance.at(p).distance, -reach_mm, reach_mm));
+  for (const Vec3& p : samples) out.push_back(std::clamp(-distance.at(p).distance, -reach_mm, reach_mm));
   return out;
 }
 
@@ -136,7 +135,8 @@ std::vector<double> TrialBench::ofSweptPart(const Changed* changed, const std::v
     paths[k] = near(path, tools, boundsOf(samples, from_last));
     cuts[k] = {&paths[k], &tools, from_last};
     const bool moved = changed != nullptr && !changed->whole.setups.empty();
-    const RigidTransform& from_previous = moved ? changed->whole.setups[k].from_previous : setup.from_previous;
+    const RigidTransform& from_previous =
+        moved ? changed->whole.setups[k].from_previous : setup.from_previous;
     from_last = from_previous.inverse() * from_last;
   }
   const Result<std::unique_ptr<ExactPart>> part = makeSweptPart(blank_.shape, cuts);

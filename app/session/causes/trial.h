@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/session/causes/changed_source.h"
-#include "app/session/session.h"
+#include "app/session/run/prepared_run.h"
 
 namespace proveout {
 
@@ -19,21 +19,21 @@ struct Trial {
   std::function<bool(Job& job)> datum;
 };
 
-/// Runs trials of one run. Milled parts are asked as blank less swept volumes, near the samples alone; all others are
-/// machined again.
+/// Runs trials of one run. Milled parts are asked as blank less swept volumes, near the samples alone; all
+/// others are machined again.
 class TrialBench {
  public:
   /// All must outlive this. `reach_mm`: deviations are measured up to there.
   TrialBench(const Job& job, const RunSources& sources, const Blank& blank, const TriMesh& nominal,
              const RunResult& run, Progress& progress);
 
-  /// Whether trials can be run at all: not where programs measure the workpiece, come from templates, or go in
-  /// several channels, and not for a stock from a file.
+  /// Whether trials can be run at all: not where programs measure the workpiece, come from templates, or go
+  /// in several channels, and not for a stock from a file.
   bool works() const { return works_; }
-  /// Deviations of the machined part from the nominal at these points of its surface (frame of the last clamping),
-  /// mm, excess positive, up to `reach_mm`. Empty: the program would end in an alarm, or the trial cannot be run.
-  std::vector<double> deviations(const Trial& trial, const std::vector<Vec3>& samples,
-                                 double reach_mm) const;
+  /// Deviations of the machined part from the nominal at these points of its surface (frame of the last
+  /// clamping), mm, excess positive, up to `reach_mm`. Empty: the program would end in an alarm, or the trial
+  /// cannot be run.
+  std::vector<double> deviations(const Trial& trial, const std::vector<Vec3>& samples, double reach_mm) const;
   /// The same of the run as it is.
   std::vector<double> deviations(const std::vector<Vec3>& samples, double reach_mm) const;
   /// How many trials take about as long as the run itself, estimated from its size alone.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
-#include "io/job.h"
+#include "io/job/job.h"
 #include "removal/compare/nominal.h"
 
 namespace proveout {
@@ -13,7 +13,8 @@ namespace proveout {
 /// Adds what was repaired in a mesh, one sentence each, as warnings with the given code.
 void noteRepairs(const std::vector<std::string>& repairs, const std::string& code, Diagnostics& diagnostics);
 
-/// Reads the nominal mesh, puts it where the job says and makes a solid of it; what was repaired becomes warnings.
+/// Reads the nominal mesh, puts it where the job says and makes a solid of it; what was repaired becomes
+/// warnings.
 Result<PreparedMesh> loadNominal(const NominalSpec& nominal);
 
 /// A blank or a fixture.

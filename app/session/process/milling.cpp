@@ -1,9 +1,9 @@
 // Milling: the workpiece is a grid.
-#include "app/session/fixtures.h"
-#include "app/session/job_defaults.h"
-#include "app/session/process/process.h"
-#include "app/session/run_result.h"
-#include "app/session/turning_work.h"
+#include "app/session/process/fixtures.h"
+#include "app/session/process/turning_work.h"
+#include "app/session/run/job_defaults.h"
+#include "app/session/run/process.h"
+#include "app/session/run/run_result.h"
 #include "core/tool/tool_type.h"
 #include "removal/process/milled_piece.h"
 

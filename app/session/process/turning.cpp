@@ -1,11 +1,11 @@
 // Turning: the workpiece is a half section until a thread or a saved grid needs more.
 #include <fmt/format.h>
 
-#include "app/session/clearance.h"
-#include "app/session/fixtures.h"
-#include "app/session/process/process.h"
-#include "app/session/run_result.h"
-#include "app/session/turning_work.h"
+#include "app/session/process/fixtures.h"
+#include "app/session/process/turning_work.h"
+#include "app/session/programs/clearance.h"
+#include "app/session/run/process.h"
+#include "app/session/run/run_result.h"
 #include "core/tool/tool_table.h"
 #include "removal/process/turned_piece.h"
 #include "removal/turning/turned_stock.h"
@@ -34,7 +34,8 @@ Status check(const Job& job, std::size_t k, const Blank& blank) {
   const WorkpiecePlacement& placement = setup.settings.placement;
   if (placement.rotation_deg != 0.0 || workpieceZero(setup.settings).y() != origin.y())
     return inputError(
-        "the placement of a turned part has an origin on the spindle axis, with the Y of the work offset, and no "
+        "the placement of a turned part has an origin on the spindle axis, with the Y of the work offset, "
+        "and no "
         "rotation: a spindle has no zero");
   if (const auto& y = setup.settings.tool_change.y; y && *y != origin.y())
     return inputError(fmt::format(

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/process/process.h"
-#include "app/session/run_result.h"
-#include "app/session/turning_work.h"
-#include "app/session/wire_findings.h"
-#include "app/session/wire_fixtures.h"
+#include "app/session/findings/wire_findings.h"
+#include "app/session/process/turning_work.h"
+#include "app/session/process/wire_fixtures.h"
+#include "app/session/run/process.h"
+#include "app/session/run/run_result.h"
 #include "removal/process/wire_grid_piece.h"
 #include "removal/process/wire_piece.h"
+#include "removal/wire/falls/wire_work.h"
 #include "removal/wire/start_holes.h"
-#include "removal/wire/wire_work.h"
 
 namespace proveout {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/session/program_checks/program_checks.h"
 
-#include "app/session/blame.h"
+#include "app/session/findings/blame.h"
 #include "app/session/program_checks/limits.h"
 #include "app/session/program_checks/program_unit.h"
 #include "app/session/program_checks/retracts.h"

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/session/interpretation.h"
+#include "app/session/programs/interpretation.h"
 #include "core/geometry/types.h"
 #include "core/mesh/tri_mesh.h"
-#include "io/job.h"
+#include "io/job/job.h"
 #include "io/report.h"
 #include "removal/grid/stock_shape.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/session/process/process.h"
+#include "app/session/run/process.h"
 
 namespace proveout {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "app/session/process/process.h"
 #include "app/session/program_checks/local_top.h"
+#include "app/session/run/process.h"
 #include "core/tool/tool_table.h"
 #include "io/report_text.h"
 #include "removal/grid/stock_shape.h"

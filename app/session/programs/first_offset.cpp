@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/session/programs/interpretation.h"
+
 namespace proveout {
 
 namespace {
@@ -80,7 +82,8 @@ void placeByFirstOffset(Job& job, const RecordingSource& source, const Box3& bla
   note.severity = Severity::kNote;
   note.code = "placement";
   note.message = fmt::format(
-      "nothing is cut under G54: the workpiece is taken to lie where {0} says, the first offset that the program cuts "
+      "nothing is cut under G54: the workpiece is taken to lie where {0} says, the first offset that the "
+      "program cuts "
       "under; [placement] origin in the job says where it really lies",
       workSystemName(first));
   diagnostics.add(std::move(note));

@@ -1,14 +1,14 @@
 // Where the workpiece really lies, against where the operator's offsets say.
 //
-// A control tells its path in the machine frame moved to the zero that its offsets name (offsetZero). The workpiece
-// lies where WorkpiecePlacement says. With both, a wrong offset moves the cuts.
+// A control tells its path in the machine frame moved to the zero that its offsets name (offsetZero). The
+// workpiece lies where WorkpiecePlacement says. With both, a wrong offset moves the cuts.
 #pragma once
 
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
-#include "core/nc/control_host.h"
-#include "core/nc/control_settings.h"
+#include "core/nc/control/control_host.h"
+#include "core/nc/control/control_settings.h"
 #include "core/path/toolpath.h"
 
 namespace proveout {

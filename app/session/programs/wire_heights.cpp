@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/session/programs/placed_path.h"
-#include "core/nc/control_info.h"
-#include "removal/wire/wire_work.h"
+#include "core/nc/control/control_info.h"
+#include "removal/wire/falls/wire_work.h"
 
 namespace proveout {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/geometry/types.h"
-#include "core/nc/control_settings.h"
+#include "core/nc/control/control_settings.h"
 #include "core/path/toolpath.h"
-#include "io/job.h"
+#include "io/job/job.h"
 
 namespace proveout {
 

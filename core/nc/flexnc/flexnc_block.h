@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/block.h"
 #include "core/nc/flexnc/flexnc_expression.h"
+#include "core/nc/text/block.h"
 
 namespace proveout::nc {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/control_info.h"
-#include "core/nc/flexnc/cycle_call.h"
+#include "core/nc/control/control_info.h"
+#include "core/nc/flexnc/cycles/cycle_call.h"
 #include "core/nc/flexnc/flexnc_context.h"
 
 namespace proveout::nc {

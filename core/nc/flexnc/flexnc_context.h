@@ -5,21 +5,21 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/nc/block_watch.h"
-#include "core/nc/flexnc/cycle_call.h"
+#include "core/nc/flexnc/cycles/cycle_call.h"
 #include "core/nc/flexnc/flexnc_block.h"
 #include "core/nc/flexnc/flexnc_parameters.h"
 #include "core/nc/flexnc/flexnc_program.h"
 #include "core/nc/flexnc/flexnc_rapid_stage.h"
 #include "core/nc/flexnc/flexnc_report.h"
 #include "core/nc/flexnc/flexnc_state.h"
-#include "core/nc/frames.h"
-#include "core/nc/loop_budget.h"
-#include "core/nc/loop_watch.h"
-#include "core/nc/motion_pipe.h"
-#include "core/nc/origin_recorder.h"
-#include "core/nc/path_emitter.h"
-#include "core/nc/rolling_comp_stage.h"
+#include "core/nc/kinematics/frames.h"
+#include "core/nc/limits/block_watch.h"
+#include "core/nc/limits/loop_budget.h"
+#include "core/nc/limits/loop_watch.h"
+#include "core/nc/origins/origin_recorder.h"
+#include "core/nc/stages/motion_pipe.h"
+#include "core/nc/stages/path_emitter.h"
+#include "core/nc/stages/rolling_comp_stage.h"
 
 namespace proveout::nc {
 

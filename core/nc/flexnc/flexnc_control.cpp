@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "core/nc/flexnc/flexnc_cycles.h"
+#include "core/nc/flexnc/cycles/flexnc_cycles.h"
 #include "core/nc/flexnc/flexnc_origins.h"
 #include "core/nc/flexnc/flexnc_watch.h"
 #include "core/nc/flexnc/flexnc_words.h"
-#include "core/nc/program_likeness.h"
+#include "core/nc/text/program_likeness.h"
 
 namespace proveout::nc {
 

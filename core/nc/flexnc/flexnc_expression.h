@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/block.h"
 #include "core/nc/flexnc/flexnc_variables.h"
-#include "core/nc/value_origins.h"
+#include "core/nc/origins/value_origins.h"
+#include "core/nc/text/block.h"
 
 namespace proveout::nc {
 

@@ -4,7 +4,7 @@
 
 #include "core/nc/flexnc/flexnc_motion.h"
 #include "core/nc/flexnc/flexnc_origins.h"
-#include "core/nc/tool_change.h"
+#include "core/nc/stages/tool_change.h"
 
 namespace proveout::nc {
 

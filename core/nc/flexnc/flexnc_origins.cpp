@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/nc/flexnc/cycle_call.h"
+#include "core/nc/flexnc/cycles/cycle_call.h"
 
 namespace proveout::nc {
 

@@ -2,7 +2,7 @@
 // flexnc, 3.1).
 #pragma once
 
-#include "core/nc/motion_pipe.h"
+#include "core/nc/stages/motion_pipe.h"
 
 namespace proveout::nc {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/nc/flexnc/flexnc_program.h"
-#include "core/nc/origin_recorder.h"
-#include "core/nc/path_emitter.h"
-#include "core/nc/rolling_comp_stage.h"
+#include "core/nc/origins/origin_recorder.h"
+#include "core/nc/stages/path_emitter.h"
+#include "core/nc/stages/rolling_comp_stage.h"
 
 namespace proveout::nc {
 

@@ -1,7 +1,7 @@
 // The FlexNC lathe control in the list of controls.
 #pragma once
 
-#include "core/nc/control_row.h"
+#include "core/nc/control/control_row.h"
 
 namespace proveout::nc {
 

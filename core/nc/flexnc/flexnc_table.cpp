@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/nc/flexnc/cycles/flexnc_cycles.h"
 #include "core/nc/flexnc/flexnc_codes.h"
-#include "core/nc/flexnc/flexnc_cycles.h"
 #include "core/nc/flexnc/flexnc_functions.h"
 #include "core/nc/flexnc/flexnc_words.h"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/nc/intern_table.h"
+#include "core/nc/origins/intern_table.h"
 
 namespace proveout::nc {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/nc/flexnc/flexnc_cycles.h"
+#include "core/nc/flexnc/cycles/flexnc_cycles.h"
 #include "core/nc/flexnc/flexnc_functions.h"
 #include "core/nc/flexnc/flexnc_motion.h"
 #include "core/nc/flexnc/flexnc_origins.h"

@@ -1,12 +1,12 @@
 target_sources(proveout_core PRIVATE
-  nc/flexnc/cycle_checks.cpp
-  nc/flexnc/cycle_moves.cpp
-  nc/flexnc/cycles.cpp
+  nc/flexnc/cycles/cycle_checks.cpp
+  nc/flexnc/cycles/cycle_moves.cpp
+  nc/flexnc/cycles/cycles.cpp
   nc/flexnc/flexnc_block.cpp
   nc/flexnc/flexnc_context.cpp
   nc/flexnc/flexnc_control.cpp
   nc/flexnc/flexnc_coverage.cpp
-  nc/flexnc/flexnc_cycles.cpp
+  nc/flexnc/cycles/flexnc_cycles.cpp
   nc/flexnc/flexnc_expression.cpp
   nc/flexnc/flexnc_functions.cpp
   nc/flexnc/flexnc_motion.cpp
@@ -19,12 +19,12 @@ target_sources(proveout_core PRIVATE
   nc/flexnc/flexnc_table.cpp
   nc/flexnc/flexnc_watch.cpp
   nc/flexnc/flexnc_words.cpp
-  nc/flexnc/special_facing.cpp
-  nc/flexnc/special_grooves.cpp
-  nc/flexnc/special_thread.cpp
-  nc/flexnc/special_worm.cpp
-  nc/flexnc/template_arcs.cpp
-  nc/flexnc/template_check.cpp
-  nc/flexnc/template_passes.cpp
-  nc/flexnc/template_profile.cpp
-  nc/flexnc/template_table.cpp)
+  nc/flexnc/cycles/special_facing.cpp
+  nc/flexnc/cycles/special_grooves.cpp
+  nc/flexnc/cycles/special_thread.cpp
+  nc/flexnc/cycles/special_worm.cpp
+  nc/flexnc/template/template_arcs.cpp
+  nc/flexnc/template/template_check.cpp
+  nc/flexnc/template/template_passes.cpp
+  nc/flexnc/template/template_profile.cpp
+  nc/flexnc/template/template_table.cpp)

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/alarms.h"
-#include "core/nc/lexer.h"
 #include "core/nc/macro/value.h"
 #include "core/nc/macro/variables.h"
-#include "core/nc/value_origins.h"
+#include "core/nc/origins/value_origins.h"
+#include "core/nc/text/alarms.h"
+#include "core/nc/text/lexer.h"
 
 namespace proveout::nc {
 

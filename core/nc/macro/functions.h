@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/nc/alarms.h"
+#include "core/nc/text/alarms.h"
 
 namespace proveout::nc {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/intern_table.h"
 #include "core/nc/macro/value.h"
+#include "core/nc/origins/intern_table.h"
 
 namespace proveout::nc {
 

@@ -1,14 +1,14 @@
 target_sources(proveout_core PRIVATE
   nc/services/arcs.cpp
   nc/services/bell_profile.cpp
-  nc/services/contour_clearance.cpp
-  nc/services/contour_corner.cpp
-  nc/services/contour_crossing.cpp
-  nc/services/contour_elements.cpp
-  nc/services/contour_offset.cpp
-  nc/services/contour_passes.cpp
-  nc/services/contour_profile.cpp
-  nc/services/contour_shift.cpp
+  nc/services/contour/contour_clearance.cpp
+  nc/services/contour/contour_corner.cpp
+  nc/services/contour/contour_crossing.cpp
+  nc/services/contour/contour_elements.cpp
+  nc/services/contour/contour_offset.cpp
+  nc/services/contour/contour_passes.cpp
+  nc/services/contour/contour_profile.cpp
+  nc/services/contour/contour_shift.cpp
   nc/services/cutter_comp.cpp
   nc/services/cutter_comp_check.cpp
   nc/services/cutter_comp_corner.cpp

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/geometry/plane.h"
-#include "core/nc/services/contour_clearance.h"
-#include "core/nc/services/contour_elements.h"
-#include "core/nc/services/contour_shift.h"
+#include "core/nc/services/contour/contour_clearance.h"
+#include "core/nc/services/contour/contour_elements.h"
+#include "core/nc/services/contour/contour_shift.h"
 
 namespace proveout {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/services/contour_corner.h"
+#include "core/nc/services/contour/contour_corner.h"
 
 namespace proveout {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/geometry/plane.h"
-#include "core/nc/services/contour_elements.h"
-#include "core/nc/services/contour_shift.h"
+#include "core/nc/services/contour/contour_elements.h"
+#include "core/nc/services/contour/contour_shift.h"
 
 namespace proveout {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/nc/services/contour_corner.h"
+#include "core/nc/services/contour/contour_corner.h"
 
 namespace proveout {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/nc/axis_point.h"
+#include "core/nc/kinematics/axis_point.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/block.h"
+#include "core/nc/text/block.h"
 
 namespace proveout::nc {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "core/nc/services/contour_elements.h"
+#include "core/nc/services/contour/contour_elements.h"
 #include "core/nc/wedm/wedm_contours.h"
 
 namespace proveout::nc {

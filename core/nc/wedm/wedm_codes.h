@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/control_info.h"
+#include "core/nc/control/control_info.h"
 #include "core/nc/wedm/wedm_state.h"
 
 namespace proveout::nc {

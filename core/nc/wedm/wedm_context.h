@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/nc/block_watch.h"
-#include "core/nc/origin_recorder.h"
+#include "core/nc/limits/block_watch.h"
+#include "core/nc/origins/origin_recorder.h"
 #include "core/nc/wedm/wedm_chain.h"
 #include "core/nc/wedm/wedm_codes.h"
 #include "core/nc/wedm/wedm_parameters.h"

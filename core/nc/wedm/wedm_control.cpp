@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "core/nc/program_likeness.h"
+#include "core/nc/text/program_likeness.h"
 
 namespace proveout::nc {
 

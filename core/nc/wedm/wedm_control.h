@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/nc/loop_budget.h"
+#include "core/nc/limits/loop_budget.h"
 #include "core/nc/wedm/wedm_context.h"
 #include "core/nc/wedm/wedm_plan.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/geometry/plane.h"
-#include "core/nc/services/contour_elements.h"
+#include "core/nc/services/contour/contour_elements.h"
 
 namespace proveout::nc {
 
@@ -15,7 +15,8 @@ namespace {
 constexpr double kMostCoordinate = 999.999, kMostInch = 99.9999;  ///< mm, inch
 constexpr double kMostCenter = 99999.999;                         ///< mm
 constexpr double kOnePoint = 1e-9;                                ///< mm
-constexpr double kFarthest = 2.0 * 1000.0 * 1.41421356237309505;  ///< mm, between corners of the field of coordinates
+constexpr double kFarthest =
+    2.0 * 1000.0 * 1.41421356237309505;  ///< mm, between corners of the field of coordinates
 
 const WedmWord* wordIn(const std::vector<WedmWord>& words, char address) {
   for (const WedmWord& word : words) {
@@ -103,10 +104,11 @@ bool withinReach(WedmContext& c, const ContourElement& arc) {
   const double turn = std::min(std::abs(arc.sweep), kPi), radius = (arc.from - arc.center).norm();
   const double away = 2.0 * radius * std::sin(0.5 * turn);
   return away <= kFarthest ||
-         c.report.fail("wedm-5.3-far",
-                       fmt::format("the arc leads {:.1f} m away from its start: no machine gets there. Its radius is "
-                                   "{:.3f} mm; I and J count from the start to the centre",
-                                   1e-3 * away, radius));
+         c.report.fail(
+             "wedm-5.3-far",
+             fmt::format("the arc leads {:.1f} m away from its start: no machine gets there. Its radius is "
+                         "{:.3f} mm; I and J count from the start to the centre",
+                         1e-3 * away, radius));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/nc/services/contour_elements.h"
+#include "core/nc/services/contour/contour_elements.h"
 #include "core/nc/wedm/wedm_elements.h"
 
 namespace proveout::nc {

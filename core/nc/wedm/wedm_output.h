@@ -1,9 +1,9 @@
 // Sends what the wire does to the path, with its times, and counts it.
 #pragma once
 
-#include "core/nc/control_settings.h"
-#include "core/nc/run_summary.h"
-#include "core/nc/services/contour_corner.h"
+#include "core/nc/control/control_settings.h"
+#include "core/nc/control/run_summary.h"
+#include "core/nc/services/contour/contour_corner.h"
 #include "core/nc/wedm/wedm_parameters.h"
 #include "core/path/toolpath.h"
 

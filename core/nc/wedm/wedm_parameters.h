@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/nc/control_info.h"
+#include "core/nc/control/control_info.h"
 #include "core/nc/services/wire_offset.h"
 
 namespace proveout::nc {

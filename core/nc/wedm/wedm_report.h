@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/nc/origin_recorder.h"
-#include "core/nc/run_summary.h"
+#include "core/nc/control/run_summary.h"
+#include "core/nc/origins/origin_recorder.h"
 #include "core/nc/wedm/wedm_program.h"
 #include "core/path/toolpath.h"
 

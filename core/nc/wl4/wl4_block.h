@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/nc/block.h"
-#include "core/nc/wl4/wl4_expression.h"
+#include "core/nc/text/block.h"
+#include "core/nc/wl4/macro/wl4_expression.h"
 
 namespace proveout::nc {
 

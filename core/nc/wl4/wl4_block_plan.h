@@ -1,7 +1,7 @@
 // What a block of the WL4 control is to do.
 #pragma once
 
-#include "core/nc/axes.h"
+#include "core/nc/kinematics/axes.h"
 #include "core/nc/wl4/wl4_state.h"
 
 namespace proveout::nc {

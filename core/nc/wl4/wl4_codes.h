@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/block.h"
-#include "core/nc/control_info.h"
+#include "core/nc/control/control_info.h"
+#include "core/nc/text/block.h"
 #include "core/nc/wl4/wl4_parameters.h"
 #include "core/path/word_origin.h"
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/nc/program_likeness.h"
+#include "core/nc/text/program_likeness.h"
 #include "core/nc/wl4/wl4_codes.h"
 #include "core/nc/wl4/wl4_functions.h"
 #include "core/nc/wl4/wl4_motion.h"
@@ -124,10 +124,11 @@ Wl4Control::Go Wl4Control::block(std::size_t& next_line) {
                        "** beside * / MOD without parentheses: they go from left to right");
   }
   if (c_.evaluator.mixedClasses()) {
-    c_.report.warnOnce("classes", "wl4-order",
-                       "operators of several kinds without parentheses: taken here are + and - first, then "
-                       "comparisons, then AND, OR and XOR; the manual names no order among them but from left "
-                       "to right, which gives another value: put parentheses");
+    c_.report.warnOnce(
+        "classes", "wl4-order",
+        "operators of several kinds without parentheses: taken here are + and - first, then "
+        "comparisons, then AND, OR and XOR; the manual names no order among them but from left "
+        "to right, which gives another value: put parentheses");
   }
   if (isOwnError(c_.levels.back().line)) {
     const std::string text(c_.block.comment.empty() ? std::string_view("the program stops itself")

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/nc/tool_change.h"
+#include "core/nc/stages/tool_change.h"
 #include "core/nc/wl4/wl4_output.h"
 #include "core/nc/wl4/wl4_speeds.h"
 

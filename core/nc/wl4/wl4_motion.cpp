@@ -1,8 +1,8 @@
 #include "core/nc/wl4/wl4_motion.h"
 
+#include "core/nc/wl4/cycles/wl4_measuring.h"
 #include "core/nc/wl4/wl4_arcs.h"
 #include "core/nc/wl4/wl4_codes.h"
-#include "core/nc/wl4/wl4_measuring.h"
 #include "core/nc/wl4/wl4_output.h"
 #include "core/nc/wl4/wl4_speeds.h"
 

@@ -6,12 +6,12 @@
 #include <optional>
 #include <string_view>
 
-#include "core/nc/origin_recorder.h"
+#include "core/nc/origins/origin_recorder.h"
+#include "core/nc/wl4/macro/wl4_variables.h"
 #include "core/nc/wl4/wl4_block.h"
 #include "core/nc/wl4/wl4_block_plan.h"
 #include "core/nc/wl4/wl4_levels.h"
 #include "core/nc/wl4/wl4_setup.h"
-#include "core/nc/wl4/wl4_variables.h"
 
 namespace proveout::nc {
 

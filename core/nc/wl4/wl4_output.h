@@ -1,7 +1,7 @@
 // Items of the WL4 control on their way to the pipe.
 #pragma once
 
-#include "core/nc/motion_pipe.h"
+#include "core/nc/stages/motion_pipe.h"
 #include "core/nc/wl4/wl4_block_plan.h"
 #include "core/nc/wl4/wl4_context.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/nc/control_info.h"
+#include "core/nc/control/control_info.h"
 
 namespace proveout::nc {
 

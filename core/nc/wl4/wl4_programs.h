@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/nc/control_settings.h"
-#include "core/nc/program_source.h"
-#include "core/nc/source_text.h"
+#include "core/nc/control/control_settings.h"
+#include "core/nc/control/program_source.h"
+#include "core/nc/text/source_text.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {

@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
-#include "core/nc/contour_stage.h"
-#include "core/nc/origin_recorder.h"
-#include "core/nc/path_emitter.h"
-#include "core/nc/rolling_comp_stage.h"
+#include "core/nc/origins/origin_recorder.h"
+#include "core/nc/stages/contour_stage.h"
+#include "core/nc/stages/path_emitter.h"
+#include "core/nc/stages/rolling_comp_stage.h"
 #include "core/nc/wl4/wl4_block.h"
 #include "core/nc/wl4/wl4_levels.h"
 #include "core/nc/wl4/wl4_programs.h"

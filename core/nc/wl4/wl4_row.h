@@ -1,7 +1,7 @@
 // The WL4 control, milling and turning, in the list of controls.
 #pragma once
 
-#include "core/nc/control_row.h"
+#include "core/nc/control/control_row.h"
 
 namespace proveout::nc {
 

@@ -1,9 +1,9 @@
 // What stays as it is while a program of the WL4 control runs: machine, settings, parameters.
 #pragma once
 
-#include "core/nc/axes.h"
-#include "core/nc/control_host.h"
-#include "core/nc/control_settings.h"
+#include "core/nc/control/control_host.h"
+#include "core/nc/control/control_settings.h"
+#include "core/nc/kinematics/axes.h"
 #include "core/nc/wl4/wl4_parameters.h"
 #include "core/nc/wl4/wl4_state.h"
 

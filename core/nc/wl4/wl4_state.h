@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/nc/axes.h"
+#include "core/nc/kinematics/axes.h"
 #include "core/nc/services/plane_frame.h"
 
 namespace proveout::nc {

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <array>
 
+#include "core/nc/wl4/cycles/wl4_cycles.h"
+#include "core/nc/wl4/cycles/wl4_thread.h"
 #include "core/nc/wl4/wl4_axis_words.h"
 #include "core/nc/wl4/wl4_block_plan.h"
 #include "core/nc/wl4/wl4_codes.h"
-#include "core/nc/wl4/wl4_cycles.h"
 #include "core/nc/wl4/wl4_functions.h"
 #include "core/nc/wl4/wl4_motion.h"
-#include "core/nc/wl4/wl4_thread.h"
 
 namespace proveout::nc {
 

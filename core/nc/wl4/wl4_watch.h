@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/base/progress.h"
-#include "core/nc/block_watch.h"
-#include "core/nc/loop_budget.h"
-#include "core/nc/loop_watch.h"
-#include "core/nc/run_summary.h"
+#include "core/nc/control/run_summary.h"
+#include "core/nc/limits/block_watch.h"
+#include "core/nc/limits/loop_budget.h"
+#include "core/nc/limits/loop_watch.h"
 #include "core/nc/wl4/wl4_levels.h"
 #include "core/nc/wl4/wl4_report.h"
 

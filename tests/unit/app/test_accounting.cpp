@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "app/run_report.h"
-#include "app/session/accounting.h"
+#include "app/session/findings/accounting.h"
 #include "app/session/session.h"
 
 namespace proveout {

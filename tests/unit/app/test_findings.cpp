@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "app/run_report.h"
-#include "app/session/contact_findings.h"
-#include "app/session/findings.h"
-#include "app/session/stock_bodies.h"
+#include "app/session/findings/contact_findings.h"
+#include "app/session/findings/findings.h"
+#include "app/session/machining/stock_bodies.h"
 
 namespace proveout {
 namespace {
@@ -179,7 +179,8 @@ TEST_F(Fixture, WhatTheNominalsFacetsLeaveOpenAsksForAFinerNominal) {
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].severity, Severity::kWarning);
   EXPECT_EQ(findings[0].message.find("--resolution"), std::string::npos) << findings[0].message;
-  for (const char* const told : {"0.04 mm below nominal", "good to 0.06 mm", "0.059 mm off the face", "chords of 0.002 mm"})
+  for (const char* const told :
+       {"0.04 mm below nominal", "good to 0.06 mm", "0.059 mm off the face", "chords of 0.002 mm"})
     EXPECT_NE(findings[0].message.find(told), std::string::npos) << findings[0].message;
   EXPECT_FALSE(reportComparison(comparison, NominalSpec{}).decided);
 }

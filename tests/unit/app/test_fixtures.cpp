@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/session/fixtures.h"
+#include "app/session/process/fixtures.h"
 #include "app/session/session.h"
 
 namespace proveout {

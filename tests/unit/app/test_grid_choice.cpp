@@ -1,7 +1,7 @@
 // The spacing that nobody asked for.
 #include <gtest/gtest.h>
 
-#include "app/session/grid_choice.h"
+#include "app/session/machining/grid_choice.h"
 
 namespace proveout {
 namespace {

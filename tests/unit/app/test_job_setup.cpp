@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "app/job_setup.h"
-#include "app/session/blank.h"
-#include "app/session/interpretation.h"
-#include "app/session/job_defaults.h"
+#include "app/session/programs/interpretation.h"
+#include "app/session/run/blank.h"
+#include "app/session/run/job_defaults.h"
 #include "tests/support/temporary_folder.h"
 
 namespace proveout {

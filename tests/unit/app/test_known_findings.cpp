@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/acceptance.h"
-#include "app/session/known_findings.h"
+#include "app/session/findings/acceptance.h"
+#include "app/session/findings/known_findings.h"
 #include "io/baseline.h"
 
 namespace proveout {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "app/run_report.h"
+#include "app/session/findings/uncertainty.h"
 #include "app/session/session.h"
-#include "app/session/uncertainty.h"
 
 namespace proveout {
 namespace {

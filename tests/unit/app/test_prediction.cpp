@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "app/console.h"
-#include "app/session/machine_speed.h"
-#include "app/session/prediction.h"
+#include "app/session/forecast/machine_speed.h"
+#include "app/session/forecast/prediction.h"
 #include "core/base/thread_limit.h"
 
 namespace proveout {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/run_report.h"
+#include "app/session/findings/uncertainty.h"
 #include "app/session/session.h"
-#include "app/session/uncertainty.h"
 
 namespace proveout {
 namespace {

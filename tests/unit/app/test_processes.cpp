@@ -9,11 +9,11 @@
 
 #include "app/job_setup.h"
 #include "app/session/comparison.h"
-#include "app/session/process/process.h"
+#include "app/session/findings/uncertainty.h"
+#include "app/session/run/process.h"
 #include "app/session/session.h"
-#include "app/session/uncertainty.h"
 #include "io/mesh_io.h"
-#include "removal/wire/prism_mesh.h"
+#include "removal/wire/section/prism_mesh.h"
 #include "tests/support/temporary_folder.h"
 
 namespace proveout {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/programs.h"
+#include "app/session/machining/programs.h"
 #include "memory_run.h"
 
 namespace proveout {

@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "app/run_report.h"
-#include "app/session/provenance.h"
+#include "app/session/findings/provenance.h"
+#include "app/session/findings/uncertainty.h"
 #include "app/session/session.h"
-#include "app/session/uncertainty.h"
 #include "tests/unit/app/memory_run.h"
 
 namespace proveout {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "app/session/findings/spindle_direction.h"
 #include "app/session/session.h"
-#include "app/session/spindle_direction.h"
 
 namespace proveout {
 namespace {

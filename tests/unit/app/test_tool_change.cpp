@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "app/session/clearance.h"
-#include "app/session/process/process.h"
+#include "app/session/programs/clearance.h"
+#include "app/session/programs/interpretation.h"
+#include "app/session/run/process.h"
 #include "app/session/session.h"
 
 namespace proveout {

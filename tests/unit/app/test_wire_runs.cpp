@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/process/process.h"
+#include "app/session/run/process.h"
 #include "app/session/session.h"
-#include "removal/wire/prism_mesh.h"
+#include "removal/wire/section/prism_mesh.h"
 
 namespace proveout {
 namespace {

@@ -21,15 +21,52 @@ using Graph = std::map<std::string, std::set<std::string>>;
 
 const std::vector<std::string> kFolders = {"core", "removal", "io", "render", "app"};
 /// From the lowest. The run as a library knows neither pictures nor the program around it.
-const std::vector<std::string> kFloors = {"core/base",       "core/geometry",   "core/mesh",
-                                          "core/path",       "core/tool",       "core/nc",
-                                          "removal/grid",    "removal/sweep",   "removal/cut",
-                                          "removal/surface", "removal/contact", "removal/turning",
-                                          "removal/wire",    "removal/vdb",     "removal/compare",
-                                          "removal/exact",   "removal/process", "io",
-                                          "app/session",     "render",          "app"};
+const std::vector<std::string> kFloors = {"core/base",
+                                          "core/geometry",
+                                          "core/mesh",
+                                          "core/path",
+                                          "core/tool",
+                                          "core/nc",
+                                          "core/nc/registry",
+                                          "removal/grid",
+                                          "removal/sweep",
+                                          "removal/cut",
+                                          "removal/surface/cell",
+                                          "removal/surface/mesh",
+                                          "removal/surface/measure",
+                                          "removal/surface/repair",
+                                          "removal/surface",
+                                          "removal/contact",
+                                          "removal/turning",
+                                          "removal/wire/section",
+                                          "removal/wire/lean",
+                                          "removal/wire/falls",
+                                          "removal/wire/contact",
+                                          "removal/wire",
+                                          "removal/vdb",
+                                          "removal/compare",
+                                          "removal/exact",
+                                          "removal/process",
+                                          "io",
+                                          "io/job",
+                                          "io/report",
+                                          "app/session/nominal",
+                                          "app/session/forecast",
+                                          "app/session/run",
+                                          "app/session/programs",
+                                          "app/session/findings",
+                                          "app/session/program_checks",
+                                          "app/session/process",
+                                          "app/session/machining",
+                                          "app/session/causes",
+                                          "app/session",
+                                          "render",
+                                          "app"};
 /// Rooms of the largest knot: that around removal/compare/compare.
 constexpr std::size_t kLargestKnot = 9;
+/// Folders of the largest: the rooms of core/nc/nct around its context.
+constexpr std::size_t kLargestFolderKnot = 12;
+constexpr std::size_t kMostFiles = 45;
 
 /// The files of the product with the files of it that they include.
 const Graph& includes() {
@@ -93,6 +130,7 @@ std::string text(const std::vector<std::string>& knot) {
   return out.str();
 }
 
+std::string folderOf(const std::string& file) { return file.substr(0, file.rfind('/')); }
 std::string roomOf(const std::string& file) { return file.substr(0, file.rfind('.')); }
 
 TEST(IncludeGraph, NoHeaderIncludesItself) {
@@ -136,6 +174,27 @@ TEST(IncludeGraph, KnotsOfRoomsAreSmall) {
   ASSERT_FALSE(found.empty());
   EXPECT_LE(found.front().size(), kLargestKnot) << text(found.front());
   EXPECT_GE(found.front().size() + 2, kLargestKnot) << "the limit may be lower now";
+}
+
+TEST(IncludeGraph, KnotsOfFoldersAreSmall) {
+  Graph folders;
+  for (const auto& [file, included] : includes()) {
+    auto& others = folders[folderOf(file)];
+    for (const std::string& other : included) {
+      if (folderOf(other) != folderOf(file)) others.insert(folderOf(other));
+    }
+  }
+  const auto found = knots(folders);
+  ASSERT_FALSE(found.empty());
+  EXPECT_LE(found.front().size(), kLargestFolderKnot) << text(found.front());
+  EXPECT_GE(found.front().size() + 2, kLargestFolderKnot) << "the limit may be lower now";
+  EXPECT_TRUE(found.size() < 2 || found[1].size() <= 3) << text(found[1]);
+}
+
+TEST(IncludeGraph, FoldersAreNoCorridors) {
+  std::map<std::string, std::size_t> files;
+  for (const auto& [file, included] : includes()) ++files[folderOf(file)];
+  for (const auto& [folder, count] : files) EXPECT_LE(count, kMostFiles) << folder;
 }
 
 }  // namespace

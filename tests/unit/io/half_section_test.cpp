@@ -1,4 +1,4 @@
-#include "io/half_section.h"
+#include "io/report/half_section.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/diagnostics.h"
-#include "io/job.h"
+#include "io/job/job.h"
 #include "temp_folder.h"
 
 namespace proveout::io_test {

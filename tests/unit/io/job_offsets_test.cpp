@@ -1,4 +1,4 @@
-#include "io/job_offsets.h"
+#include "io/job/job_offsets.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/job.h"
+#include "io/job/job.h"
 #include "mesh_text.h"
 #include "temp_folder.h"
 

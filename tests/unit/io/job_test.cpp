@@ -1,4 +1,4 @@
-#include "io/job.h"
+#include "io/job/job.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

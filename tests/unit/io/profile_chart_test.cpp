@@ -1,4 +1,4 @@
-#include "io/profile_chart.h"
+#include "io/report/profile_chart.h"
 
 #include <gtest/gtest.h>
 

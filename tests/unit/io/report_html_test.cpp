@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/report_html_parts.h"
+#include "io/report/report_html_parts.h"
 #include "io/report_text.h"
 #include "report_sample.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 #include "report_sample.h"
 
 namespace proveout {

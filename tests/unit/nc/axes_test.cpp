@@ -9,7 +9,7 @@
 #include <functional>
 #include <random>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 
 namespace proveout {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 
 namespace proveout {
 namespace {

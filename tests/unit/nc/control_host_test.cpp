@@ -1,4 +1,4 @@
-#include "core/nc/control_host.h"
+#include "core/nc/control/control_host.h"
 
 #include <gtest/gtest.h>
 

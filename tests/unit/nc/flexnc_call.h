@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/geometry/types.h"
-#include "core/nc/flexnc/cycle_call.h"
+#include "core/nc/flexnc/cycles/cycle_call.h"
 
 namespace proveout::test {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/geometry/plane.h"
-#include "core/nc/services/contour_elements.h"
+#include "core/nc/services/contour/contour_elements.h"
 #include "flexnc_random.h"
 
 namespace proveout {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/nc/coverage.h"
+#include "core/nc/registry/coverage.h"
 #include "flexnc_path.h"
 
 namespace proveout::test {

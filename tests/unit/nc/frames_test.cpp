@@ -1,4 +1,4 @@
-#include "core/nc/frames.h"
+#include "core/nc/kinematics/frames.h"
 
 #include <gtest/gtest.h>
 

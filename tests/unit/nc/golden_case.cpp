@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "core/base/printable.h"
-#include "core/nc/source_text.h"
+#include "core/nc/text/source_text.h"
 
 namespace proveout::test {
 namespace {

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 
 namespace proveout::test {
 

@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 
-#include "core/nc/coverage.h"
 #include "core/nc/nct/program/alarms.h"
+#include "core/nc/registry/coverage.h"
 #include "core/path/origin_query.h"
 #include "golden_case.h"
 

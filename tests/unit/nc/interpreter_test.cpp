@@ -1,5 +1,5 @@
 // Properties and behaviour at the interpreter's boundary.
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 
 #include <gtest/gtest.h>
 

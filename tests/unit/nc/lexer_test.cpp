@@ -1,4 +1,4 @@
-#include "core/nc/lexer.h"
+#include "core/nc/text/lexer.h"
 
 #include <gtest/gtest.h>
 

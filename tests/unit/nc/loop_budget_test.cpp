@@ -1,5 +1,5 @@
 // Loops that change something in every round: which of them are ended, and what is told of them.
-#include "core/nc/loop_budget.h"
+#include "core/nc/limits/loop_budget.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

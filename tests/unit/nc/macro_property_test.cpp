@@ -8,9 +8,9 @@
 #include <random>
 #include <string>
 
-#include "core/nc/interpreter.h"
 #include "core/nc/macro/expression.h"
 #include "core/nc/nct/program/alarms.h"
+#include "core/nc/registry/interpreter.h"
 #include "core/path/toolpath.h"
 
 namespace proveout {

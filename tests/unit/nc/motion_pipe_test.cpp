@@ -1,4 +1,4 @@
-#include "core/nc/motion_pipe.h"
+#include "core/nc/stages/motion_pipe.h"
 
 #include <gtest/gtest.h>
 

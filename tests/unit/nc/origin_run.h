@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/nc/interpreter.h"
-#include "core/nc/source_text.h"
+#include "core/nc/registry/interpreter.h"
+#include "core/nc/text/source_text.h"
 #include "core/path/origin_query.h"
 
 namespace proveout::test {

@@ -1,5 +1,5 @@
 // Words found in lines, and the table of words that are told by number.
-#include "core/nc/origin_words.h"
+#include "core/nc/origins/origin_words.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/nc/control_settings.h"
+#include "core/nc/control/control_settings.h"
 
 namespace proveout::nc {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 
 namespace proveout {
 namespace {

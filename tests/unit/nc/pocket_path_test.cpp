@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 #include "core/path/toolpath.h"
 
 namespace proveout {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 
 namespace proveout {
 namespace {

@@ -1,9 +1,9 @@
-#include "core/nc/source_text.h"
+#include "core/nc/text/source_text.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/memory_limit.h"
-#include "core/nc/program_likeness.h"
+#include "core/nc/text/program_likeness.h"
 
 namespace proveout::nc {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-#include "core/nc/template_set.h"
+#include "core/nc/text/template_set.h"
 
 namespace proveout::nc {
 namespace {

@@ -1,5 +1,5 @@
 // Times of programs with accelerations: closed forms, and that what waits keeps its order.
-#include "core/nc/time_stage.h"
+#include "core/nc/stages/time_stage.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 
 namespace proveout::nc {
 namespace {

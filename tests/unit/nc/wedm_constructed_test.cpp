@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/services/contour_clearance.h"
-#include "core/nc/services/contour_elements.h"
+#include "core/nc/services/contour/contour_clearance.h"
+#include "core/nc/services/contour/contour_elements.h"
 #include "core/nc/services/wire_offset.h"
 #include "core/nc/services/wire_taper.h"
 #include "wedm_path.h"

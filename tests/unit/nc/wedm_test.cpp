@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 #include "wedm_path.h"
 
 namespace proveout {

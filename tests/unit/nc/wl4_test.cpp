@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 #include "core/nc/wl4/wl4_codes.h"
 #include "core/nc/wl4/wl4_programs.h"
 

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/tool/tool.h"
-#include "removal/surface/cell_cycles.h"
-#include "removal/surface/cell_vertex.h"
+#include "removal/surface/cell/cell_cycles.h"
+#include "removal/surface/cell/cell_vertex.h"
 
 namespace proveout {
 namespace {

@@ -1,5 +1,5 @@
 // Volume under the piece of surface around one crossing.
-#include "removal/surface/quad_volume.h"
+#include "removal/surface/measure/quad_volume.h"
 
 #include <gtest/gtest.h>
 

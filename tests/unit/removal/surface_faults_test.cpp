@@ -1,5 +1,5 @@
 // Fans of triangles around vertices: closed, open, pinched, with an edge too many.
-#include "removal/surface/surface_faults.h"
+#include "removal/surface/mesh/surface_faults.h"
 
 #include <gtest/gtest.h>
 

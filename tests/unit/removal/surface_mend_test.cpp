@@ -1,5 +1,5 @@
 // Meshes with triangles that run through each other, mended or left as they were.
-#include "removal/surface/surface_mend.h"
+#include "removal/surface/repair/surface_mend.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "core/mesh/intersections.h"
 #include "removal/grid/stock.h"
 #include "removal/turning/section.h"
-#include "removal/turning/thread_mesh.h"
+#include "removal/turning/threads/thread_mesh.h"
 #include "removal/turning/turned_field.h"
 
 namespace proveout::test {

@@ -1,5 +1,5 @@
 // Chamfers and roundings between two elements.
-#include "core/nc/services/contour_corner.h"
+#include "core/nc/services/contour/contour_corner.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Passes over contours against the contour itself, on random contours.
-#include "core/nc/services/contour_passes.h"
+#include "core/nc/services/contour/contour_passes.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "core/nc/services/contour_offset.h"
-#include "core/nc/services/contour_profile.h"
+#include "core/nc/services/contour/contour_offset.h"
+#include "core/nc/services/contour/contour_profile.h"
 
 namespace proveout {
 namespace {

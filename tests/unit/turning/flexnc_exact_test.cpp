@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/geometry/plane.h"
-#include "core/nc/interpreter.h"
-#include "core/nc/services/contour_elements.h"
-#include "core/nc/services/contour_offset.h"
+#include "core/nc/registry/interpreter.h"
+#include "core/nc/services/contour/contour_elements.h"
+#include "core/nc/services/contour/contour_offset.h"
 #include "tests/unit/nc/flexnc_random.h"
 #include "tests/unit/turning/turning_fixture.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 #include "tests/unit/nc/flexnc_call.h"
 #include "tests/unit/nc/flexnc_examples.h"
 #include "tests/unit/turning/turning_fixture.h"

@@ -1,5 +1,5 @@
 // Which passes of a thread a deeper one leaves nothing of, and how threads come out of a path.
-#include "removal/turning/thread_cover.h"
+#include "removal/turning/threads/thread_cover.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 #include "tests/unit/turning/turning_fixture.h"
 
 namespace proveout {

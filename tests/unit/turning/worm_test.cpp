@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/mesh/intersections.h"
-#include "removal/turning/thread_mesh.h"
+#include "removal/turning/threads/thread_mesh.h"
 
 namespace proveout {
 namespace {

@@ -1,5 +1,5 @@
 // Faces with hollows: as many triangles as there must be, that cover the face once.
-#include "removal/wire/face_triangles.h"
+#include "removal/wire/section/face_triangles.h"
 
 #include <gtest/gtest.h>
 

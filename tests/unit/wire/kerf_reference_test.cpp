@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/base/thread_limit.h"
-#include "removal/wire/prism_mesh.h"
+#include "removal/wire/section/prism_mesh.h"
 #include "tests/unit/wire/wire_fixture.h"
 
 namespace proveout {

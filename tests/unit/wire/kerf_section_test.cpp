@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "removal/wire/prism_mesh.h"
+#include "removal/wire/section/prism_mesh.h"
 #include "tests/unit/wire/wire_fixture.h"
 
 namespace proveout {

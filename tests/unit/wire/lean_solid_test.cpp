@@ -1,5 +1,5 @@
 // What leaning wires leave, against closed forms and against the distance to the wire in space.
-#include "removal/wire/lean_solid.h"
+#include "removal/wire/lean/lean_solid.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "core/geometry/plane.h"
 #include "core/mesh/intersections.h"
-#include "removal/wire/body_exit.h"
-#include "removal/wire/wire_stretch.h"
+#include "removal/wire/falls/body_exit.h"
+#include "removal/wire/section/wire_stretch.h"
 #include "tests/unit/wire/wire_fixture.h"
 
 namespace proveout {

@@ -1,5 +1,5 @@
 // Which loops of two heights are one wall.
-#include "removal/wire/level_match.h"
+#include "removal/wire/lean/level_match.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Faces where walls of a leaning wire's cut meet.
-#include "removal/wire/level_step.h"
+#include "removal/wire/lean/level_step.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "removal/wire/part_fans.h"
+#include "removal/wire/lean/part_fans.h"
 
 #include <gtest/gtest.h>
 
-#include "removal/wire/wall_meetings.h"
+#include "removal/wire/lean/wall_meetings.h"
 
 namespace proveout {
 namespace {

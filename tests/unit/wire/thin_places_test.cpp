@@ -1,9 +1,9 @@
 // Sections without places that a mesh cannot hold.
-#include "removal/wire/thin_places.h"
+#include "removal/wire/lean/thin_places.h"
 
 #include <gtest/gtest.h>
 
-#include "removal/wire/kerf_outline.h"
+#include "removal/wire/section/kerf_outline.h"
 
 namespace proveout {
 namespace {

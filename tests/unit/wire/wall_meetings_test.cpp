@@ -1,13 +1,13 @@
 // Meshes of wire cuts that run through themselves are told, sound ones are not.
-#include "removal/wire/wall_meetings.h"
+#include "removal/wire/lean/wall_meetings.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/mesh/shells.h"
-#include "removal/wire/prism_mesh.h"
-#include "removal/wire/segment_meetings.h"
+#include "removal/wire/section/prism_mesh.h"
+#include "removal/wire/section/segment_meetings.h"
 #include "tests/unit/wire/wire_fixture.h"
 
 namespace proveout {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/registry/interpreter.h"
 #include "removal/process/wire_piece.h"
 #include "tests/unit/wire/wire_fixture.h"
 

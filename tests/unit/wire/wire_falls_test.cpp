@@ -1,9 +1,9 @@
 // Pieces that come free: when, and what they are.
-#include "removal/wire/wire_falls.h"
+#include "removal/wire/falls/wire_falls.h"
 
 #include <gtest/gtest.h>
 
-#include "removal/wire/fixture_solid.h"
+#include "removal/wire/falls/fixture_solid.h"
 #include "tests/unit/wire/wire_fixture.h"
 
 namespace proveout {

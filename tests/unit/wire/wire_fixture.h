@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
-#include "removal/wire/kerf_section.h"
+#include "removal/wire/section/kerf_section.h"
 
 namespace proveout::test {
 

@@ -1,13 +1,13 @@
 // Wires that run into fixtures, against distances in closed form.
-#include "removal/wire/wire_fixture.h"
+#include "removal/wire/contact/wire_fixture.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "core/mesh/tri_mesh.h"
-#include "removal/wire/fixture_solid.h"
-#include "removal/wire/ruled_way.h"
+#include "removal/wire/falls/fixture_solid.h"
+#include "removal/wire/section/ruled_way.h"
 
 namespace proveout {
 namespace {

@@ -8,9 +8,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "core/nc/block.h"
-#include "core/nc/channels.h"
-#include "core/nc/motion_pipe.h"
+#include "core/nc/control/channels.h"
 #include "core/nc/nct/block/state.h"
 #include "core/nc/nct/cycles/cycle_plan.h"
 #include "core/nc/nct/frames/frame_plan.h"
@@ -20,9 +18,11 @@
 #include "core/nc/nct/tools/offset_plan.h"
 #include "core/nc/nct/tools/tool_plan.h"
 #include "core/nc/nct/zones/zone_plan.h"
-#include "core/nc/origin_recorder.h"
-#include "core/nc/path_emitter.h"
+#include "core/nc/origins/origin_recorder.h"
 #include "core/nc/services/arcs.h"
+#include "core/nc/stages/motion_pipe.h"
+#include "core/nc/stages/path_emitter.h"
+#include "core/nc/text/block.h"
 
 namespace proveout::nc {
 

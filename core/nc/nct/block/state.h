@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/nc/axes.h"
-#include "core/nc/frames.h"
+#include "core/nc/kinematics/axes.h"
+#include "core/nc/kinematics/frames.h"
+#include "core/nc/kinematics/program_transforms.h"
 #include "core/nc/nct/motion/axis_modal.h"
 #include "core/nc/nct/tables/code_names.h"
 #include "core/nc/nct/tables/codes.h"
-#include "core/nc/program_transforms.h"
 #include "core/nc/services/plane_frame.h"
 
 namespace proveout::nc {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/channels.h"
+#include "core/nc/control/channels.h"
 #include "core/nc/nct/program/control.h"
 
 namespace proveout::nc {

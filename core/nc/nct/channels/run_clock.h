@@ -1,8 +1,8 @@
 // The clock that programs read.
 #pragma once
 
-#include "core/nc/rapid_overlap_stage.h"
-#include "core/nc/time_stage.h"
+#include "core/nc/stages/rapid_overlap_stage.h"
+#include "core/nc/stages/time_stage.h"
 
 namespace proveout::nc {
 

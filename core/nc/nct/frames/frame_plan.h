@@ -1,8 +1,8 @@
 // What a block plans for shifts and work systems.
 #pragma once
 
-#include "core/nc/axis_point.h"
-#include "core/nc/frames.h"
+#include "core/nc/kinematics/axis_point.h"
+#include "core/nc/kinematics/frames.h"
 
 namespace proveout::nc {
 

@@ -1,9 +1,9 @@
 // From the programmed space to work space, as a stage of the motion pipe.
 #pragma once
 
-#include "core/nc/motion_pipe.h"
+#include "core/nc/kinematics/program_transforms.h"
 #include "core/nc/nct/program/alarms.h"
-#include "core/nc/program_transforms.h"
+#include "core/nc/stages/motion_pipe.h"
 
 namespace proveout::nc {
 

@@ -1,7 +1,7 @@
 // What formulas ask of the nct control.
 #pragma once
 
-#include "core/nc/axes.h"
+#include "core/nc/kinematics/axes.h"
 #include "core/nc/macro/expression.h"
 #include "core/nc/nct/parameters/parameters.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/nc/nct/block/state.h"
 #include "core/nc/nct/program/call_stack.h"
-#include "core/nc/origin_recorder.h"
+#include "core/nc/origins/origin_recorder.h"
 
 namespace proveout::nc {
 

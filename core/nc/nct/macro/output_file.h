@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/nc/control_host.h"
+#include "core/nc/control/control_host.h"
 
 namespace proveout::nc {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/block.h"
 #include "core/nc/nct/parameters/parameters.h"
+#include "core/nc/text/block.h"
 
 namespace proveout::nc {
 

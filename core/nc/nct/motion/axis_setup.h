@@ -1,7 +1,7 @@
 // Axes as the control's parameters change them.
 #pragma once
 
-#include "core/nc/control_settings.h"
+#include "core/nc/control/control_settings.h"
 
 namespace proveout::nc {
 

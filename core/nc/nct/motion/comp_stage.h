@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "core/nc/compensation_stage.h"
 #include "core/nc/nct/motion/stage_recovery.h"
 #include "core/nc/nct/parameters/parameters.h"
 #include "core/nc/nct/program/alarms.h"
+#include "core/nc/stages/compensation_stage.h"
 
 namespace proveout::nc {
 

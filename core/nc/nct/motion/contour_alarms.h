@@ -3,9 +3,9 @@
 
 #include <string_view>
 
-#include "core/nc/contour_stage.h"
 #include "core/nc/nct/motion/stage_recovery.h"
 #include "core/nc/nct/program/alarms.h"
+#include "core/nc/stages/contour_stage.h"
 
 namespace proveout::nc {
 

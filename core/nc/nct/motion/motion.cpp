@@ -12,7 +12,7 @@
 #include "core/nc/nct/motion/contour.h"
 #include "core/nc/nct/motion/feed.h"
 #include "core/nc/nct/motion/planes.h"
-#include "core/nc/tool_change.h"
+#include "core/nc/stages/tool_change.h"
 
 namespace proveout::nc {
 
@@ -189,9 +189,10 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   const bool open = !c.parameters.given(MotionParam::kRadiusDifference);
   const bool differs = !request.turns && open && resolved.radius_difference > kUsualDifferenceMm;
   if (const double away = farthestFromStart(resolved.arc); differs && away > kFarthestMm) {
-    return c.alarm(2012, "",
-                   fmt::format("{:.6g} mm between start and end radius, and the arc leads {:.0f} m away from its start",
-                               resolved.radius_difference, 1e-3 * away));
+    return c.alarm(
+        2012, "",
+        fmt::format("{:.6g} mm between start and end radius, and the arc leads {:.0f} m away from its start",
+                    resolved.radius_difference, 1e-3 * away));
   }
   if (differs) {
     c.warn("nct-2012",
@@ -262,20 +263,22 @@ bool machineZeroKnown(const NctContext& c) {
   const ControlSettings& s = c.settings;
   const auto given = [](bool one) { return one; };
   const auto moved = [](const Vec3& offset) { return offset != Vec3::Zero(); };
-  return s.reference_points[0] || s.placement.origin || moved(s.common_offset) || !s.extended_offsets.empty() ||
-         std::any_of(s.work_given.begin(), s.work_given.end(), given) ||
+  return s.reference_points[0] || s.placement.origin || moved(s.common_offset) ||
+         !s.extended_offsets.empty() || std::any_of(s.work_given.begin(), s.work_given.end(), given) ||
          std::any_of(s.work_offsets.begin(), s.work_offsets.end(), moved) ||
          moved(c.registers.frames.system(c.state.work_system).offset.xyz);
 }
 
 void warnOfMachineZero(NctContext& c, bool known) {
   if (c.settings.reference_points[0]) return;
-  c.warnOnce("machine-zero", "nct-machine-zero",
-             known ? "G53: the job gives no reference point ([machine] reference_points), so machine zero is only as "
-                     "good as its work offsets ([offsets.work])"
-                   : "G53: nothing says where machine zero lies: Z goes to the top of travel, where the tool starts "
-                     "above the stock; a job file tells machine zero by G54 under [offsets.work], which is the "
-                     "workpiece's zero seen from it");
+  c.warnOnce(
+      "machine-zero", "nct-machine-zero",
+      known
+          ? "G53: the job gives no reference point ([machine] reference_points), so machine zero is only as "
+            "good as its work offsets ([offsets.work])"
+          : "G53: nothing says where machine zero lies: Z goes to the top of travel, where the tool starts "
+            "above the stock; a job file tells machine zero by G54 under [offsets.work], which is the "
+            "workpiece's zero seen from it");
 }
 
 /// The reference point that nobody named: where the machine starts, no lower than where it changes tools.
@@ -328,10 +331,12 @@ bool planReference(NctContext& c, BlockPlan& plan) {
     if (const int k = c.axes.find(axis.name); k >= kMainAxes) reference[k] = axis.reference;
   }
   if (!given) {
-    c.warnOnce(fmt::format("reference{}", point), "nct-reference",
-               fmt::format("the job does not give reference point {}: the start position is taken; a job file tells it "
-                           "by reference_points under [machine]",
-                           point));
+    c.warnOnce(
+        fmt::format("reference{}", point), "nct-reference",
+        fmt::format(
+            "the job does not give reference point {}: the start position is taken; a job file tells it "
+            "by reference_points under [machine]",
+            point));
   }
   // Machine position after the intermediate point, then the named axes at the reference point.
   MachineMove& move = plan.payload.emplace<MachineMove>();

@@ -2,8 +2,8 @@
 // point to the axes of the machine.
 #pragma once
 
-#include "core/nc/motion_pipe.h"
 #include "core/nc/nct/motion/axis_modal.h"
+#include "core/nc/stages/motion_pipe.h"
 
 namespace proveout::nc {
 

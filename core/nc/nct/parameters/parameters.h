@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/nc/control_info.h"
+#include "core/nc/control/control_info.h"
 #include "core/nc/nct/parameters/axis.h"
 #include "core/nc/nct/parameters/comp.h"
 #include "core/nc/nct/parameters/cycles.h"

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
-#include "core/nc/alarms.h"
-#include "core/nc/block.h"
 #include "core/nc/nct/program/call_stack.h"
 #include "core/nc/nct/program/program_store.h"
-#include "core/nc/path_emitter.h"
+#include "core/nc/stages/path_emitter.h"
+#include "core/nc/text/alarms.h"
+#include "core/nc/text/block.h"
 
 namespace proveout::nc {
 

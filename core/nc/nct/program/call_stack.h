@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/nc/macro/variables.h"
-#include "core/nc/source_text.h"
+#include "core/nc/text/source_text.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {

@@ -11,19 +11,19 @@
 #include <utility>
 
 #include "core/base/progress.h"
-#include "core/nc/control_host.h"
-#include "core/nc/control_settings.h"
-#include "core/nc/lexer.h"
-#include "core/nc/loop_budget.h"
-#include "core/nc/loop_watch.h"
+#include "core/nc/control/control_host.h"
+#include "core/nc/control/control_settings.h"
+#include "core/nc/control/program_source.h"
+#include "core/nc/control/run_summary.h"
+#include "core/nc/limits/loop_budget.h"
+#include "core/nc/limits/loop_watch.h"
 #include "core/nc/nct/channels/context.h"
 #include "core/nc/nct/macro/subprogram_words.h"
 #include "core/nc/nct/macro/system_calls.h"
 #include "core/nc/nct/program/tape.h"
 #include "core/nc/nct/system_variables/system_variables.h"
-#include "core/nc/program_source.h"
-#include "core/nc/run_summary.h"
-#include "core/nc/source_text.h"
+#include "core/nc/text/lexer.h"
+#include "core/nc/text/source_text.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {

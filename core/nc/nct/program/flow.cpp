@@ -10,7 +10,7 @@
 #include "core/nc/nct/program/control.h"
 #include "core/nc/nct/program/reset.h"
 #include "core/nc/nct/system_variables/status_bank.h"
-#include "core/nc/program_likeness.h"
+#include "core/nc/text/program_likeness.h"
 
 namespace proveout::nc {
 namespace {
@@ -50,7 +50,8 @@ NctControl::Go NctControl::flow(const FlowRequest& request) {
   const bool returns = request.code == mcode::kReturn;
   // Behind M99 the text goes on wherever something jumps to; it may be asked very often.
   if (!returns || lexer_.inComment()) {
-    if (const auto open = commentOpenAtEnd(text.lines(), context_.calls.lineIndex())) return commentLeftOpen(open);
+    if (const auto open = commentOpenAtEnd(text.lines(), context_.calls.lineIndex()))
+      return commentLeftOpen(open);
   }
   if (returns) return returnFrom(request);
   countPart(context_, request.code);
@@ -101,7 +102,8 @@ std::size_t lineOfProgram(const SourceText& text, std::int64_t number) {
 std::string whereItIs(const SourceText& text, std::int64_t number) {
   constexpr std::int64_t kFourDigits = 10000;
   if (const std::size_t line = lineOfProgram(text, number); line > 0) {
-    return fmt::format("; O{} is in this file, on line {}: this control wants it as a file of its own", number, line);
+    return fmt::format("; O{} is in this file, on line {}: this control wants it as a file of its own",
+                       number, line);
   }
   if (number < kFourDigits || number % kFourDigits == 0) return {};
   return fmt::format("; for O{} {} times, as other controls read it, write P{} L{}", number % kFourDigits,
@@ -130,7 +132,8 @@ bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32
   }
   if (!integerWord(c, *p, 1, 99999999, number)) return false;
   ProgramStore::Loaded loaded = c.programs.byNumber(caller, number);
-  if (loaded.failure == ProgramStore::Failure::kNotFound) loaded.message += whereItIs(*c.calls.top().text, number);
+  if (loaded.failure == ProgramStore::Failure::kNotFound)
+    loaded.message += whereItIs(*c.calls.top().text, number);
   return takeProgram(c, loaded, frame);
 }
 

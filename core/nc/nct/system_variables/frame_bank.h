@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/nc/axis_point.h"
+#include "core/nc/kinematics/axis_point.h"
 #include "core/nc/macro/variables.h"
 
 namespace proveout::nc {

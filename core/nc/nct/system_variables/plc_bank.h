@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/nc/control_host.h"
+#include "core/nc/control/control_host.h"
 #include "core/nc/macro/variables.h"
 
 namespace proveout::nc {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/block.h"
-#include "core/nc/kind_set.h"
+#include "core/nc/origins/kind_set.h"
+#include "core/nc/text/block.h"
 
 namespace proveout::nc {
 

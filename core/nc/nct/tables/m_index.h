@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/nc/axes.h"
-#include "core/nc/control_settings.h"
+#include "core/nc/control/control_settings.h"
+#include "core/nc/kinematics/axes.h"
 #include "core/nc/nct/parameters/parameters.h"
 #include "core/nc/nct/tables/codes.h"
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
-#include "core/nc/block.h"
 #include "core/nc/nct/tools/offset_tables.h"
+#include "core/nc/text/block.h"
 
 namespace proveout::nc {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/nc/control_settings.h"
+#include "core/nc/control/control_settings.h"
 
 namespace proveout::nc {
 

@@ -7,7 +7,7 @@
 #include "core/nc/nct/block/origins.h"
 #include "core/nc/nct/block/sends.h"
 #include "core/nc/nct/block/words.h"
-#include "core/nc/tool_change.h"
+#include "core/nc/stages/tool_change.h"
 
 namespace proveout::nc {
 namespace {

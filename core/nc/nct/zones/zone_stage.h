@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/motion_pipe.h"
 #include "core/nc/nct/motion/stage_recovery.h"
 #include "core/nc/nct/parameters/parameters.h"
 #include "core/nc/nct/program/alarms.h"
 #include "core/nc/services/zone_check.h"
+#include "core/nc/stages/motion_pipe.h"
 
 namespace proveout::nc {
 

@@ -1,0 +1,534 @@
+#include "app/session/forecast/prediction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "app/session/forecast/height_map.h"
+#include "core/base/memory.h"
+#include "core/base/parallel_for.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace proveout {
+namespace {
+
+// Measured with tests/bench/bench_prediction on two cores. A cell is a square of the grid on the surface.
+constexpr double kBaseMb = 24.0;                ///< program, libraries, threads
+constexpr double kBytesPerCell = 52.0;          ///< leaves, crossings, mesh of flat faces
+constexpr double kBytesPerCutCell = 120.0;      ///< on top of that: round walls
+constexpr double kBytesPerFlatCell = 60.0;      ///< in place of that: planes
+constexpr double kBytesPerUnevenCell = 220.0;   ///< and where triangles are not merged
+constexpr double kBytesPerUnmergedCell = 60.0;  ///< nor are those of planes, where nothing is to be merged
+constexpr double kBytesPerTriangle = 75.0;  ///< of a mesh from half sections: the sections and the file, too
+constexpr double kBytesPerGrooveTriangle = 70.0;      ///< on top of that: sections where ridges are cut
+constexpr double kBytesPerTurnedCell = 20.0;          ///< on top of kBytesPerCell: from a half section
+constexpr double kBytesPerThreadedCell = 160.0;       ///< and on top of that where threads run
+constexpr double kBytesPerMotion = 500.0;             ///< motion and its passes
+constexpr double kBytesPerTurnedMotion = 300.0;       ///< its edges in the half section
+constexpr double kBytesPerFixtureCell = 28.0;         ///< leaves and crossings alone
+constexpr double kModuleMb = 30.0;                    ///< OpenVDB, for saved stocks and meshes
+constexpr double kBytesPerSavedCell = 250.0;          ///< reading or writing a saved stock
+constexpr double kBytesPerSavedThreadedCell = 900.0;  ///< writing threads, on top of that
+constexpr double kBytesPerBlankTriangle = 170.0;      ///< of a mesh that a stock is made from
+constexpr double kBytesPerMeshedCell = 170.0;         ///< making a stock from a mesh
+constexpr double kComparisonMb = 30.0;                ///< fixed part of a comparison
+constexpr double kBytesPerComparedCell = 260.0;       ///< samples and search trees, both meshes
+constexpr double kDrawingMb = 27.0;                   ///< of pictures: rows of what pixels show, Embree
+constexpr double kBytesPerPixel = 10.0;               ///< two pictures, and a file
+constexpr double kGivenBack = 0.3;                    ///< of a stock before pictures are drawn
+constexpr double kBytesPerDrawnCell = 120.0;          ///< the renderer's search tree and normals
+constexpr double kBytesPerDrawnTriangle = 140.0;
+constexpr double kMostComparedCells = 1.8e6;  ///< the comparison widens its samples on huge meshes
+
+constexpr double kBaseS = 0.02;
+constexpr double kSecondsPerCell = 0.85e-7;      ///< blank, removal, crossings, mesh, files
+constexpr double kSecondsPerCarriedCell = 2e-7;  ///< into the next clamping, grid line to grid line
+/// On top of that of what is cut, its mesh and what is asked for it; all in proportion to this.
+constexpr double kMeshing = 1.0;
+constexpr double kSecondsPerFlatCell = kMeshing * 3.8e-7, kSecondsPerRuledCell = kMeshing * 7e-7,
+                 kSecondsPerRoundCell = kMeshing * 8e-7, kSecondsPerUnevenCell = kMeshing * 1.55e-6;
+constexpr double kSecondsPerUnmergedCell = kMeshing * 2e-7;
+/// Of round walls and floors as many triangles stay as there are bends in a cell.
+constexpr double kSecondsPerBend = kMeshing * 2.2e-6;
+/// Nearest points on rims that go down slowly, low steps, and terraces that meet.
+constexpr double kSecondsPerSteppedCell = kMeshing * 2.3e-6;
+constexpr double kSecondsPerSweptCell = 6e-9;  ///< removal, each motion counted
+/// Of curves about z, and of other curves: all in proportion to these.
+constexpr double kTurning = 1.0, kLeaning = 1.0;
+/// A column under a chord or a part, by CurveKind; under flanked arcs a cell of a strip along the columns.
+constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {
+    kTurning * 1.2e-8, kTurning * 1.1e-8, kLeaning * 1e-8,   kLeaning * 0.9e-7, kTurning * 4.5e-7,
+    kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7, kLeaning * 0.4e-8};
+/// Of spirals: what a column costs was measured for parts of this size.
+constexpr double kPartsPerTurn = 8.0, kSpiralGrowthMm = 1e-4;
+/// Arcs that rise by less along their axis, and whose axis is that level, are cut as upright ones.
+constexpr double kSameMm = 1e-7, kLevelAxis = 1e-12;
+/// Of helices: the lower turns hold what the upper ones cut.
+constexpr double kTurnsThatCount = 1.5;
+/// Under a part of a spiral: what the height map does not show.
+constexpr double kBytesPerUndercutColumn = 45.0;
+constexpr double kBytesPerChord = 2700.0;  ///< its passes, and their numbers in lists
+constexpr double kBytesPerPart = 1000.0;   ///< of a spiral: the same
+constexpr double kChordMm = 5e-5;
+/// Times the surface that the height map shows of what undercut tools leave.
+constexpr float kUndercutFaces = 2.0F;
+/// A line that is so many times longer than its tool is wide leaves strips.
+constexpr double kRuledWidths = 2.0;
+constexpr double kSecondsPerTriangle = 7e-7;          ///< half sections, their mesh, its checks, files
+constexpr double kSecondsPerGrooveTriangle = 8e-7;    ///< on top of that: sections where ridges are cut
+constexpr double kSecondsPerPassPoint = 2.9e-6;       ///< passes that deeper ones hold are dropped
+constexpr double kSecondsPerMotion = 2.0e-6;          ///< interpreter, culling
+constexpr double kSecondsPerTurnedMotion = 3.0e-5;    ///< out of the half section
+constexpr double kSecondsPerFixtureCell = 0.7e-7;     ///< leaves and crossings alone
+constexpr double kSecondsPerTurnedCell = 6e-7;        ///< from a half section to the grid
+constexpr double kSecondsPerThreadedCell = 2.5e-6;    ///< on top of that where threads run
+constexpr double kSecondsPerMilledThread = 8e-6;      ///< and what is cut on, again for each of its cells
+constexpr double kSecondsPerReadCell = 4.5e-7;        ///< of a saved stock
+constexpr double kSecondsPerWrittenCell = 0.85e-6;    ///< as a saved stock
+constexpr double kSecondsPerTextCell = 1.2e-6;        ///< cut cells in one mesh file as text
+constexpr double kSecondsPerBlankTriangle = 3e-6;     ///< a stock from a mesh
+constexpr double kSecondsPerMeshedCell = 1.9e-6;      ///< the same, and its cells
+constexpr double kSecondsPerMovedCell = 2.3e-6;       ///< a stock from that of the clamping before
+constexpr double kSecondsPerComparedCell = 0.8e-6;    ///< comparison: a sample
+constexpr double kSecondsPerComparedCut = 2.4e-6;     ///< on top of that where the part is not level
+constexpr double kMostSamples = 2e6;                  ///< of both meshes
+constexpr double kSecondsPerDrawnTriangle = 5e-7;     ///< search tree and normals, for all pictures
+constexpr double kSecondsPerPixel = 0.85e-7;          ///< one picture of flat faces
+constexpr double kMoreSecondsCut = 0.8;               ///< so much more where nothing is level
+constexpr double kTrianglesOfARoundPart = 50000.0;    ///< of sections: where half of that is reached
+constexpr double kSecondsPerDeviationPixel = 0.5e-7;  ///< on top of that: distances between the vertices
+
+/// Along a line more leaves are asked than over its ends, which the motions beside it have cut.
+constexpr double kLineCounts = 2.0;
+
+/// The height map has at most this many cells along a side, and its making touches at most so many.
+constexpr int kMapSide = 256;
+constexpr double kMapWork = 6e6;
+/// Arcs as this many chords a turn: enough for a coarse map.
+constexpr double kChordsPerTurn = 24.0;
+
+void add(CurveWork& sum, const CurveWork& more) {
+  sum.chords += more.chords;
+  sum.columns_mm2 += more.columns_mm2;
+}
+
+int segmentsOf(const Toolpath& path, const Motion& motion) {
+  if (motion.arc < 0) return 1;
+  const double turns = std::abs(path.arcs[static_cast<std::size_t>(motion.arc)].sweep_rad) / (2 * kPi);
+  return static_cast<int>(std::clamp(std::ceil(turns * kChordsPerTurn), 1.0, 10000.0));
+}
+
+template <typename Use>
+void forEachSegment(const Toolpath& path, const Motion& motion, const Use& use) {
+  const int chords = segmentsOf(path, motion);
+  Vec3 from = motion.from;
+  for (int i = 1; i <= chords; ++i) {
+    const Vec3 to = i == chords ? motion.to : path.pointAt(motion, static_cast<double>(i) / chords);
+    use(from, to);
+    from = to;
+  }
+}
+
+bool reaches(const Box3& blank, const Vec3& a, const Vec3& b, double radius) {
+  Box3 box;
+  box.extend(a);
+  box.extend(b);
+  box = box.inflated(radius);
+  box.max.z() = std::numeric_limits<double>::infinity();
+  box.min.z() += radius;  // the tip is the lowest point
+  return box.overlaps(blank);
+}
+
+struct CutterSize {
+  Footprint footprint;
+  bool undercut = false;  ///< wider below than above somewhere
+  bool bulges = false;    ///< and that not by a disc alone
+  bool flanked = false;   ///< and by flanks
+  bool plain = false;     ///< kernels have vectors for rising spirals: flat and ball ends, bull noses
+};
+
+std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
+  std::map<int, CutterSize> out;
+  for (const Tool& tool : tools) {
+    const ToolType type = tool.type;
+    const bool bulges = hasNeck(type) && type != ToolType::kTSlot;
+    out[tool.number] = {footprintOf(tool), hasNeck(type), bulges, bulges && type != ToolType::kLollipop,
+                        type == ToolType::kFlat || type == ToolType::kBall || type == ToolType::kBull};
+  }
+  return out;
+}
+
+/// The motions that come to the blank.
+class Strokes {
+ public:
+  Strokes(const Toolpath& path, const std::map<int, CutterSize>& cutters, const Box3& blank)
+      : path_(path), blank_(blank), parts_((path.motions.size() + kPart - 1) / kPart) {
+    parallelFor(std::size_t{0}, parts_.size(), [&](std::size_t i) { collect(i, cutters); });
+  }
+
+  double swept_mm2() const {
+    return std::accumulate(parts_.begin(), parts_.end(), 0.0,
+                           [](double sum, const Part& part) { return sum + part.swept_mm2; });
+  }
+
+  std::array<CurveWork, kCurveKinds> curves() const {
+    std::array<CurveWork, kCurveKinds> sum;
+    for (const Part& part : parts_) {
+      for (int kind = 0; kind < kCurveKinds; ++kind) add(sum[kind], part.curves[kind]);
+    }
+    return sum;
+  }
+
+  void lower(HeightMap& map, int band) const {
+    for (const Part& part : parts_) {
+      for (const Stroke& stroke : part.strokes) {
+        if (!map.touches(stroke.x_min, stroke.x_max, band)) continue;
+        eachSegment(path_.motions[stroke.motion], stroke.tool.radius,
+                    [&](const Vec3& a, const Vec3& b) { map.lower(a, b, stroke.tool, stroke.made, band); });
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kPart = 4096;
+  struct Stroke {
+    MotionId motion;
+    Footprint tool;
+    CutBy made;
+    double x_min, x_max;  ///< mm; what it reaches over
+  };
+  struct Part {
+    std::vector<Stroke> strokes;
+    double swept_mm2 = 0.0;
+    std::array<CurveWork, kCurveKinds> curves;
+  };
+
+  /// The parts of a spiral of which `segments` of forEachSegment come to the blank.
+  void addSpiral(const Motion& motion, const CutterSize& cutter, double segments, Part& part) const {
+    const double share = segments / segmentsOf(path_, motion);
+    const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(motion.arc)];
+    const double parts = std::max(1.0, share * std::abs(arc.sweep_rad) / (2 * kPi) * kPartsPerTurn);
+    const double reach = cutter.footprint.radius, length = share * path_.length(motion) / parts;
+    const double plan =
+        std::min(kPi * reach * reach + 2 * reach * length, blank_.size().x() * blank_.size().y());
+    const CurveKind kind = motion.from.z() == motion.to.z() ? CurveKind::kLevelSpiral
+                           : cutter.plain                   ? CurveKind::kPlainSpiral
+                           : cutter.undercut                ? CurveKind::kUndercutSpiral
+                                                            : CurveKind::kSpiral;
+    add(part.curves[static_cast<std::size_t>(kind)], {parts, parts * plan});
+  }
+
+  /// The chords of a curve of which `segments` of forEachSegment come to the blank.
+  void addChords(const Motion& motion, const CutterSize& cutter, double segments, Part& part) const {
+    const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(motion.arc)];
+    const bool about_z = arc.normal.head<2>().squaredNorm() < 1e-24;
+    if (segments == 0.0) return;
+    const double start = (motion.from - arc.center).head<2>().norm(),
+                 end = (motion.to - arc.center).head<2>().norm();
+    const bool spiral = about_z && std::abs(end - start) > kSpiralGrowthMm;
+    if (spiral) return addSpiral(motion, cutter, segments, part);
+    if (about_z && motion.from.z() == motion.to.z()) return;
+    const double radius = std::max((motion.from - arc.center).norm(), kChordMm);
+    double angle = std::abs(arc.sweep_rad) * segments / segmentsOf(path_, motion);
+    if (about_z) angle = std::min(angle, kTurnsThatCount * 2 * kPi);
+    const double chords = angle / std::sqrt(8.0 * kChordMm / radius);
+    const Vec3 size = blank_.size();
+    const double reach = cutter.footprint.radius;
+    const double plan = std::min(kPi * reach * reach, size.x() * size.y());
+    const bool upright = std::abs(arc.normal.z()) < kLevelAxis &&
+                         std::abs((motion.to - motion.from).dot(arc.normal.normalized())) < kSameMm;
+    CurveKind kind = upright || cutter.plain ? CurveKind::kArc : CurveKind::kChords;
+    if (cutter.flanked) kind = CurveKind::kFlankedArc;
+    if (about_z) kind = cutter.bulges ? CurveKind::kUndercutHelix : CurveKind::kHelix;
+    add(part.curves[static_cast<std::size_t>(kind)], {chords, chords * plan});
+    if (kind == CurveKind::kFlankedArc && !upright)
+      add(part.curves[static_cast<std::size_t>(CurveKind::kChords)], {chords, 0.0});
+  }
+
+  /// What a motion leaves, of which chords of this length come to the blank.
+  CutBy cutBy(const Motion& motion, const CutterSize& cutter) const {
+    const Footprint& tool = cutter.footprint;
+    const bool ruled =
+        motion.arc < 0 && (motion.to - motion.from).head<2>().norm() > 2.0 * kRuledWidths * tool.radius;
+    const bool sharp = tool.flat_radius == tool.radius && !cutter.undercut;
+    const bool plane = ruled && sharp;
+    const bool stepped = sharp && !ruled && motion.arc < 0 && motion.from.z() != motion.to.z() &&
+                         motion.from.head<2>() != motion.to.head<2>();
+    return {plane || !(tool.radius > 0.0) ? 0.0F : static_cast<float>(1.0 / tool.radius),
+            cutter.bulges ? kUndercutFaces : 1.0F, ruled, stepped};
+  }
+
+  template <typename Use>
+  void eachSegment(const Motion& motion, double radius, const Use& use) const {
+    forEachSegment(path_, motion, [&](const Vec3& a, const Vec3& b) {
+      if (reaches(blank_, a, b, radius)) use(a, b);
+    });
+  }
+
+  void collect(std::size_t number, const std::map<int, CutterSize>& cutters) {
+    Part& part = parts_[number];
+    const double most_x = blank_.size().x(), most_y = blank_.size().y();
+    const std::size_t last = std::min(path_.motions.size(), (number + 1) * kPart);
+    for (std::size_t i = number * kPart; i < last; ++i) {
+      const Motion& motion = path_.motions[i];
+      const auto found = cutters.find(motion.tool);
+      const CutterSize cutter = found == cutters.end() ? CutterSize{} : found->second;
+      const double radius = cutter.footprint.radius;
+      double segments = 0.0, length_mm = 0.0;
+      constexpr double kNowhere = std::numeric_limits<double>::infinity();
+      Stroke stroke{static_cast<MotionId>(i), cutter.footprint, cutBy(motion, cutter), kNowhere, -kNowhere};
+      eachSegment(motion, radius, [&](const Vec3& a, const Vec3& b) {
+        ++segments;
+        length_mm += std::min((b - a).norm(), most_x + most_y);
+        stroke.x_min = std::min(stroke.x_min, std::min(a.x(), b.x()) - radius);
+        stroke.x_max = std::max(stroke.x_max, std::max(a.x(), b.x()) + radius);
+      });
+      // A line is one pass, a curve one a turn.
+      const double passes = motion.arc < 0 ? std::min(segments, 1.0) : segments / kChordsPerTurn;
+      part.swept_mm2 += ((motion.arc < 0 ? kLineCounts : 1.0) * length_mm + passes * 2 * radius) *
+                        std::min(2 * radius, std::max(most_x, most_y));
+      if (motion.arc >= 0) addChords(motion, cutter, segments, part);
+      if (stroke.x_min <= stroke.x_max) part.strokes.push_back(stroke);
+    }
+  }
+
+  const Toolpath& path_;
+  const Box3& blank_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+double blankArea(const StockShape& shape, const Box3& bounds) {
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshArea(mesh->mesh);
+  if (const auto* round = std::get_if<CylinderShape>(&shape)) {
+    const double r = round->radius, inner = round->inner_radius;
+    return 2 * kPi * ((r + inner) * round->length + r * r - inner * inner);
+  }
+  const Vec3 s = bounds.size();
+  if (const auto* known = std::get_if<FieldShape>(&shape)) return known->body->aboutArea();
+  return 2 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
+}
+
+Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const Box3& blank,
+                    double blank_mm2) {
+  const Strokes strokes(path, cutterSizes(tools), blank);
+  Workload work;
+  work.clampings = 1;
+  work.motions = path.motions.size();
+  work.swept_mm2 = strokes.swept_mm2();
+  work.curves = strokes.curves();
+  double cell = std::max(blank.size().x(), blank.size().y()) / kMapSide;
+  cell = std::max(cell, std::sqrt(work.swept_mm2 / kMapWork));
+  HeightMap map(blank, cell);
+  parallelFor(0, HeightMap::kBands, [&](int band) { strokes.lower(map, band); });
+  work.surface_mm2 = std::max(blank_mm2 + map.addedArea(), 0.1 * blank_mm2);
+  const CutAreas cut = map.cutAreas();
+  work.cut_mm2 = std::min(cut.all_mm2, work.surface_mm2);
+  work.flat_mm2 = cut.flat_mm2;
+  work.ruled_mm2 = cut.ruled_mm2;
+  work.stepped_mm2 = cut.stepped_mm2;
+  work.bends_mm = cut.bends_mm;
+  work.uneven_mm2 = std::min(map.unevenArea(), work.surface_mm2);
+  return work;
+}
+
+Workload together(const Workload& a, const Workload& b) {
+  Workload both = a;
+  for (double Workload::*member :
+       {&Workload::surface_mm2, &Workload::cut_mm2, &Workload::flat_mm2, &Workload::ruled_mm2,
+        &Workload::stepped_mm2, &Workload::bends_mm, &Workload::uneven_mm2, &Workload::unmerged_mm2,
+        &Workload::nominal_mm2, &Workload::fixture_mm2, &Workload::fixture_mesh_mm2, &Workload::pixels,
+        &Workload::triangles, &Workload::thread_triangles, &Workload::groove_triangles, &Workload::turned_mm2,
+        &Workload::threaded_mm2, &Workload::blank_triangles})
+    both.*member = std::max(a.*member, b.*member);
+  both.swept_mm2 += b.swept_mm2;
+  for (int kind = 0; kind < kCurveKinds; ++kind) add(both.curves[kind], b.curves[kind]);
+  both.pictures = std::max(a.pictures, b.pictures);
+  both.motions += b.motions;
+  both.turned_motions += b.turned_motions;
+  both.pass_points += b.pass_points;
+  both.reads_grid |= b.reads_grid;
+  both.writes_grid |= b.writes_grid;
+  both.text_files = std::max(a.text_files, b.text_files);
+  both.clampings += b.clampings;
+  both.mesh_moves += b.mesh_moves;
+  return both;
+}
+
+double availableMemoryMb() { return 1e-6 * availableMemoryBytes(); }
+
+namespace {
+
+/// A workload on one grid.
+struct Cells {
+  double surface, cut, flat, ruled, stepped, bends, uneven, unmerged, swept, turned, threaded, fixture,
+      fixture_mesh, compared;
+
+  double round() const { return std::max(0.0, cut - flat - ruled); }
+};
+
+Cells cellsOf(const Workload& work, double resolution_mm) {
+  const double h2 = resolution_mm * resolution_mm, surface = work.surface_mm2 / h2;
+  return {surface,
+          work.cut_mm2 / h2,
+          work.flat_mm2 / h2,
+          work.ruled_mm2 / h2,
+          work.stepped_mm2 / h2,
+          work.bends_mm / resolution_mm,
+          work.uneven_mm2 / h2,
+          work.unmerged_mm2 / h2,
+          work.swept_mm2 / h2,
+          work.turned_mm2 / h2,
+          work.threaded_mm2 / h2,
+          work.fixture_mm2 / h2,
+          work.fixture_mesh_mm2 / h2,
+          work.nominal_mm2 > 0.0 ? std::min(surface + work.nominal_mm2 / h2, kMostComparedCells) : 0.0};
+}
+
+/// What reading, writing and making a stock from a mesh take on top of the stock, bytes; one after the other.
+double moduleBytes(const Workload& work, const Cells& cells) {
+  const double meshed =
+      std::max(work.blank_triangles > 0.0 || work.mesh_moves > 0 ? cells.surface : 0.0, cells.fixture_mesh);
+  const double threads = work.writes_grid ? cells.threaded * kBytesPerSavedThreadedCell : 0.0;
+  const double saved =
+      work.reads_grid || work.writes_grid ? cells.surface * kBytesPerSavedCell + threads : 0.0;
+  const double made = std::max(work.blank_triangles * kBytesPerBlankTriangle, meshed * kBytesPerMeshedCell);
+  return saved + made > 0.0 ? 1e6 * kModuleMb + std::max(saved, made) : 0.0;
+}
+
+/// The renderer's search tree and normals, and what pixels show.
+double drawingBytes(const Workload& work, const Cells& cells) {
+  if (!(work.pixels > 0.0)) return 0.0;
+  return (cells.cut + cells.uneven + cells.unmerged + cells.threaded) * kBytesPerDrawnCell +
+         work.triangles * kBytesPerDrawnTriangle + work.pixels * kBytesPerPixel + 1e6 * kDrawingMb;
+}
+
+double memoryMb(const Workload& work, const Cells& cells) {
+  const double comparing =
+      cells.compared > 0.0 ? 1e6 * kComparisonMb + cells.compared * kBytesPerComparedCell : 0.0;
+  const double stock = cells.surface * kBytesPerCell + (cells.cut - cells.flat) * kBytesPerCutCell +
+                       cells.flat * kBytesPerFlatCell + cells.uneven * kBytesPerUnevenCell +
+                       cells.unmerged * kBytesPerUnmergedCell + cells.turned * kBytesPerTurnedCell +
+                       cells.threaded * kBytesPerThreadedCell + cells.fixture * kBytesPerFixtureCell;
+  // Pictures are drawn while the part is compared, in what removal and meshing gave back; files come behind
+  // both, which give their memory back.
+  const double looking = std::max(0.0, comparing + drawingBytes(work, cells) - kGivenBack * stock);
+  return kBaseMb + 1e-6 * (stock + work.triangles * kBytesPerTriangle +
+                           work.groove_triangles * kBytesPerGrooveTriangle +
+                           static_cast<double>(work.motions) * kBytesPerMotion +
+                           static_cast<double>(work.turned_motions) * kBytesPerTurnedMotion +
+                           std::max(looking, moduleBytes(work, cells)));
+}
+
+double curveBytes(const Workload& work, double resolution_mm) {
+  const auto of = [&](CurveKind kind) { return work.curves[static_cast<std::size_t>(kind)]; };
+  double parts = 0.0;
+  for (const CurveKind kind :
+       {CurveKind::kLevelSpiral, CurveKind::kSpiral, CurveKind::kUndercutSpiral, CurveKind::kPlainSpiral})
+    parts += of(kind).chords;
+  return of(CurveKind::kChords).chords * kBytesPerChord + parts * kBytesPerPart +
+         of(CurveKind::kUndercutSpiral).columns_mm2 / (resolution_mm * resolution_mm) *
+             kBytesPerUndercutColumn;
+}
+
+double curveS(const Workload& work, double resolution_mm) {
+  double seconds = 0.0;
+  for (int kind = 0; kind < kCurveKinds; ++kind) {
+    const double a_cell = kind == static_cast<int>(CurveKind::kFlankedArc)
+                              ? resolution_mm  // strips, 1 mm wide
+                              : resolution_mm * resolution_mm;
+    seconds += work.curves[kind].columns_mm2 / a_cell * kSecondsPerChordColumn[kind];
+  }
+  return seconds;
+}
+
+/// Removal, the surface and its mesh, of grids.
+double stockS(const Workload& work, const Cells& cells) {
+  const double clampings = std::max(1, work.clampings);
+  const double each = clampings * kSecondsPerCell + (clampings - 1.0) * kSecondsPerCarriedCell;
+  const double thread = kSecondsPerThreadedCell + (clampings - 1.0) * kSecondsPerMilledThread;
+  return cells.surface * each + cells.flat * kSecondsPerFlatCell + cells.ruled * kSecondsPerRuledCell +
+         cells.round() * kSecondsPerRoundCell + cells.stepped * kSecondsPerSteppedCell +
+         cells.bends * kSecondsPerBend + cells.uneven * kSecondsPerUnevenCell +
+         cells.unmerged * kSecondsPerUnmergedCell + cells.swept * kSecondsPerSweptCell +
+         cells.fixture * kSecondsPerFixtureCell + cells.fixture_mesh * kSecondsPerMeshedCell +
+         cells.turned * kSecondsPerTurnedCell + cells.threaded * thread;
+}
+
+/// Bodies that need no grid.
+double sectionS(const Workload& work) {
+  return work.thread_triangles * kSecondsPerTriangle + work.groove_triangles * kSecondsPerGrooveTriangle +
+         work.pass_points * kSecondsPerPassPoint;
+}
+
+/// Stocks from meshes.
+double meshedS(const Workload& work, const Cells& cells) {
+  const double from_mesh = work.blank_triangles > 0.0 ? work.blank_triangles * kSecondsPerBlankTriangle +
+                                                            cells.surface * kSecondsPerMeshedCell
+                                                      : 0.0;
+  return from_mesh + work.mesh_moves * cells.surface * kSecondsPerMovedCell;
+}
+
+/// What one thread does while the others wait: programs, half sections, files.
+double serialS(const Workload& work, const Cells& cells) {
+  return static_cast<double>(work.motions) * kSecondsPerMotion +
+         static_cast<double>(work.turned_motions) * kSecondsPerTurnedMotion +
+         (work.reads_grid ? cells.surface * kSecondsPerReadCell : 0.0) +
+         (work.writes_grid ? cells.surface * kSecondsPerWrittenCell : 0.0) +
+         work.text_files * cells.cut * kSecondsPerTextCell;
+}
+
+double comparisonS(const Workload& work, const Cells& cells, double resolution_mm) {
+  if (!(work.nominal_mm2 > 0.0)) return 0.0;
+  // Bodies without a grid have about the surface of the nominal.
+  const double nominal = work.nominal_mm2 / (resolution_mm * resolution_mm),
+               samples = nominal + (cells.surface > 0.0 ? cells.surface : nominal);
+  return std::min(samples, kMostSamples) * kSecondsPerComparedCell +
+         std::min(cells.cut + cells.uneven, kMostSamples) * kSecondsPerComparedCut;
+}
+
+double drawingS(const Workload& work, const Cells& cells) {
+  if (!(work.pixels > 0.0) || work.pictures == 0) return 0.0;
+  const double cut = cells.surface > 0.0 ? std::min(1.0, cells.cut / cells.surface)
+                                         : work.triangles / (work.triangles + kTrianglesOfARoundPart);
+  const double triangles =
+      cells.cut - cells.flat + cells.uneven + cells.unmerged + cells.threaded + work.triangles;
+  const double pixels = work.pictures * kSecondsPerPixel * (1.0 + kMoreSecondsCut * cut) +
+                        (work.nominal_mm2 > 0.0 ? kSecondsPerDeviationPixel : 0.0);
+  return triangles * kSecondsPerDrawnTriangle + work.pixels * pixels;
+}
+
+/// What threads share.
+double parallelS(const Workload& work, const Cells& cells, double resolution_mm) {
+  return kBaseS + stockS(work, cells) + sectionS(work) + meshedS(work, cells) + drawingS(work, cells) +
+         comparisonS(work, cells, resolution_mm) + curveS(work, resolution_mm);
+}
+
+}  // namespace
+
+Prediction predict(const Workload& work, double resolution_mm) {
+  const Cells cells = cellsOf(work, resolution_mm);
+  const double serial_s = serialS(work, cells);
+  return {memoryMb(work, cells) + 1e-6 * curveBytes(work, resolution_mm),
+          serial_s + parallelS(work, cells, resolution_mm), serial_s};
+}
+
+double resolutionThatFits(const Workload& work, double resolution_mm, double limit_mb) {
+  constexpr double kCoarsest = 1e6;  // times
+  constexpr int kHalvings = 60;
+  const auto fits = [&](double grid) { return predict(work, grid).memory_mb <= limit_mb; };
+  if (fits(resolution_mm)) return resolution_mm;
+  if (!fits(kCoarsest * resolution_mm)) return std::numeric_limits<double>::infinity();
+  double fine = 0.0, coarse = std::log(kCoarsest);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (fine + coarse);
+    (fits(resolution_mm * std::exp(middle)) ? coarse : fine) = middle;
+  }
+  return resolution_mm * std::exp(coarse);
+}
+
+}  // namespace proveout

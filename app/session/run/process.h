@@ -1,0 +1,80 @@
+// The processes: what the run of a job asks of the one that a clamping's control drives. One row a process;
+// the workpiece itself is a removal/process/workpiece.h.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/session/forecast/prediction.h"
+#include "app/session/run/blank.h"
+#include "app/session/run/run_result.h"
+#include "app/session/run/stock_probe.h"
+#include "removal/process/workpiece.h"
+
+namespace proveout {
+
+/// The fixtures of a clamping, as its process sees them.
+class Fixtures {
+ public:
+  virtual ~Fixtures() = default;
+  /// Tells the workpiece how they hold it; `blank`: its bounds in this clamping.
+  virtual void hold(const Box3& /*blank*/, PieceOptions& /*options*/) const {}
+  /// What was repaired in their meshes, one sentence each, for a warning.
+  virtual std::vector<std::string> repairs() const { return {}; }
+  /// Runs the path of the clamping through them; every touch, by cutter, shank or holder, in rapid or in
+  /// feed, is a finding of kind kFixtureContact.
+  virtual Status addContacts(const SetupRun& setup, const RecordingSource& texts,
+                             std::vector<Finding>& findings, Progress& progress) = 0;
+};
+
+struct Process {
+  ProcessKind kind;
+  std::string_view verb;     ///< of what its controls do: "mills"
+  bool part_turns;           ///< the path lies in the plane of the spindle axis, its X is a radius
+  bool on_grid;              ///< the workpiece is a grid
+  bool always_changes_tool;  ///< at a place that clears the blank, even where tools have no length
+  bool tool_turns;           ///< the spindle has to turn by the hand of the tool
+  bool starts_outside;       ///< of the blank; else the tool may stand in a start hole
+  bool cuts_through;  ///< into bodies: the blank may have start holes, the job may say which is the part
+
+  /// Refuses what the process cannot start from or hold: blank, fixtures, start, place of the tool change of
+  /// clamping `setup`, which is the first of the job or follows one of the same process.
+  Status (*check)(const Job& job, std::size_t setup, const Blank& blank);
+  /// Where the control point starts if the job does not say.
+  Vec3 (*start)(const Box3& blank);
+  /// Whether it can work with a tool of this kind.
+  bool (*holds)(const Tool& tool);
+  /// What measuring moves of a clamping meet; null: nothing. All must outlive it.
+  std::unique_ptr<PieceProbe> (*probe)(const Job& setup, const ProbedStock& stock, const Toolpath& path,
+                                       Progress& progress);
+  /// Of clamping `setup`, on its own.
+  Workload (*work)(const Job& job, const RunResult& run, std::size_t setup, const Blank& blank);
+  /// The first clamping's workpiece.
+  Result<std::unique_ptr<Workpiece>> (*make)(Blank& blank, const Job& job, Progress& progress);
+  /// Those that tools come near to. Errors: a fixture that cannot be made.
+  Result<std::unique_ptr<Fixtures>> (*fixtures)(const SetupRun& setup, double resolution_mm,
+                                                Progress& progress);
+  /// Findings of its own on what a clamping made; null: none.
+  void (*look)(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings);
+};
+
+/// The process that a control drives; milling for names of no control.
+const Process& processOf(std::string_view control);
+/// Of a clamping of the job.
+const Process& processOf(const Job& job, std::size_t setup);
+
+/// Refuses clampings that cannot be worked in, or not behind those before them.
+Status checkProcesses(const Job& job, const Blank& blank);
+
+/// Whether a clamping's workpiece is on a grid, of which the job may choose the spacing.
+bool needsGrid(const Job& job);
+
+// The rows.
+extern const Process kMillingProcess;
+extern const Process kTurningProcess;
+extern const Process kWireProcess;
+
+}  // namespace proveout

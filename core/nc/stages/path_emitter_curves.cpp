@@ -1,0 +1,273 @@
+// Motions with axes besides X Y Z: turning tables, parallel axes in arcs, planes with a rotary axis. The path
+// in the part is a line or an arc where it is one exactly; else it goes along chords.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/geometry/degrees.h"
+#include "core/nc/services/virtual_plane.h"
+#include "core/nc/stages/path_emitter.h"
+
+namespace proveout::nc {
+namespace {
+
+/// A path this near to a line or an arc is one: rounding noise of the coordinates.
+constexpr double kShapeMm = 1e-7;
+/// Largest angle that the tool's direction turns in one motion: it must say which way round.
+constexpr double kAxisTurnRad = 0.5 * kPi;
+/// Most pieces of one motion before the tolerance divides them further: 100 turns.
+constexpr int kMaxPieces = 3600;
+/// Where shapes are compared: no fractions of a turn that an arc of several turns repeats.
+constexpr std::array<double, 4> kProbes{0.137, 0.389, 0.618, 0.871};
+
+AxisPoint between(const AxisPoint& a, const AxisPoint& b, double t) {
+  AxisPoint p;
+  for (int k = 0; k < kMaxAxes; ++k) p[k] = a[k] + (b[k] - a[k]) * t;
+  return p;
+}
+
+/// The length of an arc that its feed is the speed of.
+double pacedLength(const FeedStyle& style, double r0, double r1, double sweep, double rise) {
+  if (style.along == FeedStyle::Along::kPlane) return arcLength(r0, r1, sweep, 0.0);
+  if (style.along == FeedStyle::Along::kStartRadius && r0 > 0.0) return r0 * std::abs(sweep);
+  return arcLength(r0, r1, sweep, rise);
+}
+
+int piecesOf(double angle, double largest) {
+  const double pieces = std::ceil(std::abs(angle) / largest - 1e-9);
+  return std::clamp(pieces < kMaxPieces ? static_cast<int>(pieces) : kMaxPieces, 1, kMaxPieces);
+}
+
+}  // namespace
+
+Vec2 PolarLeg::at(double t) const {
+  if (arc) return pointOfArc(from, to, arc->center, arc->sweep_rad, t);
+  return from + (to - from) * t;
+}
+
+double PolarLeg::length() const {
+  if (!arc) return (to - from).norm();
+  return arcLength((from - arc->center).norm(), (to - arc->center).norm(), arc->sweep_rad, 0.0);
+}
+
+Vec2 PolarPlane::of(const AxisPoint& machine) const {
+  const auto [s, c] = sinCosDegrees(machine[rotary] - zero_deg);
+  return (machine[linear] - zero) * Vec2(c, s);
+}
+
+PathEmitter::Shape PathEmitter::shapeOf(const MachineCurve& at, const ArcGeometry* arc) const {
+  const Vec3 from = toolPoint(at(0.0)), to = toolPoint(at(1.0));
+  const double scale = 1e-12 * std::max(from.norm(), to.norm());
+  Shape shape;
+  bool line = true, circle = arc != nullptr;
+  ArcFrame frame;
+  if (circle) frame = arcFrame(from, to, *arc);
+  for (const double t : kProbes) {
+    const Vec3 p = toolPoint(at(t));
+    line = line && (p - (from + (to - from) * t)).norm() <= kShapeMm + scale;
+    circle = circle && (p - arcPoint(frame, *arc, t)).norm() <= kShapeMm + scale;
+  }
+  if (line) {
+    shape.kind = Shape::Kind::kLine;
+  } else if (circle) {
+    shape.kind = Shape::Kind::kArc;
+    shape.arc = *arc;
+  }
+  return shape;
+}
+
+void PathEmitter::sendPiece(Motion& piece, const AxisPoint& to, const ArcGeometry* arc, double length) {
+  if (piece.kind != MotionKind::kRapid && piece.time_s > 0.0) {
+    const double feed = 60.0 * length / piece.time_s;
+    if (length > 0.0 && std::abs(feed - piece.feed) > 1e-9 * feed) piece.feed = feed;
+  }
+  piece.from = toolPoint(machine_);
+  piece.to = toolPoint(to);
+  piece.tool = tool_;
+  if (piece.spindle == 0.0) piece.spindle = spindle_;
+  piece.arc = arc != nullptr ? 0 : -1;
+  const AxisSweep* sweep = sweepTo(to);
+  const AxisPoint from = machine_;
+  machine_ = to;
+  if (any_limit_) checkMachineTravel(from, piece.source);
+  ++summary_.motions;
+  time_.pass(piece, arc, sweep);
+}
+
+void PathEmitter::sendCurve(const Motion& whole, const MachineCurve& at, const ArcGeometry* arc) {
+  time_.flush();  // these motions have their own times
+  const Shape shape = shapeOf(at, arc);
+  const AxisPoint start = at(0.0);
+  const double turned = tables_.any() ? tables_.turned(start, at(1.0)) : 0.0;
+  double done = 0.0;
+  const auto piece = [&](double t) {
+    Motion m = whole;
+    m.time_s = whole.time_s * (t - done);
+    const AxisPoint to = at(t);
+    const Vec3 from = toolPoint(machine_), end = toolPoint(to);
+    if (shape.kind == Shape::Kind::kArc) {
+      ArcGeometry part = shape.arc;
+      part.center += part.normal * part.normal.dot(from - part.center);
+      part.sweep_rad *= t - done;
+      const ArcFrame f = arcFrame(from, end, part);
+      sendPiece(m, to, &part, arcLength(f.radius_start, f.radius_end, part.sweep_rad, f.rise));
+    } else {
+      sendPiece(m, to, nullptr, (end - from).norm());
+    }
+    done = t;
+  };
+  if (shape.kind == Shape::Kind::kOther) {
+    const double bends = turned + (arc != nullptr ? std::abs(arc->sweep_rad) : 0.0);
+    divideCurve([&](double t) { return toolPoint(at(t)); }, piecesOf(std::max(bends, kPi), kCurvePieceRad),
+                kCurveChordMm, piece);
+    return;
+  }
+  const bool upright = tables_.direction(start, Vec3::UnitZ()) == Vec3::UnitZ() &&
+                       tables_.direction(at(0.618), Vec3::UnitZ()) == Vec3::UnitZ();
+  const int pieces = upright ? 1 : piecesOf(turned, kAxisTurnRad);
+  for (int k = 1; k <= pieces; ++k) piece(static_cast<double>(k) / pieces);
+}
+
+void PathEmitter::sendTurned(const Motion& motion, const AxisPoint& to) {
+  const AxisPoint start = machine_;
+  const MachineCurve at = [&start, &to](double t) { return t >= 1.0 ? to : between(start, to, t); };
+  ArcGeometry arc;
+  const int table = tables_.turningTable(start, to);
+  if (table >= 0) {
+    Vec3 point;
+    tables_.tableAxis(table, start, point, arc.normal);
+    arc.center = point + arc.normal * arc.normal.dot(toolPoint(start) - point);
+    arc.sweep_rad = degToRad(tables_.angle(table, to) - tables_.angle(table, start));
+  }
+  sendCurve(motion, at, table >= 0 ? &arc : nullptr);
+}
+
+void PathEmitter::furtherArc(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
+                             const SourceRef& source) {
+  const AxisPoint start = machine_;
+  const WorkPlane& plane = arc.plane;
+  const bool main = plane.u < kMainAxes && plane.v < kMainAxes;
+  ArcGeometry xyz{arc.center, arc.normal, arc.sweep_rad};  // of the main axes
+  ArcFrame frame;
+  if (main) frame = arcFrame(start.xyz, to.xyz, xyz);
+  const Vec2 from_uv(start[plane.u], start[plane.v]), to_uv(to[plane.u], to[plane.v]);
+  const MachineCurve at = [&](double t) {
+    if (t >= 1.0) return to;
+    AxisPoint p = between(start, to, t);
+    if (main) {
+      p.xyz = arcPoint(frame, xyz, t);
+    } else {
+      const Vec2 uv = pointOfArc(from_uv, to_uv, arc.center.head<2>(), arc.sweep_rad, t);
+      p[plane.u] = uv.x();
+      p[plane.v] = uv.y();
+    }
+    return p;
+  };
+  AxisPoint center = start;
+  if (main) {
+    center.xyz = arc.center;
+  } else {
+    const auto direction = [&](int axis) {
+      return Vec3(Vec3::Unit(axis < kMainAxes ? axis : axes_.at(axis).parallel_to));
+    };
+    center[plane.u] = arc.center.x();
+    center[plane.v] = arc.center.y();
+    xyz.normal = direction(plane.u).cross(direction(plane.v));
+  }
+  const ArcGeometry guess{toolPoint(center), tables_.direction(start, xyz.normal), arc.sweep_rad};
+  const double r0 = main ? frame.radius_start : (from_uv - arc.center.head<2>()).norm();
+  const double r1 = main ? frame.radius_end : (to_uv - arc.center.head<2>()).norm();
+  double rise2 = main ? frame.rise * frame.rise : 0.0;  // of all axes outside the circle
+  for (int k = main ? kMainAxes : 0; k < axes_.count(); ++k) {
+    if (k != plane.u && k != plane.v) rise2 += (to[k] - start[k]) * (to[k] - start[k]);
+  }
+  const double paced = pacedLength(style, r0, r1, arc.sweep_rad, std::sqrt(rise2));
+  Motion m;
+  m.spindle = style.spindle;
+  m.kind = style.kind;
+  m.feed = style.feed;
+  m.time_s = 60.0 * paced / style.feed;
+  m.source = source;
+  sendCurve(m, at, &guess);
+}
+
+/// Duration of a feed motion in a polar plane, min; `others` is the way of the axes outside it.
+double PathEmitter::polarMinutes(const PolarPlane& plane, const PolarLeg& leg, const FeedStyle& style,
+                                 double others) const {
+  const double in_plane = leg.length();
+  const double length = std::hypot(in_plane, others);
+  if (!(in_plane > 0.0)) return length / style.feed;
+  const bool plane_only = leg.arc && style.along == FeedStyle::Along::kPlane;
+  const double feed = plane_only ? style.feed : style.feed * in_plane / length;
+  const double rate = degToRad(time_.limits().axes[static_cast<std::size_t>(plane.rotary)].max_feed);
+  if (!(rate > 0.0)) return in_plane / feed;
+  const int pieces = leg.arc ? piecesOf(leg.arc->sweep_rad, kCurvePieceRad / 5) : 1;
+  double minutes = 0.0;
+  Vec2 last = leg.from;
+  for (int k = 1; k <= pieces; ++k) {
+    const Vec2 q = leg.at(static_cast<double>(k) / pieces);
+    // The speed limit at the chord, the length of the arc.
+    const double chord = (q - last).norm();
+    const double stretch = leg.arc && chord > 0.0 ? in_plane / pieces / chord : 1.0;
+    minutes += polarLineMinutes(last, q, feed, rate) * stretch;
+    last = q;
+  }
+  return minutes;
+}
+
+/// A circle of the plane as it is in the part if the rotary axis turns it about the plane's origin.
+std::optional<ArcGeometry> PathEmitter::polarCircle(const PolarPlane& plane, const PolarArc& arc) const {
+  AxisPoint center = machine_, origin = machine_, aside = machine_;
+  center[plane.linear] = plane.zero + arc.center.norm();
+  center[plane.rotary] = plane.zero_deg + radToDeg(std::atan2(arc.center.y(), arc.center.x()));
+  // Two directions of the plane in the part, seen from its origin.
+  origin[plane.linear] = plane.zero;
+  origin[plane.rotary] = aside[plane.rotary] = plane.zero_deg;
+  aside[plane.linear] = plane.zero + 1.0;
+  const Vec3 along = toolPoint(aside) - toolPoint(origin);
+  aside[plane.rotary] = plane.zero_deg + 90.0;
+  const Vec3 normal = along.cross(toolPoint(aside) - toolPoint(origin));
+  if (!(normal.norm() > 0.5)) return std::nullopt;
+  return ArcGeometry{toolPoint(center), normal.normalized(), arc.sweep_rad};
+}
+
+double PathEmitter::polarError(const PolarPlane& plane) const {
+  AxisPoint at = machine_, opposite = machine_;
+  at[plane.linear] = opposite[plane.linear] = plane.zero;
+  opposite[plane.rotary] = at[plane.rotary] + 180.0;
+  return 0.5 * (toolPoint(at) - toolPoint(opposite)).norm();
+}
+
+void PathEmitter::polarTo(const AxisPoint& to, const PolarPlane& plane, const std::optional<PolarArc>& arc,
+                          const FeedStyle* style, const SourceRef& source) {
+  const AxisPoint start = machine_;
+  const PolarLeg leg{plane.of(start), plane.of(to), arc};
+  const MachineCurve at = [&](double t) {
+    if (t >= 1.0) return to;
+    AxisPoint p = between(start, to, t);
+    const Vec2 q = leg.at(t);
+    p[plane.linear] = plane.zero + plane.sign * q.norm();
+    // The whole turns are those of the way between start and end.
+    const double angle = plane.zero_deg + radToDeg(std::atan2(plane.sign * q.y(), plane.sign * q.x()));
+    if (q.norm() > 1e-12) p[plane.rotary] += std::remainder(angle - p[plane.rotary], 360.0);
+    return p;
+  };
+  double others2 = 0.0, slowest = leg.length() / axes_.at(plane.linear).rapid;
+  for (int k = 0; k < axes_.count(); ++k) {
+    const double d = std::abs(to[k] - start[k]);
+    if (k != plane.linear) slowest = std::max(slowest, d / axes_.at(k).rapid);
+    if (k != plane.linear && k != plane.rotary) others2 += d * d;
+  }
+  if (!(leg.length() + others2 > 1e-9)) return;
+  Motion m;
+  m.source = source;
+  m.kind = style != nullptr ? style->kind : MotionKind::kRapid;
+  m.feed = style != nullptr ? style->feed : 0.0;
+  if (style != nullptr) m.spindle = style->spindle;
+  m.time_s = 60.0 * (style != nullptr ? polarMinutes(plane, leg, *style, std::sqrt(others2)) : slowest);
+  const auto guess = arc ? polarCircle(plane, *arc) : std::nullopt;
+  sendCurve(m, at, guess ? &*guess : nullptr);
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,119 @@
+#include "removal/surface/measure/leaf_volume.h"
+
+#include <atomic>
+
+#include "core/base/assert.h"
+#include "core/base/parallel_for.h"
+#include "removal/surface/measure/quad_volume.h"
+
+namespace proveout {
+
+namespace {
+
+/// Of the cones from the blank's middle to the quads of a leaf, grid steps^3; see QuadVolume.
+struct LeafVolume {
+  double volume = 0.0, error = 0.0;
+};
+
+/// The same, bit for bit, as the sum over the quads one by one.
+double levelVolume(const Stock::Impl& impl, const SurfaceLeaf& leaf) {
+  const int axis = leaf.level.axis;
+  const double height = leaf.level.layer + static_cast<double>(leaf.level.crossing.t);
+  const double from = height - (impl.blank.center()[axis] - impl.position(leaf.stock->origin)[axis]) / impl.h;
+  double volume = 0.0;
+  for (int i = 0; i < 64; ++i) volume += (leaf.level.material_below ? 2.0 : -2.0) * from / 6.0;
+  return volume;
+}
+
+class LeafMeter {
+ public:
+  /// `planner`: null where only the volume is wanted.
+  LeafMeter(const SurfaceGrid& grid, const QuadPlanner* planner) : grid_(grid), planner_(planner) {}
+
+  /// False at a hole.
+  bool measure(const SurfaceLeaf& leaf, LeafVolume& volume, LeafQuads& quads) const {
+    const auto corners = levelCorners(grid_, leaf);
+    if (corners) {
+      volume.volume = levelVolume(grid_.impl(), leaf);
+      if (planner_ == nullptr || planner_->planLevel(leaf, *corners, quads)) return true;
+    }
+    return readQuads(leaf, corners ? nullptr : &volume, quads);
+  }
+
+ private:
+  bool readQuads(const SurfaceLeaf& leaf, LeafVolume* volume, LeafQuads& quads) const {
+    const Stock::Impl& impl = grid_.impl();
+    const Vec3 center = (impl.blank.center() - impl.position(leaf.stock->origin)) / impl.h;
+    QuadReader reader(grid_);
+    reader.load(leaf);
+    if (volume != nullptr) reader.loadCreases();
+    Quad quad;
+    bool whole = true;
+    if (planner_ != nullptr) quads.states.reserve(leaf.edges.count);
+    forEachCrossing(leaf, [&](int axis, int x, int y, int z, const Crossing& c) {
+      if (!reader.read(axis, x, y, z, c, quad)) {
+        whole = false;
+        return;
+      }
+      if (volume != nullptr) {
+        const QuadVolume cone = quadVolume(quad.p, quad.middle, quad.normal, center, quad.smooth_corners,
+                                           reader.creasesOf(quad, axis, x, y, z));
+        volume->volume += cone.volume;
+        volume->error += cone.error;
+      }
+      if (planner_ != nullptr) planner_->add(leaf, quad, c, {axis, x, y, z}, quads);
+    });
+    PROVEOUT_ASSERT(planner_ == nullptr || !whole || quads.states.size() == leaf.edges.count);
+    return whole;
+  }
+
+  const SurfaceGrid& grid_;
+  const QuadPlanner* planner_;
+};
+
+/// The order of the sum is that of the leaves, whatever the threads do.
+StockVolume sumOf(const std::vector<LeafVolume>& leaves, double h) {
+  StockVolume sum;
+  for (const LeafVolume& leaf : leaves) {
+    sum.mm3 += leaf.volume;
+    sum.error_mm3 += leaf.error;
+  }
+  const double cell = h * h * h;
+  return {sum.mm3 * cell, sum.error_mm3 * cell};
+}
+
+Result<MeasuredLeaves> measure(const SurfaceGrid& grid, const QuadPlanner* planner, Progress& progress) {
+  const auto& leaves = grid.leaves();
+  const LeafMeter meter(grid, planner);
+  MeasuredLeaves out;
+  out.quads.resize(planner != nullptr ? leaves.size() : 0);
+  std::vector<LeafVolume> volumes(leaves.size());
+  std::atomic<bool> hole = false;
+  LeafQuads none;
+  parallelFor(std::size_t{0}, leaves.size(), [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    if (!meter.measure(leaves[i], volumes[i], planner != nullptr ? out.quads[i] : none))
+      hole.store(true, std::memory_order_relaxed);
+  });
+  if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
+  if (hole) return gridHole();
+  out.volume = sumOf(volumes, grid.impl().h);
+  return out;
+}
+
+}  // namespace
+
+Error gridHole() { return {ErrorKind::kInternal, "the stock's grid has a hole; please report this job"}; }
+
+Result<StockVolume> measureVolume(const SurfaceGrid& grid, Progress& progress) {
+  const Result<MeasuredLeaves> out = measure(grid, nullptr, progress);
+  if (!out.ok()) return out.error();
+  return out->volume;
+}
+
+Result<MeasuredLeaves> measureLeaves(const SurfaceGrid& grid, const QuadPlanner& planner,
+                                     Progress& progress) {
+  return measure(grid, &planner, progress);
+}
+
+}  // namespace proveout
