@@ -1,6 +1,8 @@
 // The commands and sample outputs of the documents, run as a reader would.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -40,6 +42,34 @@ std::vector<std::string> commandsOf(const std::string& name) {
   return out;
 }
 
+/// Files below a folder of the sources, as paths from the top.
+std::vector<std::string> filesBelow(const std::string& folder) {
+  const fs::path root(PROVEOUT_SOURCE_DIR);
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+    names.push_back(fs::relative(entry.path(), root).generic_string());
+  return names;
+}
+
+/// The documents but the decisions, which tell of the sources of their time.
+std::vector<std::string> documentsOfToday() {
+  std::vector<std::string> names = filesBelow("docs");
+  std::erase_if(names, [](const std::string& name) {
+    return !name.ends_with(".md") || name.starts_with("docs/decisions/");
+  });
+  names.push_back("README.md");
+  return names;
+}
+
+/// What the first group of `pattern` finds in a document.
+std::vector<std::string> foundIn(const std::string& text, const char* pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it)
+    found.push_back((*it)[1]);
+  return found;
+}
+
 /// A folder with what the documents speak of.
 void furnish(const Workbench& bench) {
   bench.write("part.nc",
@@ -64,8 +94,8 @@ TEST(Documents, EveryCommandOfTheirsRuns) {
   const Workbench bench;
   ASSERT_NO_FATAL_FAILURE(furnish(bench));
   std::size_t count = 0;
-  for (const char* name :
-       {"README.md", "docs/user-guide.md", "docs/reference/job.md", "docs/reference/report.md"}) {
+  for (const std::string& name : documentsOfToday()) {
+    if (name.starts_with("docs/design/")) continue;
     for (const std::string& command : commandsOf(name)) {
       ++count;
       const Outcome outcome = bench.run(command);
@@ -75,6 +105,27 @@ TEST(Documents, EveryCommandOfTheirsRuns) {
     }
   }
   EXPECT_GE(count, 10u);
+}
+
+TEST(Documents, FilesThatTheyNameExist) {
+  const fs::path root(PROVEOUT_SOURCE_DIR);
+  std::vector<std::string> sources;
+  for (const char* folder : {"core", "removal", "io", "render", "app", "tests"}) {
+    for (const std::string& name : filesBelow(folder)) sources.push_back("/" + name);
+  }
+  for (const std::string& name : documentsOfToday()) {
+    const std::string text = document(name);
+    for (const std::string& path :
+         foundIn(text, "`((?:core|removal|io|render|app|tests|parts)/[a-z0-9_./]+)`"))
+      EXPECT_TRUE(fs::exists(root / path)) << name << ": " << path;
+    for (const std::string& path : foundIn(text, "`([a-z0-9_./]+\\.(?:h|cpp))`")) {
+      EXPECT_TRUE(std::any_of(sources.begin(), sources.end(),
+                              [&](const std::string& source) { return source.ends_with("/" + path); }))
+          << name << ": " << path;
+    }
+    for (const std::string& link : foundIn(text, "\\]\\(([^)#: ]+)"))
+      EXPECT_TRUE(fs::exists((root / name).parent_path() / link)) << name << ": " << link;
+  }
 }
 
 TEST(Documents, TheGougeThatTheyShowIsWhatTheProgramSays) {
