@@ -47,7 +47,7 @@ class RunPictures {
   /// As WorkOnPart.
   Status drawPart(const SetupRun& last, Progress& progress) {
     Stopwatch watch;
-    if (last.turned) maker_.turnAbout(Vec2::Zero());
+    if (const std::optional<Vec2> axis = last.form->pictureAxis()) maker_.turnAbout(*axis);
     const TriMesh& mesh = last.surface.mesh;
     Status done = maker_.drawViews(mesh, progress);
     if (done) done = maker_.drawApart(mesh, last.freed, last.bodies, progress);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "core/mesh/shells.h"
 
 namespace proveout {
@@ -22,6 +23,7 @@ TriMesh withoutPieces(const TriMesh& mesh, const std::vector<TriMesh>& pieces) {
   for (const TriMesh& piece : pieces) bounds.push_back(meshBounds(piece));
   std::uint32_t count = 0;
   const std::vector<std::uint32_t> shell = meshComponents(mesh, count);
+  PROVEOUT_ASSERT(shell.size() == mesh.triangles.size());
   std::vector<Box3> shells(count);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const std::uint32_t corner : mesh.triangles[t])

@@ -11,6 +11,7 @@
 #include "app/console.h"
 #include "app/offset_options.h"
 #include "app/session/run/job_defaults.h"
+#include "app/session/run/process.h"
 #include "core/nc/registry/interpreter.h"
 #include "io/atomic_file.h"
 #include "io/job/template_files.h"
@@ -126,25 +127,10 @@ void refuseWithJob(bool given, const char* option, Diagnostics& diagnostics) {
 
 /// Whether the command line can name the tools of the control at all. False: said what it takes.
 bool namesTools(const RunOptions& options, const Job& job, Diagnostics& diagnostics) {
-  const auto& all = controls();
-  const auto control =
-      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == job.control; });
-  if (control == all.end()) return true;
-  if (control->process == ProcessKind::kWire) {
-    diagnostics.add(usageError(fmt::format(
-        "control {} cuts with a wire, which a job file gives: proveout run JOB.toml, where the job has "
-        "program, control, [stock] and a [[tool]] with type = \"wire\" and its diameter",
-        job.control)));
-    return false;
-  }
-  if (control->process == ProcessKind::kTurning && options.tools.empty()) {
-    diagnostics.add(usageError(
-        fmt::format("control {} turns with inserts, which a job file gives: a [[tool]] with type = "
-                    "\"insert\"; drills alone can be named here, as --tool 1=drill:10",
-                    job.control)));
-    return false;
-  }
-  return true;
+  const Process& process = processOf(job.control);
+  if (process.needs_job == nullptr || (process.names_tools && !options.tools.empty())) return true;
+  diagnostics.add(usageError(fmt::format(fmt::runtime(process.needs_job), job.control)));
+  return false;
 }
 
 void applyWorkpiece(const RunOptions& options, Job& job, Diagnostics& diagnostics) {

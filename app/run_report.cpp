@@ -117,20 +117,9 @@ ReportStock reportStock(const RunResult& run) {
 }
 
 ErrorTerm gridTerm(const RunResult& run, double bound_mm) {
-  if (run.setups.back().turned) {
-    return {
-        "grid", bound_mm,
-        fmt::format("facets of the mesh between exact crossings of a {:g} mm grid, at most h^2/(8r) at the "
-                    "smallest radius; of the mesh alone: the part is compared as its section and threads",
-                    run.resolution_mm)};
-  }
   return {"grid", bound_mm,
-          fmt::format(
-              "facets of the mesh between exact crossings of a {:g} mm grid: flat faces are exact, "
-              "walls as curved "
-              "as the smallest tool are off by at most h^2/(8r); details thinner than a cell may be lost, "
-              "and the edges of a cell with several of them be off by as much",
-              run.resolution_mm)};
+          fmt::format("facets of the mesh between exact crossings of a {:g} mm grid{}", run.resolution_mm,
+                      processOf(run.setups.back()).accuracy.grid)};
 }
 
 ErrorTerm simplifyTerm(double bound_mm) {
@@ -143,7 +132,7 @@ ErrorTerm simplifyTerm(double bound_mm) {
 }
 
 /// As a wire does.
-bool cutsThrough(const SetupRun& setup) { return processOf(setup.job.control).cuts_through; }
+bool cutsThrough(const SetupRun& setup) { return processOf(setup).cuts_through; }
 
 /// Of what a clamping left, mm.
 double heightOf(const std::vector<StockBody>& bodies) {
@@ -152,51 +141,27 @@ double heightOf(const std::vector<StockBody>& bodies) {
   return bodies.empty() ? 0.0 : all.size().z();
 }
 
-std::string facetsText(const SetupRun& setup) {
-  if (setup.turned) {
-    return fmt::format("the mesh stays within {:g} mm, around and along the section or the thread, each",
-                       turnedFacets(setup.job));
-  }
-  return fmt::format("the mesh stays within {:g} mm of the walls that the wire left{}",
-                     facetTolerance(setup.job),
-                     setup.job.simulation.simplify_mm ? "; simplify does not apply to them" : "");
-}
-
-/// Why a tool adds nothing to the error.
-const char* toolText(const SetupRun& setup) {
-  if (setup.turned)
-    return "inserts are exact outlines; wear, deflection and the height of the tip are not simulated";
-  if (cutsThrough(setup))
-    return "the wire is a straight cylinder with its spark gap about it; that it lags, bows and vibrates is "
-           "not "
-           "simulated";
-  return "tools are exact solids of revolution; runout, wear and deflection are not simulated";
-}
-
 std::vector<ErrorTerm> errorBudget(const RunResult& run) {
   const double moves = movesUncertainty(run), grid = std::max(0.0, partUncertainty(run) - moves);
   std::vector<ErrorTerm> terms;
-  const std::shared_ptr<const TurnedShape>& turned = run.setups.back().turned;
-  const bool turned_first = run.setups.front().turned != nullptr;
-  if (turned_first) {
-    terms.push_back(
-        {"section", kSectionChordMm,
-         "the half section is made of chords within 0.0001 mm of its arcs, rounded to nanometres"});
-  }
+  const Process::Accuracy &first = processOf(run.setups.front()).accuracy,
+                          &last = processOf(run.setups.back()).accuracy;
+  const bool swept = last.section == nullptr;
+  if (first.section != nullptr) terms.push_back({"section", kSectionChordMm, first.section});
   if (run.isOfFacets()) {
-    terms.push_back({"facets", grid, facetsText(run.setups.back())});
+    terms.push_back({"facets", grid, last.facets(run.setups.back().job)});
   } else {
     terms.push_back(gridTerm(run, grid));
     terms.push_back(simplifyTerm(simplification(run.setups.back().job, run.resolution_mm)));
   }
-  if (run.setups.size() > 1 && !turned) {
+  if (run.setups.size() > 1 && swept) {
     terms.push_back({"re-clamping", moves,
                      "turns by multiples of 90 degrees move the stock exactly; others move it as its surface "
                      "mesh and add the chord height h^2/(8r) of walls that were cut before; edges then may "
                      "be off by a third of a cell"});
   }
-  terms.push_back({"tool", 0.0, toolText(run.setups.back())});
-  if (!turned) terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
+  terms.push_back({"tool", 0.0, last.tool});
+  if (swept) terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
   if (run.comparison) {
     terms.push_back({"nominal", run.comparison->nominal_chord_mm,
                      "chord height of the nominal's facets, estimated from neighbouring facets"});
@@ -288,7 +253,7 @@ ReportComparison reportComparison(const Comparison& comparison, const NominalSpe
 std::vector<CutPath> cutPaths(const RunResult& run) {
   std::vector<CutPath> paths;
   for (const SetupRun& setup : run.setups)
-    paths.push_back({setup.name, &setup.interpreted.path, &setup.removal.removed_mm3, setup.turned != nullptr,
+    paths.push_back({setup.name, &setup.interpreted.path, &setup.removal.removed_mm3, partTurns(setup),
                      cutsThrough(setup) ? heightOf(setup.bodies) : 0.0});
   return paths;
 }

@@ -30,8 +30,9 @@ std::vector<std::vector<Vec2>> blankOf(const Job& job, const RunResult& run) {
     return {{{bore, low}, {round->radius, low}, {round->radius, high}, {bore, high}}};
   }
   const SetupRun& before = run.setups[run.setups.size() - 2];
-  if (!before.turned || before.turned->bodies.empty()) return loops;
-  for (const SectionLoop& loop : before.turned->bodies.front().loops) {
+  const std::vector<SectionLoop>* const profile = before.form->profile();
+  if (profile == nullptr) return loops;
+  for (const SectionLoop& loop : *profile) {
     std::vector<Vec2> moved;
     for (const Vec2& p : loop.points)
       moved.push_back(inPlane(run.setups.back().from_previous(Vec3(p.x(), 0, p.y()))));
@@ -102,7 +103,7 @@ void addFindings(const RunResult& run, ProfileChartOptions& options) {
 void addContourEnds(const SetupRun& setup, ProfileChartOptions& options) {
   const Toolpath& path = setup.interpreted.path;
   std::map<int, MotionId> last;
-  for (const SectionLoop& loop : setup.turned->bodies.front().loops) {
+  for (const SectionLoop& loop : *setup.form->profile()) {
     for (const MotionId id : loop.motion) {
       if (id >= path.motions.size() || path.motions[id].kind != MotionKind::kFeed) continue;
       MotionId& known = last.try_emplace(path.motions[id].tool, id).first->second;
@@ -119,12 +120,13 @@ void addContourEnds(const SetupRun& setup, ProfileChartOptions& options) {
 void writeTurnedProfile(const Job& job, const RunResult& run, StagingFolder& staging, Report& report,
                         OutputFailures& failures) {
   const SetupRun& setup = run.setups.back();
-  if (!setup.turned || setup.turned->bodies.empty()) return;
+  const std::vector<SectionLoop>* const profile = setup.form->profile();
+  if (profile == nullptr) return;
   std::vector<std::vector<Vec2>> machined;
-  if (!setup.turned->threads.empty()) {
+  if (!setup.form->revolved()) {
     machined = halfSectionLoops(setup.surface.mesh);
   } else {
-    for (const SectionLoop& loop : setup.turned->bodies.front().loops) machined.push_back(loop.points);
+    for (const SectionLoop& loop : *profile) machined.push_back(loop.points);
   }
   ProfileChartOptions options;
   options.name = job.name;

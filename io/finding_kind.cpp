@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 
 namespace {
@@ -106,7 +108,10 @@ static_assert(!kChecks.back().empty());
 
 std::span<const FindingKindInfo> findingKinds() { return kRows; }
 
-const FindingKindInfo& findingKindInfo(FindingKind kind) { return kRows[static_cast<std::size_t>(kind)]; }
+const FindingKindInfo& findingKindInfo(FindingKind kind) {
+  PROVEOUT_ASSERT(static_cast<std::size_t>(kind) < kRows.size());
+  return kRows[static_cast<std::size_t>(kind)];
+}
 
 std::string_view findingKindName(FindingKind kind) { return findingKindInfo(kind).name; }
 

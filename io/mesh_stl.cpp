@@ -7,6 +7,8 @@
 
 #include "io/mesh_formats.h"
 
+#include "core/base/assert.h"
+
 namespace proveout::mesh_formats {
 
 namespace {
@@ -33,6 +35,7 @@ bool looksLikeText(std::string_view bytes) {
 
 void addTriangle(MeshBuilder& out) {
   const auto n = static_cast<std::uint32_t>(out.mesh.positions.size());
+  PROVEOUT_ASSERT(n >= 3);
   out.mesh.triangles.push_back({n - 3, n - 2, n - 1});
 }
 

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
@@ -105,6 +106,7 @@ auto obj(const TriMesh& mesh) {
 
 auto ply(const TriMesh& mesh) {
   const bool motion = !mesh.motion.empty();
+  PROVEOUT_ASSERT(!motion || mesh.motion.size() == mesh.triangles.size());
   Bytes head = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment proveout, unit mm\n"
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"

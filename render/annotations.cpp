@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/assert.h"
+
 namespace proveout::render_detail {
 namespace {
 
@@ -31,6 +33,7 @@ double tickValue(const PixelRect& bar, const DeviationScale& scale, double mm) {
 
 void drawLegend(const RenderScene& scene, const PageLayout& page, Canvas& canvas) {
   const DeviationScale& scale = scene.field.scale;
+  PROVEOUT_ASSERT(scale.limit > 0.0);
   const PixelRect& bar = page.bar;
   const int rows = std::max(1, static_cast<int>(bar.height()));
   for (int i = 0; i < rows; ++i) {

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "render/canvas.h"
-#include "render/render.h"
+#include "render/scene.h"
 
 namespace proveout::render_detail {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout::render_detail {
 namespace {
 
@@ -69,6 +71,7 @@ float LightPoints::likenessTo(const Seen& seen, int i, int j) const {
 }
 
 void LightPoints::average(const LitPoints& in, int i, int j, int reach, LitPoints& out) const {
+  PROVEOUT_ASSERT(reach <= kMostReach);
   const std::size_t own = index(i, j);
   const Pack kind = pack(kind_, own), nx = pack(normal_[0], own), ny = pack(normal_[1], own),
              nz = pack(normal_[2], own), px = pack(point_[0], own), py = pack(point_[1], own),

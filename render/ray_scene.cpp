@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/assert.h"
+
 namespace proveout::render_detail {
 
 namespace {
@@ -104,6 +106,7 @@ Result<RayScene> RayScene::build(const TriMesh& mesh) {
 
 RayScene RayScene::cut(const SectionCut& section) const {
   RayScene scene = *this;
+  PROVEOUT_ASSERT(std::abs(section.side_x) == 1 && std::abs(section.side_y) == 1);
   scene.has_cut_ = true;
   scene.cut_at_ = toUnit({section.axis.x(), section.axis.y(), center_.z()});
   scene.cut_normals_ = {Eigen::Vector3f(static_cast<float>(section.side_x), 0, 0),

@@ -14,7 +14,7 @@
 
 #include "core/base/result.h"
 #include "core/mesh/tri_mesh.h"
-#include "render/render.h"
+#include "render/scene.h"
 
 namespace proveout::render_detail {
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "render/annotations.h"
 #include "render/drawn_mesh.h"
@@ -118,6 +119,7 @@ Result<std::shared_ptr<const DrawnMesh>> drawnMeshOf(const RenderScene& scene) {
 Result<Image> drawPart(const RenderScene& scene, const DrawnMesh& drawn, const View& view, ImageSize size,
                        const RenderOptions& options, Progress& progress) {
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted while drawing"};
+  PROVEOUT_ASSERT(drawn.normals().faces.size() == scene.mesh.triangles.size());
   const RayScene rays = raysOf(scene, view, drawn);
   const Camera camera = sceneCamera(scene, view, size);
   return render_detail::trace({scene, rays, drawn.normals(), camera, size, options}, progress);
@@ -175,16 +177,6 @@ Result<Image> renderMesh(const RenderScene& scene, const View& view, ImageSize s
     if (image) drawOver(scene, **drawn, view, *image);
     return image;
   });
-}
-
-Rgb toolTint(int tool) {
-  // Steps of the golden angle around the hue circle keep neighbouring numbers apart.
-  const double hue = std::fmod(0.58 + 0.618033988749895 * std::abs(static_cast<double>(tool)), 1.0);
-  const auto channel = [&](double shift) {
-    const double wave = 0.5 + 0.5 * std::cos(2 * kPi * (hue + shift));
-    return static_cast<float>(0.48 + 0.40 * wave);
-  };
-  return {channel(0.0), channel(1.0 / 3.0), channel(2.0 / 3.0)};
 }
 
 }  // namespace proveout

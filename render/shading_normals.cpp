@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 
 namespace proveout::render_detail {
@@ -22,6 +23,7 @@ Fans buildFans(const TriMesh& mesh) {
   }
   for (std::size_t v = 1; v < fans.first.size(); ++v) fans.first[v] += fans.first[v - 1];
   fans.corners.resize(mesh.triangles.size() * 3);
+  PROVEOUT_ASSERT(fans.first.back() == fans.corners.size());
   std::vector<std::uint32_t> next(fans.first.begin(), fans.first.end() - 1);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::uint32_t c = 0; c < 3; ++c) fans.corners[next[mesh.triangles[t][c]]++] = 3 * t + c;
@@ -54,6 +56,7 @@ std::vector<Eigen::Vector3f> faceNormals(const TriMesh& mesh) {
 
 std::vector<std::array<Eigen::Vector3f, 3>> cornerNormals(const TriMesh& mesh,
                                                           const std::vector<Eigen::Vector3f>& faces) {
+  PROVEOUT_ASSERT(faces.size() == mesh.triangles.size());
   const Fans fans = buildFans(mesh);
   const float limit = static_cast<float>(std::cos(degToRad(kCreaseAngleDeg)));
   std::vector<float> angles(fans.corners.size());

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "render/ray_scene.h"
-#include "render/render.h"
+#include "render/camera.h"
+#include "render/scene.h"
 #include "render/shading_normals.h"
 #include "render/srgb.h"
 

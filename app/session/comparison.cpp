@@ -12,7 +12,6 @@
 #include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
 #include "removal/turning/section.h"
-#include "removal/turning/turned_field.h"
 
 namespace proveout {
 namespace {
@@ -46,13 +45,6 @@ void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResul
   run.findings.back().setup = setup.name;
 }
 
-/// The part that a clamping turned, without what fell off.
-std::shared_ptr<const TurnedShape> turnedPart(const SetupRun& setup) {
-  TurnedShape part = *setup.turned;
-  part.bodies.resize(1);  // the part itself comes first
-  return std::make_shared<const TurnedShape>(std::move(part));
-}
-
 /// `unsure_facets_mm`: the profile resolution, where the part is compared as a mesh of facets.
 std::vector<PatchFinding> addFindings(const Job& job, const RunSources& sources, const ExactPart* part,
                                       double unsure_facets_mm, RunResult& run) {
@@ -73,32 +65,35 @@ std::vector<PatchFinding> addFindings(const Job& job, const RunSources& sources,
 }  // namespace
 
 Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const RunResult& run) {
-  if (run.setups.back().turned) return makeTurnedPart(turnedPart(run.setups.back()));
+  if (auto exact = run.setups.back().form->exactPart()) return std::move(*exact);
   if (run.isOfFacets()) return std::unique_ptr<ExactPart>();  // the mesh is nearly exact
   const bool wire_cut = std::any_of(run.setups.begin(), run.setups.end(), [](const SetupRun& setup) {
     return !setup.interpreted.path.wires.empty();
   });
   if (wire_cut) return std::unique_ptr<ExactPart>();  // cutters' bodies alone are known
-  // Frames of clampings that turned the part hold what they left: it is the blank of those behind them.
+  // What a clamping left in closed form is the blank of those behind it.
   static const Toolpath kNothing;
   StockShape start = blank;
-  std::uint32_t turned_by = 0;
+  std::uint32_t left_by = 0;
   RigidTransform to_first;
+  std::vector<bool> known(run.setups.size(), false);
   std::vector<ClampedCut> cuts(run.setups.size());
   for (std::size_t k = 0; k < run.setups.size(); ++k) {
     const SetupRun& setup = run.setups[k];
     if (k > 0) to_first = to_first * setup.from_previous.inverse();
-    if (!setup.turned) continue;
-    start = turnedStock(turnedPart(setup), to_first);
-    turned_by = static_cast<std::uint32_t>(k);
+    std::optional<StockShape> left = setup.form->asBlank(to_first);
+    if (!left) continue;
+    start = std::move(*left);
+    left_by = static_cast<std::uint32_t>(k);
+    known[k] = true;
   }
   RigidTransform from_last;
   for (std::size_t k = run.setups.size(); k-- > 0;) {
     const SetupRun& setup = run.setups[k];
-    cuts[k] = {setup.turned ? &kNothing : &setup.interpreted.path, &setup.job.tools, from_last};
+    cuts[k] = {known[k] ? &kNothing : &setup.interpreted.path, &setup.job.tools, from_last};
     from_last = setup.from_previous.inverse() * from_last;
   }
-  return makeSweptPart(start, cuts, turned_by);
+  return makeSweptPart(start, cuts, left_by);
 }
 
 Status compareRun(const Job& job, const RunSources& sources, const Blank& blank, const PreparedMesh& nominal,

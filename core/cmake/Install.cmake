@@ -35,7 +35,7 @@ foreach(header
     removal/wire/falls/body_exit removal/wire/falls/wire_holding removal/wire/lean/lean_solid
     removal/wire/lean/lean_stretch removal/wire/lean/level_section removal/wire/section/plane_region
     removal/wire/section/prism_blank removal/wire/section/wire_stretch removal/wire/wire_stock
-    removal/compare/compare removal/compare/exact_part removal/compare/nominal
+    removal/compare/comparison removal/compare/compare removal/compare/exact_part removal/compare/nominal
     app/session/forecast/prediction app/session/programs/interpretation app/session/run/blank
     app/session/run/interpreted app/session/run/job_defaults app/session/run/prepared_run
     app/session/run/recording_source app/session/run/run_result app/session/session)

@@ -7,6 +7,8 @@
 # Hardening is core/cmake/Hardening.cmake.
 add_library(proveout_options INTERFACE)
 target_compile_options(proveout_options INTERFACE -ffp-contract=off)
+# Eigen's inline functions are the same in all that is linked together.
+target_compile_definitions(proveout_options INTERFACE $<$<CONFIG:Release>:EIGEN_NO_DEBUG>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Seen in 12.2: two doubles side by side that go to float and back are taken for what they were, by way of
   # Eigen's casts or of members; at -O3 three of them. Where all rounding is by core/geometry/to_float.h there is

@@ -14,6 +14,7 @@ CornerTable::CornerTable(const Triangles& triangles, const std::vector<std::uint
       triangles_(std::make_unique_for_overwrite<Triangle[]>(count_)),
       out_(std::make_unique_for_overwrite<std::uint32_t[]>(vertices)) {
   PROVEOUT_ASSERT(triangles.size() < std::size_t{1} << 29);
+  PROVEOUT_ASSERT(labels.empty() || labels.size() == triangles.size());
   // Edges belong to the lower one of their ends. Ranges of vertices are worked on side by side, each with the
   // stretches of triangles that have edges of it.
   constexpr std::size_t kStretch = 512, kMostRanges = 32;

@@ -15,6 +15,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
 #include "core/geometry/to_float.h"
@@ -83,6 +84,8 @@ EdgeCollapser::EdgeCollapser(const TriMesh& mesh, double tolerance, std::span<co
       around_{table_, mesh.positions, {triangles_.get(), mesh.triangles.size()}} {
   // So many units in the last place of the coordinates: less high triangles could be turned over by rounding.
   constexpr double kLeastUnits = 64.0;
+  PROVEOUT_ASSERT(frozen.empty() || frozen.size() == mesh.positions.size());
+  PROVEOUT_ASSERT(off.empty() || off.size() == mesh.positions.size());
   around_.least_height = kLeastUnits * std::numeric_limits<float>::epsilon() * largestCoordinate(mesh);
   findNormals(off);
   holdFolds();

@@ -10,6 +10,7 @@
 #include <emmintrin.h>
 #endif
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
 
@@ -438,6 +439,7 @@ bool isNeedle(const TriMesh& mesh, std::uint32_t t) {
 
 std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
                                                             std::span<const std::uint8_t> suspect) {
+  PROVEOUT_ASSERT(suspect.size() >= mesh.positions.size());
   std::vector<std::uint8_t> triangles(mesh.triangles.size());
   forEachBelow(triangles.size(), [&](std::size_t t) {
     const auto& v = mesh.triangles[t];
@@ -448,6 +450,7 @@ std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
 
 std::vector<std::array<std::uint32_t, 2>> findIntersectionsOf(const TriMesh& mesh,
                                                               std::span<const std::uint8_t> triangles) {
+  PROVEOUT_ASSERT(triangles.size() == mesh.triangles.size());
   const auto isOne = [](std::uint8_t s) { return s != 0; };
   if (std::ranges::none_of(triangles, isOne)) return {};
   if (std::ranges::all_of(triangles, isOne)) triangles = {};
@@ -457,6 +460,8 @@ std::vector<std::array<std::uint32_t, 2>> findIntersectionsOf(const TriMesh& mes
 std::vector<std::array<std::uint32_t, 2>> findIntersectionsAmong(const TriMesh& mesh,
                                                                  std::span<const std::uint32_t> triangles) {
   if (triangles.empty()) return {};
+  PROVEOUT_ASSERT_DEAR(
+      std::ranges::all_of(triangles, [&](std::uint32_t t) { return t < mesh.triangles.size(); }));
   return Finder(mesh, triangles).find();
 }
 
@@ -474,6 +479,7 @@ std::vector<Box3> meetingPlaces(const TriMesh& mesh, const std::vector<std::arra
 }
 
 void flagInside(const TriMesh& mesh, const std::vector<Box3>& boxes, std::vector<std::uint8_t>& flags) {
+  PROVEOUT_ASSERT(flags.size() >= mesh.positions.size());
   forEachBelow(mesh.positions.size(), [&](std::size_t v) {
     const Vec3 p = mesh.positions[v].cast<double>();
     if (std::ranges::any_of(boxes, [&](const Box3& box) { return box.overlaps({p, p}); })) flags[v] = 1;

@@ -189,6 +189,7 @@ void MeshEditor::rotate(std::uint32_t t, int steps) {
 }
 
 void MeshEditor::setMotion(std::uint32_t t, std::uint32_t motion) {
+  PROVEOUT_ASSERT(t < mesh_.motion.size());
   save(t);
   mesh_.motion[t] = motion;
 }
@@ -258,6 +259,8 @@ void takeOut(TriMesh& mesh, LostParts lost) {
   constexpr std::size_t kPart = 8192;  // triangles that one task looks at
   std::sort(lost.triangles.begin(), lost.triangles.end());
   std::sort(lost.vertices.begin(), lost.vertices.end());
+  PROVEOUT_ASSERT(lost.triangles.empty() || lost.triangles.back() < mesh.triangles.size());
+  PROVEOUT_ASSERT(lost.vertices.empty() || lost.vertices.back() < mesh.positions.size());
   eraseAt(mesh.triangles, lost.triangles);
   if (!mesh.motion.empty()) eraseAt(mesh.motion, lost.triangles);
   eraseAt(mesh.positions, lost.vertices);

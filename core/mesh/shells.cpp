@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/mesh/edge_table.h"
 
 namespace proveout {
@@ -158,6 +159,7 @@ class EdgePairs {
 std::vector<std::uint32_t> edgePartners(const TriMesh& mesh) { return EdgePairs(mesh).take(); }
 
 Shells splitShells(const TriMesh& mesh) {
+  PROVEOUT_ASSERT(mesh.motion.empty() || mesh.motion.size() == mesh.triangles.size());
   const std::vector<std::uint32_t> partner = edgePartners(mesh);
   const auto corners = static_cast<std::uint32_t>(3 * mesh.triangles.size());
   const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
@@ -191,6 +193,7 @@ Shells splitShells(const TriMesh& mesh) {
 }
 
 std::vector<TriMesh> shellMeshes(const Shells& shells) {
+  PROVEOUT_ASSERT(shells.shell_of.size() == shells.mesh.triangles.size());
   std::vector<TriMesh> out(shells.count);
   std::vector<std::uint32_t> vertex_of(shells.mesh.positions.size(), kNoVertex);  // each is of one shell
   for (std::size_t t = 0; t < shells.shell_of.size(); ++t) {

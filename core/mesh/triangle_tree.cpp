@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/geometry/to_float.h"
 
@@ -147,6 +148,7 @@ void TriangleTree::tryPlace(std::uint32_t place, const Vec3& p, Nearest& best) c
 TriangleTree::Nearest TriangleTree::nearest(const Vec3& p, std::uint32_t hint, double within) const {
   Nearest best;
   best.squared = within * within;
+  PROVEOUT_ASSERT_DEAR(hint == kNone || hint < place_of_.size());
   if (hint != kNone) tryPlace(place_of_[hint], p, best);
   struct Open {
     double squared;

@@ -84,15 +84,15 @@ target_sources(proveout_core PRIVATE
   nc/nct/nct_row.cpp
   nc/nct/block/auxiliary.cpp
   nc/nct/block/axis_words.cpp
-  nc/nct/block/origins.cpp
-  nc/nct/block/perform.cpp
+  nc/nct/context/origins.cpp
+  nc/nct/perform/perform.cpp
   nc/nct/block/plan_block.cpp
-  nc/nct/block/sends.cpp
-  nc/nct/block/unused_words.cpp
-  nc/nct/block/words.cpp
+  nc/nct/context/sends.cpp
+  nc/nct/perform/unused_words.cpp
+  nc/nct/context/words.cpp
   nc/nct/channels/channels.cpp
-  nc/nct/channels/context.cpp
-  nc/nct/channels/wait.cpp
+  nc/nct/context/context.cpp
+  nc/nct/spindle/wait.cpp
   nc/nct/coverage/coverage_rows.cpp
   nc/nct/coverage/open_rows.cpp
   nc/nct/coverage/rows_1.cpp
@@ -104,18 +104,18 @@ target_sources(proveout_core PRIVATE
   nc/nct/cycles/pocket.cpp
   nc/nct/cycles/taps.cpp
   nc/nct/frames/frames.cpp
-  nc/nct/frames/transform_stage.cpp
+  nc/nct/stages/transform_stage.cpp
   nc/nct/frames/transforms.cpp
   nc/nct/macro/arguments.cpp
   nc/nct/macro/calls.cpp
-  nc/nct/macro/environment.cpp
+  nc/nct/model/environment.cpp
   nc/nct/macro/interrupt.cpp
-  nc/nct/macro/output.cpp
+  nc/nct/context/output.cpp
   nc/nct/macro/statements.cpp
   nc/nct/macro/subprogram_words.cpp
-  nc/nct/macro/system_calls.cpp
+  nc/nct/model/system_calls.cpp
   nc/nct/motion/axis_setup.cpp
-  nc/nct/motion/comp_stage.cpp
+  nc/nct/stages/comp_stage.cpp
   nc/nct/motion/contour.cpp
   nc/nct/motion/diameter.cpp
   nc/nct/motion/feed.cpp
@@ -125,7 +125,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/motion/smooth.cpp
   nc/nct/motion/thread.cpp
   nc/nct/motion/virtual_plane.cpp
-  nc/nct/motion/virtual_stage.cpp
+  nc/nct/stages/virtual_stage.cpp
   nc/nct/parameters/axis.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp
@@ -140,12 +140,12 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/safety.cpp
   nc/nct/parameters/spindle.cpp
   nc/nct/parameters/tools.cpp
-  nc/nct/program/alarms.cpp
-  nc/nct/program/call_stack.cpp
+  nc/nct/model/alarms.cpp
+  nc/nct/model/call_stack.cpp
   nc/nct/program/control.cpp
   nc/nct/program/data_input.cpp
   nc/nct/program/flow.cpp
-  nc/nct/program/program_store.cpp
+  nc/nct/model/program_store.cpp
   nc/nct/program/reset.cpp
   nc/nct/program/tape.cpp
   nc/nct/spindle/spindle.cpp
@@ -158,12 +158,12 @@ target_sources(proveout_core PRIVATE
   nc/nct/system_variables/status_bank.cpp
   nc/nct/system_variables/system_variables.cpp
   nc/nct/system_variables/tool_offset_bank.cpp
-  nc/nct/tables/codes.cpp
+  nc/nct/model/codes.cpp
   nc/nct/tables/comp.cpp
   nc/nct/tables/cycles.cpp
   nc/nct/tables/data.cpp
   nc/nct/tables/frames.cpp
-  nc/nct/tables/m_index.cpp
+  nc/nct/model/m_index.cpp
   nc/nct/tables/macro.cpp
   nc/nct/tables/measuring.cpp
   nc/nct/tables/motion.cpp
@@ -173,12 +173,12 @@ target_sources(proveout_core PRIVATE
   nc/nct/tables/tools.cpp
   nc/nct/tables/transforms.cpp
   nc/nct/tables/turning.cpp
-  nc/nct/tools/offset_tables.cpp
+  nc/nct/model/offset_tables.cpp
   nc/nct/tools/offsets.cpp
   nc/nct/tools/tool_data.cpp
-  nc/nct/tools/tool_tables.cpp
+  nc/nct/model/tool_tables.cpp
   nc/nct/tools/tools.cpp
-  nc/nct/zones/zone_stage.cpp
+  nc/nct/stages/zone_stage.cpp
   nc/nct/zones/zones.cpp)
 include(nc/flexnc/sources.cmake)
 include(nc/services/sources.cmake)

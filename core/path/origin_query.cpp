@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "core/base/assert.h"
 #include "core/path/line_word.h"
 
 namespace proveout {
@@ -28,6 +29,7 @@ void readLine(ResolvedOrigin& origin, OriginKind written, bool inch, const LineT
 
 /// `left`: how many more may stand behind it.
 ResolvedOrigin ofWord(const Toolpath& path, std::uint32_t number, const LineText& text, std::size_t& left) {
+  PROVEOUT_ASSERT(number >= 1 && number <= path.origins.words.size());
   const WordOrigin& word = path.origins.words[number - 1];
   ResolvedOrigin origin;
   origin.kind = word.kind;
@@ -75,6 +77,7 @@ ResolvedOrigin ofCode(const Toolpath& path, const SourceRef& source, OriginKind 
 
 std::optional<ResolvedOrigin> originOf(const Toolpath& path, MotionId motion, OriginKind kind,
                                        const LineText& text) {
+  PROVEOUT_ASSERT(motion < path.motions.size());
   const SourceRef& source = path.motions[motion].source;
   const OriginCode code = path.origins.code(source.origins, kind);
   if (code.none()) return std::nullopt;
@@ -98,6 +101,7 @@ std::optional<ResolvedOrigin> originOfWord(const Toolpath& path, std::uint32_t n
 std::optional<ResolvedOrigin> callOf(const Toolpath& path, MotionId motion, const LineText& text) {
   const std::int32_t index = path.motions[motion].source.origins;
   if (index < 0) return std::nullopt;
+  PROVEOUT_ASSERT(static_cast<std::size_t>(index) < path.origins.sets.size());
   const OriginSet& set = path.origins.sets[static_cast<std::size_t>(index)];
   return originOfWord(path, path.origins.modal[set.modal].call, text);
 }
@@ -105,6 +109,7 @@ std::optional<ResolvedOrigin> callOf(const Toolpath& path, MotionId motion, cons
 const DataInForce* dataOf(const Toolpath& path, MotionId motion) {
   const std::int32_t index = path.motions[motion].source.origins;
   if (index < 0) return nullptr;
+  PROVEOUT_ASSERT(static_cast<std::size_t>(index) < path.origins.sets.size());
   const OriginSet& set = path.origins.sets[static_cast<std::size_t>(index)];
   return &path.origins.data[path.origins.modal[set.modal].data];
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 
 std::string_view motionKindName(MotionKind kind) {
@@ -54,6 +56,7 @@ Vec3 arcPoint(const ArcFrame& f, const ArcGeometry& arc, double t) {
 
 Vec3 Toolpath::pointAt(const Motion& m, double u) const {
   if (m.arc < 0) return m.from + u * (m.to - m.from);
+  PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < arcs.size());
   const ArcGeometry& arc = arcs[m.arc];
   return arcPoint(arcFrame(m.from, m.to, arc), arc, u);
 }
@@ -123,6 +126,7 @@ Box3 Toolpath::bounds(const Motion& m) const {
   box.extend(m.from);
   box.extend(m.to);
   if (m.arc < 0) return box;
+  PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < arcs.size());
   const ArcGeometry& arc = arcs[m.arc];
   const ArcFrame f = arcFrame(m.from, m.to, arc);
   const bool spiral = f.radius_end != f.radius_start;
@@ -138,6 +142,7 @@ Box3 Toolpath::bounds(const Motion& m) const {
 
 double Toolpath::length(const Motion& m) const {
   if (m.arc < 0) return (m.to - m.from).norm();
+  PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < arcs.size());
   const ArcGeometry& arc = arcs[m.arc];
   const ArcFrame f = arcFrame(m.from, m.to, arc);
   const double dr = f.radius_end - f.radius_start;

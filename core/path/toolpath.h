@@ -74,9 +74,6 @@ struct WireState {
   bool runs = true;       ///< it is drawn off, so that it does not burn through
   bool fluid = true;      ///< the gap is flushed
   bool condition = true;  ///< the generator has a cutting condition
-
-  /// Whether it can cut without breaking.
-  bool supplied() const { return runs && fluid && condition; }
 };
 
 /// A motion of a wire: a straight line through a point of the lower and one of the upper track, both at the

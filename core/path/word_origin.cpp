@@ -1,5 +1,7 @@
 #include "core/path/word_origin.h"
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace {
 
@@ -79,7 +81,9 @@ bool isLength(OriginKind kind) { return row(kind).length; }
 OriginCode OriginTables::code(std::int32_t index, OriginKind kind) const {
   const auto k = static_cast<std::size_t>(kind);
   if (index < 0 || k >= kOriginKinds) return {};
+  PROVEOUT_ASSERT(static_cast<std::size_t>(index) < sets.size());
   const OriginSet& set = sets[static_cast<std::size_t>(index)];
+  PROVEOUT_ASSERT(set.modal < modal.size());
   return k < set.axis.size() ? set.axis[k] : modal[set.modal].code[k - set.axis.size()];
 }
 

@@ -67,6 +67,7 @@ ConvexOutline::ConvexOutline(const std::vector<OutlineSide>& sides) {
     turns_.push_back({at, end, side.to, 0.0});
     at = end;
   }
+  PROVEOUT_ASSERT_DEAR(std::ranges::is_sorted(turns_, {}, &Turn::begin));
   min_ = {support(kPi).x(), support(-0.5 * kPi).y()};
   max_ = {support(0.0).x(), support(0.5 * kPi).y()};
 }

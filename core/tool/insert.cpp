@@ -52,6 +52,7 @@ ConvexOutline rhombus(const Insert& insert, const Vec2& center, const Vec2& firs
   const double half = degToRad(0.5 * insert.insert_angle_deg), r = insert.nose_radius;
   const Vec2 corner = center - r / std::sin(half) * (first + second).normalized();
   const double tangent = r / std::tan(half), length = insert.edge_length;
+  PROVEOUT_ASSERT(tangent < length);  // validateInsert has seen to it
   const Vec2 a = corner + length * first, b = corner + length * second, far = a + length * second;
   return ConvexOutline({line(corner + tangent * first, a, first_use), line(a, far, SideUse::kBack),
                         line(far, b, SideUse::kBack), line(b, corner + tangent * second, second_use),
@@ -98,6 +99,7 @@ ConvexOutline bladeOutline(const Blade& blade) {
   const Vec2 left = inner + blade.half * v, right = inner - blade.half * v;
   const Vec2 left_normal = c * v - s * f, right_normal = -c * v - s * f;
   const double run = (blade.length - r * (1.0 + s)) / c;  // of the sides
+  PROVEOUT_ASSERT(run > 0.0);  // validateInsert has seen to it
   const Vec2 left_top = left + r * left_normal, right_top = right + r * right_normal;
   const double cuts = std::clamp((blade.cuts - r * (1.0 + s)) / c, 0.0, run);
   const Vec2 left_way = leftOf(left_normal), right_way = -leftOf(right_normal);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/geometry/ears.h"
 
 namespace proveout {
@@ -147,6 +148,7 @@ Result<std::vector<std::vector<Vec2>>> convexPieces(const std::vector<Vec2>& pol
   joinPieces(polygon, clipping.pieces);
   std::vector<std::vector<Vec2>> pieces;
   for (const Piece& piece : clipping.pieces) {
+    PROVEOUT_ASSERT(piece.size() >= 3);
     std::vector<Vec2>& points = pieces.emplace_back();
     for (const std::size_t k : piece) points.push_back(polygon[k]);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/geometry/types.h"
 
 namespace proveout {
@@ -115,6 +116,7 @@ double wideBelow(const std::vector<OutlineEdge>& edges, const Run& run) {
 /// leaves the end of radius r in the direction (outwards, away), and inside the neighbour, which is at least
 /// as wide there and convex, and so holds the cone up to its own height.
 double capReach(double r, double outwards, double away, double neighbour_height) {
+  PROVEOUT_ASSERT(neighbour_height >= 0.0);
   double reach = 0.5 * neighbour_height;
   if (outwards > 0.0) reach = std::min(reach, 0.5 * r * away / outwards);
   return reach;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/assert.h"
 #include "core/tool/types/rows.h"
 
 namespace proveout {
@@ -17,8 +18,10 @@ constexpr std::array kToolTypes{&kFlat,  &kBall,     &kBull,       &kCone, &kDri
 std::span<const ToolTypeRow* const> toolTypes() { return kToolTypes; }
 
 const ToolTypeRow& rowOf(ToolType type) {
-  return **std::find_if(kToolTypes.begin(), kToolTypes.end(),
-                        [&](const ToolTypeRow* row) { return row->type == type; });
+  const auto found = std::find_if(kToolTypes.begin(), kToolTypes.end(),
+                                  [&](const ToolTypeRow* row) { return row->type == type; });
+  PROVEOUT_ASSERT(found != kToolTypes.end());
+  return **found;
 }
 
 }  // namespace proveout

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "core/base/assert.h"
 #include "core/base/memory_limit.h"
 #include "io/atomic_file.h"
 #include "io/job/config_table.h"
@@ -23,6 +24,7 @@ std::optional<TextEncoding> encodingNamed(std::string_view name) {
   constexpr std::array kEncodings{TextEncoding::kAuto, TextEncoding::kUtf8, TextEncoding::kKoi8R,
                                   TextEncoding::kCp1251, TextEncoding::kGb18030};
   const auto& names = encodingNames();
+  PROVEOUT_ASSERT(names.size() == kEncodings.size());
   const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
   return at < names.size() ? std::optional(kEncodings[at]) : std::nullopt;
 }
@@ -103,6 +105,7 @@ Job jobOfSetup(const Job& job, std::size_t index) {
   Job part = job;
   std::vector<SetupSpec>().swap(part.setups);  // their memory, too: a run holds such a job for each of them
   if (job.setups.empty()) return part;
+  PROVEOUT_ASSERT(index < job.setups.size());
   const SetupSpec& setup = job.setups[index];
   if (!setup.control.empty()) part.control = setup.control;
   if (!setup.tools.empty()) part.tools = setup.tools;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "io/report_text.h"
 
 namespace proveout {
@@ -71,6 +72,7 @@ class Drawing {
         r_high_(extent.most.x()),
         z_low_(extent.least.y()),
         z_high_(extent.most.y()) {
+    PROVEOUT_ASSERT(r_high_ > r_low_ && z_high_ > z_low_);
     chooseScales();
     chooseMagnification();
   }

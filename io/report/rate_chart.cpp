@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "io/report/report_html_parts.h"
 #include "io/report_text.h"
 
@@ -36,6 +37,7 @@ double niceStep(double range, double count) {
 class RateChart {
  public:
   explicit RateChart(const RateSeries& rate) : rate_(rate) {
+    PROVEOUT_ASSERT(!rate.max.empty() && rate.mean.size() == rate.max.size());
     total_s_ = rate.step_s * static_cast<double>(rate.mean.size());
     const double largest = *std::max_element(rate.max.begin(), rate.max.end());
     y_step_ = niceStep(largest, 5.0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "io/report/report_html_parts.h"
 #include "io/report_text.h"
 
@@ -22,6 +23,7 @@ constexpr double kSmallestShare = 1e-5;
 class HistogramChart {
  public:
   explicit HistogramChart(const ReportComparison& comparison) : c_(comparison) {
+    PROVEOUT_ASSERT(c_.histogram_edges_mm.size() == c_.histogram_area_mm2.size() + 1);
     low_ = c_.histogram_edges_mm.front();
     high_ = c_.histogram_edges_mm.back();
     const double largest = *std::max_element(c_.histogram_area_mm2.begin(), c_.histogram_area_mm2.end());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/assert.h"
 #include "io/report.h"
 #include "io/report_text.h"
 
@@ -133,6 +134,7 @@ std::string reportJunit(const Report& report, const ReportOptions& options) {
   std::string text;
   int failed = 0, skipped = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
+    PROVEOUT_ASSERT(i < outcomes.size());
     addOwn(report, cases[i], outcomes[i]);
     text += caseXml(report, cases[i], outcomes[i]);
     if (outcomes[i].failures > 0) ++failed;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/assert.h"
 #include "core/geometry/polygon.h"
 
 namespace proveout {
@@ -98,6 +99,7 @@ std::optional<BodyGap> findGap(const SurfaceMesh& body, const TriangleTree& body
     });
   });
   if (out.facets.empty()) return std::nullopt;
+  PROVEOUT_ASSERT(out.area_mm2 > 0.0 && out.width_mm >= 0.0);
   std::sort(out.facets.begin(), out.facets.end());
   return out;
 }
@@ -107,6 +109,7 @@ TriMesh withFacetsMoved(const TriMesh& mesh, const std::vector<std::uint32_t>& f
   const SurfaceMesh surface = toSurface(mesh);
   std::map<std::uint32_t, Vec3> sums;
   for (const std::uint32_t t : facets) {
+    PROVEOUT_ASSERT(t < surface.triangles.size());
     for (const std::uint32_t v : surface.triangles[t])
       sums.try_emplace(v, Vec3::Zero()).first->second += surface.areaVector(t).normalized();
   }

@@ -12,6 +12,7 @@
 #include <new>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "core/geometry/place_text.h"
@@ -220,6 +221,7 @@ void tellLargest(DeviationKind kind, double noise, Comparison& out) {
 
 /// Deviations of the mesh's own vertices, which come first among the samples.
 std::vector<float> deviationOfVertices(const BothSides& sides, std::size_t count) {
+  PROVEOUT_ASSERT(count <= sides.machined.deviation.size());
   return {sides.machined.deviation.begin(),
           sides.machined.deviation.begin() + static_cast<std::ptrdiff_t>(count)};
 }

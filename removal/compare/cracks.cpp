@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/place_text.h"
 #include "core/mesh/edge_table.h"
@@ -126,6 +127,7 @@ void addBorder(const OpenBorders& borders, const OpenEdge& edge, double reach, B
 
 /// For border vertices that lie within `reach` of one that stands before them: that one.
 std::map<std::uint32_t, std::uint32_t> nearBorderVertices(const TriMesh& mesh, double reach) {
+  PROVEOUT_ASSERT(reach > 0.0);
   std::set<std::uint32_t> border;
   for (const OpenEdge& edge : bordersOf(mesh)) border.insert({edge.from, edge.to});
   using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;

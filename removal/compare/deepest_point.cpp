@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 
 namespace {
@@ -90,6 +92,7 @@ ExactPart::Sample MeshPart::at(const Vec3& p, double reach) const {
 }
 
 void findDeepest(const ExactPart& part, const NominalModel& nominal, double step_mm, FoundPatch& found) {
+  PROVEOUT_ASSERT(step_mm > 0.0);
   DeviationPatch& p = found.patch;
   if (found.deepest_on_nominal) {
     measureFromNominal(part, nominal.shape.largest(), found);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "core/base/assert.h"
 #include "core/mesh/edge_table.h"
 
 namespace proveout {
@@ -68,6 +69,11 @@ class PatchFinder {
         sets_(offset_ + sides.nominal.deviation.size()) {}
 
   std::vector<FoundPatch> run() {
+    for (const SampledSide* own : {&sides_.machined, &sides_.nominal}) {
+      const std::size_t count = own->mesh->surface.points.size();
+      PROVEOUT_ASSERT(own->deviation.size() == count && own->bound.size() == count &&
+                      own->gradient.size() == count && own->opposite.size() == count);
+    }
     joinAlongSurfaces();
     joinAcross();
     numberRegions();
@@ -162,6 +168,7 @@ class PatchFinder {
   /// A triangle of the nominal at each of its samples.
   void findTriangles() {
     const SampleMesh& mesh = *sides_.nominal.mesh;
+    PROVEOUT_ASSERT(mesh.parent.size() == mesh.surface.triangles.size());
     triangle_at_.assign(mesh.surface.points.size(), 0);
     for (std::size_t t = 0; t < mesh.surface.triangles.size(); ++t) {
       for (const auto v : mesh.surface.triangles[t]) triangle_at_[v] = mesh.parent[t];
@@ -324,6 +331,7 @@ class PatchFinder {
       const std::uint32_t vertex =
           found.deepest_on_nominal ? r.deepest - static_cast<std::uint32_t>(offset_) : r.deepest;
       const SampledSide& of = side(found.deepest_on_nominal ? 1 : 0);
+      PROVEOUT_ASSERT(vertex < of.deviation.size());
       found.opposite = r.where - (found.deepest_on_nominal ? -1.0 : 1.0) * of.deviation[vertex] * r.normal;
       found.machined_depth_mm = r.machined_depth;
       found.machined_where = r.machined_where;

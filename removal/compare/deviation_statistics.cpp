@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace statistics_detail {
 
@@ -28,6 +30,7 @@ struct Weighted {
 Weighted weigh(const SampledSide& side) {
   const std::vector<double> areas = pointAreas(side.mesh->surface);
   Weighted out;
+  PROVEOUT_ASSERT(side.deviation.size() == areas.size());
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (std::isnan(side.deviation[i])) continue;
     out.deviation.push_back(side.deviation[i]);
@@ -72,6 +75,7 @@ void fillHistogram(const Weighted& machined, const Weighted& nominal, Comparison
   auto& h = out.histogram;
   h.area_mm2.assign(kBins, 0.0);
   for (int i = 0; i <= kBins; ++i) h.edges_mm.push_back(reach * (2.0 * i / kBins - 1.0));
+  PROVEOUT_ASSERT(h.edges_mm.size() == h.area_mm2.size() + 1);
   for (const Weighted* side : {&machined, &nominal}) {
     for (std::size_t i = 0; i < side->deviation.size(); ++i) {
       const double bin = std::floor((side->deviation[i] / reach + 1.0) * 0.5 * kBins);
@@ -96,6 +100,7 @@ void fillStatistics(const BothSides& sides, Comparison& out) {
   out.nominal = statistics_detail::figuresOf(nominal);
   out.rms_mm = std::max(out.machined.rms_mm, out.nominal.rms_mm);
   out.p95_mm = std::max(out.machined.p95_mm, out.nominal.p95_mm);
+  PROVEOUT_ASSERT(out.p95_mm <= std::max(out.max_gouge_mm, out.max_excess_mm));
   statistics_detail::fillHistogram(machined, nominal, out);
 }
 

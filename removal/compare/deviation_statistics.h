@@ -1,7 +1,7 @@
 // Figures over both sampled surfaces.
 #pragma once
 
-#include "removal/compare/compare.h"
+#include "removal/compare/comparison.h"
 #include "removal/compare/measured_sides.h"
 
 namespace proveout {

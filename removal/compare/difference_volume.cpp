@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/mesh/edge_table.h"
 
@@ -157,6 +158,7 @@ class Columns {
 
   void joinLayers() {
     sets_.emplace(layers_.size());
+    PROVEOUT_ASSERT_DEAR(std::ranges::is_sorted(layers_, {}, &Layer::column));
     for (std::uint32_t i = 0; i < layers_.size(); ++i) {
       const std::uint32_t column = layers_[i].column;
       std::array<std::uint32_t, 2> next = {column + 1, column + static_cast<std::uint32_t>(nv_)};

@@ -5,7 +5,7 @@
 
 #include "core/mesh/surface_mesh.h"
 #include "core/mesh/triangle_tree.h"
-#include "removal/compare/compare.h"
+#include "removal/compare/comparison.h"
 
 namespace proveout {
 

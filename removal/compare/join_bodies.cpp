@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/place_text.h"
 #include "core/mesh/flat_triangles.h"
@@ -364,6 +365,7 @@ std::optional<Vec3> idleFace(const TriMesh& mesh) {
 Result<JoinedBodies> joinBodies(const Shells& shells, const std::string& name) {
   using namespace join_detail;
   JoinedBodies out;
+  PROVEOUT_ASSERT(shells.shell_of.size() == shells.mesh.triangles.size());
   if (shells.count == 1) {
     out.mesh = shells.mesh;
   } else {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 
 namespace proveout {
@@ -85,6 +86,7 @@ class Measurer {
     const std::vector<Vec3>& points = part_.surface.points;
     const std::vector<SurfaceDistance> first = nominal_.distance.at(points, progress_, 0.05, 0.3);
     if (first.empty()) return points.empty();
+    PROVEOUT_ASSERT(first.size() == points.size());
     return forEachPoint(points.size(), progress_, 0.3, 0.45, [&](std::size_t i) {
       const double deviation = tellMachined(i, first[i], o_.uncertainty_mm);
       if (o_.part != nullptr && decides(deviation) && std::abs(deviation) < deep_) settleMachined(i);
@@ -125,6 +127,7 @@ class Measurer {
     to_machined_ = to_machined.at(points, progress_, 0.5, 0.75);
     if (to_machined_.empty()) return points.empty();
     bulges_ = bulgesOfSamples();
+    PROVEOUT_ASSERT(to_machined_.size() == points.size() && (bulges_.empty() || bulges_.size() == points.size()));
     return forEachPoint(points.size(), progress_, 0.75, 0.95, [&](std::size_t i) { tellNominal(i, false); });
   }
 

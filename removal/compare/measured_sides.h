@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mesh/signed_distance.h"
-#include "removal/compare/compare.h"
+#include "removal/compare/comparison.h"
 #include "removal/compare/nominal_shape.h"
 #include "removal/compare/sample_mesh.h"
 
@@ -26,8 +26,8 @@ struct BothSides {
   SampledSide machined;                                ///< `opposite` counts the nominal's triangles
   SampledSide nominal;                                 ///< `opposite` counts triangles of machined.mesh
   const std::vector<std::uint32_t>* motion = nullptr;  ///< per triangle of the machined source; may be empty
-  const NominalModel* model = nullptr;  ///< null: the nominal's facets are taken as they are
-  double reach_mm = 0.0;                ///< how far off facets of curved faces make a place unsure, mm
+  const NominalModel* model = nullptr;                 ///< null: the nominal's facets are taken as they are
+  double reach_mm = 0.0;  ///< how far off facets of curved faces make a place unsure, mm
 };
 
 /// The nominal as it is asked.

@@ -10,7 +10,6 @@
 
 #include "core/geometry/place_text.h"
 #include "core/mesh/edge_table.h"
-#include "removal/compare/compare.h"
 #include "removal/compare/cracks.h"
 #include "removal/compare/join_bodies.h"
 #include "removal/compare/self_crossing.h"

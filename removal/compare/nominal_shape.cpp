@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
+#include "core/base/assert.h"
 #include "core/mesh/edge_table.h"
 
 namespace proveout {
@@ -23,8 +25,8 @@ constexpr double kSoftRad = degToRad(20.0), kSteepRad = degToRad(55.0);
 constexpr double kMostChord = 0.25, kMostSteepChord = 0.12;
 /// Facets of one curved face are about as wide as their neighbours, and it curves about alike on two sides.
 constexpr double kWidthRatio = 2.5, kCurvatureRatio = 3.0, kSteepTurnRatio = 1.3;
-/// Flats of regular polygons with chords of up to this could stand for a round, mm: of those that turn softly,
-/// and steeply. Nobody makes rounds of hexagons.
+/// Flats of regular polygons with chords of up to this could stand for a round, mm: of those that turn
+/// softly, and steeply. Nobody makes rounds of hexagons.
 constexpr double kMostDoubt = 1.0, kMostSteepDoubt = 0.25;
 /// Cosine of how far borders may turn off each other for a facet to be straight along them, and how many
 /// times as long as wide it is then.
@@ -66,10 +68,12 @@ struct Link {
   double angle() const { return std::abs(turn); }
   double chord() const { return 0.5 * std::min(width_a, width_b) * std::tan(0.25 * angle()); }
   bool plausible() const {
-    return chord() <= kMostChord && (angle() <= kSoftRad || (angle() <= kSteepRad && chord() <= kMostSteepChord));
+    return chord() <= kMostChord &&
+           (angle() <= kSoftRad || (angle() <= kSteepRad && chord() <= kMostSteepChord));
   }
   bool doubtful() const {
-    return !plausible() && angle() <= kSteepRad && chord() <= (angle() <= kSoftRad ? kMostDoubt : kMostSteepDoubt);
+    return !plausible() && angle() <= kSteepRad &&
+           chord() <= (angle() <= kSoftRad ? kMostDoubt : kMostSteepDoubt);
   }
 };
 
@@ -159,14 +163,13 @@ class ShapeReader {
 
   void findFacets() {
     DisjointSets sets(mesh_.triangles.size());
-    std::vector<std::uint32_t> slivers;
+    std::vector<char> joined(mesh_.triangles.size(), 0);
     forEachPair([&](std::uint32_t g, std::uint32_t h) {
-      const bool flat = std::abs(turnAt(g, h)) < kFlatRad;
-      const std::uint32_t sliver = flat ? kNobody : sliverOf(g, h);
-      if (!flat && sliver == kNobody) return;
+      if (std::abs(turnAt(g, h)) >= kFlatRad) return;
       sets.join(g / 3, h / 3);
-      if (!flat) slivers.push_back(sliver);
+      joined[g / 3] = joined[h / 3] = 1;
     });
+    const std::vector<std::uint32_t> slivers = joinSlivers(joined, sets);
     straighten(slivers, sets);
     area_.assign(mesh_.triangles.size(), 0.0);
     triangles_.assign(mesh_.triangles.size(), 0);
@@ -175,10 +178,14 @@ class ShapeReader {
       area_[facet_of_[t]] += 0.5 * mesh_.areaVector(t).norm();
       ++triangles_[facet_of_[t]];
     }
+    // A triangle with a sliver is no strip.
+    for (const std::uint32_t t : slivers) {
+      if (triangles_[facet_of_[t]] > 1) --triangles_[facet_of_[t]];
+    }
   }
 
-  /// The triangle of two that was cut off the other's facet and is so narrow that rounding turned it; kNobody:
-  /// neither.
+  /// The triangle of two that was cut off the other's facet and is so narrow that rounding turned it;
+  /// kNobody: neither.
   std::uint32_t sliverOf(std::uint32_t g, std::uint32_t h) const {
     const double length = edge(g / 3, static_cast<int>(g % 3)).norm();
     const double a = mesh_.areaVector(g / 3).norm() / length, b = mesh_.areaVector(h / 3).norm() / length;
@@ -186,6 +193,30 @@ class ShapeReader {
     const double noise = kTextNoise * mesh_.middle(sliver).cwiseAbs().maxCoeff();
     const bool narrow = std::min(a, b) < kSliverShare * std::max(a, b);
     return narrow && std::abs(turnAt(g, h)) * std::min(a, b) < noise ? sliver : kNobody;
+  }
+
+  /// Joins those that are of no facet yet with the one that rounding turned them least against: never two
+  /// facets by what lies between them. Returns them.
+  std::vector<std::uint32_t> joinSlivers(const std::vector<char>& joined, DisjointSets& sets) const {
+    struct Beside {
+      double off = std::numeric_limits<double>::infinity();  ///< mm
+      std::uint32_t triangle = kNobody;
+    };
+    std::vector<Beside> best(mesh_.triangles.size());
+    forEachPair([&](std::uint32_t g, std::uint32_t h) {
+      const std::uint32_t sliver = sliverOf(g, h);
+      if (sliver == kNobody || joined[sliver]) return;
+      const double length = edge(g / 3, static_cast<int>(g % 3)).norm();
+      const double off = std::abs(turnAt(g, h)) * mesh_.areaVector(sliver).norm() / length;
+      if (off < best[sliver].off) best[sliver] = {off, sliver == g / 3 ? h / 3 : g / 3};
+    });
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t t = 0; t < best.size(); ++t) {
+      if (best[t].triangle == kNobody) continue;
+      sets.join(t, best[t].triangle);
+      out.push_back(t);
+    }
+    return out;
   }
 
   /// Slivers have the normal of the facet that they are of.
@@ -235,7 +266,7 @@ class ShapeReader {
 
   /// Per triangle: the chord of the round that flats of a regular polygon could stand for, mm.
   std::vector<float> doubts() const {
-    std::vector<float> doubt(mesh_.triangles.size(), 0.0f);  // per facet first
+    std::vector<float> doubt(mesh_.triangles.size(), 0.0f);    // per facet first
     std::vector<std::pair<std::uint32_t, std::uint32_t>> own;  // facets, links
     for (std::uint32_t i = 0; i < links_.size(); ++i) {
       if (!links_[i].doubtful() || !links_[i].alike()) continue;
@@ -561,7 +592,8 @@ class ShapeReader {
   /// see: what long edges would make of the least tilt is left out.
   double chordHeight(std::uint32_t t, const Vec3& change, const Vec3& edge) const {
     const std::uint32_t facet = facet_of_[t];
-    if (straight_of_[facet] == kNobody || !straight_[straight_of_[facet]].holds()) return change.dot(edge) / 8.0;
+    if (straight_of_[facet] == kNobody || !straight_[straight_of_[facet]].holds())
+      return change.dot(edge) / 8.0;
     const Straight& s = straight_[straight_of_[facet]];
     const double across = edge.dot(s.across), told = change.dot(s.across) * across / 8.0;
     if (triangles_[facet] > 1) return told;
@@ -569,8 +601,8 @@ class ShapeReader {
     return std::clamp(told, -most, most);
   }
 
-  /// Where the face as read over a triangle and the corner of a neighbour across an edge lie apart, as a height
-  /// over the triangle, mm; the reading itself where no neighbour can tell.
+  /// Where the face as read over a triangle and the corner of a neighbour across an edge lie apart, as a
+  /// height over the triangle, mm; the reading itself where no neighbour can tell.
   std::vector<float> misfits(const std::vector<std::array<float, 6>>& bulge) const {
     std::vector<float> misfit(mesh_.triangles.size(), 0.0f);
     std::vector<char> told(mesh_.triangles.size(), 0);
@@ -578,7 +610,8 @@ class ShapeReader {
       for (const auto& [from, to] : {std::pair(g, h), std::pair(h, g)}) {
         const std::uint32_t t = from / 3;
         if (!curved_[facet_of_[t]] || !goesOn(from, to)) continue;
-        misfit[t] = std::max(misfit[t], static_cast<float>(misfitAt(t, (to / 3) * 3 + (to % 3 + 2) % 3, bulge[t])));
+        misfit[t] =
+            std::max(misfit[t], static_cast<float>(misfitAt(t, (to / 3) * 3 + (to % 3 + 2) % 3, bulge[t])));
         told[t] = told[t] || facet_of_[t] != facet_of_[to / 3];
       }
     });
@@ -601,9 +634,10 @@ class ShapeReader {
     return triangles_[facet] > 1 && straight_of_[facet] != kNobody && straight_[straight_of_[facet]].holds();
   }
 
-  /// Per facet: how high a curved face could be that was not seen there, mm: over one that is read as flat but
-  /// is about as large as curved ones against which it turns softly (slivers, ends of balls and tops of rings
-  /// that lie in one plane), at the round end of a strip, and where irregular triangles turn against each other.
+  /// Per facet: how high a curved face could be that was not seen there, mm: over one that is read as flat
+  /// but is about as large as curved ones against which it turns softly (slivers, ends of balls and tops of
+  /// rings that lie in one plane), at the round end of a strip, and where irregular triangles turn against
+  /// each other.
   std::vector<float> missedFacets(const std::vector<std::array<float, 6>>& bulge) const {
     std::vector<double> border(mesh_.triangles.size(), 0.0);
     std::vector<float> missed(mesh_.triangles.size(), 0.0f), most(mesh_.triangles.size(), 0.0f);
@@ -636,7 +670,8 @@ class ShapeReader {
   /// Whether a curved facet turns across another of its borders as it does where its face goes on.
   bool goesRound(std::uint32_t facet, const Link& l) const {
     const double usual = turn_[facet];
-    return l.angle() <= kSoftRad && l.angle() <= kSteepTurnRatio * usual && kSteepTurnRatio * l.angle() >= usual;
+    return l.angle() <= kSoftRad && l.angle() <= kSteepTurnRatio * usual &&
+           kSteepTurnRatio * l.angle() >= usual;
   }
 
   static float largestOf(const std::array<float, 6>& bulge) {
@@ -655,12 +690,14 @@ class ShapeReader {
 
   double misfitAt(std::uint32_t t, std::uint32_t corner, const std::array<float, 6>& b) const {
     const auto& v = mesh_.triangles[t];
-    const Vec3 &p = pointOf(corner), &o = mesh_.points[v[0]], e = mesh_.points[v[1]] - o, f = mesh_.points[v[2]] - o,
-               area = e.cross(f);
+    const Vec3 &p = pointOf(corner), &o = mesh_.points[v[0]], e = mesh_.points[v[1]] - o,
+               f = mesh_.points[v[2]] - o, area = e.cross(f);
     const double size = area.squaredNorm();
     if (size == 0.0) return 0.0;
-    const double s1 = (p - o).cross(f).dot(area) / size, s2 = e.cross(p - o).dot(area) / size, s0 = 1.0 - s1 - s2;
-    const double read = b[0] * s0 + b[1] * s1 + b[2] * s2 + 4.0 * (b[3] * s0 * s1 + b[4] * s1 * s2 + b[5] * s2 * s0);
+    const double s1 = (p - o).cross(f).dot(area) / size, s2 = e.cross(p - o).dot(area) / size,
+                 s0 = 1.0 - s1 - s2;
+    const double read =
+        b[0] * s0 + b[1] * s1 + b[2] * s2 + 4.0 * (b[3] * s0 * s1 + b[4] * s1 * s2 + b[5] * s2 * s0);
     const double is = (p - o).dot(normals_[t]) + fans_[fan_->find(corner)].height;
     const double scale = 4.0 * std::max({std::abs(s0 * s1), std::abs(s1 * s2), std::abs(s2 * s0)});
     return std::abs(read - is) / std::max(1.0, scale);
@@ -677,7 +714,7 @@ class ShapeReader {
   std::vector<char> curved_;                          ///< per facet
   std::vector<std::uint32_t> straight_of_;            ///< per facet: its place in straight_, or kNobody
   std::vector<Straight> straight_;
-  std::vector<double> turn_;                          ///< per curved facet: against its neighbours, rad
+  std::vector<double> turn_;  ///< per curved facet: against its neighbours, rad
   std::unique_ptr<DisjointSets> fan_;
   std::vector<Fan> fans_;
   std::vector<BorderEdge> leaving_, arriving_;  ///< by facet and the vertex that they leave, or arrive at
@@ -698,6 +735,7 @@ double NominalShape::mostUnsure() const { return kMisread * std::max(largest_, l
 
 double NominalShape::unsureAt(std::uint32_t triangle, const Vec3& place, double reach) const {
   if (largest_ == 0.0 && largest_doubt_ == 0.0) return 0.0;
+  PROVEOUT_ASSERT(triangle < bulge_.size());
   double largest = 0.0, misfit = 0.0, doubt = 0.0;
   const auto add = [&](std::uint32_t t) {
     if (largest_ > 0.0) {
@@ -716,12 +754,13 @@ double NominalShape::unsureAt(std::uint32_t triangle, const Vec3& place, double 
   }
   // Beside another face what that one is cut of counts: the pieces left at the border tell little themselves.
   const Vec3 normal = surface_.mesh().areaVector(triangle).normalized();
-  surface_.tree().forEachIn({place - Vec3::Constant(reach), place + Vec3::Constant(reach)}, [&](std::uint32_t t) {
-    add(t);
-    if (around_.empty() || surface_.mesh().areaVector(t).normalized().dot(normal) > kSameFace) return;
-    for (const std::uint32_t v : surface_.mesh().triangles[t])
-      largest = std::max(largest, static_cast<double>(around_[v][0]));
-  });
+  surface_.tree().forEachIn(
+      {place - Vec3::Constant(reach), place + Vec3::Constant(reach)}, [&](std::uint32_t t) {
+        add(t);
+        if (around_.empty() || surface_.mesh().areaVector(t).normalized().dot(normal) > kSameFace) return;
+        for (const std::uint32_t v : surface_.mesh().triangles[t])
+          largest = std::max(largest, static_cast<double>(around_[v][0]));
+      });
   const double most = kMisread * largest;
   // What is much lower than around it was hardly read at all.
   const bool well = own > kLeastOfRing * largest;
@@ -735,6 +774,9 @@ NominalShape::NominalShape(const SignedDistance& surface) : surface_(surface) {
   bulge_ = std::move(reading.bulge);
   doubt_ = std::move(reading.doubt);
   misfit_ = std::move(reading.misfit);
+  PROVEOUT_ASSERT(bulge_.size() == mesh.triangles.size());
+  PROVEOUT_ASSERT((doubt_.empty() || doubt_.size() == bulge_.size()) &&
+                  (misfit_.empty() || misfit_.size() == bulge_.size()));
   if (!misfit_.empty()) lookAround();
   for (std::uint32_t t = 0; t < bulge_.size(); ++t) {
     const double largest = largestOf(t);

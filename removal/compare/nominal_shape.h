@@ -60,9 +60,11 @@ class NominalShape {
   /// Per triangle: of its corners, and how much more the middles of its edges have than the mean of their
   /// ends.
   std::vector<std::array<float, 6>> bulge_;
-  std::vector<float> doubt_;       ///< per triangle, mm; empty: there is none
-  std::vector<float> misfit_;  ///< per triangle: how far off it is read, by its neighbours, mm; empty: all is flat
-  std::vector<std::array<float, 2>> around_;  ///< per vertex: the largest bulge and misfit of the triangles around
+  std::vector<float> doubt_;  ///< per triangle, mm; empty: there is none
+  std::vector<float>
+      misfit_;  ///< per triangle: how far off it is read, by its neighbours, mm; empty: all is flat
+  std::vector<std::array<float, 2>>
+      around_;  ///< per vertex: the largest bulge and misfit of the triangles around
   double largest_ = 0.0, largest_doubt_ = 0.0;
   Vec3 largest_at_ = Vec3::Zero(), largest_doubt_at_ = Vec3::Zero();
 };

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace sample_detail {
 
@@ -143,6 +145,7 @@ class Filler {
   /// first and the last piece of the straight chain keep to the ends of the other, where three points may lie
   /// in line.
   void zip(const Chain& straight, const Chain& upper) {
+    PROVEOUT_ASSERT(straight.size() >= 2 && !upper.empty());
     const Vec3 direction = point(straight.back()) - point(straight.front());
     const std::size_t pieces = straight.size() - 1;
     std::size_t i = 0, j = 0;
@@ -172,6 +175,7 @@ class Filler {
 }  // namespace sample_detail
 
 SampleMesh makeSampleMesh(const TriMesh& mesh, double spacing_mm, std::size_t max_triangles) {
+  PROVEOUT_ASSERT(spacing_mm > 0.0);
   SampleMesh out;
   out.spacing_mm = spacing_mm;
   const double limit =
@@ -181,6 +185,7 @@ SampleMesh makeSampleMesh(const TriMesh& mesh, double spacing_mm, std::size_t ma
   for (const auto& p : mesh.positions) out.surface.points.push_back(p.cast<double>());
   sample_detail::Filler filler(out, out.spacing_mm);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) filler.fill(mesh.triangles[t], t);
+  PROVEOUT_ASSERT(out.parent.size() == out.surface.triangles.size());
   return out;
 }
 

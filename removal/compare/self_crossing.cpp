@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/mesh/intersections.h"
 
 namespace proveout {
@@ -75,6 +76,7 @@ Crossing crossingOf(const Corners& p, const Corners& q) {
 }  // namespace
 
 SelfCrossing findSelfCrossing(const Shells& shells) {
+  PROVEOUT_ASSERT(shells.shell_of.size() == shells.mesh.triangles.size());
   const std::vector<std::uint8_t> all(shells.mesh.triangles.size(), 1);
   SelfCrossing out;
   for (const auto& [s, t] : findIntersectionsOf(shells.mesh, all)) {

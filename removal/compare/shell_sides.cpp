@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/place_text.h"
 #include "core/mesh/edge_table.h"
@@ -150,6 +151,7 @@ struct Signs {
 
 Signs signsOf(const Shells& shells, const std::vector<ShellProbe>& probes,
               const std::vector<char>& doubtful) {
+  PROVEOUT_ASSERT(doubtful.empty() || doubtful.size() == shells.shell_of.size());
   Signs signs;
   for (const ShellProbe& probe : probes) signs.of.push_back(probe.volume < 0.0 ? -1 : 1);
   signs.doubtful.assign(shells.count, 0);
@@ -192,6 +194,7 @@ Result<TurnedShells> orientShells(Shells& shells, const std::vector<char>& doubt
   std::vector<ShellProbe> probes;
   probes.reserve(shells.count);
   for (const TriMesh& shell : shellMeshes(shells)) probes.emplace_back(shell);
+  PROVEOUT_ASSERT(probes.size() == shells.count);
   const auto around = findShellsAround(probes);
   std::vector<std::vector<std::uint32_t>> inside(shells.count);
   for (std::uint32_t s = 0; s < shells.count; ++s) {

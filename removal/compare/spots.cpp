@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/base/assert.h"
 #include "core/mesh/edge_table.h"
 
 namespace proveout {
@@ -109,6 +110,7 @@ std::vector<FoundPatch> joinSpots(std::vector<FoundPatch> found, const CompareOp
   std::vector<std::size_t> place(found.size());
   for (std::uint32_t i = 0; i < found.size(); ++i) {
     const std::uint32_t first = sets.find(i);
+    PROVEOUT_ASSERT(first <= i);  // the representative is the smallest of its set
     if (first == i) {
       place[i] = out.size();
       out.push_back(std::move(found[i]));

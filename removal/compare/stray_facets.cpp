@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/intersections.h"
 
@@ -99,6 +100,7 @@ double heightOf(const TriMesh& mesh, std::uint32_t t) {
 }  // namespace
 
 void dropTriangles(TriMesh& mesh, const std::vector<char>& drop) {
+  PROVEOUT_ASSERT(drop.size() == mesh.triangles.size());
   const bool has_motion = !mesh.motion.empty();
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace {
 
@@ -18,12 +20,14 @@ std::optional<std::size_t> largestBeside(std::size_t body, const std::vector<dou
 }  // namespace
 
 PartChoice doubted(std::size_t body, const std::vector<double>& volumes) {
+  PROVEOUT_ASSERT(body < volumes.size());
   PartChoice choice{body, largestBeside(body, volumes)};
   if (choice.rival && volumes[*choice.rival] < kNotableShare * volumes[body]) choice.rival.reset();
   return choice;
 }
 
 PartChoice largestOf(const std::vector<double>& volumes) {
+  PROVEOUT_ASSERT(!volumes.empty());
   const auto largest = std::max_element(volumes.begin(), volumes.end());
   return doubted(static_cast<std::size_t>(largest - volumes.begin()), volumes);
 }

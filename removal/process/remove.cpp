@@ -224,6 +224,7 @@ void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched) 
     table_.passes.push_back(pass);
     return;
   }
+  PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < path_.arcs.size());
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
   const Sweep& curve = table_.curves.emplace_back(*part.profile, m.from, m.to, &arc);
   if (isLevelArc(m, arc)) {
@@ -623,6 +624,7 @@ void Remover::addContacts(RemovalSummary& out) const {
   const double unit = kVolumeUnit * impl_.h * impl_.h * impl_.h;
   for (Contact& contact : out.contacts) {
     if (contact.volume_mm3 > 0.0) continue;
+    PROVEOUT_ASSERT(contact.motion <= contact.last && contact.last < shaved_.size());
     for (MotionId m = contact.motion; m <= contact.last; ++m) {
       const double taken = static_cast<double>(shaved_[m].load()) * unit;
       contact.volume_mm3 += taken;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "removal/wire/section/plane_region.h"
 
 namespace proveout {
@@ -22,6 +23,7 @@ struct Extent {
 };
 
 Extent extentOf(const SectionBody& body) {
+  PROVEOUT_ASSERT(!body.loops.empty());
   Extent extent;
   for (const Vec2& p : body.loops.front().points) {
     extent.low = std::min(extent.low, p.y());

@@ -65,10 +65,11 @@ std::vector<StockBody> bodiesOf(const TurnedShape& all, double part_mm3) {
 
 /// What is left of a clamping's stock, mm3. Sections that nothing was taken from are the same to the last
 /// digit; sums and moves of them are not, and neither are means over the angle where there are threads.
-double volumeLeft(const Machined& made, const RemovalSummary& removal, double held_mm3) {
+double volumeLeft(const Machined& made, const TurnedShape& shape, const RemovalSummary& removal,
+                  double held_mm3) {
   if (made.bodies->empty()) return 0.0;
-  const double taken_mm3 = held_mm3 - sectionVolume(*made.turned);
-  if (made.turned->threads.empty()) return made.initial_mm3 - taken_mm3;
+  const double taken_mm3 = held_mm3 - sectionVolume(shape);
+  if (shape.threads.empty()) return made.initial_mm3 - taken_mm3;
   const bool nothing = taken_mm3 == 0.0 && std::all_of(removal.removed_mm3.begin(), removal.removed_mm3.end(),
                                                        [](float removed) { return removed == 0.0f; });
   if (nothing) return made.initial_mm3;
@@ -133,7 +134,8 @@ Status TurnedPiece::takePart(const PieceOptions& options, Machined& out, Progres
     }
     out.bodies = bodiesOf(all, out.surface.volume_mm3);
   }
-  out.turned = std::make_shared<const TurnedShape>(std::move(all));
+  made_ = std::make_shared<const TurnedForm>(std::move(all));
+  out.form = made_;
   return Done{};
 }
 
@@ -150,11 +152,10 @@ Result<Machined> TurnedPiece::machine(const Toolpath& path, const std::vector<To
   if (!out.bodies->empty()) part_mm3_ = out.bodies->front().volume_mm3;
   out.bodies->insert(out.bodies->end(), apart_.begin(), apart_.end());
   out.initial_mm3 = left_mm3_;
-  out.surface.volume_mm3 = volumeLeft(out, *removal, held_mm3);
+  out.surface.volume_mm3 = volumeLeft(out, made_->shape(), *removal, held_mm3);
   fitRemovedVolume(*removal, out.initial_mm3 - out.surface.volume_mm3);
   out.removal = std::move(*removal);
   left_mm3_ = out.surface.volume_mm3;
-  made_ = out.turned;
   if (!out.bodies->empty()) apart_.assign(out.bodies->begin() + 1, out.bodies->end());
   return out;
 }
@@ -167,17 +168,17 @@ Status TurnedPiece::cut(const Toolpath& path, const std::vector<Tool>& tools, co
 
 Result<std::unique_ptr<Workpiece>> TurnedPiece::become(ProcessKind next, const RigidTransform& move,
                                                        const PieceOptions& options, Progress& progress) {
-  if (made_ == nullptr || made_->bodies.empty()) return inputError("nothing is left to be clamped");
+  if (made_ == nullptr || made_->shape().bodies.empty()) return inputError("nothing is left to be clamped");
   for (StockBody& body : apart_) body.bounds = move(body.bounds);
   if (next == ProcessKind::kTurning) {
-    Result<TurnedStock> moved = stock_.moved(made_->bodies.front(), move);
+    Result<TurnedStock> moved = stock_.moved(made_->shape().bodies.front(), move);
     if (!moved) return moved.error();
     auto piece = std::make_unique<TurnedPiece>(std::move(*moved));
     piece->left_mm3_ = left_mm3_;
     piece->apart_ = std::move(apart_);
     return std::unique_ptr<Workpiece>(std::move(piece));
   }
-  const StockShape shape = turnedStock(std::make_shared<const TurnedShape>(alone(*made_, 0)), move);
+  const StockShape shape = turnedStock(std::make_shared<const TurnedShape>(alone(made_->shape(), 0)), move);
   Result<Stock> stock = Stock::create(shape, options.grid, progress);
   if (!stock) return stock.error();
   return pieceOnGrid(next, std::move(*stock), left_mm3_, part_mm3_, std::move(apart_));

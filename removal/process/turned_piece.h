@@ -1,6 +1,7 @@
 // A workpiece that turns, as a half section with its threads.
 #pragma once
 
+#include "removal/process/turned_form.h"
 #include "removal/process/workpiece.h"
 #include "removal/turning/turned_stock.h"
 
@@ -27,11 +28,11 @@ class TurnedPiece final : public Workpiece {
   Status takePart(const PieceOptions& options, Machined& out, Progress& progress);
 
   TurnedStock stock_;
-  std::optional<Stock> grid_;                ///< the part
-  double left_mm3_ = 0.0;                    ///< of the stock and of what fell off before
-  double part_mm3_ = 0.0;                    ///< of what the last machine() left, with its threads
-  std::vector<StockBody> apart_;             ///< what fell off, frame of the clamping
-  std::shared_ptr<const TurnedShape> made_;  ///< by the last machine(), the part first
+  std::optional<Stock> grid_;               ///< the part
+  double left_mm3_ = 0.0;                   ///< of the stock and of what fell off before
+  double part_mm3_ = 0.0;                   ///< of what the last machine() left, with its threads
+  std::vector<StockBody> apart_;            ///< what fell off, frame of the clamping
+  std::shared_ptr<const TurnedForm> made_;  ///< by the last machine(), the part first
 };
 
 }  // namespace proveout

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/assert.h"
 #include "core/base/stopwatch.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/to_float.h"
@@ -56,6 +57,8 @@ class GridWireMeeting {
     for (int k = 0; k < kHeights; ++k) {
       heights_.push_back(bounds.min.z() + (k + 0.5) / kHeights * (bounds.max.z() - bounds.min.z()));
       works_.push_back(std::make_unique<WireWork>(work.atHeight(span, heights_.back())));
+      PROVEOUT_ASSERT(works_.back()->cuts.size() == work.cuts.size() &&
+                      works_.back()->rapids.size() == work.rapids.size());
       indices_.push_back(std::make_unique<StretchIndex>(works_.back()->cuts));
     }
     slice_mm_ = (bounds.max.z() - bounds.min.z()) / kHeights;
@@ -142,8 +145,10 @@ RemovalSummary meetingOf(const Stock& stock, const Toolpath& path, const std::ve
   RemovalSummary summary;
   summary.removed_mm3.assign(path.motions.size(), 0.0F);
   GridWireMeeting meeting(stock, work, span);
-  for (std::uint32_t i = 0; i < work.cuts.size(); ++i)
+  for (std::uint32_t i = 0; i < work.cuts.size(); ++i) {
+    PROVEOUT_ASSERT(work.cuts[i].motion < summary.removed_mm3.size());
     summary.removed_mm3[work.cuts[i].motion] += toFloat(meeting.takenBy(i));
+  }
   for (std::size_t i = 0; i < work.rapids.size(); ++i) {
     if (const auto contact = meeting.contactOf(i, work.rapids[i].after)) summary.contacts.push_back(*contact);
   }
@@ -224,6 +229,7 @@ Result<PartChoice> partOf(const std::vector<GridBody>& bodies, const PieceOption
 
 /// What came free and hangs on in the box is so in the workpiece, whose share of its height is `share`.
 void takePieces(RemovalSummary&& box, double share, RemovalSummary& summary) {
+  PROVEOUT_ASSERT(share >= 0.0 && share <= 1.0);
   summary.fallen = std::move(box.fallen);
   summary.stuck = std::move(box.stuck);
   summary.bridges = std::move(box.bridges);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 
 namespace proveout {
@@ -63,6 +64,7 @@ std::optional<std::size_t> firstHeld(const WireStock& stock, const PlanePolygons
 }  // namespace
 
 std::size_t bodyLike(const std::vector<Box3>& bounds, const Box3& wanted) {
+  PROVEOUT_ASSERT(!bounds.empty());
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < bounds.size(); ++k) {

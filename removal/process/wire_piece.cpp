@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/assert.h"
 #include "core/base/stopwatch.h"
 #include "core/geometry/to_float.h"
 #include "removal/process/wire_grid_piece.h"
@@ -86,6 +87,7 @@ Status WirePiece::cut(const Toolpath& path, const std::vector<Tool>& tools, cons
 Result<std::unique_ptr<Workpiece>> WirePiece::become(ProcessKind next, const RigidTransform& move,
                                                      const PieceOptions& options, Progress& progress) {
   if (!part_) return inputError("nothing is left to be clamped");
+  PROVEOUT_ASSERT(*part_ < stock_.bodies().size());
   std::vector<StockBody> apart = std::move(apart_);
   for (StockBody& body : apart) body.bounds = move(body.bounds);
   MeshShape shape{stock_.mesh({*part_}, options.facet_mm), "what the wire left"};

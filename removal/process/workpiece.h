@@ -15,12 +15,11 @@
 #include "core/path/toolpath.h"
 #include "core/tool/tool.h"
 #include "removal/grid/stock.h"
+#include "removal/process/part_form.h"
 #include "removal/process/stock_body.h"
 #include "removal/turning/section.h"
 
 namespace proveout {
-
-struct TurnedShape;
 
 /// How a workpiece is machined and its surface made.
 struct PieceOptions {
@@ -58,7 +57,7 @@ struct Machined {
   std::size_t mesh_bodies = 1;
   /// As of the surface, of those of them that are not in its mesh.
   std::size_t freed_self_intersections = 0;
-  std::shared_ptr<const TurnedShape> turned;  ///< of a part that only turned: its bodies, the part first
+  std::shared_ptr<const PartForm> form = PartForm::plain();
   /// Of a mesh from a section: how far it may leave that and its threads, mm; 0: it comes from a grid.
   double facet_error_mm = 0.0;
   /// What the grid holds of what was clamped, mm3, and what that has by itself; none where they are the same.

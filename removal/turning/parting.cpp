@@ -5,6 +5,8 @@
 #include <iterator>
 #include <limits>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace {
 
@@ -97,6 +99,7 @@ bool isPartedBy(const ToolWay& on, const SectionBody& piece) {
   const Vec2 along = on.way.to - on.way.from;
   const bool inwards = std::abs(on.way.to.x()) < std::abs(on.way.from.x());
   if (on.tool->blade_mm <= 0.0 || !inwards || std::abs(along.x()) < std::abs(along.y())) return false;
+  PROVEOUT_ASSERT(!piece.loops.empty());
   double low = std::numeric_limits<double>::infinity(), high = -low, radius = 0.0;
   for (const Vec2& p : piece.loops.front().points) {
     low = std::min(low, p.y());

@@ -59,6 +59,7 @@ std::vector<std::size_t> keptBorders(const SectionLoop& loop, double tolerance) 
 
 /// Which motion made most of the edges from point `first` up to `last`, which may be beyond the end.
 MotionId mainMotion(const SectionLoop& loop, std::size_t first, std::size_t last) {
+  PROVEOUT_ASSERT(first < last && loop.motion.size() == loop.points.size());
   const std::size_t n = loop.points.size();
   std::map<MotionId, double> lengths;
   for (std::size_t i = first; i < last; ++i)
@@ -144,6 +145,7 @@ class Rings {
 
 std::vector<std::size_t> keptPoints(const SectionLoop& loop, double tolerance) {
   const std::size_t n = loop.points.size();
+  PROVEOUT_ASSERT(n >= 3 && loop.motion.size() == n);
   std::vector<std::size_t> fixed = keptBorders(loop, tolerance);
   for (std::size_t i = 0; i < n; ++i) {
     if (loop.points[i].x() <= 0.0) fixed.push_back(i);

@@ -34,6 +34,7 @@ Piece::Piece(Chain&& edges) : low(edges.points.front()), high(low) {
 }
 
 void append(Chain&& run, ChainLoop& loop) {
+  PROVEOUT_ASSERT(run.points.size() == run.motion.size() + 1);
   PROVEOUT_ASSERT(loop.empty() || loop.back().back() == run.points.front());
   if (!loop.empty() && loop.back().edges() + run.motion.size() <= kMostEdges) {
     Chain joined = *loop.back().chain;
@@ -54,6 +55,7 @@ void append(Chain&& run, ChainLoop& loop) {
 }
 
 ChainLoop chained(const Loop& loop) {
+  PROVEOUT_ASSERT(loop.points.size() >= 3 && loop.motion.size() == loop.points.size());
   Chain run{loop.points, loop.motion};
   run.points.push_back(loop.points.front());
   ChainLoop out;

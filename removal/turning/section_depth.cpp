@@ -5,6 +5,7 @@
 #include <limits>
 #include <queue>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 
 namespace proveout {
@@ -39,6 +40,7 @@ struct Square {
 /// Squares are divided where the piece may lie deeper than the best point so far: the depth changes no faster
 /// than the place.
 SectionDepth deepestPoint(const SectionArea& area, const std::vector<Vec2>& outline) {
+  PROVEOUT_ASSERT(!outline.empty());
   SectionDepth best;
   Vec2 low = outline.front(), high = outline.front();
   const auto take = [&](const Vec2& p, double depth) {

@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/assert.h"
+
 namespace proveout::section_detail {
 
 namespace {
@@ -116,6 +118,7 @@ void clean(Chain& run) {
 WindowCut::WindowCut(const std::vector<ChainLoop>& loops, const IntPoint& low, const IntPoint& high)
     : window_{{low.X - kMargin, low.Y - kMargin}, {high.X + kMargin, high.Y + kMargin}} {
   settle(loops);
+  PROVEOUT_ASSERT(window_.low.X < window_.high.X && window_.low.Y < window_.high.Y);
   for (const ChainLoop& loop : loops) {
     Strand divided;
     if (divide(loop, divided)) {
@@ -209,6 +212,7 @@ void WindowCut::clip(Loop loop) {
 template <typename Belongs>
 bool WindowCut::strandsOf(const Strand& loop, const Belongs& belongs, std::vector<Strand>& strands) {
   const std::size_t n = loop.points.size();
+  PROVEOUT_ASSERT(loop.motion.size() == n && loop.far.size() == n);
   const auto after = [n](std::size_t i) { return i + 1 < n ? i + 1 : 0; };
   std::vector<char> mine(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -234,6 +238,7 @@ bool WindowCut::strandsOf(const Strand& loop, const Belongs& belongs, std::vecto
 ChainLoop WindowCut::closed(Strand&& joined) {
   ChainLoop out;
   const std::size_t n = joined.motion.size();
+  PROVEOUT_ASSERT(joined.points.size() == n && joined.far.size() == n);
   const auto far = std::find_if(joined.far.begin(), joined.far.end(), [](const Piece* p) { return p; });
   if (far == joined.far.end()) {
     Loop loop{std::move(joined.points), std::move(joined.motion)};
@@ -283,6 +288,7 @@ bool WindowCut::join(const std::vector<Loop>& changed, std::vector<ChainLoop>& o
     for (std::size_t at = c; !used[at];) {
       used[at] = 1;
       const Strand& strand = strands[at];
+      PROVEOUT_ASSERT(strand.points.size() == strand.motion.size() + 1);
       for (std::size_t i = 0; i < strand.motion.size(); ++i)
         loop.add(strand.points[i], strand.motion[i], strand.far[i]);
       const auto next = begins.find(strand.points.back());

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/geometry/to_float.h"
 #include "removal/turning/parting.h"
 #include "removal/turning/section_area.h"
@@ -46,7 +47,9 @@ PlaneWay planeWay(const Motion& motion, const ArcGeometry* arc) {
 }
 
 const ArcGeometry* arcOf(const Toolpath& path, const Motion& motion) {
-  return motion.arc < 0 ? nullptr : &path.arcs[static_cast<std::size_t>(motion.arc)];
+  if (motion.arc < 0) return nullptr;
+  PROVEOUT_ASSERT(static_cast<std::size_t>(motion.arc) < path.arcs.size());
+  return &path.arcs[static_cast<std::size_t>(motion.arc)];
 }
 
 Vec3 inSpace(const Vec2& p) { return {p.x(), 0.0, p.y()}; }
@@ -109,6 +112,7 @@ class ContactList {
     MotionId last = 0;
   };
   bool sameBlock(MotionId a, MotionId b) const {
+    PROVEOUT_ASSERT(a < path_.motions.size() && b < path_.motions.size());
     const Motion &m = path_.motions[a], &n = path_.motions[b];
     return m.tool == n.tool && m.source.file == n.source.file && m.source.line == n.source.line &&
            m.source.block == n.source.block;
@@ -292,6 +296,7 @@ class Turning {
     const double taken = area_.subtract(sweeps, id, spared);
     if (taken > 0.0) standing_.cut(sweeps, id, spared);
     if (planes_.empty()) return taken;
+    PROVEOUT_ASSERT(planes_.size() == kThreadPlanes);
     double sum = 0.0;
     for (SectionArea& plane : planes_) sum += plane.subtract(sweeps, id, spared);
     return sum / kThreadPlanes;
@@ -340,6 +345,7 @@ class Turning {
 
   /// Returns the mean volume over the planes, mm3.
   double takeThread(const ThreadSweep& sweep) {
+    PROVEOUT_ASSERT(planes_.size() == kThreadPlanes && sweep.outline != nullptr);
     double sum = 0.0;
     for (int k = 0; k < kThreadPlanes; ++k) {
       const double angle = 2.0 * kPi * k / kThreadPlanes;
@@ -418,6 +424,7 @@ class Turning {
   double part(MotionId id, const ToolWay& on, const std::vector<ToolWay>& stroke) {
     Freed freed = freedIn(area_, stroke);
     if (freed.falls.empty()) return 0.0;
+    PROVEOUT_ASSERT(id < removed_.size());
     double trimmed = 0.0;
     std::vector<SectionLoop> held;
     for (SectionBody& body : freed.held)

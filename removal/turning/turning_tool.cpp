@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "core/tool/tool_solid.h"
 
 namespace proveout {
@@ -105,6 +106,7 @@ std::vector<SectionPath> TurningTool::sweptBacks(const PlaneWay& way) const {
 }
 
 std::vector<SectionPath> TurningTool::sweptEdges(const PlaneWay& way) const {
+  PROVEOUT_ASSERT(thread != nullptr);
   std::vector<SectionPath> paths =
       sweptSides(*thread, way, [this](const OutlineSide& side, const Vec2& direction) {
         return side.use == SideUse::kCuts || (side.use == SideUse::kTrails && direction.y() * lead_z <= 1e-9);

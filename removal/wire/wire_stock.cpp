@@ -6,6 +6,7 @@
 #include <numeric>
 #include <variant>
 
+#include "core/base/assert.h"
 #include "core/geometry/to_float.h"
 #include "core/mesh/shells.h"
 #include "removal/wire/contact/wire_contacts.h"
@@ -64,8 +65,10 @@ class LeanHandling {
 void addRemoved(const PrismBlank& blank, const std::vector<WireStretch>& cuts,
                 const std::vector<FreePiece>& fallen, RemovalSummary& summary) {
   const std::vector<double> areas = removedAreas(blank, cuts, fallen);
-  for (std::size_t i = 0; i < areas.size(); ++i)
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    PROVEOUT_ASSERT(cuts[i].motion < summary.removed_mm3.size());
     summary.removed_mm3[cuts[i].motion] += toFloat(areas[i] * blank.height());
+  }
 }
 
 /// The body of a solid at a place; none: nothing is there.
@@ -287,6 +290,7 @@ std::vector<PlanePolygons> WireStock::outlinesAt(double z) const {
   constexpr double kOutlineChordMm = 1e-4;
   std::vector<PlanePolygons> out(bodies_.size());
   if (z < blank_.z_low || z > blank_.z_high) return out;
+  PROVEOUT_ASSERT((placed_.empty() ? sections_.size() : placed_.size()) == bodies_.size());
   if (placed_.empty()) {
     for (std::size_t k = 0; k < sections_.size(); ++k)
       out[k] = polygonsOf(sections_[k].loops, kOutlineChordMm);
@@ -301,6 +305,7 @@ void WireStock::setSections(std::vector<PlaneBody> sections) {
   sections_ = std::move(sections);
   bodies_.clear();
   for (const PlaneBody& section : sections_) {
+    PROVEOUT_ASSERT(!section.loops.empty());
     Box3 bounds = boundsOf(section.loops.front());
     bounds.min.z() = blank_.z_low;
     bounds.max.z() = blank_.z_high;
@@ -321,16 +326,22 @@ TriMesh WireStock::mesh(const std::vector<std::size_t>& bodies, double tolerance
   TriMesh out;
   if (placed_.empty()) {
     std::vector<PlaneBody> sections;
-    for (const std::size_t body : bodies) sections.push_back(sections_[body]);
+    for (const std::size_t body : bodies) {
+      PROVEOUT_ASSERT(body < sections_.size());
+      sections.push_back(sections_[body]);
+    }
     return prismMesh(sections, blank_.z_low, blank_.z_high, tolerance);
   }
-  for (const std::size_t body : bodies)
+  for (const std::size_t body : bodies) {
+    PROVEOUT_ASSERT(body < placed_.size());
     append(out, solids_[placed_[body].solid].bodies[placed_[body].body].mesh);
+  }
   return out;
 }
 
 BodyExit WireStock::exit(std::size_t body, std::size_t past) const {
   if (placed_.empty()) return {};
+  PROVEOUT_ASSERT(body < placed_.size() && past < placed_.size());
   const InSolid &own = placed_[body], &other = placed_[past];
   return exitOf(solids_[own.solid], own.body, solids_[other.solid], other.body);
 }

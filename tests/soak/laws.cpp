@@ -123,10 +123,11 @@ Broken closed(const LawCase& c) {
 Broken meshVolumes(const LawCase& c) {
   const SetupRun& last = c.whole.setups.back();
   if (last.surface.mesh.triangles.empty()) return std::nullopt;
-  const double part =
-      last.turned ? (last.bodies.empty() ? 0.0 : last.bodies.front().volume_mm3) : finalOf(c.whole);
+  const double part = (last.form->profile() != nullptr)
+                          ? (last.bodies.empty() ? 0.0 : last.bodies.front().volume_mm3)
+                          : finalOf(c.whole);
   const double area = meshArea(last.surface.mesh), mesh = last.extent.volume_mm3;
-  const bool section = last.turned || c.runner.made().cutsWithWire();
+  const bool section = (last.form->profile() != nullptr) || c.runner.made().cutsWithWire();
   const double within =
       section ? 0.1 * last.job.simulation.profile_resolution_mm * 2 : c.whole.resolution_mm * 0.1;
   if (std::abs(part - mesh) <= within * area || tells(c.whole, FindingKind::kThinFeature))
@@ -157,7 +158,8 @@ Broken places(const LawCase& c) {
     const double off = std::abs((*part)->at(p, 2.0).value);
     if (off > worst) worst = off, where = p;
   }
-  const double within = c.whole.setups.back().turned ? 0.01 : kPlaceCells * c.whole.resolution_mm;
+  const double within =
+      (c.whole.setups.back().form->profile() != nullptr) ? 0.01 : kPlaceCells * c.whole.resolution_mm;
   if (worst <= within) return std::nullopt;
   return fmt::format("a vertex is {:.4f} mm off its place (grid {}) at X{:.3f} Y{:.3f} Z{:.3f}", worst,
                      c.whole.resolution_mm, where.x(), where.y(), where.z());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/base/assert.h"
 #include "core/tool/tool_table.h"
 
 namespace proveout {
@@ -252,6 +253,7 @@ std::vector<CauseCandidate> inForce(const CauseSource& source, MotionId motion) 
 
 std::vector<CauseCandidate> spindleWords(const CauseSource& source, MotionId motion) {
   std::vector<CauseCandidate> out;
+  PROVEOUT_ASSERT(motion < source.path.motions.size());
   const Motion& m = source.path.motions[motion];
   if (m.source.origins < 0) return out;
   for (const OriginKind kind : {kSpindleDirection, kSpindle, kSpindleMode}) {

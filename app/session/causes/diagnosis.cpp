@@ -16,6 +16,7 @@
 #include "app/session/findings/blame.h"
 #include "app/session/findings/nose_data.h"
 #include "app/session/findings/provenance.h"
+#include "app/session/run/process.h"
 #include "core/base/parallel_for.h"
 #include "core/tool/tool_table.h"
 
@@ -109,7 +110,7 @@ class Diagnosis {
     const SetupRun& s = run_.setups[setup];
     const RecordingSource* texts = sources_[setup];
     const Toolpath& path = s.interpreted.path;
-    return {path, s.job.tools, s.turned != nullptr, s.job.control,
+    return {path, s.job.tools, partTurns(s), s.job.control,
             [texts, &path](std::uint32_t file, std::uint32_t line) {
               return file < path.files.size() ? texts->line(path.files[file], line) : std::string();
             }};
@@ -263,7 +264,7 @@ class Diagnosis {
     const SetupRun& setup = run_.setups[p.setup];
     const Vec3& n = p.normal;
     double part = 0.0;
-    if (setup.turned) {
+    if (partTurns(setup)) {
       part = shift == CutShift::kX        ? outwardOf(p)
              : shift == CutShift::kZ      ? n.z()
              : shift == CutShift::kRadial ? 1.0
@@ -293,10 +294,10 @@ class Diagnosis {
     const double radius = tool == nullptr ? 0.0
                           : tool->insert  ? tool->insert->nose_radius
                                           : 0.5 * tool->diameter;
-    if (!setup.turned && tool != nullptr) {
+    if (!partTurns(setup) && tool != nullptr) {
       if (const std::optional<Vec3> tip = tipAt(p, m, *tool)) return {placeOn(m, *tip), 0.0};
     }
-    const Vec3 at = setup.turned ? controlAt(p, tool) : p.p;
+    const Vec3 at = partTurns(setup) ? controlAt(p, tool) : p.p;
     return {std::clamp((at - m.from).dot(way) / (length * length), 0.0, 1.0), radius / length};
   }
 
@@ -391,7 +392,7 @@ class Diagnosis {
   /// A wrong nose radius shows in corners and on slopes only, more or less of it.
   bool loose(std::uint32_t h) const {
     const Hypothesis& hypothesis = hypotheses_[h];
-    return hypothesis.candidate.shift == CutShift::kRadial && run_.setups[hypothesis.setup].turned != nullptr;
+    return hypothesis.candidate.shift == CutShift::kRadial && partTurns(run_.setups[hypothesis.setup]);
   }
 
   bool agrees(const Lever& lever, const Point& p, std::uint32_t h) const {
@@ -612,8 +613,7 @@ void diagnoseDeviations(const RunSources& sources, const ExactPart* part,
 
 std::vector<Cause> behindMotion(const SetupRun& setup, const RecordingSource& texts, MotionId motion) {
   const Toolpath& path = setup.interpreted.path;
-  const CauseSource source{path, setup.job.tools, setup.turned != nullptr, setup.job.control,
-                           lineText(path, texts)};
+  const CauseSource source{path, setup.job.tools, partTurns(setup), setup.job.control, lineText(path, texts)};
   std::vector<Cause> out;
   for (const CauseCandidate& c : inForce(source, motion)) out.push_back(Diagnosis::makeCause(c, path, texts));
   return out;
@@ -623,8 +623,7 @@ std::vector<Cause> behindMotion(const SetupRun& setup, const RecordingSource& te
 static std::vector<Cause> behindSpindle(const SetupRun& setup, const RecordingSource& texts,
                                         MotionId motion) {
   const Toolpath& path = setup.interpreted.path;
-  const CauseSource source{path, setup.job.tools, setup.turned != nullptr, setup.job.control,
-                           lineText(path, texts)};
+  const CauseSource source{path, setup.job.tools, partTurns(setup), setup.job.control, lineText(path, texts)};
   std::vector<Cause> out;
   for (const CauseCandidate& c : spindleWords(source, motion))
     out.push_back(Diagnosis::makeCause(c, path, texts));

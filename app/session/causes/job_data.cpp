@@ -6,6 +6,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "core/base/assert.h"
 #include "core/mesh/mesh_placement.h"
 
 namespace proveout {
@@ -56,12 +57,14 @@ std::optional<Eigen::Index> axisOf(std::string_view letter) {
 }
 
 ControlSettings& settingsOf(Job& job, std::size_t setup) {
+  PROVEOUT_ASSERT(job.setups.empty() || setup < job.setups.size());
   return job.setups.empty() ? job.settings : job.setups[setup].settings;
 }
 
 /// The tools of a clamping, which are its own from now on.
 std::vector<Tool>& toolsOf(Job& job, std::size_t setup) {
   if (job.setups.empty()) return job.tools;
+  PROVEOUT_ASSERT(setup < job.setups.size());
   SetupSpec& spec = job.setups[setup];
   if (spec.tools.empty()) spec.tools = job.tools;
   return spec.tools;
@@ -118,6 +121,7 @@ Tool* toolOf(std::vector<Tool>& tools, std::string_view name) {
 
 double* transform(Job& job, std::size_t setup, std::string_view key) {
   if (job.setups.empty() || setup == 0) return nullptr;
+  PROVEOUT_ASSERT(setup < job.setups.size());
   const std::string head = fmt::format("{}.transform.translate.", job.setups[setup].name);
   if (!key.starts_with(head)) return nullptr;
   const auto axis = axisOf(key.substr(head.size()));
@@ -127,6 +131,7 @@ double* transform(Job& job, std::size_t setup, std::string_view key) {
 /// The axis of a key of a clamping's turn, "setup.NAME.transform.rotate.z".
 std::optional<Eigen::Index> turnAxis(const Job& job, std::size_t setup, std::string_view key) {
   if (job.setups.empty() || setup == 0) return std::nullopt;
+  PROVEOUT_ASSERT(setup < job.setups.size());
   const std::string head = fmt::format("setup.{}.transform.rotate.", job.setups[setup].name);
   return key.starts_with(head) ? axisOf(key.substr(head.size())) : std::nullopt;
 }

@@ -86,7 +86,7 @@ TrialBench::TrialBench(const Job& job, const RunSources& sources, const Blank& b
   swept_ = works_;
   for (const SetupRun& setup : run.setups) {
     works_ = works_ && !setup.job.filled && !measures(setup.interpreted.path);
-    swept_ = swept_ && !setup.turned && setup.interpreted.path.wires.empty();
+    swept_ = swept_ && !partTurns(setup) && setup.interpreted.path.wires.empty();
   }
   swept_ = swept_ && !run.isOfFacets();
 }

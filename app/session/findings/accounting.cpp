@@ -9,6 +9,8 @@
 #include <limits>
 #include <map>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace {
 
@@ -32,6 +34,7 @@ struct Step {
 
 template <typename Use>
 void walk(const CutPath& cut, double start_s, const Use& use) {
+  PROVEOUT_ASSERT(cut.path != nullptr && cut.removed_mm3 != nullptr);
   const Toolpath& path = *cut.path;
   std::array<double, 1 + std::numeric_limits<std::uint8_t>::max()> clocks;  // each channel has its own
   clocks.fill(start_s);
@@ -58,7 +61,7 @@ void walk(const CutPath& cut, double start_s, const Use& use) {
     Step step{motion.channel,      &motion, &motion.source, motion.tool, now, motion.time_s,
               path.length(motion), 0.0};
     if (i < cut.removed_mm3->size()) step.removed_mm3 = static_cast<double>((*cut.removed_mm3)[i]);
-    step.cut_mm = cut.turned ? lengthOfCut(path, motion, step.removed_mm3) : step.length_mm;
+    step.cut_mm = cut.part_turns ? lengthOfCut(path, motion, step.removed_mm3) : step.length_mm;
     if (isChip(step.removed_mm3, step.cut_mm)) step.wire_mm2 = cut.wire_height_mm * step.cut_mm;
     use(step);
     now += motion.time_s;
@@ -104,6 +107,7 @@ class RateCollector {
 
   void add(const Step& step) {
     if (rate_.mean.empty() || !(step.time_s > 0.0)) return;
+    PROVEOUT_ASSERT(rate_.max.size() == rate_.mean.size());
     addSpan(step);
     const double taken = rate_.by_area ? step.wire_mm2 : step.removed_mm3;
     if (!(taken > 0.0)) return;
@@ -131,6 +135,7 @@ class RateCollector {
       open->second = {step.tool, rate_.spans.size()};
       rate_.spans.push_back({step.start_s, step.start_s, fmt::format("{}T{}", before, step.tool)});
     }
+    PROVEOUT_ASSERT(open->second.index < rate_.spans.size());
     rate_.spans[open->second.index].to_s = step.start_s + step.time_s;
   }
 

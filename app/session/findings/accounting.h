@@ -14,7 +14,7 @@ struct CutPath {
   std::string setup;  ///< name of the clamping; empty in a job without setups
   const Toolpath* path = nullptr;
   const std::vector<float>* removed_mm3 = nullptr;  ///< per motion; missing entries count as 0
-  bool turned = false;          ///< the part turns: an edge goes round it on helices and spirals
+  bool part_turns = false;      ///< the part turns: an edge goes round it on helices and spirals
   double wire_height_mm = 0.0;  ///< of the workpiece where a wire cuts it; 0: another process
 };
 

@@ -1,5 +1,6 @@
 #include "app/session/findings/blame.h"
 
+#include "core/base/assert.h"
 #include "core/path/origin_query.h"
 
 namespace proveout {
@@ -31,6 +32,7 @@ std::optional<BlockRef> userCall(const Toolpath& path, MotionId motion, const Re
 }  // namespace
 
 WrittenBlock writtenBlock(const Toolpath& path, MotionId motion, const RecordingSource& texts) {
+  PROVEOUT_ASSERT(motion < path.motions.size());
   WrittenBlock written;
   const SourceRef& own = path.motions[motion].source;
   written.block = blockRef(path, own, texts);

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "app/session/findings/blame.h"
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "core/path/origin_query.h"
 #include "core/tool/tool_table.h"
@@ -39,6 +40,7 @@ Vec2 directionBeside(const Toolpath& path, const Motion& motion, const Vec2& nos
     const Vec3 way = motion.to - motion.from;
     return Vec2(way.x(), way.z()).normalized();
   }
+  PROVEOUT_ASSERT(static_cast<std::size_t>(motion.arc) < path.arcs.size());
   const Vec3& center = path.arcs[static_cast<std::size_t>(motion.arc)].center;
   return leftOf((at - Vec2(center.x(), center.z()) - nose).normalized());
 }
@@ -51,9 +53,10 @@ std::vector<LeftEdge> leftEdges(const SetupRun& setup) {
   for (const Tool& tool : setup.job.tools) {
     if (tool.insert && tool.insert->shape != InsertShape::kThread) inserts[tool.number] = &*tool.insert;
   }
-  for (const SectionLoop& loop : setup.turned->bodies.front().loops) {
+  for (const SectionLoop& loop : *setup.form->profile()) {
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
       const MotionId id = loop.motion[i];
+      PROVEOUT_ASSERT(id == kNoMotion || id < path.motions.size());
       if (id == kNoMotion || path.motions[id].kind != MotionKind::kFeed) continue;
       const Motion& motion = path.motions[id];
       const auto insert = inserts.find(motion.tool);
@@ -71,6 +74,7 @@ std::vector<LeftEdge> leftEdges(const SetupRun& setup) {
 }
 
 const Insert& insertOf(const SetupRun& setup, MotionId motion) {
+  PROVEOUT_ASSERT(motion < setup.interpreted.path.motions.size());
   return *ToolTable(setup.job.tools).find(setup.interpreted.path.motions[motion].tool)->insert;
 }
 
@@ -88,6 +92,7 @@ double beyondLine(const Insert& insert, bool programs_center, const LeftEdge& ed
 /// in one go or in several. Its walls are then meant to be a nose's width apart. A cut that ends at the axis
 /// is a face.
 bool isPlunge(const Toolpath& path, MotionId id, double nose_radius) {
+  PROVEOUT_ASSERT(id < path.motions.size());
   const Motion& own = path.motions[id];
   const Vec3 way = (own.to - own.from).normalized();
   const auto reaches = [&](const Motion& m) {
@@ -270,7 +275,7 @@ void addNoseData(const SetupRun& setup, const std::vector<LeftEdge>& edges, doub
 
 void addNoseFindings(const SetupRun& setup, double least_mm, const RecordingSource& texts,
                      std::vector<Finding>& findings) {
-  if (!setup.turned || setup.turned->bodies.empty()) return;
+  if (setup.form->profile() == nullptr) return;
   const std::vector<LeftEdge> edges = leftEdges(setup);
   addUncompensated(setup, edges, least_mm, texts, findings);
   addNoseData(setup, edges, least_mm, texts, findings);
@@ -280,7 +285,8 @@ std::optional<Cause> noseCause(const SetupRun& setup, MotionId motion, const Vec
                                double beyond_mm) {
   const Toolpath& path = setup.interpreted.path;
   const DataInForce* data = motion < path.motions.size() ? dataOf(path, motion) : nullptr;
-  if (!setup.turned || data == nullptr || !path.motions[motion].compensated) return std::nullopt;
+  if (setup.form->profile() == nullptr || data == nullptr || !path.motions[motion].compensated)
+    return std::nullopt;
   const ControlNose control = noseOf(path.motions[motion], *data);
   const Tool* tool = ToolTable(setup.job.tools).find(control.tool);
   if (tool == nullptr || !tool->insert || sameNose(control, *tool->insert)) return std::nullopt;

@@ -7,11 +7,8 @@
 namespace proveout {
 
 void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings) {
-  if (!setup.turned) return;
   const Toolpath& path = setup.interpreted.path;
-  for (std::size_t k = 0; k < setup.turned->bodies.size(); ++k) {
-    const SectionBody& body = setup.turned->bodies[k];
-    if (body.parted_by == kNoMotion) continue;
+  for (const auto& [k, by] : setup.form->parted()) {
     Finding finding(FindingKind::kPartOff);
     finding.volume_mm3 = setup.bodies[k].volume_mm3;  // with its threads
     const Box3& bounds = setup.bodies[k].bounds;
@@ -19,7 +16,7 @@ void addPartedBodies(const SetupRun& setup, const RecordingSource& texts, std::v
     finding.message = fmt::format(
         "{} of {:.4g} mm3, Z{:.3f} to Z{:.3f}, is cut off here; nothing cuts it any more",
         k == 0 ? "the part" : "a piece", setup.bodies[k].volume_mm3, bounds.min.z(), bounds.max.z());
-    blame(finding, body.parted_by, path, texts);
+    blame(finding, by, path, texts);
     findings.push_back(std::move(finding));
   }
 }

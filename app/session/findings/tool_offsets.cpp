@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/session/findings/blame.h"
+#include "app/session/run/process.h"
 #include "core/path/origin_query.h"
 #include "core/tool/tool_table.h"
 #include "io/report_text.h"
@@ -113,7 +114,7 @@ void addLengths(const SetupRun& setup, double least_mm, const RecordingSource& t
   for (const LengthError& error : errors) {
     const Vec3 off = error.off - common;
     const int tool = path.motions[error.motion].tool;
-    if (off.norm() <= least_mm || mayBeMeant(errors, error, setup.turned != nullptr)) continue;
+    if (off.norm() <= least_mm || mayBeMeant(errors, error, partTurns(setup))) continue;
     if (!told.insert(tool).second) continue;
     Finding finding(FindingKind::kToolData);
     finding.where = path.motions[error.motion].to;
@@ -213,7 +214,7 @@ void addToolOffsets(const SetupRun& setup, double least_mm, const RecordingSourc
                     std::vector<Finding>& findings) {
   addLengths(setup, least_mm, texts, findings);
   addUngaugedShifts(setup, texts, findings);
-  if (!setup.turned) addCorrectors(setup, texts, findings);
+  if (!partTurns(setup)) addCorrectors(setup, texts, findings);
 }
 
 }  // namespace proveout

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
 #include "removal/grid/stock.h"
@@ -79,6 +80,7 @@ double pieceS(const Toolpath& path, const std::vector<Tool>& tools) {
 /// The fastest of a piece for each thread, all at a time: threads that share a core or its caches slow each
 /// other down, in a run as well. A thread that makes the blank meanwhile is as good as one with a piece.
 double roundS(int threads, const Toolpath& path, const std::vector<Tool>& tools) {
+  PROVEOUT_ASSERT(threads >= 1);
   std::vector<double> pieces(static_cast<std::size_t>(threads), kNever);
   parallelFor(std::size_t{0}, pieces.size(), [&](std::size_t i) { pieces[i] = pieceS(path, tools); });
   return *std::min_element(pieces.begin(), pieces.end());

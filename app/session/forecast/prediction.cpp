@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/session/forecast/height_map.h"
+#include "core/base/assert.h"
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "core/mesh/tri_mesh.h"
@@ -117,6 +118,7 @@ void add(CurveWork& sum, const CurveWork& more) {
 
 int segmentsOf(const Toolpath& path, const Motion& motion) {
   if (motion.arc < 0) return 1;
+  PROVEOUT_ASSERT(static_cast<std::size_t>(motion.arc) < path.arcs.size());
   const double turns = std::abs(path.arcs[static_cast<std::size_t>(motion.arc)].sweep_rad) / (2 * kPi);
   return static_cast<int>(std::clamp(std::ceil(turns * kChordsPerTurn), 1.0, 10000.0));
 }

@@ -59,7 +59,7 @@ Result<std::size_t> keep(Machined&& made, const PartWish& wish, SetupRun& setup,
   setup.initial_error_mm3 = made.initial_error_mm3;
   setup.removal = std::move(made.removal);
   setup.surface = std::move(made.surface);
-  setup.turned = std::move(made.turned);
+  setup.form = std::move(made.form);
   setup.facet_error_mm = made.facet_error_mm;
   setup.freed = std::move(made.freed);
   setup.freed_self_intersections = made.freed_self_intersections;

@@ -70,6 +70,10 @@ const Process kMillingProcess{
     .always_changes_tool = true,
     .tool_turns = true,
     .starts_outside = true,
+    .from_above = true,
+    .tool_advice = "",
+    .needs_job = nullptr,
+    .names_tools = true,
     .cuts_through = false,
     .check = check,
     .start = defaultStart,
@@ -78,6 +82,11 @@ const Process kMillingProcess{
     .work = work,
     .make = make,
     .fixtures = fixtures,
+    .accuracy = {.tool =
+                     "tools are exact solids of revolution; runout, wear and deflection are not simulated",
+                 .grid = kSweptGridAccuracy,
+                 .section = nullptr,
+                 .facets = nullptr},
     .look = nullptr,
 };
 

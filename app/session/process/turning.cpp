@@ -150,6 +150,11 @@ Result<std::unique_ptr<Fixtures>> fixtures(const SetupRun& /*setup*/, double /*r
   return std::unique_ptr<Fixtures>(std::make_unique<RoundFixtures>());
 }
 
+std::string facetsText(const Job& setup) {
+  return fmt::format("the mesh stays within {:g} mm, around and along the section or the thread, each",
+                     turnedFacets(setup));
+}
+
 }  // namespace
 
 const Process kTurningProcess{
@@ -160,6 +165,13 @@ const Process kTurningProcess{
     .always_changes_tool = false,
     .tool_turns = false,
     .starts_outside = true,
+    .from_above = false,
+    .tool_advice = "",
+    .needs_job =
+        "control {} turns with inserts, which a job file gives: a [[tool]] with type = \"insert\"; drills "
+        "alone can be named "
+        "here, as --tool 1=drill:10",
+    .names_tools = true,
     .cuts_through = false,
     .check = check,
     .start = start,
@@ -168,6 +180,13 @@ const Process kTurningProcess{
     .work = work,
     .make = make,
     .fixtures = fixtures,
+    .accuracy =
+        {.tool = "inserts are exact outlines; wear, deflection and the height of the tip are not simulated",
+         .grid = ", at most h^2/(8r) at the smallest radius; of the mesh alone: the part is compared as its "
+                 "section and "
+                 "threads",
+         .section = "the half section is made of chords within 0.0001 mm of its arcs, rounded to nanometres",
+         .facets = facetsText},
     .look = nullptr,
 };
 

@@ -142,6 +142,11 @@ Result<std::unique_ptr<Fixtures>> fixtures(const SetupRun& setup, double /*resol
   return std::unique_ptr<Fixtures>(std::make_unique<WireFixtures>(std::move(*made)));
 }
 
+std::string facetsText(const Job& setup) {
+  return fmt::format("the mesh stays within {:g} mm of the walls that the wire left{}", facetTolerance(setup),
+                     setup.simulation.simplify_mm ? "; simplify does not apply to them" : "");
+}
+
 }  // namespace
 
 const Process kWireProcess{
@@ -152,6 +157,13 @@ const Process kWireProcess{
     .always_changes_tool = false,
     .tool_turns = false,
     .starts_outside = false,
+    .from_above = false,
+    .tool_advice = ": it needs a job file whose [[tool]] has type = \"wire\" and its diameter",
+    .needs_job =
+        "control {} cuts with a wire, which a job file gives: proveout run JOB.toml, where the job has "
+        "program, control, "
+        "[stock] and a [[tool]] with type = \"wire\" and its diameter",
+    .names_tools = false,
     .cuts_through = true,
     .check = check,
     .start = start,
@@ -160,6 +172,11 @@ const Process kWireProcess{
     .work = work,
     .make = make,
     .fixtures = fixtures,
+    .accuracy = {.tool = "the wire is a straight cylinder with its spark gap about it; that it lags, bows "
+                         "and vibrates is not simulated",
+                 .grid = kSweptGridAccuracy,
+                 .section = nullptr,
+                 .facets = facetsText},
     .look = addWireFindings,
 };
 

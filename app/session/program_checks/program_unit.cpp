@@ -52,7 +52,7 @@ bool fits(const Box3& feeds, double scale, const Face& face) {
 
 /// How deep they go stays within the blank, of what comes from above.
 bool staysInDepth(const Box3& feeds, double scale, const CheckedProgram& program) {
-  if (processOf(program.job.control).kind != ProcessKind::kMilling) return true;
+  if (!processOf(program.job.control).from_above) return true;
   const double height = program.blank->max.z() - program.blank->min.z();
   return scale * feeds.min.z() >= program.blank->min.z() - kBeyond * height &&
          scale * feeds.min.z() <= program.blank->max.z();

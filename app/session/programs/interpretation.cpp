@@ -179,10 +179,7 @@ std::string toolRefusalOf(const Job& job) {
                          tool.type == ToolType::kInsert ? "a lathe insert"
                          : tool.type == ToolType::kWire ? "a wire"
                                                         : "a rotating tool",
-                         job.control, process.verb,
-                         process.kind == ProcessKind::kWire
-                             ? ": it needs a job file whose [[tool]] has type = \"wire\" and its diameter"
-                             : "");
+                         job.control, process.verb, process.tool_advice);
   }
   return {};
 }

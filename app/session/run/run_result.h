@@ -13,11 +13,9 @@
 #include "io/report.h"
 #include "removal/compare/compare.h"
 #include "removal/grid/stock.h"
-#include "removal/turning/section.h"
+#include "removal/process/part_form.h"
 
 namespace proveout {
-
-struct TurnedShape;
 
 /// One clamping of a run. Stages that were not reached leave their part empty.
 struct SetupRun {
@@ -30,16 +28,16 @@ struct SetupRun {
   /// that is not exact changes the grid's own volume, and no tool has taken that.
   StockSurface surface;
   std::vector<StockBody> bodies;
-  std::size_t mesh_bodies = 0;                ///< so many of them are in the surface's mesh, the first ones
-  std::optional<std::size_t> rival;           ///< see Machined::rival
-  MeshTopology topology;                      ///< of the surface's mesh
-  MeshExtent extent;                          ///< of the surface's mesh
-  std::string mesh_sha256;                    ///< of the surface's mesh
-  double initial_error_mm3 = 0.0;             ///< by how much that may be off, about
-  double initial_mm3 = 0.0;                   ///< before it: of the blank, or of the stock that came before
-  std::vector<TriMesh> freed;                 ///< see Machined::freed
-  std::size_t freed_self_intersections = 0;   ///< see Machined
-  std::shared_ptr<const TurnedShape> turned;  ///< of a turned part: its bodies, the part first
+  std::size_t mesh_bodies = 0;               ///< so many of them are in the surface's mesh, the first ones
+  std::optional<std::size_t> rival;          ///< see Machined::rival
+  MeshTopology topology;                     ///< of the surface's mesh
+  MeshExtent extent;                         ///< of the surface's mesh
+  std::string mesh_sha256;                   ///< of the surface's mesh
+  double initial_error_mm3 = 0.0;            ///< by how much that may be off, about
+  double initial_mm3 = 0.0;                  ///< before it: of the blank, or of the stock that came before
+  std::vector<TriMesh> freed;                ///< see Machined::freed
+  std::size_t freed_self_intersections = 0;  ///< see Machined
+  std::shared_ptr<const PartForm> form = PartForm::plain();
   /// Of a mesh from a section: how far it may leave that and its threads, mm; 0: it comes from a grid.
   double facet_error_mm = 0.0;
 };
@@ -52,7 +50,7 @@ struct RunResult {
   std::optional<Stock> stock;  ///< after the last clamping; of turned parts only where a grid was needed
   std::optional<Comparison> comparison;
   std::vector<Finding> findings;
-  std::optional<TriMesh> nominal;  ///< of turned parts, for the profile chart
+  std::optional<TriMesh> nominal;  ///< of parts with a profile, for its chart
   Prediction prediction;           ///< its time is that of this machine
   ReportPerformance performance;
 

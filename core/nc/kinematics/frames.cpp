@@ -38,6 +38,7 @@ Vec3 CoordinateChain::toProgram(const Vec3& machine) const {
 
 void CoordinateChain::moveFurtherAxes(int count, const AxisPoint& program_to_work,
                                       const AxisPoint& work_to_machine) {
+  PROVEOUT_ASSERT(count >= 0 && count <= kMaxAxes - kMainAxes);
   more_count_ = count;
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
     work_more_[k] = program_to_work.more[k];
@@ -130,7 +131,10 @@ WorkSystem& WorkFrames::system(WorkSystemId id) {
 
 WorkSystem WorkFrames::system(WorkSystemId id) const {
   if (id == 0) return common;
-  if (id < kFirstExtended) return basic[static_cast<std::size_t>(id - 1)];
+  if (id < kFirstExtended) {
+    PROVEOUT_ASSERT(id > 0 && static_cast<std::size_t>(id) <= basic.size());
+    return basic[static_cast<std::size_t>(id - 1)];
+  }
   const auto it = extended.find(id - kFirstExtended + 1);
   return it == extended.end() ? WorkSystem{} : it->second;
 }

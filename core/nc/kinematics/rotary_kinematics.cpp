@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/geometry/degrees.h"
 
 namespace proveout::nc {
@@ -87,6 +88,7 @@ int RotaryKinematics::turningTable(const AxisPoint& a, const AxisPoint& b) const
 
 void RotaryKinematics::tableAxis(int table, const AxisPoint& machine, Vec3& point, Vec3& direction) const {
   const auto first = static_cast<std::size_t>(table);
+  PROVEOUT_ASSERT(table >= 0 && first < tables_.size());
   point = tables_[first].center;
   direction = tables_[first].direction;
   // What lies nearer to the part turns the axis of what lies below it.

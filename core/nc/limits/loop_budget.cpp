@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/nc/limits/loop_lines.h"
 
 namespace proveout::nc {
@@ -122,6 +123,7 @@ std::string LoopBudget::judge(Loop& loop, const Work& spent) const {
   if (loop.rounds_before == 0.0 && !counts) return {};
   const auto isNew = [](const Condition& c) { return !c.both && c.least && !c.before && c.place != kCount; };
   if (std::any_of(loop.conditions.begin(), loop.conditions.end(), isNew)) return {};
+  PROVEOUT_ASSERT(loop.rounds >= 1);
   const double all = loop.rounds + roundsLeft(loop);
   if (!loop.promised) loop.promised = all;
   const std::string name =

@@ -39,10 +39,6 @@ void VariableStore::leave() {
   if (level_ > 0) --level_;
 }
 
-void VariableStore::clearGlobals() {
-  std::fill_n(globals_.begin(), kFirstKept - kFirstGlobal, Value::none());
-}
-
 void VariableStore::share(VariableStore& owner, int low, int kept) {
   common_ = owner.globals_.data();
   common_low_end_ = kFirstGlobal + low;

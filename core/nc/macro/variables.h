@@ -91,8 +91,6 @@ class VariableStore {
   /// Closes the level; the caller's locals are in force again. Level 0 stays.
   void leave();
   int level() const { return level_; }
-  /// #100-#499 vacant again (power-off).
-  void clearGlobals();
 
   /// #100 to #(99 + low) and #500 to #(499 + kept) are those of `owner` from here on (N1700, N1701: variables
   /// that all channels share). `owner` must outlive this and share with none itself.

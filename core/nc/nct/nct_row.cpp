@@ -7,9 +7,9 @@
 
 #include "core/nc/nct/channels/channels.h"
 #include "core/nc/nct/coverage/coverage_rows.h"
+#include "core/nc/nct/model/codes.h"
 #include "core/nc/nct/parameters/parameters.h"
 #include "core/nc/nct/program/control.h"
-#include "core/nc/nct/tables/codes.h"
 #include "core/nc/specification/specification_text.h"
 
 namespace proveout::nc {

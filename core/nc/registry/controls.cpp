@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/nearest_name.h"
 #include "core/nc/flexnc/flexnc_row.h"
 #include "core/nc/nct/nct_row.h"
@@ -37,7 +38,10 @@ std::span<const ControlRow* const> controlRows() {
 
 const ControlRow& rowOf(ControlId control) {
   const auto rows = controlRows();
-  return **std::find_if(rows.begin(), rows.end(), [&](const ControlRow* row) { return row->id == control; });
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const ControlRow* row) { return row->id == control; });
+  PROVEOUT_ASSERT(found != rows.end());
+  return **found;
 }
 
 }  // namespace nc

@@ -199,6 +199,7 @@ void CutterComp::emitFront(CompOutput& out) {
 }
 
 void CutterComp::emitOwn(const Element& e, const Corner& corner, CompOutput& out) {
+  PROVEOUT_ASSERT(!corner.points.empty());
   const Vec2 end = corner.points.front();
   const Vec3 to(end.x(), end.y(), e.p1.z());
   if (e.kind == ElementKind::kLine || e.kind == ElementKind::kZero || e.pivot) {

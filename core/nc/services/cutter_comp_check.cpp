@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/nc/services/cutter_comp.h"
 #include "core/nc/services/cutter_comp_corner.h"
 #include "core/nc/services/cutter_comp_roll.h"
@@ -180,6 +181,7 @@ bool CutterComp::rollsOver(std::size_t index) {
 void CutterComp::endFrontAt(const RollPlace& stop, std::size_t last, Corner corner) {
   const bool nothing_behind = stop.index > last && last + 1 == elements_.size();
   const std::size_t next = nothing_behind ? last : stop.index;
+  PROVEOUT_ASSERT(next >= 1 && next < elements_.size());
   dropBehindFront(next - 1, std::move(corner));
   elements_[1].pivot = stop.pivot && stop.index <= last;
 }
@@ -228,6 +230,7 @@ std::size_t CutterComp::firstInterference(bool& by_chord) {
 }
 
 void CutterComp::dropBehindFront(std::size_t count, Corner corner) {
+  PROVEOUT_ASSERT(count < elements_.size());
   Element& front = elements_.front();
   for (std::size_t i = 1; i <= count; ++i) {
     const auto& after = elements_[i].after;
@@ -240,6 +243,7 @@ void CutterComp::dropBehindFront(std::size_t count, Corner corner) {
 /// True if an element between the front and element `k`, which runs backwards, can leave `k` out when its own
 /// turn comes. Mending there loses less of the contour than mending at the front.
 bool CutterComp::repairableLater(std::size_t k) {
+  PROVEOUT_ASSERT(k >= 1 && k + 1 < elements_.size());
   const Element& next = elements_[k + 1];
   for (std::size_t m = k - 1; m >= 1; --m) {
     if (m == k - 1 && peelCorners(cornerAfter(m), cornerAfter(k), elements_[k])) return true;

@@ -81,11 +81,4 @@ inline constexpr std::size_t kMaxDrillSteps = 1000000;  ///< guards memory: 0.1 
 /// Fills `steps` (cleared first, capacity kept) with what follows operation 1. On error `steps` is empty.
 DrillError expandDrillCycle(const DrillCycle& cycle, std::vector<DrillStep>& steps);
 
-/// Repetition `index` (from 0) of a block with L: incremental words step on from hole to hole, absolute words
-/// stay. `start` is the position before the block, `words` the end point (absolute) or the step
-/// (incremental), plane mm.
-inline Vec2 drillHole(const Vec2& start, const Vec2& words, bool incremental, std::int64_t index) {
-  return incremental ? Vec2(start + static_cast<double>(index + 1) * words) : words;
-}
-
 }  // namespace proveout

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace {
 
@@ -82,6 +84,7 @@ double polarLineMinutes(const Vec2& from, const Vec2& to, double feed, double tu
 
 void divideCurve(const std::function<Vec3(double)>& at, int pieces, double tolerance,
                  const std::function<void(double)>& tell) {
+  PROVEOUT_ASSERT(pieces >= 1 && tolerance > 0.0);
   const Divider divider{at, tolerance, tell};
   Vec3 last = at(0.0);
   for (int k = 0; k < pieces; ++k) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 
 namespace {
@@ -65,6 +67,7 @@ void RollingCompStage::engage(const Vec3& start, const RollingCompStyle& style) 
 }
 
 bool RollingCompStage::push(PathItem& item) {
+  PROVEOUT_ASSERT(!tips_.empty());
   item.record = static_cast<std::uint32_t>(tips_.size() - 1);
   return CompensationStage::push(item);
 }

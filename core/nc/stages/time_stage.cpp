@@ -211,6 +211,7 @@ void TimeStage::hold(std::size_t boundary, double speed, bool before, bool behin
 
 /// Times of the first motions with constant accelerations. Returns how many stretches they have.
 std::size_t TimeStage::timeByPlan(std::size_t motions) {
+  PROVEOUT_ASSERT(elements_.size() == stretches_.size());
   for (std::size_t i = 0; i < motions; ++i) waiting_[i].motion.time_s = 0.0;
   std::size_t used = 0;
   for (; used < stretches_.size() && stretches_[used].motion < motions; ++used) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "core/base/assert.h"
 #include "core/geometry/ears.h"
 
 namespace proveout::thread_detail {
@@ -80,6 +81,7 @@ class OpenEdges {
 /// In the order of the polygon's corners. False: it crosses itself.
 bool cutIntoTriangles(Polygon corners, std::vector<Vec2> points,
                       std::vector<std::array<std::uint32_t, 3>>& out) {
+  PROVEOUT_ASSERT(corners.size() == points.size());
   const bool clockwise = signedArea2(points) < 0.0;
   if (clockwise) {
     std::reverse(corners.begin(), corners.end());

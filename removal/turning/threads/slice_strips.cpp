@@ -2,11 +2,14 @@
 
 #include <optional>
 
+#include "core/base/assert.h"
+
 namespace proveout::thread_detail {
 
 SliceStrips::SliceStrips(std::span<const Slice* const> slices,
                          std::span<const std::vector<LoopMatch>> matches)
     : slices_(slices), covered_(slices.size()) {
+  PROVEOUT_ASSERT(!slices.empty() && matches.size() + 1 == slices.size());
   for (std::size_t k = 0; k < slices.size(); ++k) {
     for (const CornerLoop& loop : slices[k]->loops) covered_[k].emplace_back(loop.size());
   }

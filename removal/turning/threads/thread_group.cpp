@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 
 namespace {
@@ -43,6 +45,7 @@ GroupOutline::GroupOutline(const std::vector<ThreadSweep>& threads, const std::v
 
 GroupOutline::GroupOutline(const std::vector<ThreadSweep>& threads, const std::vector<std::size_t>& group,
                            double low, double high) {
+  PROVEOUT_ASSERT(!group.empty());
   const Vec2 first = threads[group.front()].from;
   for (const std::size_t i : group) {
     SectionPath& path = outlines_.emplace_back();
@@ -77,6 +80,7 @@ void GroupOutline::makeBox(double low, double high) {
 }
 
 bool GroupOutline::add(std::size_t k) {
+  PROVEOUT_ASSERT(k < outlines_.size());
   return !left_.empty() && left_.subtract({outlines_[k]}, static_cast<MotionId>(k)) > 0.0;
 }
 

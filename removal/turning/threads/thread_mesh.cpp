@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/geometry/to_float.h"
 #include "core/mesh/intersections.h"
@@ -326,6 +327,7 @@ class Stitcher {
     const Node &a = ring_.nodes()[k], &b = ring_.after(k);
     const auto triangles = facesBetween(a.slice, b.slice);
     if (!triangles) return false;
+    PROVEOUT_ASSERT(a.passed < a.ends.size());
     const PassEnd& end = a.ends[a.passed];
     for (const auto& t : *triangles) add(t[0], t[1], t[2], slicer_.motionOf({end.sweep, end.turn, 0}));
     return true;

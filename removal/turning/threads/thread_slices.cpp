@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/geometry/ears.h"
 #include "removal/turning/revolve.h"
 #include "removal/turning/threads/thread_group.h"
@@ -26,6 +27,7 @@ std::vector<std::int32_t> runsOf(const SectionLoop& loop, const std::vector<std:
                                  std::int32_t first) {
   const std::size_t n = loop.points.size();
   std::vector<std::int32_t> run(n);
+  PROVEOUT_ASSERT(!kept.empty() && kept.back() < n);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::size_t end = k + 1 < kept.size() ? kept[k + 1] : kept[0] + n;
     for (std::size_t i = kept[k]; i < end; ++i) run[i % n] = first + static_cast<std::int32_t>(k);
@@ -231,6 +233,7 @@ Slice ThreadSlicer::slice(double phi, std::span<const PassEnd> ends, std::size_t
           continue;
         }
         const std::size_t s = label - kSweepLabel;
+        PROVEOUT_ASSERT(s < sweeps_.size());
         names[i] = nameOf(0.5 * (points[i] + points[(i + 1) % points.size()]), static_cast<std::int32_t>(s),
                           all[s], hint);
       }
@@ -275,7 +278,9 @@ void ThreadSlicer::leaveOutThin(Slice& slice) const {
 MotionId ThreadSlicer::motionOf(const EdgeName& name) const {
   if (name.sweep == EdgeName::kSection) return of_run_[static_cast<std::size_t>(name.run)];
   const Sweep& sweep = sweeps_[static_cast<std::size_t>(name.sweep)];
-  return name.run < 0 ? sweep.thread.motion : sweep.made_by[static_cast<std::size_t>(name.run)];
+  if (name.run < 0) return sweep.thread.motion;
+  PROVEOUT_ASSERT(static_cast<std::size_t>(name.run) < sweep.made_by.size());
+  return sweep.made_by[static_cast<std::size_t>(name.run)];
 }
 
 }  // namespace proveout::thread_detail

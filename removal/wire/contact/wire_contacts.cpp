@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/polygon.h"
@@ -38,6 +39,7 @@ class MaterialCheck {
         sides_(wire_detail::sidesOf(blank.loops)) {}
 
   std::optional<Contact> of(const WireWork::Rapid& rapid) {
+    PROVEOUT_ASSERT(rapid.after <= work_.cuts.size());
     std::vector<WireStretch> earlier;
     const Box3 box = boundsOf(rapid.stretch).inflated(rapid.stretch.kerf_mm);
     for (const std::uint32_t i : index_.near(box, rapid.after)) earlier.push_back(work_.cuts[i]);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/tool/tool_table.h"
 #include "removal/wire/section/ruled_way.h"
@@ -80,6 +81,7 @@ class MotionCheck {
 
   /// Deepest place, depth and volume.
   void measure(double touch, Contact& contact) const {
+    PROVEOUT_ASSERT(touch >= 0.0 && touch <= 1.0);
     contact.depth_mm = 0.0;
     take(deepestNear(touch), contact);
     const double z = 0.5 * (low_ + high_);
@@ -193,6 +195,7 @@ std::vector<Contact> WireFixture::touches(const Toolpath& path, const std::vecto
     const Motion& motion = path.motions[id];
     const Tool* tool = table.ofMotion(motion.tool);
     if (motion.wire < 0 || tool == nullptr || tool->type != ToolType::kWire || progress.cancelled()) return;
+    PROVEOUT_ASSERT(static_cast<std::size_t>(motion.wire) < path.wires.size());
     const WireSweep& sweep = path.wires[static_cast<std::size_t>(motion.wire)];
     if (!sweep.state.threaded) return;
     const RuledWay way(sweep);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/tool/tool_table.h"
 #include "removal/wire/section/ruled_way.h"
 
@@ -10,12 +11,15 @@ namespace proveout {
 namespace {
 
 const WireSweep* wireOf(const Toolpath& path, MotionId id) {
+  PROVEOUT_ASSERT(id < path.motions.size());
   const Motion& motion = path.motions[id];
+  PROVEOUT_ASSERT(motion.wire < 0 || static_cast<std::size_t>(motion.wire) < path.wires.size());
   return motion.wire < 0 ? nullptr : &path.wires[static_cast<std::size_t>(motion.wire)];
 }
 
 /// How many stretches come before a motion.
 std::uint32_t cutsBefore(const WireWork& work, MotionId id) {
+  PROVEOUT_ASSERT_DEAR(std::ranges::is_sorted(work.cuts, {}, &WireStretch::motion));
   const auto at = std::lower_bound(work.cuts.begin(), work.cuts.end(), id,
                                    [](const WireStretch& s, MotionId motion) { return s.motion < motion; });
   return static_cast<std::uint32_t>(at - work.cuts.begin());
@@ -86,6 +90,7 @@ std::vector<FallenPiece> fallenPieces(const Toolpath& path, const WireWork& work
                                       const std::vector<FreePiece>& pieces) {
   std::vector<FallenPiece> out;
   for (const FreePiece& piece : pieces) {
+    PROVEOUT_ASSERT(piece.closed < work.cuts.size());
     const WireStretch& closing = work.cuts[piece.closed];
     FallenPiece fallen;
     fallen.motion = closing.motion;

@@ -4,6 +4,7 @@
 #include <polyclipping/clipper.hpp>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "removal/wire/falls/wire_holding.h"
 #include "removal/wire/section/kerf_union.h"
 
@@ -35,6 +36,7 @@ bool overlap(const Paths& a, const Paths& b) {
 }  // namespace
 
 BodyExit exitOf(const LeanSolid& solid, std::size_t body, const LeanSolid& past_solid, std::size_t past) {
+  PROVEOUT_ASSERT(body < solid.bodies.size() && past < past_solid.bodies.size());
   const std::size_t levels = solid.levels.size(), count = std::min(levels, kMostHeights);
   std::vector<Paths> own, other;
   for (std::size_t k = 0; k < count; ++k) {

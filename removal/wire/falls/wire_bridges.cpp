@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/polygon.h"
 #include "removal/wire/falls/wire_holding.h"
@@ -87,6 +88,7 @@ class Borders {
 
   /// The loop from one of its places to another.
   std::vector<Vec2> between(const Place& from, const Place& to) const {
+    PROVEOUT_ASSERT(from.loop == to.loop);
     std::vector<Vec2> out{at(from)};
     const auto n = static_cast<std::uint32_t>(loops_[from.loop].size());
     const bool ahead = from.edge == to.edge && from.share <= to.share;

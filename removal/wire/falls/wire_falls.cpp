@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/polygon.h"
 #include "core/mesh/edge_table.h"
@@ -165,6 +166,7 @@ class FallFinder {
     }
     for (std::size_t k = 0; k < bodies_.size(); ++k)
       if (!fell[k] && !isOfPiece(bodies_[k], falls)) falls.bodies.push_back(std::move(bodies_[k].body));
+    PROVEOUT_ASSERT_DEAR(std::ranges::is_sorted(falls.pieces, {}, &FreePiece::fell));
     for (const FreePiece& piece : falls.pieces) falls.bodies.push_back(piece.body);
     std::stable_sort(falls.bodies.begin(), falls.bodies.end(),
                      [](const PlaneBody& a, const PlaneBody& b) { return a.area_mm2 > b.area_mm2; });
@@ -342,6 +344,7 @@ class FallFinder {
     const auto at = std::lower_bound(ends_.begin(), ends_.end(), motion, [&](std::uint32_t end, MotionId id) {
       return cuts_[end - 1].motion < id;
     });
+    PROVEOUT_ASSERT(at != ends_.end());  // what made an edge has cut
     return static_cast<std::size_t>(at - ends_.begin());
   }
 
@@ -408,6 +411,7 @@ class FallFinder {
 
 /// Counter-clockwise (A. M. Andrew, 1979).
 std::vector<Vec2> hullOf(std::vector<Vec2> points) {
+  PROVEOUT_ASSERT(!points.empty());
   std::sort(points.begin(), points.end(),
             [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   std::vector<Vec2> hull;
@@ -455,6 +459,7 @@ WireFalls findFalls(const std::vector<PlaneLoop>& blank, const std::vector<WireS
 }
 
 std::uint32_t firstThrough(const FreePiece& piece, const std::vector<WireStretch>& cuts, std::uint32_t end) {
+  PROVEOUT_ASSERT(piece.closed < cuts.size() && end <= cuts.size());
   const std::vector<Vec2> hull = hullOf(chordsOf(piece.body.loops.front(), kPieceChordMm).points);
   const Box3 bounds = boundsOf(piece.body.loops.front());
   std::uint32_t begin = piece.closed + 1;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/polygon.h"
 #include "removal/wire/falls/fixture_solid.h"
@@ -174,6 +175,7 @@ std::vector<Vec2> placesIn(const std::vector<Vec2>& polygon) { return middlesOf(
 Vec2 placeIn(const PlaneBody& body) { return placeIn(polygonsOf(body.loops, kBodyChordMm)); }
 
 Vec2 placeIn(const PlanePolygons& region) {
+  PROVEOUT_ASSERT(!region.empty() && !region.front().empty());
   Box3 box;
   for (const std::vector<Vec2>& loop : region) {
     for (const Vec2& p : loop) box.extend(Vec3(p.x(), p.y(), 0.0));
@@ -194,6 +196,7 @@ Vec2 placeIn(const PlanePolygons& region) {
 
 Vec2 heldPlace(const std::vector<PlaneLoop>& blank, const std::vector<WireStretch>& cuts,
                const std::vector<PlaneBody>& last) {
+  PROVEOUT_ASSERT(!last.empty());
   std::vector<Vec2> places;
   for (const PlaneBody& body : bodiesAtBorder(blank, last)) places.push_back(placeIn(body));
   if (places.empty()) return placeIn(last.front());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "core/tool/tool_table.h"
 
 namespace proveout {
@@ -22,6 +23,7 @@ Status forEachWireMotion(const Toolpath& path, const std::vector<Tool>& tools, c
   const ToolTable table(tools);
   for (MotionId id = 0; id < path.motions.size(); ++id) {
     const Motion& motion = path.motions[id];
+    PROVEOUT_ASSERT(motion.wire < 0 || static_cast<std::size_t>(motion.wire) < path.wires.size());
     if (motion.wire < 0 || !path.wires[static_cast<std::size_t>(motion.wire)].state.threaded) continue;
     const Tool* tool = table.ofMotion(motion.tool);
     if (tool == nullptr)
@@ -69,6 +71,7 @@ WireWork LeanWork::atHeight(const HeightSpan& span, double z) const {
 bool standsUpright(const Toolpath& path) {
   return std::all_of(path.motions.begin(), path.motions.end(), [&](const Motion& motion) {
     if (motion.wire < 0) return true;
+    PROVEOUT_ASSERT(static_cast<std::size_t>(motion.wire) < path.wires.size());
     const WireSweep& wire = path.wires[static_cast<std::size_t>(motion.wire)];
     return !wire.state.threaded || isUpright(wire);
   });

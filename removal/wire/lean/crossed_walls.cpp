@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/mesh/intersections.h"
 #include "removal/wire/lean/wall_meetings.h"
 
@@ -48,6 +49,7 @@ std::vector<CrossedTriangle> crossedTriangles(const TriMesh& mesh) {
   for (const auto& [a, b] : wallMeetings(mesh)) crossed.insert(crossed.end(), {a, b});
   std::sort(crossed.begin(), crossed.end());
   crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+  PROVEOUT_ASSERT(mesh.motion.size() == mesh.triangles.size());
   std::vector<CrossedTriangle> out;
   for (const std::uint32_t t : crossed) {
     CrossedTriangle& triangle = out.emplace_back();

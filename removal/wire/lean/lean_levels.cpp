@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "removal/wire/lean/wall_parts.h"
 
@@ -417,6 +418,7 @@ class LevelMaker {
     for (Placed& placed : slabs_) {
       placed.slab.lower = number.at(placed.from);
       placed.slab.upper = number.at(placed.to);
+      PROVEOUT_ASSERT(placed.slab.lower < placed.slab.upper);
       out.slabs.push_back(std::move(placed.slab));
     }
     for (const Passed& p : passed_) {

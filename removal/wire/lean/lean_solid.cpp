@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/geometry/to_float.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/shells.h"
@@ -182,6 +183,7 @@ class SolidWriter {
   void strip(const std::vector<std::uint32_t>& here, const std::vector<std::uint32_t>& next, MotionId motion,
              std::uint32_t member) {
     const auto height = [&](std::uint32_t p) { return mesh_.positions[p].z(); };
+    PROVEOUT_ASSERT(here.size() >= 2 && next.size() >= 2);
     std::size_t i = 0, j = 0, end_i = here.size() - 1, end_j = next.size() - 1;
     const bool closes = here.back() == next.back();
     if (here.front() == next.front()) {
@@ -203,6 +205,7 @@ class SolidWriter {
   void step(std::size_t k) {
     const LevelStep& step = *steps_[k];
     const LevelSlab& slab = levels_.slabs[k];
+    PROVEOUT_ASSERT(step.lower.size() == slab.lower_alone.size() && step.upper.size() == slab.upper_alone.size());
     const std::uint32_t first = first_step_[k];
     for (const auto& [a, b, c] : step.triangles)
       triangle(first + a, first + b, first + c, kNoMotion, stepPoint(k, a));
@@ -216,6 +219,7 @@ class SolidWriter {
                 bool above) {
     const LevelLoop& loop_at = levels_.levels[level].loops[k];
     const std::uint32_t member = loop(level, k), base = first_point_[member];
+    PROVEOUT_ASSERT(chains.size() == loop_at.points.size());
     for (std::uint32_t i = 0; i < chains.size(); ++i) {
       const std::uint32_t a = base + i, b = base + (i + 1) % static_cast<std::uint32_t>(chains.size());
       const std::vector<std::uint32_t>& chain = chains[i];
@@ -341,10 +345,14 @@ Result<LeanSolid> solidOf(const LeanLevels& levels) {
   }
   Shells shells;
   shells.count = static_cast<std::uint32_t>(out.bodies.size());
-  for (const std::uint32_t member : writer.memberOfTriangle())
-    shells.shell_of.push_back(number[bodies.of(member)]);
+  for (const std::uint32_t member : writer.memberOfTriangle()) {
+    const std::uint32_t root = bodies.of(member);
+    PROVEOUT_ASSERT(root < number.size());  // a loop
+    shells.shell_of.push_back(number[root]);
+  }
   shells.mesh = writer.takeMesh();
   std::vector<TriMesh> meshes = shellMeshes(shells);
+  PROVEOUT_ASSERT(meshes.size() == out.bodies.size());
   for (std::size_t k = 0; k < meshes.size(); ++k) out.bodies[k].mesh = std::move(meshes[k]);
   // Only steps share vertices.
   const bool stepped = std::any_of(steps->begin(), steps->end(), [](const auto& s) { return s.has_value(); });
@@ -391,10 +399,12 @@ Result<LeanSolid> leanSolid(const std::vector<PlaneLoop>& blank, const HeightSpa
       [&](double z, ThinPlaces thin) { return levelSection(blank, atHeight(stretches, span, z), z, thin); },
       span.low, span.high, tolerance, use, progress);
   if (!done) return done.error();
+  PROVEOUT_ASSERT(!best.levels.empty() && best.body_of.size() == best.levels.size());
   return best;
 }
 
 std::size_t levelAt(const LeanSolid& solid, double z) {
+  PROVEOUT_ASSERT(!solid.levels.empty());
   const auto nearest =
       std::min_element(solid.levels.begin(), solid.levels.end(),
                        [&](const auto& a, const auto& b) { return std::abs(a.z - z) < std::abs(b.z - z); });
@@ -405,6 +415,7 @@ std::vector<std::vector<Vec2>> outlineOf(const LeanSolid& solid, std::size_t bod
   std::vector<std::vector<Vec2>> out;
   const std::size_t level = levelAt(solid, z);
   const LevelSection& section = solid.levels[level];
+  PROVEOUT_ASSERT(solid.body_of[level].size() == section.regions.size());
   for (std::size_t region = 0; region < section.regions.size(); ++region) {
     if (solid.body_of[level][region] != body) continue;
     for (const std::uint32_t loop : section.regions[region].loops) out.push_back(section.loops[loop].points);

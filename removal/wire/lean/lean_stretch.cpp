@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "removal/wire/section/wire_stretch.h"
 
@@ -105,6 +106,7 @@ void addLeanStretches(const WireSweep& wire, const HeightSpan& span, double radi
 }
 
 std::vector<LeanStretch> cutUntil(const std::vector<LeanStretch>& cuts, const CutTime& time) {
+  PROVEOUT_ASSERT(time.cuts < cuts.size() || (time.cuts == cuts.size() && time.share <= 0.0));
   std::vector<LeanStretch> done(cuts.begin(), cuts.begin() + time.cuts);
   if (time.share <= 0.0) return done;
   LeanStretch last = cuts[time.cuts];

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace {
 
@@ -21,6 +23,7 @@ struct Run {
 
 std::vector<Run> runsOf(const LevelLoop& loop, const LoopSpan& span) {
   const auto n = static_cast<std::uint32_t>(loop.points.size());
+  PROVEOUT_ASSERT(loop.names.size() == n && span.edges <= n);
   std::vector<Run> runs;
   for (std::uint32_t k = 0; k < span.edges; ++k) {
     const std::uint32_t i = (span.first + k) % n;
@@ -181,6 +184,7 @@ struct Joined {
 };
 
 void zipTo(const Joined& to, const Chain& a, const Chain& b, Joined& at, Ribbon& ribbon) {
+  PROVEOUT_ASSERT(to.lower >= at.lower && to.upper >= at.upper);
   zip({a.loop, a.span.first + at.lower, to.lower - at.lower},
       {b.loop, b.span.first + at.upper, to.upper - at.upper}, ribbon);
   at = to;
@@ -199,6 +203,7 @@ std::optional<Ribbon> zipRuns(const Chain& a, const Chain& b) {
     zipTo({start.lower + in_a.count, start.upper + in_b.count}, a, b, at, ribbon);
   }
   zipTo({a.span.edges, b.span.edges}, a, b, at, ribbon);
+  PROVEOUT_ASSERT(ribbon.rungs.size() == std::size_t{1} + a.span.edges + b.span.edges);
   const bool whole = ribbon.rungs.size() > 1 && ribbon.rungs.back() == ribbon.rungs.front();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted(ribbon.rungs.begin(),
                                                               ribbon.rungs.end() - (whole ? 1 : 0));
@@ -251,6 +256,8 @@ LoopPairs pairLoops(const LevelSection& lower, const LevelSection& upper) {
   for (std::uint32_t k = 0; k < upper.loops.size(); ++k) {
     if (!taken[k]) out.upper_alone.push_back(k);
   }
+  PROVEOUT_ASSERT(out.pairs.size() + out.lower_alone.size() == lower.loops.size() &&
+                  out.pairs.size() + out.upper_alone.size() == upper.loops.size());
   return out;
 }
 

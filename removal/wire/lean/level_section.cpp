@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/plane.h"
@@ -117,6 +118,7 @@ class WallNamer {
       const std::optional<Named> old = ofBlank(middle, reach), cut = kerf_.at(middle, reach);
       if (old && (!cut || old->off_mm <= cut->off_mm)) return *old;
       if (cut) return *cut;
+      PROVEOUT_ASSERT(reach < 1e9);
     }
   }
 
@@ -139,6 +141,7 @@ class RunJoiner {
 
   LevelLoop join(const LevelLoop& in) const {
     const std::size_t n = in.points.size();
+    PROVEOUT_ASSERT(in.names.size() == n && in.motions.size() == n && straight_.size() == n);
     std::size_t start = 0;
     while (start < n && in.names[start] == in.names[(start + n - 1) % n]) ++start;
     if (start == n) start = 0;

@@ -7,6 +7,7 @@
 #include <polyclipping/clipper.hpp>
 #include <unordered_map>
 
+#include "core/base/assert.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/plane.h"
 #include "removal/wire/lean/step_faces.h"
@@ -24,7 +25,7 @@ using Ids = std::vector<std::uint32_t>;
 /// Points by their place, as a mesh holds them: those nearer to each other than `near` mm are one.
 class PointTable {
  public:
-  explicit PointTable(double near) : near_(near) {}
+  explicit PointTable(double near) : near_(near) { PROVEOUT_ASSERT(near > 0.0); }
 
   std::uint32_t of(const Vec2& place) {
     const Vec2 p = asFloat(place);
@@ -157,11 +158,13 @@ class StepMaker {
       for (const Path& path : *crossed)
         for (const ClipperLib::IntPoint& p : path) table_.of(wire_detail::toMm(p));
     }
+    const std::size_t known = table_.points().size();
     const EdgeRefiner refiner(table_.points(), near_);
     out_.z = 0.5 * (lower_.z + upper_.z);
     std::vector<LoopEdge> below, above;
     for (const std::uint32_t k : lower_loops_) out_.lower.push_back(chains(lower_.loops[k], refiner, below));
     for (const std::uint32_t k : upper_loops_) out_.upper.push_back(chains(upper_.loops[k], refiner, above));
+    PROVEOUT_ASSERT(table_.points().size() == known);  // the refiner knows no others
     out_.points = table_.points();
     StepFaces faces = stepFaces(out_.points, below, above);
     out_.triangles = std::move(faces.below_alone);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "removal/wire/section/stretch_index.h"
 
@@ -274,6 +275,7 @@ class WallJudge {
   }
 
   bool isOff(const Cut& from, const Cut& to) const {
+    PROVEOUT_ASSERT(to.rung < off_rungs_.size() && to.middle < off_points_.size());
     return std::find(off_rungs_.begin() + static_cast<std::ptrdiff_t>(from.rung),
                      off_rungs_.begin() + static_cast<std::ptrdiff_t>(to.rung) + 1,
                      true) != off_rungs_.begin() + static_cast<std::ptrdiff_t>(to.rung) + 1 ||
@@ -288,6 +290,7 @@ class WallJudge {
     std::uint32_t rows = 1;  ///< on both sides
   };
   Strip stripBetween(const Cut& from, const Cut& to) const {
+    PROVEOUT_ASSERT(from.rung < to.rung && from.middle < to.middle);
     const auto [i, j] = ribbon_->rungs[from.rung];
     const auto [end_i, end_j] = ribbon_->rungs[to.rung];
     const Vec2 low = wall_.lower.points[end_i] - wall_.lower.points[i],

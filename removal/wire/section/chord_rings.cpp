@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "removal/wire/section/segment_meetings.h"
 
@@ -33,6 +34,7 @@ class RingParter {
   void part() {
     for (int round = 0; round < kMostRounds; ++round) {
       number();
+      PROVEOUT_ASSERT(places_.size() == segments_.size());
       const auto pairs = meetingSegments(segments_);
       if (pairs.empty()) return;
       halved_.assign(segments_.size(), false);
@@ -124,6 +126,7 @@ std::vector<ChordRing> chordRings(const std::vector<const PlaneLoop*>& loops, do
   std::vector<ChordRing> rings;
   for (const PlaneLoop* loop : loops) rings.push_back(ringOf(*loop, tolerance));
   RingParter(rings).part();
+  PROVEOUT_ASSERT(rings.size() == loops.size());
   return rings;
 }
 

@@ -166,6 +166,7 @@ EdgeCurve CurveFinder::of(const Vec2& middle) const {
 }
 
 PlaneLoop curvedLoop(const std::vector<Vec2>& points, const std::vector<EdgeCurve>& curves) {
+  PROVEOUT_ASSERT(!points.empty() && curves.size() == points.size());
   const std::size_t n = points.size();
   const std::vector<Run> runs = runsOf(curves);
   PlaneLoop loop;

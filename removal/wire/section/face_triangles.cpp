@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 
 namespace proveout {
@@ -15,6 +16,7 @@ class Ring {
   explicit Ring(const std::vector<std::vector<Vec2>>& loops) {
     std::vector<std::uint32_t> hollows;
     std::uint32_t first = kNone;
+    PROVEOUT_ASSERT(!loops.empty());
     for (const std::vector<Vec2>& loop : loops) {
       const std::uint32_t start = addLoop(loop);
       if (first == kNone)
@@ -55,6 +57,7 @@ class Ring {
       tried = 0;
       allowed = 0;
     }
+    PROVEOUT_ASSERT(out.size() + 3 == at_.size());  // ears of all corners but those of the last triangle
     out.push_back({corner_[prev_[at]], corner_[at], corner_[next_[at]]});
     return out;
   }
@@ -74,6 +77,7 @@ class Ring {
     prev_[b] = a;
   }
   std::uint32_t addLoop(const std::vector<Vec2>& loop) {
+    PROVEOUT_ASSERT(loop.size() >= 3);
     const auto start = static_cast<std::uint32_t>(at_.size());
     for (const Vec2& p : loop) {
       const std::uint32_t v = add(p, corners_++);

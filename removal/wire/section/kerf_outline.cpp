@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "removal/wire/section/plane_region.h"
 
@@ -155,6 +156,9 @@ bool follows(const WireStretch& before, const WireStretch& next) {
   return before.kerf_mm == next.kerf_mm && (before.to - next.from).norm() <= kJoined;
 }
 
-ClipperLib::Path kerfOutline(std::span<const WireStretch> run) { return OutlineMaker(run).make(); }
+ClipperLib::Path kerfOutline(std::span<const WireStretch> run) {
+  PROVEOUT_ASSERT(!run.empty() && run.front().kerf_mm == run.back().kerf_mm);
+  return OutlineMaker(run).make();
+}
 
 }  // namespace proveout::wire_detail

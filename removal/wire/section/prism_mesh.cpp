@@ -3,6 +3,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/geometry/to_float.h"
 #include "removal/wire/section/chord_rings.h"
 #include "removal/wire/section/face_triangles.h"
@@ -44,6 +45,7 @@ class PrismWriter {
   void addWalls(const ChordRing& ring) {
     const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
     const auto n = static_cast<std::uint32_t>(ring.points.size());
+    PROVEOUT_ASSERT(ring.motion.size() == ring.points.size());
     for (std::uint32_t i = 0; i < n; ++i) {
       const Eigen::Vector2f p = toFloat(ring.points[i]);
       mesh_.positions.emplace_back(p.x(), p.y(), low_);
@@ -72,6 +74,7 @@ TriMesh prismMesh(const std::vector<PlaneBody>& bodies, double z_low, double z_h
     writer.add(std::span(rings).subspan(first, body.loops.size()));
     first += body.loops.size();
   }
+  PROVEOUT_ASSERT(first == rings.size());
   return writer.take();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "removal/wire/section/plane_region.h"
 
@@ -85,6 +86,7 @@ Vec2 WireStretch::at(double t) const {
 double WireStretch::length() const { return isArc() ? radius() * std::abs(sweep_rad) : (to - from).norm(); }
 
 Vec2 onFront(const WireStretch& stretch, double t, double across) {
+  PROVEOUT_ASSERT(across >= -1.0 && across <= 1.0);
   constexpr double kShortStep = 1e-6;
   const Vec2 at = stretch.at(t), to = stretch.at(std::min(1.0, t + kShortStep)) - at;
   const Vec2 ahead = to.norm() > 0.0 ? Vec2(to.normalized()) : stretch.directionAtStart();
@@ -92,6 +94,8 @@ Vec2 onFront(const WireStretch& stretch, double t, double across) {
 }
 
 WireStretch beginningOf(const WireStretch& stretch, double part) {
+  constexpr double kRounding = 1e-9;
+  PROVEOUT_ASSERT(part >= 0.0 && part <= 1.0 + kRounding);
   WireStretch out = stretch;
   out.to = part < 1.0 ? stretch.at(part) : stretch.to;
   out.sweep_rad = part * stretch.sweep_rad;
@@ -99,6 +103,7 @@ WireStretch beginningOf(const WireStretch& stretch, double part) {
 }
 
 std::vector<WireStretch> cutUntil(const std::vector<WireStretch>& cuts, const CutTime& time) {
+  PROVEOUT_ASSERT(time.cuts < cuts.size() || (time.cuts == cuts.size() && time.share <= 0.0));
   std::vector<WireStretch> done(cuts.begin(), cuts.begin() + time.cuts);
   if (time.share > 0.0) done.push_back(beginningOf(cuts[time.cuts], time.share));
   return done;

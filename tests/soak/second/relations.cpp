@@ -148,7 +148,7 @@ std::optional<Halves> betweenClampings(const Plan& plan, Dice& dice) {
 /// What is left but for pieces that a lathe has cut off: those are not saved, and not clamped again.
 double partOf(const SetupRun& setup) {
   double part = setup.surface.volume_mm3;
-  if (setup.turned)
+  if (setup.form->profile() != nullptr)
     for (const StockBody& body : setup.bodies) part -= body.role == "part" ? 0 : body.volume_mm3;
   return part;
 }

@@ -102,7 +102,7 @@ double looseOf(const SetupRun& setup) {
 }
 bool isOnGrid(const Ran& job) {
   return std::any_of(job.run->setups.begin(), job.run->setups.end(), [](const SetupRun& setup) {
-    return setup.turned == nullptr && setup.facet_error_mm == 0.0;
+    return setup.form->profile() == nullptr && setup.facet_error_mm == 0.0;
   });
 }
 

@@ -284,8 +284,8 @@ TEST(Processes, ATurnedShaftIsMilled) {
   ASSERT_TRUE(run.ok()) << run.error().message;
   ASSERT_EQ(run->setups.size(), 2u);
   ASSERT_FALSE(run->alarm) << run->findings.front().message;
-  EXPECT_NE(run->setups[0].turned, nullptr);
-  EXPECT_EQ(run->setups[1].turned, nullptr);
+  EXPECT_NE(run->setups[0].form->profile(), nullptr);
+  EXPECT_EQ(run->setups[1].form->profile(), nullptr);
   EXPECT_TRUE(run->stock.has_value());
   EXPECT_TRUE(run->topology().closedManifold());
   const SetupRun& mill = run->setups[1];
@@ -351,7 +351,7 @@ TEST(Processes, ThreadsStayOnWhatIsMilled) {
   const Result<RunResult> run = shaft.run();
   ASSERT_TRUE(run.ok()) << run.error().message;
   ASSERT_FALSE(run->alarm) << run->findings.front().message;
-  ASSERT_FALSE(run->setups[0].turned->threads.empty());
+  ASSERT_FALSE(run->setups[0].form->revolved());
   const SetupRun& mill = run->setups[1];
   EXPECT_LT(mill.initial_mm3 - mill.surface.volume_mm3, 0.9 * flatVolume(10.0, 7.0));  // less the grooves
   EXPECT_NEAR(mill.extent.volume_mm3 / mill.surface.volume_mm3, 1.0, 5e-3);

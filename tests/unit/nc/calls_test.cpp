@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/nc/macro/variables.h"
-#include "core/nc/nct/program/alarms.h"
-#include "core/nc/nct/program/call_stack.h"
+#include "core/nc/nct/model/alarms.h"
+#include "core/nc/nct/model/call_stack.h"
 
 namespace proveout::nc {
 namespace {
@@ -73,9 +73,6 @@ TEST(Variables, TheEmptyConstantAndProtectedOnesCannotBeWritten) {
     EXPECT_EQ(store.read(n, value), VariableStatus::kUnknown) << n;
     EXPECT_EQ(store.write(n, {1}), VariableStatus::kUnknown) << n;
   }
-  store.write(499, {1});
-  store.clearGlobals();
-  EXPECT_EQ(number(store, 499), -999);
   EXPECT_EQ(number(store, 541), 1);
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/base/printable.h"
 #include "core/nc/text/source_text.h"
+#include "wedm_path.h"
 
 namespace proveout::test {
 namespace {
@@ -32,7 +33,7 @@ class TextSink : public MotionSink {
     text += fmt::format("file {} {}\n", index, name);
   }
   void motion(const Motion& m, const ArcGeometry* arc, const AxisSweep* axis) override {
-    motions_.push_back({m, arc ? *arc : ArcGeometry{}, arc != nullptr, axis ? *axis : AxisSweep{}});
+    motions_.push_back({m, arc ? *arc : ArcGeometry{}, arc != nullptr, axis ? *axis : AxisSweep{}, {}});
     text +=
         channel(m.channel) + place(m.source) + std::string(motionKindName(m.kind)) + (arc ? " arc " : " ");
     std::optional<Vec3>& last = last_.at(m.channel);
@@ -55,6 +56,7 @@ class TextSink : public MotionSink {
     text += "\n";
   }
   void wireMotion(const Motion& m, const WireSweep& wire) override {
+    motions_.push_back({m, {}, false, {}, wire});
     text += place(m.source) + (m.kind == MotionKind::kRapid ? "rapid wire" : "cut wire");
     track(" lower", wire.lower, wire.z_low);
     track(" upper", wire.upper, wire.z_high);
@@ -327,15 +329,40 @@ bool setHostLine(Operator& person, std::string& main_name, ControlId& control, c
   return true;
 }
 
-/// Point of a motion after `part` (0 to 1) of its angle or length.
-Vec3 pointAt(const GoldenMotion& m, double part) {
+const WireTrack& trackOf(const WireSweep& wire, bool upper) { return upper ? wire.upper : wire.lower; }
+
+/// Whether a motion, or that track of a wire, is an arc.
+bool isArc(const GoldenMotion& m, bool upper) {
+  return m.wire ? trackOf(*m.wire, upper).sweep_rad != 0.0 : m.is_arc;
+}
+
+/// Point of a motion, or of that track of a wire, after `part` (0 to 1) of its angle or length.
+Vec3 pointAt(const GoldenMotion& m, bool upper, double part) {
   const Motion& motion = m.motion;
+  if (m.wire) {
+    const Vec2 p = wireTrackPoint(trackOf(*m.wire, upper), part);
+    return {p.x(), p.y(), upper ? m.wire->z_high : m.wire->z_low};
+  }
   if (!m.is_arc) return motion.from + (motion.to - motion.from) * part;
   return arcPoint(arcFrame(motion.from, motion.to, m.arc), m.arc, part);
 }
 
-/// What the words of a line of truth compare; `words` gives what a figure needs beside its name.
-std::vector<double> figuresOf(const std::string& word, std::istringstream& words, const GoldenMotion& m) {
+/// Centre or sweep of an arc.
+std::vector<double> arcFigure(const std::string& word, const GoldenMotion& m, bool upper) {
+  if (!m.wire) {
+    const Vec3& c = m.arc.center;
+    if (word == "sweep") return {radToDeg(m.arc.sweep_rad)};
+    return {c.x(), c.y(), c.z()};
+  }
+  const WireTrack& track = trackOf(*m.wire, upper);
+  if (word == "sweep") return {radToDeg(track.sweep_rad)};
+  return {track.center.x(), track.center.y()};
+}
+
+/// What the words of a line of truth compare; `words` gives what a figure needs beside its name, `upper`
+/// tells of which track of a wire the line speaks.
+std::vector<double> figuresOf(const std::string& word, std::istringstream& words, const GoldenMotion& m,
+                              bool upper) {
   const Motion& motion = m.motion;
   if (word == "F") return {motion.feed};
   if (word == "t") return {motion.time_s};
@@ -344,18 +371,26 @@ std::vector<double> figuresOf(const std::string& word, std::istringstream& words
   if (word == "change") return {m.motion.thread_pitch_change};
   if (word == "T") return {static_cast<double>(motion.tool)};
   if (word == "ch") return {static_cast<double>(motion.channel)};
-  if (word == "center") return {m.arc.center.x(), m.arc.center.y(), m.arc.center.z()};
-  if (word == "sweep") return {radToDeg(m.arc.sweep_rad)};
+  if (word == "center" || word == "sweep") return arcFigure(word, m, upper);
   std::vector<double> figures;
   if (word == "rotary") {
     for (const RotaryPosition& r : m.axis.rotary) figures.push_back(r.to);
-  } else if (word == "at") {
-    double part = 0;
-    if (!(words >> part)) throw std::runtime_error("part of the way expected behind at");
-    const Vec3 p = pointAt(m, part);
+  } else if (word == "at" || (word == "upper" && m.wire)) {
+    double part = 1.0;
+    if (word == "at" && !(words >> part)) throw std::runtime_error("part of the way expected behind at");
+    const Vec3 p = pointAt(m, upper, part);
     figures = {p.x(), p.y(), p.z()};
   }
   return figures;
+}
+
+/// Empty if a line of truth tells of each track of a wire and of each of its arcs.
+std::string untoldOf(const GoldenMotion& m, bool upper, const std::array<bool, 2>& swept) {
+  if (!m.wire) return "";
+  std::string problems = upper ? "" : " the upper track is not told;";
+  if (isArc(m, false) && !swept[0]) problems += " the lower track is an arc;";
+  if (isArc(m, true) && !swept[1]) problems += " the upper track is an arc;";
+  return problems;
 }
 
 /// Compares one motion with its line of truth; what differs is added to `problems`.
@@ -365,13 +400,17 @@ void compareLine(const std::string& line, const GoldenMotion& m, const std::stri
   std::istringstream words(line);
   std::vector<double> actual{m.motion.to.x(), m.motion.to.y(), m.motion.to.z()};
   std::size_t k = 0;
+  bool upper = false;           // the line speaks of the upper track of a wire
+  std::array<bool, 2> swept{};  // tracks whose sweep it tells
   for (std::string word; words >> word;) {
     if (word == "rapid" || word == "feed" || word == "thread" || word == "probe") {
       if (motionKindName(m.motion.kind) != word) problems += name + ": not " + word + "\n";
       continue;
     }
-    if ((word == "center" || word == "sweep") && !m.is_arc) problems += name + ": no arc\n";
-    if (std::vector<double> figures = figuresOf(word, words, m); !figures.empty()) {
+    upper = upper || word == "upper";
+    if (word == "sweep") swept.at(upper ? 1 : 0) = true;
+    if ((word == "center" || word == "sweep") && !isArc(m, upper)) problems += name + ": no arc\n";
+    if (std::vector<double> figures = figuresOf(word, words, m, upper); !figures.empty()) {
       actual = std::move(figures);
       k = 0;
       continue;
@@ -380,6 +419,28 @@ void compareLine(const std::string& line, const GoldenMotion& m, const std::stri
     if (word != "*" && !(std::abs(got - std::stod(word)) <= kTolerance)) {
       problems += fmt::format("{}: {} instead of {} in: {}\n", name, got, word, line);
     }
+  }
+  if (const std::string untold = untoldOf(m, upper, swept); !untold.empty())
+    problems += name + ":" + untold + "\n";
+}
+
+/// Way of a motion, mm; of a wire that of one of its tracks.
+double wayOf(const GoldenMotion& m, bool upper) {
+  if (m.wire) return wireTrackLength(trackOf(*m.wire, upper));
+  if (m.is_arc) throw std::runtime_error("length knows no arcs but those of a wire");
+  return (m.motion.to - m.motion.from).norm();
+}
+
+/// Compares the way of all cuts with `length lower [upper]`.
+void compareLength(const std::string& line, const std::vector<GoldenMotion>& motions, std::string& problems) {
+  constexpr double kTolerance = 1.01e-4;
+  std::istringstream words(line.substr(std::string("length").size()));
+  bool upper = false;
+  for (double told = 0; words >> told; upper = true) {
+    double way = 0.0;
+    for (const GoldenMotion& m : motions) way += m.motion.kind == MotionKind::kRapid ? 0.0 : wayOf(m, upper);
+    if (!(std::abs(way - told) <= kTolerance))
+      problems += fmt::format("length {} instead of {} in: {}\n", way, told, line);
   }
 }
 
@@ -410,6 +471,7 @@ GoldenCase readGolden(const std::string& path) {
       if (name == "main") section = &golden.main_text;
       if (name == "truth") section = &golden.truth;
       if (name == "says") section = &golden.says;
+      if (name == "characterisation") section = &golden.characterisation;
       if (name == "expect") section = &golden.expect;
       if (name.starts_with("sub ")) {
         golden.subprograms.reserve(64);
@@ -540,6 +602,15 @@ std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motio
                                  s.blocks, s.motions, s.errors, s.warnings);
 }
 
+GoldenProof proofOf(const GoldenCase& golden) {
+  const auto told = [](const std::string& text) {
+    return text.find_first_not_of(" \n") != std::string::npos;
+  };
+  if (told(golden.characterisation)) return GoldenProof::kCharacterisation;
+  if (told(golden.truth)) return GoldenProof::kTruth;
+  return told(golden.says) ? GoldenProof::kSays : GoldenProof::kNone;
+}
+
 std::string missingIn(const std::string& text, const std::string& says) {
   std::istringstream wanted(says), in(text);
   std::string line;
@@ -557,6 +628,10 @@ std::string compareWithTruth(const std::string& truth, const std::vector<GoldenM
   std::size_t index = 0;
   for (std::string line; std::getline(in, line);) {
     if (line.empty()) continue;
+    if (line.starts_with("length ")) {
+      compareLength(line, motions, problems);
+      continue;
+    }
     if (index >= motions.size()) return problems + "truth has more motions: " + line + "\n";
     const GoldenMotion& m = motions[index++];
     compareLine(line, m, fmt::format("motion {} (line {})", index, m.motion.source.line), problems);

@@ -14,12 +14,17 @@
 //                    program is that of channel 1, subprograms are there for all
 //   === truth        motion ends from the manual, in order: x y z [center x y z] [sweep deg] [F feed]
 //                    [t seconds] [S spindle] [T tool] [ch channel] [rotary ends] [at part-of-the-way x y
-//                    z]...; * is anything
+//                    z]...; * is anything. Of a wire: end of its lower track, then [center x y] [sweep deg]
+//                    [at part-of-the-way x y z], `upper` and the same of its upper track; a track without
+//                    sweep is a line. One line may be the way of all cuts, mm: length lower [upper]
 //   === says         what the text must hold, in this order: alarms, events, files written
+//   === characterisation  why there is no independent value: the file only guards what the program does
+//                    today. Every file has a truth, a says or this
 //   === expect       what the interpreter says; rewritten with PROVEOUT_UPDATE_GOLDEN=1
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,7 +36,7 @@ namespace proveout::test {
 struct GoldenCase {
   std::string path;
   std::string head;  ///< everything before the expected text
-  std::string about, settings_text, main_text, truth, says, expect;
+  std::string about, settings_text, main_text, truth, says, characterisation, expect;
   std::vector<std::pair<std::string, std::string>> subprograms;
   struct Channel {
     int number = 0;
@@ -40,19 +45,25 @@ struct GoldenCase {
   std::vector<Channel> channels;  ///< besides the first
 };
 
+/// What the expectation is held against: nothing but itself, the words that it must hold, or the motions too.
+enum class GoldenProof { kNone, kCharacterisation, kSays, kTruth };
+/// A file that is named characterisation counts as such whatever else it has.
+GoldenProof proofOf(const GoldenCase& golden);
+
 GoldenCase readGolden(const std::string& path);
 void writeGolden(const GoldenCase& golden, const std::string& expect);
 /// Throws std::runtime_error for a line that it does not know.
 ControlSettings settingsOf(const std::string& text);
 
-/// Runs the case; appends the motions to `motions`, returns the text. `as_channel`: a program alone is run as
-/// the one channel of a control with channels.
 struct GoldenMotion {
   Motion motion;
   ArcGeometry arc;
   bool is_arc = false;
   AxisSweep axis;
+  std::optional<WireSweep> wire;  ///< of a control that moves a wire
 };
+/// Runs the case; appends the motions to `motions`, returns the text. `as_channel`: a program alone is run as
+/// the one channel of a control with channels.
 std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions, bool as_channel = false);
 
 /// The path of the case with its origins, and the texts that they are in.

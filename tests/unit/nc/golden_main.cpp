@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/nc/nct/program/alarms.h"
+#include "core/nc/nct/model/alarms.h"
 #include "core/nc/registry/coverage.h"
 #include "core/path/origin_query.h"
 #include "golden_case.h"
@@ -159,6 +159,65 @@ TEST_P(GoldenSet, EveryRowOfTheSpecificationIsProvenOrListedOpen) {
   for (const auto& [id, cls] : classes) {
     EXPECT_TRUE(cls == asked[id].cls || !asked[id].reason.empty()) << id;
   }
+}
+
+TEST(GoldenFiles, EachHasATruthOrIsNamedCharacterisation) {
+  std::map<GoldenProof, std::vector<std::string>> files;
+  for (const std::string& path : goldenFiles()) files[proofOf(readGolden(path))].push_back(path);
+  for (const std::string& path : files[GoldenProof::kNone])
+    ADD_FAILURE() << path << ": give it a truth or a says from the manual or by hand, or name it "
+                  << "characterisation and say why it has none";
+  const std::vector<std::string>& bare = files[GoldenProof::kCharacterisation];
+  fmt::print("goldens: {} with the motions known independently, {} with words, {} characterisation\n",
+             files[GoldenProof::kTruth].size(), files[GoldenProof::kSays].size(), bare.size());
+  for (const std::string& path : bare)
+    fmt::print("characterisation: {}: {}\n", fs::path(path).filename().string(),
+               readGolden(path).characterisation);
+  RecordProperty("characterisation", static_cast<int>(bare.size()));
+}
+
+TEST(GoldenFiles, AGoldenWithoutAnIndependentValueIsFound) {
+  GoldenCase golden;
+  golden.about = "Says much, proves nothing.";
+  golden.expect = "1: feed to 1 2 3\n";
+  EXPECT_EQ(proofOf(golden), GoldenProof::kNone);
+  golden.truth = golden.says = golden.characterisation = " \n\n";
+  EXPECT_EQ(proofOf(golden), GoldenProof::kNone);
+  golden.says = "error[nct-2055]\n";
+  EXPECT_EQ(proofOf(golden), GoldenProof::kSays);
+  golden.truth = "feed 1 2 3\n";
+  EXPECT_EQ(proofOf(golden), GoldenProof::kTruth);
+  golden.characterisation = "the manual does not tell where it stops\n";
+  EXPECT_EQ(proofOf(golden), GoldenProof::kCharacterisation);
+}
+
+/// A cut of a wire: the lower track a quarter circle about the origin, the upper a line.
+GoldenMotion quarterBelowALine() {
+  GoldenMotion m;
+  m.motion.kind = MotionKind::kFeed;
+  m.motion.to = Vec3(0, 10, 0);
+  m.wire.emplace();
+  m.wire->z_high = 20.0;
+  m.wire->lower = {Vec2(10, 0), Vec2(0, 10), Vec2(0, 0), degToRad(90.0)};
+  m.wire->upper = {Vec2(10, 0), Vec2(0, 0), Vec2(0, 0), 0.0};
+  return m;
+}
+
+TEST(GoldenFiles, TruthOfAWireIsComparedTrackByTrack) {
+  const std::vector<GoldenMotion> cut{quarterBelowALine()};
+  const auto wrong = [&](const std::string& truth) { return !compareWithTruth(truth, cut).empty(); };
+  const std::string right =
+      "feed 0 10 0 center 0 0 sweep 90 at 0.5 7.0711 7.0711 0 upper 0 0 20 at 0.5 5 0 20\n";
+  EXPECT_EQ(compareWithTruth(right + "length 15.70796 10\n", cut), "");
+  EXPECT_TRUE(wrong("feed 0 10 0 center 0 0 sweep 90\n"));               // nothing of the upper track
+  EXPECT_TRUE(wrong("feed 0 10 0 upper 0 0 20\n"));                      // the lower one is no line
+  EXPECT_TRUE(wrong("feed 0 10 0 sweep -90 upper 0 0 20\n"));            // it turns the other way
+  EXPECT_TRUE(wrong("feed 0 10 0 center 0 1 sweep 90 upper 0 0 20\n"));  // about another centre
+  EXPECT_TRUE(wrong("feed 0 10 0 sweep 90 upper 0 0 30\n"));             // another height
+  EXPECT_TRUE(wrong("feed 0 10 0 sweep 90 upper 0 0 20 sweep 90\n"));    // the upper one is no arc
+  EXPECT_TRUE(wrong(right + "length 15.709 10\n"));
+  EXPECT_TRUE(wrong(right + "length 15.70796 10.1\n"));
+  EXPECT_TRUE(wrong("length 15.70796 10\n"));  // the motion itself is not told
 }
 
 TEST(GoldenFiles, OneChannelAloneGivesThePathOfAProgramAlone) {

@@ -1,5 +1,5 @@
 // Rows of M codes: the control's own beside what parameters and settings make of others.
-#include "core/nc/nct/tables/m_index.h"
+#include "core/nc/nct/model/m_index.h"
 
 #include <gtest/gtest.h>
 

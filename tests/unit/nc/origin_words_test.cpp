@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/nc/nct/tables/codes.h"
+#include "core/nc/nct/model/codes.h"
 #include "core/path/line_word.h"
 
 namespace proveout {

@@ -9,10 +9,10 @@
 #include <memory>
 #include <string>
 
-#include "core/nc/nct/channels/context.h"
-#include "core/nc/nct/macro/output.h"
+#include "core/nc/nct/context/context.h"
+#include "core/nc/nct/context/output.h"
+#include "core/nc/nct/model/offset_tables.h"
 #include "core/nc/nct/program/reset.h"
-#include "core/nc/nct/tools/offset_tables.h"
 
 namespace proveout::nc {
 namespace {

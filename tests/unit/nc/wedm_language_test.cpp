@@ -212,8 +212,8 @@ TEST(WedmLanguage, MotionsTellTheStateOfTheWire) {
     told += std::string(s.runs ? "r" : "") + (s.fluid ? "f" : "") + (s.condition ? "c " : " ");
   }
   EXPECT_EQ(told, " f rfc offrfc rfc handrfc handrfc rfc rfc fc handfc fc c ");
-  EXPECT_TRUE(run.wire(2).state.supplied());
-  EXPECT_FALSE(run.wire(1).state.supplied());
+  EXPECT_TRUE(run.wire(2).state.runs && run.wire(2).state.fluid && run.wire(2).state.condition);
+  EXPECT_FALSE(run.wire(1).state.runs && run.wire(1).state.fluid && run.wire(1).state.condition);
 }
 
 // Rows: wedm-5.6-G40 wedm-5.6-G41 wedm-5.6.4-H0

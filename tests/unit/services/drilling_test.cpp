@@ -171,13 +171,6 @@ TEST(Drilling, PeckingRigidTapsBreakChipsOrReturnToR) {
   EXPECT_EQ(text(c), "r2 M19 f-4 f2 f-3 f-8 f2");
 }
 
-TEST(Drilling, IncrementalRepeatsStepOnAndAbsoluteOnesStay) {
-  for (int n = 0; n < 5; ++n) {
-    EXPECT_EQ(drillHole({0, 0}, {100, 0}, true, n), Vec2(100.0 * (n + 1), 0));
-    EXPECT_EQ(drillHole({7, 8}, {100, 0}, false, n), Vec2(100, 0));
-  }
-}
-
 TEST(Drilling, RefusesBadNumbers) {
   std::vector<DrillStep> steps(3);
   DrillCycle c = cycle(DrillCode::kPeck, 20, 2, -30, true);

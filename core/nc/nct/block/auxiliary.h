@@ -1,7 +1,7 @@
 // Auxiliary functions: addresses whose numbers programs only pass on to the machine (manual 13).
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/degrees.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/services/rollover.h"
 
 namespace proveout::nc {

@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "core/nc/nct/block/auxiliary.h"
-#include "core/nc/nct/block/perform.h"
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/unused_words.h"
-#include "core/nc/nct/block/words.h"
-#include "core/nc/nct/channels/wait.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/frames/transforms.h"
 #include "core/nc/nct/motion/feed.h"
 #include "core/nc/nct/motion/planes.h"
 #include "core/nc/nct/motion/virtual_plane.h"
+#include "core/nc/nct/perform/perform.h"
+#include "core/nc/nct/perform/unused_words.h"
 #include "core/nc/nct/spindle/spindle.h"
+#include "core/nc/nct/spindle/wait.h"
 #include "core/nc/nct/tools/tools.h"
 
 namespace proveout::nc {
@@ -251,7 +251,8 @@ bool planOffsetsHD(NctContext& c, BlockPlan& plan) {
     if (row == 0 || table.given(column, row)) return true;
     const auto name = fmt::format("{}{}", addressText(w.address), row);
     c.warnOnce(name, "nct-offset-missing",
-               fmt::format("{0} has no value in the offset table: 0 is taken (--offset {0}=VALUE)", name), w.columns);
+               fmt::format("{0} has no value in the offset table: 0 is taken (--offset {0}=VALUE)", name),
+               w.columns);
     return true;
   };
   NctState& next = plan.next;
@@ -274,7 +275,8 @@ void warnOfMissingOffset(NctContext& c, WorkSystemId id) {
   if (!lacksWorkOffset(c.settings, id)) return;
   const WorkSystem system = c.registers.frames.system(id);
   const auto set = [](std::uint32_t by) { return by != 0; };
-  if (std::any_of(system.offset_by.begin(), system.offset_by.end(), set) || system.offset.xyz != Vec3::Zero()) return;
+  if (std::any_of(system.offset_by.begin(), system.offset_by.end(), set) || system.offset.xyz != Vec3::Zero())
+    return;
   const std::string name = workSystemName(id);
   std::string option = name;
   std::erase(option, ' ');  // one word on a command line

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/nc/nct/channels/wait.h"
+#include "core/nc/nct/spindle/wait.h"
 
 namespace proveout::nc {
 namespace {

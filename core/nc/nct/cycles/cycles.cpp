@@ -4,14 +4,14 @@
 #include <array>
 #include <cmath>
 
-#include "core/nc/nct/block/origins.h"
-#include "core/nc/nct/block/perform.h"
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/sends.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/origins.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/sends.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/cycles/taps.h"
 #include "core/nc/nct/motion/contour.h"
 #include "core/nc/nct/motion/feed.h"
+#include "core/nc/nct/perform/perform.h"
 #include "core/nc/nct/spindle/spindle.h"
 
 namespace proveout::nc {

@@ -1,7 +1,7 @@
 // The pocket milling macro of the control, G65 P9999 (manual 23.6).
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/spindle/spindle.h"
 
 namespace proveout::nc {

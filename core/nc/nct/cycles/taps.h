@@ -1,7 +1,7 @@
 // The main spindle in the tapping cycles G74, G84, G84.2, G84.3 (manual 18.1.2, 18.1.8 to 18.1.10).
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

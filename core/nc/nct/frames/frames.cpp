@@ -1,9 +1,9 @@
 // Plans of the codes that set coordinate systems: G10 L2 and L20, G52, G92.
 #include <fmt/core.h>
 
-#include "core/nc/nct/block/origins.h"
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/origins.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/words.h"
 
 namespace proveout::nc {
 

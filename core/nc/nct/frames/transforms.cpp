@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/words.h"
 
 namespace proveout::nc {
 namespace {

@@ -1,7 +1,7 @@
 // Mirroring, scaling and rotation (manual chapter 16).
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

@@ -2,7 +2,7 @@
 
 #include <bitset>
 
-#include "core/nc/nct/block/origins.h"
+#include "core/nc/nct/context/origins.h"
 
 namespace proveout::nc {
 namespace {

@@ -1,7 +1,7 @@
 // Words of a block as arguments of a macro (manual 23.3).
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

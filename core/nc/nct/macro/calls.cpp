@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/nc/nct/block/origins.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/origins.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/cycles/pocket.h"
 #include "core/nc/nct/macro/arguments.h"
 #include "core/nc/nct/macro/subprogram_words.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/nc/nct/block/origins.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/origins.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/program/control.h"
 #include "core/nc/nct/system_variables/modal_bank.h"
 
@@ -29,7 +29,8 @@ bool NctControl::takeInterruptWords() {
     const bool ends = wanted == InterruptSwitch::kOff || (off && w.value == mcode::kInterruptOff);
     if (const Word* p = c.word('P'); ends && p != nullptr && !c.block.present.has('G')) {
       return c.alarm(2017, *p,
-                     "M97 switches the interrupt macro off here; other controls call the part of this program from block "
+                     "M97 switches the interrupt macro off here; other controls call the part of this "
+                     "program from block "
                      "N of that number on with it: make a file of it and call that with M98 P");
     }
     if (wanted != InterruptSwitch::kNone) interrupt_switch_ = wanted;

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/nc/nct/block/words.h"
-#include "core/nc/nct/macro/output.h"
+#include "core/nc/nct/context/output.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/program/control.h"
 
 namespace proveout::nc {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/nc/nct/block/origins.h"
-#include "core/nc/nct/block/words.h"
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
+#include "core/nc/nct/context/origins.h"
+#include "core/nc/nct/context/words.h"
 
 namespace proveout::nc {
 namespace {

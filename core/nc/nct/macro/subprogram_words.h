@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/nc/nct/program/call_stack.h"
-#include "core/nc/nct/program/program_store.h"
+#include "core/nc/nct/model/call_stack.h"
+#include "core/nc/nct/model/program_store.h"
 
 namespace proveout::nc {
 

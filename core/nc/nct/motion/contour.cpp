@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "core/nc/nct/block/perform.h"
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/unused_words.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/motion/feed.h"
+#include "core/nc/nct/perform/perform.h"
+#include "core/nc/nct/perform/unused_words.h"
 
 namespace proveout::nc {
 namespace {

@@ -1,7 +1,7 @@
 // Aids for contours (manual chapter 17): ,A ,C ,R and over-determined blocks.
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

@@ -1,8 +1,8 @@
 // G10.9: words of an axis as radius or as diameter (manual 5.3).
 #include <fmt/core.h>
 
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/words.h"
 
 namespace proveout::nc {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/nct/block/origins.h"
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/sends.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/origins.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/sends.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/motion/feed.h"
 #include "core/nc/nct/parameters/safety.h"
 #include "core/nc/nct/system_variables/position_bank.h"

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/nct/block/perform.h"
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/sends.h"
-#include "core/nc/nct/block/unused_words.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/sends.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/motion/contour.h"
 #include "core/nc/nct/motion/feed.h"
 #include "core/nc/nct/motion/planes.h"
+#include "core/nc/nct/perform/perform.h"
+#include "core/nc/nct/perform/unused_words.h"
 #include "core/nc/stages/tool_change.h"
 
 namespace proveout::nc {

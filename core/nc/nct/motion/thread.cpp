@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "core/nc/nct/block/perform.h"
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/sends.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/sends.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/motion/feed.h"
+#include "core/nc/nct/perform/perform.h"
 
 namespace proveout::nc {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/sends.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/sends.h"
+#include "core/nc/nct/context/words.h"
 
 namespace proveout::nc {
 namespace {

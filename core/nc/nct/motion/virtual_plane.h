@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

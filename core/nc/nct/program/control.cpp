@@ -7,14 +7,14 @@
 #include <utility>
 
 #include "core/nc/nct/block/auxiliary.h"
-#include "core/nc/nct/block/perform.h"
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/words.h"
-#include "core/nc/nct/channels/wait.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/motion/axis_setup.h"
 #include "core/nc/nct/motion/feed.h"
+#include "core/nc/nct/perform/perform.h"
 #include "core/nc/nct/program/reset.h"
 #include "core/nc/nct/spindle/spindle.h"
+#include "core/nc/nct/spindle/wait.h"
 
 namespace proveout::nc {
 

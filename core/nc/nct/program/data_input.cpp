@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/motion/feed.h"
 #include "core/nc/nct/tools/tools.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/base/characters.h"
-#include "core/nc/nct/block/words.h"
-#include "core/nc/nct/macro/output.h"
+#include "core/nc/nct/context/output.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/macro/subprogram_words.h"
 #include "core/nc/nct/program/control.h"
 #include "core/nc/nct/program/reset.h"

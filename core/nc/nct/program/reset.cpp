@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/nc/nct/block/origins.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/origins.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/spindle/spindle.h"
 
 namespace proveout::nc {

@@ -1,7 +1,7 @@
 // Modal state at power-on and after the end of a program (manual chapter 3).
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/base/characters.h"
-#include "core/nc/nct/channels/context.h"
-#include "core/nc/nct/tables/code_names.h"
+#include "core/nc/nct/context/context.h"
+#include "core/nc/nct/model/code_names.h"
 
 namespace proveout::nc {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <map>
 
-#include "core/nc/nct/program/call_stack.h"
+#include "core/nc/nct/model/call_stack.h"
 
 namespace proveout::nc {
 

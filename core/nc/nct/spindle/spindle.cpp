@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/nct/block/sends.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/sends.h"
+#include "core/nc/nct/context/words.h"
 
 namespace proveout::nc {
 namespace {

@@ -1,7 +1,7 @@
 // Spindle words and functions of the nct control (manual chapter 11).
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/spindle/spindle.h"
 
 namespace proveout::nc {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/nc/nct/block/origins.h"
+#include "core/nc/nct/context/origins.h"
 #include "core/nc/nct/system_variables/units.h"
 
 namespace proveout::nc {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/nc/nct/block/sends.h"
-#include "core/nc/nct/macro/output.h"
+#include "core/nc/nct/context/output.h"
+#include "core/nc/nct/context/sends.h"
 
 namespace proveout::nc {
 namespace {

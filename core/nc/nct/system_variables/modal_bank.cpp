@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/system_variables/units.h"
 
 namespace proveout::nc {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 #include "core/nc/nct/system_variables/plc_bank.h"
 
 namespace proveout::nc {

@@ -1,6 +1,6 @@
 #include "core/nc/nct/system_variables/system_variables.h"
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

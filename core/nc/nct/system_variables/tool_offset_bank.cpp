@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/nc/macro/variables.h"
-#include "core/nc/nct/tools/offset_tables.h"
+#include "core/nc/nct/model/offset_tables.h"
 
 namespace proveout::nc {
 

@@ -1,7 +1,7 @@
 // What the variables of axes have in common: their places and units.
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

@@ -1,5 +1,5 @@
 // Five axes and gear functions: refused.
-#include "core/nc/nct/block/plans.h"
+#include "core/nc/nct/context/plans.h"
 #include "core/nc/nct/tables/rows.h"
 #include "core/nc/nct/tables/tables.h"
 

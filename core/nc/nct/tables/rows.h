@@ -4,8 +4,8 @@
 #include <array>
 #include <utility>
 
-#include "core/nc/nct/tables/code_names.h"
-#include "core/nc/nct/tables/codes.h"
+#include "core/nc/nct/model/code_names.h"
+#include "core/nc/nct/model/codes.h"
 
 namespace proveout::nc::rows {
 

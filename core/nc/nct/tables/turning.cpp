@@ -1,5 +1,5 @@
 // Turning cycles: refused.
-#include "core/nc/nct/block/plans.h"
+#include "core/nc/nct/context/plans.h"
 #include "core/nc/nct/tables/rows.h"
 #include "core/nc/nct/tables/tables.h"
 

@@ -1,9 +1,9 @@
 // Tool offsets: G10 L10 to L13, L110, L111, L200 to L203, and G43.7 (manual 15.1, 15.2, 15.4).
 #include <array>
 
-#include "core/nc/nct/block/origins.h"
-#include "core/nc/nct/block/plans.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/origins.h"
+#include "core/nc/nct/context/plans.h"
+#include "core/nc/nct/context/words.h"
 
 namespace proveout::nc {
 namespace {

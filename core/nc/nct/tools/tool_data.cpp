@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/nct/tools/tools.h"
 
 namespace proveout::nc {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "core/nc/nct/block/origins.h"
-#include "core/nc/nct/block/sends.h"
-#include "core/nc/nct/block/words.h"
+#include "core/nc/nct/context/origins.h"
+#include "core/nc/nct/context/sends.h"
+#include "core/nc/nct/context/words.h"
 #include "core/nc/stages/tool_change.h"
 
 namespace proveout::nc {

@@ -1,7 +1,7 @@
 // Tools of the nct control: T, M6, tool management (manual chapter 12).
 #pragma once
 
-#include "core/nc/nct/channels/context.h"
+#include "core/nc/nct/context/context.h"
 
 namespace proveout::nc {
 

@@ -1,5 +1,6 @@
 === about
 Cutter compensation finds out late, when the macro has returned: the alarm still tells who called the block and with what values.
+Truth: walls at Y0 and Y3 on both sides of a step of 3, the tool is 20 wide; the motion stops before N30 (15.5.7).
 proves: nct-15.5.7-2049
 === settings
 D1 = 10
@@ -14,6 +15,13 @@ M30
 N30 X#1
 N40 Y#2
 M99
+=== truth
+rapid -100 0 0
+feed -50 10 0 F 1000 t 3.0594
+=== says
+O0011:2:1: error[nct-2049]
+main.nc:3 by G65 #1=40 #2=3
+Y#2 = 3
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to -100 0 0 t0.4

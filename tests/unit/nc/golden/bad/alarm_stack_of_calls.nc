@@ -1,6 +1,7 @@
 === about
 An alarm deep inside: number and text, place, the line, five calls with their kinds and arguments, the values of the words and of the
 variables in them.
+Truth: (7, 0) and (8, 6) about (9, 0): radii 2 and sqrt 37.
 === settings
 N1704 = 101
 === main
@@ -21,6 +22,18 @@ M99
 N10 G1 X#24 F100
 N20 G2 X[#24+1] Y#25 I[#24-#25+1] J#26
 M99
+=== truth
+rapid 1 0 0
+feed 7 0 0 F 100 t 3.6
+=== says
+O9010.nct:2:1: error[nct-2012]: circle radius difference error: 4.08276 mm
+O0013:2 by G101 (system call) #10=101 #24=7 #25=6
+O0012:1 by M98
+O0011:2 by G66 #3=6
+main.nc:1 by G65 #1=1 #2=6
+X[#24+1] = 8
+Y#25 = 6
+I[#24-#25+1] = 2
 === expect
 file 0 main.nc
 file 1 O0011

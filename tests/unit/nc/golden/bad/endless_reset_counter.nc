@@ -1,5 +1,6 @@
 === about
 A loop whose counter starts again with nothing else changed, through a macro and an inner loop.
+Truth: the loop is lines 2 to 10.
 === main
 #1=0
 N10 #1=#1+1
@@ -16,6 +17,9 @@ M30
 #4=#1*2
 #5=#4+1
 M99
+=== says
+an endless loop: the program comes back to lines 2 to 10
+0 motions, 1 errors
 === expect
 file 0 main.nc
 file 1 O0002.nc

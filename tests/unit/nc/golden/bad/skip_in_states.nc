@@ -1,5 +1,6 @@
 === about
 Measuring needs G15 G40 G50 G50.1 G69 G94.
+Truth: alarm 2055 with the state of each block.
 proves: nct-21.1-G31
 === settings
 max_errors = 20
@@ -24,6 +25,14 @@ G15
 G41 D1 G1 X10
 G31 X20
 M30
+=== says
+main.nc:3:1: error[nct-2055]: probe in state G68
+main.nc:6:1: error[nct-2055]: probe in state G95
+main.nc:9:1: error[nct-2055]: probe in state G51
+main.nc:12:1: error[nct-2055]: probe in state G51.1
+main.nc:15:1: error[nct-2055]: probe in state G16
+main.nc:18:1: error[nct-2055]: probe in state G41
+6 errors
 === expect
 file 0 main.nc
 main.nc:3:1: error[nct-2055]: probe in state G68

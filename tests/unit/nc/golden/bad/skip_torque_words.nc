@@ -1,5 +1,6 @@
 === about
 Errors of 21.2: no Q, Q out of range, several axes (the second by number), none.
+Truth: numbers of the alarms and the second axis in the order of the axes (21.2).
 proves: nct-21.2-G31P98
 === settings
 max_errors = 20
@@ -13,6 +14,15 @@ G31 P98 Q50 X1 Y2
 G31 P98 Q50 Z1 X2
 G31 P98 Q50
 M30
+=== says
+main.nc:2:1: error[nct-2004]
+main.nc:3:9: error[nct-2039]
+main.nc:4:9: error[nct-2039]
+main.nc:5:9: error[nct-2039]
+main.nc:6:1: error[nct-2035]: wrong axis data Y
+main.nc:7:1: error[nct-2035]: wrong axis data Z
+main.nc:8:1: error[nct-2035]
+0 motions, 7 errors
 === expect
 file 0 main.nc
 main.nc:2:1: error[nct-2004]: missing data Q: G31 P98 needs the torque Q1 to Q254

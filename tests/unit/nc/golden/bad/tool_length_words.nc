@@ -1,5 +1,6 @@
 === about
 G37 measures one axis, absolutely, with an offset in force and in the states of 21.3.
+Truth: 21.3 and the numbers of the alarms; H 10 and H 0.
 proves: nct-21.3-G37
 === settings
 max_errors = 20
@@ -18,6 +19,18 @@ G94
 G43 H0 Z100
 G37 Z50
 M30
+=== truth
+rapid 0 0 110
+rapid 0 0 100
+=== says
+main.nc:2:1: error[nct-2055]: probe in state G49
+main.nc:4:1: error[nct-2035]: wrong axis data Z
+main.nc:5:5: error
+main.nc:6:5: error[nct-2097]
+main.nc:7:9: error[nct-2017]
+main.nc:9:1: error[nct-2055]: probe in state G95
+main.nc:12:1: error[nct-2004]: missing data H
+2 motions, 7 errors
 === expect
 file 0 main.nc
 main.nc:2:1: error[nct-2055]: probe in state G49: G37 corrects the offset in force

@@ -1,6 +1,7 @@
 === about
 What stays forbidden: single factors in a virtual plane, ending the mode while a transform is on, rotating a plane with a rotary axis outside the
 modes.
+Truth: alarm 2088 and the blocks that are refused.
 === settings
 axis = C 4 rotary
 max_errors = 10
@@ -17,6 +18,16 @@ G13.1
 G50.1
 G13.1
 M30
+=== truth
+rapid 100 0 0
+=== says
+main.nc:2:1: error[nct-2088]
+3: event virtual_plane code="G12.1" on=true
+main.nc:4:1: error
+main.nc:6:1: error
+main.nc:9:1: error
+11: event virtual_plane code="G12.1" on=false
+1 motions, 4 errors
 === expect
 file 0 main.nc
 1: rapid from 0 0 0 to 100 0 0 C 0 to 0 t0.4

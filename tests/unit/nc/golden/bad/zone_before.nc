@@ -1,5 +1,6 @@
 === about
 N1001.CBM: the motion does not start. 2058 2059, 2060, 2061, 2062, 2063 (printed as 2062 too) and 2056 2057.
+Truth: the table of 22.4; only the last block moves.
 proves: nct-22.4-CBM
 === settings
 N1001.CBM = 1
@@ -25,6 +26,17 @@ G23
 G0 Z-100.1
 G0 X5
 M30
+=== truth
+rapid 5 0 0
+=== says
+main.nc:1:1: error[nct-2061]
+main.nc:3:1: error[nct-2058]
+main.nc:5:1: error[nct-2059]
+main.nc:7:1: error[nct-2060]
+main.nc:9:1: error[nct-2062]
+main.nc:11:1: error[nct-2056]
+main.nc:13:1: error[nct-2057]
+1 motions, 7 errors
 === expect
 file 0 main.nc
 1: event forbidden_zone zone=3 alarm=2061 message="end point in inner forbidden zone 3"

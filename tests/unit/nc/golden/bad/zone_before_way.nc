@@ -1,5 +1,6 @@
 === about
 CBM: the way through zones 2 and 3 with its end outside; the limits of the job count for the end.
+Truth: 22.4; nothing moves.
 proves: nct-22.4-CBM
 === settings
 N1001.CBM = 1
@@ -15,6 +16,11 @@ G0 X-60
 G0 Y-11
 G23
 M30
+=== says
+main.nc:1:1: error[nct-2063]
+main.nc:3:1: error[nct-2062]
+main.nc:4:1: error[nct-2057]
+0 motions, 3 errors
 === expect
 file 0 main.nc
 1: event forbidden_zone zone=3 alarm=2063 message="entry into inner forbidden zone 3"

@@ -1,5 +1,6 @@
 === about
 G22 and G23 stand in blocks of their own; limits are ordered and P is 0 or 1.
+Truth: the place of each word that 22.2 forbids; nothing moves.
 proves: nct-22.2-G22 nct-22.2-G23
 === settings
 max_errors = 20
@@ -16,6 +17,19 @@ G23 G90
 G23 M3
 G23 X1
 M30
+=== says
+main.nc:1:12: error
+main.nc:2:5: error
+main.nc:3:9: error
+main.nc:4:9: error
+main.nc:5:5: error
+main.nc:6:9: error
+main.nc:7:5: error
+main.nc:8:5: error
+main.nc:9:5: error
+main.nc:10:5: error
+main.nc:11:5: error
+0 motions, 11 errors
 === expect
 file 0 main.nc
 main.nc:1:12: error[nct-own-block]: G22 stands in a block of its own

@@ -1,5 +1,7 @@
 === about
 Two starts, half a turn apart; the passes of each by layers and across the groove.
+Truth: digest flexnc 10.9; the tool's centre keeps within R - Q = 5 of r 20: at tool depth 5 over 10 mm by steps of 2,
+at depth 10 in the middle, once a start; the way is L + Z and half the groove; 300 turns of lead 20.
 proves: fnc-3.6-G30
 === settings
 control = flexnc
@@ -10,6 +12,76 @@ S300M03
 G98F100
 G30A20X40Z30R10Q5F20H2P5U44L5K2
 M02
+=== truth
+rapid 22 0 5
+rapid 15 0 5
+thread 15 0 -35 F 6000 start 0
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 7
+thread 15 0 -33 F 6000 start 0
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 9
+thread 15 0 -31 F 6000 start 0
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 11
+thread 15 0 -29 F 6000 start 0
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 13
+thread 15 0 -27 F 6000 start 0
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 15
+thread 15 0 -25 F 6000 start 0
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 10 0 10
+thread 10 0 -30 F 6000 start 0
+rapid 22
+rapid 22 0 5
+rapid 15 0 5
+thread 15 0 -35 F 6000 start 180
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 7
+thread 15 0 -33 F 6000 start 180
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 9
+thread 15 0 -31 F 6000 start 180
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 11
+thread 15 0 -29 F 6000 start 180
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 13
+thread 15 0 -27 F 6000 start 180
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 15 0 15
+thread 15 0 -25 F 6000 start 180
+rapid 22
+rapid 22 0 5
+rapid *
+rapid 10 0 10
+thread 10 0 -30 F 6000 start 180
+rapid 22
+rapid 22 0 5
 === expect
 file 0 main.nc
 1: event tool tool=1

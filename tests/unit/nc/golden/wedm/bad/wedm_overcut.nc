@@ -1,5 +1,6 @@
 === about
 An offset larger than an inner arc: what stands before it is cut, then the run stops.
+Truth: 5.6.7; the groove is 2 wide, the wire 1.2 off its wall and so 0.8 off the other one over the whole of X10.
 proves: wedm-5.6.7-overcut
 === settings
 control = wedm
@@ -12,6 +13,12 @@ G03 X10. Y2. J1.;
 G01 X0;
 G40 Y10.;
 M02;
+=== truth
+feed 5 1.2 0 upper 5 1.2 20
+length 5.14198
+=== says
+main.nc:4:1: error[wedm-5.6.7-overcut]
+1 motions, 1 errors
 === expect
 file 0 main.nc
 1: event function code="C001"

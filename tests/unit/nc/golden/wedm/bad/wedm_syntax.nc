@@ -1,5 +1,6 @@
 === about
 Digest wedm, K24: each of these is an error with its place.
+Truth: the place of each word that 1.2, 2.2, 5.1, 8.3, 9 and the table of 13 forbid, and that nothing moves.
 proves: wedm-2.2-onemotion wedm-2.2-dupaxis wedm-5.1-space wedm-1.2-Z
 === settings
 control = wedm
@@ -15,6 +16,16 @@ G01 Z5.;
 G33 X1.;
 M98 P0077;
 M02;
+=== says
+main.nc:2:1: error
+main.nc:3:1: error
+main.nc:4:1: error
+main.nc:5:9: error[wedm-2.2-dupaxis]
+main.nc:6:9: error[wedm-2.2-onemotion]
+main.nc:7:5: error
+main.nc:8:1: error
+main.nc:9:
+end of program: 10 blocks, 0 motions, 8 errors
 === expect
 file 0 main.nc
 main.nc:2:1: error[wedm-syntax]: C needs 3 digits directly behind it

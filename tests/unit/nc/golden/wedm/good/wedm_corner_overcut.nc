@@ -1,5 +1,6 @@
 === about
 Digest wedm, EX-8 (5.5.5): punch with corner overcut, offset by H with H000 as lead-in.
+Truth: EX-8; 3 x 3 mm, 0.11 outside, 0.05 straight on at each corner; way 12.69115 + 8 x 0.05 + 2 x 1.39.
 proves: wedm-5.5.5-G37 wedm-5.5.5-G36 wedm-5.6.4-H0
 === settings
 control = wedm
@@ -25,6 +26,29 @@ M00;
 C007;
 G01X+1500Y-1500;G04X0.0+H005;
 T85 T87 M02;
+=== truth
+feed 1.5 -1 0 upper 1.5 -1 20
+feed 1.5 -0.11 0 upper 1.5 -0.11 20
+feed 0 -0.11 0 upper 0 -0.11 20
+feed -0.05 -0.11 0 upper -0.05 -0.11 20
+feed 0 -0.11 0 upper 0 -0.11 20
+feed -0.11 0 0 center 0 0 sweep -90 upper -0.11 0 20 center 0 0 sweep -90
+feed -0.11 3 0 upper -0.11 3 20
+feed -0.11 3.05 0 upper -0.11 3.05 20
+feed -0.11 3 0 upper -0.11 3 20
+feed 0 3.11 0 center 0 3 sweep -90 upper 0 3.11 20 center 0 3 sweep -90
+feed 3 3.11 0 upper 3 3.11 20
+feed 3.05 3.11 0 upper 3.05 3.11 20
+feed 3 3.11 0 upper 3 3.11 20
+feed 3.11 3 0 center 3 3 sweep -90 upper 3.11 3 20 center 3 3 sweep -90
+feed 3.11 0 0 upper 3.11 0 20
+feed 3.11 -0.05 0 upper 3.11 -0.05 20
+feed 3.11 0 0 upper 3.11 0 20
+feed 3 -0.11 0 center 3 0 sweep -90 upper 3 -0.11 20 center 3 0 sweep -90
+feed 1.5 -0.11 0 upper 1.5 -0.11 20
+feed 1.5 -1 0 upper 1.5 -1 20
+feed 1.5 -1.5 0 upper 1.5 -1.5 20
+length 15.87115
 === expect
 file 0 main.nc
 4: event coolant code="T84" on=true

@@ -1,5 +1,6 @@
 === about
 Digest wedm, EX-13 (5.9.1): U and V of the secondary plane; then the upper guide by itself.
+Truth: EX-13; then U12 of 120 mm between the guides leans the wire 2 mm over the 20 of the planes.
 proves: wedm-5.9.1-G74 wedm-5.9.1-G75 wedm-6-UV
 === settings
 control = wedm
@@ -20,6 +21,18 @@ G01U12.;
 G02X2.I1.;
 G00U0;
 M02;
+=== truth
+feed 0 0 0 upper 0 0 20
+feed 10 0 0 upper 10 0 20
+feed 10 10 0 upper 7 6 20
+feed 5 10 0 upper 5 10 20
+feed 0 10 0 upper 3 6 20
+feed 0 0 0 upper 0 0 20
+feed 0 -1 0 upper 0 -1 20
+feed 0 -1 0 upper 2 -1 20
+feed 2 -1 0 center 1 -1 sweep -180 upper 4 -1 20 center 3 -1 sweep -180
+rapid 2 -1 0 upper 2 -1 20
+length 45.14159 39.50227
 === expect
 file 0 main.nc
 1: event function code="C001"

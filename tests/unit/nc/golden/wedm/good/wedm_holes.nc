@@ -1,5 +1,6 @@
 === about
 Digest wedm, EX-1 and EX-3 shortened: holes by subprograms that set the point anew; wire cut and threaded.
+Truth: EX-1, holes at X0 and X50 of radius 5; two half turns of radius 1 behind them; way 2 (10 + 10 pi) + 2 pi.
 proves: wedm-8.3-M98 wedm-8.4-M99 wedm-10-P wedm-10-L wedm-5.1-G00 wedm-5.2-G01 wedm-5.3-G02 wedm-5.3-G03 wedm-5.3-IJ wedm-8.5-M50 wedm-8.6-M60 wedm-5.11-G92 wedm-6-XY
 === settings
 control = wedm
@@ -26,6 +27,19 @@ N0003;
 G91G03X2.I1.;
 G90;
 M99;
+=== truth
+feed 5 0 0 upper 5 0 20
+feed -5 0 0 center 0 0 sweep -180 upper -5 0 20 center 0 0 sweep -180
+feed 5 0 0 center 0 0 sweep -180 upper 5 0 20 center 0 0 sweep -180
+feed 0 0 0 upper 0 0 20
+rapid 50 0 0 upper 50 0 20
+feed 55 0 0 upper 55 0 20
+feed 45 0 0 center 50 0 sweep -180 upper 45 0 20 center 50 0 sweep -180
+feed 55 0 0 center 50 0 sweep -180 upper 55 0 20 center 50 0 sweep -180
+feed 50 0 0 upper 50 0 20
+feed 52 0 0 center 51 0 sweep 180 upper 52 0 20 center 51 0 sweep 180
+feed 54 0 0 center 53 0 sweep 180 upper 54 0 20 center 53 0 sweep 180
+length 89.11504
 === expect
 file 0 main.nc
 1: event coolant code="T84" on=true

@@ -1,5 +1,6 @@
 === about
 Mirror, change of places, units, work systems, steps, skipped blocks, expressions.
+Truth: K21 and K22; 1 inch = 25.4; G55 begins at X1 of G54; EX-19 for H001 = 180 + 2 x 320 = 820 um.
 proves: wedm-5.4-G05 wedm-5.4-G06 wedm-5.4-G08 wedm-5.4-G09 wedm-5.5-G11 wedm-5.5-G12 wedm-4-skip wedm-5.5.1-G20 wedm-5.5.1-G21 wedm-1.4-units wedm-5.8-G54 wedm-5.8-G55 wedm-5.8-G56 wedm-5.8-G57 wedm-5.8-G58 wedm-5.8-G59 wedm-5.10-G90 wedm-5.10-G91 wedm-11-expr wedm-12-H wedm-5.6.1-H
 === settings
 control = wedm
@@ -39,6 +40,30 @@ G90X0;
 H000=320;H001=180+2H000;
 G01XH001Y2H001-500;
 M02;
+=== truth
+feed -10 5 0 upper -10 5 20
+feed -20 15 0 center -20 5 sweep 90 upper -20 15 20 center -20 5 sweep 90
+rapid 0 0 0 upper 0 0 20
+feed 10 -5 0 upper 10 -5 20
+feed 20 -15 0 center 20 -5 sweep 90 upper 20 -15 20 center 20 -5 sweep 90
+rapid 0 0 0 upper 0 0 20
+feed 5 10 0 upper 5 10 20
+feed 15 20 0 center 5 20 sweep 90 upper 15 20 20 center 5 20 sweep 90
+rapid 0 0 0 upper 0 0 20
+rapid 2 0 0 upper 2 0 20
+rapid 25.4 0 0 upper 25.4 0 20
+rapid 1 0 0 upper 1 0 20
+rapid 2 0 0 upper 2 0 20
+rapid 101 0 0 upper 101 0 20
+rapid 201 0 0 upper 201 0 20
+rapid 301 0 0 upper 301 0 20
+rapid 401 0 0 upper 401 0 20
+rapid 1 0 0 upper 1 0 20
+rapid 2 0 0 upper 2 0 20
+rapid 2 0.5 0 upper 2 0.5 20
+rapid 0 0.5 0 upper 0 0.5 20
+feed 0.82 1.14 0 upper 0.82 1.14 20
+length 81.70510
 === expect
 file 0 main.nc
 1: event coolant code="T84" on=true

@@ -1,5 +1,7 @@
 === about
 Digest wedm, EX-16 (7.1): a punch that is wider at the top; then R of both planes (K18).
+Truth: EX-16, 20 tan 2.5 deg = 0.873219 further out above; radius 2 there on the corner (10.873219, 10.873219); way 70
++ 6.5 pi below.
 proves: wedm-5.7-G50 wedm-5.7-G52 wedm-5.7-A wedm-7.4-RR wedm-7.2-start
 === settings
 control = wedm
@@ -25,6 +27,19 @@ G03X-10.Y6.J-4.;
 G01X-10.Y0.;
 G40H000G50A0.X-18.Y0.;
 M02;
+=== truth
+feed -10 0 0 upper -10.8732 0 20
+feed -10 -6 0 upper -10.8732 -6 20
+feed -6 -10 0 center -6 -6 sweep 90 upper -6 -10.8732 20 center -6 -6 sweep 90
+feed 6 -10 0 upper 6 -10.8732 20
+feed 10 -6 0 center 6 -6 sweep 90 upper 10.8732 -6 20 center 6 -6 sweep 90
+feed 10 9 0 upper 10.8732 8.8732 20
+feed 9 10 0 center 9 9 sweep 90 upper 8.8732 10.8732 20 center 8.8732 8.8732 sweep 90
+feed -6 10 0 upper -6 10.8732 20
+feed -10 6 0 center -6 6 sweep 90 upper -10.8732 6 20 center -6 6 sweep 90
+feed -10 0 0 upper -10.8732 0 20
+feed -18 0 0 upper -18 0 20
+length 90.42035 94.10610
 === expect
 file 0 main.nc
 1: event coolant code="T84" on=true

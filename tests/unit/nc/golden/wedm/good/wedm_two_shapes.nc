@@ -1,5 +1,6 @@
 === about
 Digest wedm, EX-12 (5.9): a circle below, a diamond above.
+Truth: EX-12, ends of the lines 0.135 / sqrt 2 aside, also at half of the first quarter.
 proves: wedm-5.9-G61 wedm-5.9-colon wedm-5.9-G60
 === settings
 control = wedm
@@ -22,6 +23,17 @@ G40 H000;
 G01 X0 Y0 : X0 Y0;
 G60;
 M02;
+=== truth
+feed 0 9.865 0 upper -0.0955 9.9045 30
+feed -10.135 20 0 center 0 20 sweep -90 at 0.5 -7.1665 12.8335 0 upper -10.0955 19.9045 30 at 0.5 -5.0955 14.9045 30
+feed -10.135 20 0 upper -10.0955 20.0955 30 center -10 20 sweep -90
+feed 0 30.135 0 center 0 20 sweep -90 upper -0.0955 30.0955 30
+feed 0 30.135 0 upper 0.0955 30.0955 30 center 0 30 sweep -90
+feed 10.135 20 0 center 0 20 sweep -90 upper 10.0955 20.0955 30
+feed 10.135 20 0 upper 10.0955 19.9045 30 center 10 20 sweep -90
+feed 0 9.865 0 center 0 20 sweep -90 upper 0.0955 9.9045 30
+feed 0 0 0 upper 0 0 30
+length 83.41008 77.01472
 === expect
 file 0 main.nc
 3: event coolant code="T84" on=true

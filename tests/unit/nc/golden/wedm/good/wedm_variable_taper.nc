@@ -1,5 +1,6 @@
 === about
 Digest wedm, EX-17 (7.5): a die with a taper that changes from side to side.
+Truth: EX-17, 20 tan 2 deg = 0.698415 further out above but at the side of A0.
 proves: wedm-5.7-G51 wedm-7.5-variable
 === settings
 control = wedm
@@ -24,6 +25,17 @@ G51A2.X0.Y5.;
 G40H000G50A0X0.Y4.5;
 X0.Y0.;
 M02;
+=== truth
+feed 0 4 0 upper 0 4 20
+feed 0 4.9 0 upper 0 5.5984 20
+feed 4.9 4.9 0 upper 5.5984 5.5984 20
+feed 4.9 -4.9 0 upper 5.5984 -5.5984 20
+feed -4.9 -4.9 0 upper -4.9 -5.5984 20
+feed -4.9 4.9 0 upper -4.9 5.5984 20
+feed 0 4.9 0 upper 0 5.5984 20
+feed 0 4.5 0 upper 0 4.5 20
+feed 0 0 0 upper 0 0 20
+length 49.00000 54.58732
 === expect
 file 0 main.nc
 2: event coolant code="T84" on=true

@@ -1,5 +1,7 @@
 === about
 Arcs that are none.
+Truth: a chord of 100 is longer than 2 R; (10, 0) is 6 from the centre (4, 0) of radius 4; 10 and 5 are no quarter;
+nothing moves.
 proves: wl4-5.1.3-R wl4-5.1.4-G12
 === settings
 control = wl4-mill
@@ -15,6 +17,13 @@ G3 X5
 G2 X5 Y5 K3 I2
 M30
 %
+=== says
+main.nc:3:9: error[wl4-arc]: the end is 100.000 mm away: R10
+main.nc:5:1: error[wl4-arc]: the end is off the circle by 2.0000 mm
+main.nc:6:1: error[wl4-corner-arc]: G12 and G13 are quarter circles: the way is 10.000 and 5.000 mm
+main.nc:7:1: error[wl4-arc]
+main.nc:8:1: error[wl4-arc]
+8 blocks, 0 motions, 5 errors
 === expect
 file 0 main.nc
 main.nc:3:9: error[wl4-arc]: the end is 100.000 mm away: R10 does not reach it

@@ -1,5 +1,7 @@
 === about
 Contours and cycles that are refused.
+Truth: the block that 10 (P Q, I K, R, E, forbidden codes) forbids; 20 mm by 0.001 are 20000 passes. X60 is a
+diameter.
 proves: wl4-11.9.1-G77 wl4-4.2-Q
 === settings
 control = wl4-lathe
@@ -20,6 +22,17 @@ N10 G1 Z-10
 N11 X40
 N12 G4 E1
 %
+=== truth
+rapid 30 0 2
+=== says
+main.nc:4:1: error
+main.nc:5:1: error
+main.nc:6:1: error
+main.nc:7:1: error
+main.nc:14:5: error
+main.nc:9:1: error
+main.nc:10:1: error
+10 blocks, 1 motions, 7 errors
 === expect
 file 0 main.nc
 3: rapid from 0 0 0 to 30 0 2 t0.12

@@ -1,5 +1,6 @@
 === about
 An endless loop of jumps ends at the block limit.
+Truth: G54 and then pairs of blocks: 1 + 25 + 24 = 50 with 25 steps of 1 mm, 0.6 s each.
 proves: wl4-9.4.1-jmp
 === settings
 control = wl4-mill
@@ -11,6 +12,36 @@ N010 G91 G1 X1 F100
 N20 N10
 M30
 %
+=== truth
+feed 1 0 0 F 100 t 0.6
+feed 2 0 0 F 100 t 0.6
+feed 3 0 0 F 100 t 0.6
+feed 4 0 0 F 100 t 0.6
+feed 5 0 0 F 100 t 0.6
+feed 6 0 0 F 100 t 0.6
+feed 7 0 0 F 100 t 0.6
+feed 8 0 0 F 100 t 0.6
+feed 9 0 0 F 100 t 0.6
+feed 10 0 0 F 100 t 0.6
+feed 11 0 0 F 100 t 0.6
+feed 12 0 0 F 100 t 0.6
+feed 13 0 0 F 100 t 0.6
+feed 14 0 0 F 100 t 0.6
+feed 15 0 0 F 100 t 0.6
+feed 16 0 0 F 100 t 0.6
+feed 17 0 0 F 100 t 0.6
+feed 18 0 0 F 100 t 0.6
+feed 19 0 0 F 100 t 0.6
+feed 20 0 0 F 100 t 0.6
+feed 21 0 0 F 100 t 0.6
+feed 22 0 0 F 100 t 0.6
+feed 23 0 0 F 100 t 0.6
+feed 24 0 0 F 100 t 0.6
+feed 25 0 0 F 100 t 0.6
+length 25
+=== says
+main.nc:4:1: error
+block limit: 50 blocks, 25 motions, 1 errors
 === expect
 file 0 main.nc
 3 N10: feed from 0 0 0 to 1 0 0 F100 t0.6

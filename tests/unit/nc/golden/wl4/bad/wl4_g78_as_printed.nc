@@ -1,6 +1,7 @@
 === about
 TEST_G78 as the manual prints it: its last contour block has no centre while G2 still holds, and G41 puts the
 allowance away from the tool.
+Truth: group 1 is modal, so that Z40 behind G2 is an arc without a centre; X is a diameter.
 === settings
 control = wl4-lathe
 === main
@@ -15,6 +16,11 @@ N122 G3 X7 Z20 R10
 N123 G2 X5 Z25 R8
 N124 Z40
 %
+=== truth
+rapid 5 0 40 S 500
+=== says
+main.nc:10:1: error[wl4-arc]
+alarm:
 === expect
 file 0 main.nc
 2: event spindle rpm=500 direction="cw"

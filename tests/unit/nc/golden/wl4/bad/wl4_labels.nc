@@ -1,5 +1,6 @@
 === about
 More than 127 labels in a program.
+Truth: 9.4.1; N01 to N0129 are 129.
 proves: wl4-9.4.1-lbl
 === settings
 control = wl4-mill
@@ -136,6 +137,9 @@ N0128
 N0129
 M30
 %
+=== says
+129 labels in a program: at most 127
+alarm: 0 blocks, 0 motions, 1 errors
 === expect
 file 0 main.nc
 main.nc:2:1: error[wl4-labels]: 129 labels in a program: at most 127 are allowed

@@ -12,6 +12,12 @@ Y10
 G3 X4 Y16 R6
 M30
 %
+=== says
+main.nc:5:1: error[wl4-negative-radius]: negative radius under compensation
+alarm:
+=== characterisation
+the manual (6.2.1) has the centre stop at 2', the end of the block before the arc: (2, 10)
+here; the path ends one block earlier, at (2, -10). The message and its block are the manual's.
 === expect
 file 0 main.nc
 2: rapid from 0 0 0 to 0 -10 0 t0.04

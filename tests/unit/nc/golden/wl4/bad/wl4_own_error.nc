@@ -1,5 +1,6 @@
 === about
 Errors of %1 come as its text says.
+Truth: the text of N010 in %1, and that nothing moves.
 proves: wl4-11-G79
 === settings
 control = wl4-lathe
@@ -8,6 +9,10 @@ control = wl4-lathe
 G54 G79
 M2
 %
+=== says
+ERROR -> UNKNOWN CYCLE IN RANGE G70-G79
+called from main.nc:2
+0 motions, 1 errors
 === expect
 file 0 main.nc
 file 1 %1

@@ -1,5 +1,6 @@
 === about
 Five levels below the main program: the sixth is refused.
+Truth: 10.1, five levels; program 05 is the fifth, its call of 06 the sixth.
 proves: wl4-10.1-nest
 === settings
 control = wl4-mill
@@ -36,6 +37,14 @@ M99
 L08
 M99
 %
+=== says
+main.nc:22:1: error[wl4-nesting]: program 06
+called from main.nc:18
+called from main.nc:14
+called from main.nc:10
+called from main.nc:6
+called from main.nc:2
+alarm: 6 blocks, 0 motions, 1 errors
 === expect
 file 0 main.nc
 main.nc:22:1: error[wl4-nesting]: program 06 is the sixth level of calls: five are allowed

@@ -1,5 +1,6 @@
 === about
 Expressions and words that are none.
+Truth: the place of each of the twelve faults, the length of line 12 (1 + 150 + 1), and that nothing moves.
 proves: wl4-4.2-num
 === settings
 control = wl4-mill
@@ -21,6 +22,21 @@ X1*
 G200
 M30
 %
+=== says
+main.nc:3:2: error
+main.nc:4:2: error
+main.nc:5:3: error
+main.nc:6:1: error
+main.nc:7:1: error
+main.nc:8:2: error
+main.nc:9:1: error
+main.nc:10:1: error
+main.nc:11:1: error
+main.nc:12:1: warning[wl4-long-block]: the block has 152 characters
+main.nc:12:
+main.nc:13:4: error
+main.nc:14:1: error
+14 blocks, 0 motions, 12 errors, 1 warnings
 === expect
 file 0 main.nc
 main.nc:3:2: error[wl4-syntax]: ')' is missing

@@ -1,5 +1,6 @@
 === about
 System variables can only be read; assignments of a bad block are taken back.
+Truth: 9.2, #100 and up are read only and #400 to #999 are none; #1 is 5 still.
 proves: wl4-4.2-var
 === settings
 control = wl4-mill
@@ -12,6 +13,12 @@ G0 X#1
 X#999
 M30
 %
+=== truth
+rapid 5 0 0
+=== says
+main.nc:3:6: error
+main.nc:5:2: error
+5 blocks, 1 motions, 2 errors
 === expect
 file 0 main.nc
 main.nc:3:6: error[wl4-syntax]: #130 is a system variable: it can only be read

@@ -1,5 +1,6 @@
 === about
 G96 to the axis with nothing that limits the spindle is told once.
+Truth: n = S / (pi D), so that the way from radius r to the axis takes pi r^2 / (F S): 0.392699 min for 50 mm.
 === settings
 control = wl4-lathe
 === main
@@ -11,6 +12,15 @@ G0 X100 Z-1
 G1 X0
 M2
 %
+=== truth
+rapid 50 0 0
+feed 0 0 0 F 127.3240 t 23.5619
+rapid 50 0 -1
+feed 0 0 -1 F 127.3240 t 23.5619
+length 100
+=== says
+main.nc:2:1: warning[wl4-surface-speed]
+4 motions, 0 errors, 1 warnings
 === expect
 file 0 main.nc
 main.nc:2:1: warning[wl4-surface-speed]: G96 to the axis without a limit of the spindle's speed: speed and time there are those of no real machine; give G51 S in the program or MAX_SPEED in [control.wl4-mill] or [control.wl4-lathe]

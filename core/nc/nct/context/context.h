@@ -1,0 +1,259 @@
+// What a channel of the nct control is made of; every plan and perform function gets it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/nc/control/channels.h"
+#include "core/nc/control/control_host.h"
+#include "core/nc/control/control_settings.h"
+#include "core/nc/control/program_source.h"
+#include "core/nc/control/run_summary.h"
+#include "core/nc/kinematics/frames.h"
+#include "core/nc/limits/block_watch.h"
+#include "core/nc/macro/variables.h"
+#include "core/nc/nct/model/alarms.h"
+#include "core/nc/nct/model/call_stack.h"
+#include "core/nc/nct/model/codes.h"
+#include "core/nc/nct/model/environment.h"
+#include "core/nc/nct/model/interrupt_macro.h"
+#include "core/nc/nct/model/m_index.h"
+#include "core/nc/nct/model/modal_calls.h"
+#include "core/nc/nct/model/offset_tables.h"
+#include "core/nc/nct/model/output_file.h"
+#include "core/nc/nct/model/plan.h"
+#include "core/nc/nct/model/program_store.h"
+#include "core/nc/nct/model/run_clock.h"
+#include "core/nc/nct/model/spindles.h"
+#include "core/nc/nct/model/state.h"
+#include "core/nc/nct/model/system_calls.h"
+#include "core/nc/nct/model/tool_tables.h"
+#include "core/nc/nct/parameters/parameters.h"
+#include "core/nc/nct/stages/comp_stage.h"
+#include "core/nc/nct/stages/contour_alarms.h"
+#include "core/nc/nct/stages/stage_recovery.h"
+#include "core/nc/nct/stages/transform_stage.h"
+#include "core/nc/nct/stages/virtual_stage.h"
+#include "core/nc/nct/stages/zone_stage.h"
+#include "core/nc/origins/origin_recorder.h"
+#include "core/nc/services/drilling.h"
+#include "core/nc/stages/motion_pipe.h"
+#include "core/nc/stages/path_emitter.h"
+#include "core/nc/stages/rapid_overlap_stage.h"
+#include "core/path/toolpath.h"
+
+namespace proveout::nc {
+
+/// Where the last measuring move stopped.
+struct SkipPosition {
+  AxisPoint work;         ///< work coordinates, length offset included
+  AxisPoint tip;          ///< without it
+  AxisPoint machine;      ///< machine coordinates
+  AxisPoint machine_tip;  ///< without the length offset
+};
+
+/// Registers that survive the end of a program.
+struct NctRegisters {
+  WorkFrames frames;
+  OffsetTables offsets;
+  std::shared_ptr<ToolTables> shared_tools = std::make_shared<ToolTables>();
+  ToolTables& tools() const { return *shared_tools; }  ///< common to the channels of a control
+  ToolInput tool_input;
+  Spindles spindles;
+  double tool_time_s = 0.0;  ///< cutting time up to which the life of the tool in the spindle is counted
+  SkipPosition skip;
+  std::optional<Zone> program_zone;  ///< of G22
+  double parts_made = 0.0;           ///< #3901
+  double parts_wanted = 0.0;         ///< #3902
+};
+
+/// The block that an interrupt macro has interrupted.
+struct InterruptedBlock {
+  NctState state;
+  int program = 0;  ///< number of its program
+};
+
+/// Where a channel waits for others (manual 14.5).
+struct WaitingPoint {
+  int code = 0;      ///< M code; 0: it does not wait
+  ChannelSet whom;   ///< itself among them
+  std::string text;  ///< "M501 P12"
+};
+
+struct NctContext;
+/// What becomes of a block between G10 L... and G11; the words are those of data blocks, N among them. False:
+/// an error was reported.
+using DataInput = bool (*)(NctContext&);
+
+/// Counts blocks and whatever else a program can make many of, against the block limit; of the motions of a
+/// block those that go beyond 100.
+class WorkGuard {
+ public:
+  WorkGuard(const ControlSettings& settings, Progress* progress, const CallStack& calls,
+            AlarmReporter& alarms, InterpretSummary& summary)
+      : calls_(calls), alarms_(alarms), summary_(summary), blocks_(summary, progress, settings.block_limit) {}
+  /// One more piece of work. True: stop; summary.end says why.
+  bool over();
+  /// The block in hand runs in a loop that can have no end: reported.
+  bool endless(const std::string& message);
+
+ private:
+  const CallStack& calls_;
+  AlarmReporter& alarms_;
+  InterpretSummary& summary_;
+  BlockWatch blocks_;
+};
+
+/// The reports of a context by their short names; see AlarmReporter. `Context` has it as `alarms`.
+template <class Context>
+class AlarmCalls {
+ public:
+  bool alarm(int number, std::string_view subject, std::string_view detail = {}, Columns at = {}) {
+    return reporter().alarm(number, subject, detail, at);
+  }
+  bool alarm(int number, const Word& at, std::string_view detail = {}) {
+    return reporter().alarm(number, at, detail);
+  }
+  bool fail(std::string code, std::string message, Columns at = {}) {
+    return reporter().fail(std::move(code), std::move(message), at);
+  }
+  bool failWord(std::string code, std::string message, const Word& at) {
+    return reporter().fail(std::move(code), std::move(message), at.columns);
+  }
+  void warn(std::string code, std::string message, Columns at = {}, Severity severity = Severity::kWarning) {
+    reporter().warn(std::move(code), std::move(message), at, severity);
+  }
+  bool firstTime(std::string_view key) { return reporter().firstTime(key); }
+  /// A warning that is told once for each key. Where a loop may come by, ask firstTime() before formatting.
+  void warnOnce(std::string_view key, std::string code, std::string message, Columns at = {}) {
+    if (firstTime(key)) warn(std::move(code), std::move(message), at);
+  }
+
+ private:
+  AlarmReporter& reporter() { return static_cast<Context*>(this)->alarms; }
+};
+
+/// What the pipe runs through; each is linked while it has something to do.
+struct NctStages {
+  explicit NctStages(NctContext& c);
+  ContourAlarms contour_alarms;
+  CrossingStage crossing;
+  TransformStage transform;
+  CornerStage corner;
+  CompStage comp;
+  VirtualStage virtual_plane;
+  FrameStage frame;
+  RapidOverlapStage rapid;
+  ZoneStage zone;
+  EmitStage emit;
+};
+
+struct NctContext final : StageRecovery, AlarmCalls<NctContext> {
+  NctContext(const ProgramSource& source, const ControlSettings& control_settings, MotionSink& sink,
+             Progress* progress, const ControlHost& control_host, InterpretSummary& run_summary);
+  NctContext(const NctContext&) = delete;
+  NctContext& operator=(const NctContext&) = delete;
+
+  const ControlSettings& settings;
+  InterpretSummary& summary;
+  const CodeIndex& codes;
+  const AxisTable axes;
+  PathEmitter emitter;
+  NctParameters parameters;
+  ProgramStore programs;
+  CallStack calls;
+  VariableStore variables;
+  const NctMacroEnvironment environment;
+  MacroEvaluator macro;
+  mutable OriginRecorder origins;    ///< works the index of here() out when it is asked for
+  OriginRecorder::Slot cycle_start;  ///< word of the initial level of a drilling cycle
+  WordPatterns word_patterns;
+  ModalCalls modals;
+  SystemCalls systems;
+  MIndex m_index;
+  InterruptMacro interrupt;
+  Block block;
+  AlarmReporter alarms;
+  WorkGuard work;
+  const ControlHost host;
+  const RunClock clock;
+
+  NctState state;
+  NctRegisters registers;
+  CoordinateChain chain;  ///< in force for what the pipe gets
+  ProgramMap map;         ///< the transforms in it
+  AxisPoint position;     ///< programmed, in chain
+  AxisPoint machine;      ///< programmed point in machine coordinates, without cutter compensation
+  MotionPipe pipe;        ///< everything that becomes path goes through it
+  NctStages stages;
+  std::vector<DrillStep> drill_steps;
+  DataInput data_input = nullptr;  ///< set: blocks are data until G11
+  OutputFile output;
+  std::optional<InterruptedBlock> interrupted;  ///< while an interrupt macro runs
+  std::uint64_t calls_opened = 0;
+  const SourceText* last_called = nullptr;  ///< the program that was called last; null: none yet
+  ChannelSet channels;                      ///< of the run; empty: it has one
+  WaitingPoint waiting;
+
+  /// Number of this channel, 1 to 8.
+  int channel() const { return settings.channel > 0 ? settings.channel : 1; }
+
+  /// Opens the main program.
+  void openMain(const CallFrame& frame);
+  /// Opens a program now, with a level of locals where its kind has one. False: nested too deep, reported.
+  bool openCall(const CallFrame& frame);
+  /// Closes the program in hand and its locals. Not for the main program.
+  void closeCall();
+  /// Another program is in hand.
+  void enterProgram();
+
+  /// From here on the rows and variables that all channels share (N1401, N1700, N1701) are those of `owner`,
+  /// and so are the tools.
+  void shareWith(NctContext& owner);
+
+  /// The chain of a state.
+  CoordinateChain chainOf(const NctState& s) const {
+    return registers.frames.chain(programMap(s.transforms, axes), s.work_system, s.length);
+  }
+
+  /// The machine stands at `at` by other means than a programmed motion.
+  void settle(const AxisPoint& at);
+  /// Lets go what the pipe holds; what comes then starts anew from where the machine is. False: an error was
+  /// reported.
+  bool flushPipe();
+  /// Tells the pipe that the machine or its frames have changed.
+  void rebasePipe() { pipe.rebase(chain.workOf(position), state.workPlane()); }
+  void recover() override;
+
+  /// Index of the line that runs from here on, and its N number.
+  void setBlock(std::size_t line_index, std::int64_t number) {
+    calls.setBlock(line_index, number);
+    origins.begin(calls.here().line, number);
+  }
+  /// Where the block in hand stands, with the words in force.
+  SourceRef here() const {
+    SourceRef ref = calls.here();
+    ref.origins = origins.index();
+    return ref;
+  }
+  /// Addresses that the plan of the block in hand has asked for.
+  mutable AddressSet asked;
+  const Word* word(Address a) const {
+    asked.add(a);
+    return block.find(a);
+  }
+  /// The word if it does not belong to another code of the block.
+  const Word* ownWord(const BlockPlan& plan, Address a) const {
+    return plan.claimed.has(a) ? nullptr : word(a);
+  }
+  bool anyAxisWord() const { return !(block.present & axes.addresses()).empty(); }
+};
+
+}  // namespace proveout::nc

@@ -1,0 +1,247 @@
+#include "core/nc/nct/model/alarms.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "core/nc/nct/model/system_calls.h"
+
+namespace proveout::nc {
+namespace {
+
+constexpr auto kAlarms = std::to_array<Alarm>({
+    {2001, "mirroring cannot be switched on or off in state G51 or G68"},
+    {2002, "{} data out of range"},
+    {2004, "missing data {}"},
+    {2012, "circle radius difference error"},
+    {2015, "circle definition error"},
+    {2017, "illegal address {}"},
+    {2018, "wrong physical axis number {}"},
+    {2021, "thread cutting definition error"},
+    {2035, "wrong axis data {}"},
+    {2039, "Q specification error"},
+    {2043, "G40 in circular interpolation"},
+    {2047, "no intersection point G41, G42"},
+    {2049, "interference error"},
+    {2053, "no bottom point or R point"},
+    {2055, "probe in state {}"},
+    {2056, "end point in positive end position on axis {}"},
+    {2057, "end point in negative end position on axis {}"},
+    {2058, "end point in forbidden zone 2 {} +"},
+    {2059, "end point in forbidden zone 2 {} -"},
+    {2060, "end point in inner forbidden zone 2"},
+    {2061, "end point in inner forbidden zone 3"},
+    {2062, "entry into inner forbidden zone 2"},
+    {2063, "entry into inner forbidden zone 3"},
+    {2064, "syntax error"},
+    {2082, "either chamfer or rounding"},
+    {2085, "illegal chamfer or rounding"},
+    {2088, "illegal plane selection"},
+    {2090, "cutter compensation cannot be continued, buffer full"},
+    {2092, "value limit exceeded: {}"},
+    {2093, "division by 0"},
+    {2097, "illegal incremental movement on axis {}"},
+    {2104, "probe position out of limits"},
+    {2110, "WHILE without DO"},
+    {2116, "absolute value of the argument not less than 90"},
+    {2117, "absolute value of the argument greater than 1"},
+    {2118, "value of the argument not positive"},
+    {2121, "right bracket not found"},
+    {2121, "wrong terminator: {}"},
+    {2122, "root of a negative value"},
+    {2123, "function not implemented: {}"},
+    {2125, "block {} not found"},
+    {2129, "erroneous operation on #"},
+    {2132, "file not found"},
+    {2137, "G76, G87"},
+    {2138, "spindle cannot be indexed"},
+    {2144, "file {} already exists"},
+    {2146, "the given file already exists"},
+    {2147, "file {} not found"},
+    {2156, "probe state error in channel {}"},
+    {2161, "variable {} is read-only"},
+    {2188, "{} not allowed during fine smoothing"},
+    {2193, "parameter {} cannot be changed by G10"},
+    {2194, "function PRM {} parameter missing"},
+    {2501, "position error {}"},
+    {3010, "ran onto positive end position on axis {}"},
+    {3011, "ran onto negative end position on axis {}"},
+    {3018, "ran onto positive limit switch on axis {}"},
+    {3019, "ran onto negative limit switch on axis {}"},
+    {3040, "forbidden zone 2 {} +"},
+    {3041, "forbidden zone 2 {} -"},
+    {3042, "inner forbidden zone 2"},
+    {3043, "inner forbidden zone 3"},
+    {3157, "servo error G31 {}"},
+});
+
+}  // namespace
+
+std::span<const Alarm> nctAlarmTexts() { return kAlarms; }
+
+namespace {
+
+/// The n-th text of that number; empty: the table lacks it.
+std::string_view textOf(int number, std::ptrdiff_t n = 0) {
+  const auto found = std::lower_bound(kAlarms.begin(), kAlarms.end(), number,
+                                      [](const Alarm& a, int wanted) { return a.number < wanted; });
+  const bool there = kAlarms.end() - found > n && (found + n)->number == number;
+  return there ? (found + n)->text : std::string_view();
+}
+
+std::string codeOf(int number) { return fmt::format("nct-{}", number); }
+
+AlarmTable::Row row(SharedAlarm alarm, int number) { return {alarm, codeOf(number), textOf(number)}; }
+
+}  // namespace
+
+const AlarmTable& nctAlarms() {
+  static const AlarmTable kTable{
+      row(SharedAlarm::kSyntax, 2064),
+      row(SharedAlarm::kOutOfRange, 2002),
+      row(SharedAlarm::kIllegalAddress, 2017),
+      row(SharedAlarm::kAxisNumber, 2018),
+      row(SharedAlarm::kNotImplemented, 2123),
+      row(SharedAlarm::kRightBracket, 2121),
+      {SharedAlarm::kTerminator, codeOf(2121), textOf(2121, 1)},
+      row(SharedAlarm::kReadOnly, 2161),
+      row(SharedAlarm::kValueLimit, 2092),
+      row(SharedAlarm::kDivision, 2093),
+      row(SharedAlarm::kTangent, 2116),
+      row(SharedAlarm::kArcFunction, 2117),
+      row(SharedAlarm::kLogarithm, 2118),
+      row(SharedAlarm::kRoot, 2122),
+      row(SharedAlarm::kBits, 2129),
+      row(SharedAlarm::kParameterMissing, 2194),
+      row(SharedAlarm::kCircleRadius, 2012),
+      row(SharedAlarm::kCorner, 2085),
+      {SharedAlarm::kCornerTooLarge, "nct-corner-too-large", "chamfer or rounding too large"},
+      {SharedAlarm::kDuplicateWord, "nct-duplicate-word", "two {} in one block"},
+      {SharedAlarm::kVariable, "nct-variable", "{}"},
+      {SharedAlarm::kContour, "nct-contour", "{}"},
+  };
+  return kTable;
+}
+
+std::string alarmText(int number, std::string_view subject) {
+  const std::string_view text = textOf(number);
+  if (!text.empty()) return withSubject(text, subject);
+  return subject.empty() ? "alarm of the program" : fmt::format("alarm of the program {}", subject);
+}
+
+bool AlarmReporter::alarm(int number, std::string_view subject, std::string_view detail, Columns at) {
+  return fail(codeOf(number), withDetail(alarmText(number, subject), detail), at);
+}
+
+bool AlarmReporter::alarm(int number, const Word& word, std::string_view detail) {
+  return alarm(number, wordName(word, block_), detail, word.columns);
+}
+
+bool AlarmReporter::fail(std::string code, std::string message, Columns at) {
+  report(Severity::kError, std::move(code), std::move(message), at);
+  return false;
+}
+
+void AlarmReporter::warn(std::string code, std::string message, Columns at, Severity severity) {
+  report(severity, std::move(code), std::move(message), at);
+}
+
+bool AlarmReporter::firstTime(std::string_view key) {
+  if (told_.find(key) != told_.end()) return false;
+  told_.emplace(key);
+  return true;
+}
+
+void AlarmReporter::report(Severity severity, std::string code, std::string message, Columns at) {
+  Diagnostic d = diagnosticAt(severity, std::move(code), std::move(message), calls_.here(), at);
+  if (!calls_.empty()) addCalls(d.notes);
+  if (severity == Severity::kError) addValues(d.notes);
+  emitter_.diagnostic(d);
+}
+
+std::uint32_t AlarmReporter::remember() {
+  if (calls_.depth() <= 1 && !computed()) return 0;
+  remembered_.resize(kRemembered);
+  if (++last_record_ == 0) ++last_record_;
+  Notes& notes = remembered_[last_record_ % kRemembered];
+  notes.clear();
+  addCalls(notes);
+  if (computed()) addValues(notes);
+  return last_record_;
+}
+
+void AlarmReporter::sendLate(Severity severity, std::string code, std::string message, const SourceRef& at,
+                             std::uint32_t record) {
+  Diagnostic d = diagnosticAt(severity, std::move(code), std::move(message), at, {});
+  if (record != 0) d.notes = remembered_[record % kRemembered];
+  emitter_.diagnostic(d);
+}
+
+Diagnostic AlarmReporter::diagnosticAt(Severity severity, std::string code, std::string message,
+                                       const SourceRef& at, Columns columns) const {
+  const SourceText* const text = calls_.empty() ? nullptr : &programs_.text(at.file);
+  return nc::diagnosticAt(text, at, columns, severity, std::move(code), std::move(message));
+}
+
+namespace {
+
+/// "G65", "M98", "G101 (system call)": what opened the program.
+std::string callName(const CallFrame& called) {
+  if (called.interrupt) return "the interrupt (M96)";
+  if (called.system_code < 0) return std::string(callKindName(called.kind));
+  return systemCodeName(called.system_code) + " (system call)";
+}
+
+}  // namespace
+
+void AlarmReporter::addCalls(Notes& notes) const {
+  for (std::size_t level = calls_.depth(); level-- > 1;) {
+    const CallFrame& caller = calls_.at(level - 1);
+    const CallFrame& called = calls_.at(level);
+    std::string note = calledFrom(*caller.text, caller.line) + " by " + callName(called);
+    if (opensLocals(called.kind)) {
+      for (std::size_t n = 1; n < called.args.v.size(); ++n) {
+        if (!called.args.v[n].vacant) note += fmt::format(" #{}={}", n, called.args.v[n].number);
+      }
+    }
+    notes.push_back(std::move(note));
+  }
+}
+
+void AlarmReporter::addVariables(Notes& notes) const {
+  const std::string_view text = block_.text;
+  constexpr int kMaxNotes = 8;
+  std::array<int, kMaxNotes> told{};
+  int count = 0;
+  for (std::size_t i = text.find('#'); i != std::string_view::npos; i = text.find('#', i + 1)) {
+    int number = -1;
+    std::from_chars(text.data() + i + 1, text.data() + text.size(), number);
+    Value value;
+    if (count == kMaxNotes || !variables_.peek(number, value)) continue;
+    if (std::find(told.begin(), told.begin() + count, number) != told.begin() + count) continue;
+    told[static_cast<std::size_t>(count++)] = number;
+    notes.push_back(value.vacant ? fmt::format("#{} is vacant", number)
+                                 : fmt::format("#{} = {}", number, value.number));
+  }
+}
+
+bool AlarmReporter::computed() const {
+  return std::any_of(block_.words.begin(), block_.words.end(),
+                     [](const Word& w) { return w.from_expression; });
+}
+
+void AlarmReporter::addValues(Notes& notes) const {
+  if (!computed()) addVariables(notes);
+  for (const Word& w : block_.words) {
+    if (!w.from_expression) continue;
+    const auto begin = static_cast<std::size_t>(w.columns.begin - 1);
+    const auto length = static_cast<std::size_t>(w.columns.end - w.columns.begin);
+    if (begin + length > block_.text.size()) continue;
+    notes.push_back(fmt::format("{} = {}", block_.text.substr(begin, length), w.value));
+  }
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,82 @@
+// Alarms of the nct control: the manual's numbers and texts, and how they become diagnostics.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/diagnostics.h"
+#include "core/nc/nct/model/call_stack.h"
+#include "core/nc/nct/model/program_store.h"
+#include "core/nc/stages/path_emitter.h"
+#include "core/nc/text/alarms.h"
+#include "core/nc/text/block.h"
+
+namespace proveout::nc {
+
+/// An alarm of the control. `text` is the manual's, in English; `{}` is the subject (an address, an axis).
+struct Alarm {
+  int number;
+  std::string_view text;
+};
+/// Sorted by number.
+std::span<const Alarm> nctAlarmTexts();
+/// What the shared rooms refuse, as alarms of this control.
+const AlarmTable& nctAlarms();
+/// The text of an alarm with its subject filled in; without a subject the mark and the blank before it go.
+/// Numbers that the table lacks give "alarm of the program".
+std::string alarmText(int number, std::string_view subject);
+
+/// Makes diagnostics with their place, the calls that led there and the values of words that came from
+/// expressions. One a channel.
+class AlarmReporter {
+ public:
+  AlarmReporter(const CallStack& calls, const ProgramStore& programs, const Block& block,
+                const VariableStore& variables, PathEmitter& emitter)
+      : calls_(calls), programs_(programs), block_(block), variables_(variables), emitter_(emitter) {}
+
+  /// An alarm with the manual's number: "text of the manual: detail". Always false.
+  bool alarm(int number, std::string_view subject, std::string_view detail = {}, Columns at = {});
+  /// The same at a word, whose address is the subject. Always false.
+  bool alarm(int number, const Word& word, std::string_view detail = {});
+  /// An error under its full text: the simulator's own, or an alarm whose text says the detail. Always false.
+  bool fail(std::string code, std::string message, Columns at = {});
+  void warn(std::string code, std::string message, Columns at = {}, Severity severity = Severity::kWarning);
+  /// True the first time that it is asked with this key: warn then, and format the text only then.
+  bool firstTime(std::string_view key);
+
+  /// Remembers the calls and values of the block in hand for sendLate(): for blocks that a stage of the pipe
+  /// keeps back. 0 where there is nothing to remember: a plain block of the main program. The last 256 are
+  /// kept.
+  std::uint32_t remember();
+  /// A diagnostic at a block that has gone by (cutter compensation reports late); `record` is from
+  /// remember().
+  void sendLate(Severity severity, std::string code, std::string message, const SourceRef& at,
+                std::uint32_t record);
+
+ private:
+  void report(Severity severity, std::string code, std::string message, Columns at);
+  using Notes = std::vector<std::string>;
+  Diagnostic diagnosticAt(Severity severity, std::string code, std::string message, const SourceRef& at,
+                          Columns columns) const;
+  bool computed() const;
+  void addCalls(Notes& notes) const;
+  void addValues(Notes& notes) const;
+  void addVariables(Notes& notes) const;
+
+  const CallStack& calls_;
+  const ProgramStore& programs_;
+  const Block& block_;
+  const VariableStore& variables_;
+  PathEmitter& emitter_;
+  std::set<std::string, std::less<>> told_;
+  static constexpr std::size_t kRemembered = 256;  ///< more than the stages keep back
+  std::vector<Notes> remembered_;                  ///< by record modulo their number
+  std::uint32_t last_record_ = 0;
+};
+
+}  // namespace proveout::nc
