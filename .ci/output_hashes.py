@@ -159,7 +159,8 @@ def main():
             tasks += [(f"{part}/{name}", [os.path.join(folder, name)]) for name in sorted(os.listdir(folder))
                       if name.endswith(".toml")]
     if options.programs:
-        of_program = {"bear": ("0,0,-20:80,80,0", "ball:2"), "flower_mold": ("0,0,-20:80,80,0", "ball:2")}
+        of_program = {"bear": ("0,0,-20:80,80,0", "ball:2"),
+                      "flower_mold": ("-3.92956,-3.92829,-9.95121:61.0796,61.0529,0", "flat:1")}
         for name, (box, tool) in of_program.items():
             tasks.append((name, [os.path.join(os.path.abspath(options.programs), name + ".nc"), "--control", "nct", "--stock",
                                  "box:" + box, "--tool", "1=" + tool, "--resolution", "0.25"]))

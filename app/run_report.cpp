@@ -16,6 +16,7 @@
 #include "app/session/forecast/run_limits.h"
 #include "app/session/process/turning_work.h"
 #include "app/session/run/process.h"
+#include "core/base/assert.h"
 #include "core/tool/tool_table.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
@@ -149,6 +150,7 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
   const bool swept = last.section == nullptr;
   if (first.section != nullptr) terms.push_back({"section", kSectionChordMm, first.section});
   if (run.isOfFacets()) {
+    PROVEOUT_ASSERT(last.facets != nullptr);  // such meshes come from sections
     terms.push_back({"facets", grid, last.facets(run.setups.back().job)});
   } else {
     terms.push_back(gridTerm(run, grid));

@@ -184,37 +184,36 @@ class ShapeReader {
     }
   }
 
-  /// The triangle of two that was cut off the other's facet and is so narrow that rounding turned it;
-  /// kNobody: neither.
-  std::uint32_t sliverOf(std::uint32_t g, std::uint32_t h) const {
+  /// A triangle that was cut off another's facet and is so narrow that rounding turned it.
+  struct Sliver {
+    std::uint32_t triangle = kNobody, beside = kNobody;    ///< kNobody: neither of the two is one
+    double off = std::numeric_limits<double>::infinity();  ///< of that facet, mm
+  };
+
+  Sliver sliverOf(std::uint32_t g, std::uint32_t h) const {
     const double length = edge(g / 3, static_cast<int>(g % 3)).norm();
     const double a = mesh_.areaVector(g / 3).norm() / length, b = mesh_.areaVector(h / 3).norm() / length;
-    const std::uint32_t sliver = a < b ? g / 3 : h / 3;
-    const double noise = kTextNoise * mesh_.middle(sliver).cwiseAbs().maxCoeff();
-    const bool narrow = std::min(a, b) < kSliverShare * std::max(a, b);
-    return narrow && std::abs(turnAt(g, h)) * std::min(a, b) < noise ? sliver : kNobody;
+    const auto [narrow, wide] = a < b ? std::pair(g / 3, h / 3) : std::pair(h / 3, g / 3);
+    if (std::min(a, b) >= kSliverShare * std::max(a, b)) return {};
+    const double off = std::abs(turnAt(g, h)) * std::min(a, b);
+    const double noise = kTextNoise * mesh_.middle(narrow).cwiseAbs().maxCoeff();
+    return off < noise ? Sliver{narrow, wide, off} : Sliver();
   }
 
   /// Joins those that are of no facet yet with the one that rounding turned them least against: never two
   /// facets by what lies between them. Returns them.
   std::vector<std::uint32_t> joinSlivers(const std::vector<char>& joined, DisjointSets& sets) const {
-    struct Beside {
-      double off = std::numeric_limits<double>::infinity();  ///< mm
-      std::uint32_t triangle = kNobody;
-    };
-    std::vector<Beside> best(mesh_.triangles.size());
+    std::vector<Sliver> best(mesh_.triangles.size());
     forEachPair([&](std::uint32_t g, std::uint32_t h) {
-      const std::uint32_t sliver = sliverOf(g, h);
-      if (sliver == kNobody || joined[sliver]) return;
-      const double length = edge(g / 3, static_cast<int>(g % 3)).norm();
-      const double off = std::abs(turnAt(g, h)) * mesh_.areaVector(sliver).norm() / length;
-      if (off < best[sliver].off) best[sliver] = {off, sliver == g / 3 ? h / 3 : g / 3};
+      const Sliver sliver = sliverOf(g, h);
+      if (sliver.triangle == kNobody || joined[sliver.triangle]) return;
+      if (sliver.off < best[sliver.triangle].off) best[sliver.triangle] = sliver;
     });
     std::vector<std::uint32_t> out;
-    for (std::uint32_t t = 0; t < best.size(); ++t) {
-      if (best[t].triangle == kNobody) continue;
-      sets.join(t, best[t].triangle);
-      out.push_back(t);
+    for (const Sliver& sliver : best) {
+      if (sliver.triangle == kNobody) continue;
+      sets.join(sliver.triangle, sliver.beside);
+      out.push_back(sliver.triangle);
     }
     return out;
   }
